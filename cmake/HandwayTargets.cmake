@@ -1,0 +1,61 @@
+# The few kinds of targets that the project is made of.
+include(GenerateExportHeader)
+
+function(_handway_warnings target)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor
+                                           -Woverloaded-virtual -Werror)
+endfunction()
+
+# handway_library(NAME SOURCES … [PUBLIC …] [PRIVATE …])
+# A layer: shared library handway_NAME, target handway::NAME, public headers in
+# include/handway/NAME/, export macro HANDWAY_<NAME>_EXPORT in handway/NAME/export.h.
+function(handway_library name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  set(target handway_${name})
+  add_library(${target} SHARED ${ARG_SOURCES})
+  add_library(handway::${name} ALIAS ${target})
+  string(TOUPPER ${name} upper)
+  generate_export_header(
+    ${target}
+    BASE_NAME handway_${name}
+    EXPORT_MACRO_NAME HANDWAY_${upper}_EXPORT
+    EXPORT_FILE_NAME ${CMAKE_CURRENT_BINARY_DIR}/include/handway/${name}/export.h)
+  target_include_directories(
+    ${target}
+    PUBLIC ${CMAKE_CURRENT_SOURCE_DIR}/include ${CMAKE_CURRENT_BINARY_DIR}/include
+    PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
+  target_link_libraries(${target} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
+  _handway_warnings(${target})
+endfunction()
+
+# handway_executable(NAME SOURCES … LINK …): a program in bin/.
+function(handway_executable name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
+  add_executable(${name} ${ARG_SOURCES})
+  target_link_libraries(${name} PRIVATE ${ARG_LINK})
+  _handway_warnings(${name})
+endfunction()
+
+# handway_plugin(NAME SOURCES … LINK …): a module that the program finds beside its libraries.
+function(handway_plugin name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
+  add_library(${name} MODULE ${ARG_SOURCES})
+  target_link_libraries(${name} PRIVATE ${ARG_LINK})
+  set_target_properties(${name} PROPERTIES PREFIX "" LIBRARY_OUTPUT_DIRECTORY
+                                                     "${HANDWAY_PLUGIN_DIRECTORY}")
+  _handway_warnings(${name})
+endfunction()
+
+# handway_test(NAME SOURCES … LINK …): a GoogleTest program whose cases CTest lists one by one.
+function(handway_test name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
+  add_executable(${name} ${ARG_SOURCES})
+  target_link_libraries(${name} PRIVATE ${ARG_LINK} handway_test_support GTest::gmock GTest::gtest
+                                        GTest::gtest_main)
+  set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/tests")
+  _handway_warnings(${name})
+  gtest_discover_tests(
+    ${name}
+    DISCOVERY_MODE PRE_TEST
+    PROPERTIES TIMEOUT 300)
+endfunction()

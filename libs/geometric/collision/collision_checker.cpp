@@ -1,0 +1,107 @@
+#include "handway/geometric/collision/collision_checker.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+namespace handway::geometric {
+
+CollisionChecker::CollisionChecker(std::shared_ptr<const CollisionWorld> world)
+    : world_(std::move(world)),
+      X_BL_(static_cast<std::size_t>(world_->model().link_count())),
+      X_WBody_(world_->bodies().size()) {}
+
+CollisionChecker::CollisionChecker(const CollisionChecker& other)
+    : world_(other.world_), X_BL_(other.X_BL_.size()), X_WBody_(other.X_WBody_.size()) {}
+
+void CollisionChecker::place(const Configuration& q) {
+  const int expected = world_->model().variable_count();
+  if (q.size() != expected) {
+    throw std::invalid_argument("configuration has " + std::to_string(q.size()) +
+                                " values, the robot " + std::to_string(expected) + " variables");
+  }
+  if (!q.allFinite()) {
+    throw std::invalid_argument("configuration holds a value that is not a finite number");
+  }
+  ++counts_.configurations;
+  world_->place(q, X_BL_, X_WBody_);
+  do_place();
+}
+
+bool CollisionChecker::pair_collides(int pair) {
+  ++counts_.pair_collisions;
+  return do_pair_collides(pair);
+}
+
+double CollisionChecker::pair_distance(int pair, double enough) {
+  ++counts_.pair_distances;
+  return do_pair_distance(pair, enough);
+}
+
+std::optional<int> CollisionChecker::first_collision(const Configuration& q) {
+  place(q);
+  if (world_->pairs().empty()) {
+    return std::nullopt;
+  }
+  if (pair_collides(last_collision_)) {
+    return last_collision_;
+  }
+  const std::optional<int> pair = do_first_collision();
+  if (pair) {
+    last_collision_ = *pair;
+  }
+  return pair;
+}
+
+std::optional<int> CollisionChecker::do_first_collision() {
+  for (int pair = 0; pair < static_cast<int>(world_->pairs().size()); ++pair) {
+    if (pair_collides(pair)) {
+      return pair;
+    }
+  }
+  return std::nullopt;
+}
+
+namespace {
+
+NamedPair named(const CollisionWorld& world, int pair, double distance) {
+  const BodyPair& bodies = world.pairs()[static_cast<std::size_t>(pair)];
+  return {world.body(bodies.a).name, world.body(bodies.b).name, distance};
+}
+
+}  // namespace
+
+std::vector<NamedPair> find_collisions(CollisionChecker& checker, const Configuration& q) {
+  checker.place(q);
+  std::vector<NamedPair> touching;
+  for (int pair = 0; pair < static_cast<int>(checker.world().pairs().size()); ++pair) {
+    if (checker.pair_collides(pair)) {
+      touching.push_back(named(checker.world(), pair, 0.0));
+    }
+  }
+  return touching;
+}
+
+NamedPair find_clearance(CollisionChecker& checker, const Configuration& q, double enough) {
+  checker.place(q);
+  NamedPair closest{"", "", enough};
+  for (int pair = 0; pair < static_cast<int>(checker.world().pairs().size()); ++pair) {
+    const double distance = checker.pair_distance(pair, closest.distance);
+    if (distance < closest.distance) {
+      closest = named(checker.world(), pair, distance);
+    }
+  }
+  return closest;
+}
+
+bool is_closer_than(CollisionChecker& checker, const Configuration& q, double distance) {
+  checker.place(q);
+  for (int pair = 0; pair < static_cast<int>(checker.world().pairs().size()); ++pair) {
+    if (checker.pair_distance(pair, distance) < distance) {
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace handway::geometric

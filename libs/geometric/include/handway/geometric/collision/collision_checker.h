@@ -1,0 +1,106 @@
+#pragma once
+
+#include "handway/geometric/collision/collision_world.h"
+#include "handway/geometric/export.h"
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace handway::geometric {
+
+/// How many questions of each kind a checker has answered.
+struct CheckCounts {
+  std::uint64_t configurations = 0;   ///< Placed configurations.
+  std::uint64_t pair_collisions = 0;  ///< Pairs asked "do they touch?".
+  std::uint64_t pair_distances = 0;   ///< Pairs asked "how far apart?".
+  std::uint64_t exact_tests = 0;      ///< Of these, answered on triangles.
+
+  CheckCounts& operator+=(const CheckCounts& other) {
+    configurations += other.configurations;
+    pair_collisions += other.pair_collisions;
+    pair_distances += other.pair_distances;
+    exact_tests += other.exact_tests;
+    return *this;
+  }
+};
+
+/// Answers collision questions about the pairs of a CollisionWorld.
+///
+/// A checker holds the state of one configuration and is for one thread; clones
+/// share the immutable parts. Touching counts as collision. Surfaces collide:
+/// a body wholly inside another's hollow does not touch it.
+class HANDWAY_GEOMETRIC_EXPORT CollisionChecker {
+ public:
+  virtual ~CollisionChecker() = default;
+  CollisionChecker& operator=(const CollisionChecker&) = delete;
+
+  [[nodiscard]] virtual std::unique_ptr<CollisionChecker> clone() const = 0;
+
+  [[nodiscard]] const CollisionWorld& world() const { return *world_; }
+  [[nodiscard]] const std::shared_ptr<const CollisionWorld>& shared_world() const { return world_; }
+  [[nodiscard]] const CheckCounts& counts() const { return counts_; }
+  void reset_counts() { counts_ = {}; }
+
+  /// Places all bodies for the questions that follow.
+  /// @param q shape [variable_count]; limits are not checked.
+  /// @throws std::invalid_argument if the shape is wrong or a value is not finite.
+  void place(const Configuration& q);
+
+  /// Do the two bodies of world().pairs()[pair] touch, as placed?
+  [[nodiscard]] bool pair_collides(int pair);
+
+  /// A lower bound of the distance of the pair's bodies, m: the distance itself
+  /// where that is below `enough`, otherwise anything from `enough` up to it.
+  /// 0 if they touch.
+  [[nodiscard]] double pair_distance(int pair, double enough);
+
+  /// Index of a pair that touches in `q`, or nothing if `q` is free.
+  [[nodiscard]] std::optional<int> first_collision(const Configuration& q);
+
+ protected:
+  explicit CollisionChecker(std::shared_ptr<const CollisionWorld> world);
+  CollisionChecker(const CollisionChecker& other);
+
+  [[nodiscard]] const std::vector<Pose>& body_poses() const { return X_WBody_; }
+  void count_exact_test() { ++counts_.exact_tests; }
+
+  /// Called after the bodies have been placed.
+  virtual void do_place() {}
+  [[nodiscard]] virtual bool do_pair_collides(int pair) = 0;
+  [[nodiscard]] virtual double do_pair_distance(int pair, double enough) = 0;
+  [[nodiscard]] virtual std::optional<int> do_first_collision();
+
+ private:
+  std::shared_ptr<const CollisionWorld> world_;
+  std::vector<Pose> X_BL_;
+  std::vector<Pose> X_WBody_;
+  CheckCounts counts_;
+  int last_collision_ = 0;  ///< Asked first: neighbours in space collide in the same pair.
+};
+
+/// Two bodies by name, with their distance (m, 0 if they touch).
+struct NamedPair {
+  std::string a;
+  std::string b;
+  double distance = 0.0;
+};
+
+/// All pairs that touch in `q`, in pair order.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<NamedPair> find_collisions(
+    CollisionChecker& checker, const Configuration& q);
+
+/// The closest pair in `q`; a distance above `enough` may be reported as `enough`.
+/// A world without pairs is infinitely clear.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT NamedPair
+find_clearance(CollisionChecker& checker, const Configuration& q,
+               double enough = std::numeric_limits<double>::infinity());
+
+/// Is any pair closer than `distance` (m) in `q`? The third of PQP's three queries.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT bool is_closer_than(CollisionChecker& checker,
+                                                           const Configuration& q, double distance);
+
+}  // namespace handway::geometric

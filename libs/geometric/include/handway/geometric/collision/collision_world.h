@@ -1,0 +1,70 @@
+#pragma once
+
+#include "handway/geometric/export.h"
+#include "handway/geometric/scene/scene.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace handway::geometric {
+
+/// One rigid set of triangles: a link of the planned robot with all its
+/// collision shapes, a carried object, or something that stands still.
+struct CollisionBody {
+  std::string name;  ///< Link or object; "robot/link" for a robot that stands still.
+  int link = -1;     ///< Link of the planned robot that carries the body; -1: stands still.
+  Pose X_FB = Pose::Identity();              ///< In the carrying link's frame, or in the world.
+  std::shared_ptr<const TriangleMesh> mesh;  ///< In the body's frame B.
+
+  [[nodiscard]] bool moves() const { return link >= 0; }
+};
+
+/// Indices of two bodies that must not touch.
+struct BodyPair {
+  int a = -1;  ///< Always a body that moves.
+  int b = -1;
+};
+
+/// Everything that collision checking needs to know of a scene, for its first
+/// robot: bodies and the pairs to check. Immutable; shared by all threads.
+///
+/// Not checked are pairs that the robot's allowed-collision matrix names, pairs
+/// that no joint moves against each other, and a carried object against the link
+/// that carries it and the links it may touch.
+class HANDWAY_GEOMETRIC_EXPORT CollisionWorld {
+ public:
+  /// @throws InputError if the scene has no robot or an attachment names none.
+  explicit CollisionWorld(const Scene& scene);
+
+  [[nodiscard]] const RobotModel& model() const { return *model_; }
+  [[nodiscard]] const std::shared_ptr<const RobotModel>& shared_model() const { return model_; }
+  [[nodiscard]] const Pose& X_WB() const { return X_WB_; }
+  [[nodiscard]] const std::vector<CollisionBody>& bodies() const { return bodies_; }
+  [[nodiscard]] const CollisionBody& body(int index) const {
+    return bodies_[static_cast<std::size_t>(index)];
+  }
+  /// Moving against moving first, then moving against still; each in body order.
+  [[nodiscard]] const std::vector<BodyPair>& pairs() const { return pairs_; }
+  [[nodiscard]] bool is_self_pair(const BodyPair& pair) const { return body(pair.b).moves(); }
+
+  /// Poses of all bodies in the world. @param[out] X_WBody shape [bodies().size()].
+  void place(const Configuration& q, std::vector<Pose>& X_BL, std::vector<Pose>& X_WBody) const;
+
+ private:
+  void add_robot_links(const RobotInstance& robot);
+  void add_still_robot(const RobotInstance& robot);
+  void add_objects(const Scene& scene);
+  void list_pairs(const Scene& scene);
+  [[nodiscard]] bool must_not_touch(const Scene& scene, int a, int b) const;
+
+  std::shared_ptr<const RobotModel> model_;
+  Pose X_WB_ = Pose::Identity();
+  std::vector<CollisionBody> bodies_;
+  std::vector<BodyPair> pairs_;
+};
+
+/// The triangles of all collision shapes of a link, in the link's frame; may be empty.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT TriangleMesh collision_mesh(const Link& link);
+
+}  // namespace handway::geometric

@@ -1,0 +1,69 @@
+#pragma once
+
+#include "handway/geometric/export.h"
+#include "handway/geometric/robot/robot_model.h"
+#include "handway/geometric/scene/color.h"
+#include "handway/geometric/scene/shape.h"
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace handway::geometric {
+
+/// A robot placed in the world.
+struct RobotInstance {
+  std::string name;
+  std::filesystem::path file;  ///< Where the model came from, as the scene names it.
+  std::shared_ptr<const RobotModel> model;
+  Pose X_WB = Pose::Identity();  ///< Base (root link) in the world.
+  Configuration configuration;   ///< Where the robot stands; shape [variable_count].
+};
+
+/// What an object is fixed to when it is not fixed to the world.
+struct Attachment {
+  std::string robot;
+  std::string link;
+  std::vector<std::string> touching;  ///< Links that may touch it, besides `link`.
+};
+
+/// A thing that robots must not collide with, or carry.
+struct SceneObject {
+  std::string name;
+  Shape shape;
+  Pose X_PO = Pose::Identity();  ///< In the world, or in the link it is attached to.
+  Color color;
+  std::optional<Attachment> attachment;
+};
+
+/// Which planner a scene asks for; the planning layer gives the words a meaning.
+struct PlannerChoice {
+  std::string name;                                           ///< Empty: the default planner.
+  std::vector<std::pair<std::string, std::string>> settings;  ///< Key and value as written.
+};
+
+/// One problem: robots, objects, a query for the first robot.
+struct Scene {
+  std::string name;
+  std::string description;
+  std::filesystem::path file;  ///< Empty for a scene not saved yet.
+  std::vector<RobotInstance> robots;
+  std::vector<SceneObject> objects;
+  std::optional<Configuration> start;  ///< Of robots[0].
+  std::optional<Configuration> goal;   ///< Of robots[0].
+  std::filesystem::path hand_basis;    ///< PMD basis file as the scene names it; may be empty.
+  PlannerChoice planner;
+  std::vector<std::string> warnings;  ///< What the reader noticed but could live with.
+};
+
+/// First robot or object of that name; nullptr if there is none.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT const RobotInstance* find_robot(const Scene& scene,
+                                                                       std::string_view name);
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT const SceneObject* find_object(const Scene& scene,
+                                                                      std::string_view name);
+
+}  // namespace handway::geometric

@@ -1,0 +1,91 @@
+#include "handway/planning/core/parameter.h"
+
+#include "handway/geometric/io/input_error.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <type_traits>
+
+namespace handway::planning {
+namespace {
+
+[[noreturn]] void refuse(const Parameter& parameter, std::string_view text,
+                         const std::string& expected) {
+  throw geometric::InputError(
+      {"parameter", parameter.key, fmt::format("\"{}\"", text), expected, ""});
+}
+
+template <typename Number>
+void set_number(const Parameter& parameter, std::string_view text, Number& value) {
+  Number parsed{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), parsed);
+  const bool in_range = static_cast<double>(parsed) >= parameter.lower &&
+                        static_cast<double>(parsed) <= parameter.upper;
+  if (error != std::errc() || end != text.data() + text.size() || !in_range) {
+    refuse(parameter, text,
+           fmt::format("{} from {:g} to {:g}",
+                       std::is_integral_v<Number> ? "a whole number" : "a number", parameter.lower,
+                       parameter.upper));
+  }
+  value = parsed;
+}
+
+void set_bool(const Parameter& parameter, std::string_view text, bool& value) {
+  if (text != "true" && text != "false") {
+    refuse(parameter, text, "true or false");
+  }
+  value = text == "true";
+}
+
+void set_choice(const Parameter& parameter, std::string_view text, const ChoiceValue& choice) {
+  const auto found = std::ranges::find(choice.options, text);
+  if (found == choice.options.end()) {
+    refuse(parameter, text, fmt::format("one of {}", fmt::join(choice.options, ", ")));
+  }
+  *choice.index = static_cast<int>(found - choice.options.begin());
+}
+
+}  // namespace
+
+void set_from_text(const Parameter& parameter, std::string_view text) {
+  std::visit(
+      [&](const auto& value) {
+        using Value = std::decay_t<decltype(value)>;
+        if constexpr (std::is_same_v<Value, bool*>) {
+          set_bool(parameter, text, *value);
+        } else if constexpr (std::is_same_v<Value, ChoiceValue>) {
+          set_choice(parameter, text, value);
+        } else {
+          set_number(parameter, text, *value);
+        }
+      },
+      parameter.value);
+}
+
+std::string to_text(const Parameter& parameter) {
+  return std::visit(
+      [](const auto& value) -> std::string {
+        if constexpr (std::is_same_v<std::decay_t<decltype(value)>, ChoiceValue>) {
+          return value.options[static_cast<std::size_t>(*value.index)];
+        } else {
+          return fmt::format("{}", *value);
+        }
+      },
+      parameter.value);
+}
+
+const Parameter& find_parameter(const std::vector<Parameter>& parameters, std::string_view key) {
+  const auto found = std::ranges::find(parameters, key, &Parameter::key);
+  if (found == parameters.end()) {
+    std::vector<std::string> keys;
+    std::ranges::transform(parameters, std::back_inserter(keys), &Parameter::key);
+    throw geometric::InputError({"parameter", std::string(key), "a name that the planner has not",
+                                 fmt::format("one of {}", fmt::join(keys, ", ")), ""});
+  }
+  return *found;
+}
+
+}  // namespace handway::planning

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "handway/geometric/math/pose.h"
+
+#include <string_view>
+
+namespace handway::planning {
+
+/// A roadmap or tree node as an observer sees it.
+struct NodeEvent {
+  int id = 0;
+  const geometric::Configuration& q;
+  int pmd_count = 0;   ///< Principal directions used for the sample; 0: none.
+  double step = 0.0;   ///< Where on the arm segment the sample was drawn, [0, 1].
+  double rho_a = 0.0;  ///< Half-side of the hypercube it was drawn from.
+};
+
+/// Told what a planner does while it plans, on the planner's own thread and in
+/// the same order on every run. Everything defaults to nothing.
+class Observer {
+ public:
+  virtual ~Observer() = default;
+  virtual void on_node(const NodeEvent& /*node*/) {}
+  virtual void on_edge(int /*from*/, int /*to*/) {}
+  /// The stretch of the arm segment that is still being searched.
+  virtual void on_search_range(double /*d_ini*/, double /*d_goal*/) {}
+  /// `fraction` of the sample budget that is spent, in [0, 1], and what is being done.
+  virtual void on_progress(double /*fraction*/, std::string_view /*activity*/) {}
+};
+
+}  // namespace handway::planning

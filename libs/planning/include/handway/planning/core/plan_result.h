@@ -1,0 +1,67 @@
+#pragma once
+
+#include "handway/geometric/collision/collision_checker.h"
+#include "handway/planning/export.h"
+#include "handway/planning/paths/path.h"
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace handway::planning {
+
+enum class PlanStatus {
+  kSolved,
+  kStartInvalid,  ///< In collision or out of limits.
+  kGoalInvalid,   ///< In collision or out of limits.
+  kSamplesSpent,  ///< The sample budget is used up.
+  kTimeLimit,
+  kCancelled,
+};
+
+/// What is known about a path: every configuration on it has at least this
+/// clearance, in every checked pair.
+struct Certificate {
+  double resolution_mm = 0.0;     ///< No pair that may be closer than this was accepted.
+  double min_clearance_mm = 0.0;  ///< A lower bound over the whole path.
+  std::uint64_t checks = 0;       ///< Configurations looked at.
+};
+
+/// What a planner did.
+struct PlanStatistics {
+  std::uint64_t samples = 0;  ///< Hand trials in pmd-prm (numSamples); draws elsewhere.
+  std::uint64_t nodes = 0;    ///< Of the roadmap or the trees, start and goal included.
+  std::uint64_t edges = 0;
+  std::uint64_t passes = 0;      ///< Sweeps of the corridor.
+  std::uint64_t max_trials = 0;  ///< Most (j, h) trials that one hypercube needed (Table 2).
+  double final_rho_a = 0.0;
+  std::vector<std::uint64_t> nodes_per_pmds;  ///< Index: number of PMDs used.
+  std::uint64_t node_checks = 0;              ///< Configurations checked as samples.
+  std::uint64_t edge_checks = 0;              ///< Configurations checked along edges.
+  std::uint64_t edges_tested = 0;
+  double sampling_s = 0.0;
+  double connection_s = 0.0;
+  /// Rejected samples by colliding pair, and by tenth of the arm segment.
+  std::map<std::pair<std::string, std::string>, std::uint64_t> rejections;
+  std::vector<std::uint64_t> rejections_per_tenth;
+};
+
+/// The outcome of planning. `path` is empty unless the status is kSolved.
+struct PlanResult {
+  PlanStatus status = PlanStatus::kSamplesSpent;
+  std::string reason;  ///< One sentence for a person.
+  Path path;
+  Certificate certificate;
+  PlanStatistics statistics;
+  double time_s = 0.0;       ///< Planning alone, wall clock.
+  double smoothing_s = 0.0;  ///< Wall clock.
+
+  [[nodiscard]] bool solved() const { return status == PlanStatus::kSolved; }
+};
+
+/// "solved", "start invalid", …: the word in reports.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT const char* to_string(PlanStatus status);
+
+}  // namespace handway::planning

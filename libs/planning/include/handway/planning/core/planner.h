@@ -1,0 +1,60 @@
+#pragma once
+
+#include "handway/planning/core/observer.h"
+#include "handway/planning/core/parameter.h"
+#include "handway/planning/core/plan_result.h"
+#include "handway/planning/core/planning_problem.h"
+#include "handway/planning/export.h"
+
+#include <cstdint>
+#include <limits>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+namespace handway::planning {
+
+class PlanningContext;
+
+/// What a planner can do; forms and the command line read it.
+struct PlannerCapabilities {
+  bool uses_pmds = false;     ///< Samples the hand in a PMD basis.
+  bool uses_threads = false;  ///< More threads make it faster.
+  bool deterministic = true;  ///< Same seed, same bits.
+};
+
+/// How to run a planner.
+struct PlanRequest {
+  std::uint64_t seed = 1;
+  int threads = 1;  ///< ≥ 1; the result does not depend on it.
+  double time_limit_s = std::numeric_limits<double>::infinity();
+  double resolution_mm = 0.02;  ///< Edges closer than this to anything are refused.
+};
+
+/// Finds a collision-free path from a problem's start to its goal.
+///
+/// Public functions check; derived classes compute. A planner object is for one
+/// run at a time and may be used again.
+class HANDWAY_PLANNING_EXPORT Planner {
+ public:
+  virtual ~Planner() = default;
+
+  [[nodiscard]] virtual std::string name() const = 0;
+  [[nodiscard]] virtual std::string description() const = 0;
+  [[nodiscard]] virtual PlannerCapabilities capabilities() const = 0;
+  /// The settings, bound to this object: change them through the pointers.
+  [[nodiscard]] virtual std::vector<Parameter> parameters() = 0;
+
+  /// Checks start and goal, plans, smooths, certifies.
+  /// @param stop ends the search within 100 ms with kCancelled.
+  /// @param observer may be null.
+  /// @throws InputError if the planner needs a basis and the problem has none.
+  [[nodiscard]] PlanResult plan(const PlanningProblem& problem, const PlanRequest& request,
+                                std::stop_token stop = {}, Observer* observer = nullptr);
+
+ protected:
+  /// Searches. Sets status, reason, path, statistics and, if it smooths, smoothing_s.
+  virtual void do_plan(PlanningContext& context, PlanResult& result) = 0;
+};
+
+}  // namespace handway::planning

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "handway/planning/core/planner.h"
+#include "handway/planning/export.h"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace handway::planning {
+
+using PlannerFactory = std::function<std::unique_ptr<Planner>()>;
+
+/// The planners that a program knows, by name. Built-in ones are there from the
+/// start; plugins add theirs.
+class HANDWAY_PLANNING_EXPORT PlannerRegistry {
+ public:
+  PlannerRegistry();
+
+  /// @throws std::invalid_argument if the name is taken.
+  void add(std::string name, PlannerFactory factory);
+
+  /// @throws InputError naming the planners there are.
+  [[nodiscard]] std::unique_ptr<Planner> create(std::string_view name) const;
+
+  /// In order of registration; the first is the default.
+  [[nodiscard]] std::vector<std::string> names() const;
+
+ private:
+  std::vector<std::pair<std::string, PlannerFactory>> factories_;
+};
+
+}  // namespace handway::planning

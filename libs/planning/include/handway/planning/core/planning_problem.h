@@ -1,0 +1,41 @@
+#pragma once
+
+#include "handway/geometric/scene/scene.h"
+#include "handway/planning/export.h"
+#include "handway/sampling/postures/pmd_basis.h"
+
+#include <memory>
+#include <vector>
+
+namespace handway::planning {
+
+using geometric::Configuration;
+
+/// A query ready to plan: the first robot of a scene, its joints split into arm
+/// and hand, the hand's basis, start and goal (paper, section 2: C = C^h × C^a).
+struct PlanningProblem {
+  std::shared_ptr<const geometric::Scene> scene;
+  std::shared_ptr<const sampling::PmdBasis> basis;  ///< Null: the hand has none.
+  std::vector<int> arm;                             ///< Variables of the arm, in order.
+  std::vector<int> hand;  ///< Variables of the hand, in the basis' joint order.
+  Configuration start;    ///< c_ini
+  Configuration goal;     ///< c_goal
+
+  [[nodiscard]] const geometric::RobotModel& model() const { return *scene->robots.front().model; }
+};
+
+/// Puts a problem together. Arm and hand are the robot's groups of these names;
+/// without such groups every variable counts as arm, except those that the basis
+/// names. Start and goal are the scene's.
+/// @param basis may be null.
+/// @throws InputError if the scene lacks a robot, a start or a goal, or the
+/// basis names a joint that the robot has not.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT PlanningProblem make_problem(
+    std::shared_ptr<const geometric::Scene> scene, std::shared_ptr<const sampling::PmdBasis> basis);
+
+/// Distance of two configurations in joints normalised to [0, 1] (paper, section 7).
+[[nodiscard]] HANDWAY_PLANNING_EXPORT double normalised_distance(const geometric::RobotModel& model,
+                                                                 const Configuration& a,
+                                                                 const Configuration& b);
+
+}  // namespace handway::planning

@@ -1,0 +1,65 @@
+#pragma once
+
+#include "handway/planning/core/importer.h"
+#include "handway/planning/core/planner_registry.h"
+#include "handway/planning/export.h"
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace handway::planning {
+
+/// Raised whenever a plugin built against an older header would misbehave.
+inline constexpr int kPluginApiVersion = 1;
+
+/// What a plugin library hands over: a struct with this layout, exported as
+/// `extern "C" const handway::planning::Plugin* handway_plugin()`.
+struct Plugin {
+  int api_version = kPluginApiVersion;
+  const char* name = "";
+  const char* version = "";
+  void (*register_planners)(PlannerRegistry& registry) = nullptr;  ///< May be null.
+  std::unique_ptr<Importer> (*make_importer)() = nullptr;          ///< May be null.
+};
+
+/// A plugin file that was not taken, and why.
+struct RefusedPlugin {
+  std::filesystem::path file;
+  std::string reason;
+};
+
+/// The extensions that a program has loaded, and the planners it knows.
+class HANDWAY_PLANNING_EXPORT Extensions {
+ public:
+  Extensions() = default;
+
+  /// Loads every library of `directory` (none if it does not exist). A file that
+  /// is no plugin, or of another API version, is listed as refused.
+  void load_plugins(const std::filesystem::path& directory);
+
+  [[nodiscard]] PlannerRegistry& planners() { return planners_; }
+  [[nodiscard]] const PlannerRegistry& planners() const { return planners_; }
+  [[nodiscard]] const std::vector<std::unique_ptr<Importer>>& importers() const {
+    return importers_;
+  }
+  [[nodiscard]] const std::vector<RefusedPlugin>& refused() const { return refused_; }
+
+ private:
+  PlannerRegistry planners_;
+  std::vector<std::unique_ptr<Importer>> importers_;
+  std::vector<RefusedPlugin> refused_;
+};
+
+/// Where the plugins of the running program are: lib/handway-plugins beside bin/,
+/// or $HANDWAY_PLUGIN_DIR.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT std::filesystem::path plugin_directory();
+
+/// Opens a scene file: Handway's own YAML, or whatever an importer reads. A
+/// basis that the scene names is loaded too.
+/// @throws InputError if the file can't be read or is of no known format.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT LoadedScene load_scene(const std::filesystem::path& file,
+                                                             const Extensions& extensions);
+
+}  // namespace handway::planning

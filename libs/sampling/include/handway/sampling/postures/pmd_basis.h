@@ -1,0 +1,70 @@
+#pragma once
+
+#include "handway/sampling/export.h"
+
+#include <Eigen/Core>
+
+#include <string>
+#include <vector>
+
+namespace handway::sampling {
+
+/// A hand joint that is sampled on its own beside the principal directions
+/// (the paper's thumb base, section 4.2).
+struct FreeJoint {
+  int joint = 0;           ///< Index into PmdBasis::joints.
+  double centre = 0.5;     ///< Normalised.
+  double half_side = 0.5;  ///< λ of this axis, normalised.
+};
+
+/// One principal motion direction.
+struct PrincipalDirection {
+  std::string name;
+  Eigen::VectorXd vector;  ///< ê_i in normalised joints, shape [joints], unit length.
+  double half_side = 0.0;  ///< λ_i, normalised.
+  double variance = 0.0;   ///< σ_i², normalised; 0 if not known.
+};
+
+/// The reduced hand space SC^h: free joints plus principal motion directions
+/// around the mean posture (paper, section 4.2 and Eq. 1), and its box B^h.
+///
+/// Postures are in joint space normalised to [0, 1] per joint.
+struct PmdBasis {
+  std::string hand;                            ///< Robot that the joints belong to.
+  std::string source;                          ///< Where the numbers come from.
+  std::vector<std::string> joints;             ///< Independent hand joints, in vector order.
+  Eigen::VectorXd mean;                        ///< b, shape [joints].
+  std::vector<FreeJoint> free_joints;          ///< First axes of SC^h.
+  std::vector<PrincipalDirection> directions;  ///< Following axes, by falling variance.
+
+  /// Axes of the whole SC^h.
+  [[nodiscard]] int dimension() const {
+    return static_cast<int>(free_joints.size() + directions.size());
+  }
+};
+
+/// MAP of Algorithm 2: takes u in [0,1]^k, k ≤ dimension(), scales axis i to
+/// [-λ_i, λ_i], applies c = E' e + b (Eq. 1; axes beyond k stay at 0) and clamps
+/// every joint to [0, 1].
+/// @param u shape [k].
+/// @returns normalised joints, shape [joints].
+/// @throws std::invalid_argument if u has more entries than the basis has axes.
+[[nodiscard]] HANDWAY_SAMPLING_EXPORT Eigen::VectorXd map_to_posture(const PmdBasis& basis,
+                                                                     const Eigen::VectorXd& u);
+
+/// Coordinates e of the posture of SC^h closest to `posture` (least squares),
+/// not limited to the box. @param posture shape [joints]. @returns shape [dimension].
+[[nodiscard]] HANDWAY_SAMPLING_EXPORT Eigen::VectorXd project(const PmdBasis& basis,
+                                                              const Eigen::VectorXd& posture);
+
+/// Distance of `posture` from SC^h, in normalised joints: how far a posture is
+/// from those that the human hand was seen to take.
+[[nodiscard]] HANDWAY_SAMPLING_EXPORT double distance_to_subspace(const PmdBasis& basis,
+                                                                  const Eigen::VectorXd& posture);
+
+/// The basis whose axes are all the joints over their whole range: the paper's
+/// "full" hand space (section 6.2).
+[[nodiscard]] HANDWAY_SAMPLING_EXPORT PmdBasis full_joint_basis(std::string hand,
+                                                                std::vector<std::string> joints);
+
+}  // namespace handway::sampling
