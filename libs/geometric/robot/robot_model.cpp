@@ -135,6 +135,10 @@ void RobotModel::index_variables() {
     }
     drives_[static_cast<std::size_t>(i)] = {*leader, mimic.multiplier, mimic.offset};
   }
+  for (int i = 1; i < link_count(); ++i) {
+    const auto& [variable, multiplier, offset] = drive(i);
+    steps_.push_back(forward_kinematics_step(joint(i), parent(i), variable, multiplier, offset));
+  }
   lower_.resize(variable_count());
   upper_.resize(variable_count());
   for (int v = 0; v < variable_count(); ++v) {
@@ -178,24 +182,6 @@ Configuration RobotModel::neutral() const {
   const Configuration middle = 0.5 * (lower_ + upper_);
   return (lower_.array() <= 0.0 && upper_.array() >= 0.0)
       .select(Configuration::Zero(variable_count()), middle);
-}
-
-void RobotModel::forward_kinematics(const Configuration& q, std::span<Pose> X_BL) const {
-  X_BL[0] = Pose::Identity();
-  for (std::size_t i = 1; i < description_.links.size(); ++i) {
-    const Joint& joint = description_.joints[i - 1];
-    X_BL[i] = X_BL[static_cast<std::size_t>(parents_[i])] * joint.X_PJ;
-    if (joint.type == JointType::kFixed) {
-      continue;
-    }
-    const Drive& drive = drives_[i];
-    const double value = drive.multiplier * q[drive.variable] + drive.offset;
-    if (joint.type == JointType::kRevolute) {
-      X_BL[i].linear() *= Eigen::AngleAxisd(value, joint.axis).toRotationMatrix();
-    } else {
-      X_BL[i].translation() += X_BL[i].linear() * (value * joint.axis);
-    }
-  }
 }
 
 bool RobotModel::moves_between(int variable, int link_a, int link_b) const {

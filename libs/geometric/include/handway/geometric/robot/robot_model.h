@@ -1,6 +1,7 @@
 #pragma once
 
 #include "handway/geometric/export.h"
+#include "handway/geometric/robot/forward_kinematics_step.h"
 #include "handway/geometric/robot/robot_description.h"
 
 #include <memory>
@@ -85,6 +86,7 @@ class HANDWAY_GEOMETRIC_EXPORT RobotModel {
   std::vector<int> parents_;
   std::vector<Drive> drives_;
   std::vector<int> variable_links_;
+  std::vector<ForwardKinematicsStep> steps_;  ///< One per joint, of link i at i - 1.
   Configuration lower_;
   Configuration upper_;
 };

@@ -1,0 +1,33 @@
+#include "handway/geometric/robot/jacobian.h"
+
+namespace handway::geometric {
+
+Jacobian point_jacobian(const RobotModel& model, std::span<const Pose> X_BL, int link,
+                        const Eigen::Vector3d& p_LQ) {
+  Jacobian J = Jacobian::Zero(6, model.variable_count());
+  const Eigen::Vector3d p_BQ = X_BL[static_cast<std::size_t>(link)] * p_LQ;
+  for (int i = link; i > 0; i = model.parent(i)) {
+    const RobotModel::Drive& drive = model.drive(i);
+    if (drive.variable < 0) {
+      continue;
+    }
+    // The joint's own motion leaves its axis, and so the axis in the child, in place.
+    const Pose& X_BC = X_BL[static_cast<std::size_t>(i)];
+    const Joint& joint = model.joint(i);
+    const Eigen::Vector3d axis_B = drive.multiplier * (X_BC.linear() * joint.axis);
+    if (joint.type == JointType::kRevolute) {
+      J.col(drive.variable).head<3>() += axis_B.cross(p_BQ - X_BC.translation());
+      J.col(drive.variable).tail<3>() += axis_B;
+    } else {
+      J.col(drive.variable).head<3>() += axis_B;
+    }
+  }
+  return J;
+}
+
+Jacobian point_jacobian(const RobotState& state, int link, const Eigen::Vector3d& p_LQ) {
+  // Nothing in the algorithm depends on where the base is.
+  return point_jacobian(state.model(), state.link_poses(), link, p_LQ);
+}
+
+}  // namespace handway::geometric

@@ -1,0 +1,83 @@
+/// Forward kinematics of the whole 25-link robot, against the textbook way:
+/// one dense 4x4 product per joint origin and one per joint rotation.
+#include "handway/geometric/robot/jacobian.h"
+#include "handway/geometric/robot/robot_model.h"
+#include "handway_test/robots.h"
+
+#include <benchmark/benchmark.h>
+
+#include <random>
+#include <vector>
+
+namespace handway::geometric {
+namespace {
+
+std::vector<Configuration> random_configurations(const RobotModel& model, int count) {
+  std::mt19937_64 engine(1);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  std::vector<Configuration> configurations;
+  for (int k = 0; k < count; ++k) {
+    Configuration q(model.variable_count());
+    for (int v = 0; v < model.variable_count(); ++v) {
+      q[v] = model.lower()[v] + uniform(engine) * (model.upper()[v] - model.lower()[v]);
+    }
+    configurations.push_back(q);
+  }
+  return configurations;
+}
+
+void dense_products(const RobotModel& model, const Configuration& q,
+                    std::vector<Eigen::Matrix4d>& X_BL) {
+  X_BL[0].setIdentity();
+  for (int i = 1; i < model.link_count(); ++i) {
+    const Joint& joint = model.joint(i);
+    const RobotModel::Drive& drive = model.drive(i);
+    Eigen::Matrix4d motion = Eigen::Matrix4d::Identity();
+    if (drive.variable >= 0) {
+      const double value = drive.multiplier * q[drive.variable] + drive.offset;
+      motion.topLeftCorner<3, 3>() = Eigen::AngleAxisd(value, joint.axis).toRotationMatrix();
+    }
+    X_BL[static_cast<std::size_t>(i)] =
+        X_BL[static_cast<std::size_t>(model.parent(i))] * joint.X_PJ.matrix() * motion;
+  }
+}
+
+void BM_ForwardKinematics(benchmark::State& state) {
+  const RobotModel model(test::tx90_sah());
+  const std::vector<Configuration> configurations = random_configurations(model, 256);
+  std::vector<Pose> X_BL(static_cast<std::size_t>(model.link_count()));
+  std::size_t k = 0;
+  for (auto _ : state) {
+    model.forward_kinematics(configurations[k++ % configurations.size()], X_BL);
+    benchmark::DoNotOptimize(X_BL.data());
+    benchmark::ClobberMemory();
+  }
+}
+BENCHMARK(BM_ForwardKinematics);
+
+void BM_ForwardKinematicsDense4x4Baseline(benchmark::State& state) {
+  const RobotModel model(test::tx90_sah());
+  const std::vector<Configuration> configurations = random_configurations(model, 256);
+  std::vector<Eigen::Matrix4d> X_BL(static_cast<std::size_t>(model.link_count()));
+  std::size_t k = 0;
+  for (auto _ : state) {
+    dense_products(model, configurations[k++ % configurations.size()], X_BL);
+    benchmark::DoNotOptimize(X_BL.data());
+    benchmark::ClobberMemory();
+  }
+}
+BENCHMARK(BM_ForwardKinematicsDense4x4Baseline);
+
+void BM_PointJacobian(benchmark::State& state) {
+  const RobotModel model(test::tx90_sah());
+  std::vector<Pose> X_BL(static_cast<std::size_t>(model.link_count()));
+  model.forward_kinematics(random_configurations(model, 1).front(), X_BL);
+  const int link = model.find_link("Index-Dist").value();
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(point_jacobian(model, X_BL, link));
+  }
+}
+BENCHMARK(BM_PointJacobian);
+
+}  // namespace
+}  // namespace handway::geometric
