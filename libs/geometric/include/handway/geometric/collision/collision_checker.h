@@ -58,6 +58,10 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionChecker {
   /// 0 if they touch.
   [[nodiscard]] double pair_distance(int pair, double enough);
 
+  /// A lower bound of the pair's distance, at most `enough`, at a small price;
+  /// it may be far below the distance.
+  [[nodiscard]] double pair_bound(int pair, double enough) { return do_pair_bound(pair, enough); }
+
   /// Index of a pair that touches in `q`, or nothing if `q` is free.
   [[nodiscard]] std::optional<int> first_collision(const Configuration& q);
 
@@ -72,6 +76,9 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionChecker {
   virtual void do_place() {}
   [[nodiscard]] virtual bool do_pair_collides(int pair) = 0;
   [[nodiscard]] virtual double do_pair_distance(int pair, double enough) = 0;
+  [[nodiscard]] virtual double do_pair_bound(int pair, double enough) {
+    return do_pair_distance(pair, enough);
+  }
   [[nodiscard]] virtual std::optional<int> do_first_collision();
 
  private:

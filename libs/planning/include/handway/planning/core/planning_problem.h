@@ -1,5 +1,7 @@
 #pragma once
 
+#include "handway/geometric/collision/collision_checker.h"
+#include "handway/geometric/collision/motion_bound.h"
 #include "handway/geometric/scene/scene.h"
 #include "handway/planning/export.h"
 #include "handway/sampling/postures/pmd_basis.h"
@@ -20,6 +22,8 @@ struct PlanningProblem {
   std::vector<int> hand;  ///< Variables of the hand, in the basis' joint order.
   Configuration start;    ///< c_ini
   Configuration goal;     ///< c_goal
+  std::shared_ptr<const geometric::CollisionChecker> checker;  ///< To clone, one per thread.
+  std::shared_ptr<const geometric::MotionBound> motion;
 
   [[nodiscard]] const geometric::RobotModel& model() const { return *scene->robots.front().model; }
 };

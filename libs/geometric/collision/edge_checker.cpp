@@ -1,0 +1,122 @@
+#include "handway/geometric/collision/edge_checker.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace handway::geometric {
+namespace {
+
+// While a pair can move farther than this (m) on a stretch, a cheap bound must do:
+// an exact distance would be thrown away with the next halving.
+constexpr double kWorthExact = 0.004;
+
+}  // namespace
+
+EdgeChecker::EdgeChecker(CollisionChecker& checker, std::shared_ptr<const MotionBound> motion,
+                         double resolution)
+    : checker_(checker),
+      motion_(std::move(motion)),
+      resolution_(resolution),
+      travel_(checker.world().pairs().size()) {}
+
+EdgeResult EdgeChecker::check(const Configuration& from, const Configuration& to) {
+  const Configuration delta = to - from;
+  const Eigen::VectorXd travel = delta.cwiseAbs();
+  std::vector<int> pairs;
+  for (int pair = 0; pair < static_cast<int>(travel_.size()); ++pair) {
+    travel_[static_cast<std::size_t>(pair)] = motion_->bound(pair, travel);
+    if (travel_[static_cast<std::size_t>(pair)] > 0.0) {
+      pairs.push_back(pair);
+    }
+  }
+  EdgeResult result;
+  std::vector<Stretch> level{{0.5, 0.5, 0, pairs.size()}};
+  while (!level.empty() && !pairs.empty()) {
+    std::vector<Stretch> next_level;
+    std::vector<int> unsettled;
+    for (const Stretch& stretch : level) {
+      const Configuration q = from + stretch.middle * delta;
+      ++result.checks;
+      if (const std::optional<int> pair = checker_.first_collision(q)) {
+        result.pair = pair;
+        result.at = stretch.middle;
+        return result;
+      }
+      const std::size_t first = unsettled.size();
+      for (std::size_t i = stretch.first; i < stretch.first + stretch.count; ++i) {
+        const int pair = pairs[i];
+        const double need = travel_[static_cast<std::size_t>(pair)] * stretch.half;
+        const double distance = need > kWorthExact ? checker_.pair_bound(pair, need)
+                                                   : checker_.pair_distance(pair, need);
+        if (distance >= need) {
+          continue;
+        }
+        if (2.0 * need <= resolution_) {
+          result.pair = pair;
+          result.at = stretch.middle;
+          return result;
+        }
+        unsettled.push_back(pair);
+      }
+      const std::size_t count = unsettled.size() - first;
+      if (count > 0) {
+        const double quarter = 0.5 * stretch.half;
+        next_level.push_back({stretch.middle - quarter, quarter, first, count});
+        next_level.push_back({stretch.middle + quarter, quarter, first, count});
+      }
+    }
+    level = std::move(next_level);
+    pairs = std::move(unsettled);
+  }
+  result.free = true;
+  return result;
+}
+
+NamedPair EdgeChecker::clearance(const Configuration& from, const Configuration& to, double enough,
+                                 double tolerance) {
+  const Configuration delta = to - from;
+  const Eigen::VectorXd travel = delta.cwiseAbs();
+  NamedPair least = find_clearance(checker_, from, enough);
+  if (const NamedPair end = find_clearance(checker_, to, least.distance);
+      end.distance < least.distance) {
+    least = end;
+  }
+  std::vector<int> pairs(travel_.size());
+  for (int pair = 0; pair < static_cast<int>(travel_.size()); ++pair) {
+    pairs[static_cast<std::size_t>(pair)] = pair;
+    travel_[static_cast<std::size_t>(pair)] = motion_->bound(pair, travel);
+  }
+  double lower = least.distance;  // of what has been settled
+  std::vector<std::pair<Stretch, std::vector<int>>> waiting{{{0.5, 0.5, 0, 0}, pairs}};
+  while (!waiting.empty()) {
+    const auto [stretch, candidates] = std::move(waiting.back());
+    waiting.pop_back();
+    checker_.place(from + stretch.middle * delta);
+    std::vector<int> unsettled;
+    for (const int pair : candidates) {
+      const double loss = travel_[static_cast<std::size_t>(pair)] * stretch.half;
+      const double distance = loss > kWorthExact
+                                  ? checker_.pair_bound(pair, least.distance + loss)
+                                  : checker_.pair_distance(pair, least.distance + loss);
+      if (loss <= kWorthExact && distance < least.distance) {
+        const BodyPair& bodies = checker_.world().pairs()[static_cast<std::size_t>(pair)];
+        least = {checker_.world().body(bodies.a).name, checker_.world().body(bodies.b).name,
+                 distance};
+      }
+      if (distance - loss >= least.distance - tolerance) {
+        lower = std::min(lower, distance - loss);
+      } else {
+        unsettled.push_back(pair);
+      }
+    }
+    if (!unsettled.empty()) {
+      const double quarter = 0.5 * stretch.half;
+      waiting.push_back({{stretch.middle + quarter, quarter, 0, 0}, unsettled});
+      waiting.push_back({{stretch.middle - quarter, quarter, 0, 0}, std::move(unsettled)});
+    }
+  }
+  least.distance = std::max(0.0, std::min(lower, least.distance));
+  return least;
+}
+
+}  // namespace handway::geometric

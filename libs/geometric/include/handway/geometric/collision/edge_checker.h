@@ -1,0 +1,66 @@
+#pragma once
+
+#include "handway/geometric/collision/collision_checker.h"
+#include "handway/geometric/collision/motion_bound.h"
+#include "handway/geometric/export.h"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace handway::geometric {
+
+/// What is known about a straight motion between two configurations.
+struct EdgeResult {
+  bool free = false;
+  /// If not free: the pair that touches, or comes closer than the resolution, …
+  std::optional<int> pair;
+  double at = 0.0;           ///< … and where on the edge, in [0, 1].
+  std::uint64_t checks = 0;  ///< Configurations looked at.
+};
+
+/// Decides whether the straight motion between two configurations is free, for
+/// every configuration on it and not just for samples.
+///
+/// A pair is free on a stretch if its distance in the middle is more than it can
+/// lose on the way to either end (bounded motion). Stretches that this does not
+/// settle are halved, level by level, so that configurations are visited in the
+/// order of the Van der Corput sequence's levels. A pair that still isn't
+/// settled when it can move less than the resolution is closer than that: the
+/// edge is refused. A free edge is therefore free everywhere.
+///
+/// Source: Schwarzer, Saha, Latombe 2005 (see MotionBound).
+class HANDWAY_GEOMETRIC_EXPORT EdgeChecker {
+ public:
+  /// @param checker used for all questions; must outlive this object.
+  /// @param resolution (m) > 0.
+  EdgeChecker(CollisionChecker& checker, std::shared_ptr<const MotionBound> motion,
+              double resolution);
+
+  /// @pre both ends are free of collision.
+  [[nodiscard]] EdgeResult check(const Configuration& from, const Configuration& to);
+
+  /// The smallest distance (m) of any pair on the whole edge, within `tolerance`
+  /// (m) below the true one, but not above `enough`: branch and bound over the
+  /// same stretches. @pre the edge is free.
+  [[nodiscard]] NamedPair clearance(const Configuration& from, const Configuration& to,
+                                    double enough, double tolerance);
+
+  [[nodiscard]] double resolution() const { return resolution_; }
+
+ private:
+  struct Stretch {
+    double middle;
+    double half;
+    std::size_t first;  ///< Of its pairs in the level's list.
+    std::size_t count;
+  };
+
+  CollisionChecker& checker_;
+  std::shared_ptr<const MotionBound> motion_;
+  double resolution_;
+  std::vector<double> travel_;  ///< Per pair, over the whole edge.
+};
+
+}  // namespace handway::geometric

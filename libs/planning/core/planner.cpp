@@ -1,0 +1,76 @@
+#include "handway/planning/core/planner.h"
+
+#include "handway/geometric/io/input_error.h"
+#include "handway/planning/core/planning_context.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace handway::planning {
+namespace {
+
+constexpr double kLimitTolerance = 1e-9;  // rad or m: roundings of a file's numbers
+
+// Why `q` can't be an end of a path; empty if it can.
+std::string objection(PlanningContext& context, const Configuration& q) {
+  const geometric::RobotModel& model = context.problem().model();
+  if (q.size() != model.variable_count()) {
+    return fmt::format("has {} values where the robot has {} variables", q.size(),
+                       model.variable_count());
+  }
+  for (int v = 0; v < model.variable_count(); ++v) {
+    if (!std::isfinite(q[v])) {
+      return fmt::format("has no number for joint {}", model.variable(v).name);
+    }
+    if (q[v] < model.lower()[v] - kLimitTolerance || q[v] > model.upper()[v] + kLimitTolerance) {
+      return fmt::format("is out of limits: joint {} at {:.4f}, allowed {:.4f} to {:.4f}",
+                         model.variable(v).name, q[v], model.lower()[v], model.upper()[v]);
+    }
+  }
+  if (const std::optional<int> pair = context.collision(q)) {
+    const geometric::CollisionWorld& world = context.problem().checker->world();
+    const geometric::BodyPair& bodies = world.pairs()[static_cast<std::size_t>(*pair)];
+    return fmt::format("is in collision: {} with {}", world.body(bodies.a).name,
+                       world.body(bodies.b).name);
+  }
+  return "";
+}
+
+}  // namespace
+
+PlanResult Planner::plan(const PlanningProblem& problem, const PlanRequest& request,
+                         std::stop_token stop, Observer* observer) {
+  if (request.threads < 1) {
+    throw std::invalid_argument("threads must be at least 1");
+  }
+  if (!(request.resolution_mm > 0.0)) {
+    throw std::invalid_argument("resolution must be positive");
+  }
+  if (capabilities().uses_pmds && !problem.basis) {
+    throw geometric::InputError({problem.scene->file.string(), "hand_basis", "nothing",
+                                 "a PMD basis for planner " + name(),
+                                 "Name one in the scene, or choose another planner"});
+  }
+  Observer silent;
+  PlanningContext context(problem, request, std::move(stop), observer ? *observer : silent);
+  PlanResult result;
+  if (const std::string start = objection(context, problem.start); !start.empty()) {
+    result.status = PlanStatus::kStartInvalid;
+    result.reason = "The start " + start + ".";
+  } else if (const std::string goal = objection(context, problem.goal); !goal.empty()) {
+    result.status = PlanStatus::kGoalInvalid;
+    result.reason = "The goal " + goal + ".";
+  } else {
+    do_plan(context, result);
+    result.time_s = context.elapsed_s() - result.smoothing_s;
+  }
+  result.statistics = context.statistics();
+  if (result.solved()) {
+    result.certificate = context.certify(result.path);
+  }
+  return result;
+}
+
+}  // namespace handway::planning

@@ -1,0 +1,190 @@
+#include "handway/planning/core/planning_context.h"
+
+#include "handway/geometric/math/units.h"
+
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <atomic>
+#include <utility>
+
+namespace handway::planning {
+
+using geometric::BodyPair;
+using geometric::CollisionWorld;
+using geometric::EdgeResult;
+
+/// The checkers of one thread.
+struct PlanningContext::Worker {
+  explicit Worker(const PlanningProblem& problem, double resolution)
+      : checker(problem.checker->clone()), edges(*checker, problem.motion, resolution) {}
+
+  std::unique_ptr<geometric::CollisionChecker> checker;
+  geometric::EdgeChecker edges;
+};
+
+struct PlanningContext::Threads {
+  Threads(const PlanningProblem& problem, double resolution, int count)
+      : arena(count), workers([&problem, resolution] { return Worker(problem, resolution); }) {}
+
+  tbb::task_arena arena;
+  tbb::enumerable_thread_specific<Worker> workers;
+};
+
+namespace {
+
+// Pairs of the robot with itself that no hand joint moves.
+std::vector<int> arm_pairs(const PlanningProblem& problem) {
+  const CollisionWorld& world = problem.checker->world();
+  std::vector<int> pairs;
+  for (std::size_t p = 0; p < world.pairs().size(); ++p) {
+    const BodyPair& pair = world.pairs()[p];
+    if (!world.is_self_pair(pair)) {
+      continue;
+    }
+    const bool moved_by_hand = std::ranges::any_of(problem.hand, [&](int v) {
+      return world.model().moves_between(v, world.body(pair.a).link, world.body(pair.b).link);
+    });
+    if (!moved_by_hand) {
+      pairs.push_back(static_cast<int>(p));
+    }
+  }
+  return pairs;
+}
+
+}  // namespace
+
+PlanningContext::PlanningContext(const PlanningProblem& problem, const PlanRequest& request,
+                                 std::stop_token stop, Observer& observer)
+    : problem_(problem),
+      request_(request),
+      stop_(std::move(stop)),
+      observer_(observer),
+      begin_(std::chrono::steady_clock::now()),
+      arm_pairs_(arm_pairs(problem)),
+      threads_(std::make_unique<Threads>(problem, geometric::metres(request.resolution_mm),
+                                         request.threads)) {}
+
+PlanningContext::~PlanningContext() = default;
+
+double PlanningContext::elapsed_s() const {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+}
+
+std::optional<PlanStatus> PlanningContext::interruption() const {
+  if (stop_.stop_requested()) {
+    return PlanStatus::kCancelled;
+  }
+  if (elapsed_s() > request_.time_limit_s) {
+    return PlanStatus::kTimeLimit;
+  }
+  return std::nullopt;
+}
+
+PlanningContext::Worker& PlanningContext::own_worker() { return threads_->workers.local(); }
+
+std::optional<int> PlanningContext::collision(const Configuration& q) {
+  ++statistics_.node_checks;
+  return own_worker().checker->first_collision(q);
+}
+
+bool PlanningContext::arm_collides(const Configuration& q) {
+  ++statistics_.node_checks;
+  geometric::CollisionChecker& checker = *own_worker().checker;
+  checker.place(q);
+  return std::ranges::any_of(arm_pairs_, [&](int pair) { return checker.pair_collides(pair); });
+}
+
+PlanningContext::FirstFree PlanningContext::first_free(
+    int count, const std::function<Configuration(int)>& candidate) {
+  constexpr int kFree = -1;
+  std::vector<int> outcome(static_cast<std::size_t>(count));
+  std::atomic<int> first = count;
+  const auto ask = [&](int i) {
+    if (i > first.load()) {
+      return;  // an earlier one is free: this answer is not needed
+    }
+    const std::optional<int> pair = own_worker().checker->first_collision(candidate(i));
+    outcome[static_cast<std::size_t>(i)] = pair.value_or(kFree);
+    if (!pair) {
+      int known = first.load();
+      while (i < known && !first.compare_exchange_weak(known, i)) {
+      }
+    }
+  };
+  if (request_.threads > 1) {
+    threads_->arena.execute([&] { tbb::parallel_for(0, count, ask, tbb::simple_partitioner()); });
+  } else {
+    for (int i = 0; i < first.load(); ++i) {
+      ask(i);
+    }
+  }
+  FirstFree result;
+  const int rejected = first.load();
+  if (rejected < count) {
+    result.index = rejected;
+  }
+  result.rejecting_pairs.assign(outcome.begin(), outcome.begin() + rejected);
+  statistics_.node_checks += static_cast<std::uint64_t>(std::min(rejected + 1, count));
+  return result;
+}
+
+PlanningContext::EdgeBatch::EdgeBatch(PlanningContext& context, std::vector<Edge> edges)
+    : context_(context), edges_(std::move(edges)), results_(edges_.size()) {
+  if (context_.request_.threads > 1 && edges_.size() > 1) {
+    context_.threads_->arena.execute([&] {
+      tbb::parallel_for(
+          std::size_t{0}, edges_.size(),
+          [&](std::size_t i) {
+            results_[i] = context_.own_worker().edges.check(edges_[i].from, edges_[i].to);
+          },
+          tbb::simple_partitioner());
+    });
+  }
+}
+
+bool PlanningContext::EdgeBatch::is_free(std::size_t index) {
+  std::optional<EdgeResult>& result = results_[index];
+  if (!result) {
+    result = context_.own_worker().edges.check(edges_[index].from, edges_[index].to);
+  }
+  ++context_.statistics_.edges_tested;
+  context_.statistics_.edge_checks += result->checks;
+  return result->free;
+}
+
+PlanningContext::EdgeBatch PlanningContext::edges(std::vector<Edge> edges) {
+  return EdgeBatch(*this, std::move(edges));
+}
+
+bool PlanningContext::edge_free(const Configuration& from, const Configuration& to) {
+  return edges({{from, to}}).is_free(0);
+}
+
+void PlanningContext::count_rejection(int pair, double step) {
+  const CollisionWorld& world = problem_.checker->world();
+  const BodyPair& bodies = world.pairs()[static_cast<std::size_t>(pair)];
+  ++statistics_.rejections[{world.body(bodies.a).name, world.body(bodies.b).name}];
+  statistics_.rejections_per_tenth.resize(10);
+  ++statistics_.rejections_per_tenth[static_cast<std::size_t>(std::clamp(step, 0.0, 0.99) * 10)];
+}
+
+Certificate PlanningContext::certify(const Path& path) {
+  constexpr double kFar = 0.05;        // m: more clearance than this is not told apart
+  constexpr double kTolerance = 5e-5;  // m
+  geometric::EdgeChecker& edges = own_worker().edges;
+  geometric::CollisionChecker& checker = *own_worker().checker;
+  const std::uint64_t before = checker.counts().configurations;
+  double least = kFar;
+  for (std::size_t i = 0; i + 1 < path.waypoints.size(); ++i) {
+    least = std::min(
+        least,
+        edges.clearance(path.waypoints[i], path.waypoints[i + 1], least, kTolerance).distance);
+  }
+  return {request_.resolution_mm, geometric::millimetres(least),
+          checker.counts().configurations - before};
+}
+
+}  // namespace handway::planning

@@ -1,0 +1,77 @@
+#include "handway/planning/core/planning_problem.h"
+
+#include "handway/geometric/collision/make_checker.h"
+#include "handway/geometric/io/input_error.h"
+#include "handway/geometric/robot/normalised_joints.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace handway::planning {
+namespace {
+
+using geometric::InputError;
+
+std::vector<int> hand_variables(const geometric::Scene& scene, const sampling::PmdBasis* basis) {
+  const geometric::RobotModel& model = *scene.robots.front().model;
+  if (!basis) {
+    return model.find_group("hand").value_or(std::vector<int>{});
+  }
+  std::vector<int> hand;
+  for (const std::string& joint : basis->joints) {
+    const std::optional<int> variable = model.find_variable(joint);
+    if (!variable) {
+      throw InputError({scene.file.string(), "hand_basis",
+                        "joint \"" + joint + "\", which robot " + model.name() + " has not",
+                        "a basis for this robot's hand", "The basis is for " + basis->hand});
+    }
+    hand.push_back(*variable);
+  }
+  return hand;
+}
+
+std::vector<int> arm_variables(const geometric::RobotModel& model, const std::vector<int>& hand) {
+  if (std::optional<std::vector<int>> arm = model.find_group("arm")) {
+    return *arm;
+  }
+  std::vector<int> rest;
+  for (int v = 0; v < model.variable_count(); ++v) {
+    if (std::ranges::count(hand, v) == 0) {
+      rest.push_back(v);
+    }
+  }
+  return rest;
+}
+
+const Configuration& needed(const geometric::Scene& scene, const char* which,
+                            const std::optional<Configuration>& q) {
+  if (!q) {
+    throw InputError({scene.file.string(), which, "nothing", "a configuration",
+                      "Planning needs a start and a goal in the scene"});
+  }
+  return *q;
+}
+
+}  // namespace
+
+PlanningProblem make_problem(std::shared_ptr<const geometric::Scene> scene,
+                             std::shared_ptr<const sampling::PmdBasis> basis) {
+  const auto world = std::make_shared<const geometric::CollisionWorld>(*scene);
+  PlanningProblem problem;
+  problem.hand = hand_variables(*scene, basis.get());
+  problem.arm = arm_variables(*scene->robots.front().model, problem.hand);
+  problem.start = needed(*scene, "start", scene->start);
+  problem.goal = needed(*scene, "goal", scene->goal);
+  problem.scene = std::move(scene);
+  problem.basis = std::move(basis);
+  problem.checker = geometric::make_collision_checker(world);
+  problem.motion = std::make_shared<const geometric::MotionBound>(*world);
+  return problem;
+}
+
+double normalised_distance(const geometric::RobotModel& model, const Configuration& a,
+                           const Configuration& b) {
+  return (geometric::normalised(model, a) - geometric::normalised(model, b)).norm();
+}
+
+}  // namespace handway::planning

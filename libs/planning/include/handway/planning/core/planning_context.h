@@ -1,0 +1,100 @@
+#pragma once
+
+#include "handway/geometric/collision/edge_checker.h"
+#include "handway/planning/core/observer.h"
+#include "handway/planning/core/planner.h"
+#include "handway/planning/core/planning_problem.h"
+#include "handway/planning/export.h"
+
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <vector>
+
+namespace handway::planning {
+
+/// What a planner works with during one run: the problem, the collision
+/// questions with their counters, time and cancellation, and threads.
+///
+/// For the planner's own thread, apart from the functions handed to parallel().
+class HANDWAY_PLANNING_EXPORT PlanningContext {
+ public:
+  PlanningContext(const PlanningProblem& problem, const PlanRequest& request, std::stop_token stop,
+                  Observer& observer);
+  ~PlanningContext();
+  PlanningContext(const PlanningContext&) = delete;
+  PlanningContext& operator=(const PlanningContext&) = delete;
+
+  [[nodiscard]] const PlanningProblem& problem() const { return problem_; }
+  [[nodiscard]] const PlanRequest& request() const { return request_; }
+  [[nodiscard]] Observer& observer() { return observer_; }
+  [[nodiscard]] double elapsed_s() const;
+
+  /// kCancelled or kTimeLimit once the run has to end.
+  [[nodiscard]] std::optional<PlanStatus> interruption() const;
+
+  /// The pair that touches in `q`, if any.
+  [[nodiscard]] std::optional<int> collision(const Configuration& q);
+
+  /// The same for pairs of the arm alone, whatever the hand does (Algorithm 1's
+  /// SELFCOLLISION of an arm configuration).
+  [[nodiscard]] bool arm_collides(const Configuration& q);
+
+  /// Outcome of `count` independent configurations, the first free one in order.
+  struct FirstFree {
+    std::optional<int> index;          ///< Nothing: none is free.
+    std::vector<int> rejecting_pairs;  ///< Of those before it, in order.
+  };
+  /// Asks `candidate(i)` for i = 0, 1, … on all threads and stops at the first
+  /// free one; the answer is that of asking one after the other.
+  [[nodiscard]] FirstFree first_free(int count, const std::function<Configuration(int)>& candidate);
+
+  struct Edge {
+    Configuration from;
+    Configuration to;
+  };
+  /// Checks edges; `edges[i]` is checked before it is needed when there are
+  /// threads to spare, and in any case when asked for. @see EdgeBatch
+  class HANDWAY_PLANNING_EXPORT EdgeBatch {
+   public:
+    /// Is edge `index` free? Adds to the statistics when first asked for.
+    [[nodiscard]] bool is_free(std::size_t index);
+
+   private:
+    friend class PlanningContext;
+    EdgeBatch(PlanningContext& context, std::vector<Edge> edges);
+
+    PlanningContext& context_;
+    std::vector<Edge> edges_;
+    std::vector<std::optional<geometric::EdgeResult>> results_;
+  };
+  [[nodiscard]] EdgeBatch edges(std::vector<Edge> edges);
+  [[nodiscard]] bool edge_free(const Configuration& from, const Configuration& to);
+
+  /// Counters that every planner shares; the planner adds its own.
+  [[nodiscard]] PlanStatistics& statistics() { return statistics_; }
+  /// Notes a rejected sample drawn at `step` of the arm segment.
+  void count_rejection(int pair, double step);
+
+  /// The smallest clearance along `path` and what it took to know it.
+  [[nodiscard]] Certificate certify(const Path& path);
+
+ private:
+  struct Worker;
+  struct Threads;
+
+  Worker& own_worker();
+
+  const PlanningProblem& problem_;
+  PlanRequest request_;
+  std::stop_token stop_;
+  Observer& observer_;
+  std::chrono::steady_clock::time_point begin_;
+  std::vector<int> arm_pairs_;
+  PlanStatistics statistics_;
+  std::unique_ptr<Threads> threads_;
+};
+
+}  // namespace handway::planning

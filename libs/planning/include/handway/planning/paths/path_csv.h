@@ -1,0 +1,32 @@
+#pragma once
+
+#include "handway/geometric/robot/robot_model.h"
+#include "handway/planning/export.h"
+#include "handway/planning/paths/path.h"
+
+#include <filesystem>
+#include <string>
+
+namespace handway::planning {
+
+/// A path as CSV: a header "time" and the names of all moving joints, coupled
+/// ones included; then a row a waypoint, seconds and rad (or m). Numbers are the
+/// shortest that read back to the same bits.
+///
+/// A polyline has no timing of its own: waypoints are spaced so that the slowest
+/// joint of each stretch runs at its velocity limit (1 rad/s where it has none).
+[[nodiscard]] HANDWAY_PLANNING_EXPORT std::string to_csv(const Path& path,
+                                                         const geometric::RobotModel& model);
+
+/// Replaces `file` with to_csv(). @throws InputError if it can't be written.
+HANDWAY_PLANNING_EXPORT void write_path_csv(const Path& path, const geometric::RobotModel& model,
+                                            const std::filesystem::path& file);
+
+/// Reads such a file. Columns may come in any order; "time" and the columns of
+/// coupled joints may be missing, but where they are there they must agree with
+/// the coupling within 1e-4.
+/// @throws InputError naming line and column for anything else.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT Path read_path_csv(const geometric::RobotModel& model,
+                                                         const std::filesystem::path& file);
+
+}  // namespace handway::planning

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "handway/planning/core/planning_context.h"
+#include "handway/planning/export.h"
+#include "handway/planning/paths/path.h"
+
+namespace handway::planning {
+
+/// The paper's smoothing (section 5.3, FINDPATH): "a new (small) roadmap composed
+/// of the nodes of the path and all collision-free edges between them", solved by A*.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT Path smooth_by_roadmap(PlanningContext& context,
+                                                             const Path& path);
+
+}  // namespace handway::planning

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "handway/planning/core/planner.h"
+#include "handway/planning/export.h"
+#include "handway/planning/planners/hand_space.h"
+
+#include <string>
+#include <vector>
+
+namespace handway::planning {
+
+/// Settings of PmdPrm. Symbols are the paper's (sections 5 and 7, Table 3).
+struct PmdPrmSettings {
+  double rho_a = 0.001;       ///< ρ_a at the start: half-side of the hypercubes, normalised.
+  double rho_max = 0.05;      ///< Largest ρ_a: "good results … between 0.001 and 0.05".
+  int n_a = 10;               ///< n_A: arm configurations per hypercube.
+  int n_h = 10;               ///< n_H: hand configurations per arm configuration.
+  int k = 10;                 ///< K: neighbours to connect to.
+  int max_samples = 1000000;  ///< N: hand trials in all.
+  int max_pmds = 4;           ///< Most principal directions used together.
+  int arm_trials = 10;        ///< Draws for an arm free of self-collision (Algorithm 1).
+};
+
+/// The paper's planner: a probabilistic roadmap of hand-arm configurations, the
+/// arm drawn from a corridor around the straight motion, the hand from the
+/// subspace of the thumb base and a few principal motion directions.
+///
+/// Source: Rosell, Suárez, Rosales, Pérez, "Autonomous motion planning of a
+/// hand-arm robotic system based on captured human-like hand postures",
+/// Autonomous Robots 31, 2011, Algorithms 1 to 4.
+class HANDWAY_PLANNING_EXPORT PmdPrm final : public Planner {
+ public:
+  explicit PmdPrm(HandSpace space);
+
+  [[nodiscard]] std::string name() const override;
+  [[nodiscard]] std::string description() const override;
+  [[nodiscard]] PlannerCapabilities capabilities() const override;
+  [[nodiscard]] std::vector<Parameter> parameters() override;
+
+  [[nodiscard]] PmdPrmSettings& settings() { return settings_; }
+
+ protected:
+  void do_plan(PlanningContext& context, PlanResult& result) override;
+
+ private:
+  HandSpace space_;
+  PmdPrmSettings settings_;
+};
+
+}  // namespace handway::planning

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "handway/planning/core/planner.h"
+#include "handway/planning/export.h"
+#include "handway/planning/planners/hand_space.h"
+
+#include <string>
+#include <vector>
+
+namespace handway::planning {
+
+/// Settings of RrtConnect. Lengths in joints normalised to [0, 1].
+struct RrtConnectSettings {
+  double range = 0.2;  ///< Longest step of a tree.
+  int max_samples = 1000000;
+  double rho_a = 0.03;      ///< Half-width of the arm corridor at the start; PMDs only.
+  double rho_max = 0.4;     ///< … and at most; PMDs only.
+  double rho_growth = 1.5;  ///< Factor after every `samples_per_width`; PMDs only.
+  int samples_per_width = 300;
+};
+
+/// Two trees that grow towards random samples and towards each other. Over all
+/// joints it is the usual baseline. With PMDs it draws from the paper's regions:
+/// the arm from a corridor that widens, the hand from thumb base and PMDs.
+///
+/// Source: Kuffner, LaValle, "RRT-Connect: an efficient approach to single-query
+/// path planning", ICRA 2000, doi:10.1109/ROBOT.2000.844730.
+class HANDWAY_PLANNING_EXPORT RrtConnect final : public Planner {
+ public:
+  explicit RrtConnect(HandSpace space);
+
+  [[nodiscard]] std::string name() const override;
+  [[nodiscard]] std::string description() const override;
+  [[nodiscard]] PlannerCapabilities capabilities() const override;
+  [[nodiscard]] std::vector<Parameter> parameters() override;
+
+  [[nodiscard]] RrtConnectSettings& settings() { return settings_; }
+
+ protected:
+  void do_plan(PlanningContext& context, PlanResult& result) override;
+
+ private:
+  HandSpace space_;
+  RrtConnectSettings settings_;
+};
+
+}  // namespace handway::planning

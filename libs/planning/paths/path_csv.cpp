@@ -1,0 +1,183 @@
+#include "handway/planning/paths/path_csv.h"
+
+#include "handway/geometric/io/input_error.h"
+#include "handway/geometric/io/replace_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <optional>
+#include <vector>
+
+namespace handway::planning {
+namespace {
+
+using geometric::Configuration;
+using geometric::InputError;
+using geometric::RobotModel;
+
+constexpr double kDefaultVelocity = 1.0;     // rad/s or m/s
+constexpr double kCouplingTolerance = 1e-4;  // rad or m
+
+double duration(const RobotModel& model, const Configuration& from, const Configuration& to) {
+  double longest = 0.0;
+  for (int v = 0; v < model.variable_count(); ++v) {
+    const double limit = model.variable(v).limits.velocity;
+    const double velocity = std::isfinite(limit) && limit > 0.0 ? limit : kDefaultVelocity;
+    longest = std::max(longest, std::abs(to[v] - from[v]) / velocity);
+  }
+  return longest;
+}
+
+std::vector<std::string> cells(const std::string& line) {
+  std::vector<std::string> parts;
+  std::size_t begin = 0;
+  while (begin <= line.size()) {
+    const std::size_t end = std::min(line.find(',', begin), line.size());
+    std::string cell = line.substr(begin, end - begin);
+    const auto first = cell.find_first_not_of(" \t\r\"");
+    const auto last = cell.find_last_not_of(" \t\r\"");
+    parts.push_back(first == std::string::npos ? "" : cell.substr(first, last - first + 1));
+    begin = end + 1;
+  }
+  return parts;
+}
+
+class Reader {
+ public:
+  Reader(const RobotModel& model, const std::filesystem::path& file) : model_(model), file_(file) {}
+
+  Path read() {
+    std::ifstream in(file_);
+    std::string line;
+    if (!in || !std::getline(in, line)) {
+      throw InputError({file_.string(), "", in.is_open() ? "an empty file" : "no readable file",
+                        "a CSV path with a header", ""});
+    }
+    read_header(line);
+    Path path;
+    for (line_ = 2; std::getline(in, line); ++line_) {
+      if (line.find_first_not_of(" \t\r") != std::string::npos) {
+        path.waypoints.push_back(read_row(line));
+      }
+    }
+    if (path.waypoints.size() < 2) {
+      throw InputError({file_.string(), "", fmt::format("{} waypoints", path.waypoints.size()),
+                        "at least 2", ""});
+    }
+    return path;
+  }
+
+ private:
+  void read_header(const std::string& line) {
+    header_ = cells(line);
+    link_of_column_.assign(header_.size(), 0);
+    for (std::size_t c = 0; c < header_.size(); ++c) {
+      for (int i = 1; i < model_.link_count(); ++i) {
+        if (model_.joint(i).name == header_[c]) {
+          link_of_column_[c] = i;
+        }
+      }
+      if (link_of_column_[c] == 0 && header_[c] != "time") {
+        throw InputError({file_.string() + ":1", "column \"" + header_[c] + "\"",
+                          "no joint of robot " + model_.name(), "\"time\" or a joint's name", ""});
+      }
+    }
+    for (int v = 0; v < model_.variable_count(); ++v) {
+      if (std::ranges::count(header_, model_.variable(v).name) != 1) {
+        throw InputError({file_.string() + ":1", "",
+                          fmt::format("{} columns for joint {}",
+                                      std::ranges::count(header_, model_.variable(v).name),
+                                      model_.variable(v).name),
+                          "one", ""});
+      }
+    }
+  }
+
+  Configuration read_row(const std::string& line) {
+    const std::vector<std::string> row = cells(line);
+    if (row.size() != header_.size()) {
+      throw InputError({at_line(), "", fmt::format("{} values", row.size()),
+                        fmt::format("{} as in the header", header_.size()), ""});
+    }
+    Configuration q(model_.variable_count());
+    for (std::size_t c = 0; c < row.size(); ++c) {
+      const double value = number(row[c], header_[c]);
+      const int link = link_of_column_[c];
+      if (link > 0 && model_.variable_link(model_.drive(link).variable) == link) {
+        q[model_.drive(link).variable] = value;
+      }
+    }
+    check_couplings(row, q);
+    return q;
+  }
+
+  void check_couplings(const std::vector<std::string>& row, const Configuration& q) const {
+    for (std::size_t c = 0; c < row.size(); ++c) {
+      const int link = link_of_column_[c];
+      if (link == 0 || model_.drive(link).variable < 0) {
+        continue;
+      }
+      const RobotModel::Drive& drive = model_.drive(link);
+      const double expected = drive.multiplier * q[drive.variable] + drive.offset;
+      if (std::abs(number(row[c], header_[c]) - expected) > kCouplingTolerance) {
+        throw InputError({at_line(), "column " + header_[c], row[c],
+                          fmt::format("{:.6f}, as coupled to joint {}", expected,
+                                      model_.variable(drive.variable).name),
+                          ""});
+      }
+    }
+  }
+
+  [[nodiscard]] double number(const std::string& cell, const std::string& column) const {
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+    if (error != std::errc() || end != cell.data() + cell.size() || !std::isfinite(value)) {
+      throw InputError({at_line(), "column " + column, "\"" + cell + "\"", "a finite number", ""});
+    }
+    return value;
+  }
+
+  [[nodiscard]] std::string at_line() const { return fmt::format("{}:{}", file_.string(), line_); }
+
+  const RobotModel& model_;
+  const std::filesystem::path& file_;
+  std::vector<std::string> header_;
+  std::vector<int> link_of_column_;  ///< 0: time.
+  int line_ = 1;
+};
+
+}  // namespace
+
+std::string to_csv(const Path& path, const RobotModel& model) {
+  std::string text = "time";
+  for (int i = 1; i < model.link_count(); ++i) {
+    if (model.drive(i).variable >= 0) {
+      text += "," + model.joint(i).name;
+    }
+  }
+  double time = 0.0;
+  for (std::size_t w = 0; w < path.waypoints.size(); ++w) {
+    if (w > 0) {
+      time += duration(model, path.waypoints[w - 1], path.waypoints[w]);
+    }
+    text += fmt::format("\n{}", time);
+    for (const geometric::JointValue& joint : geometric::joint_values(model, path.waypoints[w])) {
+      text += fmt::format(",{}", joint.value);
+    }
+  }
+  return text + "\n";
+}
+
+void write_path_csv(const Path& path, const RobotModel& model, const std::filesystem::path& file) {
+  geometric::replace_file(file, to_csv(path, model));
+}
+
+Path read_path_csv(const RobotModel& model, const std::filesystem::path& file) {
+  return Reader(model, file).read();
+}
+
+}  // namespace handway::planning

@@ -1,0 +1,300 @@
+#include "handway/planning/planners/pmd_prm.h"
+
+#include "handway/planning/core/planning_context.h"
+#include "handway/planning/paths/roadmap_smoothing.h"
+#include "handway/planning/roadmap/roadmap.h"
+#include "handway/sampling/sequences/random_stream.h"
+#include "handway/sampling/sequences/van_der_corput.h"
+#include "planners/hand_arm_space.h"
+#include "planners/phase_clock.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+namespace handway::planning {
+namespace {
+
+using sampling::RandomStream;
+
+constexpr int kStart = 0;
+constexpr int kGoal = 1;
+
+/// One run of Algorithm 4.
+class RoadmapSearch {
+ public:
+  RoadmapSearch(PlanningContext& context, const PmdPrmSettings& settings, HandSpace space)
+      : context_(context),
+        settings_(settings),
+        grows_(space == HandSpace::kPrincipalDirections),
+        space_(context.problem(),
+               grows_ ? *context.problem().basis : all_hand_joints(context.problem())),
+        arm_draws_(RandomStream(context.request().seed).fork(1)),
+        hand_draws_(RandomStream(context.request().seed).fork(2)) {
+    const Eigen::VectorXd start = space_.coordinates(context.problem().start);
+    const Eigen::VectorXd goal = space_.coordinates(context.problem().goal);
+    threshold_ = (goal - start).norm();
+    add_node(context.problem().start, start, 0.0, 0);
+    add_node(context.problem().goal, goal, 1.0, 0);
+    statistics().samples = 2;
+  }
+
+  // Algorithm 4.
+  void run(PlanResult& result) {
+    double rho = settings_.rho_a;
+    for (int k = 1;; ++k) {
+      rho = std::min(k * rho, settings_.rho_max);
+      statistics().final_rho_a = rho;
+      ++statistics().passes;
+      const std::optional<PlanStatus> end = sweep(rho);
+      if (end) {
+        result.status = *end;
+        return;
+      }
+    }
+  }
+
+  [[nodiscard]] Path path() const {
+    Path path;
+    for (const int node : roadmap_.shortest_path(kStart, kGoal)) {
+      path.waypoints.push_back(roadmap_.configuration(node));
+    }
+    return path;
+  }
+
+ private:
+  PlanStatistics& statistics() { return context_.statistics(); }
+
+  [[nodiscard]] int samples_left() {
+    return settings_.max_samples - static_cast<int>(statistics().samples);
+  }
+
+  // One visit of all hypercubes: a status when the search is over.
+  std::optional<PlanStatus> sweep(double rho) {
+    const int max_steps = space_.corridor().steps(rho);
+    std::pair<double, double> range{0.0, 1.0};
+    for (int i = 0; i <= max_steps; ++i) {
+      const double step = sampling::sweep_position(i, max_steps);
+      if (step < range.first || step > range.second) {
+        continue;
+      }
+      if (const std::optional<PlanStatus> end = explore_hypercube(step, rho)) {
+        return end;
+      }
+      range = search_range();
+      context_.observer().on_search_range(range.first, range.second);
+    }
+    return std::nullopt;
+  }
+
+  // The j-loop of Algorithm 4.
+  std::optional<PlanStatus> explore_hypercube(double step, double rho) {
+    const std::uint64_t before = statistics().samples;
+    for (int j = 0; j < settings_.n_a; ++j) {
+      if (const auto interruption = context_.interruption()) {
+        return interruption;
+      }
+      if (samples_left() <= 0) {
+        return PlanStatus::kSamplesSpent;
+      }
+      PhaseClock sampling_time(statistics().sampling_s);
+      const std::optional<Configuration> arm = sample_arm(step, rho);
+      if (!arm) {
+        continue;
+      }
+      std::optional<std::pair<Configuration, int>> sample = sample_hand(*arm, step);
+      sampling_time.stop();
+      statistics().max_trials = std::max(statistics().max_trials, statistics().samples - before);
+      context_.observer().on_progress(
+          static_cast<double>(statistics().samples) / settings_.max_samples, "sampling");
+      if (sample) {
+        const PhaseClock connection_time(statistics().connection_s);
+        connect(std::move(sample->first), step, rho, sample->second);
+        return roadmap_.same_component(kStart, kGoal) ? std::optional(PlanStatus::kSolved)
+                                                      : std::nullopt;
+      }
+    }
+    return std::nullopt;
+  }
+
+  // Algorithm 1.
+  std::optional<Configuration> sample_arm(double step, double rho) {
+    for (int i = 0; i < settings_.arm_trials; ++i) {
+      RandomStream draw = arm_draws_.fork(arm_draw_count_++);
+      const Configuration q = space_.with_arm(
+          space_.corridor().sample(step, rho, draw.uniform(space_.arm_dimension())));
+      if (!context_.arm_collides(q)) {
+        return q;
+      }
+    }
+    return std::nullopt;
+  }
+
+  // Axes of SC^h for the h-th hand trial with one arm configuration: the free
+  // joints and one direction first, one more with every failure.
+  [[nodiscard]] int hand_dimension(int h) const {
+    const sampling::PmdBasis& basis = space_.basis();
+    if (!grows_) {
+      return basis.dimension();
+    }
+    const int free_joints = static_cast<int>(basis.free_joints.size());
+    return std::min(basis.dimension(), free_joints + std::min(1 + h, settings_.max_pmds));
+  }
+
+  // Algorithm 2 in the h-loop of Algorithm 4, all trials of one arm configuration.
+  std::optional<std::pair<Configuration, int>> sample_hand(const Configuration& arm, double step) {
+    const std::uint64_t first_draw = statistics().samples;
+    const auto trial = [&](int h) {
+      RandomStream draw = hand_draws_.fork(first_draw + static_cast<std::uint64_t>(h));
+      return space_.with_hand(arm, draw.uniform(hand_dimension(h)));
+    };
+    const auto trials = context_.first_free(std::min(settings_.n_h, samples_left()), trial);
+    for (const int pair : trials.rejecting_pairs) {
+      context_.count_rejection(pair, step);
+    }
+    statistics().samples += trials.rejecting_pairs.size() + (trials.index ? 1 : 0);
+    if (!trials.index) {
+      return std::nullopt;
+    }
+    const int free_joints = static_cast<int>(space_.basis().free_joints.size());
+    return std::pair(trial(*trials.index), hand_dimension(*trials.index) - free_joints);
+  }
+
+  int add_node(const Configuration& q, const Eigen::VectorXd& coordinates, double step,
+               int pmd_count) {
+    const int node = roadmap_.add_node(q, coordinates);
+    steps_.push_back(step);
+    statistics().nodes = static_cast<std::uint64_t>(roadmap_.node_count());
+    context_.observer().on_node({node, q, pmd_count, step, statistics().final_rho_a});
+    return node;
+  }
+
+  // Algorithm 3.
+  void connect(Configuration q, double step, double rho, int pmd_count) {
+    (void)rho;
+    const int node = add_node(q, space_.coordinates(q), step, grows_ ? pmd_count : 0);
+    if (grows_) {
+      auto& per_count = statistics().nodes_per_pmds;
+      per_count.resize(std::max(per_count.size(), static_cast<std::size_t>(pmd_count) + 1));
+      ++per_count[static_cast<std::size_t>(pmd_count)];
+    }
+    const std::vector<int> neighbours = neighbours_of(node, step);
+    std::vector<PlanningContext::Edge> candidates;
+    for (const int neighbour : neighbours) {
+      candidates.push_back({roadmap_.configuration(neighbour), roadmap_.configuration(node)});
+    }
+    auto edges = context_.edges(std::move(candidates));
+    for (std::size_t i = 0; i < neighbours.size(); ++i) {
+      if (!roadmap_.same_component(neighbours[i], node) && edges.is_free(i)) {
+        roadmap_.add_edge(neighbours[i], node);
+        statistics().edges = static_cast<std::uint64_t>(roadmap_.edge_count());
+        context_.observer().on_edge(neighbours[i], node);
+      }
+    }
+  }
+
+  // FINDNEIGHBORS, with the end of the segment whose own hypercube the sample
+  // came from as a forced neighbour (section 5.2, item 2).
+  [[nodiscard]] std::vector<int> neighbours_of(int node, double step) const {
+    std::vector<int> neighbours = roadmap_.nearest(node, settings_.k, threshold_);
+    for (const auto& [end, position] : {std::pair(kStart, 0.0), std::pair(kGoal, 1.0)}) {
+      if (step == position && std::ranges::count(neighbours, end) == 0) {
+        neighbours.insert(neighbours.begin(), end);
+      }
+    }
+    return neighbours;
+  }
+
+  // UPDATESEARCHRANGE (section 5.3, item 3): [d_ini, d_goal]. The two components
+  // may overlap along the segment; then what lies between stays in search.
+  [[nodiscard]] std::pair<double, double> search_range() const {
+    double d_ini = 0.0;
+    double d_goal = 1.0;
+    for (int node = 0; node < roadmap_.node_count(); ++node) {
+      const double step = steps_[static_cast<std::size_t>(node)];
+      if (roadmap_.same_component(node, kStart)) {
+        d_ini = std::max(d_ini, step);
+      } else if (roadmap_.same_component(node, kGoal)) {
+        d_goal = std::min(d_goal, step);
+      }
+    }
+    return std::minmax(d_ini, d_goal);
+  }
+
+  PlanningContext& context_;
+  const PmdPrmSettings& settings_;
+  bool grows_;
+  HandArmSpace space_;
+  RandomStream arm_draws_;
+  RandomStream hand_draws_;
+  std::uint64_t arm_draw_count_ = 0;
+  double threshold_ = 0.0;
+  Roadmap roadmap_;
+  std::vector<double> steps_;  ///< Where on the arm segment each node was drawn.
+};
+
+}  // namespace
+
+PmdPrm::PmdPrm(HandSpace space) : space_(space) {
+  if (space == HandSpace::kAllJoints) {  // Table 3, in parentheses
+    settings_.n_a = 20;
+    settings_.n_h = 20;
+  }
+}
+
+std::string PmdPrm::name() const {
+  return space_ == HandSpace::kPrincipalDirections ? "pmd-prm" : "full-prm";
+}
+
+std::string PmdPrm::description() const {
+  return space_ == HandSpace::kPrincipalDirections
+             ? "Roadmap in a corridor of the arm and a few principal motion directions of the hand"
+             : "The same roadmap with every hand joint sampled on its own";
+}
+
+PlannerCapabilities PmdPrm::capabilities() const {
+  return {.uses_pmds = space_ == HandSpace::kPrincipalDirections,
+          .uses_threads = true,
+          .deterministic = true};
+}
+
+std::vector<Parameter> PmdPrm::parameters() {
+  std::vector<Parameter> list = {
+      {"rho_a", "Corridor half-width ρₐ", "",
+       "Half-side of the arm's sampling hypercubes at the "
+       "start, in joints normalised to [0, 1]. It grows with every pass.",
+       &settings_.rho_a, 1e-5, 0.5},
+      {"rho_max", "Largest ρₐ", "", "The corridor does not grow beyond this.", &settings_.rho_max,
+       1e-5, 0.5},
+      {"n_a", "Arm trials nA", "", "Arm configurations tried in each hypercube.", &settings_.n_a, 1,
+       1000},
+      {"n_h", "Hand trials nH", "", "Hand configurations tried with each arm configuration.",
+       &settings_.n_h, 1, 1000},
+      {"k", "Neighbours K", "", "Nearest nodes that a new node is connected to.", &settings_.k, 1,
+       1000},
+      {"max_samples", "Samples N", "", "Hand trials before the planner gives up.",
+       &settings_.max_samples, 1, 100000000},
+      {"arm_trials", "Arm draws", "",
+       "Draws for an arm configuration without self-collision (Algorithm 1).",
+       &settings_.arm_trials, 1, 1000},
+  };
+  if (space_ == HandSpace::kPrincipalDirections) {
+    list.push_back({"max_pmds", "Principal directions", "",
+                    "Most principal motion directions that are used together.", &settings_.max_pmds,
+                    1, 13});
+  }
+  return list;
+}
+
+void PmdPrm::do_plan(PlanningContext& context, PlanResult& result) {
+  RoadmapSearch search(context, settings_, space_);
+  search.run(result);
+  if (result.solved()) {
+    PhaseClock smoothing_time(result.smoothing_s);
+    result.path = smooth_by_roadmap(context, search.path());
+  }
+}
+
+}  // namespace handway::planning

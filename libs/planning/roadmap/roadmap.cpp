@@ -1,0 +1,128 @@
+#include "handway/planning/roadmap/roadmap.h"
+
+#include <boost/graph/adjacency_list.hpp>
+#include <boost/graph/astar_search.hpp>
+#include <boost/pending/disjoint_sets.hpp>
+
+#include <algorithm>
+#include <utility>
+
+namespace handway::planning {
+
+using geometric::Configuration;
+
+namespace {
+
+struct NodeData {
+  Configuration q;
+  Eigen::VectorXd coordinates;
+};
+
+using BoostGraph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, NodeData,
+                                         boost::property<boost::edge_weight_t, double>>;
+using Vertex = boost::graph_traits<BoostGraph>::vertex_descriptor;
+
+struct GoalReached {};
+
+class StopAtGoal : public boost::default_astar_visitor {
+ public:
+  explicit StopAtGoal(Vertex goal) : goal_(goal) {}
+  void examine_vertex(Vertex vertex, const BoostGraph& /*graph*/) const {
+    if (vertex == goal_) {
+      throw GoalReached{};  // how Boost Graph ends a search early
+    }
+  }
+
+ private:
+  Vertex goal_;
+};
+
+}  // namespace
+
+struct Roadmap::Graph {
+  BoostGraph graph;
+  boost::disjoint_sets_with_storage<> components{0};
+
+  [[nodiscard]] double distance(Vertex a, Vertex b) const {
+    return (graph[a].coordinates - graph[b].coordinates).norm();
+  }
+};
+
+Roadmap::Roadmap() : graph_(std::make_unique<Graph>()) {}
+Roadmap::~Roadmap() = default;
+Roadmap::Roadmap(Roadmap&&) noexcept = default;
+Roadmap& Roadmap::operator=(Roadmap&&) noexcept = default;
+
+int Roadmap::add_node(Configuration q, Eigen::VectorXd coordinates) {
+  const Vertex vertex =
+      boost::add_vertex(NodeData{std::move(q), std::move(coordinates)}, graph_->graph);
+  graph_->components.make_set(vertex);
+  return static_cast<int>(vertex);
+}
+
+void Roadmap::add_edge(int a, int b) {
+  const auto first = static_cast<Vertex>(a);
+  const auto second = static_cast<Vertex>(b);
+  boost::add_edge(first, second, graph_->distance(first, second), graph_->graph);
+  graph_->components.union_set(first, second);
+}
+
+int Roadmap::node_count() const { return static_cast<int>(boost::num_vertices(graph_->graph)); }
+
+int Roadmap::edge_count() const { return static_cast<int>(boost::num_edges(graph_->graph)); }
+
+const Configuration& Roadmap::configuration(int node) const {
+  return graph_->graph[static_cast<Vertex>(node)].q;
+}
+
+double Roadmap::distance(int a, int b) const {
+  return graph_->distance(static_cast<Vertex>(a), static_cast<Vertex>(b));
+}
+
+bool Roadmap::same_component(int a, int b) const {
+  return graph_->components.find_set(static_cast<Vertex>(a)) ==
+         graph_->components.find_set(static_cast<Vertex>(b));
+}
+
+std::vector<int> Roadmap::nearest(int node, int k, double threshold) const {
+  std::vector<std::pair<double, int>> candidates;
+  for (int other = 0; other < node_count(); ++other) {
+    const double d = distance(node, other);
+    if (other != node && d <= threshold) {
+      candidates.emplace_back(d, other);
+    }
+  }
+  const auto count = std::min(static_cast<std::size_t>(k), candidates.size());
+  std::partial_sort(candidates.begin(), candidates.begin() + static_cast<std::ptrdiff_t>(count),
+                    candidates.end());
+  std::vector<int> nodes;
+  for (std::size_t i = 0; i < count; ++i) {
+    nodes.push_back(candidates[i].second);
+  }
+  return nodes;
+}
+
+std::vector<int> Roadmap::shortest_path(int from, int to) const {
+  const auto goal = static_cast<Vertex>(to);
+  const auto source = static_cast<Vertex>(from);
+  std::vector<Vertex> predecessors(boost::num_vertices(graph_->graph));
+  try {
+    boost::astar_search(
+        graph_->graph, source, [&](Vertex vertex) { return graph_->distance(vertex, goal); },
+        boost::predecessor_map(
+            boost::make_iterator_property_map(predecessors.begin(),
+                                              boost::get(boost::vertex_index, graph_->graph)))
+            .visitor(StopAtGoal(goal)));
+  } catch (const GoalReached&) {
+    std::vector<int> path{to};
+    for (Vertex at = goal; at != source;) {
+      at = predecessors[at];
+      path.push_back(static_cast<int>(at));
+    }
+    std::ranges::reverse(path);
+    return path;
+  }
+  return {};
+}
+
+}  // namespace handway::planning
