@@ -2,10 +2,12 @@
 /// one dense 4x4 product per joint origin and one per joint rotation.
 #include "handway/geometric/robot/jacobian.h"
 #include "handway/geometric/robot/robot_model.h"
+#include "handway/geometric/robot/tx90_inverse_kinematics.h"
 #include "handway_test/robots.h"
 
 #include <benchmark/benchmark.h>
 
+#include <memory>
 #include <random>
 #include <vector>
 
@@ -78,6 +80,24 @@ void BM_PointJacobian(benchmark::State& state) {
   }
 }
 BENCHMARK(BM_PointJacobian);
+
+void BM_Tx90InverseKinematics(benchmark::State& state) {
+  const auto model = std::make_shared<const RobotModel>(test::tx90_sah());
+  const auto ik = make_tx90_inverse_kinematics(model, "Palm");
+  const std::vector<Configuration> configurations = random_configurations(*model, 256);
+  std::vector<Pose> X_BL(static_cast<std::size_t>(model->link_count()));
+  std::vector<Pose> targets;
+  for (const Configuration& q : configurations) {
+    model->forward_kinematics(q, X_BL);
+    targets.push_back(X_BL[static_cast<std::size_t>(ik->tip_link())]);
+  }
+  std::size_t k = 0;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(ik->solve(targets[k % targets.size()], configurations.front()));
+    ++k;
+  }
+}
+BENCHMARK(BM_Tx90InverseKinematics);
 
 }  // namespace
 }  // namespace handway::geometric

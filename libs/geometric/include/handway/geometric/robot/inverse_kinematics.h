@@ -1,0 +1,73 @@
+#pragma once
+
+#include "handway/geometric/export.h"
+#include "handway/geometric/robot/arm_branch.h"
+#include "handway/geometric/robot/robot_model.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace handway::geometric {
+
+/// One configuration that reaches a pose.
+struct IkSolution {
+  Configuration q;                  ///< Shape [variables().size()], in that order; rad or m.
+  std::optional<ArmBranch> branch;  ///< Of solvers that know branches.
+};
+
+/// What inverse kinematics found.
+struct IkResult {
+  std::vector<IkSolution> solutions;  ///< Nearest to the reference first; may be empty.
+  std::string reason;                 ///< Why there is none; empty if there is one.
+};
+
+/// Finds configurations of a chain's variables that bring a tip link to a pose.
+/// Const and without hidden state: one object may serve several threads.
+class HANDWAY_GEOMETRIC_EXPORT InverseKinematics {
+ public:
+  virtual ~InverseKinematics() = default;
+  InverseKinematics(const InverseKinematics&) = delete;
+  InverseKinematics& operator=(const InverseKinematics&) = delete;
+
+  [[nodiscard]] const RobotModel& model() const { return *model_; }
+  [[nodiscard]] int tip_link() const { return tip_link_; }
+  /// Indices of the model's variables that are solved for, in ascending order.
+  [[nodiscard]] const std::vector<int>& variables() const { return variables_; }
+
+  /// @param X_BT pose of the tip link's frame in the robot's base frame.
+  /// @param reference shape [model().variable_count()]: where to stay near to,
+  /// and the values of the variables that are not solved for.
+  /// @throws InputError if sizes differ, a number is not finite or X_BT is no
+  /// rigid transform. A pose out of reach is no error: see IkResult::reason.
+  [[nodiscard]] IkResult solve(const Pose& X_BT, const Configuration& reference) const;
+
+  /// The reference with the solution's values in the places of variables().
+  [[nodiscard]] Configuration placed(const IkSolution& solution,
+                                     const Configuration& reference) const;
+
+ protected:
+  /// @throws InputError if tip_link or a variable is not the model's, or there
+  /// is no variable. @pre model is not null.
+  InverseKinematics(std::shared_ptr<const RobotModel> model, int tip_link,
+                    std::vector<int> variables);
+
+  /// The derived class's part; arguments are checked. The result needs no order.
+  [[nodiscard]] virtual IkResult do_solve(const Pose& X_BT,
+                                          const Configuration& reference) const = 0;
+
+  /// @throws InputError as solve().
+  void check(const Pose& X_BT, const Configuration& reference) const;
+
+ private:
+  std::shared_ptr<const RobotModel> model_;
+  int tip_link_;
+  std::vector<int> variables_;
+};
+
+/// Variables of the joints on the way from the root to `link`, ascending.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<int> chain_variables(const RobotModel& model,
+                                                                        int link);
+
+}  // namespace handway::geometric
