@@ -1,6 +1,7 @@
 /// Forward kinematics of the whole 25-link robot, against the textbook way:
 /// one dense 4x4 product per joint origin and one per joint rotation.
 #include "handway/geometric/robot/jacobian.h"
+#include "handway/geometric/robot/numeric_inverse_kinematics.h"
 #include "handway/geometric/robot/robot_model.h"
 #include "handway/geometric/robot/tx90_inverse_kinematics.h"
 #include "handway_test/robots.h"
@@ -98,6 +99,31 @@ void BM_Tx90InverseKinematics(benchmark::State& state) {
   }
 }
 BENCHMARK(BM_Tx90InverseKinematics);
+
+void BM_NumericInverseKinematics(benchmark::State& state) {
+  const auto model = std::make_shared<const RobotModel>(test::tx90_urdf_style());
+  const NumericInverseKinematics ik(model, "flange");
+  const std::vector<Configuration> configurations = random_configurations(*model, 256);
+  std::vector<Pose> X_BL(static_cast<std::size_t>(model->link_count()));
+  std::vector<Pose> targets;
+  for (const Configuration& q : configurations) {
+    model->forward_kinematics(q, X_BL);
+    targets.push_back(X_BL.back());
+  }
+  std::size_t k = 0;
+  int iterations = 0;
+  int reached = 0;
+  for (auto _ : state) {
+    const NumericIkResult result =
+        ik.find(targets[k % targets.size()], configurations[(k + 1) % configurations.size()]);
+    iterations += result.iterations;
+    reached += result.converged ? 1 : 0;
+    ++k;
+  }
+  state.counters["iterations"] = static_cast<double>(iterations) / static_cast<double>(k);
+  state.counters["reached"] = static_cast<double>(reached) / static_cast<double>(k);
+}
+BENCHMARK(BM_NumericInverseKinematics);
 
 }  // namespace
 }  // namespace handway::geometric
