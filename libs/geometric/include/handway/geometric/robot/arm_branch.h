@@ -5,8 +5,8 @@
 namespace handway::geometric {
 
 /// The branch of an anthropomorphic six-axis arm's inverse kinematics, as
-/// Staeubli controllers name it (devices' configuration flags). A posture on
-/// the border between two branches counts as the first named.
+/// Staeubli controllers name it in their configuration flags. A posture on the
+/// border between two branches counts as the first named.
 struct ArmBranch {
   enum class Shoulder { kLefty, kRighty };
   enum class Bend { kPositive, kNegative };

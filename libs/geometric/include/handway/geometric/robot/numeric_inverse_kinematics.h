@@ -22,7 +22,7 @@ struct NumericIkOptions {
   /// How many metres one radian counts as when both are weighed, m/rad.
   double orientation_weight = 0.3;
   int max_iterations = 100;  ///< Of each start; ≥ 1.
-  int max_restarts = 30;     ///< Random starts after the reference; ≥ 0.
+  int max_restarts = 100;    ///< Random starts after the reference; ≥ 0.
   /// Wall clock over all starts. A finite limit makes failures depend on the
   /// machine's speed; without one the result has the same bits on every run.
   double time_limit_s = std::numeric_limits<double>::infinity();
