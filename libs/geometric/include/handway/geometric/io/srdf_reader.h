@@ -1,0 +1,18 @@
+#pragma once
+
+#include "handway/geometric/export.h"
+#include "handway/geometric/robot/robot_description.h"
+
+#include <filesystem>
+
+namespace handway::geometric {
+
+/// Adds what an SRDF file says (http://wiki.ros.org/srdf) to the robot that it
+/// belongs to: `group` (by joints, links, chains and subgroups), `group_state`
+/// and `disable_collisions`. Reasons other than Adjacent, Always and Never are
+/// read as User; other elements are ignored.
+/// @throws InputError naming the line if the file can't be read or names a
+/// joint, link or group that does not exist; `robot` is then unchanged.
+HANDWAY_GEOMETRIC_EXPORT void read_srdf(const std::filesystem::path& file, RobotDescription& robot);
+
+}  // namespace handway::geometric

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "handway/geometric/export.h"
+#include "handway/geometric/robot/robot_description.h"
+
+#include <filesystem>
+
+namespace handway::geometric {
+
+/// Reads a robot from a URDF file (http://wiki.ros.org/urdf/XML), by urdfdom.
+///
+/// - Joints: `revolute`, `prismatic`, `fixed`, `continuous` (becomes revolute
+///   with limits ±2π, with a warning); `mimic`, also in chains. A velocity
+///   limit of 0 counts as unknown (infinity). URDF has no acceleration limits;
+///   they stay infinite.
+/// - Geometry: box, sphere, cylinder, mesh; all `visual` and `collision`
+///   elements; colours of materials, global ones included. Mesh::file is
+///   absolute.
+/// - Mesh file names: relative to the URDF's folder; absolute; `file://PATH`;
+///   `package://NAME/REST`, NAME being a folder above the URDF, or a neighbour
+///   of one of these.
+/// - Links and joints keep the order of the file.
+/// - An SRDF file beside it with the same stem is read too (see read_srdf()).
+///
+/// @throws InputError naming the line if the file or one that it names can't be
+/// read, is no URDF, or has a `floating` or `planar` joint.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT RobotDescription
+read_urdf(const std::filesystem::path& file);
+
+}  // namespace handway::geometric

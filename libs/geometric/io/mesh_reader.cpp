@@ -1,0 +1,122 @@
+#include "handway/geometric/io/mesh_reader.h"
+
+#include "handway/geometric/io/input_error.h"
+#include "io/assimp_import.h"
+#include "io/mesh_cleaning.h"
+
+#include <exception>
+#include <map>
+#include <mutex>
+#include <system_error>
+#include <tuple>
+#include <utility>
+
+namespace handway::geometric {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kFarthest = 1e6;  // m; beyond it collision checking loses its digits
+
+using CacheKey = std::tuple<fs::path, std::uintmax_t, fs::file_time_type, double, double, double>;
+
+class MeshCache {
+ public:
+  std::shared_ptr<const TriangleMesh> find(const CacheKey& key) {
+    const std::lock_guard lock(mutex_);
+    const auto entry = meshes_.find(key);
+    return entry == meshes_.end() ? nullptr : entry->second.lock();
+  }
+
+  /// Returns what another thread stored meanwhile, or `mesh`.
+  std::shared_ptr<const TriangleMesh> store(const CacheKey& key,
+                                            std::shared_ptr<const TriangleMesh> mesh) {
+    const std::lock_guard lock(mutex_);
+    std::erase_if(meshes_, [](const auto& entry) { return entry.second.expired(); });
+    std::weak_ptr<const TriangleMesh>& slot = meshes_[key];
+    if (std::shared_ptr<const TriangleMesh> other = slot.lock()) {
+      return other;
+    }
+    slot = mesh;
+    return mesh;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::map<CacheKey, std::weak_ptr<const TriangleMesh>> meshes_;
+};
+
+class MeshSource {
+ public:
+  MeshSource(fs::path file, std::string referenced_by)
+      : file_(std::move(file)), referenced_by_(std::move(referenced_by)) {}
+
+  [[noreturn]] void refuse(const std::string& found, const std::string& expected,
+                           const std::string& advice = "") const {
+    if (referenced_by_.empty()) {
+      throw InputError({file_.string(), "mesh", found, expected, advice});
+    }
+    throw InputError({referenced_by_, "mesh " + file_.string(), found, expected, advice});
+  }
+
+  [[nodiscard]] std::shared_ptr<const TriangleMesh> read(const Eigen::Vector3d& scale) const {
+    TriangleMesh raw;
+    try {
+      raw = import_triangles(file_);
+    } catch (const std::exception& error) {
+      refuse(error.what(), "a mesh file such as STL, OBJ, DAE, PLY or glTF",
+             "Open the file in a mesh viewer, or export it again");
+    }
+    for (Eigen::Vector3d& vertex : raw.vertices) {
+      vertex = vertex.cwiseProduct(scale);
+      if (!vertex.allFinite() || vertex.cwiseAbs().maxCoeff() > kFarthest) {
+        refuse("a vertex that is not finite or farther than 1000 km", "coordinates in metres",
+               "Export the mesh again, or check its scale");
+      }
+    }
+    if (scale.prod() < 0.0) {
+      for (auto& triangle : raw.triangles) {
+        std::swap(triangle[1], triangle[2]);
+      }
+    }
+    auto mesh = std::make_shared<TriangleMesh>(cleaned(raw));
+    if (mesh->empty()) {
+      refuse("no triangle with an area", "a surface",
+             "Points and lines alone can't be checked for collision");
+    }
+    return mesh;
+  }
+
+ private:
+  fs::path file_;
+  std::string referenced_by_;
+};
+
+}  // namespace
+
+std::shared_ptr<const TriangleMesh> read_mesh(const fs::path& file, const Eigen::Vector3d& scale,
+                                              const std::string& referenced_by) {
+  static MeshCache cache;
+  const MeshSource source(file, referenced_by);
+  if (!scale.allFinite() || (scale.array() == 0.0).any()) {
+    source.refuse("a scale that is zero or not finite", "three numbers other than 0");
+  }
+  std::error_code error;
+  const fs::path canonical = fs::canonical(file, error);
+  if (error) {
+    source.refuse(error == std::errc::no_such_file_or_directory ? "no such file" : error.message(),
+                  "a mesh file", "Check the path");
+  }
+  if (!fs::is_regular_file(canonical, error)) {
+    source.refuse("something that is not a file", "a mesh file");
+  }
+  std::error_code ignored;
+  const CacheKey key(canonical, fs::file_size(canonical, ignored),
+                     fs::last_write_time(canonical, ignored), scale.x(), scale.y(), scale.z());
+  if (std::shared_ptr<const TriangleMesh> known = cache.find(key)) {
+    return known;
+  }
+  return cache.store(key, source.read(scale));
+}
+
+}  // namespace handway::geometric

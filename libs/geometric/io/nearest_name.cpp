@@ -1,0 +1,61 @@
+#include "handway/geometric/io/nearest_name.h"
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+namespace handway::geometric {
+namespace {
+
+constexpr std::size_t kFew = 16;
+
+// Insertions, deletions and replacements that turn one word into the other
+// (Wagner and Fischer 1974, one row at a time).
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({replaced, row[j] + 1, row[j - 1] + 1});
+    }
+  }
+  return row[b.size()];
+}
+
+}  // namespace
+
+std::string nearest_name(std::string_view word, std::span<const std::string> names) {
+  std::string nearest;
+  constexpr std::size_t kLongest = 200;
+  std::size_t least = std::max<std::size_t>(1, word.size() / 3) + 1;
+  for (const std::string& name : names) {
+    if (word.size() > kLongest || name.size() > kLongest) {
+      continue;
+    }
+    if (const std::size_t distance = edit_distance(word, name); distance < least) {
+      least = distance;
+      nearest = name;
+    }
+  }
+  return nearest;
+}
+
+std::string advise_name(std::string_view word, std::span<const std::string> names) {
+  if (const std::string nearest = nearest_name(word, names); !nearest.empty()) {
+    return "Did you mean \"" + nearest + "\"?";
+  }
+  if (names.empty() || names.size() > kFew) {
+    return "";
+  }
+  std::string list = "There are: ";
+  for (const std::string& name : names) {
+    list += (list.ends_with(' ') ? "" : ", ") + name;
+  }
+  return list;
+}
+
+}  // namespace handway::geometric

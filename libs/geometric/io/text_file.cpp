@@ -1,0 +1,97 @@
+#include "handway/geometric/io/text_file.h"
+
+#include "handway/geometric/io/input_error.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <system_error>
+
+namespace handway::geometric {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_text(unsigned char byte) {
+  return byte >= 0x20 ? byte != 0x7F : byte == '\t' || byte == '\n' || byte == '\r' || byte == '\f';
+}
+
+// Length of the UTF-8 sequence that starts at `at`; 0 if there is none.
+std::size_t sequence_length(const std::string& text, std::size_t at) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned char lead = byte(at);
+  if (lead < 0x80) {
+    return is_text(lead) ? 1 : 0;
+  }
+  const std::size_t length = lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : 2;
+  if (lead < 0xC2 || lead > 0xF4 || at + length > text.size()) {
+    return 0;
+  }
+  for (std::size_t i = at + 1; i < at + length; ++i) {
+    if ((byte(i) & 0xC0) != 0x80) {
+      return 0;
+    }
+  }
+  return length;
+}
+
+void check_text(const fs::path& file, const std::string& text, const std::string& what) {
+  std::size_t at = 0;
+  while (at < text.size()) {
+    const std::size_t length = sequence_length(text, at);
+    if (length == 0) {
+      const auto end = text.begin() + static_cast<std::ptrdiff_t>(at);
+      const auto line = 1 + std::count(text.begin(), end, '\n');
+      throw InputError({file.string() + ":" + std::to_string(line), "",
+                        "bytes that are no UTF-8 text", what,
+                        "Is this another kind of file, or saved in another encoding?"});
+    }
+    at += length;
+  }
+}
+
+}  // namespace
+
+std::string read_text_file(const fs::path& file, const std::string& what, std::size_t limit) {
+  std::error_code error;
+  const fs::file_status status = fs::status(file, error);
+  if (!fs::exists(status)) {
+    throw InputError({file.string(), "", "no such file", what, "Check the path"});
+  }
+  if (fs::is_directory(status)) {
+    throw InputError({file.string(), "", "a folder", what, "Name a file in it"});
+  }
+  std::ifstream stream(file, std::ios::binary);
+  std::string text;
+  if (stream) {
+    text.resize(limit + 1 < 65536 ? limit + 1 : 65536);
+    std::size_t size = 0;
+    while (stream.read(text.data() + size, static_cast<std::streamsize>(text.size() - size)),
+           stream.gcount() > 0) {
+      size += static_cast<std::size_t>(stream.gcount());
+      if (size > limit) {
+        throw InputError({file.string(), "", "more than " + std::to_string(limit) + " bytes", what,
+                          "Is this the right file?"});
+      }
+      if (size == text.size()) {
+        text.resize(std::min(2 * size, limit + 1));
+      }
+    }
+    text.resize(size);
+  }
+  if (!stream.eof()) {
+    throw InputError({file.string(), "", std::strerror(errno), "a readable file",
+                      "Check the file's permissions"});
+  }
+  if (text.starts_with("\xEF\xBB\xBF")) {
+    text.erase(0, 3);
+  }
+  if (text.find_first_not_of(" \t\r\n") == std::string::npos) {
+    throw InputError({file.string(), "", "an empty file", what, ""});
+  }
+  check_text(file, text, what);
+  return text;
+}
+
+}  // namespace handway::geometric

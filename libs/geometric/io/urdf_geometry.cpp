@@ -1,0 +1,95 @@
+#include "io/urdf_geometry.h"
+
+#include "handway/geometric/io/input_error.h"
+#include "handway/geometric/io/mesh_reader.h"
+#include "io/mesh_filename.h"
+
+#include <cmath>
+
+namespace handway::geometric {
+namespace {
+
+class GeometryReader {
+ public:
+  GeometryReader(std::string link, std::filesystem::path folder, std::string referenced_by)
+      : element_("link " + link), folder_(std::move(folder)), where_(std::move(referenced_by)) {}
+
+  [[nodiscard]] LinkGeometry read(const urdf::GeometrySharedPtr& geometry,
+                                  const urdf::Pose& origin) const {
+    if (!geometry) {
+      throw InputError({where_, element_, "a visual or collision without geometry",
+                        "a box, sphere, cylinder or mesh", ""});
+    }
+    LinkGeometry result{shape(*geometry), pose_of(origin), {}};
+    if (!result.X_LG.matrix().allFinite()) {
+      throw InputError({where_, element_, "an origin that is not finite", "finite numbers", ""});
+    }
+    return result;
+  }
+
+ private:
+  [[nodiscard]] Shape shape(const urdf::Geometry& geometry) const {
+    switch (geometry.type) {
+      case urdf::Geometry::BOX: {
+        const urdf::Vector3& size = dynamic_cast<const urdf::Box&>(geometry).dim;
+        return Box{{positive(size.x), positive(size.y), positive(size.z)}};
+      }
+      case urdf::Geometry::SPHERE:
+        return Sphere{positive(dynamic_cast<const urdf::Sphere&>(geometry).radius)};
+      case urdf::Geometry::CYLINDER: {
+        const auto& cylinder = dynamic_cast<const urdf::Cylinder&>(geometry);
+        return Cylinder{positive(cylinder.radius), positive(cylinder.length)};
+      }
+      case urdf::Geometry::MESH:
+        break;
+    }
+    const auto& mesh = dynamic_cast<const urdf::Mesh&>(geometry);
+    const Eigen::Vector3d scale(mesh.scale.x, mesh.scale.y, mesh.scale.z);
+    const std::filesystem::path file = resolve_mesh_filename(mesh.filename, folder_, where_);
+    return Mesh{file, scale, read_mesh(file, scale, where_)};
+  }
+
+  [[nodiscard]] double positive(double size) const {
+    if (!std::isfinite(size) || size <= 0.0) {
+      throw InputError(
+          {where_, element_, "a geometry of size " + std::to_string(size), "a size above 0 m", ""});
+    }
+    return size;
+  }
+
+  std::string element_;
+  std::filesystem::path folder_;
+  std::string where_;
+};
+
+}  // namespace
+
+Pose pose_of(const urdf::Pose& pose) {
+  Pose X = Pose::Identity();
+  X.translation() = Eigen::Vector3d(pose.position.x, pose.position.y, pose.position.z);
+  X.linear() =
+      Eigen::Quaterniond(pose.rotation.w, pose.rotation.x, pose.rotation.y, pose.rotation.z)
+          .normalized()
+          .toRotationMatrix();
+  return X;
+}
+
+Link link_of(const urdf::Link& link, const std::filesystem::path& folder,
+             const std::string& referenced_by) {
+  const GeometryReader reader(link.name, folder, referenced_by);
+  Link result{link.name, {}, {}};
+  for (const urdf::VisualSharedPtr& visual : link.visual_array) {
+    LinkGeometry geometry = reader.read(visual->geometry, visual->origin);
+    if (visual->material) {
+      const urdf::Color& color = visual->material->color;
+      geometry.color = {color.r, color.g, color.b, color.a};
+    }
+    result.visual.push_back(std::move(geometry));
+  }
+  for (const urdf::CollisionSharedPtr& collision : link.collision_array) {
+    result.collision.push_back(reader.read(collision->geometry, collision->origin));
+  }
+  return result;
+}
+
+}  // namespace handway::geometric

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <pugixml.hpp>
+
+#include <filesystem>
+#include <string>
+
+namespace handway::geometric {
+
+/// A well-formed XML file whose nodes know their line. Nested at most 100 deep.
+class XmlDocument {
+ public:
+  /// @param what what the file should be, for messages: "a robot file (URDF)".
+  /// @throws InputError if the file can't be read, or is no XML (naming the line).
+  XmlDocument(const std::filesystem::path& file, const std::string& what);
+
+  /// The top element. @throws InputError if it is not called `name`.
+  [[nodiscard]] pugi::xml_node root(const std::string& name) const;
+
+  [[nodiscard]] pugi::xml_document& nodes() { return nodes_; }
+  [[nodiscard]] const std::string& text() const { return text_; }
+
+  /// "FILE:LINE" of a node; "FILE" of none.
+  [[nodiscard]] std::string where(const pugi::xml_node& node) const;
+
+  /// An attribute that must be there and not be empty.
+  /// @throws InputError otherwise.
+  [[nodiscard]] std::string need(const pugi::xml_node& node, const char* attribute) const;
+
+ private:
+  [[nodiscard]] std::string where(std::ptrdiff_t offset) const;
+
+  std::filesystem::path file_;
+  std::string what_;
+  std::string text_;
+  pugi::xml_document nodes_;
+};
+
+}  // namespace handway::geometric

@@ -1,0 +1,156 @@
+#include "scratch_files.h"
+
+#include <handway/geometric/io/srdf_reader.h>
+#include <handway/geometric/io/srdf_writer.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace handway::geometric {
+namespace {
+
+using test::input_error_of;
+using test::ScratchFiles;
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+using testing::Pair;
+
+/// base - j1 - l1 - j2 - l2 - f - tip
+RobotDescription chain_of_three() {
+  RobotDescription robot;
+  robot.name = "r";
+  for (const char* name : {"base", "l1", "l2", "tip"}) {
+    robot.links.push_back({name, {}, {}});
+  }
+  const auto add = [&](const std::string& name, const std::string& parent,
+                       const std::string& child) {
+    Joint joint;
+    joint.name = name;
+    joint.parent = parent;
+    joint.child = child;
+    robot.joints.push_back(joint);
+  };
+  add("j1", "base", "l1");
+  add("j2", "l1", "l2");
+  add("f", "l2", "tip");
+  return robot;
+}
+
+std::string srdf(const std::string& body) { return "<robot name=\"r\">\n" + body + "</robot>\n"; }
+
+RobotDescription read(const ScratchFiles& files, const std::string& body) {
+  RobotDescription robot = chain_of_three();
+  read_srdf(files.write("r.srdf", srdf(body)), robot);
+  return robot;
+}
+
+TEST(SrdfReader, ResolvesGroupsByJointsLinksChainsAndGroups) {
+  const ScratchFiles files;
+  const RobotDescription robot = read(files, R"(
+    <group name="by_joint"><joint name="j2"/><joint name="j1"/></group>
+    <group name="by_link"><link name="base"/><link name="l2"/></group>
+    <group name="by_chain"><chain base_link="base" tip_link="tip"/></group>
+    <group name="all"><group name="by_joint"/><joint name="f"/></group>)");
+  ASSERT_EQ(robot.groups.size(), 4U);
+  EXPECT_THAT(robot.groups[0].joints, ElementsAre("j2", "j1"));
+  EXPECT_THAT(robot.groups[1].joints, ElementsAre("j2"));
+  EXPECT_THAT(robot.groups[2].joints, ElementsAre("j1", "j2", "f"));
+  EXPECT_THAT(robot.groups[3].joints, ElementsAre("j2", "j1", "f"));
+}
+
+TEST(SrdfReader, ReadsPostures) {
+  const ScratchFiles files;
+  const RobotDescription robot = read(files, R"(<group name="g"><joint name="j1"/></group>
+    <group_state name="home" group="g"><joint name="j1" value="0.25"/></group_state>)");
+  ASSERT_EQ(robot.postures.size(), 1U);
+  EXPECT_EQ(robot.postures[0].name, "home");
+  EXPECT_THAT(robot.postures[0].values, ElementsAre(Pair("j1", 0.25)));
+}
+
+TEST(SrdfReader, ReadsReasonsAndTakesUnknownOnesAsTheUsers) {
+  const ScratchFiles files;
+  const AllowedCollisions allowed =
+      read(files, R"(<disable_collisions link1="l1" link2="base" reason="Adjacent"/>
+        <disable_collisions link1="l1" link2="l2" reason="Always"/>
+        <disable_collisions link1="l1" link2="tip" reason="Never"/>
+        <disable_collisions link1="base" link2="tip" reason="By hand"/>
+        <disable_collisions link1="l2" link2="tip"/>)")
+          .allowed_collisions;
+  EXPECT_EQ(allowed.reason("base", "l1"), AllowedReason::kAdjacent);
+  EXPECT_EQ(allowed.reason("l1", "l2"), AllowedReason::kAlways);
+  EXPECT_EQ(allowed.reason("tip", "l1"), AllowedReason::kNever);
+  EXPECT_EQ(allowed.reason("base", "tip"), AllowedReason::kUser);
+  EXPECT_EQ(allowed.reason("l2", "tip"), AllowedReason::kUser);
+}
+
+TEST(SrdfReader, NamesTheLineOfWhatItDoesNotKnow) {
+  const ScratchFiles files;
+  const auto refusal = [&](const std::string& body) {
+    return input_error_of([&] { static_cast<void>(read(files, body)); });
+  };
+  EXPECT_THAT(refusal("\n<group name=\"g\"><joint name=\"j3\"/></group>"),
+              AllOf(HasSubstr("r.srdf:3"), HasSubstr("j3"), HasSubstr("Did you mean \"j1\"?")));
+  EXPECT_THAT(refusal("<group name=\"g\"><chain base_link=\"tip\" tip_link=\"base\"/></group>"),
+              HasSubstr("above"));
+  EXPECT_THAT(refusal("<group name=\"g\"><group name=\"g\"/></group>"), HasSubstr("itself"));
+  EXPECT_THAT(refusal("<group name=\"g\"/><group name=\"g\"/>"), HasSubstr("two groups"));
+  EXPECT_THAT(refusal("<disable_collisions link1=\"basis\" link2=\"tip\"/>"), HasSubstr("base"));
+  EXPECT_THAT(refusal("<group_state name=\"s\" group=\"none\"/>"), HasSubstr("none"));
+  for (const std::string value : {"nan", "1 2", "x", "1e999"}) {
+    EXPECT_THAT(refusal("<group name=\"g\"/><group_state name=\"s\" group=\"g\"><joint "
+                        "name=\"j1\" value=\"" +
+                        value + "\"/></group_state>"),
+                HasSubstr("finite number"));
+  }
+}
+
+TEST(SrdfReader, LeavesTheRobotUnchangedWhenItFails) {
+  const ScratchFiles files;
+  RobotDescription robot = chain_of_three();
+  robot.groups = {{"old", {"j1"}}};
+  const auto file = files.write(
+      "r.srdf", srdf("<group name=\"new\"/><disable_collisions link1=\"x\" link2=\"tip\"/>"));
+  EXPECT_THROW(read_srdf(file, robot), InputError);
+  ASSERT_EQ(robot.groups.size(), 1U);
+  EXPECT_EQ(robot.groups[0].name, "old");
+}
+
+TEST(SrdfWriter, ReplacesTheMatrixAndKeepsTheRest) {
+  const ScratchFiles files;
+  const auto file = files.write("r.srdf", srdf(R"(<!-- by hand -->
+<group name="g"><joint name="j1"/></group>
+<disable_collisions link1="base" link2="l1" reason="Never"/>
+)"));
+  AllowedCollisions allowed;
+  allowed.allow("l2", "tip", AllowedReason::kAdjacent);
+  allowed.allow("base", "tip", AllowedReason::kUser);
+  write_disabled_collisions(file, "r", allowed);
+  EXPECT_THAT(ScratchFiles::read(file), HasSubstr("by hand"));
+  RobotDescription robot = chain_of_three();
+  read_srdf(file, robot);
+  EXPECT_EQ(robot.allowed_collisions.entries(), allowed.entries());
+  EXPECT_EQ(robot.groups.size(), 1U);
+}
+
+TEST(SrdfWriter, MakesAFileWhereThereIsNone) {
+  const ScratchFiles files;
+  AllowedCollisions allowed;
+  allowed.allow("l2", "tip", AllowedReason::kAlways);
+  write_disabled_collisions(files.folder() / "new.srdf", "r", allowed);
+  RobotDescription robot = chain_of_three();
+  read_srdf(files.folder() / "new.srdf", robot);
+  EXPECT_EQ(robot.allowed_collisions.entries(), allowed.entries());
+  EXPECT_THAT(robot.warnings, Not(testing::Contains(HasSubstr("robot called"))));
+}
+
+TEST(SrdfWriter, LeavesAFileThatIsNoSrdfAlone) {
+  const ScratchFiles files;
+  const auto file = files.write("r.srdf", "notes");
+  EXPECT_THROW(write_disabled_collisions(file, "r", {}), InputError);
+  EXPECT_EQ(ScratchFiles::read(file), "notes");
+}
+
+}  // namespace
+}  // namespace handway::geometric

@@ -1,0 +1,244 @@
+#include "scratch_files.h"
+
+#include <handway/geometric/io/robot_loader.h>
+#include <handway/geometric/io/urdf_reader.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace handway::geometric {
+namespace {
+
+using test::input_error_of;
+using test::kSquareObj;
+using test::ScratchFiles;
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+constexpr double kPi = std::numbers::pi;
+
+std::string robot(const std::string& body) {
+  return "<?xml version=\"1.0\"?>\n<robot name=\"r\">\n" + body + "</robot>\n";
+}
+
+std::string joint(const std::string& name, const std::string& type, const std::string& parent,
+                  const std::string& child, const std::string& more) {
+  return "<joint name=\"" + name + "\" type=\"" + type + "\"><parent link=\"" + parent +
+         "\"/><child link=\"" + child + "\"/>" + more + "</joint>\n";
+}
+
+const std::string kLimit = R"(<limit lower="-1" upper="2" effort="0" velocity="3"/>)";
+
+std::string refusal(const ScratchFiles& files, const std::string& content) {
+  const auto file = files.write("broken.urdf", content);
+  return input_error_of([&] { static_cast<void>(load_robot(file)); });
+}
+
+TEST(UrdfReader, ReadsLinksAndJointsInTheOrderOfTheFile) {
+  const ScratchFiles files;
+  const RobotDescription r = read_urdf(files.write(
+      "r.urdf",
+      robot("<link name=\"z\"/><link name=\"m\"/><link name=\"a\"/><link name=\"b\"/>\n" +
+            joint("j2", "revolute", "z", "m",
+                  R"(<origin xyz="1 2 3" rpy="0 0 1.5707963267948966"/><axis xyz="0 2 0"/>)" +
+                      kLimit) +
+            joint("j1", "prismatic", "m", "a", "<axis xyz=\"0 0 -1\"/>" + kLimit) +
+            joint("j0", "fixed", "m", "b", ""))));
+  EXPECT_EQ(r.name, "r");
+  EXPECT_THAT(r.links,
+              ElementsAre(testing::Field(&Link::name, "z"), testing::Field(&Link::name, "m"),
+                          testing::Field(&Link::name, "a"), testing::Field(&Link::name, "b")));
+  ASSERT_EQ(r.joints.size(), 3U);
+  const Joint& j2 = r.joints[0];
+  EXPECT_EQ(j2.name, "j2");
+  EXPECT_EQ(j2.type, JointType::kRevolute);
+  EXPECT_TRUE(j2.axis.isApprox(Eigen::Vector3d::UnitY()));
+  EXPECT_TRUE(j2.X_PJ.isApprox(pose_from_rpy({1, 2, 3}, 0, 0, kPi / 2), 1e-12));
+  EXPECT_EQ(j2.limits.lower, -1.0);
+  EXPECT_EQ(j2.limits.upper, 2.0);
+  EXPECT_EQ(j2.limits.velocity, 3.0);
+  EXPECT_TRUE(std::isinf(j2.limits.acceleration));
+  EXPECT_EQ(r.joints[1].type, JointType::kPrismatic);
+  EXPECT_EQ(r.joints[2].type, JointType::kFixed);
+  EXPECT_THAT(r.warnings, IsEmpty());
+}
+
+TEST(UrdfReader, LimitsAContinuousJointToOneTurnEachWay) {
+  const ScratchFiles files;
+  const RobotDescription r = read_urdf(
+      files.write("r.urdf", robot("<link name=\"a\"/><link name=\"b\"/>" +
+                                  joint("spin", "continuous", "a", "b", "<axis xyz=\"0 0 1\"/>"))));
+  EXPECT_EQ(r.joints[0].type, JointType::kRevolute);
+  EXPECT_DOUBLE_EQ(r.joints[0].limits.lower, -2 * kPi);
+  EXPECT_DOUBLE_EQ(r.joints[0].limits.upper, 2 * kPi);
+  EXPECT_THAT(r.warnings, ElementsAre(HasSubstr("spin")));
+}
+
+TEST(UrdfReader, FollowsChainsOfCoupledJoints) {
+  const ScratchFiles files;
+  const auto model = load_robot(files.write(
+      "r.urdf", robot("<link name=\"a\"/><link name=\"b\"/><link name=\"c\"/><link name=\"d\"/>" +
+                      joint("lead", "revolute", "a", "b", kLimit) +
+                      joint("second", "revolute", "b", "c",
+                            kLimit + R"(<mimic joint="lead" multiplier="2" offset="1"/>)") +
+                      joint("third", "revolute", "c", "d",
+                            kLimit + R"(<mimic joint="second" multiplier="3" offset="5"/>)"))));
+  ASSERT_EQ(model->variable_count(), 1);
+  EXPECT_EQ(model->drive(2).multiplier, 2.0);
+  EXPECT_EQ(model->drive(2).offset, 1.0);
+  EXPECT_EQ(model->drive(3).multiplier, 6.0);
+  EXPECT_EQ(model->drive(3).offset, 8.0);
+}
+
+TEST(UrdfReader, ReadsAllShapesAndColours) {
+  const ScratchFiles files;
+  files.write("meshes/s.obj", kSquareObj);
+  const RobotDescription r = read_urdf(
+      files.write("r.urdf", robot(R"(<material name="red"><color rgba="1 0 0 0.5"/></material>
+<link name="a">
+ <visual><origin xyz="0 0 1"/><geometry><box size="1 2 3"/></geometry><material name="red"/></visual>
+ <visual><geometry><mesh filename="meshes/s.obj" scale="2 2 2"/></geometry>
+  <material name="own"><color rgba="0 1 0 1"/></material></visual>
+ <collision><geometry><sphere radius="0.5"/></geometry></collision>
+ <collision><geometry><cylinder radius="0.1" length="2"/></geometry></collision>
+</link>
+)")));
+  const Link& a = r.links[0];
+  ASSERT_EQ(a.visual.size(), 2U);
+  EXPECT_EQ(std::get<Box>(a.visual[0].shape).size, Eigen::Vector3d(1, 2, 3));
+  EXPECT_EQ(a.visual[0].X_LG.translation(), Eigen::Vector3d(0, 0, 1));
+  EXPECT_EQ(a.visual[0].color, (Color{1, 0, 0, 0.5F}));
+  EXPECT_EQ(a.visual[1].color, (Color{0, 1, 0, 1}));
+  const Mesh& mesh = std::get<Mesh>(a.visual[1].shape);
+  EXPECT_EQ(mesh.file, files.folder() / "meshes/s.obj");
+  EXPECT_EQ(bounding_box(*mesh.triangles).upper, Eigen::Vector3d(2, 2, 0));
+  ASSERT_EQ(a.collision.size(), 2U);
+  EXPECT_EQ(std::get<Sphere>(a.collision[0].shape).radius, 0.5);
+  EXPECT_EQ(std::get<Cylinder>(a.collision[1].shape).length, 2.0);
+}
+
+TEST(UrdfReader, FindsMeshesOfPackages) {
+  const ScratchFiles files;
+  const auto mesh = files.write("ws/meshes_of_r/parts/s.obj", kSquareObj);
+  files.write("ws/r_description/own.obj", kSquareObj);
+  const auto link = [](const std::string& name, const std::string& file) {
+    return "<link name=\"" + name + "\"><collision><geometry><mesh filename=\"" + file +
+           "\"/></geometry></collision></link>";
+  };
+  const RobotDescription r = read_urdf(files.write(
+      "ws/r_description/urdf/r.urdf",
+      robot(link("a", "package://meshes_of_r/parts/s.obj") +
+            link("b", "package://r_description/own.obj") + link("c", "file://" + mesh.string()) +
+            joint("x", "fixed", "a", "b", "") + joint("y", "fixed", "a", "c", ""))));
+  EXPECT_EQ(std::get<Mesh>(r.links[0].collision[0].shape).file, mesh);
+  EXPECT_EQ(std::get<Mesh>(r.links[1].collision[0].shape).file,
+            files.folder() / "ws/r_description/own.obj");
+  EXPECT_EQ(std::get<Mesh>(r.links[2].collision[0].shape).file, mesh);
+}
+
+TEST(UrdfReader, NamesTheLineOfABrokenFile) {
+  const ScratchFiles files;
+  EXPECT_THAT(refusal(files, "<robot name=\"r\">\n<link name=\"a\">\n</robot>\n"),
+              AllOf(HasSubstr("broken.urdf:3"), HasSubstr("broken XML")));
+}
+
+TEST(UrdfReader, NamesTheLineOfAWrongElement) {
+  const ScratchFiles files;
+  const std::string links = "<link name=\"a\"/>\n<link name=\"b\"/>\n";
+  EXPECT_THAT(refusal(files, robot(links + joint("j", "floating", "a", "b", ""))),
+              AllOf(HasSubstr("broken.urdf:5"), HasSubstr("floating"), HasSubstr("prismatic")));
+  EXPECT_THAT(refusal(files, robot(links + joint("j", "revolute", "a", "b", ""))),
+              AllOf(HasSubstr("broken.urdf:5"), HasSubstr("limit")));
+  EXPECT_THAT(refusal(files, robot(links + joint("j", "fixed", "a", "nowhere", ""))),
+              AllOf(HasSubstr("broken.urdf:"), HasSubstr("nowhere")));
+  EXPECT_THAT(refusal(files, robot(links + joint("j", "revolute", "a", "b",
+                                                 "<axis xyz=\"0 0 0\"/>" + kLimit))),
+              AllOf(HasSubstr("broken.urdf:5"), HasSubstr("axis")));
+  EXPECT_THAT(refusal(files, robot("\n\n<link name=\"a\"><collision><geometry>"
+                                   "<mesh filename=\"no.stl\"/></geometry></collision></link>")),
+              AllOf(HasSubstr("broken.urdf:5"), HasSubstr("no.stl"), HasSubstr("no such file")));
+  EXPECT_THAT(refusal(files, robot("<link name=\"a\"/><link/>")), HasSubstr("no name"));
+  EXPECT_THAT(refusal(files, robot("<link name=\"a\"><collision><geometry>"
+                                   "<sphere radius=\"-1\"/></geometry></collision></link>")),
+              HasSubstr("-1"));
+}
+
+TEST(UrdfReader, RefusesWhatIsNoRobot) {
+  const ScratchFiles files;
+  EXPECT_THAT(refusal(files, ""), HasSubstr("empty file"));
+  EXPECT_THAT(refusal(files, "   \n"), HasSubstr("empty file"));
+  EXPECT_THAT(refusal(files, "<scene/>"), HasSubstr("<robot>"));
+  EXPECT_THAT(refusal(files, std::string("\x7F"
+                                         "ELF\x02\x01\0\0",
+                                         8)),
+              HasSubstr("no UTF-8 text"));
+  EXPECT_THAT(refusal(files, robot("")), HasSubstr("broken.urdf"));
+  EXPECT_THAT(refusal(files, robot("<link name=\"a\"/><link name=\"a\"/>")), HasSubstr("unique"));
+  EXPECT_THAT(refusal(files, robot("<link name=\"a\"/><link name=\"b\"/>")), HasSubstr("root"));
+  std::string deep;
+  for (int i = 0; i < 100000; ++i) {
+    deep += "<a>";
+  }
+  EXPECT_THAT(refusal(files, deep), HasSubstr("broken.urdf:1"));
+  for (int i = 0; i < 100000; ++i) {
+    deep += "</a>";
+  }
+  EXPECT_THAT(refusal(files, deep), HasSubstr("nested"));
+  EXPECT_THAT(input_error_of([&] { static_cast<void>(read_urdf(files.folder() / "no.urdf")); }),
+              HasSubstr("no such file"));
+  EXPECT_THAT(input_error_of([&] { static_cast<void>(read_urdf(files.folder())); }),
+              HasSubstr("folder"));
+}
+
+TEST(UrdfReader, RefusesNumbersThatAreNone) {
+  const ScratchFiles files;
+  const std::string links = "<link name=\"a\"/><link name=\"b\"/>";
+  for (const std::string number : {"nan", "inf", "1e999", "one", ""}) {
+    const std::string limit =
+        "<limit lower=\"" + number + "\" upper=\"2\" effort=\"0\" velocity=\"3\"/>";
+    EXPECT_NE(refusal(files, robot(links + joint("j", "revolute", "a", "b", limit))), "no error")
+        << number;
+    const std::string origin = "<origin xyz=\"0 0 " + number + "\"/>";
+    EXPECT_NE(refusal(files, robot(links + joint("j", "fixed", "a", "b", origin))), "no error")
+        << number;
+  }
+}
+
+TEST(UrdfReader, RefusesCoupledJointsInARing) {
+  const ScratchFiles files;
+  EXPECT_NE(
+      refusal(files, robot("<link name=\"a\"/><link name=\"b\"/><link name=\"c\"/>" +
+                           joint("j", "revolute", "a", "b", kLimit + "<mimic joint=\"k\"/>") +
+                           joint("k", "revolute", "b", "c", kLimit + "<mimic joint=\"j\"/>"))),
+      "no error");
+}
+
+TEST(RobotLoader, LetsJoinedLinksTouchWithoutAnSrdf) {
+  const ScratchFiles files;
+  const std::string solid =
+      "<collision><geometry><sphere radius=\"0.1\"/></geometry></collision></link>";
+  const auto model = load_robot(files.write(
+      "r.urdf", robot("<link name=\"a\">" + solid + "<link name=\"frame\"/><link name=\"b\">" +
+                      solid + "<link name=\"c\">" + solid + joint("i", "fixed", "a", "frame", "") +
+                      joint("j", "revolute", "frame", "b", kLimit) +
+                      joint("k", "revolute", "b", "c", kLimit))));
+  const AllowedCollisions& allowed = model->description().allowed_collisions;
+  EXPECT_EQ(allowed.reason("a", "b"), AllowedReason::kAdjacent);
+  EXPECT_EQ(allowed.reason("b", "c"), AllowedReason::kAdjacent);
+  EXPECT_EQ(allowed.entries().size(), 2U);
+  EXPECT_THAT(model->description().warnings, ElementsAre(HasSubstr("SRDF")));
+}
+
+TEST(RobotLoader, RefusesOtherKindsOfFiles) {
+  const ScratchFiles files;
+  const auto file = files.write("r.xacro", "<robot/>");
+  EXPECT_THAT(input_error_of([&] { static_cast<void>(load_robot(file)); }), HasSubstr("xacro"));
+}
+
+}  // namespace
+}  // namespace handway::geometric
