@@ -80,4 +80,12 @@ double RandomStream::normal() {
   }
 }
 
+Eigen::VectorXd RandomStream::normal(int size) {
+  Eigen::VectorXd values(size);
+  for (double& value : values) {
+    value = normal();
+  }
+  return values;
+}
+
 }  // namespace handway::sampling

@@ -55,6 +55,10 @@ class HANDWAY_SAMPLING_EXPORT RandomStream {
   /// logarithm of its own: only IEEE basic operations, so no platform differs.
   double normal();
 
+  /// Independent normal values, drawn in order of the index. @param size ≥ 0. @returns shape
+  /// [size].
+  Eigen::VectorXd normal(int size);
+
  private:
   std::uint64_t seed_;
   std::array<std::uint64_t, 4> state_;
