@@ -1,5 +1,7 @@
 #include "handway/sampling/regions/arm_corridor.h"
 
+#include "handway/sampling/regions/corridor_steps.h"
+
 #include <utility>
 
 namespace handway::sampling {
@@ -12,13 +14,6 @@ Eigen::VectorXd ArmCorridor::sample(double step, double rho, const Eigen::Vector
   return (centre.array() + rho * (2.0 * u.array() - 1.0)).cwiseMax(0.0).cwiseMin(1.0);
 }
 
-int ArmCorridor::steps(double rho) const {
-  constexpr int kMost = 1 << 20;
-  int count = 1;
-  while (count < kMost && length() / count > rho) {
-    count *= 2;
-  }
-  return count;
-}
+int ArmCorridor::steps(double rho) const { return corridor_steps(length(), rho); }
 
 }  // namespace handway::sampling

@@ -21,8 +21,7 @@ class HANDWAY_SAMPLING_EXPORT ArmCorridor {
   /// @param step in [0, 1]. @param u in [0,1]^dimension. @param rho half-side, ≥ 0.
   [[nodiscard]] Eigen::VectorXd sample(double step, double rho, const Eigen::VectorXd& u) const;
 
-  /// STEPS of section 5.3: the smallest power of two n such that points spaced
-  /// length()/n apart are no farther apart than `rho`; capped at 2^20.
+  /// corridor_steps() of length() and `rho`.
   [[nodiscard]] int steps(double rho) const;
 
  private:

@@ -1,0 +1,65 @@
+#include "handway/sampling/regions/cartesian_corridor.h"
+
+#include "handway/sampling/regions/corridor_steps.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace handway::sampling {
+namespace {
+
+Eigen::Quaterniond rotation(const Eigen::Vector3d& rotation_vector) {
+  const double angle = rotation_vector.norm();
+  if (angle == 0.0) {
+    return Eigen::Quaterniond::Identity();
+  }
+  return Eigen::Quaterniond(Eigen::AngleAxisd(angle, rotation_vector / angle));
+}
+
+}  // namespace
+
+CartesianCorridor::CartesianCorridor(const geometric::Pose& X_BS, const geometric::Pose& X_BG,
+                                     Ik ik, CartesianScale scale)
+    : p_BS_(X_BS.translation()),
+      p_BG_(X_BG.translation()),
+      q_BS_(X_BS.linear()),
+      q_BG_(X_BG.linear()),
+      ik_(std::move(ik)),
+      scale_(scale) {
+  if (!ik_) {
+    throw std::invalid_argument("a Cartesian corridor needs inverse kinematics");
+  }
+  if (!(scale_.position > 0.0 && scale_.orientation > 0.0)) {
+    throw std::invalid_argument("the scales of a Cartesian corridor must be above 0");
+  }
+}
+
+double CartesianCorridor::length() const {
+  return std::max((p_BG_ - p_BS_).norm() / scale_.position,
+                  q_BS_.angularDistance(q_BG_) / scale_.orientation);
+}
+
+int CartesianCorridor::steps(double rho) const { return corridor_steps(length(), rho); }
+
+geometric::Pose CartesianCorridor::pose(double step, double rho, const Eigen::VectorXd& u) const {
+  if (u.size() != kDimension) {
+    throw std::invalid_argument("a Cartesian sample has 6 coordinates, found " +
+                                std::to_string(u.size()));
+  }
+  const Eigen::Matrix<double, 6, 1> e = rho * (2.0 * u.array() - 1.0);
+  const Eigen::Quaterniond q_BT =
+      q_BS_.slerp(step, q_BG_) * rotation(scale_.orientation * e.tail<3>());
+  geometric::Pose X_BT = geometric::Pose::Identity();
+  X_BT.linear() = q_BT.toRotationMatrix();
+  X_BT.translation() = p_BS_ + step * (p_BG_ - p_BS_) + scale_.position * e.head<3>();
+  return X_BT;
+}
+
+std::optional<Eigen::VectorXd> CartesianCorridor::sample(double step, double rho,
+                                                         const Eigen::VectorXd& u) const {
+  return ik_(pose(step, rho, u));
+}
+
+}  // namespace handway::sampling
