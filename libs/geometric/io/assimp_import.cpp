@@ -71,4 +71,8 @@ TriangleMesh import_triangles(const std::filesystem::path& file) {
   return whole;
 }
 
+bool can_import(const std::filesystem::path& file) {
+  return file.has_extension() && Assimp::Importer().IsExtensionSupported(file.extension().string());
+}
+
 }  // namespace handway::geometric

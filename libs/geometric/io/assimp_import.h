@@ -12,4 +12,7 @@ namespace handway::geometric {
 /// @throws std::runtime_error with assimp's reason if it can't be read.
 [[nodiscard]] TriangleMesh import_triangles(const std::filesystem::path& file);
 
+/// Does assimp know files that end like this one?
+[[nodiscard]] bool can_import(const std::filesystem::path& file);
+
 }  // namespace handway::geometric

@@ -119,4 +119,6 @@ std::shared_ptr<const TriangleMesh> read_mesh(const fs::path& file, const Eigen:
   return cache.store(key, source.read(scale));
 }
 
+bool is_mesh_file(const fs::path& file) { return can_import(file); }
+
 }  // namespace handway::geometric

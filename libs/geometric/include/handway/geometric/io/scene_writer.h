@@ -1,0 +1,25 @@
+#pragma once
+
+#include "handway/geometric/export.h"
+#include "handway/geometric/scene/scene.h"
+
+#include <filesystem>
+
+namespace handway::geometric {
+
+/// Writes a scene file that read_scene() reads back as the same scene; numbers
+/// in the shortest form that gives the same bits, the angles of poses rounded to
+/// 1e-12 degrees. The file is replaced whole; a comment block at the top of the
+/// old file is kept.
+///
+/// References: `RobotInstance::file` and `hand_basis` are kept as they are and,
+/// if the scene moves to another folder, rewritten to name the same files;
+/// meshes are named as by resource_reference(). Meshes that no mesh file holds
+/// (made by a program or an importer) are saved as OBJ in the folder
+/// `STEM_meshes` beside the scene.
+///
+/// @throws InputError if a robot comes from no file that read_scene() could
+/// read, or a file can't be written; an old file is then as it was.
+HANDWAY_GEOMETRIC_EXPORT void write_scene(const Scene& scene, const std::filesystem::path& file);
+
+}  // namespace handway::geometric

@@ -1,0 +1,133 @@
+#include "io/scene_text.h"
+
+#include "io/number_text.h"
+#include "io/scene_version.h"
+#include "io/yaml_text.h"
+
+#include <fmt/format.h>
+
+namespace handway::geometric {
+namespace {
+
+std::string configuration_text(const RobotModel& model, const Configuration& q,
+                               const std::string& indent) {
+  if (model.variable_count() == 0) {
+    return " {}\n";
+  }
+  std::string text = "\n";
+  for (int v = 0; v < model.variable_count(); ++v) {
+    text +=
+        fmt::format("{}{}: {}\n", indent, yaml_scalar(model.variable(v).name), number_text(q[v]));
+  }
+  return text;
+}
+
+std::string robot_text(const RobotInstance& robot, const std::filesystem::path& reference) {
+  return fmt::format("  - name: {}\n    model: {}\n    base: {}\n    configuration:{}",
+                     yaml_scalar(robot.name), yaml_scalar(reference.generic_string()),
+                     yaml_pose(robot.X_WB),
+                     configuration_text(*robot.model, robot.configuration, "      "));
+}
+
+class ShapeText {
+ public:
+  ShapeText(const std::filesystem::path& mesh, bool is_scaled)
+      : mesh_(mesh), is_scaled_(is_scaled) {}
+
+  std::string operator()(const Box& box) const {
+    return fmt::format("box: {{size: {}}}", yaml_list(box.size));
+  }
+  std::string operator()(const Sphere& sphere) const {
+    return fmt::format("sphere: {{radius: {}}}", number_text(sphere.radius));
+  }
+  std::string operator()(const Cylinder& cylinder) const {
+    return fmt::format("cylinder: {{radius: {}, length: {}}}", number_text(cylinder.radius),
+                       number_text(cylinder.length));
+  }
+  std::string operator()(const Cone& cone) const {
+    return fmt::format("cone: {{radius: {}, length: {}}}", number_text(cone.radius),
+                       number_text(cone.length));
+  }
+  std::string operator()(const Mesh& mesh) const {
+    const bool uniform = (mesh.scale.array() == mesh.scale.x()).all();
+    const std::string scale = uniform ? number_text(mesh.scale.x()) : yaml_list(mesh.scale);
+    return fmt::format("mesh: {{file: {}{}}}", yaml_scalar(mesh_.generic_string()),
+                       is_scaled_ && scale != "1" ? ", scale: " + scale : "");
+  }
+
+ private:
+  const std::filesystem::path& mesh_;
+  bool is_scaled_;
+};
+
+std::string color_text(const Color& color) {
+  const auto number = [](float value) { return fmt::format("{}", value); };
+  return fmt::format("[{}, {}, {}{}]", number(color.red), number(color.green), number(color.blue),
+                     color.alpha == 1.0F ? "" : ", " + number(color.alpha));
+}
+
+std::string attachment_text(const Attachment& attachment) {
+  std::string text = fmt::format("{{robot: {}, link: {}", yaml_scalar(attachment.robot),
+                                 yaml_scalar(attachment.link));
+  if (!attachment.touching.empty()) {
+    text += ", touching: [";
+    for (const std::string& link : attachment.touching) {
+      text += (text.ends_with('[') ? "" : ", ") + yaml_scalar(link);
+    }
+    text += ']';
+  }
+  return text + '}';
+}
+
+std::string object_text(const SceneObject& object, const ShapeText& shape) {
+  std::string text = fmt::format("  - name: {}\n    {}\n    pose: {}\n    color: {}\n",
+                                 yaml_scalar(object.name), std::visit(shape, object.shape),
+                                 yaml_pose(object.X_PO), color_text(object.color));
+  if (object.attachment) {
+    text += "    attach: " + attachment_text(*object.attachment) + '\n';
+  }
+  return text;
+}
+
+std::string planner_text(const PlannerChoice& planner) {
+  std::string text;
+  if (!planner.name.empty()) {
+    text += "  name: " + yaml_scalar(planner.name) + '\n';
+  }
+  for (const auto& [key, value] : planner.settings) {
+    text += fmt::format("  {}: {}\n", yaml_scalar(key), yaml_scalar(value));
+  }
+  return text.empty() ? "" : "planner:\n" + text;
+}
+
+}  // namespace
+
+std::string scene_text(const Scene& scene, const SceneReferences& references) {
+  std::string text = fmt::format("handway: {}\n", kSceneVersion);
+  if (!scene.name.empty()) {
+    text += "name: " + yaml_scalar(scene.name) + '\n';
+  }
+  if (!scene.description.empty()) {
+    text += "description: " + yaml_scalar(scene.description) + '\n';
+  }
+  text += "robots:\n";
+  for (std::size_t i = 0; i < scene.robots.size(); ++i) {
+    text += robot_text(scene.robots[i], references.robots[i]);
+  }
+  text += scene.objects.empty() ? "" : "objects:\n";
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    text += object_text(scene.objects[i], ShapeText(references.meshes[i], references.is_scaled[i]));
+  }
+  if (scene.start) {
+    text += "start:" + configuration_text(*scene.robots[0].model, *scene.start, "  ");
+  }
+  if (scene.goal) {
+    text += "goal:" + configuration_text(*scene.robots[0].model, *scene.goal, "  ");
+  }
+  if (!references.hand_basis.empty()) {
+    text += "hand_basis: " + yaml_scalar(references.hand_basis.generic_string()) + '\n';
+  }
+  return text + planner_text(scene.planner);
+}
+
+}  // namespace handway::geometric

@@ -1,0 +1,195 @@
+#include "handway/geometric/io/yaml_element.h"
+
+#include "handway/geometric/io/input_error.h"
+#include "handway/geometric/io/nearest_name.h"
+#include "handway/geometric/io/text_file.h"
+#include "io/number_text.h"
+
+#include <fmt/format.h>
+#include <yaml-cpp/yaml.h>
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <set>
+
+namespace handway::geometric {
+namespace {
+
+constexpr std::size_t kLargestFile = std::size_t{16} << 20;
+constexpr double kLargestNumber = 1e6;
+
+std::string shortened(const std::string& text) {
+  constexpr std::size_t kLongest = 60;
+  return text.size() <= kLongest ? text : text.substr(0, kLongest) + "…";
+}
+
+std::string line_suffix(const YAML::Mark& mark) {
+  return mark.is_null() ? "" : fmt::format(":{}", mark.line + 1);
+}
+
+}  // namespace
+
+struct YamlElement::Document {
+  std::filesystem::path file;
+  std::string what;
+};
+
+struct YamlElement::Node {
+  YAML::Node yaml;
+};
+
+YamlElement::YamlElement(std::shared_ptr<const Document> document, std::shared_ptr<const Node> node,
+                         std::string name)
+    : document_(std::move(document)), node_(std::move(node)), name_(std::move(name)) {}
+
+YamlElement YamlElement::read(const std::filesystem::path& file, const std::string& what) {
+  const std::string text = read_text_file(file, what, kLargestFile);
+  std::vector<YAML::Node> documents;
+  try {
+    documents = YAML::LoadAll(text);
+  } catch (const YAML::Exception& error) {
+    const std::string line = line_suffix(error.mark);
+    throw InputError({file.string() + line, "", "broken YAML: " + error.msg, what,
+                      "Check indentation, quotes and brackets around this line"});
+  } catch (const std::exception& error) {
+    throw InputError({file.string(), "", std::string("broken YAML: ") + error.what(), what, ""});
+  }
+  if (documents.size() != 1) {
+    throw InputError({file.string(), "", std::to_string(documents.size()) + " YAML documents", what,
+                      "Keep one document a file"});
+  }
+  return {std::make_shared<const Document>(file, what),
+          std::make_shared<const Node>(documents.front()), ""};
+}
+
+std::string YamlElement::where() const {
+  const YAML::Mark mark = node_->yaml.Mark();
+  return document_->file.string() + line_suffix(mark);
+}
+
+void YamlElement::refuse(const std::string& found, const std::string& expected,
+                         const std::string& advice) const {
+  throw InputError({where(), name_, found, expected, advice});
+}
+
+std::string YamlElement::found() const {
+  switch (node_->yaml.Type()) {
+    case YAML::NodeType::Scalar:
+      return fmt::format("\"{}\"", shortened(node_->yaml.Scalar()));
+    case YAML::NodeType::Sequence:
+      return fmt::format("a list of {}", node_->yaml.size());
+    case YAML::NodeType::Map:
+      return "a map of keys and values";
+    default:
+      return "nothing";
+  }
+}
+
+bool YamlElement::is_map() const { return node_->yaml.IsMap(); }
+bool YamlElement::is_list() const { return node_->yaml.IsSequence(); }
+bool YamlElement::is_scalar() const { return node_->yaml.IsScalar(); }
+
+void YamlElement::allow_keys(std::initializer_list<std::string> known) const {
+  const std::vector<std::string> names(known);
+  for (const auto& [key, value] : entries()) {
+    if (std::ranges::count(names, key) == 0) {
+      std::string list;
+      for (const std::string& name : names) {
+        list += (list.empty() ? "" : ", ") + name;
+      }
+      const std::string nearest = nearest_name(key, names);
+      value.refuse(fmt::format("the unknown key \"{}\"", shortened(key)), list,
+                   nearest.empty() ? "" : fmt::format("Did you mean \"{}\"?", nearest));
+    }
+  }
+}
+
+YamlElement YamlElement::child(const Node& node, const std::string& suffix) const {
+  const char* dot = name_.empty() || suffix.starts_with('[') ? "" : ".";
+  return {document_, std::make_shared<const Node>(node), fmt::format("{}{}{}", name_, dot, suffix)};
+}
+
+std::optional<YamlElement> YamlElement::find(const std::string& key) const {
+  for (const auto& [name, value] : entries()) {
+    if (name == key && !value.node_->yaml.IsNull()) {
+      return value;
+    }
+  }
+  return std::nullopt;
+}
+
+YamlElement YamlElement::need(const std::string& key) const {
+  std::optional<YamlElement> value = find(key);
+  if (!value) {
+    refuse(fmt::format("no \"{}\"", key),
+           fmt::format("it in {}", name_.empty() ? document_->what : name_));
+  }
+  return *value;
+}
+
+std::vector<std::pair<std::string, YamlElement>> YamlElement::entries() const {
+  if (!is_map()) {
+    refuse(found(), name_.empty() ? document_->what : "keys and values");
+  }
+  std::vector<std::pair<std::string, YamlElement>> result;
+  std::set<std::string> seen;
+  for (const auto& entry : node_->yaml) {
+    const YamlElement key = child({entry.first}, "a key");
+    if (!key.is_scalar()) {
+      refuse(key.found() + " as a key", "text");
+    }
+    const std::string name = entry.first.Scalar();
+    YamlElement value = child({entry.second}, shortened(name));
+    if (!seen.insert(name).second) {
+      value.refuse(fmt::format("the key \"{}\" a second time", shortened(name)), "every key once");
+    }
+    result.emplace_back(name, std::move(value));
+  }
+  return result;
+}
+
+std::vector<YamlElement> YamlElement::items() const {
+  if (!is_list()) {
+    refuse(found(), "a list");
+  }
+  std::vector<YamlElement> result;
+  for (const YAML::Node& item : node_->yaml) {
+    result.push_back(child({item}, fmt::format("[{}]", result.size())));
+  }
+  return result;
+}
+
+std::string YamlElement::text() const {
+  if (!is_scalar()) {
+    refuse(found(), "text");
+  }
+  return node_->yaml.Scalar();
+}
+
+double YamlElement::number() const {
+  const std::optional<double> value =
+      is_scalar() ? parse_number(node_->yaml.Scalar()) : std::nullopt;
+  if (!value) {
+    refuse(found(), "a finite number");
+  }
+  if (std::abs(*value) > kLargestNumber) {
+    refuse(found(), "a number within ±1000000", "Lengths are in metres, joint values in radians");
+  }
+  return *value;
+}
+
+Eigen::VectorXd YamlElement::numbers(int count) const {
+  const std::string expected = fmt::format("a list of {} numbers", count);
+  if (!is_list() || static_cast<int>(node_->yaml.size()) != count) {
+    refuse(found(), expected);
+  }
+  Eigen::VectorXd result(count);
+  int i = 0;
+  for (const YamlElement& item : items()) {
+    result[i++] = item.number();
+  }
+  return result;
+}
+
+}  // namespace handway::geometric

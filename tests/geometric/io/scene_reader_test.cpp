@@ -1,0 +1,207 @@
+#include "scene_files.h"
+
+#include <handway/geometric/io/scene_reader.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+namespace handway::geometric {
+namespace {
+
+using test::input_error_of;
+using test::SceneFiles;
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Pair;
+using testing::SizeIs;
+
+constexpr double kPi = std::numbers::pi;
+
+std::string refusal(const std::filesystem::path& file) {
+  return input_error_of([&] { static_cast<void>(read_scene(file)); });
+}
+
+TEST(SceneReader, NeedsNothingButARobot) {
+  const SceneFiles files;
+  const Scene scene = read_scene(files.scene(""));
+  ASSERT_THAT(scene.robots, SizeIs(1));
+  EXPECT_EQ(scene.robots[0].name, "arm");
+  EXPECT_EQ(scene.robots[0].file, "arm.urdf");
+  EXPECT_EQ(scene.robots[0].configuration, scene.robots[0].model->neutral());
+  EXPECT_TRUE(scene.robots[0].X_WB.isApprox(Pose::Identity()));
+  EXPECT_FALSE(scene.start);
+  EXPECT_TRUE(scene.objects.empty());
+}
+
+TEST(SceneReader, ReadsEveryPartOfAScene) {
+  const SceneFiles files;
+  files.write("basis.yaml", "hand: h\n");
+  const Scene scene = read_scene(files.write("scene.yaml", R"(# about it
+handway: 1
+name: Can on a table
+description: "Two lines\nof text"
+robots:
+  - name: left
+    model: arm.urdf
+    base: {xyz: [1, 2, 3], rpy_deg: [0, 0, 90]}
+    configuration: {shoulder: 0.5}
+objects:
+  - name: table
+    box: {size: [1, 2, 0.1]}
+    pose: {xyz: [0, 0, -0.05]}
+    color: [0.5, 0.25, 0]
+  - name: ball
+    sphere: {radius: 0.1}
+    attach: {robot: left, link: hand, touching: [lower, tip]}
+  - {name: can, cylinder: {radius: 0.03, length: 0.12}, color: [1, 0, 0, 0.5]}
+  - {name: hat, cone: {radius: 0.03, length: 0.12}}
+  - {name: plate, mesh: {file: square.obj, scale: 0.5}}
+  - {name: stretched, mesh: {file: square.obj, scale: [1, 2, 3]}}
+start: {elbow: 0.2}
+goal: {shoulder: -1, elbow: 1}
+hand_basis: basis.yaml
+planner: {name: pmd-prm, rho_a: 0.0010, corridor: joint}
+)"));
+  EXPECT_EQ(scene.name, "Can on a table");
+  EXPECT_EQ(scene.description, "Two lines\nof text");
+  EXPECT_TRUE(scene.robots[0].X_WB.isApprox(pose_from_rpy({1, 2, 3}, 0, 0, kPi / 2)));
+  EXPECT_EQ(scene.robots[0].configuration, Eigen::Vector2d(0.5, 0));
+  ASSERT_THAT(scene.objects, SizeIs(6));
+  EXPECT_EQ(std::get<Box>(scene.objects[0].shape).size, Eigen::Vector3d(1, 2, 0.1));
+  EXPECT_EQ(scene.objects[0].color, (Color{0.5F, 0.25F, 0, 1}));
+  EXPECT_EQ(std::get<Sphere>(scene.objects[1].shape).radius, 0.1);
+  ASSERT_TRUE(scene.objects[1].attachment);
+  EXPECT_EQ(scene.objects[1].attachment->link, "hand");
+  EXPECT_THAT(scene.objects[1].attachment->touching, ElementsAre("lower", "tip"));
+  EXPECT_EQ(scene.objects[2].color.alpha, 0.5F);
+  EXPECT_EQ(std::get<Cone>(scene.objects[3].shape).length, 0.12);
+  const Mesh& plate = std::get<Mesh>(scene.objects[4].shape);
+  EXPECT_EQ(plate.file, files.folder() / "square.obj");
+  EXPECT_EQ(bounding_box(*plate.triangles).upper, Eigen::Vector3d(0.5, 0.5, 0));
+  EXPECT_EQ(std::get<Mesh>(scene.objects[5].shape).scale, Eigen::Vector3d(1, 2, 3));
+  EXPECT_EQ(*scene.start, Eigen::Vector2d(0.5, 0.2)) << "the shoulder stands as configured";
+  EXPECT_EQ(*scene.goal, Eigen::Vector2d(-1, 1));
+  EXPECT_EQ(scene.hand_basis, "basis.yaml");
+  EXPECT_EQ(scene.planner.name, "pmd-prm");
+  EXPECT_THAT(scene.planner.settings,
+              ElementsAre(Pair("rho_a", "0.0010"), Pair("corridor", "joint")));
+}
+
+TEST(SceneReader, DerivesALeaderFromItsCoupledJoint) {
+  const SceneFiles files;
+  EXPECT_NEAR((*read_scene(files.scene("start: {wrist: 0.5}\n")).start)[1], 0.2, 1e-15);
+  EXPECT_EQ((*read_scene(files.scene("start: {wrist: 0.5, elbow: 0.2}\n")).start)[1], 0.2);
+}
+
+TEST(SceneReader, RefusesCoupledJointsThatContradictEachOther) {
+  const SceneFiles files;
+  EXPECT_THAT(refusal(files.scene("start: {wrist: 0.6, elbow: 0.2}\n")),
+              AllOf(HasSubstr("scene.yaml:4"), HasSubstr("start.wrist"), HasSubstr("0.6"),
+                    HasSubstr("\"elbow\"")));
+}
+
+TEST(SceneReader, NamesTheLineAndTheNearestKeyOfAMisspeltOne) {
+  const SceneFiles files;
+  EXPECT_THAT(refusal(files.scene("\nobject: []\n")),
+              AllOf(HasSubstr("scene.yaml:5"), HasSubstr("\"object\""),
+                    HasSubstr("Did you mean \"objects\"?")));
+  EXPECT_THAT(refusal(files.scene("objects:\n  - name: a\n    box: {sise: [1, 1, 1]}\n")),
+              AllOf(HasSubstr("scene.yaml:6"), HasSubstr("objects[0].box"), HasSubstr("size")));
+  EXPECT_THAT(refusal(files.scene("start: {sholder: 1}\n")), HasSubstr("\"shoulder\""));
+  EXPECT_THAT(refusal(files.scene("start: {tool: 1}\n")), HasSubstr("fixed joint"));
+}
+
+TEST(SceneReader, RefusesWrongValues) {
+  const SceneFiles files;
+  const std::string object = "objects:\n  - name: a\n    ";
+  for (const auto& [text, word] : std::initializer_list<std::pair<std::string, std::string>>{
+           {object + "box: {size: [1, 1]}", "a list of 3 numbers"},
+           {object + "box: {size: [1, 1, 0]}", "a size above 0"},
+           {object + "box: {size: 1}", "a list of 3 numbers"},
+           {object + "sphere: {radius: .nan}", "a finite number"},
+           {object + "sphere: {radius: nan}", "a finite number"},
+           {object + "sphere: {radius: .inf}", "a finite number"},
+           {object + "sphere: {radius: 1e999}", "a finite number"},
+           {object + "sphere: {radius: 1e9}", "1000000"},
+           {object + "sphere: {radius: big}", "a finite number"},
+           {object + "sphere: {radius: [1]}", "a finite number"},
+           {object + "sphere: {}", "no \"radius\""},
+           {object + "sphere:", "no shape"},
+           {object + "color: [1, 1, 1]", "no shape"},
+           {object + "sphere: {radius: 1}\n    cone: {radius: 1, length: 1}", "a second shape"},
+           {object + "mesh: {file: no.stl}", "no file for \"no.stl\""},
+           {object + "mesh: {file: square.obj, scale: 0}", "scale"},
+           {object + "mesh: {file: square.obj, scale: [1, 2]}", "a list of 3 numbers"},
+           {object + "mesh: {file: arm.urdf}", "mesh"},
+           {object + "sphere: {radius: 1}\n    color: [1, 2, 0]", "from 0 to 1"},
+           {object + "sphere: {radius: 1}\n    color: [1, 0]", "red, green, blue"},
+           {object + "sphere: {radius: 1}\n    pose: [1, 0]", "keys and values"},
+           {object + "sphere: {radius: 1}\n    attach: {link: nowhere}", "a link of arm"},
+           {object + "sphere: {radius: 1}\n    attach: {robot: x, link: hand}", "a robot"},
+           {object + "sphere: {radius: 1}\n  - {name: a, sphere: {radius: 1}}", "second time"},
+           {"objects: [{name: arm, sphere: {radius: 1}}]", "second time"},
+           {"objects: [{sphere: {radius: 1}}]", "no \"name\""},
+           {"objects: [{name: '', sphere: {radius: 1}}]", "empty name"},
+           {"objects: 5", "a list"},
+           {"start: 5", "keys and values"},
+           {"start: {elbow: .NaN}", "a finite number"},
+           {"hand_basis: none.yaml", "no file"},
+           {"planner: {a: [1, 2]}", "text"},
+           {"name: [x]", "text"},
+           {"name: x\nname: y", "second time"},
+           {"? [a, b]\n: c", "as a key"},
+           {"  - model: arm.urdf", "a second time"},
+           {"  - model: none", "no file for \"none\""},
+       }) {
+    EXPECT_THAT(refusal(files.scene(text + "\n")), AllOf(HasSubstr("scene.yaml:"), HasSubstr(word)))
+        << text;
+  }
+}
+
+TEST(SceneReader, RefusesWhatIsNoScene) {
+  const SceneFiles files;
+  const auto refused = [&](const std::string& text) {
+    return refusal(files.write("s.yaml", text));
+  };
+  EXPECT_THAT(refused(""), HasSubstr("empty file"));
+  EXPECT_THAT(refused("# only a comment\n"), HasSubstr("a scene file"));
+  EXPECT_THAT(refused("just text"), HasSubstr("a scene file"));
+  EXPECT_THAT(refused("robots: []"), HasSubstr("no \"handway\""));
+  EXPECT_THAT(refused("handway: 2\nrobots: []"), HasSubstr("newer"));
+  EXPECT_THAT(refused("handway: 1"), HasSubstr("no \"robots\""));
+  EXPECT_THAT(refused("handway: 1\nrobots: []"), HasSubstr("at least one robot"));
+  EXPECT_THAT(refused("handway: 1\nrobots: [\n"), HasSubstr("broken YAML"));
+  EXPECT_THAT(refused("handway: 1\n\trobots: x"), HasSubstr("broken YAML"));
+  EXPECT_THAT(refused("handway: 1\n---\nhandway: 1"), HasSubstr("2 YAML documents"));
+  EXPECT_THAT(refused("a: &a [*a]\n"), HasSubstr("unknown key"));
+  EXPECT_THAT(refused("<robot name=\"x\"/>"), HasSubstr("s.yaml"));
+  EXPECT_THAT(refused(std::string("\x89PNG\r\n\0\0\0", 9)), HasSubstr("no UTF-8 text"));
+  EXPECT_THAT(refusal(files.folder() / "none.yaml"), HasSubstr("no such file"));
+  for (const std::string bracket : {"[", "{a: ", "- "}) {
+    std::string deep;
+    for (int i = 0; i < 20000; ++i) {
+      deep += bracket;
+    }
+    EXPECT_NE(refused(deep), "no error") << bracket;
+  }
+}
+
+TEST(SceneReader, SurvivesEveryCutAndEveryFlippedByteOfAScene) {
+  const SceneFiles files;
+  const std::string whole = test::ScratchFiles::read(
+      files.scene("objects:\n  - {name: a, box: {size: [1, 1, 1]}, pose: {xyz: [1, 2, 3]}}\n"
+                  "start: {elbow: 0.25}\nplanner: {name: \"x\\ty\", k: 1}\n"));
+  const std::string bytes("\0\xFF[}:&*!|%\"\n", 12);
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    static_cast<void>(refusal(files.write("cut.yaml", whole.substr(0, i))));
+    std::string flipped = whole;
+    flipped[i] = bytes[i % bytes.size()];
+    static_cast<void>(refusal(files.write("flipped.yaml", flipped)));
+  }
+}
+
+}  // namespace
+}  // namespace handway::geometric

@@ -1,0 +1,82 @@
+#include <handway/geometric/robot/allowed_collision_sampling.h>
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+namespace handway::geometric {
+namespace {
+
+/// Equal spheres: the arm carries one far above it, which carries one that comes
+/// back to overlap the arm, and one that sweeps through the base.
+RobotModel spheres() {
+  RobotDescription robot;
+  robot.name = "spheres";
+  const auto add_link = [&](const std::string& name, double radius) {
+    Link link{name, {}, {}};
+    if (radius > 0.0) {
+      link.collision.emplace_back().shape.emplace<Sphere>(radius);
+    }
+    robot.links.push_back(link);
+  };
+  const auto add_joint = [&](const std::string& parent, const std::string& child,
+                             const Eigen::Vector3d& p_PJ, JointType type) {
+    Joint joint;
+    joint.name = child + "_joint";
+    joint.type = type;
+    joint.parent = parent;
+    joint.child = child;
+    joint.X_PJ.translation() = p_PJ;
+    joint.limits.lower = -3.0;
+    joint.limits.upper = 3.0;
+    robot.joints.push_back(joint);
+  };
+  add_link("base", 0.1);
+  add_link("frame", 0.0);
+  add_link("arm", 0.1);
+  add_link("far", 0.1);
+  add_link("back", 0.1);
+  add_link("sweeper", 0.1);
+  add_joint("base", "frame", {0.5, 0, 0}, JointType::kFixed);
+  add_joint("frame", "arm", {0.5, 0, 0}, JointType::kRevolute);
+  add_joint("arm", "far", {0, 0, 5}, JointType::kRevolute);
+  add_joint("far", "back", {0.1, 0, -5}, JointType::kRevolute);
+  add_joint("arm", "sweeper", {-1, 0, 0}, JointType::kRevolute);
+  return RobotModel(robot);
+}
+
+TEST(AllowedCollisionSampling, FindsAdjacentLinksAcrossLinksWithoutGeometry) {
+  const AllowedCollisions allowed = adjacent_links(spheres());
+  EXPECT_EQ(allowed.entries().size(), 4U);
+  EXPECT_EQ(allowed.reason("base", "arm"), AllowedReason::kAdjacent);
+  EXPECT_EQ(allowed.reason("arm", "sweeper"), AllowedReason::kAdjacent);
+}
+
+TEST(AllowedCollisionSampling, TellsAlwaysFromNeverFromSometimes) {
+  const AllowedCollisions allowed = sample_allowed_collisions(spheres(), 200, 1);
+  EXPECT_EQ(allowed.reason("base", "arm"), AllowedReason::kAdjacent);
+  EXPECT_EQ(allowed.reason("far", "back"), AllowedReason::kAdjacent) << "not Never";
+  EXPECT_EQ(allowed.reason("arm", "back"), AllowedReason::kAlways);
+  EXPECT_EQ(allowed.reason("base", "far"), AllowedReason::kNever);
+  EXPECT_FALSE(allowed.reason("base", "sweeper")) << "in collision only now and then";
+}
+
+TEST(AllowedCollisionSampling, GivesTheSameMatrixForTheSameSeed) {
+  EXPECT_EQ(sample_allowed_collisions(spheres(), 20, 7).entries(),
+            sample_allowed_collisions(spheres(), 20, 7).entries());
+}
+
+TEST(AllowedCollisionSampling, TakesNoNoticeOfThePresentMatrix) {
+  RobotDescription robot = spheres().description();
+  robot.allowed_collisions.allow("base", "sweeper", AllowedReason::kUser);
+  EXPECT_EQ(sample_allowed_collisions(RobotModel(robot), 100, 3).entries(),
+            sample_allowed_collisions(spheres(), 100, 3).entries());
+}
+
+TEST(AllowedCollisionSampling, NeedsASample) {
+  EXPECT_THROW(static_cast<void>(sample_allowed_collisions(spheres(), 0, 1)),
+               std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace handway::geometric
