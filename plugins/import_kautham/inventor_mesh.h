@@ -1,0 +1,38 @@
+#pragma once
+
+#include "handway/geometric/scene/color.h"
+#include "handway/geometric/scene/triangle_mesh.h"
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <utility>
+
+namespace handway::import_kautham {
+
+/// The triangles of an Open Inventor or VRML file.
+struct InventorMesh {
+  std::shared_ptr<const geometric::TriangleMesh> triangles;  ///< m
+  geometric::Color color;                                    ///< Diffuse, of the first triangle.
+};
+
+/// Reads an Open Inventor or VRML file whose lengths, times `scale`, are
+/// millimetres. Files that it includes are looked for in its own folder.
+///
+/// Coin does the reading, with state that all threads share: calls wait for each
+/// other, but must not run while another thread of the program changes a scene
+/// graph.
+/// @throws InputError if the file or one that it includes can't be read, or it
+/// has no triangles.
+[[nodiscard]] InventorMesh read_inventor_mesh(const std::filesystem::path& file, double scale);
+
+/// Meshes by file and scale, each read once.
+class InventorMeshes {
+ public:
+  [[nodiscard]] const InventorMesh& load(const std::filesystem::path& file, double scale);
+
+ private:
+  std::map<std::pair<std::filesystem::path, double>, InventorMesh> meshes_;
+};
+
+}  // namespace handway::import_kautham

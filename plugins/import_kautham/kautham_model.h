@@ -1,0 +1,42 @@
+#pragma once
+
+#include "handway/geometric/robot/robot_model.h"
+#include "handway/sampling/postures/pmd_basis.h"
+#include "inventor_mesh.h"
+#include "kautham_robot.h"
+
+#include <memory>
+#include <optional>
+
+namespace handway::import_kautham {
+
+/// Pose of the root link in the frame that the robot's Home places.
+[[nodiscard]] geometric::Pose root_pose(const KauthamRobot& robot);
+
+/// The robot as a kinematic tree. Joints are named after the links they carry.
+///
+/// A joint that a control set couples rigidly to the one above it (same limits,
+/// offset and factors, as the distal finger joints) becomes a `mimic` of it.
+/// Groups `arm` and `hand` split the moving joints: the arm's are those that the
+/// trunk controls drive, or, where the file does not say, those before the tree
+/// branches. Pairs of links that Kautham does not check are allowed to touch:
+/// neighbours in the file's order, and the link called Palm with all after it.
+/// @param scale of the meshes.
+/// @throws InputError for a mesh that can't be read.
+[[nodiscard]] std::shared_ptr<const geometric::RobotModel> make_robot_model(
+    const KauthamRobot& robot, double scale, InventorMeshes& meshes);
+
+/// The hand's controls as a PMD basis: joints are the group `hand` without coupled
+/// ones, a control of a single joint is a free joint, any other a principal
+/// direction as printed; λ = eigValue / 2. Null if no control drives the hand.
+/// @param[out] warnings gets what a basis can't express.
+[[nodiscard]] std::shared_ptr<const sampling::PmdBasis> make_hand_basis(
+    const KauthamRobot& robot, const geometric::RobotModel& model,
+    std::vector<std::string>& warnings);
+
+/// The configuration at the given controls. @param controls shape [robot.controls].
+[[nodiscard]] geometric::Configuration configuration_at(const KauthamRobot& robot,
+                                                        const geometric::RobotModel& model,
+                                                        const Eigen::VectorXd& controls);
+
+}  // namespace handway::import_kautham

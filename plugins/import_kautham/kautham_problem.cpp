@@ -1,0 +1,118 @@
+#include "kautham_problem.h"
+
+#include "location.h"
+#include "xml_file.h"
+
+#include <fmt/format.h>
+
+#include <string_view>
+
+namespace handway::import_kautham {
+namespace {
+
+double read_scale(const XmlFile& xml, pugi::xml_node node) {
+  const double scale = xml.number_or(node, "scale", 1.0);
+  if (scale <= 0.0) {
+    xml.refuse(node, "scale", xml.text(node, "scale"), "a number above 0",
+               "1 for a mesh in millimetres, 1000 for one in metres");
+  }
+  return scale;
+}
+
+KauthamProblem::PlacedRobot read_robot(const XmlFile& xml, pugi::xml_node node) {
+  KauthamProblem::PlacedRobot robot{xml.text(node, "robot"), read_scale(xml, node)};
+  if (const pugi::xml_node home = node.child("Home")) {
+    robot.X_WH = read_location(xml, home);
+  }
+  return robot;
+}
+
+KauthamProblem::Obstacle read_obstacle(const XmlFile& xml, pugi::xml_node node) {
+  return {xml.text(node, "scene"), read_scale(xml, node),
+          read_location(xml, xml.child(node, "Location"))};
+}
+
+// Controls in [0, 1], separated by white space, as many as `dim` says.
+std::vector<double> read_controls(const XmlFile& xml, pugi::xml_node node) {
+  std::vector<double> values;
+  std::string_view rest = trimmed(node.child_value());
+  while (!rest.empty()) {
+    const std::string_view word = rest.substr(0, rest.find_first_of(" \t\r\n"));
+    double value = 0.0;
+    if (!parse_number(word, value) || value < 0.0 || value > 1.0) {
+      xml.refuse(node, "", fmt::format("\"{}\" as control {}", word, values.size() + 1),
+                 "a number from 0 to 1");
+    }
+    values.push_back(value);
+    rest = trimmed(rest.substr(word.size()));
+  }
+  const double dimension = xml.number_or(node, "dim", static_cast<double>(values.size()));
+  if (dimension != static_cast<double>(values.size())) {
+    xml.refuse(node, "dim", xml.text(node, "dim"),
+               "the number of controls listed, " + std::to_string(values.size()));
+  }
+  return values;
+}
+
+void read_planner(const XmlFile& xml, pugi::xml_node node, KauthamProblem& problem) {
+  const pugi::xml_node parameters = node.child("Parameters");
+  problem.planner = trimmed(parameters.child("Name").child_value());
+  if (const pugi::xml_node local = parameters.child("LocalPlanner")) {
+    problem.parameters.emplace_back("LocalPlanner", trimmed(local.child_value()));
+    if (local.attribute("stepSize")) {
+      problem.parameters.emplace_back("stepSize", xml.text(local, "stepSize"));
+    }
+  }
+  for (const pugi::xml_node parameter : parameters.children("Parameter")) {
+    problem.parameters.emplace_back(xml.text(parameter, "name"), trimmed(parameter.child_value()));
+  }
+}
+
+void read_query(const XmlFile& xml, pugi::xml_node planner, KauthamProblem& problem) {
+  const pugi::xml_node query = planner.child("Queries").child("Query");
+  if (!query) {
+    problem.warnings.push_back("the problem has no <Query>: no start and no goal");
+    return;
+  }
+  problem.query_place = xml.place(query);
+  problem.init = read_controls(xml, xml.child(query, "Init"));
+  problem.goal = read_controls(xml, xml.child(query, "Goal"));
+  if (problem.init.size() != problem.goal.size()) {
+    xml.refuse(query, "",
+               std::to_string(problem.init.size()) + " controls in <Init> and " +
+                   std::to_string(problem.goal.size()) + " in <Goal>",
+               "as many in both");
+  }
+  if (const pugi::xml_node next = query.next_sibling("Query")) {
+    problem.warnings.push_back(xml.place(next) + ": only the first <Query> is used");
+  }
+}
+
+}  // namespace
+
+KauthamProblem read_kautham_problem(const std::filesystem::path& file) {
+  const XmlFile xml(file, "Problem");
+  KauthamProblem problem;
+  problem.file = file;
+  problem.name = trimmed(xml.root().attribute("name").value());
+  if (problem.name.empty()) {
+    problem.name = file.stem().string();
+  } else if (problem.name.ends_with(".xml")) {
+    problem.name.resize(problem.name.size() - std::string_view(".xml").size());
+  }
+  for (const pugi::xml_node node : xml.root().children("Robot")) {
+    problem.robots.push_back(read_robot(xml, node));
+  }
+  if (problem.robots.empty()) {
+    xml.refuse(xml.root(), "", "no <Robot> in it", "at least one");
+  }
+  for (const pugi::xml_node node : xml.root().children("Scene")) {
+    problem.obstacles.push_back(read_obstacle(xml, node));
+  }
+  const pugi::xml_node planner = xml.root().child("Planner");
+  read_planner(xml, planner, problem);
+  read_query(xml, planner, problem);
+  return problem;
+}
+
+}  // namespace handway::import_kautham

@@ -1,0 +1,150 @@
+#include "xml_file.h"
+
+#include "handway/geometric/io/input_error.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+#include <vector>
+
+namespace handway::import_kautham {
+namespace {
+
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
+std::string read_text(const std::filesystem::path& file) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error)) {
+    throw geometric::InputError({file.string(), "", "no such file", "a readable file", ""});
+  }
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) {
+    throw geometric::InputError({file.string(), "", "a file that can't be opened",
+                                 "a readable file", "Check its permissions"});
+  }
+  std::string content(std::istreambuf_iterator<char>(stream), {});
+  if (content.starts_with(kByteOrderMark)) {
+    content.erase(0, kByteOrderMark.size());
+  }
+  return content;
+}
+
+// Joint "Thumb"/DHPars: from below the root down to the node.
+std::string element_path(pugi::xml_node node) {
+  std::vector<std::string> parts;
+  for (; node && node.parent() && node.parent().type() != pugi::node_document;
+       node = node.parent()) {
+    const std::string_view name = trimmed(node.attribute("name").value());
+    parts.push_back(name.empty() ? node.name()
+                                 : std::string(node.name()) + " \"" + std::string(name) + "\"");
+  }
+  std::string path;
+  for (auto part = parts.rbegin(); part != parts.rend(); ++part) {
+    path += (path.empty() ? "" : "/") + *part;
+  }
+  return path.empty() ? node.name() : path;
+}
+
+}  // namespace
+
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view kSpace = " \t\r\n";
+  const auto first = text.find_first_not_of(kSpace);
+  if (first == std::string_view::npos) {
+    return {};
+  }
+  return text.substr(first, text.find_last_not_of(kSpace) - first + 1);
+}
+
+std::string in_quotes(std::string_view text) { return fmt::format("\"{}\"", text); }
+
+bool parse_number(std::string_view text, double& value) {
+  text = trimmed(text);
+  if (text.starts_with('+')) {
+    text.remove_prefix(1);
+  }
+  const char* end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, value);
+  return error == std::errc() && rest == end && std::isfinite(value);
+}
+
+XmlFile::XmlFile(const std::filesystem::path& file, const char* root)
+    : path_(file), content_(read_text(file)) {
+  const pugi::xml_parse_result parsed = document_.load_buffer(
+      content_.data(), content_.size(), pugi::parse_default, pugi::encoding_utf8);
+  if (!parsed) {
+    throw geometric::InputError({line_at(parsed.offset), "", parsed.description(),
+                                 "well-formed XML", "Look at this line and the one before it"});
+  }
+  root_ = document_.document_element();
+  if (std::string_view(root_.name()) != root) {
+    throw geometric::InputError({path_.string(), "root element",
+                                 "<" + std::string(root_.name()) + ">",
+                                 "<" + std::string(root) + ">", ""});
+  }
+}
+
+pugi::xml_node XmlFile::child(pugi::xml_node node, const char* name) const {
+  const pugi::xml_node found = node.child(name);
+  if (!found) {
+    refuse(node, "", "no <" + std::string(name) + "> in it", "exactly one");
+  }
+  return found;
+}
+
+std::string XmlFile::text(pugi::xml_node node, const char* attribute) const {
+  const pugi::xml_attribute found = node.attribute(attribute);
+  if (!found) {
+    refuse(node, attribute, "no such attribute", "one");
+  }
+  const std::string_view value = trimmed(found.value());
+  if (value.empty()) {
+    refuse(node, attribute, "an empty attribute", "a text");
+  }
+  return std::string(value);
+}
+
+double XmlFile::number(pugi::xml_node node, const char* attribute) const {
+  const std::string value = text(node, attribute);
+  double number = 0.0;
+  if (!parse_number(value, number)) {
+    refuse(node, attribute, in_quotes(value), "a finite number");
+  }
+  return number;
+}
+
+double XmlFile::number_or(pugi::xml_node node, const char* attribute, double otherwise) const {
+  return node.attribute(attribute) ? number(node, attribute) : otherwise;
+}
+
+bool XmlFile::flag(pugi::xml_node node, const char* attribute) const {
+  const std::string value = text(node, attribute);
+  if (value != "true" && value != "false" && value != "1" && value != "0") {
+    refuse(node, attribute, in_quotes(value), "true or false");
+  }
+  return value == "true" || value == "1";
+}
+
+void XmlFile::refuse(pugi::xml_node node, std::string_view attribute, const std::string& found,
+                     const std::string& expected, const std::string& advice) const {
+  std::string element = element_path(node);
+  if (!attribute.empty()) {
+    element += ", attribute " + std::string(attribute);
+  }
+  throw geometric::InputError({place(node), element, found, expected, advice});
+}
+
+std::string XmlFile::place(pugi::xml_node node) const { return line_at(node.offset_debug()); }
+
+std::string XmlFile::line_at(std::ptrdiff_t offset) const {
+  const auto end = content_.begin() + std::clamp<std::ptrdiff_t>(
+                                          offset, 0, static_cast<std::ptrdiff_t>(content_.size()));
+  return path_.string() + ":" + std::to_string(1 + std::count(content_.begin(), end, '\n'));
+}
+
+}  // namespace handway::import_kautham

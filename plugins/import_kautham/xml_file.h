@@ -1,0 +1,61 @@
+#pragma once
+
+#include <pugixml.hpp>
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace handway::import_kautham {
+
+/// An XML file whose contents are fetched with checks: every complaint names
+/// the file, the line, the element and what was expected there.
+class XmlFile {
+ public:
+  /// @throws InputError if the file can't be opened, is no XML, or its root
+  /// element is not called `root`.
+  XmlFile(const std::filesystem::path& file, const char* root);
+  XmlFile(const XmlFile&) = delete;
+  XmlFile& operator=(const XmlFile&) = delete;
+
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  [[nodiscard]] pugi::xml_node root() const { return root_; }
+
+  /// The child element. @throws InputError if there is none.
+  [[nodiscard]] pugi::xml_node child(pugi::xml_node node, const char* name) const;
+  /// The attribute's text without spaces around it. @throws InputError if it is missing or empty.
+  [[nodiscard]] std::string text(pugi::xml_node node, const char* attribute) const;
+  /// @throws InputError if it is missing or not a finite number.
+  [[nodiscard]] double number(pugi::xml_node node, const char* attribute) const;
+  /// `otherwise` if the attribute is missing. @throws InputError if it is not a finite number.
+  [[nodiscard]] double number_or(pugi::xml_node node, const char* attribute,
+                                 double otherwise) const;
+  /// @throws InputError if it is missing or neither true nor false.
+  [[nodiscard]] bool flag(pugi::xml_node node, const char* attribute) const;
+
+  /// A complaint about `node`, or about its attribute unless that is empty.
+  [[noreturn]] void refuse(pugi::xml_node node, std::string_view attribute,
+                           const std::string& found, const std::string& expected,
+                           const std::string& advice = "") const;
+  /// "file:line" of the node.
+  [[nodiscard]] std::string place(pugi::xml_node node) const;
+
+ private:
+  [[nodiscard]] std::string line_at(std::ptrdiff_t offset) const;
+
+  std::filesystem::path path_;
+  std::string content_;
+  pugi::xml_document document_;
+  pugi::xml_node root_;
+};
+
+/// The text without white space at its ends.
+[[nodiscard]] std::string_view trimmed(std::string_view text);
+
+/// The text in quotation marks.
+[[nodiscard]] std::string in_quotes(std::string_view text);
+
+/// A finite number that fills the whole text, whatever the locale. @returns false if it is none.
+[[nodiscard]] bool parse_number(std::string_view text, double& value);
+
+}  // namespace handway::import_kautham
