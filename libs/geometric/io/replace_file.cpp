@@ -6,15 +6,18 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
 #include <string>
+#include <system_error>
 
 namespace handway::geometric {
 namespace {
 
-[[noreturn]] void refuse(const std::filesystem::path& file, int error) {
+namespace fs = std::filesystem;
+
+[[noreturn]] void refuse(const fs::path& file, int error) {
   throw InputError({file.string(), "", std::strerror(error), "a place that can be written to",
                     "The file is as it was before"});
 }
@@ -35,25 +38,75 @@ void write_all(int descriptor, std::string_view content) {
   }
 }
 
+class Descriptor {
+ public:
+  explicit Descriptor(int descriptor) : descriptor_(descriptor) {
+    if (descriptor_ < 0) {
+      throw errno;
+    }
+  }
+  ~Descriptor() { ::close(descriptor_); }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+
+  [[nodiscard]] int get() const { return descriptor_; }
+
+ private:
+  int descriptor_;
+};
+
+std::string temporary_beside(const fs::path& file) {
+  static std::atomic<unsigned> count = 0;
+  return file.string() + '.' + std::to_string(::getpid()) + '-' + std::to_string(++count) + ".tmp";
+}
+
+// Writes the new content and gives it the permissions of the old file, if there is one.
+void write_temporary(const std::string& temporary, const fs::path& file, std::string_view content) {
+  const Descriptor descriptor(
+      ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+  write_all(descriptor.get(), content);
+  struct stat old {};
+  if (::stat(file.c_str(), &old) == 0 && ::fchmod(descriptor.get(), old.st_mode & 07777) != 0) {
+    throw errno;
+  }
+}
+
+void flush_folder(const fs::path& folder) {
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY);
+  if (descriptor >= 0) {
+    ::fsync(descriptor);
+    ::close(descriptor);
+  }
+}
+
 }  // namespace
 
-void replace_file(const std::filesystem::path& file, std::string_view content) {
-  std::string temporary = file.string() + ".XXXXXX";
-  const int descriptor = ::mkstemp(temporary.data());
-  if (descriptor < 0) {
-    refuse(file, errno);
-  }
+void replace_file(const fs::path& named, std::string_view content) {
+  std::error_code is_new;
+  const fs::path target = fs::canonical(named, is_new);
+  const fs::path file = is_new ? named : target;  // links stay links
+  std::string temporary;
   try {
-    write_all(descriptor, content);
-    if (::fchmod(descriptor, 0644) != 0 || ::close(descriptor) != 0 ||
-        ::rename(temporary.c_str(), file.c_str()) != 0) {
+    if (!is_new && ::access(file.c_str(), W_OK) != 0) {
+      throw errno;
+    }
+    if (!is_new && !fs::is_regular_file(file)) {  // a device or a pipe
+      const Descriptor descriptor(::open(file.c_str(), O_WRONLY | O_CLOEXEC));
+      write_all(descriptor.get(), content);
+      return;
+    }
+    temporary = temporary_beside(file);
+    write_temporary(temporary, file, content);
+    if (::rename(temporary.c_str(), file.c_str()) != 0) {
       throw errno;
     }
   } catch (int error) {
-    ::close(descriptor);
-    ::unlink(temporary.c_str());
-    refuse(file, error);
+    if (!temporary.empty()) {
+      ::unlink(temporary.c_str());
+    }
+    refuse(named, error);
   }
+  flush_folder(fs::absolute(file).parent_path());
 }
 
 }  // namespace handway::geometric

@@ -2,15 +2,14 @@
 
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/mesh_reader.h"
-#include "handway/geometric/io/obj_writer.h"
 #include "handway/geometric/io/replace_file.h"
 #include "handway/geometric/io/resources.h"
 #include "handway/geometric/io/text_file.h"
+#include "handway/geometric/io/urdf_writer.h"
+#include "io/saved_meshes.h"
 #include "io/scene_text.h"
 
 #include <algorithm>
-#include <cctype>
-#include <set>
 #include <sstream>
 #include <string>
 #include <system_error>
@@ -45,7 +44,8 @@ class SceneFileWriter {
       : scene_(scene),
         file_(file),
         from_(scene.file.empty() ? fs::current_path() : folder_of(scene.file)),
-        to_(folder_of(file)) {}
+        to_(folder_of(file)),
+        meshes_(file) {}
 
   void write() {
     if (scene_.robots.empty()) {
@@ -65,16 +65,17 @@ class SceneFileWriter {
   }
 
  private:
+  // A robot that comes from no robot file (an importer made it) is saved as one.
   [[nodiscard]] fs::path robot_reference(const RobotInstance& robot) const {
     const fs::path& file = robot.file.empty() ? robot.model->description().file : robot.file;
-    if (file.empty() || (file.has_extension() && file.extension() != ".urdf" &&
-                         fs::exists(fs::absolute(from_ / file)))) {
-      throw InputError({file_.string(), "robot " + robot.name,
-                        file.empty() ? "a model without a file" : "a model from " + file.string(),
-                        "a URDF file or a robot of the library",
-                        "Save the robot as URDF and choose that as its model"});
+    const bool is_other_file = file.has_extension() && file.extension() != ".urdf" &&
+                               fs::exists(fs::absolute(from_ / file));
+    if (!file.empty() && !is_other_file) {
+      return moved_reference(ResourceKind::kRobot, file, from_, to_);
     }
-    return moved_reference(ResourceKind::kRobot, file, from_, to_);
+    fs::path saved = file_.stem().string() + "_" + file_name_of(robot.name) + ".urdf";
+    write_urdf(*robot.model, to_ / saved);
+    return saved;
   }
 
   void add_mesh_reference(const SceneObject& object) {
@@ -86,28 +87,8 @@ class SceneFileWriter {
     } else if (has_file) {
       references_.meshes.push_back(resource_reference(ResourceKind::kObject, mesh->file, to_));
     } else {
-      references_.meshes.push_back(save_mesh(object.name, *mesh->triangles));
+      references_.meshes.push_back(meshes_.save(object.name, *mesh->triangles));
     }
-  }
-
-  // Writes the mesh beside the scene and returns its relative path.
-  [[nodiscard]] fs::path save_mesh(const std::string& object, const TriangleMesh& mesh) {
-    std::string stem = object;
-    std::ranges::replace_if(
-        stem, [](unsigned char c) { return !std::isalnum(c) && c != '-' && c != '_'; }, '_');
-    std::string unique = stem;
-    for (int i = 2; !saved_.insert(unique).second; ++i) {
-      unique = stem + "_" + std::to_string(i);
-    }
-    const fs::path folder = file_.stem().string() + "_meshes";
-    std::error_code error;
-    fs::create_directories(to_ / folder, error);
-    if (error) {
-      throw InputError({(to_ / folder).string(), "", error.message(), "a folder for meshes",
-                        "Save the scene where you may write"});
-    }
-    write_obj(mesh, to_ / folder / (unique + ".obj"));
-    return folder / (unique + ".obj");
   }
 
   // Comments and blank lines at the top of the file that is there now.
@@ -142,7 +123,7 @@ class SceneFileWriter {
   fs::path from_;
   fs::path to_;
   SceneReferences references_;
-  std::set<std::string> saved_;
+  SavedMeshes meshes_;
 };
 
 }  // namespace

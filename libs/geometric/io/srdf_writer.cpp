@@ -1,10 +1,8 @@
 #include "handway/geometric/io/srdf_writer.h"
 
 #include "handway/geometric/io/replace_file.h"
+#include "io/number_text.h"
 #include "io/xml_document.h"
-
-#include <memory>
-#include <sstream>
 
 namespace handway::geometric {
 namespace {
@@ -24,10 +22,23 @@ void remove_disabled(pugi::xml_node robot) {
   }
 }
 
-std::string text_of(const pugi::xml_document& document) {
-  std::ostringstream stream;
-  document.save(stream, "  ", pugi::format_default, pugi::encoding_utf8);
-  return stream.str();
+void append_group(pugi::xml_node robot, const JointGroup& group) {
+  pugi::xml_node element = robot.append_child("group");
+  element.append_attribute("name") = group.name.c_str();
+  for (const std::string& joint : group.joints) {
+    element.append_child("joint").append_attribute("name") = joint.c_str();
+  }
+}
+
+void append_posture(pugi::xml_node robot, const NamedPosture& posture) {
+  pugi::xml_node element = robot.append_child("group_state");
+  element.append_attribute("name") = posture.name.c_str();
+  element.append_attribute("group") = posture.group.c_str();
+  for (const auto& [joint, value] : posture.values) {
+    pugi::xml_node child = element.append_child("joint");
+    child.append_attribute("name") = joint.c_str();
+    child.append_attribute("value") = number_text(value).c_str();
+  }
 }
 
 }  // namespace
@@ -39,14 +50,28 @@ void write_disabled_collisions(const std::filesystem::path& file, const std::str
     pugi::xml_node root = document.root("robot");
     remove_disabled(root);
     append_disabled(root, allowed);
-    replace_file(file, text_of(document.nodes()));
+    replace_file(file, xml_text(document.nodes()));
     return;
   }
   pugi::xml_document document;
   pugi::xml_node root = document.append_child("robot");
   root.append_attribute("name") = robot.c_str();
   append_disabled(root, allowed);
-  replace_file(file, text_of(document));
+  replace_file(file, xml_text(document));
+}
+
+void write_srdf(const RobotDescription& robot, const std::filesystem::path& file) {
+  pugi::xml_document document;
+  pugi::xml_node root = document.append_child("robot");
+  root.append_attribute("name") = robot.name.c_str();
+  for (const JointGroup& group : robot.groups) {
+    append_group(root, group);
+  }
+  for (const NamedPosture& posture : robot.postures) {
+    append_posture(root, posture);
+  }
+  append_disabled(root, robot.allowed_collisions);
+  replace_file(file, xml_text(document));
 }
 
 }  // namespace handway::geometric

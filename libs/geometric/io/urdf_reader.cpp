@@ -14,6 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::size_t kMostLinks = 2000;  // a longer chain could exhaust the stack
 constexpr const char* kWhat = "a robot file (URDF)";
 
 // urdfdom says what is wrong but not where: the line of the first link, joint or
@@ -45,7 +46,13 @@ std::string joined(const std::vector<std::string>& messages) {
 
 void check_elements(const XmlDocument& document) {
   static_cast<void>(document.need(document.root("robot"), "name"));
+  std::size_t count = 0;
   for (const pugi::xml_node& link : document.root("robot").children("link")) {
+    if (++count > kMostLinks) {
+      throw InputError({document.where(link), "robot",
+                        "more links than " + std::to_string(kMostLinks), "a robot of fewer links",
+                        ""});
+    }
     static_cast<void>(document.need(link, "name"));
   }
   check_joint_elements(document);

@@ -4,6 +4,7 @@
 #include "handway/geometric/io/text_file.h"
 
 #include <algorithm>
+#include <sstream>
 
 namespace handway::geometric {
 namespace {
@@ -69,6 +70,12 @@ std::string XmlDocument::need(const pugi::xml_node& node, const char* attribute)
                       std::string("no ") + attribute, std::string(attribute) + "=\"…\"", ""});
   }
   return value;
+}
+
+std::string xml_text(const pugi::xml_document& document) {
+  std::ostringstream stream;
+  document.save(stream, "  ", pugi::format_default, pugi::encoding_utf8);
+  return stream.str();
 }
 
 }  // namespace handway::geometric

@@ -36,4 +36,7 @@ class XmlDocument {
   pugi::xml_document nodes_;
 };
 
+/// The text of a document, indented by two blanks, with an XML declaration.
+[[nodiscard]] std::string xml_text(const pugi::xml_document& document);
+
 }  // namespace handway::geometric

@@ -170,13 +170,14 @@ TEST(SceneWriter, LeavesTheOldFileWhereItCanNotWrite) {
   }
 }
 
-TEST(SceneWriter, RefusesRobotsThatItCanNotName) {
+TEST(SceneWriter, SavesRobotsOfImportersBesideTheScene) {
   const SceneFiles files;
   Scene scene = read_scene(files.scene(""));
   scene.robots[0].file = files.write("arm.rob", "x");
-  EXPECT_THAT(input_error_of([&] { write_scene(scene, files.folder() / "s.yaml"); }),
-              HasSubstr("arm.rob"));
-  EXPECT_FALSE(std::filesystem::exists(files.folder() / "s.yaml"));
+  write_scene(scene, files.folder() / "s.yaml");
+  const Scene copy = read_scene(files.folder() / "s.yaml");
+  EXPECT_EQ(copy.robots[0].file, "s_arm.urdf");
+  EXPECT_EQ(copy.robots[0].model->variable_count(), 2);
 }
 
 }  // namespace

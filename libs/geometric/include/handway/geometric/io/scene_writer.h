@@ -18,8 +18,10 @@ namespace handway::geometric {
 /// (made by a program or an importer) are saved as OBJ in the folder
 /// `STEM_meshes` beside the scene.
 ///
-/// @throws InputError if a robot comes from no file that read_scene() could
-/// read, or a file can't be written; an old file is then as it was.
+/// Robots that come from no URDF are saved as `STEM_ROBOT.urdf` (write_urdf()).
+///
+/// @throws InputError if a file can't be written; the old scene file is then as
+/// it was.
 HANDWAY_GEOMETRIC_EXPORT void write_scene(const Scene& scene, const std::filesystem::path& file);
 
 }  // namespace handway::geometric

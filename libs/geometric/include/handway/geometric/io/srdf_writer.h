@@ -1,7 +1,7 @@
 #pragma once
 
 #include "handway/geometric/export.h"
-#include "handway/geometric/robot/allowed_collisions.h"
+#include "handway/geometric/robot/robot_description.h"
 
 #include <filesystem>
 #include <string>
@@ -17,5 +17,11 @@ namespace handway::geometric {
 HANDWAY_GEOMETRIC_EXPORT void write_disabled_collisions(const std::filesystem::path& file,
                                                         const std::string& robot,
                                                         const AllowedCollisions& allowed);
+
+/// Writes groups (by joints), postures and allowed collisions of a robot as a
+/// new SRDF file. The file is replaced whole.
+/// @throws InputError if it can't be written.
+HANDWAY_GEOMETRIC_EXPORT void write_srdf(const RobotDescription& robot,
+                                         const std::filesystem::path& file);
 
 }  // namespace handway::geometric
