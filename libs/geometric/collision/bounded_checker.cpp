@@ -1,8 +1,10 @@
 #include "handway/geometric/collision/bounded_checker.h"
 
+#include "collision/box_tree.h"
+#include "collision/distance_table.h"
 #include "collision/fcl_bodies.h"
 #include "collision/sphere_tree.h"
-#include "collision/triangle_tree.h"
+#include "handway/geometric/collision/motion_bound.h"
 
 #include <algorithm>
 #include <array>
@@ -12,36 +14,47 @@
 namespace handway::geometric {
 namespace {
 
-// Smaller leaves decide more pairs without FCL but take longer to reach.
-constexpr double kLeafRadius = 0.004;
-constexpr int kFullEffort = 1 << 20;
-constexpr int kGlance = 24;  // spheres for a cheap bound
+constexpr double kSmallestSphere = 0.0015;  // m
+constexpr double kSpheresAcross = 100.0;    // a body is covered by spheres of this share of its size
+// Steps of a traversal before the question goes on to FCL, which costs as much
+// as some hundred of them.
+constexpr int kGlance = 150;
+constexpr int kLook = 150;
+constexpr double kHair = 1e-9;        // m
+constexpr double kRemembered = 0.002;  // m: distances in tables are cut off here
 
 }  // namespace
 
 struct BoundedChecker::Volumes {
   explicit Volumes(const CollisionWorld& world) : exact(world) {
+    const MotionBound motion(world);
     std::map<const TriangleMesh*, std::shared_ptr<const SphereTree>> built_spheres;
-    std::map<const TriangleMesh*, std::shared_ptr<const TriangleTree>> built_triangles;
+    std::map<const TriangleMesh*, std::shared_ptr<const BoxTree>> built_boxes;
     for (const CollisionBody& body : world.bodies()) {
-      auto& tree = built_triangles[body.mesh.get()];
+      auto& tree = built_boxes[body.mesh.get()];
       if (!tree) {
-        tree = std::make_shared<TriangleTree>(*body.mesh);
+        tree = std::make_shared<BoxTree>(*body.mesh);
       }
-      triangles.push_back(tree);
+      boxes.push_back(tree);
       auto& cover = built_spheres[body.mesh.get()];
       if (!cover && body.moves()) {
         const double size = bounding_box(*body.mesh).size().norm();
-        cover = std::make_shared<SphereTree>(*body.mesh, std::max(kLeafRadius, size / 100.0));
+        cover = std::make_shared<SphereTree>(*body.mesh,
+                                             std::max(kSmallestSphere, size / kSpheresAcross));
       }
       spheres.push_back(cover);
     }
     for (const BodyPair& pair : world.pairs()) {
+      tables.push_back(world.is_self_pair(pair)
+                           ? DistanceTable::make(world.model(), world.body(pair.a).link,
+                                                 world.body(pair.b).link,
+                                                 static_cast<int>(pairs.size()), motion)
+                           : nullptr);
       pairs.push_back(smaller_first(pair));
     }
   }
 
-  // Spheres of the smaller body against triangles of the larger.
+  // Spheres of the smaller body against boxes of the larger.
   [[nodiscard]] BodyPair smaller_first(const BodyPair& pair) const {
     const auto& a = spheres[static_cast<std::size_t>(pair.a)];
     const auto& b = spheres[static_cast<std::size_t>(pair.b)];
@@ -50,7 +63,8 @@ struct BoundedChecker::Volumes {
 
   FclBodies exact;
   std::vector<std::shared_ptr<const SphereTree>> spheres;  ///< Null for still bodies.
-  std::vector<std::shared_ptr<const TriangleTree>> triangles;
+  std::vector<std::shared_ptr<const BoxTree>> boxes;
+  std::vector<std::unique_ptr<DistanceTable>> tables;  ///< Null where a pair has none.
   std::vector<BodyPair> pairs;  ///< In the world's order; a gives the spheres.
 };
 
@@ -70,54 +84,74 @@ double BoundedChecker::bound(int pair, double enough, int effort) const {
   const BodyPair& bodies = volumes_->pairs[static_cast<std::size_t>(pair)];
   const Pose X_BA = body_poses()[static_cast<std::size_t>(bodies.b)].inverse(Eigen::Isometry) *
                     body_poses()[static_cast<std::size_t>(bodies.a)];
-  const auto& nodes = volumes_->spheres[static_cast<std::size_t>(bodies.a)]->nodes();
-  const TriangleTree& surface = *volumes_->triangles[static_cast<std::size_t>(bodies.b)];
-  const auto clearance = [&](const SphereTree::Node& node, double least) {
-    return surface.distance_within(X_BA * node.centre, least + node.radius) - node.radius;
-  };
+  const auto& spheres = volumes_->spheres[static_cast<std::size_t>(bodies.a)]->nodes();
+  const auto& boxes = volumes_->boxes[static_cast<std::size_t>(bodies.b)]->nodes();
 
   struct Waiting {
-    std::uint32_t node;
+    std::uint32_t sphere;
+    std::uint32_t box;
     double clearance;
+    Eigen::Vector3d centre;  // of the sphere, in B
   };
-  std::array<Waiting, 64> stack;
+  std::array<Waiting, 128> stack;
   std::size_t waiting = 0;
   double least = enough;
-  const double whole = clearance(nodes[0], least);
-  if (whole < least) {
-    stack[waiting++] = {0, whole};
-  }
+  const auto wait_for = [&](std::uint32_t sphere, std::uint32_t box,
+                            const Eigen::Vector3d& centre) {
+    const double clearance = BoxTree::distance(boxes[box], centre) - spheres[sphere].radius;
+    if (clearance < least) {
+      stack[waiting++] = {sphere, box, clearance, centre};
+    }
+  };
+  wait_for(0, 0, X_BA * spheres[0].centre);
   while (waiting > 0) {
     const Waiting top = stack[--waiting];
     if (top.clearance >= least) {
       continue;
     }
-    const std::uint32_t right = nodes[top.node].right;
-    if (right == 0 || --effort < 0) {
+    const SphereTree::Node& sphere = spheres[top.sphere];
+    const BoxTree::Node& box = boxes[top.box];
+    const bool at_leaves = sphere.right == 0 && box.right == 0;
+    if (at_leaves || --effort < 0 || waiting + 2 > stack.size()) {
       least = top.clearance;
       if (least <= 0.0) {
         return 0.0;
       }
       continue;
     }
-    Waiting near{top.node + 1, clearance(nodes[top.node + 1], least)};
-    Waiting far{right, clearance(nodes[right], least)};
-    if (far.clearance < near.clearance) {
-      std::swap(near, far);
+    if (sphere.right == 0 || (box.right != 0 && box.size > sphere.radius)) {
+      wait_for(top.sphere, top.box + 1, top.centre);
+      wait_for(top.sphere, box.right, top.centre);
+    } else {
+      wait_for(top.sphere + 1, top.box, X_BA * spheres[top.sphere + 1].centre);
+      wait_for(sphere.right, top.box, X_BA * spheres[sphere.right].centre);
     }
-    if (far.clearance < least) {
-      stack[waiting++] = far;
-    }
-    if (near.clearance < least) {
-      stack[waiting++] = near;
+    if (waiting >= 2 && stack[waiting - 2].clearance < stack[waiting - 1].clearance) {
+      std::swap(stack[waiting - 2], stack[waiting - 1]);  // the nearer one first
     }
   }
   return least;
 }
 
+double BoundedChecker::remembered(int pair) {
+  const DistanceTable* table = volumes_->tables[static_cast<std::size_t>(pair)].get();
+  if (!table) {
+    return 0.0;
+  }
+  return table->bound(configuration(), [&](const Configuration& q) {
+    const BodyPair& bodies = volumes_->pairs[static_cast<std::size_t>(pair)];
+    std::vector<Pose> X_BL(static_cast<std::size_t>(world().model().link_count()));
+    std::vector<Pose> X_WBody(world().bodies().size());
+    world().place(q, X_BL, X_WBody);
+    count_exact_test();
+    return volumes_->exact.distance(bodies.a, X_WBody[static_cast<std::size_t>(bodies.a)], bodies.b,
+                                    X_WBody[static_cast<std::size_t>(bodies.b)], kRemembered);
+  });
+}
+
 bool BoundedChecker::do_pair_collides(int pair) {
   // A hair's width of clearance, so that roundings can't hide a touch.
-  if (bound(pair, 1e-9, kFullEffort) > 0.0) {
+  if (bound(pair, kHair, kLook) > 0.0 || remembered(pair) > kHair) {
     return false;
   }
   const BodyPair& bodies = volumes_->pairs[static_cast<std::size_t>(pair)];
@@ -127,11 +161,15 @@ bool BoundedChecker::do_pair_collides(int pair) {
 }
 
 double BoundedChecker::do_pair_bound(int pair, double enough) {
-  return bound(pair, enough, kGlance);
+  const double least = bound(pair, enough, kGlance);
+  return least >= enough ? least : std::min(enough, std::max(least, remembered(pair)));
 }
 
 double BoundedChecker::do_pair_distance(int pair, double enough) {
-  const double least = bound(pair, enough, kFullEffort);
+  double least = bound(pair, enough, kLook);
+  if (least < enough) {
+    least = std::max(least, remembered(pair));
+  }
   if (least >= enough) {
     return least;
   }

@@ -24,6 +24,7 @@ void CollisionChecker::place(const Configuration& q) {
     throw std::invalid_argument("configuration holds a value that is not a finite number");
   }
   ++counts_.configurations;
+  q_ = q;
   world_->place(q, X_BL_, X_WBody_);
   do_place();
 }

@@ -8,7 +8,7 @@ namespace {
 
 // While a pair can move farther than this (m) on a stretch, a cheap bound must do:
 // an exact distance would be thrown away with the next halving.
-constexpr double kWorthExact = 0.004;
+constexpr double kWorthExact = 0.0005;
 
 }  // namespace
 
@@ -35,23 +35,21 @@ EdgeResult EdgeChecker::check(const Configuration& from, const Configuration& to
     std::vector<Stretch> next_level;
     std::vector<int> unsettled;
     for (const Stretch& stretch : level) {
-      const Configuration q = from + stretch.middle * delta;
+      checker_.place(from + stretch.middle * delta);
       ++result.checks;
-      if (const std::optional<int> pair = checker_.first_collision(q)) {
-        result.pair = pair;
-        result.at = stretch.middle;
-        return result;
-      }
       const std::size_t first = unsettled.size();
       for (std::size_t i = stretch.first; i < stretch.first + stretch.count; ++i) {
         const int pair = pairs[i];
         const double need = travel_[static_cast<std::size_t>(pair)] * stretch.half;
-        const double distance = need > kWorthExact ? checker_.pair_bound(pair, need)
-                                                   : checker_.pair_distance(pair, need);
+        double distance = checker_.pair_bound(pair, need);
+        if (distance < need && need <= kWorthExact) {
+          distance = checker_.pair_distance(pair, need);
+        }
         if (distance >= need) {
           continue;
         }
-        if (2.0 * need <= resolution_) {
+        const bool touching = distance <= 0.0 && checker_.pair_collides(pair);
+        if (touching || 2.0 * need <= resolution_) {
           result.pair = pair;
           result.at = stretch.middle;
           return result;

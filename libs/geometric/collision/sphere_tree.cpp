@@ -36,7 +36,7 @@ Ball enclosing_ball(const std::vector<const Eigen::Vector3d*>& points) {
   Ball best{0.5 * (lower + upper), 0.0};
   best.radius = radius_around(best.centre, &farthest);
   Eigen::Vector3d centre = best.centre;
-  for (int i = 1; i <= 24; ++i) {
+  for (int i = 1; i <= 6; ++i) {
     centre += (*farthest - centre) / (i + 1.0);
     const double radius = radius_around(centre, &farthest);
     if (radius < best.radius) {

@@ -3,6 +3,7 @@
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/astar_search.hpp>
 #include <boost/pending/disjoint_sets.hpp>
+#include <boost/property_map/vector_property_map.hpp>
 
 #include <algorithm>
 #include <utility>
@@ -41,7 +42,11 @@ class StopAtGoal : public boost::default_astar_visitor {
 
 struct Roadmap::Graph {
   BoostGraph graph;
-  boost::disjoint_sets_with_storage<> components{0};
+  // Property maps that grow with the graph.
+  boost::vector_property_map<std::size_t> ranks;
+  boost::vector_property_map<Vertex> parents;
+  boost::disjoint_sets<boost::vector_property_map<std::size_t>, boost::vector_property_map<Vertex>>
+      components{ranks, parents};
 
   [[nodiscard]] double distance(Vertex a, Vertex b) const {
     return (graph[a].coordinates - graph[b].coordinates).norm();

@@ -28,6 +28,9 @@ class HANDWAY_GEOMETRIC_EXPORT BoundedChecker final : public CollisionChecker {
   /// A lower bound of the pair's distance up to `enough`, from at most `effort` spheres.
   [[nodiscard]] double bound(int pair, double enough, int effort) const;
 
+  /// A lower bound from the pair's table of distances, if it has one; else 0.
+  [[nodiscard]] double remembered(int pair);
+
   std::shared_ptr<const Volumes> volumes_;
 };
 

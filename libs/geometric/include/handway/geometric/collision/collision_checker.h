@@ -70,6 +70,7 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionChecker {
   CollisionChecker(const CollisionChecker& other);
 
   [[nodiscard]] const std::vector<Pose>& body_poses() const { return X_WBody_; }
+  [[nodiscard]] const Configuration& configuration() const { return q_; }
   void count_exact_test() { ++counts_.exact_tests; }
 
   /// Called after the bodies have been placed.
@@ -83,6 +84,7 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionChecker {
 
  private:
   std::shared_ptr<const CollisionWorld> world_;
+  Configuration q_;
   std::vector<Pose> X_BL_;
   std::vector<Pose> X_WBody_;
   CheckCounts counts_;

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "handway/geometric/scene/triangle_mesh.h"
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <vector>
+
+namespace handway::geometric {
+
+/// A binary tree of axis-aligned boxes, in the mesh's frame. The boxes of every
+/// level together contain the whole surface.
+class BoxTree {
+ public:
+  struct Node {
+    Eigen::Vector3d lower;
+    Eigen::Vector3d upper;
+    std::uint32_t right = 0;  ///< The left child follows its parent; 0: a leaf.
+    double size = 0.0;        ///< Half the diagonal.
+  };
+
+  /// @pre the mesh has a triangle.
+  explicit BoxTree(const TriangleMesh& mesh);
+
+  [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }
+
+  /// Distance (m) of `point` from the node's box; 0 inside.
+  [[nodiscard]] static double distance(const Node& node, const Eigen::Vector3d& point) {
+    return (node.lower - point).cwiseMax(point - node.upper).cwiseMax(0.0).norm();
+  }
+
+ private:
+  struct Triangle {
+    Eigen::Vector3d lower;
+    Eigen::Vector3d upper;
+  };
+
+  void build(std::vector<Triangle>& triangles, std::size_t first, std::size_t count);
+
+  std::vector<Node> nodes_;
+};
+
+}  // namespace handway::geometric

@@ -1,0 +1,42 @@
+#include "handway/planning/core/planner_registry.h"
+
+#include "handway/geometric/io/input_error.h"
+#include "planners/built_in_planners.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+namespace handway::planning {
+
+PlannerRegistry::PlannerRegistry() { register_built_in_planners(*this); }
+
+void PlannerRegistry::add(std::string name, PlannerFactory factory) {
+  if (std::ranges::count(names(), name) > 0) {
+    throw std::invalid_argument("there already is a planner called " + name);
+  }
+  factories_.emplace_back(std::move(name), std::move(factory));
+}
+
+std::unique_ptr<Planner> PlannerRegistry::create(std::string_view name) const {
+  for (const auto& [known, factory] : factories_) {
+    if (known == name) {
+      return factory();
+    }
+  }
+  throw geometric::InputError({"planner", std::string(name), "no planner of this name",
+                               fmt::format("one of {}", fmt::join(names(), ", ")), ""});
+}
+
+std::vector<std::string> PlannerRegistry::names() const {
+  std::vector<std::string> names;
+  for (const auto& [name, factory] : factories_) {
+    names.push_back(name);
+  }
+  return names;
+}
+
+}  // namespace handway::planning

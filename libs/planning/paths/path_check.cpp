@@ -1,0 +1,102 @@
+#include "handway/planning/paths/path_check.h"
+
+#include "handway/geometric/collision/fcl_checker.h"
+#include "handway/geometric/math/units.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace handway::planning {
+namespace {
+
+constexpr double kEndTolerance = 1e-3;    // rad or m
+constexpr double kLimitTolerance = 1e-6;  // rad or m
+constexpr double kFar = 0.05;             // m: more clearance than this is not told apart
+
+void check_end(const char* which, const Configuration& expected, const Configuration& found,
+               PathCheckResult& result) {
+  const double off = (expected - found).lpNorm<Eigen::Infinity>();
+  if (off > kEndTolerance) {
+    result.faults.push_back(
+        fmt::format("The path's {} is {:.4g} rad from the scene's.", which, off));
+  }
+}
+
+void check_limits(const geometric::RobotModel& model, const Path& path, PathCheckResult& result) {
+  for (std::size_t w = 0; w < path.waypoints.size(); ++w) {
+    for (int v = 0; v < model.variable_count(); ++v) {
+      const double value = path.waypoints[w][v];
+      if (value < model.lower()[v] - kLimitTolerance ||
+          value > model.upper()[v] + kLimitTolerance) {
+        result.faults.push_back(
+            fmt::format("Waypoint {}: joint {} at {:.4f} is outside {:.4f} to {:.4f}.", w + 1,
+                        model.variable(v).name, value, model.lower()[v], model.upper()[v]));
+      }
+    }
+  }
+}
+
+/// Walks along the path and keeps the worst it has seen.
+class Walk {
+ public:
+  Walk(const PlanningProblem& problem, double resolution, PathCheckResult& result)
+      : checker_(problem.checker->shared_world()),
+        motion_(*problem.motion),
+        resolution_(resolution),
+        result_(result) {}
+
+  void run(const Path& path) {
+    look(path.waypoints.front(), 1);
+    for (std::size_t w = 0; w + 1 < path.waypoints.size(); ++w) {
+      const Configuration delta = path.waypoints[w + 1] - path.waypoints[w];
+      const double travel = motion_.any_point(delta.cwiseAbs());
+      const int steps = std::max(1, static_cast<int>(std::ceil(travel / resolution_)));
+      for (int s = 1; s <= steps; ++s) {
+        look(path.waypoints[w] + (static_cast<double>(s) / steps) * delta, w + 1);
+      }
+    }
+    result_.min_clearance_mm = geometric::millimetres(least_);
+  }
+
+ private:
+  void look(const Configuration& q, std::size_t stretch) {
+    ++result_.configurations;
+    const geometric::NamedPair closest = geometric::find_clearance(checker_, q, least_);
+    if (closest.distance < least_) {
+      least_ = closest.distance;
+      result_.closest_pair = closest.a + " with " + closest.b;
+    }
+    if (const auto pair = checker_.first_collision(q)) {
+      ++result_.collisions;
+      least_ = 0.0;
+      if (result_.collisions == 1) {
+        const geometric::BodyPair& bodies =
+            checker_.world().pairs()[static_cast<std::size_t>(*pair)];
+        result_.faults.push_back(fmt::format("Collision of {} with {} after waypoint {}.",
+                                             checker_.world().body(bodies.a).name,
+                                             checker_.world().body(bodies.b).name, stretch));
+      }
+    }
+  }
+
+  geometric::FclChecker checker_;
+  const geometric::MotionBound& motion_;
+  double resolution_;
+  PathCheckResult& result_;
+  double least_ = kFar;
+};
+
+}  // namespace
+
+PathCheckResult check_path(const PlanningProblem& problem, const Path& path, double resolution) {
+  PathCheckResult result;
+  check_end("start", problem.start, path.waypoints.front(), result);
+  check_end("end", problem.goal, path.waypoints.back(), result);
+  check_limits(problem.model(), path, result);
+  Walk(problem, resolution, result).run(path);
+  return result;
+}
+
+}  // namespace handway::planning

@@ -1,0 +1,60 @@
+#include "check_command.h"
+
+#include "exit_codes.h"
+#include "handway/geometric/math/units.h"
+#include "handway/planning/core/plugin.h"
+#include "handway/planning/paths/path_check.h"
+#include "handway/planning/paths/path_csv.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+
+namespace handway::tools {
+namespace {
+
+struct CheckOptions {
+  std::filesystem::path scene;
+  std::filesystem::path path;
+  double resolution_mm = 1.0;
+};
+
+int check(const CheckOptions& options) {
+  planning::Extensions extensions;
+  extensions.load_plugins(planning::plugin_directory());
+  const planning::LoadedScene loaded = planning::load_scene(options.scene, extensions);
+  const planning::PlanningProblem problem = planning::make_problem(loaded.scene, loaded.basis);
+  const planning::Path path = planning::read_path_csv(problem.model(), options.path);
+  const planning::PathCheckResult result =
+      planning::check_path(problem, path, geometric::metres(options.resolution_mm));
+  for (const std::string& fault : result.faults) {
+    fmt::print("{}\n", fault);
+  }
+  fmt::print("{}: {} waypoints, {} configurations checked at {:g} mm or closer, {} in collision",
+             result.valid() ? "valid" : "NOT VALID", path.waypoints.size(), result.configurations,
+             options.resolution_mm, result.collisions);
+  if (result.collisions == 0 && !result.closest_pair.empty()) {
+    fmt::print(", smallest clearance {:.3f} mm ({})", result.min_clearance_mm, result.closest_pair);
+  }
+  fmt::print("\n");
+  return result.valid() ? kDone : kNoPath;
+}
+
+}  // namespace
+
+void add_check_command(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<CheckOptions>();
+  CLI::App* command = app.add_subcommand("check", "Re-check a path on the exact meshes");
+  command->add_option("scene", options->scene, "Scene or problem file")->required();
+  command->add_option("path", options->path, "Path (CSV)")->required();
+  command
+      ->add_option("--resolution-mm", options->resolution_mm,
+                   "Farthest that any point of the robot moves between two checks")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command->callback([options, &exit_code] { exit_code = check(*options); });
+}
+
+}  // namespace handway::tools

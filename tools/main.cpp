@@ -1,0 +1,46 @@
+#include "check_command.h"
+#include "exit_codes.h"
+#include "handway/geometric/io/input_error.h"
+#include "info_command.h"
+#include "plan_command.h"
+#include "version.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <exception>
+
+namespace {
+
+using namespace handway::tools;
+
+int run(int argc, char** argv) {
+  CLI::App app("Handway plans human-like motions of hand-arm robots.", "handway");
+  app.set_version_flag("--version", kVersion);
+  app.require_subcommand(1);
+  int exit_code = kDone;
+  add_plan_command(app, exit_code);
+  add_check_command(app, exit_code);
+  add_info_command(app, exit_code);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? kDone : kWrongUsage;
+  }
+  return exit_code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const handway::geometric::InputError& error) {
+    fmt::print(stderr, "handway: {}\n", error.what());
+    return kInvalidInput;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "handway: {}\n", error.what());
+    return kInvalidInput;
+  }
+}

@@ -1,0 +1,146 @@
+#include "plan_command.h"
+
+#include "exit_codes.h"
+#include "handway/geometric/io/input_error.h"
+#include "handway/geometric/io/replace_file.h"
+#include "handway/planning/core/plugin.h"
+#include "handway/planning/paths/path_csv.h"
+#include "plan_report.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace handway::tools {
+namespace {
+
+namespace fs = std::filesystem;
+using planning::PlanResult;
+using planning::PlanStatus;
+
+struct PlanOptions {
+  fs::path scene;
+  std::string planner;
+  std::uint64_t seed = 1;
+  int threads = 1;
+  double time_limit_s = 300.0;
+  std::vector<std::string> settings;
+  fs::path out;
+  fs::path report;
+};
+
+std::unique_ptr<planning::Planner> configured_planner(const PlanOptions& options,
+                                                      const geometric::PlannerChoice& choice,
+                                                      const planning::PlannerRegistry& registry) {
+  const std::string name = !options.planner.empty() ? options.planner
+                           : !choice.name.empty()   ? choice.name
+                                                    : registry.names().front();
+  std::unique_ptr<planning::Planner> planner = registry.create(name);
+  const std::vector<planning::Parameter> parameters = planner->parameters();
+  if (name == choice.name || choice.name.empty()) {  // another planner's settings mean nothing here
+    for (const auto& [key, value] : choice.settings) {
+      set_from_text(find_parameter(parameters, key), value);
+    }
+  }
+  for (const std::string& setting : options.settings) {
+    const std::size_t equals = setting.find('=');
+    if (equals == std::string::npos) {
+      throw CLI::ValidationError("--set", "\"" + setting + "\" is not KEY=VALUE");
+    }
+    set_from_text(find_parameter(parameters, setting.substr(0, equals)),
+                  setting.substr(equals + 1));
+  }
+  return planner;
+}
+
+// Ctrl+C ends the search and still reports; a second one ends the program.
+std::stop_source* interrupted = nullptr;
+extern "C" void on_interrupt(int signal) {
+  interrupted->request_stop();
+  std::signal(signal, SIG_DFL);
+}
+
+int exit_code_of(PlanStatus status) {
+  switch (status) {
+    case PlanStatus::kSolved:
+      return kDone;
+    case PlanStatus::kStartInvalid:
+    case PlanStatus::kGoalInvalid:
+      return kInvalidQuery;
+    default:
+      return kNoPath;
+  }
+}
+
+void print_summary(const PlanResult& result) {
+  if (!result.solved()) {
+    fmt::print(stderr, "handway: {}\n", result.reason);
+    return;
+  }
+  fmt::print("{}\n", result.reason);
+}
+
+int plan(const PlanOptions& options) {
+  const auto begin = std::chrono::steady_clock::now();
+  planning::Extensions extensions;
+  extensions.load_plugins(planning::plugin_directory());
+  const planning::LoadedScene loaded = planning::load_scene(options.scene, extensions);
+  const std::unique_ptr<planning::Planner> planner =
+      configured_planner(options, loaded.scene->planner, extensions.planners());
+  const planning::PlanningProblem problem = planning::make_problem(loaded.scene, loaded.basis);
+  const std::chrono::duration<double> load = std::chrono::steady_clock::now() - begin;
+
+  std::stop_source stop;
+  interrupted = &stop;
+  std::signal(SIGINT, on_interrupt);
+  planning::PlanRequest request;
+  request.seed = options.seed;
+  request.threads = options.threads;
+  request.time_limit_s = options.time_limit_s;
+  const PlanResult result = planner->plan(problem, request, stop.get_token());
+  std::signal(SIGINT, SIG_DFL);
+
+  if (result.solved() && !options.out.empty()) {
+    planning::write_path_csv(result.path, problem.model(), options.out);
+  }
+  if (!options.report.empty()) {
+    geometric::replace_file(options.report, plan_report(*planner, request, result, load.count()));
+  }
+  print_summary(result);
+  return exit_code_of(result.status);
+}
+
+}  // namespace
+
+void add_plan_command(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<PlanOptions>();
+  CLI::App* command = app.add_subcommand("plan", "Find a collision-free path");
+  command->add_option("scene", options->scene, "Scene or problem file")->required();
+  command->add_option("--planner", options->planner, "Planner (default: the scene's)");
+  command->add_option("--seed", options->seed, "Seed of all random choices")->capture_default_str();
+  command->add_option("--threads", options->threads, "Threads; the path does not depend on it")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  command->add_option("--time-limit", options->time_limit_s, "Seconds before giving up")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command->add_option("--set", options->settings, "A parameter of the planner, KEY=VALUE")
+      ->type_name("KEY=VALUE")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  command->add_option("--out", options->out, "Write the path here (CSV)");
+  command->add_option("--report", options->report, "Write a report here (JSON)");
+  command->callback([options, &exit_code] { exit_code = plan(*options); });
+}
+
+}  // namespace handway::tools

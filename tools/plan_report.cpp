@@ -1,0 +1,76 @@
+#include "plan_report.h"
+
+#include "version.h"
+
+#include <nlohmann/json.hpp>
+
+namespace handway::tools {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json value_of(const planning::Parameter& parameter) {
+  return std::visit(
+      [&](const auto& value) -> Json {
+        if constexpr (std::is_same_v<std::decay_t<decltype(value)>, planning::ChoiceValue>) {
+          return to_text(parameter);
+        } else {
+          return *value;
+        }
+      },
+      parameter.value);
+}
+
+Json statistics_of(const planning::PlanStatistics& statistics) {
+  Json rejections = Json::array();
+  for (const auto& [pair, count] : statistics.rejections) {
+    rejections.push_back({{"a", pair.first}, {"b", pair.second}, {"samples", count}});
+  }
+  return {{"samples", statistics.samples},
+          {"nodes", statistics.nodes},
+          {"edges", statistics.edges},
+          {"passes", statistics.passes},
+          {"max_trials", statistics.max_trials},
+          {"final_rho_a", statistics.final_rho_a},
+          {"nodes_per_pmds", statistics.nodes_per_pmds},
+          {"checks",
+           {{"nodes", statistics.node_checks},
+            {"edges", statistics.edge_checks},
+            {"edges_tested", statistics.edges_tested}}},
+          {"sampling_s", statistics.sampling_s},
+          {"connection_s", statistics.connection_s},
+          {"rejections", rejections},
+          {"rejections_per_tenth", statistics.rejections_per_tenth}};
+}
+
+}  // namespace
+
+std::string plan_report(planning::Planner& planner, const planning::PlanRequest& request,
+                        const planning::PlanResult& result, double load_s) {
+  Json parameters = Json::object();
+  for (const planning::Parameter& parameter : planner.parameters()) {
+    parameters[parameter.key] = value_of(parameter);
+  }
+  const Json report = {
+      {"solved", result.solved()},
+      {"status", to_string(result.status)},
+      {"reason", result.reason},
+      {"planner", planner.name()},
+      {"seed", request.seed},
+      {"threads", request.threads},
+      {"time_s", result.time_s},
+      {"smoothing_s", result.smoothing_s},
+      {"load_s", load_s},
+      {"path_nodes", result.path.waypoints.size()},
+      {"certificate",
+       {{"resolution_mm", result.certificate.resolution_mm},
+        {"min_clearance_mm", result.certificate.min_clearance_mm},
+        {"checks", result.certificate.checks}}},
+      {"statistics", statistics_of(result.statistics)},
+      {"parameters", parameters},
+      {"version", kVersion},
+  };
+  return report.dump(2) + "\n";
+}
+
+}  // namespace handway::tools
