@@ -5,7 +5,7 @@
 namespace handway::geometric {
 namespace {
 
-constexpr std::size_t kLeafSize = 4;
+constexpr std::size_t kLeafSize = 1;
 
 }  // namespace
 

@@ -76,7 +76,7 @@ class RoadmapSearch {
     const int max_steps = space_.corridor().steps(rho);
     std::pair<double, double> range{0.0, 1.0};
     for (int i = 0; i <= max_steps; ++i) {
-      const double step = sampling::sweep_position(i, max_steps);
+      const double step = sampling::sweep_position(static_cast<std::uint64_t>(i));
       if (step < range.first || step > range.second) {
         continue;
       }
