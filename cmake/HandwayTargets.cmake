@@ -28,11 +28,15 @@ function(handway_library name)
   _handway_warnings(${target})
 endfunction()
 
+# What a user runs: the programs and their plugins, without the tests.
+add_custom_target(programs)
+
 # handway_executable(NAME SOURCES … LINK …): a program in bin/.
 function(handway_executable name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
   target_link_libraries(${name} PRIVATE ${ARG_LINK})
+  add_dependencies(programs ${name})
   _handway_warnings(${name})
 endfunction()
 
@@ -43,6 +47,7 @@ function(handway_plugin name)
   target_link_libraries(${name} PRIVATE ${ARG_LINK})
   set_target_properties(${name} PROPERTIES PREFIX "" LIBRARY_OUTPUT_DIRECTORY
                                                      "${HANDWAY_PLUGIN_DIRECTORY}")
+  add_dependencies(programs ${name})
   _handway_warnings(${name})
 endfunction()
 
