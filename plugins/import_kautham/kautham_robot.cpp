@@ -37,8 +37,7 @@ class RobotReader {
     if (const pugi::xml_node set = xml_.root().child("ControlSet")) {
       read_controls(set);
     } else {
-      robot_.warnings.push_back("robot " + robot_.name +
-                                ": no <ControlSet>: no control moves a joint");
+      robot_.warnings.push_back("no <ControlSet>: no control moves a joint");
     }
     return std::move(robot_);
   }
@@ -100,7 +99,7 @@ class RobotReader {
     }
     joint.parent = read_parent(node);
     if (joint.parent < 0 && moves(joint)) {
-      robot_.warnings.push_back("robot " + robot_.name + ": the first joint, " + joint.name +
+      robot_.warnings.push_back("the first joint, " + joint.name +
                                 ", carries the base and stands still");
     }
     return joint;

@@ -89,9 +89,11 @@ class SceneBuilder {
     const geometric::Configuration start = configuration_at(robot, *model, init);
     const bool is_planned = scene_->robots.empty();
     const std::vector<std::string>& said = model->description().warnings;
-    scene_->warnings.insert(scene_->warnings.end(), said.begin(), said.end());
     scene_->robots.push_back({unique_name(scene_->robots, robot.name), placed.file, model,
                               placed.X_WH * root_pose(robot), start});
+    for (const std::string& warning : said) {
+      scene_->warnings.push_back("robot " + scene_->robots.back().name + ": " + warning);
+    }
     if (is_planned) {
       basis_ = make_hand_basis(robot, *model, scene_->warnings);
     } else if (init != goal) {

@@ -24,6 +24,13 @@ struct Plugin {
   std::unique_ptr<Importer> (*make_importer)() = nullptr;          ///< May be null.
 };
 
+/// A plugin that was taken.
+struct LoadedPlugin {
+  std::filesystem::path file;
+  std::string name;
+  std::string version;
+};
+
 /// A plugin file that was not taken, and why.
 struct RefusedPlugin {
   std::filesystem::path file;
@@ -35,8 +42,10 @@ class HANDWAY_PLANNING_EXPORT Extensions {
  public:
   Extensions() = default;
 
-  /// Loads every library of `directory` (none if it does not exist). A file that
-  /// is no plugin, or of another API version, is listed as refused.
+  /// Loads every library of `directory` (none if it does not exist), in the order
+  /// of their names. A file that is no plugin, is of another API version, bears
+  /// the name of one that is loaded or fails to register is listed as refused and
+  /// adds nothing. Libraries stay loaded for the life of the program.
   void load_plugins(const std::filesystem::path& directory);
 
   [[nodiscard]] PlannerRegistry& planners() { return planners_; }
@@ -44,11 +53,15 @@ class HANDWAY_PLANNING_EXPORT Extensions {
   [[nodiscard]] const std::vector<std::unique_ptr<Importer>>& importers() const {
     return importers_;
   }
+  [[nodiscard]] const std::vector<LoadedPlugin>& loaded() const { return loaded_; }
   [[nodiscard]] const std::vector<RefusedPlugin>& refused() const { return refused_; }
 
  private:
+  void add(const Plugin& plugin, const std::filesystem::path& file);
+
   PlannerRegistry planners_;
   std::vector<std::unique_ptr<Importer>> importers_;
+  std::vector<LoadedPlugin> loaded_;
   std::vector<RefusedPlugin> refused_;
 };
 

@@ -1,0 +1,94 @@
+#include "handway/geometric/io/input_error.h"
+#include "handway/geometric/io/resources.h"
+#include "handway/geometric/io/robot_loader.h"
+#include "handway/geometric/io/scene_reader.h"
+#include "handway/planning/core/plugin.h"
+#include "handway/sampling/postures/pmd_basis_io.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <string>
+#include <system_error>
+#include <utility>
+
+namespace handway::planning {
+namespace {
+
+namespace fs = std::filesystem;
+using geometric::ResourceKind;
+
+std::string lower_case_extension(const fs::path& file) {
+  std::string extension = file.extension().string();
+  std::ranges::transform(extension, extension.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+LoadedScene read_own_format(const fs::path& file) {
+  geometric::Scene scene = geometric::read_scene(file);
+  std::shared_ptr<const sampling::PmdBasis> basis;
+  if (!scene.hand_basis.empty()) {
+    basis = std::make_shared<const sampling::PmdBasis>(sampling::read_pmd_basis(
+        geometric::find_resource(ResourceKind::kHandBasis, scene.hand_basis,
+                                 fs::absolute(file).parent_path(), file.string())));
+  }
+  return {std::make_shared<const geometric::Scene>(std::move(scene)), std::move(basis)};
+}
+
+LoadedScene scene_of_robot(const fs::path& file) {
+  const fs::path path = fs::absolute(file).lexically_normal();
+  geometric::RobotInstance robot;
+  robot.model = geometric::load_robot(path);
+  robot.name = robot.model->name();
+  robot.file = geometric::resource_reference(ResourceKind::kRobot, path, path.parent_path());
+  robot.configuration = robot.model->neutral();
+  geometric::Scene scene;
+  scene.name = robot.name;
+  for (const std::string& warning : robot.model->description().warnings) {
+    scene.warnings.push_back(fmt::format("robot {}: {}", robot.name, warning));
+  }
+  scene.robots.push_back(std::move(robot));
+  return {std::make_shared<const geometric::Scene>(std::move(scene)), nullptr};
+}
+
+[[noreturn]] void refuse(const fs::path& file, const Extensions& extensions) {
+  std::string formats = "a Handway scene (.yaml), a robot (.urdf)";
+  for (const auto& importer : extensions.importers()) {
+    formats += ", " + importer->name();
+  }
+  std::string advice;
+  for (const RefusedPlugin& plugin : extensions.refused()) {
+    advice += fmt::format("{}{} was not loaded: {}", advice.empty() ? "" : "; ",
+                          plugin.file.filename().string(), plugin.reason);
+  }
+  throw geometric::InputError(
+      {file.string(), "", "a file of no known format", formats, std::move(advice)});
+}
+
+}  // namespace
+
+LoadedScene load_scene(const fs::path& file, const Extensions& extensions) {
+  std::error_code error;
+  if (!fs::is_regular_file(file, error)) {
+    throw geometric::InputError({file.string(), "",
+                                 fs::exists(file, error) ? "no regular file" : "no such file",
+                                 "a scene or robot file", ""});
+  }
+  const std::string extension = lower_case_extension(file);
+  if (extension == ".yaml" || extension == ".yml") {
+    return read_own_format(file);
+  }
+  if (extension == ".urdf") {
+    return scene_of_robot(file);
+  }
+  for (const auto& importer : extensions.importers()) {
+    if (importer->can_read(file)) {
+      return importer->read(file);
+    }
+  }
+  refuse(file, extensions);
+}
+
+}  // namespace handway::planning

@@ -1,0 +1,104 @@
+#include "handway/planning/core/plugin.h"
+
+#include <boost/dll/runtime_symbol_info.hpp>
+#include <boost/dll/shared_library.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <exception>
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+
+namespace handway::planning {
+namespace {
+
+namespace fs = std::filesystem;
+using boost::dll::shared_library;
+
+constexpr const char* kEntryPoint = "handway_plugin";
+
+// Libraries stay loaded to the very end: objects made by their code may live as
+// long as the program.
+void keep_loaded(shared_library library) {
+  static auto* const libraries = new std::vector<shared_library>;
+  libraries->push_back(std::move(library));
+}
+
+std::vector<fs::path> libraries_in(const fs::path& directory) {
+  std::vector<fs::path> files;
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(directory, error)) {
+    if (entry.path().extension() == shared_library::suffix().string() &&
+        entry.is_regular_file(error)) {
+      files.push_back(entry.path());
+    }
+  }
+  std::ranges::sort(files);
+  return files;
+}
+
+// The library's Plugin. @throws std::runtime_error saying why there is none.
+const Plugin& open_plugin(const fs::path& file) {
+  shared_library library;
+  try {
+    library.load(boost::filesystem::path(file.string()));
+  } catch (const std::exception& error) {
+    throw std::runtime_error(fmt::format("not a library that can be loaded: {}", error.what()));
+  }
+  if (!library.has(kEntryPoint)) {
+    throw std::runtime_error(fmt::format("no plugin: it has no function {}", kEntryPoint));
+  }
+  const Plugin* plugin = library.get<const Plugin*()>(kEntryPoint)();
+  keep_loaded(std::move(library));
+  if (plugin == nullptr) {
+    throw std::runtime_error(fmt::format("{} gave nothing", kEntryPoint));
+  }
+  if (plugin->api_version != kPluginApiVersion) {
+    throw std::runtime_error(fmt::format("made for version {} of the plugin interface, not {}",
+                                         plugin->api_version, kPluginApiVersion));
+  }
+  return *plugin;
+}
+
+}  // namespace
+
+void Extensions::load_plugins(const fs::path& directory) {
+  for (const fs::path& file : libraries_in(directory)) {
+    try {
+      add(open_plugin(file), file);
+    } catch (const std::exception& error) {
+      refused_.push_back({file, error.what()});
+    }
+  }
+}
+
+void Extensions::add(const Plugin& plugin, const fs::path& file) {
+  const auto same = std::ranges::find(loaded_, plugin.name, &LoadedPlugin::name);
+  if (same != loaded_.end()) {
+    throw std::runtime_error(
+        fmt::format("plugin {} is loaded already, from {}", plugin.name, same->file.string()));
+  }
+  // All or nothing: the registry is replaced only when nothing has been thrown.
+  PlannerRegistry planners = planners_;
+  if (plugin.register_planners != nullptr) {
+    plugin.register_planners(planners);
+  }
+  if (plugin.make_importer != nullptr) {
+    importers_.push_back(plugin.make_importer());
+  }
+  planners_ = std::move(planners);
+  loaded_.push_back({file, plugin.name, plugin.version});
+}
+
+fs::path plugin_directory() {
+  if (const char* directory = std::getenv("HANDWAY_PLUGIN_DIR");
+      directory != nullptr && *directory != '\0') {
+    return directory;
+  }
+  const fs::path program = boost::dll::program_location().string();
+  return program.parent_path().parent_path() / "lib" / "handway-plugins";
+}
+
+}  // namespace handway::planning
