@@ -1,0 +1,106 @@
+#include "handway/planning/core/plugin.h"
+#include "handway_test/paths.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+
+namespace handway::planning {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+using testing::SizeIs;
+
+const std::filesystem::path kTestPlugins = TEST_PLUGINS;
+
+std::string reason_of_refusal(const std::filesystem::path& directory) {
+  Extensions extensions;
+  extensions.load_plugins(directory);
+  EXPECT_THAT(extensions.loaded(), IsEmpty());
+  EXPECT_THAT(extensions.refused(), SizeIs(1));
+  return extensions.refused().empty() ? "" : extensions.refused().front().reason;
+}
+
+TEST(Extensions, KnowTheBuiltInPlannersWithoutPlugins) {
+  const Extensions extensions;
+  EXPECT_EQ(extensions.planners().names().front(), "pmd-prm");
+}
+
+TEST(Extensions, TakePlannersAndImportersOfAPlugin) {
+  Extensions extensions;
+  extensions.load_plugins(kTestPlugins / "greeting");
+  EXPECT_THAT(extensions.refused(), IsEmpty());
+  ASSERT_THAT(extensions.loaded(), SizeIs(1));
+  EXPECT_EQ(extensions.loaded().front().name, "greeting");
+  EXPECT_EQ(extensions.loaded().front().version, "1.2");
+  EXPECT_THAT(extensions.planners().names(), Contains("hello-planner"));
+  ASSERT_THAT(extensions.importers(), SizeIs(1));
+  EXPECT_EQ(extensions.importers().front()->name(), "greetings (.hello)");
+}
+
+TEST(Extensions, RefuseAPluginThatIsLoadedAlready) {
+  Extensions extensions;
+  extensions.load_plugins(kTestPlugins / "greeting");
+  extensions.load_plugins(kTestPlugins / "greeting");
+  EXPECT_THAT(extensions.importers(), SizeIs(1));
+  ASSERT_THAT(extensions.refused(), SizeIs(1));
+  EXPECT_THAT(extensions.refused().front().reason, HasSubstr("plugin greeting is loaded already"));
+}
+
+TEST(Extensions, NameTheInterfaceVersionOfAnOldPlugin) {
+  EXPECT_EQ(reason_of_refusal(kTestPlugins / "old_interface"),
+            "made for version 0 of the plugin interface, not 1");
+}
+
+TEST(Extensions, RefuseALibraryThatIsNoPlugin) {
+  EXPECT_THAT(reason_of_refusal(kTestPlugins / "without_entry_point"),
+              HasSubstr("no function handway_plugin"));
+}
+
+TEST(Extensions, RefuseAFileThatIsNoLibrary) {
+  const test::ScratchFolder scratch;
+  std::ofstream(scratch.path() / "text.so") << "not a library";
+  EXPECT_THAT(reason_of_refusal(scratch.path()), HasSubstr("not a library that can be loaded"));
+}
+
+TEST(Extensions, TakeNothingOfAPluginThatFails) {
+  Extensions extensions;
+  extensions.load_plugins(kTestPlugins / "failing");
+  ASSERT_THAT(extensions.refused(), SizeIs(1));
+  EXPECT_EQ(extensions.refused().front().reason, "no licence for half-done");
+  EXPECT_EQ(extensions.refused().front().file.filename(), "test_plugin_failing.so");
+  EXPECT_THAT(extensions.planners().names(), Not(Contains("half-done")));
+}
+
+TEST(Extensions, PassOverFoldersThatAreMissingAndOtherFiles) {
+  const test::ScratchFolder scratch;
+  std::ofstream(scratch.path() / "README.md") << "about plugins";
+  Extensions extensions;
+  extensions.load_plugins(scratch.path());
+  extensions.load_plugins(scratch.path() / "absent");
+  EXPECT_THAT(extensions.refused(), IsEmpty());
+}
+
+TEST(Extensions, TakeThePluginsOfTheProject) {
+  Extensions extensions;
+  extensions.load_plugins(HANDWAY_PLUGINS);
+  for (const RefusedPlugin& refused : extensions.refused()) {
+    ADD_FAILURE() << refused.file << ": " << refused.reason;
+  }
+  EXPECT_THAT(extensions.loaded(), Contains(testing::Field(&LoadedPlugin::name, "import_kautham")));
+}
+
+TEST(PluginDirectory, LiesBesideTheProgramsFolderUnlessTold) {
+  EXPECT_EQ(plugin_directory(), HANDWAY_PLUGINS);
+  ::setenv("HANDWAY_PLUGIN_DIR", "/somewhere", 1);
+  EXPECT_EQ(plugin_directory(), "/somewhere");
+  ::unsetenv("HANDWAY_PLUGIN_DIR");
+}
+
+}  // namespace
+}  // namespace handway::planning
