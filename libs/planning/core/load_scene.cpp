@@ -7,8 +7,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cctype>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -18,13 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using geometric::ResourceKind;
-
-std::string lower_case_extension(const fs::path& file) {
-  std::string extension = file.extension().string();
-  std::ranges::transform(extension, extension.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
 
 LoadedScene read_own_format(const fs::path& file) {
   geometric::Scene scene = geometric::read_scene(file);
@@ -76,7 +67,7 @@ LoadedScene load_scene(const fs::path& file, const Extensions& extensions) {
                                  fs::exists(file, error) ? "no regular file" : "no such file",
                                  "a scene or robot file", ""});
   }
-  const std::string extension = lower_case_extension(file);
+  const fs::path extension = file.extension();
   if (extension == ".yaml" || extension == ".yml") {
     return read_own_format(file);
   }

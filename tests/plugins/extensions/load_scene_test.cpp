@@ -71,7 +71,7 @@ TEST_F(LoadScene, NamesABasisThatIsMissing) {
 }
 
 TEST_F(LoadScene, PutsARobotIntoASceneOfItsOwn) {
-  const LoadedScene loaded = load_scene(write("lever.URDF", kRobot), extensions_);
+  const LoadedScene loaded = load_scene(write("lever.urdf", kRobot), extensions_);
   ASSERT_EQ(loaded.scene->robots.size(), 1U);
   EXPECT_EQ(loaded.scene->robots.front().name, "lever");
   EXPECT_EQ(loaded.scene->robots.front().configuration.size(), 1);
