@@ -1,0 +1,23 @@
+# The meshes of the TX90: values of `part` in tx90.scad.
+handway_robot_meshes(
+  tx90
+  base_casing
+  base_covers
+  base_collision
+  shoulder_casing
+  shoulder_covers
+  shoulder_collision
+  upper_arm_casing
+  upper_arm_covers
+  upper_arm_collision
+  elbow_casing
+  elbow_covers
+  elbow_collision
+  forearm_casing
+  forearm_covers
+  forearm_collision
+  wrist_casing
+  wrist_covers
+  wrist_collision
+  flange_metal
+  flange_collision)
