@@ -6,7 +6,7 @@ face = 109;    // towards the upper arm
 top = 158;     // towards the forearm
 cap_normal = [0, -0.78, -0.5];
 cap_centre = [0, 14, -40];
-cap_distance = 88;
+cap_distance = 91;
 
 module on_cap() translate(cap_centre) towards(cap_normal) children();
 

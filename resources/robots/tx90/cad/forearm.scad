@@ -10,10 +10,10 @@ sweep_radius = 112;      // what the flange sweeps about joint 5 ...
 sweep_half = 43;
 sweep_angle = 168;       // ... from straight up towards +x
 
-module root() drum(73, bottom, 205, 3, 0);
+module root() drum(73, bottom, 186, 3, 0);
 
 module body() hull() {
-  translate([0, 0, bottom + 22]) drum(71, 0, 12);
+  translate([0, 0, bottom + 22]) drum(73, 0, 12);
   block([-68, -79, 235], [62, 79, 260], 22);
   block([-60, -77, 345], [54, 77, slot_bottom + 12], 16);
 }

@@ -7,9 +7,9 @@ bottom = -230;
 face = 158;                       // towards the upper arm
 cap_normal = [-0.35, -0.72, 0.45];
 cap_centre = [18, 0, -4];
-cap_distance = 104;
+cap_distance = 113;
 
-module column() drum(121, bottom + 5, -60);
+module column() drum(121, bottom + 5, -112);
 
 module on_cap() translate(cap_centre) towards(cap_normal) children();
 
@@ -34,7 +34,7 @@ module shoulder_covers() {
 }
 
 module shoulder_collision() {
-  drum(121, bottom, -60);
+  drum(121, bottom, -112);
   casing();
   neck();
   on_cap() drum(72, cap_distance - 6, cap_distance + 3);
