@@ -58,6 +58,7 @@ module ball_at(p, r) translate(p) ball(r);
 // Box between two corners with edges rounded by `edge`.
 module block(low, high, edge = 2) {
   c = $cover;
+  assert(2 * edge <= min(high - low), "the edges need more room");
   if (c > 0) {
     cut = edge > 3 ? 0.586 * edge : 0;
     hull() for (axis = [0 : 2])

@@ -14,7 +14,7 @@ module root() drum(73, bottom, 186, 3, 0);
 
 module body() hull() {
   translate([0, 0, bottom + 22]) drum(73, 0, 12);
-  block([-68, -79, 235], [62, 79, 260], 22);
+  block([-68, -79, 216], [62, 79, 279], 22);
   block([-60, -77, 345], [54, 77, slot_bottom + 12], 16);
 }
 

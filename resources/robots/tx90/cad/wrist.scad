@@ -26,7 +26,7 @@ module wrist_covers() {
 }
 
 module wrist_collision() {
-  along_y() drum(37, -half_width, half_width);
+  along_y() drum(37, -half_width - 1, half_width + 1);
   neck();
   drum(39, 62, top);
 }
