@@ -1,0 +1,181 @@
+#include "layer_rules.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <optional>
+#include <regex>
+#include <utility>
+
+namespace handway::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kLongestFile = 400;  // lines
+
+/// What the files of one library may include of the others.
+const std::map<std::string, std::set<std::string>, std::less<>> kBelow = {
+    {"geometric", {}},
+    {"sampling", {"geometric"}},
+    {"planning", {"geometric", "sampling"}},
+    {"device", {"geometric"}},
+};
+
+/// The part of the project that a file belongs to: "libs/geometric", "plugins/NAME", "gui",
+/// "tools".
+std::string part_of(std::string_view file) {
+  const std::size_t first = file.find('/');
+  const std::string_view top = file.substr(0, first);
+  if (top != "libs" && top != "plugins") {
+    return std::string(top);
+  }
+  return std::string(file.substr(0, file.find('/', first + 1)));
+}
+
+/// The library that a file of libs/ belongs to, or nothing.
+std::optional<std::string> library_of(std::string_view file) {
+  constexpr std::string_view kLibs = "libs/";
+  if (!file.starts_with(kLibs)) {
+    return std::nullopt;
+  }
+  return part_of(file).substr(kLibs.size());
+}
+
+bool is_header(std::string_view file) { return file.ends_with(".h"); }
+
+bool is_public_header(std::string_view file) {
+  return library_of(file).has_value() && is_header(file) &&
+         file.find("/include/handway/") != std::string_view::npos;
+}
+
+bool is_standard_header(std::string_view include) {
+  return include.find_first_of("./") == std::string_view::npos;
+}
+
+/// Qt's and Coin's headers: <QWidget>, <QtCore/…>, <Inventor/…>.
+bool is_screen_header(std::string_view include) {
+  const bool qt = include.size() > 1 && include[0] == 'Q' &&
+                  (include[1] == 't' || (include[1] >= 'A' && include[1] <= 'Z'));
+  return qt || include.starts_with("Inventor/") || include.starts_with("qwt");
+}
+
+std::string without_comment(const std::string& line) {
+  const std::size_t comment = line.find("//");
+  return comment == std::string::npos ? line : line.substr(0, comment);
+}
+
+}  // namespace
+
+LayerRules::LayerRules(std::set<std::string> files) : files_(std::move(files)) {}
+
+std::string LayerRules::owner_of(const std::string& file, std::string_view include) const {
+  const std::string part = part_of(file);
+  const std::string name(include);
+  const fs::path beside = (fs::path(file).parent_path() / name).lexically_normal();
+  if (beside.generic_string().starts_with(part + '/')) {
+    if (files_.contains(beside.generic_string()) || files_.contains(part + '/' + name)) {
+      return part;
+    }
+  } else if (name.starts_with("..")) {
+    return part_of(beside.generic_string());
+  }
+  for (const std::string& other : files_) {
+    if (other.ends_with('/' + name) && part_of(other) != part) {
+      return part_of(other);
+    }
+  }
+  return part;  // made by the build
+}
+
+std::string LayerRules::rule_broken_by_include(const std::string& file, std::string_view include,
+                                               bool quoted) const {
+  const std::optional<std::string> library = library_of(file);
+  constexpr std::string_view kOurs = "handway/";
+  if (include.starts_with(kOurs)) {
+    const std::string_view rest = include.substr(kOurs.size());
+    const std::string used(rest.substr(0, rest.find('/')));
+    if (!kBelow.contains(used)) {
+      return "there is no library " + used;
+    }
+    if (!library || *library == used) {
+      return {};
+    }
+    const auto below = kBelow.find(*library);
+    if (below == kBelow.end()) {
+      return "the layer of " + *library + " is not laid down";
+    }
+    return below->second.contains(used) ? std::string() : *library + " must not include " + used;
+  }
+  if (library && is_screen_header(include)) {
+    return "a library must not know Qt or Coin: " + std::string(include);
+  }
+  if (quoted) {
+    const std::string owner = owner_of(file, include);
+    if (owner != part_of(file)) {
+      return std::string(include) + " belongs to " + owner;
+    }
+  }
+  if (is_public_header(file) &&
+      (quoted || (!is_standard_header(include) && !include.starts_with("Eigen/")))) {
+    return "a public header includes only the standard library, Eigen and handway/: " +
+           std::string(include);
+  }
+  return {};
+}
+
+std::vector<Breach> LayerRules::check(const std::string& file, std::string_view text) const {
+  static const std::regex kInclude(R"(^\s*#\s*include\s*([<"])([^>"]+)[>"].*)");
+  static const std::regex kUsingStd(R"(\busing\s+namespace\s+std\b)");
+  static const std::regex kScreenName(R"(\b(Q[A-Z][a-z]\w*|So[A-Z][a-z]\w*))");
+
+  std::vector<Breach> breaches;
+  int number = 0;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    const std::string line = without_comment(std::string(text.substr(begin, end - begin)));
+    begin = end + 1;
+    ++number;
+    std::smatch match;
+    if (std::regex_match(line, match, kInclude)) {
+      const std::string rule = rule_broken_by_include(file, match[2].str(), match[1] == "\"");
+      if (!rule.empty()) {
+        breaches.push_back({file, number, rule});
+      }
+    } else if (std::regex_search(line, kUsingStd)) {
+      breaches.push_back({file, number, "no using namespace std"});
+    } else if (library_of(file) && is_header(file) && std::regex_search(line, match, kScreenName)) {
+      breaches.push_back({file, number, "a library must not know Qt or Coin: " + match.str()});
+    }
+  }
+  if (number > kLongestFile) {
+    breaches.push_back({file, number,
+                        "longer than " + std::to_string(kLongestFile) +
+                            " lines: look for the two concepts inside"});
+  }
+  return breaches;
+}
+
+std::set<std::string> project_sources(const fs::path& root) {
+  constexpr std::array kFolders = {"libs", "gui", "tools", "plugins"};
+  std::set<std::string> files;
+  for (const char* folder : kFolders) {
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / folder)) {
+      const fs::path extension = entry.path().extension();
+      if (entry.is_regular_file() && (extension == ".h" || extension == ".cpp")) {
+        files.insert(fs::relative(entry.path(), root).generic_string());
+      }
+    }
+  }
+  return files;
+}
+
+std::string to_text(const std::vector<Breach>& breaches) {
+  std::string text;
+  for (const Breach& breach : breaches) {
+    text += breach.file + ':' + std::to_string(breach.line) + ": " + breach.rule + '\n';
+  }
+  return text;
+}
+
+}  // namespace handway::test

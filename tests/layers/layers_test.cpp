@@ -1,0 +1,160 @@
+#include "handway_test/paths.h"
+#include "layer_rules.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace handway::test {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::Field;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+const LayerRules& sample_rules() {
+  static const LayerRules kRules({
+      "libs/geometric/robot/tree.h",
+      "libs/geometric/robot/tree.cpp",
+      "libs/geometric/include/handway/geometric/robot/model.h",
+      "libs/sampling/postures/pca.h",
+      "gui/app/main_window.h",
+      "tools/report.h",
+      "plugins/first/reader.h",
+      "plugins/first/plugin.cpp",
+      "plugins/second/plugin.cpp",
+  });
+  return kRules;
+}
+
+std::vector<Breach> check(const std::string& file, const std::string& text) {
+  return sample_rules().check(file, text);
+}
+
+auto breach_at(int line, const std::string& words) {
+  return AllOf(Field("line", &Breach::line, line), Field("rule", &Breach::rule, HasSubstr(words)));
+}
+
+TEST(Layers, AreKeptByTheWholeProject) {
+  const std::set<std::string> files = project_sources(source_dir());
+  ASSERT_THAT(files, testing::Contains("libs/geometric/robot/robot_model.cpp"));
+  const LayerRules rules(files);
+  std::vector<Breach> breaches;
+  for (const std::string& file : files) {
+    std::ifstream stream(source_dir() / file);
+    const std::string text(std::istreambuf_iterator<char>(stream), {});
+    const std::vector<Breach> found = rules.check(file, text);
+    breaches.insert(breaches.end(), found.begin(), found.end());
+  }
+  EXPECT_TRUE(breaches.empty()) << to_text(breaches);
+}
+
+TEST(LayerRules, LetEachLayerIncludeThoseBelow) {
+  EXPECT_THAT(check("libs/planning/core/a.cpp",
+                    "#include \"handway/planning/core/a.h\"\n"
+                    "#include \"handway/sampling/postures/pmd_basis.h\"\n"
+                    "#include <handway/geometric/scene/scene.h>\n"),
+              IsEmpty());
+  EXPECT_THAT(check("gui/app/a.cpp", "#include \"handway/planning/core/planner.h\"\n"), IsEmpty());
+  EXPECT_THAT(check("plugins/first/plugin.cpp", "#include \"handway/planning/core/plugin.h\"\n"),
+              IsEmpty());
+}
+
+TEST(LayerRules, CatchAnIncludeUpwards) {
+  EXPECT_THAT(check("libs/geometric/robot/tree.cpp",
+                    "#include \"robot/tree.h\"\n"
+                    "#include \"handway/sampling/postures/pmd_basis.h\"\n"),
+              ElementsAre(breach_at(2, "geometric must not include sampling")));
+  EXPECT_THAT(check("libs/sampling/postures/pca.h", "#include <handway/planning/core/planner.h>"),
+              ElementsAre(breach_at(1, "sampling must not include planning")));
+}
+
+TEST(LayerRules, KeepDevicesApartFromPlanning) {
+  EXPECT_THAT(check("libs/device/arm/a.cpp", "#include \"handway/geometric/math/pose.h\"\n"),
+              IsEmpty());
+  EXPECT_THAT(check("libs/device/arm/a.cpp", "#include \"handway/planning/paths/path.h\"\n"),
+              ElementsAre(breach_at(1, "device must not include planning")));
+}
+
+TEST(LayerRules, CatchQtAndCoinInALibrary) {
+  EXPECT_THAT(check("libs/geometric/robot/tree.cpp",
+                    "#include <QString>\n"
+                    "#include <QtCore/QString>\n"
+                    "  #  include <Inventor/nodes/SoSeparator.h>\n"),
+              ElementsAre(breach_at(1, "Qt or Coin"), breach_at(2, "Qt or Coin"),
+                          breach_at(3, "Qt or Coin")));
+  EXPECT_THAT(check("gui/view3d/a.cpp", "#include <Inventor/nodes/SoSeparator.h>\n"), IsEmpty());
+}
+
+TEST(LayerRules, CatchNamesOfQtAndCoinInALibraryHeader) {
+  EXPECT_THAT(check("libs/geometric/robot/tree.h", "class QWidget;\nclass SoNode;\n"),
+              ElementsAre(breach_at(1, "QWidget"), breach_at(2, "SoNode")));
+  EXPECT_THAT(check("libs/geometric/robot/tree.h", "// As in QWidget.\nEigen::MatrixXd QR;\n"),
+              IsEmpty());
+}
+
+TEST(LayerRules, CatchForeignLibrariesInAPublicHeader) {
+  const std::string header = "libs/geometric/include/handway/geometric/robot/model.h";
+  EXPECT_THAT(check(header,
+                    "#include \"handway/geometric/export.h\"\n"
+                    "#include <Eigen/Core>\n"
+                    "#include <vector>\n"),
+              IsEmpty());
+  for (const char* foreign :
+       {"<fcl/fcl.h>", "<ompl/base/Planner.h>", "<pugixml.hpp>", "<yaml-cpp/yaml.h>",
+        "<assimp/scene.h>", "<urdf_model/model.h>", "\"robot/tree.h\""}) {
+    EXPECT_THAT(check(header, std::string("#include ") + foreign + "\n"),
+                ElementsAre(breach_at(1, "public header")))
+        << foreign;
+  }
+  EXPECT_THAT(check("libs/geometric/robot/tree.cpp", "#include <fcl/fcl.h>\n"), IsEmpty());
+}
+
+TEST(LayerRules, CatchAPluginThatUsesAnother) {
+  EXPECT_THAT(check("plugins/first/plugin.cpp", "#include \"reader.h\"\n"), IsEmpty());
+  for (const char* include : {"reader.h", "first/reader.h", "../first/reader.h"}) {
+    EXPECT_THAT(check("plugins/second/plugin.cpp", std::string("#include \"") + include + "\"\n"),
+                ElementsAre(breach_at(1, "belongs to plugins/first")))
+        << include;
+  }
+}
+
+TEST(LayerRules, CatchPrivateHeadersOfAnotherPart) {
+  EXPECT_THAT(check("tools/main.cpp", "#include \"report.h\"\n#include \"version.h\"\n"),
+              IsEmpty());
+  EXPECT_THAT(check("tools/main.cpp",
+                    "#include \"app/main_window.h\"\n"
+                    "#include \"robot/tree.h\"\n"
+                    "#include \"../libs/sampling/postures/pca.h\"\n"),
+              ElementsAre(breach_at(1, "belongs to gui"), breach_at(2, "libs/geometric"),
+                          breach_at(3, "libs/sampling")));
+}
+
+TEST(LayerRules, CatchALayerThatIsNotLaidDown) {
+  EXPECT_THAT(check("libs/geometric/robot/tree.cpp", "#include \"handway/magic/wand.h\"\n"),
+              ElementsAre(breach_at(1, "no library magic")));
+}
+
+TEST(LayerRules, CatchUsingNamespaceStd) {
+  EXPECT_THAT(check("gui/app/a.cpp", "// using namespace std\nusing  namespace std;\n"),
+              ElementsAre(breach_at(2, "using namespace std")));
+}
+
+TEST(LayerRules, CatchAFileThatGrewTooLong) {
+  std::string text;
+  for (int line = 0; line < 400; ++line) {
+    text += "int x;\n";
+  }
+  EXPECT_THAT(check("tools/main.cpp", text), IsEmpty());
+  EXPECT_THAT(check("tools/main.cpp", text + "int y;\n"), ElementsAre(breach_at(401, "longer")));
+}
+
+}  // namespace
+}  // namespace handway::test
