@@ -70,6 +70,28 @@ extern "C" void on_interrupt(int signal) {
   std::signal(signal, SIG_DFL);
 }
 
+class StopsOnInterrupt {
+ public:
+  explicit StopsOnInterrupt(std::stop_source& stop) {
+    interrupted = &stop;
+    std::signal(SIGINT, on_interrupt);
+  }
+  ~StopsOnInterrupt() {
+    std::signal(SIGINT, SIG_DFL);
+    interrupted = nullptr;
+  }
+  StopsOnInterrupt(const StopsOnInterrupt&) = delete;
+  StopsOnInterrupt& operator=(const StopsOnInterrupt&) = delete;
+};
+
+PlanResult plan_until_interrupted(planning::Planner& planner,
+                                  const planning::PlanningProblem& problem,
+                                  const planning::PlanRequest& request) {
+  std::stop_source stop;
+  const StopsOnInterrupt guard(stop);
+  return planner.plan(problem, request, stop.get_token());
+}
+
 int exit_code_of(PlanStatus status) {
   switch (status) {
     case PlanStatus::kSolved:
@@ -100,15 +122,11 @@ int plan(const PlanOptions& options) {
   const planning::PlanningProblem problem = planning::make_problem(loaded.scene, loaded.basis);
   const std::chrono::duration<double> load = std::chrono::steady_clock::now() - begin;
 
-  std::stop_source stop;
-  interrupted = &stop;
-  std::signal(SIGINT, on_interrupt);
   planning::PlanRequest request;
   request.seed = options.seed;
   request.threads = options.threads;
   request.time_limit_s = options.time_limit_s;
-  const PlanResult result = planner->plan(problem, request, stop.get_token());
-  std::signal(SIGINT, SIG_DFL);
+  const PlanResult result = plan_until_interrupted(*planner, problem, request);
 
   if (result.solved() && !options.out.empty()) {
     planning::write_path_csv(result.path, problem.model(), options.out);

@@ -66,12 +66,12 @@ class CoinMessages {
 
 // "Coin read error: WHAT\n\tOccurred at line 4 in FILE", taken apart.
 [[noreturn]] void refuse(const std::filesystem::path& file, const std::string& coin_message) {
-  static const std::regex form(
+  static const std::regex kForm(
       R"((?:Coin read error:\s*)?([^]*?)\s*Occurred at line\s+(\d+) in (.*)\s*)");
   geometric::InputProblem problem{file.string(), "",
                                   coin_message.empty() ? "something unreadable" : coin_message,
                                   "an Open Inventor or VRML file", ""};
-  if (std::smatch part; std::regex_match(coin_message, part, form)) {
+  if (std::smatch part; std::regex_match(coin_message, part, kForm)) {
     problem.source = part.str(3) + ":" + part.str(2);
     problem.found = part.str(1);
   }

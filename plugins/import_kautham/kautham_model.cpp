@@ -68,6 +68,7 @@ bool is_coupled(const KauthamRobot& robot, int joint, std::vector<std::string>& 
 // For each joint the one that leads it; itself if it is not coupled.
 std::vector<int> find_leaders(const KauthamRobot& robot, std::vector<std::string>& warnings) {
   std::vector<int> leaders;
+  leaders.reserve(robot.joints.size());
   for (int i = 0; i < static_cast<int>(robot.joints.size()); ++i) {
     leaders.push_back(is_coupled(robot, i, warnings)
                           ? leaders[static_cast<std::size_t>(joint_at(robot, i).parent)]

@@ -4,11 +4,11 @@
 
 extern "C" __attribute__((visibility("default"))) const handway::planning::Plugin*
 handway_plugin() {
-  static const handway::planning::Plugin plugin = {
+  static const handway::planning::Plugin kPlugin = {
       .name = "import_kautham",
       .version = HANDWAY_VERSION,
       .make_importer = []() -> std::unique_ptr<handway::planning::Importer> {
         return std::make_unique<handway::import_kautham::KauthamImporter>();
       }};
-  return &plugin;
+  return &kPlugin;
 }

@@ -45,7 +45,7 @@ void dense_products(const RobotModel& model, const Configuration& q,
   }
 }
 
-void BM_ForwardKinematics(benchmark::State& state) {
+void bm_forward_kinematics(benchmark::State& state) {
   const RobotModel model(test::tx90_sah());
   const std::vector<Configuration> configurations = random_configurations(model, 256);
   std::vector<Pose> X_BL(static_cast<std::size_t>(model.link_count()));
@@ -56,9 +56,9 @@ void BM_ForwardKinematics(benchmark::State& state) {
     benchmark::ClobberMemory();
   }
 }
-BENCHMARK(BM_ForwardKinematics);
+BENCHMARK(bm_forward_kinematics);
 
-void BM_ForwardKinematicsDense4x4Baseline(benchmark::State& state) {
+void bm_forward_kinematics_dense4x4_baseline(benchmark::State& state) {
   const RobotModel model(test::tx90_sah());
   const std::vector<Configuration> configurations = random_configurations(model, 256);
   std::vector<Eigen::Matrix4d> X_BL(static_cast<std::size_t>(model.link_count()));
@@ -69,9 +69,9 @@ void BM_ForwardKinematicsDense4x4Baseline(benchmark::State& state) {
     benchmark::ClobberMemory();
   }
 }
-BENCHMARK(BM_ForwardKinematicsDense4x4Baseline);
+BENCHMARK(bm_forward_kinematics_dense4x4_baseline);
 
-void BM_PointJacobian(benchmark::State& state) {
+void bm_point_jacobian(benchmark::State& state) {
   const RobotModel model(test::tx90_sah());
   std::vector<Pose> X_BL(static_cast<std::size_t>(model.link_count()));
   model.forward_kinematics(random_configurations(model, 1).front(), X_BL);
@@ -80,9 +80,9 @@ void BM_PointJacobian(benchmark::State& state) {
     benchmark::DoNotOptimize(point_jacobian(model, X_BL, link));
   }
 }
-BENCHMARK(BM_PointJacobian);
+BENCHMARK(bm_point_jacobian);
 
-void BM_Tx90InverseKinematics(benchmark::State& state) {
+void bm_tx90_inverse_kinematics(benchmark::State& state) {
   const auto model = std::make_shared<const RobotModel>(test::tx90_sah());
   const auto ik = make_tx90_inverse_kinematics(model, "Palm");
   const std::vector<Configuration> configurations = random_configurations(*model, 256);
@@ -98,9 +98,9 @@ void BM_Tx90InverseKinematics(benchmark::State& state) {
     ++k;
   }
 }
-BENCHMARK(BM_Tx90InverseKinematics);
+BENCHMARK(bm_tx90_inverse_kinematics);
 
-void BM_NumericInverseKinematics(benchmark::State& state) {
+void bm_numeric_inverse_kinematics(benchmark::State& state) {
   const auto model = std::make_shared<const RobotModel>(test::tx90_urdf_style());
   const NumericInverseKinematics ik(model, "flange");
   const std::vector<Configuration> configurations = random_configurations(*model, 256);
@@ -123,7 +123,7 @@ void BM_NumericInverseKinematics(benchmark::State& state) {
   state.counters["iterations"] = static_cast<double>(iterations) / static_cast<double>(k);
   state.counters["reached"] = static_cast<double>(reached) / static_cast<double>(k);
 }
-BENCHMARK(BM_NumericInverseKinematics);
+BENCHMARK(bm_numeric_inverse_kinematics);
 
 }  // namespace
 }  // namespace handway::geometric

@@ -8,7 +8,13 @@
 namespace handway::test {
 namespace {
 
-using namespace geometric;
+using geometric::Joint;
+using geometric::JointType;
+using geometric::metres;
+using geometric::Mimic;
+using geometric::Pose;
+using geometric::radians;
+using geometric::RobotDescription;
 
 /// One row of a modified Denavit-Hartenberg table: degrees and millimetres.
 struct DhRow {
@@ -97,19 +103,19 @@ RobotDescription tx90_urdf_style() {
 }
 
 RobotDescription tx90_dh_style() {
-  constexpr std::array<DhRow, 6> rows = {{{0, 0, 0, 478},
-                                          {-90, 50, -90, 50},
-                                          {0, 425, 90, 0},
-                                          {90, 0, 0, 425},
-                                          {-90, 0, 0, 0},
-                                          {90, 0, 0, 100}}};
-  constexpr std::array<const char*, 6> names = {"Shoulder", "ForeArm", "Elbow",
-                                                "Arm",      "Wrist",   "Tcp"};
+  constexpr std::array<DhRow, 6> kRows = {{{0, 0, 0, 478},
+                                           {-90, 50, -90, 50},
+                                           {0, 425, 90, 0},
+                                           {90, 0, 0, 425},
+                                           {-90, 0, 0, 0},
+                                           {90, 0, 0, 100}}};
+  constexpr std::array<const char*, 6> kNames = {"Shoulder", "ForeArm", "Elbow",
+                                                 "Arm",      "Wrist",   "Tcp"};
   RobotDescription robot;
   robot.name = "TX90";
   robot.links.push_back({"Base", {}, {}});
   for (std::size_t i = 0; i < 6; ++i) {
-    add(robot, robot.links.back().name, names[i], names[i], dh_pose(rows[i]),
+    add(robot, robot.links.back().name, kNames[i], kNames[i], dh_pose(kRows[i]),
         Eigen::Vector3d::UnitZ(), kArmLimits[i]);
   }
   return robot;

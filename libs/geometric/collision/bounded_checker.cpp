@@ -15,13 +15,13 @@ namespace handway::geometric {
 namespace {
 
 constexpr double kSmallestSphere = 0.0015;  // m
-constexpr double kSpheresAcross = 100.0;    // a body is covered by spheres of this share of its size
+constexpr double kSpheresAcross = 100.0;  // a body is covered by spheres of this share of its size
 // Steps of a traversal before the question goes on to FCL, which costs as much
 // as some hundred of them.
 constexpr int kGlance = 40;
 constexpr int kLook = 150;
-constexpr int kSearch = 600;  // FCL's distances cost more than its collisions
-constexpr double kHair = 1e-9;        // m
+constexpr int kSearch = 600;           // FCL's distances cost more than its collisions
+constexpr double kHair = 1e-9;         // m
 constexpr double kRemembered = 0.002;  // m: distances in tables are cut off here
 
 }  // namespace

@@ -127,7 +127,7 @@ std::vector<std::string> resource_names(ResourceKind kind) {
     }
   }
   std::ranges::sort(names);
-  names.erase(std::ranges::unique(names).begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
   return names;
 }
 

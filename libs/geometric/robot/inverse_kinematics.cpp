@@ -33,8 +33,7 @@ InverseKinematics::InverseKinematics(std::shared_ptr<const RobotModel> model, in
     refuse(*model_, "tip link", "index " + std::to_string(tip_link_), "a link of the robot");
   }
   std::ranges::sort(variables_);
-  const auto repeated = std::ranges::unique(variables_);
-  variables_.erase(repeated.begin(), repeated.end());
+  variables_.erase(std::unique(variables_.begin(), variables_.end()), variables_.end());
   if (variables_.empty()) {
     refuse(*model_, "link " + model_->link(tip_link_).name, "no joint that moves it",
            "at least one variable to solve for");
@@ -82,8 +81,7 @@ std::vector<int> chain_variables(const RobotModel& model, int link) {
     }
   }
   std::ranges::sort(variables);
-  const auto repeated = std::ranges::unique(variables);
-  variables.erase(repeated.begin(), repeated.end());
+  variables.erase(std::unique(variables.begin(), variables.end()), variables.end());
   return variables;
 }
 

@@ -30,7 +30,7 @@ int link_named(const RobotModel& model, std::string_view name) {
 
 std::vector<int> variables_named(const RobotModel& model, int tip_link,
                                  const std::vector<std::string>& joints) {
-  const std::vector<int> chain = chain_variables(model, tip_link);
+  std::vector<int> chain = chain_variables(model, tip_link);
   if (joints.empty()) {
     return chain;
   }
@@ -80,7 +80,7 @@ std::string failure(const NumericIkResult& result, const NumericIkOptions& optio
 
 }  // namespace
 
-NumericInverseKinematics::NumericInverseKinematics(std::shared_ptr<const RobotModel> model,
+NumericInverseKinematics::NumericInverseKinematics(const std::shared_ptr<const RobotModel>& model,
                                                    std::string_view tip_link,
                                                    const std::vector<std::string>& joints,
                                                    const NumericIkOptions& options)

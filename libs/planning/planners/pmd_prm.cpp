@@ -172,7 +172,7 @@ class RoadmapSearch {
   }
 
   // Algorithm 3.
-  void connect(Configuration q, double step, double rho, int pmd_count) {
+  void connect(const Configuration& q, double step, double rho, int pmd_count) {
     (void)rho;
     const int node = add_node(q, space_.coordinates(q), step, grows_ ? pmd_count : 0);
     if (grows_) {
@@ -182,6 +182,7 @@ class RoadmapSearch {
     }
     const std::vector<int> neighbours = neighbours_of(node, step);
     std::vector<PlanningContext::Edge> candidates;
+    candidates.reserve(neighbours.size());
     for (const int neighbour : neighbours) {
       candidates.push_back({roadmap_.configuration(neighbour), roadmap_.configuration(node)});
     }

@@ -88,7 +88,8 @@ class BidirectionalSearch {
     }
     const int node = tree(growing).add(q, end, from);
     auto& statistics = context_.statistics();
-    statistics.nodes = static_cast<std::uint64_t>(trees_[0].size() + trees_[1].size());
+    statistics.nodes =
+        static_cast<std::uint64_t>(trees_[0].size()) + static_cast<std::uint64_t>(trees_[1].size());
     ++statistics.edges;
     // Trees are numbered apart: even ids grow from the start, odd ones from the goal.
     context_.observer().on_node({2 * node + growing, q, 0, 0.0, statistics.final_rho_a});

@@ -127,6 +127,7 @@ TEST(MeshReader, GivesThreadsTheSameMesh) {
   const auto file = files.write("s.obj", kSquareObj);
   std::vector<std::shared_ptr<const TriangleMesh>> meshes(8);
   std::vector<std::jthread> threads;
+  threads.reserve(meshes.size());
   for (auto& mesh : meshes) {
     threads.emplace_back([&] { mesh = read_mesh(file); });
   }

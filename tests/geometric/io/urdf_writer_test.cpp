@@ -63,7 +63,7 @@ TEST(UrdfWriter, WritesWhatTheLoaderReadsBack) {
   const ScratchFiles files;
   const RobotModel model = full_robot(files);
   write_urdf(model, files.folder() / "full.urdf");
-  const RobotDescription a = model.description();
+  const RobotDescription& a = model.description();
   const RobotDescription b = load_robot(files.folder() / "full.urdf")->description();
   EXPECT_EQ(b.name, "full");
   ASSERT_EQ(b.joints.size(), a.joints.size());

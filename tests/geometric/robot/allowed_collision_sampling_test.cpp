@@ -15,7 +15,7 @@ RobotModel spheres() {
   const auto add_link = [&](const std::string& name, double radius) {
     Link link{name, {}, {}};
     if (radius > 0.0) {
-      link.collision.emplace_back().shape.emplace<Sphere>(radius);
+      link.collision.emplace_back().shape = Sphere{radius};
     }
     robot.links.push_back(link);
   };

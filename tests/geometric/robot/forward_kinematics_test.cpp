@@ -63,7 +63,7 @@ RobotDescription awkward_robot() {
   robot.links.push_back({"root", {}, {}});
   const auto add = [&](const std::string& parent, JointType type, const Eigen::Vector3d& axis,
                        std::optional<Mimic> mimic = std::nullopt) {
-    const std::string name = "l" + std::to_string(robot.links.size());
+    std::string name = "l" + std::to_string(robot.links.size());
     robot.links.push_back({name, {}, {}});
     Joint joint;
     joint.name = "j" + name;

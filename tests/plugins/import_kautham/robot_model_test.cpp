@@ -73,6 +73,7 @@ TEST(KauthamImporter, SplitsArmAndHandByTheTrunkControls) {
   const auto names = [](const RobotModel& model, const char* group) {
     std::vector<std::string> result;
     const std::vector<int> variables = model.find_group(group).value();
+    result.reserve(variables.size());
     for (const int v : variables) {
       result.push_back(model.variable(v).name);
     }

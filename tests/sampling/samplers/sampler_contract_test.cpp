@@ -9,6 +9,7 @@
 #include <cmath>
 #include <functional>
 #include <memory>
+#include <ostream>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -25,7 +26,10 @@ struct SamplerCase {
   std::function<std::unique_ptr<Sampler>(int dimension, std::uint64_t seed)> make;
 };
 
-void PrintTo(const SamplerCase& sampler, std::ostream* out) { *out << sampler.name; }
+// How GoogleTest prints the parameter.
+std::ostream& operator<<(std::ostream& out, const SamplerCase& sampler) {
+  return out << sampler.name;
+}
 
 // A wall across the first axis with a gap on both sides.
 bool beside_the_wall(const Eigen::VectorXd& point) { return point[0] < 0.45 || point[0] > 0.55; }
@@ -34,7 +38,7 @@ bool beside_the_wall(const Eigen::VectorXd& point) { return point[0] < 0.45 || p
 bool in_the_slot(const Eigen::VectorXd& point) { return !beside_the_wall(point); }
 
 const std::vector<SamplerCase>& every_sampler() {
-  static const std::vector<SamplerCase> cases = {
+  static const std::vector<SamplerCase> kCases = {
       {"Random", true,
        [](int d, std::uint64_t seed) { return std::make_unique<RandomSampler>(d, seed); }},
       {"Halton", false, [](int d, std::uint64_t) { return std::make_unique<HaltonSampler>(d); }},
@@ -53,7 +57,7 @@ const std::vector<SamplerCase>& every_sampler() {
          return std::make_unique<BridgeTestSampler>(d, seed, in_the_slot,
                                                     BridgeTestOptions{0.1, 20000});
        }}};
-  return cases;
+  return kCases;
 }
 
 Points drawn(Sampler& sampler, int count) {

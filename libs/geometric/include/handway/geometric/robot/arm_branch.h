@@ -19,7 +19,8 @@ struct ArmBranch {
   /// Sign of the wrist's bend from axes 4 and 6 in line: for the TX90, of q5.
   Bend wrist = Bend::kPositive;
 
-  auto operator<=>(const ArmBranch&) const = default;
+  // clang-tidy 14 takes the comparison with 0 inside for a null pointer.
+  auto operator<=>(const ArmBranch&) const = default;  // NOLINT(modernize-use-nullptr)
 };
 
 }  // namespace handway::geometric

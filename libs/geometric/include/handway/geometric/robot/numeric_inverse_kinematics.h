@@ -52,8 +52,8 @@ class HANDWAY_GEOMETRIC_EXPORT NumericInverseKinematics : public InverseKinemati
   /// @param joints the joints to solve for, by name; empty for all that move the tip.
   /// @throws InputError if a link or joint is unknown, a joint doesn't move the
   /// tip, or an option is out of its range.
-  NumericInverseKinematics(std::shared_ptr<const RobotModel> model, std::string_view tip_link,
-                           const std::vector<std::string>& joints = {},
+  NumericInverseKinematics(const std::shared_ptr<const RobotModel>& model,
+                           std::string_view tip_link, const std::vector<std::string>& joints = {},
                            const NumericIkOptions& options = {});
 
   [[nodiscard]] const NumericIkOptions& options() const { return options_; }
