@@ -4,7 +4,7 @@
 
 namespace {
 
-const handway::planning::Plugin plugin = {
+const handway::planning::Plugin kPlugin = {
     .name = "failing", .register_planners = [](handway::planning::PlannerRegistry& registry) {
       registry.add("half-done", [] { return nullptr; });
       throw std::runtime_error("no licence for half-done");
@@ -12,4 +12,4 @@ const handway::planning::Plugin plugin = {
 
 }  // namespace
 
-HANDWAY_TEST_PLUGIN(plugin);
+HANDWAY_TEST_PLUGIN(kPlugin);

@@ -19,17 +19,17 @@ class GreetingImporter final : public Importer {
   }
 };
 
-const handway::planning::Plugin plugin = {.name = "greeting",
-                                          .version = "1.2",
-                                          .register_planners =
-                                              [](handway::planning::PlannerRegistry& registry) {
-                                                registry.add("hello-planner",
-                                                             [] { return nullptr; });
-                                              },
-                                          .make_importer = []() -> std::unique_ptr<Importer> {
-                                            return std::make_unique<GreetingImporter>();
-                                          }};
+const handway::planning::Plugin kPlugin = {.name = "greeting",
+                                           .version = "1.2",
+                                           .register_planners =
+                                               [](handway::planning::PlannerRegistry& registry) {
+                                                 registry.add("hello-planner",
+                                                              [] { return nullptr; });
+                                               },
+                                           .make_importer = []() -> std::unique_ptr<Importer> {
+                                             return std::make_unique<GreetingImporter>();
+                                           }};
 
 }  // namespace
 
-HANDWAY_TEST_PLUGIN(plugin);
+HANDWAY_TEST_PLUGIN(kPlugin);

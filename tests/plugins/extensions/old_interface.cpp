@@ -2,9 +2,9 @@
 
 namespace {
 
-const handway::planning::Plugin plugin = {.api_version = handway::planning::kPluginApiVersion - 1,
-                                          .name = "old_interface"};
+const handway::planning::Plugin kPlugin = {.api_version = handway::planning::kPluginApiVersion - 1,
+                                           .name = "old_interface"};
 
 }  // namespace
 
-HANDWAY_TEST_PLUGIN(plugin);
+HANDWAY_TEST_PLUGIN(kPlugin);
