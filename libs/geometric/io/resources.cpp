@@ -41,7 +41,7 @@ std::optional<fs::path> find_library() {
     }
     return given;
   }
-  if (const std::optional<fs::path> found = library_near_program()) {
+  if (std::optional<fs::path> found = library_near_program()) {
     return found;
   }
   const fs::path built = HANDWAY_RESOURCES_OF_SOURCE_TREE;
@@ -154,7 +154,7 @@ fs::path find_resource(ResourceKind kind, const fs::path& reference, const fs::p
 }
 
 fs::path resource_reference(ResourceKind kind, const fs::path& file, const fs::path& folder) {
-  const fs::path target = fs::absolute(file).lexically_normal();
+  fs::path target = fs::absolute(file).lexically_normal();
   const fs::path from = fs::absolute(folder).lexically_normal();
   const fs::path relative = target.lexically_relative(from);
   const auto ups = std::ranges::count(relative, fs::path(".."));
