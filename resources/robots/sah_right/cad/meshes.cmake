@@ -1,0 +1,21 @@
+handway_robot_meshes(
+  sah_right
+  palm_shell
+  palm_metal
+  palm_pads
+  palm_collision
+  thumb_base_shell
+  thumb_base_metal
+  thumb_base_collision
+  abduction_metal
+  abduction_collision
+  proximal_metal
+  proximal_shell
+  proximal_pads
+  proximal_collision
+  medial_metal
+  medial_pads
+  medial_collision
+  distal_shell
+  distal_pads
+  distal_collision)
