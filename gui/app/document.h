@@ -1,0 +1,60 @@
+#pragma once
+
+#include "handway/planning/core/plugin.h"
+#include "panels/joint_groups.h"
+#include "workers/scene_loader.h"
+
+#include <QObject>
+#include <QString>
+
+#include <filesystem>
+#include <memory>
+
+namespace handway::gui {
+
+/// The scene that is open, and the posture in which its first robot is shown.
+class Document : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit Document(std::shared_ptr<const planning::Extensions> extensions,
+                    QObject* parent = nullptr);
+
+  [[nodiscard]] const std::shared_ptr<const geometric::Scene>& scene() const {
+    return loaded_.scene;
+  }
+  [[nodiscard]] const planning::LoadedScene& loaded() const { return loaded_; }
+  /// The first robot; nullptr if there is none.
+  [[nodiscard]] const geometric::RobotInstance* robot() const;
+  [[nodiscard]] const JointGroups& groups() const { return groups_; }
+  [[nodiscard]] int palm() const { return palm_; }
+  [[nodiscard]] const geometric::Configuration& configuration() const { return q_; }
+  [[nodiscard]] const std::filesystem::path& file() const { return file_; }
+
+  /// Begins to read `file`; opened() or open_failed() follows.
+  void open(const std::filesystem::path& file);
+  /// Shows a scene that is in memory already.
+  void set_scene(planning::LoadedScene scene);
+  /// Moves the first robot. @param q shape [variable_count].
+  void set_configuration(const geometric::Configuration& q);
+  /// Sets the joints that the posture names.
+  void apply_posture(const geometric::NamedPosture& posture);
+
+ signals:
+  void opening(const QString& file);
+  void opened();
+  /// The scene from before stays.
+  void open_failed(const QString& message);
+  void configuration_changed(const Eigen::VectorXd& q);
+
+ private:
+  SceneLoader loader_;
+  planning::LoadedScene loaded_;
+  JointGroups groups_;
+  int palm_ = 0;
+  geometric::Configuration q_;
+  std::filesystem::path file_;
+  std::filesystem::path requested_;
+};
+
+}  // namespace handway::gui

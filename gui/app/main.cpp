@@ -1,0 +1,78 @@
+#include "app/main_window.h"
+#include "app/options.h"
+#include "app/snapshot.h"
+#include "style/icons.h"
+#include "style/theme.h"
+
+#include <QApplication>
+#include <QSettings>
+#include <QSurfaceFormat>
+
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+
+namespace {
+
+using namespace handway;
+
+bool has_display() {
+  return std::getenv("DISPLAY") || std::getenv("WAYLAND_DISPLAY") || std::getenv("QT_QPA_PLATFORM");
+}
+
+gui::Theme theme_of(const gui::Options& options) {
+  const QString kept = QSettings().value(QStringLiteral("theme")).toString();
+  const QString wanted =
+      options.theme.empty() ? kept : QString::fromStdString(options.theme);
+  return wanted == QLatin1String("dark") ? gui::Theme::kDark : gui::Theme::kLight;
+}
+
+int run(QApplication& application, const gui::Options& options) {
+  auto extensions = std::make_shared<planning::Extensions>();
+  extensions->load_plugins(planning::plugin_directory());
+  gui::MainWindow window(extensions);
+  window.resize(options.size);
+
+  std::unique_ptr<gui::Snapshot> snapshot;
+  if (!options.screenshot.empty()) {
+    snapshot = std::make_unique<gui::Snapshot>(window, options);
+    QObject::connect(snapshot.get(), &gui::Snapshot::done, &application,
+                     [](int exit_code, const QString& problem) {
+                       if (exit_code != 0) {
+                         std::fprintf(stderr, "handway-workbench: %s\n", qPrintable(problem));
+                       }
+                       QCoreApplication::exit(exit_code);
+                     });
+  }
+  window.show();
+  QMetaObject::invokeMethod(&window, [&] { window.begin(options); }, Qt::QueuedConnection);
+  return QApplication::exec();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  int exit_code = 0;
+  const std::optional<gui::Options> options = gui::parse_options(argc, argv, exit_code);
+  if (!options) {
+    return exit_code;
+  }
+  if (!has_display()) {
+    std::fputs("handway-workbench: no display. Use `handway plan` here, or start it under xvfb-run\n",
+               stderr);
+    return 2;
+  }
+  QCoreApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
+  QCoreApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
+  QSurfaceFormat format;
+  format.setSamples(4);
+  format.setDepthBufferSize(24);
+  QSurfaceFormat::setDefaultFormat(format);
+  QApplication application(argc, argv);
+  QApplication::setOrganizationName(QStringLiteral("handway"));
+  QApplication::setApplicationName(QStringLiteral("handway-workbench"));
+  QApplication::setApplicationVersion(QStringLiteral(HANDWAY_VERSION));
+  gui::apply_theme(application, theme_of(*options));
+  QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/handway.svg")));
+  return run(application, *options);
+}

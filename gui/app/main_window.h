@@ -1,0 +1,92 @@
+#pragma once
+
+#include "app/document.h"
+#include "app/options.h"
+#include "app/planning_session.h"
+#include "app/window_actions.h"
+#include "panels/log_panel.h"
+#include "workers/collision_monitor.h"
+#include "workers/path_player.h"
+
+#include <QMainWindow>
+
+#include <memory>
+
+namespace handway::gui {
+
+class Banner;
+class CollisionLabel;
+class JointPanel;
+class PlaybackBar;
+class PmdPanel;
+class PostureBar;
+class SceneTree;
+class SceneView;
+
+/// The workbench's window. Builds the parts and connects them; what they do is theirs.
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+
+ public:
+  explicit MainWindow(std::shared_ptr<planning::Extensions> extensions, QWidget* parent = nullptr);
+  ~MainWindow() override;
+
+  /// Opens the options' scene and sets the planner as they say.
+  void begin(const Options& options);
+  void open(const QString& file);
+
+  [[nodiscard]] Document& document() { return document_; }
+  [[nodiscard]] PlanningSession& session() { return *session_; }
+  [[nodiscard]] PathPlayer& player() { return player_; }
+  [[nodiscard]] SceneView& view() { return *view_; }
+  [[nodiscard]] PlanPanel& plan_panel() { return *plan_panel_; }
+  [[nodiscard]] CollisionMonitor& collisions() { return collisions_; }
+  /// The message in the window; empty if there is none.
+  [[nodiscard]] QString message() const;
+
+ signals:
+  /// The scene is shown, and planning has begun if the options say so.
+  void ready();
+  /// The scene, or what the options ask of it, is not to be had.
+  void failed(const QString& message);
+
+ protected:
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+
+ private:
+  void build_docks();
+  void connect_actions();
+  void connect_document();
+  void connect_view();
+  void connect_planning();
+  void show_scene();
+  void show_error(const QString& title, const QString& message);
+  void apply_plan_options();
+  void show_path();
+  void choose_file();
+  void save_as();
+  void save_picture();
+  void toggle_theme(bool dark);
+  void show_about();
+
+  std::shared_ptr<planning::Extensions> extensions_;
+  Options options_;
+  Document document_;
+  CollisionMonitor collisions_;
+  PathPlayer player_;
+  SceneView* view_;
+  Banner* banner_;
+  SceneTree* tree_;
+  LogPanel* log_;
+  PlanPanel* plan_panel_;
+  PostureBar* posture_bar_;
+  JointPanel* joint_panel_;
+  PmdPanel* pmd_panel_;
+  PlaybackBar* playback_;
+  CollisionLabel* collision_label_;
+  std::unique_ptr<WindowActions> actions_;
+  std::unique_ptr<PlanningSession> session_;
+};
+
+}  // namespace handway::gui

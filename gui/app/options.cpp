@@ -1,0 +1,74 @@
+#include "app/options.h"
+
+#include <CLI/CLI.hpp>
+
+#include <charconv>
+
+namespace handway::gui {
+namespace {
+
+constexpr int kWrongUsage = 2;
+
+// "1440x900"
+std::optional<QSize> parse_size(const std::string& text) {
+  int width = 0, height = 0;
+  const char* const end = text.data() + text.size();
+  const auto first = std::from_chars(text.data(), end, width);
+  if (first.ec != std::errc() || first.ptr == end || *first.ptr != 'x') {
+    return std::nullopt;
+  }
+  const auto second = std::from_chars(first.ptr + 1, end, height);
+  if (second.ec != std::errc() || second.ptr != end || width < 640 || height < 480 ||
+      width > 16384 || height > 16384) {
+    return std::nullopt;
+  }
+  return QSize(width, height);
+}
+
+std::string check_size(const std::string& text) {
+  return parse_size(text) ? "" : "\"" + text + "\" is not WIDTHxHEIGHT of at least 640x480";
+}
+
+std::string check_setting(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  return equals == std::string::npos || equals == 0 ? "\"" + text + "\" is not KEY=VALUE" : "";
+}
+
+}  // namespace
+
+std::optional<Options> parse_options(int argc, char** argv, int& exit_code) {
+  Options options;
+  std::string size;
+  std::vector<std::string> settings;
+  CLI::App app("The Handway workbench: see, plan and play hand-arm motions.");
+  app.add_option("scene", options.scene, "Scene or problem file to open");
+  app.add_option("--screenshot", options.screenshot, "Save a picture of the window and end")
+      ->type_name("OUT.png");
+  app.add_option("--size", size, "Size of the window (default 1440x900)")
+      ->type_name("WxH")
+      ->check(check_size);
+  app.add_flag("--play", options.play, "Plan at once, then play the path in a loop");
+  app.add_option("--planner", options.planner, "Planner (default: the scene's)");
+  app.add_option("--seed", options.seed, "Seed of all random choices");
+  app.add_option("--set", settings, "A parameter of the planner")
+      ->type_name("KEY=VALUE")
+      ->expected(1)
+      ->check(check_setting)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  app.add_option("--theme", options.theme, "light or dark (default: as last time)")
+      ->check(CLI::IsMember({"light", "dark"}));
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    exit_code = app.exit(error) == 0 ? 0 : kWrongUsage;
+    return std::nullopt;
+  }
+  options.size = parse_size(size).value_or(options.size);
+  for (const std::string& setting : settings) {
+    const std::size_t equals = setting.find('=');
+    options.settings.emplace_back(setting.substr(0, equals), setting.substr(equals + 1));
+  }
+  return options;
+}
+
+}  // namespace handway::gui

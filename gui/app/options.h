@@ -1,0 +1,30 @@
+#pragma once
+
+#include <QSize>
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace handway::gui {
+
+/// What the command line asks of the workbench.
+struct Options {
+  std::filesystem::path scene;       ///< Empty: start with an empty window.
+  std::filesystem::path screenshot;  ///< Empty: stay open.
+  QSize size{1440, 900};
+  bool play = false;    ///< Plan at once, then play in a loop.
+  std::string planner;  ///< Empty: the scene's.
+  std::optional<std::uint64_t> seed;
+  std::vector<std::pair<std::string, std::string>> settings;
+  std::string theme;  ///< "light" or "dark"; empty: as last time.
+};
+
+/// Reads the command line. Prints help or what is wrong itself.
+/// @param[out] exit_code what to end with if nothing is returned.
+[[nodiscard]] std::optional<Options> parse_options(int argc, char** argv, int& exit_code);
+
+}  // namespace handway::gui

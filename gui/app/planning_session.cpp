@@ -1,0 +1,73 @@
+#include "app/planning_session.h"
+
+namespace handway::gui {
+
+PlanningSession::PlanningSession(Document& document, PlanPanel& panel, PathPlayer& player,
+                                 QObject* parent)
+    : QObject(parent), document_(document), panel_(panel), player_(player) {
+  connect(&panel_, &PlanPanel::plan_requested, this, &PlanningSession::start);
+  connect(&panel_, &PlanPanel::cancel_requested, this, &PlanningSession::cancel);
+  connect(&document_, &Document::opened, this, &PlanningSession::forget);
+  connect(&player_, &PathPlayer::moved, this, [this](double fraction) {
+    document_.set_configuration(player_.timeline().at(fraction));
+  });
+  connect(&runner_, &PlanRunner::progressed, this, [this](double fraction, const QString& activity) {
+    if (is_current() && is_running()) {
+      panel_.show_progress(fraction, activity);
+    }
+  });
+  connect(&runner_, &PlanRunner::nodes_found, this,
+          [this](const std::vector<Eigen::Vector3d>& palms) {
+            if (is_current()) {
+              nodes_.insert(nodes_.end(), palms.begin(), palms.end());
+              emit nodes_changed(nodes_);
+            }
+          });
+  connect(&runner_, &PlanRunner::finished, this, &PlanningSession::take_result);
+  connect(&runner_, &PlanRunner::failed, this, &PlanningSession::take_failure);
+}
+
+bool PlanningSession::is_current() const { return planned_ == document_.scene(); }
+
+void PlanningSession::forget() {
+  runner_.cancel();
+  player_.clear();
+  nodes_.clear();
+  panel_.clear_result();
+  emit nodes_changed(nodes_);
+  emit path_changed();
+}
+
+void PlanningSession::start() {
+  if (is_running() || !panel_.planner() || !document_.robot()) {
+    return;
+  }
+  forget();
+  planned_ = document_.scene();
+  panel_.show_running();
+  runner_.start(panel_.planner(), document_.loaded(), panel_.request(), document_.palm());
+  emit started();
+}
+
+void PlanningSession::cancel() { runner_.cancel(); }
+
+void PlanningSession::take_result(const planning::PlanResult& result) {
+  if (!is_current()) {
+    panel_.set_ready(document_.robot() != nullptr);
+    return;
+  }
+  panel_.show_result(result);
+  if (result.solved()) {
+    player_.set_timeline(PathTimeline(document_.robot()->model, result.path));
+    emit path_changed();
+    player_.seek(0.0);
+  }
+  emit ended(result.solved(), QString::fromStdString(result.reason));
+}
+
+void PlanningSession::take_failure(const QString& message) {
+  panel_.show_failure(message);
+  emit ended(false, message);
+}
+
+}  // namespace handway::gui

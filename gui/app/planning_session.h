@@ -1,0 +1,51 @@
+#pragma once
+
+#include "app/document.h"
+#include "panels/plan_panel.h"
+#include "workers/path_player.h"
+#include "workers/plan_runner.h"
+
+#include <QObject>
+
+#include <vector>
+
+namespace handway::gui {
+
+/// From a click on Plan to a path that plays: runs the panel's planner on the
+/// document's scene and moves the document's robot along the result.
+class PlanningSession : public QObject {
+  Q_OBJECT
+
+ public:
+  /// All outlive the session.
+  PlanningSession(Document& document, PlanPanel& panel, PathPlayer& player,
+                  QObject* parent = nullptr);
+
+  void start();
+  void cancel();
+  [[nodiscard]] bool is_running() const { return runner_.is_running(); }
+
+ signals:
+  void started();
+  /// Palms (world, m) of all nodes so far.
+  void nodes_changed(const std::vector<Eigen::Vector3d>& palms);
+  /// The player has a new timeline, or none.
+  void path_changed();
+  /// @param message one line for the log.
+  void ended(bool solved, const QString& message);
+
+ private:
+  void forget();
+  void take_result(const planning::PlanResult& result);
+  void take_failure(const QString& message);
+  [[nodiscard]] bool is_current() const;
+
+  Document& document_;
+  PlanPanel& panel_;
+  PathPlayer& player_;
+  PlanRunner runner_;
+  std::shared_ptr<const geometric::Scene> planned_;  ///< Scene of the run that goes on.
+  std::vector<Eigen::Vector3d> nodes_;
+};
+
+}  // namespace handway::gui

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "app/main_window.h"
+
+#include <QObject>
+#include <QTimer>
+
+namespace handway::gui {
+
+/// Takes a picture of the whole window as soon as it shows what was asked for:
+/// the scene, checked for collisions; with a plan, its path half-way played.
+class Snapshot : public QObject {
+  Q_OBJECT
+
+ public:
+  /// @param window outlives the snapshot.
+  Snapshot(MainWindow& window, const Options& options, QObject* parent = nullptr);
+
+ signals:
+  /// @param problem empty if the picture was saved.
+  void done(int exit_code, const QString& problem);
+
+ private:
+  void wait_until_settled();
+  void save();
+
+  MainWindow& window_;
+  QString file_;
+  QTimer poll_;
+  int calm_polls_ = 0;
+};
+
+}  // namespace handway::gui

@@ -1,0 +1,94 @@
+#include "app/window_actions.h"
+
+#include "app/recent_files.h"
+#include "style/icons.h"
+
+#include <QMainWindow>
+#include <QMenuBar>
+#include <QToolBar>
+
+namespace handway::gui {
+
+WindowActions::WindowActions(QMainWindow& window) : window_(window) {
+  const auto tr = [](const char* text) { return QObject::tr(text); };
+  open = make("open", tr("&Open…"), QKeySequence::Open, tr("Open a scene or problem file"));
+  recent = new RecentFiles(&window);
+  save_as = make("save", tr("Save &as…"), QKeySequence::SaveAs, tr("Save the scene under a name"));
+  picture = make("camera", tr("Save &picture…"), {}, tr("Save a picture of the 3-D view"));
+  quit = make("", tr("&Quit"), QKeySequence::Quit, {});
+  plan = make("route", tr("&Plan"), QKeySequence(QStringLiteral("Ctrl+P")),
+              tr("Find a path from start to goal"));
+  cancel = make("cancel", tr("&Cancel"), QKeySequence(Qt::Key_Escape), tr("Stop planning"));
+  fit = make("fit", tr("&Fit"), QKeySequence(Qt::Key_F), tr("Show the whole scene"));
+  oblique = make("view_oblique", tr("&Oblique"), QKeySequence(Qt::Key_0), tr("Look across the task"));
+  front = make("view_front", tr("Fr&ont"), QKeySequence(Qt::Key_1), tr("Look against the x axis"));
+  left = make("view_left", tr("&Left"), QKeySequence(Qt::Key_2), tr("Look against the y axis"));
+  top = make("view_top", tr("&Top"), QKeySequence(Qt::Key_3), tr("Look down"));
+  floor = make("grid", tr("Floor &grid"), QKeySequence(Qt::Key_G), tr("Show the floor grid"));
+  samples = make("samples", tr("&Nodes"), QKeySequence(Qt::Key_N),
+                 tr("Show where the palm is in the planner's nodes"));
+  dark = make("theme", tr("&Dark theme"), {}, tr("Light or dark colours"));
+  about = make("", tr("&About Handway"), {}, {});
+  for (QAction* action : {floor, samples, dark}) {
+    action->setCheckable(true);
+  }
+  floor->setChecked(true);
+  samples->setChecked(true);
+  cancel->setEnabled(false);
+  save_as->setEnabled(false);
+
+  QMenu* file_menu = window.menuBar()->addMenu(tr("&File"));
+  file_menu->addAction(open);
+  file_menu->addMenu(recent);
+  file_menu->addSeparator();
+  file_menu->addAction(save_as);
+  file_menu->addAction(picture);
+  file_menu->addSeparator();
+  file_menu->addAction(quit);
+  QMenu* plan_menu = window.menuBar()->addMenu(tr("&Plan"));
+  plan_menu->addActions({plan, cancel});
+  view_menu_ = window.menuBar()->addMenu(tr("&View"));
+  view_menu_->addActions({fit, oblique, front, left, top});
+  view_menu_->addSeparator();
+  view_menu_->addActions({floor, samples, dark});
+  view_menu_->addSeparator();
+  window.menuBar()->addMenu(tr("&Help"))->addAction(about);
+
+  QToolBar* bar = window.addToolBar(tr("Tools"));
+  bar->setObjectName(QStringLiteral("tools"));
+  bar->setMovable(false);
+  bar->setIconSize({20, 20});
+  bar->addActions({open, save_as, picture});
+  bar->addSeparator();
+  bar->addActions({plan, cancel});
+  bar->addSeparator();
+  bar->addActions({fit, oblique, front, left, top});
+  bar->addSeparator();
+  bar->addActions({floor, samples, dark});
+  window.setContextMenuPolicy(Qt::NoContextMenu);
+  refresh_icons();
+}
+
+QAction* WindowActions::make(const QString& name, const QString& text, const QKeySequence& keys,
+                             const QString& tip) {
+  auto* action = new QAction(text, &window_);
+  action->setObjectName(name);
+  action->setShortcut(keys);
+  if (!tip.isEmpty()) {
+    action->setStatusTip(tip);
+    const QString shown = keys.toString(QKeySequence::NativeText);
+    action->setToolTip(shown.isEmpty() ? tip : QStringLiteral("%1 (%2)").arg(tip, shown));
+  }
+  if (!name.isEmpty()) {
+    with_icon_ << action;
+  }
+  return action;
+}
+
+void WindowActions::refresh_icons() {
+  for (QAction* action : with_icon_) {
+    action->setIcon(icon(action->objectName()));
+  }
+}
+
+}  // namespace handway::gui

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "handway/planning/core/parameter.h"
+
+#include <QWidget>
+
+#include <vector>
+
+namespace handway::gui {
+
+/// A form for parameters: a field with unit, range and help for each number, a
+/// list for choices, a box for switches. Fields write straight through the
+/// parameters' pointers, which must stay valid as long as the form lives.
+class ParameterForm : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ParameterForm(const std::vector<planning::Parameter>& parameters,
+                         QWidget* parent = nullptr);
+
+ signals:
+  void edited();
+
+ private:
+  QWidget* make_field(const planning::Parameter& parameter);
+};
+
+}  // namespace handway::gui

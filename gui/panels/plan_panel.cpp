@@ -1,0 +1,221 @@
+#include "panels/plan_panel.h"
+
+#include "forms/parameter_form.h"
+#include "panels/result_text.h"
+#include "style/icons.h"
+#include "style/theme.h"
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QSignalBlocker>
+#include <QSpinBox>
+#include <QVBoxLayout>
+
+#include <cmath>
+#include <limits>
+#include <thread>
+
+namespace handway::gui {
+namespace {
+
+QLabel* make_heading(const QString& text) {
+  auto* heading = new QLabel(text);
+  heading->setProperty("role", "heading");
+  return heading;
+}
+
+}  // namespace
+
+PlanPanel::PlanPanel(const planning::PlannerRegistry& registry, QWidget* parent)
+    : QWidget(parent),
+      registry_(registry),
+      planners_(new QComboBox),
+      description_(new QLabel),
+      seed_(new QSpinBox),
+      time_limit_(new QDoubleSpinBox),
+      threads_(new QSpinBox),
+      form_area_(new QScrollArea),
+      plan_(new QPushButton(tr("Plan"))),
+      cancel_(new QPushButton(tr("Cancel"))),
+      progress_(new QProgressBar),
+      result_(new QLabel) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(12, 10, 12, 12);
+  layout->setSpacing(8);
+  layout->addWidget(make_settings());
+  layout->addWidget(make_heading(tr("Parameters")));
+  form_area_->setWidgetResizable(true);
+  form_area_->setFrameShape(QFrame::NoFrame);
+  form_area_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  layout->addWidget(form_area_, 1);
+  layout->addWidget(make_actions());
+
+  for (const std::string& name : registry_.names()) {
+    planners_->addItem(QString::fromStdString(name));
+  }
+  connect(planners_, &QComboBox::currentTextChanged, this,
+          [this](const QString& name) { use_planner(name.toStdString()); });
+  connect(plan_, &QPushButton::clicked, this, &PlanPanel::plan_requested);
+  connect(cancel_, &QPushButton::clicked, this, &PlanPanel::cancel_requested);
+  if (planners_->count() > 0) {
+    use_planner(planners_->currentText().toStdString());
+  }
+  end_run();
+}
+
+QWidget* PlanPanel::make_settings() {
+  planners_->setObjectName(QStringLiteral("planners"));
+  description_->setWordWrap(true);
+  description_->setProperty("role", "note");
+  seed_->setRange(0, std::numeric_limits<int>::max());
+  seed_->setValue(1);
+  seed_->setObjectName(QStringLiteral("seed"));
+  seed_->setToolTip(tr("The same seed gives the same path, on any number of threads"));
+  time_limit_->setRange(0.0, 86400.0);
+  time_limit_->setDecimals(1);
+  time_limit_->setValue(300.0);
+  time_limit_->setSuffix(tr(" s"));
+  time_limit_->setSpecialValueText(tr("none"));
+  time_limit_->setToolTip(tr("Give up after this time"));
+  threads_->setRange(1, 1024);
+  threads_->setValue(static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
+  threads_->setToolTip(tr("More threads plan faster; the path stays the same"));
+
+  auto* box = new QWidget;
+  auto* form = new QFormLayout(box);
+  form->setContentsMargins(0, 0, 0, 0);
+  form->setHorizontalSpacing(10);
+  form->setVerticalSpacing(6);
+  form->addRow(make_heading(tr("Planner")));
+  form->addRow(planners_);
+  form->addRow(description_);
+  form->addRow(tr("Seed"), seed_);
+  form->addRow(tr("Time limit"), time_limit_);
+  form->addRow(tr("Threads"), threads_);
+  return box;
+}
+
+QWidget* PlanPanel::make_actions() {
+  plan_->setObjectName(QStringLiteral("plan"));
+  plan_->setProperty("role", "primary");
+  cancel_->setObjectName(QStringLiteral("cancel"));
+  progress_->setRange(0, 1000);
+  progress_->setTextVisible(false);
+  progress_->setFixedHeight(6);
+  result_->setObjectName(QStringLiteral("result"));
+  result_->setWordWrap(true);
+  result_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  result_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  auto* box = new QWidget;
+  auto* layout = new QVBoxLayout(box);
+  layout->setContentsMargins(0, 4, 0, 0);
+  layout->setSpacing(8);
+  auto* buttons = new QHBoxLayout;
+  buttons->setSpacing(8);
+  buttons->addWidget(plan_, 2);
+  buttons->addWidget(cancel_, 1);
+  layout->addLayout(buttons);
+  layout->addWidget(progress_);
+  layout->addWidget(result_);
+  return box;
+}
+
+void PlanPanel::use_planner(const std::string& name) {
+  planner_ = registry_.create(name);
+  const QSignalBlocker quiet(planners_);
+  planners_->setCurrentText(QString::fromStdString(name));
+  rebuild_form();
+}
+
+void PlanPanel::rebuild_form() {
+  description_->setText(QString::fromStdString(planner_->description()));
+  threads_->setEnabled(planner_->capabilities().uses_threads);
+  form_area_->setWidget(new ParameterForm(planner_->parameters()));
+}
+
+void PlanPanel::apply(const geometric::PlannerChoice& choice) {
+  if (planners_->count() == 0) {
+    return;
+  }
+  use_planner(choice.name.empty() ? registry_.names().front() : choice.name);
+  for (const auto& [key, value] : choice.settings) {
+    set_from_text(find_parameter(planner_->parameters(), key), value);
+  }
+  rebuild_form();
+}
+
+void PlanPanel::choose_planner(const std::string& name) {
+  if (!planner_ || planner_->name() != name) {
+    use_planner(name);
+  }
+}
+
+void PlanPanel::set_parameter(const std::string& key, const std::string& value) {
+  if (planner_) {
+    set_from_text(find_parameter(planner_->parameters(), key), value);
+    rebuild_form();
+  }
+}
+
+void PlanPanel::set_seed(std::uint64_t seed) { seed_->setValue(static_cast<int>(seed)); }
+
+planning::PlanRequest PlanPanel::request() const {
+  planning::PlanRequest request;
+  request.seed = static_cast<std::uint64_t>(seed_->value());
+  request.threads = threads_->value();
+  if (time_limit_->value() > 0.0) {
+    request.time_limit_s = time_limit_->value();
+  }
+  return request;
+}
+
+void PlanPanel::set_ready(bool ready, const QString& why_not) {
+  ready_ = ready && planner_ != nullptr;
+  plan_->setToolTip(ready ? tr("Find a path from start to goal (Ctrl+P)") : why_not);
+  end_run();
+}
+
+void PlanPanel::show_running() {
+  plan_->setEnabled(false);
+  cancel_->setEnabled(true);
+  planners_->setEnabled(false);
+  form_area_->setEnabled(false);
+  progress_->setValue(0);
+  progress_->setVisible(true);
+  result_->setText(tr("Planning…"));
+}
+
+void PlanPanel::end_run() {
+  plan_->setEnabled(ready_);
+  cancel_->setEnabled(false);
+  planners_->setEnabled(true);
+  form_area_->setEnabled(true);
+  progress_->setVisible(false);
+}
+
+void PlanPanel::show_progress(double fraction, const QString& activity) {
+  progress_->setValue(static_cast<int>(std::lround(1000.0 * fraction)));
+  if (!activity.isEmpty()) {
+    result_->setText(tr("Planning: %1…").arg(activity));
+  }
+}
+
+void PlanPanel::show_result(const planning::PlanResult& result) {
+  end_run();
+  result_->setText(result_text(result));
+}
+
+void PlanPanel::show_failure(const QString& message) {
+  end_run();
+  result_->setText(failure_text(message));
+}
+
+void PlanPanel::clear_result() { result_->clear(); }
+
+}  // namespace handway::gui

@@ -1,0 +1,79 @@
+#pragma once
+
+#include "handway/planning/core/planner.h"
+#include "handway/planning/core/planner_registry.h"
+
+#include <QWidget>
+
+#include <memory>
+#include <string>
+
+class QComboBox;
+class QDoubleSpinBox;
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QScrollArea;
+class QSpinBox;
+class QToolButton;
+
+namespace handway::gui {
+
+class ParameterForm;
+
+/// Chooses a planner and its settings, starts and stops it, shows how it went.
+class PlanPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// @param registry outlives the panel.
+  explicit PlanPanel(const planning::PlannerRegistry& registry, QWidget* parent = nullptr);
+
+  /// Takes over a scene's wishes: its planner with its settings.
+  /// @throws InputError if it names an unknown planner, key or value.
+  void apply(const geometric::PlannerChoice& choice);
+  /// Chooses a planner with its defaults, keeping settings if it is chosen already.
+  /// @throws InputError if there is none of that name.
+  void choose_planner(const std::string& name);
+  /// Sets KEY=VALUE of the chosen planner. @throws InputError
+  void set_parameter(const std::string& key, const std::string& value);
+  void set_seed(std::uint64_t seed);
+
+  [[nodiscard]] const std::shared_ptr<planning::Planner>& planner() const { return planner_; }
+  [[nodiscard]] planning::PlanRequest request() const;
+
+  /// Whether there is something to plan, and if not, why.
+  void set_ready(bool ready, const QString& why_not = {});
+  void show_running();
+  void show_progress(double fraction, const QString& activity);
+  void show_result(const planning::PlanResult& result);
+  void show_failure(const QString& message);
+  void clear_result();
+
+ signals:
+  void plan_requested();
+  void cancel_requested();
+
+ private:
+  QWidget* make_settings();
+  QWidget* make_actions();
+  void use_planner(const std::string& name);
+  void rebuild_form();
+  void end_run();
+
+  const planning::PlannerRegistry& registry_;
+  std::shared_ptr<planning::Planner> planner_;
+  QComboBox* planners_;
+  QLabel* description_;
+  QSpinBox* seed_;
+  QDoubleSpinBox* time_limit_;
+  QSpinBox* threads_;
+  QScrollArea* form_area_;
+  QPushButton* plan_;
+  QPushButton* cancel_;
+  QProgressBar* progress_;
+  QLabel* result_;
+  bool ready_ = false;
+};
+
+}  // namespace handway::gui

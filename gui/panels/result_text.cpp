@@ -1,0 +1,73 @@
+#include "panels/result_text.h"
+
+#include "style/theme.h"
+
+#include <QLocale>
+
+namespace handway::gui {
+namespace {
+
+QString headline(const QString& text, const QColor& color) {
+  return QStringLiteral("<p style=\"margin:0 0 6px 0\"><b style=\"color:%1\">%2</b></p>")
+      .arg(html(color), text);
+}
+
+QString row(const QString& name, const QString& value) {
+  return QStringLiteral(
+             "<tr><td style=\"color:%1;padding-right:14px\">%2</td><td align=\"right\">%3</td></tr>")
+      .arg(html(colors_of(current_theme()).muted), name, value);
+}
+
+QString seconds(double value) {
+  return value < 1.0 ? QStringLiteral("%1 ms").arg(value * 1e3, 0, 'f', 0)
+                     : QStringLiteral("%1 s").arg(value, 0, 'f', 2);
+}
+
+QString count(std::uint64_t value) { return QLocale::c().toString(static_cast<qulonglong>(value)); }
+
+QString word(planning::PlanStatus status) {
+  switch (status) {
+    case planning::PlanStatus::kSolved:
+      return QObject::tr("Path found");
+    case planning::PlanStatus::kStartInvalid:
+      return QObject::tr("The start is not valid");
+    case planning::PlanStatus::kGoalInvalid:
+      return QObject::tr("The goal is not valid");
+    case planning::PlanStatus::kSamplesSpent:
+      return QObject::tr("No path found: the samples are used up");
+    case planning::PlanStatus::kTimeLimit:
+      return QObject::tr("No path found in the time given");
+    case planning::PlanStatus::kCancelled:
+      return QObject::tr("Cancelled");
+  }
+  return {};
+}
+
+}  // namespace
+
+QString result_text(const planning::PlanResult& result) {
+  const ThemeColors colors = colors_of(current_theme());
+  QString text = headline(word(result.status), result.solved() ? colors.good : colors.bad);
+  text += QStringLiteral("<p style=\"margin:0 0 6px 0\">%1</p>")
+              .arg(QString::fromStdString(result.reason).toHtmlEscaped());
+  text += QStringLiteral("<table cellspacing=\"0\" cellpadding=\"1\">");
+  text += row(QObject::tr("Planning"), seconds(result.time_s));
+  if (result.solved() && result.smoothing_s > 0.0) {
+    text += row(QObject::tr("Smoothing"), seconds(result.smoothing_s));
+  }
+  text += row(QObject::tr("Samples"), count(result.statistics.samples));
+  text += row(QObject::tr("Nodes"), count(result.statistics.nodes));
+  if (result.solved()) {
+    text += row(QObject::tr("Waypoints"), count(result.path.waypoints.size()));
+    text += row(QObject::tr("Clearance"), QStringLiteral("≥ %1 mm")
+                                              .arg(result.certificate.min_clearance_mm, 0, 'f', 2));
+  }
+  return text + QStringLiteral("</table>");
+}
+
+QString failure_text(const QString& message) {
+  return headline(QObject::tr("Planning failed"), colors_of(current_theme()).bad) +
+         QStringLiteral("<p style=\"margin:0\">%1</p>").arg(message.toHtmlEscaped());
+}
+
+}  // namespace handway::gui

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "handway/planning/core/plan_result.h"
+
+#include <QString>
+
+namespace handway::gui {
+
+/// A result in words with its key figures, as rich text.
+[[nodiscard]] QString result_text(const planning::PlanResult& result);
+
+/// A failure in words, as rich text.
+[[nodiscard]] QString failure_text(const QString& message);
+
+}  // namespace handway::gui

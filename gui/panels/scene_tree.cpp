@@ -1,0 +1,199 @@
+#include "panels/scene_tree.h"
+
+#include "style/icons.h"
+#include "view3d/view_colors.h"
+
+#include <QHeaderView>
+#include <QSignalBlocker>
+#include <QTreeWidgetItemIterator>
+
+#include <functional>
+#include <vector>
+
+namespace handway::gui {
+namespace {
+
+using Kind = SceneItem::Kind;
+
+constexpr int kKindRole = Qt::UserRole;
+constexpr int kRobotRole = Qt::UserRole + 1;
+constexpr int kNameRole = Qt::UserRole + 2;
+
+QColor to_qcolor(const geometric::Color& color) {
+  return QColor::fromRgbF(color.red, color.green, color.blue);
+}
+
+QTreeWidgetItem* make_row(const QString& text, const QIcon& picture, const SceneItem& item) {
+  auto* row = new QTreeWidgetItem({text});
+  row->setIcon(0, picture);
+  row->setData(0, kKindRole, static_cast<int>(item.kind));
+  row->setData(0, kRobotRole, QString::fromStdString(item.robot));
+  row->setData(0, kNameRole, QString::fromStdString(item.name));
+  return row;
+}
+
+QString size_text(const geometric::Shape& shape) {
+  const auto mm = [](double metres) { return QString::number(metres * 1e3, 'f', 0); };
+  struct Words {
+    decltype(mm) mm_;
+    QString operator()(const geometric::Box& box) const {
+      return QStringLiteral("box %1 × %2 × %3 mm")
+          .arg(mm_(box.size.x()), mm_(box.size.y()), mm_(box.size.z()));
+    }
+    QString operator()(const geometric::Sphere& sphere) const {
+      return QStringLiteral("sphere, radius %1 mm").arg(mm_(sphere.radius));
+    }
+    QString operator()(const geometric::Cylinder& cylinder) const {
+      return QStringLiteral("cylinder, radius %1 mm, length %2 mm")
+          .arg(mm_(cylinder.radius), mm_(cylinder.length));
+    }
+    QString operator()(const geometric::Cone& cone) const {
+      return QStringLiteral("cone, radius %1 mm, height %2 mm")
+          .arg(mm_(cone.radius), mm_(cone.length));
+    }
+    QString operator()(const geometric::Mesh& mesh) const {
+      return QStringLiteral("mesh %1, %2 triangles")
+          .arg(QString::fromStdString(mesh.file.filename().string()))
+          .arg(mesh.triangles ? mesh.triangles->triangles.size() : 0);
+    }
+  };
+  return std::visit(Words{mm}, shape);
+}
+
+}  // namespace
+
+SceneTree::SceneTree(QWidget* parent) : QTreeWidget(parent) {
+  setHeaderHidden(true);
+  setIndentation(16);
+  setUniformRowHeights(true);
+  setFrameShape(QFrame::NoFrame);
+  setIconSize({16, 16});
+  connect(this, &QTreeWidget::currentItemChanged, this,
+          [this](QTreeWidgetItem* row) { emit item_selected(item_at(row)); });
+  connect(this, &QTreeWidget::itemDoubleClicked, this, [this](QTreeWidgetItem* row) {
+    const SceneItem item = item_at(row);
+    if (item.kind == Kind::kStart || item.kind == Kind::kGoal) {
+      emit posture_activated(item);
+    }
+  });
+  connect(this, &QTreeWidget::itemChanged, this, [this] {
+    bool start = true, goal = true;
+    for (QTreeWidgetItemIterator it(this); *it; ++it) {
+      const bool shown = (*it)->checkState(0) == Qt::Checked;
+      const Kind kind = item_at(*it).kind;
+      start = kind == Kind::kStart ? shown : start;
+      goal = kind == Kind::kGoal ? shown : goal;
+    }
+    emit ghosts_toggled(start, goal);
+  });
+}
+
+void SceneTree::set_scene(std::shared_ptr<const geometric::Scene> scene) {
+  const QSignalBlocker quiet(this);
+  clear();
+  scene_ = std::move(scene);
+  if (!scene_) {
+    return;
+  }
+  for (const geometric::RobotInstance& robot : scene_->robots) {
+    add_robot(robot);
+  }
+  add_objects(*scene_);
+  add_query(*scene_);
+}
+
+void SceneTree::add_robot(const geometric::RobotInstance& robot) {
+  const geometric::RobotModel& model = *robot.model;
+  QTreeWidgetItem* top = make_row(QString::fromStdString(robot.name), icon("robot"),
+                                  {Kind::kRobot, robot.name, ""});
+  top->setToolTip(0, tr("%1: %2 links, %3 joints that move on their own")
+                         .arg(QString::fromStdString(model.name()))
+                         .arg(model.link_count())
+                         .arg(model.variable_count()));
+  addTopLevelItem(top);
+  std::vector<QTreeWidgetItem*> rows;
+  for (int i = 0; i < model.link_count(); ++i) {
+    const std::string& name = model.link(i).name;
+    rows.push_back(make_row(QString::fromStdString(name), icon("link"),
+                            {Kind::kLink, robot.name, name}));
+    const int parent = model.parent(i);
+    // A serial chain stays flat; only branches (fingers) are indented.
+    QTreeWidgetItem* above = parent < 0 ? top : rows[static_cast<std::size_t>(parent)];
+    int siblings = 0;
+    for (int k = 1; k < model.link_count(); ++k) {
+      siblings += parent >= 0 && model.parent(k) == parent ? 1 : 0;
+    }
+    if (parent >= 0 && siblings == 1 && above->parent()) {
+      above = above->parent();
+    }
+    above->addChild(rows.back());
+  }
+  top->setExpanded(true);
+}
+
+void SceneTree::add_objects(const geometric::Scene& scene) {
+  if (scene.objects.empty()) {
+    return;
+  }
+  QTreeWidgetItem* top = make_row(tr("Objects"), icon("objects"), {});
+  addTopLevelItem(top);
+  for (const geometric::SceneObject& object : scene.objects) {
+    QTreeWidgetItem* row = make_row(QString::fromStdString(object.name),
+                                    icon("object", to_qcolor(object.color).darker(115)),
+                                    {Kind::kObject, "", object.name});
+    QString words = size_text(object.shape);
+    if (object.attachment) {
+      words += tr(", carried by %1").arg(QString::fromStdString(object.attachment->link));
+    }
+    row->setToolTip(0, words);
+    top->addChild(row);
+  }
+  top->setExpanded(true);
+}
+
+void SceneTree::add_query(const geometric::Scene& scene) {
+  if (!scene.start && !scene.goal) {
+    return;
+  }
+  QTreeWidgetItem* top = make_row(tr("Task"), icon("route"), {});
+  addTopLevelItem(top);
+  const auto add = [&](const QString& text, const geometric::Color& color, Kind kind) {
+    QTreeWidgetItem* row = make_row(text, icon("posture", to_qcolor(color)), {kind, "", ""});
+    row->setFlags(row->flags() | Qt::ItemIsUserCheckable);
+    row->setCheckState(0, Qt::Checked);
+    row->setToolTip(0, tr("The box shows its ghost; a double click moves the robot there"));
+    top->addChild(row);
+  };
+  if (scene.start) {
+    add(tr("Start"), kStartColor, Kind::kStart);
+  }
+  if (scene.goal) {
+    add(tr("Goal"), kGoalColor, Kind::kGoal);
+  }
+  top->setExpanded(true);
+}
+
+SceneItem SceneTree::item_at(const QTreeWidgetItem* row) const {
+  if (!row) {
+    return {};
+  }
+  return {static_cast<Kind>(row->data(0, kKindRole).toInt()),
+          row->data(0, kRobotRole).toString().toStdString(),
+          row->data(0, kNameRole).toString().toStdString()};
+}
+
+void SceneTree::select(const SceneItem& item) {
+  const QSignalBlocker quiet(this);
+  for (QTreeWidgetItemIterator it(this); *it; ++it) {
+    if (item.kind != Kind::kNone && item_at(*it) == item) {
+      setCurrentItem(*it);
+      scrollToItem(*it);
+      return;
+    }
+  }
+  setCurrentItem(nullptr);
+}
+
+void SceneTree::refresh_icons() { set_scene(scene_); }
+
+}  // namespace handway::gui

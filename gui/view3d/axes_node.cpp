@@ -1,0 +1,46 @@
+#include "view3d/axes_node.h"
+
+#include "view3d/shape_node.h"
+
+#include <Inventor/nodes/SoCone.h>
+#include <Inventor/nodes/SoCylinder.h>
+#include <Inventor/nodes/SoMaterial.h>
+#include <Inventor/nodes/SoRotation.h>
+#include <Inventor/nodes/SoSeparator.h>
+#include <Inventor/nodes/SoTranslation.h>
+
+namespace handway::gui {
+namespace {
+
+SoSeparator* make_arrow(const SbVec3f& direction, const geometric::Color& color) {
+  auto* arrow = new SoSeparator;
+  arrow->addChild(make_material(color).get());
+  auto* turn = new SoRotation;
+  turn->rotation = SbRotation(SbVec3f(0.0F, 1.0F, 0.0F), direction);
+  arrow->addChild(turn);
+  auto* up = new SoTranslation;
+  up->translation = SbVec3f(0.0F, 0.375F, 0.0F);
+  arrow->addChild(up);
+  auto* shaft = new SoCylinder;
+  shaft->radius = 0.045F;
+  shaft->height = 0.75F;
+  arrow->addChild(shaft);
+  arrow->addChild(up);
+  auto* tip = new SoCone;
+  tip->bottomRadius = 0.12F;
+  tip->height = 0.32F;
+  arrow->addChild(tip);
+  return arrow;
+}
+
+}  // namespace
+
+CoinRef<SoSeparator> make_axes_node() {
+  auto axes = make_coin<SoSeparator>();
+  axes->addChild(make_arrow({1.0F, 0.0F, 0.0F}, {0.82F, 0.22F, 0.20F, 1.0F}));
+  axes->addChild(make_arrow({0.0F, 1.0F, 0.0F}, {0.24F, 0.62F, 0.26F, 1.0F}));
+  axes->addChild(make_arrow({0.0F, 0.0F, 1.0F}, {0.18F, 0.40F, 0.82F, 1.0F}));
+  return axes;
+}
+
+}  // namespace handway::gui

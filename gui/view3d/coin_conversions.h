@@ -1,0 +1,45 @@
+#pragma once
+
+#include "handway/geometric/math/pose.h"
+#include "handway/geometric/scene/color.h"
+
+#include <Inventor/SbColor.h>
+#include <Inventor/SbMatrix.h>
+#include <Inventor/SbVec3f.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace handway::gui {
+
+[[nodiscard]] inline SbVec3f to_coin(const Eigen::Vector3d& v) {
+  return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
+}
+
+[[nodiscard]] inline SbColor to_coin(const geometric::Color& color) {
+  return {color.red, color.green, color.blue};
+}
+
+/// Coin multiplies row vectors from the left: the transpose of X.
+[[nodiscard]] inline SbMatrix to_coin(const geometric::Pose& X) {
+  const Eigen::Matrix4f m = X.matrix().cast<float>();
+  SbMatrix result;
+  for (int row = 0; row < 4; ++row) {
+    for (int column = 0; column < 4; ++column) {
+      result[row][column] = m(column, row);
+    }
+  }
+  return result;
+}
+
+/// 0xRRGGBBAA, as SoVertexProperty::orderedRGBA wants it.
+[[nodiscard]] inline std::uint32_t packed_rgba(const geometric::Color& color) {
+  const auto byte = [](float value) {
+    return static_cast<std::uint32_t>(std::lround(std::clamp(value, 0.0F, 1.0F) * 255.0F));
+  };
+  return byte(color.red) << 24 | byte(color.green) << 16 | byte(color.blue) << 8 |
+         byte(color.alpha);
+}
+
+}  // namespace handway::gui

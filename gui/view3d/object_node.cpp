@@ -1,0 +1,36 @@
+#include "view3d/object_node.h"
+
+#include "view3d/coin_conversions.h"
+#include "view3d/shape_node.h"
+
+#include <Inventor/nodes/SoMaterial.h>
+#include <Inventor/nodes/SoMatrixTransform.h>
+#include <Inventor/nodes/SoSeparator.h>
+#include <Inventor/nodes/SoSwitch.h>
+
+namespace handway::gui {
+
+ObjectNode::ObjectNode(const geometric::SceneObject& object)
+    : name_(object.name),
+      root_(make_coin<SoSeparator>()),
+      transform_(make_coin<SoMatrixTransform>()),
+      look_(make_coin<SoSwitch>()) {
+  root_->renderCaching = SoSeparator::OFF;
+  look_->addChild(make_look_material(Look::kSelected).get());
+  look_->addChild(make_look_material(Look::kColliding).get());
+  root_->addChild(transform_.get());
+  root_->addChild(look_.get());
+  root_->addChild(make_material(object.color).get());
+  root_->addChild(make_shape_node(object.shape).get());
+  place(object.X_PO);
+}
+
+ObjectNode::~ObjectNode() = default;
+
+void ObjectNode::place(const geometric::Pose& X_WO) { transform_->matrix = to_coin(X_WO); }
+
+void ObjectNode::set_look(Look look) {
+  look_->whichChild = look == Look::kPlain ? SO_SWITCH_NONE : look == Look::kSelected ? 0 : 1;
+}
+
+}  // namespace handway::gui

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "handway/geometric/scene/scene.h"
+#include "view3d/coin_ref.h"
+#include "view3d/robot_node.h"
+
+class SoMatrixTransform;
+class SoNode;
+class SoSeparator;
+class SoSwitch;
+
+namespace handway::gui {
+
+/// The drawing of one object of a scene.
+class ObjectNode {
+ public:
+  explicit ObjectNode(const geometric::SceneObject& object);
+  ~ObjectNode();
+  ObjectNode(const ObjectNode&) = delete;
+  ObjectNode& operator=(const ObjectNode&) = delete;
+
+  [[nodiscard]] SoSeparator* root() const { return root_.get(); }
+  [[nodiscard]] const std::string& name() const { return name_; }
+
+  void place(const geometric::Pose& X_WO);
+  void set_look(Look look);
+
+ private:
+  std::string name_;
+  CoinRef<SoSeparator> root_;
+  CoinRef<SoMatrixTransform> transform_;
+  CoinRef<SoSwitch> look_;
+};
+
+}  // namespace handway::gui

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "handway/geometric/math/units.h"
+
+#include <Eigen/Core>
+
+#include <span>
+
+namespace handway::gui {
+
+/// Directions to look from; the robot's front is +x, up is +z.
+enum class StandardView { kFront, kBack, kLeft, kRight, kTop, kOblique };
+
+/// A perspective camera on a turntable around `target`; the horizon stays level.
+class OrbitCamera {
+ public:
+  /// Where the camera stands, seen from the target.
+  struct Placement {
+    Eigen::Vector3d target = Eigen::Vector3d::Zero();  ///< World, m.
+    double distance = 3.0;                             ///< From the target, m.
+    double azimuth = geometric::radians(-55.0);        ///< About +z from +x.
+    double elevation = geometric::radians(18.0);       ///< Above the horizon.
+  };
+
+  static constexpr double kFieldOfView = geometric::radians(32.0);  ///< Vertical.
+
+  [[nodiscard]] const Placement& placement() const { return placement_; }
+  void set_placement(const Placement& placement);
+
+  [[nodiscard]] Eigen::Vector3d position() const;
+  /// Columns: right, up and backwards of the camera, in the world.
+  [[nodiscard]] Eigen::Matrix3d orientation() const;
+
+  /// Turns about the target, rad.
+  void orbit(double azimuth, double elevation);
+  /// Moves the target with the picture: fractions of the view's height, right and up.
+  void pan(double right, double up);
+  /// Multiplies the distance; the point under the cursor stays where it is.
+  /// @param right, up the cursor's place from the middle, in fractions of the view's height.
+  void zoom(double factor, double right, double up);
+
+  /// Turns to `view`, keeping target and distance. `front` is the azimuth of +x's role.
+  void look_from(StandardView view, double front = 0.0);
+
+  /// Moves so that all points (world, m) just fit into the picture with a margin.
+  /// @param aspect width / height.
+  void fit(std::span<const Eigen::Vector3d> points, double aspect, double margin = 1.08);
+
+ private:
+  Placement placement_;
+};
+
+/// The way from `a` (t = 0) to `b` (t = 1), turning the short way round.
+[[nodiscard]] OrbitCamera::Placement interpolate(const OrbitCamera::Placement& a,
+                                                 const OrbitCamera::Placement& b, double t);
+
+}  // namespace handway::gui

@@ -1,0 +1,108 @@
+#include "view3d/path_node.h"
+
+#include "view3d/coin_conversions.h"
+#include "view3d/shape_node.h"
+#include "view3d/view_colors.h"
+
+#include <Inventor/nodes/SoBaseColor.h>
+#include <Inventor/nodes/SoDrawStyle.h>
+#include <Inventor/nodes/SoLightModel.h>
+#include <Inventor/nodes/SoLineSet.h>
+#include <Inventor/nodes/SoMaterial.h>
+#include <Inventor/nodes/SoPointSet.h>
+#include <Inventor/nodes/SoSeparator.h>
+#include <Inventor/nodes/SoSphere.h>
+#include <Inventor/nodes/SoTranslation.h>
+#include <Inventor/nodes/SoVertexProperty.h>
+
+#include <vector>
+
+namespace handway::gui {
+namespace {
+
+constexpr float kBeadRadius = 0.005F;  // m
+
+geometric::Color blend(const geometric::Color& a, const geometric::Color& b, float t) {
+  return {a.red + t * (b.red - a.red), a.green + t * (b.green - a.green),
+          a.blue + t * (b.blue - a.blue), 1.0F};
+}
+
+SoVertexProperty* make_vertices(std::span<const Eigen::Vector3d> points) {
+  std::vector<SbVec3f> vertices;
+  for (const Eigen::Vector3d& point : points) {
+    vertices.push_back(to_coin(point));
+  }
+  auto* properties = new SoVertexProperty;
+  properties->vertex.setValues(0, static_cast<int>(vertices.size()), vertices.data());
+  return properties;
+}
+
+SoSeparator* make_line(std::span<const Eigen::Vector3d> points) {
+  auto* separator = new SoSeparator;
+  auto* unlit = new SoLightModel;
+  unlit->model = SoLightModel::BASE_COLOR;
+  separator->addChild(unlit);
+  auto* style = new SoDrawStyle;
+  style->lineWidth = 3.0F;
+  separator->addChild(style);
+  SoVertexProperty* properties = make_vertices(points);
+  std::vector<std::uint32_t> colors;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const float t = points.size() > 1
+                        ? static_cast<float>(i) / static_cast<float>(points.size() - 1)
+                        : 0.0F;
+    colors.push_back(packed_rgba(blend(kStartColor, kGoalColor, t)));
+  }
+  properties->orderedRGBA.setValues(0, static_cast<int>(colors.size()), colors.data());
+  properties->materialBinding = SoVertexProperty::PER_VERTEX;
+  auto* line = new SoLineSet;
+  line->vertexProperty = properties;
+  separator->addChild(line);
+  return separator;
+}
+
+SoSeparator* make_bead(const Eigen::Vector3d& place, const geometric::Color& color) {
+  auto* separator = new SoSeparator;
+  auto* translation = new SoTranslation;
+  translation->translation = to_coin(place);
+  separator->addChild(translation);
+  separator->addChild(make_material(color).get());
+  auto* ball = new SoSphere;
+  ball->radius = kBeadRadius;
+  separator->addChild(ball);
+  return separator;
+}
+
+}  // namespace
+
+CoinRef<SoSeparator> make_path_node(std::span<const Eigen::Vector3d> points,
+                                    std::span<const Eigen::Vector3d> waypoints) {
+  auto separator = make_coin<SoSeparator>();
+  separator->addChild(make_line(points));
+  for (std::size_t i = 0; i < waypoints.size(); ++i) {
+    const float t = waypoints.size() > 1
+                        ? static_cast<float>(i) / static_cast<float>(waypoints.size() - 1)
+                        : 0.0F;
+    separator->addChild(make_bead(waypoints[i], blend(kStartColor, kGoalColor, t)));
+  }
+  return separator;
+}
+
+CoinRef<SoSeparator> make_dots_node(std::span<const Eigen::Vector3d> points) {
+  auto separator = make_coin<SoSeparator>();
+  auto* unlit = new SoLightModel;
+  unlit->model = SoLightModel::BASE_COLOR;
+  separator->addChild(unlit);
+  auto* style = new SoDrawStyle;
+  style->pointSize = 3.0F;
+  separator->addChild(style);
+  auto* color = new SoBaseColor;
+  color->rgb = SbColor(0.30F, 0.42F, 0.72F);
+  separator->addChild(color);
+  auto* dots = new SoPointSet;
+  dots->vertexProperty = make_vertices(points);
+  separator->addChild(dots);
+  return separator;
+}
+
+}  // namespace handway::gui

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "view3d/coin_ref.h"
+
+#include <Eigen/Core>
+
+#include <span>
+
+class SoSeparator;
+
+namespace handway::gui {
+
+/// A line through `points` (world, m) that changes from the start's colour to
+/// the goal's, with a bead at each of `waypoints`.
+[[nodiscard]] CoinRef<SoSeparator> make_path_node(std::span<const Eigen::Vector3d> points,
+                                                  std::span<const Eigen::Vector3d> waypoints);
+
+/// A dot at each of `points` (world, m).
+[[nodiscard]] CoinRef<SoSeparator> make_dots_node(std::span<const Eigen::Vector3d> points);
+
+}  // namespace handway::gui

@@ -1,0 +1,119 @@
+#include "view3d/robot_node.h"
+
+#include "view3d/coin_conversions.h"
+#include "view3d/shape_node.h"
+
+#include <Inventor/nodes/SoMaterial.h>
+#include <Inventor/nodes/SoMatrixTransform.h>
+#include <Inventor/nodes/SoSeparator.h>
+#include <Inventor/nodes/SoSwitch.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace handway::gui {
+namespace {
+
+CoinRef<SoMaterial> overriding(const geometric::Color& color, float glow) {
+  CoinRef<SoMaterial> material = make_material(color);
+  const SbColor diffuse = to_coin(color);
+  material->emissiveColor = SbColor(diffuse[0] * glow, diffuse[1] * glow, diffuse[2] * glow);
+  material->setOverride(TRUE);
+  return material;
+}
+
+CoinRef<SoSeparator> make_geometry_node(const geometric::LinkGeometry& geometry) {
+  auto separator = make_coin<SoSeparator>();
+  separator->renderCaching = SoSeparator::OFF;
+  auto* transform = new SoMatrixTransform;
+  transform->matrix = to_coin(geometry.X_LG);
+  separator->addChild(transform);
+  separator->addChild(make_material(geometry.color).get());
+  separator->addChild(make_shape_node(geometry.shape).get());
+  return separator;
+}
+
+}  // namespace
+
+CoinRef<SoMaterial> make_look_material(Look look) {
+  switch (look) {
+    case Look::kSelected:
+      return overriding({0.20F, 0.52F, 0.92F, 1.0F}, 0.25F);
+    case Look::kColliding:
+      return overriding({0.86F, 0.13F, 0.11F, 1.0F}, 0.25F);
+    case Look::kPlain:
+      break;
+  }
+  return {};
+}
+
+LinkShapes make_link_shapes(const geometric::RobotModel& model) {
+  LinkShapes shapes;
+  for (int i = 0; i < model.link_count(); ++i) {
+    const geometric::Link& link = model.link(i);
+    auto separator = make_coin<SoSeparator>();
+    separator->renderCaching = SoSeparator::OFF;
+    for (const geometric::LinkGeometry& geometry :
+         link.visual.empty() ? link.collision : link.visual) {
+      separator->addChild(make_geometry_node(geometry).get());
+    }
+    shapes.push_back(std::move(separator));
+  }
+  return shapes;
+}
+
+RobotNode::RobotNode(std::shared_ptr<const geometric::RobotModel> model, const LinkShapes& shapes,
+                     std::optional<geometric::Color> ghost)
+    : model_(std::move(model)),
+      root_(make_coin<SoSeparator>()),
+      X_WL_(static_cast<std::size_t>(model_->link_count()), geometric::Pose::Identity()) {
+  root_->renderCaching = SoSeparator::OFF;
+  if (ghost) {
+    root_->addChild(overriding(*ghost, 0.15F).get());
+  }
+  for (const CoinRef<SoSeparator>& shape : shapes) {
+    LinkNode node{make_coin<SoSwitch>(), make_coin<SoSeparator>(), make_coin<SoMatrixTransform>(),
+                  make_coin<SoSwitch>()};
+    node.visible->whichChild = SO_SWITCH_ALL;
+    node.separator->renderCaching = SoSeparator::OFF;
+    node.separator->addChild(node.transform.get());
+    if (!ghost) {
+      node.look->addChild(make_look_material(Look::kSelected).get());
+      node.look->addChild(make_look_material(Look::kColliding).get());
+      node.separator->addChild(node.look.get());
+    }
+    node.separator->addChild(shape.get());
+    node.visible->addChild(node.separator.get());
+    root_->addChild(node.visible.get());
+    links_.push_back(std::move(node));
+  }
+}
+
+RobotNode::~RobotNode() = default;
+
+void RobotNode::place(const geometric::Pose& X_WB, const geometric::Configuration& q) {
+  model_->forward_kinematics(q, X_WL_);
+  for (std::size_t i = 0; i < links_.size(); ++i) {
+    X_WL_[i] = X_WB * X_WL_[i];
+    links_[i].transform->matrix = to_coin(X_WL_[i]);
+  }
+}
+
+void RobotNode::set_look(int link, Look look) {
+  const int child = look == Look::kPlain ? SO_SWITCH_NONE : look == Look::kSelected ? 0 : 1;
+  links_[static_cast<std::size_t>(link)].look->whichChild = child;
+}
+
+void RobotNode::set_link_visible(int link, bool visible) {
+  links_[static_cast<std::size_t>(link)].visible->whichChild =
+      visible ? SO_SWITCH_ALL : SO_SWITCH_NONE;
+}
+
+std::optional<int> RobotNode::find_link(const SoNode* node) const {
+  const auto found = std::ranges::find_if(
+      links_, [&](const LinkNode& link) { return link.separator.get() == node; });
+  return found == links_.end() ? std::nullopt
+                               : std::optional(static_cast<int>(found - links_.begin()));
+}
+
+}  // namespace handway::gui

@@ -1,0 +1,69 @@
+#pragma once
+
+#include "handway/geometric/robot/robot_model.h"
+#include "view3d/coin_ref.h"
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+class SoMaterial;
+class SoMatrixTransform;
+class SoNode;
+class SoSeparator;
+class SoSwitch;
+
+namespace handway::gui {
+
+/// How a body is shown.
+enum class Look { kPlain, kSelected, kColliding };
+
+/// The override material of a look; null for kPlain.
+[[nodiscard]] CoinRef<SoMaterial> make_look_material(Look look);
+
+/// What the links of a robot look like in their own frames; shared by the robot
+/// and its ghosts. Shape [link_count].
+using LinkShapes = std::vector<CoinRef<SoSeparator>>;
+
+[[nodiscard]] LinkShapes make_link_shapes(const geometric::RobotModel& model);
+
+/// One drawing of a robot, in any posture.
+class RobotNode {
+ public:
+  /// @param ghost colour that replaces all of the robot's own.
+  RobotNode(std::shared_ptr<const geometric::RobotModel> model, const LinkShapes& shapes,
+            std::optional<geometric::Color> ghost = std::nullopt);
+  ~RobotNode();
+  RobotNode(const RobotNode&) = delete;
+  RobotNode& operator=(const RobotNode&) = delete;
+
+  [[nodiscard]] SoSeparator* root() const { return root_.get(); }
+  [[nodiscard]] const geometric::RobotModel& model() const { return *model_; }
+
+  /// Puts all links where configuration `q` has them, the base standing at X_WB.
+  void place(const geometric::Pose& X_WB, const geometric::Configuration& q);
+  /// X_WL of all links, shape [link_count].
+  [[nodiscard]] std::span<const geometric::Pose> link_poses() const { return X_WL_; }
+
+  void set_look(int link, Look look);
+  void set_link_visible(int link, bool visible);
+
+  /// The link that `node` draws.
+  [[nodiscard]] std::optional<int> find_link(const SoNode* node) const;
+
+ private:
+  struct LinkNode {
+    CoinRef<SoSwitch> visible;
+    CoinRef<SoSeparator> separator;
+    CoinRef<SoMatrixTransform> transform;
+    CoinRef<SoSwitch> look;
+  };
+
+  std::shared_ptr<const geometric::RobotModel> model_;
+  CoinRef<SoSeparator> root_;
+  std::vector<LinkNode> links_;
+  std::vector<geometric::Pose> X_WL_;
+};
+
+}  // namespace handway::gui

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "handway/geometric/scene/scene.h"
+
+#include <vector>
+
+namespace handway::gui {
+
+/// Points (world, m) that a picture of the scene should contain: corners around
+/// every link of every robot as it stands, of the first robot also at start and
+/// goal, and around the objects that are no bigger than the robots themselves.
+[[nodiscard]] std::vector<Eigen::Vector3d> points_of_interest(const geometric::Scene& scene);
+
+/// The lowest height that any robot or object reaches, m; 0 for an empty scene.
+[[nodiscard]] double lowest_point(const geometric::Scene& scene);
+
+/// Azimuth (rad, about +z from +x) from the first robot's base to where its last
+/// link is at goal, or to where it stands if there is no goal.
+[[nodiscard]] double task_azimuth(const geometric::Scene& scene);
+
+}  // namespace handway::gui

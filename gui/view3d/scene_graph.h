@@ -1,0 +1,93 @@
+#pragma once
+
+#include "handway/geometric/scene/scene.h"
+#include "view3d/object_node.h"
+#include "view3d/orbit_camera.h"
+#include "view3d/robot_node.h"
+#include "view3d/scene_item.h"
+#include "view3d/view_colors.h"
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+class SoGLRenderAction;
+class SoPath;
+class SoPerspectiveCamera;
+class SbVec2s;
+
+namespace handway::gui {
+
+/// A scene as Coin nodes. Knows no window: what to show comes in, drawing and
+/// picking go out.
+class SceneGraph {
+ public:
+  SceneGraph();
+  ~SceneGraph();
+
+  void set_scene(std::shared_ptr<const geometric::Scene> scene);
+  void set_colors(const ViewColors& colors);
+
+  /// Moves the first robot, and what it carries. @param q shape [variable_count].
+  void set_configuration(const geometric::Configuration& q);
+  /// Paints these bodies (names as in CollisionWorld) as colliding.
+  void set_collisions(std::vector<std::string> bodies);
+  void set_selection(const SceneItem& item);
+  void show_ghosts(bool start, bool goal);
+  void set_path(std::span<const Eigen::Vector3d> points,
+                std::span<const Eigen::Vector3d> waypoints);
+  void set_dots(std::span<const Eigen::Vector3d> points);
+  void set_dots_visible(bool visible);
+  void set_floor_visible(bool visible);
+
+  /// Points that a picture of the whole scene should contain: the robots now, at
+  /// start and at goal, and the objects near them.
+  [[nodiscard]] std::vector<Eigen::Vector3d> points_of_interest() const;
+  /// Azimuth of the task as seen from the first robot's base, rad.
+  [[nodiscard]] double task_azimuth() const;
+
+  /// Draws everything but the backdrop into the current viewport.
+  void render(SoGLRenderAction& action, const OrbitCamera& camera, double aspect);
+  /// Draws the axes cross, turned like the camera.
+  void render_axes(SoGLRenderAction& action, const OrbitCamera& camera);
+
+  struct Hit {
+    SceneItem item;
+    Eigen::Vector3d point;  ///< World, m.
+  };
+  /// What is seen at a pixel (from the lower left).
+  [[nodiscard]] std::optional<Hit> pick(const SbVec2s& viewport, const SbVec2s& pixel);
+
+ private:
+  struct Ghost {
+    std::unique_ptr<RobotNode> robot;
+    geometric::Configuration q;
+    CoinRef<SoSeparator> root;
+    bool visible = true;
+  };
+  struct Passes;
+
+  void add_robots();
+  void add_objects();
+  void add_ghost(Ghost& ghost, const std::optional<geometric::Configuration>& q,
+                 const geometric::Color& color, const LinkShapes& shapes);
+  void rebuild_floor();
+  void update_looks();
+  void update_ghosts();
+  void render_ghost(SoGLRenderAction& action, const Ghost& ghost) const;
+  [[nodiscard]] SceneItem item_of(const SoPath& path) const;
+
+  std::shared_ptr<const geometric::Scene> scene_;
+  ViewColors colors_;
+  std::unique_ptr<Passes> passes_;
+  std::vector<std::unique_ptr<RobotNode>> robots_;
+  std::vector<std::unique_ptr<ObjectNode>> objects_;
+  Ghost start_;
+  Ghost goal_;
+  std::vector<std::string> colliding_;
+  SceneItem selection_;
+};
+
+}  // namespace handway::gui

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+namespace handway::gui {
+
+/// Something in a scene that a person can point at.
+struct SceneItem {
+  enum class Kind { kNone, kRobot, kLink, kObject, kStart, kGoal };
+
+  Kind kind = Kind::kNone;
+  std::string robot;  ///< Of kRobot and kLink.
+  std::string name;   ///< Of kLink and kObject.
+
+  friend bool operator==(const SceneItem&, const SceneItem&) = default;
+};
+
+}  // namespace handway::gui

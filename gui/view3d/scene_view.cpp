@@ -1,0 +1,284 @@
+#include "view3d/scene_view.h"
+
+#include "view3d/backdrop.h"
+#include "view3d/scene_graph.h"
+
+#include <GL/gl.h>
+#include <Inventor/SbViewportRegion.h>
+#include <Inventor/SoDB.h>
+#include <Inventor/actions/SoGLRenderAction.h>
+#include <QElapsedTimer>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QWheelEvent>
+
+#include <array>
+#include <cmath>
+
+namespace handway::gui {
+namespace {
+
+constexpr int kAxesSize = 96;  // logical pixels
+
+std::uint32_t new_cache_context() {
+  static std::uint32_t last = 0;
+  return ++last;
+}
+
+QColor to_qcolor(const geometric::Color& color) {
+  return QColor::fromRgbF(color.red, color.green, color.blue, color.alpha);
+}
+
+}  // namespace
+
+SceneView::SceneView(QWidget* parent) : QOpenGLWidget(parent) {
+  if (!SoDB::isInitialized()) {
+    SoDB::init();
+  }
+  QSurfaceFormat format;
+  format.setSamples(4);
+  format.setDepthBufferSize(24);
+  setFormat(format);
+  setMinimumSize(320, 240);
+  setFocusPolicy(Qt::ClickFocus);
+  graph_ = std::make_unique<SceneGraph>();
+  flight_.setDuration(260);
+  flight_.setEasingCurve(QEasingCurve::InOutCubic);
+  flight_.setStartValue(0.0);
+  flight_.setEndValue(1.0);
+}
+
+SceneView::~SceneView() {
+  makeCurrent();
+  action_.reset();
+  graph_.reset();
+  doneCurrent();
+}
+
+void SceneView::set_scene(std::shared_ptr<const geometric::Scene> scene) {
+  has_scene_ = scene != nullptr;
+  untouched_ = true;
+  flight_.stop();
+  graph_->set_scene(std::move(scene));
+  camera_.look_from(StandardView::kOblique, graph_->task_azimuth());
+  camera_.fit(graph_->points_of_interest(), aspect());
+  update();
+}
+
+void SceneView::set_colors(const ViewColors& colors) {
+  colors_ = colors;
+  graph_->set_colors(colors);
+  update();
+}
+
+void SceneView::set_empty_text(const QString& text) {
+  empty_text_ = text;
+  update();
+}
+
+void SceneView::set_configuration(const geometric::Configuration& q) {
+  graph_->set_configuration(q);
+  update();
+}
+
+void SceneView::set_collisions(std::vector<std::string> bodies) {
+  graph_->set_collisions(std::move(bodies));
+  update();
+}
+
+void SceneView::set_selection(const SceneItem& item) {
+  graph_->set_selection(item);
+  update();
+}
+
+void SceneView::show_ghosts(bool start, bool goal) {
+  graph_->show_ghosts(start, goal);
+  update();
+}
+
+void SceneView::set_path(std::span<const Eigen::Vector3d> points,
+                         std::span<const Eigen::Vector3d> waypoints) {
+  graph_->set_path(points, waypoints);
+  update();
+}
+
+void SceneView::set_dots(std::span<const Eigen::Vector3d> points) {
+  graph_->set_dots(points);
+  update();
+}
+
+void SceneView::set_dots_visible(bool visible) {
+  graph_->set_dots_visible(visible);
+  update();
+}
+
+void SceneView::set_floor_visible(bool visible) {
+  graph_->set_floor_visible(visible);
+  update();
+}
+
+void SceneView::fit() {
+  OrbitCamera fitted = camera_;
+  fitted.fit(graph_->points_of_interest(), aspect());
+  fly_to(fitted.placement());
+}
+
+void SceneView::look_from(StandardView view) {
+  OrbitCamera turned = camera_;
+  turned.look_from(view, view == StandardView::kOblique ? graph_->task_azimuth() : 0.0);
+  turned.fit(graph_->points_of_interest(), aspect());
+  fly_to(turned.placement());
+}
+
+void SceneView::fly_to(const OrbitCamera::Placement& placement) {
+  flight_.stop();
+  flight_.disconnect(this);
+  const OrbitCamera::Placement from = camera_.placement();
+  connect(&flight_, &QVariantAnimation::valueChanged, this,
+          [this, from, placement](const QVariant& t) {
+            camera_.set_placement(interpolate(from, placement, t.toDouble()));
+            update();
+          });
+  flight_.start();
+}
+
+QSize SceneView::pixel_size() const {
+  return (QSizeF(size()) * devicePixelRatioF()).toSize().expandedTo(QSize(1, 1));
+}
+
+double SceneView::aspect() const {
+  return static_cast<double>(std::max(width(), 1)) / std::max(height(), 1);
+}
+
+void SceneView::initializeGL() {
+  action_ = std::make_unique<SoGLRenderAction>(SbViewportRegion());
+  action_->setCacheContext(new_cache_context());
+}
+
+void SceneView::paintGL() {
+  QElapsedTimer timer;
+  timer.start();
+  const QSize pixels = pixel_size();
+  glViewport(0, 0, pixels.width(), pixels.height());
+  glDepthMask(GL_TRUE);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  draw_backdrop(colors_.sky, colors_.ground);
+  action_->invalidateState();
+  action_->setViewportRegion(SbViewportRegion(static_cast<short>(pixels.width()),
+                                              static_cast<short>(pixels.height())));
+  graph_->render(*action_, camera_, aspect());
+  render_axes_cross();
+  glViewport(0, 0, pixels.width(), pixels.height());
+  glFinish();
+  frame_time_ms_ = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
+  paint_overlay();
+}
+
+void SceneView::render_axes_cross() {
+  const auto size = static_cast<short>(std::lround(kAxesSize * devicePixelRatioF()));
+  const QSize pixels = pixel_size();
+  SbViewportRegion region(static_cast<short>(pixels.width()), static_cast<short>(pixels.height()));
+  region.setViewportPixels(6, 6, size, size);
+  action_->setViewportRegion(region);
+  glClear(GL_DEPTH_BUFFER_BIT);
+  graph_->render_axes(*action_, camera_);
+}
+
+void SceneView::paint_overlay() {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::TextAntialiasing);
+  painter.setPen(to_qcolor(colors_.text));
+  QFont font = painter.font();
+  font.setPixelSize(11);
+  font.setBold(true);
+  painter.setFont(font);
+  const double dpr = devicePixelRatioF();
+  const QPointF middle(6.0 / dpr + kAxesSize / 2.0, height() - 6.0 / dpr - kAxesSize / 2.0);
+  const Eigen::Matrix3d R = camera_.orientation();
+  constexpr std::array kNames{"X", "Y", "Z"};
+  for (int axis = 0; axis < 3; ++axis) {
+    const double reach = 1.24 * kAxesSize / 2.9;
+    const QPointF place =
+        middle + QPointF(reach * R(axis, 0), -reach * R(axis, 1));
+    painter.drawText(QRectF(place - QPointF(8, 8), QSizeF(16, 16)), Qt::AlignCenter,
+                     kNames[static_cast<std::size_t>(axis)]);
+  }
+  if (!has_scene_ && !empty_text_.isEmpty()) {
+    font.setPixelSize(16);
+    font.setBold(false);
+    painter.setFont(font);
+    painter.drawText(rect(), Qt::AlignCenter, empty_text_);
+  }
+}
+
+void SceneView::resizeEvent(QResizeEvent* event) {
+  QOpenGLWidget::resizeEvent(event);
+  if (untouched_ && has_scene_) {
+    camera_.fit(graph_->points_of_interest(), aspect());
+  }
+}
+
+void SceneView::mousePressEvent(QMouseEvent* event) {
+  press_position_ = last_position_ = event->pos();
+  flight_.stop();
+}
+
+void SceneView::mouseMoveEvent(QMouseEvent* event) {
+  const QPoint moved = event->pos() - last_position_;
+  last_position_ = event->pos();
+  if (!event->buttons() || moved.isNull()) {
+    return;
+  }
+  untouched_ = false;
+  const double unit = 1.0 / std::max(height(), 1);
+  const bool shift = event->modifiers() & Qt::ShiftModifier;
+  if ((event->buttons() & Qt::MiddleButton) || ((event->buttons() & Qt::LeftButton) && shift)) {
+    camera_.pan(moved.x() * unit, -moved.y() * unit);
+  } else if (event->buttons() & Qt::LeftButton) {
+    camera_.orbit(-4.0 * moved.x() * unit, 4.0 * moved.y() * unit);
+  } else if (event->buttons() & Qt::RightButton) {
+    camera_.zoom(std::exp(3.0 * moved.y() * unit), 0.0, 0.0);
+  }
+  update();
+}
+
+void SceneView::mouseReleaseEvent(QMouseEvent* event) {
+  const bool still = (event->pos() - press_position_).manhattanLength() < 4;
+  if (event->button() != Qt::LeftButton || !still) {
+    return;
+  }
+  const double dpr = devicePixelRatioF();
+  const QSize pixels = pixel_size();
+  const auto hit = graph_->pick(
+      SbVec2s(static_cast<short>(pixels.width()), static_cast<short>(pixels.height())),
+      SbVec2s(static_cast<short>(event->x() * dpr),
+              static_cast<short>((height() - 1 - event->y()) * dpr)));
+  emit picked(hit ? hit->item : SceneItem{});
+}
+
+void SceneView::mouseDoubleClickEvent(QMouseEvent* event) {
+  const double dpr = devicePixelRatioF();
+  const QSize pixels = pixel_size();
+  const auto hit = graph_->pick(
+      SbVec2s(static_cast<short>(pixels.width()), static_cast<short>(pixels.height())),
+      SbVec2s(static_cast<short>(event->x() * dpr),
+              static_cast<short>((height() - 1 - event->y()) * dpr)));
+  if (hit) {
+    untouched_ = false;
+    OrbitCamera::Placement centred = camera_.placement();
+    centred.target = hit->point;
+    fly_to(centred);
+  }
+}
+
+void SceneView::wheelEvent(QWheelEvent* event) {
+  untouched_ = false;
+  const double unit = 1.0 / std::max(height(), 1);
+  const QPointF from_middle = event->position() - QPointF(rect().center());
+  camera_.zoom(std::pow(1.0015, -event->angleDelta().y()), from_middle.x() * unit,
+               -from_middle.y() * unit);
+  update();
+  event->accept();
+}
+
+}  // namespace handway::gui

@@ -1,0 +1,94 @@
+#pragma once
+
+#include "handway/geometric/scene/scene.h"
+#include "view3d/orbit_camera.h"
+#include "view3d/scene_item.h"
+#include "view3d/view_colors.h"
+
+#include <QOpenGLWidget>
+#include <QPoint>
+#include <QVariantAnimation>
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+class SoGLRenderAction;
+
+namespace handway::gui {
+
+class SceneGraph;
+
+/// The 3-D view: shows a scene, turns with the mouse (left: orbit, middle or
+/// Shift+left: pan, wheel or right: zoom, double click: centre), tells what was
+/// clicked.
+class SceneView : public QOpenGLWidget {
+  Q_OBJECT
+
+ public:
+  explicit SceneView(QWidget* parent = nullptr);
+  ~SceneView() override;
+
+  /// Shows a scene and looks at it; null empties the view.
+  void set_scene(std::shared_ptr<const geometric::Scene> scene);
+  void set_colors(const ViewColors& colors);
+  /// What an empty view says.
+  void set_empty_text(const QString& text);
+
+  /// @param q of the first robot, shape [variable_count].
+  void set_configuration(const geometric::Configuration& q);
+  /// @param bodies names as in CollisionWorld.
+  void set_collisions(std::vector<std::string> bodies);
+  void set_selection(const SceneItem& item);
+  void show_ghosts(bool start, bool goal);
+  /// The palm's way (world, m) and where its waypoints are.
+  void set_path(std::span<const Eigen::Vector3d> points,
+                std::span<const Eigen::Vector3d> waypoints);
+  /// Dots (world, m), for a planner's samples.
+  void set_dots(std::span<const Eigen::Vector3d> points);
+  void set_dots_visible(bool visible);
+  void set_floor_visible(bool visible);
+
+  /// Moves the camera so that the whole scene is seen.
+  void fit();
+  void look_from(StandardView view);
+
+  /// How long the last frame took to draw, ms.
+  [[nodiscard]] double frame_time_ms() const { return frame_time_ms_; }
+
+ signals:
+  /// A click; the item's kind is kNone beside everything.
+  void picked(const handway::gui::SceneItem& item);
+
+ protected:
+  void initializeGL() override;
+  void paintGL() override;
+  void resizeEvent(QResizeEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+
+ private:
+  [[nodiscard]] QSize pixel_size() const;
+  [[nodiscard]] double aspect() const;
+  void render_axes_cross();
+  void paint_overlay();
+  void fly_to(const OrbitCamera::Placement& placement);
+
+  std::unique_ptr<SceneGraph> graph_;
+  std::unique_ptr<SoGLRenderAction> action_;
+  OrbitCamera camera_;
+  QVariantAnimation flight_;
+  ViewColors colors_;
+  QString empty_text_;
+  QPoint press_position_;
+  QPoint last_position_;
+  double frame_time_ms_ = 0.0;
+  bool has_scene_ = false;
+  bool untouched_ = true;  ///< Nobody has turned the view: keep it fitted.
+};
+
+}  // namespace handway::gui

@@ -1,0 +1,82 @@
+#include "workers/path_player.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace handway::gui {
+namespace {
+
+constexpr int kFrameMs = 33;
+constexpr double kRestS = 0.8;  // at the goal
+
+}  // namespace
+
+PathPlayer::PathPlayer(QObject* parent) : QObject(parent) {
+  timer_.setInterval(kFrameMs);
+  timer_.setTimerType(Qt::PreciseTimer);
+  connect(&timer_, &QTimer::timeout, this, &PathPlayer::advance);
+}
+
+void PathPlayer::set_timeline(PathTimeline timeline) {
+  pause();
+  timeline_ = std::move(timeline);
+  fraction_ = 0.0;
+  emit timeline_changed();
+}
+
+double PathPlayer::duration() const {
+  return std::clamp(timeline_.length() / kRate, 1.5, 12.0) / speed_;
+}
+
+void PathPlayer::play() {
+  if (timeline_.empty() || is_playing()) {
+    return;
+  }
+  if (fraction_ >= 1.0) {
+    fraction_ = 0.0;
+  }
+  rest_s_ = 0.0;
+  clock_.start();
+  timer_.start();
+  emit playing_changed(true);
+}
+
+void PathPlayer::pause() {
+  if (is_playing()) {
+    timer_.stop();
+    emit playing_changed(false);
+  }
+}
+
+void PathPlayer::seek(double fraction) {
+  if (!timeline_.empty()) {
+    fraction_ = std::clamp(fraction, 0.0, 1.0);
+    rest_s_ = 0.0;
+    emit moved(fraction_);
+  }
+}
+
+void PathPlayer::set_speed(double factor) { speed_ = factor; }
+
+void PathPlayer::advance() {
+  const double passed = static_cast<double>(clock_.restart()) * 1e-3;
+  if (rest_s_ > 0.0) {
+    rest_s_ -= passed;
+    if (rest_s_ <= 0.0) {
+      fraction_ = 0.0;
+      emit moved(fraction_);
+    }
+    return;
+  }
+  fraction_ = std::min(fraction_ + passed / duration(), 1.0);
+  emit moved(fraction_);
+  if (fraction_ >= 1.0) {
+    if (loop_) {
+      rest_s_ = kRestS;
+    } else {
+      pause();
+    }
+  }
+}
+
+}  // namespace handway::gui

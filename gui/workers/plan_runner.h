@@ -1,0 +1,48 @@
+#pragma once
+
+#include "handway/planning/core/importer.h"
+#include "handway/planning/core/planner.h"
+
+#include <QObject>
+#include <QString>
+
+#include <memory>
+#include <thread>
+#include <vector>
+
+namespace handway::gui {
+
+/// Runs a planner on a thread of its own and tells the GUI thread how it goes.
+class PlanRunner : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit PlanRunner(QObject* parent = nullptr);
+  ~PlanRunner() override;
+
+  /// Plans the scene's own query.
+  /// @param palm_link whose place is told for every node.
+  /// @pre no run is going on; the planner is not touched until it has ended.
+  void start(std::shared_ptr<planning::Planner> planner, planning::LoadedScene scene,
+             const planning::PlanRequest& request, int palm_link);
+  /// Asks the run to end; it does within 100 ms.
+  void cancel();
+  [[nodiscard]] bool is_running() const { return running_; }
+
+ signals:
+  /// @param fraction in [0, 1].
+  void progressed(double fraction, const QString& activity);
+  /// Palm places (world, m) of the nodes found since the last signal.
+  void nodes_found(const std::vector<Eigen::Vector3d>& palms);
+  void finished(const handway::planning::PlanResult& result);
+  /// @param message one sentence for a person.
+  void failed(const QString& message);
+
+ private:
+  class Reporter;
+
+  bool running_ = false;
+  std::jthread thread_;
+};
+
+}  // namespace handway::gui

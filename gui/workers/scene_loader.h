@@ -1,0 +1,37 @@
+#pragma once
+
+#include "handway/planning/core/plugin.h"
+
+#include <QObject>
+#include <QString>
+
+#include <filesystem>
+#include <memory>
+#include <thread>
+
+namespace handway::gui {
+
+/// Reads scene files off the GUI thread.
+class SceneLoader : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit SceneLoader(std::shared_ptr<const planning::Extensions> extensions,
+                       QObject* parent = nullptr);
+  ~SceneLoader() override;
+
+  /// Reads `file`; what an earlier call is still reading is dropped.
+  void load(const std::filesystem::path& file);
+
+ signals:
+  void loaded(const handway::planning::LoadedScene& scene);
+  /// @param message one sentence for a person.
+  void failed(const QString& message);
+
+ private:
+  std::shared_ptr<const planning::Extensions> extensions_;
+  int generation_ = 0;
+  std::jthread thread_;
+};
+
+}  // namespace handway::gui
