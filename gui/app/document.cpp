@@ -1,5 +1,7 @@
 #include "app/document.h"
 
+#include "app/save_scene.h"
+
 #include <utility>
 
 namespace handway::gui {
@@ -21,6 +23,11 @@ void Document::open(const std::filesystem::path& file) {
   requested_ = file;
   emit opening(QString::fromStdString(file.string()));
   loader_.load(file);
+}
+
+void Document::save(const std::filesystem::path& file, const geometric::PlannerChoice& planner) {
+  save_scene(loaded_, q_, planner, file);
+  file_ = file;
 }
 
 void Document::set_scene(planning::LoadedScene scene) {

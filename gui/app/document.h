@@ -33,6 +33,9 @@ class Document : public QObject {
 
   /// Begins to read `file`; opened() or open_failed() follows.
   void open(const std::filesystem::path& file);
+  /// Writes the scene with the robot as it stands, and goes by that name from now on.
+  /// @throws InputError if a file can't be written.
+  void save(const std::filesystem::path& file, const geometric::PlannerChoice& planner);
   /// Shows a scene that is in memory already.
   void set_scene(planning::LoadedScene scene);
   /// Moves the first robot. @param q shape [variable_count].

@@ -312,6 +312,26 @@ void MainWindow::choose_file() {
   }
 }
 
+void MainWindow::save_as() {
+  QString file = QFileDialog::getSaveFileName(
+      this, tr("Save the scene"),
+      QString::fromStdString(document_.file().stem().string() + ".yaml"), tr("Scenes (*.yaml)"));
+  if (file.isEmpty()) {
+    return;
+  }
+  if (QFileInfo(file).suffix().isEmpty()) {
+    file += QStringLiteral(".yaml");
+  }
+  try {
+    document_.save(file.toStdString(), plan_panel_->choice());
+  } catch (const std::exception& error) {
+    show_error(tr("The scene was not saved"), QString::fromUtf8(error.what()));
+    return;
+  }
+  actions_->recent->add(file);
+  log_->add(LogPanel::Level::kNote, tr("Saved as %1").arg(file));
+}
+
 void MainWindow::save_picture() {
   const QString file =
       QFileDialog::getSaveFileName(this, tr("Save a picture"), {}, tr("Pictures (*.png)"));

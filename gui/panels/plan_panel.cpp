@@ -175,6 +175,23 @@ planning::PlanRequest PlanPanel::request() const {
   return request;
 }
 
+geometric::PlannerChoice PlanPanel::choice() const {
+  geometric::PlannerChoice choice;
+  if (!planner_) {
+    return choice;
+  }
+  choice.name = planner_->name();
+  const std::unique_ptr<planning::Planner> fresh = registry_.create(choice.name);
+  const std::vector<planning::Parameter> usual = fresh->parameters();
+  for (const planning::Parameter& parameter : planner_->parameters()) {
+    std::string value = planning::to_text(parameter);
+    if (value != planning::to_text(planning::find_parameter(usual, parameter.key))) {
+      choice.settings.emplace_back(parameter.key, std::move(value));
+    }
+  }
+  return choice;
+}
+
 void PlanPanel::set_ready(bool ready, const QString& why_not) {
   ready_ = ready && planner_ != nullptr;
   plan_->setToolTip(ready ? tr("Find a path from start to goal (Ctrl+P)") : why_not);

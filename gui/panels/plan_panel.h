@@ -41,6 +41,8 @@ class PlanPanel : public QWidget {
 
   [[nodiscard]] const std::shared_ptr<planning::Planner>& planner() const { return planner_; }
   [[nodiscard]] planning::PlanRequest request() const;
+  /// The chosen planner with the settings that differ from its defaults.
+  [[nodiscard]] geometric::PlannerChoice choice() const;
 
   /// Whether there is something to plan, and if not, why.
   void set_ready(bool ready, const QString& why_not = {});

@@ -6,6 +6,9 @@
 #include <QPalette>
 #include <QStyleFactory>
 
+// Takes the drawings in; a macro of Qt that must stand outside all namespaces.
+static void take_resources() { Q_INIT_RESOURCE(workbench); }
+
 namespace handway::gui {
 namespace {
 
@@ -80,6 +83,7 @@ ThemeColors colors_of(Theme theme) {
 }
 
 void apply_theme(QApplication& application, Theme theme) {
+  take_resources();
   applied = theme;
   QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
   QFont font(QStringLiteral("Noto Sans"));

@@ -283,7 +283,7 @@ void SceneGraph::render_ghost(SoGLRenderAction& action, const Ghost& ghost) cons
   glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   action.setTransparencyType(SoGLRenderAction::NONE);
   action.apply(ghost.root.get());
-  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
   action.setTransparencyType(SoGLRenderAction::BLEND);
   action.apply(ghost.root.get());
 }

@@ -159,16 +159,22 @@ void SceneView::paintGL() {
   QElapsedTimer timer;
   timer.start();
   const QSize pixels = pixel_size();
+  // The window's painter finds the state as it left it; the picture stays opaque.
+  glPushClientAttrib(GL_CLIENT_ALL_ATTRIB_BITS);
+  glPushAttrib(GL_ALL_ATTRIB_BITS);
   glViewport(0, 0, pixels.width(), pixels.height());
   glDepthMask(GL_TRUE);
+  glClearColor(0.0F, 0.0F, 0.0F, 1.0F);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
   draw_backdrop(colors_.sky, colors_.ground);
   action_->invalidateState();
   action_->setViewportRegion(SbViewportRegion(static_cast<short>(pixels.width()),
                                               static_cast<short>(pixels.height())));
   graph_->render(*action_, camera_, aspect());
   render_axes_cross();
-  glViewport(0, 0, pixels.width(), pixels.height());
+  glPopAttrib();
+  glPopClientAttrib();
   glFinish();
   frame_time_ms_ = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
   paint_overlay();

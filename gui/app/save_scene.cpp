@@ -1,0 +1,39 @@
+#include "app/save_scene.h"
+
+#include "handway/geometric/io/scene_writer.h"
+#include "handway/sampling/postures/pmd_basis_io.h"
+
+#include <string>
+
+namespace handway::gui {
+namespace {
+
+// The same postures, spanned by vectors of unit length as basis files have them.
+sampling::PmdBasis with_unit_vectors(sampling::PmdBasis basis) {
+  for (sampling::PrincipalDirection& direction : basis.directions) {
+    const double length = direction.vector.norm();
+    direction.vector /= length;
+    direction.half_side *= length;
+    direction.variance *= length * length;
+  }
+  return basis;
+}
+
+}  // namespace
+
+void save_scene(const planning::LoadedScene& loaded, const geometric::Configuration& shown,
+                const geometric::PlannerChoice& planner, const std::filesystem::path& file) {
+  geometric::Scene scene = *loaded.scene;
+  scene.planner = planner;
+  if (!scene.robots.empty()) {
+    scene.robots.front().configuration = shown;
+  }
+  if (loaded.basis && scene.hand_basis.empty()) {
+    const std::filesystem::path basis = file.parent_path() / (file.stem().string() + "_hand.yaml");
+    sampling::write_pmd_basis(with_unit_vectors(*loaded.basis), basis);
+    scene.hand_basis = std::filesystem::absolute(basis);
+  }
+  geometric::write_scene(scene, file);
+}
+
+}  // namespace handway::gui
