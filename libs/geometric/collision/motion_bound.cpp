@@ -12,11 +12,13 @@ double distance_from_axis(const Eigen::Vector3d& point, const Eigen::Vector3d& a
 
 // How far `link`'s origin can be from its parent's beyond |X_PJ.translation|.
 double slide(const RobotModel& model, int link) {
-  const Joint& joint = model.joint(link);
-  if (joint.type != JointType::kPrismatic) {
+  if (model.joint(link).type != JointType::kPrismatic) {
     return 0.0;
   }
-  return std::max(std::abs(joint.limits.lower), std::abs(joint.limits.upper));
+  // A coupled slide goes where its leader's limits let it, whatever its own say.
+  const RobotModel::Drive& drive = model.drive(link);
+  return std::max(std::abs(drive.multiplier * model.lower()[drive.variable] + drive.offset),
+                  std::abs(drive.multiplier * model.upper()[drive.variable] + drive.offset));
 }
 
 // The farthest that a point of `body` can be from the axis of the joint of `link`,

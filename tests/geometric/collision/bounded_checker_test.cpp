@@ -1,0 +1,146 @@
+#include "handway/geometric/collision/bounded_checker.h"
+
+#include "../robot/random_configurations.h"
+#include "checker_agreement.h"
+#include "handway_test/solid_robots.h"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+#include <vector>
+
+namespace handway::geometric {
+namespace {
+
+using test::add_object;
+using test::CheckerAgreement;
+using test::RandomConfigurations;
+
+// The hand-arm robot among things of every shape.
+Scene cluttered() {
+  Scene scene = test::scene_of(test::solid_tx90_sah());
+  add_object(scene, "floor", Box{{3, 3, 0.02}}, Eigen::Vector3d(0, 0, -0.05));
+  add_object(scene, "shelf", Box{{0.4, 0.8, 0.01}}, Eigen::Vector3d(0.7, 0, 0.6));
+  add_object(scene, "can", test::as_mesh(Cylinder{0.035, 0.12}), Eigen::Vector3d(0.65, 0.1, 0.67));
+  add_object(scene, "pole", Cylinder{0.02, 2.0}, Eigen::Vector3d(-0.5, 0.4, 1.0));
+  add_object(scene, "ball", Sphere{0.15}, Eigen::Vector3d(0.3, -0.6, 0.9));
+  add_object(scene, "cone", Cone{0.1, 0.3}, pose_from_rpy({-0.4, -0.4, 0.5}, 0.4, 0.3, 0.2));
+  add_object(scene, "wire", Cylinder{0.0005, 1.0}, pose_from_rpy({0.5, 0.3, 1.2}, 1.5, 0.2, 0));
+  return scene;
+}
+
+// Between `free` and `colliding`, as close to the first contact as doubles tell.
+std::pair<Configuration, Configuration> contact(FclChecker& checker, Configuration free,
+                                                Configuration colliding) {
+  for (int i = 0; i < 40; ++i) {
+    const Configuration middle = 0.5 * (free + colliding);
+    (checker.first_collision(middle) ? colliding : free) = middle;
+  }
+  return {free, colliding};
+}
+
+TEST(BoundedChecker, AgreesWithFclAnywhere) {
+  CheckerAgreement checkers(cluttered());
+  RandomConfigurations random(checkers.world().model(), 1);
+  for (int i = 0; i < 300; ++i) {
+    ASSERT_NO_FATAL_FAILURE(checkers.expect_same_collisions(random.next()));
+  }
+  EXPECT_GT(checkers.collisions(), 20);
+  EXPECT_GT(checkers.frees(), 20);
+}
+
+TEST(BoundedChecker, AgreesWithFclAtContact) {
+  CheckerAgreement checkers(cluttered());
+  RandomConfigurations random(checkers.world().model(), 2);
+  int contacts = 0;
+  while (contacts < 60) {
+    const Configuration a = random.next();
+    const Configuration b = random.next();
+    if (checkers.exact().first_collision(a) || !checkers.exact().first_collision(b)) {
+      continue;
+    }
+    ++contacts;
+    const auto [free, colliding] = contact(checkers.exact(), a, b);
+    ASSERT_NO_FATAL_FAILURE(checkers.expect_same_collisions(free));
+    ASSERT_NO_FATAL_FAILURE(checkers.expect_same_collisions(colliding));
+    ASSERT_NO_FATAL_FAILURE(checkers.expect_same_distances(free, 0.001));
+    for (const double step : {1e-9, 1e-7, 1e-5, 1e-3}) {
+      const Configuration way = step * (b - a);
+      ASSERT_NO_FATAL_FAILURE(checkers.expect_same_collisions(free - way));
+      ASSERT_NO_FATAL_FAILURE(checkers.expect_same_collisions(colliding + way));
+    }
+  }
+}
+
+TEST(BoundedChecker, AgreesWithFclOnDistances) {
+  CheckerAgreement checkers(cluttered());
+  RandomConfigurations random(checkers.world().model(), 3);
+  for (int i = 0; i < 40; ++i) {
+    const Configuration q = random.next();
+    for (const double enough : {0.002, 0.05, 1.0}) {
+      ASSERT_NO_FATAL_FAILURE(checkers.expect_same_distances(q, enough));
+    }
+  }
+}
+
+TEST(BoundedChecker, AgreesWithFclOutOfLimits) {
+  CheckerAgreement checkers(cluttered());
+  const RobotModel& model = checkers.world().model();
+  RandomConfigurations random(model, 4);
+  for (int i = 0; i < 50; ++i) {
+    Configuration q = random.next();
+    q += 0.3 * (random.next() - model.neutral());
+    ASSERT_NO_FATAL_FAILURE(checkers.expect_same_collisions(q));
+    ASSERT_NO_FATAL_FAILURE(checkers.expect_same_distances(q, 0.002));
+  }
+}
+
+TEST(BoundedChecker, AgreesWithFclForACarriedCan) {
+  Scene scene = cluttered();
+  add_object(scene, "carried", test::as_mesh(Cylinder{0.03, 0.12}), Eigen::Vector3d(0.06, 0, 0.15));
+  scene.objects.back().attachment = Attachment{"tx90_sah", "Palm", {"Thumb-Dist", "Mid-Dist"}};
+  CheckerAgreement checkers(scene);
+  RandomConfigurations random(checkers.world().model(), 5);
+  for (int i = 0; i < 100; ++i) {
+    const Configuration q = random.next();
+    ASSERT_NO_FATAL_FAILURE(checkers.expect_same_collisions(q));
+    ASSERT_NO_FATAL_FAILURE(checkers.expect_same_distances(q, 0.01));
+  }
+}
+
+TEST(BoundedChecker, AnswersManyThreadsAlike) {
+  const Scene scene = cluttered();
+  const BoundedChecker checker(std::make_shared<const CollisionWorld>(scene));
+  RandomConfigurations random(checker.world().model(), 6);
+  std::vector<Configuration> configurations;
+  for (int i = 0; i < 200; ++i) {
+    configurations.push_back(random.next());
+  }
+  std::vector<std::vector<int>> touching(4);
+  {
+    std::vector<std::jthread> threads;
+    for (std::vector<int>& found : touching) {
+      threads.emplace_back([&found, &configurations, mine = checker.clone()] {
+        for (const Configuration& q : configurations) {
+          found.push_back(static_cast<int>(find_collisions(*mine, q).size()));
+        }
+      });
+    }
+  }
+  for (const std::vector<int>& found : touching) {
+    EXPECT_EQ(found, touching.front());
+  }
+}
+
+TEST(BoundedChecker, SparesFclMostQuestions) {
+  CheckerAgreement checkers(cluttered());
+  BoundedChecker bounded(checkers.exact().shared_world());
+  RandomConfigurations random(checkers.world().model(), 7);
+  for (int i = 0; i < 200; ++i) {
+    static_cast<void>(find_collisions(bounded, random.next()));
+  }
+  EXPECT_LT(bounded.counts().exact_tests, bounded.counts().pair_collisions / 10);
+}
+
+}  // namespace
+}  // namespace handway::geometric

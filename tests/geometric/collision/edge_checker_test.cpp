@@ -1,0 +1,247 @@
+#include "handway/geometric/collision/edge_checker.h"
+
+#include "../robot/random_configurations.h"
+#include "handway/geometric/collision/bounded_checker.h"
+#include "handway/geometric/collision/fcl_checker.h"
+#include "handway_test/solid_robots.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+
+namespace handway::geometric {
+namespace {
+
+using test::add_object;
+using test::RandomConfigurations;
+using test::scene_of;
+
+constexpr double kResolution = 2e-5;  // m
+constexpr double kDense = 5e-5;       // m
+
+/// An edge checker as planners use it, and dense sampling with FCL to judge it.
+class EdgeJudge {
+ public:
+  explicit EdgeJudge(const Scene& scene)
+      : world_(std::make_shared<const CollisionWorld>(scene)),
+        motion_(std::make_shared<const MotionBound>(*world_)),
+        exact_(world_),
+        bounded_(world_),
+        edges_(bounded_, motion_, kResolution) {}
+
+  [[nodiscard]] const CollisionWorld& world() const { return *world_; }
+  [[nodiscard]] FclChecker& exact() { return exact_; }
+  [[nodiscard]] EdgeChecker& edges() { return edges_; }
+
+  /// Does FCL find a collision where no point moves more than `step` (m) between samples?
+  [[nodiscard]] bool collides(const Configuration& from, const Configuration& to, double step) {
+    const Configuration delta = to - from;
+    const int samples = std::max(1, static_cast<int>(motion_->any_point(delta.cwiseAbs()) / step));
+    for (int s = 0; s <= samples; ++s) {
+      if (exact_.first_collision(from + (static_cast<double>(s) / samples) * delta)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// The smallest clearance (m, up to 5 cm) at such samples.
+  [[nodiscard]] double clearance(const Configuration& from, const Configuration& to, double step) {
+    const Configuration delta = to - from;
+    const int samples = std::max(1, static_cast<int>(motion_->any_point(delta.cwiseAbs()) / step));
+    double least = 0.05;
+    for (int s = 0; s <= samples; ++s) {
+      const Configuration q = from + (static_cast<double>(s) / samples) * delta;
+      least = std::min(least, find_clearance(exact_, q, least).distance);
+    }
+    return least;
+  }
+
+ private:
+  std::shared_ptr<const CollisionWorld> world_;
+  std::shared_ptr<const MotionBound> motion_;
+  FclChecker exact_;
+  BoundedChecker bounded_;
+  EdgeChecker edges_;
+};
+
+// A finger-sized probe that slides.
+Scene sliding_finger() { return scene_of(test::gantry(Box{{0.016, 0.016, 0.05}})); }
+
+TEST(EdgeChecker, SeesAThinPlateBetweenSamples) {
+  Scene scene = sliding_finger();
+  add_object(scene, "plate", Box{{0.0001, 0.3, 0.3}}, Eigen::Vector3d(0.0313, 0, 0));
+  EdgeJudge judge(scene);
+  const Eigen::Vector3d to(0.2, 0.01, 0);
+  ASSERT_FALSE(judge.collides({Eigen::Vector3d(-0.2, 0, 0)}, {to}, 0.1)) << "samples miss it";
+  const EdgeResult result = judge.edges().check(Eigen::Vector3d(-0.2, 0, 0), to);
+  EXPECT_FALSE(result.free);
+  EXPECT_EQ(result.pair, 0);
+  EXPECT_NEAR(-0.2 + 0.4 * result.at, 0.0313, 0.008 + 2e-4);
+  EXPECT_TRUE(judge.exact().first_collision(Eigen::Vector3d(-0.2, 0, 0) +
+                                            result.at * (to - Eigen::Vector3d(-0.2, 0, 0))));
+}
+
+TEST(EdgeChecker, SeesAWireBetweenSamples) {
+  // Wires across the way at many places, so that none profits from where halving lands.
+  for (int i = 0; i < 60; ++i) {
+    Scene scene = sliding_finger();
+    const double x = -0.15 + 0.3 * std::fmod(0.618034 * i, 1.0);
+    add_object(scene, "wire", Cylinder{0.0001, 0.4}, pose_from_rpy({x, 0, 0.01}, 1.3, 0.2, 0.1));
+    EdgeJudge judge(scene);
+    const Eigen::Vector3d from(-0.2, 0.003 * (i % 7), -0.005);
+    const Eigen::Vector3d to(0.2, 0, 0.005);
+    ASSERT_FALSE(judge.exact().first_collision(from) || judge.exact().first_collision(to));
+    EXPECT_FALSE(judge.edges().check(from, to).free) << i;
+  }
+}
+
+TEST(EdgeChecker, PassesAGapThatAFingerFits) {
+  for (const double play : {0.0002, 0.001, 0.01}) {
+    Scene scene = sliding_finger();
+    const double y = 0.5 * (0.016 + play + 0.0001);
+    add_object(scene, "left plate", Box{{0.02, 0.0001, 0.3}}, Eigen::Vector3d(0.013, y, 0));
+    add_object(scene, "right plate", Box{{0.02, 0.0001, 0.3}}, Eigen::Vector3d(0.013, -y, 0));
+    EdgeJudge judge(scene);
+    EXPECT_TRUE(judge.edges().check(Eigen::Vector3d(-0.1, 0, 0), Eigen::Vector3d(0.1, 0, 0)).free)
+        << play;
+  }
+}
+
+TEST(EdgeChecker, RefusesAGapThatAFingerDoesNotFit) {
+  for (const double excess : {1e-5, 0.0002, 0.001, 0.006}) {
+    Scene scene = sliding_finger();
+    const double y = 0.5 * (0.016 - excess + 0.0001);
+    add_object(scene, "left plate", Box{{0.02, 0.0001, 0.3}}, Eigen::Vector3d(0.013, y, 0));
+    add_object(scene, "right plate", Box{{0.02, 0.0001, 0.3}}, Eigen::Vector3d(0.013, -y, 0));
+    EdgeJudge judge(scene);
+    EXPECT_FALSE(judge.edges().check(Eigen::Vector3d(-0.1, 0, 0), Eigen::Vector3d(0.1, 0, 0)).free)
+        << excess;
+  }
+}
+
+TEST(EdgeChecker, RefusesToPassCloserThanItsResolution) {
+  Scene scene = sliding_finger();
+  add_object(scene, "table", Box{{0.1, 0.1, 0.1}}, Eigen::Vector3d(0, 0, -0.075 - 1e-6));
+  EdgeJudge judge(scene);
+  const Eigen::Vector3d from(-0.1, 0, 0);
+  const Eigen::Vector3d to(0.1, 0, 0);
+  EXPECT_FALSE(judge.collides({from}, {to}, 0.001));
+  EXPECT_FALSE(judge.edges().check(from, to).free) << "1 micrometre of clearance";
+  const Eigen::Vector3d up(0, 0, kResolution);
+  EXPECT_TRUE(judge.edges().check(from + up, to + up).free);
+}
+
+TEST(EdgeChecker, AcceptsAnEdgeInTheOpenAtOnce) {
+  Scene scene = sliding_finger();
+  add_object(scene, "far", Box{}, Eigen::Vector3d(0, 0, -0.9));
+  EdgeJudge judge(scene);
+  const EdgeResult result =
+      judge.edges().check(Eigen::Vector3d(-0.1, 0, 0), Eigen::Vector3d(0.1, 0, 0));
+  EXPECT_TRUE(result.free);
+  EXPECT_LE(result.checks, 3U);
+  EXPECT_TRUE(judge.edges().check(Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()).free);
+}
+
+TEST(EdgeChecker, WorksWithoutPairs) {
+  EdgeJudge judge(sliding_finger());
+  EXPECT_TRUE(judge.edges().check(Eigen::Vector3d(-1, 0, 0), Eigen::Vector3d(1, 0, 0)).free);
+}
+
+// A planar hand among thin plates and wires: all its edges, judged by FCL every
+// 0.05 mm of motion.
+Scene thin_things() {
+  Scene scene = scene_of(test::planar_hand_arm());
+  for (int i = 0; i < 12; ++i) {
+    const double angle = 0.37 * i - 2.0;
+    const double radius = 0.45 + 0.05 * (i % 6);
+    const Eigen::Vector3d p(radius * std::cos(angle), radius * std::sin(angle), 0);
+    if (i % 2 == 0) {
+      add_object(scene, "plate " + std::to_string(i), Box{{0.08, 0.0001, 0.1}},
+                 pose_from_rpy(p, 0, 0, angle));
+    } else {
+      add_object(scene, "wire " + std::to_string(i), Cylinder{0.0001, 0.3},
+                 Pose(Eigen::Translation3d(p)));
+    }
+  }
+  return scene;
+}
+
+TEST(EdgeChecker, MissesNoCollisionOnRandomEdges) {
+  EdgeJudge judge(thin_things());
+  RandomConfigurations random(judge.world().model(), 21);
+  int free = 0;
+  int thin = 0;
+  while (free < 15 || thin < 5) {
+    const Configuration from = random.next();
+    const Configuration to = from + 0.05 * (random.next() - from);
+    if (judge.exact().first_collision(from) || judge.exact().first_collision(to)) {
+      continue;
+    }
+    const EdgeResult result = judge.edges().check(from, to);
+    if (!result.free) {
+      EXPECT_TRUE(result.pair.has_value());
+      thin += judge.collides(from, to, 0.01) ? 0 : 1;  // hidden between coarse samples
+      continue;
+    }
+    ++free;
+    EXPECT_FALSE(free <= 15 && judge.collides(from, to, kDense))
+        << from.transpose() << " to " << to.transpose();
+    ASSERT_LT(free, 10000);
+  }
+}
+
+TEST(EdgeChecker, AcceptsWhatIsFree) {
+  EdgeJudge judge(thin_things());
+  RandomConfigurations random(judge.world().model(), 22);
+  int accepted = 0;
+  for (int edges = 0; edges < 40;) {
+    const Configuration from = random.next();
+    const Configuration to = from + 0.05 * (random.next() - from);
+    if (judge.exact().first_collision(from) || judge.exact().first_collision(to)) {
+      continue;
+    }
+    ++edges;
+    // Between samples half a millimetre apart at most that much is lost.
+    if (judge.clearance(from, to, 5e-4) > 5e-4 + kResolution) {
+      EXPECT_TRUE(judge.edges().check(from, to).free);
+      ++accepted;
+    }
+  }
+  EXPECT_GT(accepted, 10);
+}
+
+TEST(EdgeChecker, BoundsTheClearanceFromBelow) {
+  constexpr double kTolerance = 5e-5;
+  constexpr double kStep = 2e-4;
+  EdgeJudge judge(thin_things());
+  RandomConfigurations random(judge.world().model(), 23);
+  for (int edges = 0; edges < 12;) {
+    const Configuration from = random.next();
+    const Configuration to = from + 0.05 * (random.next() - from);
+    if (judge.exact().first_collision(from) || !judge.edges().check(from, to).free) {
+      continue;
+    }
+    ++edges;
+    const double sampled = judge.clearance(from, to, kStep);  // never below the true one
+    const NamedPair found = judge.edges().clearance(from, to, 0.05, kTolerance);
+    EXPECT_LE(found.distance, sampled + 1e-9);
+    EXPECT_GE(found.distance, sampled - kStep - kTolerance);
+    EXPECT_LE(judge.edges().clearance(from, to, 0.001, kTolerance).distance, 0.001);
+  }
+}
+
+TEST(EdgeChecker, NamesThePairOfTheClearance) {
+  Scene scene = sliding_finger();
+  add_object(scene, "table", Box{{0.1, 0.1, 0.1}}, Eigen::Vector3d(0, 0, -0.078));
+  EdgeJudge judge(scene);
+  const NamedPair found =
+      judge.edges().clearance(Eigen::Vector3d(-0.2, 0, 0), Eigen::Vector3d(0.2, 0, 0), 0.05, 1e-5);
+  EXPECT_EQ(found.a, "probe");
+  EXPECT_EQ(found.b, "table");
+  EXPECT_NEAR(found.distance, 0.003, 1e-5);
+}
+
+}  // namespace
+}  // namespace handway::geometric
