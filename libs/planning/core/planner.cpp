@@ -38,6 +38,23 @@ std::string objection(PlanningContext& context, const Configuration& q) {
   return "";
 }
 
+// How the search ended, for a planner that has nothing to add.
+std::string reason_of(const PlanResult& result, PlanningContext& context) {
+  const std::uint64_t samples = context.statistics().samples;
+  switch (result.status) {
+    case PlanStatus::kSolved:
+      return fmt::format("Found a path of {} waypoints after {} samples.",
+                         result.path.waypoints.size(), samples);
+    case PlanStatus::kTimeLimit:
+      return fmt::format("No path found within the time limit of {:g} s, after {} samples.",
+                         context.request().time_limit_s, samples);
+    case PlanStatus::kCancelled:
+      return fmt::format("Cancelled after {:.1f} s and {} samples.", result.time_s, samples);
+    default:
+      return fmt::format("No path found: all {} samples are spent.", samples);
+  }
+}
+
 }  // namespace
 
 PlanResult Planner::plan(const PlanningProblem& problem, const PlanRequest& request,
@@ -65,6 +82,9 @@ PlanResult Planner::plan(const PlanningProblem& problem, const PlanRequest& requ
   } else {
     do_plan(context, result);
     result.time_s = context.elapsed_s() - result.smoothing_s;
+    if (result.reason.empty()) {
+      result.reason = reason_of(result, context);
+    }
   }
   result.statistics = context.statistics();
   if (result.solved()) {

@@ -24,6 +24,24 @@ void check_end(const char* which, const Configuration& expected, const Configura
   }
 }
 
+// Waypoints that are no configurations of the robot leave nothing to compare.
+bool check_shape(const geometric::RobotModel& model, const Path& path, PathCheckResult& result) {
+  if (path.empty()) {
+    result.faults.emplace_back("The path has no waypoints.");
+  }
+  for (std::size_t w = 0; w < path.waypoints.size(); ++w) {
+    const Configuration& q = path.waypoints[w];
+    if (q.size() != model.variable_count()) {
+      result.faults.push_back(
+          fmt::format("Waypoint {}: {} values where the robot has {} variables.", w + 1, q.size(),
+                      model.variable_count()));
+    } else if (!q.allFinite()) {
+      result.faults.push_back(fmt::format("Waypoint {}: a value that is no finite number.", w + 1));
+    }
+  }
+  return result.valid();
+}
+
 void check_limits(const geometric::RobotModel& model, const Path& path, PathCheckResult& result) {
   for (std::size_t w = 0; w < path.waypoints.size(); ++w) {
     for (int v = 0; v < model.variable_count(); ++v) {
@@ -92,6 +110,9 @@ class Walk {
 
 PathCheckResult check_path(const PlanningProblem& problem, const Path& path, double resolution) {
   PathCheckResult result;
+  if (!check_shape(problem.model(), path, result)) {
+    return result;
+  }
   check_end("start", problem.start, path.waypoints.front(), result);
   check_end("end", problem.goal, path.waypoints.back(), result);
   check_limits(problem.model(), path, result);

@@ -77,13 +77,14 @@ class Reader {
     link_of_column_.assign(header_.size(), 0);
     for (std::size_t c = 0; c < header_.size(); ++c) {
       for (int i = 1; i < model_.link_count(); ++i) {
-        if (model_.joint(i).name == header_[c]) {
+        if (model_.joint(i).name == header_[c] && model_.drive(i).variable >= 0) {
           link_of_column_[c] = i;
         }
       }
       if (link_of_column_[c] == 0 && header_[c] != "time") {
         throw InputError({file_.string() + ":1", "column \"" + header_[c] + "\"",
-                          "no joint of robot " + model_.name(), "\"time\" or a joint's name", ""});
+                          "no joint of robot " + model_.name() + " that moves",
+                          "\"time\" or a joint's name", ""});
       }
     }
     for (int v = 0; v < model_.variable_count(); ++v) {
@@ -118,7 +119,7 @@ class Reader {
   void check_couplings(const std::vector<std::string>& row, const Configuration& q) const {
     for (std::size_t c = 0; c < row.size(); ++c) {
       const int link = link_of_column_[c];
-      if (link == 0 || model_.drive(link).variable < 0) {
+      if (link == 0) {
         continue;
       }
       const RobotModel::Drive& drive = model_.drive(link);

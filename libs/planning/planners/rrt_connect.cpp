@@ -31,6 +31,7 @@ class BidirectionalSearch {
                SearchTree(context.problem().goal, space_.coordinates(context.problem().goal))} {}
 
   void run(PlanResult& result) {
+    announce_roots();
     for (int sample = 0; sample < settings_.max_samples; ++sample) {
       if (const auto interruption = context_.interruption()) {
         result.status = *interruption;
@@ -72,6 +73,15 @@ class BidirectionalSearch {
     return space_.coordinates(space_.with_hand(arm, draw.uniform(space_.basis().dimension())));
   }
 
+  // Trees are numbered apart: even ids grow from the start, odd ones from the goal.
+  static int event_id(int growing, int node) { return 2 * node + growing; }
+
+  void announce_roots() {
+    context_.statistics().nodes = 2;
+    context_.observer().on_node({event_id(0, 0), tree(0).configuration(0), 0, 0.0, 0.0});
+    context_.observer().on_node({event_id(1, 0), tree(1).configuration(0), 0, 1.0, 0.0});
+  }
+
   // One step of at most `range` from the nearest node; the new node, if the way is free.
   std::optional<int> extend(int growing, const Eigen::VectorXd& target) {
     return extend_from(growing, tree(growing).nearest(target), target);
@@ -91,9 +101,8 @@ class BidirectionalSearch {
     statistics.nodes =
         static_cast<std::uint64_t>(trees_[0].size()) + static_cast<std::uint64_t>(trees_[1].size());
     ++statistics.edges;
-    // Trees are numbered apart: even ids grow from the start, odd ones from the goal.
-    context_.observer().on_node({2 * node + growing, q, 0, 0.0, statistics.final_rho_a});
-    context_.observer().on_edge(2 * from + growing, 2 * node + growing);
+    context_.observer().on_node({event_id(growing, node), q, 0, 0.0, statistics.final_rho_a});
+    context_.observer().on_edge(event_id(growing, from), event_id(growing, node));
     return node;
   }
 

@@ -1,0 +1,106 @@
+#include "handway/planning/core/parameter.h"
+
+#include "handway_test/input_errors.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace handway::planning {
+namespace {
+
+using test::refusal_of;
+using testing::AllOf;
+using testing::HasSubstr;
+
+struct Settings {
+  bool fast = false;
+  int tries = 3;
+  double width = 0.25;
+  int kind = 1;
+};
+
+std::vector<Parameter> parameters_of(Settings& settings) {
+  return {{"fast", "Fast", "", "", &settings.fast},
+          {"tries", "Tries", "", "", &settings.tries, 1, 10},
+          {"width", "Width", "m", "", &settings.width, 1e-3, 0.5},
+          {"kind", "Kind", "", "", ChoiceValue{&settings.kind, {"joint", "cartesian"}}}};
+}
+
+class Parameters : public testing::Test {
+ protected:
+  void set(const std::string& key, const std::string& text) {
+    set_from_text(find_parameter(list_, key), text);
+  }
+  std::string refusal(const std::string& key, const std::string& text) {
+    const Settings before = settings_;
+    const std::string message = refusal_of([&] { set(key, text); });
+    EXPECT_EQ(settings_.tries, before.tries) << "a refused value changes nothing";
+    EXPECT_EQ(settings_.width, before.width);
+    EXPECT_EQ(settings_.kind, before.kind);
+    EXPECT_EQ(settings_.fast, before.fast);
+    return message;
+  }
+
+  Settings settings_;
+  std::vector<Parameter> list_ = parameters_of(settings_);
+};
+
+TEST_F(Parameters, AreSetFromText) {
+  set("fast", "true");
+  set("tries", "10");
+  set("width", "1e-3");
+  set("kind", "cartesian");
+  EXPECT_TRUE(settings_.fast);
+  EXPECT_EQ(settings_.tries, 10);
+  EXPECT_EQ(settings_.width, 1e-3);
+  EXPECT_EQ(settings_.kind, 1);
+  set("kind", "joint");
+  EXPECT_EQ(settings_.kind, 0);
+}
+
+TEST_F(Parameters, ReadBackWhatTheyWrite) {
+  settings_.width = 0.1 + 0.2;
+  for (const Parameter& parameter : list_) {
+    const std::string text = to_text(parameter);
+    set_from_text(parameter, text);
+    EXPECT_EQ(to_text(parameter), text);
+  }
+  EXPECT_EQ(settings_.width, 0.1 + 0.2);
+  EXPECT_EQ(to_text(list_[0]), "false");
+  EXPECT_EQ(to_text(list_[3]), "cartesian");
+}
+
+TEST_F(Parameters, RefuseNumbersOutOfRange) {
+  EXPECT_THAT(refusal("tries", "11"),
+              AllOf(HasSubstr("tries"), HasSubstr("\"11\""), HasSubstr("from 1 to 10")));
+  EXPECT_THAT(refusal("tries", "0"), HasSubstr("from 1 to 10"));
+  EXPECT_THAT(refusal("width", "0.6"), HasSubstr("from 0.001 to 0.5"));
+  EXPECT_THAT(refusal("width", "-1"), HasSubstr("\"-1\""));
+}
+
+TEST_F(Parameters, RefuseWhatIsNoNumber) {
+  for (const std::string text :
+       {"", " ", "ten", "0x3", "3 ", "nan", "-nan", "inf", "1e999", "3;"}) {
+    EXPECT_THAT(refusal("width", text), HasSubstr("a number from")) << text;
+  }
+  for (const std::string text : {"", "2.5", "1e1", "99999999999999999999", "three"}) {
+    EXPECT_THAT(refusal("tries", text), HasSubstr("a whole number from")) << text;
+  }
+}
+
+TEST_F(Parameters, RefuseOtherWords) {
+  EXPECT_THAT(refusal("kind", "spherical"),
+              AllOf(HasSubstr("\"spherical\""), HasSubstr("joint, cartesian")));
+  EXPECT_THAT(refusal("fast", "yes"), HasSubstr("true or false"));
+}
+
+TEST_F(Parameters, NameTheOnesThereAre) {
+  EXPECT_THAT(refusal("speed", "1"),
+              AllOf(HasSubstr("speed"), HasSubstr("fast, tries, width, kind")));
+}
+
+}  // namespace
+}  // namespace handway::planning

@@ -1,0 +1,173 @@
+#include "handway/planning/paths/path_csv.h"
+
+#include "handway_test/input_errors.h"
+#include "handway_test/paths.h"
+#include "handway_test/planar_problems.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <random>
+#include <sstream>
+#include <string>
+
+namespace handway::planning {
+namespace {
+
+namespace fs = std::filesystem;
+
+using geometric::RobotModel;
+using test::planar_configuration;
+using test::refusal_of;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::SizeIs;
+using testing::StartsWith;
+
+constexpr const char* kHeader = "time,shoulder,elbow,thumb,left,left_tip,right,right_tip\n";
+constexpr const char* kRow = "0,0.1,0.2,0.3,0.4,0.2,0.6,0.3\n";
+
+class PathCsv : public testing::Test {
+ protected:
+  [[nodiscard]] fs::path file(const std::string& text) const {
+    const fs::path path = folder_.path() / "path.csv";
+    std::ofstream(path, std::ios::binary) << text;
+    return path;
+  }
+  [[nodiscard]] Path read(const std::string& text) const {
+    return read_path_csv(model_, file(text));
+  }
+  [[nodiscard]] std::string refusal(const std::string& text) const {
+    return refusal_of([&] { static_cast<void>(read(text)); });
+  }
+
+  test::ScratchFolder folder_;
+  RobotModel model_{test::planar_hand_arm()};
+};
+
+TEST_F(PathCsv, ReadsBackTheSameBits) {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> angle(0.0, 1.0);
+  Path path;
+  for (int i = 0; i < 100; ++i) {
+    path.waypoints.push_back(planar_configuration(angle(random), angle(random), -angle(random),
+                                                  angle(random) * 1e-12, std::sqrt(angle(random))));
+  }
+  write_path_csv(path, model_, folder_.path() / "path.csv");
+  const Path again = read_path_csv(model_, folder_.path() / "path.csv");
+  ASSERT_EQ(again.waypoints.size(), path.waypoints.size());
+  for (std::size_t i = 0; i < path.waypoints.size(); ++i) {
+    EXPECT_EQ(again.waypoints[i], path.waypoints[i]) << i;  // no tolerance
+  }
+  EXPECT_EQ(to_csv(again, model_), to_csv(path, model_));
+}
+
+TEST_F(PathCsv, NamesEveryMovingJoint) {
+  const Path path{{planar_configuration(0, 0), planar_configuration(0.5, 0, 0, 0.4, 0)}};
+  std::istringstream lines(to_csv(path, model_));
+  std::string header;
+  std::getline(lines, header);
+  std::istringstream names(header);
+  std::vector<std::string> columns;
+  for (std::string name; std::getline(names, name, ',');) {
+    columns.push_back(name);
+  }
+  EXPECT_EQ(columns.front(), "time");
+  EXPECT_THAT(columns, testing::UnorderedElementsAre("time", "shoulder", "elbow", "thumb", "left",
+                                                     "left_tip", "right", "right_tip"));
+}
+
+TEST_F(PathCsv, SpacesWaypointsByTheSlowestJoint) {
+  geometric::RobotDescription robot = test::planar_hand_arm();
+  robot.joints[0].limits.velocity = 0.5;  // the shoulder
+  const RobotModel model(robot);
+  const Path path{
+      {planar_configuration(0, 0), planar_configuration(0.5, 0.6), planar_configuration(0.5, 0.9)}};
+  std::istringstream lines(to_csv(path, model));
+  std::vector<double> times;
+  std::string line;
+  std::getline(lines, line);
+  while (std::getline(lines, line)) {
+    times.push_back(std::stod(line));
+  }
+  ASSERT_THAT(times, SizeIs(3));
+  EXPECT_DOUBLE_EQ(times[0], 0.0);
+  EXPECT_DOUBLE_EQ(times[1], 1.0);  // 0.5 rad at 0.5 rad/s
+  EXPECT_DOUBLE_EQ(times[2], 1.3);  // 0.3 rad at 1 rad/s, having no limit
+}
+
+TEST_F(PathCsv, TakesColumnsInAnyOrderAndWithoutCoupledJoints) {
+  const Path path =
+      read("elbow, right ,thumb,left,shoulder\r\n0.2,0.6,0.3,0.4,0.1\r\n\r\n0,0,0,0,1\r\n");
+  ASSERT_THAT(path.waypoints, SizeIs(2));
+  EXPECT_EQ(path.waypoints[0], planar_configuration(0.1, 0.2, 0.3, 0.4, 0.6));
+  EXPECT_EQ(path.waypoints[1], planar_configuration(1, 0, 0, 0, 0));
+}
+
+TEST_F(PathCsv, NamesLineAndColumnOfWhatIsNoNumber) {
+  for (const std::string bad : {"nan", "inf", "abc", "", "0.1.2", "1e999", "0,5"}) {
+    const std::string cell = bad == "0,5" ? "\"0.5" : bad;
+    EXPECT_THAT(refusal(std::string(kHeader) + kRow + "1,0.1," + bad + ",0.3,0.4,0.2,0.6,0.3\n"),
+                HasSubstr("path.csv:3"))
+        << bad;
+  }
+  EXPECT_THAT(refusal(std::string(kHeader) + kRow + "1,0.1,x2,0.3,0.4,0.2,0.6,0.3\n"),
+              AllOf(HasSubstr("column elbow"), HasSubstr("\"x2\""), HasSubstr("a finite number")));
+}
+
+TEST_F(PathCsv, NamesTheLineOfARowOfAnotherLength) {
+  EXPECT_THAT(
+      refusal(std::string(kHeader) + kRow + "\n1,2,3\n"),
+      AllOf(HasSubstr("path.csv:4"), HasSubstr("3 values"), HasSubstr("8 as in the header")));
+  EXPECT_THAT(refusal(std::string(kHeader) + kRow + "0,0.1,0.2,0.3,0.4,0.2,0.6,0.3,\n"),
+              HasSubstr("9 values"));
+}
+
+TEST_F(PathCsv, RefusesColumnsThatAreNoJoint) {
+  EXPECT_THAT(refusal("time,shoulder,elbow,thumb,left,right,pinky\n0,0,0,0,0,0,0\n"),
+              AllOf(HasSubstr("path.csv:1"), HasSubstr("\"pinky\""), HasSubstr("planar")));
+}
+
+TEST_F(PathCsv, RefusesTheColumnOfAFixedJoint) {
+  EXPECT_THAT(refusal("wrist,shoulder,elbow,thumb,left,right\n0,0,0,0,0,0\n1,0,0,0,0,0\n"),
+              AllOf(HasSubstr("path.csv:1"), HasSubstr("\"wrist\"")));
+}
+
+TEST_F(PathCsv, RefusesMissingAndRepeatedJoints) {
+  EXPECT_THAT(refusal("time,shoulder,elbow,thumb,left\n0,0,0,0,0\n"),
+              AllOf(HasSubstr("0 columns"), HasSubstr("right")));
+  EXPECT_THAT(refusal("time,shoulder,elbow,thumb,left,right,elbow\n0,0,0,0,0,0,0\n"),
+              AllOf(HasSubstr("2 columns"), HasSubstr("elbow")));
+}
+
+TEST_F(PathCsv, RefusesCoupledJointsThatDoNotFollow) {
+  EXPECT_THAT(refusal(std::string(kHeader) + kRow + "1,0.1,0.2,0.3,0.4,0.25,0.6,0.3\n"),
+              AllOf(HasSubstr("path.csv:3"), HasSubstr("left_tip"), HasSubstr("0.25"),
+                    HasSubstr("0.2"), HasSubstr("coupled to joint left")));
+}
+
+TEST_F(PathCsv, NeedsTwoWaypoints) {
+  EXPECT_THAT(refusal(std::string(kHeader) + kRow), HasSubstr("1 waypoint"));
+  EXPECT_THAT(refusal(kHeader), HasSubstr("0 waypoints"));
+  EXPECT_THAT(refusal(""), HasSubstr("empty"));
+}
+
+TEST_F(PathCsv, NamesAFileThatIsNotThere) {
+  EXPECT_THAT(
+      refusal_of([&] { static_cast<void>(read_path_csv(model_, folder_.path() / "none.csv")); }),
+      AllOf(HasSubstr("none.csv"), HasSubstr("no readable file")));
+  EXPECT_FALSE(
+      refusal_of([&] { static_cast<void>(read_path_csv(model_, folder_.path())); }).empty());
+}
+
+TEST_F(PathCsv, LeavesTheOldFileWhenItCanNotWrite) {
+  const Path path{{planar_configuration(0, 0), planar_configuration(0.5, 0)}};
+  EXPECT_FALSE(
+      refusal_of([&] { write_path_csv(path, model_, folder_.path() / "none" / "p.csv"); }).empty());
+  EXPECT_FALSE(refusal_of([&] { write_path_csv(path, model_, "/dev/full"); }).empty());
+}
+
+}  // namespace
+}  // namespace handway::planning

@@ -1,0 +1,159 @@
+#include "handway/planning/core/planning_problem.h"
+
+#include "handway/planning/core/planner_registry.h"
+#include "handway_test/input_errors.h"
+#include "handway_test/planar_problems.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <memory>
+#include <stdexcept>
+
+namespace handway::planning {
+namespace {
+
+using geometric::Scene;
+using test::planar_configuration;
+using test::refusal_of;
+using testing::AllOf;
+using testing::HasSubstr;
+
+std::shared_ptr<Scene> planar_scene() {
+  auto scene = std::make_shared<Scene>(test::scene_of(test::planar_hand_arm()));
+  scene->start = planar_configuration(-0.4, 0);
+  scene->goal = planar_configuration(0.4, 0);
+  return scene;
+}
+
+std::string refusal(const std::shared_ptr<Scene>& scene, const sampling::PmdBasis& basis) {
+  return refusal_of([&] {
+    static_cast<void>(make_problem(scene, std::make_shared<const sampling::PmdBasis>(basis)));
+  });
+}
+
+PlanResult planned(const PlanningProblem& problem) {
+  return PlannerRegistry().create("rrt-connect")->plan(problem, {});
+}
+
+TEST(PlanningProblem, SplitsTheJointsOfArmAndHand) {
+  sampling::PmdBasis basis = test::planar_hand_basis();
+  std::swap(basis.joints[0], basis.joints[2]);  // the basis' order counts
+  const PlanningProblem problem =
+      make_problem(planar_scene(), std::make_shared<const sampling::PmdBasis>(basis));
+  const auto& model = problem.model();
+  EXPECT_EQ(problem.arm, *model.find_group("arm"));
+  const std::vector<int> hand = {*model.find_variable("right"), *model.find_variable("left"),
+                                 *model.find_variable("thumb")};
+  EXPECT_EQ(problem.hand, hand);
+}
+
+TEST(PlanningProblem, TakesEveryJointForTheArmWithoutGroups) {
+  geometric::RobotDescription robot = test::planar_hand_arm();
+  robot.groups.clear();
+  auto scene = std::make_shared<Scene>(test::scene_of(robot));
+  scene->start = planar_configuration(-0.4, 0);
+  scene->goal = planar_configuration(0.4, 0);
+  const PlanningProblem alone = make_problem(scene, nullptr);
+  EXPECT_EQ(alone.arm.size(), 5U);
+  EXPECT_TRUE(alone.hand.empty());
+  const PlanningProblem with_basis =
+      make_problem(scene, std::make_shared<const sampling::PmdBasis>(test::planar_hand_basis()));
+  EXPECT_EQ(with_basis.arm.size(), 2U);
+  EXPECT_EQ(with_basis.hand.size(), 3U);
+}
+
+TEST(PlanningProblem, NeedsAStartAndAGoal) {
+  auto scene = planar_scene();
+  scene->start.reset();
+  EXPECT_THAT(refusal(scene, test::planar_hand_basis()), HasSubstr("start"));
+  scene = planar_scene();
+  scene->goal.reset();
+  EXPECT_THAT(refusal(scene, test::planar_hand_basis()), HasSubstr("goal"));
+}
+
+TEST(PlanningProblem, RefusesTheBasisOfAnotherHand) {
+  sampling::PmdBasis basis = test::planar_hand_basis();
+  basis.hand = "claw";
+  basis.joints[1] = "pinky";
+  EXPECT_THAT(refusal(planar_scene(), basis),
+              AllOf(HasSubstr("\"pinky\""), HasSubstr("planar"), HasSubstr("claw")));
+}
+
+TEST(PlanningProblem, MeasuresInNormalisedJoints) {
+  const PlanningProblem problem = make_problem(planar_scene(), nullptr);
+  EXPECT_NEAR(normalised_distance(problem.model(), planar_configuration(-2.5, 0),
+                                  planar_configuration(2.5, 0)),
+              1.0, 1e-12);
+  EXPECT_NEAR(normalised_distance(problem.model(), planar_configuration(0, 0, -1.2, 0, 0),
+                                  planar_configuration(0, 0, 1.2, 1.5, 0)),
+              std::sqrt(2.0), 1e-12);
+}
+
+TEST(PlanningQuery, NamesWhatAStartCollidesWith) {
+  PlanningProblem problem = test::post_problem();
+  problem.start = planar_configuration(0.07, 0);
+  const PlanResult result = planned(problem);
+  EXPECT_EQ(result.status, PlanStatus::kStartInvalid);
+  EXPECT_THAT(result.reason,
+              AllOf(HasSubstr("start is in collision"), HasSubstr("right_tip with post")));
+  EXPECT_TRUE(result.path.empty());
+}
+
+TEST(PlanningQuery, NamesTheJointOfAGoalOutOfLimits) {
+  PlanningProblem problem = test::open_problem();
+  problem.goal = planar_configuration(0.1, 2.6);
+  const PlanResult result = planned(problem);
+  EXPECT_EQ(result.status, PlanStatus::kGoalInvalid);
+  EXPECT_THAT(result.reason, AllOf(HasSubstr("goal is out of limits"), HasSubstr("joint elbow"),
+                                   HasSubstr("2.6"), HasSubstr("2.5")));
+}
+
+TEST(PlanningQuery, RefusesWhatIsNoNumber) {
+  for (const double value : {std::nan(""), std::numeric_limits<double>::infinity()}) {
+    PlanningProblem problem = test::open_problem();
+    problem.start[1] = value;
+    const PlanResult result = planned(problem);
+    EXPECT_EQ(result.status, PlanStatus::kStartInvalid);
+    EXPECT_THAT(result.reason, HasSubstr("no number for joint"));
+  }
+}
+
+TEST(PlanningQuery, RefusesAConfigurationOfAnotherRobot) {
+  PlanningProblem problem = test::open_problem();
+  problem.goal = Eigen::Vector3d(0, 0, 0);
+  const PlanResult result = planned(problem);
+  EXPECT_EQ(result.status, PlanStatus::kGoalInvalid);
+  EXPECT_THAT(result.reason, HasSubstr("3 values where the robot has 5"));
+}
+
+TEST(PlanningQuery, ForgivesTheRoundingsOfAFile) {
+  PlanningProblem problem = test::open_problem();
+  problem.goal = planar_configuration(0.1, 0.2, 0.0, -1e-10, 0.0);
+  EXPECT_TRUE(planned(problem).solved());
+}
+
+TEST(PlanningRequest, RefusesThreadsAndResolutionsThatMakeNoSense) {
+  const auto planner = PlannerRegistry().create("rrt-connect");
+  const PlanningProblem problem = test::open_problem();
+  for (const auto& change : {+[](PlanRequest& request) { request.threads = 0; },
+                             +[](PlanRequest& request) { request.resolution_mm = 0.0; },
+                             +[](PlanRequest& request) { request.resolution_mm = std::nan(""); }}) {
+    PlanRequest request;
+    change(request);
+    EXPECT_THROW(static_cast<void>(planner->plan(problem, request)), std::invalid_argument);
+  }
+}
+
+TEST(PlanningRequest, NeedsABasisForPrincipalDirections) {
+  PlanningProblem problem = test::open_problem();
+  problem.basis = nullptr;
+  EXPECT_THAT(refusal_of([&] {
+                static_cast<void>(PlannerRegistry().create("pmd-prm")->plan(problem, {}));
+              }),
+              AllOf(HasSubstr("hand_basis"), HasSubstr("pmd-prm")));
+}
+
+}  // namespace
+}  // namespace handway::planning
