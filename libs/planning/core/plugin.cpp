@@ -22,8 +22,8 @@ constexpr const char* kEntryPoint = "handway_plugin";
 // Libraries stay loaded to the very end: objects made by their code may live as
 // long as the program.
 void keep_loaded(shared_library library) {
-  static auto* const libraries = new std::vector<shared_library>;
-  libraries->push_back(std::move(library));
+  static auto& libraries = *new std::vector<shared_library>;
+  libraries.push_back(std::move(library));
 }
 
 std::vector<fs::path> libraries_in(const fs::path& directory) {
