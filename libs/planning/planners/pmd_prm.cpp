@@ -111,7 +111,7 @@ class RoadmapSearch {
           static_cast<double>(statistics().samples) / settings_.max_samples, "sampling");
       if (sample) {
         const PhaseClock connection_time(statistics().connection_s);
-        connect(std::move(sample->first), step, rho, sample->second);
+        connect(sample->first, step, rho, sample->second);
         return roadmap_.same_component(kStart, kGoal) ? std::optional(PlanStatus::kSolved)
                                                       : std::nullopt;
       }
