@@ -70,7 +70,7 @@ std::string without_comment(const std::string& line) {
 LayerRules::LayerRules(std::set<std::string> files) : files_(std::move(files)) {}
 
 std::string LayerRules::owner_of(const std::string& file, std::string_view include) const {
-  const std::string part = part_of(file);
+  std::string part = part_of(file);
   const std::string name(include);
   const fs::path beside = (fs::path(file).parent_path() / name).lexically_normal();
   if (beside.generic_string().starts_with(part + '/')) {

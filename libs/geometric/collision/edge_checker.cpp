@@ -109,8 +109,8 @@ NamedPair EdgeChecker::clearance(const Configuration& from, const Configuration&
     }
     if (!unsettled.empty()) {
       const double quarter = 0.5 * stretch.half;
-      waiting.push_back({{stretch.middle + quarter, quarter, 0, 0}, unsettled});
-      waiting.push_back({{stretch.middle - quarter, quarter, 0, 0}, std::move(unsettled)});
+      waiting.emplace_back(Stretch{stretch.middle + quarter, quarter, 0, 0}, unsettled);
+      waiting.emplace_back(Stretch{stretch.middle - quarter, quarter, 0, 0}, std::move(unsettled));
     }
   }
   least.distance = std::max(0.0, std::min(lower, least.distance));

@@ -34,7 +34,7 @@ free_joints:
 class LoadScene : public testing::Test {
  protected:
   std::filesystem::path write(const std::string& name, const std::string& text) const {
-    const auto file = scratch_.path() / name;
+    auto file = scratch_.path() / name;
     std::ofstream(file) << text;
     return file;
   }

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// The little of Markdown that the tests of the manual need.
+namespace handway::test {
+
+/// @throws std::runtime_error if the file can't be read.
+[[nodiscard]] std::string read_text(const std::filesystem::path& file);
+
+/// Targets of [text](target) and ![text](target), in order.
+[[nodiscard]] std::vector<std::string> link_targets(const std::string& markdown);
+
+/// What GitHub calls the headings: "## Exit codes" is "exit-codes".
+[[nodiscard]] std::set<std::string> heading_anchors(const std::string& markdown);
+
+/// The lines between the heading "## `NAME`" or "## NAME" and the next of its level or above.
+/// Empty if there is no such heading.
+[[nodiscard]] std::string section(const std::string& markdown, std::string_view name);
+
+/// Every "--option" in `text`, without its argument.
+[[nodiscard]] std::set<std::string> long_options(const std::string& text);
+
+/// README.md, CHANGELOG.md and all of docs/.
+[[nodiscard]] std::vector<std::filesystem::path> manual_pages();
+
+}  // namespace handway::test

@@ -1,0 +1,72 @@
+#include "planner_tables.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <stdexcept>
+#include <string_view>
+#include <type_traits>
+#include <variant>
+
+namespace handway::test {
+namespace {
+
+using planning::ChoiceValue;
+using planning::Parameter;
+using planning::Planner;
+
+constexpr std::string_view kBegin = "<!-- tables -->\n";
+constexpr std::string_view kEnd = "<!-- end of tables -->\n";
+
+std::string allowed(const Parameter& parameter) {
+  return std::visit(
+      [&](const auto& value) -> std::string {
+        using Value = std::decay_t<decltype(value)>;
+        if constexpr (std::is_same_v<Value, bool*>) {
+          return "`true`, `false`";
+        } else if constexpr (std::is_same_v<Value, ChoiceValue>) {
+          return fmt::format("`{}`", fmt::join(value.options, "`, `"));
+        } else if constexpr (std::is_same_v<Value, int*>) {
+          return fmt::format("{:.0f} to {:.0f}", parameter.lower, parameter.upper);
+        } else {
+          return fmt::format("{:g} to {:g}", parameter.lower, parameter.upper);
+        }
+      },
+      parameter.value);
+}
+
+std::string abilities(const Planner& planner) {
+  const planning::PlannerCapabilities can = planner.capabilities();
+  return fmt::format("{}, {}, {}.", can.uses_pmds ? "Needs a hand basis" : "Needs no hand basis",
+                     can.uses_threads ? "is faster with more threads" : "runs on one thread",
+                     can.deterministic ? "finds the same path again from the same seed"
+                                       : "may find another path each time");
+}
+
+}  // namespace
+
+std::string planner_tables(const planning::PlannerRegistry& registry) {
+  std::string text;
+  for (const std::string& name : registry.names()) {
+    const auto planner = registry.create(name);
+    text += fmt::format("\n## {}\n\n{}. {}\n\n", name, planner->description(), abilities(*planner));
+    text += "| Parameter | Default | Allowed | Meaning |\n|---|---|---|---|\n";
+    for (const Parameter& parameter : planner->parameters()) {
+      const std::string unit = parameter.unit.empty() ? "" : " " + parameter.unit;
+      text += fmt::format("| `{}` | {}{} | {} | {} |\n", parameter.key, to_text(parameter), unit,
+                          allowed(parameter), parameter.help);
+    }
+  }
+  return text + '\n';
+}
+
+std::string with_tables(const std::string& page, const std::string& tables) {
+  const std::size_t begin = page.find(kBegin);
+  const std::size_t end = page.find(kEnd);
+  if (begin == std::string::npos || end == std::string::npos || end < begin) {
+    throw std::runtime_error("the page has no place for the tables");
+  }
+  return page.substr(0, begin + kBegin.size()) + tables + page.substr(end);
+}
+
+}  // namespace handway::test

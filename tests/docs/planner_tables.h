@@ -1,0 +1,16 @@
+#pragma once
+
+#include "handway/planning/core/planner_registry.h"
+
+#include <string>
+
+namespace handway::test {
+
+/// For each planner its description, what it can do and a table of its parameters, in Markdown.
+[[nodiscard]] std::string planner_tables(const planning::PlannerRegistry& registry);
+
+/// `page` with what stands between the two marks replaced by `tables`.
+/// @throws std::runtime_error if a mark is missing.
+[[nodiscard]] std::string with_tables(const std::string& page, const std::string& tables);
+
+}  // namespace handway::test
