@@ -18,13 +18,19 @@ module at_fingers() {
   translate([-4.3, -40.165, 145.43]) rotate(a = 181.3898, v = [0.707, -0.0121, 0.707]) children();
 }
 
-module heel() block([-38, -54, adapter_top - 1], [22, 6, waist + 8], 9);
+module heel() hull() {
+  block([-34, -36, adapter_top - 1], [18, 5, adapter_top + 40], 9);
+  block([-38, -55, waist - 20], [20, 6, waist + 8], 11);
+}
 
-module back() block([-38, -54, adapter_top - 1], [-24, 54, waist + 8], 6);
+module back() hull() {
+  block([-36, -36, adapter_top - 1], [-24, 36, adapter_top + 40], 5);
+  block([-38, -54, waist - 20], [-24, 54, waist + 8], 6);
+}
 
 module upper() hull() {
-  block([-38, -57, waist + 2], [18, 57, shoulder - 14], 11);
-  block([-34, -53, shoulder - 26], [12, 53, shoulder + 2], 9);
+  block([-38, -57, waist + 2], [18, 57, shoulder - 18], 13);
+  block([-35, -55, shoulder - 20], [12, 55, shoulder + 2], 8);
 }
 
 // Dorsal hump over the drives.
@@ -49,11 +55,17 @@ module palm_metal() {
     knuckle_block();
     knuckle_ear();
   }
-  for (y = [-26, 26], z = [42, 96]) screw([-44, y, z]);
+  for (y = [-26, 26], z = [42, 96]) screw([-43.2, y, z]);
 }
 
-module upper_pad() block([10, -48, 74], [23, 48, 112], 5.5);
-module heel_pad() block([14, -48, 16], [27, 0, 60], 5.5);
+// Soft cushion of the palm's front, tapering towards its rim.
+module cushion(low, high) hull() {
+  block(low, [high.x - 3, high.y, high.z], 5);
+  block(low + [0, 5, 5], high - [0, 5, 5], 5);
+}
+
+module upper_pad() cushion([6, -47, 74], [23, 47, 108]);
+module heel_pad() cushion([9, -46, 24], [26, 1, 62]);
 
 module palm_pads() {
   upper_pad();

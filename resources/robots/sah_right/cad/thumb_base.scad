@@ -12,12 +12,12 @@ module at_thumb()
 
 module arm() hull() {
   drum(14.5, hub[0] + 4, hub[1] - 4, 3, 3);
-  block([-17, 44, 22], [12, 84, 60], 7);
+  block([-17, 48, 24], [12, 82, 60], 9);
 }
 
 module riser() hull() {
-  block([-18, 58, 28], [8, 88, 58], 7);
-  at_thumb() block([-32, -13.5, -22.5], [-22, 13.5, 11], 3);
+  block([-19, 60, 30], [8, 86, 58], 9);
+  at_thumb() block([-33, -15, -24], [-22, 15, 12.5], 4);
 }
 
 module thumb_base_shell() {

@@ -1,0 +1,84 @@
+#include "handway/geometric/collision/collision_world.h"
+#include "handway/geometric/io/robot_loader.h"
+#include "handway/geometric/robot/robot_state.h"
+#include "handway_test/paths.h"
+#include "kautham_importer.h"
+#include "reference_names.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace handway::test {
+namespace {
+
+using geometric::Configuration;
+using geometric::Pose;
+using geometric::RobotModel;
+using geometric::RobotState;
+
+class ReferenceHandArm : public testing::Test {
+ protected:
+  void SetUp() override {
+    HANDWAY_NEED_REFERENCE(reference);
+    theirs_ = import_kautham::KauthamImporter()
+                  .read(reference / "auro/robots/TX90_RHand_5PMD_thumb2.rob")
+                  .scene->robots.front()
+                  .model;
+    ours_ = geometric::load_robot(source_dir() / "resources/robots/tx90_sah/tx90_sah.urdf");
+  }
+
+  std::shared_ptr<const RobotModel> theirs_;
+  std::shared_ptr<const RobotModel> ours_;
+};
+
+TEST_F(ReferenceHandArm, HasTheSameLimits) {
+  ASSERT_EQ(theirs_->variable_count(), ours_->variable_count());
+  for (int i = 0; i < theirs_->variable_count(); ++i) {
+    const geometric::Joint& theirs = theirs_->variable(i);
+    const auto variable = ours_->find_variable(joint_name_of(theirs.name));
+    ASSERT_TRUE(variable) << theirs.name;
+    EXPECT_NEAR(ours_->lower()[*variable], theirs.limits.lower, 1e-12) << theirs.name;
+    EXPECT_NEAR(ours_->upper()[*variable], theirs.limits.upper, 1e-12) << theirs.name;
+  }
+}
+
+TEST_F(ReferenceHandArm, PutsFingertipsAtTheSamePlaces) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  RobotState theirs(theirs_);
+  RobotState ours(ours_);
+  for (int sample = 0; sample < 1000; ++sample) {
+    Configuration q = theirs_->lower();
+    for (int i = 0; i < q.size(); ++i) {
+      q[i] += unit(random) * (theirs_->upper()[i] - theirs_->lower()[i]);
+      ours.set_joint(joint_name_of(theirs_->variable(i).name), q[i]);
+    }
+    theirs.set_configuration(q);
+    for (const char* finger : {"Thumb", "Index", "Mid", "Ring"}) {
+      const std::string last = std::string(finger) + "-Dist";
+      const std::string name = joint_name_of(last);
+      const std::string tip = name.substr(0, name.find('_')) + "_tip";
+      const Pose X_DistTip = ours.link_pose(name + "_link").inverse() * ours.link_pose(tip);
+      const Pose X_BTip = theirs.link_pose(last) * X_DistTip;
+      const Pose difference = X_BTip.inverse() * ours.link_pose(tip);
+      EXPECT_LT(difference.translation().norm(), 1e-9) << tip;
+      EXPECT_LT((difference.linear() - Eigen::Matrix3d::Identity()).norm(), 1e-9) << tip;
+    }
+  }
+}
+
+// Fingers of 29.5 mm behind the distal joint end in a ball of 10 mm.
+TEST_F(ReferenceHandArm, EndsFingersWhereTheirMeshesEnd) {
+  for (const char* finger : {"Thumb", "Index", "Mid", "Ring"}) {
+    const std::string last = std::string(finger) + "-Dist";
+    const geometric::Link& theirs = theirs_->link(theirs_->find_link(last).value());
+    const geometric::Link& ours =
+        ours_->link(ours_->find_link(joint_name_of(last) + "_link").value());
+    const double end = geometric::bounding_box(geometric::collision_mesh(theirs)).upper.y();
+    EXPECT_NEAR(geometric::bounding_box(geometric::collision_mesh(ours)).upper.y(), end, 0.002);
+  }
+}
+
+}  // namespace
+}  // namespace handway::test

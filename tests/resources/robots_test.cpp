@@ -1,0 +1,137 @@
+#include "handway/geometric/collision/fcl_checker.h"
+#include "handway/geometric/io/robot_loader.h"
+#include "handway_test/paths.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <pugixml.hpp>
+
+#include <algorithm>
+
+namespace handway::test {
+namespace {
+
+using geometric::RobotModel;
+
+std::filesystem::path urdf_of(const std::string& robot) {
+  return source_dir() / "resources/robots" / robot / (robot + ".urdf");
+}
+
+class ShippedRobot : public testing::TestWithParam<const char*> {
+ protected:
+  std::filesystem::path urdf_ = urdf_of(GetParam());
+  std::shared_ptr<const RobotModel> model_ = geometric::load_robot(urdf_);
+};
+
+TEST_P(ShippedRobot, LoadsWithoutWarnings) {
+  EXPECT_EQ(model_->name(), GetParam());
+  EXPECT_THAT(model_->description().warnings, testing::IsEmpty());
+}
+
+TEST_P(ShippedRobot, HasShapesOnEveryLinkButFramesAtFingertips) {
+  for (const geometric::Link& link : model_->description().links) {
+    const bool is_frame = link.name.ends_with("_tip");
+    EXPECT_EQ(link.visual.empty(), is_frame) << link.name;
+    EXPECT_EQ(link.collision.empty(), is_frame) << link.name;
+  }
+}
+
+TEST_P(ShippedRobot, NamesFilesThatExistRelativeToItself) {
+  pugi::xml_document document;
+  ASSERT_TRUE(document.load_file(urdf_.c_str()));
+  int count = 0;
+  for (const auto& found : document.select_nodes("//mesh/@filename")) {
+    const std::filesystem::path file = found.attribute().value();
+    EXPECT_TRUE(file.is_relative()) << file;
+    EXPECT_TRUE(std::filesystem::is_regular_file(urdf_.parent_path() / file)) << file;
+    ++count;
+  }
+  EXPECT_GT(count, 10);
+}
+
+TEST_P(ShippedRobot, AllowsCollisionsOfLinksWithShapesOnly) {
+  const auto& allowed = model_->description().allowed_collisions.entries();
+  EXPECT_FALSE(allowed.empty());
+  for (const auto& [pair, reason] : allowed) {
+    for (const std::string& name : {pair.first, pair.second}) {
+      const auto link = model_->find_link(name);
+      ASSERT_TRUE(link) << name;
+      EXPECT_FALSE(model_->link(*link).collision.empty()) << name;
+    }
+    EXPECT_NE(reason, geometric::AllowedReason::kAlways)
+        << pair.first << " is stuck in " << pair.second;
+  }
+}
+
+TEST_P(ShippedRobot, StandsClearOfItself) {
+  geometric::Scene scene;
+  scene.robots.push_back(
+      {GetParam(), urdf_, model_, geometric::Pose::Identity(), model_->neutral()});
+  geometric::FclChecker checker(std::make_shared<const geometric::CollisionWorld>(scene));
+  const geometric::NamedPair closest = find_clearance(checker, model_->neutral());
+  EXPECT_GT(closest.distance, 0.001) << closest.a << " and " << closest.b;
+}
+
+TEST_P(ShippedRobot, CollidesWithinAMillimetreOfWhatIsSeen) {
+  for (const geometric::Link& link : model_->description().links) {
+    if (link.visual.empty()) {
+      continue;
+    }
+    const geometric::Aabb seen =
+        geometric::bounding_box(geometric::collision_mesh({link.name, {}, link.visual}));
+    const geometric::Aabb collides = geometric::bounding_box(geometric::collision_mesh(link));
+    EXPECT_GT((seen.lower - collides.lower).minCoeff(), -0.001) << link.name;
+    EXPECT_GT((collides.upper - seen.upper).minCoeff(), -0.001) << link.name;
+  }
+}
+
+// A mesh in millimetres read as metres, or in a wrong frame, shows here.
+TEST_P(ShippedRobot, IsAsLargeAsItsJointsAreApart) {
+  for (const geometric::Link& link : model_->description().links) {
+    const geometric::TriangleMesh mesh = geometric::collision_mesh(link);
+    if (mesh.empty()) {
+      continue;
+    }
+    const geometric::Aabb box = geometric::bounding_box(mesh);
+    EXPECT_GT(box.size().maxCoeff(), 0.02) << link.name;
+    EXPECT_LT(box.size().maxCoeff(), 0.7) << link.name;
+    EXPECT_LT(mesh.triangles.size(), 1000U) << link.name;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Resources, ShippedRobot, testing::Values("tx90", "sah_right", "tx90_sah"),
+                         [](const auto& test) { return std::string(test.param); });
+
+TEST(ShippedRobots, HaveTheirNumbersOfVariables) {
+  const auto arm = geometric::load_robot(urdf_of("tx90"));
+  const auto hand = geometric::load_robot(urdf_of("sah_right"));
+  const auto both = geometric::load_robot(urdf_of("tx90_sah"));
+  EXPECT_EQ(arm->variable_count(), 6);
+  EXPECT_EQ(hand->variable_count(), 13);
+  EXPECT_EQ(both->variable_count(), 19);
+  EXPECT_THAT(both->find_group("arm").value(), testing::SizeIs(6));
+  EXPECT_THAT(both->find_group("hand").value(), testing::SizeIs(13));
+}
+
+TEST(ShippedRobots, OfArmAndHandConsistOfTheTwo) {
+  const auto both = geometric::load_robot(urdf_of("tx90_sah"));
+  for (const char* name : {"tx90", "sah_right"}) {
+    const auto part = geometric::load_robot(urdf_of(name));
+    for (int link = 1; link < part->link_count(); ++link) {
+      const geometric::Joint& expected = part->joint(link);
+      const auto found = both->find_link(part->link(link).name);
+      ASSERT_TRUE(found) << part->link(link).name;
+      const geometric::Joint& joint = both->joint(*found);
+      EXPECT_EQ(joint.name, expected.name);
+      EXPECT_EQ(joint.parent, expected.parent);
+      EXPECT_EQ(joint.X_PJ.matrix(), expected.X_PJ.matrix()) << joint.name;
+      EXPECT_EQ(joint.axis, expected.axis) << joint.name;
+      EXPECT_EQ(joint.limits.lower, expected.limits.lower) << joint.name;
+      EXPECT_EQ(joint.limits.upper, expected.limits.upper) << joint.name;
+      EXPECT_EQ(joint.mimic.has_value(), expected.mimic.has_value()) << joint.name;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace handway::test
