@@ -39,8 +39,9 @@ TEST(ShippedHandBasis, FitsTheShippedRobots) {
   for (const char* robot : {"sah_right", "tx90_sah"}) {
     const auto model = geometric::load_robot(source_dir() / "resources/robots" / robot /
                                              (std::string(robot) + ".urdf"));
-    std::vector<std::string> hand;
     const std::vector<int> variables = model->find_group("hand").value();
+    std::vector<std::string> hand;
+    hand.reserve(variables.size());
     for (const int variable : variables) {
       hand.push_back(model->variable(variable).name);
     }

@@ -59,9 +59,12 @@ module palm_metal() {
 }
 
 // Soft cushion of the palm's front, tapering towards its rim.
-module cushion(low, high) hull() {
-  block(low, [high.x - 3, high.y, high.z], 5);
-  block(low + [0, 5, 5], high - [0, 5, 5], 5);
+module cushion(low, high) {
+  if ($cover > 0) block(low, high);
+  else hull() {
+    block(low, [high.x - 3, high.y, high.z], 5);
+    block(low + [0, 5, 5], high - [0, 5, 5], 5);
+  }
 }
 
 module upper_pad() cushion([6, -47, 74], [23, 47, 108]);

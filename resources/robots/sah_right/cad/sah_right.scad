@@ -37,7 +37,7 @@ if (part == "medial_pads") visual(24) medial_pads();
 if (part == "distal_shell") visual(32) distal_shell();
 if (part == "distal_pads") visual(32) distal_pads();
 
-if (part == "palm_collision") collision(12) palm_collision();
+if (part == "palm_collision") collision(8) palm_collision();
 if (part == "thumb_base_collision") collision(12) thumb_base_collision();
 if (part == "abduction_collision") collision(12) abduction_collision();
 if (part == "proximal_collision") collision(10) proximal_collision();
