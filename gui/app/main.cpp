@@ -22,8 +22,7 @@ bool has_display() {
 
 gui::Theme theme_of(const gui::Options& options) {
   const QString kept = QSettings().value(QStringLiteral("theme")).toString();
-  const QString wanted =
-      options.theme.empty() ? kept : QString::fromStdString(options.theme);
+  const QString wanted = options.theme.empty() ? kept : QString::fromStdString(options.theme);
   return wanted == QLatin1String("dark") ? gui::Theme::kDark : gui::Theme::kLight;
 }
 
@@ -45,7 +44,8 @@ int run(QApplication& application, const gui::Options& options) {
                      });
   }
   window.show();
-  QMetaObject::invokeMethod(&window, [&] { window.begin(options); }, Qt::QueuedConnection);
+  QMetaObject::invokeMethod(
+      &window, [&] { window.begin(options); }, Qt::QueuedConnection);
   return QApplication::exec();
 }
 
@@ -58,8 +58,9 @@ int main(int argc, char** argv) {
     return exit_code;
   }
   if (!has_display()) {
-    std::fputs("handway-workbench: no display. Use `handway plan` here, or start it under xvfb-run\n",
-               stderr);
+    std::fputs(
+        "handway-workbench: no display. Use `handway plan` here, or start it under xvfb-run\n",
+        stderr);
     return 2;
   }
   QCoreApplication::setAttribute(Qt::AA_EnableHighDpiScaling);

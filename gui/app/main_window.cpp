@@ -23,6 +23,7 @@
 #include <QMimeData>
 #include <QSettings>
 #include <QStatusBar>
+#include <QTabBar>
 #include <QTabWidget>
 #include <QVBoxLayout>
 
@@ -94,6 +95,8 @@ void MainWindow::build_docks() {
   setCentralWidget(stacked({view_, playback_}, 0));
   auto* tabs = new QTabWidget;
   tabs->setDocumentMode(true);
+  tabs->tabBar()->setDrawBase(false);
+  tabs->tabBar()->setExpanding(true);
   tabs->addTab(plan_panel_, tr("Plan"));
   tabs->addTab(stacked({posture_bar_, joint_panel_}, 1), tr("Joints"));
   tabs->addTab(pmd_panel_, tr("Hand"));
@@ -169,8 +172,8 @@ void MainWindow::connect_view() {
   connect(tree_, &SceneTree::item_selected, view_, &SceneView::set_selection);
   connect(tree_, &SceneTree::ghosts_toggled, view_, &SceneView::show_ghosts);
   connect(tree_, &SceneTree::posture_activated, this, [this](const SceneItem& item) {
-    const auto& q = item.kind == SceneItem::Kind::kStart ? document_.scene()->start
-                                                         : document_.scene()->goal;
+    const auto& q =
+        item.kind == SceneItem::Kind::kStart ? document_.scene()->start : document_.scene()->goal;
     player_.pause();
     document_.set_configuration(*q);
   });
@@ -242,8 +245,8 @@ void MainWindow::show_scene() {
   pmd_panel_->set_hand(robot ? robot->model : nullptr, document_.loaded().basis,
                        document_.groups().hand);
   const bool has_query = scene && scene->start && scene->goal;
-  plan_panel_->set_ready(has_query, scene ? tr("The scene has no start or no goal")
-                                          : tr("Open a scene first"));
+  plan_panel_->set_ready(
+      has_query, scene ? tr("The scene has no start or no goal") : tr("Open a scene first"));
   actions_->plan->setEnabled(has_query);
   actions_->save_as->setEnabled(scene != nullptr);
   if (!scene) {
@@ -292,7 +295,9 @@ void MainWindow::show_error(const QString& title, const QString& message) {
   banner_->show_message(title, message);
 }
 
-QString MainWindow::message() const { return banner_->isVisible() ? banner_->message() : QString(); }
+QString MainWindow::message() const {
+  return banner_->isVisible() ? banner_->message() : QString();
+}
 
 void MainWindow::show_path() {
   if (!document_.robot()) {
@@ -335,7 +340,7 @@ void MainWindow::save_as() {
 void MainWindow::save_picture() {
   const QString file =
       QFileDialog::getSaveFileName(this, tr("Save a picture"), {}, tr("Pictures (*.png)"));
-  if (!file.isEmpty() && !view_->grabFramebuffer().save(file)) {
+  if (!file.isEmpty() && !view_->grab().save(file)) {
     show_error(tr("The picture was not saved"), tr("%1 can't be written").arg(file));
   }
 }

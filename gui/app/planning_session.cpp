@@ -1,5 +1,7 @@
 #include "app/planning_session.h"
 
+#include "panels/result_text.h"
+
 namespace handway::gui {
 
 PlanningSession::PlanningSession(Document& document, PlanPanel& panel, PathPlayer& player,
@@ -11,11 +13,12 @@ PlanningSession::PlanningSession(Document& document, PlanPanel& panel, PathPlaye
   connect(&player_, &PathPlayer::moved, this, [this](double fraction) {
     document_.set_configuration(player_.timeline().at(fraction));
   });
-  connect(&runner_, &PlanRunner::progressed, this, [this](double fraction, const QString& activity) {
-    if (is_current() && is_running()) {
-      panel_.show_progress(fraction, activity);
-    }
-  });
+  connect(&runner_, &PlanRunner::progressed, this,
+          [this](double fraction, const QString& activity) {
+            if (is_current() && is_running()) {
+              panel_.show_progress(fraction, activity);
+            }
+          });
   connect(&runner_, &PlanRunner::nodes_found, this,
           [this](const std::vector<Eigen::Vector3d>& palms) {
             if (is_current()) {
@@ -53,7 +56,7 @@ void PlanningSession::cancel() { runner_.cancel(); }
 
 void PlanningSession::take_result(const planning::PlanResult& result) {
   if (!is_current()) {
-    panel_.set_ready(document_.robot() != nullptr);
+    emit ended(false, tr("Planning was cancelled: another scene was opened"));
     return;
   }
   panel_.show_result(result);
@@ -62,7 +65,7 @@ void PlanningSession::take_result(const planning::PlanResult& result) {
     emit path_changed();
     player_.seek(0.0);
   }
-  emit ended(result.solved(), QString::fromStdString(result.reason));
+  emit ended(result.solved(), result_line(result));
 }
 
 void PlanningSession::take_failure(const QString& message) {

@@ -13,9 +13,7 @@ constexpr double kMoment = 0.55;  // of the path
 }  // namespace
 
 Snapshot::Snapshot(MainWindow& window, const Options& options, QObject* parent)
-    : QObject(parent),
-      window_(window),
-      file_(QString::fromStdString(options.screenshot.string())) {
+    : QObject(parent), window_(window), file_(QString::fromStdString(options.screenshot.string())) {
   poll_.setInterval(60);
   connect(&poll_, &QTimer::timeout, this, &Snapshot::wait_until_settled);
   connect(&window_, &MainWindow::ready, &poll_, qOverload<>(&QTimer::start));

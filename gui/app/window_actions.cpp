@@ -6,6 +6,7 @@
 #include <QMainWindow>
 #include <QMenuBar>
 #include <QToolBar>
+#include <QToolButton>
 
 namespace handway::gui {
 
@@ -20,7 +21,8 @@ WindowActions::WindowActions(QMainWindow& window) : window_(window) {
               tr("Find a path from start to goal"));
   cancel = make("cancel", tr("&Cancel"), QKeySequence(Qt::Key_Escape), tr("Stop planning"));
   fit = make("fit", tr("&Fit"), QKeySequence(Qt::Key_F), tr("Show the whole scene"));
-  oblique = make("view_oblique", tr("&Oblique"), QKeySequence(Qt::Key_0), tr("Look across the task"));
+  oblique =
+      make("view_oblique", tr("&Oblique"), QKeySequence(Qt::Key_0), tr("Look across the task"));
   front = make("view_front", tr("Fr&ont"), QKeySequence(Qt::Key_1), tr("Look against the x axis"));
   left = make("view_left", tr("&Left"), QKeySequence(Qt::Key_2), tr("Look against the y axis"));
   top = make("view_top", tr("&Top"), QKeySequence(Qt::Key_3), tr("Look down"));
@@ -58,13 +60,17 @@ WindowActions::WindowActions(QMainWindow& window) : window_(window) {
   bar->setObjectName(QStringLiteral("tools"));
   bar->setMovable(false);
   bar->setIconSize({20, 20});
-  bar->addActions({open, save_as, picture});
+  bar->addActions({open, save_as});
   bar->addSeparator();
   bar->addActions({plan, cancel});
   bar->addSeparator();
   bar->addActions({fit, oblique, front, left, top});
   bar->addSeparator();
-  bar->addActions({floor, samples, dark});
+  bar->addActions({floor, samples, dark, picture});
+  for (QAction* named : {open, save_as, plan, cancel}) {
+    qobject_cast<QToolButton*>(bar->widgetForAction(named))
+        ->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  }
   window.setContextMenuPolicy(Qt::NoContextMenu);
   refresh_icons();
 }

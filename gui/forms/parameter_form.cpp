@@ -37,7 +37,7 @@ ParameterForm::ParameterForm(const std::vector<Parameter>& parameters, QWidget* 
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setHorizontalSpacing(10);
   layout->setVerticalSpacing(6);
-  layout->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
+  layout->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   layout->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   for (const Parameter& parameter : parameters) {
     QWidget* field = make_field(parameter);
@@ -79,8 +79,9 @@ QWidget* ParameterForm::make_field(const Parameter& parameter) {
             });
     return list;
   }
-  const QString suffix =
-      parameter.unit.empty() ? QString() : QStringLiteral(" ") + QString::fromStdString(parameter.unit);
+  const QString suffix = parameter.unit.empty()
+                             ? QString()
+                             : QStringLiteral(" ") + QString::fromStdString(parameter.unit);
   if (auto* const* number = std::get_if<int*>(&parameter.value)) {
     auto* field = new QSpinBox;
     constexpr double kMost = std::numeric_limits<int>::max();

@@ -29,8 +29,8 @@ SliderRow::SliderRow(const QString& label, const Range& range, QWidget* parent)
   slider_->setObjectName(QStringLiteral("slider"));
   field_->setDecimals(range.decimals);
   field_->setRange(range.lower * range.scale, range.upper * range.scale);
-  field_->setSingleStep(std::max(std::pow(10.0, -range.decimals),
-                                 (range.upper - range.lower) * range.scale / 100.0));
+  field_->setSingleStep(
+      std::max(std::pow(10.0, -range.decimals), (range.upper - range.lower) * range.scale / 100.0));
   field_->setSuffix(range.unit);
   field_->setAlignment(Qt::AlignRight);
   field_->setButtonSymbols(QAbstractSpinBox::NoButtons);
@@ -73,9 +73,8 @@ void SliderRow::show_value(bool slider, bool field) {
   const QSignalBlocker quiet_slider(slider_), quiet_field(field_);
   const double range = range_.upper - range_.lower;
   if (slider) {
-    slider_->setValue(range > 0.0 ? static_cast<int>(std::lround((value_ - range_.lower) / range *
-                                                                  kSteps))
-                                  : 0);
+    slider_->setValue(
+        range > 0.0 ? static_cast<int>(std::lround((value_ - range_.lower) / range * kSteps)) : 0);
   }
   if (field) {
     field_->setValue(value_ * range_.scale);

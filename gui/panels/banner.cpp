@@ -36,8 +36,8 @@ Banner::Banner(QWidget* host) : QFrame(host), picture_(new QLabel), text_(new QL
 
 void Banner::show_message(const QString& title, const QString& message) {
   picture_->setPixmap(icon("warning", colors_of(current_theme()).bad).pixmap(24, 24));
-  text_->setText(QStringLiteral("<b>%1</b><br>%2")
-                     .arg(title.toHtmlEscaped(), message.toHtmlEscaped()));
+  text_->setText(
+      QStringLiteral("<b>%1</b><br>%2").arg(title.toHtmlEscaped(), message.toHtmlEscaped()));
   show();
   place();
   raise();

@@ -29,13 +29,15 @@ void CollisionLabel::show_report(const CollisionReport& report) {
   if (report.collisions.empty()) {
     setToolTip({});
     if (report.closest) {
-      setText(dotted(colors.good, tr("free, closest: %1 to %2, %3 mm")
-                                      .arg(QString::fromStdString(report.closest->a).toHtmlEscaped(),
-                                           QString::fromStdString(report.closest->b).toHtmlEscaped())
-                                      .arg(report.closest->distance * 1e3, 0, 'f', 1)));
+      setText(
+          dotted(colors.good, tr("free, closest: %1 to %2, %3 mm")
+                                  .arg(QString::fromStdString(report.closest->a).toHtmlEscaped(),
+                                       QString::fromStdString(report.closest->b).toHtmlEscaped())
+                                  .arg(report.closest->distance * 1e3, 0, 'f', 1)));
     } else {
-      setText(dotted(colors.good, tr("free, nothing within %1 mm")
-                                      .arg(CollisionMonitor::kNear * 1e3, 0, 'f', 0)));
+      setText(
+          dotted(colors.good,
+                 tr("free, nothing within %1 mm").arg(CollisionMonitor::kNear * 1e3, 0, 'f', 0)));
     }
     return;
   }

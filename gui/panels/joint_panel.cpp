@@ -88,8 +88,8 @@ void JointPanel::add_group(const QString& title, const std::vector<int>& variabl
     SliderRow* row = add_row(link);
     if (model_->variable_link(variable) != link) {
       row->set_read_only();
-      row->setToolTip(tr("Coupled to %1")
-                          .arg(QString::fromStdString(model_->variable(variable).name)));
+      row->setToolTip(
+          tr("Coupled to %1").arg(QString::fromStdString(model_->variable(variable).name)));
       continue;
     }
     connect(row, &SliderRow::value_edited, this, [this, variable](double value) {

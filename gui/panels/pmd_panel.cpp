@@ -13,7 +13,10 @@
 namespace handway::gui {
 
 PmdPanel::PmdPanel(QWidget* parent)
-    : QWidget(parent), axes_(new QWidget), axes_layout_(new QVBoxLayout(axes_)), distance_(new QLabel) {
+    : QWidget(parent),
+      axes_(new QWidget),
+      axes_layout_(new QVBoxLayout(axes_)),
+      distance_(new QLabel) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(12, 10, 12, 10);
   layout->setSpacing(8);
@@ -39,8 +42,9 @@ void PmdPanel::set_hand(std::shared_ptr<const geometric::RobotModel> model,
   }
   if (!model_ || !basis_ || hand_.size() != basis_->joints.size()) {
     basis_.reset();
-    distance_->setText(tr("This scene names no PMD basis for its hand. Set <b>hand_basis</b> in the "
-                          "scene file to move the hand along its principal motion directions."));
+    distance_->setText(
+        tr("This scene names no PMD basis for its hand. Set <b>hand_basis</b> in the "
+           "scene file to move the hand along its principal motion directions."));
     return;
   }
   q_ = model_->neutral();

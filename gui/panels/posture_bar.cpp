@@ -40,7 +40,7 @@ PostureBar::PostureBar(QWidget* parent)
   set_scene(nullptr);
 }
 
-void PostureBar::set_scene(std::shared_ptr<const geometric::Scene> scene) {
+void PostureBar::set_scene(const std::shared_ptr<const geometric::Scene>& scene) {
   menu_->clear();
   start_->setEnabled(scene && scene->start);
   goal_->setEnabled(scene && scene->goal);

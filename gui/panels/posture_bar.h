@@ -20,7 +20,7 @@ class PostureBar : public QWidget {
   explicit PostureBar(QWidget* parent = nullptr);
 
   /// Null: no scene.
-  void set_scene(std::shared_ptr<const geometric::Scene> scene);
+  void set_scene(const std::shared_ptr<const geometric::Scene>& scene);
 
  signals:
   void start_requested();

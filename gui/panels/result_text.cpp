@@ -14,7 +14,8 @@ QString headline(const QString& text, const QColor& color) {
 
 QString row(const QString& name, const QString& value) {
   return QStringLiteral(
-             "<tr><td style=\"color:%1;padding-right:14px\">%2</td><td align=\"right\">%3</td></tr>")
+             "<tr><td style=\"color:%1;padding-right:14px\">%2</td><td "
+             "align=\"right\">%3</td></tr>")
       .arg(html(colors_of(current_theme()).muted), name, value);
 }
 
@@ -48,8 +49,10 @@ QString word(planning::PlanStatus status) {
 QString result_text(const planning::PlanResult& result) {
   const ThemeColors colors = colors_of(current_theme());
   QString text = headline(word(result.status), result.solved() ? colors.good : colors.bad);
-  text += QStringLiteral("<p style=\"margin:0 0 6px 0\">%1</p>")
-              .arg(QString::fromStdString(result.reason).toHtmlEscaped());
+  if (!result.reason.empty()) {
+    text += QStringLiteral("<p style=\"margin:0 0 6px 0\">%1</p>")
+                .arg(QString::fromStdString(result.reason).toHtmlEscaped());
+  }
   text += QStringLiteral("<table cellspacing=\"0\" cellpadding=\"1\">");
   text += row(QObject::tr("Planning"), seconds(result.time_s));
   if (result.solved() && result.smoothing_s > 0.0) {
@@ -59,10 +62,18 @@ QString result_text(const planning::PlanResult& result) {
   text += row(QObject::tr("Nodes"), count(result.statistics.nodes));
   if (result.solved()) {
     text += row(QObject::tr("Waypoints"), count(result.path.waypoints.size()));
-    text += row(QObject::tr("Clearance"), QStringLiteral("≥ %1 mm")
-                                              .arg(result.certificate.min_clearance_mm, 0, 'f', 2));
+    text += row(QObject::tr("Clearance"),
+                QStringLiteral("≥ %1 mm").arg(result.certificate.min_clearance_mm, 0, 'f', 2));
   }
   return text + QStringLiteral("</table>");
+}
+
+QString result_line(const planning::PlanResult& result) {
+  if (result.solved()) {
+    return QObject::tr("Path found in %1, %2 waypoints")
+        .arg(seconds(result.time_s), count(result.path.waypoints.size()));
+  }
+  return result.reason.empty() ? word(result.status) : QString::fromStdString(result.reason);
 }
 
 QString failure_text(const QString& message) {

@@ -9,6 +9,9 @@ namespace handway::gui {
 /// A result in words with its key figures, as rich text.
 [[nodiscard]] QString result_text(const planning::PlanResult& result);
 
+/// A result as one line of plain text.
+[[nodiscard]] QString result_line(const planning::PlanResult& result);
+
 /// A failure in words, as rich text.
 [[nodiscard]] QString failure_text(const QString& message);
 

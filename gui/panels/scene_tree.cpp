@@ -1,9 +1,11 @@
 #include "panels/scene_tree.h"
 
 #include "style/icons.h"
+#include "style/theme.h"
 #include "view3d/view_colors.h"
 
 #include <QHeaderView>
+#include <QPainter>
 #include <QSignalBlocker>
 #include <QTreeWidgetItemIterator>
 
@@ -32,33 +34,29 @@ QTreeWidgetItem* make_row(const QString& text, const QIcon& picture, const Scene
   return row;
 }
 
-QString size_text(const geometric::Shape& shape) {
-  const auto mm = [](double metres) { return QString::number(metres * 1e3, 'f', 0); };
-  struct Words {
-    decltype(mm) mm_;
-    QString operator()(const geometric::Box& box) const {
-      return QStringLiteral("box %1 × %2 × %3 mm")
-          .arg(mm_(box.size.x()), mm_(box.size.y()), mm_(box.size.z()));
-    }
-    QString operator()(const geometric::Sphere& sphere) const {
-      return QStringLiteral("sphere, radius %1 mm").arg(mm_(sphere.radius));
-    }
-    QString operator()(const geometric::Cylinder& cylinder) const {
-      return QStringLiteral("cylinder, radius %1 mm, length %2 mm")
-          .arg(mm_(cylinder.radius), mm_(cylinder.length));
-    }
-    QString operator()(const geometric::Cone& cone) const {
-      return QStringLiteral("cone, radius %1 mm, height %2 mm")
-          .arg(mm_(cone.radius), mm_(cone.length));
-    }
-    QString operator()(const geometric::Mesh& mesh) const {
-      return QStringLiteral("mesh %1, %2 triangles")
-          .arg(QString::fromStdString(mesh.file.filename().string()))
-          .arg(mesh.triangles ? mesh.triangles->triangles.size() : 0);
-    }
-  };
-  return std::visit(Words{mm}, shape);
-}
+QString mm(double metres) { return QString::number(metres * 1e3, 'f', 0); }
+
+struct SizeText {
+  QString operator()(const geometric::Box& box) const {
+    return QStringLiteral("box %1 × %2 × %3 mm")
+        .arg(mm(box.size.x()), mm(box.size.y()), mm(box.size.z()));
+  }
+  QString operator()(const geometric::Sphere& sphere) const {
+    return QStringLiteral("sphere, radius %1 mm").arg(mm(sphere.radius));
+  }
+  QString operator()(const geometric::Cylinder& cylinder) const {
+    return QStringLiteral("cylinder, radius %1 mm, length %2 mm")
+        .arg(mm(cylinder.radius), mm(cylinder.length));
+  }
+  QString operator()(const geometric::Cone& cone) const {
+    return QStringLiteral("cone, radius %1 mm, height %2 mm").arg(mm(cone.radius), mm(cone.length));
+  }
+  QString operator()(const geometric::Mesh& mesh) const {
+    return QStringLiteral("mesh %1, %2 triangles")
+        .arg(QString::fromStdString(mesh.file.filename().string()))
+        .arg(mesh.triangles ? mesh.triangles->triangles.size() : 0);
+  }
+};
 
 }  // namespace
 
@@ -102,10 +100,21 @@ void SceneTree::set_scene(std::shared_ptr<const geometric::Scene> scene) {
   add_query(*scene_);
 }
 
+void SceneTree::paintEvent(QPaintEvent* event) {
+  QTreeWidget::paintEvent(event);
+  if (topLevelItemCount() == 0) {
+    QPainter painter(viewport());
+    painter.setPen(colors_of(current_theme()).muted);
+    painter.drawText(viewport()->rect().adjusted(12, 10, -12, -10),
+                     Qt::AlignTop | Qt::AlignLeft | Qt::TextWordWrap,
+                     tr("Robots, objects and the task appear here"));
+  }
+}
+
 void SceneTree::add_robot(const geometric::RobotInstance& robot) {
   const geometric::RobotModel& model = *robot.model;
-  QTreeWidgetItem* top = make_row(QString::fromStdString(robot.name), icon("robot"),
-                                  {Kind::kRobot, robot.name, ""});
+  QTreeWidgetItem* top =
+      make_row(QString::fromStdString(robot.name), icon("robot"), {Kind::kRobot, robot.name, ""});
   top->setToolTip(0, tr("%1: %2 links, %3 joints that move on their own")
                          .arg(QString::fromStdString(model.name()))
                          .arg(model.link_count())
@@ -114,8 +123,8 @@ void SceneTree::add_robot(const geometric::RobotInstance& robot) {
   std::vector<QTreeWidgetItem*> rows;
   for (int i = 0; i < model.link_count(); ++i) {
     const std::string& name = model.link(i).name;
-    rows.push_back(make_row(QString::fromStdString(name), icon("link"),
-                            {Kind::kLink, robot.name, name}));
+    rows.push_back(
+        make_row(QString::fromStdString(name), icon("link"), {Kind::kLink, robot.name, name}));
     const int parent = model.parent(i);
     // A serial chain stays flat; only branches (fingers) are indented.
     QTreeWidgetItem* above = parent < 0 ? top : rows[static_cast<std::size_t>(parent)];
@@ -141,7 +150,7 @@ void SceneTree::add_objects(const geometric::Scene& scene) {
     QTreeWidgetItem* row = make_row(QString::fromStdString(object.name),
                                     icon("object", to_qcolor(object.color).darker(115)),
                                     {Kind::kObject, "", object.name});
-    QString words = size_text(object.shape);
+    QString words = std::visit(SizeText{}, object.shape);
     if (object.attachment) {
       words += tr(", carried by %1").arg(QString::fromStdString(object.attachment->link));
     }

@@ -30,6 +30,10 @@ class SceneTree : public QTreeWidget {
   void posture_activated(const handway::gui::SceneItem& item);
   void ghosts_toggled(bool start, bool goal);
 
+ protected:
+  /// An empty tree says what would be here.
+  void paintEvent(QPaintEvent* event) override;
+
  private:
   void add_robot(const geometric::RobotInstance& robot);
   void add_objects(const geometric::Scene& scene);

@@ -97,9 +97,9 @@ ShadedMesh with_crease_normals(const geometric::TriangleMesh& mesh, double creas
       }
       normal.normalize();
       const Eigen::Vector3i rounded = (normal * 1e4).array().round().cast<int>();
-      const auto [entry, is_new] = numbers.try_emplace(
-          {face.places[k], {rounded.x(), rounded.y(), rounded.z()}},
-          static_cast<Index>(shaded.vertices.size()));
+      const auto [entry, is_new] =
+          numbers.try_emplace({face.places[k], {rounded.x(), rounded.y(), rounded.z()}},
+                              static_cast<Index>(shaded.vertices.size()));
       if (is_new) {
         shaded.vertices.push_back(mesh.vertices[face.corners[k]].cast<float>());
         shaded.normals.push_back(normal.cast<float>());

@@ -48,9 +48,8 @@ SoSeparator* make_line(std::span<const Eigen::Vector3d> points) {
   SoVertexProperty* properties = make_vertices(points);
   std::vector<std::uint32_t> colors;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const float t = points.size() > 1
-                        ? static_cast<float>(i) / static_cast<float>(points.size() - 1)
-                        : 0.0F;
+    const float t =
+        points.size() > 1 ? static_cast<float>(i) / static_cast<float>(points.size() - 1) : 0.0F;
     colors.push_back(packed_rgba(blend(kStartColor, kGoalColor, t)));
   }
   properties->orderedRGBA.setValues(0, static_cast<int>(colors.size()), colors.data());

@@ -81,8 +81,8 @@ Points points_of_interest(const geometric::Scene& scene) {
     if (!object.attachment) {
       add_shape(corners, object.shape, object.X_PO);
     }
-    const bool fits = !has_robot || (!corners.empty() &&
-                                     box_around(corners).size().maxCoeff() <= 1.2 * largest);
+    const bool fits =
+        !has_robot || (!corners.empty() && box_around(corners).size().maxCoeff() <= 1.2 * largest);
     if (fits) {
       points.insert(points.end(), corners.begin(), corners.end());
     }

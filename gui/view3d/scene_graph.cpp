@@ -6,16 +6,19 @@
 #include "view3d/lights.h"
 #include "view3d/path_node.h"
 #include "view3d/scene_extent.h"
+#include "view3d/view_overlay.h"
 
-#include <GL/gl.h>
 #include <Inventor/SoPath.h>
 #include <Inventor/SoPickedPoint.h>
 #include <Inventor/actions/SoGLRenderAction.h>
 #include <Inventor/actions/SoRayPickAction.h>
 #include <Inventor/nodes/SoOrthographicCamera.h>
 #include <Inventor/nodes/SoPerspectiveCamera.h>
+#include <Inventor/nodes/SoPolygonOffset.h>
 #include <Inventor/nodes/SoSeparator.h>
 #include <Inventor/nodes/SoSwitch.h>
+
+#include <GL/gl.h>
 
 #include <algorithm>
 #include <utility>
@@ -108,12 +111,16 @@ void SceneGraph::add_ghost(Ghost& ghost, const std::optional<Configuration>& q,
     return;
   }
   geometric::Color faint = color;
-  faint.alpha = 0.32F;
+  faint.alpha = 0.26F;
   ghost.q = *q;
   ghost.robot = std::make_unique<RobotNode>(scene_->robots.front().model, shapes, faint);
   ghost.robot->place(scene_->robots.front().X_WB, *q);
   ghost.root = make_coin<SoSeparator>();
   passes_->prepare(ghost.root.get());
+  auto* behind = new SoPolygonOffset;  // does not flicker with the robot where both coincide
+  behind->factor = 2.0F;
+  behind->units = 60.0F;
+  ghost.root->addChild(behind);
   ghost.root->addChild(ghost.robot->root());
 }
 
@@ -167,11 +174,11 @@ void SceneGraph::update_ghosts() {
       continue;
     }
     for (std::size_t i = 0; i < ghost->robot->link_poses().size(); ++i) {
-      const bool apart = !ghost->robot->link_poses()[i].isApprox(
-          robots_.front()->link_poses()[i], 1e-3);
-      const bool doubled = ghost == &goal_ && start_.robot && start_.visible &&
-                           ghost->robot->link_poses()[i].isApprox(start_.robot->link_poses()[i],
-                                                                  1e-3);
+      const bool apart =
+          !ghost->robot->link_poses()[i].isApprox(robots_.front()->link_poses()[i], 1e-3);
+      const bool doubled =
+          ghost == &goal_ && start_.robot && start_.visible &&
+          ghost->robot->link_poses()[i].isApprox(start_.robot->link_poses()[i], 1e-3);
       ghost->robot->set_link_visible(static_cast<int>(i), apart && !doubled);
     }
   }
@@ -292,7 +299,7 @@ void SceneGraph::render_axes(SoGLRenderAction& action, const OrbitCamera& camera
   SoOrthographicCamera& eye = *passes_->axes_camera.get();
   passes_->axes_camera->orientation = passes_->camera->orientation;
   eye.position = to_coin(Eigen::Vector3d(4.0 * camera.orientation().col(2)));
-  eye.height = 2.9F;
+  eye.height = static_cast<float>(ViewOverlay::kAxesHeight);
   eye.nearDistance = 1.0F;
   eye.farDistance = 8.0F;
   action.setTransparencyType(SoGLRenderAction::NONE);

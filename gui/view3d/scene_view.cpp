@@ -2,36 +2,30 @@
 
 #include "view3d/backdrop.h"
 #include "view3d/scene_graph.h"
+#include "view3d/view_overlay.h"
 
-#include <GL/gl.h>
 #include <Inventor/SbViewportRegion.h>
 #include <Inventor/SoDB.h>
 #include <Inventor/actions/SoGLRenderAction.h>
 #include <QElapsedTimer>
 #include <QMouseEvent>
-#include <QPainter>
 #include <QWheelEvent>
 
-#include <array>
+#include <GL/gl.h>
+
 #include <cmath>
 
 namespace handway::gui {
 namespace {
-
-constexpr int kAxesSize = 96;  // logical pixels
 
 std::uint32_t new_cache_context() {
   static std::uint32_t last = 0;
   return ++last;
 }
 
-QColor to_qcolor(const geometric::Color& color) {
-  return QColor::fromRgbF(color.red, color.green, color.blue, color.alpha);
-}
-
 }  // namespace
 
-SceneView::SceneView(QWidget* parent) : QOpenGLWidget(parent) {
+SceneView::SceneView(QWidget* parent) : QOpenGLWidget(parent), overlay_(new ViewOverlay(this)) {
   if (!SoDB::isInitialized()) {
     SoDB::init();
   }
@@ -57,6 +51,7 @@ SceneView::~SceneView() {
 
 void SceneView::set_scene(std::shared_ptr<const geometric::Scene> scene) {
   has_scene_ = scene != nullptr;
+  overlay_->set_text(has_scene_ ? QString() : empty_text_);
   untouched_ = true;
   flight_.stop();
   graph_->set_scene(std::move(scene));
@@ -68,12 +63,13 @@ void SceneView::set_scene(std::shared_ptr<const geometric::Scene> scene) {
 void SceneView::set_colors(const ViewColors& colors) {
   colors_ = colors;
   graph_->set_colors(colors);
+  overlay_->set_color(colors.text);
   update();
 }
 
 void SceneView::set_empty_text(const QString& text) {
   empty_text_ = text;
-  update();
+  overlay_->set_text(has_scene_ ? QString() : empty_text_);
 }
 
 void SceneView::set_configuration(const geometric::Configuration& q) {
@@ -159,66 +155,41 @@ void SceneView::paintGL() {
   QElapsedTimer timer;
   timer.start();
   const QSize pixels = pixel_size();
-  // The window's painter finds the state as it left it; the picture stays opaque.
   glPushClientAttrib(GL_CLIENT_ALL_ATTRIB_BITS);
   glPushAttrib(GL_ALL_ATTRIB_BITS);
   glViewport(0, 0, pixels.width(), pixels.height());
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LEQUAL);
   glDepthMask(GL_TRUE);
   glClearColor(0.0F, 0.0F, 0.0F, 1.0F);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);  // veils leave the picture opaque
   draw_backdrop(colors_.sky, colors_.ground);
   action_->invalidateState();
-  action_->setViewportRegion(SbViewportRegion(static_cast<short>(pixels.width()),
-                                              static_cast<short>(pixels.height())));
+  action_->setViewportRegion(
+      SbViewportRegion(static_cast<short>(pixels.width()), static_cast<short>(pixels.height())));
   graph_->render(*action_, camera_, aspect());
   render_axes_cross();
   glPopAttrib();
   glPopClientAttrib();
   glFinish();
   frame_time_ms_ = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
-  paint_overlay();
+  overlay_->set_axes(camera_.orientation());
 }
 
 void SceneView::render_axes_cross() {
-  const auto size = static_cast<short>(std::lround(kAxesSize * devicePixelRatioF()));
+  const auto size = static_cast<short>(std::lround(ViewOverlay::kAxesSize * devicePixelRatioF()));
   const QSize pixels = pixel_size();
   SbViewportRegion region(static_cast<short>(pixels.width()), static_cast<short>(pixels.height()));
-  region.setViewportPixels(6, 6, size, size);
+  region.setViewportPixels(0, 0, size, size);
   action_->setViewportRegion(region);
   glClear(GL_DEPTH_BUFFER_BIT);
   graph_->render_axes(*action_, camera_);
 }
 
-void SceneView::paint_overlay() {
-  QPainter painter(this);
-  painter.setRenderHint(QPainter::TextAntialiasing);
-  painter.setPen(to_qcolor(colors_.text));
-  QFont font = painter.font();
-  font.setPixelSize(11);
-  font.setBold(true);
-  painter.setFont(font);
-  const double dpr = devicePixelRatioF();
-  const QPointF middle(6.0 / dpr + kAxesSize / 2.0, height() - 6.0 / dpr - kAxesSize / 2.0);
-  const Eigen::Matrix3d R = camera_.orientation();
-  constexpr std::array kNames{"X", "Y", "Z"};
-  for (int axis = 0; axis < 3; ++axis) {
-    const double reach = 1.24 * kAxesSize / 2.9;
-    const QPointF place =
-        middle + QPointF(reach * R(axis, 0), -reach * R(axis, 1));
-    painter.drawText(QRectF(place - QPointF(8, 8), QSizeF(16, 16)), Qt::AlignCenter,
-                     kNames[static_cast<std::size_t>(axis)]);
-  }
-  if (!has_scene_ && !empty_text_.isEmpty()) {
-    font.setPixelSize(16);
-    font.setBold(false);
-    painter.setFont(font);
-    painter.drawText(rect(), Qt::AlignCenter, empty_text_);
-  }
-}
-
 void SceneView::resizeEvent(QResizeEvent* event) {
   QOpenGLWidget::resizeEvent(event);
+  overlay_->setGeometry(rect());
   if (untouched_ && has_scene_) {
     camera_.fit(graph_->points_of_interest(), aspect());
   }
@@ -255,20 +226,20 @@ void SceneView::mouseReleaseEvent(QMouseEvent* event) {
   }
   const double dpr = devicePixelRatioF();
   const QSize pixels = pixel_size();
-  const auto hit = graph_->pick(
-      SbVec2s(static_cast<short>(pixels.width()), static_cast<short>(pixels.height())),
-      SbVec2s(static_cast<short>(event->x() * dpr),
-              static_cast<short>((height() - 1 - event->y()) * dpr)));
+  const auto hit =
+      graph_->pick(SbVec2s(static_cast<short>(pixels.width()), static_cast<short>(pixels.height())),
+                   SbVec2s(static_cast<short>(event->x() * dpr),
+                           static_cast<short>((height() - 1 - event->y()) * dpr)));
   emit picked(hit ? hit->item : SceneItem{});
 }
 
 void SceneView::mouseDoubleClickEvent(QMouseEvent* event) {
   const double dpr = devicePixelRatioF();
   const QSize pixels = pixel_size();
-  const auto hit = graph_->pick(
-      SbVec2s(static_cast<short>(pixels.width()), static_cast<short>(pixels.height())),
-      SbVec2s(static_cast<short>(event->x() * dpr),
-              static_cast<short>((height() - 1 - event->y()) * dpr)));
+  const auto hit =
+      graph_->pick(SbVec2s(static_cast<short>(pixels.width()), static_cast<short>(pixels.height())),
+                   SbVec2s(static_cast<short>(event->x() * dpr),
+                           static_cast<short>((height() - 1 - event->y()) * dpr)));
   if (hit) {
     untouched_ = false;
     OrbitCamera::Placement centred = camera_.placement();

@@ -19,6 +19,7 @@ class SoGLRenderAction;
 namespace handway::gui {
 
 class SceneGraph;
+class ViewOverlay;
 
 /// The 3-D view: shows a scene, turns with the mouse (left: orbit, middle or
 /// Shift+left: pan, wheel or right: zoom, double click: centre), tells what was
@@ -75,11 +76,11 @@ class SceneView : public QOpenGLWidget {
   [[nodiscard]] QSize pixel_size() const;
   [[nodiscard]] double aspect() const;
   void render_axes_cross();
-  void paint_overlay();
   void fly_to(const OrbitCamera::Placement& placement);
 
   std::unique_ptr<SceneGraph> graph_;
   std::unique_ptr<SoGLRenderAction> action_;
+  ViewOverlay* overlay_;
   OrbitCamera camera_;
   QVariantAnimation flight_;
   ViewColors colors_;

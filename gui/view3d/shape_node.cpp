@@ -41,8 +41,7 @@ void add_mesh(SoSeparator* parent, const geometric::TriangleMesh& triangles) {
   auto* properties = new SoVertexProperty;
   static_assert(sizeof(Eigen::Vector3f) == sizeof(SbVec3f));
   const auto count = static_cast<int>(mesh.vertices.size());
-  properties->vertex.setValues(0, count,
-                               reinterpret_cast<const float(*)[3]>(mesh.vertices.data()));
+  properties->vertex.setValues(0, count, reinterpret_cast<const float(*)[3]>(mesh.vertices.data()));
   properties->normal.setValues(0, count, reinterpret_cast<const float(*)[3]>(mesh.normals.data()));
   properties->normalBinding = SoVertexProperty::PER_VERTEX_INDEXED;
 

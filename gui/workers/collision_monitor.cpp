@@ -16,7 +16,8 @@ CollisionReport report_on(CollisionChecker& checker, const Configuration& q) {
   CollisionReport report;
   report.collisions = geometric::find_collisions(checker, q);
   if (report.collisions.empty()) {
-    const geometric::NamedPair pair = geometric::find_clearance(checker, q, CollisionMonitor::kNear);
+    const geometric::NamedPair pair =
+        geometric::find_clearance(checker, q, CollisionMonitor::kNear);
     if (pair.distance < CollisionMonitor::kNear) {
       report.closest = pair;
     }

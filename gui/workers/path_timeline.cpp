@@ -17,8 +17,7 @@ PathTimeline::PathTimeline(std::shared_ptr<const geometric::RobotModel> model, p
   double distance = 0.0;
   for (std::size_t i = 0; i < path_.waypoints.size(); ++i) {
     if (i > 0) {
-      distance +=
-          planning::normalised_distance(*model, path_.waypoints[i - 1], path_.waypoints[i]);
+      distance += planning::normalised_distance(*model, path_.waypoints[i - 1], path_.waypoints[i]);
     }
     distance_.push_back(distance);
   }
