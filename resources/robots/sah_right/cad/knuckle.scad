@@ -16,7 +16,7 @@ module knuckle_ear() {
   drum(5, ear[0] - 1.5, ear[0] + 1, 1, 0);
 }
 
-module knuckle_block() block([-30, -13.5, -22.5], [seat_top, 13.5, 11], 3);
+module knuckle_block() block([-31, -12.5, -22.5], [seat_top, 12.5, 11], 3);
 
 module knuckle_ear_collision() hull() {
   drum(ear_radius, ear[0] - 1.5, ear[1]);
