@@ -22,10 +22,13 @@ function(handway_library name)
     EXPORT_FILE_NAME ${CMAKE_CURRENT_BINARY_DIR}/include/handway/${name}/export.h)
   target_include_directories(
     ${target}
-    PUBLIC ${CMAKE_CURRENT_SOURCE_DIR}/include ${CMAKE_CURRENT_BINARY_DIR}/include
+    PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>
+           $<BUILD_INTERFACE:${CMAKE_CURRENT_BINARY_DIR}/include> $<INSTALL_INTERFACE:include>
     PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
+  target_compile_features(${target} PUBLIC cxx_std_20)
   target_link_libraries(${target} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
   _handway_warnings(${target})
+  _handway_install_library(${name})
 endfunction()
 
 # What a user runs: the programs and their plugins, without the tests.
@@ -38,17 +41,25 @@ function(handway_executable name)
   target_link_libraries(${name} PRIVATE ${ARG_LINK})
   add_dependencies(programs ${name})
   _handway_warnings(${name})
+  _handway_install_program(${name})
 endfunction()
 
 # handway_plugin(NAME SOURCES … LINK …): a module that the program finds beside its libraries.
+# With OUTPUT FOLDER it is built there instead, and not installed: for tests.
 function(handway_plugin name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
+  cmake_parse_arguments(ARG "" "OUTPUT" "SOURCES;LINK" ${ARGN})
   add_library(${name} MODULE ${ARG_SOURCES})
   target_link_libraries(${name} PRIVATE ${ARG_LINK})
-  set_target_properties(${name} PROPERTIES PREFIX "" LIBRARY_OUTPUT_DIRECTORY
-                                                     "${HANDWAY_PLUGIN_DIRECTORY}")
-  add_dependencies(programs ${name})
+  set_target_properties(${name} PROPERTIES PREFIX "")
   _handway_warnings(${name})
+  if(ARG_OUTPUT)
+    set_target_properties(${name} PROPERTIES LIBRARY_OUTPUT_DIRECTORY "${ARG_OUTPUT}")
+  else()
+    set_target_properties(${name} PROPERTIES LIBRARY_OUTPUT_DIRECTORY
+                                             "${HANDWAY_PLUGIN_DIRECTORY}")
+    add_dependencies(programs ${name})
+    _handway_install_plugin(${name})
+  endif()
 endfunction()
 
 # handway_test(NAME SOURCES … LINK …): a GoogleTest program whose cases CTest lists one by one.

@@ -137,11 +137,13 @@ TEST(PlanningQuery, ForgivesTheRoundingsOfAFile) {
 TEST(PlanningRequest, RefusesThreadsAndResolutionsThatMakeNoSense) {
   const auto planner = PlannerRegistry().create("rrt-connect");
   const PlanningProblem problem = test::open_problem();
-  for (const auto& change : {+[](PlanRequest& request) { request.threads = 0; },
-                             +[](PlanRequest& request) { request.resolution_mm = 0.0; },
-                             +[](PlanRequest& request) { request.resolution_mm = std::nan(""); }}) {
-    PlanRequest request;
-    change(request);
+  PlanRequest no_thread;
+  no_thread.threads = 0;
+  PlanRequest too_exact;
+  too_exact.resolution_mm = 0.0;
+  PlanRequest not_a_number;
+  not_a_number.resolution_mm = std::nan("");
+  for (const PlanRequest& request : {no_thread, too_exact, not_a_number}) {
     EXPECT_THROW(static_cast<void>(planner->plan(problem, request)), std::invalid_argument);
   }
 }

@@ -24,9 +24,8 @@ AllowedReason reason_of(const std::string& word) {
 template <typename Items>
 std::vector<std::string> names_of(const Items& items) {
   std::vector<std::string> names;
-  for (const auto& item : items) {
-    names.push_back(item.name);
-  }
+  std::transform(items.begin(), items.end(), std::back_inserter(names),
+                 [](const auto& item) { return item.name; });
   return names;
 }
 

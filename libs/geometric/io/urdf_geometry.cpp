@@ -11,7 +11,7 @@ namespace {
 
 class GeometryReader {
  public:
-  GeometryReader(std::string link, std::filesystem::path folder, std::string referenced_by)
+  GeometryReader(const std::string& link, std::filesystem::path folder, std::string referenced_by)
       : element_("link " + link), folder_(std::move(folder)), where_(std::move(referenced_by)) {}
 
   [[nodiscard]] LinkGeometry read(const urdf::GeometrySharedPtr& geometry,

@@ -59,8 +59,8 @@ YamlElement YamlElement::read(const std::filesystem::path& file, const std::stri
     throw InputError({file.string(), "", std::to_string(documents.size()) + " YAML documents", what,
                       "Keep one document a file"});
   }
-  return {std::make_shared<const Document>(file, what),
-          std::make_shared<const Node>(documents.front()), ""};
+  return {std::make_shared<const Document>(Document{file, what}),
+          std::make_shared<const Node>(Node{documents.front()}), ""};
 }
 
 std::string YamlElement::where() const {
@@ -107,7 +107,8 @@ void YamlElement::allow_keys(std::initializer_list<std::string> known) const {
 
 YamlElement YamlElement::child(const Node& node, const std::string& suffix) const {
   const char* dot = name_.empty() || suffix.starts_with('[') ? "" : ".";
-  return {document_, std::make_shared<const Node>(node), fmt::format("{}{}{}", name_, dot, suffix)};
+  return {document_, std::make_shared<const Node>(Node{node}),
+          fmt::format("{}{}{}", name_, dot, suffix)};
 }
 
 std::optional<YamlElement> YamlElement::find(const std::string& key) const {

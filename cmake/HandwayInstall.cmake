@@ -1,0 +1,56 @@
+# What `cmake --install` puts where, in four components: libraries (with headers and a CMake
+# package), programs, plugins, data. Programs find the others by their place beside bin/.
+include(CMakePackageConfigHelpers)
+
+set(_HANDWAY_PACKAGE_FOLDER lib/cmake/Handway)
+
+function(_handway_install_library name)
+  set_target_properties(handway_${name} PROPERTIES EXPORT_NAME ${name} INSTALL_RPATH "$ORIGIN")
+  install(
+    TARGETS handway_${name}
+    EXPORT HandwayTargets
+    LIBRARY DESTINATION lib COMPONENT libraries)
+  install(
+    DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/include/ ${CMAKE_CURRENT_BINARY_DIR}/include/
+    DESTINATION include
+    COMPONENT libraries)
+endfunction()
+
+function(_handway_install_program name)
+  set_target_properties(${name} PROPERTIES INSTALL_RPATH "$ORIGIN/../lib")
+  install(TARGETS ${name} RUNTIME DESTINATION bin COMPONENT programs)
+endfunction()
+
+function(_handway_install_plugin name)
+  set_target_properties(${name} PROPERTIES INSTALL_RPATH "$ORIGIN/..")
+  install(TARGETS ${name} LIBRARY DESTINATION lib/handway-plugins COMPONENT plugins)
+endfunction()
+
+# Robots, objects, bases and scenes, and the package that find_package(Handway) reads.
+function(handway_install_data)
+  foreach(folder resources scenes)
+    if(IS_DIRECTORY ${CMAKE_SOURCE_DIR}/${folder})
+      install(
+        DIRECTORY ${folder}
+        DESTINATION share/handway
+        COMPONENT data
+        PATTERN cad EXCLUDE
+        PATTERN cad.cmake EXCLUDE)
+    endif()
+  endforeach()
+  install(
+    EXPORT HandwayTargets
+    NAMESPACE handway::
+    DESTINATION ${_HANDWAY_PACKAGE_FOLDER}
+    COMPONENT libraries)
+  configure_package_config_file(
+    ${CMAKE_SOURCE_DIR}/cmake/HandwayConfig.cmake.in ${CMAKE_BINARY_DIR}/HandwayConfig.cmake
+    INSTALL_DESTINATION ${_HANDWAY_PACKAGE_FOLDER} NO_SET_AND_CHECK_MACRO
+    NO_CHECK_REQUIRED_COMPONENTS_MACRO)
+  write_basic_package_version_file(${CMAKE_BINARY_DIR}/HandwayConfigVersion.cmake
+                                   COMPATIBILITY SameMinorVersion)
+  install(
+    FILES ${CMAKE_BINARY_DIR}/HandwayConfig.cmake ${CMAKE_BINARY_DIR}/HandwayConfigVersion.cmake
+    DESTINATION ${_HANDWAY_PACKAGE_FOLDER}
+    COMPONENT libraries)
+endfunction()

@@ -1,0 +1,83 @@
+#include "handway/planning/core/planning_problem.h"
+#include "handway/planning/core/plugin.h"
+#include "handway_test/paths.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+namespace handway::planning {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kRobot = R"(<robot name="lever">
+  <link name="base"/>
+  <link name="arm">
+    <collision>
+      <origin xyz="0.5 0 0"/><geometry><box size="1 0.1 0.1"/></geometry>
+    </collision>
+  </link>
+  <joint name="swing" type="revolute">
+    <parent link="base"/><child link="arm"/><axis xyz="0 0 1"/>
+    <limit lower="-3" upper="1" effort="1" velocity="1"/>
+  </joint>
+</robot>
+)";
+
+/// Runs `command` in the shell and expects success.
+void run(const std::string& command) {
+  FILE* pipe = popen((command + " 2>&1").c_str(), "r");
+  ASSERT_NE(pipe, nullptr);
+  std::string printed;
+  std::array<char, 4096> block{};
+  while (const std::size_t size = std::fread(block.data(), 1, block.size(), pipe)) {
+    printed.append(block.data(), size);
+  }
+  ASSERT_EQ(pclose(pipe), 0) << command << '\n' << printed;
+}
+
+std::string quoted(const fs::path& path) { return '"' + path.string() + '"'; }
+
+/// Installs the libraries of this build and builds the plugin against them.
+void build_outside(const fs::path& folder) {
+  const std::string cmake = quoted(HANDWAY_CMAKE);
+  const fs::path source = test::source_dir() / "tests" / "consumer" / "straight_planner";
+  run(cmake + " --install " + quoted(HANDWAY_BUILD_FOLDER) + " --component libraries --prefix " +
+      quoted(folder / "prefix"));
+  run(cmake + " -G Ninja -S " + quoted(source) + " -B " + quoted(folder / "build") +
+      " -DCMAKE_PREFIX_PATH=" + quoted(folder / "prefix") +
+      " -DCMAKE_CXX_COMPILER=" + quoted(HANDWAY_COMPILER) +
+      " -DCMAKE_CXX_FLAGS=" HANDWAY_SANITIZER " -DCMAKE_BUILD_TYPE=Debug");
+  run(cmake + " --build " + quoted(folder / "build"));
+}
+
+TEST(OutsidePlugin, IsBuiltOnTheInstalledLibrariesAndPlans) {
+  const test::ScratchFolder scratch;
+  ASSERT_NO_FATAL_FAILURE(build_outside(scratch.path()));
+
+  Extensions extensions;
+  extensions.load_plugins(scratch.path() / "build");
+  ASSERT_THAT(extensions.refused(), testing::IsEmpty());
+  ASSERT_THAT(extensions.loaded(), testing::SizeIs(1));
+  EXPECT_EQ(extensions.loaded().front().version, "1.0");
+
+  const fs::path scene = scratch.path() / "scene.yaml";
+  std::ofstream(scratch.path() / "lever.urdf") << kRobot;
+  std::ofstream(scene) << "handway: 1\n"
+                          "robots:\n  - model: lever.urdf\n"
+                          "start: {swing: -2}\ngoal: {swing: 0.5}\n";
+  const LoadedScene loaded = load_scene(scene, extensions);
+  const auto planner = extensions.planners().create("straight");
+  const PlanResult result = planner->plan(make_problem(loaded.scene, loaded.basis), {});
+  EXPECT_TRUE(result.solved()) << result.reason;
+  EXPECT_THAT(result.path.waypoints, testing::SizeIs(2));
+}
+
+}  // namespace
+}  // namespace handway::planning
