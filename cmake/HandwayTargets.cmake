@@ -62,6 +62,14 @@ function(handway_plugin name)
   endif()
 endfunction()
 
+# handway_benchmark(NAME SOURCES … LINK …): a program in bin/ that is not installed.
+function(handway_benchmark name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
+  add_executable(${name} ${ARG_SOURCES})
+  target_link_libraries(${name} PRIVATE ${ARG_LINK})
+  _handway_warnings(${name})
+endfunction()
+
 # handway_test(NAME SOURCES … LINK …): a GoogleTest program whose cases CTest lists one by one.
 function(handway_test name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
