@@ -79,6 +79,10 @@ PlanResult Planner::plan(const PlanningProblem& problem, const PlanRequest& requ
   } else if (const std::string goal = objection(context, problem.goal); !goal.empty()) {
     result.status = PlanStatus::kGoalInvalid;
     result.reason = "The goal " + goal + ".";
+  } else if (problem.start == problem.goal) {
+    result.status = PlanStatus::kSolved;
+    result.reason = "The start is the goal: there is nothing to move.";
+    result.path.waypoints = {problem.start, problem.goal};
   } else {
     do_plan(context, result);
     result.time_s = context.elapsed_s() - result.smoothing_s;

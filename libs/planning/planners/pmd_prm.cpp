@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <utility>
 
 namespace handway::planning {
@@ -85,6 +86,12 @@ class RoadmapSearch {
       }
       range = search_range();
       context_.observer().on_search_range(range.first, range.second);
+    }
+    // Hypercubes of a wide corridor stand far apart. Where none stands in the
+    // range any more, its middle is explored: else passes would add to the first
+    // hypercube alone, for ever.
+    if (std::ceil(range.first * max_steps) > range.second * max_steps) {
+      return explore_hypercube(0.5 * (range.first + range.second), rho);
     }
     return std::nullopt;
   }

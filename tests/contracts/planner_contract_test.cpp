@@ -1,0 +1,274 @@
+/// What every planner of the registry has to keep, whatever its method.
+#include "handway/planning/core/planner_registry.h"
+#include "handway/planning/core/planning_context.h"
+#include "handway/planning/paths/path_check.h"
+#include "handway_test/input_errors.h"
+#include "handway_test/planar_problems.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <functional>
+#include <map>
+#include <set>
+#include <stop_token>
+#include <string>
+#include <thread>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace handway::planning {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+std::string word_of(std::string name) {
+  std::ranges::replace_if(
+      name, [](unsigned char c) { return !std::isalnum(c); }, '_');
+  return name;
+}
+
+std::unique_ptr<Planner> planner_with(const std::string& name, const std::string& samples) {
+  std::unique_ptr<Planner> planner = PlannerRegistry().create(name);
+  set_from_text(find_parameter(planner->parameters(), "max_samples"), samples);
+  return planner;
+}
+
+/// Remembers what it was told.
+class Recorder : public Observer {
+ public:
+  void on_node(const NodeEvent& node) override {
+    EXPECT_TRUE(nodes.emplace(node.id, node.q).second) << "node " << node.id << " told twice";
+  }
+  void on_edge(int from, int to) override {
+    EXPECT_TRUE(nodes.contains(from) && nodes.contains(to)) << from << " to " << to;
+    edges.emplace_back(from, to);
+  }
+  void on_search_range(double d_ini, double d_goal) override {
+    EXPECT_LE(0.0, d_ini);
+    EXPECT_LE(d_ini, d_goal);
+    EXPECT_LE(d_goal, 1.0);
+  }
+  void on_progress(double fraction, std::string_view activity) override {
+    EXPECT_GE(fraction, 0.0);
+    EXPECT_LE(fraction, 1.0);
+    EXPECT_FALSE(activity.empty());
+  }
+
+  std::map<int, Configuration> nodes;
+  std::vector<std::pair<int, int>> edges;
+};
+
+struct Problem {
+  const char* name;
+  PlanningProblem (*make)();
+};
+
+class SolvableProblem : public testing::TestWithParam<std::tuple<std::string, Problem>> {
+ protected:
+  PlanResult plan(const PlanRequest& request, Observer* observer = nullptr) const {
+    return planner_with(std::get<0>(GetParam()), "20000")->plan(problem_, request, {}, observer);
+  }
+
+  PlanningProblem problem_ = std::get<1>(GetParam()).make();
+};
+
+TEST_P(SolvableProblem, IsSolvedWithAPathThatHolds) {
+  const PlanResult result = plan({});
+  ASSERT_TRUE(result.solved()) << result.reason;
+  EXPECT_THAT(result.reason, Not(IsEmpty()));
+  ASSERT_GE(result.path.waypoints.size(), 2U);
+  EXPECT_EQ(result.path.waypoints.front(), problem_.start) << "to the bit";
+  EXPECT_EQ(result.path.waypoints.back(), problem_.goal) << "to the bit";
+  const PathCheckResult check = check_path(problem_, result.path, 0.001);
+  EXPECT_THAT(check.faults, IsEmpty());
+  EXPECT_GT(check.configurations, 100U);
+  EXPECT_GT(result.certificate.min_clearance_mm, 0.0);
+  EXPECT_LE(result.certificate.min_clearance_mm, check.min_clearance_mm + 1e-6);
+  EXPECT_EQ(result.certificate.resolution_mm, PlanRequest{}.resolution_mm);
+  EXPECT_GT(result.certificate.checks, 0U);
+}
+
+TEST_P(SolvableProblem, CountsWhatItDid) {
+  const PlanResult result = plan({});
+  ASSERT_TRUE(result.solved()) << result.reason;
+  EXPECT_GE(result.statistics.nodes, 2U) << "start and goal included";
+  EXPECT_GE(result.statistics.edges, 1U);
+  EXPECT_GE(result.statistics.edges_tested, result.statistics.edges);
+  EXPECT_GT(result.statistics.samples, 0U);
+  EXPECT_GT(result.statistics.node_checks, 0U);
+  EXPECT_GT(result.statistics.edge_checks, 0U);
+  EXPECT_GE(result.time_s, 0.0);
+  EXPECT_GE(result.smoothing_s, 0.0);
+}
+
+TEST_P(SolvableProblem, IsSolvedAlikeOnEveryRunAndForAnyThreads) {
+  PlanRequest request;
+  request.seed = 7;
+  const PlanResult first = plan(request);
+  ASSERT_TRUE(first.solved()) << first.reason;
+  for (const int threads : {1, 2, 4}) {
+    request.threads = threads;
+    const PlanResult again = plan(request);
+    EXPECT_EQ(again.path.waypoints, first.path.waypoints) << threads << " threads";
+    EXPECT_EQ(again.statistics.samples, first.statistics.samples);
+    EXPECT_EQ(again.statistics.nodes, first.statistics.nodes);
+    EXPECT_EQ(again.statistics.edges, first.statistics.edges);
+    EXPECT_EQ(again.statistics.node_checks, first.statistics.node_checks);
+    EXPECT_EQ(again.statistics.edges_tested, first.statistics.edges_tested);
+    EXPECT_EQ(again.statistics.rejections, first.statistics.rejections) << threads << " threads";
+    EXPECT_EQ(again.certificate.min_clearance_mm, first.certificate.min_clearance_mm);
+  }
+}
+
+TEST_P(SolvableProblem, IsSolvedForOtherSeeds) {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    PlanRequest request;
+    request.seed = seed;
+    const PlanResult result = plan(request);
+    ASSERT_TRUE(result.solved()) << seed << ": " << result.reason;
+    EXPECT_THAT(check_path(problem_, result.path, 0.002).faults, IsEmpty()) << seed;
+  }
+}
+
+TEST_P(SolvableProblem, IsToldToAnObserver) {
+  Recorder recorder;
+  const PlanResult result = plan({}, &recorder);
+  ASSERT_TRUE(result.solved()) << result.reason;
+  EXPECT_EQ(recorder.nodes.size(), result.statistics.nodes);
+  EXPECT_EQ(recorder.edges.size(), result.statistics.edges);
+  const auto told = [&](const Configuration& q) {
+    return std::ranges::any_of(recorder.nodes, [&](const auto& node) { return node.second == q; });
+  };
+  for (const Configuration& q : result.path.waypoints) {
+    EXPECT_TRUE(told(q)) << "a waypoint that was never a node";
+  }
+  const PlanResult unwatched = plan({});
+  EXPECT_EQ(unwatched.path.waypoints, result.path.waypoints) << "watching changes nothing";
+}
+
+TEST_P(SolvableProblem, IsSolvedBackwardsToo) {
+  std::swap(problem_.start, problem_.goal);
+  const PlanResult result = plan({});
+  ASSERT_TRUE(result.solved()) << result.reason;
+  EXPECT_THAT(check_path(problem_, result.path, 0.001).faults, IsEmpty());
+}
+
+// Only the hand moves: the arm's corridor is a point.
+PlanningProblem hand_only_problem() {
+  PlanningProblem problem = test::open_problem();
+  problem.start = test::planar_configuration(0.1, 0.2, 0.0, 0.1, 0.0);
+  problem.goal = test::planar_configuration(0.1, 0.2, 0.5, 0.9, 1.0);
+  return problem;
+}
+
+INSTANTIATE_TEST_SUITE_P(Planners, SolvableProblem,
+                         testing::Combine(testing::ValuesIn(PlannerRegistry().names()),
+                                          testing::Values(Problem{"Open", test::open_problem},
+                                                          Problem{"Post", test::post_problem},
+                                                          Problem{"HandOnly", hand_only_problem})),
+                         [](const auto& test) {
+                           return word_of(std::get<0>(test.param)) + "_" +
+                                  std::get<1>(test.param).name;
+                         });
+
+class EveryPlanner : public testing::TestWithParam<std::string> {};
+
+TEST_P(EveryPlanner, GivesUpInWordsWhereThereIsNoPath) {
+  const PlanningProblem problem = test::walled_in_problem();
+  const PlanResult result = planner_with(GetParam(), "200")->plan(problem, {});
+  EXPECT_EQ(result.status, PlanStatus::kSamplesSpent);
+  EXPECT_FALSE(result.solved());
+  EXPECT_TRUE(result.path.empty()) << "an approximate path is no path";
+  EXPECT_THAT(result.reason, HasSubstr("samples"));
+  EXPECT_GE(result.statistics.samples, 200U);
+  EXPECT_LE(result.statistics.samples, 210U);
+}
+
+TEST_P(EveryPlanner, StopsAtTheTimeLimit) {
+  const PlanningProblem problem = test::walled_in_problem();
+  PlanRequest request;
+  request.time_limit_s = 0.2;
+  const auto begin = std::chrono::steady_clock::now();
+  const PlanResult result = planner_with(GetParam(), "100000000")->plan(problem, request);
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+  EXPECT_EQ(result.status, PlanStatus::kTimeLimit);
+  EXPECT_THAT(result.reason, HasSubstr("0.2 s"));
+  EXPECT_TRUE(result.path.empty());
+  EXPECT_GE(took.count(), 0.2);
+  EXPECT_LT(took.count(), 2.0);
+}
+
+TEST_P(EveryPlanner, StopsWhenAsked) {
+  const PlanningProblem problem = test::walled_in_problem();
+  std::stop_source stop;
+  std::chrono::steady_clock::time_point asked;
+  const std::jthread other([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(150));
+    asked = std::chrono::steady_clock::now();
+    stop.request_stop();
+  });
+  const PlanResult result =
+      planner_with(GetParam(), "100000000")->plan(problem, {}, stop.get_token());
+  const std::chrono::duration<double> late = std::chrono::steady_clock::now() - asked;
+  EXPECT_EQ(result.status, PlanStatus::kCancelled);
+  EXPECT_THAT(result.reason, HasSubstr("ancelled"));
+  EXPECT_LT(late.count(), 1.0) << "100 ms, and something for a busy machine";
+}
+
+TEST_P(EveryPlanner, SolvesNothingOnceStopped) {
+  std::stop_source stop;
+  stop.request_stop();
+  const PlanResult result =
+      planner_with(GetParam(), "1000")->plan(test::open_problem(), {}, stop.get_token());
+  EXPECT_EQ(result.status, PlanStatus::kCancelled);
+}
+
+TEST_P(EveryPlanner, RefusesInvalidEnds) {
+  PlanningProblem problem = test::post_problem();
+  const auto planner = planner_with(GetParam(), "1000");
+  problem.start = test::planar_configuration(-0.066, 0);  // a finger in the post
+  EXPECT_EQ(planner->plan(problem, {}).status, PlanStatus::kStartInvalid);
+  std::swap(problem.start, problem.goal);
+  EXPECT_EQ(planner->plan(problem, {}).status, PlanStatus::kGoalInvalid);
+}
+
+TEST_P(EveryPlanner, StaysWhereItIs) {
+  PlanningProblem problem = test::post_problem();
+  problem.goal = problem.start;
+  const PlanResult result = planner_with(GetParam(), "2000")->plan(problem, {});
+  ASSERT_TRUE(result.solved()) << result.reason;
+  EXPECT_EQ(result.path.waypoints.front(), problem.start);
+  EXPECT_EQ(result.path.waypoints.back(), problem.goal);
+}
+
+TEST_P(EveryPlanner, CanBeUsedAgain) {
+  const auto planner = planner_with(GetParam(), "100000");
+  const PlanningProblem open = test::open_problem();
+  const PlanResult first = planner->plan(open, {});
+  static_cast<void>(planner->plan(test::post_problem(), {}));
+  EXPECT_EQ(planner->plan(open, {}).path.waypoints, first.path.waypoints);
+}
+
+TEST_P(EveryPlanner, SaysWhatItNeeds) {
+  const auto planner = planner_with(GetParam(), "100000");
+  EXPECT_TRUE(planner->capabilities().deterministic);
+  PlanningProblem problem = test::open_problem();
+  problem.basis = nullptr;
+  if (planner->capabilities().uses_pmds) {
+    EXPECT_THAT(test::refusal_of([&] { static_cast<void>(planner->plan(problem, {})); }),
+                HasSubstr("hand_basis"));
+  } else {
+    EXPECT_TRUE(planner->plan(problem, {}).solved());
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Planners, EveryPlanner, testing::ValuesIn(PlannerRegistry().names()),
+                         [](const auto& test) { return word_of(test.param); });
+
+}  // namespace
+}  // namespace handway::planning
