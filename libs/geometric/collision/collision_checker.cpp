@@ -40,18 +40,17 @@ double CollisionChecker::pair_distance(int pair, double enough) {
 }
 
 std::optional<int> CollisionChecker::first_collision(const Configuration& q) {
+  const std::optional<int> pair = first_collision(q, last_collision_);
+  last_collision_ = pair.value_or(last_collision_);
+  return pair;
+}
+
+std::optional<int> CollisionChecker::first_collision(const Configuration& q, int hint) {
   place(q);
   if (world_->pairs().empty()) {
     return std::nullopt;
   }
-  if (pair_collides(last_collision_)) {
-    return last_collision_;
-  }
-  const std::optional<int> pair = do_first_collision();
-  if (pair) {
-    last_collision_ = *pair;
-  }
-  return pair;
+  return pair_collides(hint) ? hint : do_first_collision();
 }
 
 std::optional<int> CollisionChecker::do_first_collision() {

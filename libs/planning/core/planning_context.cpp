@@ -106,7 +106,8 @@ PlanningContext::FirstFree PlanningContext::first_free(
     if (i > first.load()) {
       return;  // an earlier one is free: this answer is not needed
     }
-    const std::optional<int> pair = own_worker().checker->first_collision(candidate(i));
+    const std::optional<int> pair =
+        own_worker().checker->first_collision(candidate(i), last_rejecting_pair_);
     outcome[static_cast<std::size_t>(i)] = pair.value_or(kFree);
     if (!pair) {
       int known = first.load();
@@ -127,32 +128,41 @@ PlanningContext::FirstFree PlanningContext::first_free(
     result.index = rejected;
   }
   result.rejecting_pairs.assign(outcome.begin(), outcome.begin() + rejected);
+  if (rejected > 0) {
+    last_rejecting_pair_ = result.rejecting_pairs.back();
+  }
   statistics_.node_checks += static_cast<std::uint64_t>(std::min(rejected + 1, count));
   return result;
 }
 
 PlanningContext::EdgeBatch::EdgeBatch(PlanningContext& context, std::vector<Edge> edges)
-    : context_(context), edges_(std::move(edges)), results_(edges_.size()) {
-  if (context_.request_.threads > 1 && edges_.size() > 1) {
-    context_.threads_->arena.execute([&] {
-      tbb::parallel_for(
-          std::size_t{0}, edges_.size(),
-          [&](std::size_t i) {
-            results_[i] = context_.own_worker().edges.check(edges_[i].from, edges_[i].to);
-          },
-          tbb::simple_partitioner());
-    });
+    : context_(context), edges_(std::move(edges)), results_(edges_.size()) {}
+
+// One edge a thread and no more: a free edge often makes those after it needless.
+void PlanningContext::EdgeBatch::check_from(std::size_t first) {
+  const auto check = [&](std::size_t i) {
+    if (!results_[i]) {
+      results_[i] = context_.own_worker().edges.check(edges_[i].from, edges_[i].to);
+    }
+  };
+  const std::size_t last =
+      std::min(edges_.size(), first + static_cast<std::size_t>(context_.request_.threads));
+  if (last - first < 2) {
+    check(first);
+    return;
   }
+  context_.threads_->arena.execute(
+      [&] { tbb::parallel_for(first, last, check, tbb::simple_partitioner()); });
 }
 
 bool PlanningContext::EdgeBatch::is_free(std::size_t index) {
-  std::optional<EdgeResult>& result = results_[index];
-  if (!result) {
-    result = context_.own_worker().edges.check(edges_[index].from, edges_[index].to);
+  if (!results_[index]) {
+    check_from(index);
   }
+  const EdgeResult& result = *results_[index];
   ++context_.statistics_.edges_tested;
-  context_.statistics_.edge_checks += result->checks;
-  return result->free;
+  context_.statistics_.edge_checks += result.checks;
+  return result.free;
 }
 
 PlanningContext::EdgeBatch PlanningContext::edges(std::vector<Edge> edges) {

@@ -45,7 +45,7 @@ class HANDWAY_PLANNING_EXPORT PlanningContext {
   /// Outcome of `count` independent configurations, the first free one in order.
   struct FirstFree {
     std::optional<int> index;          ///< Nothing: none is free.
-    std::vector<int> rejecting_pairs;  ///< Of those before it, in order.
+    std::vector<int> rejecting_pairs;  ///< One for each of those before it, in order.
   };
   /// Asks `candidate(i)` for i = 0, 1, … on all threads and stops at the first
   /// free one; the answer is that of asking one after the other.
@@ -55,8 +55,8 @@ class HANDWAY_PLANNING_EXPORT PlanningContext {
     Configuration from;
     Configuration to;
   };
-  /// Checks edges; `edges[i]` is checked before it is needed when there are
-  /// threads to spare, and in any case when asked for. @see EdgeBatch
+  /// Edges to ask for in order. When one is asked for, other threads check those
+  /// that are likely to be asked for next.
   class HANDWAY_PLANNING_EXPORT EdgeBatch {
    public:
     /// Is edge `index` free? Adds to the statistics when first asked for.
@@ -65,6 +65,7 @@ class HANDWAY_PLANNING_EXPORT PlanningContext {
    private:
     friend class PlanningContext;
     EdgeBatch(PlanningContext& context, std::vector<Edge> edges);
+    void check_from(std::size_t first);
 
     PlanningContext& context_;
     std::vector<Edge> edges_;
@@ -94,6 +95,7 @@ class HANDWAY_PLANNING_EXPORT PlanningContext {
   std::chrono::steady_clock::time_point begin_;
   std::vector<int> arm_pairs_;
   PlanStatistics statistics_;
+  int last_rejecting_pair_ = 0;  ///< Asked first: neighbours in space collide in the same pair.
   std::unique_ptr<Threads> threads_;
 };
 
