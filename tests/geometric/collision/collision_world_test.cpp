@@ -28,10 +28,10 @@ std::set<std::string> pair_names(const CollisionWorld& world) {
 }
 
 void carry(Scene& scene, const std::string& object, const std::string& link,
-           std::vector<std::string> touching) {
+           const std::vector<std::string>& touching) {
   for (SceneObject& candidate : scene.objects) {
     if (candidate.name == object) {
-      candidate.attachment = Attachment{scene.robots.front().name, link, std::move(touching)};
+      candidate.attachment = Attachment{scene.robots.front().name, link, touching};
     }
   }
 }

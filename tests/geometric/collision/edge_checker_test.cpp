@@ -74,7 +74,7 @@ TEST(EdgeChecker, SeesAThinPlateBetweenSamples) {
   add_object(scene, "plate", Box{{0.0001, 0.3, 0.3}}, Eigen::Vector3d(0.0313, 0, 0));
   EdgeJudge judge(scene);
   const Eigen::Vector3d to(0.2, 0.01, 0);
-  ASSERT_FALSE(judge.collides({Eigen::Vector3d(-0.2, 0, 0)}, {to}, 0.1)) << "samples miss it";
+  ASSERT_FALSE(judge.collides(Eigen::Vector3d(-0.2, 0, 0), to, 0.1)) << "samples miss it";
   const EdgeResult result = judge.edges().check(Eigen::Vector3d(-0.2, 0, 0), to);
   EXPECT_FALSE(result.free);
   EXPECT_EQ(result.pair, 0);
@@ -127,7 +127,7 @@ TEST(EdgeChecker, RefusesToPassCloserThanItsResolution) {
   EdgeJudge judge(scene);
   const Eigen::Vector3d from(-0.1, 0, 0);
   const Eigen::Vector3d to(0.1, 0, 0);
-  EXPECT_FALSE(judge.collides({from}, {to}, 0.001));
+  EXPECT_FALSE(judge.collides(from, to, 0.001));
   EXPECT_FALSE(judge.edges().check(from, to).free) << "1 micrometre of clearance";
   const Eigen::Vector3d up(0, 0, kResolution);
   EXPECT_TRUE(judge.edges().check(from + up, to + up).free);
