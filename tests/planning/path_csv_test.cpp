@@ -24,7 +24,6 @@ using test::refusal_of;
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::SizeIs;
-using testing::StartsWith;
 
 constexpr const char* kHeader = "time,shoulder,elbow,thumb,left,left_tip,right,right_tip\n";
 constexpr const char* kRow = "0,0.1,0.2,0.3,0.4,0.2,0.6,0.3\n";
