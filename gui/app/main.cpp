@@ -12,9 +12,10 @@
 #include <cstdlib>
 #include <memory>
 
-namespace {
+namespace gui = handway::gui;
+namespace planning = handway::planning;
 
-using namespace handway;
+namespace {
 
 bool has_display() {
   return std::getenv("DISPLAY") || std::getenv("WAYLAND_DISPLAY") || std::getenv("QT_QPA_PLATFORM");

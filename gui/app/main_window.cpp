@@ -311,7 +311,7 @@ void MainWindow::show_path() {
 void MainWindow::choose_file() {
   const QString file = QFileDialog::getOpenFileName(
       this, tr("Open a scene"), QFileInfo(QString::fromStdString(document_.file().string())).path(),
-      tr("Scenes and problems (*.yaml *.yml *.xml);;All files (*)"));
+      tr("Scenes, problems and robots (*.yaml *.yml *.xml *.urdf);;All files (*)"));
   if (!file.isEmpty()) {
     open(file);
   }

@@ -40,20 +40,15 @@ PlanPanel::PlanPanel(const planning::PlannerRegistry& registry, QWidget* parent)
       seed_(new QSpinBox),
       time_limit_(new QDoubleSpinBox),
       threads_(new QSpinBox),
-      form_area_(new QScrollArea),
+      form_place_(new QVBoxLayout),
       plan_(new QPushButton(tr("Plan"))),
       cancel_(new QPushButton(tr("Cancel"))),
       progress_(new QProgressBar),
       result_(new QLabel) {
   auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(12, 10, 12, 12);
-  layout->setSpacing(8);
-  layout->addWidget(make_settings());
-  layout->addWidget(make_heading(tr("Parameters")));
-  form_area_->setWidgetResizable(true);
-  form_area_->setFrameShape(QFrame::NoFrame);
-  form_area_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  layout->addWidget(form_area_, 1);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  layout->addWidget(make_settings(), 1);
   layout->addWidget(make_actions());
 
   for (const std::string& name : registry_.names()) {
@@ -88,8 +83,14 @@ QWidget* PlanPanel::make_settings() {
   threads_->setToolTip(tr("More threads plan faster; the path stays the same"));
 
   auto* box = new QWidget;
-  auto* form = new QFormLayout(box);
-  form->setContentsMargins(0, 0, 0, 0);
+  auto* layout = new QVBoxLayout(box);
+  layout->setContentsMargins(12, 10, 12, 8);
+  layout->setSpacing(8);
+  auto* form = new QFormLayout;
+  layout->addLayout(form);
+  layout->addWidget(make_heading(tr("Parameters")));
+  layout->addLayout(form_place_);
+  layout->addStretch();
   form->setHorizontalSpacing(10);
   form->setVerticalSpacing(6);
   form->addRow(make_heading(tr("Planner")));
@@ -98,13 +99,19 @@ QWidget* PlanPanel::make_settings() {
   form->addRow(tr("Seed"), seed_);
   form->addRow(tr("Time limit"), time_limit_);
   form->addRow(tr("Threads"), threads_);
-  return box;
+  auto* area = new QScrollArea;
+  area->setWidgetResizable(true);
+  area->setFrameShape(QFrame::NoFrame);
+  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  area->setWidget(box);
+  return area;
 }
 
 QWidget* PlanPanel::make_actions() {
   plan_->setObjectName(QStringLiteral("plan"));
   plan_->setProperty("role", "primary");
   cancel_->setObjectName(QStringLiteral("cancel"));
+  progress_->setObjectName(QStringLiteral("progress"));
   progress_->setRange(0, 1000);
   progress_->setTextVisible(false);
   progress_->setFixedHeight(6);
@@ -114,7 +121,7 @@ QWidget* PlanPanel::make_actions() {
   result_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   auto* box = new QWidget;
   auto* layout = new QVBoxLayout(box);
-  layout->setContentsMargins(0, 4, 0, 0);
+  layout->setContentsMargins(12, 8, 12, 12);
   layout->setSpacing(8);
   auto* buttons = new QHBoxLayout;
   buttons->setSpacing(8);
@@ -136,7 +143,9 @@ void PlanPanel::use_planner(const std::string& name) {
 void PlanPanel::rebuild_form() {
   description_->setText(QString::fromStdString(planner_->description()));
   threads_->setEnabled(planner_->capabilities().uses_threads);
-  form_area_->setWidget(new ParameterForm(planner_->parameters()));
+  delete form_;
+  form_ = new ParameterForm(planner_->parameters());
+  form_place_->addWidget(form_);
 }
 
 void PlanPanel::apply(const geometric::PlannerChoice& choice) {
@@ -202,7 +211,7 @@ void PlanPanel::show_running() {
   plan_->setEnabled(false);
   cancel_->setEnabled(true);
   planners_->setEnabled(false);
-  form_area_->setEnabled(false);
+  form_->setEnabled(false);
   progress_->setValue(0);
   progress_->setVisible(true);
   result_->setText(tr("Planning…"));
@@ -212,7 +221,9 @@ void PlanPanel::end_run() {
   plan_->setEnabled(ready_);
   cancel_->setEnabled(false);
   planners_->setEnabled(true);
-  form_area_->setEnabled(true);
+  if (form_) {
+    form_->setEnabled(true);
+  }
   progress_->setVisible(false);
 }
 

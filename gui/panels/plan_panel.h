@@ -13,9 +13,8 @@ class QDoubleSpinBox;
 class QLabel;
 class QProgressBar;
 class QPushButton;
-class QScrollArea;
 class QSpinBox;
-class QToolButton;
+class QVBoxLayout;
 
 namespace handway::gui {
 
@@ -70,7 +69,8 @@ class PlanPanel : public QWidget {
   QSpinBox* seed_;
   QDoubleSpinBox* time_limit_;
   QSpinBox* threads_;
-  QScrollArea* form_area_;
+  QVBoxLayout* form_place_;
+  ParameterForm* form_ = nullptr;  ///< Of the chosen planner; null if there is none.
   QPushButton* plan_;
   QPushButton* cancel_;
   QProgressBar* progress_;

@@ -59,6 +59,7 @@ void PmdPanel::set_hand(std::shared_ptr<const geometric::RobotModel> model,
     add_axis(QString::fromStdString(direction.name), direction.half_side, direction.variance);
   }
   auto* centre = new QPushButton(tr("Mean posture"));
+  centre->setObjectName(QStringLiteral("mean_posture"));
   centre->setToolTip(tr("All coordinates to zero: the mean of the recorded human postures"));
   connect(centre, &QPushButton::clicked, this, [this] {
     for (SliderRow* row : rows_) {

@@ -8,7 +8,7 @@
 namespace handway::gui {
 namespace {
 
-constexpr int kReportEveryMs = 40;
+constexpr int kReportEveryMs = 120;
 
 }  // namespace
 

@@ -1,0 +1,100 @@
+#include "window_test.h"
+
+#include <QElapsedTimer>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTimer>
+
+#include <algorithm>
+
+namespace handway::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+class PlanningInTheWindow : public WindowTest {};
+
+TEST_F(PlanningInTheWindow, SaysInWordsThatAPathWasFound) {
+  open(cell().post());
+  plan();
+  EXPECT_THAT(result(), HasSubstr("Path found"));
+  EXPECT_THAT(result(), HasSubstr("Clearance"));
+  EXPECT_GE(window().player().timeline().path().waypoints.size(), 3U) << "around the post";
+  EXPECT_TRUE(part<QPushButton>("plan").isEnabled());
+  EXPECT_FALSE(part<QPushButton>("cancel").isEnabled());
+}
+
+TEST_F(PlanningInTheWindow, UsesThePrincipalDirectionsOfTheHand) {
+  open(cell().post());
+  window().plan_panel().choose_planner("pmd-rrt-connect");
+  plan();
+  EXPECT_THAT(result(), HasSubstr("Path found"));
+}
+
+TEST_F(PlanningInTheWindow, SaysWhyThereIsNoPath) {
+  open(cell().goal_in_wall());
+  plan();
+  EXPECT_THAT(result(), HasSubstr("The goal is not valid"));
+  EXPECT_THAT(result(), HasSubstr("wall"));
+  EXPECT_TRUE(window().player().timeline().empty());
+}
+
+TEST_F(PlanningInTheWindow, CancelsWithin100Milliseconds) {
+  open(cell().wall());
+  QSignalSpy ended(&window().session(), &gui::PlanningSession::ended);
+  qint64 fastest = 1000;
+  for (int attempt = 0; attempt < 3 && fastest > 100; ++attempt) {
+    ended.clear();
+    click("plan");
+    QTest::qWait(200);
+    ASSERT_TRUE(window().session().is_running());
+    QElapsedTimer clock;
+    clock.start();
+    click("cancel");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !ended.isEmpty(); }));
+    fastest = std::min(fastest, clock.elapsed());
+  }
+  EXPECT_LE(fastest, 100);
+  EXPECT_THAT(result(), HasSubstr("Cancelled"));
+  EXPECT_TRUE(part<QPushButton>("plan").isEnabled());
+}
+
+TEST_F(PlanningInTheWindow, ReactsWhileItPlans) {
+  open(cell().wall());
+  click("plan");
+  QTimer heartbeat;
+  QElapsedTimer clock;
+  qint64 longest = 0;
+  QObject::connect(&heartbeat, &QTimer::timeout,
+                   [&] { longest = std::max(longest, clock.restart()); });
+  clock.start();
+  heartbeat.start(10);
+  QTest::qWait(800);
+  EXPECT_TRUE(window().session().is_running());
+  EXPECT_TRUE(part<QProgressBar>("progress").isVisible());
+  EXPECT_THAT(result(), HasSubstr("Planning"));
+  EXPECT_LT(longest, 400) << "ms without an answer";
+  click("cancel");
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !window().session().is_running(); }));
+}
+
+TEST_F(PlanningInTheWindow, EndsWhenAnotherSceneIsOpened) {
+  open(cell().wall());
+  click("plan");
+  open(cell().post());
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !window().session().is_running(); }, 1000));
+  plan();
+  EXPECT_THAT(result(), HasSubstr("Path found"));
+}
+
+TEST_F(PlanningInTheWindow, MayBeClosedWhileItGoesOn) {
+  open(cell().wall());
+  click("plan");
+  QTest::qWait(50);
+  window().close();
+}
+
+}  // namespace
+}  // namespace handway::test

@@ -1,0 +1,50 @@
+#include "app/save_scene.h"
+
+#include "handway/planning/core/plugin.h"
+#include "small_cell.h"
+
+#include <gmock/gmock.h>
+
+namespace handway::test {
+namespace {
+
+TEST(SaveScene, WritesWhatOpensAsTheSame) {
+  const SmallCell cell;
+  const planning::Extensions extensions;
+  const planning::LoadedScene before = planning::load_scene(cell.post(), extensions);
+  geometric::Configuration shown = before.scene->robots.front().configuration;
+  shown[0] = 0.25;
+  const std::filesystem::path file = cell.folder() / "saved.yaml";
+  gui::save_scene(before, shown, {"rrt-connect", {{"step", "0.1"}}}, file);
+
+  const planning::LoadedScene after = planning::load_scene(file, extensions);
+  EXPECT_EQ(after.scene->robots.front().configuration, shown);
+  EXPECT_EQ(after.scene->goal, before.scene->goal);
+  EXPECT_EQ(after.scene->planner.name, "rrt-connect");
+  EXPECT_THAT(after.scene->planner.settings,
+              ::testing::ElementsAre(::testing::Pair("step", "0.1")));
+  ASSERT_TRUE(after.basis);
+  EXPECT_EQ(after.basis->joints, before.basis->joints);
+}
+
+TEST(SaveScene, PutsTheBasisOfAnImportedProblemBesideIt) {
+  const SmallCell cell;
+  const planning::Extensions extensions;
+  planning::LoadedScene loaded = planning::load_scene(cell.post(), extensions);
+  geometric::Scene imported = *loaded.scene;
+  imported.hand_basis.clear();
+  auto longer = std::make_shared<sampling::PmdBasis>(*loaded.basis);
+  longer->directions.front().vector *= 1.5;
+  loaded = {std::make_shared<const geometric::Scene>(imported), longer};
+
+  const std::filesystem::path file = cell.folder() / "saved.yaml";
+  gui::save_scene(loaded, imported.robots.front().configuration, {}, file);
+  const planning::LoadedScene after = planning::load_scene(file, extensions);
+  ASSERT_TRUE(after.basis);
+  const Eigen::VectorXd corner = Eigen::VectorXd::Ones(1);
+  EXPECT_TRUE(sampling::map_to_posture(*after.basis, corner)
+                  .isApprox(sampling::map_to_posture(*longer, corner)));
+}
+
+}  // namespace
+}  // namespace handway::test

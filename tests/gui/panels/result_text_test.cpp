@@ -1,0 +1,34 @@
+#include "panels/result_text.h"
+
+#include <gmock/gmock.h>
+
+namespace handway::gui {
+namespace {
+
+using ::testing::HasSubstr;
+
+TEST(ResultText, TellsAPathWithItsFigures) {
+  planning::PlanResult result;
+  result.status = planning::PlanStatus::kSolved;
+  result.time_s = 0.25;
+  result.statistics.samples = 1234567;
+  result.certificate.min_clearance_mm = 2.5;
+  result.path.waypoints.resize(4);
+  const std::string text = result_text(result).toStdString();
+  EXPECT_THAT(text, HasSubstr("Path found"));
+  EXPECT_THAT(text, HasSubstr("250 ms"));
+  EXPECT_THAT(text, HasSubstr("1,234,567"));
+  EXPECT_THAT(text, HasSubstr("2.50 mm"));
+  EXPECT_EQ(result_line(result), "Path found in 250 ms, 4 waypoints");
+}
+
+TEST(ResultText, GivesTheReasonWhyThereIsNone) {
+  planning::PlanResult result;
+  result.status = planning::PlanStatus::kStartInvalid;
+  result.reason = "The start is in collision: palm <and> wall.";
+  EXPECT_THAT(result_text(result).toStdString(), HasSubstr("palm &lt;and&gt; wall"));
+  EXPECT_EQ(result_line(result).toStdString(), result.reason);
+}
+
+}  // namespace
+}  // namespace handway::gui

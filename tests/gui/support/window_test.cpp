@@ -1,0 +1,46 @@
+#include "window_test.h"
+
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTextDocument>
+
+namespace handway::test {
+namespace {
+
+constexpr int kPatienceMs = 8000;
+
+}  // namespace
+
+void WindowTest::SetUp() {
+  HANDWAY_NEED_DISPLAY();
+  window_ = std::make_unique<gui::MainWindow>(std::make_shared<planning::Extensions>());
+  window_->resize(900, 640);
+  window_->show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get()));
+}
+
+void WindowTest::open(const std::filesystem::path& file) {
+  QSignalSpy ready(window_.get(), &gui::MainWindow::ready);
+  QSignalSpy failed(window_.get(), &gui::MainWindow::failed);
+  window_->open(QString::fromStdString(file.string()));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !ready.isEmpty() || !failed.isEmpty(); }, kPatienceMs));
+}
+
+void WindowTest::plan() {
+  QSignalSpy ended(&window_->session(), &gui::PlanningSession::ended);
+  click("plan");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !ended.isEmpty(); }, kPatienceMs));
+}
+
+void WindowTest::click(const char* button) const {
+  QTest::mouseClick(&part<QAbstractButton>(button), Qt::LeftButton);
+}
+
+std::string WindowTest::result() const {
+  QTextDocument text;
+  text.setHtml(part<QLabel>("result").text());
+  return text.toPlainText().toStdString();
+}
+
+}  // namespace handway::test

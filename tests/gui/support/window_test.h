@@ -1,0 +1,53 @@
+#pragma once
+
+#include "app/main_window.h"
+#include "small_cell.h"
+
+#include <QApplication>
+#include <QTest>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <memory>
+
+/// Skips a test of widgets where there is no display.
+#define HANDWAY_NEED_DISPLAY()                           \
+  if (!QCoreApplication::instance()) {                   \
+    GTEST_SKIP() << "no display: run it under xvfb-run"; \
+  }
+
+namespace handway::test {
+
+/// A workbench on screen, driven as a person would.
+class WindowTest : public ::testing::Test {
+ protected:
+  void SetUp() override;
+
+  /// Opens a file and waits until it is shown or refused.
+  void open(const std::filesystem::path& file);
+  /// Clicks Plan and waits for the end.
+  void plan();
+  /// The button, slider or label of that name.
+  template <typename Widget>
+  [[nodiscard]] Widget& part(const char* name) const {
+    auto* widget = window_->findChild<Widget*>(QLatin1String(name));
+    if (!widget) {
+      throw std::runtime_error(std::string("no part called ") + name);
+    }
+    return *widget;
+  }
+  void click(const char* button) const;
+  /// What the plan panel says.
+  [[nodiscard]] std::string result() const;
+
+  [[nodiscard]] gui::MainWindow& window() const { return *window_; }
+  [[nodiscard]] const SmallCell& cell() const { return cell_; }
+
+ private:
+  SmallCell cell_;
+  std::unique_ptr<gui::MainWindow> window_;
+};
+
+}  // namespace handway::test
