@@ -32,6 +32,7 @@ void Document::save(const std::filesystem::path& file, const geometric::PlannerC
 
 void Document::set_scene(planning::LoadedScene scene) {
   loaded_ = std::move(scene);
+  problem_.reset();
   groups_ = {};
   palm_ = 0;
   q_ = {};
@@ -39,6 +40,7 @@ void Document::set_scene(planning::LoadedScene scene) {
     groups_ = joint_groups(*first->model, loaded_.basis.get());
     palm_ = palm_link(*first->model, groups_);
     q_ = first->configuration;
+    problem_ = std::make_shared<const PreparedProblem>(loaded_, threads_);
   }
   emit opened();
   if (robot()) {

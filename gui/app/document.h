@@ -2,6 +2,7 @@
 
 #include "handway/planning/core/plugin.h"
 #include "panels/joint_groups.h"
+#include "workers/prepared_problem.h"
 #include "workers/scene_loader.h"
 
 #include <QObject>
@@ -24,6 +25,8 @@ class Document : public QObject {
     return loaded_.scene;
   }
   [[nodiscard]] const planning::LoadedScene& loaded() const { return loaded_; }
+  /// For planning and collision checks; null if there is no robot.
+  [[nodiscard]] const std::shared_ptr<const PreparedProblem>& problem() const { return problem_; }
   /// The first robot; nullptr if there is none.
   [[nodiscard]] const geometric::RobotInstance* robot() const;
   [[nodiscard]] const JointGroups& groups() const { return groups_; }
@@ -52,7 +55,9 @@ class Document : public QObject {
 
  private:
   SceneLoader loader_;
+  BackgroundThreads threads_;
   planning::LoadedScene loaded_;
+  std::shared_ptr<const PreparedProblem> problem_;
   JointGroups groups_;
   int palm_ = 0;
   geometric::Configuration q_;

@@ -235,7 +235,7 @@ void MainWindow::open(const QString& file) {
 void MainWindow::show_scene() {
   statusBar()->clearMessage();
   const auto& scene = document_.scene();
-  collisions_.set_scene(scene);
+  collisions_.set_problem(document_.problem());
   collision_label_->show_nothing();
   view_->set_scene(scene);
   tree_->set_scene(scene);

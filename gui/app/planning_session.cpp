@@ -48,7 +48,7 @@ void PlanningSession::start() {
   forget();
   planned_ = document_.scene();
   panel_.show_running();
-  runner_.start(panel_.planner(), document_.loaded(), panel_.request(), document_.palm());
+  runner_.start(panel_.planner(), document_.problem(), panel_.request(), document_.palm());
   emit started();
 }
 

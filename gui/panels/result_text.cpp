@@ -24,7 +24,9 @@ QString seconds(double value) {
                      : QStringLiteral("%1 s").arg(value, 0, 'f', 2);
 }
 
-QString count(std::uint64_t value) { return QLocale(QLocale::English).toString(static_cast<qulonglong>(value)); }
+QString count(std::uint64_t value) {
+  return QLocale(QLocale::English).toString(static_cast<qulonglong>(value));
+}
 
 QString word(planning::PlanStatus status) {
   switch (status) {

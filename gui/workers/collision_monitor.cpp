@@ -1,7 +1,5 @@
 #include "workers/collision_monitor.h"
 
-#include "handway/geometric/collision/make_checker.h"
-
 #include <algorithm>
 #include <exception>
 #include <utility>
@@ -35,9 +33,9 @@ CollisionMonitor::~CollisionMonitor() {
   wake_.notify_all();
 }
 
-void CollisionMonitor::set_scene(std::shared_ptr<const geometric::Scene> scene) {
+void CollisionMonitor::set_problem(std::shared_ptr<const PreparedProblem> problem) {
   const std::lock_guard lock(mutex_);
-  scene_ = std::move(scene);
+  problem_ = std::move(problem);
   next_.reset();
   answered_ = asked_;
 }
@@ -52,12 +50,12 @@ void CollisionMonitor::check(const Configuration& q) {
 }
 
 void CollisionMonitor::work(const std::stop_token& stop) {
-  std::shared_ptr<const geometric::Scene> scene;
+  std::shared_ptr<const PreparedProblem> problem;
   std::unique_ptr<CollisionChecker> checker;
   while (true) {
     Configuration q;
     int ticket = 0;
-    bool scene_changed = false;
+    bool is_new = false;
     {
       std::unique_lock lock(mutex_);
       if (!wake_.wait(lock, stop, [this] { return next_.has_value(); })) {
@@ -65,26 +63,29 @@ void CollisionMonitor::work(const std::stop_token& stop) {
       }
       q = *std::exchange(next_, std::nullopt);
       ticket = next_ticket_;
-      scene_changed = scene != scene_;
-      scene = scene_;
+      is_new = problem != problem_;
+      problem = problem_;
     }
-    const auto deliver = [this, ticket, scene](auto report) {
+    const auto deliver = [this, ticket, problem](auto report) {
       QMetaObject::invokeMethod(
           this,
-          [this, ticket, scene, report = std::move(report)] {
+          [this, ticket, problem, report = std::move(report)] {
             answered_ = std::max(answered_, ticket);
-            if (scene == scene_) {
+            if (problem == problem_) {
               report();
             }
           },
           Qt::QueuedConnection);
     };
     try {
-      if (scene_changed) {
+      if (is_new) {
         checker.reset();
-        if (scene && !scene->robots.empty()) {
-          checker = geometric::make_collision_checker(
-              std::make_shared<const geometric::CollisionWorld>(*scene));
+        if (problem) {
+          const PreparedProblem::Problem prepared = problem->wait(stop);
+          if (!prepared) {
+            return;
+          }
+          checker = prepared->checker->clone();
         }
       }
       CollisionReport report = checker ? report_on(*checker, q) : CollisionReport{};

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "handway/geometric/collision/collision_checker.h"
-#include "handway/geometric/scene/scene.h"
+#include "workers/prepared_problem.h"
 
 #include <QObject>
 
@@ -35,7 +35,7 @@ class CollisionMonitor : public QObject {
   ~CollisionMonitor() override;
 
   /// Null: nothing to check.
-  void set_scene(std::shared_ptr<const geometric::Scene> scene);
+  void set_problem(std::shared_ptr<const PreparedProblem> problem);
   /// @param q of the first robot, shape [variable_count].
   void check(const geometric::Configuration& q);
   /// True while an answer is still to come.
@@ -50,7 +50,7 @@ class CollisionMonitor : public QObject {
 
   std::mutex mutex_;
   std::condition_variable_any wake_;
-  std::shared_ptr<const geometric::Scene> scene_;
+  std::shared_ptr<const PreparedProblem> problem_;
   std::optional<geometric::Configuration> next_;
   int next_ticket_ = 0;
   int asked_ = 0;     ///< GUI thread only.

@@ -69,9 +69,11 @@ PlanRunner::PlanRunner(QObject* parent) : QObject(parent) {}
 
 PlanRunner::~PlanRunner() = default;
 
-void PlanRunner::start(std::shared_ptr<planning::Planner> planner, planning::LoadedScene scene,
+void PlanRunner::start(std::shared_ptr<planning::Planner> planner,
+                       std::shared_ptr<const PreparedProblem> problem,
                        const planning::PlanRequest& request, int palm_link) {
   running_ = true;
+  emit progressed(0.0, tr("preparing collision checks"));
   const auto end = [this](auto report) {
     QMetaObject::invokeMethod(
         this,
@@ -81,13 +83,16 @@ void PlanRunner::start(std::shared_ptr<planning::Planner> planner, planning::Loa
         },
         Qt::QueuedConnection);
   };
-  thread_ = std::jthread([this, end, planner = std::move(planner), scene = std::move(scene),
+  thread_ = std::jthread([this, end, planner = std::move(planner), problem = std::move(problem),
                           request, palm_link](const std::stop_token& stop) {
     try {
-      const planning::PlanningProblem problem = planning::make_problem(scene.scene, scene.basis);
-      Reporter reporter(*this, problem, palm_link);
-      planning::PlanResult result = planner->plan(problem, request, stop, &reporter);
-      reporter.flush(true);
+      planning::PlanResult result;
+      result.status = planning::PlanStatus::kCancelled;
+      if (const PreparedProblem::Problem prepared = problem->wait(stop)) {
+        Reporter reporter(*this, *prepared, palm_link);
+        result = planner->plan(*prepared, request, stop, &reporter);
+        reporter.flush(true);
+      }
       end([this, result = std::move(result)] { emit finished(result); });
     } catch (const std::exception& error) {
       end([this, message = QString::fromUtf8(error.what())] { emit failed(message); });

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "handway/planning/core/importer.h"
 #include "handway/planning/core/planner.h"
+#include "workers/prepared_problem.h"
 
 #include <QObject>
 #include <QString>
@@ -20,11 +20,12 @@ class PlanRunner : public QObject {
   explicit PlanRunner(QObject* parent = nullptr);
   ~PlanRunner() override;
 
-  /// Plans the scene's own query.
+  /// Plans the problem's own query.
   /// @param palm_link whose place is told for every node.
   /// @pre no run is going on; the planner is not touched until it has ended.
-  void start(std::shared_ptr<planning::Planner> planner, planning::LoadedScene scene,
-             const planning::PlanRequest& request, int palm_link);
+  void start(std::shared_ptr<planning::Planner> planner,
+             std::shared_ptr<const PreparedProblem> problem, const planning::PlanRequest& request,
+             int palm_link);
   /// Asks the run to end; it does within 100 ms.
   void cancel();
   [[nodiscard]] bool is_running() const { return running_; }

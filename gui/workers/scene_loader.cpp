@@ -23,7 +23,7 @@ void SceneLoader::load(const std::filesystem::path& file) {
         },
         Qt::QueuedConnection);
   };
-  thread_ = std::jthread([this, file, deliver, extensions = extensions_] {
+  threads_.run([this, file, deliver, extensions = extensions_] {
     try {
       const planning::LoadedScene scene = planning::load_scene(file, *extensions);
       deliver([this, scene] { emit loaded(scene); });

@@ -1,13 +1,13 @@
 #pragma once
 
 #include "handway/planning/core/plugin.h"
+#include "workers/background_threads.h"
 
 #include <QObject>
 #include <QString>
 
 #include <filesystem>
 #include <memory>
-#include <thread>
 
 namespace handway::gui {
 
@@ -20,7 +20,7 @@ class SceneLoader : public QObject {
                        QObject* parent = nullptr);
   ~SceneLoader() override;
 
-  /// Reads `file`; what an earlier call is still reading is dropped.
+  /// Reads `file`, without waiting; what an earlier call is still reading is dropped.
   void load(const std::filesystem::path& file);
 
  signals:
@@ -31,7 +31,7 @@ class SceneLoader : public QObject {
  private:
   std::shared_ptr<const planning::Extensions> extensions_;
   int generation_ = 0;
-  std::jthread thread_;
+  BackgroundThreads threads_;
 };
 
 }  // namespace handway::gui

@@ -1,0 +1,49 @@
+#include "workers/prepared_problem.h"
+
+#include <chrono>
+#include <utility>
+
+namespace handway::gui {
+namespace {
+
+constexpr std::chrono::milliseconds kLookEvery(20);
+
+// With a start and a goal.
+std::shared_ptr<const geometric::Scene> with_query(std::shared_ptr<const geometric::Scene> scene) {
+  if ((scene->start && scene->goal) || scene->robots.empty()) {
+    return scene;
+  }
+  auto complete = std::make_shared<geometric::Scene>(*scene);
+  for (auto* end : {&complete->start, &complete->goal}) {
+    if (!*end) {
+      *end = complete->robots.front().configuration;
+    }
+  }
+  return complete;
+}
+
+}  // namespace
+
+PreparedProblem::PreparedProblem(planning::LoadedScene loaded, BackgroundThreads& threads) {
+  auto promise = std::make_shared<std::promise<Problem>>();
+  problem_ = promise->get_future().share();
+  threads.run([promise = std::move(promise), loaded = std::move(loaded)] {
+    try {
+      promise->set_value(std::make_shared<const planning::PlanningProblem>(
+          planning::make_problem(with_query(loaded.scene), loaded.basis)));
+    } catch (...) {
+      promise->set_exception(std::current_exception());
+    }
+  });
+}
+
+PreparedProblem::Problem PreparedProblem::wait(const std::stop_token& stop) const {
+  while (problem_.wait_for(kLookEvery) != std::future_status::ready) {
+    if (stop.stop_requested()) {
+      return nullptr;
+    }
+  }
+  return problem_.get();
+}
+
+}  // namespace handway::gui

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "handway/planning/core/importer.h"
+#include "handway/planning/core/planning_problem.h"
+#include "workers/background_threads.h"
+
+#include <future>
+#include <memory>
+#include <stop_token>
+
+namespace handway::gui {
+
+/// A scene's planning problem, put together once, off the GUI thread (its
+/// collision checker takes a while), for all who ask collision questions.
+class PreparedProblem {
+ public:
+  using Problem = std::shared_ptr<const planning::PlanningProblem>;
+
+  /// Begins at once. A scene without start or goal has both where its robot stands.
+  PreparedProblem(planning::LoadedScene loaded, BackgroundThreads& threads);
+
+  /// Waits for the problem, at most until `stop` (null then).
+  /// @throws InputError if the scene makes none.
+  [[nodiscard]] Problem wait(const std::stop_token& stop) const;
+
+ private:
+  std::shared_future<Problem> problem_;
+};
+
+}  // namespace handway::gui
