@@ -5,6 +5,7 @@
 #include "handway/planning/core/plugin.h"
 #include "handway/planning/paths/path_check.h"
 #include "handway/planning/paths/path_csv.h"
+#include "number_options.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -52,7 +53,8 @@ void add_check_command(CLI::App& app, int& exit_code) {
   command
       ->add_option("--resolution-mm", options->resolution_mm,
                    "Farthest that any point of the robot moves between two checks")
-      ->check(CLI::PositiveNumber)
+      ->check(positive_number())
+      ->check(CLI::Range(1e-4, 1e3))
       ->capture_default_str();
   command->callback([options, &exit_code] { exit_code = check(*options); });
 }

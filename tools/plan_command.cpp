@@ -5,6 +5,7 @@
 #include "handway/geometric/io/replace_file.h"
 #include "handway/planning/core/plugin.h"
 #include "handway/planning/paths/path_csv.h"
+#include "number_options.h"
 #include "plan_report.h"
 
 #include <CLI/CLI.hpp>
@@ -145,12 +146,14 @@ void add_plan_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("plan", "Find a collision-free path");
   command->add_option("scene", options->scene, "Scene or problem file")->required();
   command->add_option("--planner", options->planner, "Planner (default: the scene's)");
-  command->add_option("--seed", options->seed, "Seed of all random choices")->capture_default_str();
+  command->add_option("--seed", options->seed, "Seed of all random choices")
+      ->check(not_negative())
+      ->capture_default_str();
   command->add_option("--threads", options->threads, "Threads; the path does not depend on it")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
   command->add_option("--time-limit", options->time_limit_s, "Seconds before giving up")
-      ->check(CLI::PositiveNumber)
+      ->check(positive_number())
       ->capture_default_str();
   command->add_option("--set", options->settings, "A parameter of the planner, KEY=VALUE")
       ->type_name("KEY=VALUE")

@@ -1,0 +1,233 @@
+/// The contract of the command line: exit codes, messages and files.
+#include "command_line.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+#include <filesystem>
+#include <string>
+
+namespace handway::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+using testing::AllOf;
+using testing::AnyOf;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+using testing::StartsWith;
+
+enum ExitCode { kDone = 0, kNoPath = 1, kWrongUsage = 2, kInvalidInput = 3, kInvalidQuery = 4 };
+
+class Handway : public testing::Test {
+ protected:
+  // Exit code 3, one message on stderr that names all of `words`, nothing on stdout.
+  template <typename... Words>
+  void expect_refusal(const std::string& arguments, const Words&... words) const {
+    const Outcome run = line_.run(arguments);
+    EXPECT_EQ(run.exit_code, kInvalidInput) << arguments << "\n" << run.err;
+    EXPECT_THAT(run.err, AllOf(StartsWith("handway: "), HasSubstr(words)...));
+    EXPECT_THAT(run.out, IsEmpty());
+  }
+
+  CommandLine line_;
+};
+
+TEST_F(Handway, PlansAndChecks) {
+  const Outcome plan = line_.run("plan post.yaml --seed 3 --out path.csv --report report.json");
+  EXPECT_EQ(plan.exit_code, kDone) << plan.err;
+  EXPECT_THAT(plan.out, Not(IsEmpty()));
+  EXPECT_THAT(plan.err, IsEmpty());
+  EXPECT_THAT(line_.read("path.csv"), StartsWith("time,shoulder,elbow"));
+  const Outcome check = line_.run("check post.yaml path.csv");
+  EXPECT_EQ(check.exit_code, kDone) << check.out << check.err;
+  EXPECT_THAT(check.out, HasSubstr("valid"));
+}
+
+TEST_F(Handway, ReportsWithTheKeysOfTheContract) {
+  ASSERT_EQ(line_.run("plan post.yaml --seed 3 --set k=5 --report report.json").exit_code, kDone);
+  const auto report = nlohmann::json::parse(line_.read("report.json"));
+  for (const char* key :
+       {"solved", "reason", "planner", "seed", "threads", "time_s", "smoothing_s", "load_s",
+        "path_nodes", "certificate", "statistics", "parameters", "version"}) {
+    EXPECT_TRUE(report.contains(key)) << key;
+  }
+  EXPECT_EQ(report["solved"], true);
+  EXPECT_EQ(report["planner"], "pmd-prm");
+  EXPECT_EQ(report["seed"], 3);
+  EXPECT_EQ(report["threads"], 1);
+  EXPECT_GE(report["path_nodes"], 2);
+  EXPECT_EQ(report["parameters"]["k"], 5);
+  for (const char* key : {"resolution_mm", "min_clearance_mm", "checks"}) {
+    EXPECT_GT(report["certificate"][key], 0) << key;
+  }
+  for (const char* key : {"samples", "nodes", "edges", "checks", "nodes_per_pmds", "final_rho_a"}) {
+    EXPECT_TRUE(report["statistics"].contains(key)) << key;
+  }
+}
+
+TEST_F(Handway, FindsTheSamePathWithOneThreadAndTwo) {
+  for (const std::string planner : {"pmd-prm", "full-prm", "pmd-rrt-connect", "rrt-connect"}) {
+    const std::string plan = "plan post.yaml --planner " + planner + " --seed 5 --out ";
+    ASSERT_EQ(line_.run(plan + "one.csv --threads 1").exit_code, kDone) << planner;
+    ASSERT_EQ(line_.run(plan + "two.csv --threads 2").exit_code, kDone) << planner;
+    EXPECT_EQ(line_.read("one.csv"), line_.read("two.csv")) << planner;
+  }
+}
+
+TEST_F(Handway, SaysThatThereIsNoPath) {
+  const Outcome run =
+      line_.run("plan walled.yaml --set max_samples=100 --out path.csv --report report.json");
+  EXPECT_EQ(run.exit_code, kNoPath);
+  EXPECT_THAT(run.err, HasSubstr("samples"));
+  EXPECT_FALSE(fs::exists(line_.folder() / "path.csv")) << "no path, no file";
+  const auto report = nlohmann::json::parse(line_.read("report.json"));
+  EXPECT_EQ(report["solved"], false);
+  EXPECT_FALSE(report["reason"].get<std::string>().empty());
+  EXPECT_EQ(report["path_nodes"], 0);
+  EXPECT_EQ(line_.run("plan walled.yaml --time-limit 0.1").exit_code, kNoPath);
+}
+
+TEST_F(Handway, SaysThatAPathIsNotValid) {
+  const std::string header = "time,shoulder,elbow,thumb,left,right\n";
+  line_.write("path.csv", header + "0,-0.4,0,0,0,0\n1,0.4,0,0,0,0\n");
+  const Outcome run = line_.run("check post.yaml path.csv");
+  EXPECT_EQ(run.exit_code, kNoPath);
+  EXPECT_THAT(run.out, AllOf(HasSubstr("NOT VALID"), HasSubstr("with post")));
+}
+
+TEST_F(Handway, RefusesWrongUsage) {
+  for (const std::string arguments :
+       {"", "fly", "plan", "plan open.yaml --fast", "plan open.yaml --threads 0",
+        "plan open.yaml --threads two", "plan open.yaml --seed -1", "plan open.yaml --time-limit 0",
+        "plan open.yaml --time-limit nan", "plan open.yaml --set rho_a", "plan open.yaml --out",
+        "check open.yaml", "check open.yaml path.csv --resolution-mm 0",
+        "check open.yaml path.csv --resolution-mm -1",
+        "check open.yaml path.csv --resolution-mm nan",
+        "check open.yaml path.csv --resolution-mm 1e-12", "info"}) {
+    const Outcome run = line_.run(arguments);
+    EXPECT_EQ(run.exit_code, kWrongUsage) << arguments << "\n" << run.out << run.err;
+    EXPECT_THAT(run.err, Not(IsEmpty())) << arguments;
+  }
+}
+
+TEST_F(Handway, HelpsAndNamesItsVersion) {
+  for (const std::string arguments : {"--help", "plan --help", "check --help", "info --help"}) {
+    const Outcome run = line_.run(arguments);
+    EXPECT_EQ(run.exit_code, kDone) << arguments;
+    EXPECT_THAT(run.out, HasSubstr("handway")) << arguments;
+  }
+  EXPECT_EQ(line_.run("--version").exit_code, kDone);
+}
+
+TEST_F(Handway, RefusesUnknownPlannersAndParameters) {
+  expect_refusal("plan open.yaml --planner pmd-prn", "pmd-prn", "pmd-prm, full-prm");
+  expect_refusal("plan open.yaml --set rho=1", "rho", "rho_a");
+  expect_refusal("plan open.yaml --set rho_a=2", "rho_a", "\"2\"", "from 1e-05 to 0.5");
+  expect_refusal("plan open.yaml --set k=nan", "a whole number");
+}
+
+TEST_F(Handway, NamesAFileThatIsNotThere) {
+  for (const std::string command : {"plan none.yaml", "info none.yaml", "check none.yaml p.csv"}) {
+    expect_refusal(command, "none.yaml");
+  }
+  expect_refusal("check open.yaml none.csv", "none.csv");
+  expect_refusal("plan .", "");
+}
+
+TEST_F(Handway, NamesAMissingMesh) {
+  line_.write("scene.yaml", line_.read("open.yaml"));
+  line_.replace("scene.yaml", "objects:", "objects:\n  - {name: can, mesh: {file: can.obj}}");
+  expect_refusal("plan scene.yaml", "scene.yaml", "can.obj");
+}
+
+TEST_F(Handway, NamesTheLineOfABrokenScene) {
+  line_.write("scene.yaml", "handway: 1\nrobots: [\n");
+  expect_refusal("plan scene.yaml", "scene.yaml:");
+  line_.write("scene.yaml", "handway: 1\nrobots:\n  - model: open_planar.urdf\nspeed: 3\n");
+  expect_refusal("info scene.yaml", "scene.yaml:4", "speed");
+  line_.write("scene.yaml", "handway: 1\nrobots:\n  - model: none.urdf\n");
+  expect_refusal("info scene.yaml", "none.urdf");
+}
+
+TEST_F(Handway, NamesAnUnknownJoint) {
+  line_.replace("open.yaml", "shoulder", "sholder");
+  expect_refusal("plan open.yaml", "open.yaml:", "sholder", "shoulder");
+}
+
+TEST_F(Handway, NamesTheLineOfABrokenRobot) {
+  line_.replace("open_planar.urdf", "</link>", "</lnk>");
+  expect_refusal("plan open.yaml", "open_planar.urdf:");
+  line_.write("robot.urdf", "<robot name=\"r\"><link name=\"a\"/><joint name=\"j\"/></robot>");
+  expect_refusal("info robot.urdf", "robot.urdf", "j");
+}
+
+TEST_F(Handway, NamesWhatIsWrongWithABasis) {
+  line_.replace("basis.yaml", "right", "rigth");
+  expect_refusal("plan open.yaml", "rigth");
+}
+
+TEST_F(Handway, RefusesFilesOfNoKnownFormat) {
+  line_.write("problem.xml", "<Problem><Robot");
+  expect_refusal("plan problem.xml", "problem.xml");
+  line_.write("notes.txt", "hello");
+  expect_refusal("info notes.txt", "notes.txt");
+  line_.write("empty.yaml", "");
+  expect_refusal("info empty.yaml", "empty.yaml");
+}
+
+TEST_F(Handway, NamesLineAndColumnOfABrokenPath) {
+  const std::string header = "time,shoulder,elbow,thumb,left,right\n";
+  line_.write("path.csv", header + "0,-0.4,0,0,0,0\n1,nan,0,0,0,0\n");
+  expect_refusal("check post.yaml path.csv", "path.csv:3", "column shoulder", "nan");
+  line_.write("path.csv", header + "0,-0.4,0,0,0\n1,0,0,0,0,0\n");
+  expect_refusal("check post.yaml path.csv", "path.csv:2", "5 values");
+  line_.write("path.csv", "time,shoulder,elbow,thumb,left,pinky\n0,-0.4,0,0,0,0\n");
+  expect_refusal("check post.yaml path.csv", "path.csv:1", "pinky");
+}
+
+TEST_F(Handway, RefusesAStartInCollision) {
+  line_.replace("post.yaml", "-0.4", "-0.066");
+  const Outcome run = line_.run("plan post.yaml --out path.csv --report report.json");
+  EXPECT_EQ(run.exit_code, kInvalidQuery) << run.err;
+  EXPECT_THAT(run.err, AllOf(HasSubstr("start is in collision"), HasSubstr("with post")));
+  EXPECT_FALSE(fs::exists(line_.folder() / "path.csv"));
+  EXPECT_EQ(nlohmann::json::parse(line_.read("report.json"))["solved"], false);
+}
+
+TEST_F(Handway, RefusesAGoalOutOfLimits) {
+  line_.replace("post.yaml", "shoulder: 0.4", "shoulder: 2.6");
+  const Outcome run = line_.run("plan post.yaml");
+  EXPECT_EQ(run.exit_code, kInvalidQuery) << run.err;
+  EXPECT_THAT(run.err, AllOf(HasSubstr("goal is out of limits"), HasSubstr("shoulder")));
+}
+
+TEST_F(Handway, SaysThatAPlaceCanNotBeWrittenTo) {
+  for (const std::string option : {"--out", "--report"}) {
+    expect_refusal("plan open.yaml " + option + " /dev/full", "/dev/full", "No space left");
+    expect_refusal("plan open.yaml " + option + " none/file", "none/file", "No such file");
+    expect_refusal("plan open.yaml " + option + " .", "directory");
+  }
+  if (::geteuid() != 0) {  // root may write everywhere
+    expect_refusal("plan open.yaml --out /proc/version", "/proc/version");
+  }
+  EXPECT_TRUE(fs::is_character_file("/dev/full"));
+}
+
+TEST_F(Handway, ShowsWhatAFileHolds) {
+  const Outcome scene = line_.run("info post.yaml");
+  EXPECT_EQ(scene.exit_code, kDone) << scene.err;
+  EXPECT_THAT(scene.out,
+              AllOf(HasSubstr("5 independent joints"), HasSubstr("object post: cylinder"),
+                    HasSubstr("group hand: 3 joints"), HasSubstr("start: free")));
+  const Outcome robot = line_.run("info open_planar.urdf");
+  EXPECT_EQ(robot.exit_code, kDone) << robot.err;
+  EXPECT_THAT(robot.out, HasSubstr("left_tip"));
+}
+
+}  // namespace
+}  // namespace handway::test
