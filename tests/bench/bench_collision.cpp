@@ -32,8 +32,8 @@ struct Problem {
 
 Problem simple_problem() {
   Scene scene = test::scene_of(test::solid_tx90_sah());
-  test::add_object(scene, "table", Box{{1, 1, 0.05}}, Eigen::Vector3d(0.6, 0, 0.4));
-  test::add_object(scene, "can", Cylinder{0.03, 0.12}, Eigen::Vector3d(0.6, 0, 0.49));
+  test::add_object(scene, "table", Box{{1, 1, 0.05}}, Eigen::Vector3d(0.9, 0, 0.9));
+  test::add_object(scene, "can", Cylinder{0.03, 0.12}, Eigen::Vector3d(0.6, 0, 0.99));
   auto world = std::make_shared<const CollisionWorld>(scene);
   const Configuration start = world->model().neutral();
   return {world, start, start + 0.3 * (world->model().upper() - start)};
