@@ -8,7 +8,7 @@ namespace handway::gui {
 namespace {
 
 constexpr int kUnreadable = 3;
-constexpr double kMoment = 0.55;  // of the path
+constexpr double kMoment = 0.4;  // of the path
 
 }  // namespace
 

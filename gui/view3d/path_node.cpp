@@ -5,6 +5,7 @@
 #include "view3d/view_colors.h"
 
 #include <Inventor/nodes/SoBaseColor.h>
+#include <Inventor/nodes/SoDepthBuffer.h>
 #include <Inventor/nodes/SoDrawStyle.h>
 #include <Inventor/nodes/SoLightModel.h>
 #include <Inventor/nodes/SoLineSet.h>
@@ -77,6 +78,9 @@ SoSeparator* make_bead(const Eigen::Vector3d& place, const geometric::Color& col
 CoinRef<SoSeparator> make_path_node(std::span<const Eigen::Vector3d> points,
                                     std::span<const Eigen::Vector3d> waypoints) {
   auto separator = make_coin<SoSeparator>();
+  auto* through = new SoDepthBuffer;  // seen through the robot, which would hide most of it
+  through->test = FALSE;
+  separator->addChild(through);
   separator->addChild(make_line(points));
   for (std::size_t i = 0; i < waypoints.size(); ++i) {
     const float t = waypoints.size() > 1

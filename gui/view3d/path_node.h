@@ -11,7 +11,7 @@ class SoSeparator;
 namespace handway::gui {
 
 /// A line through `points` (world, m) that changes from the start's colour to
-/// the goal's, with a bead at each of `waypoints`.
+/// the goal's, with a bead at each of `waypoints`; nothing hides it.
 [[nodiscard]] CoinRef<SoSeparator> make_path_node(std::span<const Eigen::Vector3d> points,
                                                   std::span<const Eigen::Vector3d> waypoints);
 

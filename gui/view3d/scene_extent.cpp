@@ -12,6 +12,8 @@ using geometric::Configuration;
 using geometric::Pose;
 using Points = std::vector<Eigen::Vector3d>;
 
+constexpr double kAround = 0.12;  // m
+
 void add_corners(Points& points, const Aabb& box, const Pose& X) {
   for (int corner = 0; corner < 8; ++corner) {
     const Eigen::Vector3d p((corner & 1) ? box.upper.x() : box.lower.x(),
@@ -75,17 +77,23 @@ Points robot_points(const geometric::Scene& scene) {
 Points points_of_interest(const geometric::Scene& scene) {
   Points points = robot_points(scene);
   const bool has_robot = !points.empty();
-  const double largest = has_robot ? box_around(points).size().maxCoeff() : 0.0;
+  Aabb near = box_around(points);
+  near.lower.array() -= kAround;
+  near.upper.array() += kAround;
   for (const geometric::SceneObject& object : scene.objects) {
     Points corners;
     if (!object.attachment) {
       add_shape(corners, object.shape, object.X_PO);
     }
-    const bool fits =
-        !has_robot || (!corners.empty() && box_around(corners).size().maxCoeff() <= 1.2 * largest);
-    if (fits) {
-      points.insert(points.end(), corners.begin(), corners.end());
+    if (has_robot && !corners.empty()) {
+      const Aabb box = box_around(corners);
+      const Aabb part{box.lower.cwiseMax(near.lower), box.upper.cwiseMin(near.upper)};
+      corners.clear();
+      if ((part.lower.array() <= part.upper.array()).all()) {
+        add_corners(corners, part, Pose::Identity());
+      }
     }
+    points.insert(points.end(), corners.begin(), corners.end());
   }
   return points;
 }

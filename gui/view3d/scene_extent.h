@@ -8,7 +8,7 @@ namespace handway::gui {
 
 /// Points (world, m) that a picture of the scene should contain: corners around
 /// every link of every robot as it stands, of the first robot also at start and
-/// goal, and around the objects that are no bigger than the robots themselves.
+/// goal, and around the parts of objects that are close to the robots.
 [[nodiscard]] std::vector<Eigen::Vector3d> points_of_interest(const geometric::Scene& scene);
 
 /// The lowest height that any robot or object reaches, m; 0 for an empty scene.
