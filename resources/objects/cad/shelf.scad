@@ -1,18 +1,22 @@
-// Shelf of four compartments, open in front (-y), with a back panel. Modelled in
+// Open shelf of three compartments: boards on four posts, without walls. Modelled in
 // millimetres, written in metres; origin at the centre of the bottom.
-width = 1050;
+width = 950;
 depth = 380;
-height = 1900;
-side = 40;
+post = 30;
 board = 40;
-back = 12;
-compartments = 4;
+compartments = 3;
+clear = 425;
 
-clear = (height - (compartments + 1) * board) / compartments;
+pitch = clear + board;
+height = compartments * pitch + board;
 
-scale(0.001) translate([-width / 2, -depth / 2, 0]) difference() {
-  cube([width, depth, height]);
-  for (i = [0 : compartments - 1])
-    translate([side, -1, board + i * (clear + board)])
-      cube([width - 2 * side, depth - back + 1, clear]);
+module boards()
+  for (i = [0 : compartments]) translate([0, 0, i * pitch]) cube([width, depth, board]);
+
+module posts()
+  for (x = [0, width - post], y = [0, depth - post]) translate([x, y, 0]) cube([post, post, height]);
+
+scale(0.001) translate([-width / 2, -depth / 2, 0]) union() {
+  boards();
+  posts();
 }
