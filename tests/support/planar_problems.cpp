@@ -12,12 +12,12 @@ using planning::PlanningProblem;
 
 Configuration planar_configuration(double shoulder, double elbow, double thumb, double left,
                                    double right) {
-  static const RobotModel model(planar_hand_arm());
-  Configuration q(model.variable_count());
+  static const RobotModel kModel(planar_hand_arm());
+  Configuration q(kModel.variable_count());
   for (const auto& [joint, value] :
        {std::pair("shoulder", shoulder), std::pair("elbow", elbow), std::pair("thumb", thumb),
         std::pair("left", left), std::pair("right", right)}) {
-    q[model.find_variable(joint).value()] = value;
+    q[kModel.find_variable(joint).value()] = value;
   }
   return q;
 }

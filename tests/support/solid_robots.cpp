@@ -8,7 +8,25 @@
 namespace handway::test {
 namespace {
 
-using namespace geometric;
+using geometric::AllowedReason;
+using geometric::Box;
+using geometric::CollisionWorld;
+using geometric::Cone;
+using geometric::Cylinder;
+using geometric::FclChecker;
+using geometric::Joint;
+using geometric::JointType;
+using geometric::Link;
+using geometric::Mesh;
+using geometric::Mimic;
+using geometric::NamedPair;
+using geometric::Pose;
+using geometric::RobotDescription;
+using geometric::RobotInstance;
+using geometric::RobotModel;
+using geometric::Scene;
+using geometric::Shape;
+using geometric::Sphere;
 
 Pose at(double x, double y, double z) { return Pose(Eigen::Translation3d(x, y, z)); }
 

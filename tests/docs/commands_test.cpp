@@ -1,0 +1,102 @@
+#include "handway_test/paths.h"
+#include "markdown.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdio>
+#include <set>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace handway::test {
+namespace {
+
+using testing::ContainerEq;
+using testing::Contains;
+
+struct ShellRun {
+  int status;
+  std::string printed;
+};
+
+ShellRun run_in_shell(const std::string& command) {
+  FILE* pipe = popen((command + " 2>&1").c_str(), "r");
+  std::string printed;
+  std::array<char, 4096> block{};
+  while (const std::size_t size = std::fread(block.data(), 1, block.size(), pipe)) {
+    printed.append(block.data(), size);
+  }
+  return {pclose(pipe), printed};
+}
+
+std::string help_of(const std::string& program) {
+  return run_in_shell(program + " --help").printed;
+}
+
+// The subcommands that the program's help lists after "Subcommands:".
+std::vector<std::string> commands() {
+  std::istringstream lines(help_of(HANDWAY_PROGRAM));
+  std::vector<std::string> names;
+  bool listed = false;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("Subcommands")) {
+      listed = true;
+    } else if (listed && line.starts_with("  ") && line[2] != ' ') {
+      names.push_back(line.substr(2, line.find(' ', 2) - 2));
+    }
+  }
+  return names;
+}
+
+TEST(CommandLineManual, NamesTheOptionsOfEveryCommand) {
+  const std::string manual = read_text(source_dir() / "docs" / "command-line.md");
+  const std::vector<std::string> names = commands();
+  ASSERT_THAT(names, Contains("plan"));
+  for (const std::string& name : names) {
+    const std::string text = section(manual, "handway " + name);
+    ASSERT_FALSE(text.empty()) << "no section \"handway " << name << "\"";
+    std::set<std::string> options =
+        long_options(help_of(std::string(HANDWAY_PROGRAM) + " " + name));
+    options.erase("--help");
+    EXPECT_THAT(long_options(text), ContainerEq(options)) << "handway " << name;
+  }
+}
+
+TEST(WorkbenchManual, NamesTheOptionsOfTheWorkbench) {
+  if (std::string(HANDWAY_WORKBENCH).empty()) {
+    GTEST_SKIP() << "built without the workbench";
+  }
+  std::set<std::string> options = long_options(help_of(HANDWAY_WORKBENCH));
+  options.erase("--help");
+  const std::string manual = read_text(source_dir() / "docs" / "workbench.md");
+  EXPECT_THAT(long_options(section(manual, "The workbench")), ContainerEq(options));
+}
+
+// The commands of the tour, from any folder.
+TEST(Readme, ShowsCommandsThatWork) {
+  constexpr std::string_view kProgram = "build/release/bin/handway ";
+  const ScratchFolder scratch;
+  std::istringstream lines(section(read_text(source_dir() / "README.md"), "Five minutes"));
+  int commands = 0;
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with(kProgram)) {
+      continue;
+    }
+    std::string arguments = line.substr(kProgram.size());
+    const std::size_t scene = arguments.find("scenes/");
+    ASSERT_NE(scene, std::string::npos) << line;
+    arguments.insert(scene, source_dir().string() + "/");
+    const ShellRun done =
+        run_in_shell("cd " + scratch.path().string() + " && " HANDWAY_PROGRAM " " + arguments);
+    EXPECT_EQ(done.status, 0) << line << '\n' << done.printed;
+    ++commands;
+  }
+  EXPECT_GE(commands, 3);
+}
+
+}  // namespace
+}  // namespace handway::test
