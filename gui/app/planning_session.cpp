@@ -61,7 +61,7 @@ void PlanningSession::take_result(const planning::PlanResult& result) {
   }
   panel_.show_result(result);
   if (result.solved()) {
-    player_.set_timeline(PathTimeline(document_.robot()->model, result.path));
+    player_.set_timeline(PathTimeline(*document_.robot()->model, result.path));
     emit path_changed();
     player_.seek(0.0);
   }

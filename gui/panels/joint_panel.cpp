@@ -15,7 +15,7 @@ namespace {
 
 using geometric::JointType;
 
-constexpr int kLabelWidth = 112;
+constexpr int kLabelWidth = 128;
 
 SliderRow::Range range_of(const geometric::JointLimits& limits, JointType type) {
   if (type == JointType::kPrismatic) {

@@ -73,7 +73,7 @@ void PmdPanel::set_hand(std::shared_ptr<const geometric::RobotModel> model,
 
 void PmdPanel::add_axis(const QString& name, double half_side, double variance) {
   auto* row = new SliderRow(name, {-half_side, half_side, 1.0, QString(), 3});
-  row->set_label_width(112);
+  row->set_label_width(128);
   row->setObjectName(name);
   if (variance > 0.0) {
     row->setToolTip(tr("%1: standard deviation %2 of the normalised joints, half side %3")

@@ -12,12 +12,12 @@ constexpr double kSame = 1e-6;  // fractions closer than this are one
 
 }  // namespace
 
-PathTimeline::PathTimeline(std::shared_ptr<const geometric::RobotModel> model, planning::Path path)
+PathTimeline::PathTimeline(const geometric::RobotModel& model, planning::Path path)
     : path_(std::move(path)) {
   double distance = 0.0;
   for (std::size_t i = 0; i < path_.waypoints.size(); ++i) {
     if (i > 0) {
-      distance += planning::normalised_distance(*model, path_.waypoints[i - 1], path_.waypoints[i]);
+      distance += planning::normalised_distance(model, path_.waypoints[i - 1], path_.waypoints[i]);
     }
     distance_.push_back(distance);
   }

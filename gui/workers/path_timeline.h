@@ -3,7 +3,6 @@
 #include "handway/geometric/robot/robot_model.h"
 #include "handway/planning/paths/path.h"
 
-#include <memory>
 #include <vector>
 
 namespace handway::gui {
@@ -13,7 +12,7 @@ namespace handway::gui {
 class PathTimeline {
  public:
   PathTimeline() = default;
-  PathTimeline(std::shared_ptr<const geometric::RobotModel> model, planning::Path path);
+  PathTimeline(const geometric::RobotModel& model, planning::Path path);
 
   [[nodiscard]] bool empty() const { return path_.empty(); }
   /// Sum of the normalised distances between waypoints.

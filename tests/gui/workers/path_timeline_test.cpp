@@ -20,7 +20,7 @@ class PathTimelines : public ::testing::Test {
     c[1] = 2.0;
     planning::Path path;
     path.waypoints = {a, b, c};
-    timeline_ = gui::PathTimeline(model_, path);
+    timeline_ = gui::PathTimeline(*model_, path);
   }
 
   std::shared_ptr<const geometric::RobotModel> model_;
