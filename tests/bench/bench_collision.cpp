@@ -40,7 +40,7 @@ Problem simple_problem() {
 }
 
 const Problem& problem(int number) {
-  static const std::vector<Problem> problems = [] {
+  static const std::vector<Problem> kProblems = [] {
     std::vector<Problem> made{simple_problem()};
     if (const auto reference = test::reference_dir()) {
       for (const std::string name : {"TwoCanb_new", "CanBox_new", "ShelfCan2_new"}) {
@@ -52,8 +52,8 @@ const Problem& problem(int number) {
     }
     return made;
   }();
-  return number < static_cast<int>(problems.size()) ? problems[static_cast<std::size_t>(number)]
-                                                    : problems.front();
+  return number < static_cast<int>(kProblems.size()) ? kProblems[static_cast<std::size_t>(number)]
+                                                     : kProblems.front();
 }
 
 // Around the segment, as far as the planners' corridors reach.
@@ -74,7 +74,7 @@ std::vector<Configuration> near_segment(const Problem& problem, int count) {
 }
 
 template <typename Checker>
-void BM_Configuration(benchmark::State& state) {
+void bm_configuration(benchmark::State& state) {
   const Problem& chosen = problem(static_cast<int>(state.range(0)));
   Checker checker(chosen.world);
   const std::vector<Configuration> configurations = near_segment(chosen, 256);
@@ -88,11 +88,11 @@ void BM_Configuration(benchmark::State& state) {
   }
   state.counters["in_collision"] = in_collision / static_cast<double>(configurations.size());
 }
-BENCHMARK(BM_Configuration<FclChecker>)->DenseRange(0, 3)->Unit(benchmark::kMicrosecond);
-BENCHMARK(BM_Configuration<BoundedChecker>)->DenseRange(0, 3)->Unit(benchmark::kMicrosecond);
+BENCHMARK(bm_configuration<FclChecker>)->DenseRange(0, 3)->Unit(benchmark::kMicrosecond);
+BENCHMARK(bm_configuration<BoundedChecker>)->DenseRange(0, 3)->Unit(benchmark::kMicrosecond);
 
 template <typename Checker>
-void BM_Edge(benchmark::State& state) {
+void bm_edge(benchmark::State& state) {
   const Problem& chosen = problem(static_cast<int>(state.range(0)));
   Checker checker(chosen.world);
   const auto motion = std::make_shared<const MotionBound>(*chosen.world);
@@ -120,8 +120,8 @@ void BM_Edge(benchmark::State& state) {
   state.counters["checks"] = static_cast<double>(checks) / static_cast<double>(k);
   state.counters["free"] = static_cast<double>(free) / static_cast<double>(k);
 }
-BENCHMARK(BM_Edge<FclChecker>)->DenseRange(0, 3)->Unit(benchmark::kMillisecond);
-BENCHMARK(BM_Edge<BoundedChecker>)->DenseRange(0, 3)->Unit(benchmark::kMillisecond);
+BENCHMARK(bm_edge<FclChecker>)->DenseRange(0, 3)->Unit(benchmark::kMillisecond);
+BENCHMARK(bm_edge<BoundedChecker>)->DenseRange(0, 3)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace handway::geometric
