@@ -28,7 +28,7 @@ struct PlanRequest {
   std::uint64_t seed = 1;
   int threads = 1;  ///< ≥ 1; the result does not depend on it.
   double time_limit_s = std::numeric_limits<double>::infinity();
-  double resolution_mm = 0.02;  ///< Edges closer than this to anything are refused.
+  double resolution_mm = 0.05;  ///< Edges closer than this to anything are refused.
 };
 
 /// Finds a collision-free path from a problem's start to its goal.
