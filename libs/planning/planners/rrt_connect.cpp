@@ -5,11 +5,13 @@
 #include "handway/sampling/sequences/random_stream.h"
 #include "planners/hand_arm_space.h"
 #include "planners/phase_clock.h"
+#include "planners/search_space.h"
 #include "planners/search_tree.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -18,17 +20,24 @@ namespace {
 
 using sampling::RandomStream;
 
+// Radii of the balls around start and goal: what is a move of a finger's width
+// and what takes the hand out of any grasp.
+constexpr double kSmallestBall = 0.005;
+constexpr double kLargestBall = 0.3;
+constexpr double kRefinement = 0.25;  // share of a step that is tried after it
+
 class BidirectionalSearch {
  public:
   BidirectionalSearch(PlanningContext& context, const RrtConnectSettings& settings, HandSpace hand)
       : context_(context),
         settings_(settings),
         in_corridor_(hand == HandSpace::kPrincipalDirections),
-        space_(context.problem(),
-               in_corridor_ ? *context.problem().basis : all_hand_joints(context.problem())),
+        basis_(in_corridor_ ? *context.problem().basis : all_hand_joints(context.problem())),
+        space_(in_corridor_ && settings.corridor == static_cast<int>(CorridorForm::kCartesian)
+                   ? make_tool_space(context.problem())
+                   : make_joint_space(context.problem())),
         draws_(context.request().seed),
-        trees_{SearchTree(context.problem().start, space_.coordinates(context.problem().start)),
-               SearchTree(context.problem().goal, space_.coordinates(context.problem().goal))} {}
+        trees_{root(context.problem().start), root(context.problem().goal)} {}
 
   void run(PlanResult& result) {
     announce_roots();
@@ -41,13 +50,11 @@ class BidirectionalSearch {
                                       "growing trees");
       ++context_.statistics().samples;
       const int growing = sample % 2;
-      const Eigen::VectorXd target = draw(sample);
-      const std::optional<int> reached = extend(growing, target);
+      const std::optional<int> reached = extend(growing, draw(sample), sample);
       if (!reached) {
         continue;
       }
-      const Eigen::VectorXd meeting = tree(growing).coordinates(*reached);
-      if (const std::optional<int> other = connect(1 - growing, meeting)) {
+      if (const std::optional<int> other = connect(1 - growing, growing, *reached)) {
         result.path = joined(growing == 0 ? *reached : *other, growing == 0 ? *other : *reached);
         result.status = PlanStatus::kSolved;
         return;
@@ -57,6 +64,10 @@ class BidirectionalSearch {
   }
 
  private:
+  [[nodiscard]] SearchTree root(const Configuration& q) const {
+    return SearchTree(q, space_->coordinates(q));
+  }
+
   SearchTree& tree(int index) { return trees_[static_cast<std::size_t>(index)]; }
 
   Eigen::VectorXd draw(int sample) {
@@ -64,13 +75,36 @@ class BidirectionalSearch {
     if (!in_corridor_) {
       return draw.uniform(context_.problem().model().variable_count());
     }
+    return draw.uniform() < settings_.near_ends ? draw_near_root(sample % 2, draw)
+                                                : draw_in_corridor(sample, draw);
+  }
+
+  Eigen::VectorXd draw_in_corridor(int sample, RandomStream& draw) {
     const double widths = std::floor(static_cast<double>(sample) / settings_.samples_per_width);
     const double rho =
         std::min(settings_.rho_max, settings_.rho_a * std::pow(settings_.rho_growth, widths));
     context_.statistics().final_rho_a = rho;
-    const Configuration arm = space_.with_arm(
-        space_.corridor().sample(draw.uniform(), rho, draw.uniform(space_.arm_dimension())));
-    return space_.coordinates(space_.with_hand(arm, draw.uniform(space_.basis().dimension())));
+    const double step = draw.uniform();
+    const Eigen::VectorXd arm = draw.uniform(space_->arm_draws());
+    return space_->draw(step, rho, arm, draw_posture(draw));
+  }
+
+  // Every size of ball is as likely as any other. In half of the draws the hand
+  // keeps its posture: it holds on to what is between its fingers.
+  Eigen::VectorXd draw_near_root(int index, RandomStream& draw) {
+    const double rho = kSmallestBall * std::pow(kLargestBall / kSmallestBall, draw.uniform());
+    const bool hand_moves = draw.uniform() < 0.5;
+    const Eigen::VectorXd arm = draw.uniform(space_->arm_draws());
+    const auto hand_size = static_cast<Eigen::Index>(basis_.joints.size());
+    Eigen::VectorXd posture = tree(index).coordinates(0).tail(hand_size);
+    if (hand_moves) {
+      posture += std::min(1.0, rho / kLargestBall) * (draw_posture(draw) - posture);
+    }
+    return space_->draw(index, rho, arm, posture);
+  }
+
+  [[nodiscard]] Eigen::VectorXd draw_posture(RandomStream& draw) const {
+    return sampling::map_to_posture(basis_, draw.uniform(basis_.dimension()));
   }
 
   // Trees are numbered apart: even ids grow from the start, odd ones from the goal.
@@ -83,45 +117,57 @@ class BidirectionalSearch {
   }
 
   // One step of at most `range` from the nearest node; the new node, if the way is free.
-  std::optional<int> extend(int growing, const Eigen::VectorXd& target) {
-    return extend_from(growing, tree(growing).nearest(target), target);
+  std::optional<int> extend(int growing, Eigen::VectorXd target, int sample) {
+    const int from = tree(growing).nearest(target);
+    if(getenv("MODE")) { const auto hs = (Eigen::Index)basis_.joints.size(); switch((sample/2)%4){ case 1: target.tail(hs)=tree(growing).coordinates(from).tail(hs); break; case 2: target.head(target.size()-hs)=tree(growing).coordinates(from).head(target.size()-hs); break; default: break; } }
+    double range = settings_.range;
+    for (int i = 0; i <= settings_.refinements; ++i, range *= kRefinement) {
+      if (const std::optional<int> node = step(growing, from, target, range)) {
+        return node;
+      }
+    }
+    return std::nullopt;
   }
 
-  std::optional<int> extend_from(int growing, int from, const Eigen::VectorXd& target) {
+  std::optional<int> step(int growing, int from, const Eigen::VectorXd& target, double range) {
     const Eigen::VectorXd begin = tree(growing).coordinates(from);
-    const double distance = (target - begin).norm();
-    const double share = std::min(1.0, settings_.range / std::max(distance, 1e-12));
-    const Eigen::VectorXd end = share < 1.0 ? begin + share * (target - begin) : target;
-    const Configuration q = space_.configuration(end);
+    const double share = std::min(1.0, range / std::max((target - begin).norm(), 1e-12));
+    const Eigen::VectorXd end = begin + share * (target - begin);
+    const std::optional<Configuration> q =
+        space_->configuration(end, tree(growing).configuration(from));
+    return q ? add_if_free(growing, from, *q, end) : std::nullopt;
+  }
+
+  std::optional<int> add_if_free(int growing, int from, const Configuration& q,
+                                 const Eigen::VectorXd& coordinates) {
     if (context_.collision(q) || !context_.edge_free(tree(growing).configuration(from), q)) {
       return std::nullopt;
     }
-    const int node = tree(growing).add(q, end, from);
+    const int node = tree(growing).add(q, coordinates, from);
     auto& statistics = context_.statistics();
-    statistics.nodes =
-        static_cast<std::uint64_t>(trees_[0].size()) + static_cast<std::uint64_t>(trees_[1].size());
+    statistics.nodes = static_cast<std::uint64_t>(trees_[0].size() + trees_[1].size());
     ++statistics.edges;
     context_.observer().on_node({event_id(growing, node), q, 0, 0.0, statistics.final_rho_a});
     context_.observer().on_edge(event_id(growing, from), event_id(growing, node));
     return node;
   }
 
-  // Steps towards `target` until there, or until one is not free.
-  std::optional<int> connect(int growing, const Eigen::VectorXd& target) {
-    int at = tree(growing).nearest(target);
-    while (!context_.interruption()) {
-      const std::optional<int> next = extend_from(growing, at, target);
-      if (!next) {
-        return std::nullopt;
+  // Steps towards `target`, a node of the other tree, until there or until one
+  // is not free. The last step goes to the very configuration of that node.
+  std::optional<int> connect(int growing, int other, int target) {
+    const Configuration q = tree(other).configuration(target);
+    const Eigen::VectorXd end = tree(other).coordinates(target);
+    std::optional<int> at = tree(growing).nearest(end);
+    while (at && !context_.interruption()) {
+      if ((tree(growing).coordinates(*at) - end).norm() <= settings_.range) {
+        return add_if_free(growing, *at, q, end);
       }
-      at = *next;
-      if ((tree(growing).coordinates(at) - target).norm() < 1e-9) {
-        return at;
-      }
+      at = step(growing, *at, end, settings_.range);
     }
     return std::nullopt;
   }
 
+  // Both nodes are the same configuration.
   Path joined(int start_node, int goal_node) {
     Path path{tree(0).branch(start_node)};
     std::vector<Configuration> rest = tree(1).branch(goal_node);
@@ -132,7 +178,8 @@ class BidirectionalSearch {
   PlanningContext& context_;
   const RrtConnectSettings& settings_;
   bool in_corridor_;
-  HandArmSpace space_;
+  sampling::PmdBasis basis_;
+  std::unique_ptr<SearchSpace> space_;
   RandomStream draws_;
   std::array<SearchTree, 2> trees_;
 };
@@ -161,10 +208,19 @@ std::vector<Parameter> RrtConnect::parameters() {
   std::vector<Parameter> list = {
       {"range", "Step length", "", "Longest step of a tree, in joints normalised to [0, 1].",
        &settings_.range, 1e-3, 10.0},
+      {"refinements", "Shorter steps", "",
+       "How often a step that is not free is tried again at a quarter of its length.",
+       &settings_.refinements, 0, 5},
       {"max_samples", "Samples", "", "Samples drawn before the planner gives up.",
        &settings_.max_samples, 1, 100000000},
   };
   if (space_ == HandSpace::kPrincipalDirections) {
+    list.push_back({"corridor", "Corridor", "",
+                    "Around the straight motion of the arm's joints, or of its tool.",
+                    ChoiceValue{&settings_.corridor, {"joint", "cartesian"}}});
+    list.push_back({"near_ends", "Samples near the ends", "",
+                    "Share of samples drawn around start and goal.", &settings_.near_ends, 0.0,
+                    1.0});
     list.push_back({"rho_a", "Corridor half-width ρₐ", "",
                     "Half-width of the arm's corridor at the start, normalised.", &settings_.rho_a,
                     1e-5, 1.0});

@@ -9,7 +9,7 @@
 namespace handway::planning {
 
 /// A tree of configurations that grows from its root, node 0. Distances are
-/// Euclidean in joints normalised to [0, 1].
+/// Euclidean in the coordinates of a SearchSpace.
 class SearchTree {
  public:
   SearchTree(Configuration root, const Eigen::VectorXd& coordinates);

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <stdexcept>
 #include <string>
-#include <utility>
 
 namespace handway::sampling {
 namespace {
@@ -21,16 +20,12 @@ Eigen::Quaterniond rotation(const Eigen::Vector3d& rotation_vector) {
 }  // namespace
 
 CartesianCorridor::CartesianCorridor(const geometric::Pose& X_BS, const geometric::Pose& X_BG,
-                                     Ik ik, CartesianScale scale)
+                                     CartesianScale scale)
     : p_BS_(X_BS.translation()),
       p_BG_(X_BG.translation()),
       q_BS_(X_BS.linear()),
       q_BG_(X_BG.linear()),
-      ik_(std::move(ik)),
       scale_(scale) {
-  if (!ik_) {
-    throw std::invalid_argument("a Cartesian corridor needs inverse kinematics");
-  }
   if (!(scale_.position > 0.0 && scale_.orientation > 0.0)) {
     throw std::invalid_argument("the scales of a Cartesian corridor must be above 0");
   }
@@ -55,11 +50,6 @@ geometric::Pose CartesianCorridor::pose(double step, double rho, const Eigen::Ve
   X_BT.linear() = q_BT.toRotationMatrix();
   X_BT.translation() = p_BS_ + step * (p_BG_ - p_BS_) + scale_.position * e.head<3>();
   return X_BT;
-}
-
-std::optional<Eigen::VectorXd> CartesianCorridor::sample(double step, double rho,
-                                                         const Eigen::VectorXd& u) const {
-  return ik_(pose(step, rho, u));
 }
 
 }  // namespace handway::sampling

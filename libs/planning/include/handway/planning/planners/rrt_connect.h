@@ -2,6 +2,7 @@
 
 #include "handway/planning/core/planner.h"
 #include "handway/planning/export.h"
+#include "handway/planning/planners/corridor_form.h"
 #include "handway/planning/planners/hand_space.h"
 
 #include <string>
@@ -9,10 +10,14 @@
 
 namespace handway::planning {
 
-/// Settings of RrtConnect. Lengths in joints normalised to [0, 1].
+/// Settings of RrtConnect. Lengths in joints normalised to [0, 1]; with a
+/// Cartesian corridor the arm's in units of sampling::CartesianScale.
 struct RrtConnectSettings {
-  double range = 0.2;  ///< Longest step of a tree.
+  double range = 0.2;   ///< Longest step of a tree.
+  int refinements = 2;  ///< Steps tried, each a quarter of the one before, when one is not free.
   int max_samples = 1000000;
+  int corridor = static_cast<int>(CorridorForm::kJoint);  ///< A CorridorForm; PMDs only.
+  double near_ends = 0.3;   ///< Share of samples drawn around start and goal; PMDs only.
   double rho_a = 0.03;      ///< Half-width of the arm corridor at the start; PMDs only.
   double rho_max = 0.4;     ///< … and at most; PMDs only.
   double rho_growth = 1.5;  ///< Factor after every `samples_per_width`; PMDs only.
@@ -21,7 +26,8 @@ struct RrtConnectSettings {
 
 /// Two trees that grow towards random samples and towards each other. Over all
 /// joints it is the usual baseline. With PMDs it draws from the paper's regions:
-/// the arm from a corridor that widens, the hand from thumb base and PMDs.
+/// the arm from a corridor that widens, the hand from thumb base and PMDs; and
+/// from balls around start and goal, where passages are narrowest.
 ///
 /// Source: Kuffner, LaValle, "RRT-Connect: an efficient approach to single-query
 /// path planning", ICRA 2000, doi:10.1109/ROBOT.2000.844730.

@@ -5,9 +5,6 @@
 
 #include <Eigen/Core>
 
-#include <functional>
-#include <optional>
-
 namespace handway::sampling {
 
 /// How far ρ_a, which is in normalised joints, reaches in Cartesian space.
@@ -18,20 +15,16 @@ struct CartesianScale {
 
 /// The arm's sampling region in Cartesian form: the tool moves straight from its
 /// pose at the start to its pose at the goal while it turns evenly about one
-/// axis; a pose on the way is perturbed, and inverse kinematics gives the arm
-/// configuration. A second reading of section 5.1, beside ArmCorridor.
+/// axis; a pose on the way is perturbed. The arm configuration of a pose is for
+/// the caller's inverse kinematics to find. A second reading of section 5.1, beside ArmCorridor.
 class HANDWAY_SAMPLING_EXPORT CartesianCorridor {
  public:
-  /// Arm configuration of a tool pose X_BT in the arm's base, on the branch that
-  /// the caller wants (the goal's); nothing if the pose can't be reached on it.
-  using Ik = std::function<std::optional<Eigen::VectorXd>(const geometric::Pose& X_BT)>;
-
   /// Coordinates of a sample: three of position, three of orientation.
   static constexpr int kDimension = 6;
 
   /// @param X_BS, X_BG tool poses at start and goal in the arm's base.
-  /// @throws std::invalid_argument if `ik` is empty or a scale isn't above 0.
-  CartesianCorridor(const geometric::Pose& X_BS, const geometric::Pose& X_BG, Ik ik,
+  /// @throws std::invalid_argument if a scale isn't above 0.
+  CartesianCorridor(const geometric::Pose& X_BS, const geometric::Pose& X_BG,
                     CartesianScale scale = {});
 
   /// In units of ρ_a: the tool's way or turn, each divided by its scale,
@@ -50,16 +43,11 @@ class HANDWAY_SAMPLING_EXPORT CartesianCorridor {
   /// @throws std::invalid_argument if u has not six entries.
   [[nodiscard]] geometric::Pose pose(double step, double rho, const Eigen::VectorXd& u) const;
 
-  /// The arm configuration that brings the tool to pose(step, rho, u).
-  [[nodiscard]] std::optional<Eigen::VectorXd> sample(double step, double rho,
-                                                      const Eigen::VectorXd& u) const;
-
  private:
   Eigen::Vector3d p_BS_;
   Eigen::Vector3d p_BG_;
   Eigen::Quaterniond q_BS_;
   Eigen::Quaterniond q_BG_;
-  Ik ik_;
   CartesianScale scale_;
 };
 

@@ -1,0 +1,32 @@
+#include "planners/search_space.h"
+
+#include "handway/geometric/robot/normalised_joints.h"
+
+namespace handway::planning {
+
+SearchSpace::~SearchSpace() = default;
+
+Eigen::VectorXd SearchSpace::coordinates(const Configuration& q) const {
+  const Eigen::VectorXd arm = arm_coordinates(q);
+  Eigen::VectorXd x(arm.size() + static_cast<Eigen::Index>(problem_.hand.size()));
+  x << arm, geometric::normalised(problem_.model(), q)(problem_.hand);
+  return x;
+}
+
+std::optional<Configuration> SearchSpace::configuration(const Eigen::VectorXd& x,
+                                                        const Configuration& reference) const {
+  const auto hand_size = static_cast<Eigen::Index>(problem_.hand.size());
+  Eigen::VectorXd joints = geometric::normalised(problem_.model(), reference);
+  joints(problem_.hand) = x.tail(hand_size);
+  return with_arm(geometric::denormalised(problem_.model(), joints), x.head(x.size() - hand_size));
+}
+
+Eigen::VectorXd SearchSpace::draw(double step, double rho, const Eigen::VectorXd& u,
+                                  const Eigen::VectorXd& posture) const {
+  const Eigen::VectorXd arm = draw_arm(step, rho, u);
+  Eigen::VectorXd x(arm.size() + posture.size());
+  x << arm, posture;
+  return x;
+}
+
+}  // namespace handway::planning
