@@ -4,6 +4,7 @@
 #include "collision/distance_table.h"
 #include "collision/fcl_bodies.h"
 #include "collision/sphere_tree.h"
+#include "collision/surface_distance.h"
 #include "handway/geometric/collision/motion_bound.h"
 
 #include <algorithm>
@@ -16,11 +17,7 @@ namespace {
 
 constexpr double kSmallestSphere = 0.0015;  // m
 constexpr double kSpheresAcross = 100.0;  // a body is covered by spheres of this share of its size
-// Steps of a traversal before the question goes on to FCL, which costs as much
-// as some hundred of them.
-constexpr int kGlance = 40;
-constexpr int kLook = 150;
-constexpr int kSearch = 600;           // FCL's distances cost more than its collisions
+constexpr int kGlance = 40;            // steps through the spheres before the triangles are asked
 constexpr double kHair = 1e-9;         // m
 constexpr double kRemembered = 0.002;  // m: distances in tables are cut off here
 
@@ -37,6 +34,7 @@ struct BoundedChecker::Volumes {
         tree = std::make_shared<BoxTree>(*body.mesh);
       }
       boxes.push_back(tree);
+      meshes.push_back(body.mesh);
       auto& cover = built_spheres[body.mesh.get()];
       if (!cover && body.moves()) {
         const double size = bounding_box(*body.mesh).size().norm();
@@ -62,7 +60,21 @@ struct BoundedChecker::Volumes {
     return b && b->root().radius < a->root().radius ? BodyPair{pair.b, pair.a} : pair;
   }
 
+  struct Exact {
+    Surface a;
+    Surface b;
+    Pose X_BA;
+  };
+  [[nodiscard]] Exact exact_question(int pair, std::span<const Pose> X_WBody) const {
+    const auto a = static_cast<std::size_t>(pairs[static_cast<std::size_t>(pair)].a);
+    const auto b = static_cast<std::size_t>(pairs[static_cast<std::size_t>(pair)].b);
+    return {{*meshes[a], *boxes[a]},
+            {*meshes[b], *boxes[b]},
+            X_WBody[b].inverse(Eigen::Isometry) * X_WBody[a]};
+  }
+
   FclBodies exact;
+  std::vector<std::shared_ptr<const TriangleMesh>> meshes;
   std::vector<std::shared_ptr<const SphereTree>> spheres;  ///< Null for still bodies.
   std::vector<std::shared_ptr<const BoxTree>> boxes;
   std::vector<std::unique_ptr<DistanceTable>> tables;  ///< Null where a pair has none.
@@ -71,7 +83,8 @@ struct BoundedChecker::Volumes {
 
 BoundedChecker::BoundedChecker(std::shared_ptr<const CollisionWorld> world)
     : CollisionChecker(std::move(world)),
-      volumes_(std::make_shared<const Volumes>(CollisionChecker::world())) {}
+      volumes_(std::make_shared<const Volumes>(CollisionChecker::world())),
+      witnesses_(volumes_->pairs.size()) {}
 
 BoundedChecker::~BoundedChecker() = default;
 
@@ -81,7 +94,8 @@ std::unique_ptr<CollisionChecker> BoundedChecker::clone() const {
   return std::unique_ptr<CollisionChecker>(new BoundedChecker(*this));
 }
 
-double BoundedChecker::bound(int pair, double enough, int effort) const {
+double BoundedChecker::bound(int pair, double enough) const {
+  int effort = kGlance;
   const BodyPair& bodies = volumes_->pairs[static_cast<std::size_t>(pair)];
   const Pose X_BA = body_poses()[static_cast<std::size_t>(bodies.b)].inverse(Eigen::Isometry) *
                     body_poses()[static_cast<std::size_t>(bodies.a)];
@@ -140,45 +154,54 @@ double BoundedChecker::remembered(int pair) {
     return 0.0;
   }
   return table->bound(configuration(), [&](const Configuration& q) {
-    const BodyPair& bodies = volumes_->pairs[static_cast<std::size_t>(pair)];
     std::vector<Pose> X_BL(static_cast<std::size_t>(world().model().link_count()));
     std::vector<Pose> X_WBody(world().bodies().size());
     world().place(q, X_BL, X_WBody);
-    count_exact_test();
-    return volumes_->exact.distance(bodies.a, X_WBody[static_cast<std::size_t>(bodies.a)], bodies.b,
-                                    X_WBody[static_cast<std::size_t>(bodies.b)], kRemembered);
+    return exact_distance(pair, X_WBody, kRemembered);
   });
+}
+
+double BoundedChecker::exact_distance(int pair, std::span<const Pose> X_WBody, double enough) {
+  count_exact_test();
+  const Volumes::Exact question = volumes_->exact_question(pair, X_WBody);
+  return surface_distance(question.a, question.b, question.X_BA, enough);
+}
+
+Closeness BoundedChecker::exact_closeness(int pair, double tolerance) {
+  count_exact_test();
+  const Volumes::Exact question = volumes_->exact_question(pair, body_poses());
+  return surface_closeness(question.a, question.b, question.X_BA, tolerance,
+                           witnesses_[static_cast<std::size_t>(pair)]);
 }
 
 bool BoundedChecker::do_pair_collides(int pair) {
   // A hair's width of clearance, so that roundings can't hide a touch.
-  if (bound(pair, kHair, kLook) > 0.0 || remembered(pair) > kHair) {
+  if (bound(pair, kHair) > 0.0 || remembered(pair) > kHair ||
+      exact_closeness(pair, kHair) == Closeness::kFarther) {
     return false;
   }
   const BodyPair& bodies = volumes_->pairs[static_cast<std::size_t>(pair)];
-  count_exact_test();
   return volumes_->exact.collide(bodies.a, body_poses()[static_cast<std::size_t>(bodies.a)],
                                  bodies.b, body_poses()[static_cast<std::size_t>(bodies.b)]);
 }
 
+Closeness BoundedChecker::do_pair_closeness(int pair, double tolerance) {
+  if (do_pair_bound(pair, tolerance) >= tolerance) {
+    return Closeness::kFarther;
+  }
+  const Closeness closeness = exact_closeness(pair, tolerance);
+  return closeness == Closeness::kTouching && !do_pair_collides(pair) ? Closeness::kCloser
+                                                                      : closeness;
+}
+
 double BoundedChecker::do_pair_bound(int pair, double enough) {
-  const double least = bound(pair, enough, kGlance);
+  const double least = bound(pair, enough);
   return least >= enough ? least : std::min(enough, std::max(least, remembered(pair)));
 }
 
 double BoundedChecker::do_pair_distance(int pair, double enough) {
-  double least = bound(pair, enough, kSearch);
-  if (least < enough) {
-    least = std::max(least, remembered(pair));
-  }
-  if (least >= enough) {
-    return least;
-  }
-  const BodyPair& bodies = volumes_->pairs[static_cast<std::size_t>(pair)];
-  count_exact_test();
-  return volumes_->exact.distance(bodies.a, body_poses()[static_cast<std::size_t>(bodies.a)],
-                                  bodies.b, body_poses()[static_cast<std::size_t>(bodies.b)],
-                                  enough);
+  const double least = do_pair_bound(pair, enough);
+  return least >= enough ? least : exact_distance(pair, body_poses(), enough);
 }
 
 }  // namespace handway::geometric

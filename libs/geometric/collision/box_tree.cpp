@@ -3,11 +3,6 @@
 #include <algorithm>
 
 namespace handway::geometric {
-namespace {
-
-constexpr std::size_t kLeafSize = 1;
-
-}  // namespace
 
 BoxTree::BoxTree(const TriangleMesh& mesh) {
   std::vector<Triangle> triangles;
@@ -16,9 +11,10 @@ BoxTree::BoxTree(const TriangleMesh& mesh) {
     const auto& p = mesh.vertices[a];
     const auto& q = mesh.vertices[b];
     const auto& r = mesh.vertices[c];
-    triangles.push_back({p.cwiseMin(q).cwiseMin(r), p.cwiseMax(q).cwiseMax(r)});
+    triangles.push_back({p.cwiseMin(q).cwiseMin(r), p.cwiseMax(q).cwiseMax(r),
+                         static_cast<std::uint32_t>(triangles.size())});
   }
-  nodes_.reserve(triangles.size());
+  nodes_.reserve(2 * triangles.size());
   build(triangles, 0, triangles.size());
 }
 
@@ -34,7 +30,8 @@ void BoxTree::build(std::vector<Triangle>& triangles, std::size_t first, std::si
   nodes_[index].lower = lower;
   nodes_[index].upper = upper;
   nodes_[index].size = 0.5 * (upper - lower).norm();
-  if (count <= kLeafSize) {
+  if (count == 1) {
+    nodes_[index].triangle = triangles[first].index;
     return;
   }
   Eigen::Index axis = 0;

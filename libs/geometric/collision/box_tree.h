@@ -10,14 +10,15 @@
 namespace handway::geometric {
 
 /// A binary tree of axis-aligned boxes, in the mesh's frame. The boxes of every
-/// level together contain the whole surface.
+/// level together contain the whole surface; a leaf holds one triangle.
 class BoxTree {
  public:
   struct Node {
     Eigen::Vector3d lower;
     Eigen::Vector3d upper;
-    std::uint32_t right = 0;  ///< The left child follows its parent; 0: a leaf.
-    double size = 0.0;        ///< Half the diagonal.
+    std::uint32_t right = 0;     ///< The left child follows its parent; 0: a leaf.
+    std::uint32_t triangle = 0;  ///< Of a leaf: index in the mesh.
+    double size = 0.0;           ///< Half the diagonal.
   };
 
   /// @pre the mesh has a triangle.
@@ -34,6 +35,7 @@ class BoxTree {
   struct Triangle {
     Eigen::Vector3d lower;
     Eigen::Vector3d upper;
+    std::uint32_t index;
   };
 
   void build(std::vector<Triangle>& triangles, std::size_t first, std::size_t count);

@@ -39,6 +39,14 @@ double CollisionChecker::pair_distance(int pair, double enough) {
   return do_pair_distance(pair, enough);
 }
 
+Closeness CollisionChecker::do_pair_closeness(int pair, double tolerance) {
+  const double distance = do_pair_distance(pair, tolerance);
+  if (distance >= tolerance) {
+    return Closeness::kFarther;
+  }
+  return distance <= 0.0 && do_pair_collides(pair) ? Closeness::kTouching : Closeness::kCloser;
+}
+
 std::optional<int> CollisionChecker::first_collision(const Configuration& q) {
   const std::optional<int> pair = first_collision(q, last_collision_);
   last_collision_ = pair.value_or(last_collision_);
@@ -97,7 +105,7 @@ NamedPair find_clearance(CollisionChecker& checker, const Configuration& q, doub
 bool is_closer_than(CollisionChecker& checker, const Configuration& q, double distance) {
   checker.place(q);
   for (int pair = 0; pair < static_cast<int>(checker.world().pairs().size()); ++pair) {
-    if (checker.pair_distance(pair, distance) < distance) {
+    if (checker.pair_closeness(pair, distance) != Closeness::kFarther) {
       return true;
     }
   }

@@ -41,15 +41,11 @@ EdgeResult EdgeChecker::check(const Configuration& from, const Configuration& to
       for (std::size_t i = stretch.first; i < stretch.first + stretch.count; ++i) {
         const int pair = pairs[i];
         const double need = travel_[static_cast<std::size_t>(pair)] * stretch.half;
-        double distance = checker_.pair_bound(pair, need);
-        if (distance < need && need <= kWorthExact) {
-          distance = checker_.pair_distance(pair, need);
-        }
-        if (distance >= need) {
+        const Closeness closeness = closeness_within(pair, need);
+        if (closeness == Closeness::kFarther) {
           continue;
         }
-        const bool touching = distance <= 0.0 && checker_.pair_collides(pair);
-        if (touching || 2.0 * need <= resolution_) {
+        if (closeness == Closeness::kTouching || 2.0 * need <= resolution_) {
           result.pair = pair;
           result.at = stretch.middle;
           return result;
@@ -68,6 +64,17 @@ EdgeResult EdgeChecker::check(const Configuration& from, const Configuration& to
   }
   result.free = true;
   return result;
+}
+
+Closeness EdgeChecker::closeness_within(int pair, double tolerance) {
+  if (tolerance <= kWorthExact) {
+    return checker_.pair_closeness(pair, tolerance);
+  }
+  const double bound = checker_.pair_bound(pair, tolerance);
+  if (bound >= tolerance) {
+    return Closeness::kFarther;
+  }
+  return bound <= 0.0 && checker_.pair_collides(pair) ? Closeness::kTouching : Closeness::kCloser;
 }
 
 NamedPair EdgeChecker::clearance(const Configuration& from, const Configuration& to, double enough,

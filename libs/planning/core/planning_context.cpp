@@ -183,7 +183,7 @@ void PlanningContext::count_rejection(int pair, double step) {
 
 Certificate PlanningContext::certify(const Path& path) {
   constexpr double kFar = 0.05;        // m: more clearance than this is not told apart
-  constexpr double kTolerance = 5e-5;  // m
+  constexpr double kTolerance = 1e-5;  // m
   geometric::EdgeChecker& edges = own_worker().edges;
   geometric::CollisionChecker& checker = *own_worker().checker;
   const std::uint64_t before = checker.counts().configurations;

@@ -5,31 +5,21 @@
 #include <utility>
 
 namespace handway::planning {
-namespace {
 
-Eigen::VectorXd arm_of(const PlanningProblem& problem, const Configuration& q) {
-  return geometric::normalised(problem.model(), q)(problem.arm);
-}
-
-}  // namespace
-
-HandArmSpace::HandArmSpace(const PlanningProblem& problem, sampling::PmdBasis basis)
-    : problem_(problem),
-      basis_(std::move(basis)),
-      corridor_(arm_of(problem, problem.start), arm_of(problem, problem.goal)) {}
+HandArmSpace::HandArmSpace(const PlanningProblem& problem, sampling::PmdBasis basis,
+                           CorridorForm form)
+    : problem_(problem), basis_(std::move(basis)), arm_space_(make_search_space(problem, form)) {}
 
 Eigen::VectorXd HandArmSpace::coordinates(const Configuration& q) const {
   return geometric::normalised(problem_.model(), q);
 }
 
-Configuration HandArmSpace::configuration(const Eigen::VectorXd& coordinates) const {
-  return geometric::denormalised(problem_.model(), coordinates);
-}
-
-Configuration HandArmSpace::with_arm(const Eigen::VectorXd& arm) const {
-  Eigen::VectorXd p = coordinates(problem_.start);
-  p(problem_.arm) = arm;
-  return configuration(p);
+std::optional<Configuration> HandArmSpace::arm_sample(double step, double rho,
+                                                      const Eigen::VectorXd& u) const {
+  Configuration on_segment = problem_.start;
+  on_segment(problem_.arm) += step * (problem_.goal - problem_.start)(problem_.arm);
+  const Eigen::VectorXd hand_at_start = coordinates(problem_.start)(problem_.hand);
+  return arm_space_->configuration(arm_space_->draw(step, rho, u, hand_at_start), on_segment);
 }
 
 Configuration HandArmSpace::with_hand(Configuration q, const Eigen::VectorXd& hand_sample) const {

@@ -11,6 +11,8 @@ class JointSpace final : public SearchSpace {
       : SearchSpace(problem),
         corridor_(arm_coordinates(problem.start), arm_coordinates(problem.goal)) {}
 
+  [[nodiscard]] int steps(double rho) const override { return corridor_.steps(rho); }
+
   [[nodiscard]] int arm_draws() const override { return corridor_.dimension(); }
 
  protected:

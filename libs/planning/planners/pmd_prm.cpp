@@ -31,7 +31,8 @@ class RoadmapSearch {
         settings_(settings),
         grows_(space == HandSpace::kPrincipalDirections),
         space_(context.problem(),
-               grows_ ? *context.problem().basis : all_hand_joints(context.problem())),
+               grows_ ? *context.problem().basis : all_hand_joints(context.problem()),
+               static_cast<CorridorForm>(settings.corridor)),
         arm_draws_(RandomStream(context.request().seed).fork(1)),
         hand_draws_(RandomStream(context.request().seed).fork(2)) {
     const Eigen::VectorXd start = space_.coordinates(context.problem().start);
@@ -74,7 +75,7 @@ class RoadmapSearch {
 
   // One visit of all hypercubes: a status when the search is over.
   std::optional<PlanStatus> sweep(double rho) {
-    const int max_steps = space_.corridor().steps(rho);
+    const int max_steps = space_.steps(rho);
     std::pair<double, double> range{0.0, 1.0};
     for (int i = 0; i <= max_steps; ++i) {
       const double step = sampling::sweep_position(static_cast<std::uint64_t>(i));
@@ -118,7 +119,7 @@ class RoadmapSearch {
           static_cast<double>(statistics().samples) / settings_.max_samples, "sampling");
       if (sample) {
         const PhaseClock connection_time(statistics().connection_s);
-        connect(sample->first, step, rho, sample->second);
+        connect(sample->first, step, sample->second);
         return roadmap_.same_component(kStart, kGoal) ? std::optional(PlanStatus::kSolved)
                                                       : std::nullopt;
       }
@@ -130,9 +131,9 @@ class RoadmapSearch {
   std::optional<Configuration> sample_arm(double step, double rho) {
     for (int i = 0; i < settings_.arm_trials; ++i) {
       RandomStream draw = arm_draws_.fork(arm_draw_count_++);
-      const Configuration q = space_.with_arm(
-          space_.corridor().sample(step, rho, draw.uniform(space_.arm_dimension())));
-      if (!context_.arm_collides(q)) {
+      const std::optional<Configuration> q =
+          space_.arm_sample(step, rho, draw.uniform(space_.arm_draws()));
+      if (q && !context_.arm_collides(*q)) {
         return q;
       }
     }
@@ -179,8 +180,7 @@ class RoadmapSearch {
   }
 
   // Algorithm 3.
-  void connect(const Configuration& q, double step, double rho, int pmd_count) {
-    (void)rho;
+  void connect(const Configuration& q, double step, int pmd_count) {
     const int node = add_node(q, space_.coordinates(q), step, grows_ ? pmd_count : 0);
     if (grows_) {
       auto& per_count = statistics().nodes_per_pmds;
@@ -276,6 +276,9 @@ std::vector<Parameter> PmdPrm::parameters() {
        &settings_.rho_a, 1e-5, 0.5},
       {"rho_max", "Largest ρₐ", "", "The corridor does not grow beyond this.", &settings_.rho_max,
        1e-5, 0.5},
+      {"corridor", "Corridor", "",
+       "Around the straight motion of the arm's joints, or of its tool.",
+       ChoiceValue{&settings_.corridor, {"joint", "cartesian"}}},
       {"n_a", "Arm trials nA", "", "Arm configurations tried in each hypercube.", &settings_.n_a, 1,
        1000},
       {"n_h", "Hand trials nH", "", "Hand configurations tried with each arm configuration.",

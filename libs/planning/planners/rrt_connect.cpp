@@ -33,9 +33,7 @@ class BidirectionalSearch {
         settings_(settings),
         in_corridor_(hand == HandSpace::kPrincipalDirections),
         basis_(in_corridor_ ? *context.problem().basis : all_hand_joints(context.problem())),
-        space_(in_corridor_ && settings.corridor == static_cast<int>(CorridorForm::kCartesian)
-                   ? make_tool_space(context.problem())
-                   : make_joint_space(context.problem())),
+        space_(make_search_space(context.problem(), static_cast<CorridorForm>(settings.corridor))),
         draws_(context.request().seed),
         trees_{root(context.problem().start), root(context.problem().goal)} {}
 
@@ -116,10 +114,26 @@ class BidirectionalSearch {
     context_.observer().on_node({event_id(1, 0), tree(1).configuration(0), 0, 1.0, 0.0});
   }
 
+  // Some samples move the arm alone and as many the hand alone: to open around
+  // an object and to draw back from it are hard to find as one motion.
+  void hold_a_part(Eigen::VectorXd& target, const Eigen::VectorXd& from, int sample) const {
+    if (!in_corridor_) {
+      return;
+    }
+    const double u = draws_.fork(static_cast<std::uint64_t>(sample)).fork(1).uniform();
+    const auto hand_size = static_cast<Eigen::Index>(basis_.joints.size());
+    const Eigen::Index arm_size = target.size() - hand_size;
+    if (u < 0.5 * settings_.single_moves) {
+      target.tail(hand_size) = from.tail(hand_size);
+    } else if (u < settings_.single_moves) {
+      target.head(arm_size) = from.head(arm_size);
+    }
+  }
+
   // One step of at most `range` from the nearest node; the new node, if the way is free.
   std::optional<int> extend(int growing, Eigen::VectorXd target, int sample) {
     const int from = tree(growing).nearest(target);
-    if(getenv("MODE")) { const auto hs = (Eigen::Index)basis_.joints.size(); switch((sample/2)%4){ case 1: target.tail(hs)=tree(growing).coordinates(from).tail(hs); break; case 2: target.head(target.size()-hs)=tree(growing).coordinates(from).head(target.size()-hs); break; default: break; } }
+    hold_a_part(target, tree(growing).coordinates(from), sample);
     double range = settings_.range;
     for (int i = 0; i <= settings_.refinements; ++i, range *= kRefinement) {
       if (const std::optional<int> node = step(growing, from, target, range)) {
@@ -221,6 +235,9 @@ std::vector<Parameter> RrtConnect::parameters() {
     list.push_back({"near_ends", "Samples near the ends", "",
                     "Share of samples drawn around start and goal.", &settings_.near_ends, 0.0,
                     1.0});
+    list.push_back({"single_moves", "Moves of one part", "",
+                    "Share of samples that move the arm alone or the hand alone.",
+                    &settings_.single_moves, 0.0, 1.0});
     list.push_back({"rho_a", "Corridor half-width ρₐ", "",
                     "Half-width of the arm's corridor at the start, normalised.", &settings_.rho_a,
                     1e-5, 1.0});

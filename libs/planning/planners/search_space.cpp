@@ -29,4 +29,8 @@ Eigen::VectorXd SearchSpace::draw(double step, double rho, const Eigen::VectorXd
   return x;
 }
 
+std::unique_ptr<SearchSpace> make_search_space(const PlanningProblem& problem, CorridorForm form) {
+  return form == CorridorForm::kCartesian ? make_tool_space(problem) : make_joint_space(problem);
+}
+
 }  // namespace handway::planning

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "handway/planning/core/planning_problem.h"
-#include "handway/sampling/postures/pmd_basis.h"
+#include "handway/planning/planners/corridor_form.h"
 
 #include <Eigen/Core>
 
@@ -10,15 +10,17 @@
 
 namespace handway::planning {
 
-/// The coordinates in which trees grow: distances are Euclidean in them, a step
-/// goes along a straight line of them. First those of the arm, then the hand's
-/// joints normalised to [0, 1].
+/// Coordinates in which the arm is drawn from its corridor and trees grow:
+/// distances are Euclidean in them, a step goes along a straight line of them.
+/// First those of the arm, then the hand's joints normalised to [0, 1].
 class SearchSpace {
  public:
   virtual ~SearchSpace();
   SearchSpace(const SearchSpace&) = delete;
   SearchSpace& operator=(const SearchSpace&) = delete;
 
+  /// Hypercubes of half side `rho` that the arm's corridor is cut into, less one.
+  [[nodiscard]] virtual int steps(double rho) const = 0;
   /// Unit-cube coordinates that draw_arm() takes.
   [[nodiscard]] virtual int arm_draws() const = 0;
   [[nodiscard]] Eigen::VectorXd coordinates(const Configuration& q) const;
@@ -54,5 +56,9 @@ class SearchSpace {
 /// vector in units of CartesianScale.
 /// @throws InputError if the arm has no closed-form inverse kinematics.
 [[nodiscard]] std::unique_ptr<SearchSpace> make_tool_space(const PlanningProblem& problem);
+
+/// @throws InputError as make_tool_space().
+[[nodiscard]] std::unique_ptr<SearchSpace> make_search_space(const PlanningProblem& problem,
+                                                             CorridorForm form);
 
 }  // namespace handway::planning

@@ -18,6 +18,8 @@ class ToolSpace final : public SearchSpace {
         q_BM_(Eigen::Quaterniond(tool_.pose(problem.start).linear())
                   .slerp(0.5, Eigen::Quaterniond(tool_.pose(problem.goal).linear()))) {}
 
+  [[nodiscard]] int steps(double rho) const override { return corridor_.steps(rho); }
+
   [[nodiscard]] int arm_draws() const override { return sampling::CartesianCorridor::kDimension; }
 
  protected:

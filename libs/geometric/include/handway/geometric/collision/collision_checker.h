@@ -28,6 +28,13 @@ struct CheckCounts {
   }
 };
 
+/// The answer to a tolerance question.
+enum class Closeness {
+  kFarther,   ///< At least as far apart as the tolerance.
+  kCloser,    ///< Closer than that, not touching.
+  kTouching,  ///< In collision.
+};
+
 /// Answers collision questions about the pairs of a CollisionWorld.
 ///
 /// A checker holds the state of one configuration and is for one thread; clones
@@ -58,6 +65,12 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionChecker {
   /// 0 if they touch.
   [[nodiscard]] double pair_distance(int pair, double enough);
 
+  /// Is the pair closer than `tolerance` (m)? Cheaper than its distance.
+  [[nodiscard]] Closeness pair_closeness(int pair, double tolerance) {
+    ++counts_.pair_distances;
+    return do_pair_closeness(pair, tolerance);
+  }
+
   /// A lower bound of the pair's distance, at most `enough`, at a small price;
   /// it may be far below the distance.
   [[nodiscard]] double pair_bound(int pair, double enough) { return do_pair_bound(pair, enough); }
@@ -81,6 +94,7 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionChecker {
   virtual void do_place() {}
   [[nodiscard]] virtual bool do_pair_collides(int pair) = 0;
   [[nodiscard]] virtual double do_pair_distance(int pair, double enough) = 0;
+  [[nodiscard]] virtual Closeness do_pair_closeness(int pair, double tolerance);
   [[nodiscard]] virtual double do_pair_bound(int pair, double enough) {
     return do_pair_distance(pair, enough);
   }

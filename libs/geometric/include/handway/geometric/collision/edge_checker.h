@@ -50,6 +50,9 @@ class HANDWAY_GEOMETRIC_EXPORT EdgeChecker {
   [[nodiscard]] double resolution() const { return resolution_; }
 
  private:
+  /// Of the configuration in place; "closer" may be said wrongly of a large tolerance.
+  [[nodiscard]] Closeness closeness_within(int pair, double tolerance);
+
   struct Stretch {
     double middle;
     double half;

@@ -7,7 +7,9 @@
 namespace handway::planning {
 
 /// The paper's smoothing (section 5.3, FINDPATH): "a new (small) roadmap composed
-/// of the nodes of the path and all collision-free edges between them", solved by A*.
+/// of the nodes of the path and all collision-free edges between them", and its
+/// shortest way. Interrupted, it gives the best way known by then.
+/// @pre every edge of `path` is free.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT Path smooth_by_roadmap(PlanningContext& context,
                                                              const Path& path);
 

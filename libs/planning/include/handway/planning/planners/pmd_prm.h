@@ -2,6 +2,7 @@
 
 #include "handway/planning/core/planner.h"
 #include "handway/planning/export.h"
+#include "handway/planning/planners/corridor_form.h"
 #include "handway/planning/planners/hand_space.h"
 
 #include <string>
@@ -11,8 +12,9 @@ namespace handway::planning {
 
 /// Settings of PmdPrm. Symbols are the paper's (sections 5 and 7, Table 3).
 struct PmdPrmSettings {
-  double rho_a = 0.001;       ///< ρ_a at the start: half-side of the hypercubes, normalised.
-  double rho_max = 0.05;      ///< Largest ρ_a: "good results … between 0.001 and 0.05".
+  double rho_a = 0.001;   ///< ρ_a at the start: half-side of the hypercubes, normalised.
+  double rho_max = 0.05;  ///< Largest ρ_a: "good results … between 0.001 and 0.05".
+  int corridor = static_cast<int>(CorridorForm::kJoint);  ///< A CorridorForm.
   int n_a = 10;               ///< n_A: arm configurations per hypercube.
   int n_h = 10;               ///< n_H: hand configurations per arm configuration.
   int k = 10;                 ///< K: neighbours to connect to.

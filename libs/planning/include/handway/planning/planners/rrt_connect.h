@@ -17,10 +17,11 @@ struct RrtConnectSettings {
   int refinements = 2;  ///< Steps tried, each a quarter of the one before, when one is not free.
   int max_samples = 1000000;
   int corridor = static_cast<int>(CorridorForm::kJoint);  ///< A CorridorForm; PMDs only.
-  double near_ends = 0.3;   ///< Share of samples drawn around start and goal; PMDs only.
-  double rho_a = 0.03;      ///< Half-width of the arm corridor at the start; PMDs only.
-  double rho_max = 0.4;     ///< … and at most; PMDs only.
-  double rho_growth = 1.5;  ///< Factor after every `samples_per_width`; PMDs only.
+  double near_ends = 0.5;     ///< Share of samples drawn around start and goal; PMDs only.
+  double single_moves = 0.5;  ///< Share that move the arm alone or the hand alone; PMDs only.
+  double rho_a = 0.03;        ///< Half-width of the arm corridor at the start; PMDs only.
+  double rho_max = 0.4;       ///< … and at most; PMDs only.
+  double rho_growth = 1.5;    ///< Factor after every `samples_per_width`; PMDs only.
   int samples_per_width = 300;
 };
 
