@@ -30,6 +30,7 @@ class ScratchFolder {
 
 }  // namespace handway::test
 
+// NOLINTBEGIN(bugprone-macro-parentheses): `variable` is a name to declare.
 /// Skips the test where the reference data is absent.
 #define HANDWAY_NEED_REFERENCE(variable)                                          \
   const auto variable##_found = handway::test::reference_dir();                   \
@@ -37,3 +38,4 @@ class ScratchFolder {
     GTEST_SKIP() << "no reference data: set HANDWAY_REFERENCE_DIR to its folder"; \
   }                                                                               \
   const std::filesystem::path& variable = *variable##_found
+// NOLINTEND(bugprone-macro-parentheses)
