@@ -41,7 +41,7 @@ EdgeResult EdgeChecker::check(const Configuration& from, const Configuration& to
       for (std::size_t i = stretch.first; i < stretch.first + stretch.count; ++i) {
         const int pair = pairs[i];
         const double need = travel_[static_cast<std::size_t>(pair)] * stretch.half;
-        const Closeness closeness = closeness_within(pair, need);
+        const Closeness closeness = closeness_within(pair, need + resolution_);
         if (closeness == Closeness::kFarther) {
           continue;
         }

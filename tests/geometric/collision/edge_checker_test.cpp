@@ -129,8 +129,10 @@ TEST(EdgeChecker, RefusesToPassCloserThanItsResolution) {
   const Eigen::Vector3d to(0.1, 0, 0);
   EXPECT_FALSE(judge.collides(from, to, 0.001));
   EXPECT_FALSE(judge.edges().check(from, to).free) << "1 micrometre of clearance";
-  const Eigen::Vector3d up(0, 0, kResolution);
-  EXPECT_TRUE(judge.edges().check(from + up, to + up).free);
+  const Eigen::Vector3d nearly(0, 0, 0.95 * kResolution);
+  EXPECT_FALSE(judge.edges().check(from + nearly, to + nearly).free);
+  const Eigen::Vector3d above(0, 0, 1.5 * kResolution);
+  EXPECT_TRUE(judge.edges().check(from + above, to + above).free);
 }
 
 TEST(EdgeChecker, AcceptsAnEdgeInTheOpenAtOnce) {

@@ -23,12 +23,12 @@ struct EdgeResult {
 /// Decides whether the straight motion between two configurations is free, for
 /// every configuration on it and not just for samples.
 ///
-/// A pair is free on a stretch if its distance in the middle is more than it can
-/// lose on the way to either end (bounded motion). Stretches that this does not
-/// settle are halved, level by level, so that configurations are visited in the
-/// order of the Van der Corput sequence's levels. A pair that still isn't
-/// settled when it can move less than the resolution is closer than that: the
-/// edge is refused. A free edge is therefore free everywhere.
+/// A pair is free on a stretch if its distance in the middle is more, by the
+/// resolution, than it can lose on the way to either end (bounded motion). Stretches that this does
+/// not settle are halved, level by level, so that configurations are visited in the order of the
+/// Van der Corput sequence's levels. A pair that still isn't settled when it can move less than the
+/// resolution is closer than one and a half of it: the edge is refused. On a free edge, every pair
+/// that moves keeps the resolution as its distance everywhere.
 ///
 /// Source: Schwarzer, Saha, Latombe 2005 (see MotionBound).
 class HANDWAY_GEOMETRIC_EXPORT EdgeChecker {

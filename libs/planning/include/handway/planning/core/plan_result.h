@@ -24,7 +24,7 @@ enum class PlanStatus {
 /// What is known about a path: every configuration on it has at least this
 /// clearance, in every checked pair.
 struct Certificate {
-  double resolution_mm = 0.0;     ///< No pair that may be closer than this was accepted.
+  double resolution_mm = 0.0;     ///< Along edges, pairs that move keep at least this.
   double min_clearance_mm = 0.0;  ///< A lower bound over the whole path.
   std::uint64_t checks = 0;       ///< Configurations looked at.
 };
