@@ -1,6 +1,5 @@
 #include "check_command.h"
 #include "exit_codes.h"
-#include "handway/geometric/io/input_error.h"
 #include "info_command.h"
 #include "plan_command.h"
 #include "version.h"
@@ -11,9 +10,8 @@
 #include <cstdio>
 #include <exception>
 
+namespace handway::tools {
 namespace {
-
-using namespace handway::tools;
 
 int run(int argc, char** argv) {
   CLI::App app("Handway plans human-like motions of hand-arm robots.", "handway");
@@ -32,15 +30,13 @@ int run(int argc, char** argv) {
 }
 
 }  // namespace
+}  // namespace handway::tools
 
 int main(int argc, char** argv) {
   try {
-    return run(argc, argv);
-  } catch (const handway::geometric::InputError& error) {
-    fmt::print(stderr, "handway: {}\n", error.what());
-    return kInvalidInput;
+    return handway::tools::run(argc, argv);
   } catch (const std::exception& error) {
     fmt::print(stderr, "handway: {}\n", error.what());
-    return kInvalidInput;
+    return handway::tools::kInvalidInput;
   }
 }

@@ -159,7 +159,8 @@ class BidirectionalSearch {
     }
     const int node = tree(growing).add(q, coordinates, from);
     auto& statistics = context_.statistics();
-    statistics.nodes = static_cast<std::uint64_t>(trees_[0].size() + trees_[1].size());
+    statistics.nodes =
+        static_cast<std::uint64_t>(trees_[0].size()) + static_cast<std::uint64_t>(trees_[1].size());
     ++statistics.edges;
     context_.observer().on_node({event_id(growing, node), q, 0, 0.0, statistics.final_rho_a});
     context_.observer().on_edge(event_id(growing, from), event_id(growing, node));
