@@ -15,8 +15,8 @@
 namespace handway::geometric {
 namespace {
 
-constexpr double kSmallestSphere = 0.0015;  // m
-constexpr double kSpheresAcross = 100.0;  // a body is covered by spheres of this share of its size
+constexpr double kSmallestSphere = 0.012;  // m
+constexpr double kSpheresAcross = 12.0;    // a body is covered by spheres of this share of its size
 constexpr int kGlance = 40;            // steps through the spheres before the triangles are asked
 constexpr double kHair = 1e-9;         // m
 constexpr double kRemembered = 0.002;  // m: distances in tables are cut off here

@@ -27,9 +27,9 @@ void BoxTree::build(std::vector<Triangle>& triangles, std::size_t first, std::si
     lower = lower.cwiseMin(triangles[i].lower);
     upper = upper.cwiseMax(triangles[i].upper);
   }
-  nodes_[index].lower = lower;
-  nodes_[index].upper = upper;
-  nodes_[index].size = 0.5 * (upper - lower).norm();
+  nodes_[index].centre = 0.5 * (lower + upper);
+  nodes_[index].half = 0.5 * (upper - lower);
+  nodes_[index].size = nodes_[index].half.norm();
   if (count == 1) {
     nodes_[index].triangle = triangles[first].index;
     return;

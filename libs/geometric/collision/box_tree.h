@@ -14,8 +14,8 @@ namespace handway::geometric {
 class BoxTree {
  public:
   struct Node {
-    Eigen::Vector3d lower;
-    Eigen::Vector3d upper;
+    Eigen::Vector3d centre;
+    Eigen::Vector3d half;        ///< Half the edges.
     std::uint32_t right = 0;     ///< The left child follows its parent; 0: a leaf.
     std::uint32_t triangle = 0;  ///< Of a leaf: index in the mesh.
     double size = 0.0;           ///< Half the diagonal.
@@ -28,7 +28,7 @@ class BoxTree {
 
   /// Distance (m) of `point` from the node's box; 0 inside.
   [[nodiscard]] static double distance(const Node& node, const Eigen::Vector3d& point) {
-    return (node.lower - point).cwiseMax(point - node.upper).cwiseMax(0.0).norm();
+    return ((point - node.centre).cwiseAbs() - node.half).cwiseMax(0.0).norm();
   }
 
  private:

@@ -8,7 +8,7 @@ namespace {
 
 // While a pair can move farther than this (m) on a stretch, a cheap bound must do:
 // an exact distance would be thrown away with the next halving.
-constexpr double kWorthExact = 0.001;
+constexpr double kWorthExact = 0.0015;
 
 }  // namespace
 

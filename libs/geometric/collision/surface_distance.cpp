@@ -107,23 +107,25 @@ class Descent {
     return false;
   }
 
+  // A lower bound of the boxes' distance puts them off: each box against the
+  // other's, enlarged to stand square to it.
   void wait_for(std::uint32_t a, std::uint32_t b) {
-    const double bound = box_distance(a_.boxes.nodes()[a], b_.boxes.nodes()[b]);
-    if (bound < least_) {
-      waiting_.push_back({a, b, bound});
+    const BoxTree::Node& box_a = a_.boxes.nodes()[a];
+    const BoxTree::Node& box_b = b_.boxes.nodes()[b];
+    const double enough = least_ * least_;
+    const Eigen::Vector3d offset = R_BA_ * box_a.centre + p_BA_ - box_b.centre;
+    const double in_b =
+        (offset.cwiseAbs() - box_b.half - R_BA_abs_ * box_a.half).cwiseMax(0.0).squaredNorm();
+    if (in_b >= enough) {
+      return;
     }
-  }
-
-  // A lower bound: each box against the other's, enlarged to stand square to it.
-  [[nodiscard]] double box_distance(const BoxTree::Node& a, const BoxTree::Node& b) const {
-    const Eigen::Vector3d half_a = 0.5 * (a.upper - a.lower);
-    const Eigen::Vector3d half_b = 0.5 * (b.upper - b.lower);
-    const Eigen::Vector3d offset =
-        R_BA_ * (0.5 * (a.lower + a.upper)) + p_BA_ - 0.5 * (b.lower + b.upper);
-    const Eigen::Vector3d in_b = offset.cwiseAbs() - half_b - R_BA_abs_ * half_a;
-    const Eigen::Vector3d in_a =
-        (R_BA_.transpose() * offset).cwiseAbs() - half_a - R_BA_abs_.transpose() * half_b;
-    return std::sqrt(std::max(in_b.cwiseMax(0.0).squaredNorm(), in_a.cwiseMax(0.0).squaredNorm()));
+    const double in_a =
+        ((R_BA_.transpose() * offset).cwiseAbs() - box_a.half - R_BA_abs_.transpose() * box_b.half)
+            .cwiseMax(0.0)
+            .squaredNorm();
+    if (in_a < enough) {
+      waiting_.push_back({a, b, std::sqrt(std::max(in_a, in_b))});
+    }
   }
 
   [[nodiscard]] double triangle_distance(std::uint32_t a, std::uint32_t b) const {
