@@ -29,6 +29,8 @@ if(HANDWAY_SANITIZE)
   add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=undefined
                       -fno-omit-frame-pointer)
   add_link_options(-fsanitize=address,undefined)
+  # GCC takes instrumented code of libraries for uninitialised.
+  add_compile_options(-Wno-maybe-uninitialized -Wno-uninitialized)
 endif()
 
 # Identical bits on every run and machine of one architecture: the compiler may
