@@ -17,7 +17,7 @@ std::string sentence(const InputProblem& problem) {
   text += '.';
   if (!problem.advice.empty()) {
     text += ' ' + problem.advice;
-    if (text.back() != '.') {
+    if (text.back() != '.' && text.back() != '?') {
       text += '.';
     }
   }
