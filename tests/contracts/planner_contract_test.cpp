@@ -1,6 +1,7 @@
-/// What every planner of the registry has to keep, whatever its method.
+/// What every planner has to keep, built in or from a plugin, whatever its method.
 #include "handway/planning/core/planner_registry.h"
 #include "handway/planning/core/planning_context.h"
+#include "handway/planning/core/plugin.h"
 #include "handway/planning/paths/path_check.h"
 #include "handway_test/input_errors.h"
 #include "handway_test/planar_problems.h"
@@ -32,8 +33,17 @@ std::string word_of(std::string name) {
   return name;
 }
 
+const PlannerRegistry& registry() {
+  static const Extensions kExtensions = [] {
+    Extensions extensions;
+    extensions.load_plugins(HANDWAY_PLUGINS);
+    return extensions;
+  }();
+  return kExtensions.planners();
+}
+
 std::unique_ptr<Planner> planner_with(const std::string& name, const std::string& samples) {
-  std::unique_ptr<Planner> planner = PlannerRegistry().create(name);
+  std::unique_ptr<Planner> planner = registry().create(name);
   set_from_text(find_parameter(planner->parameters(), "max_samples"), samples);
   return planner;
 }
@@ -167,7 +177,7 @@ PlanningProblem hand_only_problem() {
 }
 
 INSTANTIATE_TEST_SUITE_P(Planners, SolvableProblem,
-                         testing::Combine(testing::ValuesIn(PlannerRegistry().names()),
+                         testing::Combine(testing::ValuesIn(registry().names()),
                                           testing::Values(Problem{"Open", test::open_problem},
                                                           Problem{"Post", test::post_problem},
                                                           Problem{"HandOnly", hand_only_problem})),
@@ -267,7 +277,7 @@ TEST_P(EveryPlanner, SaysWhatItNeeds) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Planners, EveryPlanner, testing::ValuesIn(PlannerRegistry().names()),
+INSTANTIATE_TEST_SUITE_P(Planners, EveryPlanner, testing::ValuesIn(registry().names()),
                          [](const auto& test) { return word_of(test.param); });
 
 }  // namespace

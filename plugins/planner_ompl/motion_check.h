@@ -1,0 +1,55 @@
+#pragma once
+
+#include "handway/planning/core/planning_context.h"
+#include "joint_cube.h"
+
+#include <ompl/base/MotionValidator.h>
+#include <ompl/base/StateValidityChecker.h>
+
+#include <utility>
+
+namespace handway::planner_ompl {
+
+/// OMPL's question whether a state is valid, put to a run's collision checker.
+/// Once the run has to end every answer is no, so that OMPL comes to its end soon.
+class StateCheck final : public ompl::base::StateValidityChecker {
+ public:
+  /// `context` and `cube` must outlive this object.
+  StateCheck(const ompl::base::SpaceInformationPtr& information, planning::PlanningContext& context,
+             const JointCube& cube);
+
+  [[nodiscard]] bool isValid(const ompl::base::State* state) const override;
+
+ private:
+  planning::PlanningContext& context_;
+  const JointCube& cube_;
+};
+
+/// OMPL's question whether a motion is valid, answered for the whole motion and not
+/// for samples of it (geometric::EdgeChecker). As OMPL asks, the first state is taken
+/// to be valid and the second is checked. Once the run has to end every answer is no.
+class MotionCheck final : public ompl::base::MotionValidator {
+ public:
+  /// `context` and `cube` must outlive this object.
+  MotionCheck(const ompl::base::SpaceInformationPtr& information,
+              planning::PlanningContext& context, const JointCube& cube);
+
+  [[nodiscard]] bool checkMotion(const ompl::base::State* from,
+                                 const ompl::base::State* to) const override;
+
+  /// If the motion is not free, `last_valid` gets the end of a part of it that is:
+  /// the longest of those tried by bisection, or `from` and 0 if none was free.
+  [[nodiscard]] bool checkMotion(const ompl::base::State* from, const ompl::base::State* to,
+                                 std::pair<ompl::base::State*, double>& last_valid) const override;
+
+ private:
+  [[nodiscard]] bool is_free(const planning::Configuration& from,
+                             const planning::Configuration& to) const;
+  /// How much of the motion, in [0, 1], is free from its beginning on.
+  [[nodiscard]] double free_share(const ompl::base::State* from, const ompl::base::State* to) const;
+
+  planning::PlanningContext& context_;
+  const JointCube& cube_;
+};
+
+}  // namespace handway::planner_ompl
