@@ -2,12 +2,18 @@
 
 #include "handway/sampling/sequences/random_stream.h"
 
+#include <ompl/base/samplers/UniformValidStateSampler.h>
+#include <ompl/util/RandomNumbers.h>
+
 #include <limits>
 
 namespace handway::planner_ompl {
 namespace {
 
 using ompl::base::State;
+
+// Draws for a valid state between two looks at clock and sample budget.
+constexpr unsigned int kValidStateAttempts = 5;
 
 class CountedSampler final : public ompl::base::RealVectorStateSampler {
  public:
@@ -56,9 +62,25 @@ std::uint_fast32_t Draws::next_seed() {
                                          stream.below(std::numeric_limits<std::uint32_t>::max()));
 }
 
-void draw_from(ompl::base::RealVectorStateSpace& space, Draws& draws) {
+SeedingLock lock_seeding() {
+  static std::recursive_mutex mutex;
+  return SeedingLock(mutex);
+}
+
+void seed_ompl(const SeedingLock& /*lock*/, Draws& draws) { ompl::RNG::setSeed(draws.next_seed()); }
+
+// A sampler is born with a generator seeded by OMPL, even if that seed is not kept.
+void draw_from(ompl::base::RealVectorStateSpace& space, ompl::base::SpaceInformation& information,
+               Draws& draws) {
   space.setStateSamplerAllocator([&draws](const ompl::base::StateSpace* of) {
+    const SeedingLock lock = lock_seeding();
     return std::make_shared<CountedSampler>(of, draws);
+  });
+  information.setValidStateSamplerAllocator([](const ompl::base::SpaceInformation* of) {
+    const SeedingLock lock = lock_seeding();
+    auto sampler = std::make_shared<ompl::base::UniformValidStateSampler>(of);
+    sampler->setNrAttempts(kValidStateAttempts);
+    return sampler;
   });
 }
 

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <mutex>
 
 namespace handway::planner_ompl {
 
@@ -14,7 +15,8 @@ namespace handway::planner_ompl {
 /// were drawn with them.
 ///
 /// OMPL seeds every generator from a generator of the whole program. Two runs would
-/// differ by what ran before them; so samplers are seeded from here instead.
+/// differ by what ran before them; so samplers are seeded from here instead, and
+/// whoever makes OMPL's other generators first calls seed_ompl.
 class Draws {
  public:
   explicit Draws(std::uint64_t seed) : seed_(seed) {}
@@ -32,8 +34,17 @@ class Draws {
   std::uint64_t count_ = 0;
 };
 
-/// Makes `space` draw uniformly with seeds and counts of `draws`, which must outlive it.
-void draw_from(ompl::base::RealVectorStateSpace& space, Draws& draws);
+/// As long as this is held no other run makes a generator of OMPL's.
+using SeedingLock = std::unique_lock<std::recursive_mutex>;
+[[nodiscard]] SeedingLock lock_seeding();
+
+/// Generators that are made as long as `lock` is held get seeds that follow from `draws`.
+void seed_ompl(const SeedingLock& lock, Draws& draws);
+
+/// Makes `information` draw uniformly from `space`, with seeds and counts of `draws`,
+/// which must outlive both.
+void draw_from(ompl::base::RealVectorStateSpace& space, ompl::base::SpaceInformation& information,
+               Draws& draws);
 
 /// The problem's goal. To draw it counts as a sample, so that a planner that does
 /// nothing else comes to its end too. `draws` must outlive it.

@@ -41,7 +41,7 @@ std::vector<MethodSetting> kpiece_settings() {
       kRange,
       kGoalBias,
       {"border_fraction", "Share of the border",
-       "Share of expansions from cells at the border of what is explored.", 0.9, 0.0, 1.0},
+       "Share of expansions from cells at the border of what is explored.", 0.9, 0.001, 1.0},
       {"failed_expansion_score_factor", "Factor of failure",
        "A cell's score is multiplied by this when an expansion from it fails.", 0.5, 0.001, 1.0},
       {"min_valid_path_fraction", "Least part of a step",

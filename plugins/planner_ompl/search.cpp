@@ -5,12 +5,9 @@
 
 #include <fmt/format.h>
 #include <ompl/base/PlannerData.h>
-#include <ompl/base/samplers/UniformValidStateSampler.h>
 #include <ompl/geometric/PathGeometric.h>
-#include <ompl/util/RandomNumbers.h>
 
 #include <algorithm>
-#include <mutex>
 
 namespace handway::planner_ompl {
 namespace {
@@ -18,21 +15,6 @@ namespace {
 namespace ob = ompl::base;
 using planning::Configuration;
 using planning::PlanStatus;
-
-// Draws for a valid state between two looks at clock and sample budget.
-constexpr unsigned int kValidStateAttempts = 5;
-
-// From where OMPL's planners, and what they are made of, take their seeds.
-std::mutex& seeding() {
-  static std::mutex mutex;
-  return mutex;
-}
-
-ob::ValidStateSamplerPtr make_valid_state_sampler(const ob::SpaceInformation* information) {
-  auto sampler = std::make_shared<ob::UniformValidStateSampler>(information);
-  sampler->setNrAttempts(kValidStateAttempts);
-  return sampler;
-}
 
 void apply(ob::Planner& planner, const planning::Parameter& setting) {
   const std::string text = planning::to_text(setting);
@@ -60,16 +42,15 @@ Search::Search(planning::PlanningContext& context, const Method& method,
   }
 }
 
-// All generators but those of samplers are made here, one run at a time, so that the
-// seeds they get depend on the run alone.
+// All generators but those of samplers are made here, so that the seeds they get depend
+// on the run alone.
 void Search::set_up(const Method& method, const std::vector<planning::Parameter>& settings) {
-  const std::lock_guard lock(seeding());
-  ompl::RNG::setSeed(draws_.next_seed());
-  draw_from(*cube_.space(), draws_);
+  const SeedingLock lock = lock_seeding();
+  seed_ompl(lock, draws_);
+  draw_from(*cube_.space(), *information_, draws_);
   information_->setStateValidityChecker(
       std::make_shared<StateCheck>(information_, context_, cube_));
   information_->setMotionValidator(std::make_shared<MotionCheck>(information_, context_, cube_));
-  information_->setValidStateSamplerAllocator(make_valid_state_sampler);
   information_->setup();
 
   ob::State* end = information_->allocState();
