@@ -68,7 +68,6 @@ CheckedLazyPrm::CheckedLazyPrm(const ompl::base::SpaceInformationPtr& informatio
 }
 
 void CheckedLazyPrm::getPlannerData(PlannerData& data) const {
-  Planner::getPlannerData(data);
   for (const Vertex v : startM_) {
     data.addStartVertex(PlannerDataVertex(stateProperty_[v]));
   }

@@ -1,10 +1,15 @@
 #include "ompl_planner.h"
 
+#include "handway_test/paths.h"
 #include "handway_test/planar_problems.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <memory>
 #include <thread>
 #include <vector>
@@ -17,7 +22,7 @@ using planning::PlannerRegistry;
 using planning::PlanningProblem;
 using planning::PlanRequest;
 using planning::PlanResult;
-using testing::Contains;
+using testing::HasSubstr;
 using testing::IsEmpty;
 
 const PlannerRegistry& registry() {
@@ -65,6 +70,19 @@ TEST_P(OmplMethod, TakesTheLimitsOfItsSettings) {
       EXPECT_NO_THROW(static_cast<void>(plan(*planner_, 1))) << setting.key << " " << limit;
     }
     set_from_text(setting, initial);
+  }
+}
+
+TEST_P(OmplMethod, IsInTheManualWithItsSettings) {
+  std::ifstream file(test::source_dir() / "docs" / "planners.md");
+  const std::string manual{std::istreambuf_iterator<char>(file), {}};
+  EXPECT_THAT(manual, HasSubstr("| `" + GetParam() + "` |"));
+  for (const planning::Parameter& setting : planner_->parameters()) {
+    const std::size_t row = manual.rfind("| `" + setting.key + "` | ");
+    ASSERT_NE(row, std::string::npos) << setting.key;
+    EXPECT_THAT(manual.substr(row, manual.find('\n', row) - row),
+                HasSubstr(fmt::format("| {} | {:.10g} to {:.10g} | ", to_text(setting),
+                                      setting.lower, setting.upper)));
   }
 }
 
