@@ -78,7 +78,7 @@ Closeness EdgeChecker::closeness_within(int pair, double tolerance) {
 }
 
 NamedPair EdgeChecker::clearance(const Configuration& from, const Configuration& to, double enough,
-                                 double tolerance) {
+                                 double tolerance, double share) {
   const Configuration delta = to - from;
   const Eigen::VectorXd travel = delta.cwiseAbs();
   NamedPair least = find_clearance(checker_, from, enough);
@@ -108,7 +108,7 @@ NamedPair EdgeChecker::clearance(const Configuration& from, const Configuration&
         least = {checker_.world().body(bodies.a).name, checker_.world().body(bodies.b).name,
                  distance};
       }
-      if (distance - loss >= least.distance - tolerance) {
+      if (distance - loss >= least.distance - std::max(tolerance, share * least.distance)) {
         lower = std::min(lower, distance - loss);
       } else {
         unsettled.push_back(pair);

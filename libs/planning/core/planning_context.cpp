@@ -190,10 +190,9 @@ Certificate PlanningContext::certify(const Path& path) {
   const std::uint64_t before = checker.counts().configurations;
   double least = kFar;
   for (std::size_t i = 0; i + 1 < path.waypoints.size(); ++i) {
-    least = std::min(least, edges
-                                .clearance(path.waypoints[i], path.waypoints[i + 1], least,
-                                           std::max(kTolerance, kShare * least))
-                                .distance);
+    const geometric::NamedPair found =
+        edges.clearance(path.waypoints[i], path.waypoints[i + 1], least, kTolerance, kShare);
+    least = std::min(least, found.distance);
   }
   return {request_.resolution_mm, geometric::millimetres(least),
           checker.counts().configurations - before};

@@ -231,6 +231,9 @@ TEST(EdgeChecker, BoundsTheClearanceFromBelow) {
     EXPECT_LE(found.distance, sampled + 1e-9);
     EXPECT_GE(found.distance, sampled - kStep - kTolerance);
     EXPECT_LE(judge.edges().clearance(from, to, 0.001, kTolerance).distance, 0.001);
+    const NamedPair coarse = judge.edges().clearance(from, to, 0.05, kTolerance, 0.3);
+    EXPECT_LE(coarse.distance, sampled + 1e-9);
+    EXPECT_GE(coarse.distance, 0.7 * (sampled - kStep) - kTolerance) << "a share of the clearance";
   }
 }
 

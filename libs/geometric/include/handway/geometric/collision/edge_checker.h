@@ -41,11 +41,12 @@ class HANDWAY_GEOMETRIC_EXPORT EdgeChecker {
   /// @pre both ends are free of collision.
   [[nodiscard]] EdgeResult check(const Configuration& from, const Configuration& to);
 
-  /// The smallest distance (m) of any pair on the whole edge, within `tolerance`
-  /// (m) below the true one, but not above `enough`: branch and bound over the
-  /// same stretches. @pre the edge is free.
+  /// The smallest distance (m) of any pair on the whole edge, but not above `enough`:
+  /// a lower bound, below the true one by at most `tolerance` (m) or by at most `share`
+  /// of it, whichever is more. Branch and bound over the same stretches.
+  /// @pre the edge is free.
   [[nodiscard]] NamedPair clearance(const Configuration& from, const Configuration& to,
-                                    double enough, double tolerance);
+                                    double enough, double tolerance, double share = 0.0);
 
   [[nodiscard]] double resolution() const { return resolution_; }
 
