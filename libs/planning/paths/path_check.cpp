@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace handway::planning {
 namespace {
@@ -61,6 +62,7 @@ class Walk {
  public:
   Walk(const PlanningProblem& problem, double resolution, PathCheckResult& result)
       : checker_(problem.checker->shared_world()),
+        rangefinder_(problem.checker->clone()),
         motion_(*problem.motion),
         resolution_(resolution),
         result_(result) {}
@@ -81,7 +83,7 @@ class Walk {
  private:
   void look(const Configuration& q, std::size_t stretch) {
     ++result_.configurations;
-    const geometric::NamedPair closest = geometric::find_clearance(checker_, q, least_);
+    const geometric::NamedPair closest = geometric::find_clearance(*rangefinder_, q, least_);
     if (closest.distance < least_) {
       least_ = closest.distance;
       result_.closest_pair = closest.a + " with " + closest.b;
@@ -99,7 +101,8 @@ class Walk {
     }
   }
 
-  geometric::FclChecker checker_;
+  geometric::FclChecker checker_;  ///< The reference, for what the planner must not decide itself.
+  std::unique_ptr<geometric::CollisionChecker> rangefinder_;  ///< For the clearance, faster.
   const geometric::MotionBound& motion_;
   double resolution_;
   PathCheckResult& result_;
