@@ -1,9 +1,8 @@
 #include "view3d/floor_grid.h"
 
 #include "view3d/coin_conversions.h"
+#include "view3d/unlit_style.h"
 
-#include <Inventor/nodes/SoDrawStyle.h>
-#include <Inventor/nodes/SoLightModel.h>
 #include <Inventor/nodes/SoLineSet.h>
 #include <Inventor/nodes/SoSeparator.h>
 #include <Inventor/nodes/SoVertexProperty.h>
@@ -77,12 +76,7 @@ CoinRef<SoSeparator> make_floor_grid(const Eigen::Vector3d& centre, double radiu
              strength(std::lround(middle.x() / kSpacing) + i));
   }
   auto separator = make_coin<SoSeparator>();
-  auto* unlit = new SoLightModel;
-  unlit->model = SoLightModel::BASE_COLOR;
-  separator->addChild(unlit);
-  auto* style = new SoDrawStyle;
-  style->lineWidth = 1.0F;
-  separator->addChild(style);
+  add_unlit_style(*separator.get(), 1.0F);
   separator->addChild(grid.make());
   return separator;
 }

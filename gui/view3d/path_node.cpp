@@ -2,12 +2,11 @@
 
 #include "view3d/coin_conversions.h"
 #include "view3d/shape_node.h"
+#include "view3d/unlit_style.h"
 #include "view3d/view_colors.h"
 
 #include <Inventor/nodes/SoBaseColor.h>
 #include <Inventor/nodes/SoDepthBuffer.h>
-#include <Inventor/nodes/SoDrawStyle.h>
-#include <Inventor/nodes/SoLightModel.h>
 #include <Inventor/nodes/SoLineSet.h>
 #include <Inventor/nodes/SoMaterial.h>
 #include <Inventor/nodes/SoPointSet.h>
@@ -23,7 +22,11 @@ namespace {
 
 constexpr float kBeadRadius = 0.005F;  // m
 
-geometric::Color blend(const geometric::Color& a, const geometric::Color& b, float t) {
+// The colour of the i-th of `count` points, from the start's to the goal's.
+geometric::Color color_along(std::size_t i, std::size_t count) {
+  const geometric::Color& a = kStartColor;
+  const geometric::Color& b = kGoalColor;
+  const float t = count > 1 ? static_cast<float>(i) / static_cast<float>(count - 1) : 0.0F;
   return {a.red + t * (b.red - a.red), a.green + t * (b.green - a.green),
           a.blue + t * (b.blue - a.blue), 1.0F};
 }
@@ -40,18 +43,11 @@ SoVertexProperty* make_vertices(std::span<const Eigen::Vector3d> points) {
 
 SoSeparator* make_line(std::span<const Eigen::Vector3d> points) {
   auto* separator = new SoSeparator;
-  auto* unlit = new SoLightModel;
-  unlit->model = SoLightModel::BASE_COLOR;
-  separator->addChild(unlit);
-  auto* style = new SoDrawStyle;
-  style->lineWidth = 3.0F;
-  separator->addChild(style);
+  add_unlit_style(*separator, 3.0F);
   SoVertexProperty* properties = make_vertices(points);
   std::vector<std::uint32_t> colors;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const float t =
-        points.size() > 1 ? static_cast<float>(i) / static_cast<float>(points.size() - 1) : 0.0F;
-    colors.push_back(packed_rgba(blend(kStartColor, kGoalColor, t)));
+    colors.push_back(packed_rgba(color_along(i, points.size())));
   }
   properties->orderedRGBA.setValues(0, static_cast<int>(colors.size()), colors.data());
   properties->materialBinding = SoVertexProperty::PER_VERTEX;
@@ -83,22 +79,14 @@ CoinRef<SoSeparator> make_path_node(std::span<const Eigen::Vector3d> points,
   separator->addChild(through);
   separator->addChild(make_line(points));
   for (std::size_t i = 0; i < waypoints.size(); ++i) {
-    const float t = waypoints.size() > 1
-                        ? static_cast<float>(i) / static_cast<float>(waypoints.size() - 1)
-                        : 0.0F;
-    separator->addChild(make_bead(waypoints[i], blend(kStartColor, kGoalColor, t)));
+    separator->addChild(make_bead(waypoints[i], color_along(i, waypoints.size())));
   }
   return separator;
 }
 
 CoinRef<SoSeparator> make_dots_node(std::span<const Eigen::Vector3d> points) {
   auto separator = make_coin<SoSeparator>();
-  auto* unlit = new SoLightModel;
-  unlit->model = SoLightModel::BASE_COLOR;
-  separator->addChild(unlit);
-  auto* style = new SoDrawStyle;
-  style->pointSize = 3.0F;
-  separator->addChild(style);
+  add_unlit_style(*separator.get(), 1.0F, 3.0F);
   auto* color = new SoBaseColor;
   color->rgb = SbColor(0.30F, 0.42F, 0.72F);
   separator->addChild(color);

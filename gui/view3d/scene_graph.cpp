@@ -306,7 +306,7 @@ void SceneGraph::render_axes(SoGLRenderAction& action, const OrbitCamera& camera
   action.apply(passes_->axes.get());
 }
 
-std::optional<SceneGraph::Hit> SceneGraph::pick(const SbVec2s& viewport, const SbVec2s& pixel) {
+std::optional<SceneHit> SceneGraph::pick(const SbVec2s& viewport, const SbVec2s& pixel) {
   SoRayPickAction action{SbViewportRegion(viewport)};
   action.setPoint(pixel);
   action.setRadius(3.0F);
@@ -316,7 +316,7 @@ std::optional<SceneGraph::Hit> SceneGraph::pick(const SbVec2s& viewport, const S
     return std::nullopt;
   }
   const SbVec3f& p = picked->getPoint();
-  return Hit{item_of(*picked->getPath()), {p[0], p[1], p[2]}};
+  return SceneHit{item_of(*picked->getPath()), {p[0], p[1], p[2]}};
 }
 
 SceneItem SceneGraph::item_of(const SoPath& path) const {

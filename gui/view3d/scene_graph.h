@@ -53,12 +53,8 @@ class SceneGraph {
   /// Draws the axes cross, turned like the camera.
   void render_axes(SoGLRenderAction& action, const OrbitCamera& camera);
 
-  struct Hit {
-    SceneItem item;
-    Eigen::Vector3d point;  ///< World, m.
-  };
   /// What is seen at a pixel (from the lower left).
-  [[nodiscard]] std::optional<Hit> pick(const SbVec2s& viewport, const SbVec2s& pixel);
+  [[nodiscard]] std::optional<SceneHit> pick(const SbVec2s& viewport, const SbVec2s& pixel);
 
  private:
   struct Ghost {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <Eigen/Core>
+
 #include <string>
 
 namespace handway::gui {
@@ -13,6 +15,12 @@ struct SceneItem {
   std::string name;   ///< Of kLink and kObject.
 
   friend bool operator==(const SceneItem&, const SceneItem&) = default;
+};
+
+/// What a pointer meets in the view.
+struct SceneHit {
+  SceneItem item;
+  Eigen::Vector3d point;  ///< World, m.
 };
 
 }  // namespace handway::gui

@@ -4,6 +4,7 @@
 #include "view3d/scene_graph.h"
 #include "view3d/view_overlay.h"
 
+#include <Inventor/SbVec2s.h>
 #include <Inventor/SbViewportRegion.h>
 #include <Inventor/SoDB.h>
 #include <Inventor/actions/SoGLRenderAction.h>
@@ -146,6 +147,15 @@ double SceneView::aspect() const {
   return static_cast<double>(std::max(width(), 1)) / std::max(height(), 1);
 }
 
+std::optional<SceneHit> SceneView::pick_at(const QPoint& position) {
+  const double dpr = devicePixelRatioF();
+  const QSize pixels = pixel_size();
+  return graph_->pick(
+      SbVec2s(static_cast<short>(pixels.width()), static_cast<short>(pixels.height())),
+      SbVec2s(static_cast<short>(position.x() * dpr),
+              static_cast<short>((height() - 1 - position.y()) * dpr)));
+}
+
 void SceneView::initializeGL() {
   action_ = std::make_unique<SoGLRenderAction>(SbViewportRegion());
   action_->setCacheContext(new_cache_context());
@@ -224,23 +234,12 @@ void SceneView::mouseReleaseEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton || !still) {
     return;
   }
-  const double dpr = devicePixelRatioF();
-  const QSize pixels = pixel_size();
-  const auto hit =
-      graph_->pick(SbVec2s(static_cast<short>(pixels.width()), static_cast<short>(pixels.height())),
-                   SbVec2s(static_cast<short>(event->x() * dpr),
-                           static_cast<short>((height() - 1 - event->y()) * dpr)));
+  const auto hit = pick_at(event->pos());
   emit picked(hit ? hit->item : SceneItem{});
 }
 
 void SceneView::mouseDoubleClickEvent(QMouseEvent* event) {
-  const double dpr = devicePixelRatioF();
-  const QSize pixels = pixel_size();
-  const auto hit =
-      graph_->pick(SbVec2s(static_cast<short>(pixels.width()), static_cast<short>(pixels.height())),
-                   SbVec2s(static_cast<short>(event->x() * dpr),
-                           static_cast<short>((height() - 1 - event->y()) * dpr)));
-  if (hit) {
+  if (const auto hit = pick_at(event->pos())) {
     untouched_ = false;
     OrbitCamera::Placement centred = camera_.placement();
     centred.target = hit->point;

@@ -10,6 +10,7 @@
 #include <QVariantAnimation>
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -75,6 +76,8 @@ class SceneView : public QOpenGLWidget {
  private:
   [[nodiscard]] QSize pixel_size() const;
   [[nodiscard]] double aspect() const;
+  /// What is seen at a place in the widget.
+  [[nodiscard]] std::optional<SceneHit> pick_at(const QPoint& position);
   void render_axes_cross();
   void fly_to(const OrbitCamera::Placement& placement);
 
