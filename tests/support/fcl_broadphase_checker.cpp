@@ -1,0 +1,169 @@
+#include "handway_test/fcl_broadphase_checker.h"
+
+#include <Eigen/Core>
+#include <fcl/broadphase/broadphase_dynamic_AABB_tree.h>
+#include <fcl/geometry/bvh/BVH_model.h>
+#include <fcl/math/bv/OBBRSS.h>
+#include <fcl/narrowphase/collision.h>
+#include <fcl/narrowphase/collision_object.h>
+#include <fcl/narrowphase/distance.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace handway::test {
+namespace {
+
+using geometric::BodyPair;
+using geometric::CollisionBody;
+using geometric::CollisionWorld;
+using Model = fcl::BVHModel<fcl::OBBRSSd>;
+using Object = fcl::CollisionObjectd;
+
+std::shared_ptr<Model> build(const geometric::TriangleMesh& mesh) {
+  auto model = std::make_shared<Model>();
+  std::vector<fcl::Triangle> triangles;
+  triangles.reserve(mesh.triangles.size());
+  for (const auto& [a, b, c] : mesh.triangles) {
+    triangles.emplace_back(a, b, c);
+  }
+  model->beginModel();
+  model->addSubModel(mesh.vertices, triangles);
+  model->endModel();
+  model->computeLocalAABB();
+  return model;
+}
+
+}  // namespace
+
+struct FclBroadphaseChecker::Models {
+  explicit Models(const CollisionWorld& world) {
+    const int count = static_cast<int>(world.bodies().size());
+    std::map<const geometric::TriangleMesh*, std::shared_ptr<Model>> built;  // fingers share
+    for (const CollisionBody& body : world.bodies()) {
+      auto& model = built[body.mesh.get()];
+      if (!model) {
+        model = build(*body.mesh);
+      }
+      of_body.push_back(model);
+    }
+    pair_of = Eigen::MatrixXi::Constant(count, count, -1);
+    for (int pair = 0; pair < static_cast<int>(world.pairs().size()); ++pair) {
+      const BodyPair& bodies = world.pairs()[static_cast<std::size_t>(pair)];
+      pair_of(bodies.a, bodies.b) = pair_of(bodies.b, bodies.a) = pair;
+    }
+  }
+
+  std::vector<std::shared_ptr<Model>> of_body;
+  Eigen::MatrixXi pair_of;  ///< Index of the pair of two bodies; -1: they may touch.
+};
+
+struct FclBroadphaseChecker::Managers {
+  Managers(const CollisionWorld& world, const Models& models) {
+    for (std::size_t i = 0; i < world.bodies().size(); ++i) {
+      const CollisionBody& body = world.bodies()[i];
+      auto object = std::make_unique<Object>(models.of_body[i], body.X_FB);
+      object->setUserData(reinterpret_cast<void*>(i));
+      object->computeAABB();
+      (body.moves() ? moving : still).registerObject(object.get());
+      objects.push_back(std::move(object));
+    }
+    moving.setup();
+    still.setup();
+  }
+
+  std::vector<std::unique_ptr<Object>> objects;  ///< One a body.
+  fcl::DynamicAABBTreeCollisionManagerd moving;
+  fcl::DynamicAABBTreeCollisionManagerd still;
+};
+
+namespace {
+
+// What the managers' callback works on.
+struct Search {
+  const Eigen::MatrixXi& pair_of;
+  std::optional<int> found;
+  std::uint64_t tests = 0;
+};
+
+// @returns whether the search is over.
+bool test_pair(Object* a, Object* b, void* data) {
+  Search& search = *static_cast<Search*>(data);
+  const int pair = search.pair_of(reinterpret_cast<std::ptrdiff_t>(a->getUserData()),
+                                  reinterpret_cast<std::ptrdiff_t>(b->getUserData()));
+  if (pair >= 0) {
+    const fcl::CollisionRequestd request;
+    fcl::CollisionResultd result;
+    ++search.tests;
+    if (fcl::collide(a, b, request, result) > 0) {
+      search.found = pair;
+    }
+  }
+  return search.found.has_value();
+}
+
+}  // namespace
+
+FclBroadphaseChecker::FclBroadphaseChecker(std::shared_ptr<const CollisionWorld> world)
+    : CollisionChecker(std::move(world)),
+      models_(std::make_shared<const Models>(CollisionChecker::world())),
+      managers_(std::make_unique<Managers>(CollisionChecker::world(), *models_)) {}
+
+FclBroadphaseChecker::~FclBroadphaseChecker() = default;
+
+FclBroadphaseChecker::FclBroadphaseChecker(const FclBroadphaseChecker& other)
+    : CollisionChecker(other),
+      models_(other.models_),
+      managers_(std::make_unique<Managers>(world(), *models_)) {}
+
+std::unique_ptr<geometric::CollisionChecker> FclBroadphaseChecker::clone() const {
+  return std::unique_ptr<CollisionChecker>(new FclBroadphaseChecker(*this));
+}
+
+void FclBroadphaseChecker::do_place() {
+  for (std::size_t i = 0; i < managers_->objects.size(); ++i) {
+    if (world().bodies()[i].moves()) {
+      managers_->objects[i]->setTransform(body_poses()[i]);
+      managers_->objects[i]->computeAABB();
+    }
+  }
+  managers_->moving.update();
+}
+
+bool FclBroadphaseChecker::do_pair_collides(int pair) {
+  const BodyPair& bodies = world().pairs()[static_cast<std::size_t>(pair)];
+  const fcl::CollisionRequestd request;
+  fcl::CollisionResultd result;
+  count_exact_test();
+  return fcl::collide(managers_->objects[static_cast<std::size_t>(bodies.a)].get(),
+                      managers_->objects[static_cast<std::size_t>(bodies.b)].get(), request,
+                      result) > 0;
+}
+
+double FclBroadphaseChecker::do_pair_distance(int pair, double enough) {
+  const BodyPair& bodies = world().pairs()[static_cast<std::size_t>(pair)];
+  const fcl::DistanceRequestd request;
+  fcl::DistanceResultd result;
+  result.min_distance = enough;  // FCL prunes whatever is not closer than this
+  count_exact_test();
+  fcl::distance(managers_->objects[static_cast<std::size_t>(bodies.a)].get(),
+                managers_->objects[static_cast<std::size_t>(bodies.b)].get(), request, result);
+  return std::max(0.0, result.min_distance);
+}
+
+std::optional<int> FclBroadphaseChecker::do_first_collision() {
+  Search search{models_->pair_of, std::nullopt};
+  managers_->moving.collide(&search, test_pair);
+  if (!search.found) {
+    managers_->moving.collide(&managers_->still, &search, test_pair);
+  }
+  for (std::uint64_t i = 0; i < search.tests; ++i) {
+    count_exact_test();
+  }
+  return search.found;
+}
+
+}  // namespace handway::test

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "handway/geometric/collision/collision_checker.h"
+
+#include <memory>
+
+namespace handway::test {
+
+/// FCL as its users set it up: a dynamic AABB tree over the bodies that move, one
+/// over those that stand still, OBBRSS trees on the raw triangles behind them. The
+/// baseline that the fast checker is measured against.
+///
+/// Of several pairs that touch, first_collision() names whichever the trees meet first.
+class FclBroadphaseChecker final : public geometric::CollisionChecker {
+ public:
+  explicit FclBroadphaseChecker(std::shared_ptr<const geometric::CollisionWorld> world);
+  ~FclBroadphaseChecker() override;
+
+  [[nodiscard]] std::unique_ptr<geometric::CollisionChecker> clone() const override;
+
+ private:
+  struct Models;  // immutable, shared by clones; keeps FCL out of the header
+  struct Managers;
+
+  FclBroadphaseChecker(const FclBroadphaseChecker& other);
+  void do_place() override;
+  [[nodiscard]] bool do_pair_collides(int pair) override;
+  [[nodiscard]] double do_pair_distance(int pair, double enough) override;
+  [[nodiscard]] std::optional<int> do_first_collision() override;
+
+  std::shared_ptr<const Models> models_;
+  std::unique_ptr<Managers> managers_;
+};
+
+}  // namespace handway::test
