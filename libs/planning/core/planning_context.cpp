@@ -182,16 +182,15 @@ void PlanningContext::count_rejection(int pair, double step) {
 }
 
 Certificate PlanningContext::certify(const Path& path) {
-  constexpr double kFar = 0.05;        // m: more clearance than this is not told apart
   constexpr double kTolerance = 2e-5;  // m, or …
   constexpr double kShare = 0.05;      // … of the clearance: how far below it the answer may be
   geometric::EdgeChecker& edges = own_worker().edges;
   geometric::CollisionChecker& checker = *own_worker().checker;
   const std::uint64_t before = checker.counts().configurations;
-  double least = kFar;
+  double least = kFarClearance;
   for (std::size_t i = 0; i + 1 < path.waypoints.size(); ++i) {
     // What is asked for is more than what is known, so that tolerances don't add up.
-    const double enough = std::min(kFar, least + std::max(kTolerance, kShare * least));
+    const double enough = std::min(kFarClearance, least + std::max(kTolerance, kShare * least));
     const geometric::NamedPair found =
         edges.clearance(path.waypoints[i], path.waypoints[i + 1], enough, kTolerance, kShare);
     least = std::min(least, found.distance);

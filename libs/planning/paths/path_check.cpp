@@ -2,6 +2,7 @@
 
 #include "handway/geometric/collision/fcl_checker.h"
 #include "handway/geometric/math/units.h"
+#include "handway/planning/core/plan_result.h"
 
 #include <fmt/format.h>
 
@@ -14,7 +15,6 @@ namespace {
 
 constexpr double kEndTolerance = 1e-3;    // rad or m
 constexpr double kLimitTolerance = 1e-6;  // rad or m
-constexpr double kFar = 0.05;             // m: more clearance than this is not told apart
 
 void check_end(const char* which, const Configuration& expected, const Configuration& found,
                PathCheckResult& result) {
@@ -106,7 +106,7 @@ class Walk {
   const geometric::MotionBound& motion_;
   double resolution_;
   PathCheckResult& result_;
-  double least_ = kFar;
+  double least_ = kFarClearance;
 };
 
 }  // namespace

@@ -33,7 +33,10 @@ Configuration HandArmSpace::with_hand(Configuration q, const Eigen::VectorXd& ha
   return q;
 }
 
-sampling::PmdBasis all_hand_joints(const PlanningProblem& problem) {
+sampling::PmdBasis hand_basis(const PlanningProblem& problem, HandSpace space) {
+  if (space == HandSpace::kPrincipalDirections) {
+    return *problem.basis;
+  }
   std::vector<std::string> joints;
   for (const int v : problem.hand) {
     joints.push_back(problem.model().variable(v).name);

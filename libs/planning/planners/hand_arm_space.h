@@ -2,6 +2,7 @@
 
 #include "handway/planning/core/planning_problem.h"
 #include "handway/planning/planners/corridor_form.h"
+#include "handway/planning/planners/hand_space.h"
 #include "handway/sampling/postures/pmd_basis.h"
 #include "planners/search_space.h"
 
@@ -44,7 +45,8 @@ class HandArmSpace {
   std::unique_ptr<SearchSpace> arm_space_;
 };
 
-/// The problem's basis, or all hand joints as free axes.
-[[nodiscard]] sampling::PmdBasis all_hand_joints(const PlanningProblem& problem);
+/// The axes of `space`: those of the problem's basis, or every hand joint on its own.
+/// @pre the problem has a basis if `space` is kPrincipalDirections.
+[[nodiscard]] sampling::PmdBasis hand_basis(const PlanningProblem& problem, HandSpace space);
 
 }  // namespace handway::planning

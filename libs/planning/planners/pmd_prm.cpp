@@ -8,10 +8,7 @@
 #include "planners/hand_arm_space.h"
 #include "planners/phase_clock.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <utility>
 
@@ -30,8 +27,7 @@ class RoadmapSearch {
       : context_(context),
         settings_(settings),
         grows_(space == HandSpace::kPrincipalDirections),
-        space_(context.problem(),
-               grows_ ? *context.problem().basis : all_hand_joints(context.problem()),
+        space_(context.problem(), hand_basis(context.problem(), space),
                static_cast<CorridorForm>(settings.corridor)),
         arm_draws_(RandomStream(context.request().seed).fork(1)),
         hand_draws_(RandomStream(context.request().seed).fork(2)) {

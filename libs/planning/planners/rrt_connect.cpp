@@ -32,7 +32,7 @@ class BidirectionalSearch {
       : context_(context),
         settings_(settings),
         in_corridor_(hand == HandSpace::kPrincipalDirections),
-        basis_(in_corridor_ ? *context.problem().basis : all_hand_joints(context.problem())),
+        basis_(hand_basis(context.problem(), hand)),
         space_(make_search_space(context.problem(), static_cast<CorridorForm>(settings.corridor))),
         draws_(context.request().seed),
         trees_{root(context.problem().start), root(context.problem().goal)} {}

@@ -29,14 +29,11 @@ class ToolSpace final : public SearchSpace {
 
   [[nodiscard]] std::optional<Configuration> with_arm(const Configuration& q,
                                                       const Eigen::VectorXd& x) const override {
-    const Eigen::Vector3d turn = scale_.orientation * x.tail<3>();
-    const double angle = turn.norm();
     Pose X_BT = Pose::Identity();
     X_BT.translation() = scale_.position * x.head<3>();
-    X_BT.linear() = q_BM_.toRotationMatrix();
-    if (angle > 0.0) {
-      X_BT.linear() *= Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix();
-    }
+    X_BT.linear() =
+        q_BM_.toRotationMatrix() *
+        geometric::turn_from_rotation_vector(scale_.orientation * x.tail<3>()).toRotationMatrix();
     return tool_.moved(q, X_BT);
   }
 

@@ -7,18 +7,6 @@
 #include <string>
 
 namespace handway::sampling {
-namespace {
-
-Eigen::Quaterniond rotation(const Eigen::Vector3d& rotation_vector) {
-  const double angle = rotation_vector.norm();
-  if (angle == 0.0) {
-    return Eigen::Quaterniond::Identity();
-  }
-  return Eigen::Quaterniond(Eigen::AngleAxisd(angle, rotation_vector / angle));
-}
-
-}  // namespace
-
 CartesianCorridor::CartesianCorridor(const geometric::Pose& X_BS, const geometric::Pose& X_BG,
                                      CartesianScale scale)
     : p_BS_(X_BS.translation()),
@@ -45,7 +33,8 @@ geometric::Pose CartesianCorridor::pose(double step, double rho, const Eigen::Ve
   }
   const Eigen::Matrix<double, 6, 1> e = rho * (2.0 * u.array() - 1.0);
   const Eigen::Quaterniond q_BT =
-      q_BS_.slerp(step, q_BG_) * rotation(scale_.orientation * e.tail<3>());
+      q_BS_.slerp(step, q_BG_) *
+      Eigen::Quaterniond(geometric::turn_from_rotation_vector(scale_.orientation * e.tail<3>()));
   geometric::Pose X_BT = geometric::Pose::Identity();
   X_BT.linear() = q_BT.toRotationMatrix();
   X_BT.translation() = p_BS_ + step * (p_BG_ - p_BS_) + scale_.position * e.head<3>();

@@ -3,6 +3,8 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include <cmath>
+
 namespace handway::geometric {
 
 /// A rigid transform. `Pose X_AB` is the pose of frame B measured in frame A,
@@ -24,6 +26,14 @@ using Configuration = Eigen::VectorXd;
                 Eigen::AngleAxisd(roll, Eigen::Vector3d::UnitX()))
                    .toRotationMatrix();
   return X;
+}
+
+/// The turn about `rotation_vector` by its length (rad).
+[[nodiscard]] inline Eigen::AngleAxisd turn_from_rotation_vector(
+    const Eigen::Vector3d& rotation_vector) {
+  const double angle = rotation_vector.norm();
+  return angle == 0.0 ? Eigen::AngleAxisd::Identity()
+                      : Eigen::AngleAxisd(angle, rotation_vector / angle);
 }
 
 /// Roll, pitch, yaw (rad) such that pose_from_rpy gives back the rotation of X.

@@ -21,6 +21,9 @@ enum class PlanStatus {
   kCancelled,
 };
 
+/// More clearance than this (m) is not told apart.
+inline constexpr double kFarClearance = 0.05;
+
 /// What is known about a path: every configuration on it has at least this
 /// clearance, in every checked pair.
 struct Certificate {
