@@ -1,0 +1,162 @@
+/// How the price of a configuration grows: with the number of obstacles, with the
+/// triangles of one, with threads; and what a checker costs to build, in time and
+/// memory.
+#include "handway/geometric/collision/bounded_checker.h"
+#include "handway/geometric/collision/fcl_checker.h"
+#include "handway_test/fcl_broadphase_checker.h"
+#include "handway_test/memory_use.h"
+#include "handway_test/robots.h"
+#include "handway_test/solid_robots.h"
+
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace handway::geometric {
+namespace {
+
+using WorldPtr = std::shared_ptr<const CollisionWorld>;
+
+constexpr int kConfigurations = 256;
+
+// Small boxes where the arm can reach, none in the robot's neutral posture's way.
+WorldPtr scattered_boxes(int count) {
+  Scene scene = test::scene_of(test::solid_tx90_sah());
+  std::mt19937_64 engine(7);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  for (int i = 0; i < count; ++i) {
+    Eigen::Vector3d p_WO;
+    do {
+      p_WO = Eigen::Vector3d(1.2 * uniform(engine), 1.2 * uniform(engine),
+                             0.75 + 0.75 * uniform(engine));
+    } while (p_WO.head<2>().norm() < 0.35);
+    test::add_object(scene, "box " + std::to_string(i), Box{{0.02, 0.02, 0.02}}, p_WO);
+  }
+  return std::make_shared<const CollisionWorld>(scene);
+}
+
+// A rough ball of about `count` triangles: it bulges by 5 % of its radius.
+Mesh rough_ball(int count) {
+  const int rings = std::max(3, static_cast<int>(std::sqrt(count / 4.0)));
+  const int sectors = 2 * rings;
+  TriangleMesh mesh;
+  for (int i = 0; i <= rings; ++i) {
+    for (int j = 0; j < sectors; ++j) {
+      const double polar = std::numbers::pi * i / rings;
+      const double azimuth = 2.0 * std::numbers::pi * j / sectors;
+      const double radius = 0.25 * (1.0 + 0.05 * std::sin(9.0 * polar) * std::cos(7.0 * azimuth));
+      mesh.vertices.push_back(radius * Eigen::Vector3d(std::sin(polar) * std::cos(azimuth),
+                                                       std::sin(polar) * std::sin(azimuth),
+                                                       std::cos(polar)));
+    }
+  }
+  const auto vertex = [&](int i, int j) {
+    return static_cast<std::uint32_t>(i * sectors + j % sectors);
+  };
+  for (int i = 0; i < rings; ++i) {
+    for (int j = 0; j < sectors; ++j) {
+      if (i > 0) {
+        mesh.triangles.push_back({vertex(i, j), vertex(i + 1, j), vertex(i, j + 1)});
+      }
+      if (i + 1 < rings) {
+        mesh.triangles.push_back({vertex(i, j + 1), vertex(i + 1, j), vertex(i + 1, j + 1)});
+      }
+    }
+  }
+  return {{}, Eigen::Vector3d::Ones(), std::make_shared<const TriangleMesh>(std::move(mesh))};
+}
+
+WorldPtr one_ball(int triangles) {
+  Scene scene = test::scene_of(test::solid_tx90_sah());
+  test::add_object(scene, "ball", rough_ball(triangles), Eigen::Vector3d(0.7, 0, 0.8));
+  return std::make_shared<const CollisionWorld>(scene);
+}
+
+std::vector<Configuration> anywhere(const RobotModel& model) {
+  std::mt19937_64 engine(1);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  std::vector<Configuration> configurations;
+  for (int k = 0; k < kConfigurations; ++k) {
+    Configuration q(model.variable_count());
+    for (int v = 0; v < model.variable_count(); ++v) {
+      q[v] = model.lower()[v] + uniform(engine) * (model.upper()[v] - model.lower()[v]);
+    }
+    configurations.push_back(q);
+  }
+  return configurations;
+}
+
+void ask(benchmark::State& state, CollisionChecker& checker) {
+  const std::vector<Configuration> configurations = anywhere(checker.world().model());
+  int in_collision = 0;
+  for (const Configuration& q : configurations) {  // fills what is remembered
+    in_collision += checker.first_collision(q) ? 1 : 0;
+  }
+  std::size_t k = 0;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(checker.first_collision(configurations[k++ % configurations.size()]));
+  }
+  state.counters["in_collision"] = benchmark::Counter(
+      in_collision / static_cast<double>(kConfigurations), benchmark::Counter::kAvgThreads);
+}
+
+template <typename Checker>
+void bm_obstacles(benchmark::State& state) {
+  Checker checker(scattered_boxes(static_cast<int>(state.range(0))));
+  ask(state, checker);
+}
+
+template <typename Checker>
+void bm_triangles(benchmark::State& state) {
+  Checker checker(one_ball(static_cast<int>(state.range(0))));
+  ask(state, checker);
+}
+
+// Every thread asks a clone of its own; real time a question, all threads together.
+template <typename Checker>
+void bm_threads(benchmark::State& state) {
+  static const Checker kChecker(scattered_boxes(100));
+  const std::unique_ptr<CollisionChecker> clone = kChecker.clone();
+  ask(state, *clone);
+  state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations()));
+}
+
+// From a scene in memory to the first answer. peak_MB is what the process has needed at most
+// so far: run one case alone (--benchmark_filter) to see its own.
+template <typename Checker>
+void bm_load(benchmark::State& state) {
+  const WorldPtr world = one_ball(static_cast<int>(state.range(0)));
+  const Configuration neutral = world->model().neutral();
+  for (auto _ : state) {
+    Checker checker(world);
+    benchmark::DoNotOptimize(checker.first_collision(neutral));
+  }
+  state.counters["peak_MB"] = static_cast<double>(test::peak_memory()) / 1e6;
+}
+
+#define HANDWAY_GROWTH(Checker)                                                                    \
+  BENCHMARK(bm_obstacles<Checker>)                                                                 \
+      ->RangeMultiplier(10)                                                                        \
+      ->Range(1, 1000)                                                                             \
+      ->Unit(benchmark::kMicrosecond);                                                             \
+  BENCHMARK(bm_triangles<Checker>)                                                                 \
+      ->RangeMultiplier(10)                                                                        \
+      ->Range(1000, 1000000)                                                                       \
+      ->Unit(benchmark::kMicrosecond);                                                             \
+  BENCHMARK(bm_threads<Checker>)->ThreadRange(1, 4)->UseRealTime()->Unit(benchmark::kMicrosecond); \
+  BENCHMARK(bm_load<Checker>)                                                                      \
+      ->RangeMultiplier(10)                                                                        \
+      ->Range(1000, 1000000)                                                                       \
+      ->Unit(benchmark::kMillisecond)
+
+HANDWAY_GROWTH(FclChecker);
+HANDWAY_GROWTH(test::FclBroadphaseChecker);
+HANDWAY_GROWTH(BoundedChecker);
+
+}  // namespace
+}  // namespace handway::geometric
