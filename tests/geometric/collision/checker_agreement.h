@@ -5,7 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstdint>
 #include <memory>
+#include <string>
 
 namespace handway::test {
 
@@ -13,46 +16,67 @@ namespace handway::test {
 class CheckerAgreement {
  public:
   explicit CheckerAgreement(const geometric::Scene& scene)
-      : world_(std::make_shared<const geometric::CollisionWorld>(scene)),
-        exact_(world_),
-        bounded_(world_) {}
+      : CheckerAgreement(std::make_shared<const geometric::CollisionWorld>(scene)) {}
+  explicit CheckerAgreement(std::shared_ptr<const geometric::CollisionWorld> world)
+      : world_(std::move(world)), exact_(world_), bounded_(world_) {}
 
   [[nodiscard]] const geometric::CollisionWorld& world() const { return *world_; }
   [[nodiscard]] geometric::FclChecker& exact() { return exact_; }
   [[nodiscard]] int collisions() const { return collisions_; }
   [[nodiscard]] int frees() const { return frees_; }
+  /// Pairs asked for their distance.
+  [[nodiscard]] std::uint64_t pairs_measured() const { return pairs_measured_; }
 
   /// Every pair: do they touch?
   void expect_same_collisions(const geometric::Configuration& q) {
     exact_.place(q);
     bounded_.place(q);
     int touching = 0;
-    for (int pair = 0; pair < static_cast<int>(world_->pairs().size()); ++pair) {
+    for (int pair = 0; pair < pair_count(); ++pair) {
       const bool collides = exact_.pair_collides(pair);
       touching += collides ? 1 : 0;
       ASSERT_EQ(bounded_.pair_collides(pair), collides) << name(pair) << " at " << q.transpose();
     }
     (touching > 0 ? collisions_ : frees_) += 1;
-    ASSERT_EQ(bounded_.first_collision(q).has_value(), touching > 0) << q.transpose();
+    const std::optional<int> found = bounded_.first_collision(q);
+    ASSERT_EQ(found.has_value(), touching > 0) << q.transpose();
+    ASSERT_TRUE(!found || exact_.pair_collides(*found)) << name(*found);
   }
 
-  /// Every pair: how far apart, up to `enough`?
+  /// Every pair: how far apart, and closer than a few tolerances, up to `enough`?
   void expect_same_distances(const geometric::Configuration& q, double enough) {
     exact_.place(q);
     bounded_.place(q);
-    for (int pair = 0; pair < static_cast<int>(world_->pairs().size()); ++pair) {
+    for (int pair = 0; pair < pair_count(); ++pair) {
       const double distance = exact_.pair_distance(pair, enough);
       const double bounded = bounded_.pair_distance(pair, enough);
-      ASSERT_LE(bounded_.pair_bound(pair, enough), distance + 1e-9) << name(pair);
+      ++pairs_measured_;
+      ASSERT_LE(bounded_.pair_bound(pair, enough), distance + kRounding) << name(pair);
       if (distance < enough) {
-        ASSERT_NEAR(bounded, distance, 1e-9) << name(pair) << " at " << q.transpose();
+        ASSERT_NEAR(bounded, distance, kRounding) << name(pair) << " at " << q.transpose();
       } else {
-        ASSERT_GE(bounded, enough - 1e-9) << name(pair) << " at " << q.transpose();
+        ASSERT_GE(bounded, enough - kRounding) << name(pair) << " at " << q.transpose();
+      }
+      for (const double tolerance : {1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 5e-2}) {
+        if (tolerance <= enough && std::abs(distance - tolerance) > kRounding) {
+          ASSERT_EQ(bounded_.pair_closeness(pair, tolerance), closeness(pair, distance, tolerance))
+              << name(pair) << " within " << tolerance << " m at " << q.transpose();
+        }
       }
     }
   }
 
  private:
+  static constexpr double kRounding = 1e-9;  // m
+
+  [[nodiscard]] int pair_count() const { return static_cast<int>(world_->pairs().size()); }
+
+  [[nodiscard]] geometric::Closeness closeness(int pair, double distance, double tolerance) {
+    return distance >= tolerance                                 ? geometric::Closeness::kFarther
+           : distance <= kRounding && exact_.pair_collides(pair) ? geometric::Closeness::kTouching
+                                                                 : geometric::Closeness::kCloser;
+  }
+
   [[nodiscard]] std::string name(int pair) const {
     const geometric::BodyPair& bodies = world_->pairs()[static_cast<std::size_t>(pair)];
     return world_->body(bodies.a).name + " with " + world_->body(bodies.b).name;
@@ -63,6 +87,7 @@ class CheckerAgreement {
   geometric::BoundedChecker bounded_;
   int collisions_ = 0;
   int frees_ = 0;
+  std::uint64_t pairs_measured_ = 0;
 };
 
 }  // namespace handway::test

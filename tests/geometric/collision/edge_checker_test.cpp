@@ -1,8 +1,7 @@
 #include "handway/geometric/collision/edge_checker.h"
 
 #include "../robot/random_configurations.h"
-#include "handway/geometric/collision/bounded_checker.h"
-#include "handway/geometric/collision/fcl_checker.h"
+#include "edge_judge.h"
 #include "handway_test/solid_robots.h"
 
 #include <gtest/gtest.h>
@@ -20,50 +19,9 @@ using test::scene_of;
 constexpr double kResolution = 2e-5;  // m
 constexpr double kDense = 5e-5;       // m
 
-/// An edge checker as planners use it, and dense sampling with FCL to judge it.
-class EdgeJudge {
+class EdgeJudge : public test::EdgeJudge {
  public:
-  explicit EdgeJudge(const Scene& scene)
-      : world_(std::make_shared<const CollisionWorld>(scene)),
-        motion_(std::make_shared<const MotionBound>(*world_)),
-        exact_(world_),
-        bounded_(world_),
-        edges_(bounded_, motion_, kResolution) {}
-
-  [[nodiscard]] const CollisionWorld& world() const { return *world_; }
-  [[nodiscard]] FclChecker& exact() { return exact_; }
-  [[nodiscard]] EdgeChecker& edges() { return edges_; }
-
-  /// Does FCL find a collision where no point moves more than `step` (m) between samples?
-  [[nodiscard]] bool collides(const Configuration& from, const Configuration& to, double step) {
-    const Configuration delta = to - from;
-    const int samples = std::max(1, static_cast<int>(motion_->any_point(delta.cwiseAbs()) / step));
-    for (int s = 0; s <= samples; ++s) {
-      if (exact_.first_collision(from + (static_cast<double>(s) / samples) * delta)) {
-        return true;
-      }
-    }
-    return false;
-  }
-
-  /// The smallest clearance (m, up to 5 cm) at such samples.
-  [[nodiscard]] double clearance(const Configuration& from, const Configuration& to, double step) {
-    const Configuration delta = to - from;
-    const int samples = std::max(1, static_cast<int>(motion_->any_point(delta.cwiseAbs()) / step));
-    double least = 0.05;
-    for (int s = 0; s <= samples; ++s) {
-      const Configuration q = from + (static_cast<double>(s) / samples) * delta;
-      least = std::min(least, find_clearance(exact_, q, least).distance);
-    }
-    return least;
-  }
-
- private:
-  std::shared_ptr<const CollisionWorld> world_;
-  std::shared_ptr<const MotionBound> motion_;
-  FclChecker exact_;
-  BoundedChecker bounded_;
-  EdgeChecker edges_;
+  explicit EdgeJudge(const Scene& scene) : test::EdgeJudge(scene, kResolution) {}
 };
 
 // A finger-sized probe that slides.
