@@ -80,7 +80,7 @@ TEST_P(KnownProblems, HaveTheSameAnswersFromBothCheckers) {
   CheckerAgreement checkers(problem.world);
   FclBroadphaseChecker baseline(problem.world);
   Sources sources(problem, checkers.exact());
-  const int count = scaled(GetParam().file.extension() == ".xml" ? 400 : 1000);
+  const int count = scaled(GetParam().file.extension() == ".xml" ? 300 : 1000);
   int contacts = 0;
   int asked = 0;
   const auto compare = [&](const Configuration& q) {
