@@ -1,6 +1,7 @@
 #include "handway/geometric/collision/edge_checker.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace handway::geometric {
@@ -14,18 +15,17 @@ constexpr double kWorthExact = 0.0015;
 
 EdgeChecker::EdgeChecker(CollisionChecker& checker, std::shared_ptr<const MotionBound> motion,
                          double resolution)
-    : checker_(checker),
-      motion_(std::move(motion)),
-      resolution_(resolution),
-      travel_(checker.world().pairs().size()) {}
+    : checker_(checker), motion_(std::move(motion)), resolution_(resolution) {}
 
-EdgeResult EdgeChecker::check(const Configuration& from, const Configuration& to) {
+int EdgeChecker::pair_count() const { return static_cast<int>(checker_.world().pairs().size()); }
+
+EdgeResult EdgeChecker::check(const Configuration& from, const Configuration& to,
+                              std::uint64_t most_checks) {
   const Configuration delta = to - from;
-  const Eigen::VectorXd travel = delta.cwiseAbs();
+  motion_.set_edge(delta);
   std::vector<int> pairs;
-  for (int pair = 0; pair < static_cast<int>(travel_.size()); ++pair) {
-    travel_[static_cast<std::size_t>(pair)] = motion_->bound(pair, travel);
-    if (travel_[static_cast<std::size_t>(pair)] > 0.0) {
+  for (int pair = 0; pair < pair_count(); ++pair) {
+    if (motion_.over_edge(pair) > 0.0) {
       pairs.push_back(pair);
     }
   }
@@ -35,12 +35,16 @@ EdgeResult EdgeChecker::check(const Configuration& from, const Configuration& to
     std::vector<Stretch> next_level;
     std::vector<int> unsettled;
     for (const Stretch& stretch : level) {
+      if (result.checks >= most_checks) {
+        return result;
+      }
       checker_.place(from + stretch.middle * delta);
+      motion_.set_middle(checker_.link_poses());
       ++result.checks;
       const std::size_t first = unsettled.size();
       for (std::size_t i = stretch.first; i < stretch.first + stretch.count; ++i) {
         const int pair = pairs[i];
-        const double need = travel_[static_cast<std::size_t>(pair)] * stretch.half;
+        const double need = motion_.within(pair, stretch.half);
         const Closeness closeness = closeness_within(pair, need + resolution_);
         if (closeness == Closeness::kFarther) {
           continue;
@@ -80,26 +84,24 @@ Closeness EdgeChecker::closeness_within(int pair, double tolerance) {
 NamedPair EdgeChecker::clearance(const Configuration& from, const Configuration& to, double enough,
                                  double tolerance, double share) {
   const Configuration delta = to - from;
-  const Eigen::VectorXd travel = delta.cwiseAbs();
+  motion_.set_edge(delta);
   NamedPair least = find_clearance(checker_, from, enough);
   if (const NamedPair end = find_clearance(checker_, to, least.distance);
       end.distance < least.distance) {
     least = end;
   }
-  std::vector<int> pairs(travel_.size());
-  for (int pair = 0; pair < static_cast<int>(travel_.size()); ++pair) {
-    pairs[static_cast<std::size_t>(pair)] = pair;
-    travel_[static_cast<std::size_t>(pair)] = motion_->bound(pair, travel);
-  }
+  std::vector<int> pairs(static_cast<std::size_t>(pair_count()));
+  std::iota(pairs.begin(), pairs.end(), 0);
   double lower = least.distance;  // of what has been settled
   std::vector<std::pair<Stretch, std::vector<int>>> waiting{{{0.5, 0.5, 0, 0}, pairs}};
   while (!waiting.empty()) {
     const auto [stretch, candidates] = std::move(waiting.back());
     waiting.pop_back();
     checker_.place(from + stretch.middle * delta);
+    motion_.set_middle(checker_.link_poses());
     std::vector<int> unsettled;
     for (const int pair : candidates) {
-      const double loss = travel_[static_cast<std::size_t>(pair)] * stretch.half;
+      const double loss = motion_.within(pair, stretch.half);
       const double distance = loss > kWorthExact
                                   ? checker_.pair_bound(pair, least.distance + loss)
                                   : checker_.pair_distance(pair, least.distance + loss);

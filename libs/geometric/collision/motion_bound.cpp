@@ -1,5 +1,7 @@
 #include "handway/geometric/collision/motion_bound.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 
@@ -47,19 +49,47 @@ bool is_above(const RobotModel& model, int ancestor, const CollisionBody& body) 
   return link == ancestor;
 }
 
+MotionBound::Ball ball_around(const CollisionBody& body) {
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& vertex : body.mesh->vertices) {
+    box.extend(body.X_FB * vertex);
+  }
+  MotionBound::Ball ball{std::max(0, body.link), box.center(), 0.0};
+  for (const Eigen::Vector3d& vertex : body.mesh->vertices) {
+    ball.radius = std::max(ball.radius, (body.X_FB * vertex - ball.centre).norm());
+  }
+  return ball;
+}
+
+// What stands still stands like the root, link 0.
+int common_ancestor(const RobotModel& model, int a, int b) {
+  a = std::max(a, 0);
+  b = std::max(b, 0);
+  while (a != b) {
+    (a > b ? a : b) = model.parent(std::max(a, b));  // parents come first
+  }
+  return a;
+}
+
 }  // namespace
 
-MotionBound::MotionBound(const CollisionWorld& world) {
+MotionBound::MotionBound(const CollisionWorld& world) : model_(world.shared_model()) {
   const RobotModel& model = world.model();
+  for (const CollisionBody& body : world.bodies()) {
+    balls_.push_back(ball_around(body));
+  }
+  for (const auto& [a, b] : world.pairs()) {
+    frames_.push_back({a, b, common_ancestor(model, world.body(a).link, world.body(b).link),
+                       world.body(b).moves()});
+  }
   const auto bodies = static_cast<Eigen::Index>(world.bodies().size());
   // Travel of each body's points per unit of each joint above it.
-  Eigen::MatrixXd of_link = Eigen::MatrixXd::Zero(model.link_count(), bodies);
+  of_link_ = Eigen::MatrixXd::Zero(model.link_count(), bodies);
   for (int i = 1; i < model.link_count(); ++i) {
     for (int b = 0; b < static_cast<int>(bodies); ++b) {
       if (model.drive(i).variable >= 0 && is_above(model, i, world.body(b))) {
         const bool turns = model.joint(i).type == JointType::kRevolute;
-        of_link(i, b) =
-            std::abs(model.drive(i).multiplier) * (turns ? reach(model, world.body(b), i) : 1.0);
+        of_link_(i, b) = turns ? geometric::reach(model, world.body(b), i) : 1.0;
       }
     }
   }
@@ -71,11 +101,13 @@ MotionBound::MotionBound(const CollisionWorld& world) {
     if (variable < 0) {
       continue;
     }
-    farthest_[variable] += of_link.row(i).maxCoeff();
+    const double multiplier = std::abs(model.drive(i).multiplier);
+    farthest_[variable] += multiplier * of_link_.row(i).maxCoeff();
     for (std::size_t p = 0; p < world.pairs().size(); ++p) {
       const auto [a, b] = world.pairs()[p];
       if (is_above(model, i, world.body(a)) != is_above(model, i, world.body(b))) {
-        reach_(variable, static_cast<Eigen::Index>(p)) += of_link(i, a) + of_link(i, b);
+        reach_(variable, static_cast<Eigen::Index>(p)) +=
+            multiplier * (of_link_(i, a) + of_link_(i, b));
       }
     }
   }

@@ -1,10 +1,13 @@
 #include "handway/geometric/collision/motion_bound.h"
 
 #include "../robot/random_configurations.h"
+#include "handway/geometric/collision/edge_motion.h"
 #include "handway_test/solid_robots.h"
 
 #include <gtest/gtest.h>
 
+#include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -51,6 +54,9 @@ void expect_bounds_hold(const CollisionWorld& world, const Configuration& from,
   const Placed before(world, from);
   const Placed after(world, to);
   const Eigen::VectorXd travel = (to - from).cwiseAbs();
+  EdgeMotion edge(std::make_shared<const MotionBound>(world));
+  edge.set_edge(4.0 * (to - from));
+  edge.set_middle(before.X_BL);
   for (std::size_t p = 0; p < world.pairs().size(); ++p) {
     const BodyPair& pair = world.pairs()[p];
     const int carrier = common_carrier(world, pair);
@@ -63,9 +69,12 @@ void expect_bounds_hold(const CollisionWorld& world, const Configuration& from,
       };
       return farthest(*world.body(body).mesh, seen(before), seen(after));
     };
-    EXPECT_LE(travelled(pair.a) + travelled(pair.b),
-              motion.bound(static_cast<int>(p), travel) + 1e-9)
-        << world.body(pair.a).name << " with " << world.body(pair.b).name;
+    const double both = travelled(pair.a) + travelled(pair.b);
+    const std::string names = world.body(pair.a).name + " with " + world.body(pair.b).name;
+    EXPECT_LE(both, motion.bound(static_cast<int>(p), travel) + 1e-9) << names;
+    const double on_edge = edge.within(static_cast<int>(p), 0.25);
+    EXPECT_LE(both, on_edge + 1e-9) << names;
+    EXPECT_LE(on_edge, motion.bound(static_cast<int>(p), travel) + 1e-9) << names;
   }
   for (std::size_t i = 0; i < world.bodies().size(); ++i) {
     EXPECT_LE(farthest(*world.bodies()[i].mesh, before.X_WBody[i], after.X_WBody[i]),
@@ -154,6 +163,26 @@ TEST(MotionBound, MeasuresSlidesInMetres) {
   const MotionBound motion{CollisionWorld(scene)};
   EXPECT_DOUBLE_EQ(motion.bound(0, Eigen::Vector3d(0.1, 0.02, 0.003)), 0.123);
   EXPECT_DOUBLE_EQ(motion.any_point(Eigen::Vector3d(0.1, 0.02, 0.003)), 0.123);
+}
+
+TEST(EdgeMotion, SeesThatJointsCancelOut) {
+  Scene scene = scene_of(test::planar_hand_arm());
+  add_object(scene, "post", Cylinder{0.03, 0.2}, Eigen::Vector3d(0.5, 0.5, 0));
+  const CollisionWorld world(scene);
+  Configuration q = world.model().neutral();
+  Configuration delta = Configuration::Zero(q.size());
+  delta[world.model().find_variable("shoulder").value()] = 1.0;
+  delta[world.model().find_variable("elbow").value()] = -1.0;  // "lower" does not turn
+  EdgeMotion edge(std::make_shared<const MotionBound>(world));
+  edge.set_edge(delta);
+  edge.set_middle(Placed(world, q).X_BL);
+  for (std::size_t p = 0; p < world.pairs().size(); ++p) {
+    const auto [a, b] = world.pairs()[p];
+    if (world.body(a).name == "lower" && world.body(b).name == "post") {
+      EXPECT_NEAR(edge.within(static_cast<int>(p), 0.01), 0.01 * 0.3, 1e-4);
+      EXPECT_GT(edge.over_edge(static_cast<int>(p)), 0.85);
+    }
+  }
 }
 
 }  // namespace

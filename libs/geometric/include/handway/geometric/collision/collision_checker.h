@@ -57,6 +57,9 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionChecker {
   /// @throws std::invalid_argument if the shape is wrong or a value is not finite.
   void place(const Configuration& q);
 
+  /// Of the links as placed, in the robot's base frame. Shape [link_count].
+  [[nodiscard]] const std::vector<Pose>& link_poses() const { return X_BL_; }
+
   /// Do the two bodies of world().pairs()[pair] touch, as placed?
   [[nodiscard]] bool pair_collides(int pair);
 

@@ -1,10 +1,12 @@
 #pragma once
 
 #include "handway/geometric/collision/collision_checker.h"
+#include "handway/geometric/collision/edge_motion.h"
 #include "handway/geometric/collision/motion_bound.h"
 #include "handway/geometric/export.h"
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -14,7 +16,7 @@ namespace handway::geometric {
 /// What is known about a straight motion between two configurations.
 struct EdgeResult {
   bool free = false;
-  /// If not free: the pair that touches, or comes closer than the resolution, …
+  /// If not free, and settled: the pair that touches, or comes closer than the resolution, …
   std::optional<int> pair;
   double at = 0.0;           ///< … and where on the edge, in [0, 1].
   std::uint64_t checks = 0;  ///< Configurations looked at.
@@ -38,8 +40,12 @@ class HANDWAY_GEOMETRIC_EXPORT EdgeChecker {
   EdgeChecker(CollisionChecker& checker, std::shared_ptr<const MotionBound> motion,
               double resolution);
 
+  /// @param most_checks looks at no more configurations: an edge that they do not
+  /// settle is said not to be free, without a pair.
   /// @pre both ends are free of collision.
-  [[nodiscard]] EdgeResult check(const Configuration& from, const Configuration& to);
+  [[nodiscard]] EdgeResult check(
+      const Configuration& from, const Configuration& to,
+      std::uint64_t most_checks = std::numeric_limits<std::uint64_t>::max());
 
   /// The smallest distance (m) of any pair on the whole edge, but not above `enough`:
   /// a lower bound, below the true one by at most `tolerance` (m) or by at most `share`
@@ -51,6 +57,8 @@ class HANDWAY_GEOMETRIC_EXPORT EdgeChecker {
   [[nodiscard]] double resolution() const { return resolution_; }
 
  private:
+  [[nodiscard]] int pair_count() const;
+
   /// Of the configuration in place; "closer" may be said wrongly of a large tolerance.
   [[nodiscard]] Closeness closeness_within(int pair, double tolerance);
 
@@ -62,9 +70,8 @@ class HANDWAY_GEOMETRIC_EXPORT EdgeChecker {
   };
 
   CollisionChecker& checker_;
-  std::shared_ptr<const MotionBound> motion_;
+  EdgeMotion motion_;
   double resolution_;
-  std::vector<double> travel_;  ///< Per pair, over the whole edge.
 };
 
 }  // namespace handway::geometric

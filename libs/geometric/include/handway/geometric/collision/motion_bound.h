@@ -26,13 +26,47 @@ class HANDWAY_GEOMETRIC_EXPORT MotionBound {
     return reach_.col(pair).dot(travel);
   }
 
+  /// bound() of all pairs. @returns shape [pairs].
+  [[nodiscard]] Eigen::VectorXd bounds(const Eigen::VectorXd& travel) const {
+    return reach_.transpose() * travel;
+  }
+
   /// The same for any point of the robot in the world: the measure of edge
   /// resolution in millimetres.
   [[nodiscard]] double any_point(const Eigen::VectorXd& travel) const {
     return farthest_.dot(travel);
   }
 
+  [[nodiscard]] const RobotModel& model() const { return *model_; }
+
+  /// Where a pair's motion is measured.
+  struct PairFrame {
+    int a = 0;  ///< Bodies of the pair.
+    int b = 0;
+    int link = 0;  ///< The closest common ancestor of their links.
+    bool b_moves = false;
+  };
+  [[nodiscard]] const PairFrame& pair_frame(int pair) const {
+    return frames_[static_cast<std::size_t>(pair)];
+  }
+
+  /// A ball around a body, in the frame of the link that carries it.
+  struct Ball {
+    int link = 0;
+    Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+    double radius = 0.0;
+  };
+  [[nodiscard]] const Ball& ball(int body) const { return balls_[static_cast<std::size_t>(body)]; }
+
+  /// The farthest that a point of `body` can travel per unit of the joint of
+  /// `link`, over all configurations: m per rad, or 1. 0: it is not carried by it.
+  [[nodiscard]] double reach(int link, int body) const { return of_link_(link, body); }
+
  private:
+  std::shared_ptr<const RobotModel> model_;
+  std::vector<PairFrame> frames_;
+  std::vector<Ball> balls_;
+  Eigen::MatrixXd of_link_;   ///< Shape [link_count x bodies].
   Eigen::MatrixXd reach_;     ///< Shape [variable_count x pairs], m per rad or m per m.
   Eigen::VectorXd farthest_;  ///< Shape [variable_count].
 };
