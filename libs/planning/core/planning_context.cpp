@@ -27,10 +27,15 @@ struct PlanningContext::Worker {
 
 struct PlanningContext::Threads {
   Threads(const PlanningProblem& problem, double resolution, int count)
-      : arena(count), workers([&problem, resolution] { return Worker(problem, resolution); }) {}
+      : arena(count), workers([&problem, resolution] { return Worker(problem, resolution); }) {
+    if (count == 1) {
+      only = std::make_unique<Worker>(problem, resolution);
+    }
+  }
 
   tbb::task_arena arena;
   tbb::enumerable_thread_specific<Worker> workers;
+  std::unique_ptr<Worker> only;  ///< Of a context for one thread, whichever that is.
 };
 
 namespace {
@@ -83,7 +88,9 @@ std::optional<PlanStatus> PlanningContext::interruption() const {
   return std::nullopt;
 }
 
-PlanningContext::Worker& PlanningContext::own_worker() { return threads_->workers.local(); }
+PlanningContext::Worker& PlanningContext::own_worker() {
+  return threads_->only ? *threads_->only : threads_->workers.local();
+}
 
 std::optional<int> PlanningContext::collision(const Configuration& q) {
   ++statistics_.node_checks;
@@ -169,8 +176,28 @@ PlanningContext::EdgeBatch PlanningContext::edges(std::vector<Edge> edges) {
   return EdgeBatch(*this, std::move(edges));
 }
 
-bool PlanningContext::edge_free(const Configuration& from, const Configuration& to) {
-  return edges({{from, to}}).is_free(0);
+bool PlanningContext::edge_free(const Configuration& from, const Configuration& to,
+                                std::uint64_t most_checks) {
+  const EdgeResult result = own_worker().edges.check(from, to, most_checks);
+  ++statistics_.edges_tested;
+  statistics_.edge_checks += result.checks;
+  return result.free;
+}
+
+bool PlanningContext::edge_plausible(const Configuration& from, const Configuration& to,
+                                     int count) {
+  ++statistics_.edges_tested;
+  geometric::CollisionChecker& checker = *own_worker().checker;
+  // Halves, then quarters, …: the sooner an obstacle is met, the fewer are looked at.
+  for (int parts = 2; parts / 2 <= count; parts *= 2) {
+    for (int i = 1; i < parts; i += 2) {
+      ++statistics_.edge_checks;
+      if (checker.first_collision(from + (static_cast<double>(i) / parts) * (to - from))) {
+        return false;
+      }
+    }
+  }
+  return true;
 }
 
 void PlanningContext::count_rejection(int pair, double step) {
@@ -183,11 +210,14 @@ void PlanningContext::count_rejection(int pair, double step) {
 
 Certificate PlanningContext::certify(const Path& path) {
   constexpr double kTolerance = 2e-5;  // m, or …
-  constexpr double kShare = 0.05;      // … of the clearance: how far below it the answer may be
+  constexpr double kShare = 0.2;       // … of the clearance: how far below it the answer may be
   geometric::EdgeChecker& edges = own_worker().edges;
   geometric::CollisionChecker& checker = *own_worker().checker;
   const std::uint64_t before = checker.counts().configurations;
   double least = kFarClearance;
+  for (const Configuration& q : path.waypoints) {  // these are often the tightest
+    least = std::min(least, geometric::find_clearance(checker, q, least).distance);
+  }
   for (std::size_t i = 0; i + 1 < path.waypoints.size(); ++i) {
     // What is asked for is more than what is known, so that tolerances don't add up.
     const double enough = std::min(kFarClearance, least + std::max(kTolerance, kShare * least));

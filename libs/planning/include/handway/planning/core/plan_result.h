@@ -28,7 +28,7 @@ inline constexpr double kFarClearance = 0.05;
 /// clearance, in every checked pair.
 struct Certificate {
   double resolution_mm = 0.0;     ///< Along edges, pairs that move keep at least this.
-  double min_clearance_mm = 0.0;  ///< A lower bound over the whole path.
+  double min_clearance_mm = 0.0;  ///< A lower bound over the whole path, at most a fifth too low.
   std::uint64_t checks = 0;       ///< Configurations looked at.
 };
 
@@ -49,6 +49,9 @@ struct PlanStatistics {
   /// Rejected samples by colliding pair, and by tenth of the arm segment.
   std::map<std::pair<std::string, std::string>, std::uint64_t> rejections;
   std::vector<std::uint64_t> rejections_per_tenth;
+
+  /// Configurations checked while planning and smoothing.
+  [[nodiscard]] std::uint64_t checks() const { return node_checks + edge_checks; }
 };
 
 /// The outcome of planning. `path` is empty unless the status is kSolved.

@@ -7,7 +7,9 @@
 #include "handway/planning/export.h"
 
 #include <chrono>
+#include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <stop_token>
@@ -72,7 +74,15 @@ class HANDWAY_PLANNING_EXPORT PlanningContext {
     std::vector<std::optional<geometric::EdgeResult>> results_;
   };
   [[nodiscard]] EdgeBatch edges(std::vector<Edge> edges);
-  [[nodiscard]] bool edge_free(const Configuration& from, const Configuration& to);
+  /// @param most_checks as EdgeChecker::check(): an edge so close to something that
+  /// more configurations would have to be looked at is refused.
+  [[nodiscard]] bool edge_free(
+      const Configuration& from, const Configuration& to,
+      std::uint64_t most_checks = std::numeric_limits<std::uint64_t>::max());
+
+  /// Are configurations evenly spread over an edge free of collision? At least
+  /// `count` of them, 2^n - 1. Quick, and no proof; an edge that fails is not free.
+  [[nodiscard]] bool edge_plausible(const Configuration& from, const Configuration& to, int count);
 
   /// Counters that every planner shares; the planner adds its own.
   [[nodiscard]] PlanStatistics& statistics() { return statistics_; }

@@ -28,10 +28,13 @@ struct RrtConnectSettings {
 /// Two trees that grow towards random samples and towards each other. Over all
 /// joints it is the usual baseline. With PMDs it draws from the paper's regions:
 /// the arm from a corridor that widens, the hand from thumb base and PMDs; and
-/// from balls around start and goal, where passages are narrowest.
+/// from balls around start and goal, where passages are narrowest. Its edges are
+/// sampled at first, and made certain only where trees meet.
 ///
-/// Source: Kuffner, LaValle, "RRT-Connect: an efficient approach to single-query
-/// path planning", ICRA 2000, doi:10.1109/ROBOT.2000.844730.
+/// Sources: Kuffner, LaValle, "RRT-Connect: an efficient approach to single-query
+/// path planning", ICRA 2000, doi:10.1109/ROBOT.2000.844730;
+/// Sánchez, Latombe, "A single-query bi-directional probabilistic roadmap planner
+/// with lazy collision checking", ISRR 2001.
 class HANDWAY_PLANNING_EXPORT RrtConnect final : public Planner {
  public:
   explicit RrtConnect(HandSpace space);

@@ -1,0 +1,150 @@
+#include "planners/bidirectional_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace handway::planning {
+namespace {
+
+constexpr double kRefinement = 0.25;    // share of a step that is tried after it
+constexpr double kProbeSpacing = 0.05;  // of configurations looked at on uncertain edges
+
+// Configurations that an edge may take: at first, more with every sample, at most.
+constexpr std::uint64_t kEdgeChecks = 300;
+constexpr std::uint64_t kMoreEdgeChecks = 10;
+constexpr std::uint64_t kMostEdgeChecks = 20000;
+
+}  // namespace
+
+BidirectionalSearch::BidirectionalSearch(PlanningContext& context,
+                                         const RrtConnectSettings& settings, HandSpace hand,
+                                         std::uint64_t seed)
+    : Search(context),
+      settings_(settings),
+      lazy_(hand == HandSpace::kPrincipalDirections),
+      space_(make_search_space(context.problem(), static_cast<CorridorForm>(settings.corridor))),
+      draws_(context.problem(), settings, hand, *space_, seed),
+      trees_(context.problem().start, space_->coordinates(context.problem().start),
+             context.problem().goal, space_->coordinates(context.problem().goal)) {
+  announce_node(0, {});
+  announce_node(1, {});
+}
+
+std::optional<PlanStatus> BidirectionalSearch::step() {
+  if (sample_ >= settings_.max_samples) {
+    return PlanStatus::kSamplesSpent;
+  }
+  context().observer().on_progress(static_cast<double>(sample_) / settings_.max_samples,
+                                   "growing trees");
+  ++statistics().samples;
+  const int tree = sample_ % 2;
+  const TargetDraws::Target target = draws_.draw(sample_, tree, failures_);
+  statistics().final_rho_a = std::max(statistics().final_rho_a, target.rho);
+  const std::optional<int> reached = extend(tree, target);
+  ++sample_;
+  failures_ = reached ? 0 : failures_ + 1;
+  return reached && connect(*reached, target) ? std::optional(PlanStatus::kSolved) : std::nullopt;
+}
+
+void BidirectionalSearch::announce_node(int node, const TargetDraws::Target& target) {
+  statistics().nodes = static_cast<std::uint64_t>(trees_.size());
+  context().observer().on_node({node, trees_.configuration(node), target.pmds,
+                                static_cast<double>(trees_.tree_of(node)), target.rho});
+}
+
+// One step of at most `range` from the nearest node; the new node, if the way is free.
+std::optional<int> BidirectionalSearch::extend(int tree, const TargetDraws::Target& target) {
+  const int from = trees_.nearest(tree, target.coordinates);
+  const Eigen::VectorXd end = draws_.held(target.coordinates, trees_.coordinates(from), sample_);
+  double range = settings_.range;
+  for (int i = 0; i <= settings_.refinements; ++i, range *= kRefinement) {
+    if (const std::optional<int> node = step_towards(from, end, range, target)) {
+      return node;
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<int> BidirectionalSearch::step_towards(int from, const Eigen::VectorXd& end,
+                                                     double range,
+                                                     const TargetDraws::Target& target) {
+  const Eigen::VectorXd begin = trees_.coordinates(from);
+  const double length = (end - begin).norm();
+  const Eigen::VectorXd x = begin + std::min(1.0, range / std::max(length, 1e-12)) * (end - begin);
+  const std::optional<Configuration> q = space_->configuration(x, trees_.configuration(from));
+  if (!q || context().collision(*q) ||
+      !passable(trees_.configuration(from), *q, std::min(range, length))) {
+    return std::nullopt;
+  }
+  const int node = trees_.add(*q, x, from, !lazy_);
+  ++statistics().edges;
+  announce_node(node, target);
+  context().observer().on_edge(from, node);
+  return node;
+}
+
+bool BidirectionalSearch::passable(const Configuration& from, const Configuration& to,
+                                   double length) {
+  return lazy_ ? context().edge_plausible(from, to, static_cast<int>(length / kProbeSpacing))
+               : context().edge_free(from, to);
+}
+
+// An edge that takes more is as good as closed as long as there may be a wider way.
+std::uint64_t BidirectionalSearch::edge_checks() const {
+  return lazy_ ? std::min(kMostEdgeChecks,
+                          kEdgeChecks + kMoreEdgeChecks * static_cast<std::uint64_t>(sample_))
+               : std::numeric_limits<std::uint64_t>::max();
+}
+
+// Steps of the other tree towards `reached` until there or until one is not free.
+bool BidirectionalSearch::connect(int reached, const TargetDraws::Target& target) {
+  const int growing = trees_.tree_of(reached);
+  const Eigen::VectorXd end = trees_.coordinates(reached);
+  std::optional<int> at = trees_.nearest(1 - growing, end);
+  while (at && !context().interruption()) {
+    const double length = (trees_.coordinates(*at) - end).norm();
+    if (length <= settings_.range) {
+      return passable(trees_.configuration(*at), trees_.configuration(reached), length) &&
+             verify(growing == 0 ? trees_.way(reached, *at) : trees_.way(*at, reached));
+    }
+    at = step_towards(*at, end, settings_.range, target);
+  }
+  return false;
+}
+
+// Settles what is uncertain of a way, longest edges first: those fail most and cost least then.
+bool BidirectionalSearch::verify(TreePair::Way way) {
+  const auto q = [&](std::size_t i) -> const Configuration& {
+    return trees_.configuration(way.nodes[i]);
+  };
+  way.certain[way.bridge] = !lazy_;
+  std::vector<std::pair<double, std::size_t>> uncertain;
+  for (std::size_t edge = 0; edge < way.certain.size(); ++edge) {
+    if (!way.certain[edge]) {
+      uncertain.emplace_back(
+          -normalised_distance(context().problem().model(), q(edge), q(edge + 1)), edge);
+    }
+  }
+  std::ranges::sort(uncertain);
+  for (const auto& [length, edge] : uncertain) {
+    if (context().interruption()) {
+      return false;
+    }
+    if (!context().edge_free(q(edge), q(edge + 1), edge_checks())) {
+      trees_.cut(way, edge, way.certain[way.bridge]);
+      return false;
+    }
+    way.certain[edge] = true;
+    trees_.confirm(way, edge);
+  }
+  ++statistics().edges;
+  context().observer().on_edge(way.nodes[way.bridge], way.nodes[way.bridge + 1]);
+  for (std::size_t i = 0; i < way.nodes.size(); ++i) {
+    path_.waypoints.push_back(q(i));
+  }
+  return true;
+}
+
+}  // namespace handway::planning

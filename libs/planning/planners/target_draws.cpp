@@ -1,0 +1,84 @@
+#include "planners/target_draws.h"
+
+#include "handway/geometric/robot/normalised_joints.h"
+#include "planners/hand_arm_space.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace handway::planning {
+namespace {
+
+using sampling::RandomStream;
+
+// Radii of the balls around start and goal: what is a move of a finger's width
+// and what takes the hand out of any grasp.
+constexpr double kSmallestBall = 0.005;
+constexpr double kLargestBall = 0.3;
+
+}  // namespace
+
+TargetDraws::TargetDraws(const PlanningProblem& problem, const RrtConnectSettings& settings,
+                         HandSpace hand, const SearchSpace& space, std::uint64_t seed)
+    : problem_(problem),
+      settings_(settings),
+      space_(space),
+      in_regions_(hand == HandSpace::kPrincipalDirections),
+      basis_(hand_basis(problem, hand)),
+      draws_(seed) {}
+
+TargetDraws::Target TargetDraws::draw(int sample, int end, int failures) const {
+  RandomStream draw = draws_.fork(static_cast<std::uint64_t>(sample));
+  if (!in_regions_) {
+    return {draw.uniform(problem_.model().variable_count()), 0, 0.0};
+  }
+  const int axes =
+      std::min(basis_.dimension(), static_cast<int>(basis_.free_joints.size()) + 1 + failures);
+  Target target = draw.uniform() < settings_.near_ends ? draw_near_end(end, axes, draw)
+                                                       : draw_in_corridor(sample, axes, draw);
+  target.pmds = std::max(0, axes - static_cast<int>(basis_.free_joints.size()));
+  return target;
+}
+
+TargetDraws::Target TargetDraws::draw_in_corridor(int sample, int axes, RandomStream& draw) const {
+  const double widths = std::floor(static_cast<double>(sample) / settings_.samples_per_width);
+  const double rho =
+      std::min(settings_.rho_max, settings_.rho_a * std::pow(settings_.rho_growth, widths));
+  const double step = draw.uniform();
+  const Eigen::VectorXd arm = draw.uniform(space_.arm_draws());
+  const Eigen::VectorXd posture = sampling::map_to_posture(basis_, draw.uniform(axes));
+  return {space_.draw(step, rho, arm, posture), 0, rho};
+}
+
+// Every size of ball is as likely as any other. In half of the draws the hand
+// keeps its posture: it holds on to what is between its fingers.
+TargetDraws::Target TargetDraws::draw_near_end(int end, int axes, RandomStream& draw) const {
+  const double rho = kSmallestBall * std::pow(kLargestBall / kSmallestBall, draw.uniform());
+  const bool hand_moves = draw.uniform() < 0.5;
+  const Eigen::VectorXd arm = draw.uniform(space_.arm_draws());
+  Eigen::VectorXd posture = geometric::normalised(
+      problem_.model(), end == 0 ? problem_.start : problem_.goal)(problem_.hand);
+  if (hand_moves) {
+    posture += std::min(1.0, rho / kLargestBall) *
+               (sampling::map_to_posture(basis_, draw.uniform(axes)) - posture);
+  }
+  return {space_.draw(end, rho, arm, posture), 0, rho};
+}
+
+Eigen::VectorXd TargetDraws::held(Eigen::VectorXd target, const Eigen::VectorXd& from,
+                                  int sample) const {
+  if (!in_regions_) {
+    return target;
+  }
+  const double u = draws_.fork(static_cast<std::uint64_t>(sample)).fork(1).uniform();
+  const auto hand_size = static_cast<Eigen::Index>(basis_.joints.size());
+  const Eigen::Index arm_size = target.size() - hand_size;
+  if (u < 0.5 * settings_.single_moves) {
+    target.tail(hand_size) = from.tail(hand_size);
+  } else if (u < settings_.single_moves) {
+    target.head(arm_size) = from.head(arm_size);
+  }
+  return target;
+}
+
+}  // namespace handway::planning

@@ -1,0 +1,117 @@
+#include "planners/tree_pair.h"
+
+#include <limits>
+#include <utility>
+
+namespace handway::planning {
+namespace {
+
+constexpr int kNoParent = -1;
+
+}  // namespace
+
+TreePair::TreePair(const Configuration& start, const Eigen::VectorXd& start_coordinates,
+                   const Configuration& goal, const Eigen::VectorXd& goal_coordinates)
+    : coordinates_(start_coordinates.size(), 64) {
+  append({start, 0, kNoParent, true}, start_coordinates);
+  append({goal, 1, kNoParent, true}, goal_coordinates);
+}
+
+int TreePair::add(Configuration q, const Eigen::VectorXd& coordinates, int parent, bool certain) {
+  return append({std::move(q), at(parent).tree, parent, certain}, coordinates);
+}
+
+int TreePair::append(Node node, const Eigen::VectorXd& coordinates) {
+  const int number = size();
+  if (number == coordinates_.cols()) {
+    coordinates_.conservativeResize(Eigen::NoChange, 2 * coordinates_.cols());
+  }
+  nodes_.push_back(std::move(node));
+  coordinates_.col(number) = coordinates;
+  return number;
+}
+
+int TreePair::nearest(int tree, const Eigen::VectorXd& coordinates) const {
+  int nearest = tree;
+  double least = std::numeric_limits<double>::infinity();
+  for (int node = 0; node < size(); ++node) {
+    if (at(node).tree == tree) {
+      const double squared = (coordinates_.col(node) - coordinates).squaredNorm();
+      if (squared < least) {
+        least = squared;
+        nearest = node;
+      }
+    }
+  }
+  return nearest;
+}
+
+// From `node` to its root.
+std::vector<int> TreePair::branch(int node) const {
+  std::vector<int> nodes;
+  for (int up = node; up != kNoParent; up = at(up).parent) {
+    nodes.push_back(up);
+  }
+  return nodes;
+}
+
+TreePair::Way TreePair::way(int start_side, int goal_side) const {
+  const std::vector<int> before = branch(start_side);
+  const std::vector<int> after = branch(goal_side);
+  Way way;
+  way.nodes.assign(before.rbegin(), before.rend());
+  way.bridge = way.nodes.size() - 1;
+  way.nodes.insert(way.nodes.end(), after.begin(), after.end());
+  for (std::size_t i = 0; i + 1 < way.nodes.size(); ++i) {
+    way.certain.push_back(i < way.bridge   ? at(way.nodes[i + 1]).certain
+                          : i > way.bridge ? at(way.nodes[i]).certain
+                                           : false);
+  }
+  return way;
+}
+
+void TreePair::confirm(const Way& way, std::size_t edge) {
+  if (edge != way.bridge) {
+    at(way.nodes[edge < way.bridge ? edge + 1 : edge]).certain = true;
+  }
+}
+
+void TreePair::cut(const Way& way, std::size_t edge, bool bridge_certain) {
+  if (edge == way.bridge) {
+    return;
+  }
+  // Along the way from the cut to the bridge, each node's parent becomes its child.
+  const bool in_start_tree = edge < way.bridge;
+  int parent = way.nodes[in_start_tree ? way.bridge + 1 : way.bridge];
+  bool certain = bridge_certain;
+  for (std::size_t i = way.bridge; i != edge; in_start_tree ? --i : ++i) {
+    const int node = way.nodes[in_start_tree ? i : i + 1];
+    const bool next_certain = at(node).certain;
+    at(node).parent = parent;
+    at(node).certain = certain;
+    parent = node;
+    certain = next_certain;
+  }
+  assign_trees();
+}
+
+// By the root that each node's branch leads to.
+void TreePair::assign_trees() {
+  std::vector<bool> known(nodes_.size(), false);
+  known[0] = true;
+  known[1] = true;
+  for (int node = 0; node < size(); ++node) {
+    std::vector<int> unknown;
+    int up = node;
+    while (!known[static_cast<std::size_t>(up)]) {
+      unknown.push_back(up);
+      up = at(up).parent;
+    }
+    for (const int below : unknown) {
+      at(below).tree = at(up).tree;
+      known[static_cast<std::size_t>(below)] = true;
+    }
+  }
+}
+
+}  // namespace handway::planning

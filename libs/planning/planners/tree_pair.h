@@ -1,0 +1,71 @@
+#pragma once
+
+#include "handway/planning/core/planning_problem.h"
+
+#include <Eigen/Core>
+
+#include <optional>
+#include <vector>
+
+namespace handway::planning {
+
+/// Two trees of configurations, of the start (tree 0, rooted at node 0) and of
+/// the goal (tree 1, rooted at node 1), over one set of nodes. Distances are
+/// Euclidean in the coordinates of a SearchSpace.
+///
+/// Edges may be uncertain. When one of a way through both trees turns out not to
+/// be free, what it carried goes over to the other tree, and no node is lost.
+///
+/// Source: Sánchez, Latombe, "A single-query bi-directional probabilistic roadmap
+/// planner with lazy collision checking", ISRR 2001, section 3.4.
+class TreePair {
+ public:
+  TreePair(const Configuration& start, const Eigen::VectorXd& start_coordinates,
+           const Configuration& goal, const Eigen::VectorXd& goal_coordinates);
+
+  /// Hangs a node below `parent`, in the parent's tree. @param certain the edge is known to be
+  /// free.
+  int add(Configuration q, const Eigen::VectorXd& coordinates, int parent, bool certain);
+
+  [[nodiscard]] int nearest(int tree, const Eigen::VectorXd& coordinates) const;
+  [[nodiscard]] int size() const { return static_cast<int>(nodes_.size()); }
+  [[nodiscard]] int tree_of(int node) const { return at(node).tree; }
+  [[nodiscard]] const Configuration& configuration(int node) const { return at(node).q; }
+  [[nodiscard]] auto coordinates(int node) const { return coordinates_.col(node); }
+
+  /// A way from start to goal by an edge between a node of tree 0 and one of tree 1.
+  struct Way {
+    std::vector<int> nodes;     ///< From start to goal.
+    std::vector<bool> certain;  ///< Per edge: edge i is from nodes[i] to nodes[i + 1].
+    std::size_t bridge = 0;     ///< The edge between the trees.
+  };
+  /// @pre `start_side` is in tree 0, `goal_side` in tree 1.
+  [[nodiscard]] Way way(int start_side, int goal_side) const;
+
+  /// Edge `edge` of `way` is free: remembered, unless it is the bridge.
+  void confirm(const Way& way, std::size_t edge);
+
+  /// Edge `edge` of `way` is not free. Unless it is the bridge, the nodes between
+  /// it and the bridge, with all that hangs on them, go over to the other tree.
+  /// @param bridge_certain the bridge is known to be free.
+  void cut(const Way& way, std::size_t edge, bool bridge_certain);
+
+ private:
+  struct Node {
+    Configuration q;
+    int tree;
+    int parent;    ///< -1: a root.
+    bool certain;  ///< The edge to the parent.
+  };
+
+  [[nodiscard]] const Node& at(int node) const { return nodes_[static_cast<std::size_t>(node)]; }
+  [[nodiscard]] Node& at(int node) { return nodes_[static_cast<std::size_t>(node)]; }
+  int append(Node node, const Eigen::VectorXd& coordinates);
+  [[nodiscard]] std::vector<int> branch(int node) const;
+  void assign_trees();
+
+  std::vector<Node> nodes_;
+  Eigen::MatrixXd coordinates_;  ///< A column a node; grows by doubling.
+};
+
+}  // namespace handway::planning
