@@ -1,5 +1,6 @@
 #include "handway/planning/paths/roadmap_smoothing.h"
 
+#include <algorithm>
 #include <limits>
 #include <vector>
 
@@ -11,8 +12,12 @@ namespace {
 /// planning using lazy PRM", ICRA 2000): the shortest way with few checks.
 class LazyShortcuts {
  public:
-  LazyShortcuts(PlanningContext& context, const Path& path)
-      : context_(context), path_(path), count_(path.waypoints.size()) {
+  LazyShortcuts(PlanningContext& context, const Path& path, std::uint64_t checks)
+      : context_(context),
+        path_(path),
+        checks_(checks),
+        before_(context.statistics().checks()),
+        count_(path.waypoints.size()) {
     states_.assign(count_ * count_, EdgeState::kUnknown);
     for (std::size_t i = 0; i + 1 < count_; ++i) {
       state(i, i + 1) = EdgeState::kFree;
@@ -21,7 +26,7 @@ class LazyShortcuts {
 
   /// Path indices of the shortest free way; of the edges known by then if interrupted.
   std::vector<std::size_t> shortest() {
-    while (!context_.interruption()) {
+    while (!context_.interruption() && spent() < checks_) {
       std::vector<std::size_t> way = shortest_way(EdgeState::kUnknown);
       if (all_free(way)) {
         return way;
@@ -34,6 +39,8 @@ class LazyShortcuts {
   enum class EdgeState { kBlocked, kUnknown, kFree };
 
   EdgeState& state(std::size_t from, std::size_t to) { return states_[from * count_ + to]; }
+
+  [[nodiscard]] std::uint64_t spent() const { return context_.statistics().checks() - before_; }
 
   [[nodiscard]] double length(std::size_t from, std::size_t to) const {
     return normalised_distance(context_.problem().model(), path_.waypoints[from],
@@ -66,7 +73,8 @@ class LazyShortcuts {
     for (std::size_t i = 0; i + 1 < way.size(); ++i) {
       EdgeState& edge = state(way[i], way[i + 1]);
       if (edge == EdgeState::kUnknown) {
-        const bool free = context_.edge_free(path_.waypoints[way[i]], path_.waypoints[way[i + 1]]);
+        const bool free = context_.edge_free(path_.waypoints[way[i]], path_.waypoints[way[i + 1]],
+                                             checks_ - std::min(checks_, spent()));
         edge = free ? EdgeState::kFree : EdgeState::kBlocked;
       }
       if (edge == EdgeState::kBlocked) {
@@ -78,15 +86,17 @@ class LazyShortcuts {
 
   PlanningContext& context_;
   const Path& path_;
+  std::uint64_t checks_;
+  std::uint64_t before_;
   std::size_t count_;
   std::vector<EdgeState> states_;  ///< Row from, column to.
 };
 
 }  // namespace
 
-Path smooth_by_roadmap(PlanningContext& context, const Path& path) {
+Path smooth_by_roadmap(PlanningContext& context, const Path& path, std::uint64_t checks) {
   Path smooth;
-  for (const std::size_t node : LazyShortcuts(context, path).shortest()) {
+  for (const std::size_t node : LazyShortcuts(context, path, checks).shortest()) {
     smooth.waypoints.push_back(path.waypoints[node]);
   }
   return smooth;

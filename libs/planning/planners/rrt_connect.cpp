@@ -1,8 +1,9 @@
 #include "handway/planning/planners/rrt_connect.h"
 
 #include "handway/planning/core/planning_context.h"
-#include "handway/planning/paths/roadmap_smoothing.h"
+#include "handway/planning/paths/shortcut_smoothing.h"
 #include "planners/bidirectional_search.h"
+#include "planners/hand_arm_space.h"
 #include "planners/phase_clock.h"
 
 namespace handway::planning {
@@ -34,6 +35,9 @@ std::vector<Parameter> RrtConnect::parameters() {
        &settings_.refinements, 0, 5},
       {"max_samples", "Samples", "", "Samples drawn before the planner gives up.",
        &settings_.max_samples, 1, 100000000},
+      {"smoothing_checks", "Checks to smooth", "",
+       "Configurations checked to shorten the path once it is found. 0: it stays as it is.",
+       &settings_.smoothing_checks, 0, 10000000},
   };
   if (space_ == HandSpace::kPrincipalDirections) {
     list.push_back({"corridor", "Corridor", "",
@@ -64,7 +68,10 @@ void RrtConnect::do_plan(PlanningContext& context, PlanResult& result) {
   result.status = *search.advance({});
   if (result.solved()) {
     const PhaseClock smoothing_time(result.smoothing_s);
-    result.path = smooth_by_roadmap(context, search.path());
+    ShortcutSmoothing smoothing(context, hand_basis(context.problem(), space_),
+                                static_cast<std::uint64_t>(settings_.smoothing_checks),
+                                context.request().seed);
+    result.path = smoothing.smooth(search.path());
   }
 }
 

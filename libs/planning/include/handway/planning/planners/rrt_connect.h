@@ -16,6 +16,7 @@ struct RrtConnectSettings {
   double range = 0.2;   ///< Longest step of a tree.
   int refinements = 2;  ///< Steps tried, each a quarter of the one before, when one is not free.
   int max_samples = 1000000;
+  int smoothing_checks = 300;  ///< Configurations that ShortcutSmoothing may check.
   int corridor = static_cast<int>(CorridorForm::kJoint);  ///< A CorridorForm; PMDs only.
   double near_ends = 0.5;     ///< Share of samples drawn around start and goal; PMDs only.
   double single_moves = 0.5;  ///< Share that move the arm alone or the hand alone; PMDs only.
