@@ -1,3 +1,4 @@
+#include "bench_command.h"
 #include "check_command.h"
 #include "exit_codes.h"
 #include "info_command.h"
@@ -21,6 +22,7 @@ int run(int argc, char** argv) {
   add_plan_command(app, exit_code);
   add_check_command(app, exit_code);
   add_info_command(app, exit_code);
+  add_bench_command(app, exit_code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

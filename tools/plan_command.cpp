@@ -7,6 +7,7 @@
 #include "handway/planning/paths/path_csv.h"
 #include "number_options.h"
 #include "plan_report.h"
+#include "scene_planner.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -43,16 +44,8 @@ struct PlanOptions {
 std::unique_ptr<planning::Planner> configured_planner(const PlanOptions& options,
                                                       const geometric::PlannerChoice& choice,
                                                       const planning::PlannerRegistry& registry) {
-  const std::string name = !options.planner.empty() ? options.planner
-                           : !choice.name.empty()   ? choice.name
-                                                    : registry.names().front();
-  std::unique_ptr<planning::Planner> planner = registry.create(name);
+  std::unique_ptr<planning::Planner> planner = scene_planner(options.planner, choice, registry);
   const std::vector<planning::Parameter> parameters = planner->parameters();
-  if (name == choice.name || choice.name.empty()) {  // another planner's settings mean nothing here
-    for (const auto& [key, value] : choice.settings) {
-      set_from_text(find_parameter(parameters, key), value);
-    }
-  }
   for (const std::string& setting : options.settings) {
     const std::size_t equals = setting.find('=');
     if (equals == std::string::npos) {

@@ -1,0 +1,155 @@
+#include "bench_report.h"
+
+#include "version.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <limits>
+
+namespace handway::tools {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json speed_of(const CheckerSpeed& speed) {
+  return {{"configuration_us", number(speed.configuration_us)}, {"edge_us", number(speed.edge_us)}};
+}
+
+Json collision_of(const CollisionBench& bench) {
+  return {{"configurations", bench.configurations},
+          {"in_collision", bench.in_collision},
+          {"edges", bench.edges},
+          {"edges_free", bench.edges_free},
+          {"fast", speed_of(bench.fast)},
+          {"fcl", speed_of(bench.fcl)},
+          {"disagreements", bench.disagreements}};
+}
+
+Json runs_of(const PlanBench& bench) {
+  Json runs = Json::array();
+  for (std::size_t i = 0; i < bench.results.size(); ++i) {
+    const planning::PlanResult& result = bench.results[i];
+    runs.push_back({{"seed", bench.seeds[i]},
+                    {"solved", result.solved()},
+                    {"status", to_string(result.status)},
+                    {"reason", result.reason},
+                    {"time_s", result.time_s},
+                    {"smoothing_s", result.smoothing_s},
+                    {"samples", result.statistics.samples},
+                    {"node_checks", result.statistics.node_checks},
+                    {"edge_checks", result.statistics.edge_checks},
+                    {"path_nodes", bench.path_nodes[i]},
+                    {"min_clearance_mm", result.certificate.min_clearance_mm}});
+  }
+  return runs;
+}
+
+Json plan_of(const SceneBench& scene, std::size_t i) {
+  const PlanBench& bench = scene.plans[i];
+  return {{"planner", bench.planner},
+          {"problem", bench.problem},
+          {"solved", solved_count(bench)},
+          {"median_s", number(time_quantile(bench, 0.5))},
+          {"p95_s", number(time_quantile(bench, 0.95))},
+          {"p99_s", number(time_quantile(bench, 0.99))},
+          {"ratio", number(time_ratio(scene, i))},
+          {"samples", number(median_samples(bench))},
+          {"checks", number(median_checks(bench))},
+          {"path_nodes", number(median_path_nodes(bench))},
+          {"memory_bytes", bench.memory},
+          {"runs", runs_of(bench)}};
+}
+
+std::string cell(double value) {
+  return std::isfinite(value) ? fmt::format(",{:.9g}", value) : std::string(",");
+}
+
+std::string quoted(const std::string& text) {
+  if (text.find_first_of(",\"\n") == std::string::npos) {
+    return text;
+  }
+  std::string out(1, '"');
+  for (const char c : text) {
+    out.append(c == '"' ? 2 : 1, c);
+  }
+  out.push_back('"');
+  return out;
+}
+
+std::string scene_cells(const SceneBench& scene) {
+  std::string cells;
+  for (const double value :
+       {scene.load_s, static_cast<double>(scene.memory), scene.collision.fast.configuration_us,
+        scene.collision.fcl.configuration_us, scene.collision.fast.edge_us,
+        scene.collision.fcl.edge_us}) {
+    cells += cell(value);
+  }
+  return cells;
+}
+
+std::string plan_cells(const BenchSettings& settings, const SceneBench& scene, std::size_t i) {
+  const PlanBench& bench = scene.plans[i];
+  std::string cells =
+      fmt::format(",{},{},{},{:.9g},{},{}", bench.planner, settings.checker, settings.threads,
+                  settings.time_limit_s, bench.results.size(), solved_count(bench));
+  for (const double value :
+       {time_quantile(bench, 0.5), time_quantile(bench, 0.95), time_quantile(bench, 0.99),
+        time_ratio(scene, i), median_samples(bench), median_checks(bench), median_path_nodes(bench),
+        static_cast<double>(bench.memory)}) {
+    cells += cell(value);
+  }
+  return cells;
+}
+
+}  // namespace
+
+double time_ratio(const SceneBench& scene, std::size_t i) {
+  const double own = time_quantile(scene.plans.front(), 0.5);
+  const double other = time_quantile(scene.plans[i], 0.5);
+  return std::isfinite(own) && std::isfinite(other) && own > 0.0
+             ? other / own
+             : std::numeric_limits<double>::quiet_NaN();
+}
+
+std::string bench_csv(const BenchSettings& settings, const std::vector<SceneBench>& scenes) {
+  std::string csv =
+      "scene,load_s,load_memory_bytes,configuration_us,configuration_fcl_us,edge_us,edge_fcl_us,"
+      "planner,checker,threads,time_limit_s,runs,solved,median_s,p95_s,p99_s,ratio,samples,checks,"
+      "path_nodes,memory_bytes\n";
+  for (const SceneBench& scene : scenes) {
+    const std::string begin = fmt::format("{}{}", quoted(scene.name()), scene_cells(scene));
+    if (scene.plans.empty()) {
+      csv += fmt::format("{}{:,>14}\n", begin, "");
+    }
+    for (std::size_t i = 0; i < scene.plans.size(); ++i) {
+      csv += fmt::format("{}{}\n", begin, plan_cells(settings, scene, i));
+    }
+  }
+  return csv;
+}
+
+std::string bench_json(const BenchSettings& settings, const std::vector<SceneBench>& scenes) {
+  Json list = Json::array();
+  for (const SceneBench& scene : scenes) {
+    Json plans = Json::array();
+    for (std::size_t i = 0; i < scene.plans.size(); ++i) {
+      plans.push_back(plan_of(scene, i));
+    }
+    list.push_back({{"scene", scene.name()},
+                    {"file", scene.file.string()},
+                    {"load_s", scene.load_s},
+                    {"load_memory_bytes", scene.memory},
+                    {"collision", collision_of(scene.collision)},
+                    {"plans", plans}});
+  }
+  const Json report = {{"version", kVersion},         {"seeds", settings.seeds},
+                       {"threads", settings.threads}, {"time_limit_s", settings.time_limit_s},
+                       {"checker", settings.checker}, {"scenes", list}};
+  return report.dump(2) + "\n";
+}
+
+}  // namespace handway::tools

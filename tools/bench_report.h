@@ -1,0 +1,44 @@
+#pragma once
+
+#include "collision_bench.h"
+#include "plan_bench.h"
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace handway::tools {
+
+/// How a benchmark was run.
+struct BenchSettings {
+  int seeds = 10;
+  int threads = 1;
+  double time_limit_s = 30.0;
+  std::string checker = "fast";  ///< That plans use: "fast" or "fcl".
+};
+
+/// What was measured on one scene.
+struct SceneBench {
+  std::filesystem::path file;
+  double load_s = 0.0;     ///< From the files to a problem ready to plan.
+  std::size_t memory = 0;  ///< Peak while loading, bytes.
+  CollisionBench collision;
+  std::vector<PlanBench> plans;  ///< The scene's own planner first; empty: not asked for.
+
+  [[nodiscard]] std::string name() const { return file.stem().string(); }
+};
+
+/// Median planning time of plans[i] by that of the scene's own planner; NaN if either has none.
+[[nodiscard]] double time_ratio(const SceneBench& scene, std::size_t i);
+
+/// One row a scene and planner, keys as in docs/command-line.md; a number that does not
+/// exist is an empty cell.
+[[nodiscard]] std::string bench_csv(const BenchSettings& settings,
+                                    const std::vector<SceneBench>& scenes);
+
+/// Everything, each run included; a number that does not exist is null.
+[[nodiscard]] std::string bench_json(const BenchSettings& settings,
+                                     const std::vector<SceneBench>& scenes);
+
+}  // namespace handway::tools

@@ -1,0 +1,92 @@
+#include "bench_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace handway::tools {
+namespace {
+
+constexpr double kMega = 1e6;
+
+// Three significant digits or a whole number; "-" for what does not exist.
+std::string shown(double value) {
+  if (!std::isfinite(value)) {
+    return "-";
+  }
+  return std::abs(value) < 100.0 ? fmt::format("{:.3g}", value) : fmt::format("{:.0f}", value);
+}
+
+std::string milliseconds(double seconds) { return shown(1e3 * seconds); }
+
+}  // namespace
+
+BenchTable::BenchTable(const BenchSettings& settings,
+                       const std::vector<std::filesystem::path>& files)
+    : settings_(settings), width_(5) {
+  for (const std::filesystem::path& file : files) {
+    width_ = std::max(width_, static_cast<int>(file.stem().string().size()));
+  }
+}
+
+void BenchTable::begin_collisions() const {
+  fmt::print(
+      "Collision, \u00b5s: a configuration near the way from start to goal; an edge of a tenth of "
+      "it.\n"
+      "{:<{}} {:>8} {:>9} | {:>9} {:>8} {:>8} {:>6} | {:>9} {:>8} {:>8} {:>6}\n",
+      "scene", width_, "load ms", "memory MB", "collide %", "config", "FCL", "ratio", "free %",
+      "edge", "FCL", "ratio");
+  std::fflush(stdout);
+}
+
+void BenchTable::add_collision(const SceneBench& scene) const {
+  const CollisionBench& bench = scene.collision;
+  fmt::print("{:<{}} {:>8} {:>9} | {:>9.0f} {:>8} {:>8} {:>6} | {:>9} {:>8} {:>8} {:>6}\n",
+             scene.name(), width_, milliseconds(scene.load_s),
+             shown(static_cast<double>(scene.memory) / kMega), 100.0 * bench.in_collision,
+             shown(bench.fast.configuration_us), shown(bench.fcl.configuration_us),
+             shown(bench.fcl.configuration_us / bench.fast.configuration_us),
+             bench.edges > 0 ? fmt::format("{:.0f}", 100.0 * bench.edges_free) : "-",
+             shown(bench.fast.edge_us), shown(bench.fcl.edge_us),
+             shown(bench.fcl.edge_us / bench.fast.edge_us));
+  if (bench.disagreements > 0) {
+    fmt::print("  FAULT: the checkers disagree on {} of {} configurations\n", bench.disagreements,
+               bench.configurations);
+  }
+  std::fflush(stdout);
+}
+
+void BenchTable::begin_plans() const {
+  fmt::print(
+      "\nPlans: {} seed{}, {} thread{}, limit {:g} s, {} checker; planning time in ms (a run "
+      "without "
+      "a path counts as endless).\n"
+      "{:<{}} {:<18} {:>8} {:>8} {:>8} {:>8} {:>6} {:>9} {:>9} {:>6} {:>9}\n",
+      settings_.seeds, settings_.seeds == 1 ? "" : "s", settings_.threads,
+      settings_.threads == 1 ? "" : "s", settings_.time_limit_s, settings_.checker, "scene", width_,
+      "planner", "solved", "median", "p95", "p99", "ratio", "checks", "samples", "nodes",
+      "memory MB");
+  std::fflush(stdout);
+}
+
+void BenchTable::add_plan(const SceneBench& scene, std::size_t i) const {
+  const PlanBench& bench = scene.plans[i];
+  fmt::print("{:<{}} {:<18} {:>8} {:>8} {:>8} {:>8} {:>6} {:>9} {:>9} {:>6} {:>9}\n", scene.name(),
+             width_, bench.planner, fmt::format("{}/{}", solved_count(bench), bench.results.size()),
+             milliseconds(time_quantile(bench, 0.5)), milliseconds(time_quantile(bench, 0.95)),
+             milliseconds(time_quantile(bench, 0.99)), shown(time_ratio(scene, i)),
+             shown(median_checks(bench)), shown(median_samples(bench)),
+             shown(median_path_nodes(bench)), shown(static_cast<double>(bench.memory) / kMega));
+  const auto failed = std::ranges::find_if(
+      bench.results, [](const planning::PlanResult& result) { return !result.solved(); });
+  if (!bench.problem.empty()) {
+    fmt::print("  not run: {}\n", bench.problem);
+  } else if (failed != bench.results.end()) {
+    fmt::print("  {}\n", failed->reason);
+  }
+  std::fflush(stdout);
+}
+
+}  // namespace handway::tools

@@ -1,0 +1,117 @@
+#include "collision_bench.h"
+
+#include "handway/geometric/collision/edge_checker.h"
+#include "handway/geometric/collision/fcl_checker.h"
+#include "handway/geometric/collision/make_checker.h"
+#include "handway/geometric/collision/motion_bound.h"
+
+#include <chrono>
+#include <functional>
+#include <limits>
+#include <random>
+#include <vector>
+
+namespace handway::tools {
+namespace {
+
+using geometric::CollisionChecker;
+using geometric::CollisionWorld;
+using geometric::Configuration;
+
+constexpr int kConfigurations = 256;
+constexpr std::size_t kEdges = 24;
+constexpr double kSpread = 0.05;      // of a joint's range
+constexpr double kEdge = 0.1;         // of the way from start to goal
+constexpr double kResolution = 5e-5;  // m, as planners have it
+constexpr double kLeastTime = 0.3;    // s that a measurement takes, at least one round
+
+std::vector<Configuration> draw(const CollisionWorld& world, const Configuration& start,
+                                const Configuration& goal) {
+  const geometric::RobotModel& model = world.model();
+  std::mt19937_64 engine(1);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  std::vector<Configuration> configurations;
+  for (int k = 0; k < kConfigurations; ++k) {
+    Configuration q = start + uniform(engine) * (goal - start);
+    for (int v = 0; v < model.variable_count(); ++v) {
+      q[v] += kSpread * (2.0 * uniform(engine) - 1.0) * (model.upper()[v] - model.lower()[v]);
+    }
+    configurations.push_back(q);
+  }
+  return configurations;
+}
+
+// Asks all questions round after round. @returns µs a question.
+double time_of(std::size_t count, const std::function<void(std::size_t)>& ask) {
+  if (count == 0) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  const auto begin = std::chrono::steady_clock::now();
+  std::chrono::duration<double> elapsed{};
+  int rounds = 0;
+  do {
+    for (std::size_t i = 0; i < count; ++i) {
+      ask(i);
+    }
+    ++rounds;
+    elapsed = std::chrono::steady_clock::now() - begin;
+  } while (elapsed.count() < kLeastTime);
+  return 1e6 * elapsed.count() / (static_cast<double>(rounds) * static_cast<double>(count));
+}
+
+struct Questions {
+  std::vector<Configuration> configurations;
+  std::vector<Configuration> edge_starts;
+  Configuration way;  ///< Of every edge.
+  std::shared_ptr<const geometric::MotionBound> motion;
+};
+
+CheckerSpeed speed_of(CollisionChecker& checker, const Questions& questions) {
+  geometric::EdgeChecker edges(checker, questions.motion, kResolution);
+  CheckerSpeed speed;
+  speed.configuration_us = time_of(questions.configurations.size(), [&](std::size_t i) {
+    static_cast<void>(checker.first_collision(questions.configurations[i]));
+  });
+  speed.edge_us = time_of(questions.edge_starts.size(), [&](std::size_t i) {
+    const Configuration& from = questions.edge_starts[i];
+    static_cast<void>(edges.check(from, from + questions.way));
+  });
+  return speed;
+}
+
+}  // namespace
+
+CollisionBench bench_collision(const std::shared_ptr<const CollisionWorld>& world,
+                               const Configuration& start, const Configuration& goal) {
+  const std::unique_ptr<CollisionChecker> fast = geometric::make_collision_checker(world);
+  geometric::FclChecker fcl(world);
+  Questions questions;
+  questions.configurations = draw(*world, start, goal);
+  questions.way = kEdge * (goal - start);
+  questions.motion = std::make_shared<const geometric::MotionBound>(*world);
+
+  // Asking once before the clock runs also fills what the fast checker remembers.
+  geometric::EdgeChecker edges(*fast, questions.motion, kResolution);
+  CollisionBench bench;
+  int in_collision = 0;
+  int free_edges = 0;
+  for (const Configuration& q : questions.configurations) {
+    const bool collides = fast->first_collision(q).has_value();
+    in_collision += collides ? 1 : 0;
+    bench.disagreements += fcl.first_collision(q).has_value() != collides ? 1 : 0;
+    if (!collides && questions.edge_starts.size() < kEdges &&
+        !fast->first_collision(q + questions.way)) {
+      questions.edge_starts.push_back(q);
+      free_edges += edges.check(q, q + questions.way).free ? 1 : 0;
+    }
+  }
+  bench.configurations = kConfigurations;
+  bench.in_collision = in_collision / static_cast<double>(kConfigurations);
+  bench.edges = static_cast<int>(questions.edge_starts.size());
+  bench.edges_free = bench.edges > 0 ? free_edges / static_cast<double>(bench.edges) : 0.0;
+  bench.fast = speed_of(*fast, questions);
+  bench.fcl = speed_of(fcl, questions);
+  return bench;
+}
+
+}  // namespace handway::tools

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "handway/geometric/collision/collision_world.h"
+
+#include <memory>
+
+namespace handway::tools {
+
+/// What a checker's answers take, µs on average.
+struct CheckerSpeed {
+  double configuration_us = 0.0;
+  double edge_us = 0.0;  ///< NaN if there is no edge to ask.
+};
+
+/// The everyday checker against FCL pair by pair, on the same questions.
+struct CollisionBench {
+  int configurations = 0;
+  double in_collision = 0.0;  ///< Share of the configurations.
+  int edges = 0;              ///< Those whose ends are free.
+  double edges_free = 0.0;    ///< Share of these.
+  CheckerSpeed fast;
+  CheckerSpeed fcl;
+  int disagreements = 0;  ///< Configurations that only one of the two finds free.
+};
+
+/// Configurations are drawn around the straight motion from `start` to `goal`, up to 5 %
+/// of every joint's range off it; edges begin there and take a tenth of the way.
+[[nodiscard]] CollisionBench bench_collision(
+    const std::shared_ptr<const geometric::CollisionWorld>& world,
+    const geometric::Configuration& start, const geometric::Configuration& goal);
+
+}  // namespace handway::tools

@@ -1,0 +1,94 @@
+#include "plan_bench.h"
+
+#include "handway/geometric/io/input_error.h"
+#include "peak_memory.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace handway::tools {
+namespace {
+
+using planning::PlanResult;
+using planning::PlanStatus;
+
+double quantile(std::vector<double> values, double p) {
+  if (values.empty()) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  std::sort(values.begin(), values.end());
+  const auto rank = static_cast<std::size_t>(std::ceil(p * static_cast<double>(values.size())));
+  return values[std::max<std::size_t>(rank, 1) - 1];
+}
+
+template <typename Value>
+double median_of(const PlanBench& bench, const Value& value) {
+  std::vector<double> values;
+  for (const PlanResult& result : bench.results) {
+    values.push_back(static_cast<double>(value(result.statistics)));
+  }
+  return quantile(std::move(values), 0.5);
+}
+
+}  // namespace
+
+PlanBench bench_planner(planning::Planner& planner,
+                        const std::function<planning::PlanningProblem()>& make_problem,
+                        planning::PlanRequest request, int seeds) {
+  PlanBench bench;
+  bench.planner = planner.name();
+  reset_peak_memory();
+  try {
+    for (int seed = 1; seed <= seeds; ++seed) {
+      request.seed = static_cast<std::uint64_t>(seed);
+      PlanResult result = planner.plan(make_problem(), request);
+      bench.seeds.push_back(request.seed);
+      bench.path_nodes.push_back(result.path.waypoints.size());
+      result.path.waypoints.clear();
+      bench.results.push_back(std::move(result));
+      const PlanStatus status = bench.results.back().status;
+      if (status == PlanStatus::kStartInvalid || status == PlanStatus::kGoalInvalid) {
+        break;
+      }
+    }
+  } catch (const geometric::InputError& error) {  // it needs what the scene has not
+    bench.problem = error.what();
+  }
+  bench.memory = peak_memory();
+  return bench;
+}
+
+int solved_count(const PlanBench& bench) {
+  return static_cast<int>(
+      std::ranges::count_if(bench.results, [](const PlanResult& r) { return r.solved(); }));
+}
+
+double time_quantile(const PlanBench& bench, double p) {
+  std::vector<double> times;
+  for (const PlanResult& result : bench.results) {
+    times.push_back(result.solved() ? result.time_s : std::numeric_limits<double>::infinity());
+  }
+  return quantile(std::move(times), p);
+}
+
+double median_samples(const PlanBench& bench) {
+  return median_of(bench, [](const planning::PlanStatistics& s) { return s.samples; });
+}
+
+double median_checks(const PlanBench& bench) {
+  return median_of(bench,
+                   [](const planning::PlanStatistics& s) { return s.node_checks + s.edge_checks; });
+}
+
+double median_path_nodes(const PlanBench& bench) {
+  std::vector<double> nodes;
+  for (std::size_t i = 0; i < bench.results.size(); ++i) {
+    if (bench.results[i].solved()) {
+      nodes.push_back(static_cast<double>(bench.path_nodes[i]));
+    }
+  }
+  return quantile(std::move(nodes), 0.5);
+}
+
+}  // namespace handway::tools

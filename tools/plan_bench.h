@@ -1,0 +1,43 @@
+#pragma once
+
+#include "handway/planning/core/planner.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace handway::tools {
+
+/// A planner on a problem, once for each seed.
+struct PlanBench {
+  std::string planner;
+  std::vector<std::uint64_t> seeds;
+  std::vector<planning::PlanResult> results;  ///< One a seed, without its path's points.
+  std::vector<std::size_t> path_nodes;        ///< One a seed; 0 where there is no path.
+  std::size_t memory = 0;                     ///< Peak, bytes.
+  std::string problem;                        ///< Why it could not be run at all; or empty.
+};
+
+/// Runs seeds 1 to `seeds`; ends after the first if the query itself is not valid.
+/// @param make_problem is called for every run, so that none profits from what a checker
+/// remembers of another.
+[[nodiscard]] PlanBench bench_planner(
+    planning::Planner& planner, const std::function<planning::PlanningProblem()>& make_problem,
+    planning::PlanRequest request, int seeds);
+
+[[nodiscard]] int solved_count(const PlanBench& bench);
+
+/// The p-quantile (0 < p ≤ 1, nearest rank) of the planning times, s; a run without a
+/// path counts as one that takes forever, so that it is infinite if more than 1 - p of
+/// them have none.
+[[nodiscard]] double time_quantile(const PlanBench& bench, double p);
+
+/// Medians over all runs, or NaN if there was none: samples drawn, configurations checked.
+[[nodiscard]] double median_samples(const PlanBench& bench);
+[[nodiscard]] double median_checks(const PlanBench& bench);
+/// Over the runs that found a path, or NaN.
+[[nodiscard]] double median_path_nodes(const PlanBench& bench);
+
+}  // namespace handway::tools

@@ -1,0 +1,23 @@
+#include "scene_planner.h"
+
+#include <vector>
+
+namespace handway::tools {
+
+std::unique_ptr<planning::Planner> scene_planner(const std::string& name,
+                                                 const geometric::PlannerChoice& choice,
+                                                 const planning::PlannerRegistry& registry) {
+  const std::string taken = !name.empty()          ? name
+                            : !choice.name.empty() ? choice.name
+                                                   : registry.names().front();
+  std::unique_ptr<planning::Planner> planner = registry.create(taken);
+  if (taken == choice.name || choice.name.empty()) {
+    const std::vector<planning::Parameter> parameters = planner->parameters();
+    for (const auto& [key, value] : choice.settings) {
+      set_from_text(find_parameter(parameters, key), value);
+    }
+  }
+  return planner;
+}
+
+}  // namespace handway::tools
