@@ -24,7 +24,7 @@ using WorldPtr = std::shared_ptr<const CollisionWorld>;
 
 constexpr int kConfigurations = 256;
 
-// Small boxes where the arm can reach, none in the robot's neutral posture's way.
+// Small boxes where the arm can reach, none at its base.
 WorldPtr scattered_boxes(int count) {
   Scene scene = test::scene_of(test::solid_tx90_sah());
   std::mt19937_64 engine(7);
