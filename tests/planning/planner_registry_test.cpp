@@ -17,9 +17,9 @@ using testing::HasSubstr;
 
 TEST(PlannerRegistry, StartsWithTheBuiltInPlanners) {
   const PlannerRegistry registry;
-  EXPECT_EQ(registry.names().front(), "pmd-prm");
-  EXPECT_THAT(registry.names(),
-              testing::IsSupersetOf({"full-prm", "pmd-rrt-connect", "rrt-connect"}));
+  EXPECT_EQ(registry.names().front(), "pmd-auto") << "the default";
+  EXPECT_THAT(registry.names(), testing::IsSupersetOf({"pmd-prm", "full-prm", "pmd-rrt-connect",
+                                                       "pmd-lazy", "rrt-connect"}));
 }
 
 TEST(PlannerRegistry, MakesPlannersThatKnowTheirName) {

@@ -48,7 +48,9 @@ TEST_F(Handway, PlansAndChecks) {
 }
 
 TEST_F(Handway, ReportsWithTheKeysOfTheContract) {
-  ASSERT_EQ(line_.run("plan post.yaml --seed 3 --set k=5 --report report.json").exit_code, kDone);
+  ASSERT_EQ(line_.run("plan post.yaml --planner pmd-prm --seed 3 --set k=5 --report report.json")
+                .exit_code,
+            kDone);
   const auto report = nlohmann::json::parse(line_.read("report.json"));
   for (const char* key :
        {"solved", "reason", "planner", "seed", "threads", "time_s", "smoothing_s", "load_s",
@@ -70,7 +72,8 @@ TEST_F(Handway, ReportsWithTheKeysOfTheContract) {
 }
 
 TEST_F(Handway, FindsTheSamePathWithOneThreadAndTwo) {
-  for (const std::string planner : {"pmd-prm", "full-prm", "pmd-rrt-connect", "rrt-connect"}) {
+  for (const std::string planner :
+       {"pmd-auto", "pmd-prm", "full-prm", "pmd-rrt-connect", "pmd-lazy", "rrt-connect"}) {
     const std::string plan = "plan post.yaml --planner " + planner + " --seed 5 --out ";
     ASSERT_EQ(line_.run(plan + "one.csv --threads 1").exit_code, kDone) << planner;
     ASSERT_EQ(line_.run(plan + "two.csv --threads 2").exit_code, kDone) << planner;

@@ -82,6 +82,9 @@ std::optional<PlanStatus> PlanningContext::interruption() const {
   if (stop_.stop_requested()) {
     return PlanStatus::kCancelled;
   }
+  if (parent_) {
+    return parent_->interruption();
+  }
   if (elapsed_s() > request_.time_limit_s) {
     return PlanStatus::kTimeLimit;
   }
@@ -198,6 +201,26 @@ bool PlanningContext::edge_plausible(const Configuration& from, const Configurat
     }
   }
   return true;
+}
+
+std::unique_ptr<PlanningContext> PlanningContext::make_child(Observer& observer,
+                                                             std::stop_token stop) const {
+  PlanRequest request = request_;
+  request.threads = 1;
+  auto child = std::make_unique<PlanningContext>(problem_, request, std::move(stop), observer);
+  child->parent_ = this;
+  child->begin_ = begin_;
+  return child;
+}
+
+void PlanningContext::run_on_threads(int count, const std::function<void(int)>& work) {
+  if (request_.threads > 1 && count > 1) {
+    threads_->arena.execute([&] { tbb::parallel_for(0, count, work, tbb::simple_partitioner()); });
+    return;
+  }
+  for (int i = 0; i < count; ++i) {
+    work(i);
+  }
 }
 
 void PlanningContext::count_rejection(int pair, double step) {

@@ -1,5 +1,7 @@
 #include "planners/built_in_planners.h"
 
+#include "handway/planning/planners/pmd_auto.h"
+#include "handway/planning/planners/pmd_lazy.h"
 #include "handway/planning/planners/pmd_prm.h"
 #include "handway/planning/planners/rrt_connect.h"
 
@@ -8,10 +10,12 @@
 namespace handway::planning {
 
 void register_built_in_planners(PlannerRegistry& registry) {
+  registry.add("pmd-auto", [] { return std::make_unique<PmdAuto>(); });
   registry.add("pmd-prm", [] { return std::make_unique<PmdPrm>(HandSpace::kPrincipalDirections); });
   registry.add("full-prm", [] { return std::make_unique<PmdPrm>(HandSpace::kAllJoints); });
   registry.add("pmd-rrt-connect",
                [] { return std::make_unique<RrtConnect>(HandSpace::kPrincipalDirections); });
+  registry.add("pmd-lazy", [] { return std::make_unique<PmdLazy>(); });
   registry.add("rrt-connect", [] { return std::make_unique<RrtConnect>(HandSpace::kAllJoints); });
 }
 

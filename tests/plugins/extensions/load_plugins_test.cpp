@@ -28,7 +28,7 @@ std::string reason_of_refusal(const std::filesystem::path& directory) {
 
 TEST(Extensions, KnowTheBuiltInPlannersWithoutPlugins) {
   const Extensions extensions;
-  EXPECT_EQ(extensions.planners().names().front(), "pmd-prm");
+  EXPECT_EQ(extensions.planners().names().front(), "pmd-auto");
 }
 
 TEST(Extensions, TakePlannersAndImportersOfAPlugin) {

@@ -33,7 +33,7 @@ struct Certificate {
 };
 
 /// What a planner did.
-struct PlanStatistics {
+struct HANDWAY_PLANNING_EXPORT PlanStatistics {
   std::uint64_t samples = 0;  ///< Hand trials in pmd-prm (numSamples); draws elsewhere.
   std::uint64_t nodes = 0;    ///< Of the roadmap or the trees, start and goal included.
   std::uint64_t edges = 0;
@@ -49,6 +49,9 @@ struct PlanStatistics {
   /// Rejected samples by colliding pair, and by tenth of the arm segment.
   std::map<std::pair<std::string, std::string>, std::uint64_t> rejections;
   std::vector<std::uint64_t> rejections_per_tenth;
+
+  /// Adds what another search did: counts and times are summed, of the rest the most is kept.
+  PlanStatistics& operator+=(const PlanStatistics& other);
 
   /// Configurations checked while planning and smoothing.
   [[nodiscard]] std::uint64_t checks() const { return node_checks + edge_checks; }

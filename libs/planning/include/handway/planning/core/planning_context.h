@@ -84,6 +84,15 @@ class HANDWAY_PLANNING_EXPORT PlanningContext {
   /// `count` of them, 2^n - 1. Quick, and no proof; an edge that fails is not free.
   [[nodiscard]] bool edge_plausible(const Configuration& from, const Configuration& to, int count);
 
+  /// A context for a search that runs beside others on the same problem: with one
+  /// thread and statistics of its own, and this context's clock, time limit and
+  /// cancellation. @param stop ends it alone. Both must outlive it, and so must this context.
+  [[nodiscard]] std::unique_ptr<PlanningContext> make_child(Observer& observer,
+                                                            std::stop_token stop) const;
+
+  /// Calls `work(0)` … `work(count - 1)` on all threads; one after the other on a single one.
+  void run_on_threads(int count, const std::function<void(int)>& work);
+
   /// Counters that every planner shares; the planner adds its own.
   [[nodiscard]] PlanStatistics& statistics() { return statistics_; }
   /// Notes a rejected sample drawn at `step` of the arm segment.
@@ -99,6 +108,7 @@ class HANDWAY_PLANNING_EXPORT PlanningContext {
   Worker& own_worker();
 
   const PlanningProblem& problem_;
+  const PlanningContext* parent_ = nullptr;
   PlanRequest request_;
   std::stop_token stop_;
   Observer& observer_;

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "handway/planning/core/planner.h"
+#include "handway/planning/export.h"
+#include "handway/planning/planners/rrt_connect.h"
+
+#include <string>
+#include <vector>
+
+namespace handway::planning {
+
+/// Settings of PmdLazy.
+struct PmdLazySettings {
+  int k = 15;      ///< Nearest nodes that a new node is joined to.
+  int batch = 20;  ///< Nodes added each time start and goal have fallen apart.
+  int max_samples = 1000000;
+  int smoothing_checks = 300;  ///< Configurations that ShortcutSmoothing may check.
+  RrtConnectSettings region = {.samples_per_width = 300};  ///< Where nodes are drawn from.
+};
+
+/// A roadmap in the paper's sampling regions whose edges are checked only where
+/// the shortest way from start to goal leads; edges that are refused go, and new
+/// nodes come when no way is left, from a corridor that widens.
+///
+/// Source: Bohlin, Kavraki, "Path planning using lazy PRM", ICRA 2000,
+/// doi:10.1109/ROBOT.2000.844107. Nodes are checked when they are drawn.
+class HANDWAY_PLANNING_EXPORT PmdLazy final : public Planner {
+ public:
+  [[nodiscard]] std::string name() const override;
+  [[nodiscard]] std::string description() const override;
+  [[nodiscard]] PlannerCapabilities capabilities() const override;
+  [[nodiscard]] std::vector<Parameter> parameters() override;
+
+  [[nodiscard]] PmdLazySettings& settings() { return settings_; }
+
+ protected:
+  void do_plan(PlanningContext& context, PlanResult& result) override;
+
+ private:
+  PmdLazySettings settings_;
+};
+
+}  // namespace handway::planning

@@ -1,0 +1,127 @@
+#include "handway/planning/planners/pmd_auto.h"
+
+#include "handway/geometric/io/input_error.h"
+#include "handway/planning/core/planning_context.h"
+#include "handway/planning/paths/shortcut_smoothing.h"
+#include "handway/planning/planners/pmd_lazy.h"
+#include "handway/planning/planners/rrt_connect.h"
+#include "handway/sampling/sequences/random_stream.h"
+#include "planners/bidirectional_search.h"
+#include "planners/lazy_search.h"
+#include "planners/phase_clock.h"
+#include "planners/race.h"
+
+#include <fmt/format.h>
+
+#include <limits>
+#include <memory>
+#include <utility>
+
+namespace handway::planning {
+namespace {
+
+constexpr int kUnlimited = std::numeric_limits<int>::max();  // the race counts samples itself
+
+RrtConnectSettings joint_trees() {
+  RrtConnectSettings settings;
+  settings.max_samples = kUnlimited;
+  return settings;
+}
+
+// Short steps and a wide corridor: made for leaving tight places along a line.
+RrtConnectSettings cartesian_trees() {
+  RrtConnectSettings settings = joint_trees();
+  settings.corridor = static_cast<int>(CorridorForm::kCartesian);
+  settings.range = 0.1;
+  settings.rho_a = 0.1;
+  return settings;
+}
+
+PmdLazySettings lazy_roadmap() {
+  PmdLazySettings settings;
+  settings.max_samples = kUnlimited;
+  return settings;
+}
+
+Racer trees(std::string name, int first_round, const RrtConnectSettings& settings,
+            std::uint64_t seed) {
+  return {std::move(name), first_round,
+          [&settings, seed](PlanningContext& context) -> std::unique_ptr<Search> {
+            return std::make_unique<BidirectionalSearch>(context, settings,
+                                                         HandSpace::kPrincipalDirections, seed);
+          }};
+}
+
+// Takes no part if the arm has no closed-form inverse kinematics.
+Racer where_possible(Racer racer) {
+  racer.make = [make = std::move(racer.make)](PlanningContext& context) {
+    try {
+      return make(context);
+    } catch (const geometric::InputError&) {
+      return std::unique_ptr<Search>();
+    }
+  };
+  return racer;
+}
+
+}  // namespace
+
+std::string PmdAuto::name() const { return "pmd-auto"; }
+
+std::string PmdAuto::description() const {
+  return "Races trees in the joint and the Cartesian corridor and a lazy roadmap";
+}
+
+PlannerCapabilities PmdAuto::capabilities() const {
+  return {.uses_pmds = true, .uses_threads = true, .deterministic = true};
+}
+
+std::vector<Parameter> PmdAuto::parameters() {
+  return {
+      {"max_samples", "Samples", "", "Samples that all searches draw together before giving up.",
+       &settings_.max_samples, 1, 100000000},
+      {"smoothing_checks", "Checks to smooth", "",
+       "Configurations checked to shorten the path once it is found. 0: it stays as it is.",
+       &settings_.smoothing_checks, 0, 10000000},
+      {"cartesian", "Search in tool poses", "",
+       "Trees in the Cartesian corridor take part, if the arm is built like the TX90.",
+       &settings_.cartesian, 0.0, 1.0},
+      {"lazy", "Search a lazy roadmap", "", "A lazy roadmap takes part.", &settings_.lazy, 0.0,
+       1.0},
+  };
+}
+
+void PmdAuto::do_plan(PlanningContext& context, PlanResult& result) {
+  const RrtConnectSettings joint = joint_trees();
+  const RrtConnectSettings cartesian = cartesian_trees();
+  const PmdLazySettings roadmap = lazy_roadmap();
+  const std::uint64_t seed = context.request().seed;
+  const sampling::RandomStream seeds(seed);
+  std::vector<Racer> racers{trees("trees in the joint corridor", 0, joint, seed)};
+  if (settings_.cartesian) {
+    racers.push_back(where_possible(
+        trees("trees in the Cartesian corridor", 1, cartesian, seeds.fork(1).seed())));
+    racers.push_back(where_possible(trees("trees in the Cartesian corridor, from another seed", 3,
+                                          cartesian, seeds.fork(2).seed())));
+  }
+  if (settings_.lazy) {
+    racers.push_back({"a lazy roadmap", 3, [&](PlanningContext& own) -> std::unique_ptr<Search> {
+                        return std::make_unique<LazySearch>(own, roadmap, seeds.fork(3).seed());
+                      }});
+  }
+  racers.push_back(
+      trees("trees in the joint corridor, from another seed", 4, joint, seeds.fork(4).seed()));
+  Race race(context, std::move(racers), static_cast<std::uint64_t>(settings_.max_samples));
+  result.status = race.run();
+  if (result.solved()) {
+    const PhaseClock smoothing_time(result.smoothing_s);
+    ShortcutSmoothing smoothing(context, *context.problem().basis,
+                                static_cast<std::uint64_t>(settings_.smoothing_checks), seed);
+    result.path = smoothing.smooth(race.path());
+    result.reason =
+        fmt::format("Found a path of {} waypoints after {} samples, by {}.",
+                    result.path.waypoints.size(), context.statistics().samples, race.winner());
+  }
+}
+
+}  // namespace handway::planning

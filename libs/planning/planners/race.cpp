@@ -1,0 +1,129 @@
+#include "planners/race.h"
+
+#include "planners/event_log.h"
+
+#include <algorithm>
+#include <atomic>
+#include <stop_token>
+#include <utility>
+
+namespace handway::planning {
+namespace {
+
+constexpr std::uint64_t kFirstRound = 1000;  // configurations that a racer checks in round 0
+constexpr int kLongestRounds = 12;           // from this round on they grow no more
+
+}  // namespace
+
+/// A racer on its way.
+struct Race::Lane {
+  Racer racer;
+  int index = 0;
+  EventLog events;
+  std::unique_ptr<PlanningContext> context;  ///< Null: it has not started.
+  std::unique_ptr<Search> search;
+  std::stop_source beaten;
+  std::optional<PlanStatus> end;
+  PlanStatistics counted;  ///< Up to the last round that counts.
+};
+
+Race::Race(PlanningContext& context, std::vector<Racer> racers, std::uint64_t samples)
+    : context_(context), samples_(samples), before_(context.statistics()) {
+  for (Racer& racer : racers) {
+    auto lane = std::make_unique<Lane>();
+    lane->racer = std::move(racer);
+    lane->index = static_cast<int>(lanes_.size());
+    lanes_.push_back(std::move(lane));
+  }
+}
+
+Race::~Race() = default;
+
+const std::string& Race::winner() const { return winner_->racer.name; }
+
+Path Race::path() const { return winner_->search->path(); }
+
+PlanStatus Race::run() {
+  for (int round = 0;; ++round) {
+    if (const std::optional<PlanStatus> end = run_round(round)) {
+      return *end;
+    }
+  }
+}
+
+std::optional<PlanStatus> Race::run_round(int round) {
+  std::vector<Lane*> lanes;
+  for (const auto& lane : lanes_) {
+    if (round >= lane->racer.first_round && !lane->end) {
+      lanes.push_back(lane.get());
+    }
+  }
+  const std::uint64_t drawn = context_.statistics().samples;
+  if (lanes.empty() || drawn >= samples_) {
+    const bool more_to_come =
+        std::ranges::any_of(lanes_, [&](const auto& lane) { return !lane->end; });
+    return drawn < samples_ && more_to_come ? std::nullopt
+                                            : std::optional(PlanStatus::kSamplesSpent);
+  }
+  context_.observer().on_progress(static_cast<double>(drawn) / static_cast<double>(samples_),
+                                  "racing");
+  const std::uint64_t share = (samples_ - drawn + lanes.size() - 1) / lanes.size();
+  run_lanes(lanes, {kFirstRound << std::min(round, kLongestRounds), share});
+  const auto first = std::ranges::find_if(
+      lanes, [](const Lane* lane) { return lane->end == PlanStatus::kSolved; });
+  if (first != lanes.end()) {
+    winner_ = *first;
+    lanes.erase(first + 1, lanes.end());
+  }
+  publish(lanes);
+  return winner_ ? std::optional(PlanStatus::kSolved) : context_.interruption();
+}
+
+// Those after the first that solves are stopped, and what they did does not count.
+void Race::run_lanes(const std::vector<Lane*>& lanes, const SearchBudget& budget) {
+  for (Lane* lane : lanes) {
+    if (!lane->context) {
+      lane->context = context_.make_child(lane->events, lane->beaten.get_token());
+    }
+  }
+  std::atomic<int> first_solved = static_cast<int>(lanes_.size());
+  context_.run_on_threads(static_cast<int>(lanes.size()), [&](int i) {
+    Lane& lane = *lanes[static_cast<std::size_t>(i)];
+    if (lane.index > first_solved.load()) {
+      return;
+    }
+    if (!lane.search) {
+      lane.search = lane.racer.make(*lane.context);
+    }
+    if (!lane.search) {
+      lane.end = PlanStatus::kSamplesSpent;  // it has nothing to offer here
+      return;
+    }
+    lane.end = lane.search->advance(budget);
+    if (lane.end == PlanStatus::kSolved) {
+      int known = first_solved.load();
+      while (lane.index < known && !first_solved.compare_exchange_weak(known, lane.index)) {
+      }
+      for (Lane* other : lanes) {
+        if (other->index > lane.index) {
+          other->beaten.request_stop();
+        }
+      }
+    }
+  });
+}
+
+void Race::publish(const std::vector<Lane*>& lanes) {
+  const int count = static_cast<int>(lanes_.size());
+  for (Lane* lane : lanes) {
+    lane->counted = lane->context->statistics();
+    lane->events.replay(context_.observer(), lane->index, count);
+  }
+  PlanStatistics& sum = context_.statistics();
+  sum = before_;
+  for (const auto& lane : lanes_) {
+    sum += lane->counted;
+  }
+}
+
+}  // namespace handway::planning

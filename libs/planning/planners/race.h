@@ -1,0 +1,59 @@
+#pragma once
+
+#include "handway/planning/core/planning_context.h"
+#include "planners/search.h"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace handway::planning {
+
+/// A search that takes part in a Race.
+struct Racer {
+  std::string name;                                               ///< In words, for the reason.
+  int first_round = 0;                                            ///< Starts in this round.
+  std::function<std::unique_ptr<Search>(PlanningContext&)> make;  ///< Null: it does not start.
+};
+
+/// Lets several searches run on one problem until one solves it.
+///
+/// The race goes in rounds. In each, every racer may check as many configurations
+/// as the round allows, twice as many as in the one before. The winner is the
+/// first of the list to solve in the earliest round, whichever was done first by
+/// the clock: so any number of threads finds the same. Searches that can't win
+/// any more are stopped.
+class Race {
+ public:
+  /// @param samples that all racers may draw together.
+  Race(PlanningContext& context, std::vector<Racer> racers, std::uint64_t samples);
+  ~Race();
+  Race(const Race&) = delete;
+  Race& operator=(const Race&) = delete;
+
+  /// To the end. Adds up what all racers did in the context's statistics, apart
+  /// from work of a round that its winner made needless.
+  [[nodiscard]] PlanStatus run();
+
+  /// @pre run() gave kSolved.
+  [[nodiscard]] const std::string& winner() const;
+  [[nodiscard]] Path path() const;
+
+ private:
+  struct Lane;
+
+  [[nodiscard]] std::optional<PlanStatus> run_round(int round);
+  void run_lanes(const std::vector<Lane*>& lanes, const SearchBudget& budget);
+  void publish(const std::vector<Lane*>& lanes);
+
+  PlanningContext& context_;
+  std::uint64_t samples_;
+  std::vector<std::unique_ptr<Lane>> lanes_;
+  PlanStatistics before_;  ///< What the context had done before the race.
+  const Lane* winner_ = nullptr;
+};
+
+}  // namespace handway::planning
