@@ -128,9 +128,10 @@ TEST_F(Handway, HelpsAndNamesItsVersion) {
 
 TEST_F(Handway, RefusesUnknownPlannersAndParameters) {
   expect_refusal("plan open.yaml --planner pmd-prn", "pmd-prn", "pmd-prm, full-prm");
-  expect_refusal("plan open.yaml --set rho=1", "rho", "rho_a");
-  expect_refusal("plan open.yaml --set rho_a=2", "rho_a", "\"2\"", "from 1e-05 to 0.5");
-  expect_refusal("plan open.yaml --set k=nan", "a whole number");
+  expect_refusal("plan open.yaml --planner pmd-prm --set rho=1", "rho", "rho_a");
+  expect_refusal("plan open.yaml --planner pmd-prm --set rho_a=2", "rho_a", "\"2\"",
+                 "from 1e-05 to 0.5");
+  expect_refusal("plan open.yaml --planner pmd-prm --set k=nan", "a whole number");
 }
 
 TEST_F(Handway, NamesAFileThatIsNotThere) {

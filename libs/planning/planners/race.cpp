@@ -11,6 +11,7 @@ namespace handway::planning {
 namespace {
 
 constexpr std::uint64_t kFirstRound = 1000;  // configurations that a racer checks in round 0
+constexpr int kLeadRounds = 2;               // the first racer goes first in these, then last
 constexpr int kLongestRounds = 12;           // from this round on they grow no more
 
 }  // namespace
@@ -58,6 +59,10 @@ std::optional<PlanStatus> Race::run_round(int round) {
       lanes.push_back(lane.get());
     }
   }
+  // What did not do soon is better not waited for.
+  if (round >= kLeadRounds && lanes.size() > 1 && lanes.front()->index == 0) {
+    std::rotate(lanes.begin(), lanes.begin() + 1, lanes.end());
+  }
   const std::uint64_t drawn = context_.statistics().samples;
   if (lanes.empty() || drawn >= samples_) {
     const bool more_to_come =
@@ -86,10 +91,11 @@ void Race::run_lanes(const std::vector<Lane*>& lanes, const SearchBudget& budget
       lane->context = context_.make_child(lane->events, lane->beaten.get_token());
     }
   }
-  std::atomic<int> first_solved = static_cast<int>(lanes_.size());
-  context_.run_on_threads(static_cast<int>(lanes.size()), [&](int i) {
+  const int count = static_cast<int>(lanes.size());
+  std::atomic<int> first_solved = count;
+  context_.run_on_threads(count, [&](int i) {
     Lane& lane = *lanes[static_cast<std::size_t>(i)];
-    if (lane.index > first_solved.load()) {
+    if (i > first_solved.load()) {
       return;
     }
     if (!lane.search) {
@@ -102,12 +108,10 @@ void Race::run_lanes(const std::vector<Lane*>& lanes, const SearchBudget& budget
     lane.end = lane.search->advance(budget);
     if (lane.end == PlanStatus::kSolved) {
       int known = first_solved.load();
-      while (lane.index < known && !first_solved.compare_exchange_weak(known, lane.index)) {
+      while (i < known && !first_solved.compare_exchange_weak(known, i)) {
       }
-      for (Lane* other : lanes) {
-        if (other->index > lane.index) {
-          other->beaten.request_stop();
-        }
+      for (int other = i + 1; other < count; ++other) {
+        lanes[static_cast<std::size_t>(other)]->beaten.request_stop();
       }
     }
   });

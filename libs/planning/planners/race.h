@@ -23,8 +23,9 @@ struct Racer {
 ///
 /// The race goes in rounds. In each, every racer may check as many configurations
 /// as the round allows, twice as many as in the one before. The winner is the
-/// first of the list to solve in the earliest round, whichever was done first by
-/// the clock: so any number of threads finds the same. Searches that can't win
+/// first in order to solve in the earliest round, whichever was done first by the
+/// clock; the order is that of the list, but the first racer goes last from the
+/// third round on: so any number of threads finds the same. Searches that can't win
 /// any more are stopped.
 class Race {
  public:
