@@ -53,7 +53,7 @@ class SceneBuilder {
     for (const KauthamProblem::Obstacle& obstacle : problem_.obstacles) {
       add_obstacle(obstacle);
     }
-    choose_planner();
+    note_planner();
     return {scene_, basis_};
   }
 
@@ -116,10 +116,9 @@ class SceneBuilder {
          obstacle.X_WO, mesh.color, std::nullopt});
   }
 
-  void choose_planner() {
-    if (problem_.planner == "PRMAURO HandArm") {
-      scene_->planner.name = "pmd-prm";
-    } else if (!problem_.planner.empty()) {
+  // A problem asks for a path; whichever planner finds it best is the default.
+  void note_planner() {
+    if (!problem_.planner.empty() && problem_.planner != "PRMAURO HandArm") {
       scene_->warnings.push_back("planner \"" + problem_.planner +
                                  "\" of the problem has no counterpart; the default is used");
     }

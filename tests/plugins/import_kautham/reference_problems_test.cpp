@@ -144,10 +144,10 @@ TEST_P(ReferenceProblem, NamesItsObjectsApart) {
   EXPECT_TRUE(names.contains("can") || names.contains("cangoal"));
 }
 
-TEST_P(ReferenceProblem, AsksForThePaperAlgorithm) {
+TEST_P(ReferenceProblem, LeavesThePlannerToTheDefault) {
   HANDWAY_NEED_REFERENCE(reference);
   const planning::LoadedScene loaded = read(reference / "auro" / GetParam());
-  EXPECT_EQ(loaded.scene->planner.name, "pmd-prm");
+  EXPECT_EQ(loaded.scene->planner.name, "");
   EXPECT_THAT(loaded.scene->planner.settings, testing::IsEmpty());
   EXPECT_THAT(loaded.scene->warnings, testing::ElementsAre(testing::HasSubstr("Cloud Radius = ")));
 }
