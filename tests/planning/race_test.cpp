@@ -1,0 +1,122 @@
+#include "planners/race.h"
+
+#include "handway_test/planar_problems.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace handway::planning {
+namespace {
+
+constexpr std::uint64_t kNever = std::numeric_limits<std::uint64_t>::max();
+constexpr std::uint64_t kPlenty = 1'000'000'000;  // samples
+
+/// Draws a sample and counts ten checks a step; solves once it counted `enough`.
+class Counting final : public Search {
+ public:
+  Counting(PlanningContext& context, std::uint64_t enough) : Search(context), enough_(enough) {}
+  [[nodiscard]] Path path() const override {
+    return {{context().problem().start, context().problem().goal}};
+  }
+
+ protected:
+  [[nodiscard]] std::optional<PlanStatus> step() override {
+    ++statistics().samples;
+    statistics().node_checks += 10;
+    return statistics().node_checks >= enough_ ? std::optional(PlanStatus::kSolved) : std::nullopt;
+  }
+
+ private:
+  std::uint64_t enough_;
+};
+
+Racer racer(std::string name, std::uint64_t enough, int first_round = 0) {
+  return {std::move(name), first_round,
+          [enough](PlanningContext& context) -> std::unique_ptr<Search> {
+            return std::make_unique<Counting>(context, enough);
+          }};
+}
+
+Racer absent(std::string name) {
+  return {std::move(name), 0, [](PlanningContext&) { return std::unique_ptr<Search>(); }};
+}
+
+class ARace : public testing::TestWithParam<int> {
+ protected:
+  ARace() { request_.threads = GetParam(); }
+
+  struct Outcome {
+    PlanStatus status;
+    std::string winner;
+    PlanStatistics statistics;
+  };
+  Outcome run(std::vector<Racer> racers, std::uint64_t samples = kPlenty) {
+    PlanningContext context(problem_, request_, stop_.get_token(), observer_);
+    Race race(context, std::move(racers), samples);
+    const PlanStatus status = race.run();
+    return {status, status == PlanStatus::kSolved ? race.winner() : "", context.statistics()};
+  }
+
+  PlanningProblem problem_ = test::open_problem();
+  PlanRequest request_;
+  std::stop_source stop_;
+  Observer observer_;
+};
+
+TEST_P(ARace, IsWonByTheOnlyOneThatSolves) {
+  const Outcome outcome = run({racer("hare", kNever), racer("tortoise", 200'000)});
+  EXPECT_EQ(outcome.status, PlanStatus::kSolved);
+  EXPECT_EQ(outcome.winner, "tortoise");
+}
+
+TEST_P(ARace, IsWonByTheFirstInOrderWhenBothSolveInTheSameRound) {
+  EXPECT_EQ(run({racer("first", 400), racer("second", 20)}).winner, "first");
+}
+
+TEST_P(ARace, IsWonByTheOneThatNeedsFewerRounds) {
+  EXPECT_EQ(run({racer("slow", 100'000), racer("quick", 20)}).winner, "quick");
+}
+
+TEST_P(ARace, LetsARacerStartLater) {
+  EXPECT_EQ(run({racer("slow", 200'000), racer("late", 20, 3)}).winner, "late");
+  EXPECT_EQ(run({racer("prompt", 400), racer("late", 20, 3)}).winner, "prompt");
+}
+
+TEST_P(ARace, CountsOnlyWhatTheWinnerHadToWaitFor) {
+  const Outcome alone = run({racer("first", 400)});
+  const Outcome both = run({racer("first", 400), racer("second", 20)});
+  EXPECT_EQ(both.statistics.node_checks, alone.statistics.node_checks);
+  EXPECT_EQ(both.statistics.samples, 40U);
+}
+
+TEST_P(ARace, GoesOnWithoutRacersThatDoNotStart) {
+  EXPECT_EQ(run({absent("ill"), racer("well", 5'000)}).winner, "well");
+  EXPECT_EQ(run({absent("ill")}).status, PlanStatus::kSamplesSpent);
+}
+
+TEST_P(ARace, EndsWhenTheSamplesAreSpent) {
+  const Outcome outcome = run({racer("one", kNever), racer("other", kNever, 1)}, 1000);
+  EXPECT_EQ(outcome.status, PlanStatus::kSamplesSpent);
+  EXPECT_GE(outcome.statistics.samples, 1000U);
+  EXPECT_LE(outcome.statistics.samples, 1002U);
+}
+
+TEST_P(ARace, EndsWhenItIsCancelled) {
+  stop_.request_stop();
+  EXPECT_EQ(run({racer("one", kNever), racer("other", kNever)}).status, PlanStatus::kCancelled);
+}
+
+TEST_P(ARace, EndsWithTheTime) {
+  request_.time_limit_s = 0.02;
+  EXPECT_EQ(run({racer("one", kNever), racer("other", kNever)}).status, PlanStatus::kTimeLimit);
+}
+
+INSTANTIATE_TEST_SUITE_P(Threads, ARace, testing::Values(1, 2, 5));
+
+}  // namespace
+}  // namespace handway::planning
