@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -28,7 +29,10 @@ class BoxTree {
 
   /// Distance (m) of `point` from the node's box; 0 inside.
   [[nodiscard]] static double distance(const Node& node, const Eigen::Vector3d& point) {
-    return ((point - node.centre).cwiseAbs() - node.half).cwiseMax(0.0).norm();
+    return std::sqrt(squared_distance(node, point));
+  }
+  [[nodiscard]] static double squared_distance(const Node& node, const Eigen::Vector3d& point) {
+    return ((point - node.centre).cwiseAbs() - node.half).cwiseMax(0.0).squaredNorm();
   }
 
  private:

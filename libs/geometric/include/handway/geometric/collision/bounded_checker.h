@@ -3,18 +3,13 @@
 #include "handway/geometric/collision/collision_checker.h"
 #include "handway/geometric/export.h"
 
-#include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
-#include <vector>
 
 namespace handway::geometric {
 
-/// Indices of a triangle of one body and of one of another.
-struct TrianglePair {
-  std::uint32_t a = 0;
-  std::uint32_t b = 0;
-};
+class SurfaceQuery;
 
 /// The everyday checker: the answers of FclChecker, most of them from bounding
 /// spheres or remembered distances alone, the rest from the triangles that are
@@ -28,26 +23,29 @@ class HANDWAY_GEOMETRIC_EXPORT BoundedChecker final : public CollisionChecker {
 
  private:
   struct Volumes;  // immutable, shared by clones
+  struct Scratch;  // of one thread
 
   BoundedChecker(const BoundedChecker& other);
+  void do_place() override;
   [[nodiscard]] bool do_pair_collides(int pair) override;
   [[nodiscard]] double do_pair_distance(int pair, double enough) override;
   [[nodiscard]] Closeness do_pair_closeness(int pair, double tolerance) override;
   [[nodiscard]] double do_pair_bound(int pair, double enough) override;
+  [[nodiscard]] std::optional<int> do_first_collision() override;
 
-  /// A lower bound of the pair's distance up to `enough`, from a few spheres.
-  [[nodiscard]] double bound(int pair, double enough) const;
+  [[nodiscard]] SurfaceQuery query(int pair, std::span<const Pose> X_WBody);
+
+  /// The closeness of a pair whose bounding volumes don't tell.
+  [[nodiscard]] Closeness nearby_closeness(int pair, double tolerance);
 
   /// A lower bound from the pair's table of distances, if it has one; else 0.
   [[nodiscard]] double remembered(int pair);
 
-  /// The pair's distance up to `enough` with the bodies at `X_WBody`.
-  [[nodiscard]] double exact_distance(int pair, std::span<const Pose> X_WBody, double enough);
-
-  [[nodiscard]] Closeness exact_closeness(int pair, double tolerance);
+  /// FCL's answer for the pair as placed.
+  [[nodiscard]] bool touches(int pair) const;
 
   std::shared_ptr<const Volumes> volumes_;
-  std::vector<TrianglePair> witnesses_;  ///< Per pair: what was closest when last asked.
+  std::unique_ptr<Scratch> scratch_;
 };
 
 }  // namespace handway::geometric

@@ -1,0 +1,156 @@
+#include "collision/surface_query.h"
+
+#include <fcl/narrowphase/detail/primitive_shape_algorithm/triangle_distance.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+
+namespace handway::geometric {
+namespace {
+
+double triangle_distance(const TriangleCorners& s, const TriangleCorners& t) {
+  Eigen::Vector3d p;
+  Eigen::Vector3d q;
+  return fcl::detail::TriangleDistance<double>::triDistance(s.data(), t.data(), p, q);
+}
+
+// Takes out the sphere with the least bound.
+std::size_t take_nearest(SphereBounds& bounds) {
+  std::size_t nearest = 0;
+  float least = INFINITY;
+  for (std::uint32_t bits = bounds.near; bits != 0; bits &= bits - 1) {
+    const auto k = static_cast<std::size_t>(std::countr_zero(bits));
+    if (bounds.bound[k] < least) {
+      least = bounds.bound[k];
+      nearest = k;
+    }
+  }
+  bounds.near &= ~(1U << nearest);
+  return nearest;
+}
+
+}  // namespace
+
+SurfaceQuery::SurfaceQuery(const Surface& a, const Surface& b, const Pose& X_WA, const Pose& X_WB,
+                           std::vector<std::uint32_t>& near)
+    : a_(a),
+      b_(b),
+      X_BA_(X_WB.inverse(Eigen::Isometry) * X_WA),
+      moves_(X_BA_, a.cover->root().centre.lpNorm<1>() + a.cover->root().radius),
+      near_(near) {}
+
+double SurfaceQuery::bound(double enough, int effort) {
+  least_ = enough;
+  effort_ = effort;
+  bound_node(0);
+  return std::max(0.0, least_);
+}
+
+void SurfaceQuery::bound_node(std::uint32_t index) {
+  const SphereCover::Node& node = a_.cover->nodes()[index];
+  SphereBounds bounds;
+  sphere_bounds(node, *b_.field, moves_, static_cast<float>(least_), bounds);
+  while (bounds.near != 0 && least_ > 0.0) {
+    const std::size_t k = take_nearest(bounds);
+    if (bounds.bound[k] >= least_) {
+      return;
+    }
+    if ((node.child[k] & SphereCover::kLeaf) != 0 || --effort_ < 0) {
+      least_ = bounds.bound[k];
+    } else {
+      bound_node(node.child[k]);
+    }
+  }
+}
+
+double SurfaceQuery::distance(double enough) {
+  least_ = enough;
+  ends_at_ = 0.0;
+  visit(0);
+  return least_;
+}
+
+Closeness SurfaceQuery::closeness(double tolerance) {
+  least_ = tolerance;
+  ends_at_ = tolerance;
+  visit(0);
+  if (least_ >= tolerance) {
+    return Closeness::kFarther;
+  }
+  if (least_ >= kTouch) {  // closer than the tolerance: only touching is of interest now
+    least_ = kTouch;
+    ends_at_ = kTouch;
+    visit(0);
+  }
+  return least_ < kTouch ? Closeness::kTouching : Closeness::kCloser;
+}
+
+void SurfaceQuery::visit(std::uint32_t index) {
+  const SphereCover::Node& node = a_.cover->nodes()[index];
+  SphereBounds bounds;
+  sphere_bounds(node, *b_.field, moves_, static_cast<float>(least_), bounds);
+  while (bounds.near != 0 && least_ >= ends_at_) {
+    const std::size_t k = take_nearest(bounds);
+    if (bounds.bound[k] >= least_) {
+      return;
+    }
+    const Eigen::Vector3d centre = X_BA_ * Eigen::Vector3d(node.x[k], node.y[k], node.z[k]);
+    const auto radius = static_cast<double>(node.radius[k]);
+    if ((node.child[k] & SphereCover::kLeaf) != 0) {
+      compare(node.child[k] & ~SphereCover::kLeaf, centre, radius);
+    } else if (is_nearer_than(*b_.mesh, *b_.boxes, centre, radius + least_)) {
+      visit(node.child[k]);
+    }
+  }
+}
+
+void SurfaceQuery::compare(std::uint32_t leaf, const Eigen::Vector3d& centre, double radius) {
+  for (const std::uint32_t triangle : a_.cover->triangles(leaf)) {
+    TriangleCorners s = corners(*a_.mesh, triangle);
+    for (Eigen::Vector3d& p : s) {
+      p = X_BA_ * p;
+    }
+    // The smaller of the leaf's sphere and the triangle's own says where to look.
+    const Eigen::Vector3d middle = (s[0] + s[1] + s[2]) / 3.0;
+    const double reach = std::sqrt(std::max({(s[0] - middle).squaredNorm(),
+                                             (s[1] - middle).squaredNorm(),
+                                             (s[2] - middle).squaredNorm()}));
+    if (reach < radius) {
+      compare_triangle(s, middle, reach);
+    } else {
+      compare_triangle(s, centre, radius);
+    }
+    if (least_ < ends_at_ || least_ <= 0.0) {
+      return;
+    }
+  }
+}
+
+void SurfaceQuery::compare_triangle(const TriangleCorners& s, const Eigen::Vector3d& centre,
+                                    double radius) {
+  const double around = static_cast<double>(b_.field->bound(centre.cast<float>())) - radius;
+  if (around - moves_.rounding >= least_) {
+    return;
+  }
+  const double within = b_.field->bound(std::array<Eigen::Vector3f, 3>{
+      s[0].cast<float>(), s[1].cast<float>(), s[2].cast<float>()});
+  if (within - moves_.rounding >= least_) {
+    return;
+  }
+  near_.clear();
+  triangles_within(*b_.mesh, *b_.boxes, centre, radius + least_, near_);
+  exact_ = exact_ || !near_.empty();
+  for (const std::uint32_t other : near_) {
+    const TriangleCorners t = corners(*b_.mesh, other);
+    if (!plane_keeps_apart(s, t, least_)) {
+      least_ = std::min(least_, surely_cross(s, t) ? 0.0 : triangle_distance(s, t));
+      if (least_ < ends_at_ || least_ <= 0.0) {
+        return;
+      }
+    }
+  }
+}
+
+}  // namespace handway::geometric

@@ -1,0 +1,68 @@
+#pragma once
+
+#include "collision/box_tree.h"
+#include "collision/clearance_field.h"
+#include "collision/sphere_bounds.h"
+#include "collision/sphere_cover.h"
+#include "collision/triangle_contact.h"
+#include "handway/geometric/collision/collision_checker.h"
+#include "handway/geometric/scene/triangle_mesh.h"
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace handway::geometric {
+
+/// A mesh with what makes questions about it fast. Immutable, shared.
+struct Surface {
+  std::shared_ptr<const TriangleMesh> mesh;
+  std::shared_ptr<const BoxTree> boxes;
+  std::shared_ptr<const SphereCover> cover;     ///< Null where its spheres are never asked.
+  std::shared_ptr<const ClearanceField> field;  ///< Null where its field is never asked.
+};
+
+/// Questions about two surfaces in one position: spheres of A in the clearance
+/// field of B leave a few triangles, and those are compared one by one.
+class SurfaceQuery {
+ public:
+  /// @param a has a cover. @param b has a field.
+  /// @param near room for triangles that are compared; must outlive this object.
+  SurfaceQuery(const Surface& a, const Surface& b, const Pose& X_WA, const Pose& X_WB,
+               std::vector<std::uint32_t>& near);
+
+  /// A lower bound (m) of the distance, at most `enough`, from spheres alone; 0 if
+  /// they can't tell. @param effort nodes of spheres to look into.
+  [[nodiscard]] double bound(double enough, int effort);
+
+  /// The distance (m), or `enough` if the surfaces are at least that far apart; 0
+  /// where they surely cross. The less is enough, the sooner it ends.
+  [[nodiscard]] double distance(double enough);
+
+  /// Are the surfaces closer than `tolerance` (m)? "Touching" below kTouch.
+  [[nodiscard]] Closeness closeness(double tolerance);
+
+  /// Whether triangles were found that cross beyond doubt.
+  [[nodiscard]] bool surely_crosses() const { return least_ <= 0.0; }
+
+  /// Whether triangles had to be looked at.
+  [[nodiscard]] bool was_exact() const { return exact_; }
+
+ private:
+  void bound_node(std::uint32_t node);
+  void visit(std::uint32_t node);
+  void compare(std::uint32_t leaf, const Eigen::Vector3d& centre, double radius);
+  void compare_triangle(const TriangleCorners& s, const Eigen::Vector3d& centre, double radius);
+
+  const Surface& a_;
+  const Surface& b_;
+  Pose X_BA_;
+  FloatPose moves_;
+  double least_ = 0.0;   ///< The least distance known so far, or what is asked for.
+  double ends_at_ = 0.0; ///< No need to look further below this.
+  int effort_ = 0;
+  bool exact_ = false;
+  std::vector<std::uint32_t>& near_;  ///< Triangles of B that a leaf is compared with.
+};
+
+}  // namespace handway::geometric

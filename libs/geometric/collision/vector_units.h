@@ -1,0 +1,12 @@
+#pragma once
+
+/// Before a function: the compiler makes a version of it for each kind of vector
+/// unit, and the program takes the widest that the machine has when it starts.
+/// All give the same bits: none reorders or fuses operations.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
+    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#define HANDWAY_VECTOR_UNITS \
+  __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
+#else
+#define HANDWAY_VECTOR_UNITS
+#endif
