@@ -7,7 +7,6 @@
 #include "handway/geometric/collision/motion_bound.h"
 
 #include <algorithm>
-#include <map>
 #include <optional>
 #include <span>
 #include <utility>
@@ -19,28 +18,17 @@ namespace {
 constexpr double kRemembered = 0.002;  // m: distances in tables are cut off here
 constexpr int kGlance = 16;            // nodes of spheres that a bound is worth …
 constexpr int kThorough = 1 << 20;     // … and that one to be remembered is
-constexpr double kSmallestSphere = 0.002;  // m
-constexpr double kSpheresAcross = 120.0;   // a body is covered by spheres of this share of its size
-constexpr std::size_t kCells = 1U << 14;   // of a field
 
 }  // namespace
 
 struct BoundedChecker::Volumes {
   explicit Volumes(const CollisionWorld& world) : exact(world) {
     const MotionBound motion(world);
-    std::map<const TriangleMesh*, Surface> built;
+    std::vector<std::shared_ptr<const TriangleMesh>> meshes;
     for (const CollisionBody& body : world.bodies()) {
-      Surface& surface = built[body.mesh.get()];
-      if (!surface.mesh) {
-        surface.mesh = body.mesh;
-        surface.boxes = std::make_shared<BoxTree>(*body.mesh);
-        surface.field = std::make_shared<ClearanceField>(*body.mesh, *surface.boxes, kCells);
-        const double size = bounding_box(*body.mesh).size().norm();
-        surface.cover = std::make_shared<SphereCover>(
-            *body.mesh, std::max(kSmallestSphere, size / kSpheresAcross));
-      }
-      surfaces.push_back(surface);
+      meshes.push_back(body.mesh);
     }
+    surfaces = make_surfaces(meshes);
     for (const BodyPair& pair : world.pairs()) {
       tables.push_back(world.is_self_pair(pair)
                            ? DistanceTable::make(world.model(), world.body(pair.a).link,
@@ -54,22 +42,22 @@ struct BoundedChecker::Volumes {
 
   // Spheres of the finer mesh in the field of the plainer, whose cells are larger.
   [[nodiscard]] BodyPair finer_first(const BodyPair& pair) const {
-    const std::size_t a = surfaces[static_cast<std::size_t>(pair.a)].mesh->triangles.size();
-    const std::size_t b = surfaces[static_cast<std::size_t>(pair.b)].mesh->triangles.size();
+    const std::size_t a = surfaces[static_cast<std::size_t>(pair.a)]->mesh->triangles.size();
+    const std::size_t b = surfaces[static_cast<std::size_t>(pair.b)]->mesh->triangles.size();
     return a < b ? BodyPair{pair.b, pair.a} : pair;
   }
 
   [[nodiscard]] std::vector<BoundingSphere> root_spheres() const {
     std::vector<BoundingSphere> spheres;
-    for (const Surface& surface : surfaces) {
-      spheres.push_back(surface.cover->root());
+    for (const std::shared_ptr<const Surface>& surface : surfaces) {
+      spheres.push_back(surface->cover.root());
     }
     return spheres;
   }
 
   FclBodies exact;
   std::optional<RootBounds> roots;
-  std::vector<Surface> surfaces;                       ///< Per body.
+  std::vector<std::shared_ptr<const Surface>> surfaces;  ///< Per body.
   std::vector<std::unique_ptr<DistanceTable>> tables;  ///< Null where a pair has none.
   std::vector<BodyPair> pairs;  ///< In the world's order; a gives the spheres.
 };
@@ -114,7 +102,7 @@ SurfaceQuery BoundedChecker::query(int pair, std::span<const Pose> X_WBody) {
   const BodyPair& bodies = volumes_->pairs[static_cast<std::size_t>(pair)];
   const auto a = static_cast<std::size_t>(bodies.a);
   const auto b = static_cast<std::size_t>(bodies.b);
-  return {volumes_->surfaces[a], volumes_->surfaces[b], X_WBody[a], X_WBody[b],
+  return {*volumes_->surfaces[a], *volumes_->surfaces[b], X_WBody[a], X_WBody[b],
           scratch_->triangles};
 }
 
@@ -158,6 +146,10 @@ Closeness BoundedChecker::nearby_closeness(int pair, double tolerance) {
   }
   const bool doubtful = closeness == Closeness::kTouching && !surfaces.surely_crosses();
   return doubtful && !touches(pair) ? Closeness::kCloser : closeness;
+}
+
+double BoundedChecker::do_pair_glance(int pair) {
+  return std::max(0.0, volumes_->roots->bound(scratch_->roots, pair));
 }
 
 double BoundedChecker::do_pair_bound(int pair, double enough) {

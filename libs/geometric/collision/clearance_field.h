@@ -10,7 +10,6 @@
 #include <array>
 #include <bit>
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 namespace handway::geometric {
@@ -59,6 +58,8 @@ class ClearanceField {
   static constexpr int kSplit = 2;  ///< Children of a cell along each axis, x fastest.
   static constexpr std::uint32_t kChildren = kSplit * kSplit * kSplit;
 
+  ClearanceField() = default;
+
   /// @param budget about how many cells to spend.
   /// @pre the mesh has a triangle.
   ClearanceField(const TriangleMesh& mesh, const BoxTree& boxes, std::size_t budget);
@@ -87,13 +88,14 @@ class ClearanceField {
 
  private:
   friend class ClearanceFieldBuilder;
+  friend class VolumeArchive;
 
-  Eigen::Vector3f centre_;
-  Eigen::Vector3f half_;
-  Eigen::Vector3f origin_;  ///< Lowest corner of the grid.
+  Eigen::Vector3f centre_ = Eigen::Vector3f::Zero();
+  Eigen::Vector3f half_ = Eigen::Vector3f::Zero();
+  Eigen::Vector3f origin_ = Eigen::Vector3f::Zero();  ///< Lowest corner of the grid.
   float side_ = 1.0F;       ///< m, of the coarsest cells.
   float per_cell_ = 1.0F;   ///< Cells per metre of the coarsest level.
-  Eigen::Array3i counts_;
+  Eigen::Array3i counts_ = Eigen::Array3i::Zero();
   std::vector<Cell> cells_;
   std::vector<TriangleBlock> blocks_;
 };

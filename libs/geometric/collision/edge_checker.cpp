@@ -9,7 +9,7 @@ namespace {
 
 // While a pair can move farther than this (m) on a stretch, a cheap bound must do:
 // an exact distance would be thrown away with the next halving.
-constexpr double kWorthExact = 0.0015;
+constexpr double kWorthExact = 0.0005;
 
 }  // namespace
 
@@ -44,6 +44,9 @@ EdgeResult EdgeChecker::check(const Configuration& from, const Configuration& to
       const std::size_t first = unsettled.size();
       for (std::size_t i = stretch.first; i < stretch.first + stretch.count; ++i) {
         const int pair = pairs[i];
+        if (checker_.pair_glance(pair) >= motion_.over_edge(pair) * stretch.half + resolution_) {
+          continue;
+        }
         const double need = motion_.within(pair, stretch.half);
         const Closeness closeness = closeness_within(pair, need + resolution_);
         if (closeness == Closeness::kFarther) {
@@ -101,6 +104,10 @@ NamedPair EdgeChecker::clearance(const Configuration& from, const Configuration&
     motion_.set_middle(checker_.link_poses());
     std::vector<int> unsettled;
     for (const int pair : candidates) {
+      const double most = motion_.over_edge(pair) * stretch.half;
+      if (checker_.pair_glance(pair) >= least.distance + most) {
+        continue;
+      }
       const double loss = motion_.within(pair, stretch.half);
       const double distance = loss > kWorthExact
                                   ? checker_.pair_bound(pair, least.distance + loss)

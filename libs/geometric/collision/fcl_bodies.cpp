@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <map>
+#include <mutex>
+#include <utility>
 
 namespace handway::geometric {
 namespace {
@@ -26,18 +28,38 @@ std::shared_ptr<const Tree> build(const TriangleMesh& mesh) {
   return tree;
 }
 
+// The tree of a mesh, built when it is first asked for, by any thread.
+class LazyTree {
+ public:
+  explicit LazyTree(std::shared_ptr<const TriangleMesh> mesh) : mesh_(std::move(mesh)) {}
+
+  const Tree* get() {
+    std::call_once(built_, [this] { tree_ = build(*mesh_); });
+    return tree_.get();
+  }
+
+ private:
+  std::shared_ptr<const TriangleMesh> mesh_;
+  std::once_flag built_;
+  std::shared_ptr<const Tree> tree_;
+};
+
 }  // namespace
 
 struct FclBodies::Impl {
-  std::vector<std::shared_ptr<const Tree>> trees;
+  [[nodiscard]] const Tree* tree(int body) const {
+    return trees[static_cast<std::size_t>(body)]->get();
+  }
+
+  std::vector<std::shared_ptr<LazyTree>> trees;
 };
 
 FclBodies::FclBodies(const CollisionWorld& world) : impl_(std::make_unique<Impl>()) {
-  std::map<const TriangleMesh*, std::shared_ptr<const Tree>> built;  // fingers share meshes
+  std::map<const TriangleMesh*, std::shared_ptr<LazyTree>> made;  // fingers share meshes
   for (const CollisionBody& body : world.bodies()) {
-    auto& tree = built[body.mesh.get()];
+    auto& tree = made[body.mesh.get()];
     if (!tree) {
-      tree = build(*body.mesh);
+      tree = std::make_shared<LazyTree>(body.mesh);
     }
     impl_->trees.push_back(tree);
   }
@@ -48,16 +70,16 @@ FclBodies::~FclBodies() = default;
 bool FclBodies::collide(int a, const Pose& X_WA, int b, const Pose& X_WB) const {
   const fcl::CollisionRequestd request;
   fcl::CollisionResultd result;
-  return fcl::collide(impl_->trees[static_cast<std::size_t>(a)].get(), X_WA,
-                      impl_->trees[static_cast<std::size_t>(b)].get(), X_WB, request, result) > 0;
+  return fcl::collide(impl_->tree(a), X_WA,
+                      impl_->tree(b), X_WB, request, result) > 0;
 }
 
 double FclBodies::distance(int a, const Pose& X_WA, int b, const Pose& X_WB, double enough) const {
   const fcl::DistanceRequestd request;
   fcl::DistanceResultd result;
   result.min_distance = enough;  // FCL prunes whatever is not closer than this
-  fcl::distance(impl_->trees[static_cast<std::size_t>(a)].get(), X_WA,
-                impl_->trees[static_cast<std::size_t>(b)].get(), X_WB, request, result);
+  fcl::distance(impl_->tree(a), X_WA,
+                impl_->tree(b), X_WB, request, result);
   return std::max(0.0, result.min_distance);
 }
 

@@ -36,6 +36,8 @@ class SphereCover {
   };
   static constexpr std::uint32_t kLeaf = 0x80000000U;
 
+  SphereCover() = default;
+
   /// @param leaf_radius (m) spheres are split until they are this small; large
   /// triangles are cut for that.
   /// @pre the mesh has a triangle.
@@ -50,6 +52,7 @@ class SphereCover {
 
  private:
   friend class SphereCoverBuilder;
+  friend class VolumeArchive;
 
   BoundingSphere root_;
   std::vector<Node> nodes_;

@@ -38,7 +38,7 @@ SurfaceQuery::SurfaceQuery(const Surface& a, const Surface& b, const Pose& X_WA,
     : a_(a),
       b_(b),
       X_BA_(X_WB.inverse(Eigen::Isometry) * X_WA),
-      moves_(X_BA_, a.cover->root().centre.lpNorm<1>() + a.cover->root().radius),
+      moves_(X_BA_, a.cover.root().centre.lpNorm<1>() + a.cover.root().radius),
       near_(near) {}
 
 double SurfaceQuery::bound(double enough, int effort) {
@@ -49,9 +49,9 @@ double SurfaceQuery::bound(double enough, int effort) {
 }
 
 void SurfaceQuery::bound_node(std::uint32_t index) {
-  const SphereCover::Node& node = a_.cover->nodes()[index];
+  const SphereCover::Node& node = a_.cover.nodes()[index];
   SphereBounds bounds;
-  sphere_bounds(node, *b_.field, moves_, static_cast<float>(least_), bounds);
+  sphere_bounds(node, b_.field, moves_, static_cast<float>(least_), bounds);
   while (bounds.near != 0 && least_ > 0.0) {
     const std::size_t k = take_nearest(bounds);
     if (bounds.bound[k] >= least_) {
@@ -88,9 +88,9 @@ Closeness SurfaceQuery::closeness(double tolerance) {
 }
 
 void SurfaceQuery::visit(std::uint32_t index) {
-  const SphereCover::Node& node = a_.cover->nodes()[index];
+  const SphereCover::Node& node = a_.cover.nodes()[index];
   SphereBounds bounds;
-  sphere_bounds(node, *b_.field, moves_, static_cast<float>(least_), bounds);
+  sphere_bounds(node, b_.field, moves_, static_cast<float>(least_), bounds);
   while (bounds.near != 0 && least_ >= ends_at_) {
     const std::size_t k = take_nearest(bounds);
     if (bounds.bound[k] >= least_) {
@@ -100,14 +100,14 @@ void SurfaceQuery::visit(std::uint32_t index) {
     const auto radius = static_cast<double>(node.radius[k]);
     if ((node.child[k] & SphereCover::kLeaf) != 0) {
       compare(node.child[k] & ~SphereCover::kLeaf, centre, radius);
-    } else if (is_nearer_than(*b_.mesh, *b_.boxes, centre, radius + least_)) {
+    } else if (is_nearer_than(*b_.mesh, b_.boxes, centre, radius + least_)) {
       visit(node.child[k]);
     }
   }
 }
 
 void SurfaceQuery::compare(std::uint32_t leaf, const Eigen::Vector3d& centre, double radius) {
-  for (const std::uint32_t triangle : a_.cover->triangles(leaf)) {
+  for (const std::uint32_t triangle : a_.cover.triangles(leaf)) {
     TriangleCorners s = corners(*a_.mesh, triangle);
     for (Eigen::Vector3d& p : s) {
       p = X_BA_ * p;
@@ -130,17 +130,17 @@ void SurfaceQuery::compare(std::uint32_t leaf, const Eigen::Vector3d& centre, do
 
 void SurfaceQuery::compare_triangle(const TriangleCorners& s, const Eigen::Vector3d& centre,
                                     double radius) {
-  const double around = static_cast<double>(b_.field->bound(centre.cast<float>())) - radius;
+  const double around = static_cast<double>(b_.field.bound(centre.cast<float>())) - radius;
   if (around - moves_.rounding >= least_) {
     return;
   }
-  const double within = b_.field->bound(std::array<Eigen::Vector3f, 3>{
+  const double within = b_.field.bound(std::array<Eigen::Vector3f, 3>{
       s[0].cast<float>(), s[1].cast<float>(), s[2].cast<float>()});
   if (within - moves_.rounding >= least_) {
     return;
   }
   near_.clear();
-  triangles_within(*b_.mesh, *b_.boxes, centre, radius + least_, near_);
+  triangles_within(*b_.mesh, b_.boxes, centre, radius + least_, near_);
   exact_ = exact_ || !near_.empty();
   for (const std::uint32_t other : near_) {
     const TriangleCorners t = corners(*b_.mesh, other);

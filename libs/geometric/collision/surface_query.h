@@ -1,32 +1,19 @@
 #pragma once
 
-#include "collision/box_tree.h"
-#include "collision/clearance_field.h"
 #include "collision/sphere_bounds.h"
-#include "collision/sphere_cover.h"
+#include "collision/surface.h"
 #include "collision/triangle_contact.h"
 #include "handway/geometric/collision/collision_checker.h"
-#include "handway/geometric/scene/triangle_mesh.h"
 
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 namespace handway::geometric {
-
-/// A mesh with what makes questions about it fast. Immutable, shared.
-struct Surface {
-  std::shared_ptr<const TriangleMesh> mesh;
-  std::shared_ptr<const BoxTree> boxes;
-  std::shared_ptr<const SphereCover> cover;     ///< Null where its spheres are never asked.
-  std::shared_ptr<const ClearanceField> field;  ///< Null where its field is never asked.
-};
 
 /// Questions about two surfaces in one position: spheres of A in the clearance
 /// field of B leave a few triangles, and those are compared one by one.
 class SurfaceQuery {
  public:
-  /// @param a has a cover. @param b has a field.
   /// @param near room for triangles that are compared; must outlive this object.
   SurfaceQuery(const Surface& a, const Surface& b, const Pose& X_WA, const Pose& X_WB,
                std::vector<std::uint32_t>& near);

@@ -15,6 +15,8 @@ class TriangleBlock {
  public:
   static constexpr std::size_t kWidth = 8;
 
+  TriangleBlock() = default;
+
   /// @pre 1 to kWidth triangles.
   explicit TriangleBlock(std::span<const TriangleCorners> triangles);
 
@@ -25,8 +27,8 @@ class TriangleBlock {
   using Lanes = std::array<float, kWidth>;
   using Vectors = std::array<Lanes, 3>;
 
-  alignas(64) std::array<Vectors, 3> corners_;
-  Vectors normals_;  ///< Of length 1, or 0 where a triangle has no area.
+  alignas(32) std::array<Vectors, 3> corners_{};
+  Vectors normals_{};  ///< Of length 1, or 0 where a triangle has no area.
 };
 
 }  // namespace handway::geometric

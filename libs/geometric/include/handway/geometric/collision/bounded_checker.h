@@ -31,6 +31,7 @@ class HANDWAY_GEOMETRIC_EXPORT BoundedChecker final : public CollisionChecker {
   [[nodiscard]] double do_pair_distance(int pair, double enough) override;
   [[nodiscard]] Closeness do_pair_closeness(int pair, double tolerance) override;
   [[nodiscard]] double do_pair_bound(int pair, double enough) override;
+  [[nodiscard]] double do_pair_glance(int pair) override;
   [[nodiscard]] std::optional<int> do_first_collision() override;
 
   [[nodiscard]] SurfaceQuery query(int pair, std::span<const Pose> X_WBody);

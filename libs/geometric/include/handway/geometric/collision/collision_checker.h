@@ -78,6 +78,10 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionChecker {
   /// it may be far below the distance.
   [[nodiscard]] double pair_bound(int pair, double enough) { return do_pair_bound(pair, enough); }
 
+  /// A lower bound of the pair's distance that costs next to nothing: what
+  /// bounding volumes of the two bodies tell.
+  [[nodiscard]] double pair_glance(int pair) { return do_pair_glance(pair); }
+
   /// Index of a pair that touches in `q`, or nothing if `q` is free.
   [[nodiscard]] std::optional<int> first_collision(const Configuration& q);
 
@@ -101,6 +105,7 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionChecker {
   [[nodiscard]] virtual double do_pair_bound(int pair, double enough) {
     return do_pair_distance(pair, enough);
   }
+  [[nodiscard]] virtual double do_pair_glance(int /*pair*/) { return 0.0; }
   [[nodiscard]] virtual std::optional<int> do_first_collision();
 
  private:

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "collision/box_tree.h"
+#include "collision/clearance_field.h"
+#include "collision/sphere_cover.h"
+#include "handway/geometric/scene/triangle_mesh.h"
+
+#include <memory>
+#include <vector>
+
+namespace handway::geometric {
+
+/// A mesh with what makes questions about it fast. Immutable, shared.
+struct Surface {
+  std::shared_ptr<const TriangleMesh> mesh;
+  BoxTree boxes;
+  SphereCover cover;
+  ClearanceField field;
+};
+
+/// The surfaces of `meshes`, in order. Meshes of the same content share one; what
+/// another part of the program still holds is not made again, and what an earlier
+/// run made is read from the user's cache. All processors make the rest.
+[[nodiscard]] std::vector<std::shared_ptr<const Surface>> make_surfaces(
+    const std::vector<std::shared_ptr<const TriangleMesh>>& meshes);
+
+}  // namespace handway::geometric
