@@ -1,10 +1,9 @@
 #include "handway/geometric/collision/bounded_checker.h"
 
-#include "collision/distance_table.h"
 #include "collision/fcl_bodies.h"
+#include "collision/remembered_distances.h"
 #include "collision/root_bounds.h"
 #include "collision/surface_query.h"
-#include "handway/geometric/collision/motion_bound.h"
 
 #include <algorithm>
 #include <optional>
@@ -16,35 +15,39 @@ namespace handway::geometric {
 namespace {
 
 constexpr double kRemembered = 0.002;  // m: distances in tables are cut off here
+constexpr double kTold = 0.0005;       // m: spheres need not tell more than this
 constexpr int kGlance = 16;            // nodes of spheres that a bound is worth …
 constexpr int kThorough = 1 << 20;     // … and that one to be remembered is
+constexpr std::size_t kPlainer = 8;    // times fewer triangles
+constexpr float kTiny = 0.4F;          // of the other body's size
 
 }  // namespace
 
 struct BoundedChecker::Volumes {
   explicit Volumes(const CollisionWorld& world) : exact(world) {
-    const MotionBound motion(world);
     std::vector<std::shared_ptr<const TriangleMesh>> meshes;
     for (const CollisionBody& body : world.bodies()) {
       meshes.push_back(body.mesh);
     }
     surfaces = make_surfaces(meshes);
     for (const BodyPair& pair : world.pairs()) {
-      tables.push_back(world.is_self_pair(pair)
-                           ? DistanceTable::make(world.model(), world.body(pair.a).link,
-                                                 world.body(pair.b).link,
-                                                 static_cast<int>(pairs.size()), motion)
-                           : nullptr);
-      pairs.push_back(finer_first(pair));
+      pairs.push_back(spheres_first(pair));
     }
     roots.emplace(world, root_spheres());
+    distances.emplace(world, surfaces);
   }
 
-  // Spheres of the finer mesh in the field of the plainer, whose cells are larger.
-  [[nodiscard]] BodyPair finer_first(const BodyPair& pair) const {
-    const std::size_t a = surfaces[static_cast<std::size_t>(pair.a)]->mesh->triangles.size();
-    const std::size_t b = surfaces[static_cast<std::size_t>(pair.b)]->mesh->triangles.size();
-    return a < b ? BodyPair{pair.b, pair.a} : pair;
+  // Spheres of the smaller body in the field of the larger; but the field of a much
+  // plainer mesh has larger cells, and serves better if the body is not tiny.
+  [[nodiscard]] BodyPair spheres_first(const BodyPair& pair) const {
+    const Surface& a = *surfaces[static_cast<std::size_t>(pair.a)];
+    const Surface& b = *surfaces[static_cast<std::size_t>(pair.b)];
+    const bool a_is_smaller = a.cover.root().radius <= b.cover.root().radius;
+    const Surface& smaller = a_is_smaller ? a : b;
+    const Surface& larger = a_is_smaller ? b : a;
+    const bool plain = kPlainer * smaller.mesh->triangles.size() < larger.mesh->triangles.size() &&
+                       kTiny * larger.cover.root().radius < smaller.cover.root().radius;
+    return a_is_smaller != plain ? pair : BodyPair{pair.b, pair.a};
   }
 
   [[nodiscard]] std::vector<BoundingSphere> root_spheres() const {
@@ -57,8 +60,8 @@ struct BoundedChecker::Volumes {
 
   FclBodies exact;
   std::optional<RootBounds> roots;
+  std::optional<RememberedDistances> distances;
   std::vector<std::shared_ptr<const Surface>> surfaces;  ///< Per body.
-  std::vector<std::unique_ptr<DistanceTable>> tables;  ///< Null where a pair has none.
   std::vector<BodyPair> pairs;  ///< In the world's order; a gives the spheres.
 };
 
@@ -107,7 +110,7 @@ SurfaceQuery BoundedChecker::query(int pair, std::span<const Pose> X_WBody) {
 }
 
 double BoundedChecker::remembered(int pair) {
-  const DistanceTable* table = volumes_->tables[static_cast<std::size_t>(pair)].get();
+  const DistanceTable* table = volumes_->distances->table(pair);
   if (!table) {
     return 0.0;
   }
@@ -115,7 +118,8 @@ double BoundedChecker::remembered(int pair) {
     std::vector<Pose> X_BL(static_cast<std::size_t>(world().model().link_count()));
     std::vector<Pose> X_WBody(world().bodies().size());
     world().place(q, X_BL, X_WBody);
-    return query(pair, X_WBody).bound(kRemembered, kThorough);
+    const double bound = query(pair, X_WBody).bound(kRemembered, kThorough);
+    return bound > kTold ? bound : query(pair, X_WBody).distance(kRemembered);
   });
 }
 

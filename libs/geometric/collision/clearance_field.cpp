@@ -2,23 +2,24 @@
 
 #include "collision/nearest_point.h"
 
+#include <queue>
+
 #include <algorithm>
 #include <cmath>
-#include <queue>
 #include <utility>
 #include <vector>
 
 namespace handway::geometric {
 namespace {
 
-constexpr int kCoarsest = 12;           // cells along the longest side
-constexpr double kMargin = 0.25;        // around the mesh, of its longest side
-constexpr double kFine = 1e-4;          // m: no cell is refined for less
-constexpr double kShare = 0.1;         // nor for this share of the distance
-constexpr double kSlack = 0.005;        // of a cell: how far from the best bound the search ends
-constexpr double kTiny = 0.1;           // of a cell: boxes this small are not looked into
-constexpr double kNear = 0.002;         // m: what is nearer than this is as good as touching
-constexpr int kLongestSearch = 400;     // nodes looked at for one cell
+constexpr int kCoarsest = 12;        // cells along the longest side
+constexpr double kMargin = 0.25;     // around the mesh, of its longest side
+constexpr double kFine = 1e-4;       // m: no cell is refined for less
+constexpr double kShare = 0.1;       // nor for this share of the distance
+constexpr double kSlack = 0.005;     // of a cell: how far from the best bound the search ends
+constexpr double kTiny = 0.1;        // of a cell: boxes this small are not looked into
+constexpr double kNear = 0.002;      // m: what is nearer than this is as good as touching
+constexpr int kLongestSearch = 400;  // nodes looked at for one cell
 
 struct Cube {
   Eigen::Vector3d centre;
@@ -195,8 +196,9 @@ class ClearanceFieldBuilder {
     double worth = 0.0;
     for (const int k : {0, 3, 5, 6}) {
       const Eigen::Vector3d p =
-          cube.centre +
-          0.7 * cube.half * Eigen::Vector3d((k & 1) - 0.5, ((k >> 1) & 1) - 0.5, (k >> 2) - 0.5) * 2.0;
+          cube.centre + 0.7 * cube.half *
+                            Eigen::Vector3d((k & 1) - 0.5, ((k >> 1) & 1) - 0.5, (k >> 2) - 0.5) *
+                            2.0;
       const double distance = nearest_point(mesh_, boxes_, p, nearest.triangle).distance;
       const double lost =
           distance - std::max(0.0, static_cast<double>(cell.bound(p.cast<float>())));

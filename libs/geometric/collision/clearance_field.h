@@ -93,8 +93,8 @@ class ClearanceField {
   Eigen::Vector3f centre_ = Eigen::Vector3f::Zero();
   Eigen::Vector3f half_ = Eigen::Vector3f::Zero();
   Eigen::Vector3f origin_ = Eigen::Vector3f::Zero();  ///< Lowest corner of the grid.
-  float side_ = 1.0F;       ///< m, of the coarsest cells.
-  float per_cell_ = 1.0F;   ///< Cells per metre of the coarsest level.
+  float side_ = 1.0F;                                 ///< m, of the coarsest cells.
+  float per_cell_ = 1.0F;                             ///< Cells per metre of the coarsest level.
   Eigen::Array3i counts_ = Eigen::Array3i::Zero();
   std::vector<Cell> cells_;
   std::vector<TriangleBlock> blocks_;
@@ -126,8 +126,7 @@ inline float ClearanceField::bound(const Eigen::Vector3f& p) const {
   if (cell == nullptr) {
     return outside;
   }
-  return std::max(outside,
-                  cell->listed() ? blocks_[cell->index()].distance(p) : cell->bound(p));
+  return std::max(outside, cell->listed() ? blocks_[cell->index()].distance(p) : cell->bound(p));
 }
 
 }  // namespace handway::geometric

@@ -68,8 +68,24 @@ double DistanceTable::bound(const Configuration& q, const Distance& exact) const
     }
     distance = std::nextafter(static_cast<float>(exact(at_centre)), 0.0F);
     cells_[index].store(distance, std::memory_order_relaxed);
+    learned_.store(true, std::memory_order_relaxed);
   }
   return static_cast<double>(distance) - way;
+}
+
+std::vector<float> DistanceTable::cells() const {
+  std::vector<float> cells;
+  cells.reserve(cells_.size());
+  for (const std::atomic<float>& cell : cells_) {
+    cells.push_back(cell.load(std::memory_order_relaxed));
+  }
+  return cells;
+}
+
+void DistanceTable::set_cells(std::span<const float> cells) {
+  for (std::size_t i = 0; i < cells_.size(); ++i) {
+    cells_[i].store(cells[i], std::memory_order_relaxed);
+  }
 }
 
 }  // namespace handway::geometric

@@ -7,7 +7,7 @@
 #include <atomic>
 #include <functional>
 #include <memory>
-#include <optional>
+#include <span>
 #include <vector>
 
 namespace handway::geometric {
@@ -31,6 +31,13 @@ class DistanceTable {
   /// what the way from there can take; 0 or less if it can't tell.
   [[nodiscard]] double bound(const Configuration& q, const Distance& exact) const;
 
+  /// What is known, shape [cells]; negative where nothing is.
+  [[nodiscard]] std::vector<float> cells() const;
+  void set_cells(std::span<const float> cells);
+  [[nodiscard]] std::size_t cell_count() const { return cells_.size(); }
+  /// Whether anything was learned since set_cells().
+  [[nodiscard]] bool has_learned() const { return learned_.load(std::memory_order_relaxed); }
+
  private:
   struct Axis {
     int variable;
@@ -43,6 +50,7 @@ class DistanceTable {
 
   std::vector<Axis> axes_;
   std::size_t cells_per_axis_;
+  mutable std::atomic<bool> learned_ = false;
   mutable std::vector<std::atomic<float>> cells_;  ///< Negative: not known yet.
 };
 

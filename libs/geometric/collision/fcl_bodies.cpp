@@ -70,16 +70,14 @@ FclBodies::~FclBodies() = default;
 bool FclBodies::collide(int a, const Pose& X_WA, int b, const Pose& X_WB) const {
   const fcl::CollisionRequestd request;
   fcl::CollisionResultd result;
-  return fcl::collide(impl_->tree(a), X_WA,
-                      impl_->tree(b), X_WB, request, result) > 0;
+  return fcl::collide(impl_->tree(a), X_WA, impl_->tree(b), X_WB, request, result) > 0;
 }
 
 double FclBodies::distance(int a, const Pose& X_WA, int b, const Pose& X_WB, double enough) const {
   const fcl::DistanceRequestd request;
   fcl::DistanceResultd result;
   result.min_distance = enough;  // FCL prunes whatever is not closer than this
-  fcl::distance(impl_->tree(a), X_WA,
-                impl_->tree(b), X_WB, request, result);
+  fcl::distance(impl_->tree(a), X_WA, impl_->tree(b), X_WB, request, result);
   return std::max(0.0, result.min_distance);
 }
 

@@ -31,8 +31,7 @@ RootBounds::RootBounds(const CollisionWorld& world, std::vector<BoundingSphere> 
         X_BoxW_[4 * row + column].push_back(static_cast<float>(
             X_BoxW.matrix()(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column))));
       }
-      half_[row].push_back(
-          static_cast<float>(0.5 * box.size()[static_cast<Eigen::Index>(row)]));
+      half_[row].push_back(static_cast<float>(0.5 * box.size()[static_cast<Eigen::Index>(row)]));
     }
   }
 }

@@ -44,10 +44,10 @@ class RootBounds {
   void bound_still(const Placement& at, Range pairs, float* bounds) const;
 
   std::vector<BoundingSphere> spheres_;
-  std::vector<std::uint32_t> a_;   ///< Per pair: the body that moves …
-  std::vector<std::uint32_t> b_;   ///< … and the other.
-  std::vector<float> radii_;       ///< Of both spheres, or of a's, with room for roundings.
-  std::size_t moving_ = 0;         ///< So many pairs come first in which both move.
+  std::vector<std::uint32_t> a_;  ///< Per pair: the body that moves …
+  std::vector<std::uint32_t> b_;  ///< … and the other.
+  std::vector<float> radii_;      ///< Of both spheres, or of a's, with room for roundings.
+  std::size_t moving_ = 0;        ///< So many pairs come first in which both move.
   /// Of each pair's still body: R and p of X_BoxWorld, row by row, and half the edges.
   std::array<std::vector<float>, 12> X_BoxW_;
   std::array<std::vector<float>, 3> half_;

@@ -16,8 +16,9 @@ struct alignas(64) Points {
 };
 
 // Moves the centres; bit k: sphere k is nearer than `tolerance` to the box of the field's mesh.
-HANDWAY_VECTOR_UNITS std::uint32_t near_box(const SphereCover::Node& node, const float* centre, const float* half, const FloatPose& X,
-         float tolerance, Points& moved) {
+HANDWAY_VECTOR_UNITS std::uint32_t near_box(const SphereCover::Node& node, const float* centre,
+                                            const float* half, const FloatPose& X, float tolerance,
+                                            Points& moved) {
   alignas(64) std::array<std::uint32_t, kWidth> near;
   for (std::size_t k = 0; k < kWidth; ++k) {
     const float x = X.p[0] + X.R[0] * node.x[k] + X.R[1] * node.y[k] + X.R[2] * node.z[k];
@@ -44,8 +45,7 @@ HANDWAY_VECTOR_UNITS std::uint32_t near_box(const SphereCover::Node& node, const
 float disk_bound(const SphereCover::Node& node, std::size_t k, const ClearanceField& field,
                  const FloatPose& X, const Eigen::Vector3f& centre) {
   const ClearanceField::Place place = field.find(centre);
-  if (place.cell == nullptr || place.cell->listed() ||
-      place.room < node.radius[k] + X.rounding) {
+  if (place.cell == nullptr || place.cell->listed() || place.room < node.radius[k] + X.rounding) {
     return ClearanceField::kNothing;
   }
   const float nx = node.normal_x[k];

@@ -155,7 +155,8 @@ class SphereCoverBuilder {
       node.normal_y[k] = plane.normal.y();
       node.normal_z[k] = plane.normal.z();
       node.thickness[k] = plane.thickness;
-      node.child[k] = is_leaf(part, ball.radius) ? SphereCover::kLeaf | add_leaf(part) : add_node(part);
+      node.child[k] =
+          is_leaf(part, ball.radius) ? SphereCover::kLeaf | add_leaf(part) : add_node(part);
     }
     cover_.nodes_[index] = node;
     return index;
@@ -208,10 +209,9 @@ class SphereCoverBuilder {
     Eigen::Index axis = 0;
     box_around(pieces).size().maxCoeff(&axis);
     const std::size_t half = pieces.size() / 2;
-    std::ranges::nth_element(pieces, pieces.begin() + static_cast<std::ptrdiff_t>(half),
-                             [axis](const Piece& s, const Piece& t) {
-                               return s.sum()[axis] < t.sum()[axis];
-                             });
+    std::ranges::nth_element(
+        pieces, pieces.begin() + static_cast<std::ptrdiff_t>(half),
+        [axis](const Piece& s, const Piece& t) { return s.sum()[axis] < t.sum()[axis]; });
     return {pieces.first(half), pieces.subspan(half)};
   }
 

@@ -1,36 +1,56 @@
 #include "collision/surface.h"
 
-#include "collision/volume_cache.h"
+#include "collision/volume_archive.h"
 
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <mutex>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <utility>
 
 namespace handway::geometric {
 namespace {
 
-constexpr double kLargestLeaf = 0.002;    // m: spheres that cover a body are this small at last, …
-constexpr double kLeavesAcross = 120.0;   // … or this share of its size if that is more
+constexpr double kSmallestLeaf = 0.002;   // m: spheres are split until they are this small, …
+constexpr double kMostLeaves = 5000.0;    // … or as small as makes about so many
 constexpr std::size_t kCells = 1U << 14;  // of a field
 
+CacheKey key_of(const TriangleMesh& mesh) {
+  constexpr std::string_view kMadeHow = "volumes 1";  // to change with what they are made of
+  std::string content = std::to_string(mesh.vertices.size());
+  const auto add = [&](const auto& elements) {
+    content.append(reinterpret_cast<const char*>(elements.data()),
+                   elements.size() * sizeof(elements[0]));
+  };
+  add(mesh.vertices);
+  add(mesh.triangles);
+  return cache_key(kMadeHow, content);
+}
+
 double leaf_radius(const TriangleMesh& mesh) {
-  return std::max(kLargestLeaf, bounding_box(mesh).size().norm() / kLeavesAcross);
+  double area = 0.0;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const Eigen::Vector3d& p = mesh.vertices[a];
+    area += 0.5 * (mesh.vertices[b] - p).cross(mesh.vertices[c] - p).norm();
+  }
+  return std::max(kSmallestLeaf, std::sqrt(area / (2.0 * kMostLeaves)));
 }
 
 /// The surfaces that something in this process holds.
 class LivingSurfaces {
  public:
-  std::shared_ptr<const Surface> find(const MeshKey& key) {
+  std::shared_ptr<const Surface> find(const CacheKey& key) {
     const std::scoped_lock lock(mutex_);
     const auto found = surfaces_.find(key);
     return found == surfaces_.end() ? nullptr : found->second.lock();
   }
 
-  void add(const MeshKey& key, const std::shared_ptr<const Surface>& surface) {
+  void add(const CacheKey& key, const std::shared_ptr<const Surface>& surface) {
     const std::scoped_lock lock(mutex_);
     std::erase_if(surfaces_, [](const auto& entry) { return entry.second.expired(); });
     surfaces_[key] = surface;
@@ -38,7 +58,7 @@ class LivingSurfaces {
 
  private:
   std::mutex mutex_;
-  std::map<MeshKey, std::weak_ptr<const Surface>> surfaces_;
+  std::map<CacheKey, std::weak_ptr<const Surface>> surfaces_;
 };
 
 LivingSurfaces& living_surfaces() {
@@ -46,20 +66,21 @@ LivingSurfaces& living_surfaces() {
   return surfaces;
 }
 
-std::shared_ptr<const Surface> make_surface(const MeshKey& key,
+std::shared_ptr<const Surface> make_surface(const CacheKey& key,
                                             const std::shared_ptr<const TriangleMesh>& mesh) {
   if (auto living = living_surfaces().find(key)) {
     return living;
   }
   BoxTree boxes(*mesh);
-  std::optional<CachedVolumes> volumes = read_volumes(key);
-  if (!volumes) {
-    volumes.emplace(CachedVolumes{SphereCover(*mesh, leaf_radius(*mesh)),
-                                  ClearanceField(*mesh, boxes, kCells)});
-    write_volumes(key, *volumes);
+  MeshVolumes volumes;
+  if (const std::optional<std::string> cached = read_cached(key)) {
+    volumes = unarchive_volumes(*cached);
+  } else {
+    volumes = {SphereCover(*mesh, leaf_radius(*mesh)), ClearanceField(*mesh, boxes, kCells)};
+    write_cached(key, archive_volumes(volumes));
   }
-  auto surface = std::make_shared<const Surface>(Surface{
-      mesh, std::move(boxes), std::move(volumes->cover), std::move(volumes->field)});
+  auto surface = std::make_shared<const Surface>(
+      Surface{key, mesh, std::move(boxes), std::move(volumes.cover), std::move(volumes.field)});
   living_surfaces().add(key, surface);
   return surface;
 }
@@ -68,10 +89,10 @@ std::shared_ptr<const Surface> make_surface(const MeshKey& key,
 
 std::vector<std::shared_ptr<const Surface>> make_surfaces(
     const std::vector<std::shared_ptr<const TriangleMesh>>& meshes) {
-  std::vector<MeshKey> keys(meshes.size());
+  std::vector<CacheKey> keys(meshes.size());
   tbb::parallel_for(std::size_t{0}, meshes.size(),
-                    [&](std::size_t i) { keys[i] = mesh_key(*meshes[i]); });
-  std::map<MeshKey, std::size_t> first_of;
+                    [&](std::size_t i) { keys[i] = key_of(*meshes[i]); });
+  std::map<CacheKey, std::size_t> first_of;
   std::vector<std::size_t> different;
   for (std::size_t i = 0; i < meshes.size(); ++i) {
     if (first_of.emplace(keys[i], i).second) {

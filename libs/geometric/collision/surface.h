@@ -2,6 +2,7 @@
 
 #include "collision/box_tree.h"
 #include "collision/clearance_field.h"
+#include "collision/disk_cache.h"
 #include "collision/sphere_cover.h"
 #include "handway/geometric/scene/triangle_mesh.h"
 
@@ -12,6 +13,7 @@ namespace handway::geometric {
 
 /// A mesh with what makes questions about it fast. Immutable, shared.
 struct Surface {
+  CacheKey key;  ///< Of the mesh's content.
   std::shared_ptr<const TriangleMesh> mesh;
   BoxTree boxes;
   SphereCover cover;

@@ -114,9 +114,9 @@ void SurfaceQuery::compare(std::uint32_t leaf, const Eigen::Vector3d& centre, do
     }
     // The smaller of the leaf's sphere and the triangle's own says where to look.
     const Eigen::Vector3d middle = (s[0] + s[1] + s[2]) / 3.0;
-    const double reach = std::sqrt(std::max({(s[0] - middle).squaredNorm(),
-                                             (s[1] - middle).squaredNorm(),
-                                             (s[2] - middle).squaredNorm()}));
+    const double reach =
+        std::sqrt(std::max({(s[0] - middle).squaredNorm(), (s[1] - middle).squaredNorm(),
+                            (s[2] - middle).squaredNorm()}));
     if (reach < radius) {
       compare_triangle(s, middle, reach);
     } else {
@@ -134,8 +134,8 @@ void SurfaceQuery::compare_triangle(const TriangleCorners& s, const Eigen::Vecto
   if (around - moves_.rounding >= least_) {
     return;
   }
-  const double within = b_.field.bound(std::array<Eigen::Vector3f, 3>{
-      s[0].cast<float>(), s[1].cast<float>(), s[2].cast<float>()});
+  const double within = b_.field.bound(
+      std::array<Eigen::Vector3f, 3>{s[0].cast<float>(), s[1].cast<float>(), s[2].cast<float>()});
   if (within - moves_.rounding >= least_) {
     return;
   }

@@ -45,8 +45,8 @@ class SurfaceQuery {
   const Surface& b_;
   Pose X_BA_;
   FloatPose moves_;
-  double least_ = 0.0;   ///< The least distance known so far, or what is asked for.
-  double ends_at_ = 0.0; ///< No need to look further below this.
+  double least_ = 0.0;    ///< The least distance known so far, or what is asked for.
+  double ends_at_ = 0.0;  ///< No need to look further below this.
   int effort_ = 0;
   bool exact_ = false;
   std::vector<std::uint32_t>& near_;  ///< Triangles of B that a leaf is compared with.

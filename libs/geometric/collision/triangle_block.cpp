@@ -44,15 +44,15 @@ HANDWAY_VECTOR_UNITS float TriangleBlock::distance(const Eigen::Vector3f& p) con
       const float qx = px - a[0][k];
       const float qy = py - a[1][k];
       const float qz = pz - a[2][k];
-      const float along = (ex * qx + ey * qy + ez * qz) /
-                          std::max(ex * ex + ey * ey + ez * ez, 1e-30F);
+      const float along =
+          (ex * qx + ey * qy + ez * qz) / std::max(ex * ex + ey * ey + ez * ez, 1e-30F);
       const float t = std::min(std::max(along, 0.0F), 1.0F);
       const float dx = qx - t * ex;
       const float dy = qy - t * ey;
       const float dz = qz - t * ez;
       from_edges = std::min(from_edges, dx * dx + dy * dy + dz * dz);
-      const float side = (ny * ez - nz * ey) * qx + (nz * ex - nx * ez) * qy +
-                         (nx * ey - ny * ex) * qz;
+      const float side =
+          (ny * ez - nz * ey) * qx + (nz * ex - nx * ez) * qy + (nx * ey - ny * ex) * qz;
       least_side = std::min(least_side, side);
     }
     const float above = nx * (px - corners_[0][0][k]) + ny * (py - corners_[0][1][k]) +

@@ -6,8 +6,7 @@ namespace handway::geometric {
 namespace {
 
 bool one_side(const TriangleCorners& of_plane, const TriangleCorners& other, double tolerance) {
-  const Eigen::Vector3d normal =
-      (of_plane[1] - of_plane[0]).cross(of_plane[2] - of_plane[0]);
+  const Eigen::Vector3d normal = (of_plane[1] - of_plane[0]).cross(of_plane[2] - of_plane[0]);
   const double enough = tolerance * normal.norm();
   const double a = normal.dot(other[0] - of_plane[0]);
   const double b = normal.dot(other[1] - of_plane[0]);

@@ -42,7 +42,7 @@ class VolumeArchive {
   template <typename Archive, typename Element>
   static void list(Archive& archive, std::vector<Element>& elements) {
     std::size_t count = elements.size();
-    archive & count;
+    archive& count;
     elements.resize(count);
     bytes(archive, elements.data(), count * sizeof(Element));
   }
@@ -50,23 +50,23 @@ class VolumeArchive {
   template <typename Archive>
   static void bytes(Archive& archive, void* data, std::size_t size) {
     auto object = boost::serialization::make_binary_object(data, size);
-    archive & object;
+    archive& object;
   }
 };
 
-std::string archive_volumes(const CachedVolumes& volumes) {
+std::string archive_volumes(const MeshVolumes& volumes) {
   std::ostringstream stream(std::ios::binary);
   boost::archive::binary_oarchive archive(stream, boost::archive::no_header);
-  CachedVolumes copy = volumes;  // archives want what they could also write to
+  MeshVolumes copy = volumes;  // archives want what they could also write to
   VolumeArchive::cover(archive, copy.cover);
   VolumeArchive::field(archive, copy.field);
   return stream.str();
 }
 
-CachedVolumes unarchive_volumes(const std::string& bytes) {
+MeshVolumes unarchive_volumes(const std::string& bytes) {
   std::istringstream stream(bytes, std::ios::binary);
   boost::archive::binary_iarchive archive(stream, boost::archive::no_header);
-  CachedVolumes volumes;
+  MeshVolumes volumes;
   VolumeArchive::cover(archive, volumes.cover);
   VolumeArchive::field(archive, volumes.field);
   return volumes;

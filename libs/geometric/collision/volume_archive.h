@@ -1,15 +1,22 @@
 #pragma once
 
-#include "collision/volume_cache.h"
+#include "collision/clearance_field.h"
+#include "collision/sphere_cover.h"
 
 #include <string>
 
 namespace handway::geometric {
 
+/// What takes long to make of a mesh.
+struct MeshVolumes {
+  SphereCover cover;
+  ClearanceField field;
+};
+
 /// Volumes as bytes, for this kind of processor.
-[[nodiscard]] std::string archive_volumes(const CachedVolumes& volumes);
+[[nodiscard]] std::string archive_volumes(const MeshVolumes& volumes);
 
 /// @pre `bytes` are what archive_volumes() gave.
-[[nodiscard]] CachedVolumes unarchive_volumes(const std::string& bytes);
+[[nodiscard]] MeshVolumes unarchive_volumes(const std::string& bytes);
 
 }  // namespace handway::geometric

@@ -1,6 +1,5 @@
-#include "collision/volume_cache.h"
+#include "collision/disk_cache.h"
 
-#include "collision/volume_archive.h"
 #include "handway/geometric/io/replace_file.h"
 
 #include <boost/crc.hpp>
@@ -9,12 +8,12 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <exception>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -25,22 +24,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kMadeHow = "handway volumes 1";  // to change with what they are made of
 constexpr std::size_t kMostFiles = 1000;
 
 std::optional<fs::path> cache_folder() {
   const char* cache = std::getenv("XDG_CACHE_HOME");
   if (cache != nullptr && *cache != '\0') {
-    return fs::path(cache) / "handway" / "volumes";
+    return fs::path(cache) / "handway" / "collision";
   }
   const char* home = std::getenv("HOME");
   if (home != nullptr && *home != '\0') {
-    return fs::path(home) / ".cache" / "handway" / "volumes";
+    return fs::path(home) / ".cache" / "handway" / "collision";
   }
   return std::nullopt;
 }
 
-fs::path file_of(const fs::path& folder, const MeshKey& key) {
+fs::path file_of(const fs::path& folder, const CacheKey& key) {
   return folder / (to_string(key) + ".bin");
 }
 
@@ -58,9 +56,8 @@ void remove_oldest(const fs::path& folder) {
   if (files.size() <= kMostFiles) {
     return;
   }
-  std::ranges::sort(files, {}, [](const fs::directory_entry& file) {
-    return file.last_write_time();
-  });
+  std::ranges::sort(files, {},
+                    [](const fs::directory_entry& file) { return file.last_write_time(); });
   for (std::size_t i = 0; i < files.size() - kMostFiles / 2; ++i) {
     fs::remove(files[i]);
   }
@@ -68,48 +65,43 @@ void remove_oldest(const fs::path& folder) {
 
 }  // namespace
 
-MeshKey mesh_key(const TriangleMesh& mesh) {
-  std::string content(kMadeHow);
-  const auto add = [&](const auto& elements) {
-    content.append(reinterpret_cast<const char*>(elements.data()),
-                   elements.size() * sizeof(elements[0]));
-  };
-  content += std::to_string(mesh.vertices.size());
-  add(mesh.vertices);
-  add(mesh.triangles);
-  return boost::uuids::name_generator_sha1(boost::uuids::uuid{})(content.data(), content.size());
+CacheKey cache_key(std::string_view made_how, std::string_view content) {
+  const CacheKey how =
+      boost::uuids::name_generator_sha1(CacheKey{})(made_how.data(), made_how.size());
+  return boost::uuids::name_generator_sha1(how)(content.data(), content.size());
 }
 
-std::optional<CachedVolumes> read_volumes(const MeshKey& key) {
+std::optional<std::string> read_cached(const CacheKey& key) {
   const std::optional<fs::path> folder = cache_folder();
   std::ifstream file;
   if (folder) {
-    file.open(file_of(*folder, key), std::ios::binary);
+    file.open(file_of(*folder, key), std::ios::binary | std::ios::ate);
   }
   if (!file.is_open()) {
     return std::nullopt;
   }
-  const std::string content(std::istreambuf_iterator<char>(file), {});
+  std::string content(static_cast<std::size_t>(std::max<std::streamoff>(file.tellg(), 0)), '\0');
+  file.seekg(0);
+  file.read(content.data(), static_cast<std::streamsize>(content.size()));
   constexpr std::size_t kSum = sizeof(std::uint32_t);
-  if (content.size() < kSum ||
+  if (!file || content.size() < kSum ||
       checksum(std::string_view(content).substr(kSum)) != content.substr(0, kSum)) {
     return std::nullopt;
   }
-  return unarchive_volumes(content.substr(kSum));
+  return content.substr(kSum);
 }
 
-void write_volumes(const MeshKey& key, const CachedVolumes& volumes) {
+void write_cached(const CacheKey& key, const std::string& bytes) {
   const std::optional<fs::path> folder = cache_folder();
   if (!folder) {
     return;
   }
   try {
     fs::create_directories(*folder);
-    const std::string content = archive_volumes(volumes);
-    replace_file(file_of(*folder, key), checksum(content) + content);
+    replace_file(file_of(*folder, key), checksum(bytes) + bytes);
     remove_oldest(*folder);
   } catch (const std::exception& error) {
-    spdlog::debug("collision volumes are not cached: {}", error.what());
+    spdlog::debug("what collision checking prepared is not kept: {}", error.what());
   }
 }
 

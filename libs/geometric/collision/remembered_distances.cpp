@@ -1,0 +1,91 @@
+#include "collision/remembered_distances.h"
+
+#include <boost/uuid/uuid_io.hpp>
+
+#include <algorithm>
+#include <cstring>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace handway::geometric {
+namespace {
+
+constexpr std::string_view kMadeHow = "distances 1";  // to change with what is in the tables
+
+// What a table's distances depend on: the two surfaces, and where they are against
+// each other at both ends and in the middle of the joints' ranges.
+std::string description(const CollisionWorld& world, const BodyPair& pair, const Surface& a,
+                        const Surface& b) {
+  std::string text = to_string(a.key) + to_string(b.key);
+  const RobotModel& model = world.model();
+  std::vector<Pose> X_BL(static_cast<std::size_t>(model.link_count()));
+  std::vector<Pose> X_WBody(world.bodies().size());
+  for (const double share : {0.0, 0.5, 1.0}) {
+    world.place(model.lower() + share * (model.upper() - model.lower()), X_BL, X_WBody);
+    const Pose X_ba = X_WBody[static_cast<std::size_t>(pair.b)].inverse(Eigen::Isometry) *
+                      X_WBody[static_cast<std::size_t>(pair.a)];
+    text.append(reinterpret_cast<const char*>(X_ba.matrix().data()), 16 * sizeof(double));
+  }
+  return text;
+}
+
+}  // namespace
+
+RememberedDistances::RememberedDistances(
+    const CollisionWorld& world, const std::vector<std::shared_ptr<const Surface>>& surfaces) {
+  const MotionBound motion(world);
+  std::string all;
+  for (const BodyPair& pair : world.pairs()) {
+    tables_.push_back(world.is_self_pair(pair)
+                          ? DistanceTable::make(world.model(), world.body(pair.a).link,
+                                                world.body(pair.b).link,
+                                                static_cast<int>(tables_.size()), motion)
+                          : nullptr);
+    if (tables_.back()) {
+      all += description(world, pair, *surfaces[static_cast<std::size_t>(pair.a)],
+                         *surfaces[static_cast<std::size_t>(pair.b)]);
+    }
+  }
+  key_ = cache_key(kMadeHow, all);
+  recall();
+}
+
+void RememberedDistances::recall() {
+  const std::optional<std::string> cached = read_cached(key_);
+  std::size_t count = 0;
+  for (const auto& table : tables_) {
+    count += table ? table->cell_count() : 0;
+  }
+  if (!cached || cached->size() != count * sizeof(float)) {
+    return;
+  }
+  std::vector<float> cells(count);
+  std::memcpy(cells.data(), cached->data(), cached->size());
+  std::span<const float> rest(cells);
+  for (const auto& table : tables_) {
+    if (table) {
+      table->set_cells(rest.first(table->cell_count()));
+      rest = rest.subspan(table->cell_count());
+    }
+  }
+}
+
+RememberedDistances::~RememberedDistances() {
+  const bool learned =
+      std::ranges::any_of(tables_, [](const auto& table) { return table && table->has_learned(); });
+  if (!learned) {
+    return;
+  }
+  std::string bytes;
+  for (const auto& table : tables_) {
+    if (table) {
+      const std::vector<float> cells = table->cells();
+      bytes.append(reinterpret_cast<const char*>(cells.data()), cells.size() * sizeof(float));
+    }
+  }
+  write_cached(key_, bytes);
+}
+
+}  // namespace handway::geometric

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "collision/disk_cache.h"
+#include "collision/distance_table.h"
+#include "collision/surface.h"
+#include "handway/geometric/collision/collision_world.h"
+#include "handway/geometric/collision/motion_bound.h"
+
+#include <memory>
+#include <vector>
+
+namespace handway::geometric {
+
+/// The distance tables of a robot's pairs. What they learn is kept in the user's
+/// cache when the last checker goes, for the same robot in later runs.
+class RememberedDistances {
+ public:
+  /// @param surfaces shape [bodies].
+  RememberedDistances(const CollisionWorld& world,
+                      const std::vector<std::shared_ptr<const Surface>>& surfaces);
+  ~RememberedDistances();
+  RememberedDistances(const RememberedDistances&) = delete;
+  RememberedDistances& operator=(const RememberedDistances&) = delete;
+
+  /// Of a pair of the world; null where it has none.
+  [[nodiscard]] const DistanceTable* table(int pair) const {
+    return tables_[static_cast<std::size_t>(pair)].get();
+  }
+
+ private:
+  void recall();
+
+  CacheKey key_;
+  std::vector<std::unique_ptr<DistanceTable>> tables_;
+};
+
+}  // namespace handway::geometric
