@@ -74,6 +74,8 @@ class ClearanceField {
   /// The bound (m) for a point in the mesh's frame; may be negative near and
   /// within the surface.
   [[nodiscard]] float bound(const Eigen::Vector3f& p) const;
+  /// The same for a point whose place is known.
+  [[nodiscard]] float bound(const Eigen::Vector3f& p, const Place& place) const;
 
   /// A lower bound (m) of a triangle's distance, if it lies in one cell; else
   /// nothing useful: -1e30.
@@ -120,13 +122,15 @@ inline ClearanceField::Place ClearanceField::find(const Eigen::Vector3f& p) cons
   return {cell, side * std::min(u.minCoeff(), 1.0F - u.maxCoeff())};
 }
 
-inline float ClearanceField::bound(const Eigen::Vector3f& p) const {
+inline float ClearanceField::bound(const Eigen::Vector3f& p) const { return bound(p, find(p)); }
+
+inline float ClearanceField::bound(const Eigen::Vector3f& p, const Place& place) const {
   const float outside = ((p - centre_).cwiseAbs() - half_).cwiseMax(0.0F).norm();
-  const Cell* cell = find(p).cell;
-  if (cell == nullptr) {
+  if (place.cell == nullptr) {
     return outside;
   }
-  return std::max(outside, cell->listed() ? blocks_[cell->index()].distance(p) : cell->bound(p));
+  return std::max(outside, place.cell->listed() ? blocks_[place.cell->index()].distance(p)
+                                                : place.cell->bound(p));
 }
 
 }  // namespace handway::geometric

@@ -42,9 +42,8 @@ HANDWAY_VECTOR_UNITS std::uint32_t near_box(const SphereCover::Node& node, const
 
 // The bound where the whole sphere is in one cell: how far the disk in it reaches
 // towards the slab.
-float disk_bound(const SphereCover::Node& node, std::size_t k, const ClearanceField& field,
+float disk_bound(const SphereCover::Node& node, std::size_t k, const ClearanceField::Place& place,
                  const FloatPose& X, const Eigen::Vector3f& centre) {
-  const ClearanceField::Place place = field.find(centre);
   if (place.cell == nullptr || place.cell->listed() || place.room < node.radius[k] + X.rounding) {
     return ClearanceField::kNothing;
   }
@@ -85,9 +84,10 @@ void sphere_bounds(const SphereCover::Node& node, const ClearanceField& field,
   for (; candidates != 0; candidates &= candidates - 1) {
     const auto k = static_cast<std::size_t>(std::countr_zero(candidates));
     const Eigen::Vector3f centre(moved.x[k], moved.y[k], moved.z[k]);
-    float bound = field.bound(centre) - node.radius[k] - X_BA.rounding;
+    const ClearanceField::Place place = field.find(centre);
+    float bound = field.bound(centre, place) - node.radius[k] - X_BA.rounding;
     if (bound < tolerance) {
-      bound = std::max(bound, disk_bound(node, k, field, X_BA, centre) - X_BA.rounding);
+      bound = std::max(bound, disk_bound(node, k, place, X_BA, centre) - X_BA.rounding);
     }
     bounds.bound[k] = bound;
     bounds.near |= bound < tolerance ? 1U << k : 0U;

@@ -10,6 +10,8 @@
 namespace handway::geometric {
 namespace {
 
+constexpr int kPatience = 3;  // nodes visited on the field's word alone
+
 double triangle_distance(const TriangleCorners& s, const TriangleCorners& t) {
   Eigen::Vector3d p;
   Eigen::Vector3d q;
@@ -44,7 +46,9 @@ SurfaceQuery::SurfaceQuery(const Surface& a, const Surface& b, const Pose& X_WA,
 double SurfaceQuery::bound(double enough, int effort) {
   least_ = enough;
   effort_ = effort;
-  bound_node(0);
+  if (root_bound() < least_) {
+    bound_node(0);
+  }
   return std::max(0.0, least_);
 }
 
@@ -68,23 +72,36 @@ void SurfaceQuery::bound_node(std::uint32_t index) {
 double SurfaceQuery::distance(double enough) {
   least_ = enough;
   ends_at_ = 0.0;
-  visit(0);
+  visit_all();
   return least_;
 }
 
 Closeness SurfaceQuery::closeness(double tolerance) {
   least_ = tolerance;
   ends_at_ = tolerance;
-  visit(0);
+  visit_all();
   if (least_ >= tolerance) {
     return Closeness::kFarther;
   }
   if (least_ >= kTouch) {  // closer than the tolerance: only touching is of interest now
     least_ = kTouch;
     ends_at_ = kTouch;
-    visit(0);
+    visit_all();
   }
   return least_ < kTouch ? Closeness::kTouching : Closeness::kCloser;
+}
+
+double SurfaceQuery::root_bound() const {
+  const BoundingSphere& root = a_.cover.root();
+  const Eigen::Vector3f centre = (X_BA_ * root.centre.cast<double>()).cast<float>();
+  return b_.field.bound(centre) - root.radius - moves_.rounding;
+}
+
+void SurfaceQuery::visit_all() {
+  patience_ = kPatience;
+  if (root_bound() < least_) {
+    visit(0);
+  }
 }
 
 void SurfaceQuery::visit(std::uint32_t index) {
@@ -98,9 +115,14 @@ void SurfaceQuery::visit(std::uint32_t index) {
     }
     const Eigen::Vector3d centre = X_BA_ * Eigen::Vector3d(node.x[k], node.y[k], node.z[k]);
     const auto radius = static_cast<double>(node.radius[k]);
-    if ((node.child[k] & SphereCover::kLeaf) != 0) {
+    const bool is_leaf = (node.child[k] & SphereCover::kLeaf) != 0;
+    if ((is_leaf || --patience_ < 0) &&
+        !is_nearer_than(*b_.mesh, b_.boxes, centre, radius + least_)) {
+      continue;
+    }
+    if (is_leaf) {
       compare(node.child[k] & ~SphereCover::kLeaf, centre, radius);
-    } else if (is_nearer_than(*b_.mesh, b_.boxes, centre, radius + least_)) {
+    } else {
       visit(node.child[k]);
     }
   }

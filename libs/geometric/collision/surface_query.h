@@ -36,6 +36,8 @@ class SurfaceQuery {
   [[nodiscard]] bool was_exact() const { return exact_; }
 
  private:
+  [[nodiscard]] double root_bound() const;
+  void visit_all();
   void bound_node(std::uint32_t node);
   void visit(std::uint32_t node);
   void compare(std::uint32_t leaf, const Eigen::Vector3d& centre, double radius);
@@ -48,6 +50,7 @@ class SurfaceQuery {
   double least_ = 0.0;    ///< The least distance known so far, or what is asked for.
   double ends_at_ = 0.0;  ///< No need to look further below this.
   int effort_ = 0;
+  int patience_ = 0;
   bool exact_ = false;
   std::vector<std::uint32_t>& near_;  ///< Triangles of B that a leaf is compared with.
 };
