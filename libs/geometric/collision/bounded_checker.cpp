@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <ranges>
 #include <span>
 #include <utility>
 #include <vector>
@@ -93,7 +94,8 @@ void BoundedChecker::do_place() { volumes_->roots->place(body_poses(), scratch_-
 
 std::optional<int> BoundedChecker::do_first_collision() {
   volumes_->roots->find_near(scratch_->roots, kTouch, scratch_->near);
-  for (const int pair : scratch_->near) {
+  // What stands still comes last in the list, and is hit most often.
+  for (const int pair : scratch_->near | std::views::reverse) {
     if (nearby_closeness(pair, kTouch) == Closeness::kTouching) {
       return pair;
     }

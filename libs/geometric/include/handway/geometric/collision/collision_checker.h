@@ -85,7 +85,7 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionChecker {
   /// Index of a pair that touches in `q`, or nothing if `q` is free.
   [[nodiscard]] std::optional<int> first_collision(const Configuration& q);
 
-  /// The same, asking `hint` first and then in pair order: which pair is found
+  /// The same, asking `hint` first and then in a fixed order: which pair is found
   /// depends on nothing but the arguments. @pre 0 ≤ hint < pairs, if there are any.
   [[nodiscard]] std::optional<int> first_collision(const Configuration& q, int hint);
 
