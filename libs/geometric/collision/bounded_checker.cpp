@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <ranges>
 #include <span>
 #include <utility>
 #include <vector>
@@ -95,12 +94,11 @@ void BoundedChecker::do_place() { volumes_->roots->place(body_poses(), scratch_-
 std::optional<int> BoundedChecker::do_first_collision() {
   volumes_->roots->find_near(scratch_->roots, kTouch, scratch_->near);
   // What stands still comes last in the list, and is hit most often.
-  for (const int pair : scratch_->near | std::views::reverse) {
-    if (nearby_closeness(pair, kTouch) == Closeness::kTouching) {
-      return pair;
-    }
-  }
-  return std::nullopt;
+  const std::vector<int>& near = scratch_->near;
+  const auto touching = std::find_if(near.rbegin(), near.rend(), [&](int pair) {
+    return nearby_closeness(pair, kTouch) == Closeness::kTouching;
+  });
+  return touching == near.rend() ? std::nullopt : std::optional(*touching);
 }
 
 SurfaceQuery BoundedChecker::query(int pair, std::span<const Pose> X_WBody) {

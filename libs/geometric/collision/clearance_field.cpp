@@ -224,9 +224,7 @@ class ClearanceFieldBuilder {
         continue;
       }
       const BoxTree::Node& node = boxes_.nodes()[top.node];
-      if (++looked_at > kLongestSearch) {
-        lowest = top.value;
-      } else if (node.size < kTiny * cube.half) {
+      if (++looked_at > kLongestSearch || node.size < kTiny * cube.half) {
         lowest = top.value;
       } else if (node.right == 0) {
         lowest = std::min(lowest, of_triangle(cube, slope, node.triangle));
@@ -291,8 +289,7 @@ float ClearanceField::bound(const std::array<Eigen::Vector3f, 3>& triangle) cons
   if ((i < 0).any() || (i >= counts_).any() || apart(u[1]) || apart(u[2])) {
     return kNothing;
   }
-  const Cell* cell =
-      &cells_[static_cast<std::size_t>(i.x() + counts_.x() * (i.y() + counts_.y() * i.z()))];
+  const Cell* cell = &cells_[index_of(i)];
   while (cell->refined()) {
     for (Eigen::Array3f& v : u) {
       v = (v - i.cast<float>()) * static_cast<float>(kSplit);

@@ -92,6 +92,13 @@ class ClearanceField {
   friend class ClearanceFieldBuilder;
   friend class VolumeArchive;
 
+  /// Of a cell of the grid.
+  [[nodiscard]] std::size_t index_of(const Eigen::Array3i& i) const {
+    const Eigen::Array<std::size_t, 3, 1> wide = i.cast<std::size_t>();
+    const Eigen::Array<std::size_t, 3, 1> counts = counts_.cast<std::size_t>();
+    return wide.x() + counts.x() * (wide.y() + counts.y() * wide.z());
+  }
+
   Eigen::Vector3f centre_ = Eigen::Vector3f::Zero();
   Eigen::Vector3f half_ = Eigen::Vector3f::Zero();
   Eigen::Vector3f origin_ = Eigen::Vector3f::Zero();  ///< Lowest corner of the grid.
@@ -109,8 +116,7 @@ inline ClearanceField::Place ClearanceField::find(const Eigen::Vector3f& p) cons
   }
   float side = side_;
   Eigen::Array3i i = u.cast<int>();
-  const Cell* cell =
-      &cells_[static_cast<std::size_t>(i.x() + counts_.x() * (i.y() + counts_.y() * i.z()))];
+  const Cell* cell = &cells_[index_of(i)];
   while (cell->refined()) {
     side /= static_cast<float>(kSplit);
     u = (u - i.cast<float>()) * static_cast<float>(kSplit);

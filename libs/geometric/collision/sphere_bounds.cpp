@@ -63,15 +63,11 @@ float disk_bound(const SphereCover::Node& node, std::size_t k, const ClearanceFi
 }  // namespace
 
 FloatPose::FloatPose(const Pose& X_BA, float reach) {
-  float largest = reach;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) {
-      R[static_cast<std::size_t>(3 * i + j)] = static_cast<float>(X_BA.linear()(i, j));
-    }
-    p[static_cast<std::size_t>(i)] = static_cast<float>(X_BA.translation()[i]);
-    largest += std::abs(p[static_cast<std::size_t>(i)]);
-  }
-  rounding = 2e-6F * largest;  // some 30 roundings of 6e-8 each
+  const Eigen::Matrix3f rotation = X_BA.linear().cast<float>();
+  const Eigen::Vector3f translation = X_BA.translation().cast<float>();
+  Eigen::Map<Eigen::Matrix<float, 3, 3, Eigen::RowMajor>>(R.data()) = rotation;
+  Eigen::Map<Eigen::Vector3f>(p.data()) = translation;
+  rounding = 2e-6F * (reach + translation.lpNorm<1>());  // some 30 roundings of 6e-8 each
 }
 
 void sphere_bounds(const SphereCover::Node& node, const ClearanceField& field,

@@ -199,6 +199,7 @@ class SphereCoverBuilder {
       parts.push_back({second, enclosing_ball(second).radius});
     }
     std::vector<Part> result;
+    result.reserve(parts.size());
     for (const Sized& sized : parts) {
       result.push_back(sized.part);
     }

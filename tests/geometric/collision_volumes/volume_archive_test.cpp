@@ -1,0 +1,28 @@
+#include "collision/volume_archive.h"
+
+#include "sample_meshes.h"
+
+#include <gtest/gtest.h>
+
+namespace handway::geometric {
+namespace {
+
+TEST(VolumeArchive, GivesBackTheSameVolumes) {
+  const TriangleMesh mesh = *tessellate(Cylinder{0.03, 0.12});
+  const MeshVolumes made{SphereCover(mesh, 0.01), ClearanceField(mesh, BoxTree(mesh), 4096)};
+  const MeshVolumes read = unarchive_volumes(archive_volumes(made));
+
+  EXPECT_EQ(read.cover.root().radius, made.cover.root().radius);
+  ASSERT_EQ(read.cover.nodes().size(), made.cover.nodes().size());
+  EXPECT_EQ(read.cover.nodes().back().x, made.cover.nodes().back().x);
+  ASSERT_EQ(read.field.cell_count(), made.field.cell_count());
+  ASSERT_EQ(read.field.block_count(), made.field.block_count());
+  test::RandomPoints points(mesh, 2.0);
+  for (int i = 0; i < 500; ++i) {
+    const Eigen::Vector3f p = points.next().cast<float>();
+    EXPECT_EQ(read.field.bound(p), made.field.bound(p));
+  }
+}
+
+}  // namespace
+}  // namespace handway::geometric
