@@ -33,7 +33,9 @@ RrtConnectSettings cartesian_trees() {
   RrtConnectSettings settings = joint_trees();
   settings.corridor = static_cast<int>(CorridorForm::kCartesian);
   settings.range = 0.1;
-  settings.rho_a = 0.1;
+  settings.refinements = 2;
+  settings.near_ends = 0.5;
+  settings.single_moves = 0.5;
   return settings;
 }
 

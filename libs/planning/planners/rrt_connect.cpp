@@ -8,7 +8,12 @@
 
 namespace handway::planning {
 
-RrtConnect::RrtConnect(HandSpace space) : space_(space) {}
+RrtConnect::RrtConnect(HandSpace space) : space_(space) {
+  if (space == HandSpace::kAllJoints) {  // no regions to find short ways in
+    settings_.range = 0.2;
+    settings_.refinements = 2;
+  }
+}
 
 std::string RrtConnect::name() const {
   return space_ == HandSpace::kPrincipalDirections ? "pmd-rrt-connect" : "rrt-connect";

@@ -11,7 +11,7 @@ namespace handway::planning {
 /// Settings of PmdAuto.
 struct PmdAutoSettings {
   int max_samples = 1000000;   ///< Of all searches together.
-  int smoothing_checks = 300;  ///< Configurations that ShortcutSmoothing may check.
+  int smoothing_checks = 200;  ///< Configurations that ShortcutSmoothing may check.
   bool cartesian = true;       ///< Search in poses of the arm's tool too.
   bool lazy = true;            ///< Search a lazy roadmap too.
 };

@@ -15,7 +15,7 @@ struct PmdLazySettings {
   int batch = 20;  ///< Nodes added each time start and goal have fallen apart.
   int max_samples = 1000000;
   int smoothing_checks = 300;  ///< Configurations that ShortcutSmoothing may check.
-  RrtConnectSettings region = {.samples_per_width = 300};  ///< Where nodes are drawn from.
+  RrtConnectSettings region = {.near_ends = 0.5, .rho_a = 0.03};  ///< Where nodes are drawn from.
 };
 
 /// A roadmap in the paper's sampling regions whose edges are checked only where

@@ -13,14 +13,14 @@ namespace handway::planning {
 /// Settings of RrtConnect. Lengths in joints normalised to [0, 1]; with a
 /// Cartesian corridor the arm's in units of sampling::CartesianScale.
 struct RrtConnectSettings {
-  double range = 0.2;   ///< Longest step of a tree.
-  int refinements = 2;  ///< Steps tried, each a quarter of the one before, when one is not free.
+  double range = 0.3;   ///< Longest step of a tree.
+  int refinements = 0;  ///< Steps tried, each a quarter of the one before, when one is not free.
   int max_samples = 1000000;
   int smoothing_checks = 300;  ///< Configurations that ShortcutSmoothing may check.
   int corridor = static_cast<int>(CorridorForm::kJoint);  ///< A CorridorForm; PMDs only.
-  double near_ends = 0.5;     ///< Share of samples drawn around start and goal; PMDs only.
-  double single_moves = 0.5;  ///< Share that move the arm alone or the hand alone; PMDs only.
-  double rho_a = 0.03;        ///< Half-width of the arm corridor at the start; PMDs only.
+  double near_ends = 0.7;     ///< Share of samples drawn around start and goal; PMDs only.
+  double single_moves = 0.3;  ///< Share that move the arm alone or the hand alone; PMDs only.
+  double rho_a = 0.1;         ///< Half-width of the arm corridor at the start; PMDs only.
   double rho_max = 0.4;       ///< … and at most; PMDs only.
   double rho_growth = 1.5;    ///< Factor after every `samples_per_width`; PMDs only.
   int samples_per_width = 300;
