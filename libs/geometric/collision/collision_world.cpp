@@ -64,6 +64,7 @@ void CollisionWorld::add_objects(const Scene& scene) {
       }
       if (robot == &scene.robots.front()) {
         body.link = *link;
+        body.is_carried = true;
       } else {
         std::vector<Pose> X_BL(static_cast<std::size_t>(robot->model->link_count()));
         robot->model->forward_kinematics(robot->configuration, X_BL);
@@ -117,8 +118,14 @@ void CollisionWorld::place(const Configuration& q, std::vector<Pose>& X_BL,
   model_->forward_kinematics(q, X_BL);
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     const CollisionBody& body = bodies_[i];
-    X_WBody[i] =
-        body.moves() ? X_WB_ * X_BL[static_cast<std::size_t>(body.link)] * body.X_FB : body.X_FB;
+    if (!body.moves()) {
+      X_WBody[i] = body.X_FB;
+      continue;
+    }
+    X_WBody[i] = X_WB_ * X_BL[static_cast<std::size_t>(body.link)];
+    if (body.is_carried) {
+      X_WBody[i] = X_WBody[i] * body.X_FB;
+    }
   }
 }
 

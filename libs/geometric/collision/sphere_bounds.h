@@ -11,12 +11,13 @@ namespace handway::geometric {
 
 /// A rigid transform in single precision, with what its roundings can amount to.
 struct FloatPose {
+  FloatPose() = default;
   /// @param reach (m) how far from A's origin points are that it will move.
   FloatPose(const Pose& X_BA, float reach);
 
-  std::array<float, 9> R;  ///< Row by row.
-  std::array<float, 3> p;
-  float rounding;  ///< m: a moved point, or a bound there, is off by less.
+  std::array<float, 9> R{};  ///< Row by row.
+  std::array<float, 3> p{};
+  float rounding = 0.0F;  ///< m: a moved point, or a bound there, is off by less.
 };
 
 /// Bounds of a node's spheres.

@@ -10,7 +10,8 @@
 namespace handway::geometric {
 namespace {
 
-constexpr int kPatience = 3;  // nodes visited on the field's word alone
+constexpr float kRounding = 2e-6F;  // some 30 roundings of single precision
+constexpr int kPatience = 3;        // nodes visited on the field's word alone
 
 double triangle_distance(const TriangleCorners& s, const TriangleCorners& t) {
   Eigen::Vector3d p;
@@ -37,16 +38,28 @@ std::size_t take_nearest(SphereBounds& bounds) {
 
 SurfaceQuery::SurfaceQuery(const Surface& a, const Surface& b, const Pose& X_WA, const Pose& X_WB,
                            std::vector<std::uint32_t>& near)
-    : a_(a),
-      b_(b),
-      X_BA_(X_WB.inverse(Eigen::Isometry) * X_WA),
-      moves_(X_BA_, a.cover.root().centre.lpNorm<1>() + a.cover.root().radius),
-      near_(near) {}
+    : a_(a), b_(b), X_WA_(X_WA), X_WB_(X_WB), near_(near) {}
+
+bool SurfaceQuery::root_is_near() {
+  const BoundingSphere& root = a_.cover.root();
+  const Eigen::Vector3d centre = X_WA_ * root.centre.cast<double>() - X_WB_.translation();
+  const Eigen::Vector3f p_BRoot = (X_WB_.linear().transpose() * centre).cast<float>();
+  const float rounding = kRounding * p_BRoot.lpNorm<1>();
+  if (b_.field.bound(p_BRoot) - root.radius - rounding >= least_) {
+    return false;
+  }
+  if (!placed_) {
+    placed_ = true;
+    X_BA_ = X_WB_.inverse(Eigen::Isometry) * X_WA_;
+    moves_ = FloatPose(X_BA_, root.centre.lpNorm<1>() + root.radius);
+  }
+  return true;
+}
 
 double SurfaceQuery::bound(double enough, int effort) {
   least_ = enough;
   effort_ = effort;
-  if (root_bound() < least_) {
+  if (root_is_near()) {
     bound_node(0);
   }
   return std::max(0.0, least_);
@@ -91,15 +104,9 @@ Closeness SurfaceQuery::closeness(double tolerance) {
   return least_ < kTouch ? Closeness::kTouching : Closeness::kCloser;
 }
 
-double SurfaceQuery::root_bound() const {
-  const BoundingSphere& root = a_.cover.root();
-  const Eigen::Vector3f centre = (X_BA_ * root.centre.cast<double>()).cast<float>();
-  return b_.field.bound(centre) - root.radius - moves_.rounding;
-}
-
 void SurfaceQuery::visit_all() {
   patience_ = kPatience;
-  if (root_bound() < least_) {
+  if (root_is_near()) {
     visit(0);
   }
 }

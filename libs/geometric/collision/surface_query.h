@@ -14,6 +14,7 @@ namespace handway::geometric {
 /// field of B leave a few triangles, and those are compared one by one.
 class SurfaceQuery {
  public:
+  /// @param X_WA,X_WB must outlive this object.
   /// @param near room for triangles that are compared; must outlive this object.
   SurfaceQuery(const Surface& a, const Surface& b, const Pose& X_WA, const Pose& X_WB,
                std::vector<std::uint32_t>& near);
@@ -36,7 +37,8 @@ class SurfaceQuery {
   [[nodiscard]] bool was_exact() const { return exact_; }
 
  private:
-  [[nodiscard]] double root_bound() const;
+  /// Whether the sphere around A may be nearer than `least_`; then X_BA is known.
+  [[nodiscard]] bool root_is_near();
   void visit_all();
   void bound_node(std::uint32_t node);
   void visit(std::uint32_t node);
@@ -45,6 +47,9 @@ class SurfaceQuery {
 
   const Surface& a_;
   const Surface& b_;
+  const Pose& X_WA_;
+  const Pose& X_WB_;
+  bool placed_ = false;
   Pose X_BA_;
   FloatPose moves_;
   double least_ = 0.0;    ///< The least distance known so far, or what is asked for.

@@ -12,10 +12,11 @@ namespace handway::geometric {
 /// One rigid set of triangles: a link of the planned robot with all its
 /// collision shapes, a carried object, or something that stands still.
 struct CollisionBody {
-  std::string name;  ///< Link or object; "robot/link" for a robot that stands still.
-  int link = -1;     ///< Link of the planned robot that carries the body; -1: stands still.
+  std::string name;         ///< Link or object; "robot/link" for a robot that stands still.
+  int link = -1;            ///< Link of the planned robot that carries the body; -1: stands still.
   Pose X_FB = Pose::Identity();              ///< In the carrying link's frame, or in the world.
   std::shared_ptr<const TriangleMesh> mesh;  ///< In the body's frame B.
+  bool is_carried = false;  ///< An object on a link; links themselves are at X_FB = identity.
 
   [[nodiscard]] bool moves() const { return link >= 0; }
 };
