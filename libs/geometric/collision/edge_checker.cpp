@@ -11,6 +11,8 @@ namespace {
 // an exact distance would be thrown away with the next halving.
 constexpr double kWorthExact = 0.0005;
 
+constexpr std::uint64_t kStopPeriod = 16;  // configurations between looks at the stop condition
+
 }  // namespace
 
 EdgeChecker::EdgeChecker(CollisionChecker& checker, std::shared_ptr<const MotionBound> motion,
@@ -18,6 +20,10 @@ EdgeChecker::EdgeChecker(CollisionChecker& checker, std::shared_ptr<const Motion
     : checker_(checker), motion_(std::move(motion)), resolution_(resolution) {}
 
 int EdgeChecker::pair_count() const { return static_cast<int>(checker_.world().pairs().size()); }
+
+bool EdgeChecker::is_stopped(std::uint64_t checks) const {
+  return stop_ && checks % kStopPeriod == 0 && stop_();
+}
 
 EdgeResult EdgeChecker::check(const Configuration& from, const Configuration& to,
                               std::uint64_t most_checks) {
@@ -35,7 +41,7 @@ EdgeResult EdgeChecker::check(const Configuration& from, const Configuration& to
     std::vector<Stretch> next_level;
     std::vector<int> unsettled;
     for (const Stretch& stretch : level) {
-      if (result.checks >= most_checks) {
+      if (result.checks >= most_checks || is_stopped(result.checks)) {
         return result;
       }
       checker_.place(from + stretch.middle * delta);
@@ -97,7 +103,11 @@ NamedPair EdgeChecker::clearance(const Configuration& from, const Configuration&
   std::iota(pairs.begin(), pairs.end(), 0);
   double lower = least.distance;  // of what has been settled
   std::vector<std::pair<Stretch, std::vector<int>>> waiting{{{0.5, 0.5, 0, 0}, pairs}};
-  while (!waiting.empty()) {
+  for (std::uint64_t checks = 0; !waiting.empty(); ++checks) {
+    if (is_stopped(checks)) {
+      lower = std::min(lower, resolution_);
+      break;
+    }
     const auto [stretch, candidates] = std::move(waiting.back());
     waiting.pop_back();
     checker_.place(from + stretch.middle * delta);

@@ -18,18 +18,22 @@ using geometric::EdgeResult;
 
 /// The checkers of one thread.
 struct PlanningContext::Worker {
-  explicit Worker(const PlanningProblem& problem, double resolution)
-      : checker(problem.checker->clone()), edges(*checker, problem.motion, resolution) {}
+  explicit Worker(const PlanningContext& context)
+      : checker(context.problem().checker->clone()),
+        edges(*checker, context.problem().motion,
+              geometric::metres(context.request().resolution_mm)) {
+    edges.stop_when([&context] { return context.interruption().has_value(); });
+  }
 
   std::unique_ptr<geometric::CollisionChecker> checker;
   geometric::EdgeChecker edges;
 };
 
 struct PlanningContext::Threads {
-  Threads(const PlanningProblem& problem, double resolution, int count)
-      : arena(count), workers([&problem, resolution] { return Worker(problem, resolution); }) {
-    if (count == 1) {
-      only = std::make_unique<Worker>(problem, resolution);
+  explicit Threads(const PlanningContext& context)
+      : arena(context.request().threads), workers([&context] { return Worker(context); }) {
+    if (context.request().threads == 1) {
+      only = std::make_unique<Worker>(context);
     }
   }
 
@@ -69,8 +73,7 @@ PlanningContext::PlanningContext(const PlanningProblem& problem, const PlanReque
       observer_(observer),
       begin_(std::chrono::steady_clock::now()),
       arm_pairs_(arm_pairs(problem)),
-      threads_(std::make_unique<Threads>(problem, geometric::metres(request.resolution_mm),
-                                         request.threads)) {}
+      threads_(std::make_unique<Threads>(*this)) {}
 
 PlanningContext::~PlanningContext() = default;
 

@@ -206,5 +206,48 @@ TEST(EdgeChecker, NamesThePairOfTheClearance) {
   EXPECT_NEAR(found.distance, 0.003, 1e-5);
 }
 
+// A slide so close to a table that hundreds of configurations have to be looked at.
+class ALongQuestion : public testing::Test {
+ protected:
+  static Scene scene() {
+    Scene scene = sliding_finger();
+    add_object(scene, "table", Box{{1, 1, 0.1}}, Eigen::Vector3d(0, 0, -0.0752));
+    return scene;
+  }
+
+  EdgeJudge judge_{scene()};
+  const Eigen::Vector3d from_{-0.2, 0, 0};
+  const Eigen::Vector3d to_{0.2, 0, 0};
+};
+
+TEST_F(ALongQuestion, EndsSoonAfterItIsStopped) {
+  const EdgeResult whole = judge_.edges().check(from_, to_);
+  ASSERT_TRUE(whole.free);
+  ASSERT_GT(whole.checks, 200U);
+  int asked = 0;
+  judge_.edges().stop_when([&] { return ++asked == 4; });
+  const EdgeResult stopped = judge_.edges().check(from_, to_);
+  EXPECT_EQ(asked, 4);
+  EXPECT_FALSE(stopped.free) << "what is not known to be free is not";
+  EXPECT_FALSE(stopped.pair);
+  EXPECT_GT(stopped.checks, 0U);
+  EXPECT_LT(stopped.checks, 100U);
+}
+
+TEST_F(ALongQuestion, IsNotBegunOnceStopped) {
+  judge_.edges().stop_when([] { return true; });
+  EXPECT_EQ(judge_.edges().check(from_, to_).checks, 0U);
+}
+
+TEST_F(ALongQuestion, GivesAClearanceThatHoldsWhenStopped) {
+  const double whole = judge_.edges().clearance(from_, to_, 0.05, 1e-7).distance;
+  int asked = 0;
+  judge_.edges().stop_when([&] { return ++asked == 2; });
+  const double stopped = judge_.edges().clearance(from_, to_, 0.05, 1e-7).distance;
+  EXPECT_EQ(asked, 2);
+  EXPECT_GT(stopped, 0.0);
+  EXPECT_LE(stopped, whole);
+}
+
 }  // namespace
 }  // namespace handway::geometric

@@ -6,9 +6,11 @@
 #include "handway/geometric/export.h"
 
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace handway::geometric {
@@ -40,8 +42,12 @@ class HANDWAY_GEOMETRIC_EXPORT EdgeChecker {
   EdgeChecker(CollisionChecker& checker, std::shared_ptr<const MotionBound> motion,
               double resolution);
 
+  /// Questions end early once `stop` says so; it is asked every few configurations,
+  /// and once at the beginning of each question. Empty: they never do.
+  void stop_when(std::function<bool()> stop) { stop_ = std::move(stop); }
+
   /// @param most_checks looks at no more configurations: an edge that they do not
-  /// settle is said not to be free, without a pair.
+  /// settle is said not to be free, without a pair; and so is one that was stopped.
   /// @pre both ends are free of collision.
   [[nodiscard]] EdgeResult check(
       const Configuration& from, const Configuration& to,
@@ -49,7 +55,8 @@ class HANDWAY_GEOMETRIC_EXPORT EdgeChecker {
 
   /// The smallest distance (m) of any pair on the whole edge, but not above `enough`:
   /// a lower bound, below the true one by at most `tolerance` (m) or by at most `share`
-  /// of it, whichever is more. Branch and bound over the same stretches.
+  /// of it, whichever is more. Branch and bound over the same stretches. Stopped, it
+  /// gives the resolution at most, which every free edge keeps.
   /// @pre the edge is free.
   [[nodiscard]] NamedPair clearance(const Configuration& from, const Configuration& to,
                                     double enough, double tolerance, double share = 0.0);
@@ -58,6 +65,7 @@ class HANDWAY_GEOMETRIC_EXPORT EdgeChecker {
 
  private:
   [[nodiscard]] int pair_count() const;
+  [[nodiscard]] bool is_stopped(std::uint64_t checks) const;
 
   /// Of the configuration in place; "closer" may be said wrongly of a large tolerance.
   [[nodiscard]] Closeness closeness_within(int pair, double tolerance);
@@ -72,6 +80,7 @@ class HANDWAY_GEOMETRIC_EXPORT EdgeChecker {
   CollisionChecker& checker_;
   EdgeMotion motion_;
   double resolution_;
+  std::function<bool()> stop_;
 };
 
 }  // namespace handway::geometric

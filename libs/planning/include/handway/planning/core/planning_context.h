@@ -75,7 +75,8 @@ class HANDWAY_PLANNING_EXPORT PlanningContext {
   };
   [[nodiscard]] EdgeBatch edges(std::vector<Edge> edges);
   /// @param most_checks as EdgeChecker::check(): an edge so close to something that
-  /// more configurations would have to be looked at is refused.
+  /// more configurations would have to be looked at is refused. Every edge is once the
+  /// run has to end.
   [[nodiscard]] bool edge_free(
       const Configuration& from, const Configuration& to,
       std::uint64_t most_checks = std::numeric_limits<std::uint64_t>::max());
@@ -98,7 +99,8 @@ class HANDWAY_PLANNING_EXPORT PlanningContext {
   /// Notes a rejected sample drawn at `step` of the arm segment.
   void count_rejection(int pair, double step);
 
-  /// The smallest clearance along `path` and what it took to know it.
+  /// The smallest clearance along `path` and what it took to know it; the resolution
+  /// at most if the run had to end before it was known. @pre its edges are free.
   [[nodiscard]] Certificate certify(const Path& path);
 
  private:
