@@ -61,6 +61,13 @@ std::optional<int> CollisionChecker::first_collision(const Configuration& q, int
   return pair_collides(hint) ? hint : do_first_collision();
 }
 
+std::optional<int> CollisionChecker::first_collision_among(std::span<const int> pairs,
+                                                           const Configuration& q) {
+  place(q);
+  const auto found = std::ranges::find_if(pairs, [&](int pair) { return pair_collides(pair); });
+  return found == pairs.end() ? std::nullopt : std::optional(*found);
+}
+
 std::optional<int> CollisionChecker::do_first_collision() {
   for (int pair = 0; pair < static_cast<int>(world_->pairs().size()); ++pair) {
     if (pair_collides(pair)) {

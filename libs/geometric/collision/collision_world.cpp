@@ -3,6 +3,7 @@
 #include "handway/geometric/io/input_error.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace handway::geometric {
 
@@ -25,14 +26,15 @@ CollisionWorld::CollisionWorld(const Scene& scene) {
     add_still_robot(scene.robots[i]);
   }
   add_objects(scene);
-  list_pairs(scene);
+  list_pairs();
 }
 
 void CollisionWorld::add_robot_links(const RobotInstance& robot) {
   for (int i = 0; i < robot.model->link_count(); ++i) {
     auto mesh = std::make_shared<TriangleMesh>(collision_mesh(robot.model->link(i)));
     if (!mesh->empty()) {
-      bodies_.push_back({robot.model->link(i).name, i, Pose::Identity(), std::move(mesh)});
+      bodies_.push_back(
+          {robot.model->link(i).name, i, Pose::Identity(), std::move(mesh), false, {}});
     }
   }
 }
@@ -43,15 +45,18 @@ void CollisionWorld::add_still_robot(const RobotInstance& robot) {
   for (int i = 0; i < robot.model->link_count(); ++i) {
     auto mesh = std::make_shared<TriangleMesh>(collision_mesh(robot.model->link(i)));
     if (!mesh->empty()) {
-      bodies_.push_back({robot.name + "/" + robot.model->link(i).name, -1,
-                         robot.X_WB * X_BL[static_cast<std::size_t>(i)], std::move(mesh)});
+      bodies_.push_back({robot.name + "/" + robot.model->link(i).name,
+                         -1,
+                         robot.X_WB * X_BL[static_cast<std::size_t>(i)],
+                         std::move(mesh),
+                         {}});
     }
   }
 }
 
 void CollisionWorld::add_objects(const Scene& scene) {
   for (const SceneObject& object : scene.objects) {
-    CollisionBody body{object.name, -1, object.X_PO, tessellate(object.shape)};
+    CollisionBody body{object.name, -1, object.X_PO, tessellate(object.shape), false, {}};
     if (object.attachment) {
       const RobotInstance* robot = find_robot(scene, object.attachment->robot);
       const std::optional<int> link =
@@ -65,6 +70,7 @@ void CollisionWorld::add_objects(const Scene& scene) {
       if (robot == &scene.robots.front()) {
         body.link = *link;
         body.is_carried = true;
+        body.touching = object.attachment->touching;
       } else {
         std::vector<Pose> X_BL(static_cast<std::size_t>(robot->model->link_count()));
         robot->model->forward_kinematics(robot->configuration, X_BL);
@@ -77,7 +83,7 @@ void CollisionWorld::add_objects(const Scene& scene) {
   }
 }
 
-bool CollisionWorld::must_not_touch(const Scene& scene, int a, int b) const {
+bool CollisionWorld::must_not_touch(int a, int b) const {
   const CollisionBody& first = body(a);
   const CollisionBody& second = body(b);
   const int other_link = second.moves() ? second.link : 0;  // still bodies stand like the root
@@ -89,9 +95,7 @@ bool CollisionWorld::must_not_touch(const Scene& scene, int a, int b) const {
     return false;
   }
   for (const auto& [carried, other] : {std::pair(&first, &second), std::pair(&second, &first)}) {
-    const SceneObject* object = find_object(scene, carried->name);
-    if (object && object->attachment && carried->moves() &&
-        std::ranges::count(object->attachment->touching, other->name) > 0) {
+    if (std::ranges::count(carried->touching, other->name) > 0) {
       return false;
     }
   }
@@ -99,18 +103,77 @@ bool CollisionWorld::must_not_touch(const Scene& scene, int a, int b) const {
          !model_->description().allowed_collisions.reason(first.name, second.name);
 }
 
-void CollisionWorld::list_pairs(const Scene& scene) {
+void CollisionWorld::list_pairs() {
+  pairs_.clear();
   const int count = static_cast<int>(bodies_.size());
   for (const bool still : {false, true}) {
     for (int a = 0; a < count; ++a) {
       for (int b = 0; b < count; ++b) {
         const bool candidate = body(a).moves() && body(b).moves() != still && (still || a < b);
-        if (candidate && must_not_touch(scene, a, b)) {
+        if (candidate && must_not_touch(a, b)) {
           pairs_.push_back({a, b});
         }
       }
     }
   }
+}
+
+std::vector<CollisionBody>::const_iterator CollisionWorld::find_still_body(
+    std::string_view name) const {
+  return std::ranges::find_if(bodies_, [&](const CollisionBody& candidate) {
+    return !candidate.moves() && candidate.name == name;
+  });
+}
+
+std::vector<CollisionBody>::const_iterator CollisionWorld::needed_still_body(
+    std::string_view name) const {
+  const auto found = find_still_body(name);
+  if (found == bodies_.end()) {
+    throw InputError({"scene", "object " + std::string(name), "no object that stands still",
+                      "the name of one", "A carried object moves with its link"});
+  }
+  return found;
+}
+
+CollisionWorld CollisionWorld::with_object_at(std::string_view name, const Pose& X_WO) const {
+  const auto index = static_cast<std::size_t>(needed_still_body(name) - bodies_.begin());
+  CollisionWorld changed = *this;
+  changed.bodies_[index].X_FB = X_WO;
+  return changed;
+}
+
+CollisionWorld CollisionWorld::with_object(const SceneObject& object) const {
+  if (object.attachment || find_still_body(object.name) != bodies_.end()) {
+    throw InputError({"scene", "object " + object.name,
+                      object.attachment ? "an attachment" : "a name that is taken",
+                      "a new object that stands still", ""});
+  }
+  CollisionWorld changed = *this;
+  CollisionBody body{object.name, -1, object.X_PO, tessellate(object.shape), false, {}};
+  if (!body.mesh->empty()) {
+    changed.bodies_.push_back(std::move(body));
+    changed.list_pairs();
+  }
+  return changed;
+}
+
+CollisionWorld CollisionWorld::without_object(std::string_view name) const {
+  const auto index = needed_still_body(name) - bodies_.begin();
+  CollisionWorld changed = *this;
+  changed.bodies_.erase(changed.bodies_.begin() + index);
+  changed.list_pairs();
+  return changed;
+}
+
+std::vector<int> CollisionWorld::pairs_with(std::string_view still_body) const {
+  const auto index = static_cast<int>(find_still_body(still_body) - bodies_.begin());
+  std::vector<int> pairs;
+  for (std::size_t p = 0; p < pairs_.size(); ++p) {
+    if (pairs_[p].b == index) {
+      pairs.push_back(static_cast<int>(p));
+    }
+  }
+  return pairs;
 }
 
 void CollisionWorld::place(const Configuration& q, std::vector<Pose>& X_BL,

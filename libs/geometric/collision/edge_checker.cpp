@@ -1,6 +1,7 @@
 #include "handway/geometric/collision/edge_checker.h"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 #include <utility>
 
@@ -27,14 +28,18 @@ bool EdgeChecker::is_stopped(std::uint64_t checks) const {
 
 EdgeResult EdgeChecker::check(const Configuration& from, const Configuration& to,
                               std::uint64_t most_checks) {
+  std::vector<int> all(static_cast<std::size_t>(pair_count()));
+  std::iota(all.begin(), all.end(), 0);
+  return check_among(all, from, to, most_checks);
+}
+
+EdgeResult EdgeChecker::check_among(std::span<const int> among, const Configuration& from,
+                                    const Configuration& to, std::uint64_t most_checks) {
   const Configuration delta = to - from;
   motion_.set_edge(delta);
   std::vector<int> pairs;
-  for (int pair = 0; pair < pair_count(); ++pair) {
-    if (motion_.over_edge(pair) > 0.0) {
-      pairs.push_back(pair);
-    }
-  }
+  std::ranges::copy_if(among, std::back_inserter(pairs),
+                       [&](int pair) { return motion_.over_edge(pair) > 0.0; });
   EdgeResult result;
   std::vector<Stretch> level{{0.5, 0.5, 0, pairs.size()}};
   while (!level.empty() && !pairs.empty()) {

@@ -190,6 +190,20 @@ bool PlanningContext::edge_free(const Configuration& from, const Configuration& 
   return result.free;
 }
 
+EdgeResult PlanningContext::edge_among(std::span<const int> pairs, const Configuration& from,
+                                       const Configuration& to) {
+  const EdgeResult result = own_worker().edges.check_among(pairs, from, to);
+  ++statistics_.edges_tested;
+  statistics_.edge_checks += result.checks;
+  return result;
+}
+
+std::optional<int> PlanningContext::collision_among(std::span<const int> pairs,
+                                                    const Configuration& q) {
+  ++statistics_.node_checks;
+  return own_worker().checker->first_collision_among(pairs, q);
+}
+
 bool PlanningContext::edge_plausible(const Configuration& from, const Configuration& to,
                                      int count) {
   ++statistics_.edges_tested;
@@ -208,9 +222,15 @@ bool PlanningContext::edge_plausible(const Configuration& from, const Configurat
 
 std::unique_ptr<PlanningContext> PlanningContext::make_child(Observer& observer,
                                                              std::stop_token stop) const {
+  return make_child(problem_, observer, std::move(stop));
+}
+
+std::unique_ptr<PlanningContext> PlanningContext::make_child(const PlanningProblem& problem,
+                                                             Observer& observer,
+                                                             std::stop_token stop) const {
   PlanRequest request = request_;
   request.threads = 1;
-  auto child = std::make_unique<PlanningContext>(problem_, request, std::move(stop), observer);
+  auto child = std::make_unique<PlanningContext>(problem, request, std::move(stop), observer);
   child->parent_ = this;
   child->begin_ = begin_;
   return child;

@@ -138,5 +138,85 @@ TEST(CollisionWorld, StandsWhereItsBaseStands) {
   EXPECT_TRUE(X_WBody[0].translation().isApprox(Eigen::Vector3d(0.3, 0.3, 0.1), 1e-12));
 }
 
+/// Three boxes, of which the probe carries the last and may touch the second with it.
+class ChangedWorld : public testing::Test {
+ protected:
+  ChangedWorld() {
+    for (const char* name : {"table", "shelf", "tool"}) {
+      add_object(scene_, name, Box{}, Eigen::Vector3d(0, 0, -2));
+    }
+    carry(scene_, "tool", "probe", {"shelf"});
+  }
+
+  // The same bodies and pairs in the same order, with the meshes of `before` where it has them.
+  static void expect_same(const CollisionWorld& changed, const Scene& scene,
+                          const CollisionWorld& before) {
+    const CollisionWorld anew(scene);
+    ASSERT_EQ(changed.bodies().size(), anew.bodies().size());
+    for (std::size_t i = 0; i < anew.bodies().size(); ++i) {
+      const CollisionBody& body = changed.bodies()[i];
+      EXPECT_EQ(body.name, anew.bodies()[i].name);
+      EXPECT_TRUE(body.X_FB.isApprox(anew.bodies()[i].X_FB));
+      for (const CollisionBody& old : before.bodies()) {
+        EXPECT_TRUE(old.name != body.name || old.mesh == body.mesh) << body.name;
+      }
+    }
+    ASSERT_EQ(changed.pairs().size(), anew.pairs().size());
+    for (std::size_t p = 0; p < anew.pairs().size(); ++p) {
+      EXPECT_EQ(changed.pairs()[p].a, anew.pairs()[p].a) << p;
+      EXPECT_EQ(changed.pairs()[p].b, anew.pairs()[p].b) << p;
+    }
+  }
+
+  Scene scene_ = scene_of(test::gantry(Box{}));
+};
+
+TEST_F(ChangedWorld, IsTheWorldOfTheSceneWithAnObjectMoved) {
+  const CollisionWorld world(scene_);
+  scene_.objects[0].X_PO.translation().x() = 0.5;
+  expect_same(world.with_object_at("table", scene_.objects[0].X_PO), scene_, world);
+}
+
+TEST_F(ChangedWorld, IsTheWorldOfTheSceneWithAnObjectTakenAway) {
+  const CollisionWorld world(scene_);
+  scene_.objects.erase(scene_.objects.begin());
+  expect_same(world.without_object("table"), scene_, world);
+}
+
+TEST_F(ChangedWorld, IsTheWorldOfTheSceneWithAnObjectMore) {
+  const SceneObject shelf = scene_.objects[1];
+  scene_.objects.erase(scene_.objects.begin() + 1);
+  const CollisionWorld world(scene_);
+  scene_.objects.push_back(shelf);  // the tool may touch it
+  expect_same(world.with_object(shelf), scene_, world);
+}
+
+TEST_F(ChangedWorld, NamesAnObjectThatItCannotChange) {
+  const CollisionWorld world(scene_);
+  for (const char* name : {"vase", "tool"}) {  // unknown; carried
+    try {
+      const CollisionWorld changed = world.with_object_at(name, Pose::Identity());
+      FAIL() << name << " was moved";
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.what(), HasSubstr(name));
+    }
+    EXPECT_THROW((void)world.without_object(name), InputError);
+  }
+  EXPECT_THROW((void)world.with_object(scene_.objects[0]), InputError) << "a name that is taken";
+  SceneObject carried = scene_.objects[2];
+  carried.name = "another tool";
+  EXPECT_THROW((void)world.with_object(carried), InputError);
+}
+
+TEST_F(ChangedWorld, ListsThePairsOfAnObject) {
+  const CollisionWorld world(scene_);
+  std::set<std::string> names;
+  for (const int pair : world.pairs_with("table")) {
+    names.insert(world.body(world.pairs()[static_cast<std::size_t>(pair)].a).name);
+  }
+  EXPECT_EQ(names, (std::set<std::string>{"probe", "tool"}));
+  EXPECT_THAT(world.pairs_with("vase"), IsEmpty());
+}
+
 }  // namespace
 }  // namespace handway::geometric

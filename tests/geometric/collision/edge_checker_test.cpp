@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <memory>
 
@@ -150,6 +151,32 @@ TEST(EdgeChecker, MissesNoCollisionOnRandomEdges) {
         << from.transpose() << " to " << to.transpose();
     ASSERT_LT(free, 10000);
   }
+}
+
+TEST(EdgeChecker, IsFreeIfItIsForEveryPairOnItsOwn) {
+  EdgeJudge judge(thin_things());
+  RandomConfigurations random(judge.world().model(), 25);
+  int refused = 0;
+  for (int edges = 0; edges < 40;) {
+    const Configuration from = random.next();
+    const Configuration to = from + 0.05 * (random.next() - from);
+    if (judge.exact().first_collision(from) || judge.exact().first_collision(to)) {
+      continue;
+    }
+    ++edges;
+    const EdgeResult whole = judge.edges().check(from, to);
+    bool all_free = true;
+    for (int pair = 0; pair < static_cast<int>(judge.world().pairs().size()); ++pair) {
+      const EdgeResult own = judge.edges().check_among(std::array{pair}, from, to);
+      EXPECT_TRUE(own.free || own.pair == pair);
+      EXPECT_LE(own.checks, whole.free ? whole.checks : own.checks);
+      all_free = all_free && own.free;
+    }
+    EXPECT_EQ(whole.free, all_free);
+    refused += whole.free ? 0 : 1;
+  }
+  EXPECT_GT(refused, 0);
+  EXPECT_LT(refused, 40);
 }
 
 TEST(EdgeChecker, AcceptsWhatIsFree) {

@@ -7,6 +7,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -88,6 +89,10 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionChecker {
   /// The same, asking `hint` first and then in a fixed order: which pair is found
   /// depends on nothing but the arguments. @pre 0 ≤ hint < pairs, if there are any.
   [[nodiscard]] std::optional<int> first_collision(const Configuration& q, int hint);
+
+  /// The first of `pairs` that touches in `q`, if any.
+  [[nodiscard]] std::optional<int> first_collision_among(std::span<const int> pairs,
+                                                         const Configuration& q);
 
  protected:
   explicit CollisionChecker(std::shared_ptr<const CollisionWorld> world);

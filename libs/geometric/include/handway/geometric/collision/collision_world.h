@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace handway::geometric {
@@ -12,11 +13,12 @@ namespace handway::geometric {
 /// One rigid set of triangles: a link of the planned robot with all its
 /// collision shapes, a carried object, or something that stands still.
 struct CollisionBody {
-  std::string name;         ///< Link or object; "robot/link" for a robot that stands still.
-  int link = -1;            ///< Link of the planned robot that carries the body; -1: stands still.
+  std::string name;  ///< Link or object; "robot/link" for a robot that stands still.
+  int link = -1;     ///< Link of the planned robot that carries the body; -1: stands still.
   Pose X_FB = Pose::Identity();              ///< In the carrying link's frame, or in the world.
   std::shared_ptr<const TriangleMesh> mesh;  ///< In the body's frame B.
   bool is_carried = false;  ///< An object on a link; links themselves are at X_FB = identity.
+  std::vector<std::string> touching;  ///< Of a carried object: bodies that it may touch.
 
   [[nodiscard]] bool moves() const { return link >= 0; }
 };
@@ -38,6 +40,14 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionWorld {
   /// @throws InputError if the scene has no robot or an attachment names none.
   explicit CollisionWorld(const Scene& scene);
 
+  /// This world after a change of one object that stands still, all else shared: what
+  /// CollisionWorld(scene) would be for the changed scene, without making its meshes again.
+  /// @throws InputError if there is no such object, or one is to be added under a name that
+  /// is taken or is attached to a link.
+  [[nodiscard]] CollisionWorld with_object_at(std::string_view name, const Pose& X_WO) const;
+  [[nodiscard]] CollisionWorld with_object(const SceneObject& object) const;
+  [[nodiscard]] CollisionWorld without_object(std::string_view name) const;
+
   [[nodiscard]] const RobotModel& model() const { return *model_; }
   [[nodiscard]] const std::shared_ptr<const RobotModel>& shared_model() const { return model_; }
   [[nodiscard]] const Pose& X_WB() const { return X_WB_; }
@@ -52,12 +62,19 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionWorld {
   /// Poses of all bodies in the world. @param[out] X_WBody shape [bodies().size()].
   void place(const Configuration& q, std::vector<Pose>& X_BL, std::vector<Pose>& X_WBody) const;
 
+  /// Pairs with a body of that name that stands still, in order.
+  [[nodiscard]] std::vector<int> pairs_with(std::string_view still_body) const;
+
  private:
   void add_robot_links(const RobotInstance& robot);
   void add_still_robot(const RobotInstance& robot);
   void add_objects(const Scene& scene);
-  void list_pairs(const Scene& scene);
-  [[nodiscard]] bool must_not_touch(const Scene& scene, int a, int b) const;
+  void list_pairs();
+  [[nodiscard]] bool must_not_touch(int a, int b) const;
+  [[nodiscard]] std::vector<CollisionBody>::const_iterator find_still_body(
+      std::string_view name) const;
+  [[nodiscard]] std::vector<CollisionBody>::const_iterator needed_still_body(
+      std::string_view name) const;
 
   std::shared_ptr<const RobotModel> model_;
   Pose X_WB_ = Pose::Identity();

@@ -10,6 +10,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -51,6 +52,12 @@ class HANDWAY_GEOMETRIC_EXPORT EdgeChecker {
   /// @pre both ends are free of collision.
   [[nodiscard]] EdgeResult check(
       const Configuration& from, const Configuration& to,
+      std::uint64_t most_checks = std::numeric_limits<std::uint64_t>::max());
+
+  /// The same of some pairs alone, as if there were no others: an edge is free if and only
+  /// if it is for every pair on its own.
+  [[nodiscard]] EdgeResult check_among(
+      std::span<const int> pairs, const Configuration& from, const Configuration& to,
       std::uint64_t most_checks = std::numeric_limits<std::uint64_t>::max());
 
   /// The smallest distance (m) of any pair on the whole edge, but not above `enough`:

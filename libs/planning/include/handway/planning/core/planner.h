@@ -52,6 +52,12 @@ class HANDWAY_PLANNING_EXPORT Planner {
   [[nodiscard]] PlanResult plan(const PlanningProblem& problem, const PlanRequest& request,
                                 std::stop_token stop = {}, Observer* observer = nullptr);
 
+  /// The search alone, as a part of another planner's: without checking the ends and
+  /// without a certificate. Sets what do_plan() sets.
+  /// @pre start and goal are free, within limits and not the same; there is a basis if
+  /// capabilities() ask for one.
+  void plan_within(PlanningContext& context, PlanResult& result) { do_plan(context, result); }
+
  protected:
   /// Searches. Sets status, reason, path, statistics and, if it smooths, smoothing_s.
   virtual void do_plan(PlanningContext& context, PlanResult& result) = 0;

@@ -12,6 +12,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <span>
 #include <stop_token>
 #include <vector>
 
@@ -81,6 +82,13 @@ class HANDWAY_PLANNING_EXPORT PlanningContext {
       const Configuration& from, const Configuration& to,
       std::uint64_t most_checks = std::numeric_limits<std::uint64_t>::max());
 
+  /// What stands in the way, besides: of an edge, or of a configuration. Only `pairs` are asked.
+  [[nodiscard]] geometric::EdgeResult edge_among(std::span<const int> pairs,
+                                                 const Configuration& from,
+                                                 const Configuration& to);
+  [[nodiscard]] std::optional<int> collision_among(std::span<const int> pairs,
+                                                   const Configuration& q);
+
   /// Are configurations evenly spread over an edge free of collision? At least
   /// `count` of them, 2^n - 1. Quick, and no proof; an edge that fails is not free.
   [[nodiscard]] bool edge_plausible(const Configuration& from, const Configuration& to, int count);
@@ -89,6 +97,10 @@ class HANDWAY_PLANNING_EXPORT PlanningContext {
   /// thread and statistics of its own, and this context's clock, time limit and
   /// cancellation. @param stop ends it alone. Both must outlive it, and so must this context.
   [[nodiscard]] std::unique_ptr<PlanningContext> make_child(Observer& observer,
+                                                            std::stop_token stop) const;
+  /// The same for a search between other ends, in the same scene. @param problem must outlive it.
+  [[nodiscard]] std::unique_ptr<PlanningContext> make_child(const PlanningProblem& problem,
+                                                            Observer& observer,
                                                             std::stop_token stop) const;
 
   /// Calls `work(0)` … `work(count - 1)` on all threads; one after the other on a single one.
