@@ -204,20 +204,21 @@ std::optional<int> PlanningContext::collision_among(std::span<const int> pairs,
   return own_worker().checker->first_collision_among(pairs, q);
 }
 
-bool PlanningContext::edge_plausible(const Configuration& from, const Configuration& to,
-                                     int count) {
+std::optional<int> PlanningContext::edge_probe(const Configuration& from, const Configuration& to,
+                                               int count) {
   ++statistics_.edges_tested;
   geometric::CollisionChecker& checker = *own_worker().checker;
   // Halves, then quarters, …: the sooner an obstacle is met, the fewer are looked at.
   for (int parts = 2; parts / 2 <= count; parts *= 2) {
     for (int i = 1; i < parts; i += 2) {
       ++statistics_.edge_checks;
-      if (checker.first_collision(from + (static_cast<double>(i) / parts) * (to - from))) {
-        return false;
+      const Configuration q = from + (static_cast<double>(i) / parts) * (to - from);
+      if (const std::optional<int> pair = checker.first_collision(q)) {
+        return pair;
       }
     }
   }
-  return true;
+  return std::nullopt;
 }
 
 std::unique_ptr<PlanningContext> PlanningContext::make_child(Observer& observer,

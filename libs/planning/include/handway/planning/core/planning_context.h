@@ -82,7 +82,7 @@ class HANDWAY_PLANNING_EXPORT PlanningContext {
       const Configuration& from, const Configuration& to,
       std::uint64_t most_checks = std::numeric_limits<std::uint64_t>::max());
 
-  /// What stands in the way, besides: of an edge, or of a configuration. Only `pairs` are asked.
+  /// Whether an edge or a configuration is free of some pairs, and of which it is not.
   [[nodiscard]] geometric::EdgeResult edge_among(std::span<const int> pairs,
                                                  const Configuration& from,
                                                  const Configuration& to);
@@ -91,7 +91,12 @@ class HANDWAY_PLANNING_EXPORT PlanningContext {
 
   /// Are configurations evenly spread over an edge free of collision? At least
   /// `count` of them, 2^n - 1. Quick, and no proof; an edge that fails is not free.
-  [[nodiscard]] bool edge_plausible(const Configuration& from, const Configuration& to, int count);
+  [[nodiscard]] bool edge_plausible(const Configuration& from, const Configuration& to, int count) {
+    return !edge_probe(from, to, count);
+  }
+  /// The same; a pair that touches, if the edge fails.
+  [[nodiscard]] std::optional<int> edge_probe(const Configuration& from, const Configuration& to,
+                                              int count);
 
   /// A context for a search that runs beside others on the same problem: with one
   /// thread and statistics of its own, and this context's clock, time limit and

@@ -1,0 +1,101 @@
+#pragma once
+
+#include "handway/geometric/scene/scene.h"
+#include "handway/planning/core/planner.h"
+#include "handway/planning/core/planning_problem.h"
+#include "handway/planning/export.h"
+
+#include <memory>
+#include <stop_token>
+#include <string>
+
+namespace handway::planning {
+
+/// Settings of LivingRoadmap.
+struct LivingRoadmapSettings {
+  int k = 8;             ///< Nearest nodes that a new node is joined to.
+  int max_nodes = 3000;  ///< When there are more, all but those of the last path are forgotten.
+  /// Configurations checked in search of a way over edges never checked before, each time.
+  int roadmap_checks = 500;
+  /// Configurations checked for a way around what cuts the last path, before planning anew.
+  int repair_checks = 4000;
+  int smoothing_checks = 300;  ///< Configurations that ShortcutSmoothing may check.
+};
+
+/// Where a path came from, from the cheapest to the dearest.
+enum class ReplanSource {
+  kNone,      ///< There is none.
+  kLastPath,  ///< The path of the time before; it is still free.
+  kRoadmap,   ///< A way over what is left of the roadmap.
+  kRepair,    ///< The last path with a new way around what cuts it.
+  kPlanner,   ///< Planned anew.
+};
+
+/// What the last LivingRoadmap::plan() found in the roadmap and did with it.
+struct ReplanReport {
+  ReplanSource source = ReplanSource::kNone;
+  int nodes = 0;          ///< Of the roadmap, afterwards.
+  int edges = 0;          ///< Of these, whatever is known of them.
+  int rechecked = 0;      ///< Nodes and edges found free before and asked about changes alone.
+  int refused_edges = 0;  ///< Edges found not to be free.
+  int revived_edges = 0;  ///< Refused before because of something that has changed since.
+};
+
+/// Plans again and again in a scene that changes little from one time to the next.
+///
+/// It keeps a roadmap of what it learned. A node or edge that was free stays free
+/// of all that stands where it stood, so that only pairs with changed objects are
+/// checked again, and only along ways that are about to be taken. One that was
+/// refused stays refused until the object that refused it changes. Asked to plan,
+/// it takes, in this order: the shortest way over edges that were free before,
+/// which mostly is the last path; a way over other edges of the roadmap; the last
+/// path, with a new way from where it is cut to where it is free again (a
+/// bidirectional search in the paper's regions, there); a path planned anew. All but an
+/// unchanged path are smoothed, and all that was learned goes into the roadmap.
+///
+/// The same calls give the same paths, for any number of threads. For one call at a time.
+///
+/// Sources: Bohlin, Kavraki, "Path planning using lazy PRM", ICRA 2000,
+/// doi:10.1109/ROBOT.2000.844107; Jaillet, Siméon, "A PRM-based motion planner for
+/// dynamically changing environments", IROS 2004, doi:10.1109/IROS.2004.1389625.
+class HANDWAY_PLANNING_EXPORT LivingRoadmap {
+ public:
+  /// @param planner plans the first path, and others anew where repair fails; null: PmdAuto
+  /// if the problem has a basis, RrtConnect over all joints otherwise.
+  explicit LivingRoadmap(PlanningProblem problem, const LivingRoadmapSettings& settings = {},
+                         std::unique_ptr<Planner> planner = nullptr);
+  ~LivingRoadmap();
+  LivingRoadmap(LivingRoadmap&&) noexcept;
+  LivingRoadmap& operator=(LivingRoadmap&&) noexcept;
+
+  /// The problem as it is now. After a change, this or plan() makes its checker anew.
+  [[nodiscard]] const PlanningProblem& problem();
+
+  /// Changes of objects that stand still in the world. @param X_WO the object's pose.
+  /// @throws InputError naming the object, if there is none of that name, it is carried by
+  /// a robot, or one to be added has a name that is taken.
+  void move_object(const std::string& name, const geometric::Pose& X_WO);
+  void add_object(const geometric::SceneObject& object);
+  void remove_object(const std::string& name);
+
+  /// Checked by plan(), like the ends of any problem.
+  void set_start(const Configuration& q);
+  void set_goal(const Configuration& q);
+
+  /// As Planner::plan(). Where it fails, the roadmap and the last path are kept for the next time.
+  /// @param observer is told of the nodes that this call adds.
+  [[nodiscard]] PlanResult plan(const PlanRequest& request, std::stop_token stop = {},
+                                Observer* observer = nullptr);
+
+  /// Of the last plan().
+  [[nodiscard]] const ReplanReport& report() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/// "last path", "roadmap", …: the word for people.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT const char* to_string(ReplanSource source);
+
+}  // namespace handway::planning

@@ -1,0 +1,156 @@
+#include "replanning/living_graph.h"
+
+#include <boost/graph/adjacency_list.hpp>
+#include <boost/graph/astar_search.hpp>
+#include <boost/property_map/function_property_map.hpp>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace handway::planning {
+namespace {
+
+constexpr double kUnknownCost = 10.0;  // of an edge never checked, per length: most are refused
+
+struct NodeData {
+  geometric::Configuration q;
+  Eigen::VectorXd coordinates;
+  Freedom freedom;
+};
+
+struct EdgeData {
+  double length = 0.0;
+  Freedom freedom;
+};
+
+using BoostGraph =
+    boost::adjacency_list<boost::setS, boost::vecS, boost::undirectedS, NodeData, EdgeData>;
+using Vertex = boost::graph_traits<BoostGraph>::vertex_descriptor;
+using BoostEdge = boost::graph_traits<BoostGraph>::edge_descriptor;
+
+struct GoalReached {};
+
+class StopAtGoal : public boost::default_astar_visitor {
+ public:
+  explicit StopAtGoal(Vertex goal) : goal_(goal) {}
+  void examine_vertex(Vertex vertex, const BoostGraph& /*graph*/) const {
+    if (vertex == goal_) {
+      throw GoalReached{};  // how Boost Graph ends a search early
+    }
+  }
+
+ private:
+  Vertex goal_;
+};
+
+Vertex vertex(int node) { return static_cast<Vertex>(node); }
+
+}  // namespace
+
+struct LivingGraph::Graph {
+  int k;
+  BoostGraph graph;
+
+  [[nodiscard]] double distance(Vertex a, Vertex b) const {
+    return (graph[a].coordinates - graph[b].coordinates).norm();
+  }
+
+  // Infinite: not to be taken.
+  [[nodiscard]] double cost(const BoostEdge& edge, Edges edges, const SceneChanges& changes) const {
+    const auto refused = [&](const Freedom& freedom) { return freedom.is_refused(changes); };
+    const EdgeData& data = graph[edge];
+    if (refused(data.freedom) || refused(graph[boost::source(edge, graph)].freedom) ||
+        refused(graph[boost::target(edge, graph)].freedom)) {
+      return std::numeric_limits<double>::infinity();
+    }
+    if (data.freedom.was_free()) {
+      return data.length;
+    }
+    return edges == Edges::kAny ? kUnknownCost * data.length
+                                : std::numeric_limits<double>::infinity();
+  }
+};
+
+LivingGraph::LivingGraph(int k) : graph_(std::make_unique<Graph>(Graph{k, {}})) {}
+LivingGraph::~LivingGraph() = default;
+LivingGraph::LivingGraph(LivingGraph&&) noexcept = default;
+LivingGraph& LivingGraph::operator=(LivingGraph&&) noexcept = default;
+
+int LivingGraph::node_at(const geometric::Configuration& q, const Eigen::VectorXd& coordinates) {
+  BoostGraph& graph = graph_->graph;
+  std::vector<std::pair<double, Vertex>> others;
+  for (Vertex other = 0; other < boost::num_vertices(graph); ++other) {
+    if (graph[other].q == q) {
+      return static_cast<int>(other);
+    }
+    others.emplace_back((graph[other].coordinates - coordinates).norm(), other);
+  }
+  const Vertex added = boost::add_vertex(NodeData{q, coordinates, {}}, graph);
+  const auto count =
+      std::min(static_cast<std::ptrdiff_t>(graph_->k), static_cast<std::ptrdiff_t>(others.size()));
+  std::partial_sort(others.begin(), others.begin() + count, others.end());
+  for (auto other = others.begin(); other != others.begin() + count; ++other) {
+    boost::add_edge(added, other->second, EdgeData{other->first, {}}, graph);
+  }
+  return static_cast<int>(added);
+}
+
+void LivingGraph::join(int a, int b) {
+  boost::add_edge(vertex(a), vertex(b), EdgeData{distance(a, b), {}}, graph_->graph);
+}
+
+int LivingGraph::node_count() const { return static_cast<int>(boost::num_vertices(graph_->graph)); }
+
+int LivingGraph::edge_count() const { return static_cast<int>(boost::num_edges(graph_->graph)); }
+
+const geometric::Configuration& LivingGraph::configuration(int node) const {
+  return graph_->graph[vertex(node)].q;
+}
+
+double LivingGraph::distance(int a, int b) const { return graph_->distance(vertex(a), vertex(b)); }
+
+Freedom& LivingGraph::node(int node) { return graph_->graph[vertex(node)].freedom; }
+
+Freedom& LivingGraph::edge(int a, int b) {
+  return graph_->graph[boost::edge(vertex(a), vertex(b), graph_->graph).first].freedom;
+}
+
+std::vector<int> LivingGraph::shortest_path(int from, int to, Edges edges,
+                                            const SceneChanges& changes) const {
+  const BoostGraph& graph = graph_->graph;
+  std::vector<Vertex> previous(boost::num_vertices(graph));
+  const auto cost = boost::make_function_property_map<BoostEdge, double>(
+      [&](const BoostEdge& edge) { return graph_->cost(edge, edges, changes); });
+  try {
+    boost::astar_search(
+        graph, vertex(from), [&](Vertex at) { return graph_->distance(at, vertex(to)); },
+        boost::predecessor_map(boost::make_iterator_property_map(
+                                   previous.begin(), boost::get(boost::vertex_index, graph)))
+            .weight_map(cost)
+            .visitor(StopAtGoal(vertex(to))));
+    return {};
+  } catch (const GoalReached&) {
+  }
+  if (from != to && previous[vertex(to)] == vertex(to)) {
+    return {};  // Boost Graph visits what only infinite costs lead to as well
+  }
+  std::vector<int> path{to};
+  while (path.back() != from) {
+    path.push_back(static_cast<int>(previous[vertex(path.back())]));
+  }
+  std::ranges::reverse(path);
+  return path;
+}
+
+int LivingGraph::revived_edges(const SceneChanges& changes) const {
+  int revived = 0;
+  const BoostGraph& graph = graph_->graph;
+  for (auto [edge, end] = boost::edges(graph); edge != end; ++edge) {
+    const Freedom& freedom = graph[*edge].freedom;
+    revived += freedom.refused_at != Freedom::kNever && !freedom.is_refused(changes) ? 1 : 0;
+  }
+  return revived;
+}
+
+}  // namespace handway::planning

@@ -1,0 +1,151 @@
+#include "handway/planning/replanning/living_roadmap.h"
+
+#include "handway/geometric/collision/make_checker.h"
+#include "handway/geometric/io/input_error.h"
+#include "handway/planning/planners/pmd_auto.h"
+#include "handway/planning/planners/rrt_connect.h"
+#include "replanning/replanner.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace handway::planning {
+
+using geometric::CollisionWorld;
+using geometric::InputError;
+using geometric::Scene;
+using geometric::SceneObject;
+
+namespace {
+
+std::unique_ptr<Planner> usual_planner(const PlanningProblem& problem) {
+  if (problem.basis) {
+    return std::make_unique<PmdAuto>();
+  }
+  return std::make_unique<RrtConnect>(HandSpace::kAllJoints);
+}
+
+// The scene's object of that name that stands still.
+std::vector<SceneObject>::iterator still_object(Scene& scene, const std::string& name) {
+  const auto found =
+      std::ranges::find_if(scene.objects, [&](const SceneObject& o) { return o.name == name; });
+  if (found == scene.objects.end()) {
+    std::string known;
+    for (const SceneObject& object : scene.objects) {
+      known += (known.empty() ? "one of " : ", ") + object.name;
+    }
+    throw InputError({scene.file.string(), "object " + name, "no such object",
+                      known.empty() ? "an object of the scene, which has none" : known, ""});
+  }
+  if (found->attachment) {
+    throw InputError(
+        {scene.file.string(), "object " + name,
+         "an attachment to " + found->attachment->robot + "/" + found->attachment->link,
+         "an object that stands still", "A carried object moves with its link"});
+  }
+  return found;
+}
+
+}  // namespace
+
+struct LivingRoadmap::State {
+  State(PlanningProblem first, const LivingRoadmapSettings& settings,
+        std::unique_ptr<Planner> chosen)
+      : problem(std::move(first)),
+        world(problem.checker->shared_world()),
+        planner(chosen ? std::move(chosen) : usual_planner(problem)),
+        memory(settings) {}
+
+  // @param moved the object was there and is: how the robot can move has not changed.
+  void change(const std::string& object, Scene scene, CollisionWorld changed, bool moved) {
+    if (!moved) {
+      problem.motion = nullptr;
+    }
+    problem.scene = std::make_shared<const Scene>(std::move(scene));
+    world = std::make_shared<const CollisionWorld>(std::move(changed));
+    memory.changes.note(object);
+  }
+
+  // Several changes between two queries make one checker.
+  void update_checker() {
+    if (problem.checker->shared_world() != world) {
+      problem.checker = geometric::make_collision_checker(world);
+      if (!problem.motion) {
+        problem.motion = std::make_shared<const geometric::MotionBound>(*world);
+      }
+    }
+  }
+
+  PlanningProblem problem;
+  std::shared_ptr<const CollisionWorld> world;
+  std::unique_ptr<Planner> planner;
+  RoadmapMemory memory;
+};
+
+LivingRoadmap::LivingRoadmap(PlanningProblem problem, const LivingRoadmapSettings& settings,
+                             std::unique_ptr<Planner> planner)
+    : state_(std::make_unique<State>(std::move(problem), settings, std::move(planner))) {}
+LivingRoadmap::~LivingRoadmap() = default;
+LivingRoadmap::LivingRoadmap(LivingRoadmap&&) noexcept = default;
+LivingRoadmap& LivingRoadmap::operator=(LivingRoadmap&&) noexcept = default;
+
+const PlanningProblem& LivingRoadmap::problem() {
+  state_->update_checker();
+  return state_->problem;
+}
+
+const ReplanReport& LivingRoadmap::report() const { return state_->memory.report; }
+
+void LivingRoadmap::move_object(const std::string& name, const geometric::Pose& X_WO) {
+  Scene scene = *state_->problem.scene;
+  still_object(scene, name)->X_PO = X_WO;
+  state_->change(name, std::move(scene), state_->world->with_object_at(name, X_WO), true);
+}
+
+void LivingRoadmap::add_object(const SceneObject& object) {
+  CollisionWorld changed = state_->world->with_object(object);
+  Scene scene = *state_->problem.scene;
+  scene.objects.push_back(object);
+  state_->change(object.name, std::move(scene), std::move(changed), false);
+}
+
+void LivingRoadmap::remove_object(const std::string& name) {
+  Scene scene = *state_->problem.scene;
+  scene.objects.erase(still_object(scene, name));
+  state_->change(name, std::move(scene), state_->world->without_object(name), false);
+}
+
+void LivingRoadmap::set_start(const Configuration& q) { state_->problem.start = q; }
+
+void LivingRoadmap::set_goal(const Configuration& q) { state_->problem.goal = q; }
+
+PlanResult LivingRoadmap::plan(const PlanRequest& request, std::stop_token stop,
+                               Observer* observer) {
+  state_->update_checker();
+  state_->memory.report = {};
+  Observer silent;
+  NodeHarvest harvest(observer ? *observer : silent);
+  Replanner replanner(state_->memory, *state_->planner, harvest);
+  PlanResult result = replanner.plan(state_->problem, request, std::move(stop), &harvest);
+  state_->memory.report.nodes = state_->memory.graph.node_count();
+  state_->memory.report.edges = state_->memory.graph.edge_count();
+  return result;
+}
+
+const char* to_string(ReplanSource source) {
+  switch (source) {
+    case ReplanSource::kNone:
+      return "none";
+    case ReplanSource::kLastPath:
+      return "last path";
+    case ReplanSource::kRoadmap:
+      return "roadmap";
+    case ReplanSource::kRepair:
+      return "repair";
+    case ReplanSource::kPlanner:
+      return "planner";
+  }
+  return "none";
+}
+
+}  // namespace handway::planning

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "handway/planning/core/planner.h"
+#include "handway/planning/core/planning_context.h"
+#include "replanning/node_harvest.h"
+#include "replanning/roadmap_memory.h"
+#include "replanning/way_checker.h"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace handway::planning {
+
+/// One query of a LivingRoadmap.
+class Replanner final : public Planner {
+ public:
+  /// All must outlive this object. @param harvest the observer that plan() is given.
+  Replanner(RoadmapMemory& memory, Planner& planner, NodeHarvest& harvest)
+      : memory_(memory), planner_(planner), harvest_(harvest) {}
+
+  [[nodiscard]] std::string name() const override { return "living-roadmap"; }
+  [[nodiscard]] std::string description() const override {
+    return "Roadmap that is kept while the scene changes";
+  }
+  [[nodiscard]] PlannerCapabilities capabilities() const override {
+    return planner_.capabilities();
+  }
+  [[nodiscard]] std::vector<Parameter> parameters() override { return planner_.parameters(); }
+
+ protected:
+  void do_plan(PlanningContext& context, PlanResult& result) override;
+
+ private:
+  [[nodiscard]] std::optional<Path> known_path(PlanningContext& context, WayChecker& checker);
+  [[nodiscard]] std::optional<Path> repaired_path(PlanningContext& context, WayChecker& checker);
+  [[nodiscard]] std::vector<int> free_waypoints(PlanningContext& context, WayChecker& checker);
+  [[nodiscard]] std::optional<Path> detour(PlanningContext& context, const Configuration& from,
+                                           const Configuration& to);
+  [[nodiscard]] Path along(const std::vector<int>& way) const;
+
+  RoadmapMemory& memory_;
+  Planner& planner_;
+  NodeHarvest& harvest_;
+};
+
+}  // namespace handway::planning

@@ -1,0 +1,128 @@
+/// An object dragged in steps of a centimetre: planning again with a living roadmap, which
+/// keeps what it knows, and planning anew.
+#include "handway/planning/planners/pmd_auto.h"
+#include "handway/planning/replanning/living_roadmap.h"
+#include "handway_test/known_problems.h"
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <chrono>
+#include <string>
+#include <vector>
+
+namespace handway::planning {
+namespace {
+
+/// Away from where it stands and back, so that a drag can go on for ever.
+struct Drag {
+  std::string scene;
+  std::string object;
+  Eigen::Vector3d direction;  ///< In the world, unit length.
+  int steps;                  ///< Of 1 cm, in one direction.
+};
+
+constexpr double kStep = 0.01;  // m
+
+PlanningProblem problem_of(const std::string& scene) {
+  const std::vector<test::KnownProblem> all = test::known_problems();
+  const auto found = std::ranges::find(all, scene, &test::KnownProblem::name);
+  const LoadedScene loaded = test::load(*found);
+  return make_problem(loaded.scene, loaded.basis);
+}
+
+geometric::Pose place_of(const geometric::Pose& X_WO, const Drag& drag, int step) {
+  const int phase = step % (2 * drag.steps);
+  const int along = std::min(phase, 2 * drag.steps - phase);
+  geometric::Pose X_WMoved = X_WO;
+  X_WMoved.translation() += kStep * along * drag.direction;
+  return X_WMoved;
+}
+
+/// What the queries of a benchmark add up to.
+struct Sum {
+  double checks = 0.0;
+  double slowest_s = 0.0;
+  int solved = 0;
+
+  void add(const PlanResult& result, double time_s) {
+    checks += static_cast<double>(result.statistics.checks());
+    slowest_s = std::max(slowest_s, time_s);
+    solved += result.solved() ? 1 : 0;
+  }
+
+  void report(benchmark::State& state) const {
+    const auto queries = static_cast<double>(state.iterations());
+    state.counters["checks"] = checks / queries;
+    state.counters["solved"] = solved / queries;
+    state.counters["slowest_ms"] = 1e3 * slowest_s;
+  }
+};
+
+// Time of planning and smoothing, without the checker of the changed scene and the certificate,
+// which both ways have in common.
+double search_time(const PlanResult& result) { return result.time_s + result.smoothing_s; }
+
+void bm_living_roadmap(benchmark::State& state, const Drag& drag) {
+  LivingRoadmap roadmap(problem_of(drag.scene));
+  const geometric::Pose X_WO = geometric::find_object(*roadmap.problem().scene, drag.object)->X_PO;
+  (void)roadmap.plan({});
+  Sum sum;
+  int kept = 0;
+  int anew = 0;
+  int step = 0;
+  for (auto _ : state) {
+    roadmap.move_object(drag.object, place_of(X_WO, drag, ++step));
+    const PlanResult result = roadmap.plan({});
+    state.SetIterationTime(search_time(result));
+    sum.add(result, search_time(result));
+    kept += roadmap.report().source == ReplanSource::kLastPath ? 1 : 0;
+    anew += roadmap.report().source == ReplanSource::kPlanner ? 1 : 0;
+  }
+  sum.report(state);
+  state.counters["kept"] = static_cast<double>(kept) / static_cast<double>(state.iterations());
+  state.counters["anew"] = static_cast<double>(anew) / static_cast<double>(state.iterations());
+}
+
+void bm_anew(benchmark::State& state, const Drag& drag) {
+  LivingRoadmap moved(problem_of(drag.scene));  // for its problem alone
+  const geometric::Pose X_WO = geometric::find_object(*moved.problem().scene, drag.object)->X_PO;
+  PmdAuto planner;
+  Sum sum;
+  int step = 0;
+  for (auto _ : state) {
+    moved.move_object(drag.object, place_of(X_WO, drag, ++step));
+    const PlanResult result = planner.plan(moved.problem(), {});
+    state.SetIterationTime(search_time(result));
+    sum.add(result, search_time(result));
+  }
+  sum.report(state);
+}
+
+}  // namespace
+}  // namespace handway::planning
+
+int main(int argc, char** argv) {
+  using handway::planning::Drag;
+  // Not so far that the goal is in collision.
+  const std::vector<Drag> drags{
+      {"can_on_table", "can", {-1.0, 0.0, 0.0}, 1},
+      {"cans_in_shelf", "can_right", {0.0, 1.0, 0.0}, 6},
+  };
+  for (const Drag& drag : drags) {
+    const std::string name = drag.scene + "/" + drag.object;
+    benchmark::RegisterBenchmark(("living/" + name).c_str(), handway::planning::bm_living_roadmap,
+                                 drag)
+        ->UseManualTime()
+        ->Unit(benchmark::kMillisecond);
+    benchmark::RegisterBenchmark(("anew/" + name).c_str(), handway::planning::bm_anew, drag)
+        ->UseManualTime()
+        ->Unit(benchmark::kMillisecond);
+  }
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) {
+    return 1;
+  }
+  benchmark::RunSpecifiedBenchmarks();
+  return 0;
+}

@@ -1,0 +1,260 @@
+#include "handway/planning/replanning/living_roadmap.h"
+
+#include "handway/geometric/collision/edge_checker.h"
+#include "handway/geometric/io/input_error.h"
+#include "handway/planning/planners/pmd_auto.h"
+#include "handway_test/planar_problems.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <set>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+namespace handway::planning {
+namespace {
+
+using geometric::InputError;
+using geometric::Pose;
+using test::planar_configuration;
+using testing::HasSubstr;
+
+Pose at(double x, double y) { return Pose(Eigen::Translation3d(x, y, 0.0)); }
+
+// Judged by a checker made for the scene as it is, on all pairs.
+void expect_valid(LivingRoadmap& roadmap, const PlanResult& result) {
+  ASSERT_TRUE(result.solved()) << result.reason;
+  const PlanningProblem problem = [&] {
+    PlanningProblem anew = roadmap.problem();
+    auto scene = std::make_shared<geometric::Scene>(*anew.scene);
+    scene->start = anew.start;
+    scene->goal = anew.goal;
+    return make_problem(scene, anew.basis);
+  }();
+  const std::unique_ptr<geometric::CollisionChecker> checker = problem.checker->clone();
+  geometric::EdgeChecker edges(*checker, problem.motion, 4e-5);
+  EXPECT_EQ(result.path.waypoints.front(), problem.start);
+  EXPECT_EQ(result.path.waypoints.back(), problem.goal);
+  for (std::size_t i = 0; i < result.path.waypoints.size(); ++i) {
+    EXPECT_FALSE(checker->first_collision(result.path.waypoints[i])) << "waypoint " << i;
+    if (i > 0) {
+      EXPECT_TRUE(edges.check(result.path.waypoints[i - 1], result.path.waypoints[i]).free)
+          << "edge " << i;
+    }
+  }
+  EXPECT_GT(result.certificate.min_clearance_mm, 0.0);
+}
+
+std::uint64_t checks_anew(LivingRoadmap& roadmap) {
+  PmdAuto planner;
+  const PlanResult result = planner.plan(roadmap.problem(), {});
+  EXPECT_TRUE(result.solved());
+  return result.statistics.checks();
+}
+
+/// The hand sweeps across a post, which moves.
+class MovingPost : public testing::Test {
+ protected:
+  static constexpr double kPostX = 0.755;
+
+  PlanResult plan() { return roadmap_.plan(request_); }
+  ReplanSource source() { return roadmap_.report().source; }
+
+  PlanRequest request_{.time_limit_s = 60.0};
+  LivingRoadmap roadmap_{test::post_problem()};
+};
+
+TEST_F(MovingPost, KeepsAPathThatStaysFree) {
+  const PlanResult first = plan();
+  expect_valid(roadmap_, first);
+  EXPECT_EQ(source(), ReplanSource::kPlanner);
+  roadmap_.move_object("post", at(-0.5, 0.0));
+  const PlanResult second = plan();
+  expect_valid(roadmap_, second);
+  EXPECT_EQ(source(), ReplanSource::kLastPath);
+  EXPECT_EQ(second.path.waypoints, first.path.waypoints);
+  EXPECT_GT(roadmap_.report().rechecked, 0);
+}
+
+TEST_F(MovingPost, AsksNothingTwiceWhenNothingChanged) {
+  const PlanResult first = plan();
+  const PlanResult second = plan();
+  EXPECT_EQ(second.path.waypoints, first.path.waypoints);
+  EXPECT_EQ(second.statistics.checks(), 2U) << "start and goal";
+  EXPECT_EQ(roadmap_.report().rechecked, 0);
+}
+
+TEST_F(MovingPost, FollowsSmallMovesWithFewerChecksThanPlanningAnew) {
+  (void)plan();
+  std::uint64_t checks = 0;
+  std::uint64_t anew = 0;
+  for (int step = 1; step <= 6; ++step) {
+    roadmap_.move_object("post", at(kPostX + 0.003 * step, 0.004 * step));
+    const PlanResult result = plan();
+    expect_valid(roadmap_, result);
+    checks += result.statistics.checks();
+    anew += checks_anew(roadmap_);
+  }
+  EXPECT_LT(checks, anew / 2);
+}
+
+TEST_F(MovingPost, LeadsThePathAroundWhatIsPutIntoIt) {
+  roadmap_.move_object("post", at(-0.5, 0.0));
+  const PlanResult straight = plan();
+  expect_valid(roadmap_, straight);
+  EXPECT_EQ(straight.path.waypoints.size(), 2U);
+  roadmap_.move_object("post", at(kPostX, 0.0));
+  const PlanResult around = plan();
+  expect_valid(roadmap_, around);
+  EXPECT_NE(around.path.waypoints, straight.path.waypoints);
+  EXPECT_GT(roadmap_.report().refused_edges, 0);
+}
+
+TEST_F(MovingPost, RevivesWhatWasRefusedBecauseOfAnObjectThatLeft) {
+  roadmap_.move_object("post", at(-0.5, 0.0));
+  const PlanResult straight = plan();
+  roadmap_.move_object("post", at(kPostX, 0.0));
+  (void)plan();
+  EXPECT_EQ(roadmap_.report().revived_edges, 0);
+  roadmap_.move_object("post", at(-0.5, 0.0));
+  const PlanResult back = plan();
+  EXPECT_GT(roadmap_.report().revived_edges, 0);
+  EXPECT_EQ(back.path.waypoints, straight.path.waypoints) << "the shorter way is free again";
+  EXPECT_EQ(source(), ReplanSource::kRoadmap);
+}
+
+TEST_F(MovingPost, PlansWithoutAnObjectThatIsTakenAwayAndWithOneThatComes) {
+  const geometric::SceneObject post = roadmap_.problem().scene->objects.front();
+  (void)plan();
+  roadmap_.remove_object("post");
+  EXPECT_TRUE(roadmap_.problem().scene->objects.empty());
+  expect_valid(roadmap_, plan());
+  EXPECT_NE(source(), ReplanSource::kPlanner);
+  roadmap_.add_object(post);
+  expect_valid(roadmap_, plan());
+  geometric::SceneObject far = post;
+  far.name = "another post";
+  far.X_PO = at(-0.6, 0.0);
+  roadmap_.add_object(far);
+  expect_valid(roadmap_, plan());
+  EXPECT_EQ(source(), ReplanSource::kLastPath);
+}
+
+TEST_F(MovingPost, FollowsItsEnds) {
+  (void)plan();
+  roadmap_.set_goal(planar_configuration(0.45, 0.05, 0.1));
+  const PlanResult other_goal = plan();
+  expect_valid(roadmap_, other_goal);
+  EXPECT_NE(source(), ReplanSource::kPlanner);
+  EXPECT_LT(other_goal.statistics.checks(), checks_anew(roadmap_));
+  roadmap_.set_start(planar_configuration(-0.45, 0.05));
+  expect_valid(roadmap_, plan());
+  EXPECT_NE(source(), ReplanSource::kPlanner);
+}
+
+TEST_F(MovingPost, SaysWhenAnEndIsInCollisionAndGoesOnAfterwards) {
+  const PlanResult first = plan();
+  roadmap_.move_object("post",
+                       at(0.4 * std::cos(0.4), 0.4 * std::sin(0.4)));  // in the goal's lower arm
+  const PlanResult blocked = plan();
+  EXPECT_EQ(blocked.status, PlanStatus::kGoalInvalid);
+  EXPECT_THAT(blocked.reason, HasSubstr("post"));
+  EXPECT_TRUE(blocked.path.waypoints.empty());
+  EXPECT_EQ(source(), ReplanSource::kNone);
+  roadmap_.move_object("post", at(0.4 * std::cos(0.4), -0.4 * std::sin(0.4)));
+  EXPECT_EQ(plan().status, PlanStatus::kStartInvalid);
+  roadmap_.move_object("post", at(kPostX, 0.0));
+  const PlanResult again = plan();
+  EXPECT_EQ(again.path.waypoints, first.path.waypoints);
+  EXPECT_EQ(source(), ReplanSource::kLastPath);
+}
+
+TEST_F(MovingPost, NamesAnObjectThatItCannotChange) {
+  for (const auto& change : {+[](LivingRoadmap& roadmap) { roadmap.move_object("vase", at(0, 0)); },
+                             +[](LivingRoadmap& roadmap) { roadmap.remove_object("vase"); }}) {
+    try {
+      change(roadmap_);
+      FAIL() << "an unknown object was changed";
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.what(), HasSubstr("vase"));
+      EXPECT_THAT(error.what(), HasSubstr("post")) << "what there is";
+    }
+  }
+  EXPECT_THROW(roadmap_.add_object(roadmap_.problem().scene->objects.front()), InputError);
+  EXPECT_TRUE(plan().solved()) << "nothing has changed";
+}
+
+TEST_F(MovingPost, StopsWhenAskedTo) {
+  std::stop_source stop;
+  stop.request_stop();
+  EXPECT_EQ(roadmap_.plan(request_, stop.get_token()).status, PlanStatus::kCancelled);
+  expect_valid(roadmap_, plan());
+}
+
+TEST_F(MovingPost, ForgetsWhatIsTooMuch) {
+  LivingRoadmap small(test::post_problem(), {.max_nodes = 12});
+  for (int step = 0; step <= 8; ++step) {
+    small.move_object("post", at(kPostX + 0.004 * step, 0.01 * (step % 3)));
+    const PlanResult result = small.plan(request_);
+    expect_valid(small, result);
+    EXPECT_LE(small.report().nodes, 12 + 2 * static_cast<int>(result.path.waypoints.size()));
+  }
+}
+
+TEST_F(MovingPost, PlansOverAllJointsWithoutABasis) {
+  PlanningProblem problem = test::post_problem();
+  problem.basis = nullptr;
+  LivingRoadmap roadmap(problem);
+  expect_valid(roadmap, roadmap.plan(request_));
+  roadmap.move_object("post", at(kPostX - 0.01, 0.01));
+  expect_valid(roadmap, roadmap.plan(request_));
+}
+
+/// Remembers what it was told.
+class Recorder : public Observer {
+ public:
+  void on_node(const NodeEvent& node) override { EXPECT_TRUE(nodes.insert(node.id).second); }
+  void on_edge(int from, int to) override {
+    EXPECT_TRUE(nodes.contains(from) && nodes.contains(to));
+  }
+
+  std::set<int> nodes;
+};
+
+TEST_F(MovingPost, TellsAnObserverOfItsNodes) {
+  Recorder first;
+  (void)roadmap_.plan(request_, {}, &first);
+  EXPECT_FALSE(first.nodes.empty());
+  roadmap_.move_object("post", at(kPostX - 0.02, 0.02));
+  Recorder second;
+  (void)roadmap_.plan(request_, {}, &second);
+}
+
+TEST(LivingRoadmap, GivesTheSamePathsForAnyNumberOfThreads) {
+  const auto paths = [](int threads) {
+    LivingRoadmap roadmap(test::post_problem());
+    std::vector<std::vector<Configuration>> found;
+    for (int step = 0; step < 8; ++step) {
+      roadmap.move_object("post", at(0.74 + 0.005 * step, 0.02 * (step % 3)));
+      found.push_back(roadmap.plan({.threads = threads}).path.waypoints);
+    }
+    return found;
+  };
+  const auto expected = paths(1);
+  EXPECT_EQ(paths(1), expected);
+  EXPECT_EQ(paths(2), expected);
+}
+
+TEST(LivingRoadmap, TakesAWayThatOpens) {
+  LivingRoadmap roadmap(test::walled_in_problem());
+  EXPECT_EQ(roadmap.plan({.time_limit_s = 0.2}).status, PlanStatus::kTimeLimit);
+  roadmap.remove_object("right wall");
+  expect_valid(roadmap, roadmap.plan({.time_limit_s = 60.0}));
+}
+
+}  // namespace
+}  // namespace handway::planning
