@@ -33,8 +33,7 @@ void CollisionWorld::add_robot_links(const RobotInstance& robot) {
   for (int i = 0; i < robot.model->link_count(); ++i) {
     auto mesh = std::make_shared<TriangleMesh>(collision_mesh(robot.model->link(i)));
     if (!mesh->empty()) {
-      bodies_.push_back(
-          {robot.model->link(i).name, i, Pose::Identity(), std::move(mesh), false, {}});
+      bodies_.push_back({robot.model->link(i).name, i, Pose::Identity(), std::move(mesh)});
     }
   }
 }
@@ -45,18 +44,15 @@ void CollisionWorld::add_still_robot(const RobotInstance& robot) {
   for (int i = 0; i < robot.model->link_count(); ++i) {
     auto mesh = std::make_shared<TriangleMesh>(collision_mesh(robot.model->link(i)));
     if (!mesh->empty()) {
-      bodies_.push_back({robot.name + "/" + robot.model->link(i).name,
-                         -1,
-                         robot.X_WB * X_BL[static_cast<std::size_t>(i)],
-                         std::move(mesh),
-                         {}});
+      bodies_.push_back({robot.name + "/" + robot.model->link(i).name, -1,
+                         robot.X_WB * X_BL[static_cast<std::size_t>(i)], std::move(mesh)});
     }
   }
 }
 
 void CollisionWorld::add_objects(const Scene& scene) {
   for (const SceneObject& object : scene.objects) {
-    CollisionBody body{object.name, -1, object.X_PO, tessellate(object.shape), false, {}};
+    CollisionBody body{object.name, -1, object.X_PO, tessellate(object.shape)};
     if (object.attachment) {
       const RobotInstance* robot = find_robot(scene, object.attachment->robot);
       const std::optional<int> link =
@@ -149,7 +145,7 @@ CollisionWorld CollisionWorld::with_object(const SceneObject& object) const {
                       "a new object that stands still", ""});
   }
   CollisionWorld changed = *this;
-  CollisionBody body{object.name, -1, object.X_PO, tessellate(object.shape), false, {}};
+  CollisionBody body{object.name, -1, object.X_PO, tessellate(object.shape)};
   if (!body.mesh->empty()) {
     changed.bodies_.push_back(std::move(body));
     changed.list_pairs();

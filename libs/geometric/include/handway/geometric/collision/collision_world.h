@@ -18,7 +18,7 @@ struct CollisionBody {
   Pose X_FB = Pose::Identity();              ///< In the carrying link's frame, or in the world.
   std::shared_ptr<const TriangleMesh> mesh;  ///< In the body's frame B.
   bool is_carried = false;  ///< An object on a link; links themselves are at X_FB = identity.
-  std::vector<std::string> touching;  ///< Of a carried object: bodies that it may touch.
+  std::vector<std::string> touching = {};  ///< Of a carried object: bodies that it may touch.
 
   [[nodiscard]] bool moves() const { return link >= 0; }
 };
