@@ -91,6 +91,9 @@ bool WayChecker::edge_free(int a, int b) {
     memory_.report.rechecked += freedom.was_free() ? 1 : 0;
     const geometric::EdgeResult result =
         context_.edge_among(pairs, memory_.graph.configuration(a), memory_.graph.configuration(b));
+    if (!result.free && !result.pair) {
+      return false;  // interrupted: nothing was settled
+    }
     if (!result.free) {
       ++memory_.report.refused_edges;
       refuse(freedom, result.pair);
