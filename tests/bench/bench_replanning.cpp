@@ -114,9 +114,11 @@ int main(int argc, char** argv) {
     benchmark::RegisterBenchmark(("living/" + name).c_str(), handway::planning::bm_living_roadmap,
                                  drag)
         ->UseManualTime()
+        ->Iterations(drag.steps * 12)
         ->Unit(benchmark::kMillisecond);
     benchmark::RegisterBenchmark(("anew/" + name).c_str(), handway::planning::bm_anew, drag)
         ->UseManualTime()
+        ->Iterations(drag.steps * 12)
         ->Unit(benchmark::kMillisecond);
   }
   benchmark::Initialize(&argc, argv);
