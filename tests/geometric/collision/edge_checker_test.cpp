@@ -267,10 +267,10 @@ TEST_F(ALongQuestion, IsNotBegunOnceStopped) {
 }
 
 TEST_F(ALongQuestion, GivesAClearanceThatHoldsWhenStopped) {
-  const double whole = judge_.edges().clearance(from_, to_, 0.05, 1e-7).distance;
+  const double whole = judge_.edges().clearance(from_, to_, 0.05, 2e-5).distance;
   int asked = 0;
   judge_.edges().stop_when([&] { return ++asked == 2; });
-  const double stopped = judge_.edges().clearance(from_, to_, 0.05, 1e-7).distance;
+  const double stopped = judge_.edges().clearance(from_, to_, 0.05, 2e-5).distance;
   EXPECT_EQ(asked, 2);
   EXPECT_GT(stopped, 0.0);
   EXPECT_LE(stopped, whole);
