@@ -1,0 +1,32 @@
+#pragma once
+
+#include "handway/device/export.h"
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace handway::device {
+
+/// One bend sensor of a glove.
+struct GloveSensor {
+  std::string_view name;   ///< As its makers and the ROS drivers call it: "ThumbRotate".
+  std::string_view label;  ///< For people: "Thumb roll".
+  char letter;             ///< As in the paper's Fig. 3: a to v.
+  int slot;                ///< Place in the 24 angles of the VirtualHand order.
+};
+
+/// The 22 sensors of a CyberGlove, in the order of its records (paper, section 3 and Fig. 3;
+/// the 18-sensor glove leaves out the four sensors of the distal finger joints).
+[[nodiscard]] HANDWAY_DEVICE_EXPORT std::span<const GloveSensor> cyberglove_sensors();
+
+/// Index in cyberglove_sensors() of every sensor that a glove with so many sensors has,
+/// in the order of its records.
+/// @param sensors 18 or 22.
+/// @throws std::invalid_argument for another number.
+[[nodiscard]] HANDWAY_DEVICE_EXPORT std::span<const int> cyberglove_wired(int sensors);
+
+/// Index of the sensor with that name, or with that one letter.
+[[nodiscard]] HANDWAY_DEVICE_EXPORT std::optional<int> find_sensor(std::string_view name);
+
+}  // namespace handway::device
