@@ -1,5 +1,6 @@
 #include "handway/planning/core/planning_context.h"
 
+#include "core/lowest_index.h"
 #include "handway/geometric/math/units.h"
 
 #include <tbb/enumerable_thread_specific.h>
@@ -7,7 +8,6 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <atomic>
 #include <utility>
 
 namespace handway::planning {
@@ -98,6 +98,12 @@ PlanningContext::Worker& PlanningContext::own_worker() {
   return threads_->only ? *threads_->only : threads_->workers.local();
 }
 
+const EdgeResult& PlanningContext::counted(const EdgeResult& edge) {
+  ++statistics_.edges_tested;
+  statistics_.edge_checks += edge.checks;
+  return edge;
+}
+
 std::optional<int> PlanningContext::collision(const Configuration& q) {
   ++statistics_.node_checks;
   return own_worker().checker->first_collision(q);
@@ -114,29 +120,27 @@ PlanningContext::FirstFree PlanningContext::first_free(
     int count, const std::function<Configuration(int)>& candidate) {
   constexpr int kFree = -1;
   std::vector<int> outcome(static_cast<std::size_t>(count));
-  std::atomic<int> first = count;
+  LowestIndex first(count);
   const auto ask = [&](int i) {
-    if (i > first.load()) {
+    if (i > first.get()) {
       return;  // an earlier one is free: this answer is not needed
     }
     const std::optional<int> pair =
         own_worker().checker->first_collision(candidate(i), last_rejecting_pair_);
     outcome[static_cast<std::size_t>(i)] = pair.value_or(kFree);
     if (!pair) {
-      int known = first.load();
-      while (i < known && !first.compare_exchange_weak(known, i)) {
-      }
+      first.offer(i);
     }
   };
   if (request_.threads > 1) {
     threads_->arena.execute([&] { tbb::parallel_for(0, count, ask, tbb::simple_partitioner()); });
   } else {
-    for (int i = 0; i < first.load(); ++i) {
+    for (int i = 0; i < first.get(); ++i) {
       ask(i);
     }
   }
   FirstFree result;
-  const int rejected = first.load();
+  const int rejected = first.get();
   if (rejected < count) {
     result.index = rejected;
   }
@@ -172,10 +176,7 @@ bool PlanningContext::EdgeBatch::is_free(std::size_t index) {
   if (!results_[index]) {
     check_from(index);
   }
-  const EdgeResult& result = *results_[index];
-  ++context_.statistics_.edges_tested;
-  context_.statistics_.edge_checks += result.checks;
-  return result.free;
+  return context_.counted(*results_[index]).free;
 }
 
 PlanningContext::EdgeBatch PlanningContext::edges(std::vector<Edge> edges) {
@@ -184,18 +185,12 @@ PlanningContext::EdgeBatch PlanningContext::edges(std::vector<Edge> edges) {
 
 bool PlanningContext::edge_free(const Configuration& from, const Configuration& to,
                                 std::uint64_t most_checks) {
-  const EdgeResult result = own_worker().edges.check(from, to, most_checks);
-  ++statistics_.edges_tested;
-  statistics_.edge_checks += result.checks;
-  return result.free;
+  return counted(own_worker().edges.check(from, to, most_checks)).free;
 }
 
 EdgeResult PlanningContext::edge_among(std::span<const int> pairs, const Configuration& from,
                                        const Configuration& to) {
-  const EdgeResult result = own_worker().edges.check_among(pairs, from, to);
-  ++statistics_.edges_tested;
-  statistics_.edge_checks += result.checks;
-  return result;
+  return counted(own_worker().edges.check_among(pairs, from, to));
 }
 
 std::optional<int> PlanningContext::collision_among(std::span<const int> pairs,

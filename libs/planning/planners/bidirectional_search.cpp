@@ -24,8 +24,9 @@ BidirectionalSearch::BidirectionalSearch(PlanningContext& context,
     : Search(context),
       settings_(settings),
       lazy_(hand == HandSpace::kPrincipalDirections),
-      space_(make_search_space(context.problem(), static_cast<CorridorForm>(settings.corridor))),
-      draws_(context.problem(), settings, hand, *space_, seed),
+      space_(make_search_space(context.problem(),
+                               static_cast<CorridorForm>(settings.region.corridor))),
+      draws_(context.problem(), settings.region, hand, *space_, seed),
       trees_(context.problem().start, space_->coordinates(context.problem().start),
              context.problem().goal, space_->coordinates(context.problem().goal)) {
   announce_node(0, {});
@@ -57,7 +58,8 @@ void BidirectionalSearch::announce_node(int node, const TargetDraws::Target& tar
 // One step of at most `range` from the nearest node; the new node, if the way is free.
 std::optional<int> BidirectionalSearch::extend(int tree, const TargetDraws::Target& target) {
   const int from = trees_.nearest(tree, target.coordinates);
-  const Eigen::VectorXd end = draws_.held(target.coordinates, trees_.coordinates(from), sample_);
+  const Eigen::VectorXd end =
+      draws_.held(target.coordinates, trees_.coordinates(from), sample_, settings_.single_moves);
   double range = settings_.range;
   for (int i = 0; i <= settings_.refinements; ++i, range *= kRefinement) {
     if (const std::optional<int> node = step_towards(from, end, range, target)) {

@@ -2,14 +2,14 @@
 
 #include "handway/geometric/io/input_error.h"
 #include "handway/planning/core/planning_context.h"
-#include "handway/planning/paths/shortcut_smoothing.h"
 #include "handway/planning/planners/pmd_lazy.h"
 #include "handway/planning/planners/rrt_connect.h"
 #include "handway/sampling/sequences/random_stream.h"
 #include "planners/bidirectional_search.h"
 #include "planners/lazy_search.h"
-#include "planners/phase_clock.h"
 #include "planners/race.h"
+#include "planners/search_parameters.h"
+#include "planners/smooth_result.h"
 
 #include <fmt/format.h>
 
@@ -31,10 +31,10 @@ RrtConnectSettings joint_trees() {
 // Short steps and a wide corridor: made for leaving tight places along a line.
 RrtConnectSettings cartesian_trees() {
   RrtConnectSettings settings = joint_trees();
-  settings.corridor = static_cast<int>(CorridorForm::kCartesian);
+  settings.region.corridor = static_cast<int>(CorridorForm::kCartesian);
   settings.range = 0.1;
   settings.refinements = 2;
-  settings.near_ends = 0.5;
+  settings.region.near_ends = 0.5;
   settings.single_moves = 0.5;
   return settings;
 }
@@ -82,9 +82,7 @@ std::vector<Parameter> PmdAuto::parameters() {
   return {
       {"max_samples", "Samples", "", "Samples that all searches draw together before giving up.",
        &settings_.max_samples, 1, 100000000},
-      {"smoothing_checks", "Checks to smooth", "",
-       "Configurations checked to shorten the path once it is found. 0: it stays as it is.",
-       &settings_.smoothing_checks, 0, 10000000},
+      smoothing_checks_parameter(settings_.smoothing_checks),
       {"cartesian", "Search in tool poses", "",
        "Trees in the Cartesian corridor take part, if the arm is built like the TX90.",
        &settings_.cartesian, 0.0, 1.0},
@@ -116,10 +114,8 @@ void PmdAuto::do_plan(PlanningContext& context, PlanResult& result) {
   Race race(context, std::move(racers), static_cast<std::uint64_t>(settings_.max_samples));
   result.status = race.run();
   if (result.solved()) {
-    const PhaseClock smoothing_time(result.smoothing_s);
-    ShortcutSmoothing smoothing(context, *context.problem().basis,
-                                static_cast<std::uint64_t>(settings_.smoothing_checks), seed);
-    result.path = smoothing.smooth(race.path());
+    smooth_result(context, *context.problem().basis, settings_.smoothing_checks, race.path(),
+                  result);
     result.reason =
         fmt::format("Found a path of {} waypoints after {} samples, by {}.",
                     result.path.waypoints.size(), context.statistics().samples, race.winner());

@@ -7,6 +7,7 @@
 #include "handway/sampling/sequences/van_der_corput.h"
 #include "planners/hand_arm_space.h"
 #include "planners/phase_clock.h"
+#include "planners/search_parameters.h"
 
 #include <algorithm>
 #include <cmath>
@@ -272,9 +273,7 @@ std::vector<Parameter> PmdPrm::parameters() {
        &settings_.rho_a, 1e-5, 0.5},
       {"rho_max", "Largest ρₐ", "", "The corridor does not grow beyond this.", &settings_.rho_max,
        1e-5, 0.5},
-      {"corridor", "Corridor", "",
-       "Around the straight motion of the arm's joints, or of its tool.",
-       ChoiceValue{&settings_.corridor, {"joint", "cartesian"}}},
+      corridor_parameter(settings_.corridor),
       {"n_a", "Arm trials nA", "", "Arm configurations tried in each hypercube.", &settings_.n_a, 1,
        1000},
       {"n_h", "Hand trials nH", "", "Hand configurations tried with each arm configuration.",

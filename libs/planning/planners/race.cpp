@@ -1,9 +1,9 @@
 #include "planners/race.h"
 
+#include "core/lowest_index.h"
 #include "planners/event_log.h"
 
 #include <algorithm>
-#include <atomic>
 #include <stop_token>
 #include <utility>
 
@@ -92,10 +92,10 @@ void Race::run_lanes(const std::vector<Lane*>& lanes, const SearchBudget& budget
     }
   }
   const int count = static_cast<int>(lanes.size());
-  std::atomic<int> first_solved = count;
+  LowestIndex first_solved(count);
   context_.run_on_threads(count, [&](int i) {
     Lane& lane = *lanes[static_cast<std::size_t>(i)];
-    if (i > first_solved.load()) {
+    if (i > first_solved.get()) {
       return;
     }
     if (!lane.search) {
@@ -107,9 +107,7 @@ void Race::run_lanes(const std::vector<Lane*>& lanes, const SearchBudget& budget
     }
     lane.end = lane.search->advance(budget);
     if (lane.end == PlanStatus::kSolved) {
-      int known = first_solved.load();
-      while (i < known && !first_solved.compare_exchange_weak(known, i)) {
-      }
+      first_solved.offer(i);
       for (int other = i + 1; other < count; ++other) {
         lanes[static_cast<std::size_t>(other)]->beaten.request_stop();
       }

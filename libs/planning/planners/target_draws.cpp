@@ -18,10 +18,10 @@ constexpr double kLargestBall = 0.3;
 
 }  // namespace
 
-TargetDraws::TargetDraws(const PlanningProblem& problem, const RrtConnectSettings& settings,
-                         HandSpace hand, const SearchSpace& space, std::uint64_t seed)
+TargetDraws::TargetDraws(const PlanningProblem& problem, const TargetRegion& region, HandSpace hand,
+                         const SearchSpace& space, std::uint64_t seed)
     : problem_(problem),
-      settings_(settings),
+      region_(region),
       space_(space),
       in_regions_(hand == HandSpace::kPrincipalDirections),
       basis_(hand_basis(problem, hand)),
@@ -34,16 +34,16 @@ TargetDraws::Target TargetDraws::draw(int sample, int end, int failures) const {
   }
   const int axes =
       std::min(basis_.dimension(), static_cast<int>(basis_.free_joints.size()) + 1 + failures);
-  Target target = draw.uniform() < settings_.near_ends ? draw_near_end(end, axes, draw)
-                                                       : draw_in_corridor(sample, axes, draw);
+  Target target = draw.uniform() < region_.near_ends ? draw_near_end(end, axes, draw)
+                                                     : draw_in_corridor(sample, axes, draw);
   target.pmds = std::max(0, axes - static_cast<int>(basis_.free_joints.size()));
   return target;
 }
 
 TargetDraws::Target TargetDraws::draw_in_corridor(int sample, int axes, RandomStream& draw) const {
-  const double widths = std::floor(static_cast<double>(sample) / settings_.samples_per_width);
+  const double widths = std::floor(static_cast<double>(sample) / region_.samples_per_width);
   const double rho =
-      std::min(settings_.rho_max, settings_.rho_a * std::pow(settings_.rho_growth, widths));
+      std::min(region_.rho_max, region_.rho_a * std::pow(region_.rho_growth, widths));
   const double step = draw.uniform();
   const Eigen::VectorXd arm = draw.uniform(space_.arm_draws());
   const Eigen::VectorXd posture = sampling::map_to_posture(basis_, draw.uniform(axes));
@@ -65,17 +65,17 @@ TargetDraws::Target TargetDraws::draw_near_end(int end, int axes, RandomStream& 
   return {space_.draw(end, rho, arm, posture), 0, rho};
 }
 
-Eigen::VectorXd TargetDraws::held(Eigen::VectorXd target, const Eigen::VectorXd& from,
-                                  int sample) const {
+Eigen::VectorXd TargetDraws::held(Eigen::VectorXd target, const Eigen::VectorXd& from, int sample,
+                                  double share) const {
   if (!in_regions_) {
     return target;
   }
   const double u = draws_.fork(static_cast<std::uint64_t>(sample)).fork(1).uniform();
   const auto hand_size = static_cast<Eigen::Index>(basis_.joints.size());
   const Eigen::Index arm_size = target.size() - hand_size;
-  if (u < 0.5 * settings_.single_moves) {
+  if (u < 0.5 * share) {
     target.tail(hand_size) = from.tail(hand_size);
-  } else if (u < settings_.single_moves) {
+  } else if (u < share) {
     target.head(arm_size) = from.head(arm_size);
   }
   return target;

@@ -1,7 +1,8 @@
 #pragma once
 
 #include "handway/planning/core/planning_problem.h"
-#include "handway/planning/planners/rrt_connect.h"
+#include "handway/planning/planners/hand_space.h"
+#include "handway/planning/planners/target_region.h"
 #include "handway/sampling/postures/pmd_basis.h"
 #include "handway/sampling/sequences/random_stream.h"
 #include "planners/search_space.h"
@@ -17,7 +18,7 @@ namespace handway::planning {
 class TargetDraws {
  public:
   /// All that is passed must outlive this object.
-  TargetDraws(const PlanningProblem& problem, const RrtConnectSettings& settings, HandSpace hand,
+  TargetDraws(const PlanningProblem& problem, const TargetRegion& region, HandSpace hand,
               const SearchSpace& space, std::uint64_t seed);
 
   /// A target in the coordinates of the search space for the tree of an end (0: start, 1: goal).
@@ -31,17 +32,17 @@ class TargetDraws {
   /// more with every failure (Algorithm 4).
   [[nodiscard]] Target draw(int sample, int end, int failures) const;
 
-  /// `target` with the arm or the hand as at `from`, in a share of the samples: to
+  /// `target` with the arm or the hand as at `from`, in this share of the samples: to
   /// open around an object and to draw back from it are hard to find as one motion.
   [[nodiscard]] Eigen::VectorXd held(Eigen::VectorXd target, const Eigen::VectorXd& from,
-                                     int sample) const;
+                                     int sample, double share) const;
 
  private:
   [[nodiscard]] Target draw_in_corridor(int sample, int axes, sampling::RandomStream& draw) const;
   [[nodiscard]] Target draw_near_end(int end, int axes, sampling::RandomStream& draw) const;
 
   const PlanningProblem& problem_;
-  const RrtConnectSettings& settings_;
+  const TargetRegion& region_;
   const SearchSpace& space_;
   bool in_regions_;
   sampling::PmdBasis basis_;

@@ -1,10 +1,11 @@
 #include "replanning/living_graph.h"
 
+#include "roadmap/nearest_nodes.h"
+#include "roadmap/shortest_path.h"
+
 #include <boost/graph/adjacency_list.hpp>
-#include <boost/graph/astar_search.hpp>
 #include <boost/property_map/function_property_map.hpp>
 
-#include <algorithm>
 #include <limits>
 #include <utility>
 
@@ -28,21 +29,6 @@ using BoostGraph =
     boost::adjacency_list<boost::setS, boost::vecS, boost::undirectedS, NodeData, EdgeData>;
 using Vertex = boost::graph_traits<BoostGraph>::vertex_descriptor;
 using BoostEdge = boost::graph_traits<BoostGraph>::edge_descriptor;
-
-struct GoalReached {};
-
-class StopAtGoal : public boost::default_astar_visitor {
- public:
-  explicit StopAtGoal(Vertex goal) : goal_(goal) {}
-  void examine_vertex(Vertex vertex, const BoostGraph& /*graph*/) const {
-    if (vertex == goal_) {
-      throw GoalReached{};  // how Boost Graph ends a search early
-    }
-  }
-
- private:
-  Vertex goal_;
-};
 
 Vertex vertex(int node) { return static_cast<Vertex>(node); }
 
@@ -79,7 +65,7 @@ LivingGraph& LivingGraph::operator=(LivingGraph&&) noexcept = default;
 
 int LivingGraph::node_at(const geometric::Configuration& q, const Eigen::VectorXd& coordinates) {
   BoostGraph& graph = graph_->graph;
-  std::vector<std::pair<double, Vertex>> others;
+  std::vector<NodeDistance> others;
   for (Vertex other = 0; other < boost::num_vertices(graph); ++other) {
     if (graph[other].q == q) {
       return static_cast<int>(other);
@@ -87,11 +73,8 @@ int LivingGraph::node_at(const geometric::Configuration& q, const Eigen::VectorX
     others.emplace_back((graph[other].coordinates - coordinates).norm(), other);
   }
   const Vertex added = boost::add_vertex(NodeData{q, coordinates, {}}, graph);
-  const auto count =
-      std::min(static_cast<std::ptrdiff_t>(graph_->k), static_cast<std::ptrdiff_t>(others.size()));
-  std::partial_sort(others.begin(), others.begin() + count, others.end());
-  for (auto other = others.begin(); other != others.begin() + count; ++other) {
-    boost::add_edge(added, other->second, EdgeData{other->first, {}}, graph);
+  for (const auto& [length, other] : nearest_nodes(std::move(others), graph_->k)) {
+    boost::add_edge(added, vertex(other), EdgeData{length, {}}, graph);
   }
   return static_cast<int>(added);
 }
@@ -118,29 +101,10 @@ Freedom& LivingGraph::edge(int a, int b) {
 
 std::vector<int> LivingGraph::shortest_path(int from, int to, Edges edges,
                                             const SceneChanges& changes) const {
-  const BoostGraph& graph = graph_->graph;
-  std::vector<Vertex> previous(boost::num_vertices(graph));
   const auto cost = boost::make_function_property_map<BoostEdge, double>(
       [&](const BoostEdge& edge) { return graph_->cost(edge, edges, changes); });
-  try {
-    boost::astar_search(
-        graph, vertex(from), [&](Vertex at) { return graph_->distance(at, vertex(to)); },
-        boost::predecessor_map(boost::make_iterator_property_map(
-                                   previous.begin(), boost::get(boost::vertex_index, graph)))
-            .weight_map(cost)
-            .visitor(StopAtGoal(vertex(to))));
-    return {};
-  } catch (const GoalReached&) {
-  }
-  if (from != to && previous[vertex(to)] == vertex(to)) {
-    return {};  // Boost Graph visits what only infinite costs lead to as well
-  }
-  std::vector<int> path{to};
-  while (path.back() != from) {
-    path.push_back(static_cast<int>(previous[vertex(path.back())]));
-  }
-  std::ranges::reverse(path);
-  return path;
+  return planning::shortest_path(graph_->graph, from, to, cost,
+                                 [&](Vertex at) { return graph_->distance(at, vertex(to)); });
 }
 
 int LivingGraph::revived_edges(const SceneChanges& changes) const {

@@ -1,11 +1,12 @@
 #include "handway/planning/roadmap/roadmap.h"
 
+#include "roadmap/nearest_nodes.h"
+#include "roadmap/shortest_path.h"
+
 #include <boost/graph/adjacency_list.hpp>
-#include <boost/graph/astar_search.hpp>
 #include <boost/pending/disjoint_sets.hpp>
 #include <boost/property_map/vector_property_map.hpp>
 
-#include <algorithm>
 #include <utility>
 
 namespace handway::planning {
@@ -22,21 +23,6 @@ struct NodeData {
 using BoostGraph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, NodeData,
                                          boost::property<boost::edge_weight_t, double>>;
 using Vertex = boost::graph_traits<BoostGraph>::vertex_descriptor;
-
-struct GoalReached {};
-
-class StopAtGoal : public boost::default_astar_visitor {
- public:
-  explicit StopAtGoal(Vertex goal) : goal_(goal) {}
-  void examine_vertex(Vertex vertex, const BoostGraph& /*graph*/) const {
-    if (vertex == goal_) {
-      throw GoalReached{};  // how Boost Graph ends a search early
-    }
-  }
-
- private:
-  Vertex goal_;
-};
 
 }  // namespace
 
@@ -90,44 +76,24 @@ bool Roadmap::same_component(int a, int b) const {
 }
 
 std::vector<int> Roadmap::nearest(int node, int k, double threshold) const {
-  std::vector<std::pair<double, int>> candidates;
+  std::vector<NodeDistance> candidates;
   for (int other = 0; other < node_count(); ++other) {
     const double d = distance(node, other);
     if (other != node && d <= threshold) {
       candidates.emplace_back(d, other);
     }
   }
-  const auto count = std::min(static_cast<std::size_t>(k), candidates.size());
-  std::partial_sort(candidates.begin(), candidates.begin() + static_cast<std::ptrdiff_t>(count),
-                    candidates.end());
   std::vector<int> nodes;
-  for (std::size_t i = 0; i < count; ++i) {
-    nodes.push_back(candidates[i].second);
+  for (const auto& [d, other] : nearest_nodes(std::move(candidates), k)) {
+    nodes.push_back(other);
   }
   return nodes;
 }
 
 std::vector<int> Roadmap::shortest_path(int from, int to) const {
-  const auto goal = static_cast<Vertex>(to);
-  const auto source = static_cast<Vertex>(from);
-  std::vector<Vertex> predecessors(boost::num_vertices(graph_->graph));
-  try {
-    boost::astar_search(
-        graph_->graph, source, [&](Vertex vertex) { return graph_->distance(vertex, goal); },
-        boost::predecessor_map(
-            boost::make_iterator_property_map(predecessors.begin(),
-                                              boost::get(boost::vertex_index, graph_->graph)))
-            .visitor(StopAtGoal(goal)));
-  } catch (const GoalReached&) {
-    std::vector<int> path{to};
-    for (Vertex at = goal; at != source;) {
-      at = predecessors[at];
-      path.push_back(static_cast<int>(at));
-    }
-    std::ranges::reverse(path);
-    return path;
-  }
-  return {};
+  return planning::shortest_path(
+      graph_->graph, from, to, boost::get(boost::edge_weight, graph_->graph),
+      [&](Vertex at) { return graph_->distance(at, static_cast<Vertex>(to)); });
 }
 
 }  // namespace handway::planning

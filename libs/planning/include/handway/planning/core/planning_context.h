@@ -125,6 +125,8 @@ class HANDWAY_PLANNING_EXPORT PlanningContext {
   struct Threads;
 
   Worker& own_worker();
+  /// `edge`, once the statistics know of it.
+  const geometric::EdgeResult& counted(const geometric::EdgeResult& edge);
 
   const PlanningProblem& problem_;
   const PlanningContext* parent_ = nullptr;

@@ -2,7 +2,7 @@
 
 #include "handway/planning/core/planner.h"
 #include "handway/planning/export.h"
-#include "handway/planning/planners/rrt_connect.h"
+#include "handway/planning/planners/target_region.h"
 
 #include <string>
 #include <vector>
@@ -15,7 +15,7 @@ struct PmdLazySettings {
   int batch = 20;  ///< Nodes added each time start and goal have fallen apart.
   int max_samples = 1000000;
   int smoothing_checks = 300;  ///< Configurations that ShortcutSmoothing may check.
-  RrtConnectSettings region = {.near_ends = 0.5, .rho_a = 0.03};  ///< Where nodes are drawn from.
+  TargetRegion region = {.near_ends = 0.5, .rho_a = 0.03};  ///< Where nodes are drawn from.
 };
 
 /// A roadmap in the paper's sampling regions whose edges are checked only where

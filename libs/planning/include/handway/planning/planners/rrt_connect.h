@@ -2,8 +2,8 @@
 
 #include "handway/planning/core/planner.h"
 #include "handway/planning/export.h"
-#include "handway/planning/planners/corridor_form.h"
 #include "handway/planning/planners/hand_space.h"
+#include "handway/planning/planners/target_region.h"
 
 #include <string>
 #include <vector>
@@ -17,13 +17,8 @@ struct RrtConnectSettings {
   int refinements = 0;  ///< Steps tried, each a quarter of the one before, when one is not free.
   int max_samples = 1000000;
   int smoothing_checks = 300;  ///< Configurations that ShortcutSmoothing may check.
-  int corridor = static_cast<int>(CorridorForm::kJoint);  ///< A CorridorForm; PMDs only.
-  double near_ends = 0.7;     ///< Share of samples drawn around start and goal; PMDs only.
-  double single_moves = 0.3;  ///< Share that move the arm alone or the hand alone; PMDs only.
-  double rho_a = 0.1;         ///< Half-width of the arm corridor at the start; PMDs only.
-  double rho_max = 0.4;       ///< … and at most; PMDs only.
-  double rho_growth = 1.5;    ///< Factor after every `samples_per_width`; PMDs only.
-  int samples_per_width = 300;
+  double single_moves = 0.3;   ///< Share that move the arm alone or the hand alone; PMDs only.
+  TargetRegion region;         ///< PMDs only.
 };
 
 /// Two trees that grow towards random samples and towards each other. Over all
