@@ -1,0 +1,57 @@
+#pragma once
+
+#include "handway/planning/export.h"
+#include "handway/planning/paths/path.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace handway::planning {
+
+/// A part of a BlendedPath: straight, or a circular arc in configuration space.
+/// At arc length s from its beginning the joints are at
+///   straight  origin + s t
+///   arc       origin + r sin(s/r) t + r (1 - cos(s/r)) n
+struct HANDWAY_PLANNING_EXPORT PathPiece {
+  double length = 0.0;
+  double radius = 0.0;               ///< r; 0: straight.
+  geometric::Configuration origin;   ///< Where it begins.
+  geometric::Configuration tangent;  ///< t, of length 1: the direction in which it begins.
+  geometric::Configuration normal;   ///< n, of length 1, square to t; of zeros if straight.
+  std::size_t waypoint = 0;     ///< The waypoint that it ends in (straight) or goes around (arc).
+  bool ends_in_corner = false;  ///< It ends at a waypoint where the motion has to stop.
+
+  [[nodiscard]] bool is_arc() const { return radius > 0.0; }
+  [[nodiscard]] geometric::Configuration position(double s) const;
+  [[nodiscard]] geometric::Configuration first_derivative(double s) const;   ///< dq/ds
+  [[nodiscard]] geometric::Configuration second_derivative(double s) const;  ///< d²q/ds²
+};
+
+/// A path whose corners are rounded by circular arcs, as differentiable as velocity
+/// limits need it. Lengths are Euclidean in the joints' units (rad, m).
+///
+/// Source: Kunz, Stilman, "Time-optimal trajectory generation for path following with
+/// bounded acceleration and velocity", RSS 2012, section IV: an arc takes at most half
+/// of either edge, and passes its waypoint at no more than the deviation allowed.
+class HANDWAY_PLANNING_EXPORT BlendedPath {
+ public:
+  /// @param deviations how far from each waypoint its arc may pass, shape [waypoints],
+  /// first and last without meaning; 0 leaves the corner.
+  /// @throws std::invalid_argument if shapes differ or a value is not finite or below 0.
+  BlendedPath(const Path& path, const std::vector<double>& deviations);
+
+  [[nodiscard]] double length() const { return length_; }
+  /// None if all waypoints are the same.
+  [[nodiscard]] const std::vector<PathPiece>& pieces() const { return pieces_; }
+  /// How far each waypoint's arc really passes from it; shape [waypoints], 0: through it.
+  [[nodiscard]] const std::vector<double>& deviations() const { return deviations_; }
+  [[nodiscard]] const Path& polyline() const { return polyline_; }
+
+ private:
+  Path polyline_;
+  std::vector<PathPiece> pieces_;
+  std::vector<double> deviations_;
+  double length_ = 0.0;
+};
+
+}  // namespace handway::planning

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "handway/geometric/robot/robot_model.h"
+#include "handway/planning/export.h"
+
+#include <Eigen/Core>
+
+#include <filesystem>
+
+namespace handway::planning {
+
+/// A joint without a velocity limit is taken to allow this, rad/s or m/s.
+inline constexpr double kDefaultVelocity = 1.0;
+
+/// A joint without an acceleration limit is taken to reach its velocity limit in
+/// this time, s. Neither URDF nor the makers' leaflets of the TX90 and the SAH tell
+/// accelerations; four times the velocity is modest for arms of that size.
+inline constexpr double kDefaultRampTime = 0.25;
+
+/// How fast the variables of a robot may change; all values > 0.
+struct RateLimits {
+  Eigen::VectorXd velocity;      ///< Shape [variable_count], rad/s or m/s.
+  Eigen::VectorXd acceleration;  ///< Shape [variable_count], rad/s² or m/s².
+
+  /// Of the same motions at `speed` times their pace: velocities by it, accelerations
+  /// by its square. @pre speed > 0.
+  [[nodiscard]] RateLimits at_speed(double speed) const {
+    return {velocity * speed, acceleration * (speed * speed)};
+  }
+};
+
+/// The limits of the robot's joints, with the defaults above. A variable keeps the
+/// limits of the joints that are coupled to it too.
+///
+/// If `joint_limits.yaml` stands beside the robot's file it is read on top, as by
+/// read_rate_limits().
+/// @throws InputError if that file is wrong.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT RateLimits rate_limits(const geometric::RobotModel& model);
+
+/// The limits of the robot's joints, replaced where `file` has others. The file is
+/// of the form that MoveIt knows: a map `joint_limits` of joints, each with
+/// `has_velocity_limits`, `max_velocity`, `has_acceleration_limits`,
+/// `max_acceleration` (all optional, SI units). Joints of other robots in the file
+/// are left alone.
+/// @throws InputError naming line and key.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT RateLimits
+read_rate_limits(const geometric::RobotModel& model, const std::filesystem::path& file);
+
+}  // namespace handway::planning

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "handway/planning/export.h"
+#include "handway/planning/timing/blended_path.h"
+#include "handway/planning/timing/rate_limits.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace handway::planning {
+
+/// When a motion is where on its path: between two knots the speed along the path
+/// changes evenly.
+struct TimeLaw {
+  struct Knot {
+    double time = 0.0;      ///< s
+    double s = 0.0;         ///< Arc length from the beginning of the piece.
+    double speed = 0.0;     ///< ds/dt ≥ 0; 0 at stops.
+    std::size_t piece = 0;  ///< Of the cell that begins here; where a piece ends, a second knot
+                            ///< at the same time begins the next.
+  };
+  std::vector<Knot> knots;  ///< Empty for a path without length.
+
+  [[nodiscard]] double duration() const { return knots.empty() ? 0.0 : knots.back().time; }
+};
+
+/// The fastest way along `path` that keeps the limits, from rest to rest, stopping at
+/// corners that have no arc. Jerk is not limited: accelerations jump.
+///
+/// Source: Pham, Pham, "A new approach to time-optimal path parameterization based on
+/// reachability analysis", IEEE Transactions on Robotics 34(3), 2018 (TOPP-RA): from
+/// the end backwards the speeds from which the rest can still be done, then forwards
+/// always as fast as these allow, on a grid that has the path's joins in it. The limits
+/// are asked at both ends of a cell; what arcs exceed them by in between is
+/// taken away by stretching time.
+/// @pre path and limits have the same number of variables.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT TimeLaw time_optimal(const BlendedPath& path,
+                                                           const RateLimits& limits);
+
+/// The same motion with every stretch from stop to stop slowed down to the next multiple of
+/// `period` (s), so that samples at this period meet the stops. @pre period > 0.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT TimeLaw align_stops(TimeLaw law, double period);
+
+}  // namespace handway::planning

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "handway/planning/export.h"
+#include "handway/planning/timing/blended_path.h"
+#include "handway/planning/timing/rate_limits.h"
+#include "handway/planning/timing/time_law.h"
+
+#include <vector>
+
+namespace handway::planning {
+
+/// The joints at one time; all of shape [variable_count].
+struct TrajectoryPoint {
+  double time = 0.0;                  ///< s
+  geometric::Configuration position;  ///< rad or m
+  Eigen::VectorXd velocity;           ///< rad/s or m/s
+  Eigen::VectorXd acceleration;       ///< rad/s² or m/s²
+};
+
+/// A motion as samples in order of time; between two of them positions move linearly.
+struct Trajectory {
+  std::vector<TrajectoryPoint> points;
+
+  [[nodiscard]] bool empty() const { return points.empty(); }
+  [[nodiscard]] double duration() const {
+    return points.empty() ? 0.0 : points.back().time - points.front().time;
+  }
+};
+
+/// Where the motion is at `time`, which is clamped to the law's. At a join the earlier
+/// acceleration counts, at the very end rest.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT TrajectoryPoint point_at(const BlendedPath& path,
+                                                               const TimeLaw& law, double time);
+
+/// Samples at 0, period, 2 period, … up to the end, which is the path's to the bit. A law
+/// that does not end at a multiple of the period ends with a shorter step. A path
+/// without length gives two points in the same place.
+/// @throws std::invalid_argument if period is not above 0 or there would be more than
+/// 10 million points.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT Trajectory sample(const BlendedPath& path, const TimeLaw& law,
+                                                        double period);
+
+/// When the motion passes each waypoint of the path (the middle of its arc), s; shape
+/// [waypoints].
+[[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<double> waypoint_times(const BlendedPath& path,
+                                                                         const TimeLaw& law);
+
+/// A time (s) below which no motion through the path's waypoints in straight lines can
+/// stay, whatever it does between: each joint alone, from rest to rest, from one of its turning
+/// points to the next, at its velocity and acceleration limits.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT double least_duration(const Path& path,
+                                                            const RateLimits& limits);
+
+}  // namespace handway::planning

@@ -1,0 +1,131 @@
+#include "handway/planning/timing/blended_path.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+namespace handway::planning {
+namespace {
+
+using geometric::Configuration;
+
+constexpr double kSamePlace = 1e-12;   // rad or m: shorter edges are none
+constexpr double kStraightOn = 1e-9;   // rad: a smaller turn is no corner
+constexpr double kTurnsBack = 1e-6;    // rad short of turning back: no room for an arc
+constexpr double kLeastLength = 1e-9;  // rad or m: shorter arcs are corners
+
+struct Edge {
+  Configuration from;
+  Configuration direction;
+  double length;
+  std::size_t end;  ///< Waypoint.
+};
+
+std::vector<Edge> edges_of(const Path& path) {
+  std::vector<Edge> edges;
+  const Configuration* last = &path.waypoints.front();
+  for (std::size_t w = 1; w < path.waypoints.size(); ++w) {
+    const Configuration delta = path.waypoints[w] - *last;
+    if (delta.norm() > kSamePlace) {
+      edges.push_back({*last, delta.normalized(), delta.norm(), w});
+      last = &path.waypoints[w];
+    }
+  }
+  return edges;
+}
+
+/// What becomes of the corner between two edges.
+struct Corner {
+  double cut = 0.0;  ///< How much of either edge the arc takes.
+  double angle = 0.0;
+  double deviation = 0.0;
+  bool stop = false;
+};
+
+Corner corner_between(const Edge& in, const Edge& out, double deviation) {
+  Corner corner;
+  // The angle of two unit vectors, exact for small ones too.
+  corner.angle = 2.0 * std::atan2((in.direction - out.direction).norm(),
+                                  (in.direction + out.direction).norm());
+  if (corner.angle < kStraightOn) {
+    return corner;
+  }
+  const double half = 0.5 * corner.angle;
+  // (1 - cos h) / sin h = tan(h / 2)
+  corner.cut = std::min({0.5 * in.length, 0.5 * out.length, deviation / std::tan(0.5 * half)});
+  corner.deviation = corner.cut * std::tan(0.5 * half);
+  const double radius = corner.cut / std::tan(half);
+  if (corner.angle > std::numbers::pi - kTurnsBack || radius * corner.angle < kLeastLength) {
+    corner.cut = 0.0;
+    corner.deviation = 0.0;
+    corner.stop = true;
+  }
+  return corner;
+}
+
+}  // namespace
+
+Configuration PathPiece::position(double s) const {
+  if (!is_arc()) {
+    return origin + s * tangent;
+  }
+  const double half = std::sin(0.5 * s / radius);
+  return origin + (radius * std::sin(s / radius)) * tangent + (2.0 * radius * half * half) * normal;
+}
+
+Configuration PathPiece::first_derivative(double s) const {
+  if (!is_arc()) {
+    return tangent;
+  }
+  return std::cos(s / radius) * tangent + std::sin(s / radius) * normal;
+}
+
+Configuration PathPiece::second_derivative(double s) const {
+  if (!is_arc()) {
+    return Configuration::Zero(tangent.size());
+  }
+  return (std::cos(s / radius) * normal - std::sin(s / radius) * tangent) / radius;
+}
+
+BlendedPath::BlendedPath(const Path& path, const std::vector<double>& deviations)
+    : polyline_(path), deviations_(path.waypoints.size(), 0.0) {
+  if (path.empty() || deviations.size() != path.waypoints.size()) {
+    throw std::invalid_argument("a path needs a waypoint, and every waypoint a deviation");
+  }
+  for (std::size_t w = 0; w < path.waypoints.size(); ++w) {
+    if (path.waypoints[w].size() != path.waypoints.front().size() ||
+        !path.waypoints[w].allFinite() || !std::isfinite(deviations[w]) || deviations[w] < 0.0) {
+      throw std::invalid_argument("waypoints of one size and finite numbers are needed");
+    }
+  }
+  const std::vector<Edge> edges = edges_of(path);
+  const auto add = [&](PathPiece piece) {
+    length_ += piece.length;
+    pieces_.push_back(std::move(piece));
+  };
+  double begin = 0.0;  // of what an arc left of the edge
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const Edge& edge = edges[e];
+    const bool last = e + 1 == edges.size();
+    const Corner corner =
+        last ? Corner{} : corner_between(edge, edges[e + 1], deviations[edge.end]);
+    const double straight = edge.length - begin - corner.cut;
+    const Configuration zeros = Configuration::Zero(edge.direction.size());
+    if (straight > kLeastLength || corner.stop || last) {
+      add({std::max(straight, 0.0), 0.0, edge.from + begin * edge.direction, edge.direction, zeros,
+           edge.end, corner.stop || last});
+    }
+    begin = corner.cut;
+    if (corner.cut > 0.0) {
+      const Configuration& out = edges[e + 1].direction;
+      const double radius = corner.cut / std::tan(0.5 * corner.angle);
+      const Configuration normal = (out - out.dot(edge.direction) * edge.direction).normalized();
+      add({radius * corner.angle, radius, edge.from + (edge.length - corner.cut) * edge.direction,
+           edge.direction, normal, edge.end, false});
+      deviations_[edge.end] = corner.deviation;
+    }
+  }
+}
+
+}  // namespace handway::planning

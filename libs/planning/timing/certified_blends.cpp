@@ -1,0 +1,148 @@
+#include "handway/planning/timing/certified_blends.h"
+
+#include "handway/geometric/collision/edge_checker.h"
+#include "handway/geometric/io/input_error.h"
+#include "handway/planning/core/plan_result.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <vector>
+
+namespace handway::planning {
+namespace {
+
+constexpr double kLeastDeviation = 1e-4;  // rad or m: smaller arcs save no time
+constexpr double kLeastAdvance = 0.05;    // of an arc's clearance: what has to be spare
+constexpr double kLimitTolerance = 1e-6;  // rad or m
+
+void check_waypoints(const geometric::RobotModel& model, const Path& path) {
+  if (path.empty()) {
+    throw geometric::InputError({"the path", "", "no waypoints", "at least one", ""});
+  }
+  for (std::size_t w = 0; w < path.waypoints.size(); ++w) {
+    const Configuration& q = path.waypoints[w];
+    const std::string source = fmt::format("waypoint {}", w + 1);
+    if (q.size() != model.variable_count()) {
+      throw geometric::InputError({source, "", fmt::format("{} values", q.size()),
+                                   fmt::format("{}, one a joint", model.variable_count()), ""});
+    }
+    for (int v = 0; v < model.variable_count(); ++v) {
+      if (!(q[v] >= model.lower()[v] - kLimitTolerance &&
+            q[v] <= model.upper()[v] + kLimitTolerance)) {
+        throw geometric::InputError(
+            {source, "joint " + model.variable(v).name, fmt::format("{:.6g}", q[v]),
+             fmt::format("{:.6g} to {:.6g}", model.lower()[v], model.upper()[v]), ""});
+      }
+    }
+  }
+}
+
+class Blends {
+ public:
+  Blends(const PlanningProblem& problem, const BlendOptions& options)
+      : motion_(problem.motion),
+        checker_(problem.checker->clone()),
+        edges_(*checker_, problem.motion, options.resolution),
+        arc_clearance_(options.arc_clearance) {}
+
+  /// A sentence about the first edge that is not free, or nothing.
+  std::string fault_of(const Path& path) {
+    for (std::size_t w = 0; w < path.waypoints.size(); ++w) {
+      if (const auto pair = checker_->first_collision(path.waypoints[w])) {
+        return fmt::format("Collision of {} at waypoint {}.", bodies(*pair), w + 1);
+      }
+    }
+    for (std::size_t w = 0; w + 1 < path.waypoints.size(); ++w) {
+      const auto edge = edges_.check(path.waypoints[w], path.waypoints[w + 1]);
+      if (!edge.free) {
+        return fmt::format("{} come closer than {:g} mm between waypoints {} and {}.",
+                           edge.pair ? bodies(*edge.pair) : "Bodies", 1e3 * edges_.resolution(),
+                           w + 1, w + 2);
+      }
+    }
+    return {};
+  }
+
+  /// Conservative advancement: from a configuration with some clearance the arc is
+  /// followed as far as no pair can have come closer than allowed.
+  bool is_free(const PathPiece& arc) {
+    const Eigen::VectorXd fastest = (arc.tangent.cwiseAbs2() + arc.normal.cwiseAbs2()).cwiseSqrt();
+    const Eigen::VectorXd rates = motion_->bounds(fastest);
+    const double rate = rates.size() == 0 ? 0.0 : rates.maxCoeff();
+    for (double s = 0.0; s <= arc.length;) {
+      const geometric::NamedPair closest =
+          geometric::find_clearance(*checker_, arc.position(s), kFarClearance + arc_clearance_);
+      const double spare = closest.distance - arc_clearance_;
+      if (spare < kLeastAdvance * arc_clearance_) {
+        return false;
+      }
+      if (rate * (arc.length - s) <= spare) {
+        break;
+      }
+      s += spare / rate;
+    }
+    return true;
+  }
+
+ private:
+  [[nodiscard]] std::string bodies(int pair) const {
+    const geometric::BodyPair& two = checker_->world().pairs()[static_cast<std::size_t>(pair)];
+    return checker_->world().body(two.a).name + " and " + checker_->world().body(two.b).name;
+  }
+
+  std::shared_ptr<const geometric::MotionBound> motion_;
+  std::unique_ptr<geometric::CollisionChecker> checker_;
+  geometric::EdgeChecker edges_;
+  double arc_clearance_;
+};
+
+}  // namespace
+
+BlendResult certified_blends(const PlanningProblem& problem, const Path& path,
+                             const BlendOptions& options) {
+  check_waypoints(problem.model(), path);
+  Blends blends(problem, options);
+  BlendResult result;
+  result.fault = blends.fault_of(path);
+  if (!result.fault.empty()) {
+    return result;
+  }
+  std::vector<double> deviations(path.waypoints.size(), options.deviation);
+  std::vector<bool> certain(path.waypoints.size(), false);
+  std::vector<bool> smaller(path.waypoints.size(), false);
+  BlendedPath blended(path, deviations);
+  // An arc depends on its own deviation alone: what is free once stays free.
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (const PathPiece& piece : blended.pieces()) {
+      if (!piece.is_arc() || certain[piece.waypoint]) {
+        continue;
+      }
+      if (blends.is_free(piece)) {
+        certain[piece.waypoint] = true;
+        continue;
+      }
+      const double half = 0.5 * blended.deviations()[piece.waypoint];
+      deviations[piece.waypoint] = half < kLeastDeviation ? 0.0 : half;
+      smaller[piece.waypoint] = true;
+      changed = true;
+    }
+    if (changed) {
+      blended = BlendedPath(path, deviations);
+    }
+  }
+  for (const PathPiece& piece : blended.pieces()) {
+    result.arcs += piece.is_arc() ? 1 : 0;
+    result.stops += piece.ends_in_corner ? 1 : 0;
+  }
+  result.stops -= blended.pieces().empty() ? 0 : 1;  // the end is none
+  result.reduced = static_cast<int>(std::ranges::count(smaller, true));
+  result.largest_deviation = *std::ranges::max_element(blended.deviations());
+  result.path = std::move(blended);
+  return result;
+}
+
+}  // namespace handway::planning

@@ -1,0 +1,84 @@
+#include "handway/planning/timing/rate_limits.h"
+
+#include "handway_test/input_errors.h"
+#include "handway_test/paths.h"
+#include "handway_test/solid_robots.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <string>
+
+namespace handway::planning {
+namespace {
+
+using geometric::RobotModel;
+using testing::AllOf;
+using testing::HasSubstr;
+
+class JointLimitsFile : public testing::Test {
+ protected:
+  [[nodiscard]] RateLimits read(const std::string& text) const {
+    std::ofstream(folder_.path() / "limits.yaml") << text;
+    return read_rate_limits(model_, folder_.path() / "limits.yaml");
+  }
+  [[nodiscard]] std::string refusal(const std::string& text) const {
+    return test::refusal_of([&] { static_cast<void>(read(text)); });
+  }
+  [[nodiscard]] int variable(const char* name) const { return model_.find_variable(name).value(); }
+
+  test::ScratchFolder folder_;
+  RobotModel model_{test::planar_hand_arm()};
+};
+
+TEST(RateLimits, HaveDefaultsWhereTheRobotHasNone) {
+  const RobotModel model(test::planar_hand_arm());
+  const RateLimits limits = rate_limits(model);
+  EXPECT_EQ(limits.velocity, Eigen::VectorXd::Constant(5, kDefaultVelocity));
+  EXPECT_EQ(limits.acceleration, Eigen::VectorXd::Constant(5, kDefaultVelocity / kDefaultRampTime));
+}
+
+TEST(RateLimits, KeepThoseOfCoupledJointsToo) {
+  geometric::RobotDescription robot = test::planar_hand_arm();
+  for (geometric::Joint& joint : robot.joints) {
+    joint.limits.velocity = joint.mimic ? 0.4 : 2.0;  // a tip turns by half its finger's angle
+    joint.limits.acceleration = joint.mimic ? 3.0 : 5.0;
+  }
+  const RobotModel model(robot);
+  const RateLimits limits = rate_limits(model);
+  const int left = model.find_variable("left").value();
+  const int shoulder = model.find_variable("shoulder").value();
+  EXPECT_DOUBLE_EQ(limits.velocity[left], 0.8);
+  EXPECT_DOUBLE_EQ(limits.acceleration[left], 5.0);
+  EXPECT_DOUBLE_EQ(limits.velocity[shoulder], 2.0);
+}
+
+TEST_F(JointLimitsFile, ReplacesWhatItNames) {
+  const RateLimits limits = read(
+      "joint_limits:\n"
+      "  shoulder:\n    has_velocity_limits: true\n    max_velocity: 3\n"
+      "    has_acceleration_limits: true\n    max_acceleration: 7\n"
+      "  elbow:\n    has_velocity_limits: false\n    max_velocity: 3\n"
+      "  left_tip:\n    max_velocity: 0.1\n"
+      "  of_another_robot:\n    max_velocity: 3\n");
+  EXPECT_EQ(limits.velocity[variable("shoulder")], 3.0);
+  EXPECT_EQ(limits.acceleration[variable("shoulder")], 7.0);
+  EXPECT_EQ(limits.velocity[variable("elbow")], kDefaultVelocity);
+  EXPECT_EQ(limits.velocity[variable("left")], 0.2) << "its tip turns by half";
+}
+
+TEST_F(JointLimitsFile, IsRefusedWithLineAndKey) {
+  EXPECT_THAT(refusal("joint_limits:\n  elbow:\n    max_velocity: 0\n"),
+              AllOf(HasSubstr("limits.yaml:3"), HasSubstr("max_velocity"), HasSubstr("above 0")));
+  EXPECT_THAT(refusal("joint_limits:\n  elbow:\n    max_velocity: .nan\n"),
+              HasSubstr("limits.yaml:3"));
+  EXPECT_THAT(refusal("joint_limits:\n  elbow:\n    max_speed: 1\n"), HasSubstr("max_speed"));
+  EXPECT_THAT(refusal("joint_limits:\n  elbow:\n    has_velocity_limits: perhaps\n"
+                      "    max_velocity: 1\n"),
+              HasSubstr("true or false"));
+  EXPECT_THAT(refusal("limits: {}\n"), HasSubstr("joint_limits"));
+}
+
+}  // namespace
+}  // namespace handway::planning
