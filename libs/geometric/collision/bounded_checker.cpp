@@ -91,8 +91,12 @@ std::unique_ptr<CollisionChecker> BoundedChecker::clone() const {
 
 void BoundedChecker::do_place() { volumes_->roots->place(body_poses(), scratch_->roots); }
 
+void BoundedChecker::do_near_pairs(double distance, std::vector<int>& pairs) {
+  volumes_->roots->find_near(scratch_->roots, distance, pairs);
+}
+
 std::optional<int> BoundedChecker::do_first_collision() {
-  volumes_->roots->find_near(scratch_->roots, kTouch, scratch_->near);
+  do_near_pairs(kTouch, scratch_->near);
   // What stands still comes last in the list, and is hit most often.
   const std::vector<int>& near = scratch_->near;
   const auto touching = std::find_if(near.rbegin(), near.rend(), [&](int pair) {

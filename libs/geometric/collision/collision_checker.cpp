@@ -1,6 +1,7 @@
 #include "handway/geometric/collision/collision_checker.h"
 
 #include <algorithm>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 
@@ -9,10 +10,12 @@ namespace handway::geometric {
 CollisionChecker::CollisionChecker(std::shared_ptr<const CollisionWorld> world)
     : world_(std::move(world)),
       X_BL_(static_cast<std::size_t>(world_->model().link_count())),
-      X_WBody_(world_->bodies().size()) {}
+      X_WBody_(world_->bodies().size()) {
+  std::ranges::transform(world_->bodies(), X_WBody_.begin(), &CollisionBody::X_FB);
+}
 
 CollisionChecker::CollisionChecker(const CollisionChecker& other)
-    : world_(other.world_), X_BL_(other.X_BL_.size()), X_WBody_(other.X_WBody_.size()) {}
+    : world_(other.world_), X_BL_(other.X_BL_.size()), X_WBody_(other.X_WBody_) {}
 
 void CollisionChecker::place(const Configuration& q) {
   const int expected = world_->model().variable_count();
@@ -25,7 +28,7 @@ void CollisionChecker::place(const Configuration& q) {
   }
   ++counts_.configurations;
   q_ = q;
-  world_->place(q, X_BL_, X_WBody_);
+  world_->place_moving(q, X_BL_, X_WBody_);
   do_place();
 }
 
@@ -68,6 +71,11 @@ std::optional<int> CollisionChecker::first_collision_among(std::span<const int> 
   return found == pairs.end() ? std::nullopt : std::optional(*found);
 }
 
+void CollisionChecker::do_near_pairs(double /*distance*/, std::vector<int>& pairs) {
+  pairs.resize(world_->pairs().size());
+  std::iota(pairs.begin(), pairs.end(), 0);
+}
+
 std::optional<int> CollisionChecker::do_first_collision() {
   for (int pair = 0; pair < static_cast<int>(world_->pairs().size()); ++pair) {
     if (pair_collides(pair)) {
@@ -100,7 +108,9 @@ std::vector<NamedPair> find_collisions(CollisionChecker& checker, const Configur
 NamedPair find_clearance(CollisionChecker& checker, const Configuration& q, double enough) {
   checker.place(q);
   NamedPair closest{"", "", enough};
-  for (int pair = 0; pair < static_cast<int>(checker.world().pairs().size()); ++pair) {
+  std::vector<int> near;
+  checker.near_pairs(enough, near);
+  for (const int pair : near) {
     const double distance = checker.pair_distance(pair, closest.distance);
     if (distance < closest.distance) {
       closest = named(checker.world(), pair, distance);
@@ -111,12 +121,11 @@ NamedPair find_clearance(CollisionChecker& checker, const Configuration& q, doub
 
 bool is_closer_than(CollisionChecker& checker, const Configuration& q, double distance) {
   checker.place(q);
-  for (int pair = 0; pair < static_cast<int>(checker.world().pairs().size()); ++pair) {
-    if (checker.pair_closeness(pair, distance) != Closeness::kFarther) {
-      return true;
-    }
-  }
-  return false;
+  std::vector<int> near;
+  checker.near_pairs(distance, near);
+  return std::ranges::any_of(near, [&](int pair) {
+    return checker.pair_closeness(pair, distance) != Closeness::kFarther;
+  });
 }
 
 }  // namespace handway::geometric

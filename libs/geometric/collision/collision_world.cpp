@@ -101,11 +101,17 @@ bool CollisionWorld::must_not_touch(int a, int b) const {
 
 void CollisionWorld::list_pairs() {
   pairs_.clear();
+  moving_.clear();
   const int count = static_cast<int>(bodies_.size());
+  for (int i = 0; i < count; ++i) {
+    if (body(i).moves()) {
+      moving_.push_back(i);
+    }
+  }
   for (const bool still : {false, true}) {
-    for (int a = 0; a < count; ++a) {
+    for (const int a : moving_) {
       for (int b = 0; b < count; ++b) {
-        const bool candidate = body(a).moves() && body(b).moves() != still && (still || a < b);
+        const bool candidate = body(b).moves() != still && (still || a < b);
         if (candidate && must_not_touch(a, b)) {
           pairs_.push_back({a, b});
         }
@@ -174,16 +180,19 @@ std::vector<int> CollisionWorld::pairs_with(std::string_view still_body) const {
 
 void CollisionWorld::place(const Configuration& q, std::vector<Pose>& X_BL,
                            std::vector<Pose>& X_WBody) const {
+  std::ranges::transform(bodies_, X_WBody.begin(), &CollisionBody::X_FB);
+  place_moving(q, X_BL, X_WBody);
+}
+
+void CollisionWorld::place_moving(const Configuration& q, std::vector<Pose>& X_BL,
+                                  std::vector<Pose>& X_WBody) const {
   model_->forward_kinematics(q, X_BL);
-  for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    const CollisionBody& body = bodies_[i];
-    if (!body.moves()) {
-      X_WBody[i] = body.X_FB;
-      continue;
-    }
-    X_WBody[i] = X_WB_ * X_BL[static_cast<std::size_t>(body.link)];
-    if (body.is_carried) {
-      X_WBody[i] = X_WBody[i] * body.X_FB;
+  for (const int index : moving_) {
+    const CollisionBody& moving = body(index);
+    Pose& X_W = X_WBody[static_cast<std::size_t>(index)];
+    X_W = X_WB_ * X_BL[static_cast<std::size_t>(moving.link)];
+    if (moving.is_carried) {
+      X_W = X_W * moving.X_FB;
     }
   }
 }

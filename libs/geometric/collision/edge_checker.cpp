@@ -1,8 +1,6 @@
 #include "handway/geometric/collision/edge_checker.h"
 
 #include <algorithm>
-#include <iterator>
-#include <numeric>
 #include <utility>
 
 namespace handway::geometric {
@@ -20,37 +18,45 @@ EdgeChecker::EdgeChecker(CollisionChecker& checker, std::shared_ptr<const Motion
                          double resolution)
     : checker_(checker), motion_(std::move(motion)), resolution_(resolution) {}
 
-int EdgeChecker::pair_count() const { return static_cast<int>(checker_.world().pairs().size()); }
-
 bool EdgeChecker::is_stopped(std::uint64_t checks) const {
   return stop_ && checks % kStopPeriod == 0 && stop_();
 }
 
 EdgeResult EdgeChecker::check(const Configuration& from, const Configuration& to,
                               std::uint64_t most_checks) {
-  std::vector<int> all(static_cast<std::size_t>(pair_count()));
-  std::iota(all.begin(), all.end(), 0);
-  return check_among(all, from, to, most_checks);
+  return search(from, to, most_checks, [&](std::vector<int>& pairs) {
+    checker_.near_pairs(0.5 * motion_.most_over_edge() + resolution_, pairs);
+  });
 }
 
 EdgeResult EdgeChecker::check_among(std::span<const int> among, const Configuration& from,
                                     const Configuration& to, std::uint64_t most_checks) {
+  return search(from, to, most_checks,
+                [&](std::vector<int>& pairs) { pairs.assign(among.begin(), among.end()); });
+}
+
+EdgeResult EdgeChecker::search(const Configuration& from, const Configuration& to,
+                               std::uint64_t most_checks,
+                               const std::function<void(std::vector<int>&)>& list_pairs) {
   const Configuration delta = to - from;
   motion_.set_edge(delta);
-  std::vector<int> pairs;
-  std::ranges::copy_if(among, std::back_inserter(pairs),
-                       [&](int pair) { return motion_.over_edge(pair) > 0.0; });
   EdgeResult result;
-  std::vector<Stretch> level{{0.5, 0.5, 0, pairs.size()}};
-  while (!level.empty() && !pairs.empty()) {
+  std::vector<int> pairs;
+  std::vector<Stretch> level{{0.5, 0.5, 0, 0}};
+  while (!level.empty()) {
     std::vector<Stretch> next_level;
     std::vector<int> unsettled;
-    for (const Stretch& stretch : level) {
+    for (Stretch& stretch : level) {
       if (result.checks >= most_checks || is_stopped(result.checks)) {
         return result;
       }
       checker_.place(from + stretch.middle * delta);
       motion_.set_middle(checker_.link_poses());
+      if (result.checks == 0) {
+        list_pairs(pairs);
+        std::erase_if(pairs, [&](int pair) { return motion_.over_edge(pair) <= 0.0; });
+        stretch.count = pairs.size();
+      }
       ++result.checks;
       const std::size_t first = unsettled.size();
       for (std::size_t i = stretch.first; i < stretch.first + stretch.count; ++i) {
@@ -104,19 +110,20 @@ NamedPair EdgeChecker::clearance(const Configuration& from, const Configuration&
       end.distance < least.distance) {
     least = end;
   }
-  std::vector<int> pairs(static_cast<std::size_t>(pair_count()));
-  std::iota(pairs.begin(), pairs.end(), 0);
   double lower = least.distance;  // of what has been settled
-  std::vector<std::pair<Stretch, std::vector<int>>> waiting{{{0.5, 0.5, 0, 0}, pairs}};
+  std::vector<std::pair<Stretch, std::vector<int>>> waiting{{{0.5, 0.5, 0, 0}, {}}};
   for (std::uint64_t checks = 0; !waiting.empty(); ++checks) {
     if (is_stopped(checks)) {
       lower = std::min(lower, resolution_);
       break;
     }
-    const auto [stretch, candidates] = std::move(waiting.back());
+    auto [stretch, candidates] = std::move(waiting.back());
     waiting.pop_back();
     checker_.place(from + stretch.middle * delta);
     motion_.set_middle(checker_.link_poses());
+    if (checks == 0) {
+      checker_.near_pairs(least.distance + 0.5 * motion_.most_over_edge(), candidates);
+    }
     std::vector<int> unsettled;
     for (const int pair : candidates) {
       const double most = motion_.over_edge(pair) * stretch.half;

@@ -16,6 +16,7 @@ EdgeMotion::EdgeMotion(std::shared_ptr<const MotionBound> motion) : motion_(std:
 void EdgeMotion::set_edge(const Configuration& delta) {
   const RobotModel& model = motion_->model();
   travel_ = motion_->bounds(delta.cwiseAbs());
+  most_ = travel_.size() > 0 ? travel_.maxCoeff() : 0.0;
   for (int i = 1; i < model.link_count(); ++i) {
     const RobotModel::Drive& drive = model.drive(i);
     rates_[static_cast<std::size_t>(i)] =
@@ -40,7 +41,7 @@ void EdgeMotion::set_middle(const std::vector<Pose>& X_BL) {
 }
 
 double EdgeMotion::within(int pair, double half) const {
-  const double coarse = travel_[pair] * half;
+  const double coarse = over_edge(pair) * half;
   const MotionBound::PairFrame& frame = motion_->pair_frame(pair);
   double fine = way(frame.a, frame.link, half);
   if (fine < coarse && frame.b_moves) {

@@ -78,7 +78,18 @@ MotionBound::MotionBound(const CollisionWorld& world) : model_(world.shared_mode
   for (const CollisionBody& body : world.bodies()) {
     balls_.push_back(ball_around(body));
   }
+  std::vector<BodyPair> motions;  // a pair that shows each
+  std::vector<int> against_still(world.bodies().size(), -1);
   for (const auto& [a, b] : world.pairs()) {
+    int& shared = against_still[static_cast<std::size_t>(a)];
+    const bool is_new = world.body(b).moves() || shared < 0;
+    motions_.push_back(is_new ? static_cast<int>(motions.size()) : shared);
+    if (is_new) {
+      motions.push_back({a, b});
+    }
+    if (!world.body(b).moves()) {
+      shared = motions_.back();
+    }
     frames_.push_back({a, b, common_ancestor(model, world.body(a).link, world.body(b).link),
                        world.body(b).moves()});
   }
@@ -93,8 +104,7 @@ MotionBound::MotionBound(const CollisionWorld& world) : model_(world.shared_mode
       }
     }
   }
-  reach_ = Eigen::MatrixXd::Zero(model.variable_count(),
-                                 static_cast<Eigen::Index>(world.pairs().size()));
+  reach_ = Eigen::MatrixXd::Zero(model.variable_count(), static_cast<Eigen::Index>(motions.size()));
   farthest_ = Eigen::VectorXd::Zero(model.variable_count());
   for (int i = 1; i < model.link_count(); ++i) {
     const int variable = model.drive(i).variable;
@@ -103,10 +113,10 @@ MotionBound::MotionBound(const CollisionWorld& world) : model_(world.shared_mode
     }
     const double multiplier = std::abs(model.drive(i).multiplier);
     farthest_[variable] += multiplier * of_link_.row(i).maxCoeff();
-    for (std::size_t p = 0; p < world.pairs().size(); ++p) {
-      const auto [a, b] = world.pairs()[p];
+    for (std::size_t m = 0; m < motions.size(); ++m) {
+      const auto [a, b] = motions[m];
       if (is_above(model, i, world.body(a)) != is_above(model, i, world.body(b))) {
-        reach_(variable, static_cast<Eigen::Index>(p)) +=
+        reach_(variable, static_cast<Eigen::Index>(m)) +=
             multiplier * (of_link_(i, a) + of_link_(i, b));
       }
     }

@@ -6,6 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <random>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -26,6 +29,21 @@ Scene cluttered() {
   add_object(scene, "ball", Sphere{0.15}, Eigen::Vector3d(0.3, -0.6, 0.9));
   add_object(scene, "cone", Cone{0.1, 0.3}, pose_from_rpy({-0.4, -0.4, 0.5}, 0.4, 0.3, 0.2));
   add_object(scene, "wire", Cylinder{0.0005, 1.0}, pose_from_rpy({0.5, 0.3, 1.2}, 1.5, 0.2, 0));
+  return scene;
+}
+
+// So many small things that they are looked for in a tree.
+Scene crowded() {
+  Scene scene = test::scene_of(test::solid_tx90_sah());
+  std::mt19937_64 engine(11);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  for (int i = 0; i < 80; ++i) {
+    const Eigen::AngleAxisd place(3.1 * uniform(engine), Eigen::Vector3d::UnitZ());
+    const Eigen::Vector3d p_WO =
+        place * Eigen::Vector3d(0.8 + 0.4 * uniform(engine), 0, 0.8 + 0.8 * uniform(engine));
+    add_object(scene, "thing " + std::to_string(i), Box{{0.05, 0.01, 0.02}},
+               pose_from_rpy(p_WO, 3.0 * uniform(engine), uniform(engine), uniform(engine)));
+  }
   return scene;
 }
 
@@ -105,6 +123,38 @@ TEST(BoundedChecker, AgreesWithFclForACarriedCan) {
     const Configuration q = random.next();
     ASSERT_NO_FATAL_FAILURE(checkers.expect_same_collisions(q));
     ASSERT_NO_FATAL_FAILURE(checkers.expect_same_distances(q, 0.01));
+  }
+}
+
+TEST(BoundedChecker, AgreesWithFclAmongManyObjects) {
+  CheckerAgreement checkers(crowded());
+  RandomConfigurations random(checkers.world().model(), 7);
+  for (int i = 0; i < 40; ++i) {
+    const Configuration q = random.next();
+    ASSERT_NO_FATAL_FAILURE(checkers.expect_same_collisions(q));
+    ASSERT_NO_FATAL_FAILURE(checkers.expect_same_distances(q, 0.01));
+  }
+  EXPECT_GT(checkers.collisions(), 5);
+  EXPECT_GT(checkers.frees(), 5);
+}
+
+TEST(BoundedChecker, MissesNoNearPairAmongManyObjects) {
+  const auto world = std::make_shared<const CollisionWorld>(crowded());
+  BoundedChecker checker(world);
+  RandomConfigurations random(world->model(), 8);
+  const int count = static_cast<int>(world->pairs().size());
+  std::vector<int> near;
+  for (int i = 0; i < 40; ++i) {
+    checker.place(random.next());
+    for (const double distance : {1e-9, 0.01, 0.1, 10.0}) {
+      checker.near_pairs(distance, near);
+      EXPECT_TRUE(std::ranges::is_sorted(near));
+      for (int pair = 0; pair < count; ++pair) {
+        EXPECT_TRUE(std::ranges::binary_search(near, pair) ||
+                    checker.pair_distance(pair, distance) >= distance);
+      }
+      EXPECT_LT(near.size(), distance < 1.0 ? world->pairs().size() / 2 : count + 1U);
+    }
   }
 }
 

@@ -8,7 +8,10 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <memory>
+#include <utility>
+#include <vector>
 
 namespace handway::geometric {
 namespace {
@@ -27,6 +30,21 @@ class EdgeJudge : public test::EdgeJudge {
 
 // A finger-sized probe that slides.
 Scene sliding_finger() { return scene_of(test::gantry(Box{{0.016, 0.016, 0.05}})); }
+
+// Forty whose ends are free.
+std::vector<std::pair<Configuration, Configuration>> short_edges(EdgeJudge& judge,
+                                                                 std::uint64_t seed) {
+  RandomConfigurations random(judge.world().model(), seed);
+  std::vector<std::pair<Configuration, Configuration>> edges;
+  while (edges.size() < 40) {
+    const Configuration from = random.next();
+    const Configuration to = from + 0.05 * (random.next() - from);
+    if (!judge.exact().first_collision(from) && !judge.exact().first_collision(to)) {
+      edges.emplace_back(from, to);
+    }
+  }
+  return edges;
+}
 
 TEST(EdgeChecker, SeesAThinPlateBetweenSamples) {
   Scene scene = sliding_finger();
@@ -155,15 +173,8 @@ TEST(EdgeChecker, MissesNoCollisionOnRandomEdges) {
 
 TEST(EdgeChecker, IsFreeIfItIsForEveryPairOnItsOwn) {
   EdgeJudge judge(thin_things());
-  RandomConfigurations random(judge.world().model(), 25);
   int refused = 0;
-  for (int edges = 0; edges < 40;) {
-    const Configuration from = random.next();
-    const Configuration to = from + 0.05 * (random.next() - from);
-    if (judge.exact().first_collision(from) || judge.exact().first_collision(to)) {
-      continue;
-    }
-    ++edges;
+  for (const auto& [from, to] : short_edges(judge, 25)) {
     const EdgeResult whole = judge.edges().check(from, to);
     bool all_free = true;
     for (int pair = 0; pair < static_cast<int>(judge.world().pairs().size()); ++pair) {
@@ -181,15 +192,8 @@ TEST(EdgeChecker, IsFreeIfItIsForEveryPairOnItsOwn) {
 
 TEST(EdgeChecker, AcceptsWhatIsFree) {
   EdgeJudge judge(thin_things());
-  RandomConfigurations random(judge.world().model(), 22);
   int accepted = 0;
-  for (int edges = 0; edges < 40;) {
-    const Configuration from = random.next();
-    const Configuration to = from + 0.05 * (random.next() - from);
-    if (judge.exact().first_collision(from) || judge.exact().first_collision(to)) {
-      continue;
-    }
-    ++edges;
+  for (const auto& [from, to] : short_edges(judge, 22)) {
     // Between samples half a millimetre apart at most that much is lost.
     if (judge.clearance(from, to, 5e-4) > 5e-4 + kResolution) {
       EXPECT_TRUE(judge.edges().check(from, to).free);

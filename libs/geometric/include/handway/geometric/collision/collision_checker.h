@@ -83,6 +83,10 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionChecker {
   /// bounding volumes of the two bodies tell.
   [[nodiscard]] double pair_glance(int pair) { return do_pair_glance(pair); }
 
+  /// Sets `pairs` to all that may be nearer than `distance` (m), as far as
+  /// bounding volumes tell, in order. In a large scene not every pair is looked at.
+  void near_pairs(double distance, std::vector<int>& pairs) { do_near_pairs(distance, pairs); }
+
   /// Index of a pair that touches in `q`, or nothing if `q` is free.
   [[nodiscard]] std::optional<int> first_collision(const Configuration& q);
 
@@ -111,6 +115,7 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionChecker {
     return do_pair_distance(pair, enough);
   }
   [[nodiscard]] virtual double do_pair_glance(int /*pair*/) { return 0.0; }
+  virtual void do_near_pairs(double distance, std::vector<int>& pairs);
   [[nodiscard]] virtual std::optional<int> do_first_collision();
 
  private:

@@ -62,6 +62,13 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionWorld {
   /// Poses of all bodies in the world. @param[out] X_WBody shape [bodies().size()].
   void place(const Configuration& q, std::vector<Pose>& X_BL, std::vector<Pose>& X_WBody) const;
 
+  /// The same of the bodies that move alone: the others stay as they are.
+  void place_moving(const Configuration& q, std::vector<Pose>& X_BL,
+                    std::vector<Pose>& X_WBody) const;
+
+  /// Indices of the bodies that move, rising.
+  [[nodiscard]] const std::vector<int>& moving() const { return moving_; }
+
   /// Pairs with a body of that name that stands still, in order.
   [[nodiscard]] std::vector<int> pairs_with(std::string_view still_body) const;
 
@@ -79,6 +86,7 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionWorld {
   std::shared_ptr<const RobotModel> model_;
   Pose X_WB_ = Pose::Identity();
   std::vector<CollisionBody> bodies_;
+  std::vector<int> moving_;
   std::vector<BodyPair> pairs_;
 };
 

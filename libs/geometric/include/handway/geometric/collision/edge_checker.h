@@ -71,7 +71,10 @@ class HANDWAY_GEOMETRIC_EXPORT EdgeChecker {
   [[nodiscard]] double resolution() const { return resolution_; }
 
  private:
-  [[nodiscard]] int pair_count() const;
+  /// @param list_pairs sets the pairs to look at once the middle of the edge is in place.
+  [[nodiscard]] EdgeResult search(const Configuration& from, const Configuration& to,
+                                  std::uint64_t most_checks,
+                                  const std::function<void(std::vector<int>&)>& list_pairs);
   [[nodiscard]] bool is_stopped(std::uint64_t checks) const;
 
   /// Of the configuration in place; "closer" may be said wrongly of a large tolerance.

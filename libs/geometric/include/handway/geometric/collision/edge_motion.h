@@ -28,7 +28,10 @@ class HANDWAY_GEOMETRIC_EXPORT EdgeMotion {
   void set_middle(const std::vector<Pose>& X_BL);
 
   /// MotionBound's bound (m) of the change of the pair's distance over the whole edge.
-  [[nodiscard]] double over_edge(int pair) const { return travel_[pair]; }
+  [[nodiscard]] double over_edge(int pair) const { return travel_[motion_->motion(pair)]; }
+
+  /// The most (m) that any pair has over the edge.
+  [[nodiscard]] double most_over_edge() const { return most_; }
 
   /// Upper bound (m) of the change of the pair's distance between the middle and
   /// any configuration of the edge at most `half` of the edge away from it.
@@ -39,7 +42,8 @@ class HANDWAY_GEOMETRIC_EXPORT EdgeMotion {
   [[nodiscard]] double way(int body, int frame, double half) const;
 
   std::shared_ptr<const MotionBound> motion_;
-  Eigen::VectorXd travel_;             ///< Per pair.
+  Eigen::VectorXd travel_;  ///< Per motion.
+  double most_ = 0.0;
   std::vector<double> rates_;          ///< Per link: its joint's change, rad or m.
   std::vector<Eigen::Vector3d> w_BL_;  ///< Per link: angular velocity in the base, rad per edge.
   std::vector<Eigen::Vector3d> v_BL_;  ///< Per link: velocity of its frame's origin, m per edge.

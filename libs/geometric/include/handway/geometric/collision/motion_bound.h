@@ -23,10 +23,14 @@ class HANDWAY_GEOMETRIC_EXPORT MotionBound {
   /// Upper bound (m) of the change of the pair's distance when every variable v
   /// moves by at most `travel[v]`. @param travel shape [variable_count], ≥ 0.
   [[nodiscard]] double bound(int pair, const Eigen::VectorXd& travel) const {
-    return reach_.col(pair).dot(travel);
+    return reach_.col(motion(pair)).dot(travel);
   }
 
-  /// bound() of all pairs. @returns shape [pairs].
+  /// Pairs that move against each other in the same way share a motion: those of
+  /// one body with all that stands still.
+  [[nodiscard]] int motion(int pair) const { return motions_[static_cast<std::size_t>(pair)]; }
+
+  /// bound() of all motions. @returns shape [motions].
   [[nodiscard]] Eigen::VectorXd bounds(const Eigen::VectorXd& travel) const {
     return reach_.transpose() * travel;
   }
@@ -67,7 +71,8 @@ class HANDWAY_GEOMETRIC_EXPORT MotionBound {
   std::vector<PairFrame> frames_;
   std::vector<Ball> balls_;
   Eigen::MatrixXd of_link_;   ///< Shape [link_count x bodies].
-  Eigen::MatrixXd reach_;     ///< Shape [variable_count x pairs], m per rad or m per m.
+  std::vector<int> motions_;  ///< Per pair.
+  Eigen::MatrixXd reach_;     ///< Shape [variable_count x motions], m per rad or m per m.
   Eigen::VectorXd farthest_;  ///< Shape [variable_count].
 };
 
