@@ -1,0 +1,32 @@
+#include "handway/device/core/byte_link.h"
+
+#include "handway/device/core/device_address.h"
+#include "links.h"
+
+#include <algorithm>
+
+namespace handway::device {
+
+std::size_t ByteLink::read(std::span<std::uint8_t> bytes, std::chrono::milliseconds timeout) {
+  if (bytes.empty()) {
+    return 0;
+  }
+  return do_read(bytes, std::max(timeout, std::chrono::milliseconds(0)));
+}
+
+void ByteLink::write(std::span<const std::uint8_t> bytes) {
+  if (!bytes.empty()) {
+    do_write(bytes);
+  }
+}
+
+std::unique_ptr<ByteLink> open_link(const std::string& address, int baud,
+                                    const std::stop_token& stop) {
+  const DeviceAddress parsed = parse_device_address(address);
+  if (const auto* serial = std::get_if<SerialAddress>(&parsed)) {
+    return open_serial_link(serial->path, baud);
+  }
+  return open_tcp_link(address, std::get<TcpAddress>(parsed), stop);
+}
+
+}  // namespace handway::device

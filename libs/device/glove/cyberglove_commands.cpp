@@ -1,0 +1,106 @@
+#include "cyberglove_commands.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace handway::device {
+
+namespace {
+
+using std::chrono::milliseconds;
+using Clock = std::chrono::steady_clock;
+
+constexpr int kTries = 3;
+constexpr double kBaseRate = 115200.0;
+// Long enough for a unit to finish the record that it was sending.
+constexpr milliseconds kQuiet{100};
+constexpr milliseconds kSlice{50};
+
+double seconds(Clock::duration duration) { return std::chrono::duration<double>(duration).count(); }
+
+}  // namespace
+
+std::optional<CyberGloveReply> find_reply(std::span<const std::uint8_t> bytes,
+                                          std::span<const std::uint8_t> echo,
+                                          std::size_t data_length) {
+  for (auto from = bytes.begin();;) {
+    const auto at = std::search(from, bytes.end(), echo.begin(), echo.end());
+    if (at == bytes.end()) {
+      return std::nullopt;
+    }
+    const auto rest = bytes.subspan(static_cast<std::size_t>(at - bytes.begin()) + echo.size());
+    if (rest.size() >= 3 && rest[0] == 'e' && rest[2] == 0) {
+      return CyberGloveReply{{}, static_cast<char>(rest[1])};
+    }
+    if (rest.size() > data_length && rest[data_length] == 0) {
+      return CyberGloveReply{
+          {rest.begin(), rest.begin() + static_cast<std::ptrdiff_t>(data_length)}};
+    }
+    from = at + 1;
+  }
+}
+
+std::array<std::uint8_t, 4> sampling_words(double rate) {
+  const auto product = static_cast<std::uint32_t>(std::lround(kBaseRate / rate));
+  const std::uint32_t second = product / 65536 + 1;
+  const std::uint32_t first = (product + second / 2) / second;
+  return {static_cast<std::uint8_t>(first >> 8U), static_cast<std::uint8_t>(first),
+          static_cast<std::uint8_t>(second >> 8U), static_cast<std::uint8_t>(second)};
+}
+
+void CyberGloveCommands::stop_stream(const std::stop_token& stop) {
+  const std::uint8_t control_c = 0x03;
+  link_.write({&control_c, 1});
+  drain(kQuiet, timeout_, stop);
+}
+
+std::optional<CyberGloveReply> CyberGloveCommands::query(char letter, std::size_t data_length,
+                                                         const std::stop_token& stop) {
+  const std::array<std::uint8_t, 2> command{'?', static_cast<std::uint8_t>(letter)};
+  return ask(command, command, data_length, stop);
+}
+
+std::optional<CyberGloveReply> CyberGloveCommands::set(char letter,
+                                                       std::span<const std::uint8_t> arguments,
+                                                       const std::stop_token& stop) {
+  std::vector<std::uint8_t> command{static_cast<std::uint8_t>(letter)};
+  command.insert(command.end(), arguments.begin(), arguments.end());
+  return ask(command, std::span(command).first(1), 0, stop);
+}
+
+std::optional<CyberGloveReply> CyberGloveCommands::ask(std::span<const std::uint8_t> command,
+                                                       std::span<const std::uint8_t> echo,
+                                                       std::size_t data_length,
+                                                       const std::stop_token& stop) {
+  std::array<std::uint8_t, 256> chunk{};
+  for (int tries = 0; tries < kTries && !stop.stop_requested(); ++tries) {
+    std::vector<std::uint8_t> answer;
+    const auto begin = Clock::now();
+    link_.write(command);
+    while (Clock::now() - begin < timeout_ / kTries && !stop.stop_requested()) {
+      const std::size_t count = link_.read(chunk, kSlice);
+      answer.insert(answer.end(), chunk.begin(),
+                    chunk.begin() + static_cast<std::ptrdiff_t>(count));
+      if (auto reply = find_reply(answer, echo, data_length)) {
+        const double took = seconds(Clock::now() - begin);
+        round_trip_ = round_trip_ == 0.0 ? took : std::min(round_trip_, took);
+        return reply;
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+void CyberGloveCommands::drain(milliseconds quiet, milliseconds at_most,
+                               const std::stop_token& stop) {
+  std::array<std::uint8_t, 256> chunk{};
+  const auto begin = Clock::now();
+  auto last = begin;
+  while (Clock::now() - last < quiet && Clock::now() - begin < at_most && !stop.stop_requested()) {
+    if (link_.read(chunk, quiet) > 0) {
+      last = Clock::now();
+    }
+  }
+}
+
+}  // namespace handway::device

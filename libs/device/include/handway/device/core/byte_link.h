@@ -1,0 +1,53 @@
+#pragma once
+
+#include "handway/device/export.h"
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <stop_token>
+#include <string>
+
+namespace handway::device {
+
+/// A two-way stream of bytes to a device: a serial port or a TCP connection.
+/// To be used by one thread at a time.
+class HANDWAY_DEVICE_EXPORT ByteLink {
+ public:
+  virtual ~ByteLink() = default;
+  ByteLink(const ByteLink&) = delete;
+  ByteLink& operator=(const ByteLink&) = delete;
+
+  /// As the user wrote it.
+  [[nodiscard]] const std::string& name() const { return name_; }
+
+  /// Waits for bytes and takes those that are there.
+  /// @returns how many were put at the front of `bytes`; 0 after `timeout` without any.
+  /// @throws DeviceError if the other end is gone.
+  std::size_t read(std::span<std::uint8_t> bytes, std::chrono::milliseconds timeout);
+
+  /// Sends all of `bytes`.
+  /// @throws DeviceError if the other end is gone or takes nothing for a second.
+  void write(std::span<const std::uint8_t> bytes);
+
+ protected:
+  explicit ByteLink(std::string name) : name_(std::move(name)) {}
+
+ private:
+  virtual std::size_t do_read(std::span<std::uint8_t> bytes, std::chrono::milliseconds timeout) = 0;
+  virtual void do_write(std::span<const std::uint8_t> bytes) = 0;
+
+  std::string name_;
+};
+
+/// Opens a serial port (8 data bits, no parity, 1 stop bit, no flow control) or connects to a
+/// TCP port; see parse_device_address().
+/// @param baud of a serial port, bit/s.
+/// @throws geometric::InputError for a wrong address; DeviceError if there is no such device, it
+/// may not be opened, it is no serial port, or nobody answers within 2 s.
+[[nodiscard]] HANDWAY_DEVICE_EXPORT std::unique_ptr<ByteLink> open_link(
+    const std::string& address, int baud, const std::stop_token& stop = {});
+
+}  // namespace handway::device

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "handway/device/export.h"
+#include "handway/device/glove/glove.h"
+
+#include <chrono>
+#include <memory>
+#include <string>
+
+namespace handway::device {
+
+struct CyberGloveSettings {
+  double rate = 100.0;  ///< Frames a second to ask for, Hz, 0.5 to 480.
+  int baud = 115200;    ///< Of a serial port, bit/s.
+  bool polled = false;  ///< Ask for every frame instead of letting the glove stream.
+  bool filter = true;   ///< The interface unit's own low-pass filter.
+  /// The device is taken for lost after this long without an answer, or without a frame.
+  std::chrono::milliseconds timeout{1000};
+};
+
+/// Driver of CyberGlove I and II (18 or 22 sensors) on a serial port, a Bluetooth serial port
+/// or a TCP port, in the interface unit's binary commands. Frames are stamped when their last
+/// byte arrives.
+///
+/// connect() stops whatever the unit was doing, asks for state, number of sensors and hand, sets
+/// rate and filter, and starts the stream. When the glove is pulled off the unit next()
+/// tells so, and starts the stream again once it is back.
+class HANDWAY_DEVICE_EXPORT CyberGlove final : public Glove {
+ public:
+  /// @param address as for open_link().
+  /// @throws std::invalid_argument if the rate is out of range.
+  explicit CyberGlove(std::string address, const CyberGloveSettings& settings = {});
+  ~CyberGlove() override;
+
+ private:
+  struct Session;
+
+  GloveInfo do_connect(const std::stop_token& stop) override;
+  GloveReading do_next(std::chrono::milliseconds timeout, const std::stop_token& stop) override;
+  void do_disconnect() noexcept override;
+  [[nodiscard]] GloveLineFaults do_line_faults() const override;
+
+  void start_sampling();
+  GloveReading take_frame(std::chrono::milliseconds timeout, const std::stop_token& stop);
+  GloveReading look_for_glove(std::chrono::milliseconds timeout, const std::stop_token& stop);
+  void poll_when_due(Clock::time_point latest);
+  void add_faults() noexcept;
+
+  std::string address_;
+  CyberGloveSettings settings_;
+  std::unique_ptr<Session> session_;  ///< While connected.
+  GloveLineFaults faults_;            ///< Of former connections.
+};
+
+}  // namespace handway::device

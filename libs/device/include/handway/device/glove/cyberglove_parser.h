@@ -1,0 +1,75 @@
+#pragma once
+
+#include "handway/device/export.h"
+#include "handway/device/glove/glove_frame.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace handway::device {
+
+/// What a CyberGlove interface unit puts into a binary record:
+/// `G` or `S`, one byte a sensor, optionally five of a time stamp and one of status, 00.
+struct CyberGloveFormat {
+  int sensors = kGloveSensors;  ///< 18 or 22.
+  bool time_stamp = false;      ///< Flag D of the unit.
+  bool status = false;          ///< Flag U of the unit.
+
+  /// Bytes of a whole record, letter and closing 00 included: 24 for 22 sensors.
+  [[nodiscard]] std::size_t record_length() const {
+    return static_cast<std::size_t>(sensors) + 2 + (time_stamp ? 5 : 0) + (status ? 1 : 0);
+  }
+};
+
+enum class CyberGloveRecordKind {
+  kSample,          ///< One value of every sensor.
+  kUnplugged,       ///< "eg": no glove on the interface unit.
+  kTooFast,         ///< "es": the sampling rate is too high for glove or line.
+  kSyncRate,        ///< "ey": the rate of the external sync input is wrong.
+  kUnknownCommand,  ///< "e?".
+  kStopped,         ///< The answer to Ctrl-C: no more samples come.
+};
+
+/// One record from the wire.
+struct CyberGloveRecord {
+  CyberGloveRecordKind kind = CyberGloveRecordKind::kSample;
+  std::array<std::uint16_t, kGloveSensors> counts{};  ///< As in GloveFrame; 0 if no sample.
+  std::uint32_t time_stamp = 0;                       ///< Of the unit; 0 if not in the format.
+  std::uint8_t status = 0;  ///< Bit 0 glove plugged in, 1 switch, 2 light; 0 if not in the format.
+};
+
+/// Cuts the bytes of a CyberGlove into records. No byte of a record but its last is ever 00,
+/// so that whatever was lost or added on the line, the next 00 puts the parser right again;
+/// what doesn't have exactly the form of a record is dropped, never guessed at.
+/// Takes no more memory than one record.
+class HANDWAY_DEVICE_EXPORT CyberGloveParser {
+ public:
+  /// @throws std::invalid_argument if the format has neither 18 nor 22 sensors.
+  explicit CyberGloveParser(const CyberGloveFormat& format);
+
+  /// Takes the next byte. @returns the record that it completes, if any.
+  std::optional<CyberGloveRecord> push(std::uint8_t byte);
+
+  /// Forgets the beginning of an incomplete record.
+  void reset();
+
+  /// How many times it lost its place, and the bytes that it dropped then.
+  [[nodiscard]] std::uint64_t resynchronisations() const { return resynchronisations_; }
+  [[nodiscard]] std::uint64_t dropped_bytes() const { return dropped_bytes_; }
+
+ private:
+  [[nodiscard]] std::optional<CyberGloveRecord> classify() const;
+  [[nodiscard]] CyberGloveRecord sample() const;
+
+  CyberGloveFormat format_;
+  std::vector<std::uint8_t> pending_;  ///< Since the last 00, at most a record's bytes.
+  std::uint64_t pending_length_ = 0;   ///< Bytes since the last 00, also those not kept.
+  std::uint64_t resynchronisations_ = 0;
+  std::uint64_t dropped_bytes_ = 0;
+  bool in_sync_ = true;
+};
+
+}  // namespace handway::device

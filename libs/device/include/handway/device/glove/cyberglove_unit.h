@@ -1,0 +1,77 @@
+#pragma once
+
+#include "handway/device/export.h"
+#include "handway/device/glove/glove_frame.h"
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace handway::device {
+
+/// What an emulated glove's sensors read at a time: s, never falling from one call to the next.
+using GloveSignal = std::function<std::array<std::uint16_t, kGloveSensors>(double time)>;
+
+struct CyberGloveUnitSettings {
+  int sensors = kGloveSensors;  ///< 18 or 22.
+  bool right_hand = true;
+  double rate = 100.0;      ///< Until the host sets another, Hz.
+  double top_rate = 480.0;  ///< Faster is refused with "es"; as fast as 115200 bit/s carry.
+};
+
+/// The interface unit of an emulated CyberGlove: takes the bytes that a host sends and gives
+/// those that the unit would, in binary and in ASCII commands. Knows neither ports nor clocks,
+/// so that a test can run a day of it in a moment. Times are in s and never fall.
+class HANDWAY_DEVICE_EXPORT CyberGloveUnit {
+ public:
+  using Bytes = std::vector<std::uint8_t>;
+
+  /// @throws std::invalid_argument if there are neither 18 nor 22 sensors, or no rate above 0.
+  CyberGloveUnit(const CyberGloveUnitSettings& settings, GloveSignal signal);
+
+  /// Takes what the host sent. @returns the answer.
+  [[nodiscard]] Bytes receive(std::span<const std::uint8_t> bytes, double now);
+
+  /// @returns the records that were due up to `now`, one an entry; not more than a quarter of a
+  /// second's worth, a unit that was held up doesn't make up for more.
+  [[nodiscard]] std::vector<Bytes> advance(double now);
+
+  /// When advance() has something to give again; nothing if it waits for the host.
+  [[nodiscard]] std::optional<double> next_due() const;
+
+  /// Pulls the glove off the unit, or puts it back on.
+  void set_plugged(bool plugged) { plugged_ = plugged; }
+
+  [[nodiscard]] bool streaming() const { return streaming_.has_value(); }
+
+ private:
+  enum class Form { kBinary, kText };
+
+  void reset_registers();
+  void take(std::uint8_t byte, double now, Bytes& out);
+  void take_binary(double now, Bytes& out);
+  void take_text(double now, Bytes& out);
+  void query(char letter, Form form, Bytes& out) const;
+  void set(char letter, const Bytes& arguments, Form form, Bytes& out);
+  void begin_stream(Form form, double now);
+  [[nodiscard]] double period() const;
+  [[nodiscard]] Bytes record(Form form, char letter, double time) const;
+  [[nodiscard]] Bytes query_data(char letter) const;
+
+  CyberGloveUnitSettings settings_;
+  GloveSignal signal_;
+  std::map<char, Bytes> registers_;
+  Bytes command_;  ///< Taken so far, incomplete.
+  double command_time_ = 0.0;
+  std::optional<Form> streaming_;
+  double next_record_ = 0.0;
+  std::optional<double> restarted_at_;  ///< Deaf until then.
+  bool plugged_ = true;
+};
+
+}  // namespace handway::device
