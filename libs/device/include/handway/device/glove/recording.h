@@ -1,0 +1,77 @@
+#pragma once
+
+#include "handway/device/export.h"
+
+#include <Eigen/Core>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+/// What a glove measured over a while, and its files.
+///
+/// A recording file is CSV: lines that begin with `#` tell about it, then a header
+/// and a row for every frame:
+///
+///     # handway glove recording 1
+///     # kind: counts
+///     # device: CyberGlove II, serial 1234
+///     # date: 2026-03-01T12:00:00
+///     # origin: right hand of a person, free motion
+///     time,ThumbRotate,ThumbMPJ,…
+///     0,146,121,…
+///     0.01,146,122,…
+///
+/// `kind` is `counts` (raw, 0 … 255) or `angles` (rad, flexion positive); `time` is
+/// in seconds; the other columns are sensors by name (see cyberglove_sensors()).
+namespace handway::device {
+
+/// What the values of a recording are.
+enum class RecordingKind {
+  kCounts,  ///< Raw, as the glove sent them: 1 … 255; 0 where a sensor is missing.
+  kAngles,  ///< rad after calibration, flexion positive.
+};
+
+/// "counts" or "angles".
+[[nodiscard]] HANDWAY_DEVICE_EXPORT std::string to_string(RecordingKind kind);
+
+/// What a recording says of itself. Texts are single lines.
+struct RecordingHeader {
+  RecordingKind kind = RecordingKind::kCounts;
+  std::string device;        ///< "CyberGlove II, serial 1234"; may be empty.
+  std::string date;          ///< When it began, ISO 8601; may be empty.
+  std::string origin;        ///< Where it comes from: person, generator and seed, file.
+  std::vector<int> sensors;  ///< Column i is cyberglove_sensors()[sensors[i]].
+};
+
+/// A recording in memory: one frame a row, in order of time.
+struct Recording {
+  RecordingHeader header;
+  Eigen::VectorXd times;              ///< s, never falling, shape [rows].
+  Eigen::MatrixXd values;             ///< Counts or rad, finite, shape [rows, sensors].
+  std::vector<std::string> warnings;  ///< Of reading: what was left out or guessed, and where.
+};
+
+/// Column of the sensor (index into cyberglove_sensors()), or -1.
+[[nodiscard]] HANDWAY_DEVICE_EXPORT int column_of(const RecordingHeader& header, int sensor);
+
+/// Reads a recording. What it is, is told from its content, not from its name:
+///   - a recording of Handway as above. A last line without its end, as a program leaves
+///     that is killed while it writes, is left out with a warning;
+///   - other CSV (separated by commas, semicolons or tabs) with a header of `time` (s) and
+///     names or letters of sensors; whole numbers from 0 to 255 are counts, else angles in rad;
+///   - text rows of a VirtualHand log: year month day hour minute second switch, then
+///     23 angles in rad in the order of its slots, flexion negative (turned here).
+///
+/// @throws geometric::InputError with file and line for what is none of these, holds no
+/// rows, names a sensor that isn't known or one twice, has a row of the wrong length, a
+/// value that is no number or out of range, or time that runs backwards.
+[[nodiscard]] HANDWAY_DEVICE_EXPORT Recording read_recording(const std::filesystem::path& file);
+
+/// Replaces the file whole; the same recording makes the same bytes.
+/// @throws geometric::InputError if the file can't be written.
+/// @throws std::invalid_argument if the shapes don't agree or a value isn't finite.
+HANDWAY_DEVICE_EXPORT void write_recording(const Recording& recording,
+                                           const std::filesystem::path& file);
+
+}  // namespace handway::device
