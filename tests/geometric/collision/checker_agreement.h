@@ -22,6 +22,7 @@ class CheckerAgreement {
 
   [[nodiscard]] const geometric::CollisionWorld& world() const { return *world_; }
   [[nodiscard]] geometric::FclChecker& exact() { return exact_; }
+  [[nodiscard]] geometric::BoundedChecker& bounded() { return bounded_; }
   [[nodiscard]] int collisions() const { return collisions_; }
   [[nodiscard]] int frees() const { return frees_; }
   /// Pairs asked for their distance.

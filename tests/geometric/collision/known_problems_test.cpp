@@ -32,9 +32,10 @@ constexpr int kMeasuredEvery = 7;
 
 class Sources {
  public:
-  Sources(const CollisionProblem& problem, geometric::FclChecker& exact)
+  /// @param guide tells where contacts are; what it says of them is compared afterwards.
+  Sources(const CollisionProblem& problem, geometric::CollisionChecker& guide)
       : problem_(problem),
-        exact_(exact),
+        guide_(guide),
         motion_(*problem.world),
         random_(problem.world->model(), 31) {}
 
@@ -53,22 +54,22 @@ class Sources {
     Configuration free = problem_.start;
     do {
       free = around();
-    } while (exact_.first_collision(free));
+    } while (guide_.first_collision(free));
     Configuration colliding;
     do {
       colliding = random_.uniform(0.0, 1.0) < 0.7 ? around() : anywhere();
-    } while (!exact_.first_collision(colliding));
+    } while (!guide_.first_collision(colliding));
     const double apart = std::pow(10.0, random_.uniform(-9.0, -4.0));
     while (motion_.any_point((free - colliding).cwiseAbs()) > apart) {
       const Configuration middle = 0.5 * (free + colliding);
-      (exact_.first_collision(middle) ? colliding : free) = middle;
+      (guide_.first_collision(middle) ? colliding : free) = middle;
     }
     return {free, colliding};
   }
 
  private:
   const CollisionProblem& problem_;
-  geometric::FclChecker& exact_;
+  geometric::CollisionChecker& guide_;
   geometric::MotionBound motion_;
   RandomConfigurations random_;
 };
@@ -79,7 +80,7 @@ TEST_P(KnownProblems, HaveTheSameAnswersFromBothCheckers) {
   const CollisionProblem problem(*load(GetParam()).scene);
   CheckerAgreement checkers(problem.world);
   FclBroadphaseChecker baseline(problem.world);
-  Sources sources(problem, checkers.exact());
+  Sources sources(problem, checkers.bounded());
   const int count = scaled(GetParam().file.extension() == ".xml" ? 300 : 1000);
   int contacts = 0;
   int asked = 0;
