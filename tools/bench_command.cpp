@@ -4,7 +4,7 @@
 #include "bench_scenes.h"
 #include "bench_table.h"
 #include "exit_codes.h"
-#include "handway/geometric/collision/fcl_checker.h"
+#include "handway/geometric/collision/make_checker.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/replace_file.h"
 #include "handway/planning/core/plugin.h"
@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <string>
 #include <system_error>
@@ -65,23 +66,34 @@ std::vector<std::unique_ptr<planning::Planner>> planners_for(
   return planners;
 }
 
+const std::map<std::string, geometric::CheckerKind>& checker_kinds() {
+  using enum geometric::CheckerKind;
+  static const std::map<std::string, geometric::CheckerKind> kKinds{
+      {"fast", kFast}, {"fcl", kFcl}, {"fcl-broadphase", kFclBroadphase}};
+  return kKinds;
+}
+
 void bench_plans(SceneBench& bench, const BenchOptions& options,
                  const planning::Extensions& extensions, const BenchTable& table) {
   const planning::LoadedScene loaded = planning::load_scene(bench.file, extensions);
-  const auto make_problem = [&] {
-    planning::PlanningProblem problem = planning::make_problem(loaded.scene, loaded.basis);
-    if (options.settings.checker == "fcl") {
-      problem.checker =
-          std::make_shared<const geometric::FclChecker>(problem.checker->shared_world());
-    }
-    return problem;
-  };
   planning::PlanRequest request;
   request.threads = options.settings.threads;
   request.time_limit_s = options.settings.time_limit_s;
   for (const auto& planner : planners_for(options, loaded.scene->planner, extensions.planners())) {
-    bench.plans.push_back(bench_planner(*planner, make_problem, request, options.settings.seeds));
-    table.add_plan(bench, bench.plans.size() - 1);
+    for (const std::string& checker : options.settings.checkers) {
+      const geometric::CheckerKind kind = checker_kinds().at(checker);
+      const auto make_problem = [&] {
+        planning::PlanningProblem problem = planning::make_problem(loaded.scene, loaded.basis);
+        if (kind != geometric::CheckerKind::kFast) {
+          problem.checker = make_collision_checker(problem.checker->shared_world(), kind);
+        }
+        return problem;
+      };
+      bench.plans.push_back(bench_planner(*planner, make_problem, request, options.settings.seeds,
+                                          options.settings.check_paths));
+      bench.plans.back().checker = checker;
+      table.add_plan(bench, bench.plans.size() - 1);
+    }
   }
 }
 
@@ -160,10 +172,15 @@ void add_bench_command(CLI::App& app, int& exit_code) {
       ->check(positive_number())
       ->capture_default_str();
   command
-      ->add_option("--checker", options->settings.checker,
-                   "Collision checker that planners use: the everyday one, or FCL pair by pair")
-      ->check(CLI::IsMember({"fast", "fcl"}))
+      ->add_option("--checker", options->settings.checkers,
+                   "Collision checker that planners use: the everyday one, FCL pair by pair, or "
+                   "FCL behind its broad phase")
+      ->check(CLI::IsMember(checker_kinds()))
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->capture_default_str();
+  command->add_flag("--check-paths", options->settings.check_paths,
+                    "Check every path again, with FCL at configurations 1 mm apart");
   command->add_flag("--checks", options->checks_only, "Measure collision checks only");
   command->add_option("--out", options->out, "Write bench.csv and bench.json into this folder");
   command->callback([options, &exit_code] { exit_code = bench(*options); });

@@ -26,6 +26,7 @@ Json collision_of(const CollisionBench& bench) {
           {"edges_free", bench.edges_free},
           {"fast", speed_of(bench.fast)},
           {"fcl", speed_of(bench.fcl)},
+          {"fcl_broadphase", {{"configuration_us", number(bench.fcl_broadphase_configuration_us)}}},
           {"disagreements", bench.disagreements}};
 }
 
@@ -43,16 +44,20 @@ Json runs_of(const PlanBench& bench) {
                     {"node_checks", result.statistics.node_checks},
                     {"edge_checks", result.statistics.edge_checks},
                     {"path_nodes", bench.path_nodes[i]},
+                    {"path_faults", bench.path_faults[i]},
                     {"min_clearance_mm", result.certificate.min_clearance_mm}});
   }
   return runs;
 }
 
-Json plan_of(const SceneBench& scene, std::size_t i) {
+Json plan_of(const BenchSettings& settings, const SceneBench& scene, std::size_t i) {
   const PlanBench& bench = scene.plans[i];
   return {{"planner", bench.planner},
+          {"checker", bench.checker},
           {"problem", bench.problem},
           {"solved", solved_count(bench)},
+          {"paths_checked", settings.check_paths},
+          {"paths_with_faults", faulty_count(bench)},
           {"median_s", number(time_quantile(bench, 0.5))},
           {"p95_s", number(time_quantile(bench, 0.95))},
           {"p99_s", number(time_quantile(bench, 0.99))},
@@ -84,8 +89,8 @@ std::string scene_cells(const SceneBench& scene) {
   std::string cells;
   for (const double value :
        {scene.load_s, static_cast<double>(scene.memory), scene.collision.fast.configuration_us,
-        scene.collision.fcl.configuration_us, scene.collision.fast.edge_us,
-        scene.collision.fcl.edge_us}) {
+        scene.collision.fcl.configuration_us, scene.collision.fcl_broadphase_configuration_us,
+        scene.collision.fast.edge_us, scene.collision.fcl.edge_us}) {
     cells += cell(value);
   }
   return cells;
@@ -94,8 +99,9 @@ std::string scene_cells(const SceneBench& scene) {
 std::string plan_cells(const BenchSettings& settings, const SceneBench& scene, std::size_t i) {
   const PlanBench& bench = scene.plans[i];
   std::string cells =
-      fmt::format(",{},{},{},{:.9g},{},{}", bench.planner, settings.checker, settings.threads,
-                  settings.time_limit_s, bench.results.size(), solved_count(bench));
+      fmt::format(",{},{},{},{:.9g},{},{},{}", bench.planner, bench.checker, settings.threads,
+                  settings.time_limit_s, bench.results.size(), solved_count(bench),
+                  settings.check_paths ? fmt::to_string(faulty_count(bench)) : "");
   for (const double value :
        {time_quantile(bench, 0.5), time_quantile(bench, 0.95), time_quantile(bench, 0.99),
         time_ratio(scene, i), median_samples(bench), median_checks(bench), median_path_nodes(bench),
@@ -117,13 +123,15 @@ double time_ratio(const SceneBench& scene, std::size_t i) {
 
 std::string bench_csv(const BenchSettings& settings, const std::vector<SceneBench>& scenes) {
   std::string csv =
-      "scene,load_s,load_memory_bytes,configuration_us,configuration_fcl_us,edge_us,edge_fcl_us,"
-      "planner,checker,threads,time_limit_s,runs,solved,median_s,p95_s,p99_s,ratio,samples,checks,"
+      "scene,load_s,load_memory_bytes,configuration_us,configuration_fcl_us,"
+      "configuration_fcl_broadphase_us,edge_us,edge_fcl_us,"
+      "planner,checker,threads,time_limit_s,runs,solved,paths_with_faults,median_s,p95_s,p99_s,"
+      "ratio,samples,checks,"
       "path_nodes,memory_bytes\n";
   for (const SceneBench& scene : scenes) {
     const std::string begin = fmt::format("{}{}", quoted(scene.name()), scene_cells(scene));
     if (scene.plans.empty()) {
-      csv += fmt::format("{}{:,>14}\n", begin, "");
+      csv += fmt::format("{}{:,>15}\n", begin, "");
     }
     for (std::size_t i = 0; i < scene.plans.size(); ++i) {
       csv += fmt::format("{}{}\n", begin, plan_cells(settings, scene, i));
@@ -137,7 +145,7 @@ std::string bench_json(const BenchSettings& settings, const std::vector<SceneBen
   for (const SceneBench& scene : scenes) {
     Json plans = Json::array();
     for (std::size_t i = 0; i < scene.plans.size(); ++i) {
-      plans.push_back(plan_of(scene, i));
+      plans.push_back(plan_of(settings, scene, i));
     }
     list.push_back({{"scene", scene.name()},
                     {"file", scene.file.string()},
@@ -146,9 +154,11 @@ std::string bench_json(const BenchSettings& settings, const std::vector<SceneBen
                     {"collision", collision_of(scene.collision)},
                     {"plans", plans}});
   }
-  const Json report = {{"version", kVersion},         {"seeds", settings.seeds},
-                       {"threads", settings.threads}, {"time_limit_s", settings.time_limit_s},
-                       {"checker", settings.checker}, {"scenes", list}};
+  const Json report = {{"version", kVersion},
+                       {"seeds", settings.seeds},
+                       {"threads", settings.threads},
+                       {"time_limit_s", settings.time_limit_s},
+                       {"scenes", list}};
   return report.dump(2) + "\n";
 }
 

@@ -15,7 +15,8 @@ struct BenchSettings {
   int seeds = 10;
   int threads = 1;
   double time_limit_s = 30.0;
-  std::string checker = "fast";  ///< That plans use: "fast" or "fcl".
+  std::vector<std::string> checkers = {"fast"};  ///< That plans use: keys of checker_kinds().
+  bool check_paths = false;                      ///< Every path that is found.
 };
 
 /// What was measured on one scene.
@@ -24,7 +25,8 @@ struct SceneBench {
   double load_s = 0.0;     ///< From the files to a problem ready to plan.
   std::size_t memory = 0;  ///< Peak while loading, bytes.
   CollisionBench collision;
-  std::vector<PlanBench> plans;  ///< The scene's own planner first; empty: not asked for.
+  /// The scene's own planner with the first checker first; empty: not asked for.
+  std::vector<PlanBench> plans;
 
   [[nodiscard]] std::string name() const { return file.stem().string(); }
 };

@@ -35,22 +35,25 @@ void BenchTable::begin_collisions() const {
   fmt::print(
       "Collision, \u00b5s: a configuration near the way from start to goal; an edge of a tenth of "
       "it.\n"
-      "{:<{}} {:>8} {:>9} | {:>9} {:>8} {:>8} {:>6} | {:>9} {:>8} {:>8} {:>6}\n",
-      "scene", width_, "load ms", "memory MB", "collide %", "config", "FCL", "ratio", "free %",
-      "edge", "FCL", "ratio");
+      "{:<{}} {:>7} {:>9} | {:>9} {:>6} {:>6} {:>5} {:>9} {:>5} | {:>6} {:>6} {:>6} {:>5}\n",
+      "scene", width_, "load ms", "memory MB", "collide %", "config", "FCL", "ratio", "FCL broad",
+      "ratio", "free %", "edge", "FCL", "ratio");
   std::fflush(stdout);
 }
 
 void BenchTable::add_collision(const SceneBench& scene) const {
   const CollisionBench& bench = scene.collision;
-  fmt::print("{:<{}} {:>8} {:>9} | {:>9.0f} {:>8} {:>8} {:>6} | {:>9} {:>8} {:>8} {:>6}\n",
-             scene.name(), width_, milliseconds(scene.load_s),
-             shown(static_cast<double>(scene.memory) / kMega), 100.0 * bench.in_collision,
-             shown(bench.fast.configuration_us), shown(bench.fcl.configuration_us),
-             shown(bench.fcl.configuration_us / bench.fast.configuration_us),
-             bench.edges > 0 ? fmt::format("{:.0f}", 100.0 * bench.edges_free) : "-",
-             shown(bench.fast.edge_us), shown(bench.fcl.edge_us),
-             shown(bench.fcl.edge_us / bench.fast.edge_us));
+  fmt::print(
+      "{:<{}} {:>7} {:>9} | {:>9.0f} {:>6} {:>6} {:>5} {:>9} {:>5} | {:>6} {:>6} {:>6} {:>5}\n",
+      scene.name(), width_, milliseconds(scene.load_s),
+      shown(static_cast<double>(scene.memory) / kMega), 100.0 * bench.in_collision,
+      shown(bench.fast.configuration_us), shown(bench.fcl.configuration_us),
+      shown(bench.fcl.configuration_us / bench.fast.configuration_us),
+      shown(bench.fcl_broadphase_configuration_us),
+      shown(bench.fcl_broadphase_configuration_us / bench.fast.configuration_us),
+      bench.edges > 0 ? fmt::format("{:.0f}", 100.0 * bench.edges_free) : "-",
+      shown(bench.fast.edge_us), shown(bench.fcl.edge_us),
+      shown(bench.fcl.edge_us / bench.fast.edge_us));
   if (bench.disagreements > 0) {
     fmt::print("  FAULT: the checkers disagree on {} of {} configurations\n", bench.disagreements,
                bench.configurations);
@@ -60,21 +63,21 @@ void BenchTable::add_collision(const SceneBench& scene) const {
 
 void BenchTable::begin_plans() const {
   fmt::print(
-      "\nPlans: {} seed{}, {} thread{}, limit {:g} s, {} checker; planning time in ms (a run "
-      "without "
-      "a path counts as endless).\n"
-      "{:<{}} {:<18} {:>8} {:>8} {:>8} {:>8} {:>6} {:>9} {:>9} {:>6} {:>9}\n",
+      "\nPlans: {} seed{}, {} thread{}, limit {:g} s; planning time in ms (a run without a path "
+      "counts as endless).\n"
+      "{:<{}} {:<18} {:<14} {:>8} {:>8} {:>8} {:>8} {:>6} {:>9} {:>9} {:>6} {:>9}\n",
       settings_.seeds, settings_.seeds == 1 ? "" : "s", settings_.threads,
-      settings_.threads == 1 ? "" : "s", settings_.time_limit_s, settings_.checker, "scene", width_,
-      "planner", "solved", "median", "p95", "p99", "ratio", "checks", "samples", "nodes",
+      settings_.threads == 1 ? "" : "s", settings_.time_limit_s, "scene", width_, "planner",
+      "checker", "solved", "median", "p95", "p99", "ratio", "checks", "samples", "nodes",
       "memory MB");
   std::fflush(stdout);
 }
 
 void BenchTable::add_plan(const SceneBench& scene, std::size_t i) const {
   const PlanBench& bench = scene.plans[i];
-  fmt::print("{:<{}} {:<18} {:>8} {:>8} {:>8} {:>8} {:>6} {:>9} {:>9} {:>6} {:>9}\n", scene.name(),
-             width_, bench.planner, fmt::format("{}/{}", solved_count(bench), bench.results.size()),
+  fmt::print("{:<{}} {:<18} {:<14} {:>8} {:>8} {:>8} {:>8} {:>6} {:>9} {:>9} {:>6} {:>9}\n",
+             scene.name(), width_, bench.planner, bench.checker,
+             fmt::format("{}/{}", solved_count(bench), bench.results.size()),
              milliseconds(time_quantile(bench, 0.5)), milliseconds(time_quantile(bench, 0.95)),
              milliseconds(time_quantile(bench, 0.99)), shown(time_ratio(scene, i)),
              shown(median_checks(bench)), shown(median_samples(bench)),
@@ -86,7 +89,20 @@ void BenchTable::add_plan(const SceneBench& scene, std::size_t i) const {
   } else if (failed != bench.results.end()) {
     fmt::print("  {}\n", failed->reason);
   }
+  if (settings_.check_paths) {
+    add_faults(bench);
+  }
   std::fflush(stdout);
+}
+
+void BenchTable::add_faults(const PlanBench& bench) const {
+  const int faulty = faulty_count(bench);
+  fmt::print("  {} of {} paths valid at 1 mm\n", solved_count(bench) - faulty, solved_count(bench));
+  for (std::size_t i = 0; i < bench.path_faults.size(); ++i) {
+    if (!bench.path_faults[i].empty()) {
+      fmt::print("  FAULT: seed {}: {}\n", bench.seeds[i], bench.path_faults[i].front());
+    }
+  }
 }
 
 }  // namespace handway::tools

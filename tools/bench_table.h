@@ -17,6 +17,8 @@ class BenchTable {
   void add_plan(const SceneBench& scene, std::size_t i) const;
 
  private:
+  void add_faults(const PlanBench& bench) const;
+
   BenchSettings settings_;
   int width_;  ///< Of scenes' names.
 };

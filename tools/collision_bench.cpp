@@ -1,7 +1,6 @@
 #include "collision_bench.h"
 
 #include "handway/geometric/collision/edge_checker.h"
-#include "handway/geometric/collision/fcl_checker.h"
 #include "handway/geometric/collision/make_checker.h"
 #include "handway/geometric/collision/motion_bound.h"
 
@@ -66,12 +65,16 @@ struct Questions {
   std::shared_ptr<const geometric::MotionBound> motion;
 };
 
+double configuration_time(CollisionChecker& checker, const Questions& questions) {
+  return time_of(questions.configurations.size(), [&](std::size_t i) {
+    static_cast<void>(checker.first_collision(questions.configurations[i]));
+  });
+}
+
 CheckerSpeed speed_of(CollisionChecker& checker, const Questions& questions) {
   geometric::EdgeChecker edges(checker, questions.motion, kResolution);
   CheckerSpeed speed;
-  speed.configuration_us = time_of(questions.configurations.size(), [&](std::size_t i) {
-    static_cast<void>(checker.first_collision(questions.configurations[i]));
-  });
+  speed.configuration_us = configuration_time(checker, questions);
   speed.edge_us = time_of(questions.edge_starts.size(), [&](std::size_t i) {
     const Configuration& from = questions.edge_starts[i];
     static_cast<void>(edges.check(from, from + questions.way));
@@ -83,8 +86,10 @@ CheckerSpeed speed_of(CollisionChecker& checker, const Questions& questions) {
 
 CollisionBench bench_collision(const std::shared_ptr<const CollisionWorld>& world,
                                const Configuration& start, const Configuration& goal) {
-  const std::unique_ptr<CollisionChecker> fast = geometric::make_collision_checker(world);
-  geometric::FclChecker fcl(world);
+  using enum geometric::CheckerKind;
+  const std::unique_ptr<CollisionChecker> fast = make_collision_checker(world, kFast);
+  const std::unique_ptr<CollisionChecker> fcl = make_collision_checker(world, kFcl);
+  const std::unique_ptr<CollisionChecker> broad = make_collision_checker(world, kFclBroadphase);
   Questions questions;
   questions.configurations = draw(*world, start, goal);
   questions.way = kEdge * (goal - start);
@@ -98,7 +103,9 @@ CollisionBench bench_collision(const std::shared_ptr<const CollisionWorld>& worl
   for (const Configuration& q : questions.configurations) {
     const bool collides = fast->first_collision(q).has_value();
     in_collision += collides ? 1 : 0;
-    bench.disagreements += fcl.first_collision(q).has_value() != collides ? 1 : 0;
+    const bool agreed = fcl->first_collision(q).has_value() == collides &&
+                        broad->first_collision(q).has_value() == collides;
+    bench.disagreements += agreed ? 0 : 1;
     if (!collides && questions.edge_starts.size() < kEdges &&
         !fast->first_collision(q + questions.way)) {
       questions.edge_starts.push_back(q);
@@ -110,7 +117,8 @@ CollisionBench bench_collision(const std::shared_ptr<const CollisionWorld>& worl
   bench.edges = static_cast<int>(questions.edge_starts.size());
   bench.edges_free = bench.edges > 0 ? free_edges / static_cast<double>(bench.edges) : 0.0;
   bench.fast = speed_of(*fast, questions);
-  bench.fcl = speed_of(fcl, questions);
+  bench.fcl = speed_of(*fcl, questions);
+  bench.fcl_broadphase_configuration_us = configuration_time(*broad, questions);
   return bench;
 }
 

@@ -12,15 +12,16 @@ struct CheckerSpeed {
   double edge_us = 0.0;  ///< NaN if there is no edge to ask.
 };
 
-/// The everyday checker against FCL pair by pair, on the same questions.
+/// The everyday checker against FCL, on the same questions.
 struct CollisionBench {
   int configurations = 0;
   double in_collision = 0.0;  ///< Share of the configurations.
   int edges = 0;              ///< Those whose ends are free.
   double edges_free = 0.0;    ///< Share of these.
   CheckerSpeed fast;
-  CheckerSpeed fcl;
-  int disagreements = 0;  ///< Configurations that only one of the two finds free.
+  CheckerSpeed fcl;  ///< Pair by pair.
+  double fcl_broadphase_configuration_us = 0.0;
+  int disagreements = 0;  ///< Configurations that not all find free, or not free.
 };
 
 /// Configurations are drawn around the straight motion from `start` to `goal`, up to 5 %

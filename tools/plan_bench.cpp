@@ -1,6 +1,7 @@
 #include "plan_bench.h"
 
 #include "handway/geometric/io/input_error.h"
+#include "handway/planning/paths/path_check.h"
 #include "peak_memory.h"
 
 #include <algorithm>
@@ -12,6 +13,8 @@ namespace {
 
 using planning::PlanResult;
 using planning::PlanStatus;
+
+constexpr double kCheckResolution = 1e-3;  // m
 
 double quantile(std::vector<double> values, double p) {
   if (values.empty()) {
@@ -35,16 +38,21 @@ double median_of(const PlanBench& bench, const Value& value) {
 
 PlanBench bench_planner(planning::Planner& planner,
                         const std::function<planning::PlanningProblem()>& make_problem,
-                        planning::PlanRequest request, int seeds) {
+                        planning::PlanRequest request, int seeds, bool checked) {
   PlanBench bench;
   bench.planner = planner.name();
   reset_peak_memory();
   try {
     for (int seed = 1; seed <= seeds; ++seed) {
       request.seed = static_cast<std::uint64_t>(seed);
-      PlanResult result = planner.plan(make_problem(), request);
+      const planning::PlanningProblem problem = make_problem();
+      PlanResult result = planner.plan(problem, request);
       bench.seeds.push_back(request.seed);
       bench.path_nodes.push_back(result.path.waypoints.size());
+      bench.path_faults.emplace_back();
+      if (checked && result.solved()) {
+        bench.path_faults.back() = check_path(problem, result.path, kCheckResolution).faults;
+      }
       result.path.waypoints.clear();
       bench.results.push_back(std::move(result));
       const PlanStatus status = bench.results.back().status;
@@ -62,6 +70,11 @@ PlanBench bench_planner(planning::Planner& planner,
 int solved_count(const PlanBench& bench) {
   return static_cast<int>(
       std::ranges::count_if(bench.results, [](const PlanResult& r) { return r.solved(); }));
+}
+
+int faulty_count(const PlanBench& bench) {
+  return static_cast<int>(
+      std::ranges::count_if(bench.path_faults, [](const auto& faults) { return !faults.empty(); }));
 }
 
 double time_quantile(const PlanBench& bench, double p) {

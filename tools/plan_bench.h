@@ -13,21 +13,26 @@ namespace handway::tools {
 /// A planner on a problem, once for each seed.
 struct PlanBench {
   std::string planner;
+  std::string checker;  ///< Key in checker_kinds().
   std::vector<std::uint64_t> seeds;
-  std::vector<planning::PlanResult> results;  ///< One a seed, without its path's points.
-  std::vector<std::size_t> path_nodes;        ///< One a seed; 0 where there is no path.
-  std::size_t memory = 0;                     ///< Peak, bytes.
-  std::string problem;                        ///< Why it could not be run at all; or empty.
+  std::vector<planning::PlanResult> results;          ///< One a seed, without its path's points.
+  std::vector<std::size_t> path_nodes;                ///< One a seed; 0 where there is no path.
+  std::vector<std::vector<std::string>> path_faults;  ///< One a seed, of paths that were checked.
+  std::size_t memory = 0;                             ///< Peak, bytes.
+  std::string problem;                                ///< Why it could not be run at all; or empty.
 };
 
 /// Runs seeds 1 to `seeds`; ends after the first if the query itself is not valid.
+/// @param checked whether every path is checked again at 1 mm (planning::check_path).
 /// @param make_problem is called for every run, so that none profits from what a checker
 /// remembers of another.
 [[nodiscard]] PlanBench bench_planner(
     planning::Planner& planner, const std::function<planning::PlanningProblem()>& make_problem,
-    planning::PlanRequest request, int seeds);
+    planning::PlanRequest request, int seeds, bool checked);
 
 [[nodiscard]] int solved_count(const PlanBench& bench);
+/// Paths in which a check found a fault.
+[[nodiscard]] int faulty_count(const PlanBench& bench);
 
 /// The p-quantile (0 < p ≤ 1, nearest rank) of the planning times, s; a run without a
 /// path counts as one that takes forever, so that it is infinite if more than 1 - p of

@@ -4,7 +4,7 @@
 #include "handway/geometric/collision/bounded_checker.h"
 #include "handway/geometric/collision/edge_checker.h"
 #include "handway/geometric/collision/fcl_checker.h"
-#include "handway_test/fcl_broadphase_checker.h"
+#include "handway/geometric/collision/fcl_broadphase_checker.h"
 #include "handway_test/known_problems.h"
 
 #include <benchmark/benchmark.h>
@@ -100,7 +100,7 @@ void add_benchmarks(const std::string& checker) {
 
 int main(int argc, char** argv) {
   handway::geometric::add_benchmarks<handway::geometric::FclChecker>("fcl");
-  handway::geometric::add_benchmarks<handway::test::FclBroadphaseChecker>("fcl_broadphase");
+  handway::geometric::add_benchmarks<handway::geometric::FclBroadphaseChecker>("fcl_broadphase");
   handway::geometric::add_benchmarks<handway::geometric::BoundedChecker>("bounded");
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) {

@@ -3,7 +3,7 @@
 /// memory.
 #include "handway/geometric/collision/bounded_checker.h"
 #include "handway/geometric/collision/fcl_checker.h"
-#include "handway_test/fcl_broadphase_checker.h"
+#include "handway/geometric/collision/fcl_broadphase_checker.h"
 #include "handway_test/memory_use.h"
 #include "handway_test/robots.h"
 #include "handway_test/solid_robots.h"
@@ -155,7 +155,7 @@ void bm_load(benchmark::State& state) {
       ->Unit(benchmark::kMillisecond)
 
 HANDWAY_GROWTH(FclChecker);
-HANDWAY_GROWTH(test::FclBroadphaseChecker);
+HANDWAY_GROWTH(FclBroadphaseChecker);
 HANDWAY_GROWTH(BoundedChecker);
 
 }  // namespace

@@ -50,6 +50,7 @@ TEST_F(HandwayBench, MeasuresChecksAndPlans) {
     EXPECT_GT(post["collision"][checker]["configuration_us"], 0.0) << checker;
     EXPECT_GT(post["collision"][checker]["edge_us"], 0.0) << checker;
   }
+  EXPECT_GT(post["collision"]["fcl_broadphase"]["configuration_us"], 0.0);
   EXPECT_EQ(post["collision"]["disagreements"], 0);
   ASSERT_EQ(post["plans"].size(), 2U);
   EXPECT_EQ(post["plans"][0]["planner"], "pmd-auto");
@@ -74,7 +75,7 @@ TEST_F(HandwayBench, WritesARowForEverySceneAndPlanner) {
     EXPECT_EQ(std::ranges::count(row, ','), std::ranges::count(rows.front(), ',')) << row;
   }
   EXPECT_THAT(rows[0], testing::StartsWith("scene,load_s"));
-  EXPECT_THAT(rows[1], AllOf(testing::StartsWith("open,"), HasSubstr(",pmd-auto,fast,1,5,1,1,")));
+  EXPECT_THAT(rows[1], AllOf(testing::StartsWith("open,"), HasSubstr(",pmd-auto,fast,1,5,1,1,,")));
 }
 
 TEST_F(HandwayBench, CountsARunWithoutAPathAsEndless) {
@@ -92,10 +93,26 @@ TEST_F(HandwayBench, PlansTheSameWithFcl) {
   ASSERT_EQ(line_.run("bench post.yaml --seeds 1 --checker fcl --out fcl").exit_code, 0);
   const auto fast = nlohmann::json::parse(line_.read("fast/bench.json"));
   const auto fcl = nlohmann::json::parse(line_.read("fcl/bench.json"));
-  EXPECT_EQ(fcl["checker"], "fcl");
+  EXPECT_EQ(fcl["scenes"][0]["plans"][0]["checker"], "fcl");
   // Smoothing has a budget of configurations, and bounds of FCL take others to settle an edge.
   for (const char* key : {"solved", "samples"}) {
     EXPECT_EQ(fcl["scenes"][0]["plans"][0][key], fast["scenes"][0]["plans"][0][key]) << key;
+  }
+}
+
+TEST_F(HandwayBench, ComparesCheckersInOneTable) {
+  const Outcome run = line_.run(
+      "bench post.yaml --seeds 2 --checker fast --checker fcl-broadphase --check-paths --out .");
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, AllOf(HasSubstr("fcl-broadphase"), HasSubstr("2 of 2 paths valid at 1 mm"),
+                             Not(HasSubstr("FAULT"))));
+  const auto plans = nlohmann::json::parse(line_.read("bench.json"))["scenes"][0]["plans"];
+  ASSERT_EQ(plans.size(), 2U);
+  EXPECT_EQ(plans[0]["checker"], "fast");
+  EXPECT_EQ(plans[1]["checker"], "fcl-broadphase");
+  for (const auto& plan : plans) {
+    EXPECT_EQ(plan["paths_checked"], true);
+    EXPECT_EQ(plan["paths_with_faults"], 0);
   }
 }
 

@@ -1,5 +1,7 @@
 #include "collision/fcl_bodies.h"
 
+#include "collision/fcl_tree.h"
+
 #include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/math/bv/OBBRSS.h>
 #include <fcl/narrowphase/collision.h>
@@ -13,41 +15,26 @@
 namespace handway::geometric {
 namespace {
 
-using Tree = fcl::BVHModel<fcl::OBBRSSd>;
-
-std::shared_ptr<const Tree> build(const TriangleMesh& mesh) {
-  auto tree = std::make_shared<Tree>();
-  std::vector<fcl::Triangle> triangles;
-  triangles.reserve(mesh.triangles.size());
-  for (const auto& [a, b, c] : mesh.triangles) {
-    triangles.emplace_back(a, b, c);
-  }
-  tree->beginModel();
-  tree->addSubModel(mesh.vertices, triangles);
-  tree->endModel();
-  return tree;
-}
-
 // The tree of a mesh, built when it is first asked for, by any thread.
 class LazyTree {
  public:
   explicit LazyTree(std::shared_ptr<const TriangleMesh> mesh) : mesh_(std::move(mesh)) {}
 
-  const Tree* get() {
-    std::call_once(built_, [this] { tree_ = build(*mesh_); });
+  const FclTree* get() {
+    std::call_once(built_, [this] { tree_ = make_fcl_tree(*mesh_); });
     return tree_.get();
   }
 
  private:
   std::shared_ptr<const TriangleMesh> mesh_;
   std::once_flag built_;
-  std::shared_ptr<const Tree> tree_;
+  std::shared_ptr<const FclTree> tree_;
 };
 
 }  // namespace
 
 struct FclBodies::Impl {
-  [[nodiscard]] const Tree* tree(int body) const {
+  [[nodiscard]] const FclTree* tree(int body) const {
     return trees[static_cast<std::size_t>(body)]->get();
   }
 

@@ -1,7 +1,7 @@
 /// The baseline of the benchmarks answers as FCL without a broad phase does.
 #include "../robot/random_configurations.h"
 #include "handway/geometric/collision/fcl_checker.h"
-#include "handway_test/fcl_broadphase_checker.h"
+#include "handway/geometric/collision/fcl_broadphase_checker.h"
 #include "handway_test/solid_robots.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ TEST(FclBroadphaseChecker, AnswersAsFclDoesOneAfterTheOther) {
   test::add_object(scene, "pole", Cylinder{0.03, 1.5}, Eigen::Vector3d(-0.4, 0.3, 0.75));
   const auto world = std::make_shared<const CollisionWorld>(scene);
   FclChecker exact(world);
-  test::FclBroadphaseChecker baseline(world);
+  FclBroadphaseChecker baseline(world);
   const std::unique_ptr<CollisionChecker> clone = baseline.clone();
   test::RandomConfigurations random(world->model(), 41);
   int collisions = 0;

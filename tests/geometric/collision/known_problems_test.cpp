@@ -5,7 +5,7 @@
 #include "../robot/random_configurations.h"
 #include "checker_agreement.h"
 #include "handway/geometric/collision/motion_bound.h"
-#include "handway_test/fcl_broadphase_checker.h"
+#include "handway/geometric/collision/fcl_broadphase_checker.h"
 #include "handway_test/scale.h"
 
 #include <gtest/gtest.h>
@@ -79,7 +79,7 @@ class KnownProblems : public testing::TestWithParam<KnownProblem> {};
 TEST_P(KnownProblems, HaveTheSameAnswersFromBothCheckers) {
   const CollisionProblem problem(*load(GetParam()).scene);
   CheckerAgreement checkers(problem.world);
-  FclBroadphaseChecker baseline(problem.world);
+  geometric::FclBroadphaseChecker baseline(problem.world);
   Sources sources(problem, checkers.bounded());
   const int count = scaled(GetParam().file.extension() == ".xml" ? 300 : 1000);
   int contacts = 0;

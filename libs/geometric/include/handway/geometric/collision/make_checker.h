@@ -7,8 +7,15 @@
 
 namespace handway::geometric {
 
-/// The checker that programs use unless asked for another: exact and fast.
+/// Checkers that give the same answers.
+enum class CheckerKind {
+  kFast,           ///< BoundedChecker.
+  kFcl,            ///< FclChecker.
+  kFclBroadphase,  ///< FclBroadphaseChecker.
+};
+
+/// @param kind the one that programs use unless asked for another is exact and fast.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::unique_ptr<CollisionChecker> make_collision_checker(
-    std::shared_ptr<const CollisionWorld> world);
+    std::shared_ptr<const CollisionWorld> world, CheckerKind kind = CheckerKind::kFast);
 
 }  // namespace handway::geometric

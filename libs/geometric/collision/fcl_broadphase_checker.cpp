@@ -1,4 +1,6 @@
-#include "handway_test/fcl_broadphase_checker.h"
+#include "handway/geometric/collision/fcl_broadphase_checker.h"
+
+#include "collision/fcl_tree.h"
 
 #include <Eigen/Core>
 #include <fcl/broadphase/broadphase_dynamic_AABB_tree.h>
@@ -14,39 +16,18 @@
 #include <utility>
 #include <vector>
 
-namespace handway::test {
-namespace {
+namespace handway::geometric {
 
-using geometric::BodyPair;
-using geometric::CollisionBody;
-using geometric::CollisionWorld;
-using Model = fcl::BVHModel<fcl::OBBRSSd>;
 using Object = fcl::CollisionObjectd;
-
-std::shared_ptr<Model> build(const geometric::TriangleMesh& mesh) {
-  auto model = std::make_shared<Model>();
-  std::vector<fcl::Triangle> triangles;
-  triangles.reserve(mesh.triangles.size());
-  for (const auto& [a, b, c] : mesh.triangles) {
-    triangles.emplace_back(a, b, c);
-  }
-  model->beginModel();
-  model->addSubModel(mesh.vertices, triangles);
-  model->endModel();
-  model->computeLocalAABB();
-  return model;
-}
-
-}  // namespace
 
 struct FclBroadphaseChecker::Models {
   explicit Models(const CollisionWorld& world) {
     const int count = static_cast<int>(world.bodies().size());
-    std::map<const geometric::TriangleMesh*, std::shared_ptr<Model>> built;  // fingers share
+    std::map<const TriangleMesh*, std::shared_ptr<FclTree>> built;  // fingers share
     for (const CollisionBody& body : world.bodies()) {
       auto& model = built[body.mesh.get()];
       if (!model) {
-        model = build(*body.mesh);
+        model = make_fcl_tree(*body.mesh);
       }
       of_body.push_back(model);
     }
@@ -57,7 +38,7 @@ struct FclBroadphaseChecker::Models {
     }
   }
 
-  std::vector<std::shared_ptr<Model>> of_body;
+  std::vector<std::shared_ptr<FclTree>> of_body;
   Eigen::MatrixXi pair_of;  ///< Index of the pair of two bodies; -1: they may touch.
 };
 
@@ -119,7 +100,7 @@ FclBroadphaseChecker::FclBroadphaseChecker(const FclBroadphaseChecker& other)
       models_(other.models_),
       managers_(std::make_unique<Managers>(world(), *models_)) {}
 
-std::unique_ptr<geometric::CollisionChecker> FclBroadphaseChecker::clone() const {
+std::unique_ptr<CollisionChecker> FclBroadphaseChecker::clone() const {
   return std::unique_ptr<CollisionChecker>(new FclBroadphaseChecker(*this));
 }
 
@@ -166,4 +147,4 @@ std::optional<int> FclBroadphaseChecker::do_first_collision() {
   return search.found;
 }
 
-}  // namespace handway::test
+}  // namespace handway::geometric

@@ -1,22 +1,23 @@
 #pragma once
 
 #include "handway/geometric/collision/collision_checker.h"
+#include "handway/geometric/export.h"
 
 #include <memory>
 
-namespace handway::test {
+namespace handway::geometric {
 
 /// FCL as its users set it up: a dynamic AABB tree over the bodies that move, one
 /// over those that stand still, OBBRSS trees on the raw triangles behind them. The
 /// baseline that the fast checker is measured against.
 ///
 /// Of several pairs that touch, first_collision() names whichever the trees meet first.
-class FclBroadphaseChecker final : public geometric::CollisionChecker {
+class HANDWAY_GEOMETRIC_EXPORT FclBroadphaseChecker final : public CollisionChecker {
  public:
-  explicit FclBroadphaseChecker(std::shared_ptr<const geometric::CollisionWorld> world);
+  explicit FclBroadphaseChecker(std::shared_ptr<const CollisionWorld> world);
   ~FclBroadphaseChecker() override;
 
-  [[nodiscard]] std::unique_ptr<geometric::CollisionChecker> clone() const override;
+  [[nodiscard]] std::unique_ptr<CollisionChecker> clone() const override;
 
  private:
   struct Models;  // immutable, shared by clones; keeps FCL out of the header
@@ -32,4 +33,4 @@ class FclBroadphaseChecker final : public geometric::CollisionChecker {
   std::unique_ptr<Managers> managers_;
 };
 
-}  // namespace handway::test
+}  // namespace handway::geometric
