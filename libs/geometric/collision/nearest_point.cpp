@@ -1,7 +1,7 @@
 #include "collision/nearest_point.h"
 
+#include <algorithm>
 #include <array>
-#include <cmath>
 #include <utility>
 
 namespace handway::geometric {
@@ -42,100 +42,87 @@ Eigen::Vector3d nearest_on_triangle(const std::array<Eigen::Vector3d, 3>& triang
   return a + vb / sum * ab + vc / sum * ac;
 }
 
+namespace {
+
+// Shows `visit` the triangles whose boxes are nearer to `p` than the root of `squared`,
+// and goes on with what it says `squared` is then; of two boxes the nearer goes first.
+template <typename Visit>
+void visit_near(const BoxTree& boxes, const Eigen::Vector3d& p, double squared,
+                const Visit& visit) {
+  std::array<std::uint32_t, 128> stack;  // trees halve their triangles: never as deep
+  std::array<double, 128> bounds;        // squared
+  std::size_t waiting = 0;
+  std::uint32_t index = 0;
+  while (true) {
+    const BoxTree::Node& node = boxes.nodes()[index];
+    if (node.right == 0) {
+      squared = visit(node.triangle, squared);
+    } else {
+      std::uint32_t near = index + 1;
+      std::uint32_t far = node.right;
+      double to_near = BoxTree::squared_distance(boxes.nodes()[near], p);
+      double to_far = BoxTree::squared_distance(boxes.nodes()[far], p);
+      if (to_far < to_near) {
+        std::swap(near, far);
+        std::swap(to_near, to_far);
+      }
+      if (to_far < squared) {
+        stack[waiting] = far;
+        bounds[waiting++] = to_far;
+      }
+      if (to_near < squared) {
+        index = near;
+        continue;
+      }
+    }
+    do {
+      if (waiting == 0) {
+        return;
+      }
+      --waiting;
+    } while (bounds[waiting] >= squared);
+    index = stack[waiting];
+  }
+}
+
+double squared_distance(const TriangleMesh& mesh, std::uint32_t triangle,
+                        const Eigen::Vector3d& p) {
+  return (p - nearest_on_triangle(corners(mesh, triangle), p)).squaredNorm();
+}
+
+}  // namespace
+
 NearestPoint nearest_point(const TriangleMesh& mesh, const BoxTree& boxes, const Eigen::Vector3d& p,
                            std::uint32_t hint) {
-  NearestPoint nearest{nearest_on_triangle(corners(mesh, hint), p), 0.0, hint};
-  double least = (p - nearest.point).squaredNorm();
-  struct Waiting {
-    std::uint32_t node;
-    double bound;  // squared
+  std::uint32_t nearest = hint;
+  const auto visit = [&](std::uint32_t triangle, double least) {
+    const double squared = squared_distance(mesh, triangle, p);
+    nearest = squared < least ? triangle : nearest;
+    return std::min(squared, least);
   };
-  std::array<Waiting, 128> stack;  // trees halve their triangles: never as deep
-  std::size_t waiting = 0;
-  stack[waiting++] = {0, 0.0};
-  while (waiting > 0) {
-    const Waiting top = stack[--waiting];
-    if (top.bound >= least) {
-      continue;
-    }
-    const BoxTree::Node& node = boxes.nodes()[top.node];
-    if (node.right == 0) {
-      const Eigen::Vector3d point = nearest_on_triangle(corners(mesh, node.triangle), p);
-      if (const double squared = (p - point).squaredNorm(); squared < least) {
-        least = squared;
-        nearest = {point, 0.0, node.triangle};
-      }
-      continue;
-    }
-    Waiting near{top.node + 1, BoxTree::squared_distance(boxes.nodes()[top.node + 1], p)};
-    Waiting far{node.right, BoxTree::squared_distance(boxes.nodes()[node.right], p)};
-    if (far.bound < near.bound) {
-      std::swap(near, far);
-    }
-    if (far.bound < least) {
-      stack[waiting++] = far;
-    }
-    if (near.bound < least) {
-      stack[waiting++] = near;
-    }
-  }
-  nearest.distance = std::sqrt(least);
-  return nearest;
+  visit_near(boxes, p, squared_distance(mesh, hint, p), visit);
+  const Eigen::Vector3d point = nearest_on_triangle(corners(mesh, nearest), p);
+  return {point, (p - point).norm(), nearest};
 }
 
 bool is_nearer_than(const TriangleMesh& mesh, const BoxTree& boxes, const Eigen::Vector3d& p,
                     double distance) {
-  const double squared = distance * distance;
-  std::array<std::uint32_t, 128> stack;  // trees halve their triangles: never as deep
-  std::size_t waiting = 0;
-  stack[waiting++] = 0;
-  while (waiting > 0) {
-    const std::uint32_t index = stack[--waiting];
-    const BoxTree::Node& node = boxes.nodes()[index];
-    if (node.right == 0) {
-      const Eigen::Vector3d point = nearest_on_triangle(corners(mesh, node.triangle), p);
-      if ((p - point).squaredNorm() < squared) {
-        return true;
-      }
-      continue;
-    }
-    std::uint32_t near = index + 1;
-    std::uint32_t far = node.right;
-    double to_near = BoxTree::squared_distance(boxes.nodes()[near], p);
-    double to_far = BoxTree::squared_distance(boxes.nodes()[far], p);
-    if (to_far < to_near) {
-      std::swap(near, far);
-      std::swap(to_near, to_far);
-    }
-    if (to_far < squared) {
-      stack[waiting++] = far;
-    }
-    if (to_near < squared) {
-      stack[waiting++] = near;
-    }
-  }
-  return false;
+  bool found = false;
+  visit_near(boxes, p, distance * distance, [&](std::uint32_t triangle, double squared) {
+    found = found || squared_distance(mesh, triangle, p) < squared;
+    return found ? 0.0 : squared;  // nothing else is of interest then
+  });
+  return found;
 }
 
 void triangles_within(const TriangleMesh& mesh, const BoxTree& boxes, const Eigen::Vector3d& p,
                       double distance, std::vector<std::uint32_t>& triangles) {
-  const double squared = distance * distance;
-  std::array<std::uint32_t, 128> stack;  // trees halve their triangles: never as deep
-  std::size_t waiting = 0;
-  stack[waiting++] = 0;
-  while (waiting > 0) {
-    const std::uint32_t index = stack[--waiting];
-    const BoxTree::Node& node = boxes.nodes()[index];
-    if (BoxTree::squared_distance(node, p) >= squared) {
-      continue;
+  visit_near(boxes, p, distance * distance, [&](std::uint32_t triangle, double squared) {
+    if (squared_distance(mesh, triangle, p) < squared) {
+      triangles.push_back(triangle);
     }
-    if (node.right != 0) {
-      stack[waiting++] = node.right;
-      stack[waiting++] = index + 1;
-    } else if ((p - nearest_on_triangle(corners(mesh, node.triangle), p)).squaredNorm() < squared) {
-      triangles.push_back(node.triangle);
-    }
-  }
+    return squared;
+  });
 }
 
 }  // namespace handway::geometric

@@ -67,7 +67,7 @@ FloatPose::FloatPose(const Pose& X_BA, float reach) {
   const Eigen::Vector3f translation = X_BA.translation().cast<float>();
   Eigen::Map<Eigen::Matrix<float, 3, 3, Eigen::RowMajor>>(R.data()) = rotation;
   Eigen::Map<Eigen::Vector3f>(p.data()) = translation;
-  rounding = 2e-6F * (reach + translation.lpNorm<1>());  // some 30 roundings of 6e-8 each
+  rounding = kMoveRounding * (reach + translation.lpNorm<1>());
 }
 
 void sphere_bounds(const SphereCover::Node& node, const ClearanceField& field,

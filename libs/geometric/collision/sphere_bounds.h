@@ -9,6 +9,10 @@
 
 namespace handway::geometric {
 
+/// What a moved point may be off by in single precision, for each metre of its
+/// coordinates: some 30 roundings of 6e-8 each.
+inline constexpr float kMoveRounding = 2e-6F;
+
 /// A rigid transform in single precision, with what its roundings can amount to.
 struct FloatPose {
   FloatPose() = default;

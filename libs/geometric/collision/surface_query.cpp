@@ -10,8 +10,7 @@
 namespace handway::geometric {
 namespace {
 
-constexpr float kRounding = 2e-6F;  // some 30 roundings of single precision
-constexpr int kPatience = 3;        // nodes visited on the field's word alone
+constexpr int kPatience = 3;  // nodes visited on the field's word alone
 
 double triangle_distance(const TriangleCorners& s, const TriangleCorners& t) {
   Eigen::Vector3d p;
@@ -44,7 +43,7 @@ bool SurfaceQuery::root_is_near() {
   const BoundingSphere& root = a_.cover.root();
   const Eigen::Vector3d centre = X_WA_ * root.centre.cast<double>() - X_WB_.translation();
   const Eigen::Vector3f p_BRoot = (X_WB_.linear().transpose() * centre).cast<float>();
-  const float rounding = kRounding * p_BRoot.lpNorm<1>();
+  const float rounding = kMoveRounding * p_BRoot.lpNorm<1>();
   if (b_.field.bound(p_BRoot) - root.radius - rounding >= least_) {
     return false;
   }
