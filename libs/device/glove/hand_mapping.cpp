@@ -1,0 +1,141 @@
+#include "handway/device/glove/hand_mapping.h"
+
+#include "handway/device/glove/glove_layout.h"
+#include "handway/geometric/io/nearest_name.h"
+#include "handway/geometric/io/replace_file.h"
+#include "handway/geometric/io/yaml_element.h"
+#include "handway/geometric/math/units.h"
+#include "yaml_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+
+namespace handway::device {
+namespace {
+
+using geometric::YamlElement;
+
+std::vector<CurvePoint> read_curve(const YamlElement& element) {
+  std::vector<CurvePoint> curve;
+  for (const YamlElement& item : element.items()) {
+    const Eigen::VectorXd point = item.numbers(2);
+    if (!curve.empty() && point[0] <= curve.back().angle) {
+      item.refuse(fmt::format("angle {}", point[0]),
+                  fmt::format("one above {}", curve.back().angle));
+    }
+    curve.push_back({point[0], point[1]});
+  }
+  if (curve.size() < 2) {
+    element.refuse(element.found(), "at least two points [angle, joint]");
+  }
+  return curve;
+}
+
+void read_sensor(const YamlElement& item, const YamlElement& sensor, JointWire& wire) {
+  const std::optional<int> found = find_sensor(sensor.text());
+  if (!found) {
+    sensor.refuse(sensor.found(), "a sensor's name or letter",
+                  geometric::advise_name(sensor.text(), sensor_names()));
+  }
+  wire.sensor = *found;
+  const std::optional<YamlElement> gain = item.find("gain");
+  const std::optional<YamlElement> offset = item.find("offset");
+  if (const std::optional<YamlElement> curve = item.find("curve")) {
+    if (gain || offset) {
+      curve->refuse("a curve beside gain or offset", "one or the other");
+    }
+    wire.curve = read_curve(*curve);
+  }
+  wire.gain = gain ? gain->number() : 1.0;
+  wire.offset = offset ? offset->number() : 0.0;
+}
+
+JointWire read_wire(const YamlElement& item) {
+  item.allow_keys({"joint", "sensor", "gain", "offset", "curve", "fixed"});
+  JointWire wire;
+  wire.joint = item.need("joint").text();
+  const std::optional<YamlElement> sensor = item.find("sensor");
+  const std::optional<YamlElement> fixed = item.find("fixed");
+  if (sensor.has_value() == fixed.has_value()) {
+    item.refuse(sensor ? "sensor and fixed" : "neither sensor nor fixed", "one of them");
+  }
+  if (sensor) {
+    read_sensor(item, *sensor, wire);
+    return wire;
+  }
+  item.allow_keys({"joint", "fixed"});
+  if (fixed->text() != "middle") {
+    wire.fixed = fixed->number();
+  }
+  return wire;
+}
+
+std::string wire_text(const JointWire& wire) {
+  std::string text = fmt::format("  - {{joint: {}", wire.joint);
+  if (wire.sensor < 0) {
+    return text + (wire.fixed ? fmt::format(", fixed: {}}}\n", *wire.fixed) : ", fixed: middle}\n");
+  }
+  text +=
+      fmt::format(", sensor: {}", cyberglove_sensors()[static_cast<std::size_t>(wire.sensor)].name);
+  if (wire.curve.empty()) {
+    return text + fmt::format(", gain: {}, offset: {}}}\n", wire.gain, wire.offset);
+  }
+  std::string points;
+  for (const CurvePoint& point : wire.curve) {
+    points += fmt::format("{}[{}, {}]", points.empty() ? "" : ", ", point.angle, point.joint);
+  }
+  return text + fmt::format(", curve: [{}]}}\n", points);
+}
+
+}  // namespace
+
+HandMapping table1_mapping() {
+  const auto wire = [](const char* joint, std::string_view letter, double gain,
+                       double offset = 0.0) {
+    return JointWire{joint, find_sensor(letter).value_or(-1), gain, offset, {}, {}};
+  };
+  // The thumb base turns 90° and the joint after it 30° around 0 over the same roll.
+  const double sixth = 15.0 * geometric::kDegree;
+  return {"sah_right",
+          "Rosell, Suarez, Rosales and Perez (2011), Table 1; c drives both thumb joints over the "
+          "same part of their ranges",
+          {wire("thumb_base", "c", -1.0), wire("thumb_abduction", "c", -1.0 / 3.0, sixth),
+           wire("thumb_proximal", "e", -1.0), wire("thumb_medial", "f", -1.0),
+           wire("index_abduction", "j", -1.0), wire("index_proximal", "g", -1.0),
+           wire("index_medial", "h", -1.0), JointWire{"middle_abduction", -1, 1.0, 0.0, {}, {}},
+           wire("middle_proximal", "k", -1.0), wire("middle_medial", "l", -1.0),
+           wire("ring_abduction", "n", 1.0), wire("ring_proximal", "o", -1.0),
+           wire("ring_medial", "p", -1.0)}};
+}
+
+HandMapping read_mapping(const std::filesystem::path& file) {
+  const YamlElement top = YamlElement::read(file, "a mapping of a glove to a hand");
+  top.allow_keys({"hand", "source", "joints"});
+  HandMapping mapping;
+  mapping.hand = top.need("hand").text();
+  mapping.source = optional_text(top, "source");
+  for (const YamlElement& item : top.need("joints").items()) {
+    JointWire wire = read_wire(item);
+    if (std::ranges::count(mapping.wires, wire.joint, &JointWire::joint) > 0) {
+      item.refuse("joint " + wire.joint + " for the second time", "every joint once");
+    }
+    mapping.wires.push_back(std::move(wire));
+  }
+  if (mapping.wires.empty()) {
+    top.need("joints").refuse("no joints", "those of the hand");
+  }
+  return mapping;
+}
+
+void write_mapping(const HandMapping& mapping, const std::filesystem::path& file) {
+  std::string text =
+      fmt::format("hand: {}\n", mapping.hand) + text_field("source", mapping.source) + "joints:\n";
+  for (const JointWire& wire : mapping.wires) {
+    text += wire_text(wire);
+  }
+  geometric::replace_file(file, text);
+}
+
+}  // namespace handway::device

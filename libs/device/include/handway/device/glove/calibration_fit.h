@@ -1,0 +1,51 @@
+#pragma once
+
+#include "handway/device/export.h"
+#include "handway/device/glove/glove_calibration.h"
+#include "handway/device/glove/recording.h"
+
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// Ways to find a glove's calibration for a hand.
+namespace handway::device {
+
+/// A calibration and what is suspicious about it: sensors that are dead (hardly moved),
+/// noisy, or at an end of their range; fits that are bad.
+struct CalibrationFit {
+  GloveCalibration calibration;
+  std::vector<std::string> warnings;
+};
+
+/// A posture that the person was asked to take, and what the glove read meanwhile.
+struct GuidedPose {
+  std::string name;                          ///< "flat hand".
+  std::array<double, kGloveSensors> angles;  ///< rad, flexion positive; NaN: not told.
+  Recording counts;                          ///< While the posture was held; kCounts.
+};
+
+/// Fits each sensor's line by least squares to the means of the poses that tell its angle. A
+/// sensor gets no calibration if fewer than two different angles are told for it or its
+/// means differ by less than 10 counts. Residuals above 0.1 rad give a warning.
+/// @throws geometric::InputError if there are no poses, or one holds angles instead of counts.
+[[nodiscard]] HANDWAY_DEVICE_EXPORT CalibrationFit calibrate_from_poses(
+    const std::vector<GuidedPose>& poses, const std::string& person, const std::string& date);
+
+/// Angles that a hand's joints go through when it moves as far as it can, rad: (least, most).
+using AngleRanges = std::array<std::pair<double, double>, kGloveSensors>;
+
+/// Of adult hands, rounded: what min-max calibration takes if nothing is measured.
+[[nodiscard]] HANDWAY_DEVICE_EXPORT const AngleRanges& typical_angle_ranges();
+
+/// Lays each sensor's 1st and 99th percentile of a free motion on the ends of its joint's range.
+/// The gain's sign is that of `signs` (a sensor's calibration before): from the counts alone
+/// it can't be told which end is which. A sensor that went through less than 10 counts keeps
+/// that calibration.
+/// @throws geometric::InputError if the recording holds no counts.
+[[nodiscard]] HANDWAY_DEVICE_EXPORT CalibrationFit calibrate_from_range(
+    const Recording& counts, const AngleRanges& ranges, const GloveCalibration& signs,
+    const std::string& person, const std::string& date);
+
+}  // namespace handway::device

@@ -1,0 +1,75 @@
+#pragma once
+
+#include "handway/device/export.h"
+#include "handway/device/glove/glove_frame.h"
+#include "handway/device/glove/recording.h"
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// From raw counts to joint angles: one straight line for every sensor.
+///
+///     person: typical right hand
+///     date: 2026-03-01
+///     source: "where the numbers come from"
+///     sensors:
+///       ThumbRotate: {gain: 0.01584, zero: 90}
+///       ThumbMPJ: {gain: 0.01459, zero: 88, residual: 0.02}   # residual: optional
+namespace handway::device {
+
+/// angle = gain · (counts - zero).
+struct SensorCalibration {
+  double gain = 0.0;               ///< rad per count; negative where bending lowers the counts.
+  double zero = 0.0;               ///< Counts at 0 rad.
+  std::optional<double> residual;  ///< Root mean square error of the fit, rad.
+};
+
+/// The calibration of one glove on one person's hand.
+struct GloveCalibration {
+  std::string person;
+  std::string date;    ///< ISO 8601; may be empty.
+  std::string source;  ///< How it was made; may be empty.
+  /// Those of cyberglove_sensors() that are calibrated.
+  std::array<std::optional<SensorCalibration>, kGloveSensors> sensors;
+};
+
+/// Reads a calibration; which kind of file it is, is told from its content:
+///   - YAML as above;
+///   - text with 22 lines `angle:counts angle:counts`, from the wrist to the little finger,
+///     a straight line through two points each (rad, flexion negative: turned here);
+///   - text with a title, then six groups (thumb … little finger, wrist) of a name and four
+///     lines `index zero gain x` (VirtualHand; angle = gain · (counts - zero), flexion negative:
+///     turned here). A gain of 0 leaves the sensor uncalibrated.
+///
+/// @throws geometric::InputError with file and line for what is none of these, names an
+/// unknown sensor, lacks a line, has a gain of 0, or two points less than 10 counts apart.
+[[nodiscard]] HANDWAY_DEVICE_EXPORT GloveCalibration
+read_calibration(const std::filesystem::path& file);
+
+/// Writes YAML, the file replaced whole.
+/// @throws geometric::InputError if it can't be written.
+HANDWAY_DEVICE_EXPORT void write_calibration(const GloveCalibration& calibration,
+                                             const std::filesystem::path& file);
+
+/// resources/calibrations/typical_right_hand.yaml: what a glove reads on nobody in particular.
+/// @throws geometric::InputError if the library lacks it.
+[[nodiscard]] HANDWAY_DEVICE_EXPORT GloveCalibration typical_calibration();
+
+/// The angles of a frame; NaN for sensors that are missing (0 counts) or not calibrated.
+[[nodiscard]] HANDWAY_DEVICE_EXPORT GloveAngles to_angles(const GloveFrame& frame,
+                                                          const GloveCalibration& calibration);
+
+/// The frame that a glove with this calibration reads at these angles: rounded and limited
+/// to 1 … 255; 0 for angles that are NaN and sensors that are not calibrated.
+[[nodiscard]] HANDWAY_DEVICE_EXPORT GloveFrame to_counts(const GloveAngles& angles,
+                                                         const GloveCalibration& calibration);
+
+/// A recording of counts as angles, without the sensors that are not calibrated (a warning
+/// names them). A recording of angles is returned as it is.
+[[nodiscard]] HANDWAY_DEVICE_EXPORT Recording to_angles(const Recording& recording,
+                                                        const GloveCalibration& calibration);
+
+}  // namespace handway::device

@@ -1,0 +1,63 @@
+#pragma once
+
+#include "handway/device/export.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// Which sensor of a glove drives which joint of a robot's hand (paper, section 4.1 and
+/// Table 1), as YAML:
+///
+///     hand: sah_right
+///     source: "where the correspondence comes from"
+///     joints:
+///       - {joint: thumb_base, sensor: ThumbRotate, gain: -1, offset: 0}
+///       - {joint: index_medial, sensor: h, curve: [[0, -0.07], [0.8, -0.9], [1.7, -1.3]]}
+///       - {joint: middle_abduction, fixed: middle}
+namespace handway::device {
+
+/// One point of a curve, rad.
+struct CurvePoint {
+  double angle;  ///< Of the sensor.
+  double joint;
+};
+
+/// How one joint of the hand gets its value.
+struct JointWire {
+  std::string joint;
+  int sensor = -1;      ///< Index into cyberglove_sensors(); -1: the joint is fixed.
+  double gain = 1.0;    ///< joint = gain · angle + offset, unless there is a curve.
+  double offset = 0.0;  ///< rad
+  /// Instead of gain and offset: straight between points of rising angle, held at both ends.
+  std::vector<CurvePoint> curve;
+  std::optional<double> fixed;  ///< rad, of a joint without sensor; none: middle of its range.
+};
+
+/// The wires of a whole hand.
+struct HandMapping {
+  std::string hand;    ///< Robot that the joints belong to.
+  std::string source;  ///< May be empty.
+  std::vector<JointWire> wires;
+};
+
+/// The paper's Table 1 for the SAH hand (`sah_right`): 13 joints by 11 of the 22 sensors.
+/// Thumb roll drives both joints of the thumb's base over their whole ranges; the middle
+/// finger's base stays in the middle; relative abductions (positive when the fingers spread)
+/// drive index and ring finger away from it; distal joints, little finger, palm and wrist are
+/// ignored. Fingers of the hand bend in the negative direction.
+/// Ships as resources/mappings/table1_sah.yaml.
+[[nodiscard]] HANDWAY_DEVICE_EXPORT HandMapping table1_mapping();
+
+/// @throws geometric::InputError with file, line and key for what is no mapping: an unknown
+/// sensor, a joint twice, both or neither of sensor and fixed, a curve of fewer than two
+/// points or whose angles don't rise.
+[[nodiscard]] HANDWAY_DEVICE_EXPORT HandMapping read_mapping(const std::filesystem::path& file);
+
+/// Replaces the file whole; the same mapping makes the same bytes.
+/// @throws geometric::InputError if the file can't be written.
+HANDWAY_DEVICE_EXPORT void write_mapping(const HandMapping& mapping,
+                                         const std::filesystem::path& file);
+
+}  // namespace handway::device
