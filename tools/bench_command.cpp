@@ -3,10 +3,12 @@
 #include "bench_report.h"
 #include "bench_scenes.h"
 #include "bench_table.h"
+#include "campaign_command.h"
 #include "exit_codes.h"
 #include "handway/geometric/collision/make_checker.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/replace_file.h"
+#include "handway/planning/campaigns/campaign_reader.h"
 #include "handway/planning/core/plugin.h"
 #include "number_options.h"
 #include "peak_memory.h"
@@ -34,6 +36,8 @@ struct BenchOptions {
   BenchSettings settings;
   bool checks_only = false;
   fs::path out;
+  bool resume = false;
+  int jobs = 0;
 };
 
 SceneBench bench_checks(const fs::path& file, const planning::Extensions& extensions) {
@@ -148,6 +152,32 @@ int bench(const BenchOptions& options) {
   return std::ranges::all_of(scenes, query_is_valid) ? kDone : kInvalidQuery;
 }
 
+// A campaign says itself what is run; it goes with none of the options that say so here.
+int bench_campaign(const BenchOptions& options, const CLI::App& command) {
+  if (options.scenes.size() > 1) {
+    throw CLI::ValidationError("CAMPAIGN", "a campaign is run by itself, without other files");
+  }
+  for (const char* option :
+       {"--planner", "--seeds", "--threads", "--time-limit", "--checker", "--checks"}) {
+    if (command.count(option) > 0) {
+      throw CLI::ValidationError(option, "is for scenes; a campaign has it in its file");
+    }
+  }
+  return run_campaign_file({options.scenes.front(), options.out, options.resume, options.jobs});
+}
+
+int bench_or_campaign(const BenchOptions& options, const CLI::App& command) {
+  if (std::ranges::any_of(options.scenes, planning::is_campaign)) {
+    return bench_campaign(options, command);
+  }
+  for (const char* option : {"--resume", "--jobs"}) {
+    if (command.count(option) > 0) {
+      throw CLI::ValidationError(option, "is for campaigns only");
+    }
+  }
+  return bench(options);
+}
+
 }  // namespace
 
 void add_bench_command(CLI::App& app, int& exit_code) {
@@ -155,7 +185,7 @@ void add_bench_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("bench", "Measure collision checks and planners");
   command->add_option("scenes", options->scenes,
                       "Scene or problem files (default: the scenes that ship and, if "
-                      "HANDWAY_REFERENCE_DIR is set, the published problems)");
+                      "HANDWAY_REFERENCE_DIR is set, the published problems); or one campaign");
   command
       ->add_option("--planner", options->planners,
                    "A planner to compare with the scene's own; \"all\": every one there is")
@@ -182,8 +212,13 @@ void add_bench_command(CLI::App& app, int& exit_code) {
   command->add_flag("--check-paths", options->settings.check_paths,
                     "Check every path again, with FCL at configurations 1 mm apart");
   command->add_flag("--checks", options->checks_only, "Measure collision checks only");
-  command->add_option("--out", options->out, "Write bench.csv and bench.json into this folder");
-  command->callback([options, &exit_code] { exit_code = bench(*options); });
+  command->add_option("--out", options->out,
+                      "Folder for bench.csv and bench.json, or for a campaign's runs and report");
+  command->add_flag("--resume", options->resume, "Go on with a campaign whose runs are in --out");
+  command->add_option("--jobs", options->jobs, "Runs of a campaign at a time (default: one a core)")
+      ->check(CLI::Range(1, 1024));
+  command->callback(
+      [options, command, &exit_code] { exit_code = bench_or_campaign(*options, *command); });
 }
 
 }  // namespace handway::tools

@@ -5,6 +5,7 @@
 #include "handway/geometric/io/replace_file.h"
 #include "handway/planning/core/plugin.h"
 #include "handway/planning/paths/path_csv.h"
+#include "interrupt.h"
 #include "number_options.h"
 #include "plan_report.h"
 #include "scene_planner.h"
@@ -13,7 +14,6 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <csignal>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -56,27 +56,6 @@ std::unique_ptr<planning::Planner> configured_planner(const PlanOptions& options
   }
   return planner;
 }
-
-// Ctrl+C ends the search and still reports; a second one ends the program.
-std::stop_source* interrupted = nullptr;
-extern "C" void on_interrupt(int signal) {
-  interrupted->request_stop();
-  std::signal(signal, SIG_DFL);
-}
-
-class StopsOnInterrupt {
- public:
-  explicit StopsOnInterrupt(std::stop_source& stop) {
-    interrupted = &stop;
-    std::signal(SIGINT, on_interrupt);
-  }
-  ~StopsOnInterrupt() {
-    std::signal(SIGINT, SIG_DFL);
-    interrupted = nullptr;
-  }
-  StopsOnInterrupt(const StopsOnInterrupt&) = delete;
-  StopsOnInterrupt& operator=(const StopsOnInterrupt&) = delete;
-};
 
 PlanResult plan_until_interrupted(planning::Planner& planner,
                                   const planning::PlanningProblem& problem,

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "handway/planning/campaigns/campaign.h"
+#include "handway/planning/campaigns/run_record.h"
+#include "handway/planning/export.h"
+
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace handway::planning {
+
+/// The runs of a campaign in an SQLite file: every run at most once, and once add() has
+/// returned for good, whatever happens to the program or the machine afterwards.
+///
+/// Tables: `setting` (key, value), `problem` (name, file, digest), `planner` (label, planner,
+/// parameters as JSON) and `run`, a row a run with the fields of RunRecord, problem and planner
+/// by id; a view `runs` has names instead. docs/campaigns.md shows them.
+///
+/// For one thread at a time. One object a file: a lock beside it keeps a second
+/// program out while this one is at work.
+class HANDWAY_PLANNING_EXPORT RunDatabase {
+ public:
+  enum class Opening {
+    kNew,     ///< Refuse a file that holds runs.
+    kResume,  ///< Go on with one, or begin.
+  };
+
+  /// Opens or makes `file` for the runs of `campaign`. It may hold more than the campaign
+  /// asks for: runs of other seeds, problems or parameters stay untouched.
+  /// @param version of the program, kept with each run.
+  /// @throws InputError if the file can't be written, is another program's, is in use, or
+  /// holds runs of other problem files, threads or time limit under the same names.
+  RunDatabase(const std::filesystem::path& file, const Campaign& campaign, std::string version,
+              Opening opening);
+  ~RunDatabase();
+  RunDatabase(const RunDatabase&) = delete;
+  RunDatabase& operator=(const RunDatabase&) = delete;
+
+  /// The campaign's runs that are not there yet, in the campaign's order.
+  [[nodiscard]] std::vector<RunSpec> pending() const;
+
+  /// Adds runs in one transaction: all or none. One that is there already stays as it was.
+  /// @throws InputError if it can't be written (a full disk); nothing is added then.
+  void add(std::span<const RunRecord> records);
+
+  /// The campaign's runs that are there, in the campaign's order, without their paths.
+  [[nodiscard]] std::vector<RunRecord> records() const;
+
+  /// The versions of the program that made them.
+  [[nodiscard]] std::vector<std::string> versions() const;
+
+ private:
+  struct Connection;
+  std::unique_ptr<Connection> connection_;
+  const Campaign campaign_;
+  std::string version_;
+};
+
+}  // namespace handway::planning

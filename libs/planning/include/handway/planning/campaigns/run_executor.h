@@ -1,0 +1,34 @@
+#pragma once
+
+#include "handway/planning/campaigns/campaign.h"
+#include "handway/planning/campaigns/run_record.h"
+#include "handway/planning/core/planning_problem.h"
+#include "handway/planning/core/plugin.h"
+#include "handway/planning/export.h"
+
+#include <optional>
+#include <stop_token>
+#include <vector>
+
+namespace handway::planning {
+
+/// Carries out single runs of a campaign; may be asked by several threads at once.
+class HANDWAY_PLANNING_EXPORT RunExecutor {
+ public:
+  /// Opens all problems. Both must outlive it.
+  /// @throws InputError if one can't be read or has no start or goal.
+  RunExecutor(const Campaign& campaign, const Extensions& extensions);
+
+  /// Plans with checkers that remember nothing of other runs.
+  /// @returns nothing if it was cancelled.
+  [[nodiscard]] std::optional<RunRecord> run(const RunSpec& spec, std::stop_token stop = {}) const;
+
+  [[nodiscard]] const Campaign& campaign() const { return campaign_; }
+
+ private:
+  const Campaign& campaign_;
+  const Extensions& extensions_;
+  std::vector<PlanningProblem> problems_;
+};
+
+}  // namespace handway::planning

@@ -1,0 +1,63 @@
+#pragma once
+
+#include "handway/planning/campaigns/campaign.h"
+#include "handway/planning/campaigns/run_executor.h"
+#include "handway/planning/campaigns/run_record.h"
+#include "handway/planning/export.h"
+
+#include <functional>
+#include <span>
+#include <stop_token>
+#include <vector>
+
+namespace handway::planning {
+
+/// Called with runs that are done, a few at a time and now and then with none; on the
+/// thread that called carry_out(). What it throws ends the work.
+using TakeRecords = std::function<void(std::span<const RunRecord>)>;
+
+/// Those who carry out a campaign's runs: threads, or processes.
+class HANDWAY_PLANNING_EXPORT RunWorkers {
+ public:
+  virtual ~RunWorkers() = default;
+
+  /// How many runs are carried out at a time.
+  [[nodiscard]] virtual int count() const = 0;
+
+  /// Carries out `runs`, dealt out one by one, and hands over every record as soon as it is
+  /// there. Returns when all are done or, if `stop` asks for it, when the last of those
+  /// that were not cancelled is handed over.
+  /// @throws what `take` throws or a run fails with, once no worker is busy any more.
+  virtual void carry_out(const RunExecutor& executor, std::span<const RunSpec> runs,
+                         const TakeRecords& take, std::stop_token stop) = 0;
+};
+
+/// Threads of this process, one run a thread.
+class HANDWAY_PLANNING_EXPORT ThreadWorkers : public RunWorkers {
+ public:
+  /// @param count ≥ 1.
+  explicit ThreadWorkers(int count) : count_(count) {}
+
+  [[nodiscard]] int count() const override { return count_; }
+  void carry_out(const RunExecutor& executor, std::span<const RunSpec> runs,
+                 const TakeRecords& take, std::stop_token stop) override;
+
+ private:
+  int count_;
+};
+
+/// Several processes that work on the same campaign: one leads, the others serve it.
+class HANDWAY_PLANNING_EXPORT ProcessTeam : public RunWorkers {
+ public:
+  [[nodiscard]] virtual bool leads() const = 0;
+  /// Carries out what the leader hands over, until it says that all is done. @pre !leads()
+  virtual void serve(const RunExecutor& executor) = 0;
+  /// Tells the leader that this process can't serve, and why. @pre !leads()
+  virtual void decline(const std::string& reason) = 0;
+};
+
+/// The team of processes that this one was started in by `mpirun`; null if it was not.
+/// @throws InputError if it was, but the library for it is not there.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT std::unique_ptr<ProcessTeam> join_process_team();
+
+}  // namespace handway::planning

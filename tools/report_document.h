@@ -1,0 +1,45 @@
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+/// Reports for people: one document, written as Markdown and as HTML.
+namespace handway::tools {
+
+struct ReportHeading {
+  int level = 2;  ///< 1: the title.
+  std::string text;
+};
+
+struct ReportText {
+  std::string text;  ///< A paragraph, plain.
+};
+
+struct ReportTable {
+  std::vector<std::string> columns;  ///< The first is text, the others are set to the right.
+  std::vector<std::vector<std::string>> rows;
+};
+
+/// A drawing; Markdown has its caption and where its data is instead.
+struct ReportFigure {
+  std::string caption;
+  std::string svg;
+  std::string data_file;  ///< Beside the report.
+};
+
+using ReportPart = std::variant<ReportHeading, ReportText, ReportTable, ReportFigure>;
+using ReportDocument = std::vector<ReportPart>;
+
+[[nodiscard]] std::string to_markdown(const ReportDocument& document);
+/// One file with its styles and drawings.
+[[nodiscard]] std::string to_html(const ReportDocument& document);
+
+/// `text` with <, >, & and " as HTML and SVG want them.
+[[nodiscard]] std::string html_escaped(const std::string& text);
+/// `text` as a field of a CSV file, quoted where it has to be.
+[[nodiscard]] std::string csv_field(const std::string& text);
+/// Columns and rows of a table.
+[[nodiscard]] std::string to_csv(const ReportTable& table);
+
+}  // namespace handway::tools
