@@ -157,8 +157,8 @@ int bench_campaign(const BenchOptions& options, const CLI::App& command) {
   if (options.scenes.size() > 1) {
     throw CLI::ValidationError("CAMPAIGN", "a campaign is run by itself, without other files");
   }
-  for (const char* option :
-       {"--planner", "--seeds", "--threads", "--time-limit", "--checker", "--checks"}) {
+  for (const char* option : {"--planner", "--seeds", "--threads", "--time-limit", "--checker",
+                             "--check-paths", "--checks"}) {
     if (command.count(option) > 0) {
       throw CLI::ValidationError(option, "is for scenes; a campaign has it in its file");
     }
