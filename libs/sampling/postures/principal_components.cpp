@@ -1,6 +1,7 @@
 #include "handway/sampling/postures/principal_components.h"
 
 #include "handway/geometric/io/input_error.h"
+#include "joint_selection.h"
 
 #include <Eigen/SVD>
 
@@ -12,28 +13,6 @@ namespace handway::sampling {
 namespace {
 
 constexpr double kStill = 1e-9;  // standard deviation of a direction that doesn't vary
-
-// Indices of the columns that aren't left out.
-std::vector<int> columns_taken(Eigen::Index joints, const std::vector<int>& left_out) {
-  std::vector<bool> taken(static_cast<std::size_t>(joints), true);
-  for (const int joint : left_out) {
-    if (joint < 0 || joint >= joints || !taken[static_cast<std::size_t>(joint)]) {
-      throw std::invalid_argument("joint " + std::to_string(joint) +
-                                  " to leave out is unknown or named twice");
-    }
-    taken[static_cast<std::size_t>(joint)] = false;
-  }
-  std::vector<int> columns;
-  for (int i = 0; i < joints; ++i) {
-    if (taken[static_cast<std::size_t>(i)]) {
-      columns.push_back(i);
-    }
-  }
-  if (columns.empty()) {
-    throw std::invalid_argument("every joint is left out of the principal component analysis");
-  }
-  return columns;
-}
 
 void check_samples(const Eigen::MatrixXd& samples) {
   if (samples.rows() < 2) {
@@ -53,7 +32,7 @@ void check_samples(const Eigen::MatrixXd& samples) {
 PrincipalComponents principal_components(const Eigen::MatrixXd& samples,
                                          const std::vector<int>& left_out) {
   check_samples(samples);
-  const std::vector<int> columns = columns_taken(samples.cols(), left_out);
+  const std::vector<int> columns = joints_taken(samples.cols(), left_out);
   PrincipalComponents result;
   result.mean = samples.colwise().mean();
   const Eigen::MatrixXd centred =
@@ -62,20 +41,10 @@ PrincipalComponents principal_components(const Eigen::MatrixXd& samples,
 
   result.variances =
       svd.singularValues().array().square() / static_cast<double>(samples.rows() - 1);
-  const double total = result.variances.sum();
-  result.shares = Eigen::VectorXd::Zero(result.variances.size());
-  if (total > 0.0) {
-    result.shares = result.variances / total;
-  }
+  result.shares = shares_of(result.variances);
   result.directions = Eigen::MatrixXd::Zero(samples.cols(), result.variances.size());
   for (Eigen::Index k = 0; k < result.variances.size(); ++k) {
-    Eigen::VectorXd direction = svd.matrixV().col(k);
-    Eigen::Index largest = 0;
-    direction.cwiseAbs().maxCoeff(&largest);
-    if (direction[largest] < 0.0) {
-      direction = -direction;
-    }
-    result.directions(columns, k) = direction;
+    result.directions(columns, k) = with_fixed_sign(svd.matrixV().col(k));
   }
   return result;
 }
