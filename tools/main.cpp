@@ -2,6 +2,7 @@
 #include "check_command.h"
 #include "exit_codes.h"
 #include "info_command.h"
+#include "pca_command.h"
 #include "plan_command.h"
 #include "version.h"
 
@@ -22,6 +23,7 @@ int run(int argc, char** argv) {
   add_plan_command(app, exit_code);
   add_check_command(app, exit_code);
   add_info_command(app, exit_code);
+  add_pca_command(app, exit_code);
   add_bench_command(app, exit_code);
   try {
     app.parse(argc, argv);

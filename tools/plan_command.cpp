@@ -1,5 +1,6 @@
 #include "plan_command.h"
 
+#include "chosen_basis.h"
 #include "exit_codes.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/replace_file.h"
@@ -85,11 +86,12 @@ void print_summary(const PlanResult& result) {
   fmt::print("{}\n", result.reason);
 }
 
-int plan(const PlanOptions& options) {
+int plan(PlanOptions options) {
   const auto begin = std::chrono::steady_clock::now();
   planning::Extensions extensions;
   extensions.load_plugins(planning::plugin_directory());
-  const planning::LoadedScene loaded = planning::load_scene(options.scene, extensions);
+  planning::LoadedScene loaded = planning::load_scene(options.scene, extensions);
+  choose_basis(options.settings, loaded);
   const std::unique_ptr<planning::Planner> planner =
       configured_planner(options, loaded.scene->planner, extensions.planners());
   const planning::PlanningProblem problem = planning::make_problem(loaded.scene, loaded.basis);
@@ -127,7 +129,9 @@ void add_plan_command(CLI::App& app, int& exit_code) {
   command->add_option("--time-limit", options->time_limit_s, "Seconds before giving up")
       ->check(positive_number())
       ->capture_default_str();
-  command->add_option("--set", options->settings, "A parameter of the planner, KEY=VALUE")
+  command
+      ->add_option("--set", options->settings,
+                   "A parameter of the planner, KEY=VALUE; or basis=FILE")
       ->type_name("KEY=VALUE")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);

@@ -1,0 +1,125 @@
+/// `handway pca`, and plans with the bases that it makes.
+#include "command_line.h"
+#include "handway/sampling/postures/pmd_basis_io.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <string>
+
+namespace handway::test {
+namespace {
+
+using testing::AllOf;
+using testing::ContainsRegex;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+// Three slow motions of all sensors that Table 1 uses, in counts at 50 Hz.
+std::string recording(double phase) {
+  std::string text = "time,c,e,f,j,g,h,k,l,n,o,p\n";
+  for (int row = 0; row < 500; ++row) {
+    const double t = 0.02 * row;
+    const double fist = 50 + 40 * std::sin(2.0 * t + phase);
+    const double hook = 30 + 20 * std::sin(3.1 * t);
+    const double thumb = 40 + 30 * std::sin(1.3 * t);
+    text += std::to_string(t);
+    for (const double value : {90 + thumb, 110 + 0.5 * thumb, 105 + 0.4 * thumb, 148 - 0.2 * fist,
+                               75 + 0.6 * fist, 40 + fist - hook, 78 + 0.6 * fist, 55 + fist - hook,
+                               133 - 0.1 * fist, 105 + 0.5 * fist, 75 + 0.8 * fist - hook}) {
+      text += ',';
+      text += std::to_string(std::lround(value));
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+class Pca : public testing::Test {
+ protected:
+  Pca() {
+    line_.write("one.csv", recording(0.0));
+    line_.write("two.csv", recording(1.0));
+  }
+
+  CommandLine line_;
+};
+
+TEST_F(Pca, WritesABasisThatPlansAreMadeWith) {
+  const Outcome pca = line_.run("pca one.csv --components 3 --sigmas 2 --out basis.yaml");
+  EXPECT_EQ(pca.exit_code, 0) << pca.err;
+  EXPECT_THAT(pca.err, IsEmpty());
+  EXPECT_THAT(pca.out, AllOf(HasSubstr("500 rows of counts"), HasSubstr("at 50.0 Hz"),
+                             HasSubstr("joints by limits"), HasSubstr("joints by own range"),
+                             HasSubstr("thumb_base alone"), HasSubstr("give --calibration")));
+  const sampling::PmdBasis basis = sampling::read_pmd_basis(line_.folder() / "basis.yaml");
+  EXPECT_EQ(basis.hand, "sah_right");
+  EXPECT_EQ(basis.joints.size(), 13U);
+  ASSERT_EQ(basis.directions.size(), 3U);
+  EXPECT_NEAR(basis.directions[0].half_side, 2.0 * std::sqrt(basis.directions[0].variance), 1e-12);
+  ASSERT_EQ(basis.free_joints.size(), 1U);
+  EXPECT_EQ(basis.free_joints[0].joint, 0);
+  const std::string scene = (source_dir() / "scenes" / "can_on_table.yaml").string();
+  const Outcome plan = line_.run("plan " + scene + " --set basis=basis.yaml --out path.csv");
+  EXPECT_EQ(plan.exit_code, 0) << plan.err;
+  EXPECT_EQ(line_.run("check " + scene + " path.csv").exit_code, 0);
+}
+
+TEST_F(Pca, JoinsAndComparesRecordings) {
+  const Outcome pca = line_.run("pca one.csv two.csv --compare --robust --normalise range");
+  EXPECT_EQ(pca.exit_code, 0) << pca.err;
+  EXPECT_THAT(pca.out,
+              AllOf(HasSubstr("of 1000 samples set aside"), HasSubstr("all together"),
+                    ContainsRegex("one.csv and two.csv: [0-9.]+ [0-9.]+ [0-9.]+ [0-9.]+")));
+}
+
+TEST_F(Pca, FiltersBeforeItMaps) {
+  const Outcome pca = line_.run(
+      "pca one.csv --from 1 --to 5 --drop-duplicates --resample 100 --low-pass 4 "
+      "--free none --calibration cal.yaml --robust");
+  EXPECT_EQ(pca.exit_code, 3);
+  EXPECT_THAT(pca.err, HasSubstr("cal.yaml"));
+  const Outcome filtered = line_.run(
+      "pca one.csv --from 1 --to 5 --drop-duplicates --resample 100 --low-pass 4 "
+      "--free none --robust");
+  EXPECT_EQ(filtered.exit_code, 0) << filtered.err;
+  EXPECT_THAT(filtered.out, AllOf(HasSubstr("of 401 samples"), HasSubstr("without no joint")));
+}
+
+TEST_F(Pca, TakesMappingsForItsOwnChoiceOfSensors) {
+  line_.write("mapping.yaml", "hand: sah_right\njoints:\n  - {joint: thumb_base, sensor: c}\n");
+  const Outcome pca = line_.run("pca one.csv --mapping mapping.yaml");
+  EXPECT_EQ(pca.exit_code, 3);
+  EXPECT_THAT(pca.err, HasSubstr("nothing for joint thumb_abduction"));
+}
+
+TEST_F(Pca, NamesWhatIsWrong) {
+  EXPECT_EQ(line_.run("pca").exit_code, 2);
+  EXPECT_EQ(line_.run("pca one.csv --normalise feet").exit_code, 2);
+  const Outcome joint = line_.run("pca one.csv --free thumb_bas");
+  EXPECT_EQ(joint.exit_code, 3);
+  EXPECT_THAT(joint.err, HasSubstr("thumb_base"));
+  line_.write("cut.csv", "time,c\n0,1\n0.1\n");
+  EXPECT_THAT(line_.run("pca cut.csv").err, HasSubstr("cut.csv:3"));
+}
+
+TEST_F(Pca, PlansRefuseTheBasisOfAnotherHand) {
+  ASSERT_EQ(line_.run("pca one.csv --out sah.yaml").exit_code, 0);
+  const Outcome plan = line_.run("plan post.yaml --set basis=sah.yaml");
+  EXPECT_EQ(plan.exit_code, 3);
+  EXPECT_THAT(plan.err, HasSubstr("another hand"));
+}
+
+TEST_F(Pca, FindsTheSharesOfTheReferenceRecordings) {
+  HANDWAY_NEED_REFERENCE(reference);
+  const std::string glove = (reference / "glove").string();
+  EXPECT_THAT(line_.run("pca " + glove + "/calib-rad-su01.txt").out,
+              ContainsRegex("by own range +41\\.6. +64\\.3. +79\\.5. +91\\.7"));
+  EXPECT_THAT(line_.run("pca " + glove + "/grasp-rad-su01.txt").out,
+              ContainsRegex("by own range +61\\.1. +76\\.7. +85\\.3. +89\\.9"));
+}
+
+}  // namespace
+}  // namespace handway::test
