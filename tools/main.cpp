@@ -1,9 +1,11 @@
 #include "bench_command.h"
 #include "check_command.h"
 #include "exit_codes.h"
+#include "export_command.h"
 #include "info_command.h"
 #include "pca_command.h"
 #include "plan_command.h"
+#include "time_command.h"
 #include "version.h"
 
 #include <CLI/CLI.hpp>
@@ -24,6 +26,8 @@ int run(int argc, char** argv) {
   add_check_command(app, exit_code);
   add_info_command(app, exit_code);
   add_pca_command(app, exit_code);
+  add_time_command(app, exit_code);
+  add_export_command(app, exit_code);
   add_bench_command(app, exit_code);
   try {
     app.parse(argc, argv);

@@ -1,5 +1,8 @@
 #include "handway/planning/core/plugin.h"
 
+#include "handway/geometric/io/input_error.h"
+#include "handway/geometric/io/nearest_name.h"
+
 #include <boost/dll/runtime_symbol_info.hpp>
 #include <boost/dll/shared_library.hpp>
 #include <fmt/format.h>
@@ -7,6 +10,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <exception>
+#include <iterator>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
@@ -85,11 +89,29 @@ void Extensions::add(const Plugin& plugin, const fs::path& file) {
   if (plugin.register_planners != nullptr) {
     plugin.register_planners(planners);
   }
+  std::vector<std::unique_ptr<Exporter>> exporters;
+  if (plugin.make_exporters != nullptr) {
+    exporters = plugin.make_exporters();
+  }
   if (plugin.make_importer != nullptr) {
     importers_.push_back(plugin.make_importer());
   }
+  std::ranges::move(exporters, std::back_inserter(exporters_));
   planners_ = std::move(planners);
   loaded_.push_back({file, plugin.name, plugin.version});
+}
+
+const Exporter& Extensions::exporter(const std::string& name) const {
+  std::vector<std::string> names;
+  for (const std::unique_ptr<Exporter>& exporter : exporters_) {
+    if (exporter->name() == name) {
+      return *exporter;
+    }
+    names.push_back(exporter->name());
+  }
+  throw geometric::InputError({"--to", "", "\"" + name + "\"",
+                               names.empty() ? "a format (no plugin exports any)" : "a format",
+                               geometric::advise_name(name, names)});
 }
 
 fs::path plugin_directory() {

@@ -81,7 +81,7 @@ class Reader {
           link_of_column_[c] = i;
         }
       }
-      if (link_of_column_[c] == 0 && header_[c] != "time") {
+      if (link_of_column_[c] == 0 && header_[c] != "time" && !is_rate(header_[c])) {
         throw InputError({file_.string() + ":1", "column \"" + header_[c] + "\"",
                           "no joint of robot " + model_.name() + " that moves",
                           "\"time\" or a joint's name", ""});
@@ -96,6 +96,14 @@ class Reader {
                           "one", ""});
       }
     }
+  }
+
+  /// "JOINT.velocity" or "JOINT.acceleration", which timed paths have.
+  [[nodiscard]] bool is_rate(const std::string& column) const {
+    const std::size_t dot = column.rfind('.');
+    const std::string rate = dot == std::string::npos ? "" : column.substr(dot);
+    return (rate == ".velocity" || rate == ".acceleration") &&
+           model_.find_variable(column.substr(0, dot)).has_value();
   }
 
   Configuration read_row(const std::string& line) {
@@ -147,7 +155,7 @@ class Reader {
   const RobotModel& model_;
   const std::filesystem::path& file_;
   std::vector<std::string> header_;
-  std::vector<int> link_of_column_;  ///< 0: time.
+  std::vector<int> link_of_column_;  ///< 0: time or a rate.
   int line_ = 1;
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "handway/planning/core/exporter.h"
 #include "handway/planning/core/importer.h"
 #include "handway/planning/core/planner_registry.h"
 #include "handway/planning/export.h"
@@ -12,7 +13,7 @@
 namespace handway::planning {
 
 /// Raised whenever a plugin built against an older header would misbehave.
-inline constexpr int kPluginApiVersion = 1;
+inline constexpr int kPluginApiVersion = 2;
 
 /// What a plugin library hands over: a struct with this layout, exported as
 /// `extern "C" const handway::planning::Plugin* handway_plugin()`.
@@ -20,8 +21,9 @@ struct Plugin {
   int api_version = kPluginApiVersion;
   const char* name = "";
   const char* version = "";
-  void (*register_planners)(PlannerRegistry& registry) = nullptr;  ///< May be null.
-  std::unique_ptr<Importer> (*make_importer)() = nullptr;          ///< May be null.
+  void (*register_planners)(PlannerRegistry& registry) = nullptr;        ///< May be null.
+  std::unique_ptr<Importer> (*make_importer)() = nullptr;                ///< May be null.
+  std::vector<std::unique_ptr<Exporter>> (*make_exporters)() = nullptr;  ///< May be null.
 };
 
 /// A plugin that was taken.
@@ -53,6 +55,11 @@ class HANDWAY_PLANNING_EXPORT Extensions {
   [[nodiscard]] const std::vector<std::unique_ptr<Importer>>& importers() const {
     return importers_;
   }
+  [[nodiscard]] const std::vector<std::unique_ptr<Exporter>>& exporters() const {
+    return exporters_;
+  }
+  /// @throws InputError with the names there are, if none is called `name`.
+  [[nodiscard]] const Exporter& exporter(const std::string& name) const;
   [[nodiscard]] const std::vector<LoadedPlugin>& loaded() const { return loaded_; }
   [[nodiscard]] const std::vector<RefusedPlugin>& refused() const { return refused_; }
 
@@ -61,6 +68,7 @@ class HANDWAY_PLANNING_EXPORT Extensions {
 
   PlannerRegistry planners_;
   std::vector<std::unique_ptr<Importer>> importers_;
+  std::vector<std::unique_ptr<Exporter>> exporters_;
   std::vector<LoadedPlugin> loaded_;
   std::vector<RefusedPlugin> refused_;
 };

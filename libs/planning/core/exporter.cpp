@@ -1,0 +1,125 @@
+#include "handway/planning/core/exporter.h"
+
+#include "handway/geometric/io/input_error.h"
+#include "handway/geometric/io/replace_file.h"
+#include "handway/planning/timing/trajectory_check.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <system_error>
+
+namespace handway::planning {
+namespace {
+
+using geometric::InputError;
+
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+
+bool is_name(const std::string& name) {
+  return !name.empty() && is_letter(name.front()) && std::ranges::all_of(name, [](char c) {
+    return is_letter(c) || (c >= '0' && c <= '9') || c == '_';
+  });
+}
+
+void check_limits(const Motion& motion) {
+  const Eigen::Index count = motion.model->variable_count();
+  for (const Eigen::VectorXd* limits : {&motion.limits.velocity, &motion.limits.acceleration}) {
+    if (limits->size() != count || !limits->allFinite() || !(limits->array() > 0.0).all()) {
+      throw InputError({"the motion", "limits", "limits that are none",
+                        fmt::format("{} finite numbers above 0", count), ""});
+    }
+  }
+  if (!(motion.speed > 0.0 && motion.speed <= 1.0)) {
+    throw InputError(
+        {"the motion", "speed", fmt::format("{}", motion.speed), "above 0, at most 1", ""});
+  }
+}
+
+void check_waypoints(const Motion& motion) {
+  const geometric::RobotModel& model = *motion.model;
+  if (motion.path.waypoints.size() < 2 ||
+      motion.waypoint_times.size() != motion.path.waypoints.size()) {
+    throw InputError({"the motion", "",
+                      fmt::format("{} waypoints with {} times", motion.path.waypoints.size(),
+                                  motion.waypoint_times.size()),
+                      "at least two, each with its time", ""});
+  }
+  for (std::size_t w = 0; w < motion.path.waypoints.size(); ++w) {
+    const geometric::Configuration& q = motion.path.waypoints[w];
+    const double time = motion.waypoint_times[w];
+    const std::string source = fmt::format("waypoint {} at {:.4f} s", w + 1, time);
+    if (q.size() != model.variable_count()) {
+      throw InputError({source, "", fmt::format("{} values", q.size()),
+                        fmt::format("{}", model.variable_count()), ""});
+    }
+    if (!std::isfinite(time) || (w > 0 && time < motion.waypoint_times[w - 1])) {
+      throw InputError({source, "time", fmt::format("{}", time), "times in order", ""});
+    }
+    for (int v = 0; v < model.variable_count(); ++v) {
+      constexpr double kTolerance = 1e-6;
+      if (!(q[v] >= model.lower()[v] - kTolerance && q[v] <= model.upper()[v] + kTolerance)) {
+        throw InputError({source, "joint " + model.variable(v).name, fmt::format("{:.6f}", q[v]),
+                          fmt::format("{:.6f} to {:.6f}", model.lower()[v], model.upper()[v]), ""});
+      }
+    }
+  }
+}
+
+void check_groups(const Motion& motion) {
+  for (const std::vector<int>* group : {&motion.arm, &motion.hand}) {
+    for (const int variable : *group) {
+      if (variable < 0 || variable >= motion.model->variable_count()) {
+        throw InputError({"the motion", "", fmt::format("variable {}", variable),
+                          "a variable of the robot", ""});
+      }
+    }
+  }
+}
+
+}  // namespace
+
+void check_motion(const Motion& motion) {
+  if (!is_name(motion.name)) {
+    throw InputError({"the motion", "name", "\"" + motion.name + "\"",
+                      "letters, digits and \"_\", the first a letter", ""});
+  }
+  if (!motion.model) {
+    throw InputError({"the motion", "", "no robot", "one", ""});
+  }
+  check_limits(motion);
+  check_groups(motion);
+  check_waypoints(motion);
+  const auto faults = check_trajectory(*motion.model, motion.trajectory, motion.limits);
+  if (!faults.empty()) {
+    throw InputError({"the motion", "", faults.front().text,
+                      "a motion that keeps the robot's limits",
+                      faults.size() == 1 ? "" : fmt::format("{} more faults", faults.size() - 1)});
+  }
+}
+
+std::vector<ExportedFile> Exporter::files(const Motion& motion) const {
+  check_motion(motion);
+  return do_export(motion);
+}
+
+std::vector<std::filesystem::path> Exporter::write(const Motion& motion,
+                                                   const std::filesystem::path& folder) const {
+  const std::vector<ExportedFile> made = files(motion);
+  std::vector<std::filesystem::path> written;
+  for (const ExportedFile& file : made) {
+    const std::filesystem::path place = folder / file.name;
+    std::error_code error;
+    std::filesystem::create_directories(place.parent_path(), error);
+    if (error) {
+      throw InputError(
+          {place.parent_path().string(), "", error.message(), "a folder to write to", ""});
+    }
+    geometric::replace_file(place, file.content);
+    written.push_back(place);
+  }
+  return written;
+}
+
+}  // namespace handway::planning

@@ -1,0 +1,68 @@
+#pragma once
+
+#include "handway/geometric/robot/robot_model.h"
+#include "handway/planning/export.h"
+#include "handway/planning/paths/path.h"
+#include "handway/planning/timing/rate_limits.h"
+#include "handway/planning/timing/trajectory.h"
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace handway::planning {
+
+/// A timed motion, ready to become files.
+struct Motion {
+  std::string name;  ///< Letters, digits and "_"; the first a letter: for files and programs.
+  std::shared_ptr<const geometric::RobotModel> model;
+  std::vector<int> arm;                ///< Variables of the arm, in order.
+  std::vector<int> hand;               ///< Variables of the hand, in order.
+  RateLimits limits;                   ///< Of the robot, at full speed.
+  double speed = 1.0;                  ///< In (0, 1]: at what share of it the motion was timed.
+  Path path;                           ///< The waypoints, …
+  std::vector<double> waypoint_times;  ///< … and when they are passed, s; shape [waypoints].
+  Trajectory trajectory;               ///< At a fixed period.
+};
+
+/// A file that an exporter makes.
+struct ExportedFile {
+  std::filesystem::path name;  ///< Relative to the folder that is exported to.
+  std::string content;
+};
+
+/// Writes motions in the format of a controller or another program.
+///
+/// The public functions check; derived classes make the files' content.
+class HANDWAY_PLANNING_EXPORT Exporter {
+ public:
+  virtual ~Exporter() = default;
+  /// The word on the command line: "csv".
+  [[nodiscard]] virtual std::string name() const = 0;
+  /// One line for a person.
+  [[nodiscard]] virtual std::string description() const = 0;
+  /// True if what executes the files stops at every waypoint, so that the motion has to be
+  /// timed without arcs.
+  [[nodiscard]] virtual bool stops_at_waypoints() const { return false; }
+
+  /// The files for a motion, none of them written.
+  /// @throws InputError naming joint, time and value if the motion can't run (see
+  /// check_trajectory()), or saying what the format needs and the motion has not.
+  [[nodiscard]] std::vector<ExportedFile> files(const Motion& motion) const;
+
+  /// Makes all files first, then writes each as a whole; makes `folder` if there is none.
+  /// @returns what has been written.
+  /// @throws InputError as files(), or if a file can't be written.
+  [[nodiscard]] std::vector<std::filesystem::path> write(const Motion& motion,
+                                                         const std::filesystem::path& folder) const;
+
+ protected:
+  /// The derived class's part; the motion is checked.
+  [[nodiscard]] virtual std::vector<ExportedFile> do_export(const Motion& motion) const = 0;
+};
+
+/// Throws what Exporter::files() throws for a motion that no format can hold.
+HANDWAY_PLANNING_EXPORT void check_motion(const Motion& motion);
+
+}  // namespace handway::planning

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "handway/planning/core/exporter.h"
+#include "handway/planning/core/planning_problem.h"
+#include "handway/planning/export.h"
+#include "handway/planning/timing/certified_blends.h"
+#include "handway/planning/timing/preflight.h"
+
+#include <string>
+
+namespace handway::planning {
+
+struct TimingOptions {
+  double speed = 1.0;     ///< In (0, 1]: the same motion, this much slower.
+  double period = 0.004;  ///< s between points; 4 ms is the cycle of a CS8 controller.
+  BlendOptions blends;
+  RateLimits limits;             ///< Of size 0: those of the robot.
+  Configuration measured_start;  ///< Of size 0: the start is not compared.
+};
+
+/// A path made into a motion, and all that is known about it.
+struct TimedPath {
+  Motion motion;       ///< Only to be used if cleared().
+  BlendResult blends;  ///< Its fault, if the path itself is not free.
+  PreflightReport preflight;
+  double least_duration = 0.0;  ///< s: no motion through the waypoints is faster at this speed.
+
+  [[nodiscard]] bool cleared() const { return blends.path && preflight.cleared(); }
+};
+
+/// From a path to a motion: certified_blends(), time_optimal(), align_stops(), sample(), and
+/// preflight() on what comes out. Neither arcs nor straight parts leave free space.
+/// @param name of the motion, see Motion::name.
+/// @throws InputError for waypoints that are no configurations of the robot within its limits,
+/// and for options out of their ranges.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT TimedPath time_path(const PlanningProblem& problem,
+                                                          const Path& path, const std::string& name,
+                                                          const TimingOptions& options = {});
+
+/// `text` made a Motion::name: what is no letter, digit or "_" becomes "_", and "path_" goes
+/// before what does not begin with a letter.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT std::string motion_name(std::string text);
+
+}  // namespace handway::planning

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "handway/planning/core/exporter.h"
+
+namespace handway::export_csv {
+
+/// One CSV of the whole robot, NAME.csv: `time` (s), every moving joint (rad or m), coupled
+/// ones included, then JOINT.velocity and JOINT.acceleration of the joints that move on
+/// their own. It is a path file too: see read_path_csv().
+class CsvExporter final : public planning::Exporter {
+ public:
+  [[nodiscard]] std::string name() const override { return "csv"; }
+  [[nodiscard]] std::string description() const override {
+    return "one timed CSV of hand and arm: positions, velocities, accelerations";
+  }
+
+ private:
+  [[nodiscard]] std::vector<planning::ExportedFile> do_export(
+      const planning::Motion& motion) const override;
+};
+
+}  // namespace handway::export_csv

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "handway/planning/core/exporter.h"
+
+namespace handway::export_ros {
+
+/// trajectory_msgs/JointTrajectory for ROS 1 and ROS 2, each as YAML (for `rostopic pub`
+/// and `ros2 topic pub`) and as JSON (for rosbridge): NAME_ros1.yaml, …
+class RosExporter final : public planning::Exporter {
+ public:
+  [[nodiscard]] std::string name() const override { return "ros"; }
+  [[nodiscard]] std::string description() const override {
+    return "trajectory_msgs/JointTrajectory for ROS 1 and 2, as YAML and JSON";
+  }
+
+ private:
+  [[nodiscard]] std::vector<planning::ExportedFile> do_export(
+      const planning::Motion& motion) const override;
+};
+
+}  // namespace handway::export_ros

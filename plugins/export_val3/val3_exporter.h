@@ -1,0 +1,24 @@
+#pragma once
+
+#include "handway/planning/core/exporter.h"
+
+namespace handway::export_val3 {
+
+/// A VAL3 application for Staeubli controllers of the CS8 series and CS9, in a folder NAME: the
+/// path's waypoints as joint points in degrees and a joint move to each. Joint moves
+/// between rests are straight in the joints, so that the arm runs along the
+/// certified path; the controller blends nothing.
+class Val3Exporter final : public planning::Exporter {
+ public:
+  [[nodiscard]] std::string name() const override { return "val3"; }
+  [[nodiscard]] std::string description() const override {
+    return "a VAL3 application for the arm, stopping at every waypoint";
+  }
+  [[nodiscard]] bool stops_at_waypoints() const override { return true; }
+
+ private:
+  [[nodiscard]] std::vector<planning::ExportedFile> do_export(
+      const planning::Motion& motion) const override;
+};
+
+}  // namespace handway::export_val3

@@ -1,0 +1,48 @@
+#include "export_command.h"
+
+#include "exit_codes.h"
+#include "timing_options.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <memory>
+#include <string>
+
+namespace handway::tools {
+namespace {
+
+struct ExportChoice {
+  TimingChoice timing;
+  std::string to;
+  std::filesystem::path out;
+};
+
+int run_export(ExportChoice choice) {
+  planning::Extensions extensions;
+  extensions.load_plugins(planning::plugin_directory());
+  const planning::Exporter& exporter = extensions.exporter(choice.to);
+  choice.timing.no_blend = choice.timing.no_blend || exporter.stops_at_waypoints();
+  const planning::TimedPath timed = run_timing(choice.timing, extensions);
+  if (!timed.cleared()) {
+    return kNoPath;
+  }
+  for (const std::filesystem::path& file : exporter.write(timed.motion, choice.out)) {
+    fmt::print("{}\n", file.string());
+  }
+  return kDone;
+}
+
+}  // namespace
+
+void add_export_command(CLI::App& app, int& exit_code) {
+  auto choice = std::make_shared<ExportChoice>();
+  CLI::App* command = app.add_subcommand("export", "Time a path and write it for a controller");
+  add_timing_options(*command, choice->timing);
+  command->add_option("--to", choice->to, "Format: csv, split, val3, ros, moveit or a plugin's")
+      ->required();
+  command->add_option("--out", choice->out, "Folder to write to")->required();
+  command->callback([choice, &exit_code] { exit_code = run_export(*choice); });
+}
+
+}  // namespace handway::tools

@@ -1,0 +1,24 @@
+#include "time_command.h"
+
+#include "exit_codes.h"
+#include "timing_options.h"
+
+#include <CLI/CLI.hpp>
+
+#include <memory>
+
+namespace handway::tools {
+
+void add_time_command(CLI::App& app, int& exit_code) {
+  auto choice = std::make_shared<TimingChoice>();
+  CLI::App* command =
+      app.add_subcommand("time", "Tell how long a path takes, and whether it may run");
+  add_timing_options(*command, *choice);
+  command->callback([choice, &exit_code] {
+    planning::Extensions extensions;
+    extensions.load_plugins(planning::plugin_directory());
+    exit_code = run_timing(*choice, extensions).cleared() ? kDone : kNoPath;
+  });
+}
+
+}  // namespace handway::tools

@@ -1,0 +1,85 @@
+#include "timing_options.h"
+
+#include "handway/geometric/io/replace_file.h"
+#include "handway/geometric/math/units.h"
+#include "handway/planning/paths/path_csv.h"
+#include "number_options.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+namespace handway::tools {
+namespace {
+
+void print(const planning::TimedPath& timed) {
+  if (!timed.blends.fault.empty()) {
+    fmt::print("{}\nNOT CLEARED: the path itself is not free\n", timed.blends.fault);
+    return;
+  }
+  fmt::print("{}", planning::to_text(timed.preflight));
+  fmt::print(
+      "{} waypoints, {} arcs ({} of them smaller than asked, the largest passes its waypoint at "
+      "{:.4f} rad), {} stops between\n",
+      timed.motion.path.waypoints.size(), timed.blends.arcs, timed.blends.reduced,
+      timed.blends.largest_deviation, timed.blends.stops);
+  if (timed.least_duration > 0.0) {
+    fmt::print("no motion through the waypoints takes less than {:.3f} s\n", timed.least_duration);
+  }
+}
+
+}  // namespace
+
+void add_timing_options(CLI::App& command, TimingChoice& choice) {
+  command.add_option("path", choice.path, "Path (CSV)")->required();
+  command.add_option("--scene", choice.scene, "Scene or problem that the path is of")->required();
+  command.add_option("--speed", choice.speed, "Share of the limits' pace: above 0, at most 1")
+      ->check(positive_number())
+      ->check(CLI::Range(0.001, 1.0))
+      ->capture_default_str();
+  command.add_option("--period-ms", choice.period_ms, "Time from point to point")
+      ->check(positive_number())
+      ->check(CLI::Range(0.1, 1000.0))
+      ->capture_default_str();
+  auto* deviation = command
+                        .add_option("--deviation", choice.deviation,
+                                    "Farthest that an arc passes its waypoint, rad over all joints")
+                        ->check(positive_number())
+                        ->check(CLI::Range(1e-4, 10.0))
+                        ->capture_default_str();
+  command
+      .add_option("--arc-clearance-mm", choice.arc_clearance_mm, "What arcs keep from everything")
+      ->check(positive_number())
+      ->check(CLI::Range(0.05, 1000.0))
+      ->capture_default_str();
+  command.add_flag("--no-blend", choice.no_blend, "Stop at every waypoint")->excludes(deviation);
+  command.add_option("--limits", choice.limits,
+                     "Velocity and acceleration limits (joint_limits.yaml)");
+  command.add_option("--report", choice.report, "Where to write the pre-flight report (JSON)");
+}
+
+planning::TimedPath run_timing(const TimingChoice& choice, const planning::Extensions& extensions) {
+  const planning::LoadedScene loaded = planning::load_scene(choice.scene, extensions);
+  const planning::PlanningProblem problem = planning::make_problem(loaded.scene, loaded.basis);
+  const planning::Path path = planning::read_path_csv(problem.model(), choice.path);
+  planning::TimingOptions options;
+  options.speed = choice.speed;
+  options.period = 1e-3 * choice.period_ms;
+  options.blends.deviation = choice.no_blend ? 0.0 : choice.deviation;
+  options.blends.arc_clearance = geometric::metres(choice.arc_clearance_mm);
+  options.measured_start = problem.start;
+  if (!choice.limits.empty()) {
+    options.limits = planning::read_rate_limits(problem.model(), choice.limits);
+  }
+  planning::TimedPath timed =
+      time_path(problem, path, planning::motion_name(choice.path.stem().string()), options);
+  if (!timed.blends.fault.empty()) {
+    timed.preflight.faults.push_back({"", 0.0, 0.0, timed.blends.fault});
+  }
+  if (!choice.report.empty()) {
+    geometric::replace_file(choice.report, planning::to_json(timed.preflight));
+  }
+  print(timed);
+  return timed;
+}
+
+}  // namespace handway::tools
