@@ -8,6 +8,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace handway::tools {
 namespace {
@@ -24,13 +25,15 @@ int run_export(ExportChoice choice) {
   const planning::Exporter& exporter = extensions.exporter(choice.to);
   choice.timing.no_blend = choice.timing.no_blend || exporter.stops_at_waypoints();
   const planning::TimedPath timed = run_timing(choice.timing, extensions);
-  if (!timed.cleared()) {
-    return kNoPath;
+  std::vector<std::filesystem::path> written;
+  if (timed.cleared()) {
+    written = exporter.write(timed.motion, choice.out);
   }
-  for (const std::filesystem::path& file : exporter.write(timed.motion, choice.out)) {
+  print_timing(timed);
+  for (const std::filesystem::path& file : written) {
     fmt::print("{}\n", file.string());
   }
-  return kDone;
+  return timed.cleared() ? kDone : kNoPath;
 }
 
 }  // namespace

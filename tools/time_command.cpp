@@ -17,7 +17,9 @@ void add_time_command(CLI::App& app, int& exit_code) {
   command->callback([choice, &exit_code] {
     planning::Extensions extensions;
     extensions.load_plugins(planning::plugin_directory());
-    exit_code = run_timing(*choice, extensions).cleared() ? kDone : kNoPath;
+    const planning::TimedPath timed = run_timing(*choice, extensions);
+    print_timing(timed);
+    exit_code = timed.cleared() ? kDone : kNoPath;
   });
 }
 

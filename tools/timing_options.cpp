@@ -9,26 +9,6 @@
 #include <fmt/format.h>
 
 namespace handway::tools {
-namespace {
-
-void print(const planning::TimedPath& timed) {
-  if (!timed.blends.fault.empty()) {
-    fmt::print("{}\nNOT CLEARED: the path itself is not free\n", timed.blends.fault);
-    return;
-  }
-  fmt::print("{}", planning::to_text(timed.preflight));
-  fmt::print(
-      "{} waypoints, {} arcs ({} of them smaller than asked, the largest passes its waypoint at "
-      "{:.4f} rad), {} stops between\n",
-      timed.motion.path.waypoints.size(), timed.blends.arcs, timed.blends.reduced,
-      timed.blends.largest_deviation, timed.blends.stops);
-  if (timed.least_duration > 0.0) {
-    fmt::print("no motion through the waypoints takes less than {:.3f} s\n", timed.least_duration);
-  }
-}
-
-}  // namespace
-
 void add_timing_options(CLI::App& command, TimingChoice& choice) {
   command.add_option("path", choice.path, "Path (CSV)")->required();
   command.add_option("--scene", choice.scene, "Scene or problem that the path is of")->required();
@@ -78,8 +58,25 @@ planning::TimedPath run_timing(const TimingChoice& choice, const planning::Exten
   if (!choice.report.empty()) {
     geometric::replace_file(choice.report, planning::to_json(timed.preflight));
   }
-  print(timed);
   return timed;
+}
+
+void print_timing(const planning::TimedPath& timed) {
+  if (!timed.blends.fault.empty()) {
+    fmt::print("{}\nNOT CLEARED: the path itself is not free\n", timed.blends.fault);
+    return;
+  }
+  fmt::print("{}", planning::to_text(timed.preflight));
+  fmt::print("{} waypoints, {} stops between", timed.motion.path.waypoints.size(),
+             timed.blends.stops);
+  if (timed.blends.arcs > 0) {
+    fmt::print(", {} arcs ({} smaller than asked); they pass their waypoints at {:.4f} rad or less",
+               timed.blends.arcs, timed.blends.reduced, timed.blends.largest_deviation);
+  }
+  fmt::print("\n");
+  if (timed.least_duration > 0.0) {
+    fmt::print("no motion through the waypoints takes less than {:.3f} s\n", timed.least_duration);
+  }
 }
 
 }  // namespace handway::tools

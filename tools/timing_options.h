@@ -26,10 +26,12 @@ struct TimingChoice {
 
 void add_timing_options(CLI::App& command, TimingChoice& choice);
 
-/// Reads scene and path and times the path. Writes the report if one is asked for, and
-/// prints what a person wants to know.
+/// Reads scene and path and times the path. Writes the report if one is asked for.
 /// @throws InputError for files and options that are wrong.
 [[nodiscard]] planning::TimedPath run_timing(const TimingChoice& choice,
                                              const planning::Extensions& extensions);
+
+/// Prints what a person wants to know.
+void print_timing(const planning::TimedPath& timed);
 
 }  // namespace handway::tools

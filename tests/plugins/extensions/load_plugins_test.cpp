@@ -54,7 +54,7 @@ TEST(Extensions, RefuseAPluginThatIsLoadedAlready) {
 
 TEST(Extensions, NameTheInterfaceVersionOfAnOldPlugin) {
   EXPECT_EQ(reason_of_refusal(kTestPlugins / "old_interface"),
-            "made for version 0 of the plugin interface, not 1");
+            "made for version 1 of the plugin interface, not 2");
 }
 
 TEST(Extensions, RefuseALibraryThatIsNoPlugin) {

@@ -89,7 +89,7 @@ TEST_F(LoadScene, NamesTheFormatsThereAreAndThePluginsThatFailed) {
   extensions_.load_plugins(std::filesystem::path(TEST_PLUGINS) / "old_interface");
   const std::string said = complaint(write("scene.doc", "?"));
   EXPECT_THAT(said, HasSubstr("Handway scene (.yaml), a robot (.urdf), greetings (.hello)"));
-  EXPECT_THAT(said, HasSubstr("test_plugin_old_interface.so was not loaded: made for version 0"));
+  EXPECT_THAT(said, HasSubstr("test_plugin_old_interface.so was not loaded: made for version 1"));
 }
 
 TEST_F(LoadScene, NamesAFileThatIsMissing) {

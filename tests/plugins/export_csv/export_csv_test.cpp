@@ -1,0 +1,112 @@
+#include "csv_exporter.h"
+#include "handway/planning/paths/path_csv.h"
+#include "handway_test/input_errors.h"
+#include "handway_test/motions.h"
+#include "handway_test/paths.h"
+#include "split_exporter.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace handway::export_csv {
+namespace {
+
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Key;
+using testing::Not;
+using testing::SizeIs;
+
+using Columns = std::map<std::string, std::vector<double>>;
+
+std::vector<std::string> cells(const std::string& line) {
+  std::vector<std::string> found;
+  std::istringstream in(line);
+  for (std::string cell; std::getline(in, cell, ',');) {
+    found.push_back(cell);
+  }
+  return found;
+}
+
+Columns read(const std::string& text) {
+  std::istringstream lines(text);
+  std::string line;
+  std::getline(lines, line);
+  const std::vector<std::string> names = cells(line);
+  Columns columns;
+  while (std::getline(lines, line)) {
+    const std::vector<std::string> row = cells(line);
+    EXPECT_EQ(row.size(), names.size());
+    for (std::size_t c = 0; c < names.size(); ++c) {
+      columns[names[c]].push_back(std::stod(row[c]));
+    }
+  }
+  return columns;
+}
+
+TEST(CsvExporter, WritesWhatReadsBackToTheSameBits) {
+  const planning::Motion motion = test::tx90_sah_motion();
+  const auto files = CsvExporter().files(motion);
+  ASSERT_THAT(files, SizeIs(1));
+  const Columns columns = read(files[0].content);
+  for (int v = 0; v < motion.model->variable_count(); ++v) {
+    const std::string& joint = motion.model->variable(v).name;
+    for (std::size_t i = 0; i < motion.trajectory.points.size(); ++i) {
+      const planning::TrajectoryPoint& point = motion.trajectory.points[i];
+      ASSERT_EQ(columns.at("time")[i], point.time);
+      ASSERT_EQ(columns.at(joint)[i], point.position[v]);
+      ASSERT_EQ(columns.at(joint + ".velocity")[i], point.velocity[v]);
+      ASSERT_EQ(columns.at(joint + ".acceleration")[i], point.acceleration[v]);
+    }
+  }
+  EXPECT_EQ(columns.at("Index-Dist"), columns.at("Index-Med")) << "coupled";
+}
+
+TEST(CsvExporter, WritesAPath) {
+  const test::ScratchFolder scratch;
+  const planning::Motion motion = test::tx90_sah_motion();
+  const auto written = CsvExporter().write(motion, scratch.path());
+  const planning::Path path = planning::read_path_csv(*motion.model, written.at(0));
+  ASSERT_EQ(path.waypoints.size(), motion.trajectory.points.size());
+  EXPECT_EQ(path.waypoints[7], motion.trajectory.points[7].position);
+}
+
+TEST(SplitExporter, PartsArmAndHandAtTheSameTimes) {
+  const planning::Motion motion = test::tx90_sah_motion();
+  const auto files = SplitExporter().files(motion);
+  ASSERT_THAT(files, SizeIs(2));
+  EXPECT_EQ(files[0].name, "wave_arm.csv");
+  EXPECT_EQ(files[1].name, "wave_hand.csv");
+  const Columns arm = read(files[0].content);
+  const Columns hand = read(files[1].content);
+  EXPECT_THAT(arm, SizeIs(1 + 2 * 6));
+  EXPECT_THAT(hand, SizeIs(1 + 2 * 13)) << "the independent joints of the SAH";
+  EXPECT_THAT(hand, Not(Contains(Key("Index-Dist"))));
+  EXPECT_EQ(arm.at("time"), hand.at("time"));
+  for (std::size_t i = 0; i < motion.trajectory.points.size(); ++i) {
+    for (const auto& [columns, variables] :
+         {std::pair(&arm, &motion.arm), std::pair(&hand, &motion.hand)}) {
+      for (const int v : *variables) {
+        const std::string& joint = motion.model->variable(v).name;
+        ASSERT_EQ(columns->at(joint)[i], motion.trajectory.points[i].position[v]);
+        ASSERT_EQ(columns->at(joint + ".velocity")[i], motion.trajectory.points[i].velocity[v]);
+      }
+    }
+  }
+}
+
+TEST(SplitExporter, NeedsAnArmAndAHand) {
+  planning::Motion motion = test::tx90_sah_motion();
+  motion.hand.clear();
+  EXPECT_THAT(test::refusal_of([&] { static_cast<void>(SplitExporter().files(motion)); }),
+              HasSubstr("no hand"));
+}
+
+}  // namespace
+}  // namespace handway::export_csv

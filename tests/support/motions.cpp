@@ -1,0 +1,66 @@
+#include "handway_test/motions.h"
+
+#include "handway/planning/timing/time_path.h"
+#include "handway_test/solid_robots.h"
+
+#include <map>
+#include <memory>
+#include <stdexcept>
+
+namespace handway::test {
+namespace {
+
+using geometric::Configuration;
+
+geometric::RobotDescription tx90_sah_with_groups() {
+  geometric::RobotDescription robot = solid_tx90_sah();
+  robot.groups = {{"arm", {}}, {"hand", {}}};
+  for (const geometric::Joint& joint : robot.joints) {
+    if (joint.type != geometric::JointType::kFixed) {
+      robot.groups[joint.name.starts_with("joint_") ? 0 : 1].joints.push_back(joint.name);
+    }
+  }
+  return robot;
+}
+
+Configuration moved(const geometric::RobotModel& model, Configuration q,
+                    const std::map<std::string, double>& values) {
+  for (const auto& [joint, value] : values) {
+    q[model.find_variable(joint).value()] = value;
+  }
+  return q;
+}
+
+}  // namespace
+
+planning::PlanningProblem tx90_sah_problem() {
+  geometric::Scene scene = scene_of(tx90_sah_with_groups());
+  const planning::Path path = tx90_sah_path();
+  scene.start = path.waypoints.front();
+  scene.goal = path.waypoints.back();
+  return planning::make_problem(std::make_shared<const geometric::Scene>(std::move(scene)),
+                                nullptr);
+}
+
+planning::Path tx90_sah_path() {
+  const geometric::RobotModel model(solid_tx90_sah());
+  const Configuration start = moved(model, model.neutral(), {{"joint_3", 1.2}});
+  const Configuration second = moved(
+      model, start, {{"joint_1", 0.4}, {"joint_5", -0.3}, {"Index-Prox", -0.3}, {"Thumb", -0.5}});
+  const Configuration third = moved(model, second, {{"Mid-Prox", -0.4}, {"Ring-Med", -0.6}});
+  const Configuration fourth = moved(model, third, {{"joint_2", 0.3}, {"Index-Prox", -0.1}});
+  return {{start, second, third, fourth}};
+}
+
+planning::Motion tx90_sah_motion(bool arcs, double speed) {
+  planning::TimingOptions options;
+  options.speed = speed;
+  options.blends.deviation = arcs ? 0.05 : 0.0;
+  planning::TimedPath timed = time_path(tx90_sah_problem(), tx90_sah_path(), "wave", options);
+  if (!timed.cleared()) {
+    throw std::logic_error(timed.blends.fault + to_text(timed.preflight));
+  }
+  return std::move(timed.motion);
+}
+
+}  // namespace handway::test
