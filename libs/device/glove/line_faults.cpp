@@ -1,11 +1,13 @@
 #include "handway/device/glove/line_faults.h"
 
+#include "core/seeded_random.h"
+
 #include <stdexcept>
 
 namespace handway::device {
 
 LineFaults::LineFaults(const LineFaultSettings& settings)
-    : settings_(settings), random_(settings.seed) {
+    : settings_(settings), random_(std::make_unique<SeededRandom>(settings.seed)) {
   for (const double probability : {settings.dropout, settings.garbage}) {
     if (!(probability >= 0.0 && probability <= 1.0)) {
       throw std::invalid_argument("a probability has to be from 0 to 1");
@@ -13,22 +15,17 @@ LineFaults::LineFaults(const LineFaultSettings& settings)
   }
 }
 
-// The standard's distributions differ between libraries; these don't.
-bool LineFaults::happens(double probability) {
-  return static_cast<double>(random_() >> 11U) * 0x1.0p-53 < probability;
-}
-
-std::size_t LineFaults::index_below(std::size_t size) { return random_() % size; }
+LineFaults::~LineFaults() = default;
 
 std::vector<std::uint8_t> LineFaults::apply(std::vector<std::uint8_t> record) {
   if (record.empty()) {
     return record;
   }
-  if (happens(settings_.dropout)) {
+  if (random_->uniform() < settings_.dropout) {
     ++count_;
     return {};
   }
-  if (happens(settings_.garbage)) {
+  if (random_->uniform() < settings_.garbage) {
     ++count_;
     damage(record);
   }
@@ -36,8 +33,8 @@ std::vector<std::uint8_t> LineFaults::apply(std::vector<std::uint8_t> record) {
 }
 
 void LineFaults::damage(std::vector<std::uint8_t>& record) {
-  const auto at = record.begin() + static_cast<std::ptrdiff_t>(index_below(record.size()));
-  switch (index_below(5)) {
+  const auto at = record.begin() + static_cast<std::ptrdiff_t>(random_->index(record.size()));
+  switch (random_->index(5)) {
     case 0:
       record.erase(at);
       break;
@@ -51,9 +48,9 @@ void LineFaults::damage(std::vector<std::uint8_t>& record) {
       record.erase(at, record.end());
       break;
     default: {
-      std::vector<std::uint8_t> noise(1 + index_below(40));
+      std::vector<std::uint8_t> noise(1 + random_->index(40));
       for (std::uint8_t& byte : noise) {
-        byte = static_cast<std::uint8_t>(random_());
+        byte = static_cast<std::uint8_t>(random_->bits());
       }
       record.insert(record.begin(), noise.begin(), noise.end());
     }

@@ -3,10 +3,12 @@
 #include "handway/device/export.h"
 
 #include <cstdint>
-#include <random>
+#include <memory>
 #include <vector>
 
 namespace handway::device {
+
+class SeededRandom;
 
 /// How likely each fault is for one record, 0 to 1.
 struct LineFaultSettings {
@@ -22,6 +24,7 @@ class HANDWAY_DEVICE_EXPORT LineFaults {
  public:
   /// @throws std::invalid_argument if a probability is not from 0 to 1.
   explicit LineFaults(const LineFaultSettings& settings);
+  ~LineFaults();
 
   /// @returns what of `record` arrives.
   [[nodiscard]] std::vector<std::uint8_t> apply(std::vector<std::uint8_t> record);
@@ -30,12 +33,10 @@ class HANDWAY_DEVICE_EXPORT LineFaults {
   [[nodiscard]] std::uint64_t count() const { return count_; }
 
  private:
-  [[nodiscard]] bool happens(double probability);
-  [[nodiscard]] std::size_t index_below(std::size_t size);
   void damage(std::vector<std::uint8_t>& record);
 
   LineFaultSettings settings_;
-  std::mt19937_64 random_;
+  std::unique_ptr<SeededRandom> random_;
   std::uint64_t count_ = 0;
 };
 

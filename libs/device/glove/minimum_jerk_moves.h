@@ -1,0 +1,44 @@
+#pragma once
+
+#include "core/seeded_random.h"
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <vector>
+
+namespace handway::device {
+
+/// How somebody moves from one target to the next.
+struct MovePace {
+  double reaction = 0.3;    ///< Duration of the smallest move, s.
+  double per_unit = 0.3;    ///< More for each unit that the farthest coordinate moves, s.
+  double longest_rest = 0.25;  ///< Pause on a target: from 0 to this, s.
+};
+
+/// Goes from target to target in minimum-jerk moves (Flash and Hogan 1985): all
+/// coordinates leave and arrive together, at rest. Targets are in [-1, 1] for each coordinate
+/// and evenly spread over it: every stretch of 24 moves visits 24 equal parts of it once, in an
+/// order of its own. That is how somebody moves who wants to try everything the hand can do.
+class MinimumJerkMoves {
+ public:
+  MinimumJerkMoves(Eigen::Index coordinates, const MovePace& pace, std::uint64_t seed);
+
+  /// @param time s, never falling. @returns shape [coordinates].
+  [[nodiscard]] Eigen::VectorXd at(double time);
+
+ private:
+  void begin_next_move();
+  [[nodiscard]] Eigen::VectorXd next_target();
+
+  MovePace pace_;
+  SeededRandom random_;
+  std::vector<std::vector<std::size_t>> parts_;  ///< Of each coordinate, still to be visited.
+  Eigen::VectorXd from_;
+  Eigen::VectorXd to_;
+  double begin_ = 0.0;
+  double duration_ = 0.0;
+  double rest_ = 0.0;
+};
+
+}  // namespace handway::device
