@@ -2,6 +2,7 @@
 #include "check_command.h"
 #include "exit_codes.h"
 #include "export_command.h"
+#include "glove_command.h"
 #include "info_command.h"
 #include "pca_command.h"
 #include "plan_command.h"
@@ -29,6 +30,7 @@ int run(int argc, char** argv) {
   add_time_command(app, exit_code);
   add_export_command(app, exit_code);
   add_bench_command(app, exit_code);
+  add_glove_command(app, exit_code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

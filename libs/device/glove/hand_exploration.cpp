@@ -64,18 +64,18 @@ void keep_to_anatomy(SensorDegrees& posture) {
     at(posture, proximal + 2) = kDistalShare * at(posture, proximal + 1);
   }
   for (std::size_t sensor = 0; sensor < posture.size(); ++sensor) {
-    posture[sensor] = std::clamp(posture[sensor], kAnatomicRanges[sensor].low,
-                                 kAnatomicRanges[sensor].high);
+    posture[sensor] =
+        std::clamp(posture[sensor], kAnatomicRanges[sensor].low, kAnatomicRanges[sensor].high);
   }
 }
 
 }  // namespace
 
 struct HandExploration::Moves {
-  explicit Moves(std::uint64_t seed) :
-      synergies(kSynergies, kWholeHand, kStreams * seed),
-      fingers(2 * kFingers, kSingleFinger, kStreams * seed + 1),
-      small(kSmallMoves, kSmall, kStreams * seed + 2) {}
+  explicit Moves(std::uint64_t seed)
+      : synergies(kSynergies, kWholeHand, kStreams * seed),
+        fingers(2 * kFingers, kSingleFinger, kStreams * seed + 1),
+        small(kSmallMoves, kSmall, kStreams * seed + 2) {}
 
   MinimumJerkMoves synergies;
   MinimumJerkMoves fingers;

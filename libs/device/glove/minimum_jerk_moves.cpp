@@ -18,12 +18,12 @@ double minimum_jerk(double s) {
 }  // namespace
 
 MinimumJerkMoves::MinimumJerkMoves(Eigen::Index coordinates, const MovePace& pace,
-                                   std::uint64_t seed) :
-    pace_(pace),
-    random_(seed),
-    parts_(static_cast<std::size_t>(coordinates)),
-    from_(Eigen::VectorXd::Zero(coordinates)),
-    to_(Eigen::VectorXd::Zero(coordinates)) {
+                                   std::uint64_t seed)
+    : pace_(pace),
+      random_(seed),
+      parts_(static_cast<std::size_t>(coordinates)),
+      from_(Eigen::VectorXd::Zero(coordinates)),
+      to_(Eigen::VectorXd::Zero(coordinates)) {
   begin_next_move();
 }
 

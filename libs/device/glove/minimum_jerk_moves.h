@@ -11,8 +11,8 @@ namespace handway::device {
 
 /// How somebody moves from one target to the next.
 struct MovePace {
-  double reaction = 0.3;    ///< Duration of the smallest move, s.
-  double per_unit = 0.3;    ///< More for each unit that the farthest coordinate moves, s.
+  double reaction = 0.3;       ///< Duration of the smallest move, s.
+  double per_unit = 0.3;       ///< More for each unit that the farthest coordinate moves, s.
   double longest_rest = 0.25;  ///< Pause on a target: from 0 to this, s.
 };
 

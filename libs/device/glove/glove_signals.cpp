@@ -1,0 +1,68 @@
+#include "handway/device/glove/glove_signals.h"
+
+#include "core/seeded_random.h"
+#include "handway/device/glove/emulated_response.h"
+#include "handway/device/glove/hand_exploration.h"
+#include "recording_player.h"
+#include "sensor_counts.h"
+
+#include <cmath>
+#include <memory>
+
+namespace handway::device {
+
+namespace {
+
+constexpr std::uint16_t kSaturated = 255;
+// What a sensor that a recording doesn't have reads.
+constexpr double kMidScale = 128.0;
+
+using Counts = std::array<std::uint16_t, kGloveSensors>;
+
+class Noise {
+ public:
+  Noise(std::uint64_t seed, SensorFaults faults) : faults_(std::move(faults)), random_(seed) {}
+
+  Counts apply(const std::array<double, kGloveSensors>& exact) {
+    Counts counts{};
+    for (std::size_t k = 0; k < counts.size(); ++k) {
+      const double noise = faults_.noise > 0.0 ? faults_.noise * random_.normal() : 0.0;
+      counts[k] =
+          faults_.saturated.contains(static_cast<int>(k)) ? kSaturated : to_count(exact[k] + noise);
+    }
+    return counts;
+  }
+
+ private:
+  SensorFaults faults_;
+  SeededRandom random_;
+};
+
+}  // namespace
+
+GloveSignal exploring_hand_signal(std::uint64_t seed, const SensorFaults& faults) {
+  const auto hand = std::make_shared<HandExploration>(seed);
+  return [hand, noise = Noise(seed, faults)](double time) mutable {
+    const GloveAngles angles = hand->at(time);
+    std::array<double, kGloveSensors> exact{};
+    for (std::size_t k = 0; k < exact.size(); ++k) {
+      exact[k] = counts_of(emulated_response()[k], angles.angles[k]);
+    }
+    return noise.apply(exact);
+  };
+}
+
+GloveSignal recorded_signal(const Recording& recording, std::uint64_t seed,
+                            const SensorFaults& faults) {
+  const auto player = std::make_shared<const RecordingPlayer>(recording);
+  return [player, noise = Noise(seed, faults)](double time) mutable {
+    const GloveFrame& frame = player->frame_at(std::fmod(time, player->duration()));
+    std::array<double, kGloveSensors> exact{};
+    for (std::size_t k = 0; k < exact.size(); ++k) {
+      exact[k] = frame.counts[k] == 0 ? kMidScale : frame.counts[k];
+    }
+    return noise.apply(exact);
+  };
+}
+
+}  // namespace handway::device

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "handway/device/glove/glove_frame.h"
+#include "handway/device/glove/recording.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace handway::device {
+
+/// The frames of a recording as counts, and where they are in time.
+class RecordingPlayer {
+ public:
+  /// Angles become counts by emulated_response(); all counts are brought to 1 … 255, and sensors
+  /// that the recording doesn't have are 0.
+  /// @throws geometric::InputError if the recording has no rows.
+  explicit RecordingPlayer(const Recording& recording);
+
+  [[nodiscard]] std::size_t size() const { return frames_.size(); }
+  /// Time since the first frame, s.
+  [[nodiscard]] const GloveFrame& frame(std::size_t index) const { return frames_[index]; }
+  /// Mean time from one frame to the next, s; 0.01 if there is one only.
+  [[nodiscard]] double period() const { return period_; }
+  /// From the first frame of one round to the first of the next, s.
+  [[nodiscard]] double duration() const { return frames_.back().time + period_; }
+  /// The last frame that isn't after `time`. @param time s, 0 to duration().
+  [[nodiscard]] const GloveFrame& frame_at(double time) const;
+
+ private:
+  std::vector<GloveFrame> frames_;
+  double period_ = 0.01;
+};
+
+}  // namespace handway::device

@@ -1,0 +1,87 @@
+#include "handway/device/glove/replay_glove.h"
+
+#include "handway/device/glove/glove_layout.h"
+#include "recording_player.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <thread>
+
+namespace handway::device {
+
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr std::uint16_t kMidScale = 128;
+constexpr double kSlice = 0.02;  // s, after which a request to stop is seen.
+
+int sensors_of(const RecordingHeader& header) {
+  const auto has = [&](int sensor) { return column_of(header, sensor) >= 0; };
+  const std::span<const int> always = cyberglove_wired(18);
+  for (const int sensor : cyberglove_wired(kGloveSensors)) {
+    if (std::ranges::find(always, sensor) == always.end() && has(sensor)) {
+      return kGloveSensors;
+    }
+  }
+  return 18;
+}
+
+}  // namespace
+
+struct ReplayGlove::Player : RecordingPlayer {
+  using RecordingPlayer::RecordingPlayer;
+};
+
+ReplayGlove::ReplayGlove(const Recording& recording, std::string name,
+                         const ReplaySettings& settings)
+    : player_(std::make_unique<const Player>(recording)),
+      name_(std::move(name)),
+      settings_(settings),
+      sensors_(sensors_of(recording.header)) {
+  if (!(settings.speed > 0.0)) {
+    throw std::invalid_argument("a recording plays at a speed above 0");
+  }
+}
+
+ReplayGlove::~ReplayGlove() = default;
+
+GloveInfo ReplayGlove::do_connect(const std::stop_token& /*stop*/) {
+  begin_ = now();
+  next_ = 0;
+  GloveInfo info;
+  info.device = name_;
+  info.model = "recording";
+  info.sensors = sensors_;
+  info.rate = std::isinf(settings_.speed) ? 0.0 : settings_.speed / player_->period();
+  return info;
+}
+
+GloveReading ReplayGlove::do_next(milliseconds timeout, const std::stop_token& stop) {
+  if (next_ == player_->size()) {
+    if (!settings_.loop) {
+      return {GloveEvent::kEnd, {}};
+    }
+    begin_ += player_->duration() / settings_.speed;
+    next_ = 0;
+  }
+  GloveFrame frame = player_->frame(next_);
+  frame.time = std::isinf(settings_.speed) ? now() : begin_ + frame.time / settings_.speed;
+  const double end = now() + std::chrono::duration<double>(timeout).count();
+  while (now() < frame.time) {
+    const double left = std::min(frame.time, end) - now();
+    if (left <= 0.0 || stop.stop_requested()) {
+      return {};
+    }
+    std::this_thread::sleep_for(std::chrono::duration<double>(std::min(left, kSlice)));
+  }
+  ++next_;
+  for (const int sensor : cyberglove_wired(sensors_)) {
+    std::uint16_t& count = frame.counts[static_cast<std::size_t>(sensor)];
+    count = count == 0 ? kMidScale : count;
+  }
+  return {GloveEvent::kFrame, frame};
+}
+
+}  // namespace handway::device

@@ -1,0 +1,214 @@
+#include "background_process.h"
+#include "command_line.h"
+#include "handway/device/glove/glove_frame.h"
+#include "handway/device/glove/recording.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <csignal>
+#include <filesystem>
+#include <sstream>
+#include <thread>
+
+namespace handway::test {
+namespace {
+
+namespace fs = std::filesystem;
+using std::chrono::milliseconds;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::istringstream in(text);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(in, line);) {
+    lines.push_back(line);
+  }
+  return lines;
+}
+
+std::string port_of(const std::string& address) { return address.substr(address.find(':') + 1); }
+
+Eigen::Index rows_of(const fs::path& file) {
+  return fs::exists(file) ? device::read_recording(file).times.size() : 0;
+}
+
+// Until a recording that is being made has so many rows.
+bool wait_for_rows(const fs::path& file, Eigen::Index rows) {
+  for (int k = 0; k < 500; ++k) {
+    try {
+      if (rows_of(file) >= rows) {
+        return true;
+      }
+    } catch (const std::exception&) {
+      // Not begun yet.
+    }
+    std::this_thread::sleep_for(milliseconds(20));
+  }
+  return false;
+}
+
+TEST(GloveEmulate, SaysFirstWhatToConnectTo) {
+  BackgroundProcess tcp({"glove", "emulate", "--tcp", "0"});
+  EXPECT_THAT(tcp.read_line(), StartsWith("localhost:"));
+  BackgroundProcess pty({"glove", "emulate", "--pty"});
+  EXPECT_THAT(pty.read_line(), StartsWith("/dev/pts/"));
+  pty.send(SIGINT);
+  EXPECT_EQ(pty.wait(), 0);
+}
+
+TEST(GloveEmulate, SaysWhenThePortIsTaken) {
+  BackgroundProcess first({"glove", "emulate", "--tcp", "0"});
+  const CommandLine line;
+  const Outcome second = line.run("glove emulate --tcp " + port_of(first.read_line()));
+  EXPECT_EQ(second.exit_code, 3);
+  EXPECT_THAT(second.err, HasSubstr("free"));
+}
+
+TEST(GloveLive, ShowsFramesAsLinesAndAsJson) {
+  for (const char* where : {"--tcp=0", "--pty"}) {
+    BackgroundProcess emulator({"glove", "emulate", where});
+    const std::string address = emulator.read_line();
+    const CommandLine line;
+    const Outcome text = line.run("glove live --device " + address + " --frames 3");
+    EXPECT_EQ(text.exit_code, 0) << text.err;
+    EXPECT_EQ(lines_of(text.out).size(), 3U);
+    const Outcome json = line.run("glove live --device " + address + " --frames 2 --json");
+    ASSERT_EQ(json.exit_code, 0) << json.err;
+    const auto lines = lines_of(json.out);
+    ASSERT_EQ(lines.size(), 3U);
+    const auto frame = nlohmann::json::parse(lines[0]);
+    EXPECT_EQ(frame.at("counts").size(), 22U);
+    EXPECT_GE(frame.at("counts").at("IndexMPJ"), 1);
+    EXPECT_TRUE(nlohmann::json::parse(lines[2]).at("statistics").contains("rate_hz"));
+  }
+}
+
+TEST(GloveLive, EndsWith3WhenThereIsNoGlove) {
+  const CommandLine line;
+  for (const char* device : {"/dev/no-such-port", "localhost:1", "/tmp"}) {
+    const Outcome outcome = line.run("glove live --device " + std::string(device));
+    EXPECT_EQ(outcome.exit_code, 3);
+    EXPECT_THAT(outcome.err, HasSubstr("expected"));
+  }
+  EXPECT_EQ(line.run("glove live").exit_code, 2);
+  EXPECT_EQ(line.run("glove").exit_code, 2);
+}
+
+TEST(GloveRecord, RecordsAGloveForAsLongAsAsked) {
+  BackgroundProcess emulator({"glove", "emulate", "--tcp", "0"});
+  const CommandLine line;
+  const Outcome outcome =
+      line.run("glove record --device " + emulator.read_line() + " --out hand.csv --duration 1");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const device::Recording recording = device::read_recording(line.folder() / "hand.csv");
+  EXPECT_EQ(recording.header.sensors.size(), 22U);
+  EXPECT_NEAR(static_cast<double>(recording.times.size()), 100.0, 10.0);
+  EXPECT_EQ(recording.times[0], 0.0);
+}
+
+TEST(GloveRecord, WritesNoFileWithoutAGlove) {
+  const CommandLine line;
+  line.write("hand.csv", "precious");
+  EXPECT_EQ(line.run("glove record --device /dev/no-such-port --out hand.csv").exit_code, 3);
+  EXPECT_EQ(line.read("hand.csv"), "precious");
+}
+
+TEST(GloveRecord, SaysWhenItCanNotWrite) {
+  BackgroundProcess emulator({"glove", "emulate", "--tcp", "0"});
+  const CommandLine line;
+  const Outcome outcome =
+      line.run("glove record --device " + emulator.read_line() + " --out no/such/folder/hand.csv");
+  EXPECT_EQ(outcome.exit_code, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("no/such/folder"));
+}
+
+TEST(GloveRecord, EndsCleanlyOnCtrlC) {
+  BackgroundProcess emulator({"glove", "emulate", "--tcp", "0"});
+  const CommandLine line;
+  const fs::path file = line.folder() / "hand.csv";
+  BackgroundProcess recorder(
+      {"glove", "record", "--device", emulator.read_line(), "--out", file.string()});
+  ASSERT_TRUE(wait_for_rows(file, 20));
+  recorder.send(SIGINT);
+  const std::string summary = recorder.read_line();
+  EXPECT_EQ(recorder.wait(), 0);
+  EXPECT_THAT(summary, StartsWith(std::to_string(rows_of(file)) + " frames"));
+  EXPECT_TRUE(device::read_recording(file).warnings.empty());
+}
+
+TEST(GloveRecord, LosesNoRowWhenTheEmulatorIsKilledAndConnectsAgain) {
+  auto emulator = std::make_unique<BackgroundProcess>(
+      std::vector<std::string>{"glove", "emulate", "--tcp", "0"});
+  const std::string address = emulator->read_line();
+  const CommandLine line;
+  const fs::path file = line.folder() / "hand.csv";
+  BackgroundProcess recorder({"glove", "record", "--device", address, "--out", file.string()});
+  ASSERT_TRUE(wait_for_rows(file, 50));
+  emulator->send(SIGKILL);
+  emulator->wait();
+  std::this_thread::sleep_for(milliseconds(200));
+  const device::Recording before = device::read_recording(file);
+  emulator = std::make_unique<BackgroundProcess>(
+      std::vector<std::string>{"glove", "emulate", "--tcp", port_of(address)});
+  ASSERT_EQ(emulator->read_line(), address);
+  ASSERT_TRUE(wait_for_rows(file, before.times.size() + 50));
+  recorder.send(SIGINT);
+  const std::string summary = recorder.read_line();
+  const std::string statistics = recorder.read_line();
+  EXPECT_EQ(recorder.wait(), 0);
+  EXPECT_THAT(statistics, HasSubstr("1 reconnects"));
+  const device::Recording after = device::read_recording(file);
+  EXPECT_TRUE(after.warnings.empty());
+  EXPECT_THAT(summary, StartsWith(std::to_string(after.times.size()) + " frames"));
+  EXPECT_EQ(after.times.head(before.times.size()), before.times);
+  EXPECT_EQ(after.values.topRows(before.values.rows()), before.values);
+}
+
+TEST(GloveRecord, LosesNoRowWhenItIsKilledItself) {
+  BackgroundProcess emulator({"glove", "emulate", "--tcp", "0"});
+  const CommandLine line;
+  const fs::path file = line.folder() / "hand.csv";
+  BackgroundProcess recorder(
+      {"glove", "record", "--device", emulator.read_line(), "--out", file.string()});
+  ASSERT_TRUE(wait_for_rows(file, 50));
+  recorder.send(SIGKILL);
+  recorder.wait();
+  EXPECT_GE(rows_of(file), 50);
+}
+
+TEST(GloveReplay, PlaysARecordingAndStreamsItAsAGlove) {
+  BackgroundProcess emulator({"glove", "emulate", "--tcp", "0", "--noise", "0"});
+  const CommandLine line;
+  const fs::path file = line.folder() / "hand.csv";
+  ASSERT_EQ(
+      line.run("glove record --device " + emulator.read_line() + " --out hand.csv --frames 50")
+          .exit_code,
+      0);
+  const Outcome shown = line.run("glove replay hand.csv --speed 10");
+  EXPECT_EQ(shown.exit_code, 0) << shown.err;
+  EXPECT_EQ(lines_of(shown.out).size(), 50U);
+  BackgroundProcess served({"glove", "replay", file.string(), "--tcp", "0"});
+  const Outcome again =
+      line.run("glove record --device " + served.read_line() + " --out again.csv --frames 60");
+  ASSERT_EQ(again.exit_code, 0) << again.err;
+  const device::Recording first = device::read_recording(file);
+  const device::Recording second = device::read_recording(line.folder() / "again.csv");
+  EXPECT_LE((second.values.colwise().minCoeff() - first.values.colwise().minCoeff())
+                .cwiseAbs()
+                .maxCoeff(),
+            1.0);
+}
+
+TEST(GloveReplay, NamesTheLineOfABrokenRecording) {
+  const CommandLine line;
+  line.write("bad.csv", "time,IndexMPJ\n0,100\n0.01,many\n");
+  const Outcome outcome = line.run("glove replay bad.csv");
+  EXPECT_EQ(outcome.exit_code, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("bad.csv:3"));
+}
+
+}  // namespace
+}  // namespace handway::test

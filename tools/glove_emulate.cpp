@@ -1,0 +1,130 @@
+#include "glove_emulate.h"
+
+#include "exit_codes.h"
+#include "glove_serve.h"
+#include "handway/device/glove/glove_layout.h"
+#include "handway/device/glove/glove_signals.h"
+#include "handway/device/glove/recording.h"
+#include "handway/geometric/io/input_error.h"
+#include "handway/geometric/io/nearest_name.h"
+#include "number_options.h"
+
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace handway::tools {
+namespace {
+
+using device::GloveEmulatorSettings;
+
+struct EmulateOptions {
+  GloveServeOptions serve;
+  int sensors = device::kGloveSensors;
+  bool left = false;
+  double rate_hz = 100.0;
+  std::uint64_t seed = 1;
+  std::filesystem::path from;
+  std::optional<double> noise;
+  double dropout = 0.0;
+  double garbage = 0.0;
+  double latency_ms = 0.0;
+  std::optional<double> unplug_after_s;
+  std::optional<double> plug_again_after_s;
+  std::vector<std::string> saturate;
+};
+
+int sensor_named(const std::string& name) {
+  if (const auto sensor = device::find_sensor(name)) {
+    return *sensor;
+  }
+  std::vector<std::string> names;
+  for (const device::GloveSensor& sensor : device::cyberglove_sensors()) {
+    names.emplace_back(sensor.name);
+  }
+  throw geometric::InputError({"--saturate", "", "\"" + name + "\"",
+                               "a sensor's name or its letter, a to v",
+                               geometric::advise_name(name, names)});
+}
+
+device::GloveSignal signal_of(const EmulateOptions& options) {
+  device::SensorFaults faults;
+  for (const std::string& name : options.saturate) {
+    faults.saturated.insert(sensor_named(name));
+  }
+  if (options.from.empty()) {
+    faults.noise = options.noise.value_or(faults.noise);
+    return exploring_hand_signal(options.seed, faults);
+  }
+  faults.noise = options.noise.value_or(0.0);
+  return recorded_signal(device::read_recording(options.from), options.seed, faults);
+}
+
+int emulate(const EmulateOptions& options) {
+  GloveEmulatorSettings settings;
+  settings.unit.sensors = options.sensors;
+  settings.unit.right_hand = !options.left;
+  settings.unit.rate = options.rate_hz;
+  settings.faults.dropout = options.dropout;
+  settings.faults.garbage = options.garbage;
+  settings.faults.seed = options.seed;
+  settings.latency = options.latency_ms / 1000.0;
+  settings.unplug_at = options.unplug_after_s;
+  settings.replug_at = options.plug_again_after_s;
+  return serve_glove(settings, signal_of(options), options.serve);
+}
+
+void add_signal_options(CLI::App& command, EmulateOptions& options) {
+  command.add_option("--sensors", options.sensors, "18 or 22")
+      ->check(CLI::IsMember({18, 22}))
+      ->capture_default_str();
+  command.add_flag("--left", options.left, "A glove of the left hand");
+  command.add_option("--rate", options.rate_hz, "Frames a second until the host sets another rate")
+      ->check(CLI::Range(0.5, 480.0))
+      ->capture_default_str();
+  command.add_option("--seed", options.seed, "Seed of the hand's motion and of all faults")
+      ->check(not_negative())
+      ->capture_default_str();
+  command.add_option("--from", options.from, "Play this recording instead of a free motion");
+}
+
+void add_fault_options(CLI::App& command, EmulateOptions& options) {
+  command
+      .add_option("--noise", options.noise,
+                  "Noise of the sensors, counts (default: 0.4; 0 with --from)")
+      ->check(CLI::Range(0.0, 100.0));
+  command.add_option("--dropout", options.dropout, "Share of records that are lost, 0 to 1")
+      ->check(CLI::Range(0.0, 1.0));
+  command.add_option("--garbage", options.garbage, "Share of records that are damaged, 0 to 1")
+      ->check(CLI::Range(0.0, 1.0));
+  command.add_option("--latency", options.latency_ms, "Delay of all that it sends, ms")
+      ->check(CLI::Range(0.0, 60000.0));
+  command
+      .add_option("--unplug-after", options.unplug_after_s, "Pull the glove off after so many s")
+      ->check(positive_number());
+  command
+      .add_option("--plug-again-after", options.plug_again_after_s,
+                  "Put it back on so many s after the start")
+      ->check(positive_number());
+  command.add_option("--saturate", options.saturate, "A sensor that always reads 255")
+      ->type_name("SENSOR")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+}  // namespace
+
+void add_glove_emulate(CLI::App& glove, int& exit_code) {
+  auto options = std::make_shared<EmulateOptions>();
+  CLI::App* command =
+      glove.add_subcommand("emulate", "Be a CyberGlove; the first line says what to connect to");
+  add_glove_serve_options(*command, options->serve);
+  add_signal_options(*command, *options);
+  add_fault_options(*command, *options);
+  command->callback([options, &exit_code] { exit_code = emulate(*options); });
+}
+
+}  // namespace handway::tools

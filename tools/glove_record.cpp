@@ -1,0 +1,186 @@
+#include "glove_record.h"
+
+#include "exit_codes.h"
+#include "glove_device_options.h"
+#include "glove_display.h"
+#include "handway/device/glove/glove_layout.h"
+#include "handway/device/glove/glove_stream.h"
+#include "handway/device/glove/recording_writer.h"
+#include "interrupt.h"
+#include "number_options.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdio>
+#include <ctime>
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <stdexcept>
+#include <stop_token>
+
+namespace handway::tools {
+namespace {
+
+using device::GloveFrame;
+using device::GloveInfo;
+using device::GloveState;
+using std::chrono::milliseconds;
+
+struct RecordOptions {
+  GloveDeviceOptions device;
+  std::filesystem::path out;
+  std::optional<double> duration_s;
+  std::uint64_t frames = 0;
+  std::string origin;
+};
+
+device::RecordingHeader header_of(const GloveInfo& info, const std::string& origin) {
+  device::RecordingHeader header;
+  header.kind = device::RecordingKind::kCounts;
+  header.device = fmt::format("{}, {} sensors, {} hand, on {}", info.model, info.sensors,
+                              info.right_hand ? "right" : "left", info.device);
+  header.date = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
+  header.origin = origin;
+  const auto wired = device::cyberglove_wired(info.sensors);
+  header.sensors.assign(wired.begin(), wired.end());
+  return header;
+}
+
+/// Takes frames on the stream's thread and writes each before the next. The file begins with the
+/// first connection: nothing is overwritten if there is no glove.
+class Recorder {
+ public:
+  explicit Recorder(const RecordOptions& options) : options_(options) {}
+
+  void connected(const GloveInfo& info) {
+    attempt([&] {
+      if (!writer_) {
+        writer_.emplace(options_.out, header_of(info, options_.origin));
+      }
+    });
+  }
+
+  void take(const GloveFrame& frame) {
+    attempt([&] {
+      if (complete_) {
+        return;
+      }
+      if (writer_->rows() == 0) {
+        begin_ = frame.time;
+      }
+      GloveFrame row = frame;
+      row.time -= begin_;
+      if (options_.duration_s && row.time > *options_.duration_s) {
+        complete_ = true;
+        return;
+      }
+      writer_->append(row);
+      complete_ = options_.frames > 0 && writer_->rows() == options_.frames;
+    });
+  }
+
+  /// Whether all that was asked for is written, or it can't be.
+  [[nodiscard]] bool complete() const {
+    const std::lock_guard lock(mutex_);
+    return complete_;
+  }
+  [[nodiscard]] std::size_t rows() const {
+    const std::lock_guard lock(mutex_);
+    return writer_ ? writer_->rows() : 0;
+  }
+  void rethrow() const {
+    const std::lock_guard lock(mutex_);
+    if (error_) {
+      std::rethrow_exception(error_);
+    }
+  }
+
+ private:
+  template <typename Action>
+  void attempt(const Action& action) {
+    const std::lock_guard lock(mutex_);
+    if (error_) {
+      return;
+    }
+    try {
+      action();
+    } catch (...) {
+      error_ = std::current_exception();
+      complete_ = true;
+    }
+  }
+
+  const RecordOptions& options_;
+  mutable std::mutex mutex_;
+  std::optional<device::RecordingWriter> writer_;
+  double begin_ = 0.0;
+  bool complete_ = false;
+  std::exception_ptr error_;
+};
+
+void tell_state(GloveState state) {
+  if (state == GloveState::kLost) {
+    fmt::print(stderr, "connection lost; trying to connect again\n");
+  } else if (state == GloveState::kUnplugged) {
+    fmt::print(stderr, "the glove is unplugged; waiting for it\n");
+  } else if (state == GloveState::kStreaming) {
+    fmt::print(stderr, "recording\n");
+  }
+}
+
+int record(const RecordOptions& options) {
+  Recorder recorder(options);
+  device::GloveStreamHandlers handlers;
+  handlers.on_connected = [&](const GloveInfo& info) { recorder.connected(info); };
+  handlers.on_frame = [&](const GloveFrame& frame) { recorder.take(frame); };
+  handlers.on_state = tell_state;
+  std::stop_source stop;
+  const StopsOnInterrupt guard(stop);
+  device::GloveStream stream(make_glove(options.device), {}, std::move(handlers));
+  // The clock runs on while the glove is away: a duration is over when it is over.
+  using Clock = std::chrono::steady_clock;
+  std::optional<Clock::time_point> first;
+  while (!stop.stop_requested() && !recorder.complete() && !stream.wait(milliseconds(20))) {
+    if (!first && recorder.rows() > 0) {
+      first = Clock::now();
+    }
+    if (first && options.duration_s &&
+        Clock::now() - *first > std::chrono::duration<double>(*options.duration_s)) {
+      break;
+    }
+  }
+  recorder.rethrow();
+  if (stream.state() == GloveState::kFailed) {
+    throw std::runtime_error(stream.error());
+  }
+  const device::StreamStatistics statistics = stream.statistics();
+  stream.request_stop();
+  while (!stream.wait(milliseconds(100))) {
+  }
+  recorder.rethrow();
+  fmt::print("{} frames in {}\n{}\n", recorder.rows(), options.out.string(),
+             statistics_line(statistics));
+  return kDone;
+}
+
+}  // namespace
+
+void add_glove_record(CLI::App& glove, int& exit_code) {
+  auto options = std::make_shared<RecordOptions>();
+  CLI::App* command = glove.add_subcommand("record", "Record what a glove measures");
+  add_glove_device_options(*command, options->device);
+  command->add_option("--out", options->out, "Recording to write (CSV)")->required();
+  command->add_option("--duration", options->duration_s, "Stop after so many s (default: Ctrl+C)")
+      ->check(positive_number());
+  command->add_option("--frames", options->frames, "Stop after so many frames")
+      ->check(CLI::PositiveNumber);
+  command->add_option("--origin", options->origin, "Who wore it and what for, for the file");
+  command->callback([options, &exit_code] { exit_code = record(*options); });
+}
+
+}  // namespace handway::tools

@@ -1,0 +1,137 @@
+#include "glove_show.h"
+
+#include "exit_codes.h"
+#include "glove_display.h"
+#include "handway/device/glove/glove_stream.h"
+#include "interrupt.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <mutex>
+#include <stdexcept>
+#include <stop_token>
+#include <string>
+
+namespace handway::tools {
+namespace {
+
+using device::GloveFrame;
+using device::GloveInfo;
+using device::GloveState;
+using device::GloveStream;
+using std::chrono::milliseconds;
+
+constexpr milliseconds kRefresh{100};
+
+/// Takes frames on the stream's thread, for the main thread to show.
+class Latest {
+ public:
+  explicit Latest(std::uint64_t wanted) : wanted_(wanted) {}
+
+  /// @returns whether the frame is one of those that were asked for.
+  bool take(const GloveFrame& frame) {
+    const std::lock_guard lock(mutex_);
+    if (wanted_ > 0 && count_ == wanted_) {
+      return false;
+    }
+    frame_ = frame;
+    ++count_;
+    return true;
+  }
+  [[nodiscard]] bool complete() const {
+    const std::lock_guard lock(mutex_);
+    return wanted_ > 0 && count_ == wanted_;
+  }
+  [[nodiscard]] GloveFrame frame() const {
+    const std::lock_guard lock(mutex_);
+    return frame_;
+  }
+
+ private:
+  const std::uint64_t wanted_;
+  mutable std::mutex mutex_;
+  GloveFrame frame_;
+  std::uint64_t count_ = 0;
+};
+
+void announce(const GloveInfo& info) {
+  fmt::print(stderr, "{}: {}, {} sensors, {} hand\n", info.device, info.model, info.sensors,
+             info.right_hand ? "right" : "left");
+}
+
+void print_line(const std::string& line) {
+  fmt::print("{}\n", line);
+  std::fflush(stdout);
+}
+
+// Over the table printed before, if any.
+void print_table(const std::string& table, bool first) {
+  if (!first) {
+    fmt::print("\033[{}A", std::count(table.begin(), table.end(), '\n'));
+  }
+  std::string cleared;
+  for (const char c : table) {
+    cleared += c == '\n' ? std::string("\033[K\n") : std::string(1, c);
+  }
+  fmt::print("{}", cleared);
+  std::fflush(stdout);
+}
+
+}  // namespace
+
+void add_glove_show_options(CLI::App& command, GloveShowOptions& options) {
+  command.add_option("--frames", options.frames, "Stop after so many frames")
+      ->check(CLI::PositiveNumber);
+  command.add_flag("--json", options.json, "One JSON object a line instead of a table");
+}
+
+int show_glove(std::unique_ptr<device::Glove> glove, const GloveShowOptions& options) {
+  const bool table = !options.json && ::isatty(STDOUT_FILENO) != 0;
+  Latest latest(options.frames);
+  int sensors = device::kGloveSensors;
+  device::GloveStreamHandlers handlers;
+  handlers.on_connected = [&](const GloveInfo& info) {
+    sensors = info.sensors;
+    announce(info);
+  };
+  handlers.on_frame = [&](const GloveFrame& frame) {
+    if (latest.take(frame) && !table) {
+      print_line(options.json ? frame_json(frame, sensors) : frame_line(frame, sensors));
+    }
+  };
+  handlers.on_state = [&](GloveState state) {
+    if (!table && (state == GloveState::kLost || state == GloveState::kUnplugged)) {
+      fmt::print(stderr, "{}\n", state_name(state));
+    }
+  };
+  std::stop_source stop;
+  const StopsOnInterrupt guard(stop);
+  GloveStream stream(std::move(glove), {}, std::move(handlers));
+  bool first = true;
+  while (!stop.stop_requested() && !latest.complete() && !stream.wait(kRefresh)) {
+    const device::StreamStatistics statistics = stream.statistics();
+    if (table && statistics.frames > 0) {
+      print_table(glove_table(latest.frame(), stream.info().sensors, stream.state(), statistics),
+                  first);
+      first = false;
+    }
+  }
+  if (stream.state() == GloveState::kFailed) {
+    throw std::runtime_error(stream.error());
+  }
+  const device::StreamStatistics statistics = stream.statistics();
+  stream.request_stop();
+  stream.wait(milliseconds(1000));
+  if (options.json) {
+    print_line(statistics_json(statistics));
+  } else {
+    fmt::print(stderr, "{}\n", statistics_line(statistics));
+  }
+  return kDone;
+}
+
+}  // namespace handway::tools
