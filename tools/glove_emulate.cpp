@@ -2,6 +2,7 @@
 
 #include "exit_codes.h"
 #include "glove_serve.h"
+#include "handway/device/glove/glove_calibration.h"
 #include "handway/device/glove/glove_layout.h"
 #include "handway/device/glove/glove_signals.h"
 #include "handway/device/glove/recording.h"
@@ -28,6 +29,7 @@ struct EmulateOptions {
   double rate_hz = 100.0;
   std::uint64_t seed = 1;
   std::filesystem::path from;
+  std::filesystem::path calibration;
   std::optional<double> noise;
   double dropout = 0.0;
   double garbage = 0.0;
@@ -51,16 +53,19 @@ int sensor_named(const std::string& name) {
 }
 
 device::GloveSignal signal_of(const EmulateOptions& options) {
+  const device::GloveCalibration calibration = options.calibration.empty()
+                                                   ? device::typical_calibration()
+                                                   : device::read_calibration(options.calibration);
   device::SensorFaults faults;
   for (const std::string& name : options.saturate) {
     faults.saturated.insert(sensor_named(name));
   }
   if (options.from.empty()) {
     faults.noise = options.noise.value_or(faults.noise);
-    return exploring_hand_signal(options.seed, faults);
+    return exploring_hand_signal(options.seed, faults, calibration);
   }
   faults.noise = options.noise.value_or(0.0);
-  return recorded_signal(device::read_recording(options.from), options.seed, faults);
+  return recorded_signal(device::read_recording(options.from), options.seed, faults, calibration);
 }
 
 int emulate(const EmulateOptions& options) {
@@ -89,6 +94,8 @@ void add_signal_options(CLI::App& command, EmulateOptions& options) {
       ->check(not_negative())
       ->capture_default_str();
   command.add_option("--from", options.from, "Play this recording instead of a free motion");
+  command.add_option("--calibration", options.calibration,
+                     "Calibration of its wearer (default: a typical right hand)");
 }
 
 void add_fault_options(CLI::App& command, EmulateOptions& options) {

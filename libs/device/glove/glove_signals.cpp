@@ -1,7 +1,6 @@
 #include "handway/device/glove/glove_signals.h"
 
 #include "core/seeded_random.h"
-#include "handway/device/glove/emulated_response.h"
 #include "handway/device/glove/hand_exploration.h"
 #include "recording_player.h"
 #include "sensor_counts.h"
@@ -14,8 +13,6 @@ namespace handway::device {
 namespace {
 
 constexpr std::uint16_t kSaturated = 255;
-// What a sensor that a recording doesn't have reads.
-constexpr double kMidScale = 128.0;
 
 using Counts = std::array<std::uint16_t, kGloveSensors>;
 
@@ -40,21 +37,22 @@ class Noise {
 
 }  // namespace
 
-GloveSignal exploring_hand_signal(std::uint64_t seed, const SensorFaults& faults) {
+GloveSignal exploring_hand_signal(std::uint64_t seed, const SensorFaults& faults,
+                                  const GloveCalibration& calibration) {
   const auto hand = std::make_shared<HandExploration>(seed);
-  return [hand, noise = Noise(seed, faults)](double time) mutable {
+  return [hand, noise = Noise(seed, faults), calibration](double time) mutable {
     const GloveAngles angles = hand->at(time);
     std::array<double, kGloveSensors> exact{};
     for (std::size_t k = 0; k < exact.size(); ++k) {
-      exact[k] = counts_of(emulated_response()[k], angles.angles[k]);
+      exact[k] = counts_of(calibration.sensors[k], angles.angles[k]);
     }
     return noise.apply(exact);
   };
 }
 
 GloveSignal recorded_signal(const Recording& recording, std::uint64_t seed,
-                            const SensorFaults& faults) {
-  const auto player = std::make_shared<const RecordingPlayer>(recording);
+                            const SensorFaults& faults, const GloveCalibration& calibration) {
+  const auto player = std::make_shared<const RecordingPlayer>(recording, calibration);
   return [player, noise = Noise(seed, faults)](double time) mutable {
     const GloveFrame& frame = player->frame_at(std::fmod(time, player->duration()));
     std::array<double, kGloveSensors> exact{};

@@ -1,6 +1,5 @@
 #include "recording_player.h"
 
-#include "handway/device/glove/emulated_response.h"
 #include "handway/geometric/io/input_error.h"
 #include "sensor_counts.h"
 
@@ -8,7 +7,7 @@
 
 namespace handway::device {
 
-RecordingPlayer::RecordingPlayer(const Recording& recording) {
+RecordingPlayer::RecordingPlayer(const Recording& recording, const GloveCalibration& calibration) {
   const Eigen::Index rows = recording.times.size();
   if (rows == 0) {
     throw geometric::InputError(
@@ -24,7 +23,7 @@ RecordingPlayer::RecordingPlayer(const Recording& recording) {
       const auto sensor = static_cast<std::size_t>(sensors[column]);
       frame.counts[sensor] = to_count(recording.header.kind == RecordingKind::kCounts
                                           ? value
-                                          : counts_of(emulated_response()[sensor], value));
+                                          : counts_of(calibration.sensors[sensor], value));
     }
   }
   if (rows > 1 && frames_.back().time > 0.0) {

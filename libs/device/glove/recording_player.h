@@ -1,5 +1,6 @@
 #pragma once
 
+#include "handway/device/glove/glove_calibration.h"
 #include "handway/device/glove/glove_frame.h"
 #include "handway/device/glove/recording.h"
 
@@ -12,10 +13,10 @@ namespace handway::device {
 /// The frames of a recording as counts, and where they are in time.
 class RecordingPlayer {
  public:
-  /// Angles become counts by emulated_response(); all counts are brought to 1 … 255, and sensors
+  /// Angles become counts by `calibration`; all counts are brought to 1 … 255, and sensors
   /// that the recording doesn't have are 0.
   /// @throws geometric::InputError if the recording has no rows.
-  explicit RecordingPlayer(const Recording& recording);
+  RecordingPlayer(const Recording& recording, const GloveCalibration& calibration);
 
   [[nodiscard]] std::size_t size() const { return frames_.size(); }
   /// Time since the first frame, s.

@@ -2,6 +2,7 @@
 
 #include "handway/device/glove/glove_layout.h"
 #include "recording_player.h"
+#include "sensor_counts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +15,6 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr std::uint16_t kMidScale = 128;
 constexpr double kSlice = 0.02;  // s, after which a request to stop is seen.
 
 int sensors_of(const RecordingHeader& header) {
@@ -36,7 +36,7 @@ struct ReplayGlove::Player : RecordingPlayer {
 
 ReplayGlove::ReplayGlove(const Recording& recording, std::string name,
                          const ReplaySettings& settings)
-    : player_(std::make_unique<const Player>(recording)),
+    : player_(std::make_unique<const Player>(recording, typical_calibration())),
       name_(std::move(name)),
       settings_(settings),
       sensors_(sensors_of(recording.header)) {
@@ -79,7 +79,7 @@ GloveReading ReplayGlove::do_next(milliseconds timeout, const std::stop_token& s
   ++next_;
   for (const int sensor : cyberglove_wired(sensors_)) {
     std::uint16_t& count = frame.counts[static_cast<std::size_t>(sensor)];
-    count = count == 0 ? kMidScale : count;
+    count = count == 0 ? to_count(kMidScale) : count;
   }
   return {GloveEvent::kFrame, frame};
 }

@@ -21,8 +21,8 @@ struct MappedJoint {
   double at_0;
   double at_1;
 };
-constexpr std::array<MappedJoint, 13> kTable1{{{0, 50, 0},
-                                               {0, 50, 0},
+constexpr std::array<MappedJoint, 13> kTable1{{{0, 90, 0},
+                                               {0, 90, 0},
                                                {1, 75, -4},
                                                {2, 75, 4},
                                                {10, 15, -15},

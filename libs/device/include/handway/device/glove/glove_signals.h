@@ -2,6 +2,7 @@
 
 #include "handway/device/export.h"
 #include "handway/device/glove/cyberglove_unit.h"
+#include "handway/device/glove/glove_calibration.h"
 #include "handway/device/glove/recording.h"
 
 #include <cstdint>
@@ -11,22 +12,24 @@ namespace handway::device {
 
 /// What is done to the readings of emulated sensors.
 struct SensorFaults {
-  double noise = 0.4;       ///< Standard deviation before rounding, counts; real gloves: 0.3 to 0.5.
+  double noise = 0.4;  ///< Standard deviation before rounding, counts; real gloves: 0.3 to 0.5.
   std::set<int> saturated;  ///< Sensors that always read 255.
 };
 
-/// The counts of a hand that moves as HandExploration: zero + angle / gain of
-/// emulated_response(), noise, rounded, clipped to 1 … 255. The same seed and times give
-/// the same counts.
-[[nodiscard]] HANDWAY_DEVICE_EXPORT GloveSignal exploring_hand_signal(
-    std::uint64_t seed, const SensorFaults& faults = {});
+/// The counts of a hand that moves as HandExploration: those of `calibration`, with noise,
+/// rounded, clipped to 1 … 255. The calibration is the true one of the emulated glove, which
+/// calibrating it should find; by default typical_calibration(). The same seed and times
+/// give the same counts.
+[[nodiscard]] HANDWAY_DEVICE_EXPORT GloveSignal
+exploring_hand_signal(std::uint64_t seed, const SensorFaults& faults = {},
+                      const GloveCalibration& calibration = typical_calibration());
 
-/// The counts of a recording, again and again; angles become counts by emulated_response().
+/// The counts of a recording, again and again; angles become counts by `calibration`.
 /// Sensors that the recording doesn't have read 128. Between two rows the former holds.
 /// @param faults noise is added to what was recorded: give 0 to play counts as they are.
 /// @throws geometric::InputError if the recording has no rows.
-[[nodiscard]] HANDWAY_DEVICE_EXPORT GloveSignal recorded_signal(const Recording& recording,
-                                                                std::uint64_t seed,
-                                                                const SensorFaults& faults);
+[[nodiscard]] HANDWAY_DEVICE_EXPORT GloveSignal
+recorded_signal(const Recording& recording, std::uint64_t seed, const SensorFaults& faults,
+                const GloveCalibration& calibration = typical_calibration());
 
 }  // namespace handway::device

@@ -16,7 +16,7 @@ struct ReplaySettings {
 
 /// A glove that plays a recording. Frames come when they are due, stamped with the time that
 /// they are due at: a reader that was held up gets those that it missed at once. Angles become
-/// counts by emulated_response(); it has 18 sensors if the four that such gloves lack are
+/// counts by typical_calibration(); it has 18 sensors if the four that such gloves lack are
 /// missing, else 22 (other missing ones read 128).
 class HANDWAY_DEVICE_EXPORT ReplayGlove final : public Glove {
  public:
