@@ -41,9 +41,9 @@ const std::array<std::array<double, kFingers>, kFingers> kEnslaving{{
     {0.05, 0.05, 0.38, 1.00}}};
 
 const std::array<SmallMove, kSmallMoves> kSmallHandMoves{{
-    {0, 3.6}, {1, 6.0}, {2, 13.0}, {3, 4.0}, {10, 2.5}, {14, 2.5}, {19, 5.0}, {20, 12.0}, {21, 6.0}}};
+    {0, 3.6}, {1, 6.0}, {2, 14.0}, {3, 4.0}, {10, 2.5}, {14, 2.5}, {19, 5.0}, {20, 12.0}, {21, 6.0}}};
 
-const std::array<double, 2> kFingerMove{12.0, 14.0};
+const std::array<double, 2> kFingerMove{13.5, 15.5};
 
 const std::array<SensorRange, kGloveSensors> kAnatomicRanges{{
     {-15.0, 70.0}, {-20.0, 60.0}, {-10.0, 80.0}, {0.0, 50.0},
