@@ -56,7 +56,7 @@ struct Local {
 std::string program(const char* name, std::initializer_list<Local> locals, const char* code) {
   pugi::xml_document document;
   pugi::xml_node node =
-      add(add(document, "Programs",
+      add(add(document.root(), "Programs",
               {{"xmlns:xsi", kInstance}, {"xmlns", std::string(kNamespace) + "Program/2"}}),
           "Program", {{"name", name}, {"access", "public"}});
   if (locals.size() > 0) {
@@ -75,7 +75,7 @@ std::string program(const char* name, std::initializer_list<Local> locals, const
 std::string project_file(const std::string& name) {
   pugi::xml_document document;
   pugi::xml_node project =
-      add(document, "Project", {{"xmlns", std::string(kNamespace) + "Project/3"}});
+      add(document.root(), "Project", {{"xmlns", std::string(kNamespace) + "Project/3"}});
   add(project, "Parameters",
       {{"version", "s7.11"}, {"stackSize", "5000"}, {"millimeterUnit", "true"}});
   pugi::xml_node programs = add(project, "Programs");
@@ -90,7 +90,7 @@ std::string project_file(const std::string& name) {
 std::string data_file(const std::vector<ArmMove>& moves) {
   pugi::xml_document document;
   pugi::xml_node all =
-      add(add(document, "Database",
+      add(add(document.root(), "Database",
               {{"xmlns:xsi", kInstance}, {"xmlns", std::string(kNamespace) + "Data/2"}}),
           "Datas");
   pugi::xml_node points = add_data(all, "jPath", "jointRx", moves.size());

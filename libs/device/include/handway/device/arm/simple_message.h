@@ -1,0 +1,88 @@
+#pragma once
+
+#include "handway/device/export.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <vector>
+
+/// The messages of ROS-Industrial's simple_message protocol that the VAL3 server for
+/// Staeubli CS8 and CS9 controllers speaks: joint trajectory points to port 11000, joint
+/// positions and status from port 11002.
+///
+/// On the wire: length (of what follows it), type, communication, reply code, body; all
+/// int32 or float32, little-endian. Joints are in rad, ten of them, unused ones 0.
+/// Source: ros-industrial/industrial_core and staubli_val3_driver, message definitions.
+namespace handway::device {
+
+inline constexpr std::size_t kSimpleMessageJoints = 10;
+
+enum class SimpleMessageType : std::int32_t {
+  kJointPosition = 10,         ///< Body: sequence, joints.
+  kJointTrajectoryPoint = 11,  ///< Body: sequence, joints, velocity (0 to 1), duration (s).
+  kStatus = 13,                ///< Body: ArmStatus.
+};
+
+enum class SimpleMessageKind : std::int32_t { kTopic = 1, kRequest = 2, kReply = 3 };
+
+enum class SimpleMessageReply : std::int32_t { kNone = 0, kSuccess = 1, kFailure = 2 };
+
+/// Sequence number of a trajectory point that means "stop at once and forget the rest".
+inline constexpr std::int32_t kStopSequence = -4;
+
+/// What a controller says of itself: -1 unknown, 0 no, 1 yes.
+struct ArmStatus {
+  std::int32_t drives_powered = -1;
+  std::int32_t emergency_stopped = -1;
+  std::int32_t error_code = 0;
+  std::int32_t in_error = -1;
+  std::int32_t in_motion = -1;
+  std::int32_t mode = -1;  ///< -1 unknown, 1 manual, 2 automatic.
+  std::int32_t motion_possible = -1;
+
+  bool operator==(const ArmStatus&) const = default;
+};
+
+/// One message; of the fields those of its type count.
+struct SimpleMessage {
+  SimpleMessageType type = SimpleMessageType::kJointPosition;
+  SimpleMessageKind kind = SimpleMessageKind::kTopic;
+  SimpleMessageReply reply = SimpleMessageReply::kNone;
+  std::int32_t sequence = 0;
+  std::array<float, kSimpleMessageJoints> joints{};
+  float velocity = 0.0F;
+  float duration = 0.0F;
+  ArmStatus status;
+
+  bool operator==(const SimpleMessage&) const = default;
+};
+
+/// Bytes that are no message of this protocol.
+class SimpleMessageError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// The message with its length in front: 44, 60 or 68 bytes.
+[[nodiscard]] HANDWAY_DEVICE_EXPORT std::vector<std::uint8_t> encode(const SimpleMessage& message);
+
+/// Takes bytes as they come from a connection, in pieces of any size, and gives messages.
+class HANDWAY_DEVICE_EXPORT SimpleMessageParser {
+ public:
+  void add(std::span<const std::uint8_t> bytes);
+
+  /// The next whole message, if there is one.
+  /// @throws SimpleMessageError if what comes next is none: an unknown type, kind or reply
+  /// code, a length that is not the type's, a number that is not finite. There
+  /// is no way to find the next message then: close the connection.
+  [[nodiscard]] std::optional<SimpleMessage> next();
+
+ private:
+  std::vector<std::uint8_t> bytes_;
+};
+
+}  // namespace handway::device
