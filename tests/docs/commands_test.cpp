@@ -37,9 +37,9 @@ std::string help_of(const std::string& program) {
   return run_in_shell(program + " --help").printed;
 }
 
-// The subcommands that the program's help lists after "Subcommands:".
-std::vector<std::string> commands() {
-  std::istringstream lines(help_of(HANDWAY_PROGRAM));
+// The subcommands that a help lists after "Subcommands:".
+std::vector<std::string> subcommands(const std::string& help) {
+  std::istringstream lines(help);
   std::vector<std::string> names;
   bool listed = false;
   for (std::string line; std::getline(lines, line);) {
@@ -50,6 +50,18 @@ std::vector<std::string> commands() {
     }
   }
   return names;
+}
+
+// All commands, those of commands included: "plan", "glove", "glove live".
+std::vector<std::string> commands() {
+  std::vector<std::string> all;
+  for (const std::string& name : subcommands(help_of(HANDWAY_PROGRAM))) {
+    all.push_back(name);
+    for (const std::string& part : subcommands(help_of(HANDWAY_PROGRAM " " + name))) {
+      all.push_back(name + " " + part);
+    }
+  }
+  return all;
 }
 
 TEST(CommandLineManual, NamesTheOptionsOfEveryCommand) {
