@@ -1,6 +1,7 @@
 #include "app/main_window.h"
 
 #include "app/recent_files.h"
+#include "glove/glove_panel.h"
 #include "handway/geometric/io/input_error.h"
 #include "panels/banner.h"
 #include "panels/collision_label.h"
@@ -66,6 +67,7 @@ MainWindow::MainWindow(std::shared_ptr<planning::Extensions> extensions, QWidget
       posture_bar_(new PostureBar),
       joint_panel_(new JointPanel),
       pmd_panel_(new PmdPanel),
+      glove_panel_(new GlovePanel),
       playback_(new PlaybackBar(player_)),
       collision_label_(new CollisionLabel),
       actions_(std::make_unique<WindowActions>(*this)) {
@@ -100,6 +102,7 @@ void MainWindow::build_docks() {
   tabs->addTab(plan_panel_, tr("Plan"));
   tabs->addTab(stacked({posture_bar_, joint_panel_}, 1), tr("Joints"));
   tabs->addTab(pmd_panel_, tr("Hand"));
+  tabs->addTab(glove_panel_, tr("Glove"));
   QDockWidget* scene = make_dock(*this, tr("Scene"), tree_, Qt::LeftDockWidgetArea);
   QDockWidget* log = make_dock(*this, tr("Messages"), log_, Qt::LeftDockWidgetArea);
   QDockWidget* right = make_dock(*this, tr("Control"), tabs, Qt::RightDockWidgetArea);
@@ -183,6 +186,12 @@ void MainWindow::connect_view() {
   };
   connect(joint_panel_, &JointPanel::configuration_edited, this, edit);
   connect(pmd_panel_, &PmdPanel::configuration_edited, this, edit);
+  connect(glove_panel_, &GlovePanel::posture_changed, this,
+          [this](const geometric::NamedPosture& posture) {
+            player_.pause();
+            document_.apply_posture(posture);
+          });
+  connect(view_, &SceneView::frameSwapped, glove_panel_, &GlovePanel::note_drawn);
   connect(posture_bar_, &PostureBar::start_requested, this,
           [this, edit] { edit(*document_.scene()->start); });
   connect(posture_bar_, &PostureBar::goal_requested, this,
@@ -242,6 +251,7 @@ void MainWindow::show_scene() {
   posture_bar_->set_scene(scene);
   const geometric::RobotInstance* robot = document_.robot();
   joint_panel_->set_robot(robot ? robot->model : nullptr, document_.groups());
+  glove_panel_->set_robot(robot ? robot->model : nullptr);
   pmd_panel_->set_hand(robot ? robot->model : nullptr, document_.loaded().basis,
                        document_.groups().hand);
   const bool has_query = scene && scene->start && scene->goal;
@@ -274,6 +284,7 @@ void MainWindow::show_scene() {
   if (options_.play) {
     session_->start();
   }
+  apply_glove_options();
   emit ready();
 }
 
@@ -287,6 +298,13 @@ void MainWindow::apply_plan_options() {
   }
   for (const auto& [key, value] : options_.settings) {
     plan_panel_->set_parameter(key, value);
+  }
+}
+
+void MainWindow::apply_glove_options() {
+  if (!options_.glove.empty() || !options_.glove_page.empty()) {
+    glove_panel_->come_to_front(QString::fromStdString(options_.glove_page));
+    glove_panel_->connect_to(QString::fromStdString(options_.glove));
   }
 }
 
@@ -353,6 +371,7 @@ void MainWindow::toggle_theme(bool dark) {
   actions_->refresh_icons();
   playback_->refresh_icons();
   tree_->refresh_icons();
+  glove_panel_->refresh_icons();
 }
 
 void MainWindow::show_about() {

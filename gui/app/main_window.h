@@ -16,6 +16,7 @@ namespace handway::gui {
 
 class Banner;
 class CollisionLabel;
+class GlovePanel;
 class JointPanel;
 class PlaybackBar;
 class PmdPanel;
@@ -40,6 +41,7 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] PathPlayer& player() { return player_; }
   [[nodiscard]] SceneView& view() { return *view_; }
   [[nodiscard]] PlanPanel& plan_panel() { return *plan_panel_; }
+  [[nodiscard]] GlovePanel& glove_panel() { return *glove_panel_; }
   [[nodiscard]] CollisionMonitor& collisions() { return collisions_; }
   /// The message in the window; empty if there is none.
   [[nodiscard]] QString message() const;
@@ -63,6 +65,7 @@ class MainWindow : public QMainWindow {
   void show_scene();
   void show_error(const QString& title, const QString& message);
   void apply_plan_options();
+  void apply_glove_options();
   void show_path();
   void choose_file();
   void save_as();
@@ -83,6 +86,7 @@ class MainWindow : public QMainWindow {
   PostureBar* posture_bar_;
   JointPanel* joint_panel_;
   PmdPanel* pmd_panel_;
+  GlovePanel* glove_panel_;
   PlaybackBar* playback_;
   CollisionLabel* collision_label_;
   std::unique_ptr<WindowActions> actions_;

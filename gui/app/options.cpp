@@ -55,6 +55,14 @@ std::optional<Options> parse_options(int argc, char** argv, int& exit_code) {
       ->expected(1)
       ->check(check_setting)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  app.add_option("--glove", options.glove,
+                 "Connect to this glove: a port, HOST:PORT, a recording, or \"emulator\"")
+      ->type_name("DEVICE");
+  app.add_option("--glove-page", options.glove_page, "Page of the glove's panel to open")
+      ->type_name("NAME");
+  app.add_option("--glove-time", options.glove_time,
+                 "Listen to the glove for so many s before a screenshot (default 3)")
+      ->check(CLI::Range(0.0, 3600.0));
   app.add_option("--theme", options.theme, "light or dark (default: as last time)")
       ->check(CLI::IsMember({"light", "dark"}));
   try {

@@ -1,5 +1,6 @@
 #include "app/snapshot.h"
 
+#include "glove/glove_panel.h"
 #include "view3d/scene_view.h"
 
 #include <QPixmap>
@@ -13,7 +14,10 @@ constexpr double kMoment = 0.4;  // of the path
 }  // namespace
 
 Snapshot::Snapshot(MainWindow& window, const Options& options, QObject* parent)
-    : QObject(parent), window_(window), file_(QString::fromStdString(options.screenshot.string())) {
+    : QObject(parent),
+      window_(window),
+      file_(QString::fromStdString(options.screenshot.string())),
+      glove_time_(options.glove.empty() ? 0.0 : options.glove_time) {
   poll_.setInterval(60);
   connect(&poll_, &QTimer::timeout, this, &Snapshot::wait_until_settled);
   connect(&window_, &MainWindow::ready, &poll_, qOverload<>(&QTimer::start));
@@ -27,7 +31,20 @@ Snapshot::Snapshot(MainWindow& window, const Options& options, QObject* parent)
   });
 }
 
+// The collision checks of a hand that moves never end.
+bool Snapshot::listens() const {
+  const GloveLink& link = window_.glove_panel().session().link();
+  return glove_time_ > 0.0 && link.is_running() && link.state() != device::GloveState::kFailed;
+}
+
 void Snapshot::wait_until_settled() {
+  if (listens()) {
+    if (window_.glove_panel().listening_time() >= glove_time_) {
+      poll_.stop();
+      save();
+    }
+    return;
+  }
   const bool busy = window_.session().is_running() || window_.collisions().is_busy() ||
                     window_.player().is_playing() || window_.view().frame_time_ms() <= 0.0;
   calm_polls_ = busy ? 0 : calm_polls_ + 1;

@@ -23,9 +23,11 @@ class Snapshot : public QObject {
  private:
   void wait_until_settled();
   void save();
+  [[nodiscard]] bool listens() const;
 
   MainWindow& window_;
   QString file_;
+  double glove_time_;  ///< To listen to the glove, s; 0: there is none.
   QTimer poll_;
   int calm_polls_ = 0;
 };

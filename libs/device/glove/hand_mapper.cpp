@@ -96,11 +96,15 @@ double HandMapper::value(Eigen::Index joint, double angle) const {
 }
 
 Eigen::VectorXd HandMapper::posture(const GloveAngles& angles) const {
+  return unclamped(angles).cwiseMax(lower_).cwiseMin(upper_);
+}
+
+Eigen::VectorXd HandMapper::unclamped(const GloveAngles& angles) const {
   Eigen::VectorXd result(lower_.size());
   for (Eigen::Index j = 0; j < result.size(); ++j) {
     const int sensor = wires_[static_cast<std::size_t>(j)].sensor;
     const double angle = sensor < 0 ? 0.0 : angles.angles.at(static_cast<std::size_t>(sensor));
-    result[j] = std::clamp(value(j, angle), lower_[j], upper_[j]);
+    result[j] = value(j, angle);
   }
   return result;
 }

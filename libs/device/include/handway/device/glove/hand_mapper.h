@@ -45,6 +45,9 @@ class HANDWAY_DEVICE_EXPORT HandMapper {
   /// NaN take the middle of their range.
   [[nodiscard]] Eigen::VectorXd posture(const GloveAngles& angles) const;
 
+  /// The posture before it is clamped to the limits, shape [joints].
+  [[nodiscard]] Eigen::VectorXd unclamped(const GloveAngles& angles) const;
+
   /// The postures for all rows.
   /// @throws geometric::InputError if the recording holds counts, or lacks a sensor that
   /// drives a joint.

@@ -1,0 +1,251 @@
+#include "glove/glove_panel.h"
+
+#include "glove/calibration_choice.h"
+#include "glove/device_field.h"
+#include "glove/glove_device_list.h"
+#include "glove/link_status.h"
+#include "glove/record_bar.h"
+#include "glove/sensor_bars.h"
+
+#include <QCheckBox>
+#include <QFormLayout>
+#include <QFrame>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QStackedWidget>
+#include <QTabBar>
+#include <QTabWidget>
+#include <QVBoxLayout>
+#include <QVariant>
+
+namespace handway::gui {
+namespace {
+
+using device::GloveState;
+
+constexpr int kStatisticsMs = 250;
+constexpr int kMargin = 12;
+constexpr double kSmoothing = 0.2;  // weight of the latest delay
+
+QScrollArea* scrolled(QWidget* content) {
+  auto* area = new QScrollArea;
+  area->setWidgetResizable(true);
+  area->setFrameShape(QFrame::NoFrame);
+  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  area->setWidget(content);
+  return area;
+}
+
+bool is_live(GloveState state) {
+  return state != GloveState::kStopped && state != GloveState::kFailed;
+}
+
+}  // namespace
+
+GlovePanel::GlovePanel(QWidget* parent)
+    : QWidget(parent),
+      device_(new DeviceField),
+      connect_(new QPushButton),
+      status_(new LinkStatus),
+      tabs_(new QTabBar),
+      pages_(new QStackedWidget),
+      bars_(new SensorBars),
+      follow_(new QCheckBox(tr("Hand follows the glove"))),
+      record_(new RecordBar(session_)) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  tabs_->setObjectName(QStringLiteral("glove_pages"));
+  tabs_->setDrawBase(false);
+  tabs_->setExpanding(true);
+  tabs_->setProperty("role", "pages");
+  add_page(tr("Sensors"), build_sensors_page());
+  layout->addWidget(build_header());
+  layout->addWidget(tabs_);
+  layout->addWidget(pages_, 1);
+  layout->addWidget(build_footer());
+  bars_->set_mapping(session_.mapping());
+  connect(tabs_, &QTabBar::currentChanged, pages_, &QStackedWidget::setCurrentIndex);
+  connect(&session_, &GloveSession::state_changed, this, &GlovePanel::show_state);
+  connect(&session_, &GloveSession::sampled, this, &GlovePanel::show_samples);
+  connect(&session_, &GloveSession::mapping_changed, this,
+          [this] { bars_->set_mapping(session_.mapping()); });
+  connect(&session_, &GloveSession::following_changed, follow_, &QCheckBox::setChecked);
+  ticker_.setInterval(kStatisticsMs);
+  connect(&ticker_, &QTimer::timeout, this, &GlovePanel::show_statistics);
+  show_state(GloveState::kStopped, {});
+}
+
+GlovePanel::~GlovePanel() { session_.blockSignals(true); }
+
+QWidget* GlovePanel::build_header() {
+  auto* header = new QWidget;
+  auto* layout = new QVBoxLayout(header);
+  layout->setContentsMargins(kMargin, 10, kMargin, 8);
+  layout->setSpacing(8);
+  connect_->setObjectName(QStringLiteral("glove_connect"));
+  auto* row = new QHBoxLayout;
+  row->setSpacing(8);
+  row->addWidget(device_, 1);
+  row->addWidget(connect_);
+  layout->addLayout(row);
+  layout->addWidget(status_);
+  connect(connect_, &QPushButton::clicked, this, &GlovePanel::toggle_connection);
+  connect(device_, &DeviceField::requested, this, [this] {
+    session_.disconnect_glove();
+    toggle_connection();
+  });
+  return header;
+}
+
+QWidget* GlovePanel::build_sensors_page() {
+  auto* page = new QWidget;
+  auto* layout = new QVBoxLayout(page);
+  layout->setContentsMargins(0, 4, 0, 8);
+  layout->setSpacing(6);
+  layout->addWidget(bars_);
+  auto* calibration = new CalibrationChoice;
+  auto* form = new QFormLayout;
+  form->setContentsMargins(kMargin, 4, kMargin, 0);
+  form->setHorizontalSpacing(12);
+  form->addRow(tr("Calibration"), calibration);
+  layout->addLayout(form);
+  layout->addStretch();
+  connect(calibration, &CalibrationChoice::chosen, &session_, &GloveSession::set_calibration);
+  connect(calibration, &CalibrationChoice::failed, this, &GlovePanel::show_problem);
+  return scrolled(page);
+}
+
+QWidget* GlovePanel::build_footer() {
+  auto* footer = new QFrame;
+  footer->setProperty("role", "playback");
+  auto* layout = new QVBoxLayout(footer);
+  layout->setContentsMargins(kMargin, 8, kMargin, 10);
+  layout->setSpacing(8);
+  follow_->setObjectName(QStringLiteral("glove_follow"));
+  follow_->setChecked(session_.following());
+  layout->addWidget(follow_);
+  layout->addWidget(record_);
+  connect(follow_, &QCheckBox::toggled, &session_, &GloveSession::set_following);
+  return footer;
+}
+
+void GlovePanel::add_page(const QString& name, QWidget* page) {
+  tabs_->addTab(name);
+  pages_->addWidget(page);
+}
+
+void GlovePanel::set_robot(const std::shared_ptr<const geometric::RobotModel>& model) {
+  session_.set_robot(model);
+}
+
+void GlovePanel::toggle_connection() {
+  if (session_.link().is_running() && is_live(session_.link().state())) {
+    session_.disconnect_glove();
+  } else {
+    bars_->clear();
+    first_time_ = last_time_ = -1.0;
+    session_.connect_to(device_->device());
+  }
+}
+
+void GlovePanel::connect_to(const QString& device) {
+  if (!device.isEmpty()) {
+    session_.disconnect_glove();
+    device_->set_device(device.compare(GloveSession::emulator_name(), Qt::CaseInsensitive) == 0
+                            ? GloveSession::emulator_name()
+                            : device);
+    toggle_connection();
+  }
+}
+
+void GlovePanel::come_to_front(const QString& page) {
+  for (QWidget* part = this; part; part = part->parentWidget()) {
+    if (auto* tabs = qobject_cast<QTabWidget*>(part)) {
+      for (int i = 0; i < tabs->count(); ++i) {
+        if (tabs->widget(i)->isAncestorOf(this) || tabs->widget(i) == this) {
+          tabs->setCurrentIndex(i);
+        }
+      }
+    }
+  }
+  for (int i = 0; i < tabs_->count(); ++i) {
+    if (tabs_->tabText(i).compare(page, Qt::CaseInsensitive) == 0) {
+      tabs_->setCurrentIndex(i);
+    }
+  }
+}
+
+double GlovePanel::listening_time() const { return last_time_ - first_time_; }
+
+void GlovePanel::show_state(GloveState state, const QString& error) {
+  const bool live = is_live(state);
+  connect_->setText(live ? tr("Disconnect") : tr("Connect"));
+  connect_->setProperty("role", live ? "" : "primary");
+  style()->unpolish(connect_);
+  style()->polish(connect_);
+  device_->setEnabled(!live);
+  QString problem = error;
+  if (problem.isEmpty() && state == GloveState::kStreaming) {
+    problem = session_.mapping_error();
+    add_recent_glove(session_.device());
+  }
+  status_->show_state(state, session_.link().info(), problem);
+  if (live) {
+    ticker_.start();
+  } else {
+    ticker_.stop();
+    status_->clear_statistics();
+    to_screen_ = 0.0;
+    shown_since_.reset();
+  }
+}
+
+void GlovePanel::show_problem(const QString& message) {
+  status_->show_state(session_.link().state(), session_.link().info(), message);
+}
+
+void GlovePanel::show_samples(const std::vector<GloveSample>& samples) {
+  bars_->show_samples(samples, session_.mapper());
+  first_time_ = first_time_ < 0.0 ? samples.front().frame.time : first_time_;
+  last_time_ = samples.back().frame.time;
+  if (session_.following()) {
+    move_hand(samples.back());
+  }
+}
+
+void GlovePanel::move_hand(const GloveSample& sample) {
+  const device::HandMapper* mapper = session_.mapper();
+  if (!mapper || sample.posture.size() == 0) {
+    return;
+  }
+  geometric::NamedPosture posture;
+  for (std::size_t j = 0; j < mapper->joints().size(); ++j) {
+    posture.values[mapper->joints()[j]] = sample.posture[static_cast<Eigen::Index>(j)];
+  }
+  if (!shown_since_) {
+    shown_since_ = session_.link().arrival();
+  }
+  emit posture_changed(posture);
+}
+
+void GlovePanel::note_drawn() {
+  if (shown_since_) {
+    const std::chrono::duration<double> delay = std::chrono::steady_clock::now() - *shown_since_;
+    to_screen_ =
+        to_screen_ > 0.0 ? to_screen_ + kSmoothing * (delay.count() - to_screen_) : delay.count();
+    shown_since_.reset();
+  }
+}
+
+void GlovePanel::show_statistics() {
+  if (session_.link().state() == GloveState::kStreaming) {
+    status_->show_statistics(session_.link().statistics(), to_screen_);
+  }
+}
+
+void GlovePanel::refresh_icons() { record_->refresh_icon(); }
+
+}  // namespace handway::gui

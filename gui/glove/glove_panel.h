@@ -1,0 +1,82 @@
+#pragma once
+
+#include "glove/glove_session.h"
+#include "handway/geometric/robot/robot_description.h"
+
+#include <QTimer>
+#include <QWidget>
+
+#include <chrono>
+#include <memory>
+#include <optional>
+
+class QCheckBox;
+class QPushButton;
+class QTabBar;
+class QStackedWidget;
+
+namespace handway::gui {
+
+class DeviceField;
+class LinkStatus;
+class RecordBar;
+class SensorBars;
+
+/// The glove in the window: connects to it, shows what it measures, and moves the
+/// hand of the scene with it.
+class GlovePanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit GlovePanel(QWidget* parent = nullptr);
+  ~GlovePanel() override;
+
+  /// Null: no robot.
+  void set_robot(const std::shared_ptr<const geometric::RobotModel>& model);
+  /// The view has drawn the posture that was told last.
+  void note_drawn();
+  void refresh_icons();
+
+  /// Connects as if the person had; an empty device does nothing.
+  void connect_to(const QString& device);
+  /// Makes this the current tab, with a page by its name if there is one of it.
+  void come_to_front(const QString& page = {});
+  /// How long the hand has been listened to, s.
+  [[nodiscard]] double listening_time() const;
+
+  [[nodiscard]] GloveSession& session() { return session_; }
+  [[nodiscard]] RecordBar& record_bar() { return *record_; }
+
+ signals:
+  /// The hand's joints are to be there.
+  void posture_changed(const handway::geometric::NamedPosture& posture);
+
+ private:
+  QWidget* build_header();
+  QWidget* build_sensors_page();
+  QWidget* build_footer();
+  void add_page(const QString& name, QWidget* page);
+  void toggle_connection();
+  void show_state(device::GloveState state, const QString& error);
+  void show_samples(const std::vector<GloveSample>& samples);
+  void show_statistics();
+  void move_hand(const GloveSample& sample);
+  void show_problem(const QString& message);
+
+  GloveSession session_;
+  DeviceField* device_;
+  QPushButton* connect_;
+  LinkStatus* status_;
+  QTabBar* tabs_;
+  QStackedWidget* pages_;
+  SensorBars* bars_;
+  QCheckBox* follow_;
+  RecordBar* record_;
+  QTimer ticker_;
+  std::optional<std::chrono::steady_clock::time_point> shown_since_;  ///< Not drawn yet.
+  double to_screen_ = 0.0;
+  double first_time_ = -1.0;  ///< Of the frames since connecting, s.
+  double last_time_ = -1.0;
+};
+
+}  // namespace handway::gui

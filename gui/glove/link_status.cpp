@@ -1,0 +1,134 @@
+#include "glove/link_status.h"
+
+#include "glove/glove_colors.h"
+
+#include <QFrame>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QVBoxLayout>
+#include <QVariant>
+
+namespace handway::gui {
+namespace {
+
+using device::GloveState;
+
+constexpr double kMilli = 1e3;
+
+QString state_text(GloveState state, const device::GloveInfo& info) {
+  const QString what = QString::fromStdString(info.model);
+  switch (state) {
+    case GloveState::kConnecting:
+      return QObject::tr("Connecting…");
+    case GloveState::kStreaming:
+      return QObject::tr("%1, %2 sensors, %3 hand")
+          .arg(what)
+          .arg(info.sensors)
+          .arg(info.right_hand ? QObject::tr("right") : QObject::tr("left"));
+    case GloveState::kUnplugged:
+      return QObject::tr("The glove is off its interface unit: plug it in again");
+    case GloveState::kLost:
+      return QObject::tr("Connection lost, trying again…");
+    case GloveState::kEnded:
+      return QObject::tr("The recording is over");
+    case GloveState::kFailed:
+      return QObject::tr("Not connected");
+    case GloveState::kStopped:
+      break;
+  }
+  return QObject::tr("Not connected");
+}
+
+QColor state_color(GloveState state) {
+  const ThemeColors colors = colors_of(current_theme());
+  switch (state) {
+    case GloveState::kStreaming:
+      return colors.good;
+    case GloveState::kConnecting:
+    case GloveState::kUnplugged:
+      return attention_color();
+    case GloveState::kLost:
+    case GloveState::kFailed:
+      return colors.bad;
+    default:
+      return colors.muted;
+  }
+}
+
+QLabel* figure(const char* name) {
+  auto* label = new QLabel;
+  label->setObjectName(QLatin1String(name));
+  label->setProperty("role", "note");
+  return label;
+}
+
+}  // namespace
+
+LinkStatus::LinkStatus(QWidget* parent)
+    : QWidget(parent),
+      state_(new QLabel),
+      problem_(new QFrame),
+      problem_text_(new QLabel),
+      rate_(figure("glove_rate")),
+      delay_(figure("glove_delay")),
+      dropouts_(figure("glove_dropouts")) {
+  state_->setObjectName(QStringLiteral("glove_state"));
+  state_->setTextFormat(Qt::RichText);
+  state_->setWordWrap(true);
+  problem_->setProperty("role", "banner");
+  problem_text_->setObjectName(QStringLiteral("glove_error"));
+  problem_text_->setWordWrap(true);
+  problem_text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  auto* problem_layout = new QVBoxLayout(problem_);
+  problem_layout->setContentsMargins(10, 7, 10, 7);
+  problem_layout->addWidget(problem_text_);
+  problem_->hide();
+  rate_->setToolTip(tr("Frames that arrived in the last second"));
+  delay_->setToolTip(tr("From the arrival of a frame to its picture on the screen"));
+  dropouts_->setToolTip(tr("Pauses of more than three and a half frames since connecting"));
+  auto* figures = new QHBoxLayout;
+  figures->setSpacing(14);
+  figures->addWidget(rate_);
+  figures->addWidget(delay_);
+  figures->addWidget(dropouts_);
+  figures->addStretch();
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(4);
+  layout->addWidget(state_);
+  layout->addWidget(problem_);
+  layout->addLayout(figures);
+  show_state(GloveState::kStopped, {}, {});
+  clear_statistics();
+}
+
+void LinkStatus::show_state(GloveState state, const device::GloveInfo& info, const QString& error) {
+  state_->setText(QStringLiteral("<span style=\"color:%1\">●</span>&nbsp; %2")
+                      .arg(html(state_color(state)), state_text(state, info).toHtmlEscaped()));
+  problem_text_->setText(error);
+  problem_->setVisible(!error.isEmpty());
+}
+
+void LinkStatus::show_statistics(const device::StreamStatistics& statistics, double to_screen) {
+  rate_->setText(tr("%1 Hz").arg(statistics.rate, 0, 'f', 0));
+  delay_->setText(to_screen > 0.0
+                      ? tr("%1 ms to screen").arg(to_screen * kMilli, 0, 'f', 0)
+                      : tr("%1 ms to answer").arg(statistics.latency * kMilli, 0, 'f', 1));
+  dropouts_->setText(statistics.dropouts == 1 ? tr("1 dropout")
+                                              : tr("%1 dropouts").arg(statistics.dropouts));
+  for (QLabel* label : {rate_, delay_, dropouts_}) {
+    label->show();
+  }
+}
+
+void LinkStatus::clear_statistics() {
+  for (QLabel* label : {rate_, delay_, dropouts_}) {
+    label->hide();
+  }
+}
+
+QString LinkStatus::error() const {
+  return problem_->isHidden() ? QString() : problem_text_->text();
+}
+
+}  // namespace handway::gui
