@@ -1,5 +1,6 @@
 #include "pca_command.h"
 
+#include "basis_plots.h"
 #include "exit_codes.h"
 #include "handway/device/glove/glove_calibration.h"
 #include "handway/device/glove/hand_mapper.h"
@@ -42,6 +43,7 @@ struct PcaOptions {
   bool compare = false;
   RecordingSteps steps;
   fs::path out;
+  fs::path plots;
 };
 
 device::HandMapping mapping_of(const PcaOptions& options) {
@@ -116,14 +118,16 @@ int pca(const PcaOptions& options) {
 
   NamedComponents both;
   Analysis chosen;
+  Eigen::MatrixXd chosen_samples;
   for (const auto& [name, normalisation] :
        {std::pair("joints by limits", Normalisation::kLimits),
         std::pair("joints by own range", Normalisation::kRange)}) {
-    Analysis analysis =
-        analyse(normalised_samples(recordings, mapper, normalisation), free, options.robust);
+    Eigen::MatrixXd samples = normalised_samples(recordings, mapper, normalisation);
+    Analysis analysis = analyse(samples, free, options.robust);
     both.emplace_back(name, analysis.components);
     if (normalisation == options.normalisation) {
       chosen = std::move(analysis);
+      chosen_samples = std::move(samples);
     }
   }
   fmt::print("Cumulative variance in %, without {}:\n{}", names_of(free, mapper.joints()),
@@ -140,6 +144,10 @@ int pca(const PcaOptions& options) {
   fmt::print("Basis for {}:\n{}", basis.hand, basis_text(basis));
   if (!options.out.empty()) {
     sampling::write_pmd_basis(basis, options.out);
+  }
+  if (!options.plots.empty()) {
+    write_basis_plots(options.plots, basis, joint_values(chosen_samples, mapper),
+                      chosen.components.shares);
   }
   return kDone;
 }
@@ -189,6 +197,7 @@ void add_pca_command(CLI::App& app, int& exit_code) {
   command->add_flag("--compare", options->compare, "Also analyse each recording by itself");
   add_steps(*command, options->steps);
   command->add_option("--out", options->out, "Write the basis here (YAML)");
+  command->add_option("--plots", options->plots, "Draw figures to this folder (PNG and SVG)");
   command->callback([options, &exit_code] { exit_code = pca(*options); });
 }
 

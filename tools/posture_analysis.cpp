@@ -43,6 +43,11 @@ Eigen::MatrixXd normalised_samples(const std::vector<MappedRecording>& recording
   return samples;
 }
 
+Eigen::MatrixXd joint_values(const Eigen::MatrixXd& samples, const device::HandMapper& mapper) {
+  const Eigen::RowVectorXd range = (mapper.upper() - mapper.lower()).transpose();
+  return (samples.array().rowwise() * range.array()).rowwise() + mapper.lower().transpose().array();
+}
+
 Analysis analyse(const Eigen::MatrixXd& samples, const std::vector<int>& left_out, bool robust) {
   Analysis result;
   result.samples = samples.rows();

@@ -23,6 +23,10 @@ enum class Normalisation {
                                                  const device::HandMapper& mapper,
                                                  Normalisation normalisation);
 
+/// Samples back in rad by the joint limits, shape [samples, joints].
+[[nodiscard]] Eigen::MatrixXd joint_values(const Eigen::MatrixXd& samples,
+                                           const device::HandMapper& mapper);
+
 /// Components, and how many samples were set aside.
 struct Analysis {
   sampling::PrincipalComponents components;

@@ -1,0 +1,52 @@
+/// handway-figures FOLDER: draws the figures of what `handway pca --plots FOLDER` left there.
+#include "figures/basis_figures.h"
+#include "figures/figure_data.h"
+
+#include <QApplication>
+
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+
+namespace gui = handway::gui;
+
+namespace {
+
+constexpr int kDone = 0;
+constexpr int kWrongUsage = 2;
+constexpr int kInvalidInput = 3;
+
+bool has_display() { return std::getenv("DISPLAY") || std::getenv("WAYLAND_DISPLAY"); }
+
+void draw(const std::filesystem::path& folder) {
+  const gui::FigureData data = gui::read_figure_data(folder);
+  const auto path = [&](const char* name) {
+    return QString::fromStdString((folder / name).string());
+  };
+  gui::write_correlation_figure(data, path("correlations"));
+  gui::write_variance_figure(data, path("variance"));
+  gui::write_direction_figure(data, path("directions"));
+  gui::write_grid_figure(data, path("grid"));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    std::fputs("handway-figures: usage: handway-figures FOLDER\n", stderr);
+    return kWrongUsage;
+  }
+  if (!has_display()) {
+    std::fputs("handway-figures: no display. Start it under xvfb-run\n", stderr);
+    return kWrongUsage;
+  }
+  try {
+    const QApplication application(argc, argv);
+    draw(argv[1]);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "handway-figures: %s\n", error.what());
+    return kInvalidInput;
+  }
+  return kDone;
+}

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <QSize>
+#include <QString>
+
+#include <functional>
+#include <vector>
+
+class QPainter;
+class QRectF;
+class QwtPlot;
+
+namespace handway::gui {
+
+/// Draws a figure in a rectangle of that size (pixels at 96 dpi), top left at (0, 0).
+using DrawFigure = std::function<void(QPainter&, const QSize&)>;
+
+/// Writes a figure as `PATH.png` (300 dpi) and `PATH.svg`, each file whole or not at all.
+/// @throws geometric::InputError if one can't be written.
+void write_figure(const QString& path, const QString& title, const QSize& size,
+                  const DrawFigure& draw);
+
+/// Draws plots side by side, row by row, all of the same size.
+void draw_plots(QPainter& painter, const QSize& size, const std::vector<QwtPlot*>& plots,
+                int columns);
+
+}  // namespace handway::gui

@@ -1,0 +1,66 @@
+#include "plots/plot_style.h"
+
+#include <QPalette>
+#include <QPen>
+#include <qwt_plot.h>
+#include <qwt_plot_canvas.h>
+#include <qwt_plot_grid.h>
+#include <qwt_plot_layout.h>
+#include <qwt_scale_draw.h>
+#include <qwt_scale_widget.h>
+#include <qwt_text.h>
+
+namespace handway::gui {
+namespace {
+
+constexpr double kTitleSize = 10.0;
+constexpr double kLabelSize = 9.0;
+
+void style_axis(QwtPlot& plot, int axis, const QString& title) {
+  plot.setAxisTitle(axis, plot_text(title, kTitleSize));
+  plot.setAxisFont(axis, plot_font(kLabelSize));
+  plot.setAxisMaxMinor(axis, 0);
+  QwtScaleDraw& draw = *plot.axisScaleDraw(axis);
+  draw.setTickLength(QwtScaleDiv::MajorTick, 4.0);
+  draw.setSpacing(3.0);
+  plot.axisWidget(axis)->setMargin(0);
+  plot.axisWidget(axis)->setSpacing(4);
+}
+
+}  // namespace
+
+QFont plot_font(double size, bool bold) {
+  QFont font(QStringLiteral("DejaVu Sans"));
+  font.setPointSizeF(size);
+  font.setBold(bold);
+  return font;
+}
+
+QwtText plot_text(const QString& text, double size, bool bold) {
+  QwtText result(text);
+  result.setFont(plot_font(size, bold));
+  result.setColor(kPlotInk);
+  return result;
+}
+
+void style_plot(QwtPlot& plot, const QString& x_title, const QString& y_title) {
+  QPalette palette;
+  palette.setColor(QPalette::Window, Qt::white);
+  palette.setColor(QPalette::WindowText, kPlotInk);
+  palette.setColor(QPalette::Text, kPlotInk);
+  plot.setPalette(palette);
+  plot.setAutoFillBackground(true);
+  auto* const canvas = new QwtPlotCanvas(&plot);
+  canvas->setFrameStyle(QFrame::NoFrame);
+  canvas->setPalette(palette);
+  plot.setCanvas(canvas);
+  plot.setCanvasBackground(Qt::white);
+  plot.plotLayout()->setAlignCanvasToScales(true);
+  style_axis(plot, QwtPlot::xBottom, x_title);
+  style_axis(plot, QwtPlot::yLeft, y_title);
+  auto* const grid = new QwtPlotGrid;
+  grid->setMajorPen(kPlotGrid, 0.75);
+  grid->attach(&plot);
+}
+
+}  // namespace handway::gui

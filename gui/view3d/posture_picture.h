@@ -1,0 +1,42 @@
+#pragma once
+
+#include "handway/geometric/robot/robot_model.h"
+#include "view3d/orbit_camera.h"
+
+#include <QImage>
+#include <QSize>
+
+#include <memory>
+
+class QOffscreenSurface;
+class QOpenGLContext;
+class SoGLRenderAction;
+
+namespace handway::gui {
+
+class SceneGraph;
+
+/// Takes pictures of a robot in any posture without a window, on white. Needs a display that
+/// OpenGL can draw for, and a QGuiApplication.
+class PosturePictures {
+ public:
+  /// @param placement where the camera stands; its target and distance are found.
+  /// @throws geometric::InputError if there is no OpenGL.
+  PosturePictures(std::shared_ptr<const geometric::RobotModel> robot,
+                  const OrbitCamera::Placement& placement);
+  ~PosturePictures();
+  PosturePictures(const PosturePictures&) = delete;
+  PosturePictures& operator=(const PosturePictures&) = delete;
+
+  /// The robot at `q`; all pictures have the same camera, fitted to the middle posture.
+  [[nodiscard]] QImage picture(const geometric::Configuration& q, const QSize& size);
+
+ private:
+  std::unique_ptr<QOffscreenSurface> surface_;
+  std::unique_ptr<QOpenGLContext> context_;
+  std::unique_ptr<SceneGraph> graph_;
+  std::unique_ptr<SoGLRenderAction> action_;
+  OrbitCamera camera_;
+};
+
+}  // namespace handway::gui
