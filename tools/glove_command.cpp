@@ -1,6 +1,7 @@
 #include "glove_command.h"
 
 #include "glove_emulate.h"
+#include "glove_generate.h"
 #include "glove_live.h"
 #include "glove_record.h"
 #include "glove_replay.h"
@@ -13,6 +14,7 @@ void add_glove_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("glove", "Use sensorized gloves, or emulate one");
   command->require_subcommand(1);
   add_glove_emulate(*command, exit_code);
+  add_glove_generate(*command, exit_code);
   add_glove_live(*command, exit_code);
   add_glove_record(*command, exit_code);
   add_glove_replay(*command, exit_code);

@@ -16,10 +16,19 @@ namespace {
 constexpr double kTitleSize = 10.0;
 constexpr double kLabelSize = 9.0;
 
+// Numbers with a minus sign as long as a plus sign.
+class NumberScale : public QwtScaleDraw {
+ public:
+  [[nodiscard]] QwtText label(double value) const override {
+    return QwtScaleDraw::label(value).text().replace('-', QChar(0x2212));
+  }
+};
+
 void style_axis(QwtPlot& plot, int axis, const QString& title) {
   plot.setAxisTitle(axis, plot_text(title, kTitleSize));
   plot.setAxisFont(axis, plot_font(kLabelSize));
   plot.setAxisMaxMinor(axis, 0);
+  plot.setAxisScaleDraw(axis, new NumberScale);
   QwtScaleDraw& draw = *plot.axisScaleDraw(axis);
   draw.setTickLength(QwtScaleDiv::MajorTick, 4.0);
   draw.setSpacing(3.0);

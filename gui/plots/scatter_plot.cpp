@@ -22,7 +22,7 @@ void span_axis(QwtPlot& plot, int axis, const Eigen::VectorXd& values) {
   const double most = values.maxCoeff();
   const double margin = std::max(kMargin * (most - least), 0.5);
   plot.setAxisScale(axis, least - margin, most + margin);
-  plot.setAxisMaxMajor(axis, 5);
+  plot.setAxisMaxMajor(axis, 6);
 }
 
 }  // namespace

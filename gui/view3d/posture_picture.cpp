@@ -34,6 +34,9 @@ std::shared_ptr<const geometric::Scene> scene_of(
   instance.model = robot;
   instance.configuration = robot->neutral();
   scene->robots.push_back(std::move(instance));
+  // What the camera has to see: both ends of the joints' ranges.
+  scene->start = robot->lower();
+  scene->goal = robot->upper();
   return scene;
 }
 
@@ -58,6 +61,7 @@ PosturePictures::PosturePictures(std::shared_ptr<const geometric::RobotModel> ro
   action_ = std::make_unique<SoGLRenderAction>(SbViewportRegion());
   graph_->set_scene(scene_of(robot));
   graph_->set_floor_visible(false);
+  graph_->show_ghosts(false, false);
   camera_.set_placement(placement);
   camera_.fit(graph_->points_of_interest(), 1.0, kMargin);
 }

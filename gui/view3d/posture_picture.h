@@ -28,7 +28,8 @@ class PosturePictures {
   PosturePictures(const PosturePictures&) = delete;
   PosturePictures& operator=(const PosturePictures&) = delete;
 
-  /// The robot at `q`; all pictures have the same camera, fitted to the middle posture.
+  /// The robot at `q`; all pictures have the same camera, which sees it
+  /// at both ends of its joints' ranges.
   [[nodiscard]] QImage picture(const geometric::Configuration& q, const QSize& size);
 
  private:

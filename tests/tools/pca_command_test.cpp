@@ -16,6 +16,7 @@ using testing::AllOf;
 using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::StartsWith;
 
 // Three slow motions of all sensors that Table 1 uses, in counts at 50 Hz.
 std::string recording(double phase) {
@@ -93,6 +94,23 @@ TEST_F(Pca, TakesMappingsForItsOwnChoiceOfSensors) {
   const Outcome pca = line_.run("pca one.csv --mapping mapping.yaml");
   EXPECT_EQ(pca.exit_code, 3);
   EXPECT_THAT(pca.err, HasSubstr("nothing for joint thumb_abduction"));
+}
+
+TEST_F(Pca, DrawsTheFiguresOfThePaper) {
+  const Outcome pca = line_.run("pca one.csv --plots figures");
+  ASSERT_EQ(pca.exit_code, 0) << pca.err;
+  for (const char* figure : {"correlations", "variance", "directions", "grid"}) {
+    const std::string name = std::string("figures/") + figure;
+    EXPECT_THAT(line_.read(name + ".png"), StartsWith("\x89PNG")) << figure;
+    EXPECT_THAT(line_.read(name + ".svg"), HasSubstr("<svg")) << figure;
+    EXPECT_GT(std::filesystem::file_size(line_.folder() / (name + ".png")), 20000U) << figure;
+  }
+}
+
+TEST_F(Pca, SaysWhatIsMissingToDraw) {
+  const Outcome pca = line_.run("pca one.csv --plots /dev/null/figures");
+  EXPECT_EQ(pca.exit_code, 3);
+  EXPECT_THAT(pca.err, HasSubstr("/dev/null/figures"));
 }
 
 TEST_F(Pca, NamesWhatIsWrong) {

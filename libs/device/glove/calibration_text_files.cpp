@@ -4,6 +4,7 @@
 #include "handway/geometric/io/input_error.h"
 #include "number_text.h"
 #include "recording_readers.h"
+#include "virtual_hand_sign.h"
 
 #include <fmt/format.h>
 
@@ -82,7 +83,8 @@ GloveCalibration read_point_pairs(const std::filesystem::path& file,
     }
     const auto sensor = static_cast<std::size_t>(kSensorOfLine.at(i));
     const double span = pair->counts[1] - pair->counts[0];
-    const double gain = -(pair->angles[1] - pair->angles[0]) / span;
+    const double sign = virtual_hand_sign(kSensorOfLine.at(i));
+    const double gain = sign * (pair->angles[1] - pair->angles[0]) / span;
     if (std::abs(span) < kNearestPoints || gain == 0.0) {
       throw InputError({at_line(file, lines[i]), std::string(cyberglove_sensors()[sensor].name),
                         fmt::format("points {} counts apart", std::abs(span)),
@@ -90,7 +92,7 @@ GloveCalibration read_point_pairs(const std::filesystem::path& file,
                         "Calibrate again with the hand opened and closed fully"});
     }
     calibration.sensors.at(sensor) =
-        SensorCalibration{gain, pair->counts[0] + pair->angles[0] / gain, std::nullopt};
+        SensorCalibration{gain, pair->counts[0] - sign * pair->angles[0] / gain, std::nullopt};
   }
   return calibration;
 }
@@ -118,7 +120,7 @@ GloveCalibration read_virtual_hand_calibration(const std::filesystem::path& file
     const std::optional<int> sensor = sensor_of_slot(slot);
     if (sensor && *gain != 0.0) {
       calibration.sensors.at(static_cast<std::size_t>(*sensor)) =
-          SensorCalibration{-*gain, *zero, std::nullopt};
+          SensorCalibration{virtual_hand_sign(*sensor) * *gain, *zero, std::nullopt};
     }
   }
   return calibration;

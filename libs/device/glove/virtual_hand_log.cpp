@@ -3,6 +3,7 @@
 #include "handway/geometric/io/input_error.h"
 #include "number_text.h"
 #include "recording_readers.h"
+#include "virtual_hand_sign.h"
 
 #include <fmt/format.h>
 
@@ -109,16 +110,18 @@ Recording read_virtual_hand_log(const std::filesystem::path& file,
     std::vector<double> angles;
     for (std::size_t sensor = 0; sensor < kGloveSensors; ++sensor) {
       const auto slot = static_cast<std::size_t>(cyberglove_sensors()[sensor].slot);
-      angles.push_back(0.0 - row->at(kDateCells + 1 + slot));
+      angles.push_back(virtual_hand_sign(static_cast<int>(sensor)) *
+                       row->at(kDateCells + 1 + slot));
       check_angle(file, line, sensor, angles.back());
     }
     // Times in such files have 10 µs; their difference has noise of the large numbers.
     rows.add(line, std::round((*time - *begin) * 1e5) / 1e5, angles);
   }
   rows.move_to(recording);
-  recording.warnings.push_back(file.string() +
-                               ": angles turned to flexion positive; with a glove of 18 sensors "
-                               "the distal joints in it are estimates");
+  recording.warnings.push_back(
+      file.string() +
+      ": signs turned to flexion and spreading positive; with a glove of 18 sensors "
+      "the distal joints in it are estimates");
   return recording;
 }
 

@@ -39,9 +39,9 @@ struct GloveCalibration {
 /// Reads a calibration; which kind of file it is, is told from its content:
 ///   - YAML as above;
 ///   - text with 22 lines `angle:counts angle:counts`, from the wrist to the little finger,
-///     a straight line through two points each (rad, flexion negative: turned here);
+///     a straight line through two points each (rad, signs of VirtualHand: turned here);
 ///   - text with a title, then six groups (thumb … little finger, wrist) of a name and four
-///     lines `index zero gain x` (VirtualHand; angle = gain · (counts - zero), flexion negative:
+///     lines `index zero gain x` (VirtualHand; angle = gain · (counts - zero), with its signs:
 ///     turned here). A gain of 0 leaves the sensor uncalibrated.
 ///
 /// @throws geometric::InputError with file and line for what is none of these, names an

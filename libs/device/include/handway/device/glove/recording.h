@@ -22,14 +22,14 @@
 ///     0,146,121,…
 ///     0.01,146,122,…
 ///
-/// `kind` is `counts` (raw, 0 … 255) or `angles` (rad, flexion positive); `time` is
+/// `kind` is `counts` (raw, 0 … 255) or `angles` (rad, flexion and spreading positive); `time` is
 /// in seconds; the other columns are sensors by name (see cyberglove_sensors()).
 namespace handway::device {
 
 /// What the values of a recording are.
 enum class RecordingKind {
   kCounts,  ///< Raw, as the glove sent them: 1 … 255; 0 where a sensor is missing.
-  kAngles,  ///< rad after calibration, flexion positive.
+  kAngles,  ///< rad after calibration, flexion and spreading positive.
 };
 
 /// "counts" or "angles".
@@ -61,7 +61,7 @@ struct Recording {
 ///   - other CSV (separated by commas, semicolons or tabs) with a header of `time` (s) and
 ///     names or letters of sensors; whole numbers from 0 to 255 are counts, else angles in rad;
 ///   - text rows of a VirtualHand log: year month day hour minute second switch, then
-///     23 angles in rad in the order of its slots, flexion negative (turned here).
+///     23 angles in rad in the order of its slots, with its signs (flexion negative; turned here).
 ///
 /// @throws geometric::InputError with file and line for what is none of these, holds no
 /// rows, names a sensor that isn't known or one twice, has a row of the wrong length, a

@@ -1,0 +1,73 @@
+/// The recording that ships, and the basis made from it.
+#include "handway/device/glove/generated_recording.h"
+#include "handway/device/glove/glove_calibration.h"
+#include "handway/device/glove/hand_mapper.h"
+#include "handway/geometric/io/robot_loader.h"
+#include "handway/sampling/postures/pmd_basis_io.h"
+#include "handway/sampling/postures/principal_components.h"
+#include "handway_test/paths.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+namespace handway::test {
+namespace {
+
+std::filesystem::path resource(const char* name) { return source_dir() / "resources" / name; }
+
+class FreeHand : public testing::Test {
+ protected:
+  // Normalised by the joint limits.
+  [[nodiscard]] Eigen::MatrixXd postures() const {
+    const device::HandMapper mapper(
+        device::read_mapping(resource("mappings/table1_sah.yaml")),
+        *geometric::load_robot(resource("robots/sah_right/sah_right.urdf")));
+    const Eigen::RowVectorXd lower = mapper.lower().transpose();
+    const Eigen::RowVectorXd range = (mapper.upper() - mapper.lower()).transpose();
+    const Eigen::MatrixXd radians =
+        mapper.map_recording(device::to_angles(recording_, device::typical_calibration())).postures;
+    return (radians.rowwise() - lower).array().rowwise() / range.array();
+  }
+
+  device::Recording recording_ = device::read_recording(resource("recordings/free_hand.csv"));
+};
+
+TEST_F(FreeHand, HasAsManyPosturesAsThePaperAndSaysHowItWasMade) {
+  EXPECT_EQ(recording_.times.size(), 13500);
+  EXPECT_EQ(recording_.times[13499], 134.99);
+  EXPECT_EQ(recording_.header.kind, device::RecordingKind::kCounts);
+  EXPECT_NE(recording_.header.origin.find("handway glove generate --seed 1 "), std::string::npos);
+  EXPECT_TRUE(recording_.warnings.empty());
+}
+
+TEST_F(FreeHand, IsMadeAgainBySeed) {
+  constexpr int kRows = 1000;
+  const device::Recording again = device::generate_recording(1, kRows, 100.0);
+  EXPECT_EQ(again.times, recording_.times.head(kRows));
+  EXPECT_EQ(again.values, recording_.values.topRows(kRows));
+}
+
+TEST_F(FreeHand, VariesAsThePapersHandDid) {
+  for (const std::vector<int>& left_out : {std::vector<int>{}, std::vector<int>{0}}) {
+    const Eigen::VectorXd shares = sampling::principal_components(postures(), left_out).shares;
+    EXPECT_NEAR(shares.head(1).sum(), 0.4219, 0.03);
+    EXPECT_NEAR(shares.head(2).sum(), 0.7712, 0.03);
+    EXPECT_NEAR(shares.head(3).sum(), 0.8471, 0.03);
+  }
+}
+
+TEST_F(FreeHand, GivesTheBasisThatShips) {
+  const sampling::PmdBasis shipped = sampling::read_pmd_basis(resource("bases/sah_free_hand.yaml"));
+  const sampling::PrincipalComponents found = sampling::principal_components(postures(), {0});
+  ASSERT_EQ(shipped.directions.size(), 4U);
+  EXPECT_LT((shipped.mean - found.mean).norm(), 1e-9);
+  for (Eigen::Index k = 0; k < 4; ++k) {
+    const sampling::PrincipalDirection& direction = shipped.directions[static_cast<std::size_t>(k)];
+    EXPECT_LT((direction.vector - found.directions.col(k)).norm(), 1e-9);
+    EXPECT_NEAR(direction.variance, found.variances[k], 1e-12);
+  }
+}
+
+}  // namespace
+}  // namespace handway::test
