@@ -1,0 +1,84 @@
+/// `mpirun -n N handway bench CAMPAIGN.yaml`: the same runs as without it.
+#include "command_line.h"
+#include "run_rows.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <string>
+
+namespace handway::test {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+using testing::SizeIs;
+
+class HandwayUnderMpi : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (std::string(HANDWAY_PROCESS_TEAM).empty() ||
+        std::system("command -v mpirun >/dev/null") != 0) {
+      GTEST_SKIP() << "no MPI here";
+    }
+    line_.write("study.yaml",
+                "campaign: 1\nproblems: [open.yaml, post.yaml]\nseeds: 8\n"
+                "planners: [pmd-prm, rrt-connect]\n");
+  }
+
+  // Several processes on whatever cores there are.
+  [[nodiscard]] Outcome mpirun(int processes, const std::string& arguments) const {
+    return line_.run(
+        "--version >version.txt; timeout 200 mpirun --allow-run-as-root "
+        "--oversubscribe -n " +
+        std::to_string(processes) + " '" HANDWAY_PROGRAM "' " + arguments);
+  }
+  [[nodiscard]] std::vector<std::string> rows(const std::string& folder) const {
+    return run_rows(line_.folder() / folder / "runs.sqlite");
+  }
+
+  CommandLine line_;
+};
+
+TEST_F(HandwayUnderMpi, GivesTheSameRunsOnAnyNumberOfProcesses) {
+  ASSERT_EQ(line_.run("bench study.yaml --out threads").exit_code, 0);
+  ASSERT_THAT(rows("threads"), SizeIs(32));
+  for (const int processes : {1, 2, 3}) {
+    const std::string folder = "mpi" + std::to_string(processes);
+    const Outcome run = mpirun(processes, "bench study.yaml --out " + folder);
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_THAT(run.err, HasSubstr("study: 32 runs, " + std::to_string(processes) + " at a time"));
+    EXPECT_THAT(run.out, HasSubstr("32 of 32 runs done"));
+    EXPECT_EQ(rows(folder), rows("threads"));
+    EXPECT_FALSE(line_.read(folder + "/report.md").empty());
+  }
+}
+
+TEST_F(HandwayUnderMpi, GoesOnWithWhatThreadsBegan) {
+  ASSERT_EQ(line_.run("bench study.yaml").exit_code, 0);
+  line_.replace("study.yaml", "seeds: 8", "seeds: 10");
+  const Outcome run = mpirun(2, "bench study.yaml --resume");
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("40 runs, 32 of them done before"));
+  EXPECT_THAT(rows("study"), SizeIs(40));
+}
+
+TEST_F(HandwayUnderMpi, TellsOnceWhatIsWrong) {
+  line_.write("bad.yaml", "campaign: 1\nproblems: [open.yaml]\nplanners: [pmd-prn]\nseeds: 1\n");
+  const Outcome bad = mpirun(3, "bench bad.yaml");
+  EXPECT_NE(bad.exit_code, 0);
+  EXPECT_THAT(bad.err, HasSubstr("bad.yaml:3"));
+  EXPECT_EQ(bad.err.find("bad.yaml:3"), bad.err.rfind("bad.yaml:3"));
+}
+
+TEST_F(HandwayUnderMpi, EndsWhenTheDatabaseCannotBeWritten) {
+  line_.write("file", "in the way");
+  const Outcome run = mpirun(2, "bench study.yaml --out file/study");
+  EXPECT_NE(run.exit_code, 0);
+  EXPECT_THAT(run.err, AllOf(HasSubstr("file/study"), Not(HasSubstr("MPI_ABORT"))));
+}
+
+}  // namespace
+}  // namespace handway::test
