@@ -6,6 +6,7 @@
 #include "info_command.h"
 #include "pca_command.h"
 #include "plan_command.h"
+#include "reproduce_command.h"
 #include "time_command.h"
 #include "version.h"
 
@@ -31,6 +32,7 @@ int run(int argc, char** argv) {
   add_export_command(app, exit_code);
   add_bench_command(app, exit_code);
   add_glove_command(app, exit_code);
+  add_reproduce_command(app, exit_code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

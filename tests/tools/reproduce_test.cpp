@@ -1,0 +1,64 @@
+/// `handway reproduce`: the paper's tables beside ours.
+#include "command_line.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+namespace handway::test {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+class HandwayReproduce : public testing::Test {
+ protected:
+  // On the scenes that ship alone: the published problems take longer.
+  HandwayReproduce() { unsetenv("HANDWAY_REFERENCE_DIR"); }
+
+  CommandLine line_;
+};
+
+TEST_F(HandwayReproduce, WritesAllTablesQuicklyInAFreshFolder) {
+  const Outcome run = line_.run("reproduce --quick");
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("reproduce/report.html"));
+  const std::string report = line_.read("reproduce/report.md");
+  EXPECT_THAT(report,
+              AllOf(HasSubstr("## Table 2"), HasSubstr("## Table 3"), HasSubstr("## Table 4"),
+                    HasSubstr("A quick look"), HasSubstr("### Problem 4: T in a kitchen shelf"),
+                    HasSubstr("| Time to find a solution [s] | 71.64 | ")));
+  EXPECT_THAT(report, AllOf(HasSubstr("| Processor |"), HasSubstr("| Handway | "),
+                            Not(HasSubstr("nan")), Not(HasSubstr("inf"))));
+  EXPECT_THAT(line_.read("reproduce/report.html"), HasSubstr("<td>915.3</td>"));
+  EXPECT_THAT(line_.read("reproduce/report.csv"),
+              AllOf(HasSubstr("2,Reduced search space,Reduced,3,"),
+                    HasSubstr("4,2: Can in a box,\"pmd-auto, our scene\",3,")));
+  for (const char* part : {"paper_table_2", "paper_table_4", "paper_table_4_problem_4",
+                           "paper_table_4_problem_4_auto"}) {
+    EXPECT_TRUE(std::filesystem::exists(line_.folder() / "reproduce" / part / "runs.sqlite"));
+  }
+}
+
+TEST_F(HandwayReproduce, GoesOnWithMoreRuns) {
+  ASSERT_EQ(line_.run("reproduce --table 2 --quick --runs 1 --out tables").exit_code, 0);
+  EXPECT_EQ(line_.run("reproduce --table 2 --quick --runs 2 --out tables").exit_code, 3);
+  const Outcome more = line_.run("reproduce --table 2 --quick --runs 2 --out tables --resume");
+  EXPECT_EQ(more.exit_code, 0) << more.err;
+  EXPECT_THAT(more.err, HasSubstr("6 runs, 3 of them done before"));
+}
+
+TEST_F(HandwayReproduce, ListsTheParametersWithoutAnyRun) {
+  const Outcome run = line_.run("reproduce --table 3 --out parameters");
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(
+      line_.read("parameters/report.md"),
+      AllOf(HasSubstr("| n_H, hand trials | 10 | 10 | 20 | 20 |"), Not(HasSubstr("Not complete"))));
+  EXPECT_EQ(line_.run("reproduce --table 5").exit_code, 2);
+}
+
+}  // namespace
+}  // namespace handway::test

@@ -1,0 +1,138 @@
+#include "reproduce_command.h"
+
+#include "campaign_command.h"
+#include "campaign_report.h"
+#include "campaign_session.h"
+#include "exit_codes.h"
+#include "handway/geometric/io/resources.h"
+#include "handway/planning/campaigns/campaign_reader.h"
+#include "reproduce_report.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace handway::tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ReproduceOptions {
+  std::vector<int> tables;
+  bool quick = false;
+  int runs = 0;  ///< 0: as many as the paper.
+  int jobs = 0;
+  fs::path out = "reproduce";
+  bool resume = false;
+};
+
+/// A campaign that ships, and the table that it is for.
+struct Part {
+  int table;
+  const char* name;
+};
+constexpr std::array<Part, 4> kParts = {{{2, "paper_table_2"},
+                                         {4, "paper_table_4"},
+                                         {4, "paper_table_4_problem_4"},
+                                         {4, "paper_table_4_problem_4_auto"}}};
+
+void take_runs(planning::Campaign& campaign, const ReproduceOptions& options) {
+  constexpr std::size_t kQuickRuns = 3;
+  constexpr double kQuickLimit = 1.5;  // s
+  std::size_t runs = campaign.seeds.size();
+  if (options.quick) {
+    runs = kQuickRuns;
+    campaign.time_limit_s = kQuickLimit;
+  }
+  if (options.runs > 0) {
+    runs = static_cast<std::size_t>(options.runs);
+  }
+  campaign.seeds.clear();
+  for (std::size_t seed = 1; seed <= runs; ++seed) {
+    campaign.seeds.push_back(seed);
+  }
+}
+
+std::set<int> asked_tables(const ReproduceOptions& options) {
+  return options.tables.empty() ? std::set{2, 3, 4}
+                                : std::set<int>(options.tables.begin(), options.tables.end());
+}
+
+int reproduce(const ReproduceOptions& options, planning::ProcessTeam* team) {
+  planning::Extensions extensions;
+  extensions.load_plugins(planning::plugin_directory());
+  const std::set<int> tables = asked_tables(options);
+  std::vector<ReproducedCampaign> done;
+  for (const Part& part : kParts) {
+    const bool read_only = part.table == 2 && !tables.contains(2) && tables.contains(3);
+    if (!tables.contains(part.table) && !read_only) {
+      continue;
+    }
+    const fs::path file =
+        geometric::resource_dir() / "campaigns" / fmt::format("{}.yaml", part.name);
+    planning::Campaign campaign = planning::read_campaign(file, extensions.planners());
+    take_runs(campaign, options);
+    if (read_only) {
+      done.push_back({part.table, std::move(campaign), {}});
+      continue;
+    }
+    CampaignSession session;
+    session.folder = options.out / part.name;
+    session.resume = options.resume;
+    session.jobs = options.jobs;
+    std::optional<CampaignOutcome> outcome = conduct_campaign(campaign, extensions, session, team);
+    if (!outcome) {
+      continue;
+    }
+    write_campaign_report(campaign, *outcome, session.folder);
+    const bool complete = outcome->complete;
+    done.push_back({part.table, std::move(campaign), std::move(*outcome)});
+    if (!complete) {
+      break;
+    }
+  }
+  if (team != nullptr && !team->leads()) {
+    return kDone;
+  }
+  make_out_folder(options.out);
+  write_reproduce_report(tables, done, options.quick, options.out);
+  fmt::print("report in {}\n", (options.out / "report.html").string());
+  const bool interrupted =
+      tables != std::set{3} && std::ranges::any_of(done, [&](const ReproducedCampaign& part) {
+        return tables.contains(part.table) && !part.outcome.complete;
+      });
+  if (interrupted) {
+    fmt::print(stderr, "handway: interrupted; go on with --resume\n");
+  }
+  return interrupted ? kNoPath : kDone;
+}
+
+}  // namespace
+
+void add_reproduce_command(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<ReproduceOptions>();
+  CLI::App* command = app.add_subcommand("reproduce", "Measure the paper's tables again");
+  command->add_option("--table", options->tables, "Table 2, 3 or 4 (default: all)")
+      ->check(CLI::IsMember({2, 3, 4}))
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  command->add_flag("--quick", options->quick, "A few short runs, within a minute");
+  command->add_option("--runs", options->runs, "Runs of each planner on each problem")
+      ->check(CLI::Range(1, 1000000));
+  command->add_option("--jobs", options->jobs, "Runs at a time (default: one a core)")
+      ->check(CLI::Range(1, 1024));
+  command->add_option("--out", options->out, "Folder for runs and reports")->capture_default_str();
+  command->add_flag("--resume", options->resume, "Go on with the runs that are in --out");
+  command->callback([options, &exit_code] {
+    exit_code = run_in_team([&](planning::ProcessTeam* team) { return reproduce(*options, team); });
+  });
+}
+
+}  // namespace handway::tools
