@@ -175,7 +175,8 @@ MpiTeam::MpiTeam() : environment_(mpi::threading::funneled, false) {}
 
 MpiTeam::~MpiTeam() {
   try {
-    for (int rank = 1; leads() && rank < world_.size(); ++rank) {
+    const bool has_team = world_.rank() == 0;
+    for (int rank = 1; has_team && rank < world_.size(); ++rank) {
       world_.send(rank, kGoHome);
     }
   } catch (const std::exception&) {  // they are gone already

@@ -9,13 +9,13 @@ namespace handway::export_ros {
 namespace {
 
 // NOLINTNEXTLINE(misc-no-recursion): messages are a few levels deep
-void emit(YAML::Emitter& out, const Message& message) {
+void write_value(YAML::Emitter& out, const Message& message) {
   switch (message.type()) {
     case Message::value_t::object:
       out << YAML::BeginMap;
       for (const auto& [key, value] : message.items()) {
         out << YAML::Key << key << YAML::Value;
-        emit(out, value);
+        write_value(out, value);
       }
       out << YAML::EndMap;
       return;
@@ -24,7 +24,7 @@ void emit(YAML::Emitter& out, const Message& message) {
           std::ranges::none_of(message, [](const Message& item) { return item.is_structured(); });
       out << (plain ? YAML::Flow : YAML::Block) << YAML::BeginSeq;
       for (const Message& item : message) {
-        emit(out, item);
+        write_value(out, item);
       }
       out << YAML::EndSeq;
       return;
@@ -48,7 +48,7 @@ void emit(YAML::Emitter& out, const Message& message) {
 std::string to_yaml(const Message& message) {
   YAML::Emitter out;
   out.SetDoublePrecision(std::numeric_limits<double>::max_digits10);
-  emit(out, message);
+  write_value(out, message);
   return std::string(out.c_str()) + "\n";
 }
 

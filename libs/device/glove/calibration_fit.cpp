@@ -123,7 +123,7 @@ CalibrationFit calibrate_from_poses(const std::vector<GuidedPose>& poses, const 
 }
 
 const AngleRanges& typical_angle_ranges() {
-  static const AngleRanges ranges = [] {
+  static const AngleRanges kRanges = [] {
     // Degrees; KINE-ADL BE-UJI medians and textbook limits, rounded.
     constexpr std::array<std::pair<double, double>, kGloveSensors> kDegrees{
         {{0, 90},  {-20, 35}, {-30, 75}, {0, 35},   {-15, 75}, {0, 105}, {0, 70},   {-20, 80},
@@ -135,7 +135,7 @@ const AngleRanges& typical_angle_ranges() {
     });
     return radians;
   }();
-  return ranges;
+  return kRanges;
 }
 
 CalibrationFit calibrate_from_range(const Recording& counts, const AngleRanges& ranges,

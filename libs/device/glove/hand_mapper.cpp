@@ -32,6 +32,7 @@ int variable_of(const RobotModel& hand, const JointWire& wire, const HandMapping
   const std::optional<int> variable = hand.find_variable(wire.joint);
   if (!variable) {
     std::vector<std::string> names;
+    names.reserve(static_cast<std::size_t>(hand.variable_count()));
     for (int i = 0; i < hand.variable_count(); ++i) {
       names.push_back(hand.variable(i).name);
     }

@@ -40,15 +40,16 @@ std::vector<Axis> axes(const std::optional<YamlElement>& map, Planner& planner) 
   const std::vector<Parameter> parameters = planner.parameters();
   for (const auto& [key, element] : map->entries()) {
     const auto found = std::ranges::find(parameters, key, &Parameter::key);
-    if (found == parameters.end()) {
-      std::vector<std::string> keys;
-      std::ranges::transform(parameters, std::back_inserter(keys), &Parameter::key);
-      element.refuse(fmt::format("the parameter \"{}\", which {} has not", key, planner.name()),
-                     "one of its parameters", geometric::advise_name(key, keys));
+    if (found != parameters.end()) {
+      const std::string before = to_text(*found);
+      result.push_back({key, parameter_values(element, *found)});
+      set_from_text(*found, before);
+      continue;
     }
-    const std::string before = to_text(*found);
-    result.push_back({key, parameter_values(element, *found)});
-    set_from_text(*found, before);
+    std::vector<std::string> keys;
+    std::ranges::transform(parameters, std::back_inserter(keys), &Parameter::key);
+    element.refuse(fmt::format("the parameter \"{}\", which {} has not", key, planner.name()),
+                   "one of its parameters", geometric::advise_name(key, keys));
   }
   return result;
 }

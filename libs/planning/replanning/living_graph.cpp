@@ -73,7 +73,8 @@ int LivingGraph::node_at(const geometric::Configuration& q, const Eigen::VectorX
     others.emplace_back((graph[other].coordinates - coordinates).norm(), other);
   }
   const Vertex added = boost::add_vertex(NodeData{q, coordinates, {}}, graph);
-  for (const auto& [length, other] : nearest_nodes(std::move(others), graph_->k)) {
+  const std::vector<NodeDistance> nearest = nearest_nodes(std::move(others), graph_->k);
+  for (const auto& [length, other] : nearest) {
     boost::add_edge(added, vertex(other), EdgeData{length, {}}, graph);
   }
   return static_cast<int>(added);

@@ -49,7 +49,8 @@ int LazyRoadmap::add_node(geometric::Configuration q, const Eigen::VectorXd& coo
   for (Vertex other = 0; other < added; ++other) {
     others.emplace_back(graph_->distance(added, other), other);
   }
-  for (const auto& [length, other] : nearest_nodes(std::move(others), graph_->k)) {
+  const std::vector<NodeDistance> nearest = nearest_nodes(std::move(others), graph_->k);
+  for (const auto& [length, other] : nearest) {
     boost::add_edge(added, vertex(other), EdgeData{length, false}, graph);
   }
   return static_cast<int>(added);

@@ -84,7 +84,8 @@ std::vector<int> Roadmap::nearest(int node, int k, double threshold) const {
     }
   }
   std::vector<int> nodes;
-  for (const auto& [d, other] : nearest_nodes(std::move(candidates), k)) {
+  const std::vector<NodeDistance> chosen = nearest_nodes(std::move(candidates), k);
+  for (const auto& [d, other] : chosen) {
     nodes.push_back(other);
   }
   return nodes;
