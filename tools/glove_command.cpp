@@ -1,5 +1,6 @@
 #include "glove_command.h"
 
+#include "glove_calibrate.h"
 #include "glove_emulate.h"
 #include "glove_generate.h"
 #include "glove_live.h"
@@ -13,6 +14,7 @@ namespace handway::tools {
 void add_glove_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("glove", "Use sensorized gloves, or emulate one");
   command->require_subcommand(1);
+  add_glove_calibrate(*command, exit_code);
   add_glove_emulate(*command, exit_code);
   add_glove_generate(*command, exit_code);
   add_glove_live(*command, exit_code);

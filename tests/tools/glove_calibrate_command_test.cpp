@@ -1,0 +1,70 @@
+/// `handway glove generate` and `handway glove calibrate`.
+#include "command_line.h"
+#include "handway/device/glove/glove_calibration.h"
+#include "handway/device/glove/recording.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace handway::test {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+std::string held(int index_knuckle, int index_middle) {
+  const std::string row =
+      ',' + std::to_string(index_knuckle) + ',' + std::to_string(index_middle) + '\n';
+  return "time,g,h\n0" + row + "0.01" + row + "0.02" + row;
+}
+
+class GloveCalibrate : public testing::Test {
+ protected:
+  GloveCalibrate() {
+    line_.write("flat.csv", held(80, 40));
+    line_.write("angle.csv", held(180, 42));
+    line_.write("hook.csv", held(82, 140));
+  }
+
+  CommandLine line_;
+};
+
+TEST_F(GloveCalibrate, FitsPosesAndTakesTheRestFromAFreeMotion) {
+  ASSERT_EQ(line_.run("glove generate --samples 3000 --seed 4 --out free.csv").exit_code, 0);
+  EXPECT_EQ(device::read_recording(line_.folder() / "free.csv").times.size(), 3000);
+  const Outcome run = line_.run(
+      "glove calibrate --pose flat=flat.csv --pose right_angle=angle.csv --pose "
+      "hook=hook.csv --free free.csv --person Ada --out hand.yaml");
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("IndexMPJ"));
+  const device::GloveCalibration calibration =
+      device::read_calibration(line_.folder() / "hand.yaml");
+  EXPECT_EQ(calibration.person, "Ada");
+  ASSERT_TRUE(calibration.sensors[4] && calibration.sensors[11]);
+  EXPECT_NEAR(calibration.sensors[4]->gain, 1.5708 / 99, 1e-3);
+  EXPECT_TRUE(calibration.sensors[4]->residual);
+  EXPECT_FALSE(calibration.sensors[11]->residual);
+  EXPECT_EQ(line_.run("pca free.csv --calibration hand.yaml").exit_code, 0);
+}
+
+TEST_F(GloveCalibrate, TellsWhatToAskFor) {
+  const Outcome run = line_.run("glove calibrate --list");
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_THAT(run.out, AllOf(HasSubstr("flat"), HasSubstr("Lay the hand flat")));
+}
+
+TEST_F(GloveCalibrate, NamesWhatIsWrong) {
+  EXPECT_EQ(line_.run("glove calibrate").exit_code, 2);
+  EXPECT_EQ(line_.run("glove calibrate --pose flat").exit_code, 2);
+  const Outcome unknown = line_.run("glove calibrate --pose falt=flat.csv");
+  EXPECT_EQ(unknown.exit_code, 3);
+  EXPECT_THAT(unknown.err, HasSubstr("flat"));
+  line_.write("poses.yaml", "poses:\n  - {name: a, degrees: {IndxMPJ: 0}}\n");
+  EXPECT_THAT(line_.run("glove calibrate --poses poses.yaml --list").err,
+              AllOf(HasSubstr("poses.yaml:2"), HasSubstr("IndexMPJ")));
+}
+
+}  // namespace
+}  // namespace handway::test
