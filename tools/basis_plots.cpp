@@ -10,8 +10,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <cstdlib>
-#include <cstring>
 #include <iterator>
 #include <string>
 #include <system_error>
@@ -39,6 +39,7 @@ std::string table_text(const std::vector<std::string>& header, const Eigen::Matr
 // @returns the exit code; 127 if the program can't be started.
 int run(std::vector<std::string> arguments) {
   std::vector<char*> pointers;
+  pointers.reserve(arguments.size() + 1);
   for (std::string& argument : arguments) {
     pointers.push_back(argument.data());
   }

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <string>
@@ -23,7 +24,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using device::CalibrationFit;
-using device::GloveCalibration;
 using device::PoseInstruction;
 
 struct CalibrateOptions {

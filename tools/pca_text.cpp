@@ -7,12 +7,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 namespace handway::tools {
 namespace {
 
-using device::RecordingKind;
 using device::SensorQuality;
 
 constexpr Eigen::Index kMostShares = 8;
