@@ -1,0 +1,222 @@
+#include "handway/device/arm/val3_arm.h"
+
+#include "core/links.h"
+#include "handway/device/arm/simple_message.h"
+#include "handway/device/core/device_error.h"
+#include "val3_points.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <stdexcept>
+
+namespace handway::device {
+namespace {
+
+using Clock = MotionLink::Clock;
+using std::chrono::milliseconds;
+
+constexpr int kStatePortOffset = 2;
+constexpr milliseconds kLongestReply{500};
+// A full queue has room again when the arm has come to the next point. One that still has none
+// after so many times that long, and this on top, s, is not what the controller refuses for.
+constexpr double kFullPoints = 3.0;
+constexpr double kFullMargin = 0.05;
+constexpr milliseconds kTryAgain{10};
+constexpr std::size_t kQueue = 10;
+
+}  // namespace
+
+struct Val3Arm::Wire {
+  std::string host;
+  std::uint16_t port = 0;
+  std::unique_ptr<ByteLink> motion;
+  std::unique_ptr<ByteLink> state;
+  SimpleMessageParser replies;
+  SimpleMessageParser feedback;
+  std::optional<ArmStatus> status;
+
+  std::vector<Val3Point> points;
+  std::size_t accepted = 0;  ///< Points that the controller has taken.
+  bool running = false;      ///< A motion is being sent.
+  bool asked = false;        ///< A point was sent, and not answered yet.
+  Clock::time_point asked_at;
+  std::optional<Clock::time_point> refused_since;  ///< The next point, first.
+  Clock::time_point try_again;                     ///< After a full queue.
+  bool paused = false;
+
+  void send(const SimpleMessage& message) const { motion->write(encode(message)); }
+};
+
+Val3Arm::Val3Arm(std::string name, std::string host, std::uint16_t port, JointRanges joints)
+    : MotionLink(std::move(name), std::move(joints)), wire_(std::make_unique<Wire>()) {
+  if (this->joints().count() > static_cast<Eigen::Index>(kSimpleMessageJoints)) {
+    throw std::invalid_argument("an arm of more than ten joints");
+  }
+  wire_->host = std::move(host);
+  wire_->port = port;
+}
+
+Val3Arm::~Val3Arm() = default;
+
+void Val3Arm::do_connect(const std::stop_token& stop) {
+  wire_->motion = open_tcp_link(name(), {wire_->host, wire_->port}, stop);
+  const auto state = static_cast<std::uint16_t>(wire_->port + kStatePortOffset);
+  wire_->state =
+      open_tcp_link(fmt::format("{} (state port {})", name(), state), {wire_->host, state}, stop);
+  wire_->replies = {};
+  wire_->feedback = {};
+  wire_->status.reset();
+}
+
+void Val3Arm::do_upload(const JointTrajectory& trajectory) {
+  wire_->points = val3_points(trajectory, joints());
+  wire_->accepted = 0;
+}
+
+void Val3Arm::do_start() {
+  const auto refuse_unless = [this](bool good, const char* found, const char* advice) {
+    if (!good) {
+      refuse(found, "an arm that can move", advice);
+    }
+  };
+  const auto begin = Clock::now();
+  while (!wire_->status && Clock::now() - begin < kLongestReply) {
+    do_update(0.0);
+  }
+  refuse_unless(wire_->status.has_value(), "no status", "Look whether the VAL3 server is running.");
+  const ArmStatus& status = *wire_->status;
+  refuse_unless(status.emergency_stopped != 1, "an emergency stop", "Release it.");
+  refuse_unless(status.in_error != 1, "a controller in error", "Look at its pendant.");
+  refuse_unless(status.drives_powered != 0, "drives without power", "Switch arm power on.");
+  refuse_unless(status.mode != 1, "manual mode", "Switch to remote or automatic mode.");
+  refuse_unless(status.motion_possible != 0, "a controller that can't move now",
+                "Look at its pendant.");
+  wire_->running = true;
+  wire_->asked = false;
+  wire_->paused = false;
+  wire_->refused_since.reset();
+}
+
+// The arm runs on through the points that it was sent, and stands at the last.
+double Val3Arm::do_pause(double time) {
+  wire_->paused = true;
+  const std::size_t sent = wire_->accepted + (wire_->asked ? 1 : 0);
+  return sent == 0 ? time : std::max(time, wire_->points[sent - 1].end);
+}
+
+void Val3Arm::do_resume() {
+  wire_->paused = false;
+  wire_->refused_since.reset();
+}
+
+void Val3Arm::do_stop() {
+  wire_->running = false;
+  wire_->asked = false;
+  SimpleMessage stop;
+  stop.type = SimpleMessageType::kJointTrajectoryPoint;
+  stop.kind = SimpleMessageKind::kRequest;
+  stop.sequence = kStopSequence;
+  wire_->send(stop);
+}
+
+void Val3Arm::do_update(double time) {
+  read_feedback();
+  read_replies();
+  if (!wire_->running) {
+    return;
+  }
+  const auto now = Clock::now();
+  if (wire_->asked && now - wire_->asked_at > kLongestReply) {
+    refuse(fmt::format("no answer to point {}", wire_->accepted + 1),
+           fmt::format("one within {} ms", kLongestReply.count()),
+           "Look at the network and at the controller.");
+  }
+  if (!wire_->asked && !wire_->paused && now >= wire_->try_again &&
+      wire_->accepted < wire_->points.size() && time >= wire_->points[wire_->accepted].due) {
+    wire_->send(wire_->points[wire_->accepted].message);
+    wire_->asked = true;
+    wire_->asked_at = now;
+  }
+}
+
+void Val3Arm::read_feedback() {
+  std::array<std::uint8_t, 1024> bytes{};
+  const std::size_t count = wire_->state->read(bytes, milliseconds(1));
+  wire_->feedback.add(std::span(bytes).first(count));
+  try {
+    while (const auto message = wire_->feedback.next()) {
+      if (message->type == SimpleMessageType::kJointPosition) {
+        Eigen::VectorXd position(joints().count());
+        for (Eigen::Index j = 0; j < position.size(); ++j) {
+          position[j] = static_cast<double>(message->joints[static_cast<std::size_t>(j)]);
+        }
+        add_sample(position);
+      } else if (message->type == SimpleMessageType::kStatus) {
+        wire_->status = message->status;
+      }
+    }
+  } catch (const SimpleMessageError& error) {
+    refuse(error.what(), "a VAL3 server's positions and status", "Look whether the port is right.");
+  }
+  if (wire_->running && wire_->status) {
+    look_at_status();
+  }
+}
+
+void Val3Arm::look_at_status() const {
+  const ArmStatus& status = *wire_->status;
+  if (status.emergency_stopped == 1) {
+    refuse("an emergency stop", "none", "Find out why before you release it.");
+  }
+  if (status.in_error == 1) {
+    refuse(fmt::format("error {} of the controller", status.error_code), "none",
+           "Look at its pendant.");
+  }
+  if (status.drives_powered == 0) {
+    refuse("drives without power", "power all along", "Look at the controller's pendant.");
+  }
+}
+
+void Val3Arm::read_replies() {
+  std::array<std::uint8_t, 1024> bytes{};
+  const std::size_t count = wire_->motion->read(bytes, milliseconds(1));
+  wire_->replies.add(std::span(bytes).first(count));
+  try {
+    while (const auto message = wire_->replies.next()) {
+      if (wire_->asked && message->kind == SimpleMessageKind::kReply &&
+          message->sequence == wire_->points[wire_->accepted].message.sequence) {
+        take_reply(message->reply == SimpleMessageReply::kSuccess);
+      }
+    }
+  } catch (const SimpleMessageError& error) {
+    refuse(error.what(), "a VAL3 server's answer", "Look whether the port is right.");
+  }
+}
+
+// The server refuses a point out of range and a point for which its queue is full alike.
+void Val3Arm::take_reply(bool taken) {
+  wire_->asked = false;
+  const auto now = Clock::now();
+  if (taken) {
+    ++wire_->accepted;
+    wire_->refused_since.reset();
+    return;
+  }
+  const double longest =
+      kFullPoints * static_cast<double>(wire_->points[wire_->accepted].message.duration) +
+      kFullMargin;
+  wire_->refused_since = wire_->refused_since.value_or(now);
+  if (wire_->accepted < kQueue ||
+      now - *wire_->refused_since > std::chrono::duration<double>(longest)) {
+    refuse(fmt::format("point {} of {} refused", wire_->accepted + 1, wire_->points.size()),
+           "a controller that takes it",
+           "It is outside the controller's joint ranges, or the arm stands still: look at the "
+           "pendant.");
+  }
+  wire_->try_again = now + kTryAgain;
+}
+
+}  // namespace handway::device

@@ -1,0 +1,217 @@
+#include "handway/device/core/motion_link.h"
+
+#include "handway/device/core/device_error.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <thread>
+#include <utility>
+
+namespace handway::device {
+namespace {
+
+using std::chrono::milliseconds;
+
+// Devices tell their positions every 10 or 20 ms.
+constexpr milliseconds kLongestSilence{250};
+constexpr milliseconds kFirstPosition{3000};
+// How long after its time a motion may still be arriving, s.
+constexpr double kLatestArrival = 2.0;
+
+double seconds(MotionLink::Clock::duration duration) {
+  return std::chrono::duration<double>(duration).count();
+}
+
+}  // namespace
+
+MotionLink::MotionLink(std::string name, JointRanges joints)
+    : name_(std::move(name)), joints_(std::move(joints)) {
+  const Eigen::Index count = joints_.count();
+  if (count == 0 || joints_.upper.size() != count || joints_.velocity.size() != count ||
+      std::cmp_not_equal(joints_.names.size(), count) ||
+      !(joints_.lower.array() <= joints_.upper.array()).all() ||
+      !(joints_.velocity.array() > 0.0).all()) {
+    throw std::invalid_argument("joints of a device without ranges or velocities");
+  }
+}
+
+void MotionLink::refuse(std::string found, std::string expected, std::string advice) const {
+  throw DeviceError({name_, "", std::move(found), std::move(expected), std::move(advice)});
+}
+
+void MotionLink::connect(const std::stop_token& stop) {
+  do_connect(stop);
+  const auto begin = Clock::now();
+  while (measured_.samples == 0) {
+    if (Clock::now() - begin > kFirstPosition || stop.stop_requested()) {
+      refuse("no joint positions", "a controller that tells where its joints are",
+             "Look whether its program is running.");
+    }
+    do_update(0.0);
+    std::this_thread::sleep_for(milliseconds(1));
+  }
+  connected_ = true;
+}
+
+void MotionLink::upload(const JointTrajectory& trajectory) {
+  if (!connected_) {
+    throw std::logic_error("upload without a connection");
+  }
+  if (phase_ == MotionPhase::kRunning || phase_ == MotionPhase::kPaused) {
+    refuse("a motion under way", "a device at rest", "Stop it first.");
+  }
+  check_trajectory(trajectory, joints_);
+  do_upload(trajectory);
+  trajectory_ = trajectory;
+  phase_ = MotionPhase::kReady;
+  fault_.clear();
+}
+
+void MotionLink::start(const MotionTolerances& tolerances) {
+  update();
+  if (phase_ != MotionPhase::kReady) {
+    refuse(fault_.empty() ? "no motion" : fault_, "a motion that is uploaded", "Upload one.");
+  }
+  for (Eigen::Index j = 0; j < joints_.count(); ++j) {
+    const double away = std::abs(measured_.position[j] - trajectory_.positions(0, j));
+    if (away > tolerances.start) {
+      refuse(fmt::format("joint {} at {:.4f} rad", joints_.names[static_cast<std::size_t>(j)],
+                         measured_.position[j]),
+             fmt::format("{:.4f} rad within {:.4f}", trajectory_.positions(0, j), tolerances.start),
+             "Move the device to the start, or plan from where it stands.");
+    }
+  }
+  do_start();
+  tolerances_ = tolerances;
+  begin_ = Clock::now();
+  samples_seen_ = measured_.samples;
+  phase_ = MotionPhase::kRunning;
+}
+
+double MotionLink::pause(double time) {
+  if (phase_ == MotionPhase::kRunning) {
+    hold_ = do_pause(std::max(time, motion_time(Clock::now())));
+    phase_ = MotionPhase::kPaused;
+  }
+  return phase_ == MotionPhase::kPaused ? hold_ : motion_time(Clock::now());
+}
+
+void MotionLink::resume() {
+  if (phase_ == MotionPhase::kPaused) {
+    const auto now = Clock::now();
+    const double held = motion_time(now);
+    do_resume();
+    begin_ = now - std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(held));
+    samples_seen_ = measured_.samples;
+    phase_ = MotionPhase::kRunning;
+  }
+}
+
+void MotionLink::stop() {
+  const bool moving = phase_ == MotionPhase::kRunning || phase_ == MotionPhase::kPaused;
+  try {
+    if (connected_) {
+      do_stop();
+    }
+  } catch (const DeviceError& error) {
+    if (moving) {
+      fail(error.what());
+    }
+    return;
+  }
+  if (moving || phase_ == MotionPhase::kReady) {
+    phase_ = MotionPhase::kStopped;
+  }
+}
+
+double MotionLink::motion_time(Clock::time_point now) const {
+  switch (phase_) {
+    case MotionPhase::kIdle:
+    case MotionPhase::kReady:
+      return 0.0;
+    case MotionPhase::kPaused:
+      return std::min(hold_, seconds(now - begin_));
+    default:
+      return seconds(now - begin_);
+  }
+}
+
+void MotionLink::fail(std::string fault) {
+  fault_ = std::move(fault);
+  phase_ = MotionPhase::kFailed;
+  try {
+    do_stop();
+  } catch (const DeviceError&) {
+    // The connection is gone: the device's own watchdog stops it.
+    connected_ = false;
+  }
+}
+
+void MotionLink::update() {
+  if (!connected_) {
+    return;
+  }
+  try {
+    do_update(motion_time(Clock::now()));
+    if (Clock::now() - measured_.received > kLongestSilence) {
+      refuse(fmt::format("no joint positions for {} ms", kLongestSilence.count()),
+             "one every 20 ms or more often", "Look at the network and at the controller.");
+    }
+    if (phase_ == MotionPhase::kRunning) {
+      look_at_sample();
+      look_at_end(Clock::now());
+    }
+  } catch (const DeviceError& error) {
+    if (phase_ == MotionPhase::kFailed) {
+      connected_ = false;
+    } else {
+      fail(error.what());
+    }
+  }
+}
+
+void MotionLink::look_at_sample() {
+  if (measured_.samples == samples_seen_) {
+    return;
+  }
+  samples_seen_ = measured_.samples;
+  const Eigen::VectorXd planned = trajectory_.at(motion_time(measured_.received));
+  for (Eigen::Index j = 0; j < joints_.count(); ++j) {
+    if (std::abs(measured_.position[j] - planned[j]) > tolerances_.following) {
+      refuse(fmt::format("joint {} at {:.4f} rad", joints_.names[static_cast<std::size_t>(j)],
+                         measured_.position[j]),
+             fmt::format("{:.4f} rad within {:.4f}", planned[j], tolerances_.following),
+             "The device does not follow: look whether it runs at full monitor speed and nothing "
+             "is in its way, or move slower.");
+    }
+  }
+}
+
+void MotionLink::look_at_end(Clock::time_point now) {
+  const double late = motion_time(now) - trajectory_.duration();
+  if (late < 0.0) {
+    return;
+  }
+  const Eigen::VectorXd end = trajectory_.at(trajectory_.duration());
+  const double away = (measured_.position - end).cwiseAbs().maxCoeff();
+  if (away <= tolerances_.end &&
+      measured_.received - begin_ > std::chrono::duration<double>(trajectory_.duration())) {
+    phase_ = MotionPhase::kDone;
+  } else if (late > kLatestArrival) {
+    refuse(fmt::format("{:.4f} rad away from the last point {} s after its time", away,
+                       kLatestArrival),
+           fmt::format("{:.4f} rad or less", tolerances_.end),
+           "The device did not run the whole motion.");
+  }
+}
+
+void MotionLink::add_sample(const Eigen::VectorXd& position) {
+  measured_.position = position;
+  measured_.received = Clock::now();
+  ++measured_.samples;
+}
+
+}  // namespace handway::device

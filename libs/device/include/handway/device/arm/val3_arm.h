@@ -1,0 +1,47 @@
+#pragma once
+
+#include "handway/device/core/motion_link.h"
+#include "handway/device/export.h"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+namespace handway::device {
+
+/// Port of motions of the VAL3 server; it tells the state on the next but one.
+inline constexpr std::uint16_t kVal3MotionPort = 11000;
+
+/// An arm on a Staeubli CS8 or CS9 controller that runs the VAL3 server of ROS-Industrial
+/// (ros-industrial/staubli_val3_driver, VAL3 s7.7.2 or later).
+///
+/// The controller knows no time: it moves to one point after the other, each at a share of its
+/// joints' nominal velocities, from a queue of ten points. The motion's time is kept by
+/// sending points ahead by less than the queue holds, each with the share that takes it there in
+/// its time, and where the arm has to wait by sending the next point when the wait is over.
+class HANDWAY_DEVICE_EXPORT Val3Arm final : public MotionLink {
+ public:
+  /// @param name for messages. @param port of motions.
+  /// @param joints in the controller's order, with its nominal velocities; ten at most.
+  Val3Arm(std::string name, std::string host, std::uint16_t port, JointRanges joints);
+  ~Val3Arm() override;
+
+ private:
+  void do_connect(const std::stop_token& stop) override;
+  void do_upload(const JointTrajectory& trajectory) override;
+  void do_start() override;
+  [[nodiscard]] double do_pause(double time) override;
+  void do_resume() override;
+  void do_stop() override;
+  void do_update(double time) override;
+
+  void read_feedback();
+  void look_at_status() const;
+  void read_replies();
+  void take_reply(bool taken);
+
+  struct Wire;
+  std::unique_ptr<Wire> wire_;
+};
+
+}  // namespace handway::device

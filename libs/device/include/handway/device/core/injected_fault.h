@@ -1,0 +1,24 @@
+#pragma once
+
+namespace handway::device {
+
+/// What an emulated controller does wrong, once, to order.
+enum class FaultKind {
+  kNone,
+  kLate,        ///< All that it sends comes 0.6 s late.
+  kLost,        ///< The connection breaks.
+  kRefused,     ///< It refuses what it is told.
+  kEstop,       ///< Somebody presses the emergency stop.
+  kJointLimit,  ///< A joint's range ends where the joint is.
+  kSlow,        ///< It moves at half the pace: the monitor speed is at 50 %.
+};
+
+struct InjectedFault {
+  FaultKind kind = FaultKind::kNone;
+  double after = 0.0;  ///< s from the beginning of a motion.
+};
+
+/// How late a late controller is, s.
+inline constexpr double kFaultDelay = 0.6;
+
+}  // namespace handway::device

@@ -1,0 +1,133 @@
+#pragma once
+
+#include "handway/device/core/joint_trajectory.h"
+#include "handway/device/export.h"
+
+#include <Eigen/Core>
+
+#include <chrono>
+#include <cstdint>
+#include <stop_token>
+#include <string>
+
+namespace handway::device {
+
+/// Where a device is with the motion it was given.
+enum class MotionPhase {
+  kIdle,     ///< It has none.
+  kReady,    ///< Uploaded, not begun.
+  kRunning,  ///< On its way.
+  kPaused,   ///< Held; resume() goes on.
+  kDone,     ///< At its end.
+  kStopped,  ///< Ended by stop().
+  kFailed,   ///< Ended by a fault; see MotionLink::fault().
+};
+
+/// What a device said last.
+struct MeasuredJoints {
+  Eigen::VectorXd position;                        ///< rad, [joints]; of size 0: nothing yet.
+  std::uint64_t samples = 0;                       ///< How many came.
+  std::chrono::steady_clock::time_point received;  ///< When the last one did.
+};
+
+/// When a motion may begin, and when it has gone wrong.
+struct MotionTolerances {
+  double start = 0.01;     ///< How far from the first point a joint may stand at the start, rad.
+  double following = 0.2;  ///< How far from where it should be a joint may be under way, rad.
+  double end = 0.01;       ///< How near to the last point counts as arrived, rad.
+};
+
+/// A connection to a device that moves joints: an arm's or a hand's controller.
+///
+/// It has no thread of its own: whoever uses it calls update() every few milliseconds from
+/// connect() on. It never lets a motion go on unwatched: a lost connection, positions that stop
+/// coming, a refused point, an emergency stop, a joint that does not follow, or one that does
+/// not arrive end the motion, with kFailed and a fault() in words.
+///
+/// The public functions check; derived classes speak the device's protocol.
+class HANDWAY_DEVICE_EXPORT MotionLink {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  virtual ~MotionLink() = default;
+  MotionLink(const MotionLink&) = delete;
+  MotionLink& operator=(const MotionLink&) = delete;
+
+  /// The device as the user wrote it: "arm://localhost:11000".
+  [[nodiscard]] const std::string& name() const { return name_; }
+  [[nodiscard]] const JointRanges& joints() const { return joints_; }
+
+  /// Connects, and waits until the device has told its joints' positions.
+  /// @throws DeviceError if it can't be reached or tells none within 3 s.
+  void connect(const std::stop_token& stop = {});
+
+  /// Gives the device a motion. @pre connected.
+  /// @throws geometric::InputError as check_trajectory(); DeviceError if the device doesn't take
+  /// it, or is moving.
+  void upload(const JointTrajectory& trajectory);
+
+  /// Begins the motion that was uploaded.
+  /// @throws DeviceError saying why the device can't move now, or which joint stands too far
+  /// from the first point; nothing moves then.
+  void start(const MotionTolerances& tolerances = {});
+
+  /// Holds the motion as soon as the device can, but not before `time` (s of the motion).
+  /// Nothing happens if it isn't running.
+  /// @returns the motion's time at which it holds: for other devices that shall hold there.
+  double pause(double time = 0.0);
+  /// Goes on with a motion that is held, otherwise nothing happens.
+  void resume();
+
+  /// Stops the joints as fast as the device can, and forgets the motion. Never throws: if the
+  /// device can't be told any more its own watchdog stops it.
+  void stop();
+
+  /// Takes what the device said, gives it what it needs, and looks whether all is well. Waits
+  /// 2 ms at most.
+  void update();
+
+  [[nodiscard]] MotionPhase phase() const { return phase_; }
+  [[nodiscard]] const std::string& fault() const { return fault_; }  ///< Empty: none.
+  [[nodiscard]] const MeasuredJoints& measured() const { return measured_; }
+  /// Time of the motion, pauses left out, s.
+  [[nodiscard]] double motion_time(Clock::time_point now) const;
+  [[nodiscard]] const JointTrajectory& trajectory() const { return trajectory_; }
+
+ protected:
+  MotionLink(std::string name, JointRanges joints);
+
+  /// For derived classes: positions came. @pre shape [joints].
+  void add_sample(const Eigen::VectorXd& position);
+  /// For derived classes. @throws DeviceError with this link's name.
+  [[noreturn]] void refuse(std::string found, std::string expected, std::string advice) const;
+
+ private:
+  virtual void do_connect(const std::stop_token& stop) = 0;
+  virtual void do_upload(const JointTrajectory& trajectory) = 0;
+  /// @throws DeviceError if the device can't move now.
+  virtual void do_start() = 0;
+  /// @param time not before it, s. @returns when the device holds, s.
+  [[nodiscard]] virtual double do_pause(double time) = 0;
+  virtual void do_resume() = 0;
+  virtual void do_stop() = 0;
+  /// @param time of the motion, s. @throws DeviceError for anything that has to end the motion.
+  virtual void do_update(double time) = 0;
+
+  void fail(std::string fault);
+  void look_at_sample();
+  void look_at_end(Clock::time_point now);
+
+  std::string name_;
+  JointRanges joints_;
+  bool connected_ = false;
+  MotionPhase phase_ = MotionPhase::kIdle;
+  std::string fault_;
+  MeasuredJoints measured_;
+  std::uint64_t samples_seen_ = 0;
+  JointTrajectory trajectory_;
+  MotionTolerances tolerances_;
+  Clock::time_point begin_;  ///< When motion time was 0, had there been no pauses.
+  double hold_ = 0.0;        ///< Motion time of the pause, s.
+};
+
+}  // namespace handway::device
