@@ -210,7 +210,7 @@ void write_campaign_report(const Campaign& campaign, const CampaignOutcome& outc
   for (std::size_t i = 0; i < campaign.problems.size(); ++i) {
     const std::size_t planners = campaign.planners.size();
     write(fs::path("ompl") / (file_name_of(campaign.problems[i].name) + ".log"),
-          ompl_log(campaign, std::span(cells).subspan(i * planners, planners), outcome.elapsed_s));
+          ompl_log(campaign, std::span(cells).subspan(i * planners, planners)));
   }
   const ReportDocument document = campaign_document(campaign, outcome, cells, comparisons);
   write("report.md", to_markdown(document));

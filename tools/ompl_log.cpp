@@ -76,10 +76,19 @@ std::string plain(std::string text) {
   return text;
 }
 
+double time_spent(std::span<const CampaignCell> cells) {
+  double seconds = 0.0;
+  for (const CampaignCell& cell : cells) {
+    for (const RunRecord& run : cell.runs) {
+      seconds += run.time_s + run.smoothing_s;
+    }
+  }
+  return seconds;
+}
+
 }  // namespace
 
-std::string ompl_log(const Campaign& campaign, std::span<const CampaignCell> cells,
-                     double elapsed_s) {
+std::string ompl_log(const Campaign& campaign, std::span<const CampaignCell> cells) {
   const auto& problem = campaign.problems[static_cast<std::size_t>(cells.front().problem)];
   std::string name = plain(problem.name);
   std::ranges::replace(name, ' ', '_');
@@ -91,8 +100,8 @@ std::string ompl_log(const Campaign& campaign, std::span<const CampaignCell> cel
   log += fmt::format(
       "{} is the random seed\n{} seconds per run\n0 MB per run\n{} runs per planner\n"
       "{} seconds spent to collect the data\n1 enum type\n{}\n{} planners\n",
-      campaign.seeds.front(), campaign.time_limit_s, campaign.seeds.size(), elapsed_s, kStatuses,
-      cells.size());
+      campaign.seeds.front(), campaign.time_limit_s, campaign.seeds.size(), time_spent(cells),
+      kStatuses, cells.size());
   for (const CampaignCell& cell : cells) {
     const auto& planner = campaign.planners[static_cast<std::size_t>(cell.planner)];
     log +=

@@ -11,8 +11,7 @@ namespace handway::tools {
 /// The runs on one problem as OMPL's benchmark log, which `ompl_benchmark_statistics` makes a
 /// database for Planner Arena of (https://ompl.kavrakilab.org/benchmark.html).
 /// @param cells of one problem, one a planner.
-/// @param elapsed_s what collecting them took.
 [[nodiscard]] std::string ompl_log(const planning::Campaign& campaign,
-                                   std::span<const planning::CampaignCell> cells, double elapsed_s);
+                                   std::span<const planning::CampaignCell> cells);
 
 }  // namespace handway::tools

@@ -46,7 +46,7 @@ class OwnWorker {
   OwnWorker(const RunExecutor& executor, std::stop_token stop)
       : executor_(executor),
         stop_(std::move(stop)),
-        thread_([this](std::stop_token end) { work(std::move(end)); }) {}
+        thread_([this](const std::stop_token& end) { work(end); }) {}
 
   void give(const RunSpec& spec) {
     const std::lock_guard lock(mutex_);
@@ -65,7 +65,7 @@ class OwnWorker {
   }
 
  private:
-  void work(std::stop_token end) {
+  void work(const std::stop_token& end) {
     while (true) {
       RunSpec spec;
       {

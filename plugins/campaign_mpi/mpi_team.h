@@ -14,7 +14,7 @@ namespace handway::campaign_mpi {
 /// records. Nobody waits busily.
 ///
 /// One each process, made before anything else talks to MPI.
-class MpiTeam : public planning::ProcessTeam {
+class MpiTeam final : public planning::ProcessTeam {
  public:
   MpiTeam();
   /// The leader sends the others home.

@@ -2,7 +2,6 @@
 
 #include "campaigns/parameter_values.h"
 #include "campaigns/problem_files.h"
-#include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/nearest_name.h"
 #include "handway/geometric/io/yaml_element.h"
 
@@ -18,7 +17,6 @@ namespace handway::planning {
 namespace {
 
 namespace fs = std::filesystem;
-using geometric::InputError;
 using geometric::YamlElement;
 
 constexpr int kVersion = 1;
