@@ -72,7 +72,7 @@ void add_table_4(ReportDocument& document, ReportTable& csv,
       "found a path. \"As published\" are the authors' own problem files (where "
       "HANDWAY_REFERENCE_DIR names their folder), the others scenes that ship, built after the "
       "paper's figures. The paper chose N so that all runs found a path. On problem 4 as published "
-      "pmd-prm mostly finds none; there N is 2,500, a little above the published mean, so that its "
+      "pmd-prm mostly finds none; there N is 2,250, a little above the published mean, so that its "
       "figures are those of the quick runs only: look at the share of runs that were solved.",
       kTable4Machine)});
   const std::vector<PaperRow> rows = paper_table_4();
