@@ -150,6 +150,7 @@ void MainWindow::connect_document() {
     view_->set_configuration(q);
     joint_panel_->set_configuration(q);
     pmd_panel_->set_configuration(q);
+    glove_panel_->set_configuration(q);
     collisions_.check(q);
   });
   connect(&collisions_, &CollisionMonitor::checked, this, [this](const CollisionReport& report) {
@@ -251,7 +252,8 @@ void MainWindow::show_scene() {
   posture_bar_->set_scene(scene);
   const geometric::RobotInstance* robot = document_.robot();
   joint_panel_->set_robot(robot ? robot->model : nullptr, document_.groups());
-  glove_panel_->set_robot(robot ? robot->model : nullptr);
+  glove_panel_->set_hand(robot ? robot->model : nullptr, document_.loaded().basis,
+                         document_.problem());
   pmd_panel_->set_hand(robot ? robot->model : nullptr, document_.loaded().basis,
                        document_.groups().hand);
   const bool has_query = scene && scene->start && scene->goal;

@@ -1,9 +1,11 @@
 #include "glove/glove_panel.h"
 
 #include "glove/calibration_choice.h"
+#include "glove/capture_coach.h"
 #include "glove/device_field.h"
 #include "glove/glove_device_list.h"
 #include "glove/link_status.h"
+#include "glove/pmd_explorer.h"
 #include "glove/record_bar.h"
 #include "glove/sensor_bars.h"
 
@@ -52,7 +54,10 @@ GlovePanel::GlovePanel(QWidget* parent)
       tabs_(new QTabBar),
       pages_(new QStackedWidget),
       bars_(new SensorBars),
-      follow_(new QCheckBox(tr("Hand follows the glove"))),
+      capture_(session_),
+      follow_(new QCheckBox(tr("Hand follows"))),
+      stop_(new QCheckBox(tr("Stop at contact"))),
+      contact_(new QLabel),
       record_(new RecordBar(session_)) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -62,6 +67,8 @@ GlovePanel::GlovePanel(QWidget* parent)
   tabs_->setExpanding(true);
   tabs_->setProperty("role", "pages");
   add_page(tr("Sensors"), build_sensors_page());
+  add_page(tr("Coach"), scrolled(&capture_.coach()));
+  add_page(tr("Explore"), scrolled(&capture_.explorer()));
   layout->addWidget(build_header());
   layout->addWidget(tabs_);
   layout->addWidget(pages_, 1);
@@ -72,6 +79,12 @@ GlovePanel::GlovePanel(QWidget* parent)
   connect(&session_, &GloveSession::sampled, this, &GlovePanel::show_samples);
   connect(&session_, &GloveSession::mapping_changed, this,
           [this] { bars_->set_mapping(session_.mapping()); });
+  connect(&capture_, &CapturePages::failed, this, &GlovePanel::show_problem);
+  connect(&capture_.explorer(), &PmdExplorer::posture_changed, this,
+          [this](const geometric::NamedPosture& posture) {
+            session_.set_following(false);
+            emit posture_changed(posture);
+          });
   connect(&session_, &GloveSession::following_changed, follow_, &QCheckBox::setChecked);
   ticker_.setInterval(kStatisticsMs);
   connect(&ticker_, &QTimer::timeout, this, &GlovePanel::show_statistics);
@@ -126,9 +139,30 @@ QWidget* GlovePanel::build_footer() {
   layout->setSpacing(8);
   follow_->setObjectName(QStringLiteral("glove_follow"));
   follow_->setChecked(session_.following());
-  layout->addWidget(follow_);
+  stop_->setObjectName(QStringLiteral("glove_stop"));
+  follow_->setToolTip(tr("The hand in the view takes the postures of the glove"));
+  stop_->setToolTip(
+      tr("The hand stays in its last free posture while the glove would take it "
+         "into something"));
+  contact_->setObjectName(QStringLiteral("glove_contact"));
+  contact_->setProperty("role", "note");
+  contact_->setWordWrap(true);
+  contact_->hide();
+  auto* switches = new QHBoxLayout;
+  switches->setSpacing(18);
+  switches->addWidget(follow_);
+  switches->addWidget(stop_);
+  switches->addStretch();
+  layout->addLayout(switches);
+  layout->addWidget(contact_);
   layout->addWidget(record_);
   connect(follow_, &QCheckBox::toggled, &session_, &GloveSession::set_following);
+  connect(stop_, &QCheckBox::toggled, &contact_stop_, &ContactStop::set_on);
+  connect(&contact_stop_, &ContactStop::held, this, [this](const QString& contact) {
+    contact_->setText(tr("Held: %1").arg(contact));
+    contact_->setVisible(!contact.isEmpty());
+  });
+  connect(&contact_stop_, &ContactStop::passed, this, &GlovePanel::show_posture);
   return footer;
 }
 
@@ -137,8 +171,19 @@ void GlovePanel::add_page(const QString& name, QWidget* page) {
   pages_->addWidget(page);
 }
 
-void GlovePanel::set_robot(const std::shared_ptr<const geometric::RobotModel>& model) {
+void GlovePanel::set_hand(const std::shared_ptr<const geometric::RobotModel>& model,
+                          const std::shared_ptr<const sampling::PmdBasis>& basis,
+                          std::shared_ptr<const PreparedProblem> problem) {
+  model_ = model;
+  q_ = model ? model->neutral() : geometric::Configuration();
   session_.set_robot(model);
+  capture_.set_hand(model, basis);
+  contact_stop_.set_problem(std::move(problem));
+}
+
+void GlovePanel::set_configuration(const geometric::Configuration& q) {
+  q_ = q;
+  capture_.set_configuration(q);
 }
 
 void GlovePanel::toggle_connection() {
@@ -222,13 +267,22 @@ void GlovePanel::move_hand(const GloveSample& sample) {
     return;
   }
   geometric::NamedPosture posture;
+  geometric::Configuration q = q_;
   for (std::size_t j = 0; j < mapper->joints().size(); ++j) {
-    posture.values[mapper->joints()[j]] = sample.posture[static_cast<Eigen::Index>(j)];
+    const double value = sample.posture[static_cast<Eigen::Index>(j)];
+    posture.values[mapper->joints()[j]] = value;
+    q[model_->find_variable(mapper->joints()[j]).value()] = value;
   }
   if (!shown_since_) {
     shown_since_ = session_.link().arrival();
   }
-  emit posture_changed(posture);
+  contact_stop_.propose(posture, q);
+}
+
+void GlovePanel::show_posture(const geometric::NamedPosture& posture) {
+  if (session_.following()) {
+    emit posture_changed(posture);
+  }
 }
 
 void GlovePanel::note_drawn() {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "glove/capture_pages.h"
+#include "glove/contact_stop.h"
 #include "glove/glove_session.h"
 #include "handway/geometric/robot/robot_description.h"
 
@@ -11,6 +13,7 @@
 #include <optional>
 
 class QCheckBox;
+class QLabel;
 class QPushButton;
 class QTabBar;
 class QStackedWidget;
@@ -31,8 +34,14 @@ class GlovePanel : public QWidget {
   explicit GlovePanel(QWidget* parent = nullptr);
   ~GlovePanel() override;
 
-  /// Null: no robot.
-  void set_robot(const std::shared_ptr<const geometric::RobotModel>& model);
+  /// @param model null: no robot.
+  /// @param basis of the scene's hand; may be null.
+  /// @param problem to check for contacts; may be null.
+  void set_hand(const std::shared_ptr<const geometric::RobotModel>& model,
+                const std::shared_ptr<const sampling::PmdBasis>& basis,
+                std::shared_ptr<const PreparedProblem> problem);
+  /// Where the robot is. @param q shape [variable_count].
+  void set_configuration(const geometric::Configuration& q);
   /// The view has drawn the posture that was told last.
   void note_drawn();
   void refresh_icons();
@@ -45,6 +54,7 @@ class GlovePanel : public QWidget {
   [[nodiscard]] double listening_time() const;
 
   [[nodiscard]] GloveSession& session() { return session_; }
+  [[nodiscard]] CapturePages& capture() { return capture_; }
   [[nodiscard]] RecordBar& record_bar() { return *record_; }
 
  signals:
@@ -61,6 +71,7 @@ class GlovePanel : public QWidget {
   void show_samples(const std::vector<GloveSample>& samples);
   void show_statistics();
   void move_hand(const GloveSample& sample);
+  void show_posture(const geometric::NamedPosture& posture);
   void show_problem(const QString& message);
 
   GloveSession session_;
@@ -70,7 +81,13 @@ class GlovePanel : public QWidget {
   QTabBar* tabs_;
   QStackedWidget* pages_;
   SensorBars* bars_;
+  CapturePages capture_;
+  ContactStop contact_stop_;
+  std::shared_ptr<const geometric::RobotModel> model_;
+  geometric::Configuration q_;
   QCheckBox* follow_;
+  QCheckBox* stop_;
+  QLabel* contact_;
   RecordBar* record_;
   QTimer ticker_;
   std::optional<std::chrono::steady_clock::time_point> shown_since_;  ///< Not drawn yet.

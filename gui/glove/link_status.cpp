@@ -16,15 +16,14 @@ using device::GloveState;
 constexpr double kMilli = 1e3;
 
 QString state_text(GloveState state, const device::GloveInfo& info) {
-  const QString what = QString::fromStdString(info.model);
+  const QString what = QString::fromStdString(info.model).section(QLatin1Char(','), 0, 0);
   switch (state) {
     case GloveState::kConnecting:
       return QObject::tr("Connecting…");
     case GloveState::kStreaming:
-      return QObject::tr("%1, %2 sensors, %3 hand")
-          .arg(what)
-          .arg(info.sensors)
-          .arg(info.right_hand ? QObject::tr("right") : QObject::tr("left"));
+      return QObject::tr("%1, %2 hand, %3 sensors")
+          .arg(what, info.right_hand ? QObject::tr("right") : QObject::tr("left"))
+          .arg(info.sensors);
     case GloveState::kUnplugged:
       return QObject::tr("The glove is off its interface unit: plug it in again");
     case GloveState::kLost:
@@ -105,6 +104,8 @@ LinkStatus::LinkStatus(QWidget* parent)
 void LinkStatus::show_state(GloveState state, const device::GloveInfo& info, const QString& error) {
   state_->setText(QStringLiteral("<span style=\"color:%1\">●</span>&nbsp; %2")
                       .arg(html(state_color(state)), state_text(state, info).toHtmlEscaped()));
+  state_->setToolTip(
+      QString::fromStdString(info.model.empty() ? "" : info.model + ", " + info.device));
   problem_text_->setText(error);
   problem_->setVisible(!error.isEmpty());
 }
