@@ -35,4 +35,9 @@ class HostPort {
 /// @throws DeviceError if the port is taken or not allowed.
 [[nodiscard]] std::unique_ptr<HostPort> listen_on_tcp_port(std::uint16_t port);
 
+/// Sends every record as a datagram to "HOST:PORT", whether somebody listens there or not; hears
+/// nothing.
+/// @throws geometric::InputError for a wrong address; DeviceError if there is no such host.
+[[nodiscard]] std::unique_ptr<HostPort> send_to_udp_port(const std::string& receiver);
+
 }  // namespace handway::device

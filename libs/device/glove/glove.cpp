@@ -2,17 +2,13 @@
 
 #include "handway/device/glove/glove_layout.h"
 
-#include <algorithm>
 #include <stdexcept>
 
 namespace handway::device {
 
 GloveInfo Glove::connect(const std::stop_token& stop) {
   disconnect();
-  if (!begun_) {
-    begin_ = Clock::now();
-    begun_ = true;
-  }
+  clock_.start();
   GloveInfo info = do_connect(stop);
   (void)cyberglove_wired(info.sensors);  // Refuses other numbers of sensors.
   sensors_ = info.sensors;
@@ -34,8 +30,7 @@ GloveReading Glove::next(std::chrono::milliseconds timeout, const std::stop_toke
       throw std::logic_error("a glove's counts have to be from 1 to 255");
     }
   }
-  reading.frame.time = std::max(reading.frame.time, last_time_);
-  last_time_ = reading.frame.time;
+  reading.frame.time = clock_.not_before_last(reading.frame.time);
   return reading;
 }
 
@@ -44,10 +39,6 @@ void Glove::disconnect() noexcept {
     connected_ = false;
     do_disconnect();
   }
-}
-
-double Glove::since_begin(Clock::time_point time) const {
-  return std::chrono::duration<double>(time - begin_).count();
 }
 
 }  // namespace handway::device

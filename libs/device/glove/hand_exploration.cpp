@@ -1,8 +1,8 @@
 #include "handway/device/glove/hand_exploration.h"
 
+#include "core/minimum_jerk_moves.h"
 #include "hand_synergies.h"
 #include "handway/geometric/math/units.h"
-#include "minimum_jerk_moves.h"
 
 #include <algorithm>
 

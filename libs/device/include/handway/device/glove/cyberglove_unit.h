@@ -1,5 +1,6 @@
 #pragma once
 
+#include "handway/device/core/device_unit.h"
 #include "handway/device/export.h"
 #include "handway/device/glove/glove_frame.h"
 
@@ -24,28 +25,17 @@ struct CyberGloveUnitSettings {
   double top_rate = 480.0;  ///< Faster is refused with "es"; as fast as 115200 bit/s carry.
 };
 
-/// The interface unit of an emulated CyberGlove: takes the bytes that a host sends and gives
-/// those that the unit would, in binary and in ASCII commands. Knows neither ports nor clocks,
-/// so that a test can run a day of it in a moment. Times are in s and never fall.
-class HANDWAY_DEVICE_EXPORT CyberGloveUnit {
+/// The interface unit of an emulated CyberGlove, in binary and in ASCII commands.
+class HANDWAY_DEVICE_EXPORT CyberGloveUnit final : public DeviceUnit {
  public:
-  using Bytes = std::vector<std::uint8_t>;
-
   /// @throws std::invalid_argument if there are neither 18 nor 22 sensors, or no rate above 0.
   CyberGloveUnit(const CyberGloveUnitSettings& settings, GloveSignal signal);
 
-  /// Takes what the host sent. @returns the answer.
-  [[nodiscard]] Bytes receive(std::span<const std::uint8_t> bytes, double now);
-
-  /// @returns the records that were due up to `now`, one an entry; not more than a quarter of a
-  /// second's worth, a unit that was held up doesn't make up for more.
-  [[nodiscard]] std::vector<Bytes> advance(double now);
-
-  /// When advance() has something to give again; nothing if it waits for the host.
-  [[nodiscard]] std::optional<double> next_due() const;
-
+  [[nodiscard]] Bytes receive(std::span<const std::uint8_t> bytes, double now) override;
+  [[nodiscard]] std::vector<Bytes> advance(double now) override;
+  [[nodiscard]] std::optional<double> next_due() const override;
   /// Pulls the glove off the unit, or puts it back on.
-  void set_plugged(bool plugged) { plugged_ = plugged; }
+  void set_plugged(bool plugged) override { plugged_ = plugged; }
 
   [[nodiscard]] bool streaming() const { return streaming_.has_value(); }
 

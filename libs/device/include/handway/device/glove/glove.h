@@ -1,5 +1,6 @@
 #pragma once
 
+#include "handway/device/core/sample_clock.h"
 #include "handway/device/export.h"
 #include "handway/device/glove/glove_frame.h"
 
@@ -70,9 +71,9 @@ class HANDWAY_DEVICE_EXPORT Glove {
  protected:
   Glove() = default;
 
-  using Clock = std::chrono::steady_clock;
+  using Clock = SampleClock::Clock;
   /// Seconds from the first connect() to `time`.
-  [[nodiscard]] double since_begin(Clock::time_point time) const;
+  [[nodiscard]] double since_begin(Clock::time_point time) const { return clock_.seconds_at(time); }
 
  private:
   virtual GloveInfo do_connect(const std::stop_token& stop) = 0;
@@ -81,10 +82,8 @@ class HANDWAY_DEVICE_EXPORT Glove {
   [[nodiscard]] virtual GloveLineFaults do_line_faults() const { return {}; }
 
   bool connected_ = false;
-  bool begun_ = false;
   int sensors_ = kGloveSensors;
-  double last_time_ = 0.0;
-  Clock::time_point begin_;
+  SampleClock clock_;
 };
 
 }  // namespace handway::device

@@ -1,0 +1,135 @@
+#include "handway/device/core/device_emulator.h"
+
+#include "host_port.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <deque>
+#include <stdexcept>
+#include <thread>
+
+namespace handway::device {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// How long it takes to see that it has to stop, or was unplugged, s.
+constexpr double kLongestWait = 0.02;
+
+struct Delayed {
+  double release;  ///< s.
+  DeviceUnit::Bytes bytes;
+};
+
+std::unique_ptr<HostPort> open_port(const DeviceEmulatorSettings& settings) {
+  if (settings.udp_receiver) {
+    return send_to_udp_port(*settings.udp_receiver);
+  }
+  return settings.tcp_port ? listen_on_tcp_port(*settings.tcp_port) : open_pseudo_terminal();
+}
+
+}  // namespace
+
+struct DeviceEmulator::Running {
+  Running(const DeviceEmulatorSettings& given, std::unique_ptr<DeviceUnit> given_unit)
+      : settings(given),
+        unit(std::move(given_unit)),
+        faults(given.faults),
+        port(open_port(given)),
+        address(port->address()) {
+    if (!(given.latency >= 0.0)) {
+      throw std::invalid_argument("a latency can't be below 0");
+    }
+  }
+
+  DeviceEmulatorSettings settings;
+  std::unique_ptr<DeviceUnit> unit;
+  LineFaults faults;
+  std::unique_ptr<HostPort> port;
+  std::string address;
+  std::deque<Delayed> outgoing;
+  std::atomic<bool> plugged = true;
+  std::atomic<std::uint64_t> records = 0;
+  std::atomic<std::uint64_t> fault_count = 0;
+  std::jthread thread;  ///< Last: it uses all the others.
+
+  void run(const std::stop_token& stop);
+  void send(DeviceUnit::Bytes bytes, double now);
+  void flush(double now);
+  [[nodiscard]] bool plugged_at(double now) const;
+  [[nodiscard]] double wait_from(double now) const;
+};
+
+bool DeviceEmulator::Running::plugged_at(double now) const {
+  const bool pulled = settings.unplug_at && now >= *settings.unplug_at &&
+                      !(settings.replug_at && now >= *settings.replug_at);
+  return plugged && !pulled;
+}
+
+void DeviceEmulator::Running::send(DeviceUnit::Bytes bytes, double now) {
+  if (!bytes.empty()) {
+    outgoing.push_back({now + settings.latency, std::move(bytes)});
+  }
+}
+
+void DeviceEmulator::Running::flush(double now) {
+  while (!outgoing.empty() && outgoing.front().release <= now) {
+    port->write(outgoing.front().bytes);
+    outgoing.pop_front();
+  }
+}
+
+double DeviceEmulator::Running::wait_from(double now) const {
+  double until = now + kLongestWait;
+  if (const auto due = unit->next_due()) {
+    until = std::min(until, *due);
+  }
+  if (!outgoing.empty()) {
+    until = std::min(until, outgoing.front().release);
+  }
+  return std::max(until - now, 0.0);
+}
+
+void DeviceEmulator::Running::run(const std::stop_token& stop) {
+  const auto begin = Clock::now();
+  const auto now = [begin] { return std::chrono::duration<double>(Clock::now() - begin).count(); };
+  std::array<std::uint8_t, 256> bytes{};
+  while (!stop.stop_requested()) {
+    const auto wait = std::chrono::microseconds(static_cast<long>(wait_from(now()) * 1e6));
+    const std::size_t count = port->read(bytes, wait);
+    const double time = now();
+    unit->set_plugged(plugged_at(time));
+    // What was due before the host spoke is sent before the answer.
+    for (DeviceUnit::Bytes& record : unit->advance(time)) {
+      send(faults.apply(std::move(record)), time);
+      ++records;
+    }
+    fault_count = faults.count();
+    if (count > 0) {
+      send(unit->receive(std::span(bytes).first(count), time), time);
+    }
+    flush(time);
+  }
+}
+
+DeviceEmulator::DeviceEmulator(const DeviceEmulatorSettings& settings,
+                               std::unique_ptr<DeviceUnit> unit)
+    : running_(std::make_unique<Running>(settings, std::move(unit))) {
+  running_->thread =
+      std::jthread([running = running_.get()](const std::stop_token& stop) { running->run(stop); });
+}
+
+DeviceEmulator::~DeviceEmulator() = default;
+
+const std::string& DeviceEmulator::address() const { return running_->address; }
+
+void DeviceEmulator::set_plugged(bool plugged) { running_->plugged = plugged; }
+
+std::uint64_t DeviceEmulator::records() const { return running_->records; }
+
+std::uint64_t DeviceEmulator::faults() const { return running_->fault_count; }
+
+}  // namespace handway::device
