@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -17,6 +18,11 @@ class DelayedBytes {
     waiting_.emplace_back(due, std::move(bytes));
   }
   void clear() { waiting_.clear(); }
+
+  /// When send() has something to do again, s; nothing if nothing waits.
+  [[nodiscard]] std::optional<double> next_due() const {
+    return waiting_.empty() ? std::nullopt : std::optional(waiting_.front().first);
+  }
 
   void send(HostPort& port, double now) {
     while (!waiting_.empty() && waiting_.front().first <= now) {

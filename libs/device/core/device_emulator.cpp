@@ -1,12 +1,12 @@
 #include "handway/device/core/device_emulator.h"
 
+#include "delayed_bytes.h"
 #include "host_port.h"
 
 #include <algorithm>
 #include <array>
 #include <atomic>
 #include <chrono>
-#include <deque>
 #include <stdexcept>
 #include <thread>
 
@@ -18,11 +18,6 @@ using Clock = std::chrono::steady_clock;
 
 // How long it takes to see that it has to stop, or was unplugged, s.
 constexpr double kLongestWait = 0.02;
-
-struct Delayed {
-  double release;  ///< s.
-  DeviceUnit::Bytes bytes;
-};
 
 std::unique_ptr<HostPort> open_port(const DeviceEmulatorSettings& settings) {
   if (settings.udp_receiver) {
@@ -50,7 +45,7 @@ struct DeviceEmulator::Running {
   LineFaults faults;
   std::unique_ptr<HostPort> port;
   std::string address;
-  std::deque<Delayed> outgoing;
+  DelayedBytes outgoing;
   std::atomic<bool> plugged = true;
   std::atomic<std::uint64_t> records = 0;
   std::atomic<std::uint64_t> fault_count = 0;
@@ -58,7 +53,6 @@ struct DeviceEmulator::Running {
 
   void run(const std::stop_token& stop);
   void send(DeviceUnit::Bytes bytes, double now);
-  void flush(double now);
   [[nodiscard]] bool plugged_at(double now) const;
   [[nodiscard]] double wait_from(double now) const;
 };
@@ -71,14 +65,7 @@ bool DeviceEmulator::Running::plugged_at(double now) const {
 
 void DeviceEmulator::Running::send(DeviceUnit::Bytes bytes, double now) {
   if (!bytes.empty()) {
-    outgoing.push_back({now + settings.latency, std::move(bytes)});
-  }
-}
-
-void DeviceEmulator::Running::flush(double now) {
-  while (!outgoing.empty() && outgoing.front().release <= now) {
-    port->write(outgoing.front().bytes);
-    outgoing.pop_front();
+    outgoing.add(std::move(bytes), now + settings.latency);
   }
 }
 
@@ -87,8 +74,8 @@ double DeviceEmulator::Running::wait_from(double now) const {
   if (const auto due = unit->next_due()) {
     until = std::min(until, *due);
   }
-  if (!outgoing.empty()) {
-    until = std::min(until, outgoing.front().release);
+  if (const auto due = outgoing.next_due()) {
+    until = std::min(until, *due);
   }
   return std::max(until - now, 0.0);
 }
@@ -111,7 +98,7 @@ void DeviceEmulator::Running::run(const std::stop_token& stop) {
     if (count > 0) {
       send(unit->receive(std::span(bytes).first(count), time), time);
     }
-    flush(time);
+    outgoing.send(*port, time);
   }
 }
 

@@ -1,0 +1,58 @@
+#pragma once
+
+#include "handway/device/export.h"
+#include "handway/device/tracker/tracker.h"
+
+#include <chrono>
+#include <memory>
+#include <string>
+
+namespace handway::device {
+
+enum class PolhemusModel {
+  kFastrak,
+  kLiberty,  ///< Also Patriot and Latus.
+};
+
+struct PolhemusSettings {
+  PolhemusModel model = PolhemusModel::kFastrak;
+  int baud = 115200;    ///< Of a serial port, bit/s.
+  bool ascii = false;   ///< Text records instead of binary ones; Fastrak only.
+  bool button = false;  ///< Ask for the switch of a stylus, too.
+  /// The device is taken for lost after this long without an answer, or without a record.
+  std::chrono::milliseconds timeout{1000};
+};
+
+/// Driver of Polhemus trackers on a serial port or a TCP port. Samples are stamped when their last
+/// byte arrives. Records that the device marks as distorted or out of range are dropped and counted
+/// in TrackerFaults::doubtful.
+///
+/// connect() stops whatever the unit was doing, asks for its state, sets units and output
+/// list of every station, and starts the continuous output. When no record comes the unit is
+/// asked again: if it answers, its sensors are unplugged; if not, the connection is lost.
+class HANDWAY_DEVICE_EXPORT PolhemusTracker final : public Tracker {
+ public:
+  /// @param address as for open_link().
+  /// @throws std::invalid_argument for a Liberty in ASCII.
+  explicit PolhemusTracker(std::string address, const PolhemusSettings& settings = {});
+  ~PolhemusTracker() override;
+
+ private:
+  struct Session;
+
+  TrackerInfo do_connect(const std::stop_token& stop) override;
+  TrackerReading do_next(std::chrono::milliseconds timeout, const std::stop_token& stop) override;
+  void do_disconnect() noexcept override;
+  [[nodiscard]] TrackerFaults do_faults() const override;
+
+  void take_records(std::chrono::milliseconds timeout);
+  void wait_for_answer(const std::stop_token& stop);
+  bool look_for_life(Clock::time_point now);
+
+  std::string address_;
+  PolhemusSettings settings_;
+  std::unique_ptr<Session> session_;  ///< While connected.
+  TrackerFaults faults_;              ///< Of former connections.
+};
+
+}  // namespace handway::device

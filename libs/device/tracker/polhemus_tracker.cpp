@@ -1,0 +1,183 @@
+#include "handway/device/tracker/polhemus_tracker.h"
+
+#include "handway/device/core/byte_link.h"
+#include "handway/device/core/device_error.h"
+#include "polhemus_protocol.h"
+
+#include <algorithm>
+#include <array>
+#include <deque>
+#include <thread>
+
+namespace handway::device {
+
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr milliseconds kSlice{20};
+// A Fastrak needs some time after each command.
+constexpr milliseconds kCommandPause{20};
+// So long a silence means that the stream has ended.
+constexpr milliseconds kQuiet{60};
+constexpr int kTries = 3;
+
+}  // namespace
+
+struct PolhemusTracker::Session {
+  std::unique_ptr<ByteLink> link;
+  std::unique_ptr<PolhemusProtocol> protocol;
+  std::deque<TrackerSample> samples;  ///< Arrived and not yet taken.
+  std::uint64_t doubtful = 0;
+  std::uint64_t replies = 0;
+  Clock::time_point last_pose;   ///< When the last data record came, or was to come first.
+  Clock::time_point last_reply;  ///< When it last answered.
+  Clock::time_point last_probe;
+  bool unplugged = false;
+
+  void send(const std::string& command) const {
+    link->write({reinterpret_cast<const std::uint8_t*>(command.data()), command.size()});
+  }
+
+  void drain(milliseconds at_most) const {
+    std::array<std::uint8_t, 1024> bytes{};
+    const auto end = Clock::now() + at_most;
+    while (link->read(bytes, kQuiet) > 0 && Clock::now() < end) {
+    }
+    protocol->reset();
+  }
+};
+
+PolhemusTracker::PolhemusTracker(std::string address, const PolhemusSettings& settings)
+    : address_(std::move(address)), settings_(settings) {
+  (void)make_polhemus_protocol(settings);  // Refuses what there isn't.
+}
+
+PolhemusTracker::~PolhemusTracker() { disconnect(); }
+
+void PolhemusTracker::take_records(milliseconds timeout) {
+  Session& session = *session_;
+  std::array<std::uint8_t, 1024> bytes{};
+  const std::size_t count = session.link->read(bytes, timeout);
+  const auto arrival = Clock::now();
+  for (const PolhemusRecord& record : session.protocol->parse(std::span(bytes).first(count))) {
+    switch (record.kind) {
+      case PolhemusRecordKind::kPose:
+        session.samples.push_back(
+            {since_begin(arrival), record.station, record.X_ST, record.button});
+        session.last_pose = arrival;
+        session.unplugged = false;
+        break;
+      case PolhemusRecordKind::kDoubtful:
+        ++session.doubtful;
+        session.last_pose = arrival;
+        break;
+      case PolhemusRecordKind::kReply:
+        ++session.replies;
+        session.last_reply = arrival;
+        break;
+    }
+  }
+}
+
+void PolhemusTracker::wait_for_answer(const std::stop_token& stop) {
+  Session& session = *session_;
+  for (int k = 0; k < kTries; ++k) {
+    session.send(session.protocol->probe_command());
+    const auto end = Clock::now() + settings_.timeout;
+    while (Clock::now() < end && !stop.stop_requested()) {
+      take_records(kSlice);
+      if (session.replies > 0) {
+        return;
+      }
+    }
+  }
+  throw DeviceError({address_, "", "no answer", std::string(session.protocol->name()),
+                     "Look whether the unit is switched on, this is its port, and the baud rate is "
+                     "that of its switches."});
+}
+
+TrackerInfo PolhemusTracker::do_connect(const std::stop_token& stop) {
+  session_.reset();  // Its port is needed.
+  auto link = open_link(address_, settings_.baud, stop);
+  session_ = std::make_unique<Session>();
+  session_->link = std::move(link);
+  session_->protocol = make_polhemus_protocol(settings_);
+  try {
+    session_->send(session_->protocol->stop_command());
+    session_->drain(settings_.timeout);
+    wait_for_answer(stop);
+    for (const std::string& command : session_->protocol->set_up_commands()) {
+      session_->send(command);
+      std::this_thread::sleep_for(kCommandPause);
+    }
+    session_->drain(settings_.timeout);
+    session_->samples.clear();
+    session_->send(session_->protocol->start_command());
+  } catch (...) {
+    session_.reset();
+    throw;
+  }
+  session_->last_pose = session_->last_reply = session_->last_probe = Clock::now();
+  return {address_, std::string(session_->protocol->name())};
+}
+
+// After too long a silence. @returns whether the unit lives, as far as is known yet.
+bool PolhemusTracker::look_for_life(Clock::time_point now) {
+  Session& session = *session_;
+  if (now - session.last_probe > settings_.timeout / 4) {
+    session.last_probe = now;
+    session.send(session.protocol->probe_command());
+  }
+  session.unplugged |= session.last_reply > session.last_pose + settings_.timeout;
+  return now - std::max(session.last_reply, session.last_pose) < 2 * settings_.timeout;
+}
+
+TrackerReading PolhemusTracker::do_next(milliseconds timeout, const std::stop_token& stop) {
+  Session& session = *session_;
+  const auto end = Clock::now() + timeout;
+  while (session.samples.empty() && !stop.stop_requested()) {
+    const auto now = Clock::now();
+    const auto left = std::chrono::ceil<milliseconds>(end - now);
+    take_records(std::clamp(left, milliseconds(0), kSlice));
+    if (!session.samples.empty()) {
+      break;
+    }
+    if (now - session.last_pose > settings_.timeout && !look_for_life(now)) {
+      throw DeviceError({address_, "", "no answer any more", std::string(session.protocol->name()),
+                         "Look whether it is switched on and connected."});
+    }
+    if (now >= end) {
+      return {session.unplugged ? TrackerEvent::kUnplugged : TrackerEvent::kNothing, {}};
+    }
+  }
+  if (session.samples.empty()) {
+    return {};
+  }
+  const TrackerSample sample = session.samples.front();
+  session.samples.pop_front();
+  return {TrackerEvent::kSample, sample};
+}
+
+void PolhemusTracker::do_disconnect() noexcept {
+  try {
+    session_->send(session_->protocol->stop_command());
+  } catch (const std::exception&) {
+    // The device is gone already: there is no stream to be stopped.
+  }
+  faults_ = do_faults();
+  session_.reset();
+}
+
+TrackerFaults PolhemusTracker::do_faults() const {
+  TrackerFaults faults = faults_;
+  if (session_) {
+    const TrackerFaults now = session_->protocol->faults();
+    faults.resynchronisations += now.resynchronisations;
+    faults.dropped_bytes += now.dropped_bytes;
+    faults.doubtful += session_->doubtful;
+  }
+  return faults;
+}
+
+}  // namespace handway::device
