@@ -1,0 +1,97 @@
+#pragma once
+
+#include "handway/device/export.h"
+#include "handway/device/tracker/tracker.h"
+#include "handway/device/tracker/workspace_limits.h"
+#include "handway/geometric/robot/inverse_kinematics.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace handway::device {
+
+struct ToolFollowerSettings {
+  /// Orientation of the tracker's source S in the robot's base B.
+  Eigen::Matrix3d R_BS = Eigen::Matrix3d::Identity();
+  double translation_scale = 1.0;  ///< How far the tool goes for 1 m of the hand.
+  bool rotate = true;              ///< Whether the tool turns with the hand.
+  WorkspaceLimits workspace;       ///< Of the tool's origin.
+  double smoothing = 0.05;         ///< Time constant of the first-order low-pass, s; 0: none.
+  double top_speed = 1.0;  ///< Of every joint, rad/s or m/s; the model's own limits hold, too.
+  /// A posture that differs by more than this from the last one in some joint, rad or m, is one
+  /// of another branch: it is not followed.
+  double largest_branch_step = 0.8;
+  double longest_gap = 0.5;  ///< Between two samples, s; after a longer one the clutch opens.
+};
+
+enum class FollowState {
+  kReleased,    ///< The clutch is open: the robot stands.
+  kFollowing,   ///< The tool is where the hand wants it.
+  kSlowed,      ///< On its way there, as fast as the joints may.
+  kOutOfReach,  ///< No posture within limits is there: the robot stands.
+  kBranchEnd,   ///< Only a posture far from the present one is there: the robot stands.
+};
+
+/// "following", "out of reach", … for people.
+[[nodiscard]] HANDWAY_DEVICE_EXPORT const char* follow_state_name(FollowState state);
+
+struct FollowStep {
+  FollowState state = FollowState::kReleased;
+  geometric::Configuration q;  ///< Where the robot is to be, shape [model().variable_count()].
+  geometric::Pose X_BF = geometric::Pose::Identity();  ///< Where the tool F is wanted.
+  bool at_workspace_edge = false;                      ///< The hand wants it farther out.
+  std::string reason;                                  ///< Why the robot stands; else empty.
+};
+
+/// Leads an arm's tool by a tracked wrist. While the clutch is closed the tool moves as the sensor
+/// moves from where both were when it was closed: by the same turn, and by the same way times
+/// a scale, both in the directions of the base; the wanted pose is kept within the workspace,
+/// smoothed, and reached in the posture nearest to the last. No joint is ever faster than its
+/// limit, whatever the tracker says. It knows of no obstacles: whoever moves a real arm checks
+/// for collisions.
+class HANDWAY_DEVICE_EXPORT ToolFollower {
+ public:
+  /// @param ik for the tool's link; @pre not null.
+  /// @param q where the robot is, shape [ik->model().variable_count()].
+  /// @throws std::invalid_argument if q's size, a setting or a number makes no sense.
+  ToolFollower(std::shared_ptr<const geometric::InverseKinematics> ik, geometric::Configuration q,
+               const ToolFollowerSettings& settings = {});
+
+  /// Closes the clutch: from the next sample on the tool moves with the sensor.
+  void engage() { engaged_ = true; }
+  /// Opens the clutch: the robot stands.
+  void disengage();
+  [[nodiscard]] bool engaged() const { return engaged_; }
+
+  /// Takes a sample of one sensor. @returns where the robot is to be now.
+  /// @pre the pose is finite and rigid, as those of Tracker::next().
+  FollowStep update(const TrackerSample& sample);
+
+  [[nodiscard]] const geometric::Configuration& configuration() const { return q_; }
+  /// Pose of the tool's frame F in the base at configuration().
+  [[nodiscard]] geometric::Pose tool_pose() const;
+
+ private:
+  /// Where sensor and tool were when the clutch was closed.
+  struct Grip {
+    geometric::Pose X_ST;
+    geometric::Pose X_BF;
+  };
+
+  [[nodiscard]] geometric::Pose wanted_pose(const geometric::Pose& X_ST) const;
+  void smooth(const geometric::Pose& wanted, double dt);
+  void follow(double dt, FollowStep& step);
+
+  std::shared_ptr<const geometric::InverseKinematics> ik_;
+  ToolFollowerSettings settings_;
+  Eigen::VectorXd top_speeds_;                          ///< Shape [ik->variables().size()].
+  geometric::Configuration q_;                          ///< Where the robot is.
+  geometric::Configuration goal_;                       ///< Where it is going.
+  geometric::Pose X_BF_ = geometric::Pose::Identity();  ///< Smoothed.
+  std::optional<Grip> grip_;
+  bool engaged_ = false;
+  double last_time_ = 0.0;
+};
+
+}  // namespace handway::device

@@ -1,0 +1,160 @@
+#include "handway/device/tracker/tool_follower.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <vector>
+
+namespace handway::device {
+
+namespace {
+
+using geometric::Configuration;
+using geometric::IkResult;
+using geometric::Pose;
+
+// How exactly a posture counts as reached, rad or m.
+constexpr double kArrived = 1e-9;
+constexpr double kRotationTolerance = 1e-6;
+
+void check(const ToolFollowerSettings& settings) {
+  const auto require = [](bool good, const char* what) {
+    if (!good) {
+      throw std::invalid_argument(what);
+    }
+  };
+  const Eigen::Matrix3d& R = settings.R_BS;
+  require(
+      R.allFinite() && (R * R.transpose()).isIdentity(kRotationTolerance) && R.determinant() > 0.0,
+      "the source's orientation has to be a rotation");
+  require(settings.translation_scale >= 0.0 && std::isfinite(settings.translation_scale),
+          "a scale can't be below 0");
+  require(settings.smoothing >= 0.0, "a time constant can't be below 0");
+  require(settings.top_speed > 0.0, "a speed has to be above 0");
+  require(settings.largest_branch_step > 0.0, "a step has to be above 0");
+  require(settings.longest_gap > 0.0, "a gap has to be above 0");
+  check_workspace(settings.workspace);
+}
+
+}  // namespace
+
+const char* follow_state_name(FollowState state) {
+  switch (state) {
+    case FollowState::kReleased:
+      return "released";
+    case FollowState::kFollowing:
+      return "following";
+    case FollowState::kSlowed:
+      return "slowed";
+    case FollowState::kOutOfReach:
+      return "out of reach";
+    case FollowState::kBranchEnd:
+      return "end of branch";
+  }
+  return "unknown";
+}
+
+ToolFollower::ToolFollower(std::shared_ptr<const geometric::InverseKinematics> ik, Configuration q,
+                           const ToolFollowerSettings& settings)
+    : ik_(std::move(ik)), settings_(settings), q_(std::move(q)), goal_(q_) {
+  check(settings_);
+  if (q_.size() != ik_->model().variable_count() || !q_.allFinite()) {
+    throw std::invalid_argument(
+        "a configuration has a finite value for each of the robot's "
+        "variables");
+  }
+  const std::vector<int>& variables = ik_->variables();
+  top_speeds_.resize(static_cast<Eigen::Index>(variables.size()));
+  std::ranges::transform(variables, top_speeds_.begin(), [&](int variable) {
+    return std::min(settings_.top_speed, ik_->model().variable(variable).limits.velocity);
+  });
+}
+
+void ToolFollower::disengage() {
+  engaged_ = false;
+  grip_.reset();
+}
+
+Pose ToolFollower::tool_pose() const {
+  std::vector<Pose> X_BL(static_cast<std::size_t>(ik_->model().link_count()));
+  ik_->model().forward_kinematics(q_, X_BL);
+  return X_BL[static_cast<std::size_t>(ik_->tip_link())];
+}
+
+Pose ToolFollower::wanted_pose(const Pose& X_ST) const {
+  const Eigen::Matrix3d& R_BS = settings_.R_BS;
+  Pose X_BF = grip_->X_BF;
+  X_BF.translation() +=
+      settings_.translation_scale * R_BS * (X_ST.translation() - grip_->X_ST.translation());
+  if (settings_.rotate) {
+    const Eigen::Matrix3d turn = X_ST.linear() * grip_->X_ST.linear().transpose();
+    X_BF.linear() = R_BS * turn * R_BS.transpose() * grip_->X_BF.linear();
+  }
+  return X_BF;
+}
+
+void ToolFollower::smooth(const Pose& wanted, double dt) {
+  const double share = settings_.smoothing > 0.0 ? 1.0 - std::exp(-dt / settings_.smoothing) : 1.0;
+  const Eigen::Quaterniond now(X_BF_.linear());
+  X_BF_.translation() += share * (wanted.translation() - X_BF_.translation());
+  X_BF_.linear() =
+      now.slerp(share, Eigen::Quaterniond(wanted.linear())).normalized().toRotationMatrix();
+}
+
+FollowStep ToolFollower::update(const TrackerSample& sample) {
+  const double dt = std::max(sample.time - last_time_, 0.0);
+  last_time_ = sample.time;
+  FollowStep step;
+  if (engaged_ && grip_ && dt > settings_.longest_gap) {
+    disengage();
+    step.reason = "the tracker was silent for too long; close the clutch again";
+  }
+  if (!engaged_) {
+    step.q = q_;
+    step.X_BF = tool_pose();
+    return step;
+  }
+  if (!grip_) {
+    X_BF_ = tool_pose();
+    grip_ = {sample.X_ST, X_BF_};
+    goal_ = q_;
+  }
+  Pose wanted = wanted_pose(sample.X_ST);
+  const Eigen::Vector3d inside = nearest_inside(settings_.workspace, wanted.translation());
+  step.at_workspace_edge = inside != wanted.translation();
+  wanted.translation() = inside;
+  smooth(wanted, dt);
+  step.X_BF = X_BF_;
+  follow(dt, step);
+  step.q = q_;
+  return step;
+}
+
+// Goes on to the smoothed pose, if there is a way.
+void ToolFollower::follow(double dt, FollowStep& step) {
+  const IkResult found = ik_->solve(X_BF_, goal_);
+  if (found.solutions.empty()) {
+    step.state = FollowState::kOutOfReach;
+    step.reason = found.reason;
+    return;
+  }
+  const std::vector<int>& variables = ik_->variables();
+  const Eigen::VectorXd& next = found.solutions.front().q;
+  const Eigen::VectorXd last = goal_(variables);
+  if ((next - last).cwiseAbs().maxCoeff() > settings_.largest_branch_step) {
+    step.state = FollowState::kBranchEnd;
+    step.reason = "only a posture far from the present one reaches there";
+    return;
+  }
+  goal_(variables) = next;
+  const Eigen::VectorXd here = q_(variables);
+  const Eigen::VectorXd way = next - here;
+  // All joints by the same share, so that none has to wait for another.
+  const double share =
+      std::min(1.0, (top_speeds_ * dt).cwiseQuotient(way.cwiseAbs().cwiseMax(kArrived)).minCoeff());
+  q_(variables) = here + share * way;
+  const bool arrived = (1.0 - share) * way.cwiseAbs().maxCoeff() <= kArrived;
+  step.state = arrived ? FollowState::kFollowing : FollowState::kSlowed;
+}
+
+}  // namespace handway::device
