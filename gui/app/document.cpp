@@ -8,21 +8,27 @@ namespace handway::gui {
 
 Document::Document(std::shared_ptr<const planning::Extensions> extensions, QObject* parent)
     : QObject(parent), loader_(std::move(extensions)) {
-  connect(&loader_, &SceneLoader::loaded, this, [this](const planning::LoadedScene& scene) {
-    file_ = requested_;
-    set_scene(scene);
-  });
+  connect(&loader_, &SceneLoader::loaded, this,
+          [this](const planning::LoadedScene& scene) { set_scene(scene, requested_); });
   connect(&loader_, &SceneLoader::failed, this, &Document::open_failed);
 }
 
 const geometric::RobotInstance* Document::robot() const {
-  return loaded_.scene && !loaded_.scene->robots.empty() ? &loaded_.scene->robots.front() : nullptr;
+  return scene() && !scene()->robots.empty() ? &scene()->robots.front() : nullptr;
 }
 
-void Document::open(const std::filesystem::path& file) {
+void Document::open(const std::filesystem::path& file) { open_copy(file, file); }
+
+void Document::open_copy(const std::filesystem::path& copy, const std::filesystem::path& file) {
   requested_ = file;
-  emit opening(QString::fromStdString(file.string()));
-  loader_.load(file);
+  emit opening(QString::fromStdString(copy.string()));
+  loader_.load(copy);
+}
+
+void Document::create(const std::string& robot) {
+  requested_.clear();
+  emit opening(QString::fromStdString(robot));
+  loader_.create(robot);
 }
 
 void Document::save(const std::filesystem::path& file, const geometric::PlannerChoice& planner) {
@@ -30,8 +36,10 @@ void Document::save(const std::filesystem::path& file, const geometric::PlannerC
   file_ = file;
 }
 
-void Document::set_scene(planning::LoadedScene scene) {
+void Document::set_scene(planning::LoadedScene scene, const std::filesystem::path& file) {
   loaded_ = std::move(scene);
+  state_ = {loaded_.scene};
+  file_ = file;
   problem_.reset();
   groups_ = {};
   palm_ = 0;
@@ -44,6 +52,20 @@ void Document::set_scene(planning::LoadedScene scene) {
   }
   emit opened();
   if (robot()) {
+    emit configuration_changed(q_);
+  }
+}
+
+void Document::set_state(SceneState state) {
+  const SceneState before = std::exchange(state_, std::move(state));
+  if (before.scene != state_.scene) {
+    loaded_.scene = state_.scene;
+    if (robot()) {
+      problem_ = std::make_shared<const PreparedProblem>(loaded_, threads_, problem_.get());
+    }
+  }
+  emit edited(before);
+  if (robot() && before.scene != state_.scene) {
     emit configuration_changed(q_);
   }
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "editing/scene_state.h"
 #include "handway/planning/core/plugin.h"
 #include "panels/joint_groups.h"
 #include "workers/prepared_problem.h"
@@ -22,8 +23,10 @@ class Document : public QObject {
                     QObject* parent = nullptr);
 
   [[nodiscard]] const std::shared_ptr<const geometric::Scene>& scene() const {
-    return loaded_.scene;
+    return state_.scene;
   }
+  /// The scene, and which objects are hidden or locked.
+  [[nodiscard]] const SceneState& state() const { return state_; }
   [[nodiscard]] const planning::LoadedScene& loaded() const { return loaded_; }
   /// For planning and collision checks; null if there is no robot.
   [[nodiscard]] const std::shared_ptr<const PreparedProblem>& problem() const { return problem_; }
@@ -36,11 +39,17 @@ class Document : public QObject {
 
   /// Begins to read `file`; opened() or open_failed() follows.
   void open(const std::filesystem::path& file);
+  /// Reads `copy`, but goes by the name of `file` (or none).
+  void open_copy(const std::filesystem::path& copy, const std::filesystem::path& file);
+  /// Begins a new scene with a robot of the library; opened() or open_failed() follows.
+  void create(const std::string& robot);
   /// Writes the scene with the robot as it stands, and goes by that name from now on.
   /// @throws InputError if a file can't be written.
   void save(const std::filesystem::path& file, const geometric::PlannerChoice& planner);
-  /// Shows a scene that is in memory already.
-  void set_scene(planning::LoadedScene scene);
+  /// Shows another scene, that is in memory already.
+  void set_scene(planning::LoadedScene scene, const std::filesystem::path& file = {});
+  /// Replaces the scene by an edited one with the same robots.
+  void set_state(SceneState state);
   /// Moves the first robot. @param q shape [variable_count].
   void set_configuration(const geometric::Configuration& q);
   /// Sets the joints that the posture names.
@@ -49,6 +58,8 @@ class Document : public QObject {
  signals:
   void opening(const QString& file);
   void opened();
+  /// An edit, of which `before` was the state.
+  void edited(const handway::gui::SceneState& before);
   /// The scene from before stays.
   void open_failed(const QString& message);
   void configuration_changed(const Eigen::VectorXd& q);
@@ -56,7 +67,8 @@ class Document : public QObject {
  private:
   SceneLoader loader_;
   BackgroundThreads threads_;
-  planning::LoadedScene loaded_;
+  SceneState state_;
+  planning::LoadedScene loaded_;  ///< With the scene of `state_`.
   std::shared_ptr<const PreparedProblem> problem_;
   JointGroups groups_;
   int palm_ = 0;

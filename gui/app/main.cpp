@@ -69,6 +69,7 @@ int main(int argc, char** argv) {
   QSurfaceFormat format;
   format.setSamples(4);
   format.setDepthBufferSize(24);
+  format.setStencilBufferSize(8);
   QSurfaceFormat::setDefaultFormat(format);
   QApplication application(argc, argv);
   QApplication::setOrganizationName(QStringLiteral("handway"));

@@ -1,66 +1,47 @@
 #include "app/main_window.h"
 
+#include "app/dock_layout.h"
+#include "app/file_commands.h"
+#include "app/plan_options.h"
 #include "app/recent_files.h"
+#include "editing/recovery.h"
+#include "editing/scene_editing.h"
 #include "glove/glove_panel.h"
-#include "handway/geometric/io/input_error.h"
+#include "handway/geometric/io/mesh_reader.h"
 #include "panels/banner.h"
 #include "panels/collision_label.h"
 #include "panels/joint_panel.h"
 #include "panels/playback_bar.h"
 #include "panels/pmd_panel.h"
 #include "panels/posture_bar.h"
+#include "panels/properties_panel.h"
 #include "panels/scene_tree.h"
+#include "start/about_box.h"
+#include "start/command_palette.h"
+#include "start/panel_help.h"
+#include "start/start_page.h"
 #include "style/theme.h"
 #include "view3d/scene_view.h"
 #include "workers/palm_path.h"
 
 #include <QApplication>
-#include <QDockWidget>
+#include <QCloseEvent>
 #include <QDragEnterEvent>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
-#include <QMessageBox>
 #include <QMimeData>
 #include <QSettings>
+#include <QStackedWidget>
 #include <QStatusBar>
-#include <QTabBar>
-#include <QTabWidget>
-#include <QVBoxLayout>
+#include <QUndoView>
 
 namespace handway::gui {
-namespace {
-
-QDockWidget* make_dock(QMainWindow& window, const QString& title, QWidget* content,
-                       Qt::DockWidgetArea area) {
-  auto* dock = new QDockWidget(title, &window);
-  dock->setObjectName(title);
-  dock->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable);
-  dock->setWidget(content);
-  window.addDockWidget(area, dock);
-  return dock;
-}
-
-QWidget* stacked(std::initializer_list<QWidget*> parts, int stretched) {
-  auto* box = new QWidget;
-  auto* layout = new QVBoxLayout(box);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
-  int index = 0;
-  for (QWidget* part : parts) {
-    layout->addWidget(part, index++ == stretched ? 1 : 0);
-  }
-  return box;
-}
-
-}  // namespace
-
 MainWindow::MainWindow(std::shared_ptr<planning::Extensions> extensions, QWidget* parent)
     : QMainWindow(parent),
       extensions_(std::move(extensions)),
       document_(extensions_),
       view_(new SceneView),
-      banner_(new Banner(view_)),
+      banner_(new Banner(this)),
       tree_(new SceneTree),
       log_(new LogPanel),
       plan_panel_(new PlanPanel(extensions_->planners())),
@@ -69,15 +50,23 @@ MainWindow::MainWindow(std::shared_ptr<planning::Extensions> extensions, QWidget
       pmd_panel_(new PmdPanel),
       glove_panel_(new GlovePanel),
       playback_(new PlaybackBar(player_)),
+      start_page_(new StartPage),
+      middle_(new QStackedWidget),
+      palette_(new CommandPalette(*this)),
       collision_label_(new CollisionLabel),
-      actions_(std::make_unique<WindowActions>(*this)) {
+      actions_(std::make_unique<WindowActions>(*this)),
+      editing_(
+          std::make_unique<SceneEditing>(*this, *actions_, document_, *view_, *tree_, collisions_)),
+      files_(std::make_unique<FileCommands>(*this, document_, *plan_panel_,
+                                            editing_->editor().undo_stack())),
+      recovery_(std::make_unique<Recovery>(document_, editing_->editor(), *plan_panel_, *banner_)) {
   setWindowTitle(tr("Handway"));
   setAcceptDrops(true);
   build_docks();
   session_ = std::make_unique<PlanningSession>(document_, *plan_panel_, player_);
   view_->set_colors(colors_of(current_theme()).view);
-  view_->set_empty_text(tr("Open a scene: File > Open, or drop a file here"));
   connect_actions();
+  connect_start();
   connect_document();
   connect_view();
   connect_planning();
@@ -94,32 +83,41 @@ MainWindow::~MainWindow() = default;
 
 void MainWindow::build_docks() {
   playback_->setProperty("role", "playback");
-  setCentralWidget(stacked({view_, playback_}, 0));
-  auto* tabs = new QTabWidget;
-  tabs->setDocumentMode(true);
-  tabs->tabBar()->setDrawBase(false);
-  tabs->tabBar()->setExpanding(true);
-  tabs->addTab(plan_panel_, tr("Plan"));
-  tabs->addTab(stacked({posture_bar_, joint_panel_}, 1), tr("Joints"));
-  tabs->addTab(pmd_panel_, tr("Hand"));
-  tabs->addTab(glove_panel_, tr("Glove"));
-  QDockWidget* scene = make_dock(*this, tr("Scene"), tree_, Qt::LeftDockWidgetArea);
-  QDockWidget* log = make_dock(*this, tr("Messages"), log_, Qt::LeftDockWidgetArea);
-  QDockWidget* right = make_dock(*this, tr("Control"), tabs, Qt::RightDockWidgetArea);
-  right->setTitleBarWidget(new QWidget);
-  resizeDocks({scene, right}, {250, 340}, Qt::Horizontal);
-  resizeDocks({scene, log}, {560, 190}, Qt::Vertical);
-  for (QDockWidget* dock : {scene, log, right}) {
-    actions_->view_menu()->addAction(dock->toggleViewAction());
-  }
+  middle_->addWidget(start_page_);
+  middle_->addWidget(stacked({view_, playback_}, 0));
+  setCentralWidget(middle_);
+  gui::build_docks(*this,
+                   {.scene = tree_,
+                    .properties = editing_->properties(),
+                    .messages = log_,
+                    .history = new QUndoView(&editing_->editor().undo_stack()),
+                    .plan = plan_panel_,
+                    .joints = stacked({posture_bar_, joint_panel_}, 1),
+                    .hand = pmd_panel_,
+                    .glove = glove_panel_},
+                   *actions_->view_menu(), *actions_->edit_menu());
+  actions_->view_menu()->addAction(actions_->default_layout);
   statusBar()->addWidget(collision_label_, 1);
+  default_layout_ = saveState();
+  restore_layout(*this);
 }
 
 void MainWindow::connect_actions() {
-  connect(actions_->open, &QAction::triggered, this, &MainWindow::choose_file);
+  connect(actions_->open, &QAction::triggered, this, [this] {
+    if (const QString file = files_->choose(); !file.isEmpty()) {
+      open(file);
+    }
+  });
   connect(actions_->recent, &RecentFiles::chosen, this, &MainWindow::open);
-  connect(actions_->save_as, &QAction::triggered, this, &MainWindow::save_as);
-  connect(actions_->picture, &QAction::triggered, this, &MainWindow::save_picture);
+  connect(actions_->save, &QAction::triggered, files_.get(), &FileCommands::save);
+  connect(actions_->save_as, &QAction::triggered, files_.get(), &FileCommands::save_as);
+  connect(files_.get(), &FileCommands::saved, this, [this](const QString& file) {
+    actions_->recent->add(file);
+    log_->add(LogPanel::Level::kNote, tr("Saved as %1").arg(file));
+    update_title();
+  });
+  connect(files_.get(), &FileCommands::failed, this, &MainWindow::show_error);
+  connect(actions_->picture, &QAction::triggered, this, [this] { files_->save_picture(*view_); });
   connect(actions_->quit, &QAction::triggered, this, &QWidget::close);
   connect(actions_->fit, &QAction::triggered, view_, &SceneView::fit);
   const auto look = [this](QAction* action, StandardView direction) {
@@ -133,7 +131,23 @@ void MainWindow::connect_actions() {
   connect(actions_->samples, &QAction::toggled, view_, &SceneView::set_dots_visible);
   actions_->dark->setChecked(current_theme() == Theme::kDark);
   connect(actions_->dark, &QAction::toggled, this, &MainWindow::toggle_theme);
-  connect(actions_->about, &QAction::triggered, this, &MainWindow::show_about);
+  connect(actions_->about, &QAction::triggered, this, [this] { show_about(*this); });
+}
+
+void MainWindow::connect_start() {
+  connect(start_page_, &StartPage::open_requested, this, &MainWindow::open);
+  connect(start_page_, &StartPage::browse_requested, actions_->open, &QAction::trigger);
+  connect(start_page_, &StartPage::new_requested, this, &MainWindow::create);
+  connect(actions_->create, &QMenu::triggered, this,
+          [this](QAction* robot) { create(robot->data().toString().toStdString()); });
+  connect(actions_->palette, &QAction::triggered, palette_, &CommandPalette::ask);
+  connect(actions_->help, &QAction::triggered, this, [this] { show_panel_help(*this); });
+  connect(actions_->default_layout, &QAction::triggered, this,
+          [this] { restoreState(default_layout_); });
+  connect(actions_->set_start, &QAction::triggered, this,
+          [this] { editing_->editor().set_start(document_.configuration()); });
+  connect(actions_->set_goal, &QAction::triggered, this,
+          [this] { editing_->editor().set_goal(document_.configuration()); });
 }
 
 void MainWindow::connect_document() {
@@ -141,6 +155,19 @@ void MainWindow::connect_document() {
     statusBar()->showMessage(tr("Opening %1…").arg(QFileInfo(file).fileName()));
   });
   connect(&document_, &Document::opened, this, &MainWindow::show_scene);
+  connect(&document_, &Document::edited, this, [this](const SceneState& before) {
+    if (before.scene != document_.scene()) {
+      collisions_.set_problem(document_.problem());
+      posture_bar_->set_scene(document_.scene());
+      update_ready();
+    }
+  });
+  connect(&editing_->editor().undo_stack(), &QUndoStack::cleanChanged, this,
+          [this](bool clean) { setWindowModified(!clean); });
+  connect(editing_.get(), &SceneEditing::failed, this, &MainWindow::show_error);
+  connect(recovery_.get(), &Recovery::failed, this, [this](const QString& message) {
+    log_->add(LogPanel::Level::kError, tr("Unsaved changes are not kept: %1").arg(message));
+  });
   connect(&document_, &Document::open_failed, this, [this](const QString& message) {
     statusBar()->clearMessage();
     show_error(tr("The scene can't be opened"), message);
@@ -169,11 +196,6 @@ void MainWindow::connect_document() {
 }
 
 void MainWindow::connect_view() {
-  connect(view_, &SceneView::picked, this, [this](const SceneItem& item) {
-    tree_->select(item);
-    view_->set_selection(item);
-  });
-  connect(tree_, &SceneTree::item_selected, view_, &SceneView::set_selection);
   connect(tree_, &SceneTree::ghosts_toggled, view_, &SceneView::show_ghosts);
   connect(tree_, &SceneTree::posture_activated, this, [this](const SceneItem& item) {
     const auto& q =
@@ -217,6 +239,7 @@ void MainWindow::connect_planning() {
   });
   connect(session_.get(), &PlanningSession::nodes_changed, view_,
           [this](const std::vector<Eigen::Vector3d>& palms) { view_->set_dots(palms); });
+  connect(editing_.get(), &SceneEditing::tried, session_.get(), &PlanningSession::try_scene);
   connect(session_.get(), &PlanningSession::path_changed, this, &MainWindow::show_path);
   connect(session_.get(), &PlanningSession::ended, this, [this](bool solved, const QString& text) {
     actions_->plan->setEnabled(true);
@@ -230,6 +253,9 @@ void MainWindow::connect_planning() {
 
 void MainWindow::begin(const Options& options) {
   options_ = options;
+  if (options.screenshot.empty()) {
+    recovery_->offer();
+  }
   if (!options.scene.empty()) {
     document_.open(options.scene);
   } else {
@@ -238,8 +264,18 @@ void MainWindow::begin(const Options& options) {
 }
 
 void MainWindow::open(const QString& file) {
+  if (!files_->may_discard()) {
+    return;
+  }
   options_ = {};
   document_.open(file.toStdString());
+}
+
+void MainWindow::create(const std::string& robot) {
+  if (files_->may_discard()) {
+    options_ = {};
+    document_.create(robot);
+  }
 }
 
 void MainWindow::show_scene() {
@@ -256,19 +292,18 @@ void MainWindow::show_scene() {
                          document_.problem());
   pmd_panel_->set_hand(robot ? robot->model : nullptr, document_.loaded().basis,
                        document_.groups().hand);
-  const bool has_query = scene && scene->start && scene->goal;
-  plan_panel_->set_ready(
-      has_query, scene ? tr("The scene has no start or no goal") : tr("Open a scene first"));
-  actions_->plan->setEnabled(has_query);
+  update_ready();
+  middle_->setCurrentIndex(scene ? 1 : 0);
+  actions_->set_start->setEnabled(robot);
+  actions_->set_goal->setEnabled(robot);
+  actions_->save->setEnabled(scene != nullptr);
   actions_->save_as->setEnabled(scene != nullptr);
   if (!scene) {
     return;
   }
-  banner_->hide();
-  const QString name = QString::fromStdString(
-      scene->name.empty() ? document_.file().filename().string() : scene->name);
-  setWindowTitle(tr("%1 – Handway").arg(name));
-  log_->add(LogPanel::Level::kNote, tr("Opened %1").arg(name));
+  banner_->hide_message();
+  update_title();
+  log_->add(LogPanel::Level::kNote, tr("Opened %1").arg(files_->scene_name()));
   for (const std::string& warning : scene->warnings) {
     log_->add(LogPanel::Level::kWarning, QString::fromStdString(warning));
   }
@@ -276,7 +311,7 @@ void MainWindow::show_scene() {
     actions_->recent->add(QString::fromStdString(document_.file().string()));
   }
   try {
-    apply_plan_options();
+    apply_plan_options(options_, document_.scene()->planner, *plan_panel_);
   } catch (const std::exception& error) {
     const QString message = QString::fromUtf8(error.what());
     show_error(tr("The planner can't be set up"), message);
@@ -290,18 +325,15 @@ void MainWindow::show_scene() {
   emit ready();
 }
 
-void MainWindow::apply_plan_options() {
-  plan_panel_->apply(document_.scene()->planner);
-  if (!options_.planner.empty()) {
-    plan_panel_->choose_planner(options_.planner);
-  }
-  if (options_.seed) {
-    plan_panel_->set_seed(*options_.seed);
-  }
-  for (const auto& [key, value] : options_.settings) {
-    plan_panel_->set_parameter(key, value);
-  }
+void MainWindow::update_ready() {
+  const auto& scene = document_.scene();
+  const bool has_query = scene && scene->start && scene->goal;
+  plan_panel_->set_ready(
+      has_query, scene ? tr("The scene has no start or no goal") : tr("Open a scene first"));
+  actions_->plan->setEnabled(has_query && !session_->is_running());
 }
+
+void MainWindow::update_title() { setWindowTitle(tr("%1[*] – Handway").arg(files_->scene_name())); }
 
 void MainWindow::apply_glove_options() {
   if (!options_.glove.empty() || !options_.glove_page.empty()) {
@@ -328,40 +360,12 @@ void MainWindow::show_path() {
   view_->set_path(path.points, path.waypoints);
 }
 
-void MainWindow::choose_file() {
-  const QString file = QFileDialog::getOpenFileName(
-      this, tr("Open a scene"), QFileInfo(QString::fromStdString(document_.file().string())).path(),
-      tr("Scenes, problems and robots (*.yaml *.yml *.xml *.urdf);;All files (*)"));
-  if (!file.isEmpty()) {
-    open(file);
-  }
-}
-
-void MainWindow::save_as() {
-  QString file = QFileDialog::getSaveFileName(
-      this, tr("Save the scene"),
-      QString::fromStdString(document_.file().stem().string() + ".yaml"), tr("Scenes (*.yaml)"));
-  if (file.isEmpty()) {
-    return;
-  }
-  if (QFileInfo(file).suffix().isEmpty()) {
-    file += QStringLiteral(".yaml");
-  }
-  try {
-    document_.save(file.toStdString(), plan_panel_->choice());
-  } catch (const std::exception& error) {
-    show_error(tr("The scene was not saved"), QString::fromUtf8(error.what()));
-    return;
-  }
-  actions_->recent->add(file);
-  log_->add(LogPanel::Level::kNote, tr("Saved as %1").arg(file));
-}
-
-void MainWindow::save_picture() {
-  const QString file =
-      QFileDialog::getSaveFileName(this, tr("Save a picture"), {}, tr("Pictures (*.png)"));
-  if (!file.isEmpty() && !view_->grab().save(file)) {
-    show_error(tr("The picture was not saved"), tr("%1 can't be written").arg(file));
+void MainWindow::closeEvent(QCloseEvent* event) {
+  if (files_->may_discard()) {
+    save_layout(*this);
+    QMainWindow::closeEvent(event);
+  } else {
+    event->ignore();
   }
 }
 
@@ -373,17 +377,9 @@ void MainWindow::toggle_theme(bool dark) {
   actions_->refresh_icons();
   playback_->refresh_icons();
   tree_->refresh_icons();
+  editing_->refresh_icons();
+  start_page_->refresh();
   glove_panel_->refresh_icons();
-}
-
-void MainWindow::show_about() {
-  auto* box = new QMessageBox(QMessageBox::NoIcon, tr("About Handway"),
-                              tr("<h3>Handway %1</h3><p>Simulator and planning workbench for "
-                                 "hand-arm robots.</p>")
-                                  .arg(QApplication::applicationVersion()),
-                              QMessageBox::Close, this);
-  box->setAttribute(Qt::WA_DeleteOnClose);
-  box->open();
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
@@ -393,7 +389,12 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
-  open(event->mimeData()->urls().front().toLocalFile());
+  const QString file = event->mimeData()->urls().front().toLocalFile();
+  if (document_.scene() && geometric::is_mesh_file(file.toStdString())) {
+    editing_->add_mesh(file);
+  } else {
+    open(file);
+  }
 }
 
 }  // namespace handway::gui

@@ -12,17 +12,24 @@
 
 #include <memory>
 
+class QStackedWidget;
+
 namespace handway::gui {
 
 class Banner;
 class CollisionLabel;
+class CommandPalette;
+class FileCommands;
 class GlovePanel;
 class JointPanel;
 class PlaybackBar;
 class PmdPanel;
 class PostureBar;
+class Recovery;
+class SceneEditing;
 class SceneTree;
 class SceneView;
+class StartPage;
 
 /// The workbench's window. Builds the parts and connects them; what they do is theirs.
 class MainWindow : public QMainWindow {
@@ -35,9 +42,13 @@ class MainWindow : public QMainWindow {
   /// Opens the options' scene and sets the planner as they say.
   void begin(const Options& options);
   void open(const QString& file);
+  /// Begins a new scene with a robot of the library.
+  void create(const std::string& robot);
 
   [[nodiscard]] Document& document() { return document_; }
   [[nodiscard]] PlanningSession& session() { return *session_; }
+  [[nodiscard]] SceneEditing& editing() { return *editing_; }
+  [[nodiscard]] Recovery& recovery() { return *recovery_; }
   [[nodiscard]] PathPlayer& player() { return player_; }
   [[nodiscard]] SceneView& view() { return *view_; }
   [[nodiscard]] PlanPanel& plan_panel() { return *plan_panel_; }
@@ -55,23 +66,23 @@ class MainWindow : public QMainWindow {
  protected:
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
+  /// Asks about unsaved changes.
+  void closeEvent(QCloseEvent* event) override;
 
  private:
   void build_docks();
   void connect_actions();
   void connect_document();
+  void connect_start();
   void connect_view();
   void connect_planning();
   void show_scene();
   void show_error(const QString& title, const QString& message);
-  void apply_plan_options();
   void apply_glove_options();
   void show_path();
-  void choose_file();
-  void save_as();
-  void save_picture();
+  void update_title();
+  void update_ready();
   void toggle_theme(bool dark);
-  void show_about();
 
   std::shared_ptr<planning::Extensions> extensions_;
   Options options_;
@@ -88,8 +99,15 @@ class MainWindow : public QMainWindow {
   PmdPanel* pmd_panel_;
   GlovePanel* glove_panel_;
   PlaybackBar* playback_;
+  StartPage* start_page_;
+  QStackedWidget* middle_;
+  CommandPalette* palette_;
+  QByteArray default_layout_;
   CollisionLabel* collision_label_;
   std::unique_ptr<WindowActions> actions_;
+  std::unique_ptr<SceneEditing> editing_;
+  std::unique_ptr<FileCommands> files_;
+  std::unique_ptr<Recovery> recovery_;
   std::unique_ptr<PlanningSession> session_;
 };
 

@@ -10,6 +10,9 @@ PlanningSession::PlanningSession(Document& document, PlanPanel& panel, PathPlaye
   connect(&panel_, &PlanPanel::plan_requested, this, &PlanningSession::start);
   connect(&panel_, &PlanPanel::cancel_requested, this, &PlanningSession::cancel);
   connect(&document_, &Document::opened, this, &PlanningSession::forget);
+  connect(&document_, &Document::edited, this, &PlanningSession::take_edit);
+  connect(&live_, &LiveReplanner::replanned, this, &PlanningSession::take_replanned);
+  connect(&live_, &LiveReplanner::lost, this, &PlanningSession::forget);
   connect(&player_, &PathPlayer::moved, this, [this](double fraction) {
     document_.set_configuration(player_.timeline().at(fraction));
   });
@@ -34,6 +37,7 @@ bool PlanningSession::is_current() const { return planned_ == document_.scene();
 
 void PlanningSession::forget() {
   runner_.cancel();
+  live_.end();
   player_.clear();
   nodes_.clear();
   panel_.clear_result();
@@ -64,8 +68,37 @@ void PlanningSession::take_result(const planning::PlanResult& result) {
     player_.set_timeline(PathTimeline(*document_.robot()->model, result.path));
     emit path_changed();
     player_.seek(0.0);
+    live_.begin(document_.problem(), result.path, panel_.request());
   }
   emit ended(result.solved(), result_line(result));
+}
+
+void PlanningSession::take_edit(const SceneState& before) {
+  if (before.scene == document_.scene()) {
+    return;
+  }
+  if (live_.is_active()) {
+    live_.follow(document_.scene());
+  } else {
+    forget();
+  }
+}
+
+void PlanningSession::try_scene(const SceneState& state) { live_.follow(state.scene); }
+
+void PlanningSession::take_replanned(const planning::PlanResult& result, const QString& way) {
+  panel_.show_replanned(result, way);
+  if (!result.solved()) {
+    return;
+  }
+  const double fraction = player_.fraction();
+  const bool was_playing = player_.is_playing();
+  player_.set_timeline(PathTimeline(*document_.robot()->model, result.path));
+  emit path_changed();
+  player_.seek(fraction);
+  if (was_playing) {
+    player_.play();
+  }
 }
 
 void PlanningSession::take_failure(const QString& message) {

@@ -2,6 +2,7 @@
 
 #include "app/document.h"
 #include "panels/plan_panel.h"
+#include "workers/live_replanner.h"
 #include "workers/path_player.h"
 #include "workers/plan_runner.h"
 
@@ -12,7 +13,8 @@
 namespace handway::gui {
 
 /// From a click on Plan to a path that plays: runs the panel's planner on the
-/// document's scene and moves the document's robot along the result.
+/// document's scene, moves the document's robot along the result, and keeps the
+/// path valid while the scene is edited.
 class PlanningSession : public QObject {
   Q_OBJECT
 
@@ -24,6 +26,11 @@ class PlanningSession : public QObject {
   void start();
   void cancel();
   [[nodiscard]] bool is_running() const { return runner_.is_running(); }
+  /// True while a path follows an edit.
+  [[nodiscard]] bool is_replanning() const { return live_.is_busy(); }
+
+  /// Plans for a scene that is only tried, such as while an object is dragged.
+  void try_scene(const SceneState& state);
 
  signals:
   void started();
@@ -37,6 +44,8 @@ class PlanningSession : public QObject {
  private:
   void forget();
   void take_result(const planning::PlanResult& result);
+  void take_edit(const SceneState& before);
+  void take_replanned(const planning::PlanResult& result, const QString& way);
   void take_failure(const QString& message);
   [[nodiscard]] bool is_current() const;
 
@@ -44,6 +53,7 @@ class PlanningSession : public QObject {
   PlanPanel& panel_;
   PathPlayer& player_;
   PlanRunner runner_;
+  LiveReplanner live_;
   std::shared_ptr<const geometric::Scene> planned_;  ///< Scene of the run that goes on.
   std::vector<Eigen::Vector3d> nodes_;
 };

@@ -17,6 +17,16 @@ RecentFiles::RecentFiles(QWidget* parent) : QMenu(tr("Open &recent"), parent) {
   rebuild();
 }
 
+QStringList RecentFiles::files() {
+  QStringList found;
+  for (const QString& file : QSettings().value(key()).toStringList()) {
+    if (QFileInfo::exists(file)) {
+      found << file;
+    }
+  }
+  return found;
+}
+
 void RecentFiles::add(const QString& file) {
   QSettings settings;
   QStringList files = settings.value(key()).toStringList();
@@ -29,13 +39,11 @@ void RecentFiles::add(const QString& file) {
 
 void RecentFiles::rebuild() {
   clear();
-  for (const QString& file : QSettings().value(key()).toStringList()) {
-    if (QFileInfo::exists(file)) {
-      QAction* action =
-          addAction(QFileInfo(file).fileName(), this, [this, file] { emit chosen(file); });
-      action->setToolTip(file);
-      action->setStatusTip(file);
-    }
+  for (const QString& file : files()) {
+    QAction* action =
+        addAction(QFileInfo(file).fileName(), this, [this, file] { emit chosen(file); });
+    action->setToolTip(file);
+    action->setStatusTip(file);
   }
   if (isEmpty()) {
     addAction(tr("None yet"))->setEnabled(false);

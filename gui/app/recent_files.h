@@ -2,6 +2,7 @@
 
 #include <QMenu>
 #include <QString>
+#include <QStringList>
 
 namespace handway::gui {
 
@@ -12,6 +13,8 @@ class RecentFiles : public QMenu {
  public:
   explicit RecentFiles(QWidget* parent = nullptr);
 
+  /// Those that are still there, the last first.
+  [[nodiscard]] static QStringList files();
   void add(const QString& file);
 
  signals:

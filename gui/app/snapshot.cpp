@@ -17,6 +17,7 @@ Snapshot::Snapshot(MainWindow& window, const Options& options, QObject* parent)
     : QObject(parent),
       window_(window),
       file_(QString::fromStdString(options.screenshot.string())),
+      view_only_(options.view_only),
       glove_time_(options.glove.empty() ? 0.0 : options.glove_time) {
   poll_.setInterval(60);
   connect(&poll_, &QTimer::timeout, this, &Snapshot::wait_until_settled);
@@ -46,7 +47,8 @@ void Snapshot::wait_until_settled() {
     return;
   }
   const bool busy = window_.session().is_running() || window_.collisions().is_busy() ||
-                    window_.player().is_playing() || window_.view().frame_time_ms() <= 0.0;
+                    window_.player().is_playing() || window_.session().is_replanning() ||
+                    (window_.document().scene() && window_.view().frame_time_ms() <= 0.0);
   calm_polls_ = busy ? 0 : calm_polls_ + 1;
   if (calm_polls_ >= 3) {
     poll_.stop();
@@ -55,7 +57,8 @@ void Snapshot::wait_until_settled() {
 }
 
 void Snapshot::save() {
-  const bool saved = window_.grab().save(file_);
+  const QPixmap picture = view_only_ ? window_.view().grab() : window_.grab();
+  const bool saved = picture.save(file_);
   emit done(saved ? 0 : 1, saved ? QString() : tr("%1 can't be written").arg(file_));
 }
 

@@ -27,6 +27,7 @@ class Snapshot : public QObject {
 
   MainWindow& window_;
   QString file_;
+  bool view_only_;
   double glove_time_;  ///< To listen to the glove, s; 0: there is none.
   QTimer poll_;
   int calm_polls_ = 0;

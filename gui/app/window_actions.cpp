@@ -1,6 +1,7 @@
 #include "app/window_actions.h"
 
 #include "app/recent_files.h"
+#include "handway/geometric/io/resources.h"
 #include "style/icons.h"
 
 #include <QMainWindow>
@@ -13,13 +14,17 @@ namespace handway::gui {
 WindowActions::WindowActions(QMainWindow& window) : window_(window) {
   const auto tr = [](const char* text) { return QObject::tr(text); };
   open = make("open", tr("&Open…"), QKeySequence::Open, tr("Open a scene or problem file"));
+  create = new QMenu(tr("&New with"), &window);
   recent = new RecentFiles(&window);
-  save_as = make("save", tr("Save &as…"), QKeySequence::SaveAs, tr("Save the scene under a name"));
+  save = make("save", tr("&Save"), QKeySequence::Save, tr("Save the scene"));
+  save_as = make("", tr("Save &as…"), QKeySequence::SaveAs, tr("Save the scene under a name"));
   picture = make("camera", tr("Save &picture…"), {}, tr("Save a picture of the 3-D view"));
   quit = make("", tr("&Quit"), QKeySequence::Quit, {});
   plan = make("route", tr("&Plan"), QKeySequence(QStringLiteral("Ctrl+P")),
               tr("Find a path from start to goal"));
   cancel = make("cancel", tr("&Cancel"), QKeySequence(Qt::Key_Escape), tr("Stop planning"));
+  set_start = make("start", tr("Set &start here"), {}, tr("Start from the posture that is shown"));
+  set_goal = make("goal", tr("Set &goal here"), {}, tr("End in the posture that is shown"));
   fit = make("fit", tr("&Fit"), QKeySequence(Qt::Key_F), tr("Show the whole scene"));
   oblique =
       make("view_oblique", tr("&Oblique"), QKeySequence(Qt::Key_0), tr("Look across the task"));
@@ -30,6 +35,11 @@ WindowActions::WindowActions(QMainWindow& window) : window_(window) {
   samples = make("samples", tr("&Nodes"), QKeySequence(Qt::Key_N),
                  tr("Show where the palm is in the planner's nodes"));
   dark = make("theme", tr("&Dark theme"), {}, tr("Light or dark colours"));
+  palette = make("", tr("Find a &command…"), QKeySequence(QStringLiteral("Ctrl+Shift+P")),
+                 tr("All commands, by a few letters of their names"));
+  help = make("", tr("Help on this &panel"), QKeySequence::HelpContents,
+              tr("What the panel under the pointer is for"));
+  default_layout = make("", tr("&Reset the layout"), {}, tr("Put all panels back"));
   about = make("", tr("&About Handway"), {}, {});
   for (QAction* action : {floor, samples, dark}) {
     action->setCheckable(true);
@@ -37,40 +47,53 @@ WindowActions::WindowActions(QMainWindow& window) : window_(window) {
   floor->setChecked(true);
   samples->setChecked(true);
   cancel->setEnabled(false);
+  save->setEnabled(false);
   save_as->setEnabled(false);
 
   QMenu* file_menu = window.menuBar()->addMenu(tr("&File"));
+  file_menu->addMenu(create);
   file_menu->addAction(open);
   file_menu->addMenu(recent);
   file_menu->addSeparator();
-  file_menu->addAction(save_as);
+  file_menu->addActions({save, save_as});
   file_menu->addAction(picture);
   file_menu->addSeparator();
   file_menu->addAction(quit);
+  edit_menu_ = window.menuBar()->addMenu(tr("&Edit"));
+  add_menu_ = window.menuBar()->addMenu(tr("&Add"));
   QMenu* plan_menu = window.menuBar()->addMenu(tr("&Plan"));
   plan_menu->addActions({plan, cancel});
+  plan_menu->addSeparator();
+  plan_menu->addActions({set_start, set_goal});
   view_menu_ = window.menuBar()->addMenu(tr("&View"));
   view_menu_->addActions({fit, oblique, front, left, top});
   view_menu_->addSeparator();
   view_menu_->addActions({floor, samples, dark});
   view_menu_->addSeparator();
-  window.menuBar()->addMenu(tr("&Help"))->addAction(about);
+  window.menuBar()->addMenu(tr("&Help"))->addActions({help, palette, about});
 
   QToolBar* bar = window.addToolBar(tr("Tools"));
   bar->setObjectName(QStringLiteral("tools"));
   bar->setMovable(false);
   bar->setIconSize({20, 20});
-  bar->addActions({open, save_as});
+  bar->addActions({open, save});
   bar->addSeparator();
   bar->addActions({plan, cancel});
   bar->addSeparator();
   bar->addActions({fit, oblique, front, left, top});
   bar->addSeparator();
   bar->addActions({floor, samples, dark, picture});
-  for (QAction* named : {open, save_as, plan, cancel}) {
+  for (const std::string& robot : geometric::resource_names(geometric::ResourceKind::kRobot)) {
+    create->addAction(QString::fromStdString(robot))->setData(QString::fromStdString(robot));
+  }
+  for (QAction* named : {open, save, plan, cancel}) {
     qobject_cast<QToolButton*>(bar->widgetForAction(named))
         ->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   }
+  edit_bar_ = window.addToolBar(tr("Editing"));
+  edit_bar_->setObjectName(QStringLiteral("editing"));
+  edit_bar_->setMovable(false);
+  edit_bar_->setIconSize({20, 20});
   window.setContextMenuPolicy(Qt::NoContextMenu);
   refresh_icons();
 }

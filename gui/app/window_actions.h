@@ -6,6 +6,7 @@
 
 class QMainWindow;
 class QMenu;
+class QToolBar;
 
 namespace handway::gui {
 
@@ -21,14 +22,22 @@ class WindowActions {
   void refresh_icons();
   /// The menu that shows and hides the side panels.
   [[nodiscard]] QMenu* view_menu() const { return view_menu_; }
+  /// Empty, to be filled by those who edit.
+  [[nodiscard]] QMenu* edit_menu() const { return edit_menu_; }
+  [[nodiscard]] QMenu* add_menu() const { return add_menu_; }
+  [[nodiscard]] QToolBar* edit_bar() const { return edit_bar_; }
 
+  QMenu* create;  ///< File > New: a robot of the library each.
   QAction* open;
   RecentFiles* recent;
+  QAction* save;
   QAction* save_as;
   QAction* picture;
   QAction* quit;
   QAction* plan;
   QAction* cancel;
+  QAction* set_start;
+  QAction* set_goal;
   QAction* fit;
   QAction* oblique;
   QAction* front;
@@ -37,7 +46,10 @@ class WindowActions {
   QAction* floor;
   QAction* samples;
   QAction* dark;
+  QAction* palette;
+  QAction* help;
   QAction* about;
+  QAction* default_layout;
 
  private:
   QAction* make(const QString& name, const QString& text, const QKeySequence& keys,
@@ -45,6 +57,9 @@ class WindowActions {
 
   QMainWindow& window_;
   QMenu* view_menu_;
+  QMenu* edit_menu_;
+  QMenu* add_menu_;
+  QToolBar* edit_bar_;
   QList<QAction*> with_icon_;
 };
 

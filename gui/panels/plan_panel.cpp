@@ -239,6 +239,10 @@ void PlanPanel::show_result(const planning::PlanResult& result) {
   result_->setText(result_text(result));
 }
 
+void PlanPanel::show_replanned(const planning::PlanResult& result, const QString& way) {
+  result_->setText(replanned_text(result, way));
+}
+
 void PlanPanel::show_failure(const QString& message) {
   end_run();
   result_->setText(failure_text(message));

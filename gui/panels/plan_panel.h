@@ -48,6 +48,8 @@ class PlanPanel : public QWidget {
   void show_running();
   void show_progress(double fraction, const QString& activity);
   void show_result(const planning::PlanResult& result);
+  /// Of a path that follows the edits of its scene. @param way where it came from, one word.
+  void show_replanned(const planning::PlanResult& result, const QString& way);
   void show_failure(const QString& message);
   void clear_result();
 

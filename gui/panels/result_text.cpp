@@ -70,6 +70,24 @@ QString result_text(const planning::PlanResult& result) {
   return text + QStringLiteral("</table>");
 }
 
+QString replanned_text(const planning::PlanResult& result, const QString& way) {
+  const ThemeColors colors = colors_of(current_theme());
+  QString text = result.solved()
+                     ? headline(QObject::tr("Path follows the scene"), colors.good)
+                     : headline(QObject::tr("No path in the scene as it is now"), colors.bad) +
+                           QStringLiteral("<p style=\"margin:0 0 6px 0\">%1</p>")
+                               .arg(QString::fromStdString(result.reason).toHtmlEscaped());
+  text += QStringLiteral("<table cellspacing=\"0\" cellpadding=\"1\">");
+  text += row(QObject::tr("Planning again"), seconds(result.time_s + result.smoothing_s));
+  if (result.solved()) {
+    text += row(QObject::tr("From"), way);
+    text += row(QObject::tr("Waypoints"), count(result.path.waypoints.size()));
+    text += row(QObject::tr("Clearance"),
+                QStringLiteral("≥ %1 mm").arg(result.certificate.min_clearance_mm, 0, 'f', 2));
+  }
+  return text + QStringLiteral("</table>");
+}
+
 QString result_line(const planning::PlanResult& result) {
   if (result.solved()) {
     return QObject::tr("Path found in %1, %2 waypoints")

@@ -9,6 +9,10 @@ namespace handway::gui {
 /// A result in words with its key figures, as rich text.
 [[nodiscard]] QString result_text(const planning::PlanResult& result);
 
+/// The same of a path that was planned again for an edited scene.
+/// @param way where it came from, one word.
+[[nodiscard]] QString replanned_text(const planning::PlanResult& result, const QString& way);
+
 /// A result as one line of plain text.
 [[nodiscard]] QString result_line(const planning::PlanResult& result);
 

@@ -6,9 +6,11 @@
 
 #include <QHeaderView>
 #include <QPainter>
+#include <QScrollBar>
 #include <QSignalBlocker>
 #include <QTreeWidgetItemIterator>
 
+#include <algorithm>
 #include <functional>
 #include <vector>
 
@@ -17,6 +19,7 @@ namespace {
 
 using Kind = SceneItem::Kind;
 
+constexpr int kLockWidth = 24;
 constexpr int kKindRole = Qt::UserRole;
 constexpr int kRobotRole = Qt::UserRole + 1;
 constexpr int kNameRole = Qt::UserRole + 2;
@@ -62,6 +65,12 @@ struct SizeText {
 
 SceneTree::SceneTree(QWidget* parent) : QTreeWidget(parent) {
   setHeaderHidden(true);
+  setColumnCount(2);
+  header()->setStretchLastSection(false);
+  header()->setSectionResizeMode(0, QHeaderView::Stretch);
+  header()->setSectionResizeMode(1, QHeaderView::Fixed);
+  header()->resizeSection(1, kLockWidth);
+  setEditTriggers(QAbstractItemView::EditKeyPressed);
   setIndentation(16);
   setUniformRowHeights(true);
   setFrameShape(QFrame::NoFrame);
@@ -74,30 +83,90 @@ SceneTree::SceneTree(QWidget* parent) : QTreeWidget(parent) {
       emit posture_activated(item);
     }
   });
-  connect(this, &QTreeWidget::itemChanged, this, [this] {
-    bool start = true, goal = true;
-    for (QTreeWidgetItemIterator it(this); *it; ++it) {
-      const bool shown = (*it)->checkState(0) == Qt::Checked;
-      const Kind kind = item_at(*it).kind;
-      start = kind == Kind::kStart ? shown : start;
-      goal = kind == Kind::kGoal ? shown : goal;
-    }
-    emit ghosts_toggled(start, goal);
-  });
+  connect(this, &QTreeWidget::itemChanged, this, &SceneTree::take_change);
+}
+
+void SceneTree::take_change(QTreeWidgetItem* row) {
+  const SceneItem changed = item_at(row);
+  if (changed.kind == Kind::kObject) {
+    // Whoever hears of it may build the tree anew: not while a row is in use.
+    const bool shown = row->checkState(0) == Qt::Checked;
+    const std::string text = row->text(0).trimmed().toStdString();
+    QMetaObject::invokeMethod(
+        this,
+        [this, changed, shown, text] {
+          if (text != changed.name) {
+            emit object_renamed(changed.name, text);
+          }
+          if (shown == state_.hidden.contains(changed.name)) {
+            emit object_toggled(changed.name, shown);
+          }
+        },
+        Qt::QueuedConnection);
+    return;
+  }
+  bool start = true, goal = true;
+  for (QTreeWidgetItemIterator it(this); *it; ++it) {
+    const bool shown = (*it)->checkState(0) == Qt::Checked;
+    const Kind kind = item_at(*it).kind;
+    start = kind == Kind::kStart ? shown : start;
+    goal = kind == Kind::kGoal ? shown : goal;
+  }
+  emit ghosts_toggled(start, goal);
 }
 
 void SceneTree::set_scene(std::shared_ptr<const geometric::Scene> scene) {
+  state_ = {std::move(scene)};
+  rebuild();
+}
+
+void SceneTree::update_scene(const SceneState& state) {
+  state_ = state;
+  std::vector<SceneItem> folded, unticked;
+  for (QTreeWidgetItemIterator it(this); *it; ++it) {
+    const SceneItem item = item_at(*it);
+    if ((*it)->childCount() > 0 && !(*it)->isExpanded()) {
+      folded.push_back(item);
+    }
+    if ((item.kind == Kind::kStart || item.kind == Kind::kGoal) &&
+        (*it)->checkState(0) != Qt::Checked) {
+      unticked.push_back(item);
+    }
+  }
+  const SceneItem selected = item_at(currentItem());
+  const int scrolled = verticalScrollBar()->value();
+  rebuild();
+  const QSignalBlocker quiet(this);
+  for (QTreeWidgetItemIterator it(this); *it; ++it) {
+    const SceneItem item = item_at(*it);
+    if ((*it)->childCount() > 0) {
+      (*it)->setExpanded(std::ranges::find(folded, item) == folded.end());
+    }
+    if (std::ranges::find(unticked, item) != unticked.end()) {
+      (*it)->setCheckState(0, Qt::Unchecked);
+    }
+  }
+  select(selected);
+  verticalScrollBar()->setValue(scrolled);
+}
+
+void SceneTree::edit_name() {
+  if (currentItem() && item_at(currentItem()).kind == Kind::kObject) {
+    editItem(currentItem(), 0);
+  }
+}
+
+void SceneTree::rebuild() {
   const QSignalBlocker quiet(this);
   clear();
-  scene_ = std::move(scene);
-  if (!scene_) {
+  if (!state_.scene) {
     return;
   }
-  for (const geometric::RobotInstance& robot : scene_->robots) {
+  for (const geometric::RobotInstance& robot : state_.scene->robots) {
     add_robot(robot);
   }
-  add_objects(*scene_);
-  add_query(*scene_);
+  add_objects(*state_.scene);
+  add_query(*state_.scene);
 }
 
 void SceneTree::paintEvent(QPaintEvent* event) {
@@ -137,7 +206,6 @@ void SceneTree::add_robot(const geometric::RobotInstance& robot) {
     }
     above->addChild(rows.back());
   }
-  top->setExpanded(true);
 }
 
 void SceneTree::add_objects(const geometric::Scene& scene) {
@@ -154,6 +222,14 @@ void SceneTree::add_objects(const geometric::Scene& scene) {
     if (object.attachment) {
       words += tr(", carried by %1").arg(QString::fromStdString(object.attachment->link));
     }
+    const bool locked = state_.locked.contains(object.name);
+    if (locked) {
+      row->setIcon(1, icon("lock"));
+    } else {
+      row->setFlags(row->flags() | Qt::ItemIsEditable);
+    }
+    row->setFlags(row->flags() | Qt::ItemIsUserCheckable);
+    row->setCheckState(0, state_.hidden.contains(object.name) ? Qt::Unchecked : Qt::Checked);
     row->setToolTip(0, words);
     top->addChild(row);
   }
@@ -203,6 +279,6 @@ void SceneTree::select(const SceneItem& item) {
   setCurrentItem(nullptr);
 }
 
-void SceneTree::refresh_icons() { set_scene(scene_); }
+void SceneTree::refresh_icons() { update_scene(SceneState(state_)); }
 
 }  // namespace handway::gui

@@ -1,16 +1,18 @@
 #pragma once
 
-#include "handway/geometric/scene/scene.h"
+#include "editing/scene_state.h"
 #include "view3d/scene_item.h"
 
 #include <QTreeWidget>
 
 #include <memory>
+#include <string>
 
 namespace handway::gui {
 
-/// What a scene holds: robots with their links, objects, start and goal. Start
-/// and goal have boxes that show and hide their ghosts.
+/// What a scene holds: robots with their links, objects, start and goal. Objects
+/// have boxes that show and hide them, start and goal for their ghosts; an
+/// object's name can be edited in place.
 class SceneTree : public QTreeWidget {
   Q_OBJECT
 
@@ -19,6 +21,10 @@ class SceneTree : public QTreeWidget {
 
   /// Null empties the tree.
   void set_scene(std::shared_ptr<const geometric::Scene> scene);
+  /// Shows an edited scene, unfolded as before.
+  void update_scene(const SceneState& state);
+  /// Begins to edit the name of the object that is selected.
+  void edit_name();
   /// Selects the item without telling anyone.
   void select(const SceneItem& item);
   /// Draws the icons anew, after a change of theme.
@@ -29,18 +35,22 @@ class SceneTree : public QTreeWidget {
   /// A double click on start or goal.
   void posture_activated(const handway::gui::SceneItem& item);
   void ghosts_toggled(bool start, bool goal);
+  void object_toggled(const std::string& name, bool shown);
+  void object_renamed(const std::string& name, const std::string& new_name);
 
  protected:
   /// An empty tree says what would be here.
   void paintEvent(QPaintEvent* event) override;
 
  private:
+  void rebuild();
+  void take_change(QTreeWidgetItem* row);
   void add_robot(const geometric::RobotInstance& robot);
   void add_objects(const geometric::Scene& scene);
   void add_query(const geometric::Scene& scene);
   [[nodiscard]] SceneItem item_at(const QTreeWidgetItem* row) const;
 
-  std::shared_ptr<const geometric::Scene> scene_;
+  SceneState state_;
 };
 
 }  // namespace handway::gui

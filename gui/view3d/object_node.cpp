@@ -1,5 +1,6 @@
 #include "view3d/object_node.h"
 
+#include "editing/scene_edits.h"
 #include "view3d/coin_conversions.h"
 #include "view3d/shape_node.h"
 
@@ -12,11 +13,12 @@ namespace handway::gui {
 
 ObjectNode::ObjectNode(const geometric::SceneObject& object)
     : name_(object.name),
+      shape_(object.shape),
+      color_(object.color),
       root_(make_coin<SoSeparator>()),
       transform_(make_coin<SoMatrixTransform>()),
       look_(make_coin<SoSwitch>()) {
   root_->renderCaching = SoSeparator::OFF;
-  look_->addChild(make_look_material(Look::kSelected).get());
   look_->addChild(make_look_material(Look::kColliding).get());
   root_->addChild(transform_.get());
   root_->addChild(look_.get());
@@ -27,10 +29,14 @@ ObjectNode::ObjectNode(const geometric::SceneObject& object)
 
 ObjectNode::~ObjectNode() = default;
 
+bool ObjectNode::draws(const geometric::SceneObject& object) const {
+  return name_ == object.name && color_ == object.color && same_shape(shape_, object.shape);
+}
+
 void ObjectNode::place(const geometric::Pose& X_WO) { transform_->matrix = to_coin(X_WO); }
 
 void ObjectNode::set_look(Look look) {
-  look_->whichChild = look == Look::kPlain ? SO_SWITCH_NONE : look == Look::kSelected ? 0 : 1;
+  look_->whichChild = look == Look::kPlain ? SO_SWITCH_NONE : 0;
 }
 
 }  // namespace handway::gui

@@ -21,12 +21,16 @@ class ObjectNode {
 
   [[nodiscard]] SoSeparator* root() const { return root_.get(); }
   [[nodiscard]] const std::string& name() const { return name_; }
+  /// Is this what `object` looks like, wherever it is?
+  [[nodiscard]] bool draws(const geometric::SceneObject& object) const;
 
   void place(const geometric::Pose& X_WO);
   void set_look(Look look);
 
  private:
   std::string name_;
+  geometric::Shape shape_;
+  geometric::Color color_;
   CoinRef<SoSeparator> root_;
   CoinRef<SoMatrixTransform> transform_;
   CoinRef<SoSwitch> look_;

@@ -37,8 +37,6 @@ CoinRef<SoSeparator> make_geometry_node(const geometric::LinkGeometry& geometry)
 
 CoinRef<SoMaterial> make_look_material(Look look) {
   switch (look) {
-    case Look::kSelected:
-      return overriding({0.20F, 0.52F, 0.92F, 1.0F}, 0.25F);
     case Look::kColliding:
       return overriding({0.86F, 0.13F, 0.11F, 1.0F}, 0.25F);
     case Look::kPlain:
@@ -78,7 +76,6 @@ RobotNode::RobotNode(std::shared_ptr<const geometric::RobotModel> model, const L
     node.separator->renderCaching = SoSeparator::OFF;
     node.separator->addChild(node.transform.get());
     if (!ghost) {
-      node.look->addChild(make_look_material(Look::kSelected).get());
       node.look->addChild(make_look_material(Look::kColliding).get());
       node.separator->addChild(node.look.get());
     }
@@ -100,7 +97,7 @@ void RobotNode::place(const geometric::Pose& X_WB, const geometric::Configuratio
 }
 
 void RobotNode::set_look(int link, Look look) {
-  const int child = look == Look::kPlain ? SO_SWITCH_NONE : look == Look::kSelected ? 0 : 1;
+  const int child = look == Look::kPlain ? SO_SWITCH_NONE : 0;
   links_[static_cast<std::size_t>(link)].look->whichChild = child;
 }
 

@@ -17,7 +17,7 @@ class SoSwitch;
 namespace handway::gui {
 
 /// How a body is shown.
-enum class Look { kPlain, kSelected, kColliding };
+enum class Look { kPlain, kColliding };
 
 /// The override material of a look; null for kPlain.
 [[nodiscard]] CoinRef<SoMaterial> make_look_material(Look look);
@@ -49,6 +49,10 @@ class RobotNode {
   void set_look(int link, Look look);
   void set_link_visible(int link, bool visible);
 
+  /// The drawing of a link, in the world.
+  [[nodiscard]] SoSeparator* link_root(int link) const {
+    return links_[static_cast<std::size_t>(link)].separator.get();
+  }
   /// The link that `node` draws.
   [[nodiscard]] std::optional<int> find_link(const SoNode* node) const;
 

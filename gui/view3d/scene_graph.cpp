@@ -14,7 +14,6 @@
 #include <Inventor/actions/SoRayPickAction.h>
 #include <Inventor/nodes/SoOrthographicCamera.h>
 #include <Inventor/nodes/SoPerspectiveCamera.h>
-#include <Inventor/nodes/SoPolygonOffset.h>
 #include <Inventor/nodes/SoSeparator.h>
 #include <Inventor/nodes/SoSwitch.h>
 
@@ -39,11 +38,12 @@ struct SceneGraph::Passes {
   CoinRef<SoSwitch> floor_content = make_coin<SoSwitch>();
   CoinRef<SoSwitch> path = make_coin<SoSwitch>();
   CoinRef<SoSwitch> dots = make_coin<SoSwitch>();
+  CoinRef<SoSeparator> gizmo = make_coin<SoSeparator>();
   CoinRef<SoOrthographicCamera> axes_camera = make_coin<SoOrthographicCamera>();
   CoinRef<SoSeparator> axes = make_coin<SoSeparator>();
 
   Passes() {
-    for (SoSeparator* root : {solids.get(), floor.get()}) {
+    for (SoSeparator* root : {solids.get(), floor.get(), gizmo.get()}) {
       prepare(root);
     }
     solids->addChild(solid_content.get());
@@ -67,28 +67,65 @@ struct SceneGraph::Passes {
   }
 };
 
-SceneGraph::SceneGraph() : passes_(std::make_unique<Passes>()) {}
+SceneGraph::SceneGraph() : passes_(std::make_unique<Passes>()) {
+  passes_->gizmo->addChild(gizmo_.root());
+  outline_.root()->insertChild(passes_->camera.get(), 0);
+}
 SceneGraph::~SceneGraph() = default;
 
 void SceneGraph::set_scene(std::shared_ptr<const geometric::Scene> scene) {
   scene_ = std::move(scene);
   robots_.clear();
   objects_.clear();
-  start_ = {};
-  goal_ = {};
+  first_robot_shapes_.clear();
+  q_ = {};
+  start_.clear();
+  goal_.clear();
   colliding_.clear();
   selection_ = {};
-  passes_->solid_content->removeAllChildren();
   passes_->path->removeAllChildren();
   passes_->dots->removeAllChildren();
   if (scene_) {
     add_robots();
-    add_objects();
+    add_ghosts();
+    make_objects();
     if (!scene_->robots.empty()) {
       set_configuration(scene_->robots.front().configuration);
     }
   }
+  list_solids({});
+  update_outline();
   rebuild_floor();
+}
+
+void SceneGraph::update_scene(const SceneState& state) {
+  if (state.scene != scene_) {
+    scene_ = state.scene;
+    for (std::size_t i = 0; i < robots_.size(); ++i) {
+      robots_[i]->place(scene_->robots[i].X_WB, scene_->robots[i].configuration);
+    }
+    add_ghosts();
+    make_objects();
+    set_configuration(Configuration(q_));
+  }
+  list_solids(state.hidden);
+  update_looks();
+}
+
+void SceneGraph::preview(const SceneItem& item, const Pose& X_WO) {
+  for (const auto& object : objects_) {
+    if (item.kind == SceneItem::Kind::kObject && object->name() == item.name) {
+      object->place(X_WO);
+    }
+  }
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    if (item.kind == SceneItem::Kind::kRobot && scene_->robots[i].name == item.robot) {
+      robots_[i]->place(X_WO, i == 0 ? q_ : scene_->robots[i].configuration);
+      if (i == 0) {
+        place_attached();
+      }
+    }
+  }
 }
 
 void SceneGraph::add_robots() {
@@ -97,37 +134,47 @@ void SceneGraph::add_robots() {
     const LinkShapes shapes = make_link_shapes(*robot.model);
     robots_.push_back(std::make_unique<RobotNode>(robot.model, shapes));
     robots_.back()->place(robot.X_WB, robot.configuration);
-    passes_->solid_content->addChild(robots_.back()->root());
     if (i == 0) {
-      add_ghost(start_, scene_->start, kStartColor, shapes);
-      add_ghost(goal_, scene_->goal, kGoalColor, shapes);
+      first_robot_shapes_ = shapes;
     }
   }
 }
 
-void SceneGraph::add_ghost(Ghost& ghost, const std::optional<Configuration>& q,
-                           const geometric::Color& color, const LinkShapes& shapes) {
-  if (!q) {
-    return;
-  }
-  geometric::Color faint = color;
-  faint.alpha = 0.26F;
-  ghost.q = *q;
-  ghost.robot = std::make_unique<RobotNode>(scene_->robots.front().model, shapes, faint);
-  ghost.robot->place(scene_->robots.front().X_WB, *q);
-  ghost.root = make_coin<SoSeparator>();
-  passes_->prepare(ghost.root.get());
-  auto* behind = new SoPolygonOffset;  // does not flicker with the robot where both coincide
-  behind->factor = 2.0F;
-  behind->units = 60.0F;
-  ghost.root->addChild(behind);
-  ghost.root->addChild(ghost.robot->root());
+void SceneGraph::add_ghosts() {
+  add_ghost(start_, scene_->start, kStartColor);
+  add_ghost(goal_, scene_->goal, kGoalColor);
 }
 
-void SceneGraph::add_objects() {
+void SceneGraph::add_ghost(Ghost& ghost, const std::optional<Configuration>& q,
+                           const geometric::Color& color) {
+  if (!q || scene_->robots.empty()) {
+    ghost.clear();
+    return;
+  }
+  ghost.show(scene_->robots.front(), *q, first_robot_shapes_, color,
+             [this](SoSeparator* root) { passes_->prepare(root); });
+}
+
+void SceneGraph::make_objects() {
+  std::vector<std::unique_ptr<ObjectNode>> old = std::move(objects_);
+  objects_.clear();
   for (const geometric::SceneObject& object : scene_->objects) {
-    objects_.push_back(std::make_unique<ObjectNode>(object));
-    passes_->solid_content->addChild(objects_.back()->root());
+    const auto same =
+        std::ranges::find_if(old, [&](const auto& node) { return node && node->draws(object); });
+    objects_.push_back(same == old.end() ? std::make_unique<ObjectNode>(object) : std::move(*same));
+    objects_.back()->place(object.X_PO);
+  }
+}
+
+void SceneGraph::list_solids(const std::set<std::string>& hidden) {
+  passes_->solid_content->removeAllChildren();
+  for (const auto& robot : robots_) {
+    passes_->solid_content->addChild(robot->root());
+  }
+  for (const auto& object : objects_) {
+    if (!hidden.contains(object->name())) {
+      passes_->solid_content->addChild(object->root());
+    }
   }
 }
 
@@ -150,7 +197,13 @@ void SceneGraph::set_configuration(const Configuration& q) {
   if (!scene_ || robots_.empty()) {
     return;
   }
+  q_ = q;
   robots_.front()->place(scene_->robots.front().X_WB, q);
+  place_attached();
+  update_ghosts();
+}
+
+void SceneGraph::place_attached() {
   for (std::size_t i = 0; i < objects_.size(); ++i) {
     const geometric::SceneObject& object = scene_->objects[i];
     if (!object.attachment) {
@@ -164,29 +217,17 @@ void SceneGraph::set_configuration(const Configuration& q) {
       }
     }
   }
-  update_ghosts();
 }
 
-// A ghost's link that lies where the robot's own is would only flicker with it.
 void SceneGraph::update_ghosts() {
-  for (const Ghost* ghost : {&start_, &goal_}) {
-    if (!ghost->robot) {
-      continue;
-    }
-    for (std::size_t i = 0; i < ghost->robot->link_poses().size(); ++i) {
-      const bool apart =
-          !ghost->robot->link_poses()[i].isApprox(robots_.front()->link_poses()[i], 1e-3);
-      const bool doubled =
-          ghost == &goal_ && start_.robot && start_.visible &&
-          ghost->robot->link_poses()[i].isApprox(start_.robot->link_poses()[i], 1e-3);
-      ghost->robot->set_link_visible(static_cast<int>(i), apart && !doubled);
-    }
+  if (!robots_.empty()) {
+    hide_doubled_links(*robots_.front(), start_, goal_);
   }
 }
 
 void SceneGraph::show_ghosts(bool start, bool goal) {
-  start_.visible = start;
-  goal_.visible = goal;
+  start_.set_visible(start);
+  goal_.set_visible(goal);
   update_ghosts();
 }
 
@@ -204,25 +245,38 @@ void SceneGraph::update_looks() {
   const auto collides = [this](const std::string& body) {
     return std::ranges::find(colliding_, body) != colliding_.end();
   };
-  using Kind = SceneItem::Kind;
   for (std::size_t r = 0; r < robots_.size(); ++r) {
     const std::string& robot = scene_->robots[r].name;
     for (int i = 0; i < robots_[r]->model().link_count(); ++i) {
       const std::string& link = robots_[r]->model().link(i).name;
-      const bool selected = selection_.robot == robot &&
-                            (selection_.kind == Kind::kRobot ||
-                             (selection_.kind == Kind::kLink && selection_.name == link));
-      robots_[r]->set_look(i, collides(r == 0 ? link : robot + "/" + link) ? Look::kColliding
-                              : selected                                   ? Look::kSelected
-                                                                           : Look::kPlain);
+      robots_[r]->set_look(
+          i, collides(r == 0 ? link : robot + "/" + link) ? Look::kColliding : Look::kPlain);
     }
   }
   for (const auto& object : objects_) {
-    const bool selected = selection_.kind == Kind::kObject && selection_.name == object->name();
-    object->set_look(collides(object->name()) ? Look::kColliding
-                     : selected               ? Look::kSelected
-                                              : Look::kPlain);
+    object->set_look(collides(object->name()) ? Look::kColliding : Look::kPlain);
   }
+  update_outline();
+}
+
+void SceneGraph::update_outline() {
+  using Kind = SceneItem::Kind;
+  std::vector<SoSeparator*> parts;
+  for (std::size_t r = 0; r < robots_.size(); ++r) {
+    const bool is_here = selection_.robot == scene_->robots[r].name;
+    if (is_here && selection_.kind == Kind::kRobot) {
+      parts.push_back(robots_[r]->root());
+    } else if (const auto link = robots_[r]->model().find_link(selection_.name);
+               is_here && selection_.kind == Kind::kLink && link) {
+      parts.push_back(robots_[r]->link_root(*link));
+    }
+  }
+  for (const auto& object : objects_) {
+    if (selection_.kind == Kind::kObject && selection_.name == object->name()) {
+      parts.push_back(object->root());
+    }
+  }
+  outline_.set_parts(parts);
 }
 
 void SceneGraph::set_path(std::span<const Eigen::Vector3d> points,
@@ -277,22 +331,17 @@ void SceneGraph::render(SoGLRenderAction& action, const OrbitCamera& camera, dou
   action.apply(passes_->solids.get());
   action.setTransparencyType(SoGLRenderAction::BLEND);
   action.apply(passes_->floor.get());
-  render_ghost(action, start_);
-  render_ghost(action, goal_);
+  start_.render(action);
+  goal_.render(action);
 }
 
-// First the depth alone, then the colour of what is in front: a ghost is one
-// even veil, however many surfaces lie behind each other.
-void SceneGraph::render_ghost(SoGLRenderAction& action, const Ghost& ghost) const {
-  if (!ghost.robot || !ghost.visible) {
-    return;
+void SceneGraph::render_marks(SoGLRenderAction& action, bool with_gizmo, float pixel_ratio) {
+  outline_.render(action, 4.0F * pixel_ratio);
+  if (with_gizmo) {
+    glClear(GL_DEPTH_BUFFER_BIT);
+    action.setTransparencyType(SoGLRenderAction::BLEND);
+    action.apply(passes_->gizmo.get());
   }
-  glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-  action.setTransparencyType(SoGLRenderAction::NONE);
-  action.apply(ghost.root.get());
-  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
-  action.setTransparencyType(SoGLRenderAction::BLEND);
-  action.apply(ghost.root.get());
 }
 
 void SceneGraph::render_axes(SoGLRenderAction& action, const OrbitCamera& camera) {

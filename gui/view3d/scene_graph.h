@@ -1,10 +1,13 @@
 #pragma once
 
-#include "handway/geometric/scene/scene.h"
+#include "editing/scene_state.h"
+#include "view3d/ghost.h"
+#include "view3d/gizmo_node.h"
 #include "view3d/object_node.h"
 #include "view3d/orbit_camera.h"
 #include "view3d/robot_node.h"
 #include "view3d/scene_item.h"
+#include "view3d/selection_outline.h"
 #include "view3d/view_colors.h"
 
 #include <memory>
@@ -28,6 +31,11 @@ class SceneGraph {
   ~SceneGraph();
 
   void set_scene(std::shared_ptr<const geometric::Scene> scene);
+  /// Shows an edited scene with the same robots; draws anew only what looks different.
+  void update_scene(const SceneState& state);
+  /// Shows an object or a robot's base elsewhere, for a while.
+  void preview(const SceneItem& item, const geometric::Pose& X_WO);
+  [[nodiscard]] GizmoNode& gizmo() { return gizmo_; }
   void set_colors(const ViewColors& colors);
 
   /// Moves the first robot, and what it carries. @param q shape [variable_count].
@@ -50,6 +58,8 @@ class SceneGraph {
 
   /// Draws everything but the backdrop into the current viewport.
   void render(SoGLRenderAction& action, const OrbitCamera& camera, double aspect);
+  /// Draws the line around the selection and, if asked, the gizmo, in front of everything.
+  void render_marks(SoGLRenderAction& action, bool with_gizmo, float pixel_ratio);
   /// Draws the axes cross, turned like the camera.
   void render_axes(SoGLRenderAction& action, const OrbitCamera& camera);
 
@@ -57,27 +67,28 @@ class SceneGraph {
   [[nodiscard]] std::optional<SceneHit> pick(const SbVec2s& viewport, const SbVec2s& pixel);
 
  private:
-  struct Ghost {
-    std::unique_ptr<RobotNode> robot;
-    geometric::Configuration q;
-    CoinRef<SoSeparator> root;
-    bool visible = true;
-  };
   struct Passes;
 
   void add_robots();
-  void add_objects();
+  void add_ghosts();
+  void make_objects();
+  void list_solids(const std::set<std::string>& hidden);
   void add_ghost(Ghost& ghost, const std::optional<geometric::Configuration>& q,
-                 const geometric::Color& color, const LinkShapes& shapes);
+                 const geometric::Color& color);
+  void place_attached();
+  void update_outline();
   void rebuild_floor();
   void update_looks();
   void update_ghosts();
-  void render_ghost(SoGLRenderAction& action, const Ghost& ghost) const;
   [[nodiscard]] SceneItem item_of(const SoPath& path) const;
 
   std::shared_ptr<const geometric::Scene> scene_;
   ViewColors colors_;
   std::unique_ptr<Passes> passes_;
+  LinkShapes first_robot_shapes_;
+  geometric::Configuration q_;
+  GizmoNode gizmo_;
+  SelectionOutline outline_;
   std::vector<std::unique_ptr<RobotNode>> robots_;
   std::vector<std::unique_ptr<ObjectNode>> objects_;
   Ghost start_;

@@ -9,6 +9,7 @@
 #include <Inventor/SoDB.h>
 #include <Inventor/actions/SoGLRenderAction.h>
 #include <QElapsedTimer>
+#include <QKeyEvent>
 #include <QMouseEvent>
 #include <QWheelEvent>
 
@@ -33,9 +34,11 @@ SceneView::SceneView(QWidget* parent) : QOpenGLWidget(parent), overlay_(new View
   QSurfaceFormat format;
   format.setSamples(4);
   format.setDepthBufferSize(24);
+  format.setStencilBufferSize(8);
   setFormat(format);
   setMinimumSize(320, 240);
   setFocusPolicy(Qt::ClickFocus);
+  setMouseTracking(true);
   graph_ = std::make_unique<SceneGraph>();
   flight_.setDuration(260);
   flight_.setEasingCurve(QEasingCurve::InOutCubic);
@@ -58,6 +61,11 @@ void SceneView::set_scene(std::shared_ptr<const geometric::Scene> scene) {
   graph_->set_scene(std::move(scene));
   camera_.look_from(StandardView::kOblique, graph_->task_azimuth());
   camera_.fit(graph_->points_of_interest(), aspect());
+  update();
+}
+
+void SceneView::update_scene(const SceneState& state) {
+  graph_->update_scene(state);
   update();
 }
 
@@ -86,6 +94,49 @@ void SceneView::set_collisions(std::vector<std::string> bodies) {
 void SceneView::set_selection(const SceneItem& item) {
   graph_->set_selection(item);
   update();
+}
+
+void SceneView::set_gizmo(const SceneItem& item, const std::optional<geometric::Pose>& X_WO) {
+  gizmo_.set_target(item, X_WO);
+  update();
+}
+
+void SceneView::set_gizmo_local(bool local) {
+  gizmo_.set_local(local);
+  update();
+}
+
+void SceneView::update_gizmo() {
+  if (gizmo_.is_shown()) {
+    graph_->gizmo().place(gizmo_.frame(camera_, size()));
+    graph_->gizmo().set_hot(gizmo_.hot(), gizmo_.is_dragging());
+  }
+}
+
+void SceneView::drag_gizmo(const QPoint& position, bool snap) {
+  const geometric::Pose X_WO = gizmo_.drag(camera_, size(), position, snap);
+  graph_->preview(gizmo_.item(), X_WO);
+  overlay_->set_note(gizmo_.amount(), position);
+  update();
+  emit dragged(gizmo_.item(), X_WO);
+}
+
+void SceneView::cancel_drag() {
+  const geometric::Pose X_WO = gizmo_.cancel();
+  graph_->preview(gizmo_.item(), X_WO);
+  overlay_->set_note({}, {});
+  update();
+  emit dragged(gizmo_.item(), X_WO);
+}
+
+Eigen::Vector3d SceneView::place_for_new() {
+  if (const auto hit = pick_at(rect().center());
+      hit && hit->item.kind == SceneItem::Kind::kObject) {
+    return hit->point;
+  }
+  Eigen::Vector3d place = camera_.placement().target;
+  place.z() = 0.0;
+  return place;
 }
 
 void SceneView::show_ghosts(bool start, bool goal) {
@@ -178,7 +229,9 @@ void SceneView::paintGL() {
   action_->invalidateState();
   action_->setViewportRegion(
       SbViewportRegion(static_cast<short>(pixels.width()), static_cast<short>(pixels.height())));
+  update_gizmo();
   graph_->render(*action_, camera_, aspect());
+  graph_->render_marks(*action_, gizmo_.is_shown(), static_cast<float>(devicePixelRatioF()));
   render_axes_cross();
   glPopAttrib();
   glPopClientAttrib();
@@ -208,12 +261,27 @@ void SceneView::resizeEvent(QResizeEvent* event) {
 void SceneView::mousePressEvent(QMouseEvent* event) {
   press_position_ = last_position_ = event->pos();
   flight_.stop();
+  const bool plain = event->button() == Qt::LeftButton && !(event->modifiers() & Qt::ShiftModifier);
+  if (plain && gizmo_.is_shown() && gizmo_.press(camera_, size(), event->pos())) {
+    update();
+  }
 }
 
 void SceneView::mouseMoveEvent(QMouseEvent* event) {
   const QPoint moved = event->pos() - last_position_;
   last_position_ = event->pos();
-  if (!event->buttons() || moved.isNull()) {
+  if (gizmo_.is_dragging()) {
+    drag_gizmo(event->pos(), event->modifiers() & Qt::ControlModifier);
+    return;
+  }
+  if (!event->buttons()) {
+    if (gizmo_.hover(camera_, size(), event->pos())) {
+      setCursor(gizmo_.hot() ? Qt::PointingHandCursor : Qt::ArrowCursor);
+      update();
+    }
+    return;
+  }
+  if (moved.isNull()) {
     return;
   }
   untouched_ = false;
@@ -230,12 +298,35 @@ void SceneView::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void SceneView::mouseReleaseEvent(QMouseEvent* event) {
+  if (gizmo_.is_dragging() && event->button() == Qt::LeftButton) {
+    const geometric::Pose X_WO = *gizmo_.pose();
+    const geometric::Pose from = gizmo_.release();
+    overlay_->set_note({}, {});
+    update();
+    if (!X_WO.isApprox(from, 1e-12)) {
+      emit dropped(gizmo_.item(), X_WO);
+    }
+    return;
+  }
   const bool still = (event->pos() - press_position_).manhattanLength() < 4;
   if (event->button() != Qt::LeftButton || !still) {
     return;
   }
   const auto hit = pick_at(event->pos());
   emit picked(hit ? hit->item : SceneItem{});
+}
+
+bool SceneView::event(QEvent* event) {
+  const bool is_key =
+      event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress;
+  if (is_key && gizmo_.is_dragging() && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
+    if (event->type() == QEvent::KeyPress) {
+      cancel_drag();
+    }
+    event->accept();
+    return true;
+  }
+  return QOpenGLWidget::event(event);
 }
 
 void SceneView::mouseDoubleClickEvent(QMouseEvent* event) {

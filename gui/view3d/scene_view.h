@@ -1,9 +1,10 @@
 #pragma once
 
-#include "handway/geometric/scene/scene.h"
+#include "editing/scene_state.h"
 #include "view3d/orbit_camera.h"
 #include "view3d/scene_item.h"
 #include "view3d/view_colors.h"
+#include "view3d/view_gizmo.h"
 
 #include <QOpenGLWidget>
 #include <QPoint>
@@ -34,6 +35,8 @@ class SceneView : public QOpenGLWidget {
 
   /// Shows a scene and looks at it; null empties the view.
   void set_scene(std::shared_ptr<const geometric::Scene> scene);
+  /// Shows an edited scene with the same robots, from where one looks already.
+  void update_scene(const SceneState& state);
   void set_colors(const ViewColors& colors);
   /// What an empty view says.
   void set_empty_text(const QString& text);
@@ -43,6 +46,10 @@ class SceneView : public QOpenGLWidget {
   /// @param bodies names as in CollisionWorld.
   void set_collisions(std::vector<std::string> bodies);
   void set_selection(const SceneItem& item);
+  /// Puts handles onto an object or a robot. @param X_WO nothing: no handles.
+  void set_gizmo(const SceneItem& item, const std::optional<geometric::Pose>& X_WO);
+  /// Handles along the target's own axes, or the world's.
+  void set_gizmo_local(bool local);
   void show_ghosts(bool start, bool goal);
   /// The palm's way (world, m) and where its waypoints are.
   void set_path(std::span<const Eigen::Vector3d> points,
@@ -56,12 +63,21 @@ class SceneView : public QOpenGLWidget {
   void fit();
   void look_from(StandardView view);
 
+  /// Where something new goes: what is seen in the middle, or the floor there (world, m).
+  [[nodiscard]] Eigen::Vector3d place_for_new();
+  [[nodiscard]] const ViewGizmo& gizmo() const { return gizmo_; }
+  [[nodiscard]] const OrbitCamera& camera() const { return camera_; }
+
   /// How long the last frame took to draw, ms.
   [[nodiscard]] double frame_time_ms() const { return frame_time_ms_; }
 
  signals:
   /// A click; the item's kind is kNone beside everything.
   void picked(const handway::gui::SceneItem& item);
+  /// The gizmo's target is on its way, or back where it was.
+  void dragged(const handway::gui::SceneItem& item, const handway::geometric::Pose& X_WO);
+  /// The gizmo's target has been put somewhere.
+  void dropped(const handway::gui::SceneItem& item, const handway::geometric::Pose& X_WO);
 
  protected:
   void initializeGL() override;
@@ -72,6 +88,8 @@ class SceneView : public QOpenGLWidget {
   void mouseReleaseEvent(QMouseEvent* event) override;
   void mouseDoubleClickEvent(QMouseEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
+  /// Escape puts back what is being dragged.
+  bool event(QEvent* event) override;
 
  private:
   [[nodiscard]] QSize pixel_size() const;
@@ -79,12 +97,16 @@ class SceneView : public QOpenGLWidget {
   /// What is seen at a place in the widget.
   [[nodiscard]] std::optional<SceneHit> pick_at(const QPoint& position);
   void render_axes_cross();
+  void update_gizmo();
+  void drag_gizmo(const QPoint& position, bool snap);
+  void cancel_drag();
   void fly_to(const OrbitCamera::Placement& placement);
 
   std::unique_ptr<SceneGraph> graph_;
   std::unique_ptr<SoGLRenderAction> action_;
   ViewOverlay* overlay_;
   OrbitCamera camera_;
+  ViewGizmo gizmo_;
   QVariantAnimation flight_;
   ViewColors colors_;
   QString empty_text_;

@@ -2,6 +2,7 @@
 
 #include <QPainter>
 
+#include <algorithm>
 #include <array>
 
 namespace handway::gui {
@@ -18,6 +19,12 @@ void ViewOverlay::set_color(const geometric::Color& color) {
 
 void ViewOverlay::set_text(const QString& text) {
   text_ = text;
+  update();
+}
+
+void ViewOverlay::set_note(const QString& note, const QPoint& place) {
+  note_ = note;
+  note_place_ = place;
   update();
 }
 
@@ -42,6 +49,22 @@ void ViewOverlay::paintEvent(QPaintEvent* /*event*/) {
     const QPointF place = middle + kReach * QPointF(R_WC_(axis, 0), -R_WC_(axis, 1));
     painter.drawText(QRectF(place - QPointF(8.0, 8.0), QSizeF(16.0, 16.0)), Qt::AlignCenter,
                      QLatin1String(kNames.at(static_cast<std::size_t>(axis))));
+  }
+  if (!note_.isEmpty()) {
+    font.setPixelSize(13);
+    font.setBold(false);
+    painter.setFont(font);
+    painter.setRenderHint(QPainter::Antialiasing);
+    QRectF card = painter.fontMetrics().boundingRect(note_).adjusted(-9, -6, 9, 6);
+    card.moveTopLeft(note_place_ + QPoint(18, 18));
+    card.moveRight(std::min(card.right(), width() - 6.0));
+    card.moveBottom(std::min(card.bottom(), height() - 6.0));
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(24, 28, 34, 215));
+    painter.drawRoundedRect(card, 5.0, 5.0);
+    painter.setPen(Qt::white);
+    painter.drawText(card, Qt::AlignCenter, note_);
+    painter.setPen(color_);
   }
   if (!text_.isEmpty()) {
     font.setPixelSize(15);

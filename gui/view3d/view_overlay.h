@@ -2,6 +2,7 @@
 
 #include "handway/geometric/scene/color.h"
 
+#include <QPoint>
 #include <QString>
 #include <QWidget>
 
@@ -23,6 +24,8 @@ class ViewOverlay : public QWidget {
 
   void set_color(const geometric::Color& color);
   void set_text(const QString& text);
+  /// A few words beside the pointer; empty: none.
+  void set_note(const QString& note, const QPoint& place);
   /// @param R_WC columns: right, up and backwards of the camera, in the world.
   void set_axes(const Eigen::Matrix3d& R_WC);
 
@@ -32,6 +35,8 @@ class ViewOverlay : public QWidget {
  private:
   QColor color_;
   QString text_;
+  QString note_;
+  QPoint note_place_;
   Eigen::Matrix3d R_WC_ = Eigen::Matrix3d::Identity();
 };
 

@@ -1,5 +1,7 @@
 #include "workers/prepared_problem.h"
 
+#include "workers/problem_update.h"
+
 #include <chrono>
 #include <utility>
 
@@ -24,13 +26,17 @@ std::shared_ptr<const geometric::Scene> with_query(std::shared_ptr<const geometr
 
 }  // namespace
 
-PreparedProblem::PreparedProblem(planning::LoadedScene loaded, BackgroundThreads& threads) {
+PreparedProblem::PreparedProblem(planning::LoadedScene loaded, BackgroundThreads& threads,
+                                 const PreparedProblem* before) {
   auto promise = std::make_shared<std::promise<Problem>>();
   problem_ = promise->get_future().share();
-  threads.run([promise = std::move(promise), loaded = std::move(loaded)] {
+  threads.run([promise = std::move(promise), loaded = std::move(loaded),
+               known = before ? before->if_ready() : nullptr] {
     try {
+      const planning::LoadedScene complete{with_query(loaded.scene), loaded.basis};
       promise->set_value(std::make_shared<const planning::PlanningProblem>(
-          planning::make_problem(with_query(loaded.scene), loaded.basis)));
+          known ? updated_problem(*known, complete)
+                : planning::make_problem(complete.scene, complete.basis)));
     } catch (...) {
       promise->set_exception(std::current_exception());
     }
@@ -44,6 +50,17 @@ PreparedProblem::Problem PreparedProblem::wait(const std::stop_token& stop) cons
     }
   }
   return problem_.get();
+}
+
+PreparedProblem::Problem PreparedProblem::if_ready() const {
+  if (problem_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
+    return nullptr;
+  }
+  try {
+    return problem_.get();
+  } catch (const std::exception&) {  // told to those who wait for it
+    return nullptr;
+  }
 }
 
 }  // namespace handway::gui

@@ -17,11 +17,15 @@ class PreparedProblem {
   using Problem = std::shared_ptr<const planning::PlanningProblem>;
 
   /// Begins at once. A scene without start or goal has both where its robot stands.
-  PreparedProblem(planning::LoadedScene loaded, BackgroundThreads& threads);
+  /// @param before that of the scene before an edit, which saves work if it is ready; or null.
+  PreparedProblem(planning::LoadedScene loaded, BackgroundThreads& threads,
+                  const PreparedProblem* before = nullptr);
 
   /// Waits for the problem, at most until `stop` (null then).
   /// @throws InputError if the scene makes none.
   [[nodiscard]] Problem wait(const std::stop_token& stop) const;
+  /// The problem if it is there by now and the scene makes one; else null.
+  [[nodiscard]] Problem if_ready() const;
 
  private:
   std::shared_future<Problem> problem_;

@@ -1,5 +1,7 @@
 #include "workers/scene_loader.h"
 
+#include "start/new_scene.h"
+
 #include <exception>
 #include <functional>
 #include <utility>
@@ -12,6 +14,14 @@ SceneLoader::SceneLoader(std::shared_ptr<const planning::Extensions> extensions,
 SceneLoader::~SceneLoader() = default;
 
 void SceneLoader::load(const std::filesystem::path& file) {
+  run([file, extensions = extensions_] { return planning::load_scene(file, *extensions); });
+}
+
+void SceneLoader::create(const std::string& robot) {
+  run([robot, extensions = extensions_] { return new_scene(robot, *extensions); });
+}
+
+void SceneLoader::run(std::function<planning::LoadedScene()> read) {
   const int generation = ++generation_;
   const auto deliver = [this, generation](std::function<void()> report) {
     QMetaObject::invokeMethod(
@@ -23,9 +33,9 @@ void SceneLoader::load(const std::filesystem::path& file) {
         },
         Qt::QueuedConnection);
   };
-  threads_.run([this, file, deliver, extensions = extensions_] {
+  threads_.run([this, deliver, read = std::move(read)] {
     try {
-      const planning::LoadedScene scene = planning::load_scene(file, *extensions);
+      const planning::LoadedScene scene = read();
       deliver([this, scene] { emit loaded(scene); });
     } catch (const std::exception& error) {
       deliver([this, message = QString::fromUtf8(error.what())] { emit failed(message); });

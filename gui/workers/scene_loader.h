@@ -7,7 +7,9 @@
 #include <QString>
 
 #include <filesystem>
+#include <functional>
 #include <memory>
+#include <string>
 
 namespace handway::gui {
 
@@ -23,12 +25,17 @@ class SceneLoader : public QObject {
   /// Reads `file`, without waiting; what an earlier call is still reading is dropped.
   void load(const std::filesystem::path& file);
 
+  /// Makes a new scene with a robot of the library in the same way.
+  void create(const std::string& robot);
+
  signals:
   void loaded(const handway::planning::LoadedScene& scene);
   /// @param message one sentence for a person.
   void failed(const QString& message);
 
  private:
+  void run(std::function<planning::LoadedScene()> read);
+
   std::shared_ptr<const planning::Extensions> extensions_;
   int generation_ = 0;
   BackgroundThreads threads_;

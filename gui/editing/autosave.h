@@ -1,0 +1,85 @@
+#pragma once
+
+#include "handway/planning/core/importer.h"
+
+#include <QDateTime>
+#include <QLockFile>
+#include <QObject>
+#include <QString>
+
+#include <condition_variable>
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <vector>
+
+namespace handway::gui {
+
+/// What is to be kept of a scene with unsaved changes.
+struct UnsavedScene {
+  planning::LoadedScene loaded;
+  geometric::Configuration shown;  ///< Where the first robot stands.
+  geometric::PlannerChoice planner;
+  std::filesystem::path file;  ///< Where it was opened from; may be empty.
+  QString name;                ///< For people.
+};
+
+/// A scene that a window left behind when its program ended in the middle of work.
+struct LostScene {
+  std::filesystem::path folder;  ///< Of that window.
+  std::filesystem::path scene;   ///< To be opened instead of `file`.
+  std::filesystem::path file;
+  QString name;
+  QDateTime time;  ///< Of the last change.
+};
+
+/// Keeps a copy of the scene with its unsaved changes in a folder of this window,
+/// written on a thread of its own and replaced whole. The folder goes when the
+/// window ends as it should; if it does not, it is found the next time.
+class Autosave : public QObject {
+  Q_OBJECT
+
+ public:
+  /// @param folder of all windows; made if there is none.
+  explicit Autosave(std::filesystem::path folder, QObject* parent = nullptr);
+  ~Autosave() override;
+
+  /// The user's folder for it.
+  [[nodiscard]] static std::filesystem::path default_folder();
+
+  /// Writes `scene` soon; one that still waits is dropped.
+  /// @param then_forget left by another window; removed when `scene` is safe.
+  void store(UnsavedScene scene, const std::optional<LostScene>& then_forget = std::nullopt);
+  /// There is nothing unsaved any more.
+  void clear();
+
+  /// What windows that are no more have left, the newest first.
+  [[nodiscard]] std::vector<LostScene> find_lost() const;
+  static void forget(const LostScene& lost);
+
+ signals:
+  void stored();
+  void failed(const QString& message);
+
+ private:
+  struct Job {
+    std::optional<UnsavedScene> scene;  ///< Nothing: clear.
+    std::optional<LostScene> then_forget;
+  };
+
+  void work(const std::stop_token& stop);
+  void run(const Job& job) const;
+  void add(Job job);
+
+  std::filesystem::path all_;
+  std::filesystem::path folder_;
+  std::unique_ptr<QLockFile> lock_;
+  std::mutex mutex_;
+  std::condition_variable_any wake_;
+  std::optional<Job> next_;
+  std::jthread thread_;
+};
+
+}  // namespace handway::gui

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "editing/autosave.h"
+#include "editing/scene_editor.h"
+#include "panels/plan_panel.h"
+
+#include <QObject>
+
+namespace handway::gui {
+
+class Banner;
+
+/// Stores the scene after every edit, and offers what was lost before.
+class Recovery : public QObject {
+  Q_OBJECT
+
+ public:
+  /// All outlive it.
+  Recovery(Document& document, SceneEditor& editor, const PlanPanel& plan_panel, Banner& banner,
+           QObject* parent = nullptr);
+
+  [[nodiscard]] Autosave& autosave() { return autosave_; }
+
+  /// Offers in the banner what was lost last, if anything was.
+  void offer();
+
+ signals:
+  void failed(const QString& message);
+
+ private:
+  void recover(const LostScene& lost);
+  void store(const std::optional<LostScene>& then_forget);
+
+  Document& document_;
+  SceneEditor& editor_;
+  const PlanPanel& plan_panel_;
+  Banner& banner_;
+  Autosave autosave_;
+  std::optional<LostScene> recovering_;
+};
+
+}  // namespace handway::gui

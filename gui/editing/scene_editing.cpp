@@ -1,0 +1,130 @@
+#include "editing/scene_editing.h"
+
+#include "app/window_actions.h"
+#include "panels/properties_panel.h"
+#include "panels/scene_tree.h"
+#include "view3d/scene_view.h"
+
+#include <QFileDialog>
+#include <QMainWindow>
+
+namespace handway::gui {
+namespace {
+
+constexpr geometric::Color kNewColor{0.36F, 0.56F, 0.80F, 1.0F};
+
+}  // namespace
+
+SceneEditing::SceneEditing(QMainWindow& window, WindowActions& actions, Document& document,
+                           SceneView& view, SceneTree& tree, CollisionMonitor& collisions)
+    : QObject(&window),
+      window_(window),
+      document_(document),
+      view_(view),
+      tree_(tree),
+      editor_(document),
+      edit_actions_(window, *actions.edit_menu(), *actions.add_menu(), *actions.edit_bar(),
+                    editor_),
+      properties_(new PropertiesPanel(editor_)) {
+  connect(&document_, &Document::edited, this, &SceneEditing::show_edit);
+  connect(&document_, &Document::opened, this, &SceneEditing::show_selection);
+  connect(&document_, &Document::configuration_changed, this, [this] {
+    update_gizmo();
+    properties_->refresh();
+  });
+  connect(&editor_, &SceneEditor::selection_changed, this, &SceneEditing::show_selection);
+  connect(&collisions, &CollisionMonitor::checked, this,
+          [this](const CollisionReport& report) { report_ = report; });
+  connect(properties_, &PropertiesPanel::attach_requested, this, &SceneEditing::attach);
+  connect(&edit_actions_, &EditActions::add_requested, this,
+          [this](const QString& name, const geometric::Shape& shape) {
+            editor_.add(name.toStdString(), shape, kNewColor, view_.place_for_new());
+          });
+  connect(&edit_actions_, &EditActions::add_mesh_requested, this, &SceneEditing::add_mesh);
+  connect_view();
+}
+
+void SceneEditing::connect_view() {
+  connect(&view_, &SceneView::picked, &editor_, &SceneEditor::select);
+  connect(&view_, &SceneView::dropped, this,
+          [this](const SceneItem& /*item*/, const geometric::Pose& X_WO) { editor_.place(X_WO); });
+  connect(&view_, &SceneView::dragged, this,
+          [this](const SceneItem& /*item*/, const geometric::Pose& X_WO) {
+            if (const auto state = editor_.placed(X_WO)) {
+              emit tried(*state);
+            }
+          });
+  connect(&tree_, &SceneTree::item_selected, &editor_, &SceneEditor::select);
+  connect(&tree_, &SceneTree::object_toggled, this,
+          [this](const std::string& name, bool shown) { editor_.set_hidden(name, !shown); });
+  connect(&tree_, &SceneTree::object_renamed, this,
+          [this](const std::string& name, const std::string& new_name) {
+            editor_.select({SceneItem::Kind::kObject, "", name});
+            editor_.rename(new_name);
+            tree_.update_scene(editor_.state());
+          });
+  connect(edit_actions_.local, &QAction::toggled, &view_, &SceneView::set_gizmo_local);
+  connect(&edit_actions_, &EditActions::rename_requested, &tree_, &SceneTree::edit_name);
+}
+
+void SceneEditing::refresh_icons() {
+  edit_actions_.refresh_icons();
+  properties_->refresh_icons();
+}
+
+void SceneEditing::show_selection() {
+  view_.set_selection(editor_.selection());
+  tree_.select(editor_.selection());
+  edit_actions_.update_enabled();
+  properties_->refresh();
+  update_gizmo();
+}
+
+void SceneEditing::show_edit(const SceneState& /*before*/) {
+  view_.update_scene(editor_.state());
+  tree_.update_scene(editor_.state());
+  show_selection();
+}
+
+void SceneEditing::update_gizmo() {
+  const bool movable = editor_.can_change() || editor_.selection().kind == SceneItem::Kind::kRobot;
+  const bool hidden =
+      editor_.selected_object() && editor_.state().hidden.contains(editor_.selected_object()->name);
+  view_.set_gizmo(editor_.selection(), movable && !hidden ? editor_.selected_pose() : std::nullopt);
+}
+
+void SceneEditing::attach(const std::string& robot, const std::string& link) {
+  if (link.empty()) {
+    editor_.detach();
+    return;
+  }
+  // What it touches now it may touch from now on.
+  std::vector<std::string> touching;
+  const std::string& object = editor_.selection().name;
+  for (const geometric::NamedPair& pair : report_.collisions) {
+    const std::string& other = pair.a == object ? pair.b : pair.a;
+    if ((pair.a == object || pair.b == object) && other != link &&
+        document_.robot()->model->find_link(other)) {
+      touching.push_back(other);
+    }
+  }
+  editor_.attach(robot, link, touching);
+}
+
+void SceneEditing::add_mesh(const QString& file) {
+  const QString chosen =
+      file.isEmpty() ? QFileDialog::getOpenFileName(
+                           &window_, tr("Add a mesh"), {},
+                           tr("Meshes (*.stl *.obj *.dae *.ply *.glb *.gltf);;All files (*)"))
+                     : file;
+  if (chosen.isEmpty() || !document_.scene()) {
+    return;
+  }
+  try {
+    editor_.add_mesh(chosen.toStdString(), view_.place_for_new());
+  } catch (const std::exception& error) {
+    emit failed(tr("The mesh can't be added"), QString::fromUtf8(error.what()));
+  }
+}
+
+}  // namespace handway::gui

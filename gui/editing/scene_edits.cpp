@@ -1,0 +1,185 @@
+#include "editing/scene_edits.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace handway::gui {
+
+using geometric::Configuration;
+using geometric::Pose;
+using geometric::Scene;
+using geometric::SceneObject;
+
+namespace {
+
+SceneState with_scene(const SceneState& state, Scene scene) {
+  SceneState next = state;
+  next.scene = std::make_shared<const Scene>(std::move(scene));
+  return next;
+}
+
+void put(std::set<std::string>& names, const std::string& name, bool in) {
+  if (in) {
+    names.insert(name);
+  } else {
+    names.erase(name);
+  }
+}
+
+void rename(std::set<std::string>& names, const std::string& from, const std::string& to) {
+  if (names.erase(from) > 0) {
+    names.insert(to);
+  }
+}
+
+bool is_name_used(const Scene& scene, const std::string& name) {
+  return geometric::find_object(scene, name) || geometric::find_robot(scene, name);
+}
+
+struct SameShape {
+  bool operator()(const geometric::Box& a, const geometric::Box& b) const {
+    return a.size == b.size;
+  }
+  bool operator()(const geometric::Sphere& a, const geometric::Sphere& b) const {
+    return a.radius == b.radius;
+  }
+  bool operator()(const geometric::Cylinder& a, const geometric::Cylinder& b) const {
+    return a.radius == b.radius && a.length == b.length;
+  }
+  bool operator()(const geometric::Cone& a, const geometric::Cone& b) const {
+    return a.radius == b.radius && a.length == b.length;
+  }
+  bool operator()(const geometric::Mesh& a, const geometric::Mesh& b) const {
+    return a.triangles == b.triangles && a.scale == b.scale;
+  }
+  template <typename A, typename B>
+  bool operator()(const A& /*a*/, const B& /*b*/) const {
+    return false;
+  }
+};
+
+}  // namespace
+
+std::string unused_name(const Scene& scene, const std::string& name) {
+  if (!is_name_used(scene, name)) {
+    return name;
+  }
+  std::string stem = name;
+  const std::size_t space = name.find_last_of(' ');
+  if (space != std::string::npos && space + 1 < name.size() &&
+      std::all_of(name.begin() + static_cast<std::ptrdiff_t>(space) + 1, name.end(),
+                  [](char c) { return c >= '0' && c <= '9'; })) {
+    stem = name.substr(0, space);
+  }
+  int number = 2;
+  while (is_name_used(scene, stem + " " + std::to_string(number))) {
+    ++number;
+  }
+  return stem + " " + std::to_string(number);
+}
+
+SceneState with_object(const SceneState& state, SceneObject object) {
+  Scene scene = *state.scene;
+  object.name = unused_name(scene, object.name);
+  scene.objects.push_back(std::move(object));
+  return with_scene(state, std::move(scene));
+}
+
+SceneState without_object(const SceneState& state, std::string_view name) {
+  Scene scene = *state.scene;
+  std::erase_if(scene.objects, [&](const SceneObject& object) { return object.name == name; });
+  SceneState next = with_scene(state, std::move(scene));
+  put(next.hidden, std::string(name), false);
+  put(next.locked, std::string(name), false);
+  return next;
+}
+
+SceneState with_changed_object(const SceneState& state, std::string_view name,
+                               const ObjectChange& change) {
+  Scene scene = *state.scene;
+  for (SceneObject& object : scene.objects) {
+    if (object.name == name) {
+      change(object);
+    }
+  }
+  return with_scene(state, std::move(scene));
+}
+
+SceneState with_renamed_object(const SceneState& state, const std::string& name,
+                               const std::string& new_name) {
+  SceneState next =
+      with_changed_object(state, name, [&](SceneObject& object) { object.name = new_name; });
+  rename(next.hidden, name, new_name);
+  rename(next.locked, name, new_name);
+  return next;
+}
+
+SceneState with_base(const SceneState& state, std::string_view robot, const Pose& X_WB) {
+  Scene scene = *state.scene;
+  for (geometric::RobotInstance& instance : scene.robots) {
+    if (instance.name == robot) {
+      instance.X_WB = X_WB;
+    }
+  }
+  return with_scene(state, std::move(scene));
+}
+
+SceneState with_start(const SceneState& state, const Configuration& q) {
+  Scene scene = *state.scene;
+  scene.start = q;
+  return with_scene(state, std::move(scene));
+}
+
+SceneState with_goal(const SceneState& state, const Configuration& q) {
+  Scene scene = *state.scene;
+  scene.goal = q;
+  return with_scene(state, std::move(scene));
+}
+
+SceneState with_hidden(const SceneState& state, const std::string& name, bool hidden) {
+  SceneState next = state;
+  put(next.hidden, name, hidden);
+  return next;
+}
+
+SceneState with_locked(const SceneState& state, const std::string& name, bool locked) {
+  SceneState next = state;
+  put(next.locked, name, locked);
+  return next;
+}
+
+std::optional<Pose> link_pose(const Scene& scene, const Configuration& q, std::string_view robot,
+                              std::string_view link) {
+  const geometric::RobotInstance* instance = geometric::find_robot(scene, robot);
+  const auto index = instance ? instance->model->find_link(std::string(link)) : std::nullopt;
+  if (!index) {
+    return std::nullopt;
+  }
+  std::vector<Pose> X_BL(static_cast<std::size_t>(instance->model->link_count()));
+  const bool is_first = instance == &scene.robots.front();
+  instance->model->forward_kinematics(is_first ? q : instance->configuration, X_BL);
+  return instance->X_WB * X_BL[static_cast<std::size_t>(*index)];
+}
+
+Pose object_pose(const Scene& scene, const Configuration& q, const SceneObject& object) {
+  if (!object.attachment) {
+    return object.X_PO;
+  }
+  const auto X_WL = link_pose(scene, q, object.attachment->robot, object.attachment->link);
+  return X_WL ? *X_WL * object.X_PO : object.X_PO;
+}
+
+Pose in_parent(const Scene& scene, const Configuration& q, const SceneObject& object,
+               const Pose& X_WO) {
+  if (!object.attachment) {
+    return X_WO;
+  }
+  const auto X_WL = link_pose(scene, q, object.attachment->robot, object.attachment->link);
+  return X_WL ? X_WL->inverse() * X_WO : X_WO;
+}
+
+bool same_shape(const geometric::Shape& a, const geometric::Shape& b) {
+  return std::visit(SameShape{}, a, b);
+}
+
+}  // namespace handway::gui

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "editing/scene_state.h"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+
+/// Edits as functions: an old state in, a new state out.
+namespace handway::gui {
+
+using ObjectChange = std::function<void(geometric::SceneObject&)>;
+
+/// `name`, or `name` with the first number that makes it unlike all other names:
+/// "can", "can 2", "can 3", ….
+[[nodiscard]] std::string unused_name(const geometric::Scene& scene, const std::string& name);
+
+/// @param object gets an unused name.
+[[nodiscard]] SceneState with_object(const SceneState& state, geometric::SceneObject object);
+[[nodiscard]] SceneState without_object(const SceneState& state, std::string_view name);
+/// @param change of anything but the name.
+[[nodiscard]] SceneState with_changed_object(const SceneState& state, std::string_view name,
+                                             const ObjectChange& change);
+[[nodiscard]] SceneState with_renamed_object(const SceneState& state, const std::string& name,
+                                             const std::string& new_name);
+[[nodiscard]] SceneState with_base(const SceneState& state, std::string_view robot,
+                                   const geometric::Pose& X_WB);
+[[nodiscard]] SceneState with_start(const SceneState& state, const geometric::Configuration& q);
+[[nodiscard]] SceneState with_goal(const SceneState& state, const geometric::Configuration& q);
+[[nodiscard]] SceneState with_hidden(const SceneState& state, const std::string& name, bool hidden);
+[[nodiscard]] SceneState with_locked(const SceneState& state, const std::string& name, bool locked);
+
+/// Where a link of a robot is in the world, the first robot standing at `q`.
+/// Nothing if there is no such link.
+[[nodiscard]] std::optional<geometric::Pose> link_pose(const geometric::Scene& scene,
+                                                       const geometric::Configuration& q,
+                                                       std::string_view robot,
+                                                       std::string_view link);
+
+/// Where an object is in the world, the first robot standing at `q`.
+[[nodiscard]] geometric::Pose object_pose(const geometric::Scene& scene,
+                                          const geometric::Configuration& q,
+                                          const geometric::SceneObject& object);
+
+/// `X_WO` in the frame that `object` is placed in: the world, or its link.
+[[nodiscard]] geometric::Pose in_parent(const geometric::Scene& scene,
+                                        const geometric::Configuration& q,
+                                        const geometric::SceneObject& object,
+                                        const geometric::Pose& X_WO);
+
+/// Of the same kind and size; meshes with the same triangles.
+[[nodiscard]] bool same_shape(const geometric::Shape& a, const geometric::Shape& b);
+
+}  // namespace handway::gui

@@ -1,0 +1,250 @@
+#include "panels/properties_panel.h"
+
+#include "editing/scene_edits.h"
+#include "forms/pose_form.h"
+#include "forms/shape_form.h"
+#include "style/icons.h"
+#include "style/theme.h"
+
+#include <QColorDialog>
+#include <QComboBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QSignalBlocker>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace handway::gui {
+namespace {
+
+using Kind = SceneItem::Kind;
+
+QLabel* heading(const QString& text) {
+  auto* label = new QLabel(text);
+  label->setProperty("role", "heading");
+  return label;
+}
+
+QToolButton* toggle(const char* name) {
+  auto* button = new QToolButton;
+  button->setObjectName(QLatin1String(name));
+  button->setCheckable(true);
+  button->setAutoRaise(true);
+  button->setIconSize({16, 16});
+  return button;
+}
+
+QWidget* boxed(std::initializer_list<QWidget*> parts) {
+  auto* box = new QWidget;
+  auto* layout = new QVBoxLayout(box);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(4);
+  for (QWidget* part : parts) {
+    layout->addWidget(part);
+  }
+  return box;
+}
+
+}  // namespace
+
+PropertiesPanel::PropertiesPanel(SceneEditor& editor, QWidget* parent)
+    : QScrollArea(parent),
+      editor_(editor),
+      hint_(new QLabel(tr("Select an object to see its place and size here. Add one with "
+                          "the Add menu."))),
+      header_(make_header()),
+      pose_title_(heading(tr("Pose"))),
+      pose_(new PoseForm),
+      shape_(new ShapeForm),
+      color_(new QToolButton),
+      parent_(new QComboBox) {
+  setFrameShape(QFrame::NoFrame);
+  setWidgetResizable(true);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  hint_->setWordWrap(true);
+  hint_->setProperty("role", "note");
+  pose_box_ = boxed({pose_title_, pose_});
+  color_->setObjectName(QStringLiteral("color"));
+  color_->setToolTip(tr("Choose a colour"));
+  color_->setIconSize({54, 16});
+  parent_->setObjectName(QStringLiteral("fixed_to"));
+  parent_->setToolTip(tr("What the object moves with"));
+  auto* more = new QWidget;
+  auto* rows = new QFormLayout(more);
+  rows->setContentsMargins(0, 4, 0, 0);
+  rows->setHorizontalSpacing(10);
+  rows->setVerticalSpacing(5);
+  const auto note = [](const QString& text) {
+    auto* label = new QLabel(text);
+    label->setProperty("role", "note");
+    return label;
+  };
+  rows->addRow(note(tr("Colour")), color_);
+  rows->addRow(note(tr("Fixed to")), parent_);
+  shape_box_ = boxed({heading(tr("Size")), shape_, more});
+
+  auto* content = new QWidget;
+  auto* layout = new QVBoxLayout(content);
+  layout->setContentsMargins(12, 10, 12, 10);
+  layout->setSpacing(8);
+  for (QWidget* part : {static_cast<QWidget*>(hint_), header_, pose_box_, shape_box_}) {
+    layout->addWidget(part);
+  }
+  layout->addStretch(1);
+  setWidget(content);
+
+  connect(pose_, &PoseForm::pose_edited, &editor_, &SceneEditor::place);
+  connect(shape_, &ShapeForm::shape_edited, &editor_, &SceneEditor::set_shape);
+  connect(color_, &QToolButton::clicked, this, &PropertiesPanel::choose_color);
+  connect(parent_, qOverload<int>(&QComboBox::activated), this, [this](int row) {
+    emit attach_requested(parent_->itemData(row, Qt::UserRole).toString().toStdString(),
+                          parent_->itemData(row, Qt::UserRole + 1).toString().toStdString());
+  });
+  refresh_icons();
+  refresh();
+}
+
+QWidget* PropertiesPanel::make_header() {
+  name_ = new QLineEdit;
+  name_->setObjectName(QStringLiteral("object_name"));
+  kind_ = new QLabel;
+  kind_->setProperty("role", "note");
+  lock_ = toggle("lock");
+  hide_ = toggle("hide");
+  lock_->setToolTip(tr("Lock: keep it from being changed"));
+  hide_->setToolTip(tr("Hide: do not draw it; it still counts in planning"));
+  auto* header = new QWidget;
+  auto* layout = new QHBoxLayout(header);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(4);
+  layout->addWidget(name_, 1);
+  layout->addWidget(kind_);
+  layout->addWidget(hide_);
+  layout->addWidget(lock_);
+  connect(name_, &QLineEdit::editingFinished, this, [this] {
+    editor_.rename(name_->text().trimmed().toStdString());
+    refresh();
+  });
+  connect(lock_, &QToolButton::clicked, this,
+          [this](bool on) { editor_.set_locked(editor_.selection().name, on); });
+  connect(hide_, &QToolButton::clicked, this,
+          [this](bool on) { editor_.set_hidden(editor_.selection().name, on); });
+  return header;
+}
+
+void PropertiesPanel::refresh_icons() {
+  lock_->setIcon(icon("lock"));
+  hide_->setIcon(icon("hide"));
+}
+
+void PropertiesPanel::refresh() {
+  const SceneItem& item = editor_.selection();
+  if (const geometric::SceneObject* object = editor_.selected_object()) {
+    show_object(*object);
+    return;
+  }
+  const auto& scene = editor_.state().scene;
+  const geometric::RobotInstance* robot =
+      scene ? geometric::find_robot(*scene, item.robot) : nullptr;
+  if (robot && item.kind == Kind::kRobot) {
+    show_robot(*robot);
+  } else if (robot && item.kind == Kind::kLink) {
+    show_link(*robot);
+  } else {
+    show_hint();
+  }
+}
+
+void PropertiesPanel::show_parts(bool header, bool pose, bool shape) {
+  hint_->setVisible(!header);
+  header_->setVisible(header);
+  pose_box_->setVisible(pose);
+  shape_box_->setVisible(shape);
+  lock_->setVisible(shape);
+  hide_->setVisible(shape);
+}
+
+void PropertiesPanel::show_object(const geometric::SceneObject& object) {
+  show_parts(true, true, true);
+  const bool editable = editor_.can_change();
+  name_->setText(QString::fromStdString(object.name));
+  name_->setReadOnly(!editable);
+  kind_->setText(kind_of_shape(object.shape));
+  lock_->setChecked(!editable);
+  hide_->setChecked(editor_.state().hidden.contains(object.name));
+  pose_title_->setText(tr("Pose"));
+  pose_->show_pose(editor_.selected_pose().value());
+  pose_->set_editable(editable);
+  shape_->show_shape(object.shape);
+  shape_->set_editable(editable);
+  color_->setEnabled(editable);
+  paint_swatch(object.color);
+  list_parents(object);
+  parent_->setEnabled(editable && parent_->count() > 1);
+}
+
+void PropertiesPanel::show_robot(const geometric::RobotInstance& robot) {
+  show_parts(true, true, false);
+  name_->setText(QString::fromStdString(robot.name));
+  name_->setReadOnly(true);
+  kind_->setText(tr("Robot"));
+  pose_title_->setText(tr("Base"));
+  pose_->show_pose(robot.X_WB);
+  pose_->set_editable(true);
+}
+
+void PropertiesPanel::show_link(const geometric::RobotInstance& robot) {
+  const auto X_WL = link_pose(*editor_.state().scene, editor_.document().configuration(),
+                              robot.name, editor_.selection().name);
+  show_parts(true, X_WL.has_value(), false);
+  name_->setText(QString::fromStdString(editor_.selection().name));
+  name_->setReadOnly(true);
+  kind_->setText(tr("Link"));
+  pose_title_->setText(tr("Pose (set by the joints)"));
+  pose_->show_pose(X_WL.value_or(geometric::Pose::Identity()));
+  pose_->set_editable(false);
+}
+
+void PropertiesPanel::show_hint() { show_parts(false, false, false); }
+
+void PropertiesPanel::list_parents(const geometric::SceneObject& object) {
+  const QSignalBlocker quiet(parent_);
+  parent_->clear();
+  parent_->addItem(tr("World"));
+  for (const geometric::RobotInstance& robot : editor_.state().scene->robots) {
+    for (int i = 0; i < robot.model->link_count(); ++i) {
+      const std::string& link = robot.model->link(i).name;
+      parent_->addItem(QString::fromStdString(link), QString::fromStdString(robot.name));
+      parent_->setItemData(parent_->count() - 1, QString::fromStdString(link), Qt::UserRole + 1);
+      if (object.attachment && object.attachment->robot == robot.name &&
+          object.attachment->link == link) {
+        parent_->setCurrentIndex(parent_->count() - 1);
+      }
+    }
+  }
+}
+
+void PropertiesPanel::paint_swatch(const geometric::Color& color) {
+  QPixmap swatch(54, 16);
+  swatch.fill(QColor::fromRgbF(color.red, color.green, color.blue));
+  color_->setIcon(swatch);
+}
+
+void PropertiesPanel::choose_color() {
+  const geometric::SceneObject* object = editor_.selected_object();
+  if (!object) {
+    return;
+  }
+  const QColor before = QColor::fromRgbF(object->color.red, object->color.green, object->color.blue,
+                                         object->color.alpha);
+  const QColor chosen = QColorDialog::getColor(before, this, tr("Colour of %1").arg(name_->text()),
+                                               QColorDialog::ShowAlphaChannel);
+  if (chosen.isValid() && chosen != before) {
+    editor_.set_color({static_cast<float>(chosen.redF()), static_cast<float>(chosen.greenF()),
+                       static_cast<float>(chosen.blueF()), static_cast<float>(chosen.alphaF())});
+  }
+}
+
+}  // namespace handway::gui

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <QAction>
+#include <QFrame>
+#include <QList>
+
+class QLineEdit;
+class QListWidget;
+
+namespace handway::gui {
+
+/// All commands of a window in one list, found by a few letters of their names.
+class CommandPalette : public QFrame {
+  Q_OBJECT
+
+ public:
+  /// @param window whose menus it lists.
+  explicit CommandPalette(QWidget& window);
+
+  /// Comes up over the window.
+  void ask();
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  struct Command {
+    QString path;  ///< "View: Top"
+    QAction* action;
+  };
+
+  void list(const QString& typed);
+  void run_current();
+
+  QWidget& window_;
+  QLineEdit* field_;
+  QListWidget* list_;
+  QList<Command> commands_;
+};
+
+}  // namespace handway::gui

@@ -1,0 +1,109 @@
+#include "start/panel_help.h"
+
+#include <QApplication>
+#include <QCursor>
+#include <QDockWidget>
+#include <QFrame>
+#include <QLabel>
+#include <QMainWindow>
+#include <QTabWidget>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace handway::gui {
+namespace {
+
+constexpr int kWidth = 360;
+
+struct Help {
+  const char* panel;
+  const char* text;
+};
+
+// Docks and tabs by object name; the first for what is neither.
+constexpr Help kHelp[] = {
+    {"view",
+     QT_TRANSLATE_NOOP(
+         "Help",
+         "<b>3-D view</b><p>Drag to turn, drag with the middle button or with Shift to move, wheel "
+         "to zoom, double click to centre.</p><p>A click selects. Arrows move the selected object "
+         "along an axis, plates in a plane, rings turn it; Ctrl snaps to 10 mm and 15°, Esc puts "
+         "it back. <b>L</b> switches between the world's axes and its own.</p><p>While a path is "
+         "shown it follows what you drag.</p>")},
+    {"scene",
+     QT_TRANSLATE_NOOP("Help",
+                       "<b>Scene</b><p>Robots with their links, objects, start and goal. The boxes "
+                       "show and hide; F2 renames an object; a double click on start or goal moves "
+                       "the robot there.</p>")},
+    {"properties",
+     QT_TRANSLATE_NOOP("Help",
+                       "<b>Properties</b><p>The selected object in numbers. Type a number of "
+                       "millimetres or degrees, or one with its unit: <i>0.2 m</i>, <i>3.5 cm</i>, "
+                       "<i>1.57 rad</i>. <b>Fixed to</b> lets a link carry the object.</p>")},
+    {"messages", QT_TRANSLATE_NOOP("Help",
+                                   "<b>Messages</b><p>What was opened, saved and planned, with the "
+                                   "warnings of readers and plugins.</p>")},
+    {"history", QT_TRANSLATE_NOOP("Help",
+                                  "<b>History</b><p>All edits since the scene was opened. A click "
+                                  "goes back, or forward again, to how it was then.</p>")},
+    {"plan",
+     QT_TRANSLATE_NOOP("Help",
+                       "<b>Plan</b><p>Choose a planner, set it up, press Plan. Every setting says "
+                       "in its tool tip what it does. Same settings and seed: same path.</p>")},
+    {"joints",
+     QT_TRANSLATE_NOOP("Help",
+                       "<b>Joints</b><p>A slider for every joint. <i>Plan > Set start here</i> and "
+                       "<i>Set goal here</i> take the posture that is shown.</p>")},
+    {"hand", QT_TRANSLATE_NOOP("Help",
+                               "<b>Hand</b><p>Moves the fingers together, along the "
+                               "principal motion directions of the hand's basis.</p>")},
+    {"glove", QT_TRANSLATE_NOOP("Help",
+                                "<b>Glove</b><p>Connects a sensor glove or an emulated one, shows "
+                                "what its sensors say, records it and lets the hand on screen "
+                                "follow.</p>")},
+};
+
+// The panel that a widget is in.
+QString panel_of(const QWidget* widget) {
+  for (; widget; widget = widget->parentWidget()) {
+    if (const auto* tabs = qobject_cast<const QTabWidget*>(widget)) {
+      return tabs->currentWidget()->objectName();
+    }
+    if (qobject_cast<const QDockWidget*>(widget)) {
+      return widget->objectName();
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+void show_panel_help(QMainWindow& window) {
+  const QWidget* under = QApplication::widgetAt(QCursor::pos());
+  QString panel = panel_of(under && window.isAncestorOf(under) ? under : window.focusWidget());
+  const auto known = [&](const Help& help) { return panel == QLatin1String(help.panel); };
+  const auto* help = std::find_if(std::begin(kHelp), std::end(kHelp), known);
+  if (help == std::end(kHelp)) {
+    help = std::begin(kHelp);
+  }
+  auto* card = new QFrame(&window, Qt::Popup);
+  card->setObjectName(QStringLiteral("help_card"));
+  card->setAttribute(Qt::WA_DeleteOnClose);
+  card->setAttribute(Qt::WA_StyledBackground);
+  card->setProperty("role", "help");
+  auto* text = new QLabel(QCoreApplication::translate("Help", help->text));
+  text->setWordWrap(true);
+  text->setFixedWidth(kWidth);
+  auto* layout = new QVBoxLayout(card);
+  layout->setContentsMargins(16, 12, 16, 12);
+  layout->addWidget(text);
+  card->adjustSize();
+  const QPoint corner = window.mapToGlobal(QPoint(window.width() - kWidth - 60, window.height()));
+  const QPoint place = QCursor::pos() + QPoint(12, 12);
+  card->move(std::min(place.x(), corner.x()),
+             std::min(place.y(), corner.y() - card->height() - 20));
+  card->show();
+}
+
+}  // namespace handway::gui

@@ -1,0 +1,11 @@
+#pragma once
+
+class QMainWindow;
+
+namespace handway::gui {
+
+/// F1: says in a small card what the panel under the pointer, or the one with the
+/// keyboard, is for.
+void show_panel_help(QMainWindow& window);
+
+}  // namespace handway::gui

@@ -1,0 +1,63 @@
+#include "view3d/ghost.h"
+
+#include <Inventor/actions/SoGLRenderAction.h>
+#include <Inventor/nodes/SoPolygonOffset.h>
+#include <Inventor/nodes/SoSeparator.h>
+
+#include <GL/gl.h>
+
+namespace handway::gui {
+namespace {
+
+constexpr float kOpacity = 0.26F;
+constexpr double kApart = 1e-3;
+
+}  // namespace
+
+void Ghost::show(const geometric::RobotInstance& robot, const geometric::Configuration& q,
+                 const LinkShapes& shapes, const geometric::Color& color, const Prepare& prepare) {
+  if (!robot_) {
+    geometric::Color faint = color;
+    faint.alpha = kOpacity;
+    robot_ = std::make_unique<RobotNode>(robot.model, shapes, faint);
+    root_ = make_coin<SoSeparator>();
+    prepare(root_.get());
+    auto* behind = new SoPolygonOffset;  // does not flicker with the robot where both coincide
+    behind->factor = 2.0F;
+    behind->units = 60.0F;
+    root_->addChild(behind);
+    root_->addChild(robot_->root());
+  }
+  robot_->place(robot.X_WB, q);
+}
+
+// First the depth alone, then the colour of what is in front: a ghost is one
+// even veil, however many surfaces lie behind each other.
+void Ghost::render(SoGLRenderAction& action) const {
+  if (!is_visible()) {
+    return;
+  }
+  glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  action.setTransparencyType(SoGLRenderAction::NONE);
+  action.apply(root_.get());
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
+  action.setTransparencyType(SoGLRenderAction::BLEND);
+  action.apply(root_.get());
+}
+
+void hide_doubled_links(const RobotNode& robot, const Ghost& start, const Ghost& goal) {
+  for (const Ghost* ghost : {&start, &goal}) {
+    if (!ghost->robot()) {
+      continue;
+    }
+    const auto poses = ghost->robot()->link_poses();
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+      const bool apart = !poses[i].isApprox(robot.link_poses()[i], kApart);
+      const bool doubled = ghost == &goal && start.is_visible() &&
+                           poses[i].isApprox(start.robot()->link_poses()[i], kApart);
+      ghost->robot()->set_link_visible(static_cast<int>(i), apart && !doubled);
+    }
+  }
+}
+
+}  // namespace handway::gui

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "handway/geometric/scene/scene.h"
+#include "view3d/coin_ref.h"
+#include "view3d/robot_node.h"
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+class SoGLRenderAction;
+class SoSeparator;
+
+namespace handway::gui {
+
+/// A see-through copy of the first robot at start or goal.
+class Ghost {
+ public:
+  using Prepare = std::function<void(SoSeparator*)>;
+
+  void set_visible(bool visible) { visible_ = visible; }
+  [[nodiscard]] bool is_visible() const { return visible_ && robot_; }
+  /// Null: there is none.
+  [[nodiscard]] RobotNode* robot() const { return robot_.get(); }
+
+  void clear() { robot_.reset(); }
+  /// Stands `robot` at q. @param prepare puts camera and lights into a new root.
+  void show(const geometric::RobotInstance& robot, const geometric::Configuration& q,
+            const LinkShapes& shapes, const geometric::Color& color, const Prepare& prepare);
+  void render(SoGLRenderAction& action) const;
+
+ private:
+  std::unique_ptr<RobotNode> robot_;
+  CoinRef<SoSeparator> root_;
+  bool visible_ = true;
+};
+
+/// Hides links of ghosts that lie where the robot's own are, or the other ghost's:
+/// they would only flicker.
+void hide_doubled_links(const RobotNode& robot, const Ghost& start, const Ghost& goal);
+
+}  // namespace handway::gui

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "view3d/coin_ref.h"
+
+#include <vector>
+
+class SoDrawStyle;
+class SoGLRenderAction;
+class SoSeparator;
+
+namespace handway::gui {
+
+/// A line around what is selected, seen through everything: the parts' edges drawn
+/// wide wherever the parts themselves are not.
+class SelectionOutline {
+ public:
+  SelectionOutline();
+  ~SelectionOutline();
+  SelectionOutline(const SelectionOutline&) = delete;
+  SelectionOutline& operator=(const SelectionOutline&) = delete;
+
+  /// The root that a camera goes into, once.
+  [[nodiscard]] SoSeparator* root() const { return root_.get(); }
+  /// @param parts drawings in the world.
+  void set_parts(const std::vector<SoSeparator*>& parts);
+  /// @pre the target has a stencil buffer. @param width of the line, pixels.
+  void render(SoGLRenderAction& action, float width) const;
+
+ private:
+  static constexpr int kStyleNodes = 3;  ///< Of `parts_`, before the parts.
+
+  CoinRef<SoSeparator> root_;
+  CoinRef<SoDrawStyle> style_;
+  CoinRef<SoSeparator> parts_;
+};
+
+}  // namespace handway::gui

@@ -1,0 +1,115 @@
+#include "view3d/view_gizmo.h"
+
+#include "handway/geometric/math/units.h"
+
+#include <QStringList>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace handway::gui {
+namespace {
+
+using geometric::Pose;
+
+constexpr double kPixels = 92.0;  // an arrow's length
+
+double metres_per_pixel(const QSize& size, double distance) {
+  return 2.0 * distance * std::tan(OrbitCamera::kFieldOfView / 2.0) / std::max(size.height(), 1);
+}
+
+QString with_sign(double value, int decimals) {
+  return (value < 0.0 ? QStringLiteral("−") : QStringLiteral("+")) +
+         QString::number(std::abs(value), 'f', decimals);
+}
+
+}  // namespace
+
+Ray ray_through(const OrbitCamera& camera, const QSize& size, const QPointF& place) {
+  const double slope = 2.0 * std::tan(OrbitCamera::kFieldOfView / 2.0) / std::max(size.height(), 1);
+  const Eigen::Vector3d in_camera(slope * (place.x() - 0.5 * size.width()),
+                                  -slope * (place.y() - 0.5 * size.height()), -1.0);
+  return {camera.position(), (camera.orientation() * in_camera).normalized()};
+}
+
+void ViewGizmo::set_target(const SceneItem& item, const std::optional<Pose>& X_WO) {
+  if (!drag_) {
+    if (!(item == item_)) {
+      hot_.reset();
+    }
+    item_ = item;
+    X_WO_ = X_WO;
+  }
+}
+
+GizmoFrame ViewGizmo::frame(const OrbitCamera& camera, const QSize& size) const {
+  GizmoFrame frame;
+  if (X_WO_) {
+    frame.centre = X_WO_->translation();
+    if (local_) {
+      frame.axes = X_WO_->linear();
+    }
+    const double distance =
+        std::max(0.05, camera.orientation().col(2).dot(camera.position() - frame.centre));
+    frame.size = kPixels * metres_per_pixel(size, distance);
+  }
+  return frame;
+}
+
+bool ViewGizmo::hover(const OrbitCamera& camera, const QSize& size, const QPointF& place) {
+  const auto now =
+      is_shown() ? handle_at(frame(camera, size), ray_through(camera, size, place)) : std::nullopt;
+  const bool changed = now != hot_;
+  hot_ = now;
+  return changed;
+}
+
+bool ViewGizmo::press(const OrbitCamera& camera, const QSize& size, const QPointF& place) {
+  hover(camera, size, place);
+  if (hot_) {
+    drag_.emplace(*hot_, frame(camera, size), *X_WO_, ray_through(camera, size, place));
+  }
+  return drag_.has_value();
+}
+
+Pose ViewGizmo::drag(const OrbitCamera& camera, const QSize& size, const QPointF& place,
+                     bool snap) {
+  X_WO_ = drag_->moved_to(ray_through(camera, size, place), snap);
+  return *X_WO_;
+}
+
+Pose ViewGizmo::release() {
+  const Pose start = drag_->start();
+  drag_.reset();
+  hot_.reset();
+  return start;
+}
+
+Pose ViewGizmo::cancel() {
+  X_WO_ = release();
+  return *X_WO_;
+}
+
+QString ViewGizmo::amount() const {
+  if (!drag_) {
+    return {};
+  }
+  constexpr std::array kNames{"X", "Y", "Z"};
+  const bool turns = drag_->handle().kind == GizmoHandle::Kind::kRing;
+  QStringList parts;
+  for (int axis = 0; axis < 3; ++axis) {
+    const bool is_free =
+        (axis == drag_->handle().axis) != (drag_->handle().kind == GizmoHandle::Kind::kPlate);
+    const double amount = drag_->amount()[axis];
+    if (is_free) {
+      const auto name = QLatin1String(kNames.at(static_cast<std::size_t>(axis)));
+      parts << (turns ? QStringLiteral("%1 %2°").arg(name, with_sign(geometric::degrees(amount), 1))
+                      : QStringLiteral("%1 %2 mm")
+                            .arg(name, with_sign(geometric::millimetres(amount), 1)));
+    }
+  }
+  return parts.join(QStringLiteral("   "));
+}
+
+}  // namespace handway::gui

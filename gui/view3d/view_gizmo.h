@@ -1,0 +1,56 @@
+#pragma once
+
+#include "view3d/gizmo_handles.h"
+#include "view3d/orbit_camera.h"
+#include "view3d/scene_item.h"
+
+#include <QPointF>
+#include <QSize>
+#include <QString>
+
+#include <optional>
+
+namespace handway::gui {
+
+/// The ray from the camera through a place in the view. @param place, size logical pixels.
+[[nodiscard]] Ray ray_through(const OrbitCamera& camera, const QSize& size, const QPointF& place);
+
+/// The gizmo of a view: stands on what is selected, always of the same size on the
+/// screen, and turns what the pointer does into poses.
+class ViewGizmo {
+ public:
+  /// @param X_WO nothing: no gizmo.
+  void set_target(const SceneItem& item, const std::optional<geometric::Pose>& X_WO);
+  void set_local(bool local) { local_ = local; }
+  [[nodiscard]] const SceneItem& item() const { return item_; }
+  [[nodiscard]] bool is_shown() const { return X_WO_.has_value(); }
+
+  [[nodiscard]] GizmoFrame frame(const OrbitCamera& camera, const QSize& size) const;
+  /// The handle under the pointer, or the one that is held.
+  [[nodiscard]] const std::optional<GizmoHandle>& hot() const { return hot_; }
+  [[nodiscard]] bool is_dragging() const { return drag_.has_value(); }
+
+  /// @returns whether another handle is hot now.
+  bool hover(const OrbitCamera& camera, const QSize& size, const QPointF& place);
+  /// Takes hold of the handle there, if there is one.
+  bool press(const OrbitCamera& camera, const QSize& size, const QPointF& place);
+  /// @pre is_dragging(). @returns where the target is now.
+  geometric::Pose drag(const OrbitCamera& camera, const QSize& size, const QPointF& place,
+                       bool snap);
+  /// Lets go. @returns where the target was when it was taken hold of.
+  geometric::Pose release();
+  /// Lets go. The target is back where it was, which is returned.
+  geometric::Pose cancel();
+  [[nodiscard]] const std::optional<geometric::Pose>& pose() const { return X_WO_; }
+  /// How far the target has been dragged: "X +35 mm", "Z −15°".
+  [[nodiscard]] QString amount() const;
+
+ private:
+  SceneItem item_;
+  std::optional<geometric::Pose> X_WO_;
+  std::optional<GizmoHandle> hot_;
+  std::optional<GizmoDrag> drag_;
+  bool local_ = false;
+};
+
+}  // namespace handway::gui

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "editing/scene_editing.h"
+#include "window_test.h"
+
+#include <stdexcept>
+#include <string>
+
+namespace handway::test {
+
+/// A window with the post between start and goal, to be edited.
+class EditingTest : public WindowTest {
+ protected:
+  void SetUp() override {
+    WindowTest::SetUp();
+    if (!IsSkipped()) {
+      open(cell().post());
+    }
+  }
+
+  [[nodiscard]] gui::SceneEditor& editor() const { return window().editing().editor(); }
+  [[nodiscard]] gui::EditActions& actions() const { return window().editing().actions(); }
+  [[nodiscard]] const geometric::Scene& scene() const { return *window().document().scene(); }
+  [[nodiscard]] const geometric::SceneObject& object(const char* name) const {
+    const geometric::SceneObject* found = geometric::find_object(scene(), name);
+    if (!found) {
+      throw std::runtime_error(std::string("no object called ") + name);
+    }
+    return *found;
+  }
+  void select(const char* name) const {
+    editor().select({gui::SceneItem::Kind::kObject, "", name});
+  }
+};
+
+}  // namespace handway::test

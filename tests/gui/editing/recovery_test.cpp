@@ -1,0 +1,92 @@
+#include "editing/recovery.h"
+
+#include "editing/editing_test.h"
+
+#include <QProcess>
+#include <QPushButton>
+#include <QSignalSpy>
+
+#include <csignal>
+
+namespace handway::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr int kPatienceMs = 30000;
+
+class RecoveringWork : public EditingTest {
+ protected:
+  [[nodiscard]] static std::filesystem::path unsaved() { return gui::Autosave::default_folder(); }
+};
+
+/// Not a test of its own: what the test below runs in another process, and kills.
+TEST_F(RecoveringWork, DISABLED_WorkThatIsKilled) {
+  window().open(QString::fromLocal8Bit(qgetenv("HANDWAY_TEST_SCENE")));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return geometric::find_object(scene(), "post"); }));
+  QSignalSpy stored(&window().recovery().autosave(), &gui::Autosave::stored);
+  for (const double x : {0.5, 0.6}) {
+    stored.clear();
+    select("post");
+    editor().place(geometric::Pose(Eigen::Translation3d(x, 0.4, 0.0)));
+    editor().add("box", geometric::Box{}, {}, {x, 0.0, 0.0});
+    ASSERT_TRUE(QTest::qWaitFor([&] {
+      return !stored.isEmpty() && !QTest::qWaitFor([&] { return stored.count() > 2; }, 200);
+    }));
+  }
+  editor().add("lost", geometric::Sphere{}, {}, {0.0, 0.0, 0.0});
+  (void)std::raise(SIGKILL);
+}
+
+TEST_F(RecoveringWork, LosesAtMostOneEditWhenItIsKilled) {
+  QProcess killed;
+  QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+  environment.insert("HANDWAY_TEST_DATA", QString::fromLocal8Bit(qgetenv("XDG_DATA_HOME")));
+  environment.insert("HANDWAY_TEST_SCENE", QString::fromStdString(cell().post().string()));
+  killed.setProcessEnvironment(environment);
+  killed.start(QCoreApplication::applicationFilePath(),
+               {"--gtest_filter=RecoveringWork.DISABLED_WorkThatIsKilled",
+                "--gtest_also_run_disabled_tests"});
+  ASSERT_TRUE(killed.waitForFinished(kPatienceMs));
+  ASSERT_EQ(killed.exitStatus(), QProcess::CrashExit) << killed.readAll().toStdString();
+
+  window().begin({});
+  ASSERT_TRUE(part<QPushButton>("banner_accept").isVisible());
+  EXPECT_THAT(window().message().toStdString(), HasSubstr("Small cell"));
+  QSignalSpy ready(&window(), &gui::MainWindow::ready);
+  QSignalSpy stored(&window().recovery().autosave(), &gui::Autosave::stored);
+  click("banner_accept");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !ready.isEmpty(); }));
+  EXPECT_DOUBLE_EQ(object("post").X_PO.translation().x(), 0.6);
+  EXPECT_TRUE(geometric::find_object(scene(), "box 2"));
+  EXPECT_TRUE(window().isWindowModified()) << "still to be saved";
+  EXPECT_EQ(window().document().file(), cell().post());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !stored.isEmpty(); }));
+  EXPECT_TRUE(window().recovery().autosave().find_lost().empty()) << "offered once";
+}
+
+TEST_F(RecoveringWork, OffersNothingWhenAllIsSaved) {
+  QSignalSpy stored(&window().recovery().autosave(), &gui::Autosave::stored);
+  select("post");
+  editor().remove();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !stored.isEmpty(); }));
+  stored.clear();
+  editor().undo_stack().undo();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !stored.isEmpty(); }));
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(unsaved())) {
+    EXPECT_NE(entry.path().extension(), ".yaml") << entry.path();
+  }
+}
+
+// A window that is open is not lost.
+TEST_F(RecoveringWork, LeavesOtherWindowsAlone) {
+  QSignalSpy stored(&window().recovery().autosave(), &gui::Autosave::stored);
+  select("post");
+  editor().remove();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !stored.isEmpty(); }));
+  const gui::Autosave other(unsaved());
+  EXPECT_TRUE(other.find_lost().empty());
+}
+
+}  // namespace
+}  // namespace handway::test

@@ -1,0 +1,126 @@
+#include "editing/editing_test.h"
+#include "editing/scene_edits.h"
+#include "handway/geometric/collision/make_checker.h"
+#include "workers/problem_update.h"
+
+#include <QElapsedTimer>
+#include <QSignalSpy>
+#include <QTimer>
+
+#include <algorithm>
+
+namespace handway::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+class ReplanningLive : public EditingTest {
+ protected:
+  void wait_for_path() {
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !window().session().is_replanning(); }, 8000));
+  }
+  void expect_free_path() {
+    const planning::Path& path = window().player().timeline().path();
+    ASSERT_FALSE(path.waypoints.empty());
+    const auto checker = geometric::make_collision_checker(
+        std::make_shared<const geometric::CollisionWorld>(scene()));
+    for (const geometric::Configuration& q : path.waypoints) {
+      EXPECT_FALSE(checker->first_collision(q));
+    }
+  }
+  void try_post_at(double x, double y) const {
+    window().session().try_scene(
+        gui::with_changed_object(editor().state(), "post", [&](geometric::SceneObject& post) {
+          post.X_PO.translation().head<2>() = Eigen::Vector2d(x, y);
+        }));
+  }
+};
+
+TEST_F(ReplanningLive, LeadsThePathAroundWhatIsMoved) {
+  plan();
+  const auto before = window().player().timeline().path().waypoints;
+  select("post");
+  geometric::Pose moved = object("post").X_PO;
+  moved.translation().head<2>() = Eigen::Vector2d(0.36, 0.40);
+  editor().place(moved);
+  wait_for_path();
+  expect_free_path();
+  EXPECT_THAT(result(), HasSubstr("Path follows the scene"));
+  actions().undo->trigger();
+  wait_for_path();
+  expect_free_path();
+}
+
+TEST_F(ReplanningLive, FollowsADragWithoutHoldingTheWindowUp) {
+  plan();
+  QTimer heartbeat;
+  QElapsedTimer clock;
+  std::vector<qint64> gaps;
+  QObject::connect(&heartbeat, &QTimer::timeout, [&] { gaps.push_back(clock.restart()); });
+  clock.start();
+  heartbeat.start(5);
+  for (int step = 0; step < 40; ++step) {
+    try_post_at(0.41 - 0.002 * step, 0.38 + 0.001 * step);
+    QTest::qWait(15);
+  }
+  wait_for_path();
+  ASSERT_FALSE(gaps.empty());
+  std::ranges::sort(gaps);
+  EXPECT_LT(gaps[gaps.size() * 95 / 100], 100) << "ms without an answer";
+  EXPECT_THAT(result(), HasSubstr("Path follows the scene"));
+}
+
+TEST_F(ReplanningLive, SaysWhenThereIsNoPathAnyMore) {
+  plan();
+  const auto before = window().player().timeline().path().waypoints;
+  try_post_at(0.3, 0.0);  // into the arm at start
+  wait_for_path();
+  EXPECT_THAT(result(), HasSubstr("No path in the scene as it is now"));
+  EXPECT_EQ(window().player().timeline().path().waypoints, before) << "the last one stays";
+  try_post_at(0.41, 0.38);
+  wait_for_path();
+  EXPECT_THAT(result(), HasSubstr("Path follows the scene"));
+}
+
+TEST_F(ReplanningLive, EndsWhenTheRobotIsMoved) {
+  plan();
+  editor().select({gui::SceneItem::Kind::kRobot, "arm", ""});
+  editor().place(geometric::Pose(Eigen::Translation3d(0.0, 0.0, 0.2)));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return window().player().timeline().empty(); }));
+}
+
+TEST(ProblemUpdate, GivesTheWorldOfTheChangedScene) {
+  const SmallCell cell;
+  const planning::Extensions extensions;
+  const planning::LoadedScene loaded = planning::load_scene(cell.post(), extensions);
+  const planning::PlanningProblem before = planning::make_problem(loaded.scene, loaded.basis);
+  gui::SceneState state{loaded.scene};
+  geometric::SceneObject ball;
+  ball.name = "ball";
+  ball.shape = geometric::Sphere{0.1};
+  ball.X_PO.translation().x() = 0.5;
+  state = gui::with_object(state, ball);
+  state = gui::with_changed_object(
+      state, "post", [](geometric::SceneObject& post) { post.X_PO.translation().z() += 0.3; });
+  const planning::PlanningProblem updated =
+      gui::updated_problem(before, {state.scene, loaded.basis});
+  const planning::PlanningProblem anew = planning::make_problem(state.scene, loaded.basis);
+  const auto names = [](const planning::PlanningProblem& problem) {
+    std::vector<std::string> all;
+    for (const auto& body : problem.checker->world().bodies()) {
+      all.push_back(body.name);
+    }
+    return all;
+  };
+  EXPECT_EQ(names(updated), names(anew));
+  EXPECT_EQ(updated.checker->world().pairs().size(), anew.checker->world().pairs().size());
+  const auto a = updated.checker->clone(), b = anew.checker->clone();
+  for (const double turn : {0.0, 0.5, 1.0}) {
+    geometric::Configuration q = loaded.scene->robots.front().configuration;
+    q[0] = turn;
+    EXPECT_EQ(a->first_collision(q).has_value(), b->first_collision(q).has_value());
+  }
+}
+
+}  // namespace
+}  // namespace handway::test
