@@ -3,6 +3,7 @@
 #include "app/snapshot.h"
 #include "style/icons.h"
 #include "style/theme.h"
+#include "view3d/scene_view.h"
 
 #include <QApplication>
 #include <QSettings>
@@ -32,6 +33,9 @@ int run(QApplication& application, const gui::Options& options) {
   extensions->load_plugins(planning::plugin_directory());
   gui::MainWindow window(extensions);
   window.resize(options.size);
+  if (options.view_only) {
+    window.view().setFixedSize(options.size);
+  }
 
   std::unique_ptr<gui::Snapshot> snapshot;
   if (!options.screenshot.empty()) {

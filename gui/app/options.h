@@ -15,7 +15,7 @@ namespace handway::gui {
 struct Options {
   std::filesystem::path scene;       ///< Empty: start with an empty window.
   std::filesystem::path screenshot;  ///< Empty: stay open.
-  bool view_only = false;            ///< The picture shows the 3-D view alone.
+  bool view_only = false;            ///< The picture shows the 3-D view alone, of that size.
   QSize size{1440, 900};
   bool play = false;    ///< Plan at once, then play in a loop.
   std::string planner;  ///< Empty: the scene's.

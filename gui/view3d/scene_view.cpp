@@ -55,7 +55,6 @@ SceneView::~SceneView() {
 
 void SceneView::set_scene(std::shared_ptr<const geometric::Scene> scene) {
   has_scene_ = scene != nullptr;
-  overlay_->set_text(has_scene_ ? QString() : empty_text_);
   untouched_ = true;
   flight_.stop();
   graph_->set_scene(std::move(scene));
@@ -74,11 +73,6 @@ void SceneView::set_colors(const ViewColors& colors) {
   graph_->set_colors(colors);
   overlay_->set_color(colors.text);
   update();
-}
-
-void SceneView::set_empty_text(const QString& text) {
-  empty_text_ = text;
-  overlay_->set_text(has_scene_ ? QString() : empty_text_);
 }
 
 void SceneView::set_configuration(const geometric::Configuration& q) {

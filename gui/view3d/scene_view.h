@@ -38,8 +38,6 @@ class SceneView : public QOpenGLWidget {
   /// Shows an edited scene with the same robots, from where one looks already.
   void update_scene(const SceneState& state);
   void set_colors(const ViewColors& colors);
-  /// What an empty view says.
-  void set_empty_text(const QString& text);
 
   /// @param q of the first robot, shape [variable_count].
   void set_configuration(const geometric::Configuration& q);
@@ -109,7 +107,6 @@ class SceneView : public QOpenGLWidget {
   ViewGizmo gizmo_;
   QVariantAnimation flight_;
   ViewColors colors_;
-  QString empty_text_;
   QPoint press_position_;
   QPoint last_position_;
   double frame_time_ms_ = 0.0;

@@ -17,11 +17,6 @@ void ViewOverlay::set_color(const geometric::Color& color) {
   update();
 }
 
-void ViewOverlay::set_text(const QString& text) {
-  text_ = text;
-  update();
-}
-
 void ViewOverlay::set_note(const QString& note, const QPoint& place) {
   note_ = note;
   note_place_ = place;
@@ -65,12 +60,6 @@ void ViewOverlay::paintEvent(QPaintEvent* /*event*/) {
     painter.setPen(Qt::white);
     painter.drawText(card, Qt::AlignCenter, note_);
     painter.setPen(color_);
-  }
-  if (!text_.isEmpty()) {
-    font.setPixelSize(15);
-    font.setBold(false);
-    painter.setFont(font);
-    painter.drawText(rect(), Qt::AlignCenter, text_);
   }
 }
 

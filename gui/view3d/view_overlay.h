@@ -11,7 +11,7 @@
 namespace handway::gui {
 
 /// What is written over a 3-D view: the names of its axes cross, which stands in
-/// the lower left corner, and a line in the middle. Mouse events go through it.
+/// the lower left corner, and a note beside the pointer. Mouse events go through it.
 class ViewOverlay : public QWidget {
   Q_OBJECT
 
@@ -23,7 +23,6 @@ class ViewOverlay : public QWidget {
   explicit ViewOverlay(QWidget* view);
 
   void set_color(const geometric::Color& color);
-  void set_text(const QString& text);
   /// A few words beside the pointer; empty: none.
   void set_note(const QString& note, const QPoint& place);
   /// @param R_WC columns: right, up and backwards of the camera, in the world.
@@ -34,7 +33,6 @@ class ViewOverlay : public QWidget {
 
  private:
   QColor color_;
-  QString text_;
   QString note_;
   QPoint note_place_;
   Eigen::Matrix3d R_WC_ = Eigen::Matrix3d::Identity();
