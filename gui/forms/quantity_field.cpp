@@ -38,7 +38,7 @@ std::optional<double> shown_per_unit(QuantityField::Kind kind, const QString& na
 }
 
 // In millimetres or degrees.
-std::optional<double> parse(QuantityField::Kind kind, const QString& text) {
+std::optional<double> parse_number(QuantityField::Kind kind, const QString& text) {
   static const QRegularExpression pattern(
       QStringLiteral("^\\s*([-+]?(?:\\d+[.,]?\\d*|[.,]\\d+)(?:[eE][-+]?\\d+)?)\\s*([a-z°]*)\\s*$"));
   const QRegularExpressionMatch match = pattern.match(text);
@@ -48,6 +48,12 @@ std::optional<double> parse(QuantityField::Kind kind, const QString& text) {
   const auto unit = shown_per_unit(kind, match.captured(2));
   const double number = match.captured(1).replace(',', '.').toDouble();
   return unit ? std::optional(number * *unit) : std::nullopt;
+}
+
+// The field's own unit may stand behind the one that was typed: "0.5 m mm".
+std::optional<double> parse(QuantityField::Kind kind, const QString& text, const QString& suffix) {
+  const auto value = parse_number(kind, text);
+  return value || !text.endsWith(suffix) ? value : parse_number(kind, text.chopped(suffix.size()));
 }
 
 double to_shown(QuantityField::Kind kind, double si) {
@@ -81,7 +87,7 @@ void QuantityField::show_quantity(double value) {
 }
 
 double QuantityField::valueFromText(const QString& text) const {
-  return parse(kind_, text).value_or(value());
+  return parse(kind_, text, suffix()).value_or(value());
 }
 
 QString QuantityField::textFromValue(double value) const {
@@ -90,7 +96,7 @@ QString QuantityField::textFromValue(double value) const {
 }
 
 QValidator::State QuantityField::validate(QString& text, int& /*position*/) const {
-  const auto value = parse(kind_, text);
+  const auto value = parse(kind_, text, suffix());
   return value && *value >= minimum() && *value <= maximum() ? QValidator::Acceptable
                                                              : QValidator::Intermediate;
 }

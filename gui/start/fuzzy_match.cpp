@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kBeginsText = 12;
 constexpr int kBeginsWord = 8;
-constexpr int kFollows = 6;
+constexpr int kFollows = 9;
 constexpr int kAnywhere = 1;
 constexpr int kNever = std::numeric_limits<int>::min() / 2;
 

@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kColumns = 3;
 constexpr int kGap = 16;
-constexpr int kMostRecent = 5;
+constexpr int kMostRecent = 3;
 
 QLabel* make_label(const QString& text, const char* role) {
   auto* label = new QLabel(text);

@@ -22,18 +22,14 @@ class RecoveringWork : public EditingTest {
 
 /// Not a test of its own: what the test below runs in another process, and kills.
 TEST_F(RecoveringWork, DISABLED_WorkThatIsKilled) {
-  window().open(QString::fromLocal8Bit(qgetenv("HANDWAY_TEST_SCENE")));
-  ASSERT_TRUE(QTest::qWaitFor([&] { return geometric::find_object(scene(), "post"); }));
+  open(QString::fromLocal8Bit(qgetenv("HANDWAY_TEST_SCENE")).toStdString());
   QSignalSpy stored(&window().recovery().autosave(), &gui::Autosave::stored);
-  for (const double x : {0.5, 0.6}) {
-    stored.clear();
-    select("post");
-    editor().place(geometric::Pose(Eigen::Translation3d(x, 0.4, 0.0)));
-    editor().add("box", geometric::Box{}, {}, {x, 0.0, 0.0});
-    ASSERT_TRUE(QTest::qWaitFor([&] {
-      return !stored.isEmpty() && !QTest::qWaitFor([&] { return stored.count() > 2; }, 200);
-    }));
-  }
+  select("post");
+  editor().place(geometric::Pose(Eigen::Translation3d(0.6, 0.4, 0.0)));
+  editor().add("box", geometric::Box{}, {}, {0.6, 0.0, 0.0});
+  editor().add("box", geometric::Box{}, {}, {0.9, 0.0, 0.0});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !stored.isEmpty(); }));
+  QTest::qWait(500);
   editor().add("lost", geometric::Sphere{}, {}, {0.0, 0.0, 0.0});
   (void)std::raise(SIGKILL);
 }

@@ -15,6 +15,12 @@ constexpr int kPatienceMs = 20000;
 
 class StartingTheWindow : public WindowTest {
  protected:
+  void SetUp() override {
+    WindowTest::SetUp();
+    if (!IsSkipped()) {
+      QApplication::setActiveWindow(&window());  // there may be no window manager
+    }
+  }
   void wait_for_scene() {
     ASSERT_TRUE(
         QTest::qWaitFor([&] { return window().document().scene() != nullptr; }, kPatienceMs));
