@@ -5,6 +5,7 @@
 #include "glove/device_field.h"
 #include "glove/glove_device_list.h"
 #include "glove/link_status.h"
+#include "glove/mapping_editor.h"
 #include "glove/pmd_explorer.h"
 #include "glove/record_bar.h"
 #include "glove/sensor_bars.h"
@@ -55,6 +56,7 @@ GlovePanel::GlovePanel(QWidget* parent)
       pages_(new QStackedWidget),
       bars_(new SensorBars),
       capture_(session_),
+      mapping_editor_(new MappingEditor(session_)),
       follow_(new QCheckBox(tr("Hand follows"))),
       stop_(new QCheckBox(tr("Stop at contact"))),
       contact_(new QLabel),
@@ -69,6 +71,7 @@ GlovePanel::GlovePanel(QWidget* parent)
   add_page(tr("Sensors"), build_sensors_page());
   add_page(tr("Coach"), scrolled(&capture_.coach()));
   add_page(tr("Explore"), scrolled(&capture_.explorer()));
+  add_page(tr("Mapping"), scrolled(mapping_editor_));
   layout->addWidget(build_header());
   layout->addWidget(tabs_);
   layout->addWidget(pages_, 1);
@@ -80,6 +83,7 @@ GlovePanel::GlovePanel(QWidget* parent)
   connect(&session_, &GloveSession::mapping_changed, this,
           [this] { bars_->set_mapping(session_.mapping()); });
   connect(&capture_, &CapturePages::failed, this, &GlovePanel::show_problem);
+  connect(mapping_editor_, &MappingEditor::failed, this, &GlovePanel::show_problem);
   connect(&capture_.explorer(), &PmdExplorer::posture_changed, this,
           [this](const geometric::NamedPosture& posture) {
             session_.set_following(false);
@@ -178,6 +182,13 @@ void GlovePanel::set_hand(const std::shared_ptr<const geometric::RobotModel>& mo
   q_ = model ? model->neutral() : geometric::Configuration();
   session_.set_robot(model);
   capture_.set_hand(model, basis);
+  std::vector<std::string> free;
+  if (basis) {
+    for (const sampling::FreeJoint& joint : basis->free_joints) {
+      free.push_back(basis->joints[static_cast<std::size_t>(joint.joint)]);
+    }
+  }
+  mapping_editor_->set_hand(model, std::move(free));
   contact_stop_.set_problem(std::move(problem));
 }
 
@@ -254,6 +265,7 @@ void GlovePanel::show_problem(const QString& message) {
 
 void GlovePanel::show_samples(const std::vector<GloveSample>& samples) {
   bars_->show_samples(samples, session_.mapper());
+  mapping_editor_->show_samples(samples);
   first_time_ = first_time_ < 0.0 ? samples.front().frame.time : first_time_;
   last_time_ = samples.back().frame.time;
   if (session_.following()) {

@@ -22,6 +22,7 @@ namespace handway::gui {
 
 class DeviceField;
 class LinkStatus;
+class MappingEditor;
 class RecordBar;
 class SensorBars;
 
@@ -55,6 +56,7 @@ class GlovePanel : public QWidget {
 
   [[nodiscard]] GloveSession& session() { return session_; }
   [[nodiscard]] CapturePages& capture() { return capture_; }
+  [[nodiscard]] MappingEditor& mapping_editor() { return *mapping_editor_; }
   [[nodiscard]] RecordBar& record_bar() { return *record_; }
 
  signals:
@@ -82,6 +84,7 @@ class GlovePanel : public QWidget {
   QStackedWidget* pages_;
   SensorBars* bars_;
   CapturePages capture_;
+  MappingEditor* mapping_editor_;
   ContactStop contact_stop_;
   std::shared_ptr<const geometric::RobotModel> model_;
   geometric::Configuration q_;
