@@ -67,7 +67,7 @@ void CoverageBars::paintEvent(QPaintEvent*) {
     for (int b = 0; b < JointVisits::kBins && visits.driven; ++b) {
       if (visits.visited.at(static_cast<std::size_t>(b))) {
         const int begin = b;
-        while (b + 1 < JointVisits::kBins && visits.visited.at(static_cast<std::size_t>(b + 1))) {
+        while (b + 1 < JointVisits::kBins && visits.visited.at(static_cast<std::size_t>(b) + 1)) {
           ++b;
         }
         painter.fillRect(
