@@ -11,6 +11,7 @@ set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/bin")
 set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/lib")
 set(HANDWAY_PLUGIN_DIRECTORY "${CMAKE_BINARY_DIR}/lib/handway-plugins")
+set(HANDWAY_PYTHON_DIRECTORY "${CMAKE_BINARY_DIR}/lib/handway-python")
 
 if(NOT CMAKE_BUILD_TYPE)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
@@ -19,6 +20,16 @@ endif()
 option(HANDWAY_BUILD_GUI "Build the workbench (Qt5, Coin3D)" ON)
 option(HANDWAY_BUILD_TESTS "Build the tests" ON)
 option(HANDWAY_SANITIZE "Instrument with AddressSanitizer and UBSan" OFF)
+
+# Python is the one whose packages Debian's pybind11 and NumPy are.
+if(NOT DEFINED Python_EXECUTABLE AND EXISTS /usr/bin/python3)
+  set(Python_EXECUTABLE /usr/bin/python3 CACHE FILEPATH "Python to build the package for")
+endif()
+find_package(Python 3.9 COMPONENTS Interpreter Development.Module NumPy QUIET)
+find_package(pybind11 2.10 CONFIG QUIET)
+include(CMakeDependentOption)
+cmake_dependent_option(HANDWAY_BUILD_PYTHON "Build the Python package (pybind11, NumPy)" ON
+                       "pybind11_FOUND;Python_FOUND;NOT HANDWAY_SANITIZE" OFF)
 
 find_program(CCACHE_PROGRAM ccache)
 if(CCACHE_PROGRAM)

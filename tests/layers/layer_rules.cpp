@@ -23,7 +23,7 @@ const std::map<std::string, std::set<std::string>, std::less<>> kBelow = {
 };
 
 /// The part of the project that a file belongs to: "libs/geometric", "plugins/NAME", "gui",
-/// "tools".
+/// "tools", "python".
 std::string part_of(std::string_view file) {
   const std::size_t first = file.find('/');
   const std::string_view top = file.substr(0, first);
@@ -157,7 +157,7 @@ std::vector<Breach> LayerRules::check(const std::string& file, std::string_view 
 }
 
 std::set<std::string> project_sources(const fs::path& root) {
-  constexpr std::array kFolders = {"libs", "gui", "tools", "plugins"};
+  constexpr std::array kFolders = {"libs", "gui", "tools", "plugins", "python"};
   std::set<std::string> files;
   for (const char* folder : kFolders) {
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / folder)) {

@@ -3,6 +3,8 @@
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/nearest_name.h"
 
+#include <dlfcn.h>
+
 #include <algorithm>
 #include <array>
 #include <cstdlib>
@@ -19,9 +21,16 @@ bool is_library(const fs::path& folder) {
   return fs::is_directory(folder / "robots", ignored);
 }
 
-std::optional<fs::path> library_near_program() {
+// The binary that this code is in: programs that are not ours, such as Python, load it.
+fs::path own_binary() {
+  Dl_info info{};
+  const bool found = dladdr(reinterpret_cast<const void*>(&is_library), &info) != 0;
+  return found && info.dli_fname != nullptr ? fs::path(info.dli_fname) : fs::path();
+}
+
+std::optional<fs::path> library_near(const fs::path& binary) {
   std::error_code error;
-  fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
+  fs::path folder = fs::canonical(binary, error).parent_path();
   while (!error && folder.has_relative_path()) {
     for (const char* place : {"resources", "share/handway/resources"}) {
       if (is_library(folder / place)) {
@@ -41,8 +50,10 @@ std::optional<fs::path> find_library() {
     }
     return given;
   }
-  if (std::optional<fs::path> found = library_near_program()) {
-    return found;
+  for (const fs::path& binary : {fs::path("/proc/self/exe"), own_binary()}) {
+    if (std::optional<fs::path> found = library_near(binary)) {
+      return found;
+    }
   }
   const fs::path built = HANDWAY_RESOURCES_OF_SOURCE_TREE;
   return is_library(built) ? std::optional(built) : std::nullopt;

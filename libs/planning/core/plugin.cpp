@@ -30,6 +30,11 @@ void keep_loaded(shared_library library) {
   libraries.push_back(std::move(library));
 }
 
+// Of the library with this code: programs that are not ours, such as Python, load it.
+fs::path library_folder() {
+  return fs::path(boost::dll::this_line_location().string()).parent_path();
+}
+
 std::vector<fs::path> libraries_in(const fs::path& directory) {
   std::vector<fs::path> files;
   std::error_code error;
@@ -120,7 +125,9 @@ fs::path plugin_directory() {
     return directory;
   }
   const fs::path program = boost::dll::program_location().string();
-  return program.parent_path().parent_path() / "lib" / "handway-plugins";
+  const fs::path folder = program.parent_path().parent_path() / "lib" / "handway-plugins";
+  std::error_code error;
+  return fs::is_directory(folder, error) ? folder : library_folder() / "handway-plugins";
 }
 
 }  // namespace handway::planning

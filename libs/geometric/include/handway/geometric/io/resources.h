@@ -12,8 +12,8 @@ namespace handway::geometric {
 
 /// The folder that holds `robots/`, `objects/`, `bases/` and so on:
 /// $HANDWAY_RESOURCE_DIR if set; else `resources` or `share/handway/resources`
-/// in the folder of the running program or one above it; else that of the
-/// source tree that the program was built from.
+/// in the folder of the running program, or of this library, or one above; else
+/// that of the source tree that the program was built from.
 /// @throws InputError if there is none, or the variable names none.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::filesystem::path resource_dir();
 

@@ -73,8 +73,8 @@ class HANDWAY_PLANNING_EXPORT Extensions {
   std::vector<RefusedPlugin> refused_;
 };
 
-/// Where the plugins of the running program are: lib/handway-plugins beside bin/,
-/// or $HANDWAY_PLUGIN_DIR.
+/// $HANDWAY_PLUGIN_DIR, or lib/handway-plugins beside the program's bin/, or, where
+/// that is not, handway-plugins beside this library.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::filesystem::path plugin_directory();
 
 /// Opens a scene file: Handway's own YAML, or whatever an importer reads. A

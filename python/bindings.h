@@ -1,0 +1,23 @@
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+/// The parts that the module handway._core is put together from.
+namespace handway::python {
+
+/// InputError, a ValueError with the pieces of its sentence as attributes.
+void bind_input_errors(pybind11::module_& module);
+
+/// Basis, FreeJoint, read_basis().
+void bind_basis(pybind11::module_& module);
+
+/// Result, Certificate, PathCheck.
+void bind_results(pybind11::module_& module);
+
+/// Scene, load_scene().
+void bind_scene(pybind11::module_& module);
+
+/// Planner, Parameter, planner(), planners(), plugins(), refused_plugins().
+void bind_planner(pybind11::module_& module);
+
+}  // namespace handway::python

@@ -1,0 +1,181 @@
+#include "arrays.h"
+#include "bindings.h"
+#include "extensions.h"
+#include "handway/geometric/io/input_error.h"
+#include "handway/geometric/math/units.h"
+#include "planner_model.h"
+
+#include <pybind11/stl.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace py = pybind11;
+
+namespace handway::python {
+namespace {
+
+using geometric::InputError;
+using planning::Parameter;
+
+std::vector<std::string> options_of(const Parameter& parameter) {
+  const auto* choice = std::get_if<planning::ChoiceValue>(&parameter.value);
+  return choice != nullptr ? choice->options : std::vector<std::string>{};
+}
+
+/// A parameter with its value at the time of asking.
+struct ParameterView {
+  Parameter parameter;
+  py::object value;
+};
+
+py::dict parameters_of(const PlannerModel& planner) {
+  py::dict parameters;
+  for (const Parameter& parameter : planner.parameters()) {
+    parameters[py::str(parameter.key)] = ParameterView{parameter, value_of(parameter)};
+  }
+  return parameters;
+}
+
+planning::PlanRequest request_of(std::uint64_t seed, int threads, double time_limit,
+                                 double resolution) {
+  if (threads < 1 || threads > 1024) {
+    throw InputError({"threads", "", std::to_string(threads), "a number from 1 to 1024", ""});
+  }
+  if (!(time_limit > 0.0)) {
+    throw InputError({"time_limit", "", std::to_string(time_limit), "more than 0 s", ""});
+  }
+  if (!(resolution > 0.0) || !std::isfinite(resolution)) {
+    throw InputError({"resolution", "", std::to_string(resolution), "more than 0 m", ""});
+  }
+  planning::PlanRequest request;
+  request.seed = seed;
+  request.threads = threads;
+  request.time_limit_s = time_limit;
+  request.resolution_mm = geometric::millimetres(resolution);
+  return request;
+}
+
+std::optional<geometric::Configuration> end_of(const SceneModel& scene,
+                                               const std::optional<Array>& array,
+                                               const char* argument) {
+  if (!array) {
+    return std::nullopt;
+  }
+  return vector_from(*array, scene.robot().variable_count(), argument);
+}
+
+PlanOutcome plan(PlannerModel& planner, const SceneModel& scene, const std::optional<Array>& start,
+                 const std::optional<Array>& goal, std::uint64_t seed, int threads,
+                 double time_limit, double resolution) {
+  const planning::PlanningProblem problem =
+      scene.problem_between(end_of(scene, start, "start"), end_of(scene, goal, "goal"));
+  return planner.plan(problem, request_of(seed, threads, time_limit, resolution));
+}
+
+void set_all(PlannerModel& planner, const py::kwargs& values) {
+  for (const auto& [key, value] : values) {
+    planner.set(py::str(key), py::reinterpret_borrow<py::object>(value));
+  }
+}
+
+void bind_parameter(py::module_& module) {
+  py::class_<ParameterView>(module, "Parameter", "A planner's setting, as it was when asked for.")
+      .def_property_readonly(
+          "key", [](const ParameterView& view) { return view.parameter.key; },
+          "What it is called here, in scenes and on the command line.")
+      .def_property_readonly(
+          "label", [](const ParameterView& view) { return view.parameter.label; }, "On screens.")
+      .def_property_readonly(
+          "unit", [](const ParameterView& view) { return view.parameter.unit; },
+          "Empty: a bare number.")
+      .def_property_readonly(
+          "help", [](const ParameterView& view) { return view.parameter.help; },
+          "One or two sentences.")
+      .def_readonly("value", &ParameterView::value, "bool, int, float or str.")
+      .def_property_readonly(
+          "lower", [](const ParameterView& view) { return view.parameter.lower; },
+          "Of numbers, inclusive.")
+      .def_property_readonly(
+          "upper", [](const ParameterView& view) { return view.parameter.upper; },
+          "Of numbers, inclusive.")
+      .def_property_readonly(
+          "options", [](const ParameterView& view) { return options_of(view.parameter); },
+          "The words to choose from; empty for numbers and truths.")
+      .def("__repr__", [](const ParameterView& view) {
+        return "<handway.Parameter " + view.parameter.key + "=" + to_text(view.parameter) + ">";
+      });
+}
+
+void bind_planner_class(py::module_& module) {
+  constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+  py::class_<PlannerModel>(
+      module, "Planner",
+      "A way to find paths, with settings by key: planner[\"rho_a\"] = 0.01.\n\n"
+      "One run at a time; RuntimeError if it runs already.")
+      .def_property_readonly("name", [](const PlannerModel& p) { return p.planner().name(); })
+      .def_property_readonly("description",
+                             [](const PlannerModel& p) { return p.planner().description(); })
+      .def_property_readonly(
+          "uses_pmds", [](const PlannerModel& p) { return p.planner().capabilities().uses_pmds; },
+          "Samples the hand in a basis?")
+      .def_property_readonly(
+          "uses_threads",
+          [](const PlannerModel& p) { return p.planner().capabilities().uses_threads; },
+          "Do more threads make it faster?")
+      .def_property_readonly(
+          "deterministic",
+          [](const PlannerModel& p) { return p.planner().capabilities().deterministic; },
+          "Does the same seed give the same bits?")
+      .def_property_readonly("parameters", &parameters_of, "Its settings: a dict by key.")
+      .def("__getitem__", &PlannerModel::get, py::arg("key"))
+      .def("__setitem__", &PlannerModel::set, py::arg("key"), py::arg("value"))
+      .def("set", &set_all, "Sets parameters by keyword: planner.set(rho_a=0.01, smooth=False).")
+      .def("plan", &plan, py::arg("scene"), py::kw_only(), py::arg("start") = py::none(),
+           py::arg("goal") = py::none(), py::arg("seed") = 1, py::arg("threads") = 1,
+           py::arg("time_limit") = kNoLimit, py::arg("resolution") = 5e-5,
+           "Finds a path that is free of collisions, and certifies its clearance.\n\n"
+           "start, goal: [variables], rad or m; the scene's if not given.\n"
+           "seed: of all random choices. threads: the path doesn't depend on it.\n"
+           "time_limit: s. resolution: edges closer than this to anything are refused, m.\n\n"
+           "Other Python threads go on meanwhile; Ctrl-C stops it. That there is no path is a\n"
+           "Result that is not solved; InputError is for what can't be planned at all.")
+      .def("__repr__",
+           [](const PlannerModel& p) { return "<handway.Planner " + p.planner().name() + ">"; });
+}
+
+py::dict loaded_plugins() {
+  py::dict plugins;
+  for (const planning::LoadedPlugin& plugin : extensions().loaded()) {
+    plugins[py::str(plugin.name)] = plugin.version;
+  }
+  return plugins;
+}
+
+py::dict refused_plugins() {
+  py::dict plugins;
+  for (const planning::RefusedPlugin& plugin : extensions().refused()) {
+    plugins[py::str(plugin.file.string())] = plugin.reason;
+  }
+  return plugins;
+}
+
+}  // namespace
+
+void bind_planner(py::module_& module) {
+  bind_parameter(module);
+  bind_planner_class(module);
+  module.def(
+      "planners", [] { return extensions().planners().names(); },
+      "Names of all planners, those of plugins included; the first is the default.");
+  module.def(
+      "planner", [](const std::string& name) { return make_planner(name); }, py::arg("name") = "",
+      "The planner of that name, or the default one, with its defaults.\n\n"
+      "Raises InputError naming the planners there are.");
+  module.def("plugins", &loaded_plugins, "Versions of the plugins that were loaded, by name.");
+  module.def("refused_plugins", &refused_plugins, "Why plugins were not loaded, by file.");
+}
+
+}  // namespace handway::python

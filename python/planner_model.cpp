@@ -1,0 +1,96 @@
+#include "planner_model.h"
+
+#include "extensions.h"
+#include "interruptible.h"
+
+#include <stdexcept>
+#include <type_traits>
+#include <utility>
+
+namespace py = pybind11;
+
+namespace handway::python {
+namespace {
+
+using planning::Parameter;
+using planning::PlannerRegistry;
+
+/// As the command line writes it: true, 3, 0.01, joint.
+std::string text_of(const py::object& value) {
+  if (py::isinstance<py::bool_>(value)) {
+    return value.cast<bool>() ? "true" : "false";
+  }
+  return py::str(value);
+}
+
+}  // namespace
+
+py::object value_of(const Parameter& parameter) {
+  return std::visit(
+      [&](const auto& value) -> py::object {
+        if constexpr (std::is_same_v<std::decay_t<decltype(value)>, planning::ChoiceValue>) {
+          return py::str(to_text(parameter));
+        } else {
+          return py::cast(*value);
+        }
+      },
+      parameter.value);
+}
+
+PlannerModel::PlannerModel(std::unique_ptr<planning::Planner> planner)
+    : planner_(std::move(planner)) {}
+
+void PlannerModel::need_idle() const {
+  if (runs_) {
+    throw std::runtime_error("planner " + planner_->name() +
+                             " is running: wait for it, or make another");
+  }
+}
+
+py::object PlannerModel::get(const std::string& key) const {
+  return value_of(find_parameter(parameters(), key));
+}
+
+void PlannerModel::set(const std::string& key, const py::object& value) {
+  need_idle();
+  set_from_text(find_parameter(parameters(), key), text_of(value));
+}
+
+PlanOutcome PlannerModel::plan(const planning::PlanningProblem& problem,
+                               const planning::PlanRequest& request) {
+  need_idle();
+  runs_ = true;
+  PlanOutcome outcome;
+  outcome.planner = planner_->name();
+  outcome.seed = request.seed;
+  outcome.variables = problem.model().variable_count();
+  try {
+    run_interruptible([&](const std::stop_token& stop) {
+      outcome.result = planner_->plan(problem, request, stop);
+    });
+  } catch (...) {
+    runs_ = false;
+    throw;
+  }
+  runs_ = false;
+  return outcome;
+}
+
+std::unique_ptr<PlannerModel> make_planner(const std::string& name) {
+  const PlannerRegistry& registry = extensions().planners();
+  return std::make_unique<PlannerModel>(
+      registry.create(name.empty() ? registry.names().front() : name));
+}
+
+std::unique_ptr<PlannerModel> make_scene_planner(const SceneModel& scene, const std::string& name) {
+  const geometric::PlannerChoice& choice = scene.scene().planner;
+  std::unique_ptr<PlannerModel> planner = make_planner(name.empty() ? choice.name : name);
+  if (choice.name.empty() || planner->planner().name() == choice.name) {
+    for (const auto& [key, text] : choice.settings) {
+      planner->set(key, py::str(text));
+    }
+  }
+  return planner;
+}
+
+}  // namespace handway::python

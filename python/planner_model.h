@@ -1,0 +1,61 @@
+#pragma once
+
+#include "handway/planning/core/planner.h"
+#include "plan_outcome.h"
+#include "scene_model.h"
+
+#include <pybind11/pybind11.h>
+
+#include <atomic>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace handway::python {
+
+/// A planner as Python sees it: for one run at a time, its parameters by key.
+class PlannerModel {
+ public:
+  explicit PlannerModel(std::unique_ptr<planning::Planner> planner);
+
+  [[nodiscard]] const planning::Planner& planner() const { return *planner_; }
+
+  /// The settings as they are now, bound to this object.
+  [[nodiscard]] std::vector<planning::Parameter> parameters() const {
+    return planner_->parameters();
+  }
+
+  /// bool, int, float or str, as the parameter is.
+  /// @throws InputError naming the keys there are.
+  [[nodiscard]] pybind11::object get(const std::string& key) const;
+
+  /// @throws InputError if there is no such key or the value is none of the parameter's;
+  /// std::runtime_error while the planner runs.
+  void set(const std::string& key, const pybind11::object& value);
+
+  /// Plans without the interpreter's lock; Ctrl-C stops it.
+  /// @throws std::runtime_error while the planner runs already.
+  [[nodiscard]] PlanOutcome plan(const planning::PlanningProblem& problem,
+                                 const planning::PlanRequest& request);
+
+ private:
+  void need_idle() const;
+
+  std::unique_ptr<planning::Planner> planner_;
+  std::atomic<bool> runs_ = false;
+};
+
+/// The planner called `name`, or the default one, with its own defaults.
+/// @throws InputError naming the planners there are.
+[[nodiscard]] std::unique_ptr<PlannerModel> make_planner(const std::string& name);
+
+/// The planner that the scene asks for with the scene's settings, or that called `name`, with the
+/// scene's settings if they are meant for it. @throws InputError if the scene's settings are none.
+[[nodiscard]] std::unique_ptr<PlannerModel> make_scene_planner(const SceneModel& scene,
+                                                               const std::string& name);
+
+/// A parameter's value as a Python object.
+[[nodiscard]] pybind11::object value_of(const planning::Parameter& parameter);
+
+}  // namespace handway::python

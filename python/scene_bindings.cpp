@@ -1,0 +1,215 @@
+#include "bindings.h"
+#include "handway/geometric/io/input_error.h"
+#include "handway/geometric/robot/robot_state.h"
+#include "handway/planning/paths/path_check.h"
+#include "handway/planning/paths/path_csv.h"
+#include "planner_model.h"
+#include "scene_questions.h"
+
+#include <pybind11/stl.h>
+
+#include <limits>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace py = pybind11;
+
+namespace handway::python {
+namespace {
+
+using geometric::Configuration;
+using geometric::InputError;
+using geometric::RobotModel;
+
+py::object optional_array(const std::optional<Configuration>& q) {
+  return q ? py::object(to_array(*q)) : py::object(py::none());
+}
+
+std::vector<std::string> names_of(const RobotModel& robot, const std::vector<int>& variables) {
+  std::vector<std::string> names;
+  for (const int variable : variables) {
+    names.push_back(robot.variable(variable).name);
+  }
+  return names;
+}
+
+std::vector<std::string> variable_names(const SceneModel& scene) {
+  std::vector<std::string> names;
+  for (int variable = 0; variable < scene.robot().variable_count(); ++variable) {
+    names.push_back(scene.robot().variable(variable).name);
+  }
+  return names;
+}
+
+std::vector<std::string> link_names(const SceneModel& scene) {
+  std::vector<std::string> names;
+  for (const geometric::Link& link : scene.robot().description().links) {
+    names.push_back(link.name);
+  }
+  return names;
+}
+
+std::vector<std::string> object_names(const SceneModel& scene) {
+  std::vector<std::string> names;
+  for (const geometric::SceneObject& object : scene.scene().objects) {
+    names.push_back(object.name);
+  }
+  return names;
+}
+
+py::array_t<double> configuration(const SceneModel& scene,
+                                  const std::map<std::string, double>& values,
+                                  const std::optional<Array>& others) {
+  const geometric::RobotInstance& robot = scene.scene().robots.front();
+  geometric::RobotState state(robot.model);
+  state.set_configuration(others ? vector_from(*others, robot.model->variable_count(), "others")
+                                 : robot.configuration);
+  state.set_posture({"", "", values});
+  return to_array(state.configuration());
+}
+
+planning::Path path_from(const SceneModel& scene, const Array& path) {
+  if (path.ndim() != 2) {
+    throw InputError({"path", "", std::to_string(path.ndim()) + " dimensions",
+                      "an array [waypoints, variables]", ""});
+  }
+  return {batch_from(path, scene.robot().variable_count(), "path").rows};
+}
+
+planning::PathCheckResult check(const SceneModel& scene, const Array& array, double resolution,
+                                const std::optional<Array>& start,
+                                const std::optional<Array>& goal) {
+  if (!(resolution >= 1e-7 && resolution <= 1.0)) {
+    throw InputError({"resolution", "", std::to_string(resolution), "1e-7 to 1 m", ""});
+  }
+  const planning::Path path = path_from(scene, array);
+  const int variables = scene.robot().variable_count();
+  const auto end = [&](const std::optional<Array>& given, const char* name) {
+    return given ? std::optional(vector_from(*given, variables, name)) : std::nullopt;
+  };
+  const planning::PlanningProblem problem =
+      scene.problem_between(end(start, "start"), end(goal, "goal"));
+  const py::gil_scoped_release release;
+  return check_path(problem, path, resolution);
+}
+
+py::array_t<double> read_path(const SceneModel& scene, const py::object& file) {
+  const planning::Path path = planning::read_path_csv(scene.robot(), std::string(py::str(file)));
+  return to_array(path.waypoints, scene.robot().variable_count());
+}
+
+void write_path(const SceneModel& scene, const Array& path, const py::object& file) {
+  planning::write_path_csv(path_from(scene, path), scene.robot(), std::string(py::str(file)));
+}
+
+void bind_contents(py::class_<SceneModel>& scene) {
+  scene.def_property_readonly("name", [](const SceneModel& s) { return s.scene().name; })
+      .def_property_readonly("description",
+                             [](const SceneModel& s) { return s.scene().description; })
+      .def_property_readonly(
+          "warnings", [](const SceneModel& s) { return s.scene().warnings; },
+          "What the reader noticed but could live with.")
+      .def_property_readonly(
+          "robot", [](const SceneModel& s) { return s.robot().name(); },
+          "Name of the planned robot's model.")
+      .def_property_readonly("variables", &variable_names,
+                             "Joints that move on their own, in the order of configurations.")
+      .def_property_readonly("links", &link_names, "Of the planned robot, parents first.")
+      .def_property_readonly("objects", &object_names, "Names.")
+      .def_property_readonly(
+          "arm", [](const SceneModel& s) { return names_of(s.robot(), s.problem().arm); },
+          "Variables of the arm.")
+      .def_property_readonly(
+          "hand", [](const SceneModel& s) { return names_of(s.robot(), s.problem().hand); },
+          "Variables of the hand, in the order of the basis' joints.")
+      .def_property_readonly(
+          "lower", [](const SceneModel& s) { return to_array(s.robot().lower()); },
+          "Limits, [variables], rad or m.")
+      .def_property_readonly(
+          "upper", [](const SceneModel& s) { return to_array(s.robot().upper()); },
+          "Limits, [variables], rad or m.")
+      .def_property_readonly(
+          "start", [](const SceneModel& s) { return optional_array(s.scene().start); },
+          "[variables], rad or m; None if the scene has none.")
+      .def_property_readonly(
+          "goal", [](const SceneModel& s) { return optional_array(s.scene().goal); },
+          "[variables], rad or m; None if the scene has none.")
+      .def_property_readonly(
+          "basis",
+          [](const SceneModel& s) {
+            return std::const_pointer_cast<sampling::PmdBasis>(s.problem().basis);
+          },
+          "The hand's; None if there is none.");
+}
+
+void bind_questions(py::class_<SceneModel>& scene) {
+  scene
+      .def("within_limits", &within_limits, py::arg("q"),
+           "Is every variable within its limits?\n\nq: [variables] or [n, variables]. Returns a "
+           "bool or [n].")
+      .def("collides", &collides, py::arg("q"),
+           "Does the robot touch itself or anything else?\n\n"
+           "q: [variables] or [n, variables], rad or m. Returns a bool or [n].")
+      .def("clearance", &clearance, py::arg("q"),
+           py::arg("enough") = std::numeric_limits<double>::infinity(),
+           "Distance of the closest pair of bodies that must not touch, m; 0 in collision.\n\n"
+           "q: [variables] or [n, variables], rad or m. Returns a number or [n].\n"
+           "enough: larger distances (m) count as this much, which is faster.")
+      .def("collisions", &collisions, py::arg("q"),
+           "All pairs of bodies that touch, as pairs of names. q: [variables], rad or m.")
+      .def("closest_pair", &closest_pair, py::arg("q"),
+           "The closest pair: two names and the distance, m. q: [variables], rad or m.")
+      .def("link_pose", &link_pose, py::arg("link"), py::arg("q"),
+           "Pose X_WL of a link in the world, [4, 4] or [n, 4, 4], m.\n\n"
+           "q: [variables] or [n, variables], rad or m.")
+      .def("configuration", &configuration, py::arg("values"), py::arg("others") = py::none(),
+           "A configuration from values (rad or m) by joint.\n\n"
+           "others: [variables], for joints not named; the scene's robot as it stands if None.\n"
+           "Returns [variables].");
+}
+
+void bind_paths(py::class_<SceneModel>& scene) {
+  scene
+      .def("planner", &make_scene_planner, py::arg("name") = "",
+           "The planner that the scene asks for, with the scene's settings; or that called\n"
+           "name, with the scene's settings if they are meant for it.")
+      .def("check", &check, py::arg("path"), py::arg("resolution") = 1e-3, py::kw_only(),
+           py::arg("start") = py::none(), py::arg("goal") = py::none(),
+           "Walks along a path and checks limits, both ends and the exact meshes.\n\n"
+           "path: [waypoints, variables], rad or m. resolution: how far any point of the robot\n"
+           "moves at most from one check to the next, m. start, goal: [variables]; the scene's\n"
+           "if None.")
+      .def("read_path", &read_path, py::arg("file"),
+           "Reads a path (CSV). Returns [waypoints, variables], rad or m.")
+      .def("write_path", &write_path, py::arg("path"), py::arg("file"),
+           "Writes a path [waypoints, variables] as `handway plan --out` does (CSV).");
+}
+
+}  // namespace
+
+void bind_scene(py::module_& module) {
+  py::class_<SceneModel> scene(module, "Scene",
+                               "A robot among objects, ready for planning and questions.\n\n"
+                               "Nothing in it changes; threads may share it.");
+  bind_contents(scene);
+  bind_questions(scene);
+  bind_paths(scene);
+  scene.def("__repr__", [](const SceneModel& s) {
+    return "<handway.Scene \"" + s.scene().name + "\" with " + s.robot().name() + ">";
+  });
+  module.def(
+      "load_scene",
+      [](const py::object& file, const py::object& basis) {
+        const std::string path = py::str(file);
+        const std::string other = basis.is_none() ? std::string() : std::string(py::str(basis));
+        const py::gil_scoped_release release;
+        return std::make_unique<SceneModel>(path, other);
+      },
+      py::arg("file"), py::kw_only(), py::arg("basis") = py::none(),
+      "Reads a scene, or a problem in a format that a plugin knows.\n\n"
+      "basis: a hand basis (file, or name in the library) instead of the scene's.\n"
+      "Raises InputError naming file, line and key of what is wrong.");
+}
+
+}  // namespace handway::python

@@ -1,0 +1,70 @@
+#include "scene_model.h"
+
+#include "extensions.h"
+#include "handway/geometric/io/input_error.h"
+#include "handway/geometric/io/resources.h"
+#include "handway/sampling/postures/pmd_basis_io.h"
+
+namespace handway::python {
+namespace {
+
+using geometric::Configuration;
+using geometric::InputError;
+using geometric::Scene;
+
+planning::LoadedScene load(const std::filesystem::path& file, const std::string& basis) {
+  planning::LoadedScene loaded = planning::load_scene(file, extensions());
+  if (loaded.scene->robots.empty()) {
+    throw InputError({file.string(), "robots", "none", "a robot to plan for", ""});
+  }
+  if (!basis.empty()) {
+    loaded.basis = find_basis(basis);
+  }
+  return loaded;
+}
+
+std::shared_ptr<const Scene> with_both_ends(const std::shared_ptr<const Scene>& scene) {
+  if (scene->start && scene->goal) {
+    return scene;
+  }
+  auto whole = std::make_shared<Scene>(*scene);
+  const Configuration& here = scene->robots.front().configuration;
+  whole->start = scene->start.value_or(here);
+  whole->goal = scene->goal.value_or(here);
+  return whole;
+}
+
+Configuration end_of(const Scene& scene, const char* which,
+                     const std::optional<Configuration>& given,
+                     const std::optional<Configuration>& own) {
+  if (!given && !own) {
+    throw InputError({scene.file.string(), which, "nothing", "a configuration",
+                      "Give it in the scene or as an argument"});
+  }
+  return given ? *given : *own;
+}
+
+}  // namespace
+
+std::shared_ptr<const sampling::PmdBasis> find_basis(const std::string& reference) {
+  const std::filesystem::path file = geometric::find_resource(
+      geometric::ResourceKind::kHandBasis, reference, std::filesystem::current_path(), "basis");
+  return std::make_shared<const sampling::PmdBasis>(sampling::read_pmd_basis(file));
+}
+
+SceneModel::SceneModel(const std::filesystem::path& file, const std::string& basis) {
+  const planning::LoadedScene loaded = load(file, basis);
+  scene_ = loaded.scene;
+  problem_ = planning::make_problem(with_both_ends(scene_), loaded.basis);
+  checkers_ = std::make_unique<CheckerPool>(problem_.checker);
+}
+
+planning::PlanningProblem SceneModel::problem_between(
+    const std::optional<Configuration>& start, const std::optional<Configuration>& goal) const {
+  planning::PlanningProblem problem = problem_;
+  problem.start = end_of(*scene_, "start", start, scene_->start);
+  problem.goal = end_of(*scene_, "goal", goal, scene_->goal);
+  return problem;
+}
+
+}  // namespace handway::python

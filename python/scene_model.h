@@ -1,0 +1,43 @@
+#pragma once
+
+#include "checker_pool.h"
+#include "handway/planning/core/planning_problem.h"
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace handway::python {
+
+/// A scene as Python sees it: what a file gave, ready for planning and questions.
+/// Immutable; shared by threads.
+class SceneModel {
+ public:
+  /// @param basis file or name in the library, instead of the scene's; empty: the scene's.
+  /// @throws InputError as load_scene(), make_problem() and read_pmd_basis(), but a scene
+  /// without start or goal will do.
+  SceneModel(const std::filesystem::path& file, const std::string& basis);
+
+  [[nodiscard]] const geometric::Scene& scene() const { return *scene_; }
+  [[nodiscard]] const geometric::RobotModel& robot() const { return *scene_->robots[0].model; }
+  [[nodiscard]] const planning::PlanningProblem& problem() const { return problem_; }
+  [[nodiscard]] CheckerPool& checkers() const { return *checkers_; }
+
+  /// The query from `start` to `goal`, the scene's where there is none.
+  /// @throws InputError if the scene has none either.
+  [[nodiscard]] planning::PlanningProblem problem_between(
+      const std::optional<geometric::Configuration>& start,
+      const std::optional<geometric::Configuration>& goal) const;
+
+ private:
+  std::shared_ptr<const geometric::Scene> scene_;  ///< As it was read.
+  planning::PlanningProblem problem_;              ///< Ends that the scene lacks are the robot's.
+  std::unique_ptr<CheckerPool> checkers_;
+};
+
+/// A basis of the library by name, or a file.
+/// @throws InputError if there is none or it can't be read.
+[[nodiscard]] std::shared_ptr<const sampling::PmdBasis> find_basis(const std::string& reference);
+
+}  // namespace handway::python
