@@ -2,6 +2,7 @@
 #include "handway/geometric/io/input_error.h"
 
 #include <exception>
+#include <utility>
 
 namespace py = pybind11;
 
@@ -17,7 +18,7 @@ void bind_input_errors(py::module_& module) {
   py::register_exception_translator([](std::exception_ptr pointer) {
     try {
       if (pointer) {
-        std::rethrow_exception(pointer);
+        std::rethrow_exception(std::move(pointer));
       }
     } catch (const geometric::InputError& error) {
       py::object value = type(error.what());

@@ -97,6 +97,10 @@ TEST_F(Pca, TakesMappingsForItsOwnChoiceOfSensors) {
 }
 
 TEST_F(Pca, DrawsTheFiguresOfThePaper) {
+  if (!std::filesystem::exists(std::filesystem::path(HANDWAY_PROGRAM).parent_path() /
+                               "handway-figures")) {
+    GTEST_SKIP() << "built without the workbench";
+  }
   const Outcome pca = line_.run("pca one.csv --plots figures");
   ASSERT_EQ(pca.exit_code, 0) << pca.err;
   for (const char* figure : {"correlations", "variance", "directions", "grid"}) {
