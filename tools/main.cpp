@@ -1,12 +1,15 @@
+#include "arm_command.h"
 #include "bench_command.h"
 #include "check_command.h"
 #include "exit_codes.h"
 #include "export_command.h"
 #include "glove_command.h"
+#include "hand_command.h"
 #include "info_command.h"
 #include "pca_command.h"
 #include "plan_command.h"
 #include "reproduce_command.h"
+#include "send_command.h"
 #include "time_command.h"
 #include "version.h"
 
@@ -30,6 +33,9 @@ int run(int argc, char** argv) {
   add_pca_command(app, exit_code);
   add_time_command(app, exit_code);
   add_export_command(app, exit_code);
+  add_send_command(app, exit_code);
+  add_arm_command(app, exit_code);
+  add_hand_command(app, exit_code);
   add_bench_command(app, exit_code);
   add_glove_command(app, exit_code);
   add_reproduce_command(app, exit_code);

@@ -37,21 +37,32 @@ void add_timing_options(CLI::App& command, TimingChoice& choice) {
   command.add_option("--report", choice.report, "Where to write the pre-flight report (JSON)");
 }
 
-planning::TimedPath run_timing(const TimingChoice& choice, const planning::Extensions& extensions) {
+TimingInput read_timing_input(const TimingChoice& choice, const planning::Extensions& extensions) {
   const planning::LoadedScene loaded = planning::load_scene(choice.scene, extensions);
-  const planning::PlanningProblem problem = planning::make_problem(loaded.scene, loaded.basis);
-  const planning::Path path = planning::read_path_csv(problem.model(), choice.path);
+  planning::PlanningProblem problem = planning::make_problem(loaded.scene, loaded.basis);
+  planning::Path path = planning::read_path_csv(problem.model(), choice.path);
+  return {std::move(problem), std::move(path)};
+}
+
+planning::TimedPath run_timing(const TimingChoice& choice, const planning::Extensions& extensions) {
+  const TimingInput input = read_timing_input(choice, extensions);
+  return run_timing(choice, input, input.problem.start, planning::TimingOptions{}.start_tolerance);
+}
+
+planning::TimedPath run_timing(const TimingChoice& choice, const TimingInput& input,
+                               const planning::Configuration& start, double start_tolerance) {
   planning::TimingOptions options;
   options.speed = choice.speed;
   options.period = 1e-3 * choice.period_ms;
   options.blends.deviation = choice.no_blend ? 0.0 : choice.deviation;
   options.blends.arc_clearance = geometric::metres(choice.arc_clearance_mm);
-  options.measured_start = problem.start;
+  options.measured_start = start;
+  options.start_tolerance = start_tolerance;
   if (!choice.limits.empty()) {
-    options.limits = planning::read_rate_limits(problem.model(), choice.limits);
+    options.limits = planning::read_rate_limits(input.problem.model(), choice.limits);
   }
-  planning::TimedPath timed =
-      time_path(problem, path, planning::motion_name(choice.path.stem().string()), options);
+  planning::TimedPath timed = time_path(
+      input.problem, input.path, planning::motion_name(choice.path.stem().string()), options);
   if (!timed.blends.fault.empty()) {
     timed.preflight.faults.push_back({"", 0.0, 0.0, timed.blends.fault});
   }

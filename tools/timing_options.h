@@ -26,7 +26,26 @@ struct TimingChoice {
 
 void add_timing_options(CLI::App& command, TimingChoice& choice);
 
-/// Reads scene and path and times the path. Writes the report if one is asked for.
+/// What a path is timed with.
+struct TimingInput {
+  planning::PlanningProblem problem;
+  planning::Path path;
+};
+
+/// Reads scene and path. @throws InputError for files that are wrong.
+[[nodiscard]] TimingInput read_timing_input(const TimingChoice& choice,
+                                            const planning::Extensions& extensions);
+
+/// Times the path. Writes the report if one is asked for.
+/// @param start where the robot is, the scene's start or as measured, and how far from
+/// there the path may begin (rad or m).
+/// @throws InputError for options that are wrong.
+[[nodiscard]] planning::TimedPath run_timing(const TimingChoice& choice, const TimingInput& input,
+                                             const planning::Configuration& start,
+                                             double start_tolerance);
+
+/// Reads scene and path and times the path from the scene's start. Writes the report if one is
+/// asked for.
 /// @throws InputError for files and options that are wrong.
 [[nodiscard]] planning::TimedPath run_timing(const TimingChoice& choice,
                                              const planning::Extensions& extensions);

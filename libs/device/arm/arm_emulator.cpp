@@ -1,6 +1,7 @@
 #include "handway/device/arm/arm_emulator.h"
 
 #include "core/delayed_bytes.h"
+#include "core/host_watch.h"
 #include "core/tcp_host_port.h"
 #include "handway/device/core/device_error.h"
 
@@ -41,22 +42,6 @@ Ports open_ports(std::uint16_t port) {
   }
 }
 
-/// A port, and whether it has lost its host since it was asked last.
-struct Watched {
-  explicit Watched(TcpHostPort& watched) : port(watched) {}
-
-  TcpHostPort& port;
-  int connections = 0;
-  bool connected = false;
-
-  bool lost() {
-    const bool gone = connected && (!port.connected() || port.connections() != connections);
-    connections = port.connections();
-    connected = port.connected();
-    return gone;
-  }
-};
-
 }  // namespace
 
 struct ArmEmulator::Running {
@@ -94,8 +79,8 @@ void ArmEmulator::Running::take(std::span<const std::uint8_t> bytes, double now)
 
 void ArmEmulator::Running::run(const std::stop_token& stop) {
   const auto begin = Clock::now();
-  Watched motion(*ports.motion);
-  Watched state(*ports.state);
+  HostWatch motion(*ports.motion);
+  HostWatch state(*ports.state);
   double told = 0.0;
   bool cut = false;
   std::array<std::uint8_t, 4096> bytes{};
@@ -111,7 +96,8 @@ void ArmEmulator::Running::run(const std::stop_token& stop) {
       parser = {};
       replies.clear();
     }
-    if (motion_lost || state.lost()) {
+    const bool state_lost = state.lost();
+    if (motion_lost || state_lost) {
       controller.connection_lost();
     }
     take(std::span(bytes).first(count), now);

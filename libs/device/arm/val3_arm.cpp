@@ -27,6 +27,15 @@ constexpr double kFullMargin = 0.05;
 constexpr milliseconds kTryAgain{10};
 constexpr std::size_t kQueue = 10;
 
+void read_all(ByteLink& link, SimpleMessageParser& parser) {
+  std::array<std::uint8_t, 4096> bytes{};
+  std::size_t count = bytes.size();
+  while (count == bytes.size()) {
+    count = link.read(bytes, milliseconds(1));
+    parser.add(std::span(bytes).first(count));
+  }
+}
+
 }  // namespace
 
 struct Val3Arm::Wire {
@@ -62,6 +71,8 @@ Val3Arm::Val3Arm(std::string name, std::string host, std::uint16_t port, JointRa
 Val3Arm::~Val3Arm() = default;
 
 void Val3Arm::do_connect(const std::stop_token& stop) {
+  wire_->motion.reset();
+  wire_->state.reset();
   wire_->motion = open_tcp_link(name(), {wire_->host, wire_->port}, stop);
   const auto state = static_cast<std::uint16_t>(wire_->port + kStatePortOffset);
   wire_->state =
@@ -143,9 +154,7 @@ void Val3Arm::do_update(double time) {
 }
 
 void Val3Arm::read_feedback() {
-  std::array<std::uint8_t, 1024> bytes{};
-  const std::size_t count = wire_->state->read(bytes, milliseconds(1));
-  wire_->feedback.add(std::span(bytes).first(count));
+  read_all(*wire_->state, wire_->feedback);
   try {
     while (const auto message = wire_->feedback.next()) {
       if (message->type == SimpleMessageType::kJointPosition) {
@@ -181,9 +190,7 @@ void Val3Arm::look_at_status() const {
 }
 
 void Val3Arm::read_replies() {
-  std::array<std::uint8_t, 1024> bytes{};
-  const std::size_t count = wire_->motion->read(bytes, milliseconds(1));
-  wire_->replies.add(std::span(bytes).first(count));
+  read_all(*wire_->motion, wire_->replies);
   try {
     while (const auto message = wire_->replies.next()) {
       if (wire_->asked && message->kind == SimpleMessageKind::kReply &&

@@ -43,6 +43,9 @@ void MotionLink::refuse(std::string found, std::string expected, std::string adv
 }
 
 void MotionLink::connect(const std::stop_token& stop) {
+  connected_ = false;
+  phase_ = MotionPhase::kIdle;
+  measured_ = {};
   do_connect(stop);
   const auto begin = Clock::now();
   while (measured_.samples == 0) {
@@ -58,7 +61,7 @@ void MotionLink::connect(const std::stop_token& stop) {
 
 void MotionLink::upload(const JointTrajectory& trajectory) {
   if (!connected_) {
-    throw std::logic_error("upload without a connection");
+    refuse("no connection", "one that is made", "Connect again.");
   }
   if (phase_ == MotionPhase::kRunning || phase_ == MotionPhase::kPaused) {
     refuse("a motion under way", "a device at rest", "Stop it first.");

@@ -51,8 +51,9 @@ LimitShare largest_share(const geometric::RobotModel& model, const Trajectory& t
   return largest;
 }
 
+/// @param measured where the robot stands; of size 0: where the trajectory begins.
 void check_collisions(const PlanningProblem& problem, const Trajectory& trajectory,
-                      double resolution, PreflightReport& report) {
+                      const Configuration& measured, double resolution, PreflightReport& report) {
   const auto checker = problem.checker->clone();
   geometric::EdgeChecker edges(*checker, problem.motion, resolution);
   const geometric::CollisionWorld& world = checker->world();
@@ -80,11 +81,11 @@ void check_collisions(const PlanningProblem& problem, const Trajectory& trajecto
       report.closest_pair = closest.a + " with " + closest.b;
       report.min_clearance_time = point.time;
     }
-    if (i == 0) {
+    const Configuration& from = i > 0 ? trajectory.points[i - 1].position : measured;
+    if (from.size() != point.position.size()) {
       continue;
     }
-    const geometric::EdgeResult edge =
-        edges.check(trajectory.points[i - 1].position, point.position);
+    const geometric::EdgeResult edge = edges.check(from, point.position);
     if (!edge.free) {
       fault(point, edge.pair, fmt::format("come closer than {:g} mm", 1e3 * resolution).c_str());
       break;
@@ -116,7 +117,7 @@ PreflightReport preflight(const PlanningProblem& problem, const Trajectory& traj
     check_start(problem.model(), trajectory.points.front(), options.measured_start,
                 options.start_tolerance, report);
   }
-  check_collisions(problem, trajectory, options.resolution, report);
+  check_collisions(problem, trajectory, options.measured_start, options.resolution, report);
   return report;
 }
 

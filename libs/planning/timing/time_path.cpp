@@ -53,6 +53,7 @@ TimedPath time_path(const PlanningProblem& problem, const Path& path, const std:
   PreflightOptions checks;
   checks.limits = timed.motion.limits;
   checks.measured_start = options.measured_start;
+  checks.start_tolerance = options.start_tolerance;
   checks.resolution = options.blends.resolution;
   timed.preflight = preflight(problem, timed.motion.trajectory, checks);
   return timed;

@@ -61,9 +61,9 @@ class HANDWAY_DEVICE_EXPORT MotionLink {
   /// @throws DeviceError if it can't be reached or tells none within 3 s.
   void connect(const std::stop_token& stop = {});
 
-  /// Gives the device a motion. @pre connected.
-  /// @throws geometric::InputError as check_trajectory(); DeviceError if the device doesn't take
-  /// it, or is moving.
+  /// Gives the device a motion.
+  /// @throws geometric::InputError as check_trajectory(); DeviceError if there is no connection, the
+  /// device doesn't take it, or it is moving.
   void upload(const JointTrajectory& trajectory);
 
   /// Begins the motion that was uploaded.

@@ -41,9 +41,9 @@ struct PreflightReport {
 };
 
 /// Checks everything that can be known without the robot: check_trajectory(), the start
-/// against what was measured, and collisions for every configuration between the points
-/// (they are followed in straight lines), with the clearance along time. A
-/// trajectory that fails check_trajectory() is not looked at further.
+/// against what was measured and the straight way from there, and collisions for every
+/// configuration between the points (they are followed in straight lines), with the clearance along
+/// time. A trajectory that fails check_trajectory() is not looked at further.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT PreflightReport preflight(const PlanningProblem& problem,
                                                                 const Trajectory& trajectory,
                                                                 const PreflightOptions& options);

@@ -14,8 +14,9 @@ struct TimingOptions {
   double speed = 1.0;     ///< In (0, 1]: the same motion, this much slower.
   double period = 0.004;  ///< s between points; 4 ms is the cycle of a CS8 controller.
   BlendOptions blends;
-  RateLimits limits;             ///< Of size 0: those of the robot.
-  Configuration measured_start;  ///< Of size 0: the start is not compared.
+  RateLimits limits;              ///< Of size 0: those of the robot.
+  Configuration measured_start;   ///< Of size 0: the start is not compared.
+  double start_tolerance = 1e-3;  ///< rad or m, of that comparison.
 };
 
 /// A path made into a motion, and all that is known about it.

@@ -1,0 +1,154 @@
+#include "handway/device/hand/network_hand.h"
+
+#include "core/links.h"
+#include "handway/device/core/device_error.h"
+#include "handway/device/hand/hand_protocol.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace handway::device {
+namespace {
+
+using Clock = MotionLink::Clock;
+using std::chrono::milliseconds;
+
+constexpr milliseconds kLongestAnswer{1000};
+// A margin before what the hand takes as silence.
+constexpr std::chrono::duration<double> kAlive{0.5 * kHandAlivePeriod};
+// How long the hand takes to hear of a pause, s.
+constexpr double kPauseNotice = 0.02;
+
+}  // namespace
+
+struct NetworkHand::Wire {
+  std::string host;
+  std::uint16_t port = 0;
+  std::unique_ptr<ByteLink> link;
+  HandLines lines;
+  std::string answer;  ///< The word that "ok" came for last.
+  std::string phase;
+  bool watched = false;  ///< It has to run or hold, and not to fail.
+  Clock::time_point spoken;
+
+  void send(std::string_view text) {
+    link->write({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+    spoken = Clock::now();
+  }
+};
+
+NetworkHand::NetworkHand(std::string name, std::string host, std::uint16_t port, JointRanges joints)
+    : MotionLink(std::move(name), std::move(joints)), wire_(std::make_unique<Wire>()) {
+  wire_->host = std::move(host);
+  wire_->port = port;
+}
+
+NetworkHand::~NetworkHand() = default;
+
+void NetworkHand::do_connect(const std::stop_token& stop) {
+  wire_->link.reset();
+  wire_->link = open_tcp_link(name(), {wire_->host, wire_->port}, stop);
+  wire_->lines = {};
+  ask(fmt::format("hello {}\n", kHandProtocolVersion), "hello");
+}
+
+// Sends lines and waits for the answer to the last.
+void NetworkHand::ask(const std::string& lines, const char* word) {
+  wire_->answer.clear();
+  wire_->send(lines);
+  const auto begin = Clock::now();
+  while (wire_->answer != word) {
+    if (Clock::now() - begin > kLongestAnswer) {
+      refuse(fmt::format("no answer to \"{}\"", word), "a hand that speaks Handway's hand protocol",
+             "Look whether the port is right.");
+    }
+    do_update(0.0);
+  }
+}
+
+void NetworkHand::do_upload(const JointTrajectory& trajectory) {
+  ask(to_lines(trajectory), "trajectory");
+  wire_->phase = "ready";
+}
+
+void NetworkHand::do_start() {
+  if (wire_->phase == "error") {
+    refuse("a hand with a fault", "one that is ready", "Look at its controller.");
+  }
+  wire_->send("start\n");
+  wire_->watched = true;
+}
+
+double NetworkHand::do_pause(double time) {
+  const double hold = time + kPauseNotice;
+  wire_->send(fmt::format("pause {}\n", hold));
+  return hold;
+}
+
+void NetworkHand::do_resume() { wire_->send("resume\n"); }
+
+void NetworkHand::do_stop() {
+  wire_->watched = false;
+  wire_->send("stop\n");
+}
+
+void NetworkHand::do_update(double /*time*/) {
+  std::array<std::uint8_t, 8192> bytes{};
+  std::size_t count = bytes.size();
+  while (count == bytes.size()) {
+    count = wire_->link->read(bytes, milliseconds(1));
+    wire_->lines.add(std::span(bytes).first(count));
+  }
+  try {
+    while (const auto line = wire_->lines.next()) {
+      take(*line);
+    }
+  } catch (const HandProtocolError& error) {
+    refuse(error.what(), "a hand that speaks Handway's hand protocol",
+           "Look whether the port is right.");
+  }
+  if (Clock::now() - wire_->spoken > kAlive) {
+    wire_->send("alive\n");
+  }
+}
+
+void NetworkHand::take(const std::string& line) {
+  const std::vector<std::string_view> words = words_of(line);
+  if (words.empty()) {
+    return;
+  }
+  if (words[0] == "state") {
+    const HandState state = parse_hand_state(line, joints().count());
+    wire_->phase = state.phase;
+    add_sample(state.position);
+  } else if (words[0] == "fault") {
+    if (wire_->watched) {
+      refuse(line.substr(std::min(line.size(), words[0].size() + 1)), "a hand without a fault",
+             "Look at its controller.");
+    }
+  } else {
+    take_answer(words, line);
+  }
+}
+
+void NetworkHand::take_answer(const std::vector<std::string_view>& words, const std::string& line) {
+  if (words[0] == "hello") {
+    if (words.size() != 3 || number_of(words[1]) != kHandProtocolVersion ||
+        number_of(words[2]) != static_cast<double>(joints().count())) {
+      refuse("\"" + line + "\"",
+             fmt::format("version {} and {} joints", kHandProtocolVersion, joints().count()),
+             "It is another hand than the scene's.");
+    }
+    wire_->answer = "hello";
+  } else if (words[0] == "ok" && words.size() == 2) {
+    wire_->answer = words[1];
+  } else if (words[0] == "error") {
+    refuse("\"" + line + "\"", "a hand that does what it is told", "Look at its controller.");
+  } else {
+    throw HandProtocolError(fmt::format("the line \"{}\"", line));
+  }
+}
+
+}  // namespace handway::device

@@ -1,0 +1,84 @@
+#pragma once
+
+#include "handway/device/core/joint_trajectory.h"
+#include "handway/device/export.h"
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// How Handway talks to a hand: its own protocol, version 1. The SAH's control board is driven by
+/// its maker's library and has no public protocol on a wire: a program beside that library
+/// has to speak this one.
+///
+/// Lines of ASCII words over TCP, each ended by a line feed. Angles in rad, times in s.
+///
+///     host                                hand
+///     hello 1                             hello 1 JOINTS
+///     trajectory N, then N times          ok trajectory
+///       point T Q1 … QJOINTS
+///     start                               ok start
+///     pause T    (hold at T, not before)  ok pause
+///     resume                              ok resume
+///     stop                                ok stop
+///     alive      (at least every 0.1 s)
+///
+/// Instead of "ok WORD" the hand may answer "error WORD" and a reason. From "hello" on it tells
+/// "state T PHASE Q1 … QJOINTS" every 10 ms: T of the motion's time, PHASE one of `idle ready
+/// running paused done stopped error`; after `error` comes a line "fault" and a reason. It stops if
+/// it hears nothing for 0.25 s, or the connection breaks, while it moves.
+namespace handway::device {
+
+inline constexpr std::uint16_t kHandPort = 11100;
+inline constexpr int kHandProtocolVersion = 1;
+inline constexpr double kHandStatePeriod = 0.01;     ///< s
+inline constexpr double kHandAlivePeriod = 0.1;      ///< s
+inline constexpr double kHandLongestSilence = 0.25;  ///< s
+
+/// A line that is none of the protocol.
+class HandProtocolError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// "state …" as a value.
+struct HandState {
+  double time = 0.0;  ///< s of the motion's time.
+  std::string phase;
+  Eigen::VectorXd position;  ///< rad
+
+  bool operator==(const HandState&) const = default;
+};
+
+[[nodiscard]] HANDWAY_DEVICE_EXPORT std::string to_line(const HandState& state);
+/// @param line without its line feed. @throws HandProtocolError
+[[nodiscard]] HANDWAY_DEVICE_EXPORT HandState parse_hand_state(std::string_view line,
+                                                               Eigen::Index joints);
+
+/// "trajectory N" and its points, as the lines that a host sends.
+[[nodiscard]] HANDWAY_DEVICE_EXPORT std::string to_lines(const JointTrajectory& trajectory);
+
+/// The words of a line.
+[[nodiscard]] HANDWAY_DEVICE_EXPORT std::vector<std::string_view> words_of(std::string_view line);
+/// @throws HandProtocolError if a word is no finite number.
+[[nodiscard]] HANDWAY_DEVICE_EXPORT double number_of(std::string_view word);
+
+/// Cuts bytes into lines.
+class HANDWAY_DEVICE_EXPORT HandLines {
+ public:
+  void add(std::span<const std::uint8_t> bytes);
+  /// The next whole line without its end. @throws HandProtocolError if one is longer than 4096.
+  [[nodiscard]] std::optional<std::string> next();
+
+ private:
+  std::string text_;
+};
+
+}  // namespace handway::device

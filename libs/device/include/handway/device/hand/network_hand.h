@@ -1,0 +1,38 @@
+#pragma once
+
+#include "handway/device/core/motion_link.h"
+#include "handway/device/export.h"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace handway::device {
+
+/// A hand behind a TCP port that speaks hand_protocol.h. It holds the whole motion and keeps
+/// its time itself.
+class HANDWAY_DEVICE_EXPORT NetworkHand final : public MotionLink {
+ public:
+  /// @param name for messages. @param joints in the hand's order.
+  NetworkHand(std::string name, std::string host, std::uint16_t port, JointRanges joints);
+  ~NetworkHand() override;
+
+ private:
+  void do_connect(const std::stop_token& stop) override;
+  void do_upload(const JointTrajectory& trajectory) override;
+  void do_start() override;
+  [[nodiscard]] double do_pause(double time) override;
+  void do_resume() override;
+  void do_stop() override;
+  void do_update(double time) override;
+
+  void take(const std::string& line);
+  void take_answer(const std::vector<std::string_view>& words, const std::string& line);
+  void ask(const std::string& lines, const char* word);
+
+  struct Wire;
+  std::unique_ptr<Wire> wire_;
+};
+
+}  // namespace handway::device

@@ -1,0 +1,106 @@
+#include "emulated_device.h"
+
+#include "exit_codes.h"
+#include "handway/geometric/io/input_error.h"
+#include "handway/planning/core/plugin.h"
+#include "interrupt.h"
+#include "number_options.h"
+#include "send_targets.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdio>
+#include <map>
+#include <random>
+#include <stop_token>
+#include <thread>
+#include <vector>
+
+namespace handway::tools {
+namespace {
+
+using device::FaultKind;
+
+constexpr double kEarliestFault = 0.2;  // s
+constexpr double kLatestFault = 1.0;    // s
+
+const std::map<std::string, FaultKind>& fault_names() {
+  static const std::map<std::string, FaultKind> names{
+      {"none", FaultKind::kNone},   {"late", FaultKind::kLate},
+      {"lost", FaultKind::kLost},   {"refused", FaultKind::kRefused},
+      {"estop", FaultKind::kEstop}, {"joint-limit", FaultKind::kJointLimit},
+      {"slow", FaultKind::kSlow}};
+  return names;
+}
+
+}  // namespace
+
+void add_emulated_device_options(CLI::App& command, EmulatedDeviceChoice& choice) {
+  command.add_option("--port", choice.port, "TCP port of this computer; 0: any free one")
+      ->capture_default_str();
+  command.add_option("--scene", choice.scene, "Stand at this scene's start");
+  command
+      .add_option("--fault", choice.fault,
+                  "What goes wrong: none, late, lost, refused, estop, joint-limit or slow")
+      ->check(CLI::IsMember(fault_names()))
+      ->type_name("FAULT")
+      ->capture_default_str();
+  command
+      .add_option("--fault-after", choice.fault_after_s,
+                  "When, s from the beginning of a motion (default: 0.2 to 1, by the seed)")
+      ->check(positive_number());
+  command.add_option("--seed", choice.seed, "Seed of the fault's time")
+      ->check(not_negative())
+      ->capture_default_str();
+  command.add_option("--lag-ms", choice.lag_ms, "Time constant of the servos, ms")
+      ->check(positive_number())
+      ->check(CLI::Range(0.1, 1000.0))
+      ->capture_default_str();
+  command.add_option("--duration", choice.duration_s, "End after so many s")
+      ->check(positive_number());
+}
+
+EmulatedPosture scene_posture(const std::filesystem::path& scene, const std::string& kind) {
+  planning::Extensions extensions;
+  extensions.load_plugins(planning::plugin_directory());
+  const planning::LoadedScene loaded = planning::load_scene(scene, extensions);
+  const planning::PlanningProblem problem = planning::make_problem(loaded.scene, loaded.basis);
+  const std::vector<int> variables = device_variables(problem, kind);
+  if (variables.empty()) {
+    throw geometric::InputError({scene.string(), "", "a robot without joints of its " + kind,
+                                 "a robot with a group \"" + kind + "\"", ""});
+  }
+  EmulatedPosture posture{device_joints(problem.model(), variables),
+                          Eigen::VectorXd(static_cast<Eigen::Index>(variables.size()))};
+  for (std::size_t j = 0; j < variables.size(); ++j) {
+    posture.position[static_cast<Eigen::Index>(j)] = problem.start[variables[j]];
+  }
+  return posture;
+}
+
+device::InjectedFault chosen_fault(const EmulatedDeviceChoice& choice) {
+  // Not std::uniform_real_distribution, which differs from library to library.
+  std::mt19937_64 bits(choice.seed);
+  const double drawn = static_cast<double>(bits() >> 11U) * 0x1.0p-53;
+  return {fault_names().at(choice.fault),
+          choice.fault_after_s.value_or(kEarliestFault + (kLatestFault - kEarliestFault) * drawn)};
+}
+
+int serve_device(const std::string& address, const EmulatedDeviceChoice& choice) {
+  using Clock = std::chrono::steady_clock;
+  std::stop_source stop;
+  const StopsOnInterrupt guard(stop);
+  fmt::print("{}\n", address);
+  std::fflush(stdout);
+  const auto begin = Clock::now();
+  while (!stop.stop_requested() &&
+         !(choice.duration_s &&
+           Clock::now() - begin > std::chrono::duration<double>(*choice.duration_s))) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  return kDone;
+}
+
+}  // namespace handway::tools
