@@ -112,14 +112,13 @@ int report(const std::vector<SendTarget>& targets, const SendOutcome& outcome, c
   if (!outcome.fault.empty()) {
     fmt::print(stderr, "{}\n", outcome.fault);
   }
-  fmt::print(stderr,
-             "STOPPED at {:.2f} of {:.2f} s: {}; all devices told to stop within {:.1f} ms, ",
+  fmt::print("STOPPED at {:.2f} of {:.2f} s: {}; all devices told to stop within {:.1f} ms, ",
              outcome.time, duration, outcome.fault.empty() ? "on request" : "after a fault",
              outcome.stop_sent_ms);
   if (outcome.at_rest_ms >= 0.0) {
-    fmt::print(stderr, "at rest {:.0f} ms later\n", outcome.at_rest_ms);
+    fmt::print("at rest {:.0f} ms later\n", outcome.at_rest_ms);
   } else {
-    fmt::print(stderr, "not seen at rest: LOOK AT THE ROBOT\n");
+    fmt::print("not seen at rest: LOOK AT THE ROBOT\n");
   }
   return kMotionStopped;
 }

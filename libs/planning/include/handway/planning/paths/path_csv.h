@@ -25,7 +25,8 @@ HANDWAY_PLANNING_EXPORT void write_path_csv(const Path& path, const geometric::R
 /// Reads such a file. Columns may come in any order; "time" and the columns of
 /// coupled joints may be missing, but where they are there they must agree with
 /// the coupling within 1e-4. Columns "JOINT.velocity" and "JOINT.acceleration" of
-/// timed paths are numbers that play no part.
+/// joints that move on their own, as timed paths have them, must hold finite numbers, and are
+/// otherwise left alone.
 /// @throws InputError naming line and column for anything else.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT Path read_path_csv(const geometric::RobotModel& model,
                                                          const std::filesystem::path& file);

@@ -1,0 +1,213 @@
+/// `handway send` on emulated devices: whole paths, every fault, and stops.
+#include "background_process.h"
+#include "command_line.h"
+#include "handway_test/paths.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <csignal>
+#include <filesystem>
+#include <memory>
+#include <regex>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace handway::test {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+using testing::StartsWith;
+
+constexpr int kMotionStopped = 5;
+
+std::string scene() { return (source_dir() / "scenes" / "can_on_table.yaml").string(); }
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::istringstream in(text);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(in, line);) {
+    lines.push_back(line);
+  }
+  return lines;
+}
+
+double number_after(const std::string& text, const std::string& words) {
+  std::smatch found;
+  return std::regex_search(text, found, std::regex(words + " ([0-9.]+)")) ? std::stod(found[1])
+                                                                          : 1e9;
+}
+
+/// An emulated arm and hand at the scene's start, and a path of the scene.
+class Send : public testing::Test {
+ protected:
+  void SetUp() override {
+    const Outcome plan = line_.run("plan " + scene() + " --out path.csv");
+    ASSERT_EQ(plan.exit_code, 0) << plan.err;
+  }
+
+  void emulate(const std::vector<std::string>& arm_options,
+               const std::vector<std::string>& hand_options) {
+    arm_ = emulator("arm", arm_options);
+    hand_ = emulator("hand", hand_options);
+    targets_ = arm_->read_line() + "," + hand_->read_line();
+  }
+
+  [[nodiscard]] std::string send(const std::string& options) const {
+    return "send path.csv --scene " + scene() + " --to " + targets_ + " --log log.csv " + options;
+  }
+
+  /// The log's rows without its header; all of the same width.
+  [[nodiscard]] std::vector<std::string> log_rows() const {
+    std::vector<std::string> rows = lines_of(line_.read("log.csv"));
+    if (rows.empty()) {
+      return rows;
+    }
+    EXPECT_THAT(rows.front(), StartsWith("time,device,joint_1,"));
+    EXPECT_THAT(rows.front(), HasSubstr(",ring_medial.measured"));
+    const auto width = [](const std::string& row) { return std::ranges::count(row, ','); };
+    for (const std::string& row : rows) {
+      EXPECT_EQ(width(row), width(rows.front())) << row;
+    }
+    rows.erase(rows.begin());
+    return rows;
+  }
+
+  CommandLine line_;
+  std::string targets_;
+
+ private:
+  static std::unique_ptr<BackgroundProcess> emulator(const std::string& kind,
+                                                     const std::vector<std::string>& options) {
+    std::vector<std::string> words{kind, "emulate", "--port", "0", "--scene", scene()};
+    words.insert(words.end(), options.begin(), options.end());
+    return std::make_unique<BackgroundProcess>(words);
+  }
+
+  std::unique_ptr<BackgroundProcess> arm_;
+  std::unique_ptr<BackgroundProcess> hand_;
+};
+
+TEST_F(Send, RunsAWholePathOnArmAndHand) {
+  emulate({}, {});
+  const Outcome done = line_.run(send("--yes --speed 0.2"));
+  ASSERT_EQ(done.exit_code, 0) << done.out << done.err;
+  EXPECT_THAT(done.out, AllOf(HasSubstr("cleared"), HasSubstr("following error"),
+                              HasSubstr("joint_6"), HasSubstr("done")));
+  const double joint_4 = number_after(done.out, "joint_4 +");
+  EXPECT_GT(joint_4, 1e-4) << "servos lag";
+  EXPECT_LT(joint_4, 0.1);
+  const double duration = number_after(done.out, "done:");
+  EXPECT_NEAR(duration, 2.2, 0.3);
+  EXPECT_GT(log_rows().size(), 100.0 * duration) << "100 Hz of the hand, 50 Hz of the arm";
+}
+
+TEST_F(Send, MovesNothingWithoutYes) {
+  emulate({}, {});
+  const Outcome done = line_.run(send(""));
+  EXPECT_EQ(done.exit_code, 2);
+  EXPECT_THAT(done.out, AllOf(HasSubstr("cleared"), HasSubstr("6 joints"), HasSubstr("13 joints"),
+                              Not(HasSubstr("done"))));
+  EXPECT_THAT(done.err, HasSubstr("--yes"));
+  EXPECT_FALSE(std::filesystem::exists(line_.folder() / "log.csv"));
+  const Outcome then = line_.run(send("--yes --speed 0.5"));
+  EXPECT_EQ(then.exit_code, 0) << "it still stands at the start: " << then.out << then.err;
+}
+
+TEST_F(Send, RefusesARobotThatStandsElsewhere) {
+  emulate({}, {});
+  ASSERT_EQ(line_.run(send("--yes --speed 0.5")).exit_code, 0);
+  const Outcome again = line_.run(send("--yes"));
+  EXPECT_EQ(again.exit_code, 1) << "it stands at the goal now";
+  EXPECT_THAT(again.out,
+              AllOf(HasSubstr("away from where the trajectory begins"), HasSubstr("NOT CLEARED")));
+}
+
+TEST_F(Send, StopsOnRequestWithinATenthOfASecond) {
+  emulate({}, {});
+  BackgroundProcess sending({"send", (line_.folder() / "path.csv").string(), "--scene", scene(),
+                             "--to", targets_, "--log", (line_.folder() / "log.csv").string(),
+                             "--yes"});
+  const auto skip_to = [&](const std::string& words) {
+    for (int k = 0; k < 100; ++k) {
+      const std::string line = sending.read_line();
+      if (line.find(words) != std::string::npos) {
+        return line;
+      }
+    }
+    return std::string();
+  };
+  ASSERT_THAT(skip_to("1.0 of 4."), HasSubstr("arm up to")) << "progress";
+  sending.send(SIGINT);
+  const std::string stopped = skip_to("STOPPED");
+  EXPECT_EQ(sending.wait(), kMotionStopped);
+  EXPECT_THAT(stopped, HasSubstr("on request"));
+  EXPECT_LT(number_after(stopped, "told to stop within"), 100.0) << stopped;
+  EXPECT_LT(number_after(stopped, "at rest"), 1000.0) << stopped;
+  EXPECT_GT(log_rows().size(), 60U);
+}
+
+TEST_F(Send, RefusesTargetsThatMakeNoSense) {
+  const auto refusal = [&](const std::string& to) {
+    const Outcome done = line_.run("send path.csv --scene " + scene() + " --yes --to " + to);
+    EXPECT_EQ(done.exit_code, 3) << to;
+    EXPECT_THAT(done.out, IsEmpty());
+    return done.err;
+  };
+  EXPECT_THAT(refusal("leg://localhost:1"), HasSubstr("arm://"));
+  EXPECT_THAT(refusal("localhost:11000"), HasSubstr("arm://"));
+  EXPECT_THAT(refusal("arm://localhost:1,arm://localhost:2"), HasSubstr("two devices"));
+  EXPECT_THAT(refusal("arm://localhost:99999"), HasSubstr("65535"));
+  EXPECT_THAT(refusal("arm://localhost:1"), AllOf(HasSubstr("Joint"), HasSubstr("no device")));
+  EXPECT_THAT(refusal("arm://localhost:1,hand://localhost:1"), HasSubstr("arm://localhost:1"));
+}
+
+struct FaultCase {
+  const char* device;
+  const char* fault;
+  const char* message;
+};
+
+class SendWithFault : public Send, public testing::WithParamInterface<FaultCase> {};
+
+TEST_P(SendWithFault, StopsAllDevicesAndKeepsTheLog) {
+  const std::vector<std::string> fault{"--fault", GetParam().fault, "--fault-after", "0.5"};
+  const bool arm = std::string(GetParam().device) == "arm";
+  emulate(arm ? fault : std::vector<std::string>{}, arm ? std::vector<std::string>{} : fault);
+  const Outcome done = line_.run(send("--yes --speed 0.2 --following-tolerance 0.05"));
+  EXPECT_EQ(done.exit_code, kMotionStopped) << done.out;
+  EXPECT_THAT(done.err, AllOf(HasSubstr(GetParam().message),
+                              HasSubstr(std::string(GetParam().device) + "://")));
+  EXPECT_LT(number_after(done.out, "STOPPED at"), 2.1) << done.out;
+  EXPECT_LT(number_after(done.out, "told to stop within"), 100.0) << done.out;
+  EXPECT_THAT(done.out, AllOf(HasSubstr("following error"), Not(HasSubstr("done"))));
+  EXPECT_GT(log_rows().size(), 30U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Faults, SendWithFault,
+                         testing::Values(FaultCase{"arm", "late", "no joint positions"},
+                                         FaultCase{"arm", "lost", "connection broke"},
+                                         FaultCase{"arm", "refused", "refused"},
+                                         FaultCase{"arm", "estop", "emergency stop"},
+                                         FaultCase{"arm", "joint-limit", "refused"},
+                                         FaultCase{"arm", "slow", "does not follow"},
+                                         FaultCase{"hand", "late", "no joint positions"},
+                                         FaultCase{"hand", "lost", "connection broke"},
+                                         FaultCase{"hand", "refused", "refused"},
+                                         FaultCase{"hand", "estop", "emergency stop"},
+                                         FaultCase{"hand", "joint-limit", "at its limit"},
+                                         FaultCase{"hand", "slow", "does not follow"}),
+                         [](const auto& test) {
+                           std::string name =
+                               std::string(test.param.device) + "_" + test.param.fault;
+                           std::ranges::replace(name, '-', '_');
+                           return name;
+                         });
+
+}  // namespace
+}  // namespace handway::test
