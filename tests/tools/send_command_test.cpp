@@ -43,13 +43,21 @@ double number_after(const std::string& text, const std::string& words) {
                                                                           : 1e9;
 }
 
+/// A path of the scene, planned once.
+const std::string& planned_path() {
+  static const std::string path = [] {
+    const CommandLine line;
+    const Outcome plan = line.run("plan " + scene() + " --out path.csv");
+    EXPECT_EQ(plan.exit_code, 0) << plan.err;
+    return line.read("path.csv");
+  }();
+  return path;
+}
+
 /// An emulated arm and hand at the scene's start, and a path of the scene.
 class Send : public testing::Test {
  protected:
-  void SetUp() override {
-    const Outcome plan = line_.run("plan " + scene() + " --out path.csv");
-    ASSERT_EQ(plan.exit_code, 0) << plan.err;
-  }
+  void SetUp() override { line_.write("path.csv", planned_path()); }
 
   void emulate(const std::vector<std::string>& arm_options,
                const std::vector<std::string>& hand_options) {
