@@ -10,6 +10,7 @@
 
 #include <limits>
 #include <map>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,7 @@ py::object optional_array(const std::optional<Configuration>& q) {
 
 std::vector<std::string> names_of(const RobotModel& robot, const std::vector<int>& variables) {
   std::vector<std::string> names;
+  names.reserve(variables.size());
   for (const int variable : variables) {
     names.push_back(robot.variable(variable).name);
   }
@@ -35,11 +37,9 @@ std::vector<std::string> names_of(const RobotModel& robot, const std::vector<int
 }
 
 std::vector<std::string> variable_names(const SceneModel& scene) {
-  std::vector<std::string> names;
-  for (int variable = 0; variable < scene.robot().variable_count(); ++variable) {
-    names.push_back(scene.robot().variable(variable).name);
-  }
-  return names;
+  std::vector<int> all(static_cast<std::size_t>(scene.robot().variable_count()));
+  std::iota(all.begin(), all.end(), 0);
+  return names_of(scene.robot(), all);
 }
 
 std::vector<std::string> link_names(const SceneModel& scene) {

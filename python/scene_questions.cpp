@@ -4,6 +4,7 @@
 #include "handway/geometric/io/nearest_name.h"
 
 #include <algorithm>
+#include <iterator>
 #include <vector>
 
 namespace py = pybind11;
@@ -48,9 +49,8 @@ int needed_link(const geometric::RobotModel& robot, const std::string& name) {
     return *link;
   }
   std::vector<std::string> names;
-  for (int link = 0; link < robot.link_count(); ++link) {
-    names.push_back(robot.link(link).name);
-  }
+  std::ranges::transform(robot.description().links, std::back_inserter(names),
+                         &geometric::Link::name);
   throw InputError({"link", "", "\"" + name + "\"", "a link of " + robot.name(),
                     geometric::advise_name(name, names)});
 }
