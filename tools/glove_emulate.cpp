@@ -1,7 +1,6 @@
 #include "glove_emulate.h"
 
-#include "exit_codes.h"
-#include "glove_serve.h"
+#include "device_serve.h"
 #include "handway/device/glove/glove_calibration.h"
 #include "handway/device/glove/glove_layout.h"
 #include "handway/device/glove/glove_signals.h"
@@ -20,10 +19,8 @@
 namespace handway::tools {
 namespace {
 
-using device::GloveEmulatorSettings;
-
 struct EmulateOptions {
-  GloveServeOptions serve;
+  ServeOptions serve;
   int sensors = device::kGloveSensors;
   bool left = false;
   double rate_hz = 100.0;
@@ -31,11 +28,7 @@ struct EmulateOptions {
   std::filesystem::path from;
   std::filesystem::path calibration;
   std::optional<double> noise;
-  double dropout = 0.0;
-  double garbage = 0.0;
-  double latency_ms = 0.0;
-  std::optional<double> unplug_after_s;
-  std::optional<double> plug_again_after_s;
+  LineFaultOptions faults;
   std::vector<std::string> saturate;
 };
 
@@ -69,17 +62,13 @@ device::GloveSignal signal_of(const EmulateOptions& options) {
 }
 
 int emulate(const EmulateOptions& options) {
-  GloveEmulatorSettings settings;
-  settings.unit.sensors = options.sensors;
-  settings.unit.right_hand = !options.left;
-  settings.unit.rate = options.rate_hz;
-  settings.faults.dropout = options.dropout;
-  settings.faults.garbage = options.garbage;
-  settings.faults.seed = options.seed;
-  settings.latency = options.latency_ms / 1000.0;
-  settings.unplug_at = options.unplug_after_s;
-  settings.replug_at = options.plug_again_after_s;
-  return serve_glove(settings, signal_of(options), options.serve);
+  device::CyberGloveUnitSettings settings;
+  settings.sensors = options.sensors;
+  settings.right_hand = !options.left;
+  settings.rate = options.rate_hz;
+  auto unit = std::make_unique<device::CyberGloveUnit>(settings, signal_of(options));
+  return serve_device(emulator_settings(options.faults, options.seed), std::move(unit),
+                      options.serve);
 }
 
 void add_signal_options(CLI::App& command, EmulateOptions& options) {
@@ -103,19 +92,7 @@ void add_fault_options(CLI::App& command, EmulateOptions& options) {
       .add_option("--noise", options.noise,
                   "Noise of the sensors, counts (default: 0.4; 0 with --from)")
       ->check(CLI::Range(0.0, 100.0));
-  command.add_option("--dropout", options.dropout, "Share of records that are lost, 0 to 1")
-      ->check(CLI::Range(0.0, 1.0));
-  command.add_option("--garbage", options.garbage, "Share of records that are damaged, 0 to 1")
-      ->check(CLI::Range(0.0, 1.0));
-  command.add_option("--latency", options.latency_ms, "Delay of all that it sends, ms")
-      ->check(CLI::Range(0.0, 60000.0));
-  command
-      .add_option("--unplug-after", options.unplug_after_s, "Pull the glove off after so many s")
-      ->check(positive_number());
-  command
-      .add_option("--plug-again-after", options.plug_again_after_s,
-                  "Put it back on so many s after the start")
-      ->check(positive_number());
+  add_line_fault_options(command, options.faults);
   command.add_option("--saturate", options.saturate, "A sensor that always reads 255")
       ->type_name("SENSOR")
       ->expected(1)
@@ -128,7 +105,7 @@ void add_glove_emulate(CLI::App& glove, int& exit_code) {
   auto options = std::make_shared<EmulateOptions>();
   CLI::App* command =
       glove.add_subcommand("emulate", "Be a CyberGlove; the first line says what to connect to");
-  add_glove_serve_options(*command, options->serve);
+  add_serve_options(*command, options->serve);
   add_signal_options(*command, *options);
   add_fault_options(*command, *options);
   command->callback([options, &exit_code] { exit_code = emulate(*options); });

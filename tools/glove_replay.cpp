@@ -1,6 +1,6 @@
 #include "glove_replay.h"
 
-#include "glove_serve.h"
+#include "device_serve.h"
 #include "glove_show.h"
 #include "handway/device/glove/glove_signals.h"
 #include "handway/device/glove/recording.h"
@@ -20,7 +20,7 @@ struct ReplayOptions {
   std::filesystem::path file;
   device::ReplaySettings replay;
   GloveShowOptions show;
-  GloveServeOptions serve;
+  ServeOptions serve;
 };
 
 device::Recording read(const std::filesystem::path& file) {
@@ -41,7 +41,9 @@ int replay(const ReplayOptions& options) {
   recording.times /= options.replay.speed;
   device::SensorFaults none;
   none.noise = 0.0;
-  return serve_glove({}, recorded_signal(recording, 1, none), options.serve);
+  auto unit = std::make_unique<device::CyberGloveUnit>(device::CyberGloveUnitSettings{},
+                                                       recorded_signal(recording, 1, none));
+  return serve_device({}, std::move(unit), options.serve);
 }
 
 }  // namespace
@@ -55,7 +57,7 @@ void add_glove_replay(CLI::App& glove, int& exit_code) {
       ->capture_default_str();
   command->add_flag("--loop", options->replay.loop, "Begin again at the end");
   add_glove_show_options(*command, options->show);
-  add_glove_serve_options(*command, options->serve);
+  add_serve_options(*command, options->serve);
   command->callback([options, &exit_code] { exit_code = replay(*options); });
 }
 

@@ -4,13 +4,12 @@
 #include "glove_display.h"
 #include "handway/device/glove/glove_stream.h"
 #include "interrupt.h"
+#include "terminal_table.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <cstdio>
 #include <mutex>
 #include <stdexcept>
 #include <stop_token>
@@ -61,24 +60,6 @@ class Latest {
 void announce(const GloveInfo& info) {
   fmt::print(stderr, "{}: {}, {} sensors, {} hand\n", info.device, info.model, info.sensors,
              info.right_hand ? "right" : "left");
-}
-
-void print_line(const std::string& line) {
-  fmt::print("{}\n", line);
-  std::fflush(stdout);
-}
-
-// Over the table printed before, if any.
-void print_table(const std::string& table, bool first) {
-  if (!first) {
-    fmt::print("\033[{}A", std::count(table.begin(), table.end(), '\n'));
-  }
-  std::string cleared;
-  for (const char c : table) {
-    cleared += c == '\n' ? std::string("\033[K\n") : std::string(1, c);
-  }
-  fmt::print("{}", cleared);
-  std::fflush(stdout);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "reproduce_command.h"
 #include "send_command.h"
 #include "time_command.h"
+#include "tracker_command.h"
 #include "version.h"
 
 #include <CLI/CLI.hpp>
@@ -38,6 +39,7 @@ int run(int argc, char** argv) {
   add_hand_command(app, exit_code);
   add_bench_command(app, exit_code);
   add_glove_command(app, exit_code);
+  add_tracker_command(app, exit_code);
   add_reproduce_command(app, exit_code);
   try {
     app.parse(argc, argv);
