@@ -90,6 +90,7 @@ class MainWindow : public QMainWindow {
   CollisionMonitor collisions_;
   PathPlayer player_;
   SceneView* view_;
+  QStackedWidget* middle_;
   Banner* banner_;
   SceneTree* tree_;
   LogPanel* log_;
@@ -100,7 +101,6 @@ class MainWindow : public QMainWindow {
   GlovePanel* glove_panel_;
   PlaybackBar* playback_;
   StartPage* start_page_;
-  QStackedWidget* middle_;
   CommandPalette* palette_;
   QByteArray default_layout_;
   CollisionLabel* collision_label_;

@@ -22,8 +22,8 @@ struct Part {
   Vector2d lower;
   Vector2d upper;
 
-  explicit Part(const std::array<Vector3d, N>& points) : corners(points) {
-    lower = upper = points[0].template head<2>();
+  explicit Part(const std::array<Vector3d, N>& points)
+      : corners(points), lower(points[0].template head<2>()), upper(points[0].template head<2>()) {
     for (const Vector3d& p : points) {
       lower = lower.cwiseMin(p.head<2>());
       upper = upper.cwiseMax(p.head<2>());
@@ -66,7 +66,8 @@ Parts parts_in(const TriangleMesh& mesh, const Aabb& region) {
     }
   }
   std::ranges::sort(edges);
-  edges.erase(std::ranges::unique(edges).begin(), edges.end());
+  const auto repeated = std::ranges::unique(edges);
+  edges.erase(repeated.begin(), repeated.end());
   for (const auto& [a, b] : edges) {
     keep(parts.edges, Part<2>({mesh.vertices[a], mesh.vertices[b]}), region);
   }

@@ -50,6 +50,7 @@ void SceneEditing::connect_view() {
           [this](const SceneItem& /*item*/, const geometric::Pose& X_WO) { editor_.place(X_WO); });
   connect(&view_, &SceneView::dragged, this,
           [this](const SceneItem& /*item*/, const geometric::Pose& X_WO) {
+            properties_->preview_pose(X_WO);
             if (const auto state = editor_.placed(X_WO)) {
               emit tried(*state);
             }

@@ -15,12 +15,6 @@
 #include <utility>
 
 namespace handway::gui {
-namespace {
-
-constexpr int kTop = 92;  // below menus and tools
-
-}  // namespace
-
 Banner::Banner(QWidget* host)
     : QFrame(host),
       picture_(new QLabel),
@@ -109,8 +103,8 @@ bool Banner::eventFilter(QObject* watched, QEvent* event) {
 
 void Banner::place() {
   const int width = std::min(parentWidget()->width() - 32, 760);
-  const int height = std::max(heightForWidth(width), sizeHint().height());
-  setGeometry((parentWidget()->width() - width) / 2, kTop, width, height);
+  const int height = std::max(layout()->heightForWidth(width), minimumSizeHint().height());
+  setGeometry((parentWidget()->width() - width) / 2, 16, width, height);
 }
 
 }  // namespace handway::gui

@@ -157,6 +157,8 @@ void PropertiesPanel::refresh() {
   }
 }
 
+void PropertiesPanel::preview_pose(const geometric::Pose& X_WO) { pose_->show_pose(X_WO); }
+
 void PropertiesPanel::show_parts(bool header, bool pose, bool shape) {
   hint_->setVisible(!header);
   header_->setVisible(header);

@@ -24,6 +24,8 @@ class PropertiesPanel : public QScrollArea {
 
   /// Shows the selection as it is now.
   void refresh();
+  /// Shows where the selection is being dragged to.
+  void preview_pose(const geometric::Pose& X_WO);
   /// Draws the icons anew, after a change of theme.
   void refresh_icons();
 

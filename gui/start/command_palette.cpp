@@ -53,6 +53,7 @@ CommandPalette::CommandPalette(QWidget& window)
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(8, 8, 8, 8);
   layout->setSpacing(6);
+  setFixedWidth(kWidth);
   layout->addWidget(field_);
   layout->addWidget(list_);
   connect(field_, &QLineEdit::textChanged, this, &CommandPalette::list);
@@ -74,7 +75,6 @@ void CommandPalette::ask() {
   }
   field_->clear();
   list({});
-  resize(kWidth, sizeHint().height());
   move(window_.mapToGlobal(QPoint((window_.width() - kWidth) / 2, 90)));
   show();
   field_->setFocus();
@@ -115,7 +115,8 @@ void CommandPalette::list(const QString& typed) {
     list_->setItemWidget(row, words);
   }
   list_->setCurrentRow(0);
-  list_->setFixedHeight(kMostRows * kRowHeight);
+  list_->setFixedHeight(std::clamp(list_->count(), 1, kMostRows) * kRowHeight + 4);
+  adjustSize();
 }
 
 void CommandPalette::run_current() {
