@@ -95,6 +95,16 @@ void BoundedChecker::do_near_pairs(double distance, std::vector<int>& pairs) {
   volumes_->roots->find_near(scratch_->roots, distance, pairs);
 }
 
+void BoundedChecker::do_closest_first(double distance, std::vector<int>& pairs) {
+  std::vector<std::pair<double, int>> bounds;
+  bounds.reserve(pairs.size());
+  for (const int pair : pairs) {
+    bounds.emplace_back(do_pair_bound(pair, distance), pair);
+  }
+  std::ranges::sort(bounds);
+  std::ranges::transform(bounds, pairs.begin(), &std::pair<double, int>::second);
+}
+
 std::optional<int> BoundedChecker::do_first_collision() {
   do_near_pairs(kTouch, scratch_->near);
   // What stands still comes last in the list, and is hit most often.

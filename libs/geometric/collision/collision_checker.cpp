@@ -109,7 +109,7 @@ NamedPair find_clearance(CollisionChecker& checker, const Configuration& q, doub
   checker.place(q);
   NamedPair closest{"", "", enough};
   std::vector<int> near;
-  checker.near_pairs(enough, near);
+  checker.near_pairs_closest_first(enough, near);
   for (const int pair : near) {
     const double distance = checker.pair_distance(pair, closest.distance);
     if (distance < closest.distance) {

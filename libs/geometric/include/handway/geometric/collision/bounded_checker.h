@@ -33,6 +33,7 @@ class HANDWAY_GEOMETRIC_EXPORT BoundedChecker final : public CollisionChecker {
   [[nodiscard]] double do_pair_bound(int pair, double enough) override;
   [[nodiscard]] double do_pair_glance(int pair) override;
   void do_near_pairs(double distance, std::vector<int>& pairs) override;
+  void do_closest_first(double distance, std::vector<int>& pairs) override;
   [[nodiscard]] std::optional<int> do_first_collision() override;
 
   [[nodiscard]] SurfaceQuery query(int pair, std::span<const Pose> X_WBody);

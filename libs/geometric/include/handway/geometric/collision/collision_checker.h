@@ -87,6 +87,12 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionChecker {
   /// bounding volumes tell, in order. In a large scene not every pair is looked at.
   void near_pairs(double distance, std::vector<int>& pairs) { do_near_pairs(distance, pairs); }
 
+  /// near_pairs(), those first that are likely to be the closest, where that is cheap to tell.
+  void near_pairs_closest_first(double distance, std::vector<int>& pairs) {
+    do_near_pairs(distance, pairs);
+    do_closest_first(distance, pairs);
+  }
+
   /// Index of a pair that touches in `q`, or nothing if `q` is free.
   [[nodiscard]] std::optional<int> first_collision(const Configuration& q);
 
@@ -116,6 +122,7 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionChecker {
   }
   [[nodiscard]] virtual double do_pair_glance(int /*pair*/) { return 0.0; }
   virtual void do_near_pairs(double distance, std::vector<int>& pairs);
+  virtual void do_closest_first(double /*distance*/, std::vector<int>& /*pairs*/) {}
   [[nodiscard]] virtual std::optional<int> do_first_collision();
 
  private:
