@@ -44,7 +44,8 @@ std::optional<Options> parse_options(int argc, char** argv, int& exit_code) {
   app.add_option("scene", options.scene, "Scene or problem file to open");
   app.add_option("--screenshot", options.screenshot, "Save a picture of the window and end")
       ->type_name("OUT.png");
-  app.add_flag("--view-only", options.view_only, "The picture shows the 3-D view alone, of that size");
+  app.add_flag("--view-only", options.view_only,
+               "The picture shows the 3-D view alone, of that size");
   app.add_option("--size", size, "Size of the window (default 1440x900)")
       ->type_name("WxH")
       ->check(check_size);

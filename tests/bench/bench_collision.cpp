@@ -3,8 +3,8 @@
 /// on every known problem.
 #include "handway/geometric/collision/bounded_checker.h"
 #include "handway/geometric/collision/edge_checker.h"
-#include "handway/geometric/collision/fcl_checker.h"
 #include "handway/geometric/collision/fcl_broadphase_checker.h"
+#include "handway/geometric/collision/fcl_checker.h"
 #include "handway_test/known_problems.h"
 
 #include <benchmark/benchmark.h>

@@ -2,8 +2,8 @@
 /// triangles of one, with threads; and what a checker costs to build, in time and
 /// memory.
 #include "handway/geometric/collision/bounded_checker.h"
-#include "handway/geometric/collision/fcl_checker.h"
 #include "handway/geometric/collision/fcl_broadphase_checker.h"
+#include "handway/geometric/collision/fcl_checker.h"
 #include "handway_test/memory_use.h"
 #include "handway_test/robots.h"
 #include "handway_test/solid_robots.h"

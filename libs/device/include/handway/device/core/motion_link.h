@@ -62,8 +62,8 @@ class HANDWAY_DEVICE_EXPORT MotionLink {
   void connect(const std::stop_token& stop = {});
 
   /// Gives the device a motion.
-  /// @throws geometric::InputError as check_trajectory(); DeviceError if there is no connection, the
-  /// device doesn't take it, or it is moving.
+  /// @throws geometric::InputError as check_trajectory(); DeviceError if there is no connection,
+  /// the device doesn't take it, or it is moving.
   void upload(const JointTrajectory& trajectory);
 
   /// Begins the motion that was uploaded.
