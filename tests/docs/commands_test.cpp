@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdio>
+#include <regex>
 #include <set>
 #include <sstream>
 #include <string>
@@ -99,9 +100,9 @@ TEST(Readme, ShowsCommandsThatWork) {
       continue;
     }
     std::string arguments = line.substr(kProgram.size());
-    const std::size_t scene = arguments.find("scenes/");
-    ASSERT_NE(scene, std::string::npos) << line;
-    arguments.insert(scene, source_dir().string() + "/");
+    const std::regex shipped("\\b(scenes|resources)/");
+    ASSERT_TRUE(std::regex_search(arguments, shipped)) << line;
+    arguments = std::regex_replace(arguments, shipped, source_dir().string() + "/$1/");
     const ShellRun done =
         run_in_shell("cd " + scratch.path().string() + " && " HANDWAY_PROGRAM " " + arguments);
     EXPECT_EQ(done.status, 0) << line << '\n' << done.printed;

@@ -3,6 +3,7 @@
 #include "forms/quantity_field.h"
 #include "handway/geometric/io/scene_reader.h"
 #include "panels/scene_tree.h"
+#include "pressed_mouse.h"
 #include "view3d/scene_view.h"
 
 #include <QComboBox>
@@ -129,7 +130,7 @@ TEST_F(EditingAScene, DragsWithTheHandles) {
   const geometric::Pose from = object("post").X_PO;
   QTest::mousePress(&view, Qt::LeftButton, {}, tip);
   ASSERT_TRUE(view.gizmo().is_dragging());
-  QTest::mouseMove(&view, farther);
+  move_pressed_mouse(view, farther);
   EXPECT_EQ(object("post").X_PO.matrix(), from.matrix()) << "only shown until it is let go";
   QTest::mouseRelease(&view, Qt::LeftButton, {}, farther);
   const Eigen::Vector3d moved = object("post").X_PO.translation() - from.translation();
@@ -145,7 +146,7 @@ TEST_F(EditingAScene, PutsBackWhatIsDraggedOnEscape) {
   const gui::GizmoFrame frame = view.gizmo().frame(view.camera(), view.size());
   QTest::mousePress(&view, Qt::LeftButton, {},
                     seen(frame.centre + 0.9 * frame.size * frame.axes.col(2)));
-  QTest::mouseMove(&view, seen(frame.centre + 1.9 * frame.size * frame.axes.col(2)));
+  move_pressed_mouse(view, seen(frame.centre + 1.9 * frame.size * frame.axes.col(2)));
   QTest::keyClick(&view, Qt::Key_Escape);
   EXPECT_FALSE(view.gizmo().is_dragging());
   EXPECT_FALSE(editor().undo_stack().canUndo());

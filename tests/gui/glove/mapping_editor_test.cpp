@@ -5,6 +5,7 @@
 #include "glove/wire_form.h"
 #include "handway/device/glove/glove_layout.h"
 #include "handway/geometric/math/units.h"
+#include "pressed_mouse.h"
 #include "window_test.h"
 
 #include <QComboBox>
@@ -45,7 +46,7 @@ class MappingEditor : public ::testing::Test {
   void drag(const char* letter, int joint) const {
     const int sensor = device::find_sensor(letter).value();
     QTest::mousePress(&wires(), Qt::LeftButton, {}, wires().sensor_handle(sensor).toPoint());
-    QTest::mouseMove(&wires(), wires().joint_handle(joint).toPoint());
+    move_pressed_mouse(wires(), wires().joint_handle(joint).toPoint());
     QTest::mouseRelease(&wires(), Qt::LeftButton, {}, wires().joint_handle(joint).toPoint());
   }
   void type(const char* field, const char* text) const {
