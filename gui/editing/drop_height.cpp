@@ -66,8 +66,7 @@ Parts parts_in(const TriangleMesh& mesh, const Aabb& region) {
     }
   }
   std::ranges::sort(edges);
-  const auto repeated = std::ranges::unique(edges);
-  edges.erase(repeated.begin(), repeated.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
   for (const auto& [a, b] : edges) {
     keep(parts.edges, Part<2>({mesh.vertices[a], mesh.vertices[b]}), region);
   }

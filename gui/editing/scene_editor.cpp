@@ -125,7 +125,8 @@ void SceneEditor::add(const std::string& name, const geometric::Shape& shape,
   const Eigen::Vector3d underside(box.centre().x(), box.centre().y(), box.lower.z());
   object.X_PO.translation() = foot - underside;
   const SceneItem item = object_item(object.name);
-  push(tr("Add %1").arg(words(object.name)), with_object(state(), std::move(object)), item);
+  const QString title = tr("Add %1").arg(words(object.name));
+  push(title, with_object(state(), std::move(object)), item);
 }
 
 void SceneEditor::add_mesh(const std::filesystem::path& file, const Eigen::Vector3d& foot) {

@@ -42,7 +42,7 @@ std::shared_ptr<const geometric::Scene> scene_of(
 
 }  // namespace
 
-PosturePictures::PosturePictures(std::shared_ptr<const geometric::RobotModel> robot,
+PosturePictures::PosturePictures(const std::shared_ptr<const geometric::RobotModel>& robot,
                                  const OrbitCamera::Placement& placement)
     : surface_(std::make_unique<QOffscreenSurface>()),
       context_(std::make_unique<QOpenGLContext>()) {

@@ -22,7 +22,7 @@ class PosturePictures {
  public:
   /// @param placement where the camera stands; its target and distance are found.
   /// @throws geometric::InputError if there is no OpenGL.
-  PosturePictures(std::shared_ptr<const geometric::RobotModel> robot,
+  PosturePictures(const std::shared_ptr<const geometric::RobotModel>& robot,
                   const OrbitCamera::Placement& placement);
   ~PosturePictures();
   PosturePictures(const PosturePictures&) = delete;
