@@ -20,12 +20,12 @@ struct Unit {
 constexpr int kDecimals = 7;  // kept; fewer are shown
 
 std::optional<double> shown_per_unit(QuantityField::Kind kind, const QString& name) {
-  static const std::array lengths{Unit{QLatin1String(""), 1.0}, Unit{QLatin1String("mm"), 1.0},
-                                  Unit{QLatin1String("cm"), 10.0}, Unit{QLatin1String("m"), 1000.0},
-                                  Unit{QLatin1String("in"), 25.4}};
-  static const std::array angles{Unit{QLatin1String(""), 1.0}, Unit{QLatin1String("°"), 1.0},
-                                 Unit{QLatin1String("deg"), 1.0},
-                                 Unit{QLatin1String("rad"), geometric::degrees(1.0)}};
+  static const std::array kLengths{
+      Unit{QLatin1String(""), 1.0}, Unit{QLatin1String("mm"), 1.0}, Unit{QLatin1String("cm"), 10.0},
+      Unit{QLatin1String("m"), 1000.0}, Unit{QLatin1String("in"), 25.4}};
+  static const std::array kAngles{Unit{QLatin1String(""), 1.0}, Unit{QLatin1String("°"), 1.0},
+                                  Unit{QLatin1String("deg"), 1.0},
+                                  Unit{QLatin1String("rad"), geometric::degrees(1.0)}};
   const auto find = [&](const auto& units) -> std::optional<double> {
     for (const Unit& unit : units) {
       if (name == QString::fromUtf8(unit.name.data(), unit.name.size())) {
@@ -34,14 +34,14 @@ std::optional<double> shown_per_unit(QuantityField::Kind kind, const QString& na
     }
     return std::nullopt;
   };
-  return kind == QuantityField::Kind::kLength ? find(lengths) : find(angles);
+  return kind == QuantityField::Kind::kLength ? find(kLengths) : find(kAngles);
 }
 
 // In millimetres or degrees.
 std::optional<double> parse_number(QuantityField::Kind kind, const QString& text) {
-  static const QRegularExpression pattern(
+  static const QRegularExpression kPattern(
       QStringLiteral("^\\s*([-+]?(?:\\d+[.,]?\\d*|[.,]\\d+)(?:[eE][-+]?\\d+)?)\\s*([a-z°]*)\\s*$"));
-  const QRegularExpressionMatch match = pattern.match(text);
+  const QRegularExpressionMatch match = kPattern.match(text);
   if (!match.hasMatch()) {
     return std::nullopt;
   }
