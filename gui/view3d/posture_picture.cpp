@@ -93,7 +93,8 @@ QImage PosturePictures::picture(const geometric::Configuration& q, const QSize& 
   action_->invalidateState();
   action_->setViewportRegion(
       SbViewportRegion(static_cast<short>(buffer.width()), static_cast<short>(buffer.height())));
-  graph_->render(*action_, camera_, static_cast<double>(size.width()) / size.height());
+  graph_->aim(camera_, static_cast<double>(size.width()) / size.height());
+  graph_->render(*action_);
   glFinish();
   buffer.release();
   return buffer.toImage()

@@ -308,7 +308,7 @@ std::vector<Eigen::Vector3d> SceneGraph::points_of_interest() const {
 
 double SceneGraph::task_azimuth() const { return scene_ ? gui::task_azimuth(*scene_) : 0.0; }
 
-void SceneGraph::render(SoGLRenderAction& action, const OrbitCamera& camera, double aspect) {
+void SceneGraph::aim(const OrbitCamera& camera, double aspect) {
   SoPerspectiveCamera& eye = *passes_->camera.get();
   const Eigen::Matrix3f R = camera.orientation().cast<float>();
   SbMatrix turn = SbMatrix::identity();
@@ -326,7 +326,9 @@ void SceneGraph::render(SoGLRenderAction& action, const OrbitCamera& camera, dou
   eye.nearDistance = static_cast<float>(std::max(0.01, 0.05 * distance));
   eye.farDistance = static_cast<float>(distance + 12.0);
   eye.focalDistance = static_cast<float>(distance);
+}
 
+void SceneGraph::render(SoGLRenderAction& action) {
   action.setTransparencyType(SoGLRenderAction::SORTED_OBJECT_BLEND);
   action.apply(passes_->solids.get());
   action.setTransparencyType(SoGLRenderAction::BLEND);

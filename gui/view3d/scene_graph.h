@@ -56,8 +56,10 @@ class SceneGraph {
   /// Azimuth of the task as seen from the first robot's base, rad.
   [[nodiscard]] double task_azimuth() const;
 
+  /// Sets the camera that everything is drawn with and picked with from now on.
+  void aim(const OrbitCamera& camera, double aspect);
   /// Draws everything but the backdrop into the current viewport.
-  void render(SoGLRenderAction& action, const OrbitCamera& camera, double aspect);
+  void render(SoGLRenderAction& action);
   /// Draws the line around the selection and, if asked, the gizmo, in front of everything.
   void render_marks(SoGLRenderAction& action, bool with_gizmo, float pixel_ratio);
   /// Draws the axes cross, turned like the camera.

@@ -195,6 +195,7 @@ double SceneView::aspect() const {
 std::optional<SceneHit> SceneView::pick_at(const QPoint& position) {
   const double dpr = devicePixelRatioF();
   const QSize pixels = pixel_size();
+  graph_->aim(camera_, aspect());  // the last picture may be older
   return graph_->pick(
       SbVec2s(static_cast<short>(pixels.width()), static_cast<short>(pixels.height())),
       SbVec2s(static_cast<short>(position.x() * dpr),
@@ -224,7 +225,8 @@ void SceneView::paintGL() {
   action_->setViewportRegion(
       SbViewportRegion(static_cast<short>(pixels.width()), static_cast<short>(pixels.height())));
   update_gizmo();
-  graph_->render(*action_, camera_, aspect());
+  graph_->aim(camera_, aspect());
+  graph_->render(*action_);
   graph_->render_marks(*action_, gizmo_.is_shown(), static_cast<float>(devicePixelRatioF()));
   render_axes_cross();
   glPopAttrib();

@@ -50,6 +50,16 @@ TEST_F(EditingAScene, SelectsByAClickInTheView) {
   EXPECT_FALSE(tree.currentItem());
 }
 
+TEST_F(EditingAScene, SelectsFromWhereTheViewIsNotFromWhereItWasDrawn) {
+  QWidget& view = window().view();
+  const QPoint corner(4, 4);
+  QTest::mousePress(&view, Qt::LeftButton, {}, corner);
+  move_pressed_mouse(view, corner + QPoint(60, 20));
+  QTest::mouseRelease(&view, Qt::LeftButton, {}, corner + QPoint(60, 20));
+  QTest::mouseClick(&view, Qt::LeftButton, {}, seen({0.41, 0.38, 0.15}));
+  EXPECT_EQ(editor().selection(), (SceneItem{Kind::kObject, "", "post"}));
+}
+
 TEST_F(EditingAScene, TakesTypedValuesWithUnits) {
   select("post");
   type("position_x", "0.5 m");
