@@ -5,7 +5,6 @@
 #include <QSettings>
 #include <QTabBar>
 #include <QTabWidget>
-#include <QUndoView>
 #include <QVBoxLayout>
 
 namespace handway::gui {
@@ -15,53 +14,54 @@ constexpr int kVersion = 1;  // raised when docks come or go
 
 QString key() { return QStringLiteral("window/layout"); }
 
-QDockWidget* make_dock(QMainWindow& window, const QString& name, const QString& title,
-                       QWidget* content, Qt::DockWidgetArea area) {
-  auto* dock = new QDockWidget(title, &window);
-  dock->setObjectName(name);
+QDockWidget* make_dock(QMainWindow& window, const DockContent& content, Qt::DockWidgetArea area) {
+  auto* dock = new QDockWidget(content.title, &window);
+  dock->setObjectName(QLatin1String(content.name));
   dock->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable);
-  dock->setWidget(content);
+  dock->setWidget(content.widget);
   window.addDockWidget(area, dock);
   return dock;
+}
+
+QTabWidget* make_tabs(const std::vector<DockContent>& contents) {
+  auto* tabs = new QTabWidget;
+  tabs->setObjectName(QStringLiteral("control_tabs"));
+  tabs->setDocumentMode(true);
+  tabs->tabBar()->setDrawBase(false);
+  tabs->tabBar()->setExpanding(true);
+  for (const DockContent& content : contents) {
+    content.widget->setObjectName(QLatin1String(content.name));
+    tabs->addTab(content.widget, content.title);
+  }
+  return tabs;
 }
 
 }  // namespace
 
 void build_docks(QMainWindow& window, const DockContents& contents, QMenu& view_menu,
                  QMenu& edit_menu) {
-  auto* tabs = new QTabWidget;
-  tabs->setObjectName(QStringLiteral("control_tabs"));
-  tabs->setDocumentMode(true);
-  tabs->tabBar()->setDrawBase(false);
-  tabs->tabBar()->setExpanding(true);
-  contents.plan->setObjectName(QStringLiteral("plan"));
-  contents.joints->setObjectName(QStringLiteral("joints"));
-  contents.hand->setObjectName(QStringLiteral("hand"));
-  contents.glove->setObjectName(QStringLiteral("glove"));
-  contents.history->setEmptyLabel(QObject::tr("As opened"));
-  tabs->addTab(contents.plan, QObject::tr("Plan"));
-  tabs->addTab(contents.joints, QObject::tr("Joints"));
-  tabs->addTab(contents.hand, QObject::tr("Hand"));
-  tabs->addTab(contents.glove, QObject::tr("Glove"));
-  const auto left = [&](const char* name, const QString& title, QWidget* content) {
-    return make_dock(window, QLatin1String(name), title, content, Qt::LeftDockWidgetArea);
-  };
-  QDockWidget* scene = left("scene", QObject::tr("Scene"), contents.scene);
-  QDockWidget* properties = left("properties", QObject::tr("Properties"), contents.properties);
-  QDockWidget* log = left("messages", QObject::tr("Messages"), contents.messages);
-  QDockWidget* history = left("history", QObject::tr("History"), contents.history);
-  window.tabifyDockWidget(log, history);
+  constexpr int kLeftWidth = 270;
+  constexpr int kRightWidth = 340;
+  QList<QDockWidget*> left;
+  QList<int> heights;
+  for (const DockContent& content : contents.left) {
+    left.append(make_dock(window, content, Qt::LeftDockWidgetArea));
+    heights.append(content.height);
+  }
+  QDockWidget* history = make_dock(window, contents.history, Qt::LeftDockWidgetArea);
+  window.tabifyDockWidget(left.back(), history);
   history->hide();
-  QDockWidget* right = make_dock(window, QStringLiteral("control"), QObject::tr("Control"), tabs,
-                                 Qt::RightDockWidgetArea);
+  QDockWidget* right =
+      make_dock(window, {"control", QObject::tr("Control"), make_tabs(contents.control)},
+                Qt::RightDockWidgetArea);
   right->setTitleBarWidget(new QWidget);
-  window.resizeDocks({scene, right}, {270, 340}, Qt::Horizontal);
-  window.resizeDocks({scene, properties, log}, {290, 350, 110}, Qt::Vertical);
+  window.resizeDocks({left.front(), right}, {kLeftWidth, kRightWidth}, Qt::Horizontal);
+  window.resizeDocks(left, heights, Qt::Vertical);
   history->toggleViewAction()->setText(QObject::tr("Undo &history"));
   QObject::connect(history->toggleViewAction(), &QAction::triggered, history, &QWidget::raise);
   edit_menu.addSeparator();
   edit_menu.addAction(history->toggleViewAction());
-  for (QDockWidget* dock : {scene, properties, log, right}) {
+  for (QDockWidget* dock : left + QList<QDockWidget*>{right}) {
     view_menu.addAction(dock->toggleViewAction());
   }
 }

@@ -1,27 +1,31 @@
 #pragma once
 
 #include <QMainWindow>
+#include <QString>
 
 #include <initializer_list>
+#include <vector>
 
 class QMenu;
-class QUndoView;
 
 namespace handway::gui {
 
-/// What goes into the docks around the view.
-struct DockContents {
-  QWidget* scene;
-  QWidget* properties;
-  QWidget* messages;
-  QUndoView* history;
-  QWidget* plan;
-  QWidget* joints;
-  QWidget* hand;
-  QWidget* glove;
+/// Something in a dock or behind a tab.
+struct DockContent {
+  const char* name;  ///< Its object name, by which its place is kept between runs.
+  QString title;
+  QWidget* widget;
+  int height = 0;  ///< At first, px; for those above each other.
 };
 
-/// Docks at their usual places; the history is hidden at first.
+/// What goes into the docks around the view.
+struct DockContents {
+  std::vector<DockContent> left;     ///< Above each other.
+  DockContent history;               ///< Behind the last on the left, hidden at first.
+  std::vector<DockContent> control;  ///< Tabs on the right.
+};
+
+/// Docks at their usual places.
 /// @param view_menu, edit_menu get actions that show and hide them.
 void build_docks(QMainWindow& window, const DockContents& contents, QMenu& view_menu,
                  QMenu& edit_menu);

@@ -1,8 +1,10 @@
 #include "app/main_window.h"
 
+#include "app/collision_display.h"
 #include "app/dock_layout.h"
 #include "app/file_commands.h"
 #include "app/plan_options.h"
+#include "app/posing.h"
 #include "app/recent_files.h"
 #include "editing/recovery.h"
 #include "editing/scene_editing.h"
@@ -46,17 +48,14 @@ MainWindow::MainWindow(std::shared_ptr<planning::Extensions> extensions, QWidget
       tree_(new SceneTree),
       log_(new LogPanel),
       plan_panel_(new PlanPanel(extensions_->planners())),
-      posture_bar_(new PostureBar),
-      joint_panel_(new JointPanel),
-      pmd_panel_(new PmdPanel),
-      glove_panel_(new GlovePanel),
+      posing_(std::make_unique<Posing>(document_, player_)),
+      collisions_(std::make_unique<CollisionDisplay>(document_, *view_)),
       playback_(new PlaybackBar(player_)),
       start_page_(new StartPage),
       palette_(new CommandPalette(*this)),
-      collision_label_(new CollisionLabel),
       actions_(std::make_unique<WindowActions>(*this)),
-      editing_(
-          std::make_unique<SceneEditing>(*this, *actions_, document_, *view_, *tree_, collisions_)),
+      editing_(std::make_unique<SceneEditing>(*this, *actions_, document_, *view_, *tree_,
+                                              collisions_->monitor())),
       files_(std::make_unique<FileCommands>(*this, document_, *plan_panel_,
                                             editing_->editor().undo_stack())),
       recovery_(std::make_unique<Recovery>(document_, editing_->editor(), *plan_panel_, *banner_)) {
@@ -81,23 +80,30 @@ MainWindow::MainWindow(std::shared_ptr<planning::Extensions> extensions, QWidget
 
 MainWindow::~MainWindow() = default;
 
+CollisionMonitor& MainWindow::collisions() { return collisions_->monitor(); }
+
+GlovePanel& MainWindow::glove_panel() { return *posing_->glove(); }
+
 void MainWindow::build_docks() {
   playback_->setProperty("role", "playback");
   middle_->addWidget(start_page_);
   middle_->addWidget(stacked({view_, playback_}, 0));
   setCentralWidget(middle_);
-  gui::build_docks(*this,
-                   {.scene = tree_,
-                    .properties = editing_->properties(),
-                    .messages = log_,
-                    .history = new QUndoView(&editing_->editor().undo_stack()),
-                    .plan = plan_panel_,
-                    .joints = stacked({posture_bar_, joint_panel_}, 1),
-                    .hand = pmd_panel_,
-                    .glove = glove_panel_},
-                   *actions_->view_menu(), *actions_->edit_menu());
+  auto* history = new QUndoView(&editing_->editor().undo_stack());
+  history->setEmptyLabel(tr("As opened"));
+  gui::build_docks(
+      *this,
+      {.left = {{"scene", tr("Scene"), tree_, 290},
+                {"properties", tr("Properties"), editing_->properties(), 350},
+                {"messages", tr("Messages"), log_, 110}},
+       .history = {"history", tr("History"), history},
+       .control = {{"plan", tr("Plan"), plan_panel_},
+                   {"joints", tr("Joints"), stacked({posing_->postures(), posing_->joints()}, 1)},
+                   {"hand", tr("Hand"), posing_->hand()},
+                   {"glove", tr("Glove"), posing_->glove()}}},
+      *actions_->view_menu(), *actions_->edit_menu());
   actions_->view_menu()->addAction(actions_->default_layout);
-  statusBar()->addWidget(collision_label_, 1);
+  statusBar()->addWidget(collisions_->label(), 1);
   default_layout_ = saveState();
   restore_layout(*this);
 }
@@ -155,13 +161,7 @@ void MainWindow::connect_document() {
     statusBar()->showMessage(tr("Opening %1…").arg(QFileInfo(file).fileName()));
   });
   connect(&document_, &Document::opened, this, &MainWindow::show_scene);
-  connect(&document_, &Document::edited, this, [this](const SceneState& before) {
-    if (before.scene != document_.scene()) {
-      collisions_.set_problem(document_.problem());
-      posture_bar_->set_scene(document_.scene());
-      update_ready();
-    }
-  });
+  connect(&document_, &Document::edited, this, &MainWindow::update_ready);
   connect(&editing_->editor().undo_stack(), &QUndoStack::cleanChanged, this,
           [this](bool clean) { setWindowModified(!clean); });
   connect(editing_.get(), &SceneEditing::failed, this, &MainWindow::show_error);
@@ -173,26 +173,9 @@ void MainWindow::connect_document() {
     show_error(tr("The scene can't be opened"), message);
     emit failed(message);
   });
-  connect(&document_, &Document::configuration_changed, this, [this](const Eigen::VectorXd& q) {
-    view_->set_configuration(q);
-    joint_panel_->set_configuration(q);
-    pmd_panel_->set_configuration(q);
-    glove_panel_->set_configuration(q);
-    collisions_.check(q);
-  });
-  connect(&collisions_, &CollisionMonitor::checked, this, [this](const CollisionReport& report) {
-    std::vector<std::string> bodies;
-    for (const geometric::NamedPair& pair : report.collisions) {
-      bodies.push_back(pair.a);
-      bodies.push_back(pair.b);
-    }
-    view_->set_collisions(std::move(bodies));
-    collision_label_->show_report(report);
-  });
-  connect(&collisions_, &CollisionMonitor::failed, this, [this](const QString& message) {
-    collision_label_->show_nothing();
-    log_->add(LogPanel::Level::kError, tr("Collisions are not checked: %1").arg(message));
-  });
+  connect(&document_, &Document::configuration_changed, view_, &SceneView::set_configuration);
+  connect(collisions_.get(), &CollisionDisplay::failed, this,
+          [this](const QString& message) { log_->add(LogPanel::Level::kError, message); });
 }
 
 void MainWindow::connect_view() {
@@ -200,30 +183,9 @@ void MainWindow::connect_view() {
   connect(tree_, &SceneTree::posture_activated, this, [this](const SceneItem& item) {
     const auto& q =
         item.kind == SceneItem::Kind::kStart ? document_.scene()->start : document_.scene()->goal;
-    player_.pause();
-    document_.set_configuration(*q);
+    posing_->set(*q);
   });
-  const auto edit = [this](const Eigen::VectorXd& q) {
-    player_.pause();
-    document_.set_configuration(q);
-  };
-  connect(joint_panel_, &JointPanel::configuration_edited, this, edit);
-  connect(pmd_panel_, &PmdPanel::configuration_edited, this, edit);
-  connect(glove_panel_, &GlovePanel::posture_changed, this,
-          [this](const geometric::NamedPosture& posture) {
-            player_.pause();
-            document_.apply_posture(posture);
-          });
-  connect(view_, &SceneView::frameSwapped, glove_panel_, &GlovePanel::note_drawn);
-  connect(posture_bar_, &PostureBar::start_requested, this,
-          [this, edit] { edit(*document_.scene()->start); });
-  connect(posture_bar_, &PostureBar::goal_requested, this,
-          [this, edit] { edit(*document_.scene()->goal); });
-  connect(posture_bar_, &PostureBar::posture_requested, this,
-          [this](const geometric::NamedPosture& posture) {
-            player_.pause();
-            document_.apply_posture(posture);
-          });
+  connect(view_, &SceneView::frameSwapped, posing_->glove(), &GlovePanel::note_drawn);
 }
 
 void MainWindow::connect_planning() {
@@ -281,21 +243,14 @@ void MainWindow::create(const std::string& robot) {
 void MainWindow::show_scene() {
   statusBar()->clearMessage();
   const auto& scene = document_.scene();
-  collisions_.set_problem(document_.problem());
-  collision_label_->show_nothing();
+  collisions_->show_scene();
   view_->set_scene(scene);
   tree_->set_scene(scene);
-  posture_bar_->set_scene(scene);
-  const geometric::RobotInstance* robot = document_.robot();
-  joint_panel_->set_robot(robot ? robot->model : nullptr, document_.groups());
-  glove_panel_->set_hand(robot ? robot->model : nullptr, document_.loaded().basis,
-                         document_.problem());
-  pmd_panel_->set_hand(robot ? robot->model : nullptr, document_.loaded().basis,
-                       document_.groups().hand);
+  posing_->show_robot();
   update_ready();
   middle_->setCurrentIndex(scene ? 1 : 0);
-  actions_->set_start->setEnabled(robot);
-  actions_->set_goal->setEnabled(robot);
+  actions_->set_start->setEnabled(document_.robot() != nullptr);
+  actions_->set_goal->setEnabled(document_.robot() != nullptr);
   actions_->save->setEnabled(scene != nullptr);
   actions_->save_as->setEnabled(scene != nullptr);
   if (!scene) {
@@ -337,8 +292,8 @@ void MainWindow::update_title() { setWindowTitle(tr("%1[*] – Handway").arg(fil
 
 void MainWindow::apply_glove_options() {
   if (!options_.glove.empty() || !options_.glove_page.empty()) {
-    glove_panel_->come_to_front(QString::fromStdString(options_.glove_page));
-    glove_panel_->connect_to(QString::fromStdString(options_.glove));
+    posing_->glove()->come_to_front(QString::fromStdString(options_.glove_page));
+    posing_->glove()->connect_to(QString::fromStdString(options_.glove));
   }
 }
 
@@ -379,7 +334,7 @@ void MainWindow::toggle_theme(bool dark) {
   tree_->refresh_icons();
   editing_->refresh_icons();
   start_page_->refresh();
-  glove_panel_->refresh_icons();
+  posing_->glove()->refresh_icons();
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

@@ -5,7 +5,6 @@
 #include "app/planning_session.h"
 #include "app/window_actions.h"
 #include "panels/log_panel.h"
-#include "workers/collision_monitor.h"
 #include "workers/path_player.h"
 
 #include <QMainWindow>
@@ -17,14 +16,13 @@ class QStackedWidget;
 namespace handway::gui {
 
 class Banner;
-class CollisionLabel;
+class CollisionDisplay;
+class CollisionMonitor;
 class CommandPalette;
 class FileCommands;
 class GlovePanel;
-class JointPanel;
 class PlaybackBar;
-class PmdPanel;
-class PostureBar;
+class Posing;
 class Recovery;
 class SceneEditing;
 class SceneTree;
@@ -52,8 +50,8 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] PathPlayer& player() { return player_; }
   [[nodiscard]] SceneView& view() { return *view_; }
   [[nodiscard]] PlanPanel& plan_panel() { return *plan_panel_; }
-  [[nodiscard]] GlovePanel& glove_panel() { return *glove_panel_; }
-  [[nodiscard]] CollisionMonitor& collisions() { return collisions_; }
+  [[nodiscard]] GlovePanel& glove_panel();
+  [[nodiscard]] CollisionMonitor& collisions();
   /// The message in the window; empty if there is none.
   [[nodiscard]] QString message() const;
 
@@ -87,7 +85,6 @@ class MainWindow : public QMainWindow {
   std::shared_ptr<planning::Extensions> extensions_;
   Options options_;
   Document document_;
-  CollisionMonitor collisions_;
   PathPlayer player_;
   SceneView* view_;
   QStackedWidget* middle_;
@@ -95,15 +92,12 @@ class MainWindow : public QMainWindow {
   SceneTree* tree_;
   LogPanel* log_;
   PlanPanel* plan_panel_;
-  PostureBar* posture_bar_;
-  JointPanel* joint_panel_;
-  PmdPanel* pmd_panel_;
-  GlovePanel* glove_panel_;
+  std::unique_ptr<Posing> posing_;
+  std::unique_ptr<CollisionDisplay> collisions_;
   PlaybackBar* playback_;
   StartPage* start_page_;
   CommandPalette* palette_;
   QByteArray default_layout_;
-  CollisionLabel* collision_label_;
   std::unique_ptr<WindowActions> actions_;
   std::unique_ptr<SceneEditing> editing_;
   std::unique_ptr<FileCommands> files_;

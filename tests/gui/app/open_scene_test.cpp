@@ -1,5 +1,6 @@
 #include "panels/scene_tree.h"
 #include "window_test.h"
+#include "workers/collision_monitor.h"
 
 #include <QPushButton>
 
