@@ -1,11 +1,11 @@
 #include "emulated_device.h"
 
 #include "exit_codes.h"
+#include "handway/execution/motion/motion_target.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/planning/core/plugin.h"
 #include "interrupt.h"
 #include "number_options.h"
-#include "send_targets.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -67,12 +67,12 @@ EmulatedPosture scene_posture(const std::filesystem::path& scene, const std::str
   extensions.load_plugins(planning::plugin_directory());
   const planning::LoadedScene loaded = planning::load_scene(scene, extensions);
   const planning::PlanningProblem problem = planning::make_problem(loaded.scene, loaded.basis);
-  const std::vector<int> variables = device_variables(problem, kind);
+  const std::vector<int> variables = execution::device_variables(problem, kind);
   if (variables.empty()) {
     throw geometric::InputError({scene.string(), "", "a robot without joints of its " + kind,
                                  "a robot with a group \"" + kind + "\"", ""});
   }
-  EmulatedPosture posture{device_joints(problem.model(), variables),
+  EmulatedPosture posture{execution::device_joints(problem.model(), variables),
                           Eigen::VectorXd(static_cast<Eigen::Index>(variables.size()))};
   for (std::size_t j = 0; j < variables.size(); ++j) {
     posture.position[static_cast<Eigen::Index>(j)] = problem.start[variables[j]];

@@ -1,12 +1,11 @@
 #include "send_command.h"
 
 #include "exit_codes.h"
-#include "handway/geometric/io/input_error.h"
+#include "handway/execution/motion/motion_log.h"
+#include "handway/execution/motion/motion_parts.h"
+#include "handway/execution/motion/motion_run.h"
 #include "interrupt.h"
-#include "motion_log.h"
 #include "number_options.h"
-#include "send_run.h"
-#include "send_targets.h"
 #include "timing_options.h"
 
 #include <CLI/CLI.hpp>
@@ -21,12 +20,13 @@
 namespace handway::tools {
 namespace {
 
+using execution::MotionTarget;
+
 // A tenth of the pace, unless somebody asks for more; 20 ms is what an arm's queue of ten
 // points can live on.
 constexpr double kCautiousSpeed = 0.1;
 constexpr double kPeriodMs = 20.0;
-// What a joint may turn and still count as standing, rad.
-constexpr double kStands = 1e-6;
+constexpr double kProgressPeriod = 0.5;  // s
 
 struct SendChoice {
   TimingChoice timing;
@@ -36,57 +36,38 @@ struct SendChoice {
   bool yes = false;
 };
 
-// The path's start, with what the devices measure in it.
-planning::Configuration measured_start(const TimingInput& input,
-                                       const std::vector<SendTarget>& targets) {
-  planning::Configuration start = input.path.waypoints.front();
-  for (const SendTarget& target : targets) {
-    const Eigen::VectorXd& position = target.link->measured().position;
-    for (std::size_t j = 0; j < target.variables.size(); ++j) {
-      start[target.variables[j]] = position[static_cast<Eigen::Index>(j)];
-    }
-  }
-  return start;
-}
+// Writes the log, and prints where the motion is now and then.
+class SendObserver final : public execution::MotionObserver {
+ public:
+  SendObserver(const std::vector<MotionTarget>& targets, execution::MotionLog& log)
+      : targets_(targets), log_(log) {}
 
-// Joints without a device have to stand, as nobody would move them.
-void check_that_the_rest_stands(const TimingInput& input, const std::vector<SendTarget>& targets,
-                                const std::string& to) {
-  const planning::Configuration& first = input.path.waypoints.front();
-  std::vector<bool> driven(static_cast<std::size_t>(first.size()));
-  for (const SendTarget& target : targets) {
-    for (const int v : target.variables) {
-      driven[static_cast<std::size_t>(v)] = true;
-    }
+  void on_sample(const execution::MotionSample& sample) override {
+    log_.add(sample.time, sample.target, sample.planned, sample.measured);
   }
-  for (const planning::Configuration& waypoint : input.path.waypoints) {
-    for (Eigen::Index v = 0; v < first.size(); ++v) {
-      if (!driven[static_cast<std::size_t>(v)] && std::abs(waypoint[v] - first[v]) > kStands) {
-        throw geometric::InputError(
-            {"--to", "", to, "devices for all joints that the path moves",
-             fmt::format("Joint \"{}\" moves, and no device is there for it.",
-                         input.problem.model().variable(static_cast<int>(v)).name)});
-      }
+  void on_progress(double time, const std::vector<execution::FollowingError>& errors) override {
+    if (time < next_) {
+      return;
     }
+    next_ += kProgressPeriod;
+    std::string line =
+        fmt::format("{:.1f} of {:.1f} s", time, targets_.front().link->trajectory().duration());
+    for (std::size_t i = 0; i < targets_.size(); ++i) {
+      line +=
+          fmt::format(", {} up to {:.4f} rad off", targets_[i].kind, errors[i].max().maxCoeff());
+    }
+    fmt::print("{}\n", line);
+    std::fflush(stdout);
   }
-}
 
-device::JointTrajectory part_of(const planning::Trajectory& trajectory,
-                                const std::vector<int>& variables) {
-  device::JointTrajectory part;
-  part.positions.resize(static_cast<Eigen::Index>(trajectory.points.size()),
-                        static_cast<Eigen::Index>(variables.size()));
-  for (const planning::TrajectoryPoint& point : trajectory.points) {
-    const auto row = static_cast<Eigen::Index>(part.times.size());
-    part.times.push_back(point.time - trajectory.points.front().time);
-    for (std::size_t j = 0; j < variables.size(); ++j) {
-      part.positions(row, static_cast<Eigen::Index>(j)) = point.position[variables[j]];
-    }
-  }
-  return part;
-}
+ private:
+  const std::vector<MotionTarget>& targets_;
+  execution::MotionLog& log_;
+  double next_ = kProgressPeriod;
+};
 
-void print_errors(const std::vector<SendTarget>& targets, const SendOutcome& outcome) {
+void print_errors(const std::vector<MotionTarget>& targets,
+                  const execution::MotionOutcome& outcome) {
   fmt::print("following error, rad:\n{:<24}{:>10}{:>10}\n", "", "max", "RMS");
   for (std::size_t i = 0; i < targets.size(); ++i) {
     const Eigen::VectorXd rms = outcome.errors[i].rms();
@@ -98,8 +79,8 @@ void print_errors(const std::vector<SendTarget>& targets, const SendOutcome& out
   }
 }
 
-int report(const std::vector<SendTarget>& targets, const SendOutcome& outcome, const MotionLog& log,
-           double duration) {
+int report(const std::vector<MotionTarget>& targets, const execution::MotionOutcome& outcome,
+           const execution::MotionLog& log, double duration) {
   print_errors(targets, outcome);
   if (!log.good()) {
     fmt::print(stderr, "The log could not be written to its end.\n");
@@ -127,21 +108,22 @@ int send(const SendChoice& choice) {
   planning::Extensions extensions;
   extensions.load_plugins(planning::plugin_directory());
   const TimingInput input = read_timing_input(choice.timing, extensions);
-  std::vector<SendTarget> targets = parse_targets(choice.to, input.problem);
-  check_that_the_rest_stands(input, targets, choice.to);
+  std::vector<MotionTarget> targets = execution::parse_targets(choice.to, input.problem);
+  execution::check_that_the_rest_stands(input.problem.model(), input.path, targets);
   std::stop_source stop;
   const StopsOnInterrupt guard(stop);
-  for (const SendTarget& target : targets) {
+  for (const MotionTarget& target : targets) {
     target.link->connect(stop.get_token());
   }
-  const planning::TimedPath timed =
-      run_timing(choice.timing, input, measured_start(input, targets), choice.tolerances.start);
+  const planning::TimedPath timed = run_timing(
+      choice.timing, input, execution::with_measured(input.path.waypoints.front(), targets),
+      choice.tolerances.start);
   print_timing(timed);
   if (!timed.cleared()) {
     return kNoPath;
   }
   const double duration = timed.motion.trajectory.duration();
-  for (const SendTarget& target : targets) {
+  for (const MotionTarget& target : targets) {
     fmt::print("{}: {} joints, {} points, {:.2f} s at {:g} % speed\n", target.link->name(),
                target.variables.size(), timed.motion.trajectory.points.size(), duration,
                100.0 * choice.timing.speed);
@@ -151,17 +133,19 @@ int send(const SendChoice& choice) {
     return kWrongUsage;
   }
   std::fflush(stdout);
-  MotionLog log(choice.log, targets);
-  for (const SendTarget& target : targets) {
+  execution::MotionLog log(choice.log, targets);
+  for (const MotionTarget& target : targets) {
     // Timing took a while, in which nobody listened to it.
     target.link->update();
-    target.link->upload(part_of(timed.motion.trajectory, target.variables));
+    target.link->upload(execution::part_of(timed.motion.trajectory, target.variables));
   }
   if (stop.stop_requested()) {
     fmt::print(stderr, "Nothing moved: stopped before the start.\n");
     return kMotionStopped;
   }
-  const SendOutcome outcome = run_motion(targets, choice.tolerances, log, stop.get_token());
+  SendObserver observer(targets, log);
+  const execution::MotionOutcome outcome =
+      run_motion(targets, choice.tolerances, {.stop = stop.get_token()}, observer);
   return report(targets, outcome, log, duration);
 }
 

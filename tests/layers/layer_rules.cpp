@@ -20,6 +20,7 @@ const std::map<std::string, std::set<std::string>, std::less<>> kBelow = {
     {"sampling", {"geometric"}},
     {"planning", {"geometric", "sampling"}},
     {"device", {"geometric"}},
+    {"execution", {"geometric", "sampling", "planning", "device"}},
 };
 
 /// The part of the project that a file belongs to: "libs/geometric", "plugins/NAME", "gui",

@@ -54,7 +54,7 @@ struct Val3Arm::Wire {
   Clock::time_point asked_at;
   std::optional<Clock::time_point> refused_since;  ///< The next point, first.
   Clock::time_point try_again;                     ///< After a full queue.
-  bool paused = false;
+  std::size_t released = 0;  ///< Points that may be sent: fewer while it holds.
 
   void send(const SimpleMessage& message) const { motion->write(encode(message)); }
 };
@@ -107,19 +107,24 @@ void Val3Arm::do_start() {
                 "Look at its pendant.");
   wire_->running = true;
   wire_->asked = false;
-  wire_->paused = false;
+  wire_->released = wire_->points.size();
   wire_->refused_since.reset();
 }
 
-// The arm runs on through the points that it was sent, and stands at the last.
+// The arm runs on through the points that it was sent and on to the first that ends late
+// enough, and stands there.
 double Val3Arm::do_pause(double time) {
-  wire_->paused = true;
-  const std::size_t sent = wire_->accepted + (wire_->asked ? 1 : 0);
-  return sent == 0 ? time : std::max(time, wire_->points[sent - 1].end);
+  const auto& points = wire_->points;
+  std::size_t last = wire_->accepted + (wire_->asked ? 1 : 0);
+  while (last < points.size() && (last == 0 || points[last - 1].end < time)) {
+    ++last;
+  }
+  wire_->released = last;
+  return last == 0 ? time : std::max(time, points[last - 1].end);
 }
 
 void Val3Arm::do_resume() {
-  wire_->paused = false;
+  wire_->released = wire_->points.size();
   wire_->refused_since.reset();
 }
 
@@ -145,8 +150,8 @@ void Val3Arm::do_update(double time) {
            fmt::format("one within {} ms", kLongestReply.count()),
            "Look at the network and at the controller.");
   }
-  if (!wire_->asked && !wire_->paused && now >= wire_->try_again &&
-      wire_->accepted < wire_->points.size() && time >= wire_->points[wire_->accepted].due) {
+  if (!wire_->asked && now >= wire_->try_again && wire_->accepted < wire_->released &&
+      time >= wire_->points[wire_->accepted].due) {
     wire_->send(wire_->points[wire_->accepted].message);
     wire_->asked = true;
     wire_->asked_at = now;

@@ -82,7 +82,7 @@ void NetworkHand::do_start() {
 }
 
 double NetworkHand::do_pause(double time) {
-  const double hold = time + kPauseNotice;
+  const double hold = std::max(time, motion_time(Clock::now()) + kPauseNotice);
   wire_->send(fmt::format("pause {}\n", hold));
   return hold;
 }

@@ -1,30 +1,29 @@
-#include "send_run.h"
+#include "handway/execution/motion/motion_run.h"
 
 #include "handway/device/core/device_error.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <cstdio>
 
-namespace handway::tools {
+namespace handway::execution {
 namespace {
 
 using device::MotionPhase;
 using Clock = device::MotionLink::Clock;
 
-constexpr double kProgressPeriod = 0.5;  // s
 // How long devices may take to come to rest, s, and what is rest: positions from one time to the
 // next, rad.
 constexpr double kLongestRest = 1.5;
 constexpr double kAtRest = 2e-4;
+// From the wish to hold to the hold, s of the motion.
+constexpr double kHoldNotice = 0.1;
 
 double seconds(Clock::duration duration) { return std::chrono::duration<double>(duration).count(); }
 
 class Run {
  public:
-  Run(std::vector<SendTarget>& targets, MotionLog& log) : targets_(targets), log_(log) {
-    for (const SendTarget& target : targets_) {
+  Run(std::vector<MotionTarget>& targets, MotionObserver& observer)
+      : targets_(targets), observer_(observer) {
+    for (const MotionTarget& target : targets_) {
       const Eigen::Index joints = target.link->joints().count();
       outcome_.errors.emplace_back(joints);
       seen_.push_back(target.link->measured().samples);
@@ -33,17 +32,19 @@ class Run {
     }
   }
 
-  SendOutcome run(const device::MotionTolerances& tolerances, const std::stop_token& stop) {
+  MotionOutcome run(const device::MotionTolerances& tolerances, const MotionRequests& requests) {
     start(tolerances);
     auto polled = Clock::now();
-    while (!stop.stop_requested() && !ended()) {
+    while (!requests.stop.stop_requested() && !ended()) {
       polled = Clock::now();
+      hold(requests.hold);
       update();
-      show_progress();
+      const device::MotionLink& first = *targets_.front().link;
+      observer_.on_progress(first.motion_time(Clock::now()), outcome_.errors);
     }
-    outcome_.done = outcome_.fault.empty() && !stop.stop_requested();
+    outcome_.done = outcome_.fault.empty() && !requests.stop.stop_requested();
     if (!outcome_.done) {
-      for (const SendTarget& target : targets_) {
+      for (const MotionTarget& target : targets_) {
         target.link->stop();
       }
       // The request came after `polled`.
@@ -68,7 +69,23 @@ class Run {
     }
   }
 
-  // Every device's news, to the log; errors count while it moves.
+  // With notice enough for all of them they hold at the same time of the motion.
+  void hold(bool wanted) {
+    if (wanted == held_) {
+      return;
+    }
+    held_ = wanted;
+    double time = targets_.front().link->motion_time(Clock::now()) + kHoldNotice;
+    for (const MotionTarget& target : targets_) {
+      if (wanted) {
+        time = target.link->pause(time);
+      } else {
+        target.link->resume();
+      }
+    }
+  }
+
+  // Every device's news; errors count while it moves.
   void update() {
     for (std::size_t i = 0; i < targets_.size(); ++i) {
       device::MotionLink& link = *targets_[i].link;
@@ -81,7 +98,7 @@ class Run {
       seen_[i] = measured.samples;
       const double time = link.motion_time(measured.received);
       const Eigen::VectorXd planned = link.trajectory().at(time);
-      log_.add(time, i, planned, measured.position);
+      observer_.on_sample({time, i, planned, measured.position});
       if (running) {
         outcome_.time = std::min(time, link.trajectory().duration());
         outcome_.errors[i].add(measured.position - planned);
@@ -94,7 +111,7 @@ class Run {
 
   bool ended() {
     bool all_done = true;
-    for (const SendTarget& target : targets_) {
+    for (const MotionTarget& target : targets_) {
       if (target.link->phase() == MotionPhase::kFailed) {
         outcome_.fault = target.link->fault();
         return true;
@@ -116,36 +133,21 @@ class Run {
     }
   }
 
-  void show_progress() {
-    const device::MotionLink& link = *targets_.front().link;
-    const double time = link.motion_time(Clock::now());
-    if (time < next_progress_) {
-      return;
-    }
-    next_progress_ += kProgressPeriod;
-    std::string line = fmt::format("{:.1f} of {:.1f} s", time, link.trajectory().duration());
-    for (std::size_t i = 0; i < targets_.size(); ++i) {
-      line += fmt::format(", {} up to {:.4f} rad off", targets_[i].kind,
-                          outcome_.errors[i].max().maxCoeff());
-    }
-    fmt::print("{}\n", line);
-    std::fflush(stdout);
-  }
-
-  std::vector<SendTarget>& targets_;
-  MotionLog& log_;
-  SendOutcome outcome_;
+  std::vector<MotionTarget>& targets_;
+  MotionObserver& observer_;
+  MotionOutcome outcome_;
   std::vector<std::uint64_t> seen_;
   std::vector<Eigen::VectorXd> last_;
   std::vector<int> still_;  ///< How many times in a row a device did not move.
-  double next_progress_ = kProgressPeriod;
+  bool held_ = false;
 };
 
 }  // namespace
 
-SendOutcome run_motion(std::vector<SendTarget>& targets, const device::MotionTolerances& tolerances,
-                       MotionLog& log, const std::stop_token& stop) {
-  return Run(targets, log).run(tolerances, stop);
+MotionOutcome run_motion(std::vector<MotionTarget>& targets,
+                         const device::MotionTolerances& tolerances, const MotionRequests& requests,
+                         MotionObserver& observer) {
+  return Run(targets, observer).run(tolerances, requests);
 }
 
-}  // namespace handway::tools
+}  // namespace handway::execution

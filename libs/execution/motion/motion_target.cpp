@@ -1,4 +1,4 @@
-#include "send_targets.h"
+#include "handway/execution/motion/motion_target.h"
 
 #include "handway/device/arm/val3_arm.h"
 #include "handway/device/core/device_address.h"
@@ -13,7 +13,7 @@
 #include <sstream>
 #include <variant>
 
-namespace handway::tools {
+namespace handway::execution {
 namespace {
 
 constexpr const char* kScheme = "://";
@@ -31,7 +31,7 @@ device::TcpAddress parse_address(const std::string& text, std::uint16_t default_
       has_port ? fmt::format("tcp://{}", text) : fmt::format("tcp://{}:{}", text, default_port)));
 }
 
-SendTarget parse_target(const std::string& text, const planning::PlanningProblem& problem) {
+MotionTarget parse_target(const std::string& text, const planning::PlanningProblem& problem) {
   const std::size_t at = text.find(kScheme);
   const std::string kind = text.substr(0, std::min(at, text.size()));
   if (at == std::string::npos || (kind != "arm" && kind != "hand")) {
@@ -41,7 +41,7 @@ SendTarget parse_target(const std::string& text, const planning::PlanningProblem
   if (where.empty()) {
     refuse(text);
   }
-  SendTarget target{kind, device_variables(problem, kind), nullptr};
+  MotionTarget target{kind, device_variables(problem, kind), nullptr};
   if (target.variables.empty()) {
     throw geometric::InputError(
         {"--to", "", text, "a device that the robot has",
@@ -87,12 +87,12 @@ device::JointRanges device_joints(const geometric::RobotModel& model,
   return joints;
 }
 
-std::vector<SendTarget> parse_targets(const std::string& text,
-                                      const planning::PlanningProblem& problem) {
-  std::vector<SendTarget> targets;
+std::vector<MotionTarget> parse_targets(const std::string& text,
+                                        const planning::PlanningProblem& problem) {
+  std::vector<MotionTarget> targets;
   std::istringstream parts(text);
   for (std::string part; std::getline(parts, part, ',');) {
-    SendTarget target = parse_target(part, problem);
+    MotionTarget target = parse_target(part, problem);
     if (!targets.empty() && targets.front().kind == target.kind) {
       throw geometric::InputError(
           {"--to", "", "two devices for the " + target.kind, "one arm and one hand at most", ""});
@@ -102,7 +102,9 @@ std::vector<SendTarget> parse_targets(const std::string& text,
   if (targets.empty()) {
     refuse(text);
   }
+  // An arm can hold at its points only, and is asked first when all shall hold together.
+  std::ranges::stable_partition(targets, [](const auto& target) { return target.kind == "arm"; });
   return targets;
 }
 
-}  // namespace handway::tools
+}  // namespace handway::execution

@@ -1,4 +1,4 @@
-#include "motion_log.h"
+#include "handway/execution/motion/motion_log.h"
 
 #include "handway/geometric/io/input_error.h"
 
@@ -8,20 +8,10 @@
 #include <cstring>
 #include <string>
 
-namespace handway::tools {
+namespace handway::execution {
 
-void FollowingError::add(const Eigen::VectorXd& error) {
-  max_ = max_.cwiseMax(error.cwiseAbs());
-  squares_ += error.cwiseAbs2();
-  ++samples_;
-}
-
-Eigen::VectorXd FollowingError::rms() const {
-  return (squares_ / std::max(samples_, 1)).cwiseSqrt();
-}
-
-MotionLog::MotionLog(const std::filesystem::path& file, const std::vector<SendTarget>& targets) {
-  for (const SendTarget& target : targets) {
+MotionLog::MotionLog(const std::filesystem::path& file, const std::vector<MotionTarget>& targets) {
+  for (const MotionTarget& target : targets) {
     kinds_.push_back(target.kind);
     joints_.push_back(target.link->joints().count());
   }
@@ -31,7 +21,7 @@ MotionLog::MotionLog(const std::filesystem::path& file, const std::vector<SendTa
   out_.open(file, std::ios::binary | std::ios::trunc);
   std::string header = "time,device";
   for (const char* suffix : {"", ".measured"}) {
-    for (const SendTarget& target : targets) {
+    for (const MotionTarget& target : targets) {
       for (const std::string& joint : target.link->joints().names) {
         header += "," + joint + suffix;
       }
@@ -60,4 +50,4 @@ void MotionLog::add(double time, std::size_t device, const Eigen::VectorXd& plan
   out_ << row + "\n" << std::flush;
 }
 
-}  // namespace handway::tools
+}  // namespace handway::execution

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "handway/execution/export.h"
+#include "handway/execution/motion/following_error.h"
+#include "handway/execution/motion/motion_target.h"
+
+#include <atomic>
+#include <cstddef>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+namespace handway::execution {
+
+/// What a device told of itself while a motion ran.
+struct MotionSample {
+  double time = 0.0;         ///< s of the motion.
+  std::size_t target = 0;    ///< Which device.
+  Eigen::VectorXd planned;   ///< rad, [its joints]
+  Eigen::VectorXd measured;  ///< rad, [its joints]
+};
+
+/// Hears of a motion as it runs, on the thread that runs it.
+class HANDWAY_EXECUTION_EXPORT MotionObserver {
+ public:
+  virtual ~MotionObserver() = default;
+  virtual void on_sample(const MotionSample& sample) = 0;
+  /// Every few milliseconds. @param time s of the motion. @param errors of each target so far.
+  virtual void on_progress(double time, const std::vector<FollowingError>& errors) = 0;
+};
+
+/// What others may ask of a motion that runs, from any thread.
+struct MotionRequests {
+  std::stop_token stop;
+  std::atomic<bool> hold = false;  ///< Held while true.
+};
+
+/// How a motion on devices ended.
+struct MotionOutcome {
+  bool done = false;          ///< To its end.
+  std::string fault;          ///< Why not; empty if it was asked to stop.
+  double time = 0.0;          ///< s of the motion at the end.
+  double stop_sent_ms = 0.0;  ///< From the request at most until all devices were told to stop.
+  double at_rest_ms = -1.0;   ///< From there until all were measured at rest; -1: not seen.
+  std::vector<FollowingError> errors;  ///< Of each target.
+};
+
+/// Runs the motions that were uploaded to the targets together, from start to rest. What ends one
+/// ends all: a fault, or a stop.
+/// @throws DeviceError if one can't start; none moves then.
+[[nodiscard]] HANDWAY_EXECUTION_EXPORT MotionOutcome
+run_motion(std::vector<MotionTarget>& targets, const device::MotionTolerances& tolerances,
+           const MotionRequests& requests, MotionObserver& observer);
+
+}  // namespace handway::execution
