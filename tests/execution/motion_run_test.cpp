@@ -1,0 +1,163 @@
+/// Motions of an arm and a hand together, on emulated ones, through real sockets.
+#include "handway/execution/motion/motion_run.h"
+
+#include "handway/device/arm/arm_emulator.h"
+#include "handway/device/arm/tx90_joints.h"
+#include "handway/device/arm/val3_arm.h"
+#include "handway/device/hand/hand_emulator.h"
+#include "handway/device/hand/network_hand.h"
+#include "handway/device/hand/sah_joints.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <memory>
+#include <string>
+
+namespace handway::execution {
+namespace {
+
+using testing::IsEmpty;
+
+std::uint16_t port_of(const std::string& address) {
+  return static_cast<std::uint16_t>(std::stoi(address.substr(address.rfind(':') + 1)));
+}
+
+/// From `start` to `end` at an even pace within a second and a half.
+device::JointTrajectory line(const Eigen::VectorXd& start, const Eigen::VectorXd& end) {
+  constexpr Eigen::Index kSteps = 75;
+  device::JointTrajectory line;
+  line.positions.resize(kSteps + 1, start.size());
+  for (Eigen::Index i = 0; i <= kSteps; ++i) {
+    line.times.push_back(0.02 * static_cast<double>(i));
+    line.positions.row(i) = start + static_cast<double>(i) / kSteps * (end - start);
+  }
+  return line;
+}
+
+/// Does what a test says whenever a motion has gone on.
+class Watcher final : public MotionObserver {
+ public:
+  std::function<void(double time)> progress = [](double) {};
+  std::vector<MotionSample> samples;
+
+  void on_sample(const MotionSample& sample) override { samples.push_back(sample); }
+  void on_progress(double time, const std::vector<FollowingError>& /*errors*/) override {
+    progress(time);
+  }
+};
+
+class MotionRun : public testing::Test {
+ protected:
+  void SetUp() override {
+    arm_settings_.joints = device::tx90_joints();
+    arm_settings_.position = Eigen::VectorXd::Zero(6);
+    hand_settings_.joints = device::sah_joints();
+    hand_settings_.position = hand_settings_.joints.upper.cwiseMin(-0.1);
+  }
+  /// Connects both, and gives them a motion each.
+  void upload() {
+    arm_ = std::make_unique<device::ArmEmulator>(arm_settings_, 0);
+    hand_ = std::make_unique<device::HandEmulator>(hand_settings_, 0);
+    targets_.push_back({"arm",
+                        {0, 1, 2, 3, 4, 5},
+                        std::make_unique<device::Val3Arm>(
+                            "arm", "localhost", port_of(arm_->address()), arm_settings_.joints)});
+    targets_.push_back(
+        {"hand",
+         {6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18},
+         std::make_unique<device::NetworkHand>("hand", "localhost", port_of(hand_->address()),
+                                               hand_settings_.joints)});
+    for (const MotionTarget& target : targets_) {
+      target.link->connect();
+    }
+    targets_[0].link->upload(line(arm_settings_.position, Eigen::VectorXd::Constant(6, 0.3)));
+    Eigen::VectorXd closed = hand_settings_.position;
+    for (const Eigen::Index j : {2, 5, 8, 11}) {
+      closed[j] -= 0.4;
+    }
+    targets_[1].link->upload(line(hand_settings_.position, closed));
+  }
+  MotionOutcome run(Watcher& watcher) {
+    requests_.stop = stop_.get_token();
+    return run_motion(targets_, {}, requests_, watcher);
+  }
+
+  device::Val3ControllerSettings arm_settings_;
+  device::HandControllerSettings hand_settings_;
+  std::unique_ptr<device::ArmEmulator> arm_;
+  std::unique_ptr<device::HandEmulator> hand_;
+  std::vector<MotionTarget> targets_;
+  std::stop_source stop_;
+  MotionRequests requests_;
+};
+
+TEST_F(MotionRun, TakesBothToTheEnd) {
+  upload();
+  Watcher watcher;
+  const MotionOutcome outcome = run(watcher);
+  EXPECT_TRUE(outcome.done) << outcome.fault;
+  EXPECT_TRUE(arm_->position().isApprox(Eigen::VectorXd::Constant(6, 0.3), 0.02));
+  ASSERT_EQ(outcome.errors.size(), 2U);
+  EXPECT_GT(outcome.errors[0].samples(), 20);
+  EXPECT_GT(outcome.errors[1].samples(), 20);
+  EXPECT_FALSE(watcher.samples.empty());
+}
+
+TEST_F(MotionRun, HoldsBothAtOneTimeAndGoesOn) {
+  upload();
+  Watcher watcher;
+  device::MotionLink& arm = *targets_[0].link;
+  device::MotionLink& hand = *targets_[1].link;
+  double arm_held = -1.0;
+  double hand_held = -1.0;
+  int polls = 0;
+  watcher.progress = [&](double time) {
+    if (!requests_.hold && polls == 0 && time > 0.5) {
+      requests_.hold = true;
+    } else if (requests_.hold && ++polls > 200) {
+      const auto now = device::MotionLink::Clock::now();
+      arm_held = arm.motion_time(now);
+      hand_held = hand.motion_time(now);
+      EXPECT_FALSE(arm_->moving());
+      EXPECT_FALSE(hand_->moving());
+      requests_.hold = false;
+    }
+  };
+  const MotionOutcome outcome = run(watcher);
+  EXPECT_TRUE(outcome.done) << outcome.fault;
+  EXPECT_GT(arm_held, 0.5);
+  EXPECT_LT(arm_held, 1.4);
+  EXPECT_NEAR(arm_held, hand_held, 1e-9);
+}
+
+TEST_F(MotionRun, StopsBothWhenAskedTo) {
+  upload();
+  Watcher watcher;
+  watcher.progress = [this](double time) {
+    if (time > 0.5) {
+      stop_.request_stop();
+    }
+  };
+  const MotionOutcome outcome = run(watcher);
+  EXPECT_FALSE(outcome.done);
+  EXPECT_THAT(outcome.fault, IsEmpty());
+  EXPECT_LT(outcome.time, 1.4);
+  EXPECT_LT(arm_->position()[0], 0.28);
+  EXPECT_GT(hand_->position()[2], hand_settings_.position[2] - 0.39);
+}
+
+TEST_F(MotionRun, StopsTheOtherWhenOneFails) {
+  hand_settings_.fault = {device::FaultKind::kEstop, 0.4};
+  upload();
+  Watcher watcher;
+  const MotionOutcome outcome = run(watcher);
+  EXPECT_FALSE(outcome.done);
+  EXPECT_THAT(outcome.fault, testing::HasSubstr("hand"));
+  EXPECT_GE(outcome.at_rest_ms, 0.0);
+  EXPECT_LT(arm_->position()[0], 0.28);
+}
+
+}  // namespace
+}  // namespace handway::execution
