@@ -43,7 +43,7 @@ std::string fault_text(const StreamStatistics& s) {
 
 }  // namespace
 
-std::string glove_table(const GloveFrame& frame, int sensors, device::GloveState state,
+std::string glove_table(const GloveFrame& frame, int sensors, device::StreamState state,
                         const StreamStatistics& statistics) {
   std::string text = fmt::format("{:<20}{:<18}{:>6}\n", "sensor", "", "counts");
   for (const int sensor : device::cyberglove_wired(sensors)) {

@@ -9,7 +9,7 @@ namespace handway::tools {
 
 /// Every sensor with its letter, label, counts and a bar; below it the state of the stream.
 [[nodiscard]] std::string glove_table(const device::GloveFrame& frame, int sensors,
-                                      device::GloveState state,
+                                      device::StreamState state,
                                       const device::StreamStatistics& statistics);
 
 /// "100.0 Hz, 1234 frames, …".

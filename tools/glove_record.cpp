@@ -28,7 +28,7 @@ namespace {
 
 using device::GloveFrame;
 using device::GloveInfo;
-using device::GloveState;
+using device::StreamState;
 using std::chrono::milliseconds;
 
 struct RecordOptions {
@@ -123,12 +123,12 @@ class Recorder {
   std::exception_ptr error_;
 };
 
-void tell_state(GloveState state) {
-  if (state == GloveState::kLost) {
+void tell_state(StreamState state) {
+  if (state == StreamState::kLost) {
     fmt::print(stderr, "connection lost; trying to connect again\n");
-  } else if (state == GloveState::kUnplugged) {
+  } else if (state == StreamState::kUnplugged) {
     fmt::print(stderr, "the glove is unplugged; waiting for it\n");
-  } else if (state == GloveState::kStreaming) {
+  } else if (state == StreamState::kStreaming) {
     fmt::print(stderr, "recording\n");
   }
 }
@@ -155,7 +155,7 @@ int record(const RecordOptions& options) {
     }
   }
   recorder.rethrow();
-  if (stream.state() == GloveState::kFailed) {
+  if (stream.state() == StreamState::kFailed) {
     throw std::runtime_error(stream.error());
   }
   const device::StreamStatistics statistics = stream.statistics();

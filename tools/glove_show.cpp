@@ -20,7 +20,7 @@ namespace {
 
 using device::GloveFrame;
 using device::GloveInfo;
-using device::GloveState;
+using device::StreamState;
 using device::GloveStream;
 using std::chrono::milliseconds;
 
@@ -84,8 +84,8 @@ int show_glove(std::unique_ptr<device::Glove> glove, const GloveShowOptions& opt
       print_line(options.json ? frame_json(frame, sensors) : frame_line(frame, sensors));
     }
   };
-  handlers.on_state = [&](GloveState state) {
-    if (!table && (state == GloveState::kLost || state == GloveState::kUnplugged)) {
+  handlers.on_state = [&](StreamState state) {
+    if (!table && (state == StreamState::kLost || state == StreamState::kUnplugged)) {
       fmt::print(stderr, "{}\n", state_name(state));
     }
   };
@@ -101,7 +101,7 @@ int show_glove(std::unique_ptr<device::Glove> glove, const GloveShowOptions& opt
       first = false;
     }
   }
-  if (stream.state() == GloveState::kFailed) {
+  if (stream.state() == StreamState::kFailed) {
     throw std::runtime_error(stream.error());
   }
   const device::StreamStatistics statistics = stream.statistics();

@@ -35,8 +35,8 @@ std::string quality_text(const MappedRecording& recording) {
       quality.duration, quality.rate, quality.duplicates, quality.gaps, quality.largest_gap);
   const bool counts = recording.calibrated;
   const double scale = counts ? 1.0 : 1.0 / geometric::kDegree;
-  fmt::format_to(out, "  {:<18}{:>8}{:>8}{:>8}   {}\n", "sensor", "least", "most", "noise",
-                 counts ? "counts" : "deg");
+  fmt::format_to(out, "  {:<18}{:>8}{:>8}{:>8}\n", counts ? "sensor, counts" : "sensor, deg",
+                 "least", "most", "noise");
   for (const SensorQuality& sensor : quality.sensors) {
     fmt::format_to(out, "  {:<18}{:>8.1f}{:>8.1f}{:>8.2f}{}\n",
                    device::cyberglove_sensors()[static_cast<std::size_t>(sensor.sensor)].name,

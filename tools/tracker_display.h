@@ -1,6 +1,6 @@
 #pragma once
 
-#include "handway/device/glove/stream_statistics.h"
+#include "handway/device/core/stream_statistics.h"
 #include "handway/device/tracker/tracker.h"
 
 #include <map>

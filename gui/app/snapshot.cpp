@@ -35,7 +35,7 @@ Snapshot::Snapshot(MainWindow& window, const Options& options, QObject* parent)
 // The collision checks of a hand that moves never end.
 bool Snapshot::listens() const {
   const GloveLink& link = window_.glove_panel().session().link();
-  return glove_time_ > 0.0 && link.is_running() && link.state() != device::GloveState::kFailed;
+  return glove_time_ > 0.0 && link.is_running() && link.state() != device::StreamState::kFailed;
 }
 
 void Snapshot::wait_until_settled() {

@@ -3,6 +3,7 @@
 #include "figures/figure_data.h"
 
 #include <QApplication>
+#include <QTemporaryDir>
 
 #include <cstdio>
 #include <cstdlib>
@@ -42,6 +43,11 @@ int main(int argc, char** argv) {
     return kWrongUsage;
   }
   try {
+    // Qt complains where a session has no folder of its own, as in containers.
+    const QTemporaryDir runtime;
+    if (!std::getenv("XDG_RUNTIME_DIR") && runtime.isValid()) {
+      qputenv("XDG_RUNTIME_DIR", runtime.path().toLocal8Bit());
+    }
     const QApplication application(argc, argv);
     draw(argv[1]);
   } catch (const std::exception& error) {

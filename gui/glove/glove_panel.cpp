@@ -26,7 +26,7 @@
 namespace handway::gui {
 namespace {
 
-using device::GloveState;
+using device::StreamState;
 
 constexpr int kStatisticsMs = 250;
 constexpr int kMargin = 12;
@@ -41,8 +41,8 @@ QScrollArea* scrolled(QWidget* content) {
   return area;
 }
 
-bool is_live(GloveState state) {
-  return state != GloveState::kStopped && state != GloveState::kFailed;
+bool is_live(StreamState state) {
+  return state != StreamState::kStopped && state != StreamState::kFailed;
 }
 
 }  // namespace
@@ -92,7 +92,7 @@ GlovePanel::GlovePanel(QWidget* parent)
   connect(&session_, &GloveSession::following_changed, follow_, &QCheckBox::setChecked);
   ticker_.setInterval(kStatisticsMs);
   connect(&ticker_, &QTimer::timeout, this, &GlovePanel::show_statistics);
-  show_state(GloveState::kStopped, {});
+  show_state(StreamState::kStopped, {});
 }
 
 GlovePanel::~GlovePanel() { session_.blockSignals(true); }
@@ -236,7 +236,7 @@ void GlovePanel::come_to_front(const QString& page) {
 
 double GlovePanel::listening_time() const { return last_time_ - first_time_; }
 
-void GlovePanel::show_state(GloveState state, const QString& error) {
+void GlovePanel::show_state(StreamState state, const QString& error) {
   const bool live = is_live(state);
   connect_->setText(live ? tr("Disconnect") : tr("Connect"));
   connect_->setProperty("role", live ? "" : "primary");
@@ -244,7 +244,7 @@ void GlovePanel::show_state(GloveState state, const QString& error) {
   style()->polish(connect_);
   device_->setEnabled(!live);
   QString problem = error;
-  if (problem.isEmpty() && state == GloveState::kStreaming) {
+  if (problem.isEmpty() && state == StreamState::kStreaming) {
     problem = session_.mapping_error();
     add_recent_glove(session_.device());
   }
@@ -307,7 +307,7 @@ void GlovePanel::note_drawn() {
 }
 
 void GlovePanel::show_statistics() {
-  if (session_.link().state() == GloveState::kStreaming) {
+  if (session_.link().state() == StreamState::kStreaming) {
     status_->show_statistics(session_.link().statistics(), to_screen_);
   }
 }

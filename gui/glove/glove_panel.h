@@ -69,7 +69,7 @@ class GlovePanel : public QWidget {
   QWidget* build_footer();
   void add_page(const QString& name, QWidget* page);
   void toggle_connection();
-  void show_state(device::GloveState state, const QString& error);
+  void show_state(device::StreamState state, const QString& error);
   void show_samples(const std::vector<GloveSample>& samples);
   void show_statistics();
   void move_hand(const GloveSample& sample);

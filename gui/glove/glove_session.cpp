@@ -13,7 +13,7 @@
 namespace handway::gui {
 namespace {
 
-using device::GloveState;
+using device::StreamState;
 
 constexpr std::uint64_t kEmulatorSeed = 1;
 
@@ -42,7 +42,7 @@ void GloveSession::connect_to(const QString& device) {
     start(device.trimmed());
   } catch (const std::exception& error) {
     link_.stop();
-    emit state_changed(GloveState::kFailed, QString::fromUtf8(error.what()));
+    emit state_changed(StreamState::kFailed, QString::fromUtf8(error.what()));
   }
 }
 

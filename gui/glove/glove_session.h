@@ -53,7 +53,7 @@ class GloveSession : public QObject {
   [[nodiscard]] bool following() const { return following_; }
 
  signals:
-  void state_changed(handway::device::GloveState state, const QString& error);
+  void state_changed(handway::device::StreamState state, const QString& error);
   /// All frames since the last time, the latest last.
   void sampled(const std::vector<handway::gui::GloveSample>& samples);
   void mapping_changed();

@@ -11,43 +11,43 @@
 namespace handway::gui {
 namespace {
 
-using device::GloveState;
+using device::StreamState;
 
 constexpr double kMilli = 1e3;
 
-QString state_text(GloveState state, const device::GloveInfo& info) {
+QString state_text(StreamState state, const device::GloveInfo& info) {
   const QString what = QString::fromStdString(info.model).section(QLatin1Char(','), 0, 0);
   switch (state) {
-    case GloveState::kConnecting:
+    case StreamState::kConnecting:
       return QObject::tr("Connecting…");
-    case GloveState::kStreaming:
+    case StreamState::kStreaming:
       return QObject::tr("%1, %2 hand, %3 sensors")
           .arg(what, info.right_hand ? QObject::tr("right") : QObject::tr("left"))
           .arg(info.sensors);
-    case GloveState::kUnplugged:
+    case StreamState::kUnplugged:
       return QObject::tr("The glove is off its interface unit: plug it in again");
-    case GloveState::kLost:
+    case StreamState::kLost:
       return QObject::tr("Connection lost, trying again…");
-    case GloveState::kEnded:
+    case StreamState::kEnded:
       return QObject::tr("The recording is over");
-    case GloveState::kFailed:
+    case StreamState::kFailed:
       return QObject::tr("Not connected");
-    case GloveState::kStopped:
+    case StreamState::kStopped:
       break;
   }
   return QObject::tr("Not connected");
 }
 
-QColor state_color(GloveState state) {
+QColor state_color(StreamState state) {
   const ThemeColors colors = colors_of(current_theme());
   switch (state) {
-    case GloveState::kStreaming:
+    case StreamState::kStreaming:
       return colors.good;
-    case GloveState::kConnecting:
-    case GloveState::kUnplugged:
+    case StreamState::kConnecting:
+    case StreamState::kUnplugged:
       return attention_color();
-    case GloveState::kLost:
-    case GloveState::kFailed:
+    case StreamState::kLost:
+    case StreamState::kFailed:
       return colors.bad;
     default:
       return colors.muted;
@@ -97,11 +97,11 @@ LinkStatus::LinkStatus(QWidget* parent)
   layout->addWidget(state_);
   layout->addWidget(problem_);
   layout->addLayout(figures);
-  show_state(GloveState::kStopped, {}, {});
+  show_state(StreamState::kStopped, {}, {});
   clear_statistics();
 }
 
-void LinkStatus::show_state(GloveState state, const device::GloveInfo& info, const QString& error) {
+void LinkStatus::show_state(StreamState state, const device::GloveInfo& info, const QString& error) {
   state_->setText(QStringLiteral("<span style=\"color:%1\">●</span>&nbsp; %2")
                       .arg(html(state_color(state)), state_text(state, info).toHtmlEscaped()));
   state_->setToolTip(

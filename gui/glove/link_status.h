@@ -18,7 +18,7 @@ class LinkStatus : public QWidget {
   explicit LinkStatus(QWidget* parent = nullptr);
 
   /// @param error why; empty if nothing is wrong.
-  void show_state(device::GloveState state, const device::GloveInfo& info, const QString& error);
+  void show_state(device::StreamState state, const device::GloveInfo& info, const QString& error);
   /// @param to_screen from a frame's arrival to its picture, s; 0 if not known.
   void show_statistics(const device::StreamStatistics& statistics, double to_screen);
   void clear_statistics();

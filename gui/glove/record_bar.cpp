@@ -18,7 +18,7 @@
 namespace handway::gui {
 namespace {
 
-using device::GloveState;
+using device::StreamState;
 
 constexpr int kTickMs = 250;
 constexpr int kSecondsAMinute = 60;
@@ -57,10 +57,10 @@ RecordBar::RecordBar(GloveSession& session, QWidget* parent)
   ticker_.setInterval(kTickMs);
   connect(button_, &QPushButton::clicked, this, &RecordBar::toggle);
   connect(&ticker_, &QTimer::timeout, this, &RecordBar::show_progress);
-  connect(&session_, &GloveSession::state_changed, this, [this](GloveState state) {
-    const bool live = state == GloveState::kStreaming;
+  connect(&session_, &GloveSession::state_changed, this, [this](StreamState state) {
+    const bool live = state == StreamState::kStreaming;
     button_->setEnabled(live || session_.link().tap().is_on());
-    if ((state == GloveState::kStopped || state == GloveState::kFailed) &&
+    if ((state == StreamState::kStopped || state == StreamState::kFailed) &&
         session_.link().tap().is_on()) {
       finish();
     }
@@ -173,7 +173,7 @@ void RecordBar::show_idle() {
   button_->setText(tr("Record"));
   refresh_icon();
   button_->setToolTip(tr("Write what comes from the glove to a file; its name is asked after"));
-  button_->setEnabled(session_.link().state() == GloveState::kStreaming);
+  button_->setEnabled(session_.link().state() == StreamState::kStreaming);
 }
 
 void RecordBar::refresh_icon() {

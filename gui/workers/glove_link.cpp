@@ -8,7 +8,7 @@ namespace handway::gui {
 namespace {
 
 using device::GloveFrame;
-using device::GloveState;
+using device::StreamState;
 
 constexpr std::size_t kMostWaiting = 4096;
 
@@ -44,7 +44,7 @@ struct GloveLink::Inbox {
     }
   }
 
-  void push(const std::shared_ptr<Inbox>& self, GloveState state) {
+  void push(const std::shared_ptr<Inbox>& self, StreamState state) {
     const std::lock_guard lock(mutex);
     if (owner) {
       QMetaObject::invokeMethod(
@@ -83,15 +83,15 @@ void GloveLink::start(std::unique_ptr<device::Glove> glove,
   inbox_->owner = this;
   running_ = std::make_shared<Running>();
   running_->emulator = std::move(emulator);
-  state_ = GloveState::kConnecting;
+  state_ = StreamState::kConnecting;
   device::GloveStreamHandlers handlers;
   handlers.on_frame = [inbox = inbox_, tap = tap_](const GloveFrame& frame) {
     tap->take(frame);
     inbox->push(inbox, frame);
   };
-  handlers.on_state = [inbox = inbox_](GloveState state) { inbox->push(inbox, state); };
+  handlers.on_state = [inbox = inbox_](StreamState state) { inbox->push(inbox, state); };
   running_->stream = std::make_unique<device::GloveStream>(
-      std::move(glove), device::GloveStreamSettings{}, std::move(handlers));
+      std::move(glove), device::StreamSettings{}, std::move(handlers));
   emit state_changed(state_, {});
 }
 
@@ -106,7 +106,7 @@ void GloveLink::stop() {
   timer_.stop();
   running_->stream->request_stop();
   closing_.run([ending = std::exchange(running_, nullptr)]() mutable { ending.reset(); });
-  state_ = GloveState::kStopped;
+  state_ = StreamState::kStopped;
   emit state_changed(state_, {});
 }
 
@@ -118,9 +118,9 @@ device::StreamStatistics GloveLink::statistics() const {
   return running_ ? running_->stream->statistics() : device::StreamStatistics{};
 }
 
-void GloveLink::take_state(GloveState state) {
+void GloveLink::take_state(StreamState state) {
   state_ = state;
-  const bool broken = state == GloveState::kLost || state == GloveState::kFailed;
+  const bool broken = state == StreamState::kLost || state == StreamState::kFailed;
   const QString error = broken ? QString::fromStdString(running_->stream->error()) : QString();
   emit state_changed(state, error);
 }

@@ -35,7 +35,7 @@ class GloveLink : public QObject {
   void stop();
 
   [[nodiscard]] bool is_running() const { return running_ != nullptr; }
-  [[nodiscard]] device::GloveState state() const { return state_; }
+  [[nodiscard]] device::StreamState state() const { return state_; }
   [[nodiscard]] device::GloveInfo info() const;
   [[nodiscard]] device::StreamStatistics statistics() const;
   /// When the first of the frames that arrived() told last came in.
@@ -44,7 +44,7 @@ class GloveLink : public QObject {
 
  signals:
   /// @param error why, of kLost and kFailed.
-  void state_changed(handway::device::GloveState state, const QString& error);
+  void state_changed(handway::device::StreamState state, const QString& error);
   /// Frames since the last time, oldest first, never none.
   void arrived(const std::vector<handway::device::GloveFrame>& frames);
 
@@ -54,12 +54,12 @@ class GloveLink : public QObject {
 
   void told();
   void deliver();
-  void take_state(device::GloveState state);
+  void take_state(device::StreamState state);
 
   std::shared_ptr<RecordingTap> tap_;
   std::shared_ptr<Inbox> inbox_;
   std::shared_ptr<Running> running_;
-  device::GloveState state_ = device::GloveState::kStopped;
+  device::StreamState state_ = device::StreamState::kStopped;
   QTimer timer_;
   QElapsedTimer since_delivery_;
   std::chrono::steady_clock::time_point arrival_;

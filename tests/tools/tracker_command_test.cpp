@@ -1,5 +1,6 @@
 #include "background_process.h"
 #include "command_line.h"
+#include "handway_test/free_port.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -26,6 +27,7 @@ struct Case {
   const char* name;
   std::vector<std::string> emulate;
   const char* live;
+  bool udp = false;
 };
 
 class TrackerCommand : public testing::TestWithParam<Case> {};
@@ -33,6 +35,9 @@ class TrackerCommand : public testing::TestWithParam<Case> {};
 TEST_P(TrackerCommand, EmulatesATrackerAndShowsItLive) {
   std::vector<std::string> arguments{"tracker", "emulate", "--sensors", "2", "--button"};
   arguments.insert(arguments.end(), GetParam().emulate.begin(), GetParam().emulate.end());
+  if (GetParam().udp) {
+    arguments.insert(arguments.end(), {"--to", free_udp_port()});
+  }
   BackgroundProcess emulator(arguments);
   const std::string live =
       "tracker live --device " + emulator.read_line() + " --button " + GetParam().live;
@@ -59,7 +64,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Case{"FastrakOnAPort", {}, "--protocol fastrak"},
                     Case{"FastrakText", {"--tcp", "0"}, "--ascii"},
                     Case{"Liberty", {"--protocol", "liberty", "--tcp", "0"}, "--protocol liberty"},
-                    Case{"Udp", {"--protocol", "udp", "--to", "45871"}, "--protocol udp"}),
+                    Case{"Udp", {"--protocol", "udp"}, "--protocol udp", true}),
     [](const auto& tested) { return tested.param.name; });
 
 TEST(TrackerLive, ConnectsAgainWhenTheTrackerIsBack) {
@@ -92,9 +97,10 @@ TEST(TrackerLive, ConnectsAgainWhenTheTrackerIsBack) {
 
 TEST(TrackerLive, EndsWith3WhenThereIsNoTracker) {
   const CommandLine line;
-  for (const char* device : {"/dev/no-such-port", "localhost:1", "/tmp", "45872 --protocol udp",
-                             "many --protocol udp", "/dev/null --protocol liberty --ascii"}) {
-    const Outcome outcome = line.run("tracker live --device " + std::string(device));
+  for (const std::string& device : std::vector<std::string>{
+           "/dev/no-such-port", "localhost:1", "/tmp", free_udp_port() + " --protocol udp",
+           "many --protocol udp", "/dev/null --protocol liberty --ascii"}) {
+    const Outcome outcome = line.run("tracker live --device " + device);
     EXPECT_EQ(outcome.exit_code, 3) << device;
     EXPECT_THAT(outcome.err, HasSubstr("expected")) << device;
   }

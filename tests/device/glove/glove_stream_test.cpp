@@ -28,7 +28,7 @@ class Listener {
       const std::lock_guard lock(mutex_);
       frames_.push_back(frame);
     };
-    all.on_state = [this](GloveState state) {
+    all.on_state = [this](StreamState state) {
       const std::lock_guard lock(mutex_);
       states_.push_back(state);
     };
@@ -39,7 +39,7 @@ class Listener {
     const std::lock_guard lock(mutex_);
     return frames_;
   }
-  [[nodiscard]] std::vector<GloveState> states() const {
+  [[nodiscard]] std::vector<StreamState> states() const {
     const std::lock_guard lock(mutex_);
     return states_;
   }
@@ -55,7 +55,7 @@ class Listener {
  private:
   mutable std::mutex mutex_;
   std::vector<GloveFrame> frames_;
-  std::vector<GloveState> states_;
+  std::vector<StreamState> states_;
 };
 
 TEST(GloveStream, HandsOverEveryFrameInOrder) {
@@ -70,7 +70,7 @@ TEST(GloveStream, HandsOverEveryFrameInOrder) {
   EXPECT_EQ(stream.info().sensors, 22);
   stream.request_stop();
   ASSERT_TRUE(stream.wait(seconds(1)));
-  EXPECT_EQ(stream.state(), GloveState::kStopped);
+  EXPECT_EQ(stream.state(), StreamState::kStopped);
   const auto frames = listener.frames();
   for (std::size_t k = 1; k < frames.size(); ++k) {
     ASSERT_EQ(frames[k].counts[0], frames[k - 1].counts[0] % 255 + 1);
@@ -86,12 +86,12 @@ TEST(GloveStream, ConnectsAgainWhenTheDeviceComesBack) {
   listener.wait_for(10);
   emulator.reset();
   std::this_thread::sleep_for(milliseconds(300));
-  EXPECT_EQ(stream.state(), GloveState::kLost);
+  EXPECT_EQ(stream.state(), StreamState::kLost);
   EXPECT_THAT(stream.error(), HasSubstr(address));
   const std::size_t before = listener.frames().size();
   emulator = std::make_unique<GloveEmulator>(on_tcp(port), counting_signal());
   listener.wait_for(before + 10);
-  EXPECT_EQ(stream.state(), GloveState::kStreaming);
+  EXPECT_EQ(stream.state(), StreamState::kStreaming);
   EXPECT_EQ(stream.statistics().reconnects, 1U);
   EXPECT_GE(stream.statistics().dropouts, 1U);
   const auto frames = listener.frames();
@@ -106,7 +106,7 @@ TEST(GloveStream, TellsItsStates) {
   GloveStream stream(std::make_unique<CyberGlove>(emulator.address()), {}, listener.handlers());
   listener.wait_for(5);
   emulator.set_plugged(false);
-  for (int k = 0; k < 200 && stream.state() != GloveState::kUnplugged; ++k) {
+  for (int k = 0; k < 200 && stream.state() != StreamState::kUnplugged; ++k) {
     std::this_thread::sleep_for(milliseconds(10));
   }
   const std::size_t before = listener.frames().size();
@@ -114,7 +114,7 @@ TEST(GloveStream, TellsItsStates) {
   listener.wait_for(before + 3);
   stream.request_stop();
   ASSERT_TRUE(stream.wait(seconds(1)));
-  using enum GloveState;
+  using enum StreamState;
   EXPECT_THAT(listener.states(),
               testing::ElementsAre(kStreaming, kUnplugged, kStreaming, kStopped));
 }
@@ -122,12 +122,12 @@ TEST(GloveStream, TellsItsStates) {
 TEST(GloveStream, FailsWithTheReasonWhenThereIsNoDevice) {
   const GloveStream stream(std::make_unique<CyberGlove>("/dev/no-such-device"), {}, {});
   ASSERT_TRUE(stream.wait(seconds(2)));
-  EXPECT_EQ(stream.state(), GloveState::kFailed);
+  EXPECT_EQ(stream.state(), StreamState::kFailed);
   EXPECT_THAT(stream.error(), HasSubstr("/dev/no-such-device"));
 }
 
 TEST(GloveStream, WaitsForADeviceThatIsNotThereYet) {
-  GloveStreamSettings settings;
+  StreamSettings settings;
   settings.wait_for_device = true;
   std::string address;
   std::uint16_t port = 0;
@@ -139,13 +139,13 @@ TEST(GloveStream, WaitsForADeviceThatIsNotThereYet) {
   Listener listener;
   const GloveStream stream(std::make_unique<CyberGlove>(address), settings, listener.handlers());
   std::this_thread::sleep_for(milliseconds(150));
-  EXPECT_EQ(stream.state(), GloveState::kConnecting);
+  EXPECT_EQ(stream.state(), StreamState::kConnecting);
   const GloveEmulator emulator(on_tcp(port), counting_signal());
   listener.wait_for(5);
 }
 
 TEST(GloveStream, EndsWithin200MillisecondsWhateverItDoes) {
-  GloveStreamSettings settings;
+  StreamSettings settings;
   settings.wait_for_device = true;
   auto stream = std::make_unique<GloveStream>(std::make_unique<CyberGlove>("/dev/none"), settings,
                                               GloveStreamHandlers{});

@@ -4,8 +4,8 @@
 #include "handway/device/core/device_error.h"
 #include "handway/device/tracker/pose_datagram.h"
 #include "handway/device/tracker/tracker_units.h"
+#include "handway_test/free_port.h"
 
-#include <arpa/inet.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/socket.h>
@@ -18,23 +18,11 @@ namespace handway::device {
 namespace {
 
 using std::chrono::milliseconds;
+using test::free_udp_port;
 using testing::HasSubstr;
 
 std::optional<TrackerSample> read(const std::string& text) {
   return read_pose_datagram({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
-}
-
-// A port that is free now.
-std::string free_port() {
-  const int fd = ::socket(AF_INET, SOCK_DGRAM, 0);
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  socklen_t size = sizeof(address);
-  EXPECT_EQ(::bind(fd, reinterpret_cast<sockaddr*>(&address), size), 0);
-  ::getsockname(fd, reinterpret_cast<sockaddr*>(&address), &size);
-  ::close(fd);
-  return std::to_string(ntohs(address.sin_port));
 }
 
 std::unique_ptr<DeviceEmulator> send_to(const std::string& port, TrackerUnitSettings unit = {},
@@ -101,7 +89,7 @@ TEST(PoseDatagram, NeverGivesAnUnsoundPoseWhateverAMillionBytesSay) {
 }
 
 TEST(UdpTracker, ReadsTheSensorsOfASender) {
-  const std::string port = free_port();
+  const std::string port = free_udp_port();
   TrackerUnitSettings unit;
   unit.sensors = 2;
   unit.button = true;
@@ -123,7 +111,7 @@ TEST(UdpTracker, ReadsTheSensorsOfASender) {
 }
 
 TEST(UdpTracker, CountsDamagedDatagramsAndNoticesThatTheSenderIsGone) {
-  const std::string port = free_port();
+  const std::string port = free_udp_port();
   DeviceEmulatorSettings line;
   line.faults.garbage = 0.5;
   auto emulator = send_to(port, {}, line);
@@ -146,7 +134,7 @@ TEST(UdpTracker, CountsDamagedDatagramsAndNoticesThatTheSenderIsGone) {
 }
 
 TEST(UdpTracker, SaysWhatIsWrongWithThePort) {
-  const std::string port = free_port();
+  const std::string port = free_udp_port();
   UdpTracker silent(port, {milliseconds(100)});
   try {
     silent.connect();

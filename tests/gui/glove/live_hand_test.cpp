@@ -15,7 +15,7 @@ namespace handway::test {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-using device::GloveState;
+using device::StreamState;
 using ::testing::HasSubstr;
 
 constexpr double kIndexZero = 72.0;  // of the typical calibration
@@ -57,7 +57,7 @@ TEST_F(GloveDock, MarksJointsAtTheirLimits) {
 
 TEST_F(GloveDock, SaysWhyItCannotConnect) {
   connect_to(QStringLiteral("/dev/no-such-port"));
-  ASSERT_TRUE(waits_for(GloveState::kFailed));
+  ASSERT_TRUE(waits_for(StreamState::kFailed));
   EXPECT_THAT(part<QLabel>("glove_error").text().toStdString(), HasSubstr("/dev/no-such-port"));
   EXPECT_EQ(part<QAbstractButton>("glove_connect").text(), "Connect");
 }
@@ -65,15 +65,15 @@ TEST_F(GloveDock, SaysWhyItCannotConnect) {
 TEST_F(GloveDock, NoticesThatTheCableIsCut) {
   connect_to_emulator();
   unplug();
-  ASSERT_TRUE(waits_for(GloveState::kLost));
+  ASSERT_TRUE(waits_for(StreamState::kLost));
   EXPECT_FALSE(part<QLabel>("glove_error").text().isEmpty());
   click("glove_connect");
-  EXPECT_EQ(panel().session().link().state(), GloveState::kStopped);
+  EXPECT_EQ(panel().session().link().state(), StreamState::kStopped);
 }
 
 TEST_F(GloveDock, BringsItsOwnEmulator) {
   connect_to(QStringLiteral("Emulator"));
-  ASSERT_TRUE(waits_for(GloveState::kStreaming));
+  ASSERT_TRUE(waits_for(StreamState::kStreaming));
   const double before = joint("left");
   EXPECT_TRUE(QTest::qWaitFor([&] { return std::abs(joint("left") - before) > 0.05; }, 8000));
 }
@@ -100,7 +100,7 @@ TEST_F(GloveDock, ShowsAPostureWithinFiftyMilliseconds) {
     return all;
   });
   connect_to(QString::fromStdString(glove.address()));
-  ASSERT_TRUE(waits_for(GloveState::kStreaming));
+  ASSERT_TRUE(waits_for(StreamState::kStreaming));
   // An event loop of its own: QTest::qWaitFor() would sleep in between.
   double wanted = 0.0;
   Clock::time_point drawn_at;

@@ -57,7 +57,7 @@ TEST_F(GloveRecording, LosesNothingWhenTheGloveGoesAway) {
   click("record");
   ASSERT_TRUE(QTest::qWaitFor([&] { return rows() >= 10; }));
   unplug();
-  ASSERT_TRUE(waits_for(device::GloveState::kLost));
+  ASSERT_TRUE(waits_for(device::StreamState::kLost));
   const std::filesystem::path file = panel().record_bar().file();
   EXPECT_EQ(static_cast<std::size_t>(device::read_recording(file).values.rows()), rows());
   click("record");

@@ -45,10 +45,10 @@ void GloveDock::connect_to_emulator() {
         return all;
       });
   connect_to(QString::fromStdString(emulator_->address()));
-  ASSERT_TRUE(waits_for(device::GloveState::kStreaming));
+  ASSERT_TRUE(waits_for(device::StreamState::kStreaming));
 }
 
-bool GloveDock::waits_for(device::GloveState state) const {
+bool GloveDock::waits_for(device::StreamState state) const {
   return QTest::qWaitFor([&] { return panel().session().link().state() == state; }, kPatienceMs);
 }
 

@@ -27,7 +27,7 @@ class GloveDock : public WindowTest {
   void connect_to(const QString& device) const;
   /// Connects to an emulated glove and waits until it streams.
   void connect_to_emulator();
-  [[nodiscard]] bool waits_for(device::GloveState state) const;
+  [[nodiscard]] bool waits_for(device::StreamState state) const;
   /// What the emulated sensors read from now on.
   void set_counts(std::uint16_t counts) { *counts_ = counts; }
   void unplug() { emulator_.reset(); }

@@ -1,8 +1,9 @@
 #pragma once
 
+#include "handway/device/core/stream_state.h"
+#include "handway/device/core/stream_statistics.h"
 #include "handway/device/export.h"
 #include "handway/device/glove/glove.h"
-#include "handway/device/glove/stream_statistics.h"
 
 #include <chrono>
 #include <functional>
@@ -11,32 +12,12 @@
 
 namespace handway::device {
 
-enum class GloveState {
-  kConnecting,  ///< For the first time.
-  kStreaming,   ///< Frames come.
-  kUnplugged,   ///< The interface unit answers, but has no glove.
-  kLost,        ///< Was connected; tries again and again.
-  kEnded,       ///< The recording is over.
-  kStopped,     ///< As asked.
-  kFailed,      ///< Gave up; see GloveStream::error().
-};
-
-/// "connecting", "streaming", … for people.
-[[nodiscard]] HANDWAY_DEVICE_EXPORT const char* state_name(GloveState state);
-
-struct GloveStreamSettings {
-  bool wait_for_device = false;                ///< Keep trying even if the first connect() fails.
-  bool reconnect = true;                       ///< After a lost connection.
-  std::chrono::milliseconds first_delay{100};  ///< Before connecting again; doubles each time,
-  std::chrono::milliseconds longest_delay{2000};  ///< up to this.
-};
-
 /// What a GloveStream tells, all of it on its own thread and one after the other; whoever has to
 /// touch a window passes it on there. Any may be empty. None may throw.
 struct GloveStreamHandlers {
   std::function<void(const GloveInfo& info)> on_connected;
   std::function<void(const GloveFrame& frame)> on_frame;
-  std::function<void(GloveState state)> on_state;
+  std::function<void(StreamState state)> on_state;
 };
 
 /// A glove with a thread of its own: reads frames as they come, and connects again when the
@@ -44,8 +25,8 @@ struct GloveStreamHandlers {
 class HANDWAY_DEVICE_EXPORT GloveStream {
  public:
   /// Starts at once.
-  GloveStream(std::unique_ptr<Glove> glove, const GloveStreamSettings& settings,
-              GloveStreamHandlers handlers);
+  GloveStream(std::unique_ptr<Glove> glove, const StreamSettings& settings,
+              const GloveStreamHandlers& handlers);
   /// Stops; waits for the thread to end (at most some 100 ms and a handler's time).
   ~GloveStream();
   GloveStream(const GloveStream&) = delete;
@@ -57,7 +38,7 @@ class HANDWAY_DEVICE_EXPORT GloveStream {
   /// Waits until it has ended, stopped or failed. @returns whether it has, within `timeout`.
   bool wait(std::chrono::milliseconds timeout) const;
 
-  [[nodiscard]] GloveState state() const;
+  [[nodiscard]] StreamState state() const;
   /// What connect() told last.
   [[nodiscard]] GloveInfo info() const;
   /// Why the connection was lost last, or never made; empty if it never was.
@@ -65,8 +46,8 @@ class HANDWAY_DEVICE_EXPORT GloveStream {
   [[nodiscard]] StreamStatistics statistics() const;
 
  private:
-  struct Shared;
-  std::unique_ptr<Shared> shared_;
+  struct Running;
+  std::unique_ptr<Running> running_;
 };
 
 }  // namespace handway::device

@@ -1,4 +1,4 @@
-#include "handway/device/glove/stream_statistics.h"
+#include "handway/device/core/stream_statistics.h"
 
 #include <gtest/gtest.h>
 
