@@ -17,7 +17,7 @@ class App;
 
 namespace handway::tools {
 
-/// What `handway arm emulate` and `handway hand emulate` ask for alike.
+/// What `handway arm emulate`, `hand emulate` and `ros emulate` ask for alike.
 struct EmulatedDeviceChoice {
   std::uint16_t port = 0;
   std::filesystem::path scene;
@@ -36,7 +36,7 @@ struct EmulatedPosture {
   Eigen::VectorXd position;
 };
 
-/// The scene's "arm" or "hand", at its start.
+/// The scene's "arm", "hand" or kWholeRobot, at its start.
 /// @throws InputError if it can't be read or its robot has no such part.
 [[nodiscard]] EmulatedPosture scene_posture(const std::filesystem::path& scene,
                                             const std::string& kind);

@@ -9,6 +9,7 @@
 #include "pca_command.h"
 #include "plan_command.h"
 #include "reproduce_command.h"
+#include "ros_command.h"
 #include "send_command.h"
 #include "time_command.h"
 #include "tracker_command.h"
@@ -37,6 +38,7 @@ int run(int argc, char** argv) {
   add_send_command(app, exit_code);
   add_arm_command(app, exit_code);
   add_hand_command(app, exit_code);
+  add_ros_command(app, exit_code);
   add_bench_command(app, exit_code);
   add_glove_command(app, exit_code);
   add_tracker_command(app, exit_code);

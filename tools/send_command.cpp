@@ -155,11 +155,13 @@ void add_send_command(CLI::App& app, int& exit_code) {
   auto choice = std::make_shared<SendChoice>();
   choice->timing.speed = kCautiousSpeed;
   choice->timing.period_ms = kPeriodMs;
-  CLI::App* command = app.add_subcommand("send", "Run a path on an arm and a hand");
+  CLI::App* command =
+      app.add_subcommand("send", "Run a path on an arm and a hand, or on a robot in ROS");
   add_timing_options(*command, choice->timing);
   command
       ->add_option("--to", choice->to,
-                   "arm://HOST[:PORT], hand://HOST[:PORT] or both with a comma between")
+                   "arm://HOST[:PORT], hand://HOST[:PORT], both with a comma between, or "
+                   "ros://HOST[:PORT][/CONTROLLER][#arm|#hand] (ros2:// for ROS 2)")
       ->required();
   command->add_flag("--yes", choice->yes, "Let the robot move");
   command->add_option("--log", choice->log, "Where to write planned and measured joints (CSV)");

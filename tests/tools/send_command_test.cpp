@@ -1,7 +1,7 @@
 /// `handway send` on emulated devices: whole paths, every fault, and stops.
 #include "background_process.h"
 #include "command_line.h"
-#include "handway_test/paths.h"
+#include "sent_path.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,8 +10,6 @@
 #include <csignal>
 #include <filesystem>
 #include <memory>
-#include <regex>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -23,36 +21,6 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 using testing::StartsWith;
-
-constexpr int kMotionStopped = 5;
-
-std::string scene() { return (source_dir() / "scenes" / "can_on_table.yaml").string(); }
-
-std::vector<std::string> lines_of(const std::string& text) {
-  std::istringstream in(text);
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(in, line);) {
-    lines.push_back(line);
-  }
-  return lines;
-}
-
-double number_after(const std::string& text, const std::string& words) {
-  std::smatch found;
-  return std::regex_search(text, found, std::regex(words + " ([0-9.]+)")) ? std::stod(found[1])
-                                                                          : 1e9;
-}
-
-/// A path of the scene, planned once.
-const std::string& planned_path() {
-  static const std::string path = [] {
-    const CommandLine line;
-    const Outcome plan = line.run("plan " + scene() + " --out path.csv");
-    EXPECT_EQ(plan.exit_code, 0) << plan.err;
-    return line.read("path.csv");
-  }();
-  return path;
-}
 
 /// An emulated arm and hand at the scene's start, and a path of the scene.
 class Send : public testing::Test {

@@ -71,7 +71,7 @@ std::vector<std::uint8_t> encode(const SimpleMessage& message) {
   out.add(static_cast<std::int32_t>(message.kind));
   out.add(static_cast<std::int32_t>(message.reply));
   if (message.type == SimpleMessageType::kStatus) {
-    const ArmStatus& status = message.status;
+    const RobotStatus& status = message.status;
     for (const std::int32_t value :
          {status.drives_powered, status.emergency_stopped, status.error_code, status.in_error,
           status.in_motion, status.mode, status.motion_possible}) {
@@ -120,7 +120,7 @@ std::optional<SimpleMessage> SimpleMessageParser::next() {
   message.kind = static_cast<SimpleMessageKind>(kind);
   message.reply = static_cast<SimpleMessageReply>(reply);
   if (message.type == SimpleMessageType::kStatus) {
-    ArmStatus& status = message.status;
+    RobotStatus& status = message.status;
     for (std::int32_t* value :
          {&status.drives_powered, &status.emergency_stopped, &status.error_code, &status.in_error,
           &status.in_motion, &status.mode, &status.motion_possible}) {

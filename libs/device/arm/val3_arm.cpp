@@ -45,7 +45,7 @@ struct Val3Arm::Wire {
   std::unique_ptr<ByteLink> state;
   SimpleMessageParser replies;
   SimpleMessageParser feedback;
-  std::optional<ArmStatus> status;
+  std::optional<RobotStatus> status;
 
   std::vector<Val3Point> points;
   std::size_t accepted = 0;  ///< Points that the controller has taken.
@@ -88,23 +88,16 @@ void Val3Arm::do_upload(const JointTrajectory& trajectory) {
 }
 
 void Val3Arm::do_start() {
-  const auto refuse_unless = [this](bool good, const char* found, const char* advice) {
-    if (!good) {
-      refuse(found, "an arm that can move", advice);
-    }
-  };
   const auto begin = Clock::now();
   while (!wire_->status && Clock::now() - begin < kLongestReply) {
     do_update(0.0);
   }
-  refuse_unless(wire_->status.has_value(), "no status", "Look whether the VAL3 server is running.");
-  const ArmStatus& status = *wire_->status;
-  refuse_unless(status.emergency_stopped != 1, "an emergency stop", "Release it.");
-  refuse_unless(status.in_error != 1, "a controller in error", "Look at its pendant.");
-  refuse_unless(status.drives_powered != 0, "drives without power", "Switch arm power on.");
-  refuse_unless(status.mode != 1, "manual mode", "Switch to remote or automatic mode.");
-  refuse_unless(status.motion_possible != 0, "a controller that can't move now",
-                "Look at its pendant.");
+  const auto obstacle =
+      wire_->status ? obstacle_to_start(*wire_->status)
+                    : RobotObstacle{"no status", "Look whether the VAL3 server is running."};
+  if (obstacle) {
+    refuse(obstacle->found, "an arm that can move", obstacle->advice);
+  }
   wire_->running = true;
   wire_->asked = false;
   wire_->released = wire_->points.size();
@@ -181,16 +174,8 @@ void Val3Arm::read_feedback() {
 }
 
 void Val3Arm::look_at_status() const {
-  const ArmStatus& status = *wire_->status;
-  if (status.emergency_stopped == 1) {
-    refuse("an emergency stop", "none", "Find out why before you release it.");
-  }
-  if (status.in_error == 1) {
-    refuse(fmt::format("error {} of the controller", status.error_code), "none",
-           "Look at its pendant.");
-  }
-  if (status.drives_powered == 0) {
-    refuse("drives without power", "power all along", "Look at the controller's pendant.");
+  if (const auto obstacle = obstacle_under_way(*wire_->status)) {
+    refuse(obstacle->found, "none", obstacle->advice);
   }
 }
 

@@ -57,7 +57,7 @@ struct Val3Controller::Arm {
   }
   [[nodiscard]] bool accepts(const SimpleMessage& point);
   [[nodiscard]] bool in_range(const Eigen::VectorXd& target) const;
-  [[nodiscard]] ArmStatus status() const;
+  [[nodiscard]] RobotStatus status() const;
 };
 
 void Val3Controller::Arm::stop() {
@@ -140,8 +140,8 @@ bool Val3Controller::Arm::accepts(const SimpleMessage& point) {
   return true;
 }
 
-ArmStatus Val3Controller::Arm::status() const {
-  ArmStatus status;
+RobotStatus Val3Controller::Arm::status() const {
+  RobotStatus status;
   status.drives_powered = powered ? 1 : 0;
   status.emergency_stopped = estopped ? 1 : 0;
   status.error_code = estopped ? kEstopCode : 0;

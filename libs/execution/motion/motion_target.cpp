@@ -1,10 +1,10 @@
 #include "handway/execution/motion/motion_target.h"
 
 #include "handway/device/arm/val3_arm.h"
-#include "handway/device/core/device_address.h"
-#include "handway/device/hand/hand_protocol.h"
 #include "handway/device/hand/network_hand.h"
+#include "handway/device/ros/ros_robot.h"
 #include "handway/geometric/io/input_error.h"
+#include "motion/motion_address.h"
 
 #include <fmt/format.h>
 
@@ -16,53 +16,45 @@
 namespace handway::execution {
 namespace {
 
-constexpr const char* kScheme = "://";
-
-[[noreturn]] void refuse(const std::string& found) {
-  throw geometric::InputError({"--to", "", fmt::format("\"{}\"", found),
-                               "arm://HOST[:PORT], hand://HOST[:PORT] or both with a comma between",
-                               "Write, for example, arm://localhost:11000."});
-}
-
-device::TcpAddress parse_address(const std::string& text, std::uint16_t default_port) {
-  const bool has_port =
-      text.find(':', text.starts_with('[') ? text.find(']') : 0) != std::string::npos;
-  return std::get<device::TcpAddress>(device::parse_device_address(
-      has_port ? fmt::format("tcp://{}", text) : fmt::format("tcp://{}:{}", text, default_port)));
-}
-
 MotionTarget parse_target(const std::string& text, const planning::PlanningProblem& problem) {
-  const std::size_t at = text.find(kScheme);
-  const std::string kind = text.substr(0, std::min(at, text.size()));
-  if (at == std::string::npos || (kind != "arm" && kind != "hand")) {
-    refuse(text);
-  }
-  const std::string where = text.substr(at + std::string(kScheme).size());
-  if (where.empty()) {
-    refuse(text);
-  }
-  MotionTarget target{kind, device_variables(problem, kind), nullptr};
+  const MotionAddress address = parse_motion_address(text);
+  MotionTarget target{address.part, device_variables(problem, address.part), nullptr};
   if (target.variables.empty()) {
     throw geometric::InputError(
         {"--to", "", text, "a device that the robot has",
-         fmt::format("Robot \"{}\" has no {}.", problem.model().name(), kind)});
+         fmt::format("Robot \"{}\" has no {}.", problem.model().name(), address.part)});
   }
   device::JointRanges joints = device_joints(problem.model(), target.variables);
-  if (kind == "arm") {
-    const device::TcpAddress address = parse_address(where, device::kVal3MotionPort);
-    target.link = std::make_unique<device::Val3Arm>(text, address.host, address.port, joints);
+  if (const auto* ros = std::get_if<device::RosAddress>(&address.where)) {
+    target.link = std::make_unique<device::RosRobot>(text, *ros, joints);
+    return target;
+  }
+  const auto& [host, port] = std::get<device::TcpAddress>(address.where);
+  if (address.part == "arm") {
+    target.link = std::make_unique<device::Val3Arm>(text, host, port, joints);
   } else {
-    const device::TcpAddress address = parse_address(where, device::kHandPort);
-    target.link = std::make_unique<device::NetworkHand>(text, address.host, address.port, joints);
+    target.link = std::make_unique<device::NetworkHand>(text, host, port, joints);
   }
   return target;
+}
+
+bool share_joints(const MotionTarget& one, const MotionTarget& other) {
+  return std::ranges::any_of(one.variables, [&](int v) {
+    return std::ranges::find(other.variables, v) != other.variables.end();
+  });
 }
 
 }  // namespace
 
 std::vector<int> device_variables(const planning::PlanningProblem& problem,
                                   const std::string& kind) {
-  std::vector<int> variables = kind == "arm" ? problem.arm : problem.hand;
+  std::vector<int> variables;
+  if (kind != "hand") {
+    variables = problem.arm;
+  }
+  if (kind != "arm") {
+    variables.insert(variables.end(), problem.hand.begin(), problem.hand.end());
+  }
   std::ranges::sort(variables);
   return variables;
 }
@@ -93,14 +85,16 @@ std::vector<MotionTarget> parse_targets(const std::string& text,
   std::istringstream parts(text);
   for (std::string part; std::getline(parts, part, ',');) {
     MotionTarget target = parse_target(part, problem);
-    if (!targets.empty() && targets.front().kind == target.kind) {
-      throw geometric::InputError(
-          {"--to", "", "two devices for the " + target.kind, "one arm and one hand at most", ""});
+    for (const MotionTarget& other : targets) {
+      if (share_joints(target, other)) {
+        throw geometric::InputError({"--to", "", fmt::format("two devices for the {}", target.kind),
+                                     "one for each joint", "Leave one away."});
+      }
     }
     targets.push_back(std::move(target));
   }
   if (targets.empty()) {
-    refuse(text);
+    static_cast<void>(parse_motion_address(text));
   }
   // An arm can hold at its points only, and is asked first when all shall hold together.
   std::ranges::stable_partition(targets, [](const auto& target) { return target.kind == "arm"; });

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "handway/device/core/robot_status.h"
 #include "handway/device/export.h"
 
 #include <array>
@@ -24,7 +25,7 @@ inline constexpr std::size_t kSimpleMessageJoints = 10;
 enum class SimpleMessageType : std::int32_t {
   kJointPosition = 10,         ///< Body: sequence, joints.
   kJointTrajectoryPoint = 11,  ///< Body: sequence, joints, velocity (0 to 1), duration (s).
-  kStatus = 13,                ///< Body: ArmStatus.
+  kStatus = 13,                ///< Body: RobotStatus.
 };
 
 enum class SimpleMessageKind : std::int32_t { kTopic = 1, kRequest = 2, kReply = 3 };
@@ -33,19 +34,6 @@ enum class SimpleMessageReply : std::int32_t { kNone = 0, kSuccess = 1, kFailure
 
 /// Sequence number of a trajectory point that means "stop at once and forget the rest".
 inline constexpr std::int32_t kStopSequence = -4;
-
-/// What a controller says of itself: -1 unknown, 0 no, 1 yes.
-struct ArmStatus {
-  std::int32_t drives_powered = -1;
-  std::int32_t emergency_stopped = -1;
-  std::int32_t error_code = 0;
-  std::int32_t in_error = -1;
-  std::int32_t in_motion = -1;
-  std::int32_t mode = -1;  ///< -1 unknown, 1 manual, 2 automatic.
-  std::int32_t motion_possible = -1;
-
-  bool operator==(const ArmStatus&) const = default;
-};
 
 /// One message; of the fields those of its type count.
 struct SimpleMessage {
@@ -56,7 +44,7 @@ struct SimpleMessage {
   std::array<float, kSimpleMessageJoints> joints{};
   float velocity = 0.0F;
   float duration = 0.0F;
-  ArmStatus status;
+  RobotStatus status;
 
   bool operator==(const SimpleMessage&) const = default;
 };

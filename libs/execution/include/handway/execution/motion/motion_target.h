@@ -10,14 +10,18 @@
 
 namespace handway::execution {
 
+/// All joints that a path may move: the arm's and the hand's.
+inline constexpr const char* kWholeRobot = "robot";
+
 /// A device that runs a part of a motion.
 struct MotionTarget {
-  std::string kind;            ///< "arm" or "hand"
+  std::string kind;            ///< "arm", "hand" or kWholeRobot
   std::vector<int> variables;  ///< The robot's variables that it moves, in its order.
   std::unique_ptr<device::MotionLink> link;
 };
 
-/// The variables of the robot's arm, or hand, in the order in which the robot has them.
+/// The variables of the robot's arm, hand or both, in the order in which the robot has them.
+/// @param kind "arm", "hand" or kWholeRobot.
 [[nodiscard]] HANDWAY_EXECUTION_EXPORT std::vector<int> device_variables(
     const planning::PlanningProblem& problem, const std::string& kind);
 
@@ -26,9 +30,10 @@ struct MotionTarget {
 [[nodiscard]] HANDWAY_EXECUTION_EXPORT device::JointRanges device_joints(
     const geometric::RobotModel& model, const std::vector<int>& variables);
 
-/// Reads "arm://HOST[:PORT]", "hand://HOST[:PORT]" or both with a comma between; nothing is
-/// connected.
-/// @throws InputError for anything else, and where the robot has no such part.
+/// Reads "arm://HOST[:PORT]", "hand://HOST[:PORT]", "ros://HOST[:PORT][/CONTROLLER][#arm|#hand]" or
+/// "ros2://" the same, or several with commas between; nothing is connected.
+/// @throws InputError for anything else, where the robot has no such part, and where two devices
+/// would move the same joint.
 [[nodiscard]] HANDWAY_EXECUTION_EXPORT std::vector<MotionTarget> parse_targets(
     const std::string& text, const planning::PlanningProblem& problem);
 

@@ -1,0 +1,189 @@
+#include "web_socket_port.h"
+
+#include "handway/device/core/device_error.h"
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/beast/core/buffers_to_string.hpp>
+#include <boost/beast/core/flat_buffer.hpp>
+#include <boost/beast/websocket.hpp>
+
+#include <deque>
+#include <map>
+#include <utility>
+
+namespace handway::device {
+
+namespace {
+
+namespace asio = boost::asio;
+namespace websocket = boost::beast::websocket;
+using asio::ip::tcp;
+using boost::system::error_code;
+
+// A host that reads nothing loses what comes after so many messages.
+constexpr std::size_t kMostWaiting = 1000;
+
+}  // namespace
+
+struct WebSocketPort::Server {
+  struct Session : std::enable_shared_from_this<Session> {
+    Session(Server& given, Host id, tcp::socket socket)
+        : server(given), host(id), stream(std::move(socket)) {}
+
+    Server& server;
+    Host host;
+    websocket::stream<tcp::socket> stream;
+    boost::beast::flat_buffer incoming;
+    std::deque<std::string> outgoing;  ///< The first is under way.
+    bool open = false;
+
+    void accept();
+    void read();
+    void write();
+    void end();
+  };
+
+  explicit Server(std::uint16_t port);
+  ~Server();
+  Server(const Server&) = delete;
+  Server& operator=(const Server&) = delete;
+
+  asio::io_context context{1};
+  tcp::acceptor acceptor{context};
+  std::map<Host, std::shared_ptr<Session>> sessions;
+  std::vector<Message> received;
+  Host next = 1;
+
+  void listen();
+};
+
+void WebSocketPort::Server::Session::accept() {
+  stream.async_accept([self = shared_from_this()](const error_code& error) {
+    if (error) {
+      self->end();
+      return;
+    }
+    self->open = true;
+    self->stream.text(true);
+    self->read();
+  });
+}
+
+void WebSocketPort::Server::Session::read() {
+  stream.async_read(incoming, [self = shared_from_this()](const error_code& error, std::size_t) {
+    if (error) {
+      self->end();
+      return;
+    }
+    self->server.received.push_back(
+        {self->host, boost::beast::buffers_to_string(self->incoming.data())});
+    self->incoming.clear();
+    self->read();
+  });
+}
+
+void WebSocketPort::Server::Session::write() {
+  stream.async_write(asio::buffer(outgoing.front()),
+                     [self = shared_from_this()](const error_code& error, std::size_t) {
+                       if (error) {
+                         self->end();
+                         return;
+                       }
+                       self->outgoing.pop_front();
+                       if (!self->outgoing.empty()) {
+                         self->write();
+                       }
+                     });
+}
+
+void WebSocketPort::Server::Session::end() {
+  error_code ignored;
+  stream.next_layer().close(ignored);
+  open = false;
+  server.sessions.erase(host);
+}
+
+WebSocketPort::Server::Server(std::uint16_t port) {
+  try {
+    const tcp::endpoint endpoint(asio::ip::address_v4::loopback(), port);
+    acceptor.open(endpoint.protocol());
+    acceptor.set_option(asio::socket_base::reuse_address(true));
+    acceptor.bind(endpoint);
+    acceptor.listen();
+  } catch (const boost::system::system_error& error) {
+    throw DeviceError({"TCP port " + std::to_string(port), "", error.code().message(),
+                       "a port that is free", "Take another one; 0 takes any that is free."});
+  }
+  listen();
+}
+
+// Handlers refer to sessions, and these to the server: none may be left.
+WebSocketPort::Server::~Server() {
+  error_code ignored;
+  acceptor.close(ignored);
+  for (const auto& [host, session] : sessions) {
+    session->stream.next_layer().close(ignored);
+  }
+  context.restart();
+  context.run();
+}
+
+void WebSocketPort::Server::listen() {
+  acceptor.async_accept([this](const error_code& error, tcp::socket socket) {
+    if (error == asio::error::operation_aborted) {
+      return;
+    }
+    if (!error) {
+      error_code ignored;
+      socket.set_option(tcp::no_delay(true), ignored);
+      const Host host = next++;
+      sessions[host] = std::make_shared<Session>(*this, host, std::move(socket));
+      sessions[host]->accept();
+    }
+    listen();
+  });
+}
+
+WebSocketPort::WebSocketPort(std::uint16_t port) : server_(std::make_unique<Server>(port)) {}
+
+WebSocketPort::~WebSocketPort() = default;
+
+std::uint16_t WebSocketPort::port() const { return server_->acceptor.local_endpoint().port(); }
+
+std::vector<WebSocketPort::Message> WebSocketPort::serve(std::chrono::microseconds duration) {
+  server_->context.restart();
+  server_->context.run_for(duration);
+  return std::exchange(server_->received, {});
+}
+
+std::vector<WebSocketPort::Host> WebSocketPort::hosts() const {
+  std::vector<Host> hosts;
+  for (const auto& [host, session] : server_->sessions) {
+    if (session->open) {
+      hosts.push_back(host);
+    }
+  }
+  return hosts;
+}
+
+void WebSocketPort::send(Host host, std::string text) {
+  const auto found = server_->sessions.find(host);
+  if (found == server_->sessions.end() || !found->second->open ||
+      found->second->outgoing.size() >= kMostWaiting) {
+    return;
+  }
+  found->second->outgoing.push_back(std::move(text));
+  if (found->second->outgoing.size() == 1) {
+    found->second->write();
+  }
+}
+
+void WebSocketPort::disconnect() {
+  for (const auto& [host, session] : server_->sessions) {
+    error_code ignored;
+    session->stream.next_layer().close(ignored);
+  }
+}
+
+}  // namespace handway::device

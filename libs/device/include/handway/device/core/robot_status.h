@@ -1,0 +1,39 @@
+#pragma once
+
+#include "handway/device/export.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace handway::device {
+
+/// What a controller says of itself: -1 unknown, 0 no, 1 yes. The fields are those of
+/// ROS-Industrial's message RobotStatus, in its simple message protocol and in ROS alike.
+struct RobotStatus {
+  std::int32_t drives_powered = -1;
+  std::int32_t emergency_stopped = -1;
+  std::int32_t error_code = 0;
+  std::int32_t in_error = -1;
+  std::int32_t in_motion = -1;
+  std::int32_t mode = -1;  ///< -1 unknown, 1 manual, 2 automatic.
+  std::int32_t motion_possible = -1;
+
+  bool operator==(const RobotStatus&) const = default;
+};
+
+/// Why a robot does not move, and what to do about it.
+struct RobotObstacle {
+  std::string found;
+  std::string advice;
+};
+
+/// @returns why no motion can begin; nothing if one can. What is unknown is no reason.
+[[nodiscard]] HANDWAY_DEVICE_EXPORT std::optional<RobotObstacle> obstacle_to_start(
+    const RobotStatus& status);
+
+/// @returns why a motion under way has ended; nothing if it goes on.
+[[nodiscard]] HANDWAY_DEVICE_EXPORT std::optional<RobotObstacle> obstacle_under_way(
+    const RobotStatus& status);
+
+}  // namespace handway::device

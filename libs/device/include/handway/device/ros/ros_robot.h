@@ -1,0 +1,65 @@
+#pragma once
+
+#include "handway/device/core/motion_link.h"
+#include "handway/device/export.h"
+#include "handway/device/ros/rosbridge.h"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+namespace handway::device {
+
+/// Port of rosbridge servers.
+inline constexpr std::uint16_t kRosbridgePort = 9090;
+
+/// Where a robot is to be found.
+struct RosAddress {
+  std::string host;
+  std::uint16_t port = kRosbridgePort;
+  RosVersion version = RosVersion::kRos1;
+  /// Of the `trajectory_msgs/JointTrajectory` that its controller takes.
+  std::string trajectory_topic = "/joint_trajectory_controller/command";
+};
+
+/// Topics on which a robot tells where its joints are, and how it is.
+inline constexpr const char* kJointStatesTopic = "/joint_states";
+inline constexpr const char* kRobotStatusTopic = "/robot_status";
+
+/// The topic that the joint_trajectory_controller of that name takes motions on.
+[[nodiscard]] HANDWAY_DEVICE_EXPORT std::string trajectory_topic(const std::string& controller,
+                                                                 RosVersion version);
+
+/// A robot in ROS 1 or ROS 2 with a joint_trajectory_controller (ros_controllers, ros2_controllers)
+/// behind a rosbridge server.
+///
+/// A controller in ROS runs on when who told it is gone. So it never gets more than the
+/// next 0.2 s, and 0.25 s more in which it brakes on the planned path; every 50 ms the next
+/// stretch takes the place of the last. Positions come from kJointStatesTopic, from one
+/// publisher or several. What kRobotStatusTopic tells (industrial_msgs/RobotStatus) is
+/// heeded if somebody publishes it: there is nothing that all robots tell.
+class HANDWAY_DEVICE_EXPORT RosRobot final : public MotionLink {
+ public:
+  /// @param name for messages. @param joints that the controller moves, by their names in ROS.
+  RosRobot(std::string name, RosAddress address, JointRanges joints);
+  ~RosRobot() override;
+
+ private:
+  void do_connect(const std::stop_token& stop) override;
+  void do_upload(const JointTrajectory& trajectory) override;
+  void do_start() override;
+  [[nodiscard]] double do_pause(double time) override;
+  void do_resume() override;
+  void do_stop() override;
+  void do_update(double time) override;
+
+  void read();
+  void take(const RosbridgeMessage& message);
+  void take_joints(const RosJointState& state);
+  void send_window(double time, double follow, double brake);
+
+  struct Wire;
+  std::unique_ptr<Wire> wire_;
+};
+
+}  // namespace handway::device

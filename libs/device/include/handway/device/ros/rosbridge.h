@@ -1,0 +1,79 @@
+#pragma once
+
+#include "handway/device/core/joint_trajectory.h"
+#include "handway/device/core/robot_status.h"
+#include "handway/device/export.h"
+
+#include <Eigen/Core>
+
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// The rosbridge protocol, version 2.1 (RobotWebTools/rosbridge_suite, ROSBRIDGE_PROTOCOL.md):
+/// JSON objects with a key `op`, one a WebSocket message. Only what moving joints needs.
+namespace handway::device {
+
+/// ROS 1 and ROS 2 name types and the parts of a duration differently.
+enum class RosVersion { kRos1, kRos2 };
+
+/// A message that is no JSON object, or not of the form that its `op` and type ask for.
+class RosbridgeError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// `trajectory_msgs/JointTrajectory`: positions only, times are `time_from_start`.
+struct RosTrajectory {
+  std::vector<std::string> names;
+  JointTrajectory motion;  ///< Times need not begin at 0.
+};
+
+/// `sensor_msgs/JointState`: positions only; shape [names].
+struct RosJointState {
+  std::vector<std::string> names;
+  Eigen::VectorXd position;  ///< rad; NaN where the message had null.
+};
+
+/// One rosbridge message; of the fields those of its `op` count.
+struct RosbridgeMessage {
+  std::string op;     ///< "advertise", "unadvertise", "subscribe", "publish", "status" …
+  std::string id;     ///< Empty: none.
+  std::string topic;  ///< Of advertise, subscribe and publish.
+  std::string type;   ///< Of advertise and subscribe.
+  std::string level;  ///< Of status: "error", "warning" …
+  std::string text;   ///< Of status.
+  // Of publish: the one that `msg` has the keys of.
+  std::optional<RosJointState> joint_state;
+  std::optional<RosTrajectory> trajectory;
+  std::optional<RobotStatus> robot_status;
+};
+
+/// @throws RosbridgeError
+[[nodiscard]] HANDWAY_DEVICE_EXPORT RosbridgeMessage parse_rosbridge(std::string_view text);
+
+/// "trajectory_msgs/JointTrajectory", or "trajectory_msgs/msg/JointTrajectory" in ROS 2.
+[[nodiscard]] HANDWAY_DEVICE_EXPORT std::string ros_type(std::string_view package,
+                                                         std::string_view name, RosVersion version);
+
+[[nodiscard]] HANDWAY_DEVICE_EXPORT std::string advertise(const std::string& topic,
+                                                          const std::string& type);
+/// @param id comes back in the status that a subscription which fails is answered by.
+[[nodiscard]] HANDWAY_DEVICE_EXPORT std::string subscribe(const std::string& id,
+                                                          const std::string& topic,
+                                                          const std::string& type);
+[[nodiscard]] HANDWAY_DEVICE_EXPORT std::string publish(const std::string& topic,
+                                                        const RosTrajectory& trajectory,
+                                                        RosVersion version);
+[[nodiscard]] HANDWAY_DEVICE_EXPORT std::string publish(const std::string& topic,
+                                                        const RosJointState& state);
+[[nodiscard]] HANDWAY_DEVICE_EXPORT std::string publish(const std::string& topic,
+                                                        const RobotStatus& status);
+/// @param id of the message that this is about; empty: none.
+[[nodiscard]] HANDWAY_DEVICE_EXPORT std::string status(const std::string& level,
+                                                       const std::string& text,
+                                                       const std::string& id);
+
+}  // namespace handway::device

@@ -1,0 +1,199 @@
+#include "handway/device/ros/ros_robot.h"
+
+#include "core/motion_window.h"
+#include "core/web_socket_link.h"
+#include "handway/device/core/device_error.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+namespace handway::device {
+namespace {
+
+using Clock = MotionLink::Clock;
+using std::chrono::milliseconds;
+
+constexpr milliseconds kSendPeriod{50};
+constexpr WindowLength kWindow;
+// A stop brakes in this time, s.
+constexpr double kStopBrake = 0.15;
+// So many messages about joints without one that is asked for.
+constexpr int kPatience = 200;
+constexpr const char* kStatusId = "handway-robot-status";
+
+}  // namespace
+
+struct RosRobot::Wire {
+  RosAddress address;
+  std::unique_ptr<WebSocketLink> link;
+  Eigen::VectorXd position;
+  std::vector<bool> fresh;  ///< Joints that were told since the last sample.
+  std::vector<bool> known;
+  int messages = 0;  ///< About joints.
+  std::optional<RobotStatus> status;
+  bool watched = false;  ///< A motion is under way, or held.
+  bool sending = false;
+  Clock::time_point sent;
+  double time = 0.0;  ///< Of the motion, when update() was called last.
+  Clock::time_point updated;
+
+  [[nodiscard]] double time_now() const {
+    return time + std::chrono::duration<double>(Clock::now() - updated).count();
+  }
+};
+
+std::string trajectory_topic(const std::string& controller, RosVersion version) {
+  return controller + (version == RosVersion::kRos1 ? "/command" : "/joint_trajectory");
+}
+
+RosRobot::RosRobot(std::string name, RosAddress address, JointRanges joints)
+    : MotionLink(std::move(name), std::move(joints)), wire_(std::make_unique<Wire>()) {
+  wire_->address = std::move(address);
+}
+
+RosRobot::~RosRobot() = default;
+
+void RosRobot::do_connect(const std::stop_token& stop) {
+  const RosAddress address = wire_->address;
+  *wire_ = {};
+  wire_->address = address;
+  wire_->position = Eigen::VectorXd::Zero(joints().count());
+  wire_->fresh.assign(joints().names.size(), false);
+  wire_->known = wire_->fresh;
+  wire_->link =
+      std::make_unique<WebSocketLink>(name(), TcpAddress{address.host, address.port}, stop);
+  wire_->link->send(advertise(address.trajectory_topic,
+                              ros_type("trajectory_msgs", "JointTrajectory", address.version)));
+  wire_->link->send(subscribe("handway-joint-states", kJointStatesTopic,
+                              ros_type("sensor_msgs", "JointState", address.version)));
+  wire_->link->send(subscribe(kStatusId, kRobotStatusTopic,
+                              ros_type("industrial_msgs", "RobotStatus", address.version)));
+}
+
+void RosRobot::do_upload(const JointTrajectory& /*trajectory*/) {
+  // It is sent while it runs.
+}
+
+void RosRobot::do_start() {
+  if (wire_->status) {
+    if (const auto obstacle = obstacle_to_start(*wire_->status)) {
+      refuse(obstacle->found, "a robot that can move", obstacle->advice);
+    }
+  }
+  wire_->time = 0.0;
+  wire_->updated = Clock::now();
+  wire_->watched = true;
+  wire_->sending = true;
+  wire_->sent = {};
+}
+
+double RosRobot::do_pause(double time) {
+  const double now = wire_->time_now();
+  const double hold = std::min(std::max(time, now + 0.5 * kStopBrake), trajectory().duration());
+  wire_->sending = false;
+  send_window(now, std::max(0.0, hold - now - 0.5 * kStopBrake), kStopBrake);
+  return hold;
+}
+
+void RosRobot::do_resume() {
+  wire_->sending = true;
+  wire_->sent = {};
+}
+
+void RosRobot::do_stop() {
+  const bool moving = wire_->sending;
+  wire_->watched = false;
+  wire_->sending = false;
+  if (moving) {
+    send_window(wire_->time_now(), 0.0, kStopBrake);
+  } else if (wire_->link && phase() == MotionPhase::kPaused) {
+    // Not yet at the point where it was to hold, maybe.
+    RosTrajectory here{joints().names, {{kStopBrake}, measured().position.transpose()}};
+    wire_->link->send(publish(wire_->address.trajectory_topic, here, wire_->address.version));
+  }
+}
+
+void RosRobot::do_update(double time) {
+  wire_->time = time;
+  wire_->updated = Clock::now();
+  read();
+  if (!wire_->sending || phase() != MotionPhase::kRunning ||
+      Clock::now() - wire_->sent < kSendPeriod) {
+    return;
+  }
+  if (time < trajectory().duration() + kWindow.follow) {
+    send_window(time, kWindow.follow, kWindow.brake);
+    wire_->sent = Clock::now();
+  }
+}
+
+void RosRobot::send_window(double time, double follow, double brake) {
+  const RosTrajectory window{joints().names, motion_window(trajectory(), time, {follow, brake})};
+  wire_->link->send(publish(wire_->address.trajectory_topic, window, wire_->address.version));
+}
+
+void RosRobot::read() {
+  try {
+    milliseconds patience{1};
+    while (const auto text = wire_->link->receive(patience)) {
+      take(parse_rosbridge(*text));
+      patience = milliseconds(0);
+    }
+  } catch (const RosbridgeError& error) {
+    refuse(error.what(), "rosbridge messages",
+           "Look whether the port is that of a rosbridge server.");
+  }
+  if (wire_->watched && wire_->status) {
+    if (const auto obstacle = obstacle_under_way(*wire_->status)) {
+      refuse(obstacle->found, "none", obstacle->advice);
+    }
+  }
+}
+
+void RosRobot::take(const RosbridgeMessage& message) {
+  if (message.op == "status") {
+    // Many robots don't have this topic, nor the type.
+    if (message.level == "error" && message.id != kStatusId) {
+      refuse("\"" + message.text + "\"", "a rosbridge server that does what it is told",
+             "Look whether topic and ROS version are right and the controller runs.");
+    }
+  } else if (message.joint_state && message.topic == kJointStatesTopic) {
+    take_joints(*message.joint_state);
+  } else if (message.robot_status && message.topic == kRobotStatusTopic) {
+    wire_->status = message.robot_status;
+  }
+}
+
+void RosRobot::take_joints(const RosJointState& state) {
+  for (std::size_t i = 0; i < state.names.size(); ++i) {
+    const auto found = std::ranges::find(joints().names, state.names[i]);
+    if (found == joints().names.end()) {
+      continue;
+    }
+    const auto joint = found - joints().names.begin();
+    const double value = state.position[static_cast<Eigen::Index>(i)];
+    if (!std::isfinite(value)) {
+      refuse(fmt::format("joint {} at no number", *found), "its position",
+             "Look at the robot's driver.");
+    }
+    wire_->position[joint] = value;
+    wire_->fresh[static_cast<std::size_t>(joint)] = true;
+    wire_->known[static_cast<std::size_t>(joint)] = true;
+  }
+  if (std::ranges::all_of(wire_->fresh, [](bool told) { return told; })) {
+    add_sample(wire_->position);
+    wire_->fresh.assign(wire_->fresh.size(), false);
+  } else if (const auto missing = std::ranges::find(wire_->known, false);
+             missing != wire_->known.end() && ++wire_->messages > kPatience) {
+    refuse(fmt::format("no position of joint {} on {}",
+                       joints().names[static_cast<std::size_t>(missing - wire_->known.begin())],
+                       kJointStatesTopic),
+           "positions of all joints", "Look whether joints have the same names in ROS.");
+  }
+}
+
+}  // namespace handway::device
