@@ -97,7 +97,8 @@ std::vector<MotionTarget> parse_targets(const std::string& text,
     static_cast<void>(parse_motion_address(text));
   }
   // An arm can hold at its points only, and is asked first when all shall hold together.
-  std::ranges::stable_partition(targets, [](const auto& target) { return target.kind == "arm"; });
+  std::stable_partition(targets.begin(), targets.end(),
+                        [](const MotionTarget& target) { return target.kind == "arm"; });
   return targets;
 }
 
