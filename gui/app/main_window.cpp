@@ -6,6 +6,8 @@
 #include "app/plan_options.h"
 #include "app/posing.h"
 #include "app/recent_files.h"
+#include "devices/device_session.h"
+#include "devices/devices_panel.h"
 #include "editing/recovery.h"
 #include "editing/scene_editing.h"
 #include "glove/glove_panel.h"
@@ -32,6 +34,7 @@
 #include <QFileInfo>
 #include <QMenu>
 #include <QMimeData>
+#include <QPushButton>
 #include <QSettings>
 #include <QStackedWidget>
 #include <QStatusBar>
@@ -49,6 +52,7 @@ MainWindow::MainWindow(std::shared_ptr<planning::Extensions> extensions, QWidget
       log_(new LogPanel),
       plan_panel_(new PlanPanel(extensions_->planners())),
       posing_(std::make_unique<Posing>(document_, player_)),
+      devices_(std::make_unique<DeviceSession>(document_, player_)),
       collisions_(std::make_unique<CollisionDisplay>(document_, *view_)),
       playback_(new PlaybackBar(player_)),
       start_page_(new StartPage),
@@ -69,6 +73,7 @@ MainWindow::MainWindow(std::shared_ptr<planning::Extensions> extensions, QWidget
   connect_document();
   connect_view();
   connect_planning();
+  connect_devices();
   show_scene();
   for (const planning::RefusedPlugin& plugin : extensions_->refused()) {
     log_->add(LogPanel::Level::kWarning,
@@ -100,10 +105,12 @@ void MainWindow::build_docks() {
        .control = {{"plan", tr("Plan"), plan_panel_},
                    {"joints", tr("Joints"), stacked({posing_->postures(), posing_->joints()}, 1)},
                    {"hand", tr("Hand"), posing_->hand()},
-                   {"glove", tr("Glove"), posing_->glove()}}},
+                   {"glove", tr("Glove"), posing_->glove()},
+                   {"devices", tr("Devices"), devices_->panel()}}},
       *actions_->view_menu(), *actions_->edit_menu());
   actions_->view_menu()->addAction(actions_->default_layout);
   statusBar()->addWidget(collisions_->label(), 1);
+  statusBar()->addPermanentWidget(devices_->stop_button());
   default_layout_ = saveState();
   restore_layout(*this);
 }
@@ -211,6 +218,19 @@ void MainWindow::connect_planning() {
       player_.play();
     }
   });
+}
+
+void MainWindow::connect_devices() {
+  connect(devices_.get(), &DeviceSession::executed_changed, view_,
+          [this](const std::vector<Eigen::Vector3d>& way) { view_->set_executed(way); });
+  connect(devices_.get(), &DeviceSession::told, this, [this](bool good, const QString& message) {
+    log_->add(good ? LogPanel::Level::kNote : LogPanel::Level::kError, message);
+  });
+  connect(devices_.get(), &DeviceSession::start_here_requested, this,
+          [this](const Eigen::VectorXd& q) {
+            editing_->editor().set_start(q);
+            session_->start();
+          });
 }
 
 void MainWindow::begin(const Options& options) {

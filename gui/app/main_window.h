@@ -19,6 +19,7 @@ class Banner;
 class CollisionDisplay;
 class CollisionMonitor;
 class CommandPalette;
+class DeviceSession;
 class FileCommands;
 class GlovePanel;
 class PlaybackBar;
@@ -51,6 +52,7 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] SceneView& view() { return *view_; }
   [[nodiscard]] PlanPanel& plan_panel() { return *plan_panel_; }
   [[nodiscard]] GlovePanel& glove_panel();
+  [[nodiscard]] DeviceSession& devices() { return *devices_; }
   [[nodiscard]] CollisionMonitor& collisions();
   /// The message in the window; empty if there is none.
   [[nodiscard]] QString message() const;
@@ -74,6 +76,7 @@ class MainWindow : public QMainWindow {
   void connect_start();
   void connect_view();
   void connect_planning();
+  void connect_devices();
   void show_scene();
   void show_error(const QString& title, const QString& message);
   void apply_glove_options();
@@ -93,6 +96,7 @@ class MainWindow : public QMainWindow {
   LogPanel* log_;
   PlanPanel* plan_panel_;
   std::unique_ptr<Posing> posing_;
+  std::unique_ptr<DeviceSession> devices_;
   std::unique_ptr<CollisionDisplay> collisions_;
   PlaybackBar* playback_;
   StartPage* start_page_;

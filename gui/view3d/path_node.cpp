@@ -57,6 +57,15 @@ SoSeparator* make_line(std::span<const Eigen::Vector3d> points) {
   return separator;
 }
 
+// For what is seen through the robot, which would hide most of it.
+CoinRef<SoSeparator> make_seen_through() {
+  auto separator = make_coin<SoSeparator>();
+  auto* through = new SoDepthBuffer;
+  through->test = FALSE;
+  separator->addChild(through);
+  return separator;
+}
+
 SoSeparator* make_bead(const Eigen::Vector3d& place, const geometric::Color& color) {
   auto* separator = new SoSeparator;
   auto* translation = new SoTranslation;
@@ -71,12 +80,21 @@ SoSeparator* make_bead(const Eigen::Vector3d& place, const geometric::Color& col
 
 }  // namespace
 
+CoinRef<SoSeparator> make_executed_node(std::span<const Eigen::Vector3d> points) {
+  auto separator = make_seen_through();
+  add_unlit_style(*separator.get(), 2.0F);
+  auto* color = new SoBaseColor;
+  color->rgb = SbColor(0.80F, 0.12F, 0.46F);
+  separator->addChild(color);
+  auto* line = new SoLineSet;
+  line->vertexProperty = make_vertices(points);
+  separator->addChild(line);
+  return separator;
+}
+
 CoinRef<SoSeparator> make_path_node(std::span<const Eigen::Vector3d> points,
                                     std::span<const Eigen::Vector3d> waypoints) {
-  auto separator = make_coin<SoSeparator>();
-  auto* through = new SoDepthBuffer;  // seen through the robot, which would hide most of it
-  through->test = FALSE;
-  separator->addChild(through);
+  auto separator = make_seen_through();
   separator->addChild(make_line(points));
   for (std::size_t i = 0; i < waypoints.size(); ++i) {
     separator->addChild(make_bead(waypoints[i], color_along(i, waypoints.size())));

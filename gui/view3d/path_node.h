@@ -15,6 +15,9 @@ namespace handway::gui {
 [[nodiscard]] CoinRef<SoSeparator> make_path_node(std::span<const Eigen::Vector3d> points,
                                                   std::span<const Eigen::Vector3d> waypoints);
 
+/// A line of one colour through `points` (world, m): what the robot did. Nothing hides it.
+[[nodiscard]] CoinRef<SoSeparator> make_executed_node(std::span<const Eigen::Vector3d> points);
+
 /// A dot at each of `points` (world, m).
 [[nodiscard]] CoinRef<SoSeparator> make_dots_node(std::span<const Eigen::Vector3d> points);
 

@@ -4,7 +4,6 @@
 #include "view3d/coin_conversions.h"
 #include "view3d/floor_grid.h"
 #include "view3d/lights.h"
-#include "view3d/path_node.h"
 #include "view3d/scene_extent.h"
 #include "view3d/view_overlay.h"
 
@@ -20,6 +19,7 @@
 #include <GL/gl.h>
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 namespace handway::gui {
@@ -36,8 +36,7 @@ struct SceneGraph::Passes {
   CoinRef<SoSeparator> solid_content = make_coin<SoSeparator>();
   CoinRef<SoSeparator> floor = make_coin<SoSeparator>();
   CoinRef<SoSwitch> floor_content = make_coin<SoSwitch>();
-  CoinRef<SoSwitch> path = make_coin<SoSwitch>();
-  CoinRef<SoSwitch> dots = make_coin<SoSwitch>();
+  std::map<Overlay, CoinRef<SoSwitch>> overlays;
   CoinRef<SoSeparator> gizmo = make_coin<SoSeparator>();
   CoinRef<SoOrthographicCamera> axes_camera = make_coin<SoOrthographicCamera>();
   CoinRef<SoSeparator> axes = make_coin<SoSeparator>();
@@ -47,13 +46,15 @@ struct SceneGraph::Passes {
       prepare(root);
     }
     solids->addChild(solid_content.get());
-    solids->addChild(path.get());
-    solids->addChild(dots.get());
+    for (const Overlay overlay : {Overlay::kPath, Overlay::kDots, Overlay::kExecuted}) {
+      const CoinRef<SoSwitch> shown = make_coin<SoSwitch>();
+      shown->whichChild = SO_SWITCH_ALL;
+      solids->addChild(shown.get());
+      overlays.emplace(overlay, shown);
+    }
     solid_content->renderCaching = SoSeparator::OFF;
     floor->addChild(floor_content.get());
-    for (SoSwitch* shown : {path.get(), dots.get(), floor_content.get()}) {
-      shown->whichChild = SO_SWITCH_ALL;
-    }
+    floor_content->whichChild = SO_SWITCH_ALL;
     axes->addChild(camera_lights.get());
     axes->addChild(axes_camera.get());
     axes->addChild(make_axes_node().get());
@@ -83,8 +84,9 @@ void SceneGraph::set_scene(std::shared_ptr<const geometric::Scene> scene) {
   goal_.clear();
   colliding_.clear();
   selection_ = {};
-  passes_->path->removeAllChildren();
-  passes_->dots->removeAllChildren();
+  for (const auto& [overlay, shown] : passes_->overlays) {
+    shown->removeAllChildren();
+  }
   if (scene_) {
     add_robots();
     add_ghosts();
@@ -279,23 +281,16 @@ void SceneGraph::update_outline() {
   outline_.set_parts(parts);
 }
 
-void SceneGraph::set_path(std::span<const Eigen::Vector3d> points,
-                          std::span<const Eigen::Vector3d> waypoints) {
-  passes_->path->removeAllChildren();
-  if (!points.empty()) {
-    passes_->path->addChild(make_path_node(points, waypoints).get());
+void SceneGraph::set_overlay(Overlay overlay, SoNode* drawing) {
+  SoSwitch& shown = *passes_->overlays.at(overlay).get();
+  shown.removeAllChildren();
+  if (drawing) {
+    shown.addChild(drawing);
   }
 }
 
-void SceneGraph::set_dots(std::span<const Eigen::Vector3d> points) {
-  passes_->dots->removeAllChildren();
-  if (!points.empty()) {
-    passes_->dots->addChild(make_dots_node(points).get());
-  }
-}
-
-void SceneGraph::set_dots_visible(bool visible) {
-  passes_->dots->whichChild = visible ? SO_SWITCH_ALL : SO_SWITCH_NONE;
+void SceneGraph::set_overlay_visible(Overlay overlay, bool visible) {
+  passes_->overlays.at(overlay)->whichChild = visible ? SO_SWITCH_ALL : SO_SWITCH_NONE;
 }
 
 void SceneGraph::set_floor_visible(bool visible) {

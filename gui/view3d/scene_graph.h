@@ -23,6 +23,9 @@ class SbVec2s;
 
 namespace handway::gui {
 
+/// What is drawn into the scene without being part of it.
+enum class Overlay { kPath, kDots, kExecuted };
+
 /// A scene as Coin nodes. Knows no window: what to show comes in, drawing and
 /// picking go out.
 class SceneGraph {
@@ -44,10 +47,9 @@ class SceneGraph {
   void set_collisions(std::vector<std::string> bodies);
   void set_selection(const SceneItem& item);
   void show_ghosts(bool start, bool goal);
-  void set_path(std::span<const Eigen::Vector3d> points,
-                std::span<const Eigen::Vector3d> waypoints);
-  void set_dots(std::span<const Eigen::Vector3d> points);
-  void set_dots_visible(bool visible);
+  /// @param drawing in the world's frame, m; null: nothing.
+  void set_overlay(Overlay overlay, SoNode* drawing);
+  void set_overlay_visible(Overlay overlay, bool visible);
   void set_floor_visible(bool visible);
 
   /// Points that a picture of the whole scene should contain: the robots now, at

@@ -1,6 +1,7 @@
 #include "view3d/scene_view.h"
 
 #include "view3d/backdrop.h"
+#include "view3d/path_node.h"
 #include "view3d/scene_graph.h"
 #include "view3d/view_overlay.h"
 
@@ -8,6 +9,7 @@
 #include <Inventor/SbViewportRegion.h>
 #include <Inventor/SoDB.h>
 #include <Inventor/actions/SoGLRenderAction.h>
+#include <Inventor/nodes/SoSeparator.h>
 #include <QElapsedTimer>
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -140,17 +142,24 @@ void SceneView::show_ghosts(bool start, bool goal) {
 
 void SceneView::set_path(std::span<const Eigen::Vector3d> points,
                          std::span<const Eigen::Vector3d> waypoints) {
-  graph_->set_path(points, waypoints);
+  graph_->set_overlay(Overlay::kPath,
+                      points.empty() ? nullptr : make_path_node(points, waypoints).get());
+  update();
+}
+
+void SceneView::set_executed(std::span<const Eigen::Vector3d> points) {
+  graph_->set_overlay(Overlay::kExecuted,
+                      points.empty() ? nullptr : make_executed_node(points).get());
   update();
 }
 
 void SceneView::set_dots(std::span<const Eigen::Vector3d> points) {
-  graph_->set_dots(points);
+  graph_->set_overlay(Overlay::kDots, points.empty() ? nullptr : make_dots_node(points).get());
   update();
 }
 
 void SceneView::set_dots_visible(bool visible) {
-  graph_->set_dots_visible(visible);
+  graph_->set_overlay_visible(Overlay::kDots, visible);
   update();
 }
 

@@ -54,6 +54,8 @@ class SceneView : public QOpenGLWidget {
                 std::span<const Eigen::Vector3d> waypoints);
   /// Dots (world, m), for a planner's samples.
   void set_dots(std::span<const Eigen::Vector3d> points);
+  /// The palm's way as the robot went it (world, m); empty: none.
+  void set_executed(std::span<const Eigen::Vector3d> points);
   void set_dots_visible(bool visible);
   void set_floor_visible(bool visible);
 

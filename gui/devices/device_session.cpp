@@ -1,0 +1,162 @@
+#include "devices/device_session.h"
+
+#include "app/document.h"
+#include "devices/devices_panel.h"
+#include "devices/motion_text.h"
+#include "workers/path_player.h"
+
+#include <QDateTime>
+#include <QPushButton>
+#include <QStandardPaths>
+#include <QVariant>
+
+#include <filesystem>
+
+namespace handway::gui {
+namespace {
+
+using State = MotionDriver::State;
+
+// What an arm's queue of ten points can live on, s.
+constexpr double kPeriod = 0.02;
+// How far the robot may have moved since a motion was cleared, rad.
+constexpr double kSamePlace = 1e-3;
+constexpr double kSameNumbers = 1e-6;  // relative
+
+}  // namespace
+
+DeviceSession::DeviceSession(Document& document, PathPlayer& player, QObject* parent)
+    : QObject(parent),
+      document_(document),
+      player_(player),
+      panel_(new DevicesPanel),
+      stop_(new QPushButton(tr("STOP"))) {
+  stop_->setObjectName(QStringLiteral("devices_stop"));
+  stop_->setProperty("role", "stop");
+  stop_->setShortcut(QKeySequence(QStringLiteral("Ctrl+Space")));
+  stop_->setToolTip(tr("Stops the robot (Ctrl+Space)"));
+  stop_->hide();
+  connect(stop_, &QPushButton::clicked, &driver_, &MotionDriver::stop);
+  connect(panel_, &DevicesPanel::connect_requested, this, &DeviceSession::connect_devices);
+  connect(panel_, &DevicesPanel::disconnect_requested, &driver_, &MotionDriver::disconnect_all);
+  connect(panel_, &DevicesPanel::speed_changed, this, &DeviceSession::time_again);
+  connect(panel_, &DevicesPanel::run_requested, this, &DeviceSession::run);
+  connect(panel_, &DevicesPanel::hold_requested, this, [this](bool held) {
+    driver_.hold(held);
+    panel_->show_held(held);
+  });
+  connect(panel_, &DevicesPanel::start_here_requested, this,
+          [this] { emit start_here_requested(measured_); });
+  connect(&player_, &PathPlayer::timeline_changed, this, &DeviceSession::time_again);
+  connect(&document_, &Document::opened, this, [this] {
+    driver_.disconnect_all();
+    panel_->clear_outcome();
+    panel_->show_state(driver_.state(), document_.robot() != nullptr);
+    emit executed_changed({});
+    time_again();
+  });
+  connect(&timing_, &TimingRunner::timed, this,
+          [this](const std::shared_ptr<const planning::TimedPath>& motion) {
+            motion_ = motion;
+            panel_->show_motion(*motion);
+          });
+  connect(&timing_, &TimingRunner::failed, panel_, &DevicesPanel::show_no_motion);
+  connect(&driver_, &MotionDriver::state_changed, this, &DeviceSession::take_state);
+  connect(&driver_, &MotionDriver::measured, this, &DeviceSession::take_measured);
+  connect(&driver_, &MotionDriver::progressed, panel_, &DevicesPanel::show_progress);
+  connect(&driver_, &MotionDriver::ended, this, &DeviceSession::take_outcome);
+  connect(&driver_, &MotionDriver::failed, this, [this](const QString& message) {
+    panel_->show_problem(message);
+    emit told(false, message);
+  });
+  time_again();
+}
+
+std::filesystem::path DeviceSession::log_folder() {
+  const QString data = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
+  return std::filesystem::path(data.toStdString()) / "motions";
+}
+
+void DeviceSession::connect_devices() {
+  const auto problem = document_.problem() ? document_.problem()->if_ready() : nullptr;
+  if (!problem) {
+    panel_->show_problem(tr("The scene is still being prepared: try again in a moment."));
+    return;
+  }
+  panel_->show_problem({});
+  panel_->clear_outcome();
+  emit executed_changed({});
+  driver_.connect_to(panel_->devices(), problem, document_.configuration());
+}
+
+void DeviceSession::time_again() {
+  motion_.reset();
+  timing_.forget();
+  if (player_.timeline().empty() || !document_.problem()) {
+    panel_->show_no_motion(tr("Plan a path first."));
+    return;
+  }
+  panel_->show_no_motion(tr("Timing the path…"));
+  planning::TimingOptions options;
+  options.speed = panel_->speed();
+  options.period = kPeriod;
+  if (measured_.size() > 0) {
+    options.measured_start = measured_;
+    options.start_tolerance = device::MotionTolerances{}.start;
+  }
+  timed_from_ = measured_;
+  timing_.start(document_.problem(), player_.timeline().path(), "path", options);
+}
+
+void DeviceSession::run() {
+  if (!motion_ || !motion_->cleared() || !panel_->is_armed()) {
+    return;
+  }
+  const QString name = QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd_hh-mm-ss"));
+  std::error_code ignored;  // the log says whether it can be written
+  std::filesystem::create_directories(log_folder(), ignored);
+  panel_->show_problem({});
+  panel_->clear_outcome();
+  emit executed_changed({});
+  driver_.run(motion_, log_folder() / (name.toStdString() + ".csv"));
+}
+
+void DeviceSession::take_state(State state) {
+  if (state == State::kOff) {
+    measured_.resize(0);
+    time_again();
+  }
+  stop_->setVisible(state == State::kConnected || state == State::kRunning);
+  panel_->show_state(state, document_.robot() != nullptr);
+}
+
+void DeviceSession::take_measured(const Eigen::VectorXd& q) {
+  const bool changed = measured_.size() != q.size() || !measured_.isApprox(q, kSameNumbers);
+  measured_ = q;
+  // While the robot stands, other postures may be shown.
+  if (changed && panel_->mirrors() && !player_.is_playing()) {
+    document_.set_configuration(q);
+  }
+  const bool moved =
+      timed_from_.size() != q.size() || (timed_from_ - q).cwiseAbs().maxCoeff() > kSamePlace;
+  if (moved && driver_.state() == State::kConnected) {
+    time_again();
+  }
+}
+
+void DeviceSession::take_outcome(const execution::MotionOutcome& outcome,
+                                 const std::shared_ptr<const ExecutedMotion>& executed) {
+  if (!document_.robot()) {
+    return;
+  }
+  panel_->show_outcome(outcome, executed, *document_.robot()->model);
+  emit executed_changed(executed->way_of(*document_.robot(), document_.palm()));
+  emit told(outcome.done,
+            outcome.done ? tr("The robot ran the path in %1 s").arg(outcome.time, 0, 'f', 2)
+                         : tr("The robot stopped after %1 s: %2")
+                               .arg(outcome.time, 0, 'f', 2)
+                               .arg(outcome.fault.empty() ? tr("on request")
+                                                          : QString::fromStdString(outcome.fault)));
+}
+
+}  // namespace handway::gui

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "handway/execution/motion/motion_run.h"
+#include "handway/planning/timing/time_path.h"
+
+#include <QString>
+
+namespace handway::gui {
+
+/// What a motion would be like, or what stands against it, for a person (rich text).
+[[nodiscard]] QString motion_text(const planning::TimedPath& motion);
+
+/// How a motion ended, for a person (rich text).
+[[nodiscard]] QString outcome_text(const execution::MotionOutcome& outcome);
+
+}  // namespace handway::gui

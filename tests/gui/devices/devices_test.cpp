@@ -1,0 +1,186 @@
+/// The Devices tab: from a path on screen to a motion of emulated hardware.
+#include "devices/device_session.h"
+#include "devices/devices_panel.h"
+#include "forms/slider_row.h"
+#include "handway/device/arm/arm_emulator.h"
+#include "window_test.h"
+
+#include <QCheckBox>
+#include <QFile>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QStandardPaths>
+#include <QTabWidget>
+#include <QTextDocument>
+
+namespace handway::test {
+namespace {
+
+using gui::MotionDriver;
+using ::testing::HasSubstr;
+
+constexpr int kPatienceMs = 15000;
+
+class Devices : public WindowTest {
+ protected:
+  void SetUp() override {
+    QStandardPaths::setTestModeEnabled(true);
+    WindowTest::SetUp();
+    if (!IsSkipped()) {
+      open(cell().post());
+      window().player().set_loop(false);
+      part<QTabWidget>("control_tabs").setCurrentWidget(&panel());
+    }
+  }
+  void TearDown() override { QStandardPaths::setTestModeEnabled(false); }
+
+  [[nodiscard]] gui::DevicesPanel& panel() const { return *window().devices().panel(); }
+  [[nodiscard]] MotionDriver& driver() const { return window().devices().driver(); }
+  [[nodiscard]] bool reaches(MotionDriver::State state) const {
+    return QTest::qWaitFor([&] { return driver().state() == state; }, kPatienceMs);
+  }
+  void wait_for_problem() const {
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] { return window().document().problem()->if_ready() != nullptr; }, kPatienceMs));
+  }
+  void connect_emulators() const {
+    wait_for_problem();
+    click("devices_connect");
+    ASSERT_TRUE(reaches(MotionDriver::State::kConnected)) << text("devices_problem");
+  }
+  void choose_speed(double speed) const {
+    auto& row = part<gui::SliderRow>("devices_speed");
+    row.set_value(speed);
+    emit row.value_edited(speed);
+  }
+  /// Waits until the motion may run, and ticks that it may.
+  void arm() const {
+    auto& armed = part<QCheckBox>("devices_armed");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return armed.isEnabled(); }, kPatienceMs))
+        << text("devices_motion");
+    armed.click();
+    ASSERT_TRUE(part<QPushButton>("devices_run").isEnabled());
+  }
+  [[nodiscard]] std::string text(const char* label) const {
+    QTextDocument document;
+    document.setHtml(part<QLabel>(label).text());
+    return document.toPlainText().toStdString();
+  }
+};
+
+TEST_F(Devices, RunAPathAndTellHowItWent) {
+  plan();
+  connect_emulators();
+  choose_speed(1.0);
+  arm();
+  std::shared_ptr<const gui::ExecutedMotion> executed;
+  QObject::connect(&driver(), &MotionDriver::ended, &driver(),
+                   [&](const auto& /*outcome*/, const auto& motion) { executed = motion; });
+  click("devices_run");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return executed != nullptr; }, kPatienceMs));
+  EXPECT_THAT(text("devices_outcome"), HasSubstr("Done in"));
+  EXPECT_THAT(text("devices_outcome"), HasSubstr("Largest following error"));
+  EXPECT_TRUE(reaches(MotionDriver::State::kConnected));
+  EXPECT_FALSE(panel().is_armed()) << "it holds for one motion";
+  EXPECT_TRUE(std::filesystem::exists(executed->log));
+  EXPECT_NEAR(window().document().configuration()[0], window().document().scene()->goal.value()[0],
+              0.02);
+}
+
+TEST_F(Devices, MoveNothingUnlessTheyAreArmed) {
+  plan();
+  connect_emulators();
+  ASSERT_TRUE(
+      QTest::qWaitFor([&] { return part<QCheckBox>("devices_armed").isEnabled(); }, kPatienceMs));
+  EXPECT_FALSE(part<QPushButton>("devices_run").isEnabled());
+}
+
+TEST_F(Devices, HoldAndGoOn) {
+  plan();
+  connect_emulators();
+  choose_speed(1.0);
+  arm();
+  QSignalSpy progressed(&driver(), &MotionDriver::progressed);
+  click("devices_run");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return progressed.size() > 5; }, kPatienceMs));
+  click("devices_hold");
+  EXPECT_TRUE(driver().is_held());
+  QTest::qWait(400);
+  const geometric::Configuration held = window().document().configuration();
+  QTest::qWait(200);
+  EXPECT_TRUE(window().document().configuration().isApprox(held, 1e-3));
+  click("devices_hold");
+  ASSERT_TRUE(reaches(MotionDriver::State::kConnected));
+  EXPECT_THAT(text("devices_outcome"), HasSubstr("Done in"));
+}
+
+TEST_F(Devices, StopAtTheRedButton) {
+  plan();
+  auto& stop = part<QPushButton>("devices_stop");
+  EXPECT_TRUE(stop.isHidden());
+  connect_emulators();
+  EXPECT_TRUE(stop.isVisible());
+  choose_speed(0.5);
+  arm();
+  QSignalSpy progressed(&driver(), &MotionDriver::progressed);
+  click("devices_run");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return progressed.size() > 5; }, kPatienceMs));
+  click("devices_stop");
+  ASSERT_TRUE(reaches(MotionDriver::State::kConnected));
+  EXPECT_THAT(text("devices_outcome"), HasSubstr("Stopped after"));
+  EXPECT_GT(window().document().configuration()[0], -0.1);
+  EXPECT_LT(window().document().configuration()[0], 1.45);
+}
+
+TEST_F(Devices, RefuseAPathThatBeginsElsewhereAndOfferAWayOut) {
+  plan();
+  window().document().set_configuration(geometric::Configuration::Constant(4, 0.1));
+  connect_emulators();
+  auto& start_here = part<QPushButton>("devices_start_here");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return start_here.isVisible(); }, kPatienceMs));
+  EXPECT_THAT(text("devices_motion"), HasSubstr("Not cleared"));
+  EXPECT_FALSE(part<QCheckBox>("devices_armed").isEnabled());
+  start_here.click();
+  EXPECT_TRUE(
+      QTest::qWaitFor([&] { return part<QCheckBox>("devices_armed").isEnabled(); }, kPatienceMs))
+      << text("devices_motion");
+  EXPECT_NEAR(window().document().scene()->start.value()[0], 0.1, 1e-3);
+}
+
+TEST_F(Devices, SayWhyTheyCannotBeReached) {
+  wait_for_problem();
+  panel().choose_devices("localhost:1", "none");
+  click("devices_connect");
+  ASSERT_TRUE(reaches(MotionDriver::State::kOff));
+  EXPECT_THAT(text("devices_problem"), HasSubstr("arm://localhost:1"));
+}
+
+TEST_F(Devices, StopTheHandWhenTheArmFails) {
+  plan();
+  wait_for_problem();
+  device::Val3ControllerSettings settings;
+  settings.joints = {{"shoulder", "elbow"},
+                     Eigen::Vector2d(-0.3, -2.5),
+                     Eigen::Vector2d(1.8, 2.5),
+                     Eigen::Vector2d(1.0, 1.0)};
+  settings.position = Eigen::Vector2d::Zero();
+  settings.fault = {device::FaultKind::kEstop, 0.3};
+  const device::ArmEmulator emulator(settings, 0);
+  panel().choose_devices(QString::fromStdString(emulator.address()), "emulator");
+  click("devices_connect");
+  ASSERT_TRUE(reaches(MotionDriver::State::kConnected)) << text("devices_problem");
+  arm();
+  click("devices_run");
+  ASSERT_TRUE(reaches(MotionDriver::State::kOff));
+  EXPECT_THAT(text("devices_outcome"), HasSubstr("emergency"));
+}
+
+TEST_F(Devices, LetGoWhenAnotherSceneIsOpened) {
+  connect_emulators();
+  open(cell().wall());
+  EXPECT_TRUE(reaches(MotionDriver::State::kOff));
+}
+
+}  // namespace
+}  // namespace handway::test
