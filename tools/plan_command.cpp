@@ -2,10 +2,13 @@
 
 #include "chosen_basis.h"
 #include "exit_codes.h"
+#include "handway/geometric/collision/contact.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/replace_file.h"
+#include "handway/geometric/math/units.h"
 #include "handway/planning/core/plugin.h"
 #include "handway/planning/paths/path_csv.h"
+#include "handway/planning/queries/nearest_free.h"
 #include "interrupt.h"
 #include "number_options.h"
 #include "plan_report.h"
@@ -14,7 +17,9 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -78,12 +83,45 @@ int exit_code_of(PlanStatus status) {
   }
 }
 
-void print_summary(const PlanResult& result) {
-  if (!result.solved()) {
-    fmt::print(stderr, "handway: {}\n", result.reason);
+// What touches at an end that is refused, and where a free one is.
+void print_advice(const planning::PlanningProblem& problem, bool at_start) {
+  const geometric::Configuration& q = at_start ? problem.start : problem.goal;
+  if (q.size() != problem.model().variable_count() || !q.allFinite()) {
     return;
   }
-  fmt::print("{}\n", result.reason);
+  constexpr std::size_t kMostContacts = 3;
+  const std::vector<geometric::Contact> contacts = find_contacts(problem.checker->world(), q);
+  for (std::size_t i = 0; i < std::min(kMostContacts, contacts.size()); ++i) {
+    const geometric::Contact& contact = contacts[i];
+    fmt::print(stderr, "  {} and {}: {:.1f} mm into each other at ({:.3f}, {:.3f}, {:.3f}) m\n",
+               contact.a, contact.b, geometric::millimetres(contact.depth), contact.p_W.x(),
+               contact.p_W.y(), contact.p_W.z());
+  }
+  if (contacts.size() > kMostContacts) {
+    fmt::print(stderr, "  and {} more\n", contacts.size() - kMostContacts);
+  }
+  const planning::NearestFreeOptions options;
+  const planning::NearestFree nearest = find_nearest_free(problem, q, options);
+  const char* which = at_start ? "start" : "goal";
+  if (nearest.q) {
+    fmt::print(stderr, "  The nearest free {} that was found is {:.2f} degrees away: {}\n", which,
+               geometric::degrees(nearest.distance),
+               planning::describe_change(problem.model(), q, *nearest.q, 3));
+  } else {
+    fmt::print(stderr, "  No free {} was found within {:.0f} degrees\n", which,
+               geometric::degrees(options.most_distance));
+  }
+}
+
+void print_summary(const PlanResult& result, const planning::PlanningProblem& problem) {
+  if (result.solved()) {
+    fmt::print("{}\n", result.reason);
+    return;
+  }
+  fmt::print(stderr, "handway: {}\n", result.reason);
+  if (result.status == PlanStatus::kStartInvalid || result.status == PlanStatus::kGoalInvalid) {
+    print_advice(problem, result.status == PlanStatus::kStartInvalid);
+  }
 }
 
 int plan(PlanOptions options) {
@@ -109,7 +147,7 @@ int plan(PlanOptions options) {
   if (!options.report.empty()) {
     geometric::replace_file(options.report, plan_report(*planner, request, result, load.count()));
   }
-  print_summary(result);
+  print_summary(result, problem);
   return exit_code_of(result.status);
 }
 

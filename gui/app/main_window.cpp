@@ -5,6 +5,7 @@
 #include "app/file_commands.h"
 #include "app/plan_options.h"
 #include "app/posing.h"
+#include "app/query_check.h"
 #include "app/recent_files.h"
 #include "devices/device_session.h"
 #include "devices/devices_panel.h"
@@ -67,6 +68,7 @@ MainWindow::MainWindow(std::shared_ptr<planning::Extensions> extensions, QWidget
   setAcceptDrops(true);
   build_docks();
   session_ = std::make_unique<PlanningSession>(document_, *plan_panel_, player_);
+  query_check_ = std::make_unique<QueryCheck>(document_, editing_->editor(), *posing_, *view_);
   view_->set_colors(colors_of(current_theme()).view);
   connect_actions();
   connect_start();

@@ -24,6 +24,7 @@ class FileCommands;
 class GlovePanel;
 class PlaybackBar;
 class Posing;
+class QueryCheck;
 class Recovery;
 class SceneEditing;
 class SceneTree;
@@ -54,6 +55,7 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] GlovePanel& glove_panel();
   [[nodiscard]] DeviceSession& devices() { return *devices_; }
   [[nodiscard]] CollisionMonitor& collisions();
+  [[nodiscard]] QueryCheck& query_check() { return *query_check_; }
   /// The message in the window; empty if there is none.
   [[nodiscard]] QString message() const;
 
@@ -107,6 +109,7 @@ class MainWindow : public QMainWindow {
   std::unique_ptr<FileCommands> files_;
   std::unique_ptr<Recovery> recovery_;
   std::unique_ptr<PlanningSession> session_;
+  std::unique_ptr<QueryCheck> query_check_;
 };
 
 }  // namespace handway::gui

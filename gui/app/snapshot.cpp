@@ -1,5 +1,6 @@
 #include "app/snapshot.h"
 
+#include "app/query_check.h"
 #include "glove/glove_panel.h"
 #include "view3d/scene_view.h"
 
@@ -48,6 +49,7 @@ void Snapshot::wait_until_settled() {
   }
   const bool busy = window_.session().is_running() || window_.collisions().is_busy() ||
                     window_.player().is_playing() || window_.session().is_replanning() ||
+                    window_.query_check().is_busy() ||
                     (window_.document().scene() && window_.view().frame_time_ms() <= 0.0);
   calm_polls_ = busy ? 0 : calm_polls_ + 1;
   if (calm_polls_ >= 3) {

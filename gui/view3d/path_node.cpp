@@ -21,6 +21,7 @@ namespace handway::gui {
 namespace {
 
 constexpr float kBeadRadius = 0.005F;  // m
+constexpr geometric::Color kContactColor{0.93F, 0.05F, 0.60F, 1.0F};
 
 // The colour of the i-th of `count` points, from the start's to the goal's.
 geometric::Color color_along(std::size_t i, std::size_t count) {
@@ -111,6 +112,14 @@ CoinRef<SoSeparator> make_dots_node(std::span<const Eigen::Vector3d> points) {
   auto* dots = new SoPointSet;
   dots->vertexProperty = make_vertices(points);
   separator->addChild(dots);
+  return separator;
+}
+
+CoinRef<SoSeparator> make_contacts_node(std::span<const Eigen::Vector3d> points) {
+  auto separator = make_seen_through();
+  for (const Eigen::Vector3d& point : points) {
+    separator->addChild(make_bead(point, kContactColor));
+  }
   return separator;
 }
 

@@ -21,4 +21,7 @@ namespace handway::gui {
 /// A dot at each of `points` (world, m).
 [[nodiscard]] CoinRef<SoSeparator> make_dots_node(std::span<const Eigen::Vector3d> points);
 
+/// A magenta ball at each of `points` (world, m), seen through everything.
+[[nodiscard]] CoinRef<SoSeparator> make_contacts_node(std::span<const Eigen::Vector3d> points);
+
 }  // namespace handway::gui

@@ -46,7 +46,8 @@ struct SceneGraph::Passes {
       prepare(root);
     }
     solids->addChild(solid_content.get());
-    for (const Overlay overlay : {Overlay::kPath, Overlay::kDots, Overlay::kExecuted}) {
+    for (const Overlay overlay :
+         {Overlay::kPath, Overlay::kDots, Overlay::kExecuted, Overlay::kContacts}) {
       const CoinRef<SoSwitch> shown = make_coin<SoSwitch>();
       shown->whichChild = SO_SWITCH_ALL;
       solids->addChild(shown.get());

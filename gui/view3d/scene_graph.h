@@ -24,7 +24,7 @@ class SbVec2s;
 namespace handway::gui {
 
 /// What is drawn into the scene without being part of it.
-enum class Overlay { kPath, kDots, kExecuted };
+enum class Overlay { kPath, kDots, kExecuted, kContacts };
 
 /// A scene as Coin nodes. Knows no window: what to show comes in, drawing and
 /// picking go out.

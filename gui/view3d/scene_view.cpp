@@ -163,6 +163,12 @@ void SceneView::set_dots_visible(bool visible) {
   update();
 }
 
+void SceneView::set_contacts(std::span<const Eigen::Vector3d> points) {
+  graph_->set_overlay(Overlay::kContacts,
+                      points.empty() ? nullptr : make_contacts_node(points).get());
+  update();
+}
+
 void SceneView::set_floor_visible(bool visible) {
   graph_->set_floor_visible(visible);
   update();

@@ -57,6 +57,8 @@ class SceneView : public QOpenGLWidget {
   /// The palm's way as the robot went it (world, m); empty: none.
   void set_executed(std::span<const Eigen::Vector3d> points);
   void set_dots_visible(bool visible);
+  /// Where bodies go into each other (world, m).
+  void set_contacts(std::span<const Eigen::Vector3d> points);
   void set_floor_visible(bool visible);
 
   /// Moves the camera so that the whole scene is seen.

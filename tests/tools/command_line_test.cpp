@@ -197,7 +197,9 @@ TEST_F(Handway, RefusesAStartInCollision) {
   line_.replace("post.yaml", "-0.4", "-0.066");
   const Outcome run = line_.run("plan post.yaml --out path.csv --report report.json");
   EXPECT_EQ(run.exit_code, kInvalidQuery) << run.err;
-  EXPECT_THAT(run.err, AllOf(HasSubstr("start is in collision"), HasSubstr("with post")));
+  EXPECT_THAT(run.err, AllOf(HasSubstr("start is in collision"), HasSubstr("with post"),
+                             HasSubstr("mm into each other at ("),
+                             HasSubstr("The nearest free start that was found is ")));
   EXPECT_FALSE(fs::exists(line_.folder() / "path.csv"));
   EXPECT_EQ(nlohmann::json::parse(line_.read("report.json"))["solved"], false);
 }
@@ -206,7 +208,8 @@ TEST_F(Handway, RefusesAGoalOutOfLimits) {
   line_.replace("post.yaml", "shoulder: 0.4", "shoulder: 2.6");
   const Outcome run = line_.run("plan post.yaml");
   EXPECT_EQ(run.exit_code, kInvalidQuery) << run.err;
-  EXPECT_THAT(run.err, AllOf(HasSubstr("goal is out of limits"), HasSubstr("shoulder")));
+  EXPECT_THAT(run.err, AllOf(HasSubstr("goal is out of limits"), HasSubstr("shoulder"),
+                             HasSubstr("is 5.73 degrees away: shoulder -5.7°")));
 }
 
 TEST_F(Handway, SaysThatAPlaceCanNotBeWrittenTo) {

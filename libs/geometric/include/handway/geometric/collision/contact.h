@@ -1,0 +1,39 @@
+#pragma once
+
+#include "handway/geometric/collision/collision_world.h"
+#include "handway/geometric/export.h"
+
+#include <Eigen/Core>
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace handway::geometric {
+
+/// Where and how far two bodies go into each other.
+struct Contact {
+  /// Depths are not told apart beyond this, m.
+  static constexpr double kMostDepth = 0.2;
+
+  std::string a;
+  std::string b;
+  Eigen::Vector3d p_W = Eigen::Vector3d::Zero();  ///< Middle of where the surfaces cross.
+  /// Way out for `a`: unit vector, world.
+  Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();
+  /// How far `a` has to be shifted along `direction` to be clear of `b`, m, to 0.1 mm. The
+  /// shortest of some thirty directions: an upper bound of the penetration depth; kMostDepth if
+  /// none of them gets clear sooner.
+  double depth = kMostDepth;
+};
+
+/// The contacts of those of `pairs` (indices into world.pairs()) that touch in `q`, in order. A few
+/// milliseconds each: for explaining, not for planning. @param q shape [variable_count].
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<Contact> find_contacts(
+    const CollisionWorld& world, const Configuration& q, std::span<const int> pairs);
+
+/// All contacts in `q`, deepest first.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<Contact> find_contacts(
+    const CollisionWorld& world, const Configuration& q);
+
+}  // namespace handway::geometric

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "handway/geometric/math/units.h"
+#include "handway/planning/core/planning_problem.h"
+#include "handway/planning/export.h"
+
+#include <cstdint>
+#include <optional>
+#include <stop_token>
+#include <string>
+
+namespace handway::planning {
+
+struct NearestFreeOptions {
+  /// How far to look, rad: Euclidean over all variables, a metre counting as a radian.
+  double most_distance = geometric::radians(20.0);
+  /// What a configuration should keep to everything, m; less is taken if nothing keeps it.
+  double clearance = geometric::metres(0.5);
+  int most_checks = 20000;  ///< Configurations to look at.
+  std::uint64_t seed = 1;
+};
+
+/// What a search for a free configuration found.
+struct NearestFree {
+  std::optional<Configuration> q;  ///< Free and within limits; nothing if none was found.
+  double distance = 0.0;           ///< From where the search began, as in the options.
+  int checks = 0;                  ///< Configurations looked at.
+};
+
+/// Looks for a configuration near `q` that is free of collision and within limits: shells around
+/// `q` that grow by a third, in each of them every variable alone, then random directions of the
+/// hand, of the arm and of both. What the first successful shell has is drawn back towards `q`:
+/// along the straight line, joint by joint, and by random steps. Found is a near one; that there is
+/// no nearer one is not proved. Same arguments, same bits.
+/// @param q shape [variable_count]; of any values that are finite.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT NearestFree
+find_nearest_free(const PlanningProblem& problem, const Configuration& q,
+                  const NearestFreeOptions& options = {}, const std::stop_token& stop = {});
+
+/// How `to` differs from `from`, for a person: "shoulder +1.2°, elbow -0.4° and 3 others by less".
+/// The joints that move most come first. @param most joints to name, ≥ 1.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT std::string describe_change(
+    const geometric::RobotModel& model, const Configuration& from, const Configuration& to,
+    int most = 2);
+
+}  // namespace handway::planning
