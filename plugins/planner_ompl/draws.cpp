@@ -2,29 +2,36 @@
 
 #include "handway/sampling/sequences/random_stream.h"
 
+#include <ompl/base/objectives/PathLengthOptimizationObjective.h>
+#include <ompl/base/samplers/InformedStateSampler.h>
 #include <ompl/base/samplers/UniformValidStateSampler.h>
 #include <ompl/util/RandomNumbers.h>
 
 #include <limits>
+#include <utility>
 
 namespace handway::planner_ompl {
 namespace {
 
-using ompl::base::State;
+namespace ob = ompl::base;
+using ob::State;
 
 // Draws for a valid state between two looks at clock and sample budget.
 constexpr unsigned int kValidStateAttempts = 5;
 
-class CountedSampler final : public ompl::base::RealVectorStateSampler {
+class CountedSampler final : public ob::RealVectorStateSampler {
  public:
-  CountedSampler(const ompl::base::StateSpace* space, Draws& draws)
-      : RealVectorStateSampler(space), draws_(draws) {
+  CountedSampler(const ob::StateSpace* space, const StateMap& map, Draws& draws)
+      : RealVectorStateSampler(space), map_(map), draws_(draws), stream_(draws.next_seed()) {
     rng_.setLocalSeed(draws.next_seed());
   }
 
   void sampleUniform(State* state) override {
+    const Eigen::VectorXd x = map_.draw(stream_, draws_.counted());
     draws_.count();
-    RealVectorStateSampler::sampleUniform(state);
+    Eigen::Map<Eigen::VectorXd>(state->as<ob::RealVectorStateSpace::StateType>()->values,
+                                x.size()) = x;
+    space_->enforceBounds(state);
   }
   void sampleUniformNear(State* state, const State* near, double distance) override {
     draws_.count();
@@ -36,17 +43,70 @@ class CountedSampler final : public ompl::base::RealVectorStateSampler {
   }
 
  private:
+  const StateMap& map_;
   Draws& draws_;
+  sampling::RandomStream stream_;
 };
 
-class CountedGoal final : public ompl::base::GoalState {
+class CountedGoal final : public ob::GoalState {
  public:
-  CountedGoal(const ompl::base::SpaceInformationPtr& information, Draws& draws)
+  CountedGoal(const ob::SpaceInformationPtr& information, Draws& draws)
       : GoalState(information), draws_(draws) {}
 
   void sampleGoal(State* state) const override {
     draws_.count();
     GoalState::sampleGoal(state);
+  }
+
+ private:
+  Draws& draws_;
+};
+
+/// Counts a draw that the space's sampler did not count.
+class CountedInformedSampler final : public ob::InformedSampler {
+ public:
+  CountedInformedSampler(const ob::ProblemDefinitionPtr& definition, unsigned int most_calls,
+                         ob::InformedSamplerPtr inner, Draws& draws)
+      : InformedSampler(definition, most_calls), inner_(std::move(inner)), draws_(draws) {}
+
+  bool sampleUniform(State* state, const ob::Cost& most) override {
+    return counted([&] { return inner_->sampleUniform(state, most); });
+  }
+  bool sampleUniform(State* state, const ob::Cost& least, const ob::Cost& most) override {
+    return counted([&] { return inner_->sampleUniform(state, least, most); });
+  }
+  [[nodiscard]] bool hasInformedMeasure() const override { return inner_->hasInformedMeasure(); }
+  [[nodiscard]] double getInformedMeasure(const ob::Cost& most) const override {
+    return inner_->getInformedMeasure(most);
+  }
+
+ private:
+  template <class Draw>
+  bool counted(const Draw& draw) {
+    const std::uint64_t before = draws_.counted();
+    const bool drawn = draw();
+    if (draws_.counted() == before) {
+      draws_.count();
+    }
+    return drawn;
+  }
+
+  ob::InformedSamplerPtr inner_;
+  Draws& draws_;
+};
+
+class PathLength final : public ob::PathLengthOptimizationObjective {
+ public:
+  PathLength(const ob::SpaceInformationPtr& information, Draws& draws)
+      : PathLengthOptimizationObjective(information), draws_(draws) {}
+
+  [[nodiscard]] ob::InformedSamplerPtr allocInformedStateSampler(
+      const ob::ProblemDefinitionPtr& definition, unsigned int most_calls) const override {
+    const SeedingLock lock = lock_seeding();
+    seed_ompl(lock, draws_);
+    return std::make_shared<CountedInformedSampler>(
+        definition, most_calls,
+        PathLengthOptimizationObjective::allocInformedStateSampler(definition, most_calls), draws_);
   }
 
  private:
@@ -70,23 +130,27 @@ SeedingLock lock_seeding() {
 void seed_ompl(const SeedingLock& /*lock*/, Draws& draws) { ompl::RNG::setSeed(draws.next_seed()); }
 
 // A sampler is born with a generator seeded by OMPL, even if that seed is not kept.
-void draw_from(ompl::base::RealVectorStateSpace& space, ompl::base::SpaceInformation& information,
-               Draws& draws) {
-  space.setStateSamplerAllocator([&draws](const ompl::base::StateSpace* of) {
+ob::StateSamplerPtr make_sampler(const ob::StateSpace* space, const StateMap& map, Draws& draws) {
+  const SeedingLock lock = lock_seeding();
+  return std::make_shared<CountedSampler>(space, map, draws);
+}
+
+void draw_valid_states(ob::SpaceInformation& information) {
+  information.setValidStateSamplerAllocator([](const ob::SpaceInformation* of) {
     const SeedingLock lock = lock_seeding();
-    return std::make_shared<CountedSampler>(of, draws);
-  });
-  information.setValidStateSamplerAllocator([](const ompl::base::SpaceInformation* of) {
-    const SeedingLock lock = lock_seeding();
-    auto sampler = std::make_shared<ompl::base::UniformValidStateSampler>(of);
+    auto sampler = std::make_shared<ob::UniformValidStateSampler>(of);
     sampler->setNrAttempts(kValidStateAttempts);
     return sampler;
   });
 }
 
-std::shared_ptr<ompl::base::GoalState> make_goal(const ompl::base::SpaceInformationPtr& information,
-                                                 Draws& draws) {
+std::shared_ptr<ob::GoalState> make_goal(const ob::SpaceInformationPtr& information, Draws& draws) {
   return std::make_shared<CountedGoal>(information, draws);
+}
+
+ob::OptimizationObjectivePtr make_path_length(const ob::SpaceInformationPtr& information,
+                                              Draws& draws) {
+  return std::make_shared<PathLength>(information, draws);
 }
 
 }  // namespace handway::planner_ompl

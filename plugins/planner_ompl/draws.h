@@ -1,7 +1,8 @@
 #pragma once
 
-#include "joint_cube.h"
+#include "state_map.h"
 
+#include <ompl/base/OptimizationObjective.h>
 #include <ompl/base/SpaceInformation.h>
 #include <ompl/base/goals/GoalState.h>
 
@@ -41,14 +42,22 @@ using SeedingLock = std::unique_lock<std::recursive_mutex>;
 /// Generators that are made as long as `lock` is held get seeds that follow from `draws`.
 void seed_ompl(const SeedingLock& lock, Draws& draws);
 
-/// Makes `information` draw uniformly from `space`, with seeds and counts of `draws`,
-/// which must outlive both.
-void draw_from(ompl::base::RealVectorStateSpace& space, ompl::base::SpaceInformation& information,
-               Draws& draws);
+/// A sampler of `space`, that of `map`. `map` and `draws` must outlive it.
+[[nodiscard]] ompl::base::StateSamplerPtr make_sampler(const ompl::base::StateSpace* space,
+                                                       const StateMap& map, Draws& draws);
+
+/// Makes `information` draw valid states from its space, with seeds of `draws`, which
+/// must outlive it.
+void draw_valid_states(ompl::base::SpaceInformation& information);
 
 /// The problem's goal. To draw it counts as a sample, so that a planner that does
 /// nothing else comes to its end too. `draws` must outlive it.
 [[nodiscard]] std::shared_ptr<ompl::base::GoalState> make_goal(
+    const ompl::base::SpaceInformationPtr& information, Draws& draws);
+
+/// Short paths, whose informed samplers (they draw where a path can be shorter than one
+/// that is known) are seeded and counted too. `draws` must outlive it.
+[[nodiscard]] ompl::base::OptimizationObjectivePtr make_path_length(
     const ompl::base::SpaceInformationPtr& information, Draws& draws);
 
 }  // namespace handway::planner_ompl

@@ -18,12 +18,20 @@ struct MethodSetting {
   double upper = 0.0;  ///< Inclusive.
 };
 
-/// One of OMPL's planners that stop at their first exact solution.
+/// What a planner goes on with, and what it shows.
+struct MethodTraits {
+  bool improves = false;  ///< Can go on to a shorter path once it has one.
+  bool guesses = false;   ///< Has edges that it has not checked.
+};
+
+/// One of OMPL's planners that find exact solutions on one thread.
 struct Method {
-  std::string name;  ///< In the registry.
-  std::string description;
+  std::string key;      ///< In names, after "ompl-" or "ompl-pmd-".
+  std::string name;     ///< OMPL's.
+  std::string summary;  ///< What it grows.
   ompl::base::PlannerPtr (*make)(const ompl::base::SpaceInformationPtr& information) = nullptr;
   std::vector<MethodSetting> settings;
+  MethodTraits traits;
 };
 
 [[nodiscard]] const std::vector<Method>& methods();

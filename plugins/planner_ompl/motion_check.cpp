@@ -1,5 +1,6 @@
 #include "motion_check.h"
 
+#include <boost/functional/hash.hpp>
 #include <ompl/base/SpaceInformation.h>
 
 namespace handway::planner_ompl {
@@ -7,24 +8,41 @@ namespace handway::planner_ompl {
 using ompl::base::State;
 using planning::Configuration;
 
+namespace {
+
+// The same for both ways.
+std::size_t hash_of(const Configuration& a, const Configuration& b) {
+  return boost::hash_range(a.begin(), a.end()) ^ boost::hash_range(b.begin(), b.end());
+}
+
+}  // namespace
+
 StateCheck::StateCheck(const ompl::base::SpaceInformationPtr& information,
-                       planning::PlanningContext& context, const JointCube& cube)
-    : StateValidityChecker(information), context_(context), cube_(cube) {}
+                       planning::PlanningContext& context, const StateMap& map)
+    : StateValidityChecker(information), context_(context), map_(map) {}
 
 bool StateCheck::isValid(const State* state) const {
-  return !context_.interruption() && !context_.collision(cube_.read(state));
+  return context_.interruption() || !context_.collision(map_.read(state));
 }
 
 MotionCheck::MotionCheck(const ompl::base::SpaceInformationPtr& information,
-                         planning::PlanningContext& context, const JointCube& cube)
-    : MotionValidator(information), context_(context), cube_(cube) {}
+                         planning::PlanningContext& context, const StateMap& map)
+    : MotionValidator(information), context_(context), map_(map) {}
 
 bool MotionCheck::is_free(const Configuration& from, const Configuration& to) const {
-  return !context_.interruption() && !context_.collision(to) && context_.edge_free(from, to);
+  if (context_.interruption() || context_.collision(to) || !context_.edge_free(from, to)) {
+    return false;
+  }
+  free_.insert(hash_of(from, to));
+  return true;
+}
+
+bool MotionCheck::known_free(const Configuration& a, const Configuration& b) const {
+  return free_.contains(hash_of(a, b));
 }
 
 bool MotionCheck::checkMotion(const State* from, const State* to) const {
-  const bool free = is_free(cube_.read(from), cube_.read(to));
+  const bool free = is_free(map_.read(from), map_.read(to));
   ++(free ? valid_ : invalid_);
   return free;
 }
@@ -33,14 +51,14 @@ bool MotionCheck::checkMotion(const State* from, const State* to) const {
 // planner keeps that state as a node.
 double MotionCheck::free_share(const State* from, const State* to) const {
   constexpr int kHalvings = 5;  // to 1/32 of the motion
-  const Configuration begin = cube_.read(from);
+  const Configuration begin = map_.read(from);
   State* end = si_->allocState();
   double free = 0.0;
   double taken = 1.0;
   for (int i = 0; i < kHalvings; ++i) {
     const double middle = 0.5 * (free + taken);
     si_->getStateSpace()->interpolate(from, to, middle, end);
-    (is_free(begin, cube_.read(end)) ? free : taken) = middle;
+    (is_free(begin, map_.read(end)) ? free : taken) = middle;
   }
   si_->freeState(end);
   return free;

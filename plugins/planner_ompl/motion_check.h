@@ -1,28 +1,31 @@
 #pragma once
 
 #include "handway/planning/core/planning_context.h"
-#include "joint_cube.h"
+#include "state_map.h"
 
 #include <ompl/base/MotionValidator.h>
 #include <ompl/base/StateValidityChecker.h>
 
+#include <cstddef>
+#include <unordered_set>
 #include <utility>
 
 namespace handway::planner_ompl {
 
 /// OMPL's question whether a state is valid, put to a run's collision checker.
-/// Once the run has to end every answer is no, so that OMPL comes to its end soon.
+/// Once the run has to end every answer is yes, and no motion is valid any more: some
+/// planners draw until they have a valid state, none until it has a valid motion.
 class StateCheck final : public ompl::base::StateValidityChecker {
  public:
-  /// `context` and `cube` must outlive this object.
+  /// `context` and `map` must outlive this object.
   StateCheck(const ompl::base::SpaceInformationPtr& information, planning::PlanningContext& context,
-             const JointCube& cube);
+             const StateMap& map);
 
   [[nodiscard]] bool isValid(const ompl::base::State* state) const override;
 
  private:
   planning::PlanningContext& context_;
-  const JointCube& cube_;
+  const StateMap& map_;
 };
 
 /// OMPL's question whether a motion is valid, answered for the whole motion and not
@@ -30,9 +33,9 @@ class StateCheck final : public ompl::base::StateValidityChecker {
 /// to be valid and the second is checked. Once the run has to end every answer is no.
 class MotionCheck final : public ompl::base::MotionValidator {
  public:
-  /// `context` and `cube` must outlive this object.
+  /// `context` and `map` must outlive this object.
   MotionCheck(const ompl::base::SpaceInformationPtr& information,
-              planning::PlanningContext& context, const JointCube& cube);
+              planning::PlanningContext& context, const StateMap& map);
 
   [[nodiscard]] bool checkMotion(const ompl::base::State* from,
                                  const ompl::base::State* to) const override;
@@ -42,6 +45,10 @@ class MotionCheck final : public ompl::base::MotionValidator {
   [[nodiscard]] bool checkMotion(const ompl::base::State* from, const ompl::base::State* to,
                                  std::pair<ompl::base::State*, double>& last_valid) const override;
 
+  /// Was the motion between two configurations, either way, found free?
+  [[nodiscard]] bool known_free(const planning::Configuration& a,
+                                const planning::Configuration& b) const;
+
  private:
   [[nodiscard]] bool is_free(const planning::Configuration& from,
                              const planning::Configuration& to) const;
@@ -49,7 +56,8 @@ class MotionCheck final : public ompl::base::MotionValidator {
   [[nodiscard]] double free_share(const ompl::base::State* from, const ompl::base::State* to) const;
 
   planning::PlanningContext& context_;
-  const JointCube& cube_;
+  const StateMap& map_;
+  mutable std::unordered_set<std::size_t> free_;  ///< Hashes of motions.
 };
 
 }  // namespace handway::planner_ompl

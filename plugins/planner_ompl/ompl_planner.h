@@ -1,29 +1,33 @@
 #pragma once
 
+#include "control_box.h"
 #include "handway/planning/core/planner.h"
 #include "handway/planning/core/planner_registry.h"
+#include "handway/planning/planners/hand_space.h"
 #include "methods.h"
+#include "search.h"
 
+#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
 
 namespace handway::planner_ompl {
 
-/// One of OMPL's planners over all joints, normalised to [0, 1], with Handway's
-/// collision checker and exact motion checks. Only exact solutions count; they are
-/// smoothed like those of every other planner.
+/// One of OMPL's planners over all joints (JointCube) or over the controls of the
+/// paper's method (ControlBox), with Handway's collision checker and exact motion checks. Only
+/// exact solutions count; they are smoothed like those of every other planner.
 ///
 /// Source: Şucan, Moll, Kavraki, "The Open Motion Planning Library", IEEE Robotics &
 /// Automation Magazine 19(4), 2012, doi:10.1109/MRA.2012.2205651.
 class OmplPlanner final : public planning::Planner {
  public:
   /// @param method must outlive this object.
-  explicit OmplPlanner(const Method& method);
+  OmplPlanner(const Method& method, planning::HandSpace space);
 
-  [[nodiscard]] std::string name() const override { return method_.name; }
-  [[nodiscard]] std::string description() const override { return method_.description; }
-  [[nodiscard]] planning::PlannerCapabilities capabilities() const override { return {}; }
+  [[nodiscard]] std::string name() const override;
+  [[nodiscard]] std::string description() const override;
+  [[nodiscard]] planning::PlannerCapabilities capabilities() const override;
   [[nodiscard]] std::vector<planning::Parameter> parameters() override;
 
  protected:
@@ -31,13 +35,18 @@ class OmplPlanner final : public planning::Planner {
   void do_plan(planning::PlanningContext& context, planning::PlanResult& result) override;
 
  private:
+  [[nodiscard]] std::vector<planning::Parameter> method_parameters();
+  [[nodiscard]] std::unique_ptr<StateMap> make_map(const planning::PlanningProblem& problem) const;
+
   const Method& method_;
+  planning::HandSpace space_;
   std::vector<std::variant<int, double>> values_;  ///< Of the method's settings.
-  int max_samples_ = 1000000;
+  SampleBudget budget_;
+  ControlRegion region_;
 };
 
-/// Adds a planner for each of methods() to `registry`, and sends what OMPL has to say
-/// to the log at level "debug".
+/// Adds two planners for each of methods(), "ompl-KEY" and "ompl-pmd-KEY", to `registry`, and sends
+/// what OMPL has to say to the log at level "debug".
 void register_planners(planning::PlannerRegistry& registry);
 
 }  // namespace handway::planner_ompl

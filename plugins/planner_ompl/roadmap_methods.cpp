@@ -1,8 +1,11 @@
 #include "roadmap_methods.h"
 
 #include <boost/range/iterator_range.hpp>
+#include <ompl/base/OptimizationObjective.h>
 #include <ompl/base/goals/GoalSampleableRegion.h>
 #include <ompl/geometric/PathGeometric.h>
+
+#include <vector>
 
 namespace handway::planner_ompl {
 
@@ -12,8 +15,8 @@ using ompl::base::PlannerStatus;
 using ompl::base::PlannerTerminationCondition;
 using ompl::base::State;
 
-SequentialPrm::SequentialPrm(const ompl::base::SpaceInformationPtr& information)
-    : PRM(information) {}
+SequentialPrm::SequentialPrm(const ompl::base::SpaceInformationPtr& information, bool star)
+    : PRM(information, star) {}
 
 bool SequentialPrm::add_ends(const PlannerTerminationCondition& stop) {
   while (const State* start = pis_.nextStart()) {
@@ -39,6 +42,19 @@ void SequentialPrm::build_until(const PlannerTerminationCondition& done) {
   }
 }
 
+// Who waits for a first solution hears of it.
+ompl::base::PathPtr SequentialPrm::announced_path() {
+  ompl::base::PathPtr path = constructSolution(startM_.front(), goalM_.front());
+  if (const auto& told = pdef_->getIntermediateSolutionCallback()) {
+    std::vector<const State*> states;
+    for (const State* state : path->as<ompl::geometric::PathGeometric>()->getStates()) {
+      states.push_back(state);
+    }
+    told(this, states, path->cost(opt_));
+  }
+  return path;
+}
+
 PlannerStatus SequentialPrm::solve(const PlannerTerminationCondition& stop) {
   checkValidity();
   if (!add_ends(stop)) {
@@ -49,7 +65,12 @@ PlannerStatus SequentialPrm::solve(const PlannerTerminationCondition& stop) {
   if (!connected()) {
     return PlannerStatus::TIMEOUT;
   }
-  pdef_->addSolutionPath(constructSolution(startM_.front(), goalM_.front()), false, 0.0, getName());
+  ompl::base::PathPtr path = announced_path();
+  if (!opt_->isSatisfied(path->cost(opt_))) {
+    build_until(stop);
+    path = constructSolution(startM_.front(), goalM_.front());
+  }
+  pdef_->addSolutionPath(path, false, 0.0, getName());
   return PlannerStatus::EXACT_SOLUTION;
 }
 
@@ -62,9 +83,11 @@ void SequentialPrm::getPlannerData(PlannerData& data) const {
 
 // Until it knows its range OMPL takes 0 for the longest edge, and keeps to it when told
 // the number of neighbours.
-CheckedLazyPrm::CheckedLazyPrm(const ompl::base::SpaceInformationPtr& information)
-    : LazyPRM(information) {
-  setRange(information->getMaximumExtent());
+CheckedLazyPrm::CheckedLazyPrm(const ompl::base::SpaceInformationPtr& information, bool star)
+    : LazyPRM(information, star) {
+  if (!star) {
+    setRange(information->getMaximumExtent());
+  }
 }
 
 void CheckedLazyPrm::getPlannerData(PlannerData& data) const {

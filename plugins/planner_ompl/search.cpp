@@ -1,13 +1,12 @@
 #include "search.h"
 
 #include "handway/geometric/io/input_error.h"
-#include "motion_check.h"
 
 #include <fmt/format.h>
-#include <ompl/base/PlannerData.h>
 #include <ompl/geometric/PathGeometric.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace handway::planner_ompl {
 namespace {
@@ -27,13 +26,16 @@ void apply(ob::Planner& planner, const planning::Parameter& setting) {
 }  // namespace
 
 Search::Search(planning::PlanningContext& context, const Method& method,
-               const std::vector<planning::Parameter>& settings, int max_samples)
+               std::unique_ptr<StateMap> map, const std::vector<planning::Parameter>& settings,
+               SampleBudget budget)
     : context_(context),
-      max_samples_(static_cast<std::uint64_t>(max_samples)),
-      cube_(context.problem()),
+      traits_(method.traits),
+      budget_(budget),
+      map_(std::move(map)),
       draws_(context.request().seed),
-      information_(std::make_shared<ob::SpaceInformation>(cube_.space())),
-      definition_(std::make_shared<ob::ProblemDefinition>(information_)) {
+      information_(std::make_shared<ob::SpaceInformation>(map_->space())),
+      definition_(std::make_shared<ob::ProblemDefinition>(information_)),
+      motions_(std::make_shared<MotionCheck>(information_, context_, *map_)) {
   try {
     set_up(method, settings);
   } catch (const ompl::Exception& e) {
@@ -47,20 +49,14 @@ Search::Search(planning::PlanningContext& context, const Method& method,
 void Search::set_up(const Method& method, const std::vector<planning::Parameter>& settings) {
   const SeedingLock lock = lock_seeding();
   seed_ompl(lock, draws_);
-  draw_from(*cube_.space(), *information_, draws_);
+  map_->draw_from(draws_);
+  draw_valid_states(*information_);
   information_->setStateValidityChecker(
-      std::make_shared<StateCheck>(information_, context_, cube_));
-  information_->setMotionValidator(std::make_shared<MotionCheck>(information_, context_, cube_));
+      std::make_shared<StateCheck>(information_, context_, *map_));
+  information_->setMotionValidator(motions_);
   information_->setup();
-
-  ob::State* end = information_->allocState();
-  cube_.write(context_.problem().start, end);
-  definition_->addStartState(end);
-  cube_.write(context_.problem().goal, end);
-  const auto goal = make_goal(information_, draws_);
-  goal->setState(end);
-  definition_->setGoal(goal);
-  information_->freeState(end);
+  set_goal_and_start();
+  set_objective();
 
   planner_ = method.make(information_);
   for (const planning::Parameter& setting : settings) {
@@ -71,9 +67,43 @@ void Search::set_up(const Method& method, const std::vector<planning::Parameter>
   draws_.forget_count();
 }
 
+void Search::set_goal_and_start() {
+  ob::State* end = information_->allocState();
+  map_->write(context_.problem().start, end);
+  definition_->addStartState(end);
+  map_->write(context_.problem().goal, end);
+  const auto goal = make_goal(information_, draws_);
+  goal->setState(end);
+  definition_->setGoal(goal);
+  information_->freeState(end);
+}
+
+// Every path is good enough if the first one is taken.
+void Search::set_objective() {
+  if (!traits_.improves) {
+    return;
+  }
+  const ob::OptimizationObjectivePtr objective = make_path_length(information_, draws_);
+  objective->setCostThreshold(budget_.improvement == 0 ? objective->infiniteCost()
+                                                       : objective->identityCost());
+  definition_->setOptimizationObjective(objective);
+  definition_->setIntermediateSolutionCallback(
+      [this](const ob::Planner* /*planner*/, const std::vector<const ob::State*>& /*states*/,
+             ob::Cost /*cost*/) {
+        if (!first_path_at_) {
+          first_path_at_ = draws_.counted();
+        }
+      });
+}
+
 bool Search::has_to_end() {
-  const double spent = static_cast<double>(draws_.counted()) / static_cast<double>(max_samples_);
-  context_.observer().on_progress(std::min(1.0, spent), "searching");
+  const auto all = static_cast<double>(budget_.all);
+  double spent = static_cast<double>(draws_.counted()) / all;
+  if (first_path_at_ && budget_.improvement > 0) {
+    spent = std::max(spent, static_cast<double>(draws_.counted() - *first_path_at_) /
+                                static_cast<double>(budget_.improvement));
+  }
+  context_.observer().on_progress(std::min(1.0, spent), first_path_at_ ? "improving" : "searching");
   return spent >= 1.0 || context_.interruption();
 }
 
@@ -84,43 +114,83 @@ void Search::run(planning::PlanResult& result) {
     result.reason = fmt::format("OMPL gave up after {} samples: {}.", draws_.counted(), e.what());
   }
   context_.statistics().samples = draws_.counted();
-  publish_graph();
   if (definition_->hasExactSolution()) {
-    result.status = PlanStatus::kSolved;
     result.path = path();
-  } else {
-    result.status = context_.interruption().value_or(PlanStatus::kSamplesSpent);
   }
+  if (result.path.waypoints.empty()) {
+    result.status = context_.interruption().value_or(PlanStatus::kSamplesSpent);
+  } else if (proved(result.path)) {
+    result.status = PlanStatus::kSolved;
+  } else {
+    result.path = {};
+    result.status = context_.interruption().value_or(PlanStatus::kSamplesSpent);
+    result.reason = fmt::format(
+        "OMPL's path after {} samples has a motion that is not free where OMPL cut it at a joint's "
+        "limit.",
+        draws_.counted());
+  }
+  publish_graph();
 }
 
 planning::Path Search::path() const {
   const auto solution = definition_->getSolutionPath();
   planning::Path path;
   for (const ob::State* state : solution->as<ompl::geometric::PathGeometric>()->getStates()) {
-    path.waypoints.push_back(cube_.read(state));
+    path.waypoints.push_back(map_->read(state));
   }
   return path;
 }
 
+bool Search::proved(const planning::Path& path) {
+  const auto end = std::ranges::adjacent_find(
+      path.waypoints, [this](const Configuration& from, const Configuration& to) {
+        return !motions_->known_free(from, to) && !context_.edge_free(from, to);
+      });
+  return end == path.waypoints.end();
+}
+
 // Undirected edges are there once for each direction.
-void Search::publish_graph() {
-  ob::PlannerData graph(information_);
-  planner_->getPlannerData(graph);
-  auto& statistics = context_.statistics();
-  statistics.nodes = graph.numVertices();
-  for (unsigned int v = 0; v < graph.numVertices(); ++v) {
-    const Configuration q = cube_.read(graph.getVertex(v).getState());
-    context_.observer().on_node({.id = static_cast<int>(v), .q = q});
-  }
+std::vector<std::pair<int, int>> Search::edges_of(const ob::PlannerData& graph,
+                                                  const std::vector<Configuration>& nodes) const {
+  std::vector<std::pair<int, int>> edges;
   for (unsigned int v = 0; v < graph.numVertices(); ++v) {
     std::vector<unsigned int> ends;
     graph.getEdges(v, ends);
     for (const unsigned int end : ends) {
-      if (v < end || !graph.edgeExists(end, v)) {
-        ++statistics.edges;
-        context_.observer().on_edge(static_cast<int>(v), static_cast<int>(end));
+      const bool first = v < end || !graph.edgeExists(end, v);
+      if (first && (!traits_.guesses || motions_->known_free(nodes[v], nodes[end]))) {
+        edges.emplace_back(v, end);
       }
     }
+  }
+  return edges;
+}
+
+// Of a graph of guesses only what was found free is shown, with both ends of the problem.
+void Search::publish_graph() {
+  ob::PlannerData graph(information_);
+  planner_->getPlannerData(graph);
+  std::vector<Configuration> nodes;
+  std::vector<bool> shown(graph.numVertices(), !traits_.guesses);
+  for (unsigned int v = 0; v < graph.numVertices(); ++v) {
+    nodes.push_back(map_->read(graph.getVertex(v).getState()));
+    shown[v] = shown[v] || graph.isStartVertex(v) || graph.isGoalVertex(v);
+  }
+  const std::vector<std::pair<int, int>> edges = edges_of(graph, nodes);
+  for (const auto& [from, to] : edges) {
+    shown[static_cast<std::size_t>(from)] = true;
+    shown[static_cast<std::size_t>(to)] = true;
+  }
+  auto& statistics = context_.statistics();
+  for (std::size_t v = 0; v < nodes.size(); ++v) {
+    if (shown[v]) {
+      ++statistics.nodes;
+      context_.observer().on_node({.id = static_cast<int>(v), .q = nodes[v]});
+    }
+  }
+  statistics.edges = edges.size();
+  for (const auto& [from, to] : edges) {
+    context_.observer().on_edge(from, to);
   }
 }
 

@@ -109,7 +109,7 @@ TEST_P(SolvableProblem, CountsWhatItDid) {
   EXPECT_GE(result.statistics.nodes, 2U) << "start and goal included";
   EXPECT_GE(result.statistics.edges, 1U);
   EXPECT_GE(result.statistics.edges_tested, result.statistics.edges);
-  EXPECT_GT(result.statistics.samples, 0U);
+  EXPECT_TRUE(result.statistics.samples > 0 || result.statistics.nodes == 2);
   EXPECT_GT(result.statistics.node_checks, 0U);
   EXPECT_GT(result.statistics.edge_checks, 0U);
   EXPECT_GE(result.time_s, 0.0);
@@ -121,7 +121,8 @@ TEST_P(SolvableProblem, IsSolvedAlikeOnEveryRunAndForAnyThreads) {
   request.seed = 7;
   const PlanResult first = plan(request);
   ASSERT_TRUE(first.solved()) << first.reason;
-  for (const int threads : {1, 2, 4}) {
+  const bool parallel = planner_with(std::get<0>(GetParam()), "1")->capabilities().uses_threads;
+  for (const int threads : parallel ? std::vector{1, 2, 4} : std::vector{2}) {
     request.threads = threads;
     const PlanResult again = plan(request);
     EXPECT_EQ(again.path.waypoints, first.path.waypoints) << threads << " threads";
@@ -174,8 +175,20 @@ PlanningProblem hand_only_problem() {
   return problem;
 }
 
+// Of the many planners of planner_ompl, which differ by a line of a table, two of each
+// space are held to everything here; each of them to the most of it in its own tests.
+std::vector<std::string> names() {
+  const std::set<std::string> kept = {"ompl-prm", "ompl-rrt-connect", "ompl-pmd-est",
+                                      "ompl-pmd-rrt-star"};
+  std::vector<std::string> names = registry().names();
+  std::erase_if(names, [&](const std::string& name) {
+    return name.starts_with("ompl-") && !kept.contains(name);
+  });
+  return names;
+}
+
 INSTANTIATE_TEST_SUITE_P(Planners, SolvableProblem,
-                         testing::Combine(testing::ValuesIn(registry().names()),
+                         testing::Combine(testing::ValuesIn(names()),
                                           testing::Values(Problem{"Open", test::open_problem},
                                                           Problem{"Post", test::post_problem},
                                                           Problem{"HandOnly", hand_only_problem})),
@@ -275,7 +288,7 @@ TEST_P(EveryPlanner, SaysWhatItNeeds) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Planners, EveryPlanner, testing::ValuesIn(registry().names()),
+INSTANTIATE_TEST_SUITE_P(Planners, EveryPlanner, testing::ValuesIn(names()),
                          [](const auto& test) { return word_of(test.param); });
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "ompl_planner.h"
 
+#include "handway/planning/paths/path_check.h"
 #include "handway_test/paths.h"
 #include "handway_test/planar_problems.h"
 
@@ -37,7 +38,8 @@ const PlannerRegistry& registry() {
 std::vector<std::string> names_of_methods() {
   std::vector<std::string> names;
   for (const Method& method : methods()) {
-    names.push_back(method.name);
+    names.push_back("ompl-" + method.key);
+    names.push_back("ompl-pmd-" + method.key);
   }
   return names;
 }
@@ -47,17 +49,54 @@ PlanResult plan(planning::Planner& planner, std::uint64_t seed) {
   return planner.plan(problem, PlanRequest{.seed = seed});
 }
 
+void set(planning::Planner& planner, const std::string& key, const std::string& value) {
+  set_from_text(find_parameter(planner.parameters(), key), value);
+}
+
 class OmplMethod : public testing::TestWithParam<std::string> {
  protected:
   std::unique_ptr<planning::Planner> planner_ = registry().create(GetParam());
 };
 
-TEST_P(OmplMethod, IsRegisteredUnderItsName) { EXPECT_EQ(planner_->name(), GetParam()); }
+TEST_P(OmplMethod, IsRegisteredUnderItsName) {
+  EXPECT_EQ(planner_->name(), GetParam());
+  EXPECT_EQ(planner_->capabilities().uses_pmds, GetParam().starts_with("ompl-pmd-"));
+}
+
+TEST_P(OmplMethod, FindsAPathThatHolds) {
+  const PlanningProblem problem = test::open_problem();
+  for (const std::uint64_t seed : {1U, 2U}) {
+    const PlanResult result = planner_->plan(problem, PlanRequest{.seed = seed});
+    ASSERT_TRUE(result.solved()) << result.reason;
+    EXPECT_EQ(result.path.waypoints.front(), problem.start);
+    EXPECT_EQ(result.path.waypoints.back(), problem.goal);
+    EXPECT_THAT(planning::check_path(problem, result.path, 0.002).faults, IsEmpty());
+    EXPECT_GT(result.certificate.min_clearance_mm, 0.0);
+    EXPECT_GE(result.statistics.nodes, 2U);
+    EXPECT_GE(result.statistics.edges, 1U);
+  }
+}
+
+TEST_P(OmplMethod, EndsWithItsSamplesAndWithTheTime) {
+  const PlanningProblem problem = test::walled_in_problem();
+  set(*planner_, "max_samples", "100");
+  const PlanResult spent = planner_->plan(problem, {});
+  EXPECT_EQ(spent.status, planning::PlanStatus::kSamplesSpent) << spent.reason;
+  EXPECT_TRUE(spent.path.empty());
+  EXPECT_GE(spent.statistics.samples, 100U);
+  EXPECT_LE(spent.statistics.samples, 310U) << "some draw batches of 100 valid ones";
+  set(*planner_, "max_samples", "100000000");
+  const PlanResult late = planner_->plan(problem, PlanRequest{.time_limit_s = 0.02});
+  EXPECT_EQ(late.status, planning::PlanStatus::kTimeLimit);
+  EXPECT_TRUE(late.path.empty());
+}
 
 TEST_P(OmplMethod, TakesTheLimitsOfItsSettings) {
-  set_from_text(find_parameter(planner_->parameters(), "max_samples"), "300");
+  const bool regions_too = GetParam() == "ompl-pmd-rrt-connect";
+  set(*planner_, "max_samples", "50");
+  const PlanningProblem problem = test::post_problem();
   for (const planning::Parameter& setting : planner_->parameters()) {
-    if (setting.key == "max_samples") {
+    if (setting.key == "max_samples" || (planner_->capabilities().uses_pmds && !regions_too)) {
       continue;
     }
     const std::string initial = to_text(setting);
@@ -67,7 +106,8 @@ TEST_P(OmplMethod, TakesTheLimitsOfItsSettings) {
       } else {
         *std::get<double*>(setting.value) = limit;
       }
-      EXPECT_NO_THROW(static_cast<void>(plan(*planner_, 1))) << setting.key << " " << limit;
+      EXPECT_NO_THROW(static_cast<void>(planner_->plan(problem, PlanRequest{.time_limit_s = 0.5})))
+          << setting.key << " " << limit;
     }
     set_from_text(setting, initial);
   }
@@ -87,13 +127,15 @@ TEST_P(OmplMethod, IsInTheManualWithItsSettings) {
 }
 
 TEST_P(OmplMethod, DrawsTheSameWhateverElseDraws) {
+  set(*planner_, "max_samples", "300");
   const PlanResult alone = plan(*planner_, 3);
-  ASSERT_TRUE(alone.solved()) << alone.reason;
   PlanResult together;
   {
     const std::jthread other([] {
-      for (const std::string& name : names_of_methods()) {
-        static_cast<void>(plan(*registry().create(name), 4));
+      for (const char* name : {"ompl-rrt", "ompl-prm", "ompl-pmd-kpiece", "ompl-pmd-bit-star"}) {
+        const auto planner = registry().create(name);
+        set(*planner, "max_samples", "100");
+        static_cast<void>(plan(*planner, 4));
       }
     });
     together = plan(*planner_, 3);
@@ -101,13 +143,20 @@ TEST_P(OmplMethod, DrawsTheSameWhateverElseDraws) {
   EXPECT_EQ(together.path.waypoints, alone.path.waypoints);
   EXPECT_EQ(together.statistics.samples, alone.statistics.samples);
   EXPECT_EQ(together.statistics.node_checks, alone.statistics.node_checks);
+  EXPECT_EQ(together.statistics.edge_checks, alone.statistics.edge_checks);
 }
 
 TEST_P(OmplMethod, DrawsOtherSamplesForAnotherSeed) {
-  EXPECT_NE(plan(*planner_, 1).path.waypoints, plan(*planner_, 2).path.waypoints);
+  set(*planner_, "max_samples", "1500");
+  const PlanResult first = plan(*planner_, 1);
+  const PlanResult second = plan(*planner_, 2);
+  EXPECT_TRUE(first.path.waypoints != second.path.waypoints ||
+              first.statistics.edge_checks != second.statistics.edge_checks ||
+              first.statistics.node_checks != second.statistics.node_checks);
 }
 
 TEST_P(OmplMethod, LeavesTheConsoleAlone) {
+  set(*planner_, "max_samples", "100");
   testing::internal::CaptureStdout();
   testing::internal::CaptureStderr();
   static_cast<void>(plan(*planner_, 1));
@@ -128,6 +177,25 @@ std::size_t edges_with(const std::string& planner, const std::string& key,
   set_from_text(find_parameter(made->parameters(), key), value);
   set_from_text(find_parameter(made->parameters(), "max_samples"), "300");
   return made->plan(test::walled_in_problem(), {}).statistics.edges;
+}
+
+TEST(OmplSettings, SamplesAfterTheFirstPathMakeItShorter) {
+  const PlanningProblem problem = test::post_problem();
+  const auto length = [&](const PlanResult& result) {
+    double sum = 0.0;
+    for (std::size_t i = 1; i < result.path.waypoints.size(); ++i) {
+      sum += planning::normalised_distance(problem.model(), result.path.waypoints[i - 1],
+                                           result.path.waypoints[i]);
+    }
+    return sum;
+  };
+  const auto planner = registry().create("ompl-pmd-bit-star");
+  const PlanResult first = planner->plan(problem, {});
+  set(*planner, "improvement_samples", "400");
+  const PlanResult improved = planner->plan(problem, {});
+  ASSERT_TRUE(first.solved() && improved.solved());
+  EXPECT_GE(improved.statistics.samples, first.statistics.samples + 400);
+  EXPECT_LE(length(improved), length(first));
 }
 
 TEST(OmplSettings, ReachOmpl) {
