@@ -5,6 +5,7 @@
 #include "campaign_tables.h"
 #include "handway/geometric/io/replace_file.h"
 #include "handway/planning/campaigns/campaign_summary.h"
+#include "heat_map.h"
 #include "machine.h"
 #include "number_text.h"
 #include "ompl_log.h"
@@ -26,6 +27,7 @@ using planning::CampaignCell;
 using planning::CampaignComparison;
 
 constexpr std::size_t kMostCompared = 6;  // planners, for a table of pairs people can read
+constexpr std::size_t kMostDrawn = 14;    // planners, for curves people can tell apart
 
 std::string success_text(const CampaignCell& cell) {
   const planning::Interval interval = planning::wilson_interval(cell.solved(), cell.runs.size());
@@ -100,9 +102,25 @@ ReportTable failures(const Campaign& campaign, std::span<const CampaignCell> cel
   return table;
 }
 
+// The cells that curves and boxes are drawn of: where there are many, those that no heat
+// map shows.
+std::vector<CampaignCell> curves_of(std::span<const CampaignCell> cells,
+                                    std::span<const ParameterGrid> grids) {
+  std::vector<CampaignCell> drawn(cells.begin(), cells.end());
+  if (cells.size() > kMostDrawn) {
+    std::erase_if(drawn, [&](const CampaignCell& cell) {
+      return std::ranges::any_of(grids, [&](const ParameterGrid& grid) {
+        return std::ranges::count(grid.planners, static_cast<std::size_t>(cell.planner)) != 0;
+      });
+    });
+  }
+  return drawn;
+}
+
 void add_problem(ReportDocument& document, const Campaign& campaign,
                  std::span<const CampaignCell> cells,
-                 std::span<const CampaignComparison> comparisons) {
+                 std::span<const CampaignComparison> comparisons,
+                 std::span<const ParameterGrid> grids) {
   const int problem = cells.front().problem;
   document.push_back(ReportHeading{2, campaign.problems[static_cast<std::size_t>(problem)].name});
   document.push_back(overview(campaign, cells));
@@ -110,10 +128,18 @@ void add_problem(ReportDocument& document, const Campaign& campaign,
     document.push_back(ReportText{"Runs without a path:"});
     document.push_back(std::move(table));
   }
+  for (const ParameterGrid& grid : grids) {
+    document.push_back(
+        ReportFigure{fmt::format("{}: median time by {} and {}", grid.planner, grid.x, grid.y),
+                     heat_map_svg(grid, cells), "heatmaps.csv"});
+  }
   std::vector<PlotSeries> series;
-  for (const CampaignCell& cell : cells) {
+  for (const CampaignCell& cell : curves_of(cells, grids)) {
     series.push_back(
         {campaign.planners[static_cast<std::size_t>(cell.planner)].label, cell.times()});
+  }
+  if (series.empty()) {
+    return;
   }
   document.push_back(
       ReportFigure{"Share of runs solved within a time", ecdf_svg(series), "ecdf.csv"});
@@ -147,8 +173,10 @@ ReportDocument campaign_document(const Campaign& campaign, const CampaignOutcome
       "how often, in pairs of one run of each planner; p: two-sided Mann-Whitney test, then "
       "adjusted by Holm for all pairs of a problem.",
       campaign.threads, campaign.time_limit_s)});
+  const std::vector<ParameterGrid> grids = parameter_grids(campaign);
   for (std::size_t begin = 0; begin < cells.size(); begin += campaign.planners.size()) {
-    add_problem(document, campaign, cells.subspan(begin, campaign.planners.size()), comparisons);
+    add_problem(document, campaign, cells.subspan(begin, campaign.planners.size()), comparisons,
+                grids);
   }
   document.push_back(ReportHeading{2, "Parameters"});
   document.push_back(parameter_table(campaign));
@@ -205,6 +233,9 @@ void write_campaign_report(const Campaign& campaign, const CampaignOutcome& outc
   write("summary.csv", to_csv(summary_table(campaign, cells)));
   write("ecdf.csv", to_csv(ecdf_table(campaign, cells)));
   write("boxplot.csv", to_csv(box_plot_table(campaign, cells)));
+  if (const std::vector<ParameterGrid> grids = parameter_grids(campaign); !grids.empty()) {
+    write("heatmaps.csv", to_csv(heat_map_table(campaign, grids, cells)));
+  }
   write("comparisons.csv", to_csv(comparison_table(campaign, comparisons)));
   make_out_folder(folder / "ompl");
   for (std::size_t i = 0; i < campaign.problems.size(); ++i) {

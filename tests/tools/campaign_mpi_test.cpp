@@ -4,13 +4,18 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <signal.h>
 
+#include <chrono>
 #include <cstdlib>
+#include <filesystem>
+#include <future>
 #include <string>
 
 namespace handway::test {
 namespace {
 
+namespace fs = std::filesystem;
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
@@ -63,6 +68,38 @@ TEST_F(HandwayUnderMpi, GoesOnWithWhatThreadsBegan) {
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_THAT(run.err, HasSubstr("40 runs, 32 of them done before"));
   EXPECT_THAT(rows("study"), SizeIs(40));
+}
+
+// Ends the process that leads, and alone writes the database, without warning.
+TEST_F(HandwayUnderMpi, LosesAndDoublesNothingWhenTheLeaderIsKilled) {
+  line_.replace("study.yaml", "seeds: 8", "seeds: 40");
+  ASSERT_EQ(line_.run("bench study.yaml --out whole").exit_code, 0);
+  ASSERT_THAT(rows("whole"), SizeIs(160));
+  const fs::path database = line_.folder() / "killed" / "runs.sqlite";
+  std::size_t kept = 0;
+  for (int round = 0; round < 3; ++round) {
+    fs::remove(line_.folder() / "leader");
+    const std::future<Outcome> team = std::async(std::launch::async, [&] {
+      return line_.run(
+          "--version >version.txt; timeout 200 mpirun --allow-run-as-root --oversubscribe -n 3 "
+          "sh -c 'if [ \"$OMPI_COMM_WORLD_RANK\" = 0 ]; then echo $$ >leader; fi; "
+          "exec \"" HANDWAY_PROGRAM "\" bench study.yaml --out killed --resume'");
+    });
+    while (run_count(database) <= kept + 2 &&
+           team.wait_for(std::chrono::milliseconds(3)) != std::future_status::ready) {
+    }
+    if (const pid_t leader = std::atoi(line_.read("leader").c_str()); leader > 0) {
+      kill(leader, SIGKILL);
+    }
+    team.wait();
+    EXPECT_GE(run_count(database), kept) << "runs that were there are gone";
+    kept = run_count(database);
+  }
+  ASSERT_GT(kept, 0U);
+  const Outcome rest = mpirun(2, "bench study.yaml --out killed --resume");
+  ASSERT_EQ(rest.exit_code, 0) << rest.err;
+  EXPECT_THAT(rest.err, HasSubstr("of them done before"));
+  EXPECT_EQ(rows("killed"), rows("whole"));
 }
 
 TEST_F(HandwayUnderMpi, TellsOnceWhatIsWrong) {

@@ -8,6 +8,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <string>
@@ -68,6 +69,23 @@ TEST_F(HandwayCampaign, WritesRunsAndReports) {
   EXPECT_THAT(line_.read("study/ompl/a_post.log"),
               AllOf(HasSubstr("Experiment a_post\n"), HasSubstr("\n3 planners\npmd-prm n_a=5\n"),
                     HasSubstr("\n10 runs\n1; 1; 6; ")));
+}
+
+TEST_F(HandwayCampaign, DrawsHeatMapsOfPairsOfParameters) {
+  line_.write("pairs.yaml",
+              "campaign: 1\nproblems: [open.yaml, post.yaml]\nseeds: 2\nplanners:\n"
+              "  - {planner: pmd-prm, label: a, parameters: {n_a: [5, 10], k: [10, 3, 4]}}\n"
+              "  - {planner: pmd-prm, label: b, parameters: {n_h: [2, 10]}}\n  - rrt-connect\n");
+  const Outcome run = line_.run("bench pairs.yaml");
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(line_.read("pairs/report.md"),
+              AllOf(HasSubstr("median time by n_a and k"), Not(HasSubstr("n_h and"))));
+  EXPECT_THAT(line_.read("pairs/report.html"), HasSubstr(">n_a</text>"));
+  const std::string table = line_.read("pairs/heatmaps.csv");
+  EXPECT_THAT(table, AllOf(HasSubstr("\nopen,pmd-prm,a n_a=5 k=3,n_a,5,k,3,2,2,0."),
+                           HasSubstr("\npost,pmd-prm,a n_a=10 k=10,n_a,10,k,10,2,2,")));
+  EXPECT_EQ(std::ranges::count(table, '\n'), 1 + 2 * 6);
+  EXPECT_LT(table.find("n_a,5,k,3"), table.find("n_a,5,k,10")) << "by size";
 }
 
 TEST_F(HandwayCampaign, GivesTheSameRunsForAnyNumberOfJobs) {

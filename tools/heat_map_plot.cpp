@@ -1,0 +1,140 @@
+#include "heat_map.h"
+#include "number_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace handway::tools {
+namespace {
+
+using planning::CampaignCell;
+
+constexpr double kCellWidth = 92.0;
+constexpr double kCellHeight = 44.0;
+constexpr double kLeft = 130.0;
+constexpr double kTop = 12.0;
+constexpr double kFoot = 48.0;
+constexpr double kLeastRatio = 2.0;  // of times that get the colours' ends
+
+using Rgb = std::array<double, 3>;
+
+// Light to dark, even to the eye and the same for those who see few colours (from ColorBrewer's
+// YlGnBu).
+constexpr std::array<Rgb, 5> kScale = {
+    {{255, 255, 204}, {161, 218, 180}, {65, 182, 196}, {44, 127, 184}, {37, 52, 148}}};
+
+Rgb color_at(double share) {
+  const double position = std::clamp(share, 0.0, 1.0) * (kScale.size() - 1);
+  const auto below = std::min(static_cast<std::size_t>(position), kScale.size() - 2);
+  const double part = position - static_cast<double>(below);
+  Rgb mixed{};
+  for (std::size_t i = 0; i < mixed.size(); ++i) {
+    mixed.at(i) = std::lerp(kScale.at(below).at(i), kScale.at(below + 1).at(i), part);
+  }
+  return mixed;
+}
+
+/// Times on a logarithmic scale of colours.
+class TimeColors {
+ public:
+  explicit TimeColors(const std::vector<double>& times) {
+    for (const double time : times) {
+      if (std::isfinite(time) && time > 0.0) {
+        least_ = std::min(least_, time);
+        most_ = std::max(most_, time);
+      }
+    }
+    if (most_ < kLeastRatio * least_) {  // small differences stay pale
+      most_ = kLeastRatio * least_;
+    }
+  }
+
+  [[nodiscard]] double share(double time) const {
+    return std::isfinite(time) ? std::log(time / least_) / std::log(most_ / least_) : 1.0;
+  }
+
+ private:
+  double least_ = std::numeric_limits<double>::infinity();
+  double most_ = 0.0;
+};
+
+double median_time(const CampaignCell& cell) {
+  return cell.runs.empty() ? std::numeric_limits<double>::quiet_NaN()
+                           : planning::quantile_of(cell.times(), 0.5);
+}
+
+std::string field(const CampaignCell& cell, const TimeColors& colors, double x, double y) {
+  const double time = median_time(cell);
+  if (std::isnan(time)) {
+    return fmt::format(
+        "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"none\" stroke=\"#ddd\"/>\n", x,
+        y, kCellWidth, kCellHeight);
+  }
+  const double share = colors.share(time);
+  const Rgb fill = color_at(share);
+  const char* ink = share > 0.55 ? "#fff" : "#000";
+  const double middle = x + kCellWidth / 2.0;
+  const bool all = cell.solved() == cell.runs.size();
+  std::string svg = fmt::format(
+      "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"rgb({:.0f},{:.0f},{:.0f})\" "
+      "stroke=\"#fff\"/><text x=\"{}\" y=\"{}\" text-anchor=\"middle\" style=\"fill:{}\">{}</text>",
+      x, y, kCellWidth, kCellHeight, fill[0], fill[1], fill[2], middle, y + (all ? 27.0 : 19.0),
+      ink, std::isfinite(time) ? number_text(time) + " s" : "∞");
+  if (!all) {
+    svg += fmt::format(
+        "<text x=\"{}\" y=\"{}\" text-anchor=\"middle\" style=\"font-size:11px;fill:{}\">{} "
+        "solved</text>",
+        middle, y + 36.0, ink,
+        percent_text(static_cast<double>(cell.solved()) / static_cast<double>(cell.runs.size())));
+  }
+  return svg + '\n';
+}
+
+}  // namespace
+
+std::string heat_map_svg(const ParameterGrid& grid, std::span<const CampaignCell> cells) {
+  const std::size_t columns = grid.x_values.size();
+  const std::size_t rows = grid.y_values.size();
+  std::vector<double> times;
+  for (const std::size_t planner : grid.planners) {
+    times.push_back(median_time(cells[planner]));
+  }
+  const TimeColors colors(times);
+  const double bottom = kTop + kCellHeight * static_cast<double>(rows);
+  const double right = kLeft + kCellWidth * static_cast<double>(columns);
+  std::string svg;
+  for (std::size_t i = 0; i < grid.planners.size(); ++i) {
+    svg += field(cells[grid.planners[i]], colors,
+                 kLeft + kCellWidth * static_cast<double>(i % columns),
+                 bottom - kCellHeight * static_cast<double>(i / columns + 1));
+  }
+  for (std::size_t i = 0; i < columns; ++i) {
+    svg += fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>\n",
+                       kLeft + kCellWidth * (static_cast<double>(i) + 0.5), bottom + 18.0,
+                       html_escaped(grid.x_values[i]));
+  }
+  for (std::size_t i = 0; i < rows; ++i) {
+    svg += fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"end\">{}</text>\n", kLeft - 8.0,
+                       bottom - kCellHeight * (static_cast<double>(i) + 0.5) + 5.0,
+                       html_escaped(grid.y_values[i]));
+  }
+  svg += fmt::format(
+      "<text x=\"{}\" y=\"{}\" text-anchor=\"middle\" style=\"font-weight:bold\">{}</text>\n",
+      (kLeft + right) / 2.0, bottom + 38.0, html_escaped(grid.x));
+  svg += fmt::format(
+      "<text transform=\"translate(24 {}) rotate(-90)\" text-anchor=\"middle\" "
+      "style=\"font-weight:bold\">{}</text>\n",
+      (kTop + bottom) / 2.0, html_escaped(grid.y));
+  return fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" "
+      "height=\"{1}\" role=\"img\">\n{2}</svg>",
+      right + 20.0, bottom + kFoot, svg);
+}
+
+}  // namespace handway::tools
