@@ -26,6 +26,7 @@
 #include "start/panel_help.h"
 #include "start/start_page.h"
 #include "style/theme.h"
+#include "tracker/wrist_page.h"
 #include "view3d/scene_view.h"
 #include "workers/palm_path.h"
 
@@ -313,9 +314,13 @@ void MainWindow::update_ready() {
 void MainWindow::update_title() { setWindowTitle(tr("%1[*] – Handway").arg(files_->scene_name())); }
 
 void MainWindow::apply_glove_options() {
-  if (!options_.glove.empty() || !options_.glove_page.empty()) {
+  if (!options_.glove.empty() || !options_.glove_page.empty() || !options_.tracker.empty()) {
     posing_->glove()->come_to_front(QString::fromStdString(options_.glove_page));
     posing_->glove()->connect_to(QString::fromStdString(options_.glove));
+    if (!options_.tracker.empty() && document_.scene()->start) {
+      posing_->set(*document_.scene()->start);
+    }
+    posing_->glove()->wrist().connect_to(QString::fromStdString(options_.tracker));
   }
 }
 

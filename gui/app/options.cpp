@@ -62,8 +62,12 @@ std::optional<Options> parse_options(int argc, char** argv, int& exit_code) {
       ->type_name("DEVICE");
   app.add_option("--glove-page", options.glove_page, "Page of the glove's panel to open")
       ->type_name("NAME");
+  app.add_option("--tracker", options.tracker,
+                 "Lead the arm by this wrist tracker: \"emulator\", fastrak:PORT, liberty:PORT, "
+                 "udp:PORT")
+      ->type_name("DEVICE");
   app.add_option("--glove-time", options.glove_time,
-                 "Listen to the glove for so many s before a screenshot (default 3)")
+                 "Listen to glove and tracker for so many s before a screenshot (default 3)")
       ->check(CLI::Range(0.0, 3600.0));
   app.add_option("--theme", options.theme, "light or dark (default: as last time)")
       ->check(CLI::IsMember({"light", "dark"}));

@@ -23,7 +23,8 @@ struct Options {
   std::vector<std::pair<std::string, std::string>> settings;
   std::string glove;        ///< Device to connect to at once; empty: none.
   std::string glove_page;   ///< Page of the glove's panel to open; empty: the first.
-  double glove_time = 3.0;  ///< To listen to the glove before a screenshot, s.
+  double glove_time = 3.0;  ///< To listen to glove and tracker before a screenshot, s.
+  std::string tracker;      ///< Wrist tracker to connect to at once; empty: none.
   std::string theme;        ///< "light" or "dark"; empty: as last time.
 };
 

@@ -2,9 +2,13 @@
 
 #include "app/query_check.h"
 #include "glove/glove_panel.h"
+#include "tracker/wrist_page.h"
 #include "view3d/scene_view.h"
+#include "workers/collision_monitor.h"
 
 #include <QPixmap>
+
+#include <algorithm>
 
 namespace handway::gui {
 namespace {
@@ -19,7 +23,7 @@ Snapshot::Snapshot(MainWindow& window, const Options& options, QObject* parent)
       window_(window),
       file_(QString::fromStdString(options.screenshot.string())),
       view_only_(options.view_only),
-      glove_time_(options.glove.empty() ? 0.0 : options.glove_time) {
+      glove_time_(options.glove.empty() && options.tracker.empty() ? 0.0 : options.glove_time) {
   poll_.setInterval(60);
   connect(&poll_, &QTimer::timeout, this, &Snapshot::wait_until_settled);
   connect(&window_, &MainWindow::ready, &poll_, qOverload<>(&QTimer::start));
@@ -35,13 +39,18 @@ Snapshot::Snapshot(MainWindow& window, const Options& options, QObject* parent)
 
 // The collision checks of a hand that moves never end.
 bool Snapshot::listens() const {
-  const GloveLink& link = window_.glove_panel().session().link();
-  return glove_time_ > 0.0 && link.is_running() && link.state() != device::StreamState::kFailed;
+  const auto runs = [](const auto& link) {
+    return link.is_running() && link.state() != device::StreamState::kFailed;
+  };
+  GlovePanel& glove = window_.glove_panel();
+  return glove_time_ > 0.0 &&
+         (runs(glove.session().link()) || runs(glove.wrist().session().link()));
 }
 
 void Snapshot::wait_until_settled() {
   if (listens()) {
-    if (window_.glove_panel().listening_time() >= glove_time_) {
+    GlovePanel& glove = window_.glove_panel();
+    if (std::max(glove.listening_time(), glove.wrist().listening_time()) >= glove_time_) {
       poll_.stop();
       save();
     }

@@ -9,8 +9,11 @@
 #include "glove/pmd_explorer.h"
 #include "glove/record_bar.h"
 #include "glove/sensor_bars.h"
+#include "panels/joint_groups.h"
+#include "tracker/wrist_page.h"
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QFormLayout>
 #include <QFrame>
 #include <QHBoxLayout>
@@ -41,6 +44,13 @@ QScrollArea* scrolled(QWidget* content) {
   return area;
 }
 
+QString glove_text(const device::GloveInfo& info) {
+  return QObject::tr("%1, %2 hand, %3 sensors")
+      .arg(QString::fromStdString(info.model).section(QLatin1Char(','), 0, 0),
+           info.right_hand ? QObject::tr("right") : QObject::tr("left"))
+      .arg(info.sensors);
+}
+
 bool is_live(StreamState state) {
   return state != StreamState::kStopped && state != StreamState::kFailed;
 }
@@ -51,14 +61,15 @@ GlovePanel::GlovePanel(QWidget* parent)
     : QWidget(parent),
       device_(new DeviceField),
       connect_(new QPushButton),
-      status_(new LinkStatus),
+      status_(new LinkStatus(QStringLiteral("glove"))),
       tabs_(new QTabBar),
       pages_(new QStackedWidget),
       bars_(new SensorBars),
       capture_(session_),
       mapping_editor_(new MappingEditor(session_)),
+      wrist_(new WristPage),
       follow_(new QCheckBox(tr("Hand follows"))),
-      stop_(new QCheckBox(tr("Stop at contact"))),
+      rule_(new QComboBox),
       contact_(new QLabel),
       record_(new RecordBar(session_)) {
   auto* layout = new QVBoxLayout(this);
@@ -72,6 +83,7 @@ GlovePanel::GlovePanel(QWidget* parent)
   add_page(tr("Coach"), scrolled(&capture_.coach()));
   add_page(tr("Explore"), scrolled(&capture_.explorer()));
   add_page(tr("Mapping"), scrolled(mapping_editor_));
+  add_page(tr("Wrist"), scrolled(wrist_));
   layout->addWidget(build_header());
   layout->addWidget(tabs_);
   layout->addWidget(pages_, 1);
@@ -90,6 +102,11 @@ GlovePanel::GlovePanel(QWidget* parent)
             emit posture_changed(posture);
           });
   connect(&session_, &GloveSession::following_changed, follow_, &QCheckBox::setChecked);
+  connect(&session_, &GloveSession::following_changed, this, [this](bool follow) {
+    if (!follow) {
+      guard_.withdraw(ContactGuard::Leader::kHand);
+    }
+  });
   ticker_.setInterval(kStatisticsMs);
   connect(&ticker_, &QTimer::timeout, this, &GlovePanel::show_statistics);
   show_state(StreamState::kStopped, {});
@@ -143,30 +160,39 @@ QWidget* GlovePanel::build_footer() {
   layout->setSpacing(8);
   follow_->setObjectName(QStringLiteral("glove_follow"));
   follow_->setChecked(session_.following());
-  stop_->setObjectName(QStringLiteral("glove_stop"));
   follow_->setToolTip(tr("The hand in the view takes the postures of the glove"));
-  stop_->setToolTip(
-      tr("The hand stays in its last free posture while the glove would take it "
-         "into something"));
+  rule_->setObjectName(QStringLiteral("contact_rule"));
+  rule_->addItem(tr("Go on at contact"));
+  rule_->addItem(tr("Stop at contact"));
+  rule_->addItem(tr("Slide at contact"));
+  rule_->setToolTip(
+      tr("What becomes of a motion of glove or tracker that leads into something: it goes on and "
+         "the links turn red, it stops, or arm and fingers go as far as each is free"));
   contact_->setObjectName(QStringLiteral("glove_contact"));
   contact_->setProperty("role", "note");
   contact_->setWordWrap(true);
   contact_->hide();
   auto* switches = new QHBoxLayout;
-  switches->setSpacing(18);
+  switches->setSpacing(12);
   switches->addWidget(follow_);
-  switches->addWidget(stop_);
   switches->addStretch();
+  switches->addWidget(rule_);
   layout->addLayout(switches);
   layout->addWidget(contact_);
   layout->addWidget(record_);
   connect(follow_, &QCheckBox::toggled, &session_, &GloveSession::set_following);
-  connect(stop_, &QCheckBox::toggled, &contact_stop_, &ContactStop::set_on);
-  connect(&contact_stop_, &ContactStop::held, this, [this](const QString& contact) {
+  connect(rule_, qOverload<int>(&QComboBox::currentIndexChanged), this,
+          [this](int rule) { guard_.set_rule(static_cast<ContactRule>(rule)); });
+  connect(&guard_, &ContactGuard::held, this, [this](const QString& contact) {
     contact_->setText(tr("Held: %1").arg(contact));
     contact_->setVisible(!contact.isEmpty());
   });
-  connect(&contact_stop_, &ContactStop::passed, this, &GlovePanel::show_posture);
+  connect(&guard_, &ContactGuard::passed, this, &GlovePanel::posture_changed);
+  connect(wrist_, &WristPage::posture_wanted, this, [this](const geometric::NamedPosture& posture) {
+    guard_.propose(ContactGuard::Leader::kArm, posture);
+  });
+  connect(wrist_, &WristPage::released, this,
+          [this] { guard_.withdraw(ContactGuard::Leader::kArm); });
   return footer;
 }
 
@@ -178,8 +204,6 @@ void GlovePanel::add_page(const QString& name, QWidget* page) {
 void GlovePanel::set_hand(const std::shared_ptr<const geometric::RobotModel>& model,
                           const std::shared_ptr<const sampling::PmdBasis>& basis,
                           std::shared_ptr<const PreparedProblem> problem) {
-  model_ = model;
-  q_ = model ? model->neutral() : geometric::Configuration();
   session_.set_robot(model);
   capture_.set_hand(model, basis);
   std::vector<std::string> free;
@@ -189,12 +213,16 @@ void GlovePanel::set_hand(const std::shared_ptr<const geometric::RobotModel>& mo
     }
   }
   mapping_editor_->set_hand(model, std::move(free));
-  contact_stop_.set_problem(std::move(problem));
+  const JointGroups groups = model ? joint_groups(*model, basis.get()) : JointGroups{};
+  wrist_->set_robot(model, groups.arm);
+  guard_.set_robot(model, model ? moving_parts(*model, groups) : std::vector<std::vector<int>>{},
+                   std::move(problem));
 }
 
 void GlovePanel::set_configuration(const geometric::Configuration& q) {
-  q_ = q;
+  guard_.set_configuration(q);
   capture_.set_configuration(q);
+  wrist_->set_configuration(q);
 }
 
 void GlovePanel::toggle_connection() {
@@ -248,7 +276,10 @@ void GlovePanel::show_state(StreamState state, const QString& error) {
     problem = session_.mapping_error();
     add_recent_glove(session_.device());
   }
-  status_->show_state(state, session_.link().info(), problem);
+  show_glove(state, problem);
+  if (state != StreamState::kStreaming) {
+    guard_.withdraw(ContactGuard::Leader::kHand);
+  }
   if (live) {
     ticker_.start();
   } else {
@@ -260,7 +291,14 @@ void GlovePanel::show_state(StreamState state, const QString& error) {
 }
 
 void GlovePanel::show_problem(const QString& message) {
-  status_->show_state(session_.link().state(), session_.link().info(), message);
+  show_glove(session_.link().state(), message);
+}
+
+void GlovePanel::show_glove(StreamState state, const QString& error) {
+  const device::GloveInfo info = session_.link().info();
+  status_->show_state(
+      state, glove_text(info),
+      QString::fromStdString(info.model.empty() ? "" : info.model + ", " + info.device), error);
 }
 
 void GlovePanel::show_samples(const std::vector<GloveSample>& samples) {
@@ -279,22 +317,13 @@ void GlovePanel::move_hand(const GloveSample& sample) {
     return;
   }
   geometric::NamedPosture posture;
-  geometric::Configuration q = q_;
   for (std::size_t j = 0; j < mapper->joints().size(); ++j) {
-    const double value = sample.posture[static_cast<Eigen::Index>(j)];
-    posture.values[mapper->joints()[j]] = value;
-    q[model_->find_variable(mapper->joints()[j]).value()] = value;
+    posture.values[mapper->joints()[j]] = sample.posture[static_cast<Eigen::Index>(j)];
   }
   if (!shown_since_) {
     shown_since_ = session_.link().arrival();
   }
-  contact_stop_.propose(posture, q);
-}
-
-void GlovePanel::show_posture(const geometric::NamedPosture& posture) {
-  if (session_.following()) {
-    emit posture_changed(posture);
-  }
+  guard_.propose(ContactGuard::Leader::kHand, posture);
 }
 
 void GlovePanel::note_drawn() {

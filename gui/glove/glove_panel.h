@@ -1,7 +1,7 @@
 #pragma once
 
 #include "glove/capture_pages.h"
-#include "glove/contact_stop.h"
+#include "glove/contact_guard.h"
 #include "glove/glove_session.h"
 #include "handway/geometric/robot/robot_description.h"
 
@@ -13,6 +13,7 @@
 #include <optional>
 
 class QCheckBox;
+class QComboBox;
 class QLabel;
 class QPushButton;
 class QTabBar;
@@ -25,9 +26,10 @@ class LinkStatus;
 class MappingEditor;
 class RecordBar;
 class SensorBars;
+class WristPage;
 
-/// The glove in the window: connects to it, shows what it measures, and moves the
-/// hand of the scene with it.
+/// The glove in the window: connects to it, shows what it measures, and moves the hand of the
+/// scene with it; on a page of its own the wrist tracker, which moves the arm.
 class GlovePanel : public QWidget {
   Q_OBJECT
 
@@ -58,9 +60,10 @@ class GlovePanel : public QWidget {
   [[nodiscard]] CapturePages& capture() { return capture_; }
   [[nodiscard]] MappingEditor& mapping_editor() { return *mapping_editor_; }
   [[nodiscard]] RecordBar& record_bar() { return *record_; }
+  [[nodiscard]] WristPage& wrist() { return *wrist_; }
 
  signals:
-  /// The hand's joints are to be there.
+  /// Joints of hand or arm are to be there.
   void posture_changed(const handway::geometric::NamedPosture& posture);
 
  private:
@@ -73,7 +76,7 @@ class GlovePanel : public QWidget {
   void show_samples(const std::vector<GloveSample>& samples);
   void show_statistics();
   void move_hand(const GloveSample& sample);
-  void show_posture(const geometric::NamedPosture& posture);
+  void show_glove(device::StreamState state, const QString& error);
   void show_problem(const QString& message);
 
   GloveSession session_;
@@ -85,11 +88,10 @@ class GlovePanel : public QWidget {
   SensorBars* bars_;
   CapturePages capture_;
   MappingEditor* mapping_editor_;
-  ContactStop contact_stop_;
-  std::shared_ptr<const geometric::RobotModel> model_;
-  geometric::Configuration q_;
+  WristPage* wrist_;
+  ContactGuard guard_;
   QCheckBox* follow_;
-  QCheckBox* stop_;
+  QComboBox* rule_;
   QLabel* contact_;
   RecordBar* record_;
   QTimer ticker_;

@@ -15,23 +15,19 @@ using device::StreamState;
 
 constexpr double kMilli = 1e3;
 
-QString state_text(StreamState state, const device::GloveInfo& info) {
-  const QString what = QString::fromStdString(info.model).section(QLatin1Char(','), 0, 0);
+QString state_text(StreamState state, const QString& what) {
   switch (state) {
     case StreamState::kConnecting:
       return QObject::tr("Connecting…");
     case StreamState::kStreaming:
-      return QObject::tr("%1, %2 hand, %3 sensors")
-          .arg(what, info.right_hand ? QObject::tr("right") : QObject::tr("left"))
-          .arg(info.sensors);
+      return what;
     case StreamState::kUnplugged:
-      return QObject::tr("The glove is off its interface unit: plug it in again");
+      return QObject::tr("The sensor is off its unit: plug it in again");
     case StreamState::kLost:
       return QObject::tr("Connection lost, trying again…");
     case StreamState::kEnded:
       return QObject::tr("The recording is over");
     case StreamState::kFailed:
-      return QObject::tr("Not connected");
     case StreamState::kStopped:
       break;
   }
@@ -54,28 +50,28 @@ QColor state_color(StreamState state) {
   }
 }
 
-QLabel* figure(const char* name) {
+QLabel* figure(const QString& name) {
   auto* label = new QLabel;
-  label->setObjectName(QLatin1String(name));
+  label->setObjectName(name);
   label->setProperty("role", "note");
   return label;
 }
 
 }  // namespace
 
-LinkStatus::LinkStatus(QWidget* parent)
+LinkStatus::LinkStatus(const QString& name, QWidget* parent)
     : QWidget(parent),
       state_(new QLabel),
       problem_(new QFrame),
       problem_text_(new QLabel),
-      rate_(figure("glove_rate")),
-      delay_(figure("glove_delay")),
-      dropouts_(figure("glove_dropouts")) {
-  state_->setObjectName(QStringLiteral("glove_state"));
+      rate_(figure(name + QStringLiteral("_rate"))),
+      delay_(figure(name + QStringLiteral("_delay"))),
+      dropouts_(figure(name + QStringLiteral("_dropouts"))) {
+  state_->setObjectName(name + QStringLiteral("_state"));
   state_->setTextFormat(Qt::RichText);
   state_->setWordWrap(true);
   problem_->setProperty("role", "banner");
-  problem_text_->setObjectName(QStringLiteral("glove_error"));
+  problem_text_->setObjectName(name + QStringLiteral("_error"));
   problem_text_->setWordWrap(true);
   problem_text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   auto* problem_layout = new QVBoxLayout(problem_);
@@ -97,29 +93,31 @@ LinkStatus::LinkStatus(QWidget* parent)
   layout->addWidget(state_);
   layout->addWidget(problem_);
   layout->addLayout(figures);
-  show_state(StreamState::kStopped, {}, {});
+  show_state(StreamState::kStopped, {}, {}, {});
   clear_statistics();
 }
 
-void LinkStatus::show_state(StreamState state, const device::GloveInfo& info, const QString& error) {
+void LinkStatus::show_state(StreamState state, const QString& what, const QString& device,
+                            const QString& error) {
   state_->setText(QStringLiteral("<span style=\"color:%1\">●</span>&nbsp; %2")
-                      .arg(html(state_color(state)), state_text(state, info).toHtmlEscaped()));
-  state_->setToolTip(
-      QString::fromStdString(info.model.empty() ? "" : info.model + ", " + info.device));
+                      .arg(html(state_color(state)), state_text(state, what).toHtmlEscaped()));
+  state_->setToolTip(device);
   problem_text_->setText(error);
   problem_->setVisible(!error.isEmpty());
 }
 
 void LinkStatus::show_statistics(const device::StreamStatistics& statistics, double to_screen) {
   rate_->setText(tr("%1 Hz").arg(statistics.rate, 0, 'f', 0));
-  delay_->setText(to_screen > 0.0
-                      ? tr("%1 ms to screen").arg(to_screen * kMilli, 0, 'f', 0)
-                      : tr("%1 ms to answer").arg(statistics.latency * kMilli, 0, 'f', 1));
+  if (to_screen > 0.0) {
+    delay_->setText(tr("%1 ms to screen").arg(to_screen * kMilli, 0, 'f', 0));
+  } else if (statistics.latency > 0.0) {
+    delay_->setText(tr("%1 ms to answer").arg(statistics.latency * kMilli, 0, 'f', 1));
+  }
   dropouts_->setText(statistics.dropouts == 1 ? tr("1 dropout")
                                               : tr("%1 dropouts").arg(statistics.dropouts));
-  for (QLabel* label : {rate_, delay_, dropouts_}) {
-    label->show();
-  }
+  rate_->show();
+  delay_->setVisible(to_screen > 0.0 || statistics.latency > 0.0);
+  dropouts_->show();
 }
 
 void LinkStatus::clear_statistics() {

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "handway/device/glove/glove_stream.h"
+#include "handway/device/core/stream_state.h"
+#include "handway/device/core/stream_statistics.h"
 
 #include <QWidget>
 
@@ -9,18 +10,21 @@ class QLabel;
 
 namespace handway::gui {
 
-/// How the connection to the glove is: state and device, what went wrong, and
-/// rate, delay and dropouts.
+/// How the connection to a glove or a tracker is: state and device, what went wrong, and rate,
+/// delay and dropouts.
 class LinkStatus : public QWidget {
   Q_OBJECT
 
  public:
-  explicit LinkStatus(QWidget* parent = nullptr);
+  /// @param name of the device, in front of the object names of the labels: "glove_rate".
+  explicit LinkStatus(const QString& name, QWidget* parent = nullptr);
 
+  /// @param what is connected: "CyberGlove, right hand". @param device its model and port.
   /// @param error why; empty if nothing is wrong.
-  void show_state(device::StreamState state, const device::GloveInfo& info, const QString& error);
-  /// @param to_screen from a frame's arrival to its picture, s; 0 if not known.
-  void show_statistics(const device::StreamStatistics& statistics, double to_screen);
+  void show_state(device::StreamState state, const QString& what, const QString& device,
+                  const QString& error);
+  /// @param to_screen from a frame's arrival to its picture, s; nothing if not known.
+  void show_statistics(const device::StreamStatistics& statistics, double to_screen = 0.0);
   void clear_statistics();
 
   /// What went wrong; empty if nothing.

@@ -56,4 +56,33 @@ int palm_link(const geometric::RobotModel& model, const JointGroups& groups) {
   return groups.arm.empty() ? model.link_count() - 1 : model.variable_link(groups.arm.back());
 }
 
+std::vector<std::vector<int>> moving_parts(const geometric::RobotModel& model,
+                                           const JointGroups& groups) {
+  std::vector<std::vector<int>> parts;
+  if (!groups.arm.empty()) {
+    parts.push_back(groups.arm);
+  }
+  const auto carries = [&model](int variable, int other) {
+    int link = model.variable_link(other);
+    while (link >= 0 && link != model.variable_link(variable)) {
+      link = model.parent(link);
+    }
+    return link >= 0;
+  };
+  std::vector<std::vector<int>> fingers;
+  for (const int variable : groups.hand) {
+    const auto finger = std::ranges::find_if(fingers, [&](const std::vector<int>& part) {
+      return std::ranges::any_of(
+          part, [&](int other) { return carries(variable, other) || carries(other, variable); });
+    });
+    if (finger == fingers.end()) {
+      fingers.push_back({variable});
+    } else {
+      finger->push_back(variable);
+    }
+  }
+  parts.insert(parts.end(), fingers.begin(), fingers.end());
+  return parts;
+}
+
 }  // namespace handway::gui

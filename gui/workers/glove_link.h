@@ -4,10 +4,9 @@
 #include "handway/device/glove/glove_stream.h"
 #include "workers/background_threads.h"
 #include "workers/recording_tap.h"
+#include "workers/stream_inbox.h"
 
-#include <QElapsedTimer>
 #include <QObject>
-#include <QTimer>
 
 #include <chrono>
 #include <memory>
@@ -15,15 +14,12 @@
 
 namespace handway::gui {
 
-/// A glove's stream brought to the window's thread. Frames wait in an inbox and are handed over
-/// together, at most once every kPeriodMs: a window that is busy gets the latest late,
-/// never a queue of old ones. The recording tap sees every frame, on the stream's thread.
+/// A glove's stream brought to the window's thread. The recording tap sees every frame, on the
+/// stream's thread.
 class GloveLink : public QObject {
   Q_OBJECT
 
  public:
-  static constexpr int kPeriodMs = 8;  ///< Twice the rate of common displays.
-
   explicit GloveLink(QObject* parent = nullptr);
   ~GloveLink() override;
 
@@ -39,7 +35,7 @@ class GloveLink : public QObject {
   [[nodiscard]] device::GloveInfo info() const;
   [[nodiscard]] device::StreamStatistics statistics() const;
   /// When the first of the frames that arrived() told last came in.
-  [[nodiscard]] std::chrono::steady_clock::time_point arrival() const { return arrival_; }
+  [[nodiscard]] std::chrono::steady_clock::time_point arrival() const;
   [[nodiscard]] RecordingTap& tap() { return *tap_; }
 
  signals:
@@ -49,20 +45,15 @@ class GloveLink : public QObject {
   void arrived(const std::vector<handway::device::GloveFrame>& frames);
 
  private:
-  struct Inbox;
+  using Inbox = StreamInbox<device::GloveFrame>;
   struct Running;
 
-  void told();
-  void deliver();
   void take_state(device::StreamState state);
 
   std::shared_ptr<RecordingTap> tap_;
-  std::shared_ptr<Inbox> inbox_;
+  std::unique_ptr<Inbox> inbox_;
   std::shared_ptr<Running> running_;
   device::StreamState state_ = device::StreamState::kStopped;
-  QTimer timer_;
-  QElapsedTimer since_delivery_;
-  std::chrono::steady_clock::time_point arrival_;
   BackgroundThreads closing_;
 };
 

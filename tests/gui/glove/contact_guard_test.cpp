@@ -1,6 +1,6 @@
 #include "glove_dock.h"
 
-#include <QCheckBox>
+#include <QComboBox>
 #include <QLabel>
 
 #include <cmath>
@@ -13,19 +13,19 @@ using ::testing::HasSubstr;
 // By the typical calibration.
 double left_at(double counts) { return 0.01616 * (counts - 72.0); }
 
-class ContactStop : public GloveDock {
+class ContactGuard : public GloveDock {
  protected:
   [[nodiscard]] bool waits_until_held() const {
     return QTest::qWaitFor([&] { return !part<QLabel>("glove_contact").isHidden(); }, 8000);
   }
 };
 
-TEST_F(ContactStop, HoldsTheLastFreePosture) {
+TEST_F(ContactGuard, HoldsTheLastFreePosture) {
   connect_to_emulator();
   set_counts(80);
   ASSERT_TRUE(QTest::qWaitFor([&] { return std::abs(joint("left") - left_at(80)) < 1e-9; }));
   const double left = joint("left");
-  part<QCheckBox>("glove_stop").setChecked(true);
+  part<QComboBox>("contact_rule").setCurrentIndex(1);
   // The arm's lower link in the post: whatever the glove does, it is not free.
   geometric::Configuration q = window().document().configuration();
   q[*window().document().robot()->model->find_variable("shoulder")] = 0.75;
@@ -35,7 +35,7 @@ TEST_F(ContactStop, HoldsTheLastFreePosture) {
   set_counts(100);
   QTest::qWait(200);
   EXPECT_DOUBLE_EQ(joint("left"), left);
-  part<QCheckBox>("glove_stop").setChecked(false);
+  part<QComboBox>("contact_rule").setCurrentIndex(0);
   EXPECT_TRUE(QTest::qWaitFor([&] { return std::abs(joint("left") - left_at(100)) < 1e-9; }));
   EXPECT_TRUE(part<QLabel>("glove_contact").isHidden());
 }

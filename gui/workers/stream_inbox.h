@@ -1,0 +1,140 @@
+#pragma once
+
+#include "handway/device/core/stream_state.h"
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QTimer>
+
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+namespace handway::gui {
+
+/// Brings what a device's stream tells to the window's thread. Items wait in a box and are handed
+/// over together, at most once every kPeriodMs: a window that is busy gets the latest late, never a
+/// queue of old ones. To be made, asked and destroyed by the window's thread.
+template <typename Item>
+class StreamInbox {
+ public:
+  static constexpr int kPeriodMs = 8;  ///< Twice the rate of common displays.
+  using Items = std::vector<Item>;
+
+  /// @param on_items gets items since the last time, oldest first, never none.
+  StreamInbox(std::function<void(const Items&)> on_items,
+              std::function<void(device::StreamState)> on_state)
+      : box_(std::make_shared<Box>()),
+        on_items_(std::move(on_items)),
+        on_state_(std::move(on_state)) {
+    box_->owner = this;
+    timer_.setSingleShot(true);
+    timer_.setTimerType(Qt::PreciseTimer);
+    QObject::connect(&timer_, &QTimer::timeout, &context_, [this] { deliver(); });
+  }
+
+  ~StreamInbox() { close(); }
+
+  StreamInbox(const StreamInbox&) = delete;
+  StreamInbox& operator=(const StreamInbox&) = delete;
+
+  /// What comes from now on is dropped, and what waits.
+  void close() {
+    timer_.stop();
+    const std::lock_guard lock(box_->mutex);
+    box_->owner = nullptr;
+  }
+
+  /// To be called from any thread, as long as it likes.
+  [[nodiscard]] std::function<void(const Item&)> item_slot() const {
+    return [box = box_](const Item& item) { push(box, item); };
+  }
+  [[nodiscard]] std::function<void(device::StreamState)> state_slot() const {
+    return [box = box_](device::StreamState state) { push(box, state); };
+  }
+
+  /// When the first of the items that were handed over last came in.
+  [[nodiscard]] std::chrono::steady_clock::time_point arrival() const { return arrival_; }
+
+ private:
+  static constexpr std::size_t kMostWaiting = 4096;
+
+  /// Shared with the stream's thread; owner is null once nobody waits for more.
+  struct Box {
+    std::mutex mutex;
+    StreamInbox* owner = nullptr;
+    Items items;
+    bool told = false;
+    std::chrono::steady_clock::time_point arrival;  ///< Of the first that waits.
+  };
+
+  template <typename Action>
+  static void invoke(const std::shared_ptr<Box>& box, Action action) {
+    QMetaObject::invokeMethod(
+        &box->owner->context_,
+        [box, action] {
+          if (box->owner) {
+            action(*box->owner);
+          }
+        },
+        Qt::QueuedConnection);
+  }
+
+  static void push(const std::shared_ptr<Box>& box, const Item& item) {
+    const std::lock_guard lock(box->mutex);
+    if (!box->owner) {
+      return;
+    }
+    if (box->items.size() >= kMostWaiting) {
+      box->items.erase(box->items.begin(), box->items.begin() + kMostWaiting / 2);
+    }
+    box->items.push_back(item);
+    if (!std::exchange(box->told, true)) {
+      box->arrival = std::chrono::steady_clock::now();
+      invoke(box, [](StreamInbox& owner) { owner.told(); });
+    }
+  }
+
+  static void push(const std::shared_ptr<Box>& box, device::StreamState state) {
+    const std::lock_guard lock(box->mutex);
+    if (box->owner) {
+      invoke(box, [state](StreamInbox& owner) { owner.on_state_(state); });
+    }
+  }
+
+  void told() {
+    const qint64 passed = since_delivery_.isValid() ? since_delivery_.elapsed() : kPeriodMs;
+    if (passed >= kPeriodMs) {
+      deliver();
+    } else {
+      timer_.start(static_cast<int>(kPeriodMs - passed));
+    }
+  }
+
+  void deliver() {
+    since_delivery_.start();
+    Items items;
+    {
+      const std::lock_guard lock(box_->mutex);
+      items.swap(box_->items);
+      box_->told = false;
+      arrival_ = box_->arrival;
+    }
+    if (!items.empty()) {
+      on_items_(items);
+    }
+  }
+
+  QObject context_;
+  std::shared_ptr<Box> box_;
+  std::function<void(const Items&)> on_items_;
+  std::function<void(device::StreamState)> on_state_;
+  QTimer timer_;
+  QElapsedTimer since_delivery_;
+  std::chrono::steady_clock::time_point arrival_;
+};
+
+}  // namespace handway::gui

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "handway/geometric/collision/collision_checker.h"
+#include "handway/geometric/export.h"
+#include "handway/geometric/robot/robot_model.h"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace handway::geometric {
+
+/// How far a robot that somebody leads may go.
+struct FreeStep {
+  Configuration q;          ///< Shape [variable_count].
+  std::optional<int> pair;  ///< What touches beyond; nothing if the whole step is free.
+};
+
+/// Goes straight from `from` towards `to`, as far as every configuration is free that is looked at
+/// on the way: one at least every `resolution`, and near the contact five halvings of that.
+/// If `from` itself touches, only `to` counts: a robot that has got into something can be led out.
+/// @param from, to shape [variable_count].
+/// @param resolution largest change of a variable between two configurations, rad or m, > 0.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT FreeStep straight_step(CollisionChecker& checker,
+                                                              const Configuration& from,
+                                                              const Configuration& to,
+                                                              double resolution = 0.02);
+
+/// The same, but what is stopped slides: first all variables go together as far as they can, then
+/// each group in turn goes on by itself, so that a finger that touches stops while arm and
+/// other fingers move on, then each variable of what is left.
+/// @param groups variables that belong together, such as arm and fingers; may be empty.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT FreeStep
+sliding_step(CollisionChecker& checker, const Configuration& from, const Configuration& to,
+             std::span<const std::vector<int>> groups, double resolution = 0.02);
+
+}  // namespace handway::geometric
