@@ -29,6 +29,7 @@ QTabWidget* make_tabs(const std::vector<DockContent>& contents) {
   tabs->setDocumentMode(true);
   tabs->tabBar()->setDrawBase(false);
   tabs->tabBar()->setExpanding(true);
+  tabs->tabBar()->setUsesScrollButtons(false);
   for (const DockContent& content : contents) {
     content.widget->setObjectName(QLatin1String(content.name));
     tabs->addTab(content.widget, content.title);

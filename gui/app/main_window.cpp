@@ -11,6 +11,7 @@
 #include "devices/devices_panel.h"
 #include "editing/recovery.h"
 #include "editing/scene_editing.h"
+#include "export/export_dialog.h"
 #include "glove/glove_panel.h"
 #include "handway/geometric/io/mesh_reader.h"
 #include "panels/banner.h"
@@ -223,7 +224,19 @@ void MainWindow::connect_planning() {
   });
 }
 
+void MainWindow::export_path() {
+  auto* dialog = new ExportDialog(extensions_, document_.problem(), player_.timeline().path(),
+                                  files_->scene_name(), this);
+  connect(dialog, &ExportDialog::exported, this, [this](const QStringList& files) {
+    log_->add(LogPanel::Level::kNote, tr("Exported %1").arg(files.join(QStringLiteral(", "))));
+  });
+  dialog->open();
+}
+
 void MainWindow::connect_devices() {
+  connect(actions_->export_path, &QAction::triggered, this, &MainWindow::export_path);
+  connect(&player_, &PathPlayer::timeline_changed, this,
+          [this] { actions_->export_path->setEnabled(!player_.timeline().empty()); });
   connect(devices_.get(), &DeviceSession::executed_changed, view_,
           [this](const std::vector<Eigen::Vector3d>& way) { view_->set_executed(way); });
   connect(devices_.get(), &DeviceSession::told, this, [this](bool good, const QString& message) {

@@ -79,6 +79,7 @@ class MainWindow : public QMainWindow {
   void connect_view();
   void connect_planning();
   void connect_devices();
+  void export_path();
   void show_scene();
   void show_error(const QString& title, const QString& message);
   void apply_glove_options();

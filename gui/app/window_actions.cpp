@@ -19,6 +19,8 @@ WindowActions::WindowActions(QMainWindow& window) : window_(window) {
   save = make("save", tr("&Save"), QKeySequence::Save, tr("Save the scene"));
   save_as = make("", tr("Save &as…"), QKeySequence::SaveAs, tr("Save the scene under a name"));
   picture = make("camera", tr("Save &picture…"), {}, tr("Save a picture of the 3-D view"));
+  export_path = make("", tr("&Export the path…"), QKeySequence(QStringLiteral("Ctrl+E")),
+                     tr("Time the path and write it for a controller"));
   quit = make("", tr("&Quit"), QKeySequence::Quit, {});
   plan = make("route", tr("&Plan"), QKeySequence(QStringLiteral("Ctrl+P")),
               tr("Find a path from start to goal"));
@@ -47,6 +49,7 @@ WindowActions::WindowActions(QMainWindow& window) : window_(window) {
   floor->setChecked(true);
   samples->setChecked(true);
   cancel->setEnabled(false);
+  export_path->setEnabled(false);
   save->setEnabled(false);
   save_as->setEnabled(false);
 
@@ -56,7 +59,7 @@ WindowActions::WindowActions(QMainWindow& window) : window_(window) {
   file_menu->addMenu(recent);
   file_menu->addSeparator();
   file_menu->addActions({save, save_as});
-  file_menu->addAction(picture);
+  file_menu->addActions({picture, export_path});
   file_menu->addSeparator();
   file_menu->addAction(quit);
   edit_menu_ = window.menuBar()->addMenu(tr("&Edit"));

@@ -33,6 +33,7 @@ class WindowActions {
   QAction* save;
   QAction* save_as;
   QAction* picture;
+  QAction* export_path;
   QAction* quit;
   QAction* plan;
   QAction* cancel;

@@ -2,7 +2,7 @@
 
 #include "app/document.h"
 #include "devices/devices_panel.h"
-#include "devices/motion_text.h"
+#include "handway/geometric/math/units.h"
 #include "workers/path_player.h"
 
 #include <QDateTime>
@@ -10,7 +10,9 @@
 #include <QStandardPaths>
 #include <QVariant>
 
+#include <algorithm>
 #include <filesystem>
+#include <utility>
 
 namespace handway::gui {
 namespace {
@@ -22,6 +24,18 @@ constexpr double kPeriod = 0.02;
 // How far the robot may have moved since a motion was cleared, rad.
 constexpr double kSamePlace = 1e-3;
 constexpr double kSameNumbers = 1e-6;  // relative
+
+struct Offset {
+  int variable = 0;
+  double angle = 0.0;  ///< rad
+};
+
+// How far the joint that is farthest off is.
+Offset offset(const geometric::Configuration& a, const geometric::Configuration& b) {
+  Offset farthest;
+  farthest.angle = (a - b).cwiseAbs().maxCoeff(&farthest.variable);
+  return farthest;
+}
 
 }  // namespace
 
@@ -58,7 +72,7 @@ DeviceSession::DeviceSession(Document& document, PathPlayer& player, QObject* pa
   connect(&timing_, &TimingRunner::timed, this,
           [this](const std::shared_ptr<const planning::TimedPath>& motion) {
             motion_ = motion;
-            panel_->show_motion(*motion);
+            panel_->show_motion(*motion, backwards_);
           });
   connect(&timing_, &TimingRunner::failed, panel_, &DevicesPanel::show_no_motion);
   connect(&driver_, &MotionDriver::state_changed, this, &DeviceSession::take_state);
@@ -96,16 +110,31 @@ void DeviceSession::time_again() {
     panel_->show_no_motion(tr("Plan a path first."));
     return;
   }
-  panel_->show_no_motion(tr("Timing the path…"));
+  timed_from_ = measured_;
+  planning::Path path = player_.timeline().path();
   planning::TimingOptions options;
   options.speed = panel_->speed();
   options.period = kPeriod;
+  backwards_ = false;
   if (measured_.size() > 0) {
     options.measured_start = measured_;
     options.start_tolerance = device::MotionTolerances{}.start;
+    const Offset from_start = offset(measured_, path.waypoints.front());
+    const Offset from_end = offset(measured_, path.waypoints.back());
+    if (from_start.angle > options.start_tolerance && from_end.angle <= options.start_tolerance) {
+      backwards_ = true;
+      std::ranges::reverse(path.waypoints);
+    } else if (from_start.angle > options.start_tolerance) {
+      panel_->show_elsewhere(
+          tr("The robot stands elsewhere: %1 is %2° away from where the path begins.")
+              .arg(QString::fromStdString(
+                  document_.robot()->model->variable(from_start.variable).name))
+              .arg(geometric::degrees(from_start.angle), 0, 'f', 1));
+      return;
+    }
   }
-  timed_from_ = measured_;
-  timing_.start(document_.problem(), player_.timeline().path(), "path", options);
+  panel_->show_no_motion(tr("Timing the path…"));
+  timing_.start(document_.problem(), std::move(path), "path", options);
 }
 
 void DeviceSession::run() {

@@ -56,6 +56,7 @@ class DeviceSession : public QObject {
   TimingRunner timing_;
   MotionDriver driver_;
   std::shared_ptr<const planning::TimedPath> motion_;  ///< Of the path on screen; or null.
+  bool backwards_ = false;                             ///< motion_ goes from goal to start.
   geometric::Configuration measured_;                  ///< Of size 0: nothing is connected.
   geometric::Configuration timed_from_;                ///< `measured_` when motion_ was timed.
 };

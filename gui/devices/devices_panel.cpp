@@ -259,10 +259,16 @@ void DevicesPanel::show_no_motion(const QString& why) {
   update_buttons();
 }
 
-void DevicesPanel::show_motion(const planning::TimedPath& motion) {
+void DevicesPanel::show_elsewhere(const QString& where) {
+  show_no_motion(where);
+  start_here_->show();
+}
+
+void DevicesPanel::show_motion(const planning::TimedPath& motion, bool backwards) {
   motion_->setText(motion_text(motion));
+  run_->setText(backwards ? tr("Run it backwards") : tr("Run on the robot"));
   cleared_ = motion.cleared();
-  start_here_->setVisible(!cleared_ && state_ == State::kConnected);
+  start_here_->hide();
   update_buttons();
 }
 

@@ -37,7 +37,10 @@ class DevicesPanel : public QWidget {
   void show_problem(const QString& message);  ///< Empty: none.
   /// What stands against a motion, or that none does.
   void show_no_motion(const QString& why);
-  void show_motion(const planning::TimedPath& motion);
+  /// The robot doesn't stand where the path begins; offers to plan from where it does.
+  void show_elsewhere(const QString& where);
+  /// @param backwards it goes from the path's end to its start.
+  void show_motion(const planning::TimedPath& motion, bool backwards);
   void show_progress(double time, double duration, double error);
   void show_held(bool held);
   void show_outcome(const execution::MotionOutcome& outcome,

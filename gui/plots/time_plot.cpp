@@ -44,6 +44,14 @@ void TimePlot::show_legend() {
   plot_->insertLegend(legend, QwtPlot::TopLegend);
 }
 
+void TimePlot::clear() {
+  for (QwtPlotCurve* curve : curves_) {
+    delete curve;
+  }
+  curves_.clear();
+  plot_->replot();
+}
+
 void TimePlot::set_curve(int index, const std::vector<double>& times,
                          const std::vector<double>& values) {
   QVector<QPointF> points;

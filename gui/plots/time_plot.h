@@ -20,6 +20,8 @@ class TimePlot : public QWidget {
   /// @returns its index.
   int add_curve(const QString& title, const QColor& color, bool dashed = false);
   void show_legend();
+  /// Takes all curves away.
+  void clear();
   /// @param times s. @param values as many.
   void set_curve(int index, const std::vector<double>& times, const std::vector<double>& values);
   /// Draws what was set.

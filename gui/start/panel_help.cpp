@@ -62,6 +62,12 @@ constexpr Help kHelp[] = {
                                 "<b>Glove</b><p>Connects a sensor glove or an emulated one, shows "
                                 "what its sensors say, records it and lets the hand on screen "
                                 "follow.</p>")},
+    {"devices", QT_TRANSLATE_NOOP(
+                    "Help",
+                    "<b>Devices</b><p>Connects an arm and a hand, or emulated ones, and runs the "
+                    "path on them. A motion is cleared before: limits, collisions, and where "
+                    "the robot stands. Nothing moves unless <i>Let the robot move</i> is "
+                    "ticked. <b>STOP</b> (Ctrl+Space) stops all joints.</p>")},
 };
 
 // The panel that a widget is in.

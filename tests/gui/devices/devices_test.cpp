@@ -83,6 +83,8 @@ TEST_F(Devices, RunAPathAndTellHowItWent) {
   EXPECT_THAT(text("devices_outcome"), HasSubstr("Largest following error"));
   EXPECT_TRUE(reaches(MotionDriver::State::kConnected));
   EXPECT_FALSE(panel().is_armed()) << "it holds for one motion";
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] { return part<QPushButton>("devices_run").text() == "Run it backwards"; }, kPatienceMs));
   EXPECT_TRUE(std::filesystem::exists(executed->log));
   EXPECT_NEAR(window().document().configuration()[0], window().document().scene()->goal.value()[0],
               0.02);
@@ -139,7 +141,7 @@ TEST_F(Devices, RefuseAPathThatBeginsElsewhereAndOfferAWayOut) {
   connect_emulators();
   auto& start_here = part<QPushButton>("devices_start_here");
   ASSERT_TRUE(QTest::qWaitFor([&] { return start_here.isVisible(); }, kPatienceMs));
-  EXPECT_THAT(text("devices_motion"), HasSubstr("Not cleared"));
+  EXPECT_THAT(text("devices_motion"), HasSubstr("shoulder is 5.7° away"));
   EXPECT_FALSE(part<QCheckBox>("devices_armed").isEnabled());
   start_here.click();
   EXPECT_TRUE(

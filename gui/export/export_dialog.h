@@ -1,0 +1,65 @@
+#pragma once
+
+#include "workers/export_runner.h"
+#include "workers/timing_runner.h"
+
+#include <QDialog>
+#include <QTimer>
+
+class QCheckBox;
+class QDoubleSpinBox;
+class QLabel;
+class QLineEdit;
+class QListWidget;
+class QPushButton;
+
+namespace handway::gui {
+
+class MotionPreview;
+
+/// Exports a path for a controller: format, timing, a preview of all that would be written, and
+/// the folder. What fails the pre-flight can't be exported.
+class ExportDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  /// @param name of the scene, for files.
+  ExportDialog(std::shared_ptr<const planning::Extensions> extensions,
+               std::shared_ptr<const PreparedProblem> problem, planning::Path path,
+               const QString& name, QWidget* parent = nullptr);
+
+  /// Leaves the choice as it is if there is no such exporter.
+  void choose_format(const std::string& name);
+  void set_folder(const QString& folder);
+
+ signals:
+  void exported(const QStringList& files);
+
+ private:
+  QWidget* make_settings();
+  QWidget* make_destination();
+  [[nodiscard]] std::string format() const;
+  void time_again();
+  void export_now();
+  void show_problem(const QString& message);
+
+  std::shared_ptr<const planning::Extensions> extensions_;
+  std::shared_ptr<const PreparedProblem> problem_;
+  planning::Path path_;
+  TimingRunner timing_;
+  ExportRunner export_;
+  QTimer settle_;  ///< Settings are timed when they have been left alone for a moment.
+  std::shared_ptr<const planning::TimedPath> motion_;
+  QListWidget* formats_;
+  QLineEdit* name_;
+  QDoubleSpinBox* speed_;
+  QDoubleSpinBox* period_;
+  QCheckBox* arcs_;
+  QDoubleSpinBox* deviation_;
+  MotionPreview* preview_;
+  QLineEdit* folder_;
+  QPushButton* export_button_;
+  QLabel* problem_text_;
+};
+
+}  // namespace handway::gui

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "handway/planning/core/plugin.h"
+#include "handway/planning/timing/time_path.h"
+#include "workers/background_threads.h"
+
+#include <QObject>
+#include <QString>
+
+#include <memory>
+#include <vector>
+
+namespace handway::gui {
+
+/// Makes and writes the files of a motion off the GUI thread. Only the answer to the latest
+/// request counts.
+class ExportRunner : public QObject {
+  Q_OBJECT
+
+ public:
+  using Files = std::vector<planning::ExportedFile>;
+
+  ExportRunner(std::shared_ptr<const planning::Extensions> extensions, QObject* parent = nullptr);
+  ~ExportRunner() override { blockSignals(true); }
+
+  /// Makes the files; prepared() or failed() follows.
+  /// @param format name of an exporter. @pre the motion is cleared().
+  void prepare(const std::string& format, std::shared_ptr<const planning::TimedPath> motion);
+  /// Writes them; written() or failed() follows.
+  void write(const std::string& format, std::shared_ptr<const planning::TimedPath> motion,
+             std::filesystem::path folder);
+  /// No answer is wanted any more.
+  void forget() { ++asked_; }
+
+ signals:
+  void prepared(const std::shared_ptr<const handway::gui::ExportRunner::Files>& files);
+  void written(const QStringList& files);
+  void failed(const QString& message);
+
+ private:
+  /// @param job gives what is to be told on the GUI thread.
+  void run(std::function<std::function<void()>()> job);
+
+  std::shared_ptr<const planning::Extensions> extensions_;
+  int asked_ = 0;
+  BackgroundThreads threads_;
+};
+
+}  // namespace handway::gui
