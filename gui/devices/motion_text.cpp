@@ -42,12 +42,18 @@ QString motion_text(const planning::TimedPath& motion) {
   }
   const planning::PreflightReport& report = motion.preflight;
   QString text = colored(tr("Cleared to run"), colors_of(current_theme()).good);
-  text += QStringLiteral("<br>") + tr("%1 s, clearance %2 mm")
-                                       .arg(report.duration, 0, 'f', 2)
-                                       .arg(report.min_clearance_mm, 0, 'f', 2);
-  text += QStringLiteral("<br>") + tr("Fastest: %1 at %2 % of its velocity limit")
-                                       .arg(QString::fromStdString(report.velocity.joint))
-                                       .arg(100.0 * report.velocity.share, 0, 'f', 0);
+  const auto add = [&text](const QString& line) { text += QStringLiteral("<br>") + line; };
+  add(tr("%1 s").arg(report.duration, 0, 'f', 2));
+  const auto add_share = [&](const QString& line, const planning::LimitShare& share) {
+    if (share.share > 0.0) {
+      add(line.arg(100.0 * share.share, 0, 'f', 0).arg(QString::fromStdString(share.joint)));
+    }
+  };
+  add_share(tr("Velocity up to %1 % of the limit (%2)"), report.velocity);
+  add_share(tr("Acceleration up to %1 % of the limit (%2)"), report.acceleration);
+  add(tr("Clearance %1 mm (%2)")
+          .arg(report.min_clearance_mm, 0, 'f', 2)
+          .arg(QString::fromStdString(report.closest_pair)));
   return text;
 }
 

@@ -95,6 +95,7 @@ ExportDialog::ExportDialog(std::shared_ptr<const planning::Extensions> extension
 
 QWidget* ExportDialog::make_settings() {
   formats_->setObjectName(QStringLiteral("export_formats"));
+  formats_->setProperty("role", "choices");
   formats_->setWordWrap(true);
   formats_->setSpacing(2);
   for (const auto& exporter : extensions_->exporters()) {

@@ -95,14 +95,10 @@ void MotionPreview::show_waiting(const QString& text) {
 }
 
 void MotionPreview::show_motion(const planning::TimedPath& motion) {
-  QString text = motion_text(motion);
+  report_->setText(motion_text(motion));
   if (motion.cleared()) {
-    const QString report = QString::fromStdString(planning::to_text(motion.preflight));
-    text +=
-        QStringLiteral("<pre style=\"white-space:pre-wrap\">%1</pre>").arg(report.toHtmlEscaped());
     show_velocities(motion.motion);
   }
-  report_->setText(text);
 }
 
 void MotionPreview::show_velocities(const planning::Motion& motion) {
