@@ -9,6 +9,7 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <chrono>
 #include <cstdio>
@@ -27,24 +28,24 @@ constexpr double kEarliestFault = 0.2;  // s
 constexpr double kLatestFault = 1.0;    // s
 
 const std::map<std::string, FaultKind>& fault_names() {
-  static const std::map<std::string, FaultKind> names{
+  static const std::map<std::string, FaultKind> kNames{
       {"none", FaultKind::kNone},   {"late", FaultKind::kLate},
       {"lost", FaultKind::kLost},   {"refused", FaultKind::kRefused},
       {"estop", FaultKind::kEstop}, {"joint-limit", FaultKind::kJointLimit},
       {"slow", FaultKind::kSlow}};
-  return names;
+  return kNames;
 }
 
 }  // namespace
 
-void add_emulated_device_options(CLI::App& command, EmulatedDeviceChoice& choice) {
+void add_emulator_options(CLI::App& command, EmulatedDeviceChoice& choice,
+                          const std::vector<std::string>& faults) {
   command.add_option("--port", choice.port, "TCP port of this computer; 0: any free one")
       ->capture_default_str();
-  command.add_option("--scene", choice.scene, "Stand at this scene's start");
   command
       .add_option("--fault", choice.fault,
-                  "What goes wrong: none, late, lost, refused, estop, joint-limit or slow")
-      ->check(CLI::IsMember(fault_names()))
+                  fmt::format("What goes wrong: {}", fmt::join(faults, ", ")))
+      ->check(CLI::IsMember(faults))
       ->type_name("FAULT")
       ->capture_default_str();
   command
@@ -54,12 +55,23 @@ void add_emulated_device_options(CLI::App& command, EmulatedDeviceChoice& choice
   command.add_option("--seed", choice.seed, "Seed of the fault's time")
       ->check(not_negative())
       ->capture_default_str();
+  command.add_option("--duration", choice.duration_s, "End after so many s")
+      ->check(positive_number());
+}
+
+void add_emulated_device_options(CLI::App& command, EmulatedDeviceChoice& choice) {
+  std::vector<std::string> faults{"none"};
+  for (const auto& [name, kind] : fault_names()) {
+    if (kind != FaultKind::kNone) {
+      faults.push_back(name);
+    }
+  }
+  add_emulator_options(command, choice, faults);
+  command.add_option("--scene", choice.scene, "Stand at this scene's start");
   command.add_option("--lag-ms", choice.lag_ms, "Time constant of the servos, ms")
       ->check(positive_number())
       ->check(CLI::Range(0.1, 1000.0))
       ->capture_default_str();
-  command.add_option("--duration", choice.duration_s, "End after so many s")
-      ->check(positive_number());
 }
 
 EmulatedPosture scene_posture(const std::filesystem::path& scene, const std::string& kind) {

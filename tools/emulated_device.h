@@ -10,6 +10,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace CLI {
 class App;
@@ -28,6 +29,11 @@ struct EmulatedDeviceChoice {
   std::optional<double> duration_s;
 };
 
+/// Options of all emulated devices: port, faults, duration.
+/// @param faults names of those that the device knows.
+void add_emulator_options(CLI::App& command, EmulatedDeviceChoice& choice,
+                          const std::vector<std::string>& faults);
+/// Those, and the ones of devices that move joints: scene and lag.
 void add_emulated_device_options(CLI::App& command, EmulatedDeviceChoice& choice);
 
 /// The joints of a device, and where they are, rad.

@@ -5,6 +5,7 @@
 #include "export_command.h"
 #include "glove_command.h"
 #include "hand_command.h"
+#include "haptic_command.h"
 #include "info_command.h"
 #include "pca_command.h"
 #include "plan_command.h"
@@ -39,6 +40,7 @@ int run(int argc, char** argv) {
   add_arm_command(app, exit_code);
   add_hand_command(app, exit_code);
   add_ros_command(app, exit_code);
+  add_haptic_command(app, exit_code);
   add_bench_command(app, exit_code);
   add_glove_command(app, exit_code);
   add_tracker_command(app, exit_code);

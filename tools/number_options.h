@@ -16,6 +16,18 @@ namespace handway::tools {
           "POSITIVE"};
 }
 
+/// Refuses what is not a number from `least` to `most`, "nan" included (which CLI::Range lets
+/// pass).
+[[nodiscard]] inline CLI::Validator number_in(double least, double most) {
+  return {[least, most](const std::string& text) {
+            double value = 0.0;
+            const bool good =
+                CLI::detail::lexical_cast(text, value) && value >= least && value <= most;
+            return good ? std::string() : "\"" + text + "\" is not in the range";
+          },
+          CLI::Range(least, most).get_description()};
+}
+
 /// Refuses numbers below 0, which would wrap around to huge ones.
 [[nodiscard]] inline CLI::Validator not_negative() {
   return {[](const std::string& text) {

@@ -2,6 +2,8 @@
 
 #include "handway/geometric/io/input_error.h"
 
+#include <fmt/format.h>
+
 #include <charconv>
 #include <string_view>
 
@@ -48,6 +50,14 @@ DeviceAddress parse_device_address(const std::string& text) {
   }
   return TcpAddress{without_brackets(rest.substr(0, colon)),
                     parse_port(text, rest.substr(colon + 1))};
+}
+
+TcpAddress parse_host_and_port(const std::string& text, std::uint16_t default_port) {
+  const bool has_port =
+      text.find(':', text.starts_with('[') ? text.find(']') : 0) != std::string::npos;
+  return std::get<TcpAddress>(
+      parse_device_address(has_port ? fmt::format("{}{}", kTcpPrefix, text)
+                                    : fmt::format("{}{}:{}", kTcpPrefix, text, default_port)));
 }
 
 }  // namespace handway::device

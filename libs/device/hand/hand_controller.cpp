@@ -53,7 +53,7 @@ struct HandController::Hand {
     return fault_active && settings.fault.kind == kind;
   }
   [[nodiscard]] bool under_way() const { return phase == "running" || phase == "paused"; }
-  /// @returns an answer. @throws HandProtocolError for a line that is none.
+  /// @returns an answer. @throws LineProtocolError for a line that is none.
   std::string obey(const std::vector<std::string_view>& words);
   std::string begin_trajectory(const std::vector<std::string_view>& words);
   std::string take_point(const std::vector<std::string_view>& words);
@@ -138,7 +138,7 @@ std::string HandController::Hand::begin_trajectory(const std::vector<std::string
 std::string HandController::Hand::take_point(const std::vector<std::string_view>& words) {
   if (trajectory.times.size() >= expected ||
       words.size() != 2 + static_cast<std::size_t>(settings.joints.count())) {
-    throw HandProtocolError("a point that does not belong here");
+    throw LineProtocolError("a point that does not belong here");
   }
   const auto row = static_cast<Eigen::Index>(trajectory.times.size());
   trajectory.times.push_back(number_of(words[1]));
@@ -194,7 +194,7 @@ std::string HandController::Hand::obey(const std::vector<std::string_view>& word
   } else if (word == "stop") {
     end("stopped");
   } else {
-    throw HandProtocolError(fmt::format("unknown word \"{}\"", word));
+    throw LineProtocolError(fmt::format("unknown word \"{}\"", word));
   }
   return "ok " + word + "\n";
 }
@@ -209,7 +209,7 @@ std::string HandController::receive(const std::string& line, double now) {
   hand_->heard = now;
   try {
     return hand_->obey(words_of(line));
-  } catch (const HandProtocolError& error) {
+  } catch (const LineProtocolError& error) {
     return fmt::format("error line {}\n", error.what());
   }
 }

@@ -30,7 +30,7 @@ struct HandEmulator::Running {
   HandController controller;
   TcpHostPort port;
   std::string address;
-  HandLines lines;
+  LineBuffer lines;
   DelayedBytes sent;
   std::jthread thread;  ///< Last: it uses all the others.
 
@@ -47,7 +47,7 @@ void HandEmulator::Running::take(std::span<const std::uint8_t> bytes, double now
     while (const auto line = lines.next()) {
       sent.add(bytes_of(controller.receive(*line, now)), now + delay());
     }
-  } catch (const HandProtocolError&) {
+  } catch (const LineProtocolError&) {
     port.disconnect();
   }
 }

@@ -27,7 +27,7 @@ struct NetworkHand::Wire {
   std::string host;
   std::uint16_t port = 0;
   std::unique_ptr<ByteLink> link;
-  HandLines lines;
+  LineBuffer lines;
   std::string answer;  ///< The word that "ok" came for last.
   std::string phase;
   bool watched = false;  ///< It has to run or hold, and not to fail.
@@ -105,7 +105,7 @@ void NetworkHand::do_update(double /*time*/) {
     while (const auto line = wire_->lines.next()) {
       take(*line);
     }
-  } catch (const HandProtocolError& error) {
+  } catch (const LineProtocolError& error) {
     refuse(error.what(), "a hand that speaks Handway's hand protocol",
            "Look whether the port is right.");
   }
@@ -147,7 +147,7 @@ void NetworkHand::take_answer(const std::vector<std::string_view>& words, const 
   } else if (words[0] == "error") {
     refuse("\"" + line + "\"", "a hand that does what it is told", "Look at its controller.");
   } else {
-    throw HandProtocolError(fmt::format("the line \"{}\"", line));
+    throw LineProtocolError(fmt::format("the line \"{}\"", line));
   }
 }
 

@@ -21,6 +21,8 @@ constexpr milliseconds kSendPeriod{50};
 constexpr WindowLength kWindow;
 // A stop brakes in this time, s.
 constexpr double kStopBrake = 0.15;
+// So long a robot that is led may be behind, s.
+constexpr double kLeadSlack = 0.2;
 // So many messages about joints without one that is asked for.
 constexpr int kPatience = 200;
 constexpr const char* kStatusId = "handway-robot-status";
@@ -129,6 +131,24 @@ void RosRobot::do_update(double time) {
     send_window(time, kWindow.follow, kWindow.brake);
     wire_->sent = Clock::now();
   }
+}
+
+void RosRobot::lead(const Eigen::VectorXd& position, double time) {
+  if (phase() != MotionPhase::kIdle || !wire_->link) {
+    refuse(fault().empty() ? "a motion of its own" : fault(), "a connected robot that has none",
+           "Connect again.");
+  }
+  if (wire_->status) {
+    if (const auto obstacle = obstacle_to_start(*wire_->status)) {
+      refuse(obstacle->found, "a robot that can move", obstacle->advice);
+    }
+  }
+  JointTrajectory way{{0.0, time + kLeadSlack}, Eigen::MatrixXd(2, joints().count())};
+  way.positions.row(0) = measured().position.cwiseMax(joints().lower).cwiseMin(joints().upper);
+  way.positions.row(1) = position;
+  check_trajectory(way, joints());
+  const RosTrajectory point{joints().names, {{time}, position.transpose()}};
+  wire_->link->send(publish(wire_->address.trajectory_topic, point, wire_->address.version));
 }
 
 void RosRobot::send_window(double time, double follow, double brake) {

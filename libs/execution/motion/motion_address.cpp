@@ -23,13 +23,6 @@ constexpr const char* kDefaultController = "/joint_trajectory_controller";
        "Write, for example, arm://localhost:11000."});
 }
 
-device::TcpAddress host_and_port(const std::string& text, std::uint16_t default_port) {
-  const bool has_port =
-      text.find(':', text.starts_with('[') ? text.find(']') : 0) != std::string::npos;
-  return std::get<device::TcpAddress>(device::parse_device_address(
-      has_port ? fmt::format("tcp://{}", text) : fmt::format("tcp://{}:{}", text, default_port)));
-}
-
 /// Cuts `text` at the first `mark`. @returns what comes from the mark on.
 std::string cut_from(std::string& text, char mark) {
   const std::size_t at = std::min(text.find(mark), text.size());
@@ -44,7 +37,7 @@ MotionAddress ros_address(const std::string& text, std::string where, device::Ro
   if (where.empty() || (!part.empty() && part != "#arm" && part != "#hand")) {
     refuse(text);
   }
-  const device::TcpAddress address = host_and_port(where, device::kRosbridgePort);
+  const device::TcpAddress address = device::parse_host_and_port(where, device::kRosbridgePort);
   return {text, part.empty() ? kWholeRobot : part.substr(1),
           device::RosAddress{
               address.host, address.port, version,
@@ -63,10 +56,10 @@ MotionAddress parse_motion_address(const std::string& text) {
     refuse(text);
   }
   if (kind == "arm") {
-    return {text, kind, host_and_port(where, device::kVal3MotionPort)};
+    return {text, kind, device::parse_host_and_port(where, device::kVal3MotionPort)};
   }
   if (kind == "hand") {
-    return {text, kind, host_and_port(where, device::kHandPort)};
+    return {text, kind, device::parse_host_and_port(where, device::kHandPort)};
   }
   if (kind == "ros" || kind == "ros2") {
     return ros_address(text, where,

@@ -26,20 +26,20 @@ TEST(HandProtocol, ReadsBackStatesToTheBit) {
   EXPECT_THAT(line, StartsWith("state 0.125 running -0.3333"));
   line.pop_back();
   EXPECT_EQ(parse_hand_state(line, 13), state);
-  EXPECT_THROW(static_cast<void>(parse_hand_state(line, 12)), HandProtocolError);
-  EXPECT_THROW(static_cast<void>(parse_hand_state("state 0 idle nan", 1)), HandProtocolError);
-  EXPECT_THROW(static_cast<void>(parse_hand_state("state x idle 0", 1)), HandProtocolError);
+  EXPECT_THROW(static_cast<void>(parse_hand_state(line, 12)), LineProtocolError);
+  EXPECT_THROW(static_cast<void>(parse_hand_state("state 0 idle nan", 1)), LineProtocolError);
+  EXPECT_THROW(static_cast<void>(parse_hand_state("state x idle 0", 1)), LineProtocolError);
 }
 
 TEST(HandProtocol, CutsBytesIntoLines) {
-  HandLines lines;
+  LineBuffer lines;
   const std::string text = "ok start\r\nok st";
   lines.add({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
   EXPECT_EQ(lines.next(), "ok start");
   EXPECT_EQ(lines.next(), std::nullopt);
   const std::vector<std::uint8_t> endless(5000, 'x');
   lines.add(endless);
-  EXPECT_THROW(static_cast<void>(lines.next()), HandProtocolError);
+  EXPECT_THROW(static_cast<void>(lines.next()), LineProtocolError);
 }
 
 TEST(HandController, TellsNothingBeforeHello) {

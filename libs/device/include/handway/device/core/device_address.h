@@ -25,4 +25,9 @@ using DeviceAddress = std::variant<SerialAddress, TcpAddress>;
 /// @throws geometric::InputError if `text` is empty or the port is no number from 1 to 65535.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT DeviceAddress parse_device_address(const std::string& text);
 
+/// Reads "HOST[:PORT]".
+/// @throws geometric::InputError as parse_device_address().
+[[nodiscard]] HANDWAY_DEVICE_EXPORT TcpAddress parse_host_and_port(const std::string& text,
+                                                                   std::uint16_t default_port);
+
 }  // namespace handway::device

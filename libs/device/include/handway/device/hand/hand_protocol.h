@@ -1,18 +1,14 @@
 #pragma once
 
 #include "handway/device/core/joint_trajectory.h"
+#include "handway/device/core/line_protocol.h"
 #include "handway/device/export.h"
 
 #include <Eigen/Core>
 
-#include <cstddef>
 #include <cstdint>
-#include <optional>
-#include <span>
-#include <stdexcept>
 #include <string>
 #include <string_view>
-#include <vector>
 
 /// How Handway talks to a hand: its own protocol, version 1. The SAH's control board is driven by
 /// its maker's library and has no public protocol on a wire: a program beside that library
@@ -42,12 +38,6 @@ inline constexpr double kHandStatePeriod = 0.01;     ///< s
 inline constexpr double kHandAlivePeriod = 0.1;      ///< s
 inline constexpr double kHandLongestSilence = 0.25;  ///< s
 
-/// A line that is none of the protocol.
-class HandProtocolError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
 /// "state …" as a value.
 struct HandState {
   double time = 0.0;  ///< s of the motion's time.
@@ -58,27 +48,11 @@ struct HandState {
 };
 
 [[nodiscard]] HANDWAY_DEVICE_EXPORT std::string to_line(const HandState& state);
-/// @param line without its line feed. @throws HandProtocolError
+/// @param line without its line feed. @throws LineProtocolError
 [[nodiscard]] HANDWAY_DEVICE_EXPORT HandState parse_hand_state(std::string_view line,
                                                                Eigen::Index joints);
 
 /// "trajectory N" and its points, as the lines that a host sends.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT std::string to_lines(const JointTrajectory& trajectory);
-
-/// The words of a line.
-[[nodiscard]] HANDWAY_DEVICE_EXPORT std::vector<std::string_view> words_of(std::string_view line);
-/// @throws HandProtocolError if a word is no finite number.
-[[nodiscard]] HANDWAY_DEVICE_EXPORT double number_of(std::string_view word);
-
-/// Cuts bytes into lines.
-class HANDWAY_DEVICE_EXPORT HandLines {
- public:
-  void add(std::span<const std::uint8_t> bytes);
-  /// The next whole line without its end. @throws HandProtocolError if one is longer than 4096.
-  [[nodiscard]] std::optional<std::string> next();
-
- private:
-  std::string text_;
-};
 
 }  // namespace handway::device

@@ -44,6 +44,14 @@ class HANDWAY_DEVICE_EXPORT RosRobot final : public MotionLink {
   RosRobot(std::string name, RosAddress address, JointRanges joints);
   ~RosRobot() override;
 
+  /// Sends the joints to `position` (rad) within `time` (s), from wherever they are going: for
+  /// motions that nobody knows in advance. Call it, and update(), every few ten milliseconds; the
+  /// robot stands at the last position when no more come.
+  /// @throws InputError for positions out of range; DeviceError if there is a fault(), a motion was
+  /// uploaded, or the robot can't move; InputError, too, if a joint is so far behind that it would
+  /// have to go faster than it may.
+  void lead(const Eigen::VectorXd& position, double time);
+
  private:
   void do_connect(const std::stop_token& stop) override;
   void do_upload(const JointTrajectory& trajectory) override;

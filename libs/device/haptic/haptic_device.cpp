@@ -1,0 +1,60 @@
+#include "handway/device/haptic/haptic_device.h"
+
+#include "handway/device/core/device_error.h"
+
+#include <fmt/format.h>
+
+namespace handway::device {
+namespace {
+
+constexpr std::chrono::milliseconds kLongestSilence{100};
+
+}  // namespace
+
+void HapticDevice::refuse(std::string found, std::string expected, std::string advice) const {
+  throw DeviceError({name_, "", std::move(found), std::move(expected), std::move(advice)});
+}
+
+void HapticDevice::connect(const std::stop_token& stop) {
+  abilities_ = do_connect(stop);
+  heard_ = std::chrono::steady_clock::now();
+}
+
+std::optional<HapticSample> HapticDevice::read(std::chrono::milliseconds timeout) {
+  try {
+    const std::optional<HapticSample> sample = do_read(timeout);
+    const auto now = std::chrono::steady_clock::now();
+    if (sample) {
+      heard_ = now;
+    } else if (now - heard_ > kLongestSilence) {
+      refuse(fmt::format("no position for {} ms", kLongestSilence.count()),
+             "one every 10 ms or more often", "Look at the network and at the device.");
+    }
+    return sample;
+  } catch (const DeviceError&) {
+    release();
+    throw;
+  }
+}
+
+void HapticDevice::apply(const Eigen::Vector3d& force) {
+  const double strength = force.norm();
+  if (!force.allFinite()) {
+    do_apply(Eigen::Vector3d::Zero());
+  } else if (strength > abilities_.force) {
+    do_apply(force * (abilities_.force / strength));
+  } else {
+    do_apply(force);
+  }
+}
+
+void HapticDevice::release() {
+  try {
+    do_apply(Eigen::Vector3d::Zero());
+  } catch (const DeviceError&) {
+    // The connection is gone: the device's own watchdog lets go.
+    return;
+  }
+}
+
+}  // namespace handway::device

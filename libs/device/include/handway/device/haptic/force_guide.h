@@ -1,0 +1,71 @@
+#pragma once
+
+#include "handway/device/export.h"
+#include "handway/device/haptic/haptic_protocol.h"
+#include "handway/device/haptic/tool_curve.h"
+
+#include <Eigen/Core>
+
+#include <memory>
+#include <optional>
+
+namespace handway::device {
+
+/// How a hand is guided. Forces and ways are the hand's, as it feels them.
+struct ForceGuideSettings {
+  double scale = 3.0;        ///< Ways of the tool for a way of the hand.
+  double tube = 0.003;       ///< So far from the curve nothing pulls, m.
+  double stiffness = 150.0;  ///< Of the spring towards the tube, N/m.
+  double damping = 2.0;      ///< N s/m, in all directions.
+  double assistance = 0.8;   ///< Force along the curve, at rest, on the curve, N.
+  double top_speed = 0.1;    ///< Of the hand along the curve: no assistance from there on, m/s.
+  double lead = 0.01;        ///< So far the hand may be ahead of the robot, m; farther, it is held.
+  double strongest = 3.0;    ///< N
+  /// How the device's frame is turned in the base's: its x to the right, y up and z towards the
+  /// user are the base's y, z and x.
+  Eigen::Matrix3d R_BD = (Eigen::Matrix3d() << 0, 0, 1, 1, 0, 0, 0, 1, 0).finished();
+};
+
+/// What a sample of the handle leads to.
+struct GuideStep {
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();  ///< On the hand, N, in the device's frame.
+  double progress = 0.0;   ///< Where on the curve the hand has led the tool, m of the curve.
+  double deviation = 0.0;  ///< How far the hand is from the curve, m of the hand.
+  bool engaged = false;    ///< The button is held.
+  bool arrived = false;    ///< At the curve's end, within 3 mm of the hand.
+};
+
+/// Guides a hand along a curve: a virtual fixture (Rosenberg 1993) made of a spring and a damper
+/// towards the nearest point of the curve beyond a tube around it, and assistance along it that
+/// fades with the way from the curve and with speed. While the button is held the handle stands for
+/// the tool: from where both were when it was pressed, ways of the hand times the scale are ways of
+/// the tool. Without the button there is no force and no progress: let go, bring the hand back, and
+/// press again to go on.
+///
+/// The force is bounded whatever the samples say, and 0 for those that make no sense.
+class HANDWAY_DEVICE_EXPORT ForceGuide {
+ public:
+  /// @param curve of the tool, in the base's frame, m.
+  /// @throws std::invalid_argument for settings that make no sense.
+  ForceGuide(std::shared_ptr<const ToolCurve> curve, const ForceGuideSettings& settings);
+
+  /// Takes a sample. @param followed where on the curve the robot is, m.
+  GuideStep update(const HapticSample& sample, double followed);
+
+  [[nodiscard]] double progress() const { return progress_; }
+  /// How often the button was pressed.
+  [[nodiscard]] int grips() const { return grips_; }
+
+ private:
+  [[nodiscard]] Eigen::Vector3d pull(const Eigen::Vector3d& away, const Eigen::Vector3d& velocity,
+                                     double followed) const;
+
+  std::shared_ptr<const ToolCurve> curve_;
+  ForceGuideSettings settings_;
+  double progress_ = 0.0;
+  /// Where the device's frame is put by the last press of the button: p_BD times the scale.
+  std::optional<Eigen::Vector3d> origin_;
+  int grips_ = 0;
+};
+
+}  // namespace handway::device

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "handway/device/export.h"
+#include "handway/device/haptic/haptic_protocol.h"
+
+#include <Eigen/Core>
+
+#include <chrono>
+#include <optional>
+#include <stop_token>
+#include <string>
+
+namespace handway::device {
+
+/// A handle that tells where a hand moves it and pushes back.
+///
+/// To be used by one thread, which calls read() and then apply(), over and over. Force ends
+/// with whatever goes wrong: with the connection, with silence, with the program.
+class HANDWAY_DEVICE_EXPORT HapticDevice {
+ public:
+  virtual ~HapticDevice() = default;
+  HapticDevice(const HapticDevice&) = delete;
+  HapticDevice& operator=(const HapticDevice&) = delete;
+
+  /// As the user wrote it: "haptic://localhost:11200".
+  [[nodiscard]] const std::string& name() const { return name_; }
+  /// @pre connected.
+  [[nodiscard]] const HapticAbilities& abilities() const { return abilities_; }
+
+  /// @throws DeviceError if it can't be reached, or is none.
+  void connect(const std::stop_token& stop = {});
+
+  /// The newest sample since the last call; nothing if none came within `timeout`.
+  /// @throws DeviceError, after a force of 0, if the device has a fault, the connection broke, or
+  /// it has told nothing for 0.1 s.
+  [[nodiscard]] std::optional<HapticSample> read(std::chrono::milliseconds timeout);
+
+  /// Pushes the hand until the next call, or until the device has heard nothing for 0.05 s.
+  /// @param force N, in the device's frame; shortened to what the device can, and 0 if it is not
+  /// finite. @throws DeviceError if the connection broke.
+  void apply(const Eigen::Vector3d& force);
+
+  /// No force. Never throws: a device that can't be told any more lets go by itself.
+  void release();
+
+ protected:
+  explicit HapticDevice(std::string name) : name_(std::move(name)) {}
+
+  /// For derived classes. @throws DeviceError with this device's name.
+  [[noreturn]] void refuse(std::string found, std::string expected, std::string advice) const;
+
+ private:
+  [[nodiscard]] virtual HapticAbilities do_connect(const std::stop_token& stop) = 0;
+  [[nodiscard]] virtual std::optional<HapticSample> do_read(std::chrono::milliseconds timeout) = 0;
+  virtual void do_apply(const Eigen::Vector3d& force) = 0;
+
+  std::string name_;
+  HapticAbilities abilities_;
+  std::chrono::steady_clock::time_point heard_;
+};
+
+}  // namespace handway::device

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "handway/device/core/line_protocol.h"
+#include "handway/device/export.h"
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+/// How Handway talks to a haptic device: its own protocol, version 1. Makers' devices are driven
+/// by makers' libraries: a program beside the library has to speak this one.
+///
+/// Lines of ASCII words over TCP, each ended by a line feed. Metres, newtons, seconds, in the
+/// device's own frame (right-handed, origin in the middle of its workspace).
+///
+///     host             device
+///     hello 1          hello 1 FORCE X Y Z    strongest force; half of its workspace's edges
+///                      state T X Y Z VX VY VZ BUTTON   every 1 to 10 ms; BUTTON 0 or 1
+///     force FX FY FZ   (none)                 the answer to a state
+///                      fault REASON           it gives no force any more
+///
+/// The device gives no force before the first "force", when it has heard none for 0.05 s, when the
+/// connection breaks, and never more than FORCE.
+namespace handway::device {
+
+inline constexpr std::uint16_t kHapticPort = 11200;
+inline constexpr int kHapticProtocolVersion = 1;
+inline constexpr double kHapticLongestSilence = 0.05;  ///< s without "force"
+
+/// What a device can do.
+struct HapticAbilities {
+  double force = 0.0;                                   ///< Strongest, N.
+  Eigen::Vector3d workspace = Eigen::Vector3d::Zero();  ///< From the middle to its faces, m.
+};
+
+/// Where its handle is.
+struct HapticSample {
+  double time = 0.0;                                   ///< s, on the device's clock.
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< m
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  ///< m/s
+  bool button = false;
+
+  bool operator==(const HapticSample&) const = default;
+};
+
+/// Lines, with their line feeds.
+[[nodiscard]] HANDWAY_DEVICE_EXPORT std::string hello_line(const HapticAbilities& abilities);
+[[nodiscard]] HANDWAY_DEVICE_EXPORT std::string state_line(const HapticSample& sample);
+[[nodiscard]] HANDWAY_DEVICE_EXPORT std::string force_line(const Eigen::Vector3d& force);
+
+/// @param line without its line feed. @throws LineProtocolError for another line, or numbers that
+/// make no sense.
+[[nodiscard]] HANDWAY_DEVICE_EXPORT HapticAbilities parse_haptic_hello(std::string_view line);
+[[nodiscard]] HANDWAY_DEVICE_EXPORT HapticSample parse_haptic_state(std::string_view line);
+[[nodiscard]] HANDWAY_DEVICE_EXPORT Eigen::Vector3d parse_haptic_force(std::string_view line);
+
+}  // namespace handway::device

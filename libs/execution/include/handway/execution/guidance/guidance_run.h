@@ -1,0 +1,49 @@
+#pragma once
+
+#include "handway/device/haptic/force_guide.h"
+#include "handway/device/haptic/haptic_device.h"
+#include "handway/execution/export.h"
+#include "handway/execution/guidance/guided_motion.h"
+#include "handway/execution/guidance/path_tool_curve.h"
+
+#include <functional>
+#include <stop_token>
+#include <string>
+
+namespace handway::execution {
+
+/// What came of one sample of a haptic device.
+struct GuidanceSample {
+  double time = 0.0;  ///< s since the beginning.
+  device::HapticSample handle;
+  device::GuideStep step;
+  double place = 0.0;          ///< Where on its path the robot is led to.
+  geometric::Configuration q;  ///< The robot there.
+};
+
+/// How a guidance ended.
+struct GuidanceOutcome {
+  bool arrived = false;  ///< At the path's end.
+  std::string fault;     ///< Why not; empty if it was asked to stop.
+  double time = 0.0;     ///< s
+  int samples = 0;
+  double largest_deviation = 0.0;  ///< Of the hand from the curve, m.
+  double strongest = 0.0;          ///< Force that was asked for, N.
+};
+
+/// What else takes part in a guidance; both are called on its thread.
+struct GuidanceListeners {
+  std::function<void(const GuidanceSample&)> on_sample = [](const GuidanceSample&) {};
+  /// Leads a robot to a configuration; called every 50 ms. What it throws ends the guidance.
+  std::function<void(const geometric::Configuration&)> lead = [](const geometric::Configuration&) {
+  };
+};
+
+/// Guides a hand along a path, and leads the robot where the hand is, until it is at the end, is
+/// asked to stop, or something goes wrong. However it ends, there is no force then.
+/// @param device connected. @param guide of way.curve(). @param motion on way.path().
+[[nodiscard]] HANDWAY_EXECUTION_EXPORT GuidanceOutcome
+run_guidance(device::HapticDevice& device, device::ForceGuide& guide, const PathToolCurve& way,
+             GuidedMotion& motion, const std::stop_token& stop, const GuidanceListeners& listeners);
+
+}  // namespace handway::execution
