@@ -1,17 +1,13 @@
 #include "basis_plots.h"
 
+#include "figures_program.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/replace_file.h"
 #include "handway/sampling/postures/pmd_basis_io.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <cerrno>
-#include <cstdlib>
 #include <iterator>
 #include <string>
 #include <system_error>
@@ -23,8 +19,6 @@ namespace {
 namespace fs = std::filesystem;
 using geometric::InputError;
 
-constexpr int kNotFound = 127;
-
 std::string table_text(const std::vector<std::string>& header, const Eigen::MatrixXd& rows) {
   std::string text = fmt::format("{}\n", fmt::join(header, ","));
   for (Eigen::Index row = 0; row < rows.rows(); ++row) {
@@ -34,53 +28,6 @@ std::string table_text(const std::vector<std::string>& header, const Eigen::Matr
     text += '\n';
   }
   return text;
-}
-
-// @returns the exit code; 127 if the program can't be started.
-int run(std::vector<std::string> arguments) {
-  std::vector<char*> pointers;
-  pointers.reserve(arguments.size() + 1);
-  for (std::string& argument : arguments) {
-    pointers.push_back(argument.data());
-  }
-  pointers.push_back(nullptr);
-  pid_t child = 0;
-  if (::posix_spawnp(&child, pointers.front(), nullptr, nullptr, pointers.data(), environ) != 0) {
-    return kNotFound;
-  }
-  int status = 0;
-  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-  return WIFEXITED(status) ? WEXITSTATUS(status) : EXIT_FAILURE;
-}
-
-fs::path figures_program() {
-  std::error_code error;
-  const fs::path program = fs::read_symlink("/proc/self/exe", error).parent_path();
-  return program / "handway-figures";
-}
-
-void draw(const fs::path& folder) {
-  const fs::path program = figures_program();
-  if (!fs::exists(program)) {
-    throw InputError({"--plots", "", "no program " + program.string(), "it, to draw the figures",
-                      "Build or install the workbench; the data are in " + folder.string()});
-  }
-  const bool display = std::getenv("DISPLAY") || std::getenv("WAYLAND_DISPLAY");
-  std::vector<std::string> command;
-  if (!display) {
-    command = {"xvfb-run", "-a", "-s", "-screen 0 1280x1024x24"};
-  }
-  command.insert(command.end(), {program.string(), folder.string()});
-  const int exit_code = run(command);
-  if (exit_code == kNotFound && !display) {
-    throw InputError({"--plots", "", "neither a display nor xvfb-run", "one of them",
-                      "Install the package xvfb; the data are in " + folder.string()});
-  }
-  if (exit_code != 0) {
-    throw InputError({"--plots", "", fmt::format("exit code {} of {}", exit_code, command.front()),
-                      "figures", "The data are in " + folder.string()});
-  }
 }
 
 }  // namespace
@@ -95,7 +42,7 @@ void write_basis_plots(const fs::path& folder, const sampling::PmdBasis& basis,
   geometric::replace_file(folder / "postures.csv", table_text(basis.joints, postures));
   geometric::replace_file(folder / "variance.csv", table_text({"share"}, shares));
   sampling::write_pmd_basis(basis, folder / "basis.yaml");
-  draw(folder);
+  draw_figures(folder);
 }
 
 }  // namespace handway::tools

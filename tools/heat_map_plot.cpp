@@ -110,9 +110,10 @@ std::string heat_map_svg(const ParameterGrid& grid, std::span<const CampaignCell
   const double right = kLeft + kCellWidth * static_cast<double>(columns);
   std::string svg;
   for (std::size_t i = 0; i < grid.planners.size(); ++i) {
+    const std::size_t row = i / columns + 1;
     svg += field(cells[grid.planners[i]], colors,
                  kLeft + kCellWidth * static_cast<double>(i % columns),
-                 bottom - kCellHeight * static_cast<double>(i / columns + 1));
+                 bottom - kCellHeight * static_cast<double>(row));
   }
   for (std::size_t i = 0; i < columns; ++i) {
     svg += fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>\n",

@@ -56,6 +56,7 @@ std::vector<Sheet> sheets_of(const Campaign& campaign, const std::string& planne
     }
   }
   std::vector<Sheet> sheets;
+  sheets.reserve(by_rest.size());
   for (auto& [rest, sheet] : by_rest) {
     sheets.push_back(std::move(sheet));
   }

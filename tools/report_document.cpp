@@ -11,7 +11,7 @@ constexpr const char* kStyle =
     "th,td{border-bottom:1px solid #ccc;padding:.25rem .7rem;text-align:right}"
     "th:first-child,td:first-child{text-align:left}"
     "th{border-bottom:2px solid #666}figure{margin:1rem 0}figcaption{color:#555}"
-    "svg{max-width:100%;height:auto}svg text{font:12px sans-serif;fill:#222}";
+    "svg,img{max-width:100%;height:auto}svg text{font:12px sans-serif;fill:#222}";
 
 std::string escaped(const std::string& text, const char* special) {
   std::string result;
@@ -54,6 +54,9 @@ struct MarkdownWriter {
   std::string operator()(const ReportFigure& figure) const {
     return fmt::format("{}: [{}]({})\n\n", figure.caption, figure.data_file, figure.data_file);
   }
+  std::string operator()(const ReportPicture& picture) const {
+    return fmt::format("![{}]({})\n\n", picture.caption, picture.file);
+  }
 };
 
 std::string html_row(const std::vector<std::string>& cells, const char* tag) {
@@ -81,6 +84,11 @@ struct HtmlWriter {
   std::string operator()(const ReportFigure& figure) const {
     return fmt::format("<figure>\n{}\n<figcaption>{}</figcaption>\n</figure>\n", figure.svg,
                        html_escaped(figure.caption));
+  }
+  std::string operator()(const ReportPicture& picture) const {
+    return fmt::format(
+        "<figure>\n<img src=\"{}\" alt=\"{}\">\n<figcaption>{}</figcaption>\n</figure>\n",
+        html_escaped(picture.file), html_escaped(picture.caption), html_escaped(picture.caption));
   }
 };
 

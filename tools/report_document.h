@@ -28,7 +28,14 @@ struct ReportFigure {
   std::string data_file;  ///< Beside the report.
 };
 
-using ReportPart = std::variant<ReportHeading, ReportText, ReportTable, ReportFigure>;
+/// A picture in a file of its own.
+struct ReportPicture {
+  std::string caption;
+  std::string file;  ///< Beside the report.
+};
+
+using ReportPart =
+    std::variant<ReportHeading, ReportText, ReportTable, ReportFigure, ReportPicture>;
 using ReportDocument = std::vector<ReportPart>;
 
 [[nodiscard]] std::string to_markdown(const ReportDocument& document);

@@ -6,6 +6,7 @@
 #include "exit_codes.h"
 #include "handway/geometric/io/resources.h"
 #include "handway/planning/campaigns/campaign_reader.h"
+#include "reproduce_figures.h"
 #include "reproduce_report.h"
 
 #include <CLI/CLI.hpp>
@@ -26,6 +27,7 @@ namespace fs = std::filesystem;
 
 struct ReproduceOptions {
   std::vector<int> tables;
+  std::vector<int> figures;
   bool quick = false;
   int runs = 0;  ///< 0: as many as the paper.
   int jobs = 0;
@@ -61,8 +63,15 @@ void take_runs(planning::Campaign& campaign, const ReproduceOptions& options) {
 }
 
 std::set<int> asked_tables(const ReproduceOptions& options) {
-  return options.tables.empty() ? std::set{2, 3, 4}
-                                : std::set<int>(options.tables.begin(), options.tables.end());
+  return options.tables.empty() && options.figures.empty()
+             ? std::set{2, 3, 4}
+             : std::set<int>(options.tables.begin(), options.tables.end());
+}
+
+std::set<int> asked_figures(const ReproduceOptions& options) {
+  return options.tables.empty() && options.figures.empty()
+             ? film_figures()
+             : std::set<int>(options.figures.begin(), options.figures.end());
 }
 
 int reproduce(const ReproduceOptions& options, planning::ProcessTeam* team) {
@@ -102,12 +111,17 @@ int reproduce(const ReproduceOptions& options, planning::ProcessTeam* team) {
     return kDone;
   }
   make_out_folder(options.out);
-  write_reproduce_report(tables, done, options.quick, options.out);
-  fmt::print("report in {}\n", (options.out / "report.html").string());
   const bool interrupted =
       tables != std::set{3} && std::ranges::any_of(done, [&](const ReproducedCampaign& part) {
         return tables.contains(part.table) && !part.outcome.complete;
       });
+  constexpr double kFigureLimit = 60.0;  // s, of each path
+  constexpr double kQuickFigureLimit = 8.0;
+  const std::vector<ReproducedFigure> figures =
+      reproduce_figures(interrupted ? std::set<int>{} : asked_figures(options), extensions,
+                        options.quick ? kQuickFigureLimit : kFigureLimit, options.out);
+  write_reproduce_report(tables, done, figures, options.quick, options.out);
+  fmt::print("report in {}\n", (options.out / "report.html").string());
   if (interrupted) {
     fmt::print(stderr, "handway: interrupted; go on with --resume\n");
   }
@@ -118,9 +132,13 @@ int reproduce(const ReproduceOptions& options, planning::ProcessTeam* team) {
 
 void add_reproduce_command(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<ReproduceOptions>();
-  CLI::App* command = app.add_subcommand("reproduce", "Measure the paper's tables again");
+  CLI::App* command = app.add_subcommand("reproduce", "Make the paper's tables and figures again");
   command->add_option("--table", options->tables, "Table 2, 3 or 4 (default: all)")
       ->check(CLI::IsMember({2, 3, 4}))
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  command->add_option("--figure", options->figures, "Figure 14 or 17 (default: both)")
+      ->check(CLI::IsMember(film_figures()))
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command->add_flag("--quick", options->quick, "A few short runs, within a minute");

@@ -114,12 +114,23 @@ void add_table_3(ReportDocument& document, const planning::Campaign& campaign) {
       "4. rho_a is the value at the start; it grows with every pass."});
 }
 
+void add_figure(ReportDocument& document, const ReproducedFigure& figure) {
+  document.push_back(ReportHeading{2, fmt::format("Fig. {}: {}", figure.number, figure.caption)});
+  if (!figure.picture.empty()) {
+    document.push_back(ReportPicture{figure.caption, figure.picture});
+  }
+  if (!figure.problem.empty()) {
+    document.push_back(ReportText{"Not all of it is there. " + figure.problem});
+  }
+}
+
 }  // namespace
 
 void write_reproduce_report(const std::set<int>& tables,
-                            const std::vector<ReproducedCampaign>& campaigns, bool quick,
+                            const std::vector<ReproducedCampaign>& campaigns,
+                            const std::vector<ReproducedFigure>& figures, bool quick,
                             const fs::path& folder) {
-  ReportDocument document = {ReportHeading{1, "The paper's tables, measured again"}};
+  ReportDocument document = {ReportHeading{1, "The paper's tables and figures, made again"}};
   document.push_back(ReportText{
       "J. Rosell, R. Suárez, C. Rosales, A. Pérez: Autonomous motion planning of a hand-arm "
       "robotic "
@@ -130,7 +141,7 @@ void write_reproduce_report(const std::set<int>& tables,
   }
   const auto incomplete = std::ranges::find_if(
       campaigns, [](const ReproducedCampaign& part) { return !part.outcome.complete; });
-  if (incomplete != campaigns.end() && tables != std::set{3}) {
+  if (incomplete != campaigns.end() && tables != std::set{3} && !tables.empty()) {
     document.push_back(ReportText{"Not complete: the runs were interrupted."});
   }
   ReportTable csv = compared_csv();
@@ -149,6 +160,9 @@ void write_reproduce_report(const std::set<int>& tables,
   }
   if (tables.contains(4)) {
     add_table_4(document, csv, campaigns);
+  }
+  for (const ReproducedFigure& figure : figures) {
+    add_figure(document, figure);
   }
   document.push_back(ReportHeading{2, "Machine"});
   document.push_back(machine_table(all));

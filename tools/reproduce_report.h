@@ -2,6 +2,7 @@
 
 #include "campaign_session.h"
 #include "handway/planning/campaigns/campaign.h"
+#include "reproduce_figures.h"
 
 #include <filesystem>
 #include <set>
@@ -16,11 +17,12 @@ struct ReproducedCampaign {
   CampaignOutcome outcome;
 };
 
-/// Writes report.md, report.html and report.csv: the paper's tables with ours.
+/// Writes report.md, report.html and report.csv: the paper's tables and figures with ours.
 /// @param tables which of 2, 3 and 4. Table 3 needs the campaign of Table 2, carried out or not.
 /// @throws InputError if that can't be done.
 void write_reproduce_report(const std::set<int>& tables,
-                            const std::vector<ReproducedCampaign>& campaigns, bool quick,
+                            const std::vector<ReproducedCampaign>& campaigns,
+                            const std::vector<ReproducedFigure>& figures, bool quick,
                             const std::filesystem::path& folder);
 
 }  // namespace handway::tools

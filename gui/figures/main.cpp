@@ -1,6 +1,9 @@
 /// handway-figures FOLDER: draws the figures of what `handway pca --plots FOLDER` left there.
+/// handway-figures FILE.yaml: draws the film strips of a file that `handway reproduce` wrote,
+/// beside it.
 #include "figures/basis_figures.h"
 #include "figures/figure_data.h"
+#include "figures/film_figures.h"
 
 #include <QApplication>
 #include <QTemporaryDir>
@@ -20,7 +23,12 @@ constexpr int kInvalidInput = 3;
 
 bool has_display() { return std::getenv("DISPLAY") || std::getenv("WAYLAND_DISPLAY"); }
 
-void draw(const std::filesystem::path& folder) {
+void draw_film(const std::filesystem::path& file) {
+  const QString path = QString::fromStdString((file.parent_path() / file.stem()).string());
+  gui::write_film_figure(gui::read_film_data(file), path);
+}
+
+void draw_basis(const std::filesystem::path& folder) {
   const gui::FigureData data = gui::read_figure_data(folder);
   const auto path = [&](const char* name) {
     return QString::fromStdString((folder / name).string());
@@ -35,7 +43,7 @@ void draw(const std::filesystem::path& folder) {
 
 int main(int argc, char** argv) {
   if (argc != 2) {
-    std::fputs("handway-figures: usage: handway-figures FOLDER\n", stderr);
+    std::fputs("handway-figures: usage: handway-figures FOLDER | FILE.yaml\n", stderr);
     return kWrongUsage;
   }
   if (!has_display()) {
@@ -49,7 +57,8 @@ int main(int argc, char** argv) {
       qputenv("XDG_RUNTIME_DIR", runtime.path().toLocal8Bit());
     }
     const QApplication application(argc, argv);
-    draw(argv[1]);
+    const std::filesystem::path source = argv[1];
+    (source.extension() == ".yaml" ? draw_film : draw_basis)(source);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "handway-figures: %s\n", error.what());
     return kInvalidInput;

@@ -2,19 +2,14 @@
 
 #include "handway/geometric/robot/robot_model.h"
 #include "view3d/orbit_camera.h"
+#include "view3d/scene_pictures.h"
 
 #include <QImage>
 #include <QSize>
 
 #include <memory>
 
-class QOffscreenSurface;
-class QOpenGLContext;
-class SoGLRenderAction;
-
 namespace handway::gui {
-
-class SceneGraph;
 
 /// Takes pictures of a robot in any posture without a window, on white. Needs a display that
 /// OpenGL can draw for, and a QGuiApplication.
@@ -24,19 +19,13 @@ class PosturePictures {
   /// @throws geometric::InputError if there is no OpenGL.
   PosturePictures(const std::shared_ptr<const geometric::RobotModel>& robot,
                   const OrbitCamera::Placement& placement);
-  ~PosturePictures();
-  PosturePictures(const PosturePictures&) = delete;
-  PosturePictures& operator=(const PosturePictures&) = delete;
 
   /// The robot at `q`; all pictures have the same camera, which sees it
   /// at both ends of its joints' ranges.
   [[nodiscard]] QImage picture(const geometric::Configuration& q, const QSize& size);
 
  private:
-  std::unique_ptr<QOffscreenSurface> surface_;
-  std::unique_ptr<QOpenGLContext> context_;
-  std::unique_ptr<SceneGraph> graph_;
-  std::unique_ptr<SoGLRenderAction> action_;
+  ScenePictures pictures_;
   OrbitCamera camera_;
 };
 

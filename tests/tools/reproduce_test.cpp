@@ -60,5 +60,26 @@ TEST_F(HandwayReproduce, ListsTheParametersWithoutAnyRun) {
   EXPECT_EQ(line_.run("reproduce --table 5").exit_code, 2);
 }
 
+// What a figure is made of is there even where nothing can draw it.
+TEST_F(HandwayReproduce, MakesFilmStripsOfPaths) {
+  const Outcome run = line_.run("reproduce --figure 14 --quick --out films");
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const std::string report = line_.read("films/report.md");
+  EXPECT_THAT(report,
+              AllOf(HasSubstr("## Fig. 14"), Not(HasSubstr("Table")), Not(HasSubstr("Fig. 17"))));
+  EXPECT_THAT(line_.read("films/figure_14.yaml"),
+              HasSubstr("path: figure_14/can_on_table_pmd-prm"));
+  EXPECT_THAT(line_.read("films/figure_14/can_on_table_full-prm.csv"), HasSubstr("time,"));
+  if (std::filesystem::exists(std::filesystem::path(HANDWAY_PROGRAM).parent_path() /
+                              "handway-figures")) {
+    EXPECT_THAT(line_.read("films/figure_14.png"), testing::StartsWith("\x89PNG")) << report;
+    EXPECT_THAT(report, HasSubstr("](figure_14.png)"));
+    EXPECT_THAT(line_.read("films/report.html"), HasSubstr("<img src=\"figure_14.png\""));
+  } else {
+    EXPECT_THAT(report, HasSubstr("handway-figures"));
+  }
+  EXPECT_EQ(line_.run("reproduce --figure 15").exit_code, 2);
+}
+
 }  // namespace
 }  // namespace handway::test

@@ -1,0 +1,92 @@
+#include "view3d/scene_pictures.h"
+
+#include "handway/geometric/io/input_error.h"
+#include "view3d/scene_graph.h"
+
+#include <Inventor/SbViewportRegion.h>
+#include <Inventor/SoDB.h>
+#include <Inventor/actions/SoGLRenderAction.h>
+#include <QOffscreenSurface>
+#include <QOpenGLContext>
+#include <QOpenGLFramebufferObject>
+#include <QSurfaceFormat>
+
+#include <GL/gl.h>
+
+namespace handway::gui {
+namespace {
+
+constexpr int kSamples = 8;
+constexpr int kOversampling = 2;
+
+[[noreturn]] void refuse() {
+  throw geometric::InputError({"pictures", "", "no OpenGL on this display",
+                               "a display that OpenGL can draw for",
+                               "Install libgl1-mesa-dri, or use xvfb-run"});
+}
+
+}  // namespace
+
+ScenePictures::ScenePictures(const std::shared_ptr<const geometric::Scene>& scene)
+    : surface_(std::make_unique<QOffscreenSurface>()),
+      context_(std::make_unique<QOpenGLContext>()) {
+  QSurfaceFormat format;
+  format.setDepthBufferSize(24);
+  surface_->setFormat(format);
+  surface_->create();
+  context_->setFormat(format);
+  if (!context_->create() || !context_->makeCurrent(surface_.get())) {
+    refuse();
+  }
+  if (!SoDB::isInitialized()) {
+    SoDB::init();
+  }
+  graph_ = std::make_unique<SceneGraph>();
+  action_ = std::make_unique<SoGLRenderAction>(SbViewportRegion());
+  graph_->set_scene(scene);
+  graph_->set_floor_visible(false);
+  graph_->show_ghosts(false, false);
+}
+
+ScenePictures::~ScenePictures() {
+  context_->makeCurrent(surface_.get());
+  action_.reset();
+  graph_.reset();
+  context_->doneCurrent();
+}
+
+std::vector<Eigen::Vector3d> ScenePictures::points_of_interest() const {
+  return graph_->points_of_interest();
+}
+
+QImage ScenePictures::picture(const geometric::Configuration& q, const OrbitCamera& camera,
+                              const QSize& size) {
+  context_->makeCurrent(surface_.get());
+  QOpenGLFramebufferObjectFormat format;
+  format.setAttachment(QOpenGLFramebufferObject::CombinedDepthStencil);
+  format.setSamples(kSamples);
+  QOpenGLFramebufferObject buffer(kOversampling * size, format);
+  if (!buffer.isValid() || !buffer.bind()) {
+    refuse();
+  }
+  glViewport(0, 0, buffer.width(), buffer.height());
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LEQUAL);
+  glDepthMask(GL_TRUE);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glClearColor(1.0F, 1.0F, 1.0F, 1.0F);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  graph_->set_configuration(q);
+  action_->invalidateState();
+  action_->setViewportRegion(
+      SbViewportRegion(static_cast<short>(buffer.width()), static_cast<short>(buffer.height())));
+  graph_->aim(camera, static_cast<double>(size.width()) / size.height());
+  graph_->render(*action_);
+  glFinish();
+  buffer.release();
+  return buffer.toImage()
+      .convertToFormat(QImage::Format_RGB32)
+      .scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+}
+
+}  // namespace handway::gui
