@@ -145,10 +145,10 @@ QWidget* WristPage::build_device() {
 QWidget* WristPage::build_clutch() {
   clutch_->setObjectName(QStringLiteral("tracker_clutch"));
   clutch_->setCheckable(true);
-  clutch_->setShortcut(QKeySequence(QStringLiteral("Ctrl+Space")));
+  clutch_->setShortcut(QKeySequence(QStringLiteral("Ctrl+K")));
   clutch_->setToolTip(
       tr("While the arm is led, its tool moves as the wrist does, from where both are now. "
-         "Release it to bring the hand back to where it is comfortable (Ctrl+Space)"));
+         "Release it to bring the hand back to where it is comfortable (Ctrl+K)"));
   follow_->setObjectName(QStringLiteral("tracker_follow"));
   follow_->setTextFormat(Qt::RichText);
   follow_->setWordWrap(true);

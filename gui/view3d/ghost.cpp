@@ -9,7 +9,6 @@
 namespace handway::gui {
 namespace {
 
-constexpr float kOpacity = 0.26F;
 constexpr double kApart = 1e-3;
 
 }  // namespace
@@ -45,7 +44,15 @@ void Ghost::render(SoGLRenderAction& action) const {
   action.apply(root_.get());
 }
 
-void hide_doubled_links(const RobotNode& robot, const Ghost& start, const Ghost& goal) {
+void Ghost::render_opaque(SoGLRenderAction& action) const {
+  if (is_visible()) {
+    action.setTransparencyType(SoGLRenderAction::NONE);
+    action.apply(root_.get());
+  }
+}
+
+bool hide_doubled_links(const RobotNode& robot, const Ghost& start, const Ghost& goal) {
+  bool changed = false;
   for (const Ghost* ghost : {&start, &goal}) {
     if (!ghost->robot()) {
       continue;
@@ -55,9 +62,10 @@ void hide_doubled_links(const RobotNode& robot, const Ghost& start, const Ghost&
       const bool apart = !poses[i].isApprox(robot.link_poses()[i], kApart);
       const bool doubled = ghost == &goal && start.is_visible() &&
                            poses[i].isApprox(start.robot()->link_poses()[i], kApart);
-      ghost->robot()->set_link_visible(static_cast<int>(i), apart && !doubled);
+      changed |= ghost->robot()->set_link_visible(static_cast<int>(i), apart && !doubled);
     }
   }
+  return changed;
 }
 
 }  // namespace handway::gui

@@ -18,6 +18,8 @@ class Ghost {
  public:
   using Prepare = std::function<void(SoSeparator*)>;
 
+  static constexpr float kOpacity = 0.26F;
+
   void set_visible(bool visible) { visible_ = visible; }
   [[nodiscard]] bool is_visible() const { return visible_ && robot_; }
   /// Null: there is none.
@@ -28,6 +30,8 @@ class Ghost {
   void show(const geometric::RobotInstance& robot, const geometric::Configuration& q,
             const LinkShapes& shapes, const geometric::Color& color, const Prepare& prepare);
   void render(SoGLRenderAction& action) const;
+  /// As if it could not be seen through.
+  void render_opaque(SoGLRenderAction& action) const;
 
  private:
   std::unique_ptr<RobotNode> robot_;
@@ -36,7 +40,7 @@ class Ghost {
 };
 
 /// Hides links of ghosts that lie where the robot's own are, or the other ghost's:
-/// they would only flicker.
-void hide_doubled_links(const RobotNode& robot, const Ghost& start, const Ghost& goal);
+/// they would only flicker. @returns whether that changed anything.
+bool hide_doubled_links(const RobotNode& robot, const Ghost& start, const Ghost& goal);
 
 }  // namespace handway::gui

@@ -35,8 +35,13 @@ bool ObjectNode::draws(const geometric::SceneObject& object) const {
 
 void ObjectNode::place(const geometric::Pose& X_WO) { transform_->matrix = to_coin(X_WO); }
 
-void ObjectNode::set_look(Look look) {
-  look_->whichChild = look == Look::kPlain ? SO_SWITCH_NONE : 0;
+bool ObjectNode::set_look(Look look) {
+  const int child = look == Look::kPlain ? SO_SWITCH_NONE : 0;
+  if (look_->whichChild.getValue() == child) {
+    return false;
+  }
+  look_->whichChild = child;
+  return true;
 }
 
 }  // namespace handway::gui

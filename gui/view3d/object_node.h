@@ -25,7 +25,8 @@ class ObjectNode {
   [[nodiscard]] bool draws(const geometric::SceneObject& object) const;
 
   void place(const geometric::Pose& X_WO);
-  void set_look(Look look);
+  /// @returns whether it looked otherwise before.
+  bool set_look(Look look);
 
  private:
   std::string name_;

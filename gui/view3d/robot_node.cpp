@@ -96,14 +96,24 @@ void RobotNode::place(const geometric::Pose& X_WB, const geometric::Configuratio
   }
 }
 
-void RobotNode::set_look(int link, Look look) {
+bool RobotNode::set_look(int link, Look look) {
   const int child = look == Look::kPlain ? SO_SWITCH_NONE : 0;
-  links_[static_cast<std::size_t>(link)].look->whichChild = child;
+  SoSwitch& node = *links_[static_cast<std::size_t>(link)].look.get();
+  if (node.whichChild.getValue() == child) {
+    return false;
+  }
+  node.whichChild = child;
+  return true;
 }
 
-void RobotNode::set_link_visible(int link, bool visible) {
-  links_[static_cast<std::size_t>(link)].visible->whichChild =
-      visible ? SO_SWITCH_ALL : SO_SWITCH_NONE;
+bool RobotNode::set_link_visible(int link, bool visible) {
+  SoSwitch& node = *links_[static_cast<std::size_t>(link)].visible.get();
+  const int child = visible ? SO_SWITCH_ALL : SO_SWITCH_NONE;
+  if (node.whichChild.getValue() == child) {
+    return false;
+  }
+  node.whichChild = child;
+  return true;
 }
 
 std::optional<int> RobotNode::find_link(const SoNode* node) const {

@@ -46,8 +46,10 @@ class RobotNode {
   /// X_WL of all links, shape [link_count].
   [[nodiscard]] std::span<const geometric::Pose> link_poses() const { return X_WL_; }
 
-  void set_look(int link, Look look);
-  void set_link_visible(int link, bool visible);
+  /// @returns whether it looked otherwise before.
+  bool set_look(int link, Look look);
+  /// @returns whether it was otherwise before.
+  bool set_link_visible(int link, bool visible);
 
   /// The drawing of a link, in the world.
   [[nodiscard]] SoSeparator* link_root(int link) const {

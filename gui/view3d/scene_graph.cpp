@@ -1,17 +1,16 @@
 #include "view3d/scene_graph.h"
 
-#include "view3d/axes_node.h"
+#include "view3d/coin_camera.h"
 #include "view3d/coin_conversions.h"
 #include "view3d/floor_grid.h"
-#include "view3d/lights.h"
 #include "view3d/scene_extent.h"
+#include "view3d/scene_passes.h"
 #include "view3d/view_overlay.h"
 
 #include <Inventor/SoPath.h>
 #include <Inventor/SoPickedPoint.h>
 #include <Inventor/actions/SoGLRenderAction.h>
 #include <Inventor/actions/SoRayPickAction.h>
-#include <Inventor/nodes/SoOrthographicCamera.h>
 #include <Inventor/nodes/SoPerspectiveCamera.h>
 #include <Inventor/nodes/SoSeparator.h>
 #include <Inventor/nodes/SoSwitch.h>
@@ -19,7 +18,6 @@
 #include <GL/gl.h>
 
 #include <algorithm>
-#include <map>
 #include <utility>
 
 namespace handway::gui {
@@ -27,49 +25,7 @@ namespace handway::gui {
 using geometric::Configuration;
 using geometric::Pose;
 
-/// One root a pass, all seen by the same camera under the same lights.
-struct SceneGraph::Passes {
-  CoinRef<SoPerspectiveCamera> camera = make_coin<SoPerspectiveCamera>();
-  CoinRef<SoGroup> camera_lights = make_camera_lights();
-  CoinRef<SoGroup> sky_light = make_sky_light();
-  CoinRef<SoSeparator> solids = make_coin<SoSeparator>();
-  CoinRef<SoSeparator> solid_content = make_coin<SoSeparator>();
-  CoinRef<SoSeparator> floor = make_coin<SoSeparator>();
-  CoinRef<SoSwitch> floor_content = make_coin<SoSwitch>();
-  std::map<Overlay, CoinRef<SoSwitch>> overlays;
-  CoinRef<SoSeparator> gizmo = make_coin<SoSeparator>();
-  CoinRef<SoOrthographicCamera> axes_camera = make_coin<SoOrthographicCamera>();
-  CoinRef<SoSeparator> axes = make_coin<SoSeparator>();
-
-  Passes() {
-    for (SoSeparator* root : {solids.get(), floor.get(), gizmo.get()}) {
-      prepare(root);
-    }
-    solids->addChild(solid_content.get());
-    for (const Overlay overlay :
-         {Overlay::kPath, Overlay::kDots, Overlay::kExecuted, Overlay::kContacts}) {
-      const CoinRef<SoSwitch> shown = make_coin<SoSwitch>();
-      shown->whichChild = SO_SWITCH_ALL;
-      solids->addChild(shown.get());
-      overlays.emplace(overlay, shown);
-    }
-    solid_content->renderCaching = SoSeparator::OFF;
-    floor->addChild(floor_content.get());
-    floor_content->whichChild = SO_SWITCH_ALL;
-    axes->addChild(camera_lights.get());
-    axes->addChild(axes_camera.get());
-    axes->addChild(make_axes_node().get());
-  }
-
-  void prepare(SoSeparator* root) const {
-    root->renderCaching = SoSeparator::OFF;
-    root->addChild(camera_lights.get());
-    root->addChild(camera.get());
-    root->addChild(sky_light.get());
-  }
-};
-
-SceneGraph::SceneGraph() : passes_(std::make_unique<Passes>()) {
+SceneGraph::SceneGraph() : passes_(std::make_unique<ScenePasses>()) {
   passes_->gizmo->addChild(gizmo_.root());
   outline_.root()->insertChild(passes_->camera.get(), 0);
 }
@@ -196,14 +152,15 @@ void SceneGraph::rebuild_floor() {
   passes_->floor_content->addChild(make_floor_grid(centre, 2.5, colors_.grid).get());
 }
 
-void SceneGraph::set_configuration(const Configuration& q) {
+bool SceneGraph::set_configuration(const Configuration& q) {
   if (!scene_ || robots_.empty()) {
-    return;
+    return false;
   }
   q_ = q;
   robots_.front()->place(scene_->robots.front().X_WB, q);
   place_attached();
-  update_ghosts();
+  const bool ghosts_changed = update_ghosts();
+  return passes_->split->note_motion(*robots_.front()) || ghosts_changed;
 }
 
 void SceneGraph::place_attached() {
@@ -222,10 +179,8 @@ void SceneGraph::place_attached() {
   }
 }
 
-void SceneGraph::update_ghosts() {
-  if (!robots_.empty()) {
-    hide_doubled_links(*robots_.front(), start_, goal_);
-  }
+bool SceneGraph::update_ghosts() {
+  return !robots_.empty() && hide_doubled_links(*robots_.front(), start_, goal_);
 }
 
 void SceneGraph::show_ghosts(bool start, bool goal) {
@@ -234,9 +189,9 @@ void SceneGraph::show_ghosts(bool start, bool goal) {
   update_ghosts();
 }
 
-void SceneGraph::set_collisions(std::vector<std::string> bodies) {
+bool SceneGraph::set_collisions(std::vector<std::string> bodies) {
   colliding_ = std::move(bodies);
-  update_looks();
+  return update_looks();
 }
 
 void SceneGraph::set_selection(const SceneItem& item) {
@@ -244,7 +199,9 @@ void SceneGraph::set_selection(const SceneItem& item) {
   update_looks();
 }
 
-void SceneGraph::update_looks() {
+// @returns whether something looks different that stood still.
+bool SceneGraph::update_looks() {
+  bool changed = false;
   const auto collides = [this](const std::string& body) {
     return std::ranges::find(colliding_, body) != colliding_.end();
   };
@@ -252,14 +209,16 @@ void SceneGraph::update_looks() {
     const std::string& robot = scene_->robots[r].name;
     for (int i = 0; i < robots_[r]->model().link_count(); ++i) {
       const std::string& link = robots_[r]->model().link(i).name;
-      robots_[r]->set_look(
-          i, collides(r == 0 ? link : robot + "/" + link) ? Look::kColliding : Look::kPlain);
+      const bool collides_now = collides(r == 0 ? link : robot + "/" + link);
+      const bool differs = robots_[r]->set_look(i, collides_now ? Look::kColliding : Look::kPlain);
+      changed |= differs && !(r == 0 && passes_->split->moves(i));
     }
   }
   for (const auto& object : objects_) {
-    object->set_look(collides(object->name()) ? Look::kColliding : Look::kPlain);
+    changed |= object->set_look(collides(object->name()) ? Look::kColliding : Look::kPlain);
   }
   update_outline();
+  return changed;
 }
 
 void SceneGraph::update_outline() {
@@ -305,23 +264,7 @@ std::vector<Eigen::Vector3d> SceneGraph::points_of_interest() const {
 double SceneGraph::task_azimuth() const { return scene_ ? gui::task_azimuth(*scene_) : 0.0; }
 
 void SceneGraph::aim(const OrbitCamera& camera, double aspect) {
-  SoPerspectiveCamera& eye = *passes_->camera.get();
-  const Eigen::Matrix3f R = camera.orientation().cast<float>();
-  SbMatrix turn = SbMatrix::identity();
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 3; ++column) {
-      turn[row][column] = R(column, row);
-    }
-  }
-  eye.viewportMapping = SoCamera::LEAVE_ALONE;
-  eye.aspectRatio = static_cast<float>(aspect);
-  eye.position = to_coin(camera.position());
-  eye.orientation = SbRotation(turn);
-  eye.heightAngle = static_cast<float>(OrbitCamera::kFieldOfView);
-  const double distance = camera.placement().distance;
-  eye.nearDistance = static_cast<float>(std::max(0.01, 0.05 * distance));
-  eye.farDistance = static_cast<float>(distance + 12.0);
-  eye.focalDistance = static_cast<float>(distance);
+  aim_camera(*passes_->camera.get(), camera, aspect);
 }
 
 void SceneGraph::render(SoGLRenderAction& action) {
@@ -332,6 +275,40 @@ void SceneGraph::render(SoGLRenderAction& action) {
   start_.render(action);
   goal_.render(action);
 }
+
+void SceneGraph::begin_motion() {
+  if (!robots_.empty()) {
+    passes_->split->begin(*robots_.front());
+  }
+}
+
+void SceneGraph::render_still(SoGLRenderAction& action) {
+  const auto overlay = [this](Overlay which) { return passes_->overlays.at(which).get(); };
+  std::vector<SoNode*> still{overlay(Overlay::kPath), overlay(Overlay::kDots)};
+  std::vector<SoNode*> moving{overlay(Overlay::kExecuted), overlay(Overlay::kContacts)};
+  for (std::size_t r = 1; r < robots_.size(); ++r) {
+    still.push_back(robots_[r]->root());
+  }
+  for (std::size_t i = 0; i < objects_.size(); ++i) {
+    const geometric::SceneObject& object = scene_->objects[i];
+    if (passes_->solid_content->findChild(objects_[i]->root()) >= 0) {
+      const bool apart = object.attachment || object.color.alpha < 1.0F;
+      (apart ? moving : still).push_back(objects_[i]->root());
+    }
+  }
+  passes_->split->list(robots_.empty() ? nullptr : robots_.front().get(), still, moving);
+  action.setTransparencyType(SoGLRenderAction::SORTED_OBJECT_BLEND);
+  action.apply(passes_->split->still());
+  action.setTransparencyType(SoGLRenderAction::BLEND);
+  action.apply(passes_->floor.get());
+}
+
+void SceneGraph::render_moving(SoGLRenderAction& action) {
+  action.setTransparencyType(SoGLRenderAction::SORTED_OBJECT_BLEND);
+  action.apply(passes_->split->moving());
+}
+
+SoNode& SceneGraph::moving_root() const { return *passes_->split->moving(); }
 
 void SceneGraph::render_marks(SoGLRenderAction& action, bool with_gizmo, float pixel_ratio) {
   outline_.render(action, 4.0F * pixel_ratio);

@@ -5,11 +5,13 @@
 #include "view3d/gizmo_node.h"
 #include "view3d/object_node.h"
 #include "view3d/orbit_camera.h"
+#include "view3d/overlay.h"
 #include "view3d/robot_node.h"
 #include "view3d/scene_item.h"
 #include "view3d/selection_outline.h"
 #include "view3d/view_colors.h"
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <span>
@@ -23,8 +25,7 @@ class SbVec2s;
 
 namespace handway::gui {
 
-/// What is drawn into the scene without being part of it.
-enum class Overlay { kPath, kDots, kExecuted, kContacts };
+struct ScenePasses;
 
 /// A scene as Coin nodes. Knows no window: what to show comes in, drawing and
 /// picking go out.
@@ -42,9 +43,11 @@ class SceneGraph {
   void set_colors(const ViewColors& colors);
 
   /// Moves the first robot, and what it carries. @param q shape [variable_count].
-  void set_configuration(const geometric::Configuration& q);
+  /// @returns whether anything looks different that render_still() or a ghost draws.
+  bool set_configuration(const geometric::Configuration& q);
   /// Paints these bodies (names as in CollisionWorld) as colliding.
-  void set_collisions(std::vector<std::string> bodies);
+  /// @returns as set_configuration().
+  bool set_collisions(std::vector<std::string> bodies);
   void set_selection(const SceneItem& item);
   void show_ghosts(bool start, bool goal);
   /// @param drawing in the world's frame, m; null: nothing.
@@ -62,6 +65,15 @@ class SceneGraph {
   void aim(const OrbitCamera& camera, double aspect);
   /// Draws everything but the backdrop into the current viewport.
   void render(SoGLRenderAction& action);
+  /// The same in parts, for pictures that follow each other fast: what stood still since
+  /// begin_motion(); what has moved since; and the ghosts, start and goal.
+  void begin_motion();
+  void render_still(SoGLRenderAction& action);
+  void render_moving(SoGLRenderAction& action);
+  [[nodiscard]] SoNode& moving_root() const;
+  [[nodiscard]] std::array<const Ghost*, 2> ghosts() const { return {&start_, &goal_}; }
+  /// Is there a selection to draw a line around?
+  [[nodiscard]] bool has_marks() const { return outline_.is_shown(); }
   /// Draws the line around the selection and, if asked, the gizmo, in front of everything.
   void render_marks(SoGLRenderAction& action, bool with_gizmo, float pixel_ratio);
   /// Draws the axes cross, turned like the camera.
@@ -71,8 +83,6 @@ class SceneGraph {
   [[nodiscard]] std::optional<SceneHit> pick(const SbVec2s& viewport, const SbVec2s& pixel);
 
  private:
-  struct Passes;
-
   void add_robots();
   void add_ghosts();
   void make_objects();
@@ -82,13 +92,13 @@ class SceneGraph {
   void place_attached();
   void update_outline();
   void rebuild_floor();
-  void update_looks();
-  void update_ghosts();
+  bool update_looks();
+  bool update_ghosts();
   [[nodiscard]] SceneItem item_of(const SoPath& path) const;
 
   std::shared_ptr<const geometric::Scene> scene_;
   ViewColors colors_;
-  std::unique_ptr<Passes> passes_;
+  std::unique_ptr<ScenePasses> passes_;
   LinkShapes first_robot_shapes_;
   geometric::Configuration q_;
   GizmoNode gizmo_;

@@ -1,14 +1,12 @@
 #include "view3d/scene_view.h"
 
-#include "view3d/backdrop.h"
 #include "view3d/path_node.h"
 #include "view3d/scene_graph.h"
+#include "view3d/scene_painter.h"
 #include "view3d/view_overlay.h"
 
 #include <Inventor/SbVec2s.h>
-#include <Inventor/SbViewportRegion.h>
 #include <Inventor/SoDB.h>
-#include <Inventor/actions/SoGLRenderAction.h>
 #include <Inventor/nodes/SoSeparator.h>
 #include <QElapsedTimer>
 #include <QKeyEvent>
@@ -22,10 +20,7 @@
 namespace handway::gui {
 namespace {
 
-std::uint32_t new_cache_context() {
-  static std::uint32_t last = 0;
-  return ++last;
-}
+constexpr int kSettleMs = 150;
 
 }  // namespace
 
@@ -34,14 +29,18 @@ SceneView::SceneView(QWidget* parent) : QOpenGLWidget(parent), overlay_(new View
     SoDB::init();
   }
   QSurfaceFormat format;
-  format.setSamples(4);
+  format.setSamples(0);  // smooth edges are the painter's part
   format.setDepthBufferSize(24);
   format.setStencilBufferSize(8);
   setFormat(format);
+  setUpdateBehavior(QOpenGLWidget::PartialUpdate);  // fast pictures change only a part
   setMinimumSize(320, 240);
   setFocusPolicy(Qt::ClickFocus);
   setMouseTracking(true);
   graph_ = std::make_unique<SceneGraph>();
+  settle_.setSingleShot(true);
+  settle_.setInterval(kSettleMs);
+  connect(&settle_, &QTimer::timeout, this, qOverload<>(&SceneView::update));
   flight_.setDuration(260);
   flight_.setEasingCurve(QEasingCurve::InOutCubic);
   flight_.setStartValue(0.0);
@@ -50,7 +49,7 @@ SceneView::SceneView(QWidget* parent) : QOpenGLWidget(parent), overlay_(new View
 
 SceneView::~SceneView() {
   makeCurrent();
-  action_.reset();
+  painter_.reset();
   graph_.reset();
   doneCurrent();
 }
@@ -59,37 +58,45 @@ void SceneView::set_scene(std::shared_ptr<const geometric::Scene> scene) {
   has_scene_ = scene != nullptr;
   untouched_ = true;
   flight_.stop();
+  colliding_.clear();
   graph_->set_scene(std::move(scene));
   camera_.look_from(StandardView::kOblique, graph_->task_azimuth());
   camera_.fit(graph_->points_of_interest(), aspect());
-  update();
+  change();
 }
 
 void SceneView::update_scene(const SceneState& state) {
   graph_->update_scene(state);
-  update();
+  change();
 }
 
 void SceneView::set_colors(const ViewColors& colors) {
   colors_ = colors;
   graph_->set_colors(colors);
   overlay_->set_color(colors.text);
-  update();
+  change();
 }
 
 void SceneView::set_configuration(const geometric::Configuration& q) {
-  graph_->set_configuration(q);
-  update();
+  if (graph_->set_configuration(q) && painter_) {
+    painter_->invalidate();
+  }
+  hurry();
 }
 
 void SceneView::set_collisions(std::vector<std::string> bodies) {
-  graph_->set_collisions(std::move(bodies));
-  update();
+  if (bodies != colliding_) {
+    colliding_ = bodies;
+    if (graph_->set_collisions(std::move(bodies)) && painter_) {
+      painter_->invalidate();
+    }
+    update();
+  }
 }
 
 void SceneView::set_selection(const SceneItem& item) {
   graph_->set_selection(item);
-  update();
+  change();
 }
 
 void SceneView::set_gizmo(const SceneItem& item, const std::optional<geometric::Pose>& X_WO) {
@@ -113,7 +120,7 @@ void SceneView::drag_gizmo(const QPoint& position, bool snap) {
   const geometric::Pose X_WO = gizmo_.drag(camera_, size(), position, snap);
   graph_->preview(gizmo_.item(), X_WO);
   overlay_->set_note(gizmo_.amount(), position);
-  update();
+  change();
   emit dragged(gizmo_.item(), X_WO);
 }
 
@@ -121,7 +128,7 @@ void SceneView::cancel_drag() {
   const geometric::Pose X_WO = gizmo_.cancel();
   graph_->preview(gizmo_.item(), X_WO);
   overlay_->set_note({}, {});
-  update();
+  change();
   emit dragged(gizmo_.item(), X_WO);
 }
 
@@ -137,14 +144,14 @@ Eigen::Vector3d SceneView::place_for_new() {
 
 void SceneView::show_ghosts(bool start, bool goal) {
   graph_->show_ghosts(start, goal);
-  update();
+  change();
 }
 
 void SceneView::set_path(std::span<const Eigen::Vector3d> points,
                          std::span<const Eigen::Vector3d> waypoints) {
   graph_->set_overlay(Overlay::kPath,
                       points.empty() ? nullptr : make_path_node(points, waypoints).get());
-  update();
+  change();
 }
 
 void SceneView::set_executed(std::span<const Eigen::Vector3d> points) {
@@ -155,12 +162,12 @@ void SceneView::set_executed(std::span<const Eigen::Vector3d> points) {
 
 void SceneView::set_dots(std::span<const Eigen::Vector3d> points) {
   graph_->set_overlay(Overlay::kDots, points.empty() ? nullptr : make_dots_node(points).get());
-  update();
+  change();
 }
 
 void SceneView::set_dots_visible(bool visible) {
   graph_->set_overlay_visible(Overlay::kDots, visible);
-  update();
+  change();
 }
 
 void SceneView::set_contacts(std::span<const Eigen::Vector3d> points) {
@@ -171,7 +178,7 @@ void SceneView::set_contacts(std::span<const Eigen::Vector3d> points) {
 
 void SceneView::set_floor_visible(bool visible) {
   graph_->set_floor_visible(visible);
-  update();
+  change();
 }
 
 void SceneView::fit() {
@@ -194,7 +201,7 @@ void SceneView::fly_to(const OrbitCamera::Placement& placement) {
   connect(&flight_, &QVariantAnimation::valueChanged, this,
           [this, from, placement](const QVariant& t) {
             camera_.set_placement(interpolate(from, placement, t.toDouble()));
-            update();
+            hurry();
           });
   flight_.start();
 }
@@ -217,48 +224,34 @@ std::optional<SceneHit> SceneView::pick_at(const QPoint& position) {
               static_cast<short>((height() - 1 - position.y()) * dpr)));
 }
 
-void SceneView::initializeGL() {
-  action_ = std::make_unique<SoGLRenderAction>(SbViewportRegion());
-  action_->setCacheContext(new_cache_context());
+void SceneView::initializeGL() { painter_ = std::make_unique<ScenePainter>(*graph_); }
+
+void SceneView::change() {
+  if (painter_) {
+    painter_->invalidate();
+  }
+  update();
+}
+
+void SceneView::hurry() {
+  settle_.start();
+  update();
+}
+
+void SceneView::settle() {
+  settle_.stop();
+  update();
 }
 
 void SceneView::paintGL() {
   QElapsedTimer timer;
   timer.start();
-  const QSize pixels = pixel_size();
-  glPushClientAttrib(GL_CLIENT_ALL_ATTRIB_BITS);
-  glPushAttrib(GL_ALL_ATTRIB_BITS);
-  glViewport(0, 0, pixels.width(), pixels.height());
-  glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_LEQUAL);
-  glDepthMask(GL_TRUE);
-  glClearColor(0.0F, 0.0F, 0.0F, 1.0F);
-  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);  // veils leave the picture opaque
-  draw_backdrop(colors_.sky, colors_.ground);
-  action_->invalidateState();
-  action_->setViewportRegion(
-      SbViewportRegion(static_cast<short>(pixels.width()), static_cast<short>(pixels.height())));
   update_gizmo();
-  graph_->aim(camera_, aspect());
-  graph_->render(*action_);
-  graph_->render_marks(*action_, gizmo_.is_shown(), static_cast<float>(devicePixelRatioF()));
-  render_axes_cross();
-  glPopAttrib();
-  glPopClientAttrib();
+  painter_->paint({pixel_size(), devicePixelRatioF(), camera_, colors_, gizmo_.is_shown()},
+                  settle_.isActive(), defaultFramebufferObject());
   glFinish();
   frame_time_ms_ = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
   overlay_->set_axes(camera_.orientation());
-}
-
-void SceneView::render_axes_cross() {
-  const auto size = static_cast<short>(std::lround(ViewOverlay::kAxesSize * devicePixelRatioF()));
-  const QSize pixels = pixel_size();
-  SbViewportRegion region(static_cast<short>(pixels.width()), static_cast<short>(pixels.height()));
-  region.setViewportPixels(0, 0, size, size);
-  action_->setViewportRegion(region);
-  glClear(GL_DEPTH_BUFFER_BIT);
-  graph_->render_axes(*action_, camera_);
 }
 
 void SceneView::resizeEvent(QResizeEvent* event) {

@@ -8,6 +8,7 @@
 
 #include <QOpenGLWidget>
 #include <QPoint>
+#include <QTimer>
 #include <QVariantAnimation>
 
 #include <memory>
@@ -16,11 +17,10 @@
 #include <string>
 #include <vector>
 
-class SoGLRenderAction;
-
 namespace handway::gui {
 
 class SceneGraph;
+class ScenePainter;
 class ViewOverlay;
 
 /// The 3-D view: shows a scene, turns with the mouse (left: orbit, middle or
@@ -70,6 +70,8 @@ class SceneView : public QOpenGLWidget {
   [[nodiscard]] const ViewGizmo& gizmo() const { return gizmo_; }
   [[nodiscard]] const OrbitCamera& camera() const { return camera_; }
 
+  /// The next picture is a fine one, whatever has moved just now.
+  void settle();
   /// How long the last frame took to draw, ms.
   [[nodiscard]] double frame_time_ms() const { return frame_time_ms_; }
 
@@ -98,18 +100,23 @@ class SceneView : public QOpenGLWidget {
   [[nodiscard]] double aspect() const;
   /// What is seen at a place in the widget.
   [[nodiscard]] std::optional<SceneHit> pick_at(const QPoint& position);
-  void render_axes_cross();
+  /// Paints anew what the painter may have kept.
+  void change();
+  /// Paints fast from now on, until nothing has moved for a moment.
+  void hurry();
   void update_gizmo();
   void drag_gizmo(const QPoint& position, bool snap);
   void cancel_drag();
   void fly_to(const OrbitCamera::Placement& placement);
 
   std::unique_ptr<SceneGraph> graph_;
-  std::unique_ptr<SoGLRenderAction> action_;
+  std::unique_ptr<ScenePainter> painter_;  ///< Null until there is a context.
   ViewOverlay* overlay_;
   OrbitCamera camera_;
   ViewGizmo gizmo_;
   QVariantAnimation flight_;
+  QTimer settle_;
+  std::vector<std::string> colliding_;
   ViewColors colors_;
   QPoint press_position_;
   QPoint last_position_;

@@ -46,8 +46,10 @@ void SelectionOutline::set_parts(const std::vector<SoSeparator*>& parts) {
   }
 }
 
+bool SelectionOutline::is_shown() const { return parts_->getNumChildren() > kStyleNodes; }
+
 void SelectionOutline::render(SoGLRenderAction& action, float width) const {
-  if (parts_->getNumChildren() == kStyleNodes) {
+  if (!is_shown()) {
     return;
   }
   glEnable(GL_STENCIL_TEST);

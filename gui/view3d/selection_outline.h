@@ -23,6 +23,7 @@ class SelectionOutline {
   [[nodiscard]] SoSeparator* root() const { return root_.get(); }
   /// @param parts drawings in the world.
   void set_parts(const std::vector<SoSeparator*>& parts);
+  [[nodiscard]] bool is_shown() const;
   /// @pre the target has a stencil buffer. @param width of the line, pixels.
   void render(SoGLRenderAction& action, float width) const;
 

@@ -1,0 +1,8 @@
+#pragma once
+
+namespace handway::gui {
+
+/// What is drawn into the scene without being part of it.
+enum class Overlay { kPath, kDots, kExecuted, kContacts };
+
+}  // namespace handway::gui

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <QOpenGLExtraFunctions>
+#include <QSize>
+
+#include <memory>
+
+class QOpenGLShaderProgram;
+
+namespace handway::gui {
+
+/// A picture with its depth, kept by the graphics card to be laid into others. All functions but
+/// the constructor need the context current in which it is used.
+class PictureLayer : protected QOpenGLExtraFunctions {
+ public:
+  PictureLayer() = default;
+  ~PictureLayer();
+  PictureLayer(const PictureLayer&) = delete;
+  PictureLayer& operator=(const PictureLayer&) = delete;
+
+  /// Makes it what is drawn into, of that size, px. @returns false if the card can't.
+  bool bind(const QSize& size);
+  void destroy();
+
+  /// Draws it over the whole viewport, with its depth.
+  /// @param opacity below 1: only where something is, and blended.
+  void draw(QOpenGLShaderProgram& program, float opacity);
+
+  /// The program that draw() needs; nullptr if the card can't have it.
+  [[nodiscard]] static std::unique_ptr<QOpenGLShaderProgram> make_program();
+
+ private:
+  bool create(const QSize& size);
+
+  QSize size_;
+  unsigned frame_ = 0;
+  unsigned color_ = 0;
+  unsigned depth_ = 0;
+};
+
+}  // namespace handway::gui

@@ -1,0 +1,188 @@
+#include "view3d/scene_painter.h"
+
+#include "view3d/backdrop.h"
+#include "view3d/scene_graph.h"
+#include "view3d/screen_region.h"
+#include "view3d/view_overlay.h"
+
+#include <Inventor/SbViewportRegion.h>
+#include <Inventor/actions/SoGLRenderAction.h>
+#include <QOpenGLContext>
+#include <QOpenGLFramebufferObject>
+#include <QOpenGLFunctions>
+#include <QOpenGLShaderProgram>
+
+#include <GL/gl.h>
+
+#include <cmath>
+#include <cstdint>
+
+namespace handway::gui {
+namespace {
+
+constexpr int kSamples = 4;
+
+std::uint32_t new_cache_context() {
+  static std::uint32_t last = 0;
+  return ++last;
+}
+
+SbViewportRegion viewport_of(const QSize& pixels) {
+  return {static_cast<short>(pixels.width()), static_cast<short>(pixels.height())};
+}
+
+void bind_frame(unsigned frame) {
+  QOpenGLContext::currentContext()->functions()->glBindFramebuffer(GL_FRAMEBUFFER, frame);
+}
+
+void restrict_to(const QRect& region) {
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(region.x(), region.y(), region.width(), region.height());
+}
+
+double aspect_of(const QSize& pixels) {
+  return static_cast<double>(pixels.width()) / pixels.height();
+}
+
+}  // namespace
+
+ScenePainter::ScenePainter(SceneGraph& graph)
+    : graph_(graph),
+      action_(std::make_unique<SoGLRenderAction>(SbViewportRegion())),
+      program_(PictureLayer::make_program()) {
+  action_->setCacheContext(new_cache_context());
+}
+
+ScenePainter::~ScenePainter() = default;
+
+void ScenePainter::paint(const PictureFrame& frame, bool fast, unsigned target) {
+  const Sight sight{frame.pixels, frame.camera.orientation(), frame.camera.position()};
+  const bool stands = last_ == sight;
+  last_ = sight;
+  last_region_ = stands && fast ? last_region_ : QRect(QPoint(0, 0), frame.pixels);
+  glPushClientAttrib(GL_CLIENT_ALL_ATTRIB_BITS);
+  glPushAttrib(GL_ALL_ATTRIB_BITS);
+  graph_.aim(frame.camera, aspect_of(frame.pixels));
+  if (!fast) {
+    graph_.begin_motion();
+    invalidate();
+    paint_finely(frame, target);
+  } else if (stands && program_) {
+    paint_layered(frame, sight, target);
+  } else {
+    paint_all(frame);
+  }
+  glPopAttrib();
+  glPopClientAttrib();
+}
+
+// Clears what is painted on.
+void ScenePainter::begin(const PictureFrame& frame) {
+  glViewport(0, 0, frame.pixels.width(), frame.pixels.height());
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LEQUAL);
+  glDepthMask(GL_TRUE);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glClearColor(0.0F, 0.0F, 0.0F, 1.0F);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);  // veils leave the picture opaque
+  action_->invalidateState();
+  action_->setViewportRegion(viewport_of(frame.pixels));
+}
+
+void ScenePainter::paint_all(const PictureFrame& frame) {
+  begin(frame);
+  draw_backdrop(frame.colors.sky, frame.colors.ground);
+  graph_.render(*action_);
+  paint_marks(frame);
+}
+
+void ScenePainter::paint_marks(const PictureFrame& frame) {
+  graph_.render_marks(*action_, frame.with_gizmo, static_cast<float>(frame.pixel_ratio));
+  const auto size = static_cast<short>(std::lround(ViewOverlay::kAxesSize * frame.pixel_ratio));
+  SbViewportRegion corner = viewport_of(frame.pixels);
+  corner.setViewportPixels(0, 0, size, size);
+  action_->setViewportRegion(corner);
+  glClear(GL_DEPTH_BUFFER_BIT);
+  graph_.render_axes(*action_, frame.camera);
+}
+
+void ScenePainter::paint_finely(const PictureFrame& frame, unsigned target) {
+  if (!smooth_ || smooth_->size() != frame.pixels) {
+    QOpenGLFramebufferObjectFormat format;
+    format.setSamples(kSamples);
+    format.setAttachment(QOpenGLFramebufferObject::CombinedDepthStencil);
+    smooth_ = std::make_unique<QOpenGLFramebufferObject>(frame.pixels, format);
+  }
+  const bool smooth = smooth_->bind();
+  if (!smooth) {
+    bind_frame(target);
+  }
+  paint_all(frame);
+  if (smooth) {
+    bind_frame(target);
+    QOpenGLFramebufferObject::blitFramebuffer(nullptr, smooth_.get());
+    bind_frame(target);
+  }
+}
+
+bool ScenePainter::keep_layers(const PictureFrame& frame) {
+  if (!still_.bind(frame.pixels)) {
+    return false;
+  }
+  begin(frame);
+  draw_backdrop(frame.colors.sky, frame.colors.ground);
+  graph_.render_still(*action_);
+  for (std::size_t i = 0; i < veils_.size(); ++i) {
+    if (graph_.ghosts().at(i)->is_visible()) {
+      if (!veils_.at(i).bind(frame.pixels)) {
+        return false;
+      }
+      begin(frame);
+      graph_.ghosts().at(i)->render_opaque(*action_);
+    }
+  }
+  return true;
+}
+
+void ScenePainter::paint_layered(const PictureFrame& frame, const Sight& sight, unsigned target) {
+  const QRect all(QPoint(0, 0), frame.pixels);
+  if (kept_ != sight) {
+    last_region_ = all;
+    const bool kept = keep_layers(frame);
+    bind_frame(target);
+    if (!kept) {
+      program_.reset();
+      paint_all(frame);
+      return;
+    }
+    kept_ = sight;
+  }
+  // Only where something was, or is now; an outline or handles may be anywhere.
+  const QRect region = graph_.has_marks() || frame.with_gizmo
+                           ? all
+                           : region_of(graph_.moving_root(), frame.camera, frame.pixels);
+  const QRect dirty = region | last_region_;
+  last_region_ = region;
+  glViewport(0, 0, frame.pixels.width(), frame.pixels.height());
+  restrict_to(dirty);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  still_.draw(*program_, 1.0F);
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LEQUAL);
+  glDepthMask(GL_TRUE);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
+  action_->invalidateState();
+  action_->setViewportRegion(viewport_of(frame.pixels));
+  graph_.render_moving(*action_);
+  restrict_to(dirty);  // Coin forgets it
+  for (std::size_t i = 0; i < veils_.size(); ++i) {
+    if (graph_.ghosts().at(i)->is_visible()) {
+      veils_.at(i).draw(*program_, Ghost::kOpacity);
+    }
+  }
+  action_->invalidateState();
+  paint_marks(frame);
+}
+
+}  // namespace handway::gui

@@ -1,0 +1,73 @@
+#pragma once
+
+#include "view3d/orbit_camera.h"
+#include "view3d/picture_layer.h"
+#include "view3d/view_colors.h"
+
+#include <QRect>
+#include <QSize>
+
+#include <array>
+#include <memory>
+#include <optional>
+
+class QOpenGLFramebufferObject;
+class QOpenGLShaderProgram;
+class SoGLRenderAction;
+
+namespace handway::gui {
+
+class SceneGraph;
+
+/// What a picture of a scene shows besides the scene.
+struct PictureFrame {
+  QSize pixels;
+  double pixel_ratio = 1.0;  ///< Pixels for one unit of lengths on the screen.
+  OrbitCamera camera;
+  ViewColors colors;
+  bool with_gizmo = false;
+};
+
+/// Paints a scene graph, finely or fast. Fine pictures have smooth edges. Fast ones do without
+/// them, and as long as the camera stands, what stands still and the ghosts are painted once and
+/// kept with their depths. Then only the links that move are drawn, where they are or were, so that
+/// pictures can follow a glove without a graphics card. Needs its context current in all functions,
+/// and a frame buffer that keeps what was painted.
+class ScenePainter {
+ public:
+  explicit ScenePainter(SceneGraph& graph);
+  ~ScenePainter();
+
+  /// Something looks different that stood still.
+  void invalidate() { kept_.reset(); }
+  /// @param target the frame buffer to paint on.
+  void paint(const PictureFrame& frame, bool fast, unsigned target);
+
+ private:
+  /// From where a picture is seen.
+  struct Sight {
+    QSize pixels;
+    Eigen::Matrix3d R_WC;
+    Eigen::Vector3d p_WC;
+    bool operator==(const Sight& other) const = default;
+  };
+
+  void paint_finely(const PictureFrame& frame, unsigned target);
+  void paint_layered(const PictureFrame& frame, const Sight& sight, unsigned target);
+  [[nodiscard]] bool keep_layers(const PictureFrame& frame);
+  void begin(const PictureFrame& frame);
+  void paint_all(const PictureFrame& frame);
+  void paint_marks(const PictureFrame& frame);
+
+  SceneGraph& graph_;
+  std::unique_ptr<SoGLRenderAction> action_;
+  std::unique_ptr<QOpenGLFramebufferObject> smooth_;  ///< What fine pictures are painted on.
+  std::unique_ptr<QOpenGLShaderProgram> program_;     ///< Null: layers can't be had.
+  PictureLayer still_;
+  std::array<PictureLayer, 2> veils_;  ///< Of the ghosts.
+  std::optional<Sight> kept_;          ///< From where the layers are seen; nothing: to be made.
+  std::optional<Sight> last_;          ///< Of the last picture.
+  QRect last_region_;                  ///< What moving links covered in it, px from the lower left.
+};
+
+}  // namespace handway::gui

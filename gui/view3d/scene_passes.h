@@ -1,0 +1,67 @@
+#pragma once
+
+#include "view3d/axes_node.h"
+#include "view3d/coin_ref.h"
+#include "view3d/lights.h"
+#include "view3d/overlay.h"
+#include "view3d/still_split.h"
+
+#include <Inventor/nodes/SoOrthographicCamera.h>
+#include <Inventor/nodes/SoPerspectiveCamera.h>
+#include <Inventor/nodes/SoSeparator.h>
+#include <Inventor/nodes/SoSwitch.h>
+
+#include <map>
+#include <optional>
+
+namespace handway::gui {
+
+/// One root a pass, all seen by the same camera under the same lights.
+struct ScenePasses {
+  CoinRef<SoPerspectiveCamera> camera = make_coin<SoPerspectiveCamera>();
+  CoinRef<SoGroup> camera_lights = make_camera_lights();
+  CoinRef<SoGroup> sky_light = make_sky_light();
+  CoinRef<SoSeparator> solids = make_coin<SoSeparator>();
+  CoinRef<SoSeparator> solid_content = make_coin<SoSeparator>();
+  CoinRef<SoSeparator> floor = make_coin<SoSeparator>();
+  CoinRef<SoSwitch> floor_content = make_coin<SoSwitch>();
+  std::map<Overlay, CoinRef<SoSwitch>> overlays;
+  CoinRef<SoSeparator> gizmo = make_coin<SoSeparator>();
+  CoinRef<SoOrthographicCamera> axes_camera = make_coin<SoOrthographicCamera>();
+  CoinRef<SoSeparator> axes = make_coin<SoSeparator>();
+  std::optional<StillSplit> split;  ///< Of solids, for fast pictures.
+
+  ScenePasses() {
+    for (SoSeparator* root : {solids.get(), floor.get(), gizmo.get()}) {
+      prepare(root);
+    }
+    auto still = make_coin<SoSeparator>();
+    auto moving = make_coin<SoSeparator>();
+    prepare(still.get());
+    prepare(moving.get());
+    split.emplace(still, moving);
+    solids->addChild(solid_content.get());
+    for (const Overlay overlay :
+         {Overlay::kPath, Overlay::kDots, Overlay::kExecuted, Overlay::kContacts}) {
+      const CoinRef<SoSwitch> shown = make_coin<SoSwitch>();
+      shown->whichChild = SO_SWITCH_ALL;
+      solids->addChild(shown.get());
+      overlays.emplace(overlay, shown);
+    }
+    solid_content->renderCaching = SoSeparator::OFF;
+    floor->addChild(floor_content.get());
+    floor_content->whichChild = SO_SWITCH_ALL;
+    axes->addChild(camera_lights.get());
+    axes->addChild(axes_camera.get());
+    axes->addChild(make_axes_node().get());
+  }
+
+  void prepare(SoSeparator* root) const {
+    root->renderCaching = SoSeparator::OFF;
+    root->addChild(camera_lights.get());
+    root->addChild(camera.get());
+    root->addChild(sky_light.get());
+  }
+};
+
+}  // namespace handway::gui
