@@ -67,17 +67,17 @@ LoadedScene load_scene(const fs::path& file, const Extensions& extensions) {
                                  fs::exists(file, error) ? "no regular file" : "no such file",
                                  "a scene or robot file", ""});
   }
+  for (const auto& importer : extensions.importers()) {
+    if (importer->can_read(file)) {
+      return importer->read(file);
+    }
+  }
   const fs::path extension = file.extension();
   if (extension == ".yaml" || extension == ".yml") {
     return read_own_format(file);
   }
   if (extension == ".urdf") {
     return scene_of_robot(file);
-  }
-  for (const auto& importer : extensions.importers()) {
-    if (importer->can_read(file)) {
-      return importer->read(file);
-    }
   }
   refuse(file, extensions);
 }

@@ -1,0 +1,17 @@
+#include "moveit_importer.h"
+
+#include "moveit_problem.h"
+
+namespace handway::import_moveit {
+
+std::string MoveitImporter::name() const { return "a MoveIt scene or request (.yaml)"; }
+
+bool MoveitImporter::can_read(const std::filesystem::path& file) const {
+  return (file.extension() == ".yaml" || file.extension() == ".yml") && is_moveit_file(file);
+}
+
+planning::LoadedScene MoveitImporter::read(const std::filesystem::path& file) const {
+  return read_moveit_problem(problem_files(file));
+}
+
+}  // namespace handway::import_moveit

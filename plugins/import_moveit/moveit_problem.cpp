@@ -1,0 +1,183 @@
+#include "moveit_problem.h"
+
+#include "group_robot.h"
+#include "handway/geometric/io/resources.h"
+#include "handway/geometric/io/robot_loader.h"
+#include "messages.h"
+#include "world_objects.h"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace handway::import_moveit {
+namespace {
+
+namespace fs = std::filesystem;
+using geometric::Configuration;
+using geometric::Pose;
+using geometric::RobotModel;
+using geometric::YamlElement;
+
+class ProblemReader {
+ public:
+  explicit ProblemReader(const ProblemFiles& files)
+      : files_(files),
+        folder_(files.scene.parent_path()),
+        top_(YamlElement::read(files.scene, "a MoveIt planning scene")) {
+    if (files.request) {
+      request_ = YamlElement::read(*files.request, "a MoveIt motion plan request");
+    }
+  }
+
+  [[nodiscard]] planning::LoadedScene read() {
+    const std::optional<YamlElement> name = top_.find("name");
+    scene_->file = files_.request.value_or(files_.scene);
+    scene_->name = name && !name->text().empty() ? name->text() : scene_->file.stem().string();
+    add_robot();
+    const Frames frames = frames_of(scene_->robots.front());
+    if (const auto world = top_.find("world")) {
+      add_world(*world, frames, folder_, *scene_);
+    }
+    if (const auto state = top_.find("robot_state")) {
+      if (const auto attached = state->find("attached_collision_objects")) {
+        for (const YamlElement& object : attached->items()) {
+          add_attached(object, frames, folder_, *scene_);
+        }
+      }
+    }
+    note_what_is_left_out();
+    return {scene_, nullptr};
+  }
+
+ private:
+  void add_robot() {
+    const fs::path file = robot_file(top_.need("robot_model_name"), folder_);
+    std::shared_ptr<const RobotModel> model = geometric::load_robot(file);
+    const Configuration whole_start = start_of(*model);
+    Configuration start = whole_start;
+    if (const auto group = request_ ? request_->find("group_name") : std::nullopt) {
+      const std::shared_ptr<const RobotModel> moving = group_robot(*model, *group, whole_start);
+      start = Configuration(moving->variable_count());
+      for (int v = 0; v < moving->variable_count(); ++v) {
+        start[v] = whole_start[*model->find_variable(moving->variable(v).name)];
+      }
+      model = moving;
+    }
+    for (const std::string& warning : model->description().warnings) {
+      scene_->warnings.push_back(fmt::format("robot {}: {}", model->name(), warning));
+    }
+    scene_->robots.push_back({model->name(), file, model, Pose::Identity(), start});
+    if (request_) {
+      scene_->start = start;
+      scene_->goal = goal_of(*model);
+    }
+  }
+
+  [[nodiscard]] Configuration start_of(const RobotModel& model) const {
+    Configuration q = model.neutral();
+    for (const auto& state : {top_.find("robot_state"), request_ ? request_->find("start_state")
+                                                                 : std::optional<YamlElement>()}) {
+      const auto joints = state ? state->find("joint_state") : std::nullopt;
+      if (joints) {
+        q = with_values(model, read_joint_state(*joints), q, *joints);
+      }
+    }
+    return q;
+  }
+
+  [[nodiscard]] Configuration goal_of(const RobotModel& model) {
+    const YamlElement list = request_->need("goal_constraints");
+    const std::vector<YamlElement> goals = list.items();
+    if (goals.empty()) {
+      list.refuse("an empty list", "a goal");
+    }
+    if (goals.size() > 1) {
+      scene_->warnings.push_back(
+          fmt::format("{}: only the first of {} goals is used", list.where(), goals.size()));
+    }
+    const YamlElement& goal = goals.front();
+    const std::optional<YamlElement> constraints = goal.find("joint_constraints");
+    std::map<std::string, double> values;
+    for (const YamlElement& one : constraints ? constraints->items() : std::vector<YamlElement>()) {
+      values[one.need("joint_name").text()] = one.need("position").number();
+    }
+    for (int v = 0; v < model.variable_count(); ++v) {
+      const std::string& joint = model.variable(v).name;
+      if (!values.contains(joint)) {
+        goal.refuse(values.empty() ? "no joint_constraints"
+                                   : fmt::format("no joint constraint for \"{}\"", joint),
+                    "the goal as positions of all joints of the group",
+                    "A pose of a link is no goal here: give the posture that reaches it");
+      }
+    }
+    return with_values(model, values, scene_->robots.front().configuration, *constraints);
+  }
+
+  [[nodiscard]] Frames frames_of(const geometric::RobotInstance& robot) const {
+    const RobotModel& model = *robot.model;
+    std::vector<Pose> X_BL(static_cast<std::size_t>(model.link_count()));
+    model.forward_kinematics(robot.configuration, X_BL);
+    Frames frames = {{"world", Pose::Identity()}};
+    for (int link = 0; link < model.link_count(); ++link) {
+      frames[model.link(link).name] = robot.X_WB * X_BL[static_cast<std::size_t>(link)];
+    }
+    if (const auto transforms = top_.find("fixed_frame_transforms")) {
+      for (const YamlElement& one : transforms->items()) {
+        const YamlElement transform = one.need("transform");
+        Pose X = Pose::Identity();
+        if (const auto rotation = transform.find("rotation")) {
+          X.linear() = read_rotation(*rotation).toRotationMatrix();
+        }
+        if (const auto translation = transform.find("translation")) {
+          X.translation() = read_point(*translation);
+        }
+        frames.emplace(one.need("child_frame_id").text(), X);
+      }
+    }
+    return frames;
+  }
+
+  // What MoveIt would take into account, and a path that is found here need not know.
+  void note_what_is_left_out() {
+    if (request_) {
+      if (const auto path = request_->find("path_constraints"); path && path->is_map()) {
+        for (const auto& [key, value] : path->entries()) {
+          if (value.is_list() && !value.items().empty()) {
+            value.refuse("a constraint along the path", "none",
+                         "Paths are planned without constraints but those of collision");
+          }
+        }
+      }
+    }
+    for (const char* key : {"allowed_collision_matrix", "link_padding", "link_scale"}) {
+      const auto element = top_.find(key);
+      const bool filled = element && ((element->is_list() && !element->items().empty()) ||
+                                      (element->is_map() && !element->entries().empty()));
+      if (filled) {
+        scene_->warnings.push_back(fmt::format(
+            "{}: {} is not taken; pairs of links are allowed to touch by the robot's SRDF alone",
+            element->where(), key));
+      }
+    }
+  }
+
+  const ProblemFiles& files_;
+  fs::path folder_;
+  YamlElement top_;
+  std::optional<YamlElement> request_;
+  std::shared_ptr<geometric::Scene> scene_ = std::make_shared<geometric::Scene>();
+};
+
+}  // namespace
+
+planning::LoadedScene read_moveit_problem(const ProblemFiles& files) {
+  return ProblemReader(files).read();
+}
+
+}  // namespace handway::import_moveit

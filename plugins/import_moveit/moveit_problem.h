@@ -1,0 +1,20 @@
+#pragma once
+
+#include "handway/planning/core/importer.h"
+#include "problem_files.h"
+
+namespace handway::import_moveit {
+
+/// Reads a problem: moveit_msgs/PlanningScene with the query of a MotionPlanRequest.
+///
+/// Only the joints of the request's group move. Start: the request's start state over the
+/// scene's robot state over the robot's neutral posture. Goal: the joint constraints of the
+/// first goal; goals as poses of a link are refused.
+///
+/// Format: http://docs.ros.org/en/noetic/api/moveit_msgs/html/msg/PlanningScene.html;
+/// Chamzas et al., "MotionBenchMaker: a tool to generate and benchmark motion planning
+/// datasets", IEEE RA-L 7(2), 2022, doi:10.1109/LRA.2021.3133603.
+/// @throws InputError naming file, line, element, what was found and expected.
+[[nodiscard]] planning::LoadedScene read_moveit_problem(const ProblemFiles& files);
+
+}  // namespace handway::import_moveit

@@ -1,0 +1,210 @@
+#include "world_objects.h"
+
+#include "handway/geometric/io/mesh_reader.h"
+#include "messages.h"
+#include "problem_files.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace handway::import_moveit {
+namespace {
+
+namespace fs = std::filesystem;
+using geometric::Pose;
+using geometric::SceneObject;
+using geometric::Shape;
+using geometric::YamlElement;
+
+constexpr geometric::Color kColor{0.55, 0.62, 0.68};
+
+Pose frame_of(const YamlElement& object, const Frames& frames) {
+  const std::optional<YamlElement> header = object.find("header");
+  const std::optional<YamlElement> id = header ? header->find("frame_id") : std::nullopt;
+  if (!id || id->text().empty()) {
+    return Pose::Identity();
+  }
+  const std::string name = id->text().starts_with('/') ? id->text().substr(1) : id->text();
+  const auto frame = frames.find(name);
+  if (frame == frames.end()) {
+    id->refuse(fmt::format("the frame \"{}\"", name),
+               "\"world\", a link of the robot or one of fixed_frame_transforms");
+  }
+  return frame->second;
+}
+
+// shape_msgs/SolidPrimitive's numbers, and the words of MotionBenchMaker.
+std::string kind_of(const YamlElement& type) {
+  static const std::map<std::string, std::string> kKinds = {
+      {"1", "box"}, {"2", "sphere"}, {"3", "cylinder"}, {"4", "cone"}};
+  const auto kind = kKinds.find(type.text());
+  return kind == kKinds.end() ? type.text() : kind->second;
+}
+
+Shape read_primitive(const YamlElement& primitive) {
+  const YamlElement type = primitive.need("type");
+  const YamlElement list = primitive.need("dimensions");
+  const std::string kind = kind_of(type);
+  const auto sizes = [&](int count) {
+    const Eigen::VectorXd values = list.numbers(count);
+    if ((values.array() <= 0.0).any()) {
+      list.refuse("a size that is not above 0", "sizes in metres");
+    }
+    return values;
+  };
+  if (kind == "box") {
+    return geometric::Box{sizes(3)};
+  }
+  if (kind == "sphere") {
+    return geometric::Sphere{sizes(1)[0]};
+  }
+  if (kind == "cylinder" || kind == "cone") {
+    const Eigen::VectorXd size = sizes(2);  // height, radius
+    return kind == "cone" ? Shape(geometric::Cone{size[1], size[0]})
+                          : Shape(geometric::Cylinder{size[1], size[0]});
+  }
+  type.refuse(type.found(), "box (1), sphere (2), cylinder (3) or cone (4)");
+}
+
+std::array<std::uint32_t, 3> read_triangle(const YamlElement& element, std::size_t vertices) {
+  const YamlElement list = element.is_map() ? element.need("vertex_indices") : element;
+  const Eigen::VectorXd values = list.numbers(3);
+  std::array<std::uint32_t, 3> triangle{};
+  for (std::size_t i = 0; i < triangle.size(); ++i) {
+    const double index = values[static_cast<Eigen::Index>(i)];
+    if (index < 0.0 || index >= static_cast<double>(vertices) || index != std::floor(index)) {
+      list.refuse(fmt::format("the vertex {:g}", index),
+                  fmt::format("one of the {} vertices, from 0", vertices));
+    }
+    triangle.at(i) = static_cast<std::uint32_t>(index);
+  }
+  return triangle;
+}
+
+Shape read_mesh_shape(const YamlElement& element, const fs::path& folder) {
+  if (const auto resource = element.find("resource")) {
+    geometric::Mesh mesh;
+    mesh.file = mesh_file(*resource, folder);
+    if (const auto scale = element.find("dimensions")) {
+      mesh.scale = scale->numbers(3);
+    }
+    mesh.triangles = geometric::read_mesh(mesh.file, mesh.scale, resource->where());
+    return mesh;
+  }
+  auto triangles = std::make_shared<geometric::TriangleMesh>();
+  for (const YamlElement& vertex : element.need("vertices").items()) {
+    triangles->vertices.push_back(read_point(vertex));
+  }
+  const YamlElement list = element.need("triangles");
+  for (const YamlElement& triangle : list.items()) {
+    triangles->triangles.push_back(read_triangle(triangle, triangles->vertices.size()));
+  }
+  if (triangles->empty()) {
+    list.refuse("an empty list", "at least one triangle");
+  }
+  return geometric::Mesh{{}, Eigen::Vector3d::Ones(), std::move(triangles)};
+}
+
+using PlacedShape = std::pair<Shape, Pose>;
+
+// The shapes under `key` with their poses under `poses`, in the object's frame.
+template <typename Read>
+void read_shapes(const YamlElement& object, const char* key, const char* poses, const Read& read,
+                 std::vector<PlacedShape>& shapes) {
+  const std::optional<YamlElement> list = object.find(key);
+  const std::vector<YamlElement> items = list ? list->items() : std::vector<YamlElement>();
+  const std::optional<YamlElement> pose_list = object.find(poses);
+  const std::vector<YamlElement> placed =
+      pose_list ? pose_list->items() : std::vector<YamlElement>();
+  if (!placed.empty() && placed.size() != items.size()) {
+    pose_list->refuse(fmt::format("{} poses", placed.size()),
+                      fmt::format("{}, one for each of {}", items.size(), key));
+  }
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    shapes.emplace_back(read(items[i]), placed.empty() ? Pose::Identity() : read_pose(placed[i]));
+  }
+}
+
+std::vector<PlacedShape> shapes_of(const YamlElement& object, const fs::path& folder) {
+  std::vector<PlacedShape> shapes;
+  read_shapes(object, "primitives", "primitive_poses", read_primitive, shapes);
+  read_shapes(
+      object, "meshes", "mesh_poses",
+      [&](const YamlElement& mesh) { return read_mesh_shape(mesh, folder); }, shapes);
+  if (const auto planes = object.find("planes"); planes && !planes->items().empty()) {
+    planes->refuse("a plane", "primitives and meshes",
+                   "Write it as a box as large as the robot can reach");
+  }
+  if (shapes.empty()) {
+    object.refuse("no primitives and no meshes", "at least one of them");
+  }
+  return shapes;
+}
+
+std::string unique_name(const geometric::Scene& scene, const std::string& wanted) {
+  std::string name = wanted;
+  for (int n = 2; find_object(scene, name) != nullptr || find_robot(scene, name) != nullptr; ++n) {
+    name = fmt::format("{}_{}", wanted, n);
+  }
+  return name;
+}
+
+// @param X_PF of the object's frame in what it is fixed to.
+void add_object(const YamlElement& object, const Pose& X_PF, const fs::path& folder,
+                const std::optional<geometric::Attachment>& attachment, geometric::Scene& scene) {
+  const std::optional<YamlElement> pose = object.find("pose");
+  const Pose X_PO = pose ? X_PF * read_pose(*pose) : X_PF;
+  const std::string id = object.need("id").text();
+  for (auto& [shape, X_OS] : shapes_of(object, folder)) {
+    scene.objects.push_back(
+        {unique_name(scene, id), std::move(shape), X_PO * X_OS, kColor, attachment});
+  }
+}
+
+}  // namespace
+
+void add_world(const YamlElement& world, const Frames& frames, const fs::path& folder,
+               geometric::Scene& scene) {
+  if (const auto octomap = world.find("octomap")) {
+    const auto inner = octomap->is_map() ? octomap->find("octomap") : std::nullopt;
+    const auto data = inner && inner->is_map() ? inner->find("data") : std::nullopt;
+    if (data && !data->items().empty()) {
+      octomap->refuse("an octomap", "collision objects",
+                      "Take a scene with objects, not one that was sensed");
+    }
+  }
+  if (const auto objects = world.find("collision_objects")) {
+    for (const YamlElement& object : objects->items()) {
+      add_object(object, frame_of(object, frames), folder, std::nullopt, scene);
+    }
+  }
+}
+
+void add_attached(const YamlElement& attached, const Frames& frames, const fs::path& folder,
+                  geometric::Scene& scene) {
+  const YamlElement link = attached.need("link_name");
+  if (!scene.robots.front().model->find_link(link.text())) {
+    link.refuse(fmt::format("the link \"{}\"", link.text()), "a link of the robot");
+  }
+  geometric::Attachment attachment;
+  attachment.robot = scene.robots.front().name;
+  attachment.link = link.text();
+  if (const auto touching = attached.find("touch_links")) {
+    for (const YamlElement& name : touching->items()) {
+      if (!scene.robots.front().model->find_link(name.text())) {
+        name.refuse(fmt::format("the link \"{}\"", name.text()), "a link of the robot");
+      }
+      attachment.touching.push_back(name.text());
+    }
+  }
+  const YamlElement object = attached.need("object");
+  const Pose X_LF = frames.at(attachment.link).inverse() * frame_of(object, frames);
+  add_object(object, X_LF, folder, attachment, scene);
+}
+
+}  // namespace handway::import_moveit

@@ -1,0 +1,78 @@
+/// What is wrong with a MoveIt problem is told with file, line, what was found and expected.
+#include "small_problem.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace handway::import_moveit {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+struct Breach {
+  const char* name;
+  bool in_scene;
+  const char* from;
+  const char* to;
+  const char* place;
+  const char* found;
+  const char* expected;
+};
+
+class BrokenMoveitProblem : public testing::TestWithParam<Breach> {};
+
+TEST_P(BrokenMoveitProblem, IsRefusedInWords) {
+  const Breach& breach = GetParam();
+  const SmallProblem problem;
+  problem.replace(breach.in_scene ? problem.scene() : problem.request(), breach.from, breach.to);
+  EXPECT_THAT(problem.refusal(),
+              AllOf(HasSubstr(breach.place), HasSubstr(breach.found), HasSubstr(breach.expected)));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Files, BrokenMoveitProblem,
+    testing::Values(
+        Breach{"NoRobot", true, "robot_model_name: crane", "robot_model_name: kran",
+               "scene0001.yaml:2", "the robot \"kran\"", "kran.urdf"},
+        Breach{"NoGroup", false, "group_name: crane_arm", "group_name: crane_am",
+               "request0001.yaml:1", "the group \"crane_am\"", "Did you mean \"crane_arm\"?"},
+        Breach{"NoJoint", false, "joint_name: lift", "joint_name: left", "request0001.yaml:7",
+               "no joint constraint for \"lift\"", "all joints of the group"},
+        Breach{"UnknownJoint", false, "name: [turn, lift]", "name: [turn, left]",
+               "request0001.yaml:5", "the joint \"left\", which crane has not", "\"lift\"?"},
+        Breach{"TooFewPositions", true, "[0, 0, 0, 0.01, 0.01]", "[0, 0, 0, 0.01]",
+               "scene0001.yaml:6", "4 positions", "5, one for each name"},
+        Breach{"UnknownFrame", true, "header: {frame_id: room}", "header: {frame_id: rom}",
+               "scene0001.yaml:21", "the frame \"rom\"", "a link of the robot"},
+        Breach{"UnknownShape", true, "type: 1,", "type: 7,", "scene0001.yaml:23", "\"7\"",
+               "box (1), sphere (2)"},
+        Breach{"FlatBox", true, "[2, 2, 0.1]", "[2, 2, 0]", "scene0001.yaml:23",
+               "a size that is not above 0", "sizes in metres"},
+        Breach{"TooManyPoses", true, "mesh_poses: [{", "mesh_poses: [{}, {", "scene0001.yaml:37",
+               "2 poses", "1, one for each of meshes"},
+        Breach{"LongQuaternion", true, "orientation: {x: 0, y: 0, z: 0, w: 1}",
+               "orientation: {x: 1, y: 0, z: 0, w: 1}", "scene0001.yaml:26",
+               "a quaternion of length 1.41", "of length 1"},
+        Breach{"NoSuchVertex", true, "[1, 2, 3]]", "[1, 2, 4]]", "scene0001.yaml:36",
+               "the vertex 4", "one of the 4 vertices"},
+        Breach{"NoLink", true, "link_name: slide", "link_name: hook", "scene0001.yaml:8",
+               "the link \"hook\"", "a link of the robot"},
+        Breach{"Plane", true, "      meshes:",
+               "      planes: [{coef: [0, 0, 1, 0]}]\n      meshes:", "scene0001.yaml:34",
+               "a plane", "Write it as a box"},
+        Breach{"AlongThePath", false, "num_planning_attempts: 1",
+               "path_constraints: {orientation_constraints: [{link_name: slide}]}",
+               "request0001.yaml:2", "a constraint along the path", "none"}),
+    [](const auto& test) { return std::string(test.param.name); });
+
+TEST(BrokenMoveitProblems, ARequestNeedsItsScene) {
+  const SmallProblem problem;
+  std::filesystem::remove(problem.scene());
+  EXPECT_THAT(problem.refusal(), AllOf(HasSubstr("request0001.yaml"), HasSubstr("scene0001.yaml")));
+}
+
+}  // namespace
+}  // namespace handway::import_moveit

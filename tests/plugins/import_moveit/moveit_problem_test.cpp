@@ -1,0 +1,136 @@
+/// What is read of a MoveIt problem, and that it is planned for.
+#include "handway/planning/core/planner_registry.h"
+#include "handway/planning/core/planning_problem.h"
+#include "handway/planning/paths/path_check.h"
+#include "moveit_importer.h"
+#include "ompl_planner.h"
+#include "small_problem.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+namespace handway::import_moveit {
+namespace {
+
+using geometric::Scene;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+TEST(MoveitProblem, IsKnownByItsKeys) {
+  const SmallProblem problem;
+  const MoveitImporter importer;
+  EXPECT_TRUE(importer.can_read(problem.scene()));
+  EXPECT_TRUE(importer.can_read(problem.request()));
+  EXPECT_FALSE(importer.can_read(test::source_dir() / "scenes" / "can_on_table.yaml"));
+  EXPECT_FALSE(importer.can_read(problem.folder() / "robots" / "crane.urdf"));
+}
+
+TEST(MoveitProblem, MovesTheJointsOfItsGroupAlone) {
+  const SmallProblem problem;
+  const auto scene = problem.read().scene;
+  const geometric::RobotModel& model = *scene->robots.front().model;
+  ASSERT_EQ(model.variable_count(), 3);
+  EXPECT_EQ(model.variable(0).name, "turn");
+  EXPECT_TRUE(scene->start->isApprox(Eigen::Vector3d(-0.8, 0.05, 0.0))) << "request over scene";
+  EXPECT_TRUE(scene->goal->isApprox(Eigen::Vector3d(0.8, 0.05, 0.1)));
+  std::vector<geometric::Pose> X_BL(static_cast<std::size_t>(model.link_count()));
+  model.forward_kinematics(Eigen::Vector3d::Zero(), X_BL);
+  const auto place = [&](const char* link) -> Eigen::Vector3d {
+    return X_BL[static_cast<std::size_t>(*model.find_link(link))].translation();
+  };
+  EXPECT_TRUE(place("finger").isApprox(Eigen::Vector3d(0.51, 0.03, 0.45))) << "where it was";
+  EXPECT_TRUE(place("finger_2").isApprox(Eigen::Vector3d(0.51, -0.03, 0.45))) << "coupled";
+}
+
+TEST(MoveitProblem, HasTheObjectsOfItsWorld) {
+  const SmallProblem problem;
+  const auto scene = problem.read().scene;
+  ASSERT_EQ(scene->objects.size(), 5U);
+  const auto* table = geometric::find_object(*scene, "table");
+  ASSERT_TRUE(table);
+  EXPECT_TRUE(std::get<geometric::Box>(table->shape).size.isApprox(Eigen::Vector3d(2, 2, 0.1)));
+  EXPECT_NEAR(table->X_PO.translation().z(), -0.08, 1e-12) << "in the frame \"room\"";
+  const auto* pillar = geometric::find_object(*scene, "pillar");
+  ASSERT_TRUE(pillar);
+  EXPECT_EQ(std::get<geometric::Cylinder>(pillar->shape).length, 0.4);
+  EXPECT_EQ(std::get<geometric::Cylinder>(pillar->shape).radius, 0.05);
+  EXPECT_TRUE(pillar->X_PO.translation().isApprox(Eigen::Vector3d(0.5, 0, 0.25)));
+  const auto* cone = geometric::find_object(*scene, "pillar_2");
+  ASSERT_TRUE(cone);
+  EXPECT_EQ(std::get<geometric::Cone>(cone->shape).length, 0.1);
+  const auto* wedge = geometric::find_object(*scene, "wedge");
+  ASSERT_TRUE(wedge);
+  EXPECT_EQ(std::get<geometric::Mesh>(wedge->shape).triangles->triangles.size(), 4U);
+}
+
+TEST(MoveitProblem, CarriesWhatIsAttached) {
+  const SmallProblem problem;
+  const auto scene = problem.read().scene;
+  const auto* parcel = geometric::find_object(*scene, "parcel");
+  ASSERT_TRUE(parcel && parcel->attachment);
+  EXPECT_EQ(parcel->attachment->link, "slide");
+  EXPECT_THAT(parcel->attachment->touching, ElementsAre("finger", "finger_2"));
+  EXPECT_TRUE(parcel->X_PO.translation().isApprox(Eigen::Vector3d(0.24, 0, 0)));
+}
+
+TEST(MoveitProblem, ReadsMeshesBesideIt) {
+  const SmallProblem problem;
+  std::ofstream(problem.folder() / "brick.obj")
+      << "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+  problem.replace(problem.scene(), "    - id: wedge\n",
+                  "    - id: brick\n      meshes:\n        - {resource: "
+                  "\"package://things/brick.obj\", dimensions: [0.1, 0.1, 0.1]}\n      "
+                  "mesh_poses: [{position: [0, 0.8, 0.4]}]\n    - id: wedge\n");
+  const auto scene = problem.read().scene;
+  const auto* brick = geometric::find_object(*scene, "brick");
+  ASSERT_TRUE(brick);
+  EXPECT_EQ(std::get<geometric::Mesh>(brick->shape).file.filename(), "brick.obj");
+}
+
+TEST(MoveitProblem, IsASceneWithoutARequestToo) {
+  const SmallProblem problem;
+  std::filesystem::remove(problem.request());
+  const auto scene = MoveitImporter().read(problem.scene()).scene;
+  EXPECT_FALSE(scene->start || scene->goal);
+  EXPECT_EQ(scene->robots.front().model->variable_count(), 4);
+  EXPECT_EQ(scene->name, "pillar");
+}
+
+TEST(MoveitProblem, TakesARobotThatShips) {
+  const SmallProblem problem;
+  problem.replace(problem.scene(), "robot_model_name: crane", "robot_model_name: tx90");
+  problem.replace(problem.scene(), "[turn, lift, reach, grip, grip_2]", "[]");
+  problem.replace(problem.scene(), "[0, 0, 0, 0.01, 0.01]", "[]");
+  problem.replace(problem.scene(), "  attached_collision_objects:", "  is_diff: false\n  ignored:");
+  std::filesystem::remove(problem.request());
+  EXPECT_EQ(MoveitImporter().read(problem.scene()).scene->robots.front().model->name(), "tx90");
+}
+
+TEST(MoveitProblem, SaysWhatItLeavesOut) {
+  const SmallProblem problem;
+  problem.replace(problem.scene(), "name: pillar\n",
+                  "name: pillar\nlink_padding: [{link_name: boom, padding: 0.1}]\n");
+  EXPECT_THAT(problem.read().scene->warnings,
+              testing::Contains(AllOf(HasSubstr("scene0001.yaml:2"), HasSubstr("link_padding"))));
+}
+
+TEST(MoveitProblem, IsSolvedByPlannersOverAllJoints) {
+  const SmallProblem small;
+  const planning::LoadedScene loaded = small.read();
+  const planning::PlanningProblem problem = planning::make_problem(loaded.scene, loaded.basis);
+  planning::PlannerRegistry planners;
+  planner_ompl::register_planners(planners);
+  for (const char* name : {"rrt-connect", "ompl-rrt-connect", "ompl-prm"}) {
+    const planning::PlanResult result =
+        planners.create(name)->plan(problem, {.time_limit_s = 60.0});
+    ASSERT_TRUE(result.solved()) << name << ": " << result.reason;
+    EXPECT_GT(result.path.waypoints.size(), 2U) << "around the pillar";
+    EXPECT_THAT(planning::check_path(problem, result.path, 0.001).faults, IsEmpty());
+  }
+}
+
+}  // namespace
+}  // namespace handway::import_moveit
