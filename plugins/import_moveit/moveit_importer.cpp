@@ -11,7 +11,7 @@ bool MoveitImporter::can_read(const std::filesystem::path& file) const {
 }
 
 planning::LoadedScene MoveitImporter::read(const std::filesystem::path& file) const {
-  return read_moveit_problem(problem_files(file));
+  return read_moveit_problem(problem_files(std::filesystem::absolute(file)));
 }
 
 }  // namespace handway::import_moveit
