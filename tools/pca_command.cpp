@@ -34,6 +34,7 @@ using NamedComponents = std::vector<std::pair<std::string, sampling::PrincipalCo
 struct PcaOptions {
   std::vector<fs::path> recordings;
   fs::path mapping;
+  fs::path against;
   fs::path calibration;
   std::vector<std::string> free;
   int components = 4;
@@ -96,6 +97,31 @@ void print_comparison(const std::vector<MappedRecording>& recordings, const PcaO
              options.components, angle_text(each, options.components));
 }
 
+// What the same recordings give under another mapping to the same hand.
+void print_other_mapping(const std::vector<MappedRecording>& recordings, const PcaOptions& options,
+                         const geometric::RobotModel& hand, const device::HandMapper& mapper,
+                         const std::vector<int>& free, const Analysis& chosen) {
+  const device::HandMapper other(device::read_mapping(options.against), hand);
+  if (other.joints() != mapper.joints()) {
+    throw geometric::InputError({options.against.string(), "joints", "others, or another order",
+                                 "the joints of --mapping in its order",
+                                 "Copy that mapping and change it."});
+  }
+  std::vector<MappedRecording> mapped;
+  for (const MappedRecording& recording : recordings) {
+    MappedRecording copy{recording.file, {}, {}, recording.calibrated, {}};
+    copy.mapped = other.map_recording(recording.recording);
+    mapped.push_back(std::move(copy));
+  }
+  const Eigen::MatrixXd samples = normalised_samples(mapped, other, options.normalisation);
+  const NamedComponents both{
+      {"this mapping", chosen.components},
+      {options.against.filename().string(), analyse(samples, free, options.robust).components}};
+  fmt::print("Under another mapping, cumulative variance in %:\n{}", share_text(both));
+  fmt::print("Largest angle in degrees between the spaces of the first components:\n{}",
+             largest_angle_text(both[0].second, both[1].second));
+}
+
 int pca(const PcaOptions& options) {
   const device::HandMapping mapping = mapping_of(options);
   const auto hand = geometric::load_robot(
@@ -138,6 +164,9 @@ int pca(const PcaOptions& options) {
   if (options.compare) {
     print_comparison(recordings, options, mapper, free, chosen);
   }
+  if (!options.against.empty()) {
+    print_other_mapping(recordings, options, *hand, mapper, free, chosen);
+  }
   const sampling::PmdBasis basis =
       sampling::make_pmd_basis(mapping.hand, source_of(options, chosen), mapper.joints(),
                                chosen.components, {free, options.components, options.sigmas});
@@ -174,6 +203,8 @@ void add_pca_command(CLI::App& app, int& exit_code) {
   command->add_option("recordings", options->recordings, "Recordings of a glove")->required();
   command->add_option("--mapping", options->mapping,
                       "Mapping of the glove to a hand (default: Table 1 for the SAH hand)");
+  command->add_option("--against", options->against,
+                      "Another mapping to the same hand: compare what both make of the recordings");
   command->add_option("--calibration", options->calibration,
                       "Calibration for recordings of counts (default: a typical right hand's)");
   command

@@ -117,6 +117,21 @@ std::string angle_text(
   return text;
 }
 
+std::string largest_angle_text(const sampling::PrincipalComponents& a,
+                               const sampling::PrincipalComponents& b) {
+  constexpr Eigen::Index kMost = 4;
+  std::string numbers = fmt::format("  {:<10}", "components");
+  std::string angles = fmt::format("  {:<10}", "angle");
+  const Eigen::Index count = std::min({kMost, a.directions.cols(), b.directions.cols()});
+  for (Eigen::Index k = 1; k <= count; ++k) {
+    const double angle =
+        sampling::principal_angles(a.directions.leftCols(k), b.directions.leftCols(k)).maxCoeff();
+    numbers += fmt::format("{:>8}", k);
+    angles += fmt::format("{:>8.1f}", angle / geometric::kDegree);
+  }
+  return numbers + '\n' + angles + '\n';
+}
+
 std::string basis_text(const sampling::PmdBasis& basis) {
   std::string text;
   for (const sampling::FreeJoint& free : basis.free_joints) {

@@ -26,6 +26,11 @@ namespace handway::tools {
     const std::vector<std::pair<std::string, sampling::PrincipalComponents>>& analyses,
     int components);
 
+/// Two lines: numbers of components k, and the largest principal angle between the spaces of the
+/// first k of either, in degrees.
+[[nodiscard]] std::string largest_angle_text(const sampling::PrincipalComponents& a,
+                                             const sampling::PrincipalComponents& b);
+
 /// Axes and half sides of a basis, and its largest entries.
 [[nodiscard]] std::string basis_text(const sampling::PmdBasis& basis);
 

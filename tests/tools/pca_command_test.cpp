@@ -76,6 +76,21 @@ TEST_F(Pca, JoinsAndComparesRecordings) {
                     ContainsRegex("one.csv and two.csv: [0-9.]+ [0-9.]+ [0-9.]+ [0-9.]+")));
 }
 
+// The paper's choice of sensor c for the joint after the thumb base, against sensor d.
+TEST_F(Pca, ComparesTwoMappings) {
+  const auto resources = source_dir() / "resources";
+  const std::string recording = (resources / "recordings" / "free_hand.csv").string();
+  const std::string other = (resources / "mappings" / "table1_d_sah.yaml").string();
+  const Outcome pca = line_.run("pca " + recording + " --against " + other);
+  EXPECT_EQ(pca.exit_code, 0) << pca.err;
+  EXPECT_THAT(pca.out, AllOf(ContainsRegex("this mapping +43\\.7. +79\\.5. +84\\.3."),
+                             ContainsRegex("table1_d_sah.yaml +[0-9.]+ +[0-9.]+ +[0-9.]+"),
+                             ContainsRegex("angle +[0-9.]+ +[0-9.]+ +[0-9.]+ +[0-9.]+")));
+  const Outcome same =
+      line_.run("pca one.csv --against " + (resources / "mappings" / "table1_sah.yaml").string());
+  EXPECT_THAT(same.out, ContainsRegex("angle +0\\.0 +0\\.0 +0\\.0 +0\\.0"));
+}
+
 TEST_F(Pca, FiltersBeforeItMaps) {
   const Outcome pca = line_.run(
       "pca one.csv --from 1 --to 5 --drop-duplicates --resample 100 --low-pass 4 "
