@@ -1,6 +1,7 @@
 #include "view3d/robot_node.h"
 
 #include "view3d/coin_conversions.h"
+#include "view3d/shaded_meshes.h"
 #include "view3d/shape_node.h"
 
 #include <Inventor/nodes/SoMaterial.h>
@@ -51,8 +52,7 @@ LinkShapes make_link_shapes(const geometric::RobotModel& model) {
     const geometric::Link& link = model.link(i);
     auto separator = make_coin<SoSeparator>();
     separator->renderCaching = SoSeparator::OFF;
-    for (const geometric::LinkGeometry& geometry :
-         link.visual.empty() ? link.collision : link.visual) {
+    for (const geometric::LinkGeometry& geometry : shown_geometry(link)) {
       separator->addChild(make_geometry_node(geometry).get());
     }
     shapes.push_back(std::move(separator));

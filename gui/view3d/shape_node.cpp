@@ -1,8 +1,7 @@
 #include "view3d/shape_node.h"
 
-#include "handway/geometric/math/units.h"
 #include "view3d/coin_conversions.h"
-#include "view3d/crease_normals.h"
+#include "view3d/shaded_meshes.h"
 
 #include <Inventor/nodes/SoComplexity.h>
 #include <Inventor/nodes/SoCone.h>
@@ -21,8 +20,6 @@
 namespace handway::gui {
 namespace {
 
-constexpr double kCreaseAngle = geometric::radians(35.0);
-
 // Coin's round solids stand along y, ours along z.
 void add_upright(SoSeparator* parent, SoNode* solid) {
   auto* turn = new SoRotationXYZ;
@@ -32,8 +29,7 @@ void add_upright(SoSeparator* parent, SoNode* solid) {
   parent->addChild(solid);
 }
 
-void add_mesh(SoSeparator* parent, const geometric::TriangleMesh& triangles) {
-  const ShadedMesh mesh = with_crease_normals(triangles, kCreaseAngle);
+void add_mesh(SoSeparator* parent, const ShadedMesh& mesh) {
   auto* hints = new SoShapeHints;
   hints->vertexOrdering = SoShapeHints::COUNTERCLOCKWISE;  // lit on both sides
   parent->addChild(hints);
@@ -88,7 +84,7 @@ struct AddShape {
   }
   void operator()(const geometric::Mesh& mesh) const {
     if (mesh.triangles && !mesh.triangles->empty()) {
-      add_mesh(parent, *mesh.triangles);
+      add_mesh(parent, *shaded(mesh.triangles));
     }
   }
 };

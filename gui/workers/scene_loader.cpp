@@ -1,6 +1,7 @@
 #include "workers/scene_loader.h"
 
 #include "start/new_scene.h"
+#include "view3d/shaded_meshes.h"
 
 #include <exception>
 #include <functional>
@@ -36,6 +37,7 @@ void SceneLoader::run(std::function<planning::LoadedScene()> read) {
   threads_.run([this, deliver, read = std::move(read)] {
     try {
       const planning::LoadedScene scene = read();
+      shade_meshes(*scene.scene);
       deliver([this, scene] { emit loaded(scene); });
     } catch (const std::exception& error) {
       deliver([this, message = QString::fromUtf8(error.what())] { emit failed(message); });

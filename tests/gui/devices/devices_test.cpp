@@ -6,11 +6,9 @@
 #include "window_test.h"
 
 #include <QCheckBox>
-#include <QFile>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
-#include <QStandardPaths>
 #include <QTabWidget>
 #include <QTextDocument>
 
@@ -25,7 +23,6 @@ constexpr int kPatienceMs = 15000;
 class Devices : public WindowTest {
  protected:
   void SetUp() override {
-    QStandardPaths::setTestModeEnabled(true);
     WindowTest::SetUp();
     if (!IsSkipped()) {
       open(cell().post());
@@ -33,7 +30,6 @@ class Devices : public WindowTest {
       part<QTabWidget>("control_tabs").setCurrentWidget(&panel());
     }
   }
-  void TearDown() override { QStandardPaths::setTestModeEnabled(false); }
 
   [[nodiscard]] gui::DevicesPanel& panel() const { return *window().devices().panel(); }
   [[nodiscard]] MotionDriver& driver() const { return window().devices().driver(); }

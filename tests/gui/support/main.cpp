@@ -1,6 +1,6 @@
 #include "style/theme.h"
+#include "watched_application.h"
 
-#include <QApplication>
 #include <QSettings>
 #include <QTemporaryDir>
 
@@ -12,7 +12,7 @@
 // Without a display there is no application: tests that need one skip.
 int main(int argc, char** argv) {
   ::testing::InitGoogleTest(&argc, argv);
-  std::unique_ptr<QApplication> application;
+  std::unique_ptr<handway::test::WatchedApplication> application;
   const QTemporaryDir settings;
   if (qEnvironmentVariableIsEmpty("HANDWAY_TEST_DATA")) {
     qputenv("XDG_DATA_HOME", settings.path().toUtf8());
@@ -21,7 +21,7 @@ int main(int argc, char** argv) {
   }
   QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
   if (!::testing::GTEST_FLAG(list_tests) && std::getenv("DISPLAY")) {
-    application = std::make_unique<QApplication>(argc, argv);
+    application = std::make_unique<handway::test::WatchedApplication>(argc, argv);
     QApplication::setOrganizationName(QStringLiteral("handway"));
     QApplication::setApplicationName(QStringLiteral("handway-test"));
     handway::gui::apply_theme(*application, handway::gui::Theme::kLight);

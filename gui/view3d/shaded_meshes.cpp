@@ -1,0 +1,71 @@
+#include "view3d/shaded_meshes.h"
+
+#include "handway/geometric/math/units.h"
+
+#include <map>
+#include <mutex>
+
+namespace handway::gui {
+namespace {
+
+constexpr double kCreaseAngle = geometric::radians(35.0);
+
+class Shop {
+ public:
+  std::shared_ptr<const ShadedMesh> find(
+      const std::shared_ptr<const geometric::TriangleMesh>& mesh) {
+    const std::lock_guard lock(mutex_);
+    const auto found = made_.find(mesh);
+    return found == made_.end() ? nullptr : found->second;
+  }
+
+  void keep(const std::shared_ptr<const geometric::TriangleMesh>& mesh,
+            std::shared_ptr<const ShadedMesh> shaded) {
+    const std::lock_guard lock(mutex_);
+    std::erase_if(made_, [](const auto& entry) { return entry.first.expired(); });
+    made_.emplace(mesh, std::move(shaded));
+  }
+
+ private:
+  std::mutex mutex_;
+  std::map<std::weak_ptr<const geometric::TriangleMesh>, std::shared_ptr<const ShadedMesh>,
+           std::owner_less<>>
+      made_;
+};
+
+Shop& shop() {
+  static Shop shop;
+  return shop;
+}
+
+}  // namespace
+
+std::shared_ptr<const ShadedMesh> shaded(
+    const std::shared_ptr<const geometric::TriangleMesh>& mesh) {
+  if (auto known = shop().find(mesh)) {
+    return known;
+  }
+  auto made = std::make_shared<const ShadedMesh>(with_crease_normals(*mesh, kCreaseAngle));
+  shop().keep(mesh, made);
+  return made;
+}
+
+void shade_meshes(const geometric::Scene& scene) {
+  const auto shade = [](const geometric::Shape& shape) {
+    if (const auto* mesh = std::get_if<geometric::Mesh>(&shape); mesh && mesh->triangles) {
+      static_cast<void>(shaded(mesh->triangles));
+    }
+  };
+  for (const geometric::RobotInstance& robot : scene.robots) {
+    for (int link = 0; link < robot.model->link_count(); ++link) {
+      for (const geometric::LinkGeometry& geometry : shown_geometry(robot.model->link(link))) {
+        shade(geometry.shape);
+      }
+    }
+  }
+  for (const geometric::SceneObject& object : scene.objects) {
+    shade(object.shape);
+  }
+}
+
+}  // namespace handway::gui

@@ -1,0 +1,195 @@
+/// A person's way through the whole window, on real robots and scenes. Each step leaves a picture
+/// in the build folder, and none keeps the window from answering.
+#include "editing/scene_editing.h"
+#include "export/export_dialog.h"
+#include "handway/geometric/io/scene_writer.h"
+#include "handway/planning/core/plugin.h"
+#include "watched_application.h"
+#include "window_test.h"
+
+#include <QDir>
+#include <QPushButton>
+#include <QSignalSpy>
+
+#include <fstream>
+
+namespace handway::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr int kPatienceMs = 60000;
+// 50 ms are wanted; a busy machine's shared caches may make three times that of it.
+constexpr double kLongestStallMs = 150.0;
+
+class Story : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    HANDWAY_NEED_DISPLAY();
+    auto extensions = std::make_shared<planning::Extensions>();
+    extensions->load_plugins(planning::plugin_directory());
+    window_ = std::make_unique<gui::MainWindow>(extensions);
+    window_->resize(1440, 900);
+    window_->show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get()));
+    WatchedApplication::forget();
+  }
+  void TearDown() override {
+    if (window_) {
+      const Stall& stall = WatchedApplication::longest();
+      RecordProperty("longest_stall_ms", std::to_string(stall.ms));
+      RecordProperty("longest_stall", stall.event.toStdString());
+      EXPECT_LT(stall.ms, kLongestStallMs) << stall.event.toStdString();
+    }
+  }
+
+  [[nodiscard]] gui::MainWindow& window() const { return *window_; }
+  [[nodiscard]] gui::SceneEditor& editor() const { return window_->editing().editor(); }
+  [[nodiscard]] const geometric::Scene& scene() const { return *window_->document().scene(); }
+
+  template <typename Condition>
+  [[nodiscard]] bool wait_for(Condition condition) const {
+    return QTest::qWaitFor(condition, kPatienceMs);
+  }
+  void open(const std::filesystem::path& file) const {
+    QSignalSpy ready(window_.get(), &gui::MainWindow::ready);
+    QSignalSpy failed(window_.get(), &gui::MainWindow::failed);
+    window_->open(QString::fromStdString(file.string()));
+    ASSERT_TRUE(wait_for([&] { return !ready.isEmpty() || !failed.isEmpty(); }));
+  }
+  void trigger(const char* menu_text) const {
+    for (QAction* action : window_->findChildren<QAction*>()) {
+      if (action->text().remove(QLatin1Char('&')) == QString::fromUtf8(menu_text)) {
+        ASSERT_TRUE(action->isEnabled()) << menu_text;
+        action->trigger();
+        return;
+      }
+    }
+    FAIL() << "no command called " << menu_text;
+  }
+  [[nodiscard]] bool plan() const {
+    QSignalSpy ended(&window_->session(), &gui::PlanningSession::ended);
+    trigger("Plan");
+    return wait_for([&] { return !ended.isEmpty(); }) && ended.front().front().toBool();
+  }
+  /// Lets the window come to rest, and keeps how it looks.
+  void picture(const QString& name) const {
+    QTest::qWait(150);
+    const WatchedApplication::LooksAway taking_it_is_no_step_of_a_person;
+    QDir().mkpath(QStringLiteral(HANDWAY_PICTURES));
+    EXPECT_TRUE(window_->grab().save(
+        QDir(QStringLiteral(HANDWAY_PICTURES)).filePath(name + QStringLiteral(".png"))));
+  }
+
+  /// The scene as a file would have it.
+  [[nodiscard]] std::string written() const {
+    const std::filesystem::path file = folder_.path() / "scene.yaml";
+    geometric::write_scene(scene(), file);
+    std::ifstream in(file);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+
+  ScratchFolder folder_;
+  std::unique_ptr<gui::MainWindow> window_;
+};
+
+TEST_F(Story, FromANewSceneToAnExportedPathAndBack) {
+  picture("new_1_start_page");
+  QSignalSpy ready(window_.get(), &gui::MainWindow::ready);
+  window().create("tx90_sah");
+  ASSERT_TRUE(wait_for([&] { return !ready.isEmpty(); }));
+  const std::string empty = written();
+  picture("new_2_robot");
+
+  editor().add("table", geometric::Box{{0.6, 0.8, 0.04}}, {0.75F, 0.58F, 0.40F, 1.0F},
+               {0.75, 0.0, 0.36});
+  editor().add("can", geometric::Cylinder{0.033, 0.122}, {0.80F, 0.16F, 0.14F, 1.0F},
+               {0.75, 0.12, 0.60});
+  editor().drop();
+  picture("new_3_table_and_can");
+
+  const auto set_joint = [&](int joint, double value) {
+    geometric::Configuration q = window().document().configuration();
+    q[joint] = value;
+    window().document().set_configuration(q);
+  };
+  set_joint(1, 0.4);
+  set_joint(2, 1.6);
+  trigger("Set start here");
+  set_joint(0, 0.9);
+  trigger("Set goal here");
+  picture("new_4_start_and_goal");
+
+  ASSERT_TRUE(plan());
+  picture("new_5_path");
+  window().player().play();
+  QTest::qWait(600);
+  window().player().pause();
+  EXPECT_GT(window().player().fraction(), 0.0);
+  picture("new_6_playing");
+
+  trigger("Export the path…");
+  auto* dialog = window().findChild<gui::ExportDialog*>();
+  ASSERT_TRUE(dialog);
+  dialog->set_folder(QString::fromStdString((folder_.path() / "out").string()));
+  auto* now = dialog->findChild<QPushButton*>(QStringLiteral("export_now"));
+  ASSERT_TRUE(wait_for([&] { return now->isEnabled(); }));
+  picture("new_7_export");
+  QSignalSpy exported(dialog, &gui::ExportDialog::exported);
+  now->click();
+  ASSERT_TRUE(wait_for([&] { return !exported.isEmpty(); }));
+  EXPECT_FALSE(std::filesystem::is_empty(folder_.path() / "out"));
+
+  while (editor().undo_stack().canUndo()) {
+    editor().undo_stack().undo();
+  }
+  EXPECT_EQ(written(), empty);
+  picture("new_8_undone");
+}
+
+TEST_F(Story, OpensEverySceneThatIsShippedAndPlans) {
+  for (const auto& entry : std::filesystem::directory_iterator(source_dir() / "scenes")) {
+    open(entry.path());
+    ASSERT_EQ(window().message(), QString()) << entry.path();
+    EXPECT_TRUE(plan()) << entry.path();
+    window().player().seek(0.5);
+    picture("open_" + QString::fromStdString(entry.path().stem().string()));
+  }
+}
+
+TEST_F(Story, OpensThePublishedProblems) {
+  HANDWAY_NEED_REFERENCE(reference);
+  for (const char* name : {"_TwoCanb_new", "_CanBox_new", "_ShelfCan2_new", "-shelfT2_new"}) {
+    open(reference / "auro" / (std::string("TX90_RHand_ICRA10_5PMD") + name + ".xml"));
+    ASSERT_EQ(window().message(), QString()) << name;
+    picture(QStringLiteral("published") + QLatin1String(name));
+  }
+}
+
+TEST_F(Story, SaysWhatIsWrongWithAFileAndKeepsTheScene) {
+  open(source_dir() / "scenes" / "can_on_table.yaml");
+  const std::filesystem::path broken = folder_.path() / "broken.yaml";
+  std::ofstream(broken) << "handway: 1\nname: Broken\nrobots:\n  - model: tx90_sah\nobject: []\n";
+  open(broken);
+  EXPECT_THAT(window().message().toStdString(), HasSubstr("broken.yaml:5"));
+  EXPECT_EQ(scene().name, "Can on a table");
+  picture("broken_file");
+}
+
+TEST_F(Story, CancelsAHardPlan) {
+  HANDWAY_NEED_REFERENCE(reference);
+  open(reference / "auro" / "TX90_RHand_ICRA10_5PMD-shelfT2_new.xml");
+  window().plan_panel().choose_planner("full-prm");
+  QSignalSpy ended(&window().session(), &gui::PlanningSession::ended);
+  trigger("Plan");
+  QTest::qWait(1000);
+  picture("cancel_1_planning");
+  trigger("Cancel");
+  ASSERT_TRUE(wait_for([&] { return !ended.isEmpty(); }));
+  EXPECT_FALSE(ended.front().front().toBool());
+  picture("cancel_2_cancelled");
+  window().plan_panel().choose_planner("pmd-auto");
+}
+
+}  // namespace
+}  // namespace handway::test

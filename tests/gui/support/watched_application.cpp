@@ -1,0 +1,41 @@
+#include "watched_application.h"
+
+#include <QEvent>
+#include <QMetaEnum>
+
+#include <ctime>
+
+namespace handway::test {
+namespace {
+
+double thread_ms() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
+}
+
+}  // namespace
+
+bool WatchedApplication::notify(QObject* receiver, QEvent* event) {
+  // How long pictures take is up to the graphics card.
+  const bool paints = event->type() == QEvent::UpdateRequest || event->type() == QEvent::Paint;
+  if (depth_ > 0 || paints) {
+    return QApplication::notify(receiver, event);
+  }
+  // Both may be gone afterwards.
+  const QString name =
+      QStringLiteral("%1 at %2")
+          .arg(QLatin1String(QMetaEnum::fromType<QEvent::Type>().valueToKey(event->type())),
+               QLatin1String(receiver->metaObject()->className()));
+  ++depth_;
+  const double begin = thread_ms();
+  const bool taken = QApplication::notify(receiver, event);
+  const double ms = thread_ms() - begin;
+  --depth_;
+  if (ms > longest_.ms) {
+    longest_ = {ms, name};
+  }
+  return taken;
+}
+
+}  // namespace handway::test

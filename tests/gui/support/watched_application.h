@@ -1,0 +1,41 @@
+#pragma once
+
+#include <QApplication>
+#include <QString>
+
+namespace handway::test {
+
+/// How long the GUI thread was busy.
+struct Stall {
+  double ms = 0.0;
+  QString event;  ///< "Resize at SceneView"
+};
+
+/// Measures how long the GUI thread is busy with one event, with all that follows from it before
+/// the next, but for painting. Processor time counts and not the clock's, so that other programs
+/// matter little.
+class WatchedApplication : public QApplication {
+ public:
+  using QApplication::QApplication;
+
+  /// The longest since forget().
+  [[nodiscard]] static const Stall& longest() { return longest_; }
+  static void forget() { longest_ = {}; }
+
+  /// While one lives nothing counts.
+  class LooksAway {
+   public:
+    LooksAway() { ++depth_; }
+    ~LooksAway() { --depth_; }
+    LooksAway(const LooksAway&) = delete;
+    LooksAway& operator=(const LooksAway&) = delete;
+  };
+
+  bool notify(QObject* receiver, QEvent* event) override;
+
+ private:
+  inline static Stall longest_;
+  inline static int depth_ = 0;
+};
+
+}  // namespace handway::test
