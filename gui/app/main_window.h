@@ -22,6 +22,7 @@ class CommandPalette;
 class DeviceSession;
 class FileCommands;
 class GlovePanel;
+class PalmTool;
 class PlaybackBar;
 class Posing;
 class QueryCheck;
@@ -111,6 +112,7 @@ class MainWindow : public QMainWindow {
   std::unique_ptr<Recovery> recovery_;
   std::unique_ptr<PlanningSession> session_;
   std::unique_ptr<QueryCheck> query_check_;
+  std::unique_ptr<PalmTool> palm_tool_;
 };
 
 }  // namespace handway::gui

@@ -37,7 +37,9 @@ EditActions::EditActions(QMainWindow& window, QMenu& edit_menu, QMenu& add_menu,
               tr("Keep the object from being changed"));
   local = make("local_axes", tr("&Own axes"), QKeySequence(Qt::Key_L),
                tr("Handles along the object's own axes, not the world's"));
-  for (QAction* action : {hide, lock, local}) {
+  palm = make("palm", tr("Move the &palm"), QKeySequence(Qt::Key_M),
+              tr("Handles on the palm: the arm follows"));
+  for (QAction* action : {hide, lock, local, palm}) {
     action->setCheckable(true);
   }
   edit_menu.addActions({undo, redo});
@@ -46,7 +48,7 @@ EditActions::EditActions(QMainWindow& window, QMenu& edit_menu, QMenu& add_menu,
   edit_menu.addSeparator();
   edit_menu.addActions({drop, hide, lock});
   edit_menu.addSeparator();
-  edit_menu.addAction(local);
+  edit_menu.addActions({palm, local});
   fill_add_menu(add_menu);
   bar.addActions({undo, redo});
   add_button_->setObjectName(QStringLiteral("add_object"));
@@ -56,7 +58,7 @@ EditActions::EditActions(QMainWindow& window, QMenu& edit_menu, QMenu& add_menu,
   add_button_->setPopupMode(QToolButton::InstantPopup);
   add_button_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   bar.addWidget(add_button_);
-  bar.addActions({duplicate, remove, drop, local});
+  bar.addActions({duplicate, remove, drop, palm, local});
 
   connect(rename, &QAction::triggered, this, [this] { emit rename_requested(); });
   connect(duplicate, &QAction::triggered, &editor_, &SceneEditor::duplicate);
@@ -66,6 +68,9 @@ EditActions::EditActions(QMainWindow& window, QMenu& edit_menu, QMenu& add_menu,
           [this](bool on) { editor_.set_hidden(editor_.selection().name, on); });
   connect(lock, &QAction::triggered, this,
           [this](bool on) { editor_.set_locked(editor_.selection().name, on); });
+  connect(palm, &QAction::triggered, this, [this](bool on) {
+    editor_.select(on ? SceneItem{SceneItem::Kind::kPalm, "", ""} : SceneItem{});
+  });
   refresh_icons();
   update_enabled();
 }
@@ -142,6 +147,8 @@ void EditActions::update_enabled() {
   drop->setEnabled(can_change && !object->attachment);
   hide->setEnabled(object);
   lock->setEnabled(object);
+  palm->setEnabled(editor_.document().robot() != nullptr);
+  palm->setChecked(editor_.selection().kind == SceneItem::Kind::kPalm);
   hide->setChecked(object && editor_.state().hidden.contains(object->name));
   lock->setChecked(object && !can_change);
 }

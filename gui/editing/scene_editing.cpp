@@ -88,7 +88,8 @@ void SceneEditing::show_edit(const SceneState& /*before*/) {
 }
 
 void SceneEditing::update_gizmo() {
-  const bool movable = editor_.can_change() || editor_.selection().kind == SceneItem::Kind::kRobot;
+  const bool movable = editor_.can_change() || editor_.selection().is_posture() ||
+                       editor_.selection().kind == SceneItem::Kind::kRobot;
   const bool hidden =
       editor_.selected_object() && editor_.state().hidden.contains(editor_.selected_object()->name);
   view_.set_gizmo(editor_.selection(), movable && !hidden ? editor_.selected_pose() : std::nullopt);

@@ -109,7 +109,27 @@ std::optional<Pose> SceneEditor::selected_pose() const {
       return robot->X_WB;
     }
   }
+  if (const auto q = posture(selection_)) {
+    const geometric::RobotInstance& robot = *document_.robot();
+    return link_pose(*state().scene, *q, robot.name, robot.model->link(document_.palm()).name);
+  }
   return std::nullopt;
+}
+
+std::optional<geometric::Configuration> SceneEditor::posture(const SceneItem& item) const {
+  if (!document_.robot()) {
+    return std::nullopt;
+  }
+  switch (item.kind) {
+    case Kind::kPalm:
+      return document_.configuration();
+    case Kind::kStart:
+      return state().scene->start;
+    case Kind::kGoal:
+      return state().scene->goal;
+    default:
+      return std::nullopt;
+  }
 }
 
 void SceneEditor::add(const std::string& name, const geometric::Shape& shape,
@@ -173,6 +193,10 @@ void SceneEditor::change_selected(const QString& text, const std::string& what,
 }
 
 void SceneEditor::place(const Pose& X_WO) {
+  if (selection_.is_posture()) {
+    emit palm_placed(selection_, X_WO);
+    return;
+  }
   if (selection_.kind == Kind::kRobot) {
     push(tr("Move %1").arg(words(selection_.robot)), with_base(state(), selection_.robot, X_WO),
          selection_, "base " + selection_.robot);

@@ -34,7 +34,7 @@ class SceneEditor : public QObject {
   [[nodiscard]] const geometric::SceneObject* selected_object() const;
   /// Is there a selected object that is not locked?
   [[nodiscard]] bool can_change() const;
-  /// Of the selected object or robot, in the world.
+  /// Of the selected object or robot, or the palm of the selected posture, in the world.
   [[nodiscard]] std::optional<geometric::Pose> selected_pose() const;
 
   /// Adds an object and selects it. @param foot where the middle of its underside goes (world).
@@ -47,7 +47,7 @@ class SceneEditor : public QObject {
   void remove();
   void duplicate();
   void rename(const std::string& name);
-  /// Moves an object or a robot. @param X_WO in the world.
+  /// Moves an object or a robot; of a posture it tells palm_placed(). @param X_WO in the world.
   void place(const geometric::Pose& X_WO);
   /// What place() would make of an object; nothing for anything else.
   [[nodiscard]] std::optional<SceneState> placed(const geometric::Pose& X_WO) const;
@@ -62,11 +62,15 @@ class SceneEditor : public QObject {
               const std::vector<std::string>& touching);
   void detach();
 
+  /// The configuration of a posture; nothing of anything else.
+  [[nodiscard]] std::optional<geometric::Configuration> posture(const SceneItem& item) const;
   void set_start(const geometric::Configuration& q);
   void set_goal(const geometric::Configuration& q);
 
  signals:
   void selection_changed(const handway::gui::SceneItem& item);
+  /// The palm of a posture is to go there.
+  void palm_placed(const handway::gui::SceneItem& item, const handway::geometric::Pose& X_WP);
 
  private:
   class Command;

@@ -1,5 +1,7 @@
 #include "panels/joint_groups.h"
 
+#include "handway/planning/queries/palm_ik.h"
+
 #include <algorithm>
 #include <optional>
 #include <string>
@@ -35,25 +37,7 @@ JointGroups joint_groups(const geometric::RobotModel& model, const sampling::Pmd
 }
 
 int palm_link(const geometric::RobotModel& model, const JointGroups& groups) {
-  if (!groups.hand.empty()) {
-    // The fingers' closest common ancestor.
-    const auto ancestors = [&model](int link) {
-      std::vector<int> chain;
-      for (link = model.parent(link); link >= 0; link = model.parent(link)) {
-        chain.push_back(link);
-      }
-      return chain;
-    };
-    std::vector<int> common = ancestors(model.variable_link(groups.hand.front()));
-    for (const int variable : groups.hand) {
-      const std::vector<int> chain = ancestors(model.variable_link(variable));
-      std::erase_if(common, [&](int link) { return !contains(chain, link); });
-    }
-    if (!common.empty()) {
-      return common.front();
-    }
-  }
-  return groups.arm.empty() ? model.link_count() - 1 : model.variable_link(groups.arm.back());
+  return planning::palm_link(model, groups.arm, groups.hand);
 }
 
 std::vector<std::vector<int>> moving_parts(const geometric::RobotModel& model,

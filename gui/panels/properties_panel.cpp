@@ -152,6 +152,8 @@ void PropertiesPanel::refresh() {
     show_robot(*robot);
   } else if (robot && item.kind == Kind::kLink) {
     show_link(*robot);
+  } else if (const auto X_WP = editor_.selected_pose(); X_WP && item.is_posture()) {
+    show_posture(*X_WP);
   } else {
     show_hint();
   }
@@ -207,6 +209,19 @@ void PropertiesPanel::show_link(const geometric::RobotInstance& robot) {
   pose_title_->setText(tr("Pose (set by the joints)"));
   pose_->show_pose(X_WL.value_or(geometric::Pose::Identity()));
   pose_->set_editable(false);
+}
+
+void PropertiesPanel::show_posture(const geometric::Pose& X_WP) {
+  show_parts(true, true, false);
+  const Kind kind = editor_.selection().kind;
+  name_->setText(kind == Kind::kStart  ? tr("Start")
+                 : kind == Kind::kGoal ? tr("Goal")
+                                       : tr("Robot as shown"));
+  name_->setReadOnly(true);
+  kind_->setText(tr("Posture"));
+  pose_title_->setText(tr("Palm: the arm follows"));
+  pose_->show_pose(X_WP);
+  pose_->set_editable(true);
 }
 
 void PropertiesPanel::show_hint() { show_parts(false, false, false); }

@@ -38,6 +38,7 @@ class PropertiesPanel : public QScrollArea {
   void show_object(const geometric::SceneObject& object);
   void show_robot(const geometric::RobotInstance& robot);
   void show_link(const geometric::RobotInstance& robot);
+  void show_posture(const geometric::Pose& X_WP);
   void show_hint();
   void show_parts(bool header, bool pose, bool shape);
   void list_parents(const geometric::SceneObject& object);

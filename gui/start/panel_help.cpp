@@ -29,7 +29,9 @@ constexpr Help kHelp[] = {
          "<b>3-D view</b><p>Drag to turn, drag with the middle button or with Shift to move, wheel "
          "to zoom, double click to centre.</p><p>A click selects. Arrows move the selected object "
          "along an axis, plates in a plane, rings turn it; Ctrl snaps to 10 mm and 15°, Esc puts "
-         "it back. <b>L</b> switches between the world's axes and its own.</p><p>While a path is "
+         "it back. <b>L</b> switches between the world's axes and its own. <b>M</b> puts handles "
+         "on the palm: the arm follows. So it does from start or goal, if you click on their "
+         "ghosts.</p><p>While a path is "
          "shown it follows what you drag.</p>")},
     {"scene",
      QT_TRANSLATE_NOOP("Help",

@@ -32,6 +32,8 @@ class Ghost {
   void render(SoGLRenderAction& action) const;
   /// As if it could not be seen through.
   void render_opaque(SoGLRenderAction& action) const;
+  /// The drawing with camera and lights. @pre is_visible().
+  [[nodiscard]] SoSeparator* root() const { return root_.get(); }
 
  private:
   std::unique_ptr<RobotNode> robot_;

@@ -18,6 +18,7 @@
 #include <GL/gl.h>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace handway::gui {
@@ -189,6 +190,11 @@ void SceneGraph::show_ghosts(bool start, bool goal) {
   update_ghosts();
 }
 
+void SceneGraph::preview_ghost(bool start, const Configuration& q) {
+  add_ghost(start ? start_ : goal_, q, start ? kStartColor : kGoalColor);
+  update_ghosts();
+}
+
 bool SceneGraph::set_collisions(std::vector<std::string> bodies) {
   colliding_ = std::move(bodies);
   return update_looks();
@@ -334,13 +340,28 @@ std::optional<SceneHit> SceneGraph::pick(const SbVec2s& viewport, const SbVec2s&
   SoRayPickAction action{SbViewportRegion(viewport)};
   action.setPoint(pixel);
   action.setRadius(3.0F);
-  action.apply(passes_->solids.get());
-  const SoPickedPoint* picked = action.getPickedPoint();
-  if (!picked) {
-    return std::nullopt;
+  std::optional<SceneHit> nearest;
+  double least = std::numeric_limits<double>::infinity();
+  const auto look_at = [&](SoNode* root, const auto& item_of_path) {
+    action.apply(root);
+    if (const SoPickedPoint* picked = action.getPickedPoint()) {
+      const SbVec3f& p = picked->getPoint();
+      const Eigen::Vector3d point(p[0], p[1], p[2]);
+      const double distance = (p - passes_->camera->position.getValue()).length();
+      if (distance < least) {
+        least = distance;
+        nearest = SceneHit{item_of_path(*picked->getPath()), point};
+      }
+    }
+  };
+  look_at(passes_->solids.get(), [this](const SoPath& path) { return item_of(path); });
+  for (const auto& [ghost, kind] :
+       {std::pair(&start_, SceneItem::Kind::kStart), std::pair(&goal_, SceneItem::Kind::kGoal)}) {
+    if (ghost->is_visible()) {
+      look_at(ghost->root(), [kind = kind](const SoPath&) { return SceneItem{kind, "", ""}; });
+    }
   }
-  const SbVec3f& p = picked->getPoint();
-  return SceneHit{item_of(*picked->getPath()), {p[0], p[1], p[2]}};
+  return nearest;
 }
 
 SceneItem SceneGraph::item_of(const SoPath& path) const {

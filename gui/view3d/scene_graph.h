@@ -50,6 +50,8 @@ class SceneGraph {
   bool set_collisions(std::vector<std::string> bodies);
   void set_selection(const SceneItem& item);
   void show_ghosts(bool start, bool goal);
+  /// Stands the ghost of start or goal elsewhere, for a while.
+  void preview_ghost(bool start, const geometric::Configuration& q);
   /// @param drawing in the world's frame, m; null: nothing.
   void set_overlay(Overlay overlay, SoNode* drawing);
   void set_overlay_visible(Overlay overlay, bool visible);

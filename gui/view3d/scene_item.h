@@ -8,11 +8,16 @@ namespace handway::gui {
 
 /// Something in a scene that a person can point at.
 struct SceneItem {
-  enum class Kind { kNone, kRobot, kLink, kObject, kStart, kGoal };
+  enum class Kind { kNone, kRobot, kLink, kObject, kStart, kGoal, kPalm };
 
   Kind kind = Kind::kNone;
   std::string robot;  ///< Of kRobot and kLink.
   std::string name;   ///< Of kLink and kObject.
+
+  /// A posture of the first robot, that is moved by its palm: where it is, start or goal.
+  [[nodiscard]] bool is_posture() const {
+    return kind == Kind::kPalm || kind == Kind::kStart || kind == Kind::kGoal;
+  }
 
   friend bool operator==(const SceneItem&, const SceneItem&) = default;
 };

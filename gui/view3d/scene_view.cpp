@@ -147,6 +147,11 @@ void SceneView::show_ghosts(bool start, bool goal) {
   change();
 }
 
+void SceneView::preview_ghost(bool start, const geometric::Configuration& q) {
+  graph_->preview_ghost(start, q);
+  update();
+}
+
 void SceneView::set_path(std::span<const Eigen::Vector3d> points,
                          std::span<const Eigen::Vector3d> waypoints) {
   graph_->set_overlay(Overlay::kPath,

@@ -37,6 +37,15 @@ void WindowTest::click(const char* button) const {
   QTest::mouseClick(&part<QAbstractButton>(button), Qt::LeftButton);
 }
 
+void WindowTest::keep_picture(const char* name) const {
+  const QString folder = qEnvironmentVariable("HANDWAY_PICTURES");
+  if (!folder.isEmpty()) {
+    window_->resize(1440, 900);
+    QTest::qWait(200);
+    EXPECT_TRUE(window_->grab().save(QStringLiteral("%1/%2.png").arg(folder, QLatin1String(name))));
+  }
+}
+
 std::string WindowTest::result() const {
   QTextDocument text;
   text.setHtml(part<QLabel>("result").text());

@@ -39,6 +39,8 @@ class WindowTest : public ::testing::Test {
     return *widget;
   }
   void click(const char* button) const;
+  /// Saves a picture of the window in the folder $HANDWAY_PICTURES, if there is one.
+  void keep_picture(const char* name) const;
   /// What the plan panel says.
   [[nodiscard]] std::string result() const;
 
