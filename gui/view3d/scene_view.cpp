@@ -149,7 +149,7 @@ void SceneView::show_ghosts(bool start, bool goal) {
 
 void SceneView::preview_ghost(bool start, const geometric::Configuration& q) {
   graph_->preview_ghost(start, q);
-  update();
+  change();
 }
 
 void SceneView::set_path(std::span<const Eigen::Vector3d> points,
@@ -178,7 +178,7 @@ void SceneView::set_dots_visible(bool visible) {
 void SceneView::set_contacts(std::span<const Eigen::Vector3d> points) {
   graph_->set_overlay(Overlay::kContacts,
                       points.empty() ? nullptr : make_contacts_node(points).get());
-  update();
+  change();
 }
 
 void SceneView::set_floor_visible(bool visible) {
