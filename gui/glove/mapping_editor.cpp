@@ -1,8 +1,10 @@
 #include "glove/mapping_editor.h"
 
+#include "glove/curve_view.h"
 #include "glove/mapping_comparison.h"
 #include "glove/mapping_wires.h"
 #include "glove/wire_form.h"
+#include "handway/geometric/io/resources.h"
 #include "handway/geometric/math/units.h"
 
 #include <QFileDialog>
@@ -45,6 +47,7 @@ MappingEditor::MappingEditor(GloveSession& session, QWidget* parent)
       session_(session),
       wires_(new MappingWires),
       form_(new WireForm),
+      curve_(new CurveView),
       source_(new QLineEdit),
       comparison_(new QLabel) {
   source_->setObjectName(QStringLiteral("mapping_source"));
@@ -56,6 +59,7 @@ MappingEditor::MappingEditor(GloveSession& session, QWidget* parent)
   inner->setContentsMargins(12, 4, 12, 8);
   inner->setSpacing(8);
   inner->addWidget(form_);
+  inner->addWidget(curve_);
   auto* source_row = new QHBoxLayout;
   source_row->setSpacing(8);
   source_row->addWidget(new QLabel(tr("Source")));
@@ -77,11 +81,8 @@ MappingEditor::MappingEditor(GloveSession& session, QWidget* parent)
     wire.fixed.reset();
     change(mapping);
   });
-  connect(form_, &WireForm::edited, this, [this](const device::JointWire& wire) {
-    device::HandMapping mapping = session_.mapping();
-    mapping.wires[static_cast<std::size_t>(wires_->selected())] = wire;
-    change(mapping);
-  });
+  connect(form_, &WireForm::edited, this, &MappingEditor::change_wire);
+  connect(curve_, &CurveView::edited, this, &MappingEditor::change_wire);
   connect(source_, &QLineEdit::editingFinished, this, [this] {
     device::HandMapping mapping = session_.mapping();
     if (source_->isModified()) {
@@ -109,6 +110,15 @@ QWidget* MappingEditor::build_buttons() {
   auto* others = new QMenu(compare);
   others->addAction(tr("With Table 1 of the paper"), this,
                     [this] { compare_with(device::table1_mapping(), tr("Table 1")); });
+  others->addAction(tr("With sensor d for the thumb's second joint"), this, [this] {
+    try {
+      compare_with(
+          device::read_mapping(geometric::resource_dir() / "mappings" / "table1_d_sah.yaml"),
+          tr("sensor d"));
+    } catch (const std::exception& error) {
+      emit failed(QString::fromUtf8(error.what()));
+    }
+  });
   others->addAction(tr("With a file…"), this, &MappingEditor::choose_to_compare);
   compare->setMenu(others);
   compare->setToolTip(tr("What both mappings make of the motion since connecting"));
@@ -135,6 +145,11 @@ void MappingEditor::show_samples(const std::vector<GloveSample>& samples) {
   }
   if (session_.mapper() && isVisible()) {
     wires_->show_sample(samples.back(), *session_.mapper());
+    const device::JointWire& wire =
+        session_.mapping().wires[static_cast<std::size_t>(wires_->selected())];
+    if (wire.sensor >= 0) {
+      curve_->show_sensor(samples.back().angles.angles.at(static_cast<std::size_t>(wire.sensor)));
+    }
   }
 }
 
@@ -162,6 +177,22 @@ void MappingEditor::change(const device::HandMapping& mapping) {
   }
 }
 
+void MappingEditor::change_wire(const device::JointWire& wire) {
+  device::HandMapping mapping = session_.mapping();
+  mapping.wires[static_cast<std::size_t>(wires_->selected())] = wire;
+  change(mapping);
+}
+
+void MappingEditor::show_wire(const device::JointWire& wire) {
+  form_->set_wire(wire);
+  const auto variable = model_ ? model_->find_variable(wire.joint) : std::nullopt;
+  curve_->setVisible(variable && wire.sensor >= 0);
+  if (variable) {
+    const geometric::JointLimits& limits = model_->variable(*variable).limits;
+    curve_->set_wire(wire, limits.lower, limits.upper);
+  }
+}
+
 void MappingEditor::refresh() {
   const device::HandMapping& mapping = session_.mapping();
   wires_->set_mapping(mapping);
@@ -169,7 +200,7 @@ void MappingEditor::refresh() {
   source_->setCursorPosition(0);
   form_->setEnabled(!mapping.wires.empty());
   if (!mapping.wires.empty()) {
-    form_->set_wire(mapping.wires[static_cast<std::size_t>(wires_->selected())]);
+    show_wire(mapping.wires[static_cast<std::size_t>(wires_->selected())]);
   }
 }
 

@@ -15,6 +15,7 @@ class QPushButton;
 
 namespace handway::gui {
 
+class CurveView;
 class MappingWires;
 class WireForm;
 
@@ -44,6 +45,8 @@ class MappingEditor : public QWidget {
  private:
   QWidget* build_buttons();
   void change(const device::HandMapping& mapping);
+  void change_wire(const device::JointWire& wire);
+  void show_wire(const device::JointWire& wire);
   void refresh();
   void choose_to_open();
   void choose_to_save();
@@ -56,6 +59,7 @@ class MappingEditor : public QWidget {
   int stride_ = 0;
   MappingWires* wires_;
   WireForm* form_;
+  CurveView* curve_;
   QLineEdit* source_;
   QLabel* comparison_;
 };

@@ -1,9 +1,12 @@
 #include "glove/mapping_editor.h"
 
+#include "glove/curve_view.h"
 #include "glove/mapping_comparison.h"
 #include "glove/mapping_wires.h"
 #include "glove/wire_form.h"
 #include "handway/device/glove/glove_layout.h"
+#include "handway/geometric/io/resources.h"
+#include "handway/geometric/io/robot_loader.h"
 #include "handway/geometric/math/units.h"
 #include "pressed_mouse.h"
 #include "window_test.h"
@@ -91,6 +94,35 @@ TEST_F(MappingEditor, TakesACurveInPlaceOfGainAndOffset) {
   ASSERT_EQ(wire.curve.size(), 3U);
   EXPECT_NEAR(wire.curve[1].angle, 45.0 * geometric::kDegree, 1e-12);
   EXPECT_NEAR(wire.curve[2].joint, -75.0 * geometric::kDegree, 1e-12);
+}
+
+TEST_F(MappingEditor, DrawsACurveWithTheMouse) {
+  editor_->set_hand(
+      geometric::load_robot(geometric::find_resource(geometric::ResourceKind::kRobot, "sah_right",
+                                                     std::filesystem::current_path(), "")),
+      {});
+  drag("h", 6);
+  auto* view = editor_->findChild<gui::CurveView*>();
+  ASSERT_TRUE(view);
+  const auto at = [&](double sensor, double joint) {
+    return view->place_of(sensor * geometric::kDegree, joint * geometric::kDegree).toPoint();
+  };
+  const auto curve = [&] { return session_->mapping().wires[6].curve; };
+  QTest::mousePress(view, Qt::LeftButton, {}, at(40, -30));
+  ASSERT_EQ(curve().size(), 3U) << "both ends of the straight wire, and the point";
+  move_pressed_mouse(*view, at(60, -20));
+  QTest::mouseRelease(view, Qt::LeftButton, {}, at(60, -20));
+  ASSERT_EQ(curve().size(), 3U);
+  EXPECT_NEAR(curve()[1].angle, 60.0 * geometric::kDegree, 1.5 * geometric::kDegree);
+  EXPECT_NEAR(curve()[1].joint, -20.0 * geometric::kDegree, 1.5 * geometric::kDegree);
+  const ScratchFolder folder;
+  editor_->save(folder.path() / "curve.yaml");
+  EXPECT_EQ(device::read_mapping(folder.path() / "curve.yaml").wires[6].curve.size(), 3U);
+  QTest::mouseClick(view, Qt::RightButton, {}, at(60, -20));
+  ASSERT_EQ(curve().size(), 2U);
+  QTest::mouseClick(view, Qt::RightButton, {},
+                    view->place_of(curve()[0].angle, curve()[0].joint).toPoint());
+  EXPECT_TRUE(curve().empty()) << "straight again";
 }
 
 TEST_F(MappingEditor, KeepsTheWireIfANumberIsNone) {
