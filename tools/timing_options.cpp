@@ -32,8 +32,9 @@ void add_timing_options(CLI::App& command, TimingChoice& choice) {
       ->check(CLI::Range(0.05, 1000.0))
       ->capture_default_str();
   command.add_flag("--no-blend", choice.no_blend, "Stop at every waypoint")->excludes(deviation);
+  command.add_flag("--jerk", choice.jerk, "Limit jerk, too");
   command.add_option("--limits", choice.limits,
-                     "Velocity and acceleration limits (joint_limits.yaml)");
+                     "Velocity, acceleration and jerk limits (joint_limits.yaml)");
   command.add_option("--report", choice.report, "Where to write the pre-flight report (JSON)");
 }
 
@@ -56,6 +57,7 @@ planning::TimedPath run_timing(const TimingChoice& choice, const TimingInput& in
   options.period = 1e-3 * choice.period_ms;
   options.blends.deviation = choice.no_blend ? 0.0 : choice.deviation;
   options.blends.arc_clearance = geometric::metres(choice.arc_clearance_mm);
+  options.limit_jerk = choice.jerk;
   options.measured_start = start;
   options.start_tolerance = start_tolerance;
   if (!choice.limits.empty()) {

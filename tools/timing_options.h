@@ -22,6 +22,7 @@ struct TimingChoice {
   double deviation = planning::BlendOptions{}.deviation;
   double arc_clearance_mm = 1.0;
   bool no_blend = false;
+  bool jerk = false;
 };
 
 void add_timing_options(CLI::App& command, TimingChoice& choice);

@@ -43,7 +43,13 @@ struct Corner {
   bool stop = false;
 };
 
-Corner corner_between(const Edge& in, const Edge& out, double deviation) {
+// How far an arc of this shape passes its waypoint, for each unit of the edges that it takes.
+double deviation_by_cut(ArcShape shape, double angle) {
+  // (1 - cos h) / sin h = tan(h / 2); x³ - x⁴/2 is 3/32 in the middle, and |u - t| = 2 sin h.
+  return shape == ArcShape::kCircular ? std::tan(0.25 * angle) : 0.375 * std::sin(0.5 * angle);
+}
+
+Corner corner_between(const Edge& in, const Edge& out, double deviation, ArcShape shape) {
   Corner corner;
   // The angle of two unit vectors, exact for small ones too.
   corner.angle = 2.0 * std::atan2((in.direction - out.direction).norm(),
@@ -52,9 +58,9 @@ Corner corner_between(const Edge& in, const Edge& out, double deviation) {
     return corner;
   }
   const double half = 0.5 * corner.angle;
-  // (1 - cos h) / sin h = tan(h / 2)
-  corner.cut = std::min({0.5 * in.length, 0.5 * out.length, deviation / std::tan(0.5 * half)});
-  corner.deviation = corner.cut * std::tan(0.5 * half);
+  const double rate = deviation_by_cut(shape, corner.angle);
+  corner.cut = std::min({0.5 * in.length, 0.5 * out.length, deviation / rate});
+  corner.deviation = corner.cut * rate;
   const double radius = corner.cut / std::tan(half);
   if (corner.angle > std::numbers::pi - kTurnsBack || radius * corner.angle < kLeastLength) {
     corner.cut = 0.0;
@@ -70,6 +76,10 @@ Configuration PathPiece::position(double s) const {
   if (!is_arc()) {
     return origin + s * tangent;
   }
+  if (is_smooth_arc()) {
+    const double x = s / length;
+    return origin + s * tangent + (length * x * x * x * (1.0 - 0.5 * x)) * turn;
+  }
   const double half = std::sin(0.5 * s / radius);
   return origin + (radius * std::sin(s / radius)) * tangent + (2.0 * radius * half * half) * normal;
 }
@@ -78,6 +88,10 @@ Configuration PathPiece::first_derivative(double s) const {
   if (!is_arc()) {
     return tangent;
   }
+  if (is_smooth_arc()) {
+    const double x = s / length;
+    return tangent + (x * x * (3.0 - 2.0 * x)) * turn;
+  }
   return std::cos(s / radius) * tangent + std::sin(s / radius) * normal;
 }
 
@@ -85,10 +99,31 @@ Configuration PathPiece::second_derivative(double s) const {
   if (!is_arc()) {
     return Configuration::Zero(tangent.size());
   }
+  if (is_smooth_arc()) {
+    const double x = s / length;
+    return (6.0 * x * (1.0 - x) / length) * turn;
+  }
   return (std::cos(s / radius) * normal - std::sin(s / radius) * tangent) / radius;
 }
 
-BlendedPath::BlendedPath(const Path& path, const std::vector<double>& deviations)
+Configuration PathPiece::third_derivative(double s) const {
+  if (!is_arc()) {
+    return Configuration::Zero(tangent.size());
+  }
+  if (is_smooth_arc()) {
+    return ((6.0 - 12.0 * s / length) / (length * length)) * turn;
+  }
+  return -(std::cos(s / radius) * tangent + std::sin(s / radius) * normal) / (radius * radius);
+}
+
+Configuration PathPiece::fastest() const {
+  if (is_smooth_arc()) {
+    return tangent.cwiseAbs().cwiseMax((tangent + turn).cwiseAbs());
+  }
+  return (tangent.cwiseAbs2() + normal.cwiseAbs2()).cwiseSqrt();
+}
+
+BlendedPath::BlendedPath(const Path& path, const std::vector<double>& deviations, ArcShape shape)
     : polyline_(path), deviations_(path.waypoints.size(), 0.0) {
   if (path.empty() || deviations.size() != path.waypoints.size()) {
     throw std::invalid_argument("a path needs a waypoint, and every waypoint a deviation");
@@ -109,20 +144,30 @@ BlendedPath::BlendedPath(const Path& path, const std::vector<double>& deviations
     const Edge& edge = edges[e];
     const bool last = e + 1 == edges.size();
     const Corner corner =
-        last ? Corner{} : corner_between(edge, edges[e + 1], deviations[edge.end]);
+        last ? Corner{} : corner_between(edge, edges[e + 1], deviations[edge.end], shape);
     const double straight = edge.length - begin - corner.cut;
     const Configuration zeros = Configuration::Zero(edge.direction.size());
     if (straight > kLeastLength || corner.stop || last) {
-      add({std::max(straight, 0.0), 0.0, edge.from + begin * edge.direction, edge.direction, zeros,
-           edge.end, corner.stop || last});
+      add({std::max(straight, 0.0),
+           0.0,
+           edge.from + begin * edge.direction,
+           edge.direction,
+           zeros,
+           {},
+           edge.end,
+           corner.stop || last});
     }
     begin = corner.cut;
     if (corner.cut > 0.0) {
       const Configuration& out = edges[e + 1].direction;
       const double radius = corner.cut / std::tan(0.5 * corner.angle);
       const Configuration normal = (out - out.dot(edge.direction) * edge.direction).normalized();
-      add({radius * corner.angle, radius, edge.from + (edge.length - corner.cut) * edge.direction,
-           edge.direction, normal, edge.end, false});
+      const bool smooth = shape == ArcShape::kSmooth;
+      const double length = smooth ? 2.0 * corner.cut : radius * corner.angle;
+      add({length, smooth ? length / corner.angle : radius,
+           edge.from + (edge.length - corner.cut) * edge.direction, edge.direction,
+           smooth ? zeros : normal, smooth ? Configuration(out - edge.direction) : Configuration(),
+           edge.end, false});
       deviations_[edge.end] = corner.deviation;
     }
   }

@@ -69,8 +69,7 @@ class Blends {
   /// Conservative advancement: from a configuration with some clearance the arc is
   /// followed as far as no pair can have come closer than allowed.
   bool is_free(const PathPiece& arc) {
-    const Eigen::VectorXd fastest = (arc.tangent.cwiseAbs2() + arc.normal.cwiseAbs2()).cwiseSqrt();
-    const Eigen::VectorXd rates = motion_->bounds(fastest);
+    const Eigen::VectorXd rates = motion_->bounds(arc.fastest());
     const double rate = rates.size() == 0 ? 0.0 : rates.maxCoeff();
     for (double s = 0.0; s <= arc.length;) {
       const geometric::NamedPair closest =
@@ -113,7 +112,7 @@ BlendResult certified_blends(const PlanningProblem& problem, const Path& path,
   std::vector<double> deviations(path.waypoints.size(), options.deviation);
   std::vector<bool> certain(path.waypoints.size(), false);
   std::vector<bool> smaller(path.waypoints.size(), false);
-  BlendedPath blended(path, deviations);
+  BlendedPath blended(path, deviations, options.shape);
   // An arc depends on its own deviation alone: what is free once stays free.
   for (bool changed = true; changed;) {
     changed = false;
@@ -131,7 +130,7 @@ BlendResult certified_blends(const PlanningProblem& problem, const Path& path,
       changed = true;
     }
     if (changed) {
-      blended = BlendedPath(path, deviations);
+      blended = BlendedPath(path, deviations, options.shape);
     }
   }
   for (const PathPiece& piece : blended.pieces()) {

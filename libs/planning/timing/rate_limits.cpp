@@ -16,6 +16,7 @@ using geometric::YamlElement;
 struct JointRates {
   double velocity = 0.0;
   double acceleration = 0.0;
+  double jerk = 0.0;
 };
 
 using RatesByJoint = std::map<std::string, JointRates, std::less<>>;
@@ -26,14 +27,15 @@ RatesByJoint rates_of(const RobotModel& model) {
   RatesByJoint rates;
   for (int link = 1; link < model.link_count(); ++link) {
     const geometric::JointLimits& limits = model.joint(link).limits;
-    rates[model.joint(link).name] = {known(limits.velocity), known(limits.acceleration)};
+    rates[model.joint(link).name] = {known(limits.velocity), known(limits.acceleration), 0.0};
   }
   return rates;
 }
 
 RateLimits of_variables(const RobotModel& model, const RatesByJoint& rates) {
   const Eigen::Index count = model.variable_count();
-  RateLimits limits{Eigen::VectorXd::Zero(count), Eigen::VectorXd::Zero(count)};
+  RateLimits limits{Eigen::VectorXd::Zero(count), Eigen::VectorXd::Zero(count),
+                    Eigen::VectorXd::Zero(count)};
   const auto narrow = [](double& limit, double other) {
     if (other > 0.0 && (limit == 0.0 || other < limit)) {
       limit = other;
@@ -46,12 +48,15 @@ RateLimits of_variables(const RobotModel& model, const RatesByJoint& rates) {
       const double scale = std::abs(drive.multiplier);
       narrow(limits.velocity[drive.variable], joint.velocity / scale);
       narrow(limits.acceleration[drive.variable], joint.acceleration / scale);
+      narrow(limits.jerk[drive.variable], joint.jerk / scale);
     }
   }
   for (Eigen::Index v = 0; v < count; ++v) {
     limits.velocity[v] = limits.velocity[v] > 0.0 ? limits.velocity[v] : kDefaultVelocity;
     limits.acceleration[v] = limits.acceleration[v] > 0.0 ? limits.acceleration[v]
                                                           : limits.velocity[v] / kDefaultRampTime;
+    limits.jerk[v] =
+        limits.jerk[v] > 0.0 ? limits.jerk[v] : limits.acceleration[v] / kDefaultJerkTime;
   }
   return limits;
 }
@@ -102,6 +107,7 @@ RateLimits read_rate_limits(const RobotModel& model, const std::filesystem::path
     JointRates& taken = found == rates.end() ? other : found->second;
     read(joint, "has_velocity_limits", "max_velocity", taken.velocity);
     read(joint, "has_acceleration_limits", "max_acceleration", taken.acceleration);
+    read(joint, "has_jerk_limits", "max_jerk", taken.jerk);
   }
   return of_variables(model, rates);
 }

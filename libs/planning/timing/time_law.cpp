@@ -22,6 +22,7 @@ struct Cell {
   bool stop_after = false;
   Configuration first[2];
   Configuration second[2];
+  Configuration third;  ///< At the piece's beginning, where that of an arc is largest.
 };
 
 std::vector<Cell> grid(const BlendedPath& path) {
@@ -41,7 +42,8 @@ std::vector<Cell> grid(const BlendedPath& path) {
                        width,
                        piece.ends_in_corner && i + 1 == count,
                        {piece.first_derivative(begin), piece.first_derivative(begin + width)},
-                       {piece.second_derivative(begin), piece.second_derivative(begin + width)}});
+                       {piece.second_derivative(begin), piece.second_derivative(begin + width)},
+                       piece.third_derivative(0.0)});
     }
   }
   return cells;
@@ -81,8 +83,15 @@ Range accelerations(const Cell& cell, const RateLimits& limits, double x, double
   return range;
 }
 
-double fastest(const Configuration& first, const RateLimits& limits) {
+/// Largest speed² where the derivatives are these, for velocity, and for the jerk of the path's own
+/// shape if it is limited. @param third the largest of the piece.
+double fastest(const Configuration& first, const Configuration& third, const RateLimits& limits) {
   double speed = std::numeric_limits<double>::max();
+  for (Eigen::Index j = 0; j < limits.jerk.size(); ++j) {
+    if (third[j] != 0.0) {
+      speed = std::min(speed, std::cbrt(limits.jerk[j] / std::abs(third[j])));
+    }
+  }
   for (Eigen::Index j = 0; j < first.size(); ++j) {
     if (first[j] != 0.0) {
       speed = std::min(speed, limits.velocity[j] / std::abs(first[j]));
@@ -94,7 +103,7 @@ double fastest(const Configuration& first, const RateLimits& limits) {
 /// Largest speed² at the beginning of the cell from which its end is reached with at
 /// most `most`. The speeds that are possible are an interval from 0.
 double controllable(const Cell& cell, const RateLimits& limits, double most) {
-  double high = fastest(cell.first[0], limits);
+  double high = fastest(cell.first[0], cell.third, limits);
   if (!accelerations(cell, limits, high, most).empty()) {
     return high;
   }
@@ -133,6 +142,8 @@ void stretch(std::vector<TimeLaw::Knot>& knots, std::size_t first, double factor
   for (std::size_t k = first; k < knots.size(); ++k) {
     knots[k].time = begin + factor * (knots[k].time - begin);
     knots[k].speed /= factor;
+    knots[k].acceleration /= factor * factor;
+    knots[k].jerk /= factor * factor * factor;
   }
 }
 
@@ -143,7 +154,9 @@ TimeLaw time_optimal(const BlendedPath& path, const RateLimits& limits) {
   std::vector<double> most(cells.size() + 1, 0.0);
   for (std::size_t c = cells.size(); c-- > 0;) {
     const double end =
-        cells[c].stop_after ? 0.0 : std::min(most[c + 1], fastest(cells[c].first[1], limits));
+        cells[c].stop_after
+            ? 0.0
+            : std::min(most[c + 1], fastest(cells[c].first[1], cells[c].third, limits));
     most[c + 1] = end;
     most[c] = controllable(cells[c], limits, end);
   }
@@ -155,16 +168,17 @@ TimeLaw time_optimal(const BlendedPath& path, const RateLimits& limits) {
   for (std::size_t c = 0; c < cells.size(); ++c) {
     const Cell& cell = cells[c];
     if (cell.begin == 0.0) {
-      law.knots.push_back({time, 0.0, std::sqrt(x), cell.piece});
+      law.knots.push_back({time, 0.0, std::sqrt(x), cell.piece, 0.0, 0.0});
     }
     const Range range = accelerations(cell, limits, x, most[c + 1]);
     // Rounding may leave nothing of a range that is a single number.
     const double u = range.empty() ? 0.5 * (range.low + range.high) : range.high;
     const double next = std::clamp(x + 2.0 * cell.width * u, 0.0, most[c + 1]);
     slower = std::max(slower, excess(path.pieces()[cell.piece], cell, limits, x, next));
+    law.knots.back().acceleration = (next - x) / (2.0 * cell.width);
     time += 2.0 * cell.width / (std::sqrt(x) + std::sqrt(next));
     x = next;
-    law.knots.push_back({time, cell.begin + cell.width, std::sqrt(x), cell.piece});
+    law.knots.push_back({time, cell.begin + cell.width, std::sqrt(x), cell.piece, 0.0, 0.0});
     if (cell.stop_after) {
       stretch(law.knots, section, slower);
       time = law.knots.back().time;

@@ -1,6 +1,7 @@
 #include "handway/planning/timing/time_path.h"
 
 #include "handway/geometric/io/input_error.h"
+#include "handway/planning/timing/jerk_limited.h"
 
 #include <fmt/format.h>
 
@@ -40,13 +41,20 @@ TimedPath time_path(const PlanningProblem& problem, const Path& path, const std:
       path,
       {},
       {}};
-  timed.blends = certified_blends(problem, path, options.blends);
+  if (!options.limit_jerk) {
+    timed.motion.limits.jerk.resize(0);
+  }
+  BlendOptions blends = options.blends;
+  blends.shape = options.limit_jerk ? ArcShape::kSmooth : ArcShape::kCircular;
+  timed.blends = certified_blends(problem, path, blends);
   if (!timed.blends.path) {
     return timed;
   }
   const BlendedPath& blended = *timed.blends.path;
   const RateLimits limits = timed.motion.limits.at_speed(options.speed);
-  const TimeLaw law = align_stops(time_optimal(blended, limits), options.period);
+  const TimeLaw law = align_stops(
+      options.limit_jerk ? jerk_limited(blended, limits) : time_optimal(blended, limits),
+      options.period);
   timed.motion.waypoint_times = waypoint_times(blended, law);
   timed.motion.trajectory = sample(blended, law, options.period);
   timed.least_duration = least_duration(path, limits);

@@ -16,11 +16,11 @@ TrajectoryPoint at_rest(double time, const geometric::Configuration& q) {
 }
 
 TrajectoryPoint point_in_cell(const PathPiece& piece, const Knot& a, const Knot& b, double time) {
-  const double width = b.s - a.s;
-  const double acceleration = (b.speed * b.speed - a.speed * a.speed) / (2.0 * width);
   const double t = time - a.time;
-  const double s = std::clamp(a.s + (a.speed + 0.5 * acceleration * t) * t, a.s, b.s);
-  const double speed = std::max(0.0, a.speed + acceleration * t);
+  const double acceleration = a.acceleration + a.jerk * t;
+  const double way = (a.speed + (a.acceleration / 2.0 + a.jerk / 6.0 * t) * t) * t;
+  const double s = std::clamp(a.s + way, a.s, b.s);
+  const double speed = std::max(0.0, a.speed + (a.acceleration + a.jerk / 2.0 * t) * t);
   const Eigen::VectorXd first = piece.first_derivative(s);
   return {time, piece.position(s), speed * first,
           acceleration * first + speed * speed * piece.second_derivative(s)};

@@ -123,6 +123,10 @@ class Check {
                  limits_.velocity[v]);
       check_rate("acceleration", v, point.time, (point.velocity[v] - before.velocity[v]) / step,
                  limits_.acceleration[v]);
+      if (limits_.jerk.size() > 0) {
+        check_rate("jerk", v, point.time, (point.acceleration[v] - before.acceleration[v]) / step,
+                   limits_.jerk[v]);
+      }
     }
   }
 

@@ -115,6 +115,23 @@ TEST(TimePath, SaysWhichPathIsNotFree) {
   EXPECT_TRUE(timed.motion.trajectory.empty());
 }
 
+TEST(TimePath, KeepsJerkInItsLimitsIfAsked) {
+  const PlanningProblem problem = test::open_problem();
+  const Path path = {{problem.start, test::planar_configuration(0.2, 0.3, 0.1), problem.goal}};
+  TimingOptions options;
+  const TimedPath fast = time_path(problem, path, "fast", options);
+  EXPECT_EQ(fast.motion.limits.jerk.size(), 0);
+  options.limit_jerk = true;
+  const TimedPath smooth = time_path(problem, path, "smooth", options);
+  ASSERT_TRUE(smooth.cleared()) << to_text(smooth.preflight);
+  EXPECT_GT(smooth.preflight.duration, fast.preflight.duration);
+  EXPECT_LT(smooth.preflight.duration, 3.0 * fast.preflight.duration);
+  EXPECT_EQ(smooth.blends.arcs, 1);
+  EXPECT_THAT(check_trajectory(problem.model(), fast.motion.trajectory, smooth.motion.limits),
+              testing::Contains(testing::Field(&TrajectoryFault::text, HasSubstr("jerk"))))
+      << "the fast motion's accelerations jump";
+}
+
 TEST(TimePath, RefusesOptionsOutOfTheirRanges) {
   const PlanningProblem problem = test::open_problem();
   const Path path = {{problem.start, problem.goal}};

@@ -58,12 +58,15 @@ TEST_F(JointLimitsFile, ReplacesWhatItNames) {
   const RateLimits limits = read(
       "joint_limits:\n"
       "  shoulder:\n    has_velocity_limits: true\n    max_velocity: 3\n"
-      "    has_acceleration_limits: true\n    max_acceleration: 7\n"
+      "    has_acceleration_limits: true\n    max_acceleration: 7\n    max_jerk: 50\n"
       "  elbow:\n    has_velocity_limits: false\n    max_velocity: 3\n"
       "  left_tip:\n    max_velocity: 0.1\n"
       "  of_another_robot:\n    max_velocity: 3\n");
   EXPECT_EQ(limits.velocity[variable("shoulder")], 3.0);
   EXPECT_EQ(limits.acceleration[variable("shoulder")], 7.0);
+  EXPECT_EQ(limits.jerk[variable("shoulder")], 50.0);
+  EXPECT_EQ(limits.jerk[variable("elbow")],
+            limits.acceleration[variable("elbow")] / kDefaultJerkTime);
   EXPECT_EQ(limits.velocity[variable("elbow")], kDefaultVelocity);
   EXPECT_EQ(limits.velocity[variable("left")], 0.2) << "its tip turns by half";
 }

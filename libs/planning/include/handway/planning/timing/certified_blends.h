@@ -13,6 +13,7 @@ struct BlendOptions {
   /// Farthest that an arc may pass from its waypoint (rad or m, Euclidean over the joints);
   /// 0: the motion stops at every waypoint.
   double deviation = 0.05;
+  ArcShape shape = ArcShape::kCircular;
   /// An arc keeps at least this from everything (m) …
   double arc_clearance = 1e-3;
   /// … and the straight parts this: what paths are certified to.

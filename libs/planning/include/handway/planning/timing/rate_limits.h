@@ -17,15 +17,19 @@ inline constexpr double kDefaultVelocity = 1.0;
 /// accelerations; four times the velocity is modest for arms of that size.
 inline constexpr double kDefaultRampTime = 0.25;
 
+/// A joint without a jerk limit is taken to reach its acceleration limit in this time, s.
+inline constexpr double kDefaultJerkTime = 0.1;
+
 /// How fast the variables of a robot may change; all values > 0.
 struct RateLimits {
   Eigen::VectorXd velocity;      ///< Shape [variable_count], rad/s or m/s.
   Eigen::VectorXd acceleration;  ///< Shape [variable_count], rad/s² or m/s².
+  Eigen::VectorXd jerk{};        ///< Shape [variable_count], rad/s³ or m/s³; size 0: not limited.
 
   /// Of the same motions at `speed` times their pace: velocities by it, accelerations
-  /// by its square. @pre speed > 0.
+  /// by its square, jerk by its cube. @pre speed > 0.
   [[nodiscard]] RateLimits at_speed(double speed) const {
-    return {velocity * speed, acceleration * (speed * speed)};
+    return {velocity * speed, acceleration * (speed * speed), jerk * (speed * speed * speed)};
   }
 };
 
@@ -40,8 +44,8 @@ struct RateLimits {
 /// The limits of the robot's joints, replaced where `file` has others. The file is
 /// of the form that MoveIt knows: a map `joint_limits` of joints, each with
 /// `has_velocity_limits`, `max_velocity`, `has_acceleration_limits`,
-/// `max_acceleration` (all optional, SI units). Joints of other robots in the file
-/// are left alone.
+/// `max_acceleration`, `has_jerk_limits`, `max_jerk` (all optional, SI units). Joints of other
+/// robots in the file are left alone.
 /// @throws InputError naming line and key.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT RateLimits
 read_rate_limits(const geometric::RobotModel& model, const std::filesystem::path& file);

@@ -9,15 +9,17 @@
 
 namespace handway::planning {
 
-/// When a motion is where on its path: between two knots the speed along the path
-/// changes evenly.
+/// When a motion is where on its path: between two knots the acceleration along the path changes
+/// evenly, or not at all.
 struct TimeLaw {
   struct Knot {
-    double time = 0.0;      ///< s
-    double s = 0.0;         ///< Arc length from the beginning of the piece.
-    double speed = 0.0;     ///< ds/dt ≥ 0; 0 at stops.
-    std::size_t piece = 0;  ///< Of the cell that begins here; where a piece ends, a second knot
-                            ///< at the same time begins the next.
+    double time = 0.0;          ///< s
+    double s = 0.0;             ///< Arc length from the beginning of the piece.
+    double speed = 0.0;         ///< ds/dt ≥ 0; 0 at stops.
+    std::size_t piece = 0;      ///< Of the cell that begins here; where a piece ends, a second knot
+                                ///< at the same time begins the next.
+    double acceleration = 0.0;  ///< d²s/dt² from here on.
+    double jerk = 0.0;          ///< d³s/dt³ up to the next knot.
   };
   std::vector<Knot> knots;  ///< Empty for a path without length.
 
@@ -25,7 +27,8 @@ struct TimeLaw {
 };
 
 /// The fastest way along `path` that keeps the limits, from rest to rest, stopping at
-/// corners that have no arc. Jerk is not limited: accelerations jump.
+/// corners that have no arc. Jerk is not limited: accelerations jump; see jerk_limited().
+/// Where limits.jerk is given speeds on arcs are so low that their shape alone does not exceed it.
 ///
 /// Source: Pham, Pham, "A new approach to time-optimal path parameterization based on
 /// reachability analysis", IEEE Transactions on Robotics 34(3), 2018 (TOPP-RA): from

@@ -13,7 +13,8 @@ namespace handway::planning {
 struct TimingOptions {
   double speed = 1.0;     ///< In (0, 1]: the same motion, this much slower.
   double period = 0.004;  ///< s between points; 4 ms is the cycle of a CS8 controller.
-  BlendOptions blends;
+  BlendOptions blends;    ///< Their shape is of no account: it follows from limit_jerk.
+  bool limit_jerk = false;
   RateLimits limits;              ///< Of size 0: those of the robot.
   Configuration measured_start;   ///< Of size 0: the start is not compared.
   double start_tolerance = 1e-3;  ///< rad or m, of that comparison.
@@ -29,8 +30,8 @@ struct TimedPath {
   [[nodiscard]] bool cleared() const { return blends.path && preflight.cleared(); }
 };
 
-/// From a path to a motion: certified_blends(), time_optimal(), align_stops(), sample(), and
-/// preflight() on what comes out. Neither arcs nor straight parts leave free space.
+/// From a path to a motion: certified_blends(), time_optimal() or jerk_limited(), align_stops(),
+/// sample(), and preflight() on what comes out. Neither arcs nor straight parts leave free space.
 /// @param name of the motion, see Motion::name.
 /// @throws InputError for waypoints that are no configurations of the robot within its limits,
 /// and for options out of their ranges.

@@ -21,8 +21,8 @@ struct TrajectoryFault {
 /// Finds what a controller would choke on: no points, points of another size, numbers
 /// that are not finite, time that does not increase, a first or last point that is
 /// not at rest; joints beyond their limits, coupled ones included; velocities and accelerations
-/// beyond `limits`, as they are written and as they follow from one point to the next.
-/// Of each kind the first for each joint.
+/// beyond `limits`, as they are written and as they follow from one point to the next; jerk, if it
+/// is limited, as it follows from accelerations. Of each kind the first for each joint.
 /// @pre limits are of the model's shape.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<TrajectoryFault> check_trajectory(
     const geometric::RobotModel& model, const Trajectory& trajectory, const RateLimits& limits);
