@@ -1,6 +1,7 @@
 #include "arm_command.h"
 #include "bench_command.h"
 #include "check_command.h"
+#include "compare_command.h"
 #include "exit_codes.h"
 #include "export_command.h"
 #include "glove_command.h"
@@ -37,6 +38,7 @@ int run(int argc, char** argv) {
   add_time_command(app, exit_code);
   add_export_command(app, exit_code);
   add_send_command(app, exit_code);
+  add_compare_command(app, exit_code);
   add_arm_command(app, exit_code);
   add_hand_command(app, exit_code);
   add_ros_command(app, exit_code);

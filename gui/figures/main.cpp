@@ -1,9 +1,11 @@
 /// handway-figures FOLDER: draws the figures of what `handway pca --plots FOLDER` left there.
 /// handway-figures FILE.yaml: draws the film strips of a file that `handway reproduce` wrote,
 /// beside it.
+/// handway-figures FILE.csv: draws the differences of a log that `handway send` wrote, beside it.
 #include "figures/basis_figures.h"
 #include "figures/figure_data.h"
 #include "figures/film_figures.h"
+#include "figures/motion_figures.h"
 
 #include <QApplication>
 #include <QTemporaryDir>
@@ -28,6 +30,11 @@ void draw_film(const std::filesystem::path& file) {
   gui::write_film_figure(gui::read_film_data(file), path);
 }
 
+void draw_motion(const std::filesystem::path& file) {
+  const QString path = QString::fromStdString((file.parent_path() / file.stem()).string());
+  gui::write_motion_figure(handway::execution::read_motion_log(file), path);
+}
+
 void draw_basis(const std::filesystem::path& folder) {
   const gui::FigureData data = gui::read_figure_data(folder);
   const auto path = [&](const char* name) {
@@ -43,7 +50,7 @@ void draw_basis(const std::filesystem::path& folder) {
 
 int main(int argc, char** argv) {
   if (argc != 2) {
-    std::fputs("handway-figures: usage: handway-figures FOLDER | FILE.yaml\n", stderr);
+    std::fputs("handway-figures: usage: handway-figures FOLDER | FILE.yaml | FILE.csv\n", stderr);
     return kWrongUsage;
   }
   if (!has_display()) {
@@ -58,7 +65,11 @@ int main(int argc, char** argv) {
     }
     const QApplication application(argc, argv);
     const std::filesystem::path source = argv[1];
-    (source.extension() == ".yaml" ? draw_film : draw_basis)(source);
+    if (source.extension() == ".csv") {
+      draw_motion(source);
+    } else {
+      (source.extension() == ".yaml" ? draw_film : draw_basis)(source);
+    }
   } catch (const std::exception& error) {
     std::fprintf(stderr, "handway-figures: %s\n", error.what());
     return kInvalidInput;

@@ -83,6 +83,20 @@ TEST_F(Send, RunsAWholePathOnArmAndHand) {
   EXPECT_GT(log_rows().size(), 100.0 * duration) << "100 Hz of the hand, 50 Hz of the arm";
 }
 
+TEST_F(Send, WritesALogThatIsComparedWithThePlan) {
+  emulate({}, {});
+  ASSERT_EQ(line_.run(send("--yes --speed 0.5")).exit_code, 0);
+  const Outcome compared = line_.run("compare log.csv");
+  ASSERT_EQ(compared.exit_code, 0) << compared.err;
+  EXPECT_THAT(compared.out, AllOf(HasSubstr("arm: "), HasSubstr("hand: "), HasSubstr("joint_6"),
+                                  HasSubstr("ring_medial"), HasSubstr("RMS [rad]")));
+  line_.write("broken.csv", "time,device,a,a.measured\n0.1,arm,0.5,x\n");
+  const Outcome broken = line_.run("compare broken.csv");
+  EXPECT_EQ(broken.exit_code, 3);
+  EXPECT_THAT(broken.err, AllOf(HasSubstr("broken.csv:2"), HasSubstr("\"x\"")));
+  EXPECT_EQ(line_.run("compare path.csv").exit_code, 3);
+}
+
 TEST_F(Send, MovesNothingWithoutYes) {
   emulate({}, {});
   const Outcome done = line_.run(send(""));
