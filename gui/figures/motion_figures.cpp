@@ -1,11 +1,13 @@
 #include "figures/motion_figures.h"
 
 #include "plots/figure_file.h"
+#include "plots/plot_style.h"
 #include "plots/time_plot.h"
 
 #include <QColor>
 #include <QSize>
 #include <qwt_plot.h>
+#include <qwt_text.h>
 
 #include <memory>
 
@@ -13,7 +15,8 @@ namespace handway::gui {
 namespace {
 
 constexpr int kColumns = 3;
-constexpr QSize kCell{300, 170};
+constexpr QSize kCell{300, 190};
+constexpr double kTitleSize = 9.0;
 constexpr double kMilli = 1e3;
 constexpr QRgb kBlue = 0x0072b2;
 
@@ -26,7 +29,7 @@ void write_motion_figure(const std::vector<execution::RecordedDevice>& devices,
   for (const execution::RecordedDevice& device : devices) {
     const Eigen::MatrixXd away = kMilli * (device.measured - device.planned);
     for (Eigen::Index j = 0; j < away.cols(); ++j) {
-      const QString& joint = QString::fromStdString(device.joints[static_cast<std::size_t>(j)]);
+      const QString joint = QString::fromStdString(device.joints[static_cast<std::size_t>(j)]);
       auto plot =
           std::make_unique<TimePlot>(QStringLiteral("time [s]"), joint + QStringLiteral(" [mrad]"));
       const Eigen::VectorXd column = away.col(j);
@@ -34,6 +37,9 @@ void write_motion_figure(const std::vector<execution::RecordedDevice>& devices,
                       {column.begin(), column.end()});
       plot->refresh();
       plots.push_back(plot->findChild<QwtPlot*>());
+      QwtText title(joint);
+      title.setFont(plot_font(kTitleSize));
+      plots.back()->setTitle(title);
       owners.push_back(std::move(plot));
     }
   }

@@ -54,6 +54,8 @@ class Reader {
       ++line_;
       read_row(line);
     }
+    // As in the header, not as they happened to speak first.
+    std::ranges::sort(rows_, {}, [](const Rows& rows) { return rows.columns; });
     std::vector<RecordedDevice> devices;
     for (Rows& rows : rows_) {
       devices.push_back(matrices_of(std::move(rows)));
