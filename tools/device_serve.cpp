@@ -50,21 +50,24 @@ device::DeviceEmulatorSettings emulator_settings(const LineFaultOptions& options
   return settings;
 }
 
-int serve_device(device::DeviceEmulatorSettings settings, std::unique_ptr<device::DeviceUnit> unit,
-                 const ServeOptions& options) {
+void wait_until_ended(const std::string& address, const std::optional<double>& duration) {
   using Clock = std::chrono::steady_clock;
-  settings.tcp_port = options.tcp_port;
   std::stop_source stop;
   const StopsOnInterrupt guard(stop);
-  const device::DeviceEmulator emulator(settings, std::move(unit));
-  fmt::print("{}\n", emulator.address());
+  fmt::print("{}\n", address);
   std::fflush(stdout);
   const auto begin = Clock::now();
   while (!stop.stop_requested() &&
-         !(options.duration_s &&
-           Clock::now() - begin > std::chrono::duration<double>(*options.duration_s))) {
+         !(duration && Clock::now() - begin > std::chrono::duration<double>(*duration))) {
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }
+}
+
+int serve_device(device::DeviceEmulatorSettings settings, std::unique_ptr<device::DeviceUnit> unit,
+                 const ServeOptions& options) {
+  settings.tcp_port = options.tcp_port;
+  const device::DeviceEmulator emulator(settings, std::move(unit));
+  wait_until_ended(emulator.address(), options.duration_s);
   fmt::print(stderr, "{} records sent, {} of them lost or damaged\n", emulator.records(),
              emulator.faults());
   return kDone;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 
 namespace CLI {
 class App;
@@ -37,6 +38,9 @@ void add_line_fault_options(CLI::App& command, LineFaultOptions& options);
 /// @param seed of the faults.
 [[nodiscard]] device::DeviceEmulatorSettings emulator_settings(const LineFaultOptions& options,
                                                                std::uint64_t seed);
+
+/// Prints `address`, what to connect to, and waits for Ctrl+C, or the end of the duration (s).
+void wait_until_ended(const std::string& address, const std::optional<double>& duration);
 
 /// Runs an emulated device until Ctrl+C; its first line on standard output is what to connect to.
 /// @returns the exit code.

@@ -1,22 +1,18 @@
 #include "emulated_device.h"
 
+#include "device_serve.h"
 #include "exit_codes.h"
 #include "handway/execution/motion/motion_target.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/planning/core/plugin.h"
-#include "interrupt.h"
 #include "number_options.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <chrono>
-#include <cstdio>
 #include <map>
 #include <random>
-#include <stop_token>
-#include <thread>
 #include <vector>
 
 namespace handway::tools {
@@ -101,17 +97,7 @@ device::InjectedFault chosen_fault(const EmulatedDeviceChoice& choice) {
 }
 
 int serve_device(const std::string& address, const EmulatedDeviceChoice& choice) {
-  using Clock = std::chrono::steady_clock;
-  std::stop_source stop;
-  const StopsOnInterrupt guard(stop);
-  fmt::print("{}\n", address);
-  std::fflush(stdout);
-  const auto begin = Clock::now();
-  while (!stop.stop_requested() &&
-         !(choice.duration_s &&
-           Clock::now() - begin > std::chrono::duration<double>(*choice.duration_s))) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
-  }
+  wait_until_ended(address, choice.duration_s);
   return kDone;
 }
 

@@ -31,7 +31,7 @@ void write_motion_figure(const std::vector<execution::RecordedDevice>& devices,
     for (Eigen::Index j = 0; j < away.cols(); ++j) {
       const QString joint = QString::fromStdString(device.joints[static_cast<std::size_t>(j)]);
       auto plot =
-          std::make_unique<TimePlot>(QStringLiteral("time [s]"), joint + QStringLiteral(" [mrad]"));
+          std::make_unique<TimePlot>(QStringLiteral("time [s]"), QStringLiteral("off [mrad]"));
       const Eigen::VectorXd column = away.col(j);
       plot->set_curve(plot->add_curve(joint, QColor(kBlue)), device.times,
                       {column.begin(), column.end()});

@@ -94,9 +94,9 @@ std::vector<Knot> averaged(const Section& section, double window) {
     times.push_back(times.back() + window);
   }
   std::ranges::sort(times);
-  const auto same =
-      std::ranges::unique(times, [](double a, double b) { return b - a < kSameTime; });
-  times.erase(same.begin(), same.end());
+  times.erase(
+      std::unique(times.begin(), times.end(), [](double a, double b) { return b - a < kSameTime; }),
+      times.end());
   std::vector<Knot> knots;
   for (const double t : times) {
     knots.push_back({t, 0.0, (speeds.way(t) - speeds.way(t - window)) / window, 0,
