@@ -121,6 +121,7 @@ void SceneView::drag_gizmo(const QPoint& position, bool snap) {
   graph_->preview(gizmo_.item(), X_WO);
   overlay_->set_note(gizmo_.amount(), position);
   change();
+  hurry();
   emit dragged(gizmo_.item(), X_WO);
 }
 
@@ -303,7 +304,7 @@ void SceneView::mouseMoveEvent(QMouseEvent* event) {
   } else if (event->buttons() & Qt::RightButton) {
     camera_.zoom(std::exp(3.0 * moved.y() * unit), 0.0, 0.0);
   }
-  update();
+  hurry();
 }
 
 void SceneView::mouseReleaseEvent(QMouseEvent* event) {
@@ -353,7 +354,7 @@ void SceneView::wheelEvent(QWheelEvent* event) {
   const QPointF from_middle = event->position() - QPointF(rect().center());
   camera_.zoom(std::pow(1.0015, -event->angleDelta().y()), from_middle.x() * unit,
                -from_middle.y() * unit);
-  update();
+  hurry();
   event->accept();
 }
 

@@ -1,3 +1,4 @@
+#include "pressed_mouse.h"
 #include "view3d/scene_view.h"
 #include "window_test.h"
 
@@ -77,6 +78,18 @@ TEST_F(FastPictures, ShowContactsAndHiddenGhosts) {
   view().set_collisions({});
   const QImage plain = move({{0.35, 0.0}});
   EXPECT_LT(difference(plain, fine_picture()), kEdges);
+}
+
+TEST_F(FastPictures, TurnWithTheMouse) {
+  const QImage first = fine_picture();
+  const QPoint middle = view().rect().center();
+  QTest::mousePress(&view(), Qt::LeftButton, {}, middle);
+  move_pressed_mouse(view(), middle + QPoint(40, 10));
+  const QImage turned = view().grabFramebuffer();
+  const QImage again = move({{0.1, 0.0}, {0.2, 0.1}});
+  QTest::mouseRelease(&view(), Qt::LeftButton, {}, middle + QPoint(40, 10));
+  EXPECT_GT(difference(first, turned), 2.0 * kEdges);
+  EXPECT_LT(difference(again, fine_picture()), kEdges);
 }
 
 }  // namespace
