@@ -8,6 +8,7 @@
 #include "app/posing.h"
 #include "app/query_check.h"
 #include "app/recent_files.h"
+#include "campaigns/campaigns_panel.h"
 #include "devices/device_session.h"
 #include "devices/devices_panel.h"
 #include "editing/recovery.h"
@@ -55,6 +56,7 @@ MainWindow::MainWindow(std::shared_ptr<planning::Extensions> extensions, QWidget
       tree_(new SceneTree),
       log_(new LogPanel),
       plan_panel_(new PlanPanel(extensions_->planners())),
+      campaigns_(new CampaignsPanel(extensions_)),
       posing_(std::make_unique<Posing>(document_, player_)),
       devices_(std::make_unique<DeviceSession>(document_, player_)),
       collisions_(std::make_unique<CollisionDisplay>(document_, *view_)),
@@ -81,6 +83,7 @@ MainWindow::MainWindow(std::shared_ptr<planning::Extensions> extensions, QWidget
   connect_view();
   connect_planning();
   connect_devices();
+  connect_campaigns();
   show_scene();
   for (const planning::RefusedPlugin& plugin : extensions_->refused()) {
     log_->add(LogPanel::Level::kWarning,
@@ -113,7 +116,8 @@ void MainWindow::build_docks() {
                    {"joints", tr("Joints"), stacked({posing_->postures(), posing_->joints()}, 1)},
                    {"hand", tr("Hand"), posing_->hand()},
                    {"glove", tr("Glove"), posing_->glove()},
-                   {"devices", tr("Devices"), devices_->panel()}}},
+                   {"devices", tr("Devices"), devices_->panel()},
+                   {"campaigns", tr("Campaigns"), campaigns_}}},
       *actions_->view_menu(), *actions_->edit_menu());
   actions_->view_menu()->addAction(actions_->default_layout);
   statusBar()->addWidget(collisions_->label(), 1);

@@ -16,6 +16,7 @@ class QStackedWidget;
 namespace handway::gui {
 
 class Banner;
+class CampaignsPanel;
 class CollisionDisplay;
 class CollisionMonitor;
 class CommandPalette;
@@ -54,6 +55,7 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] SceneView& view() { return *view_; }
   [[nodiscard]] PlanPanel& plan_panel() { return *plan_panel_; }
   [[nodiscard]] GlovePanel& glove_panel();
+  [[nodiscard]] CampaignsPanel& campaigns() { return *campaigns_; }
   [[nodiscard]] DeviceSession& devices() { return *devices_; }
   [[nodiscard]] CollisionMonitor& collisions();
   [[nodiscard]] QueryCheck& query_check() { return *query_check_; }
@@ -80,6 +82,7 @@ class MainWindow : public QMainWindow {
   void connect_view();
   void connect_planning();
   void connect_devices();
+  void connect_campaigns();
   void export_path();
   void show_scene();
   void show_error(const QString& title, const QString& message);
@@ -99,6 +102,7 @@ class MainWindow : public QMainWindow {
   SceneTree* tree_;
   LogPanel* log_;
   PlanPanel* plan_panel_;
+  CampaignsPanel* campaigns_;
   std::unique_ptr<Posing> posing_;
   std::unique_ptr<DeviceSession> devices_;
   std::unique_ptr<CollisionDisplay> collisions_;

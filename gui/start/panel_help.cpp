@@ -70,6 +70,12 @@ constexpr Help kHelp[] = {
                     "path on them. A motion is cleared before: limits, collisions, and where "
                     "the robot stands. Nothing moves unless <i>Let the robot move</i> is "
                     "ticked. <b>STOP</b> (Ctrl+Space) stops all joints.</p>")},
+    {"campaigns",
+     QT_TRANSLATE_NOOP("Help",
+                       "<b>Campaigns</b><p>Carries out a campaign in the background, or opens the "
+                       "runs of one. The curves show which share of runs had found a path after "
+                       "which time. A click on a run opens its scene and plans it again with its "
+                       "parameters and seed.</p>")},
 };
 
 // The panel that a widget is in.

@@ -17,7 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using geometric::Pose;
-using geometric::SceneObject;
 using geometric::Shape;
 using geometric::YamlElement;
 

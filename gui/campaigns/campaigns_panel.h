@@ -1,0 +1,63 @@
+#pragma once
+
+#include "campaigns/campaign_runner.h"
+#include "campaigns/run_table.h"
+
+#include <QTimer>
+#include <QWidget>
+
+#include <memory>
+
+class QComboBox;
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QSortFilterProxyModel;
+class QTableView;
+
+namespace handway::gui {
+
+class EcdfPlot;
+
+/// Runs of campaigns: carried out in the background or read from a run database, in a table
+/// and as distributions of planning time. A run that is clicked is asked to be shown.
+class CampaignsPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit CampaignsPanel(std::shared_ptr<const planning::Extensions> extensions,
+                          QWidget* parent = nullptr);
+
+  /// Reads a run database, or carries out a campaign (.yaml).
+  void open(const QString& file);
+  [[nodiscard]] const CampaignRunner& runner() const { return runner_; }
+
+ signals:
+  void run_chosen(const planning::ArchivedRun& run);
+
+ private:
+  QWidget* make_actions();
+  QWidget* make_table();
+  void choose_file();
+  void begin(const QString& name, int all);
+  void take(const std::vector<planning::ArchivedRun>& runs);
+  void end(const QString& problem);
+  void show_problem();
+  void draw();
+  void show_run(const QModelIndex& index);
+
+  CampaignRunner runner_;
+  RunTable* table_;
+  QSortFilterProxyModel* shown_;
+  QTableView* view_;
+  EcdfPlot* plot_;
+  QPushButton* open_;
+  QPushButton* stop_;
+  QProgressBar* progress_;
+  QLabel* state_;
+  QComboBox* problems_;
+  QString name_;
+  QTimer redraw_;  ///< Many runs, one drawing.
+};
+
+}  // namespace handway::gui
