@@ -1,6 +1,7 @@
 #include "app/main_window.h"
 #include "app/options.h"
 #include "app/snapshot.h"
+#include "campaigns/campaigns_panel.h"
 #include "style/icons.h"
 #include "style/theme.h"
 #include "view3d/scene_view.h"
@@ -50,7 +51,15 @@ int run(QApplication& application, const gui::Options& options) {
   }
   window.show();
   QMetaObject::invokeMethod(
-      &window, [&] { window.begin(options); }, Qt::QueuedConnection);
+      &window,
+      [&] {
+        window.begin(options);
+        if (!options.campaign.empty()) {
+          window.campaigns().come_to_front();
+          window.campaigns().open(QString::fromStdString(options.campaign.string()));
+        }
+      },
+      Qt::QueuedConnection);
   return QApplication::exec();
 }
 

@@ -62,6 +62,9 @@ std::optional<Options> parse_options(int argc, char** argv, int& exit_code) {
       ->type_name("DEVICE");
   app.add_option("--glove-page", options.glove_page, "Page of the glove's panel to open")
       ->type_name("NAME");
+  app.add_option(
+      "--campaign", options.campaign,
+      "Carry out this campaign (.yaml), or show the runs of this run database (.sqlite)");
   app.add_option("--tracker", options.tracker,
                  "Lead the arm by this wrist tracker: \"emulator\", fastrak:PORT, liberty:PORT, "
                  "udp:PORT")

@@ -21,11 +21,12 @@ struct Options {
   std::string planner;  ///< Empty: the scene's.
   std::optional<std::uint64_t> seed;
   std::vector<std::pair<std::string, std::string>> settings;
-  std::string glove;        ///< Device to connect to at once; empty: none.
-  std::string glove_page;   ///< Page of the glove's panel to open; empty: the first.
-  double glove_time = 3.0;  ///< To listen to glove and tracker before a screenshot, s.
-  std::string tracker;      ///< Wrist tracker to connect to at once; empty: none.
-  std::string theme;        ///< "light" or "dark"; empty: as last time.
+  std::string glove;               ///< Device to connect to at once; empty: none.
+  std::string glove_page;          ///< Page of the glove's panel to open; empty: the first.
+  double glove_time = 3.0;         ///< To listen to glove and tracker before a screenshot, s.
+  std::string tracker;             ///< Wrist tracker to connect to at once; empty: none.
+  std::filesystem::path campaign;  ///< Campaign or run database to open at once; empty: none.
+  std::string theme;               ///< "light" or "dark"; empty: as last time.
 };
 
 /// Reads the command line. Prints help or what is wrong itself.

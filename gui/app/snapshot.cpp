@@ -1,6 +1,7 @@
 #include "app/snapshot.h"
 
 #include "app/query_check.h"
+#include "campaigns/campaigns_panel.h"
 #include "glove/glove_panel.h"
 #include "tracker/wrist_page.h"
 #include "view3d/scene_view.h"
@@ -56,9 +57,9 @@ void Snapshot::wait_until_settled() {
     }
     return;
   }
-  const bool busy = window_.session().is_running() || window_.collisions().is_busy() ||
-                    window_.player().is_playing() || window_.session().is_replanning() ||
-                    window_.query_check().is_busy() ||
+  const bool busy = window_.session().is_running() || window_.campaigns().runner().is_running() ||
+                    window_.collisions().is_busy() || window_.player().is_playing() ||
+                    window_.session().is_replanning() || window_.query_check().is_busy() ||
                     (window_.document().scene() && window_.view().frame_time_ms() <= 0.0);
   calm_polls_ = busy ? 0 : calm_polls_ + 1;
   if (calm_polls_ >= 3) {

@@ -12,6 +12,7 @@
 #include <QPushButton>
 #include <QSortFilterProxyModel>
 #include <QSplitter>
+#include <QTabWidget>
 #include <QTableView>
 #include <QVBoxLayout>
 
@@ -149,6 +150,18 @@ void CampaignsPanel::open(const QString& file) {
     runner_.read(path);
   } else {
     runner_.run(path);
+  }
+}
+
+void CampaignsPanel::come_to_front() {
+  for (QWidget* part = parentWidget(); part; part = part->parentWidget()) {
+    if (auto* tabs = qobject_cast<QTabWidget*>(part)) {
+      for (int i = 0; i < tabs->count(); ++i) {
+        if (tabs->widget(i) == this || tabs->widget(i)->isAncestorOf(this)) {
+          tabs->setCurrentIndex(i);
+        }
+      }
+    }
   }
 }
 

@@ -30,6 +30,8 @@ class CampaignsPanel : public QWidget {
 
   /// Reads a run database, or carries out a campaign (.yaml).
   void open(const QString& file);
+  /// Chooses the tab that the panel is in.
+  void come_to_front();
   [[nodiscard]] const CampaignRunner& runner() const { return runner_; }
 
  signals:
