@@ -268,21 +268,6 @@ void MainWindow::begin(const Options& options) {
   }
 }
 
-void MainWindow::open(const QString& file) {
-  if (!files_->may_discard()) {
-    return;
-  }
-  options_ = {};
-  document_.open(file.toStdString());
-}
-
-void MainWindow::create(const std::string& robot) {
-  if (files_->may_discard()) {
-    options_ = {};
-    document_.create(robot);
-  }
-}
-
 void MainWindow::show_scene() {
   statusBar()->clearMessage();
   const auto& scene = document_.scene();
