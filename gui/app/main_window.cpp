@@ -3,6 +3,7 @@
 #include "app/collision_display.h"
 #include "app/dock_layout.h"
 #include "app/file_commands.h"
+#include "app/grasp_tool.h"
 #include "app/palm_tool.h"
 #include "app/plan_options.h"
 #include "app/posing.h"
@@ -74,6 +75,7 @@ MainWindow::MainWindow(std::shared_ptr<planning::Extensions> extensions, QWidget
   build_docks();
   session_ = std::make_unique<PlanningSession>(document_, *plan_panel_, player_);
   query_check_ = std::make_unique<QueryCheck>(document_, editing_->editor(), *posing_, *view_);
+  grasp_tool_ = std::make_unique<GraspTool>(document_, *editing_, *session_, *view_);
   palm_tool_ =
       std::make_unique<PalmTool>(document_, editing_->editor(), *posing_, *session_, *view_);
   view_->set_colors(colors_of(current_theme()).view);

@@ -23,6 +23,7 @@ class CommandPalette;
 class DeviceSession;
 class FileCommands;
 class GlovePanel;
+class GraspTool;
 class PalmTool;
 class PlaybackBar;
 class Posing;
@@ -58,6 +59,7 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] CampaignsPanel& campaigns() { return *campaigns_; }
   [[nodiscard]] DeviceSession& devices() { return *devices_; }
   [[nodiscard]] CollisionMonitor& collisions();
+  [[nodiscard]] GraspTool& grasp_tool() { return *grasp_tool_; }
   [[nodiscard]] QueryCheck& query_check() { return *query_check_; }
   /// The message in the window; empty if there is none.
   [[nodiscard]] QString message() const;
@@ -117,6 +119,7 @@ class MainWindow : public QMainWindow {
   std::unique_ptr<PlanningSession> session_;
   std::unique_ptr<QueryCheck> query_check_;
   std::unique_ptr<PalmTool> palm_tool_;
+  std::unique_ptr<GraspTool> grasp_tool_;
 };
 
 }  // namespace handway::gui

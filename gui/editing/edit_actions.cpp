@@ -37,6 +37,8 @@ EditActions::EditActions(QMainWindow& window, QMenu& edit_menu, QMenu& add_menu,
               tr("Keep the object from being changed"));
   local = make("local_axes", tr("&Own axes"), QKeySequence(Qt::Key_L),
                tr("Handles along the object's own axes, not the world's"));
+  grasp = make("posture", tr("&Grasp…"), QKeySequence(QStringLiteral("Ctrl+G")),
+               tr("Choose a way to grasp the object and plan to it"));
   palm = make("palm", tr("Move the &palm"), QKeySequence(Qt::Key_M),
               tr("Handles on the palm: the arm follows"));
   for (QAction* action : {hide, lock, local, palm}) {
@@ -48,7 +50,7 @@ EditActions::EditActions(QMainWindow& window, QMenu& edit_menu, QMenu& add_menu,
   edit_menu.addSeparator();
   edit_menu.addActions({drop, hide, lock});
   edit_menu.addSeparator();
-  edit_menu.addActions({palm, local});
+  edit_menu.addActions({grasp, palm, local});
   fill_add_menu(add_menu);
   bar.addActions({undo, redo});
   add_button_->setObjectName(QStringLiteral("add_object"));
@@ -58,7 +60,7 @@ EditActions::EditActions(QMainWindow& window, QMenu& edit_menu, QMenu& add_menu,
   add_button_->setPopupMode(QToolButton::InstantPopup);
   add_button_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   bar.addWidget(add_button_);
-  bar.addActions({duplicate, remove, drop, palm, local});
+  bar.addActions({duplicate, remove, drop, grasp, palm, local});
 
   connect(rename, &QAction::triggered, this, [this] { emit rename_requested(); });
   connect(duplicate, &QAction::triggered, &editor_, &SceneEditor::duplicate);
@@ -147,6 +149,7 @@ void EditActions::update_enabled() {
   drop->setEnabled(can_change && !object->attachment);
   hide->setEnabled(object);
   lock->setEnabled(object);
+  grasp->setEnabled(object && !object->attachment && editor_.document().robot());
   palm->setEnabled(editor_.document().robot() != nullptr);
   palm->setChecked(editor_.selection().kind == SceneItem::Kind::kPalm);
   hide->setChecked(object && editor_.state().hidden.contains(object->name));

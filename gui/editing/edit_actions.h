@@ -35,6 +35,7 @@ class EditActions : public QObject {
   QAction* drop;
   QAction* hide;
   QAction* lock;
+  QAction* grasp;  ///< Plans to grasp the selected object.
   QAction* palm;   ///< The palm of the robot is selected, to be moved.
   QAction* local;  ///< Handles along the object's own axes.
 

@@ -190,7 +190,7 @@ void SceneGraph::show_ghosts(bool start, bool goal) {
   update_ghosts();
 }
 
-void SceneGraph::preview_ghost(bool start, const Configuration& q) {
+void SceneGraph::preview_ghost(bool start, const std::optional<Configuration>& q) {
   add_ghost(start ? start_ : goal_, q, start ? kStartColor : kGoalColor);
   update_ghosts();
 }

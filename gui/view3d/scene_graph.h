@@ -51,7 +51,7 @@ class SceneGraph {
   void set_selection(const SceneItem& item);
   void show_ghosts(bool start, bool goal);
   /// Stands the ghost of start or goal elsewhere, for a while.
-  void preview_ghost(bool start, const geometric::Configuration& q);
+  void preview_ghost(bool start, const std::optional<geometric::Configuration>& q);
   /// @param drawing in the world's frame, m; null: nothing.
   void set_overlay(Overlay overlay, SoNode* drawing);
   void set_overlay_visible(Overlay overlay, bool visible);

@@ -148,7 +148,7 @@ void SceneView::show_ghosts(bool start, bool goal) {
   change();
 }
 
-void SceneView::preview_ghost(bool start, const geometric::Configuration& q) {
+void SceneView::preview_ghost(bool start, const std::optional<geometric::Configuration>& q) {
   graph_->preview_ghost(start, q);
   change();
 }

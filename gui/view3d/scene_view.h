@@ -50,7 +50,7 @@ class SceneView : public QOpenGLWidget {
   void set_gizmo_local(bool local);
   void show_ghosts(bool start, bool goal);
   /// Stands the ghost of start or goal elsewhere, until the scene changes.
-  void preview_ghost(bool start, const geometric::Configuration& q);
+  void preview_ghost(bool start, const std::optional<geometric::Configuration>& q);
   /// The palm's way (world, m) and where its waypoints are.
   void set_path(std::span<const Eigen::Vector3d> points,
                 std::span<const Eigen::Vector3d> waypoints);

@@ -1,0 +1,77 @@
+#include "handway/planning/grasps/pregrasp_search.h"
+
+#include "handway_test/input_errors.h"
+#include "handway_test/known_problems.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace handway::planning {
+namespace {
+
+class PregraspSearch : public ::testing::Test {
+ protected:
+  static PlanningProblem shipped(const std::string& name) {
+    for (const test::KnownProblem& known : test::known_problems()) {
+      if (known.name == name) {
+        const LoadedScene scene = test::load(known);
+        return make_problem(scene.scene, scene.basis);
+      }
+    }
+    throw std::runtime_error("no scene " + name);
+  }
+};
+
+TEST_F(PregraspSearch, FindsWaysAroundACanThatAreFree) {
+  const PlanningProblem problem = shipped("can_on_table");
+  const std::vector<Pregrasp> grasps = find_pregrasps(problem, "can");
+  ASSERT_GE(grasps.size(), 3U);
+  const auto checker = problem.checker->clone();
+  double last = 1.0;
+  for (const Pregrasp& grasp : grasps) {
+    EXPECT_FALSE(checker->first_collision(grasp.q));
+    EXPECT_TRUE((grasp.q.array() >= problem.model().lower().array()).all());
+    EXPECT_TRUE((grasp.q.array() <= problem.model().upper().array()).all());
+    EXPECT_GE(grasp.fingers, 2);
+    EXPECT_GT(grasp.clearance, 0.0);
+    EXPECT_LE(grasp.score, last) << "the best first";
+    last = grasp.score;
+    double nearest = 1.0;
+    for (const int pair : checker->world().pairs_with("can")) {
+      nearest = std::min(nearest, checker->pair_distance(pair, 1.0));
+    }
+    EXPECT_GE(nearest, PregraspOptions{}.gap - 1e-9);
+    EXPECT_LT(nearest, 0.015) << "closed until near contact";
+  }
+}
+
+TEST_F(PregraspSearch, GivesTheSameForTheSameSeed) {
+  const PlanningProblem problem = shipped("can_on_table");
+  PregraspOptions options;
+  options.samples = 1500;
+  const auto one = find_pregrasps(problem, "can", options);
+  const auto other = find_pregrasps(problem, "can", options);
+  ASSERT_EQ(one.size(), other.size());
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    EXPECT_EQ(one[i].q, other[i].q);
+  }
+}
+
+TEST_F(PregraspSearch, LeavesWhatIsTooLargeAlone) {
+  EXPECT_TRUE(find_pregrasps(shipped("can_on_table"), "table").empty());
+}
+
+TEST_F(PregraspSearch, EndsWhenItIsTold) {
+  std::stop_source stop;
+  stop.request_stop();
+  EXPECT_TRUE(find_pregrasps(shipped("can_on_table"), "can", {}, stop.get_token()).empty());
+}
+
+TEST_F(PregraspSearch, RefusesWhatIsNotThere) {
+  const PlanningProblem problem = shipped("can_on_table");
+  EXPECT_THAT(test::refusal_of([&] { static_cast<void>(find_pregrasps(problem, "cup")); }),
+              ::testing::HasSubstr("cup"));
+}
+
+}  // namespace
+}  // namespace handway::planning
