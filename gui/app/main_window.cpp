@@ -119,7 +119,7 @@ void MainWindow::build_docks() {
                    {"hand", tr("Hand"), posing_->hand()},
                    {"glove", tr("Glove"), posing_->glove()},
                    {"devices", tr("Devices"), devices_->panel()},
-                   {"campaigns", tr("Campaigns"), campaigns_}}},
+                   {"campaigns", tr("Runs"), campaigns_}}},
       *actions_->view_menu(), *actions_->edit_menu());
   actions_->view_menu()->addAction(actions_->default_layout);
   statusBar()->addWidget(collisions_->label(), 1);
