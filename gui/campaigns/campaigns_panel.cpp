@@ -23,6 +23,8 @@
 namespace handway::gui {
 namespace {
 
+constexpr int kPlotWidth = 240;  // at least, px
+
 constexpr int kRedrawInterval = 250;  // ms
 constexpr int kPlotHeight = 300;      // px
 constexpr int kTableHeight = 330;
@@ -63,6 +65,9 @@ CampaignsPanel::CampaignsPanel(std::shared_ptr<const planning::Extensions> exten
       state_(new QLabel(tr("Open a campaign to run it, or a run database to look at it."))),
       problems_(new QComboBox) {
   shown_ = new RunsOfProblem(*table_, *problems_, this);
+  // The panel shares its place with narrower ones.
+  plot_->setMinimumWidth(kPlotWidth);
+  problems_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   auto* parts = new QSplitter(Qt::Vertical);
   parts->addWidget(make_table());
   parts->addWidget(plot_);
