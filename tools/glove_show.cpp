@@ -20,8 +20,8 @@ namespace {
 
 using device::GloveFrame;
 using device::GloveInfo;
-using device::StreamState;
 using device::GloveStream;
+using device::StreamState;
 using std::chrono::milliseconds;
 
 constexpr milliseconds kRefresh{100};

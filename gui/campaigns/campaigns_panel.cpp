@@ -23,7 +23,8 @@
 namespace handway::gui {
 namespace {
 
-constexpr int kPlotWidth = 240;  // at least, px
+constexpr QSize kLeastPlot(240, 140);
+constexpr int kLeastTable = 80;  // px high
 
 constexpr int kRedrawInterval = 250;  // ms
 constexpr int kPlotHeight = 300;      // px
@@ -65,8 +66,9 @@ CampaignsPanel::CampaignsPanel(std::shared_ptr<const planning::Extensions> exten
       state_(new QLabel(tr("Open a campaign to run it, or a run database to look at it."))),
       problems_(new QComboBox) {
   shown_ = new RunsOfProblem(*table_, *problems_, this);
-  // The panel shares its place with narrower ones.
-  plot_->setMinimumWidth(kPlotWidth);
+  // The panel shares its place with smaller ones.
+  plot_->setMinimumSize(kLeastPlot);
+  view_->setMinimumHeight(kLeastTable);
   problems_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   auto* parts = new QSplitter(Qt::Vertical);
   parts->addWidget(make_table());

@@ -82,7 +82,7 @@ ExportDialog::ExportDialog(std::shared_ptr<const planning::Extensions> extension
   connect(&timing_, &TimingRunner::failed, this, &ExportDialog::show_problem);
   connect(&export_, &ExportRunner::prepared, this, [this](const auto& files) {
     preview_->show_files(*files);
-    export_button_->setEnabled(true);
+    export_button_->setEnabled(!settle_.isActive());
   });
   connect(&export_, &ExportRunner::written, this, [this](const QStringList& files) {
     emit exported(files);
@@ -90,6 +90,7 @@ ExportDialog::ExportDialog(std::shared_ptr<const planning::Extensions> extension
   });
   connect(&export_, &ExportRunner::failed, this, &ExportDialog::show_problem);
   formats_->setCurrentRow(0);
+  settle_.stop();
   time_again();
 }
 
@@ -215,7 +216,7 @@ void ExportDialog::time_again() {
 
 void ExportDialog::export_now() {
   if (motion_ && motion_->cleared()) {
-    export_button_->setEnabled(false);
+    setEnabled(false);  // what is written now is what was seen
     export_.write(format(), motion_, folder_->text().toStdString());
   }
 }
@@ -224,6 +225,7 @@ void ExportDialog::show_problem(const QString& message) {
   problem_text_->setText(QStringLiteral("<span style=\"color:%1\">%2</span>")
                              .arg(html(colors_of(current_theme()).bad), message.toHtmlEscaped()));
   problem_text_->show();
+  setEnabled(true);
   export_button_->setEnabled(motion_ && motion_->cleared());
 }
 
