@@ -83,8 +83,9 @@ std::vector<int> Roadmap::nearest(int node, int k, double threshold) const {
       candidates.emplace_back(d, other);
     }
   }
-  std::vector<int> nodes;
   const std::vector<NodeDistance> chosen = nearest_nodes(std::move(candidates), k);
+  std::vector<int> nodes;
+  nodes.reserve(chosen.size());
   for (const auto& [d, other] : chosen) {
     nodes.push_back(other);
   }
