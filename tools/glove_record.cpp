@@ -141,7 +141,7 @@ int record(const RecordOptions& options) {
   handlers.on_state = tell_state;
   std::stop_source stop;
   const StopsOnInterrupt guard(stop);
-  device::GloveStream stream(make_glove(options.device), {}, std::move(handlers));
+  device::GloveStream stream(make_glove(options.device), {}, handlers);
   // The clock runs on while the glove is away: a duration is over when it is over.
   using Clock = std::chrono::steady_clock;
   std::optional<Clock::time_point> first;

@@ -91,7 +91,7 @@ int show_glove(std::unique_ptr<device::Glove> glove, const GloveShowOptions& opt
   };
   std::stop_source stop;
   const StopsOnInterrupt guard(stop);
-  GloveStream stream(std::move(glove), {}, std::move(handlers));
+  GloveStream stream(std::move(glove), {}, handlers);
   bool first = true;
   while (!stop.stop_requested() && !latest.complete() && !stream.wait(kRefresh)) {
     const device::StreamStatistics statistics = stream.statistics();

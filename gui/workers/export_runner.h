@@ -20,7 +20,8 @@ class ExportRunner : public QObject {
  public:
   using Files = std::vector<planning::ExportedFile>;
 
-  ExportRunner(std::shared_ptr<const planning::Extensions> extensions, QObject* parent = nullptr);
+  explicit ExportRunner(std::shared_ptr<const planning::Extensions> extensions,
+                        QObject* parent = nullptr);
   ~ExportRunner() override { blockSignals(true); }
 
   /// Makes the files; prepared() or failed() follows.
