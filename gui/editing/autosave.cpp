@@ -127,7 +127,7 @@ std::vector<LostScene> Autosave::find_lost() const {
   std::vector<LostScene> lost;
   std::error_code ignored;
   for (const fs::directory_entry& entry : fs::directory_iterator(all_, ignored)) {
-    const fs::path folder = entry.path();
+    const fs::path& folder = entry.path();
     if (folder == folder_ || !entry.is_directory() || !make_lock(folder)->tryLock(0)) {
       continue;  // somebody still works there
     }
