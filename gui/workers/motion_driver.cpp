@@ -171,7 +171,7 @@ void MotionDriver::hold(bool held) {
 void MotionDriver::stop() { motion_stop_.request_stop(); }
 
 void MotionDriver::work(const MotionDevices& wanted, const Problem& problem,
-                        geometric::Configuration q, const std::stop_token& stop) {
+                        const geometric::Configuration& q, const std::stop_token& stop) {
   try {
     Devices devices(wanted, *problem, q);
     for (const execution::MotionTarget& target : devices.targets) {

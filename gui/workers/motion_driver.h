@@ -74,7 +74,7 @@ class MotionDriver : public QObject {
   struct Devices;
   class Recorder;
 
-  void work(const MotionDevices& devices, const Problem& problem, geometric::Configuration q,
+  void work(const MotionDevices& devices, const Problem& problem, const geometric::Configuration& q,
             const std::stop_token& stop);
   void serve(Devices& devices, const std::stop_token& stop);
   /// @returns false if a fault ended the motion.
