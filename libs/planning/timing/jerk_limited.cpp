@@ -98,6 +98,7 @@ std::vector<Knot> averaged(const Section& section, double window) {
       std::unique(times.begin(), times.end(), [](double a, double b) { return b - a < kSameTime; }),
       times.end());
   std::vector<Knot> knots;
+  knots.reserve(times.size());
   for (const double t : times) {
     knots.push_back({t, 0.0, (speeds.way(t) - speeds.way(t - window)) / window, 0,
                      (speeds.speed(t) - speeds.speed(t - window)) / window, 0.0});
