@@ -11,22 +11,13 @@ namespace handway::gui {
 ExportRunner::ExportRunner(std::shared_ptr<const planning::Extensions> extensions, QObject* parent)
     : QObject(parent), extensions_(std::move(extensions)) {}
 
-void ExportRunner::run(std::function<std::function<void()>()> job) {
-  threads_.run([this, ticket = ++asked_, job = std::move(job)] {
-    std::function<void()> news;
+void ExportRunner::run(std::function<LatestJob::Answer()> work) {
+  job_.run([this, work = std::move(work)](const std::stop_token& /*stop*/) -> LatestJob::Answer {
     try {
-      news = job();
+      return work();
     } catch (const std::exception& error) {
-      news = [this, message = QString::fromUtf8(error.what())] { emit failed(message); };
+      return [this, message = QString::fromUtf8(error.what())] { emit failed(message); };
     }
-    QMetaObject::invokeMethod(
-        this,
-        [this, ticket, news] {
-          if (ticket == asked_) {
-            news();
-          }
-        },
-        Qt::QueuedConnection);
   });
 }
 

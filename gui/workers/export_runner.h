@@ -2,7 +2,7 @@
 
 #include "handway/planning/core/plugin.h"
 #include "handway/planning/timing/time_path.h"
-#include "workers/background_threads.h"
+#include "workers/latest_job.h"
 
 #include <QObject>
 #include <QString>
@@ -22,7 +22,6 @@ class ExportRunner : public QObject {
 
   explicit ExportRunner(std::shared_ptr<const planning::Extensions> extensions,
                         QObject* parent = nullptr);
-  ~ExportRunner() override { blockSignals(true); }
 
   /// Makes the files; prepared() or failed() follows.
   /// @param format name of an exporter. @pre the motion is cleared().
@@ -31,7 +30,7 @@ class ExportRunner : public QObject {
   void write(const std::string& format, std::shared_ptr<const planning::TimedPath> motion,
              std::filesystem::path folder);
   /// No answer is wanted any more.
-  void forget() { ++asked_; }
+  void forget() { job_.cancel(); }
 
  signals:
   void prepared(const std::shared_ptr<const handway::gui::ExportRunner::Files>& files);
@@ -39,12 +38,11 @@ class ExportRunner : public QObject {
   void failed(const QString& message);
 
  private:
-  /// @param job gives what is to be told on the GUI thread.
-  void run(std::function<std::function<void()>()> job);
+  /// @param work may throw.
+  void run(std::function<LatestJob::Answer()> work);
 
   std::shared_ptr<const planning::Extensions> extensions_;
-  int asked_ = 0;
-  BackgroundThreads threads_;
+  LatestJob job_;
 };
 
 }  // namespace handway::gui

@@ -5,39 +5,21 @@
 
 namespace handway::gui {
 
-TimingRunner::~TimingRunner() {
-  blockSignals(true);
-  stop_.request_stop();
-}
-
 void TimingRunner::start(std::shared_ptr<const PreparedProblem> problem, planning::Path path,
                          const std::string& name, const planning::TimingOptions& options) {
-  threads_.run([this, ticket = ++asked_, stop = stop_.get_token(), problem = std::move(problem),
-                path = std::move(path), name, options] {
-    std::shared_ptr<const planning::TimedPath> motion;
-    QString message;
+  job_.run([this, problem = std::move(problem), path = std::move(path), name,
+            options](const std::stop_token& stop) -> LatestJob::Answer {
     try {
       const PreparedProblem::Problem ready = problem->wait(stop);
       if (!ready) {
-        return;
+        return {};
       }
-      motion = std::make_shared<planning::TimedPath>(time_path(*ready, path, name, options));
+      const auto motion =
+          std::make_shared<const planning::TimedPath>(time_path(*ready, path, name, options));
+      return [this, motion] { emit timed(motion); };
     } catch (const std::exception& error) {
-      message = QString::fromUtf8(error.what());
+      return [this, message = QString::fromUtf8(error.what())] { emit failed(message); };
     }
-    QMetaObject::invokeMethod(
-        this,
-        [this, ticket, motion, message] {
-          if (ticket != asked_) {
-            return;
-          }
-          if (motion) {
-            emit timed(motion);
-          } else {
-            emit failed(message);
-          }
-        },
-        Qt::QueuedConnection);
   });
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "handway/planning/timing/time_path.h"
-#include "workers/background_threads.h"
+#include "workers/latest_job.h"
 #include "workers/prepared_problem.h"
 
 #include <QObject>
@@ -17,22 +17,19 @@ class TimingRunner : public QObject {
 
  public:
   explicit TimingRunner(QObject* parent = nullptr) : QObject(parent) {}
-  ~TimingRunner() override;
 
   /// @param name of the motion. timed() or failed() follows.
   void start(std::shared_ptr<const PreparedProblem> problem, planning::Path path,
              const std::string& name, const planning::TimingOptions& options);
   /// No answer is wanted any more.
-  void forget() { ++asked_; }
+  void forget() { job_.cancel(); }
 
  signals:
   void timed(const std::shared_ptr<const handway::planning::TimedPath>& motion);
   void failed(const QString& message);
 
  private:
-  int asked_ = 0;
-  std::stop_source stop_;
-  BackgroundThreads threads_;
+  LatestJob job_;
 };
 
 }  // namespace handway::gui
