@@ -17,8 +17,9 @@ using testing::IsEmpty;
 class Scribe final : public Observer {
  public:
   void on_node(const NodeEvent& node) override {
-    lines_.push_back(fmt::format("node {} at {} with {} PMDs, step {}, rho {}", node.id, node.q[0],
-                                 node.pmd_count, node.step, node.rho_a));
+    lines_.push_back(fmt::format("node {} of search {} at {} with {} PMDs, step {}, rho {}",
+                                 node.id, node.search, node.q[0], node.pmd_count, node.step,
+                                 node.rho_a));
   }
   void on_edge(int from, int to) override {
     lines_.push_back(fmt::format("edge {} to {}", from, to));
@@ -37,8 +38,8 @@ TEST(EventLog, TellsLaterInTheSameOrder) {
   Scribe scribe;
   log.replay(scribe, 0, 1);
   EXPECT_THAT(scribe.lines(),
-              ElementsAre("node 0 at 0.25 with 2 PMDs, step 0.5, rho 0.125",
-                          "node 1 at 0.75 with 3 PMDs, step 1, rho 0.25", "edge 0 to 1"));
+              ElementsAre("node 0 of search 0 at 0.25 with 2 PMDs, step 0.5, rho 0.125",
+                          "node 1 of search 0 at 0.75 with 3 PMDs, step 1, rho 0.25", "edge 0 to 1"));
 }
 
 TEST(EventLog, TellsEverythingOnce) {
@@ -59,11 +60,13 @@ TEST(EventLog, KeepsTheNodesOfSeveralSearchesApart) {
   EventLog one;
   EventLog other;
   one.on_edge(0, 1);
+  other.on_node({0, Eigen::VectorXd::Constant(1, 0.5)});
   other.on_edge(0, 1);
   Scribe scribe;
   one.replay(scribe, 0, 2);
   other.replay(scribe, 1, 2);
-  EXPECT_THAT(scribe.lines(), ElementsAre("edge 0 to 2", "edge 1 to 3"));
+  EXPECT_THAT(scribe.lines(), ElementsAre("edge 0 to 2",
+                          "node 1 of search 1 at 0.5 with 0 PMDs, step 0, rho 0", "edge 1 to 3"));
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ void EventLog::replay(Observer& observer, int offset, int stride) {
   for (const auto& event : events_) {
     if (const auto* node = std::get_if<Node>(&event)) {
       observer.on_node(
-          {stride * node->id + offset, node->q, node->pmd_count, node->step, node->rho_a});
+          {stride * node->id + offset, node->q, node->pmd_count, node->step, node->rho_a, offset});
     } else {
       const auto& [from, to] = std::get<Edge>(event);
       observer.on_edge(stride * from + offset, stride * to + offset);

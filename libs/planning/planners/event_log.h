@@ -15,7 +15,8 @@ class EventLog final : public Observer {
   void on_edge(int from, int to) override;
 
   /// Tells `observer` what came since the last time. Node n gets the number
-  /// `stride` * n + `offset`, so that several searches' nodes differ.
+  /// `stride` * n + `offset`, so that several searches' nodes differ, and is said to be of
+  /// search `offset`.
   void replay(Observer& observer, int offset, int stride);
 
  private:

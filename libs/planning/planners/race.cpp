@@ -81,6 +81,9 @@ std::optional<PlanStatus> Race::run_round(int round) {
     lanes.erase(first + 1, lanes.end());
   }
   publish(lanes);
+  if (winner_) {
+    context_.observer().on_winner(winner_->index);
+  }
   return winner_ ? std::optional(PlanStatus::kSolved) : context_.interruption();
 }
 

@@ -10,13 +10,15 @@ void NodeHarvest::on_node(const NodeEvent& node) {
   const int number = static_cast<int>(nodes_.size());
   numbers_[node.id] = number;
   nodes_.push_back(node.q);
-  listener_.on_node({number, node.q, node.pmd_count, node.step, node.rho_a});
+  listener_.on_node({number, node.q, node.pmd_count, node.step, node.rho_a, node.search});
 }
 
 void NodeHarvest::on_edge(int from, int to) {
   edges_.emplace_back(numbers_.at(from), numbers_.at(to));
   listener_.on_edge(edges_.back().first, edges_.back().second);
 }
+
+void NodeHarvest::on_winner(int search) { listener_.on_winner(search); }
 
 void NodeHarvest::on_search_range(double d_ini, double d_goal) {
   listener_.on_search_range(d_ini, d_goal);

@@ -26,6 +26,7 @@ class NodeHarvest final : public Observer {
 
   void on_node(const NodeEvent& node) override;
   void on_edge(int from, int to) override;
+  void on_winner(int search) override;
   void on_search_range(double d_ini, double d_goal) override;
   void on_progress(double fraction, std::string_view activity) override;
 

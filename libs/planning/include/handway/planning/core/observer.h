@@ -13,6 +13,7 @@ struct NodeEvent {
   int pmd_count = 0;   ///< Principal directions used for the sample; 0: none.
   double step = 0.0;   ///< Where on the arm segment the sample was drawn, [0, 1].
   double rho_a = 0.0;  ///< Half-side of the hypercube it was drawn from.
+  int search = 0;      ///< Which of several searches that run side by side found it.
 };
 
 /// Told what a planner does while it plans, on the planner's own thread and in
@@ -22,6 +23,8 @@ class Observer {
   virtual ~Observer() = default;
   virtual void on_node(const NodeEvent& /*node*/) {}
   virtual void on_edge(int /*from*/, int /*to*/) {}
+  /// Of several searches, the one whose path is the planner's.
+  virtual void on_winner(int /*search*/) {}
   /// The stretch of the arm segment that is still being searched.
   virtual void on_search_range(double /*d_ini*/, double /*d_goal*/) {}
   /// `fraction` of the sample budget that is spent, in [0, 1], and what is being done.

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "handway/planning/core/observer.h"
+#include "handway/planning/export.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace handway::planning {
+
+/// The nodes and edges that a run found, apart from the planner that found them.
+struct HANDWAY_PLANNING_EXPORT RecordedRoadmap {
+  struct Node {
+    geometric::Configuration q;
+    int pmd_count = 0;   ///< Principal directions used for the sample; 0: none.
+    double rho_a = 0.0;  ///< Half-side of the region it was drawn from.
+    int search = 0;      ///< Which of several searches found it.
+  };
+  using Edge = std::pair<int, int>;  ///< Indices of nodes.
+
+  std::vector<Node> nodes;
+  std::vector<Edge> edges;
+  std::optional<int> winner;                         ///< The search that gave the path, of several.
+  std::pair<double, double> search_range{0.0, 1.0};  ///< [d_ini, d_goal], the last that was told.
+  std::uint64_t left_out = 0;  ///< Nodes beyond what the recorder keeps.
+
+  /// The winner's nodes and edges alone; all if there is none.
+  [[nodiscard]] RecordedRoadmap of_winner() const;
+};
+
+/// Writes down the roadmap of a run. Of runs with more nodes than it keeps, it has the first.
+class HANDWAY_PLANNING_EXPORT RoadmapRecorder : public Observer {
+ public:
+  /// @param most_nodes that are kept.
+  explicit RoadmapRecorder(std::size_t most_nodes) : most_nodes_(most_nodes) {}
+
+  [[nodiscard]] const RecordedRoadmap& roadmap() const { return roadmap_; }
+
+  void on_node(const NodeEvent& node) override;
+  void on_edge(int from, int to) override;
+  void on_winner(int search) override { roadmap_.winner = search; }
+  void on_search_range(double d_ini, double d_goal) override {
+    roadmap_.search_range = {d_ini, d_goal};
+  }
+
+ private:
+  std::size_t most_nodes_;
+  std::unordered_map<int, int> index_;  ///< Of the nodes by their numbers.
+  RecordedRoadmap roadmap_;
+};
+
+}  // namespace handway::planning
