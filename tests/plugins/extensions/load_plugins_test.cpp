@@ -6,6 +6,7 @@
 
 #include <cstdlib>
 #include <fstream>
+#include <string>
 
 namespace handway::planning {
 namespace {
@@ -54,7 +55,8 @@ TEST(Extensions, RefuseAPluginThatIsLoadedAlready) {
 
 TEST(Extensions, NameTheInterfaceVersionOfAnOldPlugin) {
   EXPECT_EQ(reason_of_refusal(kTestPlugins / "old_interface"),
-            "made for version 1 of the plugin interface, not 2");
+            "made for version " + std::to_string(kPluginApiVersion - 1) +
+                " of the plugin interface, not " + std::to_string(kPluginApiVersion));
 }
 
 TEST(Extensions, RefuseALibraryThatIsNoPlugin) {

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <string>
 
 namespace handway::planning {
 namespace {
@@ -89,7 +90,8 @@ TEST_F(LoadScene, NamesTheFormatsThereAreAndThePluginsThatFailed) {
   extensions_.load_plugins(std::filesystem::path(TEST_PLUGINS) / "old_interface");
   const std::string said = complaint(write("scene.doc", "?"));
   EXPECT_THAT(said, HasSubstr("Handway scene (.yaml), a robot (.urdf), greetings (.hello)"));
-  EXPECT_THAT(said, HasSubstr("test_plugin_old_interface.so was not loaded: made for version 1"));
+  EXPECT_THAT(said, HasSubstr("test_plugin_old_interface.so was not loaded: made for version " +
+                              std::to_string(kPluginApiVersion - 1)));
 }
 
 TEST_F(LoadScene, NamesAFileThatIsMissing) {
