@@ -204,6 +204,9 @@ ReportTable machine_table(const CampaignOutcome& outcome) {
     table.rows.push_back(
         {"Runs made by", fmt::format("Handway {}", fmt::join(outcome.versions, ", "))});
   }
+  if (outcome.workers == 0) {
+    return table;
+  }
   table.rows.push_back({"Runs at a time", fmt::format("{}", outcome.workers)});
   table.rows.push_back({"Last session", fmt::format("{} runs in {}", outcome.done,
                                                     duration_text(outcome.elapsed_s))});

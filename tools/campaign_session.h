@@ -25,8 +25,8 @@ struct CampaignOutcome {
   std::vector<std::string> versions;         ///< Of the programs that made them.
   double elapsed_s = 0.0;                    ///< Wall clock of this session.
   std::size_t done = 0;                      ///< Runs of this session.
-  int workers = 1;
-  bool complete = false;  ///< False: it was interrupted.
+  int workers = 0;                           ///< 0: nothing was carried out.
+  bool complete = false;                     ///< False: it was interrupted.
 };
 
 /// Carries out what is left of a campaign, on threads or with a team of processes.

@@ -83,7 +83,7 @@ std::set<int> asked_tables(const ReproduceOptions& options) {
 
 std::set<int> asked_figures(const ReproduceOptions& options) {
   return options.tables.empty() && options.figures.empty()
-             ? film_figures()
+             ? reproducible_figures()
              : std::set<int>(options.figures.begin(), options.figures.end());
 }
 
@@ -150,8 +150,8 @@ void add_reproduce_command(CLI::App& app, int& exit_code) {
       ->check(CLI::IsMember({2, 3, 4}))
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  command->add_option("--figure", options->figures, "Figure 14 or 17 (default: both)")
-      ->check(CLI::IsMember(film_figures()))
+  command->add_option("--figure", options->figures, "Figure 7 to 10, 14 or 17 (default: all)")
+      ->check(CLI::IsMember(reproducible_figures()))
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command->add_flag("--quick", options->quick, "A few short runs, within a minute");

@@ -1,30 +1,19 @@
 #pragma once
 
 #include "handway/planning/core/plugin.h"
+#include "reproduced_figure.h"
 
 #include <filesystem>
 #include <set>
-#include <string>
 #include <vector>
 
 namespace handway::tools {
 
-/// A figure of the paper's, made again.
-struct ReproducedFigure {
-  int number = 0;  ///< In the paper.
-  std::string caption;
-  std::string picture;  ///< File beside the report; empty: it could not be drawn.
-  std::string problem;  ///< Why not.
-};
+/// Figures that there are: 7 to 10 of hand postures, 14 and 17 of paths.
+[[nodiscard]] std::set<int> reproducible_figures();
 
-/// Figures that there are: 14, the hand along a path without principal motion directions and
-/// with them, and 17, the paths of the four problems.
-[[nodiscard]] const std::set<int>& film_figures();
-
-/// Plans the paths of `figures` on the scenes that ship, each with seed 1, and draws them as
-/// film strips: `figure_N.png` and `.svg`, made of `figure_N.yaml` and paths as CSV in the
-/// folder `figure_N`.
-/// @param time_limit_s of each plan; a row without a path says so.
+/// Makes `figures` in their order, as reproduce_postures() and reproduce_films() do.
+/// @param time_limit_s of each plan.
 /// @throws InputError if a file can't be written or a scene not be read.
 [[nodiscard]] std::vector<ReproducedFigure> reproduce_figures(
     const std::set<int>& figures, const planning::Extensions& extensions, double time_limit_s,

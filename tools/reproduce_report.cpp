@@ -117,8 +117,12 @@ void add_table_3(ReportDocument& document, const planning::Campaign& campaign) {
 
 void add_figure(ReportDocument& document, const ReproducedFigure& figure) {
   document.push_back(ReportHeading{2, fmt::format("Fig. {}: {}", figure.number, figure.caption)});
-  if (!figure.picture.empty()) {
-    document.push_back(ReportPicture{figure.caption, figure.picture});
+  if (!figure.text.empty()) {
+    document.push_back(ReportText{figure.text});
+  }
+  document.insert(document.end(), figure.pictures.begin(), figure.pictures.end());
+  if (figure.table) {
+    document.push_back(*figure.table);
   }
   if (!figure.problem.empty()) {
     document.push_back(ReportText{"Not all of it is there. " + figure.problem});

@@ -2,7 +2,7 @@
 
 #include "campaign_session.h"
 #include "handway/planning/campaigns/campaign.h"
-#include "reproduce_figures.h"
+#include "reproduced_figure.h"
 
 #include <filesystem>
 #include <set>

@@ -65,10 +65,11 @@ int main(int argc, char** argv) {
     }
     const QApplication application(argc, argv);
     const std::filesystem::path source = argv[1];
-    if (source.extension() == ".csv") {
+    const bool file = !std::filesystem::is_directory(source);
+    if (file && source.extension() == ".csv") {
       draw_motion(source);
     } else {
-      (source.extension() == ".yaml" ? draw_film : draw_basis)(source);
+      (file && source.extension() == ".yaml" ? draw_film : draw_basis)(source);
     }
   } catch (const std::exception& error) {
     std::fprintf(stderr, "handway-figures: %s\n", error.what());

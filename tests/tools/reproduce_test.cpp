@@ -80,5 +80,42 @@ TEST_F(HandwayReproduce, MakesFilmStripsOfPaths) {
   EXPECT_EQ(line_.run("reproduce --figure 15").exit_code, 2);
 }
 
+// The numbers are there even where nothing can draw the pictures.
+TEST_F(HandwayReproduce, MakesFiguresOfHandPosturesBesideThePublishedNumbers) {
+  const Outcome run = line_.run("reproduce --figure 7 --figure 10 --quick --out postures");
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const std::string report = line_.read("postures/report.md");
+  EXPECT_THAT(report, AllOf(HasSubstr("## Fig. 7"), HasSubstr("## Fig. 10"),
+                            Not(HasSubstr("Fig. 8")), Not(HasSubstr("Table 2"))));
+  EXPECT_THAT(report,
+              HasSubstr("| Directions | published [%] | free_hand, joints by limits [%] |"));
+  EXPECT_THAT(report, AllOf(HasSubstr("| 1 | 42.19 | 43.79 |"), HasSubstr("| 4 | - | 88.42 |"),
+                            HasSubstr("| index abduction, ring abduction | 4, 10 | negative | -")));
+  EXPECT_THAT(report, Not(HasSubstr("Runs at a time")));
+  EXPECT_THAT(line_.read("postures/figure_10.csv"), HasSubstr("\n2,77.12,79.56,"));
+  EXPECT_THAT(line_.read("postures/figure_7.csv"), HasSubstr("\"middle proximal, ring proximal\""));
+  if (std::filesystem::exists(std::filesystem::path(HANDWAY_PROGRAM).parent_path() /
+                              "handway-figures")) {
+    EXPECT_THAT(line_.read("postures/postures/free_hand/correlations.png"),
+                testing::StartsWith("\x89PNG"))
+        << report;
+    EXPECT_THAT(line_.read("postures/report.html"),
+                HasSubstr("<img src=\"postures/free_hand/variance.png\""));
+  } else {
+    EXPECT_THAT(report, HasSubstr("handway-figures"));
+  }
+}
+
+TEST(HandwayReproduceOnPublishedRecordings, AnalysesThemBesideTheOneThatShips) {
+  HANDWAY_NEED_REFERENCE(reference);
+  setenv("HANDWAY_REFERENCE_DIR", reference.c_str(), 1);
+  CommandLine line;
+  const Outcome run = line.run("reproduce --figure 10 --out people");
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(line.read("people/figure_10.csv"),
+              AllOf(HasSubstr("\"calib-rad-su01, joints by own range [%]\""),
+                    HasSubstr("\n1,42.19,43.79,35.00,51.08,41.64,73.89,61.12\n")));
+}
+
 }  // namespace
 }  // namespace handway::test
