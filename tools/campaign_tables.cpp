@@ -55,10 +55,10 @@ ReportTable runs_table(const Campaign& campaign, std::span<const RunRecord> reco
     const std::vector<std::string> rest = {whole(run.spec.seed),
                                            run.solved ? "true" : "false",
                                            run.status,
-                                           number_field(run.time_s),
-                                           number_field(run.smoothing_s),
-                                           number_field(run.sampling_s),
-                                           number_field(run.connection_s),
+                                           seconds_field(run.time_s),
+                                           seconds_field(run.smoothing_s),
+                                           seconds_field(run.sampling_s),
+                                           seconds_field(run.connection_s),
                                            whole(run.samples),
                                            whole(run.nodes),
                                            whole(run.edges),
@@ -121,7 +121,7 @@ ReportTable ecdf_table(const Campaign& campaign, std::span<const CampaignCell> c
   for (const CampaignCell& cell : cells) {
     for (const planning::EcdfStep& step : planning::ecdf_of(cell.times())) {
       std::vector<std::string> row = names(campaign, cell.problem, cell.planner);
-      row.push_back(number_field(step.value));
+      row.push_back(seconds_field(step.value));
       row.push_back(number_field(step.share));
       table.rows.push_back(std::move(row));
     }

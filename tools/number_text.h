@@ -1,5 +1,7 @@
 #pragma once
 
+#include "handway/planning/paths/path_csv.h"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -29,6 +31,11 @@ namespace handway::tools {
 /// The same number for programs: the shortest that reads back; empty if it is not finite.
 [[nodiscard]] inline std::string number_field(double value) {
   return std::isfinite(value) ? fmt::format("{}", value) : "";
+}
+
+/// The same of seconds: rounded to nanoseconds, finer than what clocks tell.
+[[nodiscard]] inline std::string seconds_field(double seconds) {
+  return std::isfinite(seconds) ? planning::csv_time(seconds) : "";
 }
 
 /// A share of 1 as a percentage.

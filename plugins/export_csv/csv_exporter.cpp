@@ -19,13 +19,13 @@ std::vector<planning::ExportedFile> CsvExporter::do_export(const planning::Motio
   }
   CsvTable table(columns);
   for (const planning::TrajectoryPoint& point : motion.trajectory.points) {
-    std::vector<double> row = {point.time};
+    std::vector<double> row;
     for (const geometric::JointValue& joint : geometric::joint_values(model, point.position)) {
       row.push_back(joint.value);
     }
     row.insert(row.end(), point.velocity.begin(), point.velocity.end());
     row.insert(row.end(), point.acceleration.begin(), point.acceleration.end());
-    table.add_row(row);
+    table.add_row(point.time, row);
   }
   return {{motion.name + ".csv", table.text()}};
 }

@@ -6,13 +6,14 @@
 
 namespace handway::export_csv {
 
-/// Text in rows and columns, numbers as the shortest that read back to the same bits.
+/// Text in rows and columns: times as planning::csv_time(), other numbers as the shortest that read
+/// back to the same bits.
 class CsvTable {
  public:
   explicit CsvTable(const std::vector<std::string>& columns);
 
-  /// @pre as many as columns.
-  void add_row(const std::vector<double>& values);
+  /// @param time s, the first column. @param values of all others.
+  void add_row(double time, const std::vector<double>& values);
 
   [[nodiscard]] const std::string& text() const { return text_; }
 

@@ -15,13 +15,13 @@ std::string table_of(const planning::Motion& motion, const std::vector<int>& var
   }
   CsvTable table(columns);
   for (const planning::TrajectoryPoint& point : motion.trajectory.points) {
-    std::vector<double> row = {point.time};
+    std::vector<double> row;
     for (const Eigen::VectorXd* values : {&point.position, &point.velocity}) {
       for (const int v : variables) {
         row.push_back((*values)[v]);
       }
     }
-    table.add_row(row);
+    table.add_row(point.time, row);
   }
   return table.text();
 }

@@ -97,6 +97,14 @@ TEST_F(PathCsv, SpacesWaypointsByTheSlowestJoint) {
   EXPECT_DOUBLE_EQ(times[2], 1.3);  // 0.3 rad at 1 rad/s, having no limit
 }
 
+TEST(CsvTime, IsRoundedToNanosecondsAndAsShortAsPossible) {
+  EXPECT_EQ(csv_time(9 * 0.004), "0.036");
+  EXPECT_EQ(csv_time(0.1 + 0.2), "0.3");
+  EXPECT_EQ(csv_time(1.0 / 3.0), "0.333333333");
+  EXPECT_EQ(csv_time(0.0), "0");
+  EXPECT_EQ(csv_time(3600.0), "3600");
+}
+
 TEST_F(PathCsv, TakesColumnsInAnyOrderAndWithoutCoupledJoints) {
   const Path path =
       read("elbow, right ,thumb,left,shoulder\r\n0.2,0.6,0.3,0.4,0.1\r\n\r\n0,0,0,0,1\r\n");

@@ -161,6 +161,11 @@ class Reader {
 
 }  // namespace
 
+std::string csv_time(double time) {
+  constexpr double kPerSecond = 1e9;
+  return fmt::format("{}", std::round(time * kPerSecond) / kPerSecond);
+}
+
 std::string to_csv(const Path& path, const RobotModel& model) {
   std::string text = "time";
   for (int i = 1; i < model.link_count(); ++i) {
@@ -173,7 +178,8 @@ std::string to_csv(const Path& path, const RobotModel& model) {
     if (w > 0) {
       time += duration(model, path.waypoints[w - 1], path.waypoints[w]);
     }
-    text += fmt::format("\n{}", time);
+    text += '\n';
+    text += csv_time(time);
     for (const geometric::JointValue& joint : geometric::joint_values(model, path.waypoints[w])) {
       text += fmt::format(",{}", joint.value);
     }

@@ -59,13 +59,26 @@ TEST(CsvExporter, WritesWhatReadsBackToTheSameBits) {
     const std::string& joint = motion.model->variable(v).name;
     for (std::size_t i = 0; i < motion.trajectory.points.size(); ++i) {
       const planning::TrajectoryPoint& point = motion.trajectory.points[i];
-      ASSERT_EQ(columns.at("time")[i], point.time);
+      ASSERT_NEAR(columns.at("time")[i], point.time, 0.6e-9);
       ASSERT_EQ(columns.at(joint)[i], point.position[v]);
       ASSERT_EQ(columns.at(joint + ".velocity")[i], point.velocity[v]);
       ASSERT_EQ(columns.at(joint + ".acceleration")[i], point.acceleration[v]);
     }
   }
   EXPECT_EQ(columns.at("Index-Dist"), columns.at("Index-Med")) << "coupled";
+}
+
+TEST(CsvExporter, WritesTimesInAsFewDigitsAsNanosecondsTake) {
+  planning::Motion motion = test::tx90_sah_motion();
+  const double step = 0.004;
+  for (std::size_t i = 0; i < motion.trajectory.points.size(); ++i) {
+    motion.trajectory.points[i].time = static_cast<double>(i) * step;
+  }
+  ASSERT_NE(9 * step, 0.036) << "a product that is longer than what is meant";
+  const std::string text = CsvExporter().files(motion)[0].content;
+  EXPECT_THAT(text, HasSubstr("\n0.036,"));
+  EXPECT_THAT(text, Not(HasSubstr("\n0.0360")));
+  EXPECT_THAT(SplitExporter().files(motion)[1].content, HasSubstr("\n0.036,"));
 }
 
 TEST(CsvExporter, WritesAPath) {

@@ -11,12 +11,16 @@ namespace handway::planning {
 
 /// A path as CSV: a header "time" and the names of all moving joints, coupled
 /// ones included; then a row a waypoint, seconds and rad (or m). Numbers are the
-/// shortest that read back to the same bits.
+/// shortest that read back to the same bits, times as csv_time().
 ///
 /// A polyline has no timing of its own: waypoints are spaced so that the slowest
 /// joint of each stretch runs at its velocity limit (1 rad/s where it has none).
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::string to_csv(const Path& path,
                                                          const geometric::RobotModel& model);
+
+/// Seconds as files have them: rounded to nanoseconds, the shortest text that reads back to that
+/// ("0.036", not the "0.036000000000000004" of a sum).
+[[nodiscard]] HANDWAY_PLANNING_EXPORT std::string csv_time(double time);
 
 /// Replaces `file` with to_csv(). @throws InputError if it can't be written.
 HANDWAY_PLANNING_EXPORT void write_path_csv(const Path& path, const geometric::RobotModel& model,
