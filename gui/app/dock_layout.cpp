@@ -10,7 +10,7 @@
 namespace handway::gui {
 namespace {
 
-constexpr int kVersion = 1;  // raised when docks come or go
+constexpr int kVersion = 2;  // raised when docks come or go
 
 QString key() { return QStringLiteral("window/layout"); }
 
@@ -21,6 +21,26 @@ QDockWidget* make_dock(QMainWindow& window, const DockContent& content, Qt::Dock
   dock->setWidget(content.widget);
   window.addDockWidget(area, dock);
   return dock;
+}
+
+// Docks between those on the left and those on the right.
+QList<QDockWidget*> make_docks_below(QMainWindow& window,
+                                     const std::vector<DockContent>& contents) {
+  window.setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+  window.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+  QList<QDockWidget*> docks;
+  for (const DockContent& content : contents) {
+    docks.append(make_dock(window, content, Qt::BottomDockWidgetArea));
+    if (docks.size() > 1) {
+      window.tabifyDockWidget(docks.front(), docks.back());
+    }
+    QObject::connect(docks.back()->toggleViewAction(), &QAction::triggered, docks.back(),
+                     &QWidget::raise);
+  }
+  for (QDockWidget* dock : docks) {
+    dock->hide();
+  }
+  return docks;
 }
 
 QTabWidget* make_tabs(const std::vector<DockContent>& contents) {
@@ -56,13 +76,14 @@ void build_docks(QMainWindow& window, const DockContents& contents, QMenu& view_
       make_dock(window, {"control", QObject::tr("Control"), make_tabs(contents.control)},
                 Qt::RightDockWidgetArea);
   right->setTitleBarWidget(new QWidget);
+  const QList<QDockWidget*> below = make_docks_below(window, contents.below);
   window.resizeDocks({left.front(), right}, {kLeftWidth, kRightWidth}, Qt::Horizontal);
   window.resizeDocks(left, heights, Qt::Vertical);
   history->toggleViewAction()->setText(QObject::tr("Undo &history"));
   QObject::connect(history->toggleViewAction(), &QAction::triggered, history, &QWidget::raise);
   edit_menu.addSeparator();
   edit_menu.addAction(history->toggleViewAction());
-  for (QDockWidget* dock : left + QList<QDockWidget*>{right}) {
+  for (QDockWidget* dock : left + QList<QDockWidget*>{right} + below) {
     view_menu.addAction(dock->toggleViewAction());
   }
 }

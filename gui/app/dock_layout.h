@@ -23,6 +23,7 @@ struct DockContents {
   std::vector<DockContent> left;     ///< Above each other.
   DockContent history;               ///< Behind the last on the left, hidden at first.
   std::vector<DockContent> control;  ///< Tabs on the right.
+  std::vector<DockContent> below;    ///< Behind each other below the view, hidden at first.
 };
 
 /// Docks at their usual places.

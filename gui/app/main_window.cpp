@@ -25,6 +25,8 @@
 #include "panels/posture_bar.h"
 #include "panels/properties_panel.h"
 #include "panels/scene_tree.h"
+#include "playback/playback_tools.h"
+#include "playback/plots_panel.h"
 #include "start/about_box.h"
 #include "start/command_palette.h"
 #include "start/panel_help.h"
@@ -62,6 +64,8 @@ MainWindow::MainWindow(std::shared_ptr<planning::Extensions> extensions, QWidget
       devices_(std::make_unique<DeviceSession>(document_, player_)),
       collisions_(std::make_unique<CollisionDisplay>(document_, *view_)),
       playback_(new PlaybackBar(player_)),
+      playback_tools_(
+          std::make_unique<PlaybackTools>(document_, player_, *view_, playback_->traces())),
       start_page_(new StartPage),
       palette_(new CommandPalette(*this)),
       actions_(std::make_unique<WindowActions>(*this)),
@@ -119,7 +123,8 @@ void MainWindow::build_docks() {
                    {"hand", tr("Hand"), posing_->hand()},
                    {"glove", tr("Glove"), posing_->glove()},
                    {"devices", tr("Devices"), devices_->panel()},
-                   {"campaigns", tr("Runs"), campaigns_}}},
+                   {"campaigns", tr("Runs"), campaigns_}},
+       .below = {{"plots", tr("Plots"), playback_tools_->plots()}}},
       *actions_->view_menu(), *actions_->edit_menu());
   actions_->view_menu()->addAction(actions_->default_layout);
   statusBar()->addWidget(collisions_->label(), 1);
@@ -154,6 +159,10 @@ void MainWindow::connect_actions() {
   look(actions_->left, StandardView::kLeft);
   look(actions_->top, StandardView::kTop);
   connect(actions_->floor, &QAction::toggled, view_, &SceneView::set_floor_visible);
+  connect(playback_tools_.get(), &PlaybackTools::failed, this, &MainWindow::show_error);
+  connect(playback_tools_.get(), &PlaybackTools::exported, this, [this](const QString& file) {
+    log_->add(LogPanel::Level::kNote, tr("Exported %1").arg(file));
+  });
   connect(actions_->samples, &QAction::toggled, view_, &SceneView::set_dots_visible);
   actions_->dark->setChecked(current_theme() == Theme::kDark);
   connect(actions_->dark, &QAction::toggled, this, &MainWindow::toggle_theme);

@@ -26,6 +26,7 @@ class GlovePanel;
 class GraspTool;
 class PalmTool;
 class PlaybackBar;
+class PlaybackTools;
 class Posing;
 class QueryCheck;
 class Recovery;
@@ -53,6 +54,7 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] SceneEditing& editing() { return *editing_; }
   [[nodiscard]] Recovery& recovery() { return *recovery_; }
   [[nodiscard]] PathPlayer& player() { return player_; }
+  [[nodiscard]] PlaybackTools& playback() { return *playback_tools_; }
   [[nodiscard]] SceneView& view() { return *view_; }
   [[nodiscard]] PlanPanel& plan_panel() { return *plan_panel_; }
   [[nodiscard]] GlovePanel& glove_panel();
@@ -109,6 +111,7 @@ class MainWindow : public QMainWindow {
   std::unique_ptr<DeviceSession> devices_;
   std::unique_ptr<CollisionDisplay> collisions_;
   PlaybackBar* playback_;
+  std::unique_ptr<PlaybackTools> playback_tools_;
   StartPage* start_page_;
   CommandPalette* palette_;
   QByteArray default_layout_;

@@ -40,6 +40,23 @@ int palm_link(const geometric::RobotModel& model, const JointGroups& groups) {
   return planning::palm_link(model, groups.arm, groups.hand);
 }
 
+std::vector<int> fingertips(const geometric::RobotModel& model, const JointGroups& groups) {
+  std::vector<int> tips;
+  for (int leaf = 0; leaf < model.link_count(); ++leaf) {
+    bool is_leaf = true;
+    for (int link = 1; link < model.link_count(); ++link) {
+      is_leaf = is_leaf && model.parent(link) != leaf;
+    }
+    for (int link = leaf; is_leaf && link > 0; link = model.parent(link)) {
+      if (contains(groups.hand, model.drive(link).variable)) {
+        tips.push_back(leaf);
+        break;
+      }
+    }
+  }
+  return tips;
+}
+
 std::vector<std::vector<int>> moving_parts(const geometric::RobotModel& model,
                                            const JointGroups& groups) {
   std::vector<std::vector<int>> parts;

@@ -6,6 +6,7 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMenu>
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QToolButton>
@@ -22,14 +23,24 @@ constexpr int kScrubSteps = 10000;
 PlaybackBar::PlaybackBar(PathPlayer& player, QWidget* parent)
     : QWidget(parent),
       player_(player),
-      back_(make_button("step_back", tr("To the waypoint before"))),
+      back_(make_button("step_back", tr("To the waypoint before ([)"))),
+      frame_back_(make_button("frame_back", tr("A picture back (,)"))),
       play_(make_button("play", tr("Play or pause the planned path (Space)"))),
-      forward_(make_button("step_forward", tr("To the next waypoint"))),
+      frame_forward_(make_button("frame_forward", tr("A picture on (.)"))),
+      forward_(make_button("step_forward", tr("To the next waypoint (])"))),
       loop_(make_button("loop", tr("Begin again at the end"))),
+      reverse_(make_button("reverse", tr("Play backwards"))),
+      show_(make_button("traces", tr("What is drawn of the path"))),
+      traces_(new QMenu(this)),
       scrub_(new QSlider(Qt::Horizontal)),
       time_(new QLabel),
       speed_(new QComboBox) {
   play_->setShortcut(Qt::Key_Space);
+  back_->setShortcut(Qt::Key_BracketLeft);
+  frame_back_->setShortcut(Qt::Key_Comma);
+  frame_forward_->setShortcut(Qt::Key_Period);
+  forward_->setShortcut(Qt::Key_BracketRight);
+  reverse_->setCheckable(true);
   loop_->setCheckable(true);
   loop_->setChecked(true);
   scrub_->setRange(0, kScrubSteps);
@@ -38,25 +49,28 @@ PlaybackBar::PlaybackBar(PathPlayer& player, QWidget* parent)
   time_->setMinimumWidth(96);
   time_->setAlignment(Qt::AlignCenter);
   time_->setProperty("role", "note");
-  for (const double factor : {0.25, 0.5, 1.0, 2.0, 4.0}) {
-    speed_->addItem(QStringLiteral("%1×").arg(factor), factor);
-  }
-  speed_->setCurrentIndex(2);
-  speed_->setToolTip(tr("Speed of playing"));
+  fill_speeds();
+  show_->setPopupMode(QToolButton::InstantPopup);
+  show_->setMenu(traces_);
+  traces_->setToolTipsVisible(true);
 
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(10, 6, 10, 6);
   layout->setSpacing(4);
-  for (QWidget* button : {back_, play_, forward_, loop_}) {
+  for (QToolButton* button : buttons()) {
     layout->addWidget(button);
   }
   layout->addSpacing(6);
   layout->addWidget(scrub_, 1);
   layout->addWidget(time_);
   layout->addWidget(speed_);
+  layout->addWidget(show_);
 
   connect(back_, &QToolButton::clicked, &player_, [this] { player_.step_back(); });
   connect(forward_, &QToolButton::clicked, &player_, [this] { player_.step_forward(); });
+  connect(frame_back_, &QToolButton::clicked, &player_, [this] { player_.step_frames(-1); });
+  connect(frame_forward_, &QToolButton::clicked, &player_, [this] { player_.step_frames(1); });
+  connect(reverse_, &QToolButton::toggled, &player_, &PathPlayer::set_backwards);
   connect(play_, &QToolButton::clicked, &player_,
           [this] { player_.is_playing() ? player_.pause() : player_.play(); });
   connect(loop_, &QToolButton::toggled, &player_, &PathPlayer::set_loop);
@@ -64,11 +78,10 @@ PlaybackBar::PlaybackBar(PathPlayer& player, QWidget* parent)
     player_.pause();
     player_.seek(static_cast<double>(step) / kScrubSteps);
   });
-  connect(speed_, qOverload<int>(&QComboBox::currentIndexChanged), this, [this] {
-    player_.set_speed(speed_->currentData().toDouble());
-    show_position();
-  });
+  connect(speed_, qOverload<int>(&QComboBox::currentIndexChanged), this,
+          [this] { player_.set_speed(speed_->currentData().toDouble()); });
   connect(&player_, &PathPlayer::moved, this, &PlaybackBar::show_position);
+  connect(&player_, &PathPlayer::retimed, this, &PlaybackBar::show_position);
   connect(&player_, &PathPlayer::timeline_changed, this, &PlaybackBar::show_timeline);
   connect(&player_, &PathPlayer::playing_changed, this, &PlaybackBar::refresh_icons);
   show_timeline();
@@ -84,11 +97,25 @@ QToolButton* PlaybackBar::make_button(const QString& name, const QString& tip) {
   return button;
 }
 
+QList<QToolButton*> PlaybackBar::buttons() const {
+  return {back_, frame_back_, play_, frame_forward_, forward_, reverse_, loop_};
+}
+
+void PlaybackBar::fill_speeds() {
+  for (const double factor : {0.1, 0.25, 0.5, 1.0, 2.0, 5.0, 10.0}) {
+    speed_->addItem(QStringLiteral("%1×").arg(factor), factor);
+  }
+  speed_->setObjectName(QStringLiteral("speed"));
+  speed_->setCurrentIndex(speed_->findData(1.0));
+  speed_->setToolTip(tr("Speed of playing; 1× is as fast as the robot can go"));
+}
+
 void PlaybackBar::refresh_icons() {
-  back_->setIcon(icon("step_back"));
+  for (QToolButton* button : buttons()) {
+    button->setIcon(icon(button->objectName()));
+  }
+  show_->setIcon(icon("traces"));
   play_->setIcon(icon(player_.is_playing() ? "pause" : "play"));
-  forward_->setIcon(icon("step_forward"));
-  loop_->setIcon(icon("loop"));
 }
 
 void PlaybackBar::show_position() {
@@ -98,17 +125,17 @@ void PlaybackBar::show_position() {
     time_->setText(tr("no path yet"));
   } else {
     time_->setText(QStringLiteral("%1 / %2 s")
-                       .arg(player_.fraction() * player_.duration(), 0, 'f', 1)
-                       .arg(player_.duration(), 0, 'f', 1));
+                       .arg(player_.time(), 0, 'f', 2)
+                       .arg(player_.duration(), 0, 'f', 2));
   }
 }
 
 void PlaybackBar::show_timeline() {
   const bool ready = !player_.timeline().empty();
-  for (QWidget* part : {static_cast<QWidget*>(back_), static_cast<QWidget*>(play_),
-                        static_cast<QWidget*>(forward_), static_cast<QWidget*>(scrub_)}) {
-    part->setEnabled(ready);
+  for (QToolButton* button : {back_, frame_back_, play_, frame_forward_, forward_}) {
+    button->setEnabled(ready);
   }
+  scrub_->setEnabled(ready);
   show_position();
   refresh_icons();
 }

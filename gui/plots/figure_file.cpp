@@ -64,6 +64,12 @@ void write_figure(const QString& path, const QString& title, const QSize& size,
   write(path + QStringLiteral(".svg"), svg(size, title, draw));
 }
 
+void write_picture(const QString& file, const QString& title, const QSize& size,
+                   const DrawFigure& draw) {
+  write(file, file.endsWith(QStringLiteral(".svg"), Qt::CaseInsensitive) ? svg(size, title, draw)
+                                                                         : png(size, draw));
+}
+
 void draw_plots(QPainter& painter, const QSize& size, const std::vector<QwtPlot*>& plots,
                 int columns) {
   const int rows = (static_cast<int>(plots.size()) + columns - 1) / columns;

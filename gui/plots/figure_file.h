@@ -20,6 +20,11 @@ using DrawFigure = std::function<void(QPainter&, const QSize&)>;
 void write_figure(const QString& path, const QString& title, const QSize& size,
                   const DrawFigure& draw);
 
+/// Writes one file, by its ending: `.svg`, or else PNG (300 dpi).
+/// @throws geometric::InputError if it can't be written.
+void write_picture(const QString& file, const QString& title, const QSize& size,
+                   const DrawFigure& draw);
+
 /// Draws plots side by side, row by row, all of the same size.
 void draw_plots(QPainter& painter, const QSize& size, const std::vector<QwtPlot*>& plots,
                 int columns);

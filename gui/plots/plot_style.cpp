@@ -53,23 +53,34 @@ QwtText plot_text(const QString& text, double size, bool bold) {
 }
 
 void style_plot(QwtPlot& plot, const QString& x_title, const QString& y_title) {
-  QPalette palette;
-  palette.setColor(QPalette::Window, Qt::white);
-  palette.setColor(QPalette::WindowText, kPlotInk);
-  palette.setColor(QPalette::Text, kPlotInk);
-  plot.setPalette(palette);
   plot.setAutoFillBackground(true);
   auto* const canvas = new QwtPlotCanvas(&plot);
   canvas->setFrameStyle(QFrame::NoFrame);
-  canvas->setPalette(palette);
   plot.setCanvas(canvas);
-  plot.setCanvasBackground(Qt::white);
   plot.plotLayout()->setAlignCanvasToScales(true);
   style_axis(plot, QwtPlot::xBottom, x_title);
   style_axis(plot, QwtPlot::yLeft, y_title);
   auto* const grid = new QwtPlotGrid;
-  grid->setMajorPen(kPlotGrid, 0.75);
   grid->attach(&plot);
+  color_plot(plot, {});
+}
+
+void color_plot(QwtPlot& plot, const PlotColors& colors) {
+  QPalette palette;
+  palette.setColor(QPalette::Window, colors.paper);
+  palette.setColor(QPalette::WindowText, colors.ink);
+  palette.setColor(QPalette::Text, colors.ink);
+  plot.setPalette(palette);
+  plot.canvas()->setPalette(palette);
+  plot.setCanvasBackground(colors.paper);
+  for (const int axis : {QwtPlot::xBottom, QwtPlot::yLeft}) {
+    QwtText title = plot.axisTitle(axis);
+    title.setColor(colors.ink);
+    plot.setAxisTitle(axis, title);
+  }
+  for (QwtPlotItem* item : plot.itemList(QwtPlotItem::Rtti_PlotGrid)) {
+    static_cast<QwtPlotGrid*>(item)->setMajorPen(colors.grid, 0.75);
+  }
 }
 
 }  // namespace handway::gui

@@ -15,6 +15,13 @@ inline const QColor kPlotGrid{0xdd, 0xe1, 0xe6};
 inline const QColor kPlotBlue{0x1f, 0x5f, 0xa8};
 inline const QColor kPlotOrange{0xd9, 0x6c, 0x1e};
 
+/// What a plot is drawn in.
+struct PlotColors {
+  QColor paper{Qt::white};
+  QColor ink = kPlotInk;
+  QColor grid = kPlotGrid;
+};
+
 /// @param size of the letters, points.
 [[nodiscard]] QFont plot_font(double size, bool bold = false);
 
@@ -22,5 +29,8 @@ inline const QColor kPlotOrange{0xd9, 0x6c, 0x1e};
 
 /// Makes a new plot look like the others; its axes get these titles.
 void style_plot(QwtPlot& plot, const QString& x_title, const QString& y_title);
+
+/// Draws a styled plot in other colours, for the screen.
+void color_plot(QwtPlot& plot, const PlotColors& colors);
 
 }  // namespace handway::gui

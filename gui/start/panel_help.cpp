@@ -70,6 +70,13 @@ constexpr Help kHelp[] = {
                     "path on them. A motion is cleared before: limits, collisions, and where "
                     "the robot stands. Nothing moves unless <i>Let the robot move</i> is "
                     "ticked. <b>STOP</b> (Ctrl+Space) stops all joints.</p>")},
+    {"plots",
+     QT_TRANSLATE_NOOP(
+         "Help",
+         "<b>Plots</b><p>The path over the time that the robot takes for it: its joints with their "
+         "limits (dotted), the clearance, and how human the hand looks. Ticks along the upper "
+         "edge are waypoints.</p><p>A click or a drag moves the robot there. The wheel zooms in "
+         "time, with Ctrl in values; the right button moves; a double click shows all.</p>")},
     {"campaigns",
      QT_TRANSLATE_NOOP("Help",
                        "<b>Campaigns</b><p>Carries out a campaign in the background, or opens the "

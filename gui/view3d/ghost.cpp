@@ -13,21 +13,30 @@ constexpr double kApart = 1e-3;
 
 }  // namespace
 
+void Ghost::clear() {
+  robot_.reset();
+  root_ = {};
+}
+
 void Ghost::show(const geometric::RobotInstance& robot, const geometric::Configuration& q,
                  const LinkShapes& shapes, const geometric::Color& color, const Prepare& prepare) {
   if (!robot_) {
     geometric::Color faint = color;
     faint.alpha = kOpacity;
     robot_ = std::make_unique<RobotNode>(robot.model, shapes, faint);
-    root_ = make_coin<SoSeparator>();
-    prepare(root_.get());
-    auto* behind = new SoPolygonOffset;  // does not flicker with the robot where both coincide
-    behind->factor = 2.0F;
-    behind->units = 60.0F;
-    root_->addChild(behind);
-    root_->addChild(robot_->root());
+    show(robot_->root(), prepare);
   }
   robot_->place(robot.X_WB, q);
+}
+
+void Ghost::show(SoNode* drawing, const Prepare& prepare) {
+  root_ = make_coin<SoSeparator>();
+  prepare(root_.get());
+  auto* behind = new SoPolygonOffset;  // does not flicker with the robot where both coincide
+  behind->factor = 2.0F;
+  behind->units = 60.0F;
+  root_->addChild(behind);
+  root_->addChild(drawing);
 }
 
 // First the depth alone, then the colour of what is in front: a ghost is one

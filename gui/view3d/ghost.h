@@ -9,11 +9,12 @@
 #include <optional>
 
 class SoGLRenderAction;
+class SoNode;
 class SoSeparator;
 
 namespace handway::gui {
 
-/// A see-through copy of the first robot at start or goal.
+/// A see-through copy of the first robot, or several, as one even veil.
 class Ghost {
  public:
   using Prepare = std::function<void(SoSeparator*)>;
@@ -21,14 +22,16 @@ class Ghost {
   static constexpr float kOpacity = 0.26F;
 
   void set_visible(bool visible) { visible_ = visible; }
-  [[nodiscard]] bool is_visible() const { return visible_ && robot_; }
+  [[nodiscard]] bool is_visible() const { return visible_ && root_; }
   /// Null: there is none.
   [[nodiscard]] RobotNode* robot() const { return robot_.get(); }
 
-  void clear() { robot_.reset(); }
+  void clear();
   /// Stands `robot` at q. @param prepare puts camera and lights into a new root.
   void show(const geometric::RobotInstance& robot, const geometric::Configuration& q,
             const LinkShapes& shapes, const geometric::Color& color, const Prepare& prepare);
+  /// Shows something else that way, in colours of kOpacity.
+  void show(SoNode* drawing, const Prepare& prepare);
   void render(SoGLRenderAction& action) const;
   /// As if it could not be seen through.
   void render_opaque(SoGLRenderAction& action) const;
@@ -37,7 +40,7 @@ class Ghost {
 
  private:
   std::unique_ptr<RobotNode> robot_;
-  CoinRef<SoSeparator> root_;
+  CoinRef<SoSeparator> root_;  ///< Null: there is nothing to show.
   bool visible_ = true;
 };
 

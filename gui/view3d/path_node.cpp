@@ -18,12 +18,7 @@
 #include <vector>
 
 namespace handway::gui {
-namespace {
 
-constexpr float kBeadRadius = 0.005F;  // m
-constexpr geometric::Color kContactColor{0.93F, 0.05F, 0.60F, 1.0F};
-
-// The colour of the i-th of `count` points, from the start's to the goal's.
 geometric::Color color_along(std::size_t i, std::size_t count) {
   const geometric::Color& a = kStartColor;
   const geometric::Color& b = kGoalColor;
@@ -31,6 +26,11 @@ geometric::Color color_along(std::size_t i, std::size_t count) {
   return {a.red + t * (b.red - a.red), a.green + t * (b.green - a.green),
           a.blue + t * (b.blue - a.blue), 1.0F};
 }
+
+namespace {
+
+constexpr float kBeadRadius = 0.005F;  // m
+constexpr geometric::Color kContactColor{0.93F, 0.05F, 0.60F, 1.0F};
 
 SoVertexProperty* make_vertices(std::span<const Eigen::Vector3d> points) {
   std::vector<SbVec3f> vertices;
@@ -42,9 +42,9 @@ SoVertexProperty* make_vertices(std::span<const Eigen::Vector3d> points) {
   return properties;
 }
 
-SoSeparator* make_line(std::span<const Eigen::Vector3d> points) {
+SoSeparator* make_line(std::span<const Eigen::Vector3d> points, float width) {
   auto* separator = new SoSeparator;
-  add_unlit_style(*separator, 3.0F);
+  add_unlit_style(*separator, width);
   SoVertexProperty* properties = make_vertices(points);
   std::vector<std::uint32_t> colors;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -81,6 +81,10 @@ SoSeparator* make_bead(const Eigen::Vector3d& place, const geometric::Color& col
 
 }  // namespace
 
+CoinRef<SoSeparator> make_trail_node(std::span<const Eigen::Vector3d> points) {
+  return CoinRef<SoSeparator>(make_line(points, 1.5F));
+}
+
 CoinRef<SoSeparator> make_executed_node(std::span<const Eigen::Vector3d> points) {
   auto separator = make_seen_through();
   add_unlit_style(*separator.get(), 2.0F);
@@ -96,7 +100,7 @@ CoinRef<SoSeparator> make_executed_node(std::span<const Eigen::Vector3d> points)
 CoinRef<SoSeparator> make_path_node(std::span<const Eigen::Vector3d> points,
                                     std::span<const Eigen::Vector3d> waypoints) {
   auto separator = make_seen_through();
-  separator->addChild(make_line(points));
+  separator->addChild(make_line(points, 3.0F));
   for (std::size_t i = 0; i < waypoints.size(); ++i) {
     separator->addChild(make_bead(waypoints[i], color_along(i, waypoints.size())));
   }

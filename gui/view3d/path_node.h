@@ -1,5 +1,6 @@
 #pragma once
 
+#include "handway/geometric/scene/color.h"
 #include "view3d/coin_ref.h"
 
 #include <Eigen/Core>
@@ -14,6 +15,12 @@ namespace handway::gui {
 /// the goal's, with a bead at each of `waypoints`; nothing hides it.
 [[nodiscard]] CoinRef<SoSeparator> make_path_node(std::span<const Eigen::Vector3d> points,
                                                   std::span<const Eigen::Vector3d> waypoints);
+
+/// The colour of the i-th of `count` places along a path, from the start's to the goal's.
+[[nodiscard]] geometric::Color color_along(std::size_t i, std::size_t count);
+
+/// A thin line through `points` (world, m) in the same colours, hidden by what is in front.
+[[nodiscard]] CoinRef<SoSeparator> make_trail_node(std::span<const Eigen::Vector3d> points);
 
 /// A line of one colour through `points` (world, m): what the robot did. Nothing hides it.
 [[nodiscard]] CoinRef<SoSeparator> make_executed_node(std::span<const Eigen::Vector3d> points);

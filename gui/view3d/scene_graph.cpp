@@ -40,6 +40,7 @@ void SceneGraph::set_scene(std::shared_ptr<const geometric::Scene> scene) {
   q_ = {};
   start_.clear();
   goal_.clear();
+  traces_.clear();
   colliding_.clear();
   selection_ = {};
   for (const auto& [overlay, shown] : passes_->overlays) {
@@ -195,6 +196,13 @@ void SceneGraph::preview_ghost(bool start, const std::optional<Configuration>& q
   update_ghosts();
 }
 
+void SceneGraph::set_traces(SoNode* drawing) {
+  traces_.clear();
+  if (drawing) {
+    traces_.show(drawing, [this](SoSeparator* root) { passes_->prepare(root); });
+  }
+}
+
 bool SceneGraph::set_collisions(std::vector<std::string> bodies) {
   colliding_ = std::move(bodies);
   return update_looks();
@@ -280,6 +288,7 @@ void SceneGraph::render(SoGLRenderAction& action) {
   action.apply(passes_->floor.get());
   start_.render(action);
   goal_.render(action);
+  traces_.render(action);
 }
 
 void SceneGraph::begin_motion() {
@@ -290,7 +299,8 @@ void SceneGraph::begin_motion() {
 
 void SceneGraph::render_still(SoGLRenderAction& action) {
   const auto overlay = [this](Overlay which) { return passes_->overlays.at(which).get(); };
-  std::vector<SoNode*> still{overlay(Overlay::kPath), overlay(Overlay::kDots)};
+  std::vector<SoNode*> still{overlay(Overlay::kPath), overlay(Overlay::kDots),
+                             overlay(Overlay::kTrails), overlay(Overlay::kSteps)};
   std::vector<SoNode*> moving{overlay(Overlay::kExecuted), overlay(Overlay::kContacts)};
   for (std::size_t r = 1; r < robots_.size(); ++r) {
     still.push_back(robots_[r]->root());

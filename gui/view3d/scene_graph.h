@@ -52,6 +52,8 @@ class SceneGraph {
   void show_ghosts(bool start, bool goal);
   /// Stands the ghost of start or goal elsewhere, for a while.
   void preview_ghost(bool start, const std::optional<geometric::Configuration>& q);
+  /// Draws something as ghosts are, until the scene changes; null: nothing.
+  void set_traces(SoNode* drawing);
   /// @param drawing in the world's frame, m; null: nothing.
   void set_overlay(Overlay overlay, SoNode* drawing);
   void set_overlay_visible(Overlay overlay, bool visible);
@@ -73,7 +75,7 @@ class SceneGraph {
   void render_still(SoGLRenderAction& action);
   void render_moving(SoGLRenderAction& action);
   [[nodiscard]] SoNode& moving_root() const;
-  [[nodiscard]] std::array<const Ghost*, 2> ghosts() const { return {&start_, &goal_}; }
+  [[nodiscard]] std::array<const Ghost*, 3> ghosts() const { return {&start_, &goal_, &traces_}; }
   /// Is there a selection to draw a line around?
   [[nodiscard]] bool has_marks() const { return outline_.is_shown(); }
   /// Draws the line around the selection and, if asked, the gizmo, in front of everything.
@@ -109,6 +111,7 @@ class SceneGraph {
   std::vector<std::unique_ptr<ObjectNode>> objects_;
   Ghost start_;
   Ghost goal_;
+  Ghost traces_;
   std::vector<std::string> colliding_;
   SceneItem selection_;
 };

@@ -64,7 +64,7 @@ class ScenePainter {
   std::unique_ptr<QOpenGLFramebufferObject> smooth_;  ///< What fine pictures are painted on.
   std::unique_ptr<QOpenGLShaderProgram> program_;     ///< Null: layers can't be had.
   PictureLayer still_;
-  std::array<PictureLayer, 2> veils_;  ///< Of the ghosts.
+  std::array<PictureLayer, 3> veils_;  ///< Of the ghosts.
   std::optional<Sight> kept_;          ///< From where the layers are seen; nothing: to be made.
   std::optional<Sight> last_;          ///< Of the last picture.
   QRect last_region_;                  ///< What moving links covered in it, px from the lower left.

@@ -166,6 +166,16 @@ void SceneView::set_executed(std::span<const Eigen::Vector3d> points) {
   update();
 }
 
+void SceneView::set_overlay(Overlay overlay, SoNode* drawing) {
+  graph_->set_overlay(overlay, drawing);
+  change();
+}
+
+void SceneView::set_traces(SoNode* drawing) {
+  graph_->set_traces(drawing);
+  change();
+}
+
 void SceneView::set_dots(std::span<const Eigen::Vector3d> points) {
   graph_->set_overlay(Overlay::kDots, points.empty() ? nullptr : make_dots_node(points).get());
   change();

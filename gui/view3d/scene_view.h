@@ -2,6 +2,7 @@
 
 #include "editing/scene_state.h"
 #include "view3d/orbit_camera.h"
+#include "view3d/overlay.h"
 #include "view3d/scene_item.h"
 #include "view3d/view_colors.h"
 #include "view3d/view_gizmo.h"
@@ -16,6 +17,8 @@
 #include <span>
 #include <string>
 #include <vector>
+
+class SoNode;
 
 namespace handway::gui {
 
@@ -61,6 +64,10 @@ class SceneView : public QOpenGLWidget {
   void set_dots_visible(bool visible);
   /// Where bodies go into each other (world, m).
   void set_contacts(std::span<const Eigen::Vector3d> points);
+  /// @param drawing in the world's frame, m; null: nothing.
+  void set_overlay(Overlay overlay, SoNode* drawing);
+  /// Draws something as the ghosts are, until the scene changes; null: nothing.
+  void set_traces(SoNode* drawing);
   void set_floor_visible(bool visible);
 
   /// Moves the camera so that the whole scene is seen.

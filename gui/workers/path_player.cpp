@@ -7,7 +7,7 @@ namespace handway::gui {
 namespace {
 
 constexpr int kFrameMs = 33;
-constexpr double kRestS = 0.8;  // at the goal
+constexpr double kRestS = 0.8;  // at the end
 
 }  // namespace
 
@@ -24,16 +24,19 @@ void PathPlayer::set_timeline(PathTimeline timeline) {
   emit timeline_changed();
 }
 
-double PathPlayer::duration() const {
-  return std::clamp(timeline_.length() / kRate, 1.5, 12.0) / speed_;
+void PathPlayer::set_motion(std::shared_ptr<const planning::Motion> motion) {
+  const double waypoint = timeline_.waypoint_at(fraction_);
+  timeline_.set_motion(std::move(motion));
+  fraction_ = timeline_.fraction_at(waypoint);
+  emit retimed();
 }
 
 void PathPlayer::play() {
   if (timeline_.empty() || is_playing()) {
     return;
   }
-  if (fraction_ >= 1.0) {
-    fraction_ = 0.0;
+  if (fraction_ == end()) {
+    fraction_ = begin();
   }
   rest_s_ = 0.0;
   clock_.start();
@@ -56,21 +59,25 @@ void PathPlayer::seek(double fraction) {
   }
 }
 
-void PathPlayer::set_speed(double factor) { speed_ = factor; }
+void PathPlayer::step_frames(int frames) {
+  pause();
+  seek(fraction_ + frames * kFrame / duration());
+}
 
 void PathPlayer::advance() {
   const double passed = static_cast<double>(clock_.restart()) * 1e-3;
   if (rest_s_ > 0.0) {
     rest_s_ -= passed;
     if (rest_s_ <= 0.0) {
-      fraction_ = 0.0;
+      fraction_ = begin();
       emit moved(fraction_);
     }
     return;
   }
-  fraction_ = std::min(fraction_ + passed / duration(), 1.0);
+  const double way = speed_ * passed / duration();
+  fraction_ = std::clamp(fraction_ + (backwards_ ? -way : way), 0.0, 1.0);
   emit moved(fraction_);
-  if (fraction_ >= 1.0) {
+  if (fraction_ == end()) {
     if (loop_) {
       rest_s_ = kRestS;
     } else {

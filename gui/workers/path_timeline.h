@@ -1,35 +1,51 @@
 #pragma once
 
 #include "handway/geometric/robot/robot_model.h"
+#include "handway/planning/core/exporter.h"
 #include "handway/planning/paths/path.h"
 
+#include <memory>
 #include <vector>
 
 namespace handway::gui {
 
-/// A path as a motion at even speed, measured in joints normalised to [0, 1].
-/// Fractions run from 0 (first waypoint) to 1 (last).
+/// A path as a motion: at even speed, measured in joints normalised to [0, 1], or, once it is
+/// timed, as the robot would go it. Fractions of its duration run from 0 (first waypoint) to 1
+/// (last).
 class PathTimeline {
  public:
   PathTimeline() = default;
   PathTimeline(const geometric::RobotModel& model, planning::Path path);
 
+  /// Goes as `motion` does from now on. @pre it is one of this path, or null: at even speed.
+  void set_motion(std::shared_ptr<const planning::Motion> motion) { motion_ = std::move(motion); }
+  [[nodiscard]] const std::shared_ptr<const planning::Motion>& motion() const { return motion_; }
+
   [[nodiscard]] bool empty() const { return path_.empty(); }
   /// Sum of the normalised distances between waypoints.
   [[nodiscard]] double length() const { return empty() ? 0.0 : distance_.back(); }
+  /// At real time if it is timed; else as long as one likes to look at it, s.
+  [[nodiscard]] double duration() const;
   [[nodiscard]] const planning::Path& path() const { return path_; }
 
   /// Configuration at `fraction`, clamped to [0, 1]. @pre not empty.
   [[nodiscard]] geometric::Configuration at(double fraction) const;
   /// Where waypoint `index` lies. @pre index is one of the path's.
   [[nodiscard]] double fraction_of(std::size_t index) const;
+  /// How many waypoints lie before `fraction`, and the share of the way to the next one.
+  [[nodiscard]] double waypoint_at(double fraction) const;
+  /// The opposite of waypoint_at().
+  [[nodiscard]] double fraction_at(double waypoint) const;
   /// The waypoint next after (before) `fraction`, as a fraction; the ends stay.
   [[nodiscard]] double next_waypoint(double fraction) const;
   [[nodiscard]] double previous_waypoint(double fraction) const;
 
  private:
+  [[nodiscard]] geometric::Configuration at_time(double time) const;
+
   planning::Path path_;
-  std::vector<double> distance_;  ///< From the first waypoint to each.
+  std::shared_ptr<const planning::Motion> motion_;  ///< Null: at even speed.
+  std::vector<double> distance_;                    ///< From the first waypoint to each.
 };
 
 }  // namespace handway::gui

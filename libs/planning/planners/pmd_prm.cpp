@@ -1,5 +1,6 @@
 #include "handway/planning/planners/pmd_prm.h"
 
+#include "handway/planning/core/algorithm_observer.h"
 #include "handway/planning/core/planning_context.h"
 #include "handway/planning/paths/roadmap_smoothing.h"
 #include "handway/planning/roadmap/roadmap.h"
@@ -17,6 +18,7 @@ namespace handway::planning {
 namespace {
 
 using sampling::RandomStream;
+namespace lines = algorithm_lines;
 
 constexpr int kStart = 0;
 constexpr int kGoal = 1;
@@ -26,6 +28,7 @@ class RoadmapSearch {
  public:
   RoadmapSearch(PlanningContext& context, const PmdPrmSettings& settings, HandSpace space)
       : context_(context),
+        watcher_(dynamic_cast<AlgorithmObserver*>(&context.observer())),
         settings_(settings),
         grows_(space == HandSpace::kPrincipalDirections),
         space_(context.problem(), hand_basis(context.problem(), space),
@@ -47,9 +50,13 @@ class RoadmapSearch {
       rho = std::min(k * rho, settings_.rho_max);
       statistics().final_rho_a = rho;
       ++statistics().passes;
+      tell({.line = lines::kWiden, .rho_a = rho});
       const std::optional<PlanStatus> end = sweep(rho);
       if (end) {
         result.status = *end;
+        if (!result.solved()) {
+          tell({.line = lines::kFailure});
+        }
         return;
       }
     }
@@ -65,6 +72,12 @@ class RoadmapSearch {
 
  private:
   PlanStatistics& statistics() { return context_.statistics(); }
+
+  void tell(const AlgorithmStep& step) {
+    if (watcher_) {
+      watcher_->on_step(step);
+    }
+  }
 
   [[nodiscard]] int samples_left() {
     return settings_.max_samples - static_cast<int>(statistics().samples);
@@ -84,6 +97,7 @@ class RoadmapSearch {
       }
       range = search_range();
       context_.observer().on_search_range(range.first, range.second);
+      tell({.line = lines::kSearchRange, .position = range.first, .range_end = range.second});
     }
     // Hypercubes of a wide corridor stand far apart. Where none stands in the
     // range any more, its middle is explored: else passes would add to the first
@@ -97,6 +111,7 @@ class RoadmapSearch {
   // The j-loop of Algorithm 4.
   std::optional<PlanStatus> explore_hypercube(double step, double rho) {
     const std::uint64_t before = statistics().samples;
+    tell({.line = lines::kHypercube, .position = step, .rho_a = rho});
     for (int j = 0; j < settings_.n_a; ++j) {
       if (const auto interruption = context_.interruption()) {
         return interruption;
@@ -117,8 +132,9 @@ class RoadmapSearch {
       if (sample) {
         const PhaseClock connection_time(statistics().connection_s);
         connect(sample->first, step, sample->second);
-        return roadmap_.same_component(kStart, kGoal) ? std::optional(PlanStatus::kSolved)
-                                                      : std::nullopt;
+        const bool joined = roadmap_.same_component(kStart, kGoal);
+        tell({.line = lines::kJoined, .yes = joined, .from = kStart, .to = kGoal});
+        return joined ? std::optional(PlanStatus::kSolved) : std::nullopt;
       }
     }
     return std::nullopt;
@@ -130,10 +146,13 @@ class RoadmapSearch {
       RandomStream draw = arm_draws_.fork(arm_draw_count_++);
       const std::optional<Configuration> q =
           space_.arm_sample(step, rho, draw.uniform(space_.arm_draws()));
-      if (q && !context_.arm_collides(*q)) {
+      const bool is_free = q && !context_.arm_collides(*q);
+      tell({.line = lines::kArmFree, .yes = is_free, .q = q ? &*q : nullptr, .position = step});
+      if (is_free) {
         return q;
       }
     }
+    tell({.line = lines::kNoArm, .yes = false, .position = step});
     return std::nullopt;
   }
 
@@ -159,6 +178,9 @@ class RoadmapSearch {
     for (const int pair : trials.rejecting_pairs) {
       context_.count_rejection(pair, step);
     }
+    if (watcher_) {
+      tell_trials(trials, trial, step);
+    }
     statistics().samples += trials.rejecting_pairs.size() + (trials.index ? 1 : 0);
     if (!trials.index) {
       return std::nullopt;
@@ -167,12 +189,35 @@ class RoadmapSearch {
     return std::pair(trial(*trials.index), hand_dimension(*trials.index) - free_joints);
   }
 
+  // What became of the trials, the free one last.
+  void tell_trials(const PlanningContext::FirstFree& trials,
+                   const std::function<Configuration(int)>& trial, double step) {
+    const int rejected = static_cast<int>(trials.rejecting_pairs.size());
+    for (int h = 0; h < rejected + (trials.index ? 1 : 0); ++h) {
+      const bool is_free = h == rejected;
+      const int pair = is_free ? -1 : trials.rejecting_pairs[static_cast<std::size_t>(h)];
+      const Configuration q = trial(h);
+      tell({.line = is_free || touches_object(pair) ? lines::kHandFree : lines::kHandFreeOfSelf,
+            .yes = is_free,
+            .q = &q,
+            .pair = pair,
+            .count = hand_dimension(h),
+            .position = step});
+    }
+  }
+
+  [[nodiscard]] bool touches_object(int pair) const {
+    const geometric::CollisionWorld& world = context_.problem().checker->world();
+    return !world.is_self_pair(world.pairs()[static_cast<std::size_t>(pair)]);
+  }
+
   int add_node(const Configuration& q, const Eigen::VectorXd& coordinates, double step,
                int pmd_count) {
     const int node = roadmap_.add_node(q, coordinates);
     steps_.push_back(step);
     statistics().nodes = static_cast<std::uint64_t>(roadmap_.node_count());
     context_.observer().on_node({node, q, pmd_count, step, statistics().final_rho_a});
+    tell({.line = lines::kAddNode, .q = &q, .from = node, .position = step});
     return node;
   }
 
@@ -185,6 +230,7 @@ class RoadmapSearch {
       ++per_count[static_cast<std::size_t>(pmd_count)];
     }
     const std::vector<int> neighbours = neighbours_of(node, step);
+    tell({.line = lines::kNeighbours, .from = node, .count = static_cast<int>(neighbours.size())});
     std::vector<PlanningContext::Edge> candidates;
     candidates.reserve(neighbours.size());
     for (const int neighbour : neighbours) {
@@ -192,10 +238,17 @@ class RoadmapSearch {
     }
     auto edges = context_.edges(std::move(candidates));
     for (std::size_t i = 0; i < neighbours.size(); ++i) {
-      if (!roadmap_.same_component(neighbours[i], node) && edges.is_free(i)) {
+      if (roadmap_.same_component(neighbours[i], node)) {
+        tell({.line = lines::kSameComponent, .from = neighbours[i], .to = node});
+        continue;
+      }
+      const bool is_free = edges.is_free(i);
+      tell({.line = lines::kLocalPlan, .yes = is_free, .from = neighbours[i], .to = node});
+      if (is_free) {
         roadmap_.add_edge(neighbours[i], node);
         statistics().edges = static_cast<std::uint64_t>(roadmap_.edge_count());
         context_.observer().on_edge(neighbours[i], node);
+        tell({.line = lines::kAddEdge, .from = neighbours[i], .to = node});
       }
     }
   }
@@ -229,6 +282,7 @@ class RoadmapSearch {
   }
 
   PlanningContext& context_;
+  AlgorithmObserver* watcher_;  ///< Null: nobody wants to know them.
   const PmdPrmSettings& settings_;
   bool grows_;
   HandArmSpace space_;

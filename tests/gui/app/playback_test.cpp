@@ -1,3 +1,5 @@
+#include "handway/planning/timing/certified_blends.h"
+#include "playback/playback_tools.h"
 #include "view3d/scene_view.h"
 #include "window_test.h"
 
@@ -13,6 +15,8 @@ class Playback : public WindowTest {
     if (!IsSkipped()) {
       open(cell().post());
       plan();
+      ASSERT_TRUE(QTest::qWaitFor(
+          [&] { return window().playback().analysis().motion() != nullptr; }, 8000));
       window().player().pause();
     }
   }
@@ -41,18 +45,54 @@ TEST_F(Playback, ScrubsToTheGoal) {
 TEST_F(Playback, StepsFromWaypointToWaypoint) {
   window().player().seek(0.0);
   click("step_forward");
-  EXPECT_TRUE(shown().isApprox(window().player().timeline().path().waypoints[1]));
+  const geometric::Configuration& waypoint = window().player().timeline().path().waypoints[1];
+  EXPECT_NEAR((shown() - waypoint).norm(), 0.0, planning::BlendOptions{}.deviation + 1e-3);
   click("step_back");
   EXPECT_TRUE(shown().isApprox(*scene().start));
 }
 
 TEST_F(Playback, BeginsAnewAtTheEndUnlessTheLoopIsOff) {
   click("loop");
-  window().player().set_speed(8.0);
+  window().player().set_speed(4.0);
   window().player().seek(0.9);
   window().player().play();
   EXPECT_TRUE(QTest::qWaitFor([&] { return !window().player().is_playing(); }));
   EXPECT_EQ(window().player().fraction(), 1.0);
+}
+
+TEST_F(Playback, GoesBackwards) {
+  window().player().seek(0.5);
+  click("reverse");
+  click("play");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window().player().fraction() < 0.4; }));
+  click("play");
+}
+
+TEST_F(Playback, BackwardsItEndsAtTheStart) {
+  click("loop");
+  click("reverse");
+  window().player().seek(0.1);
+  window().player().play();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !window().player().is_playing(); }));
+  EXPECT_EQ(window().player().fraction(), 0.0);
+}
+
+TEST_F(Playback, StepsByPictures) {
+  window().player().seek(0.0);
+  click("frame_forward");
+  EXPECT_NEAR(window().player().time(), gui::PathPlayer::kFrame, 1e-9);
+  click("frame_back");
+  EXPECT_EQ(window().player().fraction(), 0.0);
+}
+
+TEST_F(Playback, KeepsItsPlaceWhenThePathGetsTimes) {
+  gui::PathPlayer& player = window().player();
+  const auto motion = player.timeline().motion();
+  player.set_motion(nullptr);
+  player.step_forward();
+  const double waypoint = player.timeline().waypoint_at(player.fraction());
+  player.set_motion(motion);
+  EXPECT_NEAR(player.timeline().waypoint_at(player.fraction()), waypoint, 1e-9);
 }
 
 }  // namespace

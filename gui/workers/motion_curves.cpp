@@ -1,0 +1,68 @@
+#include "workers/motion_curves.h"
+
+#include "handway/planning/timing/certified_blends.h"
+#include "handway/planning/timing/time_law.h"
+
+#include <algorithm>
+
+namespace handway::gui {
+namespace {
+
+constexpr double kPeriod = 0.01;  // s
+
+// The hand's joints, normalised, in the order of the basis.
+Eigen::VectorXd hand_posture(const planning::PlanningProblem& problem,
+                             const geometric::Configuration& q) {
+  const geometric::RobotModel& model = problem.model();
+  Eigen::VectorXd posture(static_cast<Eigen::Index>(problem.hand.size()));
+  Eigen::Index i = 0;
+  for (const int variable : problem.hand) {
+    const double range = model.upper()[variable] - model.lower()[variable];
+    posture[i++] = (q[variable] - model.lower()[variable]) / range;
+  }
+  return posture;
+}
+
+}  // namespace
+
+PathMotion motion_of(const planning::PlanningProblem& problem, const planning::Path& path) {
+  auto motion = std::make_shared<planning::Motion>();
+  motion->name = "path";
+  motion->model = problem.scene->robots.front().model;
+  motion->arm = problem.arm;
+  motion->hand = problem.hand;
+  motion->limits = planning::rate_limits(problem.model());
+  motion->limits.jerk.resize(0);
+  motion->path = path;
+  const planning::BlendResult blends = planning::certified_blends(problem, path);
+  if (!blends.path) {
+    return {nullptr, blends.fault};
+  }
+  const planning::TimeLaw law = planning::time_optimal(*blends.path, motion->limits);
+  motion->waypoint_times = planning::waypoint_times(*blends.path, law);
+  motion->trajectory = planning::sample(*blends.path, law, kPeriod);
+  return {motion, {}};
+}
+
+MotionCurves motion_curves(const planning::PlanningProblem& problem,
+                           const planning::Trajectory& trajectory, const std::stop_token& stop) {
+  MotionCurves curves;
+  const std::unique_ptr<geometric::CollisionChecker> checker = problem.checker->clone();
+  for (const planning::TrajectoryPoint& point : trajectory.points) {
+    if (stop.stop_requested()) {
+      break;
+    }
+    const geometric::NamedPair closest =
+        geometric::find_clearance(*checker, point.position, kMostClearance);
+    const bool is_near = closest.distance < kMostClearance;
+    curves.clearance.push_back(std::min(closest.distance, kMostClearance));
+    curves.closest.push_back(is_near ? closest.a + " with " + closest.b : std::string());
+    if (problem.basis) {
+      curves.unlikeness.push_back(
+          sampling::distance_to_subspace(*problem.basis, hand_posture(problem, point.position)));
+    }
+  }
+  return curves;
+}
+
+}  // namespace handway::gui

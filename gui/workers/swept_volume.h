@@ -1,0 +1,21 @@
+#pragma once
+
+#include "handway/geometric/scene/scene.h"
+#include "handway/geometric/scene/triangle_mesh.h"
+
+#include <stop_token>
+#include <vector>
+
+namespace handway::gui {
+
+/// The surface of what the links of a robot pass through in `postures` (world, m), as smooth as
+/// cells of `cell` (m) allow; links that don't move among them are left out. Good to look at, not
+/// to check collisions with. Empty if `stop` comes first.
+///
+/// The cells that surface points of the links come into are filled; the faces between filled and
+/// empty ones are smoothed by moving their corners towards the middle of their neighbours.
+[[nodiscard]] geometric::TriangleMesh swept_volume(
+    const geometric::RobotInstance& robot, const std::vector<geometric::Configuration>& postures,
+    double cell, const std::stop_token& stop);
+
+}  // namespace handway::gui
