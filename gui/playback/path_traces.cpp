@@ -28,6 +28,7 @@ const geometric::Color kVolumeColor{0.36F, 0.44F, 0.78F, Ghost::kOpacity};
 
 std::vector<geometric::Configuration> spread(const PathTimeline& timeline, int count) {
   std::vector<geometric::Configuration> postures;
+  postures.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) {
     postures.push_back(timeline.at(static_cast<double>(i) / (count - 1)));
   }

@@ -22,7 +22,7 @@ constexpr int kSmoothings = 4;
 constexpr double kStill = 1e-4;  // m
 
 Key key_of(const Cell& cell) {
-  const auto part = [](int coordinate) { return static_cast<Key>(coordinate + kMiddle); };
+  const auto part = [](int coordinate) { return static_cast<Key>(coordinate) + Key{kMiddle}; };
   return (part(cell.x()) << (2 * kBits)) | (part(cell.y()) << kBits) | part(cell.z());
 }
 
