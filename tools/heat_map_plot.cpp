@@ -20,7 +20,10 @@ constexpr double kCellHeight = 44.0;
 constexpr double kLeft = 130.0;
 constexpr double kTop = 12.0;
 constexpr double kFoot = 48.0;
-constexpr double kLeastRatio = 2.0;  // of times that get the colours' ends
+constexpr double kScaleWidth = 14.0;  // of the scale of colours, …
+constexpr double kScaleGap = 24.0;    // … from the cells, and …
+constexpr double kScaleRoom = 70.0;   // … for its numbers
+constexpr double kLeastRatio = 2.0;   // of times that get the colours' ends
 
 using Rgb = std::array<double, 3>;
 
@@ -55,6 +58,11 @@ class TimeColors {
     }
   }
 
+  [[nodiscard]] bool any() const { return most_ > 0.0; }
+  [[nodiscard]] double fastest() const { return least_; }
+  [[nodiscard]] double slowest() const { return most_; }  ///< Or where the scale ends.
+
+  /// 0 for the least time, 1 for the most, and for one without an end.
   [[nodiscard]] double share(double time) const {
     return std::isfinite(time) ? std::log(time / least_) / std::log(most_ / least_) : 1.0;
   }
@@ -63,6 +71,15 @@ class TimeColors {
   double least_ = std::numeric_limits<double>::infinity();
   double most_ = 0.0;
 };
+
+// To three digits, in milliseconds below a second.
+std::string time_text(double time) {
+  constexpr double kMilli = 1e-3;
+  const bool small = time < 1.0;
+  const double value = small ? time / kMilli : time;
+  const int decimals = value < 1.0 || (!small && value < 10.0) ? 2 : value < 10.0 ? 1 : 0;
+  return fmt::format("{:.{}f} {}", value, decimals, small ? "ms" : "s");
+}
 
 double median_time(const CampaignCell& cell) {
   return cell.runs.empty() ? std::numeric_limits<double>::quiet_NaN()
@@ -83,9 +100,11 @@ std::string field(const CampaignCell& cell, const TimeColors& colors, double x, 
   const bool all = cell.solved() == cell.runs.size();
   std::string svg = fmt::format(
       "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"rgb({:.0f},{:.0f},{:.0f})\" "
-      "stroke=\"#fff\"/><text x=\"{}\" y=\"{}\" text-anchor=\"middle\" style=\"fill:{}\">{}</text>",
+      "stroke=\"#fff\"/><text x=\"{}\" y=\"{}\" text-anchor=\"middle\" "
+      "style=\"fill:{};font-weight:{}\">{}</text>",
       x, y, kCellWidth, kCellHeight, fill[0], fill[1], fill[2], middle, y + (all ? 27.0 : 19.0),
-      ink, std::isfinite(time) ? number_text(time) + " s" : "∞");
+      ink, time == colors.fastest() ? "bold" : "normal",
+      std::isfinite(time) ? time_text(time) : "∞");
   if (!all) {
     svg += fmt::format(
         "<text x=\"{}\" y=\"{}\" text-anchor=\"middle\" style=\"font-size:11px;fill:{}\">{} "
@@ -94,6 +113,25 @@ std::string field(const CampaignCell& cell, const TimeColors& colors, double x, 
         percent_text(static_cast<double>(cell.solved()) / static_cast<double>(cell.runs.size())));
   }
   return svg + '\n';
+}
+
+// The scale of colours, slow above fast.
+std::string scale(const TimeColors& colors, double x, double bottom) {
+  std::string svg = "<defs><linearGradient id=\"times\" x1=\"0\" y1=\"1\" x2=\"0\" y2=\"0\">";
+  for (std::size_t i = 0; i < kScale.size(); ++i) {
+    svg += fmt::format("<stop offset=\"{}\" stop-color=\"rgb({:.0f},{:.0f},{:.0f})\"/>",
+                       static_cast<double>(i) / (kScale.size() - 1), kScale.at(i)[0],
+                       kScale.at(i)[1], kScale.at(i)[2]);
+  }
+  svg += fmt::format(
+      "</linearGradient></defs>\n<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" "
+      "fill=\"url(#times)\" stroke=\"#888\"/>\n",
+      x, kTop, kScaleWidth, bottom - kTop);
+  const double beside = x + kScaleWidth + 6.0;
+  return svg +
+         fmt::format("<text x=\"{0}\" y=\"{1}\">{2}</text><text x=\"{0}\" y=\"{3}\">{4}</text>\n",
+                     beside, kTop + 11.0, time_text(colors.slowest()), bottom - 1.0,
+                     time_text(colors.fastest()));
 }
 
 }  // namespace
@@ -115,6 +153,9 @@ std::string heat_map_svg(const ParameterGrid& grid, std::span<const CampaignCell
                  kLeft + kCellWidth * static_cast<double>(i % columns),
                  bottom - kCellHeight * static_cast<double>(row));
   }
+  if (colors.any()) {
+    svg += scale(colors, right + kScaleGap, bottom);
+  }
   for (std::size_t i = 0; i < columns; ++i) {
     svg += fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>\n",
                        kLeft + kCellWidth * (static_cast<double>(i) + 0.5), bottom + 18.0,
@@ -135,7 +176,7 @@ std::string heat_map_svg(const ParameterGrid& grid, std::span<const CampaignCell
   return fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" "
       "height=\"{1}\" role=\"img\">\n{2}</svg>",
-      right + 20.0, bottom + kFoot, svg);
+      right + kScaleGap + kScaleWidth + kScaleRoom, bottom + kFoot, svg);
 }
 
 }  // namespace handway::tools
