@@ -18,12 +18,13 @@ namespace {
 
 constexpr double kSmallestLeaf = 0.002;   // m: spheres are split until they are this small, …
 constexpr double kMostLeaves = 5000.0;    // … or as small as makes about so many
+constexpr double kHullMargin = 0.005;     // of the size
 constexpr std::size_t kCells = 1U << 14;  // of a field, …
 constexpr std::size_t kCellsOfPlain = 1U << 16;  // … and where they are soon made,
 constexpr std::size_t kPlain = 1000;             // that is, of meshes with fewer triangles
 
 CacheKey key_of(const TriangleMesh& mesh) {
-  constexpr std::string_view kMadeHow = "volumes 2";  // to change with what they are made of
+  constexpr std::string_view kMadeHow = "volumes 4";  // to change with what they are made of
   std::string content = std::to_string(mesh.vertices.size());
   const auto add = [&](const auto& elements) {
     content.append(reinterpret_cast<const char*>(elements.data()),
@@ -78,13 +79,15 @@ std::shared_ptr<const Surface> make_surface(const CacheKey& key,
   if (const std::optional<std::string> cached = read_cached(key)) {
     volumes = unarchive_volumes(*cached);
   } else {
-    volumes = {
-        SphereCover(*mesh, leaf_radius(*mesh)),
-        ClearanceField(*mesh, boxes, mesh->triangles.size() < kPlain ? kCellsOfPlain : kCells)};
+    const std::size_t cells = mesh->triangles.size() < kPlain ? kCellsOfPlain : kCells;
+    const SphereCover cover(*mesh, leaf_radius(*mesh));
+    volumes = {cover, ConvexCover(*mesh, kHullMargin * static_cast<double>(cover.root().radius)),
+               ClearanceField(*mesh, boxes, cells)};
     write_cached(key, archive_volumes(volumes));
   }
   auto surface = std::make_shared<const Surface>(
-      Surface{key, mesh, std::move(boxes), std::move(volumes.cover), std::move(volumes.field)});
+      Surface{key, mesh, std::move(boxes), std::move(volumes.cover), std::move(volumes.hull),
+              std::move(volumes.field)});
   living_surfaces().add(key, surface);
   return surface;
 }

@@ -2,6 +2,7 @@
 
 #include "collision/box_tree.h"
 #include "collision/clearance_field.h"
+#include "collision/convex_cover.h"
 #include "collision/disk_cache.h"
 #include "collision/sphere_cover.h"
 #include "handway/geometric/scene/triangle_mesh.h"
@@ -17,6 +18,7 @@ struct Surface {
   std::shared_ptr<const TriangleMesh> mesh;
   BoxTree boxes;
   SphereCover cover;
+  ConvexCover hull;
   ClearanceField field;
 };
 

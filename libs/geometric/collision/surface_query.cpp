@@ -122,6 +122,11 @@ void SurfaceQuery::visit(std::uint32_t index) {
     const Eigen::Vector3d centre = X_BA_ * Eigen::Vector3d(node.x[k], node.y[k], node.z[k]);
     const auto radius = static_cast<double>(node.radius[k]);
     const bool is_leaf = (node.child[k] & SphereCover::kLeaf) != 0;
+    if (is_leaf || patience_ <= 1) {
+      if (parted_by_plane()) {
+        return;
+      }
+    }
     if ((is_leaf || --patience_ < 0) &&
         !is_nearer_than(*b_.mesh, b_.boxes, centre, radius + least_)) {
       continue;
@@ -132,6 +137,14 @@ void SurfaceQuery::visit(std::uint32_t index) {
       visit(node.child[k]);
     }
   }
+}
+
+bool SurfaceQuery::parted_by_plane() {
+  if (!tried_planes_) {
+    tried_planes_ = true;
+    gap_ = hull_gap(a_.hull, b_.hull, moves_, static_cast<float>(least_));
+  }
+  return gap_ >= least_;
 }
 
 void SurfaceQuery::compare(std::uint32_t leaf, const Eigen::Vector3d& centre, double radius) {

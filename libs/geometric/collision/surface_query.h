@@ -42,6 +42,8 @@ class SurfaceQuery {
   void visit_all();
   void bound_node(std::uint32_t node);
   void visit(std::uint32_t node);
+  /// Whether the hulls are known to be at least `least_` apart.
+  [[nodiscard]] bool parted_by_plane();
   void compare(std::uint32_t leaf, const Eigen::Vector3d& centre, double radius);
   void compare_triangle(const TriangleCorners& s, const Eigen::Vector3d& centre, double radius);
 
@@ -57,6 +59,8 @@ class SurfaceQuery {
   int effort_ = 0;
   int patience_ = 0;
   bool exact_ = false;
+  bool tried_planes_ = false;
+  double gap_ = 0.0;  ///< m: the hulls are at least that far apart.
   std::vector<std::uint32_t>& near_;  ///< Triangles of B that a leaf is compared with.
 };
 

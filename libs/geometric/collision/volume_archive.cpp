@@ -21,6 +21,16 @@ class VolumeArchive {
     list(archive, cover.triangles_);
   }
 
+  template <typename Archive, typename Hull>
+  static void hull(Archive& archive, Hull& hull) {
+    plain(archive, hull.middle_);
+    plain(archive, hull.margin_);
+    plain(archive, hull.count_);
+    list(archive, hull.x_);
+    list(archive, hull.y_);
+    list(archive, hull.z_);
+  }
+
   template <typename Archive, typename Field>
   static void field(Archive& archive, Field& field) {
     plain(archive, field.centre_);
@@ -59,6 +69,7 @@ std::string archive_volumes(const MeshVolumes& volumes) {
   boost::archive::binary_oarchive archive(stream, boost::archive::no_header);
   MeshVolumes copy = volumes;  // archives want what they could also write to
   VolumeArchive::cover(archive, copy.cover);
+  VolumeArchive::hull(archive, copy.hull);
   VolumeArchive::field(archive, copy.field);
   return stream.str();
 }
@@ -68,6 +79,7 @@ MeshVolumes unarchive_volumes(const std::string& bytes) {
   boost::archive::binary_iarchive archive(stream, boost::archive::no_header);
   MeshVolumes volumes;
   VolumeArchive::cover(archive, volumes.cover);
+  VolumeArchive::hull(archive, volumes.hull);
   VolumeArchive::field(archive, volumes.field);
   return volumes;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "collision/clearance_field.h"
+#include "collision/convex_cover.h"
 #include "collision/sphere_cover.h"
 
 #include <string>
@@ -10,6 +11,7 @@ namespace handway::geometric {
 /// What takes long to make of a mesh.
 struct MeshVolumes {
   SphereCover cover;
+  ConvexCover hull;
   ClearanceField field;
 };
 
