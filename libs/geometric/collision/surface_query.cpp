@@ -58,10 +58,10 @@ bool SurfaceQuery::root_is_near() {
 double SurfaceQuery::bound(double enough, int effort) {
   least_ = enough;
   effort_ = effort;
-  if (root_is_near()) {
+  if (root_is_near() && !parted_by_plane()) {
     bound_node(0);
   }
-  return std::max(0.0, least_);
+  return std::max(gap_, least_);
 }
 
 void SurfaceQuery::bound_node(std::uint32_t index) {
