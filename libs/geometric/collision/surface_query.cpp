@@ -61,7 +61,7 @@ double SurfaceQuery::bound(double enough, int effort) {
   if (root_is_near() && !parted_by_plane()) {
     bound_node(0);
   }
-  return std::max(gap_, least_);
+  return std::min(enough, std::max(gap_, least_));
 }
 
 void SurfaceQuery::bound_node(std::uint32_t index) {

@@ -7,9 +7,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <memory>
 #include <random>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace handway::geometric {
@@ -123,6 +125,25 @@ TEST(BoundedChecker, AgreesWithFclForACarriedCan) {
     const Configuration q = random.next();
     ASSERT_NO_FATAL_FAILURE(checkers.expect_same_collisions(q));
     ASSERT_NO_FATAL_FAILURE(checkers.expect_same_distances(q, 0.01));
+  }
+}
+
+TEST(BoundedChecker, AgreesWithFclOnSheetsWithoutThickness) {
+  const auto sheet = [](TriangleMesh mesh) {
+    return Mesh{"", Eigen::Vector3d::Ones(), std::make_shared<const TriangleMesh>(std::move(mesh))};
+  };
+  const Mesh flake = sheet({{{0, 0, 0}, {0.3, 0, 0}, {0, 0.2, 0}}, {{0, 1, 2}}});
+  const Mesh bent =
+      sheet({{{0, 0, 0}, {0.4, 0, 0}, {0, 0.4, 0}, {0.4, 0.4, 0.1}}, {{0, 1, 2}, {1, 3, 2}}});
+  Scene scene = test::scene_of(test::solid_tx90_sah());
+  add_object(scene, "flake", flake, pose_from_rpy({0.5, 0.2, 0.7}, 0.3, 0.4, 0.5));
+  add_object(scene, "bent", bent, Eigen::Vector3d(0.4, -0.5, 0.9));
+  CheckerAgreement checkers(scene);
+  RandomConfigurations random(checkers.world().model(), 9);
+  for (int i = 0; i < 100; ++i) {
+    const Configuration q = random.next();
+    ASSERT_NO_FATAL_FAILURE(checkers.expect_same_collisions(q));
+    ASSERT_NO_FATAL_FAILURE(checkers.expect_same_distances(q, 0.05));
   }
 }
 
