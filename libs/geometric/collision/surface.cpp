@@ -85,9 +85,9 @@ std::shared_ptr<const Surface> make_surface(const CacheKey& key,
                ClearanceField(*mesh, boxes, cells)};
     write_cached(key, archive_volumes(volumes));
   }
-  auto surface = std::make_shared<const Surface>(
-      Surface{key, mesh, std::move(boxes), std::move(volumes.cover), std::move(volumes.hull),
-              std::move(volumes.field)});
+  auto surface =
+      std::make_shared<const Surface>(Surface{key, mesh, std::move(boxes), std::move(volumes.cover),
+                                              std::move(volumes.hull), std::move(volumes.field)});
   living_surfaces().add(key, surface);
   return surface;
 }

@@ -60,7 +60,7 @@ class SurfaceQuery {
   int patience_ = 0;
   bool exact_ = false;
   bool tried_planes_ = false;
-  double gap_ = 0.0;  ///< m: the hulls are at least that far apart.
+  double gap_ = 0.0;                  ///< m: the hulls are at least that far apart.
   std::vector<std::uint32_t>& near_;  ///< Triangles of B that a leaf is compared with.
 };
 
