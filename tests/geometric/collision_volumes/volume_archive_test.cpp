@@ -9,12 +9,16 @@ namespace {
 
 TEST(VolumeArchive, GivesBackTheSameVolumes) {
   const TriangleMesh mesh = *tessellate(Cylinder{0.03, 0.12});
-  const MeshVolumes made{SphereCover(mesh, 0.01), ClearanceField(mesh, BoxTree(mesh), 4096)};
+  const MeshVolumes made{SphereCover(mesh, 0.01), ConvexCover(mesh, 1e-4),
+                         ClearanceField(mesh, BoxTree(mesh), 4096)};
   const MeshVolumes read = unarchive_volumes(archive_volumes(made));
 
   EXPECT_EQ(read.cover.root().radius, made.cover.root().radius);
   ASSERT_EQ(read.cover.nodes().size(), made.cover.nodes().size());
   EXPECT_EQ(read.cover.nodes().back().x, made.cover.nodes().back().x);
+  EXPECT_EQ(read.hull.margin(), made.hull.margin());
+  EXPECT_EQ(read.hull.support(Eigen::Vector3f(1, 2, 3)),
+            made.hull.support(Eigen::Vector3f(1, 2, 3)));
   ASSERT_EQ(read.field.cell_count(), made.field.cell_count());
   ASSERT_EQ(read.field.block_count(), made.field.block_count());
   test::RandomPoints points(mesh, 2.0);

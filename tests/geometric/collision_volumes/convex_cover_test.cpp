@@ -1,0 +1,85 @@
+#include "collision/convex_cover.h"
+
+#include "sample_meshes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <random>
+
+namespace handway::geometric {
+namespace {
+
+constexpr double kMargin = 2e-4;  // m
+
+// Uniform on the sphere.
+class RandomDirections {
+ public:
+  Eigen::Vector3f next() {
+    return Eigen::Vector3f(normal_(engine_), normal_(engine_), normal_(engine_)).normalized();
+  }
+
+ private:
+  std::mt19937_64 engine_{5};
+  std::normal_distribution<float> normal_;
+};
+
+float farthest_along(const TriangleMesh& mesh, const Eigen::Vector3f& direction) {
+  float most = -std::numeric_limits<float>::infinity();
+  for (const Eigen::Vector3d& vertex : mesh.vertices) {
+    most = std::max(most, direction.dot(vertex.cast<float>()));
+  }
+  return most;
+}
+
+TEST(ConvexCover, ReachesAsFarAsTheMeshLessTheMargin) {
+  for (const auto& [name, mesh] : test::sample_meshes()) {
+    SCOPED_TRACE(name);
+    const ConvexCover hull(mesh, kMargin);
+    RandomDirections directions;
+    for (int i = 0; i < 2000; ++i) {
+      const Eigen::Vector3f direction = directions.next();
+      const float reach = direction.dot(hull.support(direction));
+      const float exact = farthest_along(mesh, direction);
+      EXPECT_LE(reach, exact + 1e-6F);
+      EXPECT_GE(reach + hull.margin(), exact - 1e-6F);
+    }
+  }
+}
+
+TEST(ConvexCover, LeavesOutMostPointsOfAFineMesh) {
+  const TriangleMesh ball = *tessellate(Sphere{0.03});
+  EXPECT_LT(ConvexCover(ball, 0.001).point_count(), ball.vertices.size() / 2);
+}
+
+TEST(HullGap, PartsTwoBoxesWhoseSpheresOverlap) {
+  const ConvexCover box(*tessellate(Box{{0.4, 0.1, 0.02}}), kMargin);
+  const Pose X_BA(Eigen::Translation3d(0.0, 0.0, 0.025));
+  const float gap = hull_gap(box, box, FloatPose(X_BA, 0.25F), 1.0F);
+  EXPECT_LE(gap, 0.005F);
+  EXPECT_GT(gap, 0.004F);
+}
+
+TEST(HullGap, FindsNoneWhereHullsMeet) {
+  const ConvexCover box(*tessellate(Box{{0.4, 0.1, 0.02}}), kMargin);
+  const Pose X_BA(Eigen::Translation3d(0.1, 0.0, 0.019));
+  EXPECT_EQ(hull_gap(box, box, FloatPose(X_BA, 0.25F), 1.0F), 0.0F);
+  EXPECT_EQ(hull_gap(box, box, FloatPose(Pose::Identity(), 0.25F), 1.0F), 0.0F);
+}
+
+TEST(HullGap, NeverExceedsTheDistanceOfTwoBalls) {
+  constexpr float kRadius = 0.03F;
+  const ConvexCover ball(*tessellate(Sphere{kRadius}), kMargin);
+  const Eigen::Vector3f shift = Eigen::Vector3f(1.0F, 2.0F, -3.0F).normalized();
+  for (const float apart : {0.05F, 0.061F, 0.08F, 0.5F, 3.0F}) {
+    const Pose X_BA(Eigen::Translation3d((apart * shift).cast<double>()));
+    const float gap = hull_gap(ball, ball, FloatPose(X_BA, kRadius), 10.0F);
+    // Tessellated balls keep a little more distance than round ones.
+    EXPECT_LE(gap, std::max(0.0F, apart - 2.0F * kRadius + 0.002F)) << apart;
+    EXPECT_GE(gap, apart - 2.0F * kRadius - 0.001F) << apart;
+  }
+}
+
+}  // namespace
+}  // namespace handway::geometric
