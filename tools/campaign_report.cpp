@@ -131,7 +131,7 @@ void add_problem(ReportDocument& document, const Campaign& campaign,
   for (const ParameterGrid& grid : grids) {
     document.push_back(
         ReportFigure{fmt::format("{}: median time by {} and {}", grid.planner, grid.x, grid.y),
-                     heat_map_svg(grid, cells), "heatmaps.csv"});
+                     heat_map_svg(grid, cells), "heatmaps.csv", ""});
   }
   std::vector<PlotSeries> series;
   for (const CampaignCell& cell : curves_of(cells, grids)) {
@@ -142,11 +142,11 @@ void add_problem(ReportDocument& document, const Campaign& campaign,
     return;
   }
   document.push_back(
-      ReportFigure{"Share of runs solved within a time", ecdf_svg(series), "ecdf.csv"});
+      ReportFigure{"Share of runs solved within a time", ecdf_svg(series), "ecdf.csv", ""});
   document.push_back(
       ReportFigure{"Times of the runs that found a path: quartiles, whiskers to 1.5 "
                    "box lengths, outliers",
-                   box_plot_svg(series), "boxplot.csv"});
+                   box_plot_svg(series), "boxplot.csv", ""});
   if (cells.size() > 1 && cells.size() <= kMostCompared) {
     document.push_back(pairs(campaign, comparisons, problem));
   }
@@ -246,7 +246,15 @@ void write_campaign_report(const Campaign& campaign, const CampaignOutcome& outc
     write(fs::path("ompl") / (file_name_of(campaign.problems[i].name) + ".log"),
           ompl_log(campaign, std::span(cells).subspan(i * planners, planners)));
   }
-  const ReportDocument document = campaign_document(campaign, outcome, cells, comparisons);
+  ReportDocument document = campaign_document(campaign, outcome, cells, comparisons);
+  make_out_folder(folder / "drawings");
+  int drawings = 0;
+  for (ReportPart& part : document) {
+    if (auto* figure = std::get_if<ReportFigure>(&part)) {
+      figure->file = fmt::format("drawings/{}.svg", ++drawings);
+      write(figure->file, to_svg(*figure));
+    }
+  }
   write("report.md", to_markdown(document));
   write("report.html", to_html(document));
 }

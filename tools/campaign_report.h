@@ -8,7 +8,7 @@
 
 namespace handway::tools {
 
-/// Writes into `folder`: report.md, report.html, summary.csv, runs.csv, ecdf.csv,
+/// Writes into `folder`: report.md with drawings/N.svg, report.html, summary.csv, runs.csv, ecdf.csv,
 /// boxplot.csv, comparisons.csv and an OMPL benchmark log a problem in `ompl/`.
 /// @throws InputError if that can't be done.
 void write_campaign_report(const planning::Campaign& campaign, const CampaignOutcome& outcome,

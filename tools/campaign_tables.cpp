@@ -99,7 +99,7 @@ ReportTable summary_table(const Campaign& campaign, std::span<const CampaignCell
         number_field(static_cast<double>(cell.solved()) / static_cast<double>(cell.runs.size())));
     row.push_back(number_field(success.lower));
     row.push_back(number_field(success.upper));
-    row.push_back(number_field(planning::quantile_of(cell.times(), 0.5)));
+    row.push_back(seconds_field(planning::quantile_of(cell.times(), 0.5)));
     for (const RunMeasure& measure : planning::run_measures()) {
       const std::vector<double> values = cell.of_solved(measure);
       const planning::Interval mean = planning::mean_interval(values);

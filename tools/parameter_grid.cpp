@@ -145,7 +145,7 @@ ReportTable heat_map_table(const Campaign& campaign, std::span<const ParameterGr
              grid.x_values[i % grid.x_values.size()], grid.y,
              grid.y_values[i / grid.x_values.size()], fmt::format("{}", cell.runs.size()),
              fmt::format("{}", cell.solved()),
-             cell.runs.empty() ? "" : number_field(planning::quantile_of(cell.times(), 0.5))});
+             cell.runs.empty() ? "" : seconds_field(planning::quantile_of(cell.times(), 0.5))});
       }
     }
   }

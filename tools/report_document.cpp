@@ -11,7 +11,8 @@ constexpr const char* kStyle =
     "th,td{border-bottom:1px solid #ccc;padding:.25rem .7rem;text-align:right}"
     "th:first-child,td:first-child{text-align:left}"
     "th{border-bottom:2px solid #666}figure{margin:1rem 0}figcaption{color:#555}"
-    "svg,img{max-width:100%;height:auto}svg text{font:12px sans-serif;fill:#222}";
+    "svg,img{max-width:100%;height:auto}";
+constexpr const char* kDrawingStyle = "svg text{font:12px sans-serif;fill:#222}";
 
 std::string escaped(const std::string& text, const char* special) {
   std::string result;
@@ -52,7 +53,8 @@ struct MarkdownWriter {
     return lines + "\n";
   }
   std::string operator()(const ReportFigure& figure) const {
-    return fmt::format("{}: [{}]({})\n\n", figure.caption, figure.data_file, figure.data_file);
+    return fmt::format("![{}]({})\n\n{}: [{}]({})\n\n", figure.caption, figure.file, figure.caption,
+                       figure.data_file, figure.data_file);
   }
   std::string operator()(const ReportPicture& picture) const {
     return fmt::format("![{}]({})\n\n", picture.caption, picture.file);
@@ -126,8 +128,14 @@ std::string to_html(const ReportDocument& document) {
   }
   return fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>{}</title>\n"
-      "<style>{}</style>\n</head>\n<body>\n{}</body>\n</html>\n",
-      html_escaped(title_of(document)), kStyle, body);
+      "<style>{}{}</style>\n</head>\n<body>\n{}</body>\n</html>\n",
+      html_escaped(title_of(document)), kStyle, kDrawingStyle, body);
+}
+
+std::string to_svg(const ReportFigure& figure) {
+  const std::size_t content = figure.svg.find('>') + 1;
+  return fmt::format("{}<style>{}</style><rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>{}",
+                     figure.svg.substr(0, content), kDrawingStyle, figure.svg.substr(content));
 }
 
 std::string html_escaped(const std::string& text) {

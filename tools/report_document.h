@@ -21,11 +21,12 @@ struct ReportTable {
   std::vector<std::vector<std::string>> rows;
 };
 
-/// A drawing; Markdown has its caption and where its data is instead.
+/// A drawing: in HTML as it is, in Markdown as a file of its own.
 struct ReportFigure {
   std::string caption;
   std::string svg;
   std::string data_file;  ///< Beside the report.
+  std::string file;       ///< Of the drawing, beside the report.
 };
 
 /// A picture in a file of its own.
@@ -39,6 +40,8 @@ using ReportPart =
 using ReportDocument = std::vector<ReportPart>;
 
 [[nodiscard]] std::string to_markdown(const ReportDocument& document);
+/// A drawing with the styles that reports give it.
+[[nodiscard]] std::string to_svg(const ReportFigure& figure);
 /// One file with its styles and drawings.
 [[nodiscard]] std::string to_html(const ReportDocument& document);
 

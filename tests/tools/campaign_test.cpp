@@ -81,8 +81,12 @@ TEST_F(HandwayCampaign, DrawsHeatMapsOfPairsOfParameters) {
   EXPECT_THAT(line_.read("pairs/report.md"),
               AllOf(HasSubstr("median time by n_a and k"), Not(HasSubstr("n_h and"))));
   EXPECT_THAT(line_.read("pairs/report.html"), HasSubstr(">n_a</text>"));
+  EXPECT_THAT(line_.read("pairs/report.md"), HasSubstr("](drawings/1.svg)"));
+  EXPECT_THAT(line_.read("pairs/drawings/1.svg"),
+              AllOf(testing::StartsWith("<svg xmlns"), HasSubstr("svg text{font"),
+                    HasSubstr(">n_a</text>"), HasSubstr(" ms</text>")));
   const std::string table = line_.read("pairs/heatmaps.csv");
-  EXPECT_THAT(table, AllOf(HasSubstr("\nopen,pmd-prm,a n_a=5 k=3,n_a,5,k,3,2,2,0."),
+  EXPECT_THAT(table, AllOf(HasSubstr("\nopen,pmd-prm,a n_a=5 k=3,n_a,5,k,3,2,2,"),
                            HasSubstr("\npost,pmd-prm,a n_a=10 k=10,n_a,10,k,10,2,2,")));
   EXPECT_EQ(std::ranges::count(table, '\n'), 1 + 2 * 6);
   EXPECT_LT(table.find("n_a,5,k,3"), table.find("n_a,5,k,10")) << "by size";
