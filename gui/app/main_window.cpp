@@ -6,6 +6,7 @@
 #include "app/grasp_tool.h"
 #include "app/palm_tool.h"
 #include "app/plan_options.h"
+#include "app/planning_views.h"
 #include "app/posing.h"
 #include "app/query_check.h"
 #include "app/recent_files.h"
@@ -63,6 +64,7 @@ MainWindow::MainWindow(std::shared_ptr<planning::Extensions> extensions, QWidget
       posing_(std::make_unique<Posing>(document_, player_)),
       devices_(std::make_unique<DeviceSession>(document_, player_)),
       collisions_(std::make_unique<CollisionDisplay>(document_, *view_)),
+      planning_views_(std::make_unique<PlanningViews>(document_, player_, *plan_panel_, *view_)),
       playback_(new PlaybackBar(player_)),
       playback_tools_(
           std::make_unique<PlaybackTools>(document_, player_, *view_, playback_->traces())),
@@ -78,6 +80,7 @@ MainWindow::MainWindow(std::shared_ptr<planning::Extensions> extensions, QWidget
   setAcceptDrops(true);
   build_docks();
   session_ = std::make_unique<PlanningSession>(document_, *plan_panel_, player_);
+  planning_views_->follow(*session_, *actions_->samples);
   query_check_ = std::make_unique<QueryCheck>(document_, editing_->editor(), *posing_, *view_);
   grasp_tool_ = std::make_unique<GraspTool>(document_, *editing_, *session_, *view_);
   palm_tool_ =
@@ -124,7 +127,8 @@ void MainWindow::build_docks() {
                    {"glove", tr("Glove"), posing_->glove()},
                    {"devices", tr("Devices"), devices_->panel()},
                    {"campaigns", tr("Runs"), campaigns_}},
-       .below = {{"plots", tr("Plots"), playback_tools_->plots()}}},
+       .below = {{"plots", tr("Plots"), playback_tools_->plots()},
+                 {"projection", tr("Projection"), planning_views_->projection_panel()}}},
       *actions_->view_menu(), *actions_->edit_menu());
   actions_->view_menu()->addAction(actions_->default_layout);
   statusBar()->addWidget(collisions_->label(), 1);
@@ -163,7 +167,6 @@ void MainWindow::connect_actions() {
   connect(playback_tools_.get(), &PlaybackTools::exported, this, [this](const QString& file) {
     log_->add(LogPanel::Level::kNote, tr("Exported %1").arg(file));
   });
-  connect(actions_->samples, &QAction::toggled, view_, &SceneView::set_dots_visible);
   actions_->dark->setChecked(current_theme() == Theme::kDark);
   connect(actions_->dark, &QAction::toggled, this, &MainWindow::toggle_theme);
   connect(actions_->about, &QAction::triggered, this, [this] { show_about(*this); });
@@ -228,8 +231,6 @@ void MainWindow::connect_planning() {
                   .arg(QString::fromStdString(plan_panel_->planner()->name()))
                   .arg(plan_panel_->request().seed));
   });
-  connect(session_.get(), &PlanningSession::nodes_changed, view_,
-          [this](const std::vector<Eigen::Vector3d>& palms) { view_->set_dots(palms); });
   connect(editing_.get(), &SceneEditing::tried, session_.get(), &PlanningSession::try_scene);
   connect(session_.get(), &PlanningSession::path_changed, this, &MainWindow::show_path);
   connect(session_.get(), &PlanningSession::ended, this, [this](bool solved, const QString& text) {

@@ -27,6 +27,7 @@ class GraspTool;
 class PalmTool;
 class PlaybackBar;
 class PlaybackTools;
+class PlanningViews;
 class Posing;
 class QueryCheck;
 class Recovery;
@@ -62,6 +63,7 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] DeviceSession& devices() { return *devices_; }
   [[nodiscard]] CollisionMonitor& collisions();
   [[nodiscard]] GraspTool& grasp_tool() { return *grasp_tool_; }
+  [[nodiscard]] PlanningViews& planning_views() { return *planning_views_; }
   [[nodiscard]] QueryCheck& query_check() { return *query_check_; }
   /// The message in the window; empty if there is none.
   [[nodiscard]] QString message() const;
@@ -110,6 +112,7 @@ class MainWindow : public QMainWindow {
   std::unique_ptr<Posing> posing_;
   std::unique_ptr<DeviceSession> devices_;
   std::unique_ptr<CollisionDisplay> collisions_;
+  std::unique_ptr<PlanningViews> planning_views_;
   PlaybackBar* playback_;
   std::unique_ptr<PlaybackTools> playback_tools_;
   StartPage* start_page_;

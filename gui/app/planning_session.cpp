@@ -22,13 +22,12 @@ PlanningSession::PlanningSession(Document& document, PlanPanel& panel, PathPlaye
               panel_.show_progress(fraction, activity);
             }
           });
-  connect(&runner_, &PlanRunner::nodes_found, this,
-          [this](const std::vector<Eigen::Vector3d>& palms) {
-            if (is_current()) {
-              nodes_.insert(nodes_.end(), palms.begin(), palms.end());
-              emit nodes_changed(nodes_);
-            }
-          });
+  connect(&runner_, &PlanRunner::roadmap_found, this, [this](const SharedRoadmap& roadmap) {
+    if (is_current()) {
+      roadmap_ = roadmap;
+      emit roadmap_changed();
+    }
+  });
   connect(&runner_, &PlanRunner::finished, this, &PlanningSession::take_result);
   connect(&runner_, &PlanRunner::failed, this, &PlanningSession::take_failure);
 }
@@ -39,9 +38,9 @@ void PlanningSession::forget() {
   runner_.cancel();
   live_.end();
   player_.clear();
-  nodes_.clear();
+  roadmap_.reset();
   panel_.clear_result();
-  emit nodes_changed(nodes_);
+  emit roadmap_changed();
   emit path_changed();
 }
 

@@ -8,7 +8,7 @@
 
 #include <QObject>
 
-#include <vector>
+#include <memory>
 
 namespace handway::gui {
 
@@ -29,13 +29,16 @@ class PlanningSession : public QObject {
   /// True while a path follows an edit.
   [[nodiscard]] bool is_replanning() const { return live_.is_busy(); }
 
+  /// Of the last run, as far as it is; null: none.
+  [[nodiscard]] const SharedRoadmap& roadmap() const { return roadmap_; }
+
   /// Plans for a scene that is only tried, such as while an object is dragged.
   void try_scene(const SceneState& state);
 
  signals:
   void started();
-  /// Palms (world, m) of all nodes so far.
-  void nodes_changed(const std::vector<Eigen::Vector3d>& palms);
+  /// roadmap() is another one, or has grown.
+  void roadmap_changed();
   /// The player has a new timeline, or none.
   void path_changed();
   /// @param message one line for the log.
@@ -55,7 +58,7 @@ class PlanningSession : public QObject {
   PlanRunner runner_;
   LiveReplanner live_;
   std::shared_ptr<const geometric::Scene> planned_;  ///< Scene of the run that goes on.
-  std::vector<Eigen::Vector3d> nodes_;
+  SharedRoadmap roadmap_;
 };
 
 }  // namespace handway::gui

@@ -34,8 +34,8 @@ WindowActions::WindowActions(QMainWindow& window) : window_(window) {
   left = make("view_left", tr("&Left"), QKeySequence(Qt::Key_2), tr("Look against the y axis"));
   top = make("view_top", tr("&Top"), QKeySequence(Qt::Key_3), tr("Look down"));
   floor = make("grid", tr("Floor &grid"), QKeySequence(Qt::Key_G), tr("Show the floor grid"));
-  samples = make("samples", tr("&Nodes"), QKeySequence(Qt::Key_N),
-                 tr("Show where the palm is in the planner's nodes"));
+  samples = make("samples", tr("&Roadmap"), QKeySequence(Qt::Key_N),
+                 tr("Show the planner's nodes, where the palm is in each, and its edges"));
   dark = make("theme", tr("&Dark theme"), {}, tr("Light or dark colours"));
   palette = make("", tr("Find a &command…"), QKeySequence(QStringLiteral("Ctrl+Shift+P")),
                  tr("All commands, by a few letters of their names"));

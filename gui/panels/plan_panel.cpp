@@ -41,6 +41,7 @@ PlanPanel::PlanPanel(const planning::PlannerRegistry& registry, QWidget* parent)
       time_limit_(new QDoubleSpinBox),
       threads_(new QSpinBox),
       form_place_(new QVBoxLayout),
+      sections_(new QVBoxLayout),
       plan_(new QPushButton(tr("Plan"))),
       cancel_(new QPushButton(tr("Cancel"))),
       progress_(new QProgressBar),
@@ -90,6 +91,7 @@ QWidget* PlanPanel::make_settings() {
   layout->addLayout(form);
   layout->addWidget(make_heading(tr("Parameters")));
   layout->addLayout(form_place_);
+  layout->addLayout(sections_);
   layout->addStretch();
   form->setHorizontalSpacing(10);
   form->setVerticalSpacing(6);
@@ -146,6 +148,8 @@ void PlanPanel::rebuild_form() {
   delete form_;
   form_ = new ParameterForm(planner_->parameters());
   form_place_->addWidget(form_);
+  connect(form_, &ParameterForm::edited, this, &PlanPanel::settings_changed);
+  emit settings_changed();
 }
 
 void PlanPanel::apply(const geometric::PlannerChoice& choice) {
@@ -171,6 +175,19 @@ void PlanPanel::set_parameter(const std::string& key, const std::string& value) 
     rebuild_form();
   }
 }
+
+void PlanPanel::enter(const char* key, double value) {
+  if (!form_ || !form_->isEnabled()) {
+    return;
+  }
+  if (auto* field = form_->findChild<QDoubleSpinBox*>(QLatin1String(key))) {
+    field->setValue(value);
+  } else if (auto* count = form_->findChild<QSpinBox*>(QLatin1String(key))) {
+    count->setValue(static_cast<int>(std::lround(value)));
+  }
+}
+
+void PlanPanel::add_section(QWidget* section) { sections_->addWidget(section); }
 
 void PlanPanel::set_seed(std::uint64_t seed) { seed_->setValue(static_cast<int>(seed)); }
 

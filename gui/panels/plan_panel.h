@@ -36,6 +36,11 @@ class PlanPanel : public QWidget {
   void choose_planner(const std::string& name);
   /// Sets KEY=VALUE of the chosen planner. @throws InputError
   void set_parameter(const std::string& key, const std::string& value);
+  /// Enters a number into the field of a parameter, if the planner has one of that name and
+  /// does not run.
+  void enter(const char* key, double value);
+  /// Puts something below the parameters.
+  void add_section(QWidget* section);
   void set_seed(std::uint64_t seed);
 
   [[nodiscard]] const std::shared_ptr<planning::Planner>& planner() const { return planner_; }
@@ -56,6 +61,8 @@ class PlanPanel : public QWidget {
  signals:
   void plan_requested();
   void cancel_requested();
+  /// Another planner, or another value of a parameter.
+  void settings_changed();
 
  private:
   QWidget* make_settings();
@@ -72,6 +79,7 @@ class PlanPanel : public QWidget {
   QDoubleSpinBox* time_limit_;
   QSpinBox* threads_;
   QVBoxLayout* form_place_;
+  QVBoxLayout* sections_;
   ParameterForm* form_ = nullptr;  ///< Of the chosen planner; null if there is none.
   QPushButton* plan_;
   QPushButton* cancel_;

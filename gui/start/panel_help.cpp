@@ -52,7 +52,16 @@ constexpr Help kHelp[] = {
     {"plan",
      QT_TRANSLATE_NOOP("Help",
                        "<b>Plan</b><p>Choose a planner, set it up, press Plan. Every setting says "
-                       "in its tool tip what it does. Same settings and seed: same path.</p>")},
+                       "in its tool tip what it does. Same settings and seed: same path.</p>"
+                       "<p><b>Show where it samples</b> draws where palm and fingertips may be in "
+                       "the planner's samples.</p>")},
+    {"projection",
+     QT_TRANSLATE_NOOP("Help",
+                       "<b>Projection</b><p>The planner's roadmap along two of its coordinates. A "
+                       "dot is a node, coloured by the number of principal motion directions "
+                       "(PMDs) it used; rings are start and goal, the line is the path, the cross "
+                       "is the robot.</p><p>A click on a node moves the robot there. The wheel "
+                       "zooms, the right button moves, a double click shows all.</p>")},
     {"joints",
      QT_TRANSLATE_NOOP("Help",
                        "<b>Joints</b><p>A slider for every joint. <i>Plan > Set start here</i> and "

@@ -9,7 +9,6 @@
 #include <Inventor/nodes/SoDepthBuffer.h>
 #include <Inventor/nodes/SoLineSet.h>
 #include <Inventor/nodes/SoMaterial.h>
-#include <Inventor/nodes/SoPointSet.h>
 #include <Inventor/nodes/SoSeparator.h>
 #include <Inventor/nodes/SoSphere.h>
 #include <Inventor/nodes/SoTranslation.h>
@@ -104,18 +103,6 @@ CoinRef<SoSeparator> make_path_node(std::span<const Eigen::Vector3d> points,
   for (std::size_t i = 0; i < waypoints.size(); ++i) {
     separator->addChild(make_bead(waypoints[i], color_along(i, waypoints.size())));
   }
-  return separator;
-}
-
-CoinRef<SoSeparator> make_dots_node(std::span<const Eigen::Vector3d> points) {
-  auto separator = make_coin<SoSeparator>();
-  add_unlit_style(*separator.get(), 1.0F, 3.0F);
-  auto* color = new SoBaseColor;
-  color->rgb = SbColor(0.30F, 0.42F, 0.72F);
-  separator->addChild(color);
-  auto* dots = new SoPointSet;
-  dots->vertexProperty = make_vertices(points);
-  separator->addChild(dots);
   return separator;
 }
 

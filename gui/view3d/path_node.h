@@ -25,9 +25,6 @@ namespace handway::gui {
 /// A line of one colour through `points` (world, m): what the robot did. Nothing hides it.
 [[nodiscard]] CoinRef<SoSeparator> make_executed_node(std::span<const Eigen::Vector3d> points);
 
-/// A dot at each of `points` (world, m).
-[[nodiscard]] CoinRef<SoSeparator> make_dots_node(std::span<const Eigen::Vector3d> points);
-
 /// A magenta ball at each of `points` (world, m), seen through everything.
 [[nodiscard]] CoinRef<SoSeparator> make_contacts_node(std::span<const Eigen::Vector3d> points);
 

@@ -299,9 +299,10 @@ void SceneGraph::begin_motion() {
 
 void SceneGraph::render_still(SoGLRenderAction& action) {
   const auto overlay = [this](Overlay which) { return passes_->overlays.at(which).get(); };
-  std::vector<SoNode*> still{overlay(Overlay::kPath), overlay(Overlay::kDots),
+  std::vector<SoNode*> still{overlay(Overlay::kPath), overlay(Overlay::kRoadmap),
                              overlay(Overlay::kTrails), overlay(Overlay::kSteps)};
-  std::vector<SoNode*> moving{overlay(Overlay::kExecuted), overlay(Overlay::kContacts)};
+  std::vector<SoNode*> moving{overlay(Overlay::kExecuted), overlay(Overlay::kContacts),
+                              overlay(Overlay::kRegion)};
   for (std::size_t r = 1; r < robots_.size(); ++r) {
     still.push_back(robots_[r]->root());
   }

@@ -176,13 +176,8 @@ void SceneView::set_traces(SoNode* drawing) {
   change();
 }
 
-void SceneView::set_dots(std::span<const Eigen::Vector3d> points) {
-  graph_->set_overlay(Overlay::kDots, points.empty() ? nullptr : make_dots_node(points).get());
-  change();
-}
-
-void SceneView::set_dots_visible(bool visible) {
-  graph_->set_overlay_visible(Overlay::kDots, visible);
+void SceneView::set_overlay_visible(Overlay overlay, bool visible) {
+  graph_->set_overlay_visible(overlay, visible);
   change();
 }
 

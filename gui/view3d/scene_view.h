@@ -57,15 +57,13 @@ class SceneView : public QOpenGLWidget {
   /// The palm's way (world, m) and where its waypoints are.
   void set_path(std::span<const Eigen::Vector3d> points,
                 std::span<const Eigen::Vector3d> waypoints);
-  /// Dots (world, m), for a planner's samples.
-  void set_dots(std::span<const Eigen::Vector3d> points);
   /// The palm's way as the robot went it (world, m); empty: none.
   void set_executed(std::span<const Eigen::Vector3d> points);
-  void set_dots_visible(bool visible);
-  /// Where bodies go into each other (world, m).
-  void set_contacts(std::span<const Eigen::Vector3d> points);
   /// @param drawing in the world's frame, m; null: nothing.
   void set_overlay(Overlay overlay, SoNode* drawing);
+  void set_overlay_visible(Overlay overlay, bool visible);
+  /// Where bodies go into each other (world, m).
+  void set_contacts(std::span<const Eigen::Vector3d> points);
   /// Draws something as the ghosts are, until the scene changes; null: nothing.
   void set_traces(SoNode* drawing);
   void set_floor_visible(bool visible);

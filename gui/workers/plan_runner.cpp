@@ -1,5 +1,7 @@
 #include "workers/plan_runner.h"
 
+#include "workers/roadmap_watch.h"
+
 #include <QElapsedTimer>
 
 #include <exception>
@@ -14,52 +16,53 @@ constexpr int kReportEveryMs = 120;
 
 // Lives on the planner's thread; gathers and passes on now and then, so that
 // a fast planner does not flood the event queue.
-class PlanRunner::Reporter : public planning::Observer {
+class PlanRunner::Reporter : public RoadmapWatch {
  public:
   Reporter(PlanRunner& runner, const planning::PlanningProblem& problem, int palm_link)
-      : runner_(runner),
-        problem_(problem),
-        palm_link_(palm_link),
-        X_BL_(static_cast<std::size_t>(problem.model().link_count())) {
+      : RoadmapWatch(problem, palm_link), runner_(runner) {
     clock_.start();
   }
 
   void on_node(const planning::NodeEvent& node) override {
-    problem_.model().forward_kinematics(node.q, X_BL_);
-    palms_.push_back(problem_.scene->robots.front().X_WB *
-                     X_BL_[static_cast<std::size_t>(palm_link_)].translation());
-    flush(false);
+    RoadmapWatch::on_node(node);
+    flush();
   }
 
   void on_progress(double fraction, std::string_view activity) override {
     fraction_ = fraction;
     activity_ = QString::fromUtf8(activity.data(), static_cast<int>(activity.size()));
-    flush(false);
+    flush();
   }
 
-  void flush(bool now) {
-    if (!now && clock_.elapsed() < kReportEveryMs) {
-      return;
-    }
-    clock_.restart();
+  void tell() {
     QMetaObject::invokeMethod(
         &runner_,
-        [&runner = runner_, fraction = fraction_, activity = activity_,
-         palms = std::exchange(palms_, {})] {
+        [&runner = runner_, fraction = fraction_, activity = activity_, roadmap = take()] {
           emit runner.progressed(fraction, activity);
-          if (!palms.empty()) {
-            emit runner.nodes_found(palms);
-          }
+          emit runner.roadmap_found(roadmap);
         },
         Qt::QueuedConnection);
   }
 
  private:
+  void flush() {
+    if (clock_.elapsed() < kReportEveryMs) {
+      return;
+    }
+    clock_.restart();
+    if (has_news()) {
+      tell();
+      return;
+    }
+    QMetaObject::invokeMethod(
+        &runner_,
+        [&runner = runner_, fraction = fraction_, activity = activity_] {
+          emit runner.progressed(fraction, activity);
+        },
+        Qt::QueuedConnection);
+  }
+
   PlanRunner& runner_;
-  const planning::PlanningProblem& problem_;
-  int palm_link_;
-  std::vector<geometric::Pose> X_BL_;
-  std::vector<Eigen::Vector3d> palms_;
   double fraction_ = 0.0;
   QString activity_;
   QElapsedTimer clock_;
@@ -91,7 +94,7 @@ void PlanRunner::start(std::shared_ptr<planning::Planner> planner,
       if (const PreparedProblem::Problem prepared = problem->wait(stop)) {
         Reporter reporter(*this, *prepared, palm_link);
         result = planner->plan(*prepared, request, stop, &reporter);
-        reporter.flush(true);
+        reporter.tell();
       }
       end([this, result = std::move(result)] { emit finished(result); });
     } catch (const std::exception& error) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "handway/planning/core/planner.h"
+#include "workers/palm_roadmap.h"
 #include "workers/prepared_problem.h"
 
 #include <QObject>
@@ -8,7 +9,6 @@
 
 #include <memory>
 #include <thread>
-#include <vector>
 
 namespace handway::gui {
 
@@ -33,8 +33,8 @@ class PlanRunner : public QObject {
  signals:
   /// @param fraction in [0, 1].
   void progressed(double fraction, const QString& activity);
-  /// Palm places (world, m) of the nodes found since the last signal.
-  void nodes_found(const std::vector<Eigen::Vector3d>& palms);
+  /// All that has been found by now.
+  void roadmap_found(const handway::gui::SharedRoadmap& roadmap);
   void finished(const handway::planning::PlanResult& result);
   /// @param message one sentence for a person.
   void failed(const QString& message);

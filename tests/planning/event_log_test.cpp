@@ -37,9 +37,10 @@ TEST(EventLog, TellsLaterInTheSameOrder) {
   log.on_edge(0, 1);
   Scribe scribe;
   log.replay(scribe, 0, 1);
-  EXPECT_THAT(scribe.lines(),
-              ElementsAre("node 0 of search 0 at 0.25 with 2 PMDs, step 0.5, rho 0.125",
-                          "node 1 of search 0 at 0.75 with 3 PMDs, step 1, rho 0.25", "edge 0 to 1"));
+  EXPECT_THAT(
+      scribe.lines(),
+      ElementsAre("node 0 of search 0 at 0.25 with 2 PMDs, step 0.5, rho 0.125",
+                  "node 1 of search 0 at 0.75 with 3 PMDs, step 1, rho 0.25", "edge 0 to 1"));
 }
 
 TEST(EventLog, TellsEverythingOnce) {
@@ -65,8 +66,9 @@ TEST(EventLog, KeepsTheNodesOfSeveralSearchesApart) {
   Scribe scribe;
   one.replay(scribe, 0, 2);
   other.replay(scribe, 1, 2);
-  EXPECT_THAT(scribe.lines(), ElementsAre("edge 0 to 2",
-                          "node 1 of search 1 at 0.5 with 0 PMDs, step 0, rho 0", "edge 1 to 3"));
+  EXPECT_THAT(scribe.lines(),
+              ElementsAre("edge 0 to 2", "node 1 of search 1 at 0.5 with 0 PMDs, step 0, rho 0",
+                          "edge 1 to 3"));
 }
 
 }  // namespace

@@ -1,0 +1,25 @@
+#include "app/planning_views.h"
+
+#include "app/projection_tool.h"
+#include "app/region_tool.h"
+#include "app/roadmap_display.h"
+#include "panels/projection_panel.h"
+
+namespace handway::gui {
+
+PlanningViews::PlanningViews(Document& document, PathPlayer& player, PlanPanel& panel,
+                             SceneView& view)
+    : view_(view),
+      region_(std::make_unique<RegionTool>(document, panel, view)),
+      projection_(std::make_unique<ProjectionTool>(document, player)) {}
+
+PlanningViews::~PlanningViews() = default;
+
+void PlanningViews::follow(PlanningSession& session, QAction& roadmap_shown) {
+  roadmap_ = std::make_unique<RoadmapDisplay>(session, view_, roadmap_shown);
+  projection_->follow(session);
+}
+
+QWidget* PlanningViews::projection_panel() const { return projection_->panel(); }
+
+}  // namespace handway::gui

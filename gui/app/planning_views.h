@@ -1,0 +1,46 @@
+#pragma once
+
+#include <QObject>
+
+#include <memory>
+
+class QAction;
+class QWidget;
+
+namespace handway::gui {
+
+class Document;
+class PathPlayer;
+class PlanPanel;
+class PlanningSession;
+class ProjectionTool;
+class RegionTool;
+class RoadmapDisplay;
+class SceneView;
+
+/// What there is to see of planning besides its result: the region that is sampled, the
+/// roadmap in the view, and its projection.
+class PlanningViews : public QObject {
+  Q_OBJECT
+
+ public:
+  /// All outlive it.
+  PlanningViews(Document& document, PathPlayer& player, PlanPanel& panel, SceneView& view);
+  ~PlanningViews() override;
+
+  /// @param roadmap_shown a switch. Both outlive it.
+  void follow(PlanningSession& session, QAction& roadmap_shown);
+
+  /// For a window to take over.
+  [[nodiscard]] QWidget* projection_panel() const;
+  [[nodiscard]] ProjectionTool& projection() const { return *projection_; }
+  [[nodiscard]] RegionTool& region() const { return *region_; }
+
+ private:
+  SceneView& view_;
+  std::unique_ptr<RegionTool> region_;
+  std::unique_ptr<ProjectionTool> projection_;
+  std::unique_ptr<RoadmapDisplay> roadmap_;
+};
+
+}  // namespace handway::gui

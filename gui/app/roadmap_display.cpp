@@ -1,0 +1,41 @@
+#include "app/roadmap_display.h"
+
+#include "app/planning_session.h"
+#include "panels/roadmap_legend.h"
+#include "view3d/roadmap_node.h"
+#include "view3d/scene_view.h"
+
+#include <Inventor/nodes/SoSeparator.h>
+#include <QAction>
+
+namespace handway::gui {
+
+RoadmapDisplay::RoadmapDisplay(PlanningSession& session, SceneView& view, QAction& shown,
+                               QObject* parent)
+    : QObject(parent),
+      session_(session),
+      view_(view),
+      shown_(shown),
+      legend_(new RoadmapLegend(&view)) {
+  connect(&session_, &PlanningSession::roadmap_changed, this, &RoadmapDisplay::draw);
+  connect(&shown_, &QAction::toggled, this, [this](bool on) {
+    view_.set_overlay_visible(Overlay::kRoadmap, on);
+    show_legend();
+  });
+}
+
+void RoadmapDisplay::draw() {
+  const SharedRoadmap& roadmap = session_.roadmap();
+  if (roadmap && !roadmap->palms.empty()) {
+    view_.set_overlay(Overlay::kRoadmap, make_roadmap_node(*roadmap).get());
+  } else {
+    view_.set_overlay(Overlay::kRoadmap, nullptr);
+  }
+  show_legend();
+}
+
+void RoadmapDisplay::show_legend() {
+  legend_->show_roadmap(shown_.isChecked() ? session_.roadmap() : nullptr);
+}
+
+}  // namespace handway::gui

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <QObject>
+
+class QAction;
+
+namespace handway::gui {
+
+class PlanningSession;
+class RoadmapLegend;
+class SceneView;
+
+/// Draws the session's roadmap into the view, with a legend, as long as it is wanted.
+class RoadmapDisplay : public QObject {
+  Q_OBJECT
+
+ public:
+  /// @param shown a switch. All outlive it.
+  RoadmapDisplay(PlanningSession& session, SceneView& view, QAction& shown,
+                 QObject* parent = nullptr);
+
+ private:
+  void draw();
+  void show_legend();
+
+  PlanningSession& session_;
+  SceneView& view_;
+  QAction& shown_;
+  RoadmapLegend* legend_;
+};
+
+}  // namespace handway::gui

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "handway/planning/core/planning_problem.h"
+#include "handway/planning/export.h"
+#include "handway/sampling/postures/posture_subspace.h"
+
+#include <Eigen/Core>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace handway::planning {
+
+/// Coordinates that say in few numbers where a configuration is between start and goal and
+/// what its hand does, for people to look at.
+class HANDWAY_PLANNING_EXPORT HandArmChart {
+ public:
+  /// @param problem outlives this.
+  explicit HandArmChart(const PlanningProblem& problem);
+
+  /// One axis.
+  struct Axis {
+    enum class Kind { kArmWay, kArmDistance, kFreeJoint, kDirection, kHandDistance };
+    Kind kind;
+    std::string name;  ///< Of the joint or direction, as in the basis; else empty.
+  };
+  /// How far along the straight motion of the arm (0: start, 1: goal; normalised joints) and how
+  /// far beside it; then, if there is a basis, its free joints and principal directions (the
+  /// coordinates e of Eq. 1) and how far the posture is from what these span.
+  [[nodiscard]] const std::vector<Axis>& axes() const { return axes_; }
+
+  /// @returns shape [axes].
+  [[nodiscard]] Eigen::VectorXd at(const Configuration& q) const;
+
+ private:
+  const PlanningProblem& problem_;
+  std::vector<Axis> axes_;
+  Eigen::VectorXd arm_start_;   ///< Normalised.
+  Eigen::VectorXd arm_motion_;  ///< From there to the goal.
+  Eigen::MatrixXd to_basis_;    ///< Shape [basis dimension, hand joints].
+  Eigen::VectorXd origin_;      ///< Coordinates of the posture with all joints at 0.
+  std::optional<sampling::PostureSubspace> subspace_;  ///< Nothing: no basis.
+};
+
+}  // namespace handway::planning

@@ -1,0 +1,74 @@
+#pragma once
+
+#include "handway/planning/core/parameter.h"
+#include "handway/planning/core/planner.h"
+#include "handway/planning/core/planning_problem.h"
+#include "handway/planning/export.h"
+#include "handway/planning/planners/corridor_form.h"
+#include "handway/planning/planners/hand_space.h"
+
+#include <cstdint>
+#include <optional>
+#include <stop_token>
+#include <string_view>
+#include <vector>
+
+namespace handway::planning {
+
+/// The region that a planner draws from (paper, section 5.1): the arm's corridor around its
+/// straight motion, and a part of the hand's box B^h.
+struct SamplingRegion {
+  CorridorForm corridor = CorridorForm::kJoint;
+  double rho_a = 0.1;  ///< Half-width of the corridor, normalised.
+  HandSpace hand = HandSpace::kPrincipalDirections;
+  int pmds = 1;  ///< Principal directions that are used together, beside the free joints.
+};
+
+/// The region that `planner` begins with, as its parameters say; with all the principal
+/// directions that it may use of a basis with so many. Nothing if it draws from everywhere.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT std::optional<SamplingRegion> first_region(Planner& planner,
+                                                                                 int directions);
+
+/// Where palm and fingertips are in configurations drawn from a region; in the world, m.
+struct RegionDraws {
+  std::vector<Eigen::Vector3d> palms;       ///< One a configuration that the arm reaches.
+  std::vector<Eigen::Vector3d> fingertips;  ///< One a finger and configuration.
+  std::vector<Eigen::Vector3d> motion;      ///< The palm on the straight motion, start to goal.
+  std::vector<Eigen::Vector3d> centres;     ///< The palm in the hypercubes' middles; empty if many.
+  int hypercubes = 0;                       ///< That the corridor is cut into.
+  double palm_reach = 0.0;  ///< Nine tenths of the palms are no farther from where the straight
+                            ///< motion has them, m.
+};
+
+/// Draws configurations from regions of a problem, whether they are free or not, for people to
+/// see what a parameter means.
+class HANDWAY_PLANNING_EXPORT RegionPreview {
+ public:
+  /// @param problem outlives this. @param palm link of its robot.
+  RegionPreview(const PlanningProblem& problem, int palm);
+
+  /// Links that end the hand's branches.
+  [[nodiscard]] int finger_count() const { return static_cast<int>(tips_.size()); }
+
+  /// @param configurations to draw, the same for the same arguments; those of a region are
+  /// those of a smaller one, moved outwards.
+  /// @param stop gives what there is by then.
+  /// @throws InputError if a corridor of tool poses is asked for and the arm has no
+  /// closed-form inverse kinematics, or principal directions and there is no basis.
+  [[nodiscard]] RegionDraws draw(const SamplingRegion& region, int configurations,
+                                 const std::stop_token& stop = {}) const;
+
+ private:
+  struct Tip {
+    int link;
+    Eigen::Vector3d p_LTip;  ///< Middle of the link's shape.
+  };
+
+  void find_tips();
+
+  const PlanningProblem& problem_;
+  int palm_;
+  std::vector<Tip> tips_;
+};
+
+}  // namespace handway::planning

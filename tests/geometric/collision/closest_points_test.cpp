@@ -1,0 +1,55 @@
+#include "handway/geometric/collision/closest_points.h"
+
+#include "handway_test/solid_robots.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace handway::geometric {
+namespace {
+
+using test::add_object;
+using test::scene_of;
+
+/// Of a box of 0.2 m at `p` and one of 0.4 m at the origin, turned by `yaw`.
+std::optional<ClosestPoints> closest_to_box(const Eigen::Vector3d& p, double yaw = 0.0) {
+  Scene scene = scene_of(test::gantry(Box{{0.2, 0.2, 0.2}}));
+  add_object(scene, "box", Box{{0.4, 0.4, 0.4}},
+             pose_from_rpy(Eigen::Vector3d::Zero(), 0.0, 0.0, yaw));
+  ClosestPointFinder finder(std::make_shared<const CollisionWorld>(scene));
+  return finder.between("probe", "box", p);
+}
+
+TEST(ClosestPoints, LieOnTheFacesThatAreClosest) {
+  const auto points = closest_to_box({0.45, 0.02, 0.03});
+  ASSERT_TRUE(points);
+  EXPECT_NEAR(points->p_WA.x(), 0.35, 1e-9);
+  EXPECT_NEAR(points->p_WB.x(), 0.20, 1e-9);
+  EXPECT_NEAR((points->p_WA - points->p_WB).norm(), 0.15, 1e-9);
+}
+
+TEST(ClosestPoints, AreInTheWorldWhereverTheBodiesAre) {
+  const auto points = closest_to_box({0.5, 0.5, 0.5});
+  ASSERT_TRUE(points);
+  EXPECT_TRUE(points->p_WA.isApprox(Eigen::Vector3d(0.4, 0.4, 0.4), 1e-9));
+  EXPECT_TRUE(points->p_WB.isApprox(Eigen::Vector3d(0.2, 0.2, 0.2), 1e-9));
+}
+
+TEST(ClosestPoints, FollowATurnedBody) {
+  const auto points = closest_to_box({0.6, 0.0, 0.0}, 0.25 * std::acos(-1.0));
+  ASSERT_TRUE(points);
+  EXPECT_NEAR(points->p_WA.x(), 0.5, 1e-9);
+  EXPECT_NEAR(points->p_WB.x(), 0.2 * std::sqrt(2.0), 1e-9);
+  EXPECT_NEAR(points->p_WB.y(), 0.0, 1e-9);
+}
+
+TEST(ClosestPoints, AreNoneOfWhatTouchesOrIsNotThere) {
+  EXPECT_FALSE(closest_to_box({0.25, 0.0, 0.0}));
+  Scene scene = scene_of(test::gantry(Sphere{0.1}));
+  ClosestPointFinder finder(std::make_shared<const CollisionWorld>(scene));
+  EXPECT_FALSE(finder.between("probe", "nothing", Eigen::Vector3d::Zero()));
+}
+
+}  // namespace
+}  // namespace handway::geometric

@@ -1,0 +1,84 @@
+#include "handway/planning/queries/region_draws.h"
+
+#include "handway/planning/core/planner_registry.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <handway_test/planar_problems.h>
+
+namespace handway::planning {
+namespace {
+
+using testing::SizeIs;
+
+class RegionDrawsOfTheFlatArm : public testing::Test {
+ protected:
+  [[nodiscard]] int palm() const { return problem_.model().find_link("palm").value(); }
+
+  PlanningProblem problem_ = test::open_problem();
+  RegionPreview preview_{problem_, palm()};
+};
+
+TEST_F(RegionDrawsOfTheFlatArm, AreOnTheStraightMotionForANarrowCorridor) {
+  const RegionDraws draws = preview_.draw({.rho_a = 1e-5}, 50);
+  EXPECT_THAT(draws.palms, SizeIs(50));
+  EXPECT_THAT(draws.fingertips, SizeIs(50 * preview_.finger_count()));
+  EXPECT_LT(draws.palm_reach, 1e-3);
+  EXPECT_GT((draws.motion.back() - draws.motion.front()).norm(), 0.1);
+}
+
+TEST_F(RegionDrawsOfTheFlatArm, SpreadWithTheCorridor) {
+  const RegionDraws narrow = preview_.draw({.rho_a = 0.01}, 200);
+  const RegionDraws wide = preview_.draw({.rho_a = 0.04}, 200);
+  EXPECT_NEAR(wide.palm_reach / narrow.palm_reach, 4.0, 0.5) << "the same draws, moved outwards";
+  EXPECT_GT(narrow.hypercubes, wide.hypercubes);
+}
+
+TEST_F(RegionDrawsOfTheFlatArm, SpreadTheFingersWithMoreDirections) {
+  const auto away = [&](int pmds) {
+    const RegionDraws one = preview_.draw({.rho_a = 1e-5, .pmds = 0}, 100);
+    const RegionDraws more = preview_.draw({.rho_a = 1e-5, .pmds = pmds}, 100);
+    double sum = 0.0;
+    for (std::size_t i = 0; i < one.fingertips.size(); ++i) {
+      sum += (one.fingertips[i] - more.fingertips[i]).norm();
+    }
+    return sum;
+  };
+  EXPECT_EQ(away(0), 0.0);
+  EXPECT_GT(away(1), 0.1);
+  EXPECT_GT(away(2), 0.1);
+}
+
+TEST_F(RegionDrawsOfTheFlatArm, AreTheSameEveryTime) {
+  const SamplingRegion region{.rho_a = 0.02};
+  EXPECT_EQ(preview_.draw(region, 20).fingertips, preview_.draw(region, 20).fingertips);
+}
+
+TEST_F(RegionDrawsOfTheFlatArm, EndWhenNobodyWaitsForThem) {
+  std::stop_source stop;
+  stop.request_stop();
+  EXPECT_THAT(preview_.draw({}, 1000, stop.get_token()).palms, SizeIs(0));
+}
+
+TEST(FirstRegion, IsWhatThePlannersParametersSay) {
+  const PlannerRegistry registry;
+  const auto planner = registry.create("pmd-prm");
+  set_from_text(find_parameter(planner->parameters(), "rho_a"), "0.02");
+  set_from_text(find_parameter(planner->parameters(), "corridor"), "cartesian");
+  const std::optional<SamplingRegion> region = first_region(*planner, 9);
+  ASSERT_TRUE(region);
+  EXPECT_EQ(region->rho_a, 0.02);
+  EXPECT_EQ(region->corridor, CorridorForm::kCartesian);
+  EXPECT_EQ(region->pmds, 4) << "the planner's most";
+  EXPECT_EQ(region->hand, HandSpace::kPrincipalDirections);
+}
+
+TEST(FirstRegion, KnowsPlannersWithoutOne) {
+  const PlannerRegistry registry;
+  EXPECT_FALSE(first_region(*registry.create("rrt-connect"), 9)) << "draws from everywhere";
+  EXPECT_EQ(first_region(*registry.create("pmd-auto"), 9)->pmds, 9);
+  EXPECT_EQ(first_region(*registry.create("full-prm"), 9)->hand, HandSpace::kAllJoints);
+}
+
+}  // namespace
+}  // namespace handway::planning
