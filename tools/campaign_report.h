@@ -8,8 +8,8 @@
 
 namespace handway::tools {
 
-/// Writes into `folder`: report.md with drawings/N.svg, report.html, summary.csv, runs.csv, ecdf.csv,
-/// boxplot.csv, comparisons.csv and an OMPL benchmark log a problem in `ompl/`.
+/// Writes into `folder`: report.md with drawings/N.svg, report.html, summary.csv, runs.csv,
+/// ecdf.csv, boxplot.csv, comparisons.csv and an OMPL benchmark log a problem in `ompl/`.
 /// @throws InputError if that can't be done.
 void write_campaign_report(const planning::Campaign& campaign, const CampaignOutcome& outcome,
                            const std::filesystem::path& folder);
