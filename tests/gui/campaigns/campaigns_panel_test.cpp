@@ -103,6 +103,8 @@ TEST_F(CampaignsInTheWindow, ShowARunThatIsClickedWithThePathItHad) {
   EXPECT_EQ(window().plan_panel().request().seed, row.data().toULongLong());
   EXPECT_EQ(window().player().timeline().path().waypoints.size(), nodes);
   EXPECT_THAT(result(), HasSubstr(std::to_string(samples)));
+  ASSERT_NE(window().session().roadmap(), nullptr);
+  EXPECT_FALSE(window().session().roadmap()->palms.empty()) << "drawn in the view";
 }
 
 }  // namespace
