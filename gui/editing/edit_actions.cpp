@@ -1,6 +1,6 @@
 #include "editing/edit_actions.h"
 
-#include "handway/geometric/io/input_error.h"
+#include "editing/selection.h"
 #include "handway/geometric/io/resources.h"
 #include "style/icons.h"
 
@@ -26,7 +26,8 @@ EditActions::EditActions(QMainWindow& window, QMenu& edit_menu, QMenu& add_menu,
   redo = editor_.undo_stack().createRedoAction(&window_, tr("&Redo"));
   take(*undo, "undo", QKeySequence::Undo, tr("Take the last edit back"));
   take(*redo, "redo", QKeySequence(QStringLiteral("Ctrl+Shift+Z")), tr("Make it again"));
-  rename = make("", tr("Re&name"), QKeySequence(Qt::Key_F2), tr("Give the object another name"));
+  rename = make("", tr("Re&name"), QKeySequence(Qt::Key_F2),
+                tr("Give the object or group another name"));
   duplicate = make("duplicate", tr("&Duplicate"), QKeySequence(QStringLiteral("Ctrl+D")),
                    tr("Put a copy beside the object"));
   remove = make("delete", tr("D&elete"), QKeySequence::Delete, tr("Take the object away"));
@@ -37,11 +38,13 @@ EditActions::EditActions(QMainWindow& window, QMenu& edit_menu, QMenu& add_menu,
               tr("Keep the object from being changed"));
   local = make("local_axes", tr("&Own axes"), QKeySequence(Qt::Key_L),
                tr("Handles along the object's own axes, not the world's"));
+  resize = make("resize", tr("Resi&ze by hand"), QKeySequence(Qt::Key_S),
+                tr("Knobs on the object's sides, to make it larger or smaller"));
   grasp = make("posture", tr("&Grasp…"), QKeySequence(QStringLiteral("Ctrl+G")),
                tr("Choose a way to grasp the object and plan to it"));
   palm = make("palm", tr("Move the &palm"), QKeySequence(Qt::Key_M),
               tr("Handles on the palm: the arm follows"));
-  for (QAction* action : {hide, lock, local, palm}) {
+  for (QAction* action : {hide, lock, local, palm, resize}) {
     action->setCheckable(true);
   }
   edit_menu.addActions({undo, redo});
@@ -50,7 +53,7 @@ EditActions::EditActions(QMainWindow& window, QMenu& edit_menu, QMenu& add_menu,
   edit_menu.addSeparator();
   edit_menu.addActions({drop, hide, lock});
   edit_menu.addSeparator();
-  edit_menu.addActions({grasp, palm, local});
+  edit_menu.addActions({grasp, palm, resize, local});
   fill_add_menu(add_menu);
   bar.addActions({undo, redo});
   add_button_->setObjectName(QStringLiteral("add_object"));
@@ -60,16 +63,16 @@ EditActions::EditActions(QMainWindow& window, QMenu& edit_menu, QMenu& add_menu,
   add_button_->setPopupMode(QToolButton::InstantPopup);
   add_button_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   bar.addWidget(add_button_);
-  bar.addActions({duplicate, remove, drop, grasp, palm, local});
+  bar.addActions({duplicate, remove, drop, grasp, palm, resize, local});
 
   connect(rename, &QAction::triggered, this, [this] { emit rename_requested(); });
   connect(duplicate, &QAction::triggered, &editor_, &SceneEditor::duplicate);
   connect(remove, &QAction::triggered, &editor_, &SceneEditor::remove);
   connect(drop, &QAction::triggered, &editor_, &SceneEditor::drop);
   connect(hide, &QAction::triggered, this,
-          [this](bool on) { editor_.set_hidden(editor_.selection().name, on); });
+          [this](bool on) { editor_.set_hidden(editor_.selected_objects(), on); });
   connect(lock, &QAction::triggered, this,
-          [this](bool on) { editor_.set_locked(editor_.selection().name, on); });
+          [this](bool on) { editor_.set_locked(editor_.selected_objects(), on); });
   connect(palm, &QAction::triggered, this, [this](bool on) {
     editor_.select(on ? SceneItem{SceneItem::Kind::kPalm, "", ""} : SceneItem{});
   });
@@ -142,17 +145,17 @@ void EditActions::update_enabled() {
     action->setEnabled(has_scene);
   }
   add_button_->setEnabled(has_scene);
-  for (QAction* action : {rename, remove}) {
-    action->setEnabled(can_change);
-  }
+  remove->setEnabled(can_change);
+  rename->setEnabled(can_change &&
+                     rigid_parts(*editor_.state().scene, editor_.selected_objects()).size() == 1);
   duplicate->setEnabled(object);
-  drop->setEnabled(can_change && !object->attachment);
+  drop->setEnabled(can_change && (editor_.has_several() || !object->attachment));
   hide->setEnabled(object);
   lock->setEnabled(object);
   grasp->setEnabled(object && !object->attachment && editor_.document().robot());
   palm->setEnabled(editor_.document().robot() != nullptr);
   palm->setChecked(editor_.selection().kind == SceneItem::Kind::kPalm);
-  hide->setChecked(object && editor_.state().hidden.contains(object->name));
+  hide->setChecked(object && object->hidden);
   lock->setChecked(object && !can_change);
 }
 

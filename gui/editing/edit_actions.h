@@ -35,9 +35,10 @@ class EditActions : public QObject {
   QAction* drop;
   QAction* hide;
   QAction* lock;
-  QAction* grasp;  ///< Plans to grasp the selected object.
-  QAction* palm;   ///< The palm of the robot is selected, to be moved.
-  QAction* local;  ///< Handles along the object's own axes.
+  QAction* grasp;   ///< Plans to grasp the selected object.
+  QAction* palm;    ///< The palm of the robot is selected, to be moved.
+  QAction* resize;  ///< Knobs to make the object larger or smaller.
+  QAction* local;   ///< Handles along the object's own axes.
 
  signals:
   void add_requested(const QString& name, const handway::geometric::Shape& shape);

@@ -1,12 +1,15 @@
 #include "editing/scene_editing.h"
 
 #include "app/window_actions.h"
+#include "editing/scene_edits.h"
 #include "panels/properties_panel.h"
 #include "panels/scene_tree.h"
 #include "view3d/scene_view.h"
 
 #include <QFileDialog>
 #include <QMainWindow>
+
+#include <algorithm>
 
 namespace handway::gui {
 namespace {
@@ -25,6 +28,8 @@ SceneEditing::SceneEditing(QMainWindow& window, WindowActions& actions, Document
       editor_(document),
       edit_actions_(window, *actions.edit_menu(), *actions.add_menu(), *actions.edit_bar(),
                     editor_),
+      arrange_actions_(window, *actions.edit_menu(), *actions.edit_bar(), editor_, view_),
+      resize_(editor_, view_),
       properties_(new PropertiesPanel(editor_)) {
   connect(&document_, &Document::edited, this, &SceneEditing::show_edit);
   connect(&document_, &Document::opened, this, &SceneEditing::show_selection);
@@ -45,38 +50,56 @@ SceneEditing::SceneEditing(QMainWindow& window, WindowActions& actions, Document
 }
 
 void SceneEditing::connect_view() {
-  connect(&view_, &SceneView::picked, &editor_, &SceneEditor::select);
+  connect(&view_, &SceneView::picked, &editor_, &SceneEditor::click);
   connect(&view_, &SceneView::dropped, this,
           [this](const SceneItem& /*item*/, const geometric::Pose& X_WO) { editor_.place(X_WO); });
   connect(&view_, &SceneView::dragged, this,
-          [this](const SceneItem& /*item*/, const geometric::Pose& X_WO) {
+          [this](const SceneItem& item, const geometric::Pose& X_WO) {
             properties_->preview_pose(X_WO);
             if (const auto state = editor_.placed(X_WO)) {
+              if (item.kind == SceneItem::Kind::kSeveral) {
+                preview(*state);
+              }
               emit tried(*state);
             }
           });
   connect(&tree_, &SceneTree::item_selected, &editor_, &SceneEditor::select);
-  connect(&tree_, &SceneTree::object_toggled, this,
-          [this](const std::string& name, bool shown) { editor_.set_hidden(name, !shown); });
+  connect(&tree_, &SceneTree::objects_selected, &editor_, &SceneEditor::select_objects);
+  connect(&tree_, &SceneTree::objects_toggled, this,
+          [this](const std::vector<std::string>& names, bool shown) {
+            editor_.set_hidden(names, !shown);
+          });
   connect(&tree_, &SceneTree::object_renamed, this,
           [this](const std::string& name, const std::string& new_name) {
             editor_.select({SceneItem::Kind::kObject, "", name});
             editor_.rename(new_name);
             tree_.update_scene(editor_.state());
           });
+  connect(&tree_, &SceneTree::group_renamed, this,
+          [this](const std::string& name, const std::string& new_name) {
+            arrange_actions_.rename_group(name, new_name);
+            tree_.update_scene(editor_.state());
+          });
+  connect(&resize_, &ResizeTool::tried, this, &SceneEditing::tried);
+  connect(edit_actions_.resize, &QAction::toggled, this, [this](bool on) {
+    resize_.set_wanted(on);
+    update_gizmo();
+  });
   connect(edit_actions_.local, &QAction::toggled, &view_, &SceneView::set_gizmo_local);
   connect(&edit_actions_, &EditActions::rename_requested, &tree_, &SceneTree::edit_name);
 }
 
 void SceneEditing::refresh_icons() {
   edit_actions_.refresh_icons();
+  arrange_actions_.refresh_icons();
   properties_->refresh_icons();
 }
 
 void SceneEditing::show_selection() {
-  view_.set_selection(editor_.selection());
-  tree_.select(editor_.selection());
+  view_.set_selection(editor_.whole_selection());
+  tree_.select(editor_.whole_selection());
   edit_actions_.update_enabled();
+  arrange_actions_.update_enabled();
   properties_->refresh();
   update_gizmo();
 }
@@ -90,9 +113,21 @@ void SceneEditing::show_edit(const SceneState& /*before*/) {
 void SceneEditing::update_gizmo() {
   const bool movable = editor_.can_change() || editor_.selection().is_posture() ||
                        editor_.selection().kind == SceneItem::Kind::kRobot;
-  const bool hidden =
-      editor_.selected_object() && editor_.state().hidden.contains(editor_.selected_object()->name);
-  view_.set_gizmo(editor_.selection(), movable && !hidden ? editor_.selected_pose() : std::nullopt);
+  const std::vector<std::string>& objects = editor_.selected_objects();
+  const bool hidden = !objects.empty() && std::ranges::all_of(objects, [&](const auto& name) {
+    return editor_.state().is_hidden(name);
+  });
+  const SceneItem item =
+      editor_.has_several() ? SceneItem{SceneItem::Kind::kSeveral, "", ""} : editor_.selection();
+  const bool resizes = resize_.update();
+  view_.set_gizmo(item, movable && !hidden && !resizes ? editor_.selected_pose() : std::nullopt);
+}
+
+void SceneEditing::preview(const SceneState& state) {
+  for (const std::string& name : editor_.changeable()) {
+    view_.preview(object_item(name),
+                  object_pose(*state.scene, document_.configuration(), *state.find(name)));
+  }
 }
 
 void SceneEditing::attach(const std::string& robot, const std::string& link) {
@@ -102,12 +137,13 @@ void SceneEditing::attach(const std::string& robot, const std::string& link) {
   }
   // What it touches now it may touch from now on.
   std::vector<std::string> touching;
-  const std::string& object = editor_.selection().name;
-  for (const geometric::NamedPair& pair : report_.collisions) {
-    const std::string& other = pair.a == object ? pair.b : pair.a;
-    if ((pair.a == object || pair.b == object) && other != link &&
-        document_.robot()->model->find_link(other)) {
-      touching.push_back(other);
+  for (const std::string& object : editor_.changeable()) {
+    for (const geometric::NamedPair& pair : report_.collisions) {
+      const std::string& other = pair.a == object ? pair.b : pair.a;
+      if ((pair.a == object || pair.b == object) && other != link &&
+          document_.robot()->model->find_link(other)) {
+        touching.push_back(other);
+      }
     }
   }
   editor_.attach(robot, link, touching);

@@ -1,6 +1,8 @@
 #pragma once
 
+#include "editing/arrange_actions.h"
 #include "editing/edit_actions.h"
+#include "editing/resize_tool.h"
 #include "editing/scene_editor.h"
 #include "workers/collision_monitor.h"
 
@@ -24,6 +26,8 @@ class SceneEditing : public QObject {
 
   [[nodiscard]] SceneEditor& editor() { return editor_; }
   [[nodiscard]] EditActions& actions() { return edit_actions_; }
+  [[nodiscard]] ArrangeActions& arrange() { return arrange_actions_; }
+  [[nodiscard]] ResizeTool& resize() { return resize_; }
   /// To be put into a dock.
   [[nodiscard]] PropertiesPanel* properties() const { return properties_; }
   void refresh_icons();
@@ -41,6 +45,7 @@ class SceneEditing : public QObject {
   void show_selection();
   void show_edit(const SceneState& before);
   void update_gizmo();
+  void preview(const SceneState& state);
   void attach(const std::string& robot, const std::string& link);
 
   QMainWindow& window_;
@@ -49,6 +54,8 @@ class SceneEditing : public QObject {
   SceneTree& tree_;
   SceneEditor editor_;
   EditActions edit_actions_;
+  ArrangeActions arrange_actions_;
+  ResizeTool resize_;
   PropertiesPanel* properties_;
   CollisionReport report_;
 };

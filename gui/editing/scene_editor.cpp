@@ -1,11 +1,14 @@
 #include "editing/scene_editor.h"
 
+#include "editing/arrange.h"
 #include "editing/drop_height.h"
 #include "editing/scene_edits.h"
 #include "handway/geometric/io/mesh_reader.h"
 
 #include <QElapsedTimer>
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace handway::gui {
@@ -23,20 +26,38 @@ constexpr geometric::Color kMeshColor{0.62F, 0.66F, 0.71F, 1.0F};
 
 QString words(const std::string& name) { return QString::fromStdString(name); }
 
-SceneItem object_item(const std::string& name) { return {Kind::kObject, "", name}; }
+// Objects of the selection sink together if they are one group.
+SceneState dropped(SceneState state, const geometric::Configuration& q,
+                   const std::vector<std::string>& names) {
+  std::vector<std::vector<std::string>> parts = rigid_parts(*state.scene, names);
+  std::ranges::stable_sort(parts, {}, [&](const std::vector<std::string>& part) {
+    return bounds(*state.scene, q, part).lower.z();
+  });
+  for (const std::vector<std::string>& part : parts) {
+    const SceneState others = without_objects(state, part);
+    double height = HUGE_VAL;
+    for (const std::string& name : part) {
+      height = std::min(height, drop_height(*others.scene, *state.find(name)));
+    }
+    if (std::abs(height) > 1e-12) {
+      state = moved(state, q, part, Pose(Eigen::Translation3d(0.0, 0.0, -height)));
+    }
+  }
+  return state;
+}
 
 }  // namespace
 
 /// From one state to another and back.
 class SceneEditor::Command : public QUndoCommand {
  public:
-  Command(SceneEditor& editor, const QString& text, SceneState next, SceneItem select,
+  Command(SceneEditor& editor, const QString& text, SceneState next, Selection select,
           std::string merge_key)
       : QUndoCommand(text),
         editor_(editor),
         before_(editor.state()),
         after_(std::move(next)),
-        selected_before_(editor.selection()),
+        selected_before_(editor.selection_),
         selected_after_(std::move(select)),
         merge_key_(std::move(merge_key)) {
     age_.start();
@@ -44,11 +65,11 @@ class SceneEditor::Command : public QUndoCommand {
 
   void undo() override {
     editor_.document_.set_state(before_);
-    editor_.select(selected_before_);
+    editor_.set_selection(selected_before_);
   }
   void redo() override {
     editor_.document_.set_state(after_);
-    editor_.select(selected_after_);
+    editor_.set_selection(selected_after_);
   }
   [[nodiscard]] int id() const override { return merge_key_.empty() ? -1 : kMergeable; }
   bool mergeWith(const QUndoCommand* other) override {
@@ -66,8 +87,8 @@ class SceneEditor::Command : public QUndoCommand {
   SceneEditor& editor_;
   SceneState before_;
   SceneState after_;
-  SceneItem selected_before_;
-  SceneItem selected_after_;
+  Selection selected_before_;
+  Selection selected_after_;
   std::string merge_key_;
   QElapsedTimer age_;
 };
@@ -80,36 +101,62 @@ SceneEditor::SceneEditor(Document& document, QObject* parent)
   });
 }
 
-void SceneEditor::push(const QString& text, SceneState next, const SceneItem& select,
+void SceneEditor::push(const QString& text, SceneState next, Selection select,
                        const std::string& merge_key) {
-  stack_.push(new Command(*this, text, std::move(next), select, merge_key));
+  stack_.push(new Command(*this, text, std::move(next), std::move(select), merge_key));
 }
 
-void SceneEditor::select(const SceneItem& item) {
-  selection_ = item;
-  emit selection_changed(selection_);
+void SceneEditor::apply(const QString& text, SceneState next, std::vector<std::string> select) {
+  push(text, std::move(next), selection_of(std::move(select)));
+}
+
+QString SceneEditor::words_for(const std::vector<std::string>& objects) {
+  return objects.size() == 1 ? words(objects.front())
+                             : tr("%1 objects").arg(static_cast<int>(objects.size()));
+}
+
+void SceneEditor::set_selection(Selection selection) {
+  selection_ = still_there(state(), std::move(selection));
+  emit selection_changed(selection_.item);
+}
+
+void SceneEditor::select(const SceneItem& item) { set_selection(selection_of(item)); }
+
+void SceneEditor::select_objects(std::vector<std::string> names) {
+  set_selection(selection_of(std::move(names)));
+}
+
+void SceneEditor::click(const SceneItem& item, bool add) {
+  set_selection(add ? toggled(state(), selection_, item) : clicked(state(), selection_, item));
 }
 
 const SceneObject* SceneEditor::selected_object() const {
-  return state().scene && selection_.kind == Kind::kObject
-             ? geometric::find_object(*state().scene, selection_.name)
-             : nullptr;
+  return selection_.item.kind == Kind::kObject ? state().find(selection_.item.name) : nullptr;
 }
 
-bool SceneEditor::can_change() const {
-  return selected_object() && !state().locked.contains(selection_.name);
+std::vector<std::string> SceneEditor::changeable() const {
+  std::vector<std::string> names = selection_.objects;
+  std::erase_if(names, [this](const std::string& name) {
+    const SceneObject* object = state().find(name);
+    return !object || object->locked;
+  });
+  return names;
 }
 
 std::optional<Pose> SceneEditor::selected_pose() const {
+  if (const std::vector<std::string> names = changeable(); has_several() && !names.empty()) {
+    return Pose(
+        Eigen::Translation3d(bounds(*state().scene, document_.configuration(), names).centre()));
+  }
   if (const SceneObject* object = selected_object()) {
     return object_pose(*state().scene, document_.configuration(), *object);
   }
-  if (state().scene && selection_.kind == Kind::kRobot) {
-    if (const auto* robot = geometric::find_robot(*state().scene, selection_.robot)) {
+  if (state().scene && selection().kind == Kind::kRobot) {
+    if (const auto* robot = geometric::find_robot(*state().scene, selection().robot)) {
       return robot->X_WB;
     }
   }
-  if (const auto q = posture(selection_)) {
+  if (const auto q = posture(selection())) {
     const geometric::RobotInstance& robot = *document_.robot();
     return link_pose(*state().scene, *q, robot.name, robot.model->link(document_.palm()).name);
   }
@@ -144,9 +191,8 @@ void SceneEditor::add(const std::string& name, const geometric::Shape& shape,
   const geometric::Aabb box = geometric::bounding_box(*geometric::tessellate(shape));
   const Eigen::Vector3d underside(box.centre().x(), box.centre().y(), box.lower.z());
   object.X_PO.translation() = foot - underside;
-  const SceneItem item = object_item(object.name);
-  const QString title = tr("Add %1").arg(words(object.name));
-  push(title, with_object(state(), std::move(object)), item);
+  const std::string unused = object.name;
+  apply(tr("Add %1").arg(words(unused)), with_object(state(), std::move(object)), {unused});
 }
 
 void SceneEditor::add_mesh(const std::filesystem::path& file, const Eigen::Vector3d& foot) {
@@ -157,73 +203,96 @@ void SceneEditor::add_mesh(const std::filesystem::path& file, const Eigen::Vecto
 }
 
 void SceneEditor::remove() {
-  if (can_change()) {
-    const std::string name = selection_.name;
-    push(tr("Delete %1").arg(words(name)), without_object(state(), name), {});
+  if (const std::vector<std::string> names = changeable(); !names.empty()) {
+    apply(tr("Delete %1").arg(words_for(names)), without_objects(state(), names), {});
   }
 }
 
 void SceneEditor::duplicate() {
-  if (!selected_object()) {
+  const std::vector<std::string>& names = selection_.objects;
+  if (names.empty()) {
     return;
   }
-  SceneObject copy = *selected_object();
-  copy.name = unused_name(*state().scene, copy.name);
-  const geometric::Aabb box = geometric::bounding_box(*geometric::tessellate(copy.shape));
-  copy.X_PO.translation() += copy.X_PO.linear() * Eigen::Vector3d(0.0, 1.25 * box.size().y(), 0.0);
-  const SceneItem item = object_item(copy.name);
-  push(tr("Duplicate %1").arg(words(selection_.name)), with_object(state(), std::move(copy)), item);
+  constexpr double kRoom = 1.25;
+  Pose aside = Pose::Identity();
+  const geometric::Configuration& q = document_.configuration();
+  if (has_several()) {
+    aside.translation().y() = kRoom * bounds(*state().scene, q, names).size().y();
+  } else {
+    const SceneObject& object = *selected_object();
+    const geometric::Aabb box = geometric::bounding_box(*geometric::tessellate(object.shape));
+    aside.translation() = object_pose(*state().scene, q, object).linear() *
+                          Eigen::Vector3d(0.0, kRoom * box.size().y(), 0.0);
+  }
+  Copies copies = copied(state(), q, names, {aside});
+  apply(tr("Duplicate %1").arg(words_for(names)), std::move(copies.state), std::move(copies.names));
 }
 
 void SceneEditor::rename(const std::string& name) {
-  if (!can_change() || name.empty() || name == selection_.name) {
+  const std::string& old = selection().name;
+  if (!can_change() || has_several() || name.empty() || name == old) {
     return;
   }
   const std::string unused = unused_name(*state().scene, name);
-  push(tr("Rename %1").arg(words(selection_.name)),
-       with_renamed_object(state(), selection_.name, unused), object_item(unused));
+  push(tr("Rename %1").arg(words(old)), with_renamed_object(state(), old, unused),
+       selection_of(object_item(unused)));
 }
 
 void SceneEditor::change_selected(const QString& text, const std::string& what,
                                   const std::function<void(SceneObject&)>& change) {
-  if (can_change()) {
-    push(text.arg(words(selection_.name)), with_changed_object(state(), selection_.name, change),
-         selection_, what.empty() ? what : what + ' ' + selection_.name);
+  const std::vector<std::string> names = changeable();
+  if (names.empty()) {
+    return;
   }
+  std::string key = what;
+  for (const std::string& name : names) {
+    key += what.empty() ? "" : '\n' + name;
+  }
+  push(text.arg(words_for(names)), with_changed_objects(state(), names, change), selection_, key);
 }
 
 void SceneEditor::place(const Pose& X_WO) {
-  if (selection_.is_posture()) {
-    emit palm_placed(selection_, X_WO);
+  if (selection().is_posture()) {
+    emit palm_placed(selection(), X_WO);
     return;
   }
-  if (selection_.kind == Kind::kRobot) {
-    push(tr("Move %1").arg(words(selection_.robot)), with_base(state(), selection_.robot, X_WO),
-         selection_, "base " + selection_.robot);
+  if (selection().kind == Kind::kRobot) {
+    push(tr("Move %1").arg(words(selection().robot)), with_base(state(), selection().robot, X_WO),
+         selection_, "base " + selection().robot);
     return;
   }
-  const SceneObject* object = selected_object();
-  if (!object) {
-    return;
+  const std::optional<Pose> before = selected_pose();
+  const std::optional<SceneState> next = placed(X_WO);
+  if (next) {
+    const bool only_turned = X_WO.translation() == before->translation();
+    change_selected(only_turned ? tr("Turn %1") : tr("Move %1"), only_turned ? "turn" : "move",
+                    [&](SceneObject& changed) { changed.X_PO = next->find(changed.name)->X_PO; });
   }
-  const Pose X_PO = in_parent(*state().scene, document_.configuration(), *object, X_WO);
-  const bool only_turned = X_PO.translation() == object->X_PO.translation();
-  change_selected(only_turned ? tr("Turn %1") : tr("Move %1"), only_turned ? "turn" : "move",
-                  [&](SceneObject& changed) { changed.X_PO = X_PO; });
 }
 
 std::optional<SceneState> SceneEditor::placed(const Pose& X_WO) const {
-  const SceneObject* object = selected_object();
-  if (!object || !can_change()) {
+  const std::vector<std::string> names = changeable();
+  if (names.empty()) {
     return std::nullopt;
   }
-  const Pose X_PO = in_parent(*state().scene, document_.configuration(), *object, X_WO);
-  return with_changed_object(state(), selection_.name,
-                             [&](SceneObject& changed) { changed.X_PO = X_PO; });
+  const geometric::Configuration& q = document_.configuration();
+  if (has_several()) {
+    return moved(state(), q, names, X_WO * selected_pose()->inverse());
+  }
+  return with_changed_objects(state(), names, [&](SceneObject& changed) {
+    changed.X_PO = in_parent(*state().scene, q, changed, X_WO);
+  });
 }
 
-void SceneEditor::set_shape(const geometric::Shape& shape) {
-  change_selected(tr("Resize %1"), "size", [&](SceneObject& object) { object.shape = shape; });
+void SceneEditor::set_shape(const geometric::Shape& shape, const std::optional<Pose>& X_WO) {
+  if (!has_several()) {
+    change_selected(tr("Resize %1"), "size", [&](SceneObject& object) {
+      object.shape = shape;
+      if (X_WO) {
+        object.X_PO = in_parent(*state().scene, document_.configuration(), object, *X_WO);
+      }
+    });
+  }
 }
 
 void SceneEditor::set_color(const geometric::Color& color) {
@@ -231,57 +300,57 @@ void SceneEditor::set_color(const geometric::Color& color) {
 }
 
 void SceneEditor::drop() {
-  const SceneObject* object = selected_object();
-  if (!object || object->attachment) {
+  std::vector<std::string> names = changeable();
+  std::erase_if(names, [this](const std::string& name) {
+    return state().find(name)->attachment.has_value();
+  });
+  if (names.empty()) {
     return;
   }
-  Pose lowered = object->X_PO;
-  lowered.translation().z() -= drop_height(*state().scene, *object);
-  if (!lowered.isApprox(object->X_PO, 1e-12)) {
-    change_selected(tr("Drop %1"), "", [&](SceneObject& changed) { changed.X_PO = lowered; });
+  const SceneState next = dropped(state(), document_.configuration(), names);
+  if (next != state()) {
+    push(tr("Drop %1").arg(words_for(names)), next, selection_);
   }
 }
 
-void SceneEditor::set_hidden(const std::string& object, bool hidden) {
-  if (hidden != state().hidden.contains(object)) {
-    push((hidden ? tr("Hide %1") : tr("Show %1")).arg(words(object)),
-         with_hidden(state(), object, hidden), selection_);
+void SceneEditor::set_hidden(const std::vector<std::string>& objects, bool hidden) {
+  if (std::ranges::any_of(objects, [&](const auto& o) { return state().is_hidden(o) != hidden; })) {
+    push((hidden ? tr("Hide %1") : tr("Show %1")).arg(words_for(objects)),
+         with_changed_objects(state(), objects, [&](SceneObject& o) { o.hidden = hidden; }),
+         selection_);
   }
 }
 
-void SceneEditor::set_locked(const std::string& object, bool locked) {
-  if (locked != state().locked.contains(object)) {
-    push((locked ? tr("Lock %1") : tr("Unlock %1")).arg(words(object)),
-         with_locked(state(), object, locked), selection_);
+void SceneEditor::set_locked(const std::vector<std::string>& objects, bool locked) {
+  if (std::ranges::any_of(objects, [&](const auto& o) { return state().is_locked(o) != locked; })) {
+    push((locked ? tr("Lock %1") : tr("Unlock %1")).arg(words_for(objects)),
+         with_changed_objects(state(), objects, [&](SceneObject& o) { o.locked = locked; }),
+         selection_);
   }
 }
 
 void SceneEditor::attach(const std::string& robot, const std::string& link,
                          const std::vector<std::string>& touching) {
-  const SceneObject* object = selected_object();
-  const auto X_WL =
-      object ? link_pose(*state().scene, document_.configuration(), robot, link) : std::nullopt;
-  if (!X_WL) {
-    return;
+  const geometric::Configuration& q = document_.configuration();
+  const auto X_WL = can_change() ? link_pose(*state().scene, q, robot, link) : std::nullopt;
+  if (X_WL) {
+    change_selected(tr("Attach %1"), "", [&](SceneObject& changed) {
+      changed.X_PO = X_WL->inverse() * object_pose(*state().scene, q, changed);
+      changed.attachment = geometric::Attachment{robot, link, touching};
+    });
   }
-  const Pose X_LO =
-      X_WL->inverse() * object_pose(*state().scene, document_.configuration(), *object);
-  change_selected(tr("Attach %1"), "", [&](SceneObject& changed) {
-    changed.X_PO = X_LO;
-    changed.attachment = geometric::Attachment{robot, link, touching};
-  });
 }
 
 void SceneEditor::detach() {
-  const SceneObject* object = selected_object();
-  if (!object || !object->attachment) {
-    return;
-  }
-  const Pose X_WO = object_pose(*state().scene, document_.configuration(), *object);
-  change_selected(tr("Detach %1"), "", [&](SceneObject& changed) {
-    changed.X_PO = X_WO;
-    changed.attachment.reset();
+  const bool any = std::ranges::any_of(changeable(), [this](const auto& name) {
+    return state().find(name)->attachment.has_value();
   });
+  if (any) {
+    change_selected(tr("Detach %1"), "", [&](SceneObject& changed) {
+      changed.X_PO = object_pose(*state().scene, document_.configuration(), changed);
+      changed.attachment.reset();
+    });
+  }
 }
 
 void SceneEditor::set_start(const geometric::Configuration& q) {

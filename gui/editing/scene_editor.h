@@ -2,7 +2,7 @@
 
 #include "app/document.h"
 #include "editing/scene_state.h"
-#include "view3d/scene_item.h"
+#include "editing/selection.h"
 
 #include <QObject>
 #include <QString>
@@ -16,7 +16,7 @@
 namespace handway::gui {
 
 /// Edits the document's scene, one named entry of the undo stack for each edit,
-/// and knows what is selected. An edit of a locked object does nothing.
+/// and knows what is selected. Edits of several objects leave locked ones alone.
 class SceneEditor : public QObject {
   Q_OBJECT
 
@@ -28,13 +28,25 @@ class SceneEditor : public QObject {
   [[nodiscard]] const SceneState& state() const { return document_.state(); }
   [[nodiscard]] const Document& document() const { return document_; }
 
-  [[nodiscard]] const SceneItem& selection() const { return selection_; }
+  /// What was selected last.
+  [[nodiscard]] const SceneItem& selection() const { return selection_.item; }
+  /// The objects that are selected; none if something else is.
+  [[nodiscard]] const std::vector<std::string>& selected_objects() const {
+    return selection_.objects;
+  }
+  [[nodiscard]] bool has_several() const { return selection_.objects.size() > 1; }
+  [[nodiscard]] const Selection& whole_selection() const { return selection_; }
   void select(const SceneItem& item);
-  /// The selected object; nullptr if something else is selected.
+  void select_objects(std::vector<std::string> names);
+  /// A click in the view. @param add with Ctrl or Shift.
+  void click(const SceneItem& item, bool add);
+  /// The object that was selected last; nullptr if something else is selected.
   [[nodiscard]] const geometric::SceneObject* selected_object() const;
-  /// Is there a selected object that is not locked?
-  [[nodiscard]] bool can_change() const;
-  /// Of the selected object or robot, or the palm of the selected posture, in the world.
+  /// The selected objects that are not locked.
+  [[nodiscard]] std::vector<std::string> changeable() const;
+  [[nodiscard]] bool can_change() const { return !changeable().empty(); }
+  /// Of the selected object or robot, or the palm of the selected posture, in the world. Several
+  /// objects: the middle of the box around those that can be changed, along the world's axes.
   [[nodiscard]] std::optional<geometric::Pose> selected_pose() const;
 
   /// Adds an object and selects it. @param foot where the middle of its underside goes (world).
@@ -47,20 +59,26 @@ class SceneEditor : public QObject {
   void remove();
   void duplicate();
   void rename(const std::string& name);
-  /// Moves an object or a robot; of a posture it tells palm_placed(). @param X_WO in the world.
+  /// Moves objects or a robot so that selected_pose() becomes `X_WO`; of a posture it
+  /// tells palm_placed().
   void place(const geometric::Pose& X_WO);
-  /// What place() would make of an object; nothing for anything else.
+  /// What place() would make of objects; nothing for anything else.
   [[nodiscard]] std::optional<SceneState> placed(const geometric::Pose& X_WO) const;
-  void set_shape(const geometric::Shape& shape);
+  /// @param X_WO where the resized object goes.
+  void set_shape(const geometric::Shape& shape, const std::optional<geometric::Pose>& X_WO = {});
   void set_color(const geometric::Color& color);
-  /// Lowers (or lifts) the object until it stands on what is below it, or on the floor.
+  /// Lowers (or lifts) the objects until they stand on what is below, or on the floor.
   void drop();
-  void set_hidden(const std::string& object, bool hidden);
-  void set_locked(const std::string& object, bool locked);
-  /// Fixes the object to a link, where both are now. @param touching links that may touch it.
+  void set_hidden(const std::vector<std::string>& objects, bool hidden);
+  void set_locked(const std::vector<std::string>& objects, bool locked);
+  /// Fixes the objects to a link, where all are now. @param touching links that may touch them.
   void attach(const std::string& robot, const std::string& link,
               const std::vector<std::string>& touching);
   void detach();
+  /// Any other edit. @param select afterwards.
+  void apply(const QString& text, SceneState next, std::vector<std::string> select);
+  /// "can", or "3 objects".
+  [[nodiscard]] static QString words_for(const std::vector<std::string>& objects);
 
   /// The configuration of a posture; nothing of anything else.
   [[nodiscard]] std::optional<geometric::Configuration> posture(const SceneItem& item) const;
@@ -76,14 +94,16 @@ class SceneEditor : public QObject {
   class Command;
   /// @param merge_key edits with the same key that follow each other at once become one; empty:
   /// never.
-  void push(const QString& text, SceneState next, const SceneItem& select,
+  void push(const QString& text, SceneState next, Selection select,
             const std::string& merge_key = {});
+  void set_selection(Selection selection);
+  /// @param text with a place for what is changed. @param what empty: each an edit of its own.
   void change_selected(const QString& text, const std::string& what,
                        const std::function<void(geometric::SceneObject&)>& change);
 
   Document& document_;
   QUndoStack stack_;
-  SceneItem selection_;
+  Selection selection_;
 };
 
 }  // namespace handway::gui

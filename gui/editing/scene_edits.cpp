@@ -18,22 +18,32 @@ SceneState with_scene(const SceneState& state, Scene scene) {
   return next;
 }
 
-void put(std::set<std::string>& names, const std::string& name, bool in) {
-  if (in) {
-    names.insert(name);
-  } else {
-    names.erase(name);
-  }
-}
-
-void rename(std::set<std::string>& names, const std::string& from, const std::string& to) {
-  if (names.erase(from) > 0) {
-    names.insert(to);
-  }
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::ranges::find(names, name) != names.end();
 }
 
 bool is_name_used(const Scene& scene, const std::string& name) {
   return geometric::find_object(scene, name) || geometric::find_robot(scene, name);
+}
+
+// `name`, or its stem with the first number from 2 on that is not used.
+template <typename IsUsed>
+std::string unlike_others(const std::string& name, const IsUsed& is_used) {
+  if (!is_used(name)) {
+    return name;
+  }
+  std::string stem = name;
+  const std::size_t space = name.find_last_of(' ');
+  if (space != std::string::npos && space + 1 < name.size() &&
+      std::all_of(name.begin() + static_cast<std::ptrdiff_t>(space) + 1, name.end(),
+                  [](char c) { return c >= '0' && c <= '9'; })) {
+    stem = name.substr(0, space);
+  }
+  int number = 2;
+  while (is_used(stem + " " + std::to_string(number))) {
+    ++number;
+  }
+  return stem + " " + std::to_string(number);
 }
 
 struct SameShape {
@@ -61,21 +71,13 @@ struct SameShape {
 }  // namespace
 
 std::string unused_name(const Scene& scene, const std::string& name) {
-  if (!is_name_used(scene, name)) {
-    return name;
-  }
-  std::string stem = name;
-  const std::size_t space = name.find_last_of(' ');
-  if (space != std::string::npos && space + 1 < name.size() &&
-      std::all_of(name.begin() + static_cast<std::ptrdiff_t>(space) + 1, name.end(),
-                  [](char c) { return c >= '0' && c <= '9'; })) {
-    stem = name.substr(0, space);
-  }
-  int number = 2;
-  while (is_name_used(scene, stem + " " + std::to_string(number))) {
-    ++number;
-  }
-  return stem + " " + std::to_string(number);
+  return unlike_others(name, [&](const std::string& word) { return is_name_used(scene, word); });
+}
+
+std::string unused_group(const Scene& scene, const std::string& group) {
+  return unlike_others(group, [&](const std::string& word) {
+    return std::ranges::find(scene.objects, word, &SceneObject::group) != scene.objects.end();
+  });
 }
 
 SceneState with_object(const SceneState& state, SceneObject object) {
@@ -85,13 +87,11 @@ SceneState with_object(const SceneState& state, SceneObject object) {
   return with_scene(state, std::move(scene));
 }
 
-SceneState without_object(const SceneState& state, std::string_view name) {
+SceneState without_objects(const SceneState& state, const std::vector<std::string>& names) {
   Scene scene = *state.scene;
-  std::erase_if(scene.objects, [&](const SceneObject& object) { return object.name == name; });
-  SceneState next = with_scene(state, std::move(scene));
-  put(next.hidden, std::string(name), false);
-  put(next.locked, std::string(name), false);
-  return next;
+  std::erase_if(scene.objects,
+                [&](const SceneObject& object) { return contains(names, object.name); });
+  return with_scene(state, std::move(scene));
 }
 
 SceneState with_changed_object(const SceneState& state, std::string_view name,
@@ -105,13 +105,20 @@ SceneState with_changed_object(const SceneState& state, std::string_view name,
   return with_scene(state, std::move(scene));
 }
 
+SceneState with_changed_objects(const SceneState& state, const std::vector<std::string>& names,
+                                const ObjectChange& change) {
+  Scene scene = *state.scene;
+  for (SceneObject& object : scene.objects) {
+    if (contains(names, object.name)) {
+      change(object);
+    }
+  }
+  return with_scene(state, std::move(scene));
+}
+
 SceneState with_renamed_object(const SceneState& state, const std::string& name,
                                const std::string& new_name) {
-  SceneState next =
-      with_changed_object(state, name, [&](SceneObject& object) { object.name = new_name; });
-  rename(next.hidden, name, new_name);
-  rename(next.locked, name, new_name);
-  return next;
+  return with_changed_object(state, name, [&](SceneObject& object) { object.name = new_name; });
 }
 
 SceneState with_base(const SceneState& state, std::string_view robot, const Pose& X_WB) {
@@ -134,18 +141,6 @@ SceneState with_goal(const SceneState& state, const Configuration& q) {
   Scene scene = *state.scene;
   scene.goal = q;
   return with_scene(state, std::move(scene));
-}
-
-SceneState with_hidden(const SceneState& state, const std::string& name, bool hidden) {
-  SceneState next = state;
-  put(next.hidden, name, hidden);
-  return next;
-}
-
-SceneState with_locked(const SceneState& state, const std::string& name, bool locked) {
-  SceneState next = state;
-  put(next.locked, name, locked);
-  return next;
 }
 
 std::optional<Pose> link_pose(const Scene& scene, const Configuration& q, std::string_view robot,

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 /// Edits as functions: an old state in, a new state out.
 namespace handway::gui {
@@ -18,18 +19,23 @@ using ObjectChange = std::function<void(geometric::SceneObject&)>;
 
 /// @param object gets an unused name.
 [[nodiscard]] SceneState with_object(const SceneState& state, geometric::SceneObject object);
-[[nodiscard]] SceneState without_object(const SceneState& state, std::string_view name);
+[[nodiscard]] SceneState without_objects(const SceneState& state,
+                                         const std::vector<std::string>& names);
 /// @param change of anything but the name.
 [[nodiscard]] SceneState with_changed_object(const SceneState& state, std::string_view name,
                                              const ObjectChange& change);
+[[nodiscard]] SceneState with_changed_objects(const SceneState& state,
+                                              const std::vector<std::string>& names,
+                                              const ObjectChange& change);
 [[nodiscard]] SceneState with_renamed_object(const SceneState& state, const std::string& name,
                                              const std::string& new_name);
 [[nodiscard]] SceneState with_base(const SceneState& state, std::string_view robot,
                                    const geometric::Pose& X_WB);
 [[nodiscard]] SceneState with_start(const SceneState& state, const geometric::Configuration& q);
 [[nodiscard]] SceneState with_goal(const SceneState& state, const geometric::Configuration& q);
-[[nodiscard]] SceneState with_hidden(const SceneState& state, const std::string& name, bool hidden);
-[[nodiscard]] SceneState with_locked(const SceneState& state, const std::string& name, bool locked);
+
+/// `group`, or the first like it that no object is in: "group", "group 2", ….
+[[nodiscard]] std::string unused_group(const geometric::Scene& scene, const std::string& group);
 
 /// Where a link of a robot is in the world, the first robot standing at `q`.
 /// Nothing if there is no such link.

@@ -1,11 +1,15 @@
 #include "forms/shape_form.h"
 
+#include "editing/resize.h"
 #include "forms/quantity_field.h"
 
+#include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QLabel>
+#include <QSignalBlocker>
 
 #include <array>
+#include <cmath>
 #include <span>
 
 namespace handway::gui {
@@ -72,11 +76,32 @@ void ShapeForm::add_field(const QString& label, const char* name) {
   connect(field, &QuantityField::quantity_edited, this, &ShapeForm::take_values);
 }
 
+void ShapeForm::add_scale() {
+  scale_ = new QDoubleSpinBox;
+  scale_->setObjectName(QStringLiteral("size_scale"));
+  scale_->setRange(1e-4, 1e4);
+  scale_->setDecimals(4);
+  scale_->setButtonSymbols(QAbstractSpinBox::NoButtons);
+  scale_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  scale_->setToolTip(tr("Of the numbers in the file; 0.001 if these are millimetres"));
+  auto* words = new QLabel(tr("Scale"));
+  words->setProperty("role", "note");
+  layout_->addRow(words, scale_);
+  connect(scale_, &QDoubleSpinBox::editingFinished, this, [this] {
+    const auto& mesh = std::get<geometric::Mesh>(shape_);
+    const double factor = scale_->value() / std::abs(mesh.scale.x());
+    if (std::abs(factor - 1.0) > 1e-6) {
+      emit shape_edited(scaled(mesh, factor));
+    }
+  });
+}
+
 void ShapeForm::rebuild() {
   while (layout_->rowCount() > 0) {
     layout_->removeRow(0);
   }
   fields_.clear();
+  scale_ = nullptr;
   if (std::holds_alternative<geometric::Box>(shape_)) {
     add_field(tr("Length (x)"), "size_x");
     add_field(tr("Width (y)"), "size_y");
@@ -90,6 +115,7 @@ void ShapeForm::rebuild() {
     file->setWordWrap(true);
     file->setProperty("role", "note");
     layout_->addRow(file);
+    add_scale();
   } else {
     add_field(tr("Radius"), "size_radius");
     if (!std::holds_alternative<geometric::Sphere>(shape_)) {
@@ -110,6 +136,10 @@ void ShapeForm::show_shape(const geometric::Shape& shape) {
   for (std::size_t i = 0; i < values.size(); ++i) {
     fields_[i]->show_quantity(values[i]);
   }
+  if (scale_) {
+    const QSignalBlocker quiet(scale_);
+    scale_->setValue(std::abs(std::get<geometric::Mesh>(shape).scale.x()));
+  }
   set_editable(editable_);
 }
 
@@ -117,6 +147,9 @@ void ShapeForm::set_editable(bool editable) {
   editable_ = editable;
   for (QuantityField* field : fields_) {
     field->setReadOnly(!editable);
+  }
+  if (scale_) {
+    scale_->setReadOnly(!editable);
   }
 }
 

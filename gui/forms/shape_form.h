@@ -6,13 +6,14 @@
 
 #include <vector>
 
+class QDoubleSpinBox;
 class QFormLayout;
 
 namespace handway::gui {
 
 class QuantityField;
 
-/// The measures of a shape, typed: edges, radius, length. A mesh tells where it is from.
+/// The measures of a shape, typed: edges, radius, length; of a mesh its scale.
 class ShapeForm : public QWidget {
   Q_OBJECT
 
@@ -28,10 +29,12 @@ class ShapeForm : public QWidget {
  private:
   void rebuild();
   void take_values();
+  void add_scale();
   void add_field(const QString& label, const char* name);
 
   QFormLayout* layout_;
   std::vector<QuantityField*> fields_;
+  QDoubleSpinBox* scale_ = nullptr;  ///< Of a mesh.
   geometric::Shape shape_;
   bool editable_ = true;
 };

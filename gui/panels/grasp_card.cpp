@@ -5,10 +5,11 @@
 
 #include <QEvent>
 #include <QHBoxLayout>
+#include <QHeaderView>
 #include <QLabel>
-#include <QListWidget>
 #include <QPushButton>
 #include <QToolButton>
+#include <QTreeWidget>
 #include <QVBoxLayout>
 #include <QVariant>
 
@@ -17,20 +18,18 @@ namespace {
 
 constexpr int kWidth = 290;
 constexpr int kMargin = 12;
+constexpr int kRankWidth = 26;
 
-QString row_text(int rank, const planning::Pregrasp& grasp) {
-  return QObject::tr("%1.  %2 fingers, %3 mm clear, %4 % around")
-      .arg(rank)
-      .arg(grasp.fingers)
-      .arg(geometric::millimetres(grasp.clearance), 0, 'f', 0)
-      .arg(100.0 * grasp.enclosure, 0, 'f', 0);
+QStringList row_texts(int rank, const planning::Pregrasp& grasp) {
+  return {QString::number(rank), QString::number(grasp.fingers),
+          QObject::tr("%1 %").arg(100.0 * grasp.enclosure, 0, 'f', 0),
+          QObject::tr("%1 mm").arg(geometric::millimetres(grasp.clearance), 0, 'f', 0),
+          QString::number(grasp.score, 'f', 2)};
 }
 
 QString row_tip(const planning::Pregrasp& grasp) {
   return QObject::tr(
-             "Score %1; %2 from the hand's principal motion directions, arm travel %3 "
-             "(normalised joints)")
-      .arg(grasp.score, 0, 'f', 2)
+             "%1 from the hand's principal motion directions, arm travel %2 (normalised joints)")
       .arg(grasp.subspace_distance, 0, 'f', 2)
       .arg(grasp.arm_travel, 0, 'f', 2);
 }
@@ -41,7 +40,7 @@ GraspCard::GraspCard(QWidget* host)
     : QFrame(host),
       title_(new QLabel),
       note_(new QLabel),
-      list_(new QListWidget),
+      list_(new QTreeWidget),
       plan_(new QPushButton(tr("Plan to this grasp"))) {
   setAttribute(Qt::WA_StyledBackground);
   setProperty("role", "offer");
@@ -52,6 +51,21 @@ GraspCard::GraspCard(QWidget* host)
   note_->setWordWrap(true);
   list_->setObjectName(QStringLiteral("grasp_list"));
   list_->setFrameShape(QFrame::NoFrame);
+  list_->setRootIsDecorated(false);
+  list_->setUniformRowHeights(true);
+  list_->setHeaderLabels({QString(), tr("Fingers"), tr("Around"), tr("Clear"), tr("Score")});
+  list_->header()->setStretchLastSection(false);
+  list_->header()->setMinimumSectionSize(kRankWidth);
+  list_->header()->setSectionResizeMode(QHeaderView::Stretch);
+  list_->header()->setSectionResizeMode(0, QHeaderView::Fixed);
+  list_->header()->resizeSection(0, kRankWidth);
+  const QStringList words{tr("Rank"), tr("Fingers that are near the object"),
+                          tr("How far thumb and fingers are on opposite sides of it"),
+                          tr("Distance of robot and hand to everything else, up to 50 mm"),
+                          tr("What they are ranked by, from 0 to 1")};
+  for (int column = 0; column < words.size(); ++column) {
+    list_->headerItem()->setToolTip(column, words[column]);
+  }
   plan_->setObjectName(QStringLiteral("grasp_plan"));
   plan_->setProperty("role", "primary");
   plan_->setToolTip(tr("Take it for the goal and plan"));
@@ -64,16 +78,17 @@ GraspCard::GraspCard(QWidget* host)
     hide();
     emit closed();
   });
-  connect(list_, &QListWidget::currentRowChanged, this, [this](int row) {
+  connect(list_, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
+    const int row = list_->indexOfTopLevelItem(item);
     plan_->setEnabled(row >= 0);
     if (row >= 0) {
       emit looked_at(row);
     }
   });
-  connect(list_, &QListWidget::itemDoubleClicked, plan_, &QPushButton::click);
+  connect(list_, &QTreeWidget::itemDoubleClicked, plan_, &QPushButton::click);
   connect(plan_, &QPushButton::clicked, this, [this] {
     hide();
-    emit chosen(list_->currentRow());
+    emit chosen(list_->indexOfTopLevelItem(list_->currentItem()));
   });
   auto* header = new QHBoxLayout;
   header->addWidget(title_, 1);
@@ -101,11 +116,14 @@ void GraspCard::show_grasps(const QString& object, const std::vector<planning::P
   }
   list_->clear();
   for (std::size_t i = 0; i < grasps.size(); ++i) {
-    list_->addItem(row_text(static_cast<int>(i) + 1, grasps[i]));
-    list_->item(static_cast<int>(i))->setToolTip(row_tip(grasps[i]));
+    auto* row = new QTreeWidgetItem(list_, row_texts(static_cast<int>(i) + 1, grasps[i]));
+    for (int column = 0; column < list_->columnCount(); ++column) {
+      row->setToolTip(column, row_tip(grasps[i]));
+      row->setTextAlignment(column, column == 0 ? Qt::AlignRight : Qt::AlignHCenter);
+    }
   }
   set_up(tr("Grasp %1").arg(object), tr("The best first; the ghost shows the one chosen."), true);
-  list_->setCurrentRow(0);
+  list_->setCurrentItem(list_->topLevelItem(0));
 }
 
 void GraspCard::show_failure(const QString& object, const QString& reason) {

@@ -7,8 +7,8 @@
 #include <vector>
 
 class QLabel;
-class QListWidget;
 class QPushButton;
+class QTreeWidget;
 
 namespace handway::gui {
 
@@ -39,7 +39,7 @@ class GraspCard : public QFrame {
 
   QLabel* title_;
   QLabel* note_;
-  QListWidget* list_;
+  QTreeWidget* list_;
   QPushButton* plan_;
 };
 

@@ -1,8 +1,10 @@
 #include "panels/properties_panel.h"
 
+#include "editing/arrange.h"
 #include "editing/scene_edits.h"
 #include "forms/pose_form.h"
 #include "forms/shape_form.h"
+#include "handway/geometric/math/units.h"
 #include "style/icons.h"
 #include "style/theme.h"
 
@@ -15,6 +17,8 @@
 #include <QSignalBlocker>
 #include <QToolButton>
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 namespace handway::gui {
 namespace {
@@ -58,6 +62,7 @@ PropertiesPanel::PropertiesPanel(SceneEditor& editor, QWidget* parent)
       pose_title_(heading(tr("Pose"))),
       pose_(new PoseForm),
       shape_(new ShapeForm),
+      extent_(new QLabel),
       color_(new QToolButton),
       parent_(new QComboBox) {
   setFrameShape(QFrame::NoFrame);
@@ -83,7 +88,9 @@ PropertiesPanel::PropertiesPanel(SceneEditor& editor, QWidget* parent)
   };
   rows->addRow(note(tr("Colour")), color_);
   rows->addRow(note(tr("Fixed to")), parent_);
-  shape_box_ = boxed({heading(tr("Size")), shape_, more});
+  extent_->setObjectName(QStringLiteral("extent"));
+  extent_->setProperty("role", "note");
+  shape_box_ = boxed({heading(tr("Size")), shape_, extent_, more});
 
   auto* content = new QWidget;
   auto* layout = new QVBoxLayout(content);
@@ -96,7 +103,8 @@ PropertiesPanel::PropertiesPanel(SceneEditor& editor, QWidget* parent)
   setWidget(content);
 
   connect(pose_, &PoseForm::pose_edited, &editor_, &SceneEditor::place);
-  connect(shape_, &ShapeForm::shape_edited, &editor_, &SceneEditor::set_shape);
+  connect(shape_, &ShapeForm::shape_edited, &editor_,
+          [this](const geometric::Shape& shape) { editor_.set_shape(shape); });
   connect(color_, &QToolButton::clicked, this, &PropertiesPanel::choose_color);
   connect(parent_, qOverload<int>(&QComboBox::activated), this, [this](int row) {
     emit attach_requested(parent_->itemData(row, Qt::UserRole).toString().toStdString(),
@@ -128,9 +136,9 @@ QWidget* PropertiesPanel::make_header() {
     refresh();
   });
   connect(lock_, &QToolButton::clicked, this,
-          [this](bool on) { editor_.set_locked(editor_.selection().name, on); });
+          [this](bool on) { editor_.set_locked(editor_.selected_objects(), on); });
   connect(hide_, &QToolButton::clicked, this,
-          [this](bool on) { editor_.set_hidden(editor_.selection().name, on); });
+          [this](bool on) { editor_.set_hidden(editor_.selected_objects(), on); });
   return header;
 }
 
@@ -142,7 +150,11 @@ void PropertiesPanel::refresh_icons() {
 void PropertiesPanel::refresh() {
   const SceneItem& item = editor_.selection();
   if (const geometric::SceneObject* object = editor_.selected_object()) {
-    show_object(*object);
+    if (editor_.has_several()) {
+      show_objects(*object);
+    } else {
+      show_object(*object);
+    }
     return;
   }
   const auto& scene = editor_.state().scene;
@@ -177,11 +189,45 @@ void PropertiesPanel::show_object(const geometric::SceneObject& object) {
   name_->setReadOnly(!editable);
   kind_->setText(kind_of_shape(object.shape));
   lock_->setChecked(!editable);
-  hide_->setChecked(editor_.state().hidden.contains(object.name));
+  hide_->setChecked(object.hidden);
   pose_title_->setText(tr("Pose"));
   pose_->show_pose(editor_.selected_pose().value());
-  pose_->set_editable(editable);
   shape_->show_shape(object.shape);
+  shape_->setVisible(true);
+  extent_->hide();
+  show_common(object, editable);
+}
+
+void PropertiesPanel::show_objects(const geometric::SceneObject& last) {
+  show_parts(true, true, true);
+  const std::vector<std::string>& names = editor_.selected_objects();
+  const bool editable = editor_.can_change();
+  const bool is_group = rigid_parts(*editor_.state().scene, names).size() == 1;
+  name_->setText(is_group ? QString::fromStdString(last.group)
+                          : tr("%1 objects").arg(names.size()));
+  name_->setReadOnly(true);
+  kind_->setText(is_group ? tr("Group of %1").arg(names.size()) : QString());
+  const auto all = [&](bool geometric::SceneObject::*flag) {
+    return std::ranges::all_of(
+        names, [&](const std::string& name) { return editor_.state().find(name)->*flag; });
+  };
+  lock_->setChecked(all(&geometric::SceneObject::locked));
+  hide_->setChecked(all(&geometric::SceneObject::hidden));
+  pose_title_->setText(tr("Centre (angles turn all about it)"));
+  pose_->show_pose(editor_.selected_pose().value_or(geometric::Pose::Identity()));
+  const Eigen::Vector3d size =
+      bounds(*editor_.state().scene, editor_.document().configuration(), names).size();
+  const auto mm = [](double metres) {
+    return QString::number(geometric::millimetres(metres), 'f', 1);
+  };
+  extent_->setText(tr("%1 × %2 × %3 mm together").arg(mm(size.x()), mm(size.y()), mm(size.z())));
+  extent_->show();
+  shape_->hide();
+  show_common(last, editable);
+}
+
+void PropertiesPanel::show_common(const geometric::SceneObject& object, bool editable) {
+  pose_->set_editable(editable);
   shape_->set_editable(editable);
   color_->setEnabled(editable);
   paint_swatch(object.color);
@@ -256,8 +302,9 @@ void PropertiesPanel::choose_color() {
   }
   const QColor before = QColor::fromRgbF(object->color.red, object->color.green, object->color.blue,
                                          object->color.alpha);
-  const QColor chosen = QColorDialog::getColor(before, this, tr("Colour of %1").arg(name_->text()),
-                                               QColorDialog::ShowAlphaChannel);
+  const QColor chosen = QColorDialog::getColor(
+      before, this, tr("Colour of %1").arg(SceneEditor::words_for(editor_.changeable())),
+      QColorDialog::ShowAlphaChannel);
   if (chosen.isValid() && chosen != before) {
     editor_.set_color({static_cast<float>(chosen.redF()), static_cast<float>(chosen.greenF()),
                        static_cast<float>(chosen.blueF()), static_cast<float>(chosen.alphaF())});

@@ -36,6 +36,8 @@ class PropertiesPanel : public QScrollArea {
  private:
   QWidget* make_header();
   void show_object(const geometric::SceneObject& object);
+  void show_objects(const geometric::SceneObject& last);
+  void show_common(const geometric::SceneObject& object, bool editable);
   void show_robot(const geometric::RobotInstance& robot);
   void show_link(const geometric::RobotInstance& robot);
   void show_posture(const geometric::Pose& X_WP);
@@ -57,6 +59,7 @@ class PropertiesPanel : public QScrollArea {
   PoseForm* pose_;
   QWidget* shape_box_;
   ShapeForm* shape_;
+  QLabel* extent_;
   QToolButton* color_;
   QComboBox* parent_;
 };

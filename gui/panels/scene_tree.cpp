@@ -11,7 +11,8 @@
 #include <QTreeWidgetItemIterator>
 
 #include <algorithm>
-#include <functional>
+#include <map>
+#include <string>
 #include <vector>
 
 namespace handway::gui {
@@ -75,8 +76,8 @@ SceneTree::SceneTree(QWidget* parent) : QTreeWidget(parent) {
   setUniformRowHeights(true);
   setFrameShape(QFrame::NoFrame);
   setIconSize({16, 16});
-  connect(this, &QTreeWidget::currentItemChanged, this,
-          [this](QTreeWidgetItem* row) { emit item_selected(item_at(row)); });
+  setSelectionMode(QAbstractItemView::ExtendedSelection);
+  connect(this, &QTreeWidget::itemSelectionChanged, this, &SceneTree::take_selection);
   connect(this, &QTreeWidget::itemDoubleClicked, this, [this](QTreeWidgetItem* row) {
     const SceneItem item = item_at(row);
     if (item.kind == Kind::kStart || item.kind == Kind::kGoal) {
@@ -86,22 +87,50 @@ SceneTree::SceneTree(QWidget* parent) : QTreeWidget(parent) {
   connect(this, &QTreeWidget::itemChanged, this, &SceneTree::take_change);
 }
 
+void SceneTree::take_selection() {
+  std::vector<std::string> names;
+  const QList<QTreeWidgetItem*> selected = selectedItems();
+  std::vector<QTreeWidgetItem*> rows(selected.begin(), selected.end());
+  // The one that was clicked comes last.
+  std::ranges::stable_partition(rows, [this](auto* row) { return row != currentItem(); });
+  for (const QTreeWidgetItem* row : rows) {
+    const SceneItem item = item_at(row);
+    if (item.kind == Kind::kObject) {
+      names.push_back(item.name);
+    } else if (item.kind == Kind::kGroup) {
+      const std::vector<std::string> members = group_members(*state_.scene, item.name);
+      names.insert(names.end(), members.begin(), members.end());
+    }
+  }
+  if (names.empty()) {
+    emit item_selected(rows.empty() ? SceneItem{} : item_at(rows.back()));
+  } else {
+    emit objects_selected(names);
+  }
+}
+
+void SceneTree::take_object_change(const SceneItem& changed, const std::string& text, bool shown) {
+  const bool is_group = changed.kind == Kind::kGroup;
+  if (text != changed.name) {
+    is_group ? emit group_renamed(changed.name, text) : emit object_renamed(changed.name, text);
+    return;
+  }
+  const std::vector<std::string> names =
+      is_group ? group_members(*state_.scene, changed.name) : std::vector{changed.name};
+  const auto is_hidden = [this](const std::string& name) { return state_.is_hidden(name); };
+  if (shown ? std::ranges::any_of(names, is_hidden) : !std::ranges::all_of(names, is_hidden)) {
+    emit objects_toggled(names, shown);
+  }
+}
+
 void SceneTree::take_change(QTreeWidgetItem* row) {
   const SceneItem changed = item_at(row);
-  if (changed.kind == Kind::kObject) {
+  if (changed.kind == Kind::kObject || changed.kind == Kind::kGroup) {
     // Whoever hears of it may build the tree anew: not while a row is in use.
     const bool shown = row->checkState(0) == Qt::Checked;
     const std::string text = row->text(0).trimmed().toStdString();
     QMetaObject::invokeMethod(
-        this,
-        [this, changed, shown, text] {
-          if (text != changed.name) {
-            emit object_renamed(changed.name, text);
-          }
-          if (shown == state_.hidden.contains(changed.name)) {
-            emit object_toggled(changed.name, shown);
-          }
-        },
+        this, [this, changed, shown, text] { take_object_change(changed, text, shown); },
         Qt::QueuedConnection);
     return;
   }
@@ -117,6 +146,7 @@ void SceneTree::take_change(QTreeWidgetItem* row) {
 
 void SceneTree::set_scene(std::shared_ptr<const geometric::Scene> scene) {
   state_ = {std::move(scene)};
+  selection_ = {};
   rebuild();
 }
 
@@ -133,7 +163,6 @@ void SceneTree::update_scene(const SceneState& state) {
       unticked.push_back(item);
     }
   }
-  const SceneItem selected = item_at(currentItem());
   const int scrolled = verticalScrollBar()->value();
   rebuild();
   const QSignalBlocker quiet(this);
@@ -146,12 +175,13 @@ void SceneTree::update_scene(const SceneState& state) {
       (*it)->setCheckState(0, Qt::Unchecked);
     }
   }
-  select(selected);
+  select(selection_);
   verticalScrollBar()->setValue(scrolled);
 }
 
 void SceneTree::edit_name() {
-  if (currentItem() && item_at(currentItem()).kind == Kind::kObject) {
+  const Kind kind = item_at(currentItem()).kind;
+  if (kind == Kind::kObject || kind == Kind::kGroup) {
     editItem(currentItem(), 0);
   }
 }
@@ -214,26 +244,60 @@ void SceneTree::add_objects(const geometric::Scene& scene) {
   }
   QTreeWidgetItem* top = make_row(tr("Objects"), icon("objects"), {});
   addTopLevelItem(top);
+  std::map<std::string, QTreeWidgetItem*> groups;
   for (const geometric::SceneObject& object : scene.objects) {
-    QTreeWidgetItem* row = make_row(QString::fromStdString(object.name),
-                                    icon("object", to_qcolor(object.color).darker(115)),
-                                    {Kind::kObject, "", object.name});
-    QString words = std::visit(SizeText{}, object.shape);
-    if (object.attachment) {
-      words += tr(", carried by %1").arg(QString::fromStdString(object.attachment->link));
+    QTreeWidgetItem* above = top;
+    if (!object.group.empty()) {
+      QTreeWidgetItem*& row = groups[object.group];
+      if (!row) {
+        row = group_row(scene, object.group);
+        top->addChild(row);
+        row->setExpanded(true);
+      }
+      above = row;
     }
-    const bool locked = state_.locked.contains(object.name);
-    if (locked) {
-      row->setIcon(1, icon("lock"));
-    } else {
-      row->setFlags(row->flags() | Qt::ItemIsEditable);
-    }
-    row->setFlags(row->flags() | Qt::ItemIsUserCheckable);
-    row->setCheckState(0, state_.hidden.contains(object.name) ? Qt::Unchecked : Qt::Checked);
-    row->setToolTip(0, words);
-    top->addChild(row);
+    above->addChild(object_row(object));
   }
   top->setExpanded(true);
+}
+
+QTreeWidgetItem* SceneTree::group_row(const geometric::Scene& scene,
+                                      const std::string& group) const {
+  const std::vector<std::string> members = group_members(scene, group);
+  const auto hidden = std::ranges::count_if(
+      members, [this](const std::string& name) { return state_.is_hidden(name); });
+  const bool locked = std::ranges::all_of(
+      members, [this](const std::string& name) { return state_.is_locked(name); });
+  QTreeWidgetItem* row =
+      make_row(QString::fromStdString(group), icon("objects"), {Kind::kGroup, "", group});
+  row->setFlags(row->flags() | Qt::ItemIsUserCheckable | Qt::ItemIsEditable);
+  row->setCheckState(0, hidden == 0                     ? Qt::Checked
+                        : hidden == std::ssize(members) ? Qt::Unchecked
+                                                        : Qt::PartiallyChecked);
+  row->setToolTip(0, tr("Group of %1 objects").arg(std::ssize(members)));
+  if (locked) {
+    row->setIcon(1, icon("lock"));
+  }
+  return row;
+}
+
+QTreeWidgetItem* SceneTree::object_row(const geometric::SceneObject& object) const {
+  QTreeWidgetItem* row = make_row(QString::fromStdString(object.name),
+                                  icon("object", to_qcolor(object.color).darker(115)),
+                                  {Kind::kObject, "", object.name});
+  QString words = std::visit(SizeText{}, object.shape);
+  if (object.attachment) {
+    words += tr(", carried by %1").arg(QString::fromStdString(object.attachment->link));
+  }
+  if (object.locked) {
+    row->setIcon(1, icon("lock"));
+  } else {
+    row->setFlags(row->flags() | Qt::ItemIsEditable);
+  }
+  row->setFlags(row->flags() | Qt::ItemIsUserCheckable);
+  row->setCheckState(0, object.hidden ? Qt::Unchecked : Qt::Checked);
+  row->setToolTip(0, words);
+  return row;
 }
 
 void SceneTree::add_query(const geometric::Scene& scene) {
@@ -267,16 +331,30 @@ SceneItem SceneTree::item_at(const QTreeWidgetItem* row) const {
           row->data(0, kNameRole).toString().toStdString()};
 }
 
-void SceneTree::select(const SceneItem& item) {
+void SceneTree::select(const Selection& selection) {
+  selection_ = selection;
   const QSignalBlocker quiet(this);
+  const auto is_selected = [&](const std::string& name) {
+    return std::ranges::find(selection.objects, name) != selection.objects.end();
+  };
+  clearSelection();
+  QTreeWidgetItem* current = nullptr;
   for (QTreeWidgetItemIterator it(this); *it; ++it) {
-    if (item.kind != Kind::kNone && item_at(*it) == item) {
-      setCurrentItem(*it);
-      scrollToItem(*it);
-      return;
+    const SceneItem item = item_at(*it);
+    bool marked = item.kind != Kind::kNone && item == selection.item;
+    if (item.kind == Kind::kGroup) {
+      const std::vector<std::string> members = group_members(*state_.scene, item.name);
+      marked = members.size() > 1 && std::ranges::all_of(members, is_selected);
+    } else if (item.kind == Kind::kObject) {
+      marked = is_selected(item.name) && !((*it)->parent() && (*it)->parent()->isSelected());
     }
+    (*it)->setSelected(marked);
+    current = marked && (!current || item == selection.item) ? *it : current;
   }
-  setCurrentItem(nullptr);
+  setCurrentItem(current, 0, QItemSelectionModel::NoUpdate);
+  if (current) {
+    scrollToItem(current);
+  }
 }
 
 void SceneTree::refresh_icons() { update_scene(SceneState(state_)); }

@@ -54,7 +54,7 @@ void SceneGraph::set_scene(std::shared_ptr<const geometric::Scene> scene) {
       set_configuration(scene_->robots.front().configuration);
     }
   }
-  list_solids({});
+  list_solids();
   update_outline();
   rebuild_floor();
 }
@@ -69,7 +69,7 @@ void SceneGraph::update_scene(const SceneState& state) {
     make_objects();
     set_configuration(Configuration(q_));
   }
-  list_solids(state.hidden);
+  list_solids();
   update_looks();
 }
 
@@ -87,6 +87,11 @@ void SceneGraph::preview(const SceneItem& item, const Pose& X_WO) {
       }
     }
   }
+}
+
+void SceneGraph::set_handles(SoNode* handles) {
+  passes_->gizmo->replaceChild(passes_->gizmo->getNumChildren() - 1,
+                               handles ? handles : gizmo_.root());
 }
 
 void SceneGraph::add_robots() {
@@ -127,14 +132,14 @@ void SceneGraph::make_objects() {
   }
 }
 
-void SceneGraph::list_solids(const std::set<std::string>& hidden) {
+void SceneGraph::list_solids() {
   passes_->solid_content->removeAllChildren();
   for (const auto& robot : robots_) {
     passes_->solid_content->addChild(robot->root());
   }
-  for (const auto& object : objects_) {
-    if (!hidden.contains(object->name())) {
-      passes_->solid_content->addChild(object->root());
+  for (std::size_t i = 0; i < objects_.size(); ++i) {
+    if (!scene_->objects[i].hidden) {
+      passes_->solid_content->addChild(objects_[i]->root());
     }
   }
 }
@@ -208,8 +213,8 @@ bool SceneGraph::set_collisions(std::vector<std::string> bodies) {
   return update_looks();
 }
 
-void SceneGraph::set_selection(const SceneItem& item) {
-  selection_ = item;
+void SceneGraph::set_selection(const Selection& selection) {
+  selection_ = selection;
   update_looks();
 }
 
@@ -239,16 +244,17 @@ void SceneGraph::update_outline() {
   using Kind = SceneItem::Kind;
   std::vector<SoSeparator*> parts;
   for (std::size_t r = 0; r < robots_.size(); ++r) {
-    const bool is_here = selection_.robot == scene_->robots[r].name;
-    if (is_here && selection_.kind == Kind::kRobot) {
+    const SceneItem& item = selection_.item;
+    const bool is_here = item.robot == scene_->robots[r].name;
+    if (is_here && item.kind == Kind::kRobot) {
       parts.push_back(robots_[r]->root());
-    } else if (const auto link = robots_[r]->model().find_link(selection_.name);
-               is_here && selection_.kind == Kind::kLink && link) {
+    } else if (const auto link = robots_[r]->model().find_link(item.name);
+               is_here && item.kind == Kind::kLink && link) {
       parts.push_back(robots_[r]->link_root(*link));
     }
   }
   for (const auto& object : objects_) {
-    if (selection_.kind == Kind::kObject && selection_.name == object->name()) {
+    if (std::ranges::find(selection_.objects, object->name()) != selection_.objects.end()) {
       parts.push_back(object->root());
     }
   }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "editing/scene_state.h"
+#include "editing/selection.h"
 #include "view3d/ghost.h"
 #include "view3d/gizmo_node.h"
 #include "view3d/object_node.h"
@@ -40,6 +40,8 @@ class SceneGraph {
   /// Shows an object or a robot's base elsewhere, for a while.
   void preview(const SceneItem& item, const geometric::Pose& X_WO);
   [[nodiscard]] GizmoNode& gizmo() { return gizmo_; }
+  /// Draws something else in place of the gizmo; null: the gizmo.
+  void set_handles(SoNode* handles);
   void set_colors(const ViewColors& colors);
 
   /// Moves the first robot, and what it carries. @param q shape [variable_count].
@@ -48,7 +50,7 @@ class SceneGraph {
   /// Paints these bodies (names as in CollisionWorld) as colliding.
   /// @returns as set_configuration().
   bool set_collisions(std::vector<std::string> bodies);
-  void set_selection(const SceneItem& item);
+  void set_selection(const Selection& selection);
   void show_ghosts(bool start, bool goal);
   /// Stands the ghost of start or goal elsewhere, for a while.
   void preview_ghost(bool start, const std::optional<geometric::Configuration>& q);
@@ -90,7 +92,7 @@ class SceneGraph {
   void add_robots();
   void add_ghosts();
   void make_objects();
-  void list_solids(const std::set<std::string>& hidden);
+  void list_solids();
   void add_ghost(Ghost& ghost, const std::optional<geometric::Configuration>& q,
                  const geometric::Color& color);
   void place_attached();
@@ -113,7 +115,7 @@ class SceneGraph {
   Ghost goal_;
   Ghost traces_;
   std::vector<std::string> colliding_;
-  SceneItem selection_;
+  Selection selection_;
 };
 
 }  // namespace handway::gui

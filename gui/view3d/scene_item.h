@@ -8,11 +8,11 @@ namespace handway::gui {
 
 /// Something in a scene that a person can point at.
 struct SceneItem {
-  enum class Kind { kNone, kRobot, kLink, kObject, kStart, kGoal, kPalm };
+  enum class Kind { kNone, kRobot, kLink, kObject, kGroup, kSeveral, kStart, kGoal, kPalm };
 
   Kind kind = Kind::kNone;
   std::string robot;  ///< Of kRobot and kLink.
-  std::string name;   ///< Of kLink and kObject.
+  std::string name;   ///< Of kLink, kObject and kGroup.
 
   /// A posture of the first robot, that is moved by its palm: where it is, start or goal.
   [[nodiscard]] bool is_posture() const {

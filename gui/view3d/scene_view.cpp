@@ -94,14 +94,29 @@ void SceneView::set_collisions(std::vector<std::string> bodies) {
   }
 }
 
-void SceneView::set_selection(const SceneItem& item) {
-  graph_->set_selection(item);
+void SceneView::set_selection(const Selection& selection) {
+  graph_->set_selection(selection);
+  change();
+}
+
+void SceneView::preview(const SceneItem& item, const geometric::Pose& X_WO) {
+  graph_->preview(item, X_WO);
   change();
 }
 
 void SceneView::set_gizmo(const SceneItem& item, const std::optional<geometric::Pose>& X_WO) {
   gizmo_.set_target(item, X_WO);
   update();
+}
+
+void SceneView::set_handles(SoNode* handles) {
+  has_handles_ = handles != nullptr;
+  graph_->set_handles(handles);
+  update();
+}
+
+void SceneView::set_note(const QString& note, const QPoint& place) {
+  overlay_->set_note(note, place);
 }
 
 void SceneView::set_gizmo_local(bool local) {
@@ -258,8 +273,9 @@ void SceneView::paintGL() {
   QElapsedTimer timer;
   timer.start();
   update_gizmo();
-  painter_->paint({pixel_size(), devicePixelRatioF(), camera_, colors_, gizmo_.is_shown()},
-                  settle_.isActive(), defaultFramebufferObject());
+  painter_->paint(
+      {pixel_size(), devicePixelRatioF(), camera_, colors_, gizmo_.is_shown() || has_handles_},
+      settle_.isActive(), defaultFramebufferObject());
   glFinish();
   frame_time_ms_ = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
   overlay_->set_axes(camera_.orientation());
@@ -321,14 +337,19 @@ void SceneView::mouseReleaseEvent(QMouseEvent* event) {
     if (!X_WO.isApprox(from, 1e-12)) {
       emit dropped(gizmo_.item(), X_WO);
     }
-    return;
+    if (!(event->modifiers() & Qt::ControlModifier)) {
+      return;  // with it, a click on a handle means what is behind
+    }
   }
   const bool still = (event->pos() - press_position_).manhattanLength() < 4;
   if (event->button() != Qt::LeftButton || !still) {
     return;
   }
   const auto hit = pick_at(event->pos());
-  emit picked(hit ? hit->item : SceneItem{});
+  const bool add = event->modifiers() & (Qt::ControlModifier | Qt::ShiftModifier);
+  if (hit || !add) {
+    emit picked(hit ? hit->item : SceneItem{}, add);
+  }
 }
 
 bool SceneView::event(QEvent* event) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "editing/scene_state.h"
+#include "editing/selection.h"
 #include "view3d/orbit_camera.h"
 #include "view3d/overlay.h"
 #include "view3d/scene_item.h"
@@ -46,9 +46,15 @@ class SceneView : public QOpenGLWidget {
   void set_configuration(const geometric::Configuration& q);
   /// @param bodies names as in CollisionWorld.
   void set_collisions(std::vector<std::string> bodies);
-  void set_selection(const SceneItem& item);
+  void set_selection(const Selection& selection);
+  /// Shows an object or a robot's base elsewhere, until the scene changes.
+  void preview(const SceneItem& item, const geometric::Pose& X_WO);
   /// Puts handles onto an object or a robot. @param X_WO nothing: no handles.
   void set_gizmo(const SceneItem& item, const std::optional<geometric::Pose>& X_WO);
+  /// Draws other handles in place of the gizmo, and in front of everything; null: none.
+  void set_handles(SoNode* handles);
+  /// A few words beside a place in the view; empty: none.
+  void set_note(const QString& note, const QPoint& place);
   /// Handles along the target's own axes, or the world's.
   void set_gizmo_local(bool local);
   void show_ghosts(bool start, bool goal);
@@ -83,8 +89,8 @@ class SceneView : public QOpenGLWidget {
   [[nodiscard]] double frame_time_ms() const { return frame_time_ms_; }
 
  signals:
-  /// A click; the item's kind is kNone beside everything.
-  void picked(const handway::gui::SceneItem& item);
+  /// A click; the item's kind is kNone beside everything. @param add with Ctrl or Shift.
+  void picked(const handway::gui::SceneItem& item, bool add);
   /// The gizmo's target is on its way, or back where it was.
   void dragged(const handway::gui::SceneItem& item, const handway::geometric::Pose& X_WO);
   /// The gizmo's target has been put somewhere.
@@ -128,6 +134,7 @@ class SceneView : public QOpenGLWidget {
   QPoint press_position_;
   QPoint last_position_;
   double frame_time_ms_ = 0.0;
+  bool has_handles_ = false;
   bool has_scene_ = false;
   bool untouched_ = true;  ///< Nobody has turned the view: keep it fitted.
 };

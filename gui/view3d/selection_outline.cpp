@@ -6,11 +6,15 @@
 #include <Inventor/nodes/SoLightModel.h>
 #include <Inventor/nodes/SoMaterial.h>
 #include <Inventor/nodes/SoSeparator.h>
+#include <Inventor/nodes/SoSwitch.h>
 
 #include <GL/gl.h>
 
 namespace handway::gui {
 namespace {
+
+// More than these have one line around all of them.
+constexpr int kMostApart = 30;
 
 const SbColor kColor(1.0F, 0.62F, 0.05F);
 
@@ -19,9 +23,10 @@ const SbColor kColor(1.0F, 0.62F, 0.05F);
 SelectionOutline::SelectionOutline()
     : root_(make_coin<SoSeparator>()),
       style_(make_coin<SoDrawStyle>()),
-      parts_(make_coin<SoSeparator>()) {
+      looks_(make_coin<SoSeparator>()),
+      parts_(make_coin<SoSwitch>()) {
   root_->renderCaching = SoSeparator::OFF;
-  parts_->renderCaching = SoSeparator::OFF;
+  looks_->renderCaching = SoSeparator::OFF;
   auto* unlit = new SoLightModel;
   unlit->model = SoLightModel::BASE_COLOR;
   unlit->setOverride(TRUE);
@@ -29,29 +34,41 @@ SelectionOutline::SelectionOutline()
   color->diffuseColor = kColor;
   color->setOverride(TRUE);
   style_->setOverride(TRUE);
-  parts_->addChild(unlit);
-  parts_->addChild(color);
-  parts_->addChild(style_.get());
-  root_->addChild(parts_.get());
+  looks_->addChild(unlit);
+  looks_->addChild(color);
+  looks_->addChild(style_.get());
+  looks_->addChild(parts_.get());
+  root_->addChild(looks_.get());
 }
 
 SelectionOutline::~SelectionOutline() = default;
 
 void SelectionOutline::set_parts(const std::vector<SoSeparator*>& parts) {
-  while (parts_->getNumChildren() > kStyleNodes) {
-    parts_->removeChild(kStyleNodes);
-  }
+  parts_->removeAllChildren();
   for (SoSeparator* part : parts) {
     parts_->addChild(part);
   }
 }
 
-bool SelectionOutline::is_shown() const { return parts_->getNumChildren() > kStyleNodes; }
+bool SelectionOutline::is_shown() const { return parts_->getNumChildren() > 0; }
 
 void SelectionOutline::render(SoGLRenderAction& action, float width) const {
   if (!is_shown()) {
     return;
   }
+  const int count = parts_->getNumChildren();
+  if (count > kMostApart) {
+    parts_->whichChild = SO_SWITCH_ALL;
+    draw(action, width);
+    return;
+  }
+  for (int part = 0; part < count; ++part) {
+    parts_->whichChild = part;
+    draw(action, width);
+  }
+}
+
+void SelectionOutline::draw(SoGLRenderAction& action, float width) const {
   glEnable(GL_STENCIL_TEST);
   glClearStencil(0);
   glClear(GL_STENCIL_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);

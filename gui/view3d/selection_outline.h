@@ -7,11 +7,12 @@
 class SoDrawStyle;
 class SoGLRenderAction;
 class SoSeparator;
+class SoSwitch;
 
 namespace handway::gui {
 
-/// A line around what is selected, seen through everything: the parts' edges drawn
-/// wide wherever the parts themselves are not.
+/// A line around each thing that is selected, seen through everything: the parts' edges
+/// drawn wide wherever the part itself is not.
 class SelectionOutline {
  public:
   SelectionOutline();
@@ -28,11 +29,12 @@ class SelectionOutline {
   void render(SoGLRenderAction& action, float width) const;
 
  private:
-  static constexpr int kStyleNodes = 3;  ///< Of `parts_`, before the parts.
+  void draw(SoGLRenderAction& action, float width) const;
 
   CoinRef<SoSeparator> root_;
   CoinRef<SoDrawStyle> style_;
-  CoinRef<SoSeparator> parts_;
+  CoinRef<SoSeparator> looks_;
+  CoinRef<SoSwitch> parts_;
 };
 
 }  // namespace handway::gui

@@ -33,6 +33,12 @@ Ray ray_through(const OrbitCamera& camera, const QSize& size, const QPointF& pla
   return {camera.position(), (camera.orientation() * in_camera).normalized()};
 }
 
+QPointF place_of(const OrbitCamera& camera, const QSize& size, const Eigen::Vector3d& p_W) {
+  const Eigen::Vector3d p = camera.orientation().transpose() * (p_W - camera.position());
+  const double unit = size.height() / (2.0 * std::tan(OrbitCamera::kFieldOfView / 2.0));
+  return {0.5 * size.width() - unit * p.x() / p.z(), 0.5 * size.height() + unit * p.y() / p.z()};
+}
+
 void ViewGizmo::set_target(const SceneItem& item, const std::optional<Pose>& X_WO) {
   if (!drag_) {
     if (!(item == item_)) {

@@ -15,6 +15,10 @@ namespace handway::gui {
 /// The ray from the camera through a place in the view. @param place, size logical pixels.
 [[nodiscard]] Ray ray_through(const OrbitCamera& camera, const QSize& size, const QPointF& place);
 
+/// Where a point of the world is in the view, logical pixels. @pre it is before the camera.
+[[nodiscard]] QPointF place_of(const OrbitCamera& camera, const QSize& size,
+                               const Eigen::Vector3d& p_W);
+
 /// The gizmo of a view: stands on what is selected, always of the same size on the
 /// screen, and turns what the pointer does into poses.
 class ViewGizmo {

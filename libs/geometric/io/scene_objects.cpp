@@ -133,6 +133,18 @@ Attachment attachment_of(const YamlElement& element, const Scene& scene) {
   return attachment;
 }
 
+bool flag_of(const YamlElement& object, const char* key) {
+  const std::optional<YamlElement> flag = object.find(key);
+  if (!flag) {
+    return false;
+  }
+  const std::string word = flag->text();
+  if (word != "true" && word != "false") {
+    flag->refuse(flag->found(), "true or false");
+  }
+  return word == "true";
+}
+
 }  // namespace
 
 Pose pose_of(const YamlElement& element) {
@@ -146,8 +158,8 @@ Pose pose_of(const YamlElement& element) {
 
 SceneObject object_of(const YamlElement& element, const Scene& scene,
                       const std::filesystem::path& folder) {
-  element.allow_keys(
-      {"name", "box", "sphere", "cylinder", "cone", "mesh", "pose", "color", "attach"});
+  element.allow_keys({"name", "box", "sphere", "cylinder", "cone", "mesh", "pose", "color",
+                      "attach", "group", "hidden", "locked"});
   SceneObject object;
   object.name = element.need("name").text();
   object.shape = only_shape_of(element, folder);
@@ -160,6 +172,11 @@ SceneObject object_of(const YamlElement& element, const Scene& scene,
   if (const std::optional<YamlElement> attach = element.find("attach")) {
     object.attachment = attachment_of(*attach, scene);
   }
+  if (const std::optional<YamlElement> group = element.find("group")) {
+    object.group = group->text();
+  }
+  object.hidden = flag_of(element, "hidden");
+  object.locked = flag_of(element, "locked");
   return object;
 }
 

@@ -86,6 +86,11 @@ std::string object_text(const SceneObject& object, const ShapeText& shape) {
   if (object.attachment) {
     text += "    attach: " + attachment_text(*object.attachment) + '\n';
   }
+  if (!object.group.empty()) {
+    text += "    group: " + yaml_scalar(object.group) + '\n';
+  }
+  text += object.hidden ? "    hidden: true\n" : "";
+  text += object.locked ? "    locked: true\n" : "";
   return text;
 }
 

@@ -9,34 +9,39 @@
 #include <algorithm>
 #include <functional>
 #include <map>
+#include <optional>
 #include <utility>
 
 namespace handway::planning {
 namespace {
 
-// The middle between the tip that is farthest from all others, the thumb's, and those; and
-// how wide the hand is open there, less how far the others are apart.
-std::pair<Eigen::Vector3d, double> opposition(const std::vector<Eigen::Vector3d>& tips) {
-  std::pair<Eigen::Vector3d, double> best{Eigen::Vector3d::Zero(), -1.0};
-  for (std::size_t thumb = 0; thumb < tips.size() && tips.size() > 1; ++thumb) {
-    Eigen::Vector3d others = Eigen::Vector3d::Zero();
-    for (std::size_t i = 0; i < tips.size(); ++i) {
-      others += i == thumb ? Eigen::Vector3d(Eigen::Vector3d::Zero()) : tips[i];
-    }
-    others /= static_cast<double>(tips.size() - 1);
-    double spread = 0.0;
-    for (std::size_t i = 0; i < tips.size(); ++i) {
-      spread = std::max(spread, i == thumb ? 0.0 : (tips[i] - others).norm());
-    }
-    const double opening = (tips[thumb] - others).norm() - spread;
-    if (opening > best.second) {
-      best = {0.5 * (tips[thumb] + others), opening};
+using Eigen::Vector3d;
+
+// The tip that is farthest from the middle of all others.
+std::size_t thumb_of(const std::vector<Vector3d>& tips) {
+  Vector3d sum = Vector3d::Zero();
+  for (const Vector3d& tip : tips) {
+    sum += tip;
+  }
+  std::size_t thumb = 0;
+  double farthest = -1.0;
+  for (std::size_t i = 0; i < tips.size(); ++i) {
+    const Vector3d others = (sum - tips[i]) / static_cast<double>(tips.size() - 1);
+    if (const double distance = (tips[i] - others).norm(); distance > farthest) {
+      farthest = distance;
+      thumb = i;
     }
   }
-  return best;
+  return thumb;
 }
 
 }  // namespace
+
+Vector3d nearest_on_segment(const Vector3d& p, const Vector3d& a, const Vector3d& b) {
+  const double length = (b - a).squaredNorm();
+  const double t = length > 0.0 ? std::clamp((p - a).dot(b - a) / length, 0.0, 1.0) : 0.0;
+  return a + t * (b - a);
+}
 
 using geometric::Pose;
 using geometric::RobotModel;
@@ -75,61 +80,75 @@ void HandClosing::find_fingers() {
   }
 }
 
-std::vector<Eigen::Vector3d> HandClosing::tips(const Eigen::VectorXd& posture) const {
+Vector3d HandClosing::tip(const Finger& finger, const Eigen::VectorXd& posture) const {
   const RobotModel& model = problem_.model();
   std::vector<Pose> X_BL(static_cast<std::size_t>(model.link_count()));
   model.forward_kinematics(with_hand(problem_.start, posture), X_BL);
-  const Pose X_PB = X_BL[static_cast<std::size_t>(palm_)].inverse();
-  std::vector<Eigen::Vector3d> points;
+  return X_BL[static_cast<std::size_t>(palm_)].inverse() *
+         (X_BL[static_cast<std::size_t>(finger.links.back())] * finger.p_LTip);
+}
+
+std::optional<HandClosing::Preshape> HandClosing::preshape(Eigen::VectorXd open) const {
+  constexpr double kLeastOpening = 0.04;  // m
+  std::vector<Vector3d> tips;
   for (const Finger& finger : fingers_) {
-    points.emplace_back(X_PB * X_BL[static_cast<std::size_t>(finger.links.back())] * finger.p_LTip);
+    tips.push_back(tip(finger, open));
   }
-  return points;
+  if (tips.size() < 2) {
+    return std::nullopt;
+  }
+  const std::size_t thumb = thumb_of(tips);
+  const Vector3d p_thumb = tips[thumb];
+  tips.erase(tips.begin() + static_cast<std::ptrdiff_t>(thumb));
+  Vector3d others = Vector3d::Zero();
+  for (const Vector3d& other : tips) {
+    others += other / static_cast<double>(tips.size());
+  }
+  Preshape shape{std::move(open), 0.5 * (p_thumb + others), others - p_thumb, {}, 0.0};
+  shape.opening = shape.opposition.norm();
+  if (shape.opening < kLeastOpening) {
+    return std::nullopt;
+  }
+  shape.opposition /= shape.opening;
+  shape.row = tips.back() - tips.front();
+  shape.row -= shape.row.dot(shape.opposition) * shape.opposition;
+  if (shape.row.norm() < 1e-3) {  // one finger against the thumb
+    shape.row = shape.opposition.unitOrthogonal();
+  }
+  shape.row.normalize();
+  return shape;
 }
 
-// Of all that are drawn from the hand's box, those with a thumb farthest from fingers that
-// stay together.
 void HandClosing::make_preshapes() {
-  constexpr int kDrawn = 1000;
-  constexpr std::size_t kKept = 40;
+  constexpr int kDrawn = 400;
   sampling::RandomStream random(1);
-  std::vector<std::pair<double, Preshape>> drawn;
   for (int i = 0; i < kDrawn; ++i) {
-    Preshape shape;
-    shape.open =
-        sampling::map_to_posture(*problem_.basis, random.uniform(problem_.basis->dimension()));
-    const std::vector<Eigen::Vector3d> points = tips(shape.open);
-    const auto [grip, opening] = opposition(points);
-    shape.grip = grip;
-    drawn.emplace_back(opening, std::move(shape));
+    if (auto shape = preshape(sampling::map_to_posture(
+            *problem_.basis, random.uniform(problem_.basis->dimension())))) {
+      preshapes_.push_back(std::move(*shape));
+    }
   }
-  std::ranges::stable_sort(drawn, std::greater(), &std::pair<double, Preshape>::first);
-  drawn.resize(std::min(drawn.size(), kKept));
-  for (auto& [opening, shape] : drawn) {
-    shape.closing = closing_of(shape);
-    preshapes_.push_back(std::move(shape));
-  }
+  std::ranges::stable_sort(preshapes_, std::greater(), &Preshape::opening);
 }
 
-// Every finger down the gradient of its tip's distance from the grip.
-Eigen::VectorXd HandClosing::closing_of(const Preshape& shape) const {
-  constexpr double kStep = 1e-3;   // normalised
-  constexpr double kStroke = 1.2;  // of a finger's joints together, normalised
-  Eigen::VectorXd closing = Eigen::VectorXd::Zero(shape.open.size());
-  const std::vector<Eigen::Vector3d> before = tips(shape.open);
-  for (std::size_t f = 0; f < fingers_.size(); ++f) {
-    for (const int joint : fingers_[f].joints) {
-      Eigen::VectorXd moved = shape.open;
-      const double step = moved[joint] < 0.5 ? kStep : -kStep;
-      moved[joint] += step;
-      closing[joint] =
-          ((before[f] - shape.grip).norm() - (tips(moved)[f] - shape.grip).norm()) / step;
-    }
-    if (const double length = closing(fingers_[f].joints).norm(); length > 0.0) {
-      closing(fingers_[f].joints) *= kStroke / length;
-    }
+Eigen::VectorXd HandClosing::towards(const Finger& finger, const Eigen::VectorXd& posture,
+                                     const Vector3d& a, const Vector3d& b) const {
+  constexpr double kStep = 1e-3;  // normalised
+  const auto distance = [&](const Eigen::VectorXd& at) {
+    const Vector3d p = tip(finger, at);
+    return (p - nearest_on_segment(p, a, b)).norm();
+  };
+  const double before = distance(posture);
+  Eigen::VectorXd rates(static_cast<Eigen::Index>(finger.joints.size()));
+  for (Eigen::Index k = 0; k < rates.size(); ++k) {
+    const int joint = finger.joints[static_cast<std::size_t>(k)];
+    Eigen::VectorXd moved = posture;
+    const double step = moved[joint] < 0.5 ? kStep : -kStep;
+    moved[joint] += step;
+    rates[k] = (before - distance(moved)) / step;
   }
-  return closing;
+  const double length = rates.norm();
+  return length > 1e-9 ? Eigen::VectorXd(rates / length) : Eigen::VectorXd::Zero(rates.size());
 }
 
 Configuration HandClosing::with_hand(Configuration q, const Eigen::VectorXd& posture) const {

@@ -57,7 +57,7 @@ objects:
     sphere: {radius: 0.1}
     attach: {robot: left, link: hand, touching: [lower, tip]}
   - {name: can, cylinder: {radius: 0.03, length: 0.12}, color: [1, 0, 0, 0.5]}
-  - {name: hat, cone: {radius: 0.03, length: 0.12}}
+  - {name: hat, cone: {radius: 0.03, length: 0.12}, group: clothes, hidden: true, locked: false}
   - {name: plate, mesh: {file: square.obj, scale: 0.5}}
   - {name: stretched, mesh: {file: square.obj, scale: [1, 2, 3]}}
 start: {elbow: 0.2}
@@ -78,6 +78,9 @@ planner: {name: pmd-prm, rho_a: 0.0010, corridor: joint}
   EXPECT_THAT(scene.objects[1].attachment->touching, ElementsAre("lower", "tip"));
   EXPECT_EQ(scene.objects[2].color.alpha, 0.5F);
   EXPECT_EQ(std::get<Cone>(scene.objects[3].shape).length, 0.12);
+  EXPECT_EQ(scene.objects[3].group, "clothes");
+  EXPECT_TRUE(scene.objects[3].hidden);
+  EXPECT_FALSE(scene.objects[3].locked);
   const Mesh& plate = std::get<Mesh>(scene.objects[4].shape);
   EXPECT_EQ(plate.file, files.folder() / "square.obj");
   EXPECT_EQ(bounding_box(*plate.triangles).upper, Eigen::Vector3d(0.5, 0.5, 0));
@@ -140,6 +143,7 @@ TEST(SceneReader, RefusesWrongValues) {
            {object + "sphere: {radius: 1}\n    color: [1, 0]", "red, green, blue"},
            {object + "sphere: {radius: 1}\n    pose: [1, 0]", "keys and values"},
            {object + "sphere: {radius: 1}\n    attach: {link: nowhere}", "a link of arm"},
+           {object + "sphere: {radius: 1}\n    hidden: maybe", "true or false"},
            {object + "sphere: {radius: 1}\n    attach: {robot: x, link: hand}", "a robot"},
            {object + "sphere: {radius: 1}\n  - {name: a, sphere: {radius: 1}}", "second time"},
            {"objects: [{name: arm, sphere: {radius: 1}}]", "second time"},

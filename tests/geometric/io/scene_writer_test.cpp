@@ -51,6 +51,9 @@ void expect_same(const Scene& a, const Scene& b) {
     expect_same_shape(a.objects[i].shape, b.objects[i].shape);
     EXPECT_TRUE(a.objects[i].X_PO.isApprox(b.objects[i].X_PO, 1e-13));
     EXPECT_EQ(a.objects[i].color, b.objects[i].color);
+    EXPECT_EQ(a.objects[i].group, b.objects[i].group);
+    EXPECT_EQ(a.objects[i].hidden, b.objects[i].hidden);
+    EXPECT_EQ(a.objects[i].locked, b.objects[i].locked);
     ASSERT_EQ(a.objects[i].attachment.has_value(), b.objects[i].attachment.has_value());
     if (a.objects[i].attachment) {
       EXPECT_EQ(a.objects[i].attachment->robot, b.objects[i].attachment->robot);
@@ -69,7 +72,7 @@ objects:
   - {name: "a, [b]", box: {size: [1, 2e-7, 3]}, pose: {rpy_deg: [12.345678901234567, 90, -33]}}
   - {name: "- x", sphere: {radius: 0.1}, pose: {rpy_deg: [0, 0, 90]}}
   - {name: null text, cylinder: {radius: 0.1, length: 3}, color: [0.1, 0.7, 0.3, 0.9]}
-  - {name: "ñandú", cone: {radius: 0.1, length: 3}}
+  - {name: "ñandú", cone: {radius: 0.1, length: 3}, group: "true", locked: true}
   - {name: "null", mesh: {file: square.obj, scale: [1, -2, 3]}}
   - {name: one, mesh: {file: square.obj}, attach: {link: hand, touching: [tip, lower]}}
 start: {elbow: 0.1}

@@ -4,7 +4,7 @@
 
 #include <QAction>
 #include <QLabel>
-#include <QListWidget>
+#include <QTreeWidget>
 #include <QSignalSpy>
 
 namespace handway::test {
@@ -25,8 +25,8 @@ TEST_F(ClickToPlan, PlansToTheGraspThatIsChosen) {
   grasp("can");
   const std::vector<planning::Pregrasp> grasps = window().grasp_tool().grasps();
   ASSERT_FALSE(grasps.empty());
-  auto& list = part<QListWidget>("grasp_list");
-  EXPECT_EQ(list.count(), static_cast<int>(grasps.size()));
+  auto& list = part<QTreeWidget>("grasp_list");
+  EXPECT_EQ(list.topLevelItemCount(), static_cast<int>(grasps.size()));
   EXPECT_EQ(*scene().goal, before) << "only looked at";
   keep_picture("click_to_plan");
   QSignalSpy started(&window().session(), &gui::PlanningSession::started);

@@ -86,8 +86,8 @@ TEST_F(EditingAScene, UndoesEverythingBackToTheSceneItself) {
   editor().set_color({0.1F, 0.2F, 0.3F, 1.0F});
   editor().attach("arm", "palm", {"finger_left"});
   editor().detach();
-  editor().set_hidden("ball", true);
-  editor().set_locked("ball", true);
+  editor().set_hidden({"ball"}, true);
+  editor().set_locked({"ball"}, true);
   editor().set_goal(geometric::Configuration::Constant(4, 0.1));
   select("post");
   editor().remove();
@@ -121,7 +121,7 @@ TEST_F(EditingAScene, KeepsAnObjectInPlaceWhileItIsAttached) {
 
 TEST_F(EditingAScene, LeavesLockedObjectsAlone) {
   select("post");
-  editor().set_locked("post", true);
+  editor().set_locked({"post"}, true);
   const SceneState locked = editor().state();
   editor().place(geometric::Pose::Identity());
   editor().remove();

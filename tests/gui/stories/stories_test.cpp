@@ -1,5 +1,6 @@
 /// A person's way through the whole window, on real robots and scenes. Each step leaves a picture
 /// in the build folder, and none keeps the window from answering.
+#include "app/grasp_tool.h"
 #include "editing/scene_editing.h"
 #include "export/export_dialog.h"
 #include "handway/geometric/io/scene_writer.h"
@@ -7,6 +8,7 @@
 #include "watched_application.h"
 #include "window_test.h"
 
+#include <QComboBox>
 #include <QDir>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -47,6 +49,9 @@ class Story : public ::testing::Test {
   [[nodiscard]] gui::SceneEditor& editor() const { return window_->editing().editor(); }
   [[nodiscard]] const geometric::Scene& scene() const { return *window_->document().scene(); }
 
+  void select(const char* object) const {
+    editor().select({gui::SceneItem::Kind::kObject, "", object});
+  }
   template <typename Condition>
   [[nodiscard]] bool wait_for(Condition condition) const {
     return QTest::qWaitFor(condition, kPatienceMs);
@@ -113,19 +118,26 @@ TEST_F(Story, FromANewSceneToAnExportedPathAndBack) {
     q[joint] = value;
     window().document().set_configuration(q);
   };
-  set_joint(1, 0.4);
-  set_joint(2, 1.6);
-  trigger("Set start here");
   set_joint(0, 0.9);
-  trigger("Set goal here");
-  picture("new_4_start_and_goal");
+  set_joint(1, 0.2);
+  set_joint(2, 1.8);
+  trigger("Set start here");
+  picture("new_4_start");
 
-  ASSERT_TRUE(plan());
-  picture("new_5_path");
+  select("can");
+  trigger("Grasp…");
+  ASSERT_TRUE(wait_for([&] { return !window().grasp_tool().is_busy(); }));
+  ASSERT_FALSE(window().grasp_tool().grasps().empty());
+  picture("new_5_grasps");
+  QSignalSpy ended(&window().session(), &gui::PlanningSession::ended);
+  window().findChild<QPushButton*>(QStringLiteral("grasp_plan"))->click();
+  ASSERT_TRUE(wait_for([&] { return !ended.isEmpty(); }));
+  ASSERT_TRUE(ended.front().front().toBool());
+  picture("new_6_path");
   window().player().play();
-  ASSERT_TRUE(wait_for([&] { return window().player().fraction() > 0.3; }));
+  ASSERT_TRUE(wait_for([&] { return window().player().fraction() > 0.6; }));
   window().player().pause();
-  picture("new_6_playing");
+  picture("new_7_playing");
 
   trigger("Export the path…");
   auto* dialog = window().findChild<gui::ExportDialog*>();
@@ -133,17 +145,32 @@ TEST_F(Story, FromANewSceneToAnExportedPathAndBack) {
   dialog->set_folder(QString::fromStdString((folder_.path() / "out").string()));
   auto* now = dialog->findChild<QPushButton*>(QStringLiteral("export_now"));
   ASSERT_TRUE(wait_for([&] { return now->isEnabled(); }));
-  picture("new_7_export");
+  picture("new_8_export");
   QSignalSpy exported(dialog, &gui::ExportDialog::exported);
   now->click();
   ASSERT_TRUE(wait_for([&] { return !exported.isEmpty(); }));
   EXPECT_FALSE(std::filesystem::is_empty(folder_.path() / "out"));
 
+  dialog->close();
+
+  window().player().seek(1.0);
+  select("can");
+  auto* fixed_to = window().findChild<QComboBox*>(QStringLiteral("fixed_to"));
+  fixed_to->setCurrentIndex(fixed_to->findText(QStringLiteral("palm")));
+  emit fixed_to->activated(fixed_to->currentIndex());
+  ASSERT_TRUE(geometric::find_object(scene(), "can")->attachment);
+  trigger("Set start here");
+  set_joint(1, 0.1);
+  trigger("Set goal here");
+  ASSERT_TRUE(plan());
+  window().player().seek(0.7);
+  picture("new_9_carrying");
+
   while (editor().undo_stack().canUndo()) {
     editor().undo_stack().undo();
   }
   EXPECT_EQ(written(), empty);
-  picture("new_8_undone");
+  picture("new_10_undone");
 }
 
 TEST_F(Story, OpensEverySceneThatIsShippedAndPlans) {

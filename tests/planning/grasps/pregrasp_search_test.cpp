@@ -45,6 +45,17 @@ TEST_F(PregraspSearch, FindsWaysAroundACanThatAreFree) {
   }
 }
 
+TEST_F(PregraspSearch, PutsThumbAndFingersAroundWhatItGrasps) {
+  for (const auto& [scene, object] :
+       {std::pair("can_on_table", "can"), std::pair("can_in_box", "can"),
+        std::pair("cans_in_shelf", "can"), std::pair("cans_on_desk", "can_left_above")}) {
+    const std::vector<Pregrasp> grasps = find_pregrasps(shipped(scene), object);
+    ASSERT_FALSE(grasps.empty()) << scene;
+    EXPECT_EQ(grasps.front().fingers, 4) << scene;
+    EXPECT_GT(grasps.front().enclosure, 0.8) << scene;
+  }
+}
+
 TEST_F(PregraspSearch, GivesTheSameForTheSameSeed) {
   const PlanningProblem problem = shipped("can_on_table");
   PregraspOptions options;

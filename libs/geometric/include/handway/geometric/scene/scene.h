@@ -38,6 +38,9 @@ struct SceneObject {
   Pose X_PO = Pose::Identity();  ///< In the world, or in the link it is attached to.
   Color color;
   std::optional<Attachment> attachment;
+  std::string group = {};  ///< Objects with the same word are moved together; empty: none.
+  bool hidden = false;     ///< Not drawn; it still counts in planning.
+  bool locked = false;     ///< Not to be changed by hand.
 };
 
 /// Which planner a scene asks for; the planning layer gives the words a meaning.

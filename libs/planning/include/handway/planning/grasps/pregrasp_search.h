@@ -11,7 +11,7 @@
 namespace handway::planning {
 
 struct PregraspOptions {
-  int samples = 12000;  ///< Palm poses to try.
+  int samples = 16000;  ///< Palm poses to try.
   double gap = 0.003;   ///< m that every finger keeps to the object.
   int most = 8;         ///< Pre-grasps to give.
   std::uint64_t seed = 1;
@@ -21,17 +21,22 @@ struct PregraspOptions {
 struct Pregrasp {
   Configuration q;
   int fingers = 0;         ///< That are near the object.
-  double enclosure = 0.0;  ///< 0: all on one side of the object; 1: around it.
+  double enclosure = 0.0;  ///< 0: all on one side of the object; 1: two on opposite sides.
   double clearance = 0.0;  ///< Of the robot to everything else that stands still, m, at most 0.05.
   double subspace_distance = 0.0;  ///< From the hand's PMD subspace, normalised joints.
   double arm_travel = 0.0;         ///< From the start, normalised joints.
   double score = 0.0;              ///< In [0, 1]; what they are ranked by.
 };
 
-/// Looks for pre-grasps: draws palm orientations (uniform on SO(3)), opened preshapes of the basis'
-/// box, and places of the object between the fingertips; solves the arm's inverse kinematics;
-/// closes every finger towards the middle until near contact. Kept are those that are free, with
-/// two or more fingers around the object; similar ones are left out. Same arguments, same bits.
+/// Looks for pre-grasps. Drawn are a preshape of the basis' box, whose opening between the
+/// thumb and the fingers suits the object, and a palm pose with the fingers side by side along
+/// an edge of the object's box, turned about it, and the object between them and the thumb,
+/// anywhere from the fingertips to the palm. Fingers that would be in the object are opened; the
+/// arm's inverse kinematics is solved; and where that is free every finger closes, its joints
+/// by the gradient of the tip's distance to the object's axis, until near contact: joints stop from
+/// the palm outwards, so that outer links go on around the object. Kept are those with two or
+/// more fingers on different sides of the object; similar ones are left out. Same
+/// arguments, same bits.
 /// @param object of the scene, that stands still.
 /// @returns the best first; empty if there is none, or `stop` was requested.
 /// @throws InputError if there is no such object or the hand has no fingers or no basis.
