@@ -27,17 +27,21 @@ constexpr Help kHelp[] = {
      QT_TRANSLATE_NOOP(
          "Help",
          "<b>3-D view</b><p>Drag to turn, drag with the middle button or with Shift to move, wheel "
-         "to zoom, double click to centre.</p><p>A click selects. Arrows move the selected object "
+         "to zoom, double click to centre.</p><p>A click selects, with Ctrl or Shift several. "
+         "Arrows move what is selected "
          "along an axis, plates in a plane, rings turn it; Ctrl snaps to 10 mm and 15°, Esc puts "
-         "it back. <b>L</b> switches between the world's axes and its own. <b>M</b> puts handles "
+         "it back. <b>S</b> puts knobs on the sides of an object, to resize it. <b>L</b> switches "
+         "between the world's axes and its own. <b>M</b> puts handles "
          "on the palm: the arm follows. So it does from start or goal, if you click on their "
          "ghosts.</p><p>While a path is "
          "shown it follows what you drag.</p>")},
     {"scene",
-     QT_TRANSLATE_NOOP("Help",
-                       "<b>Scene</b><p>Robots with their links, objects, start and goal. The boxes "
-                       "show and hide; F2 renames an object; a double click on start or goal moves "
-                       "the robot there.</p>")},
+     QT_TRANSLATE_NOOP(
+         "Help",
+         "<b>Scene</b><p>Robots with their links, objects and their groups, start "
+         "and goal. Ctrl and Shift select several objects. The boxes "
+         "show and hide; F2 renames an object or group; a double click on start or goal moves "
+         "the robot there.</p>")},
     {"properties",
      QT_TRANSLATE_NOOP("Help",
                        "<b>Properties</b><p>The selected object in numbers. Type a number of "

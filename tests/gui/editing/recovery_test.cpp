@@ -28,6 +28,9 @@ TEST_F(RecoveringWork, DISABLED_WorkThatIsKilled) {
   editor().place(geometric::Pose(Eigen::Translation3d(0.6, 0.4, 0.0)));
   editor().add("box", geometric::Box{}, {}, {0.6, 0.0, 0.0});
   editor().add("box", geometric::Box{}, {}, {0.9, 0.0, 0.0});
+  editor().select_objects({"box", "box 2"});
+  window().editing().arrange().make_group();
+  editor().set_hidden({"box"}, true);
   ASSERT_TRUE(QTest::qWaitFor([&] { return !stored.isEmpty(); }));
   QTest::qWait(500);
   editor().add("lost", geometric::Sphere{}, {}, {0.0, 0.0, 0.0});
@@ -54,7 +57,8 @@ TEST_F(RecoveringWork, LosesAtMostOneEditWhenItIsKilled) {
   click("banner_accept");
   ASSERT_TRUE(QTest::qWaitFor([&] { return !ready.isEmpty(); }));
   EXPECT_DOUBLE_EQ(object("post").X_PO.translation().x(), 0.6);
-  EXPECT_TRUE(geometric::find_object(scene(), "box 2"));
+  EXPECT_EQ(object("box 2").group, "group");
+  EXPECT_TRUE(object("box").hidden);
   EXPECT_TRUE(window().isWindowModified()) << "still to be saved";
   EXPECT_EQ(window().document().file(), cell().post());
   ASSERT_TRUE(QTest::qWaitFor([&] { return !stored.isEmpty(); }));
