@@ -20,6 +20,7 @@
 #include "handway/geometric/io/mesh_reader.h"
 #include "panels/banner.h"
 #include "panels/collision_label.h"
+#include "panels/frame_rate_label.h"
 #include "panels/joint_panel.h"
 #include "panels/playback_bar.h"
 #include "panels/pmd_panel.h"
@@ -132,6 +133,7 @@ void MainWindow::build_docks() {
       *actions_->view_menu(), *actions_->edit_menu());
   actions_->view_menu()->addAction(actions_->default_layout);
   statusBar()->addWidget(collisions_->label(), 1);
+  statusBar()->addPermanentWidget(new FrameRateLabel(*view_));
   statusBar()->addPermanentWidget(devices_->stop_button());
   default_layout_ = saveState();
   restore_layout(*this);

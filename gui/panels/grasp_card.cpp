@@ -148,7 +148,7 @@ bool GraspCard::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void GraspCard::place() {
-  const int height = list_->isVisibleTo(this) ? 290 : layout()->heightForWidth(kWidth);
+  const int height = list_->isVisibleTo(this) ? 336 : layout()->heightForWidth(kWidth);
   setGeometry(parentWidget()->width() - kWidth - kMargin, kMargin, kWidth, height);
 }
 

@@ -56,6 +56,7 @@ QIcon icon(const QString& name) {
   add_sizes(result, name, colors.accent, QIcon::Normal, QIcon::On);
   add_sizes(result, name, faint, QIcon::Disabled, QIcon::Off);
   add_sizes(result, name, faint, QIcon::Disabled, QIcon::On);
+  add_sizes(result, name, colors.on_accent, QIcon::Selected, QIcon::Off);
   return result;
 }
 
@@ -65,6 +66,7 @@ QIcon icon(const QString& name, const QColor& color) {
   QColor faint = color;
   faint.setAlphaF(0.4);
   add_sizes(result, name, faint, QIcon::Disabled, QIcon::Off);
+  add_sizes(result, name, colors_of(current_theme()).on_accent, QIcon::Selected, QIcon::Off);
   return result;
 }
 

@@ -3,6 +3,7 @@
 #include "view3d/scene_view.h"
 #include "window_test.h"
 
+#include <QLabel>
 #include <QSlider>
 
 namespace handway::test {
@@ -34,6 +35,14 @@ TEST_F(Playback, MovesTheRobotAlongThePath) {
   EXPECT_FALSE(shown().isApprox(*scene().start));
   click("play");
   EXPECT_FALSE(window().player().is_playing());
+}
+
+TEST_F(Playback, SaysHowManyPicturesASecondAreDrawn) {
+  const auto& rate = part<QLabel>("frame_rate");
+  click("play");
+  EXPECT_TRUE(QTest::qWaitFor([&] { return rate.text().endsWith("frames/s"); }, 10000));
+  click("play");
+  EXPECT_TRUE(QTest::qWaitFor([&] { return rate.text().isEmpty(); }, 10000)) << "at rest";
 }
 
 TEST_F(Playback, ScrubsToTheGoal) {
