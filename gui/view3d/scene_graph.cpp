@@ -90,8 +90,7 @@ void SceneGraph::preview(const SceneItem& item, const Pose& X_WO) {
 }
 
 void SceneGraph::set_handles(SoNode* handles) {
-  passes_->gizmo->replaceChild(passes_->gizmo->getNumChildren() - 1,
-                               handles ? handles : gizmo_.root());
+  passes_->gizmo->replaceChild(ScenePasses::kGizmo, handles ? handles : gizmo_.root());
 }
 
 void SceneGraph::add_robots() {
@@ -242,9 +241,9 @@ bool SceneGraph::update_looks() {
 
 void SceneGraph::update_outline() {
   using Kind = SceneItem::Kind;
+  const SceneItem& item = selection_.item;
   std::vector<SoSeparator*> parts;
   for (std::size_t r = 0; r < robots_.size(); ++r) {
-    const SceneItem& item = selection_.item;
     const bool is_here = item.robot == scene_->robots[r].name;
     if (is_here && item.kind == Kind::kRobot) {
       parts.push_back(robots_[r]->root());
@@ -254,7 +253,7 @@ void SceneGraph::update_outline() {
     }
   }
   for (const auto& object : objects_) {
-    if (std::ranges::find(selection_.objects, object->name()) != selection_.objects.end()) {
+    if (std::ranges::count(selection_.objects, object->name()) > 0) {
       parts.push_back(object->root());
     }
   }

@@ -29,6 +29,7 @@ struct ScenePasses {
   CoinRef<SoSeparator> gizmo = make_coin<SoSeparator>();
   CoinRef<SoOrthographicCamera> axes_camera = make_coin<SoOrthographicCamera>();
   CoinRef<SoSeparator> axes = make_coin<SoSeparator>();
+  static constexpr int kGizmo = 3;  ///< Of `gizmo`, after what prepare() adds.
   std::optional<StillSplit> split;  ///< Of solids, for fast pictures.
 
   ScenePasses() {

@@ -71,7 +71,7 @@ class ArrangingObjects : public EditingTest {
   }
   void trigger(const char* menu_text) const {
     for (QAction* action : window().findChildren<QAction*>()) {
-      if (action->text().remove(QLatin1Char('&')) == QLatin1String(menu_text)) {
+      if (action->text().remove(QLatin1Char('&')) == QString::fromUtf8(menu_text)) {
         action->trigger();
         return;
       }
