@@ -106,7 +106,6 @@ MainWindow::MainWindow(std::shared_ptr<planning::Extensions> extensions, QWidget
 MainWindow::~MainWindow() = default;
 
 CollisionMonitor& MainWindow::collisions() { return collisions_->monitor(); }
-
 GlovePanel& MainWindow::glove_panel() { return *posing_->glove(); }
 
 void MainWindow::build_docks() {

@@ -240,15 +240,14 @@ bool SceneGraph::update_looks() {
 }
 
 void SceneGraph::update_outline() {
-  using Kind = SceneItem::Kind;
   const SceneItem& item = selection_.item;
   std::vector<SoSeparator*> parts;
   for (std::size_t r = 0; r < robots_.size(); ++r) {
     const bool is_here = item.robot == scene_->robots[r].name;
-    if (is_here && item.kind == Kind::kRobot) {
+    if (is_here && item.kind == SceneItem::Kind::kRobot) {
       parts.push_back(robots_[r]->root());
     } else if (const auto link = robots_[r]->model().find_link(item.name);
-               is_here && item.kind == Kind::kLink && link) {
+               is_here && item.kind == SceneItem::Kind::kLink && link) {
       parts.push_back(robots_[r]->link_root(*link));
     }
   }

@@ -4,8 +4,8 @@
 
 #include <QAction>
 #include <QLabel>
-#include <QTreeWidget>
 #include <QSignalSpy>
+#include <QTreeWidget>
 
 namespace handway::test {
 namespace {
