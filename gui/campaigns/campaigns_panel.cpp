@@ -126,6 +126,7 @@ QWidget* CampaignsPanel::make_table() {
   view_->verticalHeader()->setDefaultSectionSize(kRowHeight);
   view_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   view_->horizontalHeader()->setResizeContentsPrecision(50);
+  view_->horizontalHeader()->setHighlightSections(false);
   connect(view_, &QTableView::clicked, this, &CampaignsPanel::show_run);
   return view_;
 }

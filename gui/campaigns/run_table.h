@@ -13,7 +13,7 @@ class RunTable : public QAbstractTableModel {
   Q_OBJECT
 
  public:
-  enum Column { kPlanner, kSeed, kOutcome, kTime, kSamples, kNodes, kClearance, kColumns };
+  enum Column { kPlanner, kSeed, kTime, kOutcome, kSamples, kNodes, kClearance, kColumns };
   /// Numbers as numbers, for sorting.
   static constexpr int kSortRole = Qt::UserRole;
 
