@@ -13,7 +13,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QSpinBox>
-#include <QTreeWidgetItemIterator>
 
 #include <cmath>
 #include <numbers>
@@ -48,10 +47,9 @@ class ArrangingObjects : public EditingTest {
     return object(name).X_PO.translation();
   }
   [[nodiscard]] QTreeWidgetItem* row(const char* text) const {
-    for (QTreeWidgetItemIterator it(&tree()); *it; ++it) {
-      if ((*it)->text(0) == QLatin1String(text)) {
-        return *it;
-      }
+    const auto rows = tree().findItems(QLatin1String(text), Qt::MatchExactly | Qt::MatchRecursive);
+    if (!rows.isEmpty()) {
+      return rows.front();
     }
     throw std::runtime_error(std::string("no row called ") + text);
   }
