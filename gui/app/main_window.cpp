@@ -28,7 +28,6 @@
 #include "panels/properties_panel.h"
 #include "panels/scene_tree.h"
 #include "playback/playback_tools.h"
-#include "playback/plots_panel.h"
 #include "start/about_box.h"
 #include "start/command_palette.h"
 #include "start/panel_help.h"
@@ -67,11 +66,12 @@ MainWindow::MainWindow(std::shared_ptr<planning::Extensions> extensions, QWidget
       collisions_(std::make_unique<CollisionDisplay>(document_, *view_)),
       planning_views_(std::make_unique<PlanningViews>(document_, player_, *plan_panel_, *view_)),
       playback_(new PlaybackBar(player_)),
-      playback_tools_(
-          std::make_unique<PlaybackTools>(document_, player_, *view_, playback_->traces())),
       start_page_(new StartPage),
       palette_(new CommandPalette(*this)),
       actions_(std::make_unique<WindowActions>(*this)),
+      playback_tools_(std::make_unique<PlaybackTools>(
+          PlaybackParts{*this, *actions_, document_, player_, *view_, *playback_, *plan_panel_,
+                        extensions_->planners()})),
       editing_(std::make_unique<SceneEditing>(*this, *actions_, document_, *view_, *tree_,
                                               collisions_->monitor())),
       files_(std::make_unique<FileCommands>(*this, document_, *plan_panel_,
@@ -127,8 +127,8 @@ void MainWindow::build_docks() {
                    {"glove", tr("Glove"), posing_->glove()},
                    {"devices", tr("Devices"), devices_->panel()},
                    {"campaigns", tr("Runs"), campaigns_}},
-       .below = {{"plots", tr("Plots"), playback_tools_->plots()},
-                 {"projection", tr("Projection"), planning_views_->projection_panel()}}},
+       .below = playback_tools_->docks(
+           {"projection", tr("Projection"), planning_views_->projection_panel()})},
       *actions_->view_menu(), *actions_->edit_menu());
   actions_->view_menu()->addAction(actions_->default_layout);
   statusBar()->addWidget(collisions_->label(), 1);

@@ -114,11 +114,11 @@ class MainWindow : public QMainWindow {
   std::unique_ptr<CollisionDisplay> collisions_;
   std::unique_ptr<PlanningViews> planning_views_;
   PlaybackBar* playback_;
-  std::unique_ptr<PlaybackTools> playback_tools_;
   StartPage* start_page_;
   CommandPalette* palette_;
   QByteArray default_layout_;
   std::unique_ptr<WindowActions> actions_;
+  std::unique_ptr<PlaybackTools> playback_tools_;
   std::unique_ptr<SceneEditing> editing_;
   std::unique_ptr<FileCommands> files_;
   std::unique_ptr<Recovery> recovery_;

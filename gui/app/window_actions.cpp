@@ -21,10 +21,15 @@ WindowActions::WindowActions(QMainWindow& window) : window_(window) {
   picture = make("camera", tr("Save &picture…"), {}, tr("Save a picture of the 3-D view"));
   export_path = make("", tr("&Export the path…"), QKeySequence(QStringLiteral("Ctrl+E")),
                      tr("Time the path and write it for a controller"));
+  pictures = make("", tr("Export p&ictures of the path…"), {},
+                  tr("Film strip, frames, film or animation of the path"));
+  pictures->setObjectName(QStringLiteral("pictures"));
   quit = make("", tr("&Quit"), QKeySequence::Quit, {});
   plan = make("route", tr("&Plan"), QKeySequence(QStringLiteral("Ctrl+P")),
               tr("Find a path from start to goal"));
   cancel = make("cancel", tr("&Cancel"), QKeySequence(Qt::Key_Escape), tr("Stop planning"));
+  compare = make("", tr("Compare two &paths…"), {}, tr("Two paths side by side"));
+  compare->setObjectName(QStringLiteral("compare"));
   set_start = make("start", tr("Set &start here"), {}, tr("Start from the posture that is shown"));
   set_goal = make("goal", tr("Set &goal here"), {}, tr("End in the posture that is shown"));
   fit = make("fit", tr("&Fit"), QKeySequence(Qt::Key_F), tr("Show the whole scene"));
@@ -50,6 +55,8 @@ WindowActions::WindowActions(QMainWindow& window) : window_(window) {
   samples->setChecked(true);
   cancel->setEnabled(false);
   export_path->setEnabled(false);
+  pictures->setEnabled(false);
+  compare->setEnabled(false);
   save->setEnabled(false);
   save_as->setEnabled(false);
 
@@ -59,13 +66,13 @@ WindowActions::WindowActions(QMainWindow& window) : window_(window) {
   file_menu->addMenu(recent);
   file_menu->addSeparator();
   file_menu->addActions({save, save_as});
-  file_menu->addActions({picture, export_path});
+  file_menu->addActions({picture, pictures, export_path});
   file_menu->addSeparator();
   file_menu->addAction(quit);
   edit_menu_ = window.menuBar()->addMenu(tr("&Edit"));
   add_menu_ = window.menuBar()->addMenu(tr("&Add"));
   QMenu* plan_menu = window.menuBar()->addMenu(tr("&Plan"));
-  plan_menu->addActions({plan, cancel});
+  plan_menu->addActions({plan, cancel, compare});
   plan_menu->addSeparator();
   plan_menu->addActions({set_start, set_goal});
   view_menu_ = window.menuBar()->addMenu(tr("&View"));

@@ -34,9 +34,11 @@ class WindowActions {
   QAction* save_as;
   QAction* picture;
   QAction* export_path;
+  QAction* pictures;
   QAction* quit;
   QAction* plan;
   QAction* cancel;
+  QAction* compare;
   QAction* set_start;
   QAction* set_goal;
   QAction* fit;

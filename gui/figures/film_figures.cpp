@@ -2,14 +2,13 @@
 
 #include "panels/joint_groups.h"
 #include "plots/figure_file.h"
-#include "plots/plot_style.h"
+#include "plots/strip_figure.h"
 #include "view3d/scene_extent.h"
 #include "view3d/scene_pictures.h"
 #include "workers/palm_path.h"
 #include "workers/path_timeline.h"
 
 #include <QImage>
-#include <QPainter>
 
 #include <algorithm>
 #include <iterator>
@@ -18,14 +17,8 @@
 namespace handway::gui {
 namespace {
 
-constexpr QSize kFrame{150, 132};  // pixels
-constexpr int kGap = 4;
-constexpr int kHeading = 22;  // above a row, for its label
-constexpr int kPictureScale = 3;
 constexpr double kHandDistance = 0.95;  // m
 constexpr double kAroundPath = 0.17;    // m, so that fingers are in the picture
-
-using Strip = std::vector<QImage>;
 
 OrbitCamera camera_of(const FilmRow& row) {
   OrbitCamera camera;
@@ -50,7 +43,7 @@ std::vector<Eigen::Vector3d> corners_around(const std::vector<Eigen::Vector3d>& 
   return corners;
 }
 
-Strip strip_of(const FilmRow& row, int frames, FilmView view) {
+std::vector<QImage> pictures_of(const FilmRow& row, int frames, FilmView view) {
   const geometric::RobotInstance& robot = row.scene->robots.front();
   const PathTimeline timeline(*robot.model, row.path);
   const std::vector<Eigen::Vector3d> palm =
@@ -59,9 +52,9 @@ Strip strip_of(const FilmRow& row, int frames, FilmView view) {
   ScenePictures pictures(row.scene);
   OrbitCamera camera = camera_of(row);
   if (view == FilmView::kTask) {
-    camera.fit(corners_around(palm), static_cast<double>(kFrame.width()) / kFrame.height());
+    camera.fit(corners_around(palm), static_cast<double>(kStripFrame.width()) / kStripFrame.height());
   }
-  Strip strip;
+  std::vector<QImage> strip;
   for (int frame = 0; frame < frames; ++frame) {
     const double fraction = static_cast<double>(frame) / (frames - 1);
     if (view == FilmView::kHand) {
@@ -70,7 +63,7 @@ Strip strip_of(const FilmRow& row, int frames, FilmView view) {
           palm[static_cast<std::size_t>(fraction * static_cast<double>(palm.size() - 1))];
       camera.set_placement(placement);
     }
-    strip.push_back(pictures.picture(timeline.at(fraction), camera, kPictureScale * kFrame));
+    strip.push_back(pictures.picture(timeline.at(fraction), camera, kStripScale * kStripFrame));
   }
   return strip;
 }
@@ -79,29 +72,10 @@ Strip strip_of(const FilmRow& row, int frames, FilmView view) {
 
 void write_film_figure(const FilmData& data, const QString& path) {
   std::vector<Strip> strips;
-  std::ranges::transform(data.rows, std::back_inserter(strips),
-                         [&](const FilmRow& row) { return strip_of(row, data.frames, data.view); });
-  const int row_height = kHeading + kFrame.height() + kGap;
-  const QSize size(data.frames * (kFrame.width() + kGap) + kGap,
-                   row_height * static_cast<int>(strips.size()) + kGap);
-  write_figure(path, QString::fromStdString(data.title), size,
-               [&](QPainter& painter, const QSize&) {
-                 for (std::size_t row = 0; row < strips.size(); ++row) {
-                   const int top = static_cast<int>(row) * row_height;
-                   painter.setFont(plot_font(9.0, true));
-                   painter.setPen(kPlotInk);
-                   painter.drawText(QRect(kGap, top, size.width() - 2 * kGap, kHeading),
-                                    Qt::AlignLeft | Qt::AlignVCenter,
-                                    QString::fromStdString(data.rows[row].label));
-                   for (int frame = 0; frame < data.frames; ++frame) {
-                     const QRect cell(
-                         QPoint(kGap + frame * (kFrame.width() + kGap), top + kHeading), kFrame);
-                     painter.drawImage(cell, strips[row][static_cast<std::size_t>(frame)]);
-                     painter.setPen(QPen(kPlotGrid, 0.75));
-                     painter.drawRect(cell);
-                   }
-                 }
-               });
+  std::ranges::transform(data.rows, std::back_inserter(strips), [&](const FilmRow& row) {
+    return Strip{QString::fromStdString(row.label), pictures_of(row, data.frames, data.view)};
+  });
+  write_figure(path, QString::fromStdString(data.title), strips_size(strips), draw_strips(strips));
 }
 
 }  // namespace handway::gui

@@ -97,6 +97,8 @@ QToolButton* PlaybackBar::make_button(const QString& name, const QString& tip) {
   return button;
 }
 
+void PlaybackBar::hide_traces() { show_->hide(); }
+
 QList<QToolButton*> PlaybackBar::buttons() const {
   return {back_, frame_back_, play_, frame_forward_, forward_, reverse_, loop_};
 }

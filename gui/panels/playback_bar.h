@@ -23,6 +23,8 @@ class PlaybackBar : public QWidget {
 
   /// Of what else is drawn of a path.
   [[nodiscard]] QMenu& traces() const { return *traces_; }
+  /// Where nothing is drawn but the path.
+  void hide_traces();
   /// Draws the icons anew, after a change of theme.
   void refresh_icons();
 

@@ -1,17 +1,71 @@
 #include "playback/playback_tools.h"
 
+#include "app/document.h"
+#include "app/window_actions.h"
+#include "comparison/comparison_window.h"
+#include "export/pictures_dialog.h"
+#include "microscope/microscope_panel.h"
+#include "panels/plan_panel.h"
+#include "panels/playback_bar.h"
 #include "playback/plots_panel.h"
+#include "view3d/scene_view.h"
+#include "workers/path_player.h"
+
+#include <QTime>
 
 namespace handway::gui {
 
-PlaybackTools::PlaybackTools(Document& document, PathPlayer& player, SceneView& view, QMenu& menu,
-                             QObject* parent)
+PlaybackTools::PlaybackTools(const PlaybackParts& parts, QObject* parent)
     : QObject(parent),
-      analysis_(document, player),
-      traces_(document, player, view, menu),
-      plots_(new PlotsPanel(document, player, analysis_)) {
+      parts_(parts),
+      analysis_(parts.document, parts.player),
+      traces_(parts.document, parts.player, parts.view, parts.bar.traces()),
+      plots_(new PlotsPanel(parts.document, parts.player, analysis_)),
+      microscope_(new MicroscopePanel(parts.document, parts.planners, parts.planning, parts.view)) {
   connect(plots_, &PlotsPanel::exported, this, &PlaybackTools::exported);
   connect(plots_, &PlotsPanel::failed, this, &PlaybackTools::failed);
+  connect(microscope_, &MicroscopePanel::taken, &parts_.player, &PathPlayer::pause);
+  connect(&parts_.player, &PathPlayer::timeline_changed, this,
+          [this] { parts_.actions.pictures->setEnabled(!parts_.player.timeline().empty()); });
+  connect(&analysis_, &MotionAnalysis::changed, this, &PlaybackTools::remember);
+  connect(&history_, &PathHistory::changed, this,
+          [this] { parts_.actions.compare->setEnabled(true); });
+  connect(parts_.actions.pictures, &QAction::triggered, this, &PlaybackTools::export_pictures);
+  connect(parts_.actions.compare, &QAction::triggered, this, &PlaybackTools::compare);
+}
+
+std::vector<DockContent> PlaybackTools::docks(const DockContent& last) const {
+  return {{"plots", tr("Plots"), plots_}, {"microscope", tr("Microscope"), microscope_}, last};
+}
+
+void PlaybackTools::remember() {
+  if (!analysis_.curves()) {
+    return;
+  }
+  const QString label = tr("%1, seed %2: %3 waypoints, %4 s (%5)")
+                            .arg(QString::fromStdString(parts_.planning.choice().name))
+                            .arg(parts_.planning.request().seed)
+                            .arg(analysis_.motion()->path.waypoints.size())
+                            .arg(analysis_.motion()->trajectory.duration(), 0, 'f', 1)
+                            .arg(QTime::currentTime().toString(QStringLiteral("HH:mm:ss")));
+  history_.add({label, parts_.document.scene(), parts_.document.palm(), analysis_.motion(),
+                analysis_.curves()});
+}
+
+void PlaybackTools::export_pictures() {
+  const std::string& name = parts_.document.scene()->name;
+  auto* dialog =
+      new PicturesDialog(parts_.document.scene(), parts_.player.timeline(), parts_.view.camera(),
+                         name.empty() ? tr("path") : QString::fromStdString(name), &parts_.window);
+  connect(dialog, &PicturesDialog::exported, this, &PlaybackTools::exported);
+  dialog->open();
+}
+
+void PlaybackTools::compare() {
+  auto* dialog =
+      new ComparisonWindow(history_, parts_.document.robot() ? parts_.document.problem() : nullptr,
+                           parts_.document.scene(), parts_.document.palm(), &parts_.window);
+  dialog->show();
 }
 
 }  // namespace handway::gui

@@ -1,37 +1,67 @@
 #pragma once
 
+#include "app/dock_layout.h"
 #include "playback/motion_analysis.h"
+#include "playback/path_history.h"
 #include "playback/path_traces.h"
 
 #include <QObject>
 
+namespace handway::planning {
+class PlannerRegistry;
+}
+
 namespace handway::gui {
 
+class MicroscopePanel;
+class PlanPanel;
+class PlaybackBar;
 class PlotsPanel;
+class WindowActions;
 
-/// What can be done with the path that is played: its curves over time, and what it leaves in the
-/// view.
+/// What PlaybackTools works with; all outlive it.
+struct PlaybackParts {
+  QWidget& window;
+  WindowActions& actions;
+  Document& document;
+  PathPlayer& player;
+  SceneView& view;
+  PlaybackBar& bar;
+  PlanPanel& planning;
+  const planning::PlannerRegistry& planners;
+};
+
+/// What can be done with the path that is played: its curves over time, what it leaves in the
+/// view, its pictures, comparing it with others; and how it was found, step by step.
 class PlaybackTools : public QObject {
   Q_OBJECT
 
  public:
-  /// All outlive it. @param menu gets what switches traces of the path.
-  PlaybackTools(Document& document, PathPlayer& player, SceneView& view, QMenu& menu,
-                QObject* parent = nullptr);
+  explicit PlaybackTools(const PlaybackParts& parts, QObject* parent = nullptr);
 
   [[nodiscard]] MotionAnalysis& analysis() { return analysis_; }
   [[nodiscard]] PathTraces& traces() { return traces_; }
-  /// For a dock, which owns it.
+  [[nodiscard]] PathHistory& history() { return history_; }
+  /// Both panels and another one behind them, for docks, which own them.
+  [[nodiscard]] std::vector<DockContent> docks(const DockContent& last) const;
   [[nodiscard]] PlotsPanel* plots() const { return plots_; }
+  [[nodiscard]] MicroscopePanel* microscope() const { return microscope_; }
 
  signals:
   void exported(const QString& file);
   void failed(const QString& title, const QString& message);
 
  private:
+  void remember();
+  void export_pictures();
+  void compare();
+
+  PlaybackParts parts_;
   MotionAnalysis analysis_;
   PathTraces traces_;
+  PathHistory history_;
   PlotsPanel* plots_;
+  MicroscopePanel* microscope_;
 };
 
 }  // namespace handway::gui

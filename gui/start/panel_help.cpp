@@ -90,6 +90,13 @@ constexpr Help kHelp[] = {
          "limits (dotted), the clearance, and how human the hand looks. Ticks along the upper "
          "edge are waypoints.</p><p>A click or a drag moves the robot there. The wheel zooms in "
          "time, with Ctrl in values; the right button moves; a double click shows all.</p>")},
+    {"microscope",
+     QT_TRANSLATE_NOOP(
+         "Help",
+         "<b>Microscope</b><p>Records a run of the paper's planner and goes through it line by "
+         "line: on the left the main algorithm, on the right the one that it calls, with the "
+         "current line marked. The robot shows the sample in question, the view the roadmap as "
+         "it was, a green line an edge that is free and a red one an edge that is not.</p>")},
     {"campaigns",
      QT_TRANSLATE_NOOP("Help",
                        "<b>Campaigns</b><p>Carries out a campaign in the background, or opens the "

@@ -17,7 +17,6 @@ namespace handway::gui {
 namespace {
 
 constexpr int kSamples = 8;
-constexpr int kOversampling = 2;
 
 [[noreturn]] void refuse() {
   throw geometric::InputError({"pictures", "", "no OpenGL on this display",
@@ -27,8 +26,10 @@ constexpr int kOversampling = 2;
 
 }  // namespace
 
-ScenePictures::ScenePictures(const std::shared_ptr<const geometric::Scene>& scene)
-    : surface_(std::make_unique<QOffscreenSurface>()),
+ScenePictures::ScenePictures(const std::shared_ptr<const geometric::Scene>& scene,
+                             int oversampling)
+    : oversampling_(oversampling),
+      surface_(std::make_unique<QOffscreenSurface>()),
       context_(std::make_unique<QOpenGLContext>()) {
   QSurfaceFormat format;
   format.setDepthBufferSize(24);
@@ -65,7 +66,7 @@ QImage ScenePictures::picture(const geometric::Configuration& q, const OrbitCame
   QOpenGLFramebufferObjectFormat format;
   format.setAttachment(QOpenGLFramebufferObject::CombinedDepthStencil);
   format.setSamples(kSamples);
-  QOpenGLFramebufferObject buffer(kOversampling * size, format);
+  QOpenGLFramebufferObject buffer(oversampling_ * size, format);
   if (!buffer.isValid() || !buffer.bind()) {
     refuse();
   }

@@ -21,8 +21,10 @@ class SceneGraph;
 /// that OpenGL can draw for, and a QGuiApplication.
 class ScenePictures {
  public:
+  /// @param oversampling drawn that many times as large, for smooth print.
   /// @throws geometric::InputError if there is no OpenGL.
-  explicit ScenePictures(const std::shared_ptr<const geometric::Scene>& scene);
+  explicit ScenePictures(const std::shared_ptr<const geometric::Scene>& scene,
+                         int oversampling = 2);
   ~ScenePictures();
   ScenePictures(const ScenePictures&) = delete;
   ScenePictures& operator=(const ScenePictures&) = delete;
@@ -35,6 +37,7 @@ class ScenePictures {
                                const QSize& size);
 
  private:
+  int oversampling_;
   std::unique_ptr<QOffscreenSurface> surface_;
   std::unique_ptr<QOpenGLContext> context_;
   std::unique_ptr<SceneGraph> graph_;

@@ -181,6 +181,12 @@ void SceneView::set_executed(std::span<const Eigen::Vector3d> points) {
   update();
 }
 
+void SceneView::set_camera(const OrbitCamera::Placement& placement) {
+  untouched_ = false;
+  camera_.set_placement(placement);
+  hurry();
+}
+
 void SceneView::set_overlay(Overlay overlay, SoNode* drawing) {
   graph_->set_overlay(overlay, drawing);
   change();

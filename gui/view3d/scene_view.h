@@ -77,6 +77,7 @@ class SceneView : public QOpenGLWidget {
   /// Moves the camera so that the whole scene is seen.
   void fit();
   void look_from(StandardView view);
+  void set_camera(const OrbitCamera::Placement& placement);
 
   /// Where something new goes: what is seen in the middle, or the floor there (world, m).
   [[nodiscard]] Eigen::Vector3d place_for_new();

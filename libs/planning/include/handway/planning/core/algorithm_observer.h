@@ -36,9 +36,10 @@ inline constexpr AlgorithmLine kFailure{4, 35};
 /// What a planner has just done in a line. What a line has nothing to do with is as below.
 struct AlgorithmStep {
   AlgorithmLine line;
-  bool yes = true;                   ///< The answer, if the line asks something.
-  const Configuration* q = nullptr;  ///< The sample in question; valid during the call alone.
-  int from = -1;                     ///< Nodes of the roadmap: an edge, or (from) one node.
+  bool yes = true;  ///< The answer, if the line asks something.
+  const geometric::Configuration* q =
+      nullptr;    ///< The sample in question; valid during the call alone.
+  int from = -1;  ///< Nodes of the roadmap: an edge, or (from) one node.
   int to = -1;
   int pair = -1;          ///< Colliding pair of the checker's world, if the answer is no.
   int count = 0;          ///< Neighbours found, or axes of the hand's subspace.
