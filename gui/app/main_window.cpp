@@ -130,7 +130,7 @@ void MainWindow::build_docks() {
        .below = playback_tools_->docks(
            {"projection", tr("Projection"), planning_views_->projection_panel()})},
       *actions_->view_menu(), *actions_->edit_menu());
-  actions_->view_menu()->addAction(actions_->default_layout);
+  actions_->view_menu()->addActions({collisions_->closest_shown(), actions_->default_layout});
   statusBar()->addWidget(collisions_->label(), 1);
   statusBar()->addPermanentWidget(new FrameRateLabel(*view_));
   statusBar()->addPermanentWidget(devices_->stop_button());

@@ -116,6 +116,12 @@ RegionPreviewBox::RegionPreviewBox(QWidget* parent)
   });
 }
 
+// A scroll area would not make room for all lines of a text that is wrapped.
+void RegionPreviewBox::set_note(const QString& text) {
+  note_->setText(text);
+  note_->setMinimumHeight(note_->heightForWidth(width()));
+}
+
 void RegionPreviewBox::come_into_sight() {
   for (QWidget* above = parentWidget(); above; above = above->parentWidget()) {
     if (auto* area = qobject_cast<QScrollArea*>(above)) {
@@ -132,7 +138,7 @@ void RegionPreviewBox::show_region(const std::optional<planning::SamplingRegion>
   bound_ = bound;
   sliders_->setVisible(is_on() && region_);
   if (!region_) {
-    note_->setText(tr("This planner samples everywhere within the joints' limits."));
+    set_note(tr("This planner samples everywhere within the joints' limits."));
     return;
   }
   const QSignalBlocker quiet_rho(rho_);
@@ -168,12 +174,12 @@ void RegionPreviewBox::show_draws(const planning::RegionDraws& draws) {
             tr("This planner chooses its own width, and begins with 0.1; the sliders are for "
                "looking only.");
   }
-  note_->setText(text);
+  set_note(text);
   if (std::exchange(was_switched_on_, false)) {
-    QTimer::singleShot(50, this, &RegionPreviewBox::come_into_sight);  // once it has its size
+    QTimer::singleShot(300, this, &RegionPreviewBox::come_into_sight);  // once it has its size
   }
 }
 
-void RegionPreviewBox::show_failure(const QString& message) { note_->setText(message); }
+void RegionPreviewBox::show_failure(const QString& message) { set_note(message); }
 
 }  // namespace handway::gui

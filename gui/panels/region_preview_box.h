@@ -40,6 +40,7 @@ class RegionPreviewBox : public QWidget {
   void pmds_edited(int pmds);
 
  private:
+  void set_note(const QString& text);
   void come_into_sight();
   void take_sliders();
   void label_values();

@@ -3,6 +3,15 @@
 namespace handway::gui {
 
 /// What is drawn into the scene without being part of it.
-enum class Overlay { kPath, kRoadmap, kRegion, kExecuted, kContacts, kTrails, kSteps };
+enum class Overlay {
+  kPath,
+  kRoadmap,
+  kRegion,
+  kExecuted,
+  kContacts,
+  kClearance,
+  kTrails,
+  kSteps,
+};
 
 }  // namespace handway::gui

@@ -1,6 +1,7 @@
 #include "view3d/path_node.h"
 
 #include "view3d/coin_conversions.h"
+#include "view3d/round_points.h"
 #include "view3d/shape_node.h"
 #include "view3d/unlit_style.h"
 #include "view3d/view_colors.h"
@@ -14,6 +15,8 @@
 #include <Inventor/nodes/SoTranslation.h>
 #include <Inventor/nodes/SoVertexProperty.h>
 
+#include <algorithm>
+#include <array>
 #include <vector>
 
 namespace handway::gui {
@@ -111,6 +114,28 @@ CoinRef<SoSeparator> make_contacts_node(std::span<const Eigen::Vector3d> points)
   for (const Eigen::Vector3d& point : points) {
     separator->addChild(make_bead(point, kContactColor));
   }
+  return separator;
+}
+
+CoinRef<SoSeparator> make_clearance_node(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  constexpr double kFar = 0.03;  // m, from which on all is green
+  const auto t = static_cast<float>(std::min(1.0, (a - b).norm() / kFar));
+  const geometric::Color color{std::min(0.90F, 1.8F * (1.0F - t)), std::min(0.68F, 1.36F * t),
+                               0.12F, 1.0F};
+  auto separator = make_seen_through();
+  auto* line = new SoSeparator;
+  add_unlit_style(*line, 2.5F, 7.0F);
+  auto* base = new SoBaseColor;
+  base->rgb = to_coin(color);
+  line->addChild(base);
+  const std::array ends{a, b};
+  auto* segment = new SoLineSet;
+  segment->vertexProperty = make_vertices(ends);
+  line->addChild(segment);
+  auto* dots = new RoundPoints;
+  dots->vertexProperty = make_vertices(ends);
+  line->addChild(dots);
+  separator->addChild(line);
   return separator;
 }
 

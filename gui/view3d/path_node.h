@@ -28,4 +28,9 @@ namespace handway::gui {
 /// A magenta ball at each of `points` (world, m), seen through everything.
 [[nodiscard]] CoinRef<SoSeparator> make_contacts_node(std::span<const Eigen::Vector3d> points);
 
+/// A line between the closest points (world, m) of two bodies, seen through everything: red if
+/// they nearly touch, over yellow to green.
+[[nodiscard]] CoinRef<SoSeparator> make_clearance_node(const Eigen::Vector3d& a,
+                                                       const Eigen::Vector3d& b);
+
 }  // namespace handway::gui

@@ -306,7 +306,7 @@ void SceneGraph::render_still(SoGLRenderAction& action) {
   std::vector<SoNode*> still{overlay(Overlay::kPath), overlay(Overlay::kRoadmap),
                              overlay(Overlay::kTrails), overlay(Overlay::kSteps)};
   std::vector<SoNode*> moving{overlay(Overlay::kExecuted), overlay(Overlay::kContacts),
-                              overlay(Overlay::kRegion)};
+                              overlay(Overlay::kRegion), overlay(Overlay::kClearance)};
   for (std::size_t r = 1; r < robots_.size(); ++r) {
     still.push_back(robots_[r]->root());
   }

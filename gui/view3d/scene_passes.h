@@ -44,7 +44,7 @@ struct ScenePasses {
     solids->addChild(solid_content.get());
     for (const Overlay overlay :
          {Overlay::kPath, Overlay::kRoadmap, Overlay::kRegion, Overlay::kExecuted,
-          Overlay::kContacts, Overlay::kTrails, Overlay::kSteps}) {
+          Overlay::kContacts, Overlay::kClearance, Overlay::kTrails, Overlay::kSteps}) {
       const CoinRef<SoSwitch> shown = make_coin<SoSwitch>();
       shown->whichChild = SO_SWITCH_ALL;
       solids->addChild(shown.get());

@@ -189,7 +189,11 @@ void SceneView::set_camera(const OrbitCamera::Placement& placement) {
 
 void SceneView::set_overlay(Overlay overlay, SoNode* drawing) {
   graph_->set_overlay(overlay, drawing);
-  change();
+  if (overlay == Overlay::kClearance) {  // which goes with the robot
+    update();
+  } else {
+    change();
+  }
 }
 
 void SceneView::set_traces(SoNode* drawing) {

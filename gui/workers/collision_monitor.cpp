@@ -10,7 +10,8 @@ namespace {
 using geometric::CollisionChecker;
 using geometric::Configuration;
 
-CollisionReport report_on(CollisionChecker& checker, const Configuration& q) {
+CollisionReport report_on(CollisionChecker& checker, geometric::ClosestPointFinder& finder,
+                          const Configuration& q) {
   CollisionReport report;
   report.collisions = geometric::find_collisions(checker, q);
   if (report.collisions.empty()) {
@@ -18,6 +19,7 @@ CollisionReport report_on(CollisionChecker& checker, const Configuration& q) {
         geometric::find_clearance(checker, q, CollisionMonitor::kNear);
     if (pair.distance < CollisionMonitor::kNear) {
       report.closest = pair;
+      report.points = finder.between(pair.a, pair.b, q);
     }
   }
   return report;
@@ -52,6 +54,7 @@ void CollisionMonitor::check(const Configuration& q) {
 void CollisionMonitor::work(const std::stop_token& stop) {
   std::shared_ptr<const PreparedProblem> problem;
   std::unique_ptr<CollisionChecker> checker;
+  std::unique_ptr<geometric::ClosestPointFinder> finder;
   while (true) {
     Configuration q;
     int ticket = 0;
@@ -86,9 +89,10 @@ void CollisionMonitor::work(const std::stop_token& stop) {
             return;
           }
           checker = prepared->checker->clone();
+          finder = std::make_unique<geometric::ClosestPointFinder>(checker->shared_world());
         }
       }
-      CollisionReport report = checker ? report_on(*checker, q) : CollisionReport{};
+      CollisionReport report = checker ? report_on(*checker, *finder, q) : CollisionReport{};
       deliver([this, report = std::move(report)] { emit checked(report); });
     } catch (const std::exception& error) {
       deliver([this, message = QString::fromUtf8(error.what())] { emit failed(message); });

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "handway/geometric/collision/closest_points.h"
 #include "handway/geometric/collision/collision_checker.h"
 #include "workers/prepared_problem.h"
 
@@ -21,6 +22,7 @@ struct CollisionReport {
   /// The closest pair of a free configuration; nothing if all are farther apart
   /// than CollisionMonitor::kNear.
   std::optional<geometric::NamedPair> closest;
+  std::optional<geometric::ClosestPoints> points;  ///< Of that pair.
 };
 
 /// Checks the posture on screen on a thread of its own. Only the latest posture
