@@ -22,9 +22,9 @@ struct FilmShot {
   std::shared_ptr<const geometric::Scene> scene;
   PathTimeline timeline;
   OrbitCamera camera;
-  QSize size;             ///< Pixels.
-  int pictures = 0;       ///< Evenly spread over the path, the ends included; ≥ 2.
-  int oversampling = 1;   ///< As ScenePictures'.
+  QSize size;            ///< Pixels.
+  int pictures = 0;      ///< Evenly spread over the path, the ends included; ≥ 2.
+  int oversampling = 1;  ///< As ScenePictures'.
 };
 
 /// Takes pictures of a path one by one while the window stays alive.

@@ -46,7 +46,7 @@ PlaybackBar::PlaybackBar(PathPlayer& player, QWidget* parent)
   scrub_->setRange(0, kScrubSteps);
   scrub_->setObjectName(QStringLiteral("scrub"));
   scrub_->setToolTip(tr("Drag along the path"));
-  time_->setMinimumWidth(96);
+  time_->setMinimumWidth(86);
   time_->setAlignment(Qt::AlignCenter);
   time_->setProperty("role", "note");
   fill_speeds();
@@ -55,7 +55,7 @@ PlaybackBar::PlaybackBar(PathPlayer& player, QWidget* parent)
   traces_->setToolTipsVisible(true);
 
   auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(10, 6, 10, 6);
+  layout->setContentsMargins(8, 6, 8, 6);
   layout->setSpacing(4);
   for (QToolButton* button : buttons()) {
     layout->addWidget(button);

@@ -92,7 +92,8 @@ void SceneTree::take_selection() {
   const QList<QTreeWidgetItem*> selected = selectedItems();
   std::vector<QTreeWidgetItem*> rows(selected.begin(), selected.end());
   // The one that was clicked comes last.
-  std::ranges::stable_partition(rows, [this](auto* row) { return row != currentItem(); });
+  std::stable_partition(rows.begin(), rows.end(),
+                        [this](auto* row) { return row != currentItem(); });
   for (const QTreeWidgetItem* row : rows) {
     const SceneItem item = item_at(row);
     if (item.kind == Kind::kObject) {

@@ -151,7 +151,7 @@ TEST_F(Story, FromANewSceneToAnExportedPathAndBack) {
   ASSERT_TRUE(wait_for([&] { return !exported.isEmpty(); }));
   EXPECT_FALSE(std::filesystem::is_empty(folder_.path() / "out"));
 
-  dialog->close();
+  ASSERT_TRUE(wait_for([&] { return !window().findChild<gui::ExportDialog*>(); }));
 
   window().player().seek(1.0);
   select("can");
