@@ -31,9 +31,8 @@ constexpr int kFineStrips = 2;  // oversampling
 
 }  // namespace
 
-PicturesDialog::PicturesDialog(std::shared_ptr<const geometric::Scene> scene,
-                               PathTimeline timeline, const OrbitCamera& camera,
-                               const QString& name, QWidget* parent)
+PicturesDialog::PicturesDialog(std::shared_ptr<const geometric::Scene> scene, PathTimeline timeline,
+                               const OrbitCamera& camera, const QString& name, QWidget* parent)
     : QDialog(parent),
       scene_(std::move(scene)),
       timeline_(std::move(timeline)),
@@ -195,8 +194,7 @@ QSize PicturesDialog::size() const { return sizes_->currentData().toSize(); }
 
 FilmShot PicturesDialog::shot() const {
   if (kind() == Kind::kStrip) {
-    return {scene_,  timeline_, camera_, kStripScale * kStripFrame, pictures_->value(),
-            kFineStrips};
+    return {scene_, timeline_, camera_, kStripScale * kStripFrame, pictures_->value(), kFineStrips};
   }
   const double seconds = timeline_.duration() / speeds_->currentData().toDouble();
   const int pictures = static_cast<int>(std::ceil(seconds * rates_->currentData().toInt())) + 1;

@@ -52,7 +52,8 @@ std::vector<QImage> pictures_of(const FilmRow& row, int frames, FilmView view) {
   ScenePictures pictures(row.scene);
   OrbitCamera camera = camera_of(row);
   if (view == FilmView::kTask) {
-    camera.fit(corners_around(palm), static_cast<double>(kStripFrame.width()) / kStripFrame.height());
+    camera.fit(corners_around(palm),
+               static_cast<double>(kStripFrame.width()) / kStripFrame.height());
   }
   std::vector<QImage> strip;
   for (int frame = 0; frame < frames; ++frame) {

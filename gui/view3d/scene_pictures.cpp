@@ -26,8 +26,7 @@ constexpr int kSamples = 8;
 
 }  // namespace
 
-ScenePictures::ScenePictures(const std::shared_ptr<const geometric::Scene>& scene,
-                             int oversampling)
+ScenePictures::ScenePictures(const std::shared_ptr<const geometric::Scene>& scene, int oversampling)
     : oversampling_(oversampling),
       surface_(std::make_unique<QOffscreenSurface>()),
       context_(std::make_unique<QOpenGLContext>()) {
