@@ -169,19 +169,28 @@ std::optional<double> vertical_gap(const TriangleMesh& upper, const TriangleMesh
   return gap.value();
 }
 
-double drop_height(const geometric::Scene& scene, const geometric::SceneObject& object) {
-  const TriangleMesh dropped =
+std::optional<double> gap_to_support(const geometric::Scene& scene,
+                                     const geometric::SceneObject& object) {
+  const TriangleMesh upper =
       geometric::transformed(*geometric::tessellate(object.shape), object.X_PO);
-  double height = geometric::bounding_box(dropped).lower.z();
+  std::optional<double> least;
   for (const geometric::SceneObject& other : scene.objects) {
     if (other.name == object.name || other.attachment) {
       continue;
     }
     const auto gap = vertical_gap(
-        dropped, geometric::transformed(*geometric::tessellate(other.shape), other.X_PO));
-    height = std::min(height, gap.value_or(height));
+        upper, geometric::transformed(*geometric::tessellate(other.shape), other.X_PO));
+    if (gap && (!least || *gap < *least)) {
+      least = gap;
+    }
   }
-  return height;
+  return least;
+}
+
+double height_above_floor(const geometric::SceneObject& object) {
+  return geometric::bounding_box(
+             geometric::transformed(*geometric::tessellate(object.shape), object.X_PO))
+      .lower.z();
 }
 
 }  // namespace handway::gui

@@ -16,9 +16,13 @@ namespace handway::gui {
 [[nodiscard]] std::optional<double> vertical_gap(const geometric::TriangleMesh& upper,
                                                  const geometric::TriangleMesh& lower);
 
-/// How far an object that stands in the world can sink until it stands on another
-/// object or on the floor (z = 0), m; negative: it is to be lifted.
-[[nodiscard]] double drop_height(const geometric::Scene& scene,
-                                 const geometric::SceneObject& object);
+/// The least vertical gap between an object that stands in the world and those of the scene
+/// that it is above, m; negative where they overlap. Nothing if it is above none.
+/// @param scene what is attached in it, and an object of that name, do not count.
+[[nodiscard]] std::optional<double> gap_to_support(const geometric::Scene& scene,
+                                                   const geometric::SceneObject& object);
+
+/// From the floor (z = 0) to the lowest point of an object that stands in the world, m.
+[[nodiscard]] double height_above_floor(const geometric::SceneObject& object);
 
 }  // namespace handway::gui

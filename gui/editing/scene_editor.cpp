@@ -1,7 +1,7 @@
 #include "editing/scene_editor.h"
 
 #include "editing/arrange.h"
-#include "editing/drop_height.h"
+#include "editing/resting.h"
 #include "editing/scene_edits.h"
 #include "handway/geometric/io/mesh_reader.h"
 
@@ -25,26 +25,6 @@ constexpr int kMergeable = 1;
 constexpr geometric::Color kMeshColor{0.62F, 0.66F, 0.71F, 1.0F};
 
 QString words(const std::string& name) { return QString::fromStdString(name); }
-
-// Objects of the selection sink together if they are one group.
-SceneState dropped(SceneState state, const geometric::Configuration& q,
-                   const std::vector<std::string>& names) {
-  std::vector<std::vector<std::string>> parts = rigid_parts(*state.scene, names);
-  std::ranges::stable_sort(parts, {}, [&](const std::vector<std::string>& part) {
-    return bounds(*state.scene, q, part).lower.z();
-  });
-  for (const std::vector<std::string>& part : parts) {
-    const SceneState others = without_objects(state, part);
-    double height = HUGE_VAL;
-    for (const std::string& name : part) {
-      height = std::min(height, drop_height(*others.scene, *state.find(name)));
-    }
-    if (std::abs(height) > 1e-12) {
-      state = moved(state, q, part, Pose(Eigen::Translation3d(0.0, 0.0, -height)));
-    }
-  }
-  return state;
-}
 
 }  // namespace
 
@@ -334,8 +314,15 @@ void SceneEditor::attach(const std::string& robot, const std::string& link,
   const geometric::Configuration& q = document_.configuration();
   const auto X_WL = can_change() ? link_pose(*state().scene, q, robot, link) : std::nullopt;
   if (X_WL) {
-    change_selected(tr("Attach %1"), "", [&](SceneObject& changed) {
-      changed.X_PO = X_WL->inverse() * object_pose(*state().scene, q, changed);
+    // What stands on something could not be moved at all.
+    const double rise = rise_to_clear(state(), changeable());
+    const QString text = rise > 0.0
+                             ? tr("Attach %1, raised by %2 mm")
+                                   .arg(QStringLiteral("%1"), QString::number(1e3 * rise, 'f', 1))
+                             : tr("Attach %1");
+    change_selected(text, "", [&](SceneObject& changed) {
+      const Pose X_WO = object_pose(*state().scene, q, changed);
+      changed.X_PO = X_WL->inverse() * Eigen::Translation3d(0.0, 0.0, rise) * X_WO;
       changed.attachment = geometric::Attachment{robot, link, touching};
     });
   }

@@ -67,11 +67,13 @@ class SceneEditor : public QObject {
   /// @param X_WO where the resized object goes.
   void set_shape(const geometric::Shape& shape, const std::optional<geometric::Pose>& X_WO = {});
   void set_color(const geometric::Color& color);
-  /// Lowers (or lifts) the objects until they stand on what is below, or on the floor.
+  /// Lowers (or lifts) the objects until they stand kRestingGap above what is below, or on the
+  /// floor.
   void drop();
   void set_hidden(const std::vector<std::string>& objects, bool hidden);
   void set_locked(const std::vector<std::string>& objects, bool locked);
-  /// Fixes the objects to a link, where all are now. @param touching links that may touch them.
+  /// Fixes the objects to a link, where all are now; raised by a little if one of them stands on
+  /// something, see rise_to_clear(). @param touching links that may touch them.
   void attach(const std::string& robot, const std::string& link,
               const std::vector<std::string>& touching);
   void detach();

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+
 namespace handway::test {
 namespace {
 
@@ -25,37 +28,40 @@ Scene with_table() {
   return scene;
 }
 
-TEST(DropHeight, ReachesTheTable) {
+// NaN, which is near nothing, where there is none.
+double gap(const Scene& scene, const SceneObject& upper) {
+  return gui::gap_to_support(scene, upper).value_or(std::numeric_limits<double>::quiet_NaN());
+}
+
+TEST(GapToSupport, IsTheDistanceToTheTable) {
   const SceneObject cup = object("cup", geometric::Cylinder{0.03, 0.1}, 0.2, 0.1, 1.0);
-  EXPECT_NEAR(gui::drop_height(with_table(), cup), 1.0 - 0.05 - 0.74, 1e-9);
+  EXPECT_NEAR(gap(with_table(), cup), 1.0 - 0.05 - 0.74, 1e-9);
 }
 
-TEST(DropHeight, ReachesTheFloorBesideTheTable) {
-  const SceneObject cup = object("cup", Box{{0.1, 0.1, 0.1}}, 2.0, 0.0, 1.0);
-  EXPECT_NEAR(gui::drop_height(with_table(), cup), 0.95, 1e-9);
-}
-
-TEST(DropHeight, LiftsWhatHasSunkIn) {
+TEST(GapToSupport, IsNegativeForWhatHasSunkIn) {
   const SceneObject cup = object("cup", Box{{0.1, 0.1, 0.2}}, 0.0, 0.0, 0.81);
-  EXPECT_NEAR(gui::drop_height(with_table(), cup), -0.03, 1e-9);
+  EXPECT_NEAR(gap(with_table(), cup), -0.03, 1e-9);
 }
 
-TEST(DropHeight, StaysBelowWhatHangsAbove) {
-  const SceneObject cup = object("cup", Box{{0.1, 0.1, 0.1}}, 0.0, 0.0, 0.5);
-  EXPECT_NEAR(gui::drop_height(with_table(), cup), 0.45, 1e-9);
+TEST(GapToSupport, IsNothingBesideOrBelowTheTable) {
+  const SceneObject beside = object("beside", Box{{0.1, 0.1, 0.1}}, 2.0, 0.0, 1.0);
+  EXPECT_FALSE(gui::gap_to_support(with_table(), beside));
+  EXPECT_NEAR(gui::height_above_floor(beside), 0.95, 1e-9);
+  const SceneObject below = object("below", Box{{0.1, 0.1, 0.1}}, 0.0, 0.0, 0.5);
+  EXPECT_FALSE(gui::gap_to_support(with_table(), below));
 }
 
 // A beam across a beam: neither has a corner over the other.
-TEST(DropHeight, FindsWhereEdgesCross) {
+TEST(GapToSupport, FindsWhereEdgesCross) {
   Scene scene;
   scene.objects.push_back(object("beam", Box{{2.0, 0.02, 0.02}}, 0.0, 0.0, 0.3));
   SceneObject across = object("across", Box{{0.02, 2.0, 0.02}}, 0.0, 0.0, 1.0);
-  EXPECT_NEAR(gui::drop_height(scene, across), 0.68, 1e-9);
+  EXPECT_NEAR(gap(scene, across), 0.68, 1e-9);
   const double tilt = 0.3;
   across.X_PO = geometric::pose_from_rpy({0.0, 0.0, 1.0}, tilt, 0.0, 0.0);
   // Its underside sinks by 0.01 sin(tilt) / cos(tilt) at the edge of the beam.
   const double underside = 0.01 / std::cos(tilt) + 0.01 * std::tan(tilt);
-  EXPECT_NEAR(gui::drop_height(scene, across), 1.0 - underside - 0.31, 1e-9);
+  EXPECT_NEAR(gap(scene, across), 1.0 - underside - 0.31, 1e-9);
 }
 
 }  // namespace

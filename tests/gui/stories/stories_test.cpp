@@ -1,10 +1,12 @@
 /// A person's way through the whole window, on real robots and scenes. Each step leaves a picture
 /// in the build folder, and none keeps the window from answering.
 #include "app/grasp_tool.h"
+#include "editing/drop_height.h"
 #include "editing/scene_editing.h"
 #include "export/export_dialog.h"
 #include "handway/geometric/io/scene_writer.h"
 #include "handway/planning/core/plugin.h"
+#include "handway/planning/paths/path_check.h"
 #include "watched_application.h"
 #include "window_test.h"
 
@@ -167,6 +169,36 @@ TEST_F(Story, FromANewSceneToAnExportedPathAndBack) {
   }
   EXPECT_EQ(written(), empty);
   picture("new_10_undone");
+}
+
+TEST_F(Story, LiftsACanFromTheTableThatItStandsOn) {
+  open(source_dir() / "scenes" / "can_on_table.yaml");
+  ASSERT_EQ(window().message(), QString());
+  select("can");
+  geometric::Pose X_WO = *editor().selected_pose();
+  X_WO.translation().z() -= gui::gap_to_support(scene(), *editor().selected_object()).value();
+  editor().place(X_WO);
+  ASSERT_NEAR(gui::gap_to_support(scene(), *editor().selected_object()).value(), 0.0, 1e-12);
+  geometric::Configuration q = scene().goal.value();
+  window().document().set_configuration(q);
+  trigger("Set start here");
+  ASSERT_TRUE(wait_for([&] { return !window().collisions().is_busy(); }));
+  auto* fixed_to = window().findChild<QComboBox*>(QStringLiteral("fixed_to"));
+  fixed_to->setCurrentIndex(fixed_to->findText(QStringLiteral("palm")));
+  emit fixed_to->activated(fixed_to->currentIndex());
+  ASSERT_TRUE(geometric::find_object(scene(), "can")->attachment);
+  picture("lift_1_attached");
+  q[1] -= 0.25;
+  window().document().set_configuration(q);
+  trigger("Set goal here");
+  ASSERT_TRUE(plan());
+  window().player().seek(0.5);
+  picture("lift_2_half_way");
+  const WatchedApplication::LooksAway checking_it_is_no_step_of_a_person;
+  const planning::PathCheckResult checked = planning::check_path(
+      planning::make_problem(window().document().scene(), window().document().loaded().basis),
+      window().player().timeline().path(), 1e-3);
+  EXPECT_TRUE(checked.valid()) << ::testing::PrintToString(checked.faults);
 }
 
 TEST_F(Story, OpensEverySceneThatIsShippedAndPlans) {
