@@ -10,6 +10,7 @@
 #include "app/posing.h"
 #include "app/query_check.h"
 #include "app/recent_files.h"
+#include "app/view_actions.h"
 #include "campaigns/campaigns_panel.h"
 #include "devices/device_session.h"
 #include "devices/devices_panel.h"
@@ -69,6 +70,7 @@ MainWindow::MainWindow(std::shared_ptr<planning::Extensions> extensions, QWidget
       start_page_(new StartPage),
       palette_(new CommandPalette(*this)),
       actions_(std::make_unique<WindowActions>(*this)),
+      view_actions_(std::make_unique<ViewActions>(*this, *actions_, *view_)),
       playback_tools_(std::make_unique<PlaybackTools>(
           PlaybackParts{*this, *actions_, document_, player_, *view_, *playback_, *plan_panel_,
                         extensions_->planners()})),
@@ -155,15 +157,6 @@ void MainWindow::connect_actions() {
   connect(files_.get(), &FileCommands::failed, this, &MainWindow::show_error);
   connect(actions_->picture, &QAction::triggered, this, [this] { files_->save_picture(*view_); });
   connect(actions_->quit, &QAction::triggered, this, &QWidget::close);
-  connect(actions_->fit, &QAction::triggered, view_, &SceneView::fit);
-  const auto look = [this](QAction* action, StandardView direction) {
-    connect(action, &QAction::triggered, view_, [this, direction] { view_->look_from(direction); });
-  };
-  look(actions_->oblique, StandardView::kOblique);
-  look(actions_->front, StandardView::kFront);
-  look(actions_->left, StandardView::kLeft);
-  look(actions_->top, StandardView::kTop);
-  connect(actions_->floor, &QAction::toggled, view_, &SceneView::set_floor_visible);
   connect(playback_tools_.get(), &PlaybackTools::failed, this, &MainWindow::show_error);
   connect(playback_tools_.get(), &PlaybackTools::exported, this, [this](const QString& file) {
     log_->add(LogPanel::Level::kNote, tr("Exported %1").arg(file));
@@ -375,6 +368,7 @@ void MainWindow::toggle_theme(bool dark) {
   QSettings().setValue(QStringLiteral("theme"), dark ? "dark" : "light");
   view_->set_colors(colors_of(theme).view);
   actions_->refresh_icons();
+  view_actions_->refresh_icons();
   playback_->refresh_icons();
   tree_->refresh_icons();
   editing_->refresh_icons();

@@ -35,6 +35,7 @@ class SceneEditing;
 class SceneTree;
 class SceneView;
 class StartPage;
+class ViewActions;
 
 /// The workbench's window. Builds the parts and connects them; what they do is theirs.
 class MainWindow : public QMainWindow {
@@ -118,6 +119,7 @@ class MainWindow : public QMainWindow {
   CommandPalette* palette_;
   QByteArray default_layout_;
   std::unique_ptr<WindowActions> actions_;
+  std::unique_ptr<ViewActions> view_actions_;
   std::unique_ptr<PlaybackTools> playback_tools_;
   std::unique_ptr<SceneEditing> editing_;
   std::unique_ptr<FileCommands> files_;

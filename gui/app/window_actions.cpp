@@ -32,13 +32,6 @@ WindowActions::WindowActions(QMainWindow& window) : window_(window) {
   compare->setObjectName(QStringLiteral("compare"));
   set_start = make("start", tr("Set &start here"), {}, tr("Start from the posture that is shown"));
   set_goal = make("goal", tr("Set &goal here"), {}, tr("End in the posture that is shown"));
-  fit = make("fit", tr("&Fit"), QKeySequence(Qt::Key_F), tr("Show the whole scene"));
-  oblique =
-      make("view_oblique", tr("&Oblique"), QKeySequence(Qt::Key_0), tr("Look across the task"));
-  front = make("view_front", tr("Fr&ont"), QKeySequence(Qt::Key_1), tr("Look against the x axis"));
-  left = make("view_left", tr("&Left"), QKeySequence(Qt::Key_2), tr("Look against the y axis"));
-  top = make("view_top", tr("&Top"), QKeySequence(Qt::Key_3), tr("Look down"));
-  floor = make("grid", tr("Floor &grid"), QKeySequence(Qt::Key_G), tr("Show the floor grid"));
   samples = make("samples", tr("&Roadmap"), QKeySequence(Qt::Key_N),
                  tr("Show the planner's nodes, where the palm is in each, and its edges"));
   dark = make("theme", tr("&Dark theme"), {}, tr("Light or dark colours"));
@@ -48,10 +41,9 @@ WindowActions::WindowActions(QMainWindow& window) : window_(window) {
               tr("What the panel under the pointer is for"));
   default_layout = make("", tr("&Reset the layout"), {}, tr("Put all panels back"));
   about = make("", tr("&About Handway"), {}, {});
-  for (QAction* action : {floor, samples, dark}) {
+  for (QAction* action : {samples, dark}) {
     action->setCheckable(true);
   }
-  floor->setChecked(true);
   samples->setChecked(true);
   cancel->setEnabled(false);
   export_path->setEnabled(false);
@@ -76,28 +68,24 @@ WindowActions::WindowActions(QMainWindow& window) : window_(window) {
   plan_menu->addSeparator();
   plan_menu->addActions({set_start, set_goal});
   view_menu_ = window.menuBar()->addMenu(tr("&View"));
-  view_menu_->addActions({fit, oblique, front, left, top});
-  view_menu_->addSeparator();
-  view_menu_->addActions({floor, samples, dark});
+  view_menu_->addActions({samples, dark});
   view_menu_->addSeparator();
   window.menuBar()->addMenu(tr("&Help"))->addActions({help, palette, about});
 
-  QToolBar* bar = window.addToolBar(tr("Tools"));
-  bar->setObjectName(QStringLiteral("tools"));
-  bar->setMovable(false);
-  bar->setIconSize({20, 20});
-  bar->addActions({open, save});
-  bar->addSeparator();
-  bar->addActions({plan, cancel});
-  bar->addSeparator();
-  bar->addActions({fit, oblique, front, left, top});
-  bar->addSeparator();
-  bar->addActions({floor, samples, dark, picture});
+  bar_ = window.addToolBar(tr("Tools"));
+  bar_->setObjectName(QStringLiteral("tools"));
+  bar_->setMovable(false);
+  bar_->setIconSize({20, 20});
+  bar_->addActions({open, save});
+  bar_->addSeparator();
+  bar_->addActions({plan, cancel});
+  bar_->addSeparator();
+  bar_->addActions({samples, dark, picture});
   for (const std::string& robot : geometric::resource_names(geometric::ResourceKind::kRobot)) {
     create->addAction(QString::fromStdString(robot))->setData(QString::fromStdString(robot));
   }
   for (QAction* named : {open, save, plan, cancel}) {
-    qobject_cast<QToolButton*>(bar->widgetForAction(named))
+    qobject_cast<QToolButton*>(bar_->widgetForAction(named))
         ->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   }
   edit_bar_ = window.addToolBar(tr("Editing"));

@@ -25,6 +25,7 @@ class WindowActions {
   /// Empty, to be filled by those who edit.
   [[nodiscard]] QMenu* edit_menu() const { return edit_menu_; }
   [[nodiscard]] QMenu* add_menu() const { return add_menu_; }
+  [[nodiscard]] QToolBar* bar() const { return bar_; }
   [[nodiscard]] QToolBar* edit_bar() const { return edit_bar_; }
 
   QMenu* create;  ///< File > New: a robot of the library each.
@@ -41,12 +42,6 @@ class WindowActions {
   QAction* compare;
   QAction* set_start;
   QAction* set_goal;
-  QAction* fit;
-  QAction* oblique;
-  QAction* front;
-  QAction* left;
-  QAction* top;
-  QAction* floor;
   QAction* samples;
   QAction* dark;
   QAction* palette;
@@ -62,6 +57,7 @@ class WindowActions {
   QMenu* view_menu_;
   QMenu* edit_menu_;
   QMenu* add_menu_;
+  QToolBar* bar_;
   QToolBar* edit_bar_;
   QList<QAction*> with_icon_;
 };

@@ -71,6 +71,8 @@ void OrbitCamera::look_from(StandardView view, double front) {
         return {-90.0, 0.0};
       case StandardView::kTop:
         return {-90.0, 90.0};
+      case StandardView::kBottom:
+        return {-90.0, -90.0};
       case StandardView::kOblique:
         break;
     }

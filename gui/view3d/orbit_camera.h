@@ -9,7 +9,7 @@
 namespace handway::gui {
 
 /// Directions to look from; the robot's front is +x, up is +z.
-enum class StandardView { kFront, kBack, kLeft, kRight, kTop, kOblique };
+enum class StandardView { kFront, kBack, kLeft, kRight, kTop, kBottom, kOblique };
 
 /// A perspective camera on a turntable around `target`; the horizon stays level.
 class OrbitCamera {

@@ -33,11 +33,7 @@ SceneGraph::SceneGraph() : passes_(std::make_unique<ScenePasses>()) {
 SceneGraph::~SceneGraph() = default;
 
 void SceneGraph::set_scene(std::shared_ptr<const geometric::Scene> scene) {
-  scene_ = std::move(scene);
-  robots_.clear();
-  objects_.clear();
-  first_robot_shapes_.clear();
-  q_ = {};
+  bodies_.show(std::move(scene));
   start_.clear();
   goal_.clear();
   traces_.clear();
@@ -46,12 +42,10 @@ void SceneGraph::set_scene(std::shared_ptr<const geometric::Scene> scene) {
   for (const auto& [overlay, shown] : passes_->overlays) {
     shown->removeAllChildren();
   }
-  if (scene_) {
-    add_robots();
+  if (bodies_.scene()) {
     add_ghosts();
-    make_objects();
-    if (!scene_->robots.empty()) {
-      set_configuration(scene_->robots.front().configuration);
+    if (bodies_.has_robot()) {
+      set_configuration(bodies_.scene()->robots.front().configuration);
     }
   }
   list_solids();
@@ -60,86 +54,40 @@ void SceneGraph::set_scene(std::shared_ptr<const geometric::Scene> scene) {
 }
 
 void SceneGraph::update_scene(const SceneState& state) {
-  if (state.scene != scene_) {
-    scene_ = state.scene;
-    for (std::size_t i = 0; i < robots_.size(); ++i) {
-      robots_[i]->place(scene_->robots[i].X_WB, scene_->robots[i].configuration);
-    }
+  if (state.scene != bodies_.scene()) {
+    bodies_.update(state.scene);
     add_ghosts();
-    make_objects();
-    set_configuration(Configuration(q_));
+    set_configuration(Configuration(bodies_.configuration()));
   }
   list_solids();
   update_looks();
 }
 
-void SceneGraph::preview(const SceneItem& item, const Pose& X_WO) {
-  for (const auto& object : objects_) {
-    if (item.kind == SceneItem::Kind::kObject && object->name() == item.name) {
-      object->place(X_WO);
-    }
-  }
-  for (std::size_t i = 0; i < robots_.size(); ++i) {
-    if (item.kind == SceneItem::Kind::kRobot && scene_->robots[i].name == item.robot) {
-      robots_[i]->place(X_WO, i == 0 ? q_ : scene_->robots[i].configuration);
-      if (i == 0) {
-        place_attached();
-      }
-    }
-  }
-}
+void SceneGraph::preview(const SceneItem& item, const Pose& X_WO) { bodies_.preview(item, X_WO); }
 
 void SceneGraph::set_handles(SoNode* handles) {
   passes_->gizmo->replaceChild(ScenePasses::kGizmo, handles ? handles : gizmo_.root());
 }
 
-void SceneGraph::add_robots() {
-  for (std::size_t i = 0; i < scene_->robots.size(); ++i) {
-    const geometric::RobotInstance& robot = scene_->robots[i];
-    const LinkShapes shapes = make_link_shapes(*robot.model);
-    robots_.push_back(std::make_unique<RobotNode>(robot.model, shapes));
-    robots_.back()->place(robot.X_WB, robot.configuration);
-    if (i == 0) {
-      first_robot_shapes_ = shapes;
-    }
-  }
-}
-
 void SceneGraph::add_ghosts() {
-  add_ghost(start_, scene_->start, kStartColor);
-  add_ghost(goal_, scene_->goal, kGoalColor);
+  add_ghost(start_, bodies_.scene()->start, kStartColor);
+  add_ghost(goal_, bodies_.scene()->goal, kGoalColor);
 }
 
 void SceneGraph::add_ghost(Ghost& ghost, const std::optional<Configuration>& q,
                            const geometric::Color& color) {
-  if (!q || scene_->robots.empty()) {
+  if (!q || bodies_.scene()->robots.empty()) {
     ghost.clear();
     return;
   }
-  ghost.show(scene_->robots.front(), *q, first_robot_shapes_, color,
+  ghost.show(bodies_.scene()->robots.front(), *q, bodies_.first_robot_shapes(), color,
              [this](SoSeparator* root) { passes_->prepare(root); });
-}
-
-void SceneGraph::make_objects() {
-  std::vector<std::unique_ptr<ObjectNode>> old = std::move(objects_);
-  objects_.clear();
-  for (const geometric::SceneObject& object : scene_->objects) {
-    const auto same =
-        std::ranges::find_if(old, [&](const auto& node) { return node && node->draws(object); });
-    objects_.push_back(same == old.end() ? std::make_unique<ObjectNode>(object) : std::move(*same));
-    objects_.back()->place(object.X_PO);
-  }
 }
 
 void SceneGraph::list_solids() {
   passes_->solid_content->removeAllChildren();
-  for (const auto& robot : robots_) {
-    passes_->solid_content->addChild(robot->root());
-  }
-  for (std::size_t i = 0; i < objects_.size(); ++i) {
-    if (!scene_->objects[i].hidden) {
-      passes_->solid_content->addChild(objects_[i]->root());
-    }
+  for (SoNode* node : bodies_.shown()) {
+    passes_->solid_content->addChild(node);
   }
 }
 
@@ -151,42 +99,24 @@ void SceneGraph::set_colors(const ViewColors& colors) {
 void SceneGraph::rebuild_floor() {
   passes_->floor_content->removeAllChildren();
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
-  if (scene_ && !scene_->robots.empty()) {
-    centre = scene_->robots.front().X_WB.translation();
-    centre.z() = std::min(0.0, lowest_point(*scene_));
+  if (bodies_.scene() && !bodies_.scene()->robots.empty()) {
+    centre = bodies_.scene()->robots.front().X_WB.translation();
+    centre.z() = std::min(0.0, lowest_point(*bodies_.scene()));
   }
   passes_->floor_content->addChild(make_floor_grid(centre, 2.5, colors_.grid).get());
 }
 
 bool SceneGraph::set_configuration(const Configuration& q) {
-  if (!scene_ || robots_.empty()) {
+  if (!bodies_.has_robot()) {
     return false;
   }
-  q_ = q;
-  robots_.front()->place(scene_->robots.front().X_WB, q);
-  place_attached();
+  bodies_.place(q);
   const bool ghosts_changed = update_ghosts();
-  return passes_->split->note_motion(*robots_.front()) || ghosts_changed;
-}
-
-void SceneGraph::place_attached() {
-  for (std::size_t i = 0; i < objects_.size(); ++i) {
-    const geometric::SceneObject& object = scene_->objects[i];
-    if (!object.attachment) {
-      continue;
-    }
-    for (std::size_t r = 0; r < robots_.size(); ++r) {
-      const auto link = robots_[r]->model().find_link(object.attachment->link);
-      if (scene_->robots[r].name == object.attachment->robot && link) {
-        const Pose& X_WL = robots_[r]->link_poses()[static_cast<std::size_t>(*link)];
-        objects_[i]->place(X_WL * object.X_PO);
-      }
-    }
-  }
+  return passes_->split->note_motion(bodies_.first_robot()) || ghosts_changed;
 }
 
 bool SceneGraph::update_ghosts() {
-  return !robots_.empty() && hide_doubled_links(*robots_.front(), start_, goal_);
+  return bodies_.has_robot() && hide_doubled_links(bodies_.first_robot(), start_, goal_);
 }
 
 void SceneGraph::show_ghosts(bool start, bool goal) {
@@ -219,45 +149,12 @@ void SceneGraph::set_selection(const Selection& selection) {
 
 // @returns whether something looks different that stood still.
 bool SceneGraph::update_looks() {
-  bool changed = false;
-  const auto collides = [this](const std::string& body) {
-    return std::ranges::find(colliding_, body) != colliding_.end();
-  };
-  for (std::size_t r = 0; r < robots_.size(); ++r) {
-    const std::string& robot = scene_->robots[r].name;
-    for (int i = 0; i < robots_[r]->model().link_count(); ++i) {
-      const std::string& link = robots_[r]->model().link(i).name;
-      const bool collides_now = collides(r == 0 ? link : robot + "/" + link);
-      const bool differs = robots_[r]->set_look(i, collides_now ? Look::kColliding : Look::kPlain);
-      changed |= differs && !(r == 0 && passes_->split->moves(i));
-    }
-  }
-  for (const auto& object : objects_) {
-    changed |= object->set_look(collides(object->name()) ? Look::kColliding : Look::kPlain);
-  }
+  const bool changed = bodies_.set_colliding(colliding_, *passes_->split);
   update_outline();
   return changed;
 }
 
-void SceneGraph::update_outline() {
-  const SceneItem& item = selection_.item;
-  std::vector<SoSeparator*> parts;
-  for (std::size_t r = 0; r < robots_.size(); ++r) {
-    const bool is_here = item.robot == scene_->robots[r].name;
-    if (is_here && item.kind == SceneItem::Kind::kRobot) {
-      parts.push_back(robots_[r]->root());
-    } else if (const auto link = robots_[r]->model().find_link(item.name);
-               is_here && item.kind == SceneItem::Kind::kLink && link) {
-      parts.push_back(robots_[r]->link_root(*link));
-    }
-  }
-  for (const auto& object : objects_) {
-    if (std::ranges::count(selection_.objects, object->name()) > 0) {
-      parts.push_back(object->root());
-    }
-  }
-  outline_.set_parts(parts);
-}
+void SceneGraph::update_outline() { outline_.set_parts(bodies_.parts_of(selection_)); }
 
 void SceneGraph::set_overlay(Overlay overlay, SoNode* drawing) {
   SoSwitch& shown = *passes_->overlays.at(overlay).get();
@@ -276,10 +173,13 @@ void SceneGraph::set_floor_visible(bool visible) {
 }
 
 std::vector<Eigen::Vector3d> SceneGraph::points_of_interest() const {
-  return scene_ ? gui::points_of_interest(*scene_) : std::vector<Eigen::Vector3d>{};
+  return bodies_.scene() ? gui::points_of_interest(*bodies_.scene())
+                         : std::vector<Eigen::Vector3d>{};
 }
 
-double SceneGraph::task_azimuth() const { return scene_ ? gui::task_azimuth(*scene_) : 0.0; }
+double SceneGraph::task_azimuth() const {
+  return bodies_.scene() ? gui::task_azimuth(*bodies_.scene()) : 0.0;
+}
 
 void SceneGraph::aim(const OrbitCamera& camera, double aspect) {
   aim_camera(*passes_->camera.get(), camera, aspect);
@@ -296,28 +196,19 @@ void SceneGraph::render(SoGLRenderAction& action) {
 }
 
 void SceneGraph::begin_motion() {
-  if (!robots_.empty()) {
-    passes_->split->begin(*robots_.front());
+  if (bodies_.has_robot()) {
+    passes_->split->begin(bodies_.first_robot());
   }
 }
 
 void SceneGraph::render_still(SoGLRenderAction& action) {
   const auto overlay = [this](Overlay which) { return passes_->overlays.at(which).get(); };
-  std::vector<SoNode*> still{overlay(Overlay::kPath), overlay(Overlay::kRoadmap),
-                             overlay(Overlay::kTrails), overlay(Overlay::kSteps)};
-  std::vector<SoNode*> moving{overlay(Overlay::kExecuted), overlay(Overlay::kContacts),
-                              overlay(Overlay::kRegion), overlay(Overlay::kClearance)};
-  for (std::size_t r = 1; r < robots_.size(); ++r) {
-    still.push_back(robots_[r]->root());
-  }
-  for (std::size_t i = 0; i < objects_.size(); ++i) {
-    const geometric::SceneObject& object = scene_->objects[i];
-    if (passes_->solid_content->findChild(objects_[i]->root()) >= 0) {
-      const bool apart = object.attachment || object.color.alpha < 1.0F;
-      (apart ? moving : still).push_back(objects_[i]->root());
-    }
-  }
-  passes_->split->list(robots_.empty() ? nullptr : robots_.front().get(), still, moving);
+  auto [still, moving] = bodies_.others();
+  still.insert(still.begin(), {overlay(Overlay::kPath), overlay(Overlay::kRoadmap),
+                               overlay(Overlay::kTrails), overlay(Overlay::kSteps)});
+  moving.insert(moving.begin(), {overlay(Overlay::kExecuted), overlay(Overlay::kContacts),
+                                 overlay(Overlay::kRegion), overlay(Overlay::kClearance)});
+  passes_->split->list(bodies_.has_robot() ? &bodies_.first_robot() : nullptr, still, moving);
   action.setTransparencyType(SoGLRenderAction::SORTED_OBJECT_BLEND);
   action.apply(passes_->split->still());
   action.setTransparencyType(SoGLRenderAction::BLEND);
@@ -369,7 +260,7 @@ std::optional<SceneHit> SceneGraph::pick(const SbVec2s& viewport, const SbVec2s&
       }
     }
   };
-  look_at(passes_->solids.get(), [this](const SoPath& path) { return item_of(path); });
+  look_at(passes_->solids.get(), [this](const SoPath& path) { return bodies_.item_of(path); });
   for (const auto& [ghost, kind] :
        {std::pair(&start_, SceneItem::Kind::kStart), std::pair(&goal_, SceneItem::Kind::kGoal)}) {
     if (ghost->is_visible()) {
@@ -377,24 +268,6 @@ std::optional<SceneHit> SceneGraph::pick(const SbVec2s& viewport, const SbVec2s&
     }
   }
   return nearest;
-}
-
-SceneItem SceneGraph::item_of(const SoPath& path) const {
-  for (int i = 0; i < path.getLength(); ++i) {
-    const SoNode* node = path.getNode(i);
-    for (const auto& object : objects_) {
-      if (object->root() == node) {
-        return {SceneItem::Kind::kObject, "", object->name()};
-      }
-    }
-    for (std::size_t r = 0; r < robots_.size(); ++r) {
-      if (const auto link = robots_[r]->find_link(node)) {
-        return {SceneItem::Kind::kLink, scene_->robots[r].name,
-                robots_[r]->model().link(*link).name};
-      }
-    }
-  }
-  return {};
 }
 
 }  // namespace handway::gui

@@ -3,10 +3,9 @@
 #include "editing/selection.h"
 #include "view3d/ghost.h"
 #include "view3d/gizmo_node.h"
-#include "view3d/object_node.h"
 #include "view3d/orbit_camera.h"
 #include "view3d/overlay.h"
-#include "view3d/robot_node.h"
+#include "view3d/scene_bodies.h"
 #include "view3d/scene_item.h"
 #include "view3d/selection_outline.h"
 #include "view3d/view_colors.h"
@@ -19,7 +18,6 @@
 #include <vector>
 
 class SoGLRenderAction;
-class SoPath;
 class SoPerspectiveCamera;
 class SbVec2s;
 
@@ -89,28 +87,20 @@ class SceneGraph {
   [[nodiscard]] std::optional<SceneHit> pick(const SbVec2s& viewport, const SbVec2s& pixel);
 
  private:
-  void add_robots();
   void add_ghosts();
-  void make_objects();
   void list_solids();
   void add_ghost(Ghost& ghost, const std::optional<geometric::Configuration>& q,
                  const geometric::Color& color);
-  void place_attached();
   void update_outline();
   void rebuild_floor();
   bool update_looks();
   bool update_ghosts();
-  [[nodiscard]] SceneItem item_of(const SoPath& path) const;
 
-  std::shared_ptr<const geometric::Scene> scene_;
+  SceneBodies bodies_;
   ViewColors colors_;
   std::unique_ptr<ScenePasses> passes_;
-  LinkShapes first_robot_shapes_;
-  geometric::Configuration q_;
   GizmoNode gizmo_;
   SelectionOutline outline_;
-  std::vector<std::unique_ptr<RobotNode>> robots_;
-  std::vector<std::unique_ptr<ObjectNode>> objects_;
   Ghost start_;
   Ghost goal_;
   Ghost traces_;

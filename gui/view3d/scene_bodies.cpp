@@ -1,0 +1,181 @@
+#include "view3d/scene_bodies.h"
+
+#include "view3d/still_split.h"
+
+#include <Inventor/SoPath.h>
+#include <Inventor/nodes/SoSeparator.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace handway::gui {
+
+using geometric::Configuration;
+using geometric::Pose;
+
+SceneBodies::SceneBodies() = default;
+SceneBodies::~SceneBodies() = default;
+
+void SceneBodies::show(std::shared_ptr<const geometric::Scene> scene) {
+  scene_ = std::move(scene);
+  robots_.clear();
+  objects_.clear();
+  first_robot_shapes_.clear();
+  q_ = {};
+  if (!scene_) {
+    return;
+  }
+  for (const geometric::RobotInstance& robot : scene_->robots) {
+    LinkShapes shapes = make_link_shapes(*robot.model);
+    robots_.push_back(std::make_unique<RobotNode>(robot.model, shapes));
+    robots_.back()->place(robot.X_WB, robot.configuration);
+    if (robots_.size() == 1) {
+      first_robot_shapes_ = std::move(shapes);
+    }
+  }
+  make_objects();
+}
+
+void SceneBodies::update(std::shared_ptr<const geometric::Scene> scene) {
+  scene_ = std::move(scene);
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    robots_[i]->place(scene_->robots[i].X_WB, scene_->robots[i].configuration);
+  }
+  make_objects();
+}
+
+void SceneBodies::make_objects() {
+  std::vector<std::unique_ptr<ObjectNode>> old = std::move(objects_);
+  objects_.clear();
+  for (const geometric::SceneObject& object : scene_->objects) {
+    const auto same =
+        std::ranges::find_if(old, [&](const auto& node) { return node && node->draws(object); });
+    objects_.push_back(same == old.end() ? std::make_unique<ObjectNode>(object) : std::move(*same));
+    objects_.back()->place(object.X_PO);
+  }
+}
+
+void SceneBodies::place(const Configuration& q) {
+  q_ = q;
+  robots_.front()->place(scene_->robots.front().X_WB, q);
+  place_attached();
+}
+
+void SceneBodies::place_attached() {
+  for (std::size_t i = 0; i < objects_.size(); ++i) {
+    const geometric::SceneObject& object = scene_->objects[i];
+    if (!object.attachment) {
+      continue;
+    }
+    for (std::size_t r = 0; r < robots_.size(); ++r) {
+      const auto link = robots_[r]->model().find_link(object.attachment->link);
+      if (scene_->robots[r].name == object.attachment->robot && link) {
+        const Pose& X_WL = robots_[r]->link_poses()[static_cast<std::size_t>(*link)];
+        objects_[i]->place(X_WL * object.X_PO);
+      }
+    }
+  }
+}
+
+void SceneBodies::preview(const SceneItem& item, const Pose& X_WO) {
+  for (const auto& object : objects_) {
+    if (item.kind == SceneItem::Kind::kObject && object->name() == item.name) {
+      object->place(X_WO);
+    }
+  }
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    if (item.kind == SceneItem::Kind::kRobot && scene_->robots[i].name == item.robot) {
+      robots_[i]->place(X_WO, i == 0 ? q_ : scene_->robots[i].configuration);
+      if (i == 0) {
+        place_attached();
+      }
+    }
+  }
+}
+
+bool SceneBodies::set_colliding(const std::vector<std::string>& bodies, const StillSplit& split) {
+  bool changed = false;
+  const auto look_of = [&bodies](const std::string& body) {
+    return std::ranges::find(bodies, body) == bodies.end() ? Look::kPlain : Look::kColliding;
+  };
+  for (std::size_t r = 0; r < robots_.size(); ++r) {
+    const std::string& robot = scene_->robots[r].name;
+    for (int i = 0; i < robots_[r]->model().link_count(); ++i) {
+      const std::string& link = robots_[r]->model().link(i).name;
+      const bool differs = robots_[r]->set_look(i, look_of(r == 0 ? link : robot + "/" + link));
+      changed |= differs && !(r == 0 && split.moves(i));
+    }
+  }
+  for (const auto& object : objects_) {
+    changed |= object->set_look(look_of(object->name()));
+  }
+  return changed;
+}
+
+std::vector<SoNode*> SceneBodies::shown() const {
+  std::vector<SoNode*> nodes;
+  for (const auto& robot : robots_) {
+    nodes.push_back(robot->root());
+  }
+  for (std::size_t i = 0; i < objects_.size(); ++i) {
+    if (!scene_->objects[i].hidden) {
+      nodes.push_back(objects_[i]->root());
+    }
+  }
+  return nodes;
+}
+
+SceneBodies::Others SceneBodies::others() const {
+  Others others;
+  for (std::size_t r = 1; r < robots_.size(); ++r) {
+    others.still.push_back(robots_[r]->root());
+  }
+  for (std::size_t i = 0; i < objects_.size(); ++i) {
+    const geometric::SceneObject& object = scene_->objects[i];
+    if (!object.hidden) {
+      const bool apart = object.attachment || object.color.alpha < 1.0F;
+      (apart ? others.moving : others.still).push_back(objects_[i]->root());
+    }
+  }
+  return others;
+}
+
+std::vector<SoSeparator*> SceneBodies::parts_of(const Selection& selection) const {
+  const SceneItem& item = selection.item;
+  std::vector<SoSeparator*> parts;
+  for (std::size_t r = 0; r < robots_.size(); ++r) {
+    const bool is_here = item.robot == scene_->robots[r].name;
+    if (is_here && item.kind == SceneItem::Kind::kRobot) {
+      parts.push_back(robots_[r]->root());
+    } else if (const auto link = robots_[r]->model().find_link(item.name);
+               is_here && item.kind == SceneItem::Kind::kLink && link) {
+      parts.push_back(robots_[r]->link_root(*link));
+    }
+  }
+  for (const auto& object : objects_) {
+    if (std::ranges::count(selection.objects, object->name()) > 0) {
+      parts.push_back(object->root());
+    }
+  }
+  return parts;
+}
+
+SceneItem SceneBodies::item_of(const SoPath& path) const {
+  for (int i = 0; i < path.getLength(); ++i) {
+    const SoNode* node = path.getNode(i);
+    for (const auto& object : objects_) {
+      if (object->root() == node) {
+        return {SceneItem::Kind::kObject, "", object->name()};
+      }
+    }
+    for (std::size_t r = 0; r < robots_.size(); ++r) {
+      if (const auto link = robots_[r]->find_link(node)) {
+        return {SceneItem::Kind::kLink, scene_->robots[r].name,
+                robots_[r]->model().link(*link).name};
+      }
+    }
+  }
+  return {};
+}
+
+}  // namespace handway::gui
