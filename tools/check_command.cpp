@@ -1,6 +1,7 @@
 #include "check_command.h"
 
 #include "exit_codes.h"
+#include "hand_likeness.h"
 #include "handway/geometric/math/units.h"
 #include "handway/planning/core/plugin.h"
 #include "handway/planning/paths/path_check.h"
@@ -19,8 +20,21 @@ namespace {
 struct CheckOptions {
   std::filesystem::path scene;
   std::filesystem::path path;
+  std::filesystem::path postures;
   double resolution_mm = 1.0;
 };
+
+void print_likeness(const planning::PathLikeness& likeness) {
+  fmt::print(
+      "hand, in normalised joints: mean {:.3f} and at most {:.3f} from its principal motion "
+      "directions",
+      likeness.to_subspace.mean, likeness.to_subspace.largest);
+  if (likeness.to_recorded) {
+    fmt::print(", mean {:.3f} and at most {:.3f} from the nearest recorded posture",
+               likeness.to_recorded->mean, likeness.to_recorded->largest);
+  }
+  fmt::print("\n");
+}
 
 int check(const CheckOptions& options) {
   planning::Extensions extensions;
@@ -40,6 +54,11 @@ int check(const CheckOptions& options) {
     fmt::print(", smallest clearance {:.3f} mm ({})", result.min_clearance_mm, result.closest_pair);
   }
   fmt::print("\n");
+  const bool has_configurations = result.configurations > 0;
+  if (const auto likeness =
+          has_configurations ? hand_likeness(problem, path, options.postures) : std::nullopt) {
+    print_likeness(*likeness);
+  }
   return result.valid() ? kDone : kNoPath;
 }
 
@@ -56,6 +75,8 @@ void add_check_command(CLI::App& app, int& exit_code) {
       ->check(positive_number())
       ->check(CLI::Range(1e-4, 1e3))
       ->capture_default_str();
+  command->add_option("--postures", options->postures,
+                      "Recorded postures to compare the hand with (default: the basis')");
   command->callback([options, &exit_code] { exit_code = check(*options); });
 }
 

@@ -8,6 +8,7 @@
 #include "handway/geometric/io/resources.h"
 #include "handway/geometric/io/robot_loader.h"
 #include "handway/sampling/postures/pmd_basis_io.h"
+#include "handway/sampling/postures/posture_table.h"
 #include "mapped_recording.h"
 #include "number_options.h"
 #include "pca_text.h"
@@ -44,6 +45,7 @@ struct PcaOptions {
   bool compare = false;
   RecordingSteps steps;
   fs::path out;
+  fs::path postures;
   fs::path plots;
 };
 
@@ -167,10 +169,15 @@ int pca(const PcaOptions& options) {
   if (!options.against.empty()) {
     print_other_mapping(recordings, options, *hand, mapper, free, chosen);
   }
-  const sampling::PmdBasis basis =
+  sampling::PmdBasis basis =
       sampling::make_pmd_basis(mapping.hand, source_of(options, chosen), mapper.joints(),
                                chosen.components, {free, options.components, options.sigmas});
   fmt::print("Basis for {}:\n{}", basis.hand, basis_text(basis));
+  if (!options.postures.empty()) {
+    sampling::write_postures({basis.hand, basis.source, basis.joints, chosen_samples},
+                             options.postures);
+    basis.postures = options.postures;
+  }
   if (!options.out.empty()) {
     sampling::write_pmd_basis(basis, options.out);
   }
@@ -228,6 +235,8 @@ void add_pca_command(CLI::App& app, int& exit_code) {
   command->add_flag("--compare", options->compare, "Also analyse each recording by itself");
   add_steps(*command, options->steps);
   command->add_option("--out", options->out, "Write the basis here (YAML)");
+  command->add_option("--postures", options->postures,
+                      "Write the postures here (CSV), and name them in the basis");
   command->add_option("--plots", options->plots, "Draw figures to this folder (PNG and SVG)");
   command->callback([options, &exit_code] { exit_code = pca(*options); });
 }

@@ -2,6 +2,7 @@
 
 #include "chosen_basis.h"
 #include "exit_codes.h"
+#include "hand_likeness.h"
 #include "handway/geometric/collision/contact.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/replace_file.h"
@@ -145,7 +146,8 @@ int plan(PlanOptions options) {
     planning::write_path_csv(result.path, problem.model(), options.out);
   }
   if (!options.report.empty()) {
-    geometric::replace_file(options.report, plan_report(*planner, request, result, load.count()));
+    geometric::replace_file(options.report, plan_report(*planner, request, result, load.count(),
+                                                        hand_likeness(problem, result.path)));
   }
   print_summary(result, problem);
   return exit_code_of(result.status);

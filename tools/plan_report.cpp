@@ -43,10 +43,24 @@ Json statistics_of(const planning::PlanStatistics& statistics) {
           {"rejections_per_tenth", statistics.rejections_per_tenth}};
 }
 
+Json distance_of(const planning::DistanceAlong& distance) {
+  return {{"mean", distance.mean}, {"largest", distance.largest}};
+}
+
+Json likeness_of(const std::optional<planning::PathLikeness>& likeness) {
+  if (!likeness) {
+    return nullptr;
+  }
+  return {
+      {"to_subspace", distance_of(likeness->to_subspace)},
+      {"to_recorded", likeness->to_recorded ? distance_of(*likeness->to_recorded) : Json(nullptr)}};
+}
+
 }  // namespace
 
 std::string plan_report(planning::Planner& planner, const planning::PlanRequest& request,
-                        const planning::PlanResult& result, double load_s) {
+                        const planning::PlanResult& result, double load_s,
+                        const std::optional<planning::PathLikeness>& likeness) {
   Json parameters = Json::object();
   for (const planning::Parameter& parameter : planner.parameters()) {
     parameters[parameter.key] = value_of(parameter);
@@ -66,6 +80,7 @@ std::string plan_report(planning::Planner& planner, const planning::PlanRequest&
        {{"resolution_mm", result.certificate.resolution_mm},
         {"min_clearance_mm", result.certificate.min_clearance_mm},
         {"checks", result.certificate.checks}}},
+      {"human_likeness", likeness_of(likeness)},
       {"statistics", statistics_of(result.statistics)},
       {"parameters", parameters},
       {"version", kVersion},

@@ -1,14 +1,18 @@
 #pragma once
 
 #include "handway/planning/core/planner.h"
+#include "handway/planning/queries/human_likeness.h"
 
+#include <optional>
 #include <string>
 
 namespace handway::tools {
 
 /// The JSON report of a run, keys as in docs/command-line.md.
+/// @param likeness of the path's hand; nothing: there is no path, or no basis to compare with.
 [[nodiscard]] std::string plan_report(planning::Planner& planner,
                                       const planning::PlanRequest& request,
-                                      const planning::PlanResult& result, double load_s);
+                                      const planning::PlanResult& result, double load_s,
+                                      const std::optional<planning::PathLikeness>& likeness);
 
 }  // namespace handway::tools

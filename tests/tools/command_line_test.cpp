@@ -54,9 +54,10 @@ TEST_F(Handway, ReportsWithTheKeysOfTheContract) {
   const auto report = nlohmann::json::parse(line_.read("report.json"));
   for (const char* key :
        {"solved", "reason", "planner", "seed", "threads", "time_s", "smoothing_s", "load_s",
-        "path_nodes", "certificate", "statistics", "parameters", "version"}) {
+        "path_nodes", "certificate", "human_likeness", "statistics", "parameters", "version"}) {
     EXPECT_TRUE(report.contains(key)) << key;
   }
+  EXPECT_TRUE(report["human_likeness"]["to_recorded"].is_null()) << "the basis keeps no postures";
   EXPECT_EQ(report["solved"], true);
   EXPECT_EQ(report["planner"], "pmd-prm");
   EXPECT_EQ(report["seed"], 3);

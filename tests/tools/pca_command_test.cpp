@@ -1,9 +1,11 @@
 /// `handway pca`, and plans with the bases that it makes.
 #include "command_line.h"
 #include "handway/sampling/postures/pmd_basis_io.h"
+#include "handway/sampling/postures/recorded_postures.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <filesystem>
@@ -66,6 +68,32 @@ TEST_F(Pca, WritesABasisThatPlansAreMadeWith) {
   const Outcome plan = line_.run("plan " + scene + " --set basis=basis.yaml --out path.csv");
   EXPECT_EQ(plan.exit_code, 0) << plan.err;
   EXPECT_EQ(line_.run("check " + scene + " path.csv").exit_code, 0);
+}
+
+TEST_F(Pca, KeepsThePosturesThatHandsAreComparedWith) {
+  ASSERT_EQ(line_.run("pca one.csv --postures seen.csv --out basis.yaml").exit_code, 0);
+  const sampling::PmdBasis basis = sampling::read_pmd_basis(line_.folder() / "basis.yaml");
+  const auto postures = sampling::load_recorded_postures(basis);
+  ASSERT_NE(postures, nullptr);
+  EXPECT_EQ(postures->count(), 500);
+  const std::string scene = (source_dir() / "scenes" / "can_on_table.yaml").string();
+  ASSERT_EQ(
+      line_.run("plan " + scene + " --set basis=basis.yaml --out path.csv --report report.json")
+          .exit_code,
+      0);
+  const auto report = nlohmann::json::parse(line_.read("report.json"));
+  for (const char* to : {"to_subspace", "to_recorded"}) {
+    const auto& distance = report["human_likeness"][to];
+    EXPECT_GT(distance["mean"], 0.0) << to;
+    EXPECT_GE(distance["largest"], distance["mean"]) << to;
+  }
+  const Outcome alone = line_.run("check " + scene + " path.csv");
+  EXPECT_THAT(alone.out, HasSubstr("from its principal motion directions\n"));
+  const Outcome compared = line_.run("check " + scene + " path.csv --postures seen.csv");
+  EXPECT_THAT(compared.out, HasSubstr("from the nearest recorded posture\n"));
+  const Outcome wrong = line_.run("check " + scene + " path.csv --postures one.csv");
+  EXPECT_EQ(wrong.exit_code, 3);
+  EXPECT_THAT(wrong.err, HasSubstr("handway pca --postures"));
 }
 
 TEST_F(Pca, JoinsAndComparesRecordings) {

@@ -27,14 +27,18 @@ class BasisReader {
 
   [[nodiscard]] PmdBasis read() const {
     const YAML::Node root = load();
-    check_keys(root, "",
-               {"hand", "source", "units", "joints", "mean", "free_joints", "directions"});
+    check_keys(
+        root, "",
+        {"hand", "source", "units", "postures", "joints", "mean", "free_joints", "directions"});
     PmdBasis basis;
     basis.hand = text(root, "", "hand");
     basis.source = root["source"] ? text(root, "", "source") : "";
     if (const std::string units = text(root, "", "units"); units != "normalised") {
       fail(root["units"], "units", '"' + units + '"', "normalised",
            "Scale every joint's range to [0, 1]");
+    }
+    if (root["postures"]) {
+      basis.postures = std::filesystem::absolute(file_).parent_path() / text(root, "", "postures");
     }
     basis.joints = joint_names(root);
     basis.mean = numbers(root, "", "mean", basis.joints.size());
@@ -243,6 +247,15 @@ void emit_numbers(YAML::Emitter& out, const Eigen::VectorXd& values) {
   out << YAML::EndSeq;
 }
 
+// A path as it's written into a file beside, below or above it.
+std::string seen_from(const std::filesystem::path& file, const std::filesystem::path& path) {
+  const std::filesystem::path target = std::filesystem::absolute(path).lexically_normal();
+  const std::filesystem::path folder =
+      std::filesystem::absolute(file).lexically_normal().parent_path();
+  const std::filesystem::path relative = target.lexically_relative(folder);
+  return (relative.empty() ? target : relative).generic_string();
+}
+
 }  // namespace
 
 PmdBasis read_pmd_basis(const std::filesystem::path& file) { return BasisReader(file).read(); }
@@ -253,6 +266,10 @@ void write_pmd_basis(const PmdBasis& basis, const std::filesystem::path& file) {
   out << YAML::Key << "hand" << YAML::Value << basis.hand;
   out << YAML::Key << "source" << YAML::Value << YAML::DoubleQuoted << basis.source;
   out << YAML::Key << "units" << YAML::Value << "normalised";
+  if (!basis.postures.empty()) {
+    out << YAML::Key << "postures" << YAML::Value << YAML::DoubleQuoted
+        << seen_from(file, basis.postures);
+  }
   out << YAML::Key << "joints" << YAML::Value << YAML::Flow << basis.joints;
   out << YAML::Key << "mean" << YAML::Value;
   emit_numbers(out, basis.mean);

@@ -113,6 +113,18 @@ TEST_F(PmdBasisIo, ReadsBackTheSameBits) {
   expect_same(read_pmd_basis(file()), basis);
 }
 
+TEST_F(PmdBasisIo, NamesRecordedPosturesFromItsOwnFolder) {
+  const PmdBasis basis = read(replaced(kBasis, "units:", "postures: recorded/claw.csv\nunits:"));
+  EXPECT_EQ(basis.postures, file().parent_path() / "recorded" / "claw.csv");
+  const std::filesystem::path other = file().parent_path() / "recorded" / "basis.yaml";
+  std::filesystem::create_directory(other.parent_path());
+  write_pmd_basis(basis, other);
+  std::ostringstream text;
+  text << std::ifstream(other).rdbuf();
+  EXPECT_THAT(text.str(), HasSubstr("postures: \"claw.csv\""));
+  EXPECT_EQ(read_pmd_basis(other).postures, basis.postures);
+}
+
 TEST_F(PmdBasisIo, ReadsBackABasisWithoutFreeJoints) {
   PmdBasis basis = read(kBasis);
   basis.free_joints.clear();

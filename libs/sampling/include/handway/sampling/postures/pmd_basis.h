@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,8 @@ struct PmdBasis {
   Eigen::VectorXd mean;                        ///< b, shape [joints].
   std::vector<FreeJoint> free_joints;          ///< First axes of SC^h.
   std::vector<PrincipalDirection> directions;  ///< Following axes, by falling variance.
+  /// The recorded postures that it was found in (see read_postures()); empty: not kept.
+  std::filesystem::path postures = {};
 
   /// Axes of the whole SC^h.
   [[nodiscard]] int dimension() const {

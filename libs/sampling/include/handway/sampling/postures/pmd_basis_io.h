@@ -10,6 +10,7 @@
 ///     hand: sah_right            # robot that the joints belong to
 ///     source: "where the numbers come from"
 ///     units: normalised          # joints scaled to [0, 1]
+///     postures: sah_right.csv    # optional: the recorded postures, from this file's folder
 ///     joints: [thumb_base, thumb_abduction, …]
 ///     mean: [0.3055, …]          # one number per joint
 ///     free_joints:               # optional
@@ -24,8 +25,8 @@ namespace handway::sampling {
 /// within 1 %, joint names distinct.
 [[nodiscard]] HANDWAY_SAMPLING_EXPORT PmdBasis read_pmd_basis(const std::filesystem::path& file);
 
-/// Replaces the file whole. Numbers are written with as few digits as give the
-/// same bits when read again. A variance of 0 (not known) is left out.
+/// Replaces the file whole. Postures are named from the file's folder. Numbers are written with as
+/// few digits as give the same bits when read again. A variance of 0 (not known) is left out.
 /// @throws geometric::InputError if the file can't be written.
 HANDWAY_SAMPLING_EXPORT void write_pmd_basis(const PmdBasis& basis,
                                              const std::filesystem::path& file);

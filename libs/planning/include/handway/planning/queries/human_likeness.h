@@ -1,0 +1,63 @@
+#pragma once
+
+#include "handway/planning/core/planning_problem.h"
+#include "handway/planning/export.h"
+#include "handway/planning/paths/path.h"
+#include "handway/sampling/postures/posture_subspace.h"
+#include "handway/sampling/postures/recorded_postures.h"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace handway::planning {
+
+/// How far a hand is from what a person's hand was seen to do; in normalised joints, 0 is as
+/// human as can be.
+struct HandLikeness {
+  double to_subspace = 0.0;           ///< See sampling::PostureSubspace.
+  std::optional<double> to_recorded;  ///< To the nearest recorded posture; nothing without any.
+};
+
+/// Measures how human a robot's hand looks in any configuration.
+class HANDWAY_PLANNING_EXPORT HumanLikeness {
+ public:
+  /// @param model outlives this. @param hand variables of the basis' joints, in its order.
+  /// @param postures may be null. @throws std::invalid_argument for another number of variables.
+  HumanLikeness(const geometric::RobotModel& model, std::vector<int> hand,
+                const sampling::PmdBasis& basis,
+                std::shared_ptr<const sampling::RecordedPostures> postures);
+
+  [[nodiscard]] HandLikeness at(const Configuration& q) const;
+
+  /// `q` with the hand in the recorded posture nearest to its own; nothing without postures.
+  [[nodiscard]] std::optional<Configuration> nearest_recorded(const Configuration& q) const;
+
+ private:
+  [[nodiscard]] Eigen::VectorXd hand_posture(const Configuration& q) const;
+
+  const geometric::RobotModel& model_;
+  std::vector<int> hand_;
+  sampling::PostureSubspace subspace_;
+  std::shared_ptr<const sampling::RecordedPostures> postures_;
+};
+
+/// Mean and largest of a distance along a path.
+struct DistanceAlong {
+  double mean = 0.0;
+  double largest = 0.0;
+};
+
+/// How human the hand looks along a path.
+struct PathLikeness {
+  DistanceAlong to_subspace;
+  std::optional<DistanceAlong> to_recorded;  ///< Nothing without recorded postures.
+};
+
+/// Means are over the path's length in normalised joints, from steps of at most a hundredth.
+/// @throws std::invalid_argument for a path without waypoints.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT PathLikeness path_likeness(const geometric::RobotModel& model,
+                                                                 const HumanLikeness& likeness,
+                                                                 const Path& path);
+
+}  // namespace handway::planning
