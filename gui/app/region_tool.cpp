@@ -9,18 +9,12 @@
 #include <Inventor/nodes/SoSeparator.h>
 #include <QScopedValueRollback>
 
-#include <algorithm>
 #include <exception>
 
 namespace handway::gui {
 namespace {
 
 constexpr int kConfigurations = 700;
-
-bool has_parameter(planning::Planner& planner, std::string_view key) {
-  return std::ranges::any_of(planner.parameters(),
-                             [key](const planning::Parameter& p) { return p.key == key; });
-}
 
 }  // namespace
 
@@ -43,16 +37,13 @@ RegionTool::RegionTool(Document& document, PlanPanel& panel, SceneView& view, QO
 }
 
 void RegionTool::read_planner() {
-  if (busy_writing_) {
-    return;
-  }
-  if (!panel_.planner()) {
+  if (busy_writing_ || !panel_.planner()) {
     return;
   }
   const auto& basis = document_.loaded().basis;
   const int directions = basis ? static_cast<int>(basis->directions.size()) : 0;
   box_->show_region(planning::first_region(*panel_.planner(), directions), directions,
-                    has_parameter(*panel_.planner(), "rho_a"));
+                    planning::parameter_called(panel_.planner()->parameters(), "rho_a") != nullptr);
   update();
 }
 

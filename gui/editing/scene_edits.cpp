@@ -96,13 +96,7 @@ SceneState without_objects(const SceneState& state, const std::vector<std::strin
 
 SceneState with_changed_object(const SceneState& state, std::string_view name,
                                const ObjectChange& change) {
-  Scene scene = *state.scene;
-  for (SceneObject& object : scene.objects) {
-    if (object.name == name) {
-      change(object);
-    }
-  }
-  return with_scene(state, std::move(scene));
+  return with_changed_objects(state, {std::string(name)}, change);
 }
 
 SceneState with_changed_objects(const SceneState& state, const std::vector<std::string>& names,

@@ -1,5 +1,6 @@
 #include "export/pictures_dialog.h"
 
+#include "forms/speed_choice.h"
 #include "plots/strip_figure.h"
 #include "style/theme.h"
 
@@ -117,10 +118,7 @@ QFormLayout* PicturesDialog::make_settings() {
   }
   rates_->setObjectName(QStringLiteral("pictures_rate"));
   rates_->setCurrentIndex(rates_->findData(25));
-  for (const double factor : {0.1, 0.25, 0.5, 1.0, 2.0, 5.0, 10.0}) {
-    speeds_->addItem(QStringLiteral("%1×").arg(factor), factor);
-  }
-  speeds_->setCurrentIndex(speeds_->findData(1.0));
+  offer_speeds(*speeds_);
   speeds_->setToolTip(tr("Of the film; 1× is real time"));
   count_->setProperty("role", "note");
   auto* form = new QFormLayout;

@@ -5,7 +5,6 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QEvent>
 #include <QFormLayout>
 #include <QGridLayout>
 #include <QKeyEvent>
@@ -40,14 +39,13 @@ double roomy(double size) { return std::ceil((size + 0.05) / 0.01) * 0.01; }
 }  // namespace
 
 ArrayCard::ArrayCard(QWidget* host)
-    : QFrame(host),
+    : FloatingCard(host),
       title_(new QLabel),
       kind_(new QComboBox),
       pages_(new QStackedWidget),
       group_(new QCheckBox(tr("Put all into a group"))),
       note_(note({})),
       make_(new QPushButton(tr("Make copies"))) {
-  setAttribute(Qt::WA_StyledBackground);
   setProperty("role", "offer");
   setObjectName(QStringLiteral("array_card"));
   title_->setProperty("role", "heading");
@@ -83,8 +81,6 @@ ArrayCard::ArrayCard(QWidget* host)
   });
   connect(make_, &QPushButton::clicked, this, &ArrayCard::accepted);
   connect(close_button, &QToolButton::clicked, this, &ArrayCard::close);
-  host->installEventFilter(this);
-  hide();
 }
 
 QuantityField* ArrayCard::add_field(const char* name, bool is_angle) {
@@ -172,9 +168,7 @@ void ArrayCard::begin(const QString& objects, const geometric::Aabb& box) {
   angle_->show_quantity(2.0 * std::numbers::pi);
   turning_->setChecked(true);
   blockSignals(was_blocked);
-  show();
-  place();
-  raise();
+  appear();
   counts_.front()->setFocus();
 }
 
@@ -219,15 +213,8 @@ void ArrayCard::keyPressEvent(QKeyEvent* event) {
   } else if (event->key() == Qt::Key_Return && make_->isEnabled()) {
     emit accepted();
   } else {
-    QFrame::keyPressEvent(event);
+    FloatingCard::keyPressEvent(event);
   }
-}
-
-bool ArrayCard::eventFilter(QObject* watched, QEvent* event) {
-  if (event->type() == QEvent::Resize && !isHidden()) {
-    place();
-  }
-  return QFrame::eventFilter(watched, event);
 }
 
 void ArrayCard::place() {

@@ -1,8 +1,7 @@
 #pragma once
 
 #include "editing/arrange.h"
-
-#include <QFrame>
+#include "panels/floating_card.h"
 
 #include <array>
 
@@ -18,7 +17,7 @@ namespace handway::gui {
 class QuantityField;
 
 /// A card at the view's upper right: how many copies, how far apart.
-class ArrayCard : public QFrame {
+class ArrayCard : public FloatingCard {
   Q_OBJECT
 
  public:
@@ -39,7 +38,6 @@ class ArrayCard : public QFrame {
   void closed();
 
  protected:
-  bool eventFilter(QObject* watched, QEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
@@ -48,7 +46,7 @@ class ArrayCard : public QFrame {
   QuantityField* add_field(const char* name, bool is_angle);
   QSpinBox* add_count(const char* name, int least);
   void close();
-  void place();
+  void place() override;
 
   QLabel* title_;
   QComboBox* kind_;

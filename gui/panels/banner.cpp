@@ -3,7 +3,6 @@
 #include "style/icons.h"
 #include "style/theme.h"
 
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -16,13 +15,12 @@
 
 namespace handway::gui {
 Banner::Banner(QWidget* host)
-    : QFrame(host),
+    : FloatingCard(host),
       picture_(new QLabel),
       text_(new QLabel),
       answers_(new QWidget),
       accept_(new QPushButton),
       refuse_(new QPushButton) {
-  setAttribute(Qt::WA_StyledBackground);
   text_->setWordWrap(true);
   text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   text_->setObjectName(QStringLiteral("banner_text"));
@@ -52,8 +50,6 @@ Banner::Banner(QWidget* host)
   layout->addWidget(text_, 1);
   layout->addWidget(answers_, 0, Qt::AlignVCenter);
   layout->addWidget(close, 0, Qt::AlignTop);
-  host->installEventFilter(this);
-  hide();
 }
 
 void Banner::show_message(const QString& title, const QString& message) {
@@ -87,19 +83,10 @@ void Banner::show_text(const QString& title, const QString& message, bool is_off
   answers_->setVisible(is_offer);
   text_->setText(
       QStringLiteral("<b>%1</b><br>%2").arg(title.toHtmlEscaped(), message.toHtmlEscaped()));
-  show();
-  place();
-  raise();
+  appear();
 }
 
 QString Banner::message() const { return text_->text(); }
-
-bool Banner::eventFilter(QObject* watched, QEvent* event) {
-  if (event->type() == QEvent::Resize && isVisible()) {
-    place();
-  }
-  return QFrame::eventFilter(watched, event);
-}
 
 void Banner::place() {
   const int width = std::min(parentWidget()->width() - 32, 760);

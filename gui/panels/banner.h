@@ -1,6 +1,6 @@
 #pragma once
 
-#include <QFrame>
+#include "panels/floating_card.h"
 
 #include <functional>
 
@@ -11,7 +11,7 @@ namespace handway::gui {
 
 /// One message over the view that does not stop anybody: what went wrong, or what
 /// could be done, and a button to put it away.
-class Banner : public QFrame {
+class Banner : public FloatingCard {
   Q_OBJECT
 
  public:
@@ -27,12 +27,9 @@ class Banner : public QFrame {
              std::function<void()> on_refuse);
   [[nodiscard]] QString message() const;
 
- protected:
-  bool eventFilter(QObject* watched, QEvent* event) override;
-
  private:
   void show_text(const QString& title, const QString& message, bool is_offer);
-  void place();
+  void place() override;
 
   QLabel* picture_;
   QLabel* text_;

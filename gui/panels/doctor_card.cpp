@@ -3,7 +3,6 @@
 #include "style/icons.h"
 #include "style/theme.h"
 
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -67,12 +66,11 @@ QString diagnosis_text(const geometric::RobotModel& model, const EndDiagnosis& e
 }
 
 DoctorCard::DoctorCard(QWidget* host)
-    : QFrame(host),
+    : FloatingCard(host),
       picture_(new QLabel),
       text_(new QLabel),
       show_(new QPushButton(tr("Show"))),
       use_(new QPushButton(tr("Use it"))) {
-  setAttribute(Qt::WA_StyledBackground);
   setProperty("role", "banner");
   setObjectName(QStringLiteral("doctor"));
   text_->setWordWrap(true);
@@ -99,8 +97,6 @@ DoctorCard::DoctorCard(QWidget* host)
   layout->addWidget(show_, 0, Qt::AlignVCenter);
   layout->addWidget(use_, 0, Qt::AlignVCenter);
   layout->addWidget(close, 0, Qt::AlignTop);
-  host->installEventFilter(this);
-  hide();
 }
 
 void DoctorCard::show_diagnoses(const std::shared_ptr<const geometric::RobotModel>& model,
@@ -114,19 +110,10 @@ void DoctorCard::show_diagnoses(const std::shared_ptr<const geometric::RobotMode
   text_->setText(diagnosis_text(*model, end_));
   show_->setVisible(end_.nearest.q.has_value());
   use_->setVisible(end_.nearest.q.has_value());
-  show();
-  place();
-  raise();
+  appear();
 }
 
 QString DoctorCard::text() const { return isHidden() ? QString() : text_->text(); }
-
-bool DoctorCard::eventFilter(QObject* watched, QEvent* event) {
-  if (event->type() == QEvent::Resize && !isHidden()) {
-    place();
-  }
-  return QFrame::eventFilter(watched, event);
-}
 
 void DoctorCard::place() {
   constexpr int kLeft = 108;  // of it stands the axes cross

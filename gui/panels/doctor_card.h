@@ -1,8 +1,7 @@
 #pragma once
 
+#include "panels/floating_card.h"
 #include "workers/query_doctor.h"
-
-#include <QFrame>
 
 #include <memory>
 #include <vector>
@@ -14,7 +13,7 @@ namespace handway::gui {
 
 /// Floats at the foot of the view while start or goal can't be planned with: says what touches
 /// what, how deep and where, and offers the nearest free posture.
-class DoctorCard : public QFrame {
+class DoctorCard : public FloatingCard {
   Q_OBJECT
 
  public:
@@ -32,11 +31,8 @@ class DoctorCard : public QFrame {
   /// A click on Use it.
   void accepted(bool is_start, const Eigen::VectorXd& q);
 
- protected:
-  bool eventFilter(QObject* watched, QEvent* event) override;
-
  private:
-  void place();
+  void place() override;
 
   QLabel* picture_;
   QLabel* text_;

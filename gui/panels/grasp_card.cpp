@@ -3,7 +3,6 @@
 #include "handway/geometric/math/units.h"
 #include "style/icons.h"
 
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -37,12 +36,11 @@ QString row_tip(const planning::Pregrasp& grasp) {
 }  // namespace
 
 GraspCard::GraspCard(QWidget* host)
-    : QFrame(host),
+    : FloatingCard(host),
       title_(new QLabel),
       note_(new QLabel),
       list_(new QTreeWidget),
       plan_(new QPushButton(tr("Plan to this grasp"))) {
-  setAttribute(Qt::WA_StyledBackground);
   setProperty("role", "offer");
   setObjectName(QStringLiteral("grasps"));
   title_->setProperty("role", "heading");
@@ -100,8 +98,6 @@ GraspCard::GraspCard(QWidget* host)
   layout->addWidget(note_);
   layout->addWidget(list_, 1);
   layout->addWidget(plan_);
-  host->installEventFilter(this);
-  hide();
 }
 
 void GraspCard::show_search(const QString& object) {
@@ -135,16 +131,7 @@ void GraspCard::set_up(const QString& title, const QString& note, bool with_list
   note_->setText(note);
   list_->setVisible(with_list);
   plan_->setVisible(with_list);
-  show();
-  place();
-  raise();
-}
-
-bool GraspCard::eventFilter(QObject* watched, QEvent* event) {
-  if (event->type() == QEvent::Resize && !isHidden()) {
-    place();
-  }
-  return QFrame::eventFilter(watched, event);
+  appear();
 }
 
 void GraspCard::place() {

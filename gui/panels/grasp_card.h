@@ -1,8 +1,7 @@
 #pragma once
 
 #include "handway/planning/grasps/pregrasp_search.h"
-
-#include <QFrame>
+#include "panels/floating_card.h"
 
 #include <vector>
 
@@ -13,7 +12,7 @@ class QTreeWidget;
 namespace handway::gui {
 
 /// Floats in a corner of the view: ways to grasp an object, the best first, to choose from.
-class GraspCard : public QFrame {
+class GraspCard : public FloatingCard {
   Q_OBJECT
 
  public:
@@ -30,12 +29,9 @@ class GraspCard : public QFrame {
   void chosen(int index);
   void closed();
 
- protected:
-  bool eventFilter(QObject* watched, QEvent* event) override;
-
  private:
   void set_up(const QString& title, const QString& note, bool with_list);
-  void place();
+  void place() override;
 
   QLabel* title_;
   QLabel* note_;

@@ -1,5 +1,6 @@
 #include "panels/joint_groups.h"
 
+#include "handway/planning/queries/fingertips.h"
 #include "handway/planning/queries/palm_ik.h"
 
 #include <algorithm>
@@ -41,20 +42,7 @@ int palm_link(const geometric::RobotModel& model, const JointGroups& groups) {
 }
 
 std::vector<int> fingertips(const geometric::RobotModel& model, const JointGroups& groups) {
-  std::vector<int> tips;
-  for (int leaf = 0; leaf < model.link_count(); ++leaf) {
-    bool is_leaf = true;
-    for (int link = 1; link < model.link_count(); ++link) {
-      is_leaf = is_leaf && model.parent(link) != leaf;
-    }
-    for (int link = leaf; is_leaf && link > 0; link = model.parent(link)) {
-      if (contains(groups.hand, model.drive(link).variable)) {
-        tips.push_back(leaf);
-        break;
-      }
-    }
-  }
-  return tips;
+  return planning::fingertips(model, groups.hand);
 }
 
 std::vector<std::vector<int>> moving_parts(const geometric::RobotModel& model,

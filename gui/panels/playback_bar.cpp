@@ -1,5 +1,6 @@
 #include "panels/playback_bar.h"
 
+#include "forms/speed_choice.h"
 #include "style/icons.h"
 #include "workers/path_player.h"
 
@@ -49,7 +50,9 @@ PlaybackBar::PlaybackBar(PathPlayer& player, QWidget* parent)
   time_->setMinimumWidth(86);
   time_->setAlignment(Qt::AlignCenter);
   time_->setProperty("role", "note");
-  fill_speeds();
+  offer_speeds(*speed_);
+  speed_->setObjectName(QStringLiteral("speed"));
+  speed_->setToolTip(tr("Speed of playing; 1× is as fast as the robot can go"));
   show_->setPopupMode(QToolButton::InstantPopup);
   show_->setMenu(traces_);
   traces_->setToolTipsVisible(true);
@@ -101,15 +104,6 @@ void PlaybackBar::hide_traces() { show_->hide(); }
 
 QList<QToolButton*> PlaybackBar::buttons() const {
   return {back_, frame_back_, play_, frame_forward_, forward_, reverse_, loop_};
-}
-
-void PlaybackBar::fill_speeds() {
-  for (const double factor : {0.1, 0.25, 0.5, 1.0, 2.0, 5.0, 10.0}) {
-    speed_->addItem(QStringLiteral("%1×").arg(factor), factor);
-  }
-  speed_->setObjectName(QStringLiteral("speed"));
-  speed_->setCurrentIndex(speed_->findData(1.0));
-  speed_->setToolTip(tr("Speed of playing; 1× is as fast as the robot can go"));
 }
 
 void PlaybackBar::refresh_icons() {

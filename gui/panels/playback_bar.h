@@ -31,7 +31,6 @@ class PlaybackBar : public QWidget {
  private:
   QToolButton* make_button(const QString& name, const QString& tip);
   [[nodiscard]] QList<QToolButton*> buttons() const;
-  void fill_speeds();
   void show_position();
   void show_timeline();
 

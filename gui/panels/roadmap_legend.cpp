@@ -4,7 +4,6 @@
 #include "view3d/roadmap_node.h"
 
 #include <QColor>
-#include <QEvent>
 #include <QLabel>
 #include <QLocale>
 #include <QVBoxLayout>
@@ -44,8 +43,7 @@ QString note_of(const PalmRoadmap& roadmap, int most) {
 }  // namespace
 
 RoadmapLegend::RoadmapLegend(QWidget* host)
-    : QFrame(host), title_(new QLabel), note_(new QLabel), counts_(new QLabel) {
-  setAttribute(Qt::WA_StyledBackground);
+    : FloatingCard(host), title_(new QLabel), note_(new QLabel), counts_(new QLabel) {
   setAttribute(Qt::WA_TransparentForMouseEvents);
   setProperty("role", "legend");
   setObjectName(QStringLiteral("roadmap_legend"));
@@ -59,8 +57,6 @@ RoadmapLegend::RoadmapLegend(QWidget* host)
   for (QLabel* label : {title_, note_, counts_}) {
     layout->addWidget(label);
   }
-  host->installEventFilter(this);
-  hide();
 }
 
 void RoadmapLegend::show_roadmap(const SharedRoadmap& roadmap) {
@@ -85,15 +81,7 @@ void RoadmapLegend::show_roadmap(const SharedRoadmap& roadmap) {
   }
   counts_->setText(QStringLiteral("<table cellspacing='0'>%1</table>").arg(rows));
   counts_->setVisible(most > 0);
-  show();
-  place();
-}
-
-bool RoadmapLegend::eventFilter(QObject* watched, QEvent* event) {
-  if (event->type() == QEvent::Resize && !isHidden()) {
-    place();
-  }
-  return QFrame::eventFilter(watched, event);
+  appear();
 }
 
 void RoadmapLegend::place() {

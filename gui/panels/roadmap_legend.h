@@ -1,8 +1,7 @@
 #pragma once
 
+#include "panels/floating_card.h"
 #include "workers/palm_roadmap.h"
-
-#include <QFrame>
 
 class QLabel;
 
@@ -10,7 +9,7 @@ namespace handway::gui {
 
 /// Floats in a corner of the view: how many nodes and edges a roadmap has, and which
 /// colour stands for which number of principal motion directions.
-class RoadmapLegend : public QFrame {
+class RoadmapLegend : public FloatingCard {
   Q_OBJECT
 
  public:
@@ -19,11 +18,8 @@ class RoadmapLegend : public QFrame {
   /// @param roadmap null or empty hides it.
   void show_roadmap(const SharedRoadmap& roadmap);
 
- protected:
-  bool eventFilter(QObject* watched, QEvent* event) override;
-
  private:
-  void place();
+  void place() override;
 
   QLabel* title_;
   QLabel* note_;

@@ -5,12 +5,10 @@
 #include <QEvent>
 #include <QMouseEvent>
 #include <QPainter>
-#include <QPalette>
 #include <QPen>
 #include <QVBoxLayout>
 #include <qwt_plot.h>
 #include <qwt_plot_canvas.h>
-#include <qwt_plot_grid.h>
 #include <qwt_plot_item.h>
 #include <qwt_plot_magnifier.h>
 #include <qwt_plot_panner.h>
@@ -241,20 +239,11 @@ bool ProjectionPlot::eventFilter(QObject* watched, QEvent* event) {
 
 void ProjectionPlot::set_colors(const ProjectionColors& colors) {
   colors_ = colors;
-  QPalette palette;
-  palette.setColor(QPalette::Window, colors.paper);
-  palette.setColor(QPalette::WindowText, colors.faint);
-  palette.setColor(QPalette::Text, colors.faint);
-  plot_->setPalette(palette);
-  plot_->canvas()->setPalette(palette);
-  plot_->setCanvasBackground(colors.paper);
+  color_plot(*plot_, {colors.paper, colors.faint, colors.grid});
   for (const int axis : {QwtPlot::xBottom, QwtPlot::yLeft}) {
     QwtText title = plot_->axisTitle(axis);
     title.setColor(colors.ink);
     plot_->setAxisTitle(axis, title);
-  }
-  for (QwtPlotItem* item : plot_->itemList(QwtPlotItem::Rtti_PlotGrid)) {
-    static_cast<QwtPlotGrid*>(item)->setMajorPen(colors.grid, 0.75);
   }
   plot_->replot();
 }

@@ -4,6 +4,7 @@
 #include "view3d/round_points.h"
 #include "view3d/shape_node.h"
 #include "view3d/unlit_style.h"
+#include "view3d/vertices.h"
 #include "view3d/view_colors.h"
 
 #include <Inventor/nodes/SoBaseColor.h>
@@ -33,16 +34,6 @@ namespace {
 
 constexpr float kBeadRadius = 0.005F;  // m
 constexpr geometric::Color kContactColor{0.93F, 0.05F, 0.60F, 1.0F};
-
-SoVertexProperty* make_vertices(std::span<const Eigen::Vector3d> points) {
-  std::vector<SbVec3f> vertices;
-  for (const Eigen::Vector3d& point : points) {
-    vertices.push_back(to_coin(point));
-  }
-  auto* properties = new SoVertexProperty;
-  properties->vertex.setValues(0, static_cast<int>(vertices.size()), vertices.data());
-  return properties;
-}
 
 SoSeparator* make_line(std::span<const Eigen::Vector3d> points, float width) {
   auto* separator = new SoSeparator;

@@ -1,9 +1,9 @@
 #include "view3d/region_node.h"
 
-#include "view3d/coin_conversions.h"
 #include "view3d/round_points.h"
 #include "view3d/shape_node.h"
 #include "view3d/unlit_style.h"
+#include "view3d/vertices.h"
 
 #include <Inventor/nodes/SoAnnotation.h>
 #include <Inventor/nodes/SoLineSet.h>
@@ -12,22 +12,11 @@
 #include <Inventor/nodes/SoVertexProperty.h>
 
 #include <span>
-#include <vector>
 
 namespace handway::gui {
 namespace {
 
 constexpr float kVeil = 0.30F;  // opacity of one sample
-
-SoVertexProperty* make_vertices(std::span<const Eigen::Vector3d> points) {
-  std::vector<SbVec3f> places;
-  for (const Eigen::Vector3d& point : points) {
-    places.push_back(to_coin(point));
-  }
-  auto* vertices = new SoVertexProperty;
-  vertices->vertex.setValues(0, static_cast<int>(places.size()), places.data());
-  return vertices;
-}
 
 void add_dots(SoSeparator& parent, std::span<const Eigen::Vector3d> points, geometric::Color color,
               float opacity, float width) {

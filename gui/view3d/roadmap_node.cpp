@@ -1,12 +1,12 @@
 #include "view3d/roadmap_node.h"
 
 #include "view3d/coin_conversions.h"
+#include "view3d/edges_node.h"
 #include "view3d/pmd_colors.h"
 #include "view3d/round_points.h"
 #include "view3d/unlit_style.h"
+#include "view3d/vertices.h"
 
-#include <Inventor/nodes/SoBaseColor.h>
-#include <Inventor/nodes/SoLineSet.h>
 #include <Inventor/nodes/SoSeparator.h>
 #include <Inventor/nodes/SoVertexProperty.h>
 
@@ -21,39 +21,15 @@ constexpr float kDotWidth = 6.0F;
 constexpr float kLineWidth = 1.0F;
 constexpr geometric::Color kEdgeColor{0.52F, 0.58F, 0.67F, 1.0F};
 
-SoSeparator* make_edges(const PalmRoadmap& roadmap) {
-  auto* separator = new SoSeparator;
-  add_unlit_style(*separator, kLineWidth);
-  auto* color = new SoBaseColor;
-  color->rgb = to_coin(kEdgeColor);
-  separator->addChild(color);
-  std::vector<SbVec3f> ends;
-  for (const auto& [from, to] : roadmap.roadmap.edges) {
-    ends.push_back(to_coin(roadmap.palms[static_cast<std::size_t>(from)]));
-    ends.push_back(to_coin(roadmap.palms[static_cast<std::size_t>(to)]));
-  }
-  const std::vector<std::int32_t> two_each(roadmap.roadmap.edges.size(), 2);
-  auto* vertices = new SoVertexProperty;
-  vertices->vertex.setValues(0, static_cast<int>(ends.size()), ends.data());
-  auto* lines = new SoLineSet;
-  lines->vertexProperty = vertices;
-  lines->numVertices.setValues(0, static_cast<int>(two_each.size()), two_each.data());
-  separator->addChild(lines);
-  return separator;
-}
-
 SoSeparator* make_dots(const PalmRoadmap& roadmap) {
   auto* separator = new SoSeparator;
   add_unlit_style(*separator, kLineWidth, kDotWidth);
   const int most = most_pmds(roadmap);
-  std::vector<SbVec3f> places;
   std::vector<std::uint32_t> colors;
-  for (std::size_t i = 0; i < roadmap.palms.size(); ++i) {
-    places.push_back(to_coin(roadmap.palms[i]));
-    colors.push_back(packed_rgba(pmd_color(roadmap.roadmap.nodes[i].pmd_count, most)));
+  for (const auto& node : roadmap.roadmap.nodes) {
+    colors.push_back(packed_rgba(pmd_color(node.pmd_count, most)));
   }
-  auto* vertices = new SoVertexProperty;
-  vertices->vertex.setValues(0, static_cast<int>(places.size()), places.data());
+  SoVertexProperty* vertices = make_vertices(roadmap.palms);
   vertices->orderedRGBA.setValues(0, static_cast<int>(colors.size()), colors.data());
   vertices->materialBinding = SoVertexProperty::PER_VERTEX;
   auto* dots = new RoundPoints;
@@ -67,7 +43,8 @@ SoSeparator* make_dots(const PalmRoadmap& roadmap) {
 CoinRef<SoSeparator> make_roadmap_node(const PalmRoadmap& roadmap) {
   auto separator = make_coin<SoSeparator>();
   if (!roadmap.roadmap.edges.empty()) {
-    separator->addChild(make_edges(roadmap));
+    separator->addChild(
+        make_edges_node(roadmap.palms, roadmap.roadmap.edges, kEdgeColor, kLineWidth));
   }
   separator->addChild(make_dots(roadmap));
   return separator;

@@ -1,5 +1,6 @@
 #include "workers/motion_curves.h"
 
+#include "handway/geometric/robot/normalised_joints.h"
 #include "handway/planning/timing/certified_blends.h"
 #include "handway/planning/timing/time_law.h"
 
@@ -9,19 +10,6 @@ namespace handway::gui {
 namespace {
 
 constexpr double kPeriod = 0.01;  // s
-
-// The hand's joints, normalised, in the order of the basis.
-Eigen::VectorXd hand_posture(const planning::PlanningProblem& problem,
-                             const geometric::Configuration& q) {
-  const geometric::RobotModel& model = problem.model();
-  Eigen::VectorXd posture(static_cast<Eigen::Index>(problem.hand.size()));
-  Eigen::Index i = 0;
-  for (const int variable : problem.hand) {
-    const double range = model.upper()[variable] - model.lower()[variable];
-    posture[i++] = (q[variable] - model.lower()[variable]) / range;
-  }
-  return posture;
-}
 
 }  // namespace
 
@@ -58,8 +46,9 @@ MotionCurves motion_curves(const planning::PlanningProblem& problem,
     curves.clearance.push_back(std::min(closest.distance, kMostClearance));
     curves.closest.push_back(is_near ? closest.a + " with " + closest.b : std::string());
     if (problem.basis) {
+      const Eigen::VectorXd joints = geometric::normalised(problem.model(), point.position);
       curves.unlikeness.push_back(
-          sampling::distance_to_subspace(*problem.basis, hand_posture(problem, point.position)));
+          sampling::distance_to_subspace(*problem.basis, joints(problem.hand)));
     }
   }
   return curves;

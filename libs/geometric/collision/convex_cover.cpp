@@ -32,8 +32,8 @@ bool contains(const Simplex& base, const Eigen::Vector3d& top, const Eigen::Vect
   return shares.allFinite() && shares.minCoeff() >= 0.0 && shares.sum() <= 1.0;
 }
 
-/// Way from the nearest point of the hull of `points` to `p`, as far as it is known to
-/// be more than `margin`; zero where p is nearer than that.
+/// The way from the hull of `points` to `p`: from its nearest point or, where the search ends
+/// early, from one near that. Zero where p is within `margin` (m) of the hull.
 ///
 /// Source: Gilbert, Johnson and Keerthi, "A fast procedure for computing the distance
 /// between complex objects in three-dimensional space", 1988.

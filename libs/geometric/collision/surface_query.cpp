@@ -122,10 +122,8 @@ void SurfaceQuery::visit(std::uint32_t index) {
     const Eigen::Vector3d centre = X_BA_ * Eigen::Vector3d(node.x[k], node.y[k], node.z[k]);
     const auto radius = static_cast<double>(node.radius[k]);
     const bool is_leaf = (node.child[k] & SphereCover::kLeaf) != 0;
-    if (is_leaf || patience_ <= 1) {
-      if (parted_by_plane()) {
-        return;
-      }
+    if ((is_leaf || patience_ <= 1) && parted_by_plane()) {
+      return;
     }
     if ((is_leaf || --patience_ < 0) &&
         !is_nearer_than(*b_.mesh, b_.boxes, centre, radius + least_)) {

@@ -135,14 +135,7 @@ Attachment attachment_of(const YamlElement& element, const Scene& scene) {
 
 bool flag_of(const YamlElement& object, const char* key) {
   const std::optional<YamlElement> flag = object.find(key);
-  if (!flag) {
-    return false;
-  }
-  const std::string word = flag->text();
-  if (word != "true" && word != "false") {
-    flag->refuse(flag->found(), "true or false");
-  }
-  return word == "true";
+  return flag && flag->flag();
 }
 
 }  // namespace

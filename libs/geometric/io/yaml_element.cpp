@@ -168,6 +168,14 @@ std::string YamlElement::text() const {
   return node_->yaml.Scalar();
 }
 
+bool YamlElement::flag() const {
+  const std::string word = text();
+  if (word != "true" && word != "false") {
+    refuse(found(), "true or false");
+  }
+  return word == "true";
+}
+
 double YamlElement::number() const {
   const std::optional<double> value =
       is_scalar() ? parse_number(node_->yaml.Scalar()) : std::nullopt;

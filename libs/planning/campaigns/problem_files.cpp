@@ -66,13 +66,7 @@ Found find_problem(const std::string& text, const fs::path& folder) {
 
 bool is_optional(const YamlElement& problem) {
   const std::optional<YamlElement> flag = problem.find("optional");
-  if (!flag) {
-    return false;
-  }
-  if (flag->text() != "true" && flag->text() != "false") {
-    flag->refuse(flag->found(), "true or false");
-  }
-  return flag->text() == "true";
+  return flag && flag->flag();
 }
 
 }  // namespace

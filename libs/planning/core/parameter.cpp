@@ -77,9 +77,14 @@ std::string to_text(const Parameter& parameter) {
       parameter.value);
 }
 
-const Parameter& find_parameter(const std::vector<Parameter>& parameters, std::string_view key) {
+const Parameter* parameter_called(const std::vector<Parameter>& parameters, std::string_view key) {
   const auto found = std::ranges::find(parameters, key, &Parameter::key);
-  if (found == parameters.end()) {
+  return found == parameters.end() ? nullptr : &*found;
+}
+
+const Parameter& find_parameter(const std::vector<Parameter>& parameters, std::string_view key) {
+  const Parameter* found = parameter_called(parameters, key);
+  if (!found) {
     std::vector<std::string> keys;
     std::ranges::transform(parameters, std::back_inserter(keys), &Parameter::key);
     throw geometric::InputError({"parameter", std::string(key), "a name that the planner has not",

@@ -1,7 +1,7 @@
 #include "grasps/hand_closing.h"
 
-#include "handway/geometric/collision/collision_world.h"
 #include "handway/geometric/robot/normalised_joints.h"
+#include "handway/planning/queries/fingertips.h"
 #include "handway/sampling/sequences/random_stream.h"
 
 #include <Eigen/Geometry>
@@ -72,10 +72,7 @@ void HandClosing::find_fingers() {
     }
   }
   for (auto& [root, finger] : by_root) {
-    const geometric::TriangleMesh tip = geometric::collision_mesh(model.link(finger.links.back()));
-    if (!tip.vertices.empty()) {
-      finger.p_LTip = geometric::bounding_box(tip).centre();
-    }
+    finger.p_LTip = middle_of(model.link(finger.links.back()));
     fingers_.push_back(std::move(finger));
   }
 }

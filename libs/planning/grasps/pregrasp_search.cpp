@@ -24,7 +24,6 @@ constexpr double kNear = 0.015;     // m, of a finger at the object
 constexpr double kEnclosure = 0.5;  // at least: thumb and a finger at right angles
 constexpr double kClear = 0.05;     // m that is not told apart
 constexpr double kMost = 0.16;      // m, of the object's second longest side
-constexpr double kFingers = 0.0;    // m, of thumb and finger where they touch
 constexpr double kRoom = 0.06;      // m, that an opened hand may be wider than that
 constexpr double kAside = 0.015;    // m
 constexpr double kDeepest = 0.4;    // of the way from the fingertips to the palm
@@ -80,22 +79,13 @@ class Search {
     }
   }
 
-  void find_middles() {
-    for (const geometric::CollisionBody& body : checker_->world().bodies()) {
-      if (body.moves() && !body.is_carried) {
-        middles_[static_cast<std::size_t>(body.link)] =
-            geometric::bounding_box(*body.mesh).centre();
-      }
-    }
-  }
-
   [[nodiscard]] bool fits() const { return middle_side_ < kMost && !hand_.preshapes().empty(); }
 
   void try_sample(sampling::RandomStream random) {
     const auto& preshape = hand_.preshapes()[random.below(hand_.preshapes().size())];
     const Pose X_OP = palm_at(preshape, random);
     const double width = width_along(X_OP.linear() * preshape.opposition);
-    if (preshape.opening < width + kFingers || preshape.opening > width + kFingers + kRoom) {
+    if (preshape.opening < width || preshape.opening > width + kRoom) {
       return;  // it does not fit, or the hand would close on from too far
     }
     const Configuration opened = hand_.with_hand(problem_.start, preshape.open);
@@ -139,6 +129,15 @@ class Search {
   }
 
  private:
+  void find_middles() {
+    for (const geometric::CollisionBody& body : checker_->world().bodies()) {
+      if (body.moves() && !body.is_carried) {
+        middles_[static_cast<std::size_t>(body.link)] =
+            geometric::bounding_box(*body.mesh).centre();
+      }
+    }
+  }
+
   /// The fingers side by side along one of the object's edges, more or less, and the object
   /// between them and the thumb.
   [[nodiscard]] Pose palm_at(const HandClosing::Preshape& preshape,

@@ -1,13 +1,12 @@
 #include "handway/planning/queries/region_draws.h"
 
-#include "handway/geometric/collision/collision_world.h"
 #include "handway/geometric/io/input_error.h"
+#include "handway/planning/queries/fingertips.h"
 #include "handway/sampling/sequences/random_stream.h"
 #include "planners/hand_arm_space.h"
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 namespace handway::planning {
 namespace {
@@ -18,12 +17,6 @@ using geometric::RobotModel;
 constexpr int kMotionPieces = 64;
 constexpr int kMostCentres = 65;
 constexpr double kMostPalms = 0.9;  // share within RegionDraws::palm_reach
-
-const Parameter* find(const std::vector<Parameter>& parameters, std::string_view key) {
-  const auto found =
-      std::ranges::find_if(parameters, [key](const Parameter& p) { return p.key == key; });
-  return found == parameters.end() ? nullptr : &*found;
-}
 
 double quantile(std::vector<double> values, double share) {
   if (values.empty()) {
@@ -44,15 +37,15 @@ std::optional<SamplingRegion> first_region(Planner& planner, int directions) {
     region.hand = HandSpace::kAllJoints;
   }
   const std::vector<Parameter> parameters = planner.parameters();
-  const Parameter* rho = find(parameters, "rho_a");
+  const Parameter* rho = parameter_called(parameters, "rho_a");
   if (!rho) {
     return planner.capabilities().uses_pmds ? std::optional(region) : std::nullopt;
   }
   region.rho_a = *std::get<double*>(rho->value);
-  if (const Parameter* corridor = find(parameters, "corridor")) {
+  if (const Parameter* corridor = parameter_called(parameters, "corridor")) {
     region.corridor = static_cast<CorridorForm>(*std::get<ChoiceValue>(corridor->value).index);
   }
-  if (const Parameter* pmds = find(parameters, "max_pmds")) {
+  if (const Parameter* pmds = parameter_called(parameters, "max_pmds")) {
     region.pmds = std::min(directions, *std::get<int*>(pmds->value));
   }
   return region;
@@ -60,29 +53,8 @@ std::optional<SamplingRegion> first_region(Planner& planner, int directions) {
 
 RegionPreview::RegionPreview(const PlanningProblem& problem, int palm)
     : problem_(problem), palm_(palm) {
-  find_tips();
-}
-
-// Links that the hand's joints carry and that carry none themselves.
-void RegionPreview::find_tips() {
-  const RobotModel& model = problem_.model();
-  std::set<int> carried;
-  std::set<int> parents;
-  for (const int v : problem_.hand) {
-    carried.insert(model.variable_link(v));
-  }
-  for (int link = 1; link < model.link_count(); ++link) {
-    if (carried.contains(model.parent(link))) {
-      carried.insert(link);
-      parents.insert(model.parent(link));
-    }
-  }
-  for (const int link : carried) {
-    if (!parents.contains(link)) {
-      const geometric::TriangleMesh shape = geometric::collision_mesh(model.link(link));
-      tips_.push_back({link, shape.vertices.empty() ? Eigen::Vector3d(Eigen::Vector3d::Zero())
-                                                    : geometric::bounding_box(shape).centre()});
-    }
+  for (const int link : fingertips(problem.model(), problem.hand)) {
+    tips_.push_back({link, middle_of(problem.model().link(link))});
   }
 }
 

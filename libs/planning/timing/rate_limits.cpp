@@ -63,14 +63,7 @@ RateLimits of_variables(const RobotModel& model, const RatesByJoint& rates) {
 
 bool flag(const YamlElement& joint, const std::string& key) {
   const auto element = joint.find(key);
-  if (!element) {
-    return true;
-  }
-  const std::string text = element->text();
-  if (text != "true" && text != "false") {
-    element->refuse(element->found(), "true or false");
-  }
-  return text == "true";
+  return !element || element->flag();
 }
 
 void read(const YamlElement& joint, const std::string& has, const std::string& key, double& limit) {

@@ -59,14 +59,6 @@ class ArrangingObjects : public EditingTest {
                       tree().visualItemRect(row(text)).center());
   }
   [[nodiscard]] gui::SceneTree& tree() const { return *window().findChild<gui::SceneTree*>(); }
-  [[nodiscard]] QPoint seen(const Eigen::Vector3d& p_W) const {
-    const gui::OrbitCamera& camera = window().view().camera();
-    const Eigen::Vector3d p = camera.orientation().transpose() * (p_W - camera.position());
-    const double unit =
-        window().view().height() / (2.0 * std::tan(gui::OrbitCamera::kFieldOfView / 2.0));
-    return {static_cast<int>(std::lround(0.5 * window().view().width() - unit * p.x() / p.z())),
-            static_cast<int>(std::lround(0.5 * window().view().height() + unit * p.y() / p.z()))};
-  }
   void trigger(const char* menu_text) const {
     for (QAction* action : window().findChildren<QAction*>()) {
       if (action->text().remove(QLatin1Char('&')) == QString::fromUtf8(menu_text)) {

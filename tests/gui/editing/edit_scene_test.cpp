@@ -27,15 +27,6 @@ class EditingAScene : public EditingTest {
     QTest::keyClicks(&box, text);
     QTest::keyClick(&box, Qt::Key_Return);
   }
-  /// Where a point of the world is in the view.
-  [[nodiscard]] QPoint seen(const Eigen::Vector3d& p_W) const {
-    const gui::OrbitCamera& camera = window().view().camera();
-    const Eigen::Vector3d p = camera.orientation().transpose() * (p_W - camera.position());
-    const double unit =
-        window().view().height() / (2.0 * std::tan(gui::OrbitCamera::kFieldOfView / 2.0));
-    return {static_cast<int>(std::lround(0.5 * window().view().width() - unit * p.x() / p.z())),
-            static_cast<int>(std::lround(0.5 * window().view().height() + unit * p.y() / p.z()))};
-  }
 };
 
 TEST_F(EditingAScene, SelectsByAClickInTheView) {

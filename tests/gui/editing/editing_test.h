@@ -1,6 +1,8 @@
 #pragma once
 
 #include "editing/scene_editing.h"
+#include "view3d/scene_view.h"
+#include "view3d/view_gizmo.h"
 #include "window_test.h"
 
 #include <stdexcept>
@@ -27,6 +29,11 @@ class EditingTest : public WindowTest {
       throw std::runtime_error(std::string("no object called ") + name);
     }
     return *found;
+  }
+  /// Where a point of the world is in the view.
+  [[nodiscard]] QPoint seen(const Eigen::Vector3d& p_W) const {
+    const gui::SceneView& view = window().view();
+    return gui::place_of(view.camera(), view.size(), p_W).toPoint();
   }
   void select(const char* name) const {
     editor().select({gui::SceneItem::Kind::kObject, "", name});

@@ -16,14 +16,6 @@ using Kind = SceneItem::Kind;
 
 class MovingThePalm : public EditingTest {
  protected:
-  [[nodiscard]] QPoint seen(const Eigen::Vector3d& p_W) const {
-    const gui::OrbitCamera& camera = window().view().camera();
-    const Eigen::Vector3d p = camera.orientation().transpose() * (p_W - camera.position());
-    const double unit =
-        window().view().height() / (2.0 * std::tan(gui::OrbitCamera::kFieldOfView / 2.0));
-    return {static_cast<int>(std::lround(0.5 * window().view().width() - unit * p.x() / p.z())),
-            static_cast<int>(std::lround(0.5 * window().view().height() + unit * p.y() / p.z()))};
-  }
   [[nodiscard]] static geometric::Configuration bent() { return Eigen::Vector4d(0.2, 1.3, 0, 0); }
   /// Pulls the selected posture's palm along the world's y axis by the length of an arrow.
   void pull(bool let_go = true) const {

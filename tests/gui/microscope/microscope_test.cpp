@@ -7,7 +7,6 @@
 #include "playback/playback_tools.h"
 #include "window_test.h"
 
-#include <QDockWidget>
 #include <QLabel>
 #include <QSlider>
 
@@ -39,10 +38,7 @@ class MicroscopeTest : public WindowTest {
       return;
     }
     open(source_dir() / "scenes" / "can_on_table.yaml");
-    auto& dock = part<QDockWidget>("microscope");
-    dock.show();
-    dock.raise();
-    QTest::qWait(50);
+    show_dock("microscope");
   }
   [[nodiscard]] gui::Microscope& microscope() const {
     return window().playback().microscope()->microscope();

@@ -6,7 +6,6 @@
 #include "window_test.h"
 
 #include <QComboBox>
-#include <QDockWidget>
 #include <QLabel>
 #include <QWheelEvent>
 
@@ -28,10 +27,7 @@ class Plots : public WindowTest {
       return;
     }
     open(cell().post());
-    auto& dock = part<QDockWidget>("plots");
-    dock.show();
-    dock.raise();
-    QTest::qWait(50);
+    show_dock("plots");
   }
   void plan_and_wait() {
     plan();

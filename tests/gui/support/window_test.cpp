@@ -1,5 +1,6 @@
 #include "window_test.h"
 
+#include <QDockWidget>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -35,6 +36,13 @@ void WindowTest::plan() {
 
 void WindowTest::click(const char* button) const {
   QTest::mouseClick(&part<QAbstractButton>(button), Qt::LeftButton);
+}
+
+void WindowTest::show_dock(const char* name) const {
+  auto& dock = part<QDockWidget>(name);
+  dock.show();
+  dock.raise();
+  QTest::qWait(50);
 }
 
 void WindowTest::keep_picture(const char* name) const {

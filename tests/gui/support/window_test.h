@@ -39,6 +39,8 @@ class WindowTest : public ::testing::Test {
     return *widget;
   }
   void click(const char* button) const;
+  /// Shows a dock before the others that share its place.
+  void show_dock(const char* name) const;
   /// Saves a picture of the window in the folder $HANDWAY_PICTURES, if there is one.
   void keep_picture(const char* name) const;
   /// What the plan panel says.

@@ -7,7 +7,6 @@
 #include "window_test.h"
 
 #include <QComboBox>
-#include <QDockWidget>
 #include <QLabel>
 #include <QUndoStack>
 
@@ -19,11 +18,9 @@ using ::testing::SizeIs;
 
 class ProjectionOfTheRoadmap : public WindowTest {
  protected:
-  void show_dock() {
-    part<QDockWidget>("projection").show();
-    part<QDockWidget>("projection").raise();
+  void show_projection() {
     window().resize(1200, 860);
-    QCoreApplication::processEvents();
+    show_dock("projection");
   }
   void settle() {
     ASSERT_TRUE(QTest::qWaitFor([&] { return !tool().is_busy(); }));
@@ -37,14 +34,14 @@ class ProjectionOfTheRoadmap : public WindowTest {
 
 TEST_F(ProjectionOfTheRoadmap, SaysWhatItIsForAtFirst) {
   open(cell().post());
-  show_dock();
+  show_projection();
   EXPECT_TRUE(part<QLabel>("projection_empty").isVisible());
   keep_picture("projection_empty");
 }
 
 TEST_F(ProjectionOfTheRoadmap, HasADotForEveryNode) {
   open(cell().post());
-  show_dock();
+  show_projection();
   plan();
   settle();
   const auto& roadmap = window().session().roadmap()->roadmap;
@@ -59,7 +56,7 @@ TEST_F(ProjectionOfTheRoadmap, HasADotForEveryNode) {
 
 TEST_F(ProjectionOfTheRoadmap, MovesTheRobotToANodeThatIsClicked) {
   open(cell().post());
-  show_dock();
+  show_projection();
   plan();
   settle();
   const int undo = window().editing().editor().undo_stack().count();
@@ -78,7 +75,7 @@ TEST_F(ProjectionOfTheRoadmap, MovesTheRobotToANodeThatIsClicked) {
 
 TEST_F(ProjectionOfTheRoadmap, TellsWhatIsUnderThePointer) {
   open(cell().post());
-  show_dock();
+  show_projection();
   plan();
   settle();
   QMouseEvent move(QEvent::MouseMove, place_of(1), Qt::NoButton, Qt::NoButton, Qt::NoModifier);
@@ -88,7 +85,7 @@ TEST_F(ProjectionOfTheRoadmap, TellsWhatIsUnderThePointer) {
 
 TEST_F(ProjectionOfTheRoadmap, ShowsOtherCoordinates) {
   open(cell().post());
-  show_dock();
+  show_projection();
   plan();
   settle();
   auto& across = part<QComboBox>("projection_x");
@@ -106,7 +103,7 @@ TEST_F(ProjectionOfTheRoadmap, CatchesUpWhenItIsShown) {
   open(cell().post());
   plan();
   EXPECT_TRUE(plot().roadmap().nodes.empty()) << "nobody looks";
-  show_dock();
+  show_projection();
   settle();
   EXPECT_FALSE(plot().roadmap().nodes.empty());
   open(cell().wall());

@@ -49,6 +49,8 @@ class HANDWAY_GEOMETRIC_EXPORT YamlElement {
   [[nodiscard]] std::vector<YamlElement> items() const;
 
   [[nodiscard]] std::string text() const;
+  /// True or false, in these words.
+  [[nodiscard]] bool flag() const;
   /// Finite and within ±10⁶ (metres, radians: what is beyond is a slip of units).
   [[nodiscard]] double number() const;
   /// A list of `count` numbers, shape [count].

@@ -34,7 +34,11 @@ HANDWAY_PLANNING_EXPORT void set_from_text(const Parameter& parameter, std::stri
 /// The current value as text that set_from_text accepts.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::string to_text(const Parameter& parameter);
 
-/// The parameter called `key`.
+/// The parameter called `key`; null if there is none.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT const Parameter* parameter_called(
+    const std::vector<Parameter>& parameters, std::string_view key);
+
+/// The same of one that is there.
 /// @throws InputError naming the keys there are.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT const Parameter& find_parameter(
     const std::vector<Parameter>& parameters, std::string_view key);

@@ -64,8 +64,6 @@ class HANDWAY_PLANNING_EXPORT RegionPreview {
     Eigen::Vector3d p_LTip;  ///< Middle of the link's shape.
   };
 
-  void find_tips();
-
   const PlanningProblem& problem_;
   int palm_;
   std::vector<Tip> tips_;
