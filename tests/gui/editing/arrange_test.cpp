@@ -1,6 +1,7 @@
 #include "editing/arrange.h"
 
 #include "editing/editing_test.h"
+#include "editing/resting.h"
 #include "forms/quantity_field.h"
 #include "handway/geometric/io/scene_reader.h"
 #include "panels/array_card.h"
@@ -196,7 +197,7 @@ TEST_F(ArrangingObjects, DropsThemOneOnTheOther) {
                                                       Eigen::Vector3d(0.0, 0.0, 0.5))));
   actions().drop->trigger();
   EXPECT_NEAR(place("c").z(), 0.04, 1e-9);
-  EXPECT_NEAR(place("a").z(), 0.10, 1e-9);
+  EXPECT_NEAR(place("a").z(), 0.10 + gui::kRestingGap, 1e-9);
 }
 
 TEST_F(ArrangingObjects, KeepsAGroupTogether) {
