@@ -1,5 +1,6 @@
 #include "app/main_window.h"
 
+#include "app/body_display_tool.h"
 #include "app/collision_display.h"
 #include "app/dock_layout.h"
 #include "app/file_commands.h"
@@ -8,6 +9,7 @@
 #include "app/plan_options.h"
 #include "app/planning_views.h"
 #include "app/posing.h"
+#include "app/preference_effects.h"
 #include "app/query_check.h"
 #include "app/recent_files.h"
 #include "app/view_actions.h"
@@ -17,8 +19,8 @@
 #include "editing/recovery.h"
 #include "editing/scene_editing.h"
 #include "export/export_dialog.h"
+#include "forms/wheel_guard.h"
 #include "glove/glove_panel.h"
-#include "handway/geometric/io/mesh_reader.h"
 #include "panels/banner.h"
 #include "panels/collision_label.h"
 #include "panels/frame_rate_label.h"
@@ -40,12 +42,9 @@
 
 #include <QApplication>
 #include <QCloseEvent>
-#include <QDragEnterEvent>
 #include <QFileInfo>
 #include <QMenu>
-#include <QMimeData>
 #include <QPushButton>
-#include <QSettings>
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QUndoView>
@@ -70,7 +69,9 @@ MainWindow::MainWindow(std::shared_ptr<planning::Extensions> extensions, QWidget
       start_page_(new StartPage),
       palette_(new CommandPalette(*this)),
       actions_(std::make_unique<WindowActions>(*this)),
-      view_actions_(std::make_unique<ViewActions>(*this, *actions_, *view_)),
+      body_display_(std::make_unique<BodyDisplayTool>(document_, *view_)),
+      view_actions_(
+          std::make_unique<ViewActions>(*this, *actions_, *view_, *body_display_, preferences_)),
       playback_tools_(std::make_unique<PlaybackTools>(
           PlaybackParts{*this, *actions_, document_, player_, *view_, *playback_, *plan_panel_,
                         extensions_->planners()})),
@@ -81,6 +82,7 @@ MainWindow::MainWindow(std::shared_ptr<planning::Extensions> extensions, QWidget
       recovery_(std::make_unique<Recovery>(document_, editing_->editor(), *plan_panel_, *banner_)) {
   setWindowTitle(tr("Handway"));
   setAcceptDrops(true);
+  new WheelGuard(this);
   build_docks();
   session_ = std::make_unique<PlanningSession>(document_, *plan_panel_, player_);
   planning_views_->follow(*session_, *actions_->samples);
@@ -89,6 +91,8 @@ MainWindow::MainWindow(std::shared_ptr<planning::Extensions> extensions, QWidget
   palm_tool_ =
       std::make_unique<PalmTool>(document_, editing_->editor(), *posing_, *session_, *view_);
   view_->set_colors(colors_of(current_theme()).view);
+  preference_effects_ =
+      std::make_unique<PreferenceEffects>(preferences_, *view_, *plan_panel_, *recovery_);
   connect_actions();
   connect_start();
   connect_document();
@@ -162,7 +166,13 @@ void MainWindow::connect_actions() {
     log_->add(LogPanel::Level::kNote, tr("Exported %1").arg(file));
   });
   actions_->dark->setChecked(current_theme() == Theme::kDark);
-  connect(actions_->dark, &QAction::toggled, this, &MainWindow::toggle_theme);
+  connect(actions_->dark, &QAction::toggled, this, [this](bool dark) {
+    show_theme(dark ? Theme::kDark : Theme::kLight);
+    preferences_.set(&PreferenceValues::theme, current_theme());
+  });
+  connect(preference_effects_.get(), &PreferenceEffects::theme_changed, this,
+          &MainWindow::show_theme);
+  connect(actions_->preferences, &QAction::triggered, this, &MainWindow::edit_preferences);
   connect(actions_->about, &QAction::triggered, this, [this] { show_about(*this); });
 }
 
@@ -362,10 +372,12 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   }
 }
 
-void MainWindow::toggle_theme(bool dark) {
-  const Theme theme = dark ? Theme::kDark : Theme::kLight;
+void MainWindow::show_theme(Theme theme) {
+  if (theme == current_theme()) {
+    return;
+  }
   apply_theme(*qApp, theme);
-  QSettings().setValue(QStringLiteral("theme"), dark ? "dark" : "light");
+  actions_->dark->setChecked(theme == Theme::kDark);
   view_->set_colors(colors_of(theme).view);
   actions_->refresh_icons();
   view_actions_->refresh_icons();
@@ -374,21 +386,6 @@ void MainWindow::toggle_theme(bool dark) {
   editing_->refresh_icons();
   start_page_->refresh();
   posing_->glove()->refresh_icons();
-}
-
-void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-  if (event->mimeData()->hasUrls() && event->mimeData()->urls().front().isLocalFile()) {
-    event->acceptProposedAction();
-  }
-}
-
-void MainWindow::dropEvent(QDropEvent* event) {
-  const QString file = event->mimeData()->urls().front().toLocalFile();
-  if (document_.scene() && geometric::is_mesh_file(file.toStdString())) {
-    editing_->add_mesh(file);
-  } else {
-    open(file);
-  }
 }
 
 }  // namespace handway::gui

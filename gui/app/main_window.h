@@ -5,6 +5,7 @@
 #include "app/planning_session.h"
 #include "app/window_actions.h"
 #include "panels/log_panel.h"
+#include "preferences/preferences.h"
 #include "workers/path_player.h"
 
 #include <QMainWindow>
@@ -16,6 +17,7 @@ class QStackedWidget;
 namespace handway::gui {
 
 class Banner;
+class BodyDisplayTool;
 class CampaignsPanel;
 class CollisionDisplay;
 class CollisionMonitor;
@@ -29,6 +31,7 @@ class PlaybackBar;
 class PlaybackTools;
 class PlanningViews;
 class Posing;
+class PreferenceEffects;
 class QueryCheck;
 class Recovery;
 class SceneEditing;
@@ -51,6 +54,8 @@ class MainWindow : public QMainWindow {
   /// Begins a new scene with a robot of the library.
   void create(const std::string& robot);
 
+  [[nodiscard]] Preferences& preferences() { return preferences_; }
+  [[nodiscard]] BodyDisplayTool& body_display() { return *body_display_; }
   [[nodiscard]] Document& document() { return document_; }
   [[nodiscard]] PlanningSession& session() { return *session_; }
   [[nodiscard]] SceneEditing& editing() { return *editing_; }
@@ -97,10 +102,12 @@ class MainWindow : public QMainWindow {
   void show_path();
   void update_title();
   void update_ready();
-  void toggle_theme(bool dark);
+  void show_theme(Theme theme);
+  void edit_preferences();
 
   std::shared_ptr<planning::Extensions> extensions_;
   Options options_;
+  Preferences preferences_;
   Document document_;
   PathPlayer player_;
   SceneView* view_;
@@ -119,11 +126,13 @@ class MainWindow : public QMainWindow {
   CommandPalette* palette_;
   QByteArray default_layout_;
   std::unique_ptr<WindowActions> actions_;
+  std::unique_ptr<BodyDisplayTool> body_display_;
   std::unique_ptr<ViewActions> view_actions_;
   std::unique_ptr<PlaybackTools> playback_tools_;
   std::unique_ptr<SceneEditing> editing_;
   std::unique_ptr<FileCommands> files_;
   std::unique_ptr<Recovery> recovery_;
+  std::unique_ptr<PreferenceEffects> preference_effects_;
   std::unique_ptr<PlanningSession> session_;
   std::unique_ptr<QueryCheck> query_check_;
   std::unique_ptr<PalmTool> palm_tool_;

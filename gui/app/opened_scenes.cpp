@@ -1,8 +1,14 @@
 #include "app/file_commands.h"
 #include "app/main_window.h"
 #include "campaigns/campaigns_panel.h"
+#include "editing/scene_editing.h"
+#include "handway/geometric/io/mesh_reader.h"
+#include "preferences/preferences_dialog.h"
 
-/// What the window opens: files, new scenes, and runs of campaigns.
+#include <QDragEnterEvent>
+#include <QMimeData>
+
+/// What the window opens: files, new scenes, runs of campaigns, and the preferences.
 namespace handway::gui {
 
 void MainWindow::open(const QString& file) {
@@ -32,6 +38,34 @@ void MainWindow::connect_campaigns() {
       document_.open(run.file);
     }
   });
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  if (event->mimeData()->hasUrls() && event->mimeData()->urls().front().isLocalFile()) {
+    event->acceptProposedAction();
+  }
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  const QString file = event->mimeData()->urls().front().toLocalFile();
+  if (document_.scene() && geometric::is_mesh_file(file.toStdString())) {
+    editing_->add_mesh(file);
+  } else {
+    open(file);
+  }
+}
+
+void MainWindow::edit_preferences() {
+  if (auto* open = findChild<PreferencesDialog*>()) {
+    open->activateWindow();
+    return;
+  }
+  QStringList planners;
+  for (const std::string& name : extensions_->planners().names()) {
+    planners << QString::fromStdString(name);
+  }
+  auto* dialog = new PreferencesDialog(preferences_, planners, this);
+  dialog->show();
 }
 
 }  // namespace handway::gui

@@ -1,43 +1,70 @@
 #include "app/view_actions.h"
 
+#include "app/body_display_tool.h"
 #include "app/window_actions.h"
+#include "preferences/preferences.h"
 #include "style/icons.h"
 #include "view3d/scene_view.h"
 
+#include <QActionGroup>
 #include <QMainWindow>
 #include <QMenu>
 #include <QToolBar>
+#include <QToolButton>
 
 namespace handway::gui {
 
-ViewActions::ViewActions(QMainWindow& window, WindowActions& others, SceneView& view)
-    : QObject(&window), window_(window), view_(view) {
-  fit = make("fit", tr("&Fit"), "F", tr("Show the whole scene"));
-  connect(fit, &QAction::triggered, &view_, &SceneView::fit);
-  on_bar_ << fit;
-  auto* standard = new QMenu(tr("&Look from"), &window_);
-  add_standard_views(*standard);
-  floor = make("grid", tr("Floor &grid"), "G", tr("Show the floor grid"));
-  floor->setCheckable(true);
-  floor->setChecked(true);
-  connect(floor, &QAction::toggled, &view_, &SceneView::set_floor_visible);
+ViewActions::ViewActions(QMainWindow& window, WindowActions& others, SceneView& view,
+                         BodyDisplayTool& bodies, Preferences& preferences)
+    : QObject(&window),
+      window_(window),
+      view_(view),
+      bodies_(bodies),
+      preferences_(preferences),
+      displays_(new QActionGroup(this)),
+      display_button_(new QToolButton) {
+  fit_ = make("fit", tr("&Fit"), "F", tr("Show the whole scene"));
+  connect(fit_, &QAction::triggered, &view_, &SceneView::fit);
+  on_bar_ << fit_;
+  QMenu* standard = make_standard_views();
+  orthographic_ = make_switch("orthographic", tr("O&rthographic"), "5",
+                              tr("Lines that are parallel stay parallel in the picture"), false);
+  connect(orthographic_, &QAction::toggled, this, [this](bool on) {
+    preferences_.set(&PreferenceValues::projection,
+                     on ? Projection::kOrthographic : Projection::kPerspective);
+  });
+  QMenu* displays = make_displays();
+  floor_ = make_switch("grid", tr("Floor &grid"), "G", tr("Show the floor grid"), true);
+  connect(floor_, &QAction::toggled, this,
+          [this](bool on) { preferences_.set(&PreferenceValues::floor, on); });
+  cube_ = make_switch("cube", tr("Orientation &cube"), "",
+                      tr("Show the cube that tells from where one looks"), true);
+  connect(cube_, &QAction::toggled, this,
+          [this](bool on) { preferences_.set(&PreferenceValues::cube, on); });
 
   QMenu& menu = *others.view_menu();
-  menu.insertAction(others.samples, fit);
+  menu.insertAction(others.samples, fit_);
   menu.insertMenu(others.samples, standard);
+  menu.insertAction(others.samples, orthographic_);
+  menu.insertMenu(others.samples, displays);
   menu.insertSeparator(others.samples);
-  menu.insertAction(others.samples, floor);
+  menu.insertActions(others.samples, {floor_, cube_});
   QToolBar& bar = *others.bar();
   bar.insertActions(others.samples, on_bar_);
+  bar.insertAction(others.samples, orthographic_);
   bar.insertSeparator(others.samples);
-  bar.insertAction(others.samples, floor);
+  bar.insertWidget(others.samples, display_button_);
+  bar.insertAction(others.samples, floor_);
   refresh_icons();
+  follow_preferences();
+  connect(&preferences_, &Preferences::changed, this, &ViewActions::follow_preferences);
 }
 
-void ViewActions::add_standard_views(QMenu& menu) {
+QMenu* ViewActions::make_standard_views() {
+  auto* menu = new QMenu(tr("&Look from"), &window_);
   const auto add = [&](StandardView from, QAction* action) {
     connect(action, &QAction::triggered, &view_, [this, from] { view_.look_from(from); });
-    menu.addAction(action);
+    menu->addAction(action);
     return action;
   };
   using enum StandardView;
@@ -48,6 +75,41 @@ void ViewActions::add_standard_views(QMenu& menu) {
   add(kBack, make("view_back", tr("&Back"), "Ctrl+1", tr("Look along the x axis")));
   add(kRight, make("view_right", tr("&Right"), "Ctrl+2", tr("Look along the y axis")));
   add(kBottom, make("view_bottom", tr("Botto&m"), "Ctrl+3", tr("Look up from below")));
+  return menu;
+}
+
+QMenu* ViewActions::make_displays() {
+  auto* menu = new QMenu(tr("&Bodies as"), &window_);
+  const auto add = [&](BodyDisplay display, QAction* action) {
+    action->setCheckable(true);
+    action->setChecked(display == bodies_.display());
+    displays_->addAction(action);
+    menu->addAction(action);
+    connect(action, &QAction::triggered, this, [this, display, action] {
+      bodies_.show(display);
+      display_button_->setIcon(action->icon());
+    });
+  };
+  using enum BodyDisplay;
+  add(kVisual, make("bodies_visual", tr("&Visual"), "Alt+1", tr("Bodies as they look")));
+  add(kCollision, make("bodies_collision", tr("&Collision meshes"), "Alt+2",
+                       tr("The triangles that collisions are checked with")));
+  add(kHulls, make("bodies_hulls", tr("Convex &hulls"), "Alt+3",
+                   tr("The hulls that part bodies before triangles are compared")));
+  add(kSpheres, make("bodies_spheres", tr("Bounding &spheres"), "Alt+4",
+                     tr("The spheres that cover bodies before triangles are compared")));
+  display_button_->setObjectName(QStringLiteral("display"));
+  display_button_->setToolTip(tr("What bodies are drawn as"));
+  display_button_->setPopupMode(QToolButton::InstantPopup);
+  display_button_->setMenu(menu);
+  return menu;
+}
+
+void ViewActions::follow_preferences() {
+  const PreferenceValues& values = preferences_.values();
+  orthographic_->setChecked(values.projection == Projection::kOrthographic);
+  floor_->setChecked(values.floor);
+  cube_->setChecked(values.cube);
 }
 
 QAction* ViewActions::make(const char* name, const QString& text, const char* keys,
@@ -56,9 +118,17 @@ QAction* ViewActions::make(const char* name, const QString& text, const char* ke
   action->setObjectName(QLatin1String(name));
   action->setShortcut(QKeySequence(QLatin1String(keys)));
   action->setStatusTip(tip);
-  action->setToolTip(
-      QStringLiteral("%1 (%2)").arg(tip, action->shortcut().toString(QKeySequence::NativeText)));
+  const QString shown = action->shortcut().toString(QKeySequence::NativeText);
+  action->setToolTip(shown.isEmpty() ? tip : QStringLiteral("%1 (%2)").arg(tip, shown));
   with_icon_ << action;
+  return action;
+}
+
+QAction* ViewActions::make_switch(const char* name, const QString& text, const char* keys,
+                                  const QString& tip, bool on) {
+  QAction* action = make(name, text, keys, tip);
+  action->setCheckable(true);
+  action->setChecked(on);
   return action;
 }
 
@@ -66,6 +136,7 @@ void ViewActions::refresh_icons() {
   for (QAction* action : with_icon_) {
     action->setIcon(icon(action->objectName()));
   }
+  display_button_->setIcon(displays_->checkedAction()->icon());
 }
 
 }  // namespace handway::gui

@@ -1,38 +1,55 @@
 #pragma once
 
+#include "view3d/body_display.h"
+
 #include <QAction>
 #include <QList>
 #include <QObject>
 
+class QActionGroup;
 class QMainWindow;
 class QMenu;
+class QToolBar;
+class QToolButton;
 
 namespace handway::gui {
 
+class BodyDisplayTool;
+class Preferences;
 class SceneView;
 class WindowActions;
 
-/// The commands of the 3-D view, in the View menu and on the tool bar: where to look from, and
-/// what to show.
+/// The commands of the 3-D view, in the View menu and on the tool bar: where to look from, in
+/// which projection, and what to show.
 class ViewActions : public QObject {
   Q_OBJECT
 
  public:
   /// All outlive the actions.
-  ViewActions(QMainWindow& window, WindowActions& others, SceneView& view);
+  ViewActions(QMainWindow& window, WindowActions& others, SceneView& view, BodyDisplayTool& bodies,
+              Preferences& preferences);
 
   /// Draws the icons anew, after a change of theme.
   void refresh_icons();
 
-  QAction* fit;
-  QAction* floor;
-
  private:
   QAction* make(const char* name, const QString& text, const char* keys, const QString& tip);
-  void add_standard_views(QMenu& menu);
+  QAction* make_switch(const char* name, const QString& text, const char* keys, const QString& tip,
+                       bool on);
+  QMenu* make_standard_views();
+  QMenu* make_displays();
+  void follow_preferences();
 
   QMainWindow& window_;
   SceneView& view_;
+  BodyDisplayTool& bodies_;
+  Preferences& preferences_;
+  QAction* fit_;
+  QAction* orthographic_;
+  QAction* floor_;
+  QAction* cube_;
+  QActionGroup* displays_;
+  QToolButton* display_button_;
   QList<QAction*> on_bar_;
   QList<QAction*> with_icon_;
 };

@@ -24,6 +24,8 @@ WindowActions::WindowActions(QMainWindow& window) : window_(window) {
   pictures = make("", tr("Export p&ictures of the path…"), {},
                   tr("Film strip, frames, film or animation of the path"));
   pictures->setObjectName(QStringLiteral("pictures"));
+  preferences = make("preferences", tr("Pre&ferences…"), QKeySequence(QStringLiteral("Ctrl+,")),
+                     tr("How the workbench looks and behaves"));
   quit = make("", tr("&Quit"), QKeySequence::Quit, {});
   plan = make("route", tr("&Plan"), QKeySequence(QStringLiteral("Ctrl+P")),
               tr("Find a path from start to goal"));
@@ -59,6 +61,8 @@ WindowActions::WindowActions(QMainWindow& window) : window_(window) {
   file_menu->addSeparator();
   file_menu->addActions({save, save_as});
   file_menu->addActions({picture, pictures, export_path});
+  file_menu->addSeparator();
+  file_menu->addAction(preferences);
   file_menu->addSeparator();
   file_menu->addAction(quit);
   edit_menu_ = window.menuBar()->addMenu(tr("&Edit"));

@@ -36,6 +36,7 @@ class WindowActions {
   QAction* picture;
   QAction* export_path;
   QAction* pictures;
+  QAction* preferences;
   QAction* quit;
   QAction* plan;
   QAction* cancel;

@@ -37,7 +37,21 @@ Recovery::Recovery(Document& document, SceneEditor& editor, const PlanPanel& pla
   connect(&document_, &Document::open_failed, this, [this] { recovering_.reset(); });
 }
 
+void Recovery::set_enabled(bool enabled) {
+  if (enabled != enabled_) {
+    enabled_ = enabled;
+    if (!enabled) {
+      autosave_.clear();
+    } else if (document_.scene() && !editor_.undo_stack().isClean()) {
+      store(std::nullopt);
+    }
+  }
+}
+
 void Recovery::store(const std::optional<LostScene>& then_forget) {
+  if (!enabled_) {
+    return;
+  }
   const QString name = QString::fromStdString(document_.scene()->name);
   autosave_.store(
       {document_.loaded(), document_.configuration(), plan_panel_.choice(), document_.file(), name},

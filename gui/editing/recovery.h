@@ -21,6 +21,8 @@ class Recovery : public QObject {
 
   [[nodiscard]] Autosave& autosave() { return autosave_; }
 
+  /// Whether unsaved changes are kept; those that are kept go at once when they shall not be.
+  void set_enabled(bool enabled);
   /// Offers in the banner what was lost last, if anything was.
   void offer();
 
@@ -37,6 +39,7 @@ class Recovery : public QObject {
   Banner& banner_;
   Autosave autosave_;
   std::optional<LostScene> recovering_;
+  bool enabled_ = true;
 };
 
 }  // namespace handway::gui

@@ -2,6 +2,7 @@
 
 #include "handway/geometric/math/units.h"
 
+#include <QApplication>
 #include <QRegularExpression>
 #include <QSignalBlocker>
 
@@ -19,12 +20,13 @@ struct Unit {
 
 constexpr int kDecimals = 7;  // kept; fewer are shown
 
+QuantityUnits shown_units;
+
 std::optional<double> shown_per_unit(QuantityField::Kind kind, const QString& name) {
-  static const std::array kLengths{
-      Unit{QLatin1String(""), 1.0}, Unit{QLatin1String("mm"), 1.0}, Unit{QLatin1String("cm"), 10.0},
-      Unit{QLatin1String("m"), 1000.0}, Unit{QLatin1String("in"), 25.4}};
-  static const std::array kAngles{Unit{QLatin1String(""), 1.0}, Unit{QLatin1String("°"), 1.0},
-                                  Unit{QLatin1String("deg"), 1.0},
+  static const std::array kLengths{Unit{QLatin1String("mm"), 1.0}, Unit{QLatin1String("cm"), 10.0},
+                                   Unit{QLatin1String("m"), 1000.0},
+                                   Unit{QLatin1String("in"), 25.4}};
+  static const std::array kAngles{Unit{QLatin1String("°"), 1.0}, Unit{QLatin1String("deg"), 1.0},
                                   Unit{QLatin1String("rad"), geometric::degrees(1.0)}};
   const auto find = [&](const auto& units) -> std::optional<double> {
     for (const Unit& unit : units) {
@@ -37,23 +39,26 @@ std::optional<double> shown_per_unit(QuantityField::Kind kind, const QString& na
   return kind == QuantityField::Kind::kLength ? find(kLengths) : find(kAngles);
 }
 
-// In millimetres or degrees.
-std::optional<double> parse_number(QuantityField::Kind kind, const QString& text) {
+// In millimetres or degrees; a number alone is in units of `own`.
+std::optional<double> parse_number(QuantityField::Kind kind, const QString& text, double own) {
   static const QRegularExpression kPattern(
       QStringLiteral("^\\s*([-+]?(?:\\d+[.,]?\\d*|[.,]\\d+)(?:[eE][-+]?\\d+)?)\\s*([a-z°]*)\\s*$"));
   const QRegularExpressionMatch match = kPattern.match(text);
   if (!match.hasMatch()) {
     return std::nullopt;
   }
-  const auto unit = shown_per_unit(kind, match.captured(2));
+  const QString name = match.captured(2);
+  const auto unit = name.isEmpty() ? std::optional(own) : shown_per_unit(kind, name);
   const double number = match.captured(1).replace(',', '.').toDouble();
   return unit ? std::optional(number * *unit) : std::nullopt;
 }
 
 // The field's own unit may stand behind the one that was typed: "0.5 m mm".
-std::optional<double> parse(QuantityField::Kind kind, const QString& text, const QString& suffix) {
-  const auto value = parse_number(kind, text);
-  return value || !text.endsWith(suffix) ? value : parse_number(kind, text.chopped(suffix.size()));
+std::optional<double> parse(QuantityField::Kind kind, const QString& text, const UnitText& own) {
+  const auto value = parse_number(kind, text, own.size);
+  return value || !text.endsWith(own.suffix)
+             ? value
+             : parse_number(kind, text.chopped(own.suffix.size()), own.size);
 }
 
 double to_shown(QuantityField::Kind kind, double si) {
@@ -66,15 +71,30 @@ QuantityField::QuantityField(Kind kind, double lower, double upper, QWidget* par
     : QDoubleSpinBox(parent), kind_(kind) {
   setDecimals(kDecimals);
   setRange(to_shown(kind, lower), to_shown(kind, upper));
-  setSingleStep(kind == Kind::kLength ? 10.0 : 5.0);
   setKeyboardTracking(false);
   setCorrectionMode(QAbstractSpinBox::CorrectToPreviousValue);
   setWrapping(false);
-  setSuffix(kind == Kind::kLength ? QStringLiteral(" mm") : QStringLiteral("°"));
-  setToolTip(kind == Kind::kLength ? tr("A number of millimetres, or one with its unit: 0.2 m")
-                                   : tr("A number of degrees, or one with its unit: 1.57 rad"));
+  setSingleStep(kind == Kind::kLength ? 10.0 : 5.0);
+  setToolTip(kind == Kind::kLength ? tr("A number, or one with its unit: 20 cm, 0.2 m")
+                                   : tr("A number, or one with its unit: 90°, 1.57 rad"));
+  use_units();
   connect(this, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
           [this] { emit quantity_edited(quantity()); });
+}
+
+void QuantityField::use_units() {
+  unit_ = kind_ == Kind::kLength ? unit_text(shown_units.length) : unit_text(shown_units.angle);
+  setSuffix(unit_.suffix);
+}
+
+void QuantityField::show_units(const QuantityUnits& units) {
+  shown_units = units;
+  for (QWidget* widget : QApplication::allWidgets()) {
+    if (auto* field = qobject_cast<QuantityField*>(widget)) {
+      const QSignalBlocker quiet(field);
+      field->use_units();
+    }
+  }
 }
 
 double QuantityField::quantity() const {
@@ -87,16 +107,17 @@ void QuantityField::show_quantity(double value) {
 }
 
 double QuantityField::valueFromText(const QString& text) const {
-  return parse(kind_, text, suffix()).value_or(value());
+  return parse(kind_, text, unit_).value_or(value());
 }
 
 QString QuantityField::textFromValue(double value) const {
-  const double rounded = std::round(value * 1e3) / 1e3 + 0.0;
+  const double decimals = unit_.size > 20.0 ? 1e5 : 1e3;  // as fine as 0.001 mm, at least nearly
+  const double rounded = std::round(value / unit_.size * decimals) / decimals + 0.0;
   return QString::number(rounded, 'g', 12);
 }
 
 QValidator::State QuantityField::validate(QString& text, int& /*position*/) const {
-  const auto value = parse(kind_, text, suffix());
+  const auto value = parse(kind_, text, unit_);
   return value && *value >= minimum() && *value <= maximum() ? QValidator::Acceptable
                                                              : QValidator::Intermediate;
 }

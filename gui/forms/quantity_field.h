@@ -1,10 +1,12 @@
 #pragma once
 
+#include "forms/quantity_units.h"
+
 #include <QDoubleSpinBox>
 
 namespace handway::gui {
 
-/// A spin box for a length or an angle. Shows millimetres or degrees, understands
+/// A spin box for a length or an angle. Shows the person's units, understands
 /// what people type ("35", "3.5 cm", "0.2 m", "90°", "1.57 rad"), and speaks SI.
 class QuantityField : public QDoubleSpinBox {
   Q_OBJECT
@@ -14,6 +16,9 @@ class QuantityField : public QDoubleSpinBox {
 
   /// @param lower, upper in m or rad.
   QuantityField(Kind kind, double lower, double upper, QWidget* parent = nullptr);
+
+  /// All fields, those to come as well, show these units.
+  static void show_units(const QuantityUnits& units);
 
   /// m or rad.
   [[nodiscard]] double quantity() const;
@@ -29,7 +34,10 @@ class QuantityField : public QDoubleSpinBox {
   void quantity_edited(double value);
 
  private:
+  void use_units();
+
   Kind kind_;
+  UnitText unit_;
 };
 
 }  // namespace handway::gui

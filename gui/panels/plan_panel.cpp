@@ -17,6 +17,7 @@
 #include <QSpinBox>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <thread>
@@ -59,6 +60,8 @@ PlanPanel::PlanPanel(const planning::PlannerRegistry& registry, QWidget* parent)
           [this](const QString& name) { use_planner(name.toStdString()); });
   connect(plan_, &QPushButton::clicked, this, &PlanPanel::plan_requested);
   connect(cancel_, &QPushButton::clicked, this, &PlanPanel::cancel_requested);
+  set_usual_planner({});
+  set_threads(0);
   if (planners_->count() > 0) {
     use_planner(planners_->currentText().toStdString());
   }
@@ -73,6 +76,7 @@ QWidget* PlanPanel::make_settings() {
   seed_->setValue(1);
   seed_->setObjectName(QStringLiteral("seed"));
   seed_->setToolTip(tr("The same seed gives the same path, on any number of threads"));
+  time_limit_->setObjectName(QStringLiteral("time_limit"));
   time_limit_->setRange(0.0, 86400.0);
   time_limit_->setDecimals(1);
   time_limit_->setValue(300.0);
@@ -80,7 +84,7 @@ QWidget* PlanPanel::make_settings() {
   time_limit_->setSpecialValueText(tr("none"));
   time_limit_->setToolTip(tr("Give up after this time"));
   threads_->setRange(1, 1024);
-  threads_->setValue(static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
+  threads_->setObjectName(QStringLiteral("threads"));
   threads_->setToolTip(tr("More threads plan faster; the path stays the same"));
 
   auto* box = new QWidget;
@@ -156,7 +160,7 @@ void PlanPanel::apply(const geometric::PlannerChoice& choice) {
   if (planners_->count() == 0) {
     return;
   }
-  use_planner(choice.name.empty() ? registry_.names().front() : choice.name);
+  use_planner(choice.name.empty() ? usual_planner_ : choice.name);
   for (const auto& [key, value] : choice.settings) {
     set_from_text(find_parameter(planner_->parameters(), key), value);
   }
@@ -190,6 +194,19 @@ void PlanPanel::enter(const char* key, double value) {
 void PlanPanel::add_section(QWidget* section) { sections_->addWidget(section); }
 
 void PlanPanel::set_seed(std::uint64_t seed) { seed_->setValue(static_cast<int>(seed)); }
+
+void PlanPanel::set_usual_planner(const std::string& name) {
+  const std::vector<std::string> names = registry_.names();
+  const bool known = std::ranges::find(names, name) != names.end();
+  usual_planner_ = known ? name : names.empty() ? std::string() : names.front();
+}
+
+void PlanPanel::set_threads(int threads) {
+  const unsigned processors = std::max(1U, std::thread::hardware_concurrency());
+  threads_->setValue(threads > 0 ? threads : static_cast<int>(processors));
+}
+
+void PlanPanel::set_time_limit(double seconds) { time_limit_->setValue(seconds); }
 
 planning::PlanRequest PlanPanel::request() const {
   planning::PlanRequest request;

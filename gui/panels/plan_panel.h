@@ -42,6 +42,12 @@ class PlanPanel : public QWidget {
   /// Puts something below the parameters.
   void add_section(QWidget* section);
   void set_seed(std::uint64_t seed);
+  /// The planner of scenes that name none; one that does not exist: the registry's first.
+  void set_usual_planner(const std::string& name);
+  /// @param threads 0: one a processor.
+  void set_threads(int threads);
+  /// @param seconds 0: none.
+  void set_time_limit(double seconds);
 
   [[nodiscard]] const std::shared_ptr<planning::Planner>& planner() const { return planner_; }
   [[nodiscard]] planning::PlanRequest request() const;
@@ -78,6 +84,7 @@ class PlanPanel : public QWidget {
   QSpinBox* seed_;
   QDoubleSpinBox* time_limit_;
   QSpinBox* threads_;
+  std::string usual_planner_;
   QVBoxLayout* form_place_;
   QVBoxLayout* sections_;
   ParameterForm* form_ = nullptr;  ///< Of the chosen planner; null if there is none.

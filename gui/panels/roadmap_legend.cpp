@@ -28,7 +28,7 @@ QString note_of(const PalmRoadmap& roadmap, int most) {
   QString note = most > 0 ? QObject::tr("Nodes by principal directions used") : QString();
   const auto& [begin, end] = roadmap.roadmap.search_range;
   if ((begin > 0.0 || end < 1.0) && end - begin > 0.005) {
-    note = QObject::tr("Searching %1 to %2 % of the arm's way")
+    note = QObject::tr("Search range: %1 to %2 % of the arm's way")
                .arg(std::lround(100.0 * begin))
                .arg(std::lround(100.0 * end)) +
            (note.isEmpty() ? QString() : QStringLiteral("<br>")) + note;

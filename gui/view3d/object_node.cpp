@@ -11,19 +11,31 @@
 
 namespace handway::gui {
 
+namespace {
+
+CoinRef<SoSeparator> make_looks(const geometric::SceneObject& object) {
+  auto looks = make_coin<SoSeparator>();
+  looks->renderCaching = SoSeparator::OFF;
+  looks->addChild(make_material(object.color).get());
+  looks->addChild(make_shape_node(object.shape).get());
+  return looks;
+}
+
+}  // namespace
+
 ObjectNode::ObjectNode(const geometric::SceneObject& object)
     : name_(object.name),
       shape_(object.shape),
       color_(object.color),
       root_(make_coin<SoSeparator>()),
+      drawing_(make_looks(object), object.color),
       transform_(make_coin<SoMatrixTransform>()),
       look_(make_coin<SoSwitch>()) {
   root_->renderCaching = SoSeparator::OFF;
   look_->addChild(make_look_material(Look::kColliding).get());
   root_->addChild(transform_.get());
   root_->addChild(look_.get());
-  root_->addChild(make_material(object.color).get());
-  root_->addChild(make_shape_node(object.shape).get());
+  root_->addChild(drawing_.get());
   place(object.X_PO);
 }
 

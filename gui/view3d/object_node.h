@@ -25,6 +25,10 @@ class ObjectNode {
   [[nodiscard]] bool draws(const geometric::SceneObject& object) const;
 
   void place(const geometric::Pose& X_WO);
+  /// Draws a mesh in place of its looks; null: its looks.
+  void stand_in(const std::shared_ptr<const geometric::TriangleMesh>& mesh) const {
+    drawing_.stand_in(mesh);
+  }
   /// @returns whether it looked otherwise before.
   bool set_look(Look look);
 
@@ -33,6 +37,7 @@ class ObjectNode {
   geometric::Shape shape_;
   geometric::Color color_;
   CoinRef<SoSeparator> root_;
+  BodyShape drawing_;
   CoinRef<SoMatrixTransform> transform_;
   CoinRef<SoSwitch> look_;
 };

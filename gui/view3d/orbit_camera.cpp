@@ -1,5 +1,7 @@
 #include "view3d/orbit_camera.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -33,6 +35,11 @@ Eigen::Vector3d OrbitCamera::position() const {
   return placement_.target + placement_.distance * orientation().col(2);
 }
 
+double OrbitCamera::seen_height(double depth) const {
+  const bool shrinks = projection_ == Projection::kPerspective;
+  return 2.0 * (shrinks ? depth : placement_.distance) * std::tan(kFieldOfView / 2.0);
+}
+
 void OrbitCamera::orbit(double azimuth, double elevation) {
   Placement moved = placement_;
   moved.azimuth += azimuth;
@@ -41,7 +48,7 @@ void OrbitCamera::orbit(double azimuth, double elevation) {
 }
 
 void OrbitCamera::pan(double right, double up) {
-  const double height = 2.0 * placement_.distance * std::tan(kFieldOfView / 2.0);
+  const double height = seen_height(placement_.distance);
   const Eigen::Matrix3d R = orientation();
   placement_.target -= height * (right * R.col(0) + up * R.col(1));
 }
@@ -88,6 +95,29 @@ void OrbitCamera::fit(std::span<const Eigen::Vector3d> points, double aspect, do
   if (points.empty()) {
     return;
   }
+  if (projection_ == Projection::kPerspective) {
+    fit_in_perspective(points, aspect, margin);
+  } else {
+    fit_in_parallel(points, aspect, margin);
+  }
+}
+
+void OrbitCamera::fit_in_parallel(std::span<const Eigen::Vector3d> points, double aspect,
+                                  double margin) {
+  const Eigen::Matrix3d R = orientation();
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& world : points) {
+    box.extend(R.transpose() * world);
+  }
+  const double height = margin * std::max(box.sizes().y(), box.sizes().x() / aspect);
+  Placement moved = placement_;
+  moved.distance = std::max(height / (2.0 * std::tan(kFieldOfView / 2.0)), 0.05);
+  moved.target = R * box.center();
+  set_placement(moved);
+}
+
+void OrbitCamera::fit_in_perspective(std::span<const Eigen::Vector3d> points, double aspect,
+                                     double margin) {
   const Eigen::Matrix3d R = orientation();
   const double slope_y = std::tan(kFieldOfView / 2.0) / margin;
   const double slope_x = slope_y * aspect;

@@ -11,7 +11,9 @@ namespace handway::gui {
 /// Directions to look from; the robot's front is +x, up is +z.
 enum class StandardView { kFront, kBack, kLeft, kRight, kTop, kBottom, kOblique };
 
-/// A perspective camera on a turntable around `target`; the horizon stays level.
+enum class Projection { kPerspective, kOrthographic };
+
+/// A camera on a turntable around `target`; the horizon stays level.
 class OrbitCamera {
  public:
   /// Where the camera stands, seen from the target.
@@ -24,12 +26,18 @@ class OrbitCamera {
 
   static constexpr double kFieldOfView = geometric::radians(32.0);  ///< Vertical.
 
+  [[nodiscard]] Projection projection() const { return projection_; }
+  /// What is at the target's depth stays as large as it is.
+  void set_projection(Projection projection) { projection_ = projection; }
   [[nodiscard]] const Placement& placement() const { return placement_; }
   void set_placement(const Placement& placement);
 
   [[nodiscard]] Eigen::Vector3d position() const;
   /// Columns: right, up and backwards of the camera, in the world.
   [[nodiscard]] Eigen::Matrix3d orientation() const;
+
+  /// Height (m) of what the picture shows at a depth before the camera, m.
+  [[nodiscard]] double seen_height(double depth) const;
 
   /// Turns about the target, rad.
   void orbit(double azimuth, double elevation);
@@ -47,7 +55,11 @@ class OrbitCamera {
   void fit(std::span<const Eigen::Vector3d> points, double aspect, double margin = 1.08);
 
  private:
+  void fit_in_perspective(std::span<const Eigen::Vector3d> points, double aspect, double margin);
+  void fit_in_parallel(std::span<const Eigen::Vector3d> points, double aspect, double margin);
+
   Placement placement_;
+  Projection projection_ = Projection::kPerspective;
 };
 
 /// The way from `a` (t = 0) to `b` (t = 1), turning the short way round.

@@ -52,10 +52,12 @@ LinkShapes make_link_shapes(const geometric::RobotModel& model) {
     const geometric::Link& link = model.link(i);
     auto separator = make_coin<SoSeparator>();
     separator->renderCaching = SoSeparator::OFF;
-    for (const geometric::LinkGeometry& geometry : shown_geometry(link)) {
+    const std::vector<geometric::LinkGeometry>& shown = shown_geometry(link);
+    for (const geometric::LinkGeometry& geometry : shown) {
       separator->addChild(make_geometry_node(geometry).get());
     }
-    shapes.push_back(std::move(separator));
+    shapes.emplace_back(std::move(separator),
+                        shown.empty() ? geometric::Color() : shown.front().color);
   }
   return shapes;
 }
@@ -69,7 +71,7 @@ RobotNode::RobotNode(std::shared_ptr<const geometric::RobotModel> model, const L
   if (ghost) {
     root_->addChild(overriding(*ghost, 0.15F).get());
   }
-  for (const CoinRef<SoSeparator>& shape : shapes) {
+  for (const BodyShape& shape : shapes) {
     LinkNode node{make_coin<SoSwitch>(), make_coin<SoSeparator>(), make_coin<SoMatrixTransform>(),
                   make_coin<SoSwitch>()};
     node.visible->whichChild = SO_SWITCH_ALL;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "handway/geometric/robot/robot_model.h"
+#include "view3d/body_shape.h"
 #include "view3d/coin_ref.h"
 
 #include <memory>
@@ -24,7 +25,7 @@ enum class Look { kPlain, kColliding };
 
 /// What the links of a robot look like in their own frames; shared by the robot
 /// and its ghosts. Shape [link_count].
-using LinkShapes = std::vector<CoinRef<SoSeparator>>;
+using LinkShapes = std::vector<BodyShape>;
 
 [[nodiscard]] LinkShapes make_link_shapes(const geometric::RobotModel& model);
 

@@ -20,18 +20,15 @@ void SceneBodies::show(std::shared_ptr<const geometric::Scene> scene) {
   scene_ = std::move(scene);
   robots_.clear();
   objects_.clear();
-  first_robot_shapes_.clear();
+  shapes_.clear();
   q_ = {};
   if (!scene_) {
     return;
   }
   for (const geometric::RobotInstance& robot : scene_->robots) {
-    LinkShapes shapes = make_link_shapes(*robot.model);
-    robots_.push_back(std::make_unique<RobotNode>(robot.model, shapes));
+    shapes_.push_back(make_link_shapes(*robot.model));
+    robots_.push_back(std::make_unique<RobotNode>(robot.model, shapes_.back()));
     robots_.back()->place(robot.X_WB, robot.configuration);
-    if (robots_.size() == 1) {
-      first_robot_shapes_ = std::move(shapes);
-    }
   }
   make_objects();
 }
@@ -90,6 +87,19 @@ void SceneBodies::preview(const SceneItem& item, const Pose& X_WO) {
         place_attached();
       }
     }
+  }
+}
+
+void SceneBodies::stand_in(const BodyMeshes& meshes) {
+  for (std::size_t robot = 0; robot < shapes_.size(); ++robot) {
+    for (std::size_t link = 0; link < shapes_[robot].size(); ++link) {
+      const bool known = robot < meshes.links.size() && link < meshes.links[robot].size();
+      shapes_[robot][link].stand_in(known ? meshes.links[robot][link] : nullptr);
+    }
+  }
+  for (const auto& object : objects_) {
+    const auto mesh = meshes.objects.find(object->name());
+    object->stand_in(mesh == meshes.objects.end() ? nullptr : mesh->second);
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include "editing/selection.h"
 #include "handway/geometric/scene/scene.h"
+#include "view3d/body_display.h"
 #include "view3d/object_node.h"
 #include "view3d/robot_node.h"
 #include "view3d/scene_item.h"
@@ -34,6 +35,8 @@ class SceneBodies {
   void place(const geometric::Configuration& q);
   /// Stands an object or a robot's base elsewhere, for a while.
   void preview(const SceneItem& item, const geometric::Pose& X_WO);
+  /// Draws meshes in place of the bodies' looks, where there are any.
+  void stand_in(const BodyMeshes& meshes);
   /// Paints these bodies (names as in CollisionWorld) as colliding, and no others.
   /// @returns whether something looks different that stands still, as `split` has it.
   bool set_colliding(const std::vector<std::string>& bodies, const StillSplit& split);
@@ -41,7 +44,7 @@ class SceneBodies {
   [[nodiscard]] bool has_robot() const { return !robots_.empty(); }
   /// The one that moves. @pre has_robot().
   [[nodiscard]] RobotNode& first_robot() const { return *robots_.front(); }
-  [[nodiscard]] const LinkShapes& first_robot_shapes() const { return first_robot_shapes_; }
+  [[nodiscard]] const LinkShapes& first_robot_shapes() const { return shapes_.front(); }
   /// Of the first robot, shape [variable_count].
   [[nodiscard]] const geometric::Configuration& configuration() const { return q_; }
 
@@ -64,7 +67,7 @@ class SceneBodies {
   void place_attached();
 
   std::shared_ptr<const geometric::Scene> scene_;
-  LinkShapes first_robot_shapes_;
+  std::vector<LinkShapes> shapes_;  ///< By robot.
   geometric::Configuration q_;
   std::vector<std::unique_ptr<RobotNode>> robots_;
   std::vector<std::unique_ptr<ObjectNode>> objects_;

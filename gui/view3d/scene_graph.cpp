@@ -11,6 +11,7 @@
 #include <Inventor/SoPickedPoint.h>
 #include <Inventor/actions/SoGLRenderAction.h>
 #include <Inventor/actions/SoRayPickAction.h>
+#include <Inventor/nodes/SoOrthographicCamera.h>
 #include <Inventor/nodes/SoPerspectiveCamera.h>
 #include <Inventor/nodes/SoSeparator.h>
 #include <Inventor/nodes/SoSwitch.h>
@@ -64,6 +65,8 @@ void SceneGraph::update_scene(const SceneState& state) {
 }
 
 void SceneGraph::preview(const SceneItem& item, const Pose& X_WO) { bodies_.preview(item, X_WO); }
+
+void SceneGraph::stand_in(const BodyMeshes& meshes) { bodies_.stand_in(meshes); }
 
 void SceneGraph::set_handles(SoNode* handles) {
   passes_->gizmo->replaceChild(ScenePasses::kGizmo, handles ? handles : gizmo_.root());
@@ -182,7 +185,14 @@ double SceneGraph::task_azimuth() const {
 }
 
 void SceneGraph::aim(const OrbitCamera& camera, double aspect) {
-  aim_camera(*passes_->camera.get(), camera, aspect);
+  const bool parallel = camera.projection() == Projection::kOrthographic;
+  passes_->camera->whichChild = parallel ? 1 : 0;
+  if (parallel) {
+    aim_camera(*passes_->orthographic.get(), camera, aspect);
+  } else {
+    aim_camera(*passes_->perspective.get(), camera, aspect);
+  }
+  backwards_ = camera.orientation().col(2);
 }
 
 void SceneGraph::render(SoGLRenderAction& action) {
@@ -233,7 +243,7 @@ void SceneGraph::render_marks(SoGLRenderAction& action, bool with_gizmo, float p
 
 void SceneGraph::render_axes(SoGLRenderAction& action, const OrbitCamera& camera) {
   SoOrthographicCamera& eye = *passes_->axes_camera.get();
-  passes_->axes_camera->orientation = passes_->camera->orientation;
+  aim_camera(eye, camera, 1.0);
   eye.position = to_coin(Eigen::Vector3d(4.0 * camera.orientation().col(2)));
   eye.height = static_cast<float>(ViewOverlay::kAxesHeight);
   eye.nearDistance = 1.0F;
@@ -247,15 +257,15 @@ std::optional<SceneHit> SceneGraph::pick(const SbVec2s& viewport, const SbVec2s&
   action.setPoint(pixel);
   action.setRadius(3.0F);
   std::optional<SceneHit> nearest;
-  double least = std::numeric_limits<double>::infinity();
+  double most = -std::numeric_limits<double>::infinity();
   const auto look_at = [&](SoNode* root, const auto& item_of_path) {
     action.apply(root);
     if (const SoPickedPoint* picked = action.getPickedPoint()) {
       const SbVec3f& p = picked->getPoint();
       const Eigen::Vector3d point(p[0], p[1], p[2]);
-      const double distance = (p - passes_->camera->position.getValue()).length();
-      if (distance < least) {
-        least = distance;
+      const double nearness = backwards_.dot(point);
+      if (nearness > most) {
+        most = nearness;
         nearest = SceneHit{item_of_path(*picked->getPath()), point};
       }
     }

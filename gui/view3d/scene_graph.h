@@ -18,7 +18,6 @@
 #include <vector>
 
 class SoGLRenderAction;
-class SoPerspectiveCamera;
 class SbVec2s;
 
 namespace handway::gui {
@@ -37,6 +36,8 @@ class SceneGraph {
   void update_scene(const SceneState& state);
   /// Shows an object or a robot's base elsewhere, for a while.
   void preview(const SceneItem& item, const geometric::Pose& X_WO);
+  /// Draws meshes in place of the bodies' looks, where there are any.
+  void stand_in(const BodyMeshes& meshes);
   [[nodiscard]] GizmoNode& gizmo() { return gizmo_; }
   /// Draws something else in place of the gizmo; null: the gizmo.
   void set_handles(SoNode* handles);
@@ -98,6 +99,7 @@ class SceneGraph {
 
   SceneBodies bodies_;
   ViewColors colors_;
+  Eigen::Vector3d backwards_ = Eigen::Vector3d::UnitZ();  ///< Of the camera, in the world.
   std::unique_ptr<ScenePasses> passes_;
   GizmoNode gizmo_;
   SelectionOutline outline_;

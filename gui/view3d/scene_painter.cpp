@@ -20,8 +20,6 @@
 namespace handway::gui {
 namespace {
 
-constexpr int kSamples = 4;
-
 std::uint32_t new_cache_context() {
   static std::uint32_t last = 0;
   return ++last;
@@ -56,7 +54,8 @@ ScenePainter::ScenePainter(SceneGraph& graph)
 ScenePainter::~ScenePainter() = default;
 
 void ScenePainter::paint(const PictureFrame& frame, bool fast, unsigned target) {
-  const Sight sight{frame.pixels, frame.camera.orientation(), frame.camera.position()};
+  const Sight sight{frame.pixels, frame.camera.orientation(), frame.camera.position(),
+                    frame.camera.projection()};
   const bool stands = last_ == sight;
   last_ = sight;
   last_region_ = stands && fast ? last_region_ : QRect(QPoint(0, 0), frame.pixels);
@@ -108,9 +107,10 @@ void ScenePainter::paint_marks(const PictureFrame& frame) {
 }
 
 void ScenePainter::paint_finely(const PictureFrame& frame, unsigned target) {
-  if (!smooth_ || smooth_->size() != frame.pixels) {
+  if (!smooth_ || smooth_->size() != frame.pixels || smooth_samples_ != frame.samples) {
+    smooth_samples_ = frame.samples;
     QOpenGLFramebufferObjectFormat format;
-    format.setSamples(kSamples);
+    format.setSamples(frame.samples);
     format.setAttachment(QOpenGLFramebufferObject::CombinedDepthStencil);
     smooth_ = std::make_unique<QOpenGLFramebufferObject>(frame.pixels, format);
   }

@@ -26,6 +26,7 @@ struct PictureFrame {
   OrbitCamera camera;
   ViewColors colors;
   bool with_gizmo = false;
+  int samples = 4;  ///< For each pixel of a fine picture; 0: edges are not smooth.
 };
 
 /// Paints a scene graph, finely or fast. Fine pictures have smooth edges. Fast ones do without
@@ -49,6 +50,7 @@ class ScenePainter {
     QSize pixels;
     Eigen::Matrix3d R_WC;
     Eigen::Vector3d p_WC;
+    Projection projection;
     bool operator==(const Sight& other) const = default;
   };
 
@@ -61,7 +63,8 @@ class ScenePainter {
 
   SceneGraph& graph_;
   std::unique_ptr<SoGLRenderAction> action_;
-  std::unique_ptr<QOpenGLFramebufferObject> smooth_;  ///< What fine pictures are painted on.
+  std::unique_ptr<QOpenGLFramebufferObject> smooth_;  ///< What fine pictures are painted on,
+  int smooth_samples_ = 0;                            ///< with so many samples a pixel.
   std::unique_ptr<QOpenGLShaderProgram> program_;     ///< Null: layers can't be had.
   PictureLayer still_;
   std::array<PictureLayer, 3> veils_;  ///< Of the ghosts.

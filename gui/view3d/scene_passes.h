@@ -18,7 +18,9 @@ namespace handway::gui {
 
 /// One root a pass, all seen by the same camera under the same lights.
 struct ScenePasses {
-  CoinRef<SoPerspectiveCamera> camera = make_coin<SoPerspectiveCamera>();
+  CoinRef<SoPerspectiveCamera> perspective = make_coin<SoPerspectiveCamera>();
+  CoinRef<SoOrthographicCamera> orthographic = make_coin<SoOrthographicCamera>();
+  CoinRef<SoSwitch> camera = make_coin<SoSwitch>();  ///< One of the two.
   CoinRef<SoGroup> camera_lights = make_camera_lights();
   CoinRef<SoGroup> sky_light = make_sky_light();
   CoinRef<SoSeparator> solids = make_coin<SoSeparator>();
@@ -33,6 +35,9 @@ struct ScenePasses {
   std::optional<StillSplit> split;  ///< Of solids, for fast pictures.
 
   ScenePasses() {
+    camera->addChild(perspective.get());
+    camera->addChild(orthographic.get());
+    camera->whichChild = 0;
     for (SoSeparator* root : {solids.get(), floor.get(), gizmo.get()}) {
       prepare(root);
     }

@@ -1,5 +1,7 @@
 #include "view3d/scene_view.h"
 
+#include "view3d/body_display.h"
+#include "view3d/orientation_cube.h"
 #include "view3d/path_node.h"
 #include "view3d/scene_graph.h"
 #include "view3d/scene_painter.h"
@@ -9,9 +11,6 @@
 #include <Inventor/SoDB.h>
 #include <Inventor/nodes/SoSeparator.h>
 #include <QElapsedTimer>
-#include <QKeyEvent>
-#include <QMouseEvent>
-#include <QWheelEvent>
 
 #include <GL/gl.h>
 
@@ -21,10 +20,16 @@ namespace handway::gui {
 namespace {
 
 constexpr int kSettleMs = 150;
+constexpr int kCubeMargin = 10;     // px
+constexpr double kCubeTurns = 0.8;  // as if the cube's corner were so much of the view's height
 
 }  // namespace
 
-SceneView::SceneView(QWidget* parent) : QOpenGLWidget(parent), overlay_(new ViewOverlay(this)) {
+SceneView::SceneView(QWidget* parent)
+    : QOpenGLWidget(parent),
+      overlay_(new ViewOverlay(this)),
+      cube_(new OrientationCube(this)),
+      pacer_(*this) {
   if (!SoDB::isInitialized()) {
     SoDB::init();
   }
@@ -45,6 +50,7 @@ SceneView::SceneView(QWidget* parent) : QOpenGLWidget(parent), overlay_(new View
   flight_.setEasingCurve(QEasingCurve::InOutCubic);
   flight_.setStartValue(0.0);
   flight_.setEndValue(1.0);
+  connect_cube();
 }
 
 SceneView::~SceneView() {
@@ -52,6 +58,23 @@ SceneView::~SceneView() {
   painter_.reset();
   graph_.reset();
   doneCurrent();
+}
+
+void SceneView::connect_cube() {
+  connect(cube_, &OrientationCube::chosen, this, [this](const CubePart& part) {
+    untouched_ = false;
+    OrbitCamera::Placement turned = camera_.placement();
+    const CubeDirection direction = direction_of(part, turned.azimuth);
+    turned.azimuth = direction.azimuth;
+    turned.elevation = direction.elevation;
+    fly_to(turned);
+  });
+  connect(cube_, &OrientationCube::dragged, this, [this](const QPoint& way) {
+    untouched_ = false;
+    flight_.stop();
+    move_camera(camera_, CameraMove::kTurn, kCubeTurns / OrientationCube::kSize * QPointF(way));
+    hurry();
+  });
 }
 
 void SceneView::set_scene(std::shared_ptr<const geometric::Scene> scene) {
@@ -90,7 +113,7 @@ void SceneView::set_collisions(std::vector<std::string> bodies) {
     if (graph_->set_collisions(std::move(bodies)) && painter_) {
       painter_->invalidate();
     }
-    update();
+    pacer_.request();
   }
 }
 
@@ -106,13 +129,13 @@ void SceneView::preview(const SceneItem& item, const geometric::Pose& X_WO) {
 
 void SceneView::set_gizmo(const SceneItem& item, const std::optional<geometric::Pose>& X_WO) {
   gizmo_.set_target(item, X_WO);
-  update();
+  pacer_.request();
 }
 
 void SceneView::set_handles(SoNode* handles) {
   has_handles_ = handles != nullptr;
   graph_->set_handles(handles);
-  update();
+  pacer_.request();
 }
 
 void SceneView::set_note(const QString& note, const QPoint& place) {
@@ -121,7 +144,7 @@ void SceneView::set_note(const QString& note, const QPoint& place) {
 
 void SceneView::set_gizmo_local(bool local) {
   gizmo_.set_local(local);
-  update();
+  pacer_.request();
 }
 
 void SceneView::update_gizmo() {
@@ -129,23 +152,6 @@ void SceneView::update_gizmo() {
     graph_->gizmo().place(gizmo_.frame(camera_, size()));
     graph_->gizmo().set_hot(gizmo_.hot(), gizmo_.is_dragging());
   }
-}
-
-void SceneView::drag_gizmo(const QPoint& position, bool snap) {
-  const geometric::Pose X_WO = gizmo_.drag(camera_, size(), position, snap);
-  graph_->preview(gizmo_.item(), X_WO);
-  overlay_->set_note(gizmo_.amount(), position);
-  change();
-  hurry();
-  emit dragged(gizmo_.item(), X_WO);
-}
-
-void SceneView::cancel_drag() {
-  const geometric::Pose X_WO = gizmo_.cancel();
-  graph_->preview(gizmo_.item(), X_WO);
-  overlay_->set_note({}, {});
-  change();
-  emit dragged(gizmo_.item(), X_WO);
 }
 
 Eigen::Vector3d SceneView::place_for_new() {
@@ -178,7 +184,7 @@ void SceneView::set_path(std::span<const Eigen::Vector3d> points,
 void SceneView::set_executed(std::span<const Eigen::Vector3d> points) {
   graph_->set_overlay(Overlay::kExecuted,
                       points.empty() ? nullptr : make_executed_node(points).get());
-  update();
+  pacer_.request();
 }
 
 void SceneView::set_camera(const OrbitCamera::Placement& placement) {
@@ -190,7 +196,7 @@ void SceneView::set_camera(const OrbitCamera::Placement& placement) {
 void SceneView::set_overlay(Overlay overlay, SoNode* drawing) {
   graph_->set_overlay(overlay, drawing);
   if (overlay == Overlay::kClearance) {  // which goes with the robot
-    update();
+    pacer_.request();
   } else {
     change();
   }
@@ -215,6 +221,26 @@ void SceneView::set_contacts(std::span<const Eigen::Vector3d> points) {
 void SceneView::set_floor_visible(bool visible) {
   graph_->set_floor_visible(visible);
   change();
+}
+
+void SceneView::stand_in(const BodyMeshes& meshes) {
+  graph_->stand_in(meshes);
+  change();
+}
+
+void SceneView::set_projection(Projection projection) {
+  camera_.set_projection(projection);
+  if (untouched_ && has_scene_) {
+    camera_.fit(graph_->points_of_interest(), aspect());
+  }
+  pacer_.request();
+}
+
+void SceneView::set_cube_visible(bool visible) { cube_->setVisible(visible); }
+
+void SceneView::set_samples(int samples) {
+  samples_ = samples;
+  pacer_.request();
 }
 
 void SceneView::fit() {
@@ -266,132 +292,40 @@ void SceneView::change() {
   if (painter_) {
     painter_->invalidate();
   }
-  update();
+  pacer_.request();
 }
 
 void SceneView::hurry() {
   settle_.start();
-  update();
+  pacer_.request();
 }
 
 void SceneView::settle() {
   settle_.stop();
-  update();
+  pacer_.request();
 }
 
 void SceneView::paintGL() {
   QElapsedTimer timer;
   timer.start();
+  pacer_.note_painted();
   update_gizmo();
-  painter_->paint(
-      {pixel_size(), devicePixelRatioF(), camera_, colors_, gizmo_.is_shown() || has_handles_},
-      settle_.isActive(), defaultFramebufferObject());
+  painter_->paint({pixel_size(), devicePixelRatioF(), camera_, colors_,
+                   gizmo_.is_shown() || has_handles_, samples_},
+                  settle_.isActive(), defaultFramebufferObject());
   glFinish();
   frame_time_ms_ = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
   overlay_->set_axes(camera_.orientation());
+  cube_->set_orientation(camera_.orientation());
 }
 
 void SceneView::resizeEvent(QResizeEvent* event) {
   QOpenGLWidget::resizeEvent(event);
   overlay_->setGeometry(rect());
+  cube_->move(width() - OrientationCube::kSize - kCubeMargin, kCubeMargin);
   if (untouched_ && has_scene_) {
     camera_.fit(graph_->points_of_interest(), aspect());
   }
-}
-
-void SceneView::mousePressEvent(QMouseEvent* event) {
-  press_position_ = last_position_ = event->pos();
-  flight_.stop();
-  const bool plain = event->button() == Qt::LeftButton && !(event->modifiers() & Qt::ShiftModifier);
-  if (plain && gizmo_.is_shown() && gizmo_.press(camera_, size(), event->pos())) {
-    update();
-  }
-}
-
-void SceneView::mouseMoveEvent(QMouseEvent* event) {
-  const QPoint moved = event->pos() - last_position_;
-  last_position_ = event->pos();
-  if (gizmo_.is_dragging()) {
-    drag_gizmo(event->pos(), event->modifiers() & Qt::ControlModifier);
-    return;
-  }
-  if (!event->buttons()) {
-    if (gizmo_.hover(camera_, size(), event->pos())) {
-      setCursor(gizmo_.hot() ? Qt::PointingHandCursor : Qt::ArrowCursor);
-      update();
-    }
-    return;
-  }
-  if (moved.isNull()) {
-    return;
-  }
-  untouched_ = false;
-  const double unit = 1.0 / std::max(height(), 1);
-  const bool shift = event->modifiers() & Qt::ShiftModifier;
-  if ((event->buttons() & Qt::MiddleButton) || ((event->buttons() & Qt::LeftButton) && shift)) {
-    camera_.pan(moved.x() * unit, -moved.y() * unit);
-  } else if (event->buttons() & Qt::LeftButton) {
-    camera_.orbit(-4.0 * moved.x() * unit, 4.0 * moved.y() * unit);
-  } else if (event->buttons() & Qt::RightButton) {
-    camera_.zoom(std::exp(3.0 * moved.y() * unit), 0.0, 0.0);
-  }
-  hurry();
-}
-
-void SceneView::mouseReleaseEvent(QMouseEvent* event) {
-  if (gizmo_.is_dragging() && event->button() == Qt::LeftButton) {
-    const geometric::Pose X_WO = *gizmo_.pose();
-    const geometric::Pose from = gizmo_.release();
-    overlay_->set_note({}, {});
-    update();
-    if (!X_WO.isApprox(from, 1e-12)) {
-      emit dropped(gizmo_.item(), X_WO);
-    }
-    if (!(event->modifiers() & Qt::ControlModifier)) {
-      return;  // with it, a click on a handle means what is behind
-    }
-  }
-  const bool still = (event->pos() - press_position_).manhattanLength() < 4;
-  if (event->button() != Qt::LeftButton || !still) {
-    return;
-  }
-  const auto hit = pick_at(event->pos());
-  const bool add = event->modifiers() & (Qt::ControlModifier | Qt::ShiftModifier);
-  if (hit || !add) {
-    emit picked(hit ? hit->item : SceneItem{}, add);
-  }
-}
-
-bool SceneView::event(QEvent* event) {
-  const bool is_key =
-      event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress;
-  if (is_key && gizmo_.is_dragging() && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
-    if (event->type() == QEvent::KeyPress) {
-      cancel_drag();
-    }
-    event->accept();
-    return true;
-  }
-  return QOpenGLWidget::event(event);
-}
-
-void SceneView::mouseDoubleClickEvent(QMouseEvent* event) {
-  if (const auto hit = pick_at(event->pos())) {
-    untouched_ = false;
-    OrbitCamera::Placement centred = camera_.placement();
-    centred.target = hit->point;
-    fly_to(centred);
-  }
-}
-
-void SceneView::wheelEvent(QWheelEvent* event) {
-  untouched_ = false;
-  const double unit = 1.0 / std::max(height(), 1);
-  const QPointF from_middle = event->position() - QPointF(rect().center());
-  camera_.zoom(std::pow(1.0015, -event->angleDelta().y()), from_middle.x() * unit,
-               -from_middle.y() * unit);
-  hurry();
-  event->accept();
 }
 
 }  // namespace handway::gui

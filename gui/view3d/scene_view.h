@@ -1,6 +1,8 @@
 #pragma once
 
 #include "editing/selection.h"
+#include "view3d/frame_pacer.h"
+#include "view3d/navigation.h"
 #include "view3d/orbit_camera.h"
 #include "view3d/overlay.h"
 #include "view3d/scene_item.h"
@@ -22,13 +24,14 @@ class SoNode;
 
 namespace handway::gui {
 
+class OrientationCube;
 class SceneGraph;
 class ScenePainter;
 class ViewOverlay;
+struct BodyMeshes;
 
-/// The 3-D view: shows a scene, turns with the mouse (left: orbit, middle or
-/// Shift+left: pan, wheel or right: zoom, double click: centre), tells what was
-/// clicked.
+/// The 3-D view: shows a scene, turns with the mouse (as its Navigation says; the wheel zooms, a
+/// double click centres) and with the cube in its corner, tells what was clicked.
 class SceneView : public QOpenGLWidget {
   Q_OBJECT
 
@@ -73,6 +76,17 @@ class SceneView : public QOpenGLWidget {
   /// Draws something as the ghosts are, until the scene changes; null: nothing.
   void set_traces(SoNode* drawing);
   void set_floor_visible(bool visible);
+
+  /// Draws meshes in place of the bodies' looks, where there are any.
+  void stand_in(const BodyMeshes& meshes);
+
+  void set_projection(Projection projection);
+  void set_navigation(const Navigation& navigation) { navigation_ = navigation; }
+  void set_cube_visible(bool visible);
+  /// @param samples for each pixel of a picture that stands; 0: edges are not smooth.
+  void set_samples(int samples);
+  /// @param frames at most a second; 0: as many as can be had.
+  void set_frame_limit(int frames) { pacer_.set_limit(frames); }
 
   /// Moves the camera so that the whole scene is seen.
   void fit();
@@ -122,10 +136,14 @@ class SceneView : public QOpenGLWidget {
   void drag_gizmo(const QPoint& position, bool snap);
   void cancel_drag();
   void fly_to(const OrbitCamera::Placement& placement);
+  void connect_cube();
 
   std::unique_ptr<SceneGraph> graph_;
   std::unique_ptr<ScenePainter> painter_;  ///< Null until there is a context.
   ViewOverlay* overlay_;
+  OrientationCube* cube_;
+  FramePacer pacer_;
+  Navigation navigation_;
   OrbitCamera camera_;
   ViewGizmo gizmo_;
   QVariantAnimation flight_;
@@ -135,6 +153,7 @@ class SceneView : public QOpenGLWidget {
   QPoint press_position_;
   QPoint last_position_;
   double frame_time_ms_ = 0.0;
+  int samples_ = 4;
   bool has_handles_ = false;
   bool has_scene_ = false;
   bool untouched_ = true;  ///< Nobody has turned the view: keep it fitted.

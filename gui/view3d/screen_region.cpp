@@ -25,17 +25,18 @@ QRect region_of(SoNode& root, const OrbitCamera& camera, const QSize& pixels) {
   }
   const QRect all(QPoint(0, 0), pixels);
   const Eigen::Matrix3d R_CW = camera.orientation().transpose();
-  const double scale = 0.5 * pixels.height() / std::tan(0.5 * OrbitCamera::kFieldOfView);
+  const bool shrinks = camera.projection() == Projection::kPerspective;
   Eigen::AlignedBox2d covered;
   for (int corner = 0; corner < 8; ++corner) {
     const SbVec3f& p = corner % 2 == 0 ? box.getMin() : box.getMax();
     const SbVec3f& q = corner / 2 % 2 == 0 ? box.getMin() : box.getMax();
     const SbVec3f& r = corner / 4 == 0 ? box.getMin() : box.getMax();
     const Eigen::Vector3d p_C = R_CW * (Eigen::Vector3d(p[0], q[1], r[2]) - camera.position());
-    if (p_C.z() > -kNearest) {
+    if (shrinks && p_C.z() > -kNearest) {
       return all;
     }
-    covered.extend(Eigen::Vector2d(p_C.head<2>() * (scale / -p_C.z())));
+    covered.extend(
+        Eigen::Vector2d(p_C.head<2>() * (pixels.height() / camera.seen_height(-p_C.z()))));
   }
   const Eigen::Vector2d middle(0.5 * pixels.width(), 0.5 * pixels.height());
   const Eigen::Vector2d least = covered.min() + middle;

@@ -15,9 +15,7 @@ using geometric::Pose;
 
 constexpr double kPixels = 92.0;  // an arrow's length
 
-double metres_per_pixel(const QSize& size, double distance) {
-  return 2.0 * distance * std::tan(OrbitCamera::kFieldOfView / 2.0) / std::max(size.height(), 1);
-}
+constexpr double kFarBack = 12.0;  // m: where parallel rays begin
 
 QString with_sign(double value, int decimals) {
   return (value < 0.0 ? QStringLiteral("−") : QStringLiteral("+")) +
@@ -27,16 +25,20 @@ QString with_sign(double value, int decimals) {
 }  // namespace
 
 Ray ray_through(const OrbitCamera& camera, const QSize& size, const QPointF& place) {
-  const double slope = 2.0 * std::tan(OrbitCamera::kFieldOfView / 2.0) / std::max(size.height(), 1);
-  const Eigen::Vector3d in_camera(slope * (place.x() - 0.5 * size.width()),
-                                  -slope * (place.y() - 0.5 * size.height()), -1.0);
-  return {camera.position(), (camera.orientation() * in_camera).normalized()};
+  const double unit = camera.seen_height(1.0) / std::max(size.height(), 1);
+  const double right = unit * (place.x() - 0.5 * size.width());
+  const double up = -unit * (place.y() - 0.5 * size.height());
+  const Eigen::Matrix3d R = camera.orientation();
+  if (camera.projection() == Projection::kOrthographic) {
+    return {camera.placement().target + R * Eigen::Vector3d(right, up, kFarBack), -R.col(2)};
+  }
+  return {camera.position(), (R * Eigen::Vector3d(right, up, -1.0)).normalized()};
 }
 
 QPointF place_of(const OrbitCamera& camera, const QSize& size, const Eigen::Vector3d& p_W) {
   const Eigen::Vector3d p = camera.orientation().transpose() * (p_W - camera.position());
-  const double unit = size.height() / (2.0 * std::tan(OrbitCamera::kFieldOfView / 2.0));
-  return {0.5 * size.width() - unit * p.x() / p.z(), 0.5 * size.height() + unit * p.y() / p.z()};
+  const double unit = size.height() / camera.seen_height(-p.z());
+  return {0.5 * size.width() + unit * p.x(), 0.5 * size.height() - unit * p.y()};
 }
 
 void ViewGizmo::set_target(const SceneItem& item, const std::optional<Pose>& X_WO) {
@@ -58,7 +60,7 @@ GizmoFrame ViewGizmo::frame(const OrbitCamera& camera, const QSize& size) const 
     }
     const double distance =
         std::max(0.05, camera.orientation().col(2).dot(camera.position() - frame.centre));
-    frame.size = kPixels * metres_per_pixel(size, distance);
+    frame.size = kPixels * camera.seen_height(distance) / std::max(size.height(), 1);
   }
   return frame;
 }

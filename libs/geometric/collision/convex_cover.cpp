@@ -107,6 +107,14 @@ ConvexCover::ConvexCover(const TriangleMesh& mesh, double margin) {
   }
 }
 
+std::vector<Eigen::Vector3d> ConvexCover::points() const {
+  std::vector<Eigen::Vector3d> points;
+  for (std::size_t i = 0; i < count_; ++i) {
+    points.emplace_back(x_[i], y_[i], z_[i]);
+  }
+  return points;
+}
+
 HANDWAY_VECTOR_UNITS Eigen::Vector3f ConvexCover::support(const Eigen::Vector3f& direction) const {
   alignas(64) std::array<float, kWidth> most;
   alignas(64) std::array<std::int32_t, kWidth> where{};

@@ -27,6 +27,8 @@ class ConvexCover {
   [[nodiscard]] const Eigen::Vector3f& middle() const { return middle_; }
   [[nodiscard]] float margin() const { return margin_; }
   [[nodiscard]] std::size_t point_count() const { return count_; }
+  /// The hull's corners, and perhaps some within it, m.
+  [[nodiscard]] std::vector<Eigen::Vector3d> points() const;
 
  private:
   friend class VolumeArchive;

@@ -1,0 +1,63 @@
+#include "app/preference_effects.h"
+
+#include "editing/recovery.h"
+#include "forms/quantity_field.h"
+#include "panels/plan_panel.h"
+#include "view3d/scene_view.h"
+
+#include <utility>
+
+namespace handway::gui {
+
+PreferenceEffects::PreferenceEffects(const Preferences& preferences, SceneView& view,
+                                     PlanPanel& plan_panel, Recovery& recovery, QObject* parent)
+    : QObject(parent),
+      preferences_(preferences),
+      view_(view),
+      plan_panel_(plan_panel),
+      recovery_(recovery),
+      applied_(preferences.values()) {
+  apply_to_view(applied_);
+  plan_panel_.set_usual_planner(applied_.planner.toStdString());
+  plan_panel_.set_threads(applied_.threads);
+  plan_panel_.set_time_limit(applied_.time_limit);
+  QuantityField::show_units(applied_.units);
+  recovery_.set_enabled(applied_.autosave);
+  connect(&preferences_, &Preferences::changed, this, &PreferenceEffects::follow);
+}
+
+void PreferenceEffects::apply_to_view(const PreferenceValues& values) {
+  view_.set_projection(values.projection);
+  view_.set_navigation(values.navigation);
+  view_.set_floor_visible(values.floor);
+  view_.set_cube_visible(values.cube);
+  view_.set_samples(values.samples);
+  view_.set_frame_limit(values.frame_limit);
+}
+
+// The panel's fields are for one run each: only a preference that has changed is put there.
+void PreferenceEffects::apply_to_planning(const PreferenceValues& values) {
+  if (values.planner != applied_.planner) {
+    plan_panel_.set_usual_planner(values.planner.toStdString());
+  }
+  if (values.threads != applied_.threads) {
+    plan_panel_.set_threads(values.threads);
+  }
+  if (values.time_limit != applied_.time_limit) {
+    plan_panel_.set_time_limit(values.time_limit);
+  }
+}
+
+void PreferenceEffects::follow() {
+  const PreferenceValues& values = preferences_.values();
+  apply_to_view(values);
+  apply_to_planning(values);
+  QuantityField::show_units(values.units);
+  recovery_.set_enabled(values.autosave);
+  const bool recolor = values.theme != std::exchange(applied_, values).theme;
+  if (recolor) {
+    emit theme_changed(values.theme);
+  }
+}
+
+}  // namespace handway::gui

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "handway/geometric/scene/triangle_mesh.h"
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace handway::gui {
+
+/// As what bodies are drawn.
+enum class BodyDisplay {
+  kVisual,     ///< As they look.
+  kCollision,  ///< The triangles that collisions are checked with.
+  kHulls,      ///< The convex hulls that part two bodies,
+  kSpheres,    ///< and the spheres that cover one, before triangles are asked.
+};
+
+/// What stands in for the looks of a scene's bodies, each in its own frame; null: its looks.
+struct BodyMeshes {
+  std::vector<std::vector<std::shared_ptr<const geometric::TriangleMesh>>> links;  ///< By robot.
+  std::map<std::string, std::shared_ptr<const geometric::TriangleMesh>> objects;   ///< By name.
+};
+
+}  // namespace handway::gui

@@ -1,0 +1,139 @@
+/// How many pictures a second the 3-D view draws of the scenes that ship, at 1280 x 800: while the
+/// view turns, and while the robot moves; how long a picture with smooth edges takes; and how
+/// much of a processor an open scene needs while nothing moves.
+///
+///     bench_view [SECONDS] [SCENE...]
+///
+/// Needs a display, for example xvfb-run. Ends with 1 if any motion has less than 30 pictures a
+/// second.
+#include "handway/geometric/io/scene_reader.h"
+#include "handway_test/paths.h"
+#include "style/theme.h"
+#include "view3d/scene_view.h"
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QTimer>
+
+#include <GL/gl.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <numbers>
+#include <vector>
+
+namespace {
+
+namespace geometric = handway::geometric;
+namespace gui = handway::gui;
+namespace fs = std::filesystem;
+
+constexpr double kEnough = 30.0;  // pictures a second
+constexpr double kTurn = 1.0;     // rad/s
+constexpr double kSwing = 2.0;    // s from start to goal and back
+
+double cpu_seconds() {
+  timespec time{};
+  ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+void wait(double seconds) {
+  QEventLoop loop;
+  QTimer::singleShot(static_cast<int>(1e3 * seconds), &loop, &QEventLoop::quit);
+  loop.exec();
+}
+
+/// Draws as fast as it goes. @param step moves something. @returns pictures a second.
+double rate(gui::SceneView& view, double seconds, const std::function<void(double)>& step) {
+  int pictures = 0;
+  QElapsedTimer timer;
+  timer.start();
+  const auto time = [&] { return 1e-9 * static_cast<double>(timer.nsecsElapsed()); };
+  const auto connection = QObject::connect(&view, &QOpenGLWidget::frameSwapped, [&] {
+    ++pictures;
+    step(time());
+  });
+  step(0.0);
+  wait(seconds);
+  QObject::disconnect(connection);
+  return pictures / time();
+}
+
+struct Figures {
+  double turning = 0.0;
+  double moving = 0.0;
+  double fine_ms = 0.0;
+  double idle = 0.0;
+};
+
+Figures measure(gui::SceneView& view, const fs::path& file, double seconds) {
+  const auto scene = std::make_shared<const geometric::Scene>(geometric::read_scene(file));
+  view.set_scene(scene);
+  wait(0.5);
+  Figures figures;
+  const gui::OrbitCamera::Placement from = view.camera().placement();
+  figures.turning = rate(view, seconds, [&](double time) {
+    gui::OrbitCamera::Placement turned = from;
+    turned.azimuth += kTurn * time;
+    view.set_camera(turned);
+  });
+  view.set_camera(from);
+  const geometric::Configuration start = scene->start.value();
+  const geometric::Configuration goal = scene->goal.value();
+  figures.moving = rate(view, seconds, [&](double time) {
+    const double share = 0.5 - 0.5 * std::cos(2.0 * std::numbers::pi * time / kSwing);
+    view.set_configuration(start + share * (goal - start));
+  });
+  wait(0.5);
+  view.settle();
+  wait(0.2);
+  figures.fine_ms = view.frame_time_ms();
+  const double before = cpu_seconds();
+  wait(seconds);
+  figures.idle = (cpu_seconds() - before) / seconds;
+  return figures;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  QApplication application(argc, argv);
+  gui::apply_theme(application, gui::Theme::kLight);
+  const double seconds = argc > 1 ? std::atof(argv[1]) : 3.0;
+  std::vector<fs::path> files(argv + std::min(argc, 2), argv + argc);
+  if (files.empty()) {
+    for (const fs::directory_entry& entry :
+         fs::directory_iterator(handway::test::source_dir() / "scenes")) {
+      if (entry.path().extension() == ".yaml") {
+        files.push_back(entry.path());
+      }
+    }
+    std::ranges::sort(files);
+  }
+  gui::SceneView view;
+  view.set_colors(gui::colors_of(gui::Theme::kLight).view);
+  view.resize(1280, 800);
+  view.show();
+  wait(0.5);
+  view.makeCurrent();
+  std::printf("%s\n", reinterpret_cast<const char*>(glGetString(GL_RENDERER)));
+  view.doneCurrent();
+  std::printf("%-18s %14s %14s %12s %8s\n", "scene", "turning, 1/s", "moving, 1/s", "fine, ms",
+              "idle");
+  bool enough = true;
+  for (const fs::path& file : files) {
+    const Figures figures = measure(view, file, seconds);
+    std::printf("%-18s %14.1f %14.1f %12.1f %7.2f%%\n", file.stem().c_str(), figures.turning,
+                figures.moving, figures.fine_ms, 100.0 * figures.idle);
+    std::fflush(stdout);
+    enough &= figures.turning >= kEnough && figures.moving >= kEnough;
+  }
+  return enough ? 0 : 1;
+}

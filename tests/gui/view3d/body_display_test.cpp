@@ -1,0 +1,88 @@
+#include "app/body_display_tool.h"
+#include "editing/editing_test.h"
+#include "view3d/scene_view.h"
+#include "view3d/view_gizmo.h"
+#include "workers/body_meshes.h"
+#include "workers/collision_monitor.h"
+
+#include <QAction>
+#include <QImage>
+
+namespace handway::test {
+namespace {
+
+using gui::BodyDisplay;
+using gui::SceneItem;
+
+const char* const kActions[] = {"bodies_visual", "bodies_collision", "bodies_hulls",
+                                "bodies_spheres"};
+
+class DrawnBodies : public EditingTest {
+ protected:
+  [[nodiscard]] gui::SceneView& view() const { return window().view(); }
+  void show(const char* action) const {
+    part<QAction>(action).trigger();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !window().body_display().is_busy(); }, 8000));
+  }
+  [[nodiscard]] QImage picture() const {
+    view().settle();
+    return view().grabFramebuffer();
+  }
+  [[nodiscard]] int red_pixels() const {
+    const QImage image = picture();
+    int count = 0;
+    for (int y = 0; y < image.height(); ++y) {
+      for (int x = 0; x < image.width(); ++x) {
+        const QColor color = image.pixelColor(x, y);
+        count += color.red() > 120 && color.green() < 70 && color.blue() < 70 ? 1 : 0;
+      }
+    }
+    return count;
+  }
+};
+
+TEST_F(DrawnBodies, LookOtherwiseAsSpheresAndTheSameAgainAsTheyAre) {
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !window().collisions().is_busy(); }, 8000));
+  const QImage visual = picture();
+  show("bodies_spheres");
+  EXPECT_NE(picture(), visual);
+  show("bodies_visual");
+  EXPECT_EQ(picture(), visual);
+}
+
+TEST_F(DrawnBodies, AreFoundByAClickInEveryDisplay) {
+  for (const char* action : kActions) {
+    SCOPED_TRACE(action);
+    show(action);
+    const QPoint post = place_of(view().camera(), view().size(), {0.41, 0.38, 0.15}).toPoint();
+    QTest::mouseClick(&view(), Qt::LeftButton, {}, post);
+    EXPECT_EQ(editor().selection(), (SceneItem{SceneItem::Kind::kObject, "", "post"}));
+    QTest::mouseClick(&view(), Qt::LeftButton, {}, QPoint(4, 4));
+  }
+}
+
+TEST_F(DrawnBodies, AreRedWhereTheyCollideInEveryDisplay) {
+  geometric::Configuration q = window().document().configuration();
+  q[0] = 0.75;  // into the post
+  window().document().set_configuration(q);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !window().collisions().is_busy(); }, 8000));
+  for (const char* action : kActions) {
+    SCOPED_TRACE(action);
+    show(action);
+    EXPECT_GT(red_pixels(), 100);
+  }
+}
+
+TEST_F(DrawnBodies, AreDrawnAsVolumesAfterAnEditToo) {
+  show("bodies_hulls");
+  editor().add("ball", geometric::Sphere{0.1}, {}, {0.0, 0.6, 0.0});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !window().body_display().is_busy(); }, 8000));
+  const gui::BodyMeshes meshes = gui::body_meshes(scene(), BodyDisplay::kHulls);
+  EXPECT_EQ(meshes.objects.size(), scene().objects.size());
+  open(cell().post());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !window().body_display().is_busy(); }, 8000));
+  EXPECT_EQ(window().body_display().display(), BodyDisplay::kHulls);
+}
+
+}  // namespace
+}  // namespace handway::test
