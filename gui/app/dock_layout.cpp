@@ -18,6 +18,7 @@ QDockWidget* make_dock(QMainWindow& window, const DockContent& content, Qt::Dock
   auto* dock = new QDockWidget(content.title, &window);
   dock->setObjectName(QLatin1String(content.name));
   dock->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable);
+  content.widget->setAttribute(Qt::WA_StyledBackground);
   dock->setWidget(content.widget);
   window.addDockWidget(area, dock);
   return dock;

@@ -249,6 +249,9 @@ void MicroscopePanel::show_state() {
 
 void MicroscopePanel::show_step() {
   const auto& run = microscope_.run();
+  for (QLabel* label : {count_, words_}) {
+    label->setVisible(run != nullptr);
+  }
   if (!run) {
     set_running(false);
     view_.set_overlay(Overlay::kSteps, nullptr);
