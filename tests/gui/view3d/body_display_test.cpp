@@ -79,6 +79,7 @@ TEST_F(DrawnBodies, AreDrawnAsVolumesAfterAnEditToo) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return !window().body_display().is_busy(); }, 8000));
   const gui::BodyMeshes meshes = gui::body_meshes(scene(), BodyDisplay::kHulls);
   EXPECT_EQ(meshes.objects.size(), scene().objects.size());
+  editor().undo_stack().setClean();  // nobody is there to answer about unsaved changes
   open(cell().post());
   ASSERT_TRUE(QTest::qWaitFor([&] { return !window().body_display().is_busy(); }, 8000));
   EXPECT_EQ(window().body_display().display(), BodyDisplay::kHulls);

@@ -132,10 +132,16 @@ TEST_F(TheOrientationCube, CanBeHidden) {
 TEST_F(TheOrientationCube, DrawsNothingWhileNothingMoves) {
   click({1, -1, 1});
   ASSERT_TRUE(wait_until_it_looks_along({1, -1, 1}));
-  QTest::qWait(600);  // the fine picture, and collisions there
-  QSignalSpy drawn(&view(), &QOpenGLWidget::frameSwapped);
-  QTest::qWait(500);
-  EXPECT_LE(drawn.count(), 1);
+  const auto is_calm = [this] {  // no two pictures take the same time, to the nanosecond
+    const double last = view().frame_time_ms();
+    QTest::qWait(500);
+    return view().frame_time_ms() == last;
+  };
+  bool calm = false;  // after the fine picture, and one with the distances there
+  for (int attempt = 0; attempt < 10 && !calm; ++attempt) {
+    calm = is_calm();
+  }
+  EXPECT_TRUE(calm);
 }
 
 }  // namespace
