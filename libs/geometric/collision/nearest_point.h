@@ -35,12 +35,4 @@ struct NearestPoint {
 [[nodiscard]] NearestPoint nearest_point(const TriangleMesh& mesh, const BoxTree& boxes,
                                          const Eigen::Vector3d& p, std::uint32_t hint = 0);
 
-/// Is a point of the surface nearer than `distance` (m) to `p`?
-[[nodiscard]] bool is_nearer_than(const TriangleMesh& mesh, const BoxTree& boxes,
-                                  const Eigen::Vector3d& p, double distance);
-
-/// Adds the triangles that have a point nearer than `distance` (m) to `p`.
-void triangles_within(const TriangleMesh& mesh, const BoxTree& boxes, const Eigen::Vector3d& p,
-                      double distance, std::vector<std::uint32_t>& triangles);
-
 }  // namespace handway::geometric

@@ -74,7 +74,6 @@ std::shared_ptr<const Surface> make_surface(const CacheKey& key,
   if (auto living = living_surfaces().find(key)) {
     return living;
   }
-  BoxTree boxes(*mesh);
   MeshVolumes volumes;
   if (const std::optional<std::string> cached = read_cached(key)) {
     volumes = unarchive_volumes(*cached);
@@ -82,12 +81,12 @@ std::shared_ptr<const Surface> make_surface(const CacheKey& key,
     const std::size_t cells = mesh->triangles.size() < kPlain ? kCellsOfPlain : kCells;
     const SphereCover cover(*mesh, leaf_radius(*mesh));
     volumes = {cover, ConvexCover(*mesh, kHullMargin * static_cast<double>(cover.root().radius)),
-               ClearanceField(*mesh, boxes, cells)};
+               ClearanceField(*mesh, BoxTree(*mesh), cells)};
     write_cached(key, archive_volumes(volumes));
   }
-  auto surface =
-      std::make_shared<const Surface>(Surface{key, mesh, std::move(boxes), std::move(volumes.cover),
-                                              std::move(volumes.hull), std::move(volumes.field)});
+  auto surface = std::make_shared<const Surface>(
+      Surface{key, mesh, TriangleTree(*mesh), std::move(volumes.cover), std::move(volumes.hull),
+              std::move(volumes.field)});
   living_surfaces().add(key, surface);
   return surface;
 }

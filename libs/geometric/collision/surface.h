@@ -1,10 +1,10 @@
 #pragma once
 
-#include "collision/box_tree.h"
 #include "collision/clearance_field.h"
 #include "collision/convex_cover.h"
 #include "collision/disk_cache.h"
 #include "collision/sphere_cover.h"
+#include "collision/triangle_tree.h"
 #include "handway/geometric/scene/triangle_mesh.h"
 
 #include <memory>
@@ -16,7 +16,7 @@ namespace handway::geometric {
 struct Surface {
   CacheKey key;  ///< Of the mesh's content.
   std::shared_ptr<const TriangleMesh> mesh;
-  BoxTree boxes;
+  TriangleTree triangles;
   SphereCover cover;
   ConvexCover hull;
   ClearanceField field;

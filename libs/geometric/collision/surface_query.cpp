@@ -125,13 +125,9 @@ void SurfaceQuery::visit(std::uint32_t index) {
     if ((is_leaf || patience_ <= 1) && parted_by_plane()) {
       return;
     }
-    if ((is_leaf || --patience_ < 0) &&
-        !is_nearer_than(*b_.mesh, b_.boxes, centre, radius + least_)) {
-      continue;
-    }
     if (is_leaf) {
       compare(node.child[k] & ~SphereCover::kLeaf, centre, radius);
-    } else {
+    } else if (--patience_ >= 0 || b_.triangles.is_nearer_than(centre, radius + least_)) {
       visit(node.child[k]);
     }
   }
@@ -146,20 +142,19 @@ bool SurfaceQuery::parted_by_plane() {
 }
 
 void SurfaceQuery::compare(std::uint32_t leaf, const Eigen::Vector3d& centre, double radius) {
+  near_.clear();
+  b_.triangles.append_within(centre, radius + least_, near_);
+  if (near_.empty()) {
+    return;
+  }
   for (const std::uint32_t triangle : a_.cover.triangles(leaf)) {
     TriangleCorners s = corners(*a_.mesh, triangle);
     for (Eigen::Vector3d& p : s) {
       p = X_BA_ * p;
     }
-    // The smaller of the leaf's sphere and the triangle's own says where to look.
-    const Eigen::Vector3d middle = (s[0] + s[1] + s[2]) / 3.0;
-    const double reach =
-        std::sqrt(std::max({(s[0] - middle).squaredNorm(), (s[1] - middle).squaredNorm(),
-                            (s[2] - middle).squaredNorm()}));
-    if (reach < radius) {
-      compare_triangle(s, middle, reach);
-    } else {
-      compare_triangle(s, centre, radius);
+    if (!field_keeps_apart(s)) {
+      exact_ = true;
+      compare_triangle(s);
     }
     if (least_ < ends_at_ || least_ <= 0.0) {
       return;
@@ -167,20 +162,18 @@ void SurfaceQuery::compare(std::uint32_t leaf, const Eigen::Vector3d& centre, do
   }
 }
 
-void SurfaceQuery::compare_triangle(const TriangleCorners& s, const Eigen::Vector3d& centre,
-                                    double radius) {
-  const double around = static_cast<double>(b_.field.bound(centre.cast<float>())) - radius;
-  if (around - moves_.rounding >= least_) {
-    return;
-  }
-  const double within = b_.field.bound(
-      std::array<Eigen::Vector3f, 3>{s[0].cast<float>(), s[1].cast<float>(), s[2].cast<float>()});
-  if (within - moves_.rounding >= least_) {
-    return;
-  }
-  near_.clear();
-  triangles_within(*b_.mesh, b_.boxes, centre, radius + least_, near_);
-  exact_ = exact_ || !near_.empty();
+bool SurfaceQuery::field_keeps_apart(const TriangleCorners& s) const {
+  const Eigen::Vector3d middle = (s[0] + s[1] + s[2]) / 3.0;
+  const double reach =
+      std::sqrt(std::max({(s[0] - middle).squaredNorm(), (s[1] - middle).squaredNorm(),
+                          (s[2] - middle).squaredNorm()}));
+  const double least = least_ + moves_.rounding;
+  return static_cast<double>(b_.field.bound(middle.cast<float>())) - reach >= least ||
+         static_cast<double>(b_.field.bound(std::array<Eigen::Vector3f, 3>{
+             s[0].cast<float>(), s[1].cast<float>(), s[2].cast<float>()})) >= least;
+}
+
+void SurfaceQuery::compare_triangle(const TriangleCorners& s) {
   for (const std::uint32_t other : near_) {
     const TriangleCorners t = corners(*b_.mesh, other);
     if (!plane_keeps_apart(s, t, least_)) {

@@ -45,7 +45,10 @@ class SurfaceQuery {
   /// Whether the hulls are known to be at least `least_` apart.
   [[nodiscard]] bool parted_by_plane();
   void compare(std::uint32_t leaf, const Eigen::Vector3d& centre, double radius);
-  void compare_triangle(const TriangleCorners& s, const Eigen::Vector3d& centre, double radius);
+  /// Is a triangle, in B's frame, at least `least_` away for all that the field knows?
+  [[nodiscard]] bool field_keeps_apart(const TriangleCorners& s) const;
+  /// With the triangles in `near_`.
+  void compare_triangle(const TriangleCorners& s);
 
   const Surface& a_;
   const Surface& b_;

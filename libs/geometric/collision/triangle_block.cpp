@@ -24,7 +24,8 @@ TriangleBlock::TriangleBlock(std::span<const TriangleCorners> triangles) {
 
 // Over a triangle's face the distance from its plane counts, elsewhere that from
 // its edges.
-HANDWAY_VECTOR_UNITS float TriangleBlock::distance(const Eigen::Vector3f& p) const {
+HANDWAY_VECTOR_UNITS TriangleBlock::Lanes TriangleBlock::squared_distances(
+    const Eigen::Vector3f& p) const {
   Lanes squared;
   const float px = p.x();
   const float py = p.y();
@@ -60,11 +61,11 @@ HANDWAY_VECTOR_UNITS float TriangleBlock::distance(const Eigen::Vector3f& p) con
     const bool over_face = least_side > 0.0F;
     squared[k] = over_face ? above * above : from_edges;
   }
-  float least = squared[0];
-  for (std::size_t k = 1; k < kWidth; ++k) {
-    least = std::min(least, squared[k]);
-  }
-  return std::sqrt(least);
+  return squared;
+}
+
+float TriangleBlock::distance(const Eigen::Vector3f& p) const {
+  return std::sqrt(std::ranges::min(squared_distances(p)));
 }
 
 }  // namespace handway::geometric

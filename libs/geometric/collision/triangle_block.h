@@ -20,11 +20,15 @@ class TriangleBlock {
   /// @pre 1 to kWidth triangles.
   explicit TriangleBlock(std::span<const TriangleCorners> triangles);
 
-  /// Distance (m) of `p` from the nearest triangle, up to single precision.
+  using Lanes = std::array<float, kWidth>;
+
+  /// Squared distances (m²) of `p` from the triangles, up to single precision; past the
+  /// last one, that from it again.
+  [[nodiscard]] Lanes squared_distances(const Eigen::Vector3f& p) const;
+  /// Distance (m) of `p` from the nearest triangle.
   [[nodiscard]] float distance(const Eigen::Vector3f& p) const;
 
  private:
-  using Lanes = std::array<float, kWidth>;
   using Vectors = std::array<Lanes, 3>;
 
   alignas(32) std::array<Vectors, 3> corners_{};

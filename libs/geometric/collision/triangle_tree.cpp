@@ -1,0 +1,201 @@
+#include "collision/triangle_tree.h"
+
+#include "collision/nearest_point.h"
+#include "collision/vector_units.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <span>
+#include <utility>
+
+namespace handway::geometric {
+namespace {
+
+constexpr float kRounding = 2e-6F;  // of the coordinates: more than single precision loses
+
+struct Piece {
+  Eigen::Vector3d lower;
+  Eigen::Vector3d upper;
+  std::uint32_t triangle;
+};
+
+}  // namespace
+
+class TriangleTreeBuilder {
+ public:
+  TriangleTreeBuilder(TriangleTree& tree, const TriangleMesh& mesh) : tree_(tree), mesh_(mesh) {}
+
+  void build() {
+    std::vector<Piece> pieces;
+    pieces.reserve(mesh_.triangles.size());
+    for (std::uint32_t i = 0; i < mesh_.triangles.size(); ++i) {
+      const TriangleCorners t = corners(mesh_, i);
+      pieces.push_back({t[0].cwiseMin(t[1]).cwiseMin(t[2]), t[0].cwiseMax(t[1]).cwiseMax(t[2]), i});
+      tree_.size_ = std::max({tree_.size_, static_cast<float>(-pieces.back().lower.minCoeff()),
+                              static_cast<float>(pieces.back().upper.maxCoeff())});
+    }
+    tree_.root_ = add(pieces);
+  }
+
+ private:
+  using Pieces = std::span<Piece>;
+
+  std::uint32_t add(Pieces pieces) {
+    return pieces.size() <= TriangleBlock::kWidth ? add_leaf(pieces) : add_node(pieces);
+  }
+
+  std::uint32_t add_leaf(Pieces pieces) {
+    std::vector<TriangleCorners> triangles;
+    TriangleTree::Leaf leaf;
+    for (const Piece& piece : pieces) {
+      leaf.triangles[triangles.size()] = piece.triangle;
+      triangles.push_back(corners(mesh_, piece.triangle));
+    }
+    leaf.count = static_cast<std::uint32_t>(triangles.size());
+    leaf.block = TriangleBlock(triangles);
+    tree_.leaves_.push_back(leaf);
+    return TriangleTree::kLeaf | static_cast<std::uint32_t>(tree_.leaves_.size() - 1);
+  }
+
+  std::uint32_t add_node(Pieces pieces) {
+    const std::size_t index = tree_.nodes_.size();
+    tree_.nodes_.emplace_back();
+    std::vector<Pieces> groups{pieces};
+    while (groups.size() < TriangleTree::kWidth) {
+      const auto largest = std::ranges::max_element(groups, {}, &Pieces::size);
+      if (largest->size() <= TriangleBlock::kWidth) {
+        break;
+      }
+      const auto [low, high] = halves(*largest);
+      *largest = low;
+      groups.push_back(high);
+    }
+    for (std::size_t k = 0; k < TriangleTree::kWidth; ++k) {
+      const std::uint32_t child = k < groups.size() ? add(groups[k]) : 0;
+      TriangleTree::Node& node = tree_.nodes_[index];  // added ones may have moved it
+      node.child[k] = child;
+      set_box(node, k, k < groups.size() ? groups[k] : Pieces());
+    }
+    return static_cast<std::uint32_t>(index);
+  }
+
+  static void set_box(TriangleTree::Node& node, std::size_t k, Pieces pieces) {
+    const Aabb box = pieces.empty() ? Aabb{} : box_of(pieces);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto i = static_cast<Eigen::Index>(axis);
+      node.centre[axis][k] = pieces.empty() ? 0.0F : static_cast<float>(box.centre()[i]);
+      node.half[axis][k] = pieces.empty() ? -1e30F : static_cast<float>(0.5 * box.size()[i]);
+    }
+  }
+
+  // Where the longer side is halved, so that as many leaves as can be are full.
+  static std::pair<Pieces, Pieces> halves(Pieces pieces) {
+    Eigen::Index axis = 0;
+    box_of(pieces).size().maxCoeff(&axis);
+    constexpr std::size_t kFull = TriangleBlock::kWidth;
+    const std::size_t half = (pieces.size() / 2 + kFull - 1) / kFull * kFull;
+    std::ranges::nth_element(
+        pieces, pieces.begin() + static_cast<std::ptrdiff_t>(half), {},
+        [axis](const Piece& piece) { return (piece.lower + piece.upper)[axis]; });
+    return {pieces.first(half), pieces.subspan(half)};
+  }
+
+  static Aabb box_of(Pieces pieces) {
+    Aabb box{pieces.front().lower, pieces.front().upper};
+    for (const Piece& piece : pieces) {
+      box.lower = box.lower.cwiseMin(piece.lower);
+      box.upper = box.upper.cwiseMax(piece.upper);
+    }
+    return box;
+  }
+
+  TriangleTree& tree_;
+  const TriangleMesh& mesh_;
+};
+
+TriangleTree::TriangleTree(const TriangleMesh& mesh) { TriangleTreeBuilder(*this, mesh).build(); }
+
+float TriangleTree::reach(const Eigen::Vector3d& p, double distance) const {
+  return static_cast<float>(distance) +
+         kRounding * (size_ + static_cast<float>(distance + p.lpNorm<1>()));
+}
+
+HANDWAY_VECTOR_UNITS std::uint32_t TriangleTree::near_boxes(const Node& node,
+                                                            const Eigen::Vector3f& p,
+                                                            float distance,
+                                                            std::array<float, kWidth>& squared) {
+  const float px = p.x();
+  const float py = p.y();
+  const float pz = p.z();
+  std::uint32_t near = 0;
+  for (std::size_t k = 0; k < kWidth; ++k) {
+    const float x = std::max(std::abs(px - node.centre[0][k]) - node.half[0][k], 0.0F);
+    const float y = std::max(std::abs(py - node.centre[1][k]) - node.half[1][k], 0.0F);
+    const float z = std::max(std::abs(pz - node.centre[2][k]) - node.half[2][k], 0.0F);
+    squared[k] = x * x + y * y + z * z;
+  }
+  for (std::size_t k = 0; k < kWidth; ++k) {
+    near |= squared[k] < distance * distance ? 1U << k : 0U;
+  }
+  return near;
+}
+
+template <typename Visit>
+void TriangleTree::visit_near(const Eigen::Vector3f& p, float distance, const Visit& visit) const {
+  std::array<std::uint32_t, 256> stack;  // trees have at most seven waiting on a level
+  std::size_t waiting = 0;
+  stack[waiting++] = root_;
+  while (waiting > 0) {
+    const std::uint32_t top = stack[--waiting];
+    if ((top & kLeaf) != 0) {
+      if (visit(leaves_[top & ~kLeaf])) {
+        return;
+      }
+      continue;
+    }
+    const Node& node = nodes_[top];
+    std::array<float, kWidth> squared;
+    std::uint32_t near = near_boxes(node, p, distance, squared);
+    if (near == 0) {
+      continue;
+    }
+    auto nearest = static_cast<std::size_t>(std::countr_zero(near));
+    for (std::uint32_t bits = near; bits != 0; bits &= bits - 1) {
+      const auto k = static_cast<std::size_t>(std::countr_zero(bits));
+      nearest = squared[k] < squared[nearest] ? k : nearest;
+    }
+    for (near &= ~(1U << nearest); near != 0; near &= near - 1) {
+      stack[waiting++] = node.child[static_cast<std::size_t>(std::countr_zero(near))];
+    }
+    stack[waiting++] = node.child[nearest];
+  }
+}
+
+bool TriangleTree::is_nearer_than(const Eigen::Vector3d& p, double distance) const {
+  const float within = reach(p, distance);
+  const Eigen::Vector3f point = p.cast<float>();
+  bool found = false;
+  visit_near(point, within, [&](const Leaf& leaf) {
+    found = leaf.block.distance(point) < within;
+    return found;
+  });
+  return found;
+}
+
+void TriangleTree::append_within(const Eigen::Vector3d& p, double distance,
+                                 std::vector<std::uint32_t>& triangles) const {
+  const float within = reach(p, distance);
+  const Eigen::Vector3f point = p.cast<float>();
+  visit_near(point, within, [&](const Leaf& leaf) {
+    const TriangleBlock::Lanes squared = leaf.block.squared_distances(point);
+    for (std::size_t k = 0; k < leaf.count; ++k) {
+      if (squared[k] < within * within) {
+        triangles.push_back(leaf.triangles[k]);
+      }
+    }
+    return false;
+  });
+}
+
+}  // namespace handway::geometric
