@@ -83,6 +83,8 @@ void bench_plans(SceneBench& bench, const BenchOptions& options,
   planning::PlanRequest request;
   request.threads = options.settings.threads;
   request.time_limit_s = options.settings.time_limit_s;
+  // Kept while they run, so that what is made of meshes is not read again for each.
+  const planning::PlanningProblem kept = planning::make_problem(loaded.scene, loaded.basis);
   for (const auto& planner : planners_for(options, loaded.scene->planner, extensions.planners())) {
     for (const std::string& checker : options.settings.checkers) {
       const geometric::CheckerKind kind = checker_kinds().at(checker);
