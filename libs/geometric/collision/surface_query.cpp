@@ -177,7 +177,9 @@ void SurfaceQuery::compare_triangle(const TriangleCorners& s) {
   for (const std::uint32_t other : near_) {
     const TriangleCorners t = corners(*b_.mesh, other);
     if (!plane_keeps_apart(s, t, least_)) {
-      least_ = std::min(least_, surely_cross(s, t) ? 0.0 : triangle_distance(s, t));
+      // Looking for a touch, most that planes leave cross; else hardly any does.
+      const bool touch = ends_at_ > 0.0 && surely_cross(s, t);
+      least_ = touch ? 0.0 : std::min(least_, triangle_distance(s, t));
       if (least_ < ends_at_ || least_ <= 0.0) {
         return;
       }
