@@ -6,7 +6,7 @@
 
 namespace handway::gui {
 
-BodyShape::BodyShape(CoinRef<SoSeparator> looks, const geometric::Color& color)
+BodyShape::BodyShape(const CoinRef<SoSeparator>& looks, const geometric::Color& color)
     : color_(color), root_(make_coin<SoSeparator>()), drawings_(make_coin<SoSwitch>()) {
   root_->renderCaching = SoSeparator::OFF;
   root_->addChild(drawings_.get());

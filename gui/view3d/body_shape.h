@@ -16,7 +16,7 @@ namespace handway::gui {
 class BodyShape {
  public:
   /// @param looks with materials. @param color of a mesh in their place.
-  BodyShape(CoinRef<SoSeparator> looks, const geometric::Color& color);
+  BodyShape(const CoinRef<SoSeparator>& looks, const geometric::Color& color);
 
   [[nodiscard]] SoSeparator* get() const { return root_.get(); }
   /// Draws a mesh in place of the looks; null: the looks.

@@ -56,8 +56,7 @@ LinkShapes make_link_shapes(const geometric::RobotModel& model) {
     for (const geometric::LinkGeometry& geometry : shown) {
       separator->addChild(make_geometry_node(geometry).get());
     }
-    shapes.emplace_back(std::move(separator),
-                        shown.empty() ? geometric::Color() : shown.front().color);
+    shapes.emplace_back(separator, shown.empty() ? geometric::Color() : shown.front().color);
   }
   return shapes;
 }
