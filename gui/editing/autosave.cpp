@@ -1,13 +1,13 @@
 #include "editing/autosave.h"
 
 #include "app/save_scene.h"
+#include "handway/geometric/io/replace_file.h"
 
 #include <QCoreApplication>
 #include <QDir>
 #include <QFile>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QSaveFile>
 #include <QStandardPaths>
 
 #include <algorithm>
@@ -110,12 +110,8 @@ void Autosave::run(const Job& job) const {
     fs::remove(folder_ / kSceneFile, ignored);
   } else {
     const UnsavedScene& unsaved = *job.scene;
-    QSaveFile about(qpath(folder_ / kAboutFile));
-    if (about.open(QIODevice::WriteOnly)) {
-      about.write(QJsonDocument(QJsonObject{{"file", qpath(unsaved.file)}, {"name", unsaved.name}})
-                      .toJson());
-      about.commit();
-    }
+    const QJsonObject about{{"file", qpath(unsaved.file)}, {"name", unsaved.name}};
+    geometric::replace_file(folder_ / kAboutFile, QJsonDocument(about).toJson().toStdString());
     save_scene(unsaved.loaded, unsaved.shown, unsaved.planner, folder_ / kSceneFile);
   }
   if (job.then_forget) {

@@ -4,6 +4,8 @@
 
 #include <QLocale>
 
+#include <utility>
+
 namespace handway::gui {
 
 Recovery::Recovery(Document& document, SceneEditor& editor, const PlanPanel& plan_panel,
@@ -14,7 +16,12 @@ Recovery::Recovery(Document& document, SceneEditor& editor, const PlanPanel& pla
       plan_panel_(plan_panel),
       banner_(banner),
       autosave_(Autosave::default_folder()) {
-  connect(&autosave_, &Autosave::failed, this, &Recovery::failed);
+  connect(&autosave_, &Autosave::stored, this, [this] { fails_ = false; });
+  connect(&autosave_, &Autosave::failed, this, [this](const QString& message) {
+    if (!std::exchange(fails_, true)) {
+      emit failed(message);
+    }
+  });
   connect(&document_, &Document::edited, this, [this](const SceneState& before) {
     if (before.scene != document_.scene()) {
       store(std::nullopt);

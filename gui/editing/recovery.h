@@ -27,6 +27,7 @@ class Recovery : public QObject {
   void offer();
 
  signals:
+  /// Scenes can't be stored; told once until one can again.
   void failed(const QString& message);
 
  private:
@@ -40,6 +41,7 @@ class Recovery : public QObject {
   Autosave autosave_;
   std::optional<LostScene> recovering_;
   bool enabled_ = true;
+  bool fails_ = false;
 };
 
 }  // namespace handway::gui

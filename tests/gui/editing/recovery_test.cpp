@@ -1,6 +1,8 @@
 #include "editing/recovery.h"
 
 #include "editing/editing_test.h"
+#include "full_disk.h"
+#include "handway/geometric/io/scene_reader.h"
 
 #include <QProcess>
 #include <QPushButton>
@@ -17,7 +19,19 @@ constexpr int kPatienceMs = 30000;
 
 class RecoveringWork : public EditingTest {
  protected:
-  [[nodiscard]] static std::filesystem::path unsaved() { return gui::Autosave::default_folder(); }
+  [[nodiscard]] static std::filesystem::path folder() { return gui::Autosave::default_folder(); }
+  /// The copy of the scene that this window keeps.
+  [[nodiscard]] static std::filesystem::path kept() {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder())) {
+      if (entry.path().extension() == ".yaml") {
+        return entry.path();
+      }
+    }
+    throw std::runtime_error("no copy of the scene");
+  }
+  [[nodiscard]] static bool comes(QSignalSpy& spy) {
+    return QTest::qWaitFor([&] { return !spy.isEmpty(); }, kPatienceMs);
+  }
 };
 
 /// Not a test of its own: what the test below runs in another process, and kills.
@@ -66,6 +80,46 @@ TEST_F(RecoveringWork, LosesAtMostOneEditWhenItIsKilled) {
   })) << "offered once";
 }
 
+TEST_F(RecoveringWork, KeepsTheLastCopyWhileTheDiskIsFullAndSaysSoOnce) {
+  QSignalSpy stored(&window().recovery().autosave(), &gui::Autosave::stored);
+  QSignalSpy not_stored(&window().recovery().autosave(), &gui::Autosave::failed);
+  QSignalSpy told(&window().recovery(), &gui::Recovery::failed);
+  editor().add("first", geometric::Box{}, {}, {0.6, 0.0, 0.0});
+  ASSERT_TRUE(comes(stored));
+  {
+    const FullDisk full;
+    for (const char* name : {"second", "third"}) {
+      not_stored.clear();
+      editor().add(name, geometric::Box{}, {}, {0.9, 0.0, 0.0});
+      ASSERT_TRUE(comes(not_stored));
+    }
+  }
+  ASSERT_EQ(told.size(), 1);
+  EXPECT_THAT(told.front().front().toString().toStdString(), HasSubstr("File too large"));
+  EXPECT_EQ(geometric::read_scene(kept()).objects.back().name, "first");
+
+  stored.clear();
+  editor().add("fourth", geometric::Box{}, {}, {0.9, 0.3, 0.0});
+  ASSERT_TRUE(comes(stored));
+  EXPECT_EQ(geometric::read_scene(kept()).objects.size(), 5U) << "all, with the post";
+}
+
+TEST_F(RecoveringWork, LeavesTheFileAloneWhenItCannotBeSaved) {
+  editor().add("box", geometric::Box{}, {}, {0.6, 0.0, 0.0});
+  {
+    const FullDisk full;
+    for (QAction* action : window().findChildren<QAction*>()) {
+      if (action->shortcut() == QKeySequence::Save) {
+        action->trigger();
+      }
+    }
+  }
+  EXPECT_THAT(window().message().toStdString(), HasSubstr("File too large"));
+  EXPECT_TRUE(window().isWindowModified());
+  EXPECT_EQ(geometric::read_scene(cell().folder() / "scene.yaml").objects.size(), 1U);
+  EXPECT_TRUE(std::filesystem::is_regular_file(cell().folder() / "scene.yaml"));
+}
+
 TEST_F(RecoveringWork, OffersNothingWhenAllIsSaved) {
   QSignalSpy stored(&window().recovery().autosave(), &gui::Autosave::stored);
   select("post");
@@ -74,7 +128,7 @@ TEST_F(RecoveringWork, OffersNothingWhenAllIsSaved) {
   stored.clear();
   editor().undo_stack().undo();
   ASSERT_TRUE(QTest::qWaitFor([&] { return !stored.isEmpty(); }));
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(unsaved())) {
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder())) {
     EXPECT_NE(entry.path().extension(), ".yaml") << entry.path();
   }
 }
@@ -85,7 +139,7 @@ TEST_F(RecoveringWork, LeavesOtherWindowsAlone) {
   select("post");
   editor().remove();
   ASSERT_TRUE(QTest::qWaitFor([&] { return !stored.isEmpty(); }));
-  const gui::Autosave other(unsaved());
+  const gui::Autosave other(folder());
   EXPECT_TRUE(other.find_lost().empty());
 }
 

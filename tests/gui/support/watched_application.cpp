@@ -3,7 +3,10 @@
 #include <QEvent>
 #include <QMetaEnum>
 
+#include <gtest/gtest.h>
+
 #include <ctime>
+#include <string>
 
 namespace handway::test {
 namespace {
@@ -36,6 +39,13 @@ bool WatchedApplication::notify(QObject* receiver, QEvent* event) {
     longest_ = {ms, name};
   }
   return taken;
+}
+
+void expect_no_stall() {
+  const Stall& stall = WatchedApplication::longest();
+  ::testing::Test::RecordProperty("longest_stall_ms", std::to_string(stall.ms));
+  ::testing::Test::RecordProperty("longest_stall", stall.event.toStdString());
+  EXPECT_LT(stall.ms, kLongestStallMs) << stall.event.toStdString();
 }
 
 }  // namespace handway::test

@@ -38,4 +38,15 @@ class WatchedApplication : public QApplication {
   inline static int depth_ = 0;
 };
 
+/// The longest that a step of a person may keep the window from answering. 50 ms are wanted; a
+/// busy machine's shared caches may make three times that of it, and sanitizers as much again.
+#ifdef __SANITIZE_ADDRESS__
+inline constexpr double kLongestStallMs = 600.0;
+#else
+inline constexpr double kLongestStallMs = 150.0;
+#endif
+
+/// Fails the test that runs if there was a longer one since forget(), and reports it in any case.
+void expect_no_stall();
+
 }  // namespace handway::test
