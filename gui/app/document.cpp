@@ -50,6 +50,7 @@ void Document::set_scene(planning::LoadedScene scene, const std::filesystem::pat
     q_ = first->configuration;
     problem_ = std::make_shared<const PreparedProblem>(loaded_, threads_);
   }
+  recorded_hand_.set_basis(loaded_.basis);
   emit opened();
   if (robot()) {
     emit configuration_changed(q_);

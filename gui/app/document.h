@@ -4,6 +4,7 @@
 #include "handway/planning/core/plugin.h"
 #include "panels/joint_groups.h"
 #include "workers/prepared_problem.h"
+#include "workers/recorded_hand.h"
 #include "workers/scene_loader.h"
 
 #include <QObject>
@@ -35,6 +36,8 @@ class Document : public QObject {
   [[nodiscard]] const JointGroups& groups() const { return groups_; }
   [[nodiscard]] int palm() const { return palm_; }
   [[nodiscard]] const geometric::Configuration& configuration() const { return q_; }
+  /// What the hand is compared with.
+  [[nodiscard]] RecordedHand& recorded_hand() { return recorded_hand_; }
   [[nodiscard]] const std::filesystem::path& file() const { return file_; }
 
   /// Begins to read `file`; opened() or open_failed() follows.
@@ -70,6 +73,7 @@ class Document : public QObject {
   SceneState state_;
   planning::LoadedScene loaded_;  ///< With the scene of `state_`.
   std::shared_ptr<const PreparedProblem> problem_;
+  RecordedHand recorded_hand_;
   JointGroups groups_;
   int palm_ = 0;
   geometric::Configuration q_;

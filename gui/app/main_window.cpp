@@ -85,7 +85,7 @@ MainWindow::MainWindow(std::shared_ptr<planning::Extensions> extensions, QWidget
   new WheelGuard(this);
   build_docks();
   session_ = std::make_unique<PlanningSession>(document_, *plan_panel_, player_);
-  planning_views_->follow(*session_, *actions_->samples);
+  planning_views_->follow(*session_, *actions_->samples, *actions_->hypercubes);
   query_check_ = std::make_unique<QueryCheck>(document_, editing_->editor(), *posing_, *view_);
   grasp_tool_ = std::make_unique<GraspTool>(document_, *editing_, *session_, *view_);
   palm_tool_ =

@@ -1,5 +1,6 @@
 #include "app/planning_views.h"
 
+#include "app/hypercube_display.h"
 #include "app/projection_tool.h"
 #include "app/region_tool.h"
 #include "app/roadmap_display.h"
@@ -9,14 +10,20 @@ namespace handway::gui {
 
 PlanningViews::PlanningViews(Document& document, PathPlayer& player, PlanPanel& panel,
                              SceneView& view)
-    : view_(view),
+    : document_(document),
+      panel_(panel),
+      view_(view),
       region_(std::make_unique<RegionTool>(document, panel, view)),
       projection_(std::make_unique<ProjectionTool>(document, player)) {}
 
 PlanningViews::~PlanningViews() = default;
 
-void PlanningViews::follow(PlanningSession& session, QAction& roadmap_shown) {
-  roadmap_ = std::make_unique<RoadmapDisplay>(session, view_, roadmap_shown);
+void PlanningViews::follow(PlanningSession& session, QAction& roadmap_shown,
+                           QAction& hypercubes_shown) {
+  hypercubes_ =
+      std::make_unique<HypercubeDisplay>(document_, panel_, session, view_, hypercubes_shown);
+  roadmap_ = std::make_unique<RoadmapDisplay>(session, view_, roadmap_shown, *hypercubes_,
+                                              hypercubes_shown);
   projection_->follow(session);
 }
 

@@ -10,6 +10,7 @@ class QWidget;
 namespace handway::gui {
 
 class Document;
+class HypercubeDisplay;
 class PathPlayer;
 class PlanPanel;
 class PlanningSession;
@@ -28,18 +29,23 @@ class PlanningViews : public QObject {
   PlanningViews(Document& document, PathPlayer& player, PlanPanel& panel, SceneView& view);
   ~PlanningViews() override;
 
-  /// @param roadmap_shown a switch. Both outlive it.
-  void follow(PlanningSession& session, QAction& roadmap_shown);
+  /// @param roadmap_shown, hypercubes_shown switches. All outlive it.
+  void follow(PlanningSession& session, QAction& roadmap_shown, QAction& hypercubes_shown);
 
   /// For a window to take over.
   [[nodiscard]] QWidget* projection_panel() const;
   [[nodiscard]] ProjectionTool& projection() const { return *projection_; }
   [[nodiscard]] RegionTool& region() const { return *region_; }
+  /// @pre follow() was called.
+  [[nodiscard]] HypercubeDisplay& hypercubes() const { return *hypercubes_; }
 
  private:
+  Document& document_;
+  PlanPanel& panel_;
   SceneView& view_;
   std::unique_ptr<RegionTool> region_;
   std::unique_ptr<ProjectionTool> projection_;
+  std::unique_ptr<HypercubeDisplay> hypercubes_;
   std::unique_ptr<RoadmapDisplay> roadmap_;
 };
 

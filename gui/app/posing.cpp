@@ -15,7 +15,7 @@ Posing::Posing(Document& document, PathPlayer& player, QObject* parent)
       player_(player),
       postures_(new PostureBar),
       joints_(new JointPanel),
-      hand_(new PmdPanel),
+      hand_(new PmdPanel(document.recorded_hand())),
       glove_(new GlovePanel) {
   connect_panels();
   connect(&document_, &Document::configuration_changed, this, [this](const Eigen::VectorXd& q) {

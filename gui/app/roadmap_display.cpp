@@ -1,5 +1,6 @@
 #include "app/roadmap_display.h"
 
+#include "app/hypercube_display.h"
 #include "app/planning_session.h"
 #include "panels/roadmap_legend.h"
 #include "view3d/roadmap_node.h"
@@ -11,12 +12,16 @@
 namespace handway::gui {
 
 RoadmapDisplay::RoadmapDisplay(PlanningSession& session, SceneView& view, QAction& shown,
+                               HypercubeDisplay& hypercubes, QAction& hypercubes_shown,
                                QObject* parent)
     : QObject(parent),
       session_(session),
       view_(view),
       shown_(shown),
-      legend_(new RoadmapLegend(&view)) {
+      hypercubes_(hypercubes),
+      legend_(new RoadmapLegend(hypercubes_shown, &view)) {
+  connect(&hypercubes_, &HypercubeDisplay::changed, this, &RoadmapDisplay::show_legend);
+  connect(&session_, &PlanningSession::ended, this, &RoadmapDisplay::show_legend);
   connect(&session_, &PlanningSession::roadmap_changed, this, &RoadmapDisplay::draw);
   connect(&shown_, &QAction::toggled, this, [this](bool on) {
     view_.set_overlay_visible(Overlay::kRoadmap, on);
@@ -35,7 +40,8 @@ void RoadmapDisplay::draw() {
 }
 
 void RoadmapDisplay::show_legend() {
-  legend_->show_roadmap(shown_.isChecked() ? session_.roadmap() : nullptr);
+  legend_->show_roadmap(shown_.isChecked() ? session_.roadmap() : nullptr,
+                        {session_.is_running(), hypercubes_.half_side()});
 }
 
 }  // namespace handway::gui

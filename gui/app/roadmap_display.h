@@ -6,6 +6,7 @@ class QAction;
 
 namespace handway::gui {
 
+class HypercubeDisplay;
 class PlanningSession;
 class RoadmapLegend;
 class SceneView;
@@ -15,8 +16,9 @@ class RoadmapDisplay : public QObject {
   Q_OBJECT
 
  public:
-  /// @param shown a switch. All outlive it.
+  /// @param shown, hypercubes_shown switches. All outlive it.
   RoadmapDisplay(PlanningSession& session, SceneView& view, QAction& shown,
+                 HypercubeDisplay& hypercubes, QAction& hypercubes_shown,
                  QObject* parent = nullptr);
 
  private:
@@ -26,6 +28,7 @@ class RoadmapDisplay : public QObject {
   PlanningSession& session_;
   SceneView& view_;
   QAction& shown_;
+  HypercubeDisplay& hypercubes_;
   RoadmapLegend* legend_;
 };
 

@@ -36,6 +36,9 @@ WindowActions::WindowActions(QMainWindow& window) : window_(window) {
   set_goal = make("goal", tr("Set &goal here"), {}, tr("End in the posture that is shown"));
   samples = make("samples", tr("&Roadmap"), QKeySequence(Qt::Key_N),
                  tr("Show the planner's nodes, where the palm is in each, and its edges"));
+  hypercubes = make("", tr("&Hypercubes"), QKeySequence(QStringLiteral("Shift+N")),
+                    tr("Show where the palm goes in the hypercubes that are searched"));
+  hypercubes->setObjectName(QStringLiteral("hypercubes"));
   dark = make("theme", tr("&Dark theme"), {}, tr("Light or dark colours"));
   palette = make("", tr("Find a &command…"), QKeySequence(QStringLiteral("Ctrl+Shift+P")),
                  tr("All commands, by a few letters of their names"));
@@ -43,7 +46,7 @@ WindowActions::WindowActions(QMainWindow& window) : window_(window) {
               tr("What the panel under the pointer is for"));
   default_layout = make("", tr("&Reset the layout"), {}, tr("Put all panels back"));
   about = make("", tr("&About Handway"), {}, {});
-  for (QAction* action : {samples, dark}) {
+  for (QAction* action : {samples, hypercubes, dark}) {
     action->setCheckable(true);
   }
   samples->setChecked(true);
@@ -72,7 +75,7 @@ WindowActions::WindowActions(QMainWindow& window) : window_(window) {
   plan_menu->addSeparator();
   plan_menu->addActions({set_start, set_goal});
   view_menu_ = window.menuBar()->addMenu(tr("&View"));
-  view_menu_->addActions({samples, dark});
+  view_menu_->addActions({samples, hypercubes, dark});
   view_menu_->addSeparator();
   window.menuBar()->addMenu(tr("&Help"))->addActions({help, palette, about});
 

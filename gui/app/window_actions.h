@@ -44,6 +44,7 @@ class WindowActions {
   QAction* set_start;
   QAction* set_goal;
   QAction* samples;
+  QAction* hypercubes;
   QAction* dark;
   QAction* palette;
   QAction* help;

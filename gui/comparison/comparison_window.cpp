@@ -15,7 +15,6 @@
 #include <QMenu>
 #include <QPushButton>
 #include <QSignalBlocker>
-#include <QTableWidget>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -24,23 +23,18 @@
 
 namespace handway::gui {
 
-ComparisonWindow::ComparisonWindow(PathHistory& history,
-                                   std::shared_ptr<const PreparedProblem> problem,
-                                   std::shared_ptr<const geometric::Scene> scene, int palm,
-                                   QWidget* parent)
+ComparisonWindow::ComparisonWindow(PathHistory& history, Query query, QWidget* parent)
     : QDialog(parent),
       history_(history),
-      problem_(std::move(problem)),
-      scene_(std::move(scene)),
-      palm_(palm),
+      query_(std::move(query)),
       views_(new LockedViews),
       bar_(new PlaybackBar(player_)),
       choosers_{new QComboBox, new QComboBox},
-      table_(new QTableWidget),
+      table_(new FigureTable),
       note_(new QLabel) {
   setWindowTitle(tr("Compare two paths"));
   setAttribute(Qt::WA_DeleteOnClose);
-  resize(1180, 760);
+  resize(1180, 800);
   auto* top = new QHBoxLayout;
   top->setSpacing(14);
   top->addWidget(make_chooser(0), 1);
@@ -60,23 +54,31 @@ ComparisonWindow::ComparisonWindow(PathHistory& history,
   layout->addWidget(table_);
   layout->addWidget(note_);
   connect(&player_, &PathPlayer::moved, this, &ComparisonWindow::show_moment);
-  connect(&history_, &PathHistory::changed, this, &ComparisonWindow::fill_choosers);
+  connect(&history_, &PathHistory::changed, this, &ComparisonWindow::take_history);
   fill_choosers();
-  if (!history_.records().empty()) {
-    choose(0, history_.records().size() > 1 ? 1 : 0);
+  for (std::size_t side = 0; side < choosers_.size(); ++side) {
+    views_->view(side).set_scene(query_.scene);
+    views_->view(side).show_ghosts(false, false);
+  }
+  show_figures();
+  if (history_.records().size() > 1) {
+    choose(0, 1);
     choose(1, 0);
+  } else {
+    choose(0, 0);
   }
 }
 
 QWidget* ComparisonWindow::make_chooser(std::size_t side) {
   QComboBox* const box = choosers_.at(side);
   box->setObjectName(QStringLiteral("comparison_%1").arg(side == 0 ? "left" : "right"));
+  box->setPlaceholderText(tr("Choose a path"));
   box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   connect(box, qOverload<int>(&QComboBox::activated), this,
           [this, side](int index) { choose(side, static_cast<std::size_t>(index)); });
   auto* from_file = new QPushButton(tr("From a file…"));
   from_file->setToolTip(tr("A path as handway plan and the export write it (CSV)"));
-  from_file->setEnabled(problem_ != nullptr);
+  from_file->setEnabled(query_.problem != nullptr);
   connect(from_file, &QPushButton::clicked, this, [this, side] { ask_for_file(side); });
   auto* chooser = new QWidget;
   auto* layout = new QHBoxLayout(chooser);
@@ -100,6 +102,26 @@ void ComparisonWindow::fill_choosers() {
     }
     box.setCurrentIndex(current);
   }
+}
+
+// What is new goes where nothing is shown yet; what is shown may have got more curves.
+void ComparisonWindow::take_history() {
+  fill_choosers();
+  for (auto& shown : shown_) {
+    for (const PathRecord& record : history_.records()) {
+      if (shown && record.motion == shown->motion) {
+        shown = record;
+      }
+    }
+  }
+  for (std::size_t side = 0; side < shown_.size(); ++side) {
+    const auto& other = shown_.at(1 - side);
+    if (!shown_.at(side) && other && history_.records().front().motion != other->motion) {
+      choose(side, 0);
+      return;
+    }
+  }
+  show_figures();
 }
 
 void ComparisonWindow::choose(std::size_t side, std::size_t index) {
@@ -144,10 +166,20 @@ void ComparisonWindow::show_moment() {
 }
 
 void ComparisonWindow::show_figures() {
-  if (shown_[0] && shown_[1]) {
-    fill_figures(*table_, figures_of(*shown_[0]), figures_of(*shown_[1]));
-    const bool same_scene = shown_[0]->scene == shown_[1]->scene;
-    note_->setText(same_scene ? QString() : tr("The two paths are of different scenes."));
+  const auto figures = [](const std::optional<PathRecord>& record) {
+    return record ? std::optional(figures_of(*record)) : std::nullopt;
+  };
+  table_->show_figures(figures(shown_[0]), figures(shown_[1]));
+  if (!shown_[0] || !shown_[1]) {
+    note_->setText(
+        tr("There is one path so far: plan again with another seed or planner (it comes here by "
+           "itself), or open one from a file."));
+  } else if (shown_[0]->motion == shown_[1]->motion) {
+    note_->setText(tr("Both sides show the same path."));
+  } else if (shown_[0]->scene != shown_[1]->scene) {
+    note_->setText(tr("The two paths are of different scenes."));
+  } else {
+    note_->setText(tr("Bold and green: the better of the two. Both views look from one place."));
   }
 }
 
@@ -161,10 +193,9 @@ void ComparisonWindow::ask_for_file(std::size_t side) {
 
 void ComparisonWindow::open_file(std::size_t side, const QString& file) {
   note_->setText(tr("Timing %1…").arg(QFileInfo(file).fileName()));
-  job_.run([this, side, file, prepared = problem_,
-            scene = scene_](const std::stop_token& stop) -> LatestJob::Answer {
+  job_.run([this, side, file, query = query_](const std::stop_token& stop) -> LatestJob::Answer {
     try {
-      const PreparedProblem::Problem problem = prepared->wait(stop);
+      const PreparedProblem::Problem problem = query.problem->wait(stop);
       if (!problem) {
         return {};
       }
@@ -174,10 +205,10 @@ void ComparisonWindow::open_file(std::size_t side, const QString& file) {
         return [this, fault = timed.fault] { note_->setText(QString::fromStdString(fault)); };
       }
       const auto curves = std::make_shared<const MotionCurves>(
-          motion_curves(*problem, timed.motion->trajectory, stop));
+          motion_curves(*problem, query.postures, timed.motion->trajectory, stop));
       return [this, side,
-              record = PathRecord{QFileInfo(file).fileName(), scene, palm_, timed.motion, curves}] {
-        note_->clear();
+              record = PathRecord{QFileInfo(file).fileName(), query.scene, query.palm, timed.motion,
+                                  curves}] {
         history_.add(record);
         choose(side, 0);
       };

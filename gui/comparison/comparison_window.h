@@ -13,10 +13,10 @@
 
 class QComboBox;
 class QLabel;
-class QTableWidget;
 
 namespace handway::gui {
 
+class FigureTable;
 class LockedViews;
 class PlaybackBar;
 
@@ -26,10 +26,16 @@ class ComparisonWindow : public QDialog {
   Q_OBJECT
 
  public:
-  /// @param history outlives it. @param problem that paths of files are of; null: none.
-  ComparisonWindow(PathHistory& history, std::shared_ptr<const PreparedProblem> problem,
-                   std::shared_ptr<const geometric::Scene> scene, int palm,
-                   QWidget* parent = nullptr);
+  /// What paths of files are of.
+  struct Query {
+    std::shared_ptr<const PreparedProblem> problem;  ///< Null: there can be none.
+    std::shared_ptr<const geometric::Scene> scene;
+    int palm = 0;
+    std::shared_ptr<const sampling::RecordedPostures> postures;  ///< May be null.
+  };
+
+  /// Begins with the last two paths of the history, or with one alone. @param history outlives it.
+  ComparisonWindow(PathHistory& history, Query query, QWidget* parent = nullptr);
 
   /// Shows the record of that place in the history on side 0 or 1.
   void choose(std::size_t side, std::size_t index);
@@ -41,6 +47,7 @@ class ComparisonWindow : public QDialog {
  private:
   [[nodiscard]] QWidget* make_chooser(std::size_t side);
   void fill_choosers();
+  void take_history();
   void ask_for_file(std::size_t side);
   void show_side(std::size_t side);
   void show_figures();
@@ -48,9 +55,7 @@ class ComparisonWindow : public QDialog {
   void update_player();
 
   PathHistory& history_;
-  std::shared_ptr<const PreparedProblem> problem_;
-  std::shared_ptr<const geometric::Scene> scene_;
-  int palm_;
+  Query query_;
   PathPlayer player_;  ///< Of the longer one.
   LatestJob job_;
   LockedViews* views_;
@@ -58,7 +63,7 @@ class ComparisonWindow : public QDialog {
   std::array<QComboBox*, 2> choosers_;
   std::array<std::optional<PathRecord>, 2> shown_;
   std::array<PathTimeline, 2> timelines_;
-  QTableWidget* table_;
+  FigureTable* table_;
   QLabel* note_;
 };
 

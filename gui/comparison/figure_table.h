@@ -2,11 +2,32 @@
 
 #include "playback/path_history.h"
 
-class QTableWidget;
+#include <QTableWidget>
+
+#include <optional>
 
 namespace handway::gui {
 
-/// Fills a table with the figures of two paths and by how much the second differs.
-void fill_figures(QTableWidget& table, const PathFigures& left, const PathFigures& right);
+/// The figures of two paths side by side, with what the right one has more or less; the better
+/// of two numbers is bold and green where more or less is better.
+class FigureTable : public QTableWidget {
+  Q_OBJECT
+
+ public:
+  explicit FigureTable(QWidget* parent = nullptr);
+
+  /// Nothing: dashes.
+  void show_figures(const std::optional<PathFigures>& left,
+                    const std::optional<PathFigures>& right);
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void fill();
+
+  std::optional<PathFigures> left_;
+  std::optional<PathFigures> right_;
+};
 
 }  // namespace handway::gui

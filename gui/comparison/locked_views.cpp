@@ -3,6 +3,7 @@
 #include "style/theme.h"
 #include "view3d/scene_view.h"
 
+#include <QEvent>
 #include <QHBoxLayout>
 
 namespace handway::gui {
@@ -25,6 +26,15 @@ LockedViews::LockedViews(QWidget* parent) : QWidget(parent), views_{new SceneVie
     view->setMinimumSize(240, 200);
     layout->addWidget(view, 1);
     connect(view, &SceneView::frameSwapped, this, [this, i] { follow(i); });
+  }
+}
+
+void LockedViews::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) {
+    for (SceneView* const view : views_) {
+      view->set_colors(colors_of(current_theme()).view);
+    }
   }
 }
 

@@ -17,6 +17,9 @@ class LockedViews : public QWidget {
 
   [[nodiscard]] SceneView& view(std::size_t index) const { return *views_.at(index); }
 
+ protected:
+  void changeEvent(QEvent* event) override;
+
  private:
   /// The other view has to look as this one does.
   void follow(std::size_t index);

@@ -6,11 +6,16 @@
 #include <utility>
 
 namespace handway::gui {
+namespace {
+
+constexpr int kPollMs = 3;  // until a picture is drawn
+
+}  // namespace
 
 FilmRecorder::FilmRecorder(QObject* parent) : QObject(parent) {
   next_.setSingleShot(true);
   next_.setInterval(0);
-  connect(&next_, &QTimer::timeout, this, &FilmRecorder::take_picture);
+  connect(&next_, &QTimer::timeout, this, &FilmRecorder::step);
 }
 
 FilmRecorder::~FilmRecorder() = default;
@@ -29,7 +34,7 @@ void FilmRecorder::start(const FilmShot& shot, std::unique_ptr<FilmSink> sink) {
     return;
   }
   if (sink_) {
-    connect(sink_.get(), &FilmSink::drained, &next_, qOverload<>(&QTimer::start));
+    connect(sink_.get(), &FilmSink::drained, &next_, [this] { next_.start(0); });
     connect(sink_.get(), &FilmSink::done, this, [this] {
       end();
       emit finished();
@@ -49,25 +54,41 @@ void FilmRecorder::end() {
   pictures_.reset();
   strip_.clear();
   count_ = 0;
+  drawing_ = false;
   if (sink_) {
     sink_->disconnect(this);
     sink_.release()->deleteLater();  // it may be telling us just now
   }
 }
 
-void FilmRecorder::take_picture() {
+void FilmRecorder::step() {
   if (!pictures_ || count_ >= shot_.pictures) {
     return;
   }
-  const double fraction = static_cast<double>(count_) / (shot_.pictures - 1);
-  QImage picture;
   try {
-    picture = pictures_->picture(shot_.timeline.at(fraction), shot_.camera, shot_.size);
+    if (!drawing_) {
+      begin_picture();
+    } else if (pictures_->is_drawn()) {
+      take_picture();
+    } else {
+      next_.start(kPollMs);
+    }
   } catch (const std::exception& error) {
     end();
     emit failed(QString::fromUtf8(error.what()));
-    return;
   }
+}
+
+void FilmRecorder::begin_picture() {
+  const double fraction = static_cast<double>(count_) / (shot_.pictures - 1);
+  pictures_->begin(shot_.timeline.at(fraction), shot_.camera, shot_.size);
+  drawing_ = true;
+  next_.start(0);
+}
+
+void FilmRecorder::take_picture() {
+  drawing_ = false;
+  QImage picture = pictures_->take();
   emit progressed(++count_, shot_.pictures);
   if (sink_) {
     sink_->add(picture);
@@ -79,7 +100,7 @@ void FilmRecorder::take_picture() {
   }
   if (count_ < shot_.pictures) {
     if (!sink_ || sink_->has_room()) {
-      next_.start();
+      next_.start(0);
     }
   } else if (sink_) {
     sink_->finish();

@@ -27,7 +27,8 @@ struct FilmShot {
   int oversampling = 1;  ///< As ScenePictures'.
 };
 
-/// Takes pictures of a path one by one while the window stays alive.
+/// Takes pictures of a path one by one while the window stays alive: between two events no more
+/// is done than to have one drawn, or to take one that is.
 class FilmRecorder : public QObject {
   Q_OBJECT
 
@@ -52,6 +53,8 @@ class FilmRecorder : public QObject {
   void failed(const QString& message);
 
  private:
+  void step();
+  void begin_picture();
   void take_picture();
   void end();
 
@@ -60,6 +63,7 @@ class FilmRecorder : public QObject {
   std::unique_ptr<FilmSink> sink_;
   std::vector<QImage> strip_;
   int count_ = 0;
+  bool drawing_ = false;  ///< A picture is begun.
   QTimer next_;
 };
 

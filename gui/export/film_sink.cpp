@@ -13,7 +13,8 @@ namespace {
 
 constexpr qint64 kMostWaiting = 32 << 20;  // bytes on their way to ffmpeg
 
-// A folder for what is not complete, on the same disk.
+}  // namespace
+
 QString parts_beside(const QString& file) {
   return QFileInfo(file).absoluteDir().filePath(QStringLiteral(".handway-film-XXXXXX"));
 }
@@ -23,37 +24,6 @@ void need_writable(const QTemporaryDir& parts, const QString& file) {
     throw geometric::InputError({QFileInfo(file).absolutePath().toStdString(), "",
                                  "a folder that can't be written to", "one that can be", ""});
   }
-}
-
-}  // namespace
-
-FrameFolder::FrameFolder(const QString& folder) : folder_(folder), parts_(parts_beside(folder)) {
-  if (QFileInfo::exists(folder)) {
-    throw geometric::InputError(
-        {folder.toStdString(), "", "a file or folder of that name", "a new name", ""});
-  }
-  need_writable(parts_, folder);
-}
-
-void FrameFolder::add(const QImage& picture) {
-  const QString name = QStringLiteral("frame_%1.png").arg(++count_, 5, 10, QLatin1Char('0'));
-  if (!picture.save(parts_.filePath(name)) && !failed_) {
-    failed_ = true;
-    emit failed(tr("%1 can't be written").arg(name));
-  }
-}
-
-void FrameFolder::finish() {
-  if (failed_) {
-    return;
-  }
-  if (!QDir().rename(parts_.path(), folder_)) {
-    emit failed(tr("%1 can't be written").arg(folder_));
-    return;
-  }
-  QFile::setPermissions(folder_, QFile::permissions(QFileInfo(folder_).absolutePath()));
-  parts_.setAutoRemove(false);
-  emit done();
 }
 
 QString FfmpegFilm::program() { return QStandardPaths::findExecutable(QStringLiteral("ffmpeg")); }

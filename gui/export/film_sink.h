@@ -29,23 +29,10 @@ class FilmSink : public QObject {
   void failed(const QString& message);
 };
 
-/// Numbered PNG files in a new folder.
-class FrameFolder : public FilmSink {
-  Q_OBJECT
-
- public:
-  /// @throws geometric::InputError if the folder is there already, or can't be made.
-  explicit FrameFolder(const QString& folder);
-
-  void add(const QImage& picture) override;
-  void finish() override;
-
- private:
-  QString folder_;
-  QTemporaryDir parts_;
-  int count_ = 0;
-  bool failed_ = false;
-};
+/// Where parts of a file or folder are made: beside it, on the same disk, under a hidden name.
+[[nodiscard]] QString parts_beside(const QString& file);
+/// @throws geometric::InputError unless the parts' folder could be made.
+void need_writable(const QTemporaryDir& parts, const QString& file);
 
 /// A film or an animation, by the program ffmpeg.
 class FfmpegFilm : public FilmSink {

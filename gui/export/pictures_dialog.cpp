@@ -1,5 +1,6 @@
 #include "export/pictures_dialog.h"
 
+#include "export/frame_folder.h"
 #include "forms/speed_choice.h"
 #include "plots/strip_figure.h"
 #include "style/theme.h"
@@ -66,29 +67,47 @@ PicturesDialog::PicturesDialog(std::shared_ptr<const geometric::Scene> scene, Pa
   connect(pictures_, qOverload<int>(&QSpinBox::valueChanged), this, &PicturesDialog::show_count);
   connect(export_button_, &QPushButton::clicked, this, &PicturesDialog::begin);
   connect(close_button_, &QPushButton::clicked, this, [this] {
-    if (recorder_.is_busy()) {
-      recorder_.cancel();
-      show_busy(false);
-      note_->setText(tr("Cancelled; nothing was written."));
+    if (is_busy()) {
+      cancel();
     } else {
       reject();
     }
   });
+  connect_workers();
+  show_busy(false);
+  take_kind();
+}
+
+void PicturesDialog::connect_workers() {
   connect(&recorder_, &FilmRecorder::progressed, this, [this](int done, int all) {
     progress_->setMaximum(all);
     progress_->setValue(done);
   });
-  connect(&recorder_, &FilmRecorder::taken, this, &PicturesDialog::write_strip);
-  connect(&recorder_, &FilmRecorder::finished, this, [this] {
+  connect(&recorder_, &FilmRecorder::taken, this, [this](const std::vector<QImage>& pictures) {
+    note_->setText(tr("Drawing the strip…"));
+    strip_.start(file_->text(), windowTitle(), pictures);
+  });
+  connect(&strip_, &StripWriter::writing, close_button_,
+          [this] { close_button_->setEnabled(false); });
+  const auto succeed = [this] {
     emit exported(file_->text());
     accept();
-  });
-  connect(&recorder_, &FilmRecorder::failed, this, [this](const QString& message) {
+  };
+  const auto fail = [this](const QString& message) {
     show_busy(false);
     show_problem(message);
-  });
+  };
+  connect(&recorder_, &FilmRecorder::finished, this, succeed);
+  connect(&strip_, &StripWriter::written, this, succeed);
+  connect(&recorder_, &FilmRecorder::failed, this, fail);
+  connect(&strip_, &StripWriter::failed, this, fail);
+}
+
+void PicturesDialog::cancel() {
+  recorder_.cancel();
+  strip_.cancel();
   show_busy(false);
-  take_kind();
+  note_->setText(tr("Cancelled; nothing was written."));
 }
 
 QFormLayout* PicturesDialog::make_settings() {
@@ -250,24 +269,13 @@ void PicturesDialog::begin() {
   }
 }
 
-void PicturesDialog::write_strip(const std::vector<QImage>& pictures) {
-  show_busy(false);
-  try {
-    const std::vector<Strip> strips{{{}, pictures}};
-    write_picture(file_->text(), windowTitle(), strips_size(strips), draw_strips(strips));
-    emit exported(file_->text());
-    accept();
-  } catch (const std::exception& error) {
-    show_problem(QString::fromUtf8(error.what()));
-  }
-}
-
 void PicturesDialog::show_busy(bool busy) {
   progress_->setVisible(busy);
   progress_->setValue(0);
   export_button_->setEnabled(!busy);
   kinds_->setEnabled(!busy);
   file_->setEnabled(!busy);
+  close_button_->setEnabled(true);
   close_button_->setText(busy ? tr("Cancel") : tr("Close"));
 }
 

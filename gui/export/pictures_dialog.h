@@ -1,6 +1,7 @@
 #pragma once
 
 #include "export/film_recorder.h"
+#include "export/strip_writer.h"
 
 #include <QDialog>
 
@@ -40,11 +41,13 @@ class PicturesDialog : public QDialog {
   [[nodiscard]] QString suffix() const;
   [[nodiscard]] QSize size() const;
   [[nodiscard]] FilmShot shot() const;
+  [[nodiscard]] bool is_busy() const { return recorder_.is_busy() || strip_.is_busy(); }
   void take_kind();
   void show_count();
   void browse();
   void begin();
-  void write_strip(const std::vector<QImage>& pictures);
+  void connect_workers();
+  void cancel();
   void show_busy(bool busy);
   void show_problem(const QString& message);
 
@@ -52,6 +55,7 @@ class PicturesDialog : public QDialog {
   PathTimeline timeline_;
   OrbitCamera camera_;
   FilmRecorder recorder_;
+  StripWriter strip_;
   QComboBox* kinds_;
   QSpinBox* pictures_;
   QComboBox* sizes_;

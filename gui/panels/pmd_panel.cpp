@@ -2,6 +2,7 @@
 
 #include "forms/slider_row.h"
 #include "handway/geometric/robot/normalised_joints.h"
+#include "panels/likeness_meter.h"
 
 #include <QLabel>
 #include <QPushButton>
@@ -12,21 +13,27 @@
 
 namespace handway::gui {
 
-PmdPanel::PmdPanel(QWidget* parent)
+PmdPanel::PmdPanel(RecordedHand& recorded, QWidget* parent)
     : QWidget(parent),
       axes_(new QWidget),
       axes_layout_(new QVBoxLayout(axes_)),
-      distance_(new QLabel) {
+      note_(new QLabel),
+      likeness_(new LikenessMeter(recorded)) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(12, 10, 12, 10);
   layout->setSpacing(8);
   axes_layout_->setContentsMargins(0, 0, 0, 0);
   axes_layout_->setSpacing(3);
-  distance_->setWordWrap(true);
-  distance_->setProperty("role", "note");
+  note_->setWordWrap(true);
+  note_->setProperty("role", "note");
+  note_->setText(
+      tr("This scene names no PMD basis for its hand. Set <b>hand_basis</b> in the "
+         "scene file to move the hand along its principal motion directions."));
   layout->addWidget(axes_);
-  layout->addWidget(distance_);
+  layout->addWidget(note_);
+  layout->addWidget(likeness_);
   layout->addStretch();
+  connect(likeness_, &LikenessMeter::configuration_edited, this, &PmdPanel::configuration_edited);
 }
 
 void PmdPanel::set_hand(std::shared_ptr<const geometric::RobotModel> model,
@@ -42,9 +49,10 @@ void PmdPanel::set_hand(std::shared_ptr<const geometric::RobotModel> model,
   }
   if (!model_ || !basis_ || hand_.size() != basis_->joints.size()) {
     basis_.reset();
-    distance_->setText(
-        tr("This scene names no PMD basis for its hand. Set <b>hand_basis</b> in the "
-           "scene file to move the hand along its principal motion directions."));
+  }
+  note_->setVisible(!basis_);
+  likeness_->set_hand(model_, basis_, hand_);
+  if (!basis_) {
     return;
   }
   q_ = model_->neutral();
@@ -110,7 +118,7 @@ void PmdPanel::move_hand() {
     p[hand_[i]] = posture[static_cast<Eigen::Index>(i)];
   }
   q_ = geometric::denormalised(*model_, p);
-  show_distance();
+  likeness_->set_configuration(q_);
   moving_ = true;
   emit configuration_edited(q_);
   moving_ = false;
@@ -125,13 +133,7 @@ void PmdPanel::set_configuration(const geometric::Configuration& q) {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     rows_[i]->set_value(e[static_cast<Eigen::Index>(i)]);
   }
-  show_distance();
-}
-
-void PmdPanel::show_distance() {
-  const double distance = sampling::distance_to_subspace(*basis_, hand_posture());
-  distance_->setText(tr("The posture is %1 away from the subspace, in normalised joints.")
-                         .arg(distance, 0, 'f', 3));
+  likeness_->set_configuration(q_);
 }
 
 }  // namespace handway::gui

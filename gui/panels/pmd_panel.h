@@ -13,15 +13,18 @@ class QVBoxLayout;
 
 namespace handway::gui {
 
+class LikenessMeter;
+class RecordedHand;
 class SliderRow;
 
 /// Moves the hand along the axes of its PMD basis: free joints and principal
-/// motion directions, each over [-λ, λ].
+/// motion directions, each over [-λ, λ]; and says how human its posture is.
 class PmdPanel : public QWidget {
   Q_OBJECT
 
  public:
-  explicit PmdPanel(QWidget* parent = nullptr);
+  /// @param recorded outlives it.
+  explicit PmdPanel(RecordedHand& recorded, QWidget* parent = nullptr);
 
   /// @param basis null: the hand has none.
   /// @param hand variables of the basis' joints, in its order.
@@ -36,7 +39,6 @@ class PmdPanel : public QWidget {
  private:
   void add_axis(const QString& name, double half_side, double variance);
   void move_hand();
-  void show_distance();
   [[nodiscard]] Eigen::VectorXd hand_posture() const;
 
   std::shared_ptr<const geometric::RobotModel> model_;
@@ -45,7 +47,8 @@ class PmdPanel : public QWidget {
   geometric::Configuration q_;
   QWidget* axes_;
   QVBoxLayout* axes_layout_;
-  QLabel* distance_;
+  QLabel* note_;
+  LikenessMeter* likeness_;
   std::vector<SliderRow*> rows_;
   bool moving_ = false;  ///< The change that arrives is this panel's own.
 };

@@ -3,6 +3,8 @@
 #include "view3d/pmd_colors.h"
 #include "view3d/roadmap_node.h"
 
+#include <QAction>
+#include <QCheckBox>
 #include <QColor>
 #include <QLabel>
 #include <QLocale>
@@ -23,12 +25,13 @@ QString row(const QString& name, int count, const geometric::Color& color) {
            QLocale().toString(count));
 }
 
-// What the colours mean, and what is left to search.
-QString note_of(const PalmRoadmap& roadmap, int most) {
+// What the colours mean, and what is searched, or was at last.
+QString note_of(const PalmRoadmap& roadmap, int most, bool goes_on) {
   QString note = most > 0 ? QObject::tr("Nodes by principal directions used") : QString();
   const auto& [begin, end] = roadmap.roadmap.search_range;
   if ((begin > 0.0 || end < 1.0) && end - begin > 0.005) {
-    note = QObject::tr("Search range: %1 to %2 % of the arm's way")
+    note = (goes_on ? QObject::tr("Searching %1 to %2 % of the arm's way")
+                    : QObject::tr("Searched %1 to %2 % of the arm's way at last"))
                .arg(std::lround(100.0 * begin))
                .arg(std::lround(100.0 * end)) +
            (note.isEmpty() ? QString() : QStringLiteral("<br>")) + note;
@@ -42,14 +45,18 @@ QString note_of(const PalmRoadmap& roadmap, int most) {
 
 }  // namespace
 
-RoadmapLegend::RoadmapLegend(QWidget* host)
-    : FloatingCard(host), title_(new QLabel), note_(new QLabel), counts_(new QLabel) {
-  setAttribute(Qt::WA_TransparentForMouseEvents);
+RoadmapLegend::RoadmapLegend(QAction& hypercubes, QWidget* host)
+    : FloatingCard(host),
+      title_(new QLabel),
+      note_(new QLabel),
+      counts_(new QLabel),
+      boxes_(new QCheckBox) {
   setProperty("role", "legend");
   setObjectName(QStringLiteral("roadmap_legend"));
   title_->setProperty("role", "heading");
   title_->setObjectName(QStringLiteral("roadmap_title"));
   note_->setProperty("role", "note");
+  note_->setObjectName(QStringLiteral("roadmap_note"));
   counts_->setObjectName(QStringLiteral("roadmap_counts"));
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(12, 8, 12, 8);
@@ -57,9 +64,19 @@ RoadmapLegend::RoadmapLegend(QWidget* host)
   for (QLabel* label : {title_, note_, counts_}) {
     layout->addWidget(label);
   }
+  layout->addWidget(boxes_);
+  boxes_->setObjectName(QStringLiteral("roadmap_boxes"));
+  boxes_->setFocusPolicy(Qt::NoFocus);
+  boxes_->setChecked(hypercubes.isChecked());
+  boxes_->setToolTip(
+      tr("Boxes around the palm's places in the hypercubes that arm configurations are drawn "
+         "from (%1). Orange: still searched; grey: given up")
+          .arg(hypercubes.shortcut().toString(QKeySequence::NativeText)));
+  connect(boxes_, &QCheckBox::toggled, &hypercubes, &QAction::setChecked);
+  connect(&hypercubes, &QAction::toggled, boxes_, &QCheckBox::setChecked);
 }
 
-void RoadmapLegend::show_roadmap(const SharedRoadmap& roadmap) {
+void RoadmapLegend::show_roadmap(const SharedRoadmap& roadmap, const Search& search) {
   if (!roadmap || roadmap->roadmap.nodes.empty()) {
     hide();
     return;
@@ -69,7 +86,7 @@ void RoadmapLegend::show_roadmap(const SharedRoadmap& roadmap) {
   title_->setText(tr("Roadmap: %1 nodes, %2 edges")
                       .arg(QLocale().toString(static_cast<int>(roadmap->roadmap.nodes.size())),
                            QLocale().toString(static_cast<int>(roadmap->roadmap.edges.size()))));
-  const QString note = note_of(*roadmap, most);
+  const QString note = note_of(*roadmap, most, search.goes_on);
   note_->setText(note);
   note_->setVisible(!note.isEmpty());
   QString rows;
@@ -81,6 +98,10 @@ void RoadmapLegend::show_roadmap(const SharedRoadmap& roadmap) {
   }
   counts_->setText(QStringLiteral("<table cellspacing='0'>%1</table>").arg(rows));
   counts_->setVisible(most > 0);
+  boxes_->setVisible(search.half_side.has_value());
+  if (search.half_side) {
+    boxes_->setText(tr("Hypercubes, ρₐ %1").arg(*search.half_side, 0, 'g', 2));
+  }
   appear();
 }
 

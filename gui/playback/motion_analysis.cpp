@@ -19,11 +19,17 @@ MotionAnalysis::MotionAnalysis(Document& document, PathPlayer& player, QObject* 
   calm_.setInterval(kCalmMs);
   connect(&calm_, &QTimer::timeout, this, &MotionAnalysis::time_path);
   connect(&player_, &PathPlayer::timeline_changed, this, &MotionAnalysis::begin);
+  connect(&document_.recorded_hand(), &RecordedHand::changed, this, [this] {
+    if (motion_) {
+      find_curves();
+    }
+  });
 }
 
 void MotionAnalysis::begin() {
   job_.cancel();
   motion_.reset();
+  problem_.reset();
   curves_.reset();
   fault_.clear();
   const bool has_path = !player_.timeline().empty() && document_.problem();
@@ -51,9 +57,10 @@ void MotionAnalysis::time_path() {
       timed.fault = error.what();
     }
     return [this, timed, problem] {
+      problem_ = problem;
       take_motion(timed);
       if (timed.motion) {
-        find_curves(problem);
+        find_curves();
       }
     };
   });
@@ -69,11 +76,11 @@ void MotionAnalysis::take_motion(const PathMotion& timed) {
   emit changed();
 }
 
-void MotionAnalysis::find_curves(std::shared_ptr<const planning::PlanningProblem> problem) {
-  job_.run([this, problem = std::move(problem),
+void MotionAnalysis::find_curves() {
+  job_.run([this, problem = problem_, postures = document_.recorded_hand().postures(),
             motion = motion_](const std::stop_token& stop) -> LatestJob::Answer {
-    const auto curves =
-        std::make_shared<const MotionCurves>(motion_curves(*problem, motion->trajectory, stop));
+    const auto curves = std::make_shared<const MotionCurves>(
+        motion_curves(*problem, postures, motion->trajectory, stop));
     return [this, curves] {
       curves_ = curves;
       emit changed();

@@ -45,13 +45,14 @@ class MotionAnalysis : public QObject {
   void begin();
   void time_path();
   void take_motion(const PathMotion& timed);
-  void find_curves(std::shared_ptr<const planning::PlanningProblem> problem);
+  void find_curves();
 
   Document& document_;
   PathPlayer& player_;
   State state_ = State::kNoPath;
   std::shared_ptr<const planning::Motion> motion_;
   std::shared_ptr<const MotionCurves> curves_;
+  std::shared_ptr<const planning::PlanningProblem> problem_;  ///< That motion_ is of.
   QString fault_;
   QTimer calm_;  ///< Paths that follow each other fast are not timed.
   LatestJob job_;

@@ -15,6 +15,13 @@ double mean(const std::vector<double>& values) {
                               static_cast<double>(values.size());
 }
 
+std::optional<planning::DistanceAlong> distance_along(const std::vector<double>& values) {
+  if (values.empty()) {
+    return std::nullopt;
+  }
+  return planning::DistanceAlong{mean(values), *std::ranges::max_element(values)};
+}
+
 double palm_way(const PathRecord& record) {
   const geometric::RobotModel& model = *record.motion->model;
   std::vector<geometric::Pose> X_BL(static_cast<std::size_t>(model.link_count()));
@@ -46,15 +53,18 @@ PathFigures figures_of(const PathRecord& record) {
   const MotionCurves& curves = *record.curves;
   figures.least_clearance = *std::ranges::min_element(curves.clearance);
   figures.mean_clearance = mean(curves.clearance);
-  figures.has_basis = !curves.unlikeness.empty();
-  if (figures.has_basis) {
-    figures.mean_unlikeness = mean(curves.unlikeness);
-    figures.most_unlikeness = *std::ranges::max_element(curves.unlikeness);
-  }
+  figures.to_subspace = distance_along(curves.to_subspace);
+  figures.to_recorded = distance_along(curves.to_recorded);
   return figures;
 }
 
 void PathHistory::add(PathRecord record) {
+  const auto known = std::ranges::find(records_, record.motion, &PathRecord::motion);
+  if (known != records_.end()) {
+    known->curves = std::move(record.curves);
+    emit changed();
+    return;
+  }
   records_.insert(records_.begin(), std::move(record));
   if (records_.size() > kMost) {
     records_.pop_back();

@@ -1,12 +1,14 @@
 #pragma once
 
 #include "handway/geometric/scene/scene.h"
+#include "handway/planning/queries/human_likeness.h"
 #include "workers/motion_curves.h"
 
 #include <QObject>
 #include <QString>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace handway::gui {
@@ -28,9 +30,9 @@ struct PathFigures {
   int waypoints = 0;
   double least_clearance = 0.0;  ///< m, at most kMostClearance.
   double mean_clearance = 0.0;   ///< m, over time, more than kMostClearance counting as that.
-  bool has_basis = false;
-  double mean_unlikeness = 0.0;  ///< See sampling::distance_to_subspace(); over time.
-  double most_unlikeness = 0.0;
+  /// How human the hand looks, over time; nothing where there is nothing to compare with.
+  std::optional<planning::DistanceAlong> to_subspace;
+  std::optional<planning::DistanceAlong> to_recorded;
 };
 
 [[nodiscard]] PathFigures figures_of(const PathRecord& record);
@@ -44,6 +46,7 @@ class PathHistory : public QObject {
 
   explicit PathHistory(QObject* parent = nullptr) : QObject(parent) {}
 
+  /// One of a motion that is there already brings new curves to that.
   void add(PathRecord record);
   [[nodiscard]] const std::vector<PathRecord>& records() const { return records_; }
 

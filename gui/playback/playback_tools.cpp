@@ -62,9 +62,12 @@ void PlaybackTools::export_pictures() {
 }
 
 void PlaybackTools::compare() {
+  Document& document = parts_.document;
   auto* dialog =
-      new ComparisonWindow(history_, parts_.document.robot() ? parts_.document.problem() : nullptr,
-                           parts_.document.scene(), parts_.document.palm(), &parts_.window);
+      new ComparisonWindow(history_,
+                           {document.robot() ? document.problem() : nullptr, document.scene(),
+                            document.palm(), document.recorded_hand().postures()},
+                           &parts_.window);
   dialog->show();
 }
 

@@ -8,9 +8,14 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 namespace handway::gui {
 namespace {
+
+constexpr const char* kClearance = "clearance_mm";
+constexpr const char* kToSubspace = "distance_to_pmds";
+constexpr const char* kToRecorded = "distance_to_recorded";
 
 double unit(const geometric::RobotModel& model, int variable) {
   return slides(model, variable) ? geometric::millimetres(1.0) : geometric::degrees(1.0);
@@ -59,7 +64,7 @@ QString axis_title(PlotQuantity quantity, bool slides) {
     case PlotQuantity::kUnlikeness:
       break;
   }
-  return QObject::tr("distance to PMDs");
+  return QObject::tr("distance");
 }
 
 std::vector<double> joint_values(const planning::Motion& motion, int variable,
@@ -76,14 +81,23 @@ std::vector<double> joint_values(const planning::Motion& motion, int variable,
   return values;
 }
 
-std::vector<double> curve_values(const MotionCurves& curves, PlotQuantity quantity) {
+std::vector<PlotColumn> motion_columns(const MotionCurves& curves, PlotQuantity quantity) {
+  std::vector<PlotColumn> columns;
   if (quantity == PlotQuantity::kUnlikeness) {
-    return curves.unlikeness;
+    columns = {{kToSubspace, curves.to_subspace}, {kToRecorded, curves.to_recorded}};
+  } else {
+    columns.push_back({kClearance, {}});
+    std::ranges::transform(curves.clearance, std::back_inserter(columns.back().values),
+                           geometric::millimetres);
   }
-  std::vector<double> values;
-  values.reserve(curves.clearance.size());
-  std::ranges::transform(curves.clearance, std::back_inserter(values), geometric::millimetres);
-  return values;
+  std::erase_if(columns, [](const PlotColumn& column) { return column.values.empty(); });
+  return columns;
+}
+
+QString title_of(const PlotColumn& column) {
+  return column.name == kToSubspace   ? QObject::tr("to the PMD subspace")
+         : column.name == kToRecorded ? QObject::tr("to the nearest recorded posture")
+                                      : QObject::tr("Clearance");
 }
 
 std::vector<double> joint_limits(const planning::Motion& motion, int variable,

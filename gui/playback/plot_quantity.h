@@ -28,18 +28,24 @@ enum class PlotQuantity { kPosition, kVelocity, kAcceleration, kClearance, kUnli
 [[nodiscard]] std::vector<double> joint_values(const planning::Motion& motion, int variable,
                                                PlotQuantity quantity);
 
-/// Clearance in millimetres, or distance to the basis; empty if there is none.
-[[nodiscard]] std::vector<double> curve_values(const MotionCurves& curves, PlotQuantity quantity);
-
 /// Between what a joint's values have to stay, lowest first.
 [[nodiscard]] std::vector<double> joint_limits(const planning::Motion& motion, int variable,
                                                PlotQuantity quantity);
 
-/// A table with a column for each curve.
+/// A curve as a table's column.
 struct PlotColumn {
   std::string name;
   std::vector<double> values;
 };
+
+/// Clearance in millimetres, or the hand's distances to the subspace of its principal motion
+/// directions and to the recorded postures, those of them that there are.
+[[nodiscard]] std::vector<PlotColumn> motion_columns(const MotionCurves& curves,
+                                                     PlotQuantity quantity);
+/// What a person reads of motion_columns().
+[[nodiscard]] QString title_of(const PlotColumn& column);
+
+/// A table with a column for each curve.
 [[nodiscard]] std::string csv_of(const std::vector<double>& times,
                                  const std::vector<PlotColumn>& columns);
 

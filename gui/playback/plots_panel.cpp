@@ -95,7 +95,7 @@ QWidget* PlotsPanel::make_top() {
   quantities_->setItemData(
       static_cast<int>(Quantity::kUnlikeness),
       tr("How far the hand is from the postures that its principal motion directions can reach, "
-         "in normalised joints; 0 is as human as can be"),
+         "and from the nearest recorded posture, in normalised joints; 0 is as human as can be"),
       Qt::ToolTipRole);
   value_->setObjectName(QStringLiteral("plot_value"));
   value_->setProperty("role", "note");
@@ -167,6 +167,7 @@ void PlotsPanel::draw() {
   times_.clear();
   drawn_.clear();
   values_.clear();
+  columns_.clear();
   std::vector<PlotLine> lines;
   const auto& motion = analysis_.motion();
   if (!motion) {
@@ -192,11 +193,14 @@ void PlotsPanel::draw() {
       (slides(*motion->model, variable) ? any_slides : any_turns) = true;
     }
   } else if (analysis_.curves()) {
-    values_.push_back(curve_values(*analysis_.curves(), quantity()));
-    lines.push_back(
-        {quantities_->currentText(), JointCurveList::color_of(0), false, values_.back(), {}});
+    columns_ = motion_columns(*analysis_.curves(), quantity());
+    for (const PlotColumn& column : columns_) {
+      const int place = static_cast<int>(lines.size());
+      lines.push_back(
+          {title_of(column), JointCurveList::color_of(place), false, column.values, {}});
+    }
   }
-  const bool has_none = !is_of_joints(quantity()) && (lines.empty() || values_.back().empty());
+  const bool has_none = !is_of_joints(quantity()) && lines.empty();
   if (has_none) {
     note_->setText(analysis_.curves()
                        ? tr("This scene names no basis of principal motion directions for its "
@@ -236,16 +240,27 @@ void PlotsPanel::show_cursor() {
     }
     joints_->show_values(texts);
     value_->setText(drawn_.empty() ? tr("Tick the joints to draw") : QString());
-  } else if (!values_.empty() && !values_.back().empty()) {
-    QString text = number(values_.back()[point], unit_of(quantity(), false));
-    if (quantity() == PlotQuantity::kClearance) {
-      const QString pair = QString::fromStdString(analysis_.curves()->closest[point]);
-      text = pair.isEmpty() ? tr("%1 or more").arg(text) : tr("%1: %2").arg(text, pair);
-    }
-    value_->setText(text);
   } else {
-    value_->clear();
+    value_->setText(value_text(point));
   }
+}
+
+QString PlotsPanel::value_text(std::size_t point) const {
+  const auto value = [&](const PlotColumn& column) {
+    return number(column.values[point], unit_of(quantity(), false));
+  };
+  if (quantity() == PlotQuantity::kClearance && !columns_.empty()) {
+    const QString pair = QString::fromStdString(analysis_.curves()->closest[point]);
+    return (pair.isEmpty() ? tr("%1 or more") : tr("%1: %2").arg(QStringLiteral("%1"), pair))
+        .arg(value(columns_.front()));
+  }
+  QString text;
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    text += QStringLiteral("<span style='color:%1'>&#9632;</span> %2 %3&nbsp;&nbsp; ")
+                .arg(html(JointCurveList::color_of(static_cast<int>(i))), value(columns_[i]),
+                     title_of(columns_[i]));
+  }
+  return text;
 }
 
 void PlotsPanel::ask_for_file() {
@@ -273,17 +288,14 @@ void PlotsPanel::write(const QString& file) const {
     return;
   }
   const planning::Motion& motion = *analysis_.motion();
-  std::vector<PlotColumn> columns;
+  std::vector<PlotColumn> columns = columns_;
   for (std::size_t i = 0; i < values_.size(); ++i) {
-    const bool of_joint = is_of_joints(quantity());
-    const bool mm = of_joint && slides(*motion.model, drawn_[i]);
+    const bool mm = slides(*motion.model, drawn_[i]);
     const char* const unit[] = {"deg", "deg_per_s", "deg_per_s2"};
     const char* const sliding_unit[] = {"mm", "mm_per_s", "mm_per_s2"};
     const auto which = static_cast<std::size_t>(quantity());
     columns.push_back(
-        {of_joint ? motion.model->variable(drawn_[i]).name + "_" + (mm ? sliding_unit : unit)[which]
-         : quantity() == PlotQuantity::kClearance ? std::string("clearance_mm")
-                                                  : std::string("distance_to_pmds"),
+        {motion.model->variable(drawn_[i]).name + "_" + (mm ? sliding_unit : unit)[which],
          values_[i]});
   }
   geometric::replace_file(file.toStdString(), csv_of(times_, columns));

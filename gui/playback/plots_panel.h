@@ -54,6 +54,7 @@ class PlotsPanel : public QWidget {
   void show_cursor();
   void ask_for_file();
   [[nodiscard]] std::size_t point_at_cursor() const;
+  [[nodiscard]] QString value_text(std::size_t point) const;
 
   Document& document_;
   PathPlayer& player_;
@@ -69,7 +70,8 @@ class PlotsPanel : public QWidget {
   CursorPlot* plot_;
   std::vector<double> times_;
   std::vector<int> drawn_;                   ///< Variables with a curve.
-  std::vector<std::vector<double>> values_;  ///< Of each variable, or of the one curve.
+  std::vector<std::vector<double>> values_;  ///< Of each of them; empty: no curves of joints.
+  std::vector<PlotColumn> columns_;          ///< Curves that are not of joints.
 };
 
 }  // namespace handway::gui

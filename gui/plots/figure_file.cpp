@@ -51,23 +51,28 @@ QByteArray svg(const QSize& size, const QString& title, const DrawFigure& draw) 
   return bytes;
 }
 
-void write(const QString& file, const QByteArray& bytes) {
-  geometric::replace_file(file.toStdString(),
-                          {bytes.constData(), static_cast<std::size_t>(bytes.size())});
-}
-
 }  // namespace
 
 void write_figure(const QString& path, const QString& title, const QSize& size,
                   const DrawFigure& draw) {
-  write(path + QStringLiteral(".png"), png(size, draw));
-  write(path + QStringLiteral(".svg"), svg(size, title, draw));
+  write_bytes(path + QStringLiteral(".png"), png(size, draw));
+  write_bytes(path + QStringLiteral(".svg"), svg(size, title, draw));
+}
+
+QByteArray picture_bytes(const QString& file, const QString& title, const QSize& size,
+                         const DrawFigure& draw) {
+  return file.endsWith(QStringLiteral(".svg"), Qt::CaseInsensitive) ? svg(size, title, draw)
+                                                                    : png(size, draw);
+}
+
+void write_bytes(const QString& file, const QByteArray& bytes) {
+  geometric::replace_file(file.toStdString(),
+                          {bytes.constData(), static_cast<std::size_t>(bytes.size())});
 }
 
 void write_picture(const QString& file, const QString& title, const QSize& size,
                    const DrawFigure& draw) {
-  write(file, file.endsWith(QStringLiteral(".svg"), Qt::CaseInsensitive) ? svg(size, title, draw)
-                                                                         : png(size, draw));
+  write_bytes(file, picture_bytes(file, title, size, draw));
 }
 
 void draw_plots(QPainter& painter, const QSize& size, const std::vector<QwtPlot*>& plots,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QByteArray>
 #include <QSize>
 #include <QString>
 
@@ -24,6 +25,13 @@ void write_figure(const QString& path, const QString& title, const QSize& size,
 /// @throws geometric::InputError if it can't be written.
 void write_picture(const QString& file, const QString& title, const QSize& size,
                    const DrawFigure& draw);
+
+/// What write_picture() would write; needs no GUI thread.
+[[nodiscard]] QByteArray picture_bytes(const QString& file, const QString& title, const QSize& size,
+                                       const DrawFigure& draw);
+
+/// Replaces a file whole. @throws geometric::InputError if it can't be written.
+void write_bytes(const QString& file, const QByteArray& bytes);
 
 /// Draws plots side by side, row by row, all of the same size.
 void draw_plots(QPainter& painter, const QSize& size, const std::vector<QwtPlot*>& plots,

@@ -12,6 +12,7 @@ enum class Overlay {
   kClearance,
   kTrails,
   kSteps,
+  kHypercubes,
 };
 
 }  // namespace handway::gui

@@ -214,8 +214,9 @@ void SceneGraph::begin_motion() {
 void SceneGraph::render_still(SoGLRenderAction& action) {
   const auto overlay = [this](Overlay which) { return passes_->overlays.at(which).get(); };
   auto [still, moving] = bodies_.others();
-  still.insert(still.begin(), {overlay(Overlay::kPath), overlay(Overlay::kRoadmap),
-                               overlay(Overlay::kTrails), overlay(Overlay::kSteps)});
+  still.insert(still.begin(),
+               {overlay(Overlay::kPath), overlay(Overlay::kRoadmap), overlay(Overlay::kTrails),
+                overlay(Overlay::kSteps), overlay(Overlay::kHypercubes)});
   moving.insert(moving.begin(), {overlay(Overlay::kExecuted), overlay(Overlay::kContacts),
                                  overlay(Overlay::kRegion), overlay(Overlay::kClearance)});
   passes_->split->list(bodies_.has_robot() ? &bodies_.first_robot() : nullptr, still, moving);

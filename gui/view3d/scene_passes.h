@@ -47,9 +47,9 @@ struct ScenePasses {
     prepare(moving.get());
     split.emplace(still, moving);
     solids->addChild(solid_content.get());
-    for (const Overlay overlay :
-         {Overlay::kPath, Overlay::kRoadmap, Overlay::kRegion, Overlay::kExecuted,
-          Overlay::kContacts, Overlay::kClearance, Overlay::kTrails, Overlay::kSteps}) {
+    for (const Overlay overlay : {Overlay::kPath, Overlay::kRoadmap, Overlay::kRegion,
+                                  Overlay::kExecuted, Overlay::kContacts, Overlay::kClearance,
+                                  Overlay::kTrails, Overlay::kSteps, Overlay::kHypercubes}) {
       const CoinRef<SoSwitch> shown = make_coin<SoSwitch>();
       shown->whichChild = SO_SWITCH_ALL;
       solids->addChild(shown.get());

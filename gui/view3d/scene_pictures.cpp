@@ -8,6 +8,7 @@
 #include <Inventor/actions/SoGLRenderAction.h>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
+#include <QOpenGLExtraFunctions>
 #include <QOpenGLFramebufferObject>
 #include <QSurfaceFormat>
 
@@ -50,6 +51,9 @@ ScenePictures::ScenePictures(const std::shared_ptr<const geometric::Scene>& scen
 
 ScenePictures::~ScenePictures() {
   context_->makeCurrent(surface_.get());
+  drop_fence();
+  drawn_.reset();
+  resolved_.reset();
   action_.reset();
   graph_.reset();
   context_->doneCurrent();
@@ -61,15 +65,32 @@ std::vector<Eigen::Vector3d> ScenePictures::points_of_interest() const {
 
 QImage ScenePictures::picture(const geometric::Configuration& q, const OrbitCamera& camera,
                               const QSize& size) {
-  context_->makeCurrent(surface_.get());
+  begin(q, camera, size);
+  return take();
+}
+
+void ScenePictures::make_buffers(const QSize& pixels) {
+  if (drawn_ && drawn_->size() == pixels) {
+    return;
+  }
   QOpenGLFramebufferObjectFormat format;
   format.setAttachment(QOpenGLFramebufferObject::CombinedDepthStencil);
   format.setSamples(kSamples);
-  QOpenGLFramebufferObject buffer(oversampling_ * size, format);
-  if (!buffer.isValid() || !buffer.bind()) {
+  drawn_ = std::make_unique<QOpenGLFramebufferObject>(pixels, format);
+  resolved_ = std::make_unique<QOpenGLFramebufferObject>(pixels);
+  if (!drawn_->isValid() || !resolved_->isValid()) {
     refuse();
   }
-  glViewport(0, 0, buffer.width(), buffer.height());
+}
+
+void ScenePictures::begin(const geometric::Configuration& q, const OrbitCamera& camera,
+                          const QSize& size) {
+  context_->makeCurrent(surface_.get());
+  drop_fence();
+  size_ = size;
+  make_buffers(oversampling_ * size);
+  drawn_->bind();
+  glViewport(0, 0, drawn_->width(), drawn_->height());
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
   glDepthMask(GL_TRUE);
@@ -79,14 +100,38 @@ QImage ScenePictures::picture(const geometric::Configuration& q, const OrbitCame
   graph_->set_configuration(q);
   action_->invalidateState();
   action_->setViewportRegion(
-      SbViewportRegion(static_cast<short>(buffer.width()), static_cast<short>(buffer.height())));
+      SbViewportRegion(static_cast<short>(drawn_->width()), static_cast<short>(drawn_->height())));
   graph_->aim(camera, static_cast<double>(size.width()) / size.height());
   graph_->render(*action_);
-  glFinish();
-  buffer.release();
-  return buffer.toImage()
+  drawn_->release();
+  QOpenGLFramebufferObject::blitFramebuffer(resolved_.get(), drawn_.get());
+  if (context_->hasExtension(QByteArrayLiteral("GL_ARB_sync"))) {
+    fence_ = context_->extraFunctions()->glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+  }
+  glFlush();
+}
+
+void ScenePictures::drop_fence() {
+  if (fence_ != nullptr) {
+    context_->extraFunctions()->glDeleteSync(fence_);
+    fence_ = nullptr;
+  }
+}
+
+bool ScenePictures::is_drawn() {
+  if (fence_ == nullptr) {
+    return true;
+  }
+  context_->makeCurrent(surface_.get());
+  return context_->extraFunctions()->glClientWaitSync(fence_, 0, 0) != GL_TIMEOUT_EXPIRED;
+}
+
+QImage ScenePictures::take() {
+  context_->makeCurrent(surface_.get());
+  drop_fence();
+  return resolved_->toImage()
       .convertToFormat(QImage::Format_RGB32)
-      .scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+      .scaled(size_, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
 }
 
 }  // namespace handway::gui

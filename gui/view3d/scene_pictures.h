@@ -5,12 +5,14 @@
 
 #include <QImage>
 #include <QSize>
+#include <qopengl.h>
 
 #include <memory>
 #include <vector>
 
 class QOffscreenSurface;
 class QOpenGLContext;
+class QOpenGLFramebufferObject;
 class SoGLRenderAction;
 
 namespace handway::gui {
@@ -36,12 +38,26 @@ class ScenePictures {
   [[nodiscard]] QImage picture(const geometric::Configuration& q, const OrbitCamera& camera,
                                const QSize& size);
 
+  /// Has such a picture drawn, and doesn't wait for it.
+  void begin(const geometric::Configuration& q, const OrbitCamera& camera, const QSize& size);
+  /// Is what was begun drawn?
+  [[nodiscard]] bool is_drawn();
+  /// What was begun, and waits for it if it isn't drawn yet.
+  [[nodiscard]] QImage take();
+
  private:
+  void make_buffers(const QSize& pixels);
+  void drop_fence();
+
   int oversampling_;
   std::unique_ptr<QOffscreenSurface> surface_;
   std::unique_ptr<QOpenGLContext> context_;
   std::unique_ptr<SceneGraph> graph_;
   std::unique_ptr<SoGLRenderAction> action_;
+  std::unique_ptr<QOpenGLFramebufferObject> drawn_;     ///< With several samples a pixel.
+  std::unique_ptr<QOpenGLFramebufferObject> resolved_;  ///< With one.
+  QSize size_;                                          ///< Of the picture that was begun.
+  GLsync fence_ = nullptr;                              ///< Passed when it is drawn.
 };
 
 }  // namespace handway::gui

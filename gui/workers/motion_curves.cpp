@@ -1,10 +1,11 @@
 #include "workers/motion_curves.h"
 
-#include "handway/geometric/robot/normalised_joints.h"
+#include "handway/planning/queries/human_likeness.h"
 #include "handway/planning/timing/certified_blends.h"
 #include "handway/planning/timing/time_law.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace handway::gui {
 namespace {
@@ -33,9 +34,14 @@ PathMotion motion_of(const planning::PlanningProblem& problem, const planning::P
 }
 
 MotionCurves motion_curves(const planning::PlanningProblem& problem,
+                           const std::shared_ptr<const sampling::RecordedPostures>& postures,
                            const planning::Trajectory& trajectory, const std::stop_token& stop) {
   MotionCurves curves;
   const std::unique_ptr<geometric::CollisionChecker> checker = problem.checker->clone();
+  std::optional<planning::HumanLikeness> likeness;
+  if (problem.basis) {
+    likeness.emplace(problem.model(), problem.hand, *problem.basis, postures);
+  }
   for (const planning::TrajectoryPoint& point : trajectory.points) {
     if (stop.stop_requested()) {
       break;
@@ -45,10 +51,12 @@ MotionCurves motion_curves(const planning::PlanningProblem& problem,
     const bool is_near = closest.distance < kMostClearance;
     curves.clearance.push_back(std::min(closest.distance, kMostClearance));
     curves.closest.push_back(is_near ? closest.a + " with " + closest.b : std::string());
-    if (problem.basis) {
-      const Eigen::VectorXd joints = geometric::normalised(problem.model(), point.position);
-      curves.unlikeness.push_back(
-          sampling::distance_to_subspace(*problem.basis, joints(problem.hand)));
+    if (likeness) {
+      const planning::HandLikeness here = likeness->at(point.position);
+      curves.to_subspace.push_back(here.to_subspace);
+      if (here.to_recorded) {
+        curves.to_recorded.push_back(*here.to_recorded);
+      }
     }
   }
   return curves;

@@ -3,6 +3,7 @@
 #include "handway/planning/core/exporter.h"
 #include "handway/planning/core/planning_problem.h"
 #include "handway/planning/paths/path.h"
+#include "handway/sampling/postures/recorded_postures.h"
 
 #include <memory>
 #include <stop_token>
@@ -26,15 +27,19 @@ struct PathMotion {
 struct MotionCurves {
   std::vector<double> clearance;     ///< m, at most kMostClearance.
   std::vector<std::string> closest;  ///< "A with B", empty where nothing is near.
-  std::vector<double> unlikeness;    ///< See sampling::distance_to_subspace(); empty: no basis.
+  /// How human the hand looks, see planning::HandLikeness; empty: nothing to compare with.
+  std::vector<double> to_subspace;
+  std::vector<double> to_recorded;
 };
 
 /// More clearance (m) is not told apart.
 inline constexpr double kMostClearance = 0.1;
 
+/// @param postures of a person, may be null.
 /// @param stop ends it early; what it returns then is of no use.
-[[nodiscard]] MotionCurves motion_curves(const planning::PlanningProblem& problem,
-                                         const planning::Trajectory& trajectory,
-                                         const std::stop_token& stop);
+[[nodiscard]] MotionCurves motion_curves(
+    const planning::PlanningProblem& problem,
+    const std::shared_ptr<const sampling::RecordedPostures>& postures,
+    const planning::Trajectory& trajectory, const std::stop_token& stop);
 
 }  // namespace handway::gui

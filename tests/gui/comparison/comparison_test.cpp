@@ -46,14 +46,32 @@ TEST_F(Comparison, ShowsTheLastTwoPathsWithTheirFigures) {
   gui::ComparisonWindow& dialog = begin();
   const auto& table = *dialog.findChild<QTableWidget*>(QStringLiteral("comparison_figures"));
   const gui::PathFigures figures = gui::figures_of(history().at(1));
-  EXPECT_EQ(table.item(0, 0)->text(), QString::number(figures.duration, 'f', 2));
+  EXPECT_EQ(table.item(0, 1)->text(), QString::number(figures.duration, 'f', 2));
   EXPECT_EQ(table.rowCount(), 8);
+  const bool left_is_faster = figures.duration < gui::figures_of(history().at(0)).duration;
+  EXPECT_EQ(table.item(0, 1)->font().bold(), left_is_faster);
+  EXPECT_EQ(table.item(0, 2)->font().bold(), !left_is_faster);
+  EXPECT_FALSE(table.item(3, 1)->font().bold()) << "waypoints are neither good nor bad";
   const QString folder = qEnvironmentVariable("HANDWAY_PICTURES");
   if (!folder.isEmpty()) {
     dialog.player().seek(0.5);
     QTest::qWait(300);
     EXPECT_TRUE(dialog.grab().save(folder + QStringLiteral("/comparison.png")));
   }
+}
+
+TEST_F(Comparison, WaitsForASecondPath) {
+  open(cell().post());
+  plan_with(1);
+  const gui::ComparisonWindow& dialog = begin();
+  const auto& table = *dialog.findChild<QTableWidget*>(QStringLiteral("comparison_figures"));
+  const auto& note = *dialog.findChild<QLabel*>(QStringLiteral("comparison_note"));
+  EXPECT_NE(table.item(0, 1)->text(), QStringLiteral("–"));
+  EXPECT_EQ(table.item(0, 2)->text(), QStringLiteral("–"));
+  EXPECT_TRUE(note.text().contains("one path so far"));
+  plan_with(2);
+  EXPECT_NE(table.item(0, 2)->text(), QStringLiteral("–"));
+  EXPECT_TRUE(note.text().contains("the better of the two"));
 }
 
 TEST_F(Comparison, LooksAtBothFromTheSamePlace) {

@@ -1,5 +1,6 @@
 #include "export/pictures_dialog.h"
 
+#include "watched_application.h"
 #include "window_test.h"
 
 #include <QAction>
@@ -9,9 +10,13 @@
 #include <QPushButton>
 #include <QSignalSpy>
 
+#include <sys/resource.h>
+
 #include <algorithm>
+#include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <utility>
 
 namespace handway::test {
 namespace {
@@ -20,6 +25,27 @@ namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 
 constexpr int kPatienceMs = 60000;
+
+// As long as it lives no file of this program can become larger: a disk that is full.
+class LimitedFiles {
+ public:
+  explicit LimitedFiles(rlim_t bytes) {
+    getrlimit(RLIMIT_FSIZE, &before_);
+    handler_ = std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit limit{bytes, before_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~LimitedFiles() {
+    setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+  LimitedFiles(const LimitedFiles&) = delete;
+  LimitedFiles& operator=(const LimitedFiles&) = delete;
+
+ private:
+  rlimit before_{};
+  void (*handler_)(int) = SIG_DFL;
+};
 
 class Pictures : public WindowTest {
  protected:
@@ -61,10 +87,12 @@ class Pictures : public WindowTest {
     dialog.findChild<QComboBox*>(QStringLiteral("pictures_rate"))->setCurrentIndex(0);
     QSignalSpy exported(&dialog, &gui::PicturesDialog::exported);
     press(dialog, "pictures_export");
-    return QTest::qWaitFor(
-               [&] { return !exported.isEmpty() || !note(dialog).starts_with("Taking"); },
-               kPatienceMs) &&
+    return QTest::qWaitFor([&] { return !exported.isEmpty() || !is_at_work(note(dialog)); },
+                           kPatienceMs) &&
            !exported.isEmpty();
+  }
+  [[nodiscard]] static bool is_at_work(const std::string& note) {
+    return note.starts_with("Taking") || note.starts_with("Drawing");
   }
   [[nodiscard]] int hidden_parts() const {
     return static_cast<int>(std::ranges::count_if(
@@ -129,6 +157,54 @@ TEST_F(Pictures, SayThatFfmpegIsMissing) {
   qputenv("PATH", "/nowhere");
   const gui::PicturesDialog& dialog = begin();
   EXPECT_THAT(note(dialog), HasSubstr("ffmpeg is not installed"));
+}
+
+TEST_F(Pictures, KeepTheWindowAlive) {
+  // 50 ms are wanted; a busy machine may make three times that of it.
+  constexpr double kLongestMs = 150.0;
+  for (const auto& [kind, name] : {std::pair(gui::PicturesDialog::Kind::kStrip, "alive.png"),
+                                   {gui::PicturesDialog::Kind::kFrames, "alive"}}) {
+    gui::PicturesDialog& dialog = begin();
+    dialog.choose(kind);
+    WatchedApplication::forget();
+    ASSERT_TRUE(exports(dialog, name)) << note(dialog);
+    const Stall& stall = WatchedApplication::longest();
+    EXPECT_LT(stall.ms, kLongestMs) << name << ": " << stall.event.toStdString();
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  }
+}
+
+TEST_F(Pictures, SayInWordsThatTheDiskIsFull) {
+  fs::create_symlink("/dev/full", out("strip.png"));
+  gui::PicturesDialog& dialog = begin();
+  dialog.choose(gui::PicturesDialog::Kind::kStrip);
+  EXPECT_FALSE(exports(dialog, "strip.png"));
+  EXPECT_THAT(note(dialog), HasSubstr("No space left on device"));
+}
+
+TEST_F(Pictures, SayWhyAFrameCannotBeWrittenAndLeaveNothing) {
+  gui::PicturesDialog& dialog = begin();
+  dialog.choose(gui::PicturesDialog::Kind::kFrames);
+  {
+    const LimitedFiles no_larger_than_this(100);
+    EXPECT_FALSE(exports(dialog, "frames"));
+  }
+  EXPECT_THAT(note(dialog), HasSubstr("frame_0"));
+  EXPECT_THAT(note(dialog), HasSubstr("can't be written: File too large"));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return hidden_parts() == 0; }));
+  EXPECT_FALSE(fs::exists(out("frames")));
+}
+
+TEST_F(Pictures, LeaveNoStripThatWasCancelled) {
+  gui::PicturesDialog& dialog = begin();
+  dialog.choose(gui::PicturesDialog::Kind::kStrip);
+  dialog.set_file(QString::fromStdString(out("strip.png").string()));
+  press(dialog, "pictures_export");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return note(dialog).starts_with("Drawing"); }, kPatienceMs));
+  press(dialog, "pictures_close");
+  EXPECT_THAT(note(dialog), HasSubstr("Cancelled"));
+  QTest::qWait(300);
+  EXPECT_FALSE(fs::exists(out("strip.png")));
 }
 
 TEST_F(Pictures, LeaveNothingWhenCancelled) {

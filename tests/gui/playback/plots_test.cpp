@@ -112,7 +112,7 @@ TEST_F(Plots, NameTheClosestPairWhereTheCursorIs) {
 TEST_F(Plots, TellHowFarTheHandIsFromItsBasis) {
   plan_and_wait();
   panel().show_quantity(gui::PlotQuantity::kUnlikeness);
-  EXPECT_EQ(analysis().curves()->unlikeness.size(), analysis().curves()->clearance.size());
+  EXPECT_EQ(analysis().curves()->to_subspace.size(), analysis().curves()->clearance.size());
   EXPECT_TRUE(written("plot.csv").starts_with("time_s,distance_to_pmds\n0,"));
 }
 

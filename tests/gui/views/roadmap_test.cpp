@@ -1,16 +1,21 @@
+#include "app/hypercube_display.h"
+#include "app/planning_views.h"
 #include "panels/roadmap_legend.h"
 #include "window_test.h"
 
 #include <QAction>
+#include <QCheckBox>
 #include <QLabel>
 #include <QTextDocument>
 
+#include <algorithm>
 #include <numeric>
 
 namespace handway::test {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::SizeIs;
 
 class RoadmapInTheView : public WindowTest {
@@ -19,6 +24,11 @@ class RoadmapInTheView : public WindowTest {
     QTextDocument document;
     document.setHtml(part<QLabel>(label).text());
     return document.toPlainText().toStdString();
+  }
+  /// The way around the post is far from the straight motion.
+  void widen() const {
+    window().plan_panel().enter("rho_max", 0.5);
+    window().plan_panel().enter("rho_a", 0.3);
   }
   [[nodiscard]] bool legend_is_shown() const {
     return !part<gui::RoadmapLegend>("roadmap_legend").isHidden();
@@ -63,6 +73,71 @@ TEST_F(RoadmapInTheView, CountsNodesByTheirPrincipalDirections) {
   ASSERT_TRUE(window().session().roadmap());
   EXPECT_FALSE(window().session().roadmap()->roadmap.winner) << "one search alone";
   EXPECT_THAT(text("roadmap_counts"), HasSubstr("1"));
+}
+
+TEST_F(RoadmapInTheView, DoesNotSearchAnyMoreOnceThereIsAPath) {
+  open(cell().post());
+  window().plan_panel().choose_planner("pmd-prm");
+  widen();
+  plan();
+  EXPECT_THAT(text("roadmap_note"), Not(HasSubstr("Searching")));
+}
+
+class HypercubesInTheView : public RoadmapInTheView {
+ protected:
+  [[nodiscard]] const gui::HypercubeDisplay& display() const {
+    return window().planning_views().hypercubes();
+  }
+  [[nodiscard]] bool are_drawn() const {
+    return QTest::qWaitFor([&] { return !display().boxes().empty(); }, 8000);
+  }
+  void plan_with(const char* planner) {
+    open(cell().post());
+    window().plan_panel().choose_planner(planner);
+    widen();
+    plan();
+  }
+};
+
+TEST_F(HypercubesInTheView, AreDrawnWhenTheyAreAskedFor) {
+  plan_with("pmd-prm");
+  EXPECT_TRUE(display().boxes().empty());
+  auto& box = part<QCheckBox>("roadmap_boxes");
+  EXPECT_TRUE(box.isVisible());
+  box.click();
+  EXPECT_TRUE(part<QAction>("hypercubes").isChecked());
+  ASSERT_TRUE(are_drawn());
+  EXPECT_LE(display().boxes().size(), 66U);
+  keep_picture("hypercubes");
+  part<QAction>("hypercubes").trigger();
+  EXPECT_FALSE(box.isChecked());
+  EXPECT_TRUE(display().boxes().empty());
+}
+
+TEST_F(HypercubesInTheView, HaveTheSizeOfTheLastIteration) {
+  part<QAction>("hypercubes").setChecked(true);
+  plan_with("pmd-prm");
+  ASSERT_TRUE(are_drawn());
+  double largest = 0.0;
+  for (const auto& node : window().session().roadmap()->roadmap.nodes) {
+    largest = std::max(largest, node.rho_a);
+  }
+  EXPECT_EQ(display().half_side(), largest);
+}
+
+TEST_F(HypercubesInTheView, AreNotOfferedForPlannersWithout) {
+  part<QAction>("hypercubes").setChecked(true);
+  plan_with("rrt-connect");
+  EXPECT_FALSE(part<QCheckBox>("roadmap_boxes").isVisible());
+  EXPECT_TRUE(display().boxes().empty());
+}
+
+TEST_F(HypercubesInTheView, GoWithTheScene) {
+  part<QAction>("hypercubes").setChecked(true);
+  plan_with("pmd-prm");
+  ASSERT_TRUE(are_drawn());
+  open(cell().wall());
+  EXPECT_TRUE(display().boxes().empty());
 }
 
 }  // namespace

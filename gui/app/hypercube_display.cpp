@@ -1,0 +1,92 @@
+#include "app/hypercube_display.h"
+
+#include "app/document.h"
+#include "app/planning_session.h"
+#include "panels/plan_panel.h"
+#include "view3d/boxes_node.h"
+#include "view3d/scene_view.h"
+
+#include <Inventor/nodes/SoSeparator.h>
+#include <QAction>
+
+#include <algorithm>
+#include <exception>
+
+namespace handway::gui {
+
+HypercubeDisplay::HypercubeDisplay(Document& document, PlanPanel& panel, PlanningSession& session,
+                                   SceneView& view, QAction& shown, QObject* parent)
+    : QObject(parent),
+      document_(document),
+      panel_(panel),
+      session_(session),
+      view_(view),
+      shown_(shown) {
+  connect(&session_, &PlanningSession::started, this, &HypercubeDisplay::begin_run);
+  connect(&session_, &PlanningSession::roadmap_changed, this, &HypercubeDisplay::take_roadmap);
+  connect(&shown_, &QAction::toggled, this, &HypercubeDisplay::take_roadmap);
+}
+
+void HypercubeDisplay::begin_run() {
+  region_.reset();
+  const auto parameters = panel_.planner()->parameters();
+  if (std::ranges::find(parameters, "rho_a", &planning::Parameter::key) != parameters.end()) {
+    region_ = planning::first_region(*panel_.planner(), 0);
+  }
+}
+
+std::optional<double> HypercubeDisplay::half_side() const {
+  const SharedRoadmap& roadmap = session_.roadmap();
+  if (!region_ || !roadmap) {
+    return std::nullopt;
+  }
+  double largest = 0.0;
+  for (const auto& node : roadmap->roadmap.nodes) {
+    largest = std::max(largest, node.rho_a);
+  }
+  return largest > 0.0 ? std::optional(largest) : std::nullopt;
+}
+
+void HypercubeDisplay::take_roadmap() {
+  const std::optional<double> rho = half_side();
+  if (!rho || !shown_.isChecked()) {
+    clear();
+    return;
+  }
+  Subject subject{*region_, session_.roadmap()->roadmap.search_range};
+  subject.region.rho_a = *rho;
+  if (!drawn_ || drawn_->region.rho_a != *rho || drawn_->range != subject.range) {
+    draw(subject);
+  }
+}
+
+void HypercubeDisplay::clear() {
+  job_.cancel();
+  drawn_.reset();
+  boxes_.clear();
+  view_.set_overlay(Overlay::kHypercubes, nullptr);
+  emit changed();
+}
+
+void HypercubeDisplay::draw(const Subject& subject) {
+  drawn_ = subject;
+  job_.run([this, subject, problem = document_.problem(),
+            palm = document_.palm()](const std::stop_token& stop) -> LatestJob::Answer {
+    try {
+      const PreparedProblem::Problem prepared = problem->wait(stop);
+      if (!prepared) {
+        return {};
+      }
+      return [this, subject,
+              boxes = planning::palm_boxes(*prepared, palm, subject.region, kMostBoxes, stop)] {
+        boxes_ = boxes;
+        view_.set_overlay(Overlay::kHypercubes, make_boxes_node(boxes, subject.range).get());
+        emit changed();
+      };
+    } catch (const std::exception&) {
+      return [this] { clear(); };  // planning has said what is wrong
+    }
+  });
+}
+
+}  // namespace handway::gui

@@ -1,0 +1,65 @@
+#pragma once
+
+#include "handway/planning/queries/palm_boxes.h"
+#include "workers/latest_job.h"
+#include "workers/palm_roadmap.h"
+
+#include <QObject>
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+class QAction;
+
+namespace handway::gui {
+
+class Document;
+class PlanPanel;
+class PlanningSession;
+class SceneView;
+
+/// Draws into the view where the palm goes in the hypercubes that the session's planner sweeps,
+/// as long as it is wanted: those that are still searched apart from those that aren't.
+class HypercubeDisplay : public QObject {
+  Q_OBJECT
+
+ public:
+  static constexpr int kMostBoxes = 65;  ///< Of more hypercubes every n-th is drawn.
+
+  /// @param shown a switch. All outlive it.
+  HypercubeDisplay(Document& document, PlanPanel& panel, PlanningSession& session, SceneView& view,
+                   QAction& shown, QObject* parent = nullptr);
+
+  /// Half-side of the hypercubes that are drawn, or would be; nothing: the roadmap has none.
+  [[nodiscard]] std::optional<double> half_side() const;
+  /// What is drawn.
+  [[nodiscard]] const std::vector<planning::PalmBox>& boxes() const { return boxes_; }
+
+ signals:
+  void changed();
+
+ private:
+  /// What a drawing depends on.
+  struct Subject {
+    planning::SamplingRegion region;
+    std::pair<double, double> range;
+  };
+
+  void begin_run();
+  void take_roadmap();
+  void draw(const Subject& subject);
+  void clear();
+
+  Document& document_;
+  PlanPanel& panel_;
+  PlanningSession& session_;
+  SceneView& view_;
+  QAction& shown_;
+  std::optional<planning::SamplingRegion> region_;  ///< Of the run; nothing: no hypercubes.
+  std::optional<Subject> drawn_;
+  std::vector<planning::PalmBox> boxes_;
+  LatestJob job_;
+};
+
+}  // namespace handway::gui
