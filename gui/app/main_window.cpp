@@ -221,6 +221,7 @@ void MainWindow::connect_view() {
         item.kind == SceneItem::Kind::kStart ? document_.scene()->start : document_.scene()->goal;
     posing_->set(*q);
   });
+  connect(&editing_->editor(), &SceneEditor::selection_changed, posing_.get(), &Posing::show_item);
   connect(view_, &SceneView::frameSwapped, posing_->glove(), &GlovePanel::note_drawn);
 }
 

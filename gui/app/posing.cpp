@@ -2,9 +2,11 @@
 
 #include "app/document.h"
 #include "glove/glove_panel.h"
+#include "panels/front_page.h"
 #include "panels/joint_panel.h"
 #include "panels/pmd_panel.h"
 #include "panels/posture_bar.h"
+#include "view3d/scene_item.h"
 #include "workers/path_player.h"
 
 namespace handway::gui {
@@ -52,6 +54,14 @@ void Posing::show_robot() {
 void Posing::set(const Eigen::VectorXd& q) {
   player_.pause();
   document_.set_configuration(q);
+}
+
+void Posing::show_item(const SceneItem& item) const {
+  const geometric::RobotInstance* robot = document_.robot();
+  if (robot && item.kind == SceneItem::Kind::kLink && item.robot == robot->name) {
+    bring_to_front(*joints_);
+    joints_->show_link(item.name);
+  }
 }
 
 void Posing::apply(const geometric::NamedPosture& posture) {

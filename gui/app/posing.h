@@ -14,6 +14,7 @@ class JointPanel;
 class PathPlayer;
 class PmdPanel;
 class PostureBar;
+struct SceneItem;
 
 /// All that moves the robot by hand: named postures, joint sliders, principal motion directions
 /// and the glove. Each shows the document's posture; whichever is touched sets it.
@@ -34,6 +35,8 @@ class Posing : public QObject {
   /// Pauses what is played, then shows this posture.
   void set(const Eigen::VectorXd& q);
   void apply(const geometric::NamedPosture& posture);
+  /// Of a link of the robot the slider of its joint comes to the front.
+  void show_item(const SceneItem& item) const;
 
  private:
   void connect_panels();

@@ -1,4 +1,5 @@
 #include "campaigns/campaigns_panel.h"
+#include "panels/front_page.h"
 
 #include "plots/ecdf_plot.h"
 
@@ -12,7 +13,6 @@
 #include <QPushButton>
 #include <QSortFilterProxyModel>
 #include <QSplitter>
-#include <QTabWidget>
 #include <QTableView>
 #include <QVBoxLayout>
 
@@ -161,17 +161,7 @@ void CampaignsPanel::open(const QString& file) {
   }
 }
 
-void CampaignsPanel::come_to_front() {
-  for (QWidget* part = parentWidget(); part; part = part->parentWidget()) {
-    if (auto* tabs = qobject_cast<QTabWidget*>(part)) {
-      for (int i = 0; i < tabs->count(); ++i) {
-        if (tabs->widget(i) == this || tabs->widget(i)->isAncestorOf(this)) {
-          tabs->setCurrentIndex(i);
-        }
-      }
-    }
-  }
-}
+void CampaignsPanel::come_to_front() { bring_to_front(*this); }
 
 void CampaignsPanel::begin(const QString& name, int all) {
   name_ = name;

@@ -5,6 +5,8 @@
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QSlider>
+#include <QStyle>
+#include <QVariant>
 
 #include <algorithm>
 #include <cmath>
@@ -86,6 +88,12 @@ void SliderRow::set_read_only() {
   field_->setReadOnly(true);
   field_->setEnabled(false);
   label_->setEnabled(false);
+}
+
+void SliderRow::set_chosen(bool chosen) {
+  label_->setProperty("role", chosen ? QStringLiteral("chosen") : QVariant());
+  label_->style()->unpolish(label_);
+  label_->style()->polish(label_);
 }
 
 void SliderRow::set_label_width(int width) {

@@ -31,6 +31,8 @@ class SliderRow : public QWidget {
   void set_value(double value);
   /// A row that only shows.
   void set_read_only();
+  /// A row that somebody asked for stands out from the others.
+  void set_chosen(bool chosen);
   /// Name column of a stack of rows, px.
   void set_label_width(int width);
 

@@ -9,6 +9,7 @@
 #include "glove/pmd_explorer.h"
 #include "glove/record_bar.h"
 #include "glove/sensor_bars.h"
+#include "panels/front_page.h"
 #include "panels/joint_groups.h"
 #include "tracker/wrist_page.h"
 
@@ -246,15 +247,7 @@ void GlovePanel::connect_to(const QString& device) {
 }
 
 void GlovePanel::come_to_front(const QString& page) {
-  for (QWidget* part = this; part; part = part->parentWidget()) {
-    if (auto* tabs = qobject_cast<QTabWidget*>(part)) {
-      for (int i = 0; i < tabs->count(); ++i) {
-        if (tabs->widget(i)->isAncestorOf(this) || tabs->widget(i) == this) {
-          tabs->setCurrentIndex(i);
-        }
-      }
-    }
-  }
+  bring_to_front(*this);
   for (int i = 0; i < tabs_->count(); ++i) {
     if (tabs_->tabText(i).compare(page, Qt::CaseInsensitive) == 0) {
       tabs_->setCurrentIndex(i);

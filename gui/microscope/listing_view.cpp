@@ -35,6 +35,7 @@ QString text_of(const AlgorithmListing& listing) {
 ListingView::ListingView(QWidget* parent)
     : QWidget(parent), title_(new QLabel), text_(new QPlainTextEdit) {
   title_->setProperty("role", "heading");
+  title_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // panels keep their widths
   text_->setReadOnly(true);
   text_->setLineWrapMode(QPlainTextEdit::NoWrap);
   text_->setTextInteractionFlags(Qt::TextSelectableByMouse);

@@ -147,10 +147,12 @@ QWidget* MicroscopePanel::make_controls() {
   auto* choices = new QHBoxLayout;
   choices->addWidget(filter_, 1);
   choices->addWidget(pace_);
+  auto* place = new QHBoxLayout;
+  place->addWidget(position_, 1);
+  place->addWidget(count_);
   layout->addLayout(buttons);
-  layout->addWidget(position_);
+  layout->addLayout(place);
   layout->addLayout(choices);
-  layout->addWidget(count_);
   layout->addWidget(words_);
   layout->addWidget(state_);
   layout->addStretch();

@@ -9,12 +9,14 @@
 #include <QVariant>
 
 #include <algorithm>
+#include <optional>
 
 namespace handway::gui {
 namespace {
 
 using geometric::JointType;
 
+constexpr int kAround = 60;  // px, of a row that is brought into sight
 constexpr int kLabelWidth = 128;
 
 SliderRow::Range range_of(const geometric::JointLimits& limits, JointType type) {
@@ -38,19 +40,19 @@ geometric::JointLimits reach(const geometric::RobotModel& model, int link) {
 
 }  // namespace
 
-JointPanel::JointPanel(QWidget* parent) : QWidget(parent), content_(nullptr), layout_(nullptr) {
+JointPanel::JointPanel(QWidget* parent)
+    : QWidget(parent), scroll_(new QScrollArea), content_(nullptr), layout_(nullptr) {
   auto* outer = new QVBoxLayout(this);
   outer->setContentsMargins(0, 0, 0, 0);
-  auto* scroll = new QScrollArea;
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll_->setWidgetResizable(true);
+  scroll_->setFrameShape(QFrame::NoFrame);
+  scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   content_ = new QWidget;
   layout_ = new QVBoxLayout(content_);
   layout_->setContentsMargins(12, 10, 12, 10);
   layout_->setSpacing(3);
-  scroll->setWidget(content_);
-  outer->addWidget(scroll);
+  scroll_->setWidget(content_);
+  outer->addWidget(scroll_);
 }
 
 void JointPanel::set_robot(std::shared_ptr<const geometric::RobotModel> model,
@@ -110,6 +112,25 @@ SliderRow* JointPanel::add_row(int link) {
   layout_->addWidget(row);
   rows_.push_back({link, row});
   return row;
+}
+
+void JointPanel::show_link(const std::string& name) {
+  const std::optional<int> named = model_ ? model_->find_link(name) : std::nullopt;
+  if (!named) {
+    return;
+  }
+  const auto row_of = [this](int link) { return std::ranges::find(rows_, link, &Row::link); };
+  int link = *named;
+  while (link > 0 && row_of(link) == rows_.end()) {
+    link = model_->parent(link);
+  }
+  const auto chosen = row_of(link);
+  for (const Row& row : rows_) {
+    row.slider->set_chosen(chosen != rows_.end() && row.link == link);
+  }
+  if (chosen != rows_.end()) {
+    scroll_->ensureWidgetVisible(chosen->slider, 0, kAround);
+  }
 }
 
 void JointPanel::set_configuration(const geometric::Configuration& q) {

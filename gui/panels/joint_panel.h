@@ -6,8 +6,10 @@
 #include <QWidget>
 
 #include <memory>
+#include <string>
 #include <vector>
 
+class QScrollArea;
 class QVBoxLayout;
 
 namespace handway::gui {
@@ -26,6 +28,9 @@ class JointPanel : public QWidget {
   void set_robot(std::shared_ptr<const geometric::RobotModel> model, const JointGroups& groups);
   /// @param q shape [variable_count].
   void set_configuration(const geometric::Configuration& q);
+  /// Brings the slider of the joint that moves this link into sight, and marks it; of a fixed
+  /// link it's the nearest joint before.
+  void show_link(const std::string& link);
 
  signals:
   void configuration_edited(const Eigen::VectorXd& q);
@@ -41,6 +46,7 @@ class JointPanel : public QWidget {
 
   std::shared_ptr<const geometric::RobotModel> model_;
   geometric::Configuration q_;
+  QScrollArea* scroll_;
   QWidget* content_;
   QVBoxLayout* layout_;
   std::vector<Row> rows_;

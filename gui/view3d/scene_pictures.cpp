@@ -104,11 +104,21 @@ void ScenePictures::begin(const geometric::Configuration& q, const OrbitCamera& 
   graph_->aim(camera, static_cast<double>(size.width()) / size.height());
   graph_->render(*action_);
   drawn_->release();
-  QOpenGLFramebufferObject::blitFramebuffer(resolved_.get(), drawn_.get());
+  is_resolved_ = false;
+  set_fence();
+}
+
+void ScenePictures::set_fence() {
+  drop_fence();
   if (context_->hasExtension(QByteArrayLiteral("GL_ARB_sync"))) {
     fence_ = context_->extraFunctions()->glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
   }
   glFlush();
+}
+
+void ScenePictures::resolve() {
+  QOpenGLFramebufferObject::blitFramebuffer(resolved_.get(), drawn_.get());
+  is_resolved_ = true;
 }
 
 void ScenePictures::drop_fence() {
@@ -119,16 +129,25 @@ void ScenePictures::drop_fence() {
 }
 
 bool ScenePictures::is_drawn() {
-  if (fence_ == nullptr) {
+  context_->makeCurrent(surface_.get());
+  if (fence_ != nullptr &&
+      context_->extraFunctions()->glClientWaitSync(fence_, 0, 0) == GL_TIMEOUT_EXPIRED) {
+    return false;
+  }
+  if (is_resolved_) {
     return true;
   }
-  context_->makeCurrent(surface_.get());
-  return context_->extraFunctions()->glClientWaitSync(fence_, 0, 0) != GL_TIMEOUT_EXPIRED;
+  resolve();  // which would have waited before
+  set_fence();
+  return false;
 }
 
 QImage ScenePictures::take() {
   context_->makeCurrent(surface_.get());
   drop_fence();
+  if (!is_resolved_) {
+    resolve();
+  }
   return resolved_->toImage()
       .convertToFormat(QImage::Format_RGB32)
       .scaled(size_, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);

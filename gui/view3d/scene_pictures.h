@@ -47,7 +47,10 @@ class ScenePictures {
 
  private:
   void make_buffers(const QSize& pixels);
+  /// Passed when all that was asked for so far is drawn.
+  void set_fence();
   void drop_fence();
+  void resolve();
 
   int oversampling_;
   std::unique_ptr<QOffscreenSurface> surface_;
@@ -57,7 +60,8 @@ class ScenePictures {
   std::unique_ptr<QOpenGLFramebufferObject> drawn_;     ///< With several samples a pixel.
   std::unique_ptr<QOpenGLFramebufferObject> resolved_;  ///< With one.
   QSize size_;                                          ///< Of the picture that was begun.
-  GLsync fence_ = nullptr;                              ///< Passed when it is drawn.
+  bool is_resolved_ = false;
+  GLsync fence_ = nullptr;
 };
 
 }  // namespace handway::gui

@@ -1,7 +1,9 @@
 #include "forms/slider_row.h"
+#include "view3d/scene_view.h"
 #include "window_test.h"
 
 #include <QDoubleSpinBox>
+#include <QLabel>
 #include <QSlider>
 
 #include <numbers>
@@ -36,6 +38,21 @@ TEST_F(JointSliders, MoveTheRobot) {
 TEST_F(JointSliders, TakeDegreesFromTheKeyboard) {
   part<gui::SliderRow>("elbow").findChild<QDoubleSpinBox*>()->setValue(90.0);
   EXPECT_NEAR(shown()[variable("elbow")], std::numbers::pi / 2.0, 1e-12);
+}
+
+TEST_F(JointSliders, ComeToTheFrontForALinkThatIsClicked) {
+  const gui::SceneItem lower{gui::SceneItem::Kind::kLink, window().document().robot()->name,
+                             "lower"};
+  EXPECT_FALSE(part<gui::SliderRow>("elbow").isVisible());
+  emit window().view().picked(lower, false);
+  EXPECT_TRUE(part<gui::SliderRow>("elbow").isVisible());
+  const auto is_marked = [&](const char* joint) {
+    return part<gui::SliderRow>(joint).findChild<QLabel*>()->property("role").toString() ==
+           QStringLiteral("chosen");
+  };
+  EXPECT_TRUE(is_marked("elbow"));
+  EXPECT_FALSE(is_marked("shoulder"));
+  keep_picture("clicked_link");
 }
 
 TEST_F(JointSliders, FollowTheRobot) {
