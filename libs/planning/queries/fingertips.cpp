@@ -25,8 +25,7 @@ std::vector<int> fingertips(const geometric::RobotModel& model, const std::vecto
 
 Eigen::Vector3d middle_of(const geometric::Link& link) {
   const geometric::TriangleMesh shape = geometric::collision_mesh(link);
-  return shape.vertices.empty() ? Eigen::Vector3d::Zero()
-                                : geometric::bounding_box(shape).centre();
+  return shape.vertices.empty() ? Eigen::Vector3d::Zero() : geometric::bounding_box(shape).centre();
 }
 
 }  // namespace handway::planning
