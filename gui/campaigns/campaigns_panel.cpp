@@ -1,6 +1,6 @@
 #include "campaigns/campaigns_panel.h"
-#include "panels/front_page.h"
 
+#include "panels/front_page.h"
 #include "plots/ecdf_plot.h"
 
 #include <QComboBox>
