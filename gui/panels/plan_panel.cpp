@@ -41,6 +41,7 @@ PlanPanel::PlanPanel(const planning::PlannerRegistry& registry, QWidget* parent)
       seed_(new QSpinBox),
       time_limit_(new QDoubleSpinBox),
       threads_(new QSpinBox),
+      reset_(new QPushButton(tr("Reset"))),
       form_place_(new QVBoxLayout),
       sections_(new QVBoxLayout),
       plan_(new QPushButton(tr("Plan"))),
@@ -58,6 +59,8 @@ PlanPanel::PlanPanel(const planning::PlannerRegistry& registry, QWidget* parent)
   }
   connect(planners_, &QComboBox::currentTextChanged, this,
           [this](const QString& name) { use_planner(name.toStdString()); });
+  connect(reset_, &QPushButton::clicked, this, [this] { use_planner(planner_->name()); });
+  connect(this, &PlanPanel::settings_changed, this, &PlanPanel::show_whether_resettable);
   connect(plan_, &QPushButton::clicked, this, &PlanPanel::plan_requested);
   connect(cancel_, &QPushButton::clicked, this, &PlanPanel::cancel_requested);
   set_usual_planner({});
@@ -87,13 +90,19 @@ QWidget* PlanPanel::make_settings() {
   threads_->setObjectName(QStringLiteral("threads"));
   threads_->setToolTip(tr("More threads plan faster; the path stays the same"));
 
+  reset_->setObjectName(QStringLiteral("reset_parameters"));
+  reset_->setToolTip(tr("Give every parameter the planner's own value"));
+
   auto* box = new QWidget;
   auto* layout = new QVBoxLayout(box);
   layout->setContentsMargins(12, 10, 12, 8);
   layout->setSpacing(8);
   auto* form = new QFormLayout;
   layout->addLayout(form);
-  layout->addWidget(make_heading(tr("Parameters")));
+  auto* parameters = new QHBoxLayout;
+  parameters->addWidget(make_heading(tr("Parameters")), 1);
+  parameters->addWidget(reset_);
+  layout->addLayout(parameters);
   layout->addLayout(form_place_);
   layout->addLayout(sections_);
   layout->addStretch();
@@ -246,6 +255,7 @@ void PlanPanel::show_running() {
   cancel_->setEnabled(true);
   planners_->setEnabled(false);
   form_->setEnabled(false);
+  reset_->setEnabled(false);
   progress_->setValue(0);
   progress_->setVisible(true);
   result_->setText(tr("Planning…"));
@@ -258,7 +268,12 @@ void PlanPanel::end_run() {
   if (form_) {
     form_->setEnabled(true);
   }
+  show_whether_resettable();
   progress_->setVisible(false);
+}
+
+void PlanPanel::show_whether_resettable() {
+  reset_->setEnabled(form_ && form_->isEnabled() && !choice().settings.empty());
 }
 
 void PlanPanel::show_progress(double fraction, const QString& activity) {

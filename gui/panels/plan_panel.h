@@ -75,6 +75,8 @@ class PlanPanel : public QWidget {
   QWidget* make_actions();
   void use_planner(const std::string& name);
   void rebuild_form();
+  /// Offers the planner's own values where others are set and it does not run.
+  void show_whether_resettable();
   void end_run();
 
   const planning::PlannerRegistry& registry_;
@@ -85,6 +87,7 @@ class PlanPanel : public QWidget {
   QDoubleSpinBox* time_limit_;
   QSpinBox* threads_;
   std::string usual_planner_;
+  QPushButton* reset_;
   QVBoxLayout* form_place_;
   QVBoxLayout* sections_;
   ParameterForm* form_ = nullptr;  ///< Of the chosen planner; null if there is none.
