@@ -29,8 +29,7 @@ HypercubeDisplay::HypercubeDisplay(Document& document, PlanPanel& panel, Plannin
 
 void HypercubeDisplay::begin_run() {
   region_.reset();
-  const auto parameters = panel_.planner()->parameters();
-  if (std::ranges::find(parameters, "rho_a", &planning::Parameter::key) != parameters.end()) {
+  if (planning::parameter_called(panel_.planner()->parameters(), "rho_a")) {
     region_ = planning::first_region(*panel_.planner(), 0);
   }
 }

@@ -31,6 +31,7 @@
 #include "panels/properties_panel.h"
 #include "panels/scene_tree.h"
 #include "playback/playback_tools.h"
+#include "preferences/preferences_dialog.h"
 #include "start/about_box.h"
 #include "start/command_palette.h"
 #include "start/panel_help.h"
@@ -172,7 +173,8 @@ void MainWindow::connect_actions() {
   });
   connect(preference_effects_.get(), &PreferenceEffects::theme_changed, this,
           &MainWindow::show_theme);
-  connect(actions_->preferences, &QAction::triggered, this, &MainWindow::edit_preferences);
+  connect(actions_->preferences, &QAction::triggered, this,
+          [this] { show_preferences(preferences_, extensions_->planners().names(), *this); });
   connect(actions_->about, &QAction::triggered, this, [this] { show_about(*this); });
 }
 

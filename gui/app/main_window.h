@@ -103,7 +103,6 @@ class MainWindow : public QMainWindow {
   void update_title();
   void update_ready();
   void show_theme(Theme theme);
-  void edit_preferences();
 
   std::shared_ptr<planning::Extensions> extensions_;
   Options options_;

@@ -3,12 +3,11 @@
 #include "campaigns/campaigns_panel.h"
 #include "editing/scene_editing.h"
 #include "handway/geometric/io/mesh_reader.h"
-#include "preferences/preferences_dialog.h"
 
 #include <QDragEnterEvent>
 #include <QMimeData>
 
-/// What the window opens: files, new scenes, runs of campaigns, and the preferences.
+/// What the window opens: files, new scenes, and runs of campaigns.
 namespace handway::gui {
 
 void MainWindow::open(const QString& file) {
@@ -53,19 +52,6 @@ void MainWindow::dropEvent(QDropEvent* event) {
   } else {
     open(file);
   }
-}
-
-void MainWindow::edit_preferences() {
-  if (auto* open = findChild<PreferencesDialog*>()) {
-    open->activateWindow();
-    return;
-  }
-  QStringList planners;
-  for (const std::string& name : extensions_->planners().names()) {
-    planners << QString::fromStdString(name);
-  }
-  auto* dialog = new PreferencesDialog(preferences_, planners, this);
-  dialog->show();
 }
 
 }  // namespace handway::gui

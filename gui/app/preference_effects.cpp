@@ -17,22 +17,22 @@ PreferenceEffects::PreferenceEffects(const Preferences& preferences, SceneView& 
       plan_panel_(plan_panel),
       recovery_(recovery),
       applied_(preferences.values()) {
-  apply_to_view(applied_);
+  apply_at_once(applied_);
   plan_panel_.set_usual_planner(applied_.planner.toStdString());
   plan_panel_.set_threads(applied_.threads);
   plan_panel_.set_time_limit(applied_.time_limit);
-  QuantityField::show_units(applied_.units);
-  recovery_.set_enabled(applied_.autosave);
   connect(&preferences_, &Preferences::changed, this, &PreferenceEffects::follow);
 }
 
-void PreferenceEffects::apply_to_view(const PreferenceValues& values) {
+void PreferenceEffects::apply_at_once(const PreferenceValues& values) {
   view_.set_projection(values.projection);
   view_.set_navigation(values.navigation);
   view_.set_floor_visible(values.floor);
   view_.set_cube_visible(values.cube);
   view_.set_samples(values.samples);
   view_.set_frame_limit(values.frame_limit);
+  QuantityField::show_units(values.units);
+  recovery_.set_enabled(values.autosave);
 }
 
 // The panel's fields are for one run each: only a preference that has changed is put there.
@@ -50,10 +50,8 @@ void PreferenceEffects::apply_to_planning(const PreferenceValues& values) {
 
 void PreferenceEffects::follow() {
   const PreferenceValues& values = preferences_.values();
-  apply_to_view(values);
+  apply_at_once(values);
   apply_to_planning(values);
-  QuantityField::show_units(values.units);
-  recovery_.set_enabled(values.autosave);
   const bool recolor = values.theme != std::exchange(applied_, values).theme;
   if (recolor) {
     emit theme_changed(values.theme);

@@ -24,7 +24,7 @@ class PreferenceEffects : public QObject {
   void theme_changed(handway::gui::Theme theme);
 
  private:
-  void apply_to_view(const PreferenceValues& values);
+  void apply_at_once(const PreferenceValues& values);
   void apply_to_planning(const PreferenceValues& values);
   void follow();
 

@@ -4,6 +4,7 @@
 #include "app/window_actions.h"
 #include "preferences/preferences.h"
 #include "style/icons.h"
+#include "style/make_action.h"
 #include "view3d/scene_view.h"
 
 #include <QActionGroup>
@@ -114,12 +115,8 @@ void ViewActions::follow_preferences() {
 
 QAction* ViewActions::make(const char* name, const QString& text, const char* keys,
                            const QString& tip) {
-  auto* action = new QAction(text, &window_);
-  action->setObjectName(QLatin1String(name));
-  action->setShortcut(QKeySequence(QLatin1String(keys)));
-  action->setStatusTip(tip);
-  const QString shown = action->shortcut().toString(QKeySequence::NativeText);
-  action->setToolTip(shown.isEmpty() ? tip : QStringLiteral("%1 (%2)").arg(tip, shown));
+  QAction* action =
+      make_action(window_, QLatin1String(name), text, QKeySequence(QLatin1String(keys)), tip);
   with_icon_ << action;
   return action;
 }

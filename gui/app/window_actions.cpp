@@ -3,6 +3,7 @@
 #include "app/recent_files.h"
 #include "handway/geometric/io/resources.h"
 #include "style/icons.h"
+#include "style/make_action.h"
 
 #include <QMainWindow>
 #include <QMenuBar>
@@ -105,14 +106,7 @@ WindowActions::WindowActions(QMainWindow& window) : window_(window) {
 
 QAction* WindowActions::make(const QString& name, const QString& text, const QKeySequence& keys,
                              const QString& tip) {
-  auto* action = new QAction(text, &window_);
-  action->setObjectName(name);
-  action->setShortcut(keys);
-  if (!tip.isEmpty()) {
-    action->setStatusTip(tip);
-    const QString shown = keys.toString(QKeySequence::NativeText);
-    action->setToolTip(shown.isEmpty() ? tip : QStringLiteral("%1 (%2)").arg(tip, shown));
-  }
+  QAction* action = make_action(window_, name, text, keys, tip);
   if (!name.isEmpty()) {
     with_icon_ << action;
   }

@@ -3,6 +3,7 @@
 #include "editing/array_tool.h"
 #include "editing/scene_edits.h"
 #include "style/icons.h"
+#include "style/make_action.h"
 
 #include <QMainWindow>
 #include <QMenu>
@@ -69,12 +70,8 @@ ArrangeActions::ArrangeActions(QMainWindow& window, QMenu& edit_menu, QToolBar& 
 
 QAction* ArrangeActions::make(const char* name, const QString& text, const char* keys,
                               const QString& tip) {
-  auto* action = new QAction(text, &window_);
-  action->setObjectName(QLatin1String(name));
-  action->setShortcut(QKeySequence(QLatin1String(keys)));
-  action->setStatusTip(tip);
-  const QString shown = action->shortcut().toString(QKeySequence::NativeText);
-  action->setToolTip(shown.isEmpty() ? tip : QStringLiteral("%1 (%2)").arg(tip, shown));
+  QAction* action =
+      make_action(window_, QLatin1String(name), text, QKeySequence(QLatin1String(keys)), tip);
   with_icon_ << action;
   return action;
 }

@@ -3,6 +3,7 @@
 #include "editing/selection.h"
 #include "handway/geometric/io/resources.h"
 #include "style/icons.h"
+#include "style/make_action.h"
 
 #include <QMainWindow>
 #include <QToolBar>
@@ -121,11 +122,9 @@ void EditActions::take(QAction& action, const QString& name, const QKeySequence&
 
 QAction* EditActions::make(const QString& name, const QString& text, const QKeySequence& keys,
                            const QString& tip) {
-  auto* action = new QAction(text, &window_);
-  take(*action, name, keys, tip);
-  const QString shown = keys.toString(QKeySequence::NativeText);
-  if (!tip.isEmpty()) {
-    action->setToolTip(shown.isEmpty() ? tip : QStringLiteral("%1 (%2)").arg(tip, shown));
+  QAction* action = make_action(window_, name, text, keys, tip);
+  if (!name.isEmpty()) {
+    with_icon_ << action;
   }
   return action;
 }

@@ -13,30 +13,25 @@
 namespace handway::gui {
 namespace {
 
-struct Unit {
-  QLatin1String name;
-  double shown;  ///< In millimetres or degrees.
-};
-
 constexpr int kDecimals = 7;  // kept; fewer are shown
 
 QuantityUnits shown_units;
 
+// One of the unit of that name, in millimetres or degrees.
 std::optional<double> shown_per_unit(QuantityField::Kind kind, const QString& name) {
-  static const std::array kLengths{Unit{QLatin1String("mm"), 1.0}, Unit{QLatin1String("cm"), 10.0},
-                                   Unit{QLatin1String("m"), 1000.0},
-                                   Unit{QLatin1String("in"), 25.4}};
-  static const std::array kAngles{Unit{QLatin1String("°"), 1.0}, Unit{QLatin1String("deg"), 1.0},
-                                  Unit{QLatin1String("rad"), geometric::degrees(1.0)}};
   const auto find = [&](const auto& units) -> std::optional<double> {
-    for (const Unit& unit : units) {
-      if (name == QString::fromUtf8(unit.name.data(), unit.name.size())) {
-        return unit.shown;
+    for (const auto unit : units) {
+      if (const UnitText text = unit_text(unit); text.suffix.trimmed() == name) {
+        return text.size;
       }
     }
     return std::nullopt;
   };
-  return kind == QuantityField::Kind::kLength ? find(kLengths) : find(kAngles);
+  if (kind == QuantityField::Kind::kLength) {
+    return find(std::array{LengthUnit::kMillimetre, LengthUnit::kCentimetre, LengthUnit::kMetre,
+                           LengthUnit::kInch});
+  }
+  return find(std::array{AngleUnit::kDegree, AngleUnit::kRadian});
 }
 
 // In millimetres or degrees; a number alone is in units of `own`.
@@ -47,7 +42,8 @@ std::optional<double> parse_number(QuantityField::Kind kind, const QString& text
   if (!match.hasMatch()) {
     return std::nullopt;
   }
-  const QString name = match.captured(2);
+  const QString word = match.captured(2);
+  const QString name = word == QLatin1String("deg") ? QStringLiteral("°") : word;
   const auto unit = name.isEmpty() ? std::optional(own) : shown_per_unit(kind, name);
   const double number = match.captured(1).replace(',', '.').toDouble();
   return unit ? std::optional(number * *unit) : std::nullopt;

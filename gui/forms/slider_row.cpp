@@ -1,12 +1,12 @@
 #include "forms/slider_row.h"
 
+#include "style/role.h"
+
 #include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QSlider>
-#include <QStyle>
-#include <QVariant>
 
 #include <algorithm>
 #include <cmath>
@@ -91,9 +91,7 @@ void SliderRow::set_read_only() {
 }
 
 void SliderRow::set_chosen(bool chosen) {
-  label_->setProperty("role", chosen ? QStringLiteral("chosen") : QVariant());
-  label_->style()->unpolish(label_);
-  label_->style()->polish(label_);
+  set_role(*label_, chosen ? QStringLiteral("chosen") : QString());
 }
 
 void SliderRow::set_label_width(int width) {

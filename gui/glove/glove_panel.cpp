@@ -11,6 +11,7 @@
 #include "glove/sensor_bars.h"
 #include "panels/front_page.h"
 #include "panels/joint_groups.h"
+#include "style/role.h"
 #include "tracker/wrist_page.h"
 
 #include <QCheckBox>
@@ -260,9 +261,7 @@ double GlovePanel::listening_time() const { return last_time_ - first_time_; }
 void GlovePanel::show_state(StreamState state, const QString& error) {
   const bool live = is_live(state);
   connect_->setText(live ? tr("Disconnect") : tr("Connect"));
-  connect_->setProperty("role", live ? "" : "primary");
-  style()->unpolish(connect_);
-  style()->polish(connect_);
+  set_role(*connect_, live ? QString() : QStringLiteral("primary"));
   device_->setEnabled(!live);
   QString problem = error;
   if (problem.isEmpty() && state == StreamState::kStreaming) {

@@ -1,12 +1,12 @@
 #include "panels/banner.h"
 
 #include "style/icons.h"
+#include "style/role.h"
 #include "style/theme.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QStyle>
 #include <QToolButton>
 #include <QVariant>
 
@@ -74,9 +74,7 @@ void Banner::offer(const QString& title, const QString& message, const QString& 
 
 void Banner::show_text(const QString& title, const QString& message, bool is_offer) {
   is_offer_ = is_offer;
-  setProperty("role", is_offer ? "offer" : "banner");
-  style()->unpolish(this);
-  style()->polish(this);
+  set_role(*this, is_offer ? QStringLiteral("offer") : QStringLiteral("banner"));
   const ThemeColors colors = colors_of(current_theme());
   picture_->setPixmap(is_offer ? icon("undo", colors.accent).pixmap(24, 24)
                                : icon("warning", colors.bad).pixmap(24, 24));

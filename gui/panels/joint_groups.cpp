@@ -1,6 +1,5 @@
 #include "panels/joint_groups.h"
 
-#include "handway/planning/queries/fingertips.h"
 #include "handway/planning/queries/palm_ik.h"
 
 #include <algorithm>
@@ -39,10 +38,6 @@ JointGroups joint_groups(const geometric::RobotModel& model, const sampling::Pmd
 
 int palm_link(const geometric::RobotModel& model, const JointGroups& groups) {
   return planning::palm_link(model, groups.arm, groups.hand);
-}
-
-std::vector<int> fingertips(const geometric::RobotModel& model, const JointGroups& groups) {
-  return planning::fingertips(model, groups.hand);
 }
 
 std::vector<std::vector<int>> moving_parts(const geometric::RobotModel& model,

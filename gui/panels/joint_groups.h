@@ -23,10 +23,6 @@ struct JointGroups {
 /// the one fixed to it that carries the fingers.
 [[nodiscard]] int palm_link(const geometric::RobotModel& model, const JointGroups& groups);
 
-/// The outermost link of each finger.
-[[nodiscard]] std::vector<int> fingertips(const geometric::RobotModel& model,
-                                          const JointGroups& groups);
-
 /// The arm, and each finger by itself: variables of the hand of which one moves the other's link.
 [[nodiscard]] std::vector<std::vector<int>> moving_parts(const geometric::RobotModel& model,
                                                          const JointGroups& groups);

@@ -1,6 +1,7 @@
 #include "playback/path_traces.h"
 
 #include "app/document.h"
+#include "handway/planning/queries/fingertips.h"
 #include "view3d/ghost.h"
 #include "view3d/path_node.h"
 #include "view3d/scene_view.h"
@@ -87,7 +88,7 @@ void PathTraces::update_trails() {
     return;
   }
   auto all = make_coin<SoSeparator>();
-  for (const int link : fingertips(*robot->model, document_.groups())) {
+  for (const int link : planning::fingertips(*robot->model, document_.groups().hand)) {
     all->addChild(make_trail_node(palm_path(*robot, player_.timeline(), link).points).get());
   }
   view_.set_overlay(Overlay::kTrails, all.get());

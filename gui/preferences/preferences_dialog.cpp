@@ -189,4 +189,17 @@ void PreferencesDialog::add_number(QFormLayout& form, const char* name, const QS
   form.addRow(label, field);
 }
 
+void show_preferences(Preferences& preferences, const std::vector<std::string>& planners,
+                      QWidget& window) {
+  if (auto* open = window.findChild<PreferencesDialog*>()) {
+    open->activateWindow();
+    return;
+  }
+  QStringList names;
+  for (const std::string& name : planners) {
+    names << QString::fromStdString(name);
+  }
+  (new PreferencesDialog(preferences, names, &window))->show();
+}
+
 }  // namespace handway::gui

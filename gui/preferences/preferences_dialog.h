@@ -6,6 +6,7 @@
 #include <QStringList>
 
 #include <functional>
+#include <string>
 #include <vector>
 
 class QFormLayout;
@@ -45,5 +46,10 @@ class PreferencesDialog : public QDialog {
   Preferences& preferences_;
   std::vector<std::function<void()>> show_;  ///< Each shows one value as it is now.
 };
+
+/// Shows the dialog of a window; the one that is open already, if there is one.
+/// @param planners by name; the first is the usual one.
+void show_preferences(Preferences& preferences, const std::vector<std::string>& planners,
+                      QWidget& window);
 
 }  // namespace handway::gui

@@ -3,6 +3,7 @@
 #include "glove/glove_colors.h"
 #include "glove/link_status.h"
 #include "handway/geometric/math/units.h"
+#include "style/role.h"
 #include "tracker/follow_form.h"
 
 #include <QComboBox>
@@ -222,9 +223,7 @@ void WristPage::apply_settings() {
 void WristPage::show_state(StreamState state, const QString& error) {
   const bool live = is_live(state);
   connect_->setText(live ? tr("Disconnect") : tr("Connect"));
-  connect_->setProperty("role", live ? "" : "primary");
-  style()->unpolish(connect_);
-  style()->polish(connect_);
+  set_role(*connect_, live ? QString() : QStringLiteral("primary"));
   protocol_->setEnabled(!live);
   address_->setEnabled(!live);
   const device::TrackerInfo info = session_.link().info();

@@ -1,14 +1,10 @@
 #include "view3d/boxes_node.h"
 
-#include "view3d/coin_conversions.h"
-#include "view3d/unlit_style.h"
+#include "view3d/edges_node.h"
 
-#include <Inventor/nodes/SoLineSet.h>
 #include <Inventor/nodes/SoSeparator.h>
-#include <Inventor/nodes/SoVertexProperty.h>
 
 #include <array>
-#include <cstdint>
 
 namespace handway::gui {
 namespace {
@@ -30,39 +26,37 @@ constexpr std::array<std::pair<int, int>, 12> kEdges{{{0, 1},
                                                       {2, 6},
                                                       {3, 7}}};
 
-SbVec3f corner(const planning::PalmBox& box, int number) {
+Eigen::Vector3d corner(const planning::PalmBox& box, int number) {
   const auto side = [number](int bit) { return (number & bit) != 0 ? 1.0 : -1.0; };
-  return to_coin(Eigen::Vector3d(
-      box.X_WC * box.half_size.cwiseProduct(Eigen::Vector3d(side(1), side(2), side(4)))));
+  return box.X_WC * box.half_size.cwiseProduct(Eigen::Vector3d(side(1), side(2), side(4)));
 }
 
 }  // namespace
 
 CoinRef<SoSeparator> make_boxes_node(const std::vector<planning::PalmBox>& boxes,
                                      std::pair<double, double> range) {
-  std::vector<SbVec3f> ends;
-  std::vector<std::uint32_t> colors;
+  std::vector<Eigen::Vector3d> corners;
+  std::vector<std::pair<int, int>> searched;
+  std::vector<std::pair<int, int>> given_up;
   const bool is_joined = range.second - range.first < kRounding;  // nothing is left to search
   for (const planning::PalmBox& box : boxes) {
-    const bool searched =
+    const bool is_within =
         is_joined || (box.step >= range.first - kRounding && box.step <= range.second + kRounding);
+    const auto first = static_cast<int>(corners.size());
+    for (int number = 0; number < 8; ++number) {
+      corners.push_back(corner(box, number));
+    }
     for (const auto& [from, to] : kEdges) {
-      ends.push_back(corner(box, from));
-      ends.push_back(corner(box, to));
-      colors.push_back(packed_rgba(searched ? kSearchedColor : kGivenUpColor));
+      (is_within ? searched : given_up).emplace_back(first + from, first + to);
     }
   }
-  const std::vector<std::int32_t> two_each(colors.size(), 2);
-  auto* vertices = new SoVertexProperty;
-  vertices->vertex.setValues(0, static_cast<int>(ends.size()), ends.data());
-  vertices->orderedRGBA.setValues(0, static_cast<int>(colors.size()), colors.data());
-  vertices->materialBinding = SoVertexProperty::PER_FACE;
-  auto* lines = new SoLineSet;
-  lines->vertexProperty = vertices;
-  lines->numVertices.setValues(0, static_cast<int>(two_each.size()), two_each.data());
   auto separator = make_coin<SoSeparator>();
-  add_unlit_style(*separator.get(), kLineWidth);
-  separator->addChild(lines);
+  for (const auto& [edges, color] :
+       {std::pair(&given_up, kGivenUpColor), std::pair(&searched, kSearchedColor)}) {
+    if (!edges->empty()) {
+      separator->addChild(make_edges_node(corners, *edges, color, kLineWidth));
+    }
+  }
   return separator;
 }
 

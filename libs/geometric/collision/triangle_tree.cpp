@@ -13,6 +13,7 @@ namespace handway::geometric {
 namespace {
 
 constexpr float kRounding = 2e-6F;  // of the coordinates: more than single precision loses
+constexpr float kNever = -1e30F;    // half a box that no point is near to
 
 struct Piece {
   Eigen::Vector3d lower;
@@ -60,7 +61,9 @@ class TriangleTreeBuilder {
 
   std::uint32_t add_node(Pieces pieces) {
     const std::size_t index = tree_.nodes_.size();
-    tree_.nodes_.emplace_back();
+    for (auto& half : tree_.nodes_.emplace_back().half) {
+      half.fill(kNever);
+    }
     std::vector<Pieces> groups{pieces};
     while (groups.size() < TriangleTree::kWidth) {
       const auto largest = std::ranges::max_element(groups, {}, &Pieces::size);
@@ -71,21 +74,20 @@ class TriangleTreeBuilder {
       *largest = low;
       groups.push_back(high);
     }
-    for (std::size_t k = 0; k < TriangleTree::kWidth; ++k) {
-      const std::uint32_t child = k < groups.size() ? add(groups[k]) : 0;
+    for (std::size_t k = 0; k < groups.size(); ++k) {
+      const std::uint32_t child = add(groups[k]);
       TriangleTree::Node& node = tree_.nodes_[index];  // added ones may have moved it
       node.child[k] = child;
-      set_box(node, k, k < groups.size() ? groups[k] : Pieces());
+      set_box(node, k, box_of(groups[k]));
     }
     return static_cast<std::uint32_t>(index);
   }
 
-  static void set_box(TriangleTree::Node& node, std::size_t k, Pieces pieces) {
-    const Aabb box = pieces.empty() ? Aabb{} : box_of(pieces);
+  static void set_box(TriangleTree::Node& node, std::size_t k, const Aabb& box) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const auto i = static_cast<Eigen::Index>(axis);
-      node.centre[axis][k] = pieces.empty() ? 0.0F : static_cast<float>(box.centre()[i]);
-      node.half[axis][k] = pieces.empty() ? -1e30F : static_cast<float>(0.5 * box.size()[i]);
+      node.centre[axis][k] = static_cast<float>(box.centre()[i]);
+      node.half[axis][k] = static_cast<float>(0.5 * box.size()[i]);
     }
   }
 
