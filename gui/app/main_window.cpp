@@ -7,6 +7,7 @@
 #include "app/grasp_tool.h"
 #include "app/palm_tool.h"
 #include "app/plan_options.h"
+#include "app/planning_commands.h"
 #include "app/planning_views.h"
 #include "app/posing.h"
 #include "app/preference_effects.h"
@@ -51,6 +52,7 @@
 #include <QUndoView>
 
 namespace handway::gui {
+
 MainWindow::MainWindow(std::shared_ptr<planning::Extensions> extensions, QWidget* parent)
     : QMainWindow(parent),
       extensions_(std::move(extensions)),
@@ -102,6 +104,7 @@ MainWindow::MainWindow(std::shared_ptr<planning::Extensions> extensions, QWidget
   connect_devices();
   connect_campaigns();
   show_scene();
+  planning_commands_->tell_of_presets();
   for (const planning::RefusedPlugin& plugin : extensions_->refused()) {
     log_->add(LogPanel::Level::kWarning,
               tr("Plugin %1 was not taken: %2")
@@ -228,22 +231,12 @@ void MainWindow::connect_view() {
 }
 
 void MainWindow::connect_planning() {
-  connect(actions_->plan, &QAction::triggered, session_.get(), &PlanningSession::start);
-  connect(actions_->cancel, &QAction::triggered, session_.get(), &PlanningSession::cancel);
-  connect(session_.get(), &PlanningSession::started, this, [this] {
-    actions_->plan->setEnabled(false);
-    actions_->cancel->setEnabled(true);
-    log_->add(LogPanel::Level::kNote,
-              tr("Planning with %1, seed %2")
-                  .arg(QString::fromStdString(plan_panel_->planner()->name()))
-                  .arg(plan_panel_->request().seed));
-  });
+  planning_commands_ =
+      std::make_unique<PlanningCommands>(*actions_, *session_, *plan_panel_, *log_);
+  connect(planning_commands_.get(), &PlanningCommands::failed, this, &MainWindow::show_error);
   connect(editing_.get(), &SceneEditing::tried, session_.get(), &PlanningSession::try_scene);
   connect(session_.get(), &PlanningSession::path_changed, this, &MainWindow::show_path);
-  connect(session_.get(), &PlanningSession::ended, this, [this](bool solved, const QString& text) {
-    actions_->plan->setEnabled(true);
-    actions_->cancel->setEnabled(false);
-    log_->add(solved ? LogPanel::Level::kNote : LogPanel::Level::kWarning, text);
+  connect(session_.get(), &PlanningSession::ended, this, [this](bool solved) {
     if (solved && options_.play) {
       player_.play();
     }

@@ -29,6 +29,7 @@ class GraspTool;
 class PalmTool;
 class PlaybackBar;
 class PlaybackTools;
+class PlanningCommands;
 class PlanningViews;
 class Posing;
 class PreferenceEffects;
@@ -133,6 +134,7 @@ class MainWindow : public QMainWindow {
   std::unique_ptr<Recovery> recovery_;
   std::unique_ptr<PreferenceEffects> preference_effects_;
   std::unique_ptr<PlanningSession> session_;
+  std::unique_ptr<PlanningCommands> planning_commands_;
   std::unique_ptr<QueryCheck> query_check_;
   std::unique_ptr<PalmTool> palm_tool_;
   std::unique_ptr<GraspTool> grasp_tool_;

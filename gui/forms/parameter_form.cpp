@@ -47,12 +47,22 @@ ParameterForm::ParameterForm(const std::vector<Parameter>& parameters, QWidget* 
     if (auto* box = qobject_cast<QCheckBox*>(field)) {
       box->setText(label);
       layout->addRow(box);
+      names_.emplace_back(parameter.key, box);
     } else {
       auto* name = new QLabel(label);
       name->setToolTip(help_of(parameter));
       name->setBuddy(field);
       layout->addRow(name, field);
+      names_.emplace_back(parameter.key, name);
     }
+  }
+}
+
+void ParameterForm::mark(const std::vector<std::string>& keys) {
+  for (const auto& [key, name] : names_) {
+    QFont font = name->font();
+    font.setBold(std::ranges::count(keys, key) > 0);
+    name->setFont(font);
   }
 }
 

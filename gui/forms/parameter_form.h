@@ -4,6 +4,8 @@
 
 #include <QWidget>
 
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace handway::gui {
@@ -18,11 +20,16 @@ class ParameterForm : public QWidget {
   explicit ParameterForm(const std::vector<planning::Parameter>& parameters,
                          QWidget* parent = nullptr);
 
+  /// Makes these stand out among the others.
+  void mark(const std::vector<std::string>& keys);
+
  signals:
   void edited();
 
  private:
   QWidget* make_field(const planning::Parameter& parameter);
+
+  std::vector<std::pair<std::string, QWidget*>> names_;  ///< What names each parameter, by key.
 };
 
 }  // namespace handway::gui

@@ -2,6 +2,7 @@
 
 #include "forms/parameter_form.h"
 #include "panels/result_text.h"
+#include "presets/preset_bar.h"
 #include "style/icons.h"
 #include "style/theme.h"
 
@@ -41,6 +42,8 @@ PlanPanel::PlanPanel(const planning::PlannerRegistry& registry, QWidget* parent)
       seed_(new QSpinBox),
       time_limit_(new QDoubleSpinBox),
       threads_(new QSpinBox),
+      presets_(new PresetBar(registry)),
+      modified_(new QLabel(tr("modified"))),
       reset_(new QPushButton(tr("Reset"))),
       form_place_(new QVBoxLayout),
       sections_(new QVBoxLayout),
@@ -59,8 +62,9 @@ PlanPanel::PlanPanel(const planning::PlannerRegistry& registry, QWidget* parent)
   }
   connect(planners_, &QComboBox::currentTextChanged, this,
           [this](const QString& name) { use_planner(name.toStdString()); });
-  connect(reset_, &QPushButton::clicked, this, [this] { use_planner(planner_->name()); });
-  connect(this, &PlanPanel::settings_changed, this, &PlanPanel::show_whether_resettable);
+  connect(reset_, &QPushButton::clicked, presets_, &PresetBar::restore);
+  connect(presets_, &PresetBar::applied, this, [this] { rebuild_form(false); });
+  connect(presets_, &PresetBar::changed, this, &PlanPanel::show_modified);
   connect(plan_, &QPushButton::clicked, this, &PlanPanel::plan_requested);
   connect(cancel_, &QPushButton::clicked, this, &PlanPanel::cancel_requested);
   set_usual_planner({});
@@ -91,7 +95,9 @@ QWidget* PlanPanel::make_settings() {
   threads_->setToolTip(tr("More threads plan faster; the path stays the same"));
 
   reset_->setObjectName(QStringLiteral("reset_parameters"));
-  reset_->setToolTip(tr("Give every parameter the planner's own value"));
+  reset_->setToolTip(tr("Give every parameter the value that it has in the preset"));
+  modified_->setObjectName(QStringLiteral("modified"));
+  modified_->setProperty("role", "note");
 
   auto* box = new QWidget;
   auto* layout = new QVBoxLayout(box);
@@ -100,9 +106,12 @@ QWidget* PlanPanel::make_settings() {
   auto* form = new QFormLayout;
   layout->addLayout(form);
   auto* parameters = new QHBoxLayout;
-  parameters->addWidget(make_heading(tr("Parameters")), 1);
+  parameters->addWidget(make_heading(tr("Parameters")));
+  parameters->addWidget(modified_);
+  parameters->addStretch(1);
   parameters->addWidget(reset_);
   layout->addLayout(parameters);
+  layout->addWidget(presets_);
   layout->addLayout(form_place_);
   layout->addLayout(sections_);
   layout->addStretch();
@@ -152,16 +161,20 @@ void PlanPanel::use_planner(const std::string& name) {
   planner_ = registry_.create(name);
   const QSignalBlocker quiet(planners_);
   planners_->setCurrentText(QString::fromStdString(name));
-  rebuild_form();
+  rebuild_form(true);
 }
 
-void PlanPanel::rebuild_form() {
+void PlanPanel::rebuild_form(bool anew) {
   description_->setText(QString::fromStdString(planner_->description()));
   threads_->setEnabled(planner_->capabilities().uses_threads);
   delete form_;
   form_ = new ParameterForm(planner_->parameters());
   form_place_->addWidget(form_);
-  connect(form_, &ParameterForm::edited, this, &PlanPanel::settings_changed);
+  connect(form_, &ParameterForm::edited, this, [this] {
+    presets_->look_again();
+    emit settings_changed();
+  });
+  presets_->show_planner(*planner_, anew);
   emit settings_changed();
 }
 
@@ -173,7 +186,7 @@ void PlanPanel::apply(const geometric::PlannerChoice& choice) {
   for (const auto& [key, value] : choice.settings) {
     set_from_text(find_parameter(planner_->parameters(), key), value);
   }
-  rebuild_form();
+  rebuild_form(true);
 }
 
 void PlanPanel::choose_planner(const std::string& name) {
@@ -185,7 +198,7 @@ void PlanPanel::choose_planner(const std::string& name) {
 void PlanPanel::set_parameter(const std::string& key, const std::string& value) {
   if (planner_) {
     set_from_text(find_parameter(planner_->parameters(), key), value);
-    rebuild_form();
+    rebuild_form(false);
   }
 }
 
@@ -254,6 +267,7 @@ void PlanPanel::show_running() {
   plan_->setEnabled(false);
   cancel_->setEnabled(true);
   planners_->setEnabled(false);
+  presets_->setEnabled(false);
   form_->setEnabled(false);
   reset_->setEnabled(false);
   progress_->setValue(0);
@@ -265,15 +279,21 @@ void PlanPanel::end_run() {
   plan_->setEnabled(ready_);
   cancel_->setEnabled(false);
   planners_->setEnabled(true);
+  presets_->setEnabled(true);
   if (form_) {
     form_->setEnabled(true);
   }
-  show_whether_resettable();
+  show_modified();
   progress_->setVisible(false);
 }
 
-void PlanPanel::show_whether_resettable() {
-  reset_->setEnabled(form_ && form_->isEnabled() && !choice().settings.empty());
+void PlanPanel::show_modified() {
+  const bool modified = presets_->is_modified();
+  modified_->setVisible(modified);
+  reset_->setEnabled(modified && form_ && form_->isEnabled());
+  if (form_) {
+    form_->mark(presets_->modified_keys());
+  }
 }
 
 void PlanPanel::show_progress(double fraction, const QString& activity) {

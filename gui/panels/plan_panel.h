@@ -19,6 +19,7 @@ class QVBoxLayout;
 namespace handway::gui {
 
 class ParameterForm;
+class PresetBar;
 
 /// Chooses a planner and its settings, starts and stops it, shows how it went.
 class PlanPanel : public QWidget {
@@ -53,6 +54,7 @@ class PlanPanel : public QWidget {
   [[nodiscard]] planning::PlanRequest request() const;
   /// The chosen planner with the settings that differ from its defaults.
   [[nodiscard]] geometric::PlannerChoice choice() const;
+  [[nodiscard]] PresetBar& presets() const { return *presets_; }
 
   /// Whether there is something to plan, and if not, why.
   void set_ready(bool ready, const QString& why_not = {});
@@ -74,9 +76,10 @@ class PlanPanel : public QWidget {
   QWidget* make_settings();
   QWidget* make_actions();
   void use_planner(const std::string& name);
-  void rebuild_form();
-  /// Offers the planner's own values where others are set and it does not run.
-  void show_whether_resettable();
+  /// @param anew presets begin with the planner's own values.
+  void rebuild_form(bool anew);
+  /// Says which parameters differ from the preset, and offers its values if no planner runs.
+  void show_modified();
   void end_run();
 
   const planning::PlannerRegistry& registry_;
@@ -87,6 +90,8 @@ class PlanPanel : public QWidget {
   QDoubleSpinBox* time_limit_;
   QSpinBox* threads_;
   std::string usual_planner_;
+  PresetBar* presets_;
+  QLabel* modified_;
   QPushButton* reset_;
   QVBoxLayout* form_place_;
   QVBoxLayout* sections_;

@@ -1,0 +1,43 @@
+#include "app/planning_commands.h"
+
+#include "app/planning_session.h"
+#include "app/window_actions.h"
+#include "panels/log_panel.h"
+#include "panels/plan_panel.h"
+#include "presets/preset_bar.h"
+
+namespace handway::gui {
+
+PlanningCommands::PlanningCommands(WindowActions& actions, PlanningSession& session,
+                                   PlanPanel& panel, LogPanel& log, QObject* parent)
+    : QObject(parent), actions_(actions), panel_(panel), log_(log) {
+  connect(actions_.plan, &QAction::triggered, &session, &PlanningSession::start);
+  connect(actions_.cancel, &QAction::triggered, &session, &PlanningSession::cancel);
+  connect(&session, &PlanningSession::started, this, &PlanningCommands::show_start);
+  connect(&session, &PlanningSession::ended, this, &PlanningCommands::show_end);
+  connect(&panel_.presets(), &PresetBar::failed, this, &PlanningCommands::failed);
+}
+
+void PlanningCommands::tell_of_presets() {
+  if (const QString fault = panel_.presets().store().fault(); !fault.isEmpty()) {
+    emit failed(
+        tr("Your presets can't be read"),
+        tr("%1. The file stays as it is; once a preset is saved it is put aside.").arg(fault));
+  }
+}
+
+void PlanningCommands::show_start() {
+  actions_.plan->setEnabled(false);
+  actions_.cancel->setEnabled(true);
+  log_.add(LogPanel::Level::kNote, tr("Planning with %1, seed %2")
+                                       .arg(QString::fromStdString(panel_.planner()->name()))
+                                       .arg(panel_.request().seed));
+}
+
+void PlanningCommands::show_end(bool solved, const QString& text) {
+  actions_.plan->setEnabled(true);
+  actions_.cancel->setEnabled(false);
+  log_.add(solved ? LogPanel::Level::kNote : LogPanel::Level::kWarning, text);
+}
+
+}  // namespace handway::gui
