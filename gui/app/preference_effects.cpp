@@ -30,6 +30,7 @@ void PreferenceEffects::apply_at_once(const PreferenceValues& values) {
   view_.set_floor_visible(values.floor);
   view_.set_cube_visible(values.cube);
   view_.set_samples(values.samples);
+  view_.set_always_fine(values.always_fine);
   view_.set_frame_limit(values.frame_limit);
   QuantityField::show_units(values.units);
   recovery_.set_enabled(values.autosave);

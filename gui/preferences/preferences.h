@@ -17,10 +17,11 @@ struct PreferenceValues {
 
   Projection projection = Projection::kPerspective;
   Navigation navigation;
-  bool floor = true;     ///< Show the floor grid,
-  bool cube = true;      ///< and the orientation cube.
-  int samples = 4;       ///< For each pixel of a picture that stands; 0: edges are not smooth.
-  int frame_limit = 60;  ///< Pictures at most a second; 0: as many as can be had.
+  bool floor = true;         ///< Show the floor grid,
+  bool cube = true;          ///< and the orientation cube.
+  int samples = 4;           ///< For each pixel of a picture that stands; 0: edges are not smooth.
+  bool always_fine = false;  ///< Smooth edges and all triangles also while something moves.
+  int frame_limit = 60;      ///< Pictures at most a second; 0: as many as can be had.
 
   QString planner;            ///< Of scenes that name none; empty: the registry's first.
   int threads = 0;            ///< To plan with; 0: one a processor.

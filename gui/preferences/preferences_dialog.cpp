@@ -99,6 +99,9 @@ void PreferencesDialog::add_view(QFormLayout& form) {
       form, "samples", tr("Smooth edges"),
       {{tr("Off"), 0}, {tr("2 samples"), 2}, {tr("4 samples"), 4}, {tr("8 samples"), 8}},
       [](Values& values) -> int& { return values.samples; });
+  add_choice<bool>(form, "motion_quality", tr("While something moves"),
+                   {{tr("Fast pictures"), false}, {tr("Fine pictures"), true}},
+                   [](Values& values) -> bool& { return values.always_fine; });
   add_choice<int>(form, "frame_limit", tr("Frames a second"),
                   {{tr("At most 30"), 30}, {tr("At most 60"), 60}, {tr("No limit"), 0}},
                   [](Values& values) -> int& { return values.frame_limit; });

@@ -12,6 +12,7 @@ void draw_backdrop(const geometric::Color& top, const geometric::Color& bottom) 
   glDisable(GL_TEXTURE_2D);
   glDisable(GL_BLEND);
   glDepthMask(GL_FALSE);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   glMatrixMode(GL_PROJECTION);
   glPushMatrix();
   glLoadIdentity();

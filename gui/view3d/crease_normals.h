@@ -24,4 +24,12 @@ struct ShadedMesh {
 [[nodiscard]] ShadedMesh with_crease_normals(const geometric::TriangleMesh& mesh,
                                              double crease_angle);
 
+/// Gives a coarser mesh the normals that `fine` has there: those of its triangles around a vertex
+/// that look the same way as the coarser triangle, by less than `crease_angle`.
+/// @param origins for every vertex of `mesh` one of `fine`, both welded.
+[[nodiscard]] ShadedMesh with_normals_of(const geometric::TriangleMesh& fine,
+                                         const geometric::TriangleMesh& mesh,
+                                         const std::vector<std::uint32_t>& origins,
+                                         double crease_angle);
+
 }  // namespace handway::gui

@@ -8,6 +8,7 @@
 #include "view3d/view_colors.h"
 
 #include <Inventor/nodes/SoBaseColor.h>
+#include <Inventor/nodes/SoComplexity.h>
 #include <Inventor/nodes/SoDepthBuffer.h>
 #include <Inventor/nodes/SoLineSet.h>
 #include <Inventor/nodes/SoMaterial.h>
@@ -66,6 +67,7 @@ SoSeparator* make_bead(const Eigen::Vector3d& place, const geometric::Color& col
   translation->translation = to_coin(place);
   separator->addChild(translation);
   separator->addChild(make_material(color).get());
+  separator->addChild(new SoComplexity);
   auto* ball = new SoSphere;
   ball->radius = kBeadRadius;
   separator->addChild(ball);

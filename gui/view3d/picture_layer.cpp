@@ -64,11 +64,11 @@ bool PictureLayer::create(const QSize& size) {
   destroy();
   size_ = size;
   color_ = make_texture(size, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE);
-  depth_ = make_texture(size, GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT);
+  depth_ = make_texture(size, GL_DEPTH24_STENCIL8, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8);
   glGenFramebuffers(1, &frame_);
   glBindFramebuffer(GL_FRAMEBUFFER, frame_);
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, color_, 0);
-  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth_, 0);
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_TEXTURE_2D, depth_, 0);
   return glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
 }
 
@@ -78,6 +78,19 @@ bool PictureLayer::bind(const QSize& size) {
   }
   glBindFramebuffer(GL_FRAMEBUFFER, frame_);
   return true;
+}
+
+bool PictureLayer::copy(unsigned target, const QRect& part) {
+  const int left = part.left(), lower = part.top();
+  const int right = left + part.width(), upper = lower + part.height();
+  while (glGetError() != GL_NO_ERROR) {
+  }
+  glDisable(GL_SCISSOR_TEST);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, frame_);
+  glBlitFramebuffer(left, lower, right, upper, left, lower, right, upper,
+                    GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT, GL_NEAREST);
+  glBindFramebuffer(GL_FRAMEBUFFER, target);
+  return glGetError() == GL_NO_ERROR;
 }
 
 void PictureLayer::draw(QOpenGLShaderProgram& program, float opacity) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QOpenGLExtraFunctions>
+#include <QRect>
 #include <QSize>
 
 #include <memory>
@@ -22,6 +23,10 @@ class PictureLayer : protected QOpenGLExtraFunctions {
   bool bind(const QSize& size);
   void destroy();
 
+  /// Copies a part of it, with its depth, to the same place in what is drawn into.
+  /// @param target that frame buffer. @param part px from the lower left.
+  /// @returns false if the card can't, as their kinds of depth differ.
+  [[nodiscard]] bool copy(unsigned target, const QRect& part);
   /// Draws it over the whole viewport, with its depth.
   /// @param opacity below 1: only where something is, and blended.
   void draw(QOpenGLShaderProgram& program, float opacity);

@@ -30,6 +30,7 @@ using geometric::Pose;
 SceneGraph::SceneGraph() : passes_(std::make_unique<ScenePasses>()) {
   passes_->gizmo->addChild(gizmo_.root());
   outline_.root()->insertChild(passes_->camera.get(), 0);
+  outline_.root()->insertChild(passes_->detail.get(), 0);
 }
 SceneGraph::~SceneGraph() = default;
 
@@ -194,6 +195,8 @@ void SceneGraph::aim(const OrbitCamera& camera, double aspect) {
   }
   backwards_ = camera.orientation().col(2);
 }
+
+void SceneGraph::set_fine(bool fine) { passes_->set_fine(fine); }
 
 void SceneGraph::render(SoGLRenderAction& action) {
   action.setTransparencyType(SoGLRenderAction::SORTED_OBJECT_BLEND);

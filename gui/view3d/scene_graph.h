@@ -68,6 +68,8 @@ class SceneGraph {
 
   /// Sets the camera that everything is drawn with and picked with from now on.
   void aim(const OrbitCamera& camera, double aspect);
+  /// Draws meshes as they are (at first), or as coarse as hardly can be seen.
+  void set_fine(bool fine);
   /// Draws everything but the backdrop into the current viewport.
   void render(SoGLRenderAction& action);
   /// The same in parts, for pictures that follow each other fast: what stood still since

@@ -62,6 +62,7 @@ void ScenePainter::paint(const PictureFrame& frame, bool fast, unsigned target) 
   glPushClientAttrib(GL_CLIENT_ALL_ATTRIB_BITS);
   glPushAttrib(GL_ALL_ATTRIB_BITS);
   graph_.aim(frame.camera, aspect_of(frame.pixels));
+  graph_.set_fine(!fast);
   if (!fast) {
     graph_.begin_motion();
     invalidate();
@@ -75,15 +76,13 @@ void ScenePainter::paint(const PictureFrame& frame, bool fast, unsigned target) 
   glPopClientAttrib();
 }
 
-// Clears what is painted on.
+// Leaves nothing in front of what is painted next.
 void ScenePainter::begin(const PictureFrame& frame) {
   glViewport(0, 0, frame.pixels.width(), frame.pixels.height());
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
   glDepthMask(GL_TRUE);
-  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  glClearColor(0.0F, 0.0F, 0.0F, 1.0F);
-  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  glClear(GL_DEPTH_BUFFER_BIT);
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);  // veils leave the picture opaque
   action_->invalidateState();
   action_->setViewportRegion(viewport_of(frame.pixels));
@@ -102,8 +101,11 @@ void ScenePainter::paint_marks(const PictureFrame& frame) {
   SbViewportRegion corner = viewport_of(frame.pixels);
   corner.setViewportPixels(0, 0, size, size);
   action_->setViewportRegion(corner);
+  glPushAttrib(GL_SCISSOR_BIT);
+  restrict_to(QRect(0, 0, size, size));
   glClear(GL_DEPTH_BUFFER_BIT);
   graph_.render_axes(*action_, frame.camera);
+  glPopAttrib();
 }
 
 void ScenePainter::paint_finely(const PictureFrame& frame, unsigned target) {
@@ -134,12 +136,14 @@ bool ScenePainter::keep_layers(const PictureFrame& frame) {
   draw_backdrop(frame.colors.sky, frame.colors.ground);
   graph_.render_still(*action_);
   for (std::size_t i = 0; i < veils_.size(); ++i) {
-    if (graph_.ghosts().at(i)->is_visible()) {
-      if (!veils_.at(i).bind(frame.pixels)) {
+    const Ghost& ghost = *graph_.ghosts().at(i);
+    if (ghost.is_visible()) {
+      if (!veils_.at(i).picture.bind(frame.pixels)) {
         return false;
       }
       begin(frame);
-      graph_.ghosts().at(i)->render_opaque(*action_);
+      ghost.render_opaque(*action_);
+      veils_.at(i).region = region_of(*ghost.root(), frame.camera, frame.pixels);
     }
   }
   return true;
@@ -165,9 +169,12 @@ void ScenePainter::paint_layered(const PictureFrame& frame, const Sight& sight, 
   const QRect dirty = region | last_region_;
   last_region_ = region;
   glViewport(0, 0, frame.pixels.width(), frame.pixels.height());
-  restrict_to(dirty);
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  still_.draw(*program_, 1.0F);
+  const bool copied = still_.copy(target, dirty);
+  restrict_to(dirty);
+  if (!copied) {
+    still_.draw(*program_, 1.0F);
+  }
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
   glDepthMask(GL_TRUE);
@@ -175,12 +182,13 @@ void ScenePainter::paint_layered(const PictureFrame& frame, const Sight& sight, 
   action_->invalidateState();
   action_->setViewportRegion(viewport_of(frame.pixels));
   graph_.render_moving(*action_);
-  restrict_to(dirty);  // Coin forgets it
   for (std::size_t i = 0; i < veils_.size(); ++i) {
     if (graph_.ghosts().at(i)->is_visible()) {
-      veils_.at(i).draw(*program_, Ghost::kOpacity);
+      restrict_to(dirty & veils_.at(i).region);
+      veils_.at(i).picture.draw(*program_, Ghost::kOpacity);
     }
   }
+  restrict_to(dirty);
   action_->invalidateState();
   paint_marks(frame);
 }

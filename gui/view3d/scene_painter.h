@@ -67,10 +67,14 @@ class ScenePainter {
   int smooth_samples_ = 0;                            ///< with so many samples a pixel.
   std::unique_ptr<QOpenGLShaderProgram> program_;     ///< Null: layers can't be had.
   PictureLayer still_;
-  std::array<PictureLayer, 3> veils_;  ///< Of the ghosts.
-  std::optional<Sight> kept_;          ///< From where the layers are seen; nothing: to be made.
-  std::optional<Sight> last_;          ///< Of the last picture.
-  QRect last_region_;                  ///< What moving links covered in it, px from the lower left.
+  struct Veil {
+    PictureLayer picture;
+    QRect region;  ///< px from the lower left, as `last_region_`.
+  };
+  std::array<Veil, 3> veils_;  ///< Of the ghosts.
+  std::optional<Sight> kept_;  ///< From where the layers are seen; nothing: to be made.
+  std::optional<Sight> last_;  ///< Of the last picture.
+  QRect last_region_;          ///< What moving links covered in it, px from the lower left.
 };
 
 }  // namespace handway::gui

@@ -6,6 +6,7 @@
 #include "view3d/overlay.h"
 #include "view3d/still_split.h"
 
+#include <Inventor/nodes/SoComplexity.h>
 #include <Inventor/nodes/SoOrthographicCamera.h>
 #include <Inventor/nodes/SoPerspectiveCamera.h>
 #include <Inventor/nodes/SoSeparator.h>
@@ -23,6 +24,7 @@ struct ScenePasses {
   CoinRef<SoSwitch> camera = make_coin<SoSwitch>();  ///< One of the two.
   CoinRef<SoGroup> camera_lights = make_camera_lights();
   CoinRef<SoGroup> sky_light = make_sky_light();
+  CoinRef<SoComplexity> detail = make_coin<SoComplexity>();  ///< Of meshes.
   CoinRef<SoSeparator> solids = make_coin<SoSeparator>();
   CoinRef<SoSeparator> solid_content = make_coin<SoSeparator>();
   CoinRef<SoSeparator> floor = make_coin<SoSeparator>();
@@ -31,13 +33,14 @@ struct ScenePasses {
   CoinRef<SoSeparator> gizmo = make_coin<SoSeparator>();
   CoinRef<SoOrthographicCamera> axes_camera = make_coin<SoOrthographicCamera>();
   CoinRef<SoSeparator> axes = make_coin<SoSeparator>();
-  static constexpr int kGizmo = 3;  ///< Of `gizmo`, after what prepare() adds.
+  static constexpr int kGizmo = 4;  ///< Of `gizmo`, after what prepare() adds.
   std::optional<StillSplit> split;  ///< Of solids, for fast pictures.
 
   ScenePasses() {
     camera->addChild(perspective.get());
     camera->addChild(orthographic.get());
     camera->whichChild = 0;
+    set_fine(true);
     for (SoSeparator* root : {solids.get(), floor.get(), gizmo.get()}) {
       prepare(root);
     }
@@ -63,11 +66,19 @@ struct ScenePasses {
     axes->addChild(make_axes_node().get());
   }
 
+  /// Meshes as they are, or as coarse as can't be seen.
+  void set_fine(bool fine) const {
+    if (const float value = fine ? 1.0F : 0.5F; detail->value.getValue() != value) {
+      detail->value = value;
+    }
+  }
+
   void prepare(SoSeparator* root) const {
     root->renderCaching = SoSeparator::OFF;
     root->addChild(camera_lights.get());
     root->addChild(camera.get());
     root->addChild(sky_light.get());
+    root->addChild(detail.get());
   }
 };
 

@@ -296,7 +296,9 @@ void SceneView::change() {
 }
 
 void SceneView::hurry() {
-  settle_.start();
+  if (!always_fine_) {
+    settle_.start();
+  }
   pacer_.request();
 }
 

@@ -85,6 +85,8 @@ class SceneView : public QOpenGLWidget {
   void set_cube_visible(bool visible);
   /// @param samples for each pixel of a picture that stands; 0: edges are not smooth.
   void set_samples(int samples);
+  /// Paints every picture finely, also while something moves.
+  void set_always_fine(bool always) { always_fine_ = always; }
   /// @param frames at most a second; 0: as many as can be had.
   void set_frame_limit(int frames) { pacer_.set_limit(frames); }
 
@@ -154,6 +156,7 @@ class SceneView : public QOpenGLWidget {
   QPoint last_position_;
   double frame_time_ms_ = 0.0;
   int samples_ = 4;
+  bool always_fine_ = false;
   bool has_handles_ = false;
   bool has_scene_ = false;
   bool untouched_ = true;  ///< Nobody has turned the view: keep it fitted.

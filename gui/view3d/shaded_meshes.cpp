@@ -1,18 +1,14 @@
 #include "view3d/shaded_meshes.h"
 
-#include "handway/geometric/math/units.h"
-
 #include <map>
 #include <mutex>
 
 namespace handway::gui {
 namespace {
 
-constexpr double kCreaseAngle = geometric::radians(35.0);
-
 class Shop {
  public:
-  std::shared_ptr<const ShadedMesh> find(
+  std::shared_ptr<const DrawnMesh> find(
       const std::shared_ptr<const geometric::TriangleMesh>& mesh) {
     const std::lock_guard lock(mutex_);
     const auto found = made_.find(mesh);
@@ -20,7 +16,7 @@ class Shop {
   }
 
   void keep(const std::shared_ptr<const geometric::TriangleMesh>& mesh,
-            std::shared_ptr<const ShadedMesh> shaded) {
+            std::shared_ptr<const DrawnMesh> shaded) {
     const std::lock_guard lock(mutex_);
     std::erase_if(made_, [](const auto& entry) { return entry.first.expired(); });
     made_.emplace(mesh, std::move(shaded));
@@ -28,7 +24,7 @@ class Shop {
 
  private:
   std::mutex mutex_;
-  std::map<std::weak_ptr<const geometric::TriangleMesh>, std::shared_ptr<const ShadedMesh>,
+  std::map<std::weak_ptr<const geometric::TriangleMesh>, std::shared_ptr<const DrawnMesh>,
            std::owner_less<>>
       made_;
 };
@@ -40,12 +36,12 @@ Shop& shop() {
 
 }  // namespace
 
-std::shared_ptr<const ShadedMesh> shaded(
+std::shared_ptr<const DrawnMesh> shaded(
     const std::shared_ptr<const geometric::TriangleMesh>& mesh) {
   if (auto known = shop().find(mesh)) {
     return known;
   }
-  auto made = std::make_shared<const ShadedMesh>(with_crease_normals(*mesh, kCreaseAngle));
+  auto made = std::make_shared<const DrawnMesh>(prepare_to_draw(*mesh));
   shop().keep(mesh, made);
   return made;
 }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "handway/geometric/scene/scene.h"
-#include "view3d/crease_normals.h"
+#include "view3d/drawn_mesh.h"
 
 #include <memory>
 
@@ -13,8 +13,8 @@ namespace handway::gui {
   return link.visual.empty() ? link.collision : link.visual;
 }
 
-/// The mesh with normals, made once for each mesh and kept as long as that is. For any thread.
-[[nodiscard]] std::shared_ptr<const ShadedMesh> shaded(
+/// The mesh made ready to draw, once for each mesh and kept as long as that is. For any thread.
+[[nodiscard]] std::shared_ptr<const DrawnMesh> shaded(
     const std::shared_ptr<const geometric::TriangleMesh>& mesh);
 
 /// Makes those of all that a scene shows, so that the GUI thread finds them.

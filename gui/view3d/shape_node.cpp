@@ -8,6 +8,7 @@
 #include <Inventor/nodes/SoCube.h>
 #include <Inventor/nodes/SoCylinder.h>
 #include <Inventor/nodes/SoIndexedFaceSet.h>
+#include <Inventor/nodes/SoLevelOfDetail.h>
 #include <Inventor/nodes/SoMaterial.h>
 #include <Inventor/nodes/SoRotationXYZ.h>
 #include <Inventor/nodes/SoSeparator.h>
@@ -29,11 +30,7 @@ void add_upright(SoSeparator* parent, SoNode* solid) {
   parent->addChild(solid);
 }
 
-void add_mesh(SoSeparator* parent, const ShadedMesh& mesh) {
-  auto* hints = new SoShapeHints;
-  hints->vertexOrdering = SoShapeHints::COUNTERCLOCKWISE;  // lit on both sides
-  parent->addChild(hints);
-
+SoNode* make_faces(const ShadedMesh& mesh) {
   auto* properties = new SoVertexProperty;
   static_assert(sizeof(Eigen::Vector3f) == sizeof(SbVec3f));
   const auto count = static_cast<int>(mesh.vertices.size());
@@ -52,7 +49,22 @@ void add_mesh(SoSeparator* parent, const ShadedMesh& mesh) {
     *index++ = SO_END_FACE_INDEX;
   }
   faces->coordIndex.finishEditing();
-  parent->addChild(faces);
+  return faces;
+}
+
+void add_mesh(SoSeparator* parent, const DrawnMesh& mesh) {
+  auto* hints = new SoShapeHints;
+  hints->vertexOrdering = SoShapeHints::COUNTERCLOCKWISE;  // lit on both sides,
+  hints->shapeType = mesh.is_solid ? SoShapeHints::SOLID   // unless the other one can't be seen
+                                   : SoShapeHints::UNKNOWN_SHAPE_TYPE;
+  parent->addChild(hints);
+  auto* levels = new SoLevelOfDetail;
+  levels->addChild(make_faces(mesh.fine));
+  for (std::size_t i = 0; i < mesh.coarser.size(); ++i) {
+    levels->screenArea.set1Value(static_cast<int>(i), mesh.coarser[i].most_area);
+    levels->addChild(make_faces(mesh.coarser[i].mesh));
+  }
+  parent->addChild(levels);
 }
 
 struct AddShape {
@@ -94,9 +106,11 @@ struct AddShape {
 CoinRef<SoSeparator> make_shape_node(const geometric::Shape& shape) {
   auto separator = make_coin<SoSeparator>();
   separator->renderCaching = SoSeparator::OFF;
-  auto* complexity = new SoComplexity;
-  complexity->value = 0.9F;
-  separator->addChild(complexity);
+  if (!std::holds_alternative<geometric::Mesh>(shape)) {
+    auto* complexity = new SoComplexity;
+    complexity->value = 0.9F;
+    separator->addChild(complexity);
+  }
   std::visit(AddShape{separator.get()}, shape);
   return separator;
 }

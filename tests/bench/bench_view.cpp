@@ -1,12 +1,13 @@
 /// How many pictures a second the 3-D view draws of the scenes that ship, at 1280 x 800: while the
 /// view turns, and while the robot moves, and what one takes of the processors' time, which others
-/// on the machine change less; how long a picture with smooth edges takes; and how much of a
-/// processor an open scene needs while nothing moves.
+/// on the machine change less; the same while it turns in pictures with smooth edges and all
+/// triangles, which are drawn once it stands, as the baseline; and how much of a processor an open
+/// scene needs while nothing moves.
 ///
 ///     bench_view [SECONDS] [SCENE...]
 ///
-/// Needs a display, for example xvfb-run. Ends with 1 if any motion has less than 30 pictures a
-/// second.
+/// The ratio is that of processor time, baseline to turning. Needs a display, for example xvfb-run.
+/// Ends with 1 if any motion has less than 30 pictures a second.
 #include "handway/geometric/io/scene_reader.h"
 #include "handway_test/paths.h"
 #include "style/theme.h"
@@ -76,7 +77,7 @@ Rate rate(gui::SceneView& view, double seconds, const std::function<void(double)
 struct Figures {
   Rate turning;
   Rate moving;
-  double fine_ms = 0.0;
+  Rate fine;  ///< Turning.
   double idle = 0.0;
 };
 
@@ -86,11 +87,15 @@ Figures measure(gui::SceneView& view, const fs::path& file, double seconds) {
   wait(0.5);
   Figures figures;
   const gui::OrbitCamera::Placement from = view.camera().placement();
-  figures.turning = rate(view, seconds, [&](double time) {
+  const auto turn = [&](double time) {
     gui::OrbitCamera::Placement turned = from;
     turned.azimuth += kTurn * time;
     view.set_camera(turned);
-  });
+  };
+  figures.turning = rate(view, seconds, turn);
+  view.set_always_fine(true);
+  figures.fine = rate(view, seconds, turn);
+  view.set_always_fine(false);
   view.set_camera(from);
   const geometric::Configuration start = scene->start.value();
   const geometric::Configuration goal = scene->goal.value();
@@ -98,10 +103,7 @@ Figures measure(gui::SceneView& view, const fs::path& file, double seconds) {
     const double share = 0.5 - 0.5 * std::cos(2.0 * std::numbers::pi * time / kSwing);
     view.set_configuration(start + share * (goal - start));
   });
-  wait(0.5);
-  view.settle();
-  wait(0.2);
-  figures.fine_ms = view.frame_time_ms();
+  wait(1.0);
   const double before = cpu_seconds();
   wait(seconds);
   figures.idle = (cpu_seconds() - before) / seconds;
@@ -132,14 +134,15 @@ int main(int argc, char** argv) {
   view.makeCurrent();
   std::printf("%s\n", reinterpret_cast<const char*>(glGetString(GL_RENDERER)));
   view.doneCurrent();
-  std::printf("%-18s %12s %12s %12s %12s %9s %7s\n", "scene", "turning, 1/s", "CPU ms",
-              "moving, 1/s", "CPU ms", "fine, ms", "idle");
+  std::printf("%-15s %12s %7s %12s %7s %10s %7s %7s %7s\n", "scene", "turning, 1/s", "CPU ms",
+              "moving, 1/s", "CPU ms", "fine, 1/s", "CPU ms", "ratio", "idle");
   bool enough = true;
   for (const fs::path& file : files) {
     const Figures figures = measure(view, file, seconds);
-    std::printf("%-18s %12.1f %12.1f %12.1f %12.1f %9.1f %6.2f%%\n", file.stem().c_str(),
+    std::printf("%-15s %12.1f %7.1f %12.1f %7.1f %10.1f %7.1f %7.2f %6.2f%%\n", file.stem().c_str(),
                 figures.turning.per_second, figures.turning.cpu_ms, figures.moving.per_second,
-                figures.moving.cpu_ms, figures.fine_ms, 100.0 * figures.idle);
+                figures.moving.cpu_ms, figures.fine.per_second, figures.fine.cpu_ms,
+                figures.fine.cpu_ms / figures.turning.cpu_ms, 100.0 * figures.idle);
     std::fflush(stdout);
     enough &= figures.turning.per_second >= kEnough && figures.moving.per_second >= kEnough;
   }

@@ -96,6 +96,23 @@ TEST_F(ThePreferences, MakeEdgesSmoothOrNot) {
   EXPECT_EQ(picture(), rough);
 }
 
+TEST_F(ThePreferences, PaintFinelyWhileSomethingMovesOrNot) {
+  choose("motion_quality", 1);
+  choose("samples", 2);
+  const auto turned = [this] {
+    gui::OrbitCamera::Placement placement = view().camera().placement();
+    placement.azimuth = 1.0;
+    view().set_camera(placement);
+    return view().grabFramebuffer();
+  };
+  view().settle();
+  const QImage fine = turned();
+  choose("motion_quality", 0);
+  EXPECT_NE(turned(), fine);
+  view().settle();
+  EXPECT_EQ(view().grabFramebuffer(), fine);
+}
+
 TEST_F(ThePreferences, ChangeTheTheme) {
   choose("theme", 1);
   EXPECT_EQ(gui::current_theme(), gui::Theme::kDark);
