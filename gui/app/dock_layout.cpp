@@ -7,10 +7,14 @@
 #include <QTabWidget>
 #include <QVBoxLayout>
 
+#include <memory>
+#include <utility>
+
 namespace handway::gui {
 namespace {
 
-constexpr int kVersion = 2;  // raised when docks come or go
+constexpr int kVersion = 2;        // raised when docks come or go
+constexpr int kHeightBelow = 280;  // px, at first
 
 QString key() { return QStringLiteral("window/layout"); }
 
@@ -22,6 +26,19 @@ QDockWidget* make_dock(QMainWindow& window, const DockContent& content, Qt::Dock
   dock->setWidget(content.widget);
   window.addDockWidget(area, dock);
   return dock;
+}
+
+// Makes docks as high as they need be when the first of them is opened: hidden ones have no height.
+void open_high(QMainWindow& window, const QList<QDockWidget*>& docks) {
+  const auto opened = std::make_shared<bool>(false);
+  for (QDockWidget* dock : docks) {
+    QObject::connect(dock->toggleViewAction(), &QAction::triggered, dock,
+                     [&window, dock, opened](bool open) {
+                       if (open && !std::exchange(*opened, true) && dock->height() < kHeightBelow) {
+                         window.resizeDocks({dock}, {kHeightBelow}, Qt::Vertical);
+                       }
+                     });
+  }
 }
 
 // Docks between those on the left and those on the right.
@@ -41,6 +58,7 @@ QList<QDockWidget*> make_docks_below(QMainWindow& window,
   for (QDockWidget* dock : docks) {
     dock->hide();
   }
+  open_high(window, docks);
   return docks;
 }
 

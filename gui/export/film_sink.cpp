@@ -1,6 +1,6 @@
 #include "export/film_sink.h"
 
-#include "handway/geometric/io/input_error.h"
+#include "export/film_parts.h"
 
 #include <QFile>
 #include <QFileInfo>
@@ -15,22 +15,12 @@ constexpr qint64 kMostWaiting = 32 << 20;  // bytes on their way to ffmpeg
 
 }  // namespace
 
-QString parts_beside(const QString& file) {
-  return QFileInfo(file).absoluteDir().filePath(QStringLiteral(".handway-film-XXXXXX"));
-}
-
-void need_writable(const QTemporaryDir& parts, const QString& file) {
-  if (!parts.isValid()) {
-    throw geometric::InputError({QFileInfo(file).absolutePath().toStdString(), "",
-                                 "a folder that can't be written to", "one that can be", ""});
-  }
-}
-
 QString FfmpegFilm::program() { return QStandardPaths::findExecutable(QStringLiteral("ffmpeg")); }
 
 FfmpegFilm::FfmpegFilm(const QString& file, const QSize& size, double rate)
     : file_(file), parts_(std::make_unique<QTemporaryDir>(parts_beside(file))) {
   need_writable(*parts_, file);
+  remove_leftovers_beside(file);
   part_ = parts_->filePath(QStringLiteral("film.") + QFileInfo(file).suffix().toLower());
   QStringList arguments{"-loglevel", "error",
                         "-f",        "rawvideo",

@@ -29,11 +29,6 @@ class FilmSink : public QObject {
   void failed(const QString& message);
 };
 
-/// Where parts of a file or folder are made: beside it, on the same disk, under a hidden name.
-[[nodiscard]] QString parts_beside(const QString& file);
-/// @throws geometric::InputError unless the parts' folder could be made.
-void need_writable(const QTemporaryDir& parts, const QString& file);
-
 /// A film or an animation, by the program ffmpeg.
 class FfmpegFilm : public FilmSink {
   Q_OBJECT

@@ -1,33 +1,19 @@
 #include "export/frame_folder.h"
 
+#include "export/film_parts.h"
 #include "handway/geometric/io/input_error.h"
+#include "workers/background.h"
 
 #include <QBuffer>
 #include <QFile>
 #include <QFileInfo>
-#include <QRunnable>
-#include <QThreadPool>
 
 #include <atomic>
-#include <functional>
 #include <mutex>
 #include <utility>
 
 namespace handway::gui {
 namespace {
-
-class Task : public QRunnable {
- public:
-  explicit Task(std::function<void()> work) : work_(std::move(work)) {}
-  void run() override { work_(); }
-
- private:
-  std::function<void()> work_;
-};
-
-void run_in_background(std::function<void()> work) {
-  QThreadPool::globalInstance()->start(new Task(std::move(work)));
-}
 
 bool write_all(QFile& file, const QByteArray& bytes) {
   qint64 done = 0;
@@ -90,6 +76,7 @@ FrameFolder::FrameFolder(const QString& folder)
         {folder.toStdString(), "", "a file or folder of that name", "a new name", ""});
   }
   need_writable(parts_->folder(), folder);
+  remove_leftovers_beside(folder);
 }
 
 FrameFolder::~FrameFolder() {

@@ -1,5 +1,6 @@
 #include "panels/scene_tree.h"
 
+#include "style/contrast.h"
 #include "style/icons.h"
 #include "style/theme.h"
 #include "view3d/view_colors.h"
@@ -283,9 +284,10 @@ QTreeWidgetItem* SceneTree::group_row(const geometric::Scene& scene,
 }
 
 QTreeWidgetItem* SceneTree::object_row(const geometric::SceneObject& object) const {
-  QTreeWidgetItem* row = make_row(QString::fromStdString(object.name),
-                                  icon("object", to_qcolor(object.color).darker(115)),
-                                  {Kind::kObject, "", object.name});
+  QTreeWidgetItem* row =
+      make_row(QString::fromStdString(object.name),
+               icon("object", seen_on(palette().color(QPalette::Base), to_qcolor(object.color))),
+               {Kind::kObject, "", object.name});
   QString words = std::visit(SizeText{}, object.shape);
   if (object.attachment) {
     words += tr(", carried by %1").arg(QString::fromStdString(object.attachment->link));

@@ -275,6 +275,9 @@ std::optional<SceneHit> SceneGraph::pick(const SbVec2s& viewport, const SbVec2s&
     }
   };
   look_at(passes_->solids.get(), [this](const SoPath& path) { return bodies_.item_of(path); });
+  if (nearest && nearest->item.kind == SceneItem::Kind::kLink) {
+    return nearest;  // ghosts are veils that often hang before the robot
+  }
   for (const auto& [ghost, kind] :
        {std::pair(&start_, SceneItem::Kind::kStart), std::pair(&goal_, SceneItem::Kind::kGoal)}) {
     if (ghost->is_visible()) {

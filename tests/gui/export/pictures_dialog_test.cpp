@@ -1,5 +1,6 @@
 #include "export/pictures_dialog.h"
 
+#include "export/film_parts.h"
 #include "watched_application.h"
 #include "window_test.h"
 
@@ -7,8 +8,10 @@
 #include <QComboBox>
 #include <QImage>
 #include <QLabel>
+#include <QProcess>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QThreadPool>
 
 #include <sys/resource.h>
 
@@ -123,6 +126,35 @@ TEST_F(Pictures, MakeAFolderOfFrames) {
   EXPECT_EQ(static_cast<double>(std::distance(fs::directory_iterator(out("frames")), {})),
             pictures);
   EXPECT_EQ(hidden_parts(), 0);
+}
+
+TEST_F(Pictures, RemoveWhatAProgramThatWasKilledHasLeft) {
+  QProcess other;
+  other.start(QStringLiteral("sleep"), {QStringLiteral("60")});
+  ASSERT_TRUE(other.waitForStarted());
+  const auto leave_parts = [&] {
+    QTemporaryDir parts(gui::parts_beside(QString::fromStdString(out("film.mp4").string())));
+    parts.setAutoRemove(false);
+    std::string name = fs::path(parts.path().toStdString()).filename().string();
+    const std::string ours = std::to_string(QCoreApplication::applicationPid());
+    name.replace(name.rfind(ours + "-"), ours.size(), std::to_string(other.processId()));
+    fs::rename(parts.path().toStdString(), cell().folder() / name);
+    std::ofstream(cell().folder() / name / "frame_00001.png") << "a part";
+  };
+  leave_parts();
+  const auto export_frames = [this](const char* name) {
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    gui::PicturesDialog& dialog = begin();
+    dialog.choose(gui::PicturesDialog::Kind::kFrames);
+    return exports(dialog, name);
+  };
+  ASSERT_TRUE(export_frames("frames"));
+  QThreadPool::globalInstance()->waitForDone();
+  EXPECT_EQ(hidden_parts(), 1) << "another program is at work";
+  other.kill();
+  other.waitForFinished();
+  ASSERT_TRUE(export_frames("more_frames"));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return hidden_parts() == 0; }));
 }
 
 TEST_F(Pictures, DoNotTouchAFolderThatIsThere) {

@@ -128,8 +128,9 @@ TEST_F(HumanLikenessMeter, IsDrawnAlongThePath) {
   window().player().pause();
   EXPECT_EQ(curves()->to_recorded.size(), curves()->to_subspace.size());
   auto& dock = part<QDockWidget>("plots");
-  dock.show();
-  dock.raise();
+  dock.toggleViewAction()->trigger();
+  QTest::qWait(50);
+  EXPECT_GE(dock.height(), 200);
   tools.plots()->show_quantity(gui::PlotQuantity::kUnlikeness);
   QTest::qWait(50);
   EXPECT_THAT(part<QLabel>("plot_value").text().toStdString(),

@@ -1,0 +1,58 @@
+#include "view3d/scene_view.h"
+#include "window_test.h"
+
+#include <optional>
+
+namespace handway::test {
+namespace {
+
+using Kind = gui::SceneItem::Kind;
+
+class Clicks : public WindowTest {
+ protected:
+  void SetUp() override {
+    WindowTest::SetUp();
+    if (!IsSkipped()) {
+      open(cell().post());
+    }
+  }
+  [[nodiscard]] gui::SceneView& view() const { return window().view(); }
+
+  [[nodiscard]] Kind clicked_at(const QPoint& place) const {
+    Kind kind = Kind::kNone;
+    const auto connection =
+        QObject::connect(&view(), &gui::SceneView::picked,
+                         [&kind](const gui::SceneItem& item, bool) { kind = item.kind; });
+    QTest::mouseClick(&view(), Qt::LeftButton, {}, place);
+    QObject::disconnect(connection);
+    return kind;
+  }
+  /// Where such a thing is clicked, on a grid.
+  [[nodiscard]] std::vector<QPoint> places_of(Kind kind) const {
+    constexpr int kStep = 12;  // px
+    std::vector<QPoint> places;
+    for (int y = kStep; y < view().height(); y += kStep) {
+      for (int x = kStep; x < view().width(); x += kStep) {
+        if (clicked_at({x, y}) == kind) {
+          places.emplace_back(x, y);
+        }
+      }
+    }
+    return places;
+  }
+};
+
+TEST_F(Clicks, MeanTheRobotAlsoBehindAGhost) {
+  view().show_ghosts(false, false);
+  const std::vector<QPoint> links = places_of(Kind::kLink);
+  ASSERT_FALSE(links.empty());
+  geometric::Configuration near = window().document().configuration();
+  near[0] += 0.1;
+  view().preview_ghost(false, near);
+  view().show_ghosts(false, true);
+  EXPECT_EQ(places_of(Kind::kLink), links);
+  EXPECT_FALSE(places_of(Kind::kGoal).empty()) << "beside the robot the ghost can be clicked";
+}
+
+}  // namespace
+}  // namespace handway::test
