@@ -1,5 +1,6 @@
 #include "collision/surface.h"
 
+#include "collision/mesh_pieces.h"
 #include "collision/volume_archive.h"
 
 #include <tbb/parallel_for.h>
@@ -24,7 +25,7 @@ constexpr std::size_t kCellsOfPlain = 1U << 16;  // … and where they are soon 
 constexpr std::size_t kPlain = 1000;             // that is, of meshes with fewer triangles
 
 CacheKey key_of(const TriangleMesh& mesh) {
-  constexpr std::string_view kMadeHow = "volumes 4";  // to change with what they are made of
+  constexpr std::string_view kMadeHow = "volumes 12";  // to change with what they are made of
   std::string content = std::to_string(mesh.vertices.size());
   const auto add = [&](const auto& elements) {
     content.append(reinterpret_cast<const char*>(elements.data()),
@@ -80,13 +81,15 @@ std::shared_ptr<const Surface> make_surface(const CacheKey& key,
   } else {
     const std::size_t cells = mesh->triangles.size() < kPlain ? kCellsOfPlain : kCells;
     const SphereCover cover(*mesh, leaf_radius(*mesh));
+    const std::vector<TriangleMesh> pieces = pieces_of(*mesh);
     volumes = {cover, ConvexCover(*mesh, kHullMargin * static_cast<double>(cover.root().radius)),
-               ClearanceField(*mesh, BoxTree(*mesh), cells)};
+               ClearanceField(*mesh, BoxTree(*mesh), cells), make_sided_boxes(pieces),
+               SurfacePoints(pieces.front())};
     write_cached(key, archive_volumes(volumes));
   }
   auto surface = std::make_shared<const Surface>(
       Surface{key, mesh, TriangleTree(*mesh), std::move(volumes.cover), std::move(volumes.hull),
-              std::move(volumes.field)});
+              std::move(volumes.field), std::move(volumes.sides), volumes.points});
   living_surfaces().add(key, surface);
   return surface;
 }

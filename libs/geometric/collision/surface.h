@@ -3,7 +3,9 @@
 #include "collision/clearance_field.h"
 #include "collision/convex_cover.h"
 #include "collision/disk_cache.h"
+#include "collision/sided_boxes.h"
 #include "collision/sphere_cover.h"
+#include "collision/surface_points.h"
 #include "collision/triangle_tree.h"
 #include "handway/geometric/scene/triangle_mesh.h"
 
@@ -20,6 +22,8 @@ struct Surface {
   SphereCover cover;
   ConvexCover hull;
   ClearanceField field;
+  SurfaceSides sides;
+  SurfacePoints points;
 };
 
 /// The surfaces of `meshes`, in order. Meshes of the same content share one; what

@@ -1,5 +1,7 @@
 #include "collision/surface_query.h"
 
+#include "collision/side_tests.h"
+
 #include <fcl/narrowphase/detail/primitive_shape_algorithm/triangle_distance.h>
 
 #include <algorithm>
@@ -10,7 +12,8 @@
 namespace handway::geometric {
 namespace {
 
-constexpr int kPatience = 3;  // nodes visited on the field's word alone
+constexpr float kDeep = 0.5F;  // of A's radius: a crossing so deep is looked for before all else
+constexpr int kPatience = 3;   // nodes visited on the field's word alone
 
 double triangle_distance(const TriangleCorners& s, const TriangleCorners& t) {
   Eigen::Vector3d p;
@@ -58,7 +61,7 @@ bool SurfaceQuery::root_is_near() {
 double SurfaceQuery::bound(double enough, int effort) {
   least_ = enough;
   effort_ = effort;
-  if (root_is_near() && !parted_by_plane()) {
+  if (root_is_near() && !kept_outside() && !parted_by_plane()) {
     bound_node(0);
   }
   return std::min(enough, std::max(gap_, least_));
@@ -105,7 +108,7 @@ Closeness SurfaceQuery::closeness(double tolerance) {
 
 void SurfaceQuery::visit_all() {
   patience_ = kPatience;
-  if (root_is_near()) {
+  if (root_is_near() && !kept_outside() && !pierces(kDeep)) {
     visit(0);
   }
 }
@@ -122,7 +125,7 @@ void SurfaceQuery::visit(std::uint32_t index) {
     const Eigen::Vector3d centre = X_BA_ * Eigen::Vector3d(node.x[k], node.y[k], node.z[k]);
     const auto radius = static_cast<double>(node.radius[k]);
     const bool is_leaf = (node.child[k] & SphereCover::kLeaf) != 0;
-    if ((is_leaf || patience_ <= 1) && parted_by_plane()) {
+    if ((is_leaf || patience_ <= 1) && settled_as_a_whole()) {
       return;
     }
     if (is_leaf) {
@@ -133,10 +136,30 @@ void SurfaceQuery::visit(std::uint32_t index) {
   }
 }
 
+bool SurfaceQuery::kept_outside() {
+  const float outside = gap_outside(a_.field.centre(), a_.field.half(), b_.sides, moves_);
+  gap_ = std::max(gap_, static_cast<double>(outside));
+  return gap_ >= least_;
+}
+
 bool SurfaceQuery::parted_by_plane() {
-  if (!tried_planes_) {
-    tried_planes_ = true;
-    gap_ = hull_gap(a_.hull, b_.hull, moves_, static_cast<float>(least_));
+  const auto least = static_cast<float>(least_);
+  gap_ = std::max(gap_, static_cast<double>(hull_gap(a_.hull, b_.hull, moves_, least)));
+  return gap_ >= least_;
+}
+
+bool SurfaceQuery::pierces(float share) {
+  const BoundingSphere& root = a_.cover.root();
+  if (surely_pierces(a_.points, {root.centre, share * root.radius}, b_.sides, moves_)) {
+    least_ = 0.0;
+  }
+  return least_ <= 0.0;
+}
+
+bool SurfaceQuery::settled_as_a_whole() {
+  if (!tried_whole_) {
+    tried_whole_ = true;
+    return parted_by_plane() || pierces(1.0F);
   }
   return gap_ >= least_;
 }

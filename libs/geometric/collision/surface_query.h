@@ -42,8 +42,14 @@ class SurfaceQuery {
   void visit_all();
   void bound_node(std::uint32_t node);
   void visit(std::uint32_t node);
+  /// Whether A's box is known to be outside of B and at least `least_` away.
+  [[nodiscard]] bool kept_outside();
   /// Whether the hulls are known to be at least `least_` apart.
   [[nodiscard]] bool parted_by_plane();
+  /// Whether A is known to go through B, in that share of its sphere at least; then `least_` is 0.
+  [[nodiscard]] bool pierces(float share);
+  /// Either of these; looked for once.
+  [[nodiscard]] bool settled_as_a_whole();
   void compare(std::uint32_t leaf, const Eigen::Vector3d& centre, double radius);
   /// Is a triangle, in B's frame, at least `least_` away for all that the field knows?
   [[nodiscard]] bool field_keeps_apart(const TriangleCorners& s) const;
@@ -62,8 +68,8 @@ class SurfaceQuery {
   int effort_ = 0;
   int patience_ = 0;
   bool exact_ = false;
-  bool tried_planes_ = false;
-  double gap_ = 0.0;                  ///< m: the hulls are at least that far apart.
+  bool tried_whole_ = false;
+  double gap_ = 0.0;                  ///< m: the surfaces are known to be that far apart.
   std::vector<std::uint32_t>& near_;  ///< Triangles of B that a leaf is compared with.
 };
 

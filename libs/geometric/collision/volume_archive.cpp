@@ -43,6 +43,13 @@ class VolumeArchive {
     list(archive, field.blocks_);
   }
 
+  template <typename Archive, typename Volumes>
+  static void sides(Archive& archive, Volumes& volumes) {
+    list(archive, volumes.sides.pieces);
+    plain(archive, volumes.sides.has_all);
+    plain(archive, volumes.points);
+  }
+
  private:
   template <typename Archive, typename Value>
   static void plain(Archive& archive, Value& value) {
@@ -71,6 +78,7 @@ std::string archive_volumes(const MeshVolumes& volumes) {
   VolumeArchive::cover(archive, copy.cover);
   VolumeArchive::hull(archive, copy.hull);
   VolumeArchive::field(archive, copy.field);
+  VolumeArchive::sides(archive, copy);
   return stream.str();
 }
 
@@ -81,6 +89,7 @@ MeshVolumes unarchive_volumes(const std::string& bytes) {
   VolumeArchive::cover(archive, volumes.cover);
   VolumeArchive::hull(archive, volumes.hull);
   VolumeArchive::field(archive, volumes.field);
+  VolumeArchive::sides(archive, volumes);
   return volumes;
 }
 

@@ -2,9 +2,12 @@
 
 #include "collision/clearance_field.h"
 #include "collision/convex_cover.h"
+#include "collision/sided_boxes.h"
 #include "collision/sphere_cover.h"
+#include "collision/surface_points.h"
 
 #include <string>
+#include <vector>
 
 namespace handway::geometric {
 
@@ -13,6 +16,8 @@ struct MeshVolumes {
   SphereCover cover;
   ConvexCover hull;
   ClearanceField field;
+  SurfaceSides sides;
+  SurfacePoints points;
 };
 
 /// Volumes as bytes, for this kind of processor.

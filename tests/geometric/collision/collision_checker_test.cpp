@@ -145,16 +145,16 @@ TEST_P(EveryChecker, RefusesConfigurationsThatAreNone) {
 }
 
 TEST_P(EveryChecker, CountsWhatItWasAsked) {
-  const auto boxes = checker(probe_and(Box{{0.2, 0.2, 0.2}}, Box{{0.4, 0.4, 0.4}}));
-  static_cast<void>(boxes->first_collision(Eigen::Vector3d(0.299, 0, 0)));
-  static_cast<void>(find_clearance(*boxes, Eigen::Vector3d(0.31, 0, 0)));
-  EXPECT_EQ(boxes->counts().configurations, 2U);
-  EXPECT_EQ(boxes->counts().pair_collisions, 1U);
-  EXPECT_EQ(boxes->counts().pair_distances, 1U);
-  EXPECT_GE(boxes->counts().exact_tests, 1U);
-  EXPECT_EQ(boxes->clone()->counts().configurations, 0U);
-  boxes->reset_counts();
-  EXPECT_EQ(boxes->counts().configurations, 0U);
+  const auto balls = checker(probe_and(Sphere{0.1}, Sphere{0.2}));
+  static_cast<void>(balls->first_collision(Eigen::Vector3d(0.299, 0, 0)));
+  static_cast<void>(find_clearance(*balls, Eigen::Vector3d(0.31, 0, 0)));
+  EXPECT_EQ(balls->counts().configurations, 2U);
+  EXPECT_EQ(balls->counts().pair_collisions, 1U);
+  EXPECT_EQ(balls->counts().pair_distances, 1U);
+  EXPECT_GE(balls->counts().exact_tests, 1U);
+  EXPECT_EQ(balls->clone()->counts().configurations, 0U);
+  balls->reset_counts();
+  EXPECT_EQ(balls->counts().configurations, 0U);
 }
 
 TEST_P(EveryChecker, HasIndependentClones) {

@@ -1,5 +1,6 @@
 #include "collision/volume_archive.h"
 
+#include "collision/mesh_pieces.h"
 #include "sample_meshes.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +11,8 @@ namespace {
 TEST(VolumeArchive, GivesBackTheSameVolumes) {
   const TriangleMesh mesh = *tessellate(Cylinder{0.03, 0.12});
   const MeshVolumes made{SphereCover(mesh, 0.01), ConvexCover(mesh, 1e-4),
-                         ClearanceField(mesh, BoxTree(mesh), 4096)};
+                         ClearanceField(mesh, BoxTree(mesh), 4096),
+                         make_sided_boxes(pieces_of(mesh)), SurfacePoints(mesh)};
   const MeshVolumes read = unarchive_volumes(archive_volumes(made));
 
   EXPECT_EQ(read.cover.root().radius, made.cover.root().radius);
@@ -21,6 +23,10 @@ TEST(VolumeArchive, GivesBackTheSameVolumes) {
             made.hull.support(Eigen::Vector3f(1, 2, 3)));
   ASSERT_EQ(read.field.cell_count(), made.field.cell_count());
   ASSERT_EQ(read.field.block_count(), made.field.block_count());
+  ASSERT_EQ(read.sides.pieces.size(), made.sides.pieces.size());
+  EXPECT_EQ(read.sides.has_all, made.sides.has_all);
+  EXPECT_EQ(read.sides.pieces[0].inside.half, made.sides.pieces[0].inside.half);
+  EXPECT_EQ(read.points.x, made.points.x);
   test::RandomPoints points(mesh, 2.0);
   for (int i = 0; i < 500; ++i) {
     const Eigen::Vector3f p = points.next().cast<float>();

@@ -1,0 +1,97 @@
+#include "collision/mesh_pieces.h"
+
+#include <boost/pending/disjoint_sets.hpp>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <utility>
+
+namespace handway::geometric {
+namespace {
+
+using Edge = std::pair<std::uint32_t, std::uint32_t>;
+
+// The same surface; vertices at the same place are one.
+TriangleMesh welded(const TriangleMesh& mesh) {
+  TriangleMesh result;
+  std::map<std::array<double, 3>, std::uint32_t> numbers;
+  std::vector<std::uint32_t> number;
+  for (const Eigen::Vector3d& p : mesh.vertices) {
+    const auto next = static_cast<std::uint32_t>(numbers.size());
+    const auto [place, is_new] = numbers.try_emplace({p.x(), p.y(), p.z()}, next);
+    number.push_back(place->second);
+    if (is_new) {
+      result.vertices.push_back(p);
+    }
+  }
+  for (const auto& [a, b, c] : mesh.triangles) {
+    result.triangles.push_back({number[a], number[b], number[c]});
+  }
+  return result;
+}
+
+TriangleMesh part_of(const TriangleMesh& mesh, const std::vector<std::uint32_t>& triangles) {
+  TriangleMesh part;
+  std::map<std::uint32_t, std::uint32_t> numbers;
+  for (const std::uint32_t number : triangles) {
+    std::array<std::uint32_t, 3> triangle = mesh.triangles[number];
+    for (std::uint32_t& vertex : triangle) {
+      const auto next = static_cast<std::uint32_t>(numbers.size());
+      const auto [place, is_new] = numbers.try_emplace(vertex, next);
+      if (is_new) {
+        part.vertices.push_back(mesh.vertices[vertex]);
+      }
+      vertex = place->second;
+    }
+    part.triangles.push_back(triangle);
+  }
+  return part;
+}
+
+}  // namespace
+
+std::vector<TriangleMesh> pieces_of(const TriangleMesh& mesh) {
+  const TriangleMesh whole = welded(mesh);
+  boost::disjoint_sets_with_storage<> sets(whole.vertices.size());
+  for (const auto& [a, b, c] : whole.triangles) {
+    sets.union_set(a, b);
+    sets.union_set(a, c);
+  }
+  std::map<std::size_t, std::vector<std::uint32_t>> parts;
+  for (std::uint32_t t = 0; t < whole.triangles.size(); ++t) {
+    parts[sets.find_set(whole.triangles[t][0])].push_back(t);
+  }
+  std::vector<TriangleMesh> pieces;
+  pieces.reserve(parts.size());
+  for (const auto& [root, triangles] : parts) {
+    pieces.push_back(part_of(whole, triangles));
+  }
+  std::ranges::stable_sort(pieces, std::ranges::greater(), [](const TriangleMesh& piece) {
+    return bounding_box(piece).size().norm();
+  });
+  return pieces;
+}
+
+bool is_closed(const TriangleMesh& piece) {
+  std::vector<Edge> edges;
+  for (const auto& triangle : piece.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (const Edge ends = std::minmax(triangle[k], triangle[(k + 1) % 3]);
+          ends.first != ends.second) {
+        edges.push_back(ends);
+      }
+    }
+  }
+  std::ranges::sort(edges);
+  for (auto edge = edges.begin(); edge != edges.end();) {
+    const auto next = std::upper_bound(edge, edges.end(), *edge);
+    if ((next - edge) % 2 != 0) {
+      return false;
+    }
+    edge = next;
+  }
+  return !edges.empty();
+}
+
+}  // namespace handway::geometric

@@ -1,0 +1,219 @@
+#include "collision/sided_boxes.h"
+
+#include "collision/free_space.h"
+#include "collision/mesh_pieces.h"
+#include "collision/nearest_point.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace handway::geometric {
+namespace {
+
+constexpr std::size_t kPieces = 8;        // of a mesh that have boxes
+constexpr std::size_t kDirections = 200;  // of the largest triangles that are looked at
+constexpr double kSame = 1e-3;            // rad: faces that are across one axis
+constexpr double kRounding = 2e-6;        // of the coordinates: more than single precision loses
+constexpr float kNever = -1e30F;          // half a box that nothing is in
+constexpr std::size_t kSeeds = 24;        // places that each box is grown from
+constexpr double kLeastShare = 0.005;  // of the space on its side: smaller boxes are not worth it
+
+using Block = FreeSpace::Block;
+using Index = FreeSpace::Index;
+
+// Fills one side of a surface with the largest boxes there are.
+class Filling {
+ public:
+  Filling(const FreeSpace& space, bool inside) : space_(space), counts_(space.counts()) {
+    for (std::size_t cell = 0; cell < space.cell_count(); ++cell) {
+      if (space.is_inside(cell) == inside) {
+        open_.push_back(cell);
+        whole_ += space.volume(space.block_of(cell));
+      }
+    }
+    sum_up(inside);
+  }
+
+  [[nodiscard]] SidedBoxes::Boxes boxes() {
+    SidedBoxes::Boxes boxes;
+    for (std::array<float, SidedBoxes::kMost>& half : boxes.half) {
+      half.fill(kNever);
+    }
+    for (std::size_t k = 0; k < SidedBoxes::kMost && !open_.empty(); ++k) {
+      const Block best = largest();
+      if (space_.volume(best) < kLeastShare * whole_) {
+        break;
+      }
+      store(space_.box(best), boxes, k);
+      std::erase_if(open_, [&](std::size_t cell) { return contains(best, cell); });
+    }
+    return boxes;
+  }
+
+ private:
+  // Of those grown from cells all over what no box has yet.
+  [[nodiscard]] Block largest() const {
+    const std::size_t stride = std::max<std::size_t>(1, open_.size() / kSeeds);
+    Block best = space_.block_of(open_.front());
+    for (std::size_t k = stride / 2; k < open_.size(); k += stride) {
+      const Block grown = grow(space_.block_of(open_[k]));
+      if (space_.volume(grown) > space_.volume(best)) {
+        best = grown;
+      }
+    }
+    return best;
+  }
+
+  // Takes in the layer that adds most, again and again; at last what is beside the surface's box.
+  [[nodiscard]] Block grow(Block block) const {
+    while (true) {
+      std::optional<Block> best;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        for (const bool up : {false, true}) {
+          Block next = block;
+          (up ? next.end[axis] : next.first[axis]) += up ? 1 : -1;
+          if (next.first[axis] >= 0 && next.end[axis] <= counts_[axis] && is_free(next) &&
+              (!best || is_larger(next, *best))) {
+            best = next;
+          }
+        }
+      }
+      if (!best) {
+        return block;
+      }
+      block = *best;
+    }
+  }
+
+  [[nodiscard]] bool is_larger(const Block& a, const Block& b) const {
+    const auto sizes = [this](const Block& block) {
+      return std::pair(space_.volume(block), space_.box(block).size().prod());
+    };
+    return sizes(a) > sizes(b);
+  }
+
+  // How many cells below each corner of the grid are not on that side (a summed-volume table).
+  void sum_up(bool inside) {
+    const auto wide = [](int n) { return static_cast<std::size_t>(n) + 1; };
+    sums_.assign(wide(counts_[0]) * wide(counts_[1]) * wide(counts_[2]), 0);
+    for (int z = 1; z <= counts_[2]; ++z) {
+      for (int y = 1; y <= counts_[1]; ++y) {
+        for (int x = 1; x <= counts_[0]; ++x) {
+          const bool other = space_.is_inside(space_.cell_at({x - 1, y - 1, z - 1})) != inside;
+          sums_[corner_at({x, y, z})] = (other ? 1 : 0) + sum(x - 1, y, z) + sum(x, y - 1, z) +
+                                        sum(x, y, z - 1) - sum(x - 1, y - 1, z) -
+                                        sum(x - 1, y, z - 1) - sum(x, y - 1, z - 1) +
+                                        sum(x - 1, y - 1, z - 1);
+        }
+      }
+    }
+  }
+
+  [[nodiscard]] int sum(int x, int y, int z) const { return sums_[corner_at({x, y, z})]; }
+
+  [[nodiscard]] std::size_t corner_at(const Index& i) const {
+    const auto wide = [](int n) { return static_cast<std::size_t>(n); };
+    return wide(i[0]) + wide(counts_[0] + 1) * (wide(i[1]) + wide(counts_[1] + 1) * wide(i[2]));
+  }
+
+  // Whether all of its cells are on that side.
+  [[nodiscard]] bool is_free(const Block& block) const {
+    const auto& [x, y, z] = block.first;
+    const auto& [u, v, w] = block.end;
+    return sum(u, v, w) - sum(x, v, w) - sum(u, y, w) - sum(u, v, z) + sum(x, y, w) + sum(x, v, z) +
+               sum(u, y, z) - sum(x, y, z) ==
+           0;
+  }
+
+  [[nodiscard]] bool contains(const Block& block, std::size_t cell) const {
+    const Index i = space_.block_of(cell).first;
+    return i[0] >= block.first[0] && i[0] < block.end[0] && i[1] >= block.first[1] &&
+           i[1] < block.end[1] && i[2] >= block.first[2] && i[2] < block.end[2];
+  }
+
+  static void store(const Aabb& box, SidedBoxes::Boxes& boxes, std::size_t k) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto i = static_cast<Eigen::Index>(axis);
+      const double centre = box.centre()[i];
+      const double half = 0.5 * box.size()[i];
+      boxes.centre[axis][k] = static_cast<float>(centre);
+      boxes.half[axis][k] = static_cast<float>(half - kRounding * (std::abs(centre) + half));
+    }
+  }
+
+  const FreeSpace& space_;
+  const Index& counts_;
+  std::vector<std::size_t> open_;  ///< Cells that no box has yet.
+  double whole_ = 0.0;             ///< m³
+  std::vector<int> sums_;
+};
+
+// The direction that most of the area is across, of faces at a right angle to `other`.
+Eigen::Vector3d most_faced(const TriangleMesh& piece, const Eigen::Vector3d& other) {
+  std::vector<Eigen::Vector3d> areas;
+  for (std::uint32_t t = 0; t < piece.triangles.size(); ++t) {
+    const auto [a, b, c] = corners(piece, t);
+    const Eigen::Vector3d area = (b - a).cross(c - a);
+    if (area.norm() > 0.0 && std::abs(area.normalized().dot(other)) < kSame) {
+      areas.push_back(area);
+    }
+  }
+  std::ranges::sort(areas, std::ranges::greater(), &Eigen::Vector3d::squaredNorm);
+  areas.resize(std::min(areas.size(), kDirections));
+  Eigen::Vector3d best = other.isZero() ? Eigen::Vector3d::UnitZ() : other.unitOrthogonal();
+  double most = 0.0;
+  for (const Eigen::Vector3d& area : areas) {
+    const Eigen::Vector3d direction = area.normalized();
+    double sum = 0.0;
+    for (const Eigen::Vector3d& part : areas) {
+      sum += part.cross(direction).norm() < kSame * part.norm() ? part.norm() : 0.0;
+    }
+    if (sum > most) {
+      most = sum;
+      best = direction;
+    }
+  }
+  return best;
+}
+
+Eigen::Matrix3d frame_of(const TriangleMesh& piece) {
+  const Eigen::Vector3d z = most_faced(piece, Eigen::Vector3d::Zero());
+  const Eigen::Vector3d x = z.cross(most_faced(piece, z)).normalized();
+  Eigen::Matrix3d R_PB;
+  R_PB << x.transpose(), z.cross(x).transpose(), z.transpose();
+  return R_PB;
+}
+
+SidedBoxes boxes_of(const TriangleMesh& piece) {
+  const Eigen::Matrix3d R_PB = frame_of(piece);
+  const TriangleMesh turned = transformed(piece, Pose(R_PB));
+  SidedBoxes boxes{};
+  Eigen::Map<Eigen::Matrix<float, 3, 3, Eigen::RowMajor>>(boxes.R_PB.data()) = R_PB.cast<float>();
+  const Aabb box = bounding_box(turned);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto i = static_cast<Eigen::Index>(axis);
+    const double half = 0.5 * box.size()[i];
+    boxes.centre[axis] = static_cast<float>(box.centre()[i]);
+    boxes.half[axis] = static_cast<float>(half + kRounding * (std::abs(box.centre()[i]) + half));
+  }
+  const FreeSpace space(turned);
+  boxes.inside = Filling(space, true).boxes();
+  boxes.outside = Filling(space, false).boxes();
+  return boxes;
+}
+
+}  // namespace
+
+SurfaceSides make_sided_boxes(const std::vector<TriangleMesh>& pieces) {
+  SurfaceSides sides;
+  for (const TriangleMesh& piece : pieces) {
+    if (sides.pieces.size() < kPieces && is_closed(piece)) {
+      sides.pieces.push_back(boxes_of(piece));
+    }
+  }
+  sides.has_all = sides.pieces.size() == pieces.size();
+  return sides;
+}
+
+}  // namespace handway::geometric
