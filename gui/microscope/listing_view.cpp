@@ -17,14 +17,16 @@ constexpr double kMark = 0.28;  // opacity
 constexpr double kCallMark = 0.12;
 constexpr int kMargin = 3;  // lines seen above and below the marked one
 
+// Indented by half as much as the listings are, so that more of the lines is seen.
 QString text_of(const AlgorithmListing& listing) {
   QString text;
   int number = 0;
   for (const std::string_view line : listing.lines) {
+    const std::string_view seen = line.substr(line.find_first_not_of(' ') / 2);
     text += QStringLiteral("%1%2  %3")
                 .arg(number == 0 ? QString() : QStringLiteral("\n"))
                 .arg(number + 1, 2)
-                .arg(QString::fromUtf8(line.data(), static_cast<int>(line.size())));
+                .arg(QString::fromUtf8(seen.data(), static_cast<int>(seen.size())));
     ++number;
   }
   return text;
@@ -52,13 +54,30 @@ ListingView::ListingView(QWidget* parent)
 void ListingView::show_line(int algorithm, int line, bool calls) {
   if (algorithm != algorithm_) {
     const AlgorithmListing& listing = algorithm_listing(algorithm);
-    title_->setText(tr("Algorithm %1: %2").arg(algorithm).arg(QString::fromUtf8(listing.title)));
     text_->setPlainText(text_of(listing));
   }
   algorithm_ = algorithm;
+  show_title();
   line_ = line;
   calls_ = calls;
   mark();
+}
+
+// As much of it as there is room for.
+void ListingView::show_title() {
+  if (algorithm_ > 0) {
+    const QString title = tr("Algorithm %1: %2")
+                              .arg(algorithm_)
+                              .arg(QString::fromUtf8(algorithm_listing(algorithm_).title));
+    title_->setText(title_->fontMetrics().elidedText(title, Qt::ElideRight, title_->width()));
+    title_->setToolTip(title);
+  }
+}
+
+void ListingView::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  layout()->activate();
+  show_title();
 }
 
 void ListingView::clear() {

@@ -23,8 +23,10 @@ class ListingView : public QWidget {
 
  protected:
   void changeEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
+  void show_title();
   void mark();
 
   QLabel* title_;

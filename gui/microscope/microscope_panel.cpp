@@ -27,7 +27,7 @@ namespace {
 
 constexpr int kMain = 4;           // the algorithm that calls the others
 constexpr double kLongest = 30.0;  // s, of planning
-constexpr int kControlsWidth = 330;
+constexpr int kControlsWidth = 280;
 constexpr const char* kPlanner = "pmd-prm";
 constexpr const char* kFullPlanner = "full-prm";
 

@@ -35,7 +35,8 @@ QString arm_text(const AlgorithmStep& step, bool has_sample) {
 }
 
 QString hand_text(const RecordedRun& run, const AlgorithmStep& step) {
-  const QString axes = QObject::tr("The hand drawn on %n axes", nullptr, step.count);
+  const QString axes = step.count == 1 ? QObject::tr("The hand drawn on one axis")
+                                       : QObject::tr("The hand drawn on %1 axes").arg(step.count);
   if (step.yes) {
     return QObject::tr("%1 is free: a sample.").arg(axes);
   }
@@ -63,7 +64,10 @@ QString step_text(const RecordedRun& run, std::size_t index) {
                           : QObject::tr("The sample becomes %1.").arg(node_name(step.from));
   }
   if (step.line == lines::kNeighbours) {
-    return QObject::tr("%1 has %n neighbours near enough.", nullptr, step.count)
+    return (step.count == 1 ? QObject::tr("%1 has one neighbour near enough.")
+                            : QObject::tr("%1 has %2 neighbours near enough.")
+                                  .arg(QStringLiteral("%1"))
+                                  .arg(step.count))
         .arg(node_name(step.from).replace(0, 1, QLatin1Char('N')));
   }
   if (step.line == lines::kSameComponent) {

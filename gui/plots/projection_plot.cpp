@@ -24,7 +24,7 @@ namespace handway::gui {
 namespace {
 
 constexpr double kReach = 9.0;    // px, from the pointer to what it means
-constexpr double kMargin = 0.06;  // of a range
+constexpr double kMargin = 0.12;  // of a range, for the rings around start and goal
 constexpr double kLeastRange = 0.02;
 constexpr std::size_t kFewNodes = 4000;  // of which each is drawn round
 
