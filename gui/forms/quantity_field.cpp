@@ -13,6 +13,7 @@
 namespace handway::gui {
 namespace {
 
+const QLatin1String kPerSecond("/s");
 constexpr int kDecimals = 7;  // kept; fewer are shown
 
 QuantityUnits shown_units;
@@ -38,7 +39,10 @@ std::optional<double> shown_per_unit(QuantityField::Kind kind, const QString& na
 std::optional<double> parse_number(QuantityField::Kind kind, const QString& text, double own) {
   static const QRegularExpression kPattern(
       QStringLiteral("^\\s*([-+]?(?:\\d+[.,]?\\d*|[.,]\\d+)(?:[eE][-+]?\\d+)?)\\s*([a-z°]*)\\s*$"));
-  const QRegularExpressionMatch match = kPattern.match(text);
+  const bool is_speed = kind == QuantityField::Kind::kAngularSpeed;
+  const QString quantity =
+      is_speed && text.endsWith(kPerSecond) ? text.chopped(kPerSecond.size()) : text;
+  const QRegularExpressionMatch match = kPattern.match(quantity);
   if (!match.hasMatch()) {
     return std::nullopt;
   }
@@ -71,8 +75,9 @@ QuantityField::QuantityField(Kind kind, double lower, double upper, QWidget* par
   setCorrectionMode(QAbstractSpinBox::CorrectToPreviousValue);
   setWrapping(false);
   setSingleStep(kind == Kind::kLength ? 10.0 : 5.0);
-  setToolTip(kind == Kind::kLength ? tr("A number, or one with its unit: 20 cm, 0.2 m")
-                                   : tr("A number, or one with its unit: 90°, 1.57 rad"));
+  setToolTip(kind == Kind::kLength  ? tr("A number, or one with its unit: 20 cm, 0.2 m")
+             : kind == Kind::kAngle ? tr("A number, or one with its unit: 90°, 1.57 rad")
+                                    : tr("A number, or one with its unit: 90°/s, 1.57 rad/s"));
   use_units();
   connect(this, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
           [this] { emit quantity_edited(quantity()); });
@@ -80,6 +85,9 @@ QuantityField::QuantityField(Kind kind, double lower, double upper, QWidget* par
 
 void QuantityField::use_units() {
   unit_ = kind_ == Kind::kLength ? unit_text(shown_units.length) : unit_text(shown_units.angle);
+  if (kind_ == Kind::kAngularSpeed) {
+    unit_.suffix += kPerSecond;
+  }
   setSuffix(unit_.suffix);
 }
 

@@ -56,7 +56,8 @@ FollowForm::FollowForm(QWidget* parent)
       source_yaw_(
           new QuantityField(QuantityField::Kind::kAngle, -std::numbers::pi, std::numbers::pi)),
       smoothing_(new QSpinBox),
-      speed_(new QuantityField(QuantityField::Kind::kAngle, kDegree, 2.0 * std::numbers::pi)),
+      speed_(
+          new QuantityField(QuantityField::Kind::kAngularSpeed, kDegree, 2.0 * std::numbers::pi)),
       box_(new QCheckBox(tr("Keep the tool within a box"))),
       box_fields_(new QWidget),
       limits_reach_(new QCheckBox(tr("Keep it within a reach"))),
@@ -90,7 +91,6 @@ QWidget* FollowForm::build_motion() {
   smoothing_->setSuffix(tr(" ms"));
   smoothing_->setToolTip(tr("Time constant of the low-pass that calms a trembling hand"));
   speed_->show_quantity(60.0 * kDegree);
-  speed_->setSuffix(tr("°/s"));
   speed_->setToolTip(tr("No joint turns faster, whatever the wrist does"));
   auto* part = new QWidget;
   auto* form = new QFormLayout(part);
