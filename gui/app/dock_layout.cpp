@@ -13,7 +13,7 @@
 namespace handway::gui {
 namespace {
 
-constexpr int kVersion = 2;        // raised when docks come or go
+constexpr int kVersion = 3;        // raised when docks come or go
 constexpr int kHeightBelow = 280;  // px, at first
 
 QString key() { return QStringLiteral("window/layout"); }

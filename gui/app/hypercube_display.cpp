@@ -28,20 +28,28 @@ HypercubeDisplay::HypercubeDisplay(Document& document, PlanPanel& panel, Plannin
 }
 
 void HypercubeDisplay::begin_run() {
-  region_.reset();
-  if (planning::parameter_called(panel_.planner()->parameters(), "rho_a")) {
-    region_ = planning::first_region(*panel_.planner(), 0);
+  regions_ = planning::first_regions(*panel_.planner(), 0);
+  const bool has_corridor =
+      regions_.size() > 1 ||
+      planning::parameter_called(panel_.planner()->parameters(), "rho_a") != nullptr;
+  if (!has_corridor) {
+    regions_.clear();
   }
 }
 
+std::size_t HypercubeDisplay::search() const {
+  return static_cast<std::size_t>(session_.roadmap()->roadmap.winner.value_or(0));
+}
+
 std::optional<double> HypercubeDisplay::half_side() const {
-  const SharedRoadmap& roadmap = session_.roadmap();
-  if (!region_ || !roadmap) {
+  if (!session_.roadmap() || search() >= regions_.size()) {
     return std::nullopt;
   }
   double largest = 0.0;
-  for (const auto& node : roadmap->roadmap.nodes) {
-    largest = std::max(largest, node.rho_a);
+  for (const auto& node : session_.roadmap()->roadmap.nodes) {
+    if (static_cast<std::size_t>(node.search) == search()) {
+      largest = std::max(largest, node.rho_a);
+    }
   }
   return largest > 0.0 ? std::optional(largest) : std::nullopt;
 }
@@ -52,9 +60,10 @@ void HypercubeDisplay::take_roadmap() {
     clear();
     return;
   }
-  Subject subject{*region_, session_.roadmap()->roadmap.search_range};
+  Subject subject{regions_[search()], session_.roadmap()->roadmap.search_range};
   subject.region.rho_a = *rho;
-  if (!drawn_ || drawn_->region.rho_a != *rho || drawn_->range != subject.range) {
+  if (!drawn_ || drawn_->region.rho_a != *rho || drawn_->range != subject.range ||
+      drawn_->region.corridor != subject.region.corridor) {
     draw(subject);
   }
 }

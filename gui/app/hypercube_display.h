@@ -46,6 +46,9 @@ class HypercubeDisplay : public QObject {
     std::pair<double, double> range;
   };
 
+  /// The search whose hypercubes are drawn: of several the one that gave the path, or, as long as
+  /// none has, the first.
+  [[nodiscard]] std::size_t search() const;
   void begin_run();
   void take_roadmap();
   void draw(const Subject& subject);
@@ -56,7 +59,8 @@ class HypercubeDisplay : public QObject {
   PlanningSession& session_;
   SceneView& view_;
   QAction& shown_;
-  std::optional<planning::SamplingRegion> region_;  ///< Of the run; nothing: no hypercubes.
+  /// Of the run's searches; empty: no hypercubes.
+  std::vector<planning::SamplingRegion> regions_;
   std::optional<Subject> drawn_;
   std::vector<planning::PalmBox> boxes_;
   LatestJob job_;

@@ -33,6 +33,7 @@
 #include "panels/scene_tree.h"
 #include "playback/playback_tools.h"
 #include "preferences/preferences_dialog.h"
+#include "runs/runs_tool.h"
 #include "start/about_box.h"
 #include "start/command_palette.h"
 #include "start/panel_help.h"
@@ -136,7 +137,7 @@ void MainWindow::build_docks() {
                    {"hand", tr("Hand"), posing_->hand()},
                    {"glove", tr("Glove"), posing_->glove()},
                    {"devices", tr("Devices"), devices_->panel()},
-                   {"campaigns", tr("Runs"), campaigns_}},
+                   {"campaigns", tr("Campaigns"), campaigns_}},
        .below = playback_tools_->docks(
            {"projection", tr("Projection"), planning_views_->projection_panel()})},
       *actions_->view_menu(), *actions_->edit_menu());
@@ -233,6 +234,8 @@ void MainWindow::connect_view() {
 void MainWindow::connect_planning() {
   planning_commands_ =
       std::make_unique<PlanningCommands>(*actions_, *session_, *plan_panel_, *log_);
+  runs_tool_ = std::make_unique<RunsTool>(playback_tools_->history(), *playback_tools_->runs(),
+                                          *session_, *plan_panel_, editing_->editor());
   connect(planning_commands_.get(), &PlanningCommands::failed, this, &MainWindow::show_error);
   connect(editing_.get(), &SceneEditing::tried, session_.get(), &PlanningSession::try_scene);
   connect(session_.get(), &PlanningSession::path_changed, this, &MainWindow::show_path);

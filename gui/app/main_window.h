@@ -35,6 +35,7 @@ class Posing;
 class PreferenceEffects;
 class QueryCheck;
 class Recovery;
+class RunsTool;
 class SceneEditing;
 class SceneTree;
 class SceneView;
@@ -135,6 +136,7 @@ class MainWindow : public QMainWindow {
   std::unique_ptr<PreferenceEffects> preference_effects_;
   std::unique_ptr<PlanningSession> session_;
   std::unique_ptr<PlanningCommands> planning_commands_;
+  std::unique_ptr<RunsTool> runs_tool_;
   std::unique_ptr<QueryCheck> query_check_;
   std::unique_ptr<PalmTool> palm_tool_;
   std::unique_ptr<GraspTool> grasp_tool_;

@@ -12,6 +12,7 @@ void apply_plan_options(const Options& options, const geometric::PlannerChoice& 
   }
   if (options.seed) {
     panel.set_seed(*options.seed);
+    panel.set_seeds(1);
   }
   for (const auto& [key, value] : options.settings) {
     panel.set_parameter(key, value);

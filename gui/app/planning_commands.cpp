@@ -29,9 +29,13 @@ void PlanningCommands::tell_of_presets() {
 void PlanningCommands::show_start() {
   actions_.plan->setEnabled(false);
   actions_.cancel->setEnabled(true);
-  log_.add(LogPanel::Level::kNote, tr("Planning with %1, seed %2")
-                                       .arg(QString::fromStdString(panel_.planner()->name()))
-                                       .arg(panel_.request().seed));
+  const qulonglong first = panel_.request().seed;
+  const QString seeds =
+      panel_.seeds() > 1
+          ? tr("seeds %1 to %2").arg(first).arg(first + static_cast<qulonglong>(panel_.seeds()) - 1)
+          : tr("seed %1").arg(first);
+  log_.add(LogPanel::Level::kNote,
+           tr("Planning with %1, %2").arg(QString::fromStdString(panel_.planner()->name()), seeds));
 }
 
 void PlanningCommands::show_end(bool solved, const QString& text) {

@@ -2,19 +2,22 @@
 
 #include "app/document.h"
 #include "panels/plan_panel.h"
+#include "playback/path_history.h"
 #include "workers/live_replanner.h"
 #include "workers/path_player.h"
 #include "workers/plan_runner.h"
+#include "workers/seed_runner.h"
 
 #include <QObject>
 
 #include <memory>
+#include <vector>
 
 namespace handway::gui {
 
 /// From a click on Plan to a path that plays: runs the panel's planner on the
-/// document's scene, moves the document's robot along the result, and keeps the
-/// path valid while the scene is edited.
+/// document's scene, with one seed or several, moves the document's robot along the result, and
+/// keeps the path valid while the scene is edited.
 class PlanningSession : public QObject {
   Q_OBJECT
 
@@ -25,7 +28,14 @@ class PlanningSession : public QObject {
 
   void start();
   void cancel();
-  [[nodiscard]] bool is_running() const { return runner_.is_running(); }
+  [[nodiscard]] bool is_running() const { return runner_.is_running() || seeds_.is_running(); }
+  /// There is no path any more, nor a run that goes on.
+  void forget();
+  /// Shows what a run found in the scene that is open, as if it had just ended.
+  /// @pre it has a run; none is going on.
+  void show(const PathRecord& record, const QString& note = {});
+  /// The run whose path is shown; null if there is none, or the path has followed edits.
+  [[nodiscard]] const std::shared_ptr<const PlanRun>& shown_run() const { return shown_; }
   /// True while a path follows an edit.
   [[nodiscard]] bool is_replanning() const { return live_.is_busy(); }
 
@@ -41,12 +51,19 @@ class PlanningSession : public QObject {
   void roadmap_changed();
   /// The player has a new timeline, or none.
   void path_changed();
+  /// One of several seeds, or the only one. Its path may not be timed yet.
+  void run_ended(const handway::gui::PathRecord& record);
   /// @param message one line for the log.
   void ended(bool solved, const QString& message);
 
  private:
-  void forget();
+  void start_seeds();
+  [[nodiscard]] PathRecord record_of(const planning::PlanRequest& request,
+                                     const planning::PlanResult& result, int number) const;
   void take_result(const planning::PlanResult& result);
+  void take_seed(const SeedOutcome& outcome);
+  void take_seeds(bool cancelled);
+  void show_none(const QString& note);
   void take_edit(const SceneState& before);
   void take_replanned(const planning::PlanResult& result, const QString& way);
   void take_failure(const QString& message);
@@ -56,8 +73,12 @@ class PlanningSession : public QObject {
   PlanPanel& panel_;
   PathPlayer& player_;
   PlanRunner runner_;
+  SeedRunner seeds_;
   LiveReplanner live_;
   std::shared_ptr<const geometric::Scene> planned_;  ///< Scene of the run that goes on.
+  PlanRun begun_;                  ///< The same run, as far as it is known when it begins.
+  std::vector<PathRecord> found_;  ///< Of its seeds.
+  std::shared_ptr<const PlanRun> shown_;
   SharedRoadmap roadmap_;
 };
 

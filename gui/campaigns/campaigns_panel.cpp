@@ -1,5 +1,6 @@
 #include "campaigns/campaigns_panel.h"
 
+#include "campaigns/run_view.h"
 #include "panels/front_page.h"
 #include "plots/ecdf_plot.h"
 
@@ -13,10 +14,10 @@
 #include <QPushButton>
 #include <QSortFilterProxyModel>
 #include <QSplitter>
-#include <QTableView>
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 #include <utility>
 
@@ -29,26 +30,39 @@ constexpr int kLeastTable = 80;  // px high
 constexpr int kRedrawInterval = 250;  // ms
 constexpr int kPlotHeight = 300;      // px
 constexpr int kTableHeight = 330;
-constexpr int kRowHeight = 24;
 
 /// The runs on one problem.
 class RunsOfProblem : public QSortFilterProxyModel {
  public:
-  RunsOfProblem(const RunTable& table, const QComboBox& problems, QObject* parent)
-      : QSortFilterProxyModel(parent), table_(table), problems_(problems) {
-    setSortRole(RunTable::kSortRole);
-  }
+  RunsOfProblem(const std::vector<planning::ArchivedRun>& runs, const QComboBox& problems,
+                QObject* parent)
+      : QSortFilterProxyModel(parent), runs_(runs), problems_(problems) {}
 
  protected:
   [[nodiscard]] bool filterAcceptsRow(int row, const QModelIndex& /*parent*/) const override {
     return problems_.currentText() ==
-           QString::fromStdString(table_.runs()[static_cast<std::size_t>(row)].problem);
+           QString::fromStdString(runs_[static_cast<std::size_t>(row)].problem);
   }
 
  private:
-  const RunTable& table_;
+  const std::vector<planning::ArchivedRun>& runs_;
   const QComboBox& problems_;
 };
+
+RunRow row_of(const planning::ArchivedRun& run) {
+  RunRow row;
+  row.planner = QString::fromStdString(run.planner.label);
+  row.seed = run.seed;
+  row.time_s = run.time_s;
+  row.outcome = QString::fromStdString(run.status);
+  row.samples = run.samples;
+  if (run.solved) {
+    row.nodes = run.path_nodes;
+    row.clearance = run.min_clearance_mm;
+  }
+  row.tip = QObject::tr("Open its scene and plan it again with its seed");
+  return row;
+}
 
 }  // namespace
 
@@ -58,20 +72,30 @@ CampaignsPanel::CampaignsPanel(std::shared_ptr<const planning::Extensions> exten
       runner_(std::move(extensions)),
       table_(new RunTable(this)),
       shown_(nullptr),
-      view_(new QTableView),
+      view_(nullptr),
       plot_(new EcdfPlot),
       open_(new QPushButton(tr("Open…"))),
       stop_(new QPushButton(tr("Stop"))),
       progress_(new QProgressBar),
       state_(new QLabel(tr("Open a campaign to run it, or a run database to look at it."))),
       problems_(new QComboBox) {
-  shown_ = new RunsOfProblem(*table_, *problems_, this);
+  shown_ = new RunsOfProblem(runs_, *problems_, this);
+  shown_->setSourceModel(table_);
+  view_ = new RunView(*shown_,
+                      {RunTable::kPlanner, RunTable::kSeed, RunTable::kTime, RunTable::kOutcome,
+                       RunTable::kSamples, RunTable::kNodes, RunTable::kClearance});
+  view_->setObjectName(QStringLiteral("campaign_runs"));
+  view_->horizontalHeader()->setSectionResizeMode(RunTable::kPlanner,
+                                                  QHeaderView::ResizeToContents);
+  view_->horizontalHeader()->setResizeContentsPrecision(50);
+  view_->sortByColumn(RunTable::kSeed, Qt::AscendingOrder);
+  connect(view_, &QTableView::clicked, this, &CampaignsPanel::show_run);
   // The panel shares its place with smaller ones.
   plot_->setMinimumSize(kLeastPlot);
   view_->setMinimumHeight(kLeastTable);
   problems_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   auto* parts = new QSplitter(Qt::Vertical);
-  parts->addWidget(make_table());
+  parts->addWidget(view_);
   parts->addWidget(plot_);
   parts->setSizes({kTableHeight, kPlotHeight});
   parts->setChildrenCollapsible(false);
@@ -112,25 +136,6 @@ QWidget* CampaignsPanel::make_actions() {
   return actions;
 }
 
-QWidget* CampaignsPanel::make_table() {
-  shown_->setSourceModel(table_);
-  view_->setModel(shown_);
-  view_->setObjectName(QStringLiteral("campaign_runs"));
-  view_->setSortingEnabled(true);
-  view_->sortByColumn(RunTable::kSeed, Qt::AscendingOrder);
-  view_->setSelectionBehavior(QAbstractItemView::SelectRows);
-  view_->setSelectionMode(QAbstractItemView::SingleSelection);
-  view_->setEditTriggers(QAbstractItemView::NoEditTriggers);
-  view_->setShowGrid(false);
-  view_->verticalHeader()->hide();
-  view_->verticalHeader()->setDefaultSectionSize(kRowHeight);
-  view_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  view_->horizontalHeader()->setResizeContentsPrecision(50);
-  view_->horizontalHeader()->setHighlightSections(false);
-  connect(view_, &QTableView::clicked, this, &CampaignsPanel::show_run);
-  return view_;
-}
-
 void CampaignsPanel::choose_file() {
   const QString file =
       QFileDialog::getOpenFileName(this, tr("Open a campaign or its runs"), {},
@@ -144,6 +149,7 @@ void CampaignsPanel::open(const QString& file) {
   if (runner_.is_running()) {
     return;
   }
+  runs_.clear();
   table_->clear();
   problems_->clear();
   draw();
@@ -178,7 +184,11 @@ void CampaignsPanel::take(const std::vector<planning::ArchivedRun>& runs) {
       problems_->setVisible(true);
     }
   }
-  table_->add(runs);
+  std::vector<RunRow> rows;
+  rows.reserve(runs.size());
+  std::ranges::transform(runs, std::back_inserter(rows), row_of);
+  runs_.insert(runs_.end(), runs.begin(), runs.end());
+  table_->add(rows);
   if (progress_->maximum() > 0) {
     progress_->setValue(table_->rowCount());
   }
@@ -192,8 +202,7 @@ void CampaignsPanel::end(const QString& problem) {
   stop_->setEnabled(false);
   const bool complete = progress_->maximum() == 0 || table_->rowCount() == progress_->maximum();
   progress_->setVisible(false);
-  const auto solved = std::count_if(table_->runs().begin(), table_->runs().end(),
-                                    [](const planning::ArchivedRun& run) { return run.solved; });
+  const auto solved = std::ranges::count_if(runs_, &planning::ArchivedRun::solved);
   if (!problem.isEmpty()) {
     state_->setText(problem);
   } else {
@@ -213,7 +222,7 @@ void CampaignsPanel::show_problem() {
 
 void CampaignsPanel::draw() {
   std::vector<EcdfCurve> curves;
-  for (const planning::ArchivedRun& run : table_->runs()) {
+  for (const planning::ArchivedRun& run : runs_) {
     if (QString::fromStdString(run.problem) != problems_->currentText()) {
       continue;
     }
@@ -233,7 +242,7 @@ void CampaignsPanel::draw() {
 
 void CampaignsPanel::show_run(const QModelIndex& index) {
   const QModelIndex row = shown_->mapToSource(index);
-  emit run_chosen(table_->runs()[static_cast<std::size_t>(row.row())]);
+  emit run_chosen(runs_[static_cast<std::size_t>(row.row())]);
 }
 
 }  // namespace handway::gui

@@ -7,17 +7,18 @@
 #include <QWidget>
 
 #include <memory>
+#include <vector>
 
 class QComboBox;
 class QLabel;
 class QProgressBar;
 class QPushButton;
 class QSortFilterProxyModel;
-class QTableView;
 
 namespace handway::gui {
 
 class EcdfPlot;
+class RunView;
 
 /// Runs of campaigns: carried out in the background or read from a run database, in a table
 /// and as distributions of planning time. A run that is clicked is asked to be shown.
@@ -39,7 +40,6 @@ class CampaignsPanel : public QWidget {
 
  private:
   QWidget* make_actions();
-  QWidget* make_table();
   void choose_file();
   void begin(const QString& name, int all);
   void take(const std::vector<planning::ArchivedRun>& runs);
@@ -49,9 +49,10 @@ class CampaignsPanel : public QWidget {
   void show_run(const QModelIndex& index);
 
   CampaignRunner runner_;
+  std::vector<planning::ArchivedRun> runs_;  ///< As in the table.
   RunTable* table_;
   QSortFilterProxyModel* shown_;
-  QTableView* view_;
+  RunView* view_;
   EcdfPlot* plot_;
   QPushButton* open_;
   QPushButton* stop_;

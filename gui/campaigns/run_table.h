@@ -1,27 +1,63 @@
 #pragma once
 
-#include "handway/planning/campaigns/run_archive.h"
-
 #include <QAbstractTableModel>
+#include <QString>
 
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace handway::gui {
 
-/// Runs as rows.
+/// What a table says of a run; what is not known of it is empty.
+struct RunRow {
+  int number = 0;
+  QString planner;
+  QString preset;
+  std::uint64_t seed = 1;
+  double time_s = 0.0;  ///< Planning alone.
+  QString outcome;
+  std::optional<std::uint64_t> samples;
+  std::optional<std::uint64_t> nodes;   ///< Of the path.
+  std::optional<double> length;         ///< In normalised joints.
+  std::optional<double> duration;       ///< s
+  std::optional<double> clearance;      ///< The least, mm.
+  std::optional<double> hand_distance;  ///< From a person's postures or subspace, mean.
+  QString tip;
+  bool stands_out = false;
+};
+
+/// Runs as rows. There is a column for all that may be known of them: views hide those that they
+/// have no use for.
 class RunTable : public QAbstractTableModel {
   Q_OBJECT
 
  public:
-  enum Column { kPlanner, kSeed, kTime, kOutcome, kSamples, kNodes, kClearance, kColumns };
+  enum Column {
+    kNumber,
+    kPlanner,
+    kPreset,
+    kSeed,
+    kTime,
+    kOutcome,
+    kSamples,
+    kNodes,
+    kLength,
+    kDuration,
+    kClearance,
+    kHandDistance,
+    kColumns
+  };
   /// Numbers as numbers, for sorting.
   static constexpr int kSortRole = Qt::UserRole;
 
   using QAbstractTableModel::QAbstractTableModel;
 
   void clear();
-  void add(const std::vector<planning::ArchivedRun>& runs);
-  [[nodiscard]] const std::vector<planning::ArchivedRun>& runs() const { return runs_; }
+  void add(const std::vector<RunRow>& rows);
+  /// In place of all there are.
+  void set_rows(std::vector<RunRow> rows);
+  [[nodiscard]] const std::vector<RunRow>& rows() const { return rows_; }
 
   [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
   [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
@@ -30,7 +66,7 @@ class RunTable : public QAbstractTableModel {
                                     int role) const override;
 
  private:
-  std::vector<planning::ArchivedRun> runs_;
+  std::vector<RunRow> rows_;
 };
 
 }  // namespace handway::gui

@@ -61,7 +61,7 @@ ComparisonWindow::ComparisonWindow(PathHistory& history, Query query, QWidget* p
     views_->view(side).show_ghosts(false, false);
   }
   show_figures();
-  if (history_.records().size() > 1) {
+  if (history_.paths().size() > 1) {
     choose(0, 1);
     choose(1, 0);
   } else {
@@ -94,7 +94,7 @@ void ComparisonWindow::fill_choosers() {
     const QSignalBlocker quiet(box);
     box.clear();
     int current = -1;
-    for (const PathRecord& record : history_.records()) {
+    for (const PathRecord& record : history_.paths()) {
       if (shown_.at(side) && record.motion == shown_.at(side)->motion) {
         current = box.count();
       }
@@ -107,8 +107,9 @@ void ComparisonWindow::fill_choosers() {
 // What is new goes where nothing is shown yet; what is shown may have got more curves.
 void ComparisonWindow::take_history() {
   fill_choosers();
+  const std::vector<PathRecord> paths = history_.paths();
   for (auto& shown : shown_) {
-    for (const PathRecord& record : history_.records()) {
+    for (const PathRecord& record : paths) {
       if (shown && record.motion == shown->motion) {
         shown = record;
       }
@@ -116,7 +117,7 @@ void ComparisonWindow::take_history() {
   }
   for (std::size_t side = 0; side < shown_.size(); ++side) {
     const auto& other = shown_.at(1 - side);
-    if (!shown_.at(side) && other && history_.records().front().motion != other->motion) {
+    if (!shown_.at(side) && other && !paths.empty() && paths.front().motion != other->motion) {
       choose(side, 0);
       return;
     }
@@ -125,10 +126,11 @@ void ComparisonWindow::take_history() {
 }
 
 void ComparisonWindow::choose(std::size_t side, std::size_t index) {
-  if (index >= history_.records().size()) {
+  const std::vector<PathRecord> paths = history_.paths();
+  if (index >= paths.size()) {
     return;
   }
-  shown_.at(side) = history_.records()[index];
+  shown_.at(side) = paths[index];
   choosers_.at(side)->setCurrentIndex(static_cast<int>(index));
   show_side(side);
   update_player();
@@ -167,7 +169,7 @@ void ComparisonWindow::show_moment() {
 
 void ComparisonWindow::show_figures() {
   const auto figures = [](const std::optional<PathRecord>& record) {
-    return record ? std::optional(figures_of(*record)) : std::nullopt;
+    return record ? record->figures : std::nullopt;
   };
   table_->show_figures(figures(shown_[0]), figures(shown_[1]));
   if (!shown_[0] || !shown_[1]) {
@@ -208,9 +210,11 @@ void ComparisonWindow::open_file(std::size_t side, const QString& file) {
           motion_curves(*problem, query.postures, timed.motion->trajectory, stop));
       return [this, side,
               record = PathRecord{QFileInfo(file).fileName(), query.scene, query.palm, timed.motion,
-                                  curves}] {
-        history_.add(record);
-        choose(side, 0);
+                                  curves, nullptr, std::nullopt}] {
+        const auto motion = history_.add(record);
+        const std::vector<PathRecord> paths = history_.paths();
+        const auto place = std::ranges::find(paths, motion, &PathRecord::motion);
+        choose(side, static_cast<std::size_t>(place - paths.begin()));
       };
     } catch (const std::exception& error) {
       return [this, message = QString::fromUtf8(error.what())] { note_->setText(message); };

@@ -97,6 +97,8 @@ std::vector<Figure> figures(const std::optional<PathFigures>& left,
       [](const PathFigures& f) { return Value(f.duration); });
   add(QObject::tr("Length, in normalised joints"), 3, Better::kLess,
       [](const PathFigures& f) { return Value(f.length); });
+  add(QObject::tr("Turning at waypoints, rad"), 2, Better::kLess,
+      [](const PathFigures& f) { return Value(f.turning); });
   add(QObject::tr("Way of the palm, m"), 3, Better::kLess,
       [](const PathFigures& f) { return Value(f.palm_way); });
   add(QObject::tr("Waypoints"), 0, Better::kNeither,
@@ -106,7 +108,10 @@ std::vector<Figure> figures(const std::optional<PathFigures>& left,
       [](const PathFigures& f) { return Value(geometric::millimetres(f.least_clearance)); }, most);
   add(
       QObject::tr("Mean clearance, mm"), 1, Better::kMore,
-      [](const PathFigures& f) { return Value(geometric::millimetres(f.mean_clearance)); }, most);
+      [](const PathFigures& f) {
+        return f.mean_clearance ? Value(geometric::millimetres(*f.mean_clearance)) : std::nullopt;
+      },
+      most);
   add_distance(QObject::tr("Hand to the PMD subspace, mean"),
                distance<&PathFigures::to_subspace, &DistanceAlong::mean>);
   add_distance(QObject::tr("Hand to the PMD subspace, largest"),

@@ -1,5 +1,6 @@
 #include "panels/front_page.h"
 
+#include <QDockWidget>
 #include <QTabWidget>
 
 namespace handway::gui {
@@ -11,6 +12,10 @@ void bring_to_front(const QWidget& widget) {
       if (tabs->widget(page) == &widget || tabs->widget(page)->isAncestorOf(&widget)) {
         tabs->setCurrentIndex(page);
       }
+    }
+    if (auto* dock = qobject_cast<QDockWidget*>(part)) {
+      dock->show();
+      dock->raise();
     }
   }
 }

@@ -40,6 +40,8 @@ PlanPanel::PlanPanel(const planning::PlannerRegistry& registry, QWidget* parent)
       planners_(new QComboBox),
       description_(new QLabel),
       seed_(new QSpinBox),
+      seeds_(new QSpinBox),
+      merit_(new QComboBox),
       time_limit_(new QDoubleSpinBox),
       threads_(new QSpinBox),
       presets_(new PresetBar(registry)),
@@ -50,7 +52,8 @@ PlanPanel::PlanPanel(const planning::PlannerRegistry& registry, QWidget* parent)
       plan_(new QPushButton(tr("Plan"))),
       cancel_(new QPushButton(tr("Cancel"))),
       progress_(new QProgressBar),
-      result_(new QLabel) {
+      result_(new QLabel),
+      all_runs_(new QPushButton(tr("All runs"))) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
@@ -121,6 +124,7 @@ QWidget* PlanPanel::make_settings() {
   form->addRow(planners_);
   form->addRow(description_);
   form->addRow(tr("Seed"), seed_);
+  form->addRow(tr("Seeds"), make_seeds());
   form->addRow(tr("Time limit"), time_limit_);
   form->addRow(tr("Threads"), threads_);
   auto* area = new QScrollArea;
@@ -129,6 +133,29 @@ QWidget* PlanPanel::make_settings() {
   area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   area->setWidget(box);
   return area;
+}
+
+QWidget* PlanPanel::make_seeds() {
+  constexpr int kMostSeeds = 1000;
+  seeds_->setObjectName(QStringLiteral("seeds"));
+  seeds_->setRange(1, kMostSeeds);
+  seeds_->setToolTip(
+      tr("Plan with so many seeds, from the one above on, and show the best path of all"));
+  merit_->setObjectName(QStringLiteral("merit"));
+  merit_->setToolTip(tr("Which of their paths is shown"));
+  merit_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  merit_->setMinimumContentsLength(6);
+  for (const PathMerit merit : kPathMerits) {
+    merit_->addItem(tr("the %1").arg(superlative(merit)), static_cast<int>(merit));
+  }
+  connect(seeds_, qOverload<int>(&QSpinBox::valueChanged), this, &PlanPanel::show_whether_several);
+  auto* row = new QWidget;
+  auto* layout = new QHBoxLayout(row);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(8);
+  layout->addWidget(seeds_, 1);
+  layout->addWidget(merit_, 2);
+  return row;
 }
 
 QWidget* PlanPanel::make_actions() {
@@ -143,6 +170,11 @@ QWidget* PlanPanel::make_actions() {
   result_->setWordWrap(true);
   result_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   result_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  all_runs_->setObjectName(QStringLiteral("all_runs"));
+  all_runs_->setProperty("role", "link");
+  all_runs_->setToolTip(tr("Compare the runs of this scene, and put one back"));
+  all_runs_->setVisible(false);
+  connect(all_runs_, &QPushButton::clicked, this, &PlanPanel::runs_requested);
   auto* box = new QWidget;
   auto* layout = new QVBoxLayout(box);
   layout->setContentsMargins(12, 8, 12, 12);
@@ -154,6 +186,7 @@ QWidget* PlanPanel::make_actions() {
   layout->addLayout(buttons);
   layout->addWidget(progress_);
   layout->addWidget(result_);
+  layout->addWidget(all_runs_, 0, Qt::AlignLeft);
   return box;
 }
 
@@ -166,7 +199,7 @@ void PlanPanel::use_planner(const std::string& name) {
 
 void PlanPanel::rebuild_form(bool anew) {
   description_->setText(QString::fromStdString(planner_->description()));
-  threads_->setEnabled(planner_->capabilities().uses_threads);
+  show_whether_several();
   delete form_;
   form_ = new ParameterForm(planner_->parameters());
   form_place_->addWidget(form_);
@@ -216,6 +249,37 @@ void PlanPanel::enter(const char* key, double value) {
 void PlanPanel::add_section(QWidget* section) { sections_->addWidget(section); }
 
 void PlanPanel::set_seed(std::uint64_t seed) { seed_->setValue(static_cast<int>(seed)); }
+
+void PlanPanel::restore(const planning::PlanRequest& request) {
+  set_seed(request.seed);
+  set_seeds(1);
+  time_limit_->setValue(std::isfinite(request.time_limit_s) ? request.time_limit_s : 0.0);
+}
+
+void PlanPanel::set_seeds(int seeds) { seeds_->setValue(seeds); }
+
+int PlanPanel::seeds() const { return seeds_->value(); }
+
+PathMerit PlanPanel::merit() const { return static_cast<PathMerit>(merit_->currentData().toInt()); }
+
+void PlanPanel::show_whether_several() {
+  const bool several = seeds() > 1;
+  merit_->setEnabled(several);
+  threads_->setEnabled(several || (planner_ && planner_->capabilities().uses_threads));
+}
+
+std::vector<std::shared_ptr<planning::Planner>> PlanPanel::copies(int count) const {
+  std::vector<std::shared_ptr<planning::Planner>> copies;
+  for (int i = 0; i < count; ++i) {
+    std::shared_ptr<planning::Planner> copy = registry_.create(planner_->name());
+    const std::vector<planning::Parameter> parameters = copy->parameters();
+    for (const planning::Parameter& parameter : planner_->parameters()) {
+      set_from_text(find_parameter(parameters, parameter.key), planning::to_text(parameter));
+    }
+    copies.push_back(std::move(copy));
+  }
+  return copies;
+}
 
 void PlanPanel::set_usual_planner(const std::string& name) {
   const std::vector<std::string> names = registry_.names();
@@ -267,6 +331,8 @@ void PlanPanel::show_running() {
   plan_->setEnabled(false);
   cancel_->setEnabled(true);
   planners_->setEnabled(false);
+  seeds_->setEnabled(false);
+  merit_->setEnabled(false);
   presets_->setEnabled(false);
   form_->setEnabled(false);
   reset_->setEnabled(false);
@@ -279,6 +345,8 @@ void PlanPanel::end_run() {
   plan_->setEnabled(ready_);
   cancel_->setEnabled(false);
   planners_->setEnabled(true);
+  seeds_->setEnabled(true);
+  show_whether_several();
   presets_->setEnabled(true);
   if (form_) {
     form_->setEnabled(true);
@@ -303,9 +371,16 @@ void PlanPanel::show_progress(double fraction, const QString& activity) {
   }
 }
 
-void PlanPanel::show_result(const planning::PlanResult& result) {
+void PlanPanel::show_seeds(int done, int solved) {
+  progress_->setValue(1000 * done / seeds());
+  result_->setText(
+      tr("Planning: %1 of %2 seeds done, %3 with a path…").arg(done).arg(seeds()).arg(solved));
+}
+
+void PlanPanel::show_result(const planning::PlanResult& result, const QString& note) {
   end_run();
-  result_->setText(result_text(result));
+  result_->setText(result_text(result, note));
+  all_runs_->setVisible(true);
 }
 
 void PlanPanel::show_replanned(const planning::PlanResult& result, const QString& way) {

@@ -2,11 +2,13 @@
 
 #include "handway/planning/core/planner.h"
 #include "handway/planning/core/planner_registry.h"
+#include "playback/path_figures.h"
 
 #include <QWidget>
 
 #include <memory>
 #include <string>
+#include <vector>
 
 class QComboBox;
 class QDoubleSpinBox;
@@ -43,6 +45,10 @@ class PlanPanel : public QWidget {
   /// Puts something below the parameters.
   void add_section(QWidget* section);
   void set_seed(std::uint64_t seed);
+  /// Seed and time limit as they were; one seed.
+  void restore(const planning::PlanRequest& request);
+  /// How many seeds are planned with, from the seed on.
+  void set_seeds(int seeds);
   /// The planner of scenes that name none; one that does not exist: the registry's first.
   void set_usual_planner(const std::string& name);
   /// @param threads 0: one a processor.
@@ -51,7 +57,12 @@ class PlanPanel : public QWidget {
   void set_time_limit(double seconds);
 
   [[nodiscard]] const std::shared_ptr<planning::Planner>& planner() const { return planner_; }
+  /// So many planners like the chosen one.
+  [[nodiscard]] std::vector<std::shared_ptr<planning::Planner>> copies(int count) const;
   [[nodiscard]] planning::PlanRequest request() const;
+  [[nodiscard]] int seeds() const;
+  /// By which the best of several seeds' paths is told.
+  [[nodiscard]] PathMerit merit() const;
   /// The chosen planner with the settings that differ from its defaults.
   [[nodiscard]] geometric::PlannerChoice choice() const;
   [[nodiscard]] PresetBar& presets() const { return *presets_; }
@@ -60,7 +71,10 @@ class PlanPanel : public QWidget {
   void set_ready(bool ready, const QString& why_not = {});
   void show_running();
   void show_progress(double fraction, const QString& activity);
-  void show_result(const planning::PlanResult& result);
+  /// Of several seeds, so many are done, of which so many found a path.
+  void show_seeds(int done, int solved);
+  /// @param note to be said first; may be empty.
+  void show_result(const planning::PlanResult& result, const QString& note = {});
   /// Of a path that follows the edits of its scene. @param way where it came from, one word.
   void show_replanned(const planning::PlanResult& result, const QString& way);
   void show_failure(const QString& message);
@@ -69,17 +83,21 @@ class PlanPanel : public QWidget {
  signals:
   void plan_requested();
   void cancel_requested();
+  void runs_requested();
   /// Another planner, or another value of a parameter.
   void settings_changed();
 
  private:
   QWidget* make_settings();
+  QWidget* make_seeds();
   QWidget* make_actions();
   void use_planner(const std::string& name);
   /// @param anew presets begin with the planner's own values.
   void rebuild_form(bool anew);
   /// Says which parameters differ from the preset, and offers its values if no planner runs.
   void show_modified();
+  /// What makes sense with one seed, or with several.
+  void show_whether_several();
   void end_run();
 
   const planning::PlannerRegistry& registry_;
@@ -87,6 +105,8 @@ class PlanPanel : public QWidget {
   QComboBox* planners_;
   QLabel* description_;
   QSpinBox* seed_;
+  QSpinBox* seeds_;
+  QComboBox* merit_;
   QDoubleSpinBox* time_limit_;
   QSpinBox* threads_;
   std::string usual_planner_;
@@ -100,6 +120,7 @@ class PlanPanel : public QWidget {
   QPushButton* cancel_;
   QProgressBar* progress_;
   QLabel* result_;
+  QPushButton* all_runs_;
   bool ready_ = false;
 };
 

@@ -29,7 +29,9 @@ QString count(std::uint64_t value) {
   return QLocale(QLocale::English).toString(static_cast<qulonglong>(value));
 }
 
-QString word(planning::PlanStatus status) {
+}  // namespace
+
+QString status_text(planning::PlanStatus status) {
   switch (status) {
     case planning::PlanStatus::kSolved:
       return QObject::tr("Path found");
@@ -47,11 +49,12 @@ QString word(planning::PlanStatus status) {
   return {};
 }
 
-}  // namespace
-
-QString result_text(const planning::PlanResult& result) {
+QString result_text(const planning::PlanResult& result, const QString& note) {
   const ThemeColors colors = colors_of(current_theme());
-  QString text = headline(word(result.status), result.solved() ? colors.good : colors.bad);
+  QString text = headline(status_text(result.status), result.solved() ? colors.good : colors.bad);
+  if (!note.isEmpty()) {
+    text += QStringLiteral("<p style=\"margin:0 0 6px 0\">%1</p>").arg(note.toHtmlEscaped());
+  }
   if (!result.reason.empty()) {
     text += QStringLiteral("<p style=\"margin:0 0 6px 0\">%1</p>")
                 .arg(QString::fromStdString(result.reason).toHtmlEscaped());
@@ -97,7 +100,7 @@ QString result_line(const planning::PlanResult& result) {
     return QObject::tr("Path found in %1, %2 waypoints")
         .arg(seconds(result.time_s), count(result.path.waypoints.size()));
   }
-  return result.reason.empty() ? word(result.status) : QString::fromStdString(result.reason);
+  return result.reason.empty() ? status_text(result.status) : QString::fromStdString(result.reason);
 }
 
 QString failure_text(const QString& message) {

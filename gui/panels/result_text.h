@@ -7,7 +7,11 @@
 namespace handway::gui {
 
 /// A result in words with its key figures, as rich text.
-[[nodiscard]] QString result_text(const planning::PlanResult& result);
+/// @param note to be said first, plain text; may be empty.
+[[nodiscard]] QString result_text(const planning::PlanResult& result, const QString& note = {});
+
+/// How planning ended, in few words: "Path found".
+[[nodiscard]] QString status_text(planning::PlanStatus status);
 
 /// The same of a path that was planned again for an edited scene.
 /// @param way where it came from, one word.

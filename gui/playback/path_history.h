@@ -1,7 +1,8 @@
 #pragma once
 
 #include "handway/geometric/scene/scene.h"
-#include "handway/planning/queries/human_likeness.h"
+#include "playback/path_figures.h"
+#include "playback/plan_run.h"
 #include "workers/motion_curves.h"
 
 #include <QObject>
@@ -13,42 +14,48 @@
 
 namespace handway::gui {
 
-/// A path that was shown, with all that is known about it.
+/// A path that was found or shown, or a run that found none, with all that is known about it.
 struct PathRecord {
   QString label;
   std::shared_ptr<const geometric::Scene> scene;
-  int palm = 0;  ///< Link whose way is measured.
-  std::shared_ptr<const planning::Motion> motion;
-  std::shared_ptr<const MotionCurves> curves;
+  int palm = 0;                                    ///< Link whose way is measured.
+  std::shared_ptr<const planning::Motion> motion;  ///< Null: no path, or not timed yet.
+  std::shared_ptr<const MotionCurves> curves;      ///< Null: there is no motion, or not found yet.
+  std::shared_ptr<const PlanRun> run;  ///< Null: from a file, or a path that follows edits.
+  std::optional<PathFigures> figures;  ///< Once there are curves.
+
+  [[nodiscard]] bool has_figures() const { return figures.has_value(); }
+  /// Has its run found a path?
+  [[nodiscard]] bool is_solved() const { return run && run->result.solved(); }
 };
 
-/// The key figures of a path.
-struct PathFigures {
-  double duration = 0.0;  ///< s
-  double length = 0.0;    ///< In joints normalised to [0, 1].
-  double palm_way = 0.0;  ///< m
-  int waypoints = 0;
-  double least_clearance = 0.0;  ///< m, at most kMostClearance.
-  double mean_clearance = 0.0;   ///< m, over time, more than kMostClearance counting as that.
-  /// How human the hand looks, over time; nothing where there is nothing to compare with.
-  std::optional<planning::DistanceAlong> to_subspace;
-  std::optional<planning::DistanceAlong> to_recorded;
-};
+/// The best of those that found a path; of those as good the one with the least seed, whichever
+/// was done first. Paths without figures come last. The end if there is none.
+[[nodiscard]] std::vector<PathRecord>::const_iterator best_of(
+    const std::vector<PathRecord>& records, PathMerit merit);
 
-[[nodiscard]] PathFigures figures_of(const PathRecord& record);
+/// What a person calls a path. @param way where it comes from: "pmd-auto, seed 1".
+[[nodiscard]] QString label_of(const QString& way, const planning::Motion& motion,
+                               const QTime& time);
+/// The same of one that a planner found.
+[[nodiscard]] QString label_of(const PlanRun& run, const planning::Motion& motion);
 
-/// The paths of a session, the latest first.
+/// The paths and runs of a session, the latest first.
 class PathHistory : public QObject {
   Q_OBJECT
 
  public:
-  static constexpr std::size_t kMost = 30;
+  static constexpr std::size_t kMost = 200;
 
   explicit PathHistory(QObject* parent = nullptr) : QObject(parent) {}
 
-  /// One of a motion that is there already brings new curves to that.
-  void add(PathRecord record);
+  /// One of a motion that is there already brings new curves to that; one of a path that a run
+  /// found in the same scene is that run's.
+  /// @returns the motion that the record goes by now; null if it has none.
+  std::shared_ptr<const planning::Motion> add(PathRecord record);
   [[nodiscard]] const std::vector<PathRecord>& records() const { return records_; }
+  /// Those with a motion and its curves.
+  [[nodiscard]] std::vector<PathRecord> paths() const;
 
  signals:
   void changed();

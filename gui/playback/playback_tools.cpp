@@ -8,6 +8,7 @@
 #include "panels/plan_panel.h"
 #include "panels/playback_bar.h"
 #include "playback/plots_panel.h"
+#include "runs/runs_panel.h"
 #include "view3d/scene_view.h"
 #include "workers/path_player.h"
 
@@ -20,6 +21,7 @@ PlaybackTools::PlaybackTools(const PlaybackParts& parts, QObject* parent)
       parts_(parts),
       analysis_(parts.document, parts.player),
       traces_(parts.document, parts.player, parts.view, parts.bar.traces()),
+      runs_(new RunsPanel(history_)),
       plots_(new PlotsPanel(parts.document, parts.player, analysis_)),
       microscope_(new MicroscopePanel(parts.document, parts.planners, parts.planning, parts.view)) {
   connect(plots_, &PlotsPanel::exported, this, &PlaybackTools::exported);
@@ -29,27 +31,29 @@ PlaybackTools::PlaybackTools(const PlaybackParts& parts, QObject* parent)
           [this] { parts_.actions.pictures->setEnabled(!parts_.player.timeline().empty()); });
   connect(&analysis_, &MotionAnalysis::changed, this, &PlaybackTools::remember);
   connect(&history_, &PathHistory::changed, this,
-          [this] { parts_.actions.compare->setEnabled(true); });
+          [this] { parts_.actions.compare->setEnabled(!history_.paths().empty()); });
+  connect(runs_, &RunsPanel::compare_requested, this, &PlaybackTools::compare);
   connect(parts_.actions.pictures, &QAction::triggered, this, &PlaybackTools::export_pictures);
   connect(parts_.actions.compare, &QAction::triggered, this, &PlaybackTools::compare);
 }
 
 std::vector<DockContent> PlaybackTools::docks(const DockContent& last) const {
-  return {{"plots", tr("Plots"), plots_}, {"microscope", tr("Microscope"), microscope_}, last};
+  return {{"runs", tr("Runs"), runs_},
+          {"plots", tr("Plots"), plots_},
+          {"microscope", tr("Microscope"), microscope_},
+          last};
 }
 
 void PlaybackTools::remember() {
   if (!analysis_.curves()) {
     return;
   }
-  const QString label = tr("%1, seed %2: %3 waypoints, %4 s (%5)")
-                            .arg(QString::fromStdString(parts_.planning.choice().name))
-                            .arg(parts_.planning.request().seed)
-                            .arg(analysis_.motion()->path.waypoints.size())
-                            .arg(analysis_.motion()->trajectory.duration(), 0, 'f', 1)
-                            .arg(QTime::currentTime().toString(QStringLiteral("HH:mm:ss")));
-  history_.add({label, parts_.document.scene(), parts_.document.palm(), analysis_.motion(),
-                analysis_.curves()});
+  const QString way = tr("%1, seed %2")
+                          .arg(QString::fromStdString(parts_.planning.choice().name))
+                          .arg(parts_.planning.request().seed);
+  history_.add({label_of(way, *analysis_.motion(), QTime::currentTime()), parts_.document.scene(),
+                parts_.document.palm(), analysis_.motion(), analysis_.curves(), nullptr,
+                std::nullopt});
 }
 
 void PlaybackTools::export_pictures() {

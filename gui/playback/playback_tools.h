@@ -17,6 +17,7 @@ class MicroscopePanel;
 class PlanPanel;
 class PlaybackBar;
 class PlotsPanel;
+class RunsPanel;
 class WindowActions;
 
 /// What PlaybackTools works with; all outlive it.
@@ -42,8 +43,9 @@ class PlaybackTools : public QObject {
   [[nodiscard]] MotionAnalysis& analysis() { return analysis_; }
   [[nodiscard]] PathTraces& traces() { return traces_; }
   [[nodiscard]] PathHistory& history() { return history_; }
-  /// Both panels and another one behind them, for docks, which own them.
+  /// All panels and another one behind them, for docks, which own them.
   [[nodiscard]] std::vector<DockContent> docks(const DockContent& last) const;
+  [[nodiscard]] RunsPanel* runs() const { return runs_; }
   [[nodiscard]] PlotsPanel* plots() const { return plots_; }
   [[nodiscard]] MicroscopePanel* microscope() const { return microscope_; }
 
@@ -60,6 +62,7 @@ class PlaybackTools : public QObject {
   MotionAnalysis analysis_;
   PathTraces traces_;
   PathHistory history_;
+  RunsPanel* runs_;
   PlotsPanel* plots_;
   MicroscopePanel* microscope_;
 };

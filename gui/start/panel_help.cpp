@@ -54,11 +54,22 @@ constexpr Help kHelp[] = {
                                   "<b>History</b><p>All edits since the scene was opened. A click "
                                   "goes back, or forward again, to how it was then.</p>")},
     {"plan",
-     QT_TRANSLATE_NOOP("Help",
-                       "<b>Plan</b><p>Choose a planner, set it up, press Plan. Every setting says "
-                       "in its tool tip what it does. Same settings and seed: same path.</p>"
-                       "<p><b>Show where it samples</b> draws where palm and fingertips may be in "
-                       "the planner's samples.</p>")},
+     QT_TRANSLATE_NOOP(
+         "Help",
+         "<b>Plan</b><p>Choose a planner and a preset of its parameters, press Plan. Every "
+         "parameter says in its tool tip what it does; those that differ from the preset are "
+         "bold. <b>⋯</b> keeps them as a preset of your own.</p><p>Same settings and seed: same "
+         "path. <b>Seeds</b> plans with several and shows the best path; <b>All runs</b> lists "
+         "what was planned.</p><p><b>Show where it samples</b> draws where palm and fingertips "
+         "may be in the planner's samples.</p>")},
+    {"runs",
+     QT_TRANSLATE_NOOP(
+         "Help",
+         "<b>Runs</b><p>What was planned in this scene, the latest first; the run that is shown "
+         "is bold. <b>Restore</b>, or a double click, puts back a run's planner, parameters, "
+         "seed, scene, start and goal, and shows its path: planning again gives the identical "
+         "one.</p><p>A click on a heading sorts. <b>Hand</b> is the mean distance of the hand "
+         "from a person's postures: less is more human.</p>")},
     {"projection",
      QT_TRANSLATE_NOOP("Help",
                        "<b>Projection</b><p>The planner's roadmap along two of its coordinates. A "

@@ -5,7 +5,6 @@
 #include "handway/planning/timing/time_law.h"
 
 #include <algorithm>
-#include <optional>
 
 namespace handway::gui {
 namespace {
@@ -33,15 +32,32 @@ PathMotion motion_of(const planning::PlanningProblem& problem, const planning::P
   return {motion, {}};
 }
 
+MotionCurves hand_curves(const planning::PlanningProblem& problem,
+                         const std::shared_ptr<const sampling::RecordedPostures>& postures,
+                         const planning::Trajectory& trajectory, const std::stop_token& stop) {
+  MotionCurves curves;
+  if (!problem.basis) {
+    return curves;
+  }
+  const planning::HumanLikeness likeness(problem.model(), problem.hand, *problem.basis, postures);
+  for (const planning::TrajectoryPoint& point : trajectory.points) {
+    if (stop.stop_requested()) {
+      break;
+    }
+    const planning::HandLikeness here = likeness.at(point.position);
+    curves.to_subspace.push_back(here.to_subspace);
+    if (here.to_recorded) {
+      curves.to_recorded.push_back(*here.to_recorded);
+    }
+  }
+  return curves;
+}
+
 MotionCurves motion_curves(const planning::PlanningProblem& problem,
                            const std::shared_ptr<const sampling::RecordedPostures>& postures,
                            const planning::Trajectory& trajectory, const std::stop_token& stop) {
-  MotionCurves curves;
+  MotionCurves curves = hand_curves(problem, postures, trajectory, stop);
   const std::unique_ptr<geometric::CollisionChecker> checker = problem.checker->clone();
-  std::optional<planning::HumanLikeness> likeness;
-  if (problem.basis) {
-    likeness.emplace(problem.model(), problem.hand, *problem.basis, postures);
-  }
   for (const planning::TrajectoryPoint& point : trajectory.points) {
     if (stop.stop_requested()) {
       break;
@@ -51,13 +67,6 @@ MotionCurves motion_curves(const planning::PlanningProblem& problem,
     const bool is_near = closest.distance < kMostClearance;
     curves.clearance.push_back(std::min(closest.distance, kMostClearance));
     curves.closest.push_back(is_near ? closest.a + " with " + closest.b : std::string());
-    if (likeness) {
-      const planning::HandLikeness here = likeness->at(point.position);
-      curves.to_subspace.push_back(here.to_subspace);
-      if (here.to_recorded) {
-        curves.to_recorded.push_back(*here.to_recorded);
-      }
-    }
   }
   return curves;
 }

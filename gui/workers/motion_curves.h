@@ -25,7 +25,8 @@ struct PathMotion {
 
 /// What the points of a motion have beside joints; all of shape [points].
 struct MotionCurves {
-  std::vector<double> clearance;     ///< m, at most kMostClearance.
+  /// m, at most kMostClearance; empty, as `closest` is, where only hands are looked at.
+  std::vector<double> clearance;
   std::vector<std::string> closest;  ///< "A with B", empty where nothing is near.
   /// How human the hand looks, see planning::HandLikeness; empty: nothing to compare with.
   std::vector<double> to_subspace;
@@ -38,6 +39,12 @@ inline constexpr double kMostClearance = 0.1;
 /// @param postures of a person, may be null.
 /// @param stop ends it early; what it returns then is of no use.
 [[nodiscard]] MotionCurves motion_curves(
+    const planning::PlanningProblem& problem,
+    const std::shared_ptr<const sampling::RecordedPostures>& postures,
+    const planning::Trajectory& trajectory, const std::stop_token& stop);
+
+/// The same without clearance, which takes nearly all of the time.
+[[nodiscard]] MotionCurves hand_curves(
     const planning::PlanningProblem& problem,
     const std::shared_ptr<const sampling::RecordedPostures>& postures,
     const planning::Trajectory& trajectory, const std::stop_token& stop);

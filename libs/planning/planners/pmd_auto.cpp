@@ -66,6 +66,30 @@ Racer where_possible(Racer racer) {
   return racer;
 }
 
+enum class Kind { kJointTrees, kCartesianTrees, kLazyRoadmap };
+
+/// Who takes part in the race.
+struct Entry {
+  Kind kind;
+  std::string name;
+  int first_round;
+  std::uint64_t fork;  ///< Of the run's seed; 0: the seed itself.
+};
+
+std::vector<Entry> entries(const PmdAutoSettings& settings) {
+  std::vector<Entry> list{{Kind::kJointTrees, "trees in the joint corridor", 0, 0}};
+  if (settings.cartesian) {
+    list.push_back({Kind::kCartesianTrees, "trees in the Cartesian corridor", 1, 1});
+    list.push_back(
+        {Kind::kCartesianTrees, "trees in the Cartesian corridor, from another seed", 3, 2});
+  }
+  if (settings.lazy) {
+    list.push_back({Kind::kLazyRoadmap, "a lazy roadmap", 3, 3});
+  }
+  list.push_back({Kind::kJointTrees, "trees in the joint corridor, from another seed", 4, 4});
+  return list;
+}
+
 }  // namespace
 
 std::string PmdAuto::name() const { return "pmd-auto"; }
@@ -91,26 +115,36 @@ std::vector<Parameter> PmdAuto::parameters() {
   };
 }
 
+std::vector<TargetRegion> PmdAuto::regions() const {
+  std::vector<TargetRegion> regions;
+  for (const Entry& entry : entries(settings_)) {
+    regions.push_back(entry.kind == Kind::kJointTrees       ? joint_trees().region
+                      : entry.kind == Kind::kCartesianTrees ? cartesian_trees().region
+                                                            : lazy_roadmap().region);
+  }
+  return regions;
+}
+
 void PmdAuto::do_plan(PlanningContext& context, PlanResult& result) {
   const RrtConnectSettings joint = joint_trees();
   const RrtConnectSettings cartesian = cartesian_trees();
   const PmdLazySettings roadmap = lazy_roadmap();
   const std::uint64_t seed = context.request().seed;
   const sampling::RandomStream seeds(seed);
-  std::vector<Racer> racers{trees("trees in the joint corridor", 0, joint, seed)};
-  if (settings_.cartesian) {
-    racers.push_back(where_possible(
-        trees("trees in the Cartesian corridor", 1, cartesian, seeds.fork(1).seed())));
-    racers.push_back(where_possible(trees("trees in the Cartesian corridor, from another seed", 3,
-                                          cartesian, seeds.fork(2).seed())));
+  std::vector<Racer> racers;
+  for (const Entry& entry : entries(settings_)) {
+    const std::uint64_t own = entry.fork == 0 ? seed : seeds.fork(entry.fork).seed();
+    if (entry.kind == Kind::kLazyRoadmap) {
+      racers.push_back({entry.name, entry.first_round,
+                        [&roadmap, own](PlanningContext& lane) -> std::unique_ptr<Search> {
+                          return std::make_unique<LazySearch>(lane, roadmap, own);
+                        }});
+    } else if (entry.kind == Kind::kCartesianTrees) {
+      racers.push_back(where_possible(trees(entry.name, entry.first_round, cartesian, own)));
+    } else {
+      racers.push_back(trees(entry.name, entry.first_round, joint, own));
+    }
   }
-  if (settings_.lazy) {
-    racers.push_back({"a lazy roadmap", 3, [&](PlanningContext& own) -> std::unique_ptr<Search> {
-                        return std::make_unique<LazySearch>(own, roadmap, seeds.fork(3).seed());
-                      }});
-  }
-  racers.push_back(
-      trees("trees in the joint corridor, from another seed", 4, joint, seeds.fork(4).seed()));
   Race race(context, std::move(racers), static_cast<std::uint64_t>(settings_.max_samples));
   result.status = race.run();
   if (result.solved()) {

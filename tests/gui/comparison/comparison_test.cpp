@@ -22,8 +22,8 @@ class Comparison : public WindowTest {
     ASSERT_TRUE(QTest::qWaitFor([&] { return history().size() > before; }, kPatienceMs));
     window().player().pause();
   }
-  [[nodiscard]] const std::vector<gui::PathRecord>& history() const {
-    return window().playback().history().records();
+  [[nodiscard]] std::vector<gui::PathRecord> history() const {
+    return window().playback().history().paths();
   }
   [[nodiscard]] gui::ComparisonWindow& begin() const {
     part<QAction>("compare").trigger();
@@ -47,11 +47,11 @@ TEST_F(Comparison, ShowsTheLastTwoPathsWithTheirFigures) {
   const auto& table = *dialog.findChild<QTableWidget*>(QStringLiteral("comparison_figures"));
   const gui::PathFigures figures = gui::figures_of(history().at(1));
   EXPECT_EQ(table.item(0, 1)->text(), QString::number(figures.duration, 'f', 2));
-  EXPECT_EQ(table.rowCount(), 8);
+  EXPECT_EQ(table.rowCount(), 9);
   const bool left_is_faster = figures.duration < gui::figures_of(history().at(0)).duration;
   EXPECT_EQ(table.item(0, 1)->font().bold(), left_is_faster);
   EXPECT_EQ(table.item(0, 2)->font().bold(), !left_is_faster);
-  EXPECT_FALSE(table.item(3, 1)->font().bold()) << "waypoints are neither good nor bad";
+  EXPECT_FALSE(table.item(4, 1)->font().bold()) << "waypoints are neither good nor bad";
   const QString folder = qEnvironmentVariable("HANDWAY_PICTURES");
   if (!folder.isEmpty()) {
     dialog.player().seek(0.5);

@@ -125,6 +125,14 @@ TEST_F(HypercubesInTheView, HaveTheSizeOfTheLastIteration) {
   EXPECT_EQ(display().half_side(), largest);
 }
 
+TEST_F(HypercubesInTheView, AreThoseOfTheSearchThatWon) {
+  part<QAction>("hypercubes").setChecked(true);
+  plan_with("pmd-auto");
+  ASSERT_TRUE(window().session().roadmap()->roadmap.winner);
+  ASSERT_TRUE(are_drawn());
+  EXPECT_GT(display().half_side().value(), 0.0);
+}
+
 TEST_F(HypercubesInTheView, AreNotOfferedForPlannersWithout) {
   part<QAction>("hypercubes").setChecked(true);
   plan_with("rrt-connect");

@@ -1,6 +1,8 @@
 #include "handway/planning/queries/region_draws.h"
 
 #include "handway/planning/core/planner_registry.h"
+#include "handway/planning/planners/pmd_auto.h"
+#include "handway/planning/planners/pmd_lazy.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -78,6 +80,21 @@ TEST(FirstRegion, KnowsPlannersWithoutOne) {
   EXPECT_FALSE(first_region(*registry.create("rrt-connect"), 9)) << "draws from everywhere";
   EXPECT_EQ(first_region(*registry.create("pmd-auto"), 9)->pmds, 9);
   EXPECT_EQ(first_region(*registry.create("full-prm"), 9)->hand, HandSpace::kAllJoints);
+}
+
+TEST(FirstRegion, IsThatOfEachSearchInARace) {
+  PmdAuto planner;
+  const std::vector<SamplingRegion> regions = first_regions(planner, 9);
+  ASSERT_THAT(regions, SizeIs(5));
+  EXPECT_EQ(regions[0].corridor, CorridorForm::kJoint);
+  EXPECT_EQ(regions[0].rho_a, first_region(planner, 9)->rho_a);
+  EXPECT_EQ(regions[1].corridor, CorridorForm::kCartesian);
+  EXPECT_EQ(regions[3].rho_a, PmdLazySettings().region.rho_a);
+  planner.settings().cartesian = false;
+  planner.settings().lazy = false;
+  EXPECT_THAT(first_regions(planner, 9), SizeIs(2));
+  EXPECT_THAT(first_regions(*PlannerRegistry().create("pmd-prm"), 9), SizeIs(1));
+  EXPECT_THAT(first_regions(*PlannerRegistry().create("rrt-connect"), 9), SizeIs(0));
 }
 
 }  // namespace

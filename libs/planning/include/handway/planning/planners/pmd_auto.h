@@ -2,6 +2,7 @@
 
 #include "handway/planning/core/planner.h"
 #include "handway/planning/export.h"
+#include "handway/planning/planners/target_region.h"
 
 #include <string>
 #include <vector>
@@ -29,6 +30,9 @@ class HANDWAY_PLANNING_EXPORT PmdAuto final : public Planner {
   [[nodiscard]] std::vector<Parameter> parameters() override;
 
   [[nodiscard]] PmdAutoSettings& settings() { return settings_; }
+  /// Where each of the searches that race begins to draw from, in the order of
+  /// NodeEvent::search.
+  [[nodiscard]] std::vector<TargetRegion> regions() const;
 
  protected:
   void do_plan(PlanningContext& context, PlanResult& result) override;

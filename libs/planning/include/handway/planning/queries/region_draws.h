@@ -29,6 +29,11 @@ struct SamplingRegion {
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::optional<SamplingRegion> first_region(Planner& planner,
                                                                                  int directions);
 
+/// The same of each search of a planner that has several, in the order of NodeEvent::search; of
+/// any other the one. Empty if it draws from everywhere.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<SamplingRegion> first_regions(Planner& planner,
+                                                                                int directions);
+
 /// Where palm and fingertips are in configurations drawn from a region; in the world, m.
 struct RegionDraws {
   std::vector<Eigen::Vector3d> palms;       ///< One a configuration that the arm reaches.
