@@ -46,6 +46,10 @@ QString difference_text(const Figure& figure) {
     return QChar(0x2013);
   }
   const double by = *figure.right - *figure.left;
+  if (const QString none = number(0.0, figure.decimals);
+      number(std::abs(by), figure.decimals) == none) {
+    return none;
+  }
   const QString text = (by > 0.0 ? QStringLiteral("+") : QString()) + number(by, figure.decimals);
   const double percent = 100.0 * by / *figure.left;
   return std::abs(*figure.left) < kNoDifference

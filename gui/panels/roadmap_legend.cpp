@@ -107,7 +107,14 @@ void RoadmapLegend::show_roadmap(const SharedRoadmap& roadmap, const Search& sea
 
 void RoadmapLegend::place() {
   adjustSize();
-  move(parentWidget()->width() - width() - kMargin, parentWidget()->height() - height() - kMargin);
+  QRect place(QPoint(), size());
+  place.moveBottomRight(parentWidget()->rect().bottomRight() - QPoint(kMargin, kMargin));
+  for (const FloatingCard* other : others()) {  // above what is in its way
+    if (place.intersects(other->geometry())) {
+      place.moveBottom(other->geometry().top() - kMargin);
+    }
+  }
+  move(place.topLeft());
 }
 
 std::vector<int> nodes_per_pmds(const PalmRoadmap& roadmap) {

@@ -53,6 +53,30 @@ TEST_F(RoadmapInTheView, IsThatOfTheRun) {
   keep_picture("roadmap");
 }
 
+/// Lies over the lower edge.
+class LowCard : public gui::FloatingCard {
+ public:
+  using gui::FloatingCard::appear;
+  using gui::FloatingCard::FloatingCard;
+
+ protected:
+  void place() override {
+    setGeometry(0, parentWidget()->height() - 60, parentWidget()->width(), 60);
+  }
+};
+
+TEST_F(RoadmapInTheView, HasItsLegendBesideOtherCards) {
+  open(cell().post());
+  plan();
+  const auto& legend = part<gui::RoadmapLegend>("roadmap_legend");
+  const QRect place = legend.geometry();
+  LowCard card(legend.parentWidget());
+  card.appear();
+  EXPECT_FALSE(legend.geometry().intersects(card.geometry()));
+  card.hide();
+  EXPECT_EQ(legend.geometry(), place);
+}
+
 TEST_F(RoadmapInTheView, GoesWithItsSwitchAndWithTheScene) {
   open(cell().post());
   plan();
