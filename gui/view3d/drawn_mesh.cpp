@@ -1,7 +1,7 @@
 #include "view3d/drawn_mesh.h"
 
 #include "handway/geometric/math/units.h"
-#include "view3d/mesh_coarsener.h"
+#include "view3d/coarse_mesh.h"
 #include "view3d/welded_mesh.h"
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace {
 constexpr double kCreaseAngle = geometric::radians(35.0);
 constexpr double kCoarseCreaseAngle = geometric::radians(50.0);  // round parts have less facets
 constexpr std::array kErrors{0.0005, 0.0015, 0.005, 0.015};      // of the mesh's size
-constexpr double kMostPixels = 0.7;
+constexpr double kMostPixels = 1.0;
 constexpr std::size_t kFewTriangles = 200;
 constexpr std::size_t kManyTriangles = 400'000;  // would take seconds
 constexpr double kEnoughLess = 0.7;              // of the triangles of the mesh before
@@ -35,11 +35,9 @@ DrawnMesh prepare_to_draw(const geometric::TriangleMesh& mesh) {
     return drawn;
   }
   const Eigen::Vector3d size = bounding_box(whole).size();
-  MeshCoarsener coarsener(whole);
   for (const double share : kErrors) {
     const double error = share * size.norm();
-    coarsener.coarsen(error);
-    const auto [coarse, origins] = coarsener.mesh();
+    const auto [coarse, origins] = coarsened(whole, error);
     const double scale = kMostPixels / error;  // px/m
     if (static_cast<double>(coarse.triangles.size()) <
         kEnoughLess * static_cast<double>(triangles)) {
