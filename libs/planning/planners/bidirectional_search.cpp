@@ -76,7 +76,7 @@ std::optional<int> BidirectionalSearch::step_towards(int from, const Eigen::Vect
   const double length = (end - begin).norm();
   const Eigen::VectorXd x = begin + std::min(1.0, range / std::max(length, 1e-12)) * (end - begin);
   const std::optional<Configuration> q = space_->configuration(x, trees_.configuration(from));
-  if (!q || context().collision(*q) ||
+  if (!q || !sample_free(*q) ||
       !passable(trees_.configuration(from), *q, std::min(range, length))) {
     return std::nullopt;
   }
@@ -89,7 +89,7 @@ std::optional<int> BidirectionalSearch::step_towards(int from, const Eigen::Vect
 
 bool BidirectionalSearch::passable(const Configuration& from, const Configuration& to,
                                    double length) {
-  return lazy_ ? context().edge_plausible(from, to, static_cast<int>(length / kProbeSpacing))
+  return lazy_ ? edge_plausible(from, to, static_cast<int>(length / kProbeSpacing))
                : context().edge_free(from, to);
 }
 

@@ -66,7 +66,7 @@ void LazySearch::draw_node() {
   const PlanningProblem& problem = context().problem();
   const std::optional<Configuration> q =
       space_->configuration(target.coordinates, end == 0 ? problem.start : problem.goal);
-  if (!q || context().collision(*q)) {
+  if (!q || !sample_free(*q)) {
     ++failures_;
     return;
   }
@@ -90,7 +90,7 @@ bool LazySearch::is_free(const std::vector<int>& way) {
       const Configuration& from = roadmap_.configuration(a);
       const Configuration& to = roadmap_.configuration(b);
       const int probes = static_cast<int>(roadmap_.distance(a, b) / kProbeSpacing);
-      if (!(exactly ? context().edge_free(from, to) : context().edge_plausible(from, to, probes))) {
+      if (!(exactly ? context().edge_free(from, to) : edge_plausible(from, to, probes))) {
         roadmap_.remove_edge(a, b);
         return false;
       }

@@ -1,10 +1,75 @@
 #include "planners/search.h"
 
+#include <algorithm>
+
 namespace handway::planning {
+namespace {
+
+// How far the arm is on its straight motion: 0 at the start, 1 at the goal, and between.
+double share_of_way(const PlanningProblem& problem, const Configuration& q) {
+  const Eigen::VectorXd way = problem.goal(problem.arm) - problem.start(problem.arm);
+  const double length = way.squaredNorm();
+  return length > 0.0
+             ? std::clamp((q(problem.arm) - problem.start(problem.arm)).dot(way) / length, 0.0, 1.0)
+             : 0.0;
+}
+
+}  // namespace
 
 Search::~Search() = default;
 
 std::optional<PlanStatus> Search::advance(const SearchBudget& budget) {
+  const std::optional<PlanStatus> end = spend(budget);
+  tell_refusals();
+  return end;
+}
+
+bool Search::sample_free(const Configuration& q) {
+  const std::optional<int> pair = context_.collision(q);
+  if (pair) {
+    note_refusal(*pair, q);
+  }
+  return !pair;
+}
+
+bool Search::edge_plausible(const Configuration& from, const Configuration& to, int count) {
+  const std::optional<int> pair = context_.edge_probe(from, to, count);
+  if (pair) {
+    note_refusal(*pair, 0.5 * (from + to));
+  }
+  return !pair;
+}
+
+void Search::note_refusal(int pair, const Configuration& q) {
+  refusals_.resize(context_.problem().checker->world().pairs().size());
+  ++refusals_[static_cast<std::size_t>(pair)];
+  const double tenth = 10.0 * share_of_way(context_.problem(), q);
+  ++refusals_by_tenth_.at(std::min<std::size_t>(9, static_cast<std::size_t>(tenth)));
+}
+
+// Names are looked up here and not for each refusal.
+void Search::tell_refusals() {
+  if (refusals_.empty()) {
+    return;
+  }
+  const geometric::CollisionWorld& world = context_.problem().checker->world();
+  for (std::size_t pair = 0; pair < refusals_.size(); ++pair) {
+    if (refusals_[pair] > 0) {
+      const geometric::BodyPair& bodies = world.pairs()[pair];
+      statistics().rejections[{world.body(bodies.a).name, world.body(bodies.b).name}] +=
+          refusals_[pair];
+      refusals_[pair] = 0;
+    }
+  }
+  auto& tenths = statistics().rejections_per_tenth;
+  tenths.resize(refusals_by_tenth_.size());
+  for (std::size_t i = 0; i < tenths.size(); ++i) {
+    tenths[i] += refusals_by_tenth_.at(i);
+  }
+  refusals_by_tenth_.fill(0);
+}
+
+std::optional<PlanStatus> Search::spend(const SearchBudget& budget) {
   const PlanStatistics& now = statistics();
   const std::uint64_t checks_before = now.checks();
   const std::uint64_t samples_before = now.samples;

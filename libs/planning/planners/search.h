@@ -3,9 +3,11 @@
 #include "handway/planning/core/planning_context.h"
 #include "handway/planning/paths/path.h"
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <vector>
 
 namespace handway::planning {
 
@@ -36,11 +38,22 @@ class Search {
   [[nodiscard]] PlanningContext& context() const { return context_; }
   [[nodiscard]] PlanStatistics& statistics() const { return context_.statistics(); }
 
+  // As the context's, but what touches goes to the statistics' rejections.
+  [[nodiscard]] bool sample_free(const Configuration& q);
+  [[nodiscard]] bool edge_plausible(const Configuration& from, const Configuration& to, int count);
+
   /// The next sample or so, and what comes of it.
   [[nodiscard]] virtual std::optional<PlanStatus> step() = 0;
 
  private:
+  [[nodiscard]] std::optional<PlanStatus> spend(const SearchBudget& budget);
+  /// A pair of bodies touches at `q`, or near it.
+  void note_refusal(int pair, const Configuration& q);
+  void tell_refusals();
+
   PlanningContext& context_;
+  std::vector<std::uint64_t> refusals_;                ///< By pair of bodies; not told yet.
+  std::array<std::uint64_t, 10> refusals_by_tenth_{};  ///< Of the arm's straight motion.
 };
 
 }  // namespace handway::planning
