@@ -12,8 +12,10 @@
 
 #include <QComboBox>
 #include <QDir>
+#include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QTableView>
 
 #include <fstream>
 
@@ -223,6 +225,41 @@ TEST_F(Story, SaysWhatIsWrongWithAFileAndKeepsTheScene) {
   EXPECT_THAT(window().message().toStdString(), HasSubstr("broken.yaml:5"));
   EXPECT_EQ(scene().name, "Can on a table");
   picture("broken_file");
+}
+
+TEST_F(Story, PlansWithSeveralSeedsAndPutsARunBack) {
+  open(source_dir() / "scenes" / "cans_on_desk.yaml");
+  window().plan_panel().choose_planner("pmd-auto");
+  window().plan_panel().set_seeds(6);
+  ASSERT_TRUE(plan());
+  picture("seeds_1_best");
+  const auto best = window().session().shown_run();
+  ASSERT_TRUE(best);
+  window().plan_panel().choose_planner("rrt-connect");
+  window().plan_panel().set_seeds(1);
+  ASSERT_TRUE(plan());
+  auto* runs = window().findChild<QTableView*>(QStringLiteral("runs_table"));
+  ASSERT_EQ(runs->model()->rowCount(), 7);
+  for (int row = 0; row < 7; ++row) {
+    if (runs->model()->index(row, 0).data().toInt() == best->number) {
+      runs->selectRow(row);
+    }
+  }
+  window().findChild<QPushButton*>(QStringLiteral("runs_restore"))->click();
+  EXPECT_EQ(window().plan_panel().planner()->name(), "pmd-auto");
+  EXPECT_EQ(window().player().timeline().path().waypoints, best->result.path.waypoints);
+  picture("seeds_2_restored");
+  ASSERT_TRUE(plan());
+  EXPECT_EQ(window().player().timeline().path().waypoints, best->result.path.waypoints);
+}
+
+TEST_F(Story, SaysWhatStoodInTheWay) {
+  open(source_dir() / "scenes" / "t_shape.yaml");
+  window().plan_panel().apply({"pmd-auto", {{"max_samples", "3"}}});
+  ASSERT_FALSE(plan());
+  auto* result = window().findChild<QLabel*>(QStringLiteral("result"));
+  EXPECT_THAT(result->text().toStdString(), HasSubstr("touched"));
+  picture("no_path");
 }
 
 TEST_F(Story, CancelsAHardPlan) {
