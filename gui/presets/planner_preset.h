@@ -22,7 +22,7 @@ struct PlannerPreset {
 
 /// The presets that come with the program for a planner: first the planner's own values. Values of
 /// the paper's planners are those of its Table 3; what the others change is worth its time on the
-/// scenes that ship (docs/planners.md).
+/// scenes that ship (docs/planning.md).
 [[nodiscard]] std::vector<PlannerPreset> built_in_presets(const std::string& planner);
 
 /// Gives `planner` the preset's values, and every other parameter that of `fresh`, a planner of the
