@@ -8,6 +8,7 @@
 #include <QSettings>
 
 #include <fmt/format.h>
+#include <yaml-cpp/yaml.h>
 
 #include <algorithm>
 
@@ -20,17 +21,6 @@ using geometric::YamlElement;
 
 constexpr const char* kVersion = "1";
 
-std::string quoted(const std::string& text) {
-  std::string result = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') {
-      result += '\\';
-    }
-    result += c;
-  }
-  return result + '"';
-}
-
 PlannerPreset read_preset(const YamlElement& item) {
   item.allow_keys({"planner", "name", "parameters"});
   PlannerPreset preset;
@@ -41,6 +31,19 @@ PlannerPreset read_preset(const YamlElement& item) {
     }
   }
   return preset;
+}
+
+void write_preset(YAML::Emitter& out, const std::string& planner, const PlannerPreset& preset) {
+  out << YAML::BeginMap << YAML::Key << "planner" << YAML::Value << planner << YAML::Key << "name"
+      << YAML::Value << YAML::DoubleQuoted << preset.name.toStdString();
+  if (!preset.settings.empty()) {
+    out << YAML::Key << "parameters" << YAML::Value << YAML::BeginMap;
+    for (const auto& [key, value] : preset.settings) {
+      out << YAML::Key << key << YAML::Value << YAML::DoubleQuoted << value;
+    }
+    out << YAML::EndMap;
+  }
+  out << YAML::EndMap;
 }
 
 // A name for the file that can't be read, unlike all others.
@@ -128,20 +131,16 @@ void PresetStore::change(const std::function<void(Entries&)>& edit) {
     }
   }
   edit(entries);
-  std::string text = fmt::format("handway_presets: {}\npresets:\n", kVersion);
+  YAML::Emitter out;
+  out << YAML::BeginMap << YAML::Key << "handway_presets" << YAML::Value << kVersion << YAML::Key
+      << "presets" << YAML::Value << YAML::BeginSeq;
   for (const Entry& entry : entries) {
-    text += fmt::format("  - planner: {}\n    name: {}\n", quoted(entry.planner),
-                        quoted(entry.preset.name.toStdString()));
-    if (!entry.preset.settings.empty()) {
-      text += "    parameters:\n";
-    }
-    for (const auto& [key, value] : entry.preset.settings) {
-      text += fmt::format("      {}: {}\n", quoted(key), quoted(value));
-    }
+    write_preset(out, entry.planner, entry.preset);
   }
+  out << YAML::EndSeq << YAML::EndMap;
   std::error_code told_when_writing;
   fs::create_directories(file().parent_path(), told_when_writing);
-  geometric::replace_file(file(), text);
+  geometric::replace_file(file(), std::string(out.c_str()) + '\n');
   entries_ = std::move(entries);
   fault_.clear();
   emit changed();
