@@ -36,7 +36,9 @@ if(CCACHE_PROGRAM)
   set(CMAKE_CXX_COMPILER_LAUNCHER "${CCACHE_PROGRAM}")
 endif()
 
+set(HANDWAY_TEST_TIMEOUT 300)  # s
 if(HANDWAY_SANITIZE)
+  set(HANDWAY_TEST_TIMEOUT 900)
   add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=undefined
                       -fno-omit-frame-pointer)
   add_link_options(-fsanitize=address,undefined)

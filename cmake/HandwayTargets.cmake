@@ -4,6 +4,10 @@ include(GenerateExportHeader)
 function(_handway_warnings target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor
                                            -Woverloaded-virtual -Werror)
+  # Warns of types of a nameless namespace in headers, and takes a unity build's sources for such.
+  if(CMAKE_UNITY_BUILD)
+    target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
+  endif()
 endfunction()
 
 # handway_library(NAME SOURCES … [PUBLIC …] [PRIVATE …])
@@ -81,5 +85,5 @@ function(handway_test name)
   gtest_discover_tests(
     ${name}
     DISCOVERY_MODE PRE_TEST
-    PROPERTIES TIMEOUT 300 ENVIRONMENT "XDG_CACHE_HOME=${CMAKE_BINARY_DIR}/cache")
+    PROPERTIES TIMEOUT ${HANDWAY_TEST_TIMEOUT} ENVIRONMENT "XDG_CACHE_HOME=${CMAKE_BINARY_DIR}/cache")
 endfunction()

@@ -16,7 +16,7 @@ using planning::Parameter;
 using planning::PlannerRegistry;
 
 /// As the command line writes it: true, 3, 0.01, joint.
-std::string text_of(const py::object& value) {
+std::string setting_text(const py::object& value) {
   if (py::isinstance<py::bool_>(value)) {
     return value.cast<bool>() ? "true" : "false";
   }
@@ -53,7 +53,7 @@ py::object PlannerModel::get(const std::string& key) const {
 
 void PlannerModel::set(const std::string& key, const py::object& value) {
   need_idle();
-  set_from_text(find_parameter(parameters(), key), text_of(value));
+  set_from_text(find_parameter(parameters(), key), setting_text(value));
 }
 
 PlanOutcome PlannerModel::plan(const planning::PlanningProblem& problem,

@@ -78,6 +78,7 @@ CalibrationFit fit(const CalibrateOptions& options) {
   if (!options.poses.empty()) {
     const std::vector<PoseInstruction> known = instructions(options);
     std::vector<device::GuidedPose> poses;
+    poses.reserve(options.poses.size());
     for (const std::string& pose : options.poses) {
       poses.push_back(recorded_pose(pose, known));
     }

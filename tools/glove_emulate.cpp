@@ -61,7 +61,7 @@ device::GloveSignal signal_of(const EmulateOptions& options) {
   return recorded_signal(device::read_recording(options.from), options.seed, faults, calibration);
 }
 
-int emulate(const EmulateOptions& options) {
+int emulate_glove(const EmulateOptions& options) {
   device::CyberGloveUnitSettings settings;
   settings.sensors = options.sensors;
   settings.right_hand = !options.left;
@@ -108,7 +108,7 @@ void add_glove_emulate(CLI::App& glove, int& exit_code) {
   add_serve_options(*command, options->serve);
   add_signal_options(*command, *options);
   add_fault_options(*command, *options);
-  command->callback([options, &exit_code] { exit_code = emulate(*options); });
+  command->callback([options, &exit_code] { exit_code = emulate_glove(*options); });
 }
 
 }  // namespace handway::tools

@@ -140,6 +140,7 @@ std::string heat_map_svg(const ParameterGrid& grid, std::span<const CampaignCell
   const std::size_t columns = grid.x_values.size();
   const std::size_t rows = grid.y_values.size();
   std::vector<double> times;
+  times.reserve(grid.planners.size());
   for (const std::size_t planner : grid.planners) {
     times.push_back(median_time(cells[planner]));
   }

@@ -28,6 +28,7 @@ double quantile(std::vector<double> values, double p) {
 template <typename Value>
 double median_of(const PlanBench& bench, const Value& value) {
   std::vector<double> values;
+  values.reserve(bench.results.size());
   for (const PlanResult& result : bench.results) {
     values.push_back(static_cast<double>(value(result.statistics)));
   }
@@ -79,6 +80,7 @@ int faulty_count(const PlanBench& bench) {
 
 double time_quantile(const PlanBench& bench, double p) {
   std::vector<double> times;
+  times.reserve(bench.results.size());
   for (const PlanResult& result : bench.results) {
     times.push_back(result.solved() ? result.time_s : std::numeric_limits<double>::infinity());
   }

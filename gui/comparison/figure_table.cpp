@@ -17,7 +17,7 @@ namespace {
 enum class Better { kLess, kMore, kNeither };
 enum Column { kName, kLeft, kRight, kDifference, kColumns };
 
-constexpr int kRowHeight = 24;
+constexpr int kFigureRowHeight = 24;
 constexpr double kNoDifference = 1e-9;
 
 struct Figure {
@@ -137,7 +137,7 @@ FigureTable::FigureTable(QWidget* parent) : QTableWidget(parent) {
     horizontalHeaderItem(column)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
   }
   verticalHeader()->hide();
-  verticalHeader()->setDefaultSectionSize(kRowHeight);
+  verticalHeader()->setDefaultSectionSize(kFigureRowHeight);
   horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
   horizontalHeader()->setSectionResizeMode(kName, QHeaderView::ResizeToContents);
   horizontalHeader()->setSectionsClickable(false);
@@ -188,7 +188,7 @@ void FigureTable::fill() {
       setItem(row, column, item);
     }
   }
-  setFixedHeight(horizontalHeader()->sizeHint().height() + rowCount() * kRowHeight +
+  setFixedHeight(horizontalHeader()->sizeHint().height() + rowCount() * kFigureRowHeight +
                  2 * frameWidth());
 }
 

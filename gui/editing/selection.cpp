@@ -9,7 +9,7 @@ namespace {
 using Kind = SceneItem::Kind;
 using Names = std::vector<std::string>;
 
-bool contains(const Names& names, const std::string& name) {
+bool holds(const Names& names, const std::string& name) {
   return std::ranges::find(names, name) != names.end();
 }
 
@@ -42,7 +42,7 @@ Selection selection_of(const SceneItem& item) {
 Selection selection_of(std::vector<std::string> objects) {
   Names once;
   for (std::string& name : objects) {
-    if (!contains(once, name)) {
+    if (!holds(once, name)) {
       once.push_back(std::move(name));
     }
   }
@@ -74,8 +74,8 @@ Selection toggled(const SceneState& state, const Selection& now, const SceneItem
   const Names group = with_group(state, item.name);
   Names objects = now.objects;
   const bool all_in =
-      std::ranges::all_of(group, [&](const std::string& name) { return contains(objects, name); });
-  std::erase_if(objects, [&](const std::string& name) { return contains(group, name); });
+      std::ranges::all_of(group, [&](const std::string& name) { return holds(objects, name); });
+  std::erase_if(objects, [&](const std::string& name) { return holds(group, name); });
   if (!all_in) {
     objects.insert(objects.end(), group.begin(), group.end());
   }
@@ -95,13 +95,13 @@ std::vector<std::vector<std::string>> rigid_parts(const geometric::Scene& scene,
   std::vector<Names> parts;
   Names done;
   for (const std::string& name : objects) {
-    if (contains(done, name)) {
+    if (holds(done, name)) {
       continue;
     }
     const geometric::SceneObject* object = geometric::find_object(scene, name);
     const Names group = object ? group_members(scene, object->group) : Names{};
     const bool whole = !group.empty() && std::ranges::all_of(group, [&](const std::string& member) {
-      return contains(objects, member);
+      return holds(objects, member);
     });
     parts.push_back(whole ? group : Names{name});
     done.insert(done.end(), parts.back().begin(), parts.back().end());

@@ -15,7 +15,7 @@ namespace handway::gui {
 namespace {
 
 constexpr int kColumns = 3;
-constexpr QSize kCell{300, 190};
+constexpr QSize kFrame{300, 190};
 constexpr double kTitleSize = 9.0;
 constexpr double kMilli = 1e3;
 constexpr QRgb kBlue = 0x0072b2;
@@ -46,7 +46,7 @@ void write_motion_figure(const std::vector<execution::RecordedDevice>& devices,
   const int rows = (static_cast<int>(plots.size()) + kColumns - 1) / kColumns;
   write_figure(
       path, QStringLiteral("Measured minus planned"),
-      {kCell.width() * kColumns, kCell.height() * rows},
+      {kFrame.width() * kColumns, kFrame.height() * rows},
       [&](QPainter& painter, const QSize& size) { draw_plots(painter, size, plots, kColumns); });
 }
 

@@ -10,7 +10,7 @@ namespace handway::gui {
 namespace {
 
 constexpr int kRowHeight = 21;
-constexpr int kMargin = 12;
+constexpr int kSideMargin = 12;
 constexpr int kNameWidth = 118;
 constexpr int kPercentWidth = 44;
 constexpr int kBarHeight = 9;
@@ -53,13 +53,13 @@ void CoverageBars::paintEvent(QPaintEvent*) {
   QFont font = painter.font();
   font.setPixelSize(12);
   painter.setFont(font);
-  const int bar_x = kMargin + kNameWidth;
-  const int bar_width = width() - bar_x - kPercentWidth - kMargin;
+  const int bar_x = kSideMargin + kNameWidth;
+  const int bar_width = width() - bar_x - kPercentWidth - kSideMargin;
   for (std::size_t j = 0; j < joints_.size(); ++j) {
     const JointVisits& visits = joints_[j];
     const int top = static_cast<int>(j) * kRowHeight;
     painter.setPen(visits.driven ? colors.text : colors.muted);
-    painter.drawText(QRect(kMargin, top, kNameWidth, kRowHeight), Qt::AlignVCenter,
+    painter.drawText(QRect(kSideMargin, top, kNameWidth, kRowHeight), Qt::AlignVCenter,
                      joint_label(visits.joint));
     const QRectF bar(bar_x, top + (kRowHeight - kBarHeight) / 2.0, bar_width, kBarHeight);
     painter.fillRect(bar, faded(colors.border, visits.driven ? 0.7 : 0.35));
@@ -80,7 +80,7 @@ void CoverageBars::paintEvent(QPaintEvent*) {
       const double x = bar.left() + visits.now * (bar.width() - 2.0);
       painter.fillRect(QRectF(x, bar.top() - 3.0, 2.0, bar.height() + 6.0), colors.text);
     }
-    const QRect percent(width() - kMargin - kPercentWidth, top, kPercentWidth, kRowHeight);
+    const QRect percent(width() - kSideMargin - kPercentWidth, top, kPercentWidth, kRowHeight);
     painter.setPen(colors.muted);
     painter.drawText(percent, Qt::AlignVCenter | Qt::AlignRight,
                      visits.driven

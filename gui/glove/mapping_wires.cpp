@@ -16,8 +16,8 @@ namespace {
 
 constexpr int kRow = 16;
 constexpr int kColumn = 116;  // px, of both columns
-constexpr int kMargin = 12;
-constexpr double kDot = 3.2;
+constexpr int kWireMargin = 12;
+constexpr double kHandleRadius = 3.2;
 constexpr double kMostCounts = 255.0;
 
 QString label_of(int sensor) {
@@ -64,13 +64,13 @@ void MappingWires::show_sample(const GloveSample& sample, const device::HandMapp
 QSize MappingWires::sizeHint() const { return {300, device::kGloveSensors * kRow + 4}; }
 
 QPointF MappingWires::sensor_handle(int sensor) const {
-  return {kMargin + kColumn + 6.0, (sensor + 0.5) * kRow};
+  return {kWireMargin + kColumn + 6.0, (sensor + 0.5) * kRow};
 }
 
 QPointF MappingWires::joint_handle(int joint) const {
   const double count = std::max(1.0, static_cast<double>(mapping_.wires.size()));
   const double step = device::kGloveSensors * kRow / count;
-  return {width() - kMargin - kColumn - 6.0, (joint + 0.5) * step};
+  return {width() - kWireMargin - kColumn - 6.0, (joint + 0.5) * step};
 }
 
 std::optional<int> MappingWires::sensor_at(const QPointF& position) const {
@@ -131,7 +131,7 @@ void MappingWires::paint_sensors(QPainter& painter) const {
   const ThemeColors colors = colors_of(current_theme());
   for (int sensor = 0; sensor < device::kGloveSensors; ++sensor) {
     const bool used = std::ranges::count(mapping_.wires, sensor, &device::JointWire::sensor) > 0;
-    const QRectF cell(kMargin, sensor * kRow, kColumn, kRow);
+    const QRectF cell(kWireMargin, sensor * kRow, kColumn, kRow);
     if (input_) {
       const double share = input_->counts.at(static_cast<std::size_t>(sensor)) / kMostCounts;
       painter.fillRect(QRectF(cell.left(), cell.top() + 2, cell.width() * share, kRow - 4),
@@ -141,7 +141,7 @@ void MappingWires::paint_sensors(QPainter& painter) const {
     painter.drawText(cell.adjusted(3, 0, 0, 0), Qt::AlignVCenter, label_of(sensor));
     painter.setPen(Qt::NoPen);
     painter.setBrush(used ? colors.accent : colors.border);
-    painter.drawEllipse(sensor_handle(sensor), kDot, kDot);
+    painter.drawEllipse(sensor_handle(sensor), kHandleRadius, kHandleRadius);
   }
 }
 
@@ -165,7 +165,7 @@ void MappingWires::paint_joints(QPainter& painter) const {
     painter.drawText(cell.adjusted(5, 0, 0, 0), Qt::AlignVCenter, joint_label(wire.joint));
     painter.setPen(Qt::NoPen);
     painter.setBrush(driven ? colors.accent : colors.border);
-    painter.drawEllipse(handle, kDot, kDot);
+    painter.drawEllipse(handle, kHandleRadius, kHandleRadius);
   }
 }
 

@@ -18,7 +18,7 @@ using Verdict = SensorWatch::Verdict;
 
 constexpr int kRowHeight = 19;
 constexpr int kGap = 7;  // between fingers
-constexpr int kMargin = 12;
+constexpr int kBarMargin = 12;
 constexpr int kLetterWidth = 16;
 constexpr int kNameWidth = 106;
 constexpr int kCountsWidth = 30;
@@ -135,15 +135,15 @@ void SensorBars::paint_row(QPainter& painter, int sensor) const {
   font.setPixelSize(12);
   painter.setFont(font);
   painter.setPen(faded(colors.muted, 0.9));
-  painter.drawText(cell(kMargin, kLetterWidth), Qt::AlignVCenter,
+  painter.drawText(cell(kBarMargin, kLetterWidth), Qt::AlignVCenter,
                    QString(QLatin1Char(about.letter)));
   painter.setPen(used ? colors.text : colors.muted);
-  painter.drawText(cell(kMargin + kLetterWidth, kNameWidth), Qt::AlignVCenter,
+  painter.drawText(cell(kBarMargin + kLetterWidth, kNameWidth), Qt::AlignVCenter,
                    text_of(about.label));
 
-  const int degrees_x = width() - kMargin - kDegreesWidth;
+  const int degrees_x = width() - kBarMargin - kDegreesWidth;
   const int counts_x = degrees_x - kCountsWidth;
-  const int bar_x = kMargin + kLetterWidth + kNameWidth + 4;
+  const int bar_x = kBarMargin + kLetterWidth + kNameWidth + 4;
   const QRectF bar(bar_x, top + (kRowHeight - kBarHeight) / 2.0, counts_x - bar_x - 4, kBarHeight);
   painter.setPen(Qt::NoPen);
   painter.setBrush(faded(colors.border, present ? 0.75 : 0.45));

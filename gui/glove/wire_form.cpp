@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kShownDigits = 6;
 
-QString text_of(double value) { return QString::number(value, 'g', kShownDigits); }
+QString shown_number(double value) { return QString::number(value, 'g', kShownDigits); }
 
 QLineEdit* field(const char* name) {
   auto* edit = new QLineEdit;
@@ -75,8 +75,8 @@ std::optional<std::vector<device::CurvePoint>> parse_curve(const QString& text) 
 QString curve_text(const std::vector<device::CurvePoint>& curve) {
   QStringList pairs;
   for (const device::CurvePoint& point : curve) {
-    pairs << QStringLiteral("%1:%2").arg(text_of(point.angle / geometric::kDegree),
-                                         text_of(point.joint / geometric::kDegree));
+    pairs << QStringLiteral("%1:%2").arg(shown_number(point.angle / geometric::kDegree),
+                                         shown_number(point.joint / geometric::kDegree));
   }
   return pairs.join(QStringLiteral(", "));
 }
@@ -135,10 +135,10 @@ void WireForm::set_wire(const device::JointWire& wire) {
   const QSignalBlocker quiet(sensor_);
   joint_->setText(QStringLiteral("<b>%1</b>").arg(joint_label(wire.joint)));
   sensor_->setCurrentIndex(sensor_->findData(wire.sensor));
-  gain_->setText(text_of(wire.gain));
-  offset_->setText(text_of(wire.offset / geometric::kDegree));
+  gain_->setText(shown_number(wire.gain));
+  offset_->setText(shown_number(wire.offset / geometric::kDegree));
   curve_->setText(curve_text(wire.curve));
-  fixed_->setText(wire.fixed ? text_of(*wire.fixed / geometric::kDegree) : QString());
+  fixed_->setText(wire.fixed ? shown_number(*wire.fixed / geometric::kDegree) : QString());
   for (QLineEdit* edit : {gain_, offset_, curve_, fixed_}) {
     mark(*edit, true);
   }

@@ -15,10 +15,10 @@ namespace {
 
 constexpr double kMark = 0.28;  // opacity
 constexpr double kCallMark = 0.12;
-constexpr int kMargin = 3;  // lines seen above and below the marked one
+constexpr int kLinesAround = 3;  // lines seen above and below the marked one
 
 // Indented by half as much as the listings are, so that more of the lines is seen.
-QString text_of(const AlgorithmListing& listing) {
+QString listing_text(const AlgorithmListing& listing) {
   QString text;
   int number = 0;
   for (const std::string_view line : listing.lines) {
@@ -54,7 +54,7 @@ ListingView::ListingView(QWidget* parent)
 void ListingView::show_line(int algorithm, int line, bool calls) {
   if (algorithm != algorithm_) {
     const AlgorithmListing& listing = algorithm_listing(algorithm);
-    text_->setPlainText(text_of(listing));
+    text_->setPlainText(listing_text(listing));
   }
   algorithm_ = algorithm;
   show_title();
@@ -100,7 +100,7 @@ void ListingView::mark() {
   text_->setExtraSelections({marked});
   const int last = text_->document()->blockCount() - 1;
   for (const int line :
-       {qMin(line_ - 1 + kMargin, last), qMax(line_ - 1 - kMargin, 0), line_ - 1}) {
+       {qMin(line_ - 1 + kLinesAround, last), qMax(line_ - 1 - kLinesAround, 0), line_ - 1}) {
     text_->setTextCursor(QTextCursor(text_->document()->findBlockByNumber(line)));
     text_->ensureCursorVisible();
   }

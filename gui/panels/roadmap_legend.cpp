@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kMargin = 12;
 
-QString row(const QString& name, int count, const geometric::Color& color) {
+QString legend_row(const QString& name, int count, const geometric::Color& color) {
   return QStringLiteral(
              "<tr><td style='color:%1'>&#9679;</td><td style='padding-left:6px'>%2</td>"
              "<td align='right' style='padding-left:18px'>%3</td></tr>")
@@ -92,8 +92,8 @@ void RoadmapLegend::show_roadmap(const SharedRoadmap& roadmap, const Search& sea
   QString rows;
   for (int count = 0; count <= most; ++count) {
     if (counts[static_cast<std::size_t>(count)] > 0) {
-      rows += row(count > 0 ? QString::number(count) : tr("none"),
-                  counts[static_cast<std::size_t>(count)], pmd_color(count, most));
+      rows += legend_row(count > 0 ? QString::number(count) : tr("none"),
+                         counts[static_cast<std::size_t>(count)], pmd_color(count, most));
     }
   }
   counts_->setText(QStringLiteral("<table cellspacing='0'>%1</table>").arg(rows));

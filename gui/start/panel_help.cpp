@@ -14,7 +14,7 @@
 namespace handway::gui {
 namespace {
 
-constexpr int kWidth = 360;
+constexpr int kHelpWidth = 360;
 
 struct Help {
   const char* panel;
@@ -146,12 +146,13 @@ void show_panel_help(QMainWindow& window) {
   card->setProperty("role", "help");
   auto* text = new QLabel(QCoreApplication::translate("Help", help->text));
   text->setWordWrap(true);
-  text->setFixedWidth(kWidth);
+  text->setFixedWidth(kHelpWidth);
   auto* layout = new QVBoxLayout(card);
   layout->setContentsMargins(16, 12, 16, 12);
   layout->addWidget(text);
   card->adjustSize();
-  const QPoint corner = window.mapToGlobal(QPoint(window.width() - kWidth - 60, window.height()));
+  const QPoint corner =
+      window.mapToGlobal(QPoint(window.width() - kHelpWidth - 60, window.height()));
   const QPoint place = QCursor::pos() + QPoint(12, 12);
   card->move(std::min(place.x(), corner.x()),
              std::min(place.y(), corner.y() - card->height() - 20));

@@ -33,7 +33,7 @@ constexpr float kLineWidth = 2.6F;
 constexpr float kHotLineWidth = 4.2F;
 constexpr double kTipLength = 0.17;
 constexpr double kTipRadius = 0.048;
-constexpr int kRingParts = 96;
+constexpr int kRingSegments = 96;
 
 SoSeparator* plain_separator() {
   auto* separator = new SoSeparator;
@@ -76,8 +76,8 @@ void add_arrow(SoGroup& group, int axis) {
 
 void add_ring(SoGroup& group, int axis) {
   std::vector<Vector3d> points;
-  for (int i = 0; i <= kRingParts; ++i) {
-    const double angle = 2.0 * std::numbers::pi * i / kRingParts;
+  for (int i = 0; i <= kRingSegments; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / kRingSegments;
     points.emplace_back(GizmoFrame::kRingRadius *
                         (std::cos(angle) * Vector3d::Unit((axis + 1) % 3) +
                          std::sin(angle) * Vector3d::Unit((axis + 2) % 3)));

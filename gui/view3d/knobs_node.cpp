@@ -14,7 +14,7 @@ namespace {
 
 const SbColor kRim(0.20F, 0.22F, 0.26F);
 const SbColor kPlain(1.0F, 1.0F, 1.0F);
-const SbColor kHot(1.0F, 0.74F, 0.10F);
+const SbColor kHotKnob(1.0F, 0.74F, 0.10F);
 constexpr float kRimSize = 11.0F;  // pixels
 constexpr float kSize = 8.0F;
 
@@ -44,7 +44,7 @@ CoinRef<SoSeparator> make_knobs_node(std::span<const Eigen::Vector3d> points,
   for (std::size_t i = 0; i < points.size(); ++i) {
     const bool is_hot = hot == static_cast<int>(i);
     add_square(*root.get(), points[i], kRim, kRimSize + (is_hot ? 2.0F : 0.0F));
-    add_square(*root.get(), points[i], is_hot ? kHot : kPlain, kSize + (is_hot ? 2.0F : 0.0F));
+    add_square(*root.get(), points[i], is_hot ? kHotKnob : kPlain, kSize + (is_hot ? 2.0F : 0.0F));
   }
   return root;
 }

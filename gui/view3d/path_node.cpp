@@ -41,6 +41,7 @@ SoSeparator* make_line(std::span<const Eigen::Vector3d> points, float width) {
   add_unlit_style(*separator, width);
   SoVertexProperty* properties = make_vertices(points);
   std::vector<std::uint32_t> colors;
+  colors.reserve(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     colors.push_back(packed_rgba(color_along(i, points.size())));
   }

@@ -13,7 +13,7 @@ namespace {
 
 using test::planar_configuration;
 
-double length(const PlanningProblem& problem, const Path& path) {
+double path_length(const PlanningProblem& problem, const Path& path) {
   double sum = 0.0;
   for (std::size_t i = 0; i + 1 < path.waypoints.size(); ++i) {
     sum += normalised_distance(problem.model(), path.waypoints[i], path.waypoints[i + 1]);
@@ -58,7 +58,7 @@ TEST_F(Smoothing, ShortensWithoutLeavingWhatIsFree) {
   PlanningContext context(problem_, request_, {}, observer_);
   const Path path = wandering(context, problem_, 12);
   const Path smooth = smooth_by_roadmap(context, path);
-  EXPECT_LT(length(problem_, smooth), 0.8 * length(problem_, path));
+  EXPECT_LT(path_length(problem_, smooth), 0.8 * path_length(problem_, path));
   EXPECT_LT(smooth.waypoints.size(), path.waypoints.size());
   EXPECT_EQ(smooth.waypoints.front(), problem_.start);
   EXPECT_EQ(smooth.waypoints.back(), problem_.goal);
@@ -73,8 +73,8 @@ TEST_F(Smoothing, KeepsAStraightLine) {
   const Path straight{{problem.start, problem.goal}};
   EXPECT_EQ(smooth_by_roadmap(context, straight).waypoints, straight.waypoints);
   const Path with_middle{{problem.start, 0.5 * (problem.start + problem.goal), problem.goal}};
-  EXPECT_NEAR(length(problem, smooth_by_roadmap(context, with_middle)), length(problem, straight),
-              1e-12);
+  EXPECT_NEAR(path_length(problem, smooth_by_roadmap(context, with_middle)),
+              path_length(problem, straight), 1e-12);
 }
 
 TEST_F(Smoothing, KeepsAPathWhenStoppedAtOnce) {
@@ -106,9 +106,10 @@ TEST_F(Shortcuts, ShortenMoreThanTheRoadmapAndKeepTheHandHumanLike) {
   PlanningContext context(problem_, request_, {}, observer_);
   const Path path = wandering(context, problem_, 12);
   const Path smoothed = smooth(context, path, 5000);
-  EXPECT_LT(length(problem_, smoothed), length(problem_, smooth_by_roadmap(context, path)));
+  EXPECT_LT(path_length(problem_, smoothed),
+            path_length(problem_, smooth_by_roadmap(context, path)));
   EXPECT_LE(measured(smoothed).outside, measured(path).outside);
-  EXPECT_NEAR(measured(smoothed).length, length(problem_, smoothed), 1e-12);
+  EXPECT_NEAR(measured(smoothed).length, path_length(problem_, smoothed), 1e-12);
   EXPECT_EQ(smoothed.waypoints.front(), problem_.start);
   EXPECT_EQ(smoothed.waypoints.back(), problem_.goal);
   for (std::size_t i = 0; i + 1 < smoothed.waypoints.size(); ++i) {
@@ -123,7 +124,7 @@ TEST_F(Shortcuts, NeverLengthenAndSpendWhatTheyMay) {
     const std::uint64_t before = context.statistics().checks();
     const Path smoothed = smooth(context, path, checks);
     EXPECT_LE(context.statistics().checks() - before, checks + 1);
-    EXPECT_LE(length(problem_, smoothed), length(problem_, path)) << checks;
+    EXPECT_LE(path_length(problem_, smoothed), path_length(problem_, path)) << checks;
     if (checks == 0) {
       EXPECT_EQ(smoothed.waypoints, path.waypoints);
     }

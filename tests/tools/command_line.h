@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace handway::test {
 
@@ -34,5 +35,7 @@ class CommandLine {
  private:
   ScratchFolder folder_;
 };
+
+[[nodiscard]] std::vector<std::string> lines_of(const std::string& text);
 
 }  // namespace handway::test

@@ -9,7 +9,6 @@
 
 #include <csignal>
 #include <filesystem>
-#include <sstream>
 #include <thread>
 
 namespace handway::test {
@@ -19,15 +18,6 @@ namespace fs = std::filesystem;
 using std::chrono::milliseconds;
 using testing::HasSubstr;
 using testing::StartsWith;
-
-std::vector<std::string> lines_of(const std::string& text) {
-  std::istringstream in(text);
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(in, line);) {
-    lines.push_back(line);
-  }
-  return lines;
-}
 
 std::string port_of(const std::string& address) { return address.substr(address.find(':') + 1); }
 

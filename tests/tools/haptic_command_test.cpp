@@ -71,12 +71,12 @@ TEST_F(Haptic, RefusesWhatMakesNoSense) {
   EXPECT_EQ(guide("haptic://localhost:1", "--max-force nan").exit_code, 2);
 }
 
-struct FaultCase {
+struct HapticFaultCase {
   const char* fault;
   const char* message;
 };
 
-class FaultyHapticCommand : public Haptic, public testing::WithParamInterface<FaultCase> {};
+class FaultyHapticCommand : public Haptic, public testing::WithParamInterface<HapticFaultCase> {};
 
 TEST_P(FaultyHapticCommand, EndsWithoutForceAndKeepsTheLog) {
   const std::string device = emulate({"--fault", GetParam().fault, "--fault-after", "0.4"});
@@ -88,10 +88,10 @@ TEST_P(FaultyHapticCommand, EndsWithoutForceAndKeepsTheLog) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Faults, FaultyHapticCommand,
-                         testing::Values(FaultCase{"late", "no position"},
-                                         FaultCase{"lost", "connection broke"},
-                                         FaultCase{"refused", "too warm"},
-                                         FaultCase{"estop", "emergency stop"}),
+                         testing::Values(HapticFaultCase{"late", "no position"},
+                                         HapticFaultCase{"lost", "connection broke"},
+                                         HapticFaultCase{"refused", "too warm"},
+                                         HapticFaultCase{"estop", "emergency stop"}),
                          [](const auto& test) { return std::string(test.param.fault); });
 
 }  // namespace

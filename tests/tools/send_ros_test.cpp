@@ -77,12 +77,12 @@ TEST_F(SendToRos, RefusesTwoDevicesForAJointAndWrongAddresses) {
   EXPECT_THAT(refusal("ros://localhost:1"), HasSubstr("ros://localhost:1"));
 }
 
-struct FaultCase {
+struct RosFaultCase {
   const char* fault;
   const char* message;
 };
 
-class SendToFaultyRos : public SendToRos, public testing::WithParamInterface<FaultCase> {};
+class SendToFaultyRos : public SendToRos, public testing::WithParamInterface<RosFaultCase> {};
 
 TEST_P(SendToFaultyRos, StopsAndKeepsTheLog) {
   emulate({"--fault", GetParam().fault, "--fault-after", "0.5"});
@@ -96,12 +96,12 @@ TEST_P(SendToFaultyRos, StopsAndKeepsTheLog) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Faults, SendToFaultyRos,
-                         testing::Values(FaultCase{"late", "no joint positions"},
-                                         FaultCase{"lost", "connection broke"},
-                                         FaultCase{"refused", "the controller is not running"},
-                                         FaultCase{"estop", "emergency stop"},
-                                         FaultCase{"joint-limit", "error 2"},
-                                         FaultCase{"slow", "does not follow"}),
+                         testing::Values(RosFaultCase{"late", "no joint positions"},
+                                         RosFaultCase{"lost", "connection broke"},
+                                         RosFaultCase{"refused", "the controller is not running"},
+                                         RosFaultCase{"estop", "emergency stop"},
+                                         RosFaultCase{"joint-limit", "error 2"},
+                                         RosFaultCase{"slow", "does not follow"}),
                          [](const auto& test) {
                            std::string name = test.param.fault;
                            std::ranges::replace(name, '-', '_');

@@ -6,20 +6,10 @@
 #include <gtest/gtest.h>
 
 #include <regex>
-#include <sstream>
 
 namespace handway::test {
 
 std::string scene() { return (source_dir() / "scenes" / "can_on_table.yaml").string(); }
-
-std::vector<std::string> lines_of(const std::string& text) {
-  std::istringstream in(text);
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(in, line);) {
-    lines.push_back(line);
-  }
-  return lines;
-}
 
 double number_after(const std::string& text, const std::string& words) {
   std::smatch found;

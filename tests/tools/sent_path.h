@@ -1,7 +1,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 namespace handway::test {
 
@@ -13,8 +12,6 @@ inline constexpr int kMotionStopped = 5;
 
 /// A path of the scene (CSV), planned once.
 [[nodiscard]] const std::string& planned_path();
-
-[[nodiscard]] std::vector<std::string> lines_of(const std::string& text);
 
 /// The number that follows `words` (a regular expression) in `text`; 1e9 if there is none.
 [[nodiscard]] double number_after(const std::string& text, const std::string& words);

@@ -7,21 +7,11 @@
 #include <nlohmann/json.hpp>
 
 #include <csignal>
-#include <sstream>
 
 namespace handway::test {
 namespace {
 
 using testing::HasSubstr;
-
-std::vector<std::string> lines_of(const std::string& text) {
-  std::istringstream in(text);
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(in, line);) {
-    lines.push_back(line);
-  }
-  return lines;
-}
 
 struct Case {
   const char* name;

@@ -18,7 +18,7 @@ namespace {
 using Clock = MotionLink::Clock;
 using std::chrono::milliseconds;
 
-constexpr int kStatePortOffset = 2;
+constexpr int kStatePortAfterMotion = 2;
 constexpr milliseconds kLongestReply{500};
 // A full queue has room again when the arm has come to the next point. One that still has none
 // after so many times that long, and this on top, s, is not what the controller refuses for.
@@ -74,7 +74,7 @@ void Val3Arm::do_connect(const std::stop_token& stop) {
   wire_->motion.reset();
   wire_->state.reset();
   wire_->motion = open_tcp_link(name(), {wire_->host, wire_->port}, stop);
-  const auto state = static_cast<std::uint16_t>(wire_->port + kStatePortOffset);
+  const auto state = static_cast<std::uint16_t>(wire_->port + kStatePortAfterMotion);
   wire_->state =
       open_tcp_link(fmt::format("{} (state port {})", name(), state), {wire_->host, state}, stop);
   wire_->replies = {};

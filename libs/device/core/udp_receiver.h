@@ -9,7 +9,7 @@
 #include <span>
 #include <string>
 
-struct sockaddr_in;
+struct sockaddr_in;  // NOLINT(readability-identifier-naming): the name of the system
 
 namespace handway::device {
 

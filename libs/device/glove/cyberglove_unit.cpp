@@ -12,7 +12,7 @@ namespace handway::device {
 
 namespace {
 
-constexpr std::uint8_t kControlC = 0x03;
+constexpr std::uint8_t kInterrupt = 0x03;
 constexpr std::uint8_t kControlR = 0x12;
 constexpr double kRestartTime = 1.75;    // s
 constexpr double kCommandTimeout = 1.0;  // s, after which a half command is forgotten.
@@ -107,10 +107,10 @@ void CyberGloveUnit::take(std::uint8_t byte, double now, Bytes& out) {
   }
   // Some hosts send the two characters "^C" for Ctrl-C.
   const bool spelled = !command_.empty() && command_[0] == '^' && (byte == 'C' || byte == 'R');
-  if (byte == kControlC || (spelled && byte == 'C')) {
+  if (byte == kInterrupt || (spelled && byte == 'C')) {
     streaming_.reset();
     command_.clear();
-    append(out, spelled ? Bytes{'^', 'C', '\r', '\n', 0} : Bytes{kControlC, 0});
+    append(out, spelled ? Bytes{'^', 'C', '\r', '\n', 0} : Bytes{kInterrupt, 0});
     return;
   }
   if (streaming_) {

@@ -78,6 +78,7 @@ HandMapper::HandMapper(const HandMapping& mapping, const RobotModel& hand) {
 
 std::vector<bool> HandMapper::driven() const {
   std::vector<bool> result;
+  result.reserve(wires_.size());
   for (const JointWire& wire : wires_) {
     result.push_back(wire.sensor >= 0);
   }

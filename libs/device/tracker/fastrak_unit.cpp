@@ -11,13 +11,13 @@ namespace handway::device {
 
 namespace {
 
-constexpr int kStations = 4;
+constexpr int kUnitStations = 4;
 constexpr std::string_view kLetters = "PCcFfUuSWT\x0B\x19\r\n";
 
 class FastrakUnit final : public TrackerUnit {
  public:
   FastrakUnit(const TrackerUnitSettings& settings, TrackerSignal signal)
-      : TrackerUnit(settings, std::move(signal), kStations) {
+      : TrackerUnit(settings, std::move(signal), kUnitStations) {
     reset();
   }
 
@@ -69,7 +69,7 @@ class FastrakUnit final : public TrackerUnit {
 
   void set_list(const std::string& command) {
     const std::vector<int> numbers = comma_list(std::string_view(command).substr(1));
-    if (numbers.size() < 2 || numbers[0] < 1 || numbers[0] > kStations) {
+    if (numbers.size() < 2 || numbers[0] < 1 || numbers[0] > kUnitStations) {
       return;
     }
     const FastrakFormat format{{numbers.begin() + 1, numbers.end()}, true, false};
@@ -138,7 +138,7 @@ class FastrakUnit final : public TrackerUnit {
     return bytes;
   }
 
-  std::array<std::vector<int>, kStations> lists_;
+  std::array<std::vector<int>, kUnitStations> lists_;
   bool binary_ = false;
   bool centimetres_ = false;
 };

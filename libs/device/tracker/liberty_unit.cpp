@@ -9,14 +9,14 @@ namespace handway::device {
 
 namespace {
 
-constexpr int kStations = 16;
+constexpr int kMostStations = 16;
 constexpr char kStationMap = '\x15';  // Ctrl-U
 constexpr char kWhoAmI = '\x16';      // Ctrl-V
 
 class LibertyUnit final : public TrackerUnit {
  public:
   LibertyUnit(const TrackerUnitSettings& settings, TrackerSignal signal)
-      : TrackerUnit(settings, std::move(signal), kStations) {}
+      : TrackerUnit(settings, std::move(signal), kMostStations) {}
 
  private:
   [[nodiscard]] bool is_whole(const std::string& command) const override {

@@ -10,7 +10,7 @@ namespace handway::execution {
 namespace {
 
 // What a joint may turn and still count as standing, rad.
-constexpr double kStands = 1e-6;
+constexpr double kStillSpeed = 1e-6;
 
 }  // namespace
 
@@ -38,7 +38,7 @@ void check_that_the_rest_stands(const geometric::RobotModel& model, const planni
   }
   for (const planning::Configuration& waypoint : path.waypoints) {
     for (Eigen::Index v = 0; v < first.size(); ++v) {
-      if (!driven[static_cast<std::size_t>(v)] && std::abs(waypoint[v] - first[v]) > kStands) {
+      if (!driven[static_cast<std::size_t>(v)] && std::abs(waypoint[v] - first[v]) > kStillSpeed) {
         throw geometric::InputError(
             {"--to", "", devices, "devices for all joints that the path moves",
              fmt::format("Joint \"{}\" moves, and no device is there for it.",

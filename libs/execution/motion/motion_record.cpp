@@ -57,6 +57,7 @@ class Reader {
     // As in the header, not as they happened to speak first.
     std::ranges::sort(rows_, {}, [](const Rows& rows) { return rows.columns; });
     std::vector<RecordedDevice> devices;
+    devices.reserve(rows_.size());
     for (Rows& rows : rows_) {
       devices.push_back(matrices_of(std::move(rows)));
     }

@@ -52,6 +52,7 @@ struct BoundedChecker::Volumes {
 
   [[nodiscard]] std::vector<BoundingSphere> root_spheres() const {
     std::vector<BoundingSphere> spheres;
+    spheres.reserve(surfaces.size());
     for (const std::shared_ptr<const Surface>& surface : surfaces) {
       spheres.push_back(surface->cover.root());
     }

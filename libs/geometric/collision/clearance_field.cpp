@@ -17,9 +17,9 @@ constexpr double kMargin = 0.25;     // around the mesh, of its longest side
 constexpr double kFine = 1e-4;       // m: no cell is refined for less
 constexpr double kShare = 0.1;       // nor for this share of the distance
 constexpr double kSlack = 0.005;     // of a cell: how far from the best bound the search ends
-constexpr double kTiny = 0.1;        // of a cell: boxes this small are not looked into
+constexpr double kTinyLength = 0.1;  // of a cell: boxes this small are not looked into
 constexpr double kNear = 0.002;      // m: what is nearer than this is as good as touching
-constexpr int kLongestSearch = 400;  // nodes looked at for one cell
+constexpr int kMostNodes = 400;      // nodes looked at for one cell
 
 struct Cube {
   Eigen::Vector3d centre;
@@ -224,7 +224,7 @@ class ClearanceFieldBuilder {
         continue;
       }
       const BoxTree::Node& node = boxes_.nodes()[top.node];
-      if (++looked_at > kLongestSearch || node.size < kTiny * cube.half) {
+      if (++looked_at > kMostNodes || node.size < kTinyLength * cube.half) {
         lowest = top.value;
       } else if (node.right == 0) {
         lowest = std::min(lowest, of_triangle(cube, slope, node.triangle));

@@ -13,9 +13,9 @@
 namespace handway::geometric {
 namespace {
 
-constexpr std::size_t kWidth = 16;  // of the vectors
-constexpr int kLongestSearch = 64;  // steps towards one vertex
-constexpr int kPlanes = 4;          // tried between two hulls
+constexpr std::size_t kVectorWidth = 16;  // of the vectors
+constexpr int kLongestSearch = 64;        // steps towards one vertex
+constexpr int kPlanes = 4;                // tried between two hulls
 
 using Simplex = std::array<Eigen::Vector3d, 3>;
 
@@ -99,7 +99,7 @@ ConvexCover::ConvexCover(const TriangleMesh& mesh, double margin) {
   middle_ = (sum / static_cast<double>(points.size())).cast<float>();
   margin_ = static_cast<float>(margin) + kRounding * largest;
   count_ = points.size();
-  points.resize((count_ + kWidth - 1) / kWidth * kWidth, points.back());
+  points.resize((count_ + kVectorWidth - 1) / kVectorWidth * kVectorWidth, points.back());
   for (const Eigen::Vector3d& p : points) {
     x_.push_back(static_cast<float>(p.x()));
     y_.push_back(static_cast<float>(p.y()));
@@ -109,6 +109,7 @@ ConvexCover::ConvexCover(const TriangleMesh& mesh, double margin) {
 
 std::vector<Eigen::Vector3d> ConvexCover::points() const {
   std::vector<Eigen::Vector3d> points;
+  points.reserve(count_);
   for (std::size_t i = 0; i < count_; ++i) {
     points.emplace_back(x_[i], y_[i], z_[i]);
   }
@@ -116,21 +117,21 @@ std::vector<Eigen::Vector3d> ConvexCover::points() const {
 }
 
 HANDWAY_VECTOR_UNITS Eigen::Vector3f ConvexCover::support(const Eigen::Vector3f& direction) const {
-  alignas(64) std::array<float, kWidth> most;
-  alignas(64) std::array<std::int32_t, kWidth> where{};
+  alignas(64) std::array<float, kVectorWidth> most;
+  alignas(64) std::array<std::int32_t, kVectorWidth> where{};
   most.fill(-std::numeric_limits<float>::infinity());
   const float dx = direction.x();
   const float dy = direction.y();
   const float dz = direction.z();
-  for (std::size_t first = 0; first < x_.size(); first += kWidth) {
-    for (std::size_t k = 0; k < kWidth; ++k) {
+  for (std::size_t first = 0; first < x_.size(); first += kVectorWidth) {
+    for (std::size_t k = 0; k < kVectorWidth; ++k) {
       const float along = dx * x_[first + k] + dy * y_[first + k] + dz * z_[first + k];
       where[k] = along > most[k] ? static_cast<std::int32_t>(first + k) : where[k];
       most[k] = along > most[k] ? along : most[k];
     }
   }
   std::size_t best = 0;
-  for (std::size_t k = 1; k < kWidth; ++k) {
+  for (std::size_t k = 1; k < kVectorWidth; ++k) {
     best = most[k] > most[best] ? k : best;
   }
   const auto i = static_cast<std::size_t>(where[best]);

@@ -10,7 +10,7 @@
 namespace handway::geometric {
 namespace {
 
-constexpr float kRounding = 2e-5F;  // m: more than single precision can be off within 10 m
+constexpr float kRootRounding = 2e-5F;  // m: more than single precision can be off within 10 m
 
 // With fewer pairs, to bound the distances of all takes less time than to look for the near ones.
 constexpr std::size_t kMany = 600;
@@ -27,7 +27,7 @@ RootBounds::RootBounds(const CollisionWorld& world, std::vector<BoundingSphere> 
     b_.push_back(static_cast<std::uint32_t>(pair.b));
     radii_.push_back(spheres_[static_cast<std::size_t>(pair.a)].radius +
                      (both_move ? spheres_[static_cast<std::size_t>(pair.b)].radius : 0.0F) +
-                     kRounding);
+                     kRootRounding);
     if (both_move) {
       continue;
     }
@@ -87,7 +87,7 @@ void RootBounds::find_near_still(Placement& placement, double tolerance,
   candidates.clear();
   for (const int body : bodies_) {
     const auto i = static_cast<std::size_t>(body);
-    const float reach = spheres_[i].radius + kRounding + static_cast<float>(tolerance);
+    const float reach = spheres_[i].radius + kRootRounding + static_cast<float>(tolerance);
     still_->append_near(body, {placement.x[i], placement.y[i], placement.z[i]}, reach, candidates);
   }
   std::ranges::sort(candidates);

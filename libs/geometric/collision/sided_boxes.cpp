@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kPieces = 8;        // of a mesh that have boxes
 constexpr std::size_t kDirections = 200;  // of the largest triangles that are looked at
 constexpr double kSame = 1e-3;            // rad: faces that are across one axis
-constexpr double kRounding = 2e-6;        // of the coordinates: more than single precision loses
+constexpr double kSideRounding = 2e-6;    // of the coordinates: more than single precision loses
 constexpr float kNever = -1e30F;          // half a box that nothing is in
 constexpr std::size_t kSeeds = 24;        // places that each box is grown from
 constexpr double kLeastShare = 0.005;  // of the space on its side: smaller boxes are not worth it
@@ -138,7 +138,7 @@ class Filling {
       const double centre = box.centre()[i];
       const double half = 0.5 * box.size()[i];
       boxes.centre[axis][k] = static_cast<float>(centre);
-      boxes.half[axis][k] = static_cast<float>(half - kRounding * (std::abs(centre) + half));
+      boxes.half[axis][k] = static_cast<float>(half - kSideRounding * (std::abs(centre) + half));
     }
   }
 
@@ -195,7 +195,8 @@ SidedBoxes boxes_of(const TriangleMesh& piece) {
     const auto i = static_cast<Eigen::Index>(axis);
     const double half = 0.5 * box.size()[i];
     boxes.centre[axis] = static_cast<float>(box.centre()[i]);
-    boxes.half[axis] = static_cast<float>(half + kRounding * (std::abs(box.centre()[i]) + half));
+    boxes.half[axis] =
+        static_cast<float>(half + kSideRounding * (std::abs(box.centre()[i]) + half));
   }
   const FreeSpace space(turned);
   boxes.inside = Filling(space, true).boxes();

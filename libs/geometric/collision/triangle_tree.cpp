@@ -12,10 +12,10 @@
 namespace handway::geometric {
 namespace {
 
-constexpr float kRounding = 2e-6F;  // of the coordinates: more than single precision loses
-constexpr float kNever = -1e30F;    // half a box that no point is near to
+constexpr float kBoxRounding = 2e-6F;  // of the coordinates: more than single precision loses
+constexpr float kNever = -1e30F;       // half a box that no point is near to
 
-struct Piece {
+struct TreePiece {
   Eigen::Vector3d lower;
   Eigen::Vector3d upper;
   std::uint32_t triangle;
@@ -28,7 +28,7 @@ class TriangleTreeBuilder {
   TriangleTreeBuilder(TriangleTree& tree, const TriangleMesh& mesh) : tree_(tree), mesh_(mesh) {}
 
   void build() {
-    std::vector<Piece> pieces;
+    std::vector<TreePiece> pieces;
     pieces.reserve(mesh_.triangles.size());
     for (std::uint32_t i = 0; i < mesh_.triangles.size(); ++i) {
       const TriangleCorners t = corners(mesh_, i);
@@ -40,7 +40,7 @@ class TriangleTreeBuilder {
   }
 
  private:
-  using Pieces = std::span<Piece>;
+  using Pieces = std::span<TreePiece>;
 
   std::uint32_t add(Pieces pieces) {
     return pieces.size() <= TriangleBlock::kWidth ? add_leaf(pieces) : add_node(pieces);
@@ -49,7 +49,7 @@ class TriangleTreeBuilder {
   std::uint32_t add_leaf(Pieces pieces) {
     std::vector<TriangleCorners> triangles;
     TriangleTree::Leaf leaf;
-    for (const Piece& piece : pieces) {
+    for (const TreePiece& piece : pieces) {
       leaf.triangles[triangles.size()] = piece.triangle;
       triangles.push_back(corners(mesh_, piece.triangle));
     }
@@ -99,13 +99,13 @@ class TriangleTreeBuilder {
     const std::size_t half = (pieces.size() / 2 + kFull - 1) / kFull * kFull;
     std::ranges::nth_element(
         pieces, pieces.begin() + static_cast<std::ptrdiff_t>(half), {},
-        [axis](const Piece& piece) { return (piece.lower + piece.upper)[axis]; });
+        [axis](const TreePiece& piece) { return (piece.lower + piece.upper)[axis]; });
     return {pieces.first(half), pieces.subspan(half)};
   }
 
   static Aabb box_of(Pieces pieces) {
     Aabb box{pieces.front().lower, pieces.front().upper};
-    for (const Piece& piece : pieces) {
+    for (const TreePiece& piece : pieces) {
       box.lower = box.lower.cwiseMin(piece.lower);
       box.upper = box.upper.cwiseMax(piece.upper);
     }
@@ -120,7 +120,7 @@ TriangleTree::TriangleTree(const TriangleMesh& mesh) { TriangleTreeBuilder(*this
 
 float TriangleTree::reach(const Eigen::Vector3d& p, double distance) const {
   return static_cast<float>(distance) +
-         kRounding * (size_ + static_cast<float>(distance + p.lpNorm<1>()));
+         kBoxRounding * (size_ + static_cast<float>(distance + p.lpNorm<1>()));
 }
 
 HANDWAY_VECTOR_UNITS std::uint32_t TriangleTree::near_boxes(const Node& node,

@@ -15,15 +15,15 @@
 namespace handway::geometric {
 namespace {
 
-[[noreturn]] void refuse(const RobotModel& model, const std::string& element,
-                         const std::string& found, const std::string& expected) {
+[[noreturn]] void refuse_name(const RobotModel& model, const std::string& element,
+                              const std::string& found, const std::string& expected) {
   throw InputError({"inverse kinematics of " + model.name(), element, found, expected, ""});
 }
 
 int link_named(const RobotModel& model, std::string_view name) {
   const std::optional<int> link = model.find_link(name);
   if (!link) {
-    refuse(model, "link " + std::string(name), "no link of this name", "a link of the robot");
+    refuse_name(model, "link " + std::string(name), "no link of this name", "a link of the robot");
   }
   return *link;
 }
@@ -38,8 +38,8 @@ std::vector<int> variables_named(const RobotModel& model, int tip_link,
   for (const std::string& joint : joints) {
     const std::optional<int> variable = model.find_variable(joint);
     if (!variable || !std::ranges::binary_search(chain, *variable)) {
-      refuse(model, "joint " + joint, "nothing that moves " + model.link(tip_link).name,
-             "a joint between the root and the tip link that moves on its own");
+      refuse_name(model, "joint " + joint, "nothing that moves " + model.link(tip_link).name,
+                  "a joint between the root and the tip link that moves on its own");
     }
     variables.push_back(*variable);
   }
@@ -49,7 +49,7 @@ std::vector<int> variables_named(const RobotModel& model, int tip_link,
 void check_options(const RobotModel& model, const NumericIkOptions& options) {
   const auto need = [&](bool holds, const char* option, double value, const char* expected) {
     if (!holds) {
-      refuse(model, option, fmt::format("{}", value), expected);
+      refuse_name(model, option, fmt::format("{}", value), expected);
     }
   };
   const auto positive = [](double value) { return value > 0.0 && std::isfinite(value); };

@@ -9,19 +9,20 @@
 namespace handway::geometric {
 namespace {
 
-[[noreturn]] void refuse(const RobotModel& model, const std::string& element,
-                         const std::string& found, const std::string& expected) {
+[[noreturn]] void refuse_value(const RobotModel& model, const std::string& element,
+                               const std::string& found, const std::string& expected) {
   throw InputError({"robot " + model.name(), element, found, expected, ""});
 }
 
 int variable_named(const RobotModel& model, std::string_view joint_name, double value) {
   const std::optional<int> variable = model.find_variable(joint_name);
   if (!variable) {
-    refuse(model, "joint " + std::string(joint_name), "no joint of this name that moves on its own",
-           "one of the robot's variables");
+    refuse_value(model, "joint " + std::string(joint_name),
+                 "no joint of this name that moves on its own", "one of the robot's variables");
   }
   if (!std::isfinite(value)) {
-    refuse(model, "joint " + std::string(joint_name), std::to_string(value), "a finite value");
+    refuse_value(model, "joint " + std::string(joint_name), std::to_string(value),
+                 "a finite value");
   }
   return *variable;
 }
@@ -43,11 +44,11 @@ void RobotState::set_base_pose(const Pose& X_WB) {
 
 void RobotState::set_configuration(const Configuration& q) {
   if (q.size() != model_->variable_count()) {
-    refuse(*model_, "configuration", std::to_string(q.size()) + " values",
-           std::to_string(model_->variable_count()));
+    refuse_value(*model_, "configuration", std::to_string(q.size()) + " values",
+                 std::to_string(model_->variable_count()));
   }
   if (!q.allFinite()) {
-    refuse(*model_, "configuration", "a value that is not a number", "finite values");
+    refuse_value(*model_, "configuration", "a value that is not a number", "finite values");
   }
   q_ = q;
   update();
@@ -74,8 +75,8 @@ double RobotState::joint_value(std::string_view joint_name) const {
       return drive.multiplier * q_[drive.variable] + drive.offset;
     }
   }
-  refuse(*model_, "joint " + std::string(joint_name), "no moving joint of this name",
-         "a joint of the robot");
+  refuse_value(*model_, "joint " + std::string(joint_name), "no moving joint of this name",
+               "a joint of the robot");
 }
 
 bool RobotState::within_limits(double tolerance) const {
@@ -86,8 +87,8 @@ bool RobotState::within_limits(double tolerance) const {
 const Pose& RobotState::link_pose(std::string_view link_name) const {
   const std::optional<int> link = model_->find_link(link_name);
   if (!link) {
-    refuse(*model_, "link " + std::string(link_name), "no link of this name",
-           "a link of the robot");
+    refuse_value(*model_, "link " + std::string(link_name), "no link of this name",
+                 "a link of the robot");
   }
   return link_pose(*link);
 }

@@ -13,7 +13,7 @@ namespace {
 using Shoulder = ArmBranch::Shoulder;
 using Bend = ArmBranch::Bend;
 
-constexpr double kFullTurn = 2.0 * std::numbers::pi;
+constexpr double kWholeTurn = 2.0 * std::numbers::pi;
 /// Rounding, in metres, that may put a pose at the border of reach outside it.
 constexpr double kReachTolerance = 1e-11;
 /// Sine of the wrist's bend below which axes 4 and 6 count as in line.
@@ -25,7 +25,7 @@ constexpr double kSameJoint = 1e-9;
 
 bool same_posture(const Tx90Joints& a, const Tx90Joints& b) {
   for (std::size_t k = 0; k < a.size(); ++k) {
-    if (std::abs(std::remainder(a[k] - b[k], kFullTurn)) > kSameJoint) {
+    if (std::abs(std::remainder(a[k] - b[k], kWholeTurn)) > kSameJoint) {
       return false;
     }
   }
@@ -155,7 +155,7 @@ ArmBranch tx90_branch(const Tx90Geometry& geometry, const Tx90Joints& q) {
   const double x = geometry.shoulder_offset + geometry.upper_arm * std::sin(upper) +
                    geometry.forearm * std::sin(upper + bend);
   const auto sign = [](double angle) {
-    return std::remainder(angle, kFullTurn) >= 0.0 ? Bend::kPositive : Bend::kNegative;
+    return std::remainder(angle, kWholeTurn) >= 0.0 ? Bend::kPositive : Bend::kNegative;
   };
   return {x >= 0.0 ? Shoulder::kLefty : Shoulder::kRighty, sign(bend),
           sign(q[4] + geometry.wrist_bend)};

@@ -33,6 +33,7 @@ std::unique_ptr<Planner> PlannerRegistry::create(std::string_view name) const {
 
 std::vector<std::string> PlannerRegistry::names() const {
   std::vector<std::string> names;
+  names.reserve(factories_.size());
   for (const auto& [name, factory] : factories_) {
     names.push_back(name);
   }

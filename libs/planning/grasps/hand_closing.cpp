@@ -88,6 +88,7 @@ Vector3d HandClosing::tip(const Finger& finger, const Eigen::VectorXd& posture) 
 std::optional<HandClosing::Preshape> HandClosing::preshape(Eigen::VectorXd open) const {
   constexpr double kLeastOpening = 0.04;  // m
   std::vector<Vector3d> tips;
+  tips.reserve(fingers_.size());
   for (const Finger& finger : fingers_) {
     tips.push_back(tip(finger, open));
   }

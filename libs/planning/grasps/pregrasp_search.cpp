@@ -50,10 +50,10 @@ const geometric::SceneObject& needed_object(const PlanningProblem& problem, std:
   return *object;
 }
 
-class Search {
+class PregraspSearch {
  public:
-  Search(const PlanningProblem& problem, const geometric::SceneObject& object,
-         const PregraspOptions& options)
+  PregraspSearch(const PlanningProblem& problem, const geometric::SceneObject& object,
+                 const PregraspOptions& options)
       : problem_(problem),
         options_(options),
         checker_(problem.checker->clone()),
@@ -359,7 +359,7 @@ class Search {
 
 std::vector<Pregrasp> find_pregrasps(const PlanningProblem& problem, std::string_view object,
                                      const PregraspOptions& options, const std::stop_token& stop) {
-  Search search(problem, needed_object(problem, object), options);
+  PregraspSearch search(problem, needed_object(problem, object), options);
   if (!search.fits()) {
     return {};
   }

@@ -38,6 +38,7 @@ sampling::PmdBasis hand_basis(const PlanningProblem& problem, HandSpace space) {
     return *problem.basis;
   }
   std::vector<std::string> joints;
+  joints.reserve(problem.hand.size());
   for (const int v : problem.hand) {
     joints.push_back(problem.model().variable(v).name);
   }

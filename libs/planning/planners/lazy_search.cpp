@@ -5,8 +5,8 @@
 namespace handway::planning {
 namespace {
 
-constexpr int kStart = 0;
-constexpr int kGoal = 1;
+constexpr int kStartNode = 0;
+constexpr int kGoalNode = 1;
 constexpr double kProbeSpacing = 0.05;  // of configurations looked at before an edge is checked
 
 }  // namespace
@@ -49,7 +49,7 @@ std::optional<PlanStatus> LazySearch::step() {
     draw_node();
     return std::nullopt;
   }
-  way_ = roadmap_.shortest_path(kStart, kGoal);
+  way_ = roadmap_.shortest_path(kStartNode, kGoalNode);
   if (way_.empty() || statistics().samples == 0) {
     nodes_wanted_ = settings_.batch;
     return std::nullopt;

@@ -19,10 +19,11 @@ constexpr int kDirections = 60;  // of each group of variables, per shell
 constexpr int kSteps = 400;      // random ones, drawing back
 constexpr double kPrecision = geometric::radians(0.01);
 
-class Search {
+class NearestFreeSearch {
  public:
-  Search(const PlanningProblem& problem, Configuration from, const NearestFreeOptions& options,
-         double clearance, int checks_so_far, const std::stop_token& stop)
+  NearestFreeSearch(const PlanningProblem& problem, Configuration from,
+                    const NearestFreeOptions& options, double clearance, int checks_so_far,
+                    const std::stop_token& stop)
       : model_(problem.model()),
         checker_(problem.checker->clone()),
         from_(std::move(from)),
@@ -167,11 +168,11 @@ NearestFree find_nearest_free(const PlanningProblem& problem, const Configuratio
                               const NearestFreeOptions& options, const std::stop_token& stop) {
   NearestFreeOptions half = options;
   half.most_checks = options.clearance > 0.0 ? options.most_checks / 2 : options.most_checks;
-  Search search(problem, q, half, options.clearance, 0, stop);
+  NearestFreeSearch search(problem, q, half, options.clearance, 0, stop);
   search.run();
   NearestFree found = search.result();
   if (!found.q && options.clearance > 0.0) {
-    Search closer(problem, q, options, 0.0, found.checks, stop);
+    NearestFreeSearch closer(problem, q, options, 0.0, found.checks, stop);
     closer.run();
     found = closer.result();
   }

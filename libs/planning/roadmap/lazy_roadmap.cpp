@@ -10,29 +10,29 @@
 namespace handway::planning {
 namespace {
 
-struct NodeData {
+struct LazyNode {
   geometric::Configuration q;
   Eigen::VectorXd coordinates;
 };
 
-struct EdgeData {
+struct LazyEdge {
   double length = 0.0;
   bool certain = false;
 };
 
-using BoostGraph =
-    boost::adjacency_list<boost::setS, boost::vecS, boost::undirectedS, NodeData, EdgeData>;
-using Vertex = boost::graph_traits<BoostGraph>::vertex_descriptor;
+using LazyGraph =
+    boost::adjacency_list<boost::setS, boost::vecS, boost::undirectedS, LazyNode, LazyEdge>;
+using LazyVertex = boost::graph_traits<LazyGraph>::vertex_descriptor;
 
-Vertex vertex(int node) { return static_cast<Vertex>(node); }
+LazyVertex lazy_vertex(int node) { return static_cast<LazyVertex>(node); }
 
 }  // namespace
 
 struct LazyRoadmap::Graph {
   int k;
-  BoostGraph graph;
+  LazyGraph graph;
 
-  [[nodiscard]] double distance(Vertex a, Vertex b) const {
+  [[nodiscard]] double distance(LazyVertex a, LazyVertex b) const {
     return (graph[a].coordinates - graph[b].coordinates).norm();
   }
 };
@@ -43,15 +43,16 @@ LazyRoadmap::LazyRoadmap(LazyRoadmap&&) noexcept = default;
 LazyRoadmap& LazyRoadmap::operator=(LazyRoadmap&&) noexcept = default;
 
 int LazyRoadmap::add_node(geometric::Configuration q, const Eigen::VectorXd& coordinates) {
-  BoostGraph& graph = graph_->graph;
-  const Vertex added = boost::add_vertex(NodeData{std::move(q), coordinates}, graph);
+  LazyGraph& graph = graph_->graph;
+  const LazyVertex added = boost::add_vertex(LazyNode{std::move(q), coordinates}, graph);
   std::vector<NodeDistance> others;
-  for (Vertex other = 0; other < added; ++other) {
+  others.reserve(added);
+  for (LazyVertex other = 0; other < added; ++other) {
     others.emplace_back(graph_->distance(added, other), other);
   }
   const std::vector<NodeDistance> nearest = nearest_nodes(std::move(others), graph_->k);
   for (const auto& [length, other] : nearest) {
-    boost::add_edge(added, vertex(other), EdgeData{length, false}, graph);
+    boost::add_edge(added, lazy_vertex(other), LazyEdge{length, false}, graph);
   }
   return static_cast<int>(added);
 }
@@ -59,27 +60,29 @@ int LazyRoadmap::add_node(geometric::Configuration q, const Eigen::VectorXd& coo
 int LazyRoadmap::node_count() const { return static_cast<int>(boost::num_vertices(graph_->graph)); }
 
 const geometric::Configuration& LazyRoadmap::configuration(int node) const {
-  return graph_->graph[vertex(node)].q;
+  return graph_->graph[lazy_vertex(node)].q;
 }
 
-double LazyRoadmap::distance(int a, int b) const { return graph_->distance(vertex(a), vertex(b)); }
+double LazyRoadmap::distance(int a, int b) const {
+  return graph_->distance(lazy_vertex(a), lazy_vertex(b));
+}
 
 std::vector<int> LazyRoadmap::shortest_path(int from, int to) const {
-  return planning::shortest_path(graph_->graph, from, to,
-                                 boost::get(&EdgeData::length, graph_->graph),
-                                 [&](Vertex at) { return graph_->distance(at, vertex(to)); });
+  return planning::shortest_path(
+      graph_->graph, from, to, boost::get(&LazyEdge::length, graph_->graph),
+      [&](LazyVertex at) { return graph_->distance(at, lazy_vertex(to)); });
 }
 
 bool LazyRoadmap::is_certain(int a, int b) const {
-  return graph_->graph[boost::edge(vertex(a), vertex(b), graph_->graph).first].certain;
+  return graph_->graph[boost::edge(lazy_vertex(a), lazy_vertex(b), graph_->graph).first].certain;
 }
 
 void LazyRoadmap::confirm_edge(int a, int b) {
-  graph_->graph[boost::edge(vertex(a), vertex(b), graph_->graph).first].certain = true;
+  graph_->graph[boost::edge(lazy_vertex(a), lazy_vertex(b), graph_->graph).first].certain = true;
 }
 
 void LazyRoadmap::remove_edge(int a, int b) {
-  boost::remove_edge(vertex(a), vertex(b), graph_->graph);
+  boost::remove_edge(lazy_vertex(a), lazy_vertex(b), graph_->graph);
 }
 
 }  // namespace handway::planning

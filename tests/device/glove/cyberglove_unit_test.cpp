@@ -8,26 +8,26 @@
 namespace handway::device {
 namespace {
 
-using Bytes = CyberGloveUnit::Bytes;
+using UnitBytes = CyberGloveUnit::Bytes;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-const std::array<std::uint16_t, kGloveSensors> kRelaxedCounts{146, 121, 113, 128, 117, 95, 65,  97,
-                                                              108, 75,  152, 110, 88,  69, 148, 114,
-                                                              116, 83,  140, 131, 135, 115};
+const std::array<std::uint16_t, kGloveSensors> kCountsAtRest{146, 121, 113, 128, 117, 95, 65,  97,
+                                                             108, 75,  152, 110, 88,  69, 148, 114,
+                                                             116, 83,  140, 131, 135, 115};
 
 CyberGloveUnit make_unit(const CyberGloveUnitSettings& settings = {}) {
-  return {settings, [](double) { return kRelaxedCounts; }};
+  return {settings, [](double) { return kCountsAtRest; }};
 }
 
-Bytes ask(CyberGloveUnit& unit, const Bytes& command, double now = 0.0) {
+UnitBytes ask(CyberGloveUnit& unit, const UnitBytes& command, double now = 0.0) {
   return unit.receive(command, now);
 }
 
 std::string ask_text(CyberGloveUnit& unit, const std::string& command) {
-  const Bytes answer = unit.receive(Bytes(command.begin(), command.end()), 0.0);
+  const UnitBytes answer = unit.receive(UnitBytes(command.begin(), command.end()), 0.0);
   return {answer.begin(), answer.end()};
 }
 
@@ -42,7 +42,7 @@ TEST(CyberGloveUnit, LeavesOutTheDistalSensorsOf18) {
   CyberGloveUnitSettings settings;
   settings.sensors = 18;
   CyberGloveUnit unit = make_unit(settings);
-  const Bytes record = ask(unit, {0x47});
+  const UnitBytes record = ask(unit, {0x47});
   ASSERT_THAT(record, SizeIs(20));
   EXPECT_EQ(record[7], 0x61);  // Middle inner follows index middle.
   EXPECT_THAT(ask(unit, {'?', 'S'}), ElementsAre('?', 'S', 0x12, 0));
@@ -83,7 +83,7 @@ TEST(CyberGloveUnit, StreamsAtTheRateThatWasSetUntilItIsStopped) {
   ask(unit, {'S'}, 0.0);
   std::size_t records = 0;
   for (double now = 0.0; now <= 2.0; now += 0.01) {
-    for (const Bytes& record : unit.advance(now)) {
+    for (const UnitBytes& record : unit.advance(now)) {
       EXPECT_EQ(record.size(), 24U);
       EXPECT_EQ(record[0], 'S');
       ++records;
@@ -106,7 +106,7 @@ TEST(CyberGloveUnit, SaysOnceThatTheGloveWasPulledOffTheStream) {
 TEST(CyberGloveUnit, AddsTimeStampAndStatusWithoutEverSending0) {
   CyberGloveUnit unit = make_unit();
   ask(unit, {'D', 1, 'U', 1});
-  const Bytes record = ask(unit, {'G'}, 1.5);
+  const UnitBytes record = ask(unit, {'G'}, 1.5);
   ASSERT_THAT(record, SizeIs(30));
   EXPECT_EQ(std::count(record.begin(), record.end(), 0), 1);
   EXPECT_EQ(record[28], 1);

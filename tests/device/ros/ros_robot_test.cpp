@@ -18,7 +18,7 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-RosControllerSettings tx90_at_zero() {
+RosControllerSettings tx90_robot_at_zero() {
   RosControllerSettings settings;
   settings.joints = tx90_joints();
   settings.position = Eigen::VectorXd::Zero(6);
@@ -42,7 +42,7 @@ JointTrajectory a_second() { return test::swing(Eigen::VectorXd::Zero(6), way(),
 
 /// A robot that is connected and knows its motion.
 struct Cell {
-  explicit Cell(const RosControllerSettings& settings = tx90_at_zero(),
+  explicit Cell(const RosControllerSettings& settings = tx90_robot_at_zero(),
                 RosVersion version = RosVersion::kRos1)
       : emulator(settings, 0), robot(robot_at(emulator.address(), tx90_joints(), version)) {
     robot->connect();
@@ -60,7 +60,7 @@ struct Cell {
 };
 
 TEST(RosRobot, TellsWhereTheRobotStands) {
-  RosControllerSettings settings = tx90_at_zero();
+  RosControllerSettings settings = tx90_robot_at_zero();
   settings.position = way();
   const RosEmulator emulator(settings, 0);
   const auto robot = robot_at(emulator.address());
@@ -71,7 +71,7 @@ TEST(RosRobot, TellsWhereTheRobotStands) {
 
 TEST(RosRobot, RunsAMotionInItsTime) {
   for (const RosVersion version : {RosVersion::kRos1, RosVersion::kRos2}) {
-    Cell cell(tx90_at_zero(), version);
+    Cell cell(tx90_robot_at_zero(), version);
     MotionTolerances tolerances;
     tolerances.following = 0.1;
     cell.robot->start(tolerances);
@@ -121,7 +121,7 @@ TEST(RosRobot, LeavesTheRobotStandingOnItsPathWhenTheHostIsGone) {
 }
 
 TEST(RosRobot, RefusesAMotionThatBeginsElsewhere) {
-  RosControllerSettings settings = tx90_at_zero();
+  RosControllerSettings settings = tx90_robot_at_zero();
   settings.position[1] = 0.2;
   Cell cell(settings);
   try {
@@ -134,7 +134,7 @@ TEST(RosRobot, RefusesAMotionThatBeginsElsewhere) {
 }
 
 TEST(RosRobot, NamesTheJointThatNobodyTellsOf) {
-  const RosEmulator emulator(tx90_at_zero(), 0);
+  const RosEmulator emulator(tx90_robot_at_zero(), 0);
   JointRanges joints = tx90_joints();
   joints.names[3] = "elbow_roll";
   try {
@@ -158,7 +158,7 @@ struct FaultCase {
 class FaultyRosRobot : public testing::TestWithParam<FaultCase> {};
 
 TEST_P(FaultyRosRobot, EndsTheMotionWithAMessage) {
-  RosControllerSettings settings = tx90_at_zero();
+  RosControllerSettings settings = tx90_robot_at_zero();
   settings.fault = {GetParam().kind, 0.4};
   Cell cell(settings);
   MotionTolerances tolerances;

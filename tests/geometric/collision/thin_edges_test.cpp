@@ -20,11 +20,11 @@ namespace {
 using test::EdgeJudge;
 using test::RandomConfigurations;
 
-constexpr double kResolution = 5e-5;  // m: what planners use
-constexpr double kDense = 5e-5;       // m: farthest travel between the judge's samples
-constexpr double kUsual = 5e-3;       // m: the same of a planner that samples
-constexpr double kPlate = 1e-4;       // m, thickness
-constexpr double kWire = 1e-4;        // m, radius
+constexpr double kPlannersResolution = 5e-5;  // m: what planners use
+constexpr double kDense = 5e-5;               // m: farthest travel between the judge's samples
+constexpr double kUsual = 5e-3;               // m: the same of a planner that samples
+constexpr double kPlate = 1e-4;               // m, thickness
+constexpr double kWire = 1e-4;                // m, radius
 constexpr int kEdgesInScene = 6;
 
 struct Edge {
@@ -156,7 +156,7 @@ void judge(EdgeJudge& judge, const Edge& edge, Tally& tally) {
   tally.hidden += judge.collides(edge.from, edge.to, kUsual) ? 0 : 1;
   ASSERT_TRUE(result.pair.has_value());
   judge.exact().place(edge.from + result.at * (edge.to - edge.from));
-  ASSERT_LE(judge.exact().pair_distance(*result.pair, 1.0), 1.5 * kResolution + 1e-9)
+  ASSERT_LE(judge.exact().pair_distance(*result.pair, 1.0), 1.5 * kPlannersResolution + 1e-9)
       << "refused for nothing: " << edge.from.transpose() << " to " << edge.to.transpose();
 }
 
@@ -165,7 +165,7 @@ Tally judge_edges(const RobotDescription& robot, std::uint64_t seed, int count) 
   Tally tally;
   while (tally.free + tally.refused < count) {
     std::vector<Edge> edges;
-    EdgeJudge among(things.next(edges), kResolution);
+    EdgeJudge among(things.next(edges), kPlannersResolution);
     for (const Edge& edge : edges) {
       if (!among.exact().first_collision(edge.from) && !among.exact().first_collision(edge.to)) {
         judge(among, edge, tally);

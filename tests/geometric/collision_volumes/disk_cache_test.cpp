@@ -28,7 +28,7 @@ class DiskCache : public testing::Test {
     return fs::directory_iterator(folder_.path() / "handway" / "collision")->path();
   }
 
-  test::ScratchFolder folder_;
+  handway::test::ScratchFolder folder_;
   std::string before_ = std::getenv("XDG_CACHE_HOME") ? std::getenv("XDG_CACHE_HOME") : "";
   CacheKey key_ = cache_key("a test", "content");
 };

@@ -1,5 +1,6 @@
 #include "comparison/comparison_window.h"
 #include "comparison/locked_views.h"
+#include "patience.h"
 #include "playback/playback_tools.h"
 #include "view3d/scene_view.h"
 #include "window_test.h"
@@ -10,8 +11,6 @@
 
 namespace handway::test {
 namespace {
-
-constexpr int kPatienceMs = 8000;
 
 class Comparison : public WindowTest {
  protected:

@@ -3,6 +3,7 @@
 #include "devices/devices_panel.h"
 #include "forms/slider_row.h"
 #include "handway/device/arm/arm_emulator.h"
+#include "patience.h"
 #include "window_test.h"
 
 #include <QCheckBox>
@@ -17,8 +18,6 @@ namespace {
 
 using gui::MotionDriver;
 using ::testing::HasSubstr;
-
-constexpr int kPatienceMs = 15000;
 
 class Devices : public WindowTest {
  protected:

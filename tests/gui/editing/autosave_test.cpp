@@ -1,6 +1,7 @@
 #include "editing/autosave.h"
 
 #include "handway/geometric/io/scene_reader.h"
+#include "patience.h"
 #include "small_cell.h"
 #include "window_test.h"
 
@@ -12,8 +13,6 @@
 
 namespace handway::test {
 namespace {
-
-constexpr int kPatienceMs = 30000;
 
 /// Not a test of its own: stores a scene with more and more objects, and tells how many.
 TEST(Autosave, DISABLED_StoresWithoutEnd) {

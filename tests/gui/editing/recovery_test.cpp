@@ -3,6 +3,7 @@
 #include "editing/editing_test.h"
 #include "full_disk.h"
 #include "handway/geometric/io/scene_reader.h"
+#include "patience.h"
 
 #include <QProcess>
 #include <QPushButton>
@@ -14,8 +15,6 @@ namespace handway::test {
 namespace {
 
 using ::testing::HasSubstr;
-
-constexpr int kPatienceMs = 30000;
 
 class RecoveringWork : public EditingTest {
  protected:

@@ -2,6 +2,7 @@
 #include "export/export_dialog.h"
 
 #include "handway/planning/core/plugin.h"
+#include "patience.h"
 #include "window_test.h"
 #include "workers/prepared_problem.h"
 
@@ -18,8 +19,6 @@ namespace handway::test {
 namespace {
 
 using ::testing::HasSubstr;
-
-constexpr int kPatienceMs = 15000;
 
 class ExportDialogTest : public WindowTest {
  protected:

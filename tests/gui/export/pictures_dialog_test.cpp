@@ -1,6 +1,7 @@
 #include "export/pictures_dialog.h"
 
 #include "export/film_parts.h"
+#include "patience.h"
 #include "watched_application.h"
 #include "window_test.h"
 
@@ -26,8 +27,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
-
-constexpr int kPatienceMs = 60000;
 
 // As long as it lives no file of this program can become larger: a disk that is full.
 class LimitedFiles {

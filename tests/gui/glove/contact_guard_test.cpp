@@ -11,7 +11,7 @@ namespace {
 using ::testing::HasSubstr;
 
 // By the typical calibration.
-double left_at(double counts) { return 0.01616 * (counts - 72.0); }
+double closing_at(double counts) { return 0.01616 * (counts - 72.0); }
 
 class ContactGuard : public GloveDock {
  protected:
@@ -23,7 +23,7 @@ class ContactGuard : public GloveDock {
 TEST_F(ContactGuard, HoldsTheLastFreePosture) {
   connect_to_emulator();
   set_counts(80);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return std::abs(joint("left") - left_at(80)) < 1e-9; }));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return std::abs(joint("left") - closing_at(80)) < 1e-9; }));
   const double left = joint("left");
   part<QComboBox>("contact_rule").setCurrentIndex(1);
   // The arm's lower link in the post: whatever the glove does, it is not free.
@@ -36,7 +36,7 @@ TEST_F(ContactGuard, HoldsTheLastFreePosture) {
   QTest::qWait(200);
   EXPECT_DOUBLE_EQ(joint("left"), left);
   part<QComboBox>("contact_rule").setCurrentIndex(0);
-  EXPECT_TRUE(QTest::qWaitFor([&] { return std::abs(joint("left") - left_at(100)) < 1e-9; }));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return std::abs(joint("left") - closing_at(100)) < 1e-9; }));
   EXPECT_TRUE(part<QLabel>("glove_contact").isHidden());
 }
 

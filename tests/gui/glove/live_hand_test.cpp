@@ -1,4 +1,5 @@
 #include "glove_dock.h"
+#include "patience.h"
 #include "view3d/scene_view.h"
 
 #include <QCheckBox>
@@ -21,7 +22,6 @@ using ::testing::HasSubstr;
 constexpr double kIndexZero = 72.0;  // of the typical calibration
 constexpr int kSteps = 60;
 constexpr double kAllowed = 50.0;  // ms
-constexpr int kPatienceMs = 60000;
 constexpr double kIndexGain = 0.01616;
 
 double left_at(double counts) { return std::clamp(kIndexGain * (counts - kIndexZero), -0.2, 0.8); }

@@ -4,6 +4,7 @@
 #include "microscope/listing_view.h"
 #include "microscope/microscope_panel.h"
 #include "microscope/step_text.h"
+#include "patience.h"
 #include "playback/playback_tools.h"
 #include "window_test.h"
 
@@ -15,8 +16,6 @@ namespace {
 
 using ::testing::HasSubstr;
 namespace lines = planning::algorithm_lines;
-
-constexpr int kPatienceMs = 15000;
 
 TEST(AlgorithmListings, HaveALineForEveryStep) {
   for (const planning::AlgorithmLine line :

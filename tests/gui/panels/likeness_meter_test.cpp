@@ -1,3 +1,4 @@
+#include "patience.h"
 #include "playback/playback_tools.h"
 #include "playback/plots_panel.h"
 #include "window_test.h"
@@ -13,8 +14,6 @@ namespace handway::test {
 namespace {
 
 using ::testing::HasSubstr;
-
-constexpr int kPatienceMs = 8000;
 
 /// What a person reads of a row: its number.
 std::string number_in(const QWidget& row) {

@@ -1,3 +1,4 @@
+#include "patience.h"
 #include "playback/joint_curve_list.h"
 #include "playback/playback_tools.h"
 #include "playback/plots_panel.h"
@@ -16,8 +17,6 @@ namespace handway::test {
 namespace {
 
 using ::testing::HasSubstr;
-
-constexpr int kPatienceMs = 8000;
 
 class Plots : public WindowTest {
  protected:

@@ -1,6 +1,7 @@
 #include "start/start_page.h"
 
 #include "editing/scene_editing.h"
+#include "patience.h"
 #include "window_test.h"
 
 #include <QFrame>
@@ -10,8 +11,6 @@
 
 namespace handway::test {
 namespace {
-
-constexpr int kPatienceMs = 20000;
 
 class StartingTheWindow : public WindowTest {
  protected:

@@ -7,6 +7,7 @@
 #include "handway/geometric/io/scene_writer.h"
 #include "handway/planning/core/plugin.h"
 #include "handway/planning/paths/path_check.h"
+#include "patience.h"
 #include "watched_application.h"
 #include "window_test.h"
 
@@ -23,8 +24,6 @@ namespace handway::test {
 namespace {
 
 using ::testing::HasSubstr;
-
-constexpr int kPatienceMs = 60000;
 
 class Story : public ::testing::Test {
  protected:

@@ -1,16 +1,11 @@
 #include "glove_dock.h"
 
 #include "handway/device/glove/glove_layout.h"
+#include "patience.h"
 
 #include <QSignalSpy>
 
 namespace handway::test {
-namespace {
-
-constexpr int kPatienceMs = 8000;
-
-}  // namespace
-
 device::HandMapping pincers_mapping() {
   device::HandMapping mapping;
   mapping.hand = "pincers";

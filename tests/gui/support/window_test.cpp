@@ -1,5 +1,7 @@
 #include "window_test.h"
 
+#include "patience.h"
+
 #include <QDockWidget>
 #include <QLabel>
 #include <QPushButton>
@@ -7,12 +9,6 @@
 #include <QTextDocument>
 
 namespace handway::test {
-namespace {
-
-constexpr int kPatienceMs = 8000;
-
-}  // namespace
-
 void WindowTest::SetUp() {
   HANDWAY_NEED_DISPLAY();
   window_ = std::make_unique<gui::MainWindow>(std::make_shared<planning::Extensions>());

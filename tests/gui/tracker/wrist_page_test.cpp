@@ -5,6 +5,7 @@
 #include "handway/device/tracker/tracker_units.h"
 #include "handway/geometric/math/units.h"
 #include "handway/geometric/robot/robot_state.h"
+#include "patience.h"
 #include "window_test.h"
 
 #include <QCheckBox>
@@ -21,7 +22,6 @@ namespace {
 
 using ::testing::HasSubstr;
 
-constexpr int kPatienceMs = 15000;
 constexpr double kExact = 1e-3;  // m
 
 /// The workbench with the scene that ships, and an emulated Fastrak whose sensor is where the test

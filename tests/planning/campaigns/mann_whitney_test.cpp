@@ -49,9 +49,9 @@ TEST(MannWhitney, HasTheExactDistributionOfSmallSamples) {
 }
 
 TEST(MannWhitney, TakesRunsWithoutAPathForTheSlowest) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  constexpr double kNoPath = std::numeric_limits<double>::infinity();
   const MannWhitney test =
-      mann_whitney(std::vector{1.0, 2.0, 3.0}, std::vector{4.0, kInfinity, kInfinity});
+      mann_whitney(std::vector{1.0, 2.0, 3.0}, std::vector{4.0, kNoPath, kNoPath});
   EXPECT_DOUBLE_EQ(test.effect, 1.0);
   EXPECT_LT(test.p, 0.1);
 }

@@ -12,7 +12,7 @@ namespace {
 
 using testing::ElementsAre;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kInf = std::numeric_limits<double>::infinity();
 
 TEST(Quantile, InterpolatesBetweenOrderStatistics) {
   const std::vector<double> values = {4.0, 1.0, 3.0, 2.0};
@@ -24,10 +24,10 @@ TEST(Quantile, InterpolatesBetweenOrderStatistics) {
 }
 
 TEST(Quantile, IsInfiniteOnlyWhereRunsWithoutAPathDecide) {
-  const std::vector<double> values = {1.0, kInfinity, 2.0, 3.0};
+  const std::vector<double> values = {1.0, kInf, 2.0, 3.0};
   EXPECT_DOUBLE_EQ(quantile_of(values, 0.5), 2.5);
-  EXPECT_EQ(quantile_of(values, 0.9), kInfinity);
-  EXPECT_EQ(quantile_of(std::vector{1.0, kInfinity, kInfinity, kInfinity}, 0.5), kInfinity);
+  EXPECT_EQ(quantile_of(values, 0.9), kInf);
+  EXPECT_EQ(quantile_of(std::vector{1.0, kInf, kInf, kInf}, 0.5), kInf);
 }
 
 // NIST/SEMATECH e-Handbook of Statistical Methods, 1.3.5.2, data set ZARR13: n = 195,
@@ -77,7 +77,7 @@ TEST(WilsonInterval, StaysWithinZeroAndOne) {
 }
 
 TEST(Ecdf, CountsInfiniteValuesAmongAll) {
-  const std::vector<EcdfStep> steps = ecdf_of(std::vector{2.0, 1.0, kInfinity, 2.0});
+  const std::vector<EcdfStep> steps = ecdf_of(std::vector{2.0, 1.0, kInf, 2.0});
   ASSERT_EQ(steps.size(), 2U);
   EXPECT_EQ(steps[0].value, 1.0);
   EXPECT_EQ(steps[0].share, 0.25);

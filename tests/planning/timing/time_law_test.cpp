@@ -15,7 +15,7 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector4d;
 
-RateLimits limits(const Eigen::VectorXd& velocity, const Eigen::VectorXd& acceleration) {
+RateLimits rate_limits(const Eigen::VectorXd& velocity, const Eigen::VectorXd& acceleration) {
   return {velocity, acceleration};
 }
 
@@ -42,42 +42,42 @@ double largest_share(const BlendedPath& path, const TimeLaw& law, const RateLimi
 
 // Closed forms: a triangle of speed, and a trapezium.
 TEST(TimeLaw, TakesAStraightLineAsFastAsThereIs) {
-  const RateLimits rates = limits(Vector2d(2, 10), Vector2d(1, 10));
+  const RateLimits rates = rate_limits(Vector2d(2, 10), Vector2d(1, 10));
   EXPECT_NEAR(duration({{Vector2d(0, 0), Vector2d(1, 1)}}, 0, rates), 2.0, 1e-5);
   EXPECT_NEAR(duration({{Vector2d(0, 0), Vector2d(10, 1)}}, 0, rates), 10 / 2.0 + 2, 1e-5);
 }
 
 TEST(TimeLaw, AddsUpStraightLinesWhereItStops) {
-  const RateLimits rates = limits(Vector2d(2, 2), Vector2d(1, 1));
+  const RateLimits rates = rate_limits(Vector2d(2, 2), Vector2d(1, 1));
   EXPECT_NEAR(duration({{Vector2d(0, 0), Vector2d(1, 0), Vector2d(1, 1)}}, 0, rates), 4.0, 1e-5);
 }
 
 TEST(TimeLaw, PassesWaypointsOnALineWithoutSlowingDown) {
-  const RateLimits rates = limits(Vector2d(2, 2), Vector2d(1, 1));
+  const RateLimits rates = rate_limits(Vector2d(2, 2), Vector2d(1, 1));
   EXPECT_NEAR(duration({{Vector2d(0, 0), Vector2d(0.3, 0.3), Vector2d(1, 1)}}, 0, rates), 2.0,
               1e-4);
 }
 
-// Waypoints, limits and durations of the tests that Kunz and Stilman's own
+// Waypoints, rate_limits and durations of the tests that Kunz and Stilman's own
 // implementation (2012) comes with, in encoder counts. Theirs steps through
 // the phase plane in fixed times; the durations are of steps of 10 and 0.001 s.
 TEST(TimeLaw, AgreesWithTheAuthorsImplementation) {
   const Path line = {{Vector4d(1424.0, 984.999694824219, 2126.0, 0.0),
                       Vector4d(1423.0, 985.000244140625, 2126.0, 0.0)}};
   const Eigen::VectorXd velocity = Vector4d(1.3, 0.67, 0.67, 0.5);
-  EXPECT_NEAR(duration(line, 100.0, limits(velocity, Vector4d::Constant(0.00249))),
+  EXPECT_NEAR(duration(line, 100.0, rate_limits(velocity, Vector4d::Constant(0.00249))),
               40.080256821829849, 1e-3);
   const Path path = {{Vector4d(1427.0, 368.0, 690.0, 90.0), Vector4d(1427.0, 368.0, 790.0, 90.0),
                       Vector4d(952.499938964844, 433.0, 1051.0, 90.0),
                       Vector4d(452.5, 533.0, 1051.0, 90.0), Vector4d(452.5, 533.0, 951.0, 90.0)}};
-  const double took = duration(path, 100.0, limits(velocity, Vector4d::Constant(0.002)));
+  const double took = duration(path, 100.0, rate_limits(velocity, Vector4d::Constant(0.002)));
   EXPECT_NEAR(took, 1919.5597888812974, 1.0);
   EXPECT_LT(took, 1922.1418427445944);
 }
 
 TEST(TimeLaw, IsFasterWithArcsThanWithStops) {
   const Path path = {{Vector2d(0, 0), Vector2d(1, 0), Vector2d(1, 1), Vector2d(2, 1)}};
-  const RateLimits rates = limits(Vector2d(2, 2), Vector2d(4, 4));
+  const RateLimits rates = rate_limits(Vector2d(2, 2), Vector2d(4, 4));
   double last = duration(path, 0.0, rates);
   for (const double deviation : {0.001, 0.01, 0.05, 0.1}) {
     const double took = duration(path, deviation, rates);
@@ -114,14 +114,14 @@ TEST(TimeLaw, NeverExceedsALimitOnAnyOfManyPaths) {
 
 TEST(TimeLaw, RunsTheSameMotionSlower) {
   const Path path = {{Vector2d(0, 0), Vector2d(1, 0), Vector2d(1, 1)}};
-  const RateLimits rates = limits(Vector2d(2, 2), Vector2d(4, 4));
+  const RateLimits rates = rate_limits(Vector2d(2, 2), Vector2d(4, 4));
   EXPECT_NEAR(duration(path, 0.1, rates.at_speed(0.25)), 4.0 * duration(path, 0.1, rates), 1e-9);
 }
 
 TEST(TimeLaw, BringsStopsToMultiplesOfThePeriod) {
   const Path path = {{Vector2d(0, 0), Vector2d(1, 0), Vector2d(1, 0.7), Vector2d(2, 0.7)}};
   const BlendedPath corners = blended(path, 0.0);
-  const TimeLaw fast = time_optimal(corners, limits(Vector2d(2, 2), Vector2d(4, 4)));
+  const TimeLaw fast = time_optimal(corners, rate_limits(Vector2d(2, 2), Vector2d(4, 4)));
   const TimeLaw law = align_stops(fast, 0.004);
   int stops = 0;
   for (std::size_t k = 0; k < law.knots.size(); ++k) {
@@ -141,7 +141,7 @@ TEST(TimeLaw, BringsStopsToMultiplesOfThePeriod) {
 
 TEST(TimeLaw, OfAPathWithoutLengthIsEmpty) {
   const BlendedPath path = blended({{Vector2d(1, 2), Vector2d(1, 2)}}, 0.1);
-  const TimeLaw law = time_optimal(path, limits(Vector2d(1, 1), Vector2d(1, 1)));
+  const TimeLaw law = time_optimal(path, rate_limits(Vector2d(1, 1), Vector2d(1, 1)));
   EXPECT_EQ(law.duration(), 0.0);
   const Trajectory still = sample(path, align_stops(law, 0.01), 0.01);
   ASSERT_EQ(still.points.size(), 2U);
@@ -153,7 +153,7 @@ TEST(Trajectory, BeginsAndEndsAtRestAtTheEndsOfThePath) {
   const Path path = {{Vector2d(0.1, 0.2), Vector2d(1, 0), Vector2d(1.1, 1.3)}};
   const BlendedPath smooth = blended(path, 0.1);
   const TimeLaw law =
-      align_stops(time_optimal(smooth, limits(Vector2d(2, 2), Vector2d(4, 4))), 0.004);
+      align_stops(time_optimal(smooth, rate_limits(Vector2d(2, 2), Vector2d(4, 4))), 0.004);
   const Trajectory trajectory = sample(smooth, law, 0.004);
   EXPECT_EQ(trajectory.points.front().position, path.waypoints.front()) << "to the bit";
   EXPECT_EQ(trajectory.points.back().position, path.waypoints.back()) << "to the bit";
@@ -167,7 +167,7 @@ TEST(Trajectory, BeginsAndEndsAtRestAtTheEndsOfThePath) {
 TEST(Trajectory, HasTheVelocitiesOfItsPositions) {
   const Path path = {{Vector2d(0, 0), Vector2d(1, 0), Vector2d(1, 1)}};
   const BlendedPath smooth = blended(path, 0.1);
-  const TimeLaw law = time_optimal(smooth, limits(Vector2d(2, 2), Vector2d(4, 4)));
+  const TimeLaw law = time_optimal(smooth, rate_limits(Vector2d(2, 2), Vector2d(4, 4)));
   const Trajectory trajectory = sample(smooth, law, 0.001);
   for (std::size_t i = 1; i + 1 < trajectory.points.size(); ++i) {
     const TrajectoryPoint& a = trajectory.points[i - 1];
@@ -179,13 +179,13 @@ TEST(Trajectory, HasTheVelocitiesOfItsPositions) {
 
 TEST(Trajectory, RefusesAPeriodThatIsNone) {
   const BlendedPath path = blended({{Vector2d(0, 0), Vector2d(1, 2)}}, 0.1);
-  const TimeLaw law = time_optimal(path, limits(Vector2d(1, 1), Vector2d(1, 1)));
+  const TimeLaw law = time_optimal(path, rate_limits(Vector2d(1, 1), Vector2d(1, 1)));
   EXPECT_THROW(static_cast<void>(sample(path, law, 0.0)), std::invalid_argument);
   EXPECT_THROW(static_cast<void>(sample(path, law, 1e-9)), std::invalid_argument);
 }
 
 TEST(LeastDuration, CountsEveryTurnOfAJoint) {
-  const RateLimits rates = limits(Vector2d(10, 10), Vector2d(1, 1));
+  const RateLimits rates = rate_limits(Vector2d(10, 10), Vector2d(1, 1));
   EXPECT_NEAR(least_duration({{Vector2d(0, 0), Vector2d(1, 0)}}, rates), 2.0, 1e-12);
   EXPECT_NEAR(least_duration({{Vector2d(0, 0), Vector2d(1, 0), Vector2d(0, 5)}}, rates), 4.472,
               1e-3);

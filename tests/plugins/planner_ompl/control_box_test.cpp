@@ -11,18 +11,18 @@ namespace {
 
 using planning::Configuration;
 using planning::PlanningProblem;
-using State = ompl::base::ScopedState<ompl::base::RealVectorStateSpace>;
+using BoxState = ompl::base::ScopedState<ompl::base::RealVectorStateSpace>;
 
 constexpr std::uint64_t kDraws = 500;
 
 Configuration there_and_back(const ControlBox& box, const Configuration& q) {
-  State state(box.space());
+  BoxState state(box.space());
   box.write(q, state.get());
   return box.read(state.get());
 }
 
 Configuration at(const ControlBox& box, const Eigen::VectorXd& x) {
-  State state(box.space());
+  BoxState state(box.space());
   for (unsigned int i = 0; i < box.space()->getDimension(); ++i) {
     state[i] = x[static_cast<Eigen::Index>(i)];
   }
@@ -51,9 +51,9 @@ TEST(ControlBox, MovesStraightInTheJointsWhereItMovesStraight) {
   problem.start = test::planar_configuration(-0.5, 0.1, 0.0, 0.3, 0.5);
   problem.goal = test::planar_configuration(0.4, 0.2, 0.0, 0.4, 0.3);
   const ControlBox box(problem, {.max_pmds = 1});
-  State from(box.space());
-  State to(box.space());
-  State middle(box.space());
+  BoxState from(box.space());
+  BoxState to(box.space());
+  BoxState middle(box.space());
   box.write(problem.start, from.get());
   box.write(problem.goal, to.get());
   box.space()->interpolate(from.get(), to.get(), 0.5, middle.get());
@@ -69,8 +69,8 @@ TEST(ControlBox, MeasuresTheArmAsNormalisedJoints) {
   problem.goal = problem.start;
   problem.goal(problem.arm) = test::planar_configuration(0.5, -0.3)(problem.arm);
   const ControlBox box(problem, {});
-  State from(box.space());
-  State to(box.space());
+  BoxState from(box.space());
+  BoxState to(box.space());
   box.write(problem.start, from.get());
   box.write(problem.goal, to.get());
   EXPECT_NEAR(box.space()->distance(from.get(), to.get()),

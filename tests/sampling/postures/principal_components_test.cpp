@@ -34,7 +34,7 @@ Eigen::MatrixXd six_samples(const Eigen::Vector3d& amplitudes) {
   return samples;
 }
 
-const std::vector<std::string> kJoints = {"a", "b", "c"};
+const std::vector<std::string> kJointNames = {"a", "b", "c"};
 
 TEST(PrincipalComponents, RecoversKnownDirectionsAndVariances) {
   const Eigen::Vector3d amplitudes(0.3, 0.2, 0.1);
@@ -99,7 +99,7 @@ TEST(PrincipalComponents, CopesWithPosturesThatNeverChange) {
   const Eigen::MatrixXd samples = Eigen::MatrixXd::Constant(4, 3, 0.25);
   const PrincipalComponents found = principal_components(samples);
   EXPECT_EQ(found.shares, Eigen::Vector3d::Zero());
-  EXPECT_TRUE(make_pmd_basis("hand", "", kJoints, found).directions.empty());
+  EXPECT_TRUE(make_pmd_basis("hand", "", kJointNames, found).directions.empty());
 }
 
 TEST(PrincipalComponents, RefusesTooFewOrUnusableSamples) {
@@ -125,10 +125,10 @@ TEST(PrincipalComponents, RefusesUnknownJointsToLeaveOut) {
 TEST(MakePmdBasis, GivesHalfSidesInStandardDeviations) {
   const Eigen::Vector3d amplitudes(0.3, 0.2, 0.1);
   const PrincipalComponents components = principal_components(six_samples(amplitudes));
-  const PmdBasis basis = make_pmd_basis("hand", "made up", kJoints, components, {{}, 2, 1.5});
+  const PmdBasis basis = make_pmd_basis("hand", "made up", kJointNames, components, {{}, 2, 1.5});
   EXPECT_EQ(basis.hand, "hand");
   EXPECT_EQ(basis.source, "made up");
-  EXPECT_EQ(basis.joints, kJoints);
+  EXPECT_EQ(basis.joints, kJointNames);
   EXPECT_EQ(basis.dimension(), 2);
   EXPECT_EQ(basis.directions[0].name, "PMD1");
   EXPECT_EQ(basis.directions[1].name, "PMD2");
@@ -139,7 +139,7 @@ TEST(MakePmdBasis, GivesHalfSidesInStandardDeviations) {
 
 TEST(MakePmdBasis, PutsFreeJointsFirstOverTheirWholeRange) {
   const PrincipalComponents components = principal_components(six_samples({0.3, 0.2, 0.1}), {1});
-  const PmdBasis basis = make_pmd_basis("hand", "", kJoints, components, {{1}, 4, 1.5});
+  const PmdBasis basis = make_pmd_basis("hand", "", kJointNames, components, {{1}, 4, 1.5});
   ASSERT_EQ(basis.dimension(), 3);
   const Eigen::Vector3d low = map_to_posture(basis, Eigen::VectorXd::Zero(1));
   EXPECT_LT((low - Eigen::Vector3d(0.4, 0.0, 0.6)).norm(), 1e-14);
@@ -149,7 +149,7 @@ TEST(MakePmdBasis, PutsFreeJointsFirstOverTheirWholeRange) {
 
 TEST(MakePmdBasis, SpansTheDataItCameFrom) {
   const Eigen::MatrixXd samples = six_samples({0.3, 0.2, 0.0});
-  const PmdBasis basis = make_pmd_basis("hand", "", kJoints, principal_components(samples));
+  const PmdBasis basis = make_pmd_basis("hand", "", kJointNames, principal_components(samples));
   EXPECT_EQ(basis.dimension(), 2);  // the third direction doesn't vary
   for (Eigen::Index i = 0; i < samples.rows(); ++i) {
     EXPECT_LT(distance_to_subspace(basis, samples.row(i)), 1e-14);
@@ -158,8 +158,9 @@ TEST(MakePmdBasis, SpansTheDataItCameFrom) {
 
 TEST(MakePmdBasis, MakesBasesThatFilesCanHold) {
   const test::ScratchFolder folder;
-  const PmdBasis basis = make_pmd_basis(
-      "hand", "", kJoints, principal_components(six_samples({0.3, 0.2, 0.1}), {0}), {{0}, 4, 1.5});
+  const PmdBasis basis =
+      make_pmd_basis("hand", "", kJointNames,
+                     principal_components(six_samples({0.3, 0.2, 0.1}), {0}), {{0}, 4, 1.5});
   write_pmd_basis(basis, folder.path() / "basis.yaml");
   const PmdBasis read = read_pmd_basis(folder.path() / "basis.yaml");
   EXPECT_EQ(read.directions.at(1).vector, basis.directions.at(1).vector);
@@ -171,9 +172,9 @@ TEST(MakePmdBasis, RefusesWrongArguments) {
     static_cast<void>(make_pmd_basis("hand", "", std::move(joints), components, options));
   };
   EXPECT_THROW(make({"a"}, {}), std::invalid_argument);
-  EXPECT_THROW(make(kJoints, {{}, -1, 1.5}), std::invalid_argument);
-  EXPECT_THROW(make(kJoints, {{}, 2, 0.0}), std::invalid_argument);
-  EXPECT_THROW(make(kJoints, {{3}, 2, 1.5}), std::invalid_argument);
+  EXPECT_THROW(make(kJointNames, {{}, -1, 1.5}), std::invalid_argument);
+  EXPECT_THROW(make(kJointNames, {{}, 2, 0.0}), std::invalid_argument);
+  EXPECT_THROW(make(kJointNames, {{3}, 2, 1.5}), std::invalid_argument);
 }
 
 }  // namespace

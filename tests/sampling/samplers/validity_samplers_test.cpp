@@ -11,7 +11,7 @@ namespace {
 
 bool in_the_left_half(const Eigen::VectorXd& point) { return point[0] < 0.5; }
 
-bool in_the_slot(const Eigen::VectorXd& point) { return std::abs(point[0] - 0.5) < 0.02; }
+bool in_the_narrow_slot(const Eigen::VectorXd& point) { return std::abs(point[0] - 0.5) < 0.02; }
 
 TEST(GaussianSampler, DrawsValidPointsNearTheBorder) {
   constexpr double kSigma = 0.05;
@@ -40,11 +40,11 @@ TEST(GaussianSampler, GivesUpWhereThereIsNoBorder) {
 }
 
 TEST(BridgeTestSampler, DrawsValidPointsOfTheNarrowPassage) {
-  BridgeTestSampler sampler(3, 1, in_the_slot, {0.1, 10000});
+  BridgeTestSampler sampler(3, 1, in_the_narrow_slot, {0.1, 10000});
   for (int i = 0; i < 500; ++i) {
     const auto point = sampler.draw();
     ASSERT_TRUE(point.has_value());
-    ASSERT_TRUE(in_the_slot(*point));
+    ASSERT_TRUE(in_the_narrow_slot(*point));
   }
 }
 
@@ -54,11 +54,11 @@ TEST(BridgeTestSampler, FindsNothingInAWideSpace) {
 }
 
 TEST(ValiditySamplers, RefuseOptionsOutOfRange) {
-  EXPECT_THROW(GaussianSampler(2, 1, in_the_slot, {0.0, 10}), std::invalid_argument);
-  EXPECT_THROW(GaussianSampler(2, 1, in_the_slot, {0.1, 0}), std::invalid_argument);
+  EXPECT_THROW(GaussianSampler(2, 1, in_the_narrow_slot, {0.0, 10}), std::invalid_argument);
+  EXPECT_THROW(GaussianSampler(2, 1, in_the_narrow_slot, {0.1, 0}), std::invalid_argument);
   EXPECT_THROW(GaussianSampler(2, 1, nullptr), std::invalid_argument);
-  EXPECT_THROW(BridgeTestSampler(2, 1, in_the_slot, {NAN, 10}), std::invalid_argument);
-  EXPECT_THROW(BridgeTestSampler(2, 1, in_the_slot, {0.1, 0}), std::invalid_argument);
+  EXPECT_THROW(BridgeTestSampler(2, 1, in_the_narrow_slot, {NAN, 10}), std::invalid_argument);
+  EXPECT_THROW(BridgeTestSampler(2, 1, in_the_narrow_slot, {0.1, 0}), std::invalid_argument);
   EXPECT_THROW(BridgeTestSampler(2, 1, nullptr), std::invalid_argument);
 }
 

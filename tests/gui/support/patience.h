@@ -1,0 +1,12 @@
+#pragma once
+
+namespace handway::test {
+
+/// The longest that a window test waits for what must come, however busy the machine.
+#ifdef __SANITIZE_ADDRESS__
+inline constexpr int kPatienceMs = 240000;
+#else
+inline constexpr int kPatienceMs = 60000;
+#endif
+
+}  // namespace handway::test
