@@ -40,6 +40,20 @@ Stretch narrowest(const std::vector<std::uint64_t>& tenths, std::uint64_t all) {
   return best;
 }
 
+constexpr int kNearEnd = 3;  // tenths
+
+QString advice(const Stretch& stretch, const QString& a, const QString& b) {
+  if (stretch.to <= kNearEnd) {
+    return QObject::tr("Try a start with more room between %1 and %2.").arg(a, b);
+  }
+  if (stretch.from >= 10 - kNearEnd) {
+    return QObject::tr("Try a goal with more room between %1 and %2.").arg(a, b);
+  }
+  return QObject::tr(
+             "Try more time, another planner or preset, or more room between %1 and %2 on the way.")
+      .arg(a, b);
+}
+
 }  // namespace
 
 QString rejection_text(const planning::PlanStatistics& statistics) {
@@ -52,21 +66,23 @@ QString rejection_text(const planning::PlanStatistics& statistics) {
   }
   const auto worst =
       std::ranges::max_element(pairs, {}, [](const auto& pair) { return pair.second; });
+  const QString a = QString::fromStdString(worst->first.first);
+  const QString b = QString::fromStdString(worst->first.second);
   QString text = QObject::tr("In %1 % of the samples that were refused, %2 touched %3")
                      .arg(percent(worst->second, all))
-                     .arg(QString::fromStdString(worst->first.first),
-                          QString::fromStdString(worst->first.second));
+                     .arg(a, b);
   const auto& tenths = statistics.rejections_per_tenth;
   const std::uint64_t placed = std::accumulate(tenths.begin(), tenths.end(), std::uint64_t{0});
+  Stretch stretch;
   if (placed > 0 && tenths.size() == 10) {
-    const Stretch stretch = narrowest(tenths, placed);
+    stretch = narrowest(tenths, placed);
     if (stretch.to - stretch.from <= 5) {
       text += QObject::tr("; most of them between %1 and %2 % of the way")
                   .arg(10 * stretch.from)
                   .arg(10 * stretch.to);
     }
   }
-  return text + QStringLiteral(".");
+  return text + QStringLiteral(". ") + advice(stretch, a, b);
 }
 
 }  // namespace handway::gui

@@ -7,7 +7,7 @@
 namespace handway::gui {
 
 /// What stood in a planner's way, in words: which bodies touched in most of the samples
-/// that it refused, and where along the way. Plain text; empty if it refused none.
+/// that it refused, where along the way, and what to try. Plain text; empty if it refused none.
 [[nodiscard]] QString rejection_text(const planning::PlanStatistics& statistics);
 
 }  // namespace handway::gui
