@@ -115,7 +115,7 @@ ShadedMesh shade(const geometric::TriangleMesh& mesh, const std::vector<Face>& f
 }  // namespace
 
 ShadedMesh with_crease_normals(const geometric::TriangleMesh& mesh, double crease_angle) {
-  const geometric::TriangleMesh one = welded(mesh);
+  const geometric::TriangleMesh one = welded_to_draw(mesh);
   const std::vector<Face> faces = list_faces(one, each_its_own(one));
   return shade(one, faces, Surroundings(faces), crease_angle);
 }

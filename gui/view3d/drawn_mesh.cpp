@@ -28,7 +28,7 @@ double smallest_side(const Eigen::Vector3d& size) { return size.prod() / size.ma
 DrawnMesh prepare_to_draw(const geometric::TriangleMesh& mesh) {
   DrawnMesh drawn;
   drawn.fine = with_crease_normals(mesh, kCreaseAngle);
-  const geometric::TriangleMesh whole = welded(mesh);
+  const geometric::TriangleMesh whole = welded_to_draw(mesh);
   drawn.is_solid = is_solid(whole);
   std::size_t triangles = whole.triangles.size();
   if (triangles < kFewTriangles || triangles > kManyTriangles) {

@@ -6,7 +6,7 @@ namespace handway::gui {
 
 /// The same surface with one vertex a place (within a ten-thousandth of a millimetre), also of
 /// triangle soups (STL), without triangles that have a place twice.
-[[nodiscard]] geometric::TriangleMesh welded(const geometric::TriangleMesh& mesh);
+[[nodiscard]] geometric::TriangleMesh welded_to_draw(const geometric::TriangleMesh& mesh);
 
 /// Is it the surface of solids, seen from outside? Then triangles that look away can't be seen.
 /// Each edge is passed as often one way as the other, and each piece has a volume above 0.

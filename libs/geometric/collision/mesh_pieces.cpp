@@ -1,6 +1,6 @@
 #include "collision/mesh_pieces.h"
 
-#include <boost/pending/disjoint_sets.hpp>
+#include "handway/geometric/scene/mesh_topology.h"
 
 #include <algorithm>
 #include <array>
@@ -11,25 +11,6 @@ namespace handway::geometric {
 namespace {
 
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
-
-// The same surface; vertices at the same place are one.
-TriangleMesh welded(const TriangleMesh& mesh) {
-  TriangleMesh result;
-  std::map<std::array<double, 3>, std::uint32_t> numbers;
-  std::vector<std::uint32_t> number;
-  for (const Eigen::Vector3d& p : mesh.vertices) {
-    const auto next = static_cast<std::uint32_t>(numbers.size());
-    const auto [place, is_new] = numbers.try_emplace({p.x(), p.y(), p.z()}, next);
-    number.push_back(place->second);
-    if (is_new) {
-      result.vertices.push_back(p);
-    }
-  }
-  for (const auto& [a, b, c] : mesh.triangles) {
-    result.triangles.push_back({number[a], number[b], number[c]});
-  }
-  return result;
-}
 
 TriangleMesh part_of(const TriangleMesh& mesh, const std::vector<std::uint32_t>& triangles) {
   TriangleMesh part;
@@ -53,18 +34,14 @@ TriangleMesh part_of(const TriangleMesh& mesh, const std::vector<std::uint32_t>&
 
 std::vector<TriangleMesh> pieces_of(const TriangleMesh& mesh) {
   const TriangleMesh whole = welded(mesh);
-  boost::disjoint_sets_with_storage<> sets(whole.vertices.size());
-  for (const auto& [a, b, c] : whole.triangles) {
-    sets.union_set(a, b);
-    sets.union_set(a, c);
-  }
-  std::map<std::size_t, std::vector<std::uint32_t>> parts;
+  const std::vector<std::uint32_t> piece_of = piece_numbers(whole);
+  std::map<std::uint32_t, std::vector<std::uint32_t>> parts;
   for (std::uint32_t t = 0; t < whole.triangles.size(); ++t) {
-    parts[sets.find_set(whole.triangles[t][0])].push_back(t);
+    parts[piece_of[whole.triangles[t][0]]].push_back(t);
   }
   std::vector<TriangleMesh> pieces;
   pieces.reserve(parts.size());
-  for (const auto& [root, triangles] : parts) {
+  for (const auto& [number, triangles] : parts) {
     pieces.push_back(part_of(whole, triangles));
   }
   std::ranges::stable_sort(pieces, std::ranges::greater(), [](const TriangleMesh& piece) {

@@ -61,7 +61,10 @@ class Pictures : public WindowTest {
                                   kPatienceMs));
     }
   }
-  void TearDown() override { qputenv("PATH", path_); }
+  void TearDown() override {
+    qputenv("PATH", path_);
+    WindowTest::TearDown();
+  }
 
   /// What the program leaves is a film for those who look for ffmpeg.
   void use_program(const std::string& script) const {

@@ -15,7 +15,10 @@ class GloveRecording : public GloveDock {
     QStandardPaths::setTestModeEnabled(true);
     GloveDock::SetUp();
   }
-  void TearDown() override { QStandardPaths::setTestModeEnabled(false); }
+  void TearDown() override {
+    QStandardPaths::setTestModeEnabled(false);
+    GloveDock::TearDown();
+  }
 
   [[nodiscard]] std::size_t rows() const { return panel().session().link().tap().rows(); }
   [[nodiscard]] QFileDialog* dialog() const {

@@ -28,7 +28,10 @@ class PresetsInThePanel : public WindowTest {
       window().plan_panel().choose_planner("pmd-auto");
     }
   }
-  void TearDown() override { forget_presets(); }
+  void TearDown() override {
+    forget_presets();
+    WindowTest::TearDown();
+  }
 
   static void forget_presets() {
     const std::filesystem::path file = gui::PresetStore::file();

@@ -36,6 +36,7 @@ class ThePreferences : public EditingTest {
     if (!IsSkipped()) {
       window().preferences().set(PreferenceValues{});
     }
+    EditingTest::TearDown();
   }
 
   [[nodiscard]] const PreferenceValues& values() const { return window().preferences().values(); }

@@ -1,6 +1,7 @@
 #include "window_test.h"
 
 #include "patience.h"
+#include "watched_application.h"
 
 #include <QDockWidget>
 #include <QLabel>
@@ -9,12 +10,20 @@
 #include <QTextDocument>
 
 namespace handway::test {
+
 void WindowTest::SetUp() {
   HANDWAY_NEED_DISPLAY();
   window_ = std::make_unique<gui::MainWindow>(std::make_shared<planning::Extensions>());
   window_->resize(900, 640);
   window_->show();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get()));
+  WatchedApplication::forget();
+}
+
+void WindowTest::TearDown() {
+  if (window_) {
+    expect_no_stall();
+  }
 }
 
 void WindowTest::open(const std::filesystem::path& file) {

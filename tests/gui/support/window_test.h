@@ -20,10 +20,11 @@
 
 namespace handway::test {
 
-/// A workbench on screen, driven as a person would.
+/// A workbench on screen, driven as a person would. No step may keep it from answering.
 class WindowTest : public ::testing::Test {
  protected:
   void SetUp() override;
+  void TearDown() override;
 
   /// Opens a file and waits until it is shown or refused.
   void open(const std::filesystem::path& file);

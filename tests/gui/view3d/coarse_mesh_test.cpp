@@ -54,7 +54,7 @@ TEST(CoarseMeshes, KeepARidgeSharp) {
 }
 
 TEST(CoarseMeshes, StayNearARoundSurfaceAndLeaveItClosed) {
-  const TriangleMesh ball = welded(*geometric::tessellate(geometric::Sphere{0.5}));
+  const TriangleMesh ball = welded_to_draw(*geometric::tessellate(geometric::Sphere{0.5}));
   ASSERT_TRUE(is_solid(ball));
   std::size_t before = ball.triangles.size();
   for (const double error : {2e-3, 1e-2, 5e-2}) {
@@ -69,7 +69,7 @@ TEST(CoarseMeshes, StayNearARoundSurfaceAndLeaveItClosed) {
 }
 
 TEST(CoarseMeshes, StayOnTheSurfaceWithoutAnError) {
-  const TriangleMesh ball = welded(*geometric::tessellate(geometric::Sphere{0.5}));
+  const TriangleMesh ball = welded_to_draw(*geometric::tessellate(geometric::Sphere{0.5}));
   const TriangleMesh made = coarse(ball, 0.0);
   EXPECT_GT(made.triangles.size(), ball.triangles.size() / 2);
   for (const Eigen::Vector3d& v : made.vertices) {
@@ -78,7 +78,7 @@ TEST(CoarseMeshes, StayOnTheSurfaceWithoutAnError) {
 }
 
 TEST(SolidMeshes, AreClosedAndSeenFromOutside) {
-  TriangleMesh box = welded(*geometric::tessellate(geometric::Box{{1.0, 2.0, 3.0}}));
+  TriangleMesh box = welded_to_draw(*geometric::tessellate(geometric::Box{{1.0, 2.0, 3.0}}));
   EXPECT_TRUE(is_solid(box));
   TriangleMesh inside_out = box;
   for (auto& triangle : inside_out.triangles) {

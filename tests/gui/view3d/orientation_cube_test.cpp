@@ -73,6 +73,7 @@ class TheOrientationCube : public WindowTest {
     if (!IsSkipped()) {
       window().preferences().set(gui::PreferenceValues{});
     }
+    WindowTest::TearDown();
   }
 
   [[nodiscard]] gui::SceneView& view() const { return window().view(); }

@@ -94,6 +94,7 @@ class SeenInParallel : public EditingTest {
     if (!IsSkipped()) {
       window().preferences().set(gui::PreferenceValues{});
     }
+    EditingTest::TearDown();
   }
   [[nodiscard]] gui::SceneView& view() const { return window().view(); }
   [[nodiscard]] QPoint seen(const Eigen::Vector3d& p_W) const {
