@@ -26,6 +26,8 @@
 namespace handway::gui {
 namespace {
 
+constexpr int kPlannersSeen = 14;  // of a list that may have dozens
+
 QLabel* make_heading(const QString& text) {
   auto* heading = new QLabel(text);
   heading->setProperty("role", "heading");
@@ -80,6 +82,7 @@ PlanPanel::PlanPanel(const planning::PlannerRegistry& registry, QWidget* parent)
 
 QWidget* PlanPanel::make_settings() {
   planners_->setObjectName(QStringLiteral("planners"));
+  planners_->setMaxVisibleItems(kPlannersSeen);
   description_->setWordWrap(true);
   description_->setProperty("role", "note");
   seed_->setRange(0, std::numeric_limits<int>::max());
