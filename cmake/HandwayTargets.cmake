@@ -82,6 +82,8 @@ function(handway_test name)
                                         GTest::gtest_main)
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/tests")
   _handway_warnings(${name})
+  # What they test is optimised; tests themselves are not worth the compiler's time.
+  target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
   gtest_discover_tests(
     ${name}
     DISCOVERY_MODE PRE_TEST
