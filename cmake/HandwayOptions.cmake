@@ -49,3 +49,6 @@ endif()
 # Identical bits on every run and machine of one architecture: the compiler may
 # not fuse or reorder floating-point operations on its own.
 add_compile_options(-ffp-contract=off)
+# Nobody asks for errno or the processor's flags after an operation; without these the compiler may
+# take roots and compare in vectors. Results stay the same.
+add_compile_options(-fno-math-errno -fno-trapping-math)

@@ -107,7 +107,7 @@ double RootBounds::bound(const Placement& placement, int pair) const {
 }
 
 HANDWAY_VECTOR_UNITS void RootBounds::bound_moving(const Placement& at, Range pairs,
-                                                   float* bounds) const {
+                                                   float* __restrict bounds) const {
   for (std::size_t i = pairs.first; i < pairs.end; ++i) {
     const float x = at.x[a_[i]] - at.x[b_[i]];
     const float y = at.y[a_[i]] - at.y[b_[i]];
@@ -117,7 +117,7 @@ HANDWAY_VECTOR_UNITS void RootBounds::bound_moving(const Placement& at, Range pa
 }
 
 HANDWAY_VECTOR_UNITS void RootBounds::bound_still(const Placement& at, Range pairs,
-                                                  float* bounds) const {
+                                                  float* __restrict bounds) const {
   for (std::size_t i = pairs.first; i < pairs.end; ++i) {
     const std::uint32_t body = a_[moving_ + i];
     const float x = at.x[body];

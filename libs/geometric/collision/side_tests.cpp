@@ -70,11 +70,12 @@ HANDWAY_VECTOR_UNITS float depth_in(const Box& box, const Boxes& boxes) {
     const float z = boxes.half[2][k] - std::abs(box.centre[2] - boxes.centre[2][k]) - box.half[2];
     depth[k] = std::min(std::min(x, y), z);
   }
-  float deepest = depth[0];
-  for (std::size_t k = 1; k < kBoxes; ++k) {
-    deepest = std::max(deepest, depth[k]);
+  for (std::size_t count = kBoxes / 2; count > 0; count /= 2) {
+    for (std::size_t k = 0; k < count; ++k) {
+      depth[k] = std::max(depth[k], depth[k + count]);
+    }
   }
-  return deepest;
+  return depth[0];
 }
 
 Box box_of(const Boxes& boxes, std::size_t k, float gain) {
