@@ -3,6 +3,8 @@
 #include "collision/vector_units.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <iterator>
 #include <utility>
@@ -11,50 +13,111 @@ namespace handway::geometric {
 namespace {
 
 constexpr float kRootRounding = 2e-5F;  // m: more than single precision can be off within 10 m
+constexpr float kNoPair = -1e30F;       // a radius that nothing is within
+constexpr std::size_t kLanes = 16;
 
 // With fewer pairs, to bound the distances of all takes less time than to look for the near ones.
 constexpr std::size_t kMany = 600;
 
-}  // namespace
+std::size_t full_lanes(std::size_t count) { return (count + kLanes - 1) / kLanes * kLanes; }
 
-RootBounds::RootBounds(const CollisionWorld& world, std::vector<BoundingSphere> spheres)
-    : spheres_(std::move(spheres)), bodies_(world.moving()) {
-  for (const BodyPair& pair : world.pairs()) {
-    const CollisionBody& still = world.body(pair.b);
-    const bool both_move = still.moves();
-    moving_ += both_move ? 1 : 0;
-    a_.push_back(static_cast<std::uint32_t>(pair.a));
-    b_.push_back(static_cast<std::uint32_t>(pair.b));
-    radii_.push_back(spheres_[static_cast<std::size_t>(pair.a)].radius +
-                     (both_move ? spheres_[static_cast<std::size_t>(pair.b)].radius : 0.0F) +
-                     kRootRounding);
-    if (both_move) {
-      continue;
-    }
-    const Aabb box = bounding_box(*still.mesh);
-    const Pose X_BoxW = Eigen::Translation3d(-box.centre()) * still.X_FB.inverse();
-    for (std::size_t row = 0; row < 3; ++row) {
-      for (std::size_t column = 0; column < 4; ++column) {
-        X_BoxW_[4 * row + column].push_back(static_cast<float>(
-            X_BoxW.matrix()(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column))));
-      }
-      half_[row].push_back(static_cast<float>(0.5 * box.size()[static_cast<Eigen::Index>(row)]));
+void append_found(const std::uint32_t* near, std::span<const int> pairs_of_lanes,
+                  std::vector<int>& pairs) {
+  for (std::size_t first = 0; first < pairs_of_lanes.size(); first += kLanes) {
+    for (std::uint32_t bits = near[first / kLanes]; bits != 0; bits &= bits - 1) {
+      pairs.push_back(pairs_of_lanes[first + static_cast<std::size_t>(std::countr_zero(bits))]);
     }
   }
-  if (a_.size() - moving_ > kMany) {
-    still_.emplace(world);
+}
+
+// Of each body, among those that move or among the others.
+std::vector<std::size_t> columns(const CollisionWorld& world) {
+  std::array<std::size_t, 2> count{};
+  std::vector<std::size_t> column;
+  column.reserve(world.bodies().size());
+  for (const CollisionBody& body : world.bodies()) {
+    column.push_back(count[body.moves() ? 1 : 0]++);
+  }
+  return column;
+}
+
+std::size_t count_still(const CollisionWorld& world) {
+  return world.bodies().size() - world.moving().size();
+}
+
+}  // namespace
+
+RootBounds::Table::Table(std::size_t row_count, std::size_t column_count)
+    : rows(row_count),
+      width(full_lanes(column_count)),
+      radii(rows * width, kNoPair),
+      pairs(rows * width, -1) {}
+
+void RootBounds::Table::add(int pair, Cell cell, float radius) {
+  radii[cell.row * width + cell.column] = radius;
+  pairs[cell.row * width + cell.column] = pair;
+}
+
+std::size_t RootBounds::Table::blocks() const { return width / kLanes; }
+
+RootBounds::RootBounds(const CollisionWorld& world, std::vector<BoundingSphere> spheres)
+    : spheres_(std::move(spheres)),
+      bodies_(world.moving()),
+      moving_(bodies_.size(), bodies_.size()),
+      still_(bodies_.size(), count_still(world)) {
+  for (std::vector<float>& numbers : X_BoxW_) {
+    numbers.resize(still_.width);
+  }
+  for (std::vector<float>& numbers : half_) {
+    numbers.resize(still_.width);
+  }
+  const std::vector<std::size_t> column = columns(world);
+  for (std::size_t body = 0; body < column.size(); ++body) {
+    const CollisionBody& still = world.bodies()[body];
+    if (!still.moves()) {
+      add_box(still, column[body]);
+    }
+  }
+  for (const auto& [a, b] : world.pairs()) {
+    add_pair(a, b, column, world.body(b).moves());
+  }
+  if (cells_.size() - moving_pairs_ > kMany) {
+    many_.emplace(world);
+  }
+}
+
+void RootBounds::add_pair(int a, int b, const std::vector<std::size_t>& column, bool both_move) {
+  const auto first = static_cast<std::size_t>(a);
+  const auto second = static_cast<std::size_t>(b);
+  const auto pair = static_cast<int>(cells_.size());
+  cells_.push_back({column[first], column[second]});
+  const float radius = spheres_[first].radius + (both_move ? spheres_[second].radius : 0.0F);
+  (both_move ? moving_ : still_).add(pair, cells_.back(), radius + kRootRounding);
+  moving_pairs_ += both_move ? 1 : 0;
+}
+
+void RootBounds::add_box(const CollisionBody& still, std::size_t column) {
+  const Aabb box = bounding_box(*still.mesh);
+  const Pose X_BoxW = Eigen::Translation3d(-box.centre()) * still.X_FB.inverse();
+  for (Eigen::Index row = 0; row < 3; ++row) {
+    for (Eigen::Index k = 0; k < 4; ++k) {
+      X_BoxW_[static_cast<std::size_t>(4 * row + k)][column] =
+          static_cast<float>(X_BoxW.matrix()(row, k));
+    }
+    half_[static_cast<std::size_t>(row)][column] = static_cast<float>(0.5 * box.size()[row]);
   }
 }
 
 RootBounds::Placement RootBounds::placement() const {
-  const std::vector<float> zeros(spheres_.size());
-  return {zeros, zeros, zeros, std::vector<float>(a_.size()), {}};
+  const std::vector<float> zeros(moving_.width);
+  const std::size_t blocks = std::max(moving_.blocks(), many_ ? 0 : still_.blocks());
+  return {zeros, zeros, zeros, std::vector<std::uint32_t>(bodies_.size() * blocks), {}};
 }
 
 void RootBounds::place(std::span<const Pose> X_WBody, Placement& placement) const {
-  for (const int body : bodies_) {
-    const auto i = static_cast<std::size_t>(body);
-    const Eigen::Vector3d centre = X_WBody[i] * spheres_[i].centre.cast<double>();
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    const auto body = static_cast<std::size_t>(bodies_[i]);
+    const Eigen::Vector3d centre = X_WBody[body] * spheres_[body].centre.cast<double>();
     placement.x[i] = static_cast<float>(centre.x());
     placement.y[i] = static_cast<float>(centre.y());
     placement.z[i] = static_cast<float>(centre.z());
@@ -62,33 +125,27 @@ void RootBounds::place(std::span<const Pose> X_WBody, Placement& placement) cons
 }
 
 void RootBounds::find_near(Placement& placement, double tolerance, std::vector<int>& pairs) const {
-  bound_moving(placement, {0, moving_}, placement.bounds.data());
+  const auto within = static_cast<float>(tolerance);
   pairs.clear();
-  for (std::size_t i = 0; i < moving_; ++i) {
-    if (placement.bounds[i] < tolerance) {
-      pairs.push_back(static_cast<int>(i));
-    }
+  find_near_moving(placement, within, placement.near.data());
+  append_found(placement.near.data(), moving_.pairs, pairs);
+  if (many_) {
+    append_near_still(placement, tolerance, pairs);
+  } else {
+    find_near_still(placement, within, placement.near.data());
+    append_found(placement.near.data(), still_.pairs, pairs);
   }
-  find_near_still(placement, tolerance, pairs);
 }
 
-void RootBounds::find_near_still(Placement& placement, double tolerance,
-                                 std::vector<int>& pairs) const {
-  if (!still_) {
-    bound_still(placement, {0, a_.size() - moving_}, placement.bounds.data() + moving_);
-    for (std::size_t i = moving_; i < a_.size(); ++i) {
-      if (placement.bounds[i] < tolerance) {
-        pairs.push_back(static_cast<int>(i));
-      }
-    }
-    return;
-  }
+void RootBounds::append_near_still(Placement& placement, double tolerance,
+                                   std::vector<int>& pairs) const {
   std::vector<int>& candidates = placement.candidates;
   candidates.clear();
-  for (const int body : bodies_) {
-    const auto i = static_cast<std::size_t>(body);
-    const float reach = spheres_[i].radius + kRootRounding + static_cast<float>(tolerance);
-    still_->append_near(body, {placement.x[i], placement.y[i], placement.z[i]}, reach, candidates);
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    const int body = bodies_[i];
+    const float reach = spheres_[static_cast<std::size_t>(body)].radius + kRootRounding +
+                        static_cast<float>(tolerance);
+    many_->append_near(body, {placement.x[i], placement.y[i], placement.z[i]}, reach, candidates);
   }
   std::ranges::sort(candidates);
   std::ranges::copy_if(candidates, std::back_inserter(pairs),
@@ -96,41 +153,67 @@ void RootBounds::find_near_still(Placement& placement, double tolerance,
 }
 
 double RootBounds::bound(const Placement& placement, int pair) const {
-  const auto i = static_cast<std::size_t>(pair);
-  float result = 0.0F;
-  if (i < moving_) {
-    bound_moving(placement, {i, i + 1}, &result);
-  } else {
-    bound_still(placement, {i - moving_, i + 1 - moving_}, &result);
+  const auto [i, j] = cells_[static_cast<std::size_t>(pair)];
+  const Eigen::Vector3f p(placement.x[i], placement.y[i], placement.z[i]);
+  if (static_cast<std::size_t>(pair) < moving_pairs_) {
+    const Eigen::Vector3f other(placement.x[j], placement.y[j], placement.z[j]);
+    return (p - other).norm() - moving_.radii[i * moving_.width + j];
   }
-  return result;
+  Eigen::Vector3f beyond;
+  for (std::size_t row = 0; row < 3; ++row) {
+    const float along = X_BoxW_[4 * row][j] * p.x() + X_BoxW_[4 * row + 1][j] * p.y() +
+                        X_BoxW_[4 * row + 2][j] * p.z() + X_BoxW_[4 * row + 3][j];
+    beyond[static_cast<Eigen::Index>(row)] = std::max(std::abs(along) - half_[row][j], 0.0F);
+  }
+  return beyond.norm() - still_.radii[i * still_.width + j];
 }
 
-HANDWAY_VECTOR_UNITS void RootBounds::bound_moving(const Placement& at, Range pairs,
-                                                   float* __restrict bounds) const {
-  for (std::size_t i = pairs.first; i < pairs.end; ++i) {
-    const float x = at.x[a_[i]] - at.x[b_[i]];
-    const float y = at.y[a_[i]] - at.y[b_[i]];
-    const float z = at.z[a_[i]] - at.z[b_[i]];
-    bounds[i - pairs.first] = std::sqrt(x * x + y * y + z * z) - radii_[i];
-  }
-}
-
-HANDWAY_VECTOR_UNITS void RootBounds::bound_still(const Placement& at, Range pairs,
-                                                  float* __restrict bounds) const {
-  for (std::size_t i = pairs.first; i < pairs.end; ++i) {
-    const std::uint32_t body = a_[moving_ + i];
-    const float x = at.x[body];
-    const float y = at.y[body];
-    const float z = at.z[body];
-    float squared = 0.0F;
-    for (std::size_t row = 0; row < 3; ++row) {
-      const float along = X_BoxW_[4 * row][i] * x + X_BoxW_[4 * row + 1][i] * y +
-                          X_BoxW_[4 * row + 2][i] * z + X_BoxW_[4 * row + 3][i];
-      const float beyond = std::max(std::abs(along) - half_[row][i], 0.0F);
-      squared += beyond * beyond;
+HANDWAY_VECTOR_UNITS void RootBounds::find_near_moving(const Placement& at, float within,
+                                                       std::uint32_t* near) const {
+  const std::size_t blocks = moving_.blocks();
+  for (std::size_t i = 0; i < moving_.rows; ++i) {
+    for (std::size_t block = 0; block < blocks; ++block) {
+      const float* const radii = moving_.radii.data() + i * moving_.width;
+      std::uint32_t bits = 0;
+      HANDWAY_LANES
+      for (std::size_t k = 0; k < kLanes; ++k) {
+        const std::size_t other = block * kLanes + k;
+        const float x = at.x[other] - at.x[i];
+        const float y = at.y[other] - at.y[i];
+        const float z = at.z[other] - at.z[i];
+        const float reach = radii[other] + within;
+        bits |= reach > 0.0F && x * x + y * y + z * z < reach * reach ? 1U << k : 0U;
+      }
+      near[i * blocks + block] = bits;
     }
-    bounds[i - pairs.first] = std::sqrt(squared) - radii_[moving_ + i];
+  }
+}
+
+HANDWAY_VECTOR_UNITS void RootBounds::find_near_still(const Placement& at, float within,
+                                                      std::uint32_t* near) const {
+  const std::size_t blocks = still_.blocks();
+  for (std::size_t i = 0; i < still_.rows; ++i) {
+    const float x = at.x[i];
+    const float y = at.y[i];
+    const float z = at.z[i];
+    for (std::size_t block = 0; block < blocks; ++block) {
+      const float* const radii = still_.radii.data() + i * still_.width;
+      std::uint32_t bits = 0;
+      HANDWAY_LANES
+      for (std::size_t k = 0; k < kLanes; ++k) {
+        const std::size_t box = block * kLanes + k;
+        float squared = 0.0F;
+        for (std::size_t row = 0; row < 3; ++row) {
+          const float along = X_BoxW_[4 * row][box] * x + X_BoxW_[4 * row + 1][box] * y +
+                              X_BoxW_[4 * row + 2][box] * z + X_BoxW_[4 * row + 3][box];
+          const float beyond = std::max(std::abs(along) - half_[row][box], 0.0F);
+          squared += beyond * beyond;
+        }
+        const float reach = radii[box] + within;
+        bits |= reach > 0.0F && squared < reach * reach ? 1U << k : 0U;
+      }
+      near[i * blocks + block] = bits;
+    }
   }
 }
 

@@ -18,10 +18,10 @@ namespace handway::geometric {
 /// of what stands still.
 class RootBounds {
  public:
-  /// Where the spheres of one configuration are, m, in the world; shape [bodies].
+  /// Where the spheres of one configuration are.
   struct Placement {
-    std::vector<float> x, y, z;
-    std::vector<float> bounds;  ///< Room for what is computed; shape [pairs].
+    std::vector<float> x, y, z;       ///< m, in the world; shape [moving bodies, to full lanes].
+    std::vector<std::uint32_t> near;  ///< Room for what is found.
     std::vector<int> candidates;
   };
 
@@ -39,25 +39,40 @@ class RootBounds {
   [[nodiscard]] double bound(const Placement& placement, int pair) const;
 
  private:
-  struct Range {
-    std::size_t first;
-    std::size_t end;
+  struct Cell {
+    std::size_t row;
+    std::size_t column;
   };
-  void bound_moving(const Placement& at, Range pairs, float* bounds) const;
-  /// The range counts from the first pair with what stands still.
-  void bound_still(const Placement& at, Range pairs, float* bounds) const;
-  void find_near_still(Placement& placement, double tolerance, std::vector<int>& pairs) const;
+  /// What a body that moves may meet: a row for each of them, a column for each that it may meet.
+  struct Table {
+    Table(std::size_t row_count, std::size_t column_count);
+    void add(int pair, Cell cell, float radius);
+    [[nodiscard]] std::size_t blocks() const;  ///< Of lanes in a row.
+
+    std::size_t rows;
+    std::size_t width;         ///< Columns, to full lanes.
+    std::vector<float> radii;  ///< Shape [rows, width]: of the spheres, with room for roundings.
+    std::vector<int> pairs;    ///< Shape [rows, width].
+  };
+  /// @param column shape [bodies].
+  void add_pair(int a, int b, const std::vector<std::size_t>& column, bool both_move);
+  void add_box(const CollisionBody& still, std::size_t column);
+  /// Sets a bit for every column that is nearer than `within` (m); shape of `near` [rows, blocks].
+  void find_near_moving(const Placement& at, float within, std::uint32_t* near) const;
+  void find_near_still(const Placement& at, float within, std::uint32_t* near) const;
+  /// The same of many still bodies, which are looked up instead.
+  void append_near_still(Placement& placement, double tolerance, std::vector<int>& pairs) const;
 
   std::vector<BoundingSphere> spheres_;
-  std::vector<std::uint32_t> a_;  ///< Per pair: the body that moves …
-  std::vector<std::uint32_t> b_;  ///< … and the other.
-  std::vector<float> radii_;      ///< Of both spheres, or of a's, with room for roundings.
-  std::size_t moving_ = 0;        ///< So many pairs come first in which both move.
-  /// Of each other pair's still body: R and p of X_BoxWorld, row by row, and half the edges.
+  std::vector<int> bodies_;       ///< That move.
+  std::vector<Cell> cells_;       ///< Of each pair in the one or the other table.
+  std::size_t moving_pairs_ = 0;  ///< So many pairs come first in which both move.
+  Table moving_;                  ///< With what moves, …
+  Table still_;                   ///< … and with what stands still.
+  /// Of each still body: R and p of X_BoxWorld, row by row, and half the edges.
   std::array<std::vector<float>, 12> X_BoxW_;
   std::array<std::vector<float>, 3> half_;
-  std::vector<int> bodies_;           ///< That move.
-  std::optional<StillBodies> still_;  ///< Where there are many.
+  std::optional<StillBodies> many_;  ///< If there are many.
 };
 
 }  // namespace handway::geometric

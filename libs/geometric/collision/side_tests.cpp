@@ -47,16 +47,13 @@ HANDWAY_VECTOR_UNITS std::uint32_t count_in(const SurfacePoints& points, const B
 
 // Bit k: the ball reaches box k.
 HANDWAY_VECTOR_UNITS std::uint32_t reached(const float* centre, float radius, const Boxes& boxes) {
-  alignas(64) std::array<std::uint32_t, kBoxes> near;
+  std::uint32_t bits = 0;
+  HANDWAY_LANES
   for (std::size_t k = 0; k < kBoxes; ++k) {
     const float x = std::max(std::abs(centre[0] - boxes.centre[0][k]) - boxes.half[0][k], 0.0F);
     const float y = std::max(std::abs(centre[1] - boxes.centre[1][k]) - boxes.half[1][k], 0.0F);
     const float z = std::max(std::abs(centre[2] - boxes.centre[2][k]) - boxes.half[2][k], 0.0F);
-    near[k] = x * x + y * y + z * z < radius * radius ? 1U << k : 0U;
-  }
-  std::uint32_t bits = 0;
-  for (std::size_t k = 0; k < kBoxes; ++k) {
-    bits |= near[k];
+    bits |= x * x + y * y + z * z < radius * radius ? 1U << k : 0U;
   }
   return bits;
 }
@@ -70,12 +67,14 @@ HANDWAY_VECTOR_UNITS float depth_in(const Box& box, const Boxes& boxes) {
     const float z = boxes.half[2][k] - std::abs(box.centre[2] - boxes.centre[2][k]) - box.half[2];
     depth[k] = std::min(std::min(x, y), z);
   }
-  for (std::size_t count = kBoxes / 2; count > 0; count /= 2) {
-    for (std::size_t k = 0; k < count; ++k) {
-      depth[k] = std::max(depth[k], depth[k + count]);
-    }
+  for (std::size_t k = 0; k < kBoxes / 2; ++k) {
+    depth[k] = std::max(depth[k], depth[k + kBoxes / 2]);
   }
-  return depth[0];
+  float deepest = depth[0];
+  for (std::size_t k = 1; k < kBoxes / 2; ++k) {
+    deepest = std::max(deepest, depth[k]);
+  }
+  return deepest;
 }
 
 Box box_of(const Boxes& boxes, std::size_t k, float gain) {

@@ -34,6 +34,7 @@ HANDWAY_VECTOR_UNITS std::uint32_t near_box(const SphereCover::Node& node, const
     near[k] = within > 0.0F && ox * ox + oy * oy + oz * oz < within * within ? 1U << k : 0U;
   }
   std::uint32_t bits = 0;
+  HANDWAY_LANES
   for (std::size_t k = 0; k < kWidth; ++k) {
     bits |= near[k];
   }

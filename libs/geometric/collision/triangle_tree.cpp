@@ -131,13 +131,12 @@ HANDWAY_VECTOR_UNITS std::uint32_t TriangleTree::near_boxes(const Node& node,
   const float py = p.y();
   const float pz = p.z();
   std::uint32_t near = 0;
+  HANDWAY_LANES
   for (std::size_t k = 0; k < kWidth; ++k) {
     const float x = std::max(std::abs(px - node.centre[0][k]) - node.half[0][k], 0.0F);
     const float y = std::max(std::abs(py - node.centre[1][k]) - node.half[1][k], 0.0F);
     const float z = std::max(std::abs(pz - node.centre[2][k]) - node.half[2][k], 0.0F);
     squared[k] = x * x + y * y + z * z;
-  }
-  for (std::size_t k = 0; k < kWidth; ++k) {
     near |= squared[k] < distance * distance ? 1U << k : 0U;
   }
   return near;
