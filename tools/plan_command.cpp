@@ -91,7 +91,7 @@ void print_advice(const planning::PlanningProblem& problem, bool at_start) {
     return;
   }
   constexpr std::size_t kMostContacts = 3;
-  const std::vector<geometric::Contact> contacts = find_contacts(problem.checker->world(), q);
+  const std::vector<geometric::Contact> contacts = find_contacts(*problem.checker->clone(), q);
   for (std::size_t i = 0; i < std::min(kMostContacts, contacts.size()); ++i) {
     const geometric::Contact& contact = contacts[i];
     fmt::print(stderr, "  {} and {}: {:.1f} mm into each other at ({:.3f}, {:.3f}, {:.3f}) m\n",

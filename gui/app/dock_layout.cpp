@@ -7,6 +7,7 @@
 #include <QTabWidget>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -68,7 +69,7 @@ QTabWidget* make_tabs(const std::vector<DockContent>& contents) {
   tabs->setDocumentMode(true);
   tabs->tabBar()->setDrawBase(false);
   tabs->tabBar()->setExpanding(true);
-  tabs->tabBar()->setUsesScrollButtons(false);
+  tabs->tabBar()->setUsesScrollButtons(true);  // where a narrow window has no room for all
   for (const DockContent& content : contents) {
     content.widget->setObjectName(QLatin1String(content.name));
     tabs->addTab(content.widget, content.title);
@@ -91,12 +92,14 @@ void build_docks(QMainWindow& window, const DockContents& contents, QMenu& view_
   QDockWidget* history = make_dock(window, contents.history, Qt::LeftDockWidgetArea);
   window.tabifyDockWidget(left.back(), history);
   history->hide();
+  QTabWidget* tabs = make_tabs(contents.control);
   QDockWidget* right =
-      make_dock(window, {"control", QObject::tr("Control"), make_tabs(contents.control)},
-                Qt::RightDockWidgetArea);
+      make_dock(window, {"control", QObject::tr("Control"), tabs}, Qt::RightDockWidgetArea);
   right->setTitleBarWidget(new QWidget);
   const QList<QDockWidget*> below = make_docks_below(window, contents.below);
-  window.resizeDocks({left.front(), right}, {kLeftWidth, kRightWidth}, Qt::Horizontal);
+  window.resizeDocks({left.front(), right},
+                     {kLeftWidth, std::max(kRightWidth, tabs->tabBar()->sizeHint().width())},
+                     Qt::Horizontal);
   window.resizeDocks(left, heights, Qt::Vertical);
   history->toggleViewAction()->setText(QObject::tr("Undo &history"));
   QObject::connect(history->toggleViewAction(), &QAction::triggered, history, &QWidget::raise);

@@ -1,6 +1,5 @@
 #include "workers/query_doctor.h"
 
-#include <algorithm>
 #include <exception>
 #include <utility>
 
@@ -62,15 +61,7 @@ std::vector<EndDiagnosis> diagnose(const planning::PlanningProblem& problem, boo
       continue;
     }
     if (collides) {
-      std::vector<int> touching;
-      checker->place(end.q);
-      for (int pair = 0; pair < static_cast<int>(checker->world().pairs().size()); ++pair) {
-        if (checker->pair_collides(pair)) {
-          touching.push_back(pair);
-        }
-      }
-      end.contacts = geometric::find_contacts(checker->world(), end.q, touching);
-      std::ranges::stable_sort(end.contacts, std::greater(), &geometric::Contact::depth);
+      end.contacts = geometric::find_contacts(*checker, end.q);
     }
     end.nearest = planning::find_nearest_free(problem, end.q, {}, stop);
     ends.push_back(std::move(end));

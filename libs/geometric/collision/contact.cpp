@@ -10,7 +10,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <numeric>
+#include <map>
+#include <memory>
 #include <optional>
 
 namespace handway::geometric {
@@ -19,16 +20,16 @@ namespace {
 constexpr double kPrecision = 1e-4;       // m
 constexpr std::size_t kMostPoints = 400;  // triangle contacts that the middle is taken of
 
+struct PlacedBody {
+  const TriangleMesh& mesh;
+  const FclTree& tree;
+  Pose X_WB;
+};
+
 // Two bodies in their places, one of which can be shifted.
 class PlacedPair {
  public:
-  PlacedPair(const CollisionBody& a, const Pose& X_WA, const CollisionBody& b, const Pose& X_WB)
-      : a_(a),
-        b_(b),
-        X_WA_(X_WA),
-        X_WB_(X_WB),
-        tree_a_(make_fcl_tree(*a.mesh)),
-        tree_b_(make_fcl_tree(*b.mesh)) {}
+  PlacedPair(const PlacedBody& a, const PlacedBody& b) : a_(a), b_(b) {}
 
   // Middle and mean normal (from a to b) of where the surfaces cross, if they do.
   struct Crossing {
@@ -38,7 +39,7 @@ class PlacedPair {
   [[nodiscard]] std::optional<Crossing> crossing() const {
     fcl::CollisionRequestd request(kMostPoints, true);
     fcl::CollisionResultd result;
-    fcl::collide(tree_a_.get(), X_WA_, tree_b_.get(), X_WB_, request, result);
+    fcl::collide(&a_.tree, a_.X_WB, &b_.tree, b_.X_WB, request, result);
     if (!result.isCollision()) {
       return std::nullopt;
     }
@@ -53,26 +54,22 @@ class PlacedPair {
 
   // Is body a, shifted, neither crossing body b nor wholly inside it, or around it?
   [[nodiscard]] bool is_clear(const Eigen::Vector3d& shift) const {
-    const Pose X_WA = Eigen::Translation3d(shift) * X_WA_;
+    const Pose X_WA = Eigen::Translation3d(shift) * a_.X_WB;
     const fcl::CollisionRequestd request;
     fcl::CollisionResultd result;
-    if (fcl::collide(tree_a_.get(), X_WA, tree_b_.get(), X_WB_, request, result) > 0) {
+    if (fcl::collide(&a_.tree, X_WA, &b_.tree, b_.X_WB, request, result) > 0) {
       return false;
     }
-    const Pose X_BA = X_WB_.inverse() * X_WA;
-    return !is_inside(*b_.mesh, X_BA * a_.mesh->vertices.front()) &&
-           !is_inside(*a_.mesh, X_BA.inverse() * b_.mesh->vertices.front());
+    const Pose X_BA = b_.X_WB.inverse() * X_WA;
+    return !is_inside(b_.mesh, X_BA * a_.mesh.vertices.front()) &&
+           !is_inside(a_.mesh, X_BA.inverse() * b_.mesh.vertices.front());
   }
 
-  [[nodiscard]] const Pose& X_WB() const { return X_WB_; }
+  [[nodiscard]] const Pose& X_WB() const { return b_.X_WB; }
 
  private:
-  const CollisionBody& a_;
-  const CollisionBody& b_;
-  Pose X_WA_;
-  Pose X_WB_;
-  std::shared_ptr<const FclTree> tree_a_;
-  std::shared_ptr<const FclTree> tree_b_;
+  const PlacedBody& a_;
+  const PlacedBody& b_;
 };
 
 // The mean normal and the 26 ways to a cube's faces, edges and corners, the cube turned
@@ -118,15 +115,23 @@ std::vector<Contact> find_contacts(const CollisionWorld& world, const Configurat
   std::vector<Pose> X_BL(static_cast<std::size_t>(world.model().link_count()));
   std::vector<Pose> X_WBody(world.bodies().size());
   world.place(q, X_BL, X_WBody);
+  std::map<const TriangleMesh*, std::shared_ptr<const FclTree>> trees;
+  const auto placed = [&](int index) {
+    const CollisionBody& body = world.body(index);
+    auto& tree = trees[body.mesh.get()];
+    if (!tree) {
+      tree = make_fcl_tree(*body.mesh);
+    }
+    return PlacedBody{*body.mesh, *tree, X_WBody[static_cast<std::size_t>(index)]};
+  };
   std::vector<Contact> contacts;
   for (const int index : pairs) {
     const BodyPair& bodies = world.pairs()[static_cast<std::size_t>(index)];
-    const CollisionBody& a = world.body(bodies.a);
-    const CollisionBody& b = world.body(bodies.b);
-    const PlacedPair pair(a, X_WBody[static_cast<std::size_t>(bodies.a)], b,
-                          X_WBody[static_cast<std::size_t>(bodies.b)]);
+    const PlacedBody a = placed(bodies.a);
+    const PlacedBody b = placed(bodies.b);
+    const PlacedPair pair(a, b);
     if (const auto crossing = pair.crossing()) {
-      Contact contact{a.name, b.name, crossing->middle};
+      Contact contact{world.body(bodies.a).name, world.body(bodies.b).name, crossing->middle};
       find_depth(pair, crossing->normal, contact);
       contacts.push_back(std::move(contact));
     }
@@ -134,10 +139,15 @@ std::vector<Contact> find_contacts(const CollisionWorld& world, const Configurat
   return contacts;
 }
 
-std::vector<Contact> find_contacts(const CollisionWorld& world, const Configuration& q) {
-  std::vector<int> all(world.pairs().size());
-  std::iota(all.begin(), all.end(), 0);
-  std::vector<Contact> contacts = find_contacts(world, q, all);
+std::vector<Contact> find_contacts(CollisionChecker& checker, const Configuration& q) {
+  checker.place(q);
+  std::vector<int> touching;
+  for (int pair = 0; pair < static_cast<int>(checker.world().pairs().size()); ++pair) {
+    if (checker.pair_collides(pair)) {
+      touching.push_back(pair);
+    }
+  }
+  std::vector<Contact> contacts = find_contacts(checker.world(), q, touching);
   std::ranges::stable_sort(contacts, std::greater(), &Contact::depth);
   return contacts;
 }

@@ -34,11 +34,11 @@ class Screenshot : public ::testing::Test {
 
 TEST_F(Screenshot, HasTheSizeAskedFor) {
   ASSERT_EQ(run({QString::fromStdString(cell_.post().string()), "--screenshot", path("out.png"),
-                 "--size", "1100x700", "--play"}),
+                 "--size", "900x600", "--play"}),
             0)
       << said_;
   const QImage picture(path("out.png"));
-  EXPECT_EQ(picture.size(), QSize(1100, 700));
+  EXPECT_EQ(picture.size(), QSize(900, 600));
 }
 
 TEST_F(Screenshot, IsRefusedForABrokenFile) {

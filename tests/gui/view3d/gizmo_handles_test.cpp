@@ -51,7 +51,8 @@ TEST(GizmoDrag, TurnsAboutItsCentre) {
   GizmoDrag drag({Kind::kRing, 2}, {}, at(0.1, 0.2, 0.3), through({0.78, 0.0, 0.0}));
   const Pose moved = drag.moved_to(through({0.0, 0.78, 0.0}), false);
   EXPECT_TRUE(moved.linear().isApprox(
-      geometric::pose_from_rpy({}, 0.0, 0.0, geometric::radians(90.0)).linear(), 1e-9));
+      geometric::pose_from_rpy(Vector3d::Zero(), 0.0, 0.0, geometric::radians(90.0)).linear(),
+      1e-9));
   EXPECT_EQ(moved.translation(), Vector3d(0.1, 0.2, 0.3));
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "handway/geometric/collision/collision_checker.h"
 #include "handway/geometric/collision/collision_world.h"
 #include "handway/geometric/export.h"
 
@@ -33,7 +34,7 @@ struct Contact {
     const CollisionWorld& world, const Configuration& q, std::span<const int> pairs);
 
 /// All contacts in `q`, deepest first.
-[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<Contact> find_contacts(
-    const CollisionWorld& world, const Configuration& q);
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<Contact> find_contacts(CollisionChecker& checker,
+                                                                          const Configuration& q);
 
 }  // namespace handway::geometric
