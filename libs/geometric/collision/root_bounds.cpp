@@ -14,6 +14,7 @@ namespace {
 
 constexpr float kRootRounding = 2e-5F;  // m: more than single precision can be off within 10 m
 constexpr float kNoPair = -1e30F;       // a radius that nothing is within
+constexpr double kEverywhere = 1e9;     // m
 constexpr std::size_t kLanes = 16;
 
 // With fewer pairs, to bound the distances of all takes less time than to look for the near ones.
@@ -125,7 +126,7 @@ void RootBounds::place(std::span<const Pose> X_WBody, Placement& placement) cons
 }
 
 void RootBounds::find_near(Placement& placement, double tolerance, std::vector<int>& pairs) const {
-  const auto within = static_cast<float>(tolerance);
+  const auto within = static_cast<float>(std::min(tolerance, kEverywhere));
   pairs.clear();
   find_near_moving(placement, within, placement.near.data());
   append_found(placement.near.data(), moving_.pairs, pairs);
