@@ -106,6 +106,33 @@ QList<QToolButton*> PlaybackBar::buttons() const {
   return {back_, frame_back_, play_, frame_forward_, forward_, reverse_, loop_};
 }
 
+QList<QToolButton*> PlaybackBar::spare_buttons() const {
+  return {frame_back_, frame_forward_, reverse_};
+}
+
+int PlaybackBar::width_of(const QToolButton& button) const {
+  return button.minimumSizeHint().width() + layout()->spacing();
+}
+
+QSize PlaybackBar::minimumSizeHint() const {
+  QSize size = QWidget::minimumSizeHint();
+  for (const QToolButton* button : spare_buttons()) {
+    size.rwidth() -= button->isHidden() ? 0 : width_of(*button);
+  }
+  return size;
+}
+
+void PlaybackBar::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  int needed = minimumSizeHint().width();
+  for (const QToolButton* button : spare_buttons()) {
+    needed += width_of(*button);
+  }
+  for (QToolButton* button : spare_buttons()) {
+    button->setVisible(width() >= needed);
+  }
+}
+
 void PlaybackBar::refresh_icons() {
   for (QToolButton* button : buttons()) {
     button->setIcon(icon(button->objectName()));

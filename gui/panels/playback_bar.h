@@ -13,7 +13,8 @@ namespace handway::gui {
 
 class PathPlayer;
 
-/// Buttons and a scrub slider for a path player.
+/// Buttons and a scrub slider for a path player. Where there is little room, buttons that have a
+/// key are left out.
 class PlaybackBar : public QWidget {
   Q_OBJECT
 
@@ -28,9 +29,18 @@ class PlaybackBar : public QWidget {
   /// Draws the icons anew, after a change of theme.
   void refresh_icons();
 
+  /// Without the buttons that can be left out.
+  [[nodiscard]] QSize minimumSizeHint() const override;
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   QToolButton* make_button(const QString& name, const QString& tip);
   [[nodiscard]] QList<QToolButton*> buttons() const;
+  [[nodiscard]] QList<QToolButton*> spare_buttons() const;
+  /// px, with the space before it.
+  [[nodiscard]] int width_of(const QToolButton& button) const;
   void show_position();
   void show_timeline();
 

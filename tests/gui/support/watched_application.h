@@ -34,7 +34,11 @@ class WatchedApplication : public QApplication {
   bool notify(QObject* receiver, QEvent* event) override;
 
  private:
+  bool paint(QObject* receiver, QEvent* event);
+
   inline static Stall longest_;
+  inline static double painting_ms_ = 0.0;  ///< Of the event.
+  inline static bool is_painting_ = false;
   inline static int depth_ = 0;
 };
 
