@@ -87,6 +87,7 @@ RunsPanel::RunsPanel(PathHistory& history, QWidget* parent)
 QWidget* RunsPanel::make_actions() {
   state_->setObjectName(QStringLiteral("runs_state"));
   state_->setProperty("role", "note");
+  state_->setWordWrap(true);
   restore_->setObjectName(QStringLiteral("runs_restore"));
   restore_->setToolTip(
       tr("Put back the run's planner, parameters, seed, scene, start and goal, and "
