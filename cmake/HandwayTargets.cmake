@@ -74,9 +74,10 @@ function(handway_benchmark name)
   _handway_warnings(${name})
 endfunction()
 
-# handway_test(NAME SOURCES … LINK …): a GoogleTest program whose cases CTest lists one by one.
+# handway_test(NAME [REAL_TIME] SOURCES … LINK …): a GoogleTest program whose cases CTest lists one
+# by one. Those of programs that have to keep up with the clock run while no other test does.
 function(handway_test name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
+  cmake_parse_arguments(ARG "REAL_TIME" "" "SOURCES;LINK" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
   target_link_libraries(${name} PRIVATE ${ARG_LINK} handway_test_support GTest::gmock GTest::gtest
                                         GTest::gtest_main)
@@ -87,5 +88,6 @@ function(handway_test name)
   gtest_discover_tests(
     ${name}
     DISCOVERY_MODE PRE_TEST
-    PROPERTIES TIMEOUT ${HANDWAY_TEST_TIMEOUT} ENVIRONMENT "XDG_CACHE_HOME=${CMAKE_BINARY_DIR}/cache")
+    PROPERTIES TIMEOUT ${HANDWAY_TEST_TIMEOUT} RUN_SERIAL ${ARG_REAL_TIME}
+               ENVIRONMENT "XDG_CACHE_HOME=${CMAKE_BINARY_DIR}/cache")
 endfunction()
