@@ -7,25 +7,18 @@
 #include <fcl/narrowphase/distance.h>
 
 #include <algorithm>
-#include <map>
 #include <utility>
 #include <vector>
 
 namespace handway::geometric {
 
-/// Trees of the bodies that were asked for.
+/// Trees of the bodies that were asked for, and where the bodies are.
 struct ClosestPointFinder::Trees {
-  std::map<const TriangleMesh*, std::shared_ptr<const FclTree>> of_mesh;
+  FclTrees of_meshes;
   std::vector<Pose> X_BL;
   std::vector<Pose> X_WBody;
 
-  const FclTree* get(const CollisionBody& body) {
-    auto& tree = of_mesh[body.mesh.get()];
-    if (!tree) {
-      tree = make_fcl_tree(*body.mesh);
-    }
-    return tree.get();
-  }
+  const FclTree* get(const CollisionBody& body) { return of_meshes.of(*body.mesh).get(); }
 };
 
 ClosestPointFinder::ClosestPointFinder(std::shared_ptr<const CollisionWorld> world)

@@ -10,8 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <map>
-#include <memory>
 #include <optional>
 
 namespace handway::geometric {
@@ -115,14 +113,10 @@ std::vector<Contact> find_contacts(const CollisionWorld& world, const Configurat
   std::vector<Pose> X_BL(static_cast<std::size_t>(world.model().link_count()));
   std::vector<Pose> X_WBody(world.bodies().size());
   world.place(q, X_BL, X_WBody);
-  std::map<const TriangleMesh*, std::shared_ptr<const FclTree>> trees;
+  FclTrees trees;
   const auto placed = [&](int index) {
     const CollisionBody& body = world.body(index);
-    auto& tree = trees[body.mesh.get()];
-    if (!tree) {
-      tree = make_fcl_tree(*body.mesh);
-    }
-    return PlacedBody{*body.mesh, *tree, X_WBody[static_cast<std::size_t>(index)]};
+    return PlacedBody{*body.mesh, *trees.of(*body.mesh), X_WBody[static_cast<std::size_t>(index)]};
   };
   std::vector<Contact> contacts;
   for (const int index : pairs) {

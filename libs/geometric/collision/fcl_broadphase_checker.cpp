@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <map>
 #include <utility>
 #include <vector>
 
@@ -23,13 +22,9 @@ using Object = fcl::CollisionObjectd;
 struct FclBroadphaseChecker::Models {
   explicit Models(const CollisionWorld& world) {
     const int count = static_cast<int>(world.bodies().size());
-    std::map<const TriangleMesh*, std::shared_ptr<FclTree>> built;  // fingers share
+    FclTrees trees;
     for (const CollisionBody& body : world.bodies()) {
-      auto& model = built[body.mesh.get()];
-      if (!model) {
-        model = make_fcl_tree(*body.mesh);
-      }
-      of_body.push_back(model);
+      of_body.push_back(trees.of(*body.mesh));
     }
     pair_of = Eigen::MatrixXi::Constant(count, count, -1);
     for (int pair = 0; pair < static_cast<int>(world.pairs().size()); ++pair) {
