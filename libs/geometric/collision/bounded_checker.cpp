@@ -1,12 +1,14 @@
 #include "handway/geometric/collision/bounded_checker.h"
 
 #include "collision/fcl_bodies.h"
+#include "collision/oriented_boxes.h"
 #include "collision/remembered_distances.h"
 #include "collision/root_bounds.h"
 #include "collision/surface_query.h"
 
 #include <algorithm>
 #include <optional>
+#include <ranges>
 #include <span>
 #include <utility>
 #include <vector>
@@ -24,7 +26,7 @@ constexpr float kTiny = 0.4F;          // of the other body's size
 }  // namespace
 
 struct BoundedChecker::Volumes {
-  explicit Volumes(const CollisionWorld& world) : exact(world) {
+  explicit Volumes(const CollisionWorld& world) : exact(world), boxes(world) {
     std::vector<std::shared_ptr<const TriangleMesh>> meshes;
     for (const CollisionBody& body : world.bodies()) {
       meshes.push_back(body.mesh);
@@ -60,18 +62,30 @@ struct BoundedChecker::Volumes {
   }
 
   FclBodies exact;
+  OrientedBoxes boxes;
   std::optional<RootBounds> roots;
   std::optional<RememberedDistances> distances;
   std::vector<std::shared_ptr<const Surface>> surfaces;  ///< Per body.
   std::vector<BodyPair> pairs;  ///< In the world's order; a gives the spheres.
 };
 
+/// A pair that a glance does not settle; the less shallow, the likelier it touches.
+struct BoundedChecker::Doubt {
+  float shallowness;
+  int pair;
+
+  auto operator<=>(const Doubt&) const = default;
+};
+
 struct BoundedChecker::Scratch {
-  explicit Scratch(const Volumes& volumes) : roots(volumes.roots->placement()) {}
+  explicit Scratch(const Volumes& volumes)
+      : roots(volumes.roots->placement()), axes(volumes.boxes.last_axes()) {}
 
   RootBounds::Placement roots;
+  OrientedBoxes::LastAxes axes;
   std::vector<int> near;
   std::vector<std::uint32_t> triangles;
+  std::vector<Doubt> doubts;
 };
 
 BoundedChecker::BoundedChecker(std::shared_ptr<const CollisionWorld> world)
@@ -106,14 +120,37 @@ void BoundedChecker::do_closest_first(double distance, std::vector<int>& pairs) 
   std::ranges::transform(bounds, pairs.begin(), &std::pair<double, int>::second);
 }
 
-std::optional<int> BoundedChecker::do_first_collision() {
+std::optional<int> BoundedChecker::do_first_collision(int hint) {
+  std::vector<Doubt>& doubts = scratch_->doubts;
+  doubts.clear();
+  if (volumes_->roots->bound(scratch_->roots, hint) < kTouch && touches_at_a_glance(hint)) {
+    return hint;
+  }
   do_near_pairs(kTouch, scratch_->near);
   // What stands still comes last in the list, and is hit most often.
-  const std::vector<int>& near = scratch_->near;
-  const auto touching = std::find_if(near.rbegin(), near.rend(), [&](int pair) {
-    return nearby_closeness(pair, kTouch) == Closeness::kTouching;
+  for (const int pair : std::views::reverse(scratch_->near)) {
+    if (pair != hint && touches_at_a_glance(pair)) {
+      return pair;
+    }
+  }
+  std::ranges::sort(doubts);
+  const auto touching = std::ranges::find_if(doubts, [&](const Doubt& doubt) {
+    return closeness_of_surfaces(doubt.pair, kTouch) == Closeness::kTouching;
   });
-  return touching == near.rend() ? std::nullopt : std::optional(*touching);
+  return touching == doubts.end() ? std::nullopt : std::optional(touching->pair);
+}
+
+bool BoundedChecker::touches_at_a_glance(int pair) {
+  count_pair_collision();
+  if (is_parted(pair, kTouch)) {
+    return false;
+  }
+  SurfaceQuery surfaces = query(pair, body_poses());
+  const std::optional<Closeness> seen = surfaces.glance(kTouch);
+  if (!seen) {
+    scratch_->doubts.push_back({surfaces.shallowness(), pair});
+  }
+  return seen == Closeness::kTouching;
 }
 
 SurfaceQuery BoundedChecker::query(int pair, std::span<const Pose> X_WBody) {
@@ -154,10 +191,21 @@ Closeness BoundedChecker::do_pair_closeness(int pair, double tolerance) {
              : nearby_closeness(pair, tolerance);
 }
 
+bool BoundedChecker::boxes_part(int pair, double distance) {
+  return volumes_->roots->both_move(pair) &&
+         volumes_->boxes.are_apart(pair, body_poses(), distance, scratch_->axes);
+}
+
+bool BoundedChecker::is_parted(int pair, double distance) {
+  return remembered(pair) >= distance || boxes_part(pair, distance);
+}
+
 Closeness BoundedChecker::nearby_closeness(int pair, double tolerance) {
-  if (remembered(pair) >= std::max(tolerance, kTouch)) {
-    return Closeness::kFarther;
-  }
+  return is_parted(pair, std::max(tolerance, kTouch)) ? Closeness::kFarther
+                                                      : closeness_of_surfaces(pair, tolerance);
+}
+
+Closeness BoundedChecker::closeness_of_surfaces(int pair, double tolerance) {
   SurfaceQuery surfaces = query(pair, body_poses());
   const Closeness closeness = surfaces.closeness(tolerance);
   if (surfaces.was_exact()) {
@@ -172,7 +220,7 @@ double BoundedChecker::do_pair_glance(int pair) {
 }
 
 double BoundedChecker::do_pair_bound(int pair, double enough) {
-  if (volumes_->roots->bound(scratch_->roots, pair) >= enough) {
+  if (volumes_->roots->bound(scratch_->roots, pair) >= enough || boxes_part(pair, enough)) {
     return enough;
   }
   const double least = query(pair, body_poses()).bound(enough, kGlance);

@@ -58,10 +58,7 @@ std::optional<int> CollisionChecker::first_collision(const Configuration& q) {
 
 std::optional<int> CollisionChecker::first_collision(const Configuration& q, int hint) {
   place(q);
-  if (world_->pairs().empty()) {
-    return std::nullopt;
-  }
-  return pair_collides(hint) ? hint : do_first_collision();
+  return world_->pairs().empty() ? std::nullopt : do_first_collision(hint);
 }
 
 std::optional<int> CollisionChecker::first_collision_among(std::span<const int> pairs,
@@ -76,7 +73,10 @@ void CollisionChecker::do_near_pairs(double /*distance*/, std::vector<int>& pair
   std::iota(pairs.begin(), pairs.end(), 0);
 }
 
-std::optional<int> CollisionChecker::do_first_collision() {
+std::optional<int> CollisionChecker::do_first_collision(int hint) {
+  if (pair_collides(hint)) {
+    return hint;
+  }
   for (int pair = 0; pair < static_cast<int>(world_->pairs().size()); ++pair) {
     if (pair_collides(pair)) {
       return pair;
@@ -94,15 +94,23 @@ NamedPair named(const CollisionWorld& world, int pair, double distance) {
 
 }  // namespace
 
-std::vector<NamedPair> find_collisions(CollisionChecker& checker, const Configuration& q) {
+std::vector<int> touching_pairs(CollisionChecker& checker, const Configuration& q) {
   checker.place(q);
-  std::vector<NamedPair> touching;
+  std::vector<int> touching;
   for (int pair = 0; pair < static_cast<int>(checker.world().pairs().size()); ++pair) {
     if (checker.pair_collides(pair)) {
-      touching.push_back(named(checker.world(), pair, 0.0));
+      touching.push_back(pair);
     }
   }
   return touching;
+}
+
+std::vector<NamedPair> find_collisions(CollisionChecker& checker, const Configuration& q) {
+  std::vector<NamedPair> collisions;
+  for (const int pair : touching_pairs(checker, q)) {
+    collisions.push_back(named(checker.world(), pair, 0.0));
+  }
+  return collisions;
 }
 
 NamedPair find_clearance(CollisionChecker& checker, const Configuration& q, double enough) {

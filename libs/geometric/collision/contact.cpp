@@ -134,14 +134,7 @@ std::vector<Contact> find_contacts(const CollisionWorld& world, const Configurat
 }
 
 std::vector<Contact> find_contacts(CollisionChecker& checker, const Configuration& q) {
-  checker.place(q);
-  std::vector<int> touching;
-  for (int pair = 0; pair < static_cast<int>(checker.world().pairs().size()); ++pair) {
-    if (checker.pair_collides(pair)) {
-      touching.push_back(pair);
-    }
-  }
-  std::vector<Contact> contacts = find_contacts(checker.world(), q, touching);
+  std::vector<Contact> contacts = find_contacts(checker.world(), q, touching_pairs(checker, q));
   std::ranges::stable_sort(contacts, std::greater(), &Contact::depth);
   return contacts;
 }

@@ -130,7 +130,10 @@ double FclBroadphaseChecker::do_pair_distance(int pair, double enough) {
   return std::max(0.0, result.min_distance);
 }
 
-std::optional<int> FclBroadphaseChecker::do_first_collision() {
+std::optional<int> FclBroadphaseChecker::do_first_collision(int hint) {
+  if (pair_collides(hint)) {
+    return hint;
+  }
   Search search{models_->pair_of, std::nullopt};
   managers_->moving.collide(&search, test_pair);
   if (!search.found) {

@@ -35,6 +35,11 @@ class RootBounds {
   /// Sets `pairs` to all that may be nearer than `tolerance` (m), in order.
   void find_near(Placement& placement, double tolerance, std::vector<int>& pairs) const;
 
+  /// Whether neither of the pair's bodies stands still.
+  [[nodiscard]] bool both_move(int pair) const {
+    return static_cast<std::size_t>(pair) < moving_pairs_;
+  }
+
   /// A lower bound (m) of the pair's distance; negative where the volumes overlap.
   [[nodiscard]] double bound(const Placement& placement, int pair) const;
 

@@ -47,9 +47,11 @@ bool SurfaceQuery::root_is_near() {
   const Eigen::Vector3d centre = X_WA_ * root.centre.cast<double>() - X_WB_.translation();
   const Eigen::Vector3f p_BRoot = (X_WB_.linear().transpose() * centre).cast<float>();
   const float rounding = kMoveRounding * p_BRoot.lpNorm<1>();
-  if (b_.field.bound(p_BRoot) - root.radius - rounding >= least_) {
+  const float bound = b_.field.bound(p_BRoot);
+  if (bound - root.radius - rounding >= least_) {
     return false;
   }
+  shallowness_ = bound / root.radius;
   if (!placed_) {
     placed_ = true;
     X_BA_ = X_WB_.inverse(Eigen::Isometry) * X_WA_;
@@ -89,6 +91,14 @@ double SurfaceQuery::distance(double enough) {
   ends_at_ = 0.0;
   visit_all();
   return least_;
+}
+
+std::optional<Closeness> SurfaceQuery::glance(double tolerance) {
+  least_ = tolerance;
+  if (!root_is_near() || kept_outside()) {
+    return Closeness::kFarther;
+  }
+  return pierces(kDeep) ? std::optional(Closeness::kTouching) : std::nullopt;
 }
 
 Closeness SurfaceQuery::closeness(double tolerance) {

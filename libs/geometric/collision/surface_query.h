@@ -6,6 +6,7 @@
 #include "handway/geometric/collision/collision_checker.h"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace handway::geometric {
@@ -26,6 +27,14 @@ class SurfaceQuery {
   /// The distance (m), or `enough` if the surfaces are at least that far apart; 0
   /// where they surely cross. The less is enough, the sooner it ends.
   [[nodiscard]] double distance(double enough);
+
+  /// Are the surfaces closer than `tolerance` (m), as far as a look at each of them as a whole
+  /// tells? A touch that is found so is beyond doubt.
+  [[nodiscard]] std::optional<Closeness> glance(double tolerance);
+
+  /// How far the middle of A's sphere is from B, as far as the field tells, as a share of the
+  /// radius. @pre glance() did not settle it.
+  [[nodiscard]] float shallowness() const { return shallowness_; }
 
   /// Are the surfaces closer than `tolerance` (m)? "Touching" below kTouch.
   [[nodiscard]] Closeness closeness(double tolerance);
@@ -69,6 +78,7 @@ class SurfaceQuery {
   int patience_ = 0;
   bool exact_ = false;
   bool tried_whole_ = false;
+  float shallowness_ = 0.0F;
   double gap_ = 0.0;                  ///< m: the surfaces are known to be that far apart.
   std::vector<std::uint32_t>& near_;  ///< Triangles of B that a leaf is compared with.
 };

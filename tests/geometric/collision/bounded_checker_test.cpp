@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <random>
 #include <string>
 #include <thread>
@@ -201,6 +202,22 @@ TEST(BoundedChecker, AnswersManyThreadsAlike) {
   for (const std::vector<int>& found : touching) {
     EXPECT_EQ(found, touching.front());
   }
+}
+
+TEST(BoundedChecker, FindsTheSamePairWhateverItWasAskedBefore) {
+  BoundedChecker asked(std::make_shared<const CollisionWorld>(cluttered()));
+  RandomConfigurations random(asked.world().model(), 10);
+  std::mt19937_64 engine(10);
+  std::uniform_int_distribution<int> any(0, static_cast<int>(asked.world().pairs().size()) - 1);
+  int found = 0;
+  for (int i = 0; i < 200; ++i) {
+    const Configuration q = random.next();
+    const int hint = any(engine);
+    const std::optional<int> pair = asked.first_collision(q, hint);
+    EXPECT_EQ(asked.clone()->first_collision(q, hint), pair) << q.transpose();
+    found += pair ? 1 : 0;
+  }
+  EXPECT_GT(found, 20);
 }
 
 TEST(BoundedChecker, SparesFclMostQuestions) {

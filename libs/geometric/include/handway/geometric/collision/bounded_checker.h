@@ -24,6 +24,7 @@ class HANDWAY_GEOMETRIC_EXPORT BoundedChecker final : public CollisionChecker {
  private:
   struct Volumes;  // immutable, shared by clones
   struct Scratch;  // of one thread
+  struct Doubt;
 
   BoundedChecker(const BoundedChecker& other);
   void do_place() override;
@@ -34,12 +35,26 @@ class HANDWAY_GEOMETRIC_EXPORT BoundedChecker final : public CollisionChecker {
   [[nodiscard]] double do_pair_glance(int pair) override;
   void do_near_pairs(double distance, std::vector<int>& pairs) override;
   void do_closest_first(double distance, std::vector<int>& pairs) override;
-  [[nodiscard]] std::optional<int> do_first_collision() override;
+  [[nodiscard]] std::optional<int> do_first_collision(int hint) override;
 
   [[nodiscard]] SurfaceQuery query(int pair, std::span<const Pose> X_WBody);
 
   /// The closeness of a pair whose bounding volumes don't tell.
   [[nodiscard]] Closeness nearby_closeness(int pair, double tolerance);
+
+  /// The same from the surfaces.
+  [[nodiscard]] Closeness closeness_of_surfaces(int pair, double tolerance);
+
+  /// Whether both bodies move and their boxes are at least `distance` (m) apart. What stands still
+  /// is mostly large and hollow: its box says nothing.
+  [[nodiscard]] bool boxes_part(int pair, double distance);
+
+  /// The same from what is remembered of the pair or from the boxes.
+  [[nodiscard]] bool is_parted(int pair, double distance);
+
+  /// Whether the pair touches beyond doubt; if it takes more than a glance to tell, it joins the
+  /// pairs in doubt.
+  [[nodiscard]] bool touches_at_a_glance(int pair);
 
   /// A lower bound from the pair's table of distances, if it has one; else 0.
   [[nodiscard]] double remembered(int pair);

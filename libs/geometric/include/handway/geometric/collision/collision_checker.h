@@ -110,6 +110,7 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionChecker {
 
   [[nodiscard]] const std::vector<Pose>& body_poses() const { return X_WBody_; }
   [[nodiscard]] const Configuration& configuration() const { return q_; }
+  void count_pair_collision() { ++counts_.pair_collisions; }
   void count_exact_test() { ++counts_.exact_tests; }
 
   /// Called after the bodies have been placed.
@@ -123,7 +124,8 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionChecker {
   [[nodiscard]] virtual double do_pair_glance(int /*pair*/) { return 0.0; }
   virtual void do_near_pairs(double distance, std::vector<int>& pairs);
   virtual void do_closest_first(double /*distance*/, std::vector<int>& /*pairs*/) {}
-  [[nodiscard]] virtual std::optional<int> do_first_collision();
+  /// Asks `hint` first, then in a fixed order. There are pairs.
+  [[nodiscard]] virtual std::optional<int> do_first_collision(int hint);
 
  private:
   std::shared_ptr<const CollisionWorld> world_;
@@ -140,6 +142,10 @@ struct NamedPair {
   std::string b;
   double distance = 0.0;
 };
+
+/// Indices into world().pairs() of all that touch in `q`, in order.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<int> touching_pairs(CollisionChecker& checker,
+                                                                       const Configuration& q);
 
 /// All pairs that touch in `q`, in pair order.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<NamedPair> find_collisions(

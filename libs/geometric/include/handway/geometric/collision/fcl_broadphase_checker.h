@@ -27,7 +27,7 @@ class HANDWAY_GEOMETRIC_EXPORT FclBroadphaseChecker final : public CollisionChec
   void do_place() override;
   [[nodiscard]] bool do_pair_collides(int pair) override;
   [[nodiscard]] double do_pair_distance(int pair, double enough) override;
-  [[nodiscard]] std::optional<int> do_first_collision() override;
+  [[nodiscard]] std::optional<int> do_first_collision(int hint) override;
 
   std::shared_ptr<const Models> models_;
   std::unique_ptr<Managers> managers_;
