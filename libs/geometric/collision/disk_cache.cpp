@@ -2,13 +2,11 @@
 
 #include "handway/geometric/io/replace_file.h"
 
-#include <boost/crc.hpp>
-#include <boost/uuid/name_generator_sha1.hpp>
 #include <boost/uuid/uuid_io.hpp>
 #include <spdlog/spdlog.h>
+#include <xxhash.h>
 
 #include <algorithm>
-#include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <exception>
@@ -43,9 +41,7 @@ fs::path file_of(const fs::path& folder, const CacheKey& key) {
 }
 
 std::string checksum(std::string_view content) {
-  boost::crc_32_type crc;
-  crc.process_bytes(content.data(), content.size());
-  const std::uint32_t sum = crc.checksum();
+  const XXH64_hash_t sum = XXH3_64bits(content.data(), content.size());
   std::string bytes(sizeof sum, '\0');
   std::memcpy(bytes.data(), &sum, sizeof sum);
   return bytes;
@@ -66,9 +62,12 @@ void remove_oldest(const fs::path& folder) {
 }  // namespace
 
 CacheKey cache_key(std::string_view made_how, std::string_view content) {
-  const CacheKey how =
-      boost::uuids::name_generator_sha1(CacheKey{})(made_how.data(), made_how.size());
-  return boost::uuids::name_generator_sha1(how)(content.data(), content.size());
+  const XXH64_hash_t how = XXH3_64bits(made_how.data(), made_how.size());
+  const XXH128_hash_t hash = XXH3_128bits_withSeed(content.data(), content.size(), how);
+  CacheKey key;
+  static_assert(sizeof hash == sizeof key);
+  std::memcpy(key.data, &hash, sizeof hash);
+  return key;
 }
 
 std::optional<std::string> read_cached(const CacheKey& key) {
@@ -83,12 +82,13 @@ std::optional<std::string> read_cached(const CacheKey& key) {
   std::string content(static_cast<std::size_t>(std::max<std::streamoff>(file.tellg(), 0)), '\0');
   file.seekg(0);
   file.read(content.data(), static_cast<std::streamsize>(content.size()));
-  constexpr std::size_t kSum = sizeof(std::uint32_t);
+  constexpr std::size_t kSum = sizeof(XXH64_hash_t);
   if (!file || content.size() < kSum ||
       checksum(std::string_view(content).substr(kSum)) != content.substr(0, kSum)) {
     return std::nullopt;
   }
-  return content.substr(kSum);
+  content.erase(0, kSum);
+  return content;
 }
 
 void write_cached(const CacheKey& key, const std::string& bytes) {

@@ -47,7 +47,7 @@ TEST_F(DiskCache, TellsContentsAndWaysOfMakingApart) {
 
 TEST_F(DiskCache, TakesABrokenFileForNone) {
   write_cached(key_, "what was kept");
-  std::fstream(only_file(), std::ios::in | std::ios::out | std::ios::binary).seekp(6) << 'X';
+  std::fstream(only_file(), std::ios::in | std::ios::out | std::ios::binary).seekp(10) << 'X';
   EXPECT_FALSE(read_cached(key_));
   fs::resize_file(only_file(), 2);
   EXPECT_FALSE(read_cached(key_));
