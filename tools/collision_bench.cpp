@@ -3,11 +3,14 @@
 #include "handway/geometric/collision/edge_checker.h"
 #include "handway/geometric/collision/make_checker.h"
 #include "handway/geometric/collision/motion_bound.h"
+#include "handway/planning/campaigns/sample_statistics.h"
 
+#include <array>
 #include <chrono>
 #include <functional>
 #include <limits>
 #include <random>
+#include <span>
 #include <vector>
 
 namespace handway::tools {
@@ -22,7 +25,8 @@ constexpr std::size_t kEdges = 24;
 constexpr double kSpread = 0.05;      // of a joint's range
 constexpr double kEdge = 0.1;         // of the way from start to goal
 constexpr double kResolution = 5e-5;  // m, as planners have it
-constexpr double kLeastTime = 0.3;    // s that a measurement takes, at least one round
+constexpr int kRounds = 5;
+constexpr double kLeastTime = 0.05;  // s that a round takes; all questions are asked once at least
 
 std::vector<Configuration> draw(const CollisionWorld& world, const Configuration& start,
                                 const Configuration& goal) {
@@ -40,46 +44,63 @@ std::vector<Configuration> draw(const CollisionWorld& world, const Configuration
   return configurations;
 }
 
-// Asks all questions round after round. @returns µs a question.
-double time_of(std::size_t count, const std::function<void(std::size_t)>& ask) {
-  if (count == 0) {
+// Questions to one checker.
+struct Series {
+  std::size_t count;
+  std::function<void(std::size_t)> ask;
+  std::vector<double> rounds;  // µs a question
+
+  [[nodiscard]] double median() const { return planning::quantile_of(rounds, 0.5); }
+};
+
+// Asks all questions, again and again. @returns µs a question.
+double time_of(const Series& series) {
+  if (series.count == 0) {
     return std::numeric_limits<double>::quiet_NaN();
   }
   const auto begin = std::chrono::steady_clock::now();
   std::chrono::duration<double> elapsed{};
-  int rounds = 0;
+  int times = 0;
   do {
-    for (std::size_t i = 0; i < count; ++i) {
-      ask(i);
+    for (std::size_t i = 0; i < series.count; ++i) {
+      series.ask(i);
     }
-    ++rounds;
+    ++times;
     elapsed = std::chrono::steady_clock::now() - begin;
   } while (elapsed.count() < kLeastTime);
-  return 1e6 * elapsed.count() / (static_cast<double>(rounds) * static_cast<double>(count));
+  return 1e6 * elapsed.count() / (static_cast<double>(times) * static_cast<double>(series.count));
+}
+
+// The checkers take turns, so that what else the machine does slows all of them alike.
+void measure(std::span<Series> all) {
+  for (int round = 0; round < kRounds; ++round) {
+    for (Series& series : all) {
+      series.rounds.push_back(time_of(series));
+    }
+  }
 }
 
 struct Questions {
   std::vector<Configuration> configurations;
   std::vector<Configuration> edge_starts;
   Configuration way;  ///< Of every edge.
-  std::shared_ptr<const geometric::MotionBound> motion;
 };
 
-double configuration_time(CollisionChecker& checker, const Questions& questions) {
-  return time_of(questions.configurations.size(), [&](std::size_t i) {
-    static_cast<void>(checker.first_collision(questions.configurations[i]));
-  });
+Series configurations_for(CollisionChecker& checker, const Questions& questions) {
+  return {questions.configurations.size(),
+          [&](std::size_t i) {
+            static_cast<void>(checker.first_collision(questions.configurations[i]));
+          },
+          {}};
 }
 
-CheckerSpeed speed_of(CollisionChecker& checker, const Questions& questions) {
-  geometric::EdgeChecker edges(checker, questions.motion, kResolution);
-  CheckerSpeed speed;
-  speed.configuration_us = configuration_time(checker, questions);
-  speed.edge_us = time_of(questions.edge_starts.size(), [&](std::size_t i) {
-    const Configuration& from = questions.edge_starts[i];
-    static_cast<void>(edges.check(from, from + questions.way));
-  });
-  return speed;
+Series edges_for(geometric::EdgeChecker& edges, const Questions& questions) {
+  return {questions.edge_starts.size(),
+          [&](std::size_t i) {
+            const Configuration& from = questions.edge_starts[i];
+            static_cast<void>(edges.check(from, from + questions.way));
+          },
+          {}};
 }
 
 }  // namespace
@@ -93,10 +114,11 @@ CollisionBench bench_collision(const std::shared_ptr<const CollisionWorld>& worl
   Questions questions;
   questions.configurations = draw(*world, start, goal);
   questions.way = kEdge * (goal - start);
-  questions.motion = std::make_shared<const geometric::MotionBound>(*world);
+  const auto motion = std::make_shared<const geometric::MotionBound>(*world);
+  geometric::EdgeChecker fast_edges(*fast, motion, kResolution);
+  geometric::EdgeChecker fcl_edges(*fcl, motion, kResolution);
 
   // Asking once before the clock runs also fills what the fast checker remembers.
-  geometric::EdgeChecker edges(*fast, questions.motion, kResolution);
   CollisionBench bench;
   int in_collision = 0;
   int free_edges = 0;
@@ -109,16 +131,20 @@ CollisionBench bench_collision(const std::shared_ptr<const CollisionWorld>& worl
     if (!collides && questions.edge_starts.size() < kEdges &&
         !fast->first_collision(q + questions.way)) {
       questions.edge_starts.push_back(q);
-      free_edges += edges.check(q, q + questions.way).free ? 1 : 0;
+      free_edges += fast_edges.check(q, q + questions.way).free ? 1 : 0;
     }
   }
   bench.configurations = kConfigurations;
   bench.in_collision = in_collision / static_cast<double>(kConfigurations);
   bench.edges = static_cast<int>(questions.edge_starts.size());
   bench.edges_free = bench.edges > 0 ? free_edges / static_cast<double>(bench.edges) : 0.0;
-  bench.fast = speed_of(*fast, questions);
-  bench.fcl = speed_of(*fcl, questions);
-  bench.fcl_broadphase_configuration_us = configuration_time(*broad, questions);
+  std::array all{configurations_for(*fast, questions), configurations_for(*fcl, questions),
+                 configurations_for(*broad, questions), edges_for(fast_edges, questions),
+                 edges_for(fcl_edges, questions)};
+  measure(all);
+  bench.fast = {all[0].median(), all[3].median()};
+  bench.fcl = {all[1].median(), all[4].median()};
+  bench.fcl_broadphase_configuration_us = all[2].median();
   return bench;
 }
 

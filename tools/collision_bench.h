@@ -6,7 +6,7 @@
 
 namespace handway::tools {
 
-/// What a checker's answers take, µs on average.
+/// What a checker's answers take, µs: the median of rounds in which the checkers take turns.
 struct CheckerSpeed {
   double configuration_us = 0.0;
   double edge_us = 0.0;  ///< NaN if there is no edge to ask.
