@@ -16,7 +16,7 @@
 namespace handway::geometric {
 namespace {
 
-constexpr double kRemembered = 0.002;  // m: distances in tables are cut off here
+constexpr double kRemembered = 0.005;  // m: distances in tables are cut off here
 constexpr double kTold = 0.0005;       // m: spheres need not tell more than this
 constexpr int kGlance = 16;            // nodes of spheres that a bound is worth …
 constexpr int kThorough = 1 << 20;     // … and that one to be remembered is
@@ -171,7 +171,8 @@ double BoundedChecker::remembered(int pair) {
     std::vector<Pose> X_WBody(world().bodies().size());
     world().place(q, X_BL, X_WBody);
     const double bound = query(pair, X_WBody).bound(kRemembered, kThorough);
-    return bound > kTold ? bound : query(pair, X_WBody).distance(kRemembered);
+    return bound > kTold ? bound
+                         : std::min(kRemembered, query(pair, X_WBody).distance(kRemembered).upper);
   });
 }
 
@@ -230,7 +231,13 @@ double BoundedChecker::do_pair_bound(int pair, double enough) {
 double BoundedChecker::do_pair_distance(int pair, double enough) {
   return volumes_->roots->bound(scratch_->roots, pair) >= enough
              ? enough
-             : query(pair, body_poses()).distance(enough);
+             : std::min(enough, query(pair, body_poses()).distance(enough).upper);
+}
+
+DistanceRange BoundedChecker::do_pair_distance_range(int pair, double enough, double share) {
+  return volumes_->roots->bound(scratch_->roots, pair) >= enough || boxes_part(pair, enough)
+             ? DistanceRange{enough}
+             : query(pair, body_poses()).distance(enough, share);
 }
 
 }  // namespace handway::geometric

@@ -42,6 +42,11 @@ double CollisionChecker::pair_distance(int pair, double enough) {
   return do_pair_distance(pair, enough);
 }
 
+DistanceRange CollisionChecker::do_pair_distance_range(int pair, double enough, double /*share*/) {
+  const double distance = do_pair_distance(pair, enough);
+  return distance < enough ? DistanceRange{distance, distance} : DistanceRange{enough};
+}
+
 Closeness CollisionChecker::do_pair_closeness(int pair, double tolerance) {
   const double distance = do_pair_distance(pair, tolerance);
   if (distance >= tolerance) {
@@ -85,14 +90,10 @@ std::optional<int> CollisionChecker::do_first_collision(int hint) {
   return std::nullopt;
 }
 
-namespace {
-
-NamedPair named(const CollisionWorld& world, int pair, double distance) {
+NamedPair named_pair(const CollisionWorld& world, int pair, double distance) {
   const BodyPair& bodies = world.pairs()[static_cast<std::size_t>(pair)];
   return {world.body(bodies.a).name, world.body(bodies.b).name, distance};
 }
-
-}  // namespace
 
 std::vector<int> touching_pairs(CollisionChecker& checker, const Configuration& q) {
   checker.place(q);
@@ -108,7 +109,7 @@ std::vector<int> touching_pairs(CollisionChecker& checker, const Configuration& 
 std::vector<NamedPair> find_collisions(CollisionChecker& checker, const Configuration& q) {
   std::vector<NamedPair> collisions;
   for (const int pair : touching_pairs(checker, q)) {
-    collisions.push_back(named(checker.world(), pair, 0.0));
+    collisions.push_back(named_pair(checker.world(), pair, 0.0));
   }
   return collisions;
 }
@@ -121,7 +122,7 @@ NamedPair find_clearance(CollisionChecker& checker, const Configuration& q, doub
   for (const int pair : near) {
     const double distance = checker.pair_distance(pair, closest.distance);
     if (distance < closest.distance) {
-      closest = named(checker.world(), pair, distance);
+      closest = named_pair(checker.world(), pair, distance);
     }
   }
   return closest;

@@ -1,6 +1,7 @@
 #include "handway/geometric/collision/edge_checker.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace handway::geometric {
@@ -102,20 +103,44 @@ Closeness EdgeChecker::closeness_within(int pair, double tolerance) {
   return bound <= 0.0 && checker_.pair_collides(pair) ? Closeness::kTouching : Closeness::kCloser;
 }
 
+struct EdgeChecker::Clearance {
+  double tolerance;  ///< m, or …
+  double share;      ///< … of the least distance: how far below it the answer may be.
+  double at_most;    ///< m: a distance that there is, or what is asked for.
+  double at_least;   ///< m, of all that has been settled.
+  std::optional<int> pair = std::nullopt;
+
+  /// Half of what the answer may be below the least distance: motion takes the other half.
+  [[nodiscard]] double share_of_distances() const { return 0.5 * share; }
+
+  /// m: what is farther apart is of no interest.
+  [[nodiscard]] double good_enough() const {
+    return at_most - std::max(tolerance, share * at_most);
+  }
+
+  /// @returns whether a pair that may come closer by `loss` (m) need not be looked at again.
+  [[nodiscard]] bool settle(int index, const DistanceRange& distance, double loss) {
+    if (distance.upper < at_most) {
+      at_most = distance.upper;
+      pair = index;
+    }
+    const bool settled = distance.lower >= good_enough() + loss;
+    at_least = settled ? std::min(at_least, distance.lower - loss) : at_least;
+    return settled;
+  }
+};
+
 NamedPair EdgeChecker::clearance(const Configuration& from, const Configuration& to, double enough,
                                  double tolerance, double share) {
   const Configuration delta = to - from;
   motion_.set_edge(delta);
-  NamedPair least = find_clearance(checker_, from, enough);
-  if (const NamedPair end = find_clearance(checker_, to, least.distance);
-      end.distance < least.distance) {
-    least = end;
-  }
-  double lower = least.distance;  // of what has been settled
+  Clearance found{tolerance, share, enough, enough};
+  look_at_end(from, found);
+  look_at_end(to, found);
   std::vector<std::pair<Stretch, std::vector<int>>> waiting{{{0.5, 0.5, 0, 0}, {}}};
   for (std::uint64_t checks = 0; !waiting.empty(); ++checks) {
     if (is_stopped(checks)) {
-      lower = std::min(lower, resolution_);
+      found.at_least = std::min(found.at_least, resolution_);
       break;
     }
     auto [stretch, candidates] = std::move(waiting.back());
@@ -123,37 +148,39 @@ NamedPair EdgeChecker::clearance(const Configuration& from, const Configuration&
     checker_.place(from + stretch.middle * delta);
     motion_.set_middle(checker_.link_poses());
     if (checks == 0) {
-      checker_.near_pairs(least.distance + 0.5 * motion_.most_over_edge(), candidates);
+      checker_.near_pairs(found.at_most + 0.5 * motion_.most_over_edge(), candidates);
     }
-    std::vector<int> unsettled;
-    for (const int pair : candidates) {
-      const double most = motion_.over_edge(pair) * stretch.half;
-      if (checker_.pair_glance(pair) >= least.distance + most) {
-        continue;
-      }
-      const double loss = motion_.within(pair, stretch.half);
-      const double distance = loss > kWorthExact
-                                  ? checker_.pair_bound(pair, least.distance + loss)
-                                  : checker_.pair_distance(pair, least.distance + loss);
-      if (loss <= kWorthExact && distance < least.distance) {
-        const BodyPair& bodies = checker_.world().pairs()[static_cast<std::size_t>(pair)];
-        least = {checker_.world().body(bodies.a).name, checker_.world().body(bodies.b).name,
-                 distance};
-      }
-      if (distance - loss >= least.distance - std::max(tolerance, share * least.distance)) {
-        lower = std::min(lower, distance - loss);
-      } else {
-        unsettled.push_back(pair);
-      }
-    }
-    if (!unsettled.empty()) {
+    std::erase_if(candidates, [&](int pair) { return settle(pair, stretch.half, found); });
+    if (!candidates.empty()) {
       const double quarter = 0.5 * stretch.half;
-      waiting.emplace_back(Stretch{stretch.middle + quarter, quarter, 0, 0}, unsettled);
-      waiting.emplace_back(Stretch{stretch.middle - quarter, quarter, 0, 0}, std::move(unsettled));
+      waiting.emplace_back(Stretch{stretch.middle + quarter, quarter, 0, 0}, candidates);
+      waiting.emplace_back(Stretch{stretch.middle - quarter, quarter, 0, 0}, std::move(candidates));
     }
   }
-  least.distance = std::max(0.0, std::min(lower, least.distance));
-  return least;
+  const double least = std::max(0.0, std::min(found.at_least, found.at_most));
+  return found.pair ? named_pair(checker_.world(), *found.pair, least) : NamedPair{"", "", least};
+}
+
+void EdgeChecker::look_at_end(const Configuration& q, Clearance& found) {
+  checker_.place(q);
+  std::vector<int> near;
+  checker_.near_pairs_closest_first(found.at_most, near);
+  for (const int pair : near) {
+    static_cast<void>(found.settle(
+        pair, checker_.pair_distance_range(pair, found.at_most, found.share_of_distances()), 0.0));
+  }
+}
+
+bool EdgeChecker::settle(int pair, double half, Clearance& found) {
+  if (checker_.pair_glance(pair) >= found.at_most + motion_.over_edge(pair) * half) {
+    return true;
+  }
+  const double loss = motion_.within(pair, half);
+  const double enough = found.good_enough() + loss;
+  return found.settle(pair, {checker_.pair_bound(pair, enough)}, loss) ||
+         (loss <= kWorthExact &&
+          found.settle(pair, checker_.pair_distance_range(pair, enough, found.share_of_distances()),
+                       loss));
 }
 
 }  // namespace handway::geometric

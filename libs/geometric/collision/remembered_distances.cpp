@@ -12,7 +12,7 @@
 namespace handway::geometric {
 namespace {
 
-constexpr std::string_view kMadeHow = "distances 1";  // to change with what is in the tables
+constexpr std::string_view kMadeHow = "distances 2";  // to change with what is in the tables
 
 // What a table's distances depend on: the two surfaces, and where they are against
 // each other at both ends and in the middle of the joints' ranges.

@@ -8,6 +8,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 namespace handway::geometric {
 namespace {
@@ -48,7 +49,7 @@ bool SurfaceQuery::root_is_near() {
   const Eigen::Vector3f p_BRoot = (X_WB_.linear().transpose() * centre).cast<float>();
   const float rounding = kMoveRounding * p_BRoot.lpNorm<1>();
   const float bound = b_.field.bound(p_BRoot);
-  if (bound - root.radius - rounding >= least_) {
+  if (bound - root.radius - rounding >= reach_) {
     return false;
   }
   shallowness_ = bound / root.radius;
@@ -60,8 +61,21 @@ bool SurfaceQuery::root_is_near() {
   return true;
 }
 
+void SurfaceQuery::start(double least, double keep) {
+  least_ = least;
+  reach_ = least;
+  keep_ = keep;
+}
+
+void SurfaceQuery::found(double distance) {
+  if (distance < least_) {
+    least_ = distance;
+    reach_ = keep_ * distance;
+  }
+}
+
 double SurfaceQuery::bound(double enough, int effort) {
-  least_ = enough;
+  start(enough);
   effort_ = effort;
   if (root_is_near() && !kept_outside() && !parted_by_plane()) {
     bound_node(0);
@@ -72,29 +86,29 @@ double SurfaceQuery::bound(double enough, int effort) {
 void SurfaceQuery::bound_node(std::uint32_t index) {
   const SphereCover::Node& node = a_.cover.nodes()[index];
   SphereBounds bounds;
-  sphere_bounds(node, b_.field, moves_, static_cast<float>(least_), bounds);
+  sphere_bounds(node, b_.field, moves_, static_cast<float>(reach_), bounds);
   while (bounds.near != 0 && least_ > 0.0) {
     const std::size_t k = take_nearest(bounds);
-    if (bounds.bound[k] >= least_) {
+    if (bounds.bound[k] >= reach_) {
       return;
     }
     if ((node.child[k] & SphereCover::kLeaf) != 0 || --effort_ < 0) {
-      least_ = bounds.bound[k];
+      found(bounds.bound[k]);
     } else {
       bound_node(node.child[k]);
     }
   }
 }
 
-double SurfaceQuery::distance(double enough) {
-  least_ = enough;
+DistanceRange SurfaceQuery::distance(double enough, double share) {
+  start(enough, 1.0 - share);
   ends_at_ = 0.0;
   visit_all();
-  return least_;
+  return {reach_, least_ < enough ? least_ : std::numeric_limits<double>::infinity()};
 }
 
 std::optional<Closeness> SurfaceQuery::glance(double tolerance) {
-  least_ = tolerance;
+  start(tolerance);
   if (!root_is_near() || kept_outside()) {
     return Closeness::kFarther;
   }
@@ -102,14 +116,14 @@ std::optional<Closeness> SurfaceQuery::glance(double tolerance) {
 }
 
 Closeness SurfaceQuery::closeness(double tolerance) {
-  least_ = tolerance;
+  start(tolerance);
   ends_at_ = tolerance;
   visit_all();
   if (least_ >= tolerance) {
     return Closeness::kFarther;
   }
   if (least_ >= kTouch) {  // closer than the tolerance: only touching is of interest now
-    least_ = kTouch;
+    start(kTouch);
     ends_at_ = kTouch;
     visit_all();
   }
@@ -126,10 +140,10 @@ void SurfaceQuery::visit_all() {
 void SurfaceQuery::visit(std::uint32_t index) {
   const SphereCover::Node& node = a_.cover.nodes()[index];
   SphereBounds bounds;
-  sphere_bounds(node, b_.field, moves_, static_cast<float>(least_), bounds);
+  sphere_bounds(node, b_.field, moves_, static_cast<float>(reach_), bounds);
   while (bounds.near != 0 && least_ >= ends_at_) {
     const std::size_t k = take_nearest(bounds);
-    if (bounds.bound[k] >= least_) {
+    if (bounds.bound[k] >= reach_) {
       return;
     }
     const Eigen::Vector3d centre = X_BA_ * Eigen::Vector3d(node.x[k], node.y[k], node.z[k]);
@@ -140,7 +154,7 @@ void SurfaceQuery::visit(std::uint32_t index) {
     }
     if (is_leaf) {
       compare(node.child[k] & ~SphereCover::kLeaf, centre, radius);
-    } else if (--patience_ >= 0 || b_.triangles.is_nearer_than(centre, radius + least_)) {
+    } else if (--patience_ >= 0 || b_.triangles.is_nearer_than(centre, radius + reach_)) {
       visit(node.child[k]);
     }
   }
@@ -149,19 +163,19 @@ void SurfaceQuery::visit(std::uint32_t index) {
 bool SurfaceQuery::kept_outside() {
   const float outside = gap_outside(a_.field.centre(), a_.field.half(), b_.sides, moves_);
   gap_ = std::max(gap_, static_cast<double>(outside));
-  return gap_ >= least_;
+  return gap_ >= reach_;
 }
 
 bool SurfaceQuery::parted_by_plane() {
-  const auto least = static_cast<float>(least_);
-  gap_ = std::max(gap_, static_cast<double>(hull_gap(a_.hull, b_.hull, moves_, least)));
-  return gap_ >= least_;
+  const auto reach = static_cast<float>(reach_);
+  gap_ = std::max(gap_, static_cast<double>(hull_gap(a_.hull, b_.hull, moves_, reach)));
+  return gap_ >= reach_;
 }
 
 bool SurfaceQuery::pierces(float share) {
   const BoundingSphere& root = a_.cover.root();
   if (surely_pierces(a_.points, {root.centre, share * root.radius}, b_.sides, moves_)) {
-    least_ = 0.0;
+    found(0.0);
   }
   return least_ <= 0.0;
 }
@@ -171,12 +185,12 @@ bool SurfaceQuery::settled_as_a_whole() {
     tried_whole_ = true;
     return parted_by_plane() || pierces(1.0F);
   }
-  return gap_ >= least_;
+  return gap_ >= reach_;
 }
 
 void SurfaceQuery::compare(std::uint32_t leaf, const Eigen::Vector3d& centre, double radius) {
   near_.clear();
-  b_.triangles.append_within(centre, radius + least_, near_);
+  b_.triangles.append_within(centre, radius + reach_, near_);
   if (near_.empty()) {
     return;
   }
@@ -197,22 +211,22 @@ void SurfaceQuery::compare(std::uint32_t leaf, const Eigen::Vector3d& centre, do
 
 bool SurfaceQuery::field_keeps_apart(const TriangleCorners& s) const {
   const Eigen::Vector3d middle = (s[0] + s[1] + s[2]) / 3.0;
-  const double reach =
+  const double radius =
       std::sqrt(std::max({(s[0] - middle).squaredNorm(), (s[1] - middle).squaredNorm(),
                           (s[2] - middle).squaredNorm()}));
-  const double least = least_ + moves_.rounding;
-  return static_cast<double>(b_.field.bound(middle.cast<float>())) - reach >= least ||
+  const double reach = reach_ + moves_.rounding;
+  return static_cast<double>(b_.field.bound(middle.cast<float>())) - radius >= reach ||
          static_cast<double>(b_.field.bound(std::array<Eigen::Vector3f, 3>{
-             s[0].cast<float>(), s[1].cast<float>(), s[2].cast<float>()})) >= least;
+             s[0].cast<float>(), s[1].cast<float>(), s[2].cast<float>()})) >= reach;
 }
 
 void SurfaceQuery::compare_triangle(const TriangleCorners& s) {
   for (const std::uint32_t other : near_) {
     const TriangleCorners t = corners(*b_.mesh, other);
-    if (!plane_keeps_apart(s, t, least_)) {
+    if (!plane_keeps_apart(s, t, reach_)) {
       // Looking for a touch, most that planes leave cross; else hardly any does.
       const bool touch = ends_at_ > 0.0 && surely_cross(s, t);
-      least_ = touch ? 0.0 : std::min(least_, triangle_distance(s, t));
+      found(touch ? 0.0 : triangle_distance(s, t));
       if (least_ < ends_at_ || least_ <= 0.0) {
         return;
       }

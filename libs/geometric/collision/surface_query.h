@@ -24,9 +24,9 @@ class SurfaceQuery {
   /// they can't tell. @param effort nodes of spheres to look into.
   [[nodiscard]] double bound(double enough, int effort);
 
-  /// The distance (m), or `enough` if the surfaces are at least that far apart; 0
-  /// where they surely cross. The less is enough, the sooner it ends.
-  [[nodiscard]] double distance(double enough);
+  /// The distance (m) to within a `share` of it, or from `enough` up if the surfaces are at least
+  /// that far apart; 0 where they surely cross. The less is enough, the sooner it ends.
+  [[nodiscard]] DistanceRange distance(double enough, double share = 0.0);
 
   /// Are the surfaces closer than `tolerance` (m), as far as a look at each of them as a whole
   /// tells? A touch that is found so is beyond doubt.
@@ -46,21 +46,23 @@ class SurfaceQuery {
   [[nodiscard]] bool was_exact() const { return exact_; }
 
  private:
-  /// Whether the sphere around A may be nearer than `least_`; then X_BA is known.
+  void start(double least, double keep = 1.0);
+  void found(double distance);
+  /// Whether the sphere around A may be nearer than `reach_`; then X_BA is known.
   [[nodiscard]] bool root_is_near();
   void visit_all();
   void bound_node(std::uint32_t node);
   void visit(std::uint32_t node);
-  /// Whether A's box is known to be outside of B and at least `least_` away.
+  /// Whether A's box is known to be outside of B and at least `reach_` away.
   [[nodiscard]] bool kept_outside();
-  /// Whether the hulls are known to be at least `least_` apart.
+  /// Whether the hulls are known to be at least `reach_` apart.
   [[nodiscard]] bool parted_by_plane();
   /// Whether A is known to go through B, in that share of its sphere at least; then `least_` is 0.
   [[nodiscard]] bool pierces(float share);
   /// Either of these; looked for once.
   [[nodiscard]] bool settled_as_a_whole();
   void compare(std::uint32_t leaf, const Eigen::Vector3d& centre, double radius);
-  /// Is a triangle, in B's frame, at least `least_` away for all that the field knows?
+  /// Is a triangle, in B's frame, at least `reach_` away for all that the field knows?
   [[nodiscard]] bool field_keeps_apart(const TriangleCorners& s) const;
   /// With the triangles in `near_`.
   void compare_triangle(const TriangleCorners& s);
@@ -73,6 +75,8 @@ class SurfaceQuery {
   Pose X_BA_;
   FloatPose moves_;
   double least_ = 0.0;    ///< The least distance known so far, or what is asked for.
+  double reach_ = 0.0;    ///< What is so far away or farther is not looked at.
+  double keep_ = 1.0;     ///< That much of the least distance found: how it is told.
   double ends_at_ = 0.0;  ///< No need to look further below this.
   int effort_ = 0;
   int patience_ = 0;

@@ -257,9 +257,6 @@ Certificate PlanningContext::certify(const Path& path) {
   geometric::CollisionChecker& checker = *own_worker().checker;
   const std::uint64_t before = checker.counts().configurations;
   double least = kFarClearance;
-  for (const Configuration& q : path.waypoints) {  // these are often the tightest
-    least = std::min(least, geometric::find_clearance(checker, q, least).distance);
-  }
   for (std::size_t i = 0; i + 1 < path.waypoints.size(); ++i) {
     // What is asked for is more than what is known, so that tolerances don't add up.
     const double enough = std::min(kFarClearance, least + std::max(kTolerance, kShare * least));

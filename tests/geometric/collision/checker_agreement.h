@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <memory>
@@ -58,6 +59,7 @@ class CheckerAgreement {
       } else {
         ASSERT_GE(bounded, enough - kRounding) << name(pair) << " at " << q.transpose();
       }
+      ASSERT_NO_FATAL_FAILURE(expect_range_around(pair, distance, enough));
       for (const double tolerance : {1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 5e-2}) {
         if (tolerance <= enough && std::abs(distance - tolerance) > kRounding) {
           ASSERT_EQ(bounded_.pair_closeness(pair, tolerance), closeness(pair, distance, tolerance))
@@ -69,6 +71,17 @@ class CheckerAgreement {
 
  private:
   static constexpr double kRounding = 1e-9;  // m
+
+  void expect_range_around(int pair, double distance, double enough) {
+    constexpr double kShare = 0.3;
+    const geometric::DistanceRange range = bounded_.pair_distance_range(pair, enough, kShare);
+    ASSERT_LE(range.lower, distance + kRounding) << name(pair);
+    ASSERT_GE(range.upper, distance - kRounding) << name(pair);
+    ASSERT_GE(range.lower, (1.0 - kShare) * std::min(distance, enough) - kRounding) << name(pair);
+    if (distance < enough - kRounding) {
+      ASSERT_LE((1.0 - kShare) * range.upper, range.lower + kRounding) << name(pair);
+    }
+  }
 
   [[nodiscard]] int pair_count() const { return static_cast<int>(world_->pairs().size()); }
 

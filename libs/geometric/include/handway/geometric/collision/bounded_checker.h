@@ -30,6 +30,8 @@ class HANDWAY_GEOMETRIC_EXPORT BoundedChecker final : public CollisionChecker {
   void do_place() override;
   [[nodiscard]] bool do_pair_collides(int pair) override;
   [[nodiscard]] double do_pair_distance(int pair, double enough) override;
+  [[nodiscard]] DistanceRange do_pair_distance_range(int pair, double enough,
+                                                     double share) override;
   [[nodiscard]] Closeness do_pair_closeness(int pair, double tolerance) override;
   [[nodiscard]] double do_pair_bound(int pair, double enough) override;
   [[nodiscard]] double do_pair_glance(int pair) override;

@@ -29,6 +29,12 @@ struct CheckCounts {
   }
 };
 
+/// Between which a distance is, m.
+struct DistanceRange {
+  double lower = 0.0;
+  double upper = std::numeric_limits<double>::infinity();
+};
+
 /// The answer to a tolerance question.
 enum class Closeness {
   kFarther,   ///< At least as far apart as the tolerance.
@@ -68,6 +74,13 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionChecker {
   /// where that is below `enough`, otherwise anything from `enough` up to it.
   /// 0 if they touch.
   [[nodiscard]] double pair_distance(int pair, double enough);
+
+  /// The pair's distance to within a `share` of it, in [0, 1), or from `enough` up if it is at
+  /// least that. The larger the share, the cheaper.
+  [[nodiscard]] DistanceRange pair_distance_range(int pair, double enough, double share) {
+    ++counts_.pair_distances;
+    return do_pair_distance_range(pair, enough, share);
+  }
 
   /// Is the pair closer than `tolerance` (m)? Cheaper than its distance.
   [[nodiscard]] Closeness pair_closeness(int pair, double tolerance) {
@@ -117,6 +130,7 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionChecker {
   virtual void do_place() {}
   [[nodiscard]] virtual bool do_pair_collides(int pair) = 0;
   [[nodiscard]] virtual double do_pair_distance(int pair, double enough) = 0;
+  [[nodiscard]] virtual DistanceRange do_pair_distance_range(int pair, double enough, double share);
   [[nodiscard]] virtual Closeness do_pair_closeness(int pair, double tolerance);
   [[nodiscard]] virtual double do_pair_bound(int pair, double enough) {
     return do_pair_distance(pair, enough);
@@ -142,6 +156,10 @@ struct NamedPair {
   std::string b;
   double distance = 0.0;
 };
+
+/// The pair world.pairs()[pair] by its bodies' names.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT NamedPair named_pair(const CollisionWorld& world, int pair,
+                                                            double distance);
 
 /// Indices into world().pairs() of all that touch in `q`, in order.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<int> touching_pairs(CollisionChecker& checker,

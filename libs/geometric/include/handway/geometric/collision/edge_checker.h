@@ -80,6 +80,12 @@ class HANDWAY_GEOMETRIC_EXPORT EdgeChecker {
   /// Of the configuration in place; "closer" may be said wrongly of a large tolerance.
   [[nodiscard]] Closeness closeness_within(int pair, double tolerance);
 
+  struct Clearance;  // what clearance() has found so far
+  void look_at_end(const Configuration& q, Clearance& found);
+  /// Of the configuration in place, the middle of a stretch of that half length: whether the pair
+  /// is settled on it.
+  [[nodiscard]] bool settle(int pair, double half, Clearance& found);
+
   struct Stretch {
     double middle;
     double half;
