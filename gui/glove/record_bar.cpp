@@ -1,6 +1,7 @@
 #include "glove/record_bar.h"
 
 #include "glove/glove_colors.h"
+#include "glove/recording_file.h"
 #include "handway/device/glove/glove_layout.h"
 #include "style/icons.h"
 
@@ -28,17 +29,6 @@ QString clock_text(double seconds) {
   return QStringLiteral("%1:%2")
       .arg(whole / kSecondsAMinute)
       .arg(whole % kSecondsAMinute, 2, 10, QLatin1Char('0'));
-}
-
-// The suffix keeps what is there from being written over.
-std::filesystem::path fresh_file(const std::filesystem::path& folder) {
-  const QString stem = QStringLiteral("glove-") +
-                       QDateTime::currentDateTime().toString(QStringLiteral("yyyyMMdd-HHmmss"));
-  std::filesystem::path file = folder / (stem.toStdString() + ".csv");
-  for (int i = 2; std::filesystem::exists(file); ++i) {
-    file = folder / (stem.toStdString() + "-" + std::to_string(i) + ".csv");
-  }
-  return file;
 }
 
 }  // namespace
@@ -93,7 +83,7 @@ void RecordBar::begin() {
   header.sensors.assign(wired.begin(), wired.end());
   try {
     std::filesystem::create_directories(unnamed_folder());
-    file_ = fresh_file(unnamed_folder());
+    file_ = new_recording_file(unnamed_folder());
     session_.link().tap().begin(file_, std::move(header));
   } catch (const std::exception& error) {
     progress_->setText(QString::fromUtf8(error.what()));

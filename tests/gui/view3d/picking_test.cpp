@@ -6,7 +6,7 @@
 namespace handway::test {
 namespace {
 
-using Kind = gui::SceneItem::Kind;
+using ItemKind = gui::SceneItem::Kind;
 
 class Clicks : public WindowTest {
  protected:
@@ -18,8 +18,8 @@ class Clicks : public WindowTest {
   }
   [[nodiscard]] gui::SceneView& view() const { return window().view(); }
 
-  [[nodiscard]] Kind clicked_at(const QPoint& place) const {
-    Kind kind = Kind::kNone;
+  [[nodiscard]] ItemKind clicked_at(const QPoint& place) const {
+    ItemKind kind = ItemKind::kNone;
     const auto connection =
         QObject::connect(&view(), &gui::SceneView::picked,
                          [&kind](const gui::SceneItem& item, bool) { kind = item.kind; });
@@ -28,7 +28,7 @@ class Clicks : public WindowTest {
     return kind;
   }
   /// Where such a thing is clicked, on a grid.
-  [[nodiscard]] std::vector<QPoint> places_of(Kind kind) const {
+  [[nodiscard]] std::vector<QPoint> places_of(ItemKind kind) const {
     constexpr int kStep = 12;  // px
     std::vector<QPoint> places;
     for (int y = kStep; y < view().height(); y += kStep) {
@@ -44,14 +44,14 @@ class Clicks : public WindowTest {
 
 TEST_F(Clicks, MeanTheRobotAlsoBehindAGhost) {
   view().show_ghosts(false, false);
-  const std::vector<QPoint> links = places_of(Kind::kLink);
+  const std::vector<QPoint> links = places_of(ItemKind::kLink);
   ASSERT_FALSE(links.empty());
   geometric::Configuration near = window().document().configuration();
   near[0] += 0.1;
   view().preview_ghost(false, near);
   view().show_ghosts(false, true);
-  EXPECT_EQ(places_of(Kind::kLink), links);
-  EXPECT_FALSE(places_of(Kind::kGoal).empty()) << "beside the robot the ghost can be clicked";
+  EXPECT_EQ(places_of(ItemKind::kLink), links);
+  EXPECT_FALSE(places_of(ItemKind::kGoal).empty()) << "beside the robot the ghost can be clicked";
 }
 
 }  // namespace
