@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <ranges>
 #include <span>
 #include <utility>
 #include <vector>
@@ -73,8 +72,6 @@ struct BoundedChecker::Volumes {
 struct BoundedChecker::Doubt {
   float shallowness;
   int pair;
-
-  auto operator<=>(const Doubt&) const = default;
 };
 
 struct BoundedChecker::Scratch {
@@ -127,13 +124,14 @@ std::optional<int> BoundedChecker::do_first_collision(int hint) {
     return hint;
   }
   do_near_pairs(kTouch, scratch_->near);
-  // What stands still comes last in the list, and is hit most often.
-  for (const int pair : std::views::reverse(scratch_->near)) {
+  std::ranges::reverse(scratch_->near);  // what stands still came last, and is hit most often
+  for (const int pair : scratch_->near) {
     if (pair != hint && touches_at_a_glance(pair)) {
       return pair;
     }
   }
-  std::ranges::sort(doubts);
+  std::ranges::sort(doubts, {},
+                    [](const Doubt& doubt) { return std::pair(doubt.shallowness, doubt.pair); });
   const auto touching = std::ranges::find_if(doubts, [&](const Doubt& doubt) {
     return closeness_of_surfaces(doubt.pair, kTouch) == Closeness::kTouching;
   });

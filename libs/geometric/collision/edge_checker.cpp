@@ -150,7 +150,8 @@ NamedPair EdgeChecker::clearance(const Configuration& from, const Configuration&
     if (checks == 0) {
       checker_.near_pairs(found.at_most + 0.5 * motion_.most_over_edge(), candidates);
     }
-    std::erase_if(candidates, [&](int pair) { return settle(pair, stretch.half, found); });
+    std::erase_if(candidates,
+                  [&, half = stretch.half](int pair) { return settle(pair, half, found); });
     if (!candidates.empty()) {
       const double quarter = 0.5 * stretch.half;
       waiting.emplace_back(Stretch{stretch.middle + quarter, quarter, 0, 0}, candidates);
