@@ -58,8 +58,6 @@ RecordBar::RecordBar(GloveSession& session, QWidget* parent)
   show_idle();
 }
 
-RecordBar::~RecordBar() { session_.link().tap().end(); }
-
 std::filesystem::path RecordBar::unnamed_folder() {
   const QString data = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
   return std::filesystem::path(data.toStdString()) / "recordings";

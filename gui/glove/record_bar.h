@@ -19,7 +19,6 @@ class RecordBar : public QWidget {
 
  public:
   explicit RecordBar(GloveSession& session, QWidget* parent = nullptr);
-  ~RecordBar() override;
 
   /// Where recordings are until they have a name.
   [[nodiscard]] static std::filesystem::path unnamed_folder();
