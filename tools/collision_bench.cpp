@@ -5,12 +5,11 @@
 #include "handway/geometric/collision/motion_bound.h"
 #include "handway/planning/campaigns/sample_statistics.h"
 
-#include <array>
 #include <chrono>
 #include <functional>
+#include <initializer_list>
 #include <limits>
 #include <random>
-#include <span>
 #include <vector>
 
 namespace handway::tools {
@@ -72,10 +71,10 @@ double time_of(const Series& series) {
 }
 
 // The checkers take turns, so that what else the machine does slows all of them alike.
-void measure(std::span<Series> all) {
+void measure(std::initializer_list<Series*> all) {
   for (int round = 0; round < kRounds; ++round) {
-    for (Series& series : all) {
-      series.rounds.push_back(time_of(series));
+    for (Series* series : all) {
+      series->rounds.push_back(time_of(*series));
     }
   }
 }
@@ -138,13 +137,15 @@ CollisionBench bench_collision(const std::shared_ptr<const CollisionWorld>& worl
   bench.in_collision = in_collision / static_cast<double>(kConfigurations);
   bench.edges = static_cast<int>(questions.edge_starts.size());
   bench.edges_free = bench.edges > 0 ? free_edges / static_cast<double>(bench.edges) : 0.0;
-  std::array all{configurations_for(*fast, questions), configurations_for(*fcl, questions),
-                 configurations_for(*broad, questions), edges_for(fast_edges, questions),
-                 edges_for(fcl_edges, questions)};
-  measure(all);
-  bench.fast = {all[0].median(), all[3].median()};
-  bench.fcl = {all[1].median(), all[4].median()};
-  bench.fcl_broadphase_configuration_us = all[2].median();
+  Series of_fast = configurations_for(*fast, questions);
+  Series of_fcl = configurations_for(*fcl, questions);
+  Series of_broad = configurations_for(*broad, questions);
+  Series of_fast_edges = edges_for(fast_edges, questions);
+  Series of_fcl_edges = edges_for(fcl_edges, questions);
+  measure({&of_fast, &of_fcl, &of_broad, &of_fast_edges, &of_fcl_edges});
+  bench.fast = {of_fast.median(), of_fast_edges.median()};
+  bench.fcl = {of_fcl.median(), of_fcl_edges.median()};
+  bench.fcl_broadphase_configuration_us = of_broad.median();
   return bench;
 }
 

@@ -3,28 +3,26 @@
 #include "handway/geometric/io/input_error.h"
 
 #include <QDateTime>
+#include <QDir>
 #include <QFile>
 #include <QString>
-
-#include <string>
 
 namespace handway::gui {
 
 std::filesystem::path new_recording_file(const std::filesystem::path& folder) {
-  const QString stem = QStringLiteral("glove-") +
-                       QDateTime::currentDateTime().toString(QStringLiteral("yyyyMMdd-HHmmss"));
-  std::filesystem::path path = folder / (stem.toStdString() + ".csv");
-  QFile file(QString::fromStdString(path.string()));
+  const QString stem = QDir(QString::fromStdString(folder.string()))
+                           .filePath(QDateTime::currentDateTime().toString(
+                               QStringLiteral("'glove-'yyyyMMdd-HHmmss")));
+  QFile file(stem + QStringLiteral(".csv"));
   for (int i = 2; !file.open(QIODevice::WriteOnly | QIODevice::NewOnly); ++i) {
     if (!file.exists()) {
-      throw geometric::InputError({path.string(), "", file.errorString().toStdString(),
-                                   "a file that can be written",
+      throw geometric::InputError({file.fileName().toStdString(), "",
+                                   file.errorString().toStdString(), "a file that can be written",
                                    "Look whether the folder is full or locked"});
     }
-    path = folder / (stem.toStdString() + "-" + std::to_string(i) + ".csv");
-    file.setFileName(QString::fromStdString(path.string()));
+    file.setFileName(QStringLiteral("%1-%2.csv").arg(stem).arg(i));
   }
-  return path;
+  return file.fileName().toStdString();
 }
 
 }  // namespace handway::gui

@@ -227,9 +227,7 @@ double BoundedChecker::do_pair_bound(int pair, double enough) {
 }
 
 double BoundedChecker::do_pair_distance(int pair, double enough) {
-  return volumes_->roots->bound(scratch_->roots, pair) >= enough
-             ? enough
-             : std::min(enough, query(pair, body_poses()).distance(enough).upper);
+  return std::min(enough, do_pair_distance_range(pair, enough, 0.0).upper);
 }
 
 DistanceRange BoundedChecker::do_pair_distance_range(int pair, double enough, double share) {

@@ -11,6 +11,8 @@ namespace {
 // an exact distance would be thrown away with the next halving.
 constexpr double kWorthExact = 0.0005;
 
+constexpr double kShy = 1.0 - 1e-6;  // of what an answer may be off: the rest is for rounding
+
 constexpr std::uint64_t kStopPeriod = 16;  // configurations between looks at the stop condition
 
 }  // namespace
@@ -115,7 +117,7 @@ struct EdgeChecker::Clearance {
 
   /// m: what is farther apart is of no interest.
   [[nodiscard]] double good_enough() const {
-    return at_most - std::max(tolerance, share * at_most);
+    return at_most - kShy * std::max(tolerance, share * at_most);
   }
 
   /// @returns whether a pair that may come closer by `loss` (m) need not be looked at again.

@@ -109,6 +109,10 @@ DistanceRange SurfaceQuery::distance(double enough, double share) {
 
 std::optional<Closeness> SurfaceQuery::glance(double tolerance) {
   start(tolerance);
+  return look();
+}
+
+std::optional<Closeness> SurfaceQuery::look() {
   if (!root_is_near() || kept_outside()) {
     return Closeness::kFarther;
   }
@@ -132,7 +136,7 @@ Closeness SurfaceQuery::closeness(double tolerance) {
 
 void SurfaceQuery::visit_all() {
   patience_ = kPatience;
-  if (root_is_near() && !kept_outside() && !pierces(kDeep)) {
+  if (!look()) {
     visit(0);
   }
 }

@@ -46,10 +46,13 @@ class SurfaceQuery {
   [[nodiscard]] bool was_exact() const { return exact_; }
 
  private:
+  /// Sets out for what is nearer than `least` (m), each distance told to within 1 - `keep` of it.
   void start(double least, double keep = 1.0);
   void found(double distance);
   /// Whether the sphere around A may be nearer than `reach_`; then X_BA is known.
   [[nodiscard]] bool root_is_near();
+  /// What a glance tells, if it does.
+  [[nodiscard]] std::optional<Closeness> look();
   void visit_all();
   void bound_node(std::uint32_t node);
   void visit(std::uint32_t node);

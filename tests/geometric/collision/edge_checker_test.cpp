@@ -234,7 +234,7 @@ TEST(EdgeChecker, NamesThePairOfTheClearance) {
       judge.edges().clearance(Eigen::Vector3d(-0.2, 0, 0), Eigen::Vector3d(0.2, 0, 0), 0.05, 1e-5);
   EXPECT_EQ(found.a, "probe");
   EXPECT_EQ(found.b, "table");
-  EXPECT_NEAR(found.distance, 0.003, 1.0001e-5);
+  EXPECT_NEAR(found.distance, 0.003, 1e-5);
 }
 
 // A slide so close to a table that hundreds of configurations have to be looked at.
