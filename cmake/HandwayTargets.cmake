@@ -75,12 +75,18 @@ function(handway_benchmark name)
 endfunction()
 
 # handway_test(NAME [REAL_TIME] SOURCES … LINK …): a GoogleTest program whose cases CTest lists one
-# by one. Those of programs that have to keep up with the clock run while no other test does.
+# by one. Those of programs that have to keep up with the clock run while no other test does, and
+# again if the machine itself did not keep up.
 function(handway_test name)
   cmake_parse_arguments(ARG "REAL_TIME" "" "SOURCES;LINK" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
+  if(ARG_REAL_TIME)
+    set(main handway_test_real_time_main)
+  else()
+    set(main GTest::gtest_main)
+  endif()
   target_link_libraries(${name} PRIVATE ${ARG_LINK} handway_test_support GTest::gmock GTest::gtest
-                                        GTest::gtest_main)
+                                        ${main})
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/tests")
   _handway_warnings(${name})
   # What they test is optimised; tests themselves are not worth the compiler's time.

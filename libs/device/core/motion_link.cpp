@@ -56,6 +56,7 @@ void MotionLink::connect(const std::stop_token& stop) {
     do_update(0.0);
     std::this_thread::sleep_for(milliseconds(1));
   }
+  silence_.heard(Clock::now());
   connected_ = true;
 }
 
@@ -159,7 +160,7 @@ void MotionLink::update() {
   }
   try {
     do_update(motion_time(Clock::now()));
-    if (Clock::now() - measured_.received > kLongestSilence) {
+    if (silence_.listened(Clock::now()) > kLongestSilence) {
       refuse(fmt::format("no joint positions for {} ms", kLongestSilence.count()),
              "one every 20 ms or more often", "Look at the network and at the controller.");
     }
@@ -215,6 +216,7 @@ void MotionLink::add_sample(const Eigen::VectorXd& position) {
   measured_.position = position;
   measured_.received = Clock::now();
   ++measured_.samples;
+  silence_.heard(measured_.received);
 }
 
 }  // namespace handway::device

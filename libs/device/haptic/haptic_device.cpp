@@ -17,16 +17,16 @@ void HapticDevice::refuse(std::string found, std::string expected, std::string a
 
 void HapticDevice::connect(const std::stop_token& stop) {
   abilities_ = do_connect(stop);
-  heard_ = std::chrono::steady_clock::now();
+  silence_.heard(Silence::Clock::now());
 }
 
 std::optional<HapticSample> HapticDevice::read(std::chrono::milliseconds timeout) {
   try {
     const std::optional<HapticSample> sample = do_read(timeout);
-    const auto now = std::chrono::steady_clock::now();
+    const auto now = Silence::Clock::now();
     if (sample) {
-      heard_ = now;
-    } else if (now - heard_ > kLongestSilence) {
+      silence_.heard(now);
+    } else if (silence_.listened(now) > kLongestSilence) {
       refuse(fmt::format("no position for {} ms", kLongestSilence.count()),
              "one every 10 ms or more often", "Look at the network and at the device.");
     }

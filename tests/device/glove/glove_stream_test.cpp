@@ -20,7 +20,7 @@ using test::on_tcp;
 using testing::HasSubstr;
 
 /// Keeps what a stream tells.
-class Listener {
+class GloveListener {
  public:
   GloveStreamHandlers handlers() {
     GloveStreamHandlers all;
@@ -60,7 +60,7 @@ class Listener {
 
 TEST(GloveStream, HandsOverEveryFrameInOrder) {
   const GloveEmulator emulator(on_tcp(), counting_signal());
-  Listener listener;
+  GloveListener listener;
   GloveStream stream(std::make_unique<CyberGlove>(emulator.address()), {}, listener.handlers());
   listener.wait_for(120);
   const StreamStatistics statistics = stream.statistics();
@@ -81,7 +81,7 @@ TEST(GloveStream, ConnectsAgainWhenTheDeviceComesBack) {
   auto emulator = std::make_unique<GloveEmulator>(on_tcp(), counting_signal());
   const std::string address = emulator->address();
   const auto port = static_cast<std::uint16_t>(std::stoi(address.substr(address.find(':') + 1)));
-  Listener listener;
+  GloveListener listener;
   const GloveStream stream(std::make_unique<CyberGlove>(address), {}, listener.handlers());
   listener.wait_for(10);
   emulator.reset();
@@ -102,7 +102,7 @@ TEST(GloveStream, ConnectsAgainWhenTheDeviceComesBack) {
 
 TEST(GloveStream, TellsItsStates) {
   GloveEmulator emulator(on_tcp(), counting_signal());
-  Listener listener;
+  GloveListener listener;
   GloveStream stream(std::make_unique<CyberGlove>(emulator.address()), {}, listener.handlers());
   listener.wait_for(5);
   emulator.set_plugged(false);
@@ -136,7 +136,7 @@ TEST(GloveStream, WaitsForADeviceThatIsNotThereYet) {
     address = finds_a_free_port.address();
     port = static_cast<std::uint16_t>(std::stoi(address.substr(address.find(':') + 1)));
   }
-  Listener listener;
+  GloveListener listener;
   const GloveStream stream(std::make_unique<CyberGlove>(address), settings, listener.handlers());
   std::this_thread::sleep_for(milliseconds(150));
   EXPECT_EQ(stream.state(), StreamState::kConnecting);

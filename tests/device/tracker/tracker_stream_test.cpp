@@ -20,7 +20,7 @@ using testing::HasSubstr;
 constexpr seconds kPatience{10};
 
 /// Keeps what a stream tells.
-class Listener {
+class TrackerListener {
  public:
   TrackerStreamHandlers handlers() {
     TrackerStreamHandlers all;
@@ -75,7 +75,7 @@ std::unique_ptr<Tracker> driver(const std::string& address) {
 
 TEST(TrackerStream, HandsOverTheSamplesOfAllSensors) {
   const auto emulator = fastrak();
-  Listener listener;
+  TrackerListener listener;
   TrackerStream stream(driver(emulator->address()), {}, listener.handlers());
   ASSERT_TRUE(waits_for([&] { return listener.samples().size() >= 20; }));
   EXPECT_THAT(stream.info().model, HasSubstr("Fastrak"));
@@ -94,7 +94,7 @@ TEST(TrackerStream, HandsOverTheSamplesOfAllSensors) {
 TEST(TrackerStream, ConnectsAgainWhenTheTrackerComesBack) {
   auto emulator = fastrak();
   const std::string address = emulator->address();
-  Listener listener;
+  TrackerListener listener;
   const TrackerStream stream(driver(address), {}, listener.handlers());
   ASSERT_TRUE(waits_for([&] { return listener.samples().size() >= 5; }));
   emulator.reset();
@@ -110,7 +110,7 @@ TEST(TrackerStream, ConnectsAgainWhenTheTrackerComesBack) {
 
 TEST(TrackerStream, TellsThatTheSensorsAreUnplugged) {
   const auto emulator = fastrak();
-  Listener listener;
+  TrackerListener listener;
   TrackerStream stream(driver(emulator->address()), {}, listener.handlers());
   ASSERT_TRUE(waits_for([&] { return listener.samples().size() >= 5; }));
   emulator->set_plugged(false);

@@ -1,3 +1,4 @@
+#include "handway_test/real_time.h"
 #include "style/theme.h"
 #include "watched_application.h"
 
@@ -9,8 +10,10 @@
 #include <cstdlib>
 #include <memory>
 
+namespace {
+
 // Without a display there is no application: tests that need one skip.
-int main(int argc, char** argv) {
+int run_tests(int argc, char** argv) {
   ::testing::InitGoogleTest(&argc, argv);
   std::unique_ptr<handway::test::WatchedApplication> application;
   const QTemporaryDir settings;
@@ -28,3 +31,7 @@ int main(int argc, char** argv) {
   }
   return RUN_ALL_TESTS();
 }
+
+}  // namespace
+
+int main(int argc, char** argv) { return handway::test::run_in_real_time(argc, argv, run_tests); }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "handway/device/core/joint_trajectory.h"
+#include "handway/device/core/silence.h"
 #include "handway/device/export.h"
 
 #include <Eigen/Core>
@@ -123,6 +124,7 @@ class HANDWAY_DEVICE_EXPORT MotionLink {
   MotionPhase phase_ = MotionPhase::kIdle;
   std::string fault_;
   MeasuredJoints measured_;
+  Silence silence_;
   std::uint64_t samples_seen_ = 0;
   JointTrajectory trajectory_;
   MotionTolerances tolerances_;

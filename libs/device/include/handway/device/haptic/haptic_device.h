@@ -1,5 +1,6 @@
 #pragma once
 
+#include "handway/device/core/silence.h"
 #include "handway/device/export.h"
 #include "handway/device/haptic/haptic_protocol.h"
 
@@ -56,7 +57,7 @@ class HANDWAY_DEVICE_EXPORT HapticDevice {
 
   std::string name_;
   HapticAbilities abilities_;
-  std::chrono::steady_clock::time_point heard_;
+  Silence silence_;
 };
 
 }  // namespace handway::device
