@@ -35,6 +35,15 @@ class Devices : public WindowTest {
   [[nodiscard]] bool reaches(MotionDriver::State state) const {
     return QTest::qWaitFor([&] { return driver().state() == state; }, kPatienceMs);
   }
+  /// Waits for the end of a motion. @returns the state after it: without a fault kConnected.
+  [[nodiscard]] MotionDriver::State state_after_motion() const {
+    const auto ended = [&] {
+      return driver().state() == MotionDriver::State::kConnected ||
+             driver().state() == MotionDriver::State::kOff;
+    };
+    EXPECT_TRUE(QTest::qWaitFor(ended, kPatienceMs));
+    return driver().state();
+  }
   void wait_for_problem() const {
     ASSERT_TRUE(QTest::qWaitFor(
         [&] { return window().document().problem()->if_ready() != nullptr; }, kPatienceMs));
@@ -74,9 +83,9 @@ TEST_F(Devices, RunAPathAndTellHowItWent) {
                    [&](const auto& /*outcome*/, const auto& motion) { executed = motion; });
   click("devices_run");
   ASSERT_TRUE(QTest::qWaitFor([&] { return executed != nullptr; }, kPatienceMs));
-  EXPECT_THAT(text("devices_outcome"), HasSubstr("Done in"));
+  ASSERT_THAT(text("devices_outcome"), HasSubstr("Done in"));
   EXPECT_THAT(text("devices_outcome"), HasSubstr("Largest following error"));
-  EXPECT_TRUE(reaches(MotionDriver::State::kConnected));
+  EXPECT_EQ(state_after_motion(), MotionDriver::State::kConnected);
   EXPECT_FALSE(panel().is_armed()) << "it holds for one motion";
   EXPECT_TRUE(QTest::qWaitFor(
       [&] { return part<QPushButton>("devices_run").text() == "Run it backwards"; }, kPatienceMs));
@@ -108,7 +117,7 @@ TEST_F(Devices, HoldAndGoOn) {
   QTest::qWait(200);
   EXPECT_TRUE(window().document().configuration().isApprox(held, 1e-3));
   click("devices_hold");
-  ASSERT_TRUE(reaches(MotionDriver::State::kConnected));
+  ASSERT_EQ(state_after_motion(), MotionDriver::State::kConnected);
   EXPECT_THAT(text("devices_outcome"), HasSubstr("Done in"));
 }
 
@@ -124,7 +133,7 @@ TEST_F(Devices, StopAtTheRedButton) {
   click("devices_run");
   ASSERT_TRUE(QTest::qWaitFor([&] { return progressed.size() > 5; }, kPatienceMs));
   click("devices_stop");
-  ASSERT_TRUE(reaches(MotionDriver::State::kConnected));
+  ASSERT_EQ(state_after_motion(), MotionDriver::State::kConnected);
   EXPECT_THAT(text("devices_outcome"), HasSubstr("Stopped after"));
   EXPECT_GT(window().document().configuration()[0], -0.1);
   EXPECT_LT(window().document().configuration()[0], 1.45);
