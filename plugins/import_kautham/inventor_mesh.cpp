@@ -7,9 +7,12 @@
 #include <Inventor/SoDB.h>
 #include <Inventor/SoInput.h>
 #include <Inventor/SoPrimitiveVertex.h>
+#include <Inventor/VRMLnodes/SoVRMLInline.h>
 #include <Inventor/actions/SoCallbackAction.h>
+#include <Inventor/actions/SoSearchAction.h>
 #include <Inventor/errors/SoDebugError.h>
 #include <Inventor/errors/SoReadError.h>
+#include <Inventor/nodes/SoFile.h>
 #include <Inventor/nodes/SoScale.h>
 #include <Inventor/nodes/SoSeparator.h>
 #include <Inventor/nodes/SoShape.h>
@@ -17,6 +20,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <mutex>
 #include <optional>
 #include <regex>
@@ -162,6 +166,14 @@ void read_graph(const std::filesystem::path& file, SoSeparator& parent) {
   }
 }
 
+bool has(SoNode& root, SoType type) {
+  SoSearchAction search;
+  search.setType(type);
+  search.setSearchingAll(TRUE);
+  search.apply(&root);
+  return search.getPath() != nullptr;
+}
+
 }  // namespace
 
 InventorMesh read_inventor_mesh(const std::filesystem::path& file, double scale) {
@@ -193,16 +205,9 @@ InventorMesh read_inventor_mesh(const std::filesystem::path& file, double scale)
     throw InputError({file.string(), "", "a vertex that is not finite", "finite numbers", ""});
   }
   return {std::make_shared<const geometric::TriangleMesh>(std::move(collector.mesh)),
-          *collector.color};
-}
-
-const InventorMesh& InventorMeshes::load(const std::filesystem::path& file, double scale) {
-  const auto key = std::pair(file.lexically_normal(), scale);
-  auto found = meshes_.find(key);
-  if (found == meshes_.end()) {
-    found = meshes_.emplace(key, read_inventor_mesh(key.first, scale)).first;
-  }
-  return found->second;
+          *collector.color,
+          has(*graph.root, SoFile::getClassTypeId()) ||
+              has(*graph.root, SoVRMLInline::getClassTypeId())};
 }
 
 }  // namespace handway::import_kautham

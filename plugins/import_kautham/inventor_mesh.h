@@ -4,9 +4,7 @@
 #include "handway/geometric/scene/triangle_mesh.h"
 
 #include <filesystem>
-#include <map>
 #include <memory>
-#include <utility>
 
 namespace handway::import_kautham {
 
@@ -14,6 +12,7 @@ namespace handway::import_kautham {
 struct InventorMesh {
   std::shared_ptr<const geometric::TriangleMesh> triangles;  ///< m
   geometric::Color color;                                    ///< Diffuse, of the first triangle.
+  bool includes_files = false;                               ///< Parts of it come from others.
 };
 
 /// Reads an Open Inventor or VRML file whose lengths, times `scale`, are
@@ -25,14 +24,5 @@ struct InventorMesh {
 /// @throws InputError if the file or one that it includes can't be read, or it
 /// has no triangles.
 [[nodiscard]] InventorMesh read_inventor_mesh(const std::filesystem::path& file, double scale);
-
-/// Meshes by file and scale, each read once.
-class InventorMeshes {
- public:
-  [[nodiscard]] const InventorMesh& load(const std::filesystem::path& file, double scale);
-
- private:
-  std::map<std::pair<std::filesystem::path, double>, InventorMesh> meshes_;
-};
 
 }  // namespace handway::import_kautham

@@ -2,7 +2,7 @@
 
 #include "handway/geometric/robot/robot_model.h"
 #include "handway/sampling/postures/pmd_basis.h"
-#include "inventor_mesh.h"
+#include "inventor_meshes.h"
 #include "kautham_robot.h"
 
 #include <memory>

@@ -1,7 +1,5 @@
 #include "collision/remembered_distances.h"
 
-#include <boost/uuid/uuid_io.hpp>
-
 #include <algorithm>
 #include <cstring>
 #include <optional>
@@ -18,7 +16,8 @@ constexpr std::string_view kMadeHow = "distances 2";  // to change with what is 
 // each other at both ends and in the middle of the joints' ranges.
 std::string description(const CollisionWorld& world, const BodyPair& pair, const Surface& a,
                         const Surface& b) {
-  std::string text = to_string(a.key) + to_string(b.key);
+  std::string text(a.key.begin(), a.key.end());
+  text.append(b.key.begin(), b.key.end());
   const RobotModel& model = world.model();
   std::vector<Pose> X_BL(static_cast<std::size_t>(model.link_count()));
   std::vector<Pose> X_WBody(world.bodies().size());

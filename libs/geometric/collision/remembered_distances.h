@@ -1,10 +1,10 @@
 #pragma once
 
-#include "collision/disk_cache.h"
 #include "collision/distance_table.h"
 #include "collision/surface.h"
 #include "handway/geometric/collision/collision_world.h"
 #include "handway/geometric/collision/motion_bound.h"
+#include "handway/geometric/io/disk_cache.h"
 
 #include <memory>
 #include <vector>

@@ -2,11 +2,11 @@
 
 #include "collision/clearance_field.h"
 #include "collision/convex_cover.h"
-#include "collision/disk_cache.h"
 #include "collision/sided_boxes.h"
 #include "collision/sphere_cover.h"
 #include "collision/surface_points.h"
 #include "collision/triangle_tree.h"
+#include "handway/geometric/io/disk_cache.h"
 #include "handway/geometric/scene/triangle_mesh.h"
 
 #include <memory>

@@ -18,18 +18,18 @@ namespace fs = std::filesystem;
 
 constexpr double kFarthest = 1e6;  // m; beyond it collision checking loses its digits
 
-using CacheKey = std::tuple<fs::path, std::uintmax_t, fs::file_time_type, double, double, double>;
+using FileKey = std::tuple<fs::path, std::uintmax_t, fs::file_time_type, double, double, double>;
 
 class MeshCache {
  public:
-  std::shared_ptr<const TriangleMesh> find(const CacheKey& key) {
+  std::shared_ptr<const TriangleMesh> find(const FileKey& key) {
     const std::lock_guard lock(mutex_);
     const auto entry = meshes_.find(key);
     return entry == meshes_.end() ? nullptr : entry->second.lock();
   }
 
   /// Returns what another thread stored meanwhile, or `mesh`.
-  std::shared_ptr<const TriangleMesh> store(const CacheKey& key,
+  std::shared_ptr<const TriangleMesh> store(const FileKey& key,
                                             std::shared_ptr<const TriangleMesh> mesh) {
     const std::lock_guard lock(mutex_);
     std::erase_if(meshes_, [](const auto& entry) { return entry.second.expired(); });
@@ -43,7 +43,7 @@ class MeshCache {
 
  private:
   std::mutex mutex_;
-  std::map<CacheKey, std::weak_ptr<const TriangleMesh>> meshes_;
+  std::map<FileKey, std::weak_ptr<const TriangleMesh>> meshes_;
 };
 
 class MeshSource {
@@ -111,7 +111,7 @@ std::shared_ptr<const TriangleMesh> read_mesh(const fs::path& file, const Eigen:
     source.refuse("something that is not a file", "a mesh file");
   }
   std::error_code ignored;
-  const CacheKey key(canonical, fs::file_size(canonical, ignored),
+  const FileKey key(canonical, fs::file_size(canonical, ignored),
                      fs::last_write_time(canonical, ignored), scale.x(), scale.y(), scale.z());
   if (std::shared_ptr<const TriangleMesh> known = cache.find(key)) {
     return known;

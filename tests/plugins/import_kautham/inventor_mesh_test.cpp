@@ -45,14 +45,6 @@ TEST(InventorMesh, FollowsFilesFromTheirOwnFolder) {
   EXPECT_NEAR(geometric::bounding_box(*mesh.triangles).centre().x(), 1.0, 1e-6);
 }
 
-TEST(InventorMesh, ReadsEachFileOnce) {
-  const SmallProblem files;
-  InventorMeshes meshes;
-  const auto first = meshes.load(files.cube(), 1.0).triangles;
-  EXPECT_EQ(meshes.load(files.folder() / "robots/../robots/cube.iv", 1.0).triangles, first);
-  EXPECT_NE(meshes.load(files.cube(), 2.0).triangles, first);
-}
-
 TEST(InventorMesh, NamesTheLineOfABrokenFile) {
   const SmallProblem files;
   SmallProblem::edit(files.cube(), "width 20", "width twenty");

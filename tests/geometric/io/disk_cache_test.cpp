@@ -1,4 +1,4 @@
-#include "collision/disk_cache.h"
+#include "handway/geometric/io/disk_cache.h"
 
 #include "handway_test/paths.h"
 
@@ -25,7 +25,7 @@ class DiskCache : public testing::Test {
   }
 
   [[nodiscard]] fs::path only_file() const {
-    return fs::directory_iterator(folder_.path() / "handway" / "collision")->path();
+    return fs::directory_iterator(folder_.path() / "handway" / "meshes")->path();
   }
 
   handway::test::ScratchFolder folder_;

@@ -1,8 +1,9 @@
-#include "collision/disk_cache.h"
+#include "handway/geometric/io/disk_cache.h"
 
 #include "handway/geometric/io/replace_file.h"
 
-#include <boost/uuid/uuid_io.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <spdlog/spdlog.h>
 #include <xxhash.h>
 
@@ -27,17 +28,17 @@ constexpr std::size_t kMostFiles = 1000;
 std::optional<fs::path> cache_folder() {
   const char* cache = std::getenv("XDG_CACHE_HOME");
   if (cache != nullptr && *cache != '\0') {
-    return fs::path(cache) / "handway" / "collision";
+    return fs::path(cache) / "handway" / "meshes";
   }
   const char* home = std::getenv("HOME");
   if (home != nullptr && *home != '\0') {
-    return fs::path(home) / ".cache" / "handway" / "collision";
+    return fs::path(home) / ".cache" / "handway" / "meshes";
   }
   return std::nullopt;
 }
 
 fs::path file_of(const fs::path& folder, const CacheKey& key) {
-  return folder / (to_string(key) + ".bin");
+  return folder / fmt::format("{:02x}.bin", fmt::join(key, ""));
 }
 
 std::string checksum(std::string_view content) {
@@ -66,7 +67,7 @@ CacheKey cache_key(std::string_view made_how, std::string_view content) {
   const XXH128_hash_t hash = XXH3_128bits_withSeed(content.data(), content.size(), how);
   CacheKey key;
   static_assert(sizeof hash == sizeof key);
-  std::memcpy(key.data, &hash, sizeof hash);
+  std::memcpy(key.data(), &hash, sizeof hash);
   return key;
 }
 
@@ -101,7 +102,7 @@ void write_cached(const CacheKey& key, const std::string& bytes) {
     replace_file(file_of(*folder, key), checksum(bytes) + bytes);
     remove_oldest(*folder);
   } catch (const std::exception& error) {
-    spdlog::debug("what collision checking prepared is not kept: {}", error.what());
+    spdlog::debug("what was prepared of a mesh is not kept: {}", error.what());
   }
 }
 

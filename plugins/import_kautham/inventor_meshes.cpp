@@ -1,0 +1,101 @@
+#include "inventor_meshes.h"
+
+#include "handway/geometric/io/disk_cache.h"
+
+#include <boost/archive/binary_iarchive.hpp>
+#include <boost/archive/binary_oarchive.hpp>
+#include <boost/serialization/vector.hpp>
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace handway::import_kautham {
+namespace {
+
+// To be changed with what read_inventor_mesh() makes of a file.
+constexpr int kVersion = 1;
+
+/// A mesh as archives take it.
+struct Numbers {
+  std::vector<double> vertices;          ///< x y z of each, m
+  std::vector<std::uint32_t> triangles;  ///< Three vertices of each.
+  geometric::Color color;
+
+  template <typename Archive>
+  void serialize(Archive& archive, unsigned /*version*/) {
+    archive& vertices& triangles& color.red& color.green& color.blue& color.alpha;
+  }
+};
+
+std::string archived(const InventorMesh& mesh) {
+  Numbers numbers;
+  numbers.color = mesh.color;
+  for (const Eigen::Vector3d& vertex : mesh.triangles->vertices) {
+    numbers.vertices.insert(numbers.vertices.end(), vertex.begin(), vertex.end());
+  }
+  for (const auto& triangle : mesh.triangles->triangles) {
+    numbers.triangles.insert(numbers.triangles.end(), triangle.begin(), triangle.end());
+  }
+  std::ostringstream stream(std::ios::binary);
+  boost::archive::binary_oarchive(stream, boost::archive::no_header) << std::as_const(numbers);
+  return stream.str();
+}
+
+InventorMesh unarchived(const std::string& bytes) {
+  std::istringstream stream(bytes, std::ios::binary);
+  Numbers numbers;
+  boost::archive::binary_iarchive(stream, boost::archive::no_header) >> numbers;
+  geometric::TriangleMesh mesh;
+  for (std::size_t i = 0; i + 2 < numbers.vertices.size(); i += 3) {
+    mesh.vertices.emplace_back(numbers.vertices[i], numbers.vertices[i + 1],
+                               numbers.vertices[i + 2]);
+  }
+  for (std::size_t i = 0; i + 2 < numbers.triangles.size(); i += 3) {
+    mesh.triangles.push_back(
+        {numbers.triangles[i], numbers.triangles[i + 1], numbers.triangles[i + 2]});
+  }
+  return {std::make_shared<const geometric::TriangleMesh>(std::move(mesh)), numbers.color};
+}
+
+std::optional<std::string> bytes_of(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+  return stream ? std::optional(std::move(bytes)) : std::nullopt;
+}
+
+InventorMesh read_or_remember(const std::filesystem::path& file, double scale) {
+  const std::optional<std::string> bytes = bytes_of(file);
+  if (!bytes) {
+    return read_inventor_mesh(file, scale);
+  }
+  const geometric::CacheKey key =
+      geometric::cache_key(fmt::format("Inventor mesh {}, scale {}", kVersion, scale), *bytes);
+  if (const std::optional<std::string> cached = geometric::read_cached(key)) {
+    return unarchived(*cached);
+  }
+  InventorMesh mesh = read_inventor_mesh(file, scale);
+  if (!mesh.includes_files) {
+    geometric::write_cached(key, archived(mesh));
+  }
+  return mesh;
+}
+
+}  // namespace
+
+const InventorMesh& InventorMeshes::load(const std::filesystem::path& file, double scale) {
+  const auto key = std::pair(file.lexically_normal(), scale);
+  auto found = meshes_.find(key);
+  if (found == meshes_.end()) {
+    found = meshes_.emplace(key, read_or_remember(key.first, scale)).first;
+  }
+  return found->second;
+}
+
+}  // namespace handway::import_kautham
