@@ -15,6 +15,7 @@ GraspTool::GraspTool(Document& document, SceneEditing& editing, PlanningSession&
                      SceneView& view, QObject* parent)
     : QObject(parent),
       document_(document),
+      editing_(editing),
       editor_(editing.editor()),
       session_(session),
       view_(view),
@@ -38,6 +39,7 @@ void GraspTool::begin() {
   if (!object || !document_.problem()) {
     return;
   }
+  editing_.show_handles(false);  // they would hide the fingers
   card_->show_search(QString::fromStdString(object->name));
   job_.run([this, name = object->name,
             problem = document_.problem()](const std::stop_token& stop) -> LatestJob::Answer {
@@ -62,6 +64,7 @@ void GraspTool::begin() {
 void GraspTool::end() {
   job_.cancel();
   card_->hide();
+  editing_.show_handles(true);
   if (!std::exchange(grasps_, {}).empty() && document_.robot()) {
     view_.preview_ghost(false, document_.scene()->goal);
   }

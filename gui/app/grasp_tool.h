@@ -37,6 +37,7 @@ class GraspTool : public QObject {
   void choose(int index);
 
   Document& document_;
+  SceneEditing& editing_;
   SceneEditor& editor_;
   PlanningSession& session_;
   SceneView& view_;

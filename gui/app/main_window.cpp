@@ -5,6 +5,7 @@
 #include "app/dock_layout.h"
 #include "app/file_commands.h"
 #include "app/grasp_tool.h"
+#include "app/kept_postures.h"
 #include "app/palm_tool.h"
 #include "app/plan_options.h"
 #include "app/planning_commands.h"
@@ -196,6 +197,8 @@ void MainWindow::connect_start() {
           [this] { editing_->editor().set_start(document_.configuration()); });
   connect(actions_->set_goal, &QAction::triggered, this,
           [this] { editing_->editor().set_goal(document_.configuration()); });
+  new KeptPostures(document_, editing_->editor(), *posing_->postures(), *actions_->keep_posture,
+                   this);
 }
 
 void MainWindow::connect_document() {
@@ -292,8 +295,9 @@ void MainWindow::show_scene() {
   posing_->show_robot();
   update_ready();
   middle_->setCurrentIndex(scene ? 1 : 0);
-  actions_->set_start->setEnabled(document_.robot() != nullptr);
-  actions_->set_goal->setEnabled(document_.robot() != nullptr);
+  for (QAction* action : {actions_->set_start, actions_->set_goal, actions_->keep_posture}) {
+    action->setEnabled(document_.robot() != nullptr);
+  }
   actions_->save->setEnabled(scene != nullptr);
   actions_->save_as->setEnabled(scene != nullptr);
   if (!scene) {

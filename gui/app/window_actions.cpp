@@ -35,6 +35,9 @@ WindowActions::WindowActions(QMainWindow& window) : window_(window) {
   compare->setObjectName(QStringLiteral("compare"));
   set_start = make("start", tr("Set &start here"), {}, tr("Start from the posture that is shown"));
   set_goal = make("goal", tr("Set &goal here"), {}, tr("End in the posture that is shown"));
+  keep_posture =
+      make("", tr("&Keep this posture…"), {}, tr("Give the posture a name, in the scene"));
+  keep_posture->setObjectName(QStringLiteral("keep_posture"));
   samples = make("samples", tr("&Roadmap"), QKeySequence(Qt::Key_N),
                  tr("Show the planner's nodes, where the palm is in each, and its edges"));
   hypercubes = make("", tr("&Hypercubes"), QKeySequence(QStringLiteral("Shift+N")),
@@ -74,7 +77,7 @@ WindowActions::WindowActions(QMainWindow& window) : window_(window) {
   QMenu* plan_menu = window.menuBar()->addMenu(tr("&Plan"));
   plan_menu->addActions({plan, cancel, compare});
   plan_menu->addSeparator();
-  plan_menu->addActions({set_start, set_goal});
+  plan_menu->addActions({set_start, set_goal, keep_posture});
   view_menu_ = window.menuBar()->addMenu(tr("&View"));
   view_menu_->addActions({samples, hypercubes, dark});
   view_menu_->addSeparator();

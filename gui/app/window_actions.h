@@ -43,6 +43,7 @@ class WindowActions {
   QAction* compare;
   QAction* set_start;
   QAction* set_goal;
+  QAction* keep_posture;
   QAction* samples;
   QAction* hypercubes;
   QAction* dark;

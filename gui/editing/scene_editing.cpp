@@ -110,6 +110,11 @@ void SceneEditing::show_edit(const SceneState& /*before*/) {
   show_selection();
 }
 
+void SceneEditing::show_handles(bool shown) {
+  has_handles_ = shown;
+  update_gizmo();
+}
+
 void SceneEditing::update_gizmo() {
   const bool movable = editor_.can_change() || editor_.selection().is_posture() ||
                        editor_.selection().kind == SceneItem::Kind::kRobot;
@@ -120,7 +125,8 @@ void SceneEditing::update_gizmo() {
   const SceneItem item =
       editor_.has_several() ? SceneItem{SceneItem::Kind::kSeveral, "", ""} : editor_.selection();
   const bool resizes = resize_.update();
-  view_.set_gizmo(item, movable && !hidden && !resizes ? editor_.selected_pose() : std::nullopt);
+  view_.set_gizmo(item, has_handles_ && movable && !hidden && !resizes ? editor_.selected_pose()
+                                                                       : std::nullopt);
 }
 
 void SceneEditing::preview(const SceneState& state) {

@@ -34,6 +34,8 @@ class SceneEditing : public QObject {
 
   /// Adds a mesh from a file. Where that fails, failed() tells.
   void add_mesh(const QString& file);
+  /// Whether what is selected has handles to be moved by, where it can be moved.
+  void show_handles(bool shown);
 
  signals:
   /// The scene as it would be if what is dragged stayed where it is now.
@@ -58,6 +60,7 @@ class SceneEditing : public QObject {
   ResizeTool resize_;
   PropertiesPanel* properties_;
   CollisionReport report_;
+  bool has_handles_ = true;
 };
 
 }  // namespace handway::gui

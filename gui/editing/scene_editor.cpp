@@ -352,4 +352,17 @@ void SceneEditor::set_goal(const geometric::Configuration& q) {
   }
 }
 
+void SceneEditor::keep_posture(const geometric::NamedPosture& posture) {
+  if (document_.robot()) {
+    push(tr("Keep posture %1").arg(words(posture.name)), with_posture(state(), posture),
+         selection_);
+  }
+}
+
+void SceneEditor::forget_posture(const std::string& name) {
+  if (document_.robot()) {
+    push(tr("Forget posture %1").arg(words(name)), without_posture(state(), name), selection_);
+  }
+}
+
 }  // namespace handway::gui

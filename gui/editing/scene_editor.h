@@ -86,6 +86,9 @@ class SceneEditor : public QObject {
   [[nodiscard]] std::optional<geometric::Configuration> posture(const SceneItem& item) const;
   void set_start(const geometric::Configuration& q);
   void set_goal(const geometric::Configuration& q);
+  /// Keeps a posture in the scene, in place of one of the same name.
+  void keep_posture(const geometric::NamedPosture& posture);
+  void forget_posture(const std::string& name);
 
  signals:
   void selection_changed(const handway::gui::SceneItem& item);

@@ -137,6 +137,24 @@ SceneState with_goal(const SceneState& state, const Configuration& q) {
   return with_scene(state, std::move(scene));
 }
 
+SceneState with_posture(const SceneState& state, const geometric::NamedPosture& posture) {
+  Scene scene = *state.scene;
+  const auto same = std::ranges::find(scene.postures, posture.name, &geometric::NamedPosture::name);
+  if (same != scene.postures.end()) {
+    *same = posture;
+  } else {
+    scene.postures.push_back(posture);
+  }
+  return with_scene(state, std::move(scene));
+}
+
+SceneState without_posture(const SceneState& state, std::string_view name) {
+  Scene scene = *state.scene;
+  std::erase_if(scene.postures,
+                [&](const geometric::NamedPosture& posture) { return posture.name == name; });
+  return with_scene(state, std::move(scene));
+}
+
 std::optional<Pose> link_pose(const Scene& scene, const Configuration& q, std::string_view robot,
                               std::string_view link) {
   const geometric::RobotInstance* instance = geometric::find_robot(scene, robot);

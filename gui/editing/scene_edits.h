@@ -33,6 +33,10 @@ using ObjectChange = std::function<void(geometric::SceneObject&)>;
                                    const geometric::Pose& X_WB);
 [[nodiscard]] SceneState with_start(const SceneState& state, const geometric::Configuration& q);
 [[nodiscard]] SceneState with_goal(const SceneState& state, const geometric::Configuration& q);
+/// In place of the one of that name, or as a new one.
+[[nodiscard]] SceneState with_posture(const SceneState& state,
+                                      const geometric::NamedPosture& posture);
+[[nodiscard]] SceneState without_posture(const SceneState& state, std::string_view name);
 
 /// `group`, or the first like it that no object is in: "group", "group 2", ….
 [[nodiscard]] std::string unused_group(const geometric::Scene& scene, const std::string& group);

@@ -24,7 +24,7 @@ constexpr int kNameWidth = 106;
 constexpr int kCountsWidth = 30;
 constexpr int kDegreesWidth = 42;
 constexpr int kBarHeight = 7;
-constexpr double kMostCounts = 255.0;
+constexpr double kCountsOfASensor = 255.0;
 constexpr double kBeyond = 1e-9;  // rad
 
 // The abduction sensors sit between two fingers and come after the second; each
@@ -160,7 +160,7 @@ void SensorBars::paint_row(QPainter& painter, int sensor) const {
                       : limited ? attention_color()
                       : used    ? colors.accent
                                 : colors.muted;
-  const auto x_of = [&bar](double counts) { return bar.width() * counts / kMostCounts; };
+  const auto x_of = [&bar](double counts) { return bar.width() * counts / kCountsOfASensor; };
   QRectF seen = bar;
   seen.setLeft(bar.left() + x_of(state.least));
   seen.setWidth(std::max(2.0, x_of(state.most) - x_of(state.least)));

@@ -7,6 +7,8 @@
 #include <QMenu>
 #include <QPushButton>
 
+#include <algorithm>
+
 namespace handway::gui {
 namespace {
 
@@ -24,7 +26,7 @@ PostureBar::PostureBar(QWidget* parent)
       menu_(new QMenu(this)) {
   start_->setToolTip(tr("Go to start"));
   goal_->setToolTip(tr("Go to goal"));
-  postures_->setToolTip(tr("Move to a posture that the robot's files name"));
+  postures_->setToolTip(tr("Go to a posture that has a name, or keep this one under a name"));
   start_->setObjectName(QStringLiteral("go_to_start"));
   goal_->setObjectName(QStringLiteral("go_to_goal"));
   postures_->setObjectName(QStringLiteral("postures"));
@@ -44,15 +46,33 @@ void PostureBar::set_scene(const std::shared_ptr<const geometric::Scene>& scene)
   menu_->clear();
   start_->setEnabled(scene && scene->start);
   goal_->setEnabled(scene && scene->goal);
-  if (scene && !scene->robots.empty()) {
-    for (const auto& posture : scene->robots.front().model->description().postures) {
+  const bool has_robot = scene && !scene->robots.empty();
+  if (has_robot) {
+    list_postures(*scene);
+  }
+  postures_->setEnabled(has_robot);
+}
+
+void PostureBar::list_postures(const geometric::Scene& scene) {
+  const auto add = [this](const geometric::NamedPosture& posture) {
+    const QString name = QString::fromStdString(posture.name);
+    const QString group = QString::fromStdString(posture.group);
+    menu_->addAction(group.isEmpty() ? name : QStringLiteral("%1: %2").arg(group, name), this,
+                     [this, posture] { emit posture_requested(posture); });
+  };
+  std::ranges::for_each(scene.postures, add);
+  menu_->addSeparator();
+  std::ranges::for_each(scene.robots.front().model->description().postures, add);
+  menu_->addSeparator();
+  menu_->addAction(tr("Keep this posture…"), this, &PostureBar::keep_requested);
+  if (!scene.postures.empty()) {
+    QMenu* forget = menu_->addMenu(tr("Forget"));
+    forget->setObjectName(QStringLiteral("forget_posture"));
+    for (const geometric::NamedPosture& posture : scene.postures) {
       const QString name = QString::fromStdString(posture.name);
-      const QString group = QString::fromStdString(posture.group);
-      menu_->addAction(group.isEmpty() ? name : QStringLiteral("%1: %2").arg(group, name), this,
-                       [this, posture] { emit posture_requested(posture); });
+      forget->addAction(name, this, [this, name] { emit forget_requested(name); });
     }
   }
-  postures_->setEnabled(!menu_->isEmpty());
 }
 
 }  // namespace handway::gui

@@ -12,7 +12,8 @@ class QToolButton;
 
 namespace handway::gui {
 
-/// Buttons that move the first robot to start, goal or a named posture.
+/// Buttons that move the first robot to start, goal or a named posture, of the scene or of the
+/// robot's own files.
 class PostureBar : public QWidget {
   Q_OBJECT
 
@@ -26,8 +27,12 @@ class PostureBar : public QWidget {
   void start_requested();
   void goal_requested();
   void posture_requested(const handway::geometric::NamedPosture& posture);
+  void keep_requested();
+  void forget_requested(const QString& name);
 
  private:
+  void list_postures(const geometric::Scene& scene);
+
   QPushButton* start_;
   QPushButton* goal_;
   QPushButton* postures_;

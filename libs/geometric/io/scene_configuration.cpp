@@ -64,4 +64,15 @@ Configuration configuration_of(const YamlElement& element, const RobotModel& mod
   return q;
 }
 
+NamedPosture posture_of(const YamlElement& element, const RobotModel& model,
+                        const std::string& name) {
+  const Configuration q = configuration_of(element, model, model.neutral());
+  NamedPosture posture{name, {}, {}};
+  for (const auto& [joint, value] : element.entries()) {
+    const int variable = model.drive(carried_link(value, model, joint)).variable;
+    posture.values[model.variable(variable).name] = q[variable];
+  }
+  return posture;
+}
+
 }  // namespace handway::geometric

@@ -111,7 +111,7 @@ PlannerChoice planner_of(const YamlElement& element) {
 Scene read_scene(const fs::path& file) {
   const YamlElement top = YamlElement::read(file, "a scene file");
   top.allow_keys({"handway", "name", "description", "robots", "objects", "start", "goal",
-                  "hand_basis", "planner"});
+                  "postures", "hand_basis", "planner"});
   check_version(top);
   const fs::path folder = fs::absolute(file).parent_path();
   Scene scene;
@@ -122,6 +122,11 @@ Scene read_scene(const fs::path& file) {
   add_objects(top, folder, scene);
   scene.start = query_of(top, "start", scene.robots.front());
   scene.goal = query_of(top, "goal", scene.robots.front());
+  if (const std::optional<YamlElement> postures = top.find("postures")) {
+    for (const auto& [name, values] : postures->entries()) {
+      scene.postures.push_back(posture_of(values, *scene.robots.front().model, name));
+    }
+  }
   if (const std::optional<YamlElement> basis = top.find("hand_basis")) {
     scene.hand_basis = basis->text();
     static_cast<void>(

@@ -22,6 +22,15 @@ std::string configuration_text(const RobotModel& model, const Configuration& q,
   return text;
 }
 
+std::string posture_text(const NamedPosture& posture) {
+  std::string text =
+      fmt::format("  {}:{}\n", yaml_scalar(posture.name), posture.values.empty() ? " {}" : "");
+  for (const auto& [joint, value] : posture.values) {
+    text += fmt::format("    {}: {}\n", yaml_scalar(joint), number_text(value));
+  }
+  return text;
+}
+
 std::string robot_text(const RobotInstance& robot, const std::filesystem::path& reference) {
   return fmt::format("  - name: {}\n    model: {}\n    base: {}\n    configuration:{}",
                      yaml_scalar(robot.name), yaml_scalar(reference.generic_string()),
@@ -128,6 +137,10 @@ std::string scene_text(const Scene& scene, const SceneReferences& references) {
   }
   if (scene.goal) {
     text += "goal:" + configuration_text(*scene.robots[0].model, *scene.goal, "  ");
+  }
+  text += scene.postures.empty() ? "" : "postures:\n";
+  for (const NamedPosture& posture : scene.postures) {
+    text += posture_text(posture);
   }
   if (!references.hand_basis.empty()) {
     text += "hand_basis: " + yaml_scalar(references.hand_basis.generic_string()) + '\n';

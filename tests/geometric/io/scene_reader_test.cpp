@@ -13,6 +13,7 @@ namespace {
 using test::input_error_of;
 using test::SceneFiles;
 using testing::AllOf;
+using testing::DoubleNear;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Pair;
@@ -62,6 +63,7 @@ objects:
   - {name: stretched, mesh: {file: square.obj, scale: [1, 2, 3]}}
 start: {elbow: 0.2}
 goal: {shoulder: -1, elbow: 1}
+postures: {bent: {wrist: 0.5}, "bent back": {shoulder: -0.5, elbow: 1}}
 hand_basis: basis.yaml
 planner: {name: pmd-prm, rho_a: 0.0010, corridor: joint}
 )"));
@@ -87,6 +89,11 @@ planner: {name: pmd-prm, rho_a: 0.0010, corridor: joint}
   EXPECT_EQ(std::get<Mesh>(scene.objects[5].shape).scale, Eigen::Vector3d(1, 2, 3));
   EXPECT_EQ(*scene.start, Eigen::Vector2d(0.5, 0.2)) << "the shoulder stands as configured";
   EXPECT_EQ(*scene.goal, Eigen::Vector2d(-1, 1));
+  ASSERT_THAT(scene.postures, SizeIs(2));
+  EXPECT_EQ(scene.postures[0].name, "bent");
+  EXPECT_THAT(scene.postures[0].values, ElementsAre(Pair("elbow", DoubleNear(0.2, 1e-15))))
+      << "which the wrist follows";
+  EXPECT_THAT(scene.postures[1].values, ElementsAre(Pair("elbow", 1.0), Pair("shoulder", -0.5)));
   EXPECT_EQ(scene.hand_basis, "basis.yaml");
   EXPECT_EQ(scene.planner.name, "pmd-prm");
   EXPECT_THAT(scene.planner.settings,
@@ -115,6 +122,8 @@ TEST(SceneReader, NamesTheLineAndTheNearestKeyOfAMisspeltOne) {
               AllOf(HasSubstr("scene.yaml:6"), HasSubstr("objects[0].box"), HasSubstr("size")));
   EXPECT_THAT(refusal(files.scene("start: {sholder: 1}\n")), HasSubstr("\"shoulder\""));
   EXPECT_THAT(refusal(files.scene("start: {tool: 1}\n")), HasSubstr("fixed joint"));
+  EXPECT_THAT(refusal(files.scene("postures: {up: {sholder: 1}}\n")),
+              AllOf(HasSubstr("postures.up"), HasSubstr("\"shoulder\"")));
 }
 
 TEST(SceneReader, RefusesWrongValues) {

@@ -36,6 +36,11 @@ void expect_same(const Scene& a, const Scene& b) {
   EXPECT_EQ(a.hand_basis, b.hand_basis);
   EXPECT_EQ(a.start, b.start);
   EXPECT_EQ(a.goal, b.goal);
+  ASSERT_EQ(a.postures.size(), b.postures.size());
+  for (std::size_t i = 0; i < a.postures.size(); ++i) {
+    EXPECT_EQ(a.postures[i].name, b.postures[i].name);
+    EXPECT_EQ(a.postures[i].values, b.postures[i].values);
+  }
   EXPECT_EQ(a.planner.name, b.planner.name);
   EXPECT_EQ(a.planner.settings, b.planner.settings);
   ASSERT_EQ(a.robots.size(), b.robots.size());
@@ -77,6 +82,10 @@ objects:
   - {name: one, mesh: {file: square.obj}, attach: {link: hand, touching: [tip, lower]}}
 start: {elbow: 0.1}
 goal: {shoulder: 1.0000000000000002}
+postures:
+  "above: the table": {shoulder: -0.1, elbow: 0.30000000000000004}
+  straight: {elbow: 0}
+  nowhere: {}
 hand_basis: basis.yaml
 planner: {name: pmd-prm, rho_a: 1e-3, flag: true, note: "a: b", empty: "", "odd key:": x}
 )"));

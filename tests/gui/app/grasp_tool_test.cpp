@@ -1,6 +1,7 @@
 #include "app/grasp_tool.h"
 
 #include "editing/editing_test.h"
+#include "view3d/scene_view.h"
 
 #include <QAction>
 #include <QLabel>
@@ -28,6 +29,7 @@ TEST_F(ClickToPlan, PlansToTheGraspThatIsChosen) {
   auto& list = part<QTreeWidget>("grasp_list");
   EXPECT_EQ(list.topLevelItemCount(), static_cast<int>(grasps.size()));
   EXPECT_EQ(*scene().goal, before) << "only looked at";
+  EXPECT_FALSE(window().view().gizmo().is_shown()) << "it would hide the fingers";
   keep_picture("click_to_plan");
   QSignalSpy started(&window().session(), &gui::PlanningSession::started);
   click("grasp_plan");
@@ -45,6 +47,7 @@ TEST_F(ClickToPlan, LeavesTheGoalWhenTheListIsClosed) {
   click("grasp_close");
   EXPECT_EQ(editor().state(), before);
   EXPECT_TRUE(window().grasp_tool().grasps().empty());
+  EXPECT_TRUE(window().view().gizmo().is_shown());
 }
 
 TEST_F(ClickToPlan, SaysWhenThereIsNoWay) {

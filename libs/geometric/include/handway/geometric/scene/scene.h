@@ -58,6 +58,7 @@ struct Scene {
   std::vector<SceneObject> objects;
   std::optional<Configuration> start;  ///< Of robots[0].
   std::optional<Configuration> goal;   ///< Of robots[0].
+  std::vector<NamedPosture> postures;  ///< Of robots[0] or a part of it; names are unique.
   std::filesystem::path hand_basis;    ///< PMD basis file as the scene names it; may be empty.
   PlannerChoice planner;
   std::vector<std::string> warnings;  ///< What the reader noticed but could live with.
