@@ -46,6 +46,7 @@ KeepPostureDialog::KeepPostureDialog(const JointGroups& groups, const QStringLis
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
   keep_ = buttons->addButton(tr("Keep"), QDialogButtonBox::AcceptRole);
   keep_->setObjectName(QStringLiteral("posture_keep"));
+  keep_->setProperty("role", "primary");
   keep_->setDefault(true);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(16, 16, 16, 12);

@@ -44,9 +44,6 @@ PreferencesDialog::PreferencesDialog(Preferences& preferences, const QStringList
   QPushButton* restore = buttons->button(QDialogButtonBox::RestoreDefaults);
   restore->setObjectName(QStringLiteral("restore_defaults"));
   restore->setAutoDefault(false);
-  for (QAbstractButton* button : buttons->buttons()) {
-    button->setIcon({});
-  }
   connect(restore, &QPushButton::clicked, this, [this] { preferences_.set(Values{}); });
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   auto* layout = new QVBoxLayout(this);

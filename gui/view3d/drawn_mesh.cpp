@@ -14,7 +14,7 @@ namespace {
 constexpr double kCreaseAngle = geometric::radians(35.0);
 constexpr double kCoarseCreaseAngle = geometric::radians(50.0);  // round parts have less facets
 constexpr std::array kErrors{0.0005, 0.0015, 0.005, 0.015};      // of the mesh's size
-constexpr double kMostPixels = 1.0;
+constexpr double kMostPixels = 2.0;
 constexpr std::size_t kFewTriangles = 200;
 constexpr std::size_t kManyTriangles = 400'000;  // would take seconds
 constexpr double kEnoughLess = 0.7;              // of the triangles of the mesh before

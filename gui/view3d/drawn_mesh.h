@@ -10,7 +10,7 @@ namespace handway::gui {
 struct CoarserMesh {
   ShadedMesh mesh;
   /// The part of the screen (px²) that the box around the mesh may cover for that: then nothing is
-  /// much more than a pixel beside its place.
+  /// much more than two pixels beside its place, which nobody sees while it moves.
   float most_area = 0.0F;
 };
 
