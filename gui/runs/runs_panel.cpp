@@ -147,11 +147,12 @@ void RunsPanel::refresh() {
     view_->scrollTo(row);
   }
   const auto solved = std::ranges::count_if(records_, &PathRecord::is_solved);
-  state_->setText(records_.empty()
-                      ? tr("Every run is kept here, to compare it with others and to put it back.")
-                      : tr("%1 runs, %2 with a path. A double click puts a run back.")
-                            .arg(records_.size())
-                            .arg(solved));
+  state_->setText(
+      records_.empty()
+          ? tr("Every run is kept here, to compare it with others and to put it back.")
+          : tr("%1, %2 with a path. A double click puts a run back.")
+                .arg(records_.size() == 1 ? tr("1 run") : tr("%1 runs").arg(records_.size()))
+                .arg(solved));
   show_actions();
 }
 

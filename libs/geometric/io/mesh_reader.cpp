@@ -112,7 +112,7 @@ std::shared_ptr<const TriangleMesh> read_mesh(const fs::path& file, const Eigen:
   }
   std::error_code ignored;
   const FileKey key(canonical, fs::file_size(canonical, ignored),
-                     fs::last_write_time(canonical, ignored), scale.x(), scale.y(), scale.z());
+                    fs::last_write_time(canonical, ignored), scale.x(), scale.y(), scale.z());
   if (std::shared_ptr<const TriangleMesh> known = cache.find(key)) {
     return known;
   }
