@@ -24,6 +24,8 @@ int width_of(int column) {
       return 50;
     case RunTable::kOutcome:
       return 106;
+    case RunTable::kDuration:
+      return 78;
     case RunTable::kClearance:
       return 112;
     default:
@@ -41,20 +43,20 @@ RunView::RunView(QSortFilterProxyModel& runs, std::initializer_list<RunTable::Co
   for (int column = 0; column < RunTable::kColumns; ++column) {
     setColumnHidden(column, std::ranges::find(columns, column) == columns.end());
   }
+  for (int column = 0; column < RunTable::kColumns; ++column) {
+    setColumnWidth(column, width_of(column));
+  }
   setSortingEnabled(true);
   setSelectionBehavior(QAbstractItemView::SelectRows);
   setSelectionMode(QAbstractItemView::SingleSelection);
   setEditTriggers(QAbstractItemView::NoEditTriggers);
   setShowGrid(false);
   setWordWrap(false);
+  setProperty("role", "runs");
   verticalHeader()->hide();
   verticalHeader()->setDefaultSectionSize(kRowHeight);
   horizontalHeader()->setHighlightSections(false);
   horizontalHeader()->setMinimumSectionSize(kLeastColumn);
-  setProperty("role", "runs");
-  for (int column = 0; column < RunTable::kColumns; ++column) {
-    setColumnWidth(column, std::max(width_of(column), horizontalHeader()->sectionSizeHint(column)));
-  }
 }
 
 }  // namespace handway::gui

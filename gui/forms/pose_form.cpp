@@ -12,16 +12,13 @@ namespace {
 
 constexpr double kFarthest = 100.0;                   // m
 constexpr double kFullTurn = 2.0 * std::numbers::pi;  // rad
-constexpr int kAroundText = 16;                       // px
 
 QuantityField* make_field(QuantityField::Kind kind, double most, const char* name) {
   auto* field = new QuantityField(kind, -most, most);
   field->setButtonSymbols(QAbstractSpinBox::NoButtons);
   field->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   field->setObjectName(QLatin1String(name));
-  const QString longest = kind == QuantityField::Kind::kLength ? QStringLiteral("−1234.567 mm")
-                                                               : QStringLiteral("−123.456°");
-  field->setMinimumWidth(field->fontMetrics().horizontalAdvance(longest) + kAroundText);
+  field->setMinimumWidth(60);
   return field;
 }
 
