@@ -31,9 +31,11 @@ include(CMakeDependentOption)
 cmake_dependent_option(HANDWAY_BUILD_PYTHON "Build the Python package (pybind11, NumPy)" ON
                        "pybind11_FOUND;Python_FOUND;NOT HANDWAY_SANITIZE" OFF)
 
+# Paths count relative to the clone, so that another clone finds what this one has compiled.
 find_program(CCACHE_PROGRAM ccache)
 if(CCACHE_PROGRAM)
-  set(CMAKE_CXX_COMPILER_LAUNCHER "${CCACHE_PROGRAM}")
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${CMAKE_COMMAND}" -E env "CCACHE_BASEDIR=${CMAKE_SOURCE_DIR}"
+                                  CCACHE_NOHASHDIR=1 "${CCACHE_PROGRAM}")
 endif()
 
 set(HANDWAY_TEST_TIMEOUT 300)  # s

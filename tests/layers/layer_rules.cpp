@@ -12,8 +12,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kLongestFile = 400;  // lines
-
 /// What the files of one library may include of the others.
 const std::map<std::string, std::set<std::string>, std::less<>> kBelow = {
     {"geometric", {}},
@@ -148,11 +146,6 @@ std::vector<Breach> LayerRules::check(const std::string& file, std::string_view 
     } else if (library_of(file) && is_header(file) && std::regex_search(line, match, kScreenName)) {
       breaches.push_back({file, number, "a library must not know Qt or Coin: " + match.str()});
     }
-  }
-  if (number > kLongestFile) {
-    breaches.push_back({file, number,
-                        "longer than " + std::to_string(kLongestFile) +
-                            " lines: look for the two concepts inside"});
   }
   return breaches;
 }

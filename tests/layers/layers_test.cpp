@@ -147,14 +147,5 @@ TEST(LayerRules, CatchUsingNamespaceStd) {
               ElementsAre(breach_at(2, "using namespace std")));
 }
 
-TEST(LayerRules, CatchAFileThatGrewTooLong) {
-  std::string text;
-  for (int line = 0; line < 400; ++line) {
-    text += "int x;\n";
-  }
-  EXPECT_THAT(check("tools/main.cpp", text), IsEmpty());
-  EXPECT_THAT(check("tools/main.cpp", text + "int y;\n"), ElementsAre(breach_at(401, "longer")));
-}
-
 }  // namespace
 }  // namespace handway::test
