@@ -20,6 +20,7 @@ endif()
 option(HANDWAY_BUILD_GUI "Build the workbench (Qt5, Coin3D)" ON)
 option(HANDWAY_BUILD_TESTS "Build the tests" ON)
 option(HANDWAY_SANITIZE "Instrument with AddressSanitizer and UBSan" OFF)
+option(HANDWAY_FUZZ "Build the fuzz targets and what they need, and nothing else (clang)" OFF)
 
 # Python is the one whose packages Debian's pybind11 and NumPy are.
 if(NOT DEFINED Python_EXECUTABLE AND EXISTS /usr/bin/python3)
@@ -46,6 +47,16 @@ if(HANDWAY_SANITIZE)
   add_link_options(-fsanitize=address,undefined)
   # GCC takes instrumented code of libraries for uninitialised.
   add_compile_options(-Wno-maybe-uninitialized -Wno-uninitialized)
+endif()
+
+if(HANDWAY_FUZZ)
+  if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+    message(FATAL_ERROR "libFuzzer is a part of clang: cmake --preset fuzz")
+  endif()
+  # Types are compared across libraries by their names, which hidden ones keep to themselves.
+  add_compile_options(-fsanitize=fuzzer-no-link,address,undefined -fno-sanitize=vptr
+                      -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=address,undefined -fno-sanitize=vptr)
 endif()
 
 # Identical bits on every run and machine of one architecture: the compiler may

@@ -2,6 +2,10 @@
 include(GenerateExportHeader)
 
 function(_handway_warnings target)
+  # Warnings are those of g++, which builds what users get.
+  if(HANDWAY_FUZZ)
+    return()
+  endif()
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor
                                            -Woverloaded-virtual -Werror)
   # Warns of types of a nameless namespace in headers, and takes a unity build's sources for such.
@@ -96,4 +100,14 @@ function(handway_test name)
     DISCOVERY_MODE PRE_TEST
     PROPERTIES TIMEOUT ${HANDWAY_TEST_TIMEOUT} RUN_SERIAL ${ARG_REAL_TIME}
                ENVIRONMENT "XDG_CACHE_HOME=${CMAKE_BINARY_DIR}/cache")
+endfunction()
+
+# handway_fuzz_target(NAME SOURCES … LINK …): a program fuzz_NAME that libFuzzer drives; its first
+# inputs are the files of tests/fuzz/corpora/NAME.
+function(handway_fuzz_target name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
+  add_executable(fuzz_${name} ${ARG_SOURCES})
+  target_link_libraries(fuzz_${name} PRIVATE ${ARG_LINK})
+  target_link_options(fuzz_${name} PRIVATE -fsanitize=fuzzer)
+  set_target_properties(fuzz_${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/fuzz")
 endfunction()

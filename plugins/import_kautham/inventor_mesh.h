@@ -17,10 +17,6 @@ struct InventorMesh {
 
 /// Reads an Open Inventor or VRML file whose lengths, times `scale`, are
 /// millimetres. Files that it includes are looked for in its own folder.
-///
-/// Coin does the reading, with state that all threads share: calls wait for each
-/// other, but must not run while another thread of the program changes a scene
-/// graph.
 /// @throws InputError if the file or one that it includes can't be read, or it
 /// has no triangles.
 [[nodiscard]] InventorMesh read_inventor_mesh(const std::filesystem::path& file, double scale);

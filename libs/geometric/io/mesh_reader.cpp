@@ -1,10 +1,9 @@
 #include "handway/geometric/io/mesh_reader.h"
 
 #include "handway/geometric/io/input_error.h"
-#include "io/assimp_import.h"
+#include "handway/geometric/io/mesh_import.h"
 #include "io/mesh_cleaning.h"
 
-#include <exception>
 #include <map>
 #include <mutex>
 #include <system_error>
@@ -62,10 +61,9 @@ class MeshSource {
   [[nodiscard]] std::shared_ptr<const TriangleMesh> read(const Eigen::Vector3d& scale) const {
     TriangleMesh raw;
     try {
-      raw = import_triangles(file_);
-    } catch (const std::exception& error) {
-      refuse(error.what(), "a mesh file such as STL, OBJ, DAE, PLY or glTF",
-             "Open the file in a mesh viewer, or export it again");
+      raw = import_mesh(file_, MeshFormat::kAssimp).triangles;
+    } catch (const InputError& error) {
+      refuse(error.problem().found, error.problem().expected, error.problem().advice);
     }
     for (Eigen::Vector3d& vertex : raw.vertices) {
       vertex = vertex.cwiseProduct(scale);
@@ -119,6 +117,6 @@ std::shared_ptr<const TriangleMesh> read_mesh(const fs::path& file, const Eigen:
   return cache.store(key, source.read(scale));
 }
 
-bool is_mesh_file(const fs::path& file) { return can_import(file); }
+bool is_mesh_file(const fs::path& file) { return is_assimp_file(file); }
 
 }  // namespace handway::geometric

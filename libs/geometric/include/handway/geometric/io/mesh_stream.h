@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
+/// What the library and its program handway-mesh-reader say to each other, as these structures'
+/// bytes: both are of one build on one machine.
+///
+/// The library sends, over a socket of type SOCK_SEQPACKET that the program has as descriptor 3, a
+/// MeshRequest and behind it the file's path; with it goes, as SCM_RIGHTS, the writing end of a
+/// pipe. A process of its own reads the file and writes into the pipe a MeshReply and behind it
+/// the text, the vertices (three doubles each) and the triangles (three 32-bit indices each). When
+/// that process is gone, whatever became of it, a MeshReadingEnd comes back over the socket.
+namespace handway::geometric {
+
+/// Which library reads the file.
+enum class MeshFormat : std::uint32_t {
+  kAssimp,    ///< STL, OBJ, DAE, PLY, glTF, …: whatever assimp knows.
+  kInventor,  ///< Open Inventor and VRML, by Coin.
+};
+
+inline constexpr int kMeshReaderSocket = 3;
+inline constexpr std::uint32_t kMeshStreamMark = 0x48574D33;  // changes with the structures
+inline constexpr std::size_t kLongestMeshPath = 4096;
+inline constexpr std::size_t kLongestMeshText = 65536;
+
+struct MeshRequest {
+  std::uint32_t mark = kMeshStreamMark;
+  MeshFormat format = MeshFormat::kAssimp;
+  double scale = 1.0;               ///< Of Inventor files, from their lengths to mm.
+  double seconds = 0.0;             ///< Of processor time, at most.
+  std::uint64_t memory = 0;         ///< Bytes of address space, at most.
+  std::uint64_t most_vertices = 0;  ///< And as many triangles.
+};
+
+enum class MeshReplyKind : std::uint32_t {
+  kMesh,         ///< The text holds warnings, one a line.
+  kRefused,      ///< The text holds source, found, expected and advice, each ended by a 0.
+  kTooLarge,     ///< More vertices or triangles than allowed.
+  kOutOfMemory,  ///< The memory allowed did not suffice.
+};
+
+struct MeshReply {
+  std::uint32_t mark = kMeshStreamMark;
+  MeshReplyKind kind = MeshReplyKind::kMesh;
+  float color[4] = {0.7F, 0.7F, 0.7F, 1.0F};  ///< Of the first triangle, if the format has it.
+  std::uint32_t includes_files = 0;           ///< 1 if parts come from other files.
+  std::uint32_t text_bytes = 0;
+  std::uint64_t vertices = 0;
+  std::uint64_t triangles = 0;
+};
+
+enum class MeshReadingOutcome : std::uint32_t {
+  kDone,
+  kTookTooLong,
+  kCrashed,
+};
+
+struct MeshReadingEnd {
+  std::uint32_t mark = kMeshStreamMark;
+  MeshReadingOutcome outcome = MeshReadingOutcome::kDone;
+  std::int32_t signal = 0;  ///< That ended the process; 0 if none did.
+};
+
+static_assert(std::is_trivially_copyable_v<MeshRequest> &&
+              std::is_trivially_copyable_v<MeshReply> &&
+              std::is_trivially_copyable_v<MeshReadingEnd>);
+
+}  // namespace handway::geometric

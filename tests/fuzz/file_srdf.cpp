@@ -1,0 +1,15 @@
+/// Groups, states and allowed collisions of a robot (SRDF).
+#include "handway/geometric/io/srdf_reader.h"
+#include "handway/geometric/io/urdf_reader.h"
+#include "input_file.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace handway;
+  static const fuzz::InputFile file("groups.srdf");
+  static const geometric::RobotDescription crane =
+      geometric::read_urdf(file.add("crane.urdf", fuzz::kCraneUrdf));
+  return fuzz::read_or_refuse([&] {
+    geometric::RobotDescription robot = crane;
+    geometric::read_srdf(file.hold(data, size), robot);
+  });
+}

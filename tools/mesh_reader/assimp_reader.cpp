@@ -1,0 +1,105 @@
+#include "readers.h"
+
+#include <assimp/DefaultIOSystem.h>
+#include <assimp/Importer.hpp>
+#include <assimp/config.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+
+#include <new>
+#include <string_view>
+#include <system_error>
+
+namespace handway::mesh_reader {
+namespace {
+
+constexpr int kDeepestNode = 500;
+constexpr const char* kExpected = "a mesh file such as STL, OBJ, DAE, PLY or glTF";
+constexpr const char* kAdvice = "Open the file in a mesh viewer, or export it again";
+
+[[noreturn]] void refuse(const std::string& found) { throw Refusal("", found, kExpected, kAdvice); }
+
+// Files that a mesh names may be anything too.
+class RegularFiles final : public Assimp::DefaultIOSystem {
+ public:
+  bool Exists(const char* file) const override {
+    std::error_code error;
+    return std::filesystem::is_regular_file(file, error);
+  }
+  Assimp::IOStream* Open(const char* file, const char* mode) override {
+    const bool reads = std::string_view(mode).find_first_of("wa+") == std::string_view::npos;
+    return reads && Exists(file) ? DefaultIOSystem::Open(file, mode) : nullptr;
+  }
+};
+
+void append_mesh(Mesh& whole, const aiMesh& part, const aiMatrix4x4t<double>& X_RootNode) {
+  const std::uint32_t first = whole.vertex_count();
+  for (unsigned i = 0; i < part.mNumVertices; ++i) {
+    const aiVector3D& v = part.mVertices[i];
+    const aiVector3t<double> p = X_RootNode * aiVector3t<double>(v.x, v.y, v.z);
+    whole.add_vertex({p.x, p.y, p.z});
+  }
+  // A node that mirrors turns its triangles inside out.
+  const bool mirrored = X_RootNode.Determinant() < 0.0;
+  for (unsigned i = 0; i < part.mNumFaces; ++i) {
+    const aiFace& face = part.mFaces[i];
+    if (face.mNumIndices != 3) {
+      continue;  // a point or a line
+    }
+    const auto corner = [&](int k) {
+      if (face.mIndices[k] >= part.mNumVertices) {
+        refuse("a triangle that names a vertex which the file does not have");
+      }
+      return first + face.mIndices[k];
+    };
+    if (mirrored) {
+      whole.add_triangle({corner(0), corner(2), corner(1)});
+    } else {
+      whole.add_triangle({corner(0), corner(1), corner(2)});
+    }
+  }
+}
+
+void append_node(Mesh& whole, const aiScene& scene, const aiNode& node,
+                 const aiMatrix4x4t<double>& X_RootParent, int depth) {
+  if (depth > kDeepestNode) {
+    refuse("nodes nested more than " + std::to_string(kDeepestNode));
+  }
+  const aiMatrix4x4& m = node.mTransformation;
+  const aiMatrix4x4t<double> X_ParentNode(m.a1, m.a2, m.a3, m.a4, m.b1, m.b2, m.b3, m.b4, m.c1,
+                                          m.c2, m.c3, m.c4, m.d1, m.d2, m.d3, m.d4);
+  const aiMatrix4x4t<double> X_RootNode = X_RootParent * X_ParentNode;
+  for (unsigned i = 0; i < node.mNumMeshes; ++i) {
+    append_mesh(whole, *scene.mMeshes[node.mMeshes[i]], X_RootNode);
+  }
+  for (unsigned i = 0; i < node.mNumChildren; ++i) {
+    append_node(whole, scene, *node.mChildren[i], X_RootNode, depth + 1);
+  }
+}
+
+// Made before the processes that use it, each of which has its own copy.
+Assimp::Importer& importer() {
+  static Assimp::Importer importer;
+  return importer;
+}
+
+}  // namespace
+
+void prepare_assimp() {
+  importer().SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
+  importer().SetIOHandler(new RegularFiles);
+}
+
+void read_by_assimp(const std::filesystem::path& file, Mesh& mesh) {
+  const aiScene* scene = importer().ReadFile(file.string(), aiProcess_Triangulate);
+  if (scene == nullptr || scene->mRootNode == nullptr) {
+    const std::string why = importer().GetErrorString();
+    if (why.find("bad_alloc") != std::string::npos) {
+      throw std::bad_alloc();
+    }
+    refuse(why.empty() ? "something unreadable" : why);
+  }
+  append_node(mesh, *scene, *scene->mRootNode, {}, 0);
+}
+
+}  // namespace handway::mesh_reader
