@@ -16,13 +16,18 @@ extern "C" void on_interrupt(int signal) {
 
 StopsOnInterrupt::StopsOnInterrupt(std::stop_source& stop) {
   interrupted = &stop;
-  std::signal(SIGINT, on_interrupt);
-  std::signal(SIGTERM, on_interrupt);
+  for (std::size_t i = 0; i < kSignals.size(); ++i) {
+    before_[i] = std::signal(kSignals[i], on_interrupt);
+    if (before_[i] == SIG_IGN) {  // as nohup wants it
+      std::signal(kSignals[i], SIG_IGN);
+    }
+  }
 }
 
 StopsOnInterrupt::~StopsOnInterrupt() {
-  std::signal(SIGINT, SIG_DFL);
-  std::signal(SIGTERM, SIG_DFL);
+  for (std::size_t i = 0; i < kSignals.size(); ++i) {
+    std::signal(kSignals[i], before_[i]);
+  }
   interrupted = nullptr;
 }
 

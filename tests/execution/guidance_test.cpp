@@ -1,4 +1,5 @@
 /// From the place of a tool to the place of a path, and along it.
+#include "handway/execution/guidance/guidance_run.h"
 #include "handway/execution/guidance/guided_motion.h"
 #include "handway/execution/guidance/path_tool_curve.h"
 #include "handway/geometric/io/input_error.h"
@@ -8,7 +9,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
 
 namespace handway::execution {
 namespace {
@@ -60,6 +65,78 @@ TEST_F(Guidance, GoesNoFasterThanTheJointsMay) {
   EXPECT_THROW(GuidedMotion(path_, Eigen::VectorXd::Zero(6)), std::invalid_argument);
   EXPECT_THROW(GuidedMotion(path_, Eigen::VectorXd::Ones(5)), std::invalid_argument);
 }
+
+/// A handle that is held 50 mm from where it began.
+class FakeHandle final : public device::HapticDevice {
+ public:
+  FakeHandle() : HapticDevice("handle") {}
+
+  std::string throws_in;  ///< read or apply
+  int applied = 0;
+  double force = 0.0;  ///< N
+
+ private:
+  [[nodiscard]] device::HapticAbilities do_connect(const std::stop_token& /*stop*/) override {
+    return {3.3, {0.1, 0.1, 0.1}};
+  }
+  [[nodiscard]] std::optional<device::HapticSample> do_read(
+      std::chrono::milliseconds /*timeout*/) override {
+    if (throws_in == "read" && applied > 3) {
+      throw std::runtime_error("read went wrong");
+    }
+    device::HapticSample sample;
+    sample.time = 0.002 * ++reads_;
+    sample.position = reads_ > 1 ? Eigen::Vector3d(0.05, 0.05, 0.05) : Eigen::Vector3d::Zero();
+    sample.button = true;
+    return sample;
+  }
+  void do_apply(const Eigen::Vector3d& wanted) override {
+    if (throws_in == "apply" && applied == 5) {
+      throws_in.clear();
+      throw std::runtime_error("apply went wrong");
+    }
+    ++applied;
+    force = wanted.norm();
+  }
+
+  int reads_ = 0;
+};
+
+class GuidanceWithAnException : public Guidance, public testing::WithParamInterface<const char*> {};
+
+TEST_P(GuidanceWithAnException, LeavesNoForceAndReportsIt) {
+  const std::string call = GetParam();
+  const PathToolCurve way(model_, path_, tool_link(*model_, {0, 1, 2, 3, 4, 5}));
+  device::ForceGuide guide(way.curve(), {});
+  GuidedMotion motion(path_, Eigen::VectorXd::Constant(6, 0.5));
+  FakeHandle handle;
+  handle.throws_in = call;
+  handle.connect();
+  bool was_pushed = false;
+  int leads = 0;
+  const GuidanceOutcome outcome = run_guidance(handle, guide, way, motion, {},
+                                               {.on_sample =
+                                                    [&](const GuidanceSample& sample) {
+                                                      was_pushed = was_pushed || handle.force > 0.0;
+                                                      if (call == "log" && sample.time > 0.1) {
+                                                        throw std::runtime_error("log went wrong");
+                                                      }
+                                                    },
+                                                .lead =
+                                                    [&](const geometric::Configuration& /*q*/) {
+                                                      if (call == "lead" && ++leads > 1) {
+                                                        throw std::runtime_error("lead went wrong");
+                                                      }
+                                                    }});
+  EXPECT_EQ(outcome.fault, call + " went wrong");
+  EXPECT_FALSE(outcome.arrived);
+  EXPECT_TRUE(was_pushed);
+  EXPECT_EQ(handle.force, 0.0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Calls, GuidanceWithAnException,
+                         testing::Values("read", "apply", "log", "lead"),
+                         [](const auto& test) { return std::string(test.param); });
 
 }  // namespace
 }  // namespace handway::execution

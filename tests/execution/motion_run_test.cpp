@@ -11,9 +11,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <functional>
 #include <memory>
+#include <stdexcept>
 #include <string>
+#include <thread>
+#include <vector>
 
 namespace handway::execution {
 namespace {
@@ -157,6 +161,173 @@ TEST_F(MotionRun, StopsTheOtherWhenOneFails) {
   EXPECT_THAT(outcome.fault, testing::HasSubstr("hand"));
   EXPECT_GE(outcome.at_rest_ms, 0.0);
   EXPECT_LT(arm_->position()[0], 0.28);
+}
+
+TEST_F(MotionRun, StartsNothingAfterAStop) {
+  upload();
+  Watcher watcher;
+  stop_.request_stop();
+  const MotionOutcome outcome = run(watcher);
+  EXPECT_FALSE(outcome.done);
+  EXPECT_THAT(outcome.fault, IsEmpty());
+  EXPECT_TRUE(arm_->position().isZero(1e-6));
+}
+
+TEST_F(MotionRun, StopsBothWhenTheObserverThrows) {
+  upload();
+  Watcher watcher;
+  int calls_after = 0;
+  watcher.progress = [&](double time) {
+    if (time > 0.5) {
+      ++calls_after;
+      throw std::runtime_error("the log can't be written");
+    }
+  };
+  const MotionOutcome outcome = run(watcher);
+  EXPECT_FALSE(outcome.done);
+  EXPECT_EQ(outcome.fault, "the log can't be written");
+  EXPECT_EQ(calls_after, 1);
+  EXPECT_GE(outcome.at_rest_ms, 0.0) << "it is waited for all the same";
+  EXPECT_LT(arm_->position()[0], 0.28);
+  EXPECT_FALSE(arm_->moving());
+  EXPECT_FALSE(hand_->moving());
+}
+
+/// A device without wires: it is where its motion has it, until it is stopped.
+class FakeDevice final : public device::MotionLink {
+ public:
+  explicit FakeDevice(const std::string& name)
+      : MotionLink(name, {{name},
+                          Eigen::VectorXd::Constant(1, -9.0),
+                          Eigen::VectorXd::Constant(1, 9.0),
+                          Eigen::VectorXd::Constant(1, 1.0)}) {}
+
+  std::string throws_in;  ///< One of start, update, pause, resume, stop.
+  std::chrono::milliseconds stop_takes{0};
+  int stops = 0;
+  Clock::time_point stopped_at;
+  [[nodiscard]] bool moves() const { return moves_; }
+
+ private:
+  void throw_in(const std::string& call) const {
+    if (throws_in == call) {
+      throw std::runtime_error(call + " went wrong");
+    }
+  }
+  void do_connect(const std::stop_token& /*stop*/) override {}
+  void do_upload(const device::JointTrajectory& /*trajectory*/) override {}
+  void do_start() override {
+    moves_ = true;
+    throw_in("start");
+  }
+  [[nodiscard]] double do_pause(double time) override {
+    throw_in("pause");
+    moves_ = false;
+    return time;
+  }
+  void do_resume() override {
+    throw_in("resume");
+    moves_ = true;
+  }
+  void do_stop() override {
+    throw_in("stop");
+    ++stops;
+    stopped_at = Clock::now();
+    std::this_thread::sleep_for(stop_takes);
+    moves_ = false;
+  }
+  void do_update(double time) override {
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    if (moves_) {
+      position_ = trajectory().at(time);
+    }
+    add_sample(position_);
+    if (moves_ && time > 0.2) {
+      throw_in("update");
+    }
+  }
+
+  bool moves_ = false;
+  Eigen::VectorXd position_ = Eigen::VectorXd::Zero(1);
+};
+
+struct ThrowCase {
+  const char* call;
+  std::size_t device;
+};
+
+class MotionRunWithAnException : public testing::TestWithParam<ThrowCase> {};
+
+TEST_P(MotionRunWithAnException, StopsTheOthersAndReportsIt) {
+  std::vector<FakeDevice*> devices;
+  std::vector<MotionTarget> targets;
+  for (const char* name : {"first", "second"}) {
+    auto device = std::make_unique<FakeDevice>(name);
+    devices.push_back(device.get());
+    device->connect();
+    device->upload(line(Eigen::VectorXd::Zero(1), Eigen::VectorXd::Ones(1)));
+    targets.push_back({name, {}, std::move(device)});
+  }
+  const std::string call = GetParam().call;
+  devices[GetParam().device]->throws_in = call;
+  FakeDevice& other = *devices[1 - GetParam().device];
+  std::stop_source stop;
+  MotionRequests requests{.stop = stop.get_token()};
+  Watcher watcher;
+  watcher.progress = [&](double time) {
+    requests.hold = (call == "pause" || call == "resume") && !requests.hold && time > 0.1;
+    if (call == "stop" && time > 0.1) {
+      stop.request_stop();
+    }
+  };
+  if (call == "start") {
+    EXPECT_THROW((void)run_motion(targets, {}, requests, watcher), std::runtime_error);
+  } else {
+    const MotionOutcome outcome = run_motion(targets, {}, requests, watcher);
+    EXPECT_FALSE(outcome.done);
+    EXPECT_EQ(outcome.fault, call + " went wrong");
+    EXPECT_LT(outcome.time, 0.5);
+  }
+  EXPECT_GE(other.stops, 1);
+  EXPECT_FALSE(other.moves());
+  EXPECT_EQ(call == "stop", devices[GetParam().device]->moves()) << "that one can't be stopped";
+}
+
+INSTANTIATE_TEST_SUITE_P(Calls, MotionRunWithAnException,
+                         testing::Values(ThrowCase{"start", 0}, ThrowCase{"start", 1},
+                                         ThrowCase{"update", 0}, ThrowCase{"update", 1},
+                                         ThrowCase{"pause", 0}, ThrowCase{"pause", 1},
+                                         ThrowCase{"resume", 0}, ThrowCase{"resume", 1},
+                                         ThrowCase{"stop", 0}, ThrowCase{"stop", 1}),
+                         [](const auto& test) {
+                           return std::string(test.param.call) +
+                                  (test.param.device == 0 ? "_of_the_first" : "_of_the_second");
+                         });
+
+TEST(MotionRunOfTwo, StopsOneAtOnceThoughTheOtherTakesNoMoreBytes) {
+  std::vector<MotionTarget> targets;
+  auto stuck = std::make_unique<FakeDevice>("stuck");
+  auto free = std::make_unique<FakeDevice>("free");
+  stuck->stop_takes = std::chrono::seconds(1);
+  const FakeDevice& stopped = *free;
+  targets.push_back({"stuck", {}, std::move(stuck)});
+  targets.push_back({"free", {}, std::move(free)});
+  for (const MotionTarget& target : targets) {
+    target.link->connect();
+    target.link->upload(line(Eigen::VectorXd::Zero(1), Eigen::VectorXd::Ones(1)));
+  }
+  std::stop_source stop;
+  const MotionRequests requests{.stop = stop.get_token()};
+  device::MotionLink::Clock::time_point requested;
+  Watcher watcher;
+  watcher.progress = [&](double time) {
+    if (time > 0.1 && stop.request_stop()) {
+      requested = device::MotionLink::Clock::now();
+    }
+  };
+  const MotionOutcome outcome = run_motion(targets, {}, requests, watcher);
+  EXPECT_FALSE(outcome.done);
+  EXPECT_LT(stopped.stopped_at - requested, std::chrono::milliseconds(50));
 }
 
 }  // namespace

@@ -137,4 +137,9 @@ bool ArmEmulator::moving() const {
   return running_->controller.moving();
 }
 
+int ArmEmulator::stops() const {
+  const std::scoped_lock lock(running_->mutex);
+  return running_->controller.stops();
+}
+
 }  // namespace handway::device

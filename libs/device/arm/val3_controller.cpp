@@ -46,6 +46,7 @@ struct Val3Controller::Arm {
   double moved = 0.0;      ///< s since the first motion began
   bool has_moved = false;  ///< A motion began.
   int fed_back = 0;        ///< Times that positions were told.
+  int stops = 0;           ///< Commands.
   bool fault_active = false;
 
   void step();
@@ -168,6 +169,7 @@ SimpleMessage Val3Controller::receive(const SimpleMessage& message, double now) 
       message.kind == SimpleMessageKind::kRequest) {
     const bool stop = message.sequence == kStopSequence;
     if (stop) {
+      ++arm_->stops;
       arm_->stop();
     }
     if (stop || arm_->accepts(message)) {
@@ -203,6 +205,8 @@ void Val3Controller::connection_lost() { arm_->stop(); }
 const Eigen::VectorXd& Val3Controller::position() const { return arm_->joints.position(); }
 
 bool Val3Controller::moving() const { return arm_->joints.moving(); }
+
+int Val3Controller::stops() const { return arm_->stops; }
 
 FaultKind Val3Controller::active_fault() const {
   return arm_->fault_active ? arm_->settings.fault.kind : FaultKind::kNone;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <stdexcept>
 #include <thread>
 #include <utility>
@@ -88,7 +89,13 @@ void MotionLink::start(const MotionTolerances& tolerances) {
              "Move the device to the start, or plan from where it stands.");
     }
   }
-  do_start();
+  try {
+    do_start();
+  } catch (...) {
+    // The device may have heard of the start before it failed.
+    (void)send_stop();
+    throw;
+  }
   tolerances_ = tolerances;
   begin_ = Clock::now();
   samples_seen_ = measured_.samples;
@@ -97,8 +104,12 @@ void MotionLink::start(const MotionTolerances& tolerances) {
 
 double MotionLink::pause(double time) {
   if (phase_ == MotionPhase::kRunning) {
-    hold_ = do_pause(std::max(time, motion_time(Clock::now())));
-    phase_ = MotionPhase::kPaused;
+    try {
+      hold_ = do_pause(std::max(time, motion_time(Clock::now())));
+      phase_ = MotionPhase::kPaused;
+    } catch (const std::exception& error) {
+      fail(error.what());
+    }
   }
   return phase_ == MotionPhase::kPaused ? hold_ : motion_time(Clock::now());
 }
@@ -107,7 +118,12 @@ void MotionLink::resume() {
   if (phase_ == MotionPhase::kPaused) {
     const auto now = Clock::now();
     const double held = motion_time(now);
-    do_resume();
+    try {
+      do_resume();
+    } catch (const std::exception& error) {
+      fail(error.what());
+      return;
+    }
     begin_ = now - std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(held));
     samples_seen_ = measured_.samples;
     phase_ = MotionPhase::kRunning;
@@ -120,7 +136,7 @@ void MotionLink::stop() {
     if (connected_) {
       do_stop();
     }
-  } catch (const DeviceError& error) {
+  } catch (const std::exception& error) {
     if (moving) {
       fail(error.what());
     }
@@ -146,11 +162,16 @@ double MotionLink::motion_time(Clock::time_point now) const {
 void MotionLink::fail(std::string fault) {
   fault_ = std::move(fault);
   phase_ = MotionPhase::kFailed;
+  connected_ = send_stop();
+}
+
+// @returns false if the connection is gone: the device's own watchdog stops it then.
+bool MotionLink::send_stop() {
   try {
     do_stop();
-  } catch (const DeviceError&) {
-    // The connection is gone: the device's own watchdog stops it.
-    connected_ = false;
+    return true;
+  } catch (const std::exception&) {
+    return false;
   }
 }
 
@@ -168,7 +189,7 @@ void MotionLink::update() {
       look_at_sample();
       look_at_end(Clock::now());
     }
-  } catch (const DeviceError& error) {
+  } catch (const std::exception& error) {
     if (phase_ == MotionPhase::kFailed) {
       connected_ = false;
     } else {

@@ -43,6 +43,7 @@ struct HandController::Hand {
   double moved = 0.0;  ///< s since the first motion began.
   bool has_moved = false;
   bool fault_active = false;
+  int stops = 0;  ///< Commands.
 
   void step();
   void end(const char* how);
@@ -192,6 +193,7 @@ std::string HandController::Hand::obey(const std::vector<std::string_view>& word
     hold.reset();
     phase = phase == "paused" ? "running" : phase;
   } else if (word == "stop") {
+    ++stops;
     end("stopped");
   } else {
     throw LineProtocolError(fmt::format("unknown word \"{}\"", word));
@@ -239,6 +241,8 @@ void HandController::connection_lost() {
 const Eigen::VectorXd& HandController::position() const { return hand_->joints.position(); }
 
 bool HandController::moving() const { return hand_->joints.moving(); }
+
+int HandController::stops() const { return hand_->stops; }
 
 FaultKind HandController::active_fault() const {
   return hand_->fault_active ? hand_->settings.fault.kind : FaultKind::kNone;

@@ -24,4 +24,8 @@ bool HandEmulator::moving() const {
   return running_->ask([](const HandController& hand) { return hand.moving(); });
 }
 
+int HandEmulator::stops() const {
+  return running_->ask([](const HandController& hand) { return hand.stops(); });
+}
+
 }  // namespace handway::device

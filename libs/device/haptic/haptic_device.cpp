@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <exception>
+
 namespace handway::device {
 namespace {
 
@@ -31,7 +33,7 @@ std::optional<HapticSample> HapticDevice::read(std::chrono::milliseconds timeout
              "one every 10 ms or more often", "Look at the network and at the device.");
     }
     return sample;
-  } catch (const DeviceError&) {
+  } catch (...) {
     release();
     throw;
   }
@@ -51,7 +53,7 @@ void HapticDevice::apply(const Eigen::Vector3d& force) {
 void HapticDevice::release() {
   try {
     do_apply(Eigen::Vector3d::Zero());
-  } catch (const DeviceError&) {
+  } catch (const std::exception&) {
     // The connection is gone: the device's own watchdog lets go.
     return;
   }

@@ -1,9 +1,8 @@
 #include "handway/execution/guidance/guidance_run.h"
 
-#include "handway/geometric/io/input_error.h"
-
 #include <algorithm>
 #include <chrono>
+#include <exception>
 
 namespace handway::execution {
 namespace {
@@ -48,8 +47,11 @@ GuidanceOutcome run_guidance(device::HapticDevice& device, device::ForceGuide& g
         listeners.lead(way.configuration(motion.place()));
       }
     }
-  } catch (const geometric::InputError& error) {
+  } catch (const std::exception& error) {
     outcome.fault = error.what();
+    outcome.arrived = false;
+  } catch (...) {
+    outcome.fault = "An unknown exception.";
     outcome.arrived = false;
   }
   device.release();

@@ -1,8 +1,9 @@
 #include "handway/execution/motion/motion_run.h"
 
-#include "handway/device/core/device_error.h"
-
 #include <algorithm>
+#include <exception>
+#include <system_error>
+#include <thread>
 
 namespace handway::execution {
 namespace {
@@ -33,39 +34,84 @@ class Run {
   }
 
   MotionOutcome run(const device::MotionTolerances& tolerances, const MotionRequests& requests) {
+    if (requests.stop.stop_requested()) {
+      outcome_.at_rest_ms = 0.0;
+      return std::move(outcome_);
+    }
     start(tolerances);
     auto polled = Clock::now();
     while (!requests.stop.stop_requested() && !ended()) {
       polled = Clock::now();
-      hold(requests.hold);
-      update();
-      const device::MotionLink& first = *targets_.front().link;
-      observer_.on_progress(first.motion_time(Clock::now()), outcome_.errors);
+      guarded([&] {
+        hold(requests.hold);
+        update();
+        report_progress();
+      });
     }
     outcome_.done = outcome_.fault.empty() && !requests.stop.stop_requested();
     if (!outcome_.done) {
-      for (const MotionTarget& target : targets_) {
-        target.link->stop();
-      }
+      stop_all();
       // The request came after `polled`.
-      outcome_.stop_sent_ms = 1e3 * seconds(Clock::now() - polled);
+      outcome_.stop_sent = Clock::now();
+      outcome_.stop_sent_ms = 1e3 * seconds(outcome_.stop_sent - polled);
     }
     wait_for_rest();
+    if (outcome_.done && !outcome_.fault.empty()) {
+      outcome_.done = false;
+      stop_all();
+    }
     return std::move(outcome_);
   }
 
  private:
-  void start(const device::MotionTolerances& tolerances) {
-    std::size_t started = 0;
+  // What one device or the observer throws is the fault that ends the motion of all.
+  template <typename Step>
+  void guarded(const Step& step) {
     try {
-      for (; started < targets_.size(); ++started) {
-        targets_[started].link->start(tolerances);
+      step();
+    } catch (const std::exception& error) {
+      note_fault(error.what());
+    } catch (...) {
+      note_fault("An unknown exception.");
+    }
+  }
+
+  // The first counts: what follows is its consequence.
+  void note_fault(const std::string& fault) {
+    if (outcome_.fault.empty()) {
+      outcome_.fault = fault.empty() ? "An exception without a message." : fault;
+    }
+  }
+
+  void start(const device::MotionTolerances& tolerances) {
+    try {
+      for (const MotionTarget& target : targets_) {
+        target.link->start(tolerances);
       }
-    } catch (const device::DeviceError&) {
-      for (std::size_t i = 0; i < started; ++i) {
-        targets_[i].link->stop();
-      }
+    } catch (...) {
+      stop_all();
+      wait_for_rest();
       throw;
+    }
+  }
+
+  // All at the same time: a device that takes no more bytes holds up its own stop only.
+  void stop_all() {
+    {
+      std::vector<std::jthread> senders;
+      for (const MotionTarget& target : targets_) {
+        device::MotionLink& link = *target.link;
+        try {
+          senders.emplace_back([&link] { link.stop(); });
+        } catch (const std::system_error&) {
+          link.stop();
+        }
+      }
+    }
+    for (const MotionTarget& target : targets_) {
+      if (target.link->phase() == MotionPhase::kFailed) {
+        note_fault(target.link->fault());
+      }
     }
   }
 
@@ -98,7 +144,6 @@ class Run {
       seen_[i] = measured.samples;
       const double time = link.motion_time(measured.received);
       const Eigen::VectorXd planned = link.trajectory().at(time);
-      observer_.on_sample({time, i, planned, measured.position});
       if (running) {
         outcome_.time = std::min(time, link.trajectory().duration());
         outcome_.errors[i].add(measured.position - planned);
@@ -106,14 +151,35 @@ class Run {
       const bool still = (measured.position - last_[i]).cwiseAbs().maxCoeff() < kAtRest;
       still_[i] = still ? still_[i] + 1 : 0;
       last_[i] = measured.position;
+      if (observer_works_) {
+        observe([&] { observer_.on_sample({time, i, planned, measured.position}); });
+      }
     }
   }
 
+  void report_progress() {
+    if (observer_works_) {
+      const device::MotionLink& first = *targets_.front().link;
+      observe([&] { observer_.on_progress(first.motion_time(Clock::now()), outcome_.errors); });
+    }
+  }
+
+  // An observer that threw isn't called again: rest has to be waited for without it.
+  template <typename Call>
+  void observe(const Call& call) {
+    observer_works_ = false;
+    call();
+    observer_works_ = true;
+  }
+
   bool ended() {
+    if (!outcome_.fault.empty()) {
+      return true;
+    }
     bool all_done = true;
     for (const MotionTarget& target : targets_) {
       if (target.link->phase() == MotionPhase::kFailed) {
-        outcome_.fault = target.link->fault();
+        note_fault(target.link->fault());
         return true;
       }
       all_done = all_done && target.link->phase() == MotionPhase::kDone;
@@ -125,7 +191,7 @@ class Run {
     const auto begin = Clock::now();
     still_.assign(still_.size(), 0);
     while (seconds(Clock::now() - begin) < kLongestRest) {
-      update();
+      guarded([this] { update(); });
       if (std::ranges::all_of(still_, [](int times) { return times >= 2; })) {
         outcome_.at_rest_ms = 1e3 * seconds(Clock::now() - begin);
         return;
@@ -140,6 +206,7 @@ class Run {
   std::vector<Eigen::VectorXd> last_;
   std::vector<int> still_;  ///< How many times in a row a device did not move.
   bool held_ = false;
+  bool observer_works_ = true;  ///< It has thrown nothing.
 };
 
 }  // namespace

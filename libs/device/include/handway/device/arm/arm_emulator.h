@@ -28,6 +28,8 @@ class HANDWAY_DEVICE_EXPORT ArmEmulator {
   /// Where the joints are now, rad.
   [[nodiscard]] Eigen::VectorXd position() const;
   [[nodiscard]] bool moving() const;
+  /// How many stop commands came.
+  [[nodiscard]] int stops() const;
 
  private:
   struct Running;

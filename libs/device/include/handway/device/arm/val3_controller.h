@@ -53,6 +53,8 @@ class HANDWAY_DEVICE_EXPORT Val3Controller {
 
   [[nodiscard]] const Eigen::VectorXd& position() const;
   [[nodiscard]] bool moving() const;
+  /// How many stop commands came. Loss of a connection is none.
+  [[nodiscard]] int stops() const;
   /// The fault, from when it begins on.
   [[nodiscard]] FaultKind active_fault() const;
 

@@ -73,10 +73,11 @@ class HANDWAY_DEVICE_EXPORT MotionLink {
   void start(const MotionTolerances& tolerances = {});
 
   /// Holds the motion as soon as the device can, but not before `time` (s of the motion).
-  /// Nothing happens if it isn't running.
+  /// Nothing happens if it isn't running. Whatever goes wrong ends the motion with kFailed.
   /// @returns the motion's time at which it holds: for other devices that shall hold there.
   double pause(double time = 0.0);
-  /// Goes on with a motion that is held, otherwise nothing happens.
+  /// Goes on with a motion that is held, otherwise nothing happens. Whatever goes wrong ends the
+  /// motion with kFailed.
   void resume();
 
   /// Stops the joints as fast as the device can, and forgets the motion. Never throws: if the
@@ -84,7 +85,7 @@ class HANDWAY_DEVICE_EXPORT MotionLink {
   void stop();
 
   /// Takes what the device said, gives it what it needs, and looks whether all is well. Waits
-  /// 2 ms at most.
+  /// 2 ms at most. Whatever goes wrong, an exception included, ends the motion with kFailed.
   void update();
 
   [[nodiscard]] MotionPhase phase() const { return phase_; }
@@ -115,6 +116,7 @@ class HANDWAY_DEVICE_EXPORT MotionLink {
   virtual void do_update(double time) = 0;
 
   void fail(std::string fault);
+  bool send_stop();
   void look_at_sample();
   void look_at_end(Clock::time_point now);
 

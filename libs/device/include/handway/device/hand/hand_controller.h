@@ -44,6 +44,8 @@ class HANDWAY_DEVICE_EXPORT HandController {
 
   [[nodiscard]] const Eigen::VectorXd& position() const;
   [[nodiscard]] bool moving() const;
+  /// How many stop commands came. Loss of the connection, or silence, is none.
+  [[nodiscard]] int stops() const;
   /// The fault, from when it begins on.
   [[nodiscard]] FaultKind active_fault() const;
 

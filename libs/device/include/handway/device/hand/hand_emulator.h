@@ -27,6 +27,8 @@ class HANDWAY_DEVICE_EXPORT HandEmulator {
   /// Where the joints are now, rad.
   [[nodiscard]] Eigen::VectorXd position() const;
   [[nodiscard]] bool moving() const;
+  /// How many stop commands came.
+  [[nodiscard]] int stops() const;
 
  private:
   struct Running;

@@ -31,10 +31,11 @@ struct GuidanceOutcome {
   double strongest = 0.0;          ///< Force that was asked for, N.
 };
 
-/// What else takes part in a guidance; both are called on its thread.
+/// What else takes part in a guidance; both are called on its thread. What they throw is a fault
+/// and ends the guidance: no force then, and the robot rests where it was led to last.
 struct GuidanceListeners {
   std::function<void(const GuidanceSample&)> on_sample = [](const GuidanceSample&) {};
-  /// Leads a robot to a configuration; called every 50 ms. What it throws ends the guidance.
+  /// Leads a robot to a configuration; called every 50 ms.
   std::function<void(const geometric::Configuration&)> lead = [](const geometric::Configuration&) {
   };
 };

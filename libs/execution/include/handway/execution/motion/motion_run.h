@@ -20,7 +20,8 @@ struct MotionSample {
   Eigen::VectorXd measured;  ///< rad, [its joints]
 };
 
-/// Hears of a motion as it runs, on the thread that runs it.
+/// Hears of a motion as it runs, on the thread that runs it. What it throws is a fault: it stops
+/// the motion, and the observer is not called again.
 class HANDWAY_EXECUTION_EXPORT MotionObserver {
  public:
   virtual ~MotionObserver() = default;
@@ -41,13 +42,15 @@ struct MotionOutcome {
   std::string fault;          ///< Why not; empty if it was asked to stop.
   double time = 0.0;          ///< s of the motion at the end.
   double stop_sent_ms = 0.0;  ///< From the request at most until all devices were told to stop.
-  double at_rest_ms = -1.0;   ///< From there until all were measured at rest; -1: not seen.
+  device::MotionLink::Clock::time_point stop_sent;  ///< When they had been; unset if none was.
+  double at_rest_ms = -1.0;  ///< From there until all were measured at rest; -1: not seen.
   std::vector<FollowingError> errors;  ///< Of each target.
 };
 
 /// Runs the motions that were uploaded to the targets together, from start to rest. What ends one
-/// ends all: a fault, or a stop.
-/// @throws DeviceError if one can't start; none moves then.
+/// ends all: a fault, an exception of a device or of the observer, or a stop. Nothing moves if the
+/// stop was requested before.
+/// @throws DeviceError if one can't start; all were told to stop then, and waited for.
 [[nodiscard]] HANDWAY_EXECUTION_EXPORT MotionOutcome
 run_motion(std::vector<MotionTarget>& targets, const device::MotionTolerances& tolerances,
            const MotionRequests& requests, MotionObserver& observer);
