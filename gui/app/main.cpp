@@ -2,6 +2,8 @@
 #include "app/options.h"
 #include "app/snapshot.h"
 #include "campaigns/campaigns_panel.h"
+#include "devices/device_session.h"
+#include "devices/program_end.h"
 #include "style/icons.h"
 #include "style/theme.h"
 #include "view3d/scene_view.h"
@@ -33,6 +35,7 @@ int run(QApplication& application, const gui::Options& options) {
   auto extensions = std::make_shared<planning::Extensions>();
   extensions->load_plugins(planning::plugin_directory());
   gui::MainWindow window(extensions);
+  const gui::ProgramEnd end(window.devices().driver());
   window.resize(options.size);
   if (options.view_only) {
     window.view().setFixedSize(options.size);

@@ -48,6 +48,7 @@
 #include <QCloseEvent>
 #include <QFileInfo>
 #include <QMenu>
+#include <QMenuBar>
 #include <QPushButton>
 #include <QStackedWidget>
 #include <QStatusBar>
@@ -145,7 +146,8 @@ void MainWindow::build_docks() {
   actions_->view_menu()->addActions({collisions_->closest_shown(), actions_->default_layout});
   statusBar()->addWidget(collisions_->label(), 1);
   statusBar()->addPermanentWidget(new FrameRateLabel(*view_));
-  statusBar()->addPermanentWidget(devices_->stop_button());
+  // The corner that is on the screen even if the window is larger.
+  menuBar()->setCornerWidget(devices_->stop_button(), Qt::TopLeftCorner);
   default_layout_ = saveState();
   restore_layout(*this);
 }
@@ -367,7 +369,7 @@ void MainWindow::show_path() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-  if (files_->may_discard()) {
+  if (may_leave()) {
     save_layout(*this);
     QMainWindow::closeEvent(event);
   } else {

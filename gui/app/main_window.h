@@ -85,7 +85,7 @@ class MainWindow : public QMainWindow {
  protected:
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
-  /// Asks about unsaved changes.
+  /// Asks about a robot that moves, and about unsaved changes.
   void closeEvent(QCloseEvent* event) override;
 
  private:
@@ -97,6 +97,8 @@ class MainWindow : public QMainWindow {
   void connect_planning();
   void connect_devices();
   void connect_campaigns();
+  /// Asks about a robot that moves, and about unsaved changes. @returns false to keep the scene.
+  [[nodiscard]] bool may_leave();
   void export_path();
   void show_scene();
   void show_error(const QString& title, const QString& message);

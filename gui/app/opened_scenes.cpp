@@ -1,6 +1,7 @@
 #include "app/file_commands.h"
 #include "app/main_window.h"
 #include "campaigns/campaigns_panel.h"
+#include "devices/device_session.h"
 #include "editing/scene_editing.h"
 #include "handway/geometric/io/mesh_reader.h"
 
@@ -10,8 +11,10 @@
 /// What the window opens: files, new scenes, and runs of campaigns.
 namespace handway::gui {
 
+bool MainWindow::may_leave() { return devices_->may_leave(*this) && files_->may_discard(); }
+
 void MainWindow::open(const QString& file) {
-  if (!files_->may_discard()) {
+  if (!may_leave()) {
     return;
   }
   options_ = {};
@@ -19,7 +22,7 @@ void MainWindow::open(const QString& file) {
 }
 
 void MainWindow::create(const std::string& robot) {
-  if (files_->may_discard()) {
+  if (may_leave()) {
     options_ = {};
     document_.create(robot);
   }
@@ -28,7 +31,7 @@ void MainWindow::create(const std::string& robot) {
 // A run is its problem, planner, parameters and seed: planned again, it gives the same path.
 void MainWindow::connect_campaigns() {
   connect(campaigns_, &CampaignsPanel::run_chosen, this, [this](const planning::ArchivedRun& run) {
-    if (files_->may_discard()) {
+    if (may_leave()) {
       options_ = {};
       options_.play = true;
       options_.planner = run.planner.planner;

@@ -6,11 +6,12 @@
 #include "workers/path_player.h"
 
 #include <QDateTime>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QStandardPaths>
-#include <QVariant>
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <utility>
 
@@ -24,6 +25,8 @@ constexpr double kPeriod = 0.02;
 // How far the robot may have moved since a motion was cleared, rad.
 constexpr double kSamePlace = 1e-3;
 constexpr double kSameNumbers = 1e-6;  // relative
+// How long a robot that was told to stop may take to be at rest before the scene is left.
+constexpr std::chrono::milliseconds kLongestRest(2500);
 
 struct Offset {
   int variable = 0;
@@ -44,13 +47,8 @@ DeviceSession::DeviceSession(Document& document, PathPlayer& player, QObject* pa
       document_(document),
       player_(player),
       panel_(new DevicesPanel),
-      stop_(new QPushButton(tr("STOP"))) {
-  stop_->setObjectName(QStringLiteral("devices_stop"));
-  stop_->setProperty("role", "stop");
-  stop_->setShortcut(QKeySequence(QStringLiteral("Ctrl+Space")));
-  stop_->setToolTip(tr("Stops the robot (Ctrl+Space)"));
-  stop_->hide();
-  connect(stop_, &QPushButton::clicked, &driver_, &MotionDriver::stop);
+      stop_(stop_controls_.make_button(QStringLiteral("devices_stop"))) {
+  connect(&stop_controls_, &StopControls::stop_requested, &driver_, &MotionDriver::stop);
   connect(panel_, &DevicesPanel::connect_requested, this, &DeviceSession::connect_devices);
   connect(panel_, &DevicesPanel::disconnect_requested, &driver_, &MotionDriver::disconnect_all);
   connect(panel_, &DevicesPanel::speed_changed, this, &DeviceSession::time_again);
@@ -155,8 +153,36 @@ void DeviceSession::take_state(State state) {
     measured_.resize(0);
     time_again();
   }
-  stop_->setVisible(state == State::kConnected || state == State::kRunning);
+  show_stop(state == State::kConnected || state == State::kRunning);
   panel_->show_state(state, document_.robot() != nullptr);
+}
+
+void DeviceSession::show_stop(bool active) {
+  stop_controls_.set_active(active);
+  if (active && !stop_key_) {
+    stop_key_.emplace([this] { driver_.stop(); });
+  } else if (!active) {
+    stop_key_.reset();
+  }
+}
+
+bool DeviceSession::may_leave(QWidget& window) {
+  if (driver_.state() != State::kRunning) {
+    return true;
+  }
+  const auto answer =
+      QMessageBox::warning(&window, tr("The robot is moving"), tr("Stop the robot and leave?"),
+                           QMessageBox::Yes | QMessageBox::Cancel, QMessageBox::Cancel);
+  if (answer != QMessageBox::Yes) {
+    return false;
+  }
+  if (driver_.stop_and_wait(kLongestRest)) {
+    return true;
+  }
+  const QString message = tr("The robot was told to stop and not seen at rest: look at it.");
+  panel_->show_problem(message);
+  emit told(false, message);
+  return false;
 }
 
 void DeviceSession::take_measured(const Eigen::VectorXd& q) {

@@ -1,11 +1,14 @@
 #pragma once
 
+#include "devices/stop_controls.h"
 #include "workers/motion_driver.h"
+#include "workers/stop_key_listener.h"
 #include "workers/timing_runner.h"
 
 #include <QObject>
 
 #include <memory>
+#include <optional>
 
 class QPushButton;
 
@@ -29,6 +32,10 @@ class DeviceSession : public QObject {
   [[nodiscard]] QPushButton* stop_button() const { return stop_; }
   [[nodiscard]] MotionDriver& driver() { return driver_; }
 
+  /// To be asked before the scene or the program is left. If the robot moves, asks whether to stop
+  /// it, stops it, and waits until it is at rest. @returns false to stay.
+  [[nodiscard]] bool may_leave(QWidget& window);
+
   /// Where logs of motions are kept.
   [[nodiscard]] static std::filesystem::path log_folder();
 
@@ -45,6 +52,7 @@ class DeviceSession : public QObject {
   void time_again();
   void run();
   void take_state(MotionDriver::State state);
+  void show_stop(bool active);
   void take_measured(const Eigen::VectorXd& q);
   void take_outcome(const execution::MotionOutcome& outcome,
                     const std::shared_ptr<const ExecutedMotion>& executed);
@@ -52,9 +60,11 @@ class DeviceSession : public QObject {
   Document& document_;
   PathPlayer& player_;
   DevicesPanel* panel_;
+  StopControls stop_controls_;
   QPushButton* stop_;
   TimingRunner timing_;
   MotionDriver driver_;
+  std::optional<StopKeyListener> stop_key_;            ///< While there is something to stop.
   std::shared_ptr<const planning::TimedPath> motion_;  ///< Of the path on screen; or null.
   bool backwards_ = false;                             ///< motion_ goes from goal to start.
   geometric::Configuration measured_;                  ///< Of size 0: nothing is connected.

@@ -14,7 +14,7 @@ constexpr int kSideMargin = 12;
 constexpr int kNameWidth = 118;
 constexpr int kPercentWidth = 44;
 constexpr int kBarHeight = 9;
-constexpr double kPercent = 100.0;
+constexpr double kPercentPerShare = 100.0;
 
 }  // namespace
 
@@ -82,10 +82,10 @@ void CoverageBars::paintEvent(QPaintEvent*) {
     }
     const QRect percent(width() - kSideMargin - kPercentWidth, top, kPercentWidth, kRowHeight);
     painter.setPen(colors.muted);
-    painter.drawText(percent, Qt::AlignVCenter | Qt::AlignRight,
-                     visits.driven
-                         ? QStringLiteral("%1 %").arg(std::lround(visits.share() * kPercent))
-                         : tr("fixed"));
+    painter.drawText(
+        percent, Qt::AlignVCenter | Qt::AlignRight,
+        visits.driven ? QStringLiteral("%1 %").arg(std::lround(visits.share() * kPercentPerShare))
+                      : tr("fixed"));
   }
 }
 

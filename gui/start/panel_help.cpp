@@ -93,7 +93,7 @@ constexpr Help kHelp[] = {
                     "<b>Devices</b><p>Connects an arm and a hand, or emulated ones, and runs the "
                     "path on them. A motion is cleared before: limits, collisions, and where "
                     "the robot stands. Nothing moves unless <i>Let the robot move</i> is "
-                    "ticked. <b>STOP</b> (Ctrl+Space) stops all joints.</p>")},
+                    "ticked. <b>STOP</b> (Ctrl+Space, Pause or F12) stops all joints.</p>")},
     {"plots",
      QT_TRANSLATE_NOOP(
          "Help",

@@ -17,7 +17,7 @@ constexpr double kUnit = 27.0;         // pixels of half an edge
 constexpr double kLetterHeight = 0.4;  // of half an edge
 constexpr double kWordWidth = 1.55;
 constexpr double kFaceWithin = 0.86;  // the lighter part of a face
-constexpr double kEdgeOn = 0.03;
+constexpr double kFaceEdgeOn = 0.03;
 
 QString translated(const char* name) { return OrientationCube::tr(name); }
 
@@ -76,7 +76,7 @@ void OrientationCube::paintEvent(QPaintEvent* /*event*/) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   for (const CubeFace& face : cube_faces()) {
-    if (face.normal.cast<double>().dot(R_WC_.col(2)) > kEdgeOn) {
+    if (face.normal.cast<double>().dot(R_WC_.col(2)) > kFaceEdgeOn) {
       paint_face(painter, face);
     }
   }

@@ -114,7 +114,7 @@ MotionDriver::MotionDriver(QObject* parent) : QObject(parent) {}
 
 MotionDriver::~MotionDriver() {
   blockSignals(true);
-  motion_stop_.request_stop();
+  stop();
   thread_.request_stop();
 }
 
@@ -133,6 +133,10 @@ void MotionDriver::set_state(State state) {
 void MotionDriver::connect_to(const MotionDevices& devices, Problem problem,
                               geometric::Configuration q) {
   set_state(State::kConnecting);
+  {
+    const std::lock_guard lock(mutex_);
+    working_ = true;
+  }
   thread_ = std::jthread(
       [this, devices, problem = std::move(problem), q = std::move(q)](const std::stop_token& stop) {
         work(devices, problem, q, stop);
@@ -140,24 +144,31 @@ void MotionDriver::connect_to(const MotionDevices& devices, Problem problem,
           requests_.reset();
           set_state(State::kOff);
         });
+        const std::lock_guard lock(mutex_);
+        order_.reset();
+        moves_ = false;
+        working_ = false;
+        ended_.notify_all();
       });
 }
 
 void MotionDriver::disconnect_all() {
   if (state_ != State::kOff) {
     set_state(State::kClosing);
-    motion_stop_.request_stop();
+    stop();
     thread_.request_stop();
   }
 }
 
 void MotionDriver::run(std::shared_ptr<const planning::TimedPath> motion,
                        std::filesystem::path log) {
-  motion_stop_ = {};
   requests_ = std::make_shared<execution::MotionRequests>();
-  requests_->stop = motion_stop_.get_token();
   set_state(State::kRunning);
   const std::lock_guard lock(mutex_);
+  motion_stop_ = {};
+  requests_->stop = motion_stop_.get_token();
+  moves_ = true;
+  rested_ = true;
   order_ = Order{std::move(motion), std::move(log), requests_};
   wake_.notify_one();
 }
@@ -168,7 +179,34 @@ void MotionDriver::hold(bool held) {
   }
 }
 
-void MotionDriver::stop() { motion_stop_.request_stop(); }
+void MotionDriver::stop() {
+  const std::lock_guard lock(mutex_);
+  motion_stop_.request_stop();
+}
+
+bool MotionDriver::stop_and_wait(std::chrono::milliseconds longest) {
+  std::unique_lock lock(mutex_);
+  if (!moves_) {
+    return true;
+  }
+  motion_stop_.request_stop();
+  return ended_.wait_for(lock, longest, [this] { return !moves_; }) && rested_;
+}
+
+bool MotionDriver::end(std::chrono::milliseconds longest) {
+  thread_.request_stop();
+  std::unique_lock lock(mutex_);
+  const bool moved = moves_;
+  motion_stop_.request_stop();
+  return ended_.wait_for(lock, longest, [this] { return !working_; }) && (!moved || rested_);
+}
+
+void MotionDriver::note_end(bool rested) {
+  const std::lock_guard lock(mutex_);
+  moves_ = false;
+  rested_ = rested;
+  ended_.notify_all();
+}
 
 void MotionDriver::work(const MotionDevices& wanted, const Problem& problem,
                         const geometric::Configuration& q, const std::stop_token& stop) {
@@ -228,6 +266,7 @@ bool MotionDriver::carry_out(Devices& devices, const Order& order) {
     Recorder recorder(*this, devices, order);
     const execution::MotionOutcome outcome =
         run_motion(devices.targets, {}, *order.requests, recorder);
+    note_end(outcome.done || outcome.at_rest_ms >= 0.0);
     tell([this, outcome, executed = recorder.executed(), whole = recorder.log_is_whole()] {
       set_state(State::kConnected);
       emit ended(outcome, executed);
@@ -237,6 +276,7 @@ bool MotionDriver::carry_out(Devices& devices, const Order& order) {
     });
     return outcome.fault.empty();
   } catch (const std::exception& error) {
+    note_end(true);  // it has not begun
     tell([this, message = QString::fromUtf8(error.what())] {
       set_state(State::kConnected);
       emit failed(message);

@@ -7,6 +7,7 @@
 #include <QObject>
 #include <QString>
 
+#include <chrono>
 #include <condition_variable>
 #include <memory>
 #include <mutex>
@@ -51,8 +52,14 @@ class MotionDriver : public QObject {
   /// Runs a motion that is cleared(). @param log file for MotionLog. @pre kConnected
   void run(std::shared_ptr<const planning::TimedPath> motion, std::filesystem::path log);
   void hold(bool held);
-  /// Stops all joints as fast as the devices can.
+  /// Stops all joints as fast as the devices can. From any thread.
   void stop();
+  /// Stops what moves and waits for its end. From any thread.
+  /// @returns whether the robot is at rest: nothing moved, or all devices were measured at rest.
+  bool stop_and_wait(std::chrono::milliseconds longest);
+  /// Stops what moves, lets go of the devices, and waits for that. For the end of the program: no
+  /// signal is emitted. @returns whether the robot is at rest.
+  bool end(std::chrono::milliseconds longest);
 
  signals:
   void state_changed(handway::gui::MotionDriver::State state);
@@ -84,12 +91,19 @@ class MotionDriver : public QObject {
   void tell(F&& news);
   void set_state(State state);
 
+  /// A motion has ended, or will not begin. @param rested whether all is at rest.
+  void note_end(bool rested);
+
   State state_ = State::kOff;
-  std::stop_source motion_stop_;
   std::shared_ptr<execution::MotionRequests> requests_;  ///< Of the motion that runs.
-  std::mutex mutex_;
+  std::mutex mutex_;                                     ///< Of all below but the thread.
   std::condition_variable_any wake_;
+  std::condition_variable_any ended_;
+  std::stop_source motion_stop_;
   std::optional<Order> order_;
+  bool moves_ = false;    ///< From run() to the motion's end.
+  bool rested_ = true;    ///< The last motion ended at rest.
+  bool working_ = false;  ///< The thread has not come to its end.
   std::jthread thread_;
 };
 
