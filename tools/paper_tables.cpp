@@ -81,7 +81,10 @@ std::vector<PaperParameter> paper_table_3() {
           {"K, neighbours", "k", "10", "10"},
           {"N, most samples (initial)", "max_samples", "100", "10000"},
           {"n_A, arm trials", "n_a", "10", "20"},
-          {"n_H, hand trials", "n_h", "10", "20"}};
+          {"n_H, hand trials", "n_h", "10", "20"},
+          {"Largest rho_a (0: no limit)", "rho_max", "-", "-"},
+          {"Samples in gaps between hypercubes", "fill_gaps", "-", "-"},
+          {"N compared at each", "n_checked", "pass", "pass"}};
 }
 
 }  // namespace handway::tools

@@ -65,6 +65,11 @@ std::string plan_report(planning::Planner& planner, const planning::PlanRequest&
   for (const planning::Parameter& parameter : planner.parameters()) {
     parameters[parameter.key] = value_of(parameter);
   }
+  Json departures = Json::object();
+  for (const planning::Parameter& parameter : planning::departures(planner.parameters())) {
+    departures[parameter.key] = {{"value", value_of(parameter)},
+                                 {"as_printed", parameter.as_printed}};
+  }
   const Json report = {
       {"solved", result.solved()},
       {"status", to_string(result.status)},
@@ -83,6 +88,7 @@ std::string plan_report(planning::Planner& planner, const planning::PlanRequest&
       {"human_likeness", likeness_of(likeness)},
       {"statistics", statistics_of(result.statistics)},
       {"parameters", parameters},
+      {"departures", departures},
       {"version", kVersion},
   };
   return report.dump(2) + "\n";

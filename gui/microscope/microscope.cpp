@@ -1,5 +1,7 @@
 #include "microscope/microscope.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <exception>
 #include <utility>
@@ -37,6 +39,15 @@ std::vector<Eigen::Vector3d> palms_of(const RecordedRun& run,
   return palms;
 }
 
+std::vector<std::string> departures_of(planning::Planner& planner) {
+  std::vector<std::string> texts;
+  for (const planning::Parameter& parameter : planning::departures(planner.parameters())) {
+    texts.push_back(fmt::format("{} {} (printed: {})", parameter.key, planning::to_text(parameter),
+                                parameter.as_printed));
+  }
+  return texts;
+}
+
 }  // namespace
 
 void Microscope::record(std::shared_ptr<planning::Planner> planner,
@@ -52,8 +63,9 @@ void Microscope::record(std::shared_ptr<planning::Planner> planner,
       }
       RunRecorder recorder(kMostSteps);
       planning::PlanResult result = planner->plan(*ready, request, stop, &recorder);
-      auto run = std::make_shared<const RecordedRun>(
-          recorder.take(std::move(result), ready->checker->world()));
+      auto run =
+          std::make_shared<RecordedRun>(recorder.take(std::move(result), ready->checker->world()));
+      run->departures = departures_of(*planner);
       if (run->steps.empty()) {
         return [this, reason = QString::fromStdString(run->result.reason)] { emit failed(reason); };
       }

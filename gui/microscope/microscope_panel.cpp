@@ -239,6 +239,14 @@ void MicroscopePanel::show_state() {
                                      .arg(run->steps.size())
                                      .arg(run->left_out);
     }
+    if (!run->departures.empty()) {
+      QStringList departures;
+      for (const std::string& departure : run->departures) {
+        departures += QString::fromStdString(departure);
+      }
+      text += QLatin1Char(' ') +
+              tr("Departs from the listings by %1.").arg(departures.join(QStringLiteral(", ")));
+    }
     state_->setText(text);
   } else if (microscope_.is_recording()) {
     state_->setText(tr("Planning, and writing down every step…"));

@@ -25,6 +25,9 @@ struct RecordedRun {
   std::vector<std::pair<std::string, std::string>> pairs;  ///< Names of the world's pairs.
   std::uint64_t left_out = 0;                              ///< Steps after the last one kept.
   planning::PlanResult result;
+  /// Parameters by which the run departed from the paper's listings, as "rho_max 0.05 (printed:
+  /// 0)".
+  std::vector<std::string> departures;
 
   /// The roadmap's nodes, and its edges, once `count` steps are done.
   [[nodiscard]] int nodes_after(std::size_t count) const;

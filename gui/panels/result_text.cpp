@@ -45,6 +45,8 @@ QString status_text(planning::PlanStatus status) {
       return QObject::tr("No path found in the time given");
     case planning::PlanStatus::kCancelled:
       return QObject::tr("Cancelled");
+    case planning::PlanStatus::kStalled:
+      return QObject::tr("No path found: nothing is left to sample");
   }
   return {};
 }

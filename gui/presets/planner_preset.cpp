@@ -20,8 +20,8 @@ bool is_of_the_paper(const std::string& planner) {
 PlannerPreset own_values(const std::string& planner) {
   PlannerPreset preset{QObject::tr("Balanced"), QObject::tr("The planner's own values."), {}, true};
   if (is_of_the_paper(planner)) {
-    preset.name = QObject::tr("As in the paper");
-    preset.purpose = QObject::tr("The values of Table 3, which are the planner's own.");
+    preset.purpose = QObject::tr(
+        "The paper's values (Table 3), in a corridor that does not grow beyond ρₐ = 0.05.");
   }
   return preset;
 }
@@ -91,6 +91,12 @@ std::vector<PlannerPreset> built_in_presets(const std::string& planner) {
          {"refinements", "2"},
          {"near_ends", "0.5"},
          {"single_moves", "0.5"}});
+  }
+  if (is_of_the_paper(planner)) {
+    add(QObject::tr("As printed"),
+        QObject::tr("The paper's values (Table 3) and its Algorithm 4 to the letter: ρₐ grows "
+                    "without limit, and N is compared at the end of each pass."),
+        {{"rho_max", "0"}, {"fill_gaps", "false"}, {"n_checked", "pass"}});
   }
   if (planner == "pmd-prm") {
     add(QObject::tr("Fast"),

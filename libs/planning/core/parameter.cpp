@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <iterator>
 #include <type_traits>
 
 namespace handway::planning {
@@ -75,6 +76,14 @@ std::string to_text(const Parameter& parameter) {
         }
       },
       parameter.value);
+}
+
+std::vector<Parameter> departures(const std::vector<Parameter>& parameters) {
+  std::vector<Parameter> departing;
+  std::ranges::copy_if(parameters, std::back_inserter(departing), [](const Parameter& parameter) {
+    return !parameter.as_printed.empty() && to_text(parameter) != parameter.as_printed;
+  });
+  return departing;
 }
 
 const Parameter* parameter_called(const std::vector<Parameter>& parameters, std::string_view key) {

@@ -37,8 +37,9 @@ PlanStatistics& PlanStatistics::operator+=(const PlanStatistics& other) {
 }
 
 const char* to_string(PlanStatus status) {
-  static constexpr std::array<const char*, 6> kWords = {
-      "solved", "start invalid", "goal invalid", "samples spent", "time limit", "cancelled"};
+  static constexpr std::array<const char*, 7> kWords = {
+      "solved",     "start invalid", "goal invalid", "samples spent",
+      "time limit", "cancelled",     "stalled"};
   return kWords[static_cast<std::size_t>(status)];
 }
 

@@ -50,6 +50,11 @@ std::string reason_of(const PlanResult& result, PlanningContext& context) {
                          context.request().time_limit_s, samples);
     case PlanStatus::kCancelled:
       return fmt::format("Cancelled after {:.1f} s and {} samples.", result.time_s, samples);
+    case PlanStatus::kStalled:
+      return fmt::format(
+          "No path found: the search stalled after {} samples, as no configuration is left to "
+          "sample.",
+          samples);
     default:
       return fmt::format("No path found: all {} samples are spent.", samples);
   }

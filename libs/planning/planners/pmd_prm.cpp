@@ -22,6 +22,9 @@ namespace lines = algorithm_lines;
 
 constexpr int kStart = 0;
 constexpr int kGoal = 1;
+// Where growth without limit ends, for the sake of the arithmetic. Joints lie in [0, 1]: long
+// before, all samples are corners of the arm's joint ranges.
+constexpr double kUnlimitedRho = 1e6;
 
 /// One run of Algorithm 4.
 class RoadmapSearch {
@@ -30,6 +33,8 @@ class RoadmapSearch {
       : context_(context),
         watcher_(dynamic_cast<AlgorithmObserver*>(&context.observer())),
         settings_(settings),
+        largest_rho_(settings.rho_max > 0.0 ? settings.rho_max : kUnlimitedRho),
+        each_trial_counts_(static_cast<SampleLimit>(settings.n_checked) == SampleLimit::kEachTrial),
         grows_(space == HandSpace::kPrincipalDirections),
         space_(context.problem(), hand_basis(context.problem(), space),
                static_cast<CorridorForm>(settings.corridor)),
@@ -47,7 +52,7 @@ class RoadmapSearch {
   void run(PlanResult& result) {
     double rho = settings_.rho_a;
     for (int k = 1;; ++k) {
-      rho = std::min(k * rho, settings_.rho_max);
+      rho = std::min(k * rho, largest_rho_);
       statistics().final_rho_a = rho;
       ++statistics().passes;
       tell({.line = lines::kWiden, .rho_a = rho});
@@ -79,12 +84,31 @@ class RoadmapSearch {
     }
   }
 
-  [[nodiscard]] int samples_left() {
-    return settings_.max_samples - static_cast<int>(statistics().samples);
+  // Of the budget N, for the trials of one arm configuration.
+  [[nodiscard]] int trials_left() {
+    return each_trial_counts_ ? settings_.max_samples - static_cast<int>(statistics().samples)
+                              : settings_.n_h;
   }
 
-  // One visit of all hypercubes: a status when the search is over.
+  // One pass: a status when the search is over.
   std::optional<PlanStatus> sweep(double rho) {
+    const std::uint64_t drawn_before = hand_draw_count_;
+    if (const std::optional<PlanStatus> end = visit_hypercubes(rho)) {
+      return end;
+    }
+    if (!each_trial_counts_ &&
+        statistics().samples > static_cast<std::uint64_t>(settings_.max_samples)) {
+      return PlanStatus::kSamplesSpent;
+    }
+    // All draws for the arm failed: a wider corridor may help, another pass in this one hardly.
+    const bool widest = rho >= std::min(largest_rho_, 1.0);
+    if (hand_draw_count_ == drawn_before && widest) {
+      return PlanStatus::kStalled;
+    }
+    return std::nullopt;
+  }
+
+  std::optional<PlanStatus> visit_hypercubes(double rho) {
     const int max_steps = space_.steps(rho);
     std::pair<double, double> range{0.0, 1.0};
     for (int i = 0; i <= max_steps; ++i) {
@@ -102,7 +126,7 @@ class RoadmapSearch {
     // Hypercubes of a wide corridor stand far apart. Where none stands in the
     // range any more, its middle is explored: else passes would add to the first
     // hypercube alone, for ever.
-    if (std::ceil(range.first * max_steps) > range.second * max_steps) {
+    if (settings_.fill_gaps && std::ceil(range.first * max_steps) > range.second * max_steps) {
       return explore_hypercube(0.5 * (range.first + range.second), rho);
     }
     return std::nullopt;
@@ -110,13 +134,13 @@ class RoadmapSearch {
 
   // The j-loop of Algorithm 4.
   std::optional<PlanStatus> explore_hypercube(double step, double rho) {
-    const std::uint64_t before = statistics().samples;
+    const std::uint64_t before = hand_draw_count_;
     tell({.line = lines::kHypercube, .position = step, .rho_a = rho});
     for (int j = 0; j < settings_.n_a; ++j) {
       if (const auto interruption = context_.interruption()) {
         return interruption;
       }
-      if (samples_left() <= 0) {
+      if (trials_left() <= 0) {
         return PlanStatus::kSamplesSpent;
       }
       PhaseClock sampling_time(statistics().sampling_s);
@@ -126,7 +150,7 @@ class RoadmapSearch {
       }
       std::optional<std::pair<Configuration, int>> sample = sample_hand(*arm, step);
       sampling_time.stop();
-      statistics().max_trials = std::max(statistics().max_trials, statistics().samples - before);
+      statistics().max_trials = std::max(statistics().max_trials, hand_draw_count_ - before);
       context_.observer().on_progress(
           static_cast<double>(statistics().samples) / settings_.max_samples, "sampling");
       if (sample) {
@@ -169,19 +193,22 @@ class RoadmapSearch {
 
   // Algorithm 2 in the h-loop of Algorithm 4, all trials of one arm configuration.
   std::optional<std::pair<Configuration, int>> sample_hand(const Configuration& arm, double step) {
-    const std::uint64_t first_draw = statistics().samples;
+    const std::uint64_t first_draw = hand_draw_count_;
     const auto trial = [&](int h) {
       RandomStream draw = hand_draws_.fork(first_draw + static_cast<std::uint64_t>(h));
       return space_.with_hand(arm, draw.uniform(hand_dimension(h)));
     };
-    const auto trials = context_.first_free(std::min(settings_.n_h, samples_left()), trial);
+    const auto trials = context_.first_free(std::min(settings_.n_h, trials_left()), trial);
     for (const int pair : trials.rejecting_pairs) {
       context_.count_rejection(pair, step);
     }
     if (watcher_) {
       tell_trials(trials, trial, step);
     }
-    statistics().samples += trials.rejecting_pairs.size() + (trials.index ? 1 : 0);
+    const std::uint64_t failed = trials.rejecting_pairs.size();
+    const std::uint64_t all = failed + (trials.index ? 1 : 0);
+    hand_draw_count_ += all;
+    statistics().samples += each_trial_counts_ ? all : failed;
     if (!trials.index) {
       return std::nullopt;
     }
@@ -284,11 +311,14 @@ class RoadmapSearch {
   PlanningContext& context_;
   AlgorithmObserver* watcher_;  ///< Null: nobody wants to know them.
   const PmdPrmSettings& settings_;
+  double largest_rho_;
+  bool each_trial_counts_;
   bool grows_;
   HandArmSpace space_;
   RandomStream arm_draws_;
   RandomStream hand_draws_;
   std::uint64_t arm_draw_count_ = 0;
+  std::uint64_t hand_draw_count_ = 2;  ///< Begins as numSamples does.
   double threshold_ = 0.0;
   Roadmap roadmap_;
   std::vector<double> steps_;  ///< Where on the arm segment each node was drawn.
@@ -325,8 +355,12 @@ std::vector<Parameter> PmdPrm::parameters() {
        "Half-side of the arm's sampling hypercubes at the "
        "start, in joints normalised to [0, 1]. It grows with every pass.",
        &settings_.rho_a, 1e-5, 0.5},
-      {"rho_max", "Largest ρₐ", "", "The corridor does not grow beyond this.", &settings_.rho_max,
-       1e-5, 0.5},
+      {"rho_max", "Largest ρₐ", "",
+       "The corridor does not grow beyond this. 0: without limit, as printed.", &settings_.rho_max,
+       0.0, 0.5, "0"},
+      {"fill_gaps", "Fill gaps", "",
+       "Where no hypercube lies in the search range, its middle is sampled; as printed, it isn't.",
+       &settings_.fill_gaps, 0.0, 0.0, "false"},
       corridor_parameter(settings_.corridor),
       {"n_a", "Arm trials nA", "", "Arm configurations tried in each hypercube.", &settings_.n_a, 1,
        1000},
@@ -336,6 +370,10 @@ std::vector<Parameter> PmdPrm::parameters() {
        1000},
       {"max_samples", "Samples N", "", "Hand trials before the planner gives up.",
        &settings_.max_samples, 1, 100000000},
+      {"n_checked", "Check N", "",
+       "At each hand trial, or, as printed, at the end of each pass, where failed trials alone "
+       "count.",
+       ChoiceValue{&settings_.n_checked, {"trial", "pass"}}, 0.0, 0.0, "pass"},
       {"arm_trials", "Arm draws", "",
        "Draws for an arm configuration without self-collision (Algorithm 1).",
        &settings_.arm_trials, 1, 1000},

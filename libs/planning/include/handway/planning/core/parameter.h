@@ -25,6 +25,8 @@ struct Parameter {
   std::variant<bool*, int*, double*, ChoiceValue> value;
   double lower = 0.0;  ///< Of numbers, inclusive.
   double upper = 0.0;  ///< Of numbers, inclusive.
+  /// The value that follows the published algorithm as printed, where others depart from it.
+  std::string as_printed = {};
 };
 
 /// Sets `parameter` from text ("0.01", "true", "joint").
@@ -33,6 +35,10 @@ HANDWAY_PLANNING_EXPORT void set_from_text(const Parameter& parameter, std::stri
 
 /// The current value as text that set_from_text accepts.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::string to_text(const Parameter& parameter);
+
+/// Those whose value departs from the algorithm as printed.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<Parameter> departures(
+    const std::vector<Parameter>& parameters);
 
 /// The parameter called `key`; null if there is none.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT const Parameter* parameter_called(

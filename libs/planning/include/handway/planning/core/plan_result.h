@@ -19,6 +19,7 @@ enum class PlanStatus {
   kSamplesSpent,  ///< The sample budget is used up.
   kTimeLimit,
   kCancelled,
+  kStalled,  ///< Nothing is left to sample: going on would change nothing.
 };
 
 /// More clearance than this (m) is not told apart.

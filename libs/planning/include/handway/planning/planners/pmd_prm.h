@@ -10,11 +10,20 @@
 
 namespace handway::planning {
 
-/// Settings of PmdPrm. Symbols are the paper's (sections 5 and 7, Table 3).
+/// When PmdPrm compares numSamples with N.
+enum class SampleLimit {
+  kEachTrial,  ///< Before each hand trial; free ones count, too.
+  kEachPass,   ///< At the end of a pass, failed trials alone, as printed (Algorithm 4).
+};
+
+/// Settings of PmdPrm. Symbols are the paper's (sections 5 and 7, Table 3). Algorithm 4 as printed
+/// is `rho_max` = 0, `fill_gaps` = false and SampleLimit::kEachPass.
 struct PmdPrmSettings {
   double rho_a = 0.001;   ///< ρ_a at the start: half-side of the hypercubes, normalised.
-  double rho_max = 0.05;  ///< Largest ρ_a: "good results … between 0.001 and 0.05".
-  int corridor = static_cast<int>(CorridorForm::kJoint);  ///< A CorridorForm.
+  double rho_max = 0.05;  ///< Largest ρ_a: "good results … between 0.001 and 0.05". 0: no limit.
+  bool fill_gaps = true;  ///< Sample in the middle of a search range without any hypercube.
+  int n_checked = static_cast<int>(SampleLimit::kEachTrial);  ///< A SampleLimit.
+  int corridor = static_cast<int>(CorridorForm::kJoint);      ///< A CorridorForm.
   int n_a = 10;               ///< n_A: arm configurations per hypercube.
   int n_h = 10;               ///< n_H: hand configurations per arm configuration.
   int k = 10;                 ///< K: neighbours to connect to.
