@@ -4,8 +4,16 @@ include(CMakePackageConfigHelpers)
 
 set(_HANDWAY_PACKAGE_FOLDER lib/cmake/Handway)
 
+# Where a library, program or plugin finds our libraries: from its own place, which is the same in
+# the build tree and installed. For two different paths CMake would fill the shorter one up with
+# empty elements, which stand for the current folder.
+function(_handway_find_libraries_at target place)
+  set_target_properties(${target} PROPERTIES INSTALL_RPATH "${place}" BUILD_WITH_INSTALL_RPATH ON)
+endfunction()
+
 function(_handway_install_library name)
-  set_target_properties(handway_${name} PROPERTIES EXPORT_NAME ${name} INSTALL_RPATH "$ORIGIN")
+  set_target_properties(handway_${name} PROPERTIES EXPORT_NAME ${name})
+  _handway_find_libraries_at(handway_${name} "$ORIGIN")
   install(
     TARGETS handway_${name}
     EXPORT HandwayTargets
@@ -17,12 +25,12 @@ function(_handway_install_library name)
 endfunction()
 
 function(_handway_install_program name)
-  set_target_properties(${name} PROPERTIES INSTALL_RPATH "$ORIGIN/../lib")
+  _handway_find_libraries_at(${name} "$ORIGIN/../lib")
   install(TARGETS ${name} RUNTIME DESTINATION bin COMPONENT programs)
 endfunction()
 
 function(_handway_install_plugin name)
-  set_target_properties(${name} PROPERTIES INSTALL_RPATH "$ORIGIN/..")
+  _handway_find_libraries_at(${name} "$ORIGIN/..")
   install(TARGETS ${name} LIBRARY DESTINATION lib/handway-plugins COMPONENT plugins)
 endfunction()
 

@@ -6,11 +6,17 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
 #include <atomic>
 #include <cerrno>
+#include <charconv>
+#include <csignal>
 #include <cstring>
+#include <mutex>
+#include <set>
 #include <string>
 #include <system_error>
+#include <utility>
 
 namespace handway::geometric {
 namespace {
@@ -55,9 +61,53 @@ class Descriptor {
   int descriptor_;
 };
 
-std::string temporary_beside(const fs::path& file) {
+// Temporary files of this machine; on disks that several share, each knows its own.
+const std::string& start_of_name() {
+  static const std::string kStart = [] {
+    std::array<char, 256> host{};
+    ::gethostname(host.data(), host.size() - 1);
+    return ".handway-write-" + std::string(host.data()) + "-";
+  }();
+  return kStart;
+}
+
+std::string temporary_in(const fs::path& folder) {
   static std::atomic<unsigned> count = 0;
-  return file.string() + '.' + std::to_string(::getpid()) + '-' + std::to_string(++count) + ".tmp";
+  return (folder / (start_of_name() + std::to_string(::getpid()) + "-" + std::to_string(++count)))
+      .string();
+}
+
+// Was the file left by a program that has ended? Our own number then belonged to another program.
+bool is_leftover(const fs::directory_entry& file) {
+  const std::string name = file.path().filename().string();
+  std::error_code error;
+  if (!name.starts_with(start_of_name()) ||
+      file.symlink_status(error).type() != fs::file_type::regular) {
+    return false;
+  }
+  const char* end = name.data() + name.size();
+  pid_t program = 0;
+  const auto [rest, fault] = std::from_chars(name.data() + start_of_name().size(), end, program);
+  if (fault != std::errc() || rest == end || *rest != '-' || program <= 0) {
+    return false;
+  }
+  return program == ::getpid() || (::kill(program, 0) != 0 && errno == ESRCH);
+}
+
+// Removes what killed programs have left in a folder, before this program first writes there.
+void remove_leftovers(const fs::path& folder) {
+  static std::mutex mutex;
+  static std::set<std::pair<pid_t, fs::path>> seen;
+  const std::lock_guard lock(mutex);
+  if (!seen.emplace(::getpid(), folder).second) {
+    return;
+  }
+  std::error_code ignored;
+  for (const fs::directory_entry& file : fs::directory_iterator(folder, ignored)) {
+    if (is_leftover(file)) {
+      fs::remove(file.path(), ignored);
+    }
+  }
 }
 
 // Writes the new content and gives it the permissions of the old file, if there is one.
@@ -95,7 +145,9 @@ void replace_file(const fs::path& named, std::string_view content) {
       write_all(descriptor.get(), content);
       return;
     }
-    temporary = temporary_beside(file);
+    const fs::path folder = fs::absolute(file).parent_path();
+    remove_leftovers(folder);
+    temporary = temporary_in(folder);
     write_temporary(temporary, file, content);
     if (::rename(temporary.c_str(), file.c_str()) != 0) {
       throw errno;

@@ -6,9 +6,13 @@
 #include <boost/dll/runtime_symbol_info.hpp>
 #include <boost/dll/shared_library.hpp>
 #include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdlib>
+#include <cstring>
 #include <exception>
 #include <iterator>
 #include <stdexcept>
@@ -48,6 +52,25 @@ std::vector<fs::path> libraries_in(const fs::path& directory) {
   return files;
 }
 
+// A plugin may do whatever the program may: nobody else may have put it there.
+// @throws std::runtime_error saying who could have.
+void need_trusted(const fs::path& path) {
+  struct stat state {};
+  if (::stat(path.c_str(), &state) != 0) {
+    throw std::runtime_error(std::strerror(errno));
+  }
+  if (state.st_uid != 0 && state.st_uid != ::geteuid()) {
+    throw std::runtime_error(
+        fmt::format("{} belongs to another user ({}): only plugins of your own or of the system "
+                    "are loaded",
+                    path.string(), state.st_uid));
+  }
+  if ((state.st_mode & S_IWOTH) != 0) {
+    throw std::runtime_error(fmt::format(
+        "every user may write to {0}: take that right away (chmod o-w {0})", path.string()));
+  }
+}
+
 // The library's Plugin. @throws std::runtime_error saying why there is none.
 const Plugin& open_plugin(const fs::path& file) {
   shared_library library;
@@ -74,8 +97,19 @@ const Plugin& open_plugin(const fs::path& file) {
 }  // namespace
 
 void Extensions::load_plugins(const fs::path& directory) {
-  for (const fs::path& file : libraries_in(directory)) {
+  const std::vector<fs::path> files = libraries_in(directory);
+  if (files.empty()) {
+    return;
+  }
+  try {
+    need_trusted(directory);
+  } catch (const std::exception& error) {
+    refused_.push_back({directory, error.what()});
+    return;
+  }
+  for (const fs::path& file : files) {
     try {
+      need_trusted(file);
       add(open_plugin(file), file);
     } catch (const std::exception& error) {
       refused_.push_back({file, error.what()});

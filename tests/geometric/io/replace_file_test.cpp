@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <csignal>
@@ -41,6 +42,37 @@ TEST(ReplaceFile, KeepsPermissionsAndLinks) {
   EXPECT_TRUE(fs::is_symlink(files.folder() / "link.txt"));
   EXPECT_EQ(ScratchFiles::read(file), "two");
   EXPECT_EQ(fs::status(file).permissions(), fs::perms::owner_read | fs::perms::owner_write);
+}
+
+TEST(ReplaceFile, RemovesWhatKilledWritersHaveLeft) {
+  const ScratchFiles files;
+  const fs::path file = files.folder() / "a.txt";
+  // Killed by the kernel while it writes.
+  const pid_t writer = ::fork();
+  if (writer == 0) {
+    const rlimit small{1000, 1000};
+    ::setrlimit(RLIMIT_FSIZE, &small);
+    replace_file(file, std::string(5000, 'x'));
+    ::_exit(0);
+  }
+  int status = 0;
+  ASSERT_EQ(::waitpid(writer, &status, 0), writer);
+  ASSERT_TRUE(WIFSIGNALED(status));
+  ASSERT_EQ(file_count(files.folder()), 1) << "the test needs a leftover";
+  const fs::path left = fs::directory_iterator(files.folder())->path();
+
+  // One of a program that still runs, and a file of the user's that looks alike.
+  std::string name = left.filename().string();
+  name.replace(name.find(std::to_string(writer)), std::to_string(writer).size(),
+               std::to_string(::getppid()));
+  files.write(name, "being written");
+  files.write(".handway-write-notes-1", "mine");
+
+  replace_file(file, "whole");
+  EXPECT_FALSE(fs::exists(left));
+  EXPECT_EQ(ScratchFiles::read(file), "whole");
+  EXPECT_EQ(ScratchFiles::read(files.folder() / name), "being written");
+  EXPECT_EQ(ScratchFiles::read(files.folder() / ".handway-write-notes-1"), "mine");
 }
 
 TEST(ReplaceFile, LeavesTheOldFileWhenTheDiskIsFull) {

@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cstdlib>
 #include <fstream>
@@ -86,6 +87,43 @@ TEST(Extensions, PassOverFoldersThatAreMissingAndOtherFiles) {
   extensions.load_plugins(scratch.path());
   extensions.load_plugins(scratch.path() / "absent");
   EXPECT_THAT(extensions.refused(), IsEmpty());
+}
+
+/// A copy of a plugin, whose rights a test may change.
+class PluginsOfOthers : public testing::Test {
+ protected:
+  PluginsOfOthers() {
+    std::filesystem::copy(kTestPlugins / "greeting" / "test_plugin_greeting.so", file_);
+  }
+
+  test::ScratchFolder scratch_;
+  std::filesystem::path file_ = scratch_.path() / "greeting.so";
+};
+
+TEST_F(PluginsOfOthers, AreRefusedInAFolderThatEveryoneMayWriteTo) {
+  std::filesystem::permissions(scratch_.path(), std::filesystem::perms::others_write,
+                               std::filesystem::perm_options::add);
+  EXPECT_EQ(reason_of_refusal(scratch_.path()),
+            "every user may write to " + scratch_.path().string() +
+                ": take that right away (chmod o-w " + scratch_.path().string() + ")");
+}
+
+TEST_F(PluginsOfOthers, AreRefusedIfEveryoneMayWriteToTheFile) {
+  std::filesystem::permissions(file_, std::filesystem::perms::others_write,
+                               std::filesystem::perm_options::add);
+  EXPECT_THAT(reason_of_refusal(scratch_.path()),
+              HasSubstr("every user may write to " + file_.string()));
+}
+
+TEST_F(PluginsOfOthers, AreRefusedIfTheyBelongToAnotherUser) {
+  constexpr uid_t kNobody = 65534;
+  if (::chown(file_.c_str(), kNobody, kNobody) != 0) {
+    GTEST_SKIP() << "only root can give a file to another user";
+  }
+  EXPECT_THAT(reason_of_refusal(scratch_.path()), HasSubstr("belongs to another user (65534)"));
+  ASSERT_EQ(::chown(scratch_.path().c_str(), kNobody, kNobody), 0);
+  EXPECT_THAT(reason_of_refusal(scratch_.path()),
+              HasSubstr(scratch_.path().string() + " belongs to another user"));
 }
 
 TEST(Extensions, TakeThePluginsOfTheProject) {
