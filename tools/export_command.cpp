@@ -17,6 +17,7 @@ struct ExportChoice {
   TimingChoice timing;
   std::string to;
   std::filesystem::path out;
+  planning::ExportOptions options;
 };
 
 int run_export(ExportChoice choice) {
@@ -27,7 +28,7 @@ int run_export(ExportChoice choice) {
   const planning::TimedPath timed = run_timing(choice.timing, extensions);
   std::vector<std::filesystem::path> written;
   if (timed.cleared()) {
-    written = exporter.write(timed.motion, choice.out);
+    written = exporter.write(timed.motion, choice.out, choice.options);
   }
   print_timing(timed);
   for (const std::filesystem::path& file : written) {
@@ -45,6 +46,8 @@ void add_export_command(CLI::App& app, int& exit_code) {
   command->add_option("--to", choice->to, "Format: csv, split, val3, ros, moveit or a plugin's")
       ->required();
   command->add_option("--out", choice->out, "Folder to write to")->required();
+  command->add_flag("--any-robot", choice->options.any_robot,
+                    "Export though the format does not seem to be for this robot");
   command->callback([choice, &exit_code] { exit_code = run_export(*choice); });
 }
 

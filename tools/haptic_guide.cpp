@@ -143,6 +143,11 @@ int guide(const GuideChoice& choice) {
   const planning::RateLimits limits = choice.timing.limits.empty()
                                           ? planning::rate_limits(model)
                                           : planning::read_rate_limits(model, choice.timing.limits);
+  std::vector<planning::AssumedLimit> assumed = limits.assumed;
+  std::erase_if(assumed, [](const auto& one) { return one.rate != planning::Rate::kVelocity; });
+  for (const std::string& line : assumption_lines(assumed)) {
+    fmt::print("{}\n", line);
+  }
   check_path_is_free(input);
   device::ForceGuideSettings settings = choice.guide;
   settings.tube = kMillimetre * choice.tube_mm;

@@ -12,6 +12,7 @@ namespace handway::gui {
 namespace {
 
 constexpr std::size_t kMostFaults = 4;
+constexpr std::size_t kMostJoints = 4;
 
 QString tr(const char* text) { return QObject::tr(text); }
 
@@ -54,6 +55,9 @@ QString motion_text(const planning::TimedPath& motion) {
   add(tr("Clearance %1 mm (%2)")
           .arg(report.min_clearance_mm, 0, 'f', 2)
           .arg(QString::fromStdString(report.closest_pair)));
+  for (const std::string& line : planning::assumption_lines(report.assumed, kMostJoints)) {
+    add(QString::fromStdString(line).toHtmlEscaped());
+  }
   return text;
 }
 

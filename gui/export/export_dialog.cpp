@@ -52,6 +52,7 @@ ExportDialog::ExportDialog(std::shared_ptr<const planning::Extensions> extension
       period_(make_number(0.1, 1000.0, planning::TimingOptions{}.period / kMilli, 1, tr(" ms"))),
       arcs_(new QCheckBox(tr("Round the corners"))),
       deviation_(make_number(0.001, 10.0, planning::BlendOptions{}.deviation, 3, tr(" rad"))),
+      any_robot_(new QCheckBox(tr("Any robot"))),
       preview_(new MotionPreview),
       folder_(new QLineEdit(QDir::homePath())),
       export_button_(new QPushButton(tr("Export"))),
@@ -74,9 +75,11 @@ ExportDialog::ExportDialog(std::shared_ptr<const planning::Extensions> extension
   connect(&timing_, &TimingRunner::timed, this,
           [this](const std::shared_ptr<const planning::TimedPath>& motion) {
             motion_ = motion;
+            any_robot_->setVisible(
+                !extensions_->exporter(format()).robot_objection(motion->motion).empty());
             preview_->show_motion(*motion);
             if (motion->cleared()) {
-              export_.prepare(format(), motion);
+              export_.prepare(format(), motion, options());
             }
           });
   connect(&timing_, &TimingRunner::failed, this, &ExportDialog::show_problem);
@@ -122,6 +125,10 @@ QWidget* ExportDialog::make_settings() {
   form->addRow(tr("Period"), period_);
   form->addRow(QString(), arcs_);
   form->addRow(tr("Deviation"), deviation_);
+  any_robot_->setObjectName(QStringLiteral("export_any_robot"));
+  any_robot_->setToolTip(tr("Export though the format does not seem to be for this robot"));
+  any_robot_->hide();
+  form->addRow(QString(), any_robot_);
   auto* box = new QWidget;
   box->setFixedWidth(kSettingsWidth);
   auto* layout = new QVBoxLayout(box);
@@ -136,6 +143,7 @@ QWidget* ExportDialog::make_settings() {
   connect(formats_, &QListWidget::currentRowChanged, this, settle);
   connect(name_, &QLineEdit::textEdited, this, settle);
   connect(arcs_, &QCheckBox::toggled, this, settle);
+  connect(any_robot_, &QCheckBox::toggled, this, settle);
   for (QDoubleSpinBox* field : {speed_, period_, deviation_}) {
     connect(field, qOverload<double>(&QDoubleSpinBox::valueChanged), this, settle);
   }
@@ -217,9 +225,11 @@ void ExportDialog::time_again() {
 void ExportDialog::export_now() {
   if (motion_ && motion_->cleared()) {
     setEnabled(false);  // what is written now is what was seen
-    export_.write(format(), motion_, folder_->text().toStdString());
+    export_.write(format(), motion_, folder_->text().toStdString(), options());
   }
 }
+
+planning::ExportOptions ExportDialog::options() const { return {any_robot_->isChecked()}; }
 
 void ExportDialog::show_problem(const QString& message) {
   problem_text_->setText(QStringLiteral("<span style=\"color:%1\">%2</span>")

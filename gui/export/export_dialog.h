@@ -41,6 +41,7 @@ class ExportDialog : public QDialog {
   [[nodiscard]] std::string format() const;
   void time_again();
   void export_now();
+  [[nodiscard]] planning::ExportOptions options() const;
   void show_problem(const QString& message);
 
   std::shared_ptr<const planning::Extensions> extensions_;
@@ -56,6 +57,7 @@ class ExportDialog : public QDialog {
   QDoubleSpinBox* period_;
   QCheckBox* arcs_;
   QDoubleSpinBox* deviation_;
+  QCheckBox* any_robot_;  ///< Shown where the format objects to the robot.
   MotionPreview* preview_;
   QLineEdit* folder_;
   QPushButton* export_button_;

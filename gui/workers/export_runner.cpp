@@ -22,20 +22,21 @@ void ExportRunner::run(std::function<LatestJob::Answer()> work) {
 }
 
 void ExportRunner::prepare(const std::string& format,
-                           std::shared_ptr<const planning::TimedPath> motion) {
-  run([this, &exporter = extensions_->exporter(format), motion = std::move(motion)] {
-    const auto files = std::make_shared<const Files>(exporter.files(motion->motion));
+                           std::shared_ptr<const planning::TimedPath> motion,
+                           const planning::ExportOptions& options) {
+  run([this, &exporter = extensions_->exporter(format), motion = std::move(motion), options] {
+    const auto files = std::make_shared<const Files>(exporter.files(motion->motion, options));
     return [this, files] { emit prepared(files); };
   });
 }
 
 void ExportRunner::write(const std::string& format,
                          std::shared_ptr<const planning::TimedPath> motion,
-                         std::filesystem::path folder) {
+                         std::filesystem::path folder, const planning::ExportOptions& options) {
   run([this, &exporter = extensions_->exporter(format), motion = std::move(motion),
-       folder = std::move(folder)] {
+       folder = std::move(folder), options] {
     QStringList files;
-    for (const std::filesystem::path& file : exporter.write(motion->motion, folder)) {
+    for (const std::filesystem::path& file : exporter.write(motion->motion, folder, options)) {
       files << QString::fromStdString(file.string());
     }
     return [this, files] { emit written(files); };

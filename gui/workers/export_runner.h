@@ -25,10 +25,11 @@ class ExportRunner : public QObject {
 
   /// Makes the files; prepared() or failed() follows.
   /// @param format name of an exporter. @pre the motion is cleared().
-  void prepare(const std::string& format, std::shared_ptr<const planning::TimedPath> motion);
+  void prepare(const std::string& format, std::shared_ptr<const planning::TimedPath> motion,
+               const planning::ExportOptions& options);
   /// Writes them; written() or failed() follows.
   void write(const std::string& format, std::shared_ptr<const planning::TimedPath> motion,
-             std::filesystem::path folder);
+             std::filesystem::path folder, const planning::ExportOptions& options);
   /// No answer is wanted any more.
   void forget() { job_.cancel(); }
 

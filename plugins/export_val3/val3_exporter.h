@@ -15,6 +15,9 @@ class Val3Exporter final : public planning::Exporter {
     return "a VAL3 application for the arm, stopping at every waypoint";
   }
   [[nodiscard]] bool stops_at_waypoints() const override { return true; }
+  /// Objects to arms that are no Staeubli's by the name of the robot, its file or the arm's links:
+  /// VAL3's joint points are angles of the controller's own arm.
+  [[nodiscard]] std::string robot_objection(const planning::Motion& motion) const override;
 
  private:
   [[nodiscard]] std::vector<planning::ExportedFile> do_export(

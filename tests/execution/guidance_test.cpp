@@ -79,8 +79,7 @@ class FakeHandle final : public device::HapticDevice {
   [[nodiscard]] device::HapticAbilities do_connect(const std::stop_token& /*stop*/) override {
     return {3.3, {0.1, 0.1, 0.1}};
   }
-  [[nodiscard]] std::optional<device::HapticSample> do_read(
-      std::chrono::milliseconds /*timeout*/) override {
+  [[nodiscard]] Reading do_read(std::chrono::milliseconds /*timeout*/) override {
     if (throws_in == "read" && applied > 3) {
       throw std::runtime_error("read went wrong");
     }
@@ -88,7 +87,7 @@ class FakeHandle final : public device::HapticDevice {
     sample.time = 0.002 * ++reads_;
     sample.position = reads_ > 1 ? Eigen::Vector3d(0.05, 0.05, 0.05) : Eigen::Vector3d::Zero();
     sample.button = true;
-    return sample;
+    return {sample};
   }
   void do_apply(const Eigen::Vector3d& wanted) override {
     if (throws_in == "apply" && applied == 5) {

@@ -215,7 +215,8 @@ class FakeDevice final : public device::MotionLink {
     }
   }
   void do_connect(const std::stop_token& /*stop*/) override {}
-  void do_upload(const device::JointTrajectory& /*trajectory*/) override {}
+  void do_upload(const device::JointTrajectory& /*trajectory*/,
+                 const std::stop_token& /*stop*/) override {}
   void do_start() override {
     moves_ = true;
     throw_in("start");
@@ -236,7 +237,7 @@ class FakeDevice final : public device::MotionLink {
     std::this_thread::sleep_for(stop_takes);
     moves_ = false;
   }
-  void do_update(double time) override {
+  [[nodiscard]] bool do_update(double time) override {
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
     if (moves_) {
       position_ = trajectory().at(time);
@@ -245,6 +246,7 @@ class FakeDevice final : public device::MotionLink {
     if (moves_ && time > 0.2) {
       throw_in("update");
     }
+    return true;
   }
 
   bool moves_ = false;

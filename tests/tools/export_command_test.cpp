@@ -18,6 +18,7 @@ namespace fs = std::filesystem;
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 using testing::StartsWith;
 
 class Export : public testing::Test {
@@ -54,6 +55,36 @@ TEST_F(Export, SaysHowLongAPathTakes) {
   };
   EXPECT_LE(seconds("fast.json"), seconds("stops.json"));
   EXPECT_NEAR(seconds("slow.json"), 2.0 * seconds("fast.json"), 0.02);
+}
+
+TEST_F(Export, NamesLimitsThatWereAssumed) {
+  const auto velocities_and_accelerations =
+      AllOf(HasSubstr("assumed velocity limits"), HasSubstr("assumed acceleration limits"),
+            HasSubstr("shoulder, elbow, thumb, left, right"), Not(HasSubstr("jerk")));
+  const Outcome time = line_.run("time path.csv --scene post.yaml --report report.json");
+  EXPECT_THAT(time.out, velocities_and_accelerations);
+  const auto report = nlohmann::json::parse(line_.read("report.json"));
+  ASSERT_EQ(report["assumed_limits"].size(), 10U);
+  EXPECT_EQ(report["assumed_limits"][0],
+            (nlohmann::json{{"joint", "shoulder"}, {"limit", "velocity"}, {"value", 1.0}}));
+  EXPECT_EQ(report["assumed_limits"][5],
+            (nlohmann::json{{"joint", "shoulder"}, {"limit", "acceleration"}, {"value", 4.0}}));
+  EXPECT_THAT(line_.run("export path.csv --scene post.yaml --to csv --out out").out,
+              velocities_and_accelerations);
+  EXPECT_THAT(line_.run("time path.csv --scene post.yaml --jerk").out,
+              HasSubstr("assumed jerk limits"));
+}
+
+TEST_F(Export, RefusesLimitsOfAJointThatTheRobotHasNot) {
+  line_.write("limits.yaml", "joint_limits:\n  sholder:\n    max_velocity: 0.1\n");
+  for (const char* command : {"time path.csv --scene post.yaml",
+                              "export path.csv --scene post.yaml --to csv --out out"}) {
+    const Outcome done = line_.run(std::string(command) + " --limits limits.yaml");
+    EXPECT_EQ(done.exit_code, 3) << command;
+    EXPECT_THAT(done.err, AllOf(HasSubstr("limits.yaml:"), HasSubstr("joint_limits.sholder"),
+                                HasSubstr("The nearest are shoulder")));
+  }
+  EXPECT_FALSE(fs::exists(line_.folder() / "out"));
 }
 
 TEST_F(Export, KeepsLimitsOfAFile) {

@@ -1,16 +1,19 @@
 /// `handway send` on emulated devices: whole paths, every fault, and stops.
 #include "background_process.h"
 #include "command_line.h"
+#include "handway_test/flooding_proxy.h"
 #include "sent_path.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace handway::test {
@@ -101,8 +104,9 @@ TEST_F(Send, MovesNothingWithoutYes) {
   emulate({}, {});
   const Outcome done = line_.run(send(""));
   EXPECT_EQ(done.exit_code, 2);
-  EXPECT_THAT(done.out, AllOf(HasSubstr("cleared"), HasSubstr("6 joints"), HasSubstr("13 joints"),
-                              Not(HasSubstr("done"))));
+  EXPECT_THAT(done.out,
+              AllOf(HasSubstr("cleared"), HasSubstr("assumed acceleration limits"),
+                    HasSubstr("6 joints"), HasSubstr("13 joints"), Not(HasSubstr("done"))));
   EXPECT_THAT(done.err, HasSubstr("--yes"));
   EXPECT_FALSE(std::filesystem::exists(line_.folder() / "log.csv"));
   const Outcome then = line_.run(send("--yes --speed 0.5"));
@@ -140,6 +144,55 @@ TEST_F(Send, StopsOnRequestWithinATenthOfASecond) {
   EXPECT_LT(number_after(stopped, "told to stop within"), 100.0) << stopped;
   EXPECT_LT(number_after(stopped, "at rest"), 1000.0) << stopped;
   EXPECT_GT(log_rows().size(), 60U);
+}
+
+/// Sending to the arm, and to the hand through a proxy that can flood.
+class SendToAFloodingHand : public Send {
+ protected:
+  void SetUp() override {
+    Send::SetUp();
+    emulate({}, {});
+    const std::size_t hand = targets_.find(',') + 1;
+    proxy_ = std::make_unique<FloodingProxy>(port_of(targets_.substr(hand)));
+    targets_ = targets_.substr(0, hand) + "hand://localhost:" + std::to_string(proxy_->port());
+  }
+  [[nodiscard]] BackgroundProcess start() const {
+    return BackgroundProcess({"send", (line_.folder() / "path.csv").string(), "--scene", scene(),
+                              "--to", targets_, "--yes"});
+  }
+  /// Interrupts it. @returns how long it goes on, s.
+  static double interrupt(BackgroundProcess& sending) {
+    const auto begin = std::chrono::steady_clock::now();
+    sending.send(SIGINT);
+    EXPECT_NE(sending.wait(), -1);
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  }
+
+  std::unique_ptr<FloodingProxy> proxy_;
+};
+
+TEST_F(SendToAFloodingHand, EndsOnRequestUnderWay) {
+  BackgroundProcess sending = start();
+  std::string line = "-";
+  while (!line.empty() && line.find("0.5 of") == std::string::npos) {
+    line = sending.read_line();
+  }
+  ASSERT_THAT(line, HasSubstr("arm up to"));
+  proxy_->flood();
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  EXPECT_LT(interrupt(sending), 2.0) << "at most 1.5 s until the devices are seen at rest";
+  EXPECT_GT(proxy_->flooded(), 1000000U);
+}
+
+TEST_F(SendToAFloodingHand, EndsOnRequestBeforeItIsConnected) {
+  proxy_->flood("\n");
+  BackgroundProcess sending = start();
+  const auto begin = std::chrono::steady_clock::now();
+  while (proxy_->flooded() == 0 &&
+         std::chrono::steady_clock::now() - begin < std::chrono::seconds(10)) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  EXPECT_LT(interrupt(sending), 1.0);
 }
 
 TEST_F(Send, RefusesTargetsThatMakeNoSense) {

@@ -91,14 +91,17 @@ std::vector<std::uint8_t> encode(const SimpleMessage& message) {
 }
 
 void SimpleMessageParser::add(std::span<const std::uint8_t> bytes) {
+  bytes_.erase(bytes_.begin(), bytes_.begin() + static_cast<std::ptrdiff_t>(begin_));
+  begin_ = 0;
   bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
 }
 
 std::optional<SimpleMessage> SimpleMessageParser::next() {
-  if (bytes_.size() < kWord + kHeader) {
+  const auto rest = std::span<const std::uint8_t>(bytes_).subspan(begin_);
+  if (rest.size() < kWord + kHeader) {
     return std::nullopt;
   }
-  Reader in(bytes_);
+  Reader in(rest);
   const std::int32_t length = in.integer();
   const std::int32_t type = in.integer();
   const std::int32_t kind = in.integer();
@@ -112,7 +115,7 @@ std::optional<SimpleMessage> SimpleMessageParser::next() {
     throw SimpleMessageError(
         fmt::format("a message of the unknown kind {} with reply code {}", kind, reply));
   }
-  if (bytes_.size() < kWord + expected) {
+  if (rest.size() < kWord + expected) {
     return std::nullopt;
   }
   SimpleMessage message;
@@ -136,7 +139,7 @@ std::optional<SimpleMessage> SimpleMessageParser::next() {
       message.duration = in.number();
     }
   }
-  bytes_.erase(bytes_.begin(), bytes_.begin() + static_cast<std::ptrdiff_t>(kWord + expected));
+  begin_ += kWord + expected;
   return message;
 }
 

@@ -1,5 +1,6 @@
 #include "handway/device/arm/val3_arm.h"
 
+#include "core/bounded_read.h"
 #include "core/links.h"
 #include "handway/device/arm/simple_message.h"
 #include "handway/device/core/device_error.h"
@@ -8,8 +9,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <optional>
+#include <span>
 #include <stdexcept>
 
 namespace handway::device {
@@ -27,13 +28,15 @@ constexpr double kFullMargin = 0.05;
 constexpr milliseconds kTryAgain{10};
 constexpr std::size_t kQueue = 10;
 
-void read_all(ByteLink& link, SimpleMessageParser& parser) {
-  std::array<std::uint8_t, 4096> bytes{};
-  std::size_t count = bytes.size();
-  while (count == bytes.size()) {
-    count = link.read(bytes, milliseconds(1));
-    parser.add(std::span(bytes).first(count));
-  }
+/// Hands what has come to `take`, message by message. @returns as read_turn().
+template <typename Take>
+bool read_messages(ByteLink& link, SimpleMessageParser& parser, const Take& take) {
+  return read_turn(link, milliseconds(1), [&](std::span<const std::uint8_t> bytes) {
+    parser.add(bytes);
+    while (const auto message = parser.next()) {
+      take(*message);
+    }
+  });
 }
 
 }  // namespace
@@ -56,7 +59,9 @@ struct Val3Arm::Wire {
   Clock::time_point try_again;                     ///< After a full queue.
   std::size_t released = 0;  ///< Points that may be sent: fewer while it holds.
 
-  void send(const SimpleMessage& message) const { motion->write(encode(message)); }
+  void send(const SimpleMessage& message) const {
+    motion->write(encode(message), ByteLink::kLongestCommand);
+  }
 };
 
 Val3Arm::Val3Arm(std::string name, std::string host, std::uint16_t port, JointRanges joints)
@@ -82,7 +87,7 @@ void Val3Arm::do_connect(const std::stop_token& stop) {
   wire_->status.reset();
 }
 
-void Val3Arm::do_upload(const JointTrajectory& trajectory) {
+void Val3Arm::do_upload(const JointTrajectory& trajectory, const std::stop_token& /*stop*/) {
   wire_->points = val3_points(trajectory, joints());
   wire_->accepted = 0;
 }
@@ -90,7 +95,7 @@ void Val3Arm::do_upload(const JointTrajectory& trajectory) {
 void Val3Arm::do_start() {
   const auto begin = Clock::now();
   while (!wire_->status && Clock::now() - begin < kLongestReply) {
-    do_update(0.0);
+    static_cast<void>(do_update(0.0));
   }
   const auto obstacle =
       wire_->status ? obstacle_to_start(*wire_->status)
@@ -131,12 +136,16 @@ void Val3Arm::do_stop() {
   wire_->send(stop);
 }
 
-void Val3Arm::do_update(double time) {
-  read_feedback();
-  read_replies();
-  if (!wire_->running) {
-    return;
+bool Val3Arm::do_update(double time) {
+  const bool all_feedback = read_feedback();
+  const bool all_replies = read_replies();
+  if (wire_->running) {
+    send_due_point(time);
   }
+  return all_feedback && all_replies;
+}
+
+void Val3Arm::send_due_point(double time) {
   const auto now = Clock::now();
   if (wire_->asked && now - wire_->asked_at > kLongestReply) {
     refuse(fmt::format("no answer to point {}", wire_->accepted + 1),
@@ -151,26 +160,27 @@ void Val3Arm::do_update(double time) {
   }
 }
 
-void Val3Arm::read_feedback() {
-  read_all(*wire_->state, wire_->feedback);
+bool Val3Arm::read_feedback() {
+  bool all = true;
   try {
-    while (const auto message = wire_->feedback.next()) {
-      if (message->type == SimpleMessageType::kJointPosition) {
+    all = read_messages(*wire_->state, wire_->feedback, [this](const SimpleMessage& message) {
+      if (message.type == SimpleMessageType::kJointPosition) {
         Eigen::VectorXd position(joints().count());
         for (Eigen::Index j = 0; j < position.size(); ++j) {
-          position[j] = static_cast<double>(message->joints[static_cast<std::size_t>(j)]);
+          position[j] = static_cast<double>(message.joints[static_cast<std::size_t>(j)]);
         }
         add_sample(position);
-      } else if (message->type == SimpleMessageType::kStatus) {
-        wire_->status = message->status;
+      } else if (message.type == SimpleMessageType::kStatus) {
+        wire_->status = message.status;
       }
-    }
+    });
   } catch (const SimpleMessageError& error) {
     refuse(error.what(), "a VAL3 server's positions and status", "Look whether the port is right.");
   }
   if (wire_->running && wire_->status) {
     look_at_status();
   }
+  return all;
 }
 
 void Val3Arm::look_at_status() const {
@@ -179,15 +189,14 @@ void Val3Arm::look_at_status() const {
   }
 }
 
-void Val3Arm::read_replies() {
-  read_all(*wire_->motion, wire_->replies);
+bool Val3Arm::read_replies() {
   try {
-    while (const auto message = wire_->replies.next()) {
-      if (wire_->asked && message->kind == SimpleMessageKind::kReply &&
-          message->sequence == wire_->points[wire_->accepted].message.sequence) {
-        take_reply(message->reply == SimpleMessageReply::kSuccess);
+    return read_messages(*wire_->motion, wire_->replies, [this](const SimpleMessage& message) {
+      if (wire_->asked && message.kind == SimpleMessageKind::kReply &&
+          message.sequence == wire_->points[wire_->accepted].message.sequence) {
+        take_reply(message.reply == SimpleMessageReply::kSuccess);
       }
-    }
+    });
   } catch (const SimpleMessageError& error) {
     refuse(error.what(), "a VAL3 server's answer", "Look whether the port is right.");
   }

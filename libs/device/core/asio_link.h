@@ -57,12 +57,12 @@ class AsioLink : public ByteLink {
     return count;
   }
 
-  void do_write(std::span<const std::uint8_t> bytes) override {
+  void do_write(std::span<const std::uint8_t> bytes, std::chrono::milliseconds timeout) override {
     boost::system::error_code error;
     boost::asio::async_write(
         stream_, boost::asio::buffer(bytes.data(), bytes.size()),
         [&](const boost::system::error_code& result, std::size_t) { error = result; });
-    run(std::chrono::seconds(1));
+    run(timeout);
     if (error == boost::asio::error::operation_aborted) {
       throw DeviceError({name(), "", "a device that takes no more bytes", "one that reads them",
                          "Switch it off and on again."});

@@ -14,9 +14,9 @@ std::size_t ByteLink::read(std::span<std::uint8_t> bytes, std::chrono::milliseco
   return do_read(bytes, std::max(timeout, std::chrono::milliseconds(0)));
 }
 
-void ByteLink::write(std::span<const std::uint8_t> bytes) {
+void ByteLink::write(std::span<const std::uint8_t> bytes, std::chrono::milliseconds timeout) {
   if (!bytes.empty()) {
-    do_write(bytes);
+    do_write(bytes, timeout);
   }
 }
 

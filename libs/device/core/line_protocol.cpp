@@ -10,6 +10,9 @@ namespace handway::device {
 namespace {
 
 constexpr std::size_t kLongestLine = 4096;
+constexpr std::size_t kLongestQuote = 160;
+
+bool is_printable(char c) { return c >= ' ' && c <= '~'; }
 
 }  // namespace
 
@@ -30,25 +33,34 @@ double number_of(std::string_view word) {
   const char* end = word.data() + word.size();
   const auto [stop, error] = std::from_chars(word.data(), end, value);
   if (error != std::errc() || stop != end || !std::isfinite(value)) {
-    throw LineProtocolError(fmt::format("\"{}\" is no number", word));
+    throw LineProtocolError(fmt::format("{} is no number", quote(word)));
   }
   return value;
 }
 
+std::string quote(std::string_view text) {
+  std::string shown(text.substr(0, kLongestQuote));
+  std::ranges::replace_if(
+      shown, [](char c) { return !is_printable(c); }, '?');
+  return fmt::format("\"{}{}\"", shown, text.size() > kLongestQuote ? "..." : "");
+}
+
 void LineBuffer::add(std::span<const std::uint8_t> bytes) {
+  text_.erase(0, begin_);
+  begin_ = 0;
   text_.append(bytes.begin(), bytes.end());
 }
 
 std::optional<std::string> LineBuffer::next() {
-  const std::size_t end = text_.find('\n');
-  if (std::min(end, text_.size()) > kLongestLine) {
-    throw LineProtocolError("a line without an end");
+  const std::size_t end = text_.find('\n', begin_);
+  if (std::min(end, text_.size()) - begin_ > kLongestLine) {
+    throw LineProtocolError(fmt::format("a line of more than {} characters", kLongestLine));
   }
   if (end == std::string::npos) {
     return std::nullopt;
   }
-  std::string line = text_.substr(0, end);
-  text_.erase(0, end + 1);
+  std::string line = text_.substr(begin_, end - begin_);
+  begin_ = end + 1;
   if (line.ends_with('\r')) {
     line.pop_back();
   }

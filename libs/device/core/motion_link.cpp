@@ -19,6 +19,8 @@ using std::chrono::milliseconds;
 // Devices tell their positions every 10 or 20 ms.
 constexpr milliseconds kLongestSilence{250};
 constexpr milliseconds kFirstPosition{3000};
+// So long it may take to read what came while nobody did: megabytes, from a sane device.
+constexpr milliseconds kLongestBacklog{500};
 // How long after its time a motion may still be arriving, s.
 constexpr double kLatestArrival = 2.0;
 
@@ -47,21 +49,34 @@ void MotionLink::connect(const std::stop_token& stop) {
   connected_ = false;
   phase_ = MotionPhase::kIdle;
   measured_ = {};
+  backlog_ = {};
   do_connect(stop);
   const auto begin = Clock::now();
-  while (measured_.samples == 0) {
+  while (measured_.samples == 0 || backlog_.any()) {
     if (Clock::now() - begin > kFirstPosition || stop.stop_requested()) {
       refuse("no joint positions", "a controller that tells where its joints are",
              "Look whether its program is running.");
     }
-    do_update(0.0);
+    take_turn(0.0);
     std::this_thread::sleep_for(milliseconds(1));
   }
   silence_.heard(Clock::now());
   connected_ = true;
 }
 
-void MotionLink::upload(const JointTrajectory& trajectory) {
+// One bounded piece of what the device sends.
+void MotionLink::take_turn(double time) {
+  const bool all = do_update(time);
+  const auto now = Clock::now();
+  backlog_.turn(all, now);
+  if (backlog_.lasted(now) > kLongestBacklog) {
+    refuse(fmt::format("more messages than can be read, for {} ms", kLongestBacklog.count()),
+           "joint positions every 10 or 20 ms",
+           "What it says is old by the time it is read: look at its program.");
+  }
+}
+
+void MotionLink::upload(const JointTrajectory& trajectory, const std::stop_token& stop) {
   if (!connected_) {
     refuse("no connection", "one that is made", "Connect again.");
   }
@@ -69,7 +84,11 @@ void MotionLink::upload(const JointTrajectory& trajectory) {
     refuse("a motion under way", "a device at rest", "Stop it first.");
   }
   check_trajectory(trajectory, joints_);
-  do_upload(trajectory);
+  // Where the device stands has to be where it is now, whatever came while nobody read.
+  do {
+    take_turn(0.0);
+  } while (backlog_.any() && !stop.stop_requested());
+  do_upload(trajectory, stop);
   trajectory_ = trajectory;
   phase_ = MotionPhase::kReady;
   fault_.clear();
@@ -180,7 +199,7 @@ void MotionLink::update() {
     return;
   }
   try {
-    do_update(motion_time(Clock::now()));
+    take_turn(motion_time(Clock::now()));
     if (silence_.listened(Clock::now()) > kLongestSilence) {
       refuse(fmt::format("no joint positions for {} ms", kLongestSilence.count()),
              "one every 20 ms or more often", "Look at the network and at the controller.");

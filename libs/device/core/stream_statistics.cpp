@@ -8,7 +8,9 @@ namespace handway::device {
 
 namespace {
 
-constexpr double kWindow = 1.0;          // s
+constexpr double kWindow = 1.0;  // s
+// More than any device sends within the window, unless it sends without pause.
+constexpr std::size_t kMostRecent = 10000;
 constexpr double kDropoutPeriods = 3.5;  // Less is what a busy computer does to any stream.
 
 }  // namespace
@@ -31,7 +33,7 @@ void StreamStatisticsCounter::frame(double time, double handled) {
   last_time_ = time;
   ++statistics_.frames;
   recent_.push_back({time, std::max(handled - time, 0.0)});
-  while (recent_.front().time < time - kWindow) {
+  while (recent_.front().time < time - kWindow || recent_.size() > kMostRecent) {
     recent_.pop_front();
   }
 }

@@ -1,5 +1,6 @@
 #include "web_socket_link.h"
 
+#include "bounded_read.h"
 #include "handway/device/core/device_error.h"
 
 #include <boost/asio/connect.hpp>
@@ -9,7 +10,8 @@
 #include <boost/beast/core/flat_buffer.hpp>
 #include <boost/beast/websocket.hpp>
 
-#include <deque>
+#include <algorithm>
+#include <utility>
 
 namespace handway::device {
 
@@ -23,9 +25,8 @@ using std::chrono::milliseconds;
 using Clock = std::chrono::steady_clock;
 
 constexpr milliseconds kConnectTimeout{2000};
-constexpr milliseconds kSendTimeout{1000};
 constexpr milliseconds kStopPeriod{50};
-constexpr std::size_t kLongestMessage = 1U << 22U;
+constexpr std::size_t kLongestMessage = std::size_t{256} * 1024;
 
 }  // namespace
 
@@ -39,8 +40,8 @@ struct WebSocketLink::Stream {
   asio::io_context context{1};
   websocket::stream<tcp::socket> socket;
   boost::beast::flat_buffer incoming;
-  std::deque<std::string> received;
-  error_code broken;  ///< Why nothing more will come.
+  std::optional<std::string> received;  ///< And not yet taken: nothing is read meanwhile.
+  error_code broken;                    ///< Why nothing more will come.
 
   // Handlers refer to this: none may be left.
   void abandon() {
@@ -56,6 +57,10 @@ struct WebSocketLink::Stream {
   }
 
   [[noreturn]] void lost() const {
+    if (broken == websocket::error::message_too_big) {
+      throw DeviceError({name, "", "a message of more than 256 KiB", "shorter ones",
+                         "Look whether the port is right."});
+    }
     throw DeviceError({name, "", "the connection broke: " + broken.message(),
                        "a device that stays connected",
                        "Look whether it is switched on and plugged in."});
@@ -86,9 +91,8 @@ struct WebSocketLink::Stream {
         broken = error;
         return;
       }
-      received.push_back(boost::beast::buffers_to_string(incoming.data()));
+      received = boost::beast::buffers_to_string(incoming.data());
       incoming.clear();
-      read_next();
     });
   }
 };
@@ -117,14 +121,14 @@ WebSocketLink::WebSocketLink(std::string name, const TcpAddress& address,
 
 WebSocketLink::~WebSocketLink() = default;
 
-void WebSocketLink::send(std::string text) {
+void WebSocketLink::send(std::string text, milliseconds timeout) {
   if (stream_->broken) {
     stream_->lost();
   }
   error_code result = asio::error::would_block;
   stream_->socket.async_write(asio::buffer(text),
                               [&result](const error_code& error, std::size_t) { result = error; });
-  const auto deadline = Clock::now() + kSendTimeout;
+  const auto deadline = Clock::now() + timeout;
   stream_->context.restart();
   while (result == asio::error::would_block && Clock::now() < deadline) {
     stream_->context.run_one_until(deadline);
@@ -142,19 +146,27 @@ void WebSocketLink::send(std::string text) {
 
 std::optional<std::string> WebSocketLink::receive(milliseconds timeout) {
   const auto deadline = Clock::now() + timeout;
+  const auto latest = std::max(deadline, Clock::now() + ReadBudget::kLongest);
   stream_->context.restart();
-  stream_->context.poll();
-  while (stream_->received.empty() && !stream_->broken && Clock::now() < deadline) {
+  while (!stream_->received && !stream_->broken && Clock::now() < latest) {
+    if (stream_->context.poll_one() > 0) {
+      continue;
+    }
+    if (Clock::now() >= deadline) {
+      break;
+    }
     stream_->context.run_one_until(deadline);
   }
-  if (stream_->received.empty()) {
+  if (!stream_->received) {
     if (stream_->broken) {
       stream_->lost();
     }
     return std::nullopt;
   }
-  std::string text = std::move(stream_->received.front());
-  stream_->received.pop_front();
+  std::string text = *std::exchange(stream_->received, std::nullopt);
+  if (!stream_->broken) {
+    stream_->read_next();
+  }
   return text;
 }
 

@@ -23,12 +23,14 @@ class WebSocketLink {
   WebSocketLink& operator=(const WebSocketLink&) = delete;
 
   /// Sends a message.
-  /// @throws DeviceError if the other end is gone or takes nothing for a second.
-  void send(std::string text);
+  /// @throws DeviceError if the other end is gone or has not taken it within `timeout`.
+  void send(std::string text, std::chrono::milliseconds timeout = std::chrono::seconds(1));
 
-  /// The next message that came; waits at most `timeout` for one. Those that came before the
-  /// connection broke come first.
-  /// @throws DeviceError if the other end is gone.
+  /// The next message that came, of at most 256 KiB; waits at most `timeout` for one to begin, and
+  /// at most 5 ms longer while it is coming. No more than one message is kept: what the other
+  /// end sends beyond waits in its own buffers. One that came before the connection broke comes
+  /// first.
+  /// @throws DeviceError if the other end is gone or a message is longer.
   [[nodiscard]] std::optional<std::string> receive(std::chrono::milliseconds timeout);
 
  private:

@@ -1,5 +1,6 @@
 #include "handway/device/glove/cyberglove.h"
 
+#include "core/bounded_read.h"
 #include "cyberglove_setup.h"
 #include "handway/device/core/device_error.h"
 #include "handway/device/glove/cyberglove_parser.h"
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <span>
 #include <stdexcept>
 #include <thread>
 
@@ -100,7 +102,6 @@ GloveReading CyberGlove::take_frame(milliseconds timeout, const std::stop_token&
   Session& session = *session_;
   const auto end = Clock::now() + timeout;
   const auto patience = settings_.timeout + milliseconds(static_cast<int>(3000.0 / settings_.rate));
-  std::array<std::uint8_t, 1024> chunk{};
   while (session.frames.empty() && !stop.stop_requested()) {
     const auto now = Clock::now();
     if (now >= end) {
@@ -108,22 +109,10 @@ GloveReading CyberGlove::take_frame(milliseconds timeout, const std::stop_token&
     }
     const auto left = std::chrono::ceil<milliseconds>(end - now);
     poll_when_due(now + std::min(left, kSlice));
-    const std::size_t count = session.link->read(chunk, std::min(left, kSlice));
-    const auto arrival = Clock::now();
-    for (const std::uint8_t byte : std::span(chunk).first(count)) {
-      const auto record = session.parser.push(byte);
-      if (!record) {
-        continue;
-      }
-      session.last_sign = arrival;
-      session.awaits_poll = false;
-      if (record->kind == CyberGloveRecordKind::kSample) {
-        session.frames.push_back({since_begin(arrival), record->counts});
-      } else {
-        session.unplugged |= record->kind == CyberGloveRecordKind::kUnplugged;
-        session.too_fast |= record->kind == CyberGloveRecordKind::kTooFast;
-      }
-    }
+    // What is left for the next turn waits until these frames are taken.
+    static_cast<void>(
+        read_turn(*session.link, std::min(left, kSlice),
+                  [this](std::span<const std::uint8_t> bytes) { take_bytes(bytes); }));
     if (session.too_fast) {
       throw DeviceError({address_, "sampling rate", "a unit that can't keep up",
                          fmt::format("one that samples at {:g} Hz", settings_.rate),
@@ -132,7 +121,7 @@ GloveReading CyberGlove::take_frame(milliseconds timeout, const std::stop_token&
     if (session.frames.empty() && session.unplugged) {
       return {GloveEvent::kUnplugged, {}};
     }
-    if (arrival - session.last_sign > patience) {
+    if (Clock::now() - session.last_sign > patience) {
       throw DeviceError({address_, "", "no frame for " + std::to_string(patience.count()) + " ms",
                          fmt::format("{:g} frames a second", settings_.rate),
                          "Look whether the interface unit is switched on and connected."});
@@ -144,6 +133,25 @@ GloveReading CyberGlove::take_frame(milliseconds timeout, const std::stop_token&
   const GloveFrame frame = session.frames.front();
   session.frames.pop_front();
   return {GloveEvent::kFrame, frame};
+}
+
+void CyberGlove::take_bytes(std::span<const std::uint8_t> bytes) {
+  Session& session = *session_;
+  const auto arrival = Clock::now();
+  for (const std::uint8_t byte : bytes) {
+    const auto record = session.parser.push(byte);
+    if (!record) {
+      continue;
+    }
+    session.last_sign = arrival;
+    session.awaits_poll = false;
+    if (record->kind == CyberGloveRecordKind::kSample) {
+      session.frames.push_back({since_begin(arrival), record->counts});
+    } else {
+      session.unplugged |= record->kind == CyberGloveRecordKind::kUnplugged;
+      session.too_fast |= record->kind == CyberGloveRecordKind::kTooFast;
+    }
+  }
 }
 
 GloveReading CyberGlove::look_for_glove(milliseconds timeout, const std::stop_token& stop) {

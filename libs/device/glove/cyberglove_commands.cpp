@@ -1,5 +1,7 @@
 #include "cyberglove_commands.h"
 
+#include "core/bounded_read.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -15,6 +17,8 @@ constexpr double kBaseRate = 115200.0;
 // Long enough for a unit to finish the record that it was sending.
 constexpr milliseconds kQuiet{100};
 constexpr milliseconds kSlice{50};
+// What an answer may stand behind and still be found: records of a stream that is ending.
+constexpr std::size_t kLongestAnswer = 4096;
 
 double seconds(Clock::duration duration) { return std::chrono::duration<double>(duration).count(); }
 
@@ -72,16 +76,23 @@ std::optional<CyberGloveReply> CyberGloveCommands::ask(std::span<const std::uint
                                                        std::span<const std::uint8_t> echo,
                                                        std::size_t data_length,
                                                        const std::stop_token& stop) {
-  std::array<std::uint8_t, 256> chunk{};
   for (int tries = 0; tries < kTries && !stop.stop_requested(); ++tries) {
     std::vector<std::uint8_t> answer;
     const auto begin = Clock::now();
     link_.write(command);
     while (Clock::now() - begin < timeout_ / kTries && !stop.stop_requested()) {
-      const std::size_t count = link_.read(chunk, kSlice);
-      answer.insert(answer.end(), chunk.begin(),
-                    chunk.begin() + static_cast<std::ptrdiff_t>(count));
-      if (auto reply = find_reply(answer, echo, data_length)) {
+      std::optional<CyberGloveReply> reply;
+      static_cast<void>(read_turn(link_, kSlice, [&](std::span<const std::uint8_t> bytes) {
+        if (reply) {
+          return;
+        }
+        answer.insert(answer.end(), bytes.begin(), bytes.end());
+        reply = find_reply(answer, echo, data_length);
+        if (answer.size() > kLongestAnswer) {
+          answer.erase(answer.begin(), answer.end() - kLongestAnswer);
+        }
+      }));
+      if (reply) {
         const double took = seconds(Clock::now() - begin);
         round_trip_ = round_trip_ == 0.0 ? took : std::min(round_trip_, took);
         return reply;

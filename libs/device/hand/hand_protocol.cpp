@@ -25,7 +25,7 @@ std::string to_line(const HandState& state) {
 HandState parse_hand_state(std::string_view line, Eigen::Index joints) {
   const std::vector<std::string_view> words = words_of(line);
   if (words.size() != kStateWords + static_cast<std::size_t>(joints) || words[0] != "state") {
-    throw LineProtocolError(fmt::format("\"{}\" is no state of {} joints", line, joints));
+    throw LineProtocolError(fmt::format("{} is no state of {} joints", quote(line), joints));
   }
   HandState state{number_of(words[1]), std::string(words[2]), Eigen::VectorXd(joints)};
   for (Eigen::Index j = 0; j < joints; ++j) {

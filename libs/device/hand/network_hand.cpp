@@ -1,5 +1,6 @@
 #include "handway/device/hand/network_hand.h"
 
+#include "core/bounded_read.h"
 #include "core/links.h"
 #include "handway/device/core/device_error.h"
 #include "handway/device/hand/hand_protocol.h"
@@ -7,7 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+#include <span>
 
 namespace handway::device {
 namespace {
@@ -33,8 +34,8 @@ struct NetworkHand::Wire {
   bool watched = false;  ///< It has to run or hold, and not to fail.
   Clock::time_point spoken;
 
-  void send(std::string_view text) {
-    link->write({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+  void send(std::string_view text, milliseconds timeout = ByteLink::kLongestCommand) {
+    link->write({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}, timeout);
     spoken = Clock::now();
   }
 };
@@ -51,25 +52,25 @@ void NetworkHand::do_connect(const std::stop_token& stop) {
   wire_->link.reset();
   wire_->link = open_tcp_link(name(), {wire_->host, wire_->port}, stop);
   wire_->lines = {};
-  ask(fmt::format("hello {}\n", kHandProtocolVersion), "hello");
+  ask(fmt::format("hello {}\n", kHandProtocolVersion), "hello", stop);
 }
 
 // Sends lines and waits for the answer to the last.
-void NetworkHand::ask(const std::string& lines, const char* word) {
+void NetworkHand::ask(const std::string& lines, const char* word, const std::stop_token& stop) {
   wire_->answer.clear();
-  wire_->send(lines);
+  wire_->send(lines, ByteLink::kLongestWrite);
   const auto begin = Clock::now();
   while (wire_->answer != word) {
-    if (Clock::now() - begin > kLongestAnswer) {
+    if (Clock::now() - begin > kLongestAnswer || stop.stop_requested()) {
       refuse(fmt::format("no answer to \"{}\"", word), "a hand that speaks Handway's hand protocol",
              "Look whether the port is right.");
     }
-    do_update(0.0);
+    static_cast<void>(do_update(0.0));
   }
 }
 
-void NetworkHand::do_upload(const JointTrajectory& trajectory) {
-  ask(to_lines(trajectory), "trajectory");
+void NetworkHand::do_upload(const JointTrajectory& trajectory, const std::stop_token& stop) {
+  ask(to_lines(trajectory), "trajectory", stop);
   wire_->phase = "ready";
 }
 
@@ -94,17 +95,15 @@ void NetworkHand::do_stop() {
   wire_->send("stop\n");
 }
 
-void NetworkHand::do_update(double /*time*/) {
-  std::array<std::uint8_t, 8192> bytes{};
-  std::size_t count = bytes.size();
-  while (count == bytes.size()) {
-    count = wire_->link->read(bytes, milliseconds(1));
-    wire_->lines.add(std::span(bytes).first(count));
-  }
+bool NetworkHand::do_update(double /*time*/) {
+  bool all = true;
   try {
-    while (const auto line = wire_->lines.next()) {
-      take(*line);
-    }
+    all = read_turn(*wire_->link, milliseconds(1), [this](std::span<const std::uint8_t> bytes) {
+      wire_->lines.add(bytes);
+      while (const auto line = wire_->lines.next()) {
+        take(*line);
+      }
+    });
   } catch (const LineProtocolError& error) {
     refuse(error.what(), "a hand that speaks Handway's hand protocol",
            "Look whether the port is right.");
@@ -112,6 +111,7 @@ void NetworkHand::do_update(double /*time*/) {
   if (Clock::now() - wire_->spoken > kAlive) {
     wire_->send("alive\n");
   }
+  return all;
 }
 
 void NetworkHand::take(const std::string& line) {
@@ -125,8 +125,8 @@ void NetworkHand::take(const std::string& line) {
     add_sample(state.position);
   } else if (words[0] == "fault") {
     if (wire_->watched) {
-      refuse(line.substr(std::min(line.size(), words[0].size() + 1)), "a hand without a fault",
-             "Look at its controller.");
+      refuse(quote(line.substr(std::min(line.size(), words[0].size() + 1))),
+             "a hand without a fault", "Look at its controller.");
     }
   } else {
     take_answer(words, line);
@@ -137,7 +137,7 @@ void NetworkHand::take_answer(const std::vector<std::string_view>& words, const 
   if (words[0] == "hello") {
     if (words.size() != 3 || number_of(words[1]) != kHandProtocolVersion ||
         number_of(words[2]) != static_cast<double>(joints().count())) {
-      refuse("\"" + line + "\"",
+      refuse(quote(line),
              fmt::format("version {} and {} joints", kHandProtocolVersion, joints().count()),
              "It is another hand than the scene's.");
     }
@@ -145,9 +145,9 @@ void NetworkHand::take_answer(const std::vector<std::string_view>& words, const 
   } else if (words[0] == "ok" && words.size() == 2) {
     wire_->answer = words[1];
   } else if (words[0] == "error") {
-    refuse("\"" + line + "\"", "a hand that does what it is told", "Look at its controller.");
+    refuse(quote(line), "a hand that does what it is told", "Look at its controller.");
   } else {
-    throw LineProtocolError(fmt::format("the line \"{}\"", line));
+    throw LineProtocolError(fmt::format("the line {}", quote(line)));
   }
 }
 

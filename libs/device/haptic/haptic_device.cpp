@@ -20,19 +20,26 @@ void HapticDevice::refuse(std::string found, std::string expected, std::string a
 void HapticDevice::connect(const std::stop_token& stop) {
   abilities_ = do_connect(stop);
   silence_.heard(Silence::Clock::now());
+  backlog_ = {};
 }
 
 std::optional<HapticSample> HapticDevice::read(std::chrono::milliseconds timeout) {
   try {
-    const std::optional<HapticSample> sample = do_read(timeout);
+    const Reading reading = do_read(timeout);
     const auto now = Silence::Clock::now();
-    if (sample) {
+    backlog_.turn(reading.all, now);
+    if (backlog_.lasted(now) > kLongestSilence) {
+      refuse(fmt::format("more messages than can be read, for {} ms", kLongestSilence.count()),
+             "a position every 10 ms or more often",
+             "What it says is old by the time it is read: look at its program.");
+    }
+    if (reading.newest) {
       silence_.heard(now);
     } else if (silence_.listened(now) > kLongestSilence) {
       refuse(fmt::format("no position for {} ms", kLongestSilence.count()),
              "one every 10 ms or more often", "Look at the network and at the device.");
     }
-    return sample;
+    return reading.newest;
   } catch (...) {
     release();
     throw;

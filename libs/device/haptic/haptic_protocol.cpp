@@ -10,7 +10,7 @@ using Words = std::vector<std::string_view>;
 Words words_after(std::string_view word, std::size_t count, std::string_view line) {
   Words words = words_of(line);
   if (words.size() != count + 1 || words.front() != word) {
-    throw LineProtocolError(fmt::format("\"{}\" is no \"{}\" with {} words", line, word, count));
+    throw LineProtocolError(fmt::format("{} is no \"{}\" with {} words", quote(line), word, count));
   }
   words.erase(words.begin());
   return words;
@@ -42,11 +42,11 @@ std::string force_line(const Eigen::Vector3d& force) {
 HapticAbilities parse_haptic_hello(std::string_view line) {
   const Words words = words_after("hello", 5, line);
   if (number_of(words[0]) != kHapticProtocolVersion) {
-    throw LineProtocolError(fmt::format("version {} of the protocol", words[0]));
+    throw LineProtocolError(fmt::format("version {} of the protocol", quote(words[0])));
   }
   const HapticAbilities abilities{number_of(words[1]), vector_at(words, 2)};
   if (!(abilities.force > 0.0) || !(abilities.workspace.array() > 0.0).all()) {
-    throw LineProtocolError(fmt::format("\"{}\": a device without force or workspace", line));
+    throw LineProtocolError(fmt::format("{}: a device without force or workspace", quote(line)));
   }
   return abilities;
 }
@@ -54,7 +54,7 @@ HapticAbilities parse_haptic_hello(std::string_view line) {
 HapticSample parse_haptic_state(std::string_view line) {
   const Words words = words_after("state", 8, line);
   if (words[7] != "0" && words[7] != "1") {
-    throw LineProtocolError(fmt::format("a button at \"{}\"", words[7]));
+    throw LineProtocolError(fmt::format("a button at {}", quote(words[7])));
   }
   return {number_of(words[0]), vector_at(words, 1), vector_at(words, 4), words[7] == "1"};
 }

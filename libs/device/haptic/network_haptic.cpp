@@ -1,11 +1,13 @@
 #include "handway/device/haptic/network_haptic.h"
 
+#include "core/bounded_read.h"
 #include "core/links.h"
 #include "handway/device/core/device_error.h"
 
 #include <fmt/format.h>
 
-#include <array>
+#include <algorithm>
+#include <span>
 #include <string_view>
 
 namespace handway::device {
@@ -26,17 +28,18 @@ struct NetworkHaptic::Wire {
   LineBuffer lines;
 
   void send(std::string_view text) const {
-    link->write({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+    link->write({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()},
+                ByteLink::kLongestCommand);
   }
-  // Waits for bytes, and takes all that are there.
-  void receive(milliseconds timeout) {
-    std::array<std::uint8_t, 4096> bytes{};
-    std::size_t count = link->read(bytes, timeout);
-    lines.add(std::span(bytes).first(count));
-    while (count == bytes.size()) {
-      count = link->read(bytes, milliseconds(1));
-      lines.add(std::span(bytes).first(count));
-    }
+  // Waits for bytes, and hands what has come to `take`, line by line. @returns as read_turn().
+  template <typename Take>
+  bool receive(milliseconds timeout, const Take& take) {
+    return read_turn(*link, timeout, [&](std::span<const std::uint8_t> bytes) {
+      lines.add(bytes);
+      while (const auto line = lines.next()) {
+        take(*line);
+      }
+    });
   }
 };
 
@@ -54,10 +57,16 @@ HapticAbilities NetworkHaptic::do_connect(const std::stop_token& stop) {
   wire_->send(fmt::format("hello {}\n", kHapticProtocolVersion));
   const auto begin = std::chrono::steady_clock::now();
   try {
+    std::optional<HapticAbilities> abilities;
     while (std::chrono::steady_clock::now() - begin < kLongestHello && !stop.stop_requested()) {
-      wire_->receive(milliseconds(10));
-      if (const auto line = wire_->lines.next()) {
-        return parse_haptic_hello(*line);
+      // States may follow at once.
+      static_cast<void>(wire_->receive(milliseconds(10), [&](const std::string& line) {
+        if (!abilities) {
+          abilities = parse_haptic_hello(line);
+        }
+      }));
+      if (abilities) {
+        return *abilities;
       }
     }
   } catch (const LineProtocolError& error) {
@@ -66,21 +75,20 @@ HapticAbilities NetworkHaptic::do_connect(const std::stop_token& stop) {
   refuse("no answer to \"hello\"", kExpected, kAdvice);
 }
 
-std::optional<HapticSample> NetworkHaptic::do_read(milliseconds timeout) {
-  std::optional<HapticSample> newest;
+HapticDevice::Reading NetworkHaptic::do_read(milliseconds timeout) {
+  Reading reading;
   try {
-    wire_->receive(timeout);
-    while (const auto line = wire_->lines.next()) {
-      if (line->starts_with("fault")) {
-        refuse(line->substr(std::min<std::size_t>(line->size(), 6)), "a device without a fault",
-               "Look at the device.");
+    reading.all = wire_->receive(timeout, [&](const std::string& line) {
+      if (line.starts_with("fault")) {
+        refuse(quote(line.substr(std::min<std::size_t>(line.size(), 6))),
+               "a device without a fault", "Look at the device.");
       }
-      newest = parse_haptic_state(*line);
-    }
+      reading.newest = parse_haptic_state(line);
+    });
   } catch (const LineProtocolError& error) {
     refuse(error.what(), kExpected, kAdvice);
   }
-  return newest;
+  return reading;
 }
 
 void NetworkHaptic::do_apply(const Eigen::Vector3d& force) {

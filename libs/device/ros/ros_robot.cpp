@@ -1,8 +1,10 @@
 #include "handway/device/ros/ros_robot.h"
 
+#include "core/bounded_read.h"
 #include "core/motion_window.h"
 #include "core/web_socket_link.h"
 #include "handway/device/core/device_error.h"
+#include "handway/device/core/line_protocol.h"
 
 #include <fmt/format.h>
 
@@ -76,7 +78,7 @@ void RosRobot::do_connect(const std::stop_token& stop) {
                               ros_type("industrial_msgs", "RobotStatus", address.version)));
 }
 
-void RosRobot::do_upload(const JointTrajectory& /*trajectory*/) {
+void RosRobot::do_upload(const JointTrajectory& /*trajectory*/, const std::stop_token& /*stop*/) {
   // It is sent while it runs.
 }
 
@@ -115,22 +117,21 @@ void RosRobot::do_stop() {
   } else if (wire_->link && phase() == MotionPhase::kPaused) {
     // Not yet at the point where it was to hold, maybe.
     RosTrajectory here{joints().names, {{kStopBrake}, measured().position.transpose()}};
-    wire_->link->send(publish(wire_->address.trajectory_topic, here, wire_->address.version));
+    publish_motion(here);
   }
 }
 
-void RosRobot::do_update(double time) {
+bool RosRobot::do_update(double time) {
   wire_->time = time;
   wire_->updated = Clock::now();
-  read();
-  if (!wire_->sending || phase() != MotionPhase::kRunning ||
-      Clock::now() - wire_->sent < kSendPeriod) {
-    return;
-  }
-  if (time < trajectory().duration() + kWindow.follow) {
+  const bool all = read();
+  if (wire_->sending && phase() == MotionPhase::kRunning &&
+      Clock::now() - wire_->sent >= kSendPeriod &&
+      time < trajectory().duration() + kWindow.follow) {
     send_window(time, kWindow.follow, kWindow.brake);
     wire_->sent = Clock::now();
   }
+  return all;
 }
 
 void RosRobot::lead(const Eigen::VectorXd& position, double time) {
@@ -147,21 +148,29 @@ void RosRobot::lead(const Eigen::VectorXd& position, double time) {
   way.positions.row(0) = measured().position.cwiseMax(joints().lower).cwiseMin(joints().upper);
   way.positions.row(1) = position;
   check_trajectory(way, joints());
-  const RosTrajectory point{joints().names, {{time}, position.transpose()}};
-  wire_->link->send(publish(wire_->address.trajectory_topic, point, wire_->address.version));
+  publish_motion({joints().names, {{time}, position.transpose()}});
 }
 
 void RosRobot::send_window(double time, double follow, double brake) {
-  const RosTrajectory window{joints().names, motion_window(trajectory(), time, {follow, brake})};
-  wire_->link->send(publish(wire_->address.trajectory_topic, window, wire_->address.version));
+  publish_motion({joints().names, motion_window(trajectory(), time, {follow, brake})});
 }
 
-void RosRobot::read() {
+void RosRobot::publish_motion(const RosTrajectory& motion) {
+  wire_->link->send(publish(wire_->address.trajectory_topic, motion, wire_->address.version),
+                    ByteLink::kLongestCommand);
+}
+
+bool RosRobot::read() {
+  bool all = true;
   try {
-    milliseconds patience{1};
-    while (const auto text = wire_->link->receive(patience)) {
+    auto text = wire_->link->receive(milliseconds(1));
+    for (ReadBudget budget; text && all;) {
       take(parse_rosbridge(*text));
-      patience = milliseconds(0);
+      budget.spend(text->size());
+      all = !budget.spent();
+      if (all) {
+        text = wire_->link->receive(milliseconds(0));
+      }
     }
   } catch (const RosbridgeError& error) {
     refuse(error.what(), "rosbridge messages",
@@ -172,13 +181,14 @@ void RosRobot::read() {
       refuse(obstacle->found, "none", obstacle->advice);
     }
   }
+  return all;
 }
 
 void RosRobot::take(const RosbridgeMessage& message) {
   if (message.op == "status") {
     // Many robots don't have this topic, nor the type.
     if (message.level == "error" && message.id != kStatusId) {
-      refuse("\"" + message.text + "\"", "a rosbridge server that does what it is told",
+      refuse(quote(message.text), "a rosbridge server that does what it is told",
              "Look whether topic and ROS version are right and the controller runs.");
     }
   } else if (message.joint_state && message.topic == kJointStatesTopic) {

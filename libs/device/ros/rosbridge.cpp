@@ -1,5 +1,7 @@
 #include "handway/device/ros/rosbridge.h"
 
+#include "handway/device/core/line_protocol.h"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -54,27 +56,43 @@ RosJointState joint_state(const Json& message) {
 RosTrajectory trajectory(const Json& message) {
   RosTrajectory result;
   result.names = message.at("joint_names").get<std::vector<std::string>>();
-  const Json& points = message.at("points");
-  result.motion.positions.resize(static_cast<Eigen::Index>(points.size()),
-                                 static_cast<Eigen::Index>(result.names.size()));
-  for (const Json& point : points) {
-    const Eigen::VectorXd position = numbers(point.at("positions"));
-    if (position.size() != result.motion.positions.cols()) {
+  std::vector<Eigen::VectorXd> positions;
+  for (const Json& point : message.at("points")) {
+    positions.push_back(numbers(point.at("positions")));
+    if (std::cmp_not_equal(positions.back().size(), result.names.size())) {
       throw RosbridgeError(
-          fmt::format("{} joints with {} positions", result.names.size(), position.size()));
+          fmt::format("{} joints with {} positions", result.names.size(), positions.back().size()));
     }
-    result.motion.positions.row(static_cast<Eigen::Index>(result.motion.times.size())) = position;
     result.motion.times.push_back(duration(point.at("time_from_start")));
+  }
+  // Only now: before, a short message could ask for any size.
+  result.motion.positions.resize(static_cast<Eigen::Index>(positions.size()),
+                                 static_cast<Eigen::Index>(result.names.size()));
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    result.motion.positions.row(static_cast<Eigen::Index>(i)) = positions[i];
   }
   return result;
 }
 
+int integer(const Json& value) {
+  constexpr std::int64_t kLeast = std::numeric_limits<int>::min();
+  constexpr std::int64_t kMost = std::numeric_limits<int>::max();
+  // Beyond the range of int64_t they are no integers, or wrap to below 0.
+  const bool fits = value.is_number_integer() && value.get<std::int64_t>() >= kLeast &&
+                    value.get<std::int64_t>() <= kMost &&
+                    !(value.is_number_unsigned() && value.get<std::int64_t>() < 0);
+  if (!fits) {
+    throw RosbridgeError(fmt::format("{} where a small whole number is due", quote(value.dump())));
+  }
+  return value.get<int>();
+}
+
 RobotStatus robot_status(const Json& message) {
-  const auto value = [&](const char* key) { return message.at(key).at("val").get<int>(); };
+  const auto value = [&](const char* key) { return integer(message.at(key).at("val")); };
   RobotStatus status;
   status.drives_powered = value("drives_powered");
   status.emergency_stopped = value("e_stopped");
-  status.error_code = message.at("error_code").get<int>();
+  status.error_code = integer(message.at("error_code"));
   status.in_error = value("in_error");
   status.in_motion = value("in_motion");
   status.mode = value("mode");
@@ -111,7 +129,7 @@ RosbridgeMessage parse_rosbridge(std::string_view text) {
     }
     return message;
   } catch (const Json::exception& error) {
-    throw RosbridgeError(error.what());
+    throw RosbridgeError(quote(error.what()));
   }
 }
 

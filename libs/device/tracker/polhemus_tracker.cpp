@@ -1,5 +1,6 @@
 #include "handway/device/tracker/polhemus_tracker.h"
 
+#include "core/bounded_read.h"
 #include "handway/device/core/byte_link.h"
 #include "handway/device/core/device_error.h"
 #include "polhemus_protocol.h"
@@ -39,10 +40,10 @@ struct PolhemusTracker::Session {
     link->write({reinterpret_cast<const std::uint8_t*>(command.data()), command.size()});
   }
 
-  void drain(milliseconds at_most) const {
+  void drain(milliseconds at_most, const std::stop_token& stop) const {
     std::array<std::uint8_t, 1024> bytes{};
     const auto end = Clock::now() + at_most;
-    while (link->read(bytes, kQuiet) > 0 && Clock::now() < end) {
+    while (link->read(bytes, kQuiet) > 0 && Clock::now() < end && !stop.stop_requested()) {
     }
     protocol->reset();
   }
@@ -56,27 +57,32 @@ PolhemusTracker::PolhemusTracker(std::string address, const PolhemusSettings& se
 PolhemusTracker::~PolhemusTracker() { disconnect(); }
 
 void PolhemusTracker::take_records(milliseconds timeout) {
+  // What is left for the next turn waits until these samples are taken.
+  static_cast<void>(
+      read_turn(*session_->link, timeout, [this](std::span<const std::uint8_t> bytes) {
+        const auto arrival = Clock::now();
+        for (const PolhemusRecord& record : session_->protocol->parse(bytes)) {
+          take(record, arrival);
+        }
+      }));
+}
+
+void PolhemusTracker::take(const PolhemusRecord& record, Clock::time_point arrival) {
   Session& session = *session_;
-  std::array<std::uint8_t, 1024> bytes{};
-  const std::size_t count = session.link->read(bytes, timeout);
-  const auto arrival = Clock::now();
-  for (const PolhemusRecord& record : session.protocol->parse(std::span(bytes).first(count))) {
-    switch (record.kind) {
-      case PolhemusRecordKind::kPose:
-        session.samples.push_back(
-            {since_begin(arrival), record.station, record.X_ST, record.button});
-        session.last_pose = arrival;
-        session.unplugged = false;
-        break;
-      case PolhemusRecordKind::kDoubtful:
-        ++session.doubtful;
-        session.last_pose = arrival;
-        break;
-      case PolhemusRecordKind::kReply:
-        ++session.replies;
-        session.last_reply = arrival;
-        break;
-    }
+  switch (record.kind) {
+    case PolhemusRecordKind::kPose:
+      session.samples.push_back({since_begin(arrival), record.station, record.X_ST, record.button});
+      session.last_pose = arrival;
+      session.unplugged = false;
+      break;
+    case PolhemusRecordKind::kDoubtful:
+      ++session.doubtful;
+      session.last_pose = arrival;
+      break;
+    case PolhemusRecordKind::kReply:
+      ++session.replies;
+      session.last_reply = arrival;
+      break;
   }
 }
 
@@ -105,13 +111,13 @@ TrackerInfo PolhemusTracker::do_connect(const std::stop_token& stop) {
   session_->protocol = make_polhemus_protocol(settings_);
   try {
     session_->send(session_->protocol->stop_command());
-    session_->drain(settings_.timeout);
+    session_->drain(settings_.timeout, stop);
     wait_for_answer(stop);
     for (const std::string& command : session_->protocol->set_up_commands()) {
       session_->send(command);
       std::this_thread::sleep_for(kCommandPause);
     }
-    session_->drain(settings_.timeout);
+    session_->drain(settings_.timeout, stop);
     session_->samples.clear();
     session_->send(session_->protocol->start_command());
   } catch (...) {

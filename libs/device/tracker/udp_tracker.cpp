@@ -35,12 +35,11 @@ UdpTracker::UdpTracker(std::string address, const UdpTrackerSettings& settings)
 
 UdpTracker::~UdpTracker() { disconnect(); }
 
-// @returns whether there was one, good or not.
-bool UdpTracker::take_datagram(milliseconds timeout) {
+void UdpTracker::take_datagram(milliseconds timeout) {
   std::array<std::uint8_t, kLongestPoseDatagram> bytes{};
   const auto length = session_->receiver.receive(bytes, timeout);
   if (!length) {
-    return false;
+    return;
   }
   const auto arrival = Clock::now();
   auto sample =
@@ -48,19 +47,18 @@ bool UdpTracker::take_datagram(milliseconds timeout) {
   if (!sample) {
     ++faults_.resynchronisations;
     faults_.dropped_bytes += *length;
-    return true;
+    return;
   }
   session_->last_sign = arrival;
   const auto [last, first] = session_->sent.try_emplace(sample->sensor, sample->time);
   const double late = last->second - sample->time;
   if (!first && late > 0.0 && late < kRestart) {
     ++faults_.doubtful;
-    return true;
+    return;
   }
   last->second = sample->time;
   sample->time = since_begin(arrival);
   session_->samples.push_back(*sample);
-  return true;
 }
 
 TrackerInfo UdpTracker::do_connect(const std::stop_token& stop) {
@@ -86,8 +84,9 @@ TrackerReading UdpTracker::do_next(milliseconds timeout, const std::stop_token& 
   while (session_->samples.empty() && !stop.stop_requested()) {
     const auto now = Clock::now();
     const auto left = std::chrono::ceil<milliseconds>(end - now);
-    if (take_datagram(std::clamp(left, milliseconds(0), kSlice))) {
-      continue;
+    take_datagram(std::clamp(left, milliseconds(0), kSlice));
+    if (!session_->samples.empty()) {
+      break;
     }
     if (now - session_->last_sign > settings_.timeout) {
       throw DeviceError({address_, "", "no pose any more", "datagrams with poses",

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace handway::geometric {
@@ -40,6 +41,22 @@ std::string nearest_name(std::string_view word, std::span<const std::string> nam
       least = distance;
       nearest = name;
     }
+  }
+  return nearest;
+}
+
+std::vector<std::string> nearest_names(std::string_view word, std::span<const std::string> names,
+                                       std::size_t count) {
+  constexpr std::size_t kLongest = 200;
+  const std::string_view start = word.substr(0, kLongest);
+  std::vector<std::pair<std::size_t, std::string>> all;
+  for (const std::string& name : names) {
+    all.emplace_back(edit_distance(start, name), name);
+  }
+  std::ranges::stable_sort(all, {}, [](const auto& one) { return one.first; });
+  std::vector<std::string> nearest;
+  for (const auto& [distance, name] : std::span(all).first(std::min(count, all.size()))) {
+    nearest.push_back(name);
   }
   return nearest;
 }

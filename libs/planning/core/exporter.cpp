@@ -99,14 +99,23 @@ void check_motion(const Motion& motion) {
   }
 }
 
-std::vector<ExportedFile> Exporter::files(const Motion& motion) const {
+std::vector<ExportedFile> Exporter::files(const Motion& motion,
+                                          const ExportOptions& options) const {
   check_motion(motion);
+  if (const std::string expected = robot_objection(motion);
+      !expected.empty() && !options.any_robot) {
+    throw InputError(
+        {"robot " + motion.model->name(), "",
+         fmt::format("a robot that {} does not seem to be for", name()), expected,
+         "If it is one, export with --any-robot, in the workbench with \"Any robot\""});
+  }
   return do_export(motion);
 }
 
 std::vector<std::filesystem::path> Exporter::write(const Motion& motion,
-                                                   const std::filesystem::path& folder) const {
-  const std::vector<ExportedFile> made = files(motion);
+                                                   const std::filesystem::path& folder,
+                                                   const ExportOptions& options) const {
+  const std::vector<ExportedFile> made = files(motion, options);
   std::vector<std::filesystem::path> written;
   for (const ExportedFile& file : made) {
     const std::filesystem::path place = folder / file.name;

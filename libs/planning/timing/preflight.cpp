@@ -105,6 +105,7 @@ PreflightReport preflight(const PlanningProblem& problem, const Trajectory& traj
   PreflightReport report;
   report.points = trajectory.points.size();
   report.duration = trajectory.duration();
+  report.assumed = options.limits.assumed;
   report.faults = check_trajectory(problem.model(), trajectory, options.limits);
   if (!report.cleared()) {
     return report;
@@ -139,6 +140,9 @@ std::string to_text(const PreflightReport& report) {
     text += fmt::format("smallest clearance: {:.3f} mm at {:.3f} s, {}\n", report.min_clearance_mm,
                         report.min_clearance_time, report.closest_pair);
   }
+  for (const std::string& line : assumption_lines(report.assumed)) {
+    text += line + "\n";
+  }
   return text;
 }
 
@@ -150,6 +154,10 @@ std::string to_json(const PreflightReport& report) {
                       {"value", fault.value},
                       {"text", fault.text}});
   }
+  nlohmann::ordered_json assumed = nlohmann::ordered_json::array();
+  for (const AssumedLimit& one : report.assumed) {
+    assumed.push_back({{"joint", one.joint}, {"limit", rate_name(one.rate)}, {"value", one.value}});
+  }
   const nlohmann::ordered_json object = {{"cleared", report.cleared()},
                                          {"faults", faults},
                                          {"points", report.points},
@@ -158,7 +166,8 @@ std::string to_json(const PreflightReport& report) {
                                          {"acceleration", to_object(report.acceleration)},
                                          {"min_clearance_mm", report.min_clearance_mm},
                                          {"min_clearance_time_s", report.min_clearance_time},
-                                         {"closest_pair", report.closest_pair}};
+                                         {"closest_pair", report.closest_pair},
+                                         {"assumed_limits", assumed}};
   return object.dump(2) + "\n";
 }
 

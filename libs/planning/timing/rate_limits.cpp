@@ -1,10 +1,17 @@
 #include "handway/planning/timing/rate_limits.h"
 
+#include "handway/geometric/io/nearest_name.h"
 #include "handway/geometric/io/yaml_element.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <string>
+#include <utility>
 
 namespace handway::planning {
 namespace {
@@ -32,6 +39,17 @@ RatesByJoint rates_of(const RobotModel& model) {
   return rates;
 }
 
+// Puts defaults where there is no limit, and notes it.
+void assume(const RobotModel& model, Rate rate, const Eigen::VectorXd& defaults,
+            Eigen::VectorXd& limits, std::vector<AssumedLimit>& assumed) {
+  for (int v = 0; v < model.variable_count(); ++v) {
+    if (limits[v] == 0.0) {
+      limits[v] = defaults[v];
+      assumed.push_back({model.variable(v).name, rate, limits[v]});
+    }
+  }
+}
+
 RateLimits of_variables(const RobotModel& model, const RatesByJoint& rates) {
   const Eigen::Index count = model.variable_count();
   RateLimits limits{Eigen::VectorXd::Zero(count), Eigen::VectorXd::Zero(count),
@@ -51,14 +69,26 @@ RateLimits of_variables(const RobotModel& model, const RatesByJoint& rates) {
       narrow(limits.jerk[drive.variable], joint.jerk / scale);
     }
   }
-  for (Eigen::Index v = 0; v < count; ++v) {
-    limits.velocity[v] = limits.velocity[v] > 0.0 ? limits.velocity[v] : kDefaultVelocity;
-    limits.acceleration[v] = limits.acceleration[v] > 0.0 ? limits.acceleration[v]
-                                                          : limits.velocity[v] / kDefaultRampTime;
-    limits.jerk[v] =
-        limits.jerk[v] > 0.0 ? limits.jerk[v] : limits.acceleration[v] / kDefaultJerkTime;
-  }
+  // In this order: one follows from the other.
+  assume(model, Rate::kVelocity, Eigen::VectorXd::Constant(count, kDefaultVelocity),
+         limits.velocity, limits.assumed);
+  assume(model, Rate::kAcceleration, limits.velocity / kDefaultRampTime, limits.acceleration,
+         limits.assumed);
+  assume(model, Rate::kJerk, limits.acceleration / kDefaultJerkTime, limits.jerk, limits.assumed);
   return limits;
+}
+
+[[noreturn]] void refuse_unknown(const YamlElement& joint, const std::string& name,
+                                 const RobotModel& model) {
+  std::vector<std::string> joints;
+  for (int v = 0; v < model.variable_count(); ++v) {
+    joints.push_back(model.variable(v).name);
+  }
+  constexpr std::size_t kFew = 3;
+  joint.refuse(fmt::format("\"{}\"", name),
+               fmt::format("a joint of the robot \"{}\"", model.name()),
+               fmt::format("The nearest are {}.",
+                           fmt::join(geometric::nearest_names(name, joints, kFew), ", ")));
 }
 
 bool flag(const YamlElement& joint, const std::string& key) {
@@ -79,6 +109,56 @@ void read(const YamlElement& joint, const std::string& has, const std::string& k
 
 }  // namespace
 
+const char* rate_name(Rate rate) {
+  switch (rate) {
+    case Rate::kVelocity:
+      return "velocity";
+    case Rate::kAcceleration:
+      return "acceleration";
+    case Rate::kJerk:
+      break;
+  }
+  return "jerk";
+}
+
+RateLimits RateLimits::without_jerk() const {
+  RateLimits limits = *this;
+  limits.jerk.resize(0);
+  std::erase_if(limits.assumed, [](const AssumedLimit& one) { return one.rate == Rate::kJerk; });
+  return limits;
+}
+
+std::vector<std::string> assumption_lines(const std::vector<AssumedLimit>& assumed,
+                                          std::size_t most) {
+  const std::array<std::pair<Rate, std::string>, 3> kinds{
+      {{Rate::kVelocity, fmt::format("{:g} rad/s or m/s", kDefaultVelocity)},
+       {Rate::kAcceleration,
+        fmt::format("the velocity limit is reached in {:g} s", kDefaultRampTime)},
+       {Rate::kJerk,
+        fmt::format("the acceleration limit is reached in {:g} s", kDefaultJerkTime)}}};
+  std::vector<std::string> lines;
+  for (const auto& [rate, how] : kinds) {
+    std::vector<std::string> joints;
+    for (const AssumedLimit& one : assumed) {
+      if (one.rate == rate) {
+        joints.push_back(one.joint);
+      }
+    }
+    if (joints.empty()) {
+      continue;
+    }
+    const std::size_t named = std::min(most, joints.size());
+    std::string line = fmt::format(
+        "assumed {} limits, as no file has them ({}): {}", rate_name(rate), how,
+        fmt::join(joints.begin(), joints.begin() + static_cast<std::ptrdiff_t>(named), ", "));
+    if (named < joints.size()) {
+      line += fmt::format(" and {} more", joints.size() - named);
+    }
+    lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
 RateLimits rate_limits(const RobotModel& model) {
   const std::filesystem::path& robot = model.description().file;
   const std::filesystem::path file = robot.parent_path() / "joint_limits.yaml";
@@ -96,11 +176,12 @@ RateLimits read_rate_limits(const RobotModel& model, const std::filesystem::path
                       "max_acceleration", "has_jerk_limits", "max_jerk", "has_position_limits",
                       "min_position", "max_position"});
     const auto found = rates.find(name);
-    JointRates other;
-    JointRates& taken = found == rates.end() ? other : found->second;
-    read(joint, "has_velocity_limits", "max_velocity", taken.velocity);
-    read(joint, "has_acceleration_limits", "max_acceleration", taken.acceleration);
-    read(joint, "has_jerk_limits", "max_jerk", taken.jerk);
+    if (found == rates.end()) {
+      refuse_unknown(joint, name, model);
+    }
+    read(joint, "has_velocity_limits", "max_velocity", found->second.velocity);
+    read(joint, "has_acceleration_limits", "max_acceleration", found->second.acceleration);
+    read(joint, "has_jerk_limits", "max_jerk", found->second.jerk);
   }
   return of_variables(model, rates);
 }

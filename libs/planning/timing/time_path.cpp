@@ -42,8 +42,9 @@ TimedPath time_path(const PlanningProblem& problem, const Path& path, const std:
       {},
       {}};
   if (!options.limit_jerk) {
-    timed.motion.limits.jerk.resize(0);
+    timed.motion.limits = timed.motion.limits.without_jerk();
   }
+  timed.preflight.assumed = timed.motion.limits.assumed;
   BlendOptions blends = options.blends;
   blends.shape = options.limit_jerk ? ArcShape::kSmooth : ArcShape::kCircular;
   timed.blends = certified_blends(problem, path, blends);

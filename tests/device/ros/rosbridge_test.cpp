@@ -68,6 +68,30 @@ TEST(Rosbridge, AsksForTopics) {
   EXPECT_EQ(parse_rosbridge(advertise("/go", "t/T")).op, "advertise");
 }
 
+// 20,000 names and as many points in 100 kB would be a matrix of 3.2 GB if they were believed.
+TEST(Rosbridge, BelievesNoNumberOfPointsBeforeItHasReadThem) {
+  std::string names;
+  std::string points;
+  for (int k = 0; k < 20'000; ++k) {
+    names += R"("",)";
+    points += "1,";
+  }
+  const std::string text = R"({"op":"publish","topic":"/go","msg":{"joint_names":[)" + names +
+                           R"(""],"points":[)" + points + "1]}}";
+  EXPECT_THROW(static_cast<void>(parse_rosbridge(text)), RosbridgeError);
+}
+
+TEST(Rosbridge, RefusesStatesThatAreNoSmallWholeNumbers) {
+  for (const char* number :
+       {"1e300", "0.5", "4294967296", "18446744073709551615", "true", "null"}) {
+    const std::string text = std::string(R"({"op":"publish","topic":"/robot_status","msg":{)") +
+                             R"("mode":{"val":1},"e_stopped":{"val":)" + number +
+                             R"(},"drives_powered":{"val":1},"motion_possible":{"val":1},)" +
+                             R"("in_motion":{"val":0},"in_error":{"val":0},"error_code":0}})";
+    EXPECT_THROW(static_cast<void>(parse_rosbridge(text)), RosbridgeError) << number;
+  }
+}
+
 TEST(Rosbridge, RefusesWhatIsNone) {
   for (const char* text :
        {"", "{", "[]", "{}", R"({"op":5})", R"({"op":"publish"})", R"({"op":"status"})",

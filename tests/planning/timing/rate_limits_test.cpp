@@ -9,13 +9,17 @@
 
 #include <fstream>
 #include <string>
+#include <vector>
 
 namespace handway::planning {
 namespace {
 
 using geometric::RobotModel;
 using testing::AllOf;
+using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
 
 class JointLimitsFile : public testing::Test {
  protected:
@@ -60,8 +64,7 @@ TEST_F(JointLimitsFile, ReplacesWhatItNames) {
       "  shoulder:\n    has_velocity_limits: true\n    max_velocity: 3\n"
       "    has_acceleration_limits: true\n    max_acceleration: 7\n    max_jerk: 50\n"
       "  elbow:\n    has_velocity_limits: false\n    max_velocity: 3\n"
-      "  left_tip:\n    max_velocity: 0.1\n"
-      "  of_another_robot:\n    max_velocity: 3\n");
+      "  left_tip:\n    max_velocity: 0.1\n");
   EXPECT_EQ(limits.velocity[variable("shoulder")], 3.0);
   EXPECT_EQ(limits.acceleration[variable("shoulder")], 7.0);
   EXPECT_EQ(limits.jerk[variable("shoulder")], 50.0);
@@ -69,6 +72,49 @@ TEST_F(JointLimitsFile, ReplacesWhatItNames) {
             limits.acceleration[variable("elbow")] / kDefaultJerkTime);
   EXPECT_EQ(limits.velocity[variable("elbow")], kDefaultVelocity);
   EXPECT_EQ(limits.velocity[variable("left")], 0.2) << "its tip turns by half";
+}
+
+TEST_F(JointLimitsFile, IsRefusedForAJointThatTheRobotHasNot) {
+  EXPECT_THAT(refusal("joint_limits:\n  shoulder:\n    max_velocity: 1\n"
+                      "  elbwo:\n    max_velocity: 0.1\n"),
+              AllOf(HasSubstr("limits.yaml:"), HasSubstr("joint_limits.elbwo"),
+                    HasSubstr("The nearest are elbow, ")));
+}
+
+using Assumed = std::vector<AssumedLimit>;
+
+Assumed of_rate(const RateLimits& limits, Rate rate) {
+  Assumed some = limits.assumed;
+  std::erase_if(some, [rate](const AssumedLimit& one) { return one.rate != rate; });
+  return some;
+}
+
+TEST(RateLimits, SayWhichWereAssumed) {
+  geometric::RobotDescription robot = test::planar_hand_arm();
+  for (geometric::Joint& joint : robot.joints) {
+    joint.limits.velocity = joint.name == "elbow" ? 0.0 : 2.0;
+    joint.limits.acceleration = joint.name == "shoulder" ? 5.0 : 0.0;
+  }
+  const RateLimits limits = rate_limits(RobotModel(robot));
+  EXPECT_THAT(of_rate(limits, Rate::kVelocity),
+              ElementsAre(AssumedLimit{"elbow", Rate::kVelocity, kDefaultVelocity}));
+  EXPECT_THAT(of_rate(limits, Rate::kAcceleration), SizeIs(4)) << "of all but the shoulder";
+  EXPECT_THAT(of_rate(limits, Rate::kJerk), SizeIs(5));
+  EXPECT_THAT(of_rate(limits.without_jerk(), Rate::kJerk), IsEmpty());
+  const std::vector<std::string> lines = assumption_lines(limits.assumed, 2);
+  ASSERT_THAT(lines, SizeIs(3));
+  EXPECT_THAT(lines[0], AllOf(HasSubstr("velocity"), HasSubstr("1 rad/s"), HasSubstr("elbow")));
+  EXPECT_THAT(lines[1], AllOf(HasSubstr("acceleration"), HasSubstr("0.25 s"),
+                              HasSubstr("elbow, thumb and 2 more")));
+}
+
+TEST_F(JointLimitsFile, LeavesNothingAssumedThatItHas) {
+  std::string text = "joint_limits:\n";
+  for (const char* joint : {"shoulder", "elbow", "thumb", "left", "right"}) {
+    text += std::string("  ") + joint +
+            ": {max_velocity: 1, max_acceleration: 2, has_jerk_limits: true, max_jerk: 3}\n";
+  }
+  EXPECT_THAT(read(text).assumed, IsEmpty());
 }
 
 TEST_F(JointLimitsFile, IsRefusedWithLineAndKey) {

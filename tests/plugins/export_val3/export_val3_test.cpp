@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <memory>
 #include <set>
 #include <string>
 #include <vector>
@@ -19,6 +20,7 @@
 namespace handway::export_val3 {
 namespace {
 
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -84,6 +86,28 @@ TEST(Val3Application, IsMadeOfTheFilesThatItsProjectNames) {
   named.insert(project.child("Database").child("Data").attribute("file").value());
   EXPECT_EQ(named, application.names());
   EXPECT_TRUE(named.contains("start.pgx") && named.contains("stop.pgx")) << "mandatory";
+}
+
+/// The motion of the same arm under another name, without a file.
+planning::Motion motion_of(const std::string& robot) {
+  planning::Motion named = motion();
+  geometric::RobotDescription description = named.model->description();
+  description.name = robot;
+  description.file.clear();
+  named.model = std::make_shared<const geometric::RobotModel>(description);
+  return named;
+}
+
+TEST(Val3Exporter, ObjectsToArmsOfOtherMakersUnlessItIsKnownBetter) {
+  for (const char* robot : {"tx90_sah", "TX90 SA Hand Right", "cell_tx2-60l", "staubli", "RX160"}) {
+    EXPECT_THAT(Val3Exporter().robot_objection(motion_of(robot)), IsEmpty()) << robot;
+  }
+  for (const char* robot : {"ur5", "iiwa14", "matrix600", "tx"}) {
+    const planning::Motion other = motion_of(robot);
+    EXPECT_THAT(test::refusal_of([&] { static_cast<void>(Val3Exporter().files(other)); }),
+                AllOf(HasSubstr(robot), HasSubstr("Stäubli"), HasSubstr("--any-robot")));
+    EXPECT_EQ(Val3Exporter().files(other, {.any_robot = true}).size(), 5U);
+  }
 }
 
 TEST(Val3Application, HoldsTheWaypointsOfTheArmInDegrees) {

@@ -58,7 +58,9 @@ class SimpleMessageError : public std::runtime_error {
 /// The message with its length in front: 44, 60 or 68 bytes.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT std::vector<std::uint8_t> encode(const SimpleMessage& message);
 
-/// Takes bytes as they come from a connection, in pieces of any size, and gives messages.
+/// Takes bytes as they come from a connection, in pieces of any size, and gives messages. Between
+/// two calls of add() next() is to be called until it gives nothing: then it keeps less than one
+/// message.
 class HANDWAY_DEVICE_EXPORT SimpleMessageParser {
  public:
   void add(std::span<const std::uint8_t> bytes);
@@ -71,6 +73,7 @@ class HANDWAY_DEVICE_EXPORT SimpleMessageParser {
 
  private:
   std::vector<std::uint8_t> bytes_;
+  std::size_t begin_ = 0;  ///< Of what next() has not given yet.
 };
 
 }  // namespace handway::device

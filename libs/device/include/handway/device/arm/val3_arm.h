@@ -28,16 +28,17 @@ class HANDWAY_DEVICE_EXPORT Val3Arm final : public MotionLink {
 
  private:
   void do_connect(const std::stop_token& stop) override;
-  void do_upload(const JointTrajectory& trajectory) override;
+  void do_upload(const JointTrajectory& trajectory, const std::stop_token& stop) override;
   void do_start() override;
   [[nodiscard]] double do_pause(double time) override;
   void do_resume() override;
   void do_stop() override;
-  void do_update(double time) override;
+  [[nodiscard]] bool do_update(double time) override;
 
-  void read_feedback();
+  void send_due_point(double time);
+  [[nodiscard]] bool read_feedback();
   void look_at_status() const;
-  void read_replies();
+  [[nodiscard]] bool read_replies();
   void take_reply(bool taken);
 
   struct Wire;

@@ -29,15 +29,21 @@ class HANDWAY_DEVICE_EXPORT ByteLink {
   std::size_t read(std::span<std::uint8_t> bytes, std::chrono::milliseconds timeout);
 
   /// Sends all of `bytes`.
-  /// @throws DeviceError if the other end is gone or takes nothing for a second.
-  void write(std::span<const std::uint8_t> bytes);
+  /// @throws DeviceError if the other end is gone or has not taken them within `timeout`.
+  void write(std::span<const std::uint8_t> bytes,
+             std::chrono::milliseconds timeout = kLongestWrite);
+
+  static constexpr std::chrono::milliseconds kLongestWrite{1000};
+  /// For commands, which are short: a device that does not take one does not read at all, and the
+  /// other devices have to hear of it.
+  static constexpr std::chrono::milliseconds kLongestCommand{100};
 
  protected:
   explicit ByteLink(std::string name) : name_(std::move(name)) {}
 
  private:
   virtual std::size_t do_read(std::span<std::uint8_t> bytes, std::chrono::milliseconds timeout) = 0;
-  virtual void do_write(std::span<const std::uint8_t> bytes) = 0;
+  virtual void do_write(std::span<const std::uint8_t> bytes, std::chrono::milliseconds timeout) = 0;
 
   std::string name_;
 };

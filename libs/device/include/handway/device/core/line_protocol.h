@@ -2,6 +2,7 @@
 
 #include "handway/device/export.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -24,7 +25,12 @@ class LineProtocolError : public std::runtime_error {
 /// @throws LineProtocolError if a word is no finite number.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT double number_of(std::string_view word);
 
-/// Cuts bytes into lines.
+/// What somebody else sent, for a message: in quotes, one line, at most 160 characters, what is no
+/// printable ASCII as "?".
+[[nodiscard]] HANDWAY_DEVICE_EXPORT std::string quote(std::string_view text);
+
+/// Cuts bytes into lines. Between two calls of add() next() is to be called until it gives nothing:
+/// then it keeps no more than one line's beginning.
 class HANDWAY_DEVICE_EXPORT LineBuffer {
  public:
   void add(std::span<const std::uint8_t> bytes);
@@ -33,6 +39,7 @@ class HANDWAY_DEVICE_EXPORT LineBuffer {
 
  private:
   std::string text_;
+  std::size_t begin_ = 0;  ///< Of what next() has not given yet.
 };
 
 }  // namespace handway::device

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "handway/device/core/backlog.h"
 #include "handway/device/core/joint_trajectory.h"
 #include "handway/device/core/silence.h"
 #include "handway/device/export.h"
@@ -42,8 +43,9 @@ struct MotionTolerances {
 ///
 /// It has no thread of its own: whoever uses it calls update() every few milliseconds from
 /// connect() on. It never lets a motion go on unwatched: a lost connection, positions that stop
-/// coming, a refused point, an emergency stop, a joint that does not follow, or one that does
-/// not arrive end the motion, with kFailed and a fault() in words.
+/// coming, or that come faster than they are read, a refused point, an emergency stop, a joint that
+/// does not follow, or one that does not arrive end the motion, with kFailed and a fault() in
+/// words.
 ///
 /// The public functions check; derived classes speak the device's protocol.
 class HANDWAY_DEVICE_EXPORT MotionLink {
@@ -65,7 +67,7 @@ class HANDWAY_DEVICE_EXPORT MotionLink {
   /// Gives the device a motion.
   /// @throws geometric::InputError as check_trajectory(); DeviceError if there is no connection,
   /// the device doesn't take it, or it is moving.
-  void upload(const JointTrajectory& trajectory);
+  void upload(const JointTrajectory& trajectory, const std::stop_token& stop = {});
 
   /// Begins the motion that was uploaded.
   /// @throws DeviceError saying why the device can't move now, or which joint stands too far
@@ -85,7 +87,9 @@ class HANDWAY_DEVICE_EXPORT MotionLink {
   void stop();
 
   /// Takes what the device said, gives it what it needs, and looks whether all is well. Waits
-  /// 2 ms at most. Whatever goes wrong, an exception included, ends the motion with kFailed.
+  /// 2 ms at most, and takes at most 256 KiB and 5 ms of each of its connections, however much the
+  /// device sends: what is left waits for the next call. Whatever goes wrong, an exception
+  /// included, ends the motion with kFailed.
   void update();
 
   [[nodiscard]] MotionPhase phase() const { return phase_; }
@@ -105,16 +109,18 @@ class HANDWAY_DEVICE_EXPORT MotionLink {
 
  private:
   virtual void do_connect(const std::stop_token& stop) = 0;
-  virtual void do_upload(const JointTrajectory& trajectory) = 0;
+  virtual void do_upload(const JointTrajectory& trajectory, const std::stop_token& stop) = 0;
   /// @throws DeviceError if the device can't move now.
   virtual void do_start() = 0;
   /// @param time not before it, s. @returns when the device holds, s.
   [[nodiscard]] virtual double do_pause(double time) = 0;
   virtual void do_resume() = 0;
   virtual void do_stop() = 0;
-  /// @param time of the motion, s. @throws DeviceError for anything that has to end the motion.
-  virtual void do_update(double time) = 0;
+  /// Reads within a ReadBudget. @param time of the motion, s. @returns whether all that had come
+  /// was read. @throws DeviceError for anything that has to end the motion.
+  [[nodiscard]] virtual bool do_update(double time) = 0;
 
+  void take_turn(double time);
   void fail(std::string fault);
   bool send_stop();
   void look_at_sample();
@@ -127,6 +133,7 @@ class HANDWAY_DEVICE_EXPORT MotionLink {
   std::string fault_;
   MeasuredJoints measured_;
   Silence silence_;
+  Backlog backlog_;
   std::uint64_t samples_seen_ = 0;
   JointTrajectory trajectory_;
   MotionTolerances tolerances_;

@@ -4,7 +4,9 @@
 #include "handway/device/glove/glove.h"
 
 #include <chrono>
+#include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 
 namespace handway::device {
@@ -43,6 +45,7 @@ class HANDWAY_DEVICE_EXPORT CyberGlove final : public Glove {
   void start_sampling();
   GloveReading take_frame(std::chrono::milliseconds timeout, const std::stop_token& stop);
   GloveReading look_for_glove(std::chrono::milliseconds timeout, const std::stop_token& stop);
+  void take_bytes(std::span<const std::uint8_t> bytes);
   void poll_when_due(Clock::time_point latest);
   void add_faults() noexcept;
 

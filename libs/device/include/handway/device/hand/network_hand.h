@@ -20,16 +20,16 @@ class HANDWAY_DEVICE_EXPORT NetworkHand final : public MotionLink {
 
  private:
   void do_connect(const std::stop_token& stop) override;
-  void do_upload(const JointTrajectory& trajectory) override;
+  void do_upload(const JointTrajectory& trajectory, const std::stop_token& stop) override;
   void do_start() override;
   [[nodiscard]] double do_pause(double time) override;
   void do_resume() override;
   void do_stop() override;
-  void do_update(double time) override;
+  [[nodiscard]] bool do_update(double time) override;
 
   void take(const std::string& line);
   void take_answer(const std::vector<std::string_view>& words, const std::string& line);
-  void ask(const std::string& lines, const char* word);
+  void ask(const std::string& lines, const char* word, const std::stop_token& stop);
 
   struct Wire;
   std::unique_ptr<Wire> wire_;

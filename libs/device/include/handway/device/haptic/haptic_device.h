@@ -1,5 +1,6 @@
 #pragma once
 
+#include "handway/device/core/backlog.h"
 #include "handway/device/core/silence.h"
 #include "handway/device/export.h"
 #include "handway/device/haptic/haptic_protocol.h"
@@ -31,9 +32,10 @@ class HANDWAY_DEVICE_EXPORT HapticDevice {
   /// @throws DeviceError if it can't be reached, or is none.
   void connect(const std::stop_token& stop = {});
 
-  /// The newest sample since the last call; nothing if none came within `timeout`.
-  /// @throws DeviceError, after a force of 0, if the device has a fault, the connection broke, or
-  /// it has told nothing for 0.1 s.
+  /// The newest sample since the last call; nothing if none came within `timeout`. Takes at most
+  /// 256 KiB, and 5 ms from the first bytes on, however much the device sends.
+  /// @throws DeviceError, after a force of 0, if the device has a fault, the connection broke, it
+  /// has told nothing for 0.1 s, or for so long more than can be read.
   [[nodiscard]] std::optional<HapticSample> read(std::chrono::milliseconds timeout);
 
   /// Pushes the hand until the next call, or until the device has heard nothing for 0.05 s.
@@ -45,6 +47,12 @@ class HANDWAY_DEVICE_EXPORT HapticDevice {
   void release();
 
  protected:
+  /// What a turn of reading gave.
+  struct Reading {
+    std::optional<HapticSample> newest;
+    bool all = true;  ///< Everything that had come was read.
+  };
+
   explicit HapticDevice(std::string name) : name_(std::move(name)) {}
 
   /// For derived classes. @throws DeviceError with this device's name.
@@ -52,12 +60,13 @@ class HANDWAY_DEVICE_EXPORT HapticDevice {
 
  private:
   [[nodiscard]] virtual HapticAbilities do_connect(const std::stop_token& stop) = 0;
-  [[nodiscard]] virtual std::optional<HapticSample> do_read(std::chrono::milliseconds timeout) = 0;
+  [[nodiscard]] virtual Reading do_read(std::chrono::milliseconds timeout) = 0;
   virtual void do_apply(const Eigen::Vector3d& force) = 0;
 
   std::string name_;
   HapticAbilities abilities_;
   Silence silence_;
+  Backlog backlog_;
 };
 
 }  // namespace handway::device

@@ -18,7 +18,7 @@ class HANDWAY_DEVICE_EXPORT NetworkHaptic final : public HapticDevice {
 
  private:
   [[nodiscard]] HapticAbilities do_connect(const std::stop_token& stop) override;
-  [[nodiscard]] std::optional<HapticSample> do_read(std::chrono::milliseconds timeout) override;
+  [[nodiscard]] Reading do_read(std::chrono::milliseconds timeout) override;
   void do_apply(const Eigen::Vector3d& force) override;
 
   struct Wire;

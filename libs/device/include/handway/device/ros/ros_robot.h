@@ -54,17 +54,18 @@ class HANDWAY_DEVICE_EXPORT RosRobot final : public MotionLink {
 
  private:
   void do_connect(const std::stop_token& stop) override;
-  void do_upload(const JointTrajectory& trajectory) override;
+  void do_upload(const JointTrajectory& trajectory, const std::stop_token& stop) override;
   void do_start() override;
   [[nodiscard]] double do_pause(double time) override;
   void do_resume() override;
   void do_stop() override;
-  void do_update(double time) override;
+  [[nodiscard]] bool do_update(double time) override;
 
-  void read();
+  [[nodiscard]] bool read();
   void take(const RosbridgeMessage& message);
   void take_joints(const RosJointState& state);
   void send_window(double time, double follow, double brake);
+  void publish_motion(const RosTrajectory& motion);
 
   struct Wire;
   std::unique_ptr<Wire> wire_;

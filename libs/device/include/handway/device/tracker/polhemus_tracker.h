@@ -1,6 +1,7 @@
 #pragma once
 
 #include "handway/device/export.h"
+#include "handway/device/tracker/polhemus_record.h"
 #include "handway/device/tracker/tracker.h"
 
 #include <chrono>
@@ -46,6 +47,7 @@ class HANDWAY_DEVICE_EXPORT PolhemusTracker final : public Tracker {
   [[nodiscard]] TrackerFaults do_faults() const override;
 
   void take_records(std::chrono::milliseconds timeout);
+  void take(const PolhemusRecord& record, Clock::time_point arrival);
   void wait_for_answer(const std::stop_token& stop);
   bool look_for_life(Clock::time_point now);
 

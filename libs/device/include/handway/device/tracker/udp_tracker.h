@@ -33,7 +33,7 @@ class HANDWAY_DEVICE_EXPORT UdpTracker final : public Tracker {
   void do_disconnect() noexcept override;
   [[nodiscard]] TrackerFaults do_faults() const override { return faults_; }
 
-  bool take_datagram(std::chrono::milliseconds timeout);
+  void take_datagram(std::chrono::milliseconds timeout);
 
   std::string address_;
   UdpTrackerSettings settings_;

@@ -32,6 +32,11 @@ struct ExportedFile {
   std::string content;
 };
 
+struct ExportOptions {
+  /// Export though robot_objection() has something to say: somebody knows better.
+  bool any_robot = false;
+};
+
 /// Writes motions in the format of a controller or another program.
 ///
 /// The public functions check; derived classes make the files' content.
@@ -45,17 +50,22 @@ class HANDWAY_PLANNING_EXPORT Exporter {
   /// True if what executes the files stops at every waypoint, so that the motion has to be
   /// timed without arcs.
   [[nodiscard]] virtual bool stops_at_waypoints() const { return false; }
+  /// What robots the format is for, if the motion's seems to be none of them; else empty.
+  [[nodiscard]] virtual std::string robot_objection(const Motion& /*motion*/) const { return {}; }
 
   /// The files for a motion, none of them written.
   /// @throws InputError naming joint, time and value if the motion can't run (see
-  /// check_trajectory()), or saying what the format needs and the motion has not.
-  [[nodiscard]] std::vector<ExportedFile> files(const Motion& motion) const;
+  /// check_trajectory()), or saying what the format needs and the motion has not, the right robot
+  /// included.
+  [[nodiscard]] std::vector<ExportedFile> files(const Motion& motion,
+                                                const ExportOptions& options = {}) const;
 
   /// Makes all files first, then writes each as a whole; makes `folder` if there is none.
   /// @returns what has been written.
   /// @throws InputError as files(), or if a file can't be written.
   [[nodiscard]] std::vector<std::filesystem::path> write(const Motion& motion,
-                                                         const std::filesystem::path& folder) const;
+                                                         const std::filesystem::path& folder,
+                                                         const ExportOptions& options = {}) const;
 
  protected:
   /// The derived class's part; the motion is checked.

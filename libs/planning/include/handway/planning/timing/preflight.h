@@ -33,9 +33,10 @@ struct PreflightReport {
   double duration = 0.0;  ///< s
   LimitShare velocity;
   LimitShare acceleration;
-  double min_clearance_mm = 0.0;    ///< At the points; more than 50 mm is not told apart.
-  double min_clearance_time = 0.0;  ///< s
-  std::string closest_pair;         ///< "A with B"
+  double min_clearance_mm = 0.0;      ///< At the points; more than 50 mm is not told apart.
+  double min_clearance_time = 0.0;    ///< s
+  std::string closest_pair;           ///< "A with B"
+  std::vector<AssumedLimit> assumed;  ///< Limits that it was checked against and no file has.
 
   [[nodiscard]] bool cleared() const { return faults.empty(); }
 };
@@ -53,7 +54,8 @@ struct PreflightReport {
 
 /// A JSON object: `cleared`, `faults` (`joint`, `time_s`, `value`, `text`), `points`,
 /// `duration_s`, `velocity` and `acceleration` (`joint`, `time_s`, `share`),
-/// `min_clearance_mm`, `min_clearance_time_s`, `closest_pair`. What is no finite number is null.
+/// `min_clearance_mm`, `min_clearance_time_s`, `closest_pair`, `assumed_limits` (`joint`, `limit`:
+/// rate_name(), `value`). What is no finite number is null.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::string to_json(const PreflightReport& report);
 
 }  // namespace handway::planning

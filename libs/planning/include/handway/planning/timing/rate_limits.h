@@ -5,7 +5,11 @@
 
 #include <Eigen/Core>
 
+#include <cstddef>
 #include <filesystem>
+#include <limits>
+#include <string>
+#include <vector>
 
 namespace handway::planning {
 
@@ -20,18 +24,42 @@ inline constexpr double kDefaultRampTime = 0.25;
 /// A joint without a jerk limit is taken to reach its acceleration limit in this time, s.
 inline constexpr double kDefaultJerkTime = 0.1;
 
+enum class Rate { kVelocity, kAcceleration, kJerk };
+
+/// "velocity", "acceleration" or "jerk".
+[[nodiscard]] HANDWAY_PLANNING_EXPORT const char* rate_name(Rate rate);
+
+/// A limit that no file has, and that one of the defaults above stands in for.
+struct AssumedLimit {
+  std::string joint;  ///< The variable's.
+  Rate rate = Rate::kAcceleration;
+  double value = 0.0;  ///< Of the variable: rad/s, rad/s² or rad/s³, or m.
+
+  bool operator==(const AssumedLimit&) const = default;
+};
+
 /// How fast the variables of a robot may change; all values > 0.
 struct RateLimits {
   Eigen::VectorXd velocity;      ///< Shape [variable_count], rad/s or m/s.
   Eigen::VectorXd acceleration;  ///< Shape [variable_count], rad/s² or m/s².
   Eigen::VectorXd jerk{};        ///< Shape [variable_count], rad/s³ or m/s³; size 0: not limited.
+  std::vector<AssumedLimit> assumed{};  ///< By rate, then by variable.
 
   /// Of the same motions at `speed` times their pace: velocities by it, accelerations
-  /// by its square, jerk by its cube. @pre speed > 0.
+  /// by its square, jerk by its cube; without `assumed`. @pre speed > 0.
   [[nodiscard]] RateLimits at_speed(double speed) const {
     return {velocity * speed, acceleration * (speed * speed), jerk * (speed * speed * speed)};
   }
+
+  /// The same without limits of jerk, assumed ones included.
+  [[nodiscard]] HANDWAY_PLANNING_EXPORT RateLimits without_jerk() const;
 };
+
+/// For a person: a line for each rate of which limits were assumed.
+/// @param most joints that are named in a line; of more the rest is counted.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<std::string> assumption_lines(
+    const std::vector<AssumedLimit>& assumed,
+    std::size_t most = std::numeric_limits<std::size_t>::max());
 
 /// The limits of the robot's joints, with the defaults above. A variable keeps the
 /// limits of the joints that are coupled to it too.
@@ -44,9 +72,9 @@ struct RateLimits {
 /// The limits of the robot's joints, replaced where `file` has others. The file is
 /// of the form that MoveIt knows: a map `joint_limits` of joints, each with
 /// `has_velocity_limits`, `max_velocity`, `has_acceleration_limits`,
-/// `max_acceleration`, `has_jerk_limits`, `max_jerk` (all optional, SI units). Joints of other
-/// robots in the file are left alone.
-/// @throws InputError naming line and key.
+/// `max_acceleration`, `has_jerk_limits`, `max_jerk` (all optional, SI units).
+/// @throws InputError naming line and key, also for a joint that the robot has not: limits that
+/// somebody relies on must not be passed over.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT RateLimits
 read_rate_limits(const geometric::RobotModel& model, const std::filesystem::path& file);
 

@@ -1,0 +1,87 @@
+/// What a CyberGlove sends, as records and as answers, and what an emulated one is sent.
+#include "cyberglove_commands.h"
+#include "handway/device/glove/cyberglove_parser.h"
+#include "handway/device/glove/cyberglove_unit.h"
+#include "pieces.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace {
+
+using namespace handway;
+
+void read_records(const device::CyberGloveFormat& format, const std::uint8_t* data,
+                  std::size_t size) {
+  device::CyberGloveParser parser(format);
+  fuzz::in_pieces(data, size, [&](fuzz::Bytes bytes) {
+    for (const std::uint8_t byte : bytes) {
+      const auto record = parser.push(byte);
+      if (record && record->kind == device::CyberGloveRecordKind::kSample) {
+        for (const std::uint16_t count : record->counts) {
+          fuzz::require(count <= 255);
+        }
+      }
+    }
+  });
+  fuzz::require(parser.dropped_bytes() <= size);
+}
+
+/// All bytes have come.
+struct AtEnd {};
+
+/// A line on which these bytes come, in pieces, whatever is asked.
+class Line final : public device::ByteLink {
+ public:
+  Line(const std::uint8_t* data, std::size_t size) : ByteLink("line") {
+    fuzz::in_pieces(data, size, [this](fuzz::Bytes bytes) { pieces_.push_back(bytes); });
+  }
+
+ private:
+  std::size_t do_read(std::span<std::uint8_t> bytes,
+                      std::chrono::milliseconds /*timeout*/) override {
+    if (next_ == pieces_.size()) {
+      throw AtEnd{};
+    }
+    const fuzz::Bytes piece = pieces_[next_++];
+    const std::size_t count = std::min(piece.size(), bytes.size());
+    std::copy_n(piece.begin(), count, bytes.begin());
+    return count;
+  }
+  void do_write(std::span<const std::uint8_t> /*bytes*/,
+                std::chrono::milliseconds /*timeout*/) override {}
+
+  std::vector<fuzz::Bytes> pieces_;
+  std::size_t next_ = 0;
+};
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  device::CyberGloveFormat whole;
+  whole.time_stamp = true;
+  whole.status = true;
+  read_records({}, data, size);
+  read_records({.sensors = 18}, data, size);
+  read_records(whole, data, size);
+  Line line(data, size);
+  device::CyberGloveCommands commands(line, std::chrono::milliseconds(1000));
+  try {
+    while (const auto reply = commands.query('V', 4, {})) {
+      fuzz::require(reply->data.size() <= 4);
+    }
+  } catch (const AtEnd&) {
+    // Nothing more to be read.
+  }
+  device::CyberGloveUnit unit({}, [](double) {
+    std::array<std::uint16_t, device::kGloveSensors> counts{};
+    counts.fill(100);
+    return counts;
+  });
+  double now = 0.0;
+  fuzz::in_pieces(data, size, [&](fuzz::Bytes bytes) {
+    static_cast<void>(unit.receive(bytes, now));
+    static_cast<void>(unit.advance(now += 0.01));
+  });
+  return 0;
+}
