@@ -52,6 +52,10 @@ void bind_certificate(py::module_& module) {
                           "What holds for every configuration on a path, in every checked pair.")
       .def_readonly("resolution_mm", &Certificate::resolution_mm,
                     "Along edges, pairs that move keep at least this, mm.")
+      .def_readonly("resolution_at_start_mm", &Certificate::resolution_at_start_mm,
+                    "The same next to the start, mm; less if the start itself has less than twice.")
+      .def_readonly("resolution_at_goal_mm", &Certificate::resolution_at_goal_mm,
+                    "The same next to the goal, mm.")
       .def_readonly("min_clearance_mm", &Certificate::min_clearance_mm,
                     "A lower bound over the whole path, mm; at most a fifth too low, and not more\n"
                     "than 50 mm.")

@@ -8,14 +8,24 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace handway::tools {
 namespace {
 
 using geometric::RobotModel;
+using Json = nlohmann::ordered_json;
+
+constexpr double kLimitTolerance = 1e-9;  // rad or m, as planning takes it
 
 std::size_t triangle_count(const std::vector<geometric::LinkGeometry>& geometry) {
   std::size_t count = 0;
@@ -23,6 +33,18 @@ std::size_t triangle_count(const std::vector<geometric::LinkGeometry>& geometry)
     count += tessellate(part.shape)->triangles.size();
   }
   return count;
+}
+
+std::vector<std::string> links_with_open_meshes(const RobotModel& model) {
+  std::vector<std::string> links;
+  for (const geometric::Link& link : model.description().links) {
+    if (std::ranges::any_of(link.collision, [](const geometric::LinkGeometry& geometry) {
+          return !is_closed(geometry.shape);
+        })) {
+      links.push_back(link.name);
+    }
+  }
+  return links;
 }
 
 void print_robot(const geometric::RobotInstance& robot) {
@@ -50,6 +72,9 @@ void print_robot(const geometric::RobotInstance& robot) {
                shown(joint.limits.lower), shown(joint.limits.upper), shown(joint.limits.velocity),
                joint.mimic ? joint.mimic->joint : "", turns ? "(deg)" : "(mm)");
   }
+  if (const std::vector<std::string> open = links_with_open_meshes(model); !open.empty()) {
+    fmt::print("  surfaces, not solids (open collision meshes): {}\n", fmt::join(open, ", "));
+  }
   for (const geometric::JointGroup& group : model.description().groups) {
     fmt::print("  group {}: {} joints\n", group.name, group.joints.size());
   }
@@ -63,28 +88,95 @@ void print_basis(const sampling::PmdBasis& basis) {
              basis.joints.size(), basis.free_joints.size(), basis.directions.size(), basis.source);
 }
 
-void print_query(const planning::LoadedScene& loaded) {
-  const planning::PlanningProblem problem = planning::make_problem(loaded.scene, loaded.basis);
-  const auto checker = problem.checker->clone();
+// Start or goal: free of collision or not, and what touches or is closest.
+struct End {
+  const char* which;
+  bool within_limits = true;
+  std::vector<geometric::NamedPair> touching;
+  std::optional<geometric::NamedPair> closest;  ///< Of a free one, if there is a pair.
+};
+
+std::vector<End> examine_ends(const geometric::Scene& scene, geometric::CollisionChecker& checker) {
+  const RobotModel& model = checker.world().model();
+  std::vector<End> ends;
   for (const auto& [which, q] :
-       {std::pair("start", &problem.start), std::pair("goal", &problem.goal)}) {
-    const auto touching = geometric::find_collisions(*checker, *q);
-    if (touching.empty()) {
-      const geometric::NamedPair closest = geometric::find_clearance(*checker, *q);
-      fmt::print("{}: free, closest {} with {} at {:.3f} mm\n", which, closest.a, closest.b,
-                 geometric::millimetres(closest.distance));
+       {std::pair("start", &scene.start), std::pair("goal", &scene.goal)}) {
+    if (!q->has_value()) {
+      continue;
     }
-    for (const geometric::NamedPair& pair : touching) {
-      fmt::print("{}: IN COLLISION, {} with {}\n", which, pair.a, pair.b);
+    End end{which};
+    end.within_limits = ((**q - model.lower()).array() >= -kLimitTolerance).all() &&
+                        ((model.upper() - **q).array() >= -kLimitTolerance).all();
+    end.touching = geometric::find_collisions(checker, **q);
+    if (end.touching.empty() && !checker.world().pairs().empty()) {
+      end.closest = geometric::find_clearance(checker, **q);
     }
+    ends.push_back(std::move(end));
   }
-  fmt::print("pairs of bodies that are checked: {}\n", checker->world().pairs().size());
+  return ends;
 }
 
-int info(const std::filesystem::path& file) {
-  planning::Extensions extensions;
-  extensions.load_plugins(planning::plugin_directory());
-  const planning::LoadedScene loaded = planning::load_scene(file, extensions);
+void print_ends(const std::vector<End>& ends, const geometric::CollisionChecker& checker) {
+  for (const End& end : ends) {
+    if (!end.within_limits) {
+      fmt::print("{}: OUT OF LIMITS\n", end.which);
+    }
+    if (end.closest) {
+      fmt::print("{}: free, closest {} with {} at {:.3f} mm\n", end.which, end.closest->a,
+                 end.closest->b, geometric::millimetres(end.closest->distance));
+    } else if (end.touching.empty()) {
+      fmt::print("{}: free\n", end.which);
+    }
+    for (const geometric::NamedPair& pair : end.touching) {
+      fmt::print("{}: IN COLLISION, {} with {}\n", end.which, pair.a, pair.b);
+    }
+  }
+  fmt::print("pairs of bodies that are checked: {}\n", checker.world().pairs().size());
+}
+
+Json json_of(const End& end) {
+  const geometric::NamedPair* pair =
+      end.touching.empty() ? (end.closest ? &*end.closest : nullptr) : &end.touching.front();
+  Json object{{"free", end.touching.empty()}, {"within_limits", end.within_limits}};
+  object["pair"] = pair ? Json::array({pair->a, pair->b}) : Json();
+  object["distance_mm"] = pair ? Json(geometric::millimetres(pair->distance)) : Json();
+  return object;
+}
+
+// What the object's shape is for collision checking.
+const char* form_of(const geometric::SceneObject& object) {
+  const bool closed = is_closed(object.shape);
+  return closed && object.solid ? "solid"
+         : closed               ? "surface (solid: false)"
+                                : "surface (open mesh)";
+}
+
+void print_json(const geometric::Scene& scene, const std::vector<End>& ends,
+                const std::vector<std::string>& warnings) {
+  Json robots = Json::array();
+  for (const geometric::RobotInstance& robot : scene.robots) {
+    robots.push_back({{"name", robot.name},
+                      {"links", robot.model->link_count()},
+                      {"joints", robot.model->variable_count()},
+                      {"links_with_open_meshes", links_with_open_meshes(*robot.model)}});
+  }
+  Json objects = Json::array();
+  for (const geometric::SceneObject& object : scene.objects) {
+    objects.push_back({{"name", object.name},
+                       {"shape", shape_name(object.shape)},
+                       {"solid", object.solid && is_closed(object.shape)}});
+  }
+  Json report{{"name", scene.name}, {"robots", robots}, {"objects", objects},
+              {"start", nullptr},   {"goal", nullptr},  {"warnings", warnings}};
+  for (const End& end : ends) {
+    report[end.which] = json_of(end);
+  }
+  fmt::print("{}\n", report.dump(2));
+}
+
+void print_text(const std::filesystem::path& file, const planning::LoadedScene& loaded,
+                const std::vector<End>& ends, const geometric::CollisionChecker* checker,
+                const std::vector<std::string>& warnings) {
   const geometric::Scene& scene = *loaded.scene;
   fmt::print("{}\n", scene.name.empty() ? file.string() : scene.name);
   if (!scene.description.empty()) {
@@ -94,21 +186,46 @@ int info(const std::filesystem::path& file) {
     print_robot(robot);
   }
   for (const geometric::SceneObject& object : scene.objects) {
-    fmt::print("object {}: {}, {} triangles{}\n", object.name, shape_name(object.shape),
-               tessellate(object.shape)->triangles.size(),
+    fmt::print("object {}: {}, {} triangles, {}{}\n", object.name, shape_name(object.shape),
+               tessellate(object.shape)->triangles.size(), form_of(object),
                object.attachment ? ", carried by " + object.attachment->link : "");
   }
   if (loaded.basis) {
     print_basis(*loaded.basis);
   }
-  if (scene.start && scene.goal) {
-    print_query(loaded);
+  if (checker) {
+    print_ends(ends, *checker);
   }
-  for (const std::string& warning : scene.warnings) {
+  for (const std::string& warning : warnings) {
     fmt::print("warning: {}\n", warning);
   }
+}
+
+int info(const std::filesystem::path& file, bool as_json) {
+  planning::Extensions extensions;
+  extensions.load_plugins(planning::plugin_directory());
+  const planning::LoadedScene loaded = planning::load_scene(file, extensions);
+  const geometric::Scene& scene = *loaded.scene;
+  std::unique_ptr<geometric::CollisionChecker> checker;
+  std::vector<End> ends;
+  if (scene.start || scene.goal) {
+    checker =
+        geometric::make_collision_checker(std::make_shared<const geometric::CollisionWorld>(scene));
+    ends = examine_ends(scene, *checker);
+  }
+  std::vector<std::string> warnings = scene.warnings;
   for (const planning::RefusedPlugin& plugin : extensions.refused()) {
-    fmt::print("warning: plugin {} was not loaded: {}\n", plugin.file.string(), plugin.reason);
+    warnings.push_back(
+        fmt::format("plugin {} was not loaded: {}", plugin.file.string(), plugin.reason));
+  }
+  if (as_json) {
+    for (const geometric::RobotInstance& robot : scene.robots) {
+      const auto& of_robot = robot.model->description().warnings;
+      warnings.insert(warnings.end(), of_robot.begin(), of_robot.end());
+    }
+    print_json(scene, ends, warnings);
+  } else {
+    print_text(file, loaded, ends, checker.get(), warnings);
   }
   return kDone;
 }
@@ -119,7 +236,9 @@ void add_info_command(CLI::App& app, int& exit_code) {
   auto file = std::make_shared<std::filesystem::path>();
   CLI::App* command = app.add_subcommand("info", "Show what a scene or robot file holds");
   command->add_option("file", *file, "Scene, problem or robot file")->required();
-  command->callback([file, &exit_code] { exit_code = info(*file); });
+  auto as_json = std::make_shared<bool>(false);
+  command->add_flag("--json", *as_json, "Print it as JSON, for programs");
+  command->callback([file, as_json, &exit_code] { exit_code = info(*file, *as_json); });
 }
 
 }  // namespace handway::tools

@@ -83,6 +83,8 @@ std::string plan_report(planning::Planner& planner, const planning::PlanRequest&
       {"path_nodes", result.path.waypoints.size()},
       {"certificate",
        {{"resolution_mm", result.certificate.resolution_mm},
+        {"resolution_at_start_mm", result.certificate.resolution_at_start_mm},
+        {"resolution_at_goal_mm", result.certificate.resolution_at_goal_mm},
         {"min_clearance_mm", result.certificate.min_clearance_mm},
         {"checks", result.certificate.checks}}},
       {"human_likeness", likeness_of(likeness)},

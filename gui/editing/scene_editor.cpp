@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace handway::gui {
@@ -305,6 +306,19 @@ void SceneEditor::set_locked(const std::vector<std::string>& objects, bool locke
   if (std::ranges::any_of(objects, [&](const auto& o) { return state().is_locked(o) != locked; })) {
     push((locked ? tr("Lock %1") : tr("Unlock %1")).arg(words_for(objects)),
          with_changed_objects(state(), objects, [&](SceneObject& o) { o.locked = locked; }),
+         selection_);
+  }
+}
+
+void SceneEditor::set_solid(const std::vector<std::string>& objects, bool solid) {
+  std::vector<std::string> changed;
+  std::ranges::copy_if(objects, std::back_inserter(changed), [&](const std::string& name) {
+    const SceneObject* object = state().find(name);
+    return object && !object->locked && object->solid != solid;
+  });
+  if (!changed.empty()) {
+    push((solid ? tr("Make %1 Solid") : tr("Make %1 Hollow")).arg(words_for(changed)),
+         with_changed_objects(state(), changed, [&](SceneObject& o) { o.solid = solid; }),
          selection_);
   }
 }

@@ -72,6 +72,8 @@ class SceneEditor : public QObject {
   void drop();
   void set_hidden(const std::vector<std::string>& objects, bool hidden);
   void set_locked(const std::vector<std::string>& objects, bool locked);
+  /// Whether closed shapes are filled; locked objects stay as they are.
+  void set_solid(const std::vector<std::string>& objects, bool solid);
   /// Fixes the objects to a link, where all are now; raised by a little if one of them stands on
   /// something, see rise_to_clear(). @param touching links that may touch them.
   void attach(const std::string& robot, const std::string& link,

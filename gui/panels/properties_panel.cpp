@@ -8,6 +8,7 @@
 #include "style/icons.h"
 #include "style/theme.h"
 
+#include <QCheckBox>
 #include <QColorDialog>
 #include <QComboBox>
 #include <QFormLayout>
@@ -64,7 +65,8 @@ PropertiesPanel::PropertiesPanel(SceneEditor& editor, QWidget* parent)
       shape_(new ShapeForm),
       extent_(new QLabel),
       color_(new QToolButton),
-      parent_(new QComboBox) {
+      parent_(new QComboBox),
+      solid_(new QCheckBox(tr("Solid"))) {
   setFrameShape(QFrame::NoFrame);
   setWidgetResizable(true);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -88,6 +90,10 @@ PropertiesPanel::PropertiesPanel(SceneEditor& editor, QWidget* parent)
   };
   rows->addRow(note(tr("Colour")), color_);
   rows->addRow(note(tr("Fixed to")), parent_);
+  solid_->setObjectName(QStringLiteral("solid"));
+  solid_->setToolTip(
+      tr("What is inside collides. Off: a room or a cell, of which the walls alone count"));
+  rows->addRow(solid_);
   extent_->setObjectName(QStringLiteral("extent"));
   extent_->setProperty("role", "note");
   shape_box_ = boxed({heading(tr("Size")), shape_, extent_, more});
@@ -106,6 +112,8 @@ PropertiesPanel::PropertiesPanel(SceneEditor& editor, QWidget* parent)
   connect(shape_, &ShapeForm::shape_edited, &editor_,
           [this](const geometric::Shape& shape) { editor_.set_shape(shape); });
   connect(color_, &QToolButton::clicked, this, &PropertiesPanel::choose_color);
+  connect(solid_, &QCheckBox::clicked, this,
+          [this](bool on) { editor_.set_solid(editor_.selected_objects(), on); });
   connect(parent_, qOverload<int>(&QComboBox::activated), this, [this](int row) {
     emit attach_requested(parent_->itemData(row, Qt::UserRole).toString().toStdString(),
                           parent_->itemData(row, Qt::UserRole + 1).toString().toStdString());
@@ -231,6 +239,8 @@ void PropertiesPanel::show_common(const geometric::SceneObject& object, bool edi
   shape_->set_editable(editable);
   color_->setEnabled(editable);
   paint_swatch(object.color);
+  solid_->setChecked(object.solid);
+  solid_->setEnabled(editable);
   list_parents(object);
   parent_->setEnabled(editable && parent_->count() > 1);
 }

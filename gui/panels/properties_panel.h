@@ -4,6 +4,7 @@
 
 #include <QScrollArea>
 
+class QCheckBox;
 class QComboBox;
 class QLabel;
 class QLineEdit;
@@ -62,6 +63,7 @@ class PropertiesPanel : public QScrollArea {
   QLabel* extent_;
   QToolButton* color_;
   QComboBox* parent_;
+  QCheckBox* solid_;
 };
 
 }  // namespace handway::gui

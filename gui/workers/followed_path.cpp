@@ -82,7 +82,7 @@ bool same_carried(const Scene& a, const Scene& b) {
     return x->name == y->name && x->attachment->link == y->attachment->link &&
            x->attachment->robot == y->attachment->robot &&
            x->attachment->touching == y->attachment->touching && same_pose(x->X_PO, y->X_PO) &&
-           same_shape(x->shape, y->shape);
+           same_shape(x->shape, y->shape) && x->solid == y->solid;
   });
 }
 
@@ -109,7 +109,7 @@ bool FollowedPath::move_to(const Scene& scene) {
     if (old.attachment) {
       continue;
     }
-    if (!now || !same_shape(old.shape, now->shape)) {
+    if (!now || !same_shape(old.shape, now->shape) || old.solid != now->solid) {
       roadmap_.remove_object(old.name);
     } else if (!same_pose(old.X_PO, now->X_PO)) {
       roadmap_.move_object(old.name, now->X_PO);
@@ -117,7 +117,8 @@ bool FollowedPath::move_to(const Scene& scene) {
   }
   for (const SceneObject& now : scene.objects) {
     const SceneObject* old = geometric::find_object(*before, now.name);
-    if (!now.attachment && (!old || !same_shape(old->shape, now.shape))) {
+    if (!now.attachment &&
+        (!old || !same_shape(old->shape, now.shape) || old->solid != now.solid)) {
       roadmap_.add_object(now);
     }
   }

@@ -48,7 +48,8 @@ std::optional<CollisionWorld> updated_world(const CollisionWorld& world, const S
   for (const SceneObject& old : before.objects) {
     const SceneObject* same = kept < after.objects.size() ? &after.objects[kept] : nullptr;
     if (same && same->name == old.name) {
-      if (!same_attachment(old, *same) || !same_shape(old.shape, same->shape)) {
+      if (!same_attachment(old, *same) || !same_shape(old.shape, same->shape) ||
+          old.solid != same->solid) {
         return std::nullopt;
       }
       if (!old.attachment && !same_pose(old.X_PO, same->X_PO)) {

@@ -64,7 +64,8 @@ TEST_F(Handway, ReportsWithTheKeysOfTheContract) {
   EXPECT_EQ(report["threads"], 1);
   EXPECT_GE(report["path_nodes"], 2);
   EXPECT_EQ(report["parameters"]["k"], 5);
-  for (const char* key : {"resolution_mm", "min_clearance_mm", "checks"}) {
+  for (const char* key : {"resolution_mm", "resolution_at_start_mm", "resolution_at_goal_mm",
+                          "min_clearance_mm", "checks"}) {
     EXPECT_GT(report["certificate"][key], 0) << key;
   }
   for (const char* key : {"samples", "nodes", "edges", "checks", "nodes_per_pmds", "final_rho_a"}) {
@@ -203,6 +204,41 @@ TEST_F(Handway, RefusesAStartInCollision) {
                              HasSubstr("The nearest free start that was found is ")));
   EXPECT_FALSE(fs::exists(line_.folder() / "path.csv"));
   EXPECT_EQ(nlohmann::json::parse(line_.read("report.json"))["solved"], false);
+}
+
+TEST_F(Handway, TakesAClosedShapeForASolidUnlessItIsHollow) {
+  ASSERT_EQ(line_.run("plan open.yaml --out path.csv").exit_code, kDone);
+  line_.replace("open.yaml", "objects:\n",
+                "objects:\n  - name: room\n    box: {size: [20, 20, 20]}\n    solid: true\n");
+  const Outcome plan = line_.run("plan open.yaml");
+  EXPECT_EQ(plan.exit_code, kInvalidQuery);
+  EXPECT_THAT(plan.err, AllOf(HasSubstr("start is in collision"), HasSubstr("with room")));
+  const Outcome check = line_.run("check open.yaml path.csv");
+  EXPECT_EQ(check.exit_code, kNoPath);
+  EXPECT_THAT(check.out, HasSubstr("with room"));
+  EXPECT_THAT(line_.run("info open.yaml").out,
+              AllOf(HasSubstr("object room: box, 12 triangles, solid"),
+                    HasSubstr("start: IN COLLISION"), HasSubstr("goal: IN COLLISION")));
+  line_.replace("open.yaml", "solid: true", "solid: false");
+  EXPECT_EQ(line_.run("plan open.yaml").exit_code, kDone);
+  EXPECT_EQ(line_.run("check open.yaml path.csv").exit_code, kDone);
+  EXPECT_THAT(line_.run("info open.yaml").out,
+              AllOf(HasSubstr("surface (solid: false)"), HasSubstr("start: free")));
+}
+
+TEST_F(Handway, TellsStartAndGoalAsData) {
+  line_.replace("post.yaml", "-0.4", "-0.066");
+  const Outcome run = line_.run("info post.yaml --json");
+  ASSERT_EQ(run.exit_code, kDone) << run.err;
+  const auto info = nlohmann::json::parse(run.out);
+  EXPECT_EQ(info["start"]["free"], false);
+  EXPECT_EQ(info["start"]["pair"][1], "post");
+  EXPECT_EQ(info["start"]["distance_mm"], 0.0);
+  EXPECT_EQ(info["goal"]["free"], true);
+  EXPECT_EQ(info["goal"]["within_limits"], true);
+  EXPECT_EQ(info["goal"]["pair"].size(), 2U);
+  EXPECT_GT(info["goal"]["distance_mm"], 0.0);
+  EXPECT_EQ(info["objects"][0]["solid"], true);
 }
 
 TEST_F(Handway, RefusesAGoalOutOfLimits) {

@@ -4,6 +4,7 @@
 #include "collision/oriented_boxes.h"
 #include "collision/remembered_distances.h"
 #include "collision/root_bounds.h"
+#include "collision/solid.h"
 #include "collision/surface_query.h"
 
 #include <algorithm>
@@ -133,7 +134,7 @@ std::optional<int> BoundedChecker::do_first_collision(int hint) {
   std::ranges::sort(doubts, {},
                     [](const Doubt& doubt) { return std::pair(doubt.shallowness, doubt.pair); });
   const auto touching = std::ranges::find_if(doubts, [&](const Doubt& doubt) {
-    return closeness_of_surfaces(doubt.pair, kTouch) == Closeness::kTouching;
+    return exact_closeness(doubt.pair, kTouch) == Closeness::kTouching;
   });
   return touching == doubts.end() ? std::nullopt : std::optional(touching->pair);
 }
@@ -147,8 +148,9 @@ bool BoundedChecker::touches_at_a_glance(int pair) {
   const std::optional<Closeness> seen = surfaces.glance(kTouch);
   if (!seen) {
     scratch_->doubts.push_back({surfaces.shallowness(), pair});
+    return false;
   }
-  return seen == Closeness::kTouching;
+  return seen == Closeness::kTouching || is_contained(pair, surfaces);
 }
 
 SurfaceQuery BoundedChecker::query(int pair, std::span<const Pose> X_WBody) {
@@ -168,6 +170,12 @@ double BoundedChecker::remembered(int pair) {
     std::vector<Pose> X_BL(static_cast<std::size_t>(world().model().link_count()));
     std::vector<Pose> X_WBody(world().bodies().size());
     world().place(q, X_BL, X_WBody);
+    const BodyPair& bodies = world().pairs()[static_cast<std::size_t>(pair)];
+    if (contain_each_other(
+            *world().body(bodies.a).solids, X_WBody[static_cast<std::size_t>(bodies.a)],
+            *world().body(bodies.b).solids, X_WBody[static_cast<std::size_t>(bodies.b)])) {
+      return 0.0;
+    }
     const double bound = query(pair, X_WBody).bound(kRemembered, kThorough);
     return bound > kTold ? bound
                          : std::min(kRemembered, query(pair, X_WBody).distance(kRemembered).upper);
@@ -201,17 +209,30 @@ bool BoundedChecker::is_parted(int pair, double distance) {
 
 Closeness BoundedChecker::nearby_closeness(int pair, double tolerance) {
   return is_parted(pair, std::max(tolerance, kTouch)) ? Closeness::kFarther
-                                                      : closeness_of_surfaces(pair, tolerance);
+                                                      : exact_closeness(pair, tolerance);
 }
 
-Closeness BoundedChecker::closeness_of_surfaces(int pair, double tolerance) {
+Closeness BoundedChecker::exact_closeness(int pair, double tolerance) {
   SurfaceQuery surfaces = query(pair, body_poses());
   const Closeness closeness = surfaces.closeness(tolerance);
   if (surfaces.was_exact()) {
     count_exact_test();
   }
   const bool doubtful = closeness == Closeness::kTouching && !surfaces.surely_crosses();
-  return doubtful && !touches(pair) ? Closeness::kCloser : closeness;
+  if (doubtful ? touches(pair) : closeness == Closeness::kTouching) {
+    return Closeness::kTouching;
+  }
+  if (is_contained(pair, surfaces)) {
+    return Closeness::kTouching;
+  }
+  return doubtful ? Closeness::kCloser : closeness;
+}
+
+bool BoundedChecker::is_contained(int pair, const SurfaceQuery& surfaces) const {
+  // Boxes are outside of the pieces of all shapes together; those of several may overlap.
+  const BodyPair& bodies = volumes_->pairs[static_cast<std::size_t>(pair)];
+  const bool kept_outside = surfaces.is_outside() && world().body(bodies.b).solids->is_one_shape;
+  return !surfaces.hulls_are_apart() && !kept_outside && pair_is_contained(pair);
 }
 
 double BoundedChecker::do_pair_glance(int pair) {
@@ -222,7 +243,11 @@ double BoundedChecker::do_pair_bound(int pair, double enough) {
   if (volumes_->roots->bound(scratch_->roots, pair) >= enough || boxes_part(pair, enough)) {
     return enough;
   }
-  const double least = query(pair, body_poses()).bound(enough, kGlance);
+  SurfaceQuery surfaces = query(pair, body_poses());
+  const double least = surfaces.bound(enough, kGlance);
+  if (is_contained(pair, surfaces)) {
+    return 0.0;
+  }
   return least >= enough ? least : std::min(enough, std::max(least, remembered(pair)));
 }
 
@@ -231,9 +256,12 @@ double BoundedChecker::do_pair_distance(int pair, double enough) {
 }
 
 DistanceRange BoundedChecker::do_pair_distance_range(int pair, double enough, double share) {
-  return volumes_->roots->bound(scratch_->roots, pair) >= enough || boxes_part(pair, enough)
-             ? DistanceRange{enough}
-             : query(pair, body_poses()).distance(enough, share);
+  if (volumes_->roots->bound(scratch_->roots, pair) >= enough || boxes_part(pair, enough)) {
+    return {enough};
+  }
+  SurfaceQuery surfaces = query(pair, body_poses());
+  const DistanceRange distance = surfaces.distance(enough, share);
+  return is_contained(pair, surfaces) ? DistanceRange{0.0, 0.0} : distance;
 }
 
 }  // namespace handway::geometric

@@ -1,5 +1,7 @@
 #include "handway/geometric/collision/collision_checker.h"
 
+#include "collision/solid.h"
+
 #include <algorithm>
 #include <numeric>
 #include <stdexcept>
@@ -30,6 +32,12 @@ void CollisionChecker::place(const Configuration& q) {
   q_ = q;
   world_->place_moving(q, X_BL_, X_WBody_);
   do_place();
+}
+
+bool CollisionChecker::pair_is_contained(int pair) const {
+  const auto& [a, b] = world_->pairs()[static_cast<std::size_t>(pair)];
+  return contain_each_other(*world_->body(a).solids, X_WBody_[static_cast<std::size_t>(a)],
+                            *world_->body(b).solids, X_WBody_[static_cast<std::size_t>(b)]);
 }
 
 bool CollisionChecker::pair_collides(int pair) {

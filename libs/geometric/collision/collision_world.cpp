@@ -1,11 +1,22 @@
 #include "handway/geometric/collision/collision_world.h"
 
+#include "collision/solid.h"
 #include "handway/geometric/io/input_error.h"
 
 #include <algorithm>
 #include <utility>
 
 namespace handway::geometric {
+namespace {
+
+CollisionBody body_of(const SceneObject& object) {
+  CollisionBody body{object.name, -1, object.X_PO, tessellate(object.shape)};
+  const LinkGeometry shape{object.shape, Pose::Identity(), object.color};
+  body.solids = make_body_solids({&shape, 1}, object.solid);
+  return body;
+}
+
+}  // namespace
 
 TriangleMesh collision_mesh(const Link& link) {
   TriangleMesh whole;
@@ -34,6 +45,7 @@ void CollisionWorld::add_robot_links(const RobotInstance& robot) {
     auto mesh = std::make_shared<TriangleMesh>(collision_mesh(robot.model->link(i)));
     if (!mesh->empty()) {
       bodies_.push_back({robot.model->link(i).name, i, Pose::Identity(), std::move(mesh)});
+      bodies_.back().solids = make_body_solids(robot.model->link(i).collision);
     }
   }
 }
@@ -46,13 +58,14 @@ void CollisionWorld::add_still_robot(const RobotInstance& robot) {
     if (!mesh->empty()) {
       bodies_.push_back({robot.name + "/" + robot.model->link(i).name, -1,
                          robot.X_WB * X_BL[static_cast<std::size_t>(i)], std::move(mesh)});
+      bodies_.back().solids = make_body_solids(robot.model->link(i).collision);
     }
   }
 }
 
 void CollisionWorld::add_objects(const Scene& scene) {
   for (const SceneObject& object : scene.objects) {
-    CollisionBody body{object.name, -1, object.X_PO, tessellate(object.shape)};
+    CollisionBody body = body_of(object);
     if (object.attachment) {
       const RobotInstance* robot = find_robot(scene, object.attachment->robot);
       const std::optional<int> link =
@@ -151,7 +164,7 @@ CollisionWorld CollisionWorld::with_object(const SceneObject& object) const {
                       "a new object that stands still", ""});
   }
   CollisionWorld changed = *this;
-  CollisionBody body{object.name, -1, object.X_PO, tessellate(object.shape)};
+  CollisionBody body = body_of(object);
   if (!body.mesh->empty()) {
     changed.bodies_.push_back(std::move(body));
     changed.list_pairs();

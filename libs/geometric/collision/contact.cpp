@@ -1,7 +1,7 @@
 #include "handway/geometric/collision/contact.h"
 
 #include "collision/fcl_tree.h"
-#include "collision/inside_mesh.h"
+#include "collision/solid.h"
 
 #include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/math/bv/OBBRSS.h>
@@ -11,6 +11,7 @@
 #include <cmath>
 #include <functional>
 #include <optional>
+#include <utility>
 
 namespace handway::geometric {
 namespace {
@@ -19,7 +20,7 @@ constexpr double kPrecision = 1e-4;       // m
 constexpr std::size_t kMostPoints = 400;  // triangle contacts that the middle is taken of
 
 struct PlacedBody {
-  const TriangleMesh& mesh;
+  const BodySolids& solids;
   const FclTree& tree;
   Pose X_WB;
 };
@@ -50,7 +51,7 @@ class PlacedPair {
     return crossing;
   }
 
-  // Is body a, shifted, neither crossing body b nor wholly inside it, or around it?
+  // Is body a, shifted, neither crossing body b nor inside it, or around it?
   [[nodiscard]] bool is_clear(const Eigen::Vector3d& shift) const {
     const Pose X_WA = Eigen::Translation3d(shift) * a_.X_WB;
     const fcl::CollisionRequestd request;
@@ -58,9 +59,20 @@ class PlacedPair {
     if (fcl::collide(&a_.tree, X_WA, &b_.tree, b_.X_WB, request, result) > 0) {
       return false;
     }
-    const Pose X_BA = b_.X_WB.inverse() * X_WA;
-    return !is_inside(b_.mesh, X_BA * a_.mesh.vertices.front()) &&
-           !is_inside(a_.mesh, X_BA.inverse() * b_.mesh.vertices.front());
+    return !contain_each_other(a_.solids, X_WA, b_.solids, b_.X_WB);
+  }
+
+  // Where one body is inside of the other without a crossing: a point of the inner one; no normal.
+  [[nodiscard]] std::optional<Crossing> containment() const {
+    for (const auto& [inner, outer] : {std::pair(&a_, &b_), std::pair(&b_, &a_)}) {
+      const Pose X_OI = outer->X_WB.inverse(Eigen::Isometry) * inner->X_WB;
+      for (const Eigen::Vector3d& point : inner->solids.points) {
+        if (outer->solids.contains(X_OI * point)) {
+          return Crossing{inner->X_WB * point, Eigen::Vector3d::Zero()};
+        }
+      }
+    }
+    return std::nullopt;
   }
 
   [[nodiscard]] const Pose& X_WB() const { return b_.X_WB; }
@@ -116,7 +128,8 @@ std::vector<Contact> find_contacts(const CollisionWorld& world, const Configurat
   FclTrees trees;
   const auto placed = [&](int index) {
     const CollisionBody& body = world.body(index);
-    return PlacedBody{*body.mesh, *trees.of(*body.mesh), X_WBody[static_cast<std::size_t>(index)]};
+    return PlacedBody{*body.solids, *trees.of(*body.mesh),
+                      X_WBody[static_cast<std::size_t>(index)]};
   };
   std::vector<Contact> contacts;
   for (const int index : pairs) {
@@ -124,7 +137,11 @@ std::vector<Contact> find_contacts(const CollisionWorld& world, const Configurat
     const PlacedBody a = placed(bodies.a);
     const PlacedBody b = placed(bodies.b);
     const PlacedPair pair(a, b);
-    if (const auto crossing = pair.crossing()) {
+    std::optional<PlacedPair::Crossing> crossing = pair.crossing();
+    if (!crossing) {
+      crossing = pair.containment();
+    }
+    if (crossing) {
       Contact contact{world.body(bodies.a).name, world.body(bodies.b).name, crossing->middle};
       find_depth(pair, crossing->normal, contact);
       contacts.push_back(std::move(contact));

@@ -13,13 +13,58 @@ constexpr double kWorthExact = 0.0005;
 
 constexpr double kShy = 1.0 - 1e-6;  // of what an answer may be off: the rest is for rounding
 
+constexpr double kGrowth = 0.01;  // of a pair's way from an end: what its resolution gains
+
 constexpr std::uint64_t kStopPeriod = 16;  // configurations between looks at the stop condition
 
 }  // namespace
 
+const EdgeEnd::NearPair* EdgeEnd::nearest() const {
+  const auto nearest = std::ranges::min_element(near, {}, &NearPair::distance);
+  return nearest == near.end() ? nullptr : &*nearest;
+}
+
+double EdgeEnd::resolution(double elsewhere) const {
+  const NearPair* pair = nearest();
+  return pair ? std::clamp(pair->resolution(), kLeastResolution, elsewhere) : elsewhere;
+}
+
+EdgeEnd make_edge_end(CollisionChecker& checker, const Configuration& q, double resolution) {
+  EdgeEnd end{q, {}};
+  checker.place(q);
+  std::vector<int> pairs;
+  checker.near_pairs(2.0 * resolution, pairs);
+  for (const int pair : pairs) {
+    if (const double distance = checker.pair_distance(pair, 2.0 * resolution);
+        distance < 2.0 * resolution) {
+      end.near.push_back({pair, distance});
+    }
+  }
+  return end;
+}
+
 EdgeChecker::EdgeChecker(CollisionChecker& checker, std::shared_ptr<const MotionBound> motion,
                          double resolution)
-    : checker_(checker), motion_(std::move(motion)), resolution_(resolution) {}
+    : checker_(checker), bounds_(motion), motion_(std::move(motion)), resolution_(resolution) {}
+
+void EdgeChecker::set_ends(std::vector<EdgeEnd> ends) {
+  ends_ = std::move(ends);
+  std::erase_if(ends_, [](const EdgeEnd& end) { return end.near.empty(); });
+}
+
+double EdgeChecker::resolution_of(int pair, const Configuration& middle, double half) const {
+  double resolution = resolution_;
+  for (const EdgeEnd& end : ends_) {
+    for (const EdgeEnd::NearPair& near : end.near) {
+      if (near.pair == pair) {
+        const double way = bounds_->bound(pair, (middle - end.q).cwiseAbs());
+        resolution = std::min(resolution,
+                              near.resolution() + kGrowth * (way + motion_.over_edge(pair) * half));
+      }
+    }
+  }
+  return std::max(resolution, kLeastResolution);
+}
 
 bool EdgeChecker::is_stopped(std::uint64_t checks) const {
   return stop_ && checks % kStopPeriod == 0 && stop_();
@@ -54,7 +99,8 @@ EdgeResult EdgeChecker::search(const Configuration& from, const Configuration& t
       if (result.checks >= most_checks || is_stopped(result.checks)) {
         return result;
       }
-      checker_.place(from + stretch.middle * delta);
+      const Configuration middle = from + stretch.middle * delta;
+      checker_.place(middle);
       motion_.set_middle(checker_.link_poses());
       if (result.checks == 0) {
         list_pairs(pairs);
@@ -69,11 +115,13 @@ EdgeResult EdgeChecker::search(const Configuration& from, const Configuration& t
           continue;
         }
         const double need = motion_.within(pair, stretch.half);
-        const Closeness closeness = closeness_within(pair, need + resolution_);
+        const double resolution =
+            ends_.empty() ? resolution_ : resolution_of(pair, middle, stretch.half);
+        const Closeness closeness = closeness_within(pair, need + resolution);
         if (closeness == Closeness::kFarther) {
           continue;
         }
-        if (closeness == Closeness::kTouching || 2.0 * need <= resolution_) {
+        if (closeness == Closeness::kTouching || 2.0 * need <= resolution) {
           result.pair = pair;
           result.at = stretch.middle;
           return result;
@@ -142,6 +190,9 @@ NamedPair EdgeChecker::clearance(const Configuration& from, const Configuration&
   std::vector<std::pair<Stretch, std::vector<int>>> waiting{{{0.5, 0.5, 0, 0}, {}}};
   for (std::uint64_t checks = 0; !waiting.empty(); ++checks) {
     if (is_stopped(checks)) {
+      for (const EdgeEnd& end : ends_) {
+        found.at_least = std::min(found.at_least, end.resolution(resolution_));
+      }
       found.at_least = std::min(found.at_least, resolution_);
       break;
     }

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -61,7 +62,8 @@ namespace {
 // What the managers' callback works on.
 struct Search {
   const Eigen::MatrixXi& pair_of;
-  std::optional<int> found;
+  std::function<bool(int)> is_contained;  ///< Whether a body of the pair is inside of the other.
+  std::optional<int> found = std::nullopt;
   std::uint64_t tests = 0;
 };
 
@@ -74,7 +76,7 @@ bool test_pair(Object* a, Object* b, void* data) {
     const fcl::CollisionRequestd request;
     fcl::CollisionResultd result;
     ++search.tests;
-    if (fcl::collide(a, b, request, result) > 0) {
+    if (fcl::collide(a, b, request, result) > 0 || search.is_contained(pair)) {
       search.found = pair;
     }
   }
@@ -116,7 +118,8 @@ bool FclBroadphaseChecker::do_pair_collides(int pair) {
   count_exact_test();
   return fcl::collide(managers_->objects[static_cast<std::size_t>(bodies.a)].get(),
                       managers_->objects[static_cast<std::size_t>(bodies.b)].get(), request,
-                      result) > 0;
+                      result) > 0 ||
+         pair_is_contained(pair);
 }
 
 double FclBroadphaseChecker::do_pair_distance(int pair, double enough) {
@@ -127,14 +130,14 @@ double FclBroadphaseChecker::do_pair_distance(int pair, double enough) {
   count_exact_test();
   fcl::distance(managers_->objects[static_cast<std::size_t>(bodies.a)].get(),
                 managers_->objects[static_cast<std::size_t>(bodies.b)].get(), request, result);
-  return std::max(0.0, result.min_distance);
+  return result.min_distance <= 0.0 || pair_is_contained(pair) ? 0.0 : result.min_distance;
 }
 
 std::optional<int> FclBroadphaseChecker::do_first_collision(int hint) {
   if (pair_collides(hint)) {
     return hint;
   }
-  Search search{models_->pair_of, std::nullopt};
+  Search search{models_->pair_of, [this](int pair) { return pair_is_contained(pair); }};
   managers_->moving.collide(&search, test_pair);
   if (!search.found) {
     managers_->moving.collide(&managers_->still, &search, test_pair);

@@ -25,15 +25,17 @@ bool FclChecker::do_pair_collides(int pair) {
   const BodyPair& bodies = world().pairs()[static_cast<std::size_t>(pair)];
   count_exact_test();
   return trees_->bodies.collide(bodies.a, body_poses()[static_cast<std::size_t>(bodies.a)],
-                                bodies.b, body_poses()[static_cast<std::size_t>(bodies.b)]);
+                                bodies.b, body_poses()[static_cast<std::size_t>(bodies.b)]) ||
+         pair_is_contained(pair);
 }
 
 double FclChecker::do_pair_distance(int pair, double enough) {
   const BodyPair& bodies = world().pairs()[static_cast<std::size_t>(pair)];
   count_exact_test();
-  return trees_->bodies.distance(bodies.a, body_poses()[static_cast<std::size_t>(bodies.a)],
-                                 bodies.b, body_poses()[static_cast<std::size_t>(bodies.b)],
-                                 enough);
+  const double distance =
+      trees_->bodies.distance(bodies.a, body_poses()[static_cast<std::size_t>(bodies.a)], bodies.b,
+                              body_poses()[static_cast<std::size_t>(bodies.b)], enough);
+  return distance > 0.0 && pair_is_contained(pair) ? 0.0 : distance;
 }
 
 }  // namespace handway::geometric

@@ -1,7 +1,7 @@
 #include "collision/free_space.h"
 
-#include "collision/inside_mesh.h"
 #include "collision/nearest_point.h"
+#include "collision/solid.h"
 
 #include <algorithm>
 #include <map>
@@ -107,9 +107,10 @@ void FreeSpace::find_parts(const TriangleMesh& piece) {
   is_inside_.assign(parts.size(), std::nullopt);
   std::ranges::stable_sort(parts, std::ranges::greater(), &Part::volume);
   parts.resize(std::min(parts.size(), kParts));
+  const Solid solid(piece);
   for (const Part& part : parts) {
     const Aabb cell = box(block_of(part.cell));
-    is_inside_[static_cast<std::size_t>(part.number)] = geometric::is_inside(piece, cell.centre());
+    is_inside_[static_cast<std::size_t>(part.number)] = solid.contains(cell.centre());
   }
 }
 

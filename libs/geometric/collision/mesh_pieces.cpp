@@ -5,12 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <utility>
 
 namespace handway::geometric {
 namespace {
-
-using Edge = std::pair<std::uint32_t, std::uint32_t>;
 
 TriangleMesh part_of(const TriangleMesh& mesh, const std::vector<std::uint32_t>& triangles) {
   TriangleMesh part;
@@ -33,7 +30,10 @@ TriangleMesh part_of(const TriangleMesh& mesh, const std::vector<std::uint32_t>&
 }  // namespace
 
 std::vector<TriangleMesh> pieces_of(const TriangleMesh& mesh) {
-  const TriangleMesh whole = welded(mesh);
+  TriangleMesh whole = distinct_triangles(welded(mesh));
+  if (whole.empty()) {
+    whole = welded(mesh);  // nothing but lines and points
+  }
   const std::vector<std::uint32_t> piece_of = piece_numbers(whole);
   std::map<std::uint32_t, std::vector<std::uint32_t>> parts;
   for (std::uint32_t t = 0; t < whole.triangles.size(); ++t) {
@@ -48,27 +48,6 @@ std::vector<TriangleMesh> pieces_of(const TriangleMesh& mesh) {
     return bounding_box(piece).size().norm();
   });
   return pieces;
-}
-
-bool is_closed(const TriangleMesh& piece) {
-  std::vector<Edge> edges;
-  for (const auto& triangle : piece.triangles) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (const Edge ends = std::minmax(triangle[k], triangle[(k + 1) % 3]);
-          ends.first != ends.second) {
-        edges.push_back(ends);
-      }
-    }
-  }
-  std::ranges::sort(edges);
-  for (auto edge = edges.begin(); edge != edges.end();) {
-    const auto next = std::upper_bound(edge, edges.end(), *edge);
-    if ((next - edge) % 2 != 0) {
-      return false;
-    }
-    edge = next;
-  }
-  return !edges.empty();
 }
 
 }  // namespace handway::geometric

@@ -1,5 +1,7 @@
 #include "collision/remembered_distances.h"
 
+#include "collision/solid.h"
+
 #include <algorithm>
 #include <cstring>
 #include <optional>
@@ -10,7 +12,7 @@
 namespace handway::geometric {
 namespace {
 
-constexpr std::string_view kMadeHow = "distances 2";  // to change with what is in the tables
+constexpr std::string_view kMadeHow = "distances 3";  // to change with what is in the tables
 
 // What a table's distances depend on: the two surfaces, and where they are against
 // each other at both ends and in the middle of the joints' ranges.
@@ -18,6 +20,10 @@ std::string description(const CollisionWorld& world, const BodyPair& pair, const
                         const Surface& b) {
   std::string text(a.key.begin(), a.key.end());
   text.append(b.key.begin(), b.key.end());
+  for (const int body : {pair.a, pair.b}) {
+    const BodySolids& solids = *world.body(body).solids;
+    text += std::to_string(solids.parts.size()) + ' ' + std::to_string(solids.points.size()) + ' ';
+  }
   const RobotModel& model = world.model();
   std::vector<Pose> X_BL(static_cast<std::size_t>(model.link_count()));
   std::vector<Pose> X_WBody(world.bodies().size());

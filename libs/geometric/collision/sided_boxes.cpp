@@ -3,6 +3,7 @@
 #include "collision/free_space.h"
 #include "collision/mesh_pieces.h"
 #include "collision/nearest_point.h"
+#include "handway/geometric/scene/mesh_topology.h"
 
 #include <algorithm>
 #include <cmath>

@@ -25,7 +25,7 @@ constexpr std::size_t kCellsOfPlain = 1U << 16;  // … and where they are soon 
 constexpr std::size_t kPlain = 1000;             // that is, of meshes with fewer triangles
 
 CacheKey key_of(const TriangleMesh& mesh) {
-  constexpr std::string_view kMadeHow = "volumes 12";  // to change with what they are made of
+  constexpr std::string_view kMadeHow = "volumes 13";  // to change with what they are made of
   std::string content = std::to_string(mesh.vertices.size());
   const auto add = [&](const auto& elements) {
     content.append(reinterpret_cast<const char*>(elements.data()),

@@ -80,7 +80,7 @@ double SurfaceQuery::bound(double enough, int effort) {
   if (root_is_near() && !kept_outside() && !parted_by_plane()) {
     bound_node(0);
   }
-  return std::min(enough, std::max(gap_, least_));
+  return std::min(enough, std::max(gap(), least_));
 }
 
 void SurfaceQuery::bound_node(std::uint32_t index) {
@@ -166,14 +166,14 @@ void SurfaceQuery::visit(std::uint32_t index) {
 
 bool SurfaceQuery::kept_outside() {
   const float outside = gap_outside(a_.field.centre(), a_.field.half(), b_.sides, moves_);
-  gap_ = std::max(gap_, static_cast<double>(outside));
-  return gap_ >= reach_;
+  outside_gap_ = std::max(outside_gap_, static_cast<double>(outside));
+  return gap() >= reach_;
 }
 
 bool SurfaceQuery::parted_by_plane() {
   const auto reach = static_cast<float>(reach_);
-  gap_ = std::max(gap_, static_cast<double>(hull_gap(a_.hull, b_.hull, moves_, reach)));
-  return gap_ >= reach_;
+  hull_gap_ = std::max(hull_gap_, static_cast<double>(hull_gap(a_.hull, b_.hull, moves_, reach)));
+  return gap() >= reach_;
 }
 
 bool SurfaceQuery::pierces(float share) {
@@ -189,7 +189,7 @@ bool SurfaceQuery::settled_as_a_whole() {
     tried_whole_ = true;
     return parted_by_plane() || pierces(1.0F);
   }
-  return gap_ >= reach_;
+  return gap() >= reach_;
 }
 
 void SurfaceQuery::compare(std::uint32_t leaf, const Eigen::Vector3d& centre, double radius) {

@@ -5,6 +5,7 @@
 #include "collision/triangle_contact.h"
 #include "handway/geometric/collision/collision_checker.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -39,6 +40,12 @@ class SurfaceQuery {
   /// Are the surfaces closer than `tolerance` (m)? "Touching" below kTouch.
   [[nodiscard]] Closeness closeness(double tolerance);
 
+  /// Whether the hulls are known to be apart, so that neither surface is inside of the other.
+  [[nodiscard]] bool hulls_are_apart() const { return hull_gap_ > 0.0; }
+
+  /// Whether A is known to be in a box that is outside of each closed piece of B.
+  [[nodiscard]] bool is_outside() const { return outside_gap_ > 0.0; }
+
   /// Whether triangles were found that cross beyond doubt.
   [[nodiscard]] bool surely_crosses() const { return least_ <= 0.0; }
 
@@ -60,6 +67,8 @@ class SurfaceQuery {
   [[nodiscard]] bool kept_outside();
   /// Whether the hulls are known to be at least `reach_` apart.
   [[nodiscard]] bool parted_by_plane();
+  /// m: the surfaces are known to be that far apart.
+  [[nodiscard]] double gap() const { return std::max(hull_gap_, outside_gap_); }
   /// Whether A is known to go through B, in that share of its sphere at least; then `least_` is 0.
   [[nodiscard]] bool pierces(float share);
   /// Either of these; looked for once.
@@ -86,7 +95,8 @@ class SurfaceQuery {
   bool exact_ = false;
   bool tried_whole_ = false;
   float shallowness_ = 0.0F;
-  double gap_ = 0.0;                  ///< m: the surfaces are known to be that far apart.
+  double hull_gap_ = 0.0;             ///< m: the hulls are known to be that far apart; and …
+  double outside_gap_ = 0.0;          ///< … A's box to be outside of B by that.
   std::vector<std::uint32_t>& near_;  ///< Triangles of B that a leaf is compared with.
 };
 

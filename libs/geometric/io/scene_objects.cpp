@@ -133,9 +133,9 @@ Attachment attachment_of(const YamlElement& element, const Scene& scene) {
   return attachment;
 }
 
-bool flag_of(const YamlElement& object, const char* key) {
+bool flag_of(const YamlElement& object, const char* key, bool usually = false) {
   const std::optional<YamlElement> flag = object.find(key);
-  return flag && flag->flag();
+  return flag ? flag->flag() : usually;
 }
 
 }  // namespace
@@ -152,7 +152,7 @@ Pose pose_of(const YamlElement& element) {
 SceneObject object_of(const YamlElement& element, const Scene& scene,
                       const std::filesystem::path& folder) {
   element.allow_keys({"name", "box", "sphere", "cylinder", "cone", "mesh", "pose", "color",
-                      "attach", "group", "hidden", "locked"});
+                      "attach", "group", "hidden", "locked", "solid"});
   SceneObject object;
   object.name = element.need("name").text();
   object.shape = only_shape_of(element, folder);
@@ -170,6 +170,7 @@ SceneObject object_of(const YamlElement& element, const Scene& scene,
   }
   object.hidden = flag_of(element, "hidden");
   object.locked = flag_of(element, "locked");
+  object.solid = flag_of(element, "solid", true);
   return object;
 }
 

@@ -98,6 +98,7 @@ std::string object_text(const SceneObject& object, const ShapeText& shape) {
   if (!object.group.empty()) {
     text += "    group: " + yaml_scalar(object.group) + '\n';
   }
+  text += object.solid ? "" : "    solid: false\n";
   text += object.hidden ? "    hidden: true\n" : "";
   text += object.locked ? "    locked: true\n" : "";
   return text;

@@ -3,9 +3,12 @@
 #include <boost/container_hash/hash.hpp>
 #include <boost/pending/disjoint_sets.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <unordered_map>
+#include <unordered_set>
+#include <utility>
 
 namespace handway::geometric {
 namespace {
@@ -56,6 +59,40 @@ std::vector<std::uint32_t> piece_numbers(const TriangleMesh& mesh) {
     pieces.push_back(numbers.try_emplace(sets.find_set(vertex), next).first->second);
   }
   return pieces;
+}
+
+TriangleMesh distinct_triangles(const TriangleMesh& mesh) {
+  TriangleMesh result{mesh.vertices, {}};
+  std::unordered_set<std::array<std::uint32_t, 3>, boost::hash<std::array<std::uint32_t, 3>>> seen;
+  seen.reserve(mesh.triangles.size());
+  for (const auto& triangle : mesh.triangles) {
+    std::array<std::uint32_t, 3> sorted = triangle;
+    std::ranges::sort(sorted);
+    if (sorted[0] != sorted[1] && sorted[1] != sorted[2] && seen.insert(sorted).second) {
+      result.triangles.push_back(triangle);
+    }
+  }
+  return result;
+}
+
+bool is_closed(const TriangleMesh& mesh) {
+  using Edge = std::pair<std::uint32_t, std::uint32_t>;
+  std::vector<Edge> edges;
+  edges.reserve(3 * mesh.triangles.size());
+  for (const auto& triangle : mesh.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      edges.push_back(std::minmax(triangle[k], triangle[(k + 1) % 3]));
+    }
+  }
+  std::ranges::sort(edges);
+  for (auto edge = edges.begin(); edge != edges.end();) {
+    const auto next = std::upper_bound(edge, edges.end(), *edge);
+    if ((next - edge) % 2 != 0) {
+      return false;
+    }
+    edge = next;
+  }
+  return !edges.empty();
 }
 
 }  // namespace handway::geometric

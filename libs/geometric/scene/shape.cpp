@@ -1,5 +1,7 @@
 #include "handway/geometric/scene/shape.h"
 
+#include "handway/geometric/scene/mesh_topology.h"
+
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -118,6 +120,11 @@ std::shared_ptr<const TriangleMesh> tessellate(const Shape& shape) {
   }
   return std::make_shared<TriangleMesh>(
       std::visit([](const auto& solid) { return triangles_of(solid); }, shape));
+}
+
+bool is_closed(const Shape& shape) {
+  const Mesh* mesh = std::get_if<Mesh>(&shape);
+  return !mesh || is_closed(distinct_triangles(welded(*mesh->triangles)));
 }
 
 }  // namespace handway::geometric

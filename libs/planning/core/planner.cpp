@@ -1,6 +1,7 @@
 #include "handway/planning/core/planner.h"
 
 #include "handway/geometric/io/input_error.h"
+#include "handway/geometric/math/units.h"
 #include "handway/planning/core/planning_context.h"
 
 #include <fmt/format.h>
@@ -13,9 +14,16 @@ namespace {
 
 constexpr double kLimitTolerance = 1e-9;  // rad or m: roundings of a file's numbers
 
-// Why `q` can't be an end of a path; empty if it can.
-std::string objection(PlanningContext& context, const Configuration& q) {
+std::string names_of(PlanningContext& context, int pair) {
+  const geometric::NamedPair named =
+      geometric::named_pair(context.problem().checker->world(), pair, 0.0);
+  return named.a + " with " + named.b;
+}
+
+// Why the start (0) or the goal (1) can't be an end of a path; empty if it can.
+std::string objection(PlanningContext& context, std::size_t end) {
   const geometric::RobotModel& model = context.problem().model();
+  const Configuration& q = end == 0 ? context.problem().start : context.problem().goal;
   if (q.size() != model.variable_count()) {
     return fmt::format("has {} values where the robot has {} variables", q.size(),
                        model.variable_count());
@@ -30,12 +38,19 @@ std::string objection(PlanningContext& context, const Configuration& q) {
     }
   }
   if (const std::optional<int> pair = context.collision(q)) {
-    const geometric::CollisionWorld& world = context.problem().checker->world();
-    const geometric::BodyPair& bodies = world.pairs()[static_cast<std::size_t>(*pair)];
-    return fmt::format("is in collision: {} with {}", world.body(bodies.a).name,
-                       world.body(bodies.b).name);
+    return "is in collision: " + names_of(context, *pair);
   }
-  return "";
+  constexpr double kLeast = 2.0 * geometric::kLeastResolution;
+  if (end >= context.ends().size()) {
+    return "";  // the other end is no configuration of the robot
+  }
+  const geometric::EdgeEnd::NearPair* nearest = context.ends()[end].nearest();
+  return nearest && nearest->distance < kLeast
+             ? fmt::format(
+                   "is too close to a collision: {} at {:.6f} mm, at least {:g} mm is needed",
+                   names_of(context, nearest->pair), geometric::millimetres(nearest->distance),
+                   geometric::millimetres(kLeast))
+             : "";
 }
 
 // How the search ended, for a planner that has nothing to add.
@@ -78,10 +93,10 @@ PlanResult Planner::plan(const PlanningProblem& problem, const PlanRequest& requ
   Observer silent;
   PlanningContext context(problem, request, std::move(stop), observer ? *observer : silent);
   PlanResult result;
-  if (const std::string start = objection(context, problem.start); !start.empty()) {
+  if (const std::string start = objection(context, 0); !start.empty()) {
     result.status = PlanStatus::kStartInvalid;
     result.reason = "The start " + start + ".";
-  } else if (const std::string goal = objection(context, problem.goal); !goal.empty()) {
+  } else if (const std::string goal = objection(context, 1); !goal.empty()) {
     result.status = PlanStatus::kGoalInvalid;
     result.reason = "The goal " + goal + ".";
   } else if (problem.start == problem.goal) {

@@ -22,6 +22,7 @@ struct PlanningContext::Worker {
       : checker(context.problem().checker->clone()),
         edges(*checker, context.problem().motion,
               geometric::metres(context.request().resolution_mm)) {
+    edges.set_ends(context.ends());
     edges.stop_when([&context] { return context.interruption().has_value(); });
   }
 
@@ -63,6 +64,18 @@ std::vector<int> arm_pairs(const PlanningProblem& problem) {
   return pairs;
 }
 
+std::vector<geometric::EdgeEnd> find_ends(const PlanningProblem& problem, double resolution) {
+  const auto checker = problem.checker->clone();
+  std::vector<geometric::EdgeEnd> ends;
+  for (const Configuration* q : {&problem.start, &problem.goal}) {
+    if (q->size() != problem.model().variable_count() || !q->allFinite()) {
+      return {};
+    }
+    ends.push_back(make_edge_end(*checker, *q, resolution));
+  }
+  return ends;
+}
+
 }  // namespace
 
 PlanningContext::PlanningContext(const PlanningProblem& problem, const PlanRequest& request,
@@ -73,6 +86,7 @@ PlanningContext::PlanningContext(const PlanningProblem& problem, const PlanReque
       observer_(observer),
       begin_(std::chrono::steady_clock::now()),
       arm_pairs_(arm_pairs(problem)),
+      ends_(find_ends(problem, geometric::metres(request.resolution_mm))),
       threads_(std::make_unique<Threads>(*this)) {}
 
 PlanningContext::~PlanningContext() = default;
@@ -251,20 +265,26 @@ void PlanningContext::count_rejection(int pair, double step) {
 }
 
 Certificate PlanningContext::certify(const Path& path) {
-  constexpr double kTolerance = 2e-5;  // m, or …
-  constexpr double kShare = 0.2;       // … of the clearance: how far below it the answer may be
+  constexpr double kMostTolerance = 2e-5;  // m, or …
+  constexpr double kShare = 0.2;  // … of the clearance: how far below it the answer may be
   geometric::EdgeChecker& edges = own_worker().edges;
   geometric::CollisionChecker& checker = *own_worker().checker;
   const std::uint64_t before = checker.counts().configurations;
+  const double resolution = geometric::metres(request_.resolution_mm);
+  const auto kept_at = [&](std::size_t end) {
+    return end < ends_.size() ? ends_[end].resolution(resolution) : resolution;
+  };
+  const double tolerance = std::min({kMostTolerance, kShare * kept_at(0), kShare * kept_at(1)});
   double least = kFarClearance;
   for (std::size_t i = 0; i + 1 < path.waypoints.size(); ++i) {
     // What is asked for is more than what is known, so that tolerances don't add up.
-    const double enough = std::min(kFarClearance, least + std::max(kTolerance, kShare * least));
+    const double enough = std::min(kFarClearance, least + std::max(tolerance, kShare * least));
     const geometric::NamedPair found =
-        edges.clearance(path.waypoints[i], path.waypoints[i + 1], enough, kTolerance, kShare);
+        edges.clearance(path.waypoints[i], path.waypoints[i + 1], enough, tolerance, kShare);
     least = std::min(least, found.distance);
   }
-  return {request_.resolution_mm, geometric::millimetres(least),
+  return {request_.resolution_mm, geometric::millimetres(kept_at(0)),
+          geometric::millimetres(kept_at(1)), geometric::millimetres(least),
           checker.counts().configurations - before};
 }
 

@@ -76,6 +76,9 @@ class PregraspSearch {
           std::ranges::count(with_object_, pair) == 0) {
         with_others_.push_back(pair);
       }
+      if (world.is_self_pair(world.pairs()[static_cast<std::size_t>(pair)]) && is_of_hand(pair)) {
+        of_hand_.push_back(pair);
+      }
     }
   }
 
@@ -97,7 +100,7 @@ class PregraspSearch {
     for (Configuration q : ways) {  // the hand is at the same place in all of them
       q(problem_.hand) = wider(problem_.hand);
       const std::optional<int> pair = colliding(q);
-      if (!pair && keeps_gap_to_object()) {
+      if (!pair && keeps_gaps()) {
         take(closed(q));
         return;
       }
@@ -181,13 +184,16 @@ class PregraspSearch {
   }
 
   /// As it was placed last.
-  bool keeps_gap_to_object() {
-    return std::ranges::all_of(with_object_, [&](int pair) {
-      return checker_->pair_closeness(pair, options_.gap) == geometric::Closeness::kFarther;
-    });
+  bool keeps_gaps() {
+    const auto keep = [this](const std::vector<int>& pairs, double gap) {
+      return std::ranges::all_of(pairs, [&](int pair) {
+        return checker_->pair_closeness(pair, gap) == geometric::Closeness::kFarther;
+      });
+    };
+    return keep(with_object_, options_.gap) && keep(of_hand_, options_.own_gap);
   }
 
-  bool keeps_gap(const Configuration& q) { return !colliding(q) && keeps_gap_to_object(); }
+  bool keeps_gap(const Configuration& q) { return !colliding(q) && keeps_gaps(); }
 
   /// Does it only depend on where the hand is?
   [[nodiscard]] bool is_of_hand(int pair) const {
@@ -350,6 +356,7 @@ class PregraspSearch {
   Pose X_BW_;
   std::vector<int> with_object_;
   std::vector<int> with_others_;
+  std::vector<int> of_hand_;              ///< Pairs of its links.
   std::vector<Eigen::Vector3d> middles_;  ///< Of every link, in its frame.
   std::vector<Pregrasp> found_;
   int last_pair_ = 0;

@@ -50,6 +50,8 @@ class Blends {
 
   /// A sentence about the first edge that is not free, or nothing.
   std::string fault_of(const Path& path) {
+    edges_.set_ends({make_edge_end(*checker_, path.waypoints.front(), edges_.resolution()),
+                     make_edge_end(*checker_, path.waypoints.back(), edges_.resolution())});
     for (std::size_t w = 0; w < path.waypoints.size(); ++w) {
       if (const auto pair = checker_->first_collision(path.waypoints[w])) {
         return fmt::format("Collision of {} at waypoint {}.", bodies(*pair), w + 1);

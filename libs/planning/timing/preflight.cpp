@@ -56,6 +56,8 @@ void check_collisions(const PlanningProblem& problem, const Trajectory& trajecto
                       const Configuration& measured, double resolution, PreflightReport& report) {
   const auto checker = problem.checker->clone();
   geometric::EdgeChecker edges(*checker, problem.motion, resolution);
+  edges.set_ends({make_edge_end(*checker, trajectory.points.front().position, resolution),
+                  make_edge_end(*checker, trajectory.points.back().position, resolution)});
   const geometric::CollisionWorld& world = checker->world();
   const auto fault = [&](const TrajectoryPoint& point, const std::optional<int>& pair,
                          const char* what) {

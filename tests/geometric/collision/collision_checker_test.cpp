@@ -123,8 +123,10 @@ TEST_P(EveryChecker, NamesThePair) {
   EXPECT_EQ(touching[0].distance, 0.0);
 }
 
-TEST_P(EveryChecker, HasSurfacesOnly) {
-  const auto boxes = checker(probe_and(Box{{0.1, 0.1, 0.1}}, Box{{1, 1, 1}}));
+TEST_P(EveryChecker, MeasuresFromTheWallsOfARoom) {
+  Scene room = probe_and(Box{{0.1, 0.1, 0.1}}, Box{{1, 1, 1}});
+  room.objects.front().solid = false;
+  const auto boxes = checker(room);
   EXPECT_FALSE(boxes->first_collision(Eigen::Vector3d(0, 0, 0))) << "wholly inside";
   EXPECT_NEAR(find_clearance(*boxes, Eigen::Vector3d(0, 0, 0)).distance, 0.45, 1e-12);
 }

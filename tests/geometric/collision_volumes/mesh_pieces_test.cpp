@@ -1,5 +1,6 @@
 #include "collision/mesh_pieces.h"
 
+#include "handway/geometric/scene/mesh_topology.h"
 #include "sample_meshes.h"
 
 #include <gtest/gtest.h>

@@ -58,7 +58,7 @@ objects:
     sphere: {radius: 0.1}
     attach: {robot: left, link: hand, touching: [lower, tip]}
   - {name: can, cylinder: {radius: 0.03, length: 0.12}, color: [1, 0, 0, 0.5]}
-  - {name: hat, cone: {radius: 0.03, length: 0.12}, group: clothes, hidden: true, locked: false}
+  - {name: hat, cone: {radius: 0.03, length: 0.12}, group: clothes, hidden: true, locked: false, solid: false}
   - {name: plate, mesh: {file: square.obj, scale: 0.5}}
   - {name: stretched, mesh: {file: square.obj, scale: [1, 2, 3]}}
 start: {elbow: 0.2}
@@ -83,6 +83,8 @@ planner: {name: pmd-prm, rho_a: 0.0010, corridor: joint}
   EXPECT_EQ(scene.objects[3].group, "clothes");
   EXPECT_TRUE(scene.objects[3].hidden);
   EXPECT_FALSE(scene.objects[3].locked);
+  EXPECT_FALSE(scene.objects[3].solid);
+  EXPECT_TRUE(scene.objects[0].solid);
   const Mesh& plate = std::get<Mesh>(scene.objects[4].shape);
   EXPECT_EQ(plate.file, files.folder() / "square.obj");
   EXPECT_EQ(bounding_box(*plate.triangles).upper, Eigen::Vector3d(0.5, 0.5, 0));

@@ -59,6 +59,7 @@ void expect_same(const Scene& a, const Scene& b) {
     EXPECT_EQ(a.objects[i].group, b.objects[i].group);
     EXPECT_EQ(a.objects[i].hidden, b.objects[i].hidden);
     EXPECT_EQ(a.objects[i].locked, b.objects[i].locked);
+    EXPECT_EQ(a.objects[i].solid, b.objects[i].solid);
     ASSERT_EQ(a.objects[i].attachment.has_value(), b.objects[i].attachment.has_value());
     if (a.objects[i].attachment) {
       EXPECT_EQ(a.objects[i].attachment->robot, b.objects[i].attachment->robot);
@@ -77,7 +78,7 @@ objects:
   - {name: "a, [b]", box: {size: [1, 2e-7, 3]}, pose: {rpy_deg: [12.345678901234567, 90, -33]}}
   - {name: "- x", sphere: {radius: 0.1}, pose: {rpy_deg: [0, 0, 90]}}
   - {name: null text, cylinder: {radius: 0.1, length: 3}, color: [0.1, 0.7, 0.3, 0.9]}
-  - {name: "ñandú", cone: {radius: 0.1, length: 3}, group: "true", locked: true}
+  - {name: "ñandú", cone: {radius: 0.1, length: 3}, group: "true", locked: true, solid: false}
   - {name: "null", mesh: {file: square.obj, scale: [1, -2, 3]}}
   - {name: one, mesh: {file: square.obj}, attach: {link: hand, touching: [tip, lower]}}
 start: {elbow: 0.1}

@@ -41,6 +41,18 @@ TEST_F(PregraspSearch, FindsWaysAroundACanThatAreFree) {
       nearest = std::min(nearest, checker->pair_distance(pair, 1.0));
     }
     EXPECT_GE(nearest, PregraspOptions{}.gap - 1e-9);
+    checker->place(grasp.q);
+    for (int pair = 0; pair < static_cast<int>(checker->world().pairs().size()); ++pair) {
+      const auto& [a, b] = checker->world().pairs()[static_cast<std::size_t>(pair)];
+      const auto is_of_hand = [&](int body) {
+        const std::string& name = checker->world().body(body).name;
+        return checker->world().body(body).moves() && name.rfind("link_", 0) != 0 &&
+               name != "base_link";
+      };
+      if (is_of_hand(a) && is_of_hand(b)) {
+        EXPECT_GE(checker->pair_distance(pair, 0.001), 0.0003) << "between the hand's own links";
+      }
+    }
     EXPECT_LT(nearest, 0.015) << "closed until near contact";
   }
 }

@@ -44,8 +44,12 @@ class HANDWAY_GEOMETRIC_EXPORT BoundedChecker final : public CollisionChecker {
   /// The closeness of a pair whose bounding volumes don't tell.
   [[nodiscard]] Closeness nearby_closeness(int pair, double tolerance);
 
-  /// The same from the surfaces.
-  [[nodiscard]] Closeness closeness_of_surfaces(int pair, double tolerance);
+  /// The same from the triangles, and from whether one body is inside of the other.
+  [[nodiscard]] Closeness exact_closeness(int pair, double tolerance);
+
+  /// Whether a piece of either body is inside of the other, asked after the surfaces, which do not
+  /// touch.
+  [[nodiscard]] bool is_contained(int pair, const SurfaceQuery& surfaces) const;
 
   /// Whether both bodies move and their boxes are at least `distance` (m) apart. What stands still
   /// is mostly large and hollow: its box says nothing.

@@ -45,8 +45,8 @@ enum class Closeness {
 /// Answers collision questions about the pairs of a CollisionWorld.
 ///
 /// A checker holds the state of one configuration and is for one thread; clones
-/// share the immutable parts. Touching counts as collision. Surfaces collide:
-/// a body wholly inside another's hollow does not touch it.
+/// share the immutable parts. Touching counts as collision, and so does a body inside of another
+/// one's solids (see CollisionWorld): what is said of bodies that touch holds for both.
 class HANDWAY_GEOMETRIC_EXPORT CollisionChecker {
  public:
   virtual ~CollisionChecker() = default;
@@ -72,7 +72,7 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionChecker {
 
   /// A lower bound of the distance of the pair's bodies, m: the distance itself
   /// where that is below `enough`, otherwise anything from `enough` up to it.
-  /// 0 if they touch.
+  /// 0 if they touch, or one is inside of the other, however deep.
   [[nodiscard]] double pair_distance(int pair, double enough);
 
   /// The pair's distance to within a `share` of it, in [0, 1), or from `enough` up if it is at
@@ -123,6 +123,9 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionChecker {
 
   [[nodiscard]] const std::vector<Pose>& body_poses() const { return X_WBody_; }
   [[nodiscard]] const Configuration& configuration() const { return q_; }
+  /// Whether a piece of either of the pair's bodies is inside of the other.
+  /// @pre their surfaces do not touch.
+  [[nodiscard]] bool pair_is_contained(int pair) const;
   void count_pair_collision() { ++counts_.pair_collisions; }
   void count_exact_test() { ++counts_.exact_tests; }
 
@@ -150,7 +153,7 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionChecker {
   int last_collision_ = 0;  ///< Asked first: neighbours in space collide in the same pair.
 };
 
-/// Two bodies by name, with their distance (m, 0 if they touch).
+/// Two bodies by name, with their distance (m, 0 if they touch or one is inside of the other).
 struct NamedPair {
   std::string a;
   std::string b;

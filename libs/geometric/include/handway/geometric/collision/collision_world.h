@@ -10,6 +10,8 @@
 
 namespace handway::geometric {
 
+struct BodySolids;
+
 /// One rigid set of triangles: a link of the planned robot with all its
 /// collision shapes, a carried object, or something that stands still.
 struct CollisionBody {
@@ -19,6 +21,8 @@ struct CollisionBody {
   std::shared_ptr<const TriangleMesh> mesh;  ///< In the body's frame B.
   bool is_carried = false;  ///< An object on a link; links themselves are at X_FB = identity.
   std::vector<std::string> touching = {};  ///< Of a carried object: bodies that it may touch.
+  /// Its closed shapes, inside of which nothing may be; never null.
+  std::shared_ptr<const BodySolids> solids = nullptr;
 
   [[nodiscard]] bool moves() const { return link >= 0; }
 };
@@ -31,6 +35,10 @@ struct BodyPair {
 
 /// Everything that collision checking needs to know of a scene, for its first
 /// robot: bodies and the pairs to check. Immutable; shared by all threads.
+///
+/// Primitives and closed meshes (is_closed()) are solids, each connected piece of its own: a body
+/// with a piece inside of another one's collides with it. Open meshes, and objects that are not
+/// `solid`, are surfaces.
 ///
 /// Not checked are pairs that the robot's allowed-collision matrix names, pairs
 /// that no joint moves against each other, and a carried object against the link

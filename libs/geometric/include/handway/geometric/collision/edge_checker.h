@@ -25,6 +25,34 @@ struct EdgeResult {
   std::uint64_t checks = 0;  ///< Configurations looked at.
 };
 
+/// No resolution is finer than this, m: what is nearer than twice of it at an end is too near to
+/// leave the end with certainty.
+inline constexpr double kLeastResolution = 1e-6;
+
+/// A configuration that motions begin or end at, with what is so near in it that edges need a finer
+/// resolution to get there.
+struct EdgeEnd {
+  struct NearPair {
+    int pair;
+    double distance;  ///< m
+    /// m, that edges keep of it next to the end: half the distance.
+    [[nodiscard]] double resolution() const { return 0.5 * distance; }
+  };
+  Configuration q;
+  std::vector<NearPair> near;
+
+  /// The nearest pair, if there is one.
+  [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT const NearPair* nearest() const;
+  /// What edges keep next to the end, m, if they keep `resolution` elsewhere.
+  [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT double resolution(double elsewhere) const;
+};
+
+/// @param q free of collision. @param resolution m, of edges; what is nearer than twice of it
+/// counts.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT EdgeEnd make_edge_end(CollisionChecker& checker,
+                                                             const Configuration& q,
+                                                             double resolution);
+
 /// Decides whether the straight motion between two configurations is free, for
 /// every configuration on it and not just for samples.
 ///
@@ -34,6 +62,10 @@ struct EdgeResult {
 /// Van der Corput sequence's levels. A pair that still isn't settled when it can move less than the
 /// resolution is closer than one and a half of it: the edge is refused. On a free edge, every pair
 /// that moves keeps the resolution as its distance everywhere.
+///
+/// Around ends with near pairs (set_ends()) the resolution of these pairs is smaller: half of what
+/// they have there, and a hundredth more of every way that the pair can have moved since. So it is
+/// the usual one again where it can have moved by a hundred resolutions.
 ///
 /// Source: Schwarzer, Saha, Latombe 2005 (see MotionBound).
 class HANDWAY_GEOMETRIC_EXPORT EdgeChecker {
@@ -46,6 +78,9 @@ class HANDWAY_GEOMETRIC_EXPORT EdgeChecker {
   /// Questions end early once `stop` says so; it is asked every few configurations,
   /// and once at the beginning of each question. Empty: they never do.
   void stop_when(std::function<bool()> stop) { stop_ = std::move(stop); }
+
+  /// Where resolutions shrink, also of edges that only pass by.
+  void set_ends(std::vector<EdgeEnd> ends);
 
   /// @param most_checks looks at no more configurations: an edge that they do not
   /// settle is said not to be free, without a pair; and so is one that was stopped.
@@ -63,7 +98,7 @@ class HANDWAY_GEOMETRIC_EXPORT EdgeChecker {
   /// The smallest distance (m) of any pair on the whole edge, but not above `enough`:
   /// a lower bound, below the true one by at most `tolerance` (m) or by at most `share`
   /// of it, whichever is more. Branch and bound over the same stretches. Stopped, it
-  /// gives the resolution at most, which every free edge keeps.
+  /// gives the least resolution at most, which every free edge keeps.
   /// @pre the edge is free.
   [[nodiscard]] NamedPair clearance(const Configuration& from, const Configuration& to,
                                     double enough, double tolerance, double share = 0.0);
@@ -76,6 +111,9 @@ class HANDWAY_GEOMETRIC_EXPORT EdgeChecker {
                                   std::uint64_t most_checks,
                                   const std::function<void(std::vector<int>&)>& list_pairs);
   [[nodiscard]] bool is_stopped(std::uint64_t checks) const;
+
+  /// What the pair has to keep (m) on a stretch of that half length around `middle`.
+  [[nodiscard]] double resolution_of(int pair, const Configuration& middle, double half) const;
 
   /// Of the configuration in place; "closer" may be said wrongly of a large tolerance.
   [[nodiscard]] Closeness closeness_within(int pair, double tolerance);
@@ -94,8 +132,10 @@ class HANDWAY_GEOMETRIC_EXPORT EdgeChecker {
   };
 
   CollisionChecker& checker_;
+  std::shared_ptr<const MotionBound> bounds_;
   EdgeMotion motion_;
   double resolution_;
+  std::vector<EdgeEnd> ends_;  ///< That have near pairs.
   std::function<bool()> stop_;
 };
 

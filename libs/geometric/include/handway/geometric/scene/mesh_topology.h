@@ -19,4 +19,14 @@ namespace handway::geometric {
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<std::uint32_t> piece_numbers(
     const TriangleMesh& mesh);
 
+/// The same triangles without those that have a vertex twice, and one of those that have the same
+/// three: of faces that are drawn from both sides, one side.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT TriangleMesh distinct_triangles(const TriangleMesh& mesh);
+
+/// Whether the surface is watertight, piece by piece: every edge belongs to an even number of
+/// triangles, so that it has two sides and whoever gets from one to the other goes through it.
+/// Triangles may be wound either way.
+/// @param mesh welded() and with distinct_triangles(): no two vertices are at the same place.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT bool is_closed(const TriangleMesh& mesh);
+
 }  // namespace handway::geometric

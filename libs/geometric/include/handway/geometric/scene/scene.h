@@ -41,6 +41,8 @@ struct SceneObject {
   std::string group = {};  ///< Objects with the same word are moved together; empty: none.
   bool hidden = false;     ///< Not drawn; it still counts in planning.
   bool locked = false;     ///< Not to be changed by hand.
+  /// Whether a closed shape is filled. False: its surface alone counts, as of a room or a cell.
+  bool solid = true;
 };
 
 /// Which planner a scene asks for; the planning layer gives the words a meaning.

@@ -52,4 +52,7 @@ using Shape = std::variant<Box, Sphere, Cylinder, Cone, Mesh>;
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::shared_ptr<const TriangleMesh> tessellate(
     const Shape& shape);
 
+/// Whether the shape has an inside: primitives do, and meshes whose surface is_closed().
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT bool is_closed(const Shape& shape);
+
 }  // namespace handway::geometric

@@ -28,7 +28,10 @@ inline constexpr double kFarClearance = 0.05;
 /// What is known about a path: every configuration on it has at least this
 /// clearance, in every checked pair.
 struct Certificate {
-  double resolution_mm = 0.0;     ///< Along edges, pairs that move keep at least this.
+  double resolution_mm = 0.0;  ///< Along edges, pairs that move keep at least this; …
+  /// … but next to an end, where it is less, half of what they have there; see EdgeChecker.
+  double resolution_at_start_mm = 0.0;
+  double resolution_at_goal_mm = 0.0;
   double min_clearance_mm = 0.0;  ///< A lower bound over the whole path, at most a fifth too low.
   std::uint64_t checks = 0;       ///< Configurations looked at.
 };

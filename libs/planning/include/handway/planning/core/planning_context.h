@@ -35,6 +35,10 @@ class HANDWAY_PLANNING_EXPORT PlanningContext {
   [[nodiscard]] Observer& observer() { return observer_; }
   [[nodiscard]] double elapsed_s() const;
 
+  /// Start and goal, with what is so near there that edges keep less than the resolution. Empty if
+  /// either is no configuration of the robot.
+  [[nodiscard]] const std::vector<geometric::EdgeEnd>& ends() const { return ends_; }
+
   /// kCancelled or kTimeLimit once the run has to end.
   [[nodiscard]] std::optional<PlanStatus> interruption() const;
 
@@ -135,6 +139,7 @@ class HANDWAY_PLANNING_EXPORT PlanningContext {
   Observer& observer_;
   std::chrono::steady_clock::time_point begin_;
   std::vector<int> arm_pairs_;
+  std::vector<geometric::EdgeEnd> ends_;
   PlanStatistics statistics_;
   int last_rejecting_pair_ = 0;  ///< Asked first: neighbours in space collide in the same pair.
   std::unique_ptr<Threads> threads_;

@@ -11,9 +11,10 @@
 namespace handway::planning {
 
 struct PregraspOptions {
-  int samples = 16000;  ///< Palm poses to try.
-  double gap = 0.003;   ///< m that every finger keeps to the object.
-  int most = 8;         ///< Pre-grasps to give.
+  int samples = 16000;      ///< Palm poses to try.
+  double gap = 0.003;       ///< m that every finger keeps to the object.
+  double own_gap = 0.0003;  ///< m that the hand's links keep to each other.
+  int most = 8;             ///< Pre-grasps to give.
   std::uint64_t seed = 1;
 };
 

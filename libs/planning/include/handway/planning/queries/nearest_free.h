@@ -14,7 +14,8 @@ namespace handway::planning {
 struct NearestFreeOptions {
   /// How far to look, rad: Euclidean over all variables, a metre counting as a radian.
   double most_distance = geometric::radians(20.0);
-  /// What a configuration should keep to everything, m; less is taken if nothing keeps it.
+  /// What a configuration should keep to everything, m; less is taken if nothing keeps it, down to
+  /// what a path can end with (twice geometric::kLeastResolution).
   double clearance = geometric::metres(0.5);
   int most_checks = 20000;  ///< Configurations to look at.
   std::uint64_t seed = 1;

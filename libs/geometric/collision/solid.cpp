@@ -1,0 +1,242 @@
+#include "collision/solid.h"
+
+#include "handway/geometric/scene/mesh_topology.h"
+
+#include <Eigen/Geometry>
+#include <boost/container/small_vector.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <map>
+#include <mutex>
+#include <utility>
+#include <variant>
+
+namespace handway::geometric {
+namespace {
+
+constexpr double kBoxRounding = 1e-14;  // of the coordinates
+
+bool is_in(const Aabb& box, const Eigen::Vector3d& p) {
+  return (p.array() >= box.lower.array()).all() && (p.array() <= box.upper.array()).all();
+}
+
+// Seen along z, does the edge from a to b cross the ray from p along x, upwards (1) or downwards
+// (-1)? What two triangles with the same edge are told never differs in more than the sign, so that
+// no ray slips through between them.
+int crossing(const Eigen::Vector3d& p, const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  if ((a.y() > p.y()) == (b.y() > p.y())) {
+    return 0;
+  }
+  const bool rises = b.y() > a.y();
+  const Eigen::Vector3d& low = rises ? a : b;
+  const Eigen::Vector3d& high = rises ? b : a;
+  const double left =
+      (high.x() - low.x()) * (p.y() - low.y()) - (high.y() - low.y()) * (p.x() - low.x());
+  return left > 0.0 ? (rises ? 1 : -1) : 0;
+}
+
+// How often the triangle winds around p, seen along z from above, if it lies above p: -1, 0 or 1.
+int winding_above(const Eigen::Vector3d& p, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+                  const Eigen::Vector3d& c) {
+  const int winding = crossing(p, a, b) + crossing(p, b, c) + crossing(p, c, a);
+  if (winding == 0 || p.z() >= std::max({a.z(), b.z(), c.z()})) {
+    return 0;
+  }
+  const bool below =
+      p.z() < std::min({a.z(), b.z(), c.z()}) || winding * (b - a).cross(c - a).dot(p - a) < 0.0;
+  return below ? winding : 0;
+}
+
+// Whether the triangles of each piece are wound alike: over every edge as often one way as the
+// other.
+std::vector<bool> find_oriented(const TriangleMesh& mesh,
+                                const std::vector<std::uint32_t>& piece_of, std::size_t pieces) {
+  struct DirectedEdge {
+    std::uint32_t low;
+    std::uint32_t high;
+    std::uint32_t piece;
+    int direction;
+  };
+  std::vector<DirectedEdge> edges;
+  edges.reserve(3 * mesh.triangles.size());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t from = mesh.triangles[t][k];
+      const std::uint32_t to = mesh.triangles[t][(k + 1) % 3];
+      edges.push_back({std::min(from, to), std::max(from, to), piece_of[t], from < to ? 1 : -1});
+    }
+  }
+  const auto ends = [](const DirectedEdge& edge) { return std::pair(edge.low, edge.high); };
+  std::ranges::sort(edges, {}, ends);
+  std::vector<bool> oriented(pieces, true);
+  for (auto edge = edges.begin(); edge != edges.end();) {
+    const auto next = std::ranges::upper_bound(edge, edges.end(), ends(*edge), {}, ends);
+    int sum = 0;
+    for (auto same = edge; same != next; ++same) {
+      sum += same->direction;
+    }
+    if (sum != 0) {
+      oriented[edge->piece] = false;
+    }
+    edge = next;
+  }
+  return oriented;
+}
+
+// What make_body_solids() has to know of the triangles of one shape, in its frame.
+struct ShapeSolid {
+  explicit ShapeSolid(const TriangleMesh& mesh) {
+    const TriangleMesh whole = welded(mesh);
+    const std::vector<std::uint32_t> numbers = piece_numbers(whole);
+    std::vector<bool> seen(whole.vertices.size());
+    for (const auto& triangle : whole.triangles) {
+      if (const std::uint32_t piece = numbers[triangle[0]]; !seen[piece]) {
+        seen[piece] = true;
+        points.push_back(whole.vertices[triangle[0]]);
+      }
+    }
+    if (TriangleMesh surface = distinct_triangles(whole); is_closed(surface)) {
+      solid = std::make_shared<const Solid>(std::move(surface));
+    }
+  }
+
+  std::vector<Eigen::Vector3d> points;
+  std::shared_ptr<const Solid> solid;
+};
+
+// The meshes of files are shared by scenes, worlds and robots: each is looked at once.
+class KnownShapes {
+ public:
+  std::shared_ptr<const ShapeSolid> get(const std::shared_ptr<const TriangleMesh>& mesh) {
+    {
+      const std::scoped_lock lock(mutex_);
+      if (const auto found = known_.find(mesh); found != known_.end()) {
+        return found->second;
+      }
+    }
+    auto made = std::make_shared<const ShapeSolid>(*mesh);
+    const std::scoped_lock lock(mutex_);
+    std::erase_if(known_, [](const auto& entry) { return entry.first.expired(); });
+    return known_.try_emplace(mesh, std::move(made)).first->second;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::map<std::weak_ptr<const TriangleMesh>, std::shared_ptr<const ShapeSolid>, std::owner_less<>>
+      known_;
+};
+
+std::shared_ptr<const ShapeSolid> solid_of(const Shape& shape) {
+  static KnownShapes known;
+  const Mesh* mesh = std::get_if<Mesh>(&shape);
+  return mesh ? known.get(mesh->triangles) : std::make_shared<const ShapeSolid>(*tessellate(shape));
+}
+
+void extend(Aabb& box, const Aabb& part, const Pose& X_BG) {
+  const Eigen::Vector3d centre = X_BG * part.centre();
+  const Eigen::Vector3d half = X_BG.linear().cwiseAbs() * (0.5 * part.size());
+  const Eigen::Vector3d rounding =
+      Eigen::Vector3d::Constant(kBoxRounding * (centre.lpNorm<1>() + half.lpNorm<1>()));
+  box.lower = box.lower.cwiseMin(centre - half - rounding);
+  box.upper = box.upper.cwiseMax(centre + half + rounding);
+}
+
+}  // namespace
+
+Solid::Solid(TriangleMesh surface)
+    : surface_(std::move(surface)), box_(bounding_box(surface_)), tree_(surface_) {
+  const std::vector<std::uint32_t> numbers = piece_numbers(surface_);
+  piece_of_.reserve(surface_.triangles.size());
+  std::uint32_t pieces = 0;
+  for (const auto& triangle : surface_.triangles) {
+    piece_of_.push_back(numbers[triangle[0]]);
+    pieces = std::max(pieces, piece_of_.back() + 1);
+  }
+  is_oriented_ = find_oriented(surface_, piece_of_, pieces);
+}
+
+bool Solid::contains(const Eigen::Vector3d& p) const {
+  if (!is_in(box_, p)) {
+    return false;
+  }
+  struct Passage {
+    std::uint32_t piece;
+    int winding;
+  };
+  boost::container::small_vector<Passage, 32> above;
+  boost::container::small_vector<std::uint32_t, 64> waiting{0};
+  const double rounding = kBoxRounding * (box_.lower.lpNorm<1>() + box_.upper.lpNorm<1>());
+  while (!waiting.empty()) {
+    const std::uint32_t index = waiting.back();
+    waiting.pop_back();
+    const BoxTree::Node& node = tree_.nodes()[index];
+    const Eigen::Vector3d beyond = p - node.centre;
+    if (std::abs(beyond.x()) > node.half.x() + rounding ||
+        std::abs(beyond.y()) > node.half.y() + rounding || beyond.z() > node.half.z() + rounding) {
+      continue;
+    }
+    if (node.right != 0) {
+      waiting.push_back(index + 1);
+      waiting.push_back(node.right);
+      continue;
+    }
+    const auto& [a, b, c] = surface_.triangles[node.triangle];
+    const auto& vertices = surface_.vertices;
+    if (const int winding = winding_above(p, vertices[a], vertices[b], vertices[c]); winding != 0) {
+      above.push_back({piece_of_[node.triangle], winding});
+    }
+  }
+  std::ranges::sort(above, {}, &Passage::piece);
+  for (auto passage = above.begin(); passage != above.end();) {
+    const std::uint32_t piece = passage->piece;
+    int count = 0;
+    int winding = 0;
+    for (; passage != above.end() && passage->piece == piece; ++passage) {
+      ++count;
+      winding += passage->winding;
+    }
+    if (is_oriented_[piece] ? winding != 0 : count % 2 != 0) {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool BodySolids::contains(const Eigen::Vector3d& p) const {
+  return is_in(box, p) && std::ranges::any_of(parts, [&](const Part& part) {
+           return part.solid->contains(part.X_GB * p);
+         });
+}
+
+std::shared_ptr<const BodySolids> make_body_solids(std::span<const LinkGeometry> shapes,
+                                                   bool solid) {
+  auto solids = std::make_shared<BodySolids>();
+  solids->box = {Eigen::Vector3d::Constant(1e300), Eigen::Vector3d::Constant(-1e300)};
+  solids->is_one_shape = shapes.size() == 1;
+  for (const LinkGeometry& geometry : shapes) {
+    const std::shared_ptr<const ShapeSolid> shape = solid_of(geometry.shape);
+    for (const Eigen::Vector3d& point : shape->points) {
+      solids->points.push_back(geometry.X_LG * point);
+    }
+    if (solid && shape->solid) {
+      solids->parts.push_back({geometry.X_LG.inverse(Eigen::Isometry), shape->solid});
+      extend(solids->box, shape->solid->box(), geometry.X_LG);
+    }
+  }
+  return solids;
+}
+
+bool is_inside(const BodySolids& inner, const BodySolids& outer, const Pose& X_OI) {
+  return std::ranges::any_of(
+      inner.points, [&](const Eigen::Vector3d& point) { return outer.contains(X_OI * point); });
+}
+
+bool contain_each_other(const BodySolids& a, const Pose& X_WA, const BodySolids& b,
+                        const Pose& X_WB) {
+  return (!b.parts.empty() && is_inside(a, b, X_WB.inverse(Eigen::Isometry) * X_WA)) ||
+         (!a.parts.empty() && is_inside(b, a, X_WA.inverse(Eigen::Isometry) * X_WB));
+}
+
+}  // namespace handway::geometric

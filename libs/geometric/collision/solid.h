@@ -1,0 +1,67 @@
+#pragma once
+
+#include "collision/box_tree.h"
+#include "handway/geometric/robot/link.h"
+#include "handway/geometric/scene/triangle_mesh.h"
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace handway::geometric {
+
+/// The inside of a closed surface. Every connected piece of the surface is a solid of its own: what
+/// is inside any of them is inside, also where a piece lies in another one.
+class Solid {
+ public:
+  /// @param surface with a triangle; welded(), distinct_triangles() and is_closed().
+  explicit Solid(TriangleMesh surface);
+
+  /// Around the surface.
+  [[nodiscard]] const Aabb& box() const { return box_; }
+
+  /// @param p m, in the surface's frame; either answer may come where it lies on the surface to
+  /// within roundings.
+  [[nodiscard]] bool contains(const Eigen::Vector3d& p) const;
+
+ private:
+  TriangleMesh surface_;
+  Aabb box_;
+  BoxTree tree_;
+  std::vector<std::uint32_t> piece_of_;  ///< Shape [triangles].
+  /// Shape [pieces]: whether neighbours are wound alike; then windings tell the inside also where
+  /// a piece runs through itself.
+  std::vector<bool> is_oriented_;
+};
+
+/// What the containment of one body in another depends on.
+struct BodySolids {
+  struct Part {
+    Pose X_GB;  ///< The body's frame in the solid's.
+    std::shared_ptr<const Solid> solid;
+  };
+  std::vector<Part> parts;              ///< Its closed shapes.
+  std::vector<Eigen::Vector3d> points;  ///< One of each connected piece of its surfaces, m.
+  Aabb box;                             ///< Around the parts, m.
+  bool is_one_shape = false;
+
+  /// @param p m, in the body's frame.
+  [[nodiscard]] bool contains(const Eigen::Vector3d& p) const;
+};
+
+/// @param shapes of one body; X_LG is the pose in the body's frame.
+/// @param solid whether closed shapes are filled; else they are surfaces, as open ones are.
+[[nodiscard]] std::shared_ptr<const BodySolids> make_body_solids(
+    std::span<const LinkGeometry> shapes, bool solid = true);
+
+/// Whether a connected piece of `inner` is inside of `outer`.
+/// @param X_OI pose of the inner body in the outer one's frame.
+/// @pre the surfaces do not touch: so every piece is inside or outside as a whole.
+[[nodiscard]] bool is_inside(const BodySolids& inner, const BodySolids& outer, const Pose& X_OI);
+
+/// Whether a piece of either body is inside of the other. @pre as of is_inside().
+[[nodiscard]] bool contain_each_other(const BodySolids& a, const Pose& X_WA, const BodySolids& b,
+                                      const Pose& X_WB);
+
+}  // namespace handway::geometric
