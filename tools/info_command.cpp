@@ -92,8 +92,9 @@ void print_basis(const sampling::PmdBasis& basis) {
 struct End {
   const char* which;
   bool within_limits = true;
-  std::vector<geometric::NamedPair> touching;
-  std::optional<geometric::NamedPair> closest;  ///< Of a free one, if there is a pair.
+  std::vector<geometric::NamedPair> touching = {};
+  std::optional<geometric::NamedPair> closest =
+      std::nullopt;  ///< Of a free one, if there is a pair.
 };
 
 std::vector<End> examine_ends(const geometric::Scene& scene, geometric::CollisionChecker& checker) {

@@ -6,6 +6,7 @@
 #include "pressed_mouse.h"
 #include "view3d/scene_view.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QLineEdit>
 #include <QPointF>
@@ -78,6 +79,7 @@ TEST_F(EditingAScene, UndoesEverythingBackToTheSceneItself) {
   editor().attach("arm", "palm", {"finger_left"});
   editor().detach();
   editor().set_hidden({"ball"}, true);
+  editor().set_solid({"ball"}, false);
   editor().set_locked({"ball"}, true);
   editor().set_goal(geometric::Configuration::Constant(4, 0.1));
   select("post");
@@ -85,7 +87,7 @@ TEST_F(EditingAScene, UndoesEverythingBackToTheSceneItself) {
   editor().select({Kind::kRobot, "arm", ""});
   editor().place(geometric::Pose(Eigen::Translation3d(0.0, 0.0, 0.1)));
   const SceneState after = editor().state();
-  ASSERT_EQ(editor().undo_stack().count(), 14);
+  ASSERT_EQ(editor().undo_stack().count(), 15);
   EXPECT_TRUE(window().isWindowModified());
   while (editor().undo_stack().canUndo()) {
     actions().undo->trigger();
@@ -108,6 +110,19 @@ TEST_F(EditingAScene, KeepsAnObjectInPlaceWhileItIsAttached) {
   EXPECT_EQ(object("post").attachment->link, "palm");
   EXPECT_TRUE(editor().selected_pose()->isApprox(X_WO, 1e-12));
   EXPECT_EQ(editor().undo_stack().undoText(), "Attach post");
+}
+
+TEST_F(EditingAScene, MakesARoomOfAnObject) {
+  select("post");
+  auto& solid = part<QCheckBox>("solid");
+  EXPECT_TRUE(solid.isChecked());
+  solid.click();
+  EXPECT_FALSE(object("post").solid);
+  EXPECT_FALSE(solid.isChecked());
+  EXPECT_EQ(editor().undo_stack().undoText(), "Make post Hollow");
+  actions().undo->trigger();
+  EXPECT_TRUE(object("post").solid);
+  EXPECT_TRUE(solid.isChecked());
 }
 
 TEST_F(EditingAScene, LeavesLockedObjectsAlone) {
