@@ -14,7 +14,7 @@ namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-bool is_closed(const geometric::TriangleMesh& mesh) {
+bool is_oriented_and_closed(const geometric::TriangleMesh& mesh) {
   std::unordered_map<std::uint64_t, int> passed;  // by edge: times up less times down
   const auto pass = [&](std::uint32_t from, std::uint32_t to) {
     const auto [low, high] = std::minmax(from, to);
@@ -40,7 +40,7 @@ geometric::TriangleMesh welded_to_draw(const geometric::TriangleMesh& mesh) {
 }
 
 bool is_solid(const geometric::TriangleMesh& mesh) {
-  if (mesh.empty() || !is_closed(mesh)) {
+  if (mesh.empty() || !is_oriented_and_closed(mesh)) {
     return false;
   }
   const std::vector<std::uint32_t> piece_of = geometric::piece_numbers(mesh);

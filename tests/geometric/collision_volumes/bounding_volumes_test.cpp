@@ -27,7 +27,7 @@ double outside(const TriangleMesh& hull, const Vector3d& p) {
   return most;
 }
 
-bool is_closed(const TriangleMesh& mesh) {
+bool is_watertight(const TriangleMesh& mesh) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
   for (const auto& corners : mesh.triangles) {
     for (std::size_t i = 0; i < 3; ++i) {
@@ -53,7 +53,7 @@ TEST(ConvexHull, OfABoxAndWhatIsWithinItIsTheBox) {
   const TriangleMesh hull = convex_hull(points);
   EXPECT_EQ(hull.vertices.size(), 8U);
   EXPECT_EQ(hull.triangles.size(), 12U);
-  EXPECT_TRUE(is_closed(hull));
+  EXPECT_TRUE(is_watertight(hull));
   EXPECT_NEAR(outside(hull, {0.0, 0.0, 0.31}), 0.01, 1e-12);
   EXPECT_NEAR(outside(hull, Vector3d::Zero()), -0.2, 1e-12);
 }
@@ -73,7 +73,7 @@ TEST(BoundingVolumes, ContainTheSurface) {
     for (const double largest : {1.0, 0.05, 0.01}) {
       const BoundingVolumes volumes = bounding_volumes({shared}, largest).front();
       ASSERT_FALSE(volumes.hull.empty());
-      EXPECT_TRUE(is_closed(volumes.hull));
+      EXPECT_TRUE(is_watertight(volumes.hull));
       for (const Vector3d& vertex : mesh.vertices) {
         EXPECT_LT(outside(volumes.hull, vertex), volumes.margin + 1e-6);
         EXPECT_TRUE(std::ranges::any_of(volumes.spheres, [&](const CoveringSphere& sphere) {
