@@ -1,37 +1,35 @@
 #include "xml_file.h"
 
 #include "handway/geometric/io/input_error.h"
+#include "handway/geometric/io/text_file.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <system_error>
 #include <vector>
 
 namespace handway::import_kautham {
 namespace {
 
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+constexpr std::size_t kLargestFile = std::size_t{16} << 20;
+constexpr int kDeepest = 100;
 
-std::string read_text(const std::filesystem::path& file) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(file, error)) {
-    throw geometric::InputError({file.string(), "", "no such file", "a readable file", ""});
-  }
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) {
-    throw geometric::InputError({file.string(), "", "a file that can't be opened",
-                                 "a readable file", "Check its permissions"});
-  }
-  std::string content(std::istreambuf_iterator<char>(stream), {});
-  if (content.starts_with(kByteOrderMark)) {
-    content.erase(0, kByteOrderMark.size());
-  }
-  return content;
+// Finds a node below the deepest level allowed; an empty node if there is none.
+pugi::xml_node find_too_deep(pugi::xml_node root) {
+  struct Walker : pugi::xml_tree_walker {
+    bool for_each(pugi::xml_node& node) override {
+      if (depth() > kDeepest) {
+        found = node;
+      }
+      return !found;
+    }
+    pugi::xml_node found;
+  } walker;
+  root.traverse(walker);
+  return walker.found;
 }
 
 // Joint "Thumb"/DHPars: from below the root down to the node.
@@ -74,12 +72,17 @@ bool parse_number(std::string_view text, double& value) {
 }
 
 XmlFile::XmlFile(const std::filesystem::path& file, const char* root)
-    : path_(file), content_(read_text(file)) {
+    : path_(file), content_(geometric::read_text_file(file, "a Kautham file (XML)", kLargestFile)) {
   const pugi::xml_parse_result parsed = document_.load_buffer(
       content_.data(), content_.size(), pugi::parse_default, pugi::encoding_utf8);
   if (!parsed) {
     throw geometric::InputError({line_at(parsed.offset), "", parsed.description(),
                                  "well-formed XML", "Look at this line and the one before it"});
+  }
+  if (const pugi::xml_node deep = find_too_deep(document_)) {
+    throw geometric::InputError({place(deep), "",
+                                 fmt::format("elements nested more than {}", kDeepest),
+                                 "a Kautham file (XML)", ""});
   }
   root_ = document_.document_element();
   if (std::string_view(root_.name()) != root) {

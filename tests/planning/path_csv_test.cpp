@@ -164,7 +164,7 @@ TEST_F(PathCsv, NeedsTwoWaypoints) {
 TEST_F(PathCsv, NamesAFileThatIsNotThere) {
   EXPECT_THAT(
       refusal_of([&] { static_cast<void>(read_path_csv(model_, folder_.path() / "none.csv")); }),
-      AllOf(HasSubstr("none.csv"), HasSubstr("no readable file")));
+      AllOf(HasSubstr("none.csv"), HasSubstr("no such file")));
   EXPECT_FALSE(
       refusal_of([&] { static_cast<void>(read_path_csv(model_, folder_.path())); }).empty());
 }

@@ -1,13 +1,14 @@
 #include "handway/execution/motion/motion_record.h"
 
 #include "handway/geometric/io/input_error.h"
+#include "handway/geometric/io/text_file.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
+#include <sstream>
 #include <string_view>
 
 namespace handway::execution {
@@ -15,6 +16,7 @@ namespace {
 
 using geometric::InputError;
 
+constexpr std::size_t kLargestFile = std::size_t{256} << 20;
 constexpr std::string_view kMeasured = ".measured";
 constexpr std::size_t kFirstJoint = 2;  // after time and device
 
@@ -43,12 +45,10 @@ class Reader {
   explicit Reader(const std::filesystem::path& file) : file_(file) {}
 
   std::vector<RecordedDevice> read() {
-    std::ifstream in(file_);
+    std::istringstream in(
+        geometric::read_text_file(file_, "a log of handway send (CSV)", kLargestFile));
     std::string line;
-    if (!std::getline(in, line)) {
-      throw InputError({file_.string(), "", in.is_open() ? "an empty file" : "no readable file",
-                        "a log of handway send (CSV)", ""});
-    }
+    std::getline(in, line);
     read_header(line);
     while (std::getline(in, line)) {
       ++line_;

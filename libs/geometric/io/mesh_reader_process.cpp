@@ -18,6 +18,7 @@
 #include <cstring>
 #include <mutex>
 #include <stdexcept>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -90,9 +91,18 @@ class Surroundings {
   [[nodiscard]] pid_t start(const fs::path& program) const {
     std::string name = program.string();
     std::array<char*, 2> arguments{name.data(), nullptr};
+    // Libraries that ask for large buffers for small files get them in large pages.
+    std::string tunables = "GLIBC_TUNABLES=glibc.malloc.hugetlb=1";
+    std::vector<char*> environment{tunables.data()};
+    for (char** variable = environ; *variable != nullptr; ++variable) {
+      if (!std::string_view(*variable).starts_with("GLIBC_TUNABLES=")) {
+        environment.push_back(*variable);
+      }
+    }
+    environment.push_back(nullptr);
     pid_t process = -1;
-    const int error =
-        ::posix_spawn(&process, name.c_str(), &actions_, &attributes_, arguments.data(), environ);
+    const int error = ::posix_spawn(&process, name.c_str(), &actions_, &attributes_,
+                                    arguments.data(), environment.data());
     if (error != 0) {
       throw std::runtime_error(std::strerror(error));
     }

@@ -62,6 +62,9 @@ std::string read_text_file(const fs::path& file, const std::string& what, std::s
   if (fs::is_directory(status)) {
     throw InputError({file.string(), "", "a folder", what, "Name a file in it"});
   }
+  if (!fs::is_regular_file(status)) {  // devices and pipes may have no end, or never begin
+    throw InputError({file.string(), "", "no regular file", what, "Save it to a file"});
+  }
   std::ifstream stream(file, std::ios::binary);
   std::string text;
   if (stream) {

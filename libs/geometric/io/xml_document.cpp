@@ -4,18 +4,23 @@
 #include "handway/geometric/io/text_file.h"
 
 #include <algorithm>
+#include <iterator>
 #include <sstream>
 
 namespace handway::geometric {
 namespace {
 
 constexpr int kDeepest = 100;
+constexpr std::ptrdiff_t kMostTags = 1'000'000;
+constexpr std::ptrdiff_t kMostAttributes = 200;  // of one element
 
-// Finds a node below the deepest level allowed; an empty node if there is none.
-pugi::xml_node find_too_deep(const pugi::xml_node& root) {
+// Finds a node that is nested too deep or has too many attributes; an empty node if there is none.
+pugi::xml_node find_excessive(const pugi::xml_node& root) {
   struct Walker : pugi::xml_tree_walker {
     bool for_each(pugi::xml_node& node) override {
-      if (depth() > kDeepest) {
+      const auto attributes = node.attributes();
+      if (depth() > kDeepest ||
+          std::distance(attributes.begin(), attributes.end()) > kMostAttributes) {
         found = node;
       }
       return !found;
@@ -31,6 +36,10 @@ pugi::xml_node find_too_deep(const pugi::xml_node& root) {
 
 XmlDocument::XmlDocument(const std::filesystem::path& file, const std::string& what)
     : file_(file), what_(what), text_(read_text_file(file, what)) {
+  if (std::ranges::count(text_, '<') > kMostTags) {
+    throw InputError({file_.string(), "", "more than " + std::to_string(kMostTags) + " tags", what_,
+                      "Is this the right file?"});
+  }
   const pugi::xml_parse_result result = nodes_.load_buffer(
       text_.data(), text_.size(),
       pugi::parse_default | pugi::parse_comments | pugi::parse_declaration, pugi::encoding_utf8);
@@ -38,8 +47,10 @@ XmlDocument::XmlDocument(const std::filesystem::path& file, const std::string& w
     throw InputError({where(result.offset), "", std::string("broken XML: ") + result.description(),
                       what_, "Check the tags around this line"});
   }
-  if (const pugi::xml_node deep = find_too_deep(nodes_)) {
-    throw InputError({where(deep), "", "elements nested more than " + std::to_string(kDeepest),
+  if (const pugi::xml_node found = find_excessive(nodes_)) {
+    throw InputError({where(found), "",
+                      "an element nested deeper than " + std::to_string(kDeepest) +
+                          " or with more than " + std::to_string(kMostAttributes) + " attributes",
                       what_, "Is this the right file?"});
   }
 }

@@ -2,7 +2,7 @@
 
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/nearest_name.h"
-#include "handway/geometric/io/text_file.h"
+#include "handway/geometric/io/yaml_file.h"
 #include "io/number_text.h"
 
 #include <fmt/format.h>
@@ -16,7 +16,6 @@
 namespace handway::geometric {
 namespace {
 
-constexpr std::size_t kLargestFile = std::size_t{16} << 20;
 constexpr double kLargestNumber = 1e6;
 
 std::string shortened(const std::string& text) {
@@ -44,23 +43,15 @@ YamlElement::YamlElement(std::shared_ptr<const Document> document, std::shared_p
     : document_(std::move(document)), node_(std::move(node)), name_(std::move(name)) {}
 
 YamlElement YamlElement::read(const std::filesystem::path& file, const std::string& what) {
-  const std::string text = read_text_file(file, what, kLargestFile);
-  std::vector<YAML::Node> documents;
+  YAML::Node top;
+  const std::string text = read_yaml_text(file, what);
   try {
-    documents = YAML::LoadAll(text);
-  } catch (const YAML::Exception& error) {
-    const std::string line = line_suffix(error.mark);
-    throw InputError({file.string() + line, "", "broken YAML: " + error.msg, what,
-                      "Check indentation, quotes and brackets around this line"});
+    top = YAML::Load(text);
   } catch (const std::exception& error) {
     throw InputError({file.string(), "", std::string("broken YAML: ") + error.what(), what, ""});
   }
-  if (documents.size() != 1) {
-    throw InputError({file.string(), "", std::to_string(documents.size()) + " YAML documents", what,
-                      "Keep one document a file"});
-  }
   return {std::make_shared<const Document>(Document{file, what}),
-          std::make_shared<const Node>(Node{documents.front()}), ""};
+          std::make_shared<const Node>(Node{top}), ""};
 }
 
 std::string YamlElement::where() const {

@@ -11,6 +11,7 @@
 #include <fstream>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <vector>
 
 namespace handway::planning {
@@ -225,7 +226,9 @@ Campaign read_campaign(const fs::path& file, const PlannerRegistry& registry) {
 }
 
 bool is_campaign(const fs::path& file) {
-  if (file.extension() != ".yaml" && file.extension() != ".yml") {
+  std::error_code error;
+  if ((file.extension() != ".yaml" && file.extension() != ".yml") ||
+      !fs::is_regular_file(file, error)) {
     return false;
   }
   std::ifstream in(file);

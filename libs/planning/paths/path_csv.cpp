@@ -2,14 +2,15 @@
 
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/replace_file.h"
+#include "handway/geometric/io/text_file.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <optional>
+#include <sstream>
 #include <vector>
 
 namespace handway::planning {
@@ -19,6 +20,7 @@ using geometric::Configuration;
 using geometric::InputError;
 using geometric::RobotModel;
 
+constexpr std::size_t kLargestFile = std::size_t{256} << 20;
 constexpr double kDefaultVelocity = 1.0;     // rad/s or m/s
 constexpr double kCouplingTolerance = 1e-4;  // rad or m
 
@@ -51,12 +53,10 @@ class Reader {
   Reader(const RobotModel& model, const std::filesystem::path& file) : model_(model), file_(file) {}
 
   Path read() {
-    std::ifstream in(file_);
+    std::istringstream in(
+        geometric::read_text_file(file_, "a CSV path with a header", kLargestFile));
     std::string line;
-    if (!in || !std::getline(in, line)) {
-      throw InputError({file_.string(), "", in.is_open() ? "an empty file" : "no readable file",
-                        "a CSV path with a header", ""});
-    }
+    std::getline(in, line);
     read_header(line);
     Path path;
     for (line_ = 2; std::getline(in, line); ++line_) {

@@ -2,6 +2,7 @@
 
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/replace_file.h"
+#include "handway/geometric/io/yaml_file.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -67,18 +68,11 @@ class BasisReader {
   }
 
   [[nodiscard]] YAML::Node load() const {
-    try {
-      YAML::Node root = YAML::LoadFile(file_.string());
-      if (!root.IsMap()) {
-        fail(root, "", "no keys", "a PMD basis with the keys hand, units, joints and mean", "");
-      }
-      return root;
-    } catch (const YAML::BadFile&) {
-      throw InputError({file_.string(), "", "no readable file", "a PMD basis", "Check the path"});
-    } catch (const YAML::ParserException& e) {
-      throw InputError({file_.string() + ':' + std::to_string(e.mark.line + 1), "", e.msg,
-                        "well-formed YAML", ""});
+    const YAML::Node root = YAML::Load(geometric::read_yaml_text(file_, "a PMD basis"));
+    if (!root.IsMap()) {
+      fail(root, "", "no keys", "a PMD basis with the keys hand, units, joints and mean", "");
     }
+    return root;
   }
 
   void check_keys(const YAML::Node& map, const std::string& element,

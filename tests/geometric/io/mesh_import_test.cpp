@@ -23,6 +23,7 @@ namespace {
 
 using test::input_error_of;
 using test::kSquareObj;
+using test::repeated;
 using test::ScratchFiles;
 using testing::AllOf;
 using testing::AnyOf;
@@ -38,14 +39,6 @@ MeshFormat format_of(const std::filesystem::path& file) {
 
 std::string refusal(const std::filesystem::path& file) {
   return input_error_of([&] { static_cast<void>(import_mesh(file, format_of(file))); });
-}
-
-std::string repeated(const std::string& text, int times) {
-  std::string whole;
-  for (int i = 0; i < times; ++i) {
-    whole += text;
-  }
-  return whole;
 }
 
 std::string ply(const std::string& face, const std::string& rows) {

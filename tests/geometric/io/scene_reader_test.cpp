@@ -190,8 +190,8 @@ TEST(SceneReader, RefusesWhatIsNoScene) {
   EXPECT_THAT(refused("handway: 1\nrobots: []"), HasSubstr("at least one robot"));
   EXPECT_THAT(refused("handway: 1\nrobots: [\n"), HasSubstr("broken YAML"));
   EXPECT_THAT(refused("handway: 1\n\trobots: x"), HasSubstr("broken YAML"));
-  EXPECT_THAT(refused("handway: 1\n---\nhandway: 1"), HasSubstr("2 YAML documents"));
-  EXPECT_THAT(refused("a: &a [*a]\n"), HasSubstr("unknown key"));
+  EXPECT_THAT(refused("handway: 1\n---\nhandway: 1"), HasSubstr("more than one YAML document"));
+  EXPECT_THAT(refused("a: &a [*a]\n"), HasSubstr("an alias within what it stands for"));
   EXPECT_THAT(refused("<robot name=\"x\"/>"), HasSubstr("s.yaml"));
   EXPECT_THAT(refused(std::string("\x89PNG\r\n\0\0\0", 9)), HasSubstr("no UTF-8 text"));
   EXPECT_THAT(refusal(files.folder() / "none.yaml"), HasSubstr("no such file"));

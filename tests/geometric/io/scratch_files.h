@@ -43,6 +43,15 @@ std::string input_error_of(Action action) {
   return "no error";
 }
 
+/// `text` so many times.
+inline std::string repeated(const std::string& text, int times) {
+  std::string whole;
+  for (int i = 0; i < times; ++i) {
+    whole += text;
+  }
+  return whole;
+}
+
 /// A unit square of two triangles in the plane z = 0, from (0, 0) to (1, 1), as OBJ.
 inline const std::string kSquareObj = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n";
 
