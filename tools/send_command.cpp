@@ -4,6 +4,8 @@
 #include "handway/execution/motion/motion_log.h"
 #include "handway/execution/motion/motion_parts.h"
 #include "handway/execution/motion/motion_run.h"
+#include "handway/execution/motion/scene_watch.h"
+#include "handway/geometric/io/input_error.h"
 #include "interrupt.h"
 #include "number_options.h"
 #include "timing_options.h"
@@ -79,6 +81,13 @@ void print_errors(const std::vector<MotionTarget>& targets,
   }
 }
 
+const char* cause_of(const execution::MotionOutcome& outcome) {
+  if (!outcome.collision.empty()) {
+    return "the robot collides";
+  }
+  return outcome.fault.empty() ? "on request" : "after a fault";
+}
+
 int report(const std::vector<MotionTarget>& targets, const execution::MotionOutcome& outcome,
            const execution::MotionLog& log, double duration) {
   print_errors(targets, outcome);
@@ -90,18 +99,50 @@ int report(const std::vector<MotionTarget>& targets, const execution::MotionOutc
     return log.good() ? kDone : kInvalidInput;
   }
   std::fflush(stdout);
+  if (!outcome.collision.empty()) {
+    fmt::print(stderr, "{}\n", outcome.collision);
+  }
   if (!outcome.fault.empty()) {
     fmt::print(stderr, "{}\n", outcome.fault);
   }
   fmt::print("STOPPED at {:.2f} of {:.2f} s: {}; all devices told to stop within {:.1f} ms, ",
-             outcome.time, duration, outcome.fault.empty() ? "on request" : "after a fault",
-             outcome.stop_sent_ms);
+             outcome.time, duration, cause_of(outcome), outcome.stop_sent_ms);
   if (outcome.at_rest_ms >= 0.0) {
     fmt::print("at rest {:.0f} ms later\n", outcome.at_rest_ms);
   } else {
     fmt::print("not seen at rest: LOOK AT THE ROBOT\n");
   }
   return kMotionStopped;
+}
+
+// The scene as its files are now, which may have changed since the path was timed. What is not
+// the robot that the motion was timed for, or can't run it, is refused.
+execution::SceneWatch::Problem scene_now(const TimingChoice& choice,
+                                         const planning::Extensions& extensions,
+                                         const planning::Motion& motion) {
+  auto problem =
+      std::make_shared<const planning::PlanningProblem>(read_problem(choice, extensions));
+  const geometric::RobotModel& model = problem->model();
+  bool is_same = model.variable_count() == motion.model->variable_count();
+  for (int v = 0; is_same && v < model.variable_count(); ++v) {
+    is_same = model.variable(v).name == motion.model->variable(v).name;
+  }
+  if (!is_same) {
+    throw geometric::InputError({choice.scene.string(), "robot", "other joints than before",
+                                 "the robot that the path was timed for",
+                                 "The files were edited meanwhile: send the path again."});
+  }
+  planning::RateLimits limits = read_limits(choice, model);
+  if (!choice.jerk) {
+    limits.jerk.resize(0);
+  }
+  const auto faults = check_trajectory(model, motion.trajectory, limits);
+  if (!faults.empty()) {
+    throw geometric::InputError({choice.scene.string(), "robot", faults.front().text,
+                                 "limits that the motion keeps",
+                                 "The files were edited meanwhile: send the path again."});
+  }
+  return problem;
 }
 
 int send(const SendChoice& choice) {
@@ -144,8 +185,17 @@ int send(const SendChoice& choice) {
     return kMotionStopped;
   }
   SendObserver observer(targets, log);
+  execution::SceneWatch watch(timed.motion.trajectory, [&](const std::stop_token& /*stop*/) {
+    return scene_now(choice.timing, extensions, timed.motion);
+  });
+  execution::MotionRequests requests{.stop = stop.get_token(), .watch = &watch};
   const execution::MotionOutcome outcome =
-      run_motion(targets, choice.tolerances, {.stop = stop.get_token()}, observer);
+      run_motion(targets, choice.tolerances, requests, observer);
+  if (!outcome.started) {
+    fmt::print(stderr, "Nothing moved: {}\n",
+               outcome.collision.empty() ? "stopped before the start." : outcome.collision);
+    return outcome.collision.empty() ? kMotionStopped : kNoPath;
+  }
   return report(targets, outcome, log, duration);
 }
 

@@ -38,9 +38,19 @@ void add_timing_options(CLI::App& command, TimingChoice& choice) {
   command.add_option("--report", choice.report, "Where to write the pre-flight report (JSON)");
 }
 
-TimingInput read_timing_input(const TimingChoice& choice, const planning::Extensions& extensions) {
+planning::PlanningProblem read_problem(const TimingChoice& choice,
+                                       const planning::Extensions& extensions) {
   const planning::LoadedScene loaded = planning::load_scene(choice.scene, extensions);
-  planning::PlanningProblem problem = planning::make_problem(loaded.scene, loaded.basis);
+  return planning::make_problem(loaded.scene, loaded.basis);
+}
+
+planning::RateLimits read_limits(const TimingChoice& choice, const geometric::RobotModel& model) {
+  return choice.limits.empty() ? planning::rate_limits(model)
+                               : planning::read_rate_limits(model, choice.limits);
+}
+
+TimingInput read_timing_input(const TimingChoice& choice, const planning::Extensions& extensions) {
+  planning::PlanningProblem problem = read_problem(choice, extensions);
   planning::Path path = planning::read_path_csv(problem.model(), choice.path);
   return {std::move(problem), std::move(path)};
 }
@@ -60,9 +70,7 @@ planning::TimedPath run_timing(const TimingChoice& choice, const TimingInput& in
   options.limit_jerk = choice.jerk;
   options.measured_start = start;
   options.start_tolerance = start_tolerance;
-  if (!choice.limits.empty()) {
-    options.limits = planning::read_rate_limits(input.problem.model(), choice.limits);
-  }
+  options.limits = read_limits(choice, input.problem.model());
   planning::TimedPath timed = time_path(
       input.problem, input.path, planning::motion_name(choice.path.stem().string()), options);
   if (!timed.blends.fault.empty()) {

@@ -27,6 +27,15 @@ struct TimingChoice {
 
 void add_timing_options(CLI::App& command, TimingChoice& choice);
 
+/// The scene's problem, as its files are now. @throws InputError for files that are wrong.
+[[nodiscard]] planning::PlanningProblem read_problem(const TimingChoice& choice,
+                                                     const planning::Extensions& extensions);
+
+/// The limits of the choice's file, or of the robot if it names none.
+/// @throws InputError for a file that is wrong.
+[[nodiscard]] planning::RateLimits read_limits(const TimingChoice& choice,
+                                               const geometric::RobotModel& model);
+
 /// What a path is timed with.
 struct TimingInput {
   planning::PlanningProblem problem;

@@ -2,9 +2,29 @@
 
 #include "app/save_scene.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace handway::gui {
+namespace {
+
+using geometric::RobotInstance;
+
+planning::Revision after_edit(planning::Revision revision, const geometric::Scene& before,
+                              const geometric::Scene& after) {
+  ++revision.scene;
+  const auto same_model = [](const RobotInstance& a, const RobotInstance& b) {
+    return a.model == b.model;
+  };
+  const auto same_robot = [](const RobotInstance& a, const RobotInstance& b) {
+    return a.model == b.model && a.name == b.name && a.X_WB.matrix() == b.X_WB.matrix();
+  };
+  revision.robot += std::ranges::equal(before.robots, after.robots, same_robot) ? 0 : 1;
+  revision.limits += std::ranges::equal(before.robots, after.robots, same_model) ? 0 : 1;
+  return revision;
+}
+
+}  // namespace
 
 Document::Document(std::shared_ptr<const planning::Extensions> extensions, QObject* parent)
     : QObject(parent), loader_(std::move(extensions)) {
@@ -37,8 +57,10 @@ void Document::save(const std::filesystem::path& file, const geometric::PlannerC
 }
 
 void Document::set_scene(planning::LoadedScene scene, const std::filesystem::path& file) {
+  hide_measured();
   loaded_ = std::move(scene);
   state_ = {loaded_.scene};
+  revision_ = {revision_.scene + 1, revision_.robot + 1, revision_.basis + 1, revision_.limits + 1};
   file_ = file;
   problem_.reset();
   groups_ = {};
@@ -48,7 +70,7 @@ void Document::set_scene(planning::LoadedScene scene, const std::filesystem::pat
     groups_ = joint_groups(*first->model, loaded_.basis.get());
     palm_ = palm_link(*first->model, groups_);
     q_ = first->configuration;
-    problem_ = std::make_shared<const PreparedProblem>(loaded_, threads_);
+    problem_ = std::make_shared<const PreparedProblem>(loaded_, revision_, threads_);
   }
   recorded_hand_.set_basis(loaded_.basis);
   emit opened();
@@ -61,8 +83,10 @@ void Document::set_state(SceneState state) {
   const SceneState before = std::exchange(state_, std::move(state));
   if (before.scene != state_.scene) {
     loaded_.scene = state_.scene;
+    revision_ = after_edit(revision_, *before.scene, *state_.scene);
     if (robot()) {
-      problem_ = std::make_shared<const PreparedProblem>(loaded_, threads_, problem_.get());
+      problem_ =
+          std::make_shared<const PreparedProblem>(loaded_, revision_, threads_, problem_.get());
     }
   }
   emit edited(before);
@@ -71,10 +95,28 @@ void Document::set_state(SceneState state) {
   }
 }
 
+// What has been dragged is put back where it is shown.
 void Document::set_configuration(const geometric::Configuration& q) {
   if (robot()) {
-    q_ = q;
+    q_ = shows_measured_ ? q_ : q;
     emit configuration_changed(q_);
+  }
+}
+
+void Document::show_measured(const geometric::Configuration& q) {
+  if (!robot()) {
+    return;
+  }
+  q_ = q;
+  if (!std::exchange(shows_measured_, true)) {
+    emit measured_shown(true);
+  }
+  emit configuration_changed(q_);
+}
+
+void Document::hide_measured() {
+  if (std::exchange(shows_measured_, false)) {
+    emit measured_shown(false);
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include "editing/scene_state.h"
 #include "handway/planning/core/plugin.h"
+#include "handway/planning/core/revision.h"
 #include "panels/joint_groups.h"
 #include "workers/prepared_problem.h"
 #include "workers/recorded_hand.h"
@@ -29,6 +30,8 @@ class Document : public QObject {
   /// The scene, and which objects are hidden or locked.
   [[nodiscard]] const SceneState& state() const { return state_; }
   [[nodiscard]] const planning::LoadedScene& loaded() const { return loaded_; }
+  /// What results of this moment are made from. Any edit makes it another one, undoing included.
+  [[nodiscard]] const planning::Revision& revision() const { return revision_; }
   /// For planning and collision checks; null if there is no robot.
   [[nodiscard]] const std::shared_ptr<const PreparedProblem>& problem() const { return problem_; }
   /// The first robot; nullptr if there is none.
@@ -53,10 +56,15 @@ class Document : public QObject {
   void set_scene(planning::LoadedScene scene, const std::filesystem::path& file = {});
   /// Replaces the scene by an edited one with the same robots.
   void set_state(SceneState state);
-  /// Moves the first robot. @param q shape [variable_count].
+  /// Moves the first robot, unless it is shown as measured. @param q shape [variable_count].
   void set_configuration(const geometric::Configuration& q);
-  /// Sets the joints that the posture names.
+  /// Sets the joints that the posture names, unless the robot is shown as measured.
   void apply_posture(const geometric::NamedPosture& posture);
+  /// Shows the first robot as it is measured, and nothing else, until hide_measured().
+  /// @param q shape [variable_count].
+  void show_measured(const geometric::Configuration& q);
+  void hide_measured();
+  [[nodiscard]] bool shows_measured() const { return shows_measured_; }
 
  signals:
   void opening(const QString& file);
@@ -66,17 +74,21 @@ class Document : public QObject {
   /// The scene from before stays.
   void open_failed(const QString& message);
   void configuration_changed(const Eigen::VectorXd& q);
+  /// The robot is shown as measured from now on, or no longer.
+  void measured_shown(bool shown);
 
  private:
   SceneLoader loader_;
   BackgroundThreads threads_;
   SceneState state_;
   planning::LoadedScene loaded_;  ///< With the scene of `state_`.
+  planning::Revision revision_;
   std::shared_ptr<const PreparedProblem> problem_;
   RecordedHand recorded_hand_;
   JointGroups groups_;
   int palm_ = 0;
   geometric::Configuration q_;
+  bool shows_measured_ = false;
   std::filesystem::path file_;
   std::filesystem::path requested_;
 };

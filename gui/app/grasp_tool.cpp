@@ -28,7 +28,7 @@ GraspTool::GraspTool(Document& document, SceneEditing& editing, PlanningSession&
     }
   });
   connect(card_, &GraspCard::looked_at, this, [this](int index) {
-    view_.preview_ghost(false, grasps_[static_cast<std::size_t>(index)].q);
+    view_.preview_ghost(false, grasps_.value[static_cast<std::size_t>(index)].q);
   });
   connect(card_, &GraspCard::chosen, this, &GraspTool::choose);
   connect(card_, &GraspCard::closed, this, &GraspTool::end);
@@ -49,9 +49,10 @@ void GraspTool::begin() {
       if (!prepared) {
         return nullptr;
       }
-      return [this, title, found = planning::find_pregrasps(*prepared, name, {}, stop)] {
-        grasps_ = found;
-        card_->show_grasps(title, grasps_);
+      return [this, title, revision = problem->revision(),
+              found = planning::find_pregrasps(*prepared, name, {}, stop)] {
+        grasps_ = {found, revision};
+        card_->show_grasps(title, grasps_.value);
       };
     } catch (const std::exception& error) {
       return [this, title, reason = QString::fromUtf8(error.what())] {
@@ -65,13 +66,17 @@ void GraspTool::end() {
   job_.cancel();
   card_->hide();
   editing_.show_handles(true);
-  if (!std::exchange(grasps_, {}).empty() && document_.robot()) {
+  if (!std::exchange(grasps_, {}).value.empty() && document_.robot()) {
     view_.preview_ghost(false, document_.scene()->goal);
   }
 }
 
 void GraspTool::choose(int index) {
-  const geometric::Configuration q = grasps_[static_cast<std::size_t>(index)].q;
+  if (grasps_.made_from != document_.revision()) {
+    end();
+    return;
+  }
+  const geometric::Configuration q = grasps_.value[static_cast<std::size_t>(index)].q;
   editor_.set_goal(q);
   if (!document_.scene()->start) {
     editor_.set_start(document_.configuration());

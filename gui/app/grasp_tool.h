@@ -1,5 +1,6 @@
 #pragma once
 
+#include "handway/planning/core/revision.h"
 #include "handway/planning/grasps/pregrasp_search.h"
 #include "workers/latest_job.h"
 
@@ -30,7 +31,7 @@ class GraspTool : public QObject {
   /// Looks for ways to grasp the selected object.
   void begin();
   [[nodiscard]] bool is_busy() const { return job_.is_busy(); }
-  [[nodiscard]] const std::vector<planning::Pregrasp>& grasps() const { return grasps_; }
+  [[nodiscard]] const std::vector<planning::Pregrasp>& grasps() const { return grasps_.value; }
 
  private:
   void end();
@@ -42,7 +43,7 @@ class GraspTool : public QObject {
   PlanningSession& session_;
   SceneView& view_;
   GraspCard* card_;
-  std::vector<planning::Pregrasp> grasps_;
+  planning::Derived<std::vector<planning::Pregrasp>> grasps_;
   LatestJob job_;
 };
 

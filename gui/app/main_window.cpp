@@ -43,6 +43,7 @@
 #include "tracker/wrist_page.h"
 #include "view3d/scene_view.h"
 #include "workers/palm_path.h"
+#include "workers/path_validity.h"
 
 #include <QApplication>
 #include <QCloseEvent>
@@ -91,6 +92,7 @@ MainWindow::MainWindow(std::shared_ptr<planning::Extensions> extensions, QWidget
   new WheelGuard(this);
   build_docks();
   session_ = std::make_unique<PlanningSession>(document_, *plan_panel_, player_);
+  validity_ = std::make_unique<PathValidity>(player_);
   planning_views_->follow(*session_, *actions_->samples, *actions_->hypercubes);
   query_check_ = std::make_unique<QueryCheck>(document_, editing_->editor(), *posing_, *view_);
   grasp_tool_ = std::make_unique<GraspTool>(document_, *editing_, *session_, *view_);
@@ -244,6 +246,11 @@ void MainWindow::connect_planning() {
   connect(planning_commands_.get(), &PlanningCommands::failed, this, &MainWindow::show_error);
   connect(editing_.get(), &SceneEditing::tried, session_.get(), &PlanningSession::try_scene);
   connect(session_.get(), &PlanningSession::path_changed, this, &MainWindow::show_path);
+  const auto follow_scene = [this] { validity_->follow(document_.problem()); };
+  connect(&document_, &Document::opened, this, follow_scene);
+  connect(&document_, &Document::edited, this, follow_scene);
+  connect(validity_.get(), &PathValidity::changed, this, &MainWindow::show_validity);
+  connect(&document_, &Document::measured_shown, this, &MainWindow::show_validity);
   connect(session_.get(), &PlanningSession::ended, this, [this](bool solved) {
     if (solved && options_.play) {
       player_.play();
@@ -252,7 +259,7 @@ void MainWindow::connect_planning() {
 }
 
 void MainWindow::export_path() {
-  auto* dialog = new ExportDialog(extensions_, document_.problem(), player_.timeline().path(),
+  auto* dialog = new ExportDialog(extensions_, document_, player_.timeline().path(),
                                   files_->scene_name(), this);
   connect(dialog, &ExportDialog::exported, this, [this](const QStringList& files) {
     log_->add(LogPanel::Level::kNote, tr("Exported %1").arg(files.join(QStringLiteral(", "))));
@@ -262,8 +269,6 @@ void MainWindow::export_path() {
 
 void MainWindow::connect_devices() {
   connect(actions_->export_path, &QAction::triggered, this, &MainWindow::export_path);
-  connect(&player_, &PathPlayer::timeline_changed, this,
-          [this] { actions_->export_path->setEnabled(!player_.timeline().empty()); });
   connect(devices_.get(), &DeviceSession::executed_changed, view_,
           [this](const std::vector<Eigen::Vector3d>& way) { view_->set_executed(way); });
   connect(devices_.get(), &DeviceSession::told, this, [this](bool good, const QString& message) {
@@ -366,6 +371,19 @@ void MainWindow::show_path() {
   }
   const PalmPath path = palm_path(*document_.robot(), player_.timeline(), document_.palm());
   view_->set_path(path.points, path.waypoints);
+}
+
+void MainWindow::show_validity() {
+  actions_->export_path->setEnabled(validity_->state() == PathValidity::State::kValid);
+  plan_panel_->show_validity(validity_->reason());
+  if (!validity_->reason().isEmpty()) {
+    playback_->show_note(tr("out of date"), validity_->reason());
+  } else if (document_.shows_measured()) {
+    playback_->show_note(tr("robot as measured"),
+                         tr("The robot is shown where it is measured: see the tab Devices"));
+  } else {
+    playback_->show_note({}, {});
+  }
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

@@ -27,6 +27,7 @@ class FileCommands;
 class GlovePanel;
 class GraspTool;
 class PalmTool;
+class PathValidity;
 class PlaybackBar;
 class PlaybackTools;
 class PlanningCommands;
@@ -69,6 +70,7 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] GlovePanel& glove_panel();
   [[nodiscard]] CampaignsPanel& campaigns() { return *campaigns_; }
   [[nodiscard]] DeviceSession& devices() { return *devices_; }
+  [[nodiscard]] const PathValidity& path_validity() const { return *validity_; }
   [[nodiscard]] CollisionMonitor& collisions();
   [[nodiscard]] GraspTool& grasp_tool() { return *grasp_tool_; }
   [[nodiscard]] PlanningViews& planning_views() { return *planning_views_; }
@@ -104,6 +106,7 @@ class MainWindow : public QMainWindow {
   void show_error(const QString& title, const QString& message);
   void apply_glove_options();
   void show_path();
+  void show_validity();
   void update_title();
   void update_ready();
   void show_theme(Theme theme);
@@ -137,6 +140,7 @@ class MainWindow : public QMainWindow {
   std::unique_ptr<Recovery> recovery_;
   std::unique_ptr<PreferenceEffects> preference_effects_;
   std::unique_ptr<PlanningSession> session_;
+  std::unique_ptr<PathValidity> validity_;
   std::unique_ptr<PlanningCommands> planning_commands_;
   std::unique_ptr<RunsTool> runs_tool_;
   std::unique_ptr<QueryCheck> query_check_;

@@ -38,17 +38,21 @@ PlanningSession::PlanningSession(Document& document, PlanPanel& panel, PathPlaye
   connect(&seeds_, &SeedRunner::failed, this, &PlanningSession::take_failure);
 }
 
-bool PlanningSession::is_current() const { return planned_ == document_.scene(); }
+bool PlanningSession::is_current() const { return planned_ == document_.revision(); }
 
 void PlanningSession::forget() {
   cancel();
   live_.end();
   shown_.reset();
   player_.clear();
-  roadmap_.reset();
   panel_.clear_result();
-  emit roadmap_changed();
+  forget_roadmap();
   emit path_changed();
+}
+
+void PlanningSession::forget_roadmap() {
+  roadmap_.reset();
+  emit roadmap_changed();
 }
 
 void PlanningSession::start() {
@@ -56,7 +60,7 @@ void PlanningSession::start() {
     return;
   }
   forget();
-  planned_ = document_.scene();
+  planned_ = document_.revision();
   begun_.number += std::max(1, static_cast<int>(found_.size()));
   found_.clear();
   begun_.begun = QTime::currentTime();
@@ -105,7 +109,9 @@ void PlanningSession::show(const PathRecord& record, const QString& note) {
     return;
   }
   shown_ = record.run;
-  player_.set_timeline(PathTimeline(*document_.robot()->model, result.path));
+  const bool is_of_this_scene = record.run->state.scene == document_.scene();
+  player_.set_timeline(PathTimeline(*document_.robot()->model, result.path),
+                       is_of_this_scene ? document_.revision() : planning::Revision{});
   emit path_changed();
   player_.seek(0.0);
   live_.begin(document_.problem(), result.path, record.run->request);
@@ -186,15 +192,17 @@ void PlanningSession::take_edit(const SceneState& before) {
     return;
   }
   if (live_.is_active()) {
-    live_.follow(document_.scene());
+    forget_roadmap();
+    live_.follow(document_.scene(), document_.revision());
   } else {
     forget();
   }
 }
 
-void PlanningSession::try_scene(const SceneState& state) { live_.follow(state.scene); }
+void PlanningSession::try_scene(const SceneState& state) { live_.follow(state.scene, {}); }
 
-void PlanningSession::take_replanned(const planning::PlanResult& result, const QString& way) {
+void PlanningSession::take_replanned(const DerivedResult& replanned, const QString& way) {
+  const planning::PlanResult& result = replanned.value;
   panel_.show_replanned(result, way);
   if (!result.solved()) {
     return;
@@ -202,7 +210,7 @@ void PlanningSession::take_replanned(const planning::PlanResult& result, const Q
   shown_.reset();
   const double fraction = player_.fraction();
   const bool was_playing = player_.is_playing();
-  player_.set_timeline(PathTimeline(*document_.robot()->model, result.path));
+  player_.set_timeline(PathTimeline(*document_.robot()->model, result.path), replanned.made_from);
   emit path_changed();
   player_.seek(fraction);
   if (was_playing) {

@@ -65,7 +65,8 @@ class PlanningSession : public QObject {
   void take_seeds(bool cancelled);
   void show_none(const QString& note);
   void take_edit(const SceneState& before);
-  void take_replanned(const planning::PlanResult& result, const QString& way);
+  void take_replanned(const DerivedResult& replanned, const QString& way);
+  void forget_roadmap();
   void take_failure(const QString& message);
   [[nodiscard]] bool is_current() const;
 
@@ -75,7 +76,7 @@ class PlanningSession : public QObject {
   PlanRunner runner_;
   SeedRunner seeds_;
   LiveReplanner live_;
-  std::shared_ptr<const geometric::Scene> planned_;  ///< Scene of the run that goes on.
+  planning::Revision planned_;     ///< Of the run that goes on.
   PlanRun begun_;                  ///< The same run, as far as it is known when it begins.
   std::vector<PathRecord> found_;  ///< Of its seeds.
   std::shared_ptr<const PlanRun> shown_;

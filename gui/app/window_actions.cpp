@@ -55,6 +55,7 @@ WindowActions::WindowActions(QMainWindow& window) : window_(window) {
   }
   samples->setChecked(true);
   cancel->setEnabled(false);
+  export_path->setObjectName(QStringLiteral("export_path"));
   export_path->setEnabled(false);
   pictures->setEnabled(false);
   compare->setEnabled(false);

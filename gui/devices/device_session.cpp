@@ -2,6 +2,7 @@
 
 #include "app/document.h"
 #include "devices/devices_panel.h"
+#include "devices/motion_text.h"
 #include "handway/geometric/math/units.h"
 #include "workers/path_player.h"
 
@@ -56,10 +57,13 @@ DeviceSession::DeviceSession(Document& document, PathPlayer& player, QObject* pa
   connect(panel_, &DevicesPanel::hold_requested, this, [this](bool held) {
     driver_.hold(held);
     panel_->show_held(held);
+    panel_->show_problem({});
   });
+  connect(panel_, &DevicesPanel::mirror_changed, this, &DeviceSession::mirror);
   connect(panel_, &DevicesPanel::start_here_requested, this,
           [this] { emit start_here_requested(measured_); });
   connect(&player_, &PathPlayer::timeline_changed, this, &DeviceSession::time_again);
+  connect(&document_, &Document::edited, this, &DeviceSession::take_edit);
   connect(&document_, &Document::opened, this, [this] {
     driver_.disconnect_all();
     panel_->clear_outcome();
@@ -67,15 +71,19 @@ DeviceSession::DeviceSession(Document& document, PathPlayer& player, QObject* pa
     emit executed_changed({});
     time_again();
   });
-  connect(&timing_, &TimingRunner::timed, this,
-          [this](const std::shared_ptr<const planning::TimedPath>& motion) {
-            motion_ = motion;
-            panel_->show_motion(*motion, backwards_);
-          });
+  connect(&timing_, &TimingRunner::timed, this, [this](const DerivedMotion& motion) {
+    motion_ = motion;
+    panel_->show_motion(*motion.value, backwards_);
+  });
   connect(&timing_, &TimingRunner::failed, panel_, &DevicesPanel::show_no_motion);
   connect(&driver_, &MotionDriver::state_changed, this, &DeviceSession::take_state);
   connect(&driver_, &MotionDriver::measured, this, &DeviceSession::take_measured);
   connect(&driver_, &MotionDriver::progressed, panel_, &DevicesPanel::show_progress);
+  connect(&driver_, &MotionDriver::held, this, [this](const QString& reason) {
+    panel_->show_held(true);
+    panel_->show_problem(tr("Held: %1").arg(reason));
+    emit told(false, tr("The robot is held: %1").arg(reason));
+  });
   connect(&driver_, &MotionDriver::ended, this, &DeviceSession::take_outcome);
   connect(&driver_, &MotionDriver::failed, this, [this](const QString& message) {
     panel_->show_problem(message);
@@ -102,13 +110,17 @@ void DeviceSession::connect_devices() {
 }
 
 void DeviceSession::time_again() {
-  motion_.reset();
+  motion_ = {};
   timing_.forget();
+  timed_from_ = measured_;
   if (player_.timeline().empty() || !document_.problem()) {
     panel_->show_no_motion(tr("Plan a path first."));
     return;
   }
-  timed_from_ = measured_;
+  if (driver_.state() == State::kRunning) {
+    panel_->show_no_motion(tr("The path is timed again when the robot is at rest."));
+    return;
+  }
   planning::Path path = player_.timeline().path();
   planning::TimingOptions options;
   options.speed = panel_->speed();
@@ -135,8 +147,25 @@ void DeviceSession::time_again() {
   timing_.start(document_.problem(), std::move(path), "path", options);
 }
 
+// What was cleared is void at once, and the path is timed and checked in the scene as it is.
+void DeviceSession::take_edit(const SceneState& before) {
+  if (before.scene == document_.scene() || !document_.problem()) {
+    return;
+  }
+  driver_.follow(document_.problem());
+  time_again();
+  if (timing_.is_busy()) {
+    panel_->show_no_motion(tr("Out of date, the scene was edited: checking the path again…"));
+  }
+}
+
 void DeviceSession::run() {
-  if (!motion_ || !motion_->cleared() || !panel_->is_armed()) {
+  if (!motion_.value || !motion_.value->cleared() || !panel_->is_armed()) {
+    return;
+  }
+  if (motion_.made_from != document_.revision()) {
+    panel_->show_problem(tr("The path is out of date: the scene was edited."));
+    time_again();
     return;
   }
   const QString name = QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd_hh-mm-ss"));
@@ -145,13 +174,16 @@ void DeviceSession::run() {
   panel_->show_problem({});
   panel_->clear_outcome();
   emit executed_changed({});
-  driver_.run(motion_, log_folder() / (name.toStdString() + ".csv"));
+  driver_.run(motion_.value, document_.problem(), log_folder() / (name.toStdString() + ".csv"));
 }
 
 void DeviceSession::take_state(State state) {
   if (state == State::kOff) {
     measured_.resize(0);
+    mirror();
     time_again();
+  } else if (state == State::kConnected && !motion_.value) {
+    time_again();  // what the motion that ran has kept from it
   }
   show_stop(state == State::kConnected || state == State::kRunning);
   panel_->show_state(state, document_.robot() != nullptr);
@@ -186,11 +218,14 @@ bool DeviceSession::may_leave(QWidget& window) {
 }
 
 void DeviceSession::take_measured(const Eigen::VectorXd& q) {
+  const State state = driver_.state();
+  if (state != State::kConnected && state != State::kRunning) {
+    return;  // of a robot that may not be the scene's any more
+  }
   const bool changed = measured_.size() != q.size() || !measured_.isApprox(q, kSameNumbers);
   measured_ = q;
-  // While the robot stands, other postures may be shown.
-  if (changed && panel_->mirrors() && !player_.is_playing()) {
-    document_.set_configuration(q);
+  if (changed || document_.shows_measured() != panel_->mirrors()) {
+    mirror();
   }
   const bool moved =
       timed_from_.size() != q.size() || (timed_from_ - q).cwiseAbs().maxCoeff() > kSamePlace;
@@ -199,19 +234,33 @@ void DeviceSession::take_measured(const Eigen::VectorXd& q) {
   }
 }
 
+void DeviceSession::mirror() {
+  if (panel_->mirrors() && measured_.size() > 0) {
+    document_.show_measured(measured_);
+  } else {
+    document_.hide_measured();
+  }
+}
+
 void DeviceSession::take_outcome(const execution::MotionOutcome& outcome,
                                  const std::shared_ptr<const ExecutedMotion>& executed) {
   if (!document_.robot()) {
     return;
   }
+  if (!outcome.started) {
+    const QString reason = outcome.collision.empty() ? tr("It was stopped before the start.")
+                                                     : QString::fromStdString(outcome.collision);
+    panel_->show_problem(tr("Not started: %1").arg(reason));
+    emit told(false, tr("The robot was not started: %1").arg(reason));
+    return;
+  }
   panel_->show_outcome(outcome, executed, *document_.robot()->model);
   emit executed_changed(executed->way_of(*document_.robot(), document_.palm()));
-  emit told(outcome.done,
-            outcome.done ? tr("The robot ran the path in %1 s").arg(outcome.time, 0, 'f', 2)
-                         : tr("The robot stopped after %1 s: %2")
-                               .arg(outcome.time, 0, 'f', 2)
-                               .arg(outcome.fault.empty() ? tr("on request")
-                                                          : QString::fromStdString(outcome.fault)));
+  emit told(outcome.done, outcome.done
+                              ? tr("The robot ran the path in %1 s").arg(outcome.time, 0, 'f', 2)
+                              : tr("The robot stopped after %1 s: %2")
+                                    .arg(outcome.time, 0, 'f', 2)
+                                    .arg(cause_of(outcome)));
 }
 
 }  // namespace handway::gui

@@ -17,9 +17,11 @@ namespace handway::gui {
 class DevicesPanel;
 class Document;
 class PathPlayer;
+struct SceneState;
 
 /// From a path on screen to a motion of the hardware: times it, clears it from where the robot
-/// stands, runs it, shows where the robot is, and keeps what was executed.
+/// stands, runs it, shows where the robot is, and keeps what was executed. An edit of the scene
+/// revokes what was cleared, and reaches a motion that runs.
 class DeviceSession : public QObject {
   Q_OBJECT
 
@@ -54,6 +56,9 @@ class DeviceSession : public QObject {
   void take_state(MotionDriver::State state);
   void show_stop(bool active);
   void take_measured(const Eigen::VectorXd& q);
+  void take_edit(const SceneState& before);
+  /// The document's robot as it is measured, if that is wanted.
+  void mirror();
   void take_outcome(const execution::MotionOutcome& outcome,
                     const std::shared_ptr<const ExecutedMotion>& executed);
 
@@ -64,11 +69,11 @@ class DeviceSession : public QObject {
   QPushButton* stop_;
   TimingRunner timing_;
   MotionDriver driver_;
-  std::optional<StopKeyListener> stop_key_;            ///< While there is something to stop.
-  std::shared_ptr<const planning::TimedPath> motion_;  ///< Of the path on screen; or null.
-  bool backwards_ = false;                             ///< motion_ goes from goal to start.
-  geometric::Configuration measured_;                  ///< Of size 0: nothing is connected.
-  geometric::Configuration timed_from_;                ///< `measured_` when motion_ was timed.
+  std::optional<StopKeyListener> stop_key_;  ///< While there is something to stop.
+  DerivedMotion motion_;                     ///< Of the path on screen; or null.
+  bool backwards_ = false;                   ///< motion_ goes from goal to start.
+  geometric::Configuration measured_;        ///< Of size 0: nothing is connected.
+  geometric::Configuration timed_from_;      ///< `measured_` when motion_ was timed.
 };
 
 }  // namespace handway::gui

@@ -144,7 +144,9 @@ QWidget* DevicesPanel::make_connection() {
   layout->addWidget(problem_);
   mirror_->setObjectName(QStringLiteral("devices_mirror"));
   mirror_->setChecked(true);
-  mirror_->setToolTip(tr("The robot in the view stands as the joints are measured"));
+  mirror_->setToolTip(
+      tr("The robot in the view is where the joints are measured, whatever is edited or played"));
+  connect(mirror_, &QCheckBox::toggled, this, &DevicesPanel::mirror_changed);
   layout->addWidget(mirror_);
   connect(connect_, &QPushButton::clicked, this, [this] {
     if (state_ == State::kOff) {

@@ -54,6 +54,7 @@ class DevicesPanel : public QWidget {
   void speed_changed();
   void run_requested();
   void hold_requested(bool held);
+  void mirror_changed();
   void start_here_requested();  ///< Let the path start where the robot stands.
 
  private:

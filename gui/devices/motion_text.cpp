@@ -61,6 +61,11 @@ QString motion_text(const planning::TimedPath& motion) {
   return text;
 }
 
+QString cause_of(const execution::MotionOutcome& outcome) {
+  const std::string& cause = outcome.collision.empty() ? outcome.fault : outcome.collision;
+  return cause.empty() ? tr("on request") : QString::fromStdString(cause);
+}
+
 QString outcome_text(const execution::MotionOutcome& outcome) {
   const ThemeColors colors = colors_of(current_theme());
   QString text;
@@ -68,8 +73,8 @@ QString outcome_text(const execution::MotionOutcome& outcome) {
     text = colored(tr("Done in %1 s").arg(outcome.time, 0, 'f', 2), colors.good);
   } else {
     text = colored(tr("Stopped after %1 s").arg(outcome.time, 0, 'f', 2), colors.bad);
-    if (!outcome.fault.empty()) {
-      text += QStringLiteral("<br>") + QString::fromStdString(outcome.fault).toHtmlEscaped();
+    if (!outcome.fault.empty() || !outcome.collision.empty()) {
+      text += QStringLiteral("<br>") + cause_of(outcome).toHtmlEscaped();
     }
     text += QStringLiteral("<br>") +
             (outcome.at_rest_ms >= 0.0

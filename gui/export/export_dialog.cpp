@@ -1,5 +1,6 @@
 #include "export/export_dialog.h"
 
+#include "app/document.h"
 #include "export/motion_preview.h"
 #include "style/theme.h"
 
@@ -39,11 +40,11 @@ QDoubleSpinBox* make_number(double least, double most, double value, int decimal
 }  // namespace
 
 ExportDialog::ExportDialog(std::shared_ptr<const planning::Extensions> extensions,
-                           std::shared_ptr<const PreparedProblem> problem, planning::Path path,
-                           const QString& name, QWidget* parent)
+                           Document& document, planning::Path path, const QString& name,
+                           QWidget* parent)
     : QDialog(parent),
       extensions_(extensions),
-      problem_(std::move(problem)),
+      document_(document),
       path_(std::move(path)),
       export_(std::move(extensions)),
       formats_(new QListWidget),
@@ -72,16 +73,15 @@ ExportDialog::ExportDialog(std::shared_ptr<const planning::Extensions> extension
   settle_.setSingleShot(true);
   settle_.setInterval(kSettleMs);
   connect(&settle_, &QTimer::timeout, this, &ExportDialog::time_again);
-  connect(&timing_, &TimingRunner::timed, this,
-          [this](const std::shared_ptr<const planning::TimedPath>& motion) {
-            motion_ = motion;
-            any_robot_->setVisible(
-                !extensions_->exporter(format()).robot_objection(motion->motion).empty());
-            preview_->show_motion(*motion);
-            if (motion->cleared()) {
-              export_.prepare(format(), motion, options());
-            }
-          });
+  connect(&timing_, &TimingRunner::timed, this, [this](const DerivedMotion& motion) {
+    motion_ = motion;
+    any_robot_->setVisible(
+        !extensions_->exporter(format()).robot_objection(motion.value->motion).empty());
+    preview_->show_motion(*motion.value);
+    if (motion.value->cleared()) {
+      export_.prepare(format(), motion.value, options());
+    }
+  });
   connect(&timing_, &TimingRunner::failed, this, &ExportDialog::show_problem);
   connect(&export_, &ExportRunner::prepared, this, [this](const auto& files) {
     preview_->show_files(*files);
@@ -92,9 +92,17 @@ ExportDialog::ExportDialog(std::shared_ptr<const planning::Extensions> extension
     accept();
   });
   connect(&export_, &ExportRunner::failed, this, &ExportDialog::show_problem);
+  connect(&document_, &Document::edited, this, &ExportDialog::take_edit);
+  connect(&document_, &Document::opened, this, &QDialog::reject);
   formats_->setCurrentRow(0);
   settle_.stop();
   time_again();
+}
+
+void ExportDialog::take_edit(const SceneState& before) {
+  if (before.scene != document_.scene()) {
+    time_again();
+  }
 }
 
 QWidget* ExportDialog::make_settings() {
@@ -203,7 +211,7 @@ std::string ExportDialog::format() const {
 }
 
 void ExportDialog::time_again() {
-  motion_.reset();
+  motion_ = {};
   export_.forget();
   export_button_->setEnabled(false);
   problem_text_->hide();
@@ -219,14 +227,21 @@ void ExportDialog::time_again() {
   options.speed = speed_->value() / kPercent;
   options.period = period_->value() * kMilli;
   options.blends.deviation = stops || !arcs_->isChecked() ? 0.0 : deviation_->value();
-  timing_.start(problem_, path_, planning::motion_name(name_->text().toStdString()), options);
+  timing_.start(document_.problem(), path_, planning::motion_name(name_->text().toStdString()),
+                options);
 }
 
 void ExportDialog::export_now() {
-  if (motion_ && motion_->cleared()) {
-    setEnabled(false);  // what is written now is what was seen
-    export_.write(format(), motion_, folder_->text().toStdString(), options());
+  if (!motion_.value || !motion_.value->cleared()) {
+    return;
   }
+  if (motion_.made_from != document_.revision()) {
+    time_again();
+    show_problem(tr("The path is out of date: the scene was edited."));
+    return;
+  }
+  setEnabled(false);  // what is written now is what was seen
+  export_.write(format(), motion_.value, folder_->text().toStdString(), options());
 }
 
 planning::ExportOptions ExportDialog::options() const { return {any_robot_->isChecked()}; }
@@ -236,7 +251,7 @@ void ExportDialog::show_problem(const QString& message) {
                              .arg(html(colors_of(current_theme()).bad), message.toHtmlEscaped()));
   problem_text_->show();
   setEnabled(true);
-  export_button_->setEnabled(motion_ && motion_->cleared());
+  export_button_->setEnabled(motion_.value && motion_.value->cleared());
 }
 
 }  // namespace handway::gui

@@ -54,6 +54,7 @@ PlanPanel::PlanPanel(const planning::PlannerRegistry& registry, QWidget* parent)
       plan_(new QPushButton(tr("Plan"))),
       cancel_(new QPushButton(tr("Cancel"))),
       progress_(new QProgressBar),
+      validity_(new QLabel),
       result_(new QLabel),
       all_runs_(new QPushButton(tr("All runs"))) {
   auto* layout = new QVBoxLayout(this);
@@ -173,6 +174,10 @@ QWidget* PlanPanel::make_actions() {
   result_->setWordWrap(true);
   result_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   result_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  validity_->setObjectName(QStringLiteral("path_validity"));
+  validity_->setWordWrap(true);
+  validity_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  validity_->hide();
   all_runs_->setObjectName(QStringLiteral("all_runs"));
   all_runs_->setProperty("role", "link");
   all_runs_->setToolTip(tr("Compare the runs of this scene, and put one back"));
@@ -188,6 +193,7 @@ QWidget* PlanPanel::make_actions() {
   buttons->addWidget(cancel_, 1);
   layout->addLayout(buttons);
   layout->addWidget(progress_);
+  layout->addWidget(validity_);
   layout->addWidget(result_);
   layout->addWidget(all_runs_, 0, Qt::AlignLeft);
   return box;
@@ -388,6 +394,12 @@ void PlanPanel::show_result(const planning::PlanResult& result, const QString& n
 
 void PlanPanel::show_replanned(const planning::PlanResult& result, const QString& way) {
   result_->setText(replanned_text(result, way));
+}
+
+void PlanPanel::show_validity(const QString& reason) {
+  validity_->setText(QStringLiteral("<span style=\"color:%1\">%2</span>")
+                         .arg(html(colors_of(current_theme()).bad), reason.toHtmlEscaped()));
+  validity_->setVisible(!reason.isEmpty());
 }
 
 void PlanPanel::show_failure(const QString& message) {

@@ -44,6 +44,8 @@ class PlanPanel : public QWidget {
   void enter(const char* key, double value);
   /// Puts something below the parameters.
   void add_section(QWidget* section);
+  /// Why the path that was found is not valid in the scene as it is; empty: it is.
+  void show_validity(const QString& reason);
   void set_seed(std::uint64_t seed);
   /// Seed and time limit as they were; one seed.
   void restore(const planning::PlanRequest& request);
@@ -119,6 +121,7 @@ class PlanPanel : public QWidget {
   QPushButton* plan_;
   QPushButton* cancel_;
   QProgressBar* progress_;
+  QLabel* validity_;
   QLabel* result_;
   QPushButton* all_runs_;
   bool ready_ = false;

@@ -34,6 +34,7 @@ PlaybackBar::PlaybackBar(PathPlayer& player, QWidget* parent)
       show_(make_button("traces", tr("What is drawn of the path"))),
       traces_(new QMenu(this)),
       scrub_(new QSlider(Qt::Horizontal)),
+      note_(new QLabel),
       time_(new QLabel),
       speed_(new QComboBox) {
   play_->setShortcut(Qt::Key_Space);
@@ -50,6 +51,9 @@ PlaybackBar::PlaybackBar(PathPlayer& player, QWidget* parent)
   time_->setMinimumWidth(86);
   time_->setAlignment(Qt::AlignCenter);
   time_->setProperty("role", "note");
+  note_->setProperty("role", "note");
+  note_->setObjectName(QStringLiteral("playback_note"));
+  note_->hide();
   offer_speeds(*speed_);
   speed_->setObjectName(QStringLiteral("speed"));
   speed_->setToolTip(tr("Speed of playing; 1× is as fast as the robot can go"));
@@ -65,6 +69,7 @@ PlaybackBar::PlaybackBar(PathPlayer& player, QWidget* parent)
   }
   layout->addSpacing(6);
   layout->addWidget(scrub_, 1);
+  layout->addWidget(note_);
   layout->addWidget(time_);
   layout->addWidget(speed_);
   layout->addWidget(show_);
@@ -98,6 +103,12 @@ QToolButton* PlaybackBar::make_button(const QString& name, const QString& tip) {
   button->setAutoRaise(true);
   button->setToolTip(tip);
   return button;
+}
+
+void PlaybackBar::show_note(const QString& note, const QString& explanation) {
+  note_->setText(note);
+  note_->setToolTip(explanation);
+  note_->setVisible(!note.isEmpty());
 }
 
 void PlaybackBar::hide_traces() { show_->hide(); }

@@ -24,6 +24,8 @@ class PlaybackBar : public QWidget {
 
   /// Of what else is drawn of a path.
   [[nodiscard]] QMenu& traces() const { return *traces_; }
+  /// A word about what is played; empty: none.
+  void show_note(const QString& note, const QString& explanation);
   /// Where nothing is drawn but the path.
   void hide_traces();
   /// Draws the icons anew, after a change of theme.
@@ -55,6 +57,7 @@ class PlaybackBar : public QWidget {
   QToolButton* show_;
   QMenu* traces_;
   QSlider* scrub_;
+  QLabel* note_;
   QLabel* time_;
   QComboBox* speed_;
 };

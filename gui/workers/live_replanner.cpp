@@ -41,13 +41,15 @@ void LiveReplanner::end() {
   running_.request_stop();
 }
 
-void LiveReplanner::follow(std::shared_ptr<const geometric::Scene> scene) {
+void LiveReplanner::follow(std::shared_ptr<const geometric::Scene> scene,
+                           const planning::Revision& revision) {
   if (!is_active()) {
     return;
   }
   {
     const std::lock_guard guard(mutex_);
     scene_ = std::move(scene);
+    revision_ = revision;
     ticket_ = ++asked_;
   }
   wake_.notify_all();
@@ -59,6 +61,7 @@ void LiveReplanner::work(const std::stop_token& stop) {
   while (true) {
     std::optional<Start> start;
     std::shared_ptr<const geometric::Scene> scene;
+    planning::Revision revision;
     std::stop_token cancelled;
     int ticket = 0;
     {
@@ -71,6 +74,7 @@ void LiveReplanner::work(const std::stop_token& stop) {
       start = std::exchange(start_, std::nullopt);
       // A path comes first; the scene stays for the next round.
       scene = start ? nullptr : std::exchange(scene_, nullptr);
+      revision = revision_;
       ticket = ticket_;
       generation = start ? wanted_ : generation;
     }
@@ -93,7 +97,7 @@ void LiveReplanner::work(const std::stop_token& stop) {
                                                 cancelled);
         }
       } else if (path && path->move_to(*scene)) {
-        planning::PlanResult result = path->plan(cancelled);
+        DerivedResult result{path->plan(cancelled), revision};
         deliver([this, result = std::move(result),
                  way = QString::fromLatin1(planning::to_string(path->source()))] {
           emit replanned(result, way);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "handway/planning/core/planner.h"
+#include "handway/planning/core/revision.h"
 #include "workers/prepared_problem.h"
 
 #include <QObject>
@@ -12,6 +13,9 @@
 #include <thread>
 
 namespace handway::gui {
+
+/// A replanned path, and the revision that it was planned in.
+using DerivedResult = planning::Derived<planning::PlanResult>;
 
 /// Keeps a path valid while its scene is edited: plans again on a thread of its own
 /// with a living roadmap. Only the latest scene counts: those that come faster than
@@ -32,12 +36,13 @@ class LiveReplanner : public QObject {
   /// True while an answer is still to come.
   [[nodiscard]] bool is_busy() const { return is_active() && answered_ != asked_; }
 
-  /// Asks for a path in a scene with the same robots.
-  void follow(std::shared_ptr<const geometric::Scene> scene);
+  /// Asks for a path in a scene with the same robots. @param revision of that scene; none of a
+  /// document's if it is only tried.
+  void follow(std::shared_ptr<const geometric::Scene> scene, const planning::Revision& revision);
 
  signals:
   /// @param way which means the path came from, one word.
-  void replanned(const handway::planning::PlanResult& result, const QString& way);
+  void replanned(const handway::gui::DerivedResult& result, const QString& way);
   /// The scene has changed in a way that needs a new plan.
   void lost();
 
@@ -54,10 +59,11 @@ class LiveReplanner : public QObject {
   std::condition_variable_any wake_;
   std::optional<Start> start_;
   std::shared_ptr<const geometric::Scene> scene_;
-  std::stop_source running_;  ///< Of the query that goes on.
-  int ticket_ = 0;            ///< Of `scene_`.
-  int wanted_ = 0;            ///< Generation of `start_`.
-  int generation_ = 0;        ///< GUI thread only, as are the rest.
+  planning::Revision revision_;  ///< Of `scene_`.
+  std::stop_source running_;     ///< Of the query that goes on.
+  int ticket_ = 0;               ///< Of `scene_`.
+  int wanted_ = 0;               ///< Generation of `start_`.
+  int generation_ = 0;           ///< GUI thread only, as are the rest.
   int ended_ = 0;
   int asked_ = 0;
   int answered_ = 0;

@@ -19,6 +19,10 @@ using Clock = std::chrono::steady_clock;
 constexpr std::chrono::milliseconds kNewsPeriod(33);
 constexpr std::chrono::milliseconds kIdlePause(4);
 
+execution::SceneWatch::ProblemSource source_of(std::shared_ptr<const PreparedProblem> scene) {
+  return [scene = std::move(scene)](const std::stop_token& stop) { return scene->wait(stop); };
+}
+
 double farthest(const std::vector<execution::FollowingError>& errors) {
   double error = 0.0;
   for (const execution::FollowingError& device : errors) {
@@ -98,6 +102,11 @@ class MotionDriver::Recorder final : public execution::MotionObserver {
     });
   }
 
+  void on_held(const std::string& reason) override {
+    driver_.tell(
+        [&driver = driver_, reason = QString::fromStdString(reason)] { emit driver.held(reason); });
+  }
+
   [[nodiscard]] bool log_is_whole() const { return log_.good(); }
   [[nodiscard]] std::shared_ptr<const ExecutedMotion> executed() const { return executed_; }
 
@@ -161,16 +170,25 @@ void MotionDriver::disconnect_all() {
 }
 
 void MotionDriver::run(std::shared_ptr<const planning::TimedPath> motion,
-                       std::filesystem::path log) {
+                       std::shared_ptr<const PreparedProblem> scene, std::filesystem::path log) {
+  watch_ = std::make_shared<execution::SceneWatch>(motion->motion.trajectory,
+                                                   source_of(std::move(scene)));
   requests_ = std::make_shared<execution::MotionRequests>();
+  requests_->watch = watch_.get();
   set_state(State::kRunning);
   const std::lock_guard lock(mutex_);
   motion_stop_ = {};
   requests_->stop = motion_stop_.get_token();
   moves_ = true;
   rested_ = true;
-  order_ = Order{std::move(motion), std::move(log), requests_};
+  order_ = Order{std::move(motion), std::move(log), requests_, watch_};
   wake_.notify_one();
+}
+
+void MotionDriver::follow(std::shared_ptr<const PreparedProblem> scene) {
+  if (state_ == State::kRunning) {
+    watch_->follow(source_of(std::move(scene)));
+  }
 }
 
 void MotionDriver::hold(bool held) {

@@ -3,6 +3,7 @@
 #include "handway/planning/core/planning_problem.h"
 #include "handway/planning/timing/time_path.h"
 #include "workers/executed_motion.h"
+#include "workers/prepared_problem.h"
 
 #include <QObject>
 #include <QString>
@@ -49,8 +50,13 @@ class MotionDriver : public QObject {
   void connect_to(const MotionDevices& devices, Problem problem, geometric::Configuration q);
   /// Stops what runs, and lets go of the devices.
   void disconnect_all();
-  /// Runs a motion that is cleared(). @param log file for MotionLog. @pre kConnected
-  void run(std::shared_ptr<const planning::TimedPath> motion, std::filesystem::path log);
+  /// Runs a motion that is cleared(), if it is free in the scene as it is by then.
+  /// @param scene as it is now. @param log file for MotionLog. @pre kConnected
+  void run(std::shared_ptr<const planning::TimedPath> motion,
+           std::shared_ptr<const PreparedProblem> scene, std::filesystem::path log);
+  /// The scene was edited: what is left of a motion that runs is checked in it.
+  void follow(std::shared_ptr<const PreparedProblem> scene);
+  /// A motion goes on only if the rest of it is free; otherwise held() follows.
   void hold(bool held);
   /// Stops all joints as fast as the devices can. From any thread.
   void stop();
@@ -67,6 +73,8 @@ class MotionDriver : public QObject {
   void measured(const Eigen::VectorXd& q);
   /// @param time s of the motion. @param error farthest that a joint was off so far, rad.
   void progressed(double time, double duration, double error);
+  /// The motion is held because of the scene, or could go on now. @param reason a sentence.
+  void held(const QString& reason);
   void ended(const handway::execution::MotionOutcome& outcome,
              const std::shared_ptr<const handway::gui::ExecutedMotion>& executed);
   /// The connection could not be made or is lost, or a motion not begun.
@@ -77,6 +85,7 @@ class MotionDriver : public QObject {
     std::shared_ptr<const planning::TimedPath> motion;
     std::filesystem::path log;
     std::shared_ptr<execution::MotionRequests> requests;
+    std::shared_ptr<execution::SceneWatch> watch;
   };
   struct Devices;
   class Recorder;
@@ -96,6 +105,7 @@ class MotionDriver : public QObject {
 
   State state_ = State::kOff;
   std::shared_ptr<execution::MotionRequests> requests_;  ///< Of the motion that runs.
+  std::shared_ptr<execution::SceneWatch> watch_;         ///< Of the same.
   std::mutex mutex_;                                     ///< Of all below but the thread.
   std::condition_variable_any wake_;
   std::condition_variable_any ended_;

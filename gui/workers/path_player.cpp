@@ -17,9 +17,10 @@ PathPlayer::PathPlayer(QObject* parent) : QObject(parent) {
   connect(&timer_, &QTimer::timeout, this, &PathPlayer::advance);
 }
 
-void PathPlayer::set_timeline(PathTimeline timeline) {
+void PathPlayer::set_timeline(PathTimeline timeline, const planning::Revision& made_from) {
   pause();
   timeline_ = std::move(timeline);
+  made_from_ = made_from;
   fraction_ = 0.0;
   emit timeline_changed();
 }

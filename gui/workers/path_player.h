@@ -1,5 +1,6 @@
 #pragma once
 
+#include "handway/planning/core/revision.h"
 #include "workers/path_timeline.h"
 
 #include <QElapsedTimer>
@@ -18,8 +19,12 @@ class PathPlayer : public QObject {
 
   explicit PathPlayer(QObject* parent = nullptr);
 
-  void set_timeline(PathTimeline timeline);
+  /// @param made_from of the scene that the path was found or checked in.
+  void set_timeline(PathTimeline timeline, const planning::Revision& made_from = {});
   void clear() { set_timeline({}); }
+  /// The path was checked in another scene, and is valid there, too.
+  void confirm(const planning::Revision& made_from) { made_from_ = made_from; }
+  [[nodiscard]] const planning::Revision& made_from() const { return made_from_; }
   /// The path has got times: it goes on from where it is. @pre `motion` is one of the path.
   void set_motion(std::shared_ptr<const planning::Motion> motion);
   [[nodiscard]] const PathTimeline& timeline() const { return timeline_; }
@@ -57,6 +62,7 @@ class PathPlayer : public QObject {
   [[nodiscard]] double end() const { return backwards_ ? 0.0 : 1.0; }
 
   PathTimeline timeline_;
+  planning::Revision made_from_;
   QTimer timer_;
   QElapsedTimer clock_;
   double fraction_ = 0.0;

@@ -26,8 +26,9 @@ std::shared_ptr<const geometric::Scene> with_query(std::shared_ptr<const geometr
 
 }  // namespace
 
-PreparedProblem::PreparedProblem(planning::LoadedScene loaded, BackgroundThreads& threads,
-                                 const PreparedProblem* before) {
+PreparedProblem::PreparedProblem(planning::LoadedScene loaded, const planning::Revision& revision,
+                                 BackgroundThreads& threads, const PreparedProblem* before)
+    : revision_(revision) {
   auto promise = std::make_shared<std::promise<Problem>>();
   problem_ = promise->get_future().share();
   threads.run([promise = std::move(promise), loaded = std::move(loaded),

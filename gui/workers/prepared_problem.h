@@ -2,6 +2,7 @@
 
 #include "handway/planning/core/importer.h"
 #include "handway/planning/core/planning_problem.h"
+#include "handway/planning/core/revision.h"
 #include "workers/background_threads.h"
 
 #include <future>
@@ -18,8 +19,11 @@ class PreparedProblem {
 
   /// Begins at once. A scene without start or goal has both where its robot stands.
   /// @param before that of the scene before an edit, which saves work if it is ready; or null.
-  PreparedProblem(planning::LoadedScene loaded, BackgroundThreads& threads,
-                  const PreparedProblem* before = nullptr);
+  PreparedProblem(planning::LoadedScene loaded, const planning::Revision& revision,
+                  BackgroundThreads& threads, const PreparedProblem* before = nullptr);
+
+  /// Of the scene: what is derived from the problem is made from it.
+  [[nodiscard]] const planning::Revision& revision() const { return revision_; }
 
   /// Waits for the problem, at most until `stop` (null then).
   /// @throws InputError if the scene makes none.
@@ -28,6 +32,7 @@ class PreparedProblem {
   [[nodiscard]] Problem if_ready() const;
 
  private:
+  planning::Revision revision_;
   std::shared_future<Problem> problem_;
 };
 

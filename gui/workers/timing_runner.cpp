@@ -16,7 +16,7 @@ void TimingRunner::start(std::shared_ptr<const PreparedProblem> problem, plannin
       }
       const auto motion =
           std::make_shared<const planning::TimedPath>(time_path(*ready, path, name, options));
-      return [this, motion] { emit timed(motion); };
+      return [this, motion, revision = problem->revision()] { emit timed({motion, revision}); };
     } catch (const std::exception& error) {
       return [this, message = QString::fromUtf8(error.what())] { emit failed(message); };
     }

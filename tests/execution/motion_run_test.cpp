@@ -319,7 +319,7 @@ TEST(MotionRunOfTwo, StopsOneAtOnceThoughTheOtherTakesNoMoreBytes) {
     target.link->upload(line(Eigen::VectorXd::Zero(1), Eigen::VectorXd::Ones(1)));
   }
   std::stop_source stop;
-  const MotionRequests requests{.stop = stop.get_token()};
+  MotionRequests requests{.stop = stop.get_token()};
   device::MotionLink::Clock::time_point requested;
   Watcher watcher;
   watcher.progress = [&](double time) {

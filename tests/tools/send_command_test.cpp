@@ -4,13 +4,18 @@
 #include "handway_test/flooding_proxy.h"
 #include "sent_path.h"
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <thread>
@@ -193,6 +198,31 @@ TEST_F(SendToAFloodingHand, EndsOnRequestBeforeItIsConnected) {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
   EXPECT_LT(interrupt(sending), 1.0);
+}
+
+TEST_F(Send, ChecksTheSceneAsItsFileIsWhenTheRobotStarts) {
+  emulate({}, {});
+  std::ifstream shipped(scene());
+  const std::filesystem::path edited =
+      line_.write("edited.yaml", {std::istreambuf_iterator<char>(shipped), {}});
+  // The program waits for a reader of its log: between its checks and the start.
+  const std::string log = (line_.folder() / "log").string();
+  ASSERT_EQ(mkfifo(log.c_str(), 0600), 0);
+  BackgroundProcess sending({"send", (line_.folder() / "path.csv").string(), "--scene",
+                             edited.string(), "--to", targets_, "--log", log, "--yes"});
+  std::string line = sending.read_line();
+  EXPECT_THAT(line, HasSubstr("cleared"));
+  while (!line.empty() && line.find("13 joints") == std::string::npos) {
+    line = sending.read_line();
+  }
+  line_.replace("edited.yaml", "objects:\n",
+                "objects:\n  - {name: wall, box: {size: [1.5, 0.02, 3]}, "
+                "pose: {xyz: [0.92, 0.39, 0], rpy_deg: [0, 0, 23]}}\n");
+  const int reader = open(log.c_str(), O_RDONLY | O_NONBLOCK);
+  EXPECT_EQ(sending.wait(), 1);
+  close(reader);
+  const Outcome then = line_.run(send("--yes --speed 0.5"));
+  EXPECT_EQ(then.exit_code, 0) << "it still stands at the start: " << then.out << then.err;
 }
 
 TEST_F(Send, RefusesTargetsThatMakeNoSense) {

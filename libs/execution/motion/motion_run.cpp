@@ -1,5 +1,7 @@
 #include "handway/execution/motion/motion_run.h"
 
+#include "handway/execution/motion/motion_parts.h"
+
 #include <algorithm>
 #include <exception>
 #include <system_error>
@@ -22,8 +24,8 @@ double seconds(Clock::duration duration) { return std::chrono::duration<double>(
 
 class Run {
  public:
-  Run(std::vector<MotionTarget>& targets, MotionObserver& observer)
-      : targets_(targets), observer_(observer) {
+  Run(std::vector<MotionTarget>& targets, MotionRequests& requests, MotionObserver& observer)
+      : targets_(targets), requests_(requests), observer_(observer) {
     for (const MotionTarget& target : targets_) {
       const Eigen::Index joints = target.link->joints().count();
       outcome_.errors.emplace_back(joints);
@@ -33,22 +35,25 @@ class Run {
     }
   }
 
-  MotionOutcome run(const device::MotionTolerances& tolerances, const MotionRequests& requests) {
-    if (requests.stop.stop_requested()) {
+  MotionOutcome run(const device::MotionTolerances& tolerances) {
+    if (!may_start()) {
       outcome_.at_rest_ms = 0.0;
       return std::move(outcome_);
     }
+    outcome_.started = true;
     start(tolerances);
     auto polled = Clock::now();
-    while (!requests.stop.stop_requested() && !ended()) {
+    while (!requests_.stop.stop_requested() && !ended()) {
       polled = Clock::now();
       guarded([&] {
-        hold(requests.hold);
+        look_at_scene();
+        hold_or_resume();
         update();
         report_progress();
       });
     }
-    outcome_.done = outcome_.fault.empty() && !requests.stop.stop_requested();
+    outcome_.done =
+        outcome_.fault.empty() && outcome_.collision.empty() && !requests_.stop.stop_requested();
     if (!outcome_.done) {
       stop_all();
       // The request came after `polled`.
@@ -115,18 +120,114 @@ class Run {
     }
   }
 
+  [[nodiscard]] double time() const { return targets_.front().link->motion_time(Clock::now()); }
+
+  void ask_watch() {
+    requests_.watch->ask(time(), with_measured(requests_.watch->start(), targets_));
+  }
+  [[nodiscard]] SceneVerdict verdict() const {
+    return requests_.watch->look(time(), with_measured(requests_.watch->start(), targets_));
+  }
+
+  // Waits for the watch's answer; devices are listened to meanwhile.
+  bool may_start() {
+    if (requests_.stop.stop_requested() || !requests_.watch) {
+      return !requests_.stop.stop_requested();
+    }
+    ask_watch();
+    SceneVerdict start = verdict();
+    while (start.state == SceneVerdict::State::kUnknown) {
+      if (requests_.stop.stop_requested()) {
+        return false;
+      }
+      for (const MotionTarget& target : targets_) {
+        target.link->update();
+      }
+      start = verdict();
+    }
+    outcome_.collision = start.reason;
+    return start.state == SceneVerdict::State::kFree;
+  }
+
   // With notice enough for all of them they hold at the same time of the motion.
-  void hold(bool wanted) {
-    if (wanted == held_) {
+  void pause() {
+    held_ = true;
+    is_asked_ = false;
+    const double now = time();
+    hold_time_ = now + kHoldNotice;
+    for (const MotionTarget& target : targets_) {
+      hold_time_ = target.link->pause(hold_time_);
+    }
+    held_at_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                  std::chrono::duration<double>(hold_time_ - now));
+  }
+
+  void hold_or_resume() {
+    if (requests_.hold) {
+      is_asked_ = false;
+      if (!held_) {
+        pause();
+      }
+    } else if (held_ && rest_is_free()) {
+      held_ = false;
+      is_asked_ = false;
+      for (const MotionTarget& target : targets_) {
+        target.link->resume();
+      }
+    }
+  }
+
+  // Asks the watch once the motion shall go on; it stays held if it must not.
+  bool rest_is_free() {
+    if (!requests_.watch) {
+      return true;
+    }
+    if (!is_asked_) {
+      is_asked_ = true;
+      reason_.clear();
+      ask_watch();
+    }
+    const SceneVerdict rest = verdict();
+    if (rest.state == SceneVerdict::State::kBlocked) {
+      is_asked_ = false;
+      hold_for(rest.reason);
+    }
+    return rest.state == SceneVerdict::State::kFree;
+  }
+
+  // Somebody has to let it go on, whatever was asked for before.
+  void hold_for(const std::string& reason) {
+    if (reason != reason_) {
+      reason_ = reason;
+      requests_.hold = true;
+      if (observer_works_) {
+        observe([&] { observer_.on_held(reason); });
+      }
+    }
+  }
+
+  // What an edit, or a measured posture, means for the motion.
+  void look_at_scene() {
+    if (!requests_.watch || is_asked_) {
       return;
     }
-    held_ = wanted;
-    double time = targets_.front().link->motion_time(Clock::now()) + kHoldNotice;
-    for (const MotionTarget& target : targets_) {
-      if (wanted) {
-        time = target.link->pause(time);
+    const SceneVerdict now = verdict();
+    if (now.state == SceneVerdict::State::kFree && held_ && !reason_.empty()) {
+      hold_for("The rest of the motion is free in the scene as it is: it can go on.");
+    }
+    if (now.state == SceneVerdict::State::kUnknown && !held_ &&
+        Clock::now() - now.since >= SceneWatch::kLongestWait) {
+      pause();
+      hold_for("The scene was edited: the rest of the motion is not checked yet.");
+    }
+    if (now.state == SceneVerdict::State::kBlocked) {
+      if (!held_) {
+        pause();
+      }
+      if (Clock::now() < held_at_ && now.time <= hold_time_) {
+        outcome_.collision = now.reason;  // a hold would come too late
       } else {
-        target.link->resume();
+        hold_for(now.reason);
       }
     }
   }
@@ -173,7 +274,7 @@ class Run {
   }
 
   bool ended() {
-    if (!outcome_.fault.empty()) {
+    if (!outcome_.fault.empty() || !outcome_.collision.empty()) {
       return true;
     }
     bool all_done = true;
@@ -200,21 +301,26 @@ class Run {
   }
 
   std::vector<MotionTarget>& targets_;
+  MotionRequests& requests_;
   MotionObserver& observer_;
   MotionOutcome outcome_;
   std::vector<std::uint64_t> seen_;
   std::vector<Eigen::VectorXd> last_;
   std::vector<int> still_;  ///< How many times in a row a device did not move.
   bool held_ = false;
+  double hold_time_ = 0.0;      ///< When the motion holds, s of it, …
+  Clock::time_point held_at_;   ///< … and that moment.
+  bool is_asked_ = false;       ///< The motion shall go on: the watch was asked whether it may.
+  std::string reason_;          ///< Why the scene holds it; empty: it never did.
   bool observer_works_ = true;  ///< It has thrown nothing.
 };
 
 }  // namespace
 
 MotionOutcome run_motion(std::vector<MotionTarget>& targets,
-                         const device::MotionTolerances& tolerances, const MotionRequests& requests,
+                         const device::MotionTolerances& tolerances, MotionRequests& requests,
                          MotionObserver& observer) {
-  return Run(targets, observer).run(tolerances, requests);
+  return Run(targets, requests, observer).run(tolerances);
 }
 
 }  // namespace handway::execution

@@ -1,23 +1,31 @@
 /// The Devices tab: from a path on screen to a motion of emulated hardware.
 #include "devices/device_session.h"
 #include "devices/devices_panel.h"
+#include "editing/scene_editing.h"
+#include "editing/scene_edits.h"
 #include "forms/slider_row.h"
 #include "handway/device/arm/arm_emulator.h"
 #include "patience.h"
 #include "window_test.h"
+#include "workers/path_validity.h"
 
+#include <QAction>
 #include <QCheckBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTabWidget>
 #include <QTextDocument>
+#include <QUndoStack>
+
+#include <chrono>
 
 namespace handway::test {
 namespace {
 
 using gui::MotionDriver;
 using ::testing::HasSubstr;
+using Clock = std::chrono::steady_clock;
 
 class Devices : public WindowTest {
  protected:
@@ -65,6 +73,39 @@ class Devices : public WindowTest {
         << text("devices_motion");
     armed.click();
     ASSERT_TRUE(part<QPushButton>("devices_run").isEnabled());
+  }
+  /// A wall of 1500 × 20 × 3000 mm from the base outwards, `angle` (rad) about it.
+  void add_wall(double angle) const {
+    geometric::SceneObject wall;
+    wall.name = "wall";
+    wall.shape = geometric::Box{{1.5, 0.02, 3.0}};
+    wall.X_PO = geometric::pose_from_rpy({std::cos(angle), std::sin(angle), 0.0}, 0.0, 0.0, angle);
+    editor().apply("Add a wall", gui::with_object(editor().state(), wall), {"wall"});
+  }
+  [[nodiscard]] gui::SceneEditor& editor() const { return window().editing().editor(); }
+  /// Across the workspace, between start and goal.
+  static constexpr double kAcross = 1.2;
+  [[nodiscard]] bool says(const char* label, const char* words) const {
+    return QTest::qWaitFor([&] { return text(label).find(words) != std::string::npos; },
+                           kPatienceMs);
+  }
+  /// Plans, connects, and lets the robot begin to move.
+  void run_the_path() {
+    plan();
+    connect_emulators();
+    choose_speed(1.0);
+    arm();
+    QSignalSpy progressed(&driver(), &MotionDriver::progressed);
+    click("devices_run");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return progressed.size() > 5; }, kPatienceMs));
+  }
+  /// Where the robot was measured.
+  [[nodiscard]] bool is_free() const {
+    const auto& problem = window().document().problem();
+    std::stop_source never;
+    return !problem->wait(never.get_token())
+                ->checker->clone()
+                ->first_collision(window().document().configuration());
   }
   [[nodiscard]] std::string text(const char* label) const {
     QTextDocument document;
@@ -180,6 +221,127 @@ TEST_F(Devices, StopTheHandWhenTheArmFails) {
   click("devices_run");
   ASSERT_TRUE(reaches(MotionDriver::State::kOff));
   EXPECT_THAT(text("devices_outcome"), HasSubstr("emergency"));
+}
+
+TEST_F(Devices, DoNotRunThroughAWallThatWasAddedAfterPlanning) {
+  plan();
+  connect_emulators();
+  arm();
+  auto& run = part<QPushButton>("devices_run");
+  auto& armed = part<QCheckBox>("devices_armed");
+  const auto* to_export = window().findChild<QAction*>(QStringLiteral("export_path"));
+  ASSERT_TRUE(to_export && to_export->isEnabled());
+  add_wall(kAcross);
+  EXPECT_FALSE(run.isEnabled()) << "at once";
+  EXPECT_FALSE(armed.isEnabled());
+  EXPECT_FALSE(to_export->isEnabled());
+  EXPECT_THAT(text("devices_motion"), HasSubstr("Out of date"));
+  EXPECT_THAT(text("path_validity"), HasSubstr("Out of date"));
+  EXPECT_EQ(text("playback_note"), "out of date");
+  ASSERT_TRUE(says("devices_motion", "Not cleared")) << text("devices_motion");
+  ASSERT_TRUE(says("path_validity", "wall")) << text("path_validity");
+  EXPECT_THAT(text("path_validity"), HasSubstr(" s of the path"));
+  EXPECT_EQ(window().path_validity().state(), gui::PathValidity::State::kInvalid);
+  EXPECT_FALSE(run.isEnabled());
+  EXPECT_FALSE(armed.isEnabled());
+  EXPECT_FALSE(to_export->isEnabled());
+  editor().undo_stack().undo();
+  EXPECT_FALSE(run.isEnabled()) << "until it is checked again";
+  arm();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return to_export->isEnabled(); }, kPatienceMs));
+  EXPECT_TRUE(text("path_validity").empty() || !part<QLabel>("path_validity").isVisible());
+}
+
+TEST_F(Devices, HoldBeforeAWallThatIsAddedUnderWay) {
+  run_the_path();
+  if (HasFatalFailure()) {
+    return;
+  }
+  double held_ms = -1.0;
+  const auto edited = Clock::now();
+  QObject::connect(&driver(), &MotionDriver::held, &driver(), [&] {
+    if (held_ms < 0.0) {
+      held_ms = std::chrono::duration<double, std::milli>(Clock::now() - edited).count();
+    }
+  });
+  add_wall(kAcross);
+  ASSERT_TRUE(says("devices_problem", "wall")) << text("devices_problem");
+  EXPECT_LE(held_ms, 100.0);
+  RecordProperty("held_ms", std::to_string(held_ms));
+  EXPECT_TRUE(driver().is_held());
+  QTest::qWait(500);
+  EXPECT_EQ(driver().state(), MotionDriver::State::kRunning);
+  EXPECT_TRUE(is_free());
+  // It does not go on, however often somebody asks for it.
+  const geometric::Configuration held = window().document().configuration();
+  for (int k = 0; k < 3; ++k) {
+    QSignalSpy refused(&driver(), &MotionDriver::held);
+    click("devices_hold");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !refused.isEmpty(); }, kPatienceMs));
+    QTest::qWait(100);
+    EXPECT_TRUE(window().document().configuration().isApprox(held, 1e-3));
+  }
+  editor().undo_stack().undo();
+  ASSERT_TRUE(says("devices_problem", "can go on")) << text("devices_problem");
+  click("devices_hold");
+  ASSERT_EQ(state_after_motion(), MotionDriver::State::kConnected);
+  EXPECT_THAT(text("devices_outcome"), HasSubstr("Done in"));
+}
+
+TEST_F(Devices, DoNotGoOnThroughAWallThatWasAddedDuringAHold) {
+  run_the_path();
+  if (HasFatalFailure()) {
+    return;
+  }
+  click("devices_hold");
+  QTest::qWait(400);
+  add_wall(kAcross);
+  ASSERT_TRUE(says("devices_problem", "wall")) << text("devices_problem");
+  click("devices_hold");
+  QTest::qWait(400);
+  EXPECT_TRUE(driver().is_held());
+  EXPECT_TRUE(is_free());
+  click("devices_stop");
+  EXPECT_EQ(state_after_motion(), MotionDriver::State::kConnected);
+}
+
+TEST_F(Devices, StopWhereAnObjectIsPutOnTheRobot) {
+  run_the_path();
+  if (HasFatalFailure()) {
+    return;
+  }
+  add_wall(window().document().configuration()[0]);
+  ASSERT_EQ(state_after_motion(), MotionDriver::State::kConnected);
+  EXPECT_THAT(text("devices_outcome"), HasSubstr("wall"));
+}
+
+TEST_F(Devices, ShowTheMeasuredPostureAlone) {
+  plan();
+  connect_emulators();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window().document().shows_measured(); }, kPatienceMs));
+  const geometric::Configuration measured = window().document().configuration();
+  const auto shows_it = [&] {
+    return window().document().configuration().isApprox(measured, 1e-6);
+  };
+  EXPECT_EQ(text("playback_note"), "robot as measured");
+  window().player().play();
+  QTest::qWait(300);
+  EXPECT_TRUE(shows_it()) << "played";
+  window().player().seek(0.7);
+  EXPECT_TRUE(shows_it()) << "stepped";
+  window().document().set_configuration((measured.array() + 0.2).matrix());
+  EXPECT_TRUE(shows_it()) << "dragged";
+  add_wall(-1.2);
+  EXPECT_TRUE(shows_it()) << "edited";
+  editor().undo_stack().undo();
+  EXPECT_TRUE(shows_it()) << "undone";
+  QTest::qWait(300);
+  EXPECT_TRUE(shows_it());
+  part<QCheckBox>("devices_mirror").click();
+  window().document().set_configuration((measured.array() + 0.2).matrix());
+  EXPECT_FALSE(shows_it()) << "not wanted any more";
+  part<QCheckBox>("devices_mirror").click();
+  EXPECT_TRUE(shows_it()) << "at once";
 }
 
 TEST_F(Devices, LetGoWhenAnotherSceneIsOpened) {

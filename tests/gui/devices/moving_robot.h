@@ -58,7 +58,7 @@ class MovingRobot : public WindowTest {
     ASSERT_TRUE(motion->cleared());
     outcome_.reset();
     reports_ = 0;
-    driver().run(motion, {});
+    driver().run(motion, window().document().problem(), {});
     ASSERT_TRUE(QTest::qWaitFor([&] { return reports_ > 2; }, kPatienceMs));
   }
 

@@ -1,10 +1,11 @@
 /// File > Export the path: nothing is written that was not cleared and seen before.
 #include "export/export_dialog.h"
 
+#include "editing/scene_editing.h"
+#include "editing/scene_edits.h"
 #include "handway/planning/core/plugin.h"
 #include "patience.h"
 #include "window_test.h"
-#include "workers/prepared_problem.h"
 
 #include <QDoubleSpinBox>
 #include <QLabel>
@@ -32,7 +33,7 @@ class ExportDialogTest : public WindowTest {
     plan();
     auto extensions = std::make_shared<planning::Extensions>();
     extensions->load_plugins(planning::plugin_directory());
-    dialog_ = new gui::ExportDialog(extensions, window().document().problem(),
+    dialog_ = new gui::ExportDialog(extensions, window().document(),
                                     window().player().timeline().path(), "Small cell", &window());
     dialog_->set_folder(QString::fromStdString((folder_.path() / "out").string()));
     dialog_->choose_format("csv");
@@ -78,6 +79,29 @@ TEST_F(ExportDialogTest, TimesAgainAtAnotherSpeed) {
   EXPECT_FALSE(field<QPushButton>("export_now").isEnabled());
   ASSERT_TRUE(is_ready());
   EXPECT_NE(field<QPlainTextEdit>("export_content").toPlainText(), fast);
+}
+
+TEST_F(ExportDialogTest, ExportsNothingThatWasTimedBeforeAnEdit) {
+  ASSERT_TRUE(is_ready());
+  gui::SceneEditor& editor = window().editing().editor();
+  const auto add = [&](double x) {
+    geometric::SceneObject wall;
+    wall.name = "wall";
+    wall.shape = geometric::Box{{0.02, 0.02, 3.0}};
+    wall.X_PO.translation().x() = x;
+    editor.apply("Add a wall", gui::with_object(editor.state(), wall), {"wall"});
+  };
+  add(-2.0);
+  EXPECT_FALSE(field<QPushButton>("export_now").isEnabled()) << "at once";
+  ASSERT_TRUE(is_ready()) << "it is out of the way";
+  editor.undo_stack().undo();
+  add(0.2);  // where the arm starts
+  EXPECT_FALSE(field<QPushButton>("export_now").isEnabled());
+  auto& report = field<QLabel>("export_report");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return report.text().contains(QStringLiteral("Not cleared")); },
+                              kPatienceMs))
+      << report.text().toStdString();
+  EXPECT_FALSE(field<QPushButton>("export_now").isEnabled());
 }
 
 TEST_F(ExportDialogTest, StaysOpenAndSaysWhyAFolderCannotBeWritten) {
