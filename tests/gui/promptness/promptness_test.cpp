@@ -1,0 +1,106 @@
+/// How soon the window answers. Run while no other test does, and once: what is late fails.
+#include "glove_dock.h"
+#include "handway/device/glove/glove_layout.h"
+#include "handway_test/paths.h"
+#include "patience.h"
+#include "view3d/scene_view.h"
+
+#include <QElapsedTimer>
+#include <QEventLoop>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTimer>
+
+#include <algorithm>
+#include <chrono>
+#include <string>
+#include <vector>
+
+namespace handway::test {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using ::testing::Each;
+using ::testing::Le;
+
+class Promptness : public GloveDock {};
+
+TEST_F(Promptness, CancelsPlanningWithin100Milliseconds) {
+  open(cell().wall());
+  QSignalSpy ended(&window().session(), &gui::PlanningSession::ended);
+  std::vector<qint64> delays;
+  for (int i = 0; i < 10; ++i) {
+    ended.clear();
+    click("plan");
+    QTest::qWait(200);
+    ASSERT_TRUE(window().session().is_running());
+    QElapsedTimer clock;
+    clock.start();
+    click("cancel");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !ended.isEmpty(); }));
+    delays.push_back(clock.elapsed());
+  }
+  EXPECT_THAT(delays, Each(Le(100)));
+  EXPECT_THAT(result(), ::testing::HasSubstr("Cancelled"));
+  EXPECT_TRUE(part<QPushButton>("plan").isEnabled());
+}
+
+// What an emulated glove reads, and when it was read first.
+struct Step {
+  std::atomic<std::uint16_t> counts{80};
+  std::atomic<Clock::rep> stamp{0};
+  std::atomic<std::uint16_t> stamped{80};
+};
+
+device::GloveSignal stamped_signal(const std::shared_ptr<Step>& step) {
+  return [step](double) {
+    const std::uint16_t counts = step->counts;
+    if (step->stamped != counts) {
+      step->stamp = Clock::now().time_since_epoch().count();
+      step->stamped = counts;
+    }
+    std::array<std::uint16_t, device::kGloveSensors> all{};
+    all.fill(counts);
+    return all;
+  };
+}
+
+// From the sensors' step until the picture with the new posture of a hand that ships is drawn.
+TEST_F(Promptness, ShowsAPostureWithin50Milliseconds) {
+  constexpr int kSteps = 60;
+  constexpr double kAllowed = 50.0;  // ms, median
+  open(source_dir() / "scenes" / "can_on_table.yaml");
+  panel().come_to_front();
+  device::GloveEmulatorSettings settings;
+  settings.unit.rate = 100.0;
+  auto step = std::make_shared<Step>();
+  const device::GloveEmulator glove(settings, stamped_signal(step));
+  connect_to(QString::fromStdString(glove.address()));
+  ASSERT_TRUE(waits_for(device::StreamState::kStreaming));
+  // An event loop of its own: QTest::qWaitFor() would sleep in between.
+  geometric::Configuration before = window().document().configuration();
+  Clock::time_point drawn_at;
+  QEventLoop until_drawn;
+  QObject::connect(&window().view(), &gui::SceneView::frameSwapped, &until_drawn, [&] {
+    if ((window().document().configuration() - before).cwiseAbs().maxCoeff() > 1e-3) {
+      drawn_at = Clock::now();
+      until_drawn.quit();
+    }
+  });
+  QTimer::singleShot(kPatienceMs, &until_drawn, &QEventLoop::quit);
+  std::vector<double> delays;
+  for (int i = 0; i < kSteps; ++i) {
+    step->counts = i % 2 == 0 ? 120 : 80;
+    until_drawn.exec();
+    const Clock::time_point read(Clock::duration(step->stamp.load()));
+    delays.push_back(std::chrono::duration<double, std::milli>(drawn_at - read).count());
+    before = window().document().configuration();
+  }
+  std::ranges::sort(delays);
+  RecordProperty("median_ms", std::to_string(delays[kSteps / 2]));
+  RecordProperty("worst_ms", std::to_string(delays.back()));
+  EXPECT_LE(delays[kSteps / 2], kAllowed);
+}
+
+}  // namespace
+}  // namespace handway::test
