@@ -52,7 +52,7 @@ ProgramEnd::ProgramEnd(MotionDriver& driver) : driver_(driver) {
     const std::lock_guard lock(driver_mutex);
     driver_at_exit = &driver;
   }
-  [[maybe_unused]] static const int registered = std::atexit(stop_at_exit);
+  [[maybe_unused]] static const int kRegistered = std::atexit(stop_at_exit);
   thread_ = std::thread([this] { wait_for_signals(); });
   for (std::size_t i = 0; i < kSignals.size(); ++i) {
     ::sigaction(kSignals[i], nullptr, &before_[i]);

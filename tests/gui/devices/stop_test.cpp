@@ -11,6 +11,8 @@
 #include "handway/device/glove/glove_layout.h"
 #include "handway_test/paths.h"
 #include "presets/preset_bar.h"
+#include "pressed_mouse.h"
+#include "view3d/scene_view.h"
 
 #include <QComboBox>
 #include <QDialog>
@@ -335,6 +337,21 @@ TEST_F(Stop, KeepsCtrlSpaceFromATextFieldAndFromThePlayback) {
   press_key(field, Qt::Key_Space);
   expect_stopped_within_50_ms(asked);
   EXPECT_TRUE(field.text().isEmpty());
+}
+
+TEST_F(Stop, WorksWhileTheMouseDragsAndAnotherWidgetHasTheKeyboard) {
+  begin_motion(kSlow);
+  QTest::mousePress(&window().view(), Qt::LeftButton, Qt::NoModifier, QPoint(100, 100));
+  move_pressed_mouse(window().view(), QPoint(140, 120));
+  QWidget greedy(&window());
+  greedy.grabMouse();
+  greedy.grabKeyboard();
+  const auto asked = Clock::now();
+  QTest::keyPress(window().windowHandle(), Qt::Key_F12);  // as the X server would send it
+  expect_stopped_within_50_ms(asked);
+  greedy.releaseKeyboard();
+  greedy.releaseMouse();
+  QTest::mouseRelease(&window().view(), Qt::LeftButton, Qt::NoModifier, QPoint(140, 120));
 }
 
 TEST_F(Stop, WorksByTheMouseWhileAPopupHoldsIt) {
