@@ -191,10 +191,11 @@ void DeviceSession::take_state(State state) {
 
 void DeviceSession::show_stop(bool active) {
   stop_controls_.set_active(active);
-  if (active && !stop_key_) {
-    stop_key_.emplace([this] { driver_.stop(); });
+  if (active && !stop_keys_) {
+    stop_keys_.emplace(static_cast<std::uint32_t>(stop_->window()->effectiveWinId()),
+                       [this] { driver_.stop(); });
   } else if (!active) {
-    stop_key_.reset();
+    stop_keys_.reset();
   }
 }
 

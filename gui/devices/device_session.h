@@ -69,11 +69,11 @@ class DeviceSession : public QObject {
   QPushButton* stop_;
   TimingRunner timing_;
   MotionDriver driver_;
-  std::optional<StopKeyListener> stop_key_;  ///< While there is something to stop.
-  DerivedMotion motion_;                     ///< Of the path on screen; or null.
-  bool backwards_ = false;                   ///< motion_ goes from goal to start.
-  geometric::Configuration measured_;        ///< Of size 0: nothing is connected.
-  geometric::Configuration timed_from_;      ///< `measured_` when motion_ was timed.
+  std::optional<StopKeyListener> stop_keys_;  ///< While there is something to stop.
+  DerivedMotion motion_;                      ///< Of the path on screen; or null.
+  bool backwards_ = false;                    ///< motion_ goes from goal to start.
+  geometric::Configuration measured_;         ///< Of size 0: nothing is connected.
+  geometric::Configuration timed_from_;       ///< `measured_` when motion_ was timed.
 };
 
 }  // namespace handway::gui

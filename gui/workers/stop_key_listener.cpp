@@ -10,15 +10,18 @@
 #include <array>
 #include <cstdint>
 #include <cstdlib>
+#include <map>
 #include <thread>
 #include <utility>
-#include <vector>
 
 namespace handway::gui {
 namespace {
 
 // Keysyms of X.Org.
-constexpr std::array<xcb_keysym_t, 2> kStopKeys{0xff13 /* Pause */, 0xff6b /* Break */};
+constexpr xcb_keysym_t kPause = 0xff13;
+constexpr xcb_keysym_t kBreak = 0xff6b;
+constexpr xcb_keysym_t kF12 = 0xffc9;
+constexpr xcb_keysym_t kSpace = 0x0020;
 
 struct Free {
   void operator()(void* reply) const { std::free(reply); }
@@ -53,34 +56,48 @@ void select_raw_keys(xcb_connection_t* x) {
   xcb_flush(x);
 }
 
-std::vector<xcb_keycode_t> stop_key_codes(xcb_connection_t* x) {
+// The keysyms of each key of the keyboard, in all its columns.
+std::multimap<xcb_keycode_t, xcb_keysym_t> read_keyboard(xcb_connection_t* x) {
   const xcb_setup_t* setup = xcb_get_setup(x);
   const int count = setup->max_keycode - setup->min_keycode + 1;
   const Owned<xcb_get_keyboard_mapping_reply_t> mapping(xcb_get_keyboard_mapping_reply(
       x, xcb_get_keyboard_mapping(x, setup->min_keycode, static_cast<std::uint8_t>(count)),
       nullptr));
-  std::vector<xcb_keycode_t> codes;
+  std::multimap<xcb_keycode_t, xcb_keysym_t> keyboard;
   if (mapping) {
     const xcb_keysym_t* symbols = xcb_get_keyboard_mapping_keysyms(mapping.get());
     for (int i = 0; i < count * mapping->keysyms_per_keycode; ++i) {
-      if (std::ranges::find(kStopKeys, symbols[i]) != kStopKeys.end()) {
-        codes.push_back(
-            static_cast<xcb_keycode_t>(setup->min_keycode + i / mapping->keysyms_per_keycode));
-      }
+      keyboard.emplace(setup->min_keycode + i / mapping->keysyms_per_keycode, symbols[i]);
     }
   }
-  return codes;
+  return keyboard;
+}
+
+bool is_control_held(xcb_connection_t* x) {
+  const xcb_window_t root = xcb_setup_roots_iterator(xcb_get_setup(x)).data->root;
+  const Owned<xcb_query_pointer_reply_t> state(
+      xcb_query_pointer_reply(x, xcb_query_pointer(x, root), nullptr));
+  return state && (state->mask & XCB_MOD_MASK_CONTROL) != 0;
+}
+
+// A program's windows have the number of its connection in common.
+bool has_keyboard(xcb_connection_t* x, xcb_window_t window) {
+  const std::uint32_t connection = ~xcb_get_setup(x)->resource_id_mask;
+  const Owned<xcb_get_input_focus_reply_t> focus(
+      xcb_get_input_focus_reply(x, xcb_get_input_focus(x), nullptr));
+  return focus && (focus->focus & connection) == (window & connection);
 }
 
 }  // namespace
 
 class StopKeyListener::Thread {
  public:
-  Thread(Connection x, std::function<void()> stop)
+  Thread(Connection x, xcb_window_t window, std::function<void()> stop)
       : x_(std::move(x)),
+        window_(window),
         stop_(std::move(stop)),
         opcode_(xcb_get_extension_data(x_.get(), &xcb_input_id)->major_opcode),
-        codes_(stop_key_codes(x_.get())),
+        keyboard_(read_keyboard(x_.get())),
         end_(::eventfd(0, EFD_CLOEXEC)),
         thread_([this] { listen(); }) {}
   ~Thread() {
@@ -111,31 +128,42 @@ class StopKeyListener::Thread {
     constexpr unsigned kSentByProgram = 0x80;
     const unsigned type = event.response_type & ~kSentByProgram;
     if (type == XCB_MAPPING_NOTIFY) {
-      codes_ = stop_key_codes(x_.get());
+      keyboard_ = read_keyboard(x_.get());
     } else if (type == XCB_GE_GENERIC) {
       const auto& generic = reinterpret_cast<const xcb_ge_generic_event_t&>(event);
       if (generic.extension == opcode_ && generic.event_type == XCB_INPUT_RAW_KEY_PRESS) {
         const auto& key = reinterpret_cast<const xcb_input_raw_key_press_event_t&>(event);
-        if (std::ranges::find(codes_, key.detail) != codes_.end()) {
+        if (is_stop_key(static_cast<xcb_keycode_t>(key.detail))) {
           stop_();
         }
       }
     }
   }
 
+  [[nodiscard]] bool is_stop_key(xcb_keycode_t code) const {
+    const auto [begin, end] = keyboard_.equal_range(code);
+    const auto has = [&](xcb_keysym_t keysym) {
+      return std::any_of(begin, end, [keysym](const auto& key) { return key.second == keysym; });
+    };
+    return has(kPause) || has(kBreak) ||
+           ((has(kF12) || (has(kSpace) && is_control_held(x_.get()))) &&
+            has_keyboard(x_.get(), window_));
+  }
+
   Connection x_;
+  xcb_window_t window_;
   std::function<void()> stop_;
   std::uint8_t opcode_;
-  std::vector<xcb_keycode_t> codes_;
+  std::multimap<xcb_keycode_t, xcb_keysym_t> keyboard_;
   int end_;
   std::thread thread_;
 };
 
-StopKeyListener::StopKeyListener(std::function<void()> stop) {
+StopKeyListener::StopKeyListener(std::uint32_t window, std::function<void()> stop) {
   Connection x(xcb_connect(nullptr, nullptr));
   if (xcb_connection_has_error(x.get()) == 0 && has_raw_events(x.get())) {
     select_raw_keys(x.get());
-    thread_ = std::make_unique<Thread>(std::move(x), std::move(stop));
+    thread_ = std::make_unique<Thread>(std::move(x), window, std::move(stop));
   }
 }
 

@@ -366,13 +366,45 @@ TEST_F(Stop, WorksByTheMouseWhileAPopupHoldsIt) {
   expect_stopped_within_50_ms(asked);
 }
 
-TEST_F(Stop, HearsPauseWhateverHasTheKeyboardAndThoughTheWindowIsBusy) {
+TEST_F(Stop, HearsItsKeysThoughTheWindowIsBusy) {
+  XInput input;
+  const std::vector<std::vector<xcb_keysym_t>> keys{
+      {kPauseKey}, {kF12Key}, {kControlKey, kSpaceKey}};
+  for (const auto& key : keys) {
+    SCOPED_TRACE(key.front());
+    begin_motion(kSlow);
+    window().activateWindow();
+    QTest::qWait(100);
+    const auto asked = Clock::now();
+    input.type(key);
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));  // the window's thread
+    expect_stopped_within_50_ms(asked);
+  }
+}
+
+TEST_F(Stop, HearsItsKeysThoughTheFocusIsInAWindowThatADialogBlocks) {
   XInput input;
   begin_motion(kSlow);
-  QTest::qWait(50);
+  action("Pre&ferences…").trigger();
+  QTest::qWait(100);
+  window().activateWindow();
+  QTest::qWait(100);
   const auto asked = Clock::now();
-  input.type(kPauseKey);
-  std::this_thread::sleep_for(std::chrono::seconds(1));  // the window's thread
+  input.type({kControlKey, kSpaceKey});
+  expect_stopped_within_50_ms(asked);
+  close_dialogs();
+}
+
+TEST_F(Stop, LeavesOtherProgramsAllKeysButPause) {
+  XInput input;
+  begin_motion(kSlow);
+  input.take_keyboard();
+  input.type({kF12Key});
+  input.type({kControlKey, kSpaceKey});
+  QTest::qWait(200);
+  EXPECT_TRUE(moves());
+  const auto asked = Clock::now();
+  input.type({kPauseKey});
   expect_stopped_within_50_ms(asked);
 }
 

@@ -18,7 +18,16 @@ XInput::XInput() : x_(xcb_connect(nullptr, nullptr)) {
 
 XInput::~XInput() { xcb_disconnect(x_); }
 
-void XInput::type(xcb_keysym_t keysym) {
+void XInput::type(const std::vector<xcb_keysym_t>& keysyms) {
+  for (const xcb_keysym_t key : keysyms) {
+    send(XCB_KEY_PRESS, code_of(key), {});
+  }
+  for (const xcb_keysym_t key : keysyms) {
+    send(XCB_KEY_RELEASE, code_of(key), {});
+  }
+}
+
+std::uint8_t XInput::code_of(xcb_keysym_t keysym) const {
   const xcb_setup_t* setup = xcb_get_setup(x_);
   const int count = setup->max_keycode - setup->min_keycode + 1;
   xcb_get_keyboard_mapping_reply_t* mapping = xcb_get_keyboard_mapping_reply(
@@ -33,9 +42,17 @@ void XInput::type(xcb_keysym_t keysym) {
   if (found == count * columns) {
     throw std::runtime_error("the keyboard has no such key");
   }
-  const auto code = static_cast<std::uint8_t>(setup->min_keycode + found / columns);
-  send(XCB_KEY_PRESS, code, {});
-  send(XCB_KEY_RELEASE, code, {});
+  return static_cast<std::uint8_t>(setup->min_keycode + found / columns);
+}
+
+void XInput::take_keyboard() {
+  const xcb_screen_t& screen = *xcb_setup_roots_iterator(xcb_get_setup(x_)).data;
+  const xcb_window_t window = xcb_generate_id(x_);
+  xcb_create_window(x_, XCB_COPY_FROM_PARENT, window, screen.root, 0, 0, 1, 1, 0,
+                    XCB_WINDOW_CLASS_INPUT_OUTPUT, screen.root_visual, 0, nullptr);
+  xcb_map_window(x_, window);
+  xcb_set_input_focus(x_, XCB_INPUT_FOCUS_PARENT, window, XCB_CURRENT_TIME);
+  std::free(xcb_get_input_focus_reply(x_, xcb_get_input_focus(x_), nullptr));  // it is done
 }
 
 void XInput::click(const QPoint& place) {
