@@ -29,6 +29,10 @@ std::optional<PathConflict> PathConflictSearch::run(std::span<const Configuratio
   if (stop) {
     edges.stop_when(stop);
   }
+  if (!waypoints.empty()) {
+    edges.set_ends({make_edge_end(*checker_, waypoints.front(), resolution_),
+                    make_edge_end(*checker_, waypoints.back(), resolution_)});
+  }
   for (std::size_t w = 0; w < waypoints.size() && !stopped(); ++w) {
     if (const auto pair = checker_->first_collision(waypoints[w])) {
       return PathConflict{w, 0.0, bodies(pair), "collide"};
