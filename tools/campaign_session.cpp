@@ -37,7 +37,7 @@ std::optional<CampaignOutcome> conduct_campaign(const planning::Campaign& campai
   }
   make_out_folder(session.folder);
   const planning::RunExecutor executor(campaign, extensions);
-  RunDatabase database(session.folder / "runs.sqlite", campaign, kVersion,
+  RunDatabase database(session.folder / "runs.sqlite", executor.campaign(), kVersion,
                        session.resume ? RunDatabase::Opening::kResume : RunDatabase::Opening::kNew);
   planning::ThreadWorkers threads(thread_count(session, campaign));
   planning::RunWorkers& workers =

@@ -70,7 +70,7 @@ void Document::set_scene(planning::LoadedScene scene, const std::filesystem::pat
     groups_ = joint_groups(*first->model, loaded_.basis.get());
     palm_ = palm_link(*first->model, groups_);
     q_ = first->configuration;
-    problem_ = std::make_shared<const PreparedProblem>(loaded_, revision_, threads_);
+    problem_ = std::make_shared<const PreparedProblem>(loaded_, revision_, preparations_);
   }
   recorded_hand_.set_basis(loaded_.basis);
   emit opened();
@@ -85,8 +85,8 @@ void Document::set_state(SceneState state) {
     loaded_.scene = state_.scene;
     revision_ = after_edit(revision_, *before.scene, *state_.scene);
     if (robot()) {
-      problem_ =
-          std::make_shared<const PreparedProblem>(loaded_, revision_, threads_, problem_.get());
+      problem_ = std::make_shared<const PreparedProblem>(loaded_, revision_, preparations_,
+                                                         problem_.get());
     }
   }
   emit edited(before);

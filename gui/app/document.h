@@ -79,7 +79,7 @@ class Document : public QObject {
 
  private:
   SceneLoader loader_;
-  BackgroundThreads threads_;
+  PreparationQueue preparations_;
   SceneState state_;
   planning::LoadedScene loaded_;  ///< With the scene of `state_`.
   planning::Revision revision_;

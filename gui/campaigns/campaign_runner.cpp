@@ -72,7 +72,7 @@ void CampaignRunner::carry_out(const fs::path& file, const std::stop_token& stop
   const fs::path folder = file.parent_path() / file.stem();
   fs::create_directories(folder);
   const planning::RunExecutor executor(campaign, *extensions_);
-  planning::RunDatabase database(folder / "runs.sqlite", campaign,
+  planning::RunDatabase database(folder / "runs.sqlite", executor.campaign(),
                                  QCoreApplication::applicationVersion().toStdString(),
                                  planning::RunDatabase::Opening::kResume);
   QMetaObject::invokeMethod(

@@ -89,9 +89,10 @@ bool same_world(const Scene& a, const Scene& b) {
 
 }  // namespace
 
-PlanningProblem updated_problem(const PlanningProblem& before, const planning::LoadedScene& scene) {
+PlanningProblem updated_problem(const PlanningProblem& before, const planning::LoadedScene& scene,
+                                const geometric::Preparation& preparation) {
   if (before.basis != scene.basis || !same_robots(*before.scene, *scene.scene)) {
-    return planning::make_problem(scene.scene, scene.basis);
+    return planning::make_problem(scene.scene, scene.basis, preparation);
   }
   PlanningProblem updated = before;
   updated.scene = scene.scene;
@@ -103,11 +104,12 @@ PlanningProblem updated_problem(const PlanningProblem& before, const planning::L
   std::optional<CollisionWorld> world =
       updated_world(before.checker->world(), *before.scene, *scene.scene);
   if (!world) {
-    return planning::make_problem(scene.scene, scene.basis);
+    return planning::make_problem(scene.scene, scene.basis, preparation);
   }
   auto shared = std::make_shared<const CollisionWorld>(std::move(*world));
   updated.motion = std::make_shared<const geometric::MotionBound>(*shared);
-  updated.checker = geometric::make_collision_checker(std::move(shared));
+  updated.checker = geometric::make_collision_checker(std::move(shared),
+                                                      geometric::CheckerKind::kFast, preparation);
   return updated;
 }
 

@@ -3,6 +3,7 @@
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/mesh_import.h"
 
+#include <optional>
 #include <system_error>
 #include <utility>
 
@@ -17,6 +18,10 @@ InventorMesh read_inventor_mesh(const std::filesystem::path& file, double scale)
   }
   geometric::ImportedMesh mesh =
       geometric::import_mesh(file, geometric::MeshFormat::kInventor, scale);
+  if (std::optional<geometric::InputProblem> problem = geometric::rounding_problem(mesh.largest)) {
+    problem->source = file.string();
+    throw geometric::InputError(*std::move(problem));
+  }
   return {std::make_shared<const geometric::TriangleMesh>(std::move(mesh.triangles)), mesh.color,
           mesh.includes_files};
 }

@@ -1,6 +1,7 @@
 #include "inventor_meshes.h"
 
 #include "handway/geometric/io/disk_cache.h"
+#include "handway/geometric/io/files_read.h"
 
 #include <boost/archive/binary_iarchive.hpp>
 #include <boost/archive/binary_oarchive.hpp>
@@ -71,18 +72,20 @@ std::optional<std::string> bytes_of(const std::filesystem::path& file) {
 }
 
 InventorMesh read_or_remember(const std::filesystem::path& file, double scale) {
+  geometric::note_file_read(file);
   const std::optional<std::string> bytes = bytes_of(file);
   if (!bytes) {
     return read_inventor_mesh(file, scale);
   }
   const geometric::CacheKey key =
       geometric::cache_key(fmt::format("Inventor mesh {}, scale {}", kVersion, scale), *bytes);
-  if (const std::optional<std::string> cached = geometric::read_cached(key)) {
-    return unarchived(*cached);
+  const geometric::DiskCache cache = geometric::DiskCache::of_user();
+  if (std::optional<InventorMesh> known = cache.read_as(key, unarchived)) {
+    return *std::move(known);
   }
   InventorMesh mesh = read_inventor_mesh(file, scale);
   if (!mesh.includes_files) {
-    geometric::write_cached(key, archived(mesh));
+    cache.write(key, archived(mesh));
   }
   return mesh;
 }

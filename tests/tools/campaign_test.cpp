@@ -153,6 +153,34 @@ TEST_F(HandwayCampaign, KeepsRunsOfOtherCampaignsInItsFolder) {
   EXPECT_THAT(more.err, HasSubstr("66 runs, 60 of them done before"));
 }
 
+TEST_F(HandwayCampaign, DoesNotGoOnAfterAnEditOfAMeshTheRobotOrTheBasis) {
+  line_.write("block.obj",
+              "v 1.5 0 0\nv 1.6 0 0\nv 1.5 0.1 0\nv 1.5 0 0.1\n"
+              "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+  const std::string scene = line_.read("open.yaml");
+  ASSERT_EQ(scene.find("objects:"), std::string::npos);
+  line_.write("open.yaml", scene + "objects:\n  - {name: block, mesh: {file: block.obj}}\n");
+  line_.write("one.yaml", "campaign: 1\nproblems: [open.yaml]\nseeds: 1\nplanners: [pmd-prm]\n");
+  ASSERT_EQ(line_.run("bench one.yaml").exit_code, 0);
+  ASSERT_EQ(line_.run("bench one.yaml --resume").exit_code, 0);
+  const auto expect_refusal = [&](const std::string& file) {
+    const std::string before = line_.read(file);
+    line_.write(file, before + "\n");
+    const Outcome again = line_.run("bench one.yaml --resume");
+    EXPECT_EQ(again.exit_code, 3) << file;
+    EXPECT_THAT(again.err, HasSubstr(file));
+    line_.write(file, before);
+  };
+  expect_refusal("block.obj");
+  expect_refusal("basis.yaml");
+  for (const auto& entry : fs::directory_iterator(line_.folder())) {
+    if (entry.path().extension() == ".urdf") {
+      expect_refusal(entry.path().filename().string());
+    }
+  }
+  EXPECT_EQ(line_.run("bench one.yaml --resume").exit_code, 0);
+}
+
 TEST_F(HandwayCampaign, TellsOfRunsWithoutAPath) {
   line_.write("walled_study.yaml",
               "campaign: 1\nproblems: [walled.yaml]\nseeds: 3\n"

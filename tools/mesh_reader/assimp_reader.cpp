@@ -6,6 +6,8 @@
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
+#include <algorithm>
+#include <cmath>
 #include <new>
 #include <string_view>
 #include <system_error>
@@ -32,12 +34,28 @@ class RegularFiles final : public Assimp::DefaultIOSystem {
   }
 };
 
-void append_mesh(Mesh& whole, const aiMesh& part, const aiMatrix4x4t<double>& X_RootNode) {
+using Matrix = aiMatrix4x4t<double>;
+
+// By how much a frame enlarges at most, along one of its axes.
+double enlargement(const Matrix& X) {
+  return std::sqrt(
+      std::max({X.a1 * X.a1 + X.b1 * X.b1 + X.c1 * X.c1, X.a2 * X.a2 + X.b2 * X.b2 + X.c2 * X.c2,
+                X.a3 * X.a3 + X.b3 * X.b3 + X.c3 * X.c3}));
+}
+
+double largest_coordinate(double x, double y, double z) {
+  return std::max({std::abs(x), std::abs(y), std::abs(z)});
+}
+
+void append_mesh(Mesh& whole, const aiMesh& part, const Matrix& X_RootNode) {
+  const double scale = enlargement(X_RootNode);
   const std::uint32_t first = whole.vertex_count();
   for (unsigned i = 0; i < part.mNumVertices; ++i) {
     const aiVector3D& v = part.mVertices[i];
     const aiVector3t<double> p = X_RootNode * aiVector3t<double>(v.x, v.y, v.z);
     whole.add_vertex({p.x, p.y, p.z});
+    whole.largest = std::max({whole.largest, scale * largest_coordinate(v.x, v.y, v.z),
+                              largest_coordinate(p.x, p.y, p.z)});
   }
   // A node that mirrors turns its triangles inside out.
   const bool mirrored = X_RootNode.Determinant() < 0.0;
@@ -60,15 +78,17 @@ void append_mesh(Mesh& whole, const aiMesh& part, const aiMatrix4x4t<double>& X_
   }
 }
 
-void append_node(Mesh& whole, const aiScene& scene, const aiNode& node,
-                 const aiMatrix4x4t<double>& X_RootParent, int depth) {
+void append_node(Mesh& whole, const aiScene& scene, const aiNode& node, const Matrix& X_RootParent,
+                 int depth) {
   if (depth > kDeepestNode) {
     refuse("nodes nested more than " + std::to_string(kDeepestNode));
   }
   const aiMatrix4x4& m = node.mTransformation;
-  const aiMatrix4x4t<double> X_ParentNode(m.a1, m.a2, m.a3, m.a4, m.b1, m.b2, m.b3, m.b4, m.c1,
-                                          m.c2, m.c3, m.c4, m.d1, m.d2, m.d3, m.d4);
-  const aiMatrix4x4t<double> X_RootNode = X_RootParent * X_ParentNode;
+  const Matrix X_ParentNode(m.a1, m.a2, m.a3, m.a4, m.b1, m.b2, m.b3, m.b4, m.c1, m.c2, m.c3, m.c4,
+                            m.d1, m.d2, m.d3, m.d4);
+  const Matrix X_RootNode = X_RootParent * X_ParentNode;
+  whole.largest =
+      std::max(whole.largest, enlargement(X_RootParent) * largest_coordinate(m.a4, m.b4, m.c4));
   for (unsigned i = 0; i < node.mNumMeshes; ++i) {
     append_mesh(whole, *scene.mMeshes[node.mMeshes[i]], X_RootNode);
   }

@@ -194,6 +194,10 @@ struct Collector {
       mesh.add_vertex({kMillimetre * static_cast<double>(point[0]),
                        kMillimetre * static_cast<double>(point[1]),
                        kMillimetre * static_cast<double>(point[2])});
+      for (int k = 0; k < 3; ++k) {
+        mesh.largest =
+            std::max(mesh.largest, kMillimetre * std::abs(static_cast<double>(point[k])));
+      }
     }
     return found->second;
   }

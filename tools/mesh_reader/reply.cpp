@@ -70,6 +70,7 @@ bool Mesh::send(int descriptor) const {
   reply.text_bytes = static_cast<std::uint32_t>(text.size());
   reply.vertices = vertices_.size();
   reply.triangles = triangles_.size();
+  reply.largest = largest;
   return write_all(descriptor, &reply, sizeof reply) &&
          write_all(descriptor, text.data(), text.size()) && write_list(descriptor, vertices_) &&
          write_list(descriptor, triangles_);

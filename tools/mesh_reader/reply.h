@@ -49,6 +49,8 @@ class Mesh {
 
   std::array<float, 4> color = {0.7F, 0.7F, 0.7F, 1.0F};
   bool includes_files = false;
+  double largest =
+      0.0;  ///< Coordinate that was handled in single precision, as add_vertex() has it.
   std::string warnings;  ///< One a line.
 
   /// Writes the reply whole. @returns false if nobody wants it.

@@ -26,17 +26,18 @@ constexpr float kTiny = 0.4F;          // of the other body's size
 }  // namespace
 
 struct BoundedChecker::Volumes {
-  explicit Volumes(const CollisionWorld& world) : exact(world), boxes(world) {
+  Volumes(const CollisionWorld& world, const Preparation& preparation)
+      : exact(world), boxes(world) {
     std::vector<std::shared_ptr<const TriangleMesh>> meshes;
     for (const CollisionBody& body : world.bodies()) {
       meshes.push_back(body.mesh);
     }
-    surfaces = make_surfaces(meshes);
+    surfaces = make_surfaces(meshes, preparation);
     for (const BodyPair& pair : world.pairs()) {
       pairs.push_back(spheres_first(pair));
     }
     roots.emplace(world, root_spheres());
-    distances.emplace(world, surfaces);
+    distances.emplace(world, surfaces, preparation.keeps_volumes);
   }
 
   // Spheres of the smaller body in the field of the larger; but the field of a much
@@ -86,9 +87,10 @@ struct BoundedChecker::Scratch {
   std::vector<Doubt> doubts;
 };
 
-BoundedChecker::BoundedChecker(std::shared_ptr<const CollisionWorld> world)
+BoundedChecker::BoundedChecker(std::shared_ptr<const CollisionWorld> world,
+                               const Preparation& preparation)
     : CollisionChecker(std::move(world)),
-      volumes_(std::make_shared<const Volumes>(CollisionChecker::world())),
+      volumes_(std::make_shared<const Volumes>(CollisionChecker::world(), preparation)),
       scratch_(std::make_unique<Scratch>(*volumes_)) {}
 
 BoundedChecker::~BoundedChecker() = default;

@@ -1,6 +1,7 @@
 #include "collision/clearance_field.h"
 
 #include "collision/nearest_point.h"
+#include "handway/geometric/collision/preparation.h"
 
 #include <queue>
 
@@ -40,11 +41,12 @@ class ClearanceFieldBuilder {
   ClearanceFieldBuilder(ClearanceField& field, const TriangleMesh& mesh, const BoxTree& boxes)
       : field_(field), mesh_(mesh), boxes_(boxes) {}
 
-  void build(std::size_t budget) {
+  void build(std::size_t budget, const std::stop_token& stop) {
     lay_out();
     double side = 1.0 / field_.per_cell_;
     std::uint32_t hint = 0;
     for (int z = 0; z < field_.counts_.z(); ++z) {
+      end_if_stopped(stop);
       for (int y = 0; y < field_.counts_.y(); ++y) {
         for (int x = 0; x < field_.counts_.x(); ++x) {
           const Eigen::Vector3d lowest =
@@ -54,6 +56,7 @@ class ClearanceFieldBuilder {
       }
     }
     while (!open_.empty() && spent() + ClearanceField::kChildren <= budget) {
+      end_if_stopped(stop);
       const Open worst = open_.top();
       open_.pop();
       improve(worst);
@@ -275,8 +278,9 @@ class ClearanceFieldBuilder {
   mutable std::vector<Waiting> waiting_;
 };
 
-ClearanceField::ClearanceField(const TriangleMesh& mesh, const BoxTree& boxes, std::size_t budget) {
-  ClearanceFieldBuilder(*this, mesh, boxes).build(budget);
+ClearanceField::ClearanceField(const TriangleMesh& mesh, const BoxTree& boxes, std::size_t budget,
+                               const std::stop_token& stop) {
+  ClearanceFieldBuilder(*this, mesh, boxes).build(budget, stop);
 }
 
 float ClearanceField::bound(const std::array<Eigen::Vector3f, 3>& triangle) const {

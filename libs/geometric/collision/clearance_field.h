@@ -10,6 +10,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <stop_token>
 #include <vector>
 
 namespace handway::geometric {
@@ -62,7 +63,9 @@ class ClearanceField {
 
   /// @param budget about how many cells to spend.
   /// @pre the mesh has a triangle.
-  ClearanceField(const TriangleMesh& mesh, const BoxTree& boxes, std::size_t budget);
+  /// @throws PreparationStopped once `stop` is requested.
+  ClearanceField(const TriangleMesh& mesh, const BoxTree& boxes, std::size_t budget,
+                 const std::stop_token& stop = {});
 
   /// The cell that a point is in, null if it is outside the grid.
   struct Place {
@@ -84,6 +87,12 @@ class ClearanceField {
   /// Box of all vertices: outside the grid, the distance from it is the bound.
   [[nodiscard]] const Eigen::Vector3f& centre() const { return centre_; }
   [[nodiscard]] const Eigen::Vector3f& half() const { return half_; }
+
+  /// What a bound may be off by, m: cells and triangles are in single precision.
+  [[nodiscard]] float rounding() const {
+    constexpr float kRounding = 1e-6F;  // of the coordinates
+    return kRounding * (centre_.cwiseAbs() + half_).maxCoeff();
+  }
 
   [[nodiscard]] std::size_t cell_count() const { return cells_.size(); }
   [[nodiscard]] std::size_t block_count() const { return blocks_.size(); }

@@ -4,10 +4,56 @@
 #include "handway/geometric/io/input_error.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <utility>
 
 namespace handway::geometric {
 namespace {
+
+constexpr double kNear = 1.0;  // m: single precision resolves a tenth of a micrometre there
+
+void refuse_if_far(const Eigen::Vector3d& p, const std::filesystem::path& file,
+                   const std::string& element) {
+  if (!(p.lpNorm<Eigen::Infinity>() <= kFarthestPoint)) {
+    throw InputError({file.string(), element,
+                      "a point that is farther than 1000 km from the origin",
+                      "coordinates in metres, up to 1000 km",
+                      "Move the scene to the origin, or check the units"});
+  }
+}
+
+// The same solids in a frame with its origin there.
+std::shared_ptr<const BodySolids> with_origin_at(const Eigen::Vector3d& p,
+                                                 const BodySolids& solids) {
+  auto moved = std::make_shared<BodySolids>(solids);
+  for (BodySolids::Part& part : moved->parts) {
+    part.X_GB = part.X_GB * Eigen::Translation3d(p);
+  }
+  for (Eigen::Vector3d& point : moved->points) {
+    point -= p;
+  }
+  moved->box = {solids.box.lower - p, solids.box.upper - p};
+  return moved;
+}
+
+// Single precision, in which much is reckoned, has digits for coordinates that are no larger than
+// the mesh: where its frame is far away, the body gets a frame in the middle of the mesh.
+CollisionBody centred(CollisionBody body, const std::filesystem::path& file) {
+  const Aabb box = bounding_box(*body.mesh);
+  for (const Eigen::Vector3d& p :
+       {Eigen::Vector3d(body.X_FB.translation()), box.lower, box.upper}) {
+    refuse_if_far(p, file, body.name);
+  }
+  const double apart = box.centre().lpNorm<Eigen::Infinity>();
+  if (apart > kNear && apart > box.size().maxCoeff()) {
+    body.centre = box.centre();
+    body.X_FB = body.X_FB * Eigen::Translation3d(body.centre);
+    body.mesh = std::make_shared<const TriangleMesh>(
+        transformed(*body.mesh, Pose(Eigen::Translation3d(-body.centre))));
+    body.solids = with_origin_at(body.centre, *body.solids);
+  }
+  return body;
+}
 
 CollisionBody body_of(const SceneObject& object) {
   CollisionBody body{object.name, -1, object.X_PO, tessellate(object.shape)};
@@ -30,6 +76,12 @@ CollisionWorld::CollisionWorld(const Scene& scene) {
   if (scene.robots.empty()) {
     throw InputError({scene.file.string(), "robot", "a scene without a robot", "at least one", ""});
   }
+  for (const RobotInstance& robot : scene.robots) {
+    refuse_if_far(robot.X_WB.translation(), scene.file, "robot " + robot.name);
+    for (const Joint& joint : robot.model->description().joints) {
+      refuse_if_far(joint.X_PJ.translation(), robot.file, "joint " + joint.name);
+    }
+  }
   model_ = scene.robots.front().model;
   X_WB_ = scene.robots.front().X_WB;
   add_robot_links(scene.robots.front());
@@ -44,8 +96,9 @@ void CollisionWorld::add_robot_links(const RobotInstance& robot) {
   for (int i = 0; i < robot.model->link_count(); ++i) {
     auto mesh = std::make_shared<TriangleMesh>(collision_mesh(robot.model->link(i)));
     if (!mesh->empty()) {
-      bodies_.push_back({robot.model->link(i).name, i, Pose::Identity(), std::move(mesh)});
-      bodies_.back().solids = make_body_solids(robot.model->link(i).collision);
+      CollisionBody body{robot.model->link(i).name, i, Pose::Identity(), std::move(mesh)};
+      body.solids = make_body_solids(robot.model->link(i).collision);
+      bodies_.push_back(centred(std::move(body), robot.file));
     }
   }
 }
@@ -56,9 +109,10 @@ void CollisionWorld::add_still_robot(const RobotInstance& robot) {
   for (int i = 0; i < robot.model->link_count(); ++i) {
     auto mesh = std::make_shared<TriangleMesh>(collision_mesh(robot.model->link(i)));
     if (!mesh->empty()) {
-      bodies_.push_back({robot.name + "/" + robot.model->link(i).name, -1,
-                         robot.X_WB * X_BL[static_cast<std::size_t>(i)], std::move(mesh)});
-      bodies_.back().solids = make_body_solids(robot.model->link(i).collision);
+      CollisionBody body{robot.name + "/" + robot.model->link(i).name, -1,
+                         robot.X_WB * X_BL[static_cast<std::size_t>(i)], std::move(mesh)};
+      body.solids = make_body_solids(robot.model->link(i).collision);
+      bodies_.push_back(centred(std::move(body), robot.file));
     }
   }
 }
@@ -87,7 +141,7 @@ void CollisionWorld::add_objects(const Scene& scene) {
       }
     }
     if (!body.mesh->empty()) {
-      bodies_.push_back(std::move(body));
+      bodies_.push_back(centred(std::move(body), scene.file));
     }
   }
 }
@@ -153,7 +207,9 @@ std::vector<CollisionBody>::const_iterator CollisionWorld::needed_still_body(
 CollisionWorld CollisionWorld::with_object_at(std::string_view name, const Pose& X_WO) const {
   const auto index = static_cast<std::size_t>(needed_still_body(name) - bodies_.begin());
   CollisionWorld changed = *this;
-  changed.bodies_[index].X_FB = X_WO;
+  CollisionBody& body = changed.bodies_[index];
+  refuse_if_far(X_WO.translation(), "scene", "object " + body.name);
+  body.X_FB = X_WO * Eigen::Translation3d(body.centre);
   return changed;
 }
 
@@ -166,7 +222,7 @@ CollisionWorld CollisionWorld::with_object(const SceneObject& object) const {
   CollisionWorld changed = *this;
   CollisionBody body = body_of(object);
   if (!body.mesh->empty()) {
-    changed.bodies_.push_back(std::move(body));
+    changed.bodies_.push_back(centred(std::move(body), "scene"));
     changed.list_pairs();
   }
   return changed;
@@ -204,7 +260,7 @@ void CollisionWorld::place_moving(const Configuration& q, std::vector<Pose>& X_B
     const CollisionBody& moving = body(index);
     Pose& X_W = X_WBody[static_cast<std::size_t>(index)];
     X_W = X_WB_ * X_BL[static_cast<std::size_t>(moving.link)];
-    if (moving.is_carried) {
+    if (moving.is_carried || !moving.centre.isZero(0.0)) {
       X_W = X_W * moving.X_FB;
     }
   }

@@ -9,7 +9,7 @@
 namespace handway::geometric {
 
 std::unique_ptr<CollisionChecker> make_collision_checker(
-    std::shared_ptr<const CollisionWorld> world, CheckerKind kind) {
+    std::shared_ptr<const CollisionWorld> world, CheckerKind kind, const Preparation& preparation) {
   switch (kind) {
     case CheckerKind::kFcl:
       return std::make_unique<FclChecker>(std::move(world));
@@ -18,7 +18,7 @@ std::unique_ptr<CollisionChecker> make_collision_checker(
     case CheckerKind::kFast:
       break;
   }
-  return std::make_unique<BoundedChecker>(std::move(world));
+  return std::make_unique<BoundedChecker>(std::move(world), preparation);
 }
 
 }  // namespace handway::geometric

@@ -12,7 +12,7 @@
 namespace handway::geometric {
 namespace {
 
-constexpr std::string_view kMadeHow = "distances 3";  // to change with what is in the tables
+constexpr std::string_view kLayout = "distances 4";  // to change with what is in the tables
 
 // What a table's distances depend on: the two surfaces, and where they are against
 // each other at both ends and in the middle of the joints' ranges.
@@ -39,7 +39,9 @@ std::string description(const CollisionWorld& world, const BodyPair& pair, const
 }  // namespace
 
 RememberedDistances::RememberedDistances(
-    const CollisionWorld& world, const std::vector<std::shared_ptr<const Surface>>& surfaces) {
+    const CollisionWorld& world, const std::vector<std::shared_ptr<const Surface>>& surfaces,
+    bool keeps)
+    : keeps_(keeps) {
   const MotionBound motion(world);
   std::string all;
   for (const BodyPair& pair : world.pairs()) {
@@ -53,12 +55,12 @@ RememberedDistances::RememberedDistances(
                          *surfaces[static_cast<std::size_t>(pair.b)]);
     }
   }
-  key_ = cache_key(kMadeHow, all);
+  key_ = cache_key(kLayout, all);
   recall();
 }
 
 void RememberedDistances::recall() {
-  const std::optional<std::string> cached = read_cached(key_);
+  const std::optional<std::string> cached = DiskCache::of_user().read(key_);
   std::size_t count = 0;
   for (const auto& table : tables_) {
     count += table ? table->cell_count() : 0;
@@ -66,6 +68,7 @@ void RememberedDistances::recall() {
   if (!cached || cached->size() != count * sizeof(float)) {
     return;
   }
+  keeps_ = true;
   std::vector<float> cells(count);
   std::memcpy(cells.data(), cached->data(), cached->size());
   std::span<const float> rest(cells);
@@ -80,7 +83,7 @@ void RememberedDistances::recall() {
 RememberedDistances::~RememberedDistances() {
   const bool learned =
       std::ranges::any_of(tables_, [](const auto& table) { return table && table->has_learned(); });
-  if (!learned) {
+  if (!learned || !keeps_) {
     return;
   }
   std::string bytes;
@@ -90,7 +93,7 @@ RememberedDistances::~RememberedDistances() {
       bytes.append(reinterpret_cast<const char*>(cells.data()), cells.size() * sizeof(float));
     }
   }
-  write_cached(key_, bytes);
+  DiskCache::of_user().write(key_, bytes);
 }
 
 }  // namespace handway::geometric

@@ -16,8 +16,9 @@ namespace handway::geometric {
 class RememberedDistances {
  public:
   /// @param surfaces shape [bodies].
+  /// @param keeps whether to keep what is learned even if the cache knows nothing of the robot yet.
   RememberedDistances(const CollisionWorld& world,
-                      const std::vector<std::shared_ptr<const Surface>>& surfaces);
+                      const std::vector<std::shared_ptr<const Surface>>& surfaces, bool keeps);
   ~RememberedDistances();
   RememberedDistances(const RememberedDistances&) = delete;
   RememberedDistances& operator=(const RememberedDistances&) = delete;
@@ -31,6 +32,7 @@ class RememberedDistances {
   void recall();
 
   CacheKey key_;
+  bool keeps_;
   std::vector<std::unique_ptr<DistanceTable>> tables_;
 };
 

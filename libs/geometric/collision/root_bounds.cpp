@@ -12,9 +12,12 @@
 namespace handway::geometric {
 namespace {
 
-constexpr float kRootRounding = 2e-5F;  // m: more than single precision can be off within 10 m
-constexpr float kNoPair = -1e30F;       // a radius that nothing is within
-constexpr double kEverywhere = 1e9;     // m
+// More than single precision can be off, m: at coordinates up to kNear, and for each metre beyond.
+constexpr float kNear = 10.0F;
+constexpr float kRootRounding = 2e-5F;
+constexpr float kRoundingBeyond = 2e-6F;
+constexpr float kNoPair = -1e30F;    // a radius that nothing is within
+constexpr double kEverywhere = 1e9;  // m
 constexpr std::size_t kLanes = 16;
 
 // With fewer pairs, to bound the distances of all takes less time than to look for the near ones.
@@ -42,6 +45,16 @@ std::vector<std::size_t> columns(const CollisionWorld& world) {
   return column;
 }
 
+float rounding_beyond(double coordinate) {
+  return kRoundingBeyond * std::max(0.0F, static_cast<float>(coordinate) - kNear);
+}
+
+// The world's origin, or one nearer to a robot that is far from it; in whole steps, so that going
+// from the one to the other loses nothing.
+Eigen::Vector3d origin_near(const Eigen::Vector3d& p_WRobot) {
+  return kNear * (p_WRobot / kNear).array().round().matrix();
+}
+
 std::size_t count_still(const CollisionWorld& world) {
   return world.bodies().size() - world.moving().size();
 }
@@ -62,11 +75,13 @@ void RootBounds::Table::add(int pair, Cell cell, float radius) {
 std::size_t RootBounds::Table::blocks() const { return width / kLanes; }
 
 RootBounds::RootBounds(const CollisionWorld& world, std::vector<BoundingSphere> spheres)
-    : spheres_(std::move(spheres)),
+    : p_WO_(origin_near(world.X_WB().translation())),
+      spheres_(std::move(spheres)),
       bodies_(world.moving()),
       moving_(bodies_.size(), bodies_.size()),
       still_(bodies_.size(), count_still(world)) {
-  for (std::vector<float>& numbers : X_BoxW_) {
+  box_rounding_.resize(still_.width);
+  for (std::vector<float>& numbers : X_BoxO_) {
     numbers.resize(still_.width);
   }
   for (std::vector<float>& numbers : half_) {
@@ -83,7 +98,7 @@ RootBounds::RootBounds(const CollisionWorld& world, std::vector<BoundingSphere> 
     add_pair(a, b, column, world.body(b).moves());
   }
   if (cells_.size() - moving_pairs_ > kMany) {
-    many_.emplace(world);
+    many_.emplace(world, p_WO_);
   }
 }
 
@@ -93,40 +108,47 @@ void RootBounds::add_pair(int a, int b, const std::vector<std::size_t>& column, 
   const auto pair = static_cast<int>(cells_.size());
   cells_.push_back({column[first], column[second]});
   const float radius = spheres_[first].radius + (both_move ? spheres_[second].radius : 0.0F);
-  (both_move ? moving_ : still_).add(pair, cells_.back(), radius + kRootRounding);
+  const float rounding =
+      kRootRounding + rounding_beyond(radius) + (both_move ? 0.0F : box_rounding_[column[second]]);
+  (both_move ? moving_ : still_).add(pair, cells_.back(), radius + rounding);
   moving_pairs_ += both_move ? 1 : 0;
 }
 
 void RootBounds::add_box(const CollisionBody& still, std::size_t column) {
   const Aabb box = bounding_box(*still.mesh);
-  const Pose X_BoxW = Eigen::Translation3d(-box.centre()) * still.X_FB.inverse();
+  const Pose X_BoxO =
+      Eigen::Translation3d(-box.centre()) * still.X_FB.inverse() * Eigen::Translation3d(p_WO_);
   for (Eigen::Index row = 0; row < 3; ++row) {
     for (Eigen::Index k = 0; k < 4; ++k) {
-      X_BoxW_[static_cast<std::size_t>(4 * row + k)][column] =
-          static_cast<float>(X_BoxW.matrix()(row, k));
+      X_BoxO_[static_cast<std::size_t>(4 * row + k)][column] =
+          static_cast<float>(X_BoxO.matrix()(row, k));
     }
     half_[static_cast<std::size_t>(row)][column] = static_cast<float>(0.5 * box.size()[row]);
   }
+  box_rounding_[column] = rounding_beyond(X_BoxO.translation().norm() + 0.5 * box.size().norm());
 }
 
 RootBounds::Placement RootBounds::placement() const {
   const std::vector<float> zeros(moving_.width);
   const std::size_t blocks = std::max(moving_.blocks(), many_ ? 0 : still_.blocks());
-  return {zeros, zeros, zeros, std::vector<std::uint32_t>(bodies_.size() * blocks), {}};
+  return {zeros, zeros, zeros, 0.0F, std::vector<std::uint32_t>(bodies_.size() * blocks), {}};
 }
 
 void RootBounds::place(std::span<const Pose> X_WBody, Placement& placement) const {
+  double farthest = 0.0;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     const auto body = static_cast<std::size_t>(bodies_[i]);
-    const Eigen::Vector3d centre = X_WBody[body] * spheres_[body].centre.cast<double>();
+    const Eigen::Vector3d centre = X_WBody[body] * spheres_[body].centre.cast<double>() - p_WO_;
+    farthest = std::max(farthest, centre.lpNorm<Eigen::Infinity>());
     placement.x[i] = static_cast<float>(centre.x());
     placement.y[i] = static_cast<float>(centre.y());
     placement.z[i] = static_cast<float>(centre.z());
   }
+  placement.rounding = rounding_beyond(farthest);
 }
 
 void RootBounds::find_near(Placement& placement, double tolerance, std::vector<int>& pairs) const {
-  const auto within = static_cast<float>(std::min(tolerance, kEverywhere));
+  const float within = static_cast<float>(std::min(tolerance, kEverywhere)) + placement.rounding;
   pairs.clear();
   find_near_moving(placement, within, placement.near.data());
   append_found(placement.near.data(), moving_.pairs, pairs);
@@ -144,7 +166,8 @@ void RootBounds::append_near_still(Placement& placement, double tolerance,
   candidates.clear();
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     const int body = bodies_[i];
-    const float reach = spheres_[static_cast<std::size_t>(body)].radius + kRootRounding +
+    const float radius = spheres_[static_cast<std::size_t>(body)].radius;
+    const float reach = radius + kRootRounding + rounding_beyond(radius) + placement.rounding +
                         static_cast<float>(tolerance);
     many_->append_near(body, {placement.x[i], placement.y[i], placement.z[i]}, reach, candidates);
   }
@@ -158,15 +181,15 @@ double RootBounds::bound(const Placement& placement, int pair) const {
   const Eigen::Vector3f p(placement.x[i], placement.y[i], placement.z[i]);
   if (static_cast<std::size_t>(pair) < moving_pairs_) {
     const Eigen::Vector3f other(placement.x[j], placement.y[j], placement.z[j]);
-    return (p - other).norm() - moving_.radii[i * moving_.width + j];
+    return (p - other).norm() - moving_.radii[i * moving_.width + j] - placement.rounding;
   }
   Eigen::Vector3f beyond;
   for (std::size_t row = 0; row < 3; ++row) {
-    const float along = X_BoxW_[4 * row][j] * p.x() + X_BoxW_[4 * row + 1][j] * p.y() +
-                        X_BoxW_[4 * row + 2][j] * p.z() + X_BoxW_[4 * row + 3][j];
+    const float along = X_BoxO_[4 * row][j] * p.x() + X_BoxO_[4 * row + 1][j] * p.y() +
+                        X_BoxO_[4 * row + 2][j] * p.z() + X_BoxO_[4 * row + 3][j];
     beyond[static_cast<Eigen::Index>(row)] = std::max(std::abs(along) - half_[row][j], 0.0F);
   }
-  return beyond.norm() - still_.radii[i * still_.width + j];
+  return beyond.norm() - still_.radii[i * still_.width + j] - placement.rounding;
 }
 
 HANDWAY_VECTOR_UNITS void RootBounds::find_near_moving(const Placement& at, float within,
@@ -205,8 +228,8 @@ HANDWAY_VECTOR_UNITS void RootBounds::find_near_still(const Placement& at, float
         const std::size_t box = block * kLanes + k;
         float squared = 0.0F;
         for (std::size_t row = 0; row < 3; ++row) {
-          const float along = X_BoxW_[4 * row][box] * x + X_BoxW_[4 * row + 1][box] * y +
-                              X_BoxW_[4 * row + 2][box] * z + X_BoxW_[4 * row + 3][box];
+          const float along = X_BoxO_[4 * row][box] * x + X_BoxO_[4 * row + 1][box] * y +
+                              X_BoxO_[4 * row + 2][box] * z + X_BoxO_[4 * row + 3][box];
           const float beyond = std::max(std::abs(along) - half_[row][box], 0.0F);
           squared += beyond * beyond;
         }

@@ -15,12 +15,14 @@ namespace handway::geometric {
 
 /// Lower bounds of the distances of all pairs of a world from one volume a body:
 /// the sphere around what moves, against another such sphere or against the box
-/// of what stands still.
+/// of what stands still. They are reckoned in single precision, from an origin O near the robot;
+/// what that loses, which grows with the coordinates, is taken off.
 class RootBounds {
  public:
   /// Where the spheres of one configuration are.
   struct Placement {
-    std::vector<float> x, y, z;       ///< m, in the world; shape [moving bodies, to full lanes].
+    std::vector<float> x, y, z;       ///< m, from O; shape [moving bodies, to full lanes].
+    float rounding = 0.0F;            ///< m: of coordinates that are far from O.
     std::vector<std::uint32_t> near;  ///< Room for what is found.
     std::vector<int> candidates;
   };
@@ -68,15 +70,17 @@ class RootBounds {
   /// The same of many still bodies, which are looked up instead.
   void append_near_still(Placement& placement, double tolerance, std::vector<int>& pairs) const;
 
+  Eigen::Vector3d p_WO_;
   std::vector<BoundingSphere> spheres_;
   std::vector<int> bodies_;       ///< That move.
   std::vector<Cell> cells_;       ///< Of each pair in the one or the other table.
   std::size_t moving_pairs_ = 0;  ///< So many pairs come first in which both move.
   Table moving_;                  ///< With what moves, …
   Table still_;                   ///< … and with what stands still.
-  /// Of each still body: R and p of X_BoxWorld, row by row, and half the edges.
-  std::array<std::vector<float>, 12> X_BoxW_;
+  /// Of each still body: R and p of X_BoxO, row by row, half the edges, and what is lost.
+  std::array<std::vector<float>, 12> X_BoxO_;
   std::array<std::vector<float>, 3> half_;
+  std::vector<float> box_rounding_;
   std::optional<StillBodies> many_;  ///< If there are many.
 };
 

@@ -92,14 +92,14 @@ BoundingSphere rounded(const Ball& ball) {
   return {centre, std::nextafter(static_cast<float>(radius * (1.0 + 1e-7)), 1e30F)};
 }
 
-// Cut until no edge is longer.
-void cut(const Piece& piece, double longest_edge, std::vector<Piece>& pieces) {
+// Cut until no edge is longer, or there are more than `most` pieces.
+void cut(const Piece& piece, double longest_edge, std::size_t most, std::vector<Piece>& pieces) {
   const auto& [a, b, c] = piece.corners;
   const double ab = (b - a).norm();
   const double bc = (c - b).norm();
   const double ca = (a - c).norm();
   const double longest = std::max({ab, bc, ca});
-  if (longest <= longest_edge) {
+  if (longest <= longest_edge || pieces.size() > most) {
     pieces.push_back(piece);
     return;
   }
@@ -109,8 +109,21 @@ void cut(const Piece& piece, double longest_edge, std::vector<Piece>& pieces) {
   const Eigen::Vector3d& q = piece.corners[(first + 1) % 3];
   const Eigen::Vector3d& r = piece.corners[(first + 2) % 3];
   const Eigen::Vector3d middle = 0.5 * (p + q);
-  cut({{p, middle, r}, piece.triangle}, longest_edge, pieces);
-  cut({{middle, q, r}, piece.triangle}, longest_edge, pieces);
+  cut({{p, middle, r}, piece.triangle}, longest_edge, most, pieces);
+  cut({{middle, q, r}, piece.triangle}, longest_edge, most, pieces);
+}
+
+// All triangles cut so; with more than `most` pieces it is not complete.
+std::vector<Piece> cut(const TriangleMesh& mesh, double longest_edge, std::size_t most) {
+  std::vector<Piece> pieces;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto& [a, b, c] = mesh.triangles[t];
+    cut({{mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]}, t}, longest_edge, most, pieces);
+    if (pieces.size() > most) {
+      break;
+    }
+  }
+  return pieces;
 }
 
 }  // namespace
@@ -221,10 +234,12 @@ class SphereCoverBuilder {
 };
 
 SphereCover::SphereCover(const TriangleMesh& mesh, double leaf_radius) {
-  std::vector<Piece> pieces;
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    const auto& [a, b, c] = mesh.triangles[t];
-    cut({{mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]}, t}, 1.5 * leaf_radius, pieces);
+  constexpr double kEdge = 1.5;  // of the radius
+  const std::size_t most = mesh.triangles.size() + kMostPieces;
+  std::vector<Piece> pieces = cut(mesh, kEdge * leaf_radius, most);
+  while (pieces.size() > most) {
+    leaf_radius *= 2.0;
+    pieces = cut(mesh, kEdge * leaf_radius, most);
   }
   SphereCoverBuilder(*this, leaf_radius).build(std::move(pieces));
 }

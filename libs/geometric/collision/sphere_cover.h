@@ -38,8 +38,11 @@ class SphereCover {
 
   SphereCover() = default;
 
+  static constexpr std::size_t kMostPieces = 1U << 16;
+
   /// @param leaf_radius (m) spheres are split until they are this small; large
-  /// triangles are cut for that.
+  /// triangles are cut for that, but into no more than kMostPieces beyond their
+  /// number: where that is too few, spheres stay larger.
   /// @pre the mesh has a triangle.
   SphereCover(const TriangleMesh& mesh, double leaf_radius);
 

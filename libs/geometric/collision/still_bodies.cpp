@@ -1,19 +1,26 @@
 #include "collision/still_bodies.h"
 
+#include <algorithm>
+
 namespace handway::geometric {
 namespace {
 
-constexpr float kRounding = 2e-5F;  // m: more than single precision can be off within 10 m
+constexpr double kRounding = 2e-6;  // of the coordinates: more than single precision can be off
+constexpr double kNear = 10.0;      // m: the same for all below
 
 using FloatBox = Eigen::AlignedBox3f;
 
-FloatBox box_in_world(const CollisionBody& body) {
+FloatBox box_from(const Eigen::Vector3d& p_WO, const CollisionBody& body) {
   FloatBox box;
+  double farthest = kNear;
   for (const Eigen::Vector3d& vertex : body.mesh->vertices) {
-    box.extend((body.X_FB * vertex).cast<float>());
+    const Eigen::Vector3d p = body.X_FB * vertex - p_WO;
+    farthest = std::max(farthest, p.lpNorm<Eigen::Infinity>());
+    box.extend(p.cast<float>());
   }
-  box.min().array() -= kRounding;
-  box.max().array() += kRounding;
+  const auto rounding = static_cast<float>(kRounding * farthest);
+  box.min().array() -= rounding;
+  box.max().array() += rounding;
   return box;
 }
 
@@ -39,7 +46,7 @@ struct NearBodies {
 
 }  // namespace
 
-StillBodies::StillBodies(const CollisionWorld& world) {
+StillBodies::StillBodies(const CollisionWorld& world, const Eigen::Vector3d& p_WO) {
   std::vector<int> numbers(world.bodies().size(), -1);
   std::vector<int> still;
   std::vector<FloatBox> boxes;
@@ -47,7 +54,7 @@ StillBodies::StillBodies(const CollisionWorld& world) {
     if (!world.bodies()[i].moves()) {
       numbers[i] = static_cast<int>(still.size());
       still.push_back(numbers[i]);
-      boxes.push_back(box_in_world(world.bodies()[i]));
+      boxes.push_back(box_from(p_WO, world.bodies()[i]));
     }
   }
   tree_.init(still.begin(), still.end(), boxes.begin(), boxes.end());

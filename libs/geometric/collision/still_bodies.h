@@ -13,7 +13,8 @@ namespace handway::geometric {
 /// near a place are found without looking at all.
 class StillBodies {
  public:
-  explicit StillBodies(const CollisionWorld& world);
+  /// @param p_WO where places are reckoned from.
+  StillBodies(const CollisionWorld& world, const Eigen::Vector3d& p_WO);
 
   /// Adds the pairs of the moving body `body` with what stands still nearer than
   /// `reach` (m) to `centre`, by its box along the axes of the world, and maybe some more.

@@ -11,7 +11,6 @@
 #include <mutex>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 
 namespace handway::geometric {
@@ -25,7 +24,6 @@ constexpr std::size_t kCellsOfPlain = 1U << 16;  // … and where they are soon 
 constexpr std::size_t kPlain = 1000;             // that is, of meshes with fewer triangles
 
 CacheKey key_of(const TriangleMesh& mesh) {
-  constexpr std::string_view kMadeHow = "volumes 13";  // to change with what they are made of
   std::string content = std::to_string(mesh.vertices.size());
   const auto add = [&](const auto& elements) {
     content.append(reinterpret_cast<const char*>(elements.data()),
@@ -33,7 +31,7 @@ CacheKey key_of(const TriangleMesh& mesh) {
   };
   add(mesh.vertices);
   add(mesh.triangles);
-  return cache_key(kMadeHow, content);
+  return cache_key(archive_layout(), content);
 }
 
 double leaf_radius(const TriangleMesh& mesh) {
@@ -70,23 +68,60 @@ LivingSurfaces& living_surfaces() {
   return surfaces;
 }
 
+// Whether all vertices are corners of the box around them.
+bool is_box(const TriangleMesh& mesh) {
+  const Aabb box = bounding_box(mesh);
+  return std::ranges::all_of(mesh.vertices, [&](const Eigen::Vector3d& p) {
+    return (p.array() == box.lower.array() || p.array() == box.upper.array()).all();
+  });
+}
+
+std::size_t cells_for(const TriangleMesh& mesh) {
+  if (is_box(mesh)) {
+    return 0;  // but for the coarsest: outside, the distance from the box is all there is to know
+  }
+  return mesh.triangles.size() < kPlain ? kCellsOfPlain : kCells;
+}
+
+MeshVolumes make_volumes(const TriangleMesh& mesh, const std::stop_token& stop) {
+  end_if_stopped(stop);
+  MeshVolumes volumes;
+  volumes.cover = SphereCover(mesh, leaf_radius(mesh));
+  end_if_stopped(stop);
+  volumes.hull = ConvexCover(mesh, kHullMargin * static_cast<double>(volumes.cover.root().radius));
+  volumes.field = ClearanceField(mesh, BoxTree(mesh), cells_for(mesh), stop);
+  const std::vector<TriangleMesh> pieces = pieces_of(mesh);
+  volumes.sides = make_sided_boxes(pieces);
+  end_if_stopped(stop);
+  volumes.points = SurfacePoints(pieces.front());
+  return volumes;
+}
+
+// From the cache, or into it. Those of plain meshes, as primitives are, are made faster than it
+// would be worth to keep them at every size.
+MeshVolumes volumes_of(const CacheKey& key, const TriangleMesh& mesh,
+                       const Preparation& preparation) {
+  if (mesh.triangles.size() < kPlain) {
+    return make_volumes(mesh, preparation.stop);
+  }
+  const DiskCache cache = DiskCache::of_user();
+  if (std::optional<MeshVolumes> known = cache.read_as(key, unarchive_volumes)) {
+    return *std::move(known);
+  }
+  MeshVolumes volumes = make_volumes(mesh, preparation.stop);
+  if (preparation.keeps_volumes) {
+    cache.write(key, archive_volumes(volumes));
+  }
+  return volumes;
+}
+
 std::shared_ptr<const Surface> make_surface(const CacheKey& key,
-                                            const std::shared_ptr<const TriangleMesh>& mesh) {
+                                            const std::shared_ptr<const TriangleMesh>& mesh,
+                                            const Preparation& preparation) {
   if (auto living = living_surfaces().find(key)) {
     return living;
   }
-  MeshVolumes volumes;
-  if (const std::optional<std::string> cached = read_cached(key)) {
-    volumes = unarchive_volumes(*cached);
-  } else {
-    const std::size_t cells = mesh->triangles.size() < kPlain ? kCellsOfPlain : kCells;
-    const SphereCover cover(*mesh, leaf_radius(*mesh));
-    const std::vector<TriangleMesh> pieces = pieces_of(*mesh);
-    volumes = {cover, ConvexCover(*mesh, kHullMargin * static_cast<double>(cover.root().radius)),
-               ClearanceField(*mesh, BoxTree(*mesh), cells), make_sided_boxes(pieces),
-               SurfacePoints(pieces.front())};
-    write_cached(key, archive_volumes(volumes));
-  }
+  MeshVolumes volumes = volumes_of(key, *mesh, preparation);
   auto surface = std::make_shared<const Surface>(
       Surface{key, mesh, TriangleTree(*mesh), std::move(volumes.cover), std::move(volumes.hull),
               std::move(volumes.field), std::move(volumes.sides), volumes.points});
@@ -97,7 +132,8 @@ std::shared_ptr<const Surface> make_surface(const CacheKey& key,
 }  // namespace
 
 std::vector<std::shared_ptr<const Surface>> make_surfaces(
-    const std::vector<std::shared_ptr<const TriangleMesh>>& meshes) {
+    const std::vector<std::shared_ptr<const TriangleMesh>>& meshes,
+    const Preparation& preparation) {
   std::vector<CacheKey> keys(meshes.size());
   tbb::parallel_for(std::size_t{0}, meshes.size(),
                     [&](std::size_t i) { keys[i] = key_of(*meshes[i]); });
@@ -113,7 +149,7 @@ std::vector<std::shared_ptr<const Surface>> make_surfaces(
       std::size_t{0}, different.size(),
       [&](std::size_t k) {
         const std::size_t i = different[k];
-        surfaces[i] = make_surface(keys[i], meshes[i]);
+        surfaces[i] = make_surface(keys[i], meshes[i], preparation);
       },
       tbb::simple_partitioner());
   for (std::size_t i = 0; i < meshes.size(); ++i) {

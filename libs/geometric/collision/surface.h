@@ -6,6 +6,7 @@
 #include "collision/sphere_cover.h"
 #include "collision/surface_points.h"
 #include "collision/triangle_tree.h"
+#include "handway/geometric/collision/preparation.h"
 #include "handway/geometric/io/disk_cache.h"
 #include "handway/geometric/scene/triangle_mesh.h"
 
@@ -29,7 +30,9 @@ struct Surface {
 /// The surfaces of `meshes`, in order. Meshes of the same content share one; what
 /// another part of the program still holds is not made again, and what an earlier
 /// run made is read from the user's cache. All processors make the rest.
+/// @throws PreparationStopped where `preparation` asks for it.
 [[nodiscard]] std::vector<std::shared_ptr<const Surface>> make_surfaces(
-    const std::vector<std::shared_ptr<const TriangleMesh>>& meshes);
+    const std::vector<std::shared_ptr<const TriangleMesh>>& meshes,
+    const Preparation& preparation = {});
 
 }  // namespace handway::geometric

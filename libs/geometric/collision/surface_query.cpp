@@ -47,7 +47,7 @@ bool SurfaceQuery::root_is_near() {
   const BoundingSphere& root = a_.cover.root();
   const Eigen::Vector3d centre = X_WA_ * root.centre.cast<double>() - X_WB_.translation();
   const Eigen::Vector3f p_BRoot = (X_WB_.linear().transpose() * centre).cast<float>();
-  const float rounding = kMoveRounding * p_BRoot.lpNorm<1>();
+  const float rounding = kMoveRounding * p_BRoot.lpNorm<1>() + b_.field.rounding();
   const float bound = b_.field.bound(p_BRoot);
   if (bound - root.radius - rounding >= reach_) {
     return false;
@@ -57,6 +57,7 @@ bool SurfaceQuery::root_is_near() {
     placed_ = true;
     X_BA_ = X_WB_.inverse(Eigen::Isometry) * X_WA_;
     moves_ = FloatPose(X_BA_, root.centre.lpNorm<1>() + root.radius);
+    moves_.rounding += b_.field.rounding();
   }
   return true;
 }

@@ -3,6 +3,7 @@
 #include <boost/archive/binary_iarchive.hpp>
 #include <boost/archive/binary_oarchive.hpp>
 #include <boost/serialization/binary_object.hpp>
+#include <fmt/format.h>
 
 #include <cstddef>
 #include <sstream>
@@ -70,6 +71,13 @@ class VolumeArchive {
     archive& object;
   }
 };
+
+std::string archive_layout() {
+  constexpr int kRevision = 14;  // to change with what volumes are made of
+  return fmt::format("volumes {}, {} {} {} {} {}", kRevision, sizeof(SphereCover::Node),
+                     sizeof(ClearanceField::Cell), sizeof(TriangleBlock), sizeof(SidedBoxes),
+                     sizeof(SurfacePoints));
+}
 
 std::string archive_volumes(const MeshVolumes& volumes) {
   std::ostringstream stream(std::ios::binary);

@@ -20,6 +20,9 @@ struct MeshVolumes {
   SurfacePoints points;
 };
 
+/// What changes where the bytes of archived volumes do: a part of their key.
+[[nodiscard]] std::string archive_layout();
+
 /// Volumes as bytes, for this kind of processor.
 [[nodiscard]] std::string archive_volumes(const MeshVolumes& volumes);
 

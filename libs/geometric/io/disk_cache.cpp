@@ -5,17 +5,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <spdlog/spdlog.h>
-#include <xxhash.h>
 
 #include <algorithm>
 #include <cstdlib>
-#include <cstring>
-#include <exception>
-#include <filesystem>
 #include <fstream>
-#include <string>
-#include <string_view>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 namespace handway::geometric {
@@ -23,86 +18,127 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostFiles = 1000;
+constexpr std::size_t kChecksum = sizeof(Digest);  // bytes at the head of an entry
 
-std::optional<fs::path> cache_folder() {
+fs::path folder_of_user() {
   const char* cache = std::getenv("XDG_CACHE_HOME");
   if (cache != nullptr && *cache != '\0') {
-    return fs::path(cache) / "handway" / "meshes";
+    return fs::path(cache) / "handway";
   }
   const char* home = std::getenv("HOME");
-  if (home != nullptr && *home != '\0') {
-    return fs::path(home) / ".cache" / "handway" / "meshes";
-  }
-  return std::nullopt;
+  return home != nullptr && *home != '\0' ? fs::path(home) / ".cache" / "handway" : fs::path();
 }
 
-fs::path file_of(const fs::path& folder, const CacheKey& key) {
-  return folder / fmt::format("{:02x}.bin", fmt::join(key, ""));
+std::string bytes_of(const Digest& digest) { return {digest.begin(), digest.end()}; }
+
+std::string checksum(const CacheKey& key, std::string_view bytes) {
+  return bytes_of(digest_of(bytes_of(key) + bytes_of(digest_of(bytes))));
 }
 
-std::string checksum(std::string_view content) {
-  const XXH64_hash_t sum = XXH3_64bits(content.data(), content.size());
-  std::string bytes(sizeof sum, '\0');
-  std::memcpy(bytes.data(), &sum, sizeof sum);
-  return bytes;
-}
-
-void remove_oldest(const fs::path& folder) {
-  std::vector<fs::directory_entry> files{fs::directory_iterator(folder), {}};
-  if (files.size() <= kMostFiles) {
-    return;
+std::optional<std::string> content_of(const fs::path& file, std::uintmax_t most) {
+  std::error_code error;
+  if (!fs::is_regular_file(file, error)) {  // a pipe would never end
+    return std::nullopt;
   }
-  std::ranges::sort(files, {},
-                    [](const fs::directory_entry& file) { return file.last_write_time(); });
-  for (std::size_t i = 0; i < files.size() - kMostFiles / 2; ++i) {
-    fs::remove(files[i]);
+  std::ifstream stream(file, std::ios::binary | std::ios::ate);
+  const std::streamoff size = stream ? std::streamoff(stream.tellg()) : -1;
+  if (size < static_cast<std::streamoff>(kChecksum) || static_cast<std::uintmax_t>(size) > most) {
+    return std::nullopt;
   }
+  std::string content(static_cast<std::size_t>(size), '\0');
+  stream.seekg(0);
+  stream.read(content.data(), size);
+  return stream ? std::optional(std::move(content)) : std::nullopt;
 }
 
 }  // namespace
 
-CacheKey cache_key(std::string_view made_how, std::string_view content) {
-  const XXH64_hash_t how = XXH3_64bits(made_how.data(), made_how.size());
-  const XXH128_hash_t hash = XXH3_128bits_withSeed(content.data(), content.size(), how);
-  CacheKey key;
-  static_assert(sizeof hash == sizeof key);
-  std::memcpy(key.data(), &hash, sizeof hash);
-  return key;
+CacheKey cache_key(std::string_view layout, std::string_view content) {
+  return digest_of(fmt::format("handway {}, {}:", HANDWAY_VERSION, layout) +
+                   bytes_of(digest_of(content)));
 }
 
-std::optional<std::string> read_cached(const CacheKey& key) {
-  const std::optional<fs::path> folder = cache_folder();
-  std::ifstream file;
-  if (folder) {
-    file.open(file_of(*folder, key), std::ios::binary | std::ios::ate);
+DiskCache DiskCache::of_user() {
+  const fs::path folder = folder_of_user();
+  if (folder.empty()) {
+    return DiskCache({});
   }
-  if (!file.is_open()) {
+  std::error_code ignored;
+  fs::remove_all(folder / "collision", ignored);
+  return DiskCache(folder / "meshes");
+}
+
+DiskCache::DiskCache(fs::path folder, std::uintmax_t budget)
+    : folder_(std::move(folder)), budget_(budget) {}
+
+fs::path DiskCache::file_of(const CacheKey& key) const {
+  return folder_ / fmt::format("{:02x}.bin", fmt::join(key, ""));
+}
+
+std::optional<std::string> DiskCache::read(const CacheKey& key) const {
+  if (folder_.empty()) {
     return std::nullopt;
   }
-  std::string content(static_cast<std::size_t>(std::max<std::streamoff>(file.tellg(), 0)), '\0');
-  file.seekg(0);
-  file.read(content.data(), static_cast<std::streamsize>(content.size()));
-  constexpr std::size_t kSum = sizeof(XXH64_hash_t);
-  if (!file || content.size() < kSum ||
-      checksum(std::string_view(content).substr(kSum)) != content.substr(0, kSum)) {
+  const fs::path file = file_of(key);
+  std::optional<std::string> content = content_of(file, budget_);
+  if (!content || checksum(key, std::string_view(*content).substr(kChecksum)) !=
+                      content->substr(0, kChecksum)) {
     return std::nullopt;
   }
-  content.erase(0, kSum);
+  std::error_code ignored;  // where nothing can be written, nothing is removed either
+  fs::last_write_time(file, fs::file_time_type::clock::now(), ignored);
+  content->erase(0, kChecksum);
   return content;
 }
 
-void write_cached(const CacheKey& key, const std::string& bytes) {
-  const std::optional<fs::path> folder = cache_folder();
-  if (!folder) {
+void DiskCache::write(const CacheKey& key, std::string_view bytes) const {
+  if (folder_.empty() || bytes.size() + kChecksum > budget_) {
     return;
   }
   try {
-    fs::create_directories(*folder);
-    replace_file(file_of(*folder, key), checksum(bytes) + bytes);
-    remove_oldest(*folder);
+    fs::create_directories(folder_);
+    const fs::path file = file_of(key);
+    if (fs::exists(file) && !fs::is_regular_file(file)) {  // not ours, and a pipe might block
+      return;
+    }
+    replace_file(file, checksum(key, bytes).append(bytes));
+    keep_within_budget();
   } catch (const std::exception& error) {
-    spdlog::debug("what was prepared of a mesh is not kept: {}", error.what());
+    spdlog::debug("what was derived is not kept: {}", error.what());
+  }
+}
+
+void DiskCache::keep_within_budget() const {
+  struct Entry {
+    fs::path file;
+    fs::file_time_type last_use;
+    std::uintmax_t size;
+  };
+  std::vector<Entry> entries;
+  std::uintmax_t total = 0;
+  std::error_code error;
+  for (const fs::directory_entry& found : fs::directory_iterator(folder_)) {
+    if (found.is_symlink(error) || !found.is_regular_file(error)) {
+      continue;
+    }
+    const std::uintmax_t size = found.file_size(error);
+    const fs::file_time_type last_use = error ? fs::file_time_type() : found.last_write_time(error);
+    if (!error) {  // else another process has removed it
+      entries.push_back({found.path(), last_use, size});
+      total += size;
+    }
+  }
+  if (total <= budget_) {
+    return;
+  }
+  std::ranges::sort(entries, {}, &Entry::last_use);
+  const std::uintmax_t enough = budget_ - budget_ / 4;  // so as not to do this for every entry
+  for (const Entry& entry : entries) {
+    if (total <= enough) {
+      return;
+    }
+    fs::remove(entry.file, error);
+    total -= entry.size;
   }
 }
 

@@ -9,6 +9,7 @@
 #include <array>
 #include <cctype>
 #include <chrono>
+#include <cmath>
 #include <cstring>
 #include <memory>
 #include <optional>
@@ -223,6 +224,7 @@ class Reading {
     const auto& [red, green, blue, alpha] = reply_.color;
     mesh_.color = {red, green, blue, alpha};
     mesh_.includes_files = reply_.includes_files != 0;
+    mesh_.largest = reply_.largest;
     std::string_view rest = text_;
     while (!rest.empty()) {
       const std::size_t end = std::min(rest.find('\n'), rest.size());
@@ -244,6 +246,24 @@ class Reading {
 
 ImportedMesh import_mesh(const fs::path& file, MeshFormat format, double scale) {
   return Reading(file, format, scale).run();
+}
+
+std::optional<InputProblem> rounding_problem(double largest) {
+  constexpr double kShare = 6e-8;  // of a coordinate
+  constexpr double kMost = 1e-5;   // m
+  if (largest * kShare <= kMost) {
+    return std::nullopt;
+  }
+  return InputProblem{
+      "", "",
+      fmt::format("a coordinate of {:.6g} m, which is read in single precision and so rounded by "
+                  "{:.2g} mm",
+                  largest, 1e3 * kShare * largest),
+      fmt::format("coordinates up to {:.0f} m, rounded by 0.01 mm at most",
+                  std::floor(kMost / kShare)),
+      "Check the unit and the scale; or export the mesh about an origin nearby, and place it by "
+      "its "
+      "pose"};
 }
 
 bool is_assimp_file(const fs::path& file) {

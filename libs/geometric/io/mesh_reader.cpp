@@ -1,5 +1,6 @@
 #include "handway/geometric/io/mesh_reader.h"
 
+#include "handway/geometric/io/files_read.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/mesh_import.h"
 #include "io/mesh_cleaning.h"
@@ -14,8 +15,6 @@ namespace handway::geometric {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr double kFarthest = 1e6;  // m; beyond it collision checking loses its digits
 
 using FileKey = std::tuple<fs::path, std::uintmax_t, fs::file_time_type, double, double, double>;
 
@@ -59,18 +58,22 @@ class MeshSource {
   }
 
   [[nodiscard]] std::shared_ptr<const TriangleMesh> read(const Eigen::Vector3d& scale) const {
-    TriangleMesh raw;
+    ImportedMesh imported;
     try {
-      raw = import_mesh(file_, MeshFormat::kAssimp).triangles;
+      imported = import_mesh(file_, MeshFormat::kAssimp);
     } catch (const InputError& error) {
       refuse(error.problem().found, error.problem().expected, error.problem().advice);
     }
+    TriangleMesh& raw = imported.triangles;
     for (Eigen::Vector3d& vertex : raw.vertices) {
       vertex = vertex.cwiseProduct(scale);
-      if (!vertex.allFinite() || vertex.cwiseAbs().maxCoeff() > kFarthest) {
-        refuse("a vertex that is not finite or farther than 1000 km", "coordinates in metres",
+      if (!vertex.allFinite()) {
+        refuse("a vertex that is not finite", "coordinates in metres",
                "Export the mesh again, or check its scale");
       }
+    }
+    if (const auto problem = rounding_problem(imported.largest * scale.cwiseAbs().maxCoeff())) {
+      refuse(problem->found, problem->expected, problem->advice);
     }
     if (scale.prod() < 0.0) {
       for (auto& triangle : raw.triangles) {
@@ -108,6 +111,7 @@ std::shared_ptr<const TriangleMesh> read_mesh(const fs::path& file, const Eigen:
   if (!fs::is_regular_file(canonical, error)) {
     source.refuse("something that is not a file", "a mesh file");
   }
+  note_file_read(canonical);
   std::error_code ignored;
   const FileKey key(canonical, fs::file_size(canonical, ignored),
                     fs::last_write_time(canonical, ignored), scale.x(), scale.y(), scale.z());

@@ -1,5 +1,6 @@
 #include "handway/geometric/io/text_file.h"
 
+#include "handway/geometric/io/files_read.h"
 #include "handway/geometric/io/input_error.h"
 
 #include <algorithm>
@@ -65,6 +66,7 @@ std::string read_text_file(const fs::path& file, const std::string& what, std::s
   if (!fs::is_regular_file(status)) {  // devices and pipes may have no end, or never begin
     throw InputError({file.string(), "", "no regular file", what, "Save it to a file"});
   }
+  note_file_read(file);
   std::ifstream stream(file, std::ios::binary);
   std::string text;
   if (stream) {

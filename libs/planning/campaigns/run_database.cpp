@@ -3,6 +3,7 @@
 #include "campaigns/folder_lock.h"
 #include "campaigns/run_columns.h"
 #include "campaigns/run_schema.h"
+#include "handway/geometric/io/digest.h"
 #include "handway/geometric/io/input_error.h"
 
 #include <SQLiteCpp/SQLiteCpp.h>
@@ -12,10 +13,9 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <set>
+#include <sstream>
 #include <system_error>
 #include <tuple>
 #include <type_traits>
@@ -39,16 +39,29 @@ constexpr const char* kResumeAdvice =
       {file.string(), "", error.what(), "a run database that can be written", kResumeAdvice});
 }
 
-// FNV-1a, 64 bits, of a file's bytes: tells a file that was changed from one that was not.
-std::string digest_of(const fs::path& file) {
-  constexpr std::uint64_t kOffset = 14695981039346656037ULL;
-  constexpr std::uint64_t kPrime = 1099511628211ULL;
-  std::ifstream in(file, std::ios::binary);
-  std::uint64_t hash = kOffset;
-  for (std::istreambuf_iterator<char> at(in), end; at != end; ++at) {
-    hash = (hash ^ static_cast<unsigned char>(*at)) * kPrime;
+// A line for each file of a problem: its digest and its path.
+std::string digests_of(const CampaignProblem& problem) {
+  std::string lines = fmt::format("{} {}\n", geometric::digest_of_file(problem.file),
+                                  fs::absolute(problem.file).lexically_normal().string());
+  for (const fs::path& file : problem.files) {
+    const std::string line = fmt::format("{} {}\n", geometric::digest_of_file(file), file.string());
+    lines += lines.starts_with(line) ? "" : line;
   }
-  return fmt::format("{:016x}", hash);
+  return lines;
+}
+
+// What differs first between two such texts.
+std::string first_difference(const std::string& before, const std::string& now) {
+  std::istringstream old_lines(before);
+  std::istringstream new_lines(now);
+  std::string old_line;
+  std::string new_line;
+  while (std::getline(new_lines, new_line)) {
+    if (!std::getline(old_lines, old_line) || old_line != new_line) {
+      return new_line.substr(new_line.find(' ') + 1);
+    }
+  }
+  return old_line.substr(old_line.find(' ') + 1);
 }
 
 std::string json_of(const ParameterTexts& parameters) {
@@ -130,14 +143,14 @@ void RunDatabase::Connection::keep_setting(const char* key, const std::string& v
 }
 
 std::int64_t RunDatabase::Connection::problem_id(const CampaignProblem& problem) {
-  const std::string digest = digest_of(problem.file);
+  const std::string digest = digests_of(problem);
   Statement query(database, "SELECT id, digest FROM problem WHERE name = ?");
   query.bind(1, problem.name);
   if (query.executeStep()) {
-    if (query.getColumn(1).getString() != digest) {
+    if (const std::string kept = query.getColumn(1).getString(); kept != digest) {
       throw InputError({file.string(), fmt::format("problem \"{}\"", problem.name),
                         "runs of another or an older file",
-                        fmt::format("runs of {} as it is now", problem.file.string()),
+                        fmt::format("runs of {} as it is now", first_difference(kept, digest)),
                         "Choose another folder, or give the problem another name"});
     }
     return query.getColumn(0).getInt64();

@@ -1,5 +1,6 @@
 #include "handway/planning/campaigns/run_executor.h"
 
+#include "handway/geometric/io/files_read.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/planning/paths/path_csv.h"
 
@@ -50,10 +51,12 @@ RunRecord record_of(const RunSpec& spec, const PlanResult& result,
 
 }  // namespace
 
-RunExecutor::RunExecutor(const Campaign& campaign, const Extensions& extensions)
-    : campaign_(campaign), extensions_(extensions) {
-  for (const CampaignProblem& problem : campaign.problems) {
+RunExecutor::RunExecutor(Campaign campaign, const Extensions& extensions)
+    : campaign_(std::move(campaign)), extensions_(extensions) {
+  for (CampaignProblem& problem : campaign_.problems) {
+    const geometric::FilesRead notes;
     const LoadedScene loaded = load_scene(problem.file, extensions);
+    problem.files = notes.files();
     problems_.push_back(make_problem(loaded.scene, loaded.basis));
   }
 }

@@ -55,7 +55,9 @@ const Configuration& needed(const geometric::Scene& scene, const char* which,
 }  // namespace
 
 PlanningProblem make_problem(std::shared_ptr<const geometric::Scene> scene,
-                             std::shared_ptr<const sampling::PmdBasis> basis) {
+                             std::shared_ptr<const sampling::PmdBasis> basis,
+                             const geometric::Preparation& preparation) {
+  geometric::end_if_stopped(preparation.stop);
   const auto world = std::make_shared<const geometric::CollisionWorld>(*scene);
   PlanningProblem problem;
   problem.hand = hand_variables(*scene, basis.get());
@@ -64,7 +66,8 @@ PlanningProblem make_problem(std::shared_ptr<const geometric::Scene> scene,
   problem.goal = needed(*scene, "goal", scene->goal);
   problem.scene = std::move(scene);
   problem.basis = std::move(basis);
-  problem.checker = geometric::make_collision_checker(world);
+  problem.checker =
+      geometric::make_collision_checker(world, geometric::CheckerKind::kFast, preparation);
   problem.motion = std::make_shared<const geometric::MotionBound>(*world);
   return problem;
 }

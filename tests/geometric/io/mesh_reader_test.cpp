@@ -167,8 +167,36 @@ TEST(MeshReader, RefusesWhatIsNoMesh) {
   EXPECT_THAT(refused(files.write("nan.stl", stl(stl_triangle("0 0 0", "nan 0 0", "0 1 0"))), one),
               HasSubstr("not finite"));
   EXPECT_THAT(refused(files.write("far.stl", stl(stl_triangle("0 0 0", "1e9 0 0", "0 1 0"))), one),
-              HasSubstr("1000 km"));
+              AllOf(HasSubstr("far.stl"), HasSubstr("single precision")));
   EXPECT_THAT(refused(files.write("s.obj", kSquareObj), {1, 0, 1}), HasSubstr("scale"));
+}
+
+TEST(MeshReader, RefusesCoordinatesThatSinglePrecisionRoundsByMoreThanTenMicrometres) {
+  const ScratchFiles files;
+  const auto message = [&](const std::string& file, const std::string& content,
+                           const Eigen::Vector3d& scale) {
+    return input_error_of([&] { static_cast<void>(read_mesh(files.write(file, content), scale)); });
+  };
+  const Eigen::Vector3d metres(1, 1, 1);
+  const Eigen::Vector3d millimetres(0.001, 0.001, 0.001);
+  const auto triangle_at = [](const std::string& x) {
+    return stl(stl_triangle(x + " 0 0", x + " 1 0", x + " 0 1"));
+  };
+  EXPECT_EQ(message("near.stl", triangle_at("160"), metres), "no error");
+  EXPECT_THAT(message("far.stl", triangle_at("170"), metres),
+              AllOf(HasSubstr("far.stl"), HasSubstr("170 m"), HasSubstr("up to 166 m")));
+  EXPECT_EQ(message("mm.stl", triangle_at("160000"), millimetres), "no error");
+  EXPECT_THAT(message("far_mm.stl", triangle_at("170000"), millimetres), HasSubstr("170 m"));
+}
+
+TEST(MeshReader, RefusesNodesThatBringFarVerticesBack) {
+  const ScratchFiles files;
+  std::string brought_back = dae("1", "Z_UP");
+  brought_back.replace(brought_back.find("0 10 0"), 6, "0 -5000 0");
+  brought_back.replace(brought_back.find("0 0 0 1 0 0 0 0 2"), 17, "0 5000 0 1 5000 0 0 5000 2");
+  EXPECT_THAT(
+      input_error_of([&] { static_cast<void>(read_mesh(files.write("back.dae", brought_back))); }),
+      HasSubstr("5000 m"));
 }
 
 }  // namespace

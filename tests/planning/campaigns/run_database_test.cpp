@@ -124,6 +124,26 @@ TEST_F(RunDatabaseTest, RefusesRunsThatDoNotBelongTogether) {
               ThrowsMessage<InputError>(HasSubstr("problem \"first\"")));
 }
 
+TEST_F(RunDatabaseTest, NoticesAChangeOfAnyFileThatAProblemRefersTo) {
+  const fs::path mesh = folder_.path() / "mesh.obj";
+  const fs::path robot = folder_.path() / "robot.urdf";
+  std::ofstream(mesh) << "a mesh";
+  std::ofstream(robot) << "a robot";
+  campaign_.problems[0].files = {problem_, robot, mesh};
+  const auto open = [&] { RunDatabase(file_, campaign_, "1.0", Opening::kResume); };
+  RunDatabase(file_, campaign_, "1.0", Opening::kNew).add(std::vector{record_of({0, 0, 1})});
+  EXPECT_NO_THROW(open());
+  for (const fs::path& file : {robot, mesh}) {
+    const std::string before = file == mesh ? "a mesh" : "a robot";
+    std::ofstream(file) << before << ", edited";
+    EXPECT_THAT(open, ThrowsMessage<InputError>(HasSubstr(file.string() + " as it is now")));
+    std::ofstream(file) << before;
+    EXPECT_NO_THROW(open());
+  }
+  fs::remove(mesh);
+  EXPECT_THAT(open, ThrowsMessage<InputError>(HasSubstr("mesh.obj")));
+}
+
 TEST_F(RunDatabaseTest, KeepsASecondProgramOut) {
   const RunDatabase database(file_, campaign_, "1.0", Opening::kNew);
   EXPECT_THAT([&] { RunDatabase(file_, campaign_, "1.0", Opening::kResume); },

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "handway/geometric/collision/collision_checker.h"
+#include "handway/geometric/collision/preparation.h"
 #include "handway/geometric/export.h"
 
 #include <memory>
@@ -16,7 +17,9 @@ class SurfaceQuery;
 /// closer than what was asked for. Only what seems to touch goes to FCL.
 class HANDWAY_GEOMETRIC_EXPORT BoundedChecker final : public CollisionChecker {
  public:
-  explicit BoundedChecker(std::shared_ptr<const CollisionWorld> world);
+  /// @throws PreparationStopped where `preparation` asks for it.
+  explicit BoundedChecker(std::shared_ptr<const CollisionWorld> world,
+                          const Preparation& preparation = {});
   ~BoundedChecker() override;
 
   [[nodiscard]] std::unique_ptr<CollisionChecker> clone() const override;

@@ -12,6 +12,11 @@ namespace handway::geometric {
 
 struct BodySolids;
 
+/// How far from the origin anything may be, m: any point of a robot's or an object's frame, of a
+/// joint in its parent's, of a vertex in its mesh's. Up to there checkers agree on what touches
+/// beyond 1 µm of contact, and distances are right within 1 µm.
+inline constexpr double kFarthestPoint = 1e6;
+
 /// One rigid set of triangles: a link of the planned robot with all its
 /// collision shapes, a carried object, or something that stands still.
 struct CollisionBody {
@@ -19,10 +24,13 @@ struct CollisionBody {
   int link = -1;     ///< Link of the planned robot that carries the body; -1: stands still.
   Pose X_FB = Pose::Identity();              ///< In the carrying link's frame, or in the world.
   std::shared_ptr<const TriangleMesh> mesh;  ///< In the body's frame B.
-  bool is_carried = false;  ///< An object on a link; links themselves are at X_FB = identity.
-  std::vector<std::string> touching = {};  ///< Of a carried object: bodies that it may touch.
+  bool is_carried = false;                   ///< An object on a link.
+  std::vector<std::string> touching = {};    ///< Of a carried object: bodies that it may touch.
   /// Its closed shapes, inside of which nothing may be; never null.
   std::shared_ptr<const BodySolids> solids = nullptr;
+  /// Of B in the link's or the object's frame, along its axes, m: other than 0 for a mesh that is
+  /// far from the origin of that frame. Links and objects are at X_FB but for this.
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
 
   [[nodiscard]] bool moves() const { return link >= 0; }
 };
@@ -45,7 +53,8 @@ struct BodyPair {
 /// that carries it and the links it may touch.
 class HANDWAY_GEOMETRIC_EXPORT CollisionWorld {
  public:
-  /// @throws InputError if the scene has no robot or an attachment names none.
+  /// @throws InputError if the scene has no robot, an attachment names none, or a point is
+  /// farther away than kFarthestPoint.
   explicit CollisionWorld(const Scene& scene);
 
   /// This world after a change of one object that stands still, all else shared: what

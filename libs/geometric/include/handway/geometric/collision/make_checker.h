@@ -1,6 +1,7 @@
 #pragma once
 
 #include "handway/geometric/collision/collision_checker.h"
+#include "handway/geometric/collision/preparation.h"
 #include "handway/geometric/export.h"
 
 #include <memory>
@@ -15,7 +16,9 @@ enum class CheckerKind {
 };
 
 /// @param kind the one that programs use unless asked for another is exact and fast.
+/// @throws PreparationStopped where `preparation` asks for it.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::unique_ptr<CollisionChecker> make_collision_checker(
-    std::shared_ptr<const CollisionWorld> world, CheckerKind kind = CheckerKind::kFast);
+    std::shared_ptr<const CollisionWorld> world, CheckerKind kind = CheckerKind::kFast,
+    const Preparation& preparation = {});
 
 }  // namespace handway::geometric

@@ -1,30 +1,65 @@
 #pragma once
 
 #include "handway/geometric/export.h"
+#include "handway/geometric/io/digest.h"
 
-#include <array>
 #include <cstdint>
+#include <exception>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 
 namespace handway::geometric {
 
-/// Tells contents apart (XXH3, 128 bits).
-using CacheKey = std::array<std::uint8_t, 16>;
+using CacheKey = Digest;
 
-/// The key of `content`, told apart from other ways of making things of it by
-/// `made_how`.
-[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT CacheKey cache_key(std::string_view made_how,
+/// The key of what this version of the program derives from `content`.
+/// @param layout what is derived and how it is laid out as bytes: to change with either.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT CacheKey cache_key(std::string_view layout,
                                                           std::string_view content);
 
-/// What was kept in the user's cache ($XDG_CACHE_HOME/handway, else
-/// ~/.cache/handway), if it is there and whole: what is broken is as good as not
-/// there.
-[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::optional<std::string> read_cached(const CacheKey& key);
+/// A folder of what takes long to derive, an entry a key. Each carries a checksum of its key and
+/// its bytes: what is truncated, changed, copied from another entry or no file at all counts as
+/// not there. Nothing here fails: without a folder that can be read and written, nothing is kept.
+/// For any thread and several processes at a time.
+class HANDWAY_GEOMETRIC_EXPORT DiskCache {
+ public:
+  static constexpr std::uintmax_t kBudget = std::uintmax_t{512} << 20;  ///< Bytes.
 
-/// Keeps `bytes` in the cache, if there is one and it can be written; the oldest
-/// entries go when there are too many.
-HANDWAY_GEOMETRIC_EXPORT void write_cached(const CacheKey& key, const std::string& bytes);
+  /// The user's: $XDG_CACHE_HOME/handway/meshes, else ~/.cache/handway/meshes. Removes the folder
+  /// that early versions used.
+  [[nodiscard]] static DiskCache of_user();
+
+  /// @param folder is made with the first entry; empty: nothing is kept.
+  /// @param budget bytes that all entries may take together.
+  explicit DiskCache(std::filesystem::path folder, std::uintmax_t budget = kBudget);
+
+  [[nodiscard]] std::optional<std::string> read(const CacheKey& key) const;
+
+  /// What `decode` makes of the entry's bytes; nothing if there is none or `decode` throws.
+  template <typename Decode>
+  [[nodiscard]] auto read_as(const CacheKey& key, const Decode& decode) const
+      -> std::optional<std::invoke_result_t<Decode, const std::string&>> {
+    if (const std::optional<std::string> bytes = read(key)) {
+      try {
+        return decode(*bytes);
+      } catch (const std::exception&) {  // to be derived again
+      }
+    }
+    return std::nullopt;
+  }
+
+  /// Removes the entries that were not used for the longest time where the budget is exceeded.
+  void write(const CacheKey& key, std::string_view bytes) const;
+
+ private:
+  [[nodiscard]] std::filesystem::path file_of(const CacheKey& key) const;
+  void keep_within_budget() const;
+
+  std::filesystem::path folder_;
+  std::uintmax_t budget_;
+};
 
 }  // namespace handway::geometric

@@ -1,11 +1,13 @@
 #pragma once
 
 #include "handway/geometric/export.h"
+#include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/mesh_stream.h"
 #include "handway/geometric/scene/color.h"
 #include "handway/geometric/scene/triangle_mesh.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +18,9 @@ struct ImportedMesh {
   TriangleMesh triangles;       ///< All parts in the file's root frame.
   Color color;                  ///< Of the first triangle (Inventor files only).
   bool includes_files = false;  ///< Parts of it come from other files.
+  /// The largest coordinate on the way from the file's numbers to the root frame, in the units of
+  /// `triangles`: the libraries read in single precision, which rounds by up to 6e-8 of it.
+  double largest = 0.0;
   std::vector<std::string> warnings;
 };
 
@@ -38,6 +43,10 @@ struct ImportedMesh {
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT ImportedMesh import_mesh(const std::filesystem::path& file,
                                                                 MeshFormat format,
                                                                 double scale = 1.0);
+
+/// What is wrong with a mesh if single precision has rounded it by more than 10 µm, without a
+/// source; nothing if it has not. @param largest coordinate (m), see ImportedMesh.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::optional<InputProblem> rounding_problem(double largest);
 
 /// Does the file's name end like one of a mesh format that assimp knows?
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT bool is_assimp_file(const std::filesystem::path& file);

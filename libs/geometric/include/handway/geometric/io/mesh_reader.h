@@ -29,9 +29,11 @@ namespace handway::geometric {
 /// same object. May be called from any thread.
 ///
 /// @param referenced_by who names the file, for messages ("robot.urdf:12").
+/// Coordinates are read in single precision: rounded by 6e-8 of the largest.
+///
 /// @throws InputError if the file is missing, can't be read, has no triangle,
-/// or has a vertex that is not finite or farther than 1000 km; if a scale is
-/// zero or not finite.
+/// or has a vertex that is not finite or so far from the origin (166 m) that
+/// rounding moves it by more than 0.01 mm; if a scale is zero or not finite.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::shared_ptr<const TriangleMesh> read_mesh(
     const std::filesystem::path& file, const Eigen::Vector3d& scale = Eigen::Vector3d::Ones(),
     const std::string& referenced_by = "");

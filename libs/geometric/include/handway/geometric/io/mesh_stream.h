@@ -21,7 +21,7 @@ enum class MeshFormat : std::uint32_t {
 };
 
 inline constexpr int kMeshReaderSocket = 3;
-inline constexpr std::uint32_t kMeshStreamMark = 0x48574D33;  // changes with the structures
+inline constexpr std::uint32_t kMeshStreamMark = 0x48574D34;  // changes with the structures
 inline constexpr std::size_t kLongestMeshPath = 4096;
 inline constexpr std::size_t kLongestMeshText = 65536;
 
@@ -49,6 +49,7 @@ struct MeshReply {
   std::uint32_t text_bytes = 0;
   std::uint64_t vertices = 0;
   std::uint64_t triangles = 0;
+  double largest = 0.0;  ///< Coordinate that was handled in single precision.
 };
 
 enum class MeshReadingOutcome : std::uint32_t {

@@ -21,6 +21,8 @@ using ParameterTexts = std::vector<std::pair<std::string, std::string>>;
 struct CampaignProblem {
   std::string name;  ///< Unique in the campaign.
   std::filesystem::path file;
+  /// What `file` refers to: robots, meshes, bases, …, itself included; empty: not known.
+  std::vector<std::filesystem::path> files = {};
 };
 
 /// A planner with one value for each of its parameters.

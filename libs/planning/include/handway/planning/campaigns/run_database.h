@@ -30,9 +30,10 @@ class HANDWAY_PLANNING_EXPORT RunDatabase {
 
   /// Opens or makes `file` for the runs of `campaign`. It may hold more than the campaign
   /// asks for: runs of other seeds, problems or parameters stay untouched.
+  /// @param campaign as RunExecutor::campaign() gives it, with all files of its problems.
   /// @param version of the program, kept with each run.
   /// @throws InputError if the file can't be written, is another program's, is in use, or
-  /// holds runs of other problem files, threads or time limit under the same names.
+  /// holds runs of problems of other files, threads or time limit under the same names.
   RunDatabase(const std::filesystem::path& file, const Campaign& campaign, std::string version,
               Opening opening);
   ~RunDatabase();

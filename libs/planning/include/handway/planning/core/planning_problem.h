@@ -2,6 +2,7 @@
 
 #include "handway/geometric/collision/collision_checker.h"
 #include "handway/geometric/collision/motion_bound.h"
+#include "handway/geometric/collision/preparation.h"
 #include "handway/geometric/scene/scene.h"
 #include "handway/planning/export.h"
 #include "handway/sampling/postures/pmd_basis.h"
@@ -33,9 +34,10 @@ struct PlanningProblem {
 /// names. Start and goal are the scene's.
 /// @param basis may be null.
 /// @throws InputError if the scene lacks a robot, a start or a goal, or the
-/// basis names a joint that the robot has not.
+/// basis names a joint that the robot has not; PreparationStopped where `preparation` asks for it.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT PlanningProblem make_problem(
-    std::shared_ptr<const geometric::Scene> scene, std::shared_ptr<const sampling::PmdBasis> basis);
+    std::shared_ptr<const geometric::Scene> scene, std::shared_ptr<const sampling::PmdBasis> basis,
+    const geometric::Preparation& preparation = {});
 
 /// Distance of two configurations in joints normalised to [0, 1] (paper, section 7).
 [[nodiscard]] HANDWAY_PLANNING_EXPORT double normalised_distance(const geometric::RobotModel& model,
