@@ -3,6 +3,7 @@
 #include "exit_codes.h"
 #include "handway/geometric/collision/make_checker.h"
 #include "handway/geometric/math/units.h"
+#include "handway/geometric/robot/limit_violation.h"
 #include "handway/planning/core/planning_problem.h"
 #include "handway/planning/core/plugin.h"
 
@@ -24,8 +25,6 @@ namespace {
 
 using geometric::RobotModel;
 using Json = nlohmann::ordered_json;
-
-constexpr double kLimitTolerance = 1e-9;  // rad or m, as planning takes it
 
 std::size_t triangle_count(const std::vector<geometric::LinkGeometry>& geometry) {
   std::size_t count = 0;
@@ -92,6 +91,7 @@ void print_basis(const sampling::PmdBasis& basis) {
 struct End {
   const char* which;
   bool within_limits = true;
+  std::vector<geometric::LimitViolation> violations = {};
   std::vector<geometric::NamedPair> touching = {};
   std::optional<geometric::NamedPair> closest =
       std::nullopt;  ///< Of a free one, if there is a pair.
@@ -106,8 +106,8 @@ std::vector<End> examine_ends(const geometric::Scene& scene, geometric::Collisio
       continue;
     }
     End end{which};
-    end.within_limits = ((**q - model.lower()).array() >= -kLimitTolerance).all() &&
-                        ((model.upper() - **q).array() >= -kLimitTolerance).all();
+    end.violations = geometric::limit_violations(model, **q);
+    end.within_limits = end.violations.empty();
     end.touching = geometric::find_collisions(checker, **q);
     if (end.touching.empty() && !checker.world().pairs().empty()) {
       end.closest = geometric::find_clearance(checker, **q);
@@ -119,8 +119,8 @@ std::vector<End> examine_ends(const geometric::Scene& scene, geometric::Collisio
 
 void print_ends(const std::vector<End>& ends, const geometric::CollisionChecker& checker) {
   for (const End& end : ends) {
-    if (!end.within_limits) {
-      fmt::print("{}: OUT OF LIMITS\n", end.which);
+    for (const geometric::LimitViolation& violation : end.violations) {
+      fmt::print("{}: OUT OF LIMITS, {}\n", end.which, to_string(violation));
     }
     if (end.closest) {
       fmt::print("{}: free, closest {} with {} at {:.3f} mm\n", end.which, end.closest->a,

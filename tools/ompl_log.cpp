@@ -26,8 +26,11 @@ int status_number(const RunRecord& run) {
   if (run.solved) {
     return 6;
   }
-  const std::array<std::pair<const char*, int>, 4> numbers = {
-      {{"start invalid", 1}, {"goal invalid", 2}, {"time limit", 4}, {"samples spent", 4}}};
+  const std::array<std::pair<const char*, int>, 5> numbers = {{{"start invalid", 1},
+                                                               {"goal invalid", 2},
+                                                               {"time limit", 4},
+                                                               {"samples spent", 4},
+                                                               {"stalled", 4}}};
   const auto* found = std::ranges::find(numbers, run.status,
                                         [](const auto& pair) { return std::string(pair.first); });
   return found == numbers.end() ? 0 : found->second;

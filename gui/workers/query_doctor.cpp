@@ -1,20 +1,18 @@
 #include "workers/query_doctor.h"
 
+#include "handway/geometric/robot/limit_violation.h"
+
 #include <exception>
 #include <utility>
 
 namespace handway::gui {
 namespace {
 
-constexpr double kLimitTolerance = 1e-9;  // rad or m, as planning takes it
-
 std::vector<std::string> joints_beyond_limits(const geometric::RobotModel& model,
                                               const geometric::Configuration& q) {
   std::vector<std::string> names;
-  for (int v = 0; v < model.variable_count(); ++v) {
-    if (q[v] < model.lower()[v] - kLimitTolerance || q[v] > model.upper()[v] + kLimitTolerance) {
-      names.push_back(model.variable(v).name);
-    }
+  for (const geometric::LimitViolation& violation : geometric::limit_violations(model, q)) {
+    names.push_back(violation.joint);
   }
   return names;
 }

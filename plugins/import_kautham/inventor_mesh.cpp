@@ -23,7 +23,7 @@ InventorMesh read_inventor_mesh(const std::filesystem::path& file, double scale)
     throw geometric::InputError(*std::move(problem));
   }
   return {std::make_shared<const geometric::TriangleMesh>(std::move(mesh.triangles)), mesh.color,
-          mesh.includes_files};
+          mesh.includes_files, std::move(mesh.warnings)};
 }
 
 }  // namespace handway::import_kautham

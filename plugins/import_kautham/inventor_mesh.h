@@ -5,6 +5,8 @@
 
 #include <filesystem>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace handway::import_kautham {
 
@@ -13,6 +15,7 @@ struct InventorMesh {
   std::shared_ptr<const geometric::TriangleMesh> triangles;  ///< m
   geometric::Color color;                                    ///< Diffuse, of the first triangle.
   bool includes_files = false;                               ///< Parts of it come from others.
+  std::vector<std::string> warnings = {};                    ///< Textures that can't be read.
 };
 
 /// Reads an Open Inventor or VRML file whose lengths, times `scale`, are

@@ -84,7 +84,7 @@ InventorMesh read_or_remember(const std::filesystem::path& file, double scale) {
     return *std::move(known);
   }
   InventorMesh mesh = read_inventor_mesh(file, scale);
-  if (!mesh.includes_files) {
+  if (!mesh.includes_files && mesh.warnings.empty()) {
     cache.write(key, archived(mesh));
   }
   return mesh;
@@ -97,6 +97,9 @@ const InventorMesh& InventorMeshes::load(const std::filesystem::path& file, doub
   auto found = meshes_.find(key);
   if (found == meshes_.end()) {
     found = meshes_.emplace(key, read_or_remember(key.first, scale)).first;
+    for (const std::string& warning : found->second.warnings) {
+      warnings_.push_back(key.first.filename().string() + ": " + warning);
+    }
   }
   return found->second;
 }

@@ -1,5 +1,7 @@
 #include "kautham_model.h"
 
+#include "handway/geometric/io/existing_file.h"
+
 #include <algorithm>
 #include <cmath>
 #include <string_view>
@@ -175,8 +177,13 @@ std::shared_ptr<const geometric::RobotModel> make_robot_model(const KauthamRobot
   const std::vector<int> leaders = find_leaders(robot, description.warnings);
   for (int i = 0; i < static_cast<int>(robot.joints.size()); ++i) {
     const KauthamJoint& from = joint_at(robot, i);
-    const InventorMesh& mesh = meshes.load(from.mesh, scale);
-    const geometric::Mesh shape{std::filesystem::absolute(from.mesh).lexically_normal(),
+    const std::filesystem::path file = geometric::existing_file(from.mesh);
+    if (geometric::differs_in_case(from.mesh, file)) {
+      description.warnings.push_back("mesh " + from.mesh.filename().string() +
+                                     ": the file's name has other letters");
+    }
+    const InventorMesh& mesh = meshes.load(file, scale);
+    const geometric::Mesh shape{std::filesystem::absolute(file).lexically_normal(),
                                 Eigen::Vector3d::Constant(scale), mesh.triangles};
     const geometric::LinkGeometry geometry{shape, Pose::Identity(), mesh.color};
     description.links.push_back({from.name, {geometry}, {geometry}});

@@ -20,6 +20,7 @@ double read_scale(const XmlFile& xml, pugi::xml_node node) {
 }
 
 KauthamProblem::PlacedRobot read_robot(const XmlFile& xml, pugi::xml_node node) {
+  xml.refuse_slips(node, {"Home", "Limits", "InvKinematic"});
   KauthamProblem::PlacedRobot robot{xml.text(node, "robot"), read_scale(xml, node)};
   if (const pugi::xml_node home = node.child("Home")) {
     robot.X_WH = read_location(xml, home);
@@ -100,6 +101,7 @@ KauthamProblem read_kautham_problem(const std::filesystem::path& file) {
   } else if (problem.name.ends_with(".xml")) {
     problem.name.resize(problem.name.size() - std::string_view(".xml").size());
   }
+  xml.refuse_slips(xml.root(), {"Robot", "Scene", "Planner"});
   for (const pugi::xml_node node : xml.root().children("Robot")) {
     problem.robots.push_back(read_robot(xml, node));
   }

@@ -62,7 +62,9 @@ class RobotReader {
   }
 
   void read_joints() {
+    xml_.refuse_slips(xml_.root(), {"Joints", "ControlSet"});
     const pugi::xml_node list = xml_.child(xml_.root(), "Joints");
+    xml_.refuse_slips(list, {"Joint"});
     for (const pugi::xml_node node : list.children("Joint")) {
       robot_.joints.push_back(read_joint(node));
     }
@@ -73,6 +75,7 @@ class RobotReader {
   }
 
   KauthamJoint read_joint(pugi::xml_node node) {
+    xml_.refuse_slips(node, {"DHPars", "Description", "Limits", "Weight", "Parent", "PreTrans"});
     KauthamJoint joint;
     joint.name = xml_.text(node, "name");
     if (find_joint(robot_, joint.name)) {
@@ -127,6 +130,7 @@ class RobotReader {
   }
 
   void read_controls(pugi::xml_node set) {
+    xml_.refuse_slips(set, {"Offset", "Control"});
     robot_.offset = read_factors(xml_.child(set, "Offset"));
     for (const pugi::xml_node node : set.children("Control")) {
       KauthamControl control;
@@ -157,6 +161,7 @@ class RobotReader {
 
   // The DOF elements of a control or of the offset; joints not named get 0.
   Eigen::VectorXd read_factors(pugi::xml_node node) const {
+    xml_.refuse_slips(node, {"DOF"});
     Eigen::VectorXd factors = Eigen::VectorXd::Zero(joint_count());
     for (const pugi::xml_node dof : node.children("DOF")) {
       const std::string name = xml_.text(dof, "name");

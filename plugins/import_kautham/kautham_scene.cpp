@@ -1,5 +1,6 @@
 #include "kautham_scene.h"
 
+#include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/input_error.h"
 #include "kautham_model.h"
 
@@ -54,6 +55,7 @@ class SceneBuilder {
       add_obstacle(obstacle);
     }
     note_planner();
+    note_textures();
     return {scene_, basis_};
   }
 
@@ -62,7 +64,7 @@ class SceneBuilder {
     std::vector<KauthamRobot> robots;
     std::size_t controls = 0;
     for (const KauthamProblem::PlacedRobot& placed : problem_.robots) {
-      robots.push_back(read_kautham_robot(folder_ / placed.file));
+      robots.push_back(read_kautham_robot(found(placed.file)));
       controls += robots.back().controls.size();
     }
     const bool has_query = !problem_.init.empty() || !problem_.goal.empty();
@@ -106,10 +108,20 @@ class SceneBuilder {
     }
   }
 
+  // The file of this name, as the problem writes it or, with a warning, in other letters.
+  [[nodiscard]] std::filesystem::path found(const std::filesystem::path& written) {
+    std::filesystem::path file = geometric::existing_file(folder_ / written);
+    if (geometric::differs_in_case(written, file)) {
+      scene_->warnings.push_back("file " + written.string() + ": its name has other letters, \"" +
+                                 file.filename().string() + "\"");
+    }
+    return file;
+  }
+
   void add_obstacle(const KauthamProblem::Obstacle& obstacle) {
-    const std::filesystem::path file =
-        std::filesystem::absolute(folder_ / obstacle.mesh).lexically_normal();
-    const InventorMesh& mesh = meshes_.load(folder_ / obstacle.mesh, obstacle.scale);
+    const std::filesystem::path mesh_file = found(obstacle.mesh);
+    const std::filesystem::path file = std::filesystem::absolute(mesh_file).lexically_normal();
+    const InventorMesh& mesh = meshes_.load(mesh_file, obstacle.scale);
     scene_->objects.push_back(
         {unique_name(scene_->objects, obstacle.mesh.stem().string()),
          geometric::Mesh{file, Eigen::Vector3d::Constant(obstacle.scale), mesh.triangles},
@@ -129,6 +141,15 @@ class SceneBuilder {
     if (!parameters.empty()) {
       scene_->warnings.push_back(
           "parameters of the problem's planner that have no exact counterpart: " + parameters);
+    }
+  }
+
+  // Nothing that planning needs: told once, with the first of them.
+  void note_textures() {
+    if (const std::vector<std::string>& missing = meshes_.warnings(); !missing.empty()) {
+      scene_->warnings.push_back(
+          "textures that can't be read and are not drawn: " + std::to_string(missing.size()) +
+          ", the first: " + missing.front());
     }
   }
 

@@ -1,6 +1,7 @@
 #include "xml_file.h"
 
 #include "handway/geometric/io/input_error.h"
+#include "handway/geometric/io/nearest_name.h"
 #include "handway/geometric/io/text_file.h"
 
 #include <fmt/format.h>
@@ -8,6 +9,10 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <string>
 #include <system_error>
 #include <vector>
 
@@ -131,6 +136,17 @@ bool XmlFile::flag(pugi::xml_node node, const char* attribute) const {
     refuse(node, attribute, in_quotes(value), "true or false");
   }
   return value == "true" || value == "1";
+}
+
+void XmlFile::refuse_slips(pugi::xml_node node, std::initializer_list<std::string> known) const {
+  const std::vector<std::string> names(known);
+  for (const pugi::xml_node child : node.children()) {
+    const bool is_known = std::ranges::count(names, std::string_view(child.name())) > 0;
+    if (const auto meant = is_known ? std::nullopt : geometric::slip_of(child.name(), names)) {
+      refuse(child, "", fmt::format("the unknown element <{}>", child.name()),
+             fmt::format("{}", fmt::join(names, ", ")), fmt::format("Did you mean <{}>?", *meant));
+    }
+  }
 }
 
 void XmlFile::refuse(pugi::xml_node node, std::string_view attribute, const std::string& found,

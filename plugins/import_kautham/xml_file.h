@@ -3,6 +3,7 @@
 #include <pugixml.hpp>
 
 #include <filesystem>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 
@@ -32,6 +33,10 @@ class XmlFile {
                                  double otherwise) const;
   /// @throws InputError if it is missing or neither true nor false.
   [[nodiscard]] bool flag(pugi::xml_node node, const char* attribute) const;
+
+  /// Checks that no child element of `node` is misspelt: is none of the known ones and at most
+  /// two letters off one. Others may be there.
+  void refuse_slips(pugi::xml_node node, std::initializer_list<std::string> known) const;
 
   /// A complaint about `node`, or about its attribute unless that is empty.
   [[noreturn]] void refuse(pugi::xml_node node, std::string_view attribute,

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 #include <vector>
 
 namespace handway::import_moveit {
@@ -46,7 +47,7 @@ std::vector<int> variables_of(const RobotModel& model, const YamlElement& group)
 }  // namespace
 
 Configuration with_values(const RobotModel& model, const std::map<std::string, double>& values,
-                          const Configuration& rest, const YamlElement& element) {
+                          const Configuration& rest, std::set<std::string>& unknown) {
   Configuration q = rest;
   for (const auto& [name, value] : values) {
     if (const std::optional<int> variable = model.find_variable(name)) {
@@ -55,10 +56,7 @@ Configuration with_values(const RobotModel& model, const std::map<std::string, d
     }
     const std::vector<Joint>& joints = model.description().joints;
     if (std::ranges::find(joints, name, &Joint::name) == joints.end()) {
-      std::vector<std::string> names;
-      std::ranges::transform(joints, std::back_inserter(names), &Joint::name);
-      element.refuse(fmt::format("the joint \"{}\", which {} has not", name, model.name()),
-                     "a joint of the robot", geometric::advise_name(name, names));
+      unknown.insert(name);
     }
   }
   return q;

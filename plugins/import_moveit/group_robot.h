@@ -5,19 +5,18 @@
 
 #include <map>
 #include <memory>
-#include <optional>
+#include <set>
 #include <string>
 
 namespace handway::import_moveit {
 
 /// The joints' values that `values` gives, in the order of the configuration; the others as in
 /// `rest`. Fixed and coupled joints are passed over.
-/// @param element what `values` were read from, for messages.
-/// @throws InputError for a joint that the robot has not.
+/// @param[in,out] unknown gets the joints that the robot has not, each once.
 [[nodiscard]] geometric::Configuration with_values(const geometric::RobotModel& model,
                                                    const std::map<std::string, double>& values,
                                                    const geometric::Configuration& rest,
-                                                   const geometric::YamlElement& element);
+                                                   std::set<std::string>& unknown);
 
 /// The robot of which only the joints of a planning group move: the others are fixed where
 /// `start` has them. Of its groups "hand" is kept.

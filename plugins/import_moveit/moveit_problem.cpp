@@ -11,6 +11,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -36,6 +37,9 @@ class ProblemReader {
   }
 
   [[nodiscard]] planning::LoadedScene read() {
+    top_.refuse_slips({"name", "robot_state", "robot_model_name", "fixed_frame_transforms",
+                       "allowed_collision_matrix", "link_padding", "link_scale", "object_colors",
+                       "world", "is_diff"});
     const std::optional<YamlElement> name = top_.find("name");
     scene_->file = files_.request.value_or(files_.scene);
     scene_->name = name && !name->text().empty() ? name->text() : scene_->file.stem().string();
@@ -45,6 +49,8 @@ class ProblemReader {
       add_world(*world, frames, folder_, *scene_);
     }
     if (const auto state = top_.find("robot_state")) {
+      state->refuse_slips(
+          {"joint_state", "multi_dof_joint_state", "attached_collision_objects", "is_diff"});
       if (const auto attached = state->find("attached_collision_objects")) {
         for (const YamlElement& object : attached->items()) {
           add_attached(object, frames, folder_, *scene_);
@@ -52,6 +58,7 @@ class ProblemReader {
       }
     }
     note_what_is_left_out();
+    note_unknown_joints();
     return {scene_, nullptr};
   }
 
@@ -79,19 +86,20 @@ class ProblemReader {
     }
   }
 
-  [[nodiscard]] Configuration start_of(const RobotModel& model) const {
+  [[nodiscard]] Configuration start_of(const RobotModel& model) {
     Configuration q = model.neutral();
     for (const auto& state : {top_.find("robot_state"), request_ ? request_->find("start_state")
                                                                  : std::optional<YamlElement>()}) {
       const auto joints = state ? state->find("joint_state") : std::nullopt;
       if (joints) {
-        q = with_values(model, read_joint_state(*joints), q, *joints);
+        q = with_values(model, read_joint_state(*joints), q, unknown_joints_);
       }
     }
     return q;
   }
 
   [[nodiscard]] Configuration goal_of(const RobotModel& model) {
+    request_->refuse_slips({"start_state", "goal_constraints", "path_constraints", "group_name"});
     const YamlElement list = request_->need("goal_constraints");
     const std::vector<YamlElement> goals = list.items();
     if (goals.empty()) {
@@ -116,7 +124,7 @@ class ProblemReader {
                     "A pose of a link is no goal here: give the posture that reaches it");
       }
     }
-    return with_values(model, values, scene_->robots.front().configuration, *constraints);
+    return with_values(model, values, scene_->robots.front().configuration, unknown_joints_);
   }
 
   [[nodiscard]] Frames frames_of(const geometric::RobotInstance& robot) const {
@@ -167,7 +175,17 @@ class ProblemReader {
     }
   }
 
+  // Of another variant of the robot, mostly: of a gripper that this one has not.
+  void note_unknown_joints() {
+    if (!unknown_joints_.empty()) {
+      scene_->warnings.push_back(
+          fmt::format("joints in the problem's states that {} has not are passed over: {}",
+                      scene_->robots.front().model->name(), fmt::join(unknown_joints_, ", ")));
+    }
+  }
+
   const ProblemFiles& files_;
+  std::set<std::string> unknown_joints_;
   fs::path folder_;
   YamlElement top_;
   std::optional<YamlElement> request_;

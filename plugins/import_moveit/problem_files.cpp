@@ -1,5 +1,6 @@
 #include "problem_files.h"
 
+#include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/resources.h"
 
@@ -116,17 +117,18 @@ fs::path mesh_file(const YamlElement& resource, const fs::path& folder) {
   constexpr std::string_view kPackage = "package://";
   const std::string text = resource.text();
   if (text.starts_with(kFile)) {
-    return text.substr(kFile.size());
+    return geometric::existing_file(text.substr(kFile.size()));
   }
   const fs::path wanted =
       fs::path(text.starts_with(kPackage) ? text.substr(kPackage.size()) : text);
   const fs::path inside = wanted.lexically_relative(*wanted.begin());
   for (const fs::path& place : folders_from(folder)) {
-    if (is_file(place / wanted)) {
-      return place / wanted;
+    if (const fs::path file = geometric::existing_file(place / wanted); is_file(file)) {
+      return file;
     }
-    if (text.starts_with(kPackage) && is_file(place / inside)) {
-      return place / inside;
+    if (const fs::path file = geometric::existing_file(place / inside);
+        text.starts_with(kPackage) && is_file(file)) {
+      return file;
     }
   }
   resource.refuse(fmt::format("no file {}", text),

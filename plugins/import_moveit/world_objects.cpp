@@ -1,5 +1,6 @@
 #include "world_objects.h"
 
+#include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/mesh_reader.h"
 #include "messages.h"
 #include "problem_files.h"
@@ -85,10 +86,15 @@ std::array<std::uint32_t, 3> read_triangle(const YamlElement& element, std::size
   return triangle;
 }
 
-Shape read_mesh_shape(const YamlElement& element, const fs::path& folder) {
+Shape read_mesh_shape(const YamlElement& element, const fs::path& folder,
+                      std::vector<std::string>& warnings) {
   if (const auto resource = element.find("resource")) {
     geometric::Mesh mesh;
     mesh.file = mesh_file(*resource, folder);
+    if (geometric::differs_in_case(resource->text(), mesh.file)) {
+      warnings.push_back(fmt::format("{}: the file's name has other letters, \"{}\"",
+                                     resource->where(), mesh.file.filename().string()));
+    }
     if (const auto scale = element.find("dimensions")) {
       mesh.scale = scale->numbers(3);
     }
@@ -129,12 +135,13 @@ void read_shapes(const YamlElement& object, const char* key, const char* poses, 
   }
 }
 
-std::vector<PlacedShape> shapes_of(const YamlElement& object, const fs::path& folder) {
+std::vector<PlacedShape> shapes_of(const YamlElement& object, const fs::path& folder,
+                                   std::vector<std::string>& warnings) {
   std::vector<PlacedShape> shapes;
   read_shapes(object, "primitives", "primitive_poses", read_primitive, shapes);
   read_shapes(
       object, "meshes", "mesh_poses",
-      [&](const YamlElement& mesh) { return read_mesh_shape(mesh, folder); }, shapes);
+      [&](const YamlElement& mesh) { return read_mesh_shape(mesh, folder, warnings); }, shapes);
   if (const auto planes = object.find("planes"); planes && !planes->items().empty()) {
     planes->refuse("a plane", "primitives and meshes",
                    "Write it as a box as large as the robot can reach");
@@ -156,10 +163,13 @@ std::string unique_name(const geometric::Scene& scene, const std::string& wanted
 // @param X_PF of the object's frame in what it is fixed to.
 void add_object(const YamlElement& object, const Pose& X_PF, const fs::path& folder,
                 const std::optional<geometric::Attachment>& attachment, geometric::Scene& scene) {
+  object.refuse_slips({"header", "id", "type", "pose", "primitives", "primitive_poses", "meshes",
+                       "mesh_poses", "planes", "plane_poses", "subframe_names", "subframe_poses",
+                       "operation"});
   const std::optional<YamlElement> pose = object.find("pose");
   const Pose X_PO = pose ? X_PF * read_pose(*pose) : X_PF;
   const std::string id = object.need("id").text();
-  for (auto& [shape, X_OS] : shapes_of(object, folder)) {
+  for (auto& [shape, X_OS] : shapes_of(object, folder, scene.warnings)) {
     scene.objects.push_back(
         {unique_name(scene, id), std::move(shape), X_PO * X_OS, kColor, attachment});
   }
@@ -177,6 +187,7 @@ void add_world(const YamlElement& world, const Frames& frames, const fs::path& f
                       "Take a scene with objects, not one that was sensed");
     }
   }
+  world.refuse_slips({"collision_objects", "octomap"});
   if (const auto objects = world.find("collision_objects")) {
     for (const YamlElement& object : objects->items()) {
       add_object(object, frame_of(object, frames), folder, std::nullopt, scene);
@@ -195,10 +206,12 @@ void add_attached(const YamlElement& attached, const Frames& frames, const fs::p
   attachment.link = link.text();
   if (const auto touching = attached.find("touch_links")) {
     for (const YamlElement& name : touching->items()) {
-      if (!scene.robots.front().model->find_link(name.text())) {
-        name.refuse(fmt::format("the link \"{}\"", name.text()), "a link of the robot");
+      if (scene.robots.front().model->find_link(name.text())) {
+        attachment.touching.push_back(name.text());
+      } else {
+        scene.warnings.push_back(fmt::format("{}: no link \"{}\" that could touch what is held",
+                                             name.where(), name.text()));
       }
-      attachment.touching.push_back(name.text());
     }
   }
   const YamlElement object = attached.need("object");

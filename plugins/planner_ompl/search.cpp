@@ -1,6 +1,7 @@
 #include "search.h"
 
 #include "handway/geometric/io/input_error.h"
+#include "handway/planning/queries/arm_progress.h"
 
 #include <fmt/format.h>
 #include <ompl/geometric/PathGeometric.h>
@@ -185,7 +186,9 @@ void Search::publish_graph() {
   for (std::size_t v = 0; v < nodes.size(); ++v) {
     if (shown[v]) {
       ++statistics.nodes;
-      context_.observer().on_node({.id = static_cast<int>(v), .q = nodes[v]});
+      context_.observer().on_node({.id = static_cast<int>(v),
+                                   .q = nodes[v],
+                                   .step = planning::arm_progress(context_.problem(), nodes[v])});
     }
   }
   statistics.edges = edges.size();

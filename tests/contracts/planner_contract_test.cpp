@@ -3,6 +3,7 @@
 #include "handway/planning/core/planning_context.h"
 #include "handway/planning/core/plugin.h"
 #include "handway/planning/paths/path_check.h"
+#include "handway/planning/queries/arm_progress.h"
 #include "handway_test/input_errors.h"
 #include "handway_test/planar_problems.h"
 
@@ -53,6 +54,7 @@ class Recorder : public Observer {
  public:
   void on_node(const NodeEvent& node) override {
     EXPECT_TRUE(nodes.emplace(node.id, node.q).second) << "node " << node.id << " told twice";
+    steps.emplace(node.id, node.step);
   }
   void on_edge(int from, int to) override {
     EXPECT_TRUE(nodes.contains(from) && nodes.contains(to)) << from << " to " << to;
@@ -70,6 +72,7 @@ class Recorder : public Observer {
   }
 
   std::map<int, Configuration> nodes;
+  std::map<int, double> steps;
   std::vector<std::pair<int, int>> edges;
 };
 
@@ -208,6 +211,22 @@ TEST_P(EveryPlanner, GivesUpInWordsWhereThereIsNoPath) {
   EXPECT_THAT(result.reason, HasSubstr("samples"));
   EXPECT_GE(result.statistics.samples, 200U);
   EXPECT_LE(result.statistics.samples, 210U);
+}
+
+// Of a hypercube around the segment, or of the node itself.
+TEST_P(EveryPlanner, TellsWhereOnTheArmsMotionItsNodesAre) {
+  const PlanningProblem problem = test::walled_in_problem();
+  Recorder recorder;
+  static_cast<void>(planner_with(GetParam(), "300")->plan(problem, {}, {}, &recorder));
+  const bool draws_hypercubes = GetParam() == "pmd-prm" || GetParam() == "full-prm";
+  const double tolerance = draws_hypercubes ? 0.2 : 1e-12;
+  bool between = false;
+  for (const auto& [id, q] : recorder.nodes) {
+    const double step = recorder.steps.at(id);
+    EXPECT_NEAR(step, arm_progress(problem, q), tolerance) << id;
+    between = between || (step > 0.1 && step < 0.9);
+  }
+  EXPECT_TRUE(between) << "nodes at the ends alone";
 }
 
 TEST_P(EveryPlanner, StopsAtTheTimeLimit) {

@@ -1,12 +1,14 @@
 #include "handway/planning/core/planning_problem.h"
 
 #include "handway/planning/core/planner_registry.h"
+#include "handway/planning/paths/path_check.h"
 #include "handway_test/input_errors.h"
 #include "handway_test/planar_problems.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <memory>
 #include <stdexcept>
@@ -108,6 +110,22 @@ TEST(PlanningQuery, NamesTheJointOfAGoalOutOfLimits) {
   EXPECT_EQ(result.status, PlanStatus::kGoalInvalid);
   EXPECT_THAT(result.reason, AllOf(HasSubstr("goal is out of limits"), HasSubstr("joint elbow"),
                                    HasSubstr("2.6"), HasSubstr("2.5")));
+}
+
+TEST(PlanningQuery, NamesTheCoupledJointOfAGoalThatPutsItOutOfItsOwnLimits) {
+  geometric::RobotDescription robot = test::planar_hand_arm();
+  std::ranges::find(robot.joints, "left_tip", &geometric::Joint::name)->limits.upper = 0.4;
+  const PlanningProblem problem =
+      test::planar_problem(test::scene_of(std::move(robot)), planar_configuration(0.1, 0.2),
+                           planar_configuration(0.1, 0.2, 0.0, 1.0, 0.0));
+  const PlanResult result = planned(problem);
+  EXPECT_EQ(result.status, PlanStatus::kGoalInvalid);
+  EXPECT_THAT(result.reason, AllOf(HasSubstr("joint left_tip at 0.5"), HasSubstr("0.4"),
+                                   HasSubstr("follows left")));
+  Path path;
+  path.waypoints = {problem.start, problem.goal};
+  EXPECT_THAT(check_path(problem, path, 0.01).faults,
+              testing::Contains(AllOf(HasSubstr("Waypoint 2"), HasSubstr("left_tip"))));
 }
 
 TEST(PlanningQuery, RefusesWhatIsNoNumber) {

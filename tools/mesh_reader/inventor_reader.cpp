@@ -26,6 +26,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <cstdint>
 #include <exception>
@@ -47,18 +48,33 @@ class CoinMessages {
     SoDebugError::setHandlerCallback([](const SoError*, void*) {}, nullptr);
   }
 
-  // The first complaint about a file as Coin words it; empty if there was none.
+  // The first complaint about a file as Coin words it; empty if there was none. A picture
+  // that is missing costs no triangle: it is kept apart.
   [[nodiscard]] const std::string& first() const { return first_; }
 
+  // Complaints about textures, one a line.
+  [[nodiscard]] const std::string& textures() const { return textures_; }
+
  private:
-  static void keep(const SoError* error, void* self) {
-    std::string& first = static_cast<CoinMessages*>(self)->first_;
-    if (first.empty()) {
-      first = error->getDebugString().getString();
+  static void keep(const SoError* error, void* data) {
+    auto& self = *static_cast<CoinMessages*>(data);
+    std::string text = error->getDebugString().getString();
+    if (is_about_texture(text)) {
+      std::ranges::replace(text, '\n', ' ');
+      self.textures_ += text + '\n';
+    } else if (self.first_.empty()) {
+      self.first_ = std::move(text);
     }
   }
 
+  static bool is_about_texture(std::string text) {
+    std::ranges::transform(text, text.begin(), [](unsigned char c) { return std::tolower(c); });
+    return text.find("texture file") != std::string::npos ||
+           text.find("texture image") != std::string::npos;
+  }
+
   std::string first_;
+  std::string textures_;
 };
 
 // "Coin read error: WHAT\n\tOccurred at line 4 in FILE", taken apart.
@@ -268,6 +284,7 @@ void read_inventor(const std::filesystem::path& file, double scale, Mesh& mesh) 
   if (mesh.empty()) {
     throw Refusal("", "no triangles", "at least one", "");
   }
+  mesh.warnings = messages.textures();
   mesh.includes_files =
       has(*root, SoFile::getClassTypeId()) || has(*root, SoVRMLInline::getClassTypeId());
 }

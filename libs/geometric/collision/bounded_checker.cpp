@@ -169,18 +169,16 @@ double BoundedChecker::remembered(int pair) {
     return 0.0;
   }
   return table->bound(configuration(), [&](const Configuration& q) {
-    std::vector<Pose> X_BL(static_cast<std::size_t>(world().model().link_count()));
-    std::vector<Pose> X_WBody(world().bodies().size());
-    world().place(q, X_BL, X_WBody);
+    const std::vector<Pose> X_BBody = poses_at_base(world(), q);
     const BodyPair& bodies = world().pairs()[static_cast<std::size_t>(pair)];
     if (contain_each_other(
-            *world().body(bodies.a).solids, X_WBody[static_cast<std::size_t>(bodies.a)],
-            *world().body(bodies.b).solids, X_WBody[static_cast<std::size_t>(bodies.b)])) {
+            *world().body(bodies.a).solids, X_BBody[static_cast<std::size_t>(bodies.a)],
+            *world().body(bodies.b).solids, X_BBody[static_cast<std::size_t>(bodies.b)])) {
       return 0.0;
     }
-    const double bound = query(pair, X_WBody).bound(kRemembered, kThorough);
+    const double bound = query(pair, X_BBody).bound(kRemembered, kThorough);
     return bound > kTold ? bound
-                         : std::min(kRemembered, query(pair, X_WBody).distance(kRemembered).upper);
+                         : std::min(kRemembered, query(pair, X_BBody).distance(kRemembered).upper);
   });
 }
 

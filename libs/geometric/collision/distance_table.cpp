@@ -33,11 +33,12 @@ std::unique_ptr<DistanceTable> DistanceTable::make(const RobotModel& model, int 
     axes.push_back({v, model.lower()[v], range / static_cast<double>(cells),
                     motion.bound(pair, Eigen::VectorXd::Unit(model.variable_count(), v))});
   }
-  return std::unique_ptr<DistanceTable>(new DistanceTable(std::move(axes), cells));
+  return std::unique_ptr<DistanceTable>(new DistanceTable(std::move(axes), cells, model.neutral()));
 }
 
-DistanceTable::DistanceTable(std::vector<Axis> axes, std::size_t cells_per_axis)
+DistanceTable::DistanceTable(std::vector<Axis> axes, std::size_t cells_per_axis, Configuration rest)
     : axes_(std::move(axes)),
+      rest_(std::move(rest)),
       cells_per_axis_(cells_per_axis),
       cells_(axes_.size() == 1 ? cells_per_axis : cells_per_axis * cells_per_axis) {
   for (std::atomic<float>& cell : cells_) {
@@ -62,7 +63,7 @@ double DistanceTable::bound(const Configuration& q, const Distance& exact) const
   }
   float distance = cells_[index].load(std::memory_order_relaxed);
   if (distance == kUnknown) {
-    Configuration at_centre = q;
+    Configuration at_centre = rest_;
     for (std::size_t i = 0; i < axes_.size(); ++i) {
       at_centre[axes_[i].variable] = centre[i];
     }

@@ -14,8 +14,8 @@ namespace handway::geometric {
 
 /// Distances of a pair of bodies that one or two joints alone move against each
 /// other (neighbouring finger links, wrist and palm), remembered on a grid over
-/// those joints. Cells are filled when first asked for, by any thread; what is
-/// in a cell does not depend on who fills it or when.
+/// those joints. Cells are filled when first asked for, by any thread, with the other
+/// joints at rest: to the last bit, what is in a cell does not depend on who fills it.
 class DistanceTable {
  public:
   /// The exact distance (m) of the pair in a configuration.
@@ -46,9 +46,10 @@ class DistanceTable {
     double reach;  ///< m per rad, or m per m
   };
 
-  DistanceTable(std::vector<Axis> axes, std::size_t cells_per_axis);
+  DistanceTable(std::vector<Axis> axes, std::size_t cells_per_axis, Configuration rest);
 
   std::vector<Axis> axes_;
+  Configuration rest_;
   std::size_t cells_per_axis_;
   mutable std::atomic<bool> learned_ = false;
   mutable std::vector<std::atomic<float>> cells_;  ///< Negative: not known yet.

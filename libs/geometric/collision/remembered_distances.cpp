@@ -15,7 +15,7 @@ namespace {
 constexpr std::string_view kLayout = "distances 4";  // to change with what is in the tables
 
 // What a table's distances depend on: the two surfaces, and where they are against
-// each other at both ends and in the middle of the joints' ranges.
+// each other at both ends and in the middle of the joints' ranges, and at rest.
 std::string description(const CollisionWorld& world, const BodyPair& pair, const Surface& a,
                         const Surface& b) {
   std::string text(a.key.begin(), a.key.end());
@@ -25,18 +25,30 @@ std::string description(const CollisionWorld& world, const BodyPair& pair, const
     text += std::to_string(solids.parts.size()) + ' ' + std::to_string(solids.points.size()) + ' ';
   }
   const RobotModel& model = world.model();
-  std::vector<Pose> X_BL(static_cast<std::size_t>(model.link_count()));
-  std::vector<Pose> X_WBody(world.bodies().size());
-  for (const double share : {0.0, 0.5, 1.0}) {
-    world.place(model.lower() + share * (model.upper() - model.lower()), X_BL, X_WBody);
-    const Pose X_ba = X_WBody[static_cast<std::size_t>(pair.b)].inverse(Eigen::Isometry) *
-                      X_WBody[static_cast<std::size_t>(pair.a)];
+  const Configuration middle = 0.5 * (model.lower() + model.upper());
+  for (const Configuration& q : {model.lower(), middle, model.upper(), model.neutral()}) {
+    const std::vector<Pose> X_BBody = poses_at_base(world, q);
+    const Pose X_ba = X_BBody[static_cast<std::size_t>(pair.b)].inverse(Eigen::Isometry) *
+                      X_BBody[static_cast<std::size_t>(pair.a)];
     text.append(reinterpret_cast<const char*>(X_ba.matrix().data()), 16 * sizeof(double));
   }
   return text;
 }
 
 }  // namespace
+
+std::vector<Pose> poses_at_base(const CollisionWorld& world, const Configuration& q) {
+  std::vector<Pose> X_BL(static_cast<std::size_t>(world.model().link_count()));
+  world.model().forward_kinematics(q, X_BL);
+  std::vector<Pose> X_BBody(world.bodies().size(), Pose::Identity());
+  for (std::size_t i = 0; i < X_BBody.size(); ++i) {
+    if (const CollisionBody& body = world.bodies()[i]; body.moves()) {
+      const Pose& X_BLink = X_BL[static_cast<std::size_t>(body.link)];
+      X_BBody[i] = body.is_carried ? X_BLink * body.X_FB : X_BLink;
+    }
+  }
+  return X_BBody;
+}
 
 RememberedDistances::RememberedDistances(
     const CollisionWorld& world, const std::vector<std::shared_ptr<const Surface>>& surfaces,

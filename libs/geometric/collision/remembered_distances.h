@@ -11,6 +11,11 @@
 
 namespace handway::geometric {
 
+/// Poses of the robot's links and of what it carries in its base, shape [bodies]; bodies that
+/// stand still are left at the identity. What is derived from them does not depend on where
+/// the robot stands.
+[[nodiscard]] std::vector<Pose> poses_at_base(const CollisionWorld& world, const Configuration& q);
+
 /// The distance tables of a robot's pairs. What they learn is kept in the user's
 /// cache when the last checker goes, for the same robot in later runs.
 class RememberedDistances {

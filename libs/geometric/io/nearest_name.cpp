@@ -1,6 +1,7 @@
 #include "handway/geometric/io/nearest_name.h"
 
 #include <algorithm>
+#include <cctype>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -27,7 +28,33 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row[b.size()];
 }
 
+std::string lower_case(std::string_view word) {
+  std::string lower(word);
+  std::ranges::transform(lower, lower.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return lower;
+}
+
 }  // namespace
+
+std::optional<std::string> slip_of(std::string_view word, std::span<const std::string> names) {
+  constexpr std::size_t kMostLetters = 2;
+  constexpr std::size_t kLongest = 200;
+  std::size_t least = kMostLetters + 1;
+  std::optional<std::string> meant;
+  for (const std::string& name : names) {
+    const std::size_t longer = std::max(word.size(), name.size());
+    if (longer > kLongest) {
+      continue;
+    }
+    const std::size_t distance = edit_distance(lower_case(word), lower_case(name));
+    if (distance < least && distance < longer) {
+      least = distance;
+      meant = name;
+    }
+  }
+  return meant;
+}
 
 std::string nearest_name(std::string_view word, std::span<const std::string> names) {
   std::string nearest;

@@ -1,5 +1,6 @@
 #include "handway/geometric/io/resources.h"
 
+#include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/nearest_name.h"
 
@@ -100,7 +101,8 @@ std::optional<fs::path> try_find(ResourceKind kind, const fs::path& reference,
       return place.lexically_normal();
     }
   }
-  return std::nullopt;
+  const fs::path other = existing_file(beside);
+  return fs::is_regular_file(other, ignored) ? std::optional(other) : std::nullopt;
 }
 
 // The name that the library has for a file in it; empty if it has none.

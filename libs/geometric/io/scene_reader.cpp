@@ -1,5 +1,6 @@
 #include "handway/geometric/io/scene_reader.h"
 
+#include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/resources.h"
 #include "handway/geometric/io/robot_loader.h"
@@ -22,6 +23,17 @@ void check_version(const YamlElement& top) {
   }
 }
 
+// find_resource(), and a warning if the file has other letters than the scene.
+fs::path find_noted(ResourceKind kind, const YamlElement& reference, const fs::path& folder,
+                    Scene& scene) {
+  const fs::path file = find_resource(kind, reference.text(), folder, reference.where());
+  if (differs_in_case(reference.text(), file)) {
+    scene.warnings.push_back(reference.where() + ": the file's name has other letters, \"" +
+                             file.filename().string() + "\"");
+  }
+  return file;
+}
+
 std::string text_or_empty(const YamlElement& map, const std::string& key) {
   const std::optional<YamlElement> element = map.find(key);
   return element ? element->text() : "";
@@ -37,12 +49,12 @@ void check_new_name(const YamlElement& element, const Scene& scene, const std::s
   }
 }
 
-RobotInstance robot_of(const YamlElement& element, const Scene& scene, const fs::path& folder) {
+RobotInstance robot_of(const YamlElement& element, Scene& scene, const fs::path& folder) {
   element.allow_keys({"name", "model", "base", "configuration"});
   const YamlElement model = element.need("model");
   RobotInstance robot;
   robot.file = model.text();
-  robot.model = load_robot(find_resource(ResourceKind::kRobot, robot.file, folder, model.where()));
+  robot.model = load_robot(find_noted(ResourceKind::kRobot, model, folder, scene));
   const std::optional<YamlElement> name = element.find("name");
   robot.name = name ? name->text() : robot.model->name();
   check_new_name(name ? *name : element, scene, robot.name);
@@ -78,6 +90,9 @@ void add_objects(const YamlElement& top, const fs::path& folder, Scene& scene) {
   }
   for (const YamlElement& element : list->items()) {
     SceneObject object = object_of(element, scene, folder);
+    if (const std::optional<YamlElement> mesh = element.find("mesh")) {
+      static_cast<void>(find_noted(ResourceKind::kObject, mesh->need("file"), folder, scene));
+    }
     check_new_name(element, scene, object.name);
     if (scene.robots.front().model->find_link(object.name)) {
       scene.warnings.push_back("object " + object.name + " has the name of a link of " +
@@ -129,8 +144,7 @@ Scene read_scene(const fs::path& file) {
   }
   if (const std::optional<YamlElement> basis = top.find("hand_basis")) {
     scene.hand_basis = basis->text();
-    static_cast<void>(
-        find_resource(ResourceKind::kHandBasis, scene.hand_basis, folder, basis->where()));
+    static_cast<void>(find_noted(ResourceKind::kHandBasis, *basis, folder, scene));
   }
   if (const std::optional<YamlElement> planner = top.find("planner")) {
     scene.planner = planner_of(*planner);

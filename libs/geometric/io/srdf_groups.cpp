@@ -3,16 +3,18 @@
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/nearest_name.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <string_view>
+#include <optional>
 
 namespace handway::geometric {
 namespace {
 
 class GroupReader {
  public:
-  GroupReader(const XmlDocument& document, const RobotDescription& robot)
-      : document_(document), robot_(robot) {
+  GroupReader(const XmlDocument& document, const RobotDescription& robot, UnknownNames& unknown)
+      : document_(document), robot_(robot), unknown_(unknown) {
     for (const Link& link : robot.links) {
       link_names_.push_back(link.name);
     }
@@ -45,9 +47,13 @@ class GroupReader {
     for (const pugi::xml_node& part : group.children()) {
       const std::string kind = part.name();
       if (kind == "joint") {
-        add(joints, known(part, "joint", document_.need(part, "name"), joint_names_));
+        if (const auto joint = known(part, "joint", "name", joint_names_)) {
+          add(joints, *joint);
+        }
       } else if (kind == "link") {
-        add_carrier(joints, known(part, "link", document_.need(part, "name"), link_names_));
+        if (const auto link = known(part, "link", "name", link_names_)) {
+          add_carrier(joints, *link);
+        }
       } else if (kind == "chain") {
         add_chain(part, joints);
       } else if (kind == "group") {
@@ -57,13 +63,16 @@ class GroupReader {
   }
 
   void add_chain(const pugi::xml_node& chain, std::vector<std::string>& joints) {
-    const std::string base = known(chain, "link", document_.need(chain, "base_link"), link_names_);
-    const std::string tip = known(chain, "link", document_.need(chain, "tip_link"), link_names_);
+    const auto base = known(chain, "link", "base_link", link_names_);
+    const auto tip = known(chain, "link", "tip_link", link_names_);
+    if (!base || !tip) {
+      return;
+    }
     std::vector<std::string> upwards;
-    for (std::string link = tip; link != base;) {
+    for (std::string link = *tip; link != *base;) {
       const Joint* carrier = carrier_of(link);
       if (!carrier || upwards.size() > robot_.joints.size()) {
-        throw InputError({document_.where(chain), "chain", "\"" + base + "\" to \"" + tip + "\"",
+        throw InputError({document_.where(chain), "chain", "\"" + *base + "\" to \"" + *tip + "\"",
                           "a base_link above the tip_link", ""});
       }
       upwards.push_back(carrier->name);
@@ -91,6 +100,7 @@ class GroupReader {
     return carrier == robot_.joints.end() ? nullptr : &*carrier;
   }
 
+  // An empty node if there is none of that name.
   [[nodiscard]] pugi::xml_node subgroup(const pugi::xml_node& part) const {
     const std::string name = document_.need(part, "name");
     std::vector<std::string> names;
@@ -100,36 +110,66 @@ class GroupReader {
       }
       names.emplace_back(group.attribute("name").value());
     }
-    refuse_unknown(document_, part, "group", name, names);
+    unknown_.add(document_, part, "group", name, names);
+    return {};
   }
 
-  [[nodiscard]] std::string known(const pugi::xml_node& node, const std::string& kind,
-                                  const std::string& name,
-                                  const std::vector<std::string>& names) const {
-    if (std::ranges::count(names, name) == 0) {
-      refuse_unknown(document_, node, kind, name, names);
-    }
-    return name;
+  // What `attribute` names, if the robot has it.
+  [[nodiscard]] std::optional<std::string> known(const pugi::xml_node& node,
+                                                 const std::string& kind, const char* attribute,
+                                                 const std::vector<std::string>& names) const {
+    const std::string name = document_.need(node, attribute);
+    return unknown_.check(document_, node, kind, name, names) ? std::optional(name) : std::nullopt;
   }
 
   const XmlDocument& document_;
   const RobotDescription& robot_;
+  UnknownNames& unknown_;
   std::vector<std::string> link_names_;
   std::vector<std::string> joint_names_;
 };
 
 }  // namespace
 
-std::vector<JointGroup> srdf_groups(const XmlDocument& document, const RobotDescription& robot) {
-  return GroupReader(document, robot).read();
+void UnknownNames::add(const XmlDocument& document, const pugi::xml_node& node,
+                       const std::string& kind, const std::string& name,
+                       const std::vector<std::string>& known) {
+  const std::string advice = nearest_name(name, known);
+  lines_.push_back(fmt::format("{}: {} \"{}\"{}", document.where(node), kind, name,
+                               advice.empty() ? "" : fmt::format(" (\"{}\"?)", advice)));
 }
 
-void refuse_unknown(const XmlDocument& document, const pugi::xml_node& node,
-                    const std::string& kind, const std::string& name,
-                    const std::vector<std::string>& known) {
-  throw InputError({document.where(node), "<" + std::string(node.name()) + ">",
-                    "unknown " + kind + " \"" + name + "\"", "a " + kind + " of the robot",
-                    advise_name(name, known)});
+bool UnknownNames::check(const XmlDocument& document, const pugi::xml_node& node,
+                         const std::string& kind, const std::string& name,
+                         const std::vector<std::string>& known) {
+  const bool is_known = std::ranges::count(known, name) > 0;
+  if (!is_known) {
+    add(document, node, kind, name, known);
+  }
+  return is_known;
+}
+
+std::string UnknownNames::summary() const {
+  constexpr std::size_t kMostNamed = 3;
+  if (lines_.empty()) {
+    return "";
+  }
+  std::string text = fmt::format(
+      "{} line{} of the SRDF about what the robot has not {} passed over: ", lines_.size(),
+      lines_.size() == 1 ? "" : "s", lines_.size() == 1 ? "is" : "are");
+  const std::size_t named = std::min(kMostNamed, lines_.size());
+  for (std::size_t i = 0; i < named; ++i) {
+    text += (i == 0 ? "" : "; ") + lines_[i];
+  }
+  if (lines_.size() > named) {
+    text += fmt::format("; and {} more", lines_.size() - named);
+  }
+  return text;
+}
+
+std::vector<JointGroup> srdf_groups(const XmlDocument& document, const RobotDescription& robot,
+                                    UnknownNames& unknown) {
+  return GroupReader(document, robot, unknown).read();
 }
 
 }  // namespace handway::geometric

@@ -4,8 +4,12 @@
 #include "io/number_text.h"
 #include "io/srdf_groups.h"
 #include "io/xml_document.h"
+#include "io/xml_vocabulary.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace handway::geometric {
@@ -29,61 +33,109 @@ std::vector<std::string> names_of(const Items& items) {
   return names;
 }
 
-NamedPosture posture_of(const XmlDocument& document, const pugi::xml_node& node,
-                        const std::vector<JointGroup>& groups,
-                        const std::vector<std::string>& joints) {
-  NamedPosture posture{document.need(node, "name"), document.need(node, "group"), {}};
-  if (std::ranges::count(groups, posture.group, &JointGroup::name) == 0) {
-    refuse_unknown(document, node, "group", posture.group, names_of(groups));
-  }
-  for (const pugi::xml_node& joint : node.children("joint")) {
-    const std::string name = document.need(joint, "name");
-    if (std::ranges::count(joints, name) == 0) {
-      refuse_unknown(document, joint, "joint", name, joints);
-    }
-    const std::string text = document.need(joint, "value");
-    const std::optional<double> value = parse_number(text);
-    if (!value) {
-      throw InputError({document.where(joint), "joint " + name, "value \"" + text + "\"",
-                        "one finite number (rad or m)", ""});
-    }
-    posture.values[name] = *value;
-  }
-  return posture;
+// http://wiki.ros.org/srdf; only the first three are read.
+const XmlVocabulary& vocabulary() {
+  static const XmlVocabulary kVocabulary = {
+      {"robot",
+       {.children = {"group", "group_state", "disable_collisions", "end_effector", "virtual_joint",
+                     "passive_joint", "joint_property", "link_sphere_approximation"}}},
+      {"group", {.children = {"joint", "link", "chain", "group"}}},
+      {"chain", {.attributes = {"base_link", "tip_link"}}},
+      {"group_state", {.children = {"joint"}}},
+      {"disable_collisions", {.attributes = {"link1", "link2", "reason"}}}};
+  return kVocabulary;
 }
 
-AllowedCollisions allowed_of(const XmlDocument& document, const std::vector<std::string>& links) {
+/// What is read of an SRDF file.
+struct Semantics {
+  std::vector<JointGroup> groups;
+  std::vector<NamedPosture> postures;
   AllowedCollisions allowed;
-  for (const pugi::xml_node& node : document.root("robot").children("disable_collisions")) {
-    const std::string a = document.need(node, "link1");
-    const std::string b = document.need(node, "link2");
-    for (const std::string& link : {a, b}) {
-      if (std::ranges::count(links, link) == 0) {
-        refuse_unknown(document, node, "link", link, links);
+  std::vector<std::string> warnings;
+};
+
+class SrdfReader {
+ public:
+  SrdfReader(const XmlDocument& document, const RobotDescription& robot)
+      : document_(document),
+        top_(document.root("robot")),
+        links_(names_of(robot.links)),
+        joints_(names_of(robot.joints)) {
+    semantics_.groups = srdf_groups(document, robot, unknown_);
+  }
+
+  [[nodiscard]] Semantics read() {
+    for (const pugi::xml_node& node : top_.children("group_state")) {
+      add_posture(node);
+    }
+    for (const pugi::xml_node& node : top_.children("disable_collisions")) {
+      add_allowed(node);
+    }
+    const auto unread =
+        unread_elements(document_, top_, vocabulary(), {"group", "chain", "disable_collisions"});
+    if (!unread.empty()) {
+      semantics_.warnings.push_back(
+          fmt::format("elements of the SRDF that are not read: {}", fmt::join(unread, ", ")));
+    }
+    if (const std::string names = unknown_.summary(); !names.empty()) {
+      semantics_.warnings.push_back(names);
+    }
+    return std::move(semantics_);
+  }
+
+ private:
+  void add_posture(const pugi::xml_node& node) {
+    NamedPosture posture{document_.need(node, "name"), document_.need(node, "group"), {}};
+    if (!unknown_.check(document_, node, "group", posture.group, names_of(semantics_.groups))) {
+      return;
+    }
+    for (const pugi::xml_node& joint : node.children("joint")) {
+      const std::string name = document_.need(joint, "name");
+      const std::string text = document_.need(joint, "value");
+      const std::optional<double> value = parse_number(text);
+      if (!value) {
+        throw InputError({document_.where(joint), "joint " + name, "value \"" + text + "\"",
+                          "one finite number (rad or m)", ""});
+      }
+      if (unknown_.check(document_, joint, "joint", name, joints_)) {
+        posture.values[name] = *value;
       }
     }
-    allowed.allow(a, b, reason_of(node.attribute("reason").value()));
+    semantics_.postures.push_back(std::move(posture));
   }
-  return allowed;
-}
+
+  void add_allowed(const pugi::xml_node& node) {
+    const std::string a = document_.need(node, "link1");
+    const std::string b = document_.need(node, "link2");
+    const auto is_known = [&](const std::string& link) {
+      return unknown_.check(document_, node, "link", link, links_);
+    };
+    if (is_known(a) && is_known(b)) {
+      semantics_.allowed.allow(a, b, reason_of(node.attribute("reason").value()));
+    }
+  }
+
+  const XmlDocument& document_;
+  pugi::xml_node top_;
+  std::vector<std::string> links_;
+  std::vector<std::string> joints_;
+  UnknownNames unknown_;
+  Semantics semantics_;
+};
 
 }  // namespace
 
 void read_srdf(const std::filesystem::path& file, RobotDescription& robot) {
   const XmlDocument document(file, "a semantic robot file (SRDF)");
-  const std::string name = document.root("robot").attribute("name").value();
-  std::vector<JointGroup> groups = srdf_groups(document, robot);
-  const std::vector<std::string> joints = names_of(robot.joints);
-  std::vector<NamedPosture> postures;
-  for (const pugi::xml_node& node : document.root("robot").children("group_state")) {
-    postures.push_back(posture_of(document, node, groups, joints));
+  Semantics srdf = SrdfReader(document, robot).read();
+  if (const std::string name = document.root("robot").attribute("name").value();
+      name != robot.name) {
+    srdf.warnings.push_back(file.string() + " is written for a robot called \"" + name + "\"");
   }
-  robot.allowed_collisions = allowed_of(document, names_of(robot.links));
-  robot.groups = std::move(groups);
-  robot.postures = std::move(postures);
-  if (name != robot.name) {
-    robot.warnings.push_back(file.string() + " is written for a robot called \"" + name + "\"");
-  }
+  robot.groups = std::move(srdf.groups);
+  robot.postures = std::move(srdf.postures);
+  robot.allowed_collisions = std::move(srdf.allowed);
+  std::ranges::move(srdf.warnings, std::back_inserter(robot.warnings));
 }
 
 }  // namespace handway::geometric

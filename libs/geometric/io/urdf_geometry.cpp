@@ -1,5 +1,6 @@
 #include "io/urdf_geometry.h"
 
+#include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/mesh_reader.h"
 #include "io/mesh_filename.h"
@@ -11,8 +12,12 @@ namespace {
 
 class GeometryReader {
  public:
-  GeometryReader(const std::string& link, std::filesystem::path folder, std::string referenced_by)
-      : element_("link " + link), folder_(std::move(folder)), where_(std::move(referenced_by)) {}
+  GeometryReader(const std::string& link, std::filesystem::path folder, std::string referenced_by,
+                 LinkFiles& files)
+      : element_("link " + link),
+        folder_(std::move(folder)),
+        where_(std::move(referenced_by)),
+        files_(files) {}
 
   [[nodiscard]] LinkGeometry read(const urdf::GeometrySharedPtr& geometry,
                                   const urdf::Pose& origin) const {
@@ -46,6 +51,9 @@ class GeometryReader {
     const auto& mesh = dynamic_cast<const urdf::Mesh&>(geometry);
     const Eigen::Vector3d scale(mesh.scale.x, mesh.scale.y, mesh.scale.z);
     const std::filesystem::path file = resolve_mesh_filename(mesh.filename, folder_, where_);
+    if (differs_in_case(mesh.filename, file)) {
+      files_.renamed.push_back(mesh.filename);
+    }
     return Mesh{file, scale, read_mesh(file, scale, where_)};
   }
 
@@ -60,6 +68,7 @@ class GeometryReader {
   std::string element_;
   std::filesystem::path folder_;
   std::string where_;
+  LinkFiles& files_;
 };
 
 }  // namespace
@@ -75,16 +84,20 @@ Pose pose_of(const urdf::Pose& pose) {
 }
 
 Link link_of(const urdf::Link& link, const std::filesystem::path& folder,
-             const std::string& referenced_by) {
-  const GeometryReader reader(link.name, folder, referenced_by);
+             const std::string& referenced_by, LinkFiles& files) {
+  const GeometryReader reader(link.name, folder, referenced_by, files);
   Link result{link.name, {}, {}};
   for (const urdf::VisualSharedPtr& visual : link.visual_array) {
-    LinkGeometry geometry = reader.read(visual->geometry, visual->origin);
-    if (visual->material) {
-      const urdf::Color& color = visual->material->color;
-      geometry.color = {color.r, color.g, color.b, color.a};
+    try {
+      LinkGeometry geometry = reader.read(visual->geometry, visual->origin);
+      if (visual->material) {
+        const urdf::Color& color = visual->material->color;
+        geometry.color = {color.r, color.g, color.b, color.a};
+      }
+      result.visual.push_back(std::move(geometry));
+    } catch (const InputError& fault) {
+      files.drawing.add(fault);
     }
-    result.visual.push_back(std::move(geometry));
   }
   for (const urdf::CollisionSharedPtr& collision : link.collision_array) {
     result.collision.push_back(reader.read(collision->geometry, collision->origin));

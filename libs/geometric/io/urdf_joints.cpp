@@ -3,27 +3,17 @@
 #include "handway/geometric/io/input_error.h"
 #include "io/urdf_geometry.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <numbers>
-#include <string_view>
 
 namespace handway::geometric {
 namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
 
-Eigen::Vector3d unit_axis(const urdf::Joint& joint, const std::string& where) {
-  const Eigen::Vector3d axis(joint.axis.x, joint.axis.y, joint.axis.z);
-  if (!axis.allFinite() || axis.norm() < 1e-9) {
-    throw InputError({where, "joint " + joint.name, "an axis without direction",
-                      "an axis such as \"0 0 1\"", ""});
-  }
-  return axis.normalized();
-}
-
-JointLimits limits_of(const urdf::Joint& joint, RobotDescription& robot) {
+JointLimits limits_of(const urdf::Joint& joint) {
   JointLimits limits;
   if (joint.limits) {
     limits.lower = joint.limits->lower;
@@ -33,13 +23,11 @@ JointLimits limits_of(const urdf::Joint& joint, RobotDescription& robot) {
   if (joint.type == urdf::Joint::CONTINUOUS) {
     limits.lower = -kTurn;
     limits.upper = kTurn;
-    robot.warnings.push_back("joint " + joint.name +
-                             " turns without end; it is limited to one turn each way");
   }
   return limits;
 }
 
-Joint joint_of(const urdf::Joint& joint, const std::string& where, RobotDescription& robot) {
+Joint joint_of(const urdf::Joint& joint) {
   Joint result;
   result.name = joint.name;
   result.parent = joint.parent_link_name;
@@ -49,8 +37,8 @@ Joint joint_of(const urdf::Joint& joint, const std::string& where, RobotDescript
     return result;
   }
   result.type = joint.type == urdf::Joint::PRISMATIC ? JointType::kPrismatic : JointType::kRevolute;
-  result.axis = unit_axis(joint, where);
-  result.limits = limits_of(joint, robot);
+  result.axis = Eigen::Vector3d(joint.axis.x, joint.axis.y, joint.axis.z).normalized();
+  result.limits = limits_of(joint);
   if (joint.mimic) {
     result.mimic = Mimic{joint.mimic->joint_name, joint.mimic->multiplier, joint.mimic->offset};
   }
@@ -75,54 +63,56 @@ void resolve_mimic(Joint& joint, const std::vector<Joint>& joints, const std::st
   }
 }
 
-void check_joint_element(const XmlDocument& document, const pugi::xml_node& joint) {
-  const std::string element = "joint " + document.need(joint, "name");
-  const std::string type = document.need(joint, "type");
-  if (type == "floating" || type == "planar") {
-    throw InputError({document.where(joint), element, "type \"" + type + "\"",
-                      "revolute, continuous, prismatic or fixed",
-                      "Model it by prismatic and revolute joints with small links between"});
+// A continuous joint that follows another has no limits of its own to narrow the other's by.
+void reach_with_leader(Joint& coupled, const std::vector<Joint>& joints) {
+  const auto leader = std::ranges::find(joints, coupled.mimic->joint, &Joint::name);
+  if (leader != joints.end()) {
+    const double a = coupled.mimic->multiplier * leader->limits.lower + coupled.mimic->offset;
+    const double b = coupled.mimic->multiplier * leader->limits.upper + coupled.mimic->offset;
+    coupled.limits.lower = std::min(a, b);
+    coupled.limits.upper = std::max(a, b);
   }
-  if (type != "revolute" && type != "continuous" && type != "prismatic" && type != "fixed") {
-    throw InputError({document.where(joint), element, "type \"" + type + "\"",
-                      "revolute, continuous, prismatic or fixed", ""});
-  }
-  for (const char* end : {"parent", "child"}) {
-    if (!joint.child(end)) {
-      throw InputError({document.where(joint), element, std::string("no <") + end + ">",
-                        std::string("<") + end + " link=\"…\"/>", ""});
-    }
-    static_cast<void>(document.need(joint.child(end), "link"));
-  }
-  if ((type == "revolute" || type == "prismatic") && !joint.child("limit")) {
-    throw InputError({document.where(joint), element, "no <limit>",
-                      "<limit lower=\"…\" upper=\"…\" effort=\"…\" velocity=\"…\"/>",
-                      "A joint that turns without end is of type continuous"});
+}
+
+void note_joints(const std::vector<std::string>& names, const char* what, RobotDescription& robot) {
+  if (!names.empty()) {
+    robot.warnings.push_back(fmt::format("{}: {}", what, fmt::join(names, ", ")));
   }
 }
 
 }  // namespace
 
-void check_joint_elements(const XmlDocument& document) {
-  for (const pugi::xml_node& joint : document.root("robot").children("joint")) {
-    check_joint_element(document, joint);
-  }
-}
-
 void add_joints(const XmlDocument& document, const urdf::ModelInterface& model,
                 RobotDescription& robot) {
   std::vector<std::string> places;
+  std::vector<std::string> endless;
   for (const pugi::xml_node& node : document.root("robot").children("joint")) {
-    const urdf::JointConstSharedPtr joint = model.getJoint(node.attribute("name").value());
-    if (joint) {
-      places.push_back(document.where(node));
-      robot.joints.push_back(joint_of(*joint, places.back(), robot));
+    places.push_back(document.where(node));
+    const std::string name = node.attribute("name").value();
+    const urdf::JointConstSharedPtr joint = model.getJoint(name);
+    if (!joint) {
+      throw InputError({places.back(), "joint " + name, "a joint that urdfdom does not read",
+                        "what ROS reads too", ""});
+    }
+    robot.joints.push_back(joint_of(*joint));
+    if (joint->type == urdf::Joint::CONTINUOUS) {
+      endless.push_back(name);
     }
   }
   const std::vector<Joint> as_written = robot.joints;
+  std::vector<std::string> rangeless;
   for (std::size_t i = 0; i < robot.joints.size(); ++i) {
-    resolve_mimic(robot.joints[i], as_written, places[i]);
+    Joint& joint = robot.joints[i];
+    resolve_mimic(joint, as_written, places[i]);
+    if (joint.mimic && std::ranges::count(endless, joint.name) > 0) {
+      reach_with_leader(joint, as_written);
+      std::erase(endless, joint.name);
+    } else if (joint.type != JointType::kFixed && joint.limits.range() == 0.0) {
+      rangeless.push_back(joint.name);
+    }
   }
+  note_joints(endless, "joints that turn without end, limited to one turn each way", robot);
+  note_joints(rangeless, "joints that can't move, as their limits leave no range", robot);
 }
 
 }  // namespace handway::geometric

@@ -7,14 +7,9 @@
 
 namespace handway::geometric {
 
-/// Refuses what urdfdom accepts or reports without a place: joints of unknown or
-/// unsupported type, moving joints without limits.
-/// @throws InputError naming the line.
-void check_joint_elements(const XmlDocument& document);
-
 /// All joints in the order of the file; chains of `mimic` are resolved to the
 /// joint that moves on its own. Adds to the robot's warnings.
-/// @throws InputError if an axis is zero or `mimic` forms a ring.
+/// @throws InputError if `mimic` forms a ring.
 void add_joints(const XmlDocument& document, const urdf::ModelInterface& model,
                 RobotDescription& robot);
 

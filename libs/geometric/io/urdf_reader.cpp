@@ -1,13 +1,19 @@
 #include "handway/geometric/io/urdf_reader.h"
 
+#include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/srdf_reader.h"
+#include "io/urdf_elements.h"
 #include "io/urdf_geometry.h"
 #include "io/urdf_joints.h"
 #include "io/urdfdom_document.h"
 #include "io/xml_document.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cctype>
+#include <iterator>
 
 namespace handway::geometric {
 namespace {
@@ -44,7 +50,7 @@ std::string joined(const std::vector<std::string>& messages) {
   return text;
 }
 
-void check_elements(const XmlDocument& document) {
+void check_size(const XmlDocument& document) {
   static_cast<void>(document.need(document.root("robot"), "name"));
   std::size_t count = 0;
   for (const pugi::xml_node& link : document.root("robot").children("link")) {
@@ -53,17 +59,50 @@ void check_elements(const XmlDocument& document) {
                         "more links than " + std::to_string(kMostLinks), "a robot of fewer links",
                         ""});
     }
-    static_cast<void>(document.need(link, "name"));
   }
-  check_joint_elements(document);
+}
+
+std::ptrdiff_t count_of(const pugi::xml_node& link, const char* element) {
+  return std::ranges::distance(link.children(element));
+}
+
+// The link that a node describes. Whatever urdfdom drops, no collision element is lost.
+Link read_link(const XmlDocument& document, const pugi::xml_node& node,
+               const urdf::ModelInterface& model, const fs::path& folder, LinkFiles& files) {
+  const std::string name = node.attribute("name").value();
+  const urdf::LinkConstSharedPtr link = model.getLink(name);
+  if (!link || std::ssize(link->collision_array) != count_of(node, "collision")) {
+    throw InputError({document.where(node), "link " + name,
+                      "a link that urdfdom reads only in part", "what ROS reads too", ""});
+  }
+  Link result = link_of(*link, folder, document.where(node), files);
+  if (result.visual.empty() && count_of(node, "visual") > 0) {
+    result.visual = result.collision;
+  }
+  return result;
+}
+
+void note_links_without_collision(const XmlDocument& document, RobotDescription& robot) {
+  std::vector<std::string> names;
+  for (const pugi::xml_node& link : document.root("robot").children("link")) {
+    if (link.child("visual") && !link.child("collision")) {
+      names.emplace_back(link.attribute("name").value());
+    }
+  }
+  if (!names.empty()) {
+    robot.warnings.push_back(
+        fmt::format("links with visual but no collision geometry, which collide with nothing: {}",
+                    fmt::join(names, ", ")));
+  }
 }
 
 }  // namespace
 
 RobotDescription read_urdf(const fs::path& file) {
   const XmlDocument document(file, kWhat);
-  check_elements(document);
-  const UrdfdomResult parsed = parse_by_urdfdom(document.text());
+  check_size(document);
+  UrdfElements elements = check_urdf_elements(document);
+  const UrdfdomResult parsed = parse_by_urdfdom(elements.text);
   if (!parsed.model) {
     const std::string reason = joined(parsed.messages);
     throw InputError({place_of(document, parsed.messages), "robot",
@@ -73,15 +112,22 @@ RobotDescription read_urdf(const fs::path& file) {
   robot.name = parsed.model->getName();
   robot.file = file;
   robot.warnings = parsed.messages;
+  robot.warnings.insert(robot.warnings.end(), elements.warnings.begin(), elements.warnings.end());
   const fs::path folder = fs::absolute(file).parent_path();
+  LinkFiles files{std::move(elements.drawing), {}};
   for (const pugi::xml_node& node : document.root("robot").children("link")) {
-    if (const urdf::LinkConstSharedPtr link =
-            parsed.model->getLink(node.attribute("name").value())) {
-      robot.links.push_back(link_of(*link, folder, document.where(node)));
-    }
+    robot.links.push_back(read_link(document, node, *parsed.model, folder, files));
   }
   add_joints(document, *parsed.model, robot);
-  const fs::path srdf = fs::path(file).replace_extension(".srdf");
+  note_links_without_collision(document, robot);
+  if (const std::string faults = files.drawing.summary(); !faults.empty()) {
+    robot.warnings.push_back(faults);
+  }
+  if (!files.renamed.empty()) {
+    robot.warnings.push_back(fmt::format("files whose names have other letters on the disk: {}",
+                                         fmt::join(files.renamed, ", ")));
+  }
+  const fs::path srdf = existing_file(fs::path(file).replace_extension(".srdf"));
   if (fs::exists(srdf)) {
     read_srdf(srdf, robot);
   }

@@ -96,6 +96,17 @@ void YamlElement::allow_keys(std::initializer_list<std::string> known) const {
   }
 }
 
+void YamlElement::refuse_slips(std::initializer_list<std::string> known) const {
+  const std::vector<std::string> names(known);
+  for (const auto& [key, value] : entries()) {
+    const bool is_known = std::ranges::count(names, key) > 0;
+    if (const auto meant = is_known ? std::nullopt : slip_of(key, names)) {
+      value.refuse(fmt::format("the unknown key \"{}\"", shortened(key)), *meant,
+                   fmt::format("Did you mean \"{}\"?", *meant));
+    }
+  }
+}
+
 YamlElement YamlElement::child(const Node& node, const std::string& suffix) const {
   const char* dot = name_.empty() || suffix.starts_with('[') ? "" : ".";
   return {document_, std::make_shared<const Node>(Node{node}),

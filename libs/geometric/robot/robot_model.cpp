@@ -1,6 +1,9 @@
 #include "handway/geometric/robot/robot_model.h"
 
 #include "handway/geometric/io/input_error.h"
+#include "handway/geometric/math/units.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +14,9 @@
 
 namespace handway::geometric {
 namespace {
+
+constexpr double kLargestValue = 1e6;     // of a joint's limit, multiplier or offset
+constexpr double kLimitTolerance = 1e-9;  // rad or m: roundings of a file's numbers
 
 [[noreturn]] void refuse(const RobotDescription& robot, const std::string& element,
                          const std::string& found, const std::string& expected,
@@ -42,6 +48,36 @@ void check_names(const RobotDescription& robot) {
   }
 }
 
+bool is_reasonable(double value) {
+  return std::isfinite(value) && std::abs(value) <= kLargestValue;
+}
+
+void check_limits(const RobotDescription& robot, const Joint& joint) {
+  const std::string element = "joint " + joint.name;
+  const JointLimits& limits = joint.limits;
+  if (!is_reasonable(limits.lower) || !is_reasonable(limits.upper) || limits.lower > limits.upper) {
+    refuse(robot, element, fmt::format("limits {:g} to {:g}", limits.lower, limits.upper),
+           "limits within ±1000000 (rad or m), lower below upper",
+           "A joint that turns without end needs limits too, for example -6.2832 to 6.2832");
+  }
+  for (const auto& [what, limit] :
+       {std::pair("velocity", limits.velocity), std::pair("acceleration", limits.acceleration)}) {
+    if (!(limit >= 0.0)) {
+      refuse(robot, element, fmt::format("a {} limit of {:g}", what, limit), "0 or more",
+             "Leave it at 0 if it is not known");
+    }
+  }
+}
+
+void check_mimic(const RobotDescription& robot, const Joint& joint) {
+  if (!is_reasonable(joint.mimic->multiplier) || !is_reasonable(joint.mimic->offset)) {
+    refuse(robot, "joint " + joint.name,
+           fmt::format("a coupling with multiplier {:g} and offset {:g}", joint.mimic->multiplier,
+                       joint.mimic->offset),
+           "numbers within ±1000000");
+  }
+}
+
 void check_joint(const RobotDescription& robot, const Joint& joint) {
   const std::string element = "joint " + joint.name;
   if (!joint.X_PJ.matrix().allFinite()) {
@@ -54,12 +90,64 @@ void check_joint(const RobotDescription& robot, const Joint& joint) {
     refuse(robot, element, "an axis of length " + std::to_string(joint.axis.norm()),
            "a unit vector");
   }
-  const JointLimits& limits = joint.limits;
-  if (!std::isfinite(limits.lower) || !std::isfinite(limits.upper) || limits.lower > limits.upper) {
-    refuse(robot, element,
-           "limits " + std::to_string(limits.lower) + " to " + std::to_string(limits.upper),
-           "finite limits, lower below upper",
-           "A joint that turns without end needs limits too, for example -6.2832 to 6.2832");
+  check_limits(robot, joint);
+  if (joint.mimic) {
+    check_mimic(robot, joint);
+  }
+}
+
+/// The values of a leading joint with which a coupled one keeps its limits.
+struct Range {
+  double lower;
+  double upper;
+};
+
+Range allowed_by(const Joint& coupled, const RobotModel::Drive& drive) {
+  if (drive.multiplier == 0.0) {  // it stays where it is, whatever its leader does
+    const bool is_within = drive.offset >= coupled.limits.lower - kLimitTolerance &&
+                           drive.offset <= coupled.limits.upper + kLimitTolerance;
+    return is_within ? Range{-kLargestValue, kLargestValue} : Range{kLargestValue, -kLargestValue};
+  }
+  const double a = (coupled.limits.lower - drive.offset) / drive.multiplier;
+  const double b = (coupled.limits.upper - drive.offset) / drive.multiplier;
+  return {std::min(a, b), std::max(a, b)};
+}
+
+std::string shown(const Joint& joint, const JointLimits& limits) {
+  return joint.type == JointType::kRevolute
+             ? fmt::format("{:.2f} to {:.2f} degrees", degrees(limits.lower), degrees(limits.upper))
+             : fmt::format("{:.2f} to {:.2f} mm", millimetres(limits.lower),
+                           millimetres(limits.upper));
+}
+
+// A coupled joint keeps its own limits: its leader may go only as far as they let it.
+void narrow_leader(RobotDescription& robot, int leading_link, int coupled_link,
+                   const RobotModel::Drive& drive) {
+  Joint& leader = robot.joints[static_cast<std::size_t>(leading_link - 1)];
+  const Joint& coupled = robot.joints[static_cast<std::size_t>(coupled_link - 1)];
+  const Range allowed = allowed_by(coupled, drive);
+  const double tolerance = kLimitTolerance / std::max(1.0, std::abs(drive.multiplier));
+  JointLimits narrowed = leader.limits;
+  // Not for a rounding: the limits of a file stay as they are.
+  if (allowed.lower > narrowed.lower + tolerance) {
+    narrowed.lower = allowed.lower;
+  }
+  if (allowed.upper < narrowed.upper - tolerance) {
+    narrowed.upper = allowed.upper;
+  }
+  if (narrowed.lower > narrowed.upper + tolerance) {
+    refuse(robot, "joint " + coupled.name,
+           fmt::format("limits of {}, which it never keeps while {} is within {}",
+                       shown(coupled, coupled.limits), leader.name, shown(leader, leader.limits)),
+           "limits that agree with those of the joint that it follows",
+           "Correct the limits, or the multiplier and offset of the coupling");
+  }
+  narrowed.upper = std::max(narrowed.lower, narrowed.upper);
+  if (narrowed.lower != leader.limits.lower || narrowed.upper != leader.limits.upper) {
+    robot.warnings.push_back(fmt::format(
+        "joint {} is limited to {}: beyond, {}, which follows it, would leave its own limits",
+        leader.name, shown(leader, narrowed), coupled.name));
+    leader.limits = narrowed;
   }
 }
 
@@ -134,6 +222,11 @@ void RobotModel::index_variables() {
              "a joint that moves on its own");
     }
     drives_[static_cast<std::size_t>(i)] = {*leader, mimic.multiplier, mimic.offset};
+  }
+  for (int i = 1; i < link_count(); ++i) {
+    if (drive(i).variable >= 0 && joint(i).mimic) {
+      narrow_leader(description_, variable_link(drive(i).variable), i, drive(i));
+    }
   }
   for (int i = 1; i < link_count(); ++i) {
     const auto& [variable, multiplier, offset] = drive(i);

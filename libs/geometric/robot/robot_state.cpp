@@ -1,6 +1,7 @@
 #include "handway/geometric/robot/robot_state.h"
 
 #include "handway/geometric/io/input_error.h"
+#include "handway/geometric/robot/limit_violation.h"
 
 #include <cmath>
 #include <string>
@@ -80,8 +81,7 @@ double RobotState::joint_value(std::string_view joint_name) const {
 }
 
 bool RobotState::within_limits(double tolerance) const {
-  return ((q_ - model_->lower()).array() >= -tolerance).all() &&
-         ((model_->upper() - q_).array() >= -tolerance).all();
+  return limit_violations(*model_, q_, tolerance).empty();
 }
 
 const Pose& RobotState::link_pose(std::string_view link_name) const {

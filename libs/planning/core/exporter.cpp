@@ -2,6 +2,7 @@
 
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/replace_file.h"
+#include "handway/geometric/robot/limit_violation.h"
 #include "handway/planning/timing/trajectory_check.h"
 
 #include <fmt/format.h>
@@ -58,11 +59,17 @@ void check_waypoints(const Motion& motion) {
       throw InputError({source, "time", fmt::format("{}", time), "times in order", ""});
     }
     for (int v = 0; v < model.variable_count(); ++v) {
-      constexpr double kTolerance = 1e-6;
-      if (!(q[v] >= model.lower()[v] - kTolerance && q[v] <= model.upper()[v] + kTolerance)) {
-        throw InputError({source, "joint " + model.variable(v).name, fmt::format("{:.6f}", q[v]),
-                          fmt::format("{:.6f} to {:.6f}", model.lower()[v], model.upper()[v]), ""});
+      if (!std::isfinite(q[v])) {
+        throw InputError({source, "joint " + model.variable(v).name, fmt::format("{}", q[v]),
+                          "a finite number", ""});
       }
+    }
+    constexpr double kTolerance = 1e-6;  // rad or m
+    if (const auto violations = geometric::limit_violations(model, q, kTolerance);
+        !violations.empty()) {
+      const geometric::LimitViolation& first = violations.front();
+      throw InputError({source, "joint " + first.joint, fmt::format("{:.6f}", first.value),
+                        fmt::format("{:.6f} to {:.6f}", first.lower, first.upper), ""});
     }
   }
 }

@@ -2,6 +2,7 @@
 
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/math/units.h"
+#include "handway/geometric/robot/limit_violation.h"
 #include "handway/planning/core/planning_context.h"
 
 #include <fmt/format.h>
@@ -11,8 +12,6 @@
 
 namespace handway::planning {
 namespace {
-
-constexpr double kLimitTolerance = 1e-9;  // rad or m: roundings of a file's numbers
 
 std::string names_of(PlanningContext& context, int pair) {
   const geometric::NamedPair named =
@@ -32,10 +31,9 @@ std::string objection(PlanningContext& context, std::size_t end) {
     if (!std::isfinite(q[v])) {
       return fmt::format("has no number for joint {}", model.variable(v).name);
     }
-    if (q[v] < model.lower()[v] - kLimitTolerance || q[v] > model.upper()[v] + kLimitTolerance) {
-      return fmt::format("is out of limits: joint {} at {:.4f}, allowed {:.4f} to {:.4f}",
-                         model.variable(v).name, q[v], model.lower()[v], model.upper()[v]);
-    }
+  }
+  if (const auto violations = geometric::limit_violations(model, q); !violations.empty()) {
+    return "is out of limits: " + to_string(violations.front());
   }
   if (const std::optional<int> pair = context.collision(q)) {
     return "is in collision: " + names_of(context, *pair);

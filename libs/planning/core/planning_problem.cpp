@@ -5,6 +5,7 @@
 #include "handway/geometric/robot/normalised_joints.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace handway::planning {
@@ -30,17 +31,17 @@ std::vector<int> hand_variables(const geometric::Scene& scene, const sampling::P
   return hand;
 }
 
+// A group "arm" without joints that move says nothing, as if it were not there.
 std::vector<int> arm_variables(const geometric::RobotModel& model, const std::vector<int>& hand) {
-  if (std::optional<std::vector<int>> arm = model.find_group("arm")) {
-    return *arm;
+  const auto is_of_hand = [&](int v) { return std::ranges::count(hand, v) > 0; };
+  std::vector<int> arm = model.find_group("arm").value_or(std::vector<int>{});
+  std::erase_if(arm, is_of_hand);
+  if (arm.empty()) {
+    arm.resize(static_cast<std::size_t>(model.variable_count()));
+    std::iota(arm.begin(), arm.end(), 0);
+    std::erase_if(arm, is_of_hand);
   }
-  std::vector<int> rest;
-  for (int v = 0; v < model.variable_count(); ++v) {
-    if (std::ranges::count(hand, v) == 0) {
-      rest.push_back(v);
-    }
-  }
-  return rest;
+  return arm;
 }
 
 const Configuration& needed(const geometric::Scene& scene, const char* which,

@@ -2,6 +2,7 @@
 
 #include "handway/geometric/collision/fcl_checker.h"
 #include "handway/geometric/math/units.h"
+#include "handway/geometric/robot/limit_violation.h"
 #include "handway/planning/core/plan_result.h"
 
 #include <fmt/format.h>
@@ -45,14 +46,9 @@ bool check_shape(const geometric::RobotModel& model, const Path& path, PathCheck
 
 void check_limits(const geometric::RobotModel& model, const Path& path, PathCheckResult& result) {
   for (std::size_t w = 0; w < path.waypoints.size(); ++w) {
-    for (int v = 0; v < model.variable_count(); ++v) {
-      const double value = path.waypoints[w][v];
-      if (value < model.lower()[v] - kLimitTolerance ||
-          value > model.upper()[v] + kLimitTolerance) {
-        result.faults.push_back(
-            fmt::format("Waypoint {}: joint {} at {:.4f} is outside {:.4f} to {:.4f}.", w + 1,
-                        model.variable(v).name, value, model.lower()[v], model.upper()[v]));
-      }
+    for (const geometric::LimitViolation& violation :
+         geometric::limit_violations(model, path.waypoints[w], kLimitTolerance)) {
+      result.faults.push_back(fmt::format("Waypoint {}: {}.", w + 1, to_string(violation)));
     }
   }
 }

@@ -14,7 +14,7 @@ namespace handway::planning {
 /// The arm of a problem seen from its last link, the tool that carries the hand.
 class ArmTool {
  public:
-  /// @throws InputError if the arm has no closed-form inverse kinematics.
+  /// @throws InputError if there is no arm, or it has no closed-form inverse kinematics.
   explicit ArmTool(const PlanningProblem& problem);
 
   /// X_BT of the tool in the robot's base.

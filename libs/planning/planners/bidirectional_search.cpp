@@ -1,5 +1,7 @@
 #include "planners/bidirectional_search.h"
 
+#include "handway/planning/queries/arm_progress.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -51,8 +53,9 @@ std::optional<PlanStatus> BidirectionalSearch::step() {
 
 void BidirectionalSearch::announce_node(int node, const TargetDraws::Target& target) {
   statistics().nodes = static_cast<std::uint64_t>(trees_.size());
-  context().observer().on_node({node, trees_.configuration(node), target.pmds,
-                                static_cast<double>(trees_.tree_of(node)), target.rho});
+  const Configuration& q = trees_.configuration(node);
+  context().observer().on_node(
+      {node, q, target.pmds, arm_progress(context().problem(), q), target.rho});
 }
 
 // One step of at most `range` from the nearest node; the new node, if the way is free.

@@ -1,5 +1,7 @@
 #include "planners/lazy_search.h"
 
+#include "handway/planning/queries/arm_progress.h"
+
 #include <algorithm>
 
 namespace handway::planning {
@@ -20,8 +22,8 @@ LazySearch::LazySearch(PlanningContext& context, const PmdLazySettings& settings
       draws_(context.problem(), settings.region, HandSpace::kPrincipalDirections, *space_, seed),
       roadmap_(settings.k) {
   const PlanningProblem& problem = context.problem();
-  add_node(problem.start, {space_->coordinates(problem.start), 0, 0.0}, 0.0);
-  add_node(problem.goal, {space_->coordinates(problem.goal), 0, 0.0}, 1.0);
+  add_node(problem.start, {space_->coordinates(problem.start), 0, 0.0});
+  add_node(problem.goal, {space_->coordinates(problem.goal), 0, 0.0});
 }
 
 Path LazySearch::path() const {
@@ -32,10 +34,11 @@ Path LazySearch::path() const {
   return path;
 }
 
-void LazySearch::add_node(const Configuration& q, const TargetDraws::Target& target, double step) {
+void LazySearch::add_node(const Configuration& q, const TargetDraws::Target& target) {
   const int node = roadmap_.add_node(q, target.coordinates);
   statistics().nodes = static_cast<std::uint64_t>(roadmap_.node_count());
-  context().observer().on_node({node, q, target.pmds, step, target.rho});
+  context().observer().on_node(
+      {node, q, target.pmds, arm_progress(context().problem(), q), target.rho});
 }
 
 // One draw, or one look at the shortest way.
@@ -72,7 +75,7 @@ void LazySearch::draw_node() {
   }
   failures_ = 0;
   --nodes_wanted_;
-  add_node(*q, target, end);
+  add_node(*q, target);
 }
 
 // What is refused is taken out of the roadmap. All edges are sampled before any is made certain.

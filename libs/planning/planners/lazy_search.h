@@ -25,7 +25,7 @@ class LazySearch final : public Search {
   [[nodiscard]] std::optional<PlanStatus> step() override;
 
  private:
-  void add_node(const Configuration& q, const TargetDraws::Target& target, double step);
+  void add_node(const Configuration& q, const TargetDraws::Target& target);
   void draw_node();
   [[nodiscard]] bool is_free(const std::vector<int>& way);
 

@@ -1,20 +1,10 @@
 #include "planners/search.h"
 
+#include "handway/planning/queries/arm_progress.h"
+
 #include <algorithm>
 
 namespace handway::planning {
-namespace {
-
-// How far the arm is on its straight motion: 0 at the start, 1 at the goal, and between.
-double share_of_way(const PlanningProblem& problem, const Configuration& q) {
-  const Eigen::VectorXd way = problem.goal(problem.arm) - problem.start(problem.arm);
-  const double length = way.squaredNorm();
-  return length > 0.0
-             ? std::clamp((q(problem.arm) - problem.start(problem.arm)).dot(way) / length, 0.0, 1.0)
-             : 0.0;
-}
-
-}  // namespace
 
 Search::~Search() = default;
 
@@ -43,7 +33,7 @@ bool Search::edge_plausible(const Configuration& from, const Configuration& to, 
 void Search::note_refusal(int pair, const Configuration& q) {
   refusals_.resize(context_.problem().checker->world().pairs().size());
   ++refusals_[static_cast<std::size_t>(pair)];
-  const double tenth = 10.0 * share_of_way(context_.problem(), q);
+  const double tenth = 10.0 * arm_progress(context_.problem(), q);
   ++refusals_by_tenth_.at(std::min<std::size_t>(9, static_cast<std::size_t>(tenth)));
 }
 

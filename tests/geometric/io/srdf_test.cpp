@@ -85,19 +85,50 @@ TEST(SrdfReader, ReadsReasonsAndTakesUnknownOnesAsTheUsers) {
   EXPECT_EQ(allowed.reason("l2", "tip"), AllowedReason::kUser);
 }
 
-TEST(SrdfReader, NamesTheLineOfWhatItDoesNotKnow) {
+TEST(SrdfReader, PassesOverWhatTheRobotHasNotAndTellsOnce) {
+  const ScratchFiles files;
+  const RobotDescription robot = read(files, R"(
+<group name="g"><joint name="j3"/><joint name="j1"/><link name="nowhere"/></group>
+<group name="arm"><chain base_link="basis" tip_link="tip"/><group name="none"/></group>
+<group_state name="s" group="none"/>
+<group_state name="home" group="g"><joint name="j1" value="1"/><joint name="j9" value="2"/></group_state>
+<disable_collisions link1="basis" link2="tip"/>
+<disable_collisions link1="l1" link2="tip"/>)");
+  EXPECT_THAT(robot.groups[0].joints, ElementsAre("j1"));
+  EXPECT_THAT(robot.groups[1].joints, testing::IsEmpty());
+  ASSERT_EQ(robot.postures.size(), 1U);
+  EXPECT_THAT(robot.postures[0].values, ElementsAre(Pair("j1", 1.0)));
+  EXPECT_EQ(robot.allowed_collisions.entries().size(), 1U);
+  EXPECT_THAT(robot.warnings,
+              ElementsAre(AllOf(HasSubstr("7 lines"), HasSubstr("r.srdf:3"), HasSubstr("j3"),
+                                HasSubstr("(\"j1\"?)"), HasSubstr("and 4 more"))));
+}
+
+TEST(SrdfReader, RefusesMisspeltElementsAndTellsOfOthers) {
   const ScratchFiles files;
   const auto refusal = [&](const std::string& body) {
     return input_error_of([&] { static_cast<void>(read(files, body)); });
   };
-  EXPECT_THAT(refusal("\n<group name=\"g\"><joint name=\"j3\"/></group>"),
-              AllOf(HasSubstr("r.srdf:3"), HasSubstr("j3"), HasSubstr("Did you mean \"j1\"?")));
+  EXPECT_THAT(refusal("<disable_collision link1=\"l1\" link2=\"tip\"/>"),
+              AllOf(HasSubstr("r.srdf:2"), HasSubstr("Did you mean <disable_collisions>?")));
+  EXPECT_THAT(refusal("<grup name=\"g\"/>"), HasSubstr("Did you mean <group>?"));
+  EXPECT_THAT(refusal("<group name=\"g\"><chian/></group>"), HasSubstr("<chain>"));
+  EXPECT_THAT(read(files, R"(<end_effector name="e" parent_link="tip" group="g"/>
+    <enable_collisions link1="l1" link2="tip"/><motoman:tool/>)")
+                  .warnings,
+              ElementsAre(AllOf(HasSubstr("<enable_collisions>"), HasSubstr("<motoman:tool>"))));
+}
+
+TEST(SrdfReader, NamesTheLineOfWhatMakesNoSense) {
+  const ScratchFiles files;
+  const auto refusal = [&](const std::string& body) {
+    return input_error_of([&] { static_cast<void>(read(files, body)); });
+  };
   EXPECT_THAT(refusal("<group name=\"g\"><chain base_link=\"tip\" tip_link=\"base\"/></group>"),
               HasSubstr("above"));
   EXPECT_THAT(refusal("<group name=\"g\"><group name=\"g\"/></group>"), HasSubstr("itself"));
   EXPECT_THAT(refusal("<group name=\"g\"/><group name=\"g\"/>"), HasSubstr("two groups"));
-  EXPECT_THAT(refusal("<disable_collisions link1=\"basis\" link2=\"tip\"/>"), HasSubstr("base"));
-  EXPECT_THAT(refusal("<group_state name=\"s\" group=\"none\"/>"), HasSubstr("none"));
+  EXPECT_THAT(refusal("<disable_collisions link1=\"base\"/>"), HasSubstr("link2"));
   for (const std::string value : {"nan", "1 2", "x", "1e999"}) {
     EXPECT_THAT(refusal("<group name=\"g\"/><group_state name=\"s\" group=\"g\"><joint "
                         "name=\"j1\" value=\"" +
@@ -110,8 +141,8 @@ TEST(SrdfReader, LeavesTheRobotUnchangedWhenItFails) {
   const ScratchFiles files;
   RobotDescription robot = chain_of_three();
   robot.groups = {{"old", {"j1"}}};
-  const auto file = files.write(
-      "r.srdf", srdf("<group name=\"new\"/><disable_collisions link1=\"x\" link2=\"tip\"/>"));
+  const auto file =
+      files.write("r.srdf", srdf("<group name=\"new\"/><disable_collisions link1=\"base\"/>"));
   EXPECT_THROW(read_srdf(file, robot), InputError);
   ASSERT_EQ(robot.groups.size(), 1U);
   EXPECT_EQ(robot.groups[0].name, "old");

@@ -1,4 +1,5 @@
 #include "handway/geometric/io/input_error.h"
+#include "handway_test/input_errors.h"
 #include "kautham_importer.h"
 #include "small_problem.h"
 
@@ -168,6 +169,44 @@ INSTANTIATE_TEST_SUITE_P(
               "nTrunk=\"6\"",
               {"attribute nTrunk", "from 0 to the number of controls, 5"}}),
     [](const auto& test) { return test.param.name; });
+
+TEST(BrokenFile, WithAMisspeltElementIsRefusedWithTheRightName) {
+  const auto refusal = [](const SmallProblem& files) {
+    return handway::test::refusal_of(
+        [&] { static_cast<void>(KauthamImporter().read(files.problem())); });
+  };
+  const SmallProblem lost_obstacle;
+  SmallProblem::edit(lost_obstacle.problem(), "<Scene ", "<Scen ");
+  SmallProblem::edit(lost_obstacle.problem(), "</Scene>", "</Scen>");
+  EXPECT_THAT(refusal(lost_obstacle), HasSubstr("Did you mean <Scene>?"));
+  const SmallProblem lost_transform;
+  SmallProblem::edit(lost_transform.robot(), "<PreTrans ", "<PreTran ");
+  EXPECT_THAT(refusal(lost_transform), HasSubstr("Did you mean <PreTrans>?"));
+  const SmallProblem lost_control;
+  SmallProblem::edit(lost_control.robot(), "<Control ", "<Controll ");
+  SmallProblem::edit(lost_control.robot(), "</Control>", "</Controll>");
+  EXPECT_THAT(refusal(lost_control), HasSubstr("Did you mean <Control>?"));
+}
+
+TEST(TolerantReading, FindsFilesWhoseNamesHaveOtherLetters) {
+  const SmallProblem files;
+  SmallProblem::edit(files.robot(), "ivFile=\"cube.iv\"", "ivFile=\"CUBE.IV\"");
+  SmallProblem::edit(files.problem(), "scene=\"robots/cube.iv\"", "scene=\"Robots\\Cube.iv\"");
+  SmallProblem::edit(files.problem(), "robot=\"robots/small.rob\"", "robot=\"robots/Small.rob\"");
+  EXPECT_THAT(KauthamImporter().read(files.problem()).scene->warnings,
+              testing::IsSupersetOf(
+                  {HasSubstr("CUBE.IV"), HasSubstr("Robots\\Cube.iv"), HasSubstr("Small.rob")}));
+}
+
+TEST(TolerantReading, DoesWithoutTexturesThatAreMissing) {
+  const SmallProblem files;
+  SmallProblem::edit(files.cube(), "#Inventor V2.1 ascii\n",
+                     "#Inventor V2.1 ascii\nTexture2 { filename \"lost.png\" }\n");
+  const auto loaded = KauthamImporter().read(files.problem());
+  EXPECT_FALSE(loaded.scene->objects.empty());
+  EXPECT_THAT(loaded.scene->warnings,
+              testing::Contains(testing::AllOf(HasSubstr("textures"), HasSubstr("lost.png"))));
+}
 
 TEST(BrokenFile, CountsThatDontMatchAreWarnedOf) {
   const SmallProblem files;

@@ -117,6 +117,32 @@ TEST(MoveitProblem, SaysWhatItLeavesOut) {
               testing::Contains(AllOf(HasSubstr("scene0001.yaml:2"), HasSubstr("link_padding"))));
 }
 
+TEST(MoveitProblem, PassesOverWhatTheRobotHasNotAndTellsOnce) {
+  const SmallProblem problem;
+  problem.replace(problem.request(), "name: [turn, lift], position: [-0.8, 0.05]",
+                  "name: [turn, wrist, claw], position: [-0.8, 1, 2]");
+  problem.replace(
+      problem.request(), "      - {joint_name: reach, position: 0.1}",
+      "      - {joint_name: reach, position: 0.1}\n      - {joint_name: claw, position: 1}");
+  problem.replace(problem.scene(), "touch_links: [finger, finger_2]",
+                  "touch_links: [finger, finger_2, claw_tip]");
+  const auto scene = problem.read().scene;
+  EXPECT_EQ((*scene->start)[0], -0.8);
+  EXPECT_THAT(scene->warnings,
+              testing::Contains(AllOf(HasSubstr("crane has not"), HasSubstr("claw, wrist"))));
+  EXPECT_THAT(scene->warnings, testing::Contains(HasSubstr("claw_tip")));
+}
+
+TEST(MoveitProblem, FindsMeshesWhoseNamesHaveOtherLetters) {
+  const SmallProblem problem;
+  std::ofstream(problem.folder() / "Brick.OBJ")
+      << "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+  problem.replace(problem.scene(), "    - id: wedge\n",
+                  "    - id: brick\n      meshes: [{resource: \"package://things/brick.obj\"}]\n"
+                  "      pose: {position: [0, 0.8, 0.4]}\n    - id: wedge\n");
+  EXPECT_THAT(problem.read().scene->warnings, testing::Contains(HasSubstr("Brick.OBJ")));
+}
+
 TEST(MoveitProblem, IsSolvedByPlannersOverAllJoints) {
   const SmallProblem small;
   const planning::LoadedScene loaded = small.read();

@@ -3,6 +3,7 @@
 #include "handway/geometric/export.h"
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -19,6 +20,10 @@ namespace handway::geometric {
 /// nearest first, however far they are.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<std::string> nearest_names(
     std::string_view word, std::span<const std::string> names, std::size_t count);
+/// The one of `names` that `word`, which is none of them, must be a slip of: at most two
+/// letters off, whatever their case, and not the whole word.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::optional<std::string> slip_of(
+    std::string_view word, std::span<const std::string> names);
 
 /// `Did you mean "NAME"?`, or the names there are if none is near and they are few.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::string advise_name(std::string_view word,

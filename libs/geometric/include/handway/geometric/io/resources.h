@@ -28,7 +28,8 @@ enum class ResourceKind {
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<std::string> resource_names(ResourceKind kind);
 
 /// The file meant by `reference`: an absolute path; a path relative to `folder`;
-/// or, if there is no such file, a name in the library. Absolute and normal.
+/// or, if there is no such file, a name in the library; or else a file whose name has other
+/// letters (existing_file()). Absolute and normal.
 /// @param folder of the file that holds the reference.
 /// @param referenced_by "FILE:LINE" of it, for messages.
 /// @throws InputError if there is no such file, with the places looked at.

@@ -10,9 +10,10 @@ namespace handway::geometric {
 /// Adds what an SRDF file says (http://wiki.ros.org/srdf) to the robot that it
 /// belongs to: `group` (by joints, links, chains and subgroups), `group_state`
 /// and `disable_collisions`. Reasons other than Adjacent, Always and Never are
-/// read as User; other elements are ignored.
-/// @throws InputError naming the line if the file can't be read or names a
-/// joint, link or group that does not exist; `robot` is then unchanged.
+/// read as User. Lines about links, joints and groups that are not there are passed
+/// over, as are elements that are not known: one warning each.
+/// @throws InputError naming the line if the file can't be read, an element is
+/// misspelt or a number is none; `robot` is then unchanged.
 HANDWAY_GEOMETRIC_EXPORT void read_srdf(const std::filesystem::path& file, RobotDescription& robot);
 
 }  // namespace handway::geometric

@@ -41,6 +41,9 @@ class HANDWAY_GEOMETRIC_EXPORT YamlElement {
   /// Checks that this is a map in which every key is known and occurs once;
   /// advises the nearest known key.
   void allow_keys(std::initializer_list<std::string> known) const;
+  /// Checks that no key of this map is misspelt: is none of the known ones and at most two
+  /// letters off one. Other keys may be there. For formats of others.
+  void refuse_slips(std::initializer_list<std::string> known) const;
   /// The value of a key; nothing if the key is absent or its value empty.
   [[nodiscard]] std::optional<YamlElement> find(const std::string& key) const;
   [[nodiscard]] YamlElement need(const std::string& key) const;

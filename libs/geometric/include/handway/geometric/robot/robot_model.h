@@ -29,8 +29,8 @@ class HANDWAY_GEOMETRIC_EXPORT RobotModel {
   };
 
   /// @throws InputError if names repeat or dangle, the joints form no single
-  /// tree, limits are inverted or not finite, an axis is zero, or a coupling
-  /// names a fixed, missing or itself coupled joint.
+  /// tree, limits are inverted, not finite or never kept by a coupled joint, an axis
+  /// is zero, or a coupling names a fixed, missing or itself coupled joint.
   explicit RobotModel(RobotDescription description);
 
   [[nodiscard]] const std::string& name() const { return description_.name; }
@@ -58,7 +58,7 @@ class HANDWAY_GEOMETRIC_EXPORT RobotModel {
   }
   [[nodiscard]] const Joint& variable(int index) const { return joint(variable_link(index)); }
   [[nodiscard]] std::optional<int> find_variable(std::string_view joint_name) const;
-  /// Lower and upper limits of all variables, shape [variable_count].
+  /// Limits of all variables, within which coupled joints keep theirs; shape [variable_count].
   [[nodiscard]] const Configuration& lower() const { return lower_; }
   [[nodiscard]] const Configuration& upper() const { return upper_; }
 

@@ -11,7 +11,7 @@ struct NodeEvent {
   int id = 0;
   const geometric::Configuration& q;
   int pmd_count = 0;   ///< Principal directions used for the sample; 0: none.
-  double step = 0.0;   ///< Where on the arm segment the sample was drawn, [0, 1].
+  double step = 0.0;   ///< Where on the arm segment, [0, 1]: its hypercube or arm_progress().
   double rho_a = 0.0;  ///< Half-side of the hypercube it was drawn from.
   int search = 0;      ///< Which of several searches that run side by side found it.
 };

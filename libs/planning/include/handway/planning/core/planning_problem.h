@@ -29,9 +29,9 @@ struct PlanningProblem {
   [[nodiscard]] const geometric::RobotModel& model() const { return *scene->robots.front().model; }
 };
 
-/// Puts a problem together. Arm and hand are the robot's groups of these names;
-/// without such groups every variable counts as arm, except those that the basis
-/// names. Start and goal are the scene's.
+/// Puts a problem together. The hand are the basis' joints, or else those of the robot's group
+/// "hand"; the arm are the others of the group "arm" or, if none of them moves, of the robot.
+/// Either may be empty. Start and goal are the scene's.
 /// @param basis may be null.
 /// @throws InputError if the scene lacks a robot, a start or a goal, or the
 /// basis names a joint that the robot has not; PreparationStopped where `preparation` asks for it.

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "handway/geometric/export.h"
+#include "handway/geometric/robot/robot_model.h"
+
+#include <string>
+#include <vector>
+
+namespace handway::geometric {
+
+/// A joint out of its limits; rad or m.
+struct LimitViolation {
+  std::string joint;
+  double value = 0.0;
+  double lower = 0.0;
+  double upper = 0.0;
+  std::string leader;  ///< The joint that it follows; empty if it moves on its own.
+};
+
+/// Every joint that `q` puts out of its limits by more than `tolerance` (rad or m), in
+/// the order of the links. Of a joint that is limited only for the sake of a coupled
+/// one, the coupled one is named.
+/// @param q finite, shape [variable_count].
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<LimitViolation> limit_violations(
+    const RobotModel& model, const Configuration& q, double tolerance = 1e-9);
+
+/// "joint J at 0.9000, allowed -0.5000 to 0.5000", and which joint it follows.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::string to_string(const LimitViolation& violation);
+
+}  // namespace handway::geometric

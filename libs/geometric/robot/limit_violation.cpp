@@ -1,0 +1,58 @@
+#include "handway/geometric/robot/limit_violation.h"
+
+#include <fmt/format.h>
+
+#include <set>
+
+namespace handway::geometric {
+
+namespace {
+
+double value_of(const RobotModel& model, int link, const Configuration& q) {
+  const auto& [variable, multiplier, offset] = model.drive(link);
+  return multiplier * q[variable] + offset;
+}
+
+bool violates(const RobotModel& model, int link, const Configuration& q, double tolerance) {
+  if (model.drive(link).variable < 0) {
+    return false;
+  }
+  const double value = value_of(model, link, q);
+  const JointLimits& limits = model.joint(link).limits;
+  return value < limits.lower - tolerance || value > limits.upper + tolerance;
+}
+
+}  // namespace
+
+std::vector<LimitViolation> limit_violations(const RobotModel& model, const Configuration& q,
+                                             double tolerance) {
+  std::vector<int> links;
+  std::set<int> explained;  // variables that a coupled joint is named for
+  for (int link = 1; link < model.link_count(); ++link) {
+    if (violates(model, link, q, tolerance)) {
+      links.push_back(link);
+      if (const int variable = model.drive(link).variable; model.variable_link(variable) != link) {
+        explained.insert(variable);
+      }
+    }
+  }
+  std::vector<LimitViolation> violations;
+  for (const int link : links) {
+    const int variable = model.drive(link).variable;
+    const bool follows = model.variable_link(variable) != link;
+    if (follows || !explained.contains(variable)) {
+      const Joint& joint = model.joint(link);
+      violations.push_back({joint.name, value_of(model, link, q), joint.limits.lower,
+                            joint.limits.upper, follows ? model.variable(variable).name : ""});
+    }
+  }
+  return violations;
+}
+
+std::string to_string(const LimitViolation& violation) {
+  return fmt::format("joint {} at {:.4f}, allowed {:.4f} to {:.4f}{}", violation.joint,
+                     violation.value, violation.lower, violation.upper,
+                     violation.leader.empty() ? "" : "; it follows " + violation.leader);
+}
+
+}  // namespace handway::geometric

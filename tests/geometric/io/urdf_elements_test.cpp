@@ -1,0 +1,222 @@
+/// What of a URDF can't be read: what planning needs is refused, by line; the rest is told.
+#include "scratch_files.h"
+
+#include <handway/geometric/io/robot_loader.h>
+#include <handway/geometric/io/urdf_reader.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+namespace handway::geometric::urdf_elements {
+namespace {
+
+using test::input_error_of;
+using test::kSquareObj;
+using test::ScratchFiles;
+using testing::AllOf;
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+const std::string kSphere = R"(<geometry><sphere radius="0.1"/></geometry>)";
+const std::string kCollision = "<collision>" + kSphere + "</collision>";
+
+// The body begins at line 3.
+std::string robot(const std::string& body) {
+  return "<?xml version=\"1.0\"?>\n<robot name=\"r\">\n" + body + "</robot>\n";
+}
+
+std::string link(const std::string& body) { return "<link name=\"a\">\n" + body + "\n</link>\n"; }
+
+// A joint whose own elements are on line 5.
+std::string jointed(const std::string& body, const std::string& type = "revolute") {
+  return robot("<link name=\"a\"/><link name=\"b\"/>\n<joint name=\"j\" type=\"" + type +
+               "\"><parent link=\"a\"/><child link=\"b\"/>\n" + body + "</joint>\n");
+}
+
+class UrdfElementsTest : public testing::Test {
+ protected:
+  std::string refusal(const std::string& content) const {
+    const auto file = files_.write("r.urdf", content);
+    return input_error_of([&] { static_cast<void>(read_urdf(file)); });
+  }
+  RobotDescription read(const std::string& content) const {
+    return read_urdf(files_.write("r.urdf", content));
+  }
+
+  ScratchFiles files_;
+};
+
+TEST_F(UrdfElementsTest, RefusesCollisionGeometryThatCannotBeRead) {
+  for (const std::string shape :
+       {R"(<sphere radius="0,03"/>)", R"(<sphere radius="nan"/>)", R"(<sphere radius="0"/>)",
+        "<sphere/>", R"(<sphere radius="1 2"/>)", R"(<box size="1 1"/>)", R"(<box size="1 1 -1"/>)",
+        R"(<box size="1 1 1e7"/>)", R"(<cylinder radius="1"/>)",
+        R"(<cylinder radius="1" length="inf"/>)", R"(<capsule radius="1" length="1"/>)", "",
+        R"(<mesh/>)", R"(<mesh filename="s.obj" scale="1 1"/>)",
+        R"(<mesh filename="s.obj" scale="1 0 1"/>)", R"(<mesh filename="s.obj" scale="1 x 1"/>)",
+        R"(<box size="1 1 1"/><sphere radius="1"/>)"}) {
+    EXPECT_THAT(refusal(robot(link(kCollision + "<collision><geometry>" + shape +
+                                   "</geometry></collision>"))),
+                AllOf(HasSubstr("r.urdf:4"), HasSubstr("link a, collision"), HasSubstr("expected")))
+        << shape;
+  }
+  EXPECT_THAT(refusal(robot(
+                  link(R"(<collision><geometry><sphere radius="0,03"/></geometry></collision>)"))),
+              AllOf(HasSubstr("radius=\"0,03\""), HasSubstr("a number"), HasSubstr("0.5")));
+}
+
+TEST_F(UrdfElementsTest, RefusesOriginsThatCannotBeRead) {
+  for (const std::string origin :
+       {R"(<origin xyz="0 0"/>)", R"(<origin xyz="0 0 nan"/>)", R"(<origin rpy="0 0 0 1"/>)",
+        R"(<origin xyz=""/>)", R"(<origin xzy="0 0 1"/>)", R"(<origin x="1" y="0" z="0"/>)",
+        R"(<origin quat_xyzw="0 0 0 1"/>)", R"(<origin xyz="0 0 0"/><origin xyz="0 0 1"/>)"}) {
+    EXPECT_THAT(refusal(robot(link("<collision>" + origin + kSphere + "</collision>"))),
+                HasSubstr("r.urdf:4"))
+        << origin;
+    EXPECT_THAT(refusal(jointed(origin, "fixed")), HasSubstr("r.urdf:5")) << origin;
+  }
+}
+
+TEST_F(UrdfElementsTest, RefusesMisspeltElements) {
+  EXPECT_THAT(refusal(robot(link("<collison>" + kSphere + "</collison>"))),
+              AllOf(HasSubstr("r.urdf:4"), HasSubstr("<collison>"),
+                    HasSubstr("Did you mean <collision>?")));
+  for (const std::string& body :
+       {"<Collision>" + kSphere + "</Collision>", "<COLLISION>" + kSphere + "</COLLISION>",
+        std::string("<collision><geomtry/></collision>"),
+        std::string(R"(<collision><geometry><shpere radius="1"/></geometry></collision>)"),
+        std::string(R"(<collision><geometry><box sizes="1 1 1"/></geometry></collision>)")}) {
+    EXPECT_THAT(refusal(robot(link(body))), HasSubstr("Did you mean")) << body;
+  }
+  EXPECT_THAT(refusal(robot("<link name=\"a\"/><lnk name=\"b\"/>")), HasSubstr("Did you mean"));
+  EXPECT_THAT(refusal(jointed(R"(<limits lower="-1" upper="1"/>)")), HasSubstr("Did you mean"));
+  EXPECT_THAT(refusal(jointed(R"(<limit lowr="-1" upper="1"/>)")),
+              HasSubstr("Did you mean lower?"));
+  EXPECT_THAT(refusal(robot(link("<xacro:body/>"))), HasSubstr("xacro"));
+}
+
+TEST_F(UrdfElementsTest, RefusesWhatPlanningNeedsWhereNobodyLooksForIt) {
+  EXPECT_THAT(refusal(robot(link("<geometry/>"))), HasSubstr("no place in it"));
+  EXPECT_THAT(refusal(robot(link("<collision><box size=\"1 1 1\"/></collision>"))),
+              HasSubstr("no place in it"));
+  EXPECT_THAT(refusal(robot("<link name=\"a\"/>" + kCollision)), HasSubstr("no place in it"));
+}
+
+TEST_F(UrdfElementsTest, TellsOfVendorsElementsOnce) {
+  const RobotDescription r = read(
+      robot(link(kCollision + R"(<drake:proximity/><contact><stiffness value="1"/></contact>)") +
+            R"(<gazebo reference="a"><collison/></gazebo><gazebo/>
+                    <transmission name="t"><joint name="j"/></transmission>)"));
+  EXPECT_THAT(r.links[0].collision, SizeIs(1));
+  EXPECT_THAT(r.warnings,
+              ElementsAre(AllOf(HasSubstr("not read"), HasSubstr("<gazebo> (2)"),
+                                HasSubstr("<transmission>"), HasSubstr("<drake:proximity>"),
+                                HasSubstr("<contact>"))));
+}
+
+TEST_F(UrdfElementsTest, KeepsTheGeometryOfLinksWhoseOtherElementsAreBroken) {
+  const RobotDescription r = read(robot(R"(<material name="bad"><color rgba="red"/></material>
+<material name="half"><color rgba="1 0 0"/></material><material name="half"/>)" +
+                                        link(R"(<inertial><mass value="1,5"/></inertial>
+<visual>)" + kSphere + R"(<material name="nowhere"/></visual>
+<visual>)" + kSphere + R"(<material name="half"/></visual>
+<visual>)" + kSphere + R"(<material><color rgba="0 0 1 1"/></material></visual>)" +
+                                             kCollision)));
+  ASSERT_THAT(r.links, SizeIs(1));
+  EXPECT_THAT(r.links[0].collision, SizeIs(1));
+  ASSERT_THAT(r.links[0].visual, SizeIs(3));
+  EXPECT_EQ(r.links[0].visual[1].color, (Color{1, 0, 0, 1}));
+  EXPECT_EQ(r.links[0].visual[2].color, (Color{0, 0, 1, 1}));
+  EXPECT_THAT(r.warnings, ElementsAre(AllOf(HasSubstr("materials"), HasSubstr("nowhere"))));
+}
+
+TEST_F(UrdfElementsTest, DrawsTheCollisionGeometryWhereVisualsCannotBeRead) {
+  files_.write("s.obj", kSquareObj);
+  const RobotDescription r =
+      read(robot(link(R"(<visual><geometry><mesh filename="lost.dae"/></geometry></visual>
+<visual><geometry><sphere radius="0,1"/></geometry></visual>
+<visual><geometry><mesh filename="package://nowhere/lost.stl"/></geometry></visual>
+<visual><origin xyz="0 0 nan"/>)" +
+                      kSphere + R"(</visual>
+<collision><geometry><mesh filename="s.obj"/></geometry></collision>)")));
+  ASSERT_THAT(r.links[0].visual, SizeIs(1));
+  EXPECT_TRUE(std::holds_alternative<Mesh>(r.links[0].visual[0].shape));
+  EXPECT_THAT(r.warnings,
+              ElementsAre(AllOf(HasSubstr("4 visual elements"), HasSubstr("and 1 more"))))
+      << "one summary";
+}
+
+TEST_F(UrdfElementsTest, NamesLinksThatCollideWithNothing) {
+  const RobotDescription r =
+      read(robot("<link name=\"a\"><visual>" + kSphere +
+                 "</visual></link><link name=\"frame\"/><joint name=\"j\" type=\"fixed\">"
+                 "<parent link=\"a\"/><child link=\"frame\"/></joint>"));
+  EXPECT_THAT(r.warnings, ElementsAre(AllOf(HasSubstr("no collision geometry"), HasSubstr(": a"))));
+}
+
+TEST_F(UrdfElementsTest, RefusesLimitsThatMakeNoSense) {
+  for (const std::string limit :
+       {R"(lower="-1e308" upper="1")", R"(lower="1" upper="-1")", R"(lower="nan" upper="1")",
+        R"(lower="-1" upper="1" velocity="-1")", R"(lower="-1" upper="1" velocity="nan")",
+        R"(lower="-1" upper="1,5")"}) {
+    EXPECT_THAT(refusal(jointed("<limit " + limit + "/>")),
+                AllOf(HasSubstr("r.urdf:5"), HasSubstr("joint j")))
+        << limit;
+  }
+  EXPECT_THAT(refusal(jointed(R"(<limit velocity="-1"/>)", "continuous")), HasSubstr("velocity"));
+}
+
+TEST_F(UrdfElementsTest, TakesLimitsWithoutWhatPlanningDoesNotNeed) {
+  const RobotDescription r = read(jointed(
+      R"(<limit lower="-1" upper="1"/><dynamics/><safety_controller/><calibration rising="x"/>)"));
+  EXPECT_EQ(r.joints[0].limits.lower, -1.0);
+  EXPECT_THAT(r.warnings, IsEmpty());
+  const RobotDescription wheel =
+      read(jointed(R"(<limit lower="-1e16" upper="1e16" effort="x" velocity="3"/>)", "continuous"));
+  EXPECT_EQ(wheel.joints[0].limits.velocity, 3.0);
+  EXPECT_THAT(read(jointed("<limit/>")).warnings, Contains(HasSubstr("can't move")));
+}
+
+TEST_F(UrdfElementsTest, RefusesCouplingsThatMakeNoSense) {
+  const std::string limit = R"(<limit lower="-1" upper="1"/>)";
+  for (const std::string mimic :
+       {R"(joint="nobody")", R"(joint="j" multiplier="1e300")", R"(joint="j" multiplier="nan")",
+        R"(joint="j" offset="x")", R"(joint="j" multiplyer="2")", "multiplier=\"1\""}) {
+    EXPECT_THAT(refusal(jointed(limit + "<mimic " + mimic + "/>")), HasSubstr("r.urdf:5")) << mimic;
+  }
+}
+
+TEST_F(UrdfElementsTest, LetsAnEndlessJointFollowAtAnyRatio) {
+  const RobotDescription r =
+      read(robot("<link name=\"a\"/><link name=\"b\"/><link name=\"c\"/>"
+                 "<joint name=\"j\" type=\"revolute\"><parent link=\"a\"/><child link=\"b\"/>"
+                 "<limit lower=\"-3\" upper=\"3\"/></joint>"
+                 "<joint name=\"wheel\" type=\"continuous\"><parent link=\"b\"/><child link=\"c\"/>"
+                 "<mimic joint=\"j\" multiplier=\"20\"/></joint>"));
+  const RobotModel model(r);
+  EXPECT_EQ(model.upper()[0], 3.0);
+  EXPECT_EQ(model.joint(2).limits.upper, 60.0);
+}
+
+TEST_F(UrdfElementsTest, FindsFilesWhoseNamesHaveOtherLetters) {
+  files_.write("Meshes/Part.OBJ", kSquareObj);
+  const RobotDescription r = read(robot(
+      link(R"(<collision><geometry><mesh filename="meshes\part.obj"/></geometry></collision>)")));
+  EXPECT_EQ(std::get<Mesh>(r.links[0].collision[0].shape).file,
+            files_.folder() / "Meshes/Part.OBJ");
+  EXPECT_THAT(r.warnings, ElementsAre(AllOf(HasSubstr("other letters"), HasSubstr("part.obj"))));
+  files_.write("Meshes/part.Obj", kSquareObj);
+  EXPECT_THAT(
+      refusal(robot(link(
+          R"(<collision><geometry><mesh filename="meshes/part.obj"/></geometry></collision>)"))),
+      HasSubstr("no such file"))
+      << "which of the two?";
+}
+
+}  // namespace
+}  // namespace handway::geometric::urdf_elements

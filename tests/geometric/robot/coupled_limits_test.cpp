@@ -1,0 +1,128 @@
+#include "handway/geometric/io/input_error.h"
+#include "handway/geometric/robot/limit_violation.h"
+#include "handway/geometric/robot/robot_state.h"
+#include "handway_test/input_errors.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace handway::geometric {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+Joint turning(const std::string& name, const std::string& parent, const std::string& child,
+              double lower, double upper) {
+  Joint joint;
+  joint.name = name;
+  joint.type = JointType::kRevolute;
+  joint.parent = parent;
+  joint.child = child;
+  joint.limits.lower = lower;
+  joint.limits.upper = upper;
+  return joint;
+}
+
+/// A finger whose "tip" follows its "knuckle" (-1 to 2 rad).
+RobotDescription finger(double multiplier, double offset, double lower, double upper) {
+  RobotDescription robot;
+  robot.name = "finger";
+  robot.links = {{"palm", {}, {}}, {"near", {}, {}}, {"far", {}, {}}};
+  robot.joints = {turning("knuckle", "palm", "near", -1.0, 2.0),
+                  turning("tip", "near", "far", lower, upper)};
+  robot.joints.back().mimic = Mimic{"knuckle", multiplier, offset};
+  return robot;
+}
+
+Configuration bent(double knuckle) { return Configuration::Constant(1, knuckle); }
+
+TEST(CoupledLimits, NarrowTheRangeOfTheJointThatLeads) {
+  const RobotModel model(finger(2.0, 0.5, -0.5, 1.5));
+  EXPECT_DOUBLE_EQ(model.lower()[0], -0.5);
+  EXPECT_DOUBLE_EQ(model.upper()[0], 0.5);
+  EXPECT_DOUBLE_EQ(model.variable(0).limits.upper, 0.5) << "what sliders and devices go by";
+  EXPECT_THAT(model.description().warnings,
+              ElementsAre(AllOf(HasSubstr("knuckle"), HasSubstr("28.65"), HasSubstr("tip"))));
+}
+
+TEST(CoupledLimits, NarrowItForAJointThatTurnsTheOtherWay) {
+  const RobotModel model(finger(-1.0, 0.0, -0.8, 0.3));
+  EXPECT_DOUBLE_EQ(model.lower()[0], -0.3);
+  EXPECT_DOUBLE_EQ(model.upper()[0], 0.8);
+}
+
+TEST(CoupledLimits, LeaveARangeAloneThatTheyAllow) {
+  for (const double rounding : {0.0, 1e-13, -1e-13}) {
+    const RobotModel model(finger(0.5, 0.0, -0.5, 1.0 - rounding));
+    EXPECT_EQ(model.lower()[0], -1.0);
+    EXPECT_EQ(model.upper()[0], 2.0) << "to the bit, whatever a file's rounding";
+    EXPECT_THAT(model.description().warnings, IsEmpty());
+  }
+}
+
+TEST(CoupledLimits, AreRefusedIfNoConfigurationKeepsThem) {
+  EXPECT_THAT(test::refusal_of([] { RobotModel(finger(1.0, 0.0, 2.5, 3.0)); }),
+              AllOf(HasSubstr("joint tip"), HasSubstr("knuckle")));
+  EXPECT_THAT(test::refusal_of([] { RobotModel(finger(0.0, 1.0, -0.5, 0.5)); }),
+              HasSubstr("joint tip"));
+}
+
+TEST(CoupledLimits, AreRefusedWithNumbersThatMakeNoCoupling) {
+  for (const double bad : {1e300, -1e7, std::numeric_limits<double>::quiet_NaN(),
+                           std::numeric_limits<double>::infinity()}) {
+    EXPECT_THAT(test::refusal_of([&] { RobotModel(finger(bad, 0.0, -1.0, 1.0)); }),
+                HasSubstr("multiplier"))
+        << bad;
+    EXPECT_THAT(test::refusal_of([&] { RobotModel(finger(1.0, bad, -1.0, 1.0)); }),
+                HasSubstr("offset"))
+        << bad;
+  }
+}
+
+TEST(CoupledLimits, AreNamedByTheJointThatFollows) {
+  auto model = std::make_shared<const RobotModel>(finger(2.0, 0.0, -1.0, 1.0));
+  EXPECT_THAT(limit_violations(*model, bent(0.5)), IsEmpty());
+  const auto violations = limit_violations(*model, bent(0.9));
+  ASSERT_EQ(violations.size(), 1U);
+  EXPECT_EQ(violations[0].joint, "tip");
+  EXPECT_DOUBLE_EQ(violations[0].value, 1.8);
+  EXPECT_THAT(to_string(violations[0]), AllOf(HasSubstr("tip at 1.8"), HasSubstr("knuckle")));
+  RobotState state(model);
+  state.set_configuration(bent(0.9));
+  EXPECT_FALSE(state.within_limits());
+}
+
+TEST(CoupledLimits, OfAnyJointComeInTheOrderOfTheLinks) {
+  RobotDescription robot = finger(0.5, 0.0, -0.5, 1.0);
+  robot.links.push_back({"thumb", {}, {}});
+  robot.joints.push_back(turning("thumb", "palm", "thumb", -1.0, 1.0));
+  const RobotModel model(robot);
+  const auto violations = limit_violations(model, Eigen::Vector2d(2.5, -1.5));
+  ASSERT_EQ(violations.size(), 2U);
+  EXPECT_EQ(violations[0].joint, "tip") << "knuckle, by what follows it";
+  EXPECT_EQ(violations[1].joint, "thumb");
+  EXPECT_EQ(violations[1].leader, "");
+}
+
+TEST(JointLimits, AreRefusedWhenTheyMakeNoSense) {
+  const auto refusal = [](auto change) {
+    RobotDescription robot = finger(0.5, 0.0, -0.5, 1.0);
+    change(robot.joints.front().limits);
+    return test::refusal_of([&] { RobotModel{robot}; });
+  };
+  EXPECT_THAT(refusal([](JointLimits& limits) { limits.lower = -1e308; }), HasSubstr("knuckle"));
+  EXPECT_THAT(refusal([](JointLimits& limits) { limits.upper = -2.0; }), HasSubstr("lower below"));
+  EXPECT_THAT(refusal([](JointLimits& limits) { limits.velocity = -1.0; }), HasSubstr("velocity"));
+  EXPECT_THAT(refusal([](JointLimits& limits) {
+                limits.acceleration = std::numeric_limits<double>::quiet_NaN();
+              }),
+              HasSubstr("acceleration"));
+}
+
+}  // namespace
+}  // namespace handway::geometric
