@@ -244,17 +244,19 @@ class SimulatedLink final : public device::MotionLink {
 
  private:
   void do_connect(const std::stop_token& /*stop*/) override { add_sample(position_); }
-  void do_upload(const device::JointTrajectory& /*trajectory*/) override {}
+  void do_upload(const device::JointTrajectory& /*trajectory*/,
+                 const std::stop_token& /*stop*/) override {}
   void do_start() override {}
   [[nodiscard]] double do_pause(double time) override { return time; }
   void do_resume() override {}
   void do_stop() override { stopped_ = true; }
-  void do_update(double time) override {
+  [[nodiscard]] bool do_update(double time) override {
     std::this_thread::sleep_for(std::chrono::microseconds(200));
     if (!stopped_ && !trajectory().times.empty() && time > 0.0) {
       position_ = trajectory().at(time);
     }
     add_sample(position_);
+    return true;
   }
 
   Eigen::VectorXd position_;

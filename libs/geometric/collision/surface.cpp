@@ -97,13 +97,10 @@ MeshVolumes make_volumes(const TriangleMesh& mesh, const std::stop_token& stop) 
   return volumes;
 }
 
-// From the cache, or into it. Those of plain meshes, as primitives are, are made faster than it
-// would be worth to keep them at every size.
+// From the cache, or into it, but for what is only being edited: a drag would leave an entry behind
+// for every size.
 MeshVolumes volumes_of(const CacheKey& key, const TriangleMesh& mesh,
                        const Preparation& preparation) {
-  if (mesh.triangles.size() < kPlain) {
-    return make_volumes(mesh, preparation.stop);
-  }
   const DiskCache cache = DiskCache::of_user();
   if (std::optional<MeshVolumes> known = cache.read_as(key, unarchive_volumes)) {
     return *std::move(known);
