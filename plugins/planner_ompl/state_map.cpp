@@ -2,6 +2,12 @@
 
 #include "draws.h"
 
+#include <ompl/base/spaces/RealVectorStateProjections.h>
+
+#include <memory>
+#include <numeric>
+#include <vector>
+
 namespace handway::planner_ompl {
 namespace {
 
@@ -15,6 +21,19 @@ class SampledSpace final : public ompl::base::RealVectorStateSpace {
 
   [[nodiscard]] ompl::base::StateSamplerPtr allocDefaultStateSampler() const override {
     return ssa_ ? ssa_(this) : RealVectorStateSpace::allocDefaultStateSampler();
+  }
+
+  // Of one or two dimensions OMPL 1.5 takes an identity projection that fails an assertion before
+  // its set-up; keeping all components is the same.
+  void registerProjections() override {
+    if (getDimension() > 2) {
+      RealVectorStateSpace::registerProjections();
+      return;
+    }
+    std::vector<unsigned int> all(getDimension());
+    std::iota(all.begin(), all.end(), 0U);
+    registerDefaultProjection(
+        std::make_shared<ompl::base::RealVectorOrthogonalProjectionEvaluator>(this, all));
   }
 };
 

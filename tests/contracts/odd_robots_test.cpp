@@ -203,7 +203,7 @@ class HandAlone : public testing::TestWithParam<std::string> {};
 
 TEST_P(HandAlone, IsPlannedForWithTheDefaults) {
   const PlanningProblem problem = kHandAlone.make();
-  const PlanResult result = planner_with(GetParam(), {"", ""})->plan(problem, {});
+  const PlanResult result = planner_with(GetParam(), {"max_samples", "50000"})->plan(problem, {});
   EXPECT_TRUE(result.solved()) << result.reason;
 }
 

@@ -135,7 +135,8 @@ TEST_F(Export, RefusesBadInputInWords) {
               AllOf(HasSubstr("waypoint 2"), HasSubstr("shoulder"), HasSubstr("9.4")));
   line_.write("odd.csv", "shoulder,elbow,thumb,left,pinky\n-0.4,0,0,0,0\n0.4,0,0,0,0\n");
   EXPECT_THAT(refusal("odd.csv --scene post.yaml --to csv"), HasSubstr("pinky"));
-  EXPECT_THAT(refusal("path.csv --scene post.yaml --to val3"), HasSubstr("six"));
+  EXPECT_THAT(refusal("path.csv --scene post.yaml --to val3"), HasSubstr("--any-robot"));
+  EXPECT_THAT(refusal("path.csv --scene post.yaml --to val3 --any-robot"), HasSubstr("six"));
 }
 
 TEST_F(Export, RefusesWrongUsage) {

@@ -47,7 +47,7 @@ TEST_F(HandwayReproduce, GoesOnWithMoreRuns) {
   EXPECT_EQ(line_.run("reproduce --table 2 --quick --runs 2 --out tables").exit_code, 3);
   const Outcome more = line_.run("reproduce --table 2 --quick --runs 2 --out tables --resume");
   EXPECT_EQ(more.exit_code, 0) << more.err;
-  EXPECT_THAT(more.err, HasSubstr("6 runs, 3 of them done before"));
+  EXPECT_THAT(more.err, HasSubstr("14 runs, 7 of them done before"));
 }
 
 TEST_F(HandwayReproduce, ListsTheParametersWithoutAnyRun) {

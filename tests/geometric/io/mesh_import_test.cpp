@@ -218,12 +218,12 @@ class StrangeMeshReader : public testing::Test {
         "#!/usr/bin/python3\nimport os, socket, struct\n"
         "s = socket.socket(fileno=3)\n"
         "request, (pipe,), _, _ = socket.recv_fds(s, 8192, 1)\n"
-        "def reply(vertices, triangles, mark=0x48574D33):\n"
-        "  os.write(pipe, struct.pack('<2I4f2I2Q', mark, 0, 0, 0, 0, 1, 0, 0, vertices, "
-        "triangles))\n"
+        "def reply(vertices, triangles, mark=0x48574D34):\n"
+        "  os.write(pipe, struct.pack('<2I4f2I2Qd', mark, 0, 0, 0, 0, 1, 0, 0, vertices, "
+        "triangles, 0))\n"
         "def end(outcome=0, signal=0):\n"
         "  os.close(pipe)\n"
-        "  s.send(struct.pack('<2Ii', 0x48574D33, outcome, signal))\n" +
+        "  s.send(struct.pack('<2Ii', 0x48574D34, outcome, signal))\n" +
             code);
     std::filesystem::permissions(program, std::filesystem::perms::owner_all);
     return answer_of_program(program);

@@ -45,7 +45,7 @@ INSTANTIATE_TEST_SUITE_P(
                "      primitive_pose:\n        - position", "scene0001.yaml:25",
                "the unknown key \"primitive_pose\"", "Did you mean \"primitive_poses\"?"},
         Breach{"MisspeltObjects", true, "collision_objects:\n    - id: table",
-               "colision_objects:\n    - id: table", "scene0001.yaml:19", "colision_objects",
+               "colision_objects:\n    - id: table", "scene0001.yaml:20", "colision_objects",
                "Did you mean \"collision_objects\"?"},
         Breach{"TooFewPositions", true, "[0, 0, 0, 0.01, 0.01]", "[0, 0, 0, 0.01]",
                "scene0001.yaml:6", "4 positions", "5, one for each name"},
