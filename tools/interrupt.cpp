@@ -18,8 +18,8 @@ StopsOnInterrupt::StopsOnInterrupt(std::stop_source& stop) {
   interrupted = &stop;
   for (std::size_t i = 0; i < kSignals.size(); ++i) {
     before_[i] = std::signal(kSignals[i], on_interrupt);
-    if (before_[i] == SIG_IGN) {  // as nohup wants it
-      std::signal(kSignals[i], SIG_IGN);
+    if (kSignals[i] == SIGHUP && before_[i] == SIG_IGN) {  // as nohup wants it
+      std::signal(SIGHUP, SIG_IGN);
     }
   }
 }

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <map>
+#include <set>
 #include <thread>
 #include <utility>
 
@@ -22,6 +23,8 @@ constexpr xcb_keysym_t kPause = 0xff13;
 constexpr xcb_keysym_t kBreak = 0xff6b;
 constexpr xcb_keysym_t kF12 = 0xffc9;
 constexpr xcb_keysym_t kSpace = 0x0020;
+constexpr xcb_keysym_t kControlLeft = 0xffe3;
+constexpr xcb_keysym_t kControlRight = 0xffe4;
 
 struct Free {
   void operator()(void* reply) const { std::free(reply); }
@@ -50,7 +53,8 @@ void select_raw_keys(xcb_connection_t* x) {
   struct {
     xcb_input_event_mask_t head;
     std::uint32_t mask;
-  } const wanted{{XCB_INPUT_DEVICE_ALL_MASTER, 1}, XCB_INPUT_XI_EVENT_MASK_RAW_KEY_PRESS};
+  } const wanted{{XCB_INPUT_DEVICE_ALL_MASTER, 1},
+                 XCB_INPUT_XI_EVENT_MASK_RAW_KEY_PRESS | XCB_INPUT_XI_EVENT_MASK_RAW_KEY_RELEASE};
   const xcb_window_t root = xcb_setup_roots_iterator(xcb_get_setup(x)).data->root;
   xcb_input_xi_select_events(x, root, 1, &wanted.head);
   xcb_flush(x);
@@ -71,13 +75,6 @@ std::multimap<xcb_keycode_t, xcb_keysym_t> read_keyboard(xcb_connection_t* x) {
     }
   }
   return keyboard;
-}
-
-bool is_control_held(xcb_connection_t* x) {
-  const xcb_window_t root = xcb_setup_roots_iterator(xcb_get_setup(x)).data->root;
-  const Owned<xcb_query_pointer_reply_t> state(
-      xcb_query_pointer_reply(x, xcb_query_pointer(x, root), nullptr));
-  return state && (state->mask & XCB_MOD_MASK_CONTROL) != 0;
 }
 
 // A program's windows have the number of its connection in common.
@@ -131,22 +128,37 @@ class StopKeyListener::Thread {
       keyboard_ = read_keyboard(x_.get());
     } else if (type == XCB_GE_GENERIC) {
       const auto& generic = reinterpret_cast<const xcb_ge_generic_event_t&>(event);
-      if (generic.extension == opcode_ && generic.event_type == XCB_INPUT_RAW_KEY_PRESS) {
-        const auto& key = reinterpret_cast<const xcb_input_raw_key_press_event_t&>(event);
-        if (is_stop_key(static_cast<xcb_keycode_t>(key.detail))) {
-          stop_();
-        }
+      if (generic.extension != opcode_) {
+        return;
+      }
+      const auto& key = reinterpret_cast<const xcb_input_raw_key_press_event_t&>(event);
+      const auto code = static_cast<xcb_keycode_t>(key.detail);
+      if (generic.event_type == XCB_INPUT_RAW_KEY_PRESS) {
+        take_press(code);
+      } else if (generic.event_type == XCB_INPUT_RAW_KEY_RELEASE) {
+        controls_.erase(code);
       }
     }
   }
 
-  [[nodiscard]] bool is_stop_key(xcb_keycode_t code) const {
+  // Which Control keys are down is kept from their own events: asked for when the other key is
+  // taken, they may be up again.
+  void take_press(xcb_keycode_t code) {
+    if (has(code, kControlLeft) || has(code, kControlRight)) {
+      controls_.insert(code);
+    } else if (is_stop_key(code)) {
+      stop_();
+    }
+  }
+
+  [[nodiscard]] bool has(xcb_keycode_t code, xcb_keysym_t keysym) const {
     const auto [begin, end] = keyboard_.equal_range(code);
-    const auto has = [&](xcb_keysym_t keysym) {
-      return std::any_of(begin, end, [keysym](const auto& key) { return key.second == keysym; });
-    };
-    return has(kPause) || has(kBreak) ||
-           ((has(kF12) || (has(kSpace) && is_control_held(x_.get()))) &&
+    return std::any_of(begin, end, [keysym](const auto& key) { return key.second == keysym; });
+  }
+
+  [[nodiscard]] bool is_stop_key(xcb_keycode_t code) const {
+    return has(code, kPause) || has(code, kBreak) ||
+           ((has(code, kF12) || (has(code, kSpace) && !controls_.empty())) &&
             has_keyboard(x_.get(), window_));
   }
 
@@ -155,6 +167,7 @@ class StopKeyListener::Thread {
   std::function<void()> stop_;
   std::uint8_t opcode_;
   std::multimap<xcb_keycode_t, xcb_keysym_t> keyboard_;
+  std::set<xcb_keycode_t> controls_;  ///< That are down.
   int end_;
   std::thread thread_;
 };

@@ -172,11 +172,7 @@ TEST_F(HandwayCampaign, DoesNotGoOnAfterAnEditOfAMeshTheRobotOrTheBasis) {
   };
   expect_refusal("block.obj");
   expect_refusal("basis.yaml");
-  for (const auto& entry : fs::directory_iterator(line_.folder())) {
-    if (entry.path().extension() == ".urdf") {
-      expect_refusal(entry.path().filename().string());
-    }
-  }
+  expect_refusal("open_planar.urdf");
   EXPECT_EQ(line_.run("bench one.yaml --resume").exit_code, 0);
 }
 
