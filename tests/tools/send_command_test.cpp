@@ -159,7 +159,8 @@ class SendToAFloodingHand : public Send {
     emulate({}, {});
     const std::size_t hand = targets_.find(',') + 1;
     proxy_ = std::make_unique<FloodingProxy>(port_of(targets_.substr(hand)));
-    targets_ = targets_.substr(0, hand) + "hand://localhost:" + std::to_string(proxy_->port());
+    targets_.resize(hand);
+    targets_ += "hand://localhost:" + std::to_string(proxy_->port());
   }
   [[nodiscard]] BackgroundProcess start() const {
     return BackgroundProcess({"send", (line_.folder() / "path.csv").string(), "--scene", scene(),

@@ -320,9 +320,9 @@ TEST_F(Stop, WorksWhileAMenuAListOrThePaletteIsOpen) {
     SCOPED_TRACE(popup->metaObject()->className());
     const auto asked = Clock::now();
     press_key(*popup, Qt::Key_Pause);
-    EXPECT_TRUE(popup && popup->isVisible()) << "the key is for nothing else";
+    EXPECT_TRUE(!popup.isNull() && popup->isVisible()) << "the key is for nothing else";
     expect_stopped_within_50_ms(asked);
-    if (popup) {
+    if (!popup.isNull()) {
       popup->close();
     }
   }
