@@ -8,9 +8,10 @@ fuzz_targets() {
   find build/fuzz/fuzz -maxdepth 1 -name 'fuzz_*' -type f -printf '%f\n' | sed 's/^fuzz_//' | sort
 }
 
-# fuzz_one TARGET SECONDS
+# fuzz_one TARGET SECONDS [OPTION…]
 fuzz_one() {
   local target=$1 seconds=$2 log kept scratch status=0
+  shift 2
   log=build/fuzz/logs/$target.log
   kept=build/fuzz/corpora/$target
   scratch=$PWD/build/fuzz/tmp/$target
@@ -19,18 +20,14 @@ fuzz_one() {
   env TMPDIR="$scratch" XDG_CACHE_HOME="$scratch/cache" UBSAN_OPTIONS=print_stacktrace=1 \
     "build/fuzz/fuzz/fuzz_$target" -max_total_time="$seconds" -timeout=2 -rss_limit_mb=2048 \
     -malloc_limit_mb=1024 -max_len=65536 -artifact_prefix="build/fuzz/found/$target-" \
-    "$kept" "tests/fuzz/corpora/$target" >"$log" 2>&1 </dev/null || status=$?
+    "$@" "$kept" "tests/fuzz/corpora/$target" >"$log" 2>&1 </dev/null || status=$?
   [ "$status" -eq 0 ] || tail -n 40 "$log"
   return "$status"
 }
 export -f fuzz_one
 
-# fuzz_for SECONDS: shared by all targets, as many at once as there are cores.
-fuzz_for() {
-  local targets each
+# replay_corpora: every kept input once through its target, without making up new ones.
+replay_corpora() {
   build fuzz all || return 1
-  mapfile -t targets < <(fuzz_targets)
-  each=$(($1 * $(nproc) / ${#targets[@]} + 1))
-  printf '%s\n' "${targets[@]}" |
-    xargs --max-procs="$(nproc)" -I TARGET bash -c 'fuzz_one "$@"' fuzz TARGET "$each"
+  fuzz_targets | xargs --max-procs="$(nproc)" -I TARGET bash -c 'fuzz_one "$@"' fuzz TARGET 1 -runs=0
 }
