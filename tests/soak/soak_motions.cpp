@@ -127,6 +127,8 @@ class ChangingScene {
     return std::make_shared<const PlanningProblem>(
         planning::make_problem(std::make_shared<const Scene>(scene_), basis_));
   }
+  [[nodiscard]] const Scene& scene() const { return scene_; }
+  [[nodiscard]] const std::shared_ptr<const sampling::PmdBasis>& basis() const { return basis_; }
 
   /// Uniform in [lower, upper].
   double draw_real(double lower, double upper) {
@@ -142,7 +144,7 @@ class ChangingScene {
   }
   geometric::Pose somewhere() {
     return geometric::pose_from_rpy(
-        {draw_real(-1.2, 1.2), draw_real(-1.2, 1.2), draw_real(0.0, 1.4)}, draw_real(-3, 3),
+        {draw_real(-0.2, 1.0), draw_real(-0.8, 0.8), draw_real(0.1, 1.4)}, draw_real(-3, 3),
         draw_real(-1, 1), draw_real(-3, 3));
   }
   geometric::Shape some_shape() {
@@ -298,12 +300,35 @@ Devices emulated_devices(const PlanningProblem& problem, const Configuration& st
   return devices;
 }
 
+/// A scene's problem, made when somebody needs it first: not in the loop that drives the devices.
+class LaterProblem {
+ public:
+  LaterProblem(Scene scene, std::shared_ptr<const sampling::PmdBasis> basis)
+      : scene_(std::move(scene)), basis_(std::move(basis)) {}
+
+  [[nodiscard]] Problem get() {
+    const std::scoped_lock lock(mutex_);
+    if (!problem_) {
+      problem_ = std::make_shared<const PlanningProblem>(
+          planning::make_problem(std::make_shared<const Scene>(std::move(scene_)), basis_));
+    }
+    return problem_;
+  }
+
+ private:
+  std::mutex mutex_;
+  Scene scene_;
+  std::shared_ptr<const sampling::PmdBasis> basis_;
+  Problem problem_;
+};
+
 /// Edits the scene while a motion runs, and keeps where the robot was measured in which scene.
 class Witness final : public execution::MotionObserver {
  public:
-  Witness(ChangingScene& scene, Problem problem, std::vector<MotionTarget>& targets,
-          const Configuration& start)
-      : scene_(scene), problem_(std::move(problem)), targets_(targets), q_(start) {}
+  Witness(ChangingScene& scene, std::vector<MotionTarget>& targets, const Configuration& start)
+      : scene_(scene), targets_(targets), q_(start) {
+    take_scene();
+  }
 
   void set_watch(SceneWatch& watch, execution::MotionRequests& requests, std::stop_source& stop) {
     watch_ = &watch;
@@ -320,10 +345,11 @@ class Witness final : public execution::MotionObserver {
     if (now >= next_edit_ && edits_ < kEdits) {
       ++edits_;
       scene_.edit();
-      problem_ = scene_.problem();
+      take_scene();
       edited_ = Clock::now();
       next_edit_ = edited_ + random_pause();
-      watch_->follow([problem = problem_](const std::stop_token& /*stop*/) { return problem; });
+      watch_->follow(
+          [problem = problem_](const std::stop_token& /*stop*/) { return problem->get(); });
     }
     if (held_ && seconds(now - held_at_) > kReaction) {
       stop_->request_stop();
@@ -340,16 +366,15 @@ class Witness final : public execution::MotionObserver {
 
   [[nodiscard]] bool held() const { return held_; }
   [[nodiscard]] double longest_hold() const { return longest_hold_; }
-  [[nodiscard]] const Problem& problem() const { return problem_; }
 
   /// Did a joint move in collision, later than kReaction after the edit?
   [[nodiscard]] bool saw_collision() {
-    Problem of;
+    std::shared_ptr<LaterProblem> of;
     std::unique_ptr<Reference> reference;
     return std::ranges::any_of(moved_, [&](const Place& place) {
       if (place.problem != of) {
         of = place.problem;
-        reference = std::make_unique<Reference>(*of);
+        reference = std::make_unique<Reference>(*of->get());
       }
       return reference->collides(place.q);
     });
@@ -357,11 +382,13 @@ class Witness final : public execution::MotionObserver {
 
  private:
   struct Place {
-    Problem problem;
+    std::shared_ptr<LaterProblem> problem;
     Configuration q;
   };
 
   static constexpr int kEdits = 5;
+
+  void take_scene() { problem_ = std::make_shared<LaterProblem>(scene_.scene(), scene_.basis()); }
 
   Clock::duration random_pause() {
     return std::chrono::duration_cast<Clock::duration>(
@@ -378,7 +405,7 @@ class Witness final : public execution::MotionObserver {
   }
 
   ChangingScene& scene_;
-  Problem problem_;
+  std::shared_ptr<LaterProblem> problem_;
   std::vector<MotionTarget>& targets_;
   Configuration q_;
   SceneWatch* watch_ = nullptr;
@@ -424,7 +451,7 @@ Tally soak_motions(const planning::LoadedScene& loaded, int count, std::uint64_t
     requests.stop = stop.get_token();
     SceneWatch watch(trajectory, [problem](const std::stop_token&) { return problem; });
     requests.watch = &watch;
-    Witness witness(scene, problem, devices.targets, start);
+    Witness witness(scene, devices.targets, start);
     witness.set_watch(watch, requests, stop);
     const execution::MotionOutcome outcome = run_motion(devices.targets, {}, requests, witness);
     tally.solved += outcome.done ? 1 : 0;
