@@ -330,9 +330,8 @@ class Witness final : public execution::MotionObserver {
     take_scene();
   }
 
-  void set_watch(SceneWatch& watch, execution::MotionRequests& requests, std::stop_source& stop) {
+  void set_watch(SceneWatch& watch, std::stop_source& stop) {
     watch_ = &watch;
-    requests_ = &requests;
     stop_ = &stop;
     next_edit_ = Clock::now() + random_pause();
   }
@@ -409,7 +408,6 @@ class Witness final : public execution::MotionObserver {
   std::vector<MotionTarget>& targets_;
   Configuration q_;
   SceneWatch* watch_ = nullptr;
-  execution::MotionRequests* requests_ = nullptr;
   std::stop_source* stop_ = nullptr;
   Clock::time_point next_edit_;
   Clock::time_point edited_;
@@ -452,7 +450,7 @@ Tally soak_motions(const planning::LoadedScene& loaded, int count, std::uint64_t
     SceneWatch watch(trajectory, [problem](const std::stop_token&) { return problem; });
     requests.watch = &watch;
     Witness witness(scene, devices.targets, start);
-    witness.set_watch(watch, requests, stop);
+    witness.set_watch(watch, stop);
     const execution::MotionOutcome outcome = run_motion(devices.targets, {}, requests, witness);
     tally.solved += outcome.done ? 1 : 0;
     tally.held += witness.held() || !outcome.collision.empty() ? 1 : 0;
