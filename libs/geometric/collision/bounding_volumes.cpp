@@ -12,7 +12,7 @@ constexpr double kThinnest = 1e-5;  // m
 
 void list_spheres(const SphereCover& cover, std::uint32_t node_index, double largest,
                   std::vector<CoveringSphere>& spheres) {
-  const SphereCover::Node& node = cover.nodes()[node_index];
+  const SphereCover::Node& node = cover.node(node_index);
   for (std::uint32_t i = 0; i < node.count; ++i) {
     const bool is_leaf = (node.child[i] & SphereCover::kLeaf) != 0;
     if (node.radius[i] > largest && !is_leaf) {
@@ -25,7 +25,7 @@ void list_spheres(const SphereCover& cover, std::uint32_t node_index, double lar
 
 std::vector<CoveringSphere> spheres_of(const SphereCover& cover, double largest) {
   std::vector<CoveringSphere> spheres;
-  if (cover.root().radius <= largest || cover.nodes().empty()) {
+  if (cover.root().radius <= largest) {
     spheres.push_back({cover.root().centre.cast<double>(), cover.root().radius});
   } else {
     list_spheres(cover, 0, largest, spheres);
@@ -60,8 +60,8 @@ std::vector<BoundingVolumes> bounding_volumes(
   std::vector<BoundingVolumes> volumes;
   volumes.reserve(meshes.size());
   for (const std::shared_ptr<const Surface>& surface : make_surfaces(meshes)) {
-    volumes.push_back({spheres_of(surface->cover, largest), hull_of(surface->hull),
-                       static_cast<double>(surface->hull.margin())});
+    volumes.push_back({spheres_of(surface->cover, largest), hull_of(*surface->hull),
+                       static_cast<double>(surface->hull->margin())});
   }
   return volumes;
 }

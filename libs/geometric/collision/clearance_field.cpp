@@ -283,7 +283,20 @@ ClearanceField::ClearanceField(const TriangleMesh& mesh, const BoxTree& boxes, s
   ClearanceFieldBuilder(*this, mesh, boxes).build(budget, stop);
 }
 
+ClearanceField::ClearanceField(const PrimitiveDistance& primitive)
+    : centre_(primitive.box().centre().cast<float>()),
+      half_((0.5 * primitive.box().size()).cast<float>()),
+      primitive_(primitive) {}
+
 float ClearanceField::bound(const std::array<Eigen::Vector3f, 3>& triangle) const {
+  if (primitive_) {
+    const Eigen::Vector3f middle = (triangle[0] + triangle[1] + triangle[2]) / 3.0F;
+    const auto [distance, slope] = primitive_->tangent(middle);
+    return distance <= 0.0F ? kNothing
+                            : distance + std::min({slope.dot(triangle[0] - middle),
+                                                   slope.dot(triangle[1] - middle),
+                                                   slope.dot(triangle[2] - middle)});
+  }
   std::array<Eigen::Array3f, 3> u;
   for (std::size_t k = 0; k < 3; ++k) {
     u[k] = (triangle[k] - origin_).array() * per_cell_;

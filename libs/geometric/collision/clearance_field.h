@@ -1,6 +1,7 @@
 #pragma once
 
 #include "collision/box_tree.h"
+#include "collision/primitive_distance.h"
 #include "collision/triangle_block.h"
 #include "handway/geometric/scene/triangle_mesh.h"
 
@@ -10,6 +11,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <optional>
 #include <stop_token>
 #include <vector>
 
@@ -26,6 +28,8 @@ namespace handway::geometric {
 /// function is the lowest of these over a tree of boxes, brought to the slope of
 /// the nearest one. Where that is not good enough but a few triangles are all that
 /// matters to a cell, it lists these.
+///
+/// Of a primitive, distances are known in closed form; there are no cells.
 class ClearanceField {
  public:
   /// The larger of front + slope · p and back - slope · p (m, p in the mesh's frame);
@@ -66,6 +70,11 @@ class ClearanceField {
   /// @throws PreparationStopped once `stop` is requested.
   ClearanceField(const TriangleMesh& mesh, const BoxTree& boxes, std::size_t budget,
                  const std::stop_token& stop = {});
+
+  explicit ClearanceField(const PrimitiveDistance& primitive);
+
+  /// Nothing for other meshes.
+  [[nodiscard]] const std::optional<PrimitiveDistance>& primitive() const { return primitive_; }
 
   /// The cell that a point is in, null if it is outside the grid.
   struct Place {
@@ -116,9 +125,13 @@ class ClearanceField {
   Eigen::Array3i counts_ = Eigen::Array3i::Zero();
   std::vector<Cell> cells_;
   std::vector<TriangleBlock> blocks_;
+  std::optional<PrimitiveDistance> primitive_;
 };
 
 inline ClearanceField::Place ClearanceField::find(const Eigen::Vector3f& p) const {
+  if (primitive_) {
+    return {nullptr, 0.0F};
+  }
   Eigen::Array3f u = (p - origin_).array() * per_cell_;
   if ((u < 0.0F).any() || (u >= counts_.cast<float>()).any()) {
     return {nullptr, 0.0F};
@@ -140,6 +153,9 @@ inline ClearanceField::Place ClearanceField::find(const Eigen::Vector3f& p) cons
 inline float ClearanceField::bound(const Eigen::Vector3f& p) const { return bound(p, find(p)); }
 
 inline float ClearanceField::bound(const Eigen::Vector3f& p, const Place& place) const {
+  if (primitive_) {
+    return primitive_->bound(p);
+  }
   const float outside = ((p - centre_).cwiseAbs() - half_).cwiseMax(0.0F).norm();
   if (place.cell == nullptr) {
     return outside;

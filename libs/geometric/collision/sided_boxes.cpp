@@ -18,10 +18,41 @@ constexpr double kSame = 1e-3;            // rad: faces that are across one axis
 constexpr double kSideRounding = 2e-6;    // of the coordinates: more than single precision loses
 constexpr float kNever = -1e30F;          // half a box that nothing is in
 constexpr std::size_t kSeeds = 24;        // places that each box is grown from
+constexpr double kHair = 2e-6;            // m: boxes are at least so far from the surface
 constexpr double kLeastShare = 0.005;  // of the space on its side: smaller boxes are not worth it
 
 using Block = FreeSpace::Block;
 using Index = FreeSpace::Index;
+
+SidedBoxes::Boxes no_boxes() {
+  SidedBoxes::Boxes boxes;
+  for (std::array<float, SidedBoxes::kMost>& half : boxes.half) {
+    half.fill(kNever);
+  }
+  return boxes;
+}
+
+// Rounded so that nothing is in it that is not in `box`.
+void store(const Aabb& box, SidedBoxes::Boxes& boxes, std::size_t k) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto i = static_cast<Eigen::Index>(axis);
+    const double centre = box.centre()[i];
+    const double half = 0.5 * box.size()[i];
+    boxes.centre[axis][k] = static_cast<float>(centre);
+    boxes.half[axis][k] = static_cast<float>(half - kSideRounding * (std::abs(centre) + half));
+  }
+}
+
+// Rounded so that all of `box` is in it.
+void store_around(const Aabb& box, SidedBoxes& boxes) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto i = static_cast<Eigen::Index>(axis);
+    const double half = 0.5 * box.size()[i];
+    boxes.centre[axis] = static_cast<float>(box.centre()[i]);
+    boxes.half[axis] =
+        static_cast<float>(half + kSideRounding * (std::abs(box.centre()[i]) + half));
+  }
+}
 
 // Fills one side of a surface with the largest boxes there are.
 class Filling {
@@ -37,10 +68,7 @@ class Filling {
   }
 
   [[nodiscard]] SidedBoxes::Boxes boxes() {
-    SidedBoxes::Boxes boxes;
-    for (std::array<float, SidedBoxes::kMost>& half : boxes.half) {
-      half.fill(kNever);
-    }
+    SidedBoxes::Boxes boxes = no_boxes();
     for (std::size_t k = 0; k < SidedBoxes::kMost && !open_.empty(); ++k) {
       const Block best = largest();
       if (space_.volume(best) < kLeastShare * whole_) {
@@ -133,16 +161,6 @@ class Filling {
            i[1] < block.end[1] && i[2] >= block.first[2] && i[2] < block.end[2];
   }
 
-  static void store(const Aabb& box, SidedBoxes::Boxes& boxes, std::size_t k) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const auto i = static_cast<Eigen::Index>(axis);
-      const double centre = box.centre()[i];
-      const double half = 0.5 * box.size()[i];
-      boxes.centre[axis][k] = static_cast<float>(centre);
-      boxes.half[axis][k] = static_cast<float>(half - kSideRounding * (std::abs(centre) + half));
-    }
-  }
-
   const FreeSpace& space_;
   const Index& counts_;
   std::vector<std::size_t> open_;  ///< Cells that no box has yet.
@@ -191,14 +209,7 @@ SidedBoxes boxes_of(const TriangleMesh& piece) {
   const TriangleMesh turned = transformed(piece, Pose(R_PB));
   SidedBoxes boxes{};
   Eigen::Map<Eigen::Matrix<float, 3, 3, Eigen::RowMajor>>(boxes.R_PB.data()) = R_PB.cast<float>();
-  const Aabb box = bounding_box(turned);
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const auto i = static_cast<Eigen::Index>(axis);
-    const double half = 0.5 * box.size()[i];
-    boxes.centre[axis] = static_cast<float>(box.centre()[i]);
-    boxes.half[axis] =
-        static_cast<float>(half + kSideRounding * (std::abs(box.centre()[i]) + half));
-  }
+  store_around(bounding_box(turned), boxes);
   const FreeSpace space(turned);
   boxes.inside = Filling(space, true).boxes();
   boxes.outside = Filling(space, false).boxes();
@@ -216,6 +227,21 @@ SurfaceSides make_sided_boxes(const std::vector<TriangleMesh>& pieces) {
   }
   sides.has_all = sides.pieces.size() == pieces.size();
   return sides;
+}
+
+SurfaceSides make_sided_boxes(const PrimitiveDistance& primitive) {
+  SidedBoxes boxes{};
+  boxes.R_PB = {1.0F, 0.0F, 0.0F, 0.0F, 1.0F, 0.0F, 0.0F, 0.0F, 1.0F};
+  store_around(primitive.box(), boxes);
+  boxes.inside = no_boxes();
+  boxes.outside = no_boxes();
+  std::size_t count = 0;
+  for (Aabb box : primitive.inner_boxes()) {
+    box.lower.array() += kHair;
+    box.upper.array() -= kHair;
+    store(box, boxes.inside, count++);
+  }
+  return {{boxes}, true};
 }
 
 }  // namespace handway::geometric

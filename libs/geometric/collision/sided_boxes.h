@@ -1,5 +1,6 @@
 #pragma once
 
+#include "collision/primitive_distance.h"
 #include "handway/geometric/scene/triangle_mesh.h"
 
 #include <array>
@@ -36,5 +37,8 @@ struct SurfaceSides {
 
 /// The boxes of the widest closed ones of a mesh's pieces.
 [[nodiscard]] SurfaceSides make_sided_boxes(const std::vector<TriangleMesh>& pieces);
+
+/// The boxes of a primitive; there are none outside of it.
+[[nodiscard]] SurfaceSides make_sided_boxes(const PrimitiveDistance& primitive);
 
 }  // namespace handway::geometric

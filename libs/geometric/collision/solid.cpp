@@ -145,22 +145,33 @@ void extend(Aabb& box, const Aabb& part, const Pose& X_BG) {
 
 }  // namespace
 
-Solid::Solid(TriangleMesh surface)
-    : surface_(std::move(surface)), box_(bounding_box(surface_)), tree_(surface_) {
-  const std::vector<std::uint32_t> numbers = piece_numbers(surface_);
-  piece_of_.reserve(surface_.triangles.size());
+Solid::Pieces::Pieces(const TriangleMesh& surface) : tree(surface) {
+  const std::vector<std::uint32_t> numbers = piece_numbers(surface);
+  piece_of.reserve(surface.triangles.size());
   std::uint32_t pieces = 0;
-  for (const auto& triangle : surface_.triangles) {
-    piece_of_.push_back(numbers[triangle[0]]);
-    pieces = std::max(pieces, piece_of_.back() + 1);
+  for (const auto& triangle : surface.triangles) {
+    piece_of.push_back(numbers[triangle[0]]);
+    pieces = std::max(pieces, piece_of.back() + 1);
   }
-  is_oriented_ = find_oriented(surface_, piece_of_, pieces);
+  is_oriented = find_oriented(surface, piece_of, pieces);
 }
+
+Solid::Solid(TriangleMesh surface)
+    : surface_(std::make_shared<const TriangleMesh>(std::move(surface))),
+      box_(bounding_box(*surface_)),
+      primitive_(PrimitiveDistance::of(*surface_)),
+      pieces_([mesh = surface_] { return Pieces(*mesh); }) {}
 
 bool Solid::contains(const Eigen::Vector3d& p) const {
   if (!is_in(box_, p)) {
     return false;
   }
+  const std::optional<bool> known = primitive_ ? primitive_->contains(p) : std::nullopt;
+  return known.value_or(false) || (!known && is_within_windings(p));
+}
+
+bool Solid::is_within_windings(const Eigen::Vector3d& p) const {
+  const auto& [tree, piece_of, is_oriented] = *pieces_;
   struct Passage {
     std::uint32_t piece;
     int winding;
@@ -171,7 +182,7 @@ bool Solid::contains(const Eigen::Vector3d& p) const {
   while (!waiting.empty()) {
     const std::uint32_t index = waiting.back();
     waiting.pop_back();
-    const BoxTree::Node& node = tree_.nodes()[index];
+    const BoxTree::Node& node = tree.nodes()[index];
     const Eigen::Vector3d beyond = p - node.centre;
     if (std::abs(beyond.x()) > node.half.x() + rounding ||
         std::abs(beyond.y()) > node.half.y() + rounding || beyond.z() > node.half.z() + rounding) {
@@ -182,10 +193,10 @@ bool Solid::contains(const Eigen::Vector3d& p) const {
       waiting.push_back(node.right);
       continue;
     }
-    const auto& [a, b, c] = surface_.triangles[node.triangle];
-    const auto& vertices = surface_.vertices;
+    const auto& [a, b, c] = surface_->triangles[node.triangle];
+    const auto& vertices = surface_->vertices;
     if (const int winding = winding_above(p, vertices[a], vertices[b], vertices[c]); winding != 0) {
-      above.push_back({piece_of_[node.triangle], winding});
+      above.push_back({piece_of[node.triangle], winding});
     }
   }
   std::ranges::sort(above, {}, &Passage::piece);
@@ -197,7 +208,7 @@ bool Solid::contains(const Eigen::Vector3d& p) const {
       ++count;
       winding += passage->winding;
     }
-    if (is_oriented_[piece] ? winding != 0 : count % 2 != 0) {
+    if (is_oriented[piece] ? winding != 0 : count % 2 != 0) {
       return true;
     }
   }

@@ -1,11 +1,14 @@
 #pragma once
 
 #include "collision/box_tree.h"
+#include "collision/on_demand.h"
+#include "collision/primitive_distance.h"
 #include "handway/geometric/robot/link.h"
 #include "handway/geometric/scene/triangle_mesh.h"
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -26,13 +29,23 @@ class Solid {
   [[nodiscard]] bool contains(const Eigen::Vector3d& p) const;
 
  private:
-  TriangleMesh surface_;
+  /// What rays are counted by.
+  struct Pieces {
+    explicit Pieces(const TriangleMesh& surface);
+
+    BoxTree tree;
+    std::vector<std::uint32_t> piece_of;  ///< Shape [triangles].
+    /// Shape [pieces]: whether neighbours are wound alike; then windings tell the inside also where
+    /// a piece runs through itself.
+    std::vector<bool> is_oriented;
+  };
+
+  [[nodiscard]] bool is_within_windings(const Eigen::Vector3d& p) const;
+
+  std::shared_ptr<const TriangleMesh> surface_;
   Aabb box_;
-  BoxTree tree_;
-  std::vector<std::uint32_t> piece_of_;  ///< Shape [triangles].
-  /// Shape [pieces]: whether neighbours are wound alike; then windings tell the inside also where
-  /// a piece runs through itself.
-  std::vector<bool> is_oriented_;
+  std::optional<PrimitiveDistance> primitive_;
+  OnDemand<Pieces> pieces_;
 };
 
 /// What the containment of one body in another depends on.

@@ -41,24 +41,33 @@ HANDWAY_VECTOR_UNITS std::uint32_t near_box(const SphereCover::Node& node, const
   return bits;
 }
 
-// The bound where the whole sphere is in one cell: how far the disk in it reaches
-// towards the slab.
-float disk_bound(const SphereCover::Node& node, std::size_t k, const ClearanceField::Place& place,
-                 const FloatPose& X, const Eigen::Vector3f& centre) {
-  if (place.cell == nullptr || place.cell->listed() || place.room < node.radius[k] + X.rounding) {
-    return ClearanceField::kNothing;
-  }
+// How far a slab with that slope, `bound` away from the centre, is from the disk in a sphere.
+float disk_bound(const SphereCover::Node& node, std::size_t k, float bound, const float* slope,
+                 const FloatPose& X) {
   const float nx = node.normal_x[k];
   const float ny = node.normal_y[k];
   const float nz = node.normal_z[k];
-  const std::array<float, 3>& slope = place.cell->slope;
   const float across = slope[0] * (X.R[0] * nx + X.R[1] * ny + X.R[2] * nz) +
                        slope[1] * (X.R[3] * nx + X.R[4] * ny + X.R[5] * nz) +
                        slope[2] * (X.R[6] * nx + X.R[7] * ny + X.R[8] * nz);
   constexpr float kRounding = 1e-5F;  // of `across`
   const float along = std::sqrt(std::max(0.0F, 1.0F - across * across) + kRounding);
-  return place.cell->bound(centre) - node.thickness[k] * (std::abs(across) + kRounding) -
-         node.radius[k] * along;
+  return bound - node.thickness[k] * (std::abs(across) + kRounding) - node.radius[k] * along;
+}
+
+// The same of the field, where the whole sphere is in one cell or the mesh is a primitive.
+float disk_bound(const SphereCover::Node& node, std::size_t k, const ClearanceField& field,
+                 const ClearanceField::Place& place, const FloatPose& X,
+                 const Eigen::Vector3f& centre) {
+  if (field.primitive()) {
+    const auto [distance, slope] = field.primitive()->tangent(centre);
+    return distance <= 0.0F ? ClearanceField::kNothing
+                            : disk_bound(node, k, distance, slope.data(), X);
+  }
+  if (place.cell == nullptr || place.cell->listed() || place.room < node.radius[k] + X.rounding) {
+    return ClearanceField::kNothing;
+  }
+  return disk_bound(node, k, place.cell->bound(centre), place.cell->slope.data(), X);
 }
 
 }  // namespace
@@ -84,7 +93,7 @@ void sphere_bounds(const SphereCover::Node& node, const ClearanceField& field,
     const ClearanceField::Place place = field.find(centre);
     float bound = field.bound(centre, place) - node.radius[k] - X_BA.rounding;
     if (bound < tolerance) {
-      bound = std::max(bound, disk_bound(node, k, place, X_BA, centre) - X_BA.rounding);
+      bound = std::max(bound, disk_bound(node, k, field, place, X_BA, centre) - X_BA.rounding);
     }
     bounds.bound[k] = bound;
     bounds.near |= bound < tolerance ? 1U << k : 0U;

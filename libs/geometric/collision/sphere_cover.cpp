@@ -1,11 +1,20 @@
 #include "collision/sphere_cover.h"
 
+#include <tbb/concurrent_vector.h>
+
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <limits>
+#include <mutex>
+#include <utility>
 #include <vector>
 
 namespace handway::geometric {
 namespace {
+
+constexpr double kEdge = 1.5;       // of a leaf's radius: longer edges are cut
+constexpr double kNodeEdge = 0.25;  // of a node's radius: the same, for the spheres below it
 
 // What part of a triangle a sphere is to contain.
 struct Piece {
@@ -31,23 +40,23 @@ Aabb box_around(std::span<const Piece> pieces) {
   return box;
 }
 
-// A small ball around all corners: start at the box's centre, then move towards
+// A small ball around points: start at the box's centre, then move towards
 // the farthest point in shrinking steps (Badoiu and Clarkson, 2003).
-Ball enclosing_ball(std::span<const Piece> pieces) {
+// @param visit shows all points to a function.
+template <typename Visit>
+Ball enclosing_ball(const Visit& visit, const Aabb& box) {
   const auto farthest_from = [&](const Eigen::Vector3d& centre) {
     const Eigen::Vector3d* farthest = nullptr;
     double most = -1.0;
-    for (const Piece& piece : pieces) {
-      for (const Eigen::Vector3d& p : piece.corners) {
-        if (const double squared = (p - centre).squaredNorm(); squared > most) {
-          most = squared;
-          farthest = &p;
-        }
+    visit([&](const Eigen::Vector3d& p) {
+      if (const double squared = (p - centre).squaredNorm(); squared > most) {
+        most = squared;
+        farthest = &p;
       }
-    }
+    });
     return farthest;
   };
-  Eigen::Vector3d centre = box_around(pieces).centre();
+  Eigen::Vector3d centre = box.centre();
   const Eigen::Vector3d* farthest = farthest_from(centre);
   Ball best{centre, (*farthest - centre).norm()};
   for (int i = 1; i <= 6; ++i) {
@@ -58,6 +67,16 @@ Ball enclosing_ball(std::span<const Piece> pieces) {
     }
   }
   return best;
+}
+
+Ball enclosing_ball(std::span<const Piece> pieces) {
+  return enclosing_ball(
+      [&](const auto& see) {
+        for (const Piece& piece : pieces) {
+          std::ranges::for_each(piece.corners, see);
+        }
+      },
+      box_around(pieces));
 }
 
 struct Plane {
@@ -90,6 +109,11 @@ BoundingSphere rounded(const Ball& ball) {
   const Eigen::Vector3f centre = ball.centre.cast<float>();
   const double radius = ball.radius + (centre.cast<double>() - ball.centre).norm();
   return {centre, std::nextafter(static_cast<float>(radius * (1.0 + 1e-7)), 1e30F)};
+}
+
+double longest_edge(const Piece& piece) {
+  const auto& [a, b, c] = piece.corners;
+  return std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
 }
 
 // Cut until no edge is longer, or there are more than `most` pieces.
@@ -126,24 +150,69 @@ std::vector<Piece> cut(const TriangleMesh& mesh, double longest_edge, std::size_
   return pieces;
 }
 
+std::vector<Piece> uncut(const TriangleMesh& mesh) {
+  std::vector<Piece> pieces;
+  pieces.reserve(mesh.triangles.size());
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto& [a, b, c] = mesh.triangles[t];
+    pieces.push_back({{mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]}, t});
+  }
+  return pieces;
+}
+
 }  // namespace
 
-class SphereCoverBuilder {
+/// Makes the nodes of one tree.
+class SphereTreeGrowth {
  public:
-  SphereCoverBuilder(SphereCover& cover, double leaf_radius)
-      : cover_(cover), leaf_radius_(leaf_radius) {}
+  using Pieces = std::vector<Piece>;
 
-  void build(std::vector<Piece> pieces) {
-    cover_.root_ = rounded(enclosing_ball(pieces));
-    add_node(pieces);
-    cover_.leaves_.push_back(static_cast<std::uint32_t>(cover_.triangles_.size()));
+  SphereTreeGrowth(Pieces pieces, double leaf_radius)
+      : leaf_radius_(leaf_radius), root_(enclosing_ball(pieces)) {
+    slots_.emplace_back(std::move(pieces));
+  }
+
+  SphereTreeGrowth(std::shared_ptr<const TriangleMesh> mesh, double leaf_radius)
+      : leaf_radius_(leaf_radius),
+        root_(enclosing_ball([&](const auto& see) { std::ranges::for_each(mesh->vertices, see); },
+                             bounding_box(*mesh))),
+        mesh_(std::move(mesh)) {
+    slots_.emplace_back(Pieces());
+  }
+
+  [[nodiscard]] BoundingSphere root() const { return rounded(root_); }
+
+  const SphereCover::Node& node(std::uint32_t index) {
+    Slot& slot = slots_[index];
+    if (const SphereCover::Node* made = slot.made.load(std::memory_order_acquire)) {
+      return *made;
+    }
+    const std::scoped_lock lock(mutex_);
+    if (!slot.node) {
+      Pieces pieces = mesh_ ? uncut(*std::exchange(mesh_, {})) : std::exchange(slot.pieces, {});
+      slot.node = std::make_unique<const SphereCover::Node>(made_of(std::move(pieces)));
+      slot.made.store(slot.node.get(), std::memory_order_release);
+    }
+    return *slot.node;
+  }
+
+  [[nodiscard]] std::span<const std::uint32_t> leaf(std::uint32_t index) const {
+    return leaves_[index];
   }
 
  private:
   using Part = std::span<Piece>;
 
-  std::uint32_t add_node(Part pieces) {
-    const auto index = static_cast<std::uint32_t>(cover_.nodes_.size());
+  struct Slot {
+    explicit Slot(Pieces below) : pieces(std::move(below)) {}
+
+    Pieces pieces;  ///< Of a node that is not made yet.
+    std::unique_ptr<const SphereCover::Node> node;
+    std::atomic<const SphereCover::Node*> made = nullptr;
+  };
+
+  SphereCover::Node made_of(Pieces pieces) {
+    cut_for_node(pieces);
     SphereCover::Node node;
     node.x.fill(0.0F);
     node.y.fill(0.0F);
@@ -154,7 +223,6 @@ class SphereCoverBuilder {
     node.normal_z.fill(1.0F);
     node.thickness.fill(0.0F);
     node.child.fill(SphereCover::kLeaf);
-    cover_.nodes_.emplace_back();
     for (const Part& part : parted(pieces)) {
       const Ball ball = enclosing_ball(part);
       const BoundingSphere sphere = rounded(ball);
@@ -169,42 +237,62 @@ class SphereCoverBuilder {
       node.normal_z[k] = plane.normal.z();
       node.thickness[k] = plane.thickness;
       node.child[k] =
-          is_leaf(part, ball.radius) ? SphereCover::kLeaf | add_leaf(part) : add_node(part);
+          is_leaf(part, ball.radius) ? SphereCover::kLeaf | add_leaf(part) : add_slot(part);
     }
-    cover_.nodes_[index] = node;
-    return index;
+    return node;
+  }
+
+  // Large triangles into pieces that sixteen spheres can share.
+  void cut_for_node(Pieces& pieces) const {
+    const double longest =
+        std::max(kEdge * leaf_radius_, kNodeEdge * enclosing_ball(pieces).radius);
+    if (std::ranges::all_of(pieces,
+                            [&](const Piece& piece) { return longest_edge(piece) <= longest; })) {
+      return;
+    }
+    Pieces smaller;
+    for (const Piece& piece : pieces) {
+      cut(piece, longest, std::numeric_limits<std::size_t>::max(), smaller);
+    }
+    pieces = std::move(smaller);
   }
 
   [[nodiscard]] bool is_leaf(const Part& part, double radius) const {
-    return part.size() == 1 || radius <= leaf_radius_;
+    return radius <= leaf_radius_ ||
+           (part.size() == 1 && longest_edge(part.front()) <= kEdge * leaf_radius_);
+  }
+
+  std::uint32_t add_slot(Part pieces) {
+    const auto slot = slots_.emplace_back(Pieces(pieces.begin(), pieces.end()));
+    return static_cast<std::uint32_t>(slot - slots_.begin());
   }
 
   std::uint32_t add_leaf(Part pieces) {
-    const auto leaf = static_cast<std::uint32_t>(cover_.leaves_.size());
-    const std::size_t first = cover_.triangles_.size();
-    cover_.leaves_.push_back(static_cast<std::uint32_t>(first));
+    std::vector<std::uint32_t> triangles;
     for (const Piece& piece : pieces) {
-      cover_.triangles_.push_back(piece.triangle);
+      triangles.push_back(piece.triangle);
     }
-    const auto begin = cover_.triangles_.begin() + static_cast<std::ptrdiff_t>(first);
-    std::sort(begin, cover_.triangles_.end());
-    cover_.triangles_.erase(std::unique(begin, cover_.triangles_.end()), cover_.triangles_.end());
-    return leaf;
+    std::ranges::sort(triangles);
+    const auto repeated = std::ranges::unique(triangles);
+    triangles.erase(repeated.begin(), repeated.end());
+    const auto leaf = leaves_.push_back(std::move(triangles));
+    return static_cast<std::uint32_t>(leaf - leaves_.begin());
   }
 
-  // The largest part is halved until there are sixteen or all are leaves.
+  // The largest part is halved until there are sixteen or none can be.
   [[nodiscard]] std::vector<Part> parted(Part pieces) const {
     struct Sized {
       Part part;
       double radius;
     };
+    // Of what can't be halved, less than of all else.
+    const auto worth = [this](const Sized& sized) {
+      return sized.part.size() == 1 || is_leaf(sized.part, sized.radius) ? -1.0 : sized.radius;
+    };
     std::vector<Sized> parts{{pieces, enclosing_ball(pieces).radius}};
     while (parts.size() < SphereCover::kWidth) {
-      const auto largest = std::ranges::max_element(parts, [&](const Sized& s, const Sized& t) {
-        return (is_leaf(s.part, s.radius) ? -1.0 : s.radius) <
-               (is_leaf(t.part, t.radius) ? -1.0 : t.radius);
-      });
-      if (is_leaf(largest->part, largest->radius)) {
+      const auto largest = std::ranges::max_element(parts, {}, worth);
+      if (worth(*largest) < 0.0) {
         break;
       }
       const auto [first, second] = halves(largest->part);
@@ -229,19 +317,58 @@ class SphereCoverBuilder {
     return {pieces.first(half), pieces.subspan(half)};
   }
 
-  SphereCover& cover_;
   double leaf_radius_;
+  Ball root_;
+  std::shared_ptr<const TriangleMesh> mesh_;  ///< Until the first node is made of it.
+  std::mutex mutex_;                          ///< Of whoever makes a node.
+  tbb::concurrent_vector<Slot> slots_;
+  tbb::concurrent_vector<std::vector<std::uint32_t>> leaves_;
 };
 
 SphereCover::SphereCover(const TriangleMesh& mesh, double leaf_radius) {
-  constexpr double kEdge = 1.5;  // of the radius
   const std::size_t most = mesh.triangles.size() + kMostPieces;
   std::vector<Piece> pieces = cut(mesh, kEdge * leaf_radius, most);
   while (pieces.size() > most) {
     leaf_radius *= 2.0;
     pieces = cut(mesh, kEdge * leaf_radius, most);
   }
-  SphereCoverBuilder(*this, leaf_radius).build(std::move(pieces));
+  SphereTreeGrowth growth(std::move(pieces), leaf_radius);
+  root_ = growth.root();
+  copy_complete(growth, 0);
+  leaves_.push_back(static_cast<std::uint32_t>(triangles_.size()));
+}
+
+SphereCover SphereCover::growing(std::shared_ptr<const TriangleMesh> mesh, double leaf_radius) {
+  SphereCover cover;
+  cover.growth_ = std::make_shared<SphereTreeGrowth>(std::move(mesh), leaf_radius);
+  cover.root_ = cover.growth_->root();
+  return cover;
+}
+
+const SphereCover::Node& SphereCover::grown_node(std::uint32_t index) const {
+  return growth_->node(index);
+}
+
+std::span<const std::uint32_t> SphereCover::grown_leaf(std::uint32_t leaf) const {
+  return growth_->leaf(leaf);
+}
+
+std::uint32_t SphereCover::copy_complete(SphereTreeGrowth& growth, std::uint32_t index) {
+  const auto copy = static_cast<std::uint32_t>(nodes_.size());
+  nodes_.push_back(growth.node(index));
+  for (std::size_t k = 0; k < nodes_[copy].count; ++k) {
+    const std::uint32_t child = nodes_[copy].child[k];
+    if ((child & kLeaf) == 0) {
+      const std::uint32_t below = copy_complete(growth, child);
+      nodes_[copy].child[k] = below;
+      continue;
+    }
+    nodes_[copy].child[k] = kLeaf | static_cast<std::uint32_t>(leaves_.size());
+    leaves_.push_back(static_cast<std::uint32_t>(triangles_.size()));
+    const std::span<const std::uint32_t> triangles = growth.leaf(child & ~kLeaf);
+    triangles_.insert(triangles_.end(), triangles.begin(), triangles.end());
+  }
+  return copy;
 }
 
 }  // namespace handway::geometric

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -18,9 +19,14 @@ struct BoundingSphere {
   float radius = 0.0F;
 };
 
+class SphereTreeGrowth;
+
 /// A tree of spheres in the mesh's frame, sixteen to a node so that they are
 /// asked together. The spheres of every level together contain the whole
 /// surface; those of a node contain what its parent's sphere is for.
+///
+/// It is complete, or it grows where it is asked for: a node is made at its first visit, by any
+/// thread, and depends on nothing but the mesh and the nodes above it. Copies grow together.
 class SphereCover {
  public:
   static constexpr std::size_t kWidth = 16;
@@ -38,8 +44,14 @@ class SphereCover {
 
   SphereCover() = default;
 
+  /// A tree that grows. Its leaves are as small as asked for whatever the triangles.
+  /// @pre the mesh has a triangle.
+  [[nodiscard]] static SphereCover growing(std::shared_ptr<const TriangleMesh> mesh,
+                                           double leaf_radius);
+
   static constexpr std::size_t kMostPieces = 1U << 16;
 
+  /// A complete tree.
   /// @param leaf_radius (m) spheres are split until they are this small; large
   /// triangles are cut for that, but into no more than kMostPieces beyond their
   /// number: where that is too few, spheres stay larger.
@@ -47,20 +59,31 @@ class SphereCover {
   SphereCover(const TriangleMesh& mesh, double leaf_radius);
 
   [[nodiscard]] const BoundingSphere& root() const { return root_; }
+  /// The node with that number, 0 being below the root.
+  [[nodiscard]] const Node& node(std::uint32_t index) const {
+    return growth_ ? grown_node(index) : nodes_[index];
+  }
+  /// Of a complete tree.
   [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }
   /// Triangles whose pieces are in a leaf's sphere.
   [[nodiscard]] std::span<const std::uint32_t> triangles(std::uint32_t leaf) const {
-    return {triangles_.data() + leaves_[leaf], triangles_.data() + leaves_[leaf + 1]};
+    return growth_ ? grown_leaf(leaf)
+                   : std::span<const std::uint32_t>{triangles_.data() + leaves_[leaf],
+                                                    triangles_.data() + leaves_[leaf + 1]};
   }
 
  private:
-  friend class SphereCoverBuilder;
   friend class VolumeArchive;
+
+  [[nodiscard]] const Node& grown_node(std::uint32_t index) const;
+  [[nodiscard]] std::span<const std::uint32_t> grown_leaf(std::uint32_t leaf) const;
+  std::uint32_t copy_complete(SphereTreeGrowth& growth, std::uint32_t index);
 
   BoundingSphere root_;
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> leaves_;  ///< First of each leaf's triangles, and the end.
   std::vector<std::uint32_t> triangles_;
+  std::shared_ptr<SphereTreeGrowth> growth_;  ///< Null: complete.
 };
 
 }  // namespace handway::geometric

@@ -68,19 +68,12 @@ LivingSurfaces& living_surfaces() {
   return surfaces;
 }
 
-// Whether all vertices are corners of the box around them.
-bool is_box(const TriangleMesh& mesh) {
-  const Aabb box = bounding_box(mesh);
-  return std::ranges::all_of(mesh.vertices, [&](const Eigen::Vector3d& p) {
-    return (p.array() == box.lower.array() || p.array() == box.upper.array()).all();
-  });
+std::size_t cells_for(const TriangleMesh& mesh) {
+  return mesh.triangles.size() < kPlain ? kCellsOfPlain : kCells;
 }
 
-std::size_t cells_for(const TriangleMesh& mesh) {
-  if (is_box(mesh)) {
-    return 0;  // but for the coarsest: outside, the distance from the box is all there is to know
-  }
-  return mesh.triangles.size() < kPlain ? kCellsOfPlain : kCells;
+double hull_margin(const SphereCover& cover) {
+  return kHullMargin * static_cast<double>(cover.root().radius);
 }
 
 MeshVolumes make_volumes(const TriangleMesh& mesh, const std::stop_token& stop) {
@@ -88,7 +81,7 @@ MeshVolumes make_volumes(const TriangleMesh& mesh, const std::stop_token& stop) 
   MeshVolumes volumes;
   volumes.cover = SphereCover(mesh, leaf_radius(mesh));
   end_if_stopped(stop);
-  volumes.hull = ConvexCover(mesh, kHullMargin * static_cast<double>(volumes.cover.root().radius));
+  volumes.hull = ConvexCover(mesh, hull_margin(volumes.cover));
   volumes.field = ClearanceField(mesh, BoxTree(mesh), cells_for(mesh), stop);
   const std::vector<TriangleMesh> pieces = pieces_of(mesh);
   volumes.sides = make_sided_boxes(pieces);
@@ -112,16 +105,43 @@ MeshVolumes volumes_of(const CacheKey& key, const TriangleMesh& mesh,
   return volumes;
 }
 
+Surface surface_of_primitive(const CacheKey& key, const std::shared_ptr<const TriangleMesh>& mesh,
+                             const PrimitiveDistance& primitive) {
+  const SphereCover cover = SphereCover::growing(mesh, leaf_radius(*mesh));
+  const double margin = hull_margin(cover);
+  return {key,
+          mesh,
+          cover,
+          ClearanceField(primitive),
+          OnDemand<TriangleTree>([mesh] { return TriangleTree(*mesh); }),
+          OnDemand<ConvexCover>([mesh, margin] { return ConvexCover(*mesh, margin); }),
+          OnDemand<SurfaceSides>([primitive] { return make_sided_boxes(primitive); }),
+          OnDemand<SurfacePoints>([mesh] { return SurfacePoints(*mesh); })};
+}
+
+Surface surface_of_mesh(const CacheKey& key, const std::shared_ptr<const TriangleMesh>& mesh,
+                        const Preparation& preparation) {
+  MeshVolumes volumes = volumes_of(key, *mesh, preparation);
+  return {key,
+          mesh,
+          std::move(volumes.cover),
+          std::move(volumes.field),
+          OnDemand<TriangleTree>([mesh] { return TriangleTree(*mesh); }),
+          OnDemand<ConvexCover>(std::move(volumes.hull)),
+          OnDemand<SurfaceSides>(std::move(volumes.sides)),
+          OnDemand<SurfacePoints>(volumes.points)};
+}
+
 std::shared_ptr<const Surface> make_surface(const CacheKey& key,
                                             const std::shared_ptr<const TriangleMesh>& mesh,
                                             const Preparation& preparation) {
   if (auto living = living_surfaces().find(key)) {
     return living;
   }
-  MeshVolumes volumes = volumes_of(key, *mesh, preparation);
-  auto surface = std::make_shared<const Surface>(
-      Surface{key, mesh, TriangleTree(*mesh), std::move(volumes.cover), std::move(volumes.hull),
-              std::move(volumes.field), std::move(volumes.sides), volumes.points});
+  const std::optional<PrimitiveDistance> primitive = PrimitiveDistance::of(*mesh);
+  auto surface =
+      std::make_shared<const Surface>(primitive ? surface_of_primitive(key, mesh, *primitive)
+                                                : surface_of_mesh(key, mesh, preparation));
   living_surfaces().add(key, surface);
   return surface;
 }

@@ -2,6 +2,7 @@
 
 #include "collision/clearance_field.h"
 #include "collision/convex_cover.h"
+#include "collision/on_demand.h"
 #include "collision/sided_boxes.h"
 #include "collision/sphere_cover.h"
 #include "collision/surface_points.h"
@@ -19,17 +20,18 @@ namespace handway::geometric {
 struct Surface {
   CacheKey key;  ///< Of the mesh's content.
   std::shared_ptr<const TriangleMesh> mesh;
-  TriangleTree triangles;
   SphereCover cover;
-  ConvexCover hull;
   ClearanceField field;
-  SurfaceSides sides;
-  SurfacePoints points;
+  OnDemand<TriangleTree> triangles;
+  OnDemand<ConvexCover> hull;
+  OnDemand<SurfaceSides> sides;
+  OnDemand<SurfacePoints> points;
 };
 
 /// The surfaces of `meshes`, in order. Meshes of the same content share one; what
-/// another part of the program still holds is not made again, and what an earlier
-/// run made is read from the user's cache. All processors make the rest.
+/// another part of the program still holds is not made again. Of primitives next to nothing is made
+/// before it is asked for; of other meshes, what an earlier run made is read from the user's cache,
+/// and all processors make the rest.
 /// @throws PreparationStopped where `preparation` asks for it.
 [[nodiscard]] std::vector<std::shared_ptr<const Surface>> make_surfaces(
     const std::vector<std::shared_ptr<const TriangleMesh>>& meshes,

@@ -85,7 +85,7 @@ double SurfaceQuery::bound(double enough, int effort) {
 }
 
 void SurfaceQuery::bound_node(std::uint32_t index) {
-  const SphereCover::Node& node = a_.cover.nodes()[index];
+  const SphereCover::Node& node = a_.cover.node(index);
   SphereBounds bounds;
   sphere_bounds(node, b_.field, moves_, static_cast<float>(reach_), bounds);
   while (bounds.near != 0 && least_ > 0.0) {
@@ -143,7 +143,7 @@ void SurfaceQuery::visit_all() {
 }
 
 void SurfaceQuery::visit(std::uint32_t index) {
-  const SphereCover::Node& node = a_.cover.nodes()[index];
+  const SphereCover::Node& node = a_.cover.node(index);
   SphereBounds bounds;
   sphere_bounds(node, b_.field, moves_, static_cast<float>(reach_), bounds);
   while (bounds.near != 0 && least_ >= ends_at_) {
@@ -159,27 +159,27 @@ void SurfaceQuery::visit(std::uint32_t index) {
     }
     if (is_leaf) {
       compare(node.child[k] & ~SphereCover::kLeaf, centre, radius);
-    } else if (--patience_ >= 0 || b_.triangles.is_nearer_than(centre, radius + reach_)) {
+    } else if (--patience_ >= 0 || b_.triangles->is_nearer_than(centre, radius + reach_)) {
       visit(node.child[k]);
     }
   }
 }
 
 bool SurfaceQuery::kept_outside() {
-  const float outside = gap_outside(a_.field.centre(), a_.field.half(), b_.sides, moves_);
+  const float outside = gap_outside(a_.field.centre(), a_.field.half(), *b_.sides, moves_);
   outside_gap_ = std::max(outside_gap_, static_cast<double>(outside));
   return gap() >= reach_;
 }
 
 bool SurfaceQuery::parted_by_plane() {
   const auto reach = static_cast<float>(reach_);
-  hull_gap_ = std::max(hull_gap_, static_cast<double>(hull_gap(a_.hull, b_.hull, moves_, reach)));
+  hull_gap_ = std::max(hull_gap_, static_cast<double>(hull_gap(*a_.hull, *b_.hull, moves_, reach)));
   return gap() >= reach_;
 }
 
 bool SurfaceQuery::pierces(float share) {
   const BoundingSphere& root = a_.cover.root();
-  if (surely_pierces(a_.points, {root.centre, share * root.radius}, b_.sides, moves_)) {
+  if (surely_pierces(*a_.points, {root.centre, share * root.radius}, *b_.sides, moves_)) {
     found(0.0);
   }
   return least_ <= 0.0;
@@ -195,7 +195,7 @@ bool SurfaceQuery::settled_as_a_whole() {
 
 void SurfaceQuery::compare(std::uint32_t leaf, const Eigen::Vector3d& centre, double radius) {
   near_.clear();
-  b_.triangles.append_within(centre, radius + reach_, near_);
+  b_.triangles->append_within(centre, radius + reach_, near_);
   if (near_.empty()) {
     return;
   }

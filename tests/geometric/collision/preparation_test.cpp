@@ -76,7 +76,17 @@ TEST_F(CheckerPreparation, EndsWhenItIsAskedTo) {
 
 TEST_F(CheckerPreparation, KeepsWhatIsOpened) {
   { const BoundedChecker opened(world_with(plate(0.12))); }
-  EXPECT_EQ(entries(), 2) << "the plate and the gantry's probe";
+  EXPECT_EQ(entries(), 1) << "the plate";
+}
+
+TEST_F(CheckerPreparation, KeepsNothingOfPrimitives) {
+  for (const Shape& shape : {Shape(Box{{0.1, 0.2, 0.3}}), Shape(Sphere{0.1}),
+                             Shape(Cylinder{0.1, 0.2}), Shape(Cone{0.1, 0.2})}) {
+    BoundedChecker opened(world_with(shape));
+    opened.place(Eigen::Vector3d(0, 0, 0));
+    EXPECT_GT(opened.pair_distance(0, 10.0), 0.0);
+  }
+  EXPECT_EQ(entries(), 0);
 }
 
 TEST_F(CheckerPreparation, LeavesNothingBehindOfWhatIsEdited) {
@@ -103,7 +113,7 @@ TEST_F(CheckerPreparation, DoesNotTrustTheEntryOfAnotherMesh) {
        fs::directory_iterator(folder_.path() / "handway" / "meshes")) {
     files.push_back(entry.path());
   }
-  ASSERT_EQ(files.size(), 3U);
+  ASSERT_EQ(files.size(), 2U);
   for (std::size_t i = 0; i < files.size(); ++i) {  // each under the name of the one before
     fs::rename(files[i], folder_.path() / std::to_string(i));
   }
