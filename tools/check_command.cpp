@@ -7,6 +7,7 @@
 #include "handway/planning/paths/path_check.h"
 #include "handway/planning/paths/path_csv.h"
 #include "number_options.h"
+#include "scene_warnings.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -40,6 +41,7 @@ int check(const CheckOptions& options) {
   planning::Extensions extensions;
   extensions.load_plugins(planning::plugin_directory());
   const planning::LoadedScene loaded = planning::load_scene(options.scene, extensions);
+  print_warnings(*loaded.scene);
   const planning::PlanningProblem problem = planning::make_problem(loaded.scene, loaded.basis);
   const planning::Path path = planning::read_path_csv(problem.model(), options.path);
   const planning::PathCheckResult result =

@@ -77,9 +77,6 @@ void print_robot(const geometric::RobotInstance& robot) {
   for (const geometric::JointGroup& group : model.description().groups) {
     fmt::print("  group {}: {} joints\n", group.name, group.joints.size());
   }
-  for (const std::string& warning : model.description().warnings) {
-    fmt::print("  warning: {}\n", warning);
-  }
 }
 
 void print_basis(const sampling::PmdBasis& basis) {
@@ -220,10 +217,6 @@ int info(const std::filesystem::path& file, bool as_json) {
         fmt::format("plugin {} was not loaded: {}", plugin.file.string(), plugin.reason));
   }
   if (as_json) {
-    for (const geometric::RobotInstance& robot : scene.robots) {
-      const auto& of_robot = robot.model->description().warnings;
-      warnings.insert(warnings.end(), of_robot.begin(), of_robot.end());
-    }
     print_json(scene, ends, warnings);
   } else {
     print_text(file, loaded, ends, checker.get(), warnings);

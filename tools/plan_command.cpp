@@ -14,6 +14,7 @@
 #include "number_options.h"
 #include "plan_report.h"
 #include "scene_planner.h"
+#include "scene_warnings.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -130,6 +131,7 @@ int plan(PlanOptions options) {
   planning::Extensions extensions;
   extensions.load_plugins(planning::plugin_directory());
   planning::LoadedScene loaded = planning::load_scene(options.scene, extensions);
+  print_warnings(*loaded.scene);
   choose_basis(options.settings, loaded);
   const std::unique_ptr<planning::Planner> planner =
       configured_planner(options, loaded.scene->planner, extensions.planners());

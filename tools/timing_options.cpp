@@ -4,6 +4,7 @@
 #include "handway/geometric/math/units.h"
 #include "handway/planning/paths/path_csv.h"
 #include "number_options.h"
+#include "scene_warnings.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -51,6 +52,7 @@ planning::RateLimits read_limits(const TimingChoice& choice, const geometric::Ro
 
 TimingInput read_timing_input(const TimingChoice& choice, const planning::Extensions& extensions) {
   planning::PlanningProblem problem = read_problem(choice, extensions);
+  print_warnings(*problem.scene);
   planning::Path path = planning::read_path_csv(problem.model(), choice.path);
   return {std::move(problem), std::move(path)};
 }

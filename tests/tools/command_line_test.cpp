@@ -261,6 +261,26 @@ TEST_F(Handway, SaysThatAPlaceCanNotBeWrittenTo) {
   EXPECT_TRUE(fs::is_character_file("/dev/full"));
 }
 
+TEST_F(Handway, SummarisesTheWarningsOfASceneOnce) {
+  line_.replace("post_planar.urdf", "<robot", "<robot vendor=\"x\"");
+  line_.replace("post_planar.urdf", "</robot>", "<vendor_extension/></robot>");
+  ASSERT_EQ(line_.run("plan post.yaml --seed 3 --out path.csv").exit_code, kDone);
+  const Outcome info = line_.run("info post.yaml");
+  for (const std::string command :
+       {"plan post.yaml --seed 3", "check post.yaml path.csv", "time path.csv --scene post.yaml",
+        "export path.csv --scene post.yaml --to csv --out folder",
+        "send path.csv --scene post.yaml --to arm://127.0.0.1:9"}) {
+    const Outcome run = line_.run(command);
+    EXPECT_THAT(run.err, AllOf(StartsWith("handway: 1 warning\n"), HasSubstr("vendor_extension")))
+        << command;
+    EXPECT_THAT(run.out, Not(HasSubstr("vendor_extension"))) << command;
+  }
+  const std::string& shown = info.out;
+  const std::size_t first = shown.find("vendor_extension");
+  ASSERT_NE(first, std::string::npos) << shown;
+  EXPECT_EQ(shown.find("vendor_extension", first + 1), std::string::npos) << shown;
+}
+
 TEST_F(Handway, ShowsWhatAFileHolds) {
   const Outcome scene = line_.run("info post.yaml");
   EXPECT_EQ(scene.exit_code, kDone) << scene.err;

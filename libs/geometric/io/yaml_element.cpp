@@ -90,8 +90,8 @@ void YamlElement::allow_keys(std::initializer_list<std::string> known) const {
         list += (list.empty() ? "" : ", ") + name;
       }
       const std::string nearest = nearest_name(key, names);
-      value.refuse(fmt::format("the unknown key \"{}\"", shortened(key)), list,
-                   nearest.empty() ? "" : fmt::format("Did you mean \"{}\"?", nearest));
+      refuse_key(key, fmt::format("the unknown key \"{}\"", shortened(key)), list,
+                 nearest.empty() ? "" : fmt::format("Did you mean \"{}\"?", nearest));
     }
   }
 }
@@ -101,10 +101,20 @@ void YamlElement::refuse_slips(std::initializer_list<std::string> known) const {
   for (const auto& [key, value] : entries()) {
     const bool is_known = std::ranges::count(names, key) > 0;
     if (const auto meant = is_known ? std::nullopt : slip_of(key, names)) {
-      value.refuse(fmt::format("the unknown key \"{}\"", shortened(key)), *meant,
-                   fmt::format("Did you mean \"{}\"?", *meant));
+      refuse_key(key, fmt::format("the unknown key \"{}\"", shortened(key)), *meant,
+                 fmt::format("Did you mean \"{}\"?", *meant));
     }
   }
+}
+
+void YamlElement::refuse_key(const std::string& key, const std::string& found,
+                             const std::string& expected, const std::string& advice) const {
+  for (const auto& entry : node_->yaml) {
+    if (entry.first.Scalar() == key) {
+      child({entry.first}, shortened(key)).refuse(found, expected, advice);
+    }
+  }
+  refuse(found, expected, advice);
 }
 
 YamlElement YamlElement::child(const Node& node, const std::string& suffix) const {
@@ -138,16 +148,15 @@ std::vector<std::pair<std::string, YamlElement>> YamlElement::entries() const {
   std::vector<std::pair<std::string, YamlElement>> result;
   std::set<std::string> seen;
   for (const auto& entry : node_->yaml) {
-    const YamlElement key = child({entry.first}, "a key");
+    const YamlElement key = child({entry.first}, shortened(entry.first.Scalar()));
     if (!key.is_scalar()) {
       refuse(key.found() + " as a key", "text");
     }
     const std::string name = entry.first.Scalar();
-    YamlElement value = child({entry.second}, shortened(name));
     if (!seen.insert(name).second) {
-      value.refuse(fmt::format("the key \"{}\" a second time", shortened(name)), "every key once");
+      key.refuse(fmt::format("the key \"{}\" a second time", shortened(name)), "every key once");
     }
-    result.emplace_back(name, std::move(value));
+    result.emplace_back(name, child({entry.second}, shortened(name)));
   }
   return result;
 }

@@ -122,6 +122,11 @@ TEST(SceneReader, NamesTheLineAndTheNearestKeyOfAMisspeltOne) {
                     HasSubstr("Did you mean \"objects\"?")));
   EXPECT_THAT(refusal(files.scene("objects:\n  - name: a\n    box: {sise: [1, 1, 1]}\n")),
               AllOf(HasSubstr("scene.yaml:6"), HasSubstr("objects[0].box"), HasSubstr("size")));
+  EXPECT_THAT(refusal(files.scene("\nobject:\n  - name: a\n    box: {size: [1, 1, 1]}\n")),
+              HasSubstr("scene.yaml:5: object: found the unknown key"))
+      << "where the key is, not what it holds";
+  EXPECT_THAT(refusal(files.scene("start:\n  elbow: 0\nstart:\n  elbow: 1\n")),
+              AllOf(HasSubstr("scene.yaml:6"), HasSubstr("a second time")));
   EXPECT_THAT(refusal(files.scene("start: {sholder: 1}\n")), HasSubstr("\"shoulder\""));
   EXPECT_THAT(refusal(files.scene("start: {tool: 1}\n")), HasSubstr("fixed joint"));
   EXPECT_THAT(refusal(files.scene("postures: {up: {sholder: 1}}\n")),

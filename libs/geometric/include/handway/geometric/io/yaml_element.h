@@ -65,6 +65,9 @@ class HANDWAY_GEOMETRIC_EXPORT YamlElement {
 
   YamlElement(std::shared_ptr<const Document> document, std::shared_ptr<const Node> node,
               std::string name);
+  // As refuse(), of a map's key: where the key is, not its value, which may be lines further down.
+  [[noreturn]] void refuse_key(const std::string& key, const std::string& found,
+                               const std::string& expected, const std::string& advice) const;
   [[nodiscard]] YamlElement child(const Node& node, const std::string& suffix) const;
 
   std::shared_ptr<const Document> document_;
