@@ -42,7 +42,8 @@ struct TimingInput {
   planning::Path path;
 };
 
-/// Reads scene and path, and prints the scene's warnings. @throws InputError for files that are wrong.
+/// Reads scene and path, and prints the scene's warnings. @throws InputError for files that are
+/// wrong.
 [[nodiscard]] TimingInput read_timing_input(const TimingChoice& choice,
                                             const planning::Extensions& extensions);
 

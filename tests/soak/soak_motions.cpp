@@ -2,11 +2,13 @@
 ///
 ///     soak_motions [--scene NAME] [--edits N] [--real N] [--virtual N] [--seed N]
 ///
-/// `--edits`: edits of the scene, each followed by a plan; every path found is looked at in steps
-/// of a millimetre at most. `--real`: motions of the emulated arm and hand, through sockets, in
-/// scenes that are edited meanwhile. `--virtual`: the same with simulated devices, on a clock that
-/// goes ten times as fast. A motion fails if a joint still moves in collision later than kReaction
-/// after the edit that is in its way. Exits 1 if any path or motion fails.
+/// `--edits`: edits of the scene. After each the path that was found last is checked, and if it is
+/// not free any more, another is planned; the reference looks at every path that is said to be
+/// free, and at the place where one is said not to be. `--real`: motions of the emulated arm and
+/// hand, through sockets, in scenes that are edited meanwhile. `--virtual`: the same with simulated
+/// devices, on a clock that goes ten times as fast. A motion fails if a joint still moves in
+/// collision later than kReaction after the edit that is in its way. Exits 1 if any path or motion
+/// fails, or a verdict is wrong.
 #include "handway/device/arm/arm_emulator.h"
 #include "handway/device/core/motion_link.h"
 #include "handway/device/hand/hand_emulator.h"
@@ -16,6 +18,7 @@
 #include "handway/geometric/collision/make_checker.h"
 #include "handway/geometric/math/pose.h"
 #include "handway/planning/core/planner_registry.h"
+#include "handway/planning/paths/path_conflict.h"
 #include "handway/planning/timing/time_path.h"
 #include "handway_test/known_problems.h"
 
@@ -26,10 +29,13 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cstdio>
 #include <ctime>
 #include <memory>
 #include <mutex>
+#include <numeric>
 #include <random>
+#include <set>
 #include <string>
 #include <thread>
 #include <vector>
@@ -99,28 +105,46 @@ constexpr int kFaster = 10;
 
 double seconds(Clock::duration duration) { return std::chrono::duration<double>(duration).count(); }
 
-/// A scene that changes at random: obstacles come, move, grow and go.
+/// A scene that changes at random: obstacles come, move, change and go.
 class ChangingScene {
  public:
   ChangingScene(const planning::LoadedScene& loaded, std::uint64_t seed)
-      : basis_(loaded.basis), scene_(*loaded.scene), own_(scene_.objects.size()), random_(seed) {}
+      : basis_(loaded.basis), scene_(*loaded.scene), own_(scene_.objects.size()), random_(seed) {
+    Scene all = scene_;
+    for (int i = 0; i < kShapes; ++i) {
+      shapes_.push_back(new_shape());
+      all.objects.push_back(new_object(shapes_.back()));
+    }
+    prepared_ =
+        geometric::make_collision_checker(std::make_shared<const geometric::CollisionWorld>(all));
+  }
 
-  void edit() {
+  /// @returns the name of what came, moved or changed; empty if something went.
+  std::string edit() {
     const std::size_t added = scene_.objects.size() - own_;
-    switch (added == 0 ? 0 : draw(added > 4 ? 1 : 0, 3)) {
+    switch (added == 0 ? 0 : draw(added >= kMostObstacles ? 1 : 0, 3)) {
       case 0:
-        add();
-        break;
+        return add();
       case 1:
-        any_added().X_PO = somewhere();
-        break;
-      case 2:
-        any_added().shape = some_shape();
-        break;
+        return move(any_added().name);
+      case 2: {
+        geometric::SceneObject& changed = any_added();
+        changed.shape = any_shape();
+        return changed.name;
+      }
       default:
         scene_.objects.erase(scene_.objects.begin() +
                              static_cast<std::ptrdiff_t>(own_ + draw(0, added - 1)));
+        return "";
     }
+  }
+
+  /// Puts an object elsewhere. @returns its name.
+  std::string move(const std::string& name) {
+    geometric::SceneObject& moved =
+        *std::ranges::find(scene_.objects, name, &geometric::SceneObject::name);
+    moved.X_PO = somewhere();
+    return name;
   }
 
   [[nodiscard]] Problem problem() const {
@@ -129,6 +153,9 @@ class ChangingScene {
   }
   [[nodiscard]] const Scene& scene() const { return scene_; }
   [[nodiscard]] const std::shared_ptr<const sampling::PmdBasis>& basis() const { return basis_; }
+
+  /// Half of the obstacles are put near one of these from now on, shape [3] each, m, in the world.
+  void set_busy_places(std::vector<Eigen::Vector3d> places) { busy_places_ = std::move(places); }
 
   /// Uniform in [lower, upper].
   double draw_real(double lower, double upper) {
@@ -143,11 +170,16 @@ class ChangingScene {
     return scene_.objects[own_ + draw(0, scene_.objects.size() - own_ - 1)];
   }
   geometric::Pose somewhere() {
-    return geometric::pose_from_rpy(
-        {draw_real(-0.2, 1.0), draw_real(-0.8, 0.8), draw_real(0.1, 1.4)}, draw_real(-3, 3),
-        draw_real(-1, 1), draw_real(-3, 3));
+    Eigen::Vector3d p_WO(draw_real(-0.2, 1.0), draw_real(-0.8, 0.8), draw_real(0.1, 1.4));
+    if (!busy_places_.empty() && draw(0, 1) == 0) {
+      p_WO = busy_places_[draw(0, busy_places_.size() - 1)];
+      for (double& coordinate : p_WO) {
+        coordinate += draw_real(-0.3, 0.3);
+      }
+    }
+    return geometric::pose_from_rpy(p_WO, draw_real(-3, 3), draw_real(-1, 1), draw_real(-3, 3));
   }
-  geometric::Shape some_shape() {
+  geometric::Shape new_shape() {
     const double size = draw_real(0.02, 0.4);
     switch (draw(0, 2)) {
       case 0:
@@ -158,85 +190,230 @@ class ChangingScene {
         return geometric::Box{{size, draw_real(0.01, 0.6), draw_real(0.01, 0.6)}};
     }
   }
-  void add() {
+  const geometric::Shape& any_shape() { return shapes_[draw(0, shapes_.size() - 1)]; }
+  geometric::SceneObject new_object(const geometric::Shape& shape) {
     geometric::SceneObject object;
     object.name = fmt::format("obstacle_{}", ++count_);
-    object.shape = some_shape();
+    object.shape = shape;
     object.X_PO = somewhere();
-    scene_.objects.push_back(std::move(object));
+    return object;
   }
+  std::string add() {
+    scene_.objects.push_back(new_object(any_shape()));
+    return scene_.objects.back().name;
+  }
+
+  static constexpr int kShapes = 20;
+  static constexpr std::size_t kMostObstacles = 10;
 
   std::shared_ptr<const sampling::PmdBasis> basis_;
   Scene scene_;
   std::size_t own_;
   std::mt19937_64 random_;
   int count_ = 0;
+  std::vector<geometric::Shape> shapes_;
+  std::vector<Eigen::Vector3d> busy_places_;
+  /// Of all shapes: what is derived from them is made once, as long as somebody holds it.
+  std::shared_ptr<const geometric::CollisionChecker> prepared_;
 };
 
-/// The reference: every pair, on the triangles.
+/// The reference: pairs on their triangles.
 class Reference {
  public:
   explicit Reference(const PlanningProblem& problem)
       : checker_(geometric::make_collision_checker(problem.checker->shared_world(),
-                                                   geometric::CheckerKind::kFcl)) {}
+                                                   geometric::CheckerKind::kFcl)),
+        motion_(*problem.motion) {}
 
+  [[nodiscard]] const geometric::CollisionWorld& world() const { return checker_->world(); }
   [[nodiscard]] bool collides(const Configuration& q) {
     return checker_->first_collision(q).has_value();
   }
+  [[nodiscard]] bool is_closer_than(const Configuration& q, double distance) {
+    return geometric::is_closer_than(*checker_, q, distance);
+  }
+  [[nodiscard]] bool path_collides(const planning::Path& path) {
+    std::vector<int> all(world().pairs().size());
+    std::iota(all.begin(), all.end(), 0);
+    return path_collides(path, all);
+  }
+  [[nodiscard]] bool path_collides(const planning::Path& path, const std::vector<int>& pairs) {
+    return std::ranges::any_of(pairs, [&](int pair) {
+      for (std::size_t i = 1; i < path.waypoints.size(); ++i) {
+        if (edge_collides(pair, path.waypoints[i - 1], path.waypoints[i] - path.waypoints[i - 1])) {
+          return true;
+        }
+      }
+      return false;
+    });
+  }
 
  private:
-  std::unique_ptr<geometric::CollisionChecker> checker_;
-};
-
-// In steps in which no point moves farther than about a millimetre: 1 mm at 1.5 m from the base.
-bool path_collides(const PlanningProblem& problem, const planning::Path& path) {
-  constexpr double kStep = 0.7e-3;  // rad, of all joints together
-  Reference reference(problem);
-  for (std::size_t i = 1; i < path.waypoints.size(); ++i) {
-    const Configuration& from = path.waypoints[i - 1];
-    const Configuration along = path.waypoints[i] - from;
-    const int steps = std::max(1, static_cast<int>(std::ceil(along.lpNorm<1>() / kStep)));
-    for (int s = 0; s <= steps; ++s) {
-      if (reference.collides(from + static_cast<double>(s) / steps * along)) {
+  // In steps as far as the distance at their beginning leaves room for, or of a millimetre.
+  [[nodiscard]] bool edge_collides(int pair, const Configuration& from,
+                                   const Configuration& along) {
+    constexpr double kLeastStep = 1e-3;  // m
+    const double travel = motion_.bound(pair, along.cwiseAbs());
+    for (double share = 0.0;;) {
+      const double rest = (1.0 - share) * travel;
+      checker_->place(from + share * along);
+      const double distance = checker_->pair_distance(pair, rest + kLeastStep);
+      if (distance <= 0.0) {
         return true;
       }
+      if (distance > rest) {
+        return false;
+      }
+      share = std::min(1.0, share + std::max(distance, kLeastStep) / travel);
     }
   }
-  return false;
-}
 
-planning::PlanResult plan(const PlanningProblem& problem, std::uint64_t seed) {
+  std::unique_ptr<geometric::CollisionChecker> checker_;
+  const geometric::MotionBound& motion_;
+};
+
+planning::PlanResult plan(const PlanningProblem& problem, std::uint64_t seed, double limit_s) {
   planning::PlanRequest request;
   request.seed = seed;
-  request.time_limit_s = 2.0;
+  request.time_limit_s = limit_s;
   return planning::PlannerRegistry().create("pmd-auto")->plan(problem, request);
 }
 
-struct Tally {
-  int tried = 0;
-  int solved = 0;  ///< Paths found, or motions that went to their end.
-  int held = 0;    ///< Motions that were held or stopped for the scene.
-  int failed = 0;
-  double longest_hold_ms = 0.0;  ///< From the edit until the motion was held or stopped.
+struct EditTally {
+  int edits = 0;
+  int still_free = 0;    ///< The path from before is said to be free.
+  int conflicts = 0;     ///< It is said not to be.
+  int unconfirmed = 0;   ///< Of these, nothing is near there.
+  int ends_blocked = 0;  ///< Start or goal collides: nothing to plan.
+  int plans = 0;         ///< With both ends free …
+  int found = 0;         ///< … and a path within the time limit.
+  int in_collision = 0;  ///< Paths that are said to be free, or were found, and collide.
 };
 
-Tally soak_plans(ChangingScene& scene, int count, std::uint64_t seed) {
-  Tally tally;
-  for (int i = 0; i < count; ++i) {
-    scene.edit();
-    const Problem problem = scene.problem();
-    const planning::PlanResult result = plan(*problem, seed + static_cast<std::uint64_t>(i));
-    ++tally.tried;
-    if (result.solved()) {
-      ++tally.solved;
-      if (path_collides(*problem, result.path)) {
-        ++tally.failed;
-        fmt::print("edit {}: the path collides\n", i);
+void print(const EditTally& tally) {
+  fmt::print(
+      "{} edits: the path still free after {}, not free after {} ({} without anything near there); "
+      "start or goal blocked after {}; {} plans, {} found; {} paths in collision\n",
+      tally.edits, tally.still_free, tally.conflicts, tally.unconfirmed, tally.ends_blocked,
+      tally.plans, tally.found, tally.in_collision);
+  std::fflush(stdout);
+}
+
+/// A path that is kept while the scene changes.
+class KeptPath {
+ public:
+  /// @param edited the object that came, moved or changed; may be empty.
+  /// @returns whether both ends of the path are free.
+  bool follow_edit(const Problem& problem, const std::string& edited, std::uint64_t seed,
+                   EditTally& tally) {
+    ++tally.edits;
+    if (!edited.empty()) {
+      not_looked_at_.insert(edited);
+    }
+    constexpr int kPlanAnywayEvery = 100;
+    if (!path_.empty() && is_still_free(*problem, tally) && tally.edits % kPlanAnywayEvery != 0) {
+      return true;
+    }
+    constexpr double kTimeLimit = 0.25;  // s
+    planning::PlanResult result = plan(*problem, seed, kTimeLimit);
+    if (result.status == planning::PlanStatus::kStartInvalid ||
+        result.status == planning::PlanStatus::kGoalInvalid) {
+      ++tally.ends_blocked;
+      return false;
+    }
+    ++tally.plans;
+    if (!result.solved()) {
+      return true;
+    }
+    ++tally.found;
+    path_ = std::move(result.path);
+    not_looked_at_.clear();
+    if (Reference(*problem).path_collides(path_)) {
+      ++tally.in_collision;
+      fmt::print("edit {}: the path that was found collides\n", tally.edits);
+    }
+    return true;
+  }
+
+  /// Where the robot's last link comes by, shape [3] each, m, in the world.
+  [[nodiscard]] std::vector<Eigen::Vector3d> places(const PlanningProblem& problem) const {
+    constexpr int kPerEdge = 5;
+    std::vector<Eigen::Vector3d> places;
+    const std::unique_ptr<geometric::CollisionChecker> checker = problem.checker->clone();
+    for (std::size_t i = 1; i < path_.waypoints.size(); ++i) {
+      for (int k = 0; k < kPerEdge; ++k) {
+        const double share = static_cast<double>(k) / kPerEdge;
+        checker->place((1.0 - share) * path_.waypoints[i - 1] + share * path_.waypoints[i]);
+        places.emplace_back(checker->world().X_WB() * checker->link_poses().back().translation());
       }
+    }
+    return places;
+  }
+
+ private:
+  bool is_still_free(const PlanningProblem& problem, EditTally& tally) {
+    Reference reference(problem);
+    const auto conflict = planning::PathConflictSearch(problem).run(path_.waypoints);
+    if (conflict) {
+      ++tally.conflicts;
+      constexpr double kNear = 1e-4;  // m: twice the distance that paths keep
+      const std::size_t next = std::min(conflict->waypoint + 1, path_.waypoints.size() - 1);
+      const Configuration& from = path_.waypoints[conflict->waypoint];
+      if (!reference.is_closer_than(from + conflict->share * (path_.waypoints[next] - from),
+                                    kNear)) {
+        ++tally.unconfirmed;
+        fmt::print("edit {}: nothing is near where {} {}\n", tally.edits, conflict->bodies,
+                   conflict->what);
+      }
+      return false;
+    }
+    ++tally.still_free;
+    std::vector<int> pairs;  // nothing else moved since the path was last looked at
+    for (const std::string& name : not_looked_at_) {
+      const std::vector<int> of_object = reference.world().pairs_with(name);
+      pairs.insert(pairs.end(), of_object.begin(), of_object.end());
+    }
+    not_looked_at_.clear();
+    if (reference.path_collides(path_, pairs)) {
+      ++tally.in_collision;
+      fmt::print("edit {}: the path that is said to be free collides\n", tally.edits);
+    }
+    return true;
+  }
+
+  planning::Path path_;
+  std::set<std::string> not_looked_at_;  ///< Edited since the reference saw the path free.
+};
+
+EditTally soak_edits(ChangingScene& scene, int count, std::uint64_t seed) {
+  constexpr int kReportEvery = 5000;
+  EditTally tally;
+  KeptPath path;
+  std::string in_the_way;
+  for (int i = 0; i < count; ++i) {
+    const std::string edited = in_the_way.empty() ? scene.edit() : scene.move(in_the_way);
+    const Problem problem = scene.problem();
+    const int found = tally.found;
+    const bool ends_are_free =
+        path.follow_edit(problem, edited, seed + static_cast<std::uint64_t>(i), tally);
+    in_the_way = ends_are_free ? "" : edited;
+    if (tally.found > found) {
+      scene.set_busy_places(path.places(*problem));
+    }
+    if ((i + 1) % kReportEvery == 0 && i + 1 < count) {
+      print(tally);
     }
   }
   return tally;
 }
+
+struct Tally {
+  int tried = 0;
+  int solved = 0;  ///< Motions that went to their end.
+  int held = 0;    ///< Motions that were held or stopped for the scene.
+  int failed = 0;
+  double longest_hold_ms = 0.0;  ///< From the edit until the motion was held or stopped.
+};
 
 /// A device that follows its trajectory to the letter, and stops at once.
 class SimulatedLink final : public device::MotionLink {
@@ -425,7 +602,9 @@ Tally soak_motions(const planning::LoadedScene& loaded, int count, std::uint64_t
   for (int i = 0; tally.tried < count; ++i) {
     ChangingScene scene(loaded, seed + static_cast<std::uint64_t>(i));
     const Problem problem = scene.problem();
-    const planning::PlanResult result = plan(*problem, seed + static_cast<std::uint64_t>(i));
+    constexpr double kTimeLimit = 2.0;  // s
+    const planning::PlanResult result =
+        plan(*problem, seed + static_cast<std::uint64_t>(i), kTimeLimit);
     if (!result.solved()) {
       continue;
     }
@@ -483,7 +662,8 @@ int run(int argc, char** argv) {
   int virtual_runs = 10;
   std::uint64_t seed = 1;
   app.add_option("--scene", name, "A scene that ships")->capture_default_str();
-  app.add_option("--edits", edits, "Edits, each followed by a plan")->capture_default_str();
+  app.add_option("--edits", edits, "Edits, after each of which there is to be a path")
+      ->capture_default_str();
   app.add_option("--real", real, "Motions of the emulated devices")->capture_default_str();
   app.add_option("--virtual", virtual_runs, "Motions of simulated devices")->capture_default_str();
   app.add_option("--seed", seed, "Of everything")->capture_default_str();
@@ -501,7 +681,9 @@ int run(int argc, char** argv) {
     failed += tally.failed;
   };
   ChangingScene scene(loaded, seed);
-  report("plans after edits", soak_plans(scene, edits, seed));
+  const EditTally after_edits = soak_edits(scene, edits, seed);
+  print(after_edits);
+  failed += after_edits.in_collision + after_edits.unconfirmed;
   report("motions on emulated devices", soak_motions(loaded, real, seed, emulated_devices));
   program_clock.set_rate(kFaster);
   report("motions in virtual time", soak_motions(loaded, virtual_runs, seed, simulated_devices));
