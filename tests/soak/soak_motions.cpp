@@ -220,10 +220,11 @@ class ChangingScene {
 /// The reference: pairs on their triangles.
 class Reference {
  public:
-  explicit Reference(const PlanningProblem& problem)
-      : checker_(geometric::make_collision_checker(problem.checker->shared_world(),
-                                                   geometric::CheckerKind::kFcl)),
-        motion_(*problem.motion) {}
+  explicit Reference(const geometric::CollisionWorld& world)
+      : checker_(geometric::make_collision_checker(
+            std::make_shared<const geometric::CollisionWorld>(world),
+            geometric::CheckerKind::kFcl)),
+        motion_(world) {}
 
   [[nodiscard]] const geometric::CollisionWorld& world() const { return checker_->world(); }
   [[nodiscard]] bool collides(const Configuration& q) {
@@ -269,7 +270,7 @@ class Reference {
   }
 
   std::unique_ptr<geometric::CollisionChecker> checker_;
-  const geometric::MotionBound& motion_;
+  geometric::MotionBound motion_;
 };
 
 planning::PlanResult plan(const PlanningProblem& problem, std::uint64_t seed, double limit_s) {
@@ -308,7 +309,7 @@ class KeptPath {
                    EditTally& tally) {
     ++tally.edits;
     if (!edited.empty()) {
-      not_looked_at_.insert(edited);
+      edited_.insert(edited);
     }
     constexpr int kPlanAnywayEvery = 100;
     if (!path_.empty() && is_still_free(*problem, tally) && tally.edits % kPlanAnywayEvery != 0) {
@@ -326,13 +327,32 @@ class KeptPath {
       return true;
     }
     ++tally.found;
+    confirm(tally);
     path_ = std::move(result.path);
-    not_looked_at_.clear();
-    if (Reference(*problem).path_collides(path_)) {
+    edited_.clear();
+    scene_ = problem;
+    if (Reference(*problem->checker->shared_world()).path_collides(path_)) {
       ++tally.in_collision;
       fmt::print("edit {}: the path that was found collides\n", tally.edits);
     }
     return true;
+  }
+
+  /// Has the reference look at what it has not yet.
+  void confirm(EditTally& tally) {
+    if (passed_.empty()) {
+      return;
+    }
+    Scene scene = *scene_->scene;
+    scene.objects.insert(scene.objects.end(), passed_.begin(), passed_.end());
+    Reference reference{geometric::CollisionWorld(scene)};
+    for (const geometric::SceneObject& object : passed_) {
+      if (reference.path_collides(path_, reference.world().pairs_with(object.name))) {
+        ++tally.in_collision;
+        fmt::print("the path that is said to be free collides with {}\n", object.name);
+      }
+    }
+    passed_.clear();
   }
 
   /// Where the robot's last link comes by, shape [3] each, m, in the world.
@@ -352,15 +372,14 @@ class KeptPath {
 
  private:
   bool is_still_free(const PlanningProblem& problem, EditTally& tally) {
-    Reference reference(problem);
     const auto conflict = planning::PathConflictSearch(problem).run(path_.waypoints);
     if (conflict) {
       ++tally.conflicts;
       constexpr double kNear = 1e-4;  // m: twice the distance that paths keep
       const std::size_t next = std::min(conflict->waypoint + 1, path_.waypoints.size() - 1);
       const Configuration& from = path_.waypoints[conflict->waypoint];
-      if (!reference.is_closer_than(from + conflict->share * (path_.waypoints[next] - from),
-                                    kNear)) {
+      if (!Reference(*problem.checker->shared_world())
+               .is_closer_than(from + conflict->share * (path_.waypoints[next] - from), kNear)) {
         ++tally.unconfirmed;
         fmt::print("edit {}: nothing is near where {} {}\n", tally.edits, conflict->bodies,
                    conflict->what);
@@ -368,21 +387,26 @@ class KeptPath {
       return false;
     }
     ++tally.still_free;
-    std::vector<int> pairs;  // nothing else moved since the path was last looked at
-    for (const std::string& name : not_looked_at_) {
-      const std::vector<int> of_object = reference.world().pairs_with(name);
-      pairs.insert(pairs.end(), of_object.begin(), of_object.end());
+    for (const std::string& name : edited_) {  // nothing else moved since the path was free
+      if (const auto* object = geometric::find_object(*problem.scene, name)) {
+        passed_.push_back(*object);
+        passed_.back().name = fmt::format("{} after edit {}", name, tally.edits);
+      }
     }
-    not_looked_at_.clear();
-    if (reference.path_collides(path_, pairs)) {
-      ++tally.in_collision;
-      fmt::print("edit {}: the path that is said to be free collides\n", tally.edits);
+    edited_.clear();
+    constexpr std::size_t kMost = 64;
+    if (passed_.size() >= kMost) {
+      confirm(tally);
     }
     return true;
   }
 
   planning::Path path_;
-  std::set<std::string> not_looked_at_;  ///< Edited since the reference saw the path free.
+  Problem scene_;                 ///< That the path was found in.
+  std::set<std::string> edited_;  ///< Since the path was free.
+  /// What the path is said to be free of, until the reference has looked at it: many at a time, as
+  /// its trees take longer than the question.
+  std::vector<geometric::SceneObject> passed_;
 };
 
 EditTally soak_edits(ChangingScene& scene, int count, std::uint64_t seed) {
@@ -404,6 +428,7 @@ EditTally soak_edits(ChangingScene& scene, int count, std::uint64_t seed) {
       print(tally);
     }
   }
+  path.confirm(tally);
   return tally;
 }
 
@@ -550,7 +575,7 @@ class Witness final : public execution::MotionObserver {
     return std::ranges::any_of(moved_, [&](const Place& place) {
       if (place.problem != of) {
         of = place.problem;
-        reference = std::make_unique<Reference>(*of->get());
+        reference = std::make_unique<Reference>(*of->get()->checker->shared_world());
       }
       return reference->collides(place.q);
     });
