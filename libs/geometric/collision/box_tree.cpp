@@ -1,5 +1,7 @@
 #include "collision/box_tree.h"
 
+#include <tbb/parallel_invoke.h>
+
 #include <algorithm>
 
 namespace handway::geometric {
@@ -14,37 +16,44 @@ BoxTree::BoxTree(const TriangleMesh& mesh) {
     triangles.push_back({p.cwiseMin(q).cwiseMin(r), p.cwiseMax(q).cwiseMax(r),
                          static_cast<std::uint32_t>(triangles.size())});
   }
-  nodes_.reserve(2 * triangles.size());
-  build(triangles, 0, triangles.size());
+  nodes_.resize(2 * triangles.size() - 1);
+  build(triangles, 0);
 }
 
-void BoxTree::build(std::vector<Triangle>& triangles, std::size_t first, std::size_t count) {
-  const std::size_t index = nodes_.size();
-  nodes_.emplace_back();
-  Eigen::Vector3d lower = triangles[first].lower;
-  Eigen::Vector3d upper = triangles[first].upper;
-  for (std::size_t i = first; i < first + count; ++i) {
-    lower = lower.cwiseMin(triangles[i].lower);
-    upper = upper.cwiseMax(triangles[i].upper);
+// A tree over n triangles takes 2 n - 1 nodes, so that both halves know their places.
+void BoxTree::build(std::span<Triangle> triangles, std::size_t index) {
+  constexpr std::size_t kWorthAThread = 10000;
+  Node& node = nodes_[index];
+  Eigen::Vector3d lower = triangles.front().lower;
+  Eigen::Vector3d upper = triangles.front().upper;
+  for (const Triangle& triangle : triangles) {
+    lower = lower.cwiseMin(triangle.lower);
+    upper = upper.cwiseMax(triangle.upper);
   }
-  nodes_[index].centre = 0.5 * (lower + upper);
-  nodes_[index].half = 0.5 * (upper - lower);
-  nodes_[index].size = nodes_[index].half.norm();
-  if (count == 1) {
-    nodes_[index].triangle = triangles[first].index;
+  node.centre = 0.5 * (lower + upper);
+  node.half = 0.5 * (upper - lower);
+  node.size = node.half.norm();
+  if (triangles.size() == 1) {
+    node.triangle = triangles.front().index;
     return;
   }
   Eigen::Index axis = 0;
   (upper - lower).maxCoeff(&axis);
-  const auto begin = triangles.begin() + static_cast<std::ptrdiff_t>(first);
-  const auto half = static_cast<std::ptrdiff_t>(count / 2);
-  std::nth_element(begin, begin + half, begin + static_cast<std::ptrdiff_t>(count),
-                   [axis](const Triangle& s, const Triangle& t) {
+  const std::size_t half = triangles.size() / 2;
+  std::nth_element(triangles.begin(), triangles.begin() + static_cast<std::ptrdiff_t>(half),
+                   triangles.end(), [axis](const Triangle& s, const Triangle& t) {
                      return (s.lower + s.upper)[axis] < (t.lower + t.upper)[axis];
                    });
-  build(triangles, first, static_cast<std::size_t>(half));
-  nodes_[index].right = static_cast<std::uint32_t>(nodes_.size());
-  build(triangles, first + static_cast<std::size_t>(half), count - static_cast<std::size_t>(half));
+  const std::size_t right = index + 2 * half;
+  node.right = static_cast<std::uint32_t>(right);
+  const auto build_left = [&] { build(triangles.first(half), index + 1); };
+  const auto build_right = [&] { build(triangles.subspan(half), right); };
+  if (triangles.size() > kWorthAThread) {
+    tbb::parallel_invoke(build_left, build_right);
+  } else {
+    build_left();
+    build_right();
+  }
 }
 
 }  // namespace handway::geometric

@@ -5,7 +5,9 @@
 #include <Eigen/Core>
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace handway::geometric {
@@ -42,7 +44,7 @@ class BoxTree {
     std::uint32_t index;
   };
 
-  void build(std::vector<Triangle>& triangles, std::size_t first, std::size_t count);
+  void build(std::span<Triangle> triangles, std::size_t index);
 
   std::vector<Node> nodes_;
 };

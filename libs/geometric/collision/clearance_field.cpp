@@ -1,12 +1,16 @@
 #include "collision/clearance_field.h"
 
 #include "collision/nearest_point.h"
+#include "collision/on_demand.h"
 #include "handway/geometric/collision/preparation.h"
 
 #include <queue>
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <cmath>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -20,6 +24,7 @@ constexpr double kShare = 0.1;       // nor for this share of the distance
 constexpr double kSlack = 0.005;     // of a cell: how far from the best bound the search ends
 constexpr double kTinyLength = 0.1;  // of a cell: boxes this small are not looked into
 constexpr double kNear = 0.002;      // m: what is nearer than this is as good as touching
+constexpr int kDeepest = 4;          // times that a cell that grows is halved
 constexpr int kMostNodes = 400;      // nodes looked at for one cell
 
 struct Cube {
@@ -34,92 +39,27 @@ struct Bound {
   std::uint32_t nearest;
 };
 
-}  // namespace
-
-class ClearanceFieldBuilder {
+// Makes cells of a mesh's field.
+class CellMaker {
  public:
-  ClearanceFieldBuilder(ClearanceField& field, const TriangleMesh& mesh, const BoxTree& boxes)
-      : field_(field), mesh_(mesh), boxes_(boxes) {}
+  CellMaker(const TriangleMesh& mesh, const BoxTree& boxes) : mesh_(mesh), boxes_(boxes) {}
 
-  void build(std::size_t budget, const std::stop_token& stop) {
-    lay_out();
-    double side = 1.0 / field_.per_cell_;
-    std::uint32_t hint = 0;
-    for (int z = 0; z < field_.counts_.z(); ++z) {
-      end_if_stopped(stop);
-      for (int y = 0; y < field_.counts_.y(); ++y) {
-        for (int x = 0; x < field_.counts_.x(); ++x) {
-          const Eigen::Vector3d lowest =
-              field_.origin_.cast<double>() + side * Eigen::Vector3d(x, y, z);
-          hint = add({lowest + Eigen::Vector3d::Constant(0.5 * side), 0.5 * side}, hint);
-        }
-      }
+  // Cells of the grid are laid out in float and a little apart from these cubes.
+  [[nodiscard]] Bound bound_in(Cube cube, std::uint32_t hint) const {
+    cube.half += 1e-6 * (cube.half + cube.centre.cwiseAbs().maxCoeff());
+    const NearestPoint nearest = nearest_point(mesh_, boxes_, cube.centre, hint);
+    const Eigen::Vector3d slope = slope_from(nearest, cube.centre);
+    const double along = slope.dot(cube.centre);
+    ClearanceField::Cell cell;
+    cell.front = static_cast<float>(lowest_value(cube, slope, nearest.distance) - along);
+    cell.back = -1e3F;
+    if (nearest.distance <= std::sqrt(3.0) * cube.half) {
+      cell.back = static_cast<float>(lowest_value(cube, -slope, 0.0) + along);
     }
-    while (!open_.empty() && spent() + ClearanceField::kChildren <= budget) {
-      end_if_stopped(stop);
-      const Open worst = open_.top();
-      open_.pop();
-      improve(worst);
+    for (int k = 0; k < 3; ++k) {
+      cell.slope[static_cast<std::size_t>(k)] = static_cast<float>(slope[k]);
     }
-  }
-
- private:
-  struct Waiting {
-    std::uint32_t node;
-    double value;
-  };
-
-  struct Open {
-    double worth;
-    std::uint32_t cell;
-    Cube cube;
-    double distance;
-    std::uint32_t nearest;
-
-    bool operator<(const Open& other) const {
-      return worth != other.worth ? worth < other.worth : cell > other.cell;
-    }
-  };
-
-  void lay_out() {
-    const Aabb box = bounding_box(mesh_);
-    field_.centre_ = box.centre().cast<float>();
-    field_.half_ = (0.5 * box.size()).cast<float>();
-    const double longest = std::max(box.size().maxCoeff(), 1e-3);
-    const double side = (1.0 + 2.0 * kMargin) * longest / kCoarsest;
-    const Eigen::Array3d size = box.size().array() + 2.0 * kMargin * longest;
-    field_.side_ = static_cast<float>(side);
-    field_.per_cell_ = static_cast<float>(1.0 / side);
-    field_.counts_ = (size / side).ceil().cast<int>();
-    field_.origin_ =
-        (box.centre() - 0.5 * side * field_.counts_.cast<double>().matrix()).cast<float>();
-  }
-
-  std::uint32_t add(const Cube& cube, std::uint32_t hint) {
-    const auto index = static_cast<std::uint32_t>(field_.cells_.size());
-    const Bound bound = bound_in(cube, hint);
-    field_.cells_.push_back(bound.cell);
-    if (bound.worth > 0.0) {
-      open_.push({bound.worth, index, cube, bound.distance, bound.nearest});
-    }
-    return bound.nearest;
-  }
-
-  // Cells, and as many as a block of triangles takes the room of.
-  [[nodiscard]] std::size_t spent() const {
-    constexpr std::size_t kCellsOfBlock = sizeof(TriangleBlock) / sizeof(ClearanceField::Cell);
-    return field_.cells_.size() + kCellsOfBlock * field_.blocks_.size();
-  }
-
-  void improve(const Open& open) {
-    std::vector<TriangleCorners> triangles = nearest_somewhere(open.cube, open.distance);
-    if (triangles.size() > TriangleBlock::kWidth) {
-      refine(open);
-      return;
-    }
-    field_.cells_[open.cell] =
-        ClearanceField::Cell::marked(ClearanceField::kListed, field_.blocks_.size());
-    field_.blocks_.emplace_back(triangles);
+    return {cell, worth_of_refining(cube, cell, nearest), nearest.distance, nearest.triangle};
   }
 
   // The triangles that may be the nearest of some point of the cube; one more than
@@ -149,39 +89,11 @@ class ClearanceFieldBuilder {
     return triangles;
   }
 
-  void refine(const Open& open) {
-    const auto first = static_cast<std::uint32_t>(field_.cells_.size());
-    const double half = open.cube.half / ClearanceField::kSplit;
-    const Eigen::Vector3d lowest =
-        open.cube.centre - Eigen::Vector3d::Constant(open.cube.half - half);
-    std::uint32_t hint = open.nearest;
-    for (int z = 0; z < ClearanceField::kSplit; ++z) {
-      for (int y = 0; y < ClearanceField::kSplit; ++y) {
-        for (int x = 0; x < ClearanceField::kSplit; ++x) {
-          hint = add({lowest + 2.0 * half * Eigen::Vector3d(x, y, z), half}, hint);
-        }
-      }
-    }
-    field_.cells_[open.cell] = ClearanceField::Cell::marked(ClearanceField::kRefined, first);
-  }
-
-  // Cells of the grid are laid out in float and a little apart from these cubes.
-  [[nodiscard]] Bound bound_in(Cube cube, std::uint32_t hint) const {
-    cube.half += 1e-6 * (cube.half + cube.centre.cwiseAbs().maxCoeff());
-    const NearestPoint nearest = nearest_point(mesh_, boxes_, cube.centre, hint);
-    const Eigen::Vector3d slope = slope_from(nearest, cube.centre);
-    const double along = slope.dot(cube.centre);
-    ClearanceField::Cell cell;
-    cell.front = static_cast<float>(lowest_value(cube, slope, nearest.distance) - along);
-    cell.back = -1e3F;
-    if (nearest.distance <= std::sqrt(3.0) * cube.half) {
-      cell.back = static_cast<float>(lowest_value(cube, -slope, 0.0) + along);
-    }
-    for (int k = 0; k < 3; ++k) {
-      cell.slope[static_cast<std::size_t>(k)] = static_cast<float>(slope[k]);
-    }
-    return {cell, worth_of_refining(cube, cell, nearest), nearest.distance, nearest.triangle};
-  }
+ private:
+  struct Waiting {
+    std::uint32_t node;
+    double value;
+  };
 
   [[nodiscard]] Eigen::Vector3d slope_from(const NearestPoint& nearest,
                                            const Eigen::Vector3d& p) const {
@@ -271,15 +183,207 @@ class ClearanceFieldBuilder {
     return distance - cube.half * (gradient - slope).lpNorm<1>();
   }
 
-  ClearanceField& field_;
   const TriangleMesh& mesh_;
   const BoxTree& boxes_;
-  std::priority_queue<Open> open_;
   mutable std::vector<Waiting> waiting_;
 };
 
+}  // namespace
+
+class ClearanceFieldBuilder {
+ public:
+  ClearanceFieldBuilder(ClearanceField& field, const TriangleMesh& mesh, const BoxTree& boxes)
+      : field_(field), maker_(mesh, boxes) {}
+
+  void build(std::size_t budget, const std::stop_token& stop) {
+    double side = 1.0 / field_.per_cell_;
+    std::uint32_t hint = 0;
+    for (int z = 0; z < field_.counts_.z(); ++z) {
+      end_if_stopped(stop);
+      for (int y = 0; y < field_.counts_.y(); ++y) {
+        for (int x = 0; x < field_.counts_.x(); ++x) {
+          const Eigen::Vector3d lowest =
+              field_.origin_.cast<double>() + side * Eigen::Vector3d(x, y, z);
+          hint = add({lowest + Eigen::Vector3d::Constant(0.5 * side), 0.5 * side}, hint);
+        }
+      }
+    }
+    while (!open_.empty() && spent() + ClearanceField::kChildren <= budget) {
+      end_if_stopped(stop);
+      const Open worst = open_.top();
+      open_.pop();
+      improve(worst);
+    }
+  }
+
+ private:
+  struct Open {
+    double worth;
+    std::uint32_t cell;
+    Cube cube;
+    double distance;
+    std::uint32_t nearest;
+
+    bool operator<(const Open& other) const {
+      return worth != other.worth ? worth < other.worth : cell > other.cell;
+    }
+  };
+
+  std::uint32_t add(const Cube& cube, std::uint32_t hint) {
+    const auto index = static_cast<std::uint32_t>(field_.cells_.size());
+    const Bound bound = maker_.bound_in(cube, hint);
+    field_.cells_.push_back(bound.cell);
+    if (bound.worth > 0.0) {
+      open_.push({bound.worth, index, cube, bound.distance, bound.nearest});
+    }
+    return bound.nearest;
+  }
+
+  // Cells, and as many as a block of triangles takes the room of.
+  [[nodiscard]] std::size_t spent() const {
+    constexpr std::size_t kCellsOfBlock = sizeof(TriangleBlock) / sizeof(ClearanceField::Cell);
+    return field_.cells_.size() + kCellsOfBlock * field_.blocks_.size();
+  }
+
+  void improve(const Open& open) {
+    std::vector<TriangleCorners> triangles = maker_.nearest_somewhere(open.cube, open.distance);
+    if (triangles.size() > TriangleBlock::kWidth) {
+      refine(open);
+      return;
+    }
+    field_.cells_[open.cell] =
+        ClearanceField::Cell::marked(ClearanceField::kListed, field_.blocks_.size());
+    field_.blocks_.emplace_back(triangles);
+  }
+
+  void refine(const Open& open) {
+    const auto first = static_cast<std::uint32_t>(field_.cells_.size());
+    const double half = open.cube.half / ClearanceField::kSplit;
+    const Eigen::Vector3d lowest =
+        open.cube.centre - Eigen::Vector3d::Constant(open.cube.half - half);
+    std::uint32_t hint = open.nearest;
+    for (int z = 0; z < ClearanceField::kSplit; ++z) {
+      for (int y = 0; y < ClearanceField::kSplit; ++y) {
+        for (int x = 0; x < ClearanceField::kSplit; ++x) {
+          hint = add({lowest + 2.0 * half * Eigen::Vector3d(x, y, z), half}, hint);
+        }
+      }
+    }
+    field_.cells_[open.cell] = ClearanceField::Cell::marked(ClearanceField::kRefined, first);
+  }
+
+  ClearanceField& field_;
+  CellMaker maker_;
+  std::priority_queue<Open> open_;
+};
+
+/// A field whose cells are made when a point is first looked for in them, by any thread: each
+/// depends on the mesh and the cell around it alone. Which of two threads made it doesn't show.
+class ClearanceFieldGrowth {
+ public:
+  ClearanceFieldGrowth(std::shared_ptr<const TriangleMesh> mesh, std::size_t coarsest)
+      : mesh_(std::move(mesh)),
+        boxes_([mesh = mesh_] { return BoxTree(*mesh); }),
+        roots_(coarsest) {}
+
+  ~ClearanceFieldGrowth() {
+    for (const Slot& root : roots_) {
+      remove(root);
+    }
+  }
+  ClearanceFieldGrowth(const ClearanceFieldGrowth&) = delete;
+  ClearanceFieldGrowth& operator=(const ClearanceFieldGrowth&) = delete;
+
+  /// @param cube of the coarsest cell with that number.
+  /// @param p in the cube, with its place in it in cells.
+  ClearanceField::Place find(std::size_t index, const Cube& cube, Eigen::Array3f u) {
+    const Grown* cell = get(roots_[index], cube, 0);
+    float side = static_cast<float>(2.0 * cube.half);
+    for (int depth = 0; cell->may_refine && depth < kDeepest; ++depth) {
+      u *= static_cast<float>(ClearanceField::kSplit);
+      const Eigen::Array3i i = u.cast<int>().min(ClearanceField::kSplit - 1);
+      u -= i.cast<float>();
+      side /= static_cast<float>(ClearanceField::kSplit);
+      cell = below(*cell, i);
+    }
+    return {&cell->cell, side * std::min(u.minCoeff(), 1.0F - u.maxCoeff())};
+  }
+
+ private:
+  struct Grown;
+  using Slot = std::atomic<const Grown*>;
+  struct Grown {
+    ClearanceField::Cell cell;
+    Cube cube;
+    std::uint32_t nearest;
+    bool may_refine;
+    mutable std::array<Slot, ClearanceField::kChildren> below{};
+  };
+
+  const Grown* below(const Grown& cell, const Eigen::Array3i& i) const {
+    const double half = cell.cube.half / ClearanceField::kSplit;
+    const Eigen::Vector3d offset =
+        (2.0 * half * (i.cast<double>() - 0.5 * (ClearanceField::kSplit - 1))).matrix();
+    const int number = i.x() + ClearanceField::kSplit * (i.y() + ClearanceField::kSplit * i.z());
+    return get(cell.below[static_cast<std::size_t>(number)], {cell.cube.centre + offset, half},
+               cell.nearest);
+  }
+
+  const Grown* get(Slot& slot, const Cube& cube, std::uint32_t hint) const {
+    if (const Grown* known = slot.load(std::memory_order_acquire)) {
+      return known;
+    }
+    const Bound bound = CellMaker(*mesh_, *boxes_).bound_in(cube, hint);
+    auto made = std::make_unique<const Grown>(bound.cell, cube, bound.nearest, bound.worth > 0.0);
+    const Grown* known = nullptr;
+    return slot.compare_exchange_strong(known, made.get()) ? made.release() : known;
+  }
+
+  static void remove(const Slot& slot) {
+    const std::unique_ptr<const Grown> cell(slot.load(std::memory_order_acquire));
+    if (cell) {
+      for (const Slot& child : cell->below) {
+        remove(child);
+      }
+    }
+  }
+
+  std::shared_ptr<const TriangleMesh> mesh_;
+  OnDemand<BoxTree> boxes_;
+  mutable std::vector<Slot> roots_;
+};
+
+void ClearanceField::lay_out(const Aabb& box) {
+  centre_ = box.centre().cast<float>();
+  half_ = (0.5 * box.size()).cast<float>();
+  const double longest = std::max(box.size().maxCoeff(), 1e-3);
+  const double side = (1.0 + 2.0 * kMargin) * longest / kCoarsest;
+  const Eigen::Array3d size = box.size().array() + 2.0 * kMargin * longest;
+  side_ = static_cast<float>(side);
+  per_cell_ = static_cast<float>(1.0 / side);
+  counts_ = (size / side).ceil().cast<int>();
+  origin_ = (box.centre() - 0.5 * side * counts_.cast<double>().matrix()).cast<float>();
+}
+
+ClearanceField ClearanceField::growing(std::shared_ptr<const TriangleMesh> mesh) {
+  ClearanceField field;
+  field.lay_out(bounding_box(*mesh));
+  const auto cells = static_cast<std::size_t>(field.counts_.prod());
+  field.growth_ = std::make_shared<ClearanceFieldGrowth>(std::move(mesh), cells);
+  return field;
+}
+
+ClearanceField::Place ClearanceField::find_grown(const Eigen::Array3i& i,
+                                                 const Eigen::Array3f& u) const {
+  const double half = 0.5 / static_cast<double>(per_cell_);
+  const Eigen::Vector3d centre =
+      origin_.cast<double>() + (2.0 * half * (i.cast<double>() + 0.5)).matrix();
+  return growth_->find(index_of(i), {centre, half}, u);
+}
+
 ClearanceField::ClearanceField(const TriangleMesh& mesh, const BoxTree& boxes, std::size_t budget,
                                const std::stop_token& stop) {
+  lay_out(bounding_box(mesh));
   ClearanceFieldBuilder(*this, mesh, boxes).build(budget, stop);
 }
 
@@ -296,6 +400,13 @@ float ClearanceField::bound(const std::array<Eigen::Vector3f, 3>& triangle) cons
                             : distance + std::min({slope.dot(triangle[0] - middle),
                                                    slope.dot(triangle[1] - middle),
                                                    slope.dot(triangle[2] - middle)});
+  }
+  if (growth_) {
+    const Eigen::Vector3f middle = (triangle[0] + triangle[1] + triangle[2]) / 3.0F;
+    const Place place = find(middle);
+    const float reach = std::max({(triangle[0] - middle).norm(), (triangle[1] - middle).norm(),
+                                  (triangle[2] - middle).norm()});
+    return place.cell != nullptr && reach <= place.room ? place.cell->bound(triangle) : kNothing;
   }
   std::array<Eigen::Array3f, 3> u;
   for (std::size_t k = 0; k < 3; ++k) {

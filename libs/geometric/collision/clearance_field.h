@@ -11,11 +11,14 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <stop_token>
 #include <vector>
 
 namespace handway::geometric {
+
+class ClearanceFieldGrowth;
 
 /// A lower bound of the distance of any point from a mesh's surface, in constant
 /// time.
@@ -73,6 +76,11 @@ class ClearanceField {
 
   explicit ClearanceField(const PrimitiveDistance& primitive);
 
+  /// A field without a budget, whose cells are made where it is asked: for meshes of which only a
+  /// part is ever come near to.
+  /// @pre the mesh has a triangle.
+  [[nodiscard]] static ClearanceField growing(std::shared_ptr<const TriangleMesh> mesh);
+
   /// Nothing for other meshes.
   [[nodiscard]] const std::optional<PrimitiveDistance>& primitive() const { return primitive_; }
 
@@ -110,6 +118,10 @@ class ClearanceField {
   friend class ClearanceFieldBuilder;
   friend class VolumeArchive;
 
+  void lay_out(const Aabb& box);
+  /// @param i coarsest cell. @param u where in it, in cells.
+  [[nodiscard]] Place find_grown(const Eigen::Array3i& i, const Eigen::Array3f& u) const;
+
   /// Of a cell of the grid.
   [[nodiscard]] std::size_t index_of(const Eigen::Array3i& i) const {
     const Eigen::Array<std::size_t, 3, 1> wide = i.cast<std::size_t>();
@@ -126,6 +138,7 @@ class ClearanceField {
   std::vector<Cell> cells_;
   std::vector<TriangleBlock> blocks_;
   std::optional<PrimitiveDistance> primitive_;
+  std::shared_ptr<ClearanceFieldGrowth> growth_;  ///< Null: all cells are there.
 };
 
 inline ClearanceField::Place ClearanceField::find(const Eigen::Vector3f& p) const {
@@ -138,6 +151,9 @@ inline ClearanceField::Place ClearanceField::find(const Eigen::Vector3f& p) cons
   }
   float side = side_;
   Eigen::Array3i i = u.cast<int>();
+  if (growth_) {
+    return find_grown(i, u - i.cast<float>());
+  }
   const Cell* cell = &cells_[index_of(i)];
   while (cell->refined()) {
     side /= static_cast<float>(kSplit);

@@ -1,6 +1,7 @@
 #include "collision/solid.h"
 
 #include "handway/geometric/scene/mesh_topology.h"
+#include "scene/vertex_groups.h"
 
 #include <Eigen/Geometry>
 #include <boost/container/small_vector.hpp>
@@ -53,34 +54,36 @@ int winding_above(const Eigen::Vector3d& p, const Eigen::Vector3d& a, const Eige
 // other.
 std::vector<bool> find_oriented(const TriangleMesh& mesh,
                                 const std::vector<std::uint32_t>& piece_of, std::size_t pieces) {
-  struct DirectedEdge {
-    std::uint32_t low;
+  struct DirectedEdge {  // from its lower vertex
     std::uint32_t high;
     std::uint32_t piece;
     int direction;
   };
-  std::vector<DirectedEdge> edges;
-  edges.reserve(3 * mesh.triangles.size());
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t from = mesh.triangles[t][k];
-      const std::uint32_t to = mesh.triangles[t][(k + 1) % 3];
-      edges.push_back({std::min(from, to), std::max(from, to), piece_of[t], from < to ? 1 : -1});
+  VertexGroups<DirectedEdge> edges(mesh.vertices.size(), [&](const auto& add) {
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t from = mesh.triangles[t][k];
+        const std::uint32_t to = mesh.triangles[t][(k + 1) % 3];
+        add(std::min(from, to), DirectedEdge{std::max(from, to), piece_of[t], from < to ? 1 : -1});
+      }
     }
-  }
-  const auto ends = [](const DirectedEdge& edge) { return std::pair(edge.low, edge.high); };
-  std::ranges::sort(edges, {}, ends);
+  });
   std::vector<bool> oriented(pieces, true);
-  for (auto edge = edges.begin(); edge != edges.end();) {
-    const auto next = std::ranges::upper_bound(edge, edges.end(), ends(*edge), {}, ends);
-    int sum = 0;
-    for (auto same = edge; same != next; ++same) {
-      sum += same->direction;
+  for (std::size_t vertex = 0; vertex < edges.size(); ++vertex) {
+    const std::span<DirectedEdge> group = edges[vertex];
+    std::ranges::sort(group, {}, &DirectedEdge::high);
+    for (auto edge = group.begin(); edge != group.end();) {
+      const auto next =
+          std::ranges::upper_bound(edge, group.end(), edge->high, {}, &DirectedEdge::high);
+      int sum = 0;
+      for (auto same = edge; same != next; ++same) {
+        sum += same->direction;
+      }
+      if (sum != 0) {
+        oriented[edge->piece] = false;
+      }
+      edge = next;
     }
-    if (sum != 0) {
-      oriented[edge->piece] = false;
-    }
-    edge = next;
   }
   return oriented;
 }

@@ -2,16 +2,20 @@
 
 #include "collision/mesh_pieces.h"
 #include "collision/volume_archive.h"
+#include "handway/geometric/scene/mesh_topology.h"
+#include "handway/geometric/scene/shape.h"
 
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <mutex>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace handway::geometric {
 namespace {
@@ -22,6 +26,8 @@ constexpr double kHullMargin = 0.005;     // of the size
 constexpr std::size_t kCells = 1U << 14;  // of a field, …
 constexpr std::size_t kCellsOfPlain = 1U << 16;  // … and where they are soon made,
 constexpr std::size_t kPlain = 1000;             // that is, of meshes with fewer triangles
+constexpr std::size_t kLarge = 100'000;  // triangles: of more, volumes grow where queries come
+constexpr std::size_t kSomeVertices = 2000;
 
 CacheKey key_of(const TriangleMesh& mesh) {
   std::string content = std::to_string(mesh.vertices.size());
@@ -119,6 +125,41 @@ Surface surface_of_primitive(const CacheKey& key, const std::shared_ptr<const Tr
           OnDemand<SurfacePoints>([mesh] { return SurfacePoints(*mesh); })};
 }
 
+// Points of the piece with most vertices.
+SurfacePoints points_of_large(const TriangleMesh& mesh) {
+  const std::vector<std::uint32_t> piece_of = piece_numbers(mesh);
+  std::vector<std::size_t> sizes(mesh.vertices.size());
+  for (const std::uint32_t piece : piece_of) {
+    ++sizes[piece];
+  }
+  const auto largest = std::ranges::max_element(sizes);
+  const std::size_t stride = *largest / kSomeVertices + 1;
+  TriangleMesh some;
+  std::size_t seen = 0;
+  for (std::size_t vertex = 0; vertex < piece_of.size(); ++vertex) {
+    if (piece_of[vertex] == largest - sizes.begin() && seen++ % stride == 0) {
+      some.vertices.push_back(mesh.vertices[vertex]);
+    }
+  }
+  return SurfacePoints(some);
+}
+
+// Its hull is the box around it, and of its sides nothing is known: both take long to find.
+Surface surface_of_large_mesh(const CacheKey& key,
+                              const std::shared_ptr<const TriangleMesh>& mesh) {
+  const Aabb box = bounding_box(*mesh);
+  const TriangleMesh around =
+      transformed(*tessellate(Box{box.size()}), Pose(Eigen::Translation3d(box.centre())));
+  return {key,
+          mesh,
+          SphereCover::growing(mesh, leaf_radius(*mesh)),
+          ClearanceField::growing(mesh),
+          OnDemand<TriangleTree>([mesh] { return TriangleTree(*mesh); }),
+          OnDemand<ConvexCover>([around] { return ConvexCover(around, 0.0); }),
+          OnDemand<SurfaceSides>(SurfaceSides{}),
+          OnDemand<SurfacePoints>([mesh] { return points_of_large(*mesh); })};
+}
+
 Surface surface_of_mesh(const CacheKey& key, const std::shared_ptr<const TriangleMesh>& mesh,
                         const Preparation& preparation) {
   MeshVolumes volumes = volumes_of(key, *mesh, preparation);
@@ -132,16 +173,22 @@ Surface surface_of_mesh(const CacheKey& key, const std::shared_ptr<const Triangl
           OnDemand<SurfacePoints>(volumes.points)};
 }
 
+Surface surface_of(const CacheKey& key, const std::shared_ptr<const TriangleMesh>& mesh,
+                   const Preparation& preparation) {
+  if (const auto primitive = PrimitiveDistance::of(*mesh)) {
+    return surface_of_primitive(key, mesh, *primitive);
+  }
+  return mesh->triangles.size() > kLarge ? surface_of_large_mesh(key, mesh)
+                                         : surface_of_mesh(key, mesh, preparation);
+}
+
 std::shared_ptr<const Surface> make_surface(const CacheKey& key,
                                             const std::shared_ptr<const TriangleMesh>& mesh,
                                             const Preparation& preparation) {
   if (auto living = living_surfaces().find(key)) {
     return living;
   }
-  const std::optional<PrimitiveDistance> primitive = PrimitiveDistance::of(*mesh);
-  auto surface =
-      std::make_shared<const Surface>(primitive ? surface_of_primitive(key, mesh, *primitive)
-                                                : surface_of_mesh(key, mesh, preparation));
+  auto surface = std::make_shared<const Surface>(surface_of(key, mesh, preparation));
   living_surfaces().add(key, surface);
   return surface;
 }

@@ -15,7 +15,7 @@ struct SurfacePoints {
   SurfacePoints() = default;
 
   /// Far from each other; some are the same where there are too few vertices.
-  /// @param piece hangs together and has a triangle.
+  /// @param piece hangs together and has a vertex, or is the vertices of what does.
   explicit SurfacePoints(const TriangleMesh& piece);
 
   alignas(64) std::array<float, kCount> x{}, y{}, z{};

@@ -1,26 +1,13 @@
 #include "io/mesh_cleaning.h"
 
-#include <bit>
-#include <unordered_map>
+#include "scene/vertex_table.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
 
 namespace handway::geometric {
 namespace {
-
-struct SamePoint {
-  bool operator()(const Eigen::Vector3d& a, const Eigen::Vector3d& b) const { return a == b; }
-};
-
-struct HashPoint {
-  std::size_t operator()(const Eigen::Vector3d& p) const {
-    std::uint64_t hash = 0;
-    for (int i = 0; i < 3; ++i) {
-      const double value = p[i] == 0.0 ? 0.0 : p[i];  // -0 equals 0
-      hash = (hash ^ std::bit_cast<std::uint64_t>(value)) * 0x9E3779B97F4A7C15ULL;
-      hash ^= hash >> 32;
-    }
-    return hash;
-  }
-};
 
 bool has_area(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
   const Eigen::Vector3d ab = b - a;
@@ -32,27 +19,20 @@ bool has_area(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::V
 }  // namespace
 
 TriangleMesh cleaned(const TriangleMesh& mesh) {
+  VertexTable places;
   TriangleMesh result;
-  std::unordered_map<Eigen::Vector3d, std::uint32_t, HashPoint, SamePoint> index_of;
-  for (const auto& triangle : mesh.triangles) {
-    const Eigen::Vector3d& a = mesh.vertices[triangle[0]];
-    const Eigen::Vector3d& b = mesh.vertices[triangle[1]];
-    const Eigen::Vector3d& c = mesh.vertices[triangle[2]];
-    if (!has_area(a, b, c)) {
-      continue;
+  result.triangles.reserve(mesh.triangles.size());
+  for (const auto& [i, j, k] : mesh.triangles) {
+    const Eigen::Vector3d& a = mesh.vertices[i];
+    const Eigen::Vector3d& b = mesh.vertices[j];
+    const Eigen::Vector3d& c = mesh.vertices[k];
+    if (has_area(a, b, c)) {
+      const std::uint32_t first = places.number_of(a);
+      const std::uint32_t second = places.number_of(b);
+      result.triangles.push_back({first, second, places.number_of(c)});
     }
-    std::array<std::uint32_t, 3> joined{};
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Eigen::Vector3d& vertex = mesh.vertices[triangle[k]];
-      const auto next = static_cast<std::uint32_t>(result.vertices.size());
-      const auto [entry, is_new] = index_of.try_emplace(vertex, next);
-      if (is_new) {
-        result.vertices.push_back(vertex);
-      }
-      joined[k] = entry->second;
-    }
-    result.triangles.push_back(joined);
   }
+  result.vertices = std::move(places.vertices());
   return result;
 }
 

@@ -1,12 +1,23 @@
 #include "handway/geometric/io/mesh_reader.h"
 
+#include "handway/geometric/io/disk_cache.h"
 #include "handway/geometric/io/files_read.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/mesh_import.h"
 #include "io/mesh_cleaning.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstring>
+#include <fstream>
 #include <map>
 #include <mutex>
+#include <optional>
+#include <stdexcept>
+#include <string_view>
 #include <system_error>
 #include <tuple>
 #include <utility>
@@ -44,6 +55,70 @@ class MeshCache {
   std::map<FileKey, std::weak_ptr<const TriangleMesh>> meshes_;
 };
 
+/// Triangles as their file has them, m.
+struct ReadMesh {
+  TriangleMesh triangles;
+  double largest = 0.0;  ///< See ImportedMesh.
+};
+
+constexpr int kRevision = 1;                     // to change with what is made of a file
+constexpr std::uintmax_t kLargeFile = 1U << 20;  // bytes: smaller ones are soon read
+
+// The content of a large file that refers to no other.
+std::optional<std::string> worth_remembering(const fs::path& file) {
+  std::string ending = file.extension().string();
+  std::ranges::transform(ending, ending.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::error_code error;
+  const std::uintmax_t size = fs::file_size(file, error);
+  const bool is_whole = ending == ".stl" || ending == ".ply" || ending == ".obj";
+  if (error || size < kLargeFile || size > DiskCache::kBudget || !is_whole) {
+    return std::nullopt;
+  }
+  std::string content(size, '\0');
+  std::ifstream stream(file, std::ios::binary);
+  stream.read(content.data(), static_cast<std::streamsize>(size));
+  return stream ? std::optional(std::move(content)) : std::nullopt;
+}
+
+template <typename Value>
+void append_bytes(std::string& bytes, const Value* values, std::size_t count) {
+  bytes.append(reinterpret_cast<const char*>(values), count * sizeof(Value));
+}
+
+template <typename Value>
+void take_bytes(std::string_view& bytes, Value* values, std::size_t count) {
+  if (bytes.size() / sizeof(Value) < count) {
+    throw std::length_error("fewer bytes than they say");
+  }
+  std::memcpy(static_cast<void*>(values), bytes.data(), count * sizeof(Value));
+  bytes.remove_prefix(count * sizeof(Value));
+}
+
+std::string to_bytes(const ReadMesh& mesh) {
+  const auto& [vertices, triangles] = mesh.triangles;
+  const std::array<std::uint64_t, 2> counts{vertices.size(), triangles.size()};
+  std::string bytes;
+  append_bytes(bytes, &mesh.largest, 1);
+  append_bytes(bytes, counts.data(), counts.size());
+  append_bytes(bytes, vertices.data(), vertices.size());
+  append_bytes(bytes, triangles.data(), triangles.size());
+  return bytes;
+}
+
+ReadMesh from_bytes(const std::string& entry) {
+  std::string_view bytes(entry);
+  ReadMesh mesh;
+  std::array<std::uint64_t, 2> counts{};
+  take_bytes(bytes, &mesh.largest, 1);
+  take_bytes(bytes, counts.data(), counts.size());
+  mesh.triangles.vertices.resize(std::min<std::uint64_t>(counts[0], bytes.size()));
+  mesh.triangles.triangles.resize(std::min<std::uint64_t>(counts[1], bytes.size()));
+  take_bytes(bytes, mesh.triangles.vertices.data(), counts[0]);
+  take_bytes(bytes, mesh.triangles.triangles.data(), counts[1]);
+  return mesh;
+}
+
 class MeshSource {
  public:
   MeshSource(fs::path file, std::string referenced_by)
@@ -58,37 +133,62 @@ class MeshSource {
   }
 
   [[nodiscard]] std::shared_ptr<const TriangleMesh> read(const Eigen::Vector3d& scale) const {
-    ImportedMesh imported;
-    try {
-      imported = import_mesh(file_, MeshFormat::kAssimp);
-    } catch (const InputError& error) {
-      refuse(error.problem().found, error.problem().expected, error.problem().advice);
-    }
-    TriangleMesh& raw = imported.triangles;
-    for (Eigen::Vector3d& vertex : raw.vertices) {
+    const bool is_uniform = scale.x() == scale.y() && scale.y() == scale.z() && scale.x() > 0.0;
+    ReadMesh unscaled = is_uniform ? read_or_remember() : import();
+    TriangleMesh& mesh = unscaled.triangles;
+    for (Eigen::Vector3d& vertex : mesh.vertices) {
       vertex = vertex.cwiseProduct(scale);
       if (!vertex.allFinite()) {
         refuse("a vertex that is not finite", "coordinates in metres",
                "Export the mesh again, or check its scale");
       }
     }
-    if (const auto problem = rounding_problem(imported.largest * scale.cwiseAbs().maxCoeff())) {
+    if (const auto problem = rounding_problem(unscaled.largest * scale.cwiseAbs().maxCoeff())) {
       refuse(problem->found, problem->expected, problem->advice);
     }
     if (scale.prod() < 0.0) {
-      for (auto& triangle : raw.triangles) {
+      for (auto& triangle : mesh.triangles) {
         std::swap(triangle[1], triangle[2]);
       }
     }
-    auto mesh = std::make_shared<TriangleMesh>(cleaned(raw));
-    if (mesh->empty()) {
+    auto cleaned_mesh =
+        std::make_shared<TriangleMesh>(is_uniform ? std::move(mesh) : cleaned(mesh));
+    if (cleaned_mesh->empty()) {
       refuse("no triangle with an area", "a surface",
              "Points and lines alone can't be checked for collision");
     }
-    return mesh;
+    return cleaned_mesh;
   }
 
  private:
+  [[nodiscard]] ReadMesh import() const {
+    try {
+      ImportedMesh imported = import_mesh(file_, MeshFormat::kAssimp);
+      return {std::move(imported.triangles), imported.largest};
+    } catch (const InputError& error) {
+      refuse(error.problem().found, error.problem().expected, error.problem().advice);
+    }
+  }
+
+  // Cleaned. A large file that needs no other is read once for all scales that are uniform.
+  [[nodiscard]] ReadMesh read_or_remember() const {
+    const std::optional<std::string> content = worth_remembering(file_);
+    if (!content) {
+      ReadMesh mesh = import();
+      mesh.triangles = cleaned(mesh.triangles);
+      return mesh;
+    }
+    const DiskCache cache = DiskCache::of_user();
+    const CacheKey key = cache_key(fmt::format("triangles {}", kRevision), *content);
+    if (std::optional<ReadMesh> known = cache.read_as(key, from_bytes)) {
+      return *std::move(known);
+    }
+    ReadMesh mesh = import();
+    mesh.triangles = cleaned(mesh.triangles);
+    cache.write(key, to_bytes(mesh));
+    return mesh;
+  }
+
   fs::path file_;
   std::string referenced_by_;
 };

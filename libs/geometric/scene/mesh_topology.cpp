@@ -1,40 +1,27 @@
 #include "handway/geometric/scene/mesh_topology.h"
 
-#include <boost/container_hash/hash.hpp>
+#include "scene/vertex_groups.h"
+#include "scene/vertex_table.h"
+
 #include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <unordered_map>
-#include <unordered_set>
+#include <limits>
 #include <utility>
 
 namespace handway::geometric {
-namespace {
-
-using Place = std::array<double, 3>;
-
-Place place_of(const Eigen::Vector3d& vertex, double grid) {
-  if (grid == 0.0) {
-    return {vertex.x(), vertex.y(), vertex.z()};
-  }
-  return {std::round(vertex.x() / grid), std::round(vertex.y() / grid),
-          std::round(vertex.z() / grid)};
-}
-
-}  // namespace
 
 TriangleMesh welded(const TriangleMesh& mesh, double grid) {
   TriangleMesh result;
-  std::unordered_map<Place, std::uint32_t, boost::hash<Place>> numbers;
+  VertexTable places;
   std::vector<std::uint32_t> number;
   number.reserve(mesh.vertices.size());
   for (const Eigen::Vector3d& vertex : mesh.vertices) {
-    const auto next = static_cast<std::uint32_t>(numbers.size());
-    const auto [place, is_new] = numbers.try_emplace(place_of(vertex, grid), next);
-    number.push_back(place->second);
-    if (is_new) {
+    const auto next = static_cast<std::uint32_t>(places.vertices().size());
+    number.push_back(places.number_of(
+        grid == 0.0 ? vertex : Eigen::Vector3d((vertex / grid).array().round().matrix())));
+    if (number.back() == next) {
       result.vertices.push_back(vertex);
     }
   }
@@ -46,53 +33,83 @@ TriangleMesh welded(const TriangleMesh& mesh, double grid) {
 }
 
 std::vector<std::uint32_t> piece_numbers(const TriangleMesh& mesh) {
+  constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
   boost::disjoint_sets_with_storage<> sets(mesh.vertices.size());
   for (const auto& [a, b, c] : mesh.triangles) {
     sets.union_set(a, b);
     sets.union_set(a, c);
   }
-  std::unordered_map<std::size_t, std::uint32_t> numbers;
+  std::vector<std::uint32_t> number(mesh.vertices.size(), kNone);  // of a set's representative
+  std::uint32_t count = 0;
   std::vector<std::uint32_t> pieces;
   pieces.reserve(mesh.vertices.size());
   for (std::size_t vertex = 0; vertex < mesh.vertices.size(); ++vertex) {
-    const auto next = static_cast<std::uint32_t>(numbers.size());
-    pieces.push_back(numbers.try_emplace(sets.find_set(vertex), next).first->second);
+    std::uint32_t& piece = number[sets.find_set(vertex)];
+    if (piece == kNone) {
+      piece = count++;
+    }
+    pieces.push_back(piece);
   }
   return pieces;
 }
 
 TriangleMesh distinct_triangles(const TriangleMesh& mesh) {
+  struct Others {  // vertices of a triangle besides the lowest
+    std::uint32_t middle;
+    std::uint32_t highest;
+    std::uint32_t triangle;
+  };
+  VertexGroups<Others> triangles(mesh.vertices.size(), [&](const auto& add) {
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+      std::array<std::uint32_t, 3> sorted = mesh.triangles[t];
+      std::ranges::sort(sorted);
+      if (sorted[0] != sorted[1] && sorted[1] != sorted[2]) {
+        add(sorted[0], Others{sorted[1], sorted[2], t});
+      }
+    }
+  });
+  std::vector<bool> is_first(mesh.triangles.size());
+  const auto ends = [](const Others& others) { return std::pair(others.middle, others.highest); };
+  for (std::size_t vertex = 0; vertex < triangles.size(); ++vertex) {
+    const std::span<Others> group = triangles[vertex];
+    std::ranges::sort(group, {}, [](const Others& others) {
+      return std::array{others.middle, others.highest, others.triangle};
+    });
+    for (std::size_t i = 0; i < group.size(); ++i) {
+      is_first[group[i].triangle] = i == 0 || ends(group[i]) != ends(group[i - 1]);
+    }
+  }
   TriangleMesh result{mesh.vertices, {}};
-  std::unordered_set<std::array<std::uint32_t, 3>, boost::hash<std::array<std::uint32_t, 3>>> seen;
-  seen.reserve(mesh.triangles.size());
-  for (const auto& triangle : mesh.triangles) {
-    std::array<std::uint32_t, 3> sorted = triangle;
-    std::ranges::sort(sorted);
-    if (sorted[0] != sorted[1] && sorted[1] != sorted[2] && seen.insert(sorted).second) {
-      result.triangles.push_back(triangle);
+  result.triangles.reserve(mesh.triangles.size());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (is_first[t]) {
+      result.triangles.push_back(mesh.triangles[t]);
     }
   }
   return result;
 }
 
 bool is_closed(const TriangleMesh& mesh) {
-  using Edge = std::pair<std::uint32_t, std::uint32_t>;
-  std::vector<Edge> edges;
-  edges.reserve(3 * mesh.triangles.size());
-  for (const auto& triangle : mesh.triangles) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      edges.push_back(std::minmax(triangle[k], triangle[(k + 1) % 3]));
+  VertexGroups<std::uint32_t> edges(mesh.vertices.size(), [&](const auto& add) {
+    for (const auto& triangle : mesh.triangles) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto [low, high] = std::minmax(triangle[k], triangle[(k + 1) % 3]);
+        add(low, high);
+      }
+    }
+  });
+  for (std::size_t vertex = 0; vertex < edges.size(); ++vertex) {
+    const std::span<std::uint32_t> highs = edges[vertex];
+    std::ranges::sort(highs);
+    for (auto edge = highs.begin(); edge != highs.end();) {
+      const auto next = std::upper_bound(edge, highs.end(), *edge);
+      if ((next - edge) % 2 != 0) {
+        return false;
+      }
+      edge = next;
     }
   }
-  std::ranges::sort(edges);
-  for (auto edge = edges.begin(); edge != edges.end();) {
-    const auto next = std::upper_bound(edge, edges.end(), *edge);
-    if ((next - edge) % 2 != 0) {
-      return false;
-    }
-    edge = next;
-  }
-  return !edges.empty();
+  return !mesh.triangles.empty();
 }
 
 }  // namespace handway::geometric

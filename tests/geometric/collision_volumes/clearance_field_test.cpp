@@ -7,6 +7,10 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <memory>
+#include <thread>
+#include <vector>
 
 namespace handway::geometric {
 namespace {
@@ -27,6 +31,71 @@ TEST(ClearanceField, IsNeverAboveTheDistance) {
           << p.transpose();
     }
   }
+}
+
+TEST(ClearanceField, IsNeverAboveTheDistanceWhereItGrows) {
+  for (const auto& [name, mesh] : test::sample_meshes()) {
+    SCOPED_TRACE(name);
+    const BoxTree boxes(mesh);
+    const ClearanceField field =
+        ClearanceField::growing(std::make_shared<const TriangleMesh>(mesh));
+    test::RandomPoints points(mesh, 3.0);
+    for (int i = 0; i < 5000; ++i) {
+      const Eigen::Vector3d p = points.next();
+      ASSERT_LE(field.bound(p.cast<float>()),
+                nearest_point(mesh, boxes, p).distance + kSinglePrecision)
+          << p.transpose();
+    }
+  }
+}
+
+TEST(ClearanceField, GrowsTheSameWhoeverComesFirst) {
+  const auto mesh = tessellate(Cylinder{0.03, 0.12});
+  std::vector<Eigen::Vector3f> points;
+  test::RandomPoints random(*mesh, 2.0);
+  for (int i = 0; i < 3000; ++i) {
+    points.emplace_back(random.next().cast<float>());
+  }
+  const auto bounds = [&points](const ClearanceField& field) {
+    std::vector<float> found;
+    for (const Eigen::Vector3f& p : points) {
+      found.push_back(field.bound(p));
+    }
+    return found;
+  };
+  const std::vector<float> expected = bounds(ClearanceField::growing(mesh));
+  const ClearanceField shared = ClearanceField::growing(mesh);
+  {
+    std::vector<std::jthread> threads;
+    for (int i = 0; i < 4; ++i) {
+      threads.emplace_back([&, i] {
+        for (std::size_t k = 0; k < points.size(); ++k) {
+          static_cast<void>(shared.bound(points[i % 2 == 0 ? k : points.size() - 1 - k]));
+        }
+      });
+    }
+  }
+  EXPECT_EQ(bounds(shared), expected);
+}
+
+TEST(ClearanceField, BoundsTrianglesWhereItGrows) {
+  const auto mesh = tessellate(Cylinder{0.03, 0.12});
+  const BoxTree boxes(*mesh);
+  const ClearanceField field = ClearanceField::growing(mesh);
+  test::RandomPoints points(*mesh, 1.5);
+  int bounded = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Eigen::Vector3d a = points.next();
+    const Eigen::Vector3d b = a + 0.001 * Eigen::Vector3d(1, 0, 0.5);
+    const Eigen::Vector3d c = a + 0.001 * Eigen::Vector3d(0, 1, -0.5);
+    const float bound = field.bound(
+        std::array<Eigen::Vector3f, 3>{a.cast<float>(), b.cast<float>(), c.cast<float>()});
+    for (const Eigen::Vector3d& p : {a, b, c, Eigen::Vector3d((a + b + c) / 3.0)}) {
+      ASSERT_LE(bound, nearest_point(*mesh, boxes, p).distance + kSinglePrecision);
+    }
+    bounded += bound > 0.0F ? 1 : 0;
+  }
+  EXPECT_GT(bounded, 200);
 }
 
 TEST(ClearanceField, IsTheDistanceAlongAFlatFaceOnEitherSide) {

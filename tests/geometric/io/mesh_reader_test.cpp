@@ -1,3 +1,4 @@
+#include "handway_test/paths.h"
 #include "scratch_files.h"
 
 #include <handway/geometric/io/mesh_reader.h>
@@ -5,6 +6,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -197,6 +202,77 @@ TEST(MeshReader, RefusesNodesThatBringFarVerticesBack) {
   EXPECT_THAT(
       input_error_of([&] { static_cast<void>(read_mesh(files.write("back.dae", brought_back))); }),
       HasSubstr("5000 m"));
+}
+
+// More than a megabyte: points along a line, and one triangle for each of them.
+std::string large_obj(int count) {
+  std::string text = "v 0 0 1\n";
+  for (int i = 0; i < count; ++i) {
+    text += "v " + std::to_string(0.002 * i) + " 0 0\n";
+  }
+  for (int i = 2; i <= count; ++i) {
+    text += "f 1 " + std::to_string(i) + " " + std::to_string(i + 1) + "\n";
+  }
+  return text;
+}
+
+class LargeMeshFile : public testing::Test {
+ protected:
+  LargeMeshFile() { setenv("XDG_CACHE_HOME", cache_.path().c_str(), 1); }
+  ~LargeMeshFile() override {
+    before_.empty() ? unsetenv("XDG_CACHE_HOME") : setenv("XDG_CACHE_HOME", before_.c_str(), 1);
+  }
+
+  [[nodiscard]] std::vector<std::filesystem::path> entries() const {
+    std::vector<std::filesystem::path> found;
+    std::error_code none;
+    for (const auto& entry :
+         std::filesystem::directory_iterator(cache_.path() / "handway" / "meshes", none)) {
+      found.push_back(entry.path());
+    }
+    return found;
+  }
+
+  ScratchFiles files_;
+  handway::test::ScratchFolder cache_;
+  std::string before_ = std::getenv("XDG_CACHE_HOME") ? std::getenv("XDG_CACHE_HOME") : "";
+};
+
+TEST_F(LargeMeshFile, IsReadOnceForAllUniformScales) {
+  const std::filesystem::path file = files_.write("large.obj", large_obj(40000));
+  const auto first = *read_mesh(file);
+  EXPECT_EQ(entries().size(), 1U);
+  const auto again = read_mesh(file);
+  EXPECT_EQ(again->vertices, first.vertices);
+  EXPECT_EQ(again->triangles, first.triangles);
+  const auto scaled = read_mesh(file, Eigen::Vector3d::Constant(0.001));
+  EXPECT_EQ(entries().size(), 1U);
+  EXPECT_EQ(scaled->triangles, first.triangles);
+  EXPECT_EQ(scaled->vertices.back(), 0.001 * first.vertices.back());
+}
+
+TEST_F(LargeMeshFile, IsReadAgainOnceItHasChanged) {
+  const std::filesystem::path file = files_.write("large.obj", large_obj(40000));
+  const std::size_t before = read_mesh(file)->triangles.size();
+  files_.write("large.obj", large_obj(40001));
+  EXPECT_EQ(read_mesh(file)->triangles.size(), before + 1);
+}
+
+TEST_F(LargeMeshFile, IsReadAgainWhereTheEntryIsBroken) {
+  const std::filesystem::path file = files_.write("large.obj", large_obj(40000));
+  const std::size_t triangles = read_mesh(file)->triangles.size();
+  ASSERT_EQ(entries().size(), 1U);
+  std::filesystem::resize_file(entries().front(), 1000);
+  EXPECT_EQ(read_mesh(file)->triangles.size(), triangles);
+}
+
+TEST_F(LargeMeshFile, MayBeMirrored) {
+  const std::filesystem::path file = files_.write("large.obj", large_obj(40000));
+  const auto mirrored = read_mesh(file, {-1.0, 1.0, 1.0});
+  const auto [a, b, c] = read_mesh(file)->triangles.front();
+  const auto [d, e, f] = mirrored->triangles.front();
+  EXPECT_EQ(read_mesh(file)->vertices[b].x(), -mirrored->vertices[f].x());
+  EXPECT_EQ(read_mesh(file)->vertices[c].x(), -mirrored->vertices[e].x());
 }
 
 }  // namespace
