@@ -6,20 +6,24 @@
 #include "handway/execution/guidance/guidance_run.h"
 #include "handway/execution/motion/motion_parts.h"
 #include "handway/execution/motion/motion_target.h"
+#include "handway/geometric/io/files_read.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/planning/paths/path_check.h"
 #include "handway/planning/timing/rate_limits.h"
 #include "haptic_log.h"
 #include "interrupt.h"
 #include "number_options.h"
+#include "scene_file_watch.h"
 #include "timing_options.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <atomic>
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -98,14 +102,17 @@ class LedRobots {
   std::vector<device::RosRobot*> robots_;
 };
 
+// What is wrong with the path; empty if the robot may go it.
+std::string fault_of(planning::PlanningProblem problem, const planning::Path& path) {
+  problem.start = path.waypoints.front();
+  problem.goal = path.waypoints.back();
+  const planning::PathCheckResult result = check_path(problem, path, kCheckResolution);
+  return result.valid() ? "" : result.faults.front();
+}
+
 void check_path_is_free(const TimingInput& input) {
-  planning::PlanningProblem problem = input.problem;
-  problem.start = input.path.waypoints.front();
-  problem.goal = input.path.waypoints.back();
-  const planning::PathCheckResult result = check_path(problem, input.path, kCheckResolution);
-  if (!result.valid()) {
-    throw geometric::InputError(
-        {"path", "", result.faults.front(), "a path that the robot may go", "Plan again."});
+  if (const std::string fault = fault_of(input.problem, input.path); !fault.empty()) {
+    throw geometric::InputError({"path", "", fault, "a path that the robot may go", "Plan again."});
   }
 }
 
@@ -135,6 +142,7 @@ int report(const execution::GuidanceOutcome& outcome, const device::ForceGuide& 
 int guide(const GuideChoice& choice) {
   planning::Extensions extensions;
   extensions.load_plugins(planning::plugin_directory());
+  const geometric::FilesRead notes;
   const TimingInput input = read_timing_input(choice.timing, extensions);
   const geometric::RobotModel& model = input.problem.model();
   const execution::PathToolCurve way(
@@ -168,9 +176,22 @@ int guide(const GuideChoice& choice) {
     return kWrongUsage;
   }
   std::fflush(stdout);
+  HapticLog log(choice.log, model);
+  std::atomic<bool> edited = false;
+  const SceneFileWatch edits(see_files(notes.files()), [&edited] { edited = true; });
+  if (!robots.empty()) {
+    // Its files may have been edited while devices were connected.
+    planning::Path route = input.path;
+    route.waypoints.insert(route.waypoints.begin(),
+                           execution::with_measured(route.waypoints.front(), robots.targets()));
+    const std::string fault = fault_of(read_problem_again(choice.timing, extensions, model), route);
+    if (!fault.empty()) {
+      fmt::print(stderr, "Nothing moved: {}\n", fault);
+      return kNoPath;
+    }
+  }
   device::ForceGuide force_guide(way.curve(), settings);
   execution::GuidedMotion motion(input.path, limits.at_speed(choice.timing.speed).velocity);
-  HapticLog log(choice.log, model);
   double next = kProgressPeriod;
   const execution::GuidanceOutcome outcome = run_guidance(
       *handle, force_guide, way, motion, stop.get_token(),
@@ -185,7 +206,14 @@ int guide(const GuideChoice& choice) {
                std::fflush(stdout);
              }
            },
-       .lead = [&](const planning::Configuration& q) { robots.lead(q); }});
+       .lead =
+           [&](const planning::Configuration& q) {
+             if (edited && !robots.empty()) {
+               throw std::runtime_error(
+                   "The scene was edited: the rest of the path is not checked. Start again.");
+             }
+             robots.lead(q);
+           }});
   return report(outcome, force_guide, log);
 }
 

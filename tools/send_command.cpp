@@ -5,9 +5,11 @@
 #include "handway/execution/motion/motion_parts.h"
 #include "handway/execution/motion/motion_run.h"
 #include "handway/execution/motion/scene_watch.h"
+#include "handway/geometric/io/files_read.h"
 #include "handway/geometric/io/input_error.h"
 #include "interrupt.h"
 #include "number_options.h"
+#include "scene_file_watch.h"
 #include "timing_options.h"
 
 #include <CLI/CLI.hpp>
@@ -15,8 +17,10 @@
 
 #include <cmath>
 #include <cstdio>
+#include <exception>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace handway::tools {
@@ -38,16 +42,28 @@ struct SendChoice {
   bool yes = false;
 };
 
-// Writes the log, and prints where the motion is now and then.
+// Writes the log, and prints where the motion is now and then. A motion that is held because the
+// scene was edited goes on if the rest turns out to be free, and else ends.
 class SendObserver final : public execution::MotionObserver {
  public:
-  SendObserver(const std::vector<MotionTarget>& targets, execution::MotionLog& log)
-      : targets_(targets), log_(log) {}
+  SendObserver(const std::vector<MotionTarget>& targets, execution::MotionLog& log,
+               execution::MotionRequests& requests, std::stop_source& stop)
+      : targets_(targets), log_(log), requests_(requests), stop_(stop) {}
+
+  // What the scene has in the way, if that ended the motion.
+  [[nodiscard]] const std::string& in_the_way() const { return in_the_way_; }
 
   void on_sample(const execution::MotionSample& sample) override {
     log_.add(sample.time, sample.target, sample.planned, sample.measured);
   }
+  void on_held(const std::string& reason) override {
+    fmt::print("held: {}\n", reason);
+    std::fflush(stdout);
+  }
   void on_progress(double time, const std::vector<execution::FollowingError>& errors) override {
+    if (requests_.hold) {
+      end_hold(time);
+    }
     if (time < next_) {
       return;
     }
@@ -63,8 +79,23 @@ class SendObserver final : public execution::MotionObserver {
   }
 
  private:
+  void end_hold(double time) {
+    execution::SceneWatch& watch = *requests_.watch;
+    const execution::SceneVerdict rest =
+        watch.look(time, execution::with_measured(watch.start(), targets_));
+    if (rest.state == execution::SceneVerdict::State::kBlocked) {
+      in_the_way_ = rest.reason;
+      stop_.request_stop();
+    } else if (rest.state == execution::SceneVerdict::State::kFree) {
+      requests_.hold = false;
+    }
+  }
+
   const std::vector<MotionTarget>& targets_;
   execution::MotionLog& log_;
+  execution::MotionRequests& requests_;
+  std::stop_source& stop_;
+  std::string in_the_way_;
   double next_ = kProgressPeriod;
 };
 
@@ -83,7 +114,7 @@ void print_errors(const std::vector<MotionTarget>& targets,
 
 const char* cause_of(const execution::MotionOutcome& outcome) {
   if (!outcome.collision.empty()) {
-    return "the robot collides";
+    return "for the scene";
   }
   return outcome.fault.empty() ? "on request" : "after a fault";
 }
@@ -120,18 +151,9 @@ int report(const std::vector<MotionTarget>& targets, const execution::MotionOutc
 execution::SceneWatch::Problem scene_now(const TimingChoice& choice,
                                          const planning::Extensions& extensions,
                                          const planning::Motion& motion) {
-  auto problem =
-      std::make_shared<const planning::PlanningProblem>(read_problem(choice, extensions));
+  auto problem = std::make_shared<const planning::PlanningProblem>(
+      read_problem_again(choice, extensions, *motion.model));
   const geometric::RobotModel& model = problem->model();
-  bool is_same = model.variable_count() == motion.model->variable_count();
-  for (int v = 0; is_same && v < model.variable_count(); ++v) {
-    is_same = model.variable(v).name == motion.model->variable(v).name;
-  }
-  if (!is_same) {
-    throw geometric::InputError({choice.scene.string(), "robot", "other joints than before",
-                                 "the robot that the path was timed for",
-                                 "The files were edited meanwhile: send the path again."});
-  }
   planning::RateLimits limits = read_limits(choice, model);
   if (!choice.jerk) {
     limits.jerk.resize(0);
@@ -145,16 +167,36 @@ execution::SceneWatch::Problem scene_now(const TimingChoice& choice,
   return problem;
 }
 
+// @returns whether it was not asked to stop before all were.
+bool connect(const std::vector<MotionTarget>& targets, const std::stop_token& stop) {
+  try {
+    for (const MotionTarget& target : targets) {
+      target.link->connect(stop);
+    }
+  } catch (const std::exception&) {
+    if (!stop.stop_requested()) {  // else that is what the device did not stand
+      throw;
+    }
+  }
+  return !stop.stop_requested();
+}
+
+int end_before_the_start() {
+  fmt::print(stderr, "Nothing moved: stopped before the start.\n");
+  return kMotionStopped;
+}
+
 int send(const SendChoice& choice) {
   planning::Extensions extensions;
   extensions.load_plugins(planning::plugin_directory());
+  const geometric::FilesRead notes;
   const TimingInput input = read_timing_input(choice.timing, extensions);
   std::vector<MotionTarget> targets = execution::parse_targets(choice.to, input.problem);
   execution::check_that_the_rest_stands(input.problem.model(), input.path, targets);
   std::stop_source stop;
   const StopsOnInterrupt guard(stop);
-  for (const MotionTarget& target : targets) {
-    target.link->connect(stop.get_token());
+  if (!connect(targets, stop.get_token())) {
+    return end_before_the_start();
   }
   const planning::TimedPath timed = run_timing(
       choice.timing, input, execution::with_measured(input.path.waypoints.front(), targets),
@@ -181,16 +223,20 @@ int send(const SendChoice& choice) {
     target.link->upload(execution::part_of(timed.motion.trajectory, target.variables));
   }
   if (stop.stop_requested()) {
-    fmt::print(stderr, "Nothing moved: stopped before the start.\n");
-    return kMotionStopped;
+    return end_before_the_start();
   }
-  SendObserver observer(targets, log);
-  execution::SceneWatch watch(timed.motion.trajectory, [&](const std::stop_token& /*stop*/) {
+  const auto read_scene = [&](const std::stop_token& /*stop*/) {
     return scene_now(choice.timing, extensions, timed.motion);
-  });
+  };
+  std::vector<SeenFile> seen = see_files(notes.files());  // before they are read once more
+  execution::SceneWatch watch(timed.motion.trajectory, read_scene);
+  const SceneFileWatch edits(std::move(seen), [&] { watch.follow(read_scene); });
   execution::MotionRequests requests{.stop = stop.get_token(), .watch = &watch};
-  const execution::MotionOutcome outcome =
-      run_motion(targets, choice.tolerances, requests, observer);
+  SendObserver observer(targets, log, requests, stop);
+  execution::MotionOutcome outcome = run_motion(targets, choice.tolerances, requests, observer);
+  if (outcome.collision.empty()) {
+    outcome.collision = observer.in_the_way();
+  }
   if (!outcome.started) {
     fmt::print(stderr, "Nothing moved: {}\n",
                outcome.collision.empty() ? "stopped before the start." : outcome.collision);

@@ -1,5 +1,6 @@
 #include "timing_options.h"
 
+#include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/replace_file.h"
 #include "handway/geometric/math/units.h"
 #include "handway/planning/paths/path_csv.h"
@@ -43,6 +44,23 @@ planning::PlanningProblem read_problem(const TimingChoice& choice,
                                        const planning::Extensions& extensions) {
   const planning::LoadedScene loaded = planning::load_scene(choice.scene, extensions);
   return planning::make_problem(loaded.scene, loaded.basis);
+}
+
+planning::PlanningProblem read_problem_again(const TimingChoice& choice,
+                                             const planning::Extensions& extensions,
+                                             const geometric::RobotModel& before) {
+  planning::PlanningProblem problem = read_problem(choice, extensions);
+  const geometric::RobotModel& model = problem.model();
+  bool is_same = model.variable_count() == before.variable_count();
+  for (int v = 0; is_same && v < model.variable_count(); ++v) {
+    is_same = model.variable(v).name == before.variable(v).name;
+  }
+  if (!is_same) {
+    throw geometric::InputError({choice.scene.string(), "robot", "other joints than before",
+                                 "the robot that the path was read for",
+                                 "The files were edited meanwhile: start again."});
+  }
+  return problem;
 }
 
 planning::RateLimits read_limits(const TimingChoice& choice, const geometric::RobotModel& model) {

@@ -31,6 +31,12 @@ void add_timing_options(CLI::App& command, TimingChoice& choice);
 [[nodiscard]] planning::PlanningProblem read_problem(const TimingChoice& choice,
                                                      const planning::Extensions& extensions);
 
+/// read_problem() again: what was read before may have been edited since.
+/// @throws InputError also if the robot is not that of `before`.
+[[nodiscard]] planning::PlanningProblem read_problem_again(const TimingChoice& choice,
+                                                           const planning::Extensions& extensions,
+                                                           const geometric::RobotModel& before);
+
 /// The limits of the choice's file, or of the robot if it names none.
 /// @throws InputError for a file that is wrong.
 [[nodiscard]] planning::RateLimits read_limits(const TimingChoice& choice,

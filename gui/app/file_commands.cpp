@@ -1,5 +1,7 @@
 #include "app/file_commands.h"
 
+#include "handway/geometric/io/existing_file.h"
+
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
@@ -29,7 +31,7 @@ QString FileCommands::choose() {
 }
 
 bool FileCommands::save() {
-  const bool is_own = document_.file().extension() == ".yaml";
+  const bool is_own = geometric::has_extension(document_.file(), ".yaml");
   return is_own ? save_to(QString::fromStdString(document_.file().string())) : save_as();
 }
 

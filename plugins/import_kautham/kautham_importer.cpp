@@ -1,5 +1,6 @@
 #include "kautham_importer.h"
 
+#include "handway/geometric/io/existing_file.h"
 #include "kautham_scene.h"
 
 #include <array>
@@ -11,8 +12,8 @@ namespace handway::import_kautham {
 std::string KauthamImporter::name() const { return "Kautham 2013 (.xml, .rob)"; }
 
 bool KauthamImporter::can_read(const std::filesystem::path& file) const {
-  const bool is_robot = file.extension() == ".rob";
-  if (!is_robot && file.extension() != ".xml") {
+  const bool is_robot = geometric::has_extension(file, ".rob");
+  if (!is_robot && !geometric::has_extension(file, ".xml")) {
     return false;
   }
   std::array<char, 4096> head{};
@@ -23,8 +24,8 @@ bool KauthamImporter::can_read(const std::filesystem::path& file) const {
 }
 
 planning::LoadedScene KauthamImporter::read(const std::filesystem::path& file) const {
-  return file.extension() == ".rob" ? make_robot_scene(file)
-                                    : make_scene(read_kautham_problem(file));
+  return geometric::has_extension(file, ".rob") ? make_robot_scene(file)
+                                                : make_scene(read_kautham_problem(file));
 }
 
 }  // namespace handway::import_kautham

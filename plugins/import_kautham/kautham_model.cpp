@@ -2,8 +2,12 @@
 
 #include "handway/geometric/io/existing_file.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <string_view>
 
 namespace handway::import_kautham {
@@ -175,12 +179,12 @@ std::shared_ptr<const geometric::RobotModel> make_robot_model(const KauthamRobot
   description.file = robot.file;
   description.warnings = robot.warnings;
   const std::vector<int> leaders = find_leaders(robot, description.warnings);
+  std::vector<std::string> in_other_letters;
   for (int i = 0; i < static_cast<int>(robot.joints.size()); ++i) {
     const KauthamJoint& from = joint_at(robot, i);
     const std::filesystem::path file = geometric::existing_file(from.mesh);
     if (geometric::differs_in_case(from.mesh, file)) {
-      description.warnings.push_back("mesh " + from.mesh.filename().string() +
-                                     ": the file's name has other letters");
+      in_other_letters.push_back(from.mesh.filename().string());
     }
     const InventorMesh& mesh = meshes.load(file, scale);
     const geometric::Mesh shape{std::filesystem::absolute(file).lexically_normal(),
@@ -190,6 +194,11 @@ std::shared_ptr<const geometric::RobotModel> make_robot_model(const KauthamRobot
     if (i > 0) {
       description.joints.push_back(convert_joint(robot, i, leaders[static_cast<std::size_t>(i)]));
     }
+  }
+  if (!in_other_letters.empty()) {
+    description.warnings.push_back(
+        fmt::format("meshes whose names have other letters on the disk: {}",
+                    fmt::join(in_other_letters, ", ")));
   }
   allow_unchecked_pairs(description);
   add_groups(robot, description);

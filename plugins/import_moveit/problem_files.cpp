@@ -43,14 +43,15 @@ bool has_key(const std::string& text, std::string_view key) {
 
 bool is_request(const fs::path& file) { return has_key(head_of(file), "goal_constraints"); }
 
-// "scene0001.yaml" for "request0001.yaml"; empty if the name has no such word.
+// "scene0001.yaml" for "request0001.yaml", as existing_file() finds it; empty if the name has no
+// such word.
 fs::path partner(const fs::path& file, std::string_view word, std::string_view other) {
   std::string name = file.filename().string();
   const std::size_t at = name.find(word);
   if (at == std::string::npos) {
     return {};
   }
-  return file.parent_path() / name.replace(at, word.size(), other);
+  return geometric::existing_file(file.parent_path() / name.replace(at, word.size(), other));
 }
 
 std::vector<fs::path> folders_from(const fs::path& folder) {
@@ -93,8 +94,8 @@ fs::path robot_file(const YamlElement& name, const fs::path& folder) {
     for (const fs::path& in : {fs::path(), fs::path("robots")}) {
       for (const fs::path& candidate :
            {place / in / (robot + ".urdf"), place / in / robot / (robot + ".urdf")}) {
-        if (is_file(candidate)) {
-          return candidate;
+        if (const fs::path file = geometric::existing_file(candidate); is_file(file)) {
+          return file;
         }
       }
     }

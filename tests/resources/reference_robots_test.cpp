@@ -1,13 +1,21 @@
 #include "handway/geometric/collision/collision_world.h"
+#include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/robot_loader.h"
 #include "handway/geometric/robot/robot_state.h"
 #include "handway_test/paths.h"
 #include "kautham_importer.h"
 #include "reference_names.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <random>
+#include <string>
 
 namespace handway::test {
 namespace {
@@ -16,6 +24,8 @@ using geometric::Configuration;
 using geometric::Pose;
 using geometric::RobotModel;
 using geometric::RobotState;
+
+namespace fs = std::filesystem;
 
 class ReferenceHandArm : public testing::Test {
  protected:
@@ -79,6 +89,79 @@ TEST_F(ReferenceHandArm, EndsFingersWhereTheirMeshesEnd) {
     EXPECT_NEAR(geometric::bounding_box(geometric::collision_mesh(ours)).upper.y(), end, 0.002);
   }
 }
+
+/// A copy of a published robot's folder, to be changed as other people's folders differ.
+class ReferenceRobot : public testing::TestWithParam<const char*> {
+ protected:
+  void SetUp() override {
+    HANDWAY_NEED_REFERENCE(reference);
+    const fs::path original = reference / "robots" / GetParam();
+    fs::copy(original.parent_path(), folder_, fs::copy_options::recursive);
+    urdf_ = folder_ / original.filename();
+  }
+
+  // Whether the robot has this file of a folder for drawing as what it collides with, too.
+  [[nodiscard]] bool collides_with(const fs::path& file) const {
+    std::ifstream stream(urdf_);
+    const std::string urdf{std::istreambuf_iterator<char>(stream), {}};
+    const std::size_t last = urdf.rfind(file.filename().string());
+    return last != std::string::npos && urdf.rfind("<collision", last) != std::string::npos &&
+           urdf.rfind("<collision", last) > urdf.rfind("<visual", last);
+  }
+
+  ScratchFolder scratch_;
+  fs::path folder_ = scratch_.path() / "robot";
+  fs::path urdf_;
+};
+
+TEST_P(ReferenceRobot, LoadsWithoutWhatIsOnlyDrawn) {
+  const auto whole = geometric::load_robot(urdf_);
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder_ / "meshes/visual")) {
+    if (!collides_with(entry.path())) {
+      fs::remove(entry.path());
+    }
+  }
+  const auto robot = geometric::load_robot(urdf_);
+  EXPECT_EQ(robot->link_count(), whole->link_count());
+  EXPECT_EQ(robot->description().warnings.size(), whole->description().warnings.size() + 1)
+      << "one summary";
+}
+
+TEST_P(ReferenceRobot, FindsItsFilesInOtherLetters) {
+  const auto whole = geometric::load_robot(urdf_);
+  for (const char* meshes : {"meshes/visual", "meshes/collision"}) {
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder_ / meshes)) {
+      std::string name = entry.path().filename().string();
+      std::ranges::transform(name, name.begin(), [](unsigned char c) { return std::toupper(c); });
+      fs::rename(entry.path(), entry.path().parent_path() / name);
+    }
+  }
+  fs::rename(folder_ / "meshes", folder_ / "Meshes");
+  fs::rename(urdf_, fs::path(urdf_).replace_extension(".URDF"));
+  const auto robot = geometric::load_robot(fs::path(urdf_).replace_extension(".URDF"));
+  EXPECT_EQ(robot->description().warnings.size(), whole->description().warnings.size() + 1)
+      << "one summary";
+  for (int i = 0; i < robot->link_count(); ++i) {
+    EXPECT_EQ(geometric::collision_mesh(robot->link(i)).triangles.size(),
+              geometric::collision_mesh(whole->link(i)).triangles.size());
+  }
+}
+
+TEST_P(ReferenceRobot, IsRefusedWithoutAMeshThatCollides) {
+  fs::remove_all(folder_ / "meshes/collision");
+  try {
+    static_cast<void>(geometric::load_robot(urdf_));
+    ADD_FAILURE() << "read";
+  } catch (const geometric::InputError& error) {
+    EXPECT_THAT(error.what(), testing::AllOf(testing::HasSubstr(".urdf:"),
+                                             testing::HasSubstr("meshes/collision/")));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Robots, ReferenceRobot,
+                         testing::Values("shadow_hand/shadow_hand_right.urdf", "iiwa14/iiwa14.urdf",
+                                         "allegro_hand/allegro_hand_right.urdf"),
+                         [](const auto& test) { return fs::path(test.param).stem().string(); });
 
 }  // namespace
 }  // namespace handway::test

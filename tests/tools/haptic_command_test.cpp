@@ -3,9 +3,15 @@
 #include "command_line.h"
 #include "sent_path.h"
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <vector>
@@ -61,6 +67,30 @@ TEST_F(Haptic, LeadsARobotThereToo) {
   const Outcome again = guide(device, "--speed 0.5 --yes --robot " + where);
   EXPECT_EQ(again.exit_code, 3);
   EXPECT_THAT(again.err, AllOf(HasSubstr("joint_"), HasSubstr("the path's start")));
+}
+
+TEST_F(Haptic, LeadsNoRobotThroughASceneThatWasEdited) {
+  BackgroundProcess robot({"ros", "emulate", "--port", "0", "--scene", scene()});
+  const std::string where = robot.read_line();
+  std::ifstream shipped(scene());
+  const std::filesystem::path edited =
+      line_.write("edited.yaml", {std::istreambuf_iterator<char>(shipped), {}});
+  // The program waits for a reader of its log: between its first check and the start.
+  const std::string log = (line_.folder() / "log").string();
+  ASSERT_EQ(mkfifo(log.c_str(), 0600), 0);
+  BackgroundProcess guiding({"haptic", "guide", (line_.folder() / "path.csv").string(), "--scene",
+                             edited.string(), "--to", emulate(), "--yes", "--log", log, "--robot",
+                             where});
+  std::string line = "-";
+  while (!line.empty() && line.find("of the tool") == std::string::npos) {
+    line = guiding.read_line();
+  }
+  line_.replace("edited.yaml", "objects:\n",
+                "objects:\n  - {name: wall, box: {size: [1.5, 0.02, 3]}, "
+                "pose: {xyz: [0.92, 0.39, 0], rpy_deg: [0, 0, 23]}}\n");
+  const int reader = open(log.c_str(), O_RDONLY | O_NONBLOCK);
+  EXPECT_EQ(guiding.wait(), 1);
+  close(reader);
 }
 
 TEST_F(Haptic, RefusesWhatMakesNoSense) {

@@ -170,7 +170,7 @@ class SendToAFloodingHand : public Send {
   static double interrupt(BackgroundProcess& sending) {
     const auto begin = std::chrono::steady_clock::now();
     sending.send(SIGINT);
-    EXPECT_NE(sending.wait(), -1);
+    EXPECT_EQ(sending.wait(), kMotionStopped) << "not as if the devices were wrong";
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   }
 
@@ -199,6 +199,61 @@ TEST_F(SendToAFloodingHand, EndsOnRequestBeforeItIsConnected) {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
   EXPECT_LT(interrupt(sending), 1.0);
+}
+
+/// Sending in a scene whose file is edited while the robot moves.
+class SendInAnEditedScene : public Send {
+ protected:
+  void SetUp() override {
+    Send::SetUp();
+    emulate({}, {});
+    std::ifstream shipped(scene());
+    edited_ = line_.write("edited.yaml", {std::istreambuf_iterator<char>(shipped), {}});
+    sending_ = std::make_unique<BackgroundProcess>(
+        std::vector<std::string>{"send", (line_.folder() / "path.csv").string(), "--scene",
+                                 edited_.string(), "--to", targets_, "--yes"});
+    ASSERT_THAT(skip_to("0.5 of 4."), HasSubstr("arm up to"));
+  }
+
+  std::string skip_to(const std::string& words) {
+    std::string line = "-";
+    while (!line.empty() && line.find(words) == std::string::npos) {
+      line = sending_->read_line();
+    }
+    return line;
+  }
+  // All at once, as editors write.
+  void add_object(const std::string& object) const {
+    const std::string before = line_.read("edited.yaml");
+    std::string text = before;
+    const std::string key = "objects:\n";
+    text.insert(text.find(key) + key.size(), "  - " + object + "\n");
+    line_.write("new.yaml", text);
+    std::filesystem::rename(line_.folder() / "new.yaml", edited_);
+  }
+
+  std::filesystem::path edited_;
+  std::unique_ptr<BackgroundProcess> sending_;
+};
+
+TEST_F(SendInAnEditedScene, StopsForAWallInTheWay) {
+  add_object(
+      "{name: wall, box: {size: [1.5, 0.02, 3]}, pose: {xyz: [0.92, 0.39, 0], rpy_deg: [0, 0, "
+      "23]}}");
+  EXPECT_THAT(skip_to("STOPPED"), HasSubstr("for the scene"));
+  EXPECT_EQ(sending_->wait(), kMotionStopped);
+}
+
+TEST_F(SendInAnEditedScene, GoesOnIfTheRestIsFree) {
+  add_object("{name: far, box: {size: [0.1, 0.1, 0.1]}, pose: {xyz: [9, 9, 0]}}");
+  EXPECT_THAT(skip_to("done"), HasSubstr("done"));
+  EXPECT_EQ(sending_->wait(), 0);
+}
+
+TEST_F(SendInAnEditedScene, StopsIfItsFileCanNotBeRead) {
+  line_.write("edited.yaml", "handway: 1\nrobots: [\n");
+  EXPECT_THAT(skip_to("STOPPED"), HasSubstr("for the scene"));
+  EXPECT_EQ(sending_->wait(), kMotionStopped);
 }
 
 TEST_F(Send, ChecksTheSceneAsItsFileIsWhenTheRobotStarts) {

@@ -1,6 +1,8 @@
+#include "handway/geometric/io/existing_file.h"
 #include "readers.h"
 
 #include <Inventor/SbMatrix.h>
+#include <Inventor/SbString.h>
 #include <Inventor/SoDB.h>
 #include <Inventor/SoInput.h>
 #include <Inventor/SoPrimitiveVertex.h>
@@ -14,6 +16,7 @@
 #include <Inventor/elements/SoLazyElement.h>
 #include <Inventor/errors/SoDebugError.h>
 #include <Inventor/errors/SoReadError.h>
+#include <Inventor/lists/SbStringList.h>
 #include <Inventor/nodes/SoFaceSet.h>
 #include <Inventor/nodes/SoFile.h>
 #include <Inventor/nodes/SoIndexedShape.h>
@@ -30,9 +33,12 @@
 #include <cmath>
 #include <cstdint>
 #include <exception>
+#include <filesystem>
 #include <map>
 #include <regex>
+#include <set>
 #include <string>
+#include <system_error>
 
 namespace handway::mesh_reader {
 namespace {
@@ -89,6 +95,36 @@ class CoinMessages {
   }
   throw Refusal(source, found, kExpectedInventor, "");
 }
+
+/// Reads as SoInput does, but takes files that others include in other letters, too, where there is
+/// none of the letters written.
+class LenientInput final : public SoInput {
+ public:
+  SbBool pushFile(const char* name) override { return SoInput::pushFile(found(name).c_str()); }
+
+  // The file that is meant from where Coin looks, or else the name itself.
+  static std::string found(const char* name) {
+    const SbStringList& folders = getDirectories();
+    for (int i = 0; i < folders.getLength(); ++i) {
+      const std::filesystem::path written = std::filesystem::path(folders[i]->getString()) / name;
+      const std::filesystem::path file = geometric::existing_file(written);
+      std::error_code ignored;
+      if (std::filesystem::exists(file, ignored)) {
+        if (geometric::differs_in_case(written, file)) {
+          in_other_letters_.insert(name);
+        }
+        return file.string();
+      }
+    }
+    return name;
+  }
+
+  // Names of which this was so, as they are written.
+  static const std::set<std::string>& in_other_letters() { return in_other_letters_; }
+
+ private:
+  static inline std::set<std::string> in_other_letters_;  // one file a process
+};
 
 // What would make Coin take points from memory that is not the file's.
 class IndexCheck {
@@ -255,7 +291,7 @@ bool has(SoNode& root, SoType type) {
 
 SoSeparator& read_graph(const std::filesystem::path& file, const CoinMessages& messages) {
   SoInput::addDirectoryFirst(file.parent_path().c_str());
-  SoInput input;
+  LenientInput input;
   SoSeparator* content = input.openFile(file.c_str(), TRUE) ? SoDB::readAll(&input) : nullptr;
   if (content == nullptr || !messages.first().empty()) {
     refuse_as_coin_says(messages.first());
@@ -285,6 +321,9 @@ void read_inventor(const std::filesystem::path& file, double scale, Mesh& mesh) 
     throw Refusal("", "no triangles", "at least one", "");
   }
   mesh.warnings = messages.textures();
+  for (const std::string& name : LenientInput::in_other_letters()) {
+    mesh.warnings += "the included file " + name + " has other letters on the disk\n";
+  }
   mesh.includes_files =
       has(*root, SoFile::getClassTypeId()) || has(*root, SoVRMLInline::getClassTypeId());
 }

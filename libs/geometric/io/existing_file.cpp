@@ -77,4 +77,8 @@ bool differs_in_case(const fs::path& written, const fs::path& found) {
   return false;
 }
 
+bool has_extension(const fs::path& file, std::string_view extension) {
+  return lower_case(file.extension().string()) == extension;
+}
+
 }  // namespace handway::geometric

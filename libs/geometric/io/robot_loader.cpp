@@ -1,5 +1,6 @@
 #include "handway/geometric/io/robot_loader.h"
 
+#include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/urdf_reader.h"
 #include "handway/geometric/robot/allowed_collision_sampling.h"
@@ -7,7 +8,7 @@
 namespace handway::geometric {
 
 std::shared_ptr<const RobotModel> load_robot(const std::filesystem::path& file) {
-  if (file.extension() != ".urdf") {
+  if (!has_extension(file, ".urdf")) {
     throw InputError({file.string(), "", "a file called *" + file.extension().string(),
                       "a robot file (*.urdf)", "Convert xacro files with the xacro tool first"});
   }

@@ -1,5 +1,6 @@
 #include "handway/geometric/io/scene_writer.h"
 
+#include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/mesh_reader.h"
 #include "handway/geometric/io/replace_file.h"
@@ -68,7 +69,7 @@ class SceneFileWriter {
   // A robot that comes from no robot file (an importer made it) is saved as one.
   [[nodiscard]] fs::path robot_reference(const RobotInstance& robot) const {
     const fs::path& file = robot.file.empty() ? robot.model->description().file : robot.file;
-    const bool is_other_file = file.has_extension() && file.extension() != ".urdf" &&
+    const bool is_other_file = file.has_extension() && !has_extension(file, ".urdf") &&
                                fs::exists(fs::absolute(from_ / file));
     if (!file.empty() && !is_other_file) {
       return moved_reference(ResourceKind::kRobot, file, from_, to_);

@@ -52,7 +52,7 @@ class GeometryReader {
     const Eigen::Vector3d scale(mesh.scale.x, mesh.scale.y, mesh.scale.z);
     const std::filesystem::path file = resolve_mesh_filename(mesh.filename, folder_, where_);
     if (differs_in_case(mesh.filename, file)) {
-      files_.renamed.push_back(mesh.filename);
+      files_.renamed.insert(mesh.filename);
     }
     return Mesh{file, scale, read_mesh(file, scale, where_)};
   }

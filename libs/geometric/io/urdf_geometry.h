@@ -6,6 +6,7 @@
 #include <urdf_model/link.h>
 
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -13,8 +14,8 @@ namespace handway::geometric {
 
 /// What was noticed about the files that links name.
 struct LinkFiles {
-  DrawingFaults drawing;             ///< What can't be drawn.
-  std::vector<std::string> renamed;  ///< Mesh files whose names have other letters than written.
+  DrawingFaults drawing;          ///< What can't be drawn.
+  std::set<std::string> renamed;  ///< Mesh files whose names have other letters than written.
 };
 
 /// A pose as URDF gives it, X_PJ or X_LG.

@@ -2,6 +2,7 @@
 
 #include "campaigns/parameter_values.h"
 #include "campaigns/problem_files.h"
+#include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/nearest_name.h"
 #include "handway/geometric/io/yaml_element.h"
 
@@ -227,7 +228,7 @@ Campaign read_campaign(const fs::path& file, const PlannerRegistry& registry) {
 
 bool is_campaign(const fs::path& file) {
   std::error_code error;
-  if ((file.extension() != ".yaml" && file.extension() != ".yml") ||
+  if ((!geometric::has_extension(file, ".yaml") && !geometric::has_extension(file, ".yml")) ||
       !fs::is_regular_file(file, error)) {
     return false;
   }

@@ -1,3 +1,4 @@
+#include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/resources.h"
 #include "handway/geometric/io/robot_loader.h"
@@ -72,11 +73,10 @@ LoadedScene load_scene(const fs::path& file, const Extensions& extensions) {
       return importer->read(file);
     }
   }
-  const fs::path extension = file.extension();
-  if (extension == ".yaml" || extension == ".yml") {
+  if (geometric::has_extension(file, ".yaml") || geometric::has_extension(file, ".yml")) {
     return read_own_format(file);
   }
-  if (extension == ".urdf") {
+  if (geometric::has_extension(file, ".urdf")) {
     return scene_of_robot(file);
   }
   refuse(file, extensions);

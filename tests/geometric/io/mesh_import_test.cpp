@@ -155,6 +155,36 @@ TEST(MeshImport, DoesNotOpenAPipeThatAFileNames) {
   EXPECT_EQ(import_mesh(file, MeshFormat::kAssimp).triangles.triangles.size(), 2U);
 }
 
+TEST(MeshImport, FindsIncludedFilesInOtherLetters) {
+  const ScratchFiles files;
+  files.write("parts/Bolt.IV", kInventor + "Cube {}\n");
+  files.write("parts/Nut.WRL", kVrml + "Shape { geometry Box {} }\n");
+  files.write("parts/Both.wrl", kVrml + "Inline { url \"nut.wrl\" }\n");
+  const ImportedMesh bolt =
+      import_mesh(files.write("bolt.iv", kInventor + "File { name \"Parts\\bolt.iv\" }\n"),
+                  MeshFormat::kInventor);
+  EXPECT_EQ(bolt.triangles.triangles.size(), 12U);
+  EXPECT_TRUE(bolt.includes_files);
+  EXPECT_THAT(bolt.warnings, testing::ElementsAre(HasSubstr("has other letters on the disk")));
+  const ImportedMesh nut = import_mesh(
+      files.write("nut.wrl", kVrml + "Inline { url \"PARTS/both.wrl\" }\n"), MeshFormat::kInventor);
+  EXPECT_EQ(nut.triangles.triangles.size(), 12U)
+      << "a file that includes another from its own folder";
+  EXPECT_THAT(nut.warnings, testing::SizeIs(2));
+}
+
+TEST(MeshImport, RefusesFilesThatIncludeThemselves) {
+  const ScratchFiles files;
+  EXPECT_THAT(refusal(files.write("ring.wrl", kVrml + "Inline { url \"ring.wrl\" }\n")),
+              HasSubstr("ring.wrl"));
+  EXPECT_THAT(refusal(files.write("ring.iv", kInventor + "File { name \"ring.iv\" }\n")),
+              HasSubstr("ring.iv"));
+  EXPECT_THAT(refusal(files.write("none.iv", kInventor + "File { name \"none here.iv\" }\n")),
+              HasSubstr("none here.iv"));
+  EXPECT_THAT(refusal(files.write("none.wrl", kVrml + "Inline { url \"none here.wrl\" }\n")),
+              HasSubstr("none here.wrl"));
+}
+
 TEST(MeshImport, RefusesFilesThatAreTooLarge) {
   const ScratchFiles files;
   const auto file = files.write("large.stl", "solid\n");

@@ -8,6 +8,9 @@
 #include <gtest/gtest.h>
 #include <pugixml.hpp>
 
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
 #include <map>
 #include <random>
 #include <sstream>
@@ -16,6 +19,8 @@
 
 namespace handway::import_kautham {
 namespace {
+
+namespace fs = std::filesystem;
 
 using geometric::Configuration;
 using geometric::Pose;
@@ -150,6 +155,35 @@ TEST_P(ReferenceProblem, LeavesThePlannerToTheDefault) {
   EXPECT_EQ(loaded.scene->planner.name, "");
   EXPECT_THAT(loaded.scene->planner.settings, testing::IsEmpty());
   EXPECT_THAT(loaded.scene->warnings, testing::ElementsAre(testing::HasSubstr("Cloud Radius = ")));
+}
+
+TEST_P(ReferenceProblem, FindsItsFilesInOtherLetters) {
+  HANDWAY_NEED_REFERENCE(reference);
+  const test::ScratchFolder scratch;
+  const fs::path folder = scratch.path() / "auro";
+  fs::copy(reference / "auro", folder, fs::copy_options::recursive);
+  std::vector<fs::path> files;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
+    if (entry.is_regular_file()) {
+      files.push_back(entry.path());
+    }
+  }
+  for (const fs::path& file : files) {
+    std::string name = file.filename().string();
+    std::ranges::transform(name, name.begin(), [](unsigned char c) { return std::toupper(c); });
+    fs::rename(file, file.parent_path() / name);
+  }
+  std::string problem = GetParam();
+  std::ranges::transform(problem, problem.begin(), [](unsigned char c) { return std::toupper(c); });
+  const planning::LoadedScene loaded = read(folder / problem);
+  const planning::LoadedScene original = read(reference / "auro" / GetParam());
+  ASSERT_EQ(loaded.scene->objects.size(), original.scene->objects.size());
+  for (std::size_t i = 0; i < loaded.scene->objects.size(); ++i) {
+    EXPECT_EQ(
+        std::get<geometric::Mesh>(loaded.scene->objects[i].shape).triangles->triangles.size(),
+        std::get<geometric::Mesh>(original.scene->objects[i].shape).triangles->triangles.size())
+        << "with what it includes";
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Auro, ReferenceProblem, testing::ValuesIn(kProblems),

@@ -3,6 +3,7 @@
 #include "handway/geometric/export.h"
 
 #include <filesystem>
+#include <string_view>
 
 namespace handway::geometric {
 
@@ -16,5 +17,10 @@ namespace handway::geometric {
 /// Whether `found`, which existing_file() gave for `written`, has other letters.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT bool differs_in_case(const std::filesystem::path& written,
                                                             const std::filesystem::path& found);
+
+/// Whether the file's name ends like this, in whatever letters.
+/// @param extension in small letters, with its dot: ".urdf".
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT bool has_extension(const std::filesystem::path& file,
+                                                          std::string_view extension);
 
 }  // namespace handway::geometric
