@@ -139,6 +139,33 @@ void bm_load(benchmark::State& state) {
   state.counters["peak_MB"] = static_cast<double>(test::peak_memory()) / 1e6;
 }
 
+// Boxes of a size of their own each, all around.
+Scene boxes_of_all_sizes(int count) {
+  Scene scene = test::scene_of(test::solid_tx90_sah());
+  std::mt19937_64 engine(9);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  for (int i = 0; i < count; ++i) {
+    const Eigen::Vector3d size(uniform(engine), uniform(engine), uniform(engine));
+    const Eigen::Vector3d place(uniform(engine), uniform(engine), uniform(engine));
+    test::add_object(scene, "box " + std::to_string(i),
+                     Box{0.02 * Eigen::Vector3d::Ones() + 0.3 * size},
+                     Eigen::Vector3d(2.0, 2.0, 0.0) + 4.0 * place);
+  }
+  return scene;
+}
+
+// The same of a scene of boxes: its world, too. The baseline is FclChecker in the same run.
+template <typename Checker>
+void bm_load_boxes(benchmark::State& state) {
+  const Scene scene = boxes_of_all_sizes(static_cast<int>(state.range(0)));
+  for (auto _ : state) {
+    const auto world = std::make_shared<const CollisionWorld>(scene);
+    Checker checker(world);
+    benchmark::DoNotOptimize(checker.first_collision(world->model().neutral()));
+  }
+  state.counters["peak_MB"] = static_cast<double>(test::peak_memory()) / 1e6;
+}
+
 #define HANDWAY_GROWTH(Checker)                                                                    \
   BENCHMARK(bm_obstacles<Checker>)                                                                 \
       ->RangeMultiplier(10)                                                                        \
@@ -152,6 +179,10 @@ void bm_load(benchmark::State& state) {
   BENCHMARK(bm_load<Checker>)                                                                      \
       ->RangeMultiplier(10)                                                                        \
       ->Range(1000, 1000000)                                                                       \
+      ->Unit(benchmark::kMillisecond);                                                             \
+  BENCHMARK(bm_load_boxes<Checker>)                                                                \
+      ->RangeMultiplier(10)                                                                        \
+      ->Range(10, 10000)                                                                           \
       ->Unit(benchmark::kMillisecond)
 
 HANDWAY_GROWTH(FclChecker);

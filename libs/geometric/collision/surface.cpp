@@ -60,13 +60,19 @@ class LivingSurfaces {
 
   void add(const CacheKey& key, const std::shared_ptr<const Surface>& surface) {
     const std::scoped_lock lock(mutex_);
-    std::erase_if(surfaces_, [](const auto& entry) { return entry.second.expired(); });
+    if (surfaces_.size() >= enough_) {  // seldom: scenes have thousands
+      std::erase_if(surfaces_, [](const auto& entry) { return entry.second.expired(); });
+      enough_ = std::max(kFew, 2 * surfaces_.size());
+    }
     surfaces_[key] = surface;
   }
 
  private:
+  static constexpr std::size_t kFew = 64;
+
   std::mutex mutex_;
   std::map<CacheKey, std::weak_ptr<const Surface>> surfaces_;
+  std::size_t enough_ = kFew;  ///< Entries at which those that nobody holds are removed.
 };
 
 LivingSurfaces& living_surfaces() {
