@@ -313,6 +313,9 @@ class ClearanceFieldGrowth {
   struct Grown;
   using Slot = std::atomic<const Grown*>;
   struct Grown {
+    Grown(const Bound& bound, const Cube& around)
+        : cell(bound.cell), cube(around), nearest(bound.nearest), may_refine(bound.worth > 0.0) {}
+
     ClearanceField::Cell cell;
     Cube cube;
     std::uint32_t nearest;
@@ -334,7 +337,7 @@ class ClearanceFieldGrowth {
       return known;
     }
     const Bound bound = CellMaker(*mesh_, *boxes_).bound_in(cube, hint);
-    auto made = std::make_unique<const Grown>(bound.cell, cube, bound.nearest, bound.worth > 0.0);
+    auto made = std::make_unique<const Grown>(bound, cube);
     const Grown* known = nullptr;
     return slot.compare_exchange_strong(known, made.get()) ? made.release() : known;
   }

@@ -273,8 +273,7 @@ class SphereTreeGrowth {
       triangles.push_back(piece.triangle);
     }
     std::ranges::sort(triangles);
-    const auto repeated = std::ranges::unique(triangles);
-    triangles.erase(repeated.begin(), repeated.end());
+    triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
     const auto leaf = leaves_.push_back(std::move(triangles));
     return static_cast<std::uint32_t>(leaf - leaves_.begin());
   }
