@@ -7,6 +7,8 @@
 #include <QComboBox>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace handway::gui {
 namespace {
 
@@ -71,7 +73,11 @@ void FollowingPlot::show_joint() {
   if (!motion_ || joints_->currentIndex() < 0) {
     return;
   }
-  const ExecutedMotion::JointCurve curve = motion_->curve(joints_->currentData().toInt());
+  ExecutedMotion::JointCurve curve = motion_->curve(joints_->currentData().toInt());
+  // The first sample may be from just before the start: the axis would begin a whole step before
+  // it.
+  std::ranges::transform(curve.times, curve.times.begin(),
+                         [](double t) { return std::max(t, 0.0); });
   std::vector<double> error = curve.measured;
   for (std::size_t i = 0; i < error.size(); ++i) {
     error[i] -= curve.planned[i];

@@ -88,12 +88,15 @@ PropertiesPanel::PropertiesPanel(SceneEditor& editor, QWidget* parent)
     label->setProperty("role", "note");
     return label;
   };
-  rows->addRow(note(tr("Colour")), color_);
+  auto* look = new QHBoxLayout;  // a short panel shows them both
+  look->addWidget(color_);
+  look->addStretch(1);
+  look->addWidget(solid_);
+  rows->addRow(note(tr("Colour")), look);
   rows->addRow(note(tr("Fixed to")), parent_);
   solid_->setObjectName(QStringLiteral("solid"));
   solid_->setToolTip(
       tr("What is inside collides. Off: a room or a cell, of which the walls alone count"));
-  rows->addRow(solid_);
   extent_->setObjectName(QStringLiteral("extent"));
   extent_->setProperty("role", "note");
   shape_box_ = boxed({heading(tr("Size")), shape_, extent_, more});

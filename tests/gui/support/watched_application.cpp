@@ -56,11 +56,11 @@ bool WatchedApplication::paint(QObject* receiver, QEvent* event) {
   return taken;
 }
 
-void expect_no_stall() {
+void expect_no_stall(double most_ms) {
   const Stall& stall = WatchedApplication::longest();
   ::testing::Test::RecordProperty("longest_stall_ms", std::to_string(stall.ms));
   ::testing::Test::RecordProperty("longest_stall", stall.event.toStdString());
-  EXPECT_LT(stall.ms, kLongestStallMs) << stall.event.toStdString();
+  EXPECT_LT(stall.ms, most_ms) << stall.event.toStdString();
 }
 
 }  // namespace handway::test

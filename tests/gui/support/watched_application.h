@@ -51,6 +51,6 @@ inline constexpr double kLongestStallMs = 150.0;
 #endif
 
 /// Fails the test that runs if there was a longer one since forget(), and reports it in any case.
-void expect_no_stall();
+void expect_no_stall(double most_ms = kLongestStallMs);
 
 }  // namespace handway::test
