@@ -33,7 +33,7 @@ fuzz_one() {
 # runs_of TARGET: how many inputs it takes in about five seconds.
 runs_of() {
   case $1 in
-    cache | mesh) echo 150 ;;
+    mesh) echo 150 ;;
     rosbridge) echo 5000 ;;
     hand | moveit) echo 8000 ;;
     haptic | polhemus | pose_datagram | simple_message) echo 40000 ;;
