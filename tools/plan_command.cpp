@@ -9,6 +9,7 @@
 #include "handway/geometric/math/units.h"
 #include "handway/planning/core/plugin.h"
 #include "handway/planning/paths/path_csv.h"
+#include "handway/planning/queries/failure_explanation.h"
 #include "handway/planning/queries/nearest_free.h"
 #include "interrupt.h"
 #include "number_options.h"
@@ -44,6 +45,7 @@ struct PlanOptions {
   std::uint64_t seed = 1;
   int threads = 1;
   double time_limit_s = 300.0;
+  double optimize_s = 0.0;
   std::vector<std::string> settings;
   fs::path out;
   fs::path report;
@@ -121,6 +123,9 @@ void print_summary(const PlanResult& result, const planning::PlanningProblem& pr
     return;
   }
   fmt::print(stderr, "handway: {}\n", result.reason);
+  for (const std::string& sentence : planning::explain_failure(result)) {
+    fmt::print(stderr, "  {}\n", sentence);
+  }
   if (result.status == PlanStatus::kStartInvalid || result.status == PlanStatus::kGoalInvalid) {
     print_advice(problem, result.status == PlanStatus::kStartInvalid);
   }
@@ -141,6 +146,7 @@ int plan(PlanOptions options) {
   planning::PlanRequest request;
   request.seed = options.seed;
   request.threads = options.threads;
+  request.optimize_s = options.optimize_s;
   request.time_limit_s = options.time_limit_s;
   const PlanResult result = plan_until_interrupted(*planner, problem, request);
 
@@ -148,8 +154,11 @@ int plan(PlanOptions options) {
     planning::write_path_csv(result.path, problem.model(), options.out);
   }
   if (!options.report.empty()) {
-    geometric::replace_file(options.report, plan_report(*planner, request, result, load.count(),
-                                                        hand_likeness(problem, result.path)));
+    const auto quality =
+        result.solved() ? std::optional(path_quality(problem, result.path)) : std::nullopt;
+    geometric::replace_file(options.report,
+                            plan_report(*planner, request, result, load.count(),
+                                        hand_likeness(problem, result.path), quality));
   }
   print_summary(result, problem);
   return exit_code_of(result.status);
@@ -171,6 +180,10 @@ void add_plan_command(CLI::App& app, int& exit_code) {
   command->add_option("--time-limit", options->time_limit_s, "Seconds before giving up")
       ->check(positive_number())
       ->capture_default_str();
+  command
+      ->add_option("--optimize", options->optimize_s,
+                   "Seconds to go on with optimising the path that was found")
+      ->check(CLI::Range(0.0, 1e6));
   command
       ->add_option("--set", options->settings,
                    "A parameter of the planner, KEY=VALUE; or basis=FILE")

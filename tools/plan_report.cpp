@@ -1,5 +1,7 @@
 #include "plan_report.h"
 
+#include "handway/geometric/math/units.h"
+#include "handway/planning/queries/failure_explanation.h"
 #include "version.h"
 
 #include <nlohmann/json.hpp>
@@ -47,6 +49,28 @@ Json distance_of(const planning::DistanceAlong& distance) {
   return {{"mean", distance.mean}, {"largest", distance.largest}};
 }
 
+Json objective_of(const std::optional<planning::PathQuality>& quality) {
+  if (!quality) {
+    return nullptr;
+  }
+  Json likeness = nullptr;
+  if (const auto& human = quality->human_likeness) {
+    likeness = {{"to_subspace",
+                 {{"mean", human->mean},
+                  {"largest", human->largest},
+                  {"share_beyond", human->share_beyond},
+                  {"forced", human->forced}}},
+                {"mahalanobis",
+                 {{"mean", human->mahalanobis_mean}, {"largest", human->mahalanobis_largest}}}};
+  }
+  return {{"length", quality->length},
+          {"human_likeness", likeness},
+          {"clearance",
+           {{"least_mm", geometric::millimetres(quality->least_clearance)},
+            {"mean_mm", geometric::millimetres(quality->mean_clearance)}}},
+          {"duration_s", quality->duration}};
+}
+
 Json likeness_of(const std::optional<planning::PathLikeness>& likeness) {
   if (!likeness) {
     return nullptr;
@@ -60,7 +84,8 @@ Json likeness_of(const std::optional<planning::PathLikeness>& likeness) {
 
 std::string plan_report(planning::Planner& planner, const planning::PlanRequest& request,
                         const planning::PlanResult& result, double load_s,
-                        const std::optional<planning::PathLikeness>& likeness) {
+                        const std::optional<planning::PathLikeness>& likeness,
+                        const std::optional<planning::PathQuality>& quality) {
   Json parameters = Json::object();
   for (const planning::Parameter& parameter : planner.parameters()) {
     parameters[parameter.key] = value_of(parameter);
@@ -74,11 +99,13 @@ std::string plan_report(planning::Planner& planner, const planning::PlanRequest&
       {"solved", result.solved()},
       {"status", to_string(result.status)},
       {"reason", result.reason},
+      {"explanation", planning::explain_failure(result)},
       {"planner", planner.name()},
       {"seed", request.seed},
       {"threads", request.threads},
       {"time_s", result.time_s},
       {"smoothing_s", result.smoothing_s},
+      {"optimize_checks", result.optimize_checks},
       {"load_s", load_s},
       {"path_nodes", result.path.waypoints.size()},
       {"certificate",
@@ -87,6 +114,7 @@ std::string plan_report(planning::Planner& planner, const planning::PlanRequest&
         {"resolution_at_goal_mm", result.certificate.resolution_at_goal_mm},
         {"min_clearance_mm", result.certificate.min_clearance_mm},
         {"checks", result.certificate.checks}}},
+      {"objective", objective_of(quality)},
       {"human_likeness", likeness_of(likeness)},
       {"statistics", statistics_of(result.statistics)},
       {"parameters", parameters},

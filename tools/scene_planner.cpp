@@ -11,7 +11,10 @@ std::unique_ptr<planning::Planner> scene_planner(const std::string& name,
                             : !choice.name.empty() ? choice.name
                                                    : registry.names().front();
   std::unique_ptr<planning::Planner> planner = registry.create(taken);
-  if (taken == choice.name || choice.name.empty()) {
+  using planning::PlannerRegistry;
+  const bool same =
+      PlannerRegistry::current_name(taken) == PlannerRegistry::current_name(choice.name);
+  if (same || choice.name.empty()) {
     const std::vector<planning::Parameter> parameters = planner->parameters();
     for (const auto& [key, value] : choice.settings) {
       set_from_text(find_parameter(parameters, key), value);

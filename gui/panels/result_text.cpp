@@ -1,6 +1,6 @@
 #include "panels/result_text.h"
 
-#include "panels/rejection_text.h"
+#include "handway/planning/queries/failure_explanation.h"
 #include "style/theme.h"
 
 #include <QLocale>
@@ -61,8 +61,9 @@ QString result_text(const planning::PlanResult& result, const QString& note) {
     text += QStringLiteral("<p style=\"margin:0 0 6px 0\">%1</p>")
                 .arg(QString::fromStdString(result.reason).toHtmlEscaped());
   }
-  if (const QString why = rejection_text(result.statistics); !result.solved() && !why.isEmpty()) {
-    text += QStringLiteral("<p style=\"margin:0 0 6px 0\">%1</p>").arg(why.toHtmlEscaped());
+  for (const std::string& sentence : planning::explain_failure(result)) {
+    text += QStringLiteral("<p style=\"margin:0 0 6px 0\">%1</p>")
+                .arg(QString::fromStdString(sentence).toHtmlEscaped());
   }
   text += QStringLiteral("<table cellspacing=\"0\" cellpadding=\"1\">");
   text += row(QObject::tr("Planning"), seconds(result.time_s));

@@ -2,8 +2,7 @@
 
 #include "editing/scene_edits.h"
 #include "handway/planning/core/planning_context.h"
-#include "handway/planning/planners/pmd_auto.h"
-#include "handway/planning/planners/rrt_connect.h"
+#include "handway/planning/planners/auto_planner.h"
 
 #include <algorithm>
 #include <string>
@@ -19,26 +18,18 @@ using planning::PlanResult;
 
 constexpr double kTimeLimit = 2.0;  // s, of one query
 
-std::unique_ptr<planning::Planner> usual_planner(const planning::PlanningProblem& problem) {
-  if (problem.basis) {
-    return std::make_unique<planning::PmdAuto>();
-  }
-  return std::make_unique<planning::RrtConnect>(planning::HandSpace::kAllJoints);
-}
-
 /// Answers the first query with a path that is known already.
 class KnownPathFirst : public planning::Planner {
  public:
   KnownPathFirst(Path path, std::unique_ptr<Planner> rest)
-      : path_(std::move(path)), rest_(std::move(rest)) {}
+      : path_(std::move(path)), rest_(std::move(rest)) {
+    objective() = rest_->objective();
+  }
 
   [[nodiscard]] std::string name() const override { return rest_->name(); }
   [[nodiscard]] std::string description() const override { return rest_->description(); }
   [[nodiscard]] planning::PlannerCapabilities capabilities() const override {
     return rest_->capabilities();
-  }
-  [[nodiscard]] std::vector<planning::Parameter> parameters() override {
-    return rest_->parameters();
   }
 
  protected:
@@ -50,6 +41,7 @@ class KnownPathFirst : public planning::Planner {
     result.path = std::exchange(path_, {});
     result.status = planning::PlanStatus::kSolved;
   }
+  [[nodiscard]] std::vector<planning::Parameter> own_parameters() override { return {}; }
 
  private:
   Path path_;
@@ -91,7 +83,8 @@ bool same_carried(const Scene& a, const Scene& b) {
 FollowedPath::FollowedPath(const planning::PlanningProblem& problem, Path path,
                            const planning::PlanRequest& request, const std::stop_token& stop)
     : roadmap_(problem, {},
-               std::make_unique<KnownPathFirst>(std::move(path), usual_planner(problem))),
+               std::make_unique<KnownPathFirst>(std::move(path),
+                                                std::make_unique<planning::AutoPlanner>())),
       request_(request),
       scene_(problem.scene) {
   request_.time_limit_s = std::min(request.time_limit_s, kTimeLimit);

@@ -65,7 +65,8 @@ std::string OmplPlanner::description() const {
 }
 
 planning::PlannerCapabilities OmplPlanner::capabilities() const {
-  return {.uses_pmds = space_ == HandSpace::kPrincipalDirections};
+  const bool in_controls = space_ == HandSpace::kPrincipalDirections;
+  return {.uses_pmds = in_controls, .needs_basis = in_controls};
 }
 
 std::vector<Parameter> OmplPlanner::method_parameters() {
@@ -82,7 +83,7 @@ std::vector<Parameter> OmplPlanner::method_parameters() {
   return list;
 }
 
-std::vector<Parameter> OmplPlanner::parameters() {
+std::vector<Parameter> OmplPlanner::own_parameters() {
   std::vector<Parameter> list = method_parameters();
   list.push_back({"max_samples", "Samples", "", "Samples drawn before the planner gives up.",
                   &budget_.all, 1, 100000000});

@@ -28,11 +28,11 @@ class OmplPlanner final : public planning::Planner {
   [[nodiscard]] std::string name() const override;
   [[nodiscard]] std::string description() const override;
   [[nodiscard]] planning::PlannerCapabilities capabilities() const override;
-  [[nodiscard]] std::vector<planning::Parameter> parameters() override;
 
  protected:
   /// @throws geometric::InputError if OMPL refuses a setting.
   void do_plan(planning::PlanningContext& context, planning::PlanResult& result) override;
+  [[nodiscard]] std::vector<planning::Parameter> own_parameters() override;
 
  private:
   [[nodiscard]] std::vector<planning::Parameter> method_parameters();

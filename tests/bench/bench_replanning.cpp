@@ -1,6 +1,6 @@
 /// An object dragged in steps of a centimetre: planning again with a living roadmap, which
 /// keeps what it knows, and planning anew.
-#include "handway/planning/planners/pmd_auto.h"
+#include "handway/planning/planners/auto_planner.h"
 #include "handway/planning/replanning/living_roadmap.h"
 #include "handway_test/known_problems.h"
 
@@ -87,7 +87,7 @@ void bm_living_roadmap(benchmark::State& state, const Drag& drag) {
 void bm_anew(benchmark::State& state, const Drag& drag) {
   LivingRoadmap moved(problem_of(drag.scene));  // for its problem alone
   const geometric::Pose X_WO = geometric::find_object(*moved.problem().scene, drag.object)->X_PO;
-  PmdAuto planner;
+  AutoPlanner planner;
   Sum sum;
   int step = 0;
   for (auto _ : state) {

@@ -299,7 +299,7 @@ TEST_P(EveryPlanner, SaysWhatItNeeds) {
   EXPECT_TRUE(planner->capabilities().deterministic);
   PlanningProblem problem = test::open_problem();
   problem.basis = nullptr;
-  if (planner->capabilities().uses_pmds) {
+  if (planner->capabilities().needs_basis) {
     EXPECT_THAT(test::refusal_of([&] { static_cast<void>(planner->plan(problem, {})); }),
                 HasSubstr("hand_basis"));
   } else {

@@ -37,7 +37,10 @@ std::string allowed(const Parameter& parameter) {
 
 std::string abilities(const Planner& planner) {
   const planning::PlannerCapabilities can = planner.capabilities();
-  return fmt::format("{}, {}, {}.", can.uses_pmds ? "Needs a hand basis" : "Needs no hand basis",
+  return fmt::format("{}, {}, {}.",
+                     can.needs_basis ? "Needs a hand basis"
+                     : can.uses_pmds ? "Uses a hand basis"
+                                     : "Needs no hand basis",
                      can.uses_threads ? "is faster with more threads" : "runs on one thread",
                      can.deterministic ? "finds the same path again from the same seed"
                                        : "may find another path each time");

@@ -1,6 +1,6 @@
 /// A living roadmap on a scene that ships.
 #include "handway/geometric/collision/edge_checker.h"
-#include "handway/planning/planners/pmd_auto.h"
+#include "handway/planning/planners/auto_planner.h"
 #include "handway/planning/replanning/living_roadmap.h"
 #include "handway_test/known_problems.h"
 
@@ -26,7 +26,7 @@ TEST(LivingRoadmapOfCanOnTable, FollowsTheCanWithFewerChecksThanPlanningAnew) {
   const PlanResult result = roadmap.plan({});
   ASSERT_TRUE(result.solved()) << result.reason;
   const PlanningProblem& problem = roadmap.problem();
-  const PlanResult anew = PmdAuto().plan(problem, {});
+  const PlanResult anew = AutoPlanner().plan(problem, {});
   ASSERT_TRUE(anew.solved());
   EXPECT_LT(result.statistics.checks(), anew.statistics.checks());
   const std::unique_ptr<geometric::CollisionChecker> checker = problem.checker->clone();

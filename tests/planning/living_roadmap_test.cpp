@@ -2,7 +2,7 @@
 
 #include "handway/geometric/collision/edge_checker.h"
 #include "handway/geometric/io/input_error.h"
-#include "handway/planning/planners/pmd_auto.h"
+#include "handway/planning/planners/auto_planner.h"
 #include "handway_test/planar_problems.h"
 
 #include <gmock/gmock.h>
@@ -50,7 +50,7 @@ void expect_valid(LivingRoadmap& roadmap, const PlanResult& result) {
 }
 
 std::uint64_t checks_anew(LivingRoadmap& roadmap) {
-  PmdAuto planner;
+  AutoPlanner planner;
   const PlanResult result = planner.plan(roadmap.problem(), {});
   EXPECT_TRUE(result.solved());
   return result.statistics.checks();

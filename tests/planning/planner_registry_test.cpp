@@ -17,9 +17,13 @@ using testing::HasSubstr;
 
 TEST(PlannerRegistry, StartsWithTheBuiltInPlanners) {
   const PlannerRegistry registry;
-  EXPECT_EQ(registry.names().front(), "pmd-auto") << "the default";
+  EXPECT_EQ(registry.names().front(), "auto") << "the default";
   EXPECT_THAT(registry.names(), testing::IsSupersetOf({"pmd-prm", "full-prm", "pmd-rrt-connect",
                                                        "pmd-lazy", "rrt-connect"}));
+}
+
+TEST(PlannerRegistry, KnowsTheDefaultByItsFormerName) {
+  EXPECT_EQ(PlannerRegistry().create("pmd-auto")->name(), "auto");
 }
 
 TEST(PlannerRegistry, MakesPlannersThatKnowTheirName) {

@@ -1,6 +1,4 @@
-#include "handway/geometric/robot/normalised_joints.h"
 #include "handway/planning/paths/roadmap_smoothing.h"
-#include "handway/planning/paths/shortcut_smoothing.h"
 #include "handway_test/planar_problems.h"
 
 #include <gtest/gtest.h>
@@ -89,53 +87,6 @@ TEST_F(Smoothing, KeepsAPathWhenStoppedAtOnce) {
   for (std::size_t i = 0; i + 1 < smooth.waypoints.size(); ++i) {
     EXPECT_TRUE(free.edge_free(smooth.waypoints[i], smooth.waypoints[i + 1])) << i;
   }
-}
-
-class Shortcuts : public Smoothing {
- protected:
-  Path smooth(PlanningContext& context, const Path& path, std::uint64_t checks,
-              std::uint64_t seed = 3) {
-    return ShortcutSmoothing(context, *problem_.basis, checks, seed).smooth(path);
-  }
-  PathMeasure measured(const Path& path) {
-    return measure(problem_, sampling::PostureSubspace(*problem_.basis), path);
-  }
-};
-
-TEST_F(Shortcuts, ShortenMoreThanTheRoadmapAndKeepTheHandHumanLike) {
-  PlanningContext context(problem_, request_, {}, observer_);
-  const Path path = wandering(context, problem_, 12);
-  const Path smoothed = smooth(context, path, 5000);
-  EXPECT_LT(path_length(problem_, smoothed),
-            path_length(problem_, smooth_by_roadmap(context, path)));
-  EXPECT_LE(measured(smoothed).outside, measured(path).outside);
-  EXPECT_NEAR(measured(smoothed).length, path_length(problem_, smoothed), 1e-12);
-  EXPECT_EQ(smoothed.waypoints.front(), problem_.start);
-  EXPECT_EQ(smoothed.waypoints.back(), problem_.goal);
-  for (std::size_t i = 0; i + 1 < smoothed.waypoints.size(); ++i) {
-    EXPECT_TRUE(context.edge_free(smoothed.waypoints[i], smoothed.waypoints[i + 1])) << i;
-  }
-}
-
-TEST_F(Shortcuts, NeverLengthenAndSpendWhatTheyMay) {
-  for (const std::uint64_t checks : {0, 10, 100, 1000}) {
-    PlanningContext context(problem_, request_, {}, observer_);
-    const Path path = wandering(context, problem_, 8);
-    const std::uint64_t before = context.statistics().checks();
-    const Path smoothed = smooth(context, path, checks);
-    EXPECT_LE(context.statistics().checks() - before, checks + 1);
-    EXPECT_LE(path_length(problem_, smoothed), path_length(problem_, path)) << checks;
-    if (checks == 0) {
-      EXPECT_EQ(smoothed.waypoints, path.waypoints);
-    }
-  }
-}
-
-TEST_F(Shortcuts, AreTheSameForTheSameSeed) {
-  PlanningContext context(problem_, request_, {}, observer_);
-  const Path path = wandering(context, problem_, 8);
-  EXPECT_EQ(smooth(context, path, 2000).waypoints, smooth(context, path, 2000).waypoints);
-  EXPECT_NE(smooth(context, path, 2000, 4).waypoints, smooth(context, path, 2000, 5).waypoints);
 }
 
 }  // namespace

@@ -1,12 +1,15 @@
 #include "handway/planning/core/planner.h"
 
+#include "core/search_reach.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/math/units.h"
 #include "handway/geometric/robot/limit_violation.h"
 #include "handway/planning/core/planning_context.h"
+#include "handway/planning/paths/path_optimizer.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -75,6 +78,63 @@ std::string reason_of(const PlanResult& result, PlanningContext& context) {
 
 }  // namespace
 
+std::vector<Parameter> Planner::parameters() {
+  std::vector<Parameter> list = own_parameters();
+  list.push_back(
+      {"objective", "Objective", "",
+       "What paths are optimised for. Human-like: the hand stays near the principal "
+       "motion directions; custom: the weights below.",
+       ChoiceValue{&objective_.preset, {"human-like", "shortest", "safest", "fastest", "custom"}}});
+  const auto weight = [&](const char* key, const char* label, const char* help, double& value) {
+    list.push_back({key, label, "", help, &value, 0.0, 1e6});
+  };
+  weight("weight_length", "Weight of length", "Of a custom objective, in normalised joints.",
+         objective_.custom.length);
+  weight("weight_human_likeness", "Weight of human-likeness",
+         "Of a custom objective: the hand's distance from the principal motion directions, "
+         "summed along the path.",
+         objective_.custom.human_likeness);
+  weight("weight_clearance", "Weight of clearance",
+         "Of a custom objective: what lacks in clearance, summed along the path.",
+         objective_.custom.clearance);
+  weight("weight_duration", "Weight of duration", "Of a custom objective, per second.",
+         objective_.custom.duration);
+  list.push_back({"optimize_checks", "Checks to optimise", "",
+                  "Configurations checked to optimise the path further after planning and "
+                  "smoothing.",
+                  &optimize_checks_, 0, 1000000000});
+  return list;
+}
+
+// In rounds of a fixed size, so that the same number of checks gives the same path whether it was
+// asked for or came about in some seconds.
+void Planner::optimize(PlanningContext& context, PlanResult& result) const {
+  constexpr std::uint64_t kRound = 1000;
+  constexpr int kPatience = 500;
+  const double seconds = context.request().optimize_s;
+  const auto wanted = static_cast<std::uint64_t>(optimize_checks_);
+  if (wanted == 0 && seconds <= 0.0) {
+    return;
+  }
+  const double begin = context.elapsed_s();
+  PathOptimizer optimizer(context, objective_.weights(context.problem()), result.path,
+                          context.request().seed, kPatience);
+  const auto go_on = [&] {
+    return result.optimize_checks < wanted || context.elapsed_s() - begin < seconds;
+  };
+  while (go_on() && !optimizer.converged() && !context.interruption()) {
+    optimizer.advance(kRound);
+    result.optimize_checks += kRound;
+    context.observer().on_progress(
+        seconds > 0.0 ? std::min(1.0, (context.elapsed_s() - begin) / seconds)
+                      : static_cast<double>(result.optimize_checks) / static_cast<double>(wanted),
+        "optimising");
+    context.observer().on_path(optimizer.path());
+  }
+  result.path = optimizer.path();
+  result.smoothing_s += context.elapsed_s() - begin;
+}
+
 PlanResult Planner::plan(const PlanningProblem& problem, const PlanRequest& request,
                          std::stop_token stop, Observer* observer) {
   if (request.threads < 1) {
@@ -83,13 +143,14 @@ PlanResult Planner::plan(const PlanningProblem& problem, const PlanRequest& requ
   if (!(request.resolution_mm > 0.0)) {
     throw std::invalid_argument("resolution must be positive");
   }
-  if (capabilities().uses_pmds && !problem.basis) {
+  if (capabilities().needs_basis && !problem.basis) {
     throw geometric::InputError({problem.scene->file.string(), "hand_basis", "nothing",
                                  "a PMD basis for planner " + name(),
                                  "Name one in the scene, or choose another planner"});
   }
   Observer silent;
-  PlanningContext context(problem, request, std::move(stop), observer ? *observer : silent);
+  ReachObserver watching(problem, observer ? *observer : silent);
+  PlanningContext context(problem, request, std::move(stop), watching);
   PlanResult result;
   if (const std::string start = objection(context, 0); !start.empty()) {
     result.status = PlanStatus::kStartInvalid;
@@ -104,6 +165,11 @@ PlanResult Planner::plan(const PlanningProblem& problem, const PlanRequest& requ
   } else {
     do_plan(context, result);
     result.time_s = context.elapsed_s() - result.smoothing_s;
+    if (result.solved()) {
+      optimize(context, result);
+    } else {
+      result.reach = watching.reach();
+    }
     if (result.reason.empty()) {
       result.reason = reason_of(result, context);
     }

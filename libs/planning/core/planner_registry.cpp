@@ -23,12 +23,16 @@ void PlannerRegistry::add(std::string name, PlannerFactory factory) {
 
 std::unique_ptr<Planner> PlannerRegistry::create(std::string_view name) const {
   for (const auto& [known, factory] : factories_) {
-    if (known == name) {
+    if (known == current_name(name)) {
       return factory();
     }
   }
   throw geometric::InputError({"planner", std::string(name), "no planner of this name",
                                fmt::format("one of {}", fmt::join(names(), ", ")), ""});
+}
+
+std::string_view PlannerRegistry::current_name(std::string_view name) {
+  return name == "pmd-auto" ? "auto" : name;
 }
 
 std::vector<std::string> PlannerRegistry::names() const {

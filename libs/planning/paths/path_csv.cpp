@@ -3,6 +3,7 @@
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/replace_file.h"
 #include "handway/geometric/io/text_file.h"
+#include "handway/planning/core/objective.h"
 
 #include <fmt/format.h>
 
@@ -21,18 +22,7 @@ using geometric::InputError;
 using geometric::RobotModel;
 
 constexpr std::size_t kLargestFile = std::size_t{256} << 20;
-constexpr double kDefaultVelocity = 1.0;     // rad/s or m/s
 constexpr double kCouplingTolerance = 1e-4;  // rad or m
-
-double duration(const RobotModel& model, const Configuration& from, const Configuration& to) {
-  double longest = 0.0;
-  for (int v = 0; v < model.variable_count(); ++v) {
-    const double limit = model.variable(v).limits.velocity;
-    const double velocity = std::isfinite(limit) && limit > 0.0 ? limit : kDefaultVelocity;
-    longest = std::max(longest, std::abs(to[v] - from[v]) / velocity);
-  }
-  return longest;
-}
 
 std::vector<std::string> cells(const std::string& line) {
   std::vector<std::string> parts;
@@ -176,7 +166,7 @@ std::string to_csv(const Path& path, const RobotModel& model) {
   double time = 0.0;
   for (std::size_t w = 0; w < path.waypoints.size(); ++w) {
     if (w > 0) {
-      time += duration(model, path.waypoints[w - 1], path.waypoints[w]);
+      time += least_duration(model, path.waypoints[w - 1], path.waypoints[w]);
     }
     text += '\n';
     text += csv_time(time);

@@ -10,8 +10,7 @@
 namespace handway::planning {
 namespace {
 
-constexpr double kRefinement = 0.25;    // share of a step that is tried after it
-constexpr double kProbeSpacing = 0.05;  // of configurations looked at on uncertain edges
+constexpr double kRefinement = 0.25;  // share of a step that is tried after it
 
 // Configurations that an edge may take: at first, more with every sample, at most.
 constexpr std::uint64_t kEdgeChecks = 300;

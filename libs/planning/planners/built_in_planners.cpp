@@ -1,6 +1,6 @@
 #include "planners/built_in_planners.h"
 
-#include "handway/planning/planners/pmd_auto.h"
+#include "handway/planning/planners/auto_planner.h"
 #include "handway/planning/planners/pmd_lazy.h"
 #include "handway/planning/planners/pmd_prm.h"
 #include "handway/planning/planners/rrt_connect.h"
@@ -10,7 +10,7 @@
 namespace handway::planning {
 
 void register_built_in_planners(PlannerRegistry& registry) {
-  registry.add("pmd-auto", [] { return std::make_unique<PmdAuto>(); });
+  registry.add("auto", [] { return std::make_unique<AutoPlanner>(); });
   registry.add("pmd-prm", [] { return std::make_unique<PmdPrm>(HandSpace::kPrincipalDirections); });
   registry.add("full-prm", [] { return std::make_unique<PmdPrm>(HandSpace::kAllJoints); });
   registry.add("pmd-rrt-connect",

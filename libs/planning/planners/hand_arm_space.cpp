@@ -34,7 +34,7 @@ Configuration HandArmSpace::with_hand(Configuration q, const Eigen::VectorXd& ha
 }
 
 sampling::PmdBasis hand_basis(const PlanningProblem& problem, HandSpace space) {
-  if (space == HandSpace::kPrincipalDirections) {
+  if (space == HandSpace::kPrincipalDirections && problem.basis) {
     return *problem.basis;
   }
   std::vector<std::string> joints;

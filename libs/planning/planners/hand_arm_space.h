@@ -45,8 +45,8 @@ class HandArmSpace {
   std::unique_ptr<SearchSpace> arm_space_;
 };
 
-/// The axes of `space`: those of the problem's basis, or every hand joint on its own.
-/// @pre the problem has a basis if `space` is kPrincipalDirections.
+/// The axes of `space`: those of the problem's basis, or, as where it has none, every hand joint on
+/// its own.
 [[nodiscard]] sampling::PmdBasis hand_basis(const PlanningProblem& problem, HandSpace space);
 
 }  // namespace handway::planning

@@ -9,7 +9,6 @@ namespace {
 
 constexpr int kStartNode = 0;
 constexpr int kGoalNode = 1;
-constexpr double kProbeSpacing = 0.05;  // of configurations looked at before an edge is checked
 
 }  // namespace
 

@@ -14,10 +14,10 @@ std::string PmdLazy::description() const {
 }
 
 PlannerCapabilities PmdLazy::capabilities() const {
-  return {.uses_pmds = true, .uses_threads = false, .deterministic = true};
+  return {.uses_pmds = true, .needs_basis = true, .uses_threads = false, .deterministic = true};
 }
 
-std::vector<Parameter> PmdLazy::parameters() {
+std::vector<Parameter> PmdLazy::own_parameters() {
   std::vector<Parameter> list = {
       {"k", "Neighbours K", "", "Nearest nodes that a new node is joined to.", &settings_.k, 1,
        1000},
@@ -34,8 +34,7 @@ void PmdLazy::do_plan(PlanningContext& context, PlanResult& result) {
   LazySearch search(context, settings_, context.request().seed);
   result.status = *search.advance({});
   if (result.solved()) {
-    smooth_result(context, *context.problem().basis, settings_.smoothing_checks, search.path(),
-                  result);
+    smooth_result(context, objective(), settings_.smoothing_checks, search.path(), result);
   }
 }
 

@@ -31,7 +31,7 @@ class RoadmapSearch {
  public:
   RoadmapSearch(PlanningContext& context, const PmdPrmSettings& settings, HandSpace space)
       : context_(context),
-        watcher_(dynamic_cast<AlgorithmObserver*>(&context.observer())),
+        watcher_(context.observer().algorithm()),
         settings_(settings),
         largest_rho_(settings.rho_max > 0.0 ? settings.rho_max : kUnlimitedRho),
         each_trial_counts_(static_cast<SampleLimit>(settings.n_checked) == SampleLimit::kEachTrial),
@@ -345,11 +345,12 @@ std::string PmdPrm::description() const {
 
 PlannerCapabilities PmdPrm::capabilities() const {
   return {.uses_pmds = space_ == HandSpace::kPrincipalDirections,
+          .needs_basis = space_ == HandSpace::kPrincipalDirections,
           .uses_threads = true,
           .deterministic = true};
 }
 
-std::vector<Parameter> PmdPrm::parameters() {
+std::vector<Parameter> PmdPrm::own_parameters() {
   std::vector<Parameter> list = {
       {"rho_a", "Corridor half-width ρₐ", "",
        "Half-side of the arm's sampling hypercubes at the "

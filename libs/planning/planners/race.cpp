@@ -42,6 +42,8 @@ Race::~Race() = default;
 
 const std::string& Race::winner() const { return winner_->racer.name; }
 
+const PlanningProblem* Race::winner_problem() const { return winner_->racer.problem; }
+
 Path Race::path() const { return winner_->search->path(); }
 
 PlanStatus Race::run() {
@@ -91,7 +93,9 @@ std::optional<PlanStatus> Race::run_round(int round) {
 void Race::run_lanes(const std::vector<Lane*>& lanes, const SearchBudget& budget) {
   for (Lane* lane : lanes) {
     if (!lane->context) {
-      lane->context = context_.make_child(lane->events, lane->beaten.get_token());
+      const PlanningProblem& problem =
+          lane->racer.problem ? *lane->racer.problem : context_.problem();
+      lane->context = context_.make_child(problem, lane->events, lane->beaten.get_token());
     }
   }
   const int count = static_cast<int>(lanes.size());

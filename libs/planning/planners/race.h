@@ -17,6 +17,7 @@ struct Racer {
   std::string name;                                               ///< In words, for the reason.
   int first_round = 0;                                            ///< Starts in this round.
   std::function<std::unique_ptr<Search>(PlanningContext&)> make;  ///< Null: it does not start.
+  const PlanningProblem* problem = nullptr;  ///< Between other ends; null: the race's own.
 };
 
 /// Lets several searches run on one problem until one solves it.
@@ -41,6 +42,7 @@ class Race {
 
   /// @pre run() gave kSolved.
   [[nodiscard]] const std::string& winner() const;
+  [[nodiscard]] const PlanningProblem* winner_problem() const;  ///< Racer::problem.
   [[nodiscard]] Path path() const;
 
  private:

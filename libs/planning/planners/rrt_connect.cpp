@@ -2,7 +2,6 @@
 
 #include "handway/planning/core/planning_context.h"
 #include "planners/bidirectional_search.h"
-#include "planners/hand_arm_space.h"
 #include "planners/search_parameters.h"
 #include "planners/smooth_result.h"
 
@@ -27,11 +26,12 @@ std::string RrtConnect::description() const {
 
 PlannerCapabilities RrtConnect::capabilities() const {
   return {.uses_pmds = space_ == HandSpace::kPrincipalDirections,
+          .needs_basis = space_ == HandSpace::kPrincipalDirections,
           .uses_threads = false,
           .deterministic = true};
 }
 
-std::vector<Parameter> RrtConnect::parameters() {
+std::vector<Parameter> RrtConnect::own_parameters() {
   std::vector<Parameter> list = {
       {"range", "Step length", "", "Longest step of a tree, in joints normalised to [0, 1].",
        &settings_.range, 1e-3, 10.0},
@@ -54,8 +54,7 @@ void RrtConnect::do_plan(PlanningContext& context, PlanResult& result) {
   BidirectionalSearch search(context, settings_, space_, context.request().seed);
   result.status = *search.advance({});
   if (result.solved()) {
-    smooth_result(context, hand_basis(context.problem(), space_), settings_.smoothing_checks,
-                  search.path(), result);
+    smooth_result(context, objective(), settings_.smoothing_checks, search.path(), result);
   }
 }
 

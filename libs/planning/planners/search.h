@@ -35,6 +35,9 @@ class Search {
   [[nodiscard]] virtual Path path() const = 0;
 
  protected:
+  /// Of configurations looked at on motions that are certified later; normalised joints.
+  static constexpr double kProbeSpacing = 0.05;
+
   [[nodiscard]] PlanningContext& context() const { return context_; }
   [[nodiscard]] PlanStatistics& statistics() const { return context_.statistics(); }
 

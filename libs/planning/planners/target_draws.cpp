@@ -30,7 +30,7 @@ TargetDraws::TargetDraws(const PlanningProblem& problem, const TargetRegion& reg
 TargetDraws::Target TargetDraws::draw(int sample, int end, int failures) const {
   RandomStream draw = draws_.fork(static_cast<std::uint64_t>(sample));
   if (!in_regions_) {
-    return {draw.uniform(problem_.model().variable_count()), 0, 0.0};
+    return {draw.uniform(static_cast<int>(problem_.arm.size() + problem_.hand.size())), 0, 0.0};
   }
   const int axes =
       std::min(basis_.dimension(), static_cast<int>(basis_.free_joints.size()) + 1 + failures);

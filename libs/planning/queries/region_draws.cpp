@@ -1,7 +1,7 @@
 #include "handway/planning/queries/region_draws.h"
 
 #include "handway/geometric/io/input_error.h"
-#include "handway/planning/planners/pmd_auto.h"
+#include "handway/planning/planners/auto_planner.h"
 #include "handway/planning/queries/fingertips.h"
 #include "handway/sampling/sequences/random_stream.h"
 #include "planners/hand_arm_space.h"
@@ -57,10 +57,10 @@ std::vector<SamplingRegion> first_regions(Planner& planner, int directions) {
   if (const std::optional<SamplingRegion> first = first_region(planner, directions)) {
     regions.push_back(*first);
   }
-  if (const auto* race = dynamic_cast<const PmdAuto*>(&planner)) {
+  if (const auto* race = dynamic_cast<const AutoPlanner*>(&planner)) {
     const SamplingRegion common = regions.front();
     regions.clear();
-    for (const TargetRegion& region : race->regions()) {
+    for (const TargetRegion& region : race->regions(true)) {
       regions.push_back(common);
       regions.back().corridor = static_cast<CorridorForm>(region.corridor);
       regions.back().rho_a = region.rho_a;

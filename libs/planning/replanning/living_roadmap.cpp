@@ -2,7 +2,7 @@
 
 #include "handway/geometric/collision/make_checker.h"
 #include "handway/geometric/io/input_error.h"
-#include "handway/planning/planners/pmd_auto.h"
+#include "handway/planning/planners/auto_planner.h"
 #include "handway/planning/planners/rrt_connect.h"
 #include "replanning/replanner.h"
 
@@ -20,7 +20,7 @@ namespace {
 
 std::unique_ptr<Planner> usual_planner(const PlanningProblem& problem) {
   if (problem.basis) {
-    return std::make_unique<PmdAuto>();
+    return std::make_unique<AutoPlanner>();
   }
   return std::make_unique<RrtConnect>(HandSpace::kAllJoints);
 }

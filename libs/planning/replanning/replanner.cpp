@@ -1,9 +1,7 @@
 #include "replanning/replanner.h"
 
-#include "handway/planning/paths/shortcut_smoothing.h"
 #include "planners/bidirectional_search.h"
-#include "planners/hand_arm_space.h"
-#include "planners/phase_clock.h"
+#include "planners/smooth_result.h"
 
 #include <fmt/format.h>
 
@@ -85,13 +83,11 @@ void Replanner::do_plan(PlanningContext& context, PlanResult& result) {
   if (path) {
     result.status = PlanStatus::kSolved;
     if (report.source != ReplanSource::kLastPath) {
-      const PhaseClock smoothing_time(result.smoothing_s);
-      ShortcutSmoothing smoothing(
-          context, hand_basis(context.problem(), hand_space(context.problem())),
-          static_cast<std::uint64_t>(memory_.settings.smoothing_checks), context.request().seed);
-      path = smoothing.smooth(*path);
+      smooth_result(context, planner_.objective(), memory_.settings.smoothing_checks, *path,
+                    result);
+    } else {
+      result.path = std::move(*path);
     }
-    result.path = std::move(*path);
     result.reason =
         fmt::format("{}: {} waypoints.", told(report.source), result.path.waypoints.size());
   } else if (const std::optional<PlanStatus> interruption = context.interruption()) {

@@ -18,7 +18,9 @@ class Replanner final : public Planner {
  public:
   /// All must outlive this object. @param harvest the observer that plan() is given.
   Replanner(RoadmapMemory& memory, Planner& planner, NodeHarvest& harvest)
-      : memory_(memory), planner_(planner), harvest_(harvest) {}
+      : memory_(memory), planner_(planner), harvest_(harvest) {
+    objective() = planner.objective();
+  }
 
   [[nodiscard]] std::string name() const override { return "living-roadmap"; }
   [[nodiscard]] std::string description() const override {
@@ -27,10 +29,10 @@ class Replanner final : public Planner {
   [[nodiscard]] PlannerCapabilities capabilities() const override {
     return planner_.capabilities();
   }
-  [[nodiscard]] std::vector<Parameter> parameters() override { return planner_.parameters(); }
 
  protected:
   void do_plan(PlanningContext& context, PlanResult& result) override;
+  [[nodiscard]] std::vector<Parameter> own_parameters() override { return {}; }
 
  private:
   [[nodiscard]] std::optional<Path> known_path(PlanningContext& context, WayChecker& checker);

@@ -54,6 +54,18 @@ Eigen::VectorXd map_to_posture(const PmdBasis& basis, const Eigen::VectorXd& u) 
   return posture.cwiseMax(0.0).cwiseMin(1.0);
 }
 
+Eigen::MatrixXd box_axes(const PmdBasis& basis) {
+  Eigen::MatrixXd scaled = axes(basis);
+  Eigen::Index column = 0;
+  for (const FreeJoint& free : basis.free_joints) {
+    scaled.col(column++) *= free.half_side;
+  }
+  for (const PrincipalDirection& direction : basis.directions) {
+    scaled.col(column++) *= direction.half_side;
+  }
+  return scaled;
+}
+
 Eigen::VectorXd project(const PmdBasis& basis, const Eigen::VectorXd& posture) {
   return axes(basis).colPivHouseholderQr().solve(posture - centre(basis));
 }

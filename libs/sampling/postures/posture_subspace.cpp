@@ -22,12 +22,16 @@ PostureSubspace::PostureSubspace(const PmdBasis& basis) {
   }
 }
 
+Eigen::VectorXd PostureSubspace::outside(const Eigen::VectorXd& posture) const {
+  return across_ * (posture - centre_);
+}
+
 double PostureSubspace::distance(const Eigen::VectorXd& posture) const {
-  return (across_ * (posture - centre_)).norm();
+  return outside(posture).norm();
 }
 
 Eigen::VectorXd PostureSubspace::closest(const Eigen::VectorXd& posture) const {
-  return (posture - across_ * (posture - centre_)).cwiseMax(0.0).cwiseMin(1.0);
+  return (posture - outside(posture)).cwiseMax(0.0).cwiseMin(1.0);
 }
 
 }  // namespace handway::sampling

@@ -25,7 +25,7 @@ class StraightPlanner final : public Planner {
   std::string name() const override { return "straight"; }
   std::string description() const override { return "A straight line, or two"; }
   PlannerCapabilities capabilities() const override { return {}; }
-  std::vector<Parameter> parameters() override {
+  std::vector<Parameter> own_parameters() override {
     return {
         {"detour", "Detour", "", "Try the way by the middle of the joints' ranges too.", &detour_}};
   }

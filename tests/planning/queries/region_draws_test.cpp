@@ -1,7 +1,7 @@
 #include "handway/planning/queries/region_draws.h"
 
 #include "handway/planning/core/planner_registry.h"
-#include "handway/planning/planners/pmd_auto.h"
+#include "handway/planning/planners/auto_planner.h"
 #include "handway/planning/planners/pmd_lazy.h"
 
 #include <gmock/gmock.h>
@@ -83,7 +83,7 @@ TEST(FirstRegion, KnowsPlannersWithoutOne) {
 }
 
 TEST(FirstRegion, IsThatOfEachSearchInARace) {
-  PmdAuto planner;
+  AutoPlanner planner;
   const std::vector<SamplingRegion> regions = first_regions(planner, 9);
   ASSERT_THAT(regions, SizeIs(5));
   EXPECT_EQ(regions[0].corridor, CorridorForm::kJoint);

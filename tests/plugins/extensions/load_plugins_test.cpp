@@ -30,7 +30,7 @@ std::string reason_of_refusal(const std::filesystem::path& directory) {
 
 TEST(Extensions, KnowTheBuiltInPlannersWithoutPlugins) {
   const Extensions extensions;
-  EXPECT_EQ(extensions.planners().names().front(), "pmd-auto");
+  EXPECT_EQ(extensions.planners().names().front(), "auto");
 }
 
 TEST(Extensions, TakePlannersAndImportersOfAPlugin) {

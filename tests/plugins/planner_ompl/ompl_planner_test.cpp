@@ -61,6 +61,7 @@ class OmplMethod : public testing::TestWithParam<std::string> {
 TEST_P(OmplMethod, IsRegisteredUnderItsName) {
   EXPECT_EQ(planner_->name(), GetParam());
   EXPECT_EQ(planner_->capabilities().uses_pmds, GetParam().starts_with("ompl-pmd-"));
+  EXPECT_EQ(planner_->capabilities().needs_basis, GetParam().starts_with("ompl-pmd-"));
 }
 
 TEST_P(OmplMethod, FindsAPathThatHolds) {

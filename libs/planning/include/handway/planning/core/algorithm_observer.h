@@ -52,6 +52,7 @@ struct AlgorithmStep {
 /// in the same order on every run. Planners that are told of a plain Observer spend nothing on it.
 class AlgorithmObserver : public Observer {
  public:
+  [[nodiscard]] AlgorithmObserver* algorithm() final { return this; }
   virtual void on_step(const AlgorithmStep& step) = 0;
 };
 

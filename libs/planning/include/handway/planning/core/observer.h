@@ -1,6 +1,7 @@
 #pragma once
 
 #include "handway/geometric/math/pose.h"
+#include "handway/planning/paths/path.h"
 
 #include <string_view>
 
@@ -16,6 +17,8 @@ struct NodeEvent {
   int search = 0;      ///< Which of several searches that run side by side found it.
 };
 
+class AlgorithmObserver;
+
 /// Told what a planner does while it plans, on the planner's own thread and in
 /// the same order on every run. Everything defaults to nothing.
 class Observer {
@@ -27,8 +30,13 @@ class Observer {
   virtual void on_winner(int /*search*/) {}
   /// The stretch of the arm segment that is still being searched.
   virtual void on_search_range(double /*d_ini*/, double /*d_goal*/) {}
+  /// A free path from start to goal that is being optimised.
+  virtual void on_path(const Path& /*path*/) {}
   /// `fraction` of the sample budget that is spent, in [0, 1], and what is being done.
   virtual void on_progress(double /*fraction*/, std::string_view /*activity*/) {}
+
+  /// Who watches the steps of the paper's algorithms, too; null: nobody.
+  [[nodiscard]] virtual AlgorithmObserver* algorithm() { return nullptr; }
 };
 
 }  // namespace handway::planning

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -61,6 +62,15 @@ struct HANDWAY_PLANNING_EXPORT PlanStatistics {
   [[nodiscard]] std::uint64_t checks() const { return node_checks + edge_checks; }
 };
 
+/// How far a search came from both ends, along the straight motion from start to goal.
+struct SearchReach {
+  double from_start = 0.0;        ///< The farthest that is connected to the start, in [0, 1].
+  double from_goal = 1.0;         ///< The nearest to the start that is connected to the goal.
+  std::uint64_t start_nodes = 0;  ///< Free configurations that are connected to the start.
+  std::uint64_t goal_nodes = 0;   ///< The same of the goal.
+  std::uint64_t nodes = 0;        ///< All that were found.
+};
+
 /// The outcome of planning. `path` is empty unless the status is kSolved.
 struct PlanResult {
   PlanStatus status = PlanStatus::kSamplesSpent;
@@ -68,8 +78,12 @@ struct PlanResult {
   Path path;
   Certificate certificate;
   PlanStatistics statistics;
-  double time_s = 0.0;       ///< Planning alone, wall clock.
-  double smoothing_s = 0.0;  ///< Wall clock.
+  std::optional<SearchReach> reach;  ///< Without a path; nothing if the planner shows no nodes.
+  double time_s = 0.0;               ///< Planning alone, wall clock.
+  double smoothing_s = 0.0;          ///< Smoothing and optimising, wall clock.
+  /// Checks that were allowed for optimising, in whole rounds; as the parameter of this name they
+  /// give the same path again.
+  std::uint64_t optimize_checks = 0;
 
   [[nodiscard]] bool solved() const { return status == PlanStatus::kSolved; }
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "handway/planning/core/objective_settings.h"
 #include "handway/planning/core/observer.h"
 #include "handway/planning/core/parameter.h"
 #include "handway/planning/core/plan_result.h"
@@ -19,6 +20,7 @@ class PlanningContext;
 /// What a planner can do; forms and the command line read it.
 struct PlannerCapabilities {
   bool uses_pmds = false;     ///< Samples the hand in a PMD basis.
+  bool needs_basis = false;   ///< Refuses problems without one.
   bool uses_threads = false;  ///< More threads make it faster.
   bool deterministic = true;  ///< Same seed, same bits.
 };
@@ -29,6 +31,7 @@ struct PlanRequest {
   int threads = 1;  ///< ≥ 1; the result does not depend on it.
   double time_limit_s = std::numeric_limits<double>::infinity();
   double resolution_mm = 0.05;  ///< Edges closer than this to anything are refused.
+  double optimize_s = 0.0;      ///< Seconds to go on with optimising the path that was found.
 };
 
 /// Finds a collision-free path from a problem's start to its goal.
@@ -42,10 +45,15 @@ class HANDWAY_PLANNING_EXPORT Planner {
   [[nodiscard]] virtual std::string name() const = 0;
   [[nodiscard]] virtual std::string description() const = 0;
   [[nodiscard]] virtual PlannerCapabilities capabilities() const = 0;
-  /// The settings, bound to this object: change them through the pointers.
-  [[nodiscard]] virtual std::vector<Parameter> parameters() = 0;
+  /// The settings, bound to this object: change them through the pointers. First the planner's
+  /// own, then those of the objective and of optimising that all planners share.
+  [[nodiscard]] std::vector<Parameter> parameters();
 
-  /// Checks start and goal, plans, smooths, certifies.
+  /// What paths are optimised for.
+  [[nodiscard]] ObjectiveSettings& objective() { return objective_; }
+  [[nodiscard]] const ObjectiveSettings& objective() const { return objective_; }
+
+  /// Checks start and goal, plans, optimises as asked for, certifies.
   /// @param stop ends the search within 100 ms with kCancelled.
   /// @param observer may be null.
   /// @throws InputError if the planner needs a basis and the problem has none.
@@ -61,6 +69,15 @@ class HANDWAY_PLANNING_EXPORT Planner {
  protected:
   /// Searches. Sets status, reason, path, statistics and, if it smooths, smoothing_s.
   virtual void do_plan(PlanningContext& context, PlanResult& result) = 0;
+
+  /// The settings of this planner alone, bound to this object.
+  [[nodiscard]] virtual std::vector<Parameter> own_parameters() = 0;
+
+ private:
+  void optimize(PlanningContext& context, PlanResult& result) const;
+
+  ObjectiveSettings objective_;
+  int optimize_checks_ = 0;
 };
 
 }  // namespace handway::planning

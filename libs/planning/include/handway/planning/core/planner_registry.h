@@ -22,8 +22,12 @@ class HANDWAY_PLANNING_EXPORT PlannerRegistry {
   /// @throws std::invalid_argument if the name is taken.
   void add(std::string name, PlannerFactory factory);
 
+  /// @param name or another name that a planner had before.
   /// @throws InputError naming the planners there are.
   [[nodiscard]] std::unique_ptr<Planner> create(std::string_view name) const;
+
+  /// `name`, or of a name that a planner had before the one it has now.
+  [[nodiscard]] static std::string_view current_name(std::string_view name);
 
   /// In order of registration; the first is the default.
   [[nodiscard]] std::vector<std::string> names() const;

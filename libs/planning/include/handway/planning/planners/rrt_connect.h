@@ -38,12 +38,12 @@ class HANDWAY_PLANNING_EXPORT RrtConnect final : public Planner {
   [[nodiscard]] std::string name() const override;
   [[nodiscard]] std::string description() const override;
   [[nodiscard]] PlannerCapabilities capabilities() const override;
-  [[nodiscard]] std::vector<Parameter> parameters() override;
 
   [[nodiscard]] RrtConnectSettings& settings() { return settings_; }
 
  protected:
   void do_plan(PlanningContext& context, PlanResult& result) override;
+  [[nodiscard]] std::vector<Parameter> own_parameters() override;
 
  private:
   HandSpace space_;

@@ -60,7 +60,7 @@ struct ReplanReport {
 /// dynamically changing environments", IROS 2004, doi:10.1109/IROS.2004.1389625.
 class HANDWAY_PLANNING_EXPORT LivingRoadmap {
  public:
-  /// @param planner plans the first path, and others anew where repair fails; null: PmdAuto
+  /// @param planner plans the first path, and others anew where repair fails; null: AutoPlanner
   /// if the problem has a basis, RrtConnect over all joints otherwise.
   explicit LivingRoadmap(PlanningProblem problem, const LivingRoadmapSettings& settings = {},
                          std::unique_ptr<Planner> planner = nullptr);

@@ -55,6 +55,11 @@ struct PmdBasis {
 [[nodiscard]] HANDWAY_SAMPLING_EXPORT Eigen::VectorXd map_to_posture(const PmdBasis& basis,
                                                                      const Eigen::VectorXd& u);
 
+/// The axes of SC^h, free joints first, each times its half-side λ_i: what Eq. 1 adds to the
+/// centre.
+/// @returns shape [joints, dimension].
+[[nodiscard]] HANDWAY_SAMPLING_EXPORT Eigen::MatrixXd box_axes(const PmdBasis& basis);
+
 /// Coordinates e of the posture of SC^h closest to `posture` (least squares),
 /// not limited to the box. @param posture shape [joints]. @returns shape [dimension].
 [[nodiscard]] HANDWAY_SAMPLING_EXPORT Eigen::VectorXd project(const PmdBasis& basis,

@@ -13,6 +13,9 @@ class HANDWAY_SAMPLING_EXPORT PostureSubspace {
  public:
   explicit PostureSubspace(const PmdBasis& basis);
 
+  /// From the closest posture of SC^h, limits apart, to `posture`; shape [joints].
+  [[nodiscard]] Eigen::VectorXd outside(const Eigen::VectorXd& posture) const;
+
   /// How far `posture` is from the postures that the human hand was seen to take.
   [[nodiscard]] double distance(const Eigen::VectorXd& posture) const;
 

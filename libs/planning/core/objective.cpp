@@ -1,0 +1,319 @@
+#include "handway/planning/core/objective.h"
+
+#include "handway/geometric/robot/normalised_joints.h"
+#include "handway/planning/core/plan_result.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace handway::planning {
+namespace {
+
+// The weights of presets. A hand that is 0.3 from the subspace goes there if the path gets longer
+// by less than 3.6 for it; and the path is lengthened inside it by what makes the mean smaller.
+constexpr double kHumanLikenessWeight = 10.0;
+constexpr double kClearanceWeight = 4.0;
+constexpr double kDurationWeight = 1.0;
+constexpr double kTieBreak = 0.01;  // of length, where it is not the objective
+
+constexpr double kClearanceSpacing = 0.05;  // between distance queries of a cost
+constexpr double kQualitySpacing = 0.02;    // between those of path_quality(), and its postures
+constexpr double kEndSlope = 0.5;           // of an end's stretch, see path_quality()
+constexpr double kDefaultVelocity = 1.0;    // rad/s or m/s
+
+double clearance_at(geometric::CollisionChecker& checker, const Configuration& q) {
+  return std::clamp(geometric::find_clearance(checker, q, kFarClearance).distance, 0.0,
+                    kFarClearance);
+}
+
+// The mean of |a + t (b - a)| over t in [0, 1], by Simpson's rule on four parts.
+double mean_norm(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+  constexpr std::array<double, 9> kWeights = {1, 4, 2, 4, 2, 4, 2, 4, 1};
+  const double aa = a.squaredNorm();
+  const double ab = a.dot(b);
+  const double bb = b.squaredNorm();
+  double sum = 0.0;
+  for (std::size_t i = 0; i < kWeights.size(); ++i) {
+    const double t = static_cast<double>(i) / 8.0;
+    const double squared = (1 - t) * (1 - t) * aa + 2 * t * (1 - t) * ab + t * t * bb;
+    sum += kWeights.at(i) * std::sqrt(std::max(0.0, squared));
+  }
+  return sum / 24.0;
+}
+
+/// A property at places along a path, with the length that each place stands for.
+class Profile {
+ public:
+  void add(double value, double length) {
+    values_.push_back(value);
+    lengths_.push_back(length);
+  }
+
+  [[nodiscard]] double mean() const {
+    double sum = 0.0;
+    double length = 0.0;
+    for (std::size_t i = 0; i < values_.size(); ++i) {
+      sum += values_[i] * lengths_[i];
+      length += lengths_[i];
+    }
+    return length > 0.0 ? sum / length : values_.front();
+  }
+  [[nodiscard]] double least() const { return *std::ranges::min_element(values_); }
+  [[nodiscard]] double largest() const { return *std::ranges::max_element(values_); }
+
+  /// Without the stretches at both ends on which values fall towards the middle, by `slope` at
+  /// least.
+  [[nodiscard]] Profile without_ends(double slope) const {
+    std::size_t first = 0;
+    std::size_t last = values_.size() - 1;
+    while (first < last && values_[first] - values_[first + 1] > slope * lengths_[first + 1]) {
+      ++first;
+    }
+    while (last > first && values_[last] - values_[last - 1] > slope * lengths_[last - 1]) {
+      --last;
+    }
+    Profile middle;
+    for (std::size_t i = first; i <= last; ++i) {
+      middle.add(values_[i], lengths_[i]);
+    }
+    return middle;
+  }
+
+  /// Length whose value is above `bound`.
+  [[nodiscard]] double length_above(double bound) const {
+    double length = 0.0;
+    for (std::size_t i = 0; i < values_.size(); ++i) {
+      length += values_[i] > bound ? lengths_[i] : 0.0;
+    }
+    return length;
+  }
+
+ private:
+  std::vector<double> values_;
+  std::vector<double> lengths_;
+};
+
+/// The Mahalanobis distance of a posture's coordinates along the principal directions.
+class RecordedDistribution {
+ public:
+  explicit RecordedDistribution(const sampling::PmdBasis& basis) : basis_(basis) {}
+
+  [[nodiscard]] double distance(const Eigen::VectorXd& posture) const {
+    const Eigen::VectorXd e = sampling::project(basis_, posture);
+    auto axis = static_cast<Eigen::Index>(basis_.free_joints.size());
+    double squared = 0.0;
+    for (const sampling::PrincipalDirection& direction : basis_.directions) {
+      if (direction.variance > 0.0) {
+        squared += e[axis] * e[axis] / direction.variance;
+      }
+      ++axis;
+    }
+    return std::sqrt(squared);
+  }
+
+ private:
+  const sampling::PmdBasis& basis_;
+};
+
+}  // namespace
+
+ObjectiveWeights ObjectiveSettings::weights(const PlanningProblem& problem) const {
+  switch (static_cast<ObjectivePreset>(preset)) {
+    case ObjectivePreset::kHumanLike:
+      return {.human_likeness = problem.basis ? kHumanLikenessWeight : 0.0};
+    case ObjectivePreset::kSafest:
+      return {.clearance = kClearanceWeight};
+    case ObjectivePreset::kFastest:
+      return {.length = kTieBreak, .duration = kDurationWeight};
+    case ObjectivePreset::kCustom:
+      return custom;
+    default:
+      return {};
+  }
+}
+
+double least_duration(const geometric::RobotModel& model, const Configuration& from,
+                      const Configuration& to) {
+  double longest = 0.0;
+  for (int v = 0; v < model.variable_count(); ++v) {
+    const double limit = model.variable(v).limits.velocity;
+    const double velocity = std::isfinite(limit) && limit > 0.0 ? limit : kDefaultVelocity;
+    longest = std::max(longest, std::abs(to[v] - from[v]) / velocity);
+  }
+  return longest;
+}
+
+Objective::Objective(const PlanningProblem& problem, const ObjectiveWeights& weights)
+    : problem_(problem), weights_(weights) {
+  if (problem.basis) {
+    subspace_.emplace(*problem.basis);
+    axes_ = sampling::box_axes(*problem.basis);
+  }
+  if (weights.clearance > 0.0) {
+    checker_ = problem.checker->clone();
+  }
+}
+
+Objective::Point Objective::point(const Configuration& q) const {
+  Point point{q, geometric::normalised(problem_.model(), q), {}};
+  if (subspace_) {
+    point.outside = subspace_->outside(point.joints(problem_.hand));
+  }
+  return point;
+}
+
+Objective::Point Objective::point_of_joints(Eigen::VectorXd joints) const {
+  Point point{geometric::denormalised(problem_.model(), joints), std::move(joints), {}};
+  if (subspace_) {
+    point.outside = subspace_->outside(point.joints(problem_.hand));
+  }
+  return point;
+}
+
+MotionSums& MotionSums::operator+=(const MotionSums& other) {
+  length += other.length;
+  outside += other.outside;
+  missing_clearance += other.missing_clearance;
+  duration += other.duration;
+  return *this;
+}
+
+MotionSums& MotionSums::operator-=(const MotionSums& other) {
+  length -= other.length;
+  outside -= other.outside;
+  missing_clearance -= other.missing_clearance;
+  duration -= other.duration;
+  return *this;
+}
+
+MotionSums Objective::measure(const Point& from, const Point& to) {
+  MotionSums sums;
+  sums.length = from.distance_to(to);
+  if (subspace_ && weights_.human_likeness > 0.0) {
+    sums.outside = sums.length * mean_norm(from.outside, to.outside);
+  }
+  if (weights_.duration > 0.0) {
+    sums.duration = least_duration(problem_.model(), from.q, to.q);
+  }
+  if (checker_) {
+    sums.missing_clearance = sums.length * missing_clearance(from, to, sums.length);
+  }
+  return sums;
+}
+
+double Objective::cost(const MotionSums& path) const { return additive_cost(path, path.length); }
+
+double Objective::additive_cost(const MotionSums& motion, double length) const {
+  const double means =
+      weights_.human_likeness * motion.outside + weights_.clearance * motion.missing_clearance;
+  return weights_.length * motion.length + (length > 0.0 ? means / length : 0.0) +
+         weights_.duration * motion.duration;
+}
+
+// 0: kFarClearance or more everywhere, 1: in contact; the mean along the motion.
+double Objective::missing_clearance(const Point& from, const Point& to, double length) {
+  const int parts = std::max(1, static_cast<int>(std::ceil(length / kClearanceSpacing)));
+  double sum = 0.0;
+  for (int i = 0; i < parts; ++i) {
+    const Configuration q = from.q + (i + 0.5) / parts * (to.q - from.q);
+    sum += 1.0 - clearance_at(*checker_, q) / kFarClearance;
+  }
+  distance_queries_ += static_cast<std::uint64_t>(parts);
+  return sum / parts;
+}
+
+double Objective::cost(const Path& path) {
+  MotionSums sums;
+  for (std::size_t i = 0; i + 1 < path.waypoints.size(); ++i) {
+    sums += measure(point(path.waypoints[i]), point(path.waypoints[i + 1]));
+  }
+  return cost(sums);
+}
+
+Objective::Point Objective::towards_subspace(const Point& at, double share) const {
+  Eigen::VectorXd joints = at.joints;
+  const Eigen::VectorXd hand = at.joints(problem_.hand);
+  joints(problem_.hand) = hand + share * (subspace_->closest(hand) - hand);
+  return point_of_joints(std::move(joints));
+}
+
+Objective::Point Objective::moved_along_subspace(const Point& at,
+                                                 const Eigen::VectorXd& step) const {
+  Eigen::VectorXd joints = at.joints;
+  joints(problem_.hand) =
+      (at.joints(problem_.hand) + axes_ * step).cwiseMax(0.0).cwiseMin(1.0).eval();
+  return point_of_joints(std::move(joints));
+}
+
+Objective::Point Objective::with_hand(const Point& at, const Point& hand) const {
+  Point point = at;
+  point.q(problem_.hand) = hand.q(problem_.hand);
+  point.joints(problem_.hand) = hand.joints(problem_.hand);
+  point.outside = hand.outside;
+  return point;
+}
+
+PathQuality path_quality(const PlanningProblem& problem, const Path& path) {
+  if (path.empty()) {
+    throw std::invalid_argument("a path without waypoints has no properties");
+  }
+  Objective objective(problem, {});
+  const std::unique_ptr<geometric::CollisionChecker> checker = problem.checker->clone();
+  std::optional<RecordedDistribution> recorded;
+  if (problem.basis) {
+    recorded.emplace(*problem.basis);
+  }
+  Profile clearance;
+  Profile distance;
+  Profile mahalanobis;
+  const auto look = [&](const Objective::Point& at, double length) {
+    clearance.add(clearance_at(*checker, at.q), length);
+    if (recorded) {
+      distance.add(at.distance(), length);
+      mahalanobis.add(recorded->distance(at.joints(problem.hand)), length);
+    }
+  };
+  PathQuality quality;
+  std::vector<Objective::Point> waypoints;
+  std::ranges::transform(path.waypoints, std::back_inserter(waypoints),
+                         [&](const Configuration& q) { return objective.point(q); });
+  double before = 0.0;  // half of what the last place stands for
+  for (std::size_t w = 0; w + 1 < waypoints.size(); ++w) {
+    const Objective::Point& from = waypoints[w];
+    const Objective::Point& to = waypoints[w + 1];
+    const double length = (to.joints - from.joints).norm();
+    const int parts = std::max(1, static_cast<int>(std::ceil(length / kQualitySpacing)));
+    for (int i = 0; i < parts; ++i) {
+      const double share = static_cast<double>(i) / parts;
+      look(objective.point(from.q + share * (to.q - from.q)),
+           i == 0 ? before + 0.5 * length / parts : length / parts);
+    }
+    before = 0.5 * length / parts;
+    quality.length += length;
+    quality.duration += least_duration(problem.model(), from.q, to.q);
+  }
+  look(waypoints.back(), before);
+  quality.least_clearance = clearance.least();
+  quality.mean_clearance = clearance.mean();
+  if (recorded) {
+    const Profile middle = distance.without_ends(kEndSlope);
+    const auto square = [](double x) { return x * x; };
+    const double whole = std::max(quality.length, 1e-12);
+    quality.human_likeness = {
+        .mean = distance.mean(),
+        .largest = middle.largest(),
+        .share_beyond = middle.length_above(kNearSubspace) / whole,
+        .forced = 0.5 *
+                  (square(waypoints.front().distance()) + square(waypoints.back().distance())) /
+                  whole,
+        .mahalanobis_mean = mahalanobis.mean(),
+        .mahalanobis_largest = mahalanobis.largest()};
+  }
+  return quality;
+}
+
+}  // namespace handway::planning

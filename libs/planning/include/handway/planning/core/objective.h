@@ -1,0 +1,131 @@
+#pragma once
+
+#include "handway/planning/core/objective_settings.h"
+#include "handway/planning/core/planning_problem.h"
+#include "handway/planning/export.h"
+#include "handway/planning/paths/path.h"
+#include "handway/sampling/postures/posture_subspace.h"
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+namespace handway::planning {
+
+/// Time of the straight motion from `from` to `to` with one joint at its velocity limit, s.
+/// Joints without a limit take 1 rad/s or 1 m/s.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT double least_duration(const geometric::RobotModel& model,
+                                                            const Configuration& from,
+                                                            const Configuration& to);
+
+/// What motions are judged by; of several motions these add up.
+struct MotionSums {
+  double length = 0.0;             ///< In joints normalised to [0, 1].
+  double outside = 0.0;            ///< Distance of the hand from the PMD subspace, times length.
+  double missing_clearance = 0.0;  ///< Share of kFarClearance that is missing, times length.
+  double duration = 0.0;           ///< See least_duration(), s.
+
+  MotionSums& operator+=(const MotionSums& other);
+  MotionSums& operator-=(const MotionSums& other);
+};
+
+/// The cost of paths of a problem: a weighted sum of length, mean distance of the hand from the PMD
+/// subspace, mean missing clearance and duration.
+///
+/// For one thread.
+class HANDWAY_PLANNING_EXPORT Objective {
+ public:
+  /// A configuration with what its costs are made from.
+  struct Point {
+    Configuration q;
+    Eigen::VectorXd joints;   ///< Normalised to [0, 1].
+    Eigen::VectorXd outside;  ///< From the PMD subspace to the hand's posture; empty: no basis.
+
+    /// The distance of the hand from the PMD subspace.
+    [[nodiscard]] double distance() const { return outside.norm(); }
+    /// In normalised joints.
+    [[nodiscard]] double distance_to(const Point& other) const {
+      return (other.joints - joints).norm();
+    }
+  };
+
+  /// @param problem outlives this. Without a basis `human_likeness` counts nothing.
+  Objective(const PlanningProblem& problem, const ObjectiveWeights& weights);
+
+  [[nodiscard]] const ObjectiveWeights& weights() const { return weights_; }
+  [[nodiscard]] Point point(const Configuration& q) const;
+  [[nodiscard]] Point point_of_joints(Eigen::VectorXd joints) const;
+
+  /// Of the straight motion; only what has a weight is measured, and the length.
+  [[nodiscard]] MotionSums measure(const Point& from, const Point& to);
+
+  /// Of a whole path.
+  [[nodiscard]] double cost(const MotionSums& path) const;
+  [[nodiscard]] double cost(const Path& path);
+  /// What a motion adds to the cost of a path of about `length`: for searches, which need costs
+  /// that add up.
+  [[nodiscard]] double additive_cost(const MotionSums& motion, double length) const;
+
+  /// `at` with this share of the distance between its hand and the closest posture of the PMD
+  /// subspace gone; the arm as it is. @pre the problem has a basis.
+  [[nodiscard]] Point towards_subspace(const Point& at, double share) const;
+
+  /// `at` with its hand moved inside the subspace, or in parallel to it, joints clamped to their
+  /// limits. @param step shape [basis dimension], in half-sides λ of the axes. @pre there is a
+  /// basis.
+  [[nodiscard]] Point moved_along_subspace(const Point& at, const Eigen::VectorXd& step) const;
+  /// Axes of the subspace. @pre there is a basis.
+  [[nodiscard]] int subspace_dimension() const { return problem_.basis->dimension(); }
+
+  /// `at` with the hand as in `hand`.
+  [[nodiscard]] Point with_hand(const Point& at, const Point& hand) const;
+
+  /// Distance queries for clearance since this was made.
+  [[nodiscard]] std::uint64_t distance_queries() const { return distance_queries_; }
+
+ private:
+  [[nodiscard]] double missing_clearance(const Point& from, const Point& to, double length);
+
+  const PlanningProblem& problem_;
+  ObjectiveWeights weights_;
+  std::optional<sampling::PostureSubspace> subspace_;
+  Eigen::MatrixXd axes_;  ///< Of the subspace times their half-sides, shape [joints, dimension].
+  std::unique_ptr<geometric::CollisionChecker> checker_;  ///< Null: clearance counts nothing.
+  std::uint64_t distance_queries_ = 0;
+};
+
+/// Properties of a path that objectives are made from.
+struct PathQuality {
+  /// Of the hand along the path; means are over its length.
+  struct HumanLikeness {
+    double mean = 0.0;     ///< Distance from the PMD subspace.
+    double largest = 0.0;  ///< The same at most, the ends' stretches excepted.
+    /// Share of the length beyond kNearSubspace, the ends' stretches excepted.
+    double share_beyond = 0.0;
+    /// The mean if the hand went straight to the subspace, stayed in it and left it for the goal,
+    /// in a path of this length: less is not possible with these ends.
+    double forced = 0.0;
+    double mahalanobis_mean = 0.0;  ///< Of its coordinates in the recorded distribution.
+    double mahalanobis_largest = 0.0;
+  };
+
+  double length = 0.0;                          ///< Joints normalised to [0, 1].
+  std::optional<HumanLikeness> human_likeness;  ///< Nothing without a basis.
+  double least_clearance = 0.0;                 ///< m; kFarClearance: that or more.
+  double mean_clearance = 0.0;                  ///< m, over the length, each at most kFarClearance.
+  double duration = 0.0;                        ///< s, as least_duration().
+};
+
+/// A hand nearer to the PMD subspace than this counts as in it; normalised joints.
+inline constexpr double kNearSubspace = 0.05;
+
+/// Integrals by the trapezium rule on parts of at most 0.02; clearance at their ends. An end's
+/// stretch is the part of the path next to it on which the hand makes for the subspace (its
+/// distance falls by half of the length at least): the start and the goal are given.
+/// @throws std::invalid_argument for a path without waypoints.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT PathQuality path_quality(const PlanningProblem& problem,
+                                                               const Path& path);
+
+}  // namespace handway::planning

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "handway/planning/core/planner.h"
+#include "handway/planning/export.h"
+#include "handway/planning/planners/target_region.h"
+
+#include <string>
+#include <vector>
+
+namespace handway::planning {
+
+/// Settings of AutoPlanner.
+struct AutoPlannerSettings {
+  int max_samples = 1000000;   ///< Of all searches together.
+  int smoothing_checks = 400;  ///< Configurations that the PathOptimizer may check.
+  bool cartesian = true;       ///< Search in poses of the arm's tool too.
+  bool lazy = true;            ///< Search a lazy roadmap too.
+};
+
+/// The default. Races other planners' searches and takes the path of the first to find one:
+/// trees in the joint corridor start alone; where they don't find a path soon, trees in the
+/// Cartesian corridor (if the arm has closed-form inverse kinematics), a lazy roadmap, trees
+/// over all joints and trees from other seeds join. Budgets are counted in configurations,
+/// so that the winner is the same for any number of threads. The path is then optimised.
+///
+/// With a basis hand postures are sampled in the PMD subspace; without one every joint on its own.
+class HANDWAY_PLANNING_EXPORT AutoPlanner final : public Planner {
+ public:
+  [[nodiscard]] std::string name() const override;
+  [[nodiscard]] std::string description() const override;
+  [[nodiscard]] PlannerCapabilities capabilities() const override;
+
+  [[nodiscard]] AutoPlannerSettings& settings() { return settings_; }
+  /// Where each of the searches that race begins to draw from, in the order of
+  /// NodeEvent::search. @param has_basis of the problem.
+  [[nodiscard]] std::vector<TargetRegion> regions(bool has_basis) const;
+
+ protected:
+  void do_plan(PlanningContext& context, PlanResult& result) override;
+  [[nodiscard]] std::vector<Parameter> own_parameters() override;
+
+ private:
+  AutoPlannerSettings settings_;
+};
+
+}  // namespace handway::planning

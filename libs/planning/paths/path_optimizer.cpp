@@ -1,0 +1,265 @@
+#include "handway/planning/paths/path_optimizer.h"
+
+#include "paths/subspace_roadmap.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+namespace handway::planning {
+namespace {
+
+using Point = Objective::Point;
+
+constexpr double kWorthwhile = 1e-3;  // share of the cost that a replacement has to save
+constexpr double kSame = 1e-6;        // points of a path nearer than this are one
+constexpr double kLargestMove = 0.2;  // of a waypoint
+constexpr double kSmallestMove = 0.005;
+
+Point between(const Point& from, const Point& to, double share) {
+  return {from.q + share * (to.q - from.q), from.joints + share * (to.joints - from.joints),
+          from.outside + share * (to.outside - from.outside)};
+}
+
+}  // namespace
+
+PathOptimizer::PathOptimizer(PlanningContext& context, const ObjectiveWeights& weights,
+                             const Path& path, std::uint64_t seed, int patience)
+    : context_(context), objective_(context.problem(), weights), draw_(seed), patience_(patience) {
+  std::vector<Point> points;
+  std::ranges::transform(path.waypoints, std::back_inserter(points),
+                         [&](const Configuration& q) { return objective_.point(q); });
+  set_points(std::move(points));
+}
+
+Path PathOptimizer::path() const {
+  Path path;
+  std::ranges::transform(points_, std::back_inserter(path.waypoints), &Point::q);
+  return path;
+}
+
+double PathOptimizer::cost() const { return objective_.cost(sum_); }
+
+bool PathOptimizer::converged() const { return led_ && fruitless_ >= patience_; }
+
+std::uint64_t PathOptimizer::spent() const {
+  return context_.statistics().checks() + objective_.distance_queries();
+}
+
+std::uint64_t PathOptimizer::checks_left() const {
+  return last_check_ - std::min(last_check_, spent());
+}
+
+bool PathOptimizer::is_over() const {
+  return checks_left() == 0 || context_.interruption().has_value();
+}
+
+void PathOptimizer::set_points(std::vector<Point> points) {
+  points_ = std::move(points);
+  motions_.clear();
+  sum_ = {};
+  for (std::size_t i = 0; i + 1 < points_.size(); ++i) {
+    motions_.push_back(objective_.measure(points_[i], points_[i + 1]));
+    sum_ += motions_.back();
+  }
+}
+
+bool PathOptimizer::has_subspace() const {
+  return context_.problem().basis && objective_.weights().human_likeness > 0.0;
+}
+
+void PathOptimizer::advance(std::uint64_t checks) {
+  if (points_.size() < 2) {
+    return;
+  }
+  last_check_ = spent() + checks;
+  if (!led_ && !is_over()) {
+    lead_into_subspace();
+    led_ = true;
+  }
+  while (!is_over() && !converged()) {
+    replace_at_random();
+  }
+}
+
+// Without a subspace: the cheapest path over the waypoints.
+void PathOptimizer::lead_into_subspace() {
+  // Paths that were planned in the subspace need no layers.
+  constexpr double kNearForced = 1.5;
+  const auto half_square = [](const Point& end) { return 0.5 * end.outside.squaredNorm(); };
+  const double forced = half_square(points_.front()) + half_square(points_.back());
+  const bool layered = has_subspace() && sum_.outside > kNearForced * forced;
+  SubspaceRoadmap roadmap(context_, objective_, points_, layered, draw_.fork(1).seed());
+  std::vector<Point> cheapest = roadmap.cheapest_path(checks_left());
+  if (!cheapest.empty()) {
+    set_points(std::move(cheapest));
+  }
+}
+
+PathOptimizer::Place PathOptimizer::at_waypoint(std::size_t waypoint) const {
+  const std::size_t edge = std::min(waypoint, points_.size() - 2);
+  return {edge, points_[waypoint]};
+}
+
+PathOptimizer::Place PathOptimizer::place_at(double length_before) const {
+  for (std::size_t i = 0; i + 1 < points_.size(); ++i) {
+    const double length = points_[i].distance_to(points_[i + 1]);
+    if (length_before < length) {
+      return {i, between(points_[i], points_[i + 1], length_before / length)};
+    }
+    length_before -= length;
+  }
+  return at_waypoint(points_.size() - 1);
+}
+
+void PathOptimizer::replace_at_random() {
+  constexpr double kMoves = 0.3;  // share of waypoints moved among all replacements
+  bool useful = false;
+  if (points_.size() > 2 && draw_.uniform() < kMoves) {
+    useful = move_waypoint();
+  } else {
+    const double whole = sum_.length;
+    const double a = draw_.uniform() * whole;
+    const double b = draw_.uniform() * whole;
+    const Place from = place_at(std::min(a, b));
+    const Place to = place_at(std::max(a, b));
+    useful = try_stretch(from, to, replacement(from, to));
+  }
+  fruitless_ = useful ? 0 : fruitless_ + 1;
+}
+
+// What a stretch could be instead, its ends apart.
+std::vector<Point> PathOptimizer::replacement(const Place& from, const Place& to) {
+  const PlanningProblem& problem = context_.problem();
+  const double kind = draw_.uniform();
+  std::vector<Point> inner(points_.begin() + static_cast<std::ptrdiff_t>(from.edge) + 1,
+                           points_.begin() + static_cast<std::ptrdiff_t>(to.edge) + 1);
+  if (kind < 0.4) {
+    return {};
+  }
+  if (has_subspace() && kind < 0.7) {
+    const double share = draw_.uniform() < 0.5 ? 1.0 : draw_.uniform();
+    inner.insert(inner.begin(), from.point);
+    inner.push_back(to.point);
+    // In half of the trials beside the closest posture: that one may collide.
+    const double size = draw_.uniform() < 0.5 ? 0.0 : kLargestMove * draw_.uniform();
+    const Eigen::VectorXd step =
+        size * (2.0 * draw_.uniform(objective_.subspace_dimension()).array() - 1.0);
+    for (Point& point : inner) {
+      point = objective_.moved_along_subspace(objective_.towards_subspace(point, share), step);
+    }
+    return inner;
+  }
+  // A straight motion of some joints; the others go as they went.
+  std::vector<int> joints = draw_.uniform() < 0.5 ? problem.arm : problem.hand;
+  if (joints.empty() || draw_.uniform() < 0.5) {
+    const int count = problem.model().variable_count();
+    joints = {std::min(count - 1, static_cast<int>(draw_.uniform() * count))};
+  }
+  double whole = 0.0;
+  std::vector<double> at;
+  const Point* before = &from.point;
+  for (const Point& point : inner) {
+    whole += before->distance_to(point);
+    at.push_back(whole);
+    before = &point;
+  }
+  whole += before->distance_to(to.point);
+  for (std::size_t i = 0; i < inner.size(); ++i) {
+    Eigen::VectorXd moved = inner[i].joints;
+    const double share = at[i] / std::max(whole, kSame);
+    moved(joints) =
+        from.point.joints(joints) + share * (to.point.joints(joints) - from.point.joints(joints));
+    inner[i] = objective_.point_of_joints(std::move(moved));
+  }
+  return inner;
+}
+
+bool PathOptimizer::move_waypoint() {
+  const auto count = static_cast<double>(points_.size() - 2);
+  const auto waypoint =
+      1 + std::min(points_.size() - 3, static_cast<std::size_t>(draw_.uniform() * count));
+  const PlanningProblem& problem = context_.problem();
+  const double size = kSmallestMove * std::pow(kLargestMove / kSmallestMove, draw_.uniform());
+  Eigen::VectorXd direction = (2.0 * draw_.uniform(problem.model().variable_count())).array() - 1.0;
+  const double part = draw_.uniform();
+  if (has_subspace() && part < 0.3) {
+    const Point& point = points_[waypoint];
+    const Eigen::VectorXd step =
+        size * (2.0 * draw_.uniform(objective_.subspace_dimension()).array() - 1.0);
+    return try_stretch(
+        at_waypoint(waypoint - 1), at_waypoint(waypoint + 1),
+        {objective_.moved_along_subspace(objective_.towards_subspace(point, 1.0), step)});
+  }
+  if (part < 0.5 && !problem.hand.empty()) {
+    direction(problem.hand).setZero();
+  } else if (part < 0.7 && !problem.arm.empty()) {
+    direction(problem.arm).setZero();
+  }
+  Eigen::VectorXd joints = points_[waypoint].joints + size * direction.normalized();
+  joints = joints.cwiseMax(0.0).cwiseMin(1.0);
+  return try_stretch(at_waypoint(waypoint - 1), at_waypoint(waypoint + 1),
+                     {objective_.point_of_joints(std::move(joints))});
+}
+
+// The stretch between two places of the path gives way to `inner` if that costs less and is free.
+bool PathOptimizer::try_stretch(const Place& from, const Place& to,
+                                const std::vector<Point>& inner) {
+  const auto begin = points_.begin();
+  const auto at = [&](std::size_t i) { return begin + static_cast<std::ptrdiff_t>(i); };
+  const bool ends_at_goal = to.point.distance_to(points_.back()) < kSame;
+  std::vector<Point> changed{from.point};
+  const auto append = [](std::vector<Point>& list, const Point& point) {
+    if (list.back().distance_to(point) > kSame) {
+      list.push_back(point);
+    }
+  };
+  std::ranges::for_each(inner, [&](const Point& point) { append(changed, point); });
+  append(changed, to.point);
+  if (changed.size() < 2) {
+    return false;
+  }
+  MotionSums sum = sum_;
+  for (std::size_t edge = from.edge; edge <= to.edge; ++edge) {
+    sum -= motions_[edge];
+  }
+  sum += objective_.measure(points_[from.edge], from.point);
+  for (std::size_t i = 0; i + 1 < changed.size(); ++i) {
+    sum += objective_.measure(changed[i], changed[i + 1]);
+  }
+  if (!ends_at_goal) {
+    sum += objective_.measure(to.point, points_[to.edge + 1]);
+  }
+  if (objective_.cost(sum) > (1.0 - kWorthwhile) * cost() || !all_free(changed)) {
+    return false;
+  }
+  std::vector<Point> points(begin, at(from.edge + 1));
+  std::ranges::for_each(changed, [&](const Point& point) { append(points, point); });
+  if (ends_at_goal) {
+    points.back() = points_.back();
+  } else {
+    for (std::size_t i = to.edge + 1; i < points_.size(); ++i) {
+      append(points, points_[i]);
+    }
+    points.back() = points_.back();
+  }
+  set_points(std::move(points));
+  return true;
+}
+
+bool PathOptimizer::all_free(const std::vector<Point>& points) {
+  for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+    if (context_.collision(points[i].q)) {
+      return false;
+    }
+  }
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    if (is_over() || !context_.edge_free(points[i].q, points[i + 1].q, checks_left())) {
+      return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace handway::planning
