@@ -40,12 +40,10 @@ const std::vector<Figure>& figures_there_are() {
       {17,
        "Paths of the four problems",
        "task",
-       {{"cans_on_desk", "pmd-auto", "1: Cans on a desk"},
-        {"can_in_box", "pmd-auto", "2: Can in a box"},
-        {"cans_in_shelf", "pmd-auto", "3: Cans in a shelf",
-         ", azimuth_deg: -125, elevation_deg: 14"},
-        {"t_shape", "pmd-auto", "4: T in a kitchen shelf",
-         ", azimuth_deg: -122, elevation_deg: 14"}}}};
+       {{"cans_on_desk", "auto", "1: Cans on a desk"},
+        {"can_in_box", "auto", "2: Can in a box"},
+        {"cans_in_shelf", "auto", "3: Cans in a shelf", ", azimuth_deg: -125, elevation_deg: 14"},
+        {"t_shape", "auto", "4: T in a kitchen shelf", ", azimuth_deg: -122, elevation_deg: 14"}}}};
   return kFigures;
 }
 

@@ -320,6 +320,7 @@ void MainWindow::show_scene() {
     actions_->recent->add(QString::fromStdString(document_.file().string()));
   }
   try {
+    plan_panel_->show_planners_that_serve(document_.loaded().basis != nullptr);
     apply_plan_options(options_, document_.scene()->planner, *plan_panel_);
   } catch (const std::exception& error) {
     const QString message = QString::fromUtf8(error.what());

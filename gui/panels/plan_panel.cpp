@@ -16,6 +16,7 @@
 #include <QScrollArea>
 #include <QSignalBlocker>
 #include <QSpinBox>
+#include <QStandardItemModel>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -202,8 +203,20 @@ QWidget* PlanPanel::make_actions() {
 void PlanPanel::use_planner(const std::string& name) {
   planner_ = registry_.create(name);
   const QSignalBlocker quiet(planners_);
-  planners_->setCurrentText(QString::fromStdString(name));
+  planners_->setCurrentText(QString::fromStdString(planner_->name()));
   rebuild_form(true);
+}
+
+void PlanPanel::show_planners_that_serve(bool has_basis) {
+  auto* items = qobject_cast<QStandardItemModel*>(planners_->model());
+  for (int i = 0; i < planners_->count(); ++i) {
+    const auto planner = registry_.create(planners_->itemText(i).toStdString());
+    const bool serves = has_basis || !planner->capabilities().needs_basis;
+    QStandardItem* item = items->item(i);
+    item->setEnabled(serves);
+    item->setToolTip(serves ? QString::fromStdString(planner->description())
+                            : tr("Needs a hand basis, and the scene names none"));
+  }
 }
 
 void PlanPanel::rebuild_form(bool anew) {
@@ -232,7 +245,7 @@ void PlanPanel::apply(const geometric::PlannerChoice& choice) {
 }
 
 void PlanPanel::choose_planner(const std::string& name) {
-  if (!planner_ || planner_->name() != name) {
+  if (!planner_ || planner_->name() != planning::PlannerRegistry::current_name(name)) {
     use_planner(name);
   }
 }
@@ -292,8 +305,9 @@ std::vector<std::shared_ptr<planning::Planner>> PlanPanel::copies(int count) con
 
 void PlanPanel::set_usual_planner(const std::string& name) {
   const std::vector<std::string> names = registry_.names();
-  const bool known = std::ranges::find(names, name) != names.end();
-  usual_planner_ = known ? name : names.empty() ? std::string() : names.front();
+  const std::string current(planning::PlannerRegistry::current_name(name));
+  const bool known = std::ranges::find(names, current) != names.end();
+  usual_planner_ = known ? current : names.empty() ? std::string() : names.front();
 }
 
 void PlanPanel::set_threads(int threads) {

@@ -37,6 +37,8 @@ class PlanPanel : public QWidget {
   /// Chooses a planner with its defaults, keeping settings if it is chosen already.
   /// @throws InputError if there is none of that name.
   void choose_planner(const std::string& name);
+  /// Greys out the planners that need what the scene has not.
+  void show_planners_that_serve(bool has_basis);
   /// Sets KEY=VALUE of the chosen planner. @throws InputError
   void set_parameter(const std::string& key, const std::string& value);
   /// Enters a number into the field of a parameter, if the planner has one of that name and

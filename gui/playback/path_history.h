@@ -34,7 +34,7 @@ struct PathRecord {
 [[nodiscard]] std::vector<PathRecord>::const_iterator best_of(
     const std::vector<PathRecord>& records, PathMerit merit);
 
-/// What a person calls a path. @param way where it comes from: "pmd-auto, seed 1".
+/// What a person calls a path. @param way where it comes from: "auto, seed 1".
 [[nodiscard]] QString label_of(const QString& way, const planning::Motion& motion,
                                const QTime& time);
 /// The same of one that a planner found.

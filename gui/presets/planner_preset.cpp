@@ -71,11 +71,21 @@ std::vector<PlannerPreset> built_in_presets(const std::string& planner) {
   const auto is_one_of = [&](std::initializer_list<const char*> names) {
     return std::ranges::find(names, planner) != names.end();
   };
-  if (is_one_of({"pmd-auto", "pmd-rrt-connect", "rrt-connect", "pmd-lazy"})) {
+  if (is_one_of({"auto", "pmd-rrt-connect", "rrt-connect", "pmd-lazy"})) {
     add(QObject::tr("Fast"), as_found, {{"smoothing_checks", "0"}});
   }
-  if (is_one_of({"pmd-auto", "pmd-rrt-connect", "rrt-connect"})) {
+  if (is_one_of({"auto", "pmd-rrt-connect", "rrt-connect"})) {
     add(QObject::tr("Thorough"), shortened, {{"smoothing_checks", "5000"}});
+  }
+  if (is_one_of({"auto", "pmd-rrt-connect", "rrt-connect", "pmd-lazy"})) {
+    add(QObject::tr("Shortest"),
+        QObject::tr("Optimises for the shortest path, whatever the hand looks like."),
+        {{"objective", "shortest"}, {"smoothing_checks", "2000"}});
+    add(QObject::tr("Safest"), QObject::tr("Optimises for distance from obstacles."),
+        {{"objective", "safest"}, {"smoothing_checks", "5000"}});
+    add(QObject::tr("Fastest"),
+        QObject::tr("Optimises for the time that the joints' velocity limits allow."),
+        {{"objective", "fastest"}, {"smoothing_checks", "2000"}});
   }
   if (planner == "pmd-lazy") {
     add(QObject::tr("Thorough"),

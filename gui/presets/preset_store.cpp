@@ -3,6 +3,7 @@
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/replace_file.h"
 #include "handway/geometric/io/yaml_element.h"
+#include "handway/planning/core/planner_registry.h"
 
 #include <QFileInfo>
 #include <QSettings>
@@ -80,7 +81,9 @@ PresetStore::Entries PresetStore::read_entries() {
   }
   if (const auto list = top.find("presets")) {
     for (const YamlElement& item : list->items()) {
-      entries.push_back({item.need("planner").text(), read_preset(item)});
+      const std::string planner = item.need("planner").text();
+      entries.push_back(
+          {std::string(planning::PlannerRegistry::current_name(planner)), read_preset(item)});
     }
   }
   return entries;

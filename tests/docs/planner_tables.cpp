@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <ranges>
 #include <stdexcept>
 #include <string_view>
 #include <type_traits>
 #include <variant>
+#include <vector>
 
 namespace handway::test {
 namespace {
@@ -46,19 +49,33 @@ std::string abilities(const Planner& planner) {
                                        : "may find another path each time");
 }
 
+template <typename Parameters>
+std::string table(const Parameters& parameters) {
+  std::string text = "| Parameter | Default | Allowed | Meaning |\n|---|---|---|---|\n";
+  for (const Parameter& parameter : parameters) {
+    const std::string unit = parameter.unit.empty() ? "" : " " + parameter.unit;
+    text += fmt::format("| `{}` | {}{} | {} | {} |\n", parameter.key, to_text(parameter), unit,
+                        allowed(parameter), parameter.help);
+  }
+  return text;
+}
+
+// Those that all planners share come last, from this one on.
+constexpr std::string_view kFirstShared = "objective";
+
 }  // namespace
 
 std::string planner_tables(const planning::PlannerRegistry& registry) {
   std::string text;
   for (const std::string& name : registry.names()) {
     const auto planner = registry.create(name);
-    text += fmt::format("\n## {}\n\n{}. {}\n\n", name, planner->description(), abilities(*planner));
-    text += "| Parameter | Default | Allowed | Meaning |\n|---|---|---|---|\n";
-    for (const Parameter& parameter : planner->parameters()) {
-      const std::string unit = parameter.unit.empty() ? "" : " " + parameter.unit;
-      text += fmt::format("| `{}` | {}{} | {} | {} |\n", parameter.key, to_text(parameter), unit,
-                          allowed(parameter), parameter.help);
+    const std::vector<Parameter> parameters = planner->parameters();
+    const auto shared = std::ranges::find(parameters, kFirstShared, &Parameter::key);
+    if (text.empty()) {
+      text += "\n## All planners\n\n" + table(std::ranges::subrange(shared, parameters.end()));
     }
+    text += fmt::format("\n## {}\n\n{}. {}\n\n", name, planner->description(), abilities(*planner));
+    text += table(std::ranges::subrange(parameters.begin(), shared));
   }
   return text + '\n';
 }

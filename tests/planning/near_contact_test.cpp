@@ -81,7 +81,7 @@ PlanResult planned(const PlanningProblem& problem, std::uint64_t seed) {
   PlanRequest request;
   request.seed = seed;
   request.time_limit_s = 60.0;
-  return PlannerRegistry().create("pmd-auto")->plan(problem, request);
+  return PlannerRegistry().create("auto")->plan(problem, request);
 }
 
 TEST(NearContact, GoalsAreReachedOrRefusedAtOnce) {

@@ -80,7 +80,7 @@ TEST(ArmSamples, ThatAllCollideWithTheRobotItselfEndTheSearch) {
 }
 
 INSTANTIATE_TEST_SUITE_P(OfPlanners, RefusedSamples,
-                         testing::Values("pmd-auto", "pmd-rrt-connect", "pmd-lazy", "rrt-connect",
+                         testing::Values("auto", "pmd-rrt-connect", "pmd-lazy", "rrt-connect",
                                          "pmd-prm"));
 
 }  // namespace

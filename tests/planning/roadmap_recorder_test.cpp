@@ -72,7 +72,7 @@ TEST(RoadmapRecorder, TellsTheWinnersRoadmapFromTheOthers) {
 TEST(RoadmapRecorder, HasTheWholeRoadmapOfARace) {
   const PlanningProblem problem = test::post_problem();
   RoadmapRecorder recorder(100000);
-  const PlanResult result = PlannerRegistry().create("pmd-auto")->plan(problem, {}, {}, &recorder);
+  const PlanResult result = PlannerRegistry().create("auto")->plan(problem, {}, {}, &recorder);
   ASSERT_TRUE(result.solved()) << result.reason;
   ASSERT_TRUE(recorder.roadmap().winner);
   EXPECT_EQ(recorder.roadmap().nodes.size(), result.statistics.nodes);

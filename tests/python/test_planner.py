@@ -50,7 +50,7 @@ class Parameters(unittest.TestCase):
         self.assertNotEqual(handway.planner("pmd-prm")["rho_a"], planner["rho_a"])
 
     def test_may_be_truths(self):
-        planner = handway.planner("pmd-auto")
+        planner = handway.planner("auto")
         planner["lazy"] = False
         self.assertIs(planner["lazy"], False)
         with self.assertRaisesRegex(handway.InputError, "true or false"):

@@ -277,7 +277,7 @@ planning::PlanResult plan(const PlanningProblem& problem, std::uint64_t seed, do
   planning::PlanRequest request;
   request.seed = seed;
   request.time_limit_s = limit_s;
-  return planning::PlannerRegistry().create("pmd-auto")->plan(problem, request);
+  return planning::PlannerRegistry().create("auto")->plan(problem, request);
 }
 
 struct EditTally {

@@ -26,7 +26,7 @@ TEST_F(HandwayBench, MeasuresChecksAndPlans) {
   const Outcome run =
       line_.run("bench open.yaml post.yaml --planner rrt-connect --seeds 2 --out results");
   ASSERT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_THAT(run.out, AllOf(HasSubstr("open"), HasSubstr("post"), HasSubstr("pmd-auto"),
+  EXPECT_THAT(run.out, AllOf(HasSubstr("open"), HasSubstr("post"), HasSubstr("auto"),
                              HasSubstr("rrt-connect"), HasSubstr("2/2"), Not(HasSubstr("FAULT"))));
 
   const auto report = nlohmann::json::parse(line_.read("results/bench.json"));
@@ -43,7 +43,7 @@ TEST_F(HandwayBench, MeasuresChecksAndPlans) {
   EXPECT_GT(post["collision"]["fcl_broadphase"]["configuration_us"], 0.0);
   EXPECT_EQ(post["collision"]["disagreements"], 0);
   ASSERT_EQ(post["plans"].size(), 2U);
-  EXPECT_EQ(post["plans"][0]["planner"], "pmd-auto");
+  EXPECT_EQ(post["plans"][0]["planner"], "auto");
   EXPECT_EQ(post["plans"][0]["ratio"], 1.0);
   const auto& plan = post["plans"][1];
   EXPECT_EQ(plan["planner"], "rrt-connect");
@@ -65,7 +65,7 @@ TEST_F(HandwayBench, WritesARowForEverySceneAndPlanner) {
     EXPECT_EQ(std::ranges::count(row, ','), std::ranges::count(rows.front(), ',')) << row;
   }
   EXPECT_THAT(rows[0], testing::StartsWith("scene,load_s"));
-  EXPECT_THAT(rows[1], AllOf(testing::StartsWith("open,"), HasSubstr(",pmd-auto,fast,1,5,1,1,,")));
+  EXPECT_THAT(rows[1], AllOf(testing::StartsWith("open,"), HasSubstr(",auto,fast,1,5,1,1,,")));
 }
 
 TEST_F(HandwayBench, CountsARunWithoutAPathAsEndless) {

@@ -75,7 +75,7 @@ TEST_F(Handway, ReportsWithTheKeysOfTheContract) {
 
 TEST_F(Handway, FindsTheSamePathWithOneThreadAndTwo) {
   for (const std::string planner :
-       {"pmd-auto", "pmd-prm", "full-prm", "pmd-rrt-connect", "pmd-lazy", "rrt-connect"}) {
+       {"auto", "pmd-prm", "full-prm", "pmd-rrt-connect", "pmd-lazy", "rrt-connect"}) {
     const std::string plan = "plan post.yaml --planner " + planner + " --seed 5 --out ";
     ASSERT_EQ(line_.run(plan + "one.csv --threads 1").exit_code, kDone) << planner;
     ASSERT_EQ(line_.run(plan + "two.csv --threads 2").exit_code, kDone) << planner;

@@ -36,7 +36,7 @@ TEST_F(HandwayReproduce, WritesAllTablesQuicklyInAFreshFolder) {
   EXPECT_THAT(line_.read("reproduce/report.html"), HasSubstr("<td>915.3</td>"));
   EXPECT_THAT(line_.read("reproduce/report.csv"),
               AllOf(HasSubstr("2,Reduced search space,Reduced,3,"),
-                    HasSubstr("4,2: Can in a box,\"pmd-auto, our scene\",3,")));
+                    HasSubstr("4,2: Can in a box,\"auto, our scene\",3,")));
   for (const char* part : {"paper_table_2", "paper_table_4"}) {
     EXPECT_TRUE(std::filesystem::exists(line_.folder() / "reproduce" / part / "runs.sqlite"));
   }

@@ -85,8 +85,7 @@ bool boxed_in(std::uint64_t connected, const SearchReach& reach) {
          static_cast<double>(connected) < kBoxedIn * static_cast<double>(reach.nodes);
 }
 
-std::string rejection_sentence(const std::vector<Rejected>& pairs,
-                               const Stretch& stretch) {
+std::string rejection_sentence(const std::vector<Rejected>& pairs, const Stretch& stretch) {
   std::string text = "Of the samples that were rejected";
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     text += fmt::format("{} in {} % {} collided with {}", i == 0 ? "," : " and",

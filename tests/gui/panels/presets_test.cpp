@@ -25,7 +25,7 @@ class PresetsInThePanel : public WindowTest {
     WindowTest::SetUp();
     if (!IsSkipped()) {
       open(cell().post());
-      window().plan_panel().choose_planner("pmd-auto");
+      window().plan_panel().choose_planner("auto");
     }
   }
   void TearDown() override {
@@ -44,7 +44,7 @@ class PresetsInThePanel : public WindowTest {
   [[nodiscard]] QSpinBox& checks() const { return part<QSpinBox>("smoothing_checks"); }
   [[nodiscard]] std::vector<std::string> names() const {
     std::vector<std::string> names;
-    for (const gui::PlannerPreset& preset : bar().store().of("pmd-auto")) {
+    for (const gui::PlannerPreset& preset : bar().store().of("auto")) {
       names.push_back(preset.name.toStdString());
     }
     return names;
@@ -96,9 +96,9 @@ TEST_F(PresetsInThePanel, FitEveryPlannerThatTheyAreFor) {
 }
 
 TEST_F(PresetsInThePanel, AreChosenWhereASceneAsksForTheirValues) {
-  window().plan_panel().apply({"pmd-auto", {{"smoothing_checks", "0"}}});
+  window().plan_panel().apply({"auto", {{"smoothing_checks", "0"}}});
   EXPECT_EQ(bar().words(), QStringLiteral("Fast"));
-  window().plan_panel().apply({"pmd-auto", {{"smoothing_checks", "1"}}});
+  window().plan_panel().apply({"auto", {{"smoothing_checks", "1"}}});
   EXPECT_EQ(bar().words(), QStringLiteral("Balanced, modified"));
 }
 
@@ -107,7 +107,7 @@ TEST_F(PresetsInThePanel, OfAPersonAreKeptRenamedAndDeleted) {
   bar().save_as(QStringLiteral("My \"own\": 1"));
   EXPECT_EQ(list().currentText(), QStringLiteral("My \"own\": 1"));
   EXPECT_FALSE(part<QLabel>("modified").isVisible());
-  EXPECT_EQ(gui::PresetStore().of("pmd-auto").back().settings,
+  EXPECT_EQ(gui::PresetStore().of("auto").back().settings,
             (std::vector<std::pair<std::string, std::string>>{{"smoothing_checks", "77"}}));
 
   choose("Balanced");
@@ -115,7 +115,7 @@ TEST_F(PresetsInThePanel, OfAPersonAreKeptRenamedAndDeleted) {
   EXPECT_EQ(checks().value(), 77);
   bar().rename(QStringLiteral("Mine"));
   EXPECT_EQ(list().currentText(), QStringLiteral("Mine"));
-  EXPECT_EQ(gui::PresetStore().of("pmd-auto").back().name, QStringLiteral("Mine"));
+  EXPECT_EQ(gui::PresetStore().of("auto").back().name, QStringLiteral("Mine"));
   bar().remove();
   EXPECT_THAT(names(), Not(Contains("Mine")));
   EXPECT_EQ(checks().value(), 77) << "values stay";
@@ -129,14 +129,15 @@ TEST_F(PresetsInThePanel, KeepTheNamesOfTheProgramApart) {
   checks().setValue(5);
   bar().save_as(QStringLiteral("Two"));
   EXPECT_THROW(bar().rename(QStringLiteral("One")), geometric::InputError);
-  EXPECT_THAT(names(), ElementsAre("Balanced", "Fast", "Thorough", "One", "Two"));
+  EXPECT_THAT(names(), ElementsAre("Balanced", "Fast", "Thorough", "Shortest", "Safest", "Fastest",
+                                   "One", "Two"));
 }
 
 TEST_F(PresetsInThePanel, OfSeveralWindowsAreAllKept) {
   gui::PresetStore other;
   bar().save_as(QStringLiteral("Here"));
-  other.save("pmd-auto", {QStringLiteral("There"), {}, {}, false});
-  EXPECT_EQ(gui::PresetStore().of("pmd-auto").size(), 5U);
+  other.save("auto", {QStringLiteral("There"), {}, {}, false});
+  EXPECT_EQ(gui::PresetStore().of("auto").size(), 8U);
 }
 
 TEST_F(PresetsInThePanel, InABrokenFileAreToldOfAndNotLost) {
@@ -146,18 +147,18 @@ TEST_F(PresetsInThePanel, InABrokenFileAreToldOfAndNotLost) {
   second.show();
   EXPECT_THAT(second.message().toStdString(), HasSubstr("presets.yaml:3"));
   gui::PresetBar& presets = second.plan_panel().presets();
-  EXPECT_EQ(presets.store().of("pmd-auto").size(), 3U);
+  EXPECT_EQ(presets.store().of("auto").size(), 6U);
 
   presets.save_as(QStringLiteral("New"));
   EXPECT_TRUE(presets.store().fault().isEmpty());
   std::ifstream in(gui::PresetStore::file().string() + ".unreadable");
   EXPECT_EQ(std::string(std::istreambuf_iterator<char>(in), {}), broken);
-  EXPECT_EQ(gui::PresetStore().of("pmd-auto").size(), 4U);
+  EXPECT_EQ(gui::PresetStore().of("auto").size(), 7U);
 }
 
 TEST_F(PresetsInThePanel, ThatDoNotFitThePlannerChangeNothing) {
   write_presets(
-      "handway_presets: 1\npresets:\n  - planner: pmd-auto\n    name: Old\n"
+      "handway_presets: 1\npresets:\n  - planner: auto\n    name: Old\n"
       "    parameters: {smoothing_checks: 5, nonsense: 3}\n");
   gui::MainWindow second(std::make_shared<planning::Extensions>());
   gui::PresetBar& presets = second.plan_panel().presets();

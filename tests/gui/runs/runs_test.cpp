@@ -165,7 +165,7 @@ TEST_F(RunsInTheWindow, WithSeveralSeedsAreCancelledAtOnce) {
 
 TEST_F(RunsInTheWindow, WithSeveralSeedsSayWhatStoodInTheWay) {
   open(cell().wall());
-  window().plan_panel().choose_planner("pmd-auto");
+  window().plan_panel().choose_planner("auto");
   part<QSpinBox>("max_samples").setValue(400);
   plan_seeds(3);
   EXPECT_THAT(result(), AllOf(HasSubstr("No path from 3 seeds"), HasSubstr("wall")));

@@ -241,7 +241,7 @@ TEST_F(Story, SaysWhatIsWrongWithAFileAndKeepsTheScene) {
 
 TEST_F(Story, PlansWithSeveralSeedsAndPutsARunBack) {
   open(source_dir() / "scenes" / "cans_on_desk.yaml");
-  window().plan_panel().choose_planner("pmd-auto");
+  window().plan_panel().choose_planner("auto");
   window().plan_panel().set_seeds(6);
   ASSERT_TRUE(plan());
   picture("seeds_1_best");
@@ -258,7 +258,7 @@ TEST_F(Story, PlansWithSeveralSeedsAndPutsARunBack) {
     }
   }
   window().findChild<QPushButton*>(QStringLiteral("runs_restore"))->click();
-  EXPECT_EQ(window().plan_panel().planner()->name(), "pmd-auto");
+  EXPECT_EQ(window().plan_panel().planner()->name(), "auto");
   EXPECT_EQ(window().player().timeline().path().waypoints, best->result.path.waypoints);
   picture("seeds_2_restored");
   ASSERT_TRUE(plan());
@@ -267,7 +267,7 @@ TEST_F(Story, PlansWithSeveralSeedsAndPutsARunBack) {
 
 TEST_F(Story, SaysWhatStoodInTheWay) {
   open(source_dir() / "scenes" / "t_shape.yaml");
-  window().plan_panel().apply({"pmd-auto", {{"max_samples", "3"}}});
+  window().plan_panel().apply({"auto", {{"max_samples", "3"}}});
   ASSERT_FALSE(plan());
   auto* result = window().findChild<QLabel*>(QStringLiteral("result"));
   EXPECT_THAT(result->text().toStdString(), HasSubstr("touched"));
@@ -286,7 +286,7 @@ TEST_F(Story, CancelsAHardPlan) {
   ASSERT_TRUE(wait_for([&] { return !ended.isEmpty(); }));
   EXPECT_FALSE(ended.front().front().toBool());
   picture("cancel_2_cancelled");
-  window().plan_panel().choose_planner("pmd-auto");
+  window().plan_panel().choose_planner("auto");
 }
 
 TEST_F(Story, MovesEmulatedDevicesAndTellsWhatAnEditRevokes) {

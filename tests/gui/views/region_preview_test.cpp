@@ -73,7 +73,7 @@ TEST_F(RegionPreviewInThePanel, SetsTheParameterThatIsDragged) {
 }
 
 TEST_F(RegionPreviewInThePanel, IsForLookingOnlyWherePlannersChooseTheirWidth) {
-  open_with("pmd-auto");
+  open_with("auto");
   switch_on();
   EXPECT_THAT(note(), HasSubstr("looking only"));
   part<QSlider>("preview_rho").setValue(100);

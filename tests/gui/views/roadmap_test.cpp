@@ -151,7 +151,7 @@ TEST_F(HypercubesInTheView, HaveTheSizeOfTheLastIteration) {
 
 TEST_F(HypercubesInTheView, AreThoseOfTheSearchThatWon) {
   part<QAction>("hypercubes").setChecked(true);
-  plan_with("pmd-auto");
+  plan_with("auto");
   ASSERT_TRUE(window().session().roadmap()->roadmap.winner);
   ASSERT_TRUE(are_drawn());
   EXPECT_GT(display().half_side().value(), 0.0);

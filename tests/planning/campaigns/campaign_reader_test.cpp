@@ -49,13 +49,13 @@ std::vector<std::string> labels(const Campaign& campaign) {
 }
 
 TEST_F(CampaignReader, TakesPlainLists) {
-  const Campaign campaign = read(
-      "campaign: 1\nproblems: [can_on_table, t_shape]\nplanners: [pmd-prm, pmd-auto]\nseeds: 3\n");
+  const Campaign campaign =
+      read("campaign: 1\nproblems: [can_on_table, t_shape]\nplanners: [pmd-prm, auto]\nseeds: 3\n");
   EXPECT_EQ(campaign.name, "study");
   ASSERT_EQ(campaign.problems.size(), 2U);
   EXPECT_EQ(campaign.problems[1].name, "t_shape");
   EXPECT_TRUE(fs::is_regular_file(campaign.problems[1].file));
-  EXPECT_THAT(labels(campaign), ElementsAre("pmd-prm", "pmd-auto"));
+  EXPECT_THAT(labels(campaign), ElementsAre("pmd-prm", "auto"));
   EXPECT_THAT(campaign.seeds, ElementsAre(1U, 2U, 3U));
   EXPECT_EQ(campaign.threads, 1);
   const std::vector<RunSpec> runs = campaign.runs();
@@ -144,7 +144,7 @@ TEST_F(CampaignReader, NamesWhatIsWrongAndWhere) {
            {head + "planners: [pmd-prm]\nseeds: 0\n", {"seeds", "from 1"}},
            {head + "planners: [pmd-prm]\nseeds: 1\ntime_limit_s: -3\n", {"time_limit_s"}},
            {head + "planners: []\nseeds: 1\n", {"planners", "at least one"}},
-           {head + "planners: [{planner: pmd-prm, label: a}, {planner: pmd-auto, label: "
+           {head + "planners: [{planner: pmd-prm, label: a}, {planner: auto, label: "
                    "a}]\nseeds: 1\n",
             {"second planner called \"a\""}},
            {"campaign: 1\nproblems: [no_such]\nplanners: [pmd-prm]\nseeds: 1\n",

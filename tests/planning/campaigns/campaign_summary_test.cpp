@@ -16,7 +16,7 @@ class CampaignSummary : public testing::Test {
  protected:
   CampaignSummary() {
     campaign_.problems = {{"p", ""}, {"q", ""}};
-    campaign_.planners = {{"a", "pmd-prm", {}}, {"b", "pmd-auto", {}}, {"c", "pmd-lazy", {}}};
+    campaign_.planners = {{"a", "pmd-prm", {}}, {"b", "auto", {}}, {"c", "pmd-lazy", {}}};
     campaign_.seeds = {1, 2, 3};
   }
   static RunRecord run(int problem, int planner, std::uint64_t seed, double time_s) {

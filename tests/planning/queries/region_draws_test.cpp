@@ -78,7 +78,7 @@ TEST(FirstRegion, IsWhatThePlannersParametersSay) {
 TEST(FirstRegion, KnowsPlannersWithoutOne) {
   const PlannerRegistry registry;
   EXPECT_FALSE(first_region(*registry.create("rrt-connect"), 9)) << "draws from everywhere";
-  EXPECT_EQ(first_region(*registry.create("pmd-auto"), 9)->pmds, 9);
+  EXPECT_EQ(first_region(*registry.create("auto"), 9)->pmds, 9);
   EXPECT_EQ(first_region(*registry.create("full-prm"), 9)->hand, HandSpace::kAllJoints);
 }
 
