@@ -90,15 +90,15 @@ Path with_entries(const Entries& entries, const Path& between) {
 enum class Kind { kJointTrees, kCartesianTrees, kLazyRoadmap, kWholeSpaceTrees };
 
 /// Who takes part in the race.
-struct Entry {
+struct Participant {
   Kind kind;
   std::string name;
   int first_round;
   std::uint64_t fork;  ///< Of the run's seed; 0: the seed itself.
 };
 
-std::vector<Entry> entries(const AutoPlannerSettings& settings, bool has_basis) {
-  std::vector<Entry> list{{Kind::kJointTrees, "trees in the joint corridor", 0, 0}};
+std::vector<Participant> participants(const AutoPlannerSettings& settings, bool has_basis) {
+  std::vector<Participant> list{{Kind::kJointTrees, "trees in the joint corridor", 0, 0}};
   if (!has_basis) {
     list.push_back({Kind::kWholeSpaceTrees, "trees over all joints", 1, 5});
   }
@@ -175,12 +175,13 @@ std::vector<Parameter> AutoPlanner::own_parameters() {
 std::vector<TargetRegion> AutoPlanner::regions(bool has_basis) const {
   const RaceSettings race;
   std::vector<TargetRegion> regions;
-  for (const Entry& entry : entries(settings_, has_basis)) {
-    regions.push_back(entry.kind == Kind::kJointTrees       ? race.joint.region
-                      : entry.kind == Kind::kCartesianTrees ? race.cartesian.region
-                      : entry.kind == Kind::kLazyRoadmap    ? race.roadmap.region
-                                                            : TargetRegion{.rho_a = 1.0});
+  for (const Participant& participant : participants(settings_, has_basis)) {
+    regions.push_back(participant.kind == Kind::kJointTrees       ? race.joint.region
+                      : participant.kind == Kind::kCartesianTrees ? race.cartesian.region
+                      : participant.kind == Kind::kLazyRoadmap    ? race.roadmap.region
+                                                                  : TargetRegion{.rho_a = 1.0});
   }
+  regions.push_back(race.joint.region);  // of the trees in the principal motion directions
   return regions;
 }
 
@@ -189,6 +190,7 @@ void AutoPlanner::do_plan(PlanningContext& context, PlanResult& result) {
   const bool has_basis = context.problem().basis != nullptr;
   const std::uint64_t seed = context.request().seed;
   const sampling::RandomStream seeds(seed);
+  const std::vector<Participant> list = participants(settings_, has_basis);
   const auto entries_found = subspace_entries(context, objective().weights(context.problem()));
   PlanningProblem between = context.problem();
   std::vector<Racer> racers;
@@ -199,15 +201,17 @@ void AutoPlanner::do_plan(PlanningContext& context, PlanResult& result) {
                       [&searches, seed](PlanningContext& lane) {
                         return make_search(Kind::kJointTrees, searches, lane, seed);
                       },
-                      &between});
+                      &between, static_cast<int>(list.size())});
   }
-  for (const Entry& entry : entries(settings_, has_basis)) {
-    const std::uint64_t own = entry.fork == 0 ? seed : seeds.fork(entry.fork).seed();
-    const int head_start = entries_found && entry.first_round == 0 ? 1 : 0;
-    racers.push_back({entry.name, entry.first_round + head_start,
-                      [&searches, kind = entry.kind, own](PlanningContext& lane) {
+  const int head_start = entries_found ? 1 : 0;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const Participant& participant = list[i];
+    const std::uint64_t own = participant.fork == 0 ? seed : seeds.fork(participant.fork).seed();
+    racers.push_back({participant.name, participant.first_round + head_start,
+                      [&searches, kind = participant.kind, own](PlanningContext& lane) {
                         return make_search(kind, searches, lane, own);
-                      }});
+                      },
+                      nullptr, static_cast<int>(i)});
   }
   Race race(context, std::move(racers), static_cast<std::uint64_t>(settings_.max_samples));
   result.status = race.run();

@@ -33,7 +33,7 @@ Race::Race(PlanningContext& context, std::vector<Racer> racers, std::uint64_t sa
   for (Racer& racer : racers) {
     auto lane = std::make_unique<Lane>();
     lane->racer = std::move(racer);
-    lane->index = static_cast<int>(lanes_.size());
+    lane->index = lane->racer.number < 0 ? static_cast<int>(lanes_.size()) : lane->racer.number;
     lanes_.push_back(std::move(lane));
   }
 }
@@ -62,7 +62,7 @@ std::optional<PlanStatus> Race::run_round(int round) {
     }
   }
   // What did not do soon is better not waited for.
-  if (round >= kLeadRounds && lanes.size() > 1 && lanes.front()->index == 0) {
+  if (round >= kLeadRounds && lanes.size() > 1 && lanes.front() == lanes_.front().get()) {
     std::rotate(lanes.begin(), lanes.begin() + 1, lanes.end());
   }
   const std::uint64_t drawn = context_.statistics().samples;
