@@ -2,6 +2,7 @@
 #include "editing/scene_edits.h"
 #include "forms/quantity_field.h"
 #include "handway/geometric/io/scene_reader.h"
+#include "panels/plan_panel.h"
 #include "panels/scene_tree.h"
 #include "pressed_mouse.h"
 #include "view3d/scene_view.h"
@@ -171,6 +172,7 @@ TEST_F(EditingAScene, PutsBackWhatIsDraggedOnEscape) {
 TEST_F(EditingAScene, PlansInTheSceneAsItIsNow) {
   select("post");
   editor().remove();
+  window().plan_panel().set_parameter("objective", "shortest");
   plan();
   EXPECT_EQ(window().player().timeline().path().waypoints.size(), 2U) << "straight";
 }

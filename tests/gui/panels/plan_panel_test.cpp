@@ -2,8 +2,12 @@
 
 #include "window_test.h"
 
+#include <QComboBox>
 #include <QPushButton>
 #include <QSpinBox>
+
+#include <fstream>
+#include <iterator>
 
 namespace handway::test {
 namespace {
@@ -39,6 +43,34 @@ TEST_F(ParametersInThePanel, StayWhileAPlannerRuns) {
   panel.clear_result();
   panel.set_ready(true);
   EXPECT_TRUE(part<QPushButton>("reset_parameters").isEnabled());
+}
+
+class PlannersInThePanel : public WindowTest {
+ protected:
+  [[nodiscard]] bool can_be_chosen(const char* planner) const {
+    const auto& list = part<QComboBox>("planners");
+    return (list.model()->index(list.findText(QLatin1String(planner)), 0).flags() &
+            Qt::ItemIsEnabled) != 0;
+  }
+  /// The post's scene without its hand basis.
+  [[nodiscard]] std::filesystem::path without_basis() const {
+    std::ifstream in(cell().post());
+    std::string text{std::istreambuf_iterator<char>(in), {}};
+    const std::string basis = "hand_basis: hand.yaml\n";
+    text.erase(text.find(basis), basis.size());
+    const std::filesystem::path file = cell().folder() / "without_basis.yaml";
+    std::ofstream(file) << text;
+    return file;
+  }
+};
+
+TEST_F(PlannersInThePanel, AreGreyWhereTheyNeedABasisAndTheSceneNamesNone) {
+  open(without_basis());
+  EXPECT_TRUE(can_be_chosen("auto"));
+  EXPECT_TRUE(can_be_chosen("rrt-connect"));
+  EXPECT_FALSE(can_be_chosen("pmd-prm"));
+  open(cell().post());
+  EXPECT_TRUE(can_be_chosen("pmd-prm"));
 }
 
 }  // namespace

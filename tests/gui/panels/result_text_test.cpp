@@ -30,5 +30,12 @@ TEST(ResultText, GivesTheReasonWhyThereIsNone) {
   EXPECT_EQ(result_line(result).toStdString(), result.reason);
 }
 
+TEST(ResultText, ExplainsWhyNoPathWasFound) {
+  planning::PlanResult result;
+  result.status = planning::PlanStatus::kTimeLimit;
+  result.statistics.rejections[{"thumb", "can"}] = 100;
+  EXPECT_THAT(result_text(result).toStdString(), HasSubstr("thumb collided with can"));
+}
+
 }  // namespace
 }  // namespace handway::gui

@@ -270,7 +270,7 @@ TEST_F(Story, SaysWhatStoodInTheWay) {
   window().plan_panel().apply({"auto", {{"max_samples", "3"}}});
   ASSERT_FALSE(plan());
   auto* result = window().findChild<QLabel*>(QStringLiteral("result"));
-  EXPECT_THAT(result->text().toStdString(), HasSubstr("touched"));
+  EXPECT_THAT(result->text().toStdString(), HasSubstr("collided with"));
   picture("no_path");
 }
 

@@ -32,7 +32,7 @@ class HANDWAY_PLANNING_EXPORT PathOptimizer {
   /// @param context outlives this. @param path all its motions are free.
   /// @param patience replacements in a row without use that end it.
   PathOptimizer(PlanningContext& context, const ObjectiveWeights& weights, const Path& path,
-                std::uint64_t seed, int patience = 40);
+                std::uint64_t seed, int patience = 200);
 
   /// Goes on until `checks` configurations more were checked, by a single motion's more at most,
   /// until converged() or until the run has to end.
