@@ -65,7 +65,8 @@ PlanPanel::PlanPanel(const planning::PlannerRegistry& registry, QWidget* parent)
   layout->addWidget(make_actions());
 
   for (const std::string& name : registry_.names()) {
-    planners_->addItem(QString::fromStdString(name));
+    const auto planner = registry_.create(name);
+    planners_->addItem(QString::fromStdString(name), planner->capabilities().needs_basis);
   }
   connect(planners_, &QComboBox::currentTextChanged, this,
           [this](const QString& name) { use_planner(name.toStdString()); });
@@ -210,12 +211,10 @@ void PlanPanel::use_planner(const std::string& name) {
 void PlanPanel::show_planners_that_serve(bool has_basis) {
   auto* items = qobject_cast<QStandardItemModel*>(planners_->model());
   for (int i = 0; i < planners_->count(); ++i) {
-    const auto planner = registry_.create(planners_->itemText(i).toStdString());
-    const bool serves = has_basis || !planner->capabilities().needs_basis;
-    QStandardItem* item = items->item(i);
-    item->setEnabled(serves);
-    item->setToolTip(serves ? QString::fromStdString(planner->description())
-                            : tr("Needs a hand basis, and the scene names none"));
+    const bool serves = has_basis || !planners_->itemData(i).toBool();
+    items->item(i)->setEnabled(serves);
+    items->item(i)->setToolTip(serves ? QString()
+                                      : tr("Needs a hand basis, and the scene names none"));
   }
 }
 

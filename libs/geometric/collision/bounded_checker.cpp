@@ -40,11 +40,16 @@ struct BoundedChecker::Volumes {
     distances.emplace(world, surfaces, preparation.keeps_volumes);
   }
 
-  // Spheres of the smaller body in the field of the larger; but the field of a much
-  // plainer mesh has larger cells, and serves better if the body is not tiny.
+  // Spheres of a mesh around a primitive, whose distance is exact everywhere. Else those of the
+  // smaller body in the field of the larger; but the field of a much plainer mesh has larger
+  // cells, and serves better if the body is not tiny.
   [[nodiscard]] BodyPair spheres_first(const BodyPair& pair) const {
     const Surface& a = *surfaces[static_cast<std::size_t>(pair.a)];
     const Surface& b = *surfaces[static_cast<std::size_t>(pair.b)];
+    const bool a_is_primitive = a.field.primitive().has_value();
+    if (a_is_primitive != b.field.primitive().has_value()) {
+      return a_is_primitive ? BodyPair{pair.b, pair.a} : pair;
+    }
     const bool a_is_smaller = a.cover.root().radius <= b.cover.root().radius;
     const Surface& smaller = a_is_smaller ? a : b;
     const Surface& larger = a_is_smaller ? b : a;
