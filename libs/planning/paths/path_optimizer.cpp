@@ -13,7 +13,9 @@ namespace {
 using Point = Objective::Point;
 
 constexpr double kWorthwhile = 1e-3;  // share of the cost that a replacement has to save
+constexpr double kWaypoint = 5e-3;    // and for each waypoint that it adds; robots slow down there
 constexpr double kSame = 1e-6;        // points of a path nearer than this are one
+constexpr double kRemovals = 0.3;     // share of waypoints that are taken out instead of moved
 constexpr double kLargestMove = 0.2;  // of a waypoint
 constexpr double kSmallestMove = 0.005;
 
@@ -180,6 +182,9 @@ bool PathOptimizer::move_waypoint() {
   const auto count = static_cast<double>(points_.size() - 2);
   const auto waypoint =
       1 + std::min(points_.size() - 3, static_cast<std::size_t>(draw_.uniform() * count));
+  if (draw_.uniform() < kRemovals) {
+    return try_stretch(at_waypoint(waypoint - 1), at_waypoint(waypoint + 1), {});
+  }
   const PlanningProblem& problem = context_.problem();
   const double size = kSmallestMove * std::pow(kLargestMove / kSmallestMove, draw_.uniform());
   Eigen::VectorXd direction = (2.0 * draw_.uniform(problem.model().variable_count())).array() - 1.0;
@@ -231,7 +236,13 @@ bool PathOptimizer::try_stretch(const Place& from, const Place& to,
   if (!ends_at_goal) {
     sum += objective_.measure(to.point, points_[to.edge + 1]);
   }
-  if (objective_.cost(sum) > (1.0 - kWorthwhile) * cost() || !all_free(changed)) {
+  const std::size_t same =
+      (from.point.distance_to(points_[from.edge]) < kSame ? 1 : 0) +
+      (!ends_at_goal && to.point.distance_to(points_[to.edge + 1]) < kSame ? 1 : 0);
+  const auto added = static_cast<double>(changed.size() - same) -
+                     static_cast<double>(to.edge - from.edge + (ends_at_goal ? 1 : 0));
+  if (objective_.cost(sum) > (1.0 - kWorthwhile - kWaypoint * added) * cost() ||
+      !all_free(changed)) {
     return false;
   }
   std::vector<Point> points(begin, at(from.edge + 1));
