@@ -111,7 +111,7 @@ class LenientInput final : public SoInput {
       std::error_code ignored;
       if (std::filesystem::exists(file, ignored)) {
         if (geometric::differs_in_case(written, file)) {
-          in_other_letters_.insert(name);
+          in_other_letters().insert(name);
         }
         return file.string();
       }
@@ -119,11 +119,11 @@ class LenientInput final : public SoInput {
     return name;
   }
 
-  // Names of which this was so, as they are written.
-  static const std::set<std::string>& in_other_letters() { return in_other_letters_; }
-
- private:
-  static inline std::set<std::string> in_other_letters_;  // one file a process
+  // Names of which this was so, as they are written; a process reads one file.
+  static std::set<std::string>& in_other_letters() {
+    static std::set<std::string> names;
+    return names;
+  }
 };
 
 // What would make Coin take points from memory that is not the file's.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -201,9 +202,8 @@ std::vector<Objective::Point> SubspaceRoadmap::cheapest_path(std::uint64_t check
     nodes = cheapest(over ? Motion::kFree : Motion::kUnknown);
   }
   std::vector<Point> points;
-  for (const std::size_t node : nodes) {
-    points.push_back(nodes_[node].point);
-  }
+  std::ranges::transform(nodes, std::back_inserter(points),
+                         [&](std::size_t node) { return nodes_[node].point; });
   return points;
 }
 
