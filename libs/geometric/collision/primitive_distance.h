@@ -11,7 +11,7 @@ namespace handway::geometric {
 
 /// Distances from the surface of a primitive in closed form, in its mesh's frame: nothing has to be
 /// prepared. A box is exact. The polyhedron that stands for a round primitive lies between two
-/// primitives, one around it and one within it; what is told is the distance from the nearer one.
+/// primitives, one around it and one within it; what it gives is the distance from the nearer one.
 class PrimitiveDistance {
  public:
   /// @returns nothing if the mesh is neither a box along the axes of its frame nor what

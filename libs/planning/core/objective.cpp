@@ -14,7 +14,7 @@ namespace handway::planning {
 namespace {
 
 // The weights of presets. A hand that is 0.3 from the subspace goes there if the path gets longer
-// by less than 3.6 for it; and the path is lengthened inside it by what makes the mean smaller.
+// by less than 3 for it; and the path is lengthened inside it by what makes the mean smaller.
 constexpr double kHumanLikenessWeight = 10.0;
 constexpr double kClearanceWeight = 4.0;
 constexpr double kDurationWeight = 1.0;
