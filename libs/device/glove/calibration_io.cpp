@@ -64,6 +64,9 @@ GloveCalibration read_calibration(const std::filesystem::path& file) {
   const std::string text = geometric::read_text_file(file, kWhat);
   std::vector<TextLine> lines = text_lines(text);
   std::erase_if(lines, [](const TextLine& line) { return trimmed(line.text).empty(); });
+  if (lines.empty()) {
+    throw geometric::InputError({file.string(), "", "blank lines alone", kWhat, ""});
+  }
   if (looks_like_yaml(lines)) {
     return read_yaml(file);
   }

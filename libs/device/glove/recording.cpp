@@ -30,8 +30,8 @@ Recording read_recording(const std::filesystem::path& file) {
   const std::vector<TextLine> lines = text_lines(text);
   const auto first =
       std::ranges::find_if(lines, [](const TextLine& line) { return !trimmed(line.text).empty(); });
-  return is_virtual_hand_row(*first) ? read_virtual_hand_log(file, lines)
-                                     : read_csv_recording(file, lines);
+  return first != lines.end() && is_virtual_hand_row(*first) ? read_virtual_hand_log(file, lines)
+                                                             : read_csv_recording(file, lines);
 }
 
 void write_recording(const Recording& recording, const std::filesystem::path& file) {

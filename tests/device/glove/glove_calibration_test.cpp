@@ -94,6 +94,7 @@ TEST_F(CalibrationFile, NamesTheLineOfWhatIsWrong) {
   EXPECT_THAT(refusal("sensors:\n  IndxMPJ: {gain: 1, zero: 2}\n"), HasSubstr("IndexMPJ"));
   EXPECT_THAT(refusal("sensors:\n  IndexMPJ: {gain: 0, zero: 2}\n"), HasSubstr("other than 0"));
   EXPECT_THAT(refusal("nothing\n"), HasSubstr("22 lines"));
+  EXPECT_THAT(refusal(" \n\"\n"), HasSubstr("blank lines alone"));
   std::string text;
   for (int line = 0; line < 22; ++line) {
     text += line == 3 ? "0:100 -1:105\n" : "0:100 -1:150\n";
