@@ -11,6 +11,10 @@ namespace {
 // an exact distance would be thrown away with the next halving.
 constexpr double kWorthExact = 0.0005;
 
+// Of the size of a pair's bodies: what asking for a bound can be expected to add to that of their
+// enclosing spheres. A pair that needs more waits for shorter stretches.
+constexpr double kLikelyGain = 0.4;
+
 constexpr double kShy = 1.0 - 1e-6;  // of what an answer may be off: the rest is for rounding
 
 constexpr double kGrowth = 0.01;  // of a pair's way from an end: what its resolution gains
@@ -117,7 +121,9 @@ EdgeResult EdgeChecker::search(const Configuration& from, const Configuration& t
         const double need = motion_.within(pair, stretch.half);
         const double resolution =
             ends_.empty() ? resolution_ : resolution_of(pair, middle, stretch.half);
-        const Closeness closeness = closeness_within(pair, need + resolution);
+        const Closeness closeness = is_out_of_reach(pair, need)
+                                        ? closeness_of_spheres(pair)
+                                        : closeness_within(pair, need + resolution);
         if (closeness == Closeness::kFarther) {
           continue;
         }
@@ -140,6 +146,18 @@ EdgeResult EdgeChecker::search(const Configuration& from, const Configuration& t
   }
   result.free = true;
   return result;
+}
+
+bool EdgeChecker::is_out_of_reach(int pair, double distance) {
+  const MotionBound::PairFrame& frame = bounds_->pair_frame(pair);
+  const double size =
+      bounds_->ball(frame.a).radius + (frame.b_moves ? bounds_->ball(frame.b).radius : 0.0);
+  return distance > checker_.pair_glance(pair) + kLikelyGain * size;
+}
+
+Closeness EdgeChecker::closeness_of_spheres(int pair) {
+  return checker_.pair_glance(pair) <= 0.0 && checker_.pair_collides(pair) ? Closeness::kTouching
+                                                                           : Closeness::kCloser;
 }
 
 Closeness EdgeChecker::closeness_within(int pair, double tolerance) {
@@ -231,6 +249,9 @@ bool EdgeChecker::settle(int pair, double half, Clearance& found) {
   }
   const double loss = motion_.within(pair, half);
   const double enough = found.good_enough() + loss;
+  if (is_out_of_reach(pair, loss)) {
+    return false;
+  }
   return found.settle(pair, {checker_.pair_bound(pair, enough)}, loss) ||
          (loss <= kWorthExact &&
           found.settle(pair, checker_.pair_distance_range(pair, enough, found.share_of_distances()),

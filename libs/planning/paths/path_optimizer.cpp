@@ -18,6 +18,7 @@ constexpr double kSame = 1e-6;        // points of a path nearer than this are o
 constexpr double kRemovals = 0.3;     // share of waypoints that are taken out instead of moved
 constexpr double kLargestMove = 0.2;  // of a waypoint
 constexpr double kSmallestMove = 0.005;
+constexpr double kLookSpacing = 0.1;  // of configurations looked at before a motion is certified
 
 Point between(const Point& from, const Point& to, double share) {
   return {from.q + share * (to.q - from.q), from.joints + share * (to.joints - from.joints),
@@ -60,10 +61,17 @@ bool PathOptimizer::is_over() const {
 void PathOptimizer::set_points(std::vector<Point> points) {
   points_ = std::move(points);
   motions_.clear();
-  sum_ = {};
   for (std::size_t i = 0; i + 1 < points_.size(); ++i) {
     motions_.push_back(objective_.measure(points_[i], points_[i + 1]));
-    sum_ += motions_.back();
+  }
+  add_up();
+}
+
+// Not by differences: rounding errors would gather.
+void PathOptimizer::add_up() {
+  sum_ = {};
+  for (const MotionSums& motion : motions_) {
+    sum_ += motion;
   }
 }
 
@@ -211,9 +219,6 @@ bool PathOptimizer::move_waypoint() {
 // The stretch between two places of the path gives way to `inner` if that costs less and is free.
 bool PathOptimizer::try_stretch(const Place& from, const Place& to,
                                 const std::vector<Point>& inner) {
-  const auto begin = points_.begin();
-  const auto at = [&](std::size_t i) { return begin + static_cast<std::ptrdiff_t>(i); };
-  const bool ends_at_goal = to.point.distance_to(points_.back()) < kSame;
   std::vector<Point> changed{from.point};
   const auto append = [](std::vector<Point>& list, const Point& point) {
     if (list.back().distance_to(point) > kSame) {
@@ -225,43 +230,47 @@ bool PathOptimizer::try_stretch(const Place& from, const Place& to,
   if (changed.size() < 2) {
     return false;
   }
+  // Between two waypoints that stay.
+  const std::size_t first = from.edge;
+  const std::size_t last = to.edge + 1;
+  std::vector<Point> chain{points_[first]};
+  std::ranges::for_each(changed, [&](const Point& point) { append(chain, point); });
+  append(chain, points_[last]);
+  std::vector<MotionSums> motions;
   MotionSums sum = sum_;
-  for (std::size_t edge = from.edge; edge <= to.edge; ++edge) {
-    sum -= motions_[edge];
+  for (std::size_t i = first; i < last; ++i) {
+    sum -= motions_[i];
   }
-  sum += objective_.measure(points_[from.edge], from.point);
-  for (std::size_t i = 0; i + 1 < changed.size(); ++i) {
-    sum += objective_.measure(changed[i], changed[i + 1]);
+  for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
+    motions.push_back(objective_.measure(chain[i], chain[i + 1]));
+    sum += motions.back();
   }
-  if (!ends_at_goal) {
-    sum += objective_.measure(to.point, points_[to.edge + 1]);
-  }
-  const std::size_t same =
-      (from.point.distance_to(points_[from.edge]) < kSame ? 1 : 0) +
-      (!ends_at_goal && to.point.distance_to(points_[to.edge + 1]) < kSame ? 1 : 0);
-  const auto added = static_cast<double>(changed.size() - same) -
-                     static_cast<double>(to.edge - from.edge + (ends_at_goal ? 1 : 0));
+  const double added = static_cast<double>(motions.size()) - static_cast<double>(last - first);
   if (objective_.cost(sum) > (1.0 - kWorthwhile - kWaypoint * added) * cost() ||
       !all_free(changed)) {
     return false;
   }
-  std::vector<Point> points(begin, at(from.edge + 1));
-  std::ranges::for_each(changed, [&](const Point& point) { append(points, point); });
-  if (ends_at_goal) {
-    points.back() = points_.back();
-  } else {
-    for (std::size_t i = to.edge + 1; i < points_.size(); ++i) {
-      append(points, points_[i]);
-    }
-    points.back() = points_.back();
-  }
-  set_points(std::move(points));
+  const auto at = [](auto& list, std::size_t i) {
+    return list.begin() + static_cast<std::ptrdiff_t>(i);
+  };
+  points_.erase(at(points_, first + 1), at(points_, last));
+  points_.insert(at(points_, first + 1), chain.begin() + 1, chain.end() - 1);
+  motions_.erase(at(motions_, first), at(motions_, last));
+  motions_.insert(at(motions_, first), motions.begin(), motions.end());
+  add_up();
   return true;
 }
 
+// Cheap questions about the whole stretch come before dear ones about a part of it.
 bool PathOptimizer::all_free(const std::vector<Point>& points) {
   for (std::size_t i = 1; i + 1 < points.size(); ++i) {
     if (context_.collision(points[i].q)) {
+      return false;
+    }
+  }
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    const int looks = static_cast<int>(points[i].distance_to(points[i + 1]) / kLookSpacing);
+    if (!context_.edge_plausible(points[i].q, points[i + 1].q, looks)) {
       return false;
     }
   }

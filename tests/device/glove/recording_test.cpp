@@ -102,9 +102,7 @@ TEST_F(RecordingFile, NamesFileAndLineOfWhatIsWrong) {
   EXPECT_THAT(refusal("time,g\n0,300\n"), HasSubstr(":2: column IndexMPJ: found 300"));
   EXPECT_THAT(refusal("time,g\n0,45.5\n"), HasSubstr("degrees"));
   EXPECT_THAT(refusal("time,g\n"), HasSubstr("no rows"));
-  for (const std::string_view blank : {"\n", " \r\n\t\n", "\""}) {
-    EXPECT_THAT(refusal(blank), HasSubstr("no header"));
-  }
+  EXPECT_THAT(refusal("\"\n \"\""), HasSubstr("no header"));
   EXPECT_THAT(refusal("g,h\n1,1\n"), HasSubstr("0 columns \"time\""));
   EXPECT_THAT(refusal("time\n1\n"), HasSubstr("no column of a sensor"));
   EXPECT_THAT(refusal("# handway glove recording 1\n# kind: feet\ntime,g\n0,1\n"),

@@ -115,7 +115,10 @@ class HANDWAY_GEOMETRIC_EXPORT EdgeChecker {
   /// What the pair has to keep (m) on a stretch of that half length around `middle`.
   [[nodiscard]] double resolution_of(int pair, const Configuration& middle, double half) const;
 
-  /// Of the configuration in place; "closer" may be said wrongly of a large tolerance.
+  /// Whether no bound of the pair's distance is likely to be that large; of the configuration in
+  /// place, as the next two, where "closer" may be said wrongly of a large tolerance.
+  [[nodiscard]] bool is_out_of_reach(int pair, double distance);
+  [[nodiscard]] Closeness closeness_of_spheres(int pair);
   [[nodiscard]] Closeness closeness_within(int pair, double tolerance);
 
   struct Clearance;  // what clearance() has found so far

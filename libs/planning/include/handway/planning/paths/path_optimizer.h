@@ -67,6 +67,7 @@ class HANDWAY_PLANNING_EXPORT PathOptimizer {
   [[nodiscard]] Place at_waypoint(std::size_t waypoint) const;
   [[nodiscard]] bool all_free(const std::vector<Point>& points);
   void set_points(std::vector<Point> points);
+  void add_up();
 
   PlanningContext& context_;
   Objective objective_;
