@@ -101,9 +101,11 @@ void PathOptimizer::lead_into_subspace() {
   const double forced = half_square(points_.front()) + half_square(points_.back());
   const bool layered = has_subspace() && sum_.outside > kNearForced * forced;
   SubspaceRoadmap roadmap(context_, objective_, points_, layered, draw_.fork(1).seed());
-  std::vector<Point> cheapest = roadmap.cheapest_path(checks_left());
-  if (!cheapest.empty()) {
-    set_points(std::move(cheapest));
+  const double before = cost();
+  std::vector<Point> known = points_;
+  set_points(roadmap.cheapest_path(checks_left() / 2));
+  if (cost() > before) {  // the roadmap's costs are those of motions of a path as long as this was
+    set_points(std::move(known));
   }
 }
 

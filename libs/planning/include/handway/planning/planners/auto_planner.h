@@ -12,7 +12,7 @@ namespace handway::planning {
 /// Settings of AutoPlanner.
 struct AutoPlannerSettings {
   int max_samples = 1000000;   ///< Of all searches together.
-  int smoothing_checks = 400;  ///< Configurations that the PathOptimizer may check.
+  int smoothing_checks = 800;  ///< Configurations that the PathOptimizer may check.
   bool cartesian = true;       ///< Search in poses of the arm's tool too.
   bool lazy = true;            ///< Search a lazy roadmap too.
 };
