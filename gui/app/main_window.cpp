@@ -246,6 +246,7 @@ void MainWindow::connect_planning() {
   connect(planning_commands_.get(), &PlanningCommands::failed, this, &MainWindow::show_error);
   connect(editing_.get(), &SceneEditing::tried, session_.get(), &PlanningSession::try_scene);
   connect(session_.get(), &PlanningSession::path_changed, this, &MainWindow::show_path);
+  connect(session_.get(), &PlanningSession::path_optimized, this, &MainWindow::show_optimized);
   const auto follow_scene = [this] { validity_->follow(document_.problem()); };
   connect(&document_, &Document::opened, this, follow_scene);
   connect(&document_, &Document::edited, this, follow_scene);
@@ -374,8 +375,21 @@ void MainWindow::show_path() {
   view_->set_path(path.points, path.waypoints);
 }
 
+void MainWindow::show_optimized(const planning::Path& path) {
+  if (path.empty() || !document_.robot()) {
+    view_->set_optimized({}, {});
+    return;
+  }
+  const PalmPath palm = palm_path(*document_.robot(), PathTimeline(*document_.robot()->model, path),
+                                  document_.palm());
+  view_->set_optimized(palm.points, palm.waypoints);
+}
+
 void MainWindow::show_validity() {
-  actions_->export_path->setEnabled(validity_->state() == PathValidity::State::kValid);
+  const bool valid = validity_->state() == PathValidity::State::kValid;
+  actions_->export_path->setEnabled(valid);
+  actions_->optimize->setEnabled(valid);
+  plan_panel_->set_optimizable(valid);
   plan_panel_->show_validity(validity_->reason());
   if (!validity_->reason().isEmpty()) {
     playback_->show_note(tr("out of date"), validity_->reason());

@@ -106,6 +106,7 @@ class MainWindow : public QMainWindow {
   void show_error(const QString& title, const QString& message);
   void apply_glove_options();
   void show_path();
+  void show_optimized(const planning::Path& path);
   void show_validity();
   void update_title();
   void update_ready();

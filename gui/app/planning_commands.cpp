@@ -13,6 +13,11 @@ PlanningCommands::PlanningCommands(WindowActions& actions, PlanningSession& sess
     : QObject(parent), actions_(actions), panel_(panel), log_(log) {
   connect(actions_.plan, &QAction::triggered, &session, &PlanningSession::start);
   connect(actions_.cancel, &QAction::triggered, &session, &PlanningSession::cancel);
+  connect(actions_.optimize, &QAction::triggered, &session, &PlanningSession::optimize);
+  connect(&session, &PlanningSession::optimizing_started, this, [this] {
+    show_running();
+    log_.add(LogPanel::Level::kNote, tr("Optimising the path"));
+  });
   connect(&session, &PlanningSession::started, this, &PlanningCommands::show_start);
   connect(&session, &PlanningSession::ended, this, &PlanningCommands::show_end);
   connect(&panel_.presets(), &PresetBar::failed, this, &PlanningCommands::failed);
@@ -26,9 +31,13 @@ void PlanningCommands::tell_of_presets() {
   }
 }
 
-void PlanningCommands::show_start() {
+void PlanningCommands::show_running() {
   actions_.plan->setEnabled(false);
   actions_.cancel->setEnabled(true);
+}
+
+void PlanningCommands::show_start() {
+  show_running();
   const qulonglong first = panel_.request().seed;
   const QString seeds =
       panel_.seeds() > 1

@@ -26,6 +26,7 @@ class PlanningCommands : public QObject {
   void failed(const QString& title, const QString& message);
 
  private:
+  void show_running();
   void show_start();
   void show_end(bool solved, const QString& text);
 

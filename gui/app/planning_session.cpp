@@ -6,11 +6,30 @@
 #include <algorithm>
 
 namespace handway::gui {
+namespace {
+
+constexpr const char* kOptimizeChecks = "optimize_checks";
+
+geometric::PlannerChoice without_optimizing(geometric::PlannerChoice choice) {
+  std::erase_if(choice.settings,
+                [](const auto& setting) { return setting.first == kOptimizeChecks; });
+  return choice;
+}
+
+// Does the planner's choice find the run's path again, but for what was optimised since?
+bool is_planned_with(const PlanRun& run, const geometric::PlannerChoice& choice) {
+  const auto wanted = without_optimizing(run.planner);
+  const auto chosen = without_optimizing(choice);
+  return wanted.name == chosen.name && wanted.settings == chosen.settings;
+}
+
+}  // namespace
 
 PlanningSession::PlanningSession(Document& document, PlanPanel& panel, PathPlayer& player,
                                  QObject* parent)
     : QObject(parent), document_(document), panel_(panel), player_(player) {
   connect(&panel_, &PlanPanel::plan_requested, this, &PlanningSession::start);
+  connect(&panel_, &PlanPanel::optimize_requested, this, &PlanningSession::optimize);
   connect(&panel_, &PlanPanel::cancel_requested, this, &PlanningSession::cancel);
   connect(&document_, &Document::opened, this, &PlanningSession::forget);
   connect(&document_, &Document::edited, this, &PlanningSession::take_edit);
@@ -36,11 +55,21 @@ PlanningSession::PlanningSession(Document& document, PlanPanel& panel, PathPlaye
   connect(&seeds_, &SeedRunner::found, this, &PlanningSession::take_seed);
   connect(&seeds_, &SeedRunner::ended, this, &PlanningSession::take_seeds);
   connect(&seeds_, &SeedRunner::failed, this, &PlanningSession::take_failure);
+  connect(&optimizer_, &OptimizeRunner::progressed, this, [this](const OptimizeProgress& progress) {
+    panel_.show_optimizing(progress);
+    emit path_optimized(progress.path);
+  });
+  connect(&optimizer_, &OptimizeRunner::finished, this, &PlanningSession::take_optimized);
+  connect(&optimizer_, &OptimizeRunner::failed, this, [this](const QString& message) {
+    emit path_optimized({});
+    take_failure(message);
+  });
 }
 
 bool PlanningSession::is_current() const { return planned_ == document_.revision(); }
 
 void PlanningSession::forget() {
+  forget_optimizing();
   cancel();
   live_.end();
   shown_.reset();
@@ -84,9 +113,71 @@ void PlanningSession::start_seeds() {
                 begun_.request, count, document_.recorded_hand().postures()});
 }
 
+void PlanningSession::optimize() {
+  if (is_running() || !panel_.planner() || player_.timeline().empty() ||
+      player_.made_from() != document_.revision()) {
+    return;
+  }
+  planned_ = document_.revision();
+  OptimizeTask task;
+  task.problem = document_.problem();
+  task.objective = panel_.planner()->objective();
+  task.request = panel_.request();
+  repeatable_ = false;
+  if (shown_) {
+    task.found = shown_->result;
+    task.request.seed = shown_->request.seed;
+    repeatable_ = is_planned_with(*shown_, panel_.choice());
+  }
+  task.found.path = player_.timeline().path();
+  task.request.optimize_s = panel_.optimize_limit();
+  begun_.number += std::max(1, static_cast<int>(found_.size()));
+  found_.clear();
+  begun_.begun = QTime::currentTime();
+  begun_.state = document_.state();
+  begun_.planner = without_optimizing(panel_.choice());
+  begun_.preset = tr("%1, optimised").arg(panel_.presets().words());
+  begun_.request = task.request;
+  begun_.request.optimize_s = 0.0;  // paths that follow edits are not optimised for so long
+  panel_.show_optimizing();
+  optimizer_.start(std::move(task));
+  emit optimizing_started();
+}
+
+void PlanningSession::take_optimized(const OptimizeOutcome& outcome) {
+  emit path_optimized({});
+  planning::PlanResult result = outcome.result;
+  if (result.path.waypoints == player_.timeline().path().waypoints) {
+    panel_.show_result(result);
+    emit ended(true, QString::fromStdString(result.reason));
+    return;
+  }
+  if (repeatable_ && outcome.repeatable) {
+    begun_.planner.settings.emplace_back(kOptimizeChecks, std::to_string(result.optimize_checks));
+  }
+  const PathRecord record = record_of(begun_.request, result, begun_.number);
+  panel_.show_result(result);
+  shown_ = record.run;
+  replace_path(result.path, document_.revision());
+  live_.begin(document_.problem(), result.path, begun_.request);
+  emit run_ended(record);
+  emit ended(true, QString::fromStdString(result.reason));
+}
+
+// An edit, or another path: what was optimised is of no use any more.
+void PlanningSession::forget_optimizing() {
+  if (!is_optimizing()) {
+    return;
+  }
+  optimizer_.discard();
+  emit path_optimized({});
+  emit ended(false, tr("Optimising was cancelled: the scene was edited"));
+}
+
 void PlanningSession::cancel() {
   runner_.cancel();
   seeds_.cancel();
+  optimizer_.stop();
 }
 
 PathRecord PlanningSession::record_of(const planning::PlanRequest& request,
@@ -191,6 +282,7 @@ void PlanningSession::take_edit(const SceneState& before) {
   if (before.scene == document_.scene()) {
     return;
   }
+  forget_optimizing();
   if (live_.is_active()) {
     forget_roadmap();
     live_.follow(document_.scene(), document_.revision());
@@ -208,9 +300,14 @@ void PlanningSession::take_replanned(const DerivedResult& replanned, const QStri
     return;
   }
   shown_.reset();
+  replace_path(result.path, replanned.made_from);
+}
+
+void PlanningSession::replace_path(const planning::Path& path,
+                                   const planning::Revision& made_from) {
   const double fraction = player_.fraction();
   const bool was_playing = player_.is_playing();
-  player_.set_timeline(PathTimeline(*document_.robot()->model, result.path), replanned.made_from);
+  player_.set_timeline(PathTimeline(*document_.robot()->model, path), made_from);
   emit path_changed();
   player_.seek(fraction);
   if (was_playing) {

@@ -4,6 +4,7 @@
 #include "panels/plan_panel.h"
 #include "playback/path_history.h"
 #include "workers/live_replanner.h"
+#include "workers/optimize_runner.h"
 #include "workers/path_player.h"
 #include "workers/plan_runner.h"
 #include "workers/seed_runner.h"
@@ -27,8 +28,16 @@ class PlanningSession : public QObject {
                   QObject* parent = nullptr);
 
   void start();
+  /// Goes on with optimising the path that is shown, for the panel's objective; the result is a
+  /// path of its own, as after planning. Nothing happens without a path that is valid in the scene
+  /// as it is.
+  void optimize();
+  /// Ends what runs; of optimising the best path so far is the result.
   void cancel();
-  [[nodiscard]] bool is_running() const { return runner_.is_running() || seeds_.is_running(); }
+  [[nodiscard]] bool is_running() const {
+    return runner_.is_running() || seeds_.is_running() || is_optimizing();
+  }
+  [[nodiscard]] bool is_optimizing() const { return optimizer_.is_running(); }
   /// There is no path any more, nor a run that goes on.
   void forget();
   /// Shows what a run found in the scene that is open, as if it had just ended.
@@ -47,6 +56,9 @@ class PlanningSession : public QObject {
 
  signals:
   void started();
+  void optimizing_started();
+  /// The path that is being optimised, as it is by now; empty: none is any more.
+  void path_optimized(const handway::planning::Path& path);
   /// roadmap() is another one, or has grown.
   void roadmap_changed();
   /// The player has a new timeline, or none.
@@ -64,6 +76,10 @@ class PlanningSession : public QObject {
   void take_seed(const SeedOutcome& outcome);
   void take_seeds(bool cancelled);
   void show_none(const QString& note);
+  void take_optimized(const OptimizeOutcome& outcome);
+  void forget_optimizing();
+  /// The player plays a path from where it is in the one before.
+  void replace_path(const planning::Path& path, const planning::Revision& made_from);
   void take_edit(const SceneState& before);
   void take_replanned(const DerivedResult& replanned, const QString& way);
   void forget_roadmap();
@@ -80,6 +96,8 @@ class PlanningSession : public QObject {
   PlanRun begun_;                  ///< The same run, as far as it is known when it begins.
   std::vector<PathRecord> found_;  ///< Of its seeds.
   std::shared_ptr<const PlanRun> shown_;
+  OptimizeRunner optimizer_;
+  bool repeatable_ = false;  ///< What is optimised would be found again with the panel's settings.
   SharedRoadmap roadmap_;
 };
 

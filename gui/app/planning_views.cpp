@@ -1,5 +1,6 @@
 #include "app/planning_views.h"
 
+#include "app/frontier_display.h"
 #include "app/hypercube_display.h"
 #include "app/projection_tool.h"
 #include "app/region_tool.h"
@@ -24,6 +25,7 @@ void PlanningViews::follow(PlanningSession& session, QAction& roadmap_shown,
       std::make_unique<HypercubeDisplay>(document_, panel_, session, view_, hypercubes_shown);
   roadmap_ = std::make_unique<RoadmapDisplay>(session, view_, roadmap_shown, *hypercubes_,
                                               hypercubes_shown);
+  frontier_ = std::make_unique<FrontierDisplay>(document_, session, view_);
   projection_->follow(session);
 }
 

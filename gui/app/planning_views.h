@@ -10,6 +10,7 @@ class QWidget;
 namespace handway::gui {
 
 class Document;
+class FrontierDisplay;
 class HypercubeDisplay;
 class PathPlayer;
 class PlanPanel;
@@ -37,6 +38,8 @@ class PlanningViews : public QObject {
   [[nodiscard]] ProjectionTool& projection() const { return *projection_; }
   [[nodiscard]] RegionTool& region() const { return *region_; }
   /// @pre follow() was called.
+  [[nodiscard]] FrontierDisplay& frontier() const { return *frontier_; }
+  /// @pre follow() was called.
   [[nodiscard]] HypercubeDisplay& hypercubes() const { return *hypercubes_; }
 
  private:
@@ -47,6 +50,7 @@ class PlanningViews : public QObject {
   std::unique_ptr<ProjectionTool> projection_;
   std::unique_ptr<HypercubeDisplay> hypercubes_;
   std::unique_ptr<RoadmapDisplay> roadmap_;
+  std::unique_ptr<FrontierDisplay> frontier_;
 };
 
 }  // namespace handway::gui

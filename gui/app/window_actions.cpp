@@ -31,6 +31,9 @@ WindowActions::WindowActions(QMainWindow& window) : window_(window) {
   plan = make("route", tr("&Plan"), QKeySequence(QStringLiteral("Ctrl+P")),
               tr("Find a path from start to goal"));
   cancel = make("cancel", tr("&Cancel"), QKeySequence(Qt::Key_Escape), tr("Stop planning"));
+  optimize = make("", tr("Keep &optimising"), QKeySequence(QStringLiteral("Ctrl+Alt+P")),
+                  tr("Make the path that is shown better for the planner's objective"));
+  optimize->setObjectName(QStringLiteral("optimize_action"));
   compare = make("", tr("Compare two &paths…"), {}, tr("Two paths side by side"));
   compare->setObjectName(QStringLiteral("compare"));
   set_start = make("start", tr("Set &start here"), {}, tr("Start from the posture that is shown"));
@@ -58,6 +61,7 @@ WindowActions::WindowActions(QMainWindow& window) : window_(window) {
   export_path->setObjectName(QStringLiteral("export_path"));
   export_path->setEnabled(false);
   pictures->setEnabled(false);
+  optimize->setEnabled(false);
   compare->setEnabled(false);
   save->setEnabled(false);
   save_as->setEnabled(false);
@@ -76,7 +80,7 @@ WindowActions::WindowActions(QMainWindow& window) : window_(window) {
   edit_menu_ = window.menuBar()->addMenu(tr("&Edit"));
   add_menu_ = window.menuBar()->addMenu(tr("&Add"));
   QMenu* plan_menu = window.menuBar()->addMenu(tr("&Plan"));
-  plan_menu->addActions({plan, cancel, compare});
+  plan_menu->addActions({plan, cancel, optimize, compare});
   plan_menu->addSeparator();
   plan_menu->addActions({set_start, set_goal, keep_posture});
   view_menu_ = window.menuBar()->addMenu(tr("&View"));

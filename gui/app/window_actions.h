@@ -40,6 +40,7 @@ class WindowActions {
   QAction* quit;
   QAction* plan;
   QAction* cancel;
+  QAction* optimize;
   QAction* compare;
   QAction* set_start;
   QAction* set_goal;

@@ -32,13 +32,12 @@ QString help_of(const Parameter& parameter) {
 }  // namespace
 
 ParameterForm::ParameterForm(const std::vector<Parameter>& parameters, QWidget* parent)
-    : QWidget(parent) {
-  auto* layout = new QFormLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setHorizontalSpacing(10);
-  layout->setVerticalSpacing(6);
-  layout->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-  layout->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    : QWidget(parent), layout_(new QFormLayout(this)) {
+  layout_->setContentsMargins(0, 0, 0, 0);
+  layout_->setHorizontalSpacing(10);
+  layout_->setVerticalSpacing(6);
+  layout_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+  layout_->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   for (const Parameter& parameter : parameters) {
     QWidget* field = make_field(parameter);
     field->setObjectName(QString::fromStdString(parameter.key));
@@ -46,15 +45,43 @@ ParameterForm::ParameterForm(const std::vector<Parameter>& parameters, QWidget* 
     const QString label = QString::fromStdString(parameter.label);
     if (auto* box = qobject_cast<QCheckBox*>(field)) {
       box->setText(label);
-      layout->addRow(box);
+      layout_->addRow(box);
       names_.emplace_back(parameter.key, box);
     } else {
       auto* name = new QLabel(label);
       name->setToolTip(help_of(parameter));
       name->setBuddy(field);
-      layout->addRow(name, field);
+      layout_->addRow(name, field);
       names_.emplace_back(parameter.key, name);
+      if (parameter.key.starts_with("weight_")) {
+        weights_row_ = weights_.empty() ? layout_->rowCount() - 1 : weights_row_;
+        weights_.emplace_back(name, field);
+      }
     }
+  }
+  show_weights();
+  connect(this, &ParameterForm::edited, this, &ParameterForm::show_weights);
+}
+
+// A row whose widgets are hidden would leave a gap.
+void ParameterForm::show_weights() {
+  const auto* objective = findChild<QComboBox*>(QStringLiteral("objective"));
+  const bool wanted = !objective || objective->currentText() == QStringLiteral("custom");
+  if (wanted == has_weights_) {
+    return;
+  }
+  has_weights_ = wanted;
+  int row = weights_row_;
+  for (const auto& [name, field] : weights_) {
+    if (wanted) {
+      layout_->insertRow(row++, name, field);
+    } else {
+      const QFormLayout::TakeRowResult taken = layout_->takeRow(field);
+      delete taken.labelItem;
+      delete taken.fieldItem;
+    }
+    name->setVisible(wanted);
+    field->setVisible(wanted);
   }
 }
 

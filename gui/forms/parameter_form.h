@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+class QFormLayout;
+
 namespace handway::gui {
 
 /// A form for parameters: a field with unit, range and help for each number, a
@@ -28,8 +30,14 @@ class ParameterForm : public QWidget {
 
  private:
   QWidget* make_field(const planning::Parameter& parameter);
+  /// Weights of an objective are shown where they count: if it is a custom one.
+  void show_weights();
 
   std::vector<std::pair<std::string, QWidget*>> names_;  ///< What names each parameter, by key.
+  QFormLayout* layout_;
+  std::vector<std::pair<QWidget*, QWidget*>> weights_;  ///< Their names and fields.
+  int weights_row_ = 0;                                 ///< Where they go.
+  bool has_weights_ = true;                             ///< They are in the layout.
 };
 
 }  // namespace handway::gui

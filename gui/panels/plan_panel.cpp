@@ -54,6 +54,9 @@ PlanPanel::PlanPanel(const planning::PlannerRegistry& registry, QWidget* parent)
       sections_(new QVBoxLayout),
       plan_(new QPushButton(tr("Plan"))),
       cancel_(new QPushButton(tr("Cancel"))),
+      optimizing_(new QWidget),
+      optimize_(new QPushButton(tr("Keep optimising"))),
+      optimize_limit_(new QDoubleSpinBox),
       progress_(new QProgressBar),
       validity_(new QLabel),
       result_(new QLabel),
@@ -194,11 +197,45 @@ QWidget* PlanPanel::make_actions() {
   buttons->addWidget(plan_, 2);
   buttons->addWidget(cancel_, 1);
   layout->addLayout(buttons);
+  layout->addWidget(make_optimizing());
   layout->addWidget(progress_);
   layout->addWidget(validity_);
   layout->addWidget(result_);
   layout->addWidget(all_runs_, 0, Qt::AlignLeft);
   return box;
+}
+
+QWidget* PlanPanel::make_optimizing() {
+  constexpr double kUsual = 10.0;
+  optimize_->setObjectName(QStringLiteral("optimize"));
+  optimize_->setToolTip(
+      tr("Make the path better for the objective above, until nothing more is to be gained, it is "
+         "stopped, or the time is over. The path before stays among the runs."));
+  optimize_limit_->setObjectName(QStringLiteral("optimize_limit"));
+  optimize_limit_->setRange(0.0, 86400.0);
+  optimize_limit_->setDecimals(1);
+  optimize_limit_->setValue(kUsual);
+  optimize_limit_->setPrefix(tr("for "));
+  optimize_limit_->setSuffix(tr(" s"));
+  optimize_limit_->setSpecialValueText(tr("until stopped"));
+  optimize_limit_->setToolTip(tr("For how long at most; 0: until it is stopped"));
+  connect(optimize_, &QPushButton::clicked, this, &PlanPanel::optimize_requested);
+  auto* layout = new QHBoxLayout(optimizing_);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(8);
+  layout->addWidget(optimize_, 2);
+  layout->addWidget(optimize_limit_, 1);
+  optimizing_->hide();
+  return optimizing_;
+}
+
+void PlanPanel::set_optimizable(bool optimizable) {
+  optimizing_->setVisible(optimizable || running_);
+}
+
+double PlanPanel::optimize_limit() const {
+  return optimize_limit_->value() > 0.0 ? optimize_limit_->value()
+                                        : std::numeric_limits<double>::infinity();
 }
 
 void PlanPanel::use_planner(const std::string& name) {
@@ -222,7 +259,11 @@ void PlanPanel::rebuild_form(bool anew) {
   description_->setText(QString::fromStdString(planner_->description()));
   show_whether_several();
   delete form_;
-  form_ = new ParameterForm(planner_->parameters());
+  std::vector<planning::Parameter> parameters = planner_->parameters();
+  std::ranges::stable_partition(parameters, [](const planning::Parameter& parameter) {
+    return parameter.key == "objective" || parameter.key.starts_with("weight_");
+  });
+  form_ = new ParameterForm(parameters);
   form_place_->addWidget(form_);
   connect(form_, &ParameterForm::edited, this, [this] {
     presets_->look_again();
@@ -350,7 +391,30 @@ void PlanPanel::set_ready(bool ready, const QString& why_not) {
 }
 
 void PlanPanel::show_running() {
+  begin_run();
+  optimizing_->hide();
+  result_->setText(tr("Planning…"));
+}
+
+void PlanPanel::show_optimizing() {
+  begin_run();
+  cancel_->setText(tr("Stop"));
+  cancel_->setToolTip(tr("Keep the best path so far"));
+  result_->setText(tr("Optimising…"));
+}
+
+void PlanPanel::show_optimizing(const OptimizeProgress& progress) {
+  const double done = std::isfinite(progress.limit_s) ? progress.seconds / progress.limit_s : 0.0;
+  progress_->setRange(0, std::isfinite(progress.limit_s) ? 1000 : 0);  // 0: busy
+  progress_->setValue(static_cast<int>(std::lround(1000.0 * std::min(1.0, done))));
+  result_->setText(optimizing_text(progress));
+}
+
+void PlanPanel::begin_run() {
+  running_ = true;
   plan_->setEnabled(false);
+  optimize_->setEnabled(false);
+  optimize_limit_->setEnabled(false);
   cancel_->setEnabled(true);
   planners_->setEnabled(false);
   seeds_->setEnabled(false);
@@ -358,14 +422,19 @@ void PlanPanel::show_running() {
   presets_->setEnabled(false);
   form_->setEnabled(false);
   reset_->setEnabled(false);
+  progress_->setRange(0, 1000);
   progress_->setValue(0);
   progress_->setVisible(true);
-  result_->setText(tr("Planning…"));
 }
 
 void PlanPanel::end_run() {
   plan_->setEnabled(ready_);
+  running_ = false;
   cancel_->setEnabled(false);
+  cancel_->setText(tr("Cancel"));
+  cancel_->setToolTip({});
+  optimize_->setEnabled(true);
+  optimize_limit_->setEnabled(true);
   planners_->setEnabled(true);
   seeds_->setEnabled(true);
   show_whether_several();

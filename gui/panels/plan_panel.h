@@ -3,6 +3,7 @@
 #include "handway/planning/core/planner.h"
 #include "handway/planning/core/planner_registry.h"
 #include "playback/path_figures.h"
+#include "workers/optimize_runner.h"
 
 #include <QWidget>
 
@@ -65,6 +66,8 @@ class PlanPanel : public QWidget {
   [[nodiscard]] std::vector<std::shared_ptr<planning::Planner>> copies(int count) const;
   [[nodiscard]] planning::PlanRequest request() const;
   [[nodiscard]] int seeds() const;
+  /// For how long a path is optimised at most, s; infinite: until it is stopped.
+  [[nodiscard]] double optimize_limit() const;
   /// By which the best of several seeds' paths is told.
   [[nodiscard]] PathMerit merit() const;
   /// The chosen planner with the settings that differ from its defaults.
@@ -73,7 +76,11 @@ class PlanPanel : public QWidget {
 
   /// Whether there is something to plan, and if not, why.
   void set_ready(bool ready, const QString& why_not = {});
+  /// Whether there is a path that optimising can go on with.
+  void set_optimizable(bool optimizable);
   void show_running();
+  void show_optimizing();
+  void show_optimizing(const OptimizeProgress& progress);
   void show_progress(double fraction, const QString& activity);
   /// Of several seeds, so many are done, of which so many found a path.
   void show_seeds(int done, int solved);
@@ -86,6 +93,7 @@ class PlanPanel : public QWidget {
 
  signals:
   void plan_requested();
+  void optimize_requested();
   void cancel_requested();
   void runs_requested();
   /// Another planner, or another value of a parameter.
@@ -95,6 +103,8 @@ class PlanPanel : public QWidget {
   QWidget* make_settings();
   QWidget* make_seeds();
   QWidget* make_actions();
+  QWidget* make_optimizing();
+  void begin_run();
   void use_planner(const std::string& name);
   /// @param anew presets begin with the planner's own values.
   void rebuild_form(bool anew);
@@ -122,11 +132,15 @@ class PlanPanel : public QWidget {
   ParameterForm* form_ = nullptr;  ///< Of the chosen planner; null if there is none.
   QPushButton* plan_;
   QPushButton* cancel_;
+  QWidget* optimizing_;  ///< The row of the next two.
+  QPushButton* optimize_;
+  QDoubleSpinBox* optimize_limit_;
   QProgressBar* progress_;
   QLabel* validity_;
   QLabel* result_;
   QPushButton* all_runs_;
   bool ready_ = false;
+  bool running_ = false;
 };
 
 }  // namespace handway::gui

@@ -98,6 +98,22 @@ QString replanned_text(const planning::PlanResult& result, const QString& way) {
   return text + QStringLiteral("</table>");
 }
 
+QString optimizing_text(const OptimizeProgress& progress) {
+  QString text = headline(QObject::tr("Optimising the path"), colors_of(current_theme()).good);
+  text += QStringLiteral("<table cellspacing=\"0\" cellpadding=\"1\">");
+  text += row(QObject::tr("Cost"), QObject::tr("%1, %2 before")
+                                       .arg(progress.cost, 0, 'f', 3)
+                                       .arg(progress.cost_before, 0, 'f', 3));
+  text += row(QObject::tr("Length"), QStringLiteral("%1").arg(progress.length, 0, 'f', 3));
+  if (progress.hand_distance) {
+    text += row(QObject::tr("Hand to PMD subspace"),
+                QObject::tr("%1 on average").arg(*progress.hand_distance, 0, 'f', 3));
+  }
+  text += row(QObject::tr("Waypoints"), count(progress.path.waypoints.size()));
+  text += row(QObject::tr("Time"), QObject::tr("%1 s").arg(progress.seconds, 0, 'f', 1));
+  return text + QStringLiteral("</table>");
+}
+
 QString result_line(const planning::PlanResult& result) {
   if (result.solved()) {
     return QObject::tr("Path found in %1, %2 waypoints")

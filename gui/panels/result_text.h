@@ -1,6 +1,7 @@
 #pragma once
 
 #include "handway/planning/core/plan_result.h"
+#include "workers/optimize_runner.h"
 
 #include <QString>
 
@@ -16,6 +17,9 @@ namespace handway::gui {
 /// The same of a path that was planned again for an edited scene.
 /// @param way where it came from, one word.
 [[nodiscard]] QString replanned_text(const planning::PlanResult& result, const QString& way);
+
+/// A path that gets better, with its figures, as rich text.
+[[nodiscard]] QString optimizing_text(const OptimizeProgress& progress);
 
 /// A result as one line of plain text.
 [[nodiscard]] QString result_line(const planning::PlanResult& result);

@@ -19,6 +19,8 @@ RunsTool::RunsTool(PathHistory& history, RunsPanel& runs, PlanningSession& sessi
       bring_to_front(runs);
     }
   });
+  connect(&session_, &PlanningSession::optimizing_started, &runs,
+          [&runs] { runs.set_running(true); });
   connect(&panel_, &PlanPanel::runs_requested, &runs, [&runs] { bring_to_front(runs); });
   connect(&session_, &PlanningSession::ended, &runs, [&runs] { runs.set_running(false); });
   connect(&session_, &PlanningSession::path_changed, &runs,

@@ -6,6 +6,9 @@
 
 #include <GL/gl.h>
 
+#include <algorithm>
+#include <vector>
+
 namespace handway::gui {
 namespace {
 
@@ -60,18 +63,22 @@ void Ghost::render_opaque(SoGLRenderAction& action) const {
   }
 }
 
-bool hide_doubled_links(const RobotNode& robot, const Ghost& start, const Ghost& goal) {
+bool hide_doubled_links(const RobotNode& robot, std::span<const Ghost* const> ghosts) {
   bool changed = false;
-  for (const Ghost* ghost : {&start, &goal}) {
+  std::vector<const RobotNode*> before{&robot};
+  for (const Ghost* ghost : ghosts) {
     if (!ghost->robot()) {
       continue;
     }
     const auto poses = ghost->robot()->link_poses();
     for (std::size_t i = 0; i < poses.size(); ++i) {
-      const bool apart = !poses[i].isApprox(robot.link_poses()[i], kApart);
-      const bool doubled = ghost == &goal && start.is_visible() &&
-                           poses[i].isApprox(start.robot()->link_poses()[i], kApart);
-      changed |= ghost->robot()->set_link_visible(static_cast<int>(i), apart && !doubled);
+      const bool doubled = std::ranges::any_of(before, [&](const RobotNode* other) {
+        return poses[i].isApprox(other->link_poses()[i], kApart);
+      });
+      changed |= ghost->robot()->set_link_visible(static_cast<int>(i), !doubled);
+    }
+    if (ghost->is_visible()) {
+      before.push_back(ghost->robot());
     }
   }
   return changed;

@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 
 class SoGLRenderAction;
 class SoNode;
@@ -44,8 +45,8 @@ class Ghost {
   bool visible_ = true;
 };
 
-/// Hides links of ghosts that lie where the robot's own are, or the other ghost's:
+/// Hides links of ghosts that lie where the robot's own are, or those of a ghost before:
 /// they would only flicker. @returns whether that changed anything.
-bool hide_doubled_links(const RobotNode& robot, const Ghost& start, const Ghost& goal);
+bool hide_doubled_links(const RobotNode& robot, std::span<const Ghost* const> ghosts);
 
 }  // namespace handway::gui

@@ -8,6 +8,7 @@ enum class Overlay {
   kRoadmap,
   kRegion,
   kExecuted,
+  kOptimized,
   kContacts,
   kClearance,
   kTrails,

@@ -34,6 +34,7 @@ geometric::Color color_along(std::size_t i, std::size_t count) {
 namespace {
 
 constexpr float kBeadRadius = 0.005F;  // m
+constexpr geometric::Color kExecutedColor{0.80F, 0.12F, 0.46F, 1.0F};
 constexpr geometric::Color kContactColor{0.93F, 0.05F, 0.60F, 1.0F};
 
 SoSeparator* make_line(std::span<const Eigen::Vector3d> points, float width) {
@@ -62,6 +63,22 @@ CoinRef<SoSeparator> make_seen_through() {
   return separator;
 }
 
+// Of one colour, seen through everything.
+CoinRef<SoSeparator> make_plain_line(std::span<const Eigen::Vector3d> points,
+                                     const geometric::Color& rgb, float width) {
+  auto separator = make_seen_through();
+  auto* drawing = new SoSeparator;
+  add_unlit_style(*drawing, width);
+  auto* color = new SoBaseColor;
+  color->rgb = to_coin(rgb);
+  drawing->addChild(color);
+  auto* line = new SoLineSet;
+  line->vertexProperty = make_vertices(points);
+  drawing->addChild(line);
+  separator->addChild(drawing);
+  return separator;
+}
+
 SoSeparator* make_bead(const Eigen::Vector3d& place, const geometric::Color& color) {
   auto* separator = new SoSeparator;
   auto* translation = new SoTranslation;
@@ -82,14 +99,15 @@ CoinRef<SoSeparator> make_trail_node(std::span<const Eigen::Vector3d> points) {
 }
 
 CoinRef<SoSeparator> make_executed_node(std::span<const Eigen::Vector3d> points) {
-  auto separator = make_seen_through();
-  add_unlit_style(*separator.get(), 2.0F);
-  auto* color = new SoBaseColor;
-  color->rgb = SbColor(0.80F, 0.12F, 0.46F);
-  separator->addChild(color);
-  auto* line = new SoLineSet;
-  line->vertexProperty = make_vertices(points);
-  separator->addChild(line);
+  return make_plain_line(points, kExecutedColor, 2.0F);
+}
+
+CoinRef<SoSeparator> make_optimized_node(std::span<const Eigen::Vector3d> points,
+                                         std::span<const Eigen::Vector3d> waypoints) {
+  CoinRef<SoSeparator> separator = make_plain_line(points, kOptimizedColor, 4.0F);
+  for (const Eigen::Vector3d& waypoint : waypoints) {
+    separator->addChild(make_bead(waypoint, kOptimizedColor));
+  }
   return separator;
 }
 

@@ -25,6 +25,10 @@ namespace handway::gui {
 /// A line of one colour through `points` (world, m): what the robot did. Nothing hides it.
 [[nodiscard]] CoinRef<SoSeparator> make_executed_node(std::span<const Eigen::Vector3d> points);
 
+/// The same of a path that is being optimised, with a bead at each of `waypoints`.
+[[nodiscard]] CoinRef<SoSeparator> make_optimized_node(std::span<const Eigen::Vector3d> points,
+                                                       std::span<const Eigen::Vector3d> waypoints);
+
 /// A magenta ball at each of `points` (world, m), seen through everything.
 [[nodiscard]] CoinRef<SoSeparator> make_contacts_node(std::span<const Eigen::Vector3d> points);
 

@@ -65,21 +65,23 @@ RobotNode::RobotNode(std::shared_ptr<const geometric::RobotModel> model, const L
                      std::optional<geometric::Color> ghost)
     : model_(std::move(model)),
       root_(make_coin<SoSeparator>()),
+      plain_(ghost ? 0 : SO_SWITCH_NONE),
       X_WL_(static_cast<std::size_t>(model_->link_count()), geometric::Pose::Identity()) {
   root_->renderCaching = SoSeparator::OFF;
-  if (ghost) {
-    root_->addChild(overriding(*ghost, 0.15F).get());
-  }
   for (const BodyShape& shape : shapes) {
     LinkNode node{make_coin<SoSwitch>(), make_coin<SoSeparator>(), make_coin<SoMatrixTransform>(),
                   make_coin<SoSwitch>()};
     node.visible->whichChild = SO_SWITCH_ALL;
     node.separator->renderCaching = SoSeparator::OFF;
     node.separator->addChild(node.transform.get());
-    if (!ghost) {
-      node.look->addChild(make_look_material(Look::kColliding).get());
-      node.separator->addChild(node.look.get());
+    const CoinRef<SoMaterial> colliding = make_look_material(Look::kColliding);
+    if (ghost) {
+      node.look->addChild(overriding(*ghost, 0.15F).get());
+      colliding->transparency = 1.0F - ghost->alpha;
     }
+    node.look->addChild(colliding.get());
+    node.look->whichChild = plain_;
+    node.separator->addChild(node.look.get());
     node.separator->addChild(shape.get());
     node.visible->addChild(node.separator.get());
     root_->addChild(node.visible.get());
@@ -98,7 +100,7 @@ void RobotNode::place(const geometric::Pose& X_WB, const geometric::Configuratio
 }
 
 bool RobotNode::set_look(int link, Look look) {
-  const int child = look == Look::kPlain ? SO_SWITCH_NONE : 0;
+  const int child = look == Look::kPlain ? plain_ : plain_ + 1;
   SoSwitch& node = *links_[static_cast<std::size_t>(link)].look.get();
   if (node.whichChild.getValue() == child) {
     return false;

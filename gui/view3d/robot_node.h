@@ -69,6 +69,7 @@ class RobotNode {
 
   std::shared_ptr<const geometric::RobotModel> model_;
   CoinRef<SoSeparator> root_;
+  int plain_;  ///< Child of LinkNode::look; what collides looks like the next.
   std::vector<LinkNode> links_;
   std::vector<geometric::Pose> X_WL_;
 };

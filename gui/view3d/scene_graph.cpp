@@ -38,6 +38,7 @@ void SceneGraph::set_scene(std::shared_ptr<const geometric::Scene> scene) {
   bodies_.show(std::move(scene));
   start_.clear();
   goal_.clear();
+  show_frontier({});
   traces_.clear();
   colliding_.clear();
   selection_ = {};
@@ -58,6 +59,7 @@ void SceneGraph::set_scene(std::shared_ptr<const geometric::Scene> scene) {
 void SceneGraph::update_scene(const SceneState& state) {
   if (state.scene != bodies_.scene()) {
     bodies_.update(state.scene);
+    show_frontier({});
     add_ghosts();
     set_configuration(Configuration(bodies_.configuration()));
   }
@@ -120,13 +122,47 @@ bool SceneGraph::set_configuration(const Configuration& q) {
 }
 
 bool SceneGraph::update_ghosts() {
-  return bodies_.has_robot() && hide_doubled_links(bodies_.first_robot(), start_, goal_);
+  return bodies_.has_robot() &&
+         hide_doubled_links(bodies_.first_robot(), std::array<const Ghost*, 4>{
+                                                       &start_, &goal_, &from_start_, &from_goal_});
 }
 
 void SceneGraph::show_ghosts(bool start, bool goal) {
-  start_.set_visible(start);
-  goal_.set_visible(goal);
+  wants_start_ = start;
+  wants_goal_ = goal;
+  const bool frontier = from_start_.is_visible();
+  start_.set_visible(start && !frontier);
+  goal_.set_visible(goal && !frontier);
   update_ghosts();
+}
+
+void SceneGraph::show_frontier(const std::optional<Frontier>& frontier) {
+  from_start_.clear();
+  from_goal_.clear();
+  obstacles_.clear();
+  if (frontier) {
+    add_ghost(from_start_, frontier->from_start, kFromStartColor);
+    add_ghost(from_goal_, frontier->from_goal, kFromGoalColor);
+    paint_frontier(frontier->colliding);
+  }
+  show_ghosts(wants_start_, wants_goal_);
+  update_looks();
+}
+
+void SceneGraph::paint_frontier(const std::vector<std::string>& colliding) {
+  for (const geometric::SceneObject& object : bodies_.scene()->objects) {
+    if (std::ranges::count(colliding, object.name) > 0) {
+      obstacles_.push_back(object.name);
+    }
+  }
+  for (const Ghost* ghost : {&from_start_, &from_goal_}) {
+    RobotNode* robot = ghost->robot();
+    for (int i = 0; robot && i < robot->model().link_count(); ++i) {
+      if (std::ranges::count(colliding, robot->model().link(i).name) > 0) {
+        robot->set_look(i, Look::kColliding);
+      }
+    }
+  }
 }
 
 void SceneGraph::preview_ghost(bool start, const std::optional<Configuration>& q) {
@@ -153,7 +189,9 @@ void SceneGraph::set_selection(const Selection& selection) {
 
 // @returns whether something looks different that stood still.
 bool SceneGraph::update_looks() {
-  const bool changed = bodies_.set_colliding(colliding_, *passes_->split);
+  std::vector<std::string> painted = colliding_;
+  painted.insert(painted.end(), obstacles_.begin(), obstacles_.end());
+  const bool changed = bodies_.set_colliding(painted, *passes_->split);
   update_outline();
   return changed;
 }
@@ -203,9 +241,9 @@ void SceneGraph::render(SoGLRenderAction& action) {
   action.apply(passes_->solids.get());
   action.setTransparencyType(SoGLRenderAction::BLEND);
   action.apply(passes_->floor.get());
-  start_.render(action);
-  goal_.render(action);
-  traces_.render(action);
+  for (const Ghost* ghost : ghosts()) {
+    ghost->render(action);
+  }
 }
 
 void SceneGraph::begin_motion() {
@@ -220,8 +258,9 @@ void SceneGraph::render_still(SoGLRenderAction& action) {
   still.insert(still.begin(),
                {overlay(Overlay::kPath), overlay(Overlay::kRoadmap), overlay(Overlay::kTrails),
                 overlay(Overlay::kSteps), overlay(Overlay::kHypercubes)});
-  moving.insert(moving.begin(), {overlay(Overlay::kExecuted), overlay(Overlay::kContacts),
-                                 overlay(Overlay::kRegion), overlay(Overlay::kClearance)});
+  moving.insert(moving.begin(), {overlay(Overlay::kExecuted), overlay(Overlay::kOptimized),
+                                 overlay(Overlay::kContacts), overlay(Overlay::kRegion),
+                                 overlay(Overlay::kClearance)});
   passes_->split->list(bodies_.has_robot() ? &bodies_.first_robot() : nullptr, still, moving);
   action.setTransparencyType(SoGLRenderAction::SORTED_OBJECT_BLEND);
   action.apply(passes_->split->still());

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "editing/selection.h"
+#include "view3d/frontier.h"
 #include "view3d/ghost.h"
 #include "view3d/gizmo_node.h"
 #include "view3d/orbit_camera.h"
@@ -53,6 +54,9 @@ class SceneGraph {
   void show_ghosts(bool start, bool goal);
   /// Stands the ghost of start or goal elsewhere, for a while.
   void preview_ghost(bool start, const std::optional<geometric::Configuration>& q);
+  /// Stands ghosts where a search came to, with the bodies that collide painted as such, until the
+  /// scene changes; nothing: none. Start and goal have no ghosts meanwhile.
+  void show_frontier(const std::optional<Frontier>& frontier);
   /// Draws something as ghosts are, until the scene changes; null: nothing.
   void set_traces(SoNode* drawing);
   /// @param drawing in the world's frame, m; null: nothing.
@@ -78,7 +82,10 @@ class SceneGraph {
   void render_still(SoGLRenderAction& action);
   void render_moving(SoGLRenderAction& action);
   [[nodiscard]] SoNode& moving_root() const;
-  [[nodiscard]] std::array<const Ghost*, 3> ghosts() const { return {&start_, &goal_, &traces_}; }
+  static constexpr std::size_t kGhosts = 5;
+  [[nodiscard]] std::array<const Ghost*, kGhosts> ghosts() const {
+    return {&start_, &goal_, &from_start_, &from_goal_, &traces_};
+  }
   /// Is there a selection to draw a line around?
   [[nodiscard]] bool has_marks() const { return outline_.is_shown(); }
   /// Draws the line around the selection and, if asked, the gizmo, in front of everything.
@@ -98,6 +105,7 @@ class SceneGraph {
   void rebuild_floor();
   bool update_looks();
   bool update_ghosts();
+  void paint_frontier(const std::vector<std::string>& colliding);
 
   SceneBodies bodies_;
   ViewColors colors_;
@@ -107,8 +115,13 @@ class SceneGraph {
   SelectionOutline outline_;
   Ghost start_;
   Ghost goal_;
+  Ghost from_start_;
+  Ghost from_goal_;
   Ghost traces_;
+  bool wants_start_ = true;  ///< Its ghost, or the goal's, while there is no frontier.
+  bool wants_goal_ = true;
   std::vector<std::string> colliding_;
+  std::vector<std::string> obstacles_;  ///< Objects that collided most in the frontier's search.
   Selection selection_;
 };
 

@@ -71,7 +71,7 @@ class ScenePainter {
     PictureLayer picture;
     QRect region;  ///< px from the lower left, as `last_region_`.
   };
-  std::array<Veil, 3> veils_;  ///< Of the ghosts.
+  std::array<Veil, SceneGraph::kGhosts> veils_;  ///< Of the ghosts.
   std::optional<Sight> kept_;  ///< From where the layers are seen; nothing: to be made.
   std::optional<Sight> last_;  ///< Of the last picture.
   QRect last_region_;          ///< What moving links covered in it, px from the lower left.

@@ -50,9 +50,10 @@ struct ScenePasses {
     prepare(moving.get());
     split.emplace(still, moving);
     solids->addChild(solid_content.get());
-    for (const Overlay overlay : {Overlay::kPath, Overlay::kRoadmap, Overlay::kRegion,
-                                  Overlay::kExecuted, Overlay::kContacts, Overlay::kClearance,
-                                  Overlay::kTrails, Overlay::kSteps, Overlay::kHypercubes}) {
+    for (const Overlay overlay :
+         {Overlay::kPath, Overlay::kRoadmap, Overlay::kRegion, Overlay::kExecuted,
+          Overlay::kOptimized, Overlay::kContacts, Overlay::kClearance, Overlay::kTrails,
+          Overlay::kSteps, Overlay::kHypercubes}) {
       const CoinRef<SoSwitch> shown = make_coin<SoSwitch>();
       shown->whichChild = SO_SWITCH_ALL;
       solids->addChild(shown.get());

@@ -174,6 +174,11 @@ void SceneView::preview_ghost(bool start, const std::optional<geometric::Configu
   change();
 }
 
+void SceneView::show_frontier(const std::optional<Frontier>& frontier) {
+  graph_->show_frontier(frontier);
+  change();
+}
+
 void SceneView::set_path(std::span<const Eigen::Vector3d> points,
                          std::span<const Eigen::Vector3d> waypoints) {
   graph_->set_overlay(Overlay::kPath,
@@ -200,6 +205,13 @@ void SceneView::set_overlay(Overlay overlay, SoNode* drawing) {
   } else {
     change();
   }
+}
+
+void SceneView::set_optimized(std::span<const Eigen::Vector3d> points,
+                              std::span<const Eigen::Vector3d> waypoints) {
+  graph_->set_overlay(Overlay::kOptimized,
+                      points.empty() ? nullptr : make_optimized_node(points, waypoints).get());
+  change();
 }
 
 void SceneView::set_traces(SoNode* drawing) {

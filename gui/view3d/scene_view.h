@@ -2,6 +2,7 @@
 
 #include "editing/selection.h"
 #include "view3d/frame_pacer.h"
+#include "view3d/frontier.h"
 #include "view3d/navigation.h"
 #include "view3d/orbit_camera.h"
 #include "view3d/overlay.h"
@@ -63,11 +64,17 @@ class SceneView : public QOpenGLWidget {
   void show_ghosts(bool start, bool goal);
   /// Stands the ghost of start or goal elsewhere, until the scene changes.
   void preview_ghost(bool start, const std::optional<geometric::Configuration>& q);
+  /// Stands ghosts where a search without a path came to, in place of those of start and goal,
+  /// until the scene changes; nothing: none.
+  void show_frontier(const std::optional<Frontier>& frontier);
   /// The palm's way (world, m) and where its waypoints are.
   void set_path(std::span<const Eigen::Vector3d> points,
                 std::span<const Eigen::Vector3d> waypoints);
   /// The palm's way as the robot went it (world, m); empty: none.
   void set_executed(std::span<const Eigen::Vector3d> points);
+  /// The palm's way along a path that is being optimised, beside the path itself; empty: none.
+  void set_optimized(std::span<const Eigen::Vector3d> points,
+                     std::span<const Eigen::Vector3d> waypoints);
   /// @param drawing in the world's frame, m; null: nothing.
   void set_overlay(Overlay overlay, SoNode* drawing);
   void set_overlay_visible(Overlay overlay, bool visible);

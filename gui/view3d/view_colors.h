@@ -16,4 +16,11 @@ struct ViewColors {
 inline constexpr geometric::Color kStartColor{0.16F, 0.62F, 0.44F, 1.0F};
 inline constexpr geometric::Color kGoalColor{0.92F, 0.52F, 0.16F, 1.0F};
 
+/// Where a search that found no path came to from the start and from the goal.
+inline constexpr geometric::Color kFromStartColor{0.13F, 0.45F, 0.86F, 1.0F};
+inline constexpr geometric::Color kFromGoalColor{0.62F, 0.25F, 0.74F, 1.0F};
+
+/// A path that gets better, while it does.
+inline constexpr geometric::Color kOptimizedColor{0.10F, 0.55F, 0.95F, 1.0F};
+
 }  // namespace handway::gui

@@ -1,11 +1,14 @@
 #include "handway/planning/paths/path_optimizer.h"
 
+#include "handway/geometric/robot/normalised_joints.h"
 #include "handway/planning/paths/path_check.h"
 #include "handway/planning/planners/auto_planner.h"
 #include "handway/planning/planners/rrt_connect.h"
 #include "handway_test/planar_problems.h"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
 
 namespace handway::planning {
 namespace {
@@ -124,6 +127,21 @@ TEST_F(Optimizer, RepeatsWhatItDidInSomeTimeByTheNumberOfChecks) {
   EXPECT_EQ(counted.optimize_checks, timed.optimize_checks);
 }
 
+TEST_F(Optimizer, GoesOnLaterAsIfItHadNotPaused) {
+  constexpr int kNeverConverges = 1'000'000;
+  PlanningContext context(problem_, request_, {}, observer_);
+  PathOptimizer at_once(context, human_like(), found(), 3, kNeverConverges);
+  const auto rounds = [](std::uint64_t checks) {
+    return [checks](std::uint64_t done) { return done < checks; };
+  };
+  EXPECT_EQ(at_once.advance_in_rounds(rounds(4000)), 4000U);
+  PlanningContext other(problem_, request_, {}, observer_);
+  PathOptimizer with_pause(other, human_like(), found(), 3, kNeverConverges);
+  EXPECT_EQ(with_pause.advance_in_rounds(rounds(1000)), 1000U);
+  EXPECT_EQ(with_pause.advance_in_rounds(rounds(3000)), 3000U);
+  EXPECT_EQ(with_pause.path().waypoints, at_once.path().waypoints);
+}
+
 TEST(AutoPlannerTest, MovesTheHandInTheSubspaceOfAnyBasis) {
   const PlanningProblem problem = problem_outside_of_subspace();
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
@@ -171,6 +189,16 @@ TEST(SearchReachOfPlanners, IsKnownWhereNoPathIsFound) {
     EXPECT_LE(result.reach->start_nodes + result.reach->goal_nodes, result.reach->nodes);
     EXPECT_GE(result.reach->from_start, 0.0);
     EXPECT_LE(result.reach->from_goal, 1.0);
+    const auto progress = [](const Configuration& q) {
+      const PlanningProblem problem = test::walled_in_problem();
+      const Eigen::VectorXd start = geometric::normalised(problem.model(), problem.start);
+      const Eigen::VectorXd motion = geometric::normalised(problem.model(), problem.goal) - start;
+      return std::clamp(
+          (geometric::normalised(problem.model(), q) - start).dot(motion) / motion.squaredNorm(),
+          0.0, 1.0);
+    };
+    EXPECT_NEAR(progress(result.reach->farthest_from_start), result.reach->from_start, 1e-12);
+    EXPECT_NEAR(progress(result.reach->farthest_from_goal), result.reach->from_goal, 1e-12);
   }
 }
 

@@ -106,11 +106,7 @@ std::vector<Parameter> Planner::parameters() {
   return list;
 }
 
-// In rounds of a fixed size, so that the same number of checks gives the same path whether it was
-// asked for or came about in some seconds.
 void Planner::optimize(PlanningContext& context, PlanResult& result) const {
-  constexpr std::uint64_t kRound = 1000;
-  constexpr int kPatience = 500;
   const double seconds = context.request().optimize_s;
   const auto wanted = static_cast<std::uint64_t>(optimize_checks_);
   if (wanted == 0 && seconds <= 0.0) {
@@ -118,19 +114,16 @@ void Planner::optimize(PlanningContext& context, PlanResult& result) const {
   }
   const double begin = context.elapsed_s();
   PathOptimizer optimizer(context, objective_.weights(context.problem()), result.path,
-                          context.request().seed, kPatience);
-  const auto go_on = [&] {
-    return result.optimize_checks < wanted || context.elapsed_s() - begin < seconds;
-  };
-  while (go_on() && !optimizer.converged() && !context.interruption()) {
-    optimizer.advance(kRound);
-    result.optimize_checks += kRound;
-    context.observer().on_progress(
-        seconds > 0.0 ? std::min(1.0, (context.elapsed_s() - begin) / seconds)
-                      : static_cast<double>(result.optimize_checks) / static_cast<double>(wanted),
-        "optimising");
+                          context.request().seed, PathOptimizer::kThorough);
+  result.optimize_checks = optimizer.advance_in_rounds([&](std::uint64_t checks) {
+    const double spent = context.elapsed_s() - begin;
+    context.observer().on_progress(seconds > 0.0
+                                       ? std::min(1.0, spent / seconds)
+                                       : static_cast<double>(checks) / static_cast<double>(wanted),
+                                   "optimising");
     context.observer().on_path(optimizer.path());
-  }
+    return checks < wanted || spent < seconds;
+  });
   result.path = optimizer.path();
   result.smoothing_s += context.elapsed_s() - begin;
 }

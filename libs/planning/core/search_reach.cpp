@@ -16,7 +16,8 @@ void ReachObserver::on_node(const NodeEvent& node) {
   const double progress = std::clamp((geometric::normalised(model_, node.q) - start_).dot(motion_) /
                                          std::max(motion_.squaredNorm(), 1e-12),
                                      0.0, 1.0);
-  components_.insert_or_assign(node.id, Component{node.id, progress, progress});
+  const auto q = std::make_shared<const geometric::Configuration>(node.q);
+  components_.insert_or_assign(node.id, Component{node.id, progress, progress, q, q});
   if (std::vector<int>& ends = ends_[node.search]; ends.size() < 2) {
     ends.push_back(node.id);
   }
@@ -41,8 +42,16 @@ void ReachObserver::on_edge(int from, int to) {
       Component& whole = components_.at(a);
       Component& part = components_.at(b);
       part.parent = a;
-      whole.first = std::min(whole.first, part.first);
-      whole.last = std::max(whole.last, part.last);
+      if (part.first < whole.first) {
+        whole.first = part.first;
+        whole.first_q = part.first_q;
+      }
+      if (part.last > whole.last) {
+        whole.last = part.last;
+        whole.last_q = part.last_q;
+      }
+      part.first_q.reset();
+      part.last_q.reset();
       whole.nodes += part.nodes;
     }
   }
@@ -60,8 +69,14 @@ std::optional<SearchReach> ReachObserver::reach() const {
     if (!reach) {
       reach.emplace();
     }
-    reach->from_start = std::max(reach->from_start, start.last);
-    reach->from_goal = std::min(reach->from_goal, goal.first);
+    if (start.last > reach->from_start || reach->farthest_from_start.size() == 0) {
+      reach->from_start = start.last;
+      reach->farthest_from_start = *start.last_q;
+    }
+    if (goal.first < reach->from_goal || reach->farthest_from_goal.size() == 0) {
+      reach->from_goal = goal.first;
+      reach->farthest_from_goal = *goal.first_q;
+    }
     reach->start_nodes = std::max(reach->start_nodes, start.nodes);
     reach->goal_nodes = std::max(reach->goal_nodes, goal.nodes);
   }

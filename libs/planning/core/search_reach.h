@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -42,6 +43,8 @@ class ReachObserver final : public Observer {
     int parent;
     double first;  ///< Least progress along the straight motion.
     double last;   ///< Most.
+    std::shared_ptr<const geometric::Configuration> first_q;  ///< Where that is; null in a child.
+    std::shared_ptr<const geometric::Configuration> last_q;
     std::uint64_t nodes = 1;
   };
 

@@ -59,5 +59,21 @@ TEST_F(ParameterForms, KeepsNumbersInTheirRange) {
   EXPECT_EQ(count_, 50);
 }
 
+TEST(ObjectiveForm, ShowsWeightsWhereTheyCount) {
+  HANDWAY_NEED_DISPLAY();
+  int objective = 0;
+  double weight = 1.0;
+  ParameterForm form({{"objective", "Objective", "", "",
+                       planning::ChoiceValue{&objective, {"shortest", "custom"}}},
+                      {"weight_length", "Weight of length", "", "", &weight, 0.0, 10.0}});
+  form.show();
+  const auto* field = form.findChild<QDoubleSpinBox*>(QStringLiteral("weight_length"));
+  EXPECT_FALSE(field->isVisible());
+  form.findChild<QComboBox*>(QStringLiteral("objective"))->setCurrentIndex(1);
+  EXPECT_TRUE(field->isVisible());
+  form.findChild<QComboBox*>(QStringLiteral("objective"))->setCurrentIndex(0);
+  EXPECT_FALSE(field->isVisible());
+}
+
 }  // namespace
 }  // namespace handway::gui

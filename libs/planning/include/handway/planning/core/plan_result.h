@@ -69,6 +69,8 @@ struct SearchReach {
   std::uint64_t start_nodes = 0;  ///< Free configurations that are connected to the start.
   std::uint64_t goal_nodes = 0;   ///< The same of the goal.
   std::uint64_t nodes = 0;        ///< All that were found.
+  geometric::Configuration farthest_from_start = {};  ///< The one at `from_start`.
+  geometric::Configuration farthest_from_goal = {};   ///< The one at `from_goal`.
 };
 
 /// The outcome of planning. `path` is empty unless the status is kSolved.

@@ -38,6 +38,23 @@ class HANDWAY_PLANNING_EXPORT PathOptimizer {
   /// until converged() or until the run has to end.
   void advance(std::uint64_t checks);
 
+  /// `patience` for going on after planning.
+  static constexpr int kThorough = 500;
+  /// Goes on in rounds of 1000 checks until converged() or until the run has to end: as many rounds
+  /// give the same path, whether they were asked for or are what some seconds sufficed for.
+  /// @param go_on asked before each round, with the checks of the rounds before; returns bool.
+  /// @returns the checks of all rounds.
+  template <typename GoOn>
+  std::uint64_t advance_in_rounds(const GoOn& go_on) {
+    constexpr std::uint64_t kRound = 1000;
+    std::uint64_t checks = 0;
+    while (go_on(checks) && !converged() && !context_.interruption()) {
+      advance(kRound);
+      checks += kRound;
+    }
+    return checks;
+  }
+
   /// So many replacements in a row were of no use that another one is not expected to be.
   [[nodiscard]] bool converged() const;
 
