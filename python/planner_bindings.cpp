@@ -40,7 +40,7 @@ py::dict parameters_of(const PlannerModel& planner) {
 }
 
 planning::PlanRequest request_of(std::uint64_t seed, int threads, double time_limit,
-                                 double resolution) {
+                                 double resolution, double margin) {
   if (threads < 1 || threads > 1024) {
     throw InputError({"threads", "", std::to_string(threads), "a number from 1 to 1024", ""});
   }
@@ -50,11 +50,15 @@ planning::PlanRequest request_of(std::uint64_t seed, int threads, double time_li
   if (!(resolution > 0.0) || !std::isfinite(resolution)) {
     throw InputError({"resolution", "", std::to_string(resolution), "more than 0 m", ""});
   }
+  if (!(margin >= 0.0) || !std::isfinite(margin)) {
+    throw InputError({"margin", "", std::to_string(margin), "0 m or more", ""});
+  }
   planning::PlanRequest request;
   request.seed = seed;
   request.threads = threads;
   request.time_limit_s = time_limit;
   request.resolution_mm = geometric::millimetres(resolution);
+  request.margin_mm = geometric::millimetres(margin);
   return request;
 }
 
@@ -69,10 +73,10 @@ std::optional<geometric::Configuration> end_of(const SceneModel& scene,
 
 PlanOutcome plan(PlannerModel& planner, const SceneModel& scene, const std::optional<Array>& start,
                  const std::optional<Array>& goal, std::uint64_t seed, int threads,
-                 double time_limit, double resolution) {
+                 double time_limit, double resolution, double margin) {
   const planning::PlanningProblem problem =
       scene.problem_between(end_of(scene, start, "start"), end_of(scene, goal, "goal"));
-  return planner.plan(problem, request_of(seed, threads, time_limit, resolution));
+  return planner.plan(problem, request_of(seed, threads, time_limit, resolution, margin));
 }
 
 void set_all(PlannerModel& planner, const py::kwargs& values) {
@@ -135,11 +139,12 @@ void bind_planner_class(py::module_& module) {
       .def("set", &set_all, "Sets parameters by keyword: planner.set(rho_a=0.01, smooth=False).")
       .def("plan", &plan, py::arg("scene"), py::kw_only(), py::arg("start") = py::none(),
            py::arg("goal") = py::none(), py::arg("seed") = 1, py::arg("threads") = 1,
-           py::arg("time_limit") = kNoLimit, py::arg("resolution") = 5e-5,
+           py::arg("time_limit") = kNoLimit, py::arg("resolution") = 5e-5, py::arg("margin") = 0.0,
            "Finds a path that is free of collisions, and certifies its clearance.\n\n"
            "start, goal: [variables], rad or m; the scene's if not given.\n"
            "seed: of all random choices. threads: the path doesn't depend on it.\n"
-           "time_limit: s. resolution: edges closer than this to anything are refused, m.\n\n"
+           "time_limit: s. resolution: edges closer than this to anything are refused, m.\n"
+           "margin: what the robot keeps from all else, where the ends allow it, m.\n\n"
            "Other Python threads go on meanwhile; Ctrl-C stops it. That there is no path is a\n"
            "Result that is not solved; InputError is for what can't be planned at all.")
       .def("__repr__",

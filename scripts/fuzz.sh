@@ -34,6 +34,7 @@ fuzz_one() {
 runs_of() {
   case $1 in
     mesh) echo 150 ;;
+    cache_entry) echo 2000 ;;
     rosbridge) echo 5000 ;;
     hand | moveit) echo 8000 ;;
     haptic | polhemus | pose_datagram | simple_message) echo 40000 ;;

@@ -45,6 +45,7 @@ struct PlanOptions {
   std::uint64_t seed = 1;
   int threads = 1;
   double time_limit_s = 300.0;
+  double margin_mm = 0.0;
   double optimize_s = 0.0;
   std::vector<std::string> settings;
   fs::path out;
@@ -120,6 +121,12 @@ void print_advice(const planning::PlanningProblem& problem, bool at_start) {
 void print_summary(const PlanResult& result, const planning::PlanningProblem& problem) {
   if (result.solved()) {
     fmt::print("{}\n", result.reason);
+    for (const planning::OutOfMargin& near : result.out_of_margin) {
+      fmt::print(
+          "  {} and {} are {:.3f} mm apart at the {}: next to it they keep less than the margin\n",
+          near.pair.a, near.pair.b, geometric::millimetres(near.pair.distance),
+          near.at_goal ? "goal" : "start");
+    }
     return;
   }
   fmt::print(stderr, "handway: {}\n", result.reason);
@@ -146,6 +153,7 @@ int plan(PlanOptions options) {
   planning::PlanRequest request;
   request.seed = options.seed;
   request.threads = options.threads;
+  request.margin_mm = options.margin_mm;
   request.optimize_s = options.optimize_s;
   request.time_limit_s = options.time_limit_s;
   const PlanResult result = plan_until_interrupted(*planner, problem, request);
@@ -180,6 +188,10 @@ void add_plan_command(CLI::App& app, int& exit_code) {
   command->add_option("--time-limit", options->time_limit_s, "Seconds before giving up")
       ->check(positive_number())
       ->capture_default_str();
+  command
+      ->add_option("--margin", options->margin_mm,
+                   "Clearance in mm that the robot keeps from all else, where the ends allow it")
+      ->check(CLI::Range(0.0, 1000.0));
   command
       ->add_option("--optimize", options->optimize_s,
                    "Seconds to go on with optimising the path that was found")

@@ -95,6 +95,12 @@ std::string plan_report(planning::Planner& planner, const planning::PlanRequest&
     departures[parameter.key] = {{"value", value_of(parameter)},
                                  {"as_printed", parameter.as_printed}};
   }
+  Json out_of_margin = Json::array();
+  for (const planning::OutOfMargin& near : result.out_of_margin) {
+    out_of_margin.push_back({{"end", near.at_goal ? "goal" : "start"},
+                             {"pair", {near.pair.a, near.pair.b}},
+                             {"distance_mm", geometric::millimetres(near.pair.distance)}});
+  }
   const Json report = {
       {"solved", result.solved()},
       {"status", to_string(result.status)},
@@ -114,6 +120,8 @@ std::string plan_report(planning::Planner& planner, const planning::PlanRequest&
         {"resolution_at_goal_mm", result.certificate.resolution_at_goal_mm},
         {"min_clearance_mm", result.certificate.min_clearance_mm},
         {"checks", result.certificate.checks}}},
+      {"margin_mm", request.margin_mm},
+      {"out_of_margin", out_of_margin},
       {"objective", objective_of(quality)},
       {"human_likeness", likeness_of(likeness)},
       {"statistics", statistics_of(result.statistics)},

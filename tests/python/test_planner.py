@@ -120,7 +120,8 @@ class Planning(unittest.TestCase):
         self.assertFalse(result.solved)
         self.assertEqual(result.status, "start invalid")
         self.assertEqual(result.path.shape, (0, len(scene.variables)))
-        for wrong in ({"goal": np.zeros(3)}, {"threads": 0}, {"time_limit": -1.0}):
+        wrongs = ({"goal": np.zeros(3)}, {"threads": 0}, {"time_limit": -1.0}, {"margin": -0.001})
+        for wrong in wrongs:
             with self.assertRaisesRegex(handway.InputError, next(iter(wrong))):
                 planner.plan(scene, **wrong)
 

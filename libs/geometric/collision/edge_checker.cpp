@@ -17,9 +17,17 @@ constexpr double kLikelyGain = 0.4;
 
 constexpr double kShy = 1.0 - 1e-6;  // of what an answer may be off: the rest is for rounding
 
-constexpr double kGrowth = 0.01;  // of a pair's way from an end: what its resolution gains
+// Of a pair's way from an end: what its resolution gains, and what its margin.
+constexpr double kGrowth = 0.01;
+constexpr double kMarginGrowth = 0.02;
 
 constexpr std::uint64_t kStopPeriod = 16;  // configurations between looks at the stop condition
+
+// The robot's own links are as near to each other as it is built.
+bool keeps_margin(const CollisionChecker& checker, int pair) {
+  const CollisionWorld& world = checker.world();
+  return !world.is_self_pair(world.pairs()[static_cast<std::size_t>(pair)]);
+}
 
 }  // namespace
 
@@ -33,14 +41,17 @@ double EdgeEnd::resolution(double elsewhere) const {
   return pair ? std::clamp(pair->resolution(), kLeastResolution, elsewhere) : elsewhere;
 }
 
-EdgeEnd make_edge_end(CollisionChecker& checker, const Configuration& q, double resolution) {
+EdgeEnd make_edge_end(CollisionChecker& checker, const Configuration& q, double resolution,
+                      double margin) {
   EdgeEnd end{q, {}};
   checker.place(q);
+  const double near = 2.0 * resolution;
+  const double near_in_margin = margin > 0.0 ? margin + 4.0 * resolution : near;
   std::vector<int> pairs;
-  checker.near_pairs(2.0 * resolution, pairs);
+  checker.near_pairs(near_in_margin, pairs);
   for (const int pair : pairs) {
-    if (const double distance = checker.pair_distance(pair, 2.0 * resolution);
-        distance < 2.0 * resolution) {
+    const double within = keeps_margin(checker, pair) ? near_in_margin : near;
+    if (const double distance = checker.pair_distance(pair, within); distance < within) {
       end.near.push_back({pair, distance});
     }
   }
@@ -56,18 +67,37 @@ void EdgeChecker::set_ends(std::vector<EdgeEnd> ends) {
   std::erase_if(ends_, [](const EdgeEnd& end) { return end.near.empty(); });
 }
 
-double EdgeChecker::resolution_of(int pair, const Configuration& middle, double half) const {
-  double resolution = resolution_;
+double EdgeChecker::far_from_ends(int pair) const {
+  return margin_ > resolution_ && keeps_margin(checker_, pair) ? margin_ : resolution_;
+}
+
+double EdgeChecker::required(int pair, const Configuration& middle, double way) const {
+  double required = far_from_ends(pair);
+  const double growth = required > resolution_ ? kMarginGrowth : kGrowth;
   for (const EdgeEnd& end : ends_) {
     for (const EdgeEnd::NearPair& near : end.near) {
       if (near.pair == pair) {
-        const double way = bounds_->bound(pair, (middle - end.q).cwiseAbs());
-        resolution = std::min(resolution,
-                              near.resolution() + kGrowth * (way + motion_.over_edge(pair) * half));
+        const double to_middle = bounds_->bound(pair, (middle - end.q).cwiseAbs());
+        required = std::min(required, near.resolution() + growth * (to_middle + way));
       }
     }
   }
-  return std::max(resolution, kLeastResolution);
+  return std::max(required, kLeastResolution);
+}
+
+std::optional<int> EdgeChecker::too_near(const Configuration& q) {
+  if (margin_ <= 0.0) {
+    return std::nullopt;
+  }
+  checker_.place(q);
+  std::vector<int> pairs;
+  checker_.near_pairs(margin_, pairs);
+  const Eigen::VectorXd everything = Eigen::VectorXd::Ones(q.size());
+  const auto too_near = std::ranges::find_if(pairs, [&](int pair) {
+    return keeps_margin(checker_, pair) && bounds_->bound(pair, everything) > 0.0 &&
+           checker_.pair_closeness(pair, required(pair, q, 0.0)) != Closeness::kFarther;
+  });
+  return too_near == pairs.end() ? std::nullopt : std::optional(*too_near);
 }
 
 bool EdgeChecker::is_stopped(std::uint64_t checks) const {
@@ -77,7 +107,7 @@ bool EdgeChecker::is_stopped(std::uint64_t checks) const {
 EdgeResult EdgeChecker::check(const Configuration& from, const Configuration& to,
                               std::uint64_t most_checks) {
   return search(from, to, most_checks, [&](std::vector<int>& pairs) {
-    checker_.near_pairs(0.5 * motion_.most_over_edge() + resolution_, pairs);
+    checker_.near_pairs(0.5 * motion_.most_over_edge() + std::max(resolution_, margin_), pairs);
     std::ranges::reverse(pairs);  // what stands still comes last in it, and is hit most often
   });
 }
@@ -115,19 +145,19 @@ EdgeResult EdgeChecker::search(const Configuration& from, const Configuration& t
       const std::size_t first = unsettled.size();
       for (std::size_t i = stretch.first; i < stretch.first + stretch.count; ++i) {
         const int pair = pairs[i];
-        if (checker_.pair_glance(pair) >= motion_.over_edge(pair) * stretch.half + resolution_) {
+        const double way = motion_.over_edge(pair) * stretch.half;
+        if (checker_.pair_glance(pair) >= way + far_from_ends(pair)) {
           continue;
         }
         const double need = motion_.within(pair, stretch.half);
-        const double resolution =
-            ends_.empty() ? resolution_ : resolution_of(pair, middle, stretch.half);
+        const double keep = required(pair, middle, way);
         const Closeness closeness = is_out_of_reach(pair, need)
                                         ? closeness_of_spheres(pair)
-                                        : closeness_within(pair, need + resolution);
+                                        : closeness_within(pair, need, keep);
         if (closeness == Closeness::kFarther) {
           continue;
         }
-        if (closeness == Closeness::kTouching || 2.0 * need <= resolution) {
+        if (closeness == Closeness::kTouching || 2.0 * need <= std::min(keep, resolution_)) {
           result.pair = pair;
           result.at = stretch.middle;
           return result;
@@ -160,8 +190,9 @@ Closeness EdgeChecker::closeness_of_spheres(int pair) {
                                                                            : Closeness::kCloser;
 }
 
-Closeness EdgeChecker::closeness_within(int pair, double tolerance) {
-  if (tolerance <= kWorthExact) {
+Closeness EdgeChecker::closeness_within(int pair, double need, double required) {
+  const double tolerance = need + required;
+  if (need + std::min(required, resolution_) <= kWorthExact) {
     return checker_.pair_closeness(pair, tolerance);
   }
   const double bound = checker_.pair_bound(pair, tolerance);

@@ -54,6 +54,22 @@ std::string objection(PlanningContext& context, std::size_t end) {
              : "";
 }
 
+std::vector<OutOfMargin> out_of_margin(const PlanningContext& context) {
+  std::vector<OutOfMargin> list;
+  if (context.request().margin_mm <= 0.0) {
+    return list;
+  }
+  const geometric::CollisionWorld& world = context.problem().checker->world();
+  for (std::size_t end = 0; end < context.ends().size(); ++end) {
+    for (const geometric::EdgeEnd::NearPair& near : context.ends()[end].near) {
+      if (!world.is_self_pair(world.pairs()[static_cast<std::size_t>(near.pair)])) {
+        list.push_back({end == 1, geometric::named_pair(world, near.pair, near.distance)});
+      }
+    }
+  }
+  return list;
+}
+
 // How the search ended, for a planner that has nothing to add.
 std::string reason_of(const PlanResult& result, PlanningContext& context) {
   const std::uint64_t samples = context.statistics().samples;
@@ -136,6 +152,9 @@ PlanResult Planner::plan(const PlanningProblem& problem, const PlanRequest& requ
   if (!(request.resolution_mm > 0.0)) {
     throw std::invalid_argument("resolution must be positive");
   }
+  if (!(request.margin_mm >= 0.0)) {
+    throw std::invalid_argument("the margin must not be negative");
+  }
   if (capabilities().needs_basis && !problem.basis) {
     throw geometric::InputError({problem.scene->file.string(), "hand_basis", "nothing",
                                  "a PMD basis for planner " + name(),
@@ -170,6 +189,7 @@ PlanResult Planner::plan(const PlanningProblem& problem, const PlanRequest& requ
   result.statistics = context.statistics();
   if (result.solved()) {
     result.certificate = context.certify(result.path);
+    result.out_of_margin = out_of_margin(context);
   }
   return result;
 }

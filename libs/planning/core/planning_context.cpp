@@ -23,7 +23,19 @@ struct PlanningContext::Worker {
         edges(*checker, context.problem().motion,
               geometric::metres(context.request().resolution_mm)) {
     edges.set_ends(context.ends());
+    edges.set_margin(geometric::metres(context.request().margin_mm));
     edges.stop_when([&context] { return context.interruption().has_value(); });
+  }
+
+  /// A pair that touches, or does not keep the margin.
+  std::optional<int> conflict(const Configuration& q) {
+    const std::optional<int> touching = checker->first_collision(q);
+    return touching ? touching : edges.too_near(q);
+  }
+  /// The same. @param hint a pair to look at first.
+  std::optional<int> conflict(const Configuration& q, int hint) {
+    const std::optional<int> touching = checker->first_collision(q, hint);
+    return touching ? touching : edges.too_near(q);
   }
 
   std::unique_ptr<geometric::CollisionChecker> checker;
@@ -64,14 +76,16 @@ std::vector<int> arm_pairs(const PlanningProblem& problem) {
   return pairs;
 }
 
-std::vector<geometric::EdgeEnd> find_ends(const PlanningProblem& problem, double resolution) {
+std::vector<geometric::EdgeEnd> find_ends(const PlanningProblem& problem,
+                                          const PlanRequest& request) {
   const auto checker = problem.checker->clone();
   std::vector<geometric::EdgeEnd> ends;
   for (const Configuration* q : {&problem.start, &problem.goal}) {
     if (q->size() != problem.model().variable_count() || !q->allFinite()) {
       return {};
     }
-    ends.push_back(make_edge_end(*checker, *q, resolution));
+    ends.push_back(make_edge_end(*checker, *q, geometric::metres(request.resolution_mm),
+                                 geometric::metres(request.margin_mm)));
   }
   return ends;
 }
@@ -86,7 +100,7 @@ PlanningContext::PlanningContext(const PlanningProblem& problem, const PlanReque
       observer_(observer),
       begin_(std::chrono::steady_clock::now()),
       arm_pairs_(arm_pairs(problem)),
-      ends_(find_ends(problem, geometric::metres(request.resolution_mm))),
+      ends_(find_ends(problem, request)),
       threads_(std::make_unique<Threads>(*this)) {}
 
 PlanningContext::~PlanningContext() = default;
@@ -120,7 +134,7 @@ const EdgeResult& PlanningContext::counted(const EdgeResult& edge) {
 
 std::optional<int> PlanningContext::collision(const Configuration& q) {
   ++statistics_.node_checks;
-  return own_worker().checker->first_collision(q);
+  return own_worker().conflict(q);
 }
 
 bool PlanningContext::arm_collides(const Configuration& q) {
@@ -139,8 +153,7 @@ PlanningContext::FirstFree PlanningContext::first_free(
     if (i > first.get()) {
       return;  // an earlier one is free: this answer is not needed
     }
-    const std::optional<int> pair =
-        own_worker().checker->first_collision(candidate(i), last_rejecting_pair_);
+    const std::optional<int> pair = own_worker().conflict(candidate(i), last_rejecting_pair_);
     outcome[static_cast<std::size_t>(i)] = pair.value_or(kFree);
     if (!pair) {
       first.offer(i);
@@ -216,13 +229,13 @@ std::optional<int> PlanningContext::collision_among(std::span<const int> pairs,
 std::optional<int> PlanningContext::edge_probe(const Configuration& from, const Configuration& to,
                                                int count) {
   ++statistics_.edges_tested;
-  geometric::CollisionChecker& checker = *own_worker().checker;
+  Worker& worker = own_worker();
   // Halves, then quarters, …: the sooner an obstacle is met, the fewer are looked at.
   for (int parts = 2; parts / 2 <= count; parts *= 2) {
     for (int i = 1; i < parts; i += 2) {
       ++statistics_.edge_checks;
       const Configuration q = from + (static_cast<double>(i) / parts) * (to - from);
-      if (const std::optional<int> pair = checker.first_collision(q)) {
+      if (const std::optional<int> pair = worker.conflict(q)) {
         return pair;
       }
     }

@@ -48,10 +48,11 @@ struct EdgeEnd {
 };
 
 /// @param q free of collision. @param resolution m, of edges; what is nearer than twice of it
-/// counts.
+/// counts. @param margin m; so does what has to keep that and is nearer, by four resolutions more.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT EdgeEnd make_edge_end(CollisionChecker& checker,
                                                              const Configuration& q,
-                                                             double resolution);
+                                                             double resolution,
+                                                             double margin = 0.0);
 
 /// Decides whether the straight motion between two configurations is free, for
 /// every configuration on it and not just for samples.
@@ -67,6 +68,10 @@ struct EdgeEnd {
 /// they have there, and a hundredth more of every way that the pair can have moved since. So it is
 /// the usual one again where it can have moved by a hundred resolutions.
 ///
+/// With a margin, the robot moreover keeps that distance from what it is not made of. Next to an
+/// end where a pair is nearer, it keeps half of the distance there, and a fiftieth more of every
+/// way that the pair can have moved since.
+///
 /// Source: Schwarzer, Saha, Latombe 2005 (see MotionBound).
 class HANDWAY_GEOMETRIC_EXPORT EdgeChecker {
  public:
@@ -79,8 +84,14 @@ class HANDWAY_GEOMETRIC_EXPORT EdgeChecker {
   /// and once at the beginning of each question. Empty: they never do.
   void stop_when(std::function<bool()> stop) { stop_ = std::move(stop); }
 
-  /// Where resolutions shrink, also of edges that only pass by.
+  /// Where resolutions and the margin shrink, also of edges that only pass by.
   void set_ends(std::vector<EdgeEnd> ends);
+
+  /// What the robot keeps from all else, m, ≥ 0.
+  void set_margin(double margin) { margin_ = margin; }
+
+  /// A pair that does not keep the margin at `q`.
+  [[nodiscard]] std::optional<int> too_near(const Configuration& q);
 
   /// @param most_checks looks at no more configurations: an edge that they do not
   /// settle is said not to be free, without a pair; and so is one that was stopped.
@@ -112,14 +123,17 @@ class HANDWAY_GEOMETRIC_EXPORT EdgeChecker {
                                   const std::function<void(std::vector<int>&)>& list_pairs);
   [[nodiscard]] bool is_stopped(std::uint64_t checks) const;
 
-  /// What the pair has to keep (m) on a stretch of that half length around `middle`.
-  [[nodiscard]] double resolution_of(int pair, const Configuration& middle, double half) const;
+  /// What the pair has to keep (m) where it is not near an end.
+  [[nodiscard]] double far_from_ends(int pair) const;
+  /// What the pair has to keep (m) around `middle`, up to where it can have moved by `way` (m).
+  [[nodiscard]] double required(int pair, const Configuration& middle, double way) const;
 
   /// Whether no bound of the pair's distance is likely to be that large; of the configuration in
-  /// place, as the next two, where "closer" may be said wrongly of a large tolerance.
+  /// place, as the next two, where "closer" may be said wrongly of a pair that needs much.
   [[nodiscard]] bool is_out_of_reach(int pair, double distance);
   [[nodiscard]] Closeness closeness_of_spheres(int pair);
-  [[nodiscard]] Closeness closeness_within(int pair, double tolerance);
+  /// @param need m, that it can come closer. @param required m, to keep nevertheless.
+  [[nodiscard]] Closeness closeness_within(int pair, double need, double required);
 
   struct Clearance;  // what clearance() has found so far
   void look_at_end(const Configuration& q, Clearance& found);
@@ -138,6 +152,7 @@ class HANDWAY_GEOMETRIC_EXPORT EdgeChecker {
   std::shared_ptr<const MotionBound> bounds_;
   EdgeMotion motion_;
   double resolution_;
+  double margin_ = 0.0;
   std::vector<EdgeEnd> ends_;  ///< That have near pairs.
   std::function<bool()> stop_;
 };

@@ -73,6 +73,13 @@ struct SearchReach {
   geometric::Configuration farthest_from_goal = {};   ///< The one at `from_goal`.
 };
 
+/// A pair that is nearer at an end of the path than the margin that was asked for. Next to this end
+/// it keeps less; everything else keeps the margin along the whole path.
+struct OutOfMargin {
+  bool at_goal = false;  ///< Else at the start.
+  geometric::NamedPair pair;
+};
+
 /// The outcome of planning. `path` is empty unless the status is kSolved.
 struct PlanResult {
   PlanStatus status = PlanStatus::kSamplesSpent;
@@ -80,6 +87,7 @@ struct PlanResult {
   Path path;
   Certificate certificate;
   PlanStatistics statistics;
+  std::vector<OutOfMargin> out_of_margin;
   std::optional<SearchReach> reach;  ///< Without a path; nothing if the planner shows no nodes.
   double time_s = 0.0;               ///< Planning alone, wall clock.
   double smoothing_s = 0.0;          ///< Smoothing and optimising, wall clock.

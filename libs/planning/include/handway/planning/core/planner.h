@@ -31,7 +31,9 @@ struct PlanRequest {
   int threads = 1;  ///< ≥ 1; the result does not depend on it.
   double time_limit_s = std::numeric_limits<double>::infinity();
   double resolution_mm = 0.05;  ///< Edges closer than this to anything are refused.
-  double optimize_s = 0.0;      ///< Seconds to go on with optimising the path that was found.
+  /// What the robot keeps from all else, where the ends allow it; see EdgeChecker. ≥ 0.
+  double margin_mm = 0.0;
+  double optimize_s = 0.0;  ///< Seconds to go on with optimising the path that was found.
 };
 
 /// Finds a collision-free path from a problem's start to its goal.
