@@ -4,23 +4,33 @@
 #include "bench_scenes.h"
 #include "bench_table.h"
 #include "campaign_command.h"
+#include "chosen_basis.h"
 #include "exit_codes.h"
 #include "handway/geometric/collision/make_checker.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/replace_file.h"
+#include "handway/geometric/io/scene_writer.h"
 #include "handway/planning/campaigns/campaign_reader.h"
 #include "handway/planning/core/plugin.h"
+#include "handway/sampling/postures/pmd_basis_io.h"
 #include "number_options.h"
 #include "peak_memory.h"
 #include "scene_planner.h"
+#include "scene_variants.h"
+#include "variant_bench.h"
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
+#include <initializer_list>
 #include <map>
 #include <memory>
+#include <numeric>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -34,16 +44,33 @@ struct BenchOptions {
   std::vector<fs::path> scenes;
   std::vector<std::string> planners;
   BenchSettings settings;
+  VariantSettings variants;
+  std::vector<std::string> sets;  ///< KEY=VALUE
   bool checks_only = false;
+  fs::path write;  ///< Folder for variants; empty: they are run.
   fs::path out;
   bool resume = false;
   int jobs = 0;
 };
 
-SceneBench bench_checks(const fs::path& file, const planning::Extensions& extensions) {
+/// A scene to run planners on.
+struct BenchScene {
+  planning::LoadedScene loaded;
+  std::vector<std::string> settings;  ///< Of its own planner.
+};
+
+BenchScene load(const fs::path& file, const BenchOptions& options,
+                const planning::Extensions& extensions) {
+  BenchScene scene{planning::load_scene(file, extensions), options.sets};
+  choose_basis(scene.settings, scene.loaded);
+  return scene;
+}
+
+SceneBench bench_checks(const fs::path& file, const BenchOptions& options,
+                        const planning::Extensions& extensions) {
   reset_peak_memory();
   const auto begin = std::chrono::steady_clock::now();
-  const planning::LoadedScene loaded = planning::load_scene(file, extensions);
+  const planning::LoadedScene loaded = load(file, options, extensions).loaded;
   const planning::PlanningProblem problem = planning::make_problem(loaded.scene, loaded.basis);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
   SceneBench bench;
@@ -56,10 +83,12 @@ SceneBench bench_checks(const fs::path& file, const planning::Extensions& extens
 
 // The scene's own planner, then those asked for; none twice.
 std::vector<std::unique_ptr<planning::Planner>> planners_for(
-    const BenchOptions& options, const geometric::PlannerChoice& choice,
+    const BenchOptions& options, const BenchScene& scene,
     const planning::PlannerRegistry& registry) {
+  const geometric::PlannerChoice& choice = scene.loaded.scene->planner;
   std::vector<std::unique_ptr<planning::Planner>> planners;
   planners.push_back(scene_planner("", choice, registry));
+  apply_settings(*planners.front(), scene.settings);
   for (const std::string& asked : options.planners) {
     for (const std::string& name : asked == "all" ? registry.names() : std::vector{asked}) {
       if (std::ranges::none_of(planners, [&](const auto& p) { return p->name() == name; })) {
@@ -77,27 +106,42 @@ const std::map<std::string, geometric::CheckerKind>& checker_kinds() {
   return kKinds;
 }
 
-void bench_plans(SceneBench& bench, const BenchOptions& options,
-                 const planning::Extensions& extensions, const BenchTable& table) {
-  const planning::LoadedScene loaded = planning::load_scene(bench.file, extensions);
+std::vector<std::uint64_t> all_seeds(const BenchOptions& options) {
+  std::vector<std::uint64_t> seeds(static_cast<std::size_t>(options.settings.seeds));
+  std::iota(seeds.begin(), seeds.end(), 1);
+  return seeds;
+}
+
+PlanBench bench_plan(planning::Planner& planner, const planning::LoadedScene& loaded,
+                     const std::string& checker, double time_limit_s, const BenchOptions& options,
+                     const std::vector<std::uint64_t>& seeds) {
   planning::PlanRequest request;
   request.threads = options.settings.threads;
-  request.time_limit_s = options.settings.time_limit_s;
+  request.time_limit_s = time_limit_s;
+  const geometric::CheckerKind kind = checker_kinds().at(checker);
+  const auto make_problem = [&] {
+    planning::PlanningProblem problem = planning::make_problem(loaded.scene, loaded.basis);
+    if (kind != geometric::CheckerKind::kFast) {
+      problem.checker = make_collision_checker(problem.checker->shared_world(), kind);
+    }
+    return problem;
+  };
+  PlanBench bench =
+      bench_planner(planner, make_problem, request, seeds, options.settings.check_paths);
+  bench.checker = checker;
+  return bench;
+}
+
+void bench_plans(SceneBench& bench, const BenchOptions& options,
+                 const planning::Extensions& extensions, const BenchTable& table) {
+  const BenchScene scene = load(bench.file, options, extensions);
   // Kept while they run, so that what is made of meshes is not read again for each.
-  const planning::PlanningProblem kept = planning::make_problem(loaded.scene, loaded.basis);
-  for (const auto& planner : planners_for(options, loaded.scene->planner, extensions.planners())) {
+  const planning::PlanningProblem kept =
+      planning::make_problem(scene.loaded.scene, scene.loaded.basis);
+  for (const auto& planner : planners_for(options, scene, extensions.planners())) {
     for (const std::string& checker : options.settings.checkers) {
-      const geometric::CheckerKind kind = checker_kinds().at(checker);
-      const auto make_problem = [&] {
-        planning::PlanningProblem problem = planning::make_problem(loaded.scene, loaded.basis);
-        if (kind != geometric::CheckerKind::kFast) {
-          problem.checker = make_collision_checker(problem.checker->shared_world(), kind);
-        }
-        return problem;
-      };
-      bench.plans.push_back(bench_planner(*planner, make_problem, request, options.settings.seeds,
-                                          options.settings.check_paths));
-      bench.plans.back().checker = checker;
+      bench.plans.push_back(bench_plan(*planner, scene.loaded, checker,
+                                       options.settings.time_limit_s, options, all_seeds(options)));
       table.add_plan(bench, bench.plans.size() - 1);
     }
   }
@@ -120,22 +164,28 @@ bool query_is_valid(const SceneBench& bench) {
   });
 }
 
-int bench(const BenchOptions& options) {
+// Refuses an unknown planner and a folder that can't be written to at once.
+planning::Extensions checked_extensions(const BenchOptions& options) {
   planning::Extensions extensions;
   extensions.load_plugins(planning::plugin_directory());
   for (const std::string& name : options.planners) {
     if (name != "all") {
-      static_cast<void>(extensions.planners().create(name));  // refuses an unknown one at once
+      static_cast<void>(extensions.planners().create(name));
     }
   }
   if (!options.out.empty()) {
     make_folder(options.out);
   }
+  return extensions;
+}
+
+int bench(const BenchOptions& options) {
+  const planning::Extensions extensions = checked_extensions(options);
   const std::vector<fs::path> files = options.scenes.empty() ? bench_scenes() : options.scenes;
   const BenchTable table(options.settings, files);
   std::vector<SceneBench> scenes;
   for (const fs::path& file : files) {
-    scenes.push_back(bench_checks(file, extensions));
+    scenes.push_back(bench_checks(file, options, extensions));
     if (scenes.size() == 1) {  // a file that can't be read leaves no table
       table.begin_collisions();
     }
@@ -154,30 +204,163 @@ int bench(const BenchOptions& options) {
   return std::ranges::all_of(scenes, query_is_valid) ? kDone : kInvalidQuery;
 }
 
+std::vector<PlanBench> bench_variant(const BenchScene& scene, const BenchOptions& options,
+                                     const planning::Extensions& extensions) {
+  const std::string& checker = options.settings.checkers.front();
+  const planning::PlanningProblem kept =
+      planning::make_problem(scene.loaded.scene, scene.loaded.basis);
+  std::vector<PlanBench> plans;
+  for (const auto& planner : planners_for(options, scene, extensions.planners())) {
+    const bool is_default = plans.empty();
+    plans.push_back(bench_plan(
+        *planner, scene.loaded, checker,
+        is_default ? options.settings.time_limit_s : options.variants.others_time_limit_s, options,
+        is_default || !options.variants.only_missed ? all_seeds(options)
+                                                    : unsolved_seeds(plans.front())));
+  }
+  return plans;
+}
+
+// The variants of a file; `use` is handed each that was found.
+template <typename Use>
+VariantBench make_variants(const fs::path& file, const BenchOptions& options,
+                           const planning::Extensions& extensions, const Use& use) {
+  const planning::LoadedScene loaded = planning::load_scene(file, extensions);
+  const planning::PlanningProblem problem = planning::make_problem(loaded.scene, loaded.basis);
+  const VariantGenerator generator(problem);
+  VariantBench bench{file, fmt::format("{}", fmt::join(generator.target(), ", ")), {}};
+  for (int number = 1; number <= options.variants.count; ++number) {
+    bench.variants.push_back({generator.make(number, options.variants.seed), {}});
+    if (bench.variants.back().variant.scene) {
+      use(bench.variants.back());
+    }
+  }
+  return bench;
+}
+
+int bench_variants(const BenchOptions& options) {
+  const planning::Extensions extensions = checked_extensions(options);
+  const std::vector<fs::path> files = options.scenes.empty() ? bench_scenes() : options.scenes;
+  const BenchTable table(options.settings, files);
+  std::vector<VariantBench> benches;
+  VariantSummary total;
+  for (const fs::path& file : files) {
+    BenchScene scene = load(file, options, extensions);
+    if (benches.empty()) {  // a file that can't be read leaves no table
+      table.begin_variants(options.variants);
+    }
+    benches.push_back(make_variants(file, options, extensions, [&](VariantRuns& runs) {
+      scene.loaded.scene = runs.variant.scene;
+      runs.plans = bench_variant(scene, options, extensions);
+    }));
+    table.add_variants(benches.back());
+    total += summary_of(benches.back());
+  }
+  table.add_summary(total);
+  if (!options.out.empty()) {
+    geometric::replace_file(options.out / "variants.json",
+                            variants_json(options.settings, options.variants, benches));
+  }
+  return kDone;
+}
+
+// As scene files; the basis of an imported problem, which is in no file of ours, beside them.
+int write_variants(const BenchOptions& options) {
+  const planning::Extensions extensions = checked_extensions(options);
+  make_folder(options.write);
+  for (const fs::path& file : options.scenes.empty() ? bench_scenes() : options.scenes) {
+    const BenchScene source = load(file, options, extensions);
+    const std::string stem = file.stem().string();
+    fs::path basis = source.loaded.scene->hand_basis;
+    if (source.loaded.basis && basis.empty()) {
+      basis = fs::absolute(options.write / (stem + "_hand.yaml"));
+      sampling::write_pmd_basis(*source.loaded.basis, basis);
+    }
+    const VariantBench bench =
+        make_variants(file, options, extensions, [&](const VariantRuns& runs) {
+          geometric::Scene scene = *runs.variant.scene;
+          scene.hand_basis = basis;
+          const fs::path target =
+              options.write / fmt::format("{}_seed{}_variant{:02}.yaml", stem, runs.variant.seed,
+                                          runs.variant.number);
+          geometric::write_scene(scene, target);
+          fmt::print("{}\n", target.string());
+        });
+    for (const VariantRuns& runs : bench.variants) {
+      if (!runs.variant.scene) {
+        fmt::print("{}, variant {}: no free start and goal in {} draws\n", stem,
+                   runs.variant.number, runs.variant.draws);
+      }
+    }
+  }
+  return kDone;
+}
+
+void refuse(std::initializer_list<const char*> names, const CLI::App& command,
+            const std::string& reason) {
+  for (const char* name : names) {
+    if (command.count(name) > 0) {
+      throw CLI::ValidationError(name, reason);
+    }
+  }
+}
+
 // A campaign says itself what is run; it goes with none of the options that say so here.
 int bench_campaign(const BenchOptions& options, const CLI::App& command) {
   if (options.scenes.size() > 1) {
     throw CLI::ValidationError("CAMPAIGN", "a campaign is run by itself, without other files");
   }
-  for (const char* option : {"--planner", "--seeds", "--threads", "--time-limit", "--checker",
-                             "--check-paths", "--checks"}) {
-    if (command.count(option) > 0) {
-      throw CLI::ValidationError(option, "is for scenes; a campaign has it in its file");
-    }
-  }
+  refuse({"--planner", "--seeds", "--threads", "--time-limit", "--checker", "--check-paths",
+          "--checks", "--set", "--variants"},
+         command, "is for scenes; a campaign has it in its file");
   return run_campaign_file({options.scenes.front(), options.out, options.resume, options.jobs});
 }
 
-int bench_or_campaign(const BenchOptions& options, const CLI::App& command) {
+int bench_or_campaign(BenchOptions& options, const CLI::App& command) {
   if (std::ranges::any_of(options.scenes, planning::is_campaign)) {
     return bench_campaign(options, command);
   }
-  for (const char* option : {"--resume", "--jobs"}) {
-    if (command.count(option) > 0) {
-      throw CLI::ValidationError(option, "is for campaigns only");
-    }
+  refuse({"--resume", "--jobs"}, command, "is for campaigns only");
+  if (options.variants.count == 0) {
+    refuse({"--variant-seed", "--write", "--only-missed", "--others-limit"}, command,
+           "goes with --variants");
+    return bench(options);
   }
-  return bench(options);
+  refuse({"--checks"}, command, "does not go with --variants");
+  if (options.settings.checkers.size() > 1) {
+    throw CLI::ValidationError("--checker", "variants are run with one");
+  }
+  if (!options.write.empty()) {
+    refuse({"--planner", "--seeds", "--threads", "--time-limit", "--checker", "--check-paths",
+            "--only-missed", "--others-limit", "--set", "--out"},
+           command, "does not go with --write, which plans nothing");
+    return write_variants(options);
+  }
+  if (command.count("--others-limit") == 0) {
+    options.variants.others_time_limit_s = options.settings.time_limit_s;
+  }
+  return bench_variants(options);
+}
+
+void add_variant_options(CLI::App& command, BenchOptions& options) {
+  VariantSettings& variants = options.variants;
+  command
+      .add_option("--variants", variants.count,
+                  "Run harder variants of each problem instead: so many (12 if not said)")
+      ->expected(0, 1)
+      ->default_str("12")
+      ->check(CLI::Range(1, 10000));
+  command.add_option("--variant-seed", variants.seed, "What variants are drawn from")
+      ->check(not_negative())
+      ->capture_default_str();
+  command.add_flag("--only-missed", variants.only_missed,
+                   "Run other planners on those variants and seeds that the default missed");
+  command
+      .add_option("--others-limit", variants.others_time_limit_s,
+                  "Seconds before a run of another planner gives up (default: --time-limit)")
+      ->check(positive_number());
+  command.add_option("--write", options.write,
+                     "Write the variants as scene files to this folder, and run nothing");
 }
 
 }  // namespace
@@ -216,6 +399,13 @@ void add_bench_command(CLI::App& app, int& exit_code) {
   command->add_flag("--checks", options->checks_only, "Measure collision checks only");
   command->add_option("--out", options->out,
                       "Folder for bench.csv and bench.json, or for a campaign's runs and report");
+  command
+      ->add_option("--set", options->sets,
+                   "A parameter of the scene's own planner, KEY=VALUE; or basis=FILE")
+      ->type_name("KEY=VALUE")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  add_variant_options(*command, *options);
   command->add_flag("--resume", options->resume, "Go on with a campaign whose runs are in --out");
   command->add_option("--jobs", options->jobs, "Runs of a campaign at a time (default: one a core)")
       ->check(CLI::Range(1, 1024));

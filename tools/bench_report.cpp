@@ -1,5 +1,6 @@
 #include "bench_report.h"
 
+#include "handway/geometric/math/units.h"
 #include "version.h"
 
 #include <fmt/format.h>
@@ -12,6 +13,15 @@ namespace handway::tools {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+// Of planning times.
+double median_ratio(const PlanBench& first, const PlanBench& bench) {
+  const double own = time_quantile(first, 0.5);
+  const double other = time_quantile(bench, 0.5);
+  return std::isfinite(own) && std::isfinite(other) && own > 0.0
+             ? other / own
+             : std::numeric_limits<double>::quiet_NaN();
+}
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
@@ -50,8 +60,7 @@ Json runs_of(const PlanBench& bench) {
   return runs;
 }
 
-Json plan_of(const BenchSettings& settings, const SceneBench& scene, std::size_t i) {
-  const PlanBench& bench = scene.plans[i];
+Json plan_of(const BenchSettings& settings, const PlanBench& bench, double ratio) {
   return {{"planner", bench.planner},
           {"checker", bench.checker},
           {"problem", bench.problem},
@@ -61,12 +70,56 @@ Json plan_of(const BenchSettings& settings, const SceneBench& scene, std::size_t
           {"median_s", number(time_quantile(bench, 0.5))},
           {"p95_s", number(time_quantile(bench, 0.95))},
           {"p99_s", number(time_quantile(bench, 0.99))},
-          {"ratio", number(time_ratio(scene, i))},
+          {"ratio", number(ratio)},
           {"samples", number(median_samples(bench))},
           {"checks", number(median_checks(bench))},
           {"path_nodes", number(median_path_nodes(bench))},
           {"memory_bytes", bench.memory},
           {"runs", runs_of(bench)}};
+}
+
+Json plans_of(const BenchSettings& settings, const std::vector<PlanBench>& benches) {
+  Json plans = Json::array();
+  for (const PlanBench& bench : benches) {
+    plans.push_back(plan_of(settings, bench, median_ratio(benches.front(), bench)));
+  }
+  return plans;
+}
+
+Json summary_of_pairs(const VariantSummary& summary) {
+  Json missed = Json::array();
+  for (const MissedPair& pair : summary.missed) {
+    Json solved_by = Json::array();
+    for (const auto& [planner, time_s] : pair.solved_by) {
+      solved_by.push_back({{"planner", planner}, {"time_s", time_s}});
+    }
+    missed.push_back({{"file", pair.file},
+                      {"variant", pair.variant},
+                      {"seed", pair.seed},
+                      {"reason", pair.reason},
+                      {"solved_by", solved_by}});
+  }
+  return {{"pairs", summary.pairs},
+          {"solved_by_any", summary.solved_by_any},
+          {"solved_by_default", summary.solved_by_default},
+          {"default_share", number(summary.default_share())},
+          {"missed_by_default", missed}};
+}
+
+Json variants_of(const BenchSettings& settings, const VariantBench& bench) {
+  Json variants = Json::array();
+  for (const VariantRuns& runs : bench.variants) {
+    variants.push_back({{"variant", runs.variant.number},
+                        {"found", runs.variant.scene != nullptr},
+                        {"draws", runs.variant.draws},
+                        {"gap_mm", geometric::millimetres(variant_gap(runs.variant.number))},
+                        {"plans", plans_of(settings, runs.plans)}});
+  }
+  return {{"scene", bench.name()},
+          {"file", bench.file.string()},
+          {"target", bench.target},
+          {"summary", summary_of_pairs(summary_of(bench))},
+          {"variants", variants}};
 }
 
 std::string cell(double value) {
@@ -114,11 +167,7 @@ std::string plan_cells(const BenchSettings& settings, const SceneBench& scene, s
 }  // namespace
 
 double time_ratio(const SceneBench& scene, std::size_t i) {
-  const double own = time_quantile(scene.plans.front(), 0.5);
-  const double other = time_quantile(scene.plans[i], 0.5);
-  return std::isfinite(own) && std::isfinite(other) && own > 0.0
-             ? other / own
-             : std::numeric_limits<double>::quiet_NaN();
+  return median_ratio(scene.plans.front(), scene.plans[i]);
 }
 
 std::string bench_csv(const BenchSettings& settings, const std::vector<SceneBench>& scenes) {
@@ -143,21 +192,38 @@ std::string bench_csv(const BenchSettings& settings, const std::vector<SceneBenc
 std::string bench_json(const BenchSettings& settings, const std::vector<SceneBench>& scenes) {
   Json list = Json::array();
   for (const SceneBench& scene : scenes) {
-    Json plans = Json::array();
-    for (std::size_t i = 0; i < scene.plans.size(); ++i) {
-      plans.push_back(plan_of(settings, scene, i));
-    }
     list.push_back({{"scene", scene.name()},
                     {"file", scene.file.string()},
                     {"load_s", scene.load_s},
                     {"load_memory_bytes", scene.memory},
                     {"collision", collision_of(scene.collision)},
-                    {"plans", plans}});
+                    {"plans", plans_of(settings, scene.plans)}});
   }
   const Json report = {{"version", kVersion},
                        {"seeds", settings.seeds},
                        {"threads", settings.threads},
                        {"time_limit_s", settings.time_limit_s},
+                       {"scenes", list}};
+  return report.dump(2) + "\n";
+}
+
+std::string variants_json(const BenchSettings& settings, const VariantSettings& variants,
+                          const std::vector<VariantBench>& benches) {
+  Json list = Json::array();
+  VariantSummary total;
+  for (const VariantBench& bench : benches) {
+    list.push_back(variants_of(settings, bench));
+    total += summary_of(bench);
+  }
+  const Json report = {{"version", kVersion},
+                       {"variants", variants.count},
+                       {"variant_seed", variants.seed},
+                       {"seeds", settings.seeds},
+                       {"threads", settings.threads},
+                       {"time_limit_s", settings.time_limit_s},
+                       {"others_time_limit_s", variants.others_time_limit_s},
+                       {"others_only_where_missed", variants.only_missed},
+                       {"summary", summary_of_pairs(total)},
                        {"scenes", list}};
   return report.dump(2) + "\n";
 }

@@ -2,8 +2,10 @@
 
 #include "collision_bench.h"
 #include "plan_bench.h"
+#include "variant_bench.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -17,6 +19,14 @@ struct BenchSettings {
   double time_limit_s = 30.0;
   std::vector<std::string> checkers = {"fast"};  ///< That plans use: keys of checker_kinds().
   bool check_paths = false;                      ///< Every path that is found.
+};
+
+/// How variants are made and run, beside BenchSettings.
+struct VariantSettings {
+  int count = 0;                     ///< Of each problem; 0: the problems themselves are run.
+  std::uint64_t seed = 1;            ///< Variants are drawn from it.
+  bool only_missed = false;          ///< Other planners run where the default found no path.
+  double others_time_limit_s = 0.0;  ///< Of other planners; 0: BenchSettings::time_limit_s.
 };
 
 /// What was measured on one scene.
@@ -42,5 +52,10 @@ struct SceneBench {
 /// Everything, each run included; a number that does not exist is null.
 [[nodiscard]] std::string bench_json(const BenchSettings& settings,
                                      const std::vector<SceneBench>& scenes);
+
+/// The variants of each problem, each run and who missed what.
+[[nodiscard]] std::string variants_json(const BenchSettings& settings,
+                                        const VariantSettings& variants,
+                                        const std::vector<VariantBench>& benches);
 
 }  // namespace handway::tools

@@ -95,6 +95,63 @@ void BenchTable::add_plan(const SceneBench& scene, std::size_t i) const {
   std::fflush(stdout);
 }
 
+void BenchTable::begin_variants(const VariantSettings& variants) const {
+  fmt::print(
+      "{} variants of each problem, drawn from seed {}; {} seed{} each, {} thread{}, limit {:g} s"
+      "{}; planning time in ms (a run without a path counts as endless).\n"
+      "{:<{}} {:<18} {:>8} {:>8} {:>8} {:>9} {:>9} {:>6}\n",
+      variants.count, variants.seed, settings_.seeds, settings_.seeds == 1 ? "" : "s",
+      settings_.threads, settings_.threads == 1 ? "" : "s", settings_.time_limit_s,
+      variants.others_time_limit_s == settings_.time_limit_s
+          ? ""
+          : fmt::format(", of other planners {:g} s", variants.others_time_limit_s),
+      "problem", width_, "planner", "solved", "median", "p95", "checks", "samples", "nodes");
+  std::fflush(stdout);
+}
+
+void BenchTable::add_variants(const VariantBench& bench) const {
+  for (const PlanBench& plan : merged_plans(bench)) {
+    if (plan.results.empty() && plan.problem.empty()) {
+      continue;  // nothing was left for it
+    }
+    fmt::print("{:<{}} {:<18} {:>8} {:>8} {:>8} {:>9} {:>9} {:>6}\n", bench.name(), width_,
+               plan.planner, fmt::format("{}/{}", solved_count(plan), plan.results.size()),
+               milliseconds(time_quantile(plan, 0.5)), milliseconds(time_quantile(plan, 0.95)),
+               shown(median_checks(plan)), shown(median_samples(plan)),
+               shown(median_path_nodes(plan)));
+    if (!plan.problem.empty()) {
+      fmt::print("  not run: {}\n", plan.problem);
+    }
+    if (settings_.check_paths) {
+      add_faults(plan);
+    }
+  }
+  for (const VariantRuns& runs : bench.variants) {
+    if (!runs.variant.scene) {
+      fmt::print("  variant {}: no free start and goal in {} draws\n", runs.variant.number,
+                 runs.variant.draws);
+    }
+  }
+  for (const MissedPair& pair : summary_of(bench).missed) {
+    std::string others;
+    for (const auto& [planner, time_s] : pair.solved_by) {
+      others +=
+          fmt::format("{}{} in {:.3g} s", others.empty() ? "solved by " : ", ", planner, time_s);
+    }
+    fmt::print("  missed: variant {}, seed {}; {}\n", pair.variant, pair.seed,
+               others.empty() ? "solved by none" : others);
+  }
+  std::fflush(stdout);
+}
+
+void BenchTable::add_summary(const VariantSummary& summary) const {
+  fmt::print(
+      "\n{} pairs of variant and seed, {} solved by any planner; of these the default solves "
+      "{} ({:.1f} %)\n",
+      summary.pairs, summary.solved_by_any, summary.solved_by_default,
+      summary.solved_by_any > 0 ? 100.0 * summary.default_share() : 0.0);
+}
+
 void BenchTable::add_faults(const PlanBench& bench) const {
   const int faulty = faulty_count(bench);
   fmt::print("  {} of {} paths valid at 1 mm\n", solved_count(bench) - faulty, solved_count(bench));

@@ -16,6 +16,12 @@ class BenchTable {
   /// The scene's plan number `i`.
   void add_plan(const SceneBench& scene, std::size_t i) const;
 
+  /// Of planners on variants.
+  void begin_variants(const VariantSettings& variants) const;
+  void add_variants(const VariantBench& bench) const;
+  /// Of all problems.
+  void add_summary(const VariantSummary& summary) const;
+
  private:
   void add_faults(const PlanBench& bench) const;
 

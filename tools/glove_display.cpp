@@ -29,16 +29,16 @@ std::string bar(int count) {
 // Sensors that read the end of their scale most likely are out of range or broken.
 const char* remark(int count) { return count <= 1 || count >= 255 ? "saturated" : ""; }
 
-double milliseconds(double seconds) { return seconds * 1000.0; }
+double in_milliseconds(double seconds) { return seconds * 1000.0; }
 
 std::string timing_text(const StreamStatistics& s) {
   return fmt::format("{:.1f} Hz, {} frames, round trip {:.1f} ms, jitter {:.1f} ms", s.rate,
-                     s.frames, milliseconds(s.latency), milliseconds(s.jitter));
+                     s.frames, in_milliseconds(s.latency), in_milliseconds(s.jitter));
 }
 
 std::string fault_text(const StreamStatistics& s) {
   return fmt::format("{} dropouts, longest gap {:.0f} ms, {} resyncs, {} reconnects", s.dropouts,
-                     milliseconds(s.longest_gap), s.resynchronisations, s.reconnects);
+                     in_milliseconds(s.longest_gap), s.resynchronisations, s.reconnects);
 }
 
 }  // namespace

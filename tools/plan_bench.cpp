@@ -39,13 +39,14 @@ double median_of(const PlanBench& bench, const Value& value) {
 
 PlanBench bench_planner(planning::Planner& planner,
                         const std::function<planning::PlanningProblem()>& make_problem,
-                        planning::PlanRequest request, int seeds, bool checked) {
+                        planning::PlanRequest request, const std::vector<std::uint64_t>& seeds,
+                        bool checked) {
   PlanBench bench;
   bench.planner = planner.name();
   reset_peak_memory();
   try {
-    for (int seed = 1; seed <= seeds; ++seed) {
-      request.seed = static_cast<std::uint64_t>(seed);
+    for (const std::uint64_t seed : seeds) {
+      request.seed = seed;
       const planning::PlanningProblem problem = make_problem();
       PlanResult result = planner.plan(problem, request);
       bench.seeds.push_back(request.seed);

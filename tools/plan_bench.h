@@ -22,13 +22,13 @@ struct PlanBench {
   std::string problem;                                ///< Why it could not be run at all; or empty.
 };
 
-/// Runs seeds 1 to `seeds`; ends after the first if the query itself is not valid.
+/// Runs each of `seeds`; ends after the first if the query itself is not valid.
 /// @param checked whether every path is checked again at 1 mm (planning::check_path).
 /// @param make_problem is called for every run, so that none profits from what a checker
 /// remembers of another.
 [[nodiscard]] PlanBench bench_planner(
     planning::Planner& planner, const std::function<planning::PlanningProblem()>& make_problem,
-    planning::PlanRequest request, int seeds, bool checked);
+    planning::PlanRequest request, const std::vector<std::uint64_t>& seeds, bool checked);
 
 [[nodiscard]] int solved_count(const PlanBench& bench);
 /// Paths in which a check found a fault.

@@ -52,22 +52,6 @@ struct PlanOptions {
   fs::path report;
 };
 
-std::unique_ptr<planning::Planner> configured_planner(const PlanOptions& options,
-                                                      const geometric::PlannerChoice& choice,
-                                                      const planning::PlannerRegistry& registry) {
-  std::unique_ptr<planning::Planner> planner = scene_planner(options.planner, choice, registry);
-  const std::vector<planning::Parameter> parameters = planner->parameters();
-  for (const std::string& setting : options.settings) {
-    const std::size_t equals = setting.find('=');
-    if (equals == std::string::npos) {
-      throw CLI::ValidationError("--set", "\"" + setting + "\" is not KEY=VALUE");
-    }
-    set_from_text(find_parameter(parameters, setting.substr(0, equals)),
-                  setting.substr(equals + 1));
-  }
-  return planner;
-}
-
 PlanResult plan_until_interrupted(planning::Planner& planner,
                                   const planning::PlanningProblem& problem,
                                   const planning::PlanRequest& request) {
@@ -146,7 +130,8 @@ int plan(PlanOptions options) {
   print_warnings(*loaded.scene);
   choose_basis(options.settings, loaded);
   const std::unique_ptr<planning::Planner> planner =
-      configured_planner(options, loaded.scene->planner, extensions.planners());
+      scene_planner(options.planner, loaded.scene->planner, extensions.planners());
+  apply_settings(*planner, options.settings);
   const planning::PlanningProblem problem = planning::make_problem(loaded.scene, loaded.basis);
   const std::chrono::duration<double> load = std::chrono::steady_clock::now() - begin;
 

@@ -22,13 +22,13 @@ namespace {
 namespace fs = std::filesystem;
 using geometric::InputError;
 
-struct Figure {
+struct PostureFigure {
   int number;
   const char* caption;
   const char* drawing;  ///< What handway-figures calls it.
 };
 
-constexpr std::array<Figure, 4> kFigures = {
+constexpr std::array<PostureFigure, 4> kFigures = {
     {{7, "Correlations between joints of the hand", "correlations"},
      {8, "The hand along each of the first two principal motion directions", "directions"},
      {9, "The hand over both of the first two principal motion directions", "grid"},
@@ -162,7 +162,7 @@ std::vector<ReproducedFigure> reproduce_postures(const std::set<int>& figures,
     }
   }
   std::vector<ReproducedFigure> made;
-  for (const Figure& figure : kFigures) {
+  for (const PostureFigure& figure : kFigures) {
     if (!figures.contains(figure.number)) {
       continue;
     }

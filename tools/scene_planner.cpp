@@ -1,5 +1,7 @@
 #include "scene_planner.h"
 
+#include <CLI/CLI.hpp>
+
 #include <vector>
 
 namespace handway::tools {
@@ -21,6 +23,18 @@ std::unique_ptr<planning::Planner> scene_planner(const std::string& name,
     }
   }
   return planner;
+}
+
+void apply_settings(planning::Planner& planner, const std::vector<std::string>& settings) {
+  const std::vector<planning::Parameter> parameters = planner.parameters();
+  for (const std::string& setting : settings) {
+    const std::size_t equals = setting.find('=');
+    if (equals == std::string::npos) {
+      throw CLI::ValidationError("--set", "\"" + setting + "\" is not KEY=VALUE");
+    }
+    set_from_text(find_parameter(parameters, setting.substr(0, equals)),
+                  setting.substr(equals + 1));
+  }
 }
 
 }  // namespace handway::tools

@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace handway::tools {
 
@@ -14,5 +15,10 @@ namespace handway::tools {
 [[nodiscard]] std::unique_ptr<planning::Planner> scene_planner(
     const std::string& name, const geometric::PlannerChoice& choice,
     const planning::PlannerRegistry& registry);
+
+/// Sets parameters from the command line, KEY=VALUE each.
+/// @throws CLI::ValidationError if one is not of this form, InputError for an unknown parameter or
+/// a value that it can't have.
+void apply_settings(planning::Planner& planner, const std::vector<std::string>& settings);
 
 }  // namespace handway::tools

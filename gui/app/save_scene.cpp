@@ -6,20 +6,6 @@
 #include <string>
 
 namespace handway::gui {
-namespace {
-
-// The same postures, spanned by vectors of unit length as basis files have them.
-sampling::PmdBasis with_unit_vectors(sampling::PmdBasis basis) {
-  for (sampling::PrincipalDirection& direction : basis.directions) {
-    const double length = direction.vector.norm();
-    direction.vector /= length;
-    direction.half_side *= length;
-    direction.variance *= length * length;
-  }
-  return basis;
-}
-
-}  // namespace
 
 void save_scene(const planning::LoadedScene& loaded, const geometric::Configuration& shown,
                 const geometric::PlannerChoice& planner, const std::filesystem::path& file) {
@@ -30,7 +16,7 @@ void save_scene(const planning::LoadedScene& loaded, const geometric::Configurat
   }
   if (loaded.basis && scene.hand_basis.empty()) {
     const std::filesystem::path basis = file.parent_path() / (file.stem().string() + "_hand.yaml");
-    sampling::write_pmd_basis(with_unit_vectors(*loaded.basis), basis);
+    sampling::write_pmd_basis(*loaded.basis, basis);
     scene.hand_basis = std::filesystem::absolute(basis);
   }
   geometric::write_scene(scene, file);

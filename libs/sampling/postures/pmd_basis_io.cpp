@@ -282,14 +282,17 @@ void write_pmd_basis(const PmdBasis& basis, const std::filesystem::path& file) {
   if (!basis.directions.empty()) {
     out << YAML::Key << "directions" << YAML::Value << YAML::BeginSeq;
     for (const PrincipalDirection& direction : basis.directions) {
+      const double norm = direction.vector.norm();
+      const double length = std::abs(norm - 1.0) > kUnitLengthTolerance ? norm : 1.0;
       out << YAML::BeginMap;
       out << YAML::Key << "name" << YAML::Value << direction.name;
-      out << YAML::Key << "half_side" << YAML::Value << shortest(direction.half_side);
+      out << YAML::Key << "half_side" << YAML::Value << shortest(direction.half_side * length);
       if (direction.variance != 0.0) {
-        out << YAML::Key << "variance" << YAML::Value << shortest(direction.variance);
+        out << YAML::Key << "variance" << YAML::Value
+            << shortest(direction.variance * length * length);
       }
       out << YAML::Key << "vector" << YAML::Value;
-      emit_numbers(out, direction.vector);
+      emit_numbers(out, direction.vector / length);
       out << YAML::EndMap;
     }
     out << YAML::EndSeq;

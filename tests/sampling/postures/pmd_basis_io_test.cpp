@@ -113,6 +113,16 @@ TEST_F(PmdBasisIo, ReadsBackTheSameBits) {
   expect_same(read_pmd_basis(file()), basis);
 }
 
+TEST_F(PmdBasisIo, WritesLongVectorsAsUnitVectorsThatSpanTheSame) {
+  PmdBasis basis = read(kBasis);
+  basis.directions[0].vector *= 2.0;
+  write_pmd_basis(basis, file());
+  const PrincipalDirection direction = read_pmd_basis(file()).directions[0];
+  EXPECT_EQ(direction.vector, Eigen::Vector3d(0, 0.6, 0.8));
+  EXPECT_DOUBLE_EQ(direction.half_side, 0.8);
+  EXPECT_DOUBLE_EQ(direction.variance, 0.4);
+}
+
 TEST_F(PmdBasisIo, NamesRecordedPosturesFromItsOwnFolder) {
   const PmdBasis basis = read(replaced(kBasis, "units:", "postures: recorded/claw.csv\nunits:"));
   EXPECT_EQ(basis.postures, file().parent_path() / "recorded" / "claw.csv");

@@ -26,7 +26,8 @@ namespace handway::sampling {
 [[nodiscard]] HANDWAY_SAMPLING_EXPORT PmdBasis read_pmd_basis(const std::filesystem::path& file);
 
 /// Replaces the file whole. Postures are named from the file's folder. Numbers are written with as
-/// few digits as give the same bits when read again. A variance of 0 (not known) is left out.
+/// few digits as give the same bits when read again; a direction whose vector is not of unit length
+/// is written as one that is and spans the same. A variance of 0 (not known) is left out.
 /// @throws geometric::InputError if the file can't be written.
 HANDWAY_SAMPLING_EXPORT void write_pmd_basis(const PmdBasis& basis,
                                              const std::filesystem::path& file);

@@ -1,0 +1,412 @@
+#include "scene_variants.h"
+
+#include "closed_hand.h"
+#include "handway/geometric/collision/closest_points.h"
+#include "handway/geometric/collision/contact.h"
+#include "handway/geometric/collision/fcl_checker.h"
+#include "handway/geometric/collision/make_checker.h"
+#include "handway/geometric/robot/limit_violation.h"
+#include "handway/planning/queries/palm_ik.h"
+#include "handway/sampling/sequences/random_stream.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace handway::tools {
+namespace {
+
+using geometric::CollisionWorld;
+using geometric::Configuration;
+using geometric::FclChecker;
+using geometric::Pose;
+using geometric::Scene;
+using geometric::SceneObject;
+using sampling::RandomStream;
+
+constexpr int kMostDraws = 100;
+constexpr double kGraspReach = 0.03;  // m, from the hand to what it grasps
+constexpr double kDeeper = 1e-3;      // m, that contacts of objects are not told apart
+constexpr double kLowered = 5e-3;     // m, to feel what an object rests on
+constexpr double kApproached = 5e-5;  // m
+constexpr double kHorizontal = 0.2;   // least horizontal part of a direction
+constexpr int kMostApproachSteps = 40;
+constexpr double kLeastShare = 0.02;  // of an approach
+
+/// Objects that move together.
+struct Unit {
+  std::vector<std::size_t> objects;  ///< Indices in the scene.
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  bool rests = false;                      ///< On something else.
+  std::map<std::string, double> contacts;  ///< m into other objects, in the scene as it is.
+};
+
+/// How a unit is moved: turned about its middle, then shifted.
+struct Motion {
+  Eigen::Vector3d shift = Eigen::Vector3d::Zero();
+  Eigen::AngleAxisd turn = Eigen::AngleAxisd::Identity();
+
+  [[nodiscard]] Pose about(const Eigen::Vector3d& middle) const {
+    return Pose(Eigen::Translation3d(shift + middle) * turn * Eigen::Translation3d(-middle));
+  }
+};
+
+bool is_movable(const SceneObject& object) {
+  return !object.attachment && !object.locked &&
+         bounding_box(*tessellate(object.shape)).size().maxCoeff() <= kLongestMovable;
+}
+
+Eigen::Vector3d middle_of(const Scene& scene, const std::vector<std::size_t>& objects) {
+  geometric::TriangleMesh all;
+  for (const std::size_t i : objects) {
+    append(all, transformed(*tessellate(scene.objects[i].shape), scene.objects[i].X_PO));
+  }
+  return bounding_box(all).centre();
+}
+
+std::vector<Unit> movable_units(const Scene& scene) {
+  std::vector<Unit> units;
+  std::map<std::string, std::size_t> of_group;
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    const std::string& group = scene.objects[i].group;
+    const auto [known, is_new] = of_group.emplace(group, units.size());
+    if (group.empty() || is_new) {
+      units.emplace_back();
+    }
+    units[group.empty() ? units.size() - 1 : known->second].objects.push_back(i);
+  }
+  std::erase_if(units, [&](const Unit& unit) {
+    return !std::ranges::all_of(unit.objects,
+                                [&](std::size_t i) { return is_movable(scene.objects[i]); });
+  });
+  for (Unit& unit : units) {
+    unit.middle = middle_of(scene, unit.objects);
+  }
+  return units;
+}
+
+// A robot that can do nothing but lower what it carries.
+geometric::RobotInstance lift() {
+  geometric::RobotDescription robot;
+  robot.name = "lift";
+  robot.links = {{"mast", {}, {}}, {"fork", {}, {}}};
+  geometric::Joint joint;
+  joint.name = "height";
+  joint.type = geometric::JointType::kPrismatic;
+  joint.parent = "mast";
+  joint.child = "fork";
+  joint.limits.lower = -1.0;
+  joint.limits.upper = 1.0;
+  robot.joints = {joint};
+  return {robot.name,
+          {},
+          std::make_shared<const geometric::RobotModel>(robot),
+          Pose::Identity(),
+          Configuration::Zero(1)};
+}
+
+// How deep a unit is in which other object, m, once it is lowered. The planned robot is left out.
+std::map<std::string, double> contact_depths(Scene scene, const Unit& unit, double lowered) {
+  for (const std::size_t i : unit.objects) {
+    scene.objects[i].attachment = geometric::Attachment{"lift", "fork", {}};
+  }
+  std::erase_if(scene.objects, [robot = scene.robots.front().name](const SceneObject& object) {
+    return object.attachment && object.attachment->robot == robot;
+  });
+  scene.robots.front() = lift();
+  FclChecker checker(std::make_shared<const CollisionWorld>(scene));
+  std::map<std::string, double> depths;
+  for (const auto& contact : find_contacts(checker, Configuration::Constant(1, -lowered))) {
+    depths.emplace(contact.b, contact.depth);
+  }
+  return depths;
+}
+
+bool is_deeper(const std::map<std::string, double>& depths,
+               const std::map<std::string, double>& allowed) {
+  return std::ranges::any_of(depths, [&](const auto& contact) {
+    const auto known = allowed.find(contact.first);
+    return contact.second > kDeeper + (known == allowed.end() ? 0.0 : known->second);
+  });
+}
+
+Eigen::Vector3d direction_in_space(RandomStream& random) {
+  Eigen::Vector3d direction;
+  do {
+    direction = 2.0 * random.uniform(3) - Eigen::Vector3d::Ones();
+  } while (direction.norm() > 1.0 || direction.norm() < 1e-3);
+  return direction.normalized();
+}
+
+// Uniform in a disc (of what rests on something) or a ball; the turn uniform in its range.
+Motion drawn_motion(const Unit& unit, RandomStream& random) {
+  Motion motion;
+  const double share = random.uniform();
+  const double turn = kMostVariantTurn * (2.0 * random.uniform() - 1.0);
+  if (unit.rests) {
+    const double angle = 2.0 * std::numbers::pi * random.uniform();
+    motion.shift = kMostVariantShift * std::sqrt(share) *
+                   Eigen::Vector3d(std::cos(angle), std::sin(angle), 0.0);
+    motion.turn = Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitZ());
+  } else {
+    motion.shift = kMostVariantShift * std::cbrt(share) * direction_in_space(random);
+    motion.turn = Eigen::AngleAxisd(turn, direction_in_space(random));
+  }
+  return motion;
+}
+
+Eigen::Vector3d within_shift(const Eigen::Vector3d& shift) {
+  return shift * std::min(1.0, kMostVariantShift / std::max(shift.norm(), 1e-12));
+}
+
+/// The nearest pair of the robot and some objects.
+struct NearestPair {
+  int pair = -1;
+  double distance = std::numeric_limits<double>::infinity();
+};
+
+}  // namespace
+
+double variant_gap(int number) { return geometric::metres(24.0) / number; }
+
+class VariantGenerator::Parts {
+ public:
+  explicit Parts(const planning::PlanningProblem& problem)
+      : problem_(problem),
+        scene_(*problem.scene),
+        palm_(planning::palm_link(problem.model(), problem.arm, problem.hand)),
+        hand_links_(hand_links(problem.model(), palm_)),
+        units_(movable_units(scene_)) {
+    for (Unit& unit : units_) {
+      unit.contacts = contact_depths(scene_, unit, 0.0);
+      unit.rests = is_deeper(contact_depths(scene_, unit, kLowered), unit.contacts);
+    }
+    find_target();
+  }
+
+  [[nodiscard]] const std::vector<std::string>& target() const { return target_names_; }
+
+  /// Nothing if that placement is not free.
+  [[nodiscard]] std::shared_ptr<const Scene> placed(int number, std::uint64_t seed,
+                                                    RandomStream random) const {
+    Placement placement{scene_, problem_.checker->shared_world(), nullptr, {}, scene_.goal.value()};
+    for (const Unit& unit : units_) {
+      placement.motions.push_back(drawn_motion(unit, random));
+    }
+    for (std::size_t u = 0; u < units_.size(); ++u) {
+      move(placement, u);
+    }
+    placement.checker = make_collision_checker(placement.world);
+    if (!objects_fit(placement) || !is_free(*placement.checker, *scene_.start) ||
+        !solve_goal(placement)) {
+      return nullptr;
+    }
+    for (std::size_t u = 0; u < units_.size(); ++u) {
+      if (u != target_) {
+        approach(placement, u, variant_gap(number));
+      }
+    }
+    if (target_) {
+      placement.goal = close_hand(*placement.checker, problem_.hand, palm_, target_names_,
+                                  placement.goal, kVariantHandGap);
+    }
+    FclChecker reference(placement.world);
+    if (!is_free(reference, *scene_.start) || !is_free(reference, placement.goal)) {
+      return nullptr;
+    }
+    return named(std::move(placement), number, seed);
+  }
+
+ private:
+  /// A variant that is being made.
+  struct Placement {
+    Scene scene;
+    std::shared_ptr<const CollisionWorld> world;
+    std::unique_ptr<geometric::CollisionChecker> checker;  ///< Of `world`.
+    std::vector<Motion> motions;                           ///< Of the units.
+    Configuration goal;
+  };
+
+  void find_target() {
+    if (problem_.arm.empty()) {
+      return;
+    }
+    const auto checker = problem_.checker->clone();
+    double least = kGraspReach;
+    for (std::size_t u = 0; u < units_.size(); ++u) {
+      const NearestPair nearest = nearest_pair(*checker, names(u), *scene_.goal, true);
+      if (nearest.distance < least) {
+        least = nearest.distance;
+        target_ = u;
+      }
+    }
+    if (target_) {
+      target_names_ = names(*target_);
+    }
+  }
+
+  [[nodiscard]] std::vector<std::string> names(std::size_t unit) const {
+    std::vector<std::string> names;
+    for (const std::size_t i : units_[unit].objects) {
+      names.push_back(scene_.objects[i].name);
+    }
+    return names;
+  }
+
+  [[nodiscard]] NearestPair nearest_pair(geometric::CollisionChecker& checker,
+                                         const std::vector<std::string>& objects,
+                                         const Configuration& q, bool hand_only) const {
+    const CollisionWorld& world = checker.world();
+    checker.place(q);
+    NearestPair nearest;
+    for (const std::string& object : objects) {
+      for (const int pair : world.pairs_with(object)) {
+        const int link = world.body(world.pairs()[static_cast<std::size_t>(pair)].a).link;
+        if (hand_only && std::ranges::count(hand_links_, link) == 0) {
+          continue;
+        }
+        if (const double d = checker.pair_distance(pair, nearest.distance); d < nearest.distance) {
+          nearest = {pair, d};
+        }
+      }
+    }
+    return nearest;
+  }
+
+  /// Puts a unit where its motion brings it.
+  void move(Placement& placement, std::size_t u) const {
+    const Unit& unit = units_[u];
+    for (const std::size_t i : unit.objects) {
+      SceneObject& object = placement.scene.objects[i];
+      object.X_PO = placement.motions[u].about(unit.middle) * scene_.objects[i].X_PO;
+      placement.world = std::make_shared<const CollisionWorld>(
+          placement.world->with_object_at(object.name, object.X_PO));
+    }
+  }
+
+  [[nodiscard]] bool objects_fit(const Placement& placement) const {
+    return std::ranges::all_of(units_, [&](const Unit& unit) {
+      return !is_deeper(contact_depths(placement.scene, unit, 0.0), unit.contacts);
+    });
+  }
+
+  [[nodiscard]] bool is_free(geometric::CollisionChecker& checker, const Configuration& q) const {
+    return limit_violations(problem_.model(), q).empty() && !checker.first_collision(q);
+  }
+
+  /// Of the arm postures that keep the palm at the target, the free one that is nearest to the
+  /// scene's goal. @returns whether there is one.
+  [[nodiscard]] bool solve_goal(Placement& placement) const {
+    std::vector<Configuration> goals{*scene_.goal};
+    if (target_) {
+      const planning::PalmIk ik(scene_.robots.front().model, palm_, problem_.arm);
+      const Pose& X_WB = scene_.robots.front().X_WB;
+      const Pose moved = placement.motions[*target_].about(units_[*target_].middle);
+      goals = ik.all(*scene_.goal, X_WB.inverse() * moved * X_WB * ik.pose(*scene_.goal));
+    }
+    const auto free = std::ranges::find_if(
+        goals, [&](const Configuration& q) { return is_free(*placement.checker, q); });
+    if (free == goals.end()) {
+      return false;
+    }
+    placement.goal = *free;
+    return true;
+  }
+
+  /// Which way a unit is to go to get nearer to the robot at the goal, of length 1; zero: it can't.
+  [[nodiscard]] Eigen::Vector3d approach_direction(const Placement& placement, std::size_t u,
+                                                   int nearest_pair) const {
+    const auto& bodies = placement.world->pairs()[static_cast<std::size_t>(nearest_pair)];
+    const auto points = geometric::ClosestPointFinder(placement.world)
+                            .between(placement.world->body(bodies.a).name,
+                                     placement.world->body(bodies.b).name, placement.goal);
+    if (!points) {
+      return Eigen::Vector3d::Zero();
+    }
+    Eigen::Vector3d direction = (points->p_WA - points->p_WB).normalized();
+    if (units_[u].rests) {
+      direction.z() = 0.0;
+    }
+    return direction.norm() < kHorizontal ? Eigen::Vector3d::Zero().eval() : direction.normalized();
+  }
+
+  void shift_to(Placement& placement, std::size_t u, const Eigen::Vector3d& shift) const {
+    placement.motions[u].shift = shift;
+    move(placement, u);
+    placement.checker = make_collision_checker(placement.world);
+  }
+
+  /// Shifts a unit towards the robot at the goal, or away from it, until `gap` is left, or as far
+  /// as it may move; then back to where it fits. A step of the gap's excess can't go too far.
+  void approach(Placement& placement, std::size_t u, double gap) const {
+    const Eigen::Vector3d from = placement.motions[u].shift;
+    for (int step = 0; step < kMostApproachSteps; ++step) {
+      const NearestPair nearest = nearest_pair(*placement.checker, names(u), placement.goal, false);
+      if (nearest.pair < 0 || std::abs(nearest.distance - gap) < kApproached) {
+        break;
+      }
+      const Eigen::Vector3d shift = placement.motions[u].shift;
+      const Eigen::Vector3d next = within_shift(
+          shift + (nearest.distance - gap) * approach_direction(placement, u, nearest.pair));
+      if ((next - shift).norm() < kApproached) {
+        break;
+      }
+      shift_to(placement, u, next);
+    }
+    const Eigen::Vector3d approached = placement.motions[u].shift - from;
+    const auto fits = [&] {
+      return is_free(*placement.checker, *scene_.start) &&
+             !is_deeper(contact_depths(placement.scene, units_[u], 0.0), units_[u].contacts);
+    };
+    double share = approached.isZero() ? 0.0 : 1.0;
+    while (share > 0.0 && !fits()) {
+      share = share > kLeastShare ? 0.5 * share : 0.0;
+      shift_to(placement, u, from + share * approached);
+    }
+  }
+
+  [[nodiscard]] std::shared_ptr<const Scene> named(Placement placement, int number,
+                                                   std::uint64_t seed) const {
+    Scene& scene = placement.scene;
+    scene.description = fmt::format("Variant {} of \"{}\", seed {}.", number, scene.name, seed);
+    scene.name = fmt::format("{}, variant {}, seed {}", scene.name, number, seed);
+    scene.goal = placement.goal;
+    return std::make_shared<const Scene>(std::move(scene));
+  }
+
+  const planning::PlanningProblem& problem_;
+  const Scene& scene_;
+  int palm_;
+  std::vector<int> hand_links_;
+  std::vector<Unit> units_;
+  std::optional<std::size_t> target_;  ///< Nothing: the goal stays.
+  std::vector<std::string> target_names_;
+};
+
+VariantGenerator::VariantGenerator(const planning::PlanningProblem& problem)
+    : parts_(std::make_unique<Parts>(problem)) {}
+
+VariantGenerator::~VariantGenerator() = default;
+
+SceneVariant VariantGenerator::make(int number, std::uint64_t seed) const {
+  SceneVariant variant{number, seed, 0, nullptr};
+  const RandomStream random = RandomStream(seed).fork(static_cast<std::uint64_t>(number));
+  while (!variant.scene && variant.draws < kMostDraws) {
+    variant.scene =
+        parts_->placed(number, seed, random.fork(static_cast<std::uint64_t>(variant.draws)));
+    ++variant.draws;
+  }
+  return variant;
+}
+
+const std::vector<std::string>& VariantGenerator::target() const { return parts_->target(); }
+
+}  // namespace handway::tools

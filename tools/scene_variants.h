@@ -1,0 +1,59 @@
+#pragma once
+
+#include "handway/geometric/math/units.h"
+#include "handway/planning/core/planning_problem.h"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+namespace handway::tools {
+
+/// How far variants go.
+inline constexpr double kMostVariantShift = 0.05;                     ///< m
+inline constexpr double kMostVariantTurn = geometric::radians(25.0);  ///< rad
+inline constexpr double kVariantHandGap = geometric::metres(0.3);     ///< m
+inline constexpr double kLongestMovable = 0.45;                       ///< m
+
+/// What obstacles of variant `number` (≥ 1) keep to the robot at the goal before the fingers close,
+/// m: 24 mm of the first, 12 of the second, 2 of the twelfth.
+[[nodiscard]] double variant_gap(int number);
+
+/// A harder problem made of another one.
+struct SceneVariant {
+  int number = 1;                                 ///< From 1; the higher, the narrower.
+  std::uint64_t seed = 1;                         ///< That it was drawn from.
+  int draws = 0;                                  ///< Placements that were tried.
+  std::shared_ptr<const geometric::Scene> scene;  ///< Null: none was found.
+};
+
+/// Makes harder problems of one. Objects that stand still move, each or each group by itself,
+/// unless they are `locked`, attached or longer than kLongestMovable, which furniture is: their
+/// middle by up to kMostVariantShift and themselves by up to kMostVariantTurn. What rests on
+/// something moves horizontally and turns about the vertical, the rest in all directions. The
+/// object that the hand is nearest to at the goal takes the hand along: the arm's inverse
+/// kinematics is solved for the same pose of the palm relative to it. Then each other object is
+/// shifted towards the robot at the goal, or away from it, until variant_gap() is left, as far as
+/// it may move; and the fingers close until kVariantHandGap is left. No object gets deeper into
+/// another one than it is.
+///
+/// A variant depends on problem, number and seed alone, to the bit.
+class VariantGenerator {
+ public:
+  /// @param problem outlives this.
+  explicit VariantGenerator(const planning::PlanningProblem& problem);
+  ~VariantGenerator();
+
+  /// Draws placements until start and goal are free, 100 times at most.
+  /// @param number ≥ 1.
+  [[nodiscard]] SceneVariant make(int number, std::uint64_t seed) const;
+
+  /// The objects that the goal is kept relative to; empty: none is near the hand.
+  [[nodiscard]] const std::vector<std::string>& target() const;
+
+ private:
+  class Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace handway::tools
