@@ -6,14 +6,12 @@
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLocale>
 #include <QPushButton>
 #include <QStringList>
 #include <QToolButton>
 #include <QVBoxLayout>
 
 #include <cmath>
-#include <cstdint>
 
 namespace handway::gui {
 namespace {
@@ -23,12 +21,9 @@ QString bullet(const geometric::Color& color) {
       .arg(QColor::fromRgbF(color.red, color.green, color.blue).name());
 }
 
-QString reach_text(const geometric::Color& color, const QString& end, double share,
-                   std::uint64_t nodes) {
-  return bullet(color) + QObject::tr("farthest from the %1: %2 % of the motion (%3 configurations)")
-                             .arg(end)
-                             .arg(std::lround(100.0 * share))
-                             .arg(QLocale().toString(static_cast<qulonglong>(nodes)));
+QString reach_text(const geometric::Color& color, const QString& end, double share) {
+  return bullet(color) +
+         QObject::tr("%1 % of the motion from the %2").arg(std::lround(100.0 * share)).arg(end);
 }
 
 QString colliding_text(const std::vector<std::string>& bodies) {
@@ -87,10 +82,8 @@ QLabel* FrontierLegend::add_row(QGridLayout& rows, const char* name, bool from_s
 
 void FrontierLegend::show_frontier(const planning::SearchReach& reach,
                                    const std::vector<std::string>& colliding) {
-  from_start_->setText(
-      reach_text(kFromStartColor, tr("start"), reach.from_start, reach.start_nodes));
-  from_goal_->setText(
-      reach_text(kFromGoalColor, tr("goal"), 1.0 - reach.from_goal, reach.goal_nodes));
+  from_start_->setText(reach_text(kFromStartColor, tr("start"), reach.from_start));
+  from_goal_->setText(reach_text(kFromGoalColor, tr("goal"), 1.0 - reach.from_goal));
   colliding_->setText(colliding_text(colliding));
   colliding_->setVisible(!colliding.empty());
   appear();

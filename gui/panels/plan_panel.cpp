@@ -229,9 +229,7 @@ QWidget* PlanPanel::make_optimizing() {
   return optimizing_;
 }
 
-void PlanPanel::set_optimizable(bool optimizable) {
-  optimizing_->setVisible(optimizable || running_);
-}
+void PlanPanel::set_optimizable(bool optimizable) { optimizing_->setVisible(optimizable); }
 
 double PlanPanel::optimize_limit() const {
   return optimize_limit_->value() > 0.0 ? optimize_limit_->value()
@@ -392,7 +390,6 @@ void PlanPanel::set_ready(bool ready, const QString& why_not) {
 
 void PlanPanel::show_running() {
   begin_run();
-  optimizing_->hide();
   result_->setText(tr("Planning…"));
 }
 
@@ -411,7 +408,6 @@ void PlanPanel::show_optimizing(const OptimizeProgress& progress) {
 }
 
 void PlanPanel::begin_run() {
-  running_ = true;
   plan_->setEnabled(false);
   optimize_->setEnabled(false);
   optimize_limit_->setEnabled(false);
@@ -429,7 +425,6 @@ void PlanPanel::begin_run() {
 
 void PlanPanel::end_run() {
   plan_->setEnabled(ready_);
-  running_ = false;
   cancel_->setEnabled(false);
   cancel_->setText(tr("Cancel"));
   cancel_->setToolTip({});

@@ -140,7 +140,6 @@ class PlanPanel : public QWidget {
   QLabel* result_;
   QPushButton* all_runs_;
   bool ready_ = false;
-  bool running_ = false;
 };
 
 }  // namespace handway::gui

@@ -13,6 +13,17 @@ QString headline(const QString& text, const QColor& color) {
       .arg(html(color), text);
 }
 
+QString paragraph(const QString& text) {
+  return QStringLiteral("<p style=\"margin:0 0 6px 0\">%1</p>").arg(text.toHtmlEscaped());
+}
+
+QString capitalised(const QString& text) { return text.left(1).toUpper() + text.mid(1); }
+
+// Below a paragraph, whose lower margin counts for nothing there.
+QString begin_table() {
+  return QStringLiteral("<table cellspacing=\"0\" cellpadding=\"1\" style=\"margin-top:6px\">");
+}
+
 QString row(const QString& name, const QString& value) {
   return QStringLiteral(
              "<tr><td style=\"color:%1;padding-right:14px\">%2</td><td "
@@ -53,19 +64,25 @@ QString status_text(planning::PlanStatus status) {
 
 QString result_text(const planning::PlanResult& result, const QString& note) {
   const ThemeColors colors = colors_of(current_theme());
-  QString text = headline(status_text(result.status), result.solved() ? colors.good : colors.bad);
+  const bool searched = !result.solved() && result.status != planning::PlanStatus::kStartInvalid &&
+                        result.status != planning::PlanStatus::kGoalInvalid &&
+                        result.status != planning::PlanStatus::kCancelled;
+  QString text = headline(searched && !result.reason.empty() ? QObject::tr("No path found")
+                                                             : status_text(result.status),
+                          result.solved() ? colors.good : colors.bad);
   if (!note.isEmpty()) {
-    text += QStringLiteral("<p style=\"margin:0 0 6px 0\">%1</p>").arg(note.toHtmlEscaped());
+    text += paragraph(note);
   }
   if (!result.reason.empty()) {
-    text += QStringLiteral("<p style=\"margin:0 0 6px 0\">%1</p>")
-                .arg(QString::fromStdString(result.reason).toHtmlEscaped());
+    // The headline says it already.
+    const QString reason = QString::fromStdString(result.reason);
+    const QString stem = QObject::tr("No path found: ");
+    text += paragraph(reason.startsWith(stem) ? capitalised(reason.mid(stem.size())) : reason);
   }
   for (const std::string& sentence : planning::explain_failure(result)) {
-    text += QStringLiteral("<p style=\"margin:0 0 6px 0\">%1</p>")
-                .arg(QString::fromStdString(sentence).toHtmlEscaped());
+    text += paragraph(QString::fromStdString(sentence));
   }
-  text += QStringLiteral("<table cellspacing=\"0\" cellpadding=\"1\">");
+  text += begin_table();
   text += row(QObject::tr("Planning"), seconds(result.time_s));
   if (result.solved() && result.smoothing_s > 0.0) {
     text += row(QObject::tr("Smoothing"), seconds(result.smoothing_s));
@@ -85,9 +102,8 @@ QString replanned_text(const planning::PlanResult& result, const QString& way) {
   QString text = result.solved()
                      ? headline(QObject::tr("Path follows the scene"), colors.good)
                      : headline(QObject::tr("No path in the scene as it is now"), colors.bad) +
-                           QStringLiteral("<p style=\"margin:0 0 6px 0\">%1</p>")
-                               .arg(QString::fromStdString(result.reason).toHtmlEscaped());
-  text += QStringLiteral("<table cellspacing=\"0\" cellpadding=\"1\">");
+                           paragraph(QString::fromStdString(result.reason));
+  text += begin_table();
   text += row(QObject::tr("Planning again"), seconds(result.time_s + result.smoothing_s));
   if (result.solved()) {
     text += row(QObject::tr("From"), way);
@@ -100,7 +116,7 @@ QString replanned_text(const planning::PlanResult& result, const QString& way) {
 
 QString optimizing_text(const OptimizeProgress& progress) {
   QString text = headline(QObject::tr("Optimising the path"), colors_of(current_theme()).good);
-  text += QStringLiteral("<table cellspacing=\"0\" cellpadding=\"1\">");
+  text += begin_table();
   text += row(QObject::tr("Cost"), QObject::tr("%1, %2 before")
                                        .arg(progress.cost, 0, 'f', 3)
                                        .arg(progress.cost_before, 0, 'f', 3));

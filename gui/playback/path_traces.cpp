@@ -25,7 +25,7 @@ namespace {
 constexpr int kCopies = 8;       // postures shown
 constexpr int kPostures = 160;   // that a swept volume is made of
 constexpr double kCell = 0.012;  // m
-const geometric::Color kVolumeColor{0.36F, 0.44F, 0.78F, Ghost::kOpacity};
+const geometric::Color kVolumeColor{0.36F, 0.44F, 0.78F, Ghost::kFaint};
 
 std::vector<geometric::Configuration> spread(const PathTimeline& timeline, int count) {
   std::vector<geometric::Configuration> postures;
@@ -111,7 +111,7 @@ CoinRef<SoSeparator> PathTraces::posture_copies() const {
   const auto postures = spread(player_.timeline(), kCopies);
   for (std::size_t i = 0; i < postures.size(); ++i) {
     geometric::Color color = color_along(i, postures.size());
-    color.alpha = Ghost::kOpacity;
+    color.alpha = Ghost::kFaint;
     RobotNode copy(robot.model, shapes, color);
     copy.place(robot.X_WB, postures[i]);
     all->addChild(copy.root());

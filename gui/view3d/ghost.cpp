@@ -25,7 +25,7 @@ void Ghost::show(const geometric::RobotInstance& robot, const geometric::Configu
                  const LinkShapes& shapes, const geometric::Color& color, const Prepare& prepare) {
   if (!robot_) {
     geometric::Color faint = color;
-    faint.alpha = kOpacity;
+    faint.alpha = opacity_;
     robot_ = std::make_unique<RobotNode>(robot.model, shapes, faint);
     show(robot_->root(), prepare);
   }

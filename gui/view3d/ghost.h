@@ -20,8 +20,12 @@ class Ghost {
  public:
   using Prepare = std::function<void(SoSeparator*)>;
 
-  static constexpr float kOpacity = 0.26F;
+  static constexpr float kFaint = 0.26F;
+  static constexpr float kStrong = 0.55F;
 
+  explicit Ghost(float opacity = kFaint) : opacity_(opacity) {}
+
+  [[nodiscard]] float opacity() const { return opacity_; }
   void set_visible(bool visible) { visible_ = visible; }
   [[nodiscard]] bool is_visible() const { return visible_ && root_; }
   /// Null: there is none.
@@ -31,7 +35,7 @@ class Ghost {
   /// Stands `robot` at q. @param prepare puts camera and lights into a new root.
   void show(const geometric::RobotInstance& robot, const geometric::Configuration& q,
             const LinkShapes& shapes, const geometric::Color& color, const Prepare& prepare);
-  /// Shows something else that way, in colours of kOpacity.
+  /// Shows something else that way, in colours of opacity().
   void show(SoNode* drawing, const Prepare& prepare);
   void render(SoGLRenderAction& action) const;
   /// As if it could not be seen through.
@@ -42,6 +46,7 @@ class Ghost {
  private:
   std::unique_ptr<RobotNode> robot_;
   CoinRef<SoSeparator> root_;  ///< Null: there is nothing to show.
+  float opacity_;
   bool visible_ = true;
 };
 

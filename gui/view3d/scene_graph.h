@@ -115,8 +115,8 @@ class SceneGraph {
   SelectionOutline outline_;
   Ghost start_;
   Ghost goal_;
-  Ghost from_start_;
-  Ghost from_goal_;
+  Ghost from_start_{Ghost::kStrong};
+  Ghost from_goal_{Ghost::kStrong};
   Ghost traces_;
   bool wants_start_ = true;  ///< Its ghost, or the goal's, while there is no frontier.
   bool wants_goal_ = true;

@@ -183,9 +183,10 @@ void ScenePainter::paint_layered(const PictureFrame& frame, const Sight& sight, 
   action_->setViewportRegion(viewport_of(frame.pixels));
   graph_.render_moving(*action_);
   for (std::size_t i = 0; i < veils_.size(); ++i) {
-    if (graph_.ghosts().at(i)->is_visible()) {
+    const Ghost& ghost = *graph_.ghosts().at(i);
+    if (ghost.is_visible()) {
       restrict_to(dirty & veils_.at(i).region);
-      veils_.at(i).picture.draw(*program_, Ghost::kOpacity);
+      veils_.at(i).picture.draw(*program_, ghost.opacity());
     }
   }
   restrict_to(dirty);

@@ -52,15 +52,24 @@ TEST_F(OptimizingInTheWindow, IsOfferedOnceThereIsAPath) {
   EXPECT_TRUE(part<QAction>("optimize_action").isEnabled());
 }
 
+TEST_F(OptimizingInTheWindow, IsNotOfferedWhereNoPathWasFound) {
+  open(cell().wall());
+  window().plan_panel().apply({"rrt-connect", {{"max_samples", "300"}}});
+  plan();
+  EXPECT_FALSE(part<QPushButton>("optimize").isVisible());
+}
+
 TEST_F(OptimizingInTheWindow, MakesThePathBetterUntilNothingIsToBeGained) {
   plan_roughly();
   part<QComboBox>("objective").setCurrentText("shortest");
   const double before = length();
-  QSignalSpy progressed(&window().session(), &gui::PlanningSession::path_optimized);
+  int progressed = 0;
+  QObject::connect(&window().session(), &gui::PlanningSession::path_optimized,
+                   [&] { ++progressed; });
   begin(0.0);
   EXPECT_EQ(part<QPushButton>("cancel").text(), "Stop");
   ASSERT_TRUE(wait_for_end());
-  EXPECT_GE(progressed.count(), 2) << "a better path, and the end";
+  EXPECT_GE(progressed, 2) << "a better path, and the end";
   EXPECT_LT(length(), before);
   EXPECT_THAT(result(), HasSubstr("Nothing more is to be gained"));
   EXPECT_THAT(result(), HasSubstr("Clearance"));

@@ -30,6 +30,15 @@ TEST(ResultText, GivesTheReasonWhyThereIsNone) {
   EXPECT_EQ(result_line(result).toStdString(), result.reason);
 }
 
+TEST(ResultText, SaysOnceThatNoPathWasFound) {
+  planning::PlanResult result;
+  result.status = planning::PlanStatus::kSamplesSpent;
+  result.reason = "No path found: all 500 samples are spent.";
+  const std::string text = result_text(result).toStdString();
+  EXPECT_THAT(text, HasSubstr(">No path found<"));
+  EXPECT_THAT(text, HasSubstr(">All 500 samples are spent.<"));
+}
+
 TEST(ResultText, ExplainsWhyNoPathWasFound) {
   planning::PlanResult result;
   result.status = planning::PlanStatus::kTimeLimit;

@@ -8,21 +8,28 @@
 #include "editing/scene_edits.h"
 #include "export/export_dialog.h"
 #include "handway/geometric/io/scene_writer.h"
+#include "handway/planning/core/objective.h"
 #include "handway/planning/core/plugin.h"
 #include "handway/planning/paths/path_check.h"
 #include "patience.h"
+#include "small_cell.h"
+#include "view3d/scene_view.h"
 #include "watched_application.h"
 #include "window_test.h"
 
 #include <QComboBox>
 #include <QDir>
 #include <QLabel>
+#include <QPainter>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTabWidget>
 #include <QTableView>
 
+#include <algorithm>
 #include <fstream>
+#include <map>
+#include <string>
 
 namespace handway::test {
 namespace {
@@ -266,12 +273,127 @@ TEST_F(Story, PlansWithSeveralSeedsAndPutsARunBack) {
   EXPECT_EQ(window().player().timeline().path().waypoints, best->result.path.waypoints);
 }
 
+/// One panel of the figure about objectives in docs/planners.md.
+class ObjectiveFigure {
+ public:
+  void add(const QString& objective, const QImage& view, const planning::PathQuality& quality) {
+    const int side = 83 * std::min(view.width(), view.height()) / 100;  // without cube and axes
+    const QRect cut((view.width() - side) / 2, (view.height() - side) / 2, side, side);
+    QPainter painter(&picture_);
+    painter.setRenderHint(QPainter::TextAntialiasing);
+    const QPoint corner((panels_ % 2) * (kWidth + kGap),
+                        (panels_ / 2) * (kHeight + kCaption + kGap));
+    painter.drawImage(corner, view.copy(cut).scaled(kWidth, kHeight, Qt::IgnoreAspectRatio,
+                                                    Qt::SmoothTransformation));
+    QFont font = painter.font();
+    font.setPixelSize(17);
+    font.setBold(true);
+    painter.setFont(font);
+    painter.drawText(QRect(corner.x() + 4, corner.y() + kHeight, kWidth, 30), Qt::AlignVCenter,
+                     objective);
+    font.setPixelSize(13);
+    font.setBold(false);
+    painter.setFont(font);
+    painter.drawText(QRect(corner.x() + 4, corner.y() + kHeight + 28, kWidth, 22), Qt::AlignVCenter,
+                     QStringLiteral("length %1 · hand to subspace %2 · clearance %3 mm · %4 s")
+                         .arg(quality.length, 0, 'f', 2)
+                         .arg(quality.human_likeness->mean, 0, 'f', 2)
+                         .arg(1e3 * quality.mean_clearance, 0, 'f', 1)
+                         .arg(quality.duration, 0, 'f', 2));
+    ++panels_;
+  }
+  [[nodiscard]] const QImage& picture() const { return picture_; }
+
+ private:
+  static constexpr int kWidth = 480;
+  static constexpr int kHeight = kWidth;
+  static constexpr int kCaption = 54;
+  static constexpr int kGap = 12;
+  static QImage blank() {
+    QImage image(2 * kWidth + kGap, 2 * (kHeight + kCaption) + kGap, QImage::Format_RGB32);
+    image.fill(Qt::white);
+    return image;
+  }
+
+  QImage picture_ = blank();
+  int panels_ = 0;
+};
+
+TEST_F(Story, PlansTheSameProblemForEachObjective) {
+  const SmallCell cell;
+  const std::filesystem::path file = cell.folder() / "around_a_post.yaml";
+  std::ofstream(file) << R"(handway: 1
+name: Around a post
+robots:
+  - {name: arm, model: arm.urdf}
+objects:
+  - {name: post, box: {size: [0.06, 0.06, 0.2]}, pose: {xyz: [0.44, 0.36, 0]}, color: [0.75, 0.35, 0.2]}
+  - {name: wall, box: {size: [0.04, 0.4, 0.2]}, pose: {xyz: [0.06, 0.62, 0]}, color: [0.5, 0.55, 0.6]}
+start: {shoulder: 0, elbow: 0, left: 0.62, right: -0.54}
+goal: {shoulder: 1.2, elbow: 0.2, left: 0.62, right: -0.54}
+hand_basis: hand.yaml
+)";
+  open(file);
+  ASSERT_EQ(window().message(), QString());
+  trigger("Roadmap");
+  trigger("Postures along the path");
+  trigger("Closest points");
+  window().view().set_camera(
+      {{0.36, 0.33, 0.0}, 1.7, -geometric::radians(90.0), geometric::radians(75.0)});
+  const planning::PlanningProblem problem =
+      planning::make_problem(window().document().scene(), window().document().loaded().basis);
+  ObjectiveFigure figure;
+  std::map<std::string, planning::PathQuality> found;
+  for (const char* objective : {"human-like", "shortest", "safest", "fastest"}) {
+    window().plan_panel().apply(
+        {"auto", {{"objective", objective}, {"optimize_checks", "100000"}}});
+    ASSERT_TRUE(plan()) << objective;
+    window().player().seek(0.0);
+    found[objective] = path_quality(problem, window().player().timeline().path());
+    QTest::qWait(300);
+    const WatchedApplication::LooksAway taking_it_is_no_step_of_a_person;
+    figure.add(QLatin1String(objective), window().view().grab().toImage(), found[objective]);
+  }
+  QDir().mkpath(QStringLiteral(HANDWAY_PICTURES));
+  EXPECT_TRUE(figure.picture().save(QStringLiteral(HANDWAY_PICTURES "/objectives.png")));
+  for (const auto& [objective, quality] : found) {
+    const double slack = 1.02;  // all are optimised for so long, none for ever
+    EXPECT_LE(found["human-like"].human_likeness->mean, slack * quality.human_likeness->mean);
+    EXPECT_LE(found["shortest"].length, slack * quality.length) << objective;
+    EXPECT_GE(slack * found["safest"].mean_clearance, quality.mean_clearance) << objective;
+    EXPECT_LE(found["fastest"].duration, slack * quality.duration) << objective;
+  }
+}
+
+TEST_F(Story, KeepsOptimisingThePathThatWasFound) {
+  open(source_dir() / "scenes" / "can_on_table.yaml");
+  window().plan_panel().apply(
+      {"rrt-connect", {{"smoothing_checks", "0"}, {"objective", "safest"}}});
+  ASSERT_TRUE(plan());
+  trigger("Roadmap");
+  window().view().set_camera(
+      {{0.62, 0.15, 0.95}, 1.6, geometric::radians(-60.0), geometric::radians(18.0)});
+  picture("optimise_1_planned");
+  int better = 0;
+  QObject::connect(&window().session(), &gui::PlanningSession::path_optimized, [&] { ++better; });
+  QSignalSpy ended(&window().session(), &gui::PlanningSession::ended);
+  trigger("Keep optimising");
+  ASSERT_TRUE(wait_for([&] { return better > 1 || !ended.isEmpty(); }));
+  picture("optimise_2_running");
+  trigger("Cancel");
+  ASSERT_TRUE(wait_for([&] { return !ended.isEmpty(); }));
+  EXPECT_TRUE(ended.front().front().toBool());
+  picture("optimise_3_stopped");
+}
+
 TEST_F(Story, SaysWhatStoodInTheWay) {
   open(source_dir() / "scenes" / "t_shape.yaml");
-  window().plan_panel().apply({"auto", {{"max_samples", "3"}}});
+  window().plan_panel().apply({"rrt-connect", {{"max_samples", "500"}}});
   ASSERT_FALSE(plan());
   auto* result = window().findChild<QLabel*>(QStringLiteral("result"));
   EXPECT_THAT(result->text().toStdString(), HasSubstr("collided with"));
+  window().view().set_camera(
+      {{0.72, 0.12, 0.66}, 1.5, geometric::radians(-60.0), geometric::radians(12.0)});
   picture("no_path");
 }
 
