@@ -122,11 +122,10 @@ void PlanningSession::optimize() {
   OptimizeTask task;
   task.problem = document_.problem();
   task.objective = panel_.planner()->objective();
-  task.request = panel_.request();
+  task.request = shown_ ? shown_->request : panel_.request();
   repeatable_ = false;
   if (shown_) {
     task.found = shown_->result;
-    task.request.seed = shown_->request.seed;
     repeatable_ = is_planned_with(*shown_, panel_.choice());
   }
   task.found.path = player_.timeline().path();
