@@ -29,8 +29,8 @@ Eigen::Quaterniond read_rotation(const YamlElement& element) {
     q = element.numbers(4);
   } else {
     element.allow_keys({"x", "y", "z", "w"});
-    q << coordinate(element, "x", 0.0), coordinate(element, "y", 0.0),
-        coordinate(element, "z", 0.0), coordinate(element, "w", 0.0);
+    q = {coordinate(element, "x", 0.0), coordinate(element, "y", 0.0),
+         coordinate(element, "z", 0.0), coordinate(element, "w", 0.0)};
   }
   if (std::abs(q.norm() - 1.0) > kUnitTolerance) {
     element.refuse(fmt::format("a quaternion of length {:.3g}", q.norm()),

@@ -103,6 +103,11 @@ TEST_F(Send, WritesALogThatIsComparedWithThePlan) {
   const Outcome broken = line_.run("compare broken.csv");
   EXPECT_EQ(broken.exit_code, 3);
   EXPECT_THAT(broken.err, AllOf(HasSubstr("broken.csv:2"), HasSubstr("\"x\"")));
+  line_.write("empty.csv", "time,device,a,a.measured\n0.1,arm,,0.5\n");
+  const Outcome empty = line_.run("compare empty.csv");
+  EXPECT_EQ(empty.exit_code, 3);
+  EXPECT_THAT(empty.err,
+              AllOf(HasSubstr("empty.csv:2"), HasSubstr("no number for any joint of arm")));
   EXPECT_EQ(line_.run("compare path.csv").exit_code, 3);
 }
 

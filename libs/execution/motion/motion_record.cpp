@@ -113,6 +113,9 @@ class Reader {
         rows.device.joints.push_back(header_[c]);
       }
     }
+    if (rows.columns.empty()) {
+      refuse(fmt::format("no number for any joint of {}", cells[1]), "what was planned for it");
+    }
     return rows;
   }
 
