@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Of planning times.
+// Of times of planning and smoothing.
 double median_ratio(const PlanBench& first, const PlanBench& bench) {
   const double own = time_quantile(first, 0.5);
   const double other = time_quantile(bench, 0.5);

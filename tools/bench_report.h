@@ -41,7 +41,8 @@ struct SceneBench {
   [[nodiscard]] std::string name() const { return file.stem().string(); }
 };
 
-/// Median planning time of plans[i] by that of the scene's own planner; NaN if either has none.
+/// Median time of planning and smoothing of plans[i] by that of the scene's own planner; NaN if
+/// either has none.
 [[nodiscard]] double time_ratio(const SceneBench& scene, std::size_t i);
 
 /// One row a scene and planner, keys as in docs/command-line.md; a number that does not

@@ -63,8 +63,8 @@ void BenchTable::add_collision(const SceneBench& scene) const {
 
 void BenchTable::begin_plans() const {
   fmt::print(
-      "\nPlans: {} seed{}, {} thread{}, limit {:g} s; planning time in ms (a run without a path "
-      "counts as endless).\n"
+      "\nPlans: {} seed{}, {} thread{}, limit {:g} s; planning and smoothing in ms (a run without "
+      "a path counts as endless).\n"
       "{:<{}} {:<18} {:<14} {:>8} {:>8} {:>8} {:>8} {:>6} {:>9} {:>9} {:>6} {:>9}\n",
       settings_.seeds, settings_.seeds == 1 ? "" : "s", settings_.threads,
       settings_.threads == 1 ? "" : "s", settings_.time_limit_s, "scene", width_, "planner",
@@ -98,7 +98,7 @@ void BenchTable::add_plan(const SceneBench& scene, std::size_t i) const {
 void BenchTable::begin_variants(const VariantSettings& variants) const {
   fmt::print(
       "{} variants of each problem, drawn from seed {}; {} seed{} each, {} thread{}, limit {:g} s"
-      "{}; planning time in ms (a run without a path counts as endless).\n"
+      "{}; planning and smoothing in ms (a run without a path counts as endless).\n"
       "{:<{}} {:<18} {:>8} {:>8} {:>8} {:>9} {:>9} {:>6}\n",
       variants.count, variants.seed, settings_.seeds, settings_.seeds == 1 ? "" : "s",
       settings_.threads, settings_.threads == 1 ? "" : "s", settings_.time_limit_s,

@@ -83,7 +83,8 @@ double time_quantile(const PlanBench& bench, double p) {
   std::vector<double> times;
   times.reserve(bench.results.size());
   for (const PlanResult& result : bench.results) {
-    times.push_back(result.solved() ? result.time_s : std::numeric_limits<double>::infinity());
+    times.push_back(result.solved() ? result.time_s + result.smoothing_s
+                                    : std::numeric_limits<double>::infinity());
   }
   return quantile(std::move(times), p);
 }

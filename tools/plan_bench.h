@@ -34,8 +34,8 @@ struct PlanBench {
 /// Paths in which a check found a fault.
 [[nodiscard]] int faulty_count(const PlanBench& bench);
 
-/// The p-quantile (0 < p ≤ 1, nearest rank) of the planning times, s; a run without a
-/// path counts as one that takes forever, so that it is infinite if more than 1 - p of
+/// The p-quantile (0 < p ≤ 1, nearest rank) of the times of planning and smoothing, s; a run
+/// without a path counts as one that takes forever, so that it is infinite if more than 1 - p of
 /// them have none.
 [[nodiscard]] double time_quantile(const PlanBench& bench, double p);
 

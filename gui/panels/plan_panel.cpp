@@ -46,6 +46,7 @@ PlanPanel::PlanPanel(const planning::PlannerRegistry& registry, QWidget* parent)
       seeds_(new QSpinBox),
       merit_(new QComboBox),
       time_limit_(new QDoubleSpinBox),
+      margin_(new QDoubleSpinBox),
       threads_(new QSpinBox),
       presets_(new PresetBar(registry)),
       modified_(new QLabel(tr("modified"))),
@@ -102,6 +103,14 @@ QWidget* PlanPanel::make_settings() {
   time_limit_->setSuffix(tr(" s"));
   time_limit_->setSpecialValueText(tr("none"));
   time_limit_->setToolTip(tr("Give up after this time"));
+  margin_->setObjectName(QStringLiteral("margin"));
+  margin_->setRange(0.0, 1000.0);
+  margin_->setDecimals(1);
+  margin_->setSuffix(tr(" mm"));
+  margin_->setSpecialValueText(tr("none"));
+  margin_->setToolTip(
+      tr("Clearance that the robot keeps from all else along the path, where start and goal allow "
+         "it"));
   threads_->setRange(1, 1024);
   threads_->setObjectName(QStringLiteral("threads"));
   threads_->setToolTip(tr("More threads plan faster; the path stays the same"));
@@ -135,6 +144,7 @@ QWidget* PlanPanel::make_settings() {
   form->addRow(tr("Seed"), seed_);
   form->addRow(tr("Seeds"), make_seeds());
   form->addRow(tr("Time limit"), time_limit_);
+  form->addRow(tr("Margin"), margin_);
   form->addRow(tr("Threads"), threads_);
   auto* area = new QScrollArea;
   area->setWidgetResizable(true);
@@ -314,6 +324,7 @@ void PlanPanel::restore(const planning::PlanRequest& request) {
   set_seed(request.seed);
   set_seeds(1);
   time_limit_->setValue(std::isfinite(request.time_limit_s) ? request.time_limit_s : 0.0);
+  margin_->setValue(request.margin_mm);
 }
 
 void PlanPanel::set_seeds(int seeds) { seeds_->setValue(seeds); }
@@ -362,6 +373,7 @@ planning::PlanRequest PlanPanel::request() const {
   if (time_limit_->value() > 0.0) {
     request.time_limit_s = time_limit_->value();
   }
+  request.margin_mm = margin_->value();
   return request;
 }
 

@@ -122,6 +122,7 @@ class PlanPanel : public QWidget {
   QSpinBox* seeds_;
   QComboBox* merit_;
   QDoubleSpinBox* time_limit_;
+  QDoubleSpinBox* margin_;
   QSpinBox* threads_;
   std::string usual_planner_;
   PresetBar* presets_;

@@ -1,5 +1,6 @@
 #include "panels/result_text.h"
 
+#include "handway/geometric/math/units.h"
 #include "handway/planning/queries/failure_explanation.h"
 #include "style/theme.h"
 
@@ -94,7 +95,17 @@ QString result_text(const planning::PlanResult& result, const QString& note) {
     text += row(QObject::tr("Clearance"),
                 QStringLiteral("≥ %1 mm").arg(result.certificate.min_clearance_mm, 0, 'f', 2));
   }
-  return text + QStringLiteral("</table>");
+  text += QStringLiteral("</table>");
+  for (const planning::OutOfMargin& near : result.out_of_margin) {
+    const QString end = near.at_goal ? QObject::tr("goal") : QObject::tr("start");
+    text +=
+        paragraph(QObject::tr("%1 and %2 are %3 mm apart at the %4: next to it they keep less "
+                              "than the margin.")
+                      .arg(QString::fromStdString(near.pair.a), QString::fromStdString(near.pair.b))
+                      .arg(geometric::millimetres(near.pair.distance), 0, 'f', 2)
+                      .arg(end));
+  }
+  return text;
 }
 
 QString replanned_text(const planning::PlanResult& result, const QString& way) {

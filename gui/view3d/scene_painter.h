@@ -2,6 +2,7 @@
 
 #include "view3d/orbit_camera.h"
 #include "view3d/picture_layer.h"
+#include "view3d/scene_graph.h"
 #include "view3d/view_colors.h"
 
 #include <QRect>
@@ -16,8 +17,6 @@ class QOpenGLShaderProgram;
 class SoGLRenderAction;
 
 namespace handway::gui {
-
-class SceneGraph;
 
 /// What a picture of a scene shows besides the scene.
 struct PictureFrame {

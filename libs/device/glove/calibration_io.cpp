@@ -1,6 +1,7 @@
 #include "calibration_text_files.h"
 #include "handway/device/glove/glove_calibration.h"
 #include "handway/device/glove/glove_layout.h"
+#include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/nearest_name.h"
 #include "handway/geometric/io/replace_file.h"
 #include "handway/geometric/io/text_file.h"

@@ -195,7 +195,9 @@ bool SubspaceRoadmap::confirm(const std::vector<std::size_t>& nodes, std::uint64
 }
 
 std::vector<Objective::Point> SubspaceRoadmap::cheapest_path(std::uint64_t checks) {
-  const std::uint64_t last_check = context_.statistics().checks() + checks;
+  const std::uint64_t before = context_.statistics().checks();
+  const std::uint64_t last_check =
+      before + std::min(checks, std::numeric_limits<std::uint64_t>::max() - before);
   std::vector<std::size_t> nodes = cheapest(Motion::kUnknown);
   while (!confirm(nodes, last_check)) {
     const bool over = context_.interruption() || context_.statistics().checks() >= last_check;

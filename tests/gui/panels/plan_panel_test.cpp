@@ -45,6 +45,18 @@ TEST_F(ParametersInThePanel, StayWhileAPlannerRuns) {
   EXPECT_TRUE(part<QPushButton>("reset_parameters").isEnabled());
 }
 
+TEST_F(ParametersInThePanel, KeepTheMarginOfARun) {
+  open(cell().post());
+  auto& panel = *window().findChild<gui::PlanPanel*>();
+  EXPECT_EQ(panel.request().margin_mm, 0.0);
+  part<QDoubleSpinBox>("margin").setValue(7.5);
+  planning::PlanRequest request = panel.request();
+  EXPECT_EQ(request.margin_mm, 7.5);
+  request.margin_mm = 3.0;
+  panel.restore(request);
+  EXPECT_EQ(panel.request().margin_mm, 3.0);
+}
+
 class PlannersInThePanel : public WindowTest {
  protected:
   [[nodiscard]] bool can_be_chosen(const char* planner) const {

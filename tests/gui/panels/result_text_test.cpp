@@ -22,6 +22,14 @@ TEST(ResultText, TellsAPathWithItsFigures) {
   EXPECT_EQ(result_line(result), "Path found in 250 ms, 4 waypoints");
 }
 
+TEST(ResultText, NamesWhatDoesNotKeepTheMargin) {
+  planning::PlanResult result;
+  result.status = planning::PlanStatus::kSolved;
+  result.out_of_margin.push_back({true, {"thumb", "can", 0.0035}});
+  EXPECT_THAT(result_text(result).toStdString(),
+              HasSubstr("thumb and can are 3.50 mm apart at the goal"));
+}
+
 TEST(ResultText, GivesTheReasonWhyThereIsNone) {
   planning::PlanResult result;
   result.status = planning::PlanStatus::kStartInvalid;

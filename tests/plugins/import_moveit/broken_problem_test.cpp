@@ -62,7 +62,7 @@ INSTANTIATE_TEST_SUITE_P(
                "a quaternion of length 1.41", "of length 1"},
         Breach{"QuaternionOfWords", true, "orientation: {x: 0, y: 0, z: 0, w: 1}",
                "orientation: {x: 0, y: none, z: 0, w: 1}", "scene0001.yaml:26", "\"none\"",
-               "a number"},
+               "a finite number"},
         Breach{"NoSuchVertex", true, "[1, 2, 3]]", "[1, 2, 4]]", "scene0001.yaml:36",
                "the vertex 4", "one of the 4 vertices"},
         Breach{"NoLink", true, "link_name: slide", "link_name: hook", "scene0001.yaml:8",
