@@ -17,7 +17,7 @@ constexpr double kLikelyGain = 0.4;
 
 constexpr double kShy = 1.0 - 1e-6;  // of what an answer may be off: the rest is for rounding
 
-// Of a pair's way from an end: what its resolution gains, and what its margin.
+// Of a pair's motion from an end: what its resolution gains, and what its margin.
 constexpr double kGrowth = 0.01;
 constexpr double kMarginGrowth = 0.02;
 
@@ -71,14 +71,14 @@ double EdgeChecker::far_from_ends(int pair) const {
   return margin_ > resolution_ && keeps_margin(checker_, pair) ? margin_ : resolution_;
 }
 
-double EdgeChecker::required(int pair, const Configuration& middle, double way) const {
+double EdgeChecker::required(int pair, const Configuration& middle, double motion) const {
   double required = far_from_ends(pair);
   const double growth = required > resolution_ ? kMarginGrowth : kGrowth;
   for (const EdgeEnd& end : ends_) {
     for (const EdgeEnd::NearPair& near : end.near) {
       if (near.pair == pair) {
         const double to_middle = bounds_->bound(pair, (middle - end.q).cwiseAbs());
-        required = std::min(required, near.resolution() + growth * (to_middle + way));
+        required = std::min(required, near.resolution() + growth * (to_middle + motion));
       }
     }
   }
@@ -145,12 +145,12 @@ EdgeResult EdgeChecker::search(const Configuration& from, const Configuration& t
       const std::size_t first = unsettled.size();
       for (std::size_t i = stretch.first; i < stretch.first + stretch.count; ++i) {
         const int pair = pairs[i];
-        const double way = motion_.over_edge(pair) * stretch.half;
-        if (checker_.pair_glance(pair) >= way + far_from_ends(pair)) {
+        const double motion = motion_.over_edge(pair) * stretch.half;
+        if (checker_.pair_glance(pair) >= motion + far_from_ends(pair)) {
           continue;
         }
         const double need = motion_.within(pair, stretch.half);
-        const double keep = required(pair, middle, way);
+        const double keep = required(pair, middle, motion);
         const Closeness closeness = is_out_of_reach(pair, need)
                                         ? closeness_of_spheres(pair)
                                         : closeness_within(pair, need, keep);

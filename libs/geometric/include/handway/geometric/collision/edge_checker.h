@@ -69,8 +69,8 @@ struct EdgeEnd {
 /// the usual one again where it can have moved by a hundred resolutions.
 ///
 /// With a margin, the robot moreover keeps that distance from what it is not made of. Next to an
-/// end where a pair is nearer, it keeps half of the distance there, and a fiftieth more of every
-/// way that the pair can have moved since.
+/// end where a pair is nearer, it keeps half of the distance there, plus a fiftieth of the distance
+/// that the pair can have moved since.
 ///
 /// Source: Schwarzer, Saha, Latombe 2005 (see MotionBound).
 class HANDWAY_GEOMETRIC_EXPORT EdgeChecker {
@@ -125,8 +125,8 @@ class HANDWAY_GEOMETRIC_EXPORT EdgeChecker {
 
   /// What the pair has to keep (m) where it is not near an end.
   [[nodiscard]] double far_from_ends(int pair) const;
-  /// What the pair has to keep (m) around `middle`, up to where it can have moved by `way` (m).
-  [[nodiscard]] double required(int pair, const Configuration& middle, double way) const;
+  /// What the pair has to keep (m) around `middle`, up to where it can have moved by `motion` (m).
+  [[nodiscard]] double required(int pair, const Configuration& middle, double motion) const;
 
   /// Whether no bound of the pair's distance is likely to be that large; of the configuration in
   /// place, as the next two, where "closer" may be said wrongly of a pair that needs much.
