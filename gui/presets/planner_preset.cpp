@@ -94,13 +94,10 @@ std::vector<PlannerPreset> built_in_presets(const std::string& planner) {
   }
   if (planner == "pmd-rrt-connect") {
     add(QObject::tr("Tight places"),
-        QObject::tr("Short steps in poses of the tool: for hands that have to leave or reach a "
-                    "narrow place along a straight line. Needs an arm built like the TX90."),
-        {{"corridor", "cartesian"},
-         {"range", "0.1"},
-         {"refinements", "2"},
-         {"near_ends", "0.5"},
-         {"single_moves", "0.5"}});
+        QObject::tr(
+            "Short steps in poses of the tool, from where few were tried: for hands that have "
+            "to leave or reach a narrow place. Needs an arm built like the TX90."),
+        {{"corridor", "cartesian"}, {"range", "0.1"}, {"expansions", "1"}});
   }
   if (is_of_the_paper(planner)) {
     add(QObject::tr("As printed"),

@@ -31,6 +31,27 @@ PlanningProblem can_on_table() {
   throw std::runtime_error("no scene can_on_table");
 }
 
+TEST(ExpansiveTrees, SolveEveryKnownProblem) {
+  constexpr std::uint64_t kChecks = 60'000;  // trees that draw targets take 100,000 on one of them
+  for (const test::KnownProblem& known : test::known_problems()) {
+    SCOPED_TRACE(known.name);
+    const LoadedScene scene = test::load(known);
+    const PlanningProblem problem = make_problem(scene.scene, scene.basis);
+    for (const std::string corridor : {"joint", "cartesian"}) {
+      const auto planner = PlannerRegistry().create("pmd-rrt-connect");
+      for (const auto& [key, value] :
+           {std::pair("expansions", std::string("1")), std::pair("range", std::string("0.1")),
+            std::pair("corridor", corridor)}) {
+        set_from_text(find_parameter(planner->parameters(), key), value);
+      }
+      const PlanResult result = planner->plan(problem, {});
+      ASSERT_TRUE(result.solved()) << result.reason;
+      EXPECT_LT(result.statistics.checks(), kChecks);
+      EXPECT_TRUE(check_path(problem, result.path, metres(1.0)).valid());
+    }
+  }
+}
+
 double clearance(const PlanningProblem& problem, const Configuration& q) {
   return geometric::find_clearance(*problem.checker->clone(), q, metres(1.0)).distance;
 }

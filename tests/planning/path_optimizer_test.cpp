@@ -68,6 +68,20 @@ TEST_F(Optimizer, LowersTheCostOfEachObjectiveAndKeepsPathsFree) {
   }
 }
 
+TEST_F(Optimizer, PrunesPathsOfManyWaypointsFirst) {
+  const Path path = found();
+  Path trembling;  // to and fro between the waypoints
+  for (std::size_t i = 0; i + 1 < path.waypoints.size(); ++i) {
+    for (const double share : {0.0, 0.3, 0.1, 0.4, 0.2, 0.6, 0.5, 0.8, 0.7}) {
+      trembling.waypoints.push_back(path.waypoints[i] +
+                                    share * (path.waypoints[i + 1] - path.waypoints[i]));
+    }
+  }
+  trembling.waypoints.push_back(path.waypoints.back());
+  ASSERT_GT(trembling.waypoints.size(), 30U);
+  EXPECT_LE(optimized(trembling, {}, 200).waypoints.size(), path.waypoints.size());
+}
+
 TEST_F(Optimizer, LeadsTheHandIntoTheSubspace) {
   const Path path = found();
   const PathQuality human = path_quality(problem_, optimized(path, human_like(), 5000));

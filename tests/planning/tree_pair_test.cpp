@@ -35,6 +35,19 @@ TEST_F(ATreePair, KeepsItsNodesWhileItGrows) {
   EXPECT_EQ(trees_.nearest(0, at(2.503)), 251);
 }
 
+TEST_F(ATreePair, ListsTheNodesOfEitherTree) {
+  const int two = add(2, 0);
+  const int four = add(4, two);
+  const int eight = add(8, 1);
+  EXPECT_THAT(trees_.nodes(0), ElementsAre(0, two, four));
+  EXPECT_THAT(trees_.nodes(1), ElementsAre(1, eight));
+  EXPECT_EQ(trees_.parent(four), two);
+  EXPECT_EQ(trees_.parent(1), 1) << "a root";
+  trees_.cut(trees_.way(four, eight), 1, true);  // between 2 and 4
+  EXPECT_THAT(trees_.nodes(0), ElementsAre(0, two));
+  EXPECT_THAT(trees_.nodes(1), ElementsAre(1, four, eight));
+}
+
 TEST_F(ATreePair, LeadsFromStartToGoalOverTheBridge) {
   const int two = add(2, 0);
   const int four = add(4, two);

@@ -51,10 +51,10 @@ class Parameters(unittest.TestCase):
 
     def test_may_be_truths(self):
         planner = handway.planner("auto")
-        planner["lazy"] = False
-        self.assertIs(planner["lazy"], False)
+        planner["cartesian"] = False
+        self.assertIs(planner["cartesian"], False)
         with self.assertRaisesRegex(handway.InputError, "true or false"):
-            planner["lazy"] = 1
+            planner["cartesian"] = 1
 
     def test_refuse_other_keys_and_values(self):
         planner = handway.planner("pmd-prm")

@@ -14,7 +14,8 @@ using Point = Objective::Point;
 
 constexpr double kWorthwhile = 1e-3;  // share of the cost that a replacement has to save
 constexpr double kWaypoint = 5e-3;    // and for each waypoint that it adds; robots slow down there
-constexpr double kSame = 1e-6;        // points of a path nearer than this are one
+constexpr std::size_t kManyWaypoints = 16;  // a path of more is pruned before all else
+constexpr double kSame = 1e-6;              // points of a path nearer than this are one
 constexpr double kRemovals = 0.3;     // share of waypoints that are taken out instead of moved
 constexpr double kLargestMove = 0.2;  // of a waypoint
 constexpr double kSmallestMove = 0.005;
@@ -85,12 +86,26 @@ void PathOptimizer::advance(std::uint64_t checks) {
   }
   last_check_ = spent() + checks;
   if (!led_ && !is_over()) {
+    if (points_.size() > kManyWaypoints) {
+      prune(0, points_.size() - 1);
+    }
     lead_into_subspace();
     led_ = true;
   }
   while (!is_over() && !converged()) {
     replace_at_random();
   }
+}
+
+// What lies between two waypoints gives way to the straight motion, or else what lies between
+// each of them and the one in the middle does.
+void PathOptimizer::prune(std::size_t first, std::size_t last) {
+  if (last - first < 2 || is_over() || try_stretch(at_waypoint(first), at_waypoint(last), {})) {
+    return;
+  }
+  const std::size_t middle = first + (last - first) / 2;
+  prune(middle, last);  // before waypoints in front of it go
+  prune(first, middle);
 }
 
 // Without a subspace: the cheapest path over the waypoints.

@@ -2,12 +2,10 @@
 
 #include "handway/geometric/io/input_error.h"
 #include "handway/planning/core/planning_context.h"
-#include "handway/planning/planners/pmd_lazy.h"
 #include "handway/planning/planners/rrt_connect.h"
 #include "handway/sampling/sequences/random_stream.h"
 #include "paths/subspace_entry.h"
 #include "planners/bidirectional_search.h"
-#include "planners/lazy_search.h"
 #include "planners/race.h"
 #include "planners/search_parameters.h"
 #include "planners/smooth_result.h"
@@ -30,20 +28,12 @@ RrtConnectSettings joint_trees() {
   return settings;
 }
 
-// Short steps and a wide corridor: made for leaving tight places along a line.
-RrtConnectSettings cartesian_trees() {
+// Made for leaving tight places.
+RrtConnectSettings expansive_trees(CorridorForm form) {
   RrtConnectSettings settings = joint_trees();
-  settings.region.corridor = static_cast<int>(CorridorForm::kCartesian);
+  settings.region.corridor = static_cast<int>(form);
   settings.range = 0.1;
-  settings.refinements = 2;
-  settings.region.near_ends = 0.5;
-  settings.single_moves = 0.5;
-  return settings;
-}
-
-PmdLazySettings lazy_roadmap() {
-  PmdLazySettings settings;
-  settings.max_samples = kUnlimited;
+  settings.expansions = 1.0;
   return settings;
 }
 
@@ -87,7 +77,7 @@ Path with_entries(const Entries& entries, const Path& between) {
   return path;
 }
 
-enum class Kind { kJointTrees, kCartesianTrees, kLazyRoadmap, kWholeSpaceTrees };
+enum class Kind { kJointTrees, kWholeSpaceTrees, kExpansiveTrees, kExpansiveWholeSpaceTrees };
 
 /// Who takes part in the race.
 struct Participant {
@@ -97,53 +87,56 @@ struct Participant {
   std::uint64_t fork;  ///< Of the run's seed; 0: the seed itself.
 };
 
-std::vector<Participant> participants(const AutoPlannerSettings& settings, bool has_basis) {
-  std::vector<Participant> list{{Kind::kJointTrees, "trees in the joint corridor", 0, 0}};
-  if (!has_basis) {
-    list.push_back({Kind::kWholeSpaceTrees, "trees over all joints", 1, 5});
-  }
-  if (settings.cartesian) {
-    list.push_back({Kind::kCartesianTrees, "trees in the Cartesian corridor", 1, 1});
-    list.push_back(
-        {Kind::kCartesianTrees, "trees in the Cartesian corridor, from another seed", 3, 2});
-  }
-  if (settings.lazy) {
-    list.push_back({Kind::kLazyRoadmap, "a lazy roadmap", 3, 3});
-  }
-  list.push_back({Kind::kJointTrees, "trees in the joint corridor, from another seed", 4, 4});
-  if (has_basis) {
-    list.push_back({Kind::kWholeSpaceTrees, "trees over all joints", 5, 5});
-  }
+// Without a basis hand postures are drawn over all joints anyway.
+std::vector<Participant> participants(bool has_basis) {
+  std::vector<Participant> list{
+      {Kind::kJointTrees, "trees in the joint corridor", 0, 0},
+      {Kind::kExpansiveTrees, "expansive trees", 1, 1},
+      {Kind::kExpansiveTrees, "expansive trees, from another seed", 2, 2},
+  };
+  list.push_back(has_basis ? Participant{Kind::kExpansiveWholeSpaceTrees,
+                                         "expansive trees over all joints", 3, 3}
+                           : Participant{Kind::kWholeSpaceTrees, "trees over all joints", 1, 5});
   return list;
 }
 
 /// What all searches of one run are made with.
 struct RaceSettings {
+  explicit RaceSettings(bool cartesian) : in_tool_poses(cartesian) {}
+
   RrtConnectSettings joint = joint_trees();
-  RrtConnectSettings cartesian = cartesian_trees();
+  RrtConnectSettings expansive = expansive_trees(CorridorForm::kJoint);
+  RrtConnectSettings expansive_cartesian = expansive_trees(CorridorForm::kCartesian);
   RrtConnectSettings whole_space = whole_space_trees();
-  PmdLazySettings roadmap = lazy_roadmap();
+  bool in_tool_poses;  ///< Expansive trees, if the arm has closed-form inverse kinematics.
 };
 
-// Null: the arm has no closed-form inverse kinematics for a Cartesian corridor.
+std::unique_ptr<Search> make_expansive(HandSpace hand, const RaceSettings& settings,
+                                       PlanningContext& context, std::uint64_t seed) {
+  if (settings.in_tool_poses) {
+    try {
+      return std::make_unique<BidirectionalSearch>(context, settings.expansive_cartesian, hand,
+                                                   seed);
+    } catch (const geometric::InputError&) {
+      // An arm of another kind.
+    }
+  }
+  return std::make_unique<BidirectionalSearch>(context, settings.expansive, hand, seed);
+}
+
 std::unique_ptr<Search> make_search(Kind kind, const RaceSettings& settings,
                                     PlanningContext& context, std::uint64_t seed) {
-  const auto trees = [&](const RrtConnectSettings& tree_settings, HandSpace hand) {
-    return std::make_unique<BidirectionalSearch>(context, tree_settings, hand, seed);
-  };
   switch (kind) {
     case Kind::kJointTrees:
-      return trees(settings.joint, HandSpace::kPrincipalDirections);
+      return std::make_unique<BidirectionalSearch>(context, settings.joint,
+                                                   HandSpace::kPrincipalDirections, seed);
     case Kind::kWholeSpaceTrees:
-      return trees(settings.whole_space, HandSpace::kAllJoints);
-    case Kind::kLazyRoadmap:
-      return std::make_unique<LazySearch>(context, settings.roadmap, seed);
+      return std::make_unique<BidirectionalSearch>(context, settings.whole_space,
+                                                   HandSpace::kAllJoints, seed);
+    case Kind::kExpansiveWholeSpaceTrees:
+      return make_expansive(HandSpace::kAllJoints, settings, context, seed);
     default:
-      try {
-        return trees(settings.cartesian, HandSpace::kPrincipalDirections);
-      } catch (const geometric::InputError&) {
-        return nullptr;
-      }
+      return make_expansive(HandSpace::kPrincipalDirections, settings, context, seed);
   }
 }
 
@@ -152,7 +145,7 @@ std::unique_ptr<Search> make_search(Kind kind, const RaceSettings& settings,
 std::string AutoPlanner::name() const { return "auto"; }
 
 std::string AutoPlanner::description() const {
-  return "Races trees in the joint and the Cartesian corridor, over all joints, and a lazy roadmap";
+  return "Races trees in the principal directions or the arm's corridor and expansive trees";
 }
 
 PlannerCapabilities AutoPlanner::capabilities() const {
@@ -165,53 +158,41 @@ std::vector<Parameter> AutoPlanner::own_parameters() {
        &settings_.max_samples, 1, 100000000},
       smoothing_checks_parameter(settings_.smoothing_checks),
       {"cartesian", "Search in tool poses", "",
-       "Trees in the Cartesian corridor take part, if the arm is built like the TX90.",
+       "Expansive trees grow in poses of the tool, if the arm is built like the TX90.",
        &settings_.cartesian, 0.0, 1.0},
-      {"lazy", "Search a lazy roadmap", "", "A lazy roadmap takes part.", &settings_.lazy, 0.0,
-       1.0},
   };
 }
 
 std::vector<TargetRegion> AutoPlanner::regions(bool has_basis) const {
-  const RaceSettings race;
+  const RaceSettings race(settings_.cartesian);
   std::vector<TargetRegion> regions;
-  for (const Participant& participant : participants(settings_, has_basis)) {
-    regions.push_back(participant.kind == Kind::kJointTrees       ? race.joint.region
-                      : participant.kind == Kind::kCartesianTrees ? race.cartesian.region
-                      : participant.kind == Kind::kLazyRoadmap    ? race.roadmap.region
-                                                                  : TargetRegion{.rho_a = 1.0});
+  for (const Participant& participant : participants(has_basis)) {
+    regions.push_back(participant.kind == Kind::kJointTrees ? race.joint.region
+                                                            : TargetRegion{.rho_a = 1.0});
   }
-  regions.push_back(race.joint.region);  // of the trees in the principal motion directions
   return regions;
 }
 
 void AutoPlanner::do_plan(PlanningContext& context, PlanResult& result) {
-  const RaceSettings searches;
+  const RaceSettings searches(settings_.cartesian);
   const bool has_basis = context.problem().basis != nullptr;
-  const std::uint64_t seed = context.request().seed;
-  const sampling::RandomStream seeds(seed);
-  const std::vector<Participant> list = participants(settings_, has_basis);
+  const sampling::RandomStream seeds(context.request().seed);
   const auto entries_found = subspace_entries(context, objective().weights(context.problem()));
   PlanningProblem between = context.problem();
   std::vector<Racer> racers;
+  for (const Participant& participant : participants(has_basis)) {
+    const std::uint64_t seed =
+        participant.fork == 0 ? seeds.seed() : seeds.fork(participant.fork).seed();
+    racers.push_back({participant.name, participant.first_round,
+                      [&searches, kind = participant.kind, seed](PlanningContext& lane) {
+                        return make_search(kind, searches, lane, seed);
+                      }});
+  }
   if (entries_found) {
     between.start = entries_found->from_start.back();
     between.goal = entries_found->from_goal.back();
-    racers.push_back({"trees in the principal motion directions", 0,
-                      [&searches, seed](PlanningContext& lane) {
-                        return make_search(Kind::kJointTrees, searches, lane, seed);
-                      },
-                      &between, static_cast<int>(list.size())});
-  }
-  const int head_start = entries_found ? 1 : 0;
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    const Participant& participant = list[i];
-    const std::uint64_t own = participant.fork == 0 ? seed : seeds.fork(participant.fork).seed();
-    racers.push_back({participant.name, participant.first_round + head_start,
-                      [&searches, kind = participant.kind, own](PlanningContext& lane) {
-                        return make_search(kind, searches, lane, own);
-                      },
-                      nullptr, static_cast<int>(i)});
+    racers.front().name = "trees in the principal motion directions";
+    racers.front().problem = &between;
   }
   Race race(context, std::move(racers), static_cast<std::uint64_t>(settings_.max_samples));
   result.status = race.run();

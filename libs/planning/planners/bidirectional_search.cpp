@@ -10,6 +10,7 @@
 namespace handway::planning {
 namespace {
 
+constexpr int kCandidates = 12;       // of which the least expanded node is expanded
 constexpr double kRefinement = 0.25;  // share of a step that is tried after it
 
 // Configurations that an edge may take: at first, more with every sample, at most.
@@ -24,12 +25,13 @@ BidirectionalSearch::BidirectionalSearch(PlanningContext& context,
                                          std::uint64_t seed)
     : Search(context),
       settings_(settings),
-      lazy_(hand == HandSpace::kPrincipalDirections),
+      lazy_(hand == HandSpace::kPrincipalDirections || settings.expansions > 0.0),
       space_(make_search_space(context.problem(),
                                static_cast<CorridorForm>(settings.region.corridor))),
       draws_(context.problem(), settings.region, hand, *space_, seed),
       trees_(context.problem().start, space_->coordinates(context.problem().start),
-             context.problem().goal, space_->coordinates(context.problem().goal)) {
+             context.problem().goal, space_->coordinates(context.problem().goal)),
+      choices_(sampling::RandomStream(seed).fork(1)) {
   announce_node(0, {});
   announce_node(1, {});
 }
@@ -42,12 +44,15 @@ std::optional<PlanStatus> BidirectionalSearch::step() {
                                    "growing trees");
   ++statistics().samples;
   const int tree = sample_ % 2;
-  const TargetDraws::Target target = draws_.draw(sample_, tree, failures_);
-  statistics().final_rho_a = std::max(statistics().final_rho_a, target.rho);
-  const std::optional<int> reached = extend(tree, target);
+  sampling::RandomStream draw = choices_.fork(static_cast<std::uint64_t>(sample_));
+  const Growth growth =
+      draw.uniform() < settings_.expansions ? expansion(tree, draw) : extension(tree);
+  statistics().final_rho_a = std::max(statistics().final_rho_a, growth.target.rho);
+  const std::optional<int> reached = grow(growth);
   ++sample_;
   failures_ = reached ? 0 : failures_ + 1;
-  return reached && connect(*reached, target) ? std::optional(PlanStatus::kSolved) : std::nullopt;
+  return reached && connect(*reached, growth.target) ? std::optional(PlanStatus::kSolved)
+                                                     : std::nullopt;
 }
 
 void BidirectionalSearch::announce_node(int node, const TargetDraws::Target& target) {
@@ -57,14 +62,43 @@ void BidirectionalSearch::announce_node(int node, const TargetDraws::Target& tar
       {node, q, target.pmds, arm_progress(context().problem(), q), target.rho});
 }
 
-// One step of at most `range` from the nearest node; the new node, if the way is free.
-std::optional<int> BidirectionalSearch::extend(int tree, const TargetDraws::Target& target) {
+// From the nearest node (RRT).
+BidirectionalSearch::Growth BidirectionalSearch::extension(int tree) const {
+  TargetDraws::Target target = draws_.draw(sample_, tree, failures_);
   const int from = trees_.nearest(tree, target.coordinates);
-  const Eigen::VectorXd end =
-      draws_.held(target.coordinates, trees_.coordinates(from), sample_, settings_.single_moves);
+  target.coordinates = draws_.held(std::move(target.coordinates), trees_.coordinates(from), sample_,
+                                   settings_.single_moves);
+  return {from, std::move(target)};
+}
+
+// From a node of which few expansions were tried, the newest of such (EST): so trees go on where
+// they have just come through, and leave a tight place however few of the targets are beyond it.
+BidirectionalSearch::Growth BidirectionalSearch::expansion(int tree, sampling::RandomStream draw) {
+  expansions_.resize(static_cast<std::size_t>(trees_.size()));
+  const auto tried = [&](int node) -> int& { return expansions_[static_cast<std::size_t>(node)]; };
+  const std::vector<int>& nodes = trees_.nodes(tree);
+  const auto candidate = [&] {
+    const auto index = static_cast<std::size_t>(draw.uniform() * static_cast<double>(nodes.size()));
+    return nodes[std::min(nodes.size() - 1, index)];
+  };
+  int from = candidate();
+  for (int i = 1; i < kCandidates; ++i) {
+    const int other = candidate();
+    if (std::pair(tried(other), -other) < std::pair(tried(from), -from)) {
+      from = other;
+    }
+  }
+  ++tried(from);
+  return {from, draws_.draw_near_node(sample_, trees_.coordinates(from),
+                                      trees_.coordinates(trees_.parent(from)))};
+}
+
+// One step of at most `range`; the new node, if the way is free.
+std::optional<int> BidirectionalSearch::grow(const Growth& growth) {
   double range = settings_.range;
   for (int i = 0; i <= settings_.refinements; ++i, range *= kRefinement) {
-    if (const std::optional<int> node = step_towards(from, end, range, target)) {
+    if (const std::optional<int> node =
+            step_towards(growth.from, growth.target.coordinates, range, growth.target)) {
       return node;
     }
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "handway/planning/planners/rrt_connect.h"
+#include "handway/sampling/sequences/random_stream.h"
 #include "planners/search.h"
 #include "planners/search_space.h"
 #include "planners/target_draws.h"
@@ -8,6 +9,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace handway::planning {
 
@@ -25,8 +27,16 @@ class BidirectionalSearch final : public Search {
   [[nodiscard]] std::optional<PlanStatus> step() override;
 
  private:
+  /// Growth of a tree: from a node towards a target.
+  struct Growth {
+    int from;
+    TargetDraws::Target target;
+  };
+
   void announce_node(int node, const TargetDraws::Target& target);
-  [[nodiscard]] std::optional<int> extend(int tree, const TargetDraws::Target& target);
+  [[nodiscard]] Growth extension(int tree) const;
+  [[nodiscard]] Growth expansion(int tree, sampling::RandomStream draw);
+  [[nodiscard]] std::optional<int> grow(const Growth& growth);
   [[nodiscard]] std::optional<int> step_towards(int from, const Eigen::VectorXd& end, double range,
                                                 const TargetDraws::Target& target);
   [[nodiscard]] bool connect(int reached, const TargetDraws::Target& target);
@@ -39,6 +49,8 @@ class BidirectionalSearch final : public Search {
   std::unique_ptr<SearchSpace> space_;
   TargetDraws draws_;
   TreePair trees_;
+  sampling::RandomStream choices_;  ///< Of how trees grow.
+  std::vector<int> expansions_;     ///< Tried from each node.
   int sample_ = 0;
   int failures_ = 0;  ///< Draws since one was of use.
   Path path_;

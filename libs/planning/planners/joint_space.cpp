@@ -15,6 +15,10 @@ class JointSpace final : public SearchSpace {
 
   [[nodiscard]] int arm_draws() const override { return corridor_.dimension(); }
 
+  [[nodiscard]] Eigen::VectorXd within_limits(Eigen::VectorXd x) const override {
+    return x.cwiseMax(0.0).cwiseMin(1.0);
+  }
+
  protected:
   [[nodiscard]] Eigen::VectorXd arm_coordinates(const Configuration& q) const override {
     return geometric::normalised(problem().model(), q)(problem().arm);

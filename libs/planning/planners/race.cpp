@@ -33,7 +33,7 @@ Race::Race(PlanningContext& context, std::vector<Racer> racers, std::uint64_t sa
   for (Racer& racer : racers) {
     auto lane = std::make_unique<Lane>();
     lane->racer = std::move(racer);
-    lane->index = lane->racer.number < 0 ? static_cast<int>(lanes_.size()) : lane->racer.number;
+    lane->index = static_cast<int>(lanes_.size());
     lanes_.push_back(std::move(lane));
   }
 }

@@ -12,13 +12,12 @@
 
 namespace handway::planning {
 
-/// A search that takes part in a Race.
+/// A search that takes part in a Race; NodeEvent::search is its place in the list.
 struct Racer {
   std::string name;                                               ///< In words, for the reason.
   int first_round = 0;                                            ///< Starts in this round.
   std::function<std::unique_ptr<Search>(PlanningContext&)> make;  ///< Null: it does not start.
   const PlanningProblem* problem = nullptr;  ///< Between other ends; null: the race's own.
-  int number = -1;  ///< Its NodeEvent::search; negative: its place in the list.
 };
 
 /// Lets several searches run on one problem until one solves it.

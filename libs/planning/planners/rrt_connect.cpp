@@ -45,6 +45,10 @@ std::vector<Parameter> RrtConnect::own_parameters() {
     list.push_back({"single_moves", "Moves of one part", "",
                     "Share of samples that move the arm alone or the hand alone.",
                     &settings_.single_moves, 0.0, 1.0});
+    list.push_back({"expansions", "Expansions", "",
+                    "Share of steps from a node that few were tried from to somewhere near it: to "
+                    "get out of tight places.",
+                    &settings_.expansions, 0.0, 1.0});
     append_region_parameters(list, settings_.region);
   }
   return list;

@@ -21,6 +21,12 @@ std::optional<Configuration> SearchSpace::configuration(const Eigen::VectorXd& x
   return with_arm(geometric::denormalised(problem_.model(), joints), x.head(x.size() - hand_size));
 }
 
+Eigen::VectorXd SearchSpace::within_limits(Eigen::VectorXd x) const {
+  const auto hand_size = static_cast<Eigen::Index>(problem_.hand.size());
+  x.tail(hand_size) = x.tail(hand_size).cwiseMax(0.0).cwiseMin(1.0).eval();
+  return x;
+}
+
 Eigen::VectorXd SearchSpace::draw(double step, double rho, const Eigen::VectorXd& u,
                                   const Eigen::VectorXd& posture) const {
   const Eigen::VectorXd arm = draw_arm(step, rho, u);

@@ -28,6 +28,8 @@ class SearchSpace {
   /// nothing if the arm can't reach it.
   [[nodiscard]] std::optional<Configuration> configuration(const Eigen::VectorXd& x,
                                                            const Configuration& reference) const;
+  /// The coordinates of joints cut off at their limits.
+  [[nodiscard]] virtual Eigen::VectorXd within_limits(Eigen::VectorXd x) const;
   /// Coordinates whose arm is drawn from the corridor at `step` with half-width
   /// `rho` (@p u in [0,1]^arm_draws()), the hand at normalised `posture`.
   [[nodiscard]] Eigen::VectorXd draw(double step, double rho, const Eigen::VectorXd& u,

@@ -37,7 +37,13 @@ class TargetDraws {
   [[nodiscard]] Eigen::VectorXd held(Eigen::VectorXd target, const Eigen::VectorXd& from,
                                      int sample, double share) const;
 
+  /// A target near the node at `from`, wherever that is: in a random direction of the arm or
+  /// of the hand; or further along the edge from its parent, with a deviation.
+  [[nodiscard]] Target draw_near_node(int sample, const Eigen::VectorXd& from,
+                                      const Eigen::VectorXd& parent) const;
+
  private:
+  [[nodiscard]] Eigen::VectorXd direction(Eigen::Index size, sampling::RandomStream& draw) const;
   [[nodiscard]] Target draw_in_corridor(int sample, int axes, sampling::RandomStream& draw) const;
   [[nodiscard]] Target draw_near_end(int end, int axes, sampling::RandomStream& draw) const;
 

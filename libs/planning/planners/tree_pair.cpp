@@ -26,6 +26,7 @@ int TreePair::append(Node node, const Eigen::VectorXd& coordinates) {
   if (number == coordinates_.cols()) {
     coordinates_.conservativeResize(Eigen::NoChange, 2 * coordinates_.cols());
   }
+  members_.at(static_cast<std::size_t>(node.tree)).push_back(number);
   nodes_.push_back(std::move(node));
   coordinates_.col(number) = coordinates;
   return number;
@@ -34,13 +35,11 @@ int TreePair::append(Node node, const Eigen::VectorXd& coordinates) {
 int TreePair::nearest(int tree, const Eigen::VectorXd& coordinates) const {
   int nearest = tree;
   double least = std::numeric_limits<double>::infinity();
-  for (int node = 0; node < size(); ++node) {
-    if (at(node).tree == tree) {
-      const double squared = (coordinates_.col(node) - coordinates).squaredNorm();
-      if (squared < least) {
-        least = squared;
-        nearest = node;
-      }
+  for (const int node : nodes(tree)) {
+    const double squared = (coordinates_.col(node) - coordinates).squaredNorm();
+    if (squared < least) {
+      least = squared;
+      nearest = node;
     }
   }
   return nearest;
@@ -111,6 +110,12 @@ void TreePair::assign_trees() {
       at(below).tree = at(up).tree;
       known[static_cast<std::size_t>(below)] = true;
     }
+  }
+  for (std::vector<int>& nodes : members_) {
+    nodes.clear();
+  }
+  for (int node = 0; node < size(); ++node) {
+    members_.at(static_cast<std::size_t>(tree_of(node))).push_back(node);
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -30,6 +31,12 @@ class TreePair {
   [[nodiscard]] int nearest(int tree, const Eigen::VectorXd& coordinates) const;
   [[nodiscard]] int size() const { return static_cast<int>(nodes_.size()); }
   [[nodiscard]] int tree_of(int node) const { return at(node).tree; }
+  /// In the order in which they were added.
+  [[nodiscard]] const std::vector<int>& nodes(int tree) const {
+    return members_.at(static_cast<std::size_t>(tree));
+  }
+  /// A root's is itself.
+  [[nodiscard]] int parent(int node) const { return at(node).parent < 0 ? node : at(node).parent; }
   [[nodiscard]] const Configuration& configuration(int node) const { return at(node).q; }
   [[nodiscard]] auto coordinates(int node) const { return coordinates_.col(node); }
 
@@ -65,7 +72,8 @@ class TreePair {
   void assign_trees();
 
   std::vector<Node> nodes_;
-  Eigen::MatrixXd coordinates_;  ///< A column a node; grows by doubling.
+  std::array<std::vector<int>, 2> members_;  ///< Of each tree.
+  Eigen::MatrixXd coordinates_;              ///< A column a node; grows by doubling.
 };
 
 }  // namespace handway::planning

@@ -74,6 +74,7 @@ class HANDWAY_PLANNING_EXPORT PathOptimizer {
   [[nodiscard]] bool is_over() const;
   [[nodiscard]] bool has_subspace() const;
 
+  void prune(std::size_t first, std::size_t last);
   void lead_into_subspace();
   void replace_at_random();
   [[nodiscard]] std::vector<Point> replacement(const Place& from, const Place& to);

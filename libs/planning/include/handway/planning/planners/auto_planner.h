@@ -13,15 +13,15 @@ namespace handway::planning {
 struct AutoPlannerSettings {
   int max_samples = 1000000;   ///< Of all searches together.
   int smoothing_checks = 800;  ///< Configurations that the PathOptimizer may check.
-  bool cartesian = true;       ///< Search in poses of the arm's tool too.
-  bool lazy = true;            ///< Search a lazy roadmap too.
+  bool cartesian = true;       ///< Expansive trees grow in poses of the arm's tool.
 };
 
-/// The default. Races other planners' searches and takes the path of the first to find one:
-/// trees in the joint corridor start alone; where they don't find a path soon, trees in the
-/// Cartesian corridor (if the arm has closed-form inverse kinematics), a lazy roadmap, trees
-/// over all joints and trees from other seeds join. Budgets are counted in configurations,
-/// so that the winner is the same for any number of threads. The path is then optimised.
+/// The default. Races searches and takes the path of the first to find one: trees in the joint
+/// corridor start alone; where they don't find a path soon, expansive trees (see
+/// RrtConnectSettings::expansions; in poses of the tool if the arm has closed-form inverse
+/// kinematics), the same from another seed, and trees over all joints join. Budgets are counted in
+/// configurations, so that the winner is the same for any number of threads. The path is then
+/// optimised.
 ///
 /// With a basis hand postures are sampled in the PMD subspace; without one every joint on its own.
 class HANDWAY_PLANNING_EXPORT AutoPlanner final : public Planner {

@@ -18,6 +18,7 @@ struct RrtConnectSettings {
   int max_samples = 1000000;
   int smoothing_checks = 300;  ///< Configurations that ShortcutSmoothing may check.
   double single_moves = 0.3;   ///< Share that move the arm alone or the hand alone; PMDs only.
+  double expansions = 0.0;     ///< Share of steps that expand a node instead; PMDs only.
   TargetRegion region;         ///< PMDs only.
 };
 
@@ -25,12 +26,16 @@ struct RrtConnectSettings {
 /// joints it is the usual baseline. With PMDs it draws from the paper's regions:
 /// the arm from a corridor that widens, the hand from thumb base and PMDs; and
 /// from balls around start and goal, where passages are narrowest. Its edges are
-/// sampled at first, and made certain only where trees meet.
+/// sampled at first, and made certain only where trees meet. A share of its steps may go from a
+/// node that few others were tried from to somewhere near it: such trees get out of places that
+/// are too tight for targets beyond them to be of use.
 ///
 /// Sources: Kuffner, LaValle, "RRT-Connect: an efficient approach to single-query
 /// path planning", ICRA 2000, doi:10.1109/ROBOT.2000.844730;
+/// Hsu, Latombe, Motwani, "Path planning in expansive configuration spaces", ICRA 1997,
+/// doi:10.1109/ROBOT.1997.619371 (expansions);
 /// Sánchez, Latombe, "A single-query bi-directional probabilistic roadmap planner
-/// with lazy collision checking", ISRR 2001.
+/// with lazy collision checking", ISRR 2001 (both, and edges checked late).
 class HANDWAY_PLANNING_EXPORT RrtConnect final : public Planner {
  public:
   explicit RrtConnect(HandSpace space);
