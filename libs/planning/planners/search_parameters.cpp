@@ -8,13 +8,15 @@ Parameter max_samples_parameter(int& value) {
 }
 
 Parameter smoothing_checks_parameter(int& value) {
-  return {"smoothing_checks",
-          "Checks to smooth",
-          "",
-          "Configurations checked to shorten the path once it is found. 0: it stays as it is.",
-          &value,
-          0,
-          10000000};
+  return {
+      "smoothing_checks",
+      "Checks to smooth",
+      "",
+      "Configurations checked to shorten the path once it is found, for every 16 waypoints that "
+      "it then has. 0: it stays as it is.",
+      &value,
+      0,
+      10000000};
 }
 
 Parameter corridor_parameter(int& value) {

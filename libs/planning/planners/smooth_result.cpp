@@ -4,13 +4,19 @@
 #include "planners/phase_clock.h"
 
 namespace handway::planning {
+namespace {
+
+constexpr std::uint64_t kWaypoints = 16;  // that a number of checks is for
+
+}  // namespace
 
 void smooth_result(PlanningContext& context, const ObjectiveSettings& objective, int checks,
                    const Path& found, PlanResult& result) {
   const PhaseClock smoothing_time(result.smoothing_s);
   PathOptimizer optimizer(context, objective.weights(context.problem()), found,
                           context.request().seed);
-  optimizer.advance(static_cast<std::uint64_t>(checks));
+  const std::uint64_t parts = (found.waypoints.size() + kWaypoints - 1) / kWaypoints;
+  optimizer.advance(parts * static_cast<std::uint64_t>(checks));
   result.path = optimizer.path();
 }
 

@@ -9,7 +9,7 @@ namespace handway::planning {
 
 /// Makes `found`, as a PathOptimizer leaves it, the path of `result`; the time it takes is added to
 /// the result's smoothing time.
-/// @param checks configurations to spend on it.
+/// @param checks configurations to spend on it for every 16 waypoints.
 void smooth_result(PlanningContext& context, const ObjectiveSettings& objective, int checks,
                    const Path& found, PlanResult& result);
 
