@@ -42,10 +42,6 @@ Racer racer(std::string name, std::uint64_t enough, int first_round = 0) {
           }};
 }
 
-Racer absent(std::string name) {
-  return {std::move(name), 0, [](PlanningContext&) { return std::unique_ptr<Search>(); }};
-}
-
 class ARace : public testing::TestWithParam<int> {
  protected:
   ARace() { request_.threads = GetParam(); }
@@ -92,11 +88,6 @@ TEST_P(ARace, CountsOnlyWhatTheWinnerHadToWaitFor) {
   const Outcome both = run({racer("first", 400), racer("second", 20)});
   EXPECT_EQ(both.statistics.node_checks, alone.statistics.node_checks);
   EXPECT_EQ(both.statistics.samples, 40U);
-}
-
-TEST_P(ARace, GoesOnWithoutRacersThatDoNotStart) {
-  EXPECT_EQ(run({absent("ill"), racer("well", 5'000)}).winner, "well");
-  EXPECT_EQ(run({absent("ill")}).status, PlanStatus::kSamplesSpent);
 }
 
 TEST_P(ARace, EndsWhenTheSamplesAreSpent) {

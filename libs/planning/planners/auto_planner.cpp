@@ -8,6 +8,7 @@
 #include "planners/bidirectional_search.h"
 #include "planners/race.h"
 #include "planners/search_parameters.h"
+#include "planners/search_space.h"
 #include "planners/smooth_result.h"
 
 #include <fmt/format.h>
@@ -20,27 +21,28 @@
 namespace handway::planning {
 namespace {
 
-constexpr int kUnlimited = std::numeric_limits<int>::max();  // the race counts samples itself
-
-RrtConnectSettings joint_trees() {
-  RrtConnectSettings settings;
-  settings.max_samples = kUnlimited;
+RrtConnectSettings without_limit(RrtConnectSettings settings) {
+  settings.max_samples = std::numeric_limits<int>::max();  // the race counts samples itself
   return settings;
 }
 
 // Made for leaving tight places.
 RrtConnectSettings expansive_trees(CorridorForm form) {
-  RrtConnectSettings settings = joint_trees();
+  RrtConnectSettings settings;
   settings.region.corridor = static_cast<int>(form);
   settings.range = 0.1;
   settings.expansions = 1.0;
   return settings;
 }
 
-RrtConnectSettings whole_space_trees() {
-  RrtConnectSettings settings = RrtConnect(HandSpace::kAllJoints).settings();
-  settings.max_samples = kUnlimited;
-  return settings;
+// In which expansive trees grow: poses of the tool if the arm has closed-form inverse kinematics.
+CorridorForm expansive_form(const PlanningProblem& problem) {
+  try {
+    static_cast<void>(make_tool_space(problem));
+    return CorridorForm::kCartesian;
+  } catch (const geometric::InputError&) {
+    return CorridorForm::kJoint;
+  }
 }
 
 /// Free motions from both ends into the PMD subspace, as subspace_entry().
@@ -77,67 +79,29 @@ Path with_entries(const Entries& entries, const Path& between) {
   return path;
 }
 
-enum class Kind { kJointTrees, kWholeSpaceTrees, kExpansiveTrees, kExpansiveWholeSpaceTrees };
-
 /// Who takes part in the race.
 struct Participant {
-  Kind kind;
   std::string name;
   int first_round;
   std::uint64_t fork;  ///< Of the run's seed; 0: the seed itself.
+  HandSpace hand;
+  RrtConnectSettings settings;
 };
 
 // Without a basis hand postures are drawn over all joints anyway.
-std::vector<Participant> participants(bool has_basis) {
-  std::vector<Participant> list{
-      {Kind::kJointTrees, "trees in the joint corridor", 0, 0},
-      {Kind::kExpansiveTrees, "expansive trees", 1, 1},
-      {Kind::kExpansiveTrees, "expansive trees, from another seed", 2, 2},
+std::vector<Participant> participants(CorridorForm form, bool has_basis) {
+  constexpr HandSpace kPmds = HandSpace::kPrincipalDirections;
+  constexpr HandSpace kAll = HandSpace::kAllJoints;
+  const RrtConnectSettings joint = without_limit({});
+  const RrtConnectSettings expansive = without_limit(expansive_trees(form));
+  const RrtConnectSettings whole_space = without_limit(RrtConnect(kAll).settings());
+  return {
+      {"trees in the joint corridor", 0, 0, kPmds, joint},
+      {"expansive trees", 1, 1, kPmds, expansive},
+      {"expansive trees, from another seed", 2, 2, kPmds, expansive},
+      has_basis ? Participant{"expansive trees over all joints", 3, 3, kAll, expansive}
+                : Participant{"trees over all joints", 1, 5, kAll, whole_space},
   };
-  list.push_back(has_basis ? Participant{Kind::kExpansiveWholeSpaceTrees,
-                                         "expansive trees over all joints", 3, 3}
-                           : Participant{Kind::kWholeSpaceTrees, "trees over all joints", 1, 5});
-  return list;
-}
-
-/// What all searches of one run are made with.
-struct RaceSettings {
-  explicit RaceSettings(bool cartesian) : in_tool_poses(cartesian) {}
-
-  RrtConnectSettings joint = joint_trees();
-  RrtConnectSettings expansive = expansive_trees(CorridorForm::kJoint);
-  RrtConnectSettings expansive_cartesian = expansive_trees(CorridorForm::kCartesian);
-  RrtConnectSettings whole_space = whole_space_trees();
-  bool in_tool_poses;  ///< Expansive trees, if the arm has closed-form inverse kinematics.
-};
-
-std::unique_ptr<Search> make_expansive(HandSpace hand, const RaceSettings& settings,
-                                       PlanningContext& context, std::uint64_t seed) {
-  if (settings.in_tool_poses) {
-    try {
-      return std::make_unique<BidirectionalSearch>(context, settings.expansive_cartesian, hand,
-                                                   seed);
-    } catch (const geometric::InputError&) {
-      // An arm of another kind.
-    }
-  }
-  return std::make_unique<BidirectionalSearch>(context, settings.expansive, hand, seed);
-}
-
-std::unique_ptr<Search> make_search(Kind kind, const RaceSettings& settings,
-                                    PlanningContext& context, std::uint64_t seed) {
-  switch (kind) {
-    case Kind::kJointTrees:
-      return std::make_unique<BidirectionalSearch>(context, settings.joint,
-                                                   HandSpace::kPrincipalDirections, seed);
-    case Kind::kWholeSpaceTrees:
-      return std::make_unique<BidirectionalSearch>(context, settings.whole_space,
-                                                   HandSpace::kAllJoints, seed);
-    case Kind::kExpansiveWholeSpaceTrees:
-      return make_expansive(HandSpace::kAllJoints, settings, context, seed);
-    default:
-      return make_expansive(HandSpace::kPrincipalDirections, settings, context, seed);
-  }
 }
 
 }  // namespace
@@ -164,29 +128,33 @@ std::vector<Parameter> AutoPlanner::own_parameters() {
 }
 
 std::vector<TargetRegion> AutoPlanner::regions(bool has_basis) const {
-  const RaceSettings race(settings_.cartesian);
   std::vector<TargetRegion> regions;
-  for (const Participant& participant : participants(has_basis)) {
-    regions.push_back(participant.kind == Kind::kJointTrees ? race.joint.region
-                                                            : TargetRegion{.rho_a = 1.0});
+  for (const Participant& participant : participants(CorridorForm::kJoint, has_basis)) {
+    regions.push_back(participant.settings.expansions < 1.0 &&
+                              participant.hand == HandSpace::kPrincipalDirections
+                          ? participant.settings.region
+                          : TargetRegion{.rho_a = 1.0});
   }
   return regions;
 }
 
 void AutoPlanner::do_plan(PlanningContext& context, PlanResult& result) {
-  const RaceSettings searches(settings_.cartesian);
   const bool has_basis = context.problem().basis != nullptr;
+  const CorridorForm form =
+      settings_.cartesian ? expansive_form(context.problem()) : CorridorForm::kJoint;
+  const std::vector<Participant> list = participants(form, has_basis);
   const sampling::RandomStream seeds(context.request().seed);
   const auto entries_found = subspace_entries(context, objective().weights(context.problem()));
   PlanningProblem between = context.problem();
   std::vector<Racer> racers;
-  for (const Participant& participant : participants(has_basis)) {
+  for (const Participant& participant : list) {
     const std::uint64_t seed =
         participant.fork == 0 ? seeds.seed() : seeds.fork(participant.fork).seed();
-    racers.push_back({participant.name, participant.first_round,
-                      [&searches, kind = participant.kind, seed](PlanningContext& lane) {
-                        return make_search(kind, searches, lane, seed);
-                      }});
+    racers.push_back(
+        {participant.name, participant.first_round, [&participant, seed](PlanningContext& lane) {
+           return std::make_unique<BidirectionalSearch>(lane, participant.settings,
+                                                        participant.hand, seed);
+         }});
   }
   if (entries_found) {
     between.start = entries_found->from_start.back();

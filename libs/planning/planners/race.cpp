@@ -108,10 +108,6 @@ void Race::run_lanes(const std::vector<Lane*>& lanes, const SearchBudget& budget
     if (!lane.search) {
       lane.search = lane.racer.make(*lane.context);
     }
-    if (!lane.search) {
-      lane.end = PlanStatus::kSamplesSpent;  // it has nothing to offer here
-      return;
-    }
     lane.end = lane.search->advance(budget);
     if (lane.end == PlanStatus::kSolved) {
       first_solved.offer(i);

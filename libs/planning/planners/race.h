@@ -14,9 +14,9 @@ namespace handway::planning {
 
 /// A search that takes part in a Race; NodeEvent::search is its place in the list.
 struct Racer {
-  std::string name;                                               ///< In words, for the reason.
-  int first_round = 0;                                            ///< Starts in this round.
-  std::function<std::unique_ptr<Search>(PlanningContext&)> make;  ///< Null: it does not start.
+  std::string name;     ///< In words, for the reason.
+  int first_round = 0;  ///< Starts in this round.
+  std::function<std::unique_ptr<Search>(PlanningContext&)> make;
   const PlanningProblem* problem = nullptr;  ///< Between other ends; null: the race's own.
 };
 
