@@ -16,6 +16,8 @@ class SmallCell {
 
   /// From one side of a post to the other; there is a way around it.
   [[nodiscard]] std::filesystem::path post() const { return scene(kPost, "1.5"); }
+  /// The post stands far from the straight motion.
+  [[nodiscard]] std::filesystem::path post_aside() const { return scene(kPostAside, "1.5"); }
   /// A wall between start and goal: no way at all.
   [[nodiscard]] std::filesystem::path wall() const { return scene(kWall, "1.5"); }
   /// The goal is inside the wall.
@@ -28,6 +30,8 @@ class SmallCell {
  private:
   static constexpr const char* kPost =
       "  - {name: post, box: {size: [0.04, 0.04, 0.4]}, pose: {xyz: [0.41, 0.38, 0]}}\n";
+  static constexpr const char* kPostAside =
+      "  - {name: post, box: {size: [0.04, 0.04, 0.4]}, pose: {xyz: [-0.9, -0.9, 0]}}\n";
   static constexpr const char* kWall =
       "  - {name: wall, box: {size: [1, 0.04, 1]}, "
       "pose: {xyz: [0.45, 0.42, 0], rpy_deg: [0, 0, 43]}}\n";

@@ -9,6 +9,7 @@
 #include <QTextDocument>
 
 #include <algorithm>
+#include <filesystem>
 #include <numeric>
 
 namespace handway::test {
@@ -115,8 +116,9 @@ class HypercubesInTheView : public RoadmapInTheView {
   [[nodiscard]] bool are_drawn() const {
     return QTest::qWaitFor([&] { return !display().boxes().empty(); }, 8000);
   }
-  void plan_with(const char* planner) {
-    open(cell().post());
+  void plan_with(const char* planner) { plan_with(planner, cell().post()); }
+  void plan_with(const char* planner, const std::filesystem::path& scene) {
+    open(scene);
     window().plan_panel().choose_planner(planner);
     widen();
     plan();
@@ -151,8 +153,8 @@ TEST_F(HypercubesInTheView, HaveTheSizeOfTheLastIteration) {
 
 TEST_F(HypercubesInTheView, AreThoseOfTheSearchThatWon) {
   part<QAction>("hypercubes").setChecked(true);
-  plan_with("auto");
-  ASSERT_TRUE(window().session().roadmap()->roadmap.winner);
+  plan_with("auto", cell().post_aside());
+  ASSERT_EQ(window().session().roadmap()->roadmap.winner, 0) << "the trees in the corridor";
   ASSERT_TRUE(are_drawn());
   EXPECT_GT(display().half_side().value(), 0.0);
 }
