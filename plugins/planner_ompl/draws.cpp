@@ -18,20 +18,22 @@ using ob::State;
 
 // Draws for a valid state between two looks at clock and sample budget.
 constexpr unsigned int kValidStateAttempts = 5;
+// More failures than a basis has directions: the hand is drawn from all of them.
+constexpr int kAllAxes = 1000;
 
 class CountedSampler final : public ob::RealVectorStateSampler {
  public:
   CountedSampler(const ob::StateSpace* space, const StateMap& map, Draws& draws)
-      : RealVectorStateSampler(space), map_(map), draws_(draws), stream_(draws.next_seed()) {
+      : RealVectorStateSampler(space), map_(map), draws_(draws), targets_(draws.make_targets()) {
     rng_.setLocalSeed(draws.next_seed());
   }
 
   void sampleUniform(State* state) override {
-    const Eigen::VectorXd x = map_.draw(stream_, draws_.counted());
+    const std::uint64_t sample = draws_.counted();
     draws_.count();
-    Eigen::Map<Eigen::VectorXd>(state->as<ob::RealVectorStateSpace::StateType>()->values,
-                                x.size()) = x;
-    space_->enforceBounds(state);
+    const Eigen::VectorXd x =
+        targets_->draw(sample, static_cast<int>(sample % 2), kAllAxes).coordinates;
+    map_.write(targets_->space().configuration(x, map_.problem().start).value(), state);
   }
   void sampleUniformNear(State* state, const State* near, double distance) override {
     draws_.count();
@@ -45,7 +47,7 @@ class CountedSampler final : public ob::RealVectorStateSampler {
  private:
   const StateMap& map_;
   Draws& draws_;
-  sampling::RandomStream stream_;
+  std::unique_ptr<planning::TargetSampler> targets_;
 };
 
 class CountedGoal final : public ob::GoalState {
@@ -116,7 +118,8 @@ class PathLength final : public ob::PathLengthOptimizationObjective {
 }  // namespace
 
 std::uint_fast32_t Draws::next_seed() {
-  sampling::RandomStream stream = sampling::RandomStream(seed_).fork(seeds_given_);
+  sampling::RandomStream stream =
+      sampling::RandomStream(context_.request().seed).fork(seeds_given_);
   ++seeds_given_;
   return static_cast<std::uint_fast32_t>(1 +
                                          stream.below(std::numeric_limits<std::uint32_t>::max()));
@@ -129,10 +132,12 @@ SeedingLock lock_seeding() {
 
 void seed_ompl(const SeedingLock& /*lock*/, Draws& draws) { ompl::RNG::setSeed(draws.next_seed()); }
 
-// A sampler is born with a generator seeded by OMPL, even if that seed is not kept.
-ob::StateSamplerPtr make_sampler(const ob::StateSpace* space, const StateMap& map, Draws& draws) {
-  const SeedingLock lock = lock_seeding();
-  return std::make_shared<CountedSampler>(space, map, draws);
+// A sampler is made with a generator seeded by OMPL, even if that seed is not kept.
+void draw_states(const StateMap& map, Draws& draws) {
+  map.space()->setStateSamplerAllocator([&map, &draws](const ob::StateSpace* space) {
+    const SeedingLock lock = lock_seeding();
+    return std::make_shared<CountedSampler>(space, map, draws);
+  });
 }
 
 void draw_valid_states(ob::SpaceInformation& information) {

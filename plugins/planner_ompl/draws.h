@@ -1,5 +1,6 @@
 #pragma once
 
+#include "handway/planning/spaces/target_sampler.h"
 #include "state_map.h"
 
 #include <ompl/base/OptimizationObjective.h>
@@ -20,7 +21,15 @@ namespace handway::planner_ompl {
 /// whoever makes OMPL's other generators first calls seed_ompl.
 class Draws {
  public:
-  explicit Draws(std::uint64_t seed) : seed_(seed) {}
+  /// @param context, region must outlive this object.
+  Draws(planning::PlanningContext& context, const planning::TargetRegion& region,
+        planning::HandSpace hand)
+      : context_(context), region_(region), hand_(hand) {}
+
+  /// Where a sampler of states takes them from.
+  [[nodiscard]] std::unique_ptr<planning::TargetSampler> make_targets() {
+    return std::make_unique<planning::TargetSampler>(context_, region_, hand_, next_seed());
+  }
 
   /// Another seed, ≥ 1: OMPL takes no 0.
   [[nodiscard]] std::uint_fast32_t next_seed();
@@ -30,7 +39,9 @@ class Draws {
   void forget_count() { count_ = 0; }
 
  private:
-  std::uint64_t seed_;
+  planning::PlanningContext& context_;
+  const planning::TargetRegion& region_;
+  planning::HandSpace hand_;
   std::uint64_t seeds_given_ = 0;
   std::uint64_t count_ = 0;
 };
@@ -42,9 +53,9 @@ using SeedingLock = std::unique_lock<std::recursive_mutex>;
 /// Generators that are made as long as `lock` is held get seeds that follow from `draws`.
 void seed_ompl(const SeedingLock& lock, Draws& draws);
 
-/// A sampler of `space`, that of `map`. `map` and `draws` must outlive it.
-[[nodiscard]] ompl::base::StateSamplerPtr make_sampler(const ompl::base::StateSpace* space,
-                                                       const StateMap& map, Draws& draws);
+/// Makes every sampler of the space of `map` draw the targets of Handway's own searches, with seeds
+/// and counts of `draws`. Both must outlive the space. @pre before samplers are made.
+void draw_states(const StateMap& map, Draws& draws);
 
 /// Makes `information` draw valid states from its space, with seeds of `draws`, which
 /// must outlive it.

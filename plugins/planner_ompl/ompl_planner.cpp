@@ -2,38 +2,20 @@
 
 #include "handway/planning/core/planning_context.h"
 #include "handway/planning/paths/roadmap_smoothing.h"
-#include "joint_cube.h"
+#include "handway/planning/planners/search_parameters.h"
 
 #include <fmt/format.h>
 #include <ompl/util/Console.h>
 #include <spdlog/spdlog.h>
 
 #include <memory>
+#include <utility>
 
 namespace handway::planner_ompl {
 namespace {
 
 using planning::HandSpace;
 using planning::Parameter;
-
-void append_region_parameters(std::vector<Parameter>& list, ControlRegion& region) {
-  planning::TargetRegion& target = region.target;
-  list.push_back({"max_pmds", "Principal directions", "",
-                  "Most principal motion directions that are used together.", &region.max_pmds, 1,
-                  13});
-  list.push_back({"near_ends", "Samples near the ends", "",
-                  "Share of samples drawn around start and goal.", &target.near_ends, 0.0, 1.0});
-  list.push_back({"rho_a", "Corridor half-width ρₐ", "",
-                  "Half-width of the arm's corridor at the start, normalised.", &target.rho_a, 1e-5,
-                  1.0});
-  list.push_back({"rho_max", "Largest ρₐ", "", "The corridor does not grow beyond this.",
-                  &target.rho_max, 1e-5, 1.0});
-  list.push_back({"rho_growth", "Widening factor", "", "The corridor grows by this factor.",
-                  &target.rho_growth, 1.0, 100.0});
-  list.push_back({"samples_per_width", "Samples per width", "",
-                  "Samples drawn before the corridor grows.", &target.samples_per_width, 1,
-                  1000000});
-}
 
 class DebugLog final : public ompl::msg::OutputHandler {
  public:
@@ -94,20 +76,24 @@ std::vector<Parameter> OmplPlanner::own_parameters() {
                     &budget_.improvement, 0, 100000000});
   }
   if (space_ == HandSpace::kPrincipalDirections) {
-    append_region_parameters(list, region_);
+    list.push_back({"max_pmds", "Principal directions", "",
+                    "Most principal motion directions that are used together.", &region_.max_pmds,
+                    1, 13});
+    planning::append_region_parameters(list, region_);
   }
   return list;
 }
 
-std::unique_ptr<StateMap> OmplPlanner::make_map(const planning::PlanningProblem& problem) const {
-  if (space_ == HandSpace::kAllJoints) {
-    return std::make_unique<JointCube>(problem);
-  }
-  return std::make_unique<ControlBox>(problem, region_);
-}
-
 void OmplPlanner::do_plan(planning::PlanningContext& context, planning::PlanResult& result) {
-  Search search(context, method_, make_map(context.problem()), method_parameters(), budget_);
+  const planning::PlanningProblem& problem = context.problem();
+  std::unique_ptr<planning::StateSpace> space;
+  if (space_ == HandSpace::kAllJoints) {
+    space = planning::make_corridor_space(problem, planning::CorridorForm::kJoint);
+  } else {
+    space = planning::make_control_space(problem, region_.max_pmds, region_.rho_max);
+  }
+  Search search(context, method_, std::make_unique<StateMap>(std::move(space)), method_parameters(),
+                budget_, region_, space_);
   search.run(result);
   if (result.solved()) {
     const double begin = context.elapsed_s();

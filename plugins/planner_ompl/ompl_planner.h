@@ -1,21 +1,19 @@
 #pragma once
 
-#include "control_box.h"
 #include "handway/planning/core/planner.h"
 #include "handway/planning/core/planner_registry.h"
-#include "handway/planning/planners/hand_space.h"
+#include "handway/planning/spaces/target_sampler.h"
 #include "methods.h"
 #include "search.h"
 
-#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
 
 namespace handway::planner_ompl {
 
-/// One of OMPL's planners over all joints (JointCube) or over the controls of the
-/// paper's method (ControlBox), with Handway's collision checker and exact motion checks. Only
+/// One of OMPL's planners over all joints or over the controls of the paper's method
+/// (planning::make_control_space), with Handway's collision checker and exact motion checks. Only
 /// exact solutions count; they are smoothed like those of every other planner.
 ///
 /// Source: Şucan, Moll, Kavraki, "The Open Motion Planning Library", IEEE Robotics &
@@ -36,13 +34,12 @@ class OmplPlanner final : public planning::Planner {
 
  private:
   [[nodiscard]] std::vector<planning::Parameter> method_parameters();
-  [[nodiscard]] std::unique_ptr<StateMap> make_map(const planning::PlanningProblem& problem) const;
 
   const Method& method_;
   planning::HandSpace space_;
   std::vector<std::variant<int, double>> values_;  ///< Of the method's settings.
   SampleBudget budget_;
-  ControlRegion region_;
+  planning::TargetRegion region_ = {.near_ends = 0.5, .max_pmds = 4};
 };
 
 /// Adds two planners for each of methods(), "ompl-KEY" and "ompl-pmd-KEY", to `registry`, and sends

@@ -28,12 +28,12 @@ void apply(ob::Planner& planner, const planning::Parameter& setting) {
 
 Search::Search(planning::PlanningContext& context, const Method& method,
                std::unique_ptr<StateMap> map, const std::vector<planning::Parameter>& settings,
-               SampleBudget budget)
+               SampleBudget budget, const planning::TargetRegion& region, planning::HandSpace hand)
     : context_(context),
       traits_(method.traits),
       budget_(budget),
       map_(std::move(map)),
-      draws_(context.request().seed),
+      draws_(context, region, hand),
       information_(std::make_shared<ob::SpaceInformation>(map_->space())),
       definition_(std::make_shared<ob::ProblemDefinition>(information_)),
       motions_(std::make_shared<MotionCheck>(information_, context_, *map_)) {
@@ -50,7 +50,7 @@ Search::Search(planning::PlanningContext& context, const Method& method,
 void Search::set_up(const Method& method, const std::vector<planning::Parameter>& settings) {
   const SeedingLock lock = lock_seeding();
   seed_ompl(lock, draws_);
-  map_->draw_from(draws_);
+  draw_states(*map_, draws_);
   draw_valid_states(*information_);
   information_->setStateValidityChecker(
       std::make_shared<StateCheck>(information_, context_, *map_));

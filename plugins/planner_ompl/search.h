@@ -28,9 +28,11 @@ class Search {
  public:
   /// Sets OMPL up. `context` must outlive this object.
   /// @param settings of the method, for OMPL's parameters of these keys.
+  /// @param region, hand where states are drawn from; the region must outlive this object.
   /// @throws geometric::InputError if OMPL refuses a setting.
   Search(planning::PlanningContext& context, const Method& method, std::unique_ptr<StateMap> map,
-         const std::vector<planning::Parameter>& settings, SampleBudget budget);
+         const std::vector<planning::Parameter>& settings, SampleBudget budget,
+         const planning::TargetRegion& region, planning::HandSpace hand);
 
   /// Searches, then tells the observer the nodes and edges there are in the end.
   /// Sets status, reason if there is something to add, path and statistics.

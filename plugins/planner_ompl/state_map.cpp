@@ -1,12 +1,10 @@
 #include "state_map.h"
 
-#include "draws.h"
-
 #include <ompl/base/spaces/RealVectorStateProjections.h>
 
 #include <memory>
 #include <numeric>
-#include <vector>
+#include <utility>
 
 namespace handway::planner_ompl {
 namespace {
@@ -39,39 +37,50 @@ class SampledSpace final : public ompl::base::RealVectorStateSpace {
 
 }  // namespace
 
-StateMap::~StateMap() = default;
-
-void StateMap::make_space(const Eigen::VectorXd& lower, const Eigen::VectorXd& upper) {
-  lower_ = lower;
-  upper_ = upper;
-  ompl::base::RealVectorBounds bounds(static_cast<unsigned int>(lower.size()));
-  bounds.low.assign(lower.begin(), lower.end());
-  bounds.high.assign(upper.begin(), upper.end());
-  space_ = std::make_shared<SampledSpace>(static_cast<unsigned int>(lower.size()));
+StateMap::StateMap(std::unique_ptr<planning::StateSpace> coordinates)
+    : coordinates_(std::move(coordinates)) {
+  constexpr double kLeastExtent = 1e-9;
+  const Eigen::VectorXd& lower = coordinates_->lower();
+  const Eigen::VectorXd& upper = coordinates_->upper();
+  for (int i = 0; i < coordinates_->dimension(); ++i) {
+    if (upper[i] - lower[i] > kLeastExtent) {
+      kept_.push_back(i);
+    }
+  }
+  ompl::base::RealVectorBounds bounds(static_cast<unsigned int>(kept_.size()));
+  bounds.low.clear();
+  bounds.high.clear();
+  for (const int i : kept_) {
+    bounds.low.push_back(lower[i]);
+    bounds.high.push_back(upper[i]);
+  }
+  space_ = std::make_shared<SampledSpace>(static_cast<unsigned int>(kept_.size()));
   space_->setBounds(bounds);
-  start_ = coordinates(problem_.start).cwiseMax(lower_).cwiseMin(upper_);
-  goal_ = coordinates(problem_.goal).cwiseMax(lower_).cwiseMin(upper_);
+  start_ = values_of(problem().start);
+  goal_ = values_of(problem().goal);
 }
 
-void StateMap::draw_from(Draws& draws) {
-  space_->setStateSamplerAllocator(
-      [this, &draws](const ompl::base::StateSpace* of) { return make_sampler(of, *this, draws); });
+Eigen::VectorXd StateMap::values_of(const Configuration& q) const {
+  return coordinates_->coordinates(q)
+      .cwiseMax(coordinates_->lower())
+      .cwiseMin(coordinates_->upper())(kept_);
 }
 
 void StateMap::write(const Configuration& q, ompl::base::State* state) const {
-  Eigen::Map<Eigen::VectorXd>(state->as<RealState>()->values, lower_.size()) =
-      coordinates(q).cwiseMax(lower_).cwiseMin(upper_);
+  Eigen::Map<Eigen::VectorXd>(state->as<RealState>()->values, start_.size()) = values_of(q);
 }
 
 Configuration StateMap::read(const ompl::base::State* state) const {
-  const Eigen::Map<const Eigen::VectorXd> values(state->as<RealState>()->values, lower_.size());
+  const Eigen::Map<const Eigen::VectorXd> values(state->as<RealState>()->values, start_.size());
   if (values == start_) {
-    return problem_.start;
+    return problem().start;
   }
   if (values == goal_) {
-    return problem_.goal;
+    return problem().goal;
   }
-  return configuration(values);
+  Eigen::VectorXd x = coordinates_->lower();
+  x(kept_) = values;
+  return coordinates_->configuration(x, problem().start).value();
 }
 
 }  // namespace handway::planner_ompl

@@ -1,63 +1,38 @@
 #pragma once
 
-#include "handway/planning/core/planning_problem.h"
-#include "handway/sampling/sequences/random_stream.h"
+#include "handway/planning/spaces/state_space.h"
 
 #include <Eigen/Core>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
 
-#include <cstdint>
 #include <memory>
+#include <vector>
 
 namespace handway::planner_ompl {
 
-class Draws;
-
-/// What OMPL's states stand for: configurations of a problem, as points of a box of
-/// real numbers. Distances are Euclidean there, motions straight lines.
+/// OMPL's states as points of one of Handway's state spaces. Coordinates without extent are left
+/// out: OMPL takes none.
 class StateMap {
  public:
-  virtual ~StateMap();
-  StateMap(const StateMap&) = delete;
-  StateMap& operator=(const StateMap&) = delete;
+  explicit StateMap(std::unique_ptr<planning::StateSpace> coordinates);
 
   [[nodiscard]] const std::shared_ptr<ompl::base::RealVectorStateSpace>& space() const {
     return space_;
   }
+  [[nodiscard]] const planning::PlanningProblem& problem() const { return coordinates_->problem(); }
 
-  /// Makes every sampler of space() draw what draw() says, with seeds and counts of
-  /// `draws`, which must outlive the space. @pre before samplers are made.
-  void draw_from(Draws& draws);
-
-  /// Writes the coordinates of `q`, moved into the box.
+  /// Writes the coordinates of `q`, moved into the space's box.
   void write(const planning::Configuration& q, ompl::base::State* state) const;
 
   /// The configuration at `state`, within limits. What was written for the problem's
   /// start or goal is read as that very configuration, to the bit.
   [[nodiscard]] planning::Configuration read(const ompl::base::State* state) const;
 
-  /// Coordinates of a random state. @param sample those drawn before.
-  [[nodiscard]] virtual Eigen::VectorXd draw(sampling::RandomStream& stream,
-                                             std::uint64_t sample) const = 0;
-
- protected:
-  /// @param problem must outlive this object.
-  explicit StateMap(const planning::PlanningProblem& problem) : problem_(problem) {}
-
-  /// To be called by the derived constructor, once its coordinates() works.
-  /// @param lower, upper corners of the box, of the same size, the first below the second.
-  void make_space(const Eigen::VectorXd& lower, const Eigen::VectorXd& upper);
-
-  [[nodiscard]] const planning::PlanningProblem& problem() const { return problem_; }
-
-  /// Coordinates of `q`, in the box but for roundings.
-  [[nodiscard]] virtual Eigen::VectorXd coordinates(const planning::Configuration& q) const = 0;
-  [[nodiscard]] virtual planning::Configuration configuration(const Eigen::VectorXd& x) const = 0;
-
  private:
-  const planning::PlanningProblem& problem_;
-  Eigen::VectorXd lower_;
-  Eigen::VectorXd upper_;
+  [[nodiscard]] Eigen::VectorXd values_of(const planning::Configuration& q) const;
+
+  std::unique_ptr<planning::StateSpace> coordinates_;
+  std::vector<int> kept_;  ///< Coordinates with an extent.
   Eigen::VectorXd start_;
   Eigen::VectorXd goal_;
   std::shared_ptr<ompl::base::RealVectorStateSpace> space_;

@@ -119,6 +119,10 @@ std::vector<Parameter> Planner::parameters() {
                   "Configurations checked to optimise the path further after planning and "
                   "smoothing.",
                   &optimize_checks_, 0, 1000000000});
+  list.push_back({"sampler", "Sampler", "",
+                  "How points of a sampling region are chosen: uniformly, by a sequence that fills "
+                  "it evenly, near obstacles, or in narrow passages.",
+                  ChoiceValue{&sampler_, sampling::sampler_names()}});
   return list;
 }
 
@@ -163,6 +167,7 @@ PlanResult Planner::plan(const PlanningProblem& problem, const PlanRequest& requ
   Observer silent;
   ReachObserver watching(problem, observer ? *observer : silent);
   PlanningContext context(problem, request, std::move(stop), watching);
+  context.set_sampler(static_cast<sampling::SamplerKind>(sampler_));
   PlanResult result;
   if (const std::string start = objection(context, 0); !start.empty()) {
     result.status = PlanStatus::kStartInvalid;

@@ -243,6 +243,11 @@ std::optional<int> PlanningContext::edge_probe(const Configuration& from, const 
   return std::nullopt;
 }
 
+std::unique_ptr<sampling::Sampler> PlanningContext::make_sampler(
+    int dimension, std::uint64_t seed, sampling::ValidityPredicate valid) const {
+  return sampling::make_sampler(sampler_, dimension, seed, std::move(valid));
+}
+
 std::unique_ptr<PlanningContext> PlanningContext::make_child(Observer& observer,
                                                              std::stop_token stop) const {
   return make_child(problem_, observer, std::move(stop));
@@ -256,6 +261,7 @@ std::unique_ptr<PlanningContext> PlanningContext::make_child(const PlanningProbl
   auto child = std::make_unique<PlanningContext>(problem, request, std::move(stop), observer);
   child->parent_ = this;
   child->begin_ = begin_;
+  child->sampler_ = sampler_;
   return child;
 }
 

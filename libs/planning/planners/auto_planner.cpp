@@ -3,12 +3,11 @@
 #include "handway/geometric/io/input_error.h"
 #include "handway/planning/core/planning_context.h"
 #include "handway/planning/planners/rrt_connect.h"
+#include "handway/planning/planners/search_parameters.h"
 #include "handway/sampling/sequences/random_stream.h"
 #include "paths/subspace_entry.h"
 #include "planners/bidirectional_search.h"
 #include "planners/race.h"
-#include "planners/search_parameters.h"
-#include "planners/search_space.h"
 #include "planners/smooth_result.h"
 
 #include <fmt/format.h>
@@ -38,7 +37,7 @@ RrtConnectSettings expansive_trees(CorridorForm form) {
 // In which expansive trees grow: poses of the tool if the arm has closed-form inverse kinematics.
 CorridorForm expansive_form(const PlanningProblem& problem) {
   try {
-    static_cast<void>(make_tool_space(problem));
+    static_cast<void>(make_corridor_space(problem, CorridorForm::kCartesian));
     return CorridorForm::kCartesian;
   } catch (const geometric::InputError&) {
     return CorridorForm::kJoint;

@@ -26,11 +26,10 @@ BidirectionalSearch::BidirectionalSearch(PlanningContext& context,
     : Search(context),
       settings_(settings),
       lazy_(hand == HandSpace::kPrincipalDirections || settings.expansions > 0.0),
-      space_(make_search_space(context.problem(),
-                               static_cast<CorridorForm>(settings.region.corridor))),
-      draws_(context.problem(), settings.region, hand, *space_, seed),
-      trees_(context.problem().start, space_->coordinates(context.problem().start),
-             context.problem().goal, space_->coordinates(context.problem().goal)),
+      targets_(context, settings.region, hand, seed),
+      space_(targets_.space()),
+      trees_(context.problem().start, space_.coordinates(context.problem().start),
+             context.problem().goal, space_.coordinates(context.problem().goal)),
       choices_(sampling::RandomStream(seed).fork(1)) {
   announce_node(0, {});
   announce_node(1, {});
@@ -55,7 +54,7 @@ std::optional<PlanStatus> BidirectionalSearch::step() {
                                                      : std::nullopt;
 }
 
-void BidirectionalSearch::announce_node(int node, const TargetDraws::Target& target) {
+void BidirectionalSearch::announce_node(int node, const TargetSampler::Target& target) {
   statistics().nodes = static_cast<std::uint64_t>(trees_.size());
   const Configuration& q = trees_.configuration(node);
   context().observer().on_node(
@@ -63,11 +62,12 @@ void BidirectionalSearch::announce_node(int node, const TargetDraws::Target& tar
 }
 
 // From the nearest node (RRT).
-BidirectionalSearch::Growth BidirectionalSearch::extension(int tree) const {
-  TargetDraws::Target target = draws_.draw(sample_, tree, failures_);
+BidirectionalSearch::Growth BidirectionalSearch::extension(int tree) {
+  const auto sample = static_cast<std::uint64_t>(sample_);
+  TargetSampler::Target target = targets_.draw(sample, tree, failures_);
   const int from = trees_.nearest(tree, target.coordinates);
-  target.coordinates = draws_.held(std::move(target.coordinates), trees_.coordinates(from), sample_,
-                                   settings_.single_moves);
+  target.coordinates = targets_.held(std::move(target.coordinates), trees_.coordinates(from),
+                                     sample, settings_.single_moves);
   return {from, std::move(target)};
 }
 
@@ -89,8 +89,9 @@ BidirectionalSearch::Growth BidirectionalSearch::expansion(int tree, sampling::R
     }
   }
   ++tried(from);
-  return {from, draws_.draw_near_node(sample_, trees_.coordinates(from),
-                                      trees_.coordinates(trees_.parent(from)))};
+  return {from,
+          targets_.draw_near_node(static_cast<std::uint64_t>(sample_), trees_.coordinates(from),
+                                  trees_.coordinates(trees_.parent(from)))};
 }
 
 // One step of at most `range`; the new node, if the way is free.
@@ -107,11 +108,11 @@ std::optional<int> BidirectionalSearch::grow(const Growth& growth) {
 
 std::optional<int> BidirectionalSearch::step_towards(int from, const Eigen::VectorXd& end,
                                                      double range,
-                                                     const TargetDraws::Target& target) {
+                                                     const TargetSampler::Target& target) {
   const Eigen::VectorXd begin = trees_.coordinates(from);
   const double length = (end - begin).norm();
   const Eigen::VectorXd x = begin + std::min(1.0, range / std::max(length, 1e-12)) * (end - begin);
-  const std::optional<Configuration> q = space_->configuration(x, trees_.configuration(from));
+  const std::optional<Configuration> q = space_.configuration(x, trees_.configuration(from));
   if (!q || !sample_free(*q) ||
       !passable(trees_.configuration(from), *q, std::min(range, length))) {
     return std::nullopt;
@@ -137,7 +138,7 @@ std::uint64_t BidirectionalSearch::edge_checks() const {
 }
 
 // Steps of the other tree towards `reached` until there or until one is not free.
-bool BidirectionalSearch::connect(int reached, const TargetDraws::Target& target) {
+bool BidirectionalSearch::connect(int reached, const TargetSampler::Target& target) {
   const int growing = trees_.tree_of(reached);
   const Eigen::VectorXd end = trees_.coordinates(reached);
   std::optional<int> at = trees_.nearest(1 - growing, end);

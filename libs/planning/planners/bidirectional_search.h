@@ -1,10 +1,9 @@
 #pragma once
 
 #include "handway/planning/planners/rrt_connect.h"
+#include "handway/planning/spaces/target_sampler.h"
 #include "handway/sampling/sequences/random_stream.h"
 #include "planners/search.h"
-#include "planners/search_space.h"
-#include "planners/target_draws.h"
 #include "planners/tree_pair.h"
 
 #include <memory>
@@ -17,7 +16,7 @@ namespace handway::planning {
 class BidirectionalSearch final : public Search {
  public:
   /// @param settings must outlive this object.
-  /// @throws InputError as make_search_space().
+  /// @throws InputError as make_corridor_space().
   BidirectionalSearch(PlanningContext& context, const RrtConnectSettings& settings, HandSpace hand,
                       std::uint64_t seed);
 
@@ -30,24 +29,24 @@ class BidirectionalSearch final : public Search {
   /// Growth of a tree: from a node towards a target.
   struct Growth {
     int from;
-    TargetDraws::Target target;
+    TargetSampler::Target target;
   };
 
-  void announce_node(int node, const TargetDraws::Target& target);
-  [[nodiscard]] Growth extension(int tree) const;
+  void announce_node(int node, const TargetSampler::Target& target);
+  [[nodiscard]] Growth extension(int tree);
   [[nodiscard]] Growth expansion(int tree, sampling::RandomStream draw);
   [[nodiscard]] std::optional<int> grow(const Growth& growth);
   [[nodiscard]] std::optional<int> step_towards(int from, const Eigen::VectorXd& end, double range,
-                                                const TargetDraws::Target& target);
-  [[nodiscard]] bool connect(int reached, const TargetDraws::Target& target);
+                                                const TargetSampler::Target& target);
+  [[nodiscard]] bool connect(int reached, const TargetSampler::Target& target);
   [[nodiscard]] bool passable(const Configuration& from, const Configuration& to, double length);
   [[nodiscard]] bool verify(TreePair::Way way);
   [[nodiscard]] std::uint64_t edge_checks() const;
 
   const RrtConnectSettings& settings_;
   bool lazy_;
-  std::unique_ptr<SearchSpace> space_;
-  TargetDraws draws_;
+  TargetSampler targets_;
+  const CorridorSpace& space_;
   TreePair trees_;
   sampling::RandomStream choices_;  ///< Of how trees grow.
   std::vector<int> expansions_;     ///< Tried from each node.

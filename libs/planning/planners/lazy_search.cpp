@@ -16,13 +16,12 @@ LazySearch::LazySearch(PlanningContext& context, const PmdLazySettings& settings
                        std::uint64_t seed)
     : Search(context),
       settings_(settings),
-      space_(make_search_space(context.problem(),
-                               static_cast<CorridorForm>(settings.region.corridor))),
-      draws_(context.problem(), settings.region, HandSpace::kPrincipalDirections, *space_, seed),
+      targets_(context, settings.region, HandSpace::kPrincipalDirections, seed),
+      space_(targets_.space()),
       roadmap_(settings.k) {
   const PlanningProblem& problem = context.problem();
-  add_node(problem.start, {space_->coordinates(problem.start), 0, 0.0});
-  add_node(problem.goal, {space_->coordinates(problem.goal), 0, 0.0});
+  add_node(problem.start, {space_.coordinates(problem.start), 0, 0.0});
+  add_node(problem.goal, {space_.coordinates(problem.goal), 0, 0.0});
 }
 
 Path LazySearch::path() const {
@@ -33,7 +32,7 @@ Path LazySearch::path() const {
   return path;
 }
 
-void LazySearch::add_node(const Configuration& q, const TargetDraws::Target& target) {
+void LazySearch::add_node(const Configuration& q, const TargetSampler::Target& target) {
   const int node = roadmap_.add_node(q, target.coordinates);
   statistics().nodes = static_cast<std::uint64_t>(roadmap_.node_count());
   context().observer().on_node(
@@ -62,12 +61,13 @@ std::optional<PlanStatus> LazySearch::step() {
 void LazySearch::draw_node() {
   ++statistics().samples;
   const int end = sample_ % 2;
-  const TargetDraws::Target target = draws_.draw(sample_, end, failures_);
+  const TargetSampler::Target target =
+      targets_.draw(static_cast<std::uint64_t>(sample_), end, failures_);
   ++sample_;
   statistics().final_rho_a = std::max(statistics().final_rho_a, target.rho);
   const PlanningProblem& problem = context().problem();
   const std::optional<Configuration> q =
-      space_->configuration(target.coordinates, end == 0 ? problem.start : problem.goal);
+      space_.configuration(target.coordinates, end == 0 ? problem.start : problem.goal);
   if (!q || !sample_free(*q)) {
     ++failures_;
     return;

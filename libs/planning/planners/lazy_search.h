@@ -1,9 +1,8 @@
 #pragma once
 
 #include "handway/planning/planners/pmd_lazy.h"
+#include "handway/planning/spaces/target_sampler.h"
 #include "planners/search.h"
-#include "planners/search_space.h"
-#include "planners/target_draws.h"
 #include "roadmap/lazy_roadmap.h"
 
 #include <memory>
@@ -16,7 +15,7 @@ namespace handway::planning {
 class LazySearch final : public Search {
  public:
   /// @param settings must outlive this object.
-  /// @throws InputError as make_search_space().
+  /// @throws InputError as make_corridor_space().
   LazySearch(PlanningContext& context, const PmdLazySettings& settings, std::uint64_t seed);
 
   [[nodiscard]] Path path() const override;
@@ -25,13 +24,13 @@ class LazySearch final : public Search {
   [[nodiscard]] std::optional<PlanStatus> step() override;
 
  private:
-  void add_node(const Configuration& q, const TargetDraws::Target& target);
+  void add_node(const Configuration& q, const TargetSampler::Target& target);
   void draw_node();
   [[nodiscard]] bool is_free(const std::vector<int>& way);
 
   const PmdLazySettings& settings_;
-  std::unique_ptr<SearchSpace> space_;
-  TargetDraws draws_;
+  TargetSampler targets_;
+  const CorridorSpace& space_;
   LazyRoadmap roadmap_;
   int sample_ = 0;
   int failures_ = 0;      ///< Draws since one was free.

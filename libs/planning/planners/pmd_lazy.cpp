@@ -1,8 +1,8 @@
 #include "handway/planning/planners/pmd_lazy.h"
 
 #include "handway/planning/core/planning_context.h"
+#include "handway/planning/planners/search_parameters.h"
 #include "planners/lazy_search.h"
-#include "planners/search_parameters.h"
 #include "planners/smooth_result.h"
 
 namespace handway::planning {
@@ -26,6 +26,7 @@ std::vector<Parameter> PmdLazy::own_parameters() {
       max_samples_parameter(settings_.max_samples),
       smoothing_checks_parameter(settings_.smoothing_checks),
   };
+  list.push_back(corridor_parameter(settings_.region.corridor));
   append_region_parameters(list, settings_.region);
   return list;
 }

@@ -3,12 +3,12 @@
 #include "handway/planning/core/algorithm_observer.h"
 #include "handway/planning/core/planning_context.h"
 #include "handway/planning/paths/roadmap_smoothing.h"
+#include "handway/planning/planners/search_parameters.h"
 #include "handway/planning/roadmap/roadmap.h"
+#include "handway/planning/spaces/hand_arm_region.h"
 #include "handway/sampling/sequences/random_stream.h"
 #include "handway/sampling/sequences/van_der_corput.h"
-#include "planners/hand_arm_space.h"
 #include "planners/phase_clock.h"
-#include "planners/search_parameters.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,15 +36,22 @@ class RoadmapSearch {
         largest_rho_(settings.rho_max > 0.0 ? settings.rho_max : kUnlimitedRho),
         each_trial_counts_(static_cast<SampleLimit>(settings.n_checked) == SampleLimit::kEachTrial),
         grows_(space == HandSpace::kPrincipalDirections),
-        space_(context.problem(), hand_basis(context.problem(), space),
-               static_cast<CorridorForm>(settings.corridor)),
-        arm_draws_(RandomStream(context.request().seed).fork(1)),
-        hand_draws_(RandomStream(context.request().seed).fork(2)) {
-    const Eigen::VectorXd start = space_.coordinates(context.problem().start);
-    const Eigen::VectorXd goal = space_.coordinates(context.problem().goal);
-    threshold_ = (goal - start).norm();
-    add_node(context.problem().start, start, 0.0, 0);
-    add_node(context.problem().goal, goal, 1.0, 0);
+        region_(context.problem(), space, static_cast<CorridorForm>(settings.corridor)),
+        joints_(make_corridor_space(context.problem(), CorridorForm::kJoint)),
+        threshold_((joints_->coordinates(context.problem().goal) -
+                    joints_->coordinates(context.problem().start))
+                       .norm()) {
+    const RandomStream seeds(context.request().seed);
+    arm_points_ = context.make_sampler(std::max(1, region_.space().corridor_dimension()),
+                                       seeds.fork(1).seed(), [this](const Eigen::VectorXd& u) {
+                                         const std::optional<Configuration> q = arm_at(u);
+                                         return q && !context_.arm_collides(*q);
+                                       });
+    hand_points_ = context.make_sampler(
+        std::max(1, region_.basis().dimension()), seeds.fork(2).seed(),
+        [this](const Eigen::VectorXd& u) { return !context_.collision(with_hand(u)); });
+    add_node(context.problem().start, 0.0, 0);
+    add_node(context.problem().goal, 1.0, 0);
     statistics().samples = 2;
   }
 
@@ -109,7 +116,7 @@ class RoadmapSearch {
   }
 
   std::optional<PlanStatus> visit_hypercubes(double rho) {
-    const int max_steps = space_.steps(rho);
+    const int max_steps = region_.space().steps(rho);
     std::pair<double, double> range{0.0, 1.0};
     for (int i = 0; i <= max_steps; ++i) {
       const double step = sampling::sweep_position(static_cast<std::uint64_t>(i));
@@ -166,10 +173,9 @@ class RoadmapSearch {
 
   // Algorithm 1.
   std::optional<Configuration> sample_arm(double step, double rho) {
+    hypercube_ = {step, rho};
     for (int i = 0; i < settings_.arm_trials; ++i) {
-      RandomStream draw = arm_draws_.fork(arm_draw_count_++);
-      const std::optional<Configuration> q =
-          space_.arm_sample(step, rho, draw.uniform(space_.arm_draws()));
+      const std::optional<Configuration> q = arm_at(arm_points_->point(arm_draw_count_++));
       const bool is_free = q && !context_.arm_collides(*q);
       tell({.line = lines::kArmFree, .yes = is_free, .q = q ? &*q : nullptr, .position = step});
       if (is_free) {
@@ -183,7 +189,7 @@ class RoadmapSearch {
   // Axes of SC^h for the h-th hand trial with one arm configuration: the free
   // joints and one direction first, one more with every failure.
   [[nodiscard]] int hand_dimension(int h) const {
-    const sampling::PmdBasis& basis = space_.basis();
+    const sampling::PmdBasis& basis = region_.basis();
     if (!grows_) {
       return basis.dimension();
     }
@@ -193,12 +199,17 @@ class RoadmapSearch {
 
   // Algorithm 2 in the h-loop of Algorithm 4, all trials of one arm configuration.
   std::optional<std::pair<Configuration, int>> sample_hand(const Configuration& arm, double step) {
-    const std::uint64_t first_draw = hand_draw_count_;
+    const int count = std::min(settings_.n_h, trials_left());
+    std::vector<Eigen::VectorXd> points;
+    arm_ = arm;
+    for (int h = 0; h < count; ++h) {
+      hand_axes_ = hand_dimension(h);
+      points.push_back(hand_points_->point(hand_draw_count_ + static_cast<std::uint64_t>(h)));
+    }
     const auto trial = [&](int h) {
-      RandomStream draw = hand_draws_.fork(first_draw + static_cast<std::uint64_t>(h));
-      return space_.with_hand(arm, draw.uniform(hand_dimension(h)));
+      return region_.with_hand(arm, points[static_cast<std::size_t>(h)].head(hand_dimension(h)));
     };
-    const auto trials = context_.first_free(std::min(settings_.n_h, trials_left()), trial);
+    const auto trials = context_.first_free(count, trial);
     for (const int pair : trials.rejecting_pairs) {
       context_.count_rejection(pair, step);
     }
@@ -212,7 +223,7 @@ class RoadmapSearch {
     if (!trials.index) {
       return std::nullopt;
     }
-    const int free_joints = static_cast<int>(space_.basis().free_joints.size());
+    const int free_joints = static_cast<int>(region_.basis().free_joints.size());
     return std::pair(trial(*trials.index), hand_dimension(*trials.index) - free_joints);
   }
 
@@ -238,9 +249,18 @@ class RoadmapSearch {
     return !world.is_self_pair(world.pairs()[static_cast<std::size_t>(pair)]);
   }
 
-  int add_node(const Configuration& q, const Eigen::VectorXd& coordinates, double step,
-               int pmd_count) {
-    const int node = roadmap_.add_node(q, coordinates);
+  // The arm in the hypercube that is explored, and the hand with it: what points of the unit cube
+  // stand for.
+  [[nodiscard]] std::optional<Configuration> arm_at(const Eigen::VectorXd& u) const {
+    return region_.arm_at(hypercube_.first, hypercube_.second,
+                          u.head(region_.space().corridor_dimension()));
+  }
+  [[nodiscard]] Configuration with_hand(const Eigen::VectorXd& u) const {
+    return region_.with_hand(arm_, u.head(hand_axes_));
+  }
+
+  int add_node(const Configuration& q, double step, int pmd_count) {
+    const int node = roadmap_.add_node(q, joints_->coordinates(q));
     steps_.push_back(step);
     statistics().nodes = static_cast<std::uint64_t>(roadmap_.node_count());
     context_.observer().on_node({node, q, pmd_count, step, statistics().final_rho_a});
@@ -250,7 +270,7 @@ class RoadmapSearch {
 
   // Algorithm 3.
   void connect(const Configuration& q, double step, int pmd_count) {
-    const int node = add_node(q, space_.coordinates(q), step, grows_ ? pmd_count : 0);
+    const int node = add_node(q, step, grows_ ? pmd_count : 0);
     if (grows_) {
       auto& per_count = statistics().nodes_per_pmds;
       per_count.resize(std::max(per_count.size(), static_cast<std::size_t>(pmd_count) + 1));
@@ -314,12 +334,16 @@ class RoadmapSearch {
   double largest_rho_;
   bool each_trial_counts_;
   bool grows_;
-  HandArmSpace space_;
-  RandomStream arm_draws_;
-  RandomStream hand_draws_;
+  HandArmRegion region_;
+  std::unique_ptr<CorridorSpace> joints_;  ///< In which distances are measured.
+  double threshold_;
+  std::unique_ptr<sampling::Sampler> arm_points_;
+  std::unique_ptr<sampling::Sampler> hand_points_;
+  std::pair<double, double> hypercube_;  ///< Step and half side, of the one that is explored.
+  Configuration arm_;                    ///< That hand postures are drawn for.
+  int hand_axes_ = 0;                    ///< That they are drawn from.
   std::uint64_t arm_draw_count_ = 0;
   std::uint64_t hand_draw_count_ = 2;  ///< Begins as numSamples does.
-  double threshold_ = 0.0;
   Roadmap roadmap_;
   std::vector<double> steps_;  ///< Where on the arm segment each node was drawn.
 };

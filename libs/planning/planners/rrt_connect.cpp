@@ -1,8 +1,8 @@
 #include "handway/planning/planners/rrt_connect.h"
 
 #include "handway/planning/core/planning_context.h"
+#include "handway/planning/planners/search_parameters.h"
 #include "planners/bidirectional_search.h"
-#include "planners/search_parameters.h"
 #include "planners/smooth_result.h"
 
 namespace handway::planning {
@@ -49,6 +49,7 @@ std::vector<Parameter> RrtConnect::own_parameters() {
                     "Share of steps from a node that few were tried from to somewhere near it: to "
                     "get out of tight places.",
                     &settings_.expansions, 0.0, 1.0});
+    list.push_back(corridor_parameter(settings_.region.corridor));
     append_region_parameters(list, settings_.region);
   }
   return list;

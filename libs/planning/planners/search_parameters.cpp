@@ -1,4 +1,4 @@
-#include "planners/search_parameters.h"
+#include "handway/planning/planners/search_parameters.h"
 
 namespace handway::planning {
 
@@ -26,7 +26,6 @@ Parameter corridor_parameter(int& value) {
 }
 
 void append_region_parameters(std::vector<Parameter>& list, TargetRegion& region) {
-  list.push_back(corridor_parameter(region.corridor));
   list.push_back({"near_ends", "Samples near the ends", "",
                   "Share of samples drawn around start and goal.", &region.near_ends, 0.0, 1.0});
   list.push_back({"rho_a", "Corridor half-width ρₐ", "",

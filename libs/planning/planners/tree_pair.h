@@ -12,7 +12,7 @@ namespace handway::planning {
 
 /// Two trees of configurations, of the start (tree 0, rooted at node 0) and of
 /// the goal (tree 1, rooted at node 1), over one set of nodes. Distances are
-/// Euclidean in the coordinates of a SearchSpace.
+/// Euclidean in the coordinates of a StateSpace.
 ///
 /// Edges may be uncertain. When one of a way through both trees turns out not to
 /// be free, what it carried goes over to the other tree, and no node is lost.

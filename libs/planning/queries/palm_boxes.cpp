@@ -1,6 +1,6 @@
 #include "handway/planning/queries/palm_boxes.h"
 
-#include "planners/hand_arm_space.h"
+#include "handway/planning/spaces/hand_arm_region.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -53,11 +53,12 @@ std::vector<PalmBox> palm_boxes(const PlanningProblem& problem, int palm,
                                 const SamplingRegion& region, int most,
                                 const std::stop_token& stop) {
   // Only the arm moves the palm: the hand's axes don't matter.
-  const HandArmSpace space(problem, hand_basis(problem, HandSpace::kAllJoints), region.corridor);
+  const HandArmRegion hand_arm(problem, HandSpace::kAllJoints, region.corridor);
+  const CorridorSpace& space = hand_arm.space();
   const geometric::RobotModel& model = problem.model();
   const geometric::Pose& X_WB = problem.scene->robots.front().X_WB;
   std::vector<geometric::Pose> X_BL(static_cast<std::size_t>(model.link_count()));
-  const Eigen::MatrixXd places = middle_and_corners(space.arm_draws());
+  const Eigen::MatrixXd places = middle_and_corners(space.corridor_dimension());
   const int pieces = space.steps(region.rho_a);
   const int stride = std::max(1, (pieces + most) / std::max(1, most));
   std::vector<PalmBox> boxes;
@@ -66,7 +67,7 @@ std::vector<PalmBox> palm_boxes(const PlanningProblem& problem, int palm,
     Eigen::Matrix3Xd points(3, places.cols());
     Eigen::Index count = 0;
     for (const auto& place : places.colwise()) {
-      if (const auto q = space.arm_sample(step, region.rho_a, place)) {
+      if (const auto q = hand_arm.arm_at(step, region.rho_a, place)) {
         model.forward_kinematics(*q, X_BL);
         points.col(count++) = X_WB * X_BL[static_cast<std::size_t>(palm)].translation();
       }

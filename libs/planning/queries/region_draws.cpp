@@ -3,8 +3,8 @@
 #include "handway/geometric/io/input_error.h"
 #include "handway/planning/planners/auto_planner.h"
 #include "handway/planning/queries/fingertips.h"
+#include "handway/planning/spaces/hand_arm_region.h"
 #include "handway/sampling/sequences/random_stream.h"
-#include "planners/hand_arm_space.h"
 
 #include <algorithm>
 #include <cmath>
@@ -82,16 +82,17 @@ RegionDraws RegionPreview::draw(const SamplingRegion& region, int configurations
     throw geometric::InputError({problem_.scene->file.string(), "hand_basis", "nothing",
                                  "a PMD basis", "Name one in the scene"});
   }
-  const HandArmSpace space(problem_, hand_basis(problem_, region.hand), region.corridor);
+  const HandArmRegion hand_arm(problem_, region.hand, region.corridor);
+  const CorridorSpace& space = hand_arm.space();
   const RobotModel& model = problem_.model();
   const Pose& X_WB = problem_.scene->robots.front().X_WB;
   std::vector<Pose> X_BL(static_cast<std::size_t>(model.link_count()));
   const auto place = [&](int link, const Eigen::Vector3d& p_L) -> Eigen::Vector3d {
     return X_WB * X_BL[static_cast<std::size_t>(link)] * p_L;
   };
-  const Eigen::VectorXd middle = Eigen::VectorXd::Constant(space.arm_draws(), 0.5);
+  const Eigen::VectorXd middle = Eigen::VectorXd::Constant(space.corridor_dimension(), 0.5);
   const auto on_motion = [&](double step) -> std::optional<Eigen::Vector3d> {
-    const std::optional<Configuration> q = space.arm_sample(step, 0.0, middle);
+    const std::optional<Configuration> q = hand_arm.arm_at(step, 0.0, middle);
     if (!q) {
       return std::nullopt;
     }
@@ -112,20 +113,20 @@ RegionDraws RegionPreview::draw(const SamplingRegion& region, int configurations
       result.motion.push_back(*palm);
     }
   }
-  const int free_joints = static_cast<int>(space.basis().free_joints.size());
+  const int free_joints = static_cast<int>(hand_arm.basis().free_joints.size());
   const int axes = region.hand == HandSpace::kAllJoints
-                       ? space.basis().dimension()
-                       : std::min(space.basis().dimension(), free_joints + region.pmds);
+                       ? hand_arm.basis().dimension()
+                       : std::min(hand_arm.basis().dimension(), free_joints + region.pmds);
   std::vector<double> distances;
   for (int i = 0; i < configurations && !stop.stop_requested(); ++i) {
     sampling::RandomStream draw = sampling::RandomStream(1).fork(static_cast<std::uint64_t>(i));
     const double step = draw.uniform();
-    const auto arm = space.arm_sample(step, region.rho_a, draw.uniform(space.arm_draws()));
+    const auto arm = hand_arm.arm_at(step, region.rho_a, draw.uniform(space.corridor_dimension()));
     const auto centre = on_motion(step);
     if (!arm || !centre) {
       continue;
     }
-    model.forward_kinematics(space.with_hand(*arm, draw.uniform(axes)), X_BL);
+    model.forward_kinematics(hand_arm.with_hand(*arm, draw.uniform(axes)), X_BL);
     result.palms.push_back(place(palm_, Eigen::Vector3d::Zero()));
     distances.push_back((result.palms.back() - *centre).norm());
     for (const Tip& tip : tips_) {

@@ -1,7 +1,6 @@
 #include "motion_check.h"
 
 #include "handway_test/planar_problems.h"
-#include "joint_cube.h"
 
 #include <gtest/gtest.h>
 #include <ompl/base/ScopedState.h>
@@ -20,7 +19,7 @@ class BesideAPost : public testing::Test {
  protected:
   State state_of(const Configuration& q) const {
     State state(information_);
-    cube_.write(q, state.get());
+    map_.write(q, state.get());
     return state;
   }
 
@@ -28,11 +27,11 @@ class BesideAPost : public testing::Test {
   std::stop_source stop_;
   planning::Observer observer_;
   planning::PlanningContext context_{problem_, {}, stop_.get_token(), observer_};
-  JointCube cube_{problem_};
+  StateMap map_{planning::make_corridor_space(problem_, planning::CorridorForm::kJoint)};
   ompl::base::SpaceInformationPtr information_ =
-      std::make_shared<ompl::base::SpaceInformation>(cube_.space());
-  MotionCheck motions_{information_, context_, cube_};
-  StateCheck states_{information_, context_, cube_};
+      std::make_shared<ompl::base::SpaceInformation>(map_.space());
+  MotionCheck motions_{information_, context_, map_};
+  StateCheck states_{information_, context_, map_};
   State start_ = state_of(problem_.start);
   State goal_ = state_of(problem_.goal);
 };
@@ -64,7 +63,7 @@ TEST_F(BesideAPost, TheFreePartOfAMotionIsFoundAndIsFree) {
   EXPECT_FALSE(motions_.checkMotion(start_.get(), goal_.get(), last));
   EXPECT_GT(last.second, 0.0);
   EXPECT_LT(last.second, 0.5) << "the post stands in the middle";
-  const Configuration reached = cube_.read(end.get());
+  const Configuration reached = map_.read(end.get());
   EXPECT_TRUE(reached.isApprox(problem_.start + last.second * (problem_.goal - problem_.start)));
   EXPECT_TRUE(context_.edge_free(problem_.start, reached));
   const double farther = last.second + 1.0 / 32.0;
@@ -84,13 +83,13 @@ TEST_F(BesideAPost, TheFreePartMayBeWrittenOverTheEndOfTheMotion) {
 
 TEST_F(BesideAPost, FreeMotionsAreRememberedBothWays) {
   const Configuration near = test::planar_configuration(-0.5, 0.1);
-  EXPECT_FALSE(motions_.known_free(cube_.read(start_.get()), near));
+  EXPECT_FALSE(motions_.known_free(map_.read(start_.get()), near));
   const State end = state_of(near);
   EXPECT_TRUE(motions_.checkMotion(start_.get(), end.get()));
-  EXPECT_TRUE(motions_.known_free(cube_.read(start_.get()), cube_.read(end.get())));
-  EXPECT_TRUE(motions_.known_free(cube_.read(end.get()), cube_.read(start_.get())));
+  EXPECT_TRUE(motions_.known_free(map_.read(start_.get()), map_.read(end.get())));
+  EXPECT_TRUE(motions_.known_free(map_.read(end.get()), map_.read(start_.get())));
   EXPECT_FALSE(motions_.checkMotion(start_.get(), goal_.get()));
-  EXPECT_FALSE(motions_.known_free(cube_.read(start_.get()), cube_.read(goal_.get())));
+  EXPECT_FALSE(motions_.known_free(map_.read(start_.get()), map_.read(goal_.get())));
 }
 
 TEST_F(BesideAPost, OfAFreeMotionThereIsNothingToTell) {
@@ -110,7 +109,7 @@ TEST_F(BesideAPost, NoMotionIsFoundFreeOnceTheRunHasToEnd) {
   std::pair<ompl::base::State*, double> last(end.get(), -1.0);
   EXPECT_FALSE(motions_.checkMotion(start_.get(), near.get(), last));
   EXPECT_EQ(last.second, 0.0);
-  EXPECT_EQ(cube_.read(end.get()), problem_.start) << "the beginning of the motion";
+  EXPECT_EQ(map_.read(end.get()), problem_.start) << "the beginning of the motion";
 }
 
 }  // namespace

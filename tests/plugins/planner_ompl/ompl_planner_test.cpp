@@ -155,7 +155,7 @@ TEST_P(OmplMethod, DrawsTheSameWhateverElseDraws) {
 }
 
 TEST_P(OmplMethod, DrawsOtherSamplesForAnotherSeed) {
-  set(*planner_, "max_samples", "300");
+  set(*planner_, "max_samples", "600");
   for (const planning::Parameter& setting : planner_->parameters()) {
     if (setting.key == "num_samples") {
       set_from_text(setting, "50");  // else the samples are spent before it begins

@@ -80,6 +80,7 @@ class HANDWAY_PLANNING_EXPORT Planner {
 
   ObjectiveSettings objective_;
   int optimize_checks_ = 0;
+  int sampler_ = 0;  ///< A sampling::SamplerKind.
 };
 
 }  // namespace handway::planning

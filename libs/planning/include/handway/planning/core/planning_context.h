@@ -5,6 +5,7 @@
 #include "handway/planning/core/planner.h"
 #include "handway/planning/core/planning_problem.h"
 #include "handway/planning/export.h"
+#include "handway/sampling/samplers/sampler.h"
 
 #include <chrono>
 #include <cstdint>
@@ -102,6 +103,13 @@ class HANDWAY_PLANNING_EXPORT PlanningContext {
   [[nodiscard]] std::optional<int> edge_probe(const Configuration& from, const Configuration& to,
                                               int count);
 
+  /// How the samplers of make_sampler() choose their points; at first at random.
+  void set_sampler(sampling::SamplerKind kind) { sampler_ = kind; }
+  /// Where a search takes its points of the unit cube from. @param valid what samplers that look
+  /// for obstacles ask; on this context's thread.
+  [[nodiscard]] std::unique_ptr<sampling::Sampler> make_sampler(
+      int dimension, std::uint64_t seed, sampling::ValidityPredicate valid) const;
+
   /// A context for a search that runs beside others on the same problem: with one
   /// thread and statistics of its own, and this context's clock, time limit and
   /// cancellation. @param stop ends it alone. Both must outlive it, and so must this context.
@@ -135,6 +143,7 @@ class HANDWAY_PLANNING_EXPORT PlanningContext {
   const PlanningProblem& problem_;
   const PlanningContext* parent_ = nullptr;
   PlanRequest request_;
+  sampling::SamplerKind sampler_ = sampling::SamplerKind::kRandom;
   std::stop_token stop_;
   Observer& observer_;
   std::chrono::steady_clock::time_point begin_;

@@ -2,7 +2,7 @@
 
 #include "handway/planning/core/planner.h"
 #include "handway/planning/export.h"
-#include "handway/planning/planners/target_region.h"
+#include "handway/planning/spaces/target_sampler.h"
 
 #include <string>
 #include <vector>

@@ -2,8 +2,8 @@
 
 #include "handway/planning/core/planner.h"
 #include "handway/planning/export.h"
-#include "handway/planning/planners/corridor_form.h"
-#include "handway/planning/planners/hand_space.h"
+#include "handway/planning/spaces/hand_arm_region.h"
+#include "handway/planning/spaces/state_space.h"
 
 #include <string>
 #include <vector>

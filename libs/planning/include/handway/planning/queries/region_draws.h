@@ -4,8 +4,8 @@
 #include "handway/planning/core/planner.h"
 #include "handway/planning/core/planning_problem.h"
 #include "handway/planning/export.h"
-#include "handway/planning/planners/corridor_form.h"
-#include "handway/planning/planners/hand_space.h"
+#include "handway/planning/spaces/hand_arm_region.h"
+#include "handway/planning/spaces/state_space.h"
 
 #include <cstdint>
 #include <optional>

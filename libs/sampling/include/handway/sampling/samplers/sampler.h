@@ -6,19 +6,16 @@
 
 #include <cstdint>
 #include <functional>
-#include <optional>
+#include <memory>
+#include <string>
+#include <vector>
 
 namespace handway::sampling {
 
-/// Tells whether a point of [0,1]^d is valid (free of collision, for planners).
-/// Must answer the same for the same point.
-using ValidityPredicate = std::function<bool(const Eigen::VectorXd&)>;
-
 /// A source of points in the unit cube [0,1]^d.
 ///
-/// What is drawn depends only on how the sampler was made, the seed, and how
-/// often it was drawn from. Not for use by several threads at once: make one
-/// sampler each.
+/// A point depends on how the sampler was made and on its index alone: points may be asked for in
+/// any order, and threads may share a sampler.
 class HANDWAY_SAMPLING_EXPORT Sampler {
  public:
   virtual ~Sampler() = default;
@@ -28,24 +25,58 @@ class HANDWAY_SAMPLING_EXPORT Sampler {
   /// d.
   [[nodiscard]] int dimension() const { return dimension_; }
 
-  /// The next point, shape [dimension()], or nothing if a sampler that looks for
-  /// special points found none within its number of tries; drawing again goes on
-  /// looking. Random, Halton and SDK samplers always give a point.
+  /// Point `index`, shape [dimension()].
   /// @throws std::logic_error if the derived class breaks its contract.
-  [[nodiscard]] std::optional<Eigen::VectorXd> draw();
-
-  /// Starts again with this seed. Sequences without a random part ignore the seed.
-  void reset(std::uint64_t seed);
+  [[nodiscard]] Eigen::VectorXd point(std::uint64_t index) const;
 
  protected:
   /// @throws std::invalid_argument if dimension < 1.
   explicit Sampler(int dimension);
 
  private:
-  virtual std::optional<Eigen::VectorXd> do_draw() = 0;
-  virtual void do_reset(std::uint64_t seed) = 0;
+  [[nodiscard]] virtual Eigen::VectorXd do_point(std::uint64_t index) const = 0;
 
   int dimension_;
 };
+
+/// Whether a point of [0,1]^d is valid (free of collision, for planners). Must answer the same for
+/// the same point, and several threads at once if the sampler is shared.
+using ValidityPredicate = std::function<bool(const Eigen::VectorXd&)>;
+
+/// How points are chosen.
+enum class SamplerKind {
+  kRandom,      ///< Uniform.
+  kHalton,      ///< The Halton sequence, its digits permuted by the seed.
+  kSdk,         ///< One point in each cell of the SDK sequence, at random within it.
+  kGaussian,    ///< Near the border of what is valid.
+  kBridgeTest,  ///< In narrow passages.
+};
+
+/// The words for them, in the order of SamplerKind: "random", "halton", …
+[[nodiscard]] HANDWAY_SAMPLING_EXPORT const std::vector<std::string>& sampler_names();
+
+/// What the Gaussian sampler and the bridge test look for valid points with.
+struct PairOptions {
+  double sigma = 0.1;  ///< Standard deviation of the distance of a pair of points. > 0.
+  int tries = 20;      ///< Pairs looked at for one point, ≥ 1. After them: a uniform point.
+};
+
+/// Sources:
+/// - Halton, "On the efficiency of certain quasi-random sequences of points in evaluating
+///   multi-dimensional integrals", Numer. Math. 2, 1960; permuted as HaltonOptions::scramble.
+/// - Rosell, Roa, Pérez, García, "A general deterministic sequence for sampling d-dimensional
+///   configuration spaces", J. Intell. Robot. Syst. 50(4), 2007.
+/// - Boor, Overmars, van der Stappen, "The Gaussian sampling strategy for probabilistic roadmap
+///   planners", ICRA 1999: of a uniform point and one at a normally distributed distance from it,
+///   the valid one if exactly one is.
+/// - Hsu, Jiang, Reif, Sun, "The bridge test for sampling narrow passages with probabilistic
+/// roadmap
+///   planners", ICRA 2003: the valid middle of two invalid points.
+/// @param valid needed by kGaussian and kBridgeTest alone.
+/// @throws std::invalid_argument if dimension < 1, `valid` is missing, or `options` are out of
+/// range.
+[[nodiscard]] HANDWAY_SAMPLING_EXPORT std::unique_ptr<Sampler> make_sampler(
+    SamplerKind kind, int dimension, std::uint64_t seed, ValidityPredicate valid = {},
+    PairOptions options = {});
 
 }  // namespace handway::sampling

@@ -1,0 +1,101 @@
+#pragma once
+
+#include "handway/planning/core/planning_problem.h"
+#include "handway/planning/export.h"
+
+#include <Eigen/Core>
+
+#include <memory>
+#include <optional>
+
+namespace handway::planning {
+
+/// Coordinates in which a planner draws configurations, measures distances and moves: a box of real
+/// numbers, Euclidean distances, straight lines. It knows no obstacles.
+class HANDWAY_PLANNING_EXPORT StateSpace {
+ public:
+  virtual ~StateSpace();
+  StateSpace(const StateSpace&) = delete;
+  StateSpace& operator=(const StateSpace&) = delete;
+
+  [[nodiscard]] const PlanningProblem& problem() const { return problem_; }
+  [[nodiscard]] int dimension() const { return static_cast<int>(lower_.size()); }
+  /// Corners of the box, shape [dimension()]; a coordinate without limits is infinite there.
+  [[nodiscard]] const Eigen::VectorXd& lower() const { return lower_; }
+  [[nodiscard]] const Eigen::VectorXd& upper() const { return upper_; }
+
+  /// Shape [dimension()]; within the box but for roundings.
+  [[nodiscard]] virtual Eigen::VectorXd coordinates(const Configuration& q) const = 0;
+
+  /// The configuration at `x`, nearest to `reference` where there are several; joints that have
+  /// no coordinate are as there. Nothing if no configuration is at `x`.
+  [[nodiscard]] virtual std::optional<Configuration> configuration(
+      const Eigen::VectorXd& x, const Configuration& reference) const = 0;
+
+ protected:
+  /// @param problem must outlive this object.
+  explicit StateSpace(const PlanningProblem& problem) : problem_(problem) {}
+
+  /// To be called by the derived constructor.
+  void set_bounds(Eigen::VectorXd lower, Eigen::VectorXd upper);
+
+ private:
+  const PlanningProblem& problem_;
+  Eigen::VectorXd lower_;
+  Eigen::VectorXd upper_;
+};
+
+/// In which space the arm's sampling region lies along the straight motion.
+enum class CorridorForm {
+  kJoint,      ///< Arm joints, as printed (paper, section 5.1): sampling::ArmCorridor.
+  kCartesian,  ///< Poses of the arm's tool: sampling::CartesianCorridor.
+};
+
+/// A space of the arm's coordinates followed by the hand's joints, normalised to [0, 1], with a
+/// corridor around the arm's straight motion from start to goal (paper, section 5.1).
+class HANDWAY_PLANNING_EXPORT CorridorSpace : public StateSpace {
+ public:
+  [[nodiscard]] Eigen::VectorXd coordinates(const Configuration& q) const final;
+  [[nodiscard]] std::optional<Configuration> configuration(
+      const Eigen::VectorXd& x, const Configuration& reference) const final;
+
+  /// Hypercubes of half side `rho` that the corridor is cut into, less one.
+  [[nodiscard]] virtual int steps(double rho) const = 0;
+  /// Size of the points that corridor_point() takes.
+  [[nodiscard]] virtual int corridor_dimension() const = 0;
+  /// The arm's coordinates in the hypercube of half side `rho` at `step` (0: start, 1: goal).
+  /// @param u in [0,1]^corridor_dimension(): where in the hypercube.
+  [[nodiscard]] virtual Eigen::VectorXd corridor_point(double step, double rho,
+                                                       const Eigen::VectorXd& u) const = 0;
+
+ protected:
+  using StateSpace::StateSpace;
+
+  /// To be called by the derived constructor, with the bounds of the arm's coordinates.
+  void set_arm_bounds(const Eigen::VectorXd& lower, const Eigen::VectorXd& upper);
+
+  [[nodiscard]] virtual Eigen::VectorXd arm_coordinates(const Configuration& q) const = 0;
+  /// `q`, with its hand posture, with the arm at `x`.
+  [[nodiscard]] virtual std::optional<Configuration> with_arm(const Configuration& q,
+                                                              const Eigen::VectorXd& x) const = 0;
+};
+
+/// Arm joints normalised to [0, 1], or the pose of the last arm link: its position and rotation
+/// vector in units of sampling::CartesianScale.
+/// @throws InputError if a Cartesian corridor is asked for and the arm has no closed-form inverse
+/// kinematics.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT std::unique_ptr<CorridorSpace> make_corridor_space(
+    const PlanningProblem& problem, CorridorForm form);
+
+/// The controls of the paper's method: along the arm's straight motion and across it up to
+/// `half_width` (section 5.1), the hand's free joints and principal motion directions (section
+/// 4.2). Two more coordinates lead from the subspace of the hand to the postures at start and goal,
+/// which seldom lie in it: how much of the start's and of the goal's deviation is kept.
+///
+/// Coordinates are lengths in joints normalised to [0, 1], so that distances are nearly those of
+/// the joints; joints that get beyond their limits are moved onto them.
+/// @param most_pmds principal directions that are used. @pre the problem has a basis.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT std::unique_ptr<StateSpace> make_control_space(
+    const PlanningProblem& problem, int most_pmds, double half_width);
+
+}  // namespace handway::planning

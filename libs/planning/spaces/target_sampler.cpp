@@ -1,0 +1,140 @@
+#include "handway/planning/spaces/target_sampler.h"
+
+#include "handway/geometric/robot/normalised_joints.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace handway::planning {
+namespace {
+
+// Radii of the balls around start and goal: what is a move of a finger's width
+// and what takes the hand out of any grasp.
+constexpr double kSmallestBall = 0.005;
+constexpr double kSmallestExpansion = 0.02;
+constexpr double kLargestBall = 0.3;
+
+constexpr double kOnward = 0.5;  // share of expansions that go on along the edge to the node
+
+// Every size is as likely as any other. @param u uniform in [0, 1].
+double length_from(double smallest, double u) {
+  return smallest * std::pow(kLargestBall / smallest, u);
+}
+
+}  // namespace
+
+TargetSampler::TargetSampler(PlanningContext& context, const TargetRegion& region, HandSpace hand,
+                             std::uint64_t seed)
+    : problem_(context.problem()),
+      settings_(region),
+      in_regions_(hand == HandSpace::kPrincipalDirections),
+      region_(problem_, hand, static_cast<CorridorForm>(region.corridor)),
+      stream_(seed) {
+  constexpr int kChoices = 3;  // of corridor or end, where in it, and whether the hand moves
+  const int dimension = in_regions_
+                            ? kChoices + space().corridor_dimension() + region_.basis().dimension()
+                            : space().dimension();
+  points_ = context.make_sampler(dimension, seed, [this, &context](const Eigen::VectorXd& u) {
+    const std::optional<Configuration> q = space().configuration(
+        target(u).coordinates, draw_.end == 0 ? problem_.start : problem_.goal);
+    return q && !context.collision(*q);
+  });
+}
+
+TargetSampler::~TargetSampler() = default;
+
+TargetSampler::Target TargetSampler::draw(std::uint64_t sample, int end, int failures) {
+  const auto free_joints = static_cast<int>(region_.basis().free_joints.size());
+  const int pmds = std::min(
+      {static_cast<int>(region_.basis().directions.size()), settings_.max_pmds, failures + 1});
+  draw_ = {sample, end, free_joints + pmds};
+  return target(points_->point(sample));
+}
+
+TargetSampler::Target TargetSampler::target(const Eigen::VectorXd& u) const {
+  if (!in_regions_) {
+    return {space().lower() + u.cwiseProduct(space().upper() - space().lower()), 0, 0.0};
+  }
+  Target target = u[0] < settings_.near_ends ? near_end(u) : in_corridor(u);
+  target.pmds = draw_.axes - static_cast<int>(region_.basis().free_joints.size());
+  return target;
+}
+
+TargetSampler::Target TargetSampler::in_corridor(const Eigen::VectorXd& u) const {
+  const double widths = std::floor(static_cast<double>(draw_.sample) / settings_.samples_per_width);
+  const double rho =
+      std::min(settings_.rho_max, settings_.rho_a * std::pow(settings_.rho_growth, widths));
+  const int arm_size = space().corridor_dimension();
+  Target target{Eigen::VectorXd(space().dimension()), 0, rho};
+  target.coordinates << space().corridor_point(u[1], rho, u.segment(2, arm_size)),
+      sampling::map_to_posture(region_.basis(), u.segment(2 + arm_size, draw_.axes));
+  return target;
+}
+
+// In half of the draws the hand keeps its posture: it holds on to what is between its fingers.
+TargetSampler::Target TargetSampler::near_end(const Eigen::VectorXd& u) const {
+  const double rho = length_from(kSmallestBall, u[1]);
+  const bool hand_moves = u[2] < 0.5;
+  const int arm_size = space().corridor_dimension();
+  Eigen::VectorXd posture = geometric::normalised(
+      problem_.model(), draw_.end == 0 ? problem_.start : problem_.goal)(problem_.hand);
+  if (hand_moves) {
+    posture +=
+        std::min(1.0, rho / kLargestBall) *
+        (sampling::map_to_posture(region_.basis(), u.segment(3 + arm_size, draw_.axes)) - posture);
+  }
+  Target target{Eigen::VectorXd(space().dimension()), 0, rho};
+  target.coordinates << space().corridor_point(draw_.end, rho, u.segment(3, arm_size)), posture;
+  return target;
+}
+
+// Of length 1; of the arm alone or of the hand alone.
+Eigen::VectorXd TargetSampler::direction(Eigen::Index size, sampling::RandomStream& draw) const {
+  const auto hand_size = static_cast<Eigen::Index>(problem_.hand.size());
+  const Eigen::Index arm_size = size - hand_size;
+  const bool moves_arm = hand_size == 0 || (arm_size > 0 && draw.uniform() < 0.5);
+  Eigen::VectorXd direction = Eigen::VectorXd::Zero(size);
+  if (moves_arm) {
+    direction.head(arm_size) = 2.0 * draw.uniform(static_cast<int>(arm_size)).array() - 1.0;
+  } else {
+    const sampling::PmdBasis& basis = region_.basis();
+    const auto posture = [&] {
+      return sampling::map_to_posture(basis, draw.uniform(basis.dimension()));
+    };
+    const Eigen::VectorXd from = posture();
+    direction.tail(hand_size) = posture() - from;
+  }
+  return direction.normalized();
+}
+
+TargetSampler::Target TargetSampler::draw_near_node(std::uint64_t sample,
+                                                    const Eigen::VectorXd& from,
+                                                    const Eigen::VectorXd& parent) const {
+  sampling::RandomStream draw = stream_.fork(sample).fork(2);
+  const Eigen::VectorXd aside = direction(from.size(), draw);
+  const Eigen::VectorXd edge = from - parent;
+  const bool onward = !edge.isZero() && draw.uniform() < kOnward;
+  const Eigen::VectorXd step =
+      onward ? ((0.5 + 2.0 * draw.uniform()) * edge + draw.uniform() * edge.norm() * aside).eval()
+             : (length_from(kSmallestExpansion, draw.uniform()) * aside).eval();
+  return {(from + step).cwiseMax(space().lower()).cwiseMin(space().upper()),
+          static_cast<int>(region_.basis().directions.size()), 0.0};
+}
+
+Eigen::VectorXd TargetSampler::held(Eigen::VectorXd target, const Eigen::VectorXd& from,
+                                    std::uint64_t sample, double share) const {
+  if (!in_regions_) {
+    return target;
+  }
+  const double u = stream_.fork(sample).fork(1).uniform();
+  const auto hand_size = static_cast<Eigen::Index>(problem_.hand.size());
+  const Eigen::Index arm_size = target.size() - hand_size;
+  if (u < 0.5 * share) {
+    target.tail(hand_size) = from.tail(hand_size);
+  } else if (u < share) {
+    target.head(arm_size) = from.head(arm_size);
+  }
+  return target;
+}
+
+}  // namespace handway::planning

@@ -1,0 +1,145 @@
+#include "handway/planning/spaces/state_space.h"
+
+#include "handway/geometric/robot/normalised_joints.h"
+#include "handway/planning/spaces/target_sampler.h"
+#include "handway_test/planar_problems.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stop_token>
+
+namespace handway::planning {
+namespace {
+
+constexpr std::uint64_t kDraws = 500;
+constexpr int kAllAxes = 100;
+
+Configuration there_and_back(const StateSpace& space, const Configuration& q) {
+  return space.configuration(space.coordinates(q), q).value();
+}
+
+TEST(JointSpace, IsTheUnitCubeOfNormalisedJoints) {
+  const PlanningProblem problem = test::open_problem();
+  const auto space = make_corridor_space(problem, CorridorForm::kJoint);
+  EXPECT_TRUE(space->coordinates(problem.model().upper()).isApprox(space->upper()));
+  const Configuration q = test::planar_configuration(0.123, -0.456, 0.05, 0.3, 0.2);
+  EXPECT_TRUE(there_and_back(*space, q).isApprox(q, 1e-14));
+  EXPECT_NEAR((space->coordinates(problem.start) - space->coordinates(problem.goal)).norm(),
+              normalised_distance(problem.model(), problem.start, problem.goal), 1e-12);
+}
+
+TEST(ControlSpace, HasTheArmsTheFreeJointsTheDirectionsAndTheEndsDeviations) {
+  const PlanningProblem problem = test::open_problem();
+  const auto space = make_control_space(problem, 4, 0.4);
+  EXPECT_EQ(space->dimension(),
+            static_cast<int>(problem.arm.size()) + problem.basis->dimension() + 2);
+}
+
+TEST(ControlSpace, ReachesStartAndGoalOutsideOfTheSubspace) {
+  PlanningProblem problem = test::open_problem();
+  problem.start = test::planar_configuration(-0.5, 0.1, 0.02, 0.3, 0.7);
+  problem.goal = test::planar_configuration(0.4, 0.2, 0.0, 0.9, 0.1);
+  const auto space = make_control_space(problem, 1, 0.4);
+  EXPECT_TRUE(there_and_back(*space, problem.start).isApprox(problem.start, 1e-9));
+  EXPECT_TRUE(there_and_back(*space, problem.goal).isApprox(problem.goal, 1e-9));
+}
+
+TEST(ControlSpace, MovesStraightInTheJointsWhereItMovesStraight) {
+  PlanningProblem problem = test::open_problem();
+  problem.start = test::planar_configuration(-0.5, 0.1, 0.0, 0.3, 0.5);
+  problem.goal = test::planar_configuration(0.4, 0.2, 0.0, 0.4, 0.3);
+  const auto space = make_control_space(problem, 1, 0.4);
+  const Eigen::VectorXd middle =
+      0.5 * (space->coordinates(problem.start) + space->coordinates(problem.goal));
+  EXPECT_TRUE(space->configuration(middle, problem.start)
+                  ->isApprox(0.5 * (problem.start + problem.goal), 1e-12));
+}
+
+TEST(ControlSpace, TakesAnArmThatStaysWhereItIs) {
+  PlanningProblem problem = test::open_problem();
+  problem.goal = problem.start;
+  problem.goal(problem.hand).array() += 0.1;
+  const auto space = make_control_space(problem, 4, 0.4);
+  EXPECT_TRUE(there_and_back(*space, problem.goal).isApprox(problem.goal, 1e-9));
+}
+
+/// What searches of the flat arm go for.
+class TargetsOfTheFlatArm : public testing::Test {
+ protected:
+  Configuration draw(TargetSampler& targets, std::uint64_t sample) {
+    const int end = static_cast<int>(sample % 2);
+    const Eigen::VectorXd x = targets.draw(sample, end, kAllAxes).coordinates;
+    return targets.space().configuration(x, problem_.start).value();
+  }
+
+  PlanningProblem problem_ = test::open_problem();
+  Observer observer_;
+  std::stop_source stop_;
+};
+
+TEST_F(TargetsOfTheFlatArm, HaveTheHandInItsSubspaceAndTheArmInItsCorridor) {
+  const double rho = 0.02;
+  PlanningContext context(problem_, {}, stop_.get_token(), observer_);
+  const TargetRegion region{.near_ends = 0.0, .rho_a = rho, .rho_max = rho, .max_pmds = 1};
+  TargetSampler targets(context, region, HandSpace::kPrincipalDirections, 1);
+  sampling::PmdBasis basis = *problem_.basis;
+  basis.directions.resize(1);
+  const Eigen::VectorXd start =
+      geometric::normalised(problem_.model(), problem_.start)(problem_.arm);
+  const Eigen::VectorXd goal = geometric::normalised(problem_.model(), problem_.goal)(problem_.arm);
+  const Eigen::VectorXd along = (goal - start).normalized();
+  for (std::uint64_t i = 0; i < kDraws; ++i) {
+    const Eigen::VectorXd joints = geometric::normalised(problem_.model(), draw(targets, i));
+    const Eigen::VectorXd posture = joints(problem_.hand);
+    const bool at_a_limit = (posture.array() < 1e-9 || posture.array() > 1.0 - 1e-9).any();
+    EXPECT_TRUE(at_a_limit || sampling::distance_to_subspace(basis, posture) < 1e-9);
+    const Eigen::VectorXd off = joints(problem_.arm) - start;
+    EXPECT_LE((off - off.dot(along) * along).norm(),
+              rho * std::sqrt(static_cast<double>(problem_.arm.size())) + 1e-9);
+  }
+}
+
+TEST_F(TargetsOfTheFlatArm, KeepThePosturesOfTheEndsInHalfOfTheDrawsAroundThem) {
+  problem_.start = test::planar_configuration(-0.5, 0.1, 0.02, 0.3, 0.7);
+  PlanningContext context(problem_, {}, stop_.get_token(), observer_);
+  const TargetRegion region{.near_ends = 1.0, .max_pmds = 1};
+  TargetSampler targets(context, region, HandSpace::kPrincipalDirections, 1);
+  int as_at_start = 0;
+  for (std::uint64_t i = 0; i < kDraws; ++i) {
+    as_at_start +=
+        draw(targets, i)(problem_.hand).isApprox(problem_.start(problem_.hand), 1e-9) ? 1 : 0;
+  }
+  EXPECT_NEAR(as_at_start, kDraws / 4.0, 50.0);
+}
+
+TEST_F(TargetsOfTheFlatArm, StayWithinTheLimits) {
+  PlanningContext context(problem_, {}, stop_.get_token(), observer_);
+  const TargetRegion region;
+  for (const HandSpace hand : {HandSpace::kAllJoints, HandSpace::kPrincipalDirections}) {
+    TargetSampler targets(context, region, hand, 1);
+    for (std::uint64_t i = 0; i < kDraws; ++i) {
+      const Eigen::VectorXd joints = geometric::normalised(problem_.model(), draw(targets, i));
+      EXPECT_GE(joints.minCoeff(), -1e-12);
+      EXPECT_LE(joints.maxCoeff(), 1.0 + 1e-12);
+    }
+  }
+}
+
+TEST_F(TargetsOfTheFlatArm, AreChosenAsTheParameterSays) {
+  problem_ = test::post_problem();
+  PlanningContext context(problem_, {}, stop_.get_token(), observer_);
+  const TargetRegion region;
+  std::vector<Configuration> first;
+  for (std::size_t kind = 0; kind < sampling::sampler_names().size(); ++kind) {
+    context.set_sampler(static_cast<sampling::SamplerKind>(kind));
+    TargetSampler targets(context, region, HandSpace::kPrincipalDirections, 1);
+    for (const Configuration& other : first) {
+      EXPECT_NE(draw(targets, 1), other);
+    }
+    first.push_back(draw(targets, 1));
+  }
+}
+
+}  // namespace
+}  // namespace handway::planning
