@@ -97,8 +97,8 @@ void PathOptimizer::advance(std::uint64_t checks) {
   }
 }
 
-// What lies between two waypoints gives way to the straight motion, or else what lies between
-// each of them and the one in the middle does.
+// What lies between two waypoints is replaced by the straight motion, or else what lies between
+// each of them and the one in the middle.
 void PathOptimizer::prune(std::size_t first, std::size_t last) {
   if (last - first < 2 || is_over() || try_stretch(at_waypoint(first), at_waypoint(last), {})) {
     return;

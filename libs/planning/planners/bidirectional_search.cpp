@@ -94,7 +94,7 @@ BidirectionalSearch::Growth BidirectionalSearch::expansion(int tree, sampling::R
                                   trees_.coordinates(trees_.parent(from)))};
 }
 
-// One step of at most `range`; the new node, if the way is free.
+// One step of at most `range`; the new node, if the motion is free.
 std::optional<int> BidirectionalSearch::grow(const Growth& growth) {
   double range = settings_.range;
   for (int i = 0; i <= settings_.refinements; ++i, range *= kRefinement) {

@@ -34,8 +34,8 @@ class ControlSpace final : public StateSpace {
  public:
   ControlSpace(const PlanningProblem& problem, const sampling::PmdBasis& basis, double half_width)
       : StateSpace(problem),
-        arm_start_(joints_of(problem.start, problem.arm)),
-        frame_(frame_along(joints_of(problem.goal, problem.arm) - arm_start_)) {
+        arm_start_(joints_of(problem.start, arm())),
+        frame_(frame_along(joints_of(problem.goal, arm()) - arm_start_)) {
     // The corridor's cubes are as wide across an axis as its components add up to.
     const Eigen::VectorXd width = half_width * frame_.cwiseAbs().colwise().sum().transpose();
     const Eigen::VectorXd half_sides = set_hand_axes(basis);
@@ -46,14 +46,14 @@ class ControlSpace final : public StateSpace {
     Eigen::VectorXd upper(lower.size());
     upper << width, half_sides, deviations;
     if (frame_.cols() > 0) {
-      upper[0] += (joints_of(problem.goal, problem.arm) - arm_start_).norm();
+      upper[0] += (joints_of(problem.goal, arm()) - arm_start_).norm();
     }
     set_bounds(lower, upper);
   }
 
   [[nodiscard]] Eigen::VectorXd coordinates(const Configuration& q) const override {
     Eigen::VectorXd x(frame_.cols() + axes_.cols());
-    x << frame_.transpose() * (joints_of(q, problem().arm) - arm_start_),
+    x << frame_.transpose() * (joints_of(q, arm()) - arm_start_),
         hand_coordinates(joints_of(q, problem().hand));
     return x.cwiseMax(lower()).cwiseMin(upper());
   }
@@ -61,7 +61,7 @@ class ControlSpace final : public StateSpace {
   [[nodiscard]] std::optional<Configuration> configuration(
       const Eigen::VectorXd& x, const Configuration& reference) const override {
     Eigen::VectorXd joints = geometric::normalised(problem().model(), reference);
-    joints(problem().arm) = arm_start_ + frame_ * x.head(frame_.cols());
+    joints(arm()) = arm_start_ + frame_ * x.head(frame_.cols());
     joints(problem().hand) = centre_ + axes_ * x.tail(axes_.cols());
     return geometric::denormalised(problem().model(), joints.cwiseMax(0.0).cwiseMin(1.0));
   }

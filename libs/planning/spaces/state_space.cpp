@@ -27,7 +27,7 @@ class JointSpace final : public CorridorSpace {
   explicit JointSpace(const PlanningProblem& problem)
       : CorridorSpace(problem),
         corridor_(arm_coordinates(problem.start), arm_coordinates(problem.goal)) {
-    const auto size = static_cast<Eigen::Index>(problem.arm.size());
+    const auto size = static_cast<Eigen::Index>(arm().size());
     set_arm_bounds(Eigen::VectorXd::Zero(size), Eigen::VectorXd::Ones(size));
   }
 
@@ -40,13 +40,13 @@ class JointSpace final : public CorridorSpace {
 
  private:
   [[nodiscard]] Eigen::VectorXd arm_coordinates(const Configuration& q) const override {
-    return geometric::normalised(problem().model(), q)(problem().arm);
+    return geometric::normalised(problem().model(), q)(arm());
   }
 
   [[nodiscard]] std::optional<Configuration> with_arm(const Configuration& q,
                                                       const Eigen::VectorXd& x) const override {
     Eigen::VectorXd joints = geometric::normalised(problem().model(), q);
-    joints(problem().arm) = x;
+    joints(arm()) = x;
     return geometric::denormalised(problem().model(), joints);
   }
 
@@ -138,6 +138,15 @@ class ToolSpace final : public CorridorSpace {
 };
 
 }  // namespace
+
+StateSpace::StateSpace(const PlanningProblem& problem) : problem_(problem), arm_(problem.arm) {
+  for (int v = 0; v < problem.model().variable_count(); ++v) {
+    const bool is_listed = std::ranges::count(arm_, v) + std::ranges::count(problem.hand, v) > 0;
+    if (!is_listed && problem.start[v] != problem.goal[v]) {
+      arm_.push_back(v);
+    }
+  }
+}
 
 StateSpace::~StateSpace() = default;
 

@@ -218,6 +218,21 @@ TEST(OmplSettings, ReachOmpl) {
   EXPECT_GT(edges_with("ompl-rrt", "goal_bias", "0"), edges_with("ompl-rrt", "goal_bias", "0.9"));
 }
 
+TEST(OmplPlanners, ReachAGoalThatMovesAJointOfNoGroup) {
+  geometric::RobotDescription robot = test::planar_hand_arm();
+  robot.groups.front().joints = {"shoulder"};
+  auto scene = std::make_shared<geometric::Scene>(test::scene_of(robot));
+  scene->start = test::planar_configuration(-0.4, 0);
+  scene->goal = test::planar_configuration(-0.4, 0.3);
+  const PlanningProblem problem = planning::make_problem(
+      scene, std::make_shared<const sampling::PmdBasis>(test::planar_hand_basis()));
+  for (const char* name : {"ompl-rrt-connect", "ompl-pmd-rrt-connect"}) {
+    const PlanResult result = registry().create(name)->plan(problem, {});
+    ASSERT_TRUE(result.solved()) << result.reason;
+    EXPECT_EQ(result.path.waypoints.back(), problem.goal) << name;
+  }
+}
+
 TEST(OmplPrm, KeepsMilestonesThatNothingIsConnectedTo) {
   const auto planner = registry().create("ompl-prm");
   set_from_text(find_parameter(planner->parameters(), "max_samples"), "300");

@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace handway::planning {
 
@@ -34,13 +35,18 @@ class HANDWAY_PLANNING_EXPORT StateSpace {
 
  protected:
   /// @param problem must outlive this object.
-  explicit StateSpace(const PlanningProblem& problem) : problem_(problem) {}
+  explicit StateSpace(const PlanningProblem& problem);
+
+  /// Variables of the arm, and those of neither arm nor hand that start and goal have apart: they
+  /// have to move, too.
+  [[nodiscard]] const std::vector<int>& arm() const { return arm_; }
 
   /// To be called by the derived constructor.
   void set_bounds(Eigen::VectorXd lower, Eigen::VectorXd upper);
 
  private:
   const PlanningProblem& problem_;
+  std::vector<int> arm_;
   Eigen::VectorXd lower_;
   Eigen::VectorXd upper_;
 };
