@@ -6,7 +6,8 @@
 /// not free any more, another is planned; the reference looks at every path that is said to be
 /// free, and at the place where one is said not to be. `--real`: motions of the emulated arm and
 /// hand, through sockets, in scenes that are edited meanwhile. `--virtual`: the same with simulated
-/// devices, on a clock that goes ten times as fast. A motion fails if a joint still moves in
+/// devices, on a clock that goes on with each step of the loop that drives them: as fast as the
+/// machine allows, and the same on one that is busy. A motion fails if a joint still moves in
 /// collision later than kReaction after the edit that is in its way. Exits 1 if any path or motion
 /// fails, or a verdict is wrong.
 #include "handway/device/arm/arm_emulator.h"
@@ -52,26 +53,32 @@ int read_machine_clock(clockid_t clock, timespec* time) {
   return kRead(clock, time);
 }
 
-/// The program's steady clock: it can go faster than the machine's.
+/// The program's steady clock. It goes as the machine's does, or stands until it is advanced.
 struct ProgramClock {
-  std::atomic<std::int64_t> rate = 1;
-  std::atomic<std::int64_t> machine_ns = 0;  ///< When the rate was set …
-  std::atomic<std::int64_t> shown_ns = 0;    ///< … and what the clock showed then.
+  std::atomic<bool> stands = false;
+  std::atomic<std::int64_t> offset_ns = 0;  ///< To the machine's, while it goes.
+  std::atomic<std::int64_t> shown_ns = 0;   ///< While it stands.
 
   [[nodiscard]] std::int64_t shown(std::int64_t machine) const {
-    return shown_ns + rate * (machine - machine_ns);
+    return stands ? shown_ns.load() : machine + offset_ns;
   }
-  void set_rate(std::int64_t faster) {
-    timespec time{};
-    read_machine_clock(CLOCK_MONOTONIC, &time);
-    const std::int64_t now = nanoseconds(time);
-    shown_ns = shown(now);
-    machine_ns = now;
-    rate = faster;
+  void halt(std::int64_t machine) {
+    shown_ns = machine + offset_ns;
+    stands = true;
+  }
+  void go_on(std::int64_t machine) {
+    offset_ns = shown_ns - machine;
+    stands = false;
   }
 };
 
 ProgramClock program_clock;
+
+std::int64_t machine_time() {
+  timespec time{};
+  read_machine_clock(CLOCK_MONOTONIC, &time);
+  return nanoseconds(time);
+}
 
 }  // namespace
 
@@ -101,7 +108,7 @@ using Clock = SceneWatch::Clock;
 // From an edit to rest: the hold, the devices' own stopping, the last sample.
 constexpr double kReaction = 0.5;  // s
 constexpr double kAtRest = 2e-4;   // rad, from one sample to the next
-constexpr int kFaster = 10;
+constexpr std::chrono::milliseconds kStep{1};  // of a device in virtual time
 
 double seconds(Clock::duration duration) { return std::chrono::duration<double>(duration).count(); }
 
@@ -440,6 +447,21 @@ struct Tally {
   double longest_hold_ms = 0.0;  ///< From the edit until the motion was held or stopped.
 };
 
+/// The program's clock stands while this lives, but for the steps of simulated devices.
+class VirtualTime {
+ public:
+  VirtualTime() { program_clock.halt(machine_time()); }
+  ~VirtualTime() { program_clock.go_on(machine_time()); }
+  VirtualTime(const VirtualTime&) = delete;
+  VirtualTime& operator=(const VirtualTime&) = delete;
+
+  /// Leaves the other threads some time of the machine for each step.
+  static void advance() {
+    std::this_thread::sleep_for(std::chrono::microseconds(100));
+    program_clock.shown_ns += std::chrono::nanoseconds(kStep).count();
+  }
+};
+
 /// A device that follows its trajectory to the letter, and stops at once.
 class SimulatedLink final : public device::MotionLink {
  public:
@@ -455,7 +477,7 @@ class SimulatedLink final : public device::MotionLink {
   void do_resume() override {}
   void do_stop() override { stopped_ = true; }
   [[nodiscard]] bool do_update(double time) override {
-    std::this_thread::sleep_for(std::chrono::microseconds(200));
+    VirtualTime::advance();
     if (!stopped_ && !trajectory().times.empty() && time > 0.0) {
       position_ = trajectory().at(time);
     }
@@ -469,6 +491,7 @@ class SimulatedLink final : public device::MotionLink {
 
 /// The devices of one motion.
 struct Devices {
+  std::unique_ptr<VirtualTime> time;  ///< Of simulated ones.
   std::unique_ptr<device::ArmEmulator> arm;
   std::unique_ptr<device::HandEmulator> hand;
   std::vector<MotionTarget> targets;
@@ -476,6 +499,7 @@ struct Devices {
 
 Devices simulated_devices(const PlanningProblem& problem, const Configuration& start) {
   Devices devices;
+  devices.time = std::make_unique<VirtualTime>();
   for (const char* kind : {"arm", "hand"}) {
     std::vector<int> variables = execution::device_variables(problem, kind);
     auto link = std::make_unique<SimulatedLink>(
@@ -710,7 +734,6 @@ int run(int argc, char** argv) {
   print(after_edits);
   failed += after_edits.in_collision + after_edits.unconfirmed;
   report("motions on emulated devices", soak_motions(loaded, real, seed, emulated_devices));
-  program_clock.set_rate(kFaster);
   report("motions in virtual time", soak_motions(loaded, virtual_runs, seed, simulated_devices));
   return failed == 0 ? 0 : 1;
 }
