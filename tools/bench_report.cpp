@@ -1,6 +1,7 @@
 #include "bench_report.h"
 
 #include "handway/geometric/math/units.h"
+#include "path_quality_json.h"
 #include "version.h"
 
 #include <fmt/format.h>
@@ -54,6 +55,7 @@ Json runs_of(const PlanBench& bench) {
                     {"node_checks", result.statistics.node_checks},
                     {"edge_checks", result.statistics.edge_checks},
                     {"path_nodes", bench.path_nodes[i]},
+                    {"objective", path_quality_json(bench.qualities[i])},
                     {"path_faults", bench.path_faults[i]},
                     {"min_clearance_mm", result.certificate.min_clearance_mm}});
   }
@@ -74,6 +76,8 @@ Json plan_of(const BenchSettings& settings, const PlanBench& bench, double ratio
           {"samples", number(median_samples(bench))},
           {"checks", number(median_checks(bench))},
           {"path_nodes", number(median_path_nodes(bench))},
+          {"length", number(median_length(bench))},
+          {"to_subspace", number(median_to_subspace(bench))},
           {"memory_bytes", bench.memory},
           {"runs", runs_of(bench)}};
 }
@@ -158,7 +162,7 @@ std::string plan_cells(const BenchSettings& settings, const SceneBench& scene, s
   for (const double value :
        {time_quantile(bench, 0.5), time_quantile(bench, 0.95), time_quantile(bench, 0.99),
         time_ratio(scene, i), median_samples(bench), median_checks(bench), median_path_nodes(bench),
-        static_cast<double>(bench.memory)}) {
+        median_length(bench), median_to_subspace(bench), static_cast<double>(bench.memory)}) {
     cells += cell(value);
   }
   return cells;
@@ -176,11 +180,11 @@ std::string bench_csv(const BenchSettings& settings, const std::vector<SceneBenc
       "configuration_fcl_broadphase_us,edge_us,edge_fcl_us,"
       "planner,checker,threads,time_limit_s,runs,solved,paths_with_faults,median_s,p95_s,p99_s,"
       "ratio,samples,checks,"
-      "path_nodes,memory_bytes\n";
+      "path_nodes,length,to_subspace,memory_bytes\n";
   for (const SceneBench& scene : scenes) {
     const std::string begin = fmt::format("{}{}", quoted(scene.name()), scene_cells(scene));
     if (scene.plans.empty()) {
-      csv += fmt::format("{}{:,>15}\n", begin, "");
+      csv += fmt::format("{}{:,>17}\n", begin, "");
     }
     for (std::size_t i = 0; i < scene.plans.size(); ++i) {
       csv += fmt::format("{}{}\n", begin, plan_cells(settings, scene, i));

@@ -65,23 +65,25 @@ void BenchTable::begin_plans() const {
   fmt::print(
       "\nPlans: {} seed{}, {} thread{}, limit {:g} s; planning and smoothing in ms (a run without "
       "a path counts as endless).\n"
-      "{:<{}} {:<18} {:<14} {:>8} {:>8} {:>8} {:>8} {:>6} {:>9} {:>9} {:>6} {:>9}\n",
+      "{:<{}} {:<18} {:<14} {:>8} {:>8} {:>8} {:>8} {:>6} {:>9} {:>9} {:>6} {:>7} {:>7} {:>9}\n",
       settings_.seeds, settings_.seeds == 1 ? "" : "s", settings_.threads,
       settings_.threads == 1 ? "" : "s", settings_.time_limit_s, "scene", width_, "planner",
-      "checker", "solved", "median", "p95", "p99", "ratio", "checks", "samples", "nodes",
-      "memory MB");
+      "checker", "solved", "median", "p95", "p99", "ratio", "checks", "samples", "nodes", "length",
+      "to PMDs", "memory MB");
   std::fflush(stdout);
 }
 
 void BenchTable::add_plan(const SceneBench& scene, std::size_t i) const {
   const PlanBench& bench = scene.plans[i];
-  fmt::print("{:<{}} {:<18} {:<14} {:>8} {:>8} {:>8} {:>8} {:>6} {:>9} {:>9} {:>6} {:>9}\n",
-             scene.name(), width_, bench.planner, bench.checker,
-             fmt::format("{}/{}", solved_count(bench), bench.results.size()),
-             milliseconds(time_quantile(bench, 0.5)), milliseconds(time_quantile(bench, 0.95)),
-             milliseconds(time_quantile(bench, 0.99)), shown(time_ratio(scene, i)),
-             shown(median_checks(bench)), shown(median_samples(bench)),
-             shown(median_path_nodes(bench)), shown(static_cast<double>(bench.memory) / kMega));
+  fmt::print(
+      "{:<{}} {:<18} {:<14} {:>8} {:>8} {:>8} {:>8} {:>6} {:>9} {:>9} {:>6} {:>7} {:>7} {:>9}\n",
+      scene.name(), width_, bench.planner, bench.checker,
+      fmt::format("{}/{}", solved_count(bench), bench.results.size()),
+      milliseconds(time_quantile(bench, 0.5)), milliseconds(time_quantile(bench, 0.95)),
+      milliseconds(time_quantile(bench, 0.99)), shown(time_ratio(scene, i)),
+      shown(median_checks(bench)), shown(median_samples(bench)), shown(median_path_nodes(bench)),
+      shown(median_length(bench)), shown(median_to_subspace(bench)),
+      shown(static_cast<double>(bench.memory) / kMega));
   const auto failed = std::ranges::find_if(
       bench.results, [](const planning::PlanResult& result) { return !result.solved(); });
   if (!bench.problem.empty()) {

@@ -35,6 +35,17 @@ double median_of(const PlanBench& bench, const Value& value) {
   return quantile(std::move(values), 0.5);
 }
 
+template <typename Value>
+double median_of_paths(const PlanBench& bench, const Value& value) {
+  std::vector<double> values;
+  for (const auto& quality : bench.qualities) {
+    if (quality) {
+      values.push_back(value(*quality));
+    }
+  }
+  return quantile(std::move(values), 0.5);
+}
+
 }  // namespace
 
 PlanBench bench_planner(planning::Planner& planner,
@@ -51,6 +62,8 @@ PlanBench bench_planner(planning::Planner& planner,
       PlanResult result = planner.plan(problem, request);
       bench.seeds.push_back(request.seed);
       bench.path_nodes.push_back(result.path.waypoints.size());
+      bench.qualities.push_back(result.solved() ? std::optional(path_quality(problem, result.path))
+                                                : std::nullopt);
       bench.path_faults.emplace_back();
       if (checked && result.solved()) {
         bench.path_faults.back() = check_path(problem, result.path, kCheckResolution).faults;
@@ -106,6 +119,17 @@ double median_path_nodes(const PlanBench& bench) {
     }
   }
   return quantile(std::move(nodes), 0.5);
+}
+
+double median_length(const PlanBench& bench) {
+  return median_of_paths(bench, [](const planning::PathQuality& path) { return path.length; });
+}
+
+double median_to_subspace(const PlanBench& bench) {
+  return median_of_paths(bench, [](const planning::PathQuality& path) {
+    return path.human_likeness ? path.human_likeness->mean
+                               : std::numeric_limits<double>::quiet_NaN();
+  });
 }
 
 }  // namespace handway::tools

@@ -1,10 +1,12 @@
 #pragma once
 
+#include "handway/planning/core/objective.h"
 #include "handway/planning/core/planner.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,8 +17,9 @@ struct PlanBench {
   std::string planner;
   std::string checker;  ///< Key in checker_kinds().
   std::vector<std::uint64_t> seeds;
-  std::vector<planning::PlanResult> results;          ///< One a seed, without its path's points.
-  std::vector<std::size_t> path_nodes;                ///< One a seed; 0 where there is no path.
+  std::vector<planning::PlanResult> results;  ///< One a seed, without its path's points.
+  std::vector<std::size_t> path_nodes;        ///< One a seed; 0 where there is no path.
+  std::vector<std::optional<planning::PathQuality>> qualities;  ///< One a seed, of its path.
   std::vector<std::vector<std::string>> path_faults;  ///< One a seed, of paths that were checked.
   std::size_t memory = 0;                             ///< Peak, bytes.
   std::string problem;                                ///< Why it could not be run at all; or empty.
@@ -44,5 +47,9 @@ struct PlanBench {
 [[nodiscard]] double median_checks(const PlanBench& bench);
 /// Over the runs that found a path, or NaN.
 [[nodiscard]] double median_path_nodes(const PlanBench& bench);
+/// The same: of its length in normalised joints, and of the hand's mean distance from the PMD
+/// subspace (NaN without a basis, too).
+[[nodiscard]] double median_length(const PlanBench& bench);
+[[nodiscard]] double median_to_subspace(const PlanBench& bench);
 
 }  // namespace handway::tools

@@ -2,6 +2,7 @@
 
 #include "handway/geometric/math/units.h"
 #include "handway/planning/queries/failure_explanation.h"
+#include "path_quality_json.h"
 #include "version.h"
 
 #include <nlohmann/json.hpp>
@@ -47,28 +48,6 @@ Json statistics_of(const planning::PlanStatistics& statistics) {
 
 Json distance_of(const planning::DistanceAlong& distance) {
   return {{"mean", distance.mean}, {"largest", distance.largest}};
-}
-
-Json objective_of(const std::optional<planning::PathQuality>& quality) {
-  if (!quality) {
-    return nullptr;
-  }
-  Json likeness = nullptr;
-  if (const auto& human = quality->human_likeness) {
-    likeness = {{"to_subspace",
-                 {{"mean", human->mean},
-                  {"largest", human->largest},
-                  {"share_beyond", human->share_beyond},
-                  {"forced", human->forced}}},
-                {"mahalanobis",
-                 {{"mean", human->mahalanobis_mean}, {"largest", human->mahalanobis_largest}}}};
-  }
-  return {{"length", quality->length},
-          {"human_likeness", likeness},
-          {"clearance",
-           {{"least_mm", geometric::millimetres(quality->least_clearance)},
-            {"mean_mm", geometric::millimetres(quality->mean_clearance)}}},
-          {"duration_s", quality->duration}};
 }
 
 Json likeness_of(const std::optional<planning::PathLikeness>& likeness) {
@@ -122,7 +101,7 @@ std::string plan_report(planning::Planner& planner, const planning::PlanRequest&
         {"checks", result.certificate.checks}}},
       {"margin_mm", request.margin_mm},
       {"out_of_margin", out_of_margin},
-      {"objective", objective_of(quality)},
+      {"objective", path_quality_json(quality)},
       {"human_likeness", likeness_of(likeness)},
       {"statistics", statistics_of(result.statistics)},
       {"parameters", parameters},

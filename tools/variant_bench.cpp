@@ -70,6 +70,7 @@ std::vector<PlanBench> merged_plans(const VariantBench& bench) {
       append_to(merged[p].seeds, runs.plans[p].seeds);
       append_to(merged[p].results, runs.plans[p].results);
       append_to(merged[p].path_nodes, runs.plans[p].path_nodes);
+      append_to(merged[p].qualities, runs.plans[p].qualities);
       append_to(merged[p].path_faults, runs.plans[p].path_faults);
       merged[p].memory = std::max(merged[p].memory, runs.plans[p].memory);
     }

@@ -59,6 +59,8 @@ TEST_F(HandwayBench, MeasuresChecksAndPlans) {
   EXPECT_EQ(plan["median_s"], std::min(first, second));
   EXPECT_EQ(plan["p95_s"], std::max(first, second));
   EXPECT_GE(plan["path_nodes"], 2);
+  EXPECT_EQ(plan["length"], std::min(plan["runs"][0]["objective"]["length"].get<double>(),
+                                     plan["runs"][1]["objective"]["length"].get<double>()));
 }
 
 TEST_F(HandwayBench, WritesARowForEverySceneAndPlanner) {
