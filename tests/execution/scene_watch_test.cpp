@@ -13,6 +13,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <chrono>
 #include <functional>
 #include <memory>
@@ -72,6 +73,28 @@ Problem nothing_added() { return std::make_shared<const planning::PlanningProble
 SceneWatch::ProblemSource source_of(Problem problem) {
   return [problem = std::move(problem)](const std::stop_token& /*stop*/) { return problem; };
 }
+
+/// Finds everything free; on a computer too busy to say so while `is_busy`.
+class BusyChecker final : public geometric::CollisionChecker {
+ public:
+  BusyChecker(const geometric::CollisionChecker& checker, const std::atomic<bool>& is_busy)
+      : CollisionChecker(checker.shared_world()), is_busy_(is_busy) {}
+  [[nodiscard]] std::unique_ptr<CollisionChecker> clone() const override {
+    return std::make_unique<BusyChecker>(*this, is_busy_);
+  }
+
+ private:
+  [[nodiscard]] bool do_pair_collides(int /*pair*/) override { return false; }
+  [[nodiscard]] double do_pair_distance(int /*pair*/, double enough) override { return enough; }
+  [[nodiscard]] std::optional<int> do_first_collision(int /*hint*/) override {
+    while (is_busy_) {
+      std::this_thread::sleep_for(milliseconds(1));
+    }
+    return std::nullopt;
+  }
+
+  const std::atomic<bool>& is_busy_;
+};
 
 /// What an import of a large mesh is like.
 SceneWatch::ProblemSource slow_source_of(Problem problem, milliseconds delay) {
@@ -309,6 +332,36 @@ TEST_F(WatchedRun, HoldsBeforeAWallThatIsAddedUnderWay) {
   EXPECT_LE(held_ms, 100.0);
   RecordProperty("held_ms", std::to_string(held_ms));
   EXPECT_TRUE(is_free(walled, measured()));
+}
+
+TEST_F(WatchedRun, HoldsWhereMeasuredPosturesAreNotCheckedForTooLong) {
+  std::atomic<bool> is_busy = false;
+  auto problem = std::make_shared<planning::PlanningProblem>(empty_cell());
+  problem->checker = std::make_shared<const BusyChecker>(*empty_cell().checker, is_busy);
+  SceneWatch watch(sweep().trajectory, source_of(problem));
+  Clock::time_point busy_since;
+  script_.progress = [&](double time) {
+    if (time > 0.2 && script_.reasons.empty() && !is_busy) {
+      busy_since = Clock::now();
+      is_busy = true;
+    }
+  };
+  double held_ms = -1.0;
+  script_.held = [&](const std::string& reason) {
+    if (held_ms < 0.0) {
+      held_ms = ms_since(busy_since);
+      EXPECT_THAT(reason, HasSubstr("too busy"));
+      is_busy = false;
+    } else {
+      EXPECT_THAT(reason, HasSubstr("can go on"));
+      requests_.hold = false;
+    }
+  };
+  const MotionOutcome outcome = run(watch);
+  EXPECT_TRUE(outcome.done) << outcome.fault << outcome.collision;
+  EXPECT_EQ(script_.reasons.size(), 2U);
+  EXPECT_GT(held_ms, 0.0);
+  EXPECT_LE(held_ms, 150.0) << "from the next sample on";
 }
 
 TEST_F(WatchedRun, HoldsUntilThereIsAnAnswerAndThenWaitsForAPerson) {

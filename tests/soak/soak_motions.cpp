@@ -8,7 +8,8 @@
 /// hand, through sockets, in scenes that are edited meanwhile. `--virtual`: the same with simulated
 /// devices, on a clock that goes on with each step of the loop that drives them: as fast as the
 /// machine allows, and the same on one that is busy. A motion fails if a joint still moves in
-/// collision later than kReaction after the edit that is in its way. Exits 1 if any path or motion
+/// collision later than kReaction after the edit that is in its way, and as much later as a busy
+/// machine let the loop stand still. Exits 1 if any path or motion
 /// fails, or a verdict is wrong.
 #include "handway/device/arm/arm_emulator.h"
 #include "handway/device/core/motion_link.h"
@@ -106,8 +107,8 @@ using Problem = std::shared_ptr<const PlanningProblem>;
 using Clock = SceneWatch::Clock;
 
 // From an edit to rest: the hold, the devices' own stopping, the last sample.
-constexpr double kReaction = 0.5;  // s
-constexpr double kAtRest = 2e-4;   // rad, from one sample to the next
+constexpr double kReaction = 0.5;              // s
+constexpr double kAtRest = 2e-4;               // rad, from one sample to the next
 constexpr std::chrono::milliseconds kStep{1};  // of a device in virtual time
 
 double seconds(Clock::duration duration) { return std::chrono::duration<double>(duration).count(); }
@@ -444,7 +445,8 @@ struct Tally {
   int solved = 0;  ///< Motions that went to their end.
   int held = 0;    ///< Motions that were held or stopped for the scene.
   int failed = 0;
-  double longest_hold_ms = 0.0;  ///< From the edit until the motion was held or stopped.
+  double longest_hold_ms = 0.0;   ///< From the edit until the motion was held or stopped.
+  double longest_stall_ms = 0.0;  ///< Of the loop that drives the devices: a busy machine's.
 };
 
 /// The program's clock stands while this lives, but for the steps of simulated devices.
@@ -572,6 +574,7 @@ class Witness final : public execution::MotionObserver {
       scene_.edit();
       take_scene();
       edited_ = Clock::now();
+      stall_ = 0.0;
       next_edit_ = edited_ + random_pause();
       watch_->follow(
           [problem = problem_](const std::stop_token& /*stop*/) { return problem->get(); });
@@ -592,7 +595,9 @@ class Witness final : public execution::MotionObserver {
   [[nodiscard]] bool held() const { return held_; }
   [[nodiscard]] double longest_hold() const { return longest_hold_; }
 
-  /// Did a joint move in collision, later than kReaction after the edit?
+  [[nodiscard]] double longest_stall() const { return longest_stall_; }
+
+  /// Did a joint move in collision, later than kReaction after the edit and the loop's stalls?
   [[nodiscard]] bool saw_collision() {
     std::shared_ptr<LaterProblem> of;
     std::unique_ptr<Reference> reference;
@@ -624,7 +629,12 @@ class Witness final : public execution::MotionObserver {
     const Configuration q = execution::with_measured(q_, targets_);
     const bool moved = (q - q_).cwiseAbs().maxCoeff() > kAtRest;
     q_ = q;
-    if (moved && seconds(now - edited_) > kReaction) {
+    if (noted_ != Clock::time_point{}) {
+      stall_ = std::max(stall_, seconds(now - std::max(noted_, edited_)));
+      longest_stall_ = std::max(longest_stall_, stall_);
+    }
+    noted_ = now;
+    if (moved && seconds(now - edited_) > kReaction + stall_) {
       moved_.push_back({problem_, q});
     }
   }
@@ -639,6 +649,9 @@ class Witness final : public execution::MotionObserver {
   Clock::time_point edited_;
   Clock::time_point held_at_;
   std::vector<Place> moved_;
+  Clock::time_point noted_;
+  double stall_ = 0.0;  ///< The longest that the loop got no time of the machine since the edit.
+  double longest_stall_ = 0.0;
   double longest_hold_ = 0.0;
   int edits_ = 0;
   bool held_ = false;
@@ -683,6 +696,7 @@ Tally soak_motions(const planning::LoadedScene& loaded, int count, std::uint64_t
     tally.solved += outcome.done ? 1 : 0;
     tally.held += witness.held() || !outcome.collision.empty() ? 1 : 0;
     tally.longest_hold_ms = std::max(tally.longest_hold_ms, 1e3 * witness.longest_hold());
+    tally.longest_stall_ms = std::max(tally.longest_stall_ms, 1e3 * witness.longest_stall());
     if (!outcome.fault.empty() && outcome.collision.empty()) {
       fmt::print("motion {}: {}\n", i, outcome.fault);
     }
@@ -699,6 +713,9 @@ void print(const char* what, const Tally& tally) {
              tally.tried, tally.solved, tally.held, tally.failed);
   if (tally.longest_hold_ms > 0.0) {
     fmt::print("; {:.0f} ms from edit to hold at most", tally.longest_hold_ms);
+  }
+  if (tally.longest_stall_ms > 0.0) {
+    fmt::print("; the program stood still for {:.0f} ms at most", tally.longest_stall_ms);
   }
   fmt::print("\n");
 }

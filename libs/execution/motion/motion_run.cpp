@@ -218,7 +218,7 @@ class Run {
     if (now.state == SceneVerdict::State::kUnknown && !held_ &&
         Clock::now() - now.since >= SceneWatch::kLongestWait) {
       pause();
-      hold_for("The scene was edited: the rest of the motion is not checked yet.");
+      hold_for(now.reason);
     }
     if (now.state == SceneVerdict::State::kBlocked) {
       if (!held_) {

@@ -20,6 +20,11 @@ SceneVerdict blocked(std::string reason, double time) {
   return {SceneVerdict::State::kBlocked, std::move(reason), time, {}};
 }
 
+SceneVerdict unknown(std::string reason, SceneWatch::Clock::time_point since) {
+  return {SceneVerdict::State::kUnknown, std::move(reason), std::numeric_limits<double>::infinity(),
+          since};
+}
+
 // As devices run it.
 Trajectory from_time_zero(Trajectory motion) {
   const double begin = motion.points.front().time;
@@ -105,14 +110,16 @@ SceneWatch::~SceneWatch() {
 // What is known is void. @pre mutex_ is locked.
 void SceneWatch::renew() {
   if (answered_ == asked_) {
-    verdict_ = {};
-    verdict_.since = Clock::now();
+    verdict_ =
+        unknown("The scene was edited: the rest of the motion is not checked yet.", Clock::now());
   }
   ++asked_;
 }
 
 void SceneWatch::set_place(double time, const Configuration& measured) {
-  measured_is_new_ = measured_is_new_ || measured != place_.measured;
+  if (!new_since_ && measured != place_.measured) {
+    new_since_ = Clock::now();
+  }
   place_ = {time, measured};
 }
 
@@ -134,8 +141,14 @@ void SceneWatch::ask(double time, const Configuration& measured) {
 SceneVerdict SceneWatch::look(double time, const Configuration& measured) {
   const std::lock_guard lock(mutex_);
   set_place(time, measured);
-  if (measured_is_new_) {
+  if (new_since_) {
     wake_.notify_all();
+  }
+  const auto unchecked_since = checked_since_ ? checked_since_ : new_since_;
+  if (verdict_.state == SceneVerdict::State::kFree && unchecked_since &&
+      Clock::now() - *unchecked_since >= kLongestWait) {
+    return unknown("This computer is too busy to check where the robot is measured.",
+                   *unchecked_since);
   }
   return verdict_;
 }
@@ -163,13 +176,13 @@ SceneVerdict SceneWatch::answer(std::unique_ptr<Checks>& checks, const Order& or
 
 SceneWatch::Place SceneWatch::latest_place() {
   const std::lock_guard lock(mutex_);
-  measured_is_new_ = false;
+  checked_since_ = std::exchange(new_since_, std::nullopt);
   return place_;
 }
 
 std::optional<SceneWatch::Order> SceneWatch::next_order(const std::stop_token& stop) {
   std::unique_lock lock(mutex_);
-  const auto something = [this] { return asked_ != answered_ || measured_is_new_; };
+  const auto something = [this] { return asked_ != answered_ || new_since_; };
   if (!wake_.wait(lock, stop, something) || stop.stop_requested()) {
     return std::nullopt;
   }
@@ -186,7 +199,10 @@ void SceneWatch::work(const std::stop_token& stop) {
   while (const std::optional<Order> order = next_order(stop)) {
     SceneVerdict verdict = answer(checks, *order);
     const std::lock_guard lock(mutex_);
-    measured_is_new_ = measured_is_new_ && checks;
+    checked_since_.reset();
+    if (!checks) {
+      new_since_.reset();
+    }
     if (order->asked != asked_) {
       continue;  // another scene or question has come
     }

@@ -21,12 +21,14 @@ namespace handway::execution {
 /// Whether a motion may go on in the scene as it is.
 struct SceneVerdict {
   enum class State {
-    kUnknown,  ///< The latest edit or question is not answered yet.
+    /// The latest edit or question is not answered yet, or where the robot is measured was not
+    /// checked for kLongestWait.
+    kUnknown,
     kFree,     ///< The rest of the motion is free, from where the robot was measured.
     kBlocked,  ///< It is not, or the robot collides where it is measured.
   };
   State state = State::kUnknown;
-  std::string reason;  ///< Of kBlocked: a sentence.
+  std::string reason;  ///< A sentence, but of kFree.
   /// Of kBlocked: when the motion is there, s of the motion; infinite if it is not known.
   double time = std::numeric_limits<double>::infinity();
   std::chrono::steady_clock::time_point since;  ///< When this state of knowledge began.
@@ -95,7 +97,9 @@ class HANDWAY_EXECUTION_EXPORT SceneWatch {
   std::uint64_t asked_ = 0;             ///< Edits and questions.
   std::uint64_t answered_ = 0;          ///< The latest of them that verdict_ answers.
   Place place_;                         ///< The latest.
-  bool measured_is_new_ = false;
+  /// When the first posture was measured that no check has taken up yet, …
+  std::optional<Clock::time_point> new_since_;
+  std::optional<Clock::time_point> checked_since_;  ///< … and the same of the one being checked.
   SceneVerdict verdict_;
   std::jthread thread_;
 };
