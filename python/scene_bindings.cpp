@@ -149,7 +149,7 @@ void bind_questions(py::class_<SceneModel>& scene) {
            "Is every variable within its limits?\n\nq: [variables] or [n, variables]. Returns a "
            "bool or [n].")
       .def("collides", &collides, py::arg("q"),
-           "Does the robot touch itself or anything else?\n\n"
+           "Does the robot touch itself or anything else, or violate a constraint?\n\n"
            "q: [variables] or [n, variables], rad or m. Returns a bool or [n].")
       .def("clearance", &clearance, py::arg("q"),
            py::arg("enough") = std::numeric_limits<double>::infinity(),
@@ -158,6 +158,8 @@ void bind_questions(py::class_<SceneModel>& scene) {
            "enough: larger distances (m) count as this much, which is faster.")
       .def("collisions", &collisions, py::arg("q"),
            "All pairs of bodies that touch, as pairs of names. q: [variables], rad or m.")
+      .def("violations", &violations, py::arg("q"),
+           "A text for each constraint of the scene that is violated. q: [variables], rad or m.")
       .def("closest_pair", &closest_pair, py::arg("q"),
            "The closest pair: two names and the distance, m. q: [variables], rad or m.")
       .def("link_pose", &link_pose, py::arg("link"), py::arg("q"),

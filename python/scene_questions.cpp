@@ -121,6 +121,21 @@ py::list collisions(const SceneModel& scene, const Array& q) {
   return names;
 }
 
+py::list violations(const SceneModel& scene, const Array& q) {
+  const Configuration row = vector_from(q, scene.robot().variable_count(), "q");
+  std::vector<std::string> violated;
+  {
+    const py::gil_scoped_release release;
+    scene.checkers().lend(
+        [&](CollisionChecker& checker) { violated = violated_constraints(checker, row); });
+  }
+  py::list texts;
+  for (const std::string& text : violated) {
+    texts.append(text);
+  }
+  return texts;
+}
+
 py::tuple closest_pair(const SceneModel& scene, const Array& q) {
   const Configuration row = vector_from(q, scene.robot().variable_count(), "q");
   NamedPair pair;

@@ -27,6 +27,7 @@ namespace handway::python {
 
 /// The pairs that touch in `q` [variables]: a list of two names each.
 [[nodiscard]] pybind11::list collisions(const SceneModel& scene, const Array& q);
+[[nodiscard]] pybind11::list violations(const SceneModel& scene, const Array& q);
 
 /// The closest pair in `q` [variables]: two names and the distance, m.
 [[nodiscard]] pybind11::tuple closest_pair(const SceneModel& scene, const Array& q);

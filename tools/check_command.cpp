@@ -8,12 +8,15 @@
 #include "handway/planning/paths/path_csv.h"
 #include "number_options.h"
 #include "scene_warnings.h"
+#include "upright_option.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <filesystem>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace handway::tools {
 namespace {
@@ -23,6 +26,7 @@ struct CheckOptions {
   std::filesystem::path path;
   std::filesystem::path postures;
   double resolution_mm = 1.0;
+  std::vector<std::string> uprights;
 };
 
 void print_likeness(const planning::PathLikeness& likeness) {
@@ -40,8 +44,9 @@ void print_likeness(const planning::PathLikeness& likeness) {
 int check(const CheckOptions& options) {
   planning::Extensions extensions;
   extensions.load_plugins(planning::plugin_directory());
-  const planning::LoadedScene loaded = planning::load_scene(options.scene, extensions);
+  planning::LoadedScene loaded = planning::load_scene(options.scene, extensions);
   print_warnings(*loaded.scene);
+  add_uprights(options.uprights, loaded);
   const planning::PlanningProblem problem = planning::make_problem(loaded.scene, loaded.basis);
   const planning::Path path = planning::read_path_csv(problem.model(), options.path);
   const planning::PathCheckResult result =
@@ -49,9 +54,10 @@ int check(const CheckOptions& options) {
   for (const std::string& fault : result.faults) {
     fmt::print("{}\n", fault);
   }
-  fmt::print("{}: {} waypoints, {} configurations checked at {:g} mm or closer, {} in collision",
+  fmt::print("{}: {} waypoints, {} configurations checked at {:g} mm or closer, {} in collision{}",
              result.valid() ? "valid" : "NOT VALID", path.waypoints.size(), result.configurations,
-             options.resolution_mm, result.collisions);
+             options.resolution_mm, result.collisions,
+             loaded.scene->constraints.empty() ? "" : " or violating a constraint");
   if (result.collisions == 0 && !result.closest_pair.empty()) {
     fmt::print(", smallest clearance {:.3f} mm ({})", result.min_clearance_mm, result.closest_pair);
   }
@@ -79,6 +85,7 @@ void add_check_command(CLI::App& app, int& exit_code) {
       ->capture_default_str();
   command->add_option("--postures", options->postures,
                       "Recorded postures to compare the hand with (default: the basis')");
+  add_upright_option(*command, options->uprights);
   command->callback([options, &exit_code] { exit_code = check(*options); });
 }
 

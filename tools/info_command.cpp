@@ -90,6 +90,7 @@ struct End {
   bool within_limits = true;
   std::vector<geometric::LimitViolation> violations = {};
   std::vector<geometric::NamedPair> touching = {};
+  std::vector<std::string> violated = {};  ///< Constraints.
   std::optional<geometric::NamedPair> closest =
       std::nullopt;  ///< Of a free one, if there is a pair.
 };
@@ -106,6 +107,7 @@ std::vector<End> examine_ends(const geometric::Scene& scene, geometric::Collisio
     end.violations = geometric::limit_violations(model, **q);
     end.within_limits = end.violations.empty();
     end.touching = geometric::find_collisions(checker, **q);
+    end.violated = geometric::violated_constraints(checker, **q);
     if (end.touching.empty() && !checker.world().pairs().empty()) {
       end.closest = geometric::find_clearance(checker, **q);
     }
@@ -118,6 +120,9 @@ void print_ends(const std::vector<End>& ends, const geometric::CollisionChecker&
   for (const End& end : ends) {
     for (const geometric::LimitViolation& violation : end.violations) {
       fmt::print("{}: OUT OF LIMITS, {}\n", end.which, to_string(violation));
+    }
+    for (const std::string& violated : end.violated) {
+      fmt::print("{}: VIOLATES {}\n", end.which, violated);
     }
     if (end.closest) {
       fmt::print("{}: free, closest {} with {} at {:.3f} mm\n", end.which, end.closest->a,
@@ -135,7 +140,9 @@ void print_ends(const std::vector<End>& ends, const geometric::CollisionChecker&
 Json json_of(const End& end) {
   const geometric::NamedPair* pair =
       end.touching.empty() ? (end.closest ? &*end.closest : nullptr) : &end.touching.front();
-  Json object{{"free", end.touching.empty()}, {"within_limits", end.within_limits}};
+  Json object{{"free", end.touching.empty()},
+              {"within_limits", end.within_limits},
+              {"violated", end.violated}};
   object["pair"] = pair ? Json::array({pair->a, pair->b}) : Json();
   object["distance_mm"] = pair ? Json(geometric::millimetres(pair->distance)) : Json();
   return object;

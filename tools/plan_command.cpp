@@ -16,6 +16,7 @@
 #include "plan_report.h"
 #include "scene_planner.h"
 #include "scene_warnings.h"
+#include "upright_option.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -48,6 +49,7 @@ struct PlanOptions {
   double margin_mm = 0.0;
   double optimize_s = 0.0;
   std::vector<std::string> settings;
+  std::vector<std::string> uprights;
   fs::path out;
   fs::path report;
 };
@@ -129,6 +131,7 @@ int plan(PlanOptions options) {
   planning::LoadedScene loaded = planning::load_scene(options.scene, extensions);
   print_warnings(*loaded.scene);
   choose_basis(options.settings, loaded);
+  add_uprights(options.uprights, loaded);
   const std::unique_ptr<planning::Planner> planner =
       scene_planner(options.planner, loaded.scene->planner, extensions.planners());
   apply_settings(*planner, options.settings);
@@ -187,6 +190,7 @@ void add_plan_command(CLI::App& app, int& exit_code) {
       ->type_name("KEY=VALUE")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  add_upright_option(*command, options->uprights);
   command->add_option("--out", options->out, "Write the path here (CSV)");
   command->add_option("--report", options->report, "Write a report here (JSON)");
   command->callback([options, &exit_code] { exit_code = plan(*options); });

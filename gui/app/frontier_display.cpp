@@ -48,7 +48,7 @@ void FrontierDisplay::show() {
   const auto& rejections = result.statistics.rejections;
   const auto most = std::ranges::max_element(rejections, {},
                                              [](const auto& rejected) { return rejected.second; });
-  if (most != rejections.end()) {
+  if (most != rejections.end() && !most->first.second.empty()) {
     frontier.colliding = {most->first.first, most->first.second};
   }
   view_.show_frontier(frontier);

@@ -1,6 +1,9 @@
 #include "editing/scene_edits.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace handway::gui {
@@ -12,7 +15,14 @@ using geometric::SceneObject;
 
 namespace {
 
+// A constraint goes with the object that it is about, also where that is only detached.
 SceneState with_scene(const SceneState& state, Scene scene) {
+  if (!scene.constraints.empty()) {
+    const std::vector<std::string> bodies = constrainable_bodies(scene);
+    std::erase_if(scene.constraints, [&](const geometric::PathConstraint& constraint) {
+      return std::ranges::count(bodies, constraint.body) == 0;
+    });
+  }
   SceneState next = state;
   next.scene = std::make_shared<const Scene>(std::move(scene));
   return next;
@@ -112,7 +122,45 @@ SceneState with_changed_objects(const SceneState& state, const std::vector<std::
 
 SceneState with_renamed_object(const SceneState& state, const std::string& name,
                                const std::string& new_name) {
-  return with_changed_object(state, name, [&](SceneObject& object) { object.name = new_name; });
+  Scene scene = *state.scene;
+  for (SceneObject& object : scene.objects) {
+    if (object.name != name) {
+      continue;
+    }
+    object.name = new_name;
+    if (is_carried_by(object, scene.robots.front())) {  // if not, they are about a link
+      for (geometric::PathConstraint& constraint : scene.constraints) {
+        constraint.body = constraint.body == name ? new_name : constraint.body;
+      }
+    }
+  }
+  return with_scene(state, std::move(scene));
+}
+
+SceneState with_constraint(const SceneState& state, geometric::PathConstraint constraint) {
+  Scene scene = *state.scene;
+  const auto same =
+      std::ranges::find(scene.constraints, constraint.name, &geometric::PathConstraint::name);
+  if (same != scene.constraints.end()) {
+    *same = std::move(constraint);
+  } else {
+    scene.constraints.push_back(std::move(constraint));
+  }
+  return with_scene(state, std::move(scene));
+}
+
+SceneState without_constraint(const SceneState& state, std::string_view name) {
+  Scene scene = *state.scene;
+  std::erase_if(scene.constraints, [&](const geometric::PathConstraint& constraint) {
+    return constraint.name == name;
+  });
+  return with_scene(state, std::move(scene));
+}
+
+std::string unused_constraint_name(const Scene& scene, const std::string& name) {
+  return unlike_others(name, [&](const std::string& word) {
+    return std::ranges::count(scene.constraints, word, &geometric::PathConstraint::name) > 0;
+  });
 }
 
 SceneState with_base(const SceneState& state, std::string_view robot, const Pose& X_WB) {
@@ -166,6 +214,37 @@ std::optional<Pose> link_pose(const Scene& scene, const Configuration& q, std::s
   const bool is_first = instance == &scene.robots.front();
   instance->model->forward_kinematics(is_first ? q : instance->configuration, X_BL);
   return instance->X_WB * X_BL[static_cast<std::size_t>(*index)];
+}
+
+std::optional<Pose> body_pose(const Scene& scene, const Configuration& q, std::string_view body) {
+  const SceneObject* object = geometric::find_object(scene, body);
+  if (object && is_carried_by(*object, scene.robots.front())) {
+    return object_pose(scene, q, *object);
+  }
+  return link_pose(scene, q, scene.robots.front().name, body);
+}
+
+geometric::PathConstraint new_upright(const Scene& scene, const Configuration& q,
+                                      const std::string& body) {
+  geometric::OrientationConstraint upright;
+  const Eigen::Vector3d up = body_pose(scene, q, body)->linear().transpose().col(2);
+  Eigen::Index nearest = 0;
+  up.cwiseAbs().maxCoeff(&nearest);
+  upright.axis = Eigen::Vector3d::Unit(nearest) * std::copysign(1.0, up[nearest]);
+  return {unused_constraint_name(scene, body + " upright"), body, upright};
+}
+
+geometric::PathConstraint new_region(const Scene& scene, const Configuration& q,
+                                     const std::string& body) {
+  constexpr double kRoom = 0.1;  // m, on each side
+  Eigen::AlignedBox3d box;
+  for (const Configuration& at : {q, scene.start.value_or(q), scene.goal.value_or(q)}) {
+    box.extend(body_pose(scene, at, body)->translation());
+  }
+  geometric::PositionConstraint region;
+  region.size = (box.sizes().array() + 2.0 * kRoom).matrix();
+  region.X_WR.translation() = box.center();
+  return {unused_constraint_name(scene, "region of " + body), body, region};
 }
 
 Pose object_pose(const Scene& scene, const Configuration& q, const SceneObject& object) {

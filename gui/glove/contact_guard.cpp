@@ -67,10 +67,12 @@ void ContactGuard::take(const StepReport& report) {
   if (rule_ == ContactRule::kPass || posture.values.empty()) {
     return;
   }
-  tell(report.contact ? tr("%1 touches %2")
-                            .arg(QString::fromStdString(report.contact->a),
-                                 QString::fromStdString(report.contact->b))
-                      : QString());
+  const auto text = [](const geometric::NamedPair& contact) {
+    const QString a = QString::fromStdString(contact.a);
+    return contact.b.empty() ? tr("At the limit of constraint %1").arg(a)
+                             : tr("%1 touches %2").arg(a, QString::fromStdString(contact.b));
+  };
+  tell(report.contact ? text(*report.contact) : QString());
   for (auto& [joint, value] : posture.values) {
     if (const auto variable = model_->find_variable(joint)) {
       value = report.q[*variable];

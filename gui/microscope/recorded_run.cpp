@@ -42,8 +42,9 @@ void RunRecorder::on_step(const planning::AlgorithmStep& step) {
 }
 
 RecordedRun RunRecorder::take(planning::PlanResult result, const geometric::CollisionWorld& world) {
-  for (const geometric::BodyPair& pair : world.pairs()) {
-    run_.pairs.emplace_back(world.body(pair.a).name, world.body(pair.b).name);
+  for (int check = 0; check < world.check_count(); ++check) {
+    const geometric::NamedPair pair = named_pair(world, check, 0.0);
+    run_.pairs.emplace_back(pair.a, pair.b);
   }
   run_.result = std::move(result);
   return std::move(run_);

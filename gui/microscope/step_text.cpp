@@ -41,6 +41,10 @@ QString hand_text(const RecordedRun& run, const AlgorithmStep& step) {
     return QObject::tr("%1 is free: a sample.").arg(axes);
   }
   const auto& [a, b] = run.pairs[static_cast<std::size_t>(step.pair)];
+  if (b.empty()) {
+    return QObject::tr("%1 is refused: it violates constraint %2.")
+        .arg(axes, QString::fromStdString(a));
+  }
   return QObject::tr("%1 is refused: %2 touches %3.")
       .arg(axes, QString::fromStdString(a), QString::fromStdString(b));
 }

@@ -26,31 +26,29 @@ CollisionLabel::CollisionLabel(QWidget* parent) : QLabel(parent) {
 
 void CollisionLabel::show_report(const CollisionReport& report) {
   const ThemeColors colors = colors_of(current_theme());
-  if (report.collisions.empty()) {
-    setToolTip({});
-    if (report.closest) {
-      setText(
-          dotted(colors.good, tr("free, closest: %1 to %2, %3 mm")
-                                  .arg(QString::fromStdString(report.closest->a).toHtmlEscaped(),
-                                       QString::fromStdString(report.closest->b).toHtmlEscaped())
-                                  .arg(report.closest->distance * 1e3, 0, 'f', 1)));
-    } else {
-      setText(
-          dotted(colors.good,
-                 tr("free, nothing within %1 mm").arg(CollisionMonitor::kNear * 1e3, 0, 'f', 0)));
-    }
-    return;
-  }
-  QString text = tr("in collision: %1").arg(pair_text(report.collisions.front()));
-  if (report.collisions.size() > 1) {
-    text += tr(" (and %1 more)").arg(report.collisions.size() - 1);
-  }
-  setText(dotted(colors.bad, text));
   QStringList all;
   for (const geometric::NamedPair& pair : report.collisions) {
-    all << pair_text(pair);
+    all << tr("in collision: %1").arg(pair_text(pair));
   }
-  setToolTip(all.join(QStringLiteral("<br>")));
+  for (const std::string& violated : report.violated) {
+    all << tr("violates %1").arg(QString::fromStdString(violated).toHtmlEscaped());
+  }
+  if (!all.empty()) {
+    const int others = all.size() - 1;
+    setText(dotted(colors.bad,
+                   others > 0 ? tr("%1 (and %2 more)").arg(all.front()).arg(others) : all.front()));
+    setToolTip(all.join(QStringLiteral("<br>")));
+    return;
+  }
+  setToolTip({});
+  setText(
+      dotted(colors.good,
+             report.closest
+                 ? tr("free, closest: %1 to %2, %3 mm")
+                       .arg(QString::fromStdString(report.closest->a).toHtmlEscaped(),
+                            QString::fromStdString(report.closest->b).toHtmlEscaped())
+                       .arg(report.closest->distance * 1e3, 0, 'f', 1)
+                 : tr("free, nothing within %1 mm").arg(CollisionMonitor::kNear * 1e3, 0, 'f', 0)));
 }
 
 void CollisionLabel::show_nothing() {

@@ -43,6 +43,9 @@ QString diagnosis_text(const geometric::RobotModel& model, const EndDiagnosis& e
     }
     lines << QObject::tr("Beyond its limits: <b>%1</b>").arg(joints.join(QStringLiteral(", ")));
   }
+  for (const std::string& violated : end.violated) {
+    lines << QObject::tr("Violates %1").arg(words(violated));
+  }
   const int named = std::min(kMostContacts, static_cast<int>(end.contacts.size()));
   for (int i = 0; i < named; ++i) {
     lines << contact_text(end.contacts[static_cast<std::size_t>(i)]);

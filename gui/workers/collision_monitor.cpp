@@ -14,6 +14,7 @@ CollisionReport report_on(CollisionChecker& checker, geometric::ClosestPointFind
                           const Configuration& q) {
   CollisionReport report;
   report.collisions = geometric::find_collisions(checker, q);
+  report.violated = geometric::violated_constraints(checker, q);
   if (report.collisions.empty()) {
     const geometric::NamedPair pair =
         geometric::find_clearance(checker, q, CollisionMonitor::kNear);

@@ -11,14 +11,16 @@
 #include <mutex>
 #include <optional>
 #include <stop_token>
+#include <string>
 #include <thread>
 #include <vector>
 
 namespace handway::gui {
 
-/// What touches what in one configuration.
+/// What touches what in one configuration, and which constraints it violates.
 struct CollisionReport {
   std::vector<geometric::NamedPair> collisions;
+  std::vector<std::string> violated;  ///< As violated_constraints() says.
   /// The closest pair of a free configuration; nothing if all are farther apart
   /// than CollisionMonitor::kNear.
   std::optional<geometric::NamedPair> closest;

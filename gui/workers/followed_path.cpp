@@ -93,8 +93,8 @@ FollowedPath::FollowedPath(const planning::PlanningProblem& problem, Path path,
 
 bool FollowedPath::move_to(const Scene& scene) {
   const auto before = std::exchange(scene_, std::make_shared<const Scene>(scene));
-  if (!same_robots(*before, scene) || !same_carried(*before, scene) || !scene.start ||
-      !scene.goal) {
+  if (!same_robots(*before, scene) || !same_carried(*before, scene) ||
+      before->constraints != scene.constraints || !scene.start || !scene.goal) {
     return false;
   }
   for (const SceneObject& old : before->objects) {

@@ -12,8 +12,8 @@ namespace {
 
 QString text_of(const planning::PathConflict& conflict, const PathTimeline& timeline) {
   const double waypoint = static_cast<double>(conflict.waypoint) + conflict.share;
-  return QObject::tr("Out of date, the scene was edited: %1 %2 at %3 s of the path.")
-      .arg(QString::fromStdString(conflict.bodies), QString::fromStdString(conflict.what))
+  return QObject::tr("Out of date, the scene was edited: %1 at %2 s of the path.")
+      .arg(QString::fromStdString(conflict.text))
       .arg(timeline.fraction_at(waypoint) * timeline.duration(), 0, 'f', 2);
 }
 

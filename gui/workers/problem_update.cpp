@@ -40,7 +40,8 @@ bool same_attachment(const SceneObject& a, const SceneObject& b) {
          a.attachment->touching == b.attachment->touching && same_pose(a.X_PO, b.X_PO);
 }
 
-// Objects may move, go, or come at the end; everything else needs a new world.
+// Objects may move, go, or come at the end, and constraints change; everything else needs a new
+// world.
 std::optional<CollisionWorld> updated_world(const CollisionWorld& world, const Scene& before,
                                             const Scene& after) {
   CollisionWorld updated = world;
@@ -69,18 +70,18 @@ std::optional<CollisionWorld> updated_world(const CollisionWorld& world, const S
     }
     updated = updated.with_object(object);
   }
-  return updated;
+  return updated.with_constraints_of(after);
 }
 
 bool same_world(const Scene& a, const Scene& b) {
-  if (a.objects.size() != b.objects.size()) {
+  if (a.objects.size() != b.objects.size() || a.constraints != b.constraints) {
     return false;
   }
   for (std::size_t i = 0; i < a.objects.size(); ++i) {
     const SceneObject& x = a.objects[i];
     const SceneObject& y = b.objects[i];
     if (x.name != y.name || !same_attachment(x, y) || !same_pose(x.X_PO, y.X_PO) ||
-        !same_shape(x.shape, y.shape)) {
+        !same_shape(x.shape, y.shape) || x.solid != y.solid) {
       return false;
     }
   }

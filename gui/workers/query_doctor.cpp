@@ -54,12 +54,13 @@ std::vector<EndDiagnosis> diagnose(const planning::PlanningProblem& problem, boo
     end.is_start = is_start;
     end.q = is_start ? problem.start : problem.goal;
     end.beyond_limits = joints_beyond_limits(problem.model(), end.q);
-    const bool collides = checker->first_collision(end.q).has_value();
-    if (!collides && end.beyond_limits.empty()) {
+    const bool refused = checker->first_collision(end.q).has_value();
+    if (!refused && end.beyond_limits.empty()) {
       continue;
     }
-    if (collides) {
+    if (refused) {
       end.contacts = geometric::find_contacts(*checker, end.q);
+      end.violated = geometric::violated_constraints(*checker, end.q);
     }
     end.nearest = planning::find_nearest_free(problem, end.q, {}, stop);
     ends.push_back(std::move(end));

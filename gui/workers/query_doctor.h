@@ -20,6 +20,7 @@ struct EndDiagnosis {
   geometric::Configuration q;                ///< What was looked at.
   std::vector<geometric::Contact> contacts;  ///< Deepest first.
   std::vector<std::string> beyond_limits;    ///< Names of joints.
+  std::vector<std::string> violated;         ///< As violated_constraints() says.
   planning::NearestFree nearest;
 };
 

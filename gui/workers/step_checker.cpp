@@ -19,10 +19,7 @@ StepReport report_on(CollisionChecker& checker, const ProposedStep& step,
   if (!free.pair) {
     return {step.to, std::nullopt};
   }
-  const geometric::BodyPair& pair = checker.world().pairs()[static_cast<std::size_t>(*free.pair)];
-  return {slides ? free.q : step.from,
-          geometric::NamedPair{checker.world().body(pair.a).name, checker.world().body(pair.b).name,
-                               0.0}};
+  return {slides ? free.q : step.from, named_pair(checker.world(), *free.pair, 0.0)};
 }
 
 }  // namespace

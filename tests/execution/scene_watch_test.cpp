@@ -214,6 +214,24 @@ TEST(SceneWatch, CountsWhatIsCarried) {
   EXPECT_THAT(answer_of(watch, 0.0, start()).reason, AllOf(HasSubstr("rod"), HasSubstr("wall")));
 }
 
+TEST(SceneWatch, BlocksWhatViolatesAConstraint) {
+  SceneWatch watch(sweep().trajectory, source_of(nothing_added()));
+  watch.ask(0.0, start());
+  EXPECT_EQ(answer_of(watch, 0.0, start()).reason, "");
+  auto scene = std::make_shared<geometric::Scene>(*empty_cell().scene);
+  geometric::OrientationConstraint ahead;
+  ahead.axis = Eigen::Vector3d::UnitX();
+  ahead.direction = Eigen::Vector3d::UnitX();
+  ahead.angle = 0.2;
+  scene->constraints = {{"ahead", "link_1", ahead}};
+  watch.follow(source_of(
+      std::make_shared<const planning::PlanningProblem>(planning::make_problem(scene, nullptr))));
+  const SceneVerdict verdict = answer_of(watch, 0.0, start());
+  EXPECT_EQ(verdict.state, State::kBlocked);
+  EXPECT_THAT(verdict.reason, HasSubstr("The motion violates constraint ahead at "));
+  EXPECT_GT(verdict.time, 0.0);
+}
+
 TEST(SceneWatch, BlocksASceneThatMakesNoProblem) {
   SceneWatch watch(sweep().trajectory, [](const std::stop_token& /*stop*/) -> Problem {
     throw std::runtime_error("a mesh that is not there");

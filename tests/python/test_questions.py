@@ -1,10 +1,12 @@
+import pathlib
+import tempfile
 import threading
 import unittest
 
 import numpy as np
 
 import handway
-from cells import can_on_table
+from cells import ROOT, can_on_table
 
 
 def motion(scene, count):
@@ -30,6 +32,19 @@ class Collisions(unittest.TestCase):
         self.assertTrue(any("table" in pair for pair in pairs), pairs)
         self.assertEqual(scene.clearance(q), 0.0)
         self.assertEqual(scene.collisions(scene.start), [])
+
+    def test_know_constraints(self):
+        text = (ROOT / "scenes" / "can_on_table.yaml").read_text()
+        text += "constraints:\n  - {name: level, body: palm, upright: {angle_deg: 1}}\n"
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "level.yaml"
+            file.write_text(text)
+            scene = handway.load_scene(file)
+        self.assertIs(scene.collides(scene.start), True)
+        self.assertEqual(scene.collisions(scene.start), [])
+        (violated,) = scene.violations(scene.start)
+        self.assertIn("constraint level: the axis of palm is ", violated)
+        self.assertEqual(can_on_table().violations(scene.start), [])
 
     def test_are_asked_by_threads_at_once(self):
         scene = can_on_table()

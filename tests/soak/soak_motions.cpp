@@ -389,8 +389,7 @@ class KeptPath {
       if (!Reference(*problem.checker->shared_world())
                .is_closer_than(from + conflict->share * (path_.waypoints[next] - from), kNear)) {
         ++tally.unconfirmed;
-        fmt::print("edit {}: nothing is near where {} {}\n", tally.edits, conflict->bodies,
-                   conflict->what);
+        fmt::print("edit {}: nothing is near where {}\n", tally.edits, conflict->text);
       }
       return false;
     }

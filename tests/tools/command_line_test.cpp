@@ -195,6 +195,48 @@ TEST_F(Handway, NamesLineAndColumnOfABrokenPath) {
   expect_refusal("check post.yaml path.csv", "path.csv:1", "pinky");
 }
 
+constexpr const char* kTray =
+    "  - {name: tray, box: {size: [0.02, 0.02, 0.02]}, attach: {link: upper}}\n"
+    "constraints:\n"
+    "  - {name: ahead, body: upper, upright: {axis: [1, 0, 0], direction: [1, 0, 0], "
+    "angle_deg: 25}}\n"
+    "start:";
+
+TEST_F(Handway, KeepsConstraintsAndRefusesWhatViolatesThem) {
+  ASSERT_EQ(line_.run("plan post.yaml --out free.csv").exit_code, kDone);
+  line_.replace("post.yaml", "start:", kTray);
+  EXPECT_EQ(line_.run("plan post.yaml --out path.csv").exit_code, kDone);
+  EXPECT_EQ(line_.run("check post.yaml path.csv").exit_code, kDone);
+  line_.replace("post.yaml", "angle_deg: 25", "angle_deg: 20");
+  const Outcome check = line_.run("check post.yaml path.csv");
+  EXPECT_EQ(check.exit_code, kNoPath);
+  EXPECT_THAT(check.out,
+              AllOf(HasSubstr("NOT VALID"), HasSubstr("Constraint ahead is violated after")));
+  const Outcome exported = line_.run("export path.csv --scene post.yaml --to csv --out exported");
+  EXPECT_EQ(exported.exit_code, kNoPath);
+  EXPECT_THAT(exported.out + exported.err, HasSubstr("violates constraint ahead"));
+  const Outcome plan = line_.run("plan post.yaml");
+  EXPECT_EQ(plan.exit_code, kInvalidQuery);
+  EXPECT_THAT(plan.err,
+              HasSubstr("start violates constraint ahead: the axis of upper is 22.92° off, at most "
+                        "20° are allowed"));
+  EXPECT_THAT(line_.run("info post.yaml").out, HasSubstr("start: VIOLATES constraint ahead"));
+}
+
+TEST_F(Handway, KeepsWhatTheCommandLineNamesUpright) {
+  line_.replace("post.yaml", "start:", kTray);
+  EXPECT_EQ(line_.run("plan post.yaml --upright tray:5 --upright palm:5 --out path.csv").exit_code,
+            kDone)
+      << "a flat arm keeps everything upright";
+  EXPECT_EQ(line_.run("check post.yaml path.csv --upright tray:5").exit_code, kDone);
+  expect_refusal("plan post.yaml --upright trai:5", "--upright trai:5", "not in the scene",
+                 "Did you mean \"tray\"?");
+  expect_refusal("plan post.yaml --upright post:5", "post, which is not attached to a link");
+  for (const std::string bad : {"tray", "tray:", "tray:0", "tray:181", "tray:nan", ":5"}) {
+    EXPECT_EQ(line_.run("plan post.yaml --upright " + bad).exit_code, kWrongUsage) << bad;
+  }
+}
+
 TEST_F(Handway, RefusesAStartInCollision) {
   line_.replace("post.yaml", "-0.4", "-0.066");
   const Outcome run = line_.run("plan post.yaml --out path.csv --report report.json");

@@ -57,9 +57,9 @@ class SceneWatch::Checks {
 
   /// Of a posture that the robot is measured in; empty: free.
   [[nodiscard]] SceneVerdict posture(const Place& place) {
-    const std::string bodies = search_.bodies_touching(place.measured);
-    if (!bodies.empty()) {
-      return blocked(fmt::format("{} collide where the robot is measured.", bodies), place.time);
+    const std::string conflict = search_.conflict_at(place.measured);
+    if (!conflict.empty()) {
+      return blocked(fmt::format("{} where the robot is measured.", conflict), place.time);
     }
     return {SceneVerdict::State::kFree, "", 0.0, {}};
   }
@@ -85,7 +85,7 @@ class SceneWatch::Checks {
     const std::size_t next = std::min(conflict->waypoint + 1, times.size() - 1);
     const double time =
         times[conflict->waypoint] + conflict->share * (times[next] - times[conflict->waypoint]);
-    return blocked(fmt::format("{} {} at {:.2f} s.", conflict->bodies, conflict->what, time), time);
+    return blocked(fmt::format("{} at {:.2f} s.", conflict->text, time), time);
   }
 
  private:

@@ -8,6 +8,14 @@
 #include <utility>
 
 namespace handway::geometric {
+namespace {
+
+// Of the configuration in place.
+std::string description(const LinkConstraint& constraint, const CollisionChecker& checker) {
+  return "constraint " + constraint.name() + ": " + constraint.description(checker.link_poses());
+}
+
+}  // namespace
 
 CollisionChecker::CollisionChecker(std::shared_ptr<const CollisionWorld> world)
     : world_(std::move(world)),
@@ -41,13 +49,30 @@ bool CollisionChecker::pair_is_contained(int pair) const {
 }
 
 bool CollisionChecker::pair_collides(int pair) {
+  if (const LinkConstraint* constraint = world_->constraint(pair)) {
+    return constraint->slack(X_BL_) < 0.0;
+  }
   ++counts_.pair_collisions;
   return do_pair_collides(pair);
 }
 
 double CollisionChecker::pair_distance(int pair, double enough) {
+  if (const LinkConstraint* constraint = world_->constraint(pair)) {
+    return std::clamp(constraint->slack(X_BL_), 0.0, enough);
+  }
   ++counts_.pair_distances;
   return do_pair_distance(pair, enough);
+}
+
+Closeness CollisionChecker::pair_closeness(int pair, double tolerance) {
+  if (const LinkConstraint* constraint = world_->constraint(pair)) {
+    const double slack = constraint->slack(X_BL_);
+    return slack >= tolerance ? Closeness::kFarther
+           : slack < 0.0      ? Closeness::kTouching
+                              : Closeness::kCloser;
+  }
+  ++counts_.pair_distances;
+  return do_pair_closeness(pair, tolerance);
 }
 
 DistanceRange CollisionChecker::do_pair_distance_range(int pair, double enough, double /*share*/) {
@@ -71,7 +96,13 @@ std::optional<int> CollisionChecker::first_collision(const Configuration& q) {
 
 std::optional<int> CollisionChecker::first_collision(const Configuration& q, int hint) {
   place(q);
-  return world_->pairs().empty() ? std::nullopt : do_first_collision(hint);
+  const int pairs = static_cast<int>(world_->pairs().size());
+  for (int check = pairs; check < world_->check_count(); ++check) {
+    if (pair_collides(check)) {
+      return check;
+    }
+  }
+  return pairs == 0 ? std::nullopt : do_first_collision(hint < pairs ? hint : 0);
 }
 
 std::optional<int> CollisionChecker::first_collision_among(std::span<const int> pairs,
@@ -99,8 +130,34 @@ std::optional<int> CollisionChecker::do_first_collision(int hint) {
 }
 
 NamedPair named_pair(const CollisionWorld& world, int pair, double distance) {
+  if (const LinkConstraint* constraint = world.constraint(pair)) {
+    return {constraint->name(), "", distance};
+  }
   const BodyPair& bodies = world.pairs()[static_cast<std::size_t>(pair)];
   return {world.body(bodies.a).name, world.body(bodies.b).name, distance};
+}
+
+std::string to_string(const NamedPair& pair) {
+  return pair.b.empty() ? "constraint " + pair.a : pair.a + " with " + pair.b;
+}
+
+std::string describe_conflict(CollisionChecker& checker, int pair, const Configuration& q) {
+  if (const LinkConstraint* constraint = checker.world().constraint(pair)) {
+    checker.place(q);
+    return "violates " + description(*constraint, checker);
+  }
+  return "is in collision: " + to_string(named_pair(checker.world(), pair, 0.0));
+}
+
+std::vector<std::string> violated_constraints(CollisionChecker& checker, const Configuration& q) {
+  checker.place(q);
+  std::vector<std::string> violated;
+  for (const LinkConstraint& constraint : checker.world().constraints()) {
+    if (constraint.slack(checker.link_poses()) < 0.0) {
+      violated.push_back(description(constraint, checker));
+    }
+  }
+  return violated;
 }
 
 std::vector<int> touching_pairs(CollisionChecker& checker, const Configuration& q) {

@@ -90,6 +90,13 @@ CollisionWorld::CollisionWorld(const Scene& scene) {
   }
   add_objects(scene);
   list_pairs();
+  add_constraints(scene);
+}
+
+void CollisionWorld::add_constraints(const Scene& scene) {
+  for (const PathConstraint& constraint : scene.constraints) {
+    constraints_.emplace_back(constraint, scene);
+  }
 }
 
 void CollisionWorld::add_robot_links(const RobotInstance& robot) {
@@ -233,6 +240,13 @@ CollisionWorld CollisionWorld::without_object(std::string_view name) const {
   CollisionWorld changed = *this;
   changed.bodies_.erase(changed.bodies_.begin() + index);
   changed.list_pairs();
+  return changed;
+}
+
+CollisionWorld CollisionWorld::with_constraints_of(const Scene& scene) const {
+  CollisionWorld changed = *this;
+  changed.constraints_.clear();
+  changed.add_constraints(scene);
   return changed;
 }
 

@@ -21,12 +21,20 @@ constexpr double kShy = 1.0 - 1e-6;  // of what an answer may be off: the rest i
 constexpr double kGrowth = 0.01;
 constexpr double kMarginGrowth = 0.02;
 
+// Constraints are checked after the pairs.
+void add_constraints(const CollisionWorld& world, std::vector<int>& pairs) {
+  for (int check = static_cast<int>(world.pairs().size()); check < world.check_count(); ++check) {
+    pairs.push_back(check);
+  }
+}
+
 constexpr std::uint64_t kStopPeriod = 16;  // configurations between looks at the stop condition
 
 // The robot's own links are as near to each other as it is built.
 bool keeps_margin(const CollisionChecker& checker, int pair) {
   const CollisionWorld& world = checker.world();
-  return !world.is_self_pair(world.pairs()[static_cast<std::size_t>(pair)]);
+  return !world.constraint(pair) &&
+         !world.is_self_pair(world.pairs()[static_cast<std::size_t>(pair)]);
 }
 
 }  // namespace
@@ -49,6 +57,7 @@ EdgeEnd make_edge_end(CollisionChecker& checker, const Configuration& q, double 
   const double near_in_margin = margin > 0.0 ? margin + 4.0 * resolution : near;
   std::vector<int> pairs;
   checker.near_pairs(near_in_margin, pairs);
+  add_constraints(checker.world(), pairs);
   for (const int pair : pairs) {
     const double within = keeps_margin(checker, pair) ? near_in_margin : near;
     if (const double distance = checker.pair_distance(pair, within); distance < within) {
@@ -108,6 +117,7 @@ EdgeResult EdgeChecker::check(const Configuration& from, const Configuration& to
                               std::uint64_t most_checks) {
   return search(from, to, most_checks, [&](std::vector<int>& pairs) {
     checker_.near_pairs(0.5 * motion_.most_over_edge() + std::max(resolution_, margin_), pairs);
+    add_constraints(checker_.world(), pairs);
     std::ranges::reverse(pairs);  // what stands still comes last in it, and is hit most often
   });
 }

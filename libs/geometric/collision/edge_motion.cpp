@@ -16,7 +16,7 @@ EdgeMotion::EdgeMotion(std::shared_ptr<const MotionBound> motion) : motion_(std:
 void EdgeMotion::set_edge(const Configuration& delta) {
   const RobotModel& model = motion_->model();
   travel_ = motion_->bounds(delta.cwiseAbs());
-  most_ = travel_.size() > 0 ? travel_.maxCoeff() : 0.0;
+  most_ = motion_->pair_motions() > 0 ? travel_.head(motion_->pair_motions()).maxCoeff() : 0.0;
   for (int i = 1; i < model.link_count(); ++i) {
     const RobotModel::Drive& drive = model.drive(i);
     rates_[static_cast<std::size_t>(i)] =
@@ -70,8 +70,12 @@ double EdgeMotion::way(int body, int frame, double half) const {
     }
     outer += own;
   }
-  const Eigen::Vector3d p = (*X_BL_)[link] * ball.centre;  // all in the robot's base
-  const Eigen::Vector3d w = w_BL_[link] - w_BL_[base];
+  const Eigen::Vector3d w = w_BL_[link] - w_BL_[base];  // all in the robot's base
+  if (ball.is_direction) {
+    const double turn = w.cross((*X_BL_)[link].linear() * ball.centre).norm();
+    return half * (turn + 0.5 * half * bend);
+  }
+  const Eigen::Vector3d p = (*X_BL_)[link] * ball.centre;
   const Eigen::Vector3d v = v_BL_[link] + w_BL_[link].cross(p - (*X_BL_)[link].translation()) -
                             v_BL_[base] - w_BL_[base].cross(p - (*X_BL_)[base].translation());
   const double velocity = v.norm() + w.norm() * ball.radius;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace handway::geometric {
 namespace {
@@ -23,16 +24,38 @@ double slide(const RobotModel& model, int link) {
                   std::abs(drive.multiplier * model.upper()[drive.variable] + drive.offset));
 }
 
-// The farthest that a point of `body` can be from the axis of the joint of `link`,
-// an ancestor of the body's link (or that link itself).
-double reach(const RobotModel& model, const CollisionBody& body, int link) {
+// What moves with a link: points in its frame, or a direction.
+struct Carried {
+  int link;
+  std::vector<Eigen::Vector3d> points = {};
+  bool is_direction = false;
+};
+
+Carried carried(const CollisionBody& body) {
+  Carried points{body.link};
+  points.points.reserve(body.mesh->vertices.size());
+  for (const Eigen::Vector3d& vertex : body.mesh->vertices) {
+    points.points.emplace_back(body.X_FB * vertex);
+  }
+  return points;
+}
+
+Carried carried(const LinkConstraint& constraint) {
+  return {constraint.link(), {constraint.held()}, constraint.is_orientation()};
+}
+
+// The farthest that a point can be from the axis of the joint of `link`, an ancestor of the points'
+// link (or that link itself).
+double reach(const RobotModel& model, const Carried& carried, int link) {
+  if (carried.is_direction) {
+    return 1.0;
+  }
   const Eigen::Vector3d& axis = model.joint(link).axis;
   double radius = 0.0;
-  for (const Eigen::Vector3d& vertex : body.mesh->vertices) {
-    const Eigen::Vector3d p = body.X_FB * vertex;
-    radius = std::max(radius, body.link == link ? distance_from_axis(p, axis) : p.norm());
+  for (const Eigen::Vector3d& p : carried.points) {
+    radius = std::max(radius, carried.link == link ? distance_from_axis(p, axis) : p.norm());
   }
-  for (int at = body.link; at != link; at = model.parent(at)) {
+  for (int at = carried.link; at != link; at = model.parent(at)) {
     const Eigen::Vector3d& offset = model.joint(at).X_PJ.translation();
     // Next to the axis only the part of the offset across it counts.
     radius += slide(model, at) +
@@ -41,22 +64,22 @@ double reach(const RobotModel& model, const CollisionBody& body, int link) {
   return radius;
 }
 
-bool is_above(const RobotModel& model, int ancestor, const CollisionBody& body) {
-  int link = body.link;
+// What stands still has link -1.
+bool is_above(const RobotModel& model, int ancestor, int link) {
   while (link > ancestor) {
     link = model.parent(link);
   }
   return link == ancestor;
 }
 
-MotionBound::Ball ball_around(const CollisionBody& body) {
+MotionBound::Ball ball_around(const Carried& carried) {
   Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3d& vertex : body.mesh->vertices) {
-    box.extend(body.X_FB * vertex);
+  for (const Eigen::Vector3d& p : carried.points) {
+    box.extend(p);
   }
-  MotionBound::Ball ball{std::max(0, body.link), box.center(), 0.0};
-  for (const Eigen::Vector3d& vertex : body.mesh->vertices) {
-    ball.radius = std::max(ball.radius, (body.X_FB * vertex - ball.centre).norm());
+  MotionBound::Ball ball{std::max(0, carried.link), box.center(), 0.0, carried.is_direction};
+  for (const Eigen::Vector3d& p : carried.points) {
+    ball.radius = std::max(ball.radius, (p - ball.centre).norm());
   }
   return ball;
 }
@@ -75,9 +98,14 @@ int common_ancestor(const RobotModel& model, int a, int b) {
 
 MotionBound::MotionBound(const CollisionWorld& world) : model_(world.shared_model()) {
   const RobotModel& model = world.model();
+  std::vector<Carried> moving;
   for (const CollisionBody& body : world.bodies()) {
-    balls_.push_back(ball_around(body));
+    moving.push_back(carried(body));
   }
+  for (const LinkConstraint& constraint : world.constraints()) {
+    moving.push_back(carried(constraint));
+  }
+  std::ranges::transform(moving, std::back_inserter(balls_), ball_around);
   std::vector<BodyPair> motions;  // a pair that shows each
   std::vector<int> against_still(world.bodies().size(), -1);
   for (const auto& [a, b] : world.pairs()) {
@@ -93,14 +121,23 @@ MotionBound::MotionBound(const CollisionWorld& world) : model_(world.shared_mode
     frames_.push_back({a, b, common_ancestor(model, world.body(a).link, world.body(b).link),
                        world.body(b).moves()});
   }
+  pair_motions_ = static_cast<Eigen::Index>(motions.size());
+  constexpr int kWorld = -1;
+  for (int c = 0; c < static_cast<int>(world.constraints().size()); ++c) {
+    const int held = static_cast<int>(world.bodies().size()) + c;
+    motions_.push_back(static_cast<int>(motions.size()));
+    motions.push_back({held, kWorld});
+    frames_.push_back({held, kWorld, 0, false});
+  }
   const auto bodies = static_cast<Eigen::Index>(world.bodies().size());
   // Travel of each body's points per unit of each joint above it.
-  of_link_ = Eigen::MatrixXd::Zero(model.link_count(), bodies);
+  of_link_ = Eigen::MatrixXd::Zero(model.link_count(), static_cast<Eigen::Index>(moving.size()));
   for (int i = 1; i < model.link_count(); ++i) {
-    for (int b = 0; b < static_cast<int>(bodies); ++b) {
-      if (model.drive(i).variable >= 0 && is_above(model, i, world.body(b))) {
+    for (int b = 0; b < static_cast<int>(moving.size()); ++b) {
+      const Carried& body = moving[static_cast<std::size_t>(b)];
+      if (model.drive(i).variable >= 0 && is_above(model, i, body.link)) {
         const bool turns = model.joint(i).type == JointType::kRevolute;
-        of_link_(i, b) = turns ? geometric::reach(model, world.body(b), i) : 1.0;
+        of_link_(i, b) = turns ? geometric::reach(model, body, i) : body.is_direction ? 0.0 : 1.0;
       }
     }
   }
@@ -112,12 +149,14 @@ MotionBound::MotionBound(const CollisionWorld& world) : model_(world.shared_mode
       continue;
     }
     const double multiplier = std::abs(model.drive(i).multiplier);
-    farthest_[variable] += multiplier * of_link_.row(i).maxCoeff();
+    farthest_[variable] += multiplier * of_link_.row(i).head(bodies).maxCoeff();
     for (std::size_t m = 0; m < motions.size(); ++m) {
       const auto [a, b] = motions[m];
-      if (is_above(model, i, world.body(a)) != is_above(model, i, world.body(b))) {
+      const bool moves_b =
+          b != kWorld && is_above(model, i, moving[static_cast<std::size_t>(b)].link);
+      if (is_above(model, i, moving[static_cast<std::size_t>(a)].link) != moves_b) {
         reach_(variable, static_cast<Eigen::Index>(m)) +=
-            multiplier * (of_link_(i, a) + of_link_(i, b));
+            multiplier * (of_link_(i, a) + (b == kWorld ? 0.0 : of_link_(i, b)));
       }
     }
   }

@@ -5,6 +5,7 @@
 #include "handway/geometric/io/resources.h"
 #include "handway/geometric/io/robot_loader.h"
 #include "io/scene_configuration.h"
+#include "io/scene_constraints.h"
 #include "io/scene_objects.h"
 #include "io/scene_version.h"
 
@@ -125,8 +126,8 @@ PlannerChoice planner_of(const YamlElement& element) {
 
 Scene read_scene(const fs::path& file) {
   const YamlElement top = YamlElement::read(file, "a scene file");
-  top.allow_keys({"handway", "name", "description", "robots", "objects", "start", "goal",
-                  "postures", "hand_basis", "planner"});
+  top.allow_keys({"handway", "name", "description", "robots", "objects", "constraints", "start",
+                  "goal", "postures", "hand_basis", "planner"});
   check_version(top);
   const fs::path folder = fs::absolute(file).parent_path();
   Scene scene;
@@ -135,6 +136,11 @@ Scene read_scene(const fs::path& file) {
   scene.description = text_or_empty(top, "description");
   add_robots(top, folder, scene);
   add_objects(top, folder, scene);
+  if (const std::optional<YamlElement> constraints = top.find("constraints")) {
+    for (const YamlElement& element : constraints->items()) {
+      scene.constraints.push_back(constraint_of(element, scene));
+    }
+  }
   scene.start = query_of(top, "start", scene.robots.front());
   scene.goal = query_of(top, "goal", scene.robots.front());
   if (const std::optional<YamlElement> postures = top.find("postures")) {

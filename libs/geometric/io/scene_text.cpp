@@ -104,6 +104,20 @@ std::string object_text(const SceneObject& object, const ShapeText& shape) {
   return text;
 }
 
+std::string constraint_text(const PathConstraint& constraint) {
+  std::string text = fmt::format("  - name: {}\n    body: {}\n", yaml_scalar(constraint.name),
+                                 yaml_scalar(constraint.body));
+  if (const auto* orientation = std::get_if<OrientationConstraint>(&constraint.what)) {
+    return text + fmt::format("    upright: {{axis: {}, direction: {}, angle_deg: {}}}\n",
+                              yaml_list(orientation->axis), yaml_list(orientation->direction),
+                              number_text(rounded_degrees(orientation->angle)));
+  }
+  const auto& position = std::get<PositionConstraint>(constraint.what);
+  return text + fmt::format("    region: {{point: {}, size: {}, pose: {}}}\n",
+                            yaml_list(position.point), yaml_list(position.size),
+                            yaml_pose(position.X_WR));
+}
+
 std::string planner_text(const PlannerChoice& planner) {
   std::string text;
   if (!planner.name.empty()) {
@@ -132,6 +146,10 @@ std::string scene_text(const Scene& scene, const SceneReferences& references) {
   text += scene.objects.empty() ? "" : "objects:\n";
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     text += object_text(scene.objects[i], ShapeText(references.meshes[i], references.is_scaled[i]));
+  }
+  text += scene.constraints.empty() ? "" : "constraints:\n";
+  for (const PathConstraint& constraint : scene.constraints) {
+    text += constraint_text(constraint);
   }
   if (scene.start) {
     text += "start:" + configuration_text(*scene.robots[0].model, *scene.start, "  ");

@@ -46,15 +46,14 @@ std::string quoted(std::string_view text) {
   return result + '"';
 }
 
+}  // namespace
+
 // The conversion from a matrix costs a few of the last bits. Rounding beyond
 // them lets 90 stay 90, and any angle what it is, however often a scene is saved.
-Eigen::Vector3d rounded_degrees(const Eigen::Matrix3d& R) {
+double rounded_degrees(double radians) {
   constexpr double kDigits = 1e12;
-  const Eigen::Vector3d exact = rpy_from_rotation(R) / kDegree;
-  return (exact * kDigits).array().round() / kDigits;
+  return std::round(degrees(radians) * kDigits) / kDigits;
 }
-
-}  // namespace
 
 std::string yaml_scalar(std::string_view text) {
   return is_plain(text) ? std::string(text) : quoted(text);
@@ -70,7 +69,7 @@ std::string yaml_list(const Eigen::VectorXd& numbers) {
 
 std::string yaml_pose(const Pose& X) {
   return "{xyz: " + yaml_list(X.translation()) +
-         ", rpy_deg: " + yaml_list(rounded_degrees(X.linear())) + '}';
+         ", rpy_deg: " + yaml_list(rpy_from_rotation(X.linear()).unaryExpr(&rounded_degrees)) + '}';
 }
 
 }  // namespace handway::geometric

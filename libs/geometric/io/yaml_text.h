@@ -17,6 +17,9 @@ namespace handway::geometric {
 /// "[1, 2.5, 3]".
 [[nodiscard]] std::string yaml_list(const Eigen::VectorXd& numbers);
 
+/// For files: rounded to 1e-12 degrees.
+[[nodiscard]] double rounded_degrees(double radians);
+
 /// "{xyz: […], rpy_deg: […]}"; angles rounded to 1e-12 degrees.
 [[nodiscard]] std::string yaml_pose(const Pose& X);
 

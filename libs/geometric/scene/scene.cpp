@@ -21,4 +21,23 @@ const SceneObject* find_object(const Scene& scene, std::string_view name) {
   return find_named(scene.objects, name);
 }
 
+bool is_carried_by(const SceneObject& object, const RobotInstance& robot) {
+  return object.attachment && object.attachment->robot == robot.name &&
+         robot.model->find_link(object.attachment->link);
+}
+
+std::vector<std::string> constrainable_bodies(const Scene& scene) {
+  const RobotInstance& robot = scene.robots.front();
+  std::vector<std::string> bodies;
+  for (const SceneObject& object : scene.objects) {
+    if (is_carried_by(object, robot)) {
+      bodies.push_back(object.name);
+    }
+  }
+  for (const Link& link : robot.model->description().links) {
+    bodies.push_back(link.name);
+  }
+  return bodies;
+}
+
 }  // namespace handway::geometric

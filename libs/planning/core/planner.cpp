@@ -16,12 +16,6 @@
 namespace handway::planning {
 namespace {
 
-std::string names_of(PlanningContext& context, int pair) {
-  const geometric::NamedPair named =
-      geometric::named_pair(context.problem().checker->world(), pair, 0.0);
-  return named.a + " with " + named.b;
-}
-
 // Why the start (0) or the goal (1) can't be an end of a path; empty if it can.
 std::string objection(PlanningContext& context, std::size_t end) {
   const geometric::RobotModel& model = context.problem().model();
@@ -39,19 +33,24 @@ std::string objection(PlanningContext& context, std::size_t end) {
     return "is out of limits: " + to_string(violations.front());
   }
   if (const std::optional<int> pair = context.collision(q)) {
-    return "is in collision: " + names_of(context, *pair);
+    return describe_conflict(*context.problem().checker->clone(), *pair, q);
   }
   constexpr double kLeast = 2.0 * geometric::kLeastResolution;
   if (end >= context.ends().size()) {
     return "";  // the other end is no configuration of the robot
   }
   const geometric::EdgeEnd::NearPair* nearest = context.ends()[end].nearest();
-  return nearest && nearest->distance < kLeast
-             ? fmt::format(
+  if (!nearest || nearest->distance >= kLeast) {
+    return "";
+  }
+  const geometric::CollisionWorld& world = context.problem().checker->world();
+  const std::string names = to_string(named_pair(world, nearest->pair, 0.0));
+  return world.constraint(nearest->pair)
+             ? "is at the limit of " + names + ": allow a little more"
+             : fmt::format(
                    "is too close to a collision: {} at {:.6f} mm, at least {:g} mm is needed",
-                   names_of(context, nearest->pair), geometric::millimetres(nearest->distance),
-                   geometric::millimetres(kLeast))
-             : "";
+                   names, geometric::millimetres(nearest->distance),
+                   geometric::millimetres(kLeast));
 }
 
 std::vector<OutOfMargin> out_of_margin(const PlanningContext& context) {
@@ -62,7 +61,8 @@ std::vector<OutOfMargin> out_of_margin(const PlanningContext& context) {
   const geometric::CollisionWorld& world = context.problem().checker->world();
   for (std::size_t end = 0; end < context.ends().size(); ++end) {
     for (const geometric::EdgeEnd::NearPair& near : context.ends()[end].near) {
-      if (!world.is_self_pair(world.pairs()[static_cast<std::size_t>(near.pair)])) {
+      if (!world.constraint(near.pair) &&
+          !world.is_self_pair(world.pairs()[static_cast<std::size_t>(near.pair)])) {
         list.push_back({end == 1, geometric::named_pair(world, near.pair, near.distance)});
       }
     }

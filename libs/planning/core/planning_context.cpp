@@ -276,9 +276,8 @@ void PlanningContext::run_on_threads(int count, const std::function<void(int)>& 
 }
 
 void PlanningContext::count_rejection(int pair, double step) {
-  const CollisionWorld& world = problem_.checker->world();
-  const BodyPair& bodies = world.pairs()[static_cast<std::size_t>(pair)];
-  ++statistics_.rejections[{world.body(bodies.a).name, world.body(bodies.b).name}];
+  const geometric::NamedPair bodies = named_pair(problem_.checker->world(), pair, 0.0);
+  ++statistics_.rejections[{bodies.a, bodies.b}];
   statistics_.rejections_per_tenth.resize(10);
   ++statistics_.rejections_per_tenth[static_cast<std::size_t>(std::clamp(step, 0.0, 0.99) * 10)];
 }

@@ -67,8 +67,7 @@ class Walk {
     look(path.waypoints.front(), 1);
     for (std::size_t w = 0; w + 1 < path.waypoints.size(); ++w) {
       const Configuration delta = path.waypoints[w + 1] - path.waypoints[w];
-      const double travel = motion_.any_point(delta.cwiseAbs());
-      const int steps = std::max(1, static_cast<int>(std::ceil(travel / resolution_)));
+      const int steps = std::max(1, static_cast<int>(std::ceil(travel(delta) / resolution_)));
       for (int s = 1; s <= steps; ++s) {
         look(path.waypoints[w] + (static_cast<double>(s) / steps) * delta, w + 1);
       }
@@ -77,6 +76,16 @@ class Walk {
   }
 
  private:
+  // The most that a point travels (m), or that what a constraint holds does (m or rad).
+  [[nodiscard]] double travel(const Configuration& delta) const {
+    const geometric::CollisionWorld& world = checker_.world();
+    double most = motion_.any_point(delta.cwiseAbs());
+    for (int c = static_cast<int>(world.pairs().size()); c < world.check_count(); ++c) {
+      most = std::max(most, motion_.bound(c, delta.cwiseAbs()));
+    }
+    return most;
+  }
+
   void look(const Configuration& q, std::size_t stretch) {
     ++result_.configurations;
     const geometric::NamedPair closest = geometric::find_clearance(*rangefinder_, q, least_);
@@ -86,15 +95,21 @@ class Walk {
     }
     if (const auto pair = checker_.first_collision(q)) {
       ++result_.collisions;
-      least_ = 0.0;
+      least_ = checker_.world().constraint(*pair) ? least_ : 0.0;
       if (result_.collisions == 1) {
-        const geometric::BodyPair& bodies =
-            checker_.world().pairs()[static_cast<std::size_t>(*pair)];
-        result_.faults.push_back(fmt::format("Collision of {} with {} after waypoint {}.",
-                                             checker_.world().body(bodies.a).name,
-                                             checker_.world().body(bodies.b).name, stretch));
+        result_.faults.push_back(fault(*pair, stretch));
       }
     }
+  }
+
+  // Of the configuration in place.
+  [[nodiscard]] std::string fault(int pair, std::size_t stretch) const {
+    if (const geometric::LinkConstraint* constraint = checker_.world().constraint(pair)) {
+      return fmt::format("Constraint {} is violated after waypoint {}: {}.", constraint->name(),
+                         stretch, constraint->description(checker_.link_poses()));
+    }
+    return fmt::format("Collision of {} after waypoint {}.",
+                       to_string(named_pair(checker_.world(), pair, 0.0)), stretch);
   }
 
   geometric::FclChecker checker_;  ///< The reference, for what the planner must not decide itself.

@@ -9,17 +9,21 @@ namespace handway::planning {
 PathConflictSearch::PathConflictSearch(const PlanningProblem& problem, double resolution)
     : checker_(problem.checker->clone()), motion_(problem.motion), resolution_(resolution) {}
 
-std::string PathConflictSearch::bodies(const std::optional<int>& pair) const {
-  if (!pair) {
-    return "Bodies";
+std::string conflict_text(const geometric::CollisionWorld& world, std::optional<int> pair,
+                          double resolution) {
+  const geometric::NamedPair two =
+      pair ? geometric::named_pair(world, *pair, 0.0) : geometric::NamedPair{};
+  if (pair && two.b.empty()) {
+    return "The motion violates constraint " + two.a;
   }
-  const geometric::NamedPair two = geometric::named_pair(checker_->world(), *pair, 0.0);
-  return two.a + " and " + two.b;
+  return (pair ? two.a + " and " + two.b : "Bodies") +
+         (resolution > 0.0 ? fmt::format(" come closer than {:g} mm", 1e3 * resolution)
+                           : " collide");
 }
 
-std::string PathConflictSearch::bodies_touching(const Configuration& q) {
+std::string PathConflictSearch::conflict_at(const Configuration& q) {
   const std::optional<int> pair = checker_->first_collision(q);
-  return pair ? bodies(pair) : std::string();
+  return pair ? conflict_text(checker_->world(), pair) : std::string();
 }
 
 std::optional<PathConflict> PathConflictSearch::run(std::span<const Configuration> waypoints,
@@ -35,15 +39,14 @@ std::optional<PathConflict> PathConflictSearch::run(std::span<const Configuratio
   }
   for (std::size_t w = 0; w < waypoints.size() && !stopped(); ++w) {
     if (const auto pair = checker_->first_collision(waypoints[w])) {
-      return PathConflict{w, 0.0, bodies(pair), "collide"};
+      return PathConflict{w, 0.0, conflict_text(checker_->world(), pair)};
     }
     if (w == 0) {
       continue;
     }
     const geometric::EdgeResult edge = edges.check(waypoints[w - 1], waypoints[w]);
     if (!edge.free && !stopped()) {
-      return PathConflict{w - 1, edge.at, bodies(edge.pair),
-                          fmt::format("come closer than {:g} mm", 1e3 * resolution_)};
+      return PathConflict{w - 1, edge.at, conflict_text(checker_->world(), edge.pair, resolution_)};
     }
   }
   return std::nullopt;

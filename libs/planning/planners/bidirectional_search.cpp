@@ -12,6 +12,7 @@ namespace {
 
 constexpr int kCandidates = 12;       // of which the least expanded node is expanded
 constexpr double kRefinement = 0.25;  // share of a step that is tried after it
+constexpr double kLeastGain = 0.1;    // share of a step that has to be gained
 
 // Configurations that an edge may take: at first, more with every sample, at most.
 constexpr std::uint64_t kEdgeChecks = 300;
@@ -111,9 +112,10 @@ std::optional<int> BidirectionalSearch::step_towards(int from, const Eigen::Vect
                                                      const TargetSampler::Target& target) {
   const Eigen::VectorXd begin = trees_.coordinates(from);
   const double length = (end - begin).norm();
-  const Eigen::VectorXd x = begin + std::min(1.0, range / std::max(length, 1e-12)) * (end - begin);
-  const std::optional<Configuration> q = space_.configuration(x, trees_.configuration(from));
-  if (!q || !sample_free(*q) ||
+  Eigen::VectorXd x = begin + std::min(1.0, range / std::max(length, 1e-12)) * (end - begin);
+  const std::optional<Configuration> q = targets_.configuration(x, trees_.configuration(from));
+  // What constraints take aside has to get nearer nevertheless.
+  if (!q || (end - x).norm() > length - kLeastGain * std::min(range, length) || !sample_free(*q) ||
       !passable(trees_.configuration(from), *q, std::min(range, length))) {
     return std::nullopt;
   }

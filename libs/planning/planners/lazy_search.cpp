@@ -61,13 +61,12 @@ std::optional<PlanStatus> LazySearch::step() {
 void LazySearch::draw_node() {
   ++statistics().samples;
   const int end = sample_ % 2;
-  const TargetSampler::Target target =
-      targets_.draw(static_cast<std::uint64_t>(sample_), end, failures_);
+  TargetSampler::Target target = targets_.draw(static_cast<std::uint64_t>(sample_), end, failures_);
   ++sample_;
   statistics().final_rho_a = std::max(statistics().final_rho_a, target.rho);
   const PlanningProblem& problem = context().problem();
   const std::optional<Configuration> q =
-      space_.configuration(target.coordinates, end == 0 ? problem.start : problem.goal);
+      targets_.configuration(target.coordinates, end == 0 ? problem.start : problem.goal);
   if (!q || !sample_free(*q)) {
     ++failures_;
     return;

@@ -246,7 +246,8 @@ class RoadmapSearch {
 
   [[nodiscard]] bool touches_object(int pair) const {
     const geometric::CollisionWorld& world = context_.problem().checker->world();
-    return !world.is_self_pair(world.pairs()[static_cast<std::size_t>(pair)]);
+    return world.constraint(pair) ||
+           !world.is_self_pair(world.pairs()[static_cast<std::size_t>(pair)]);
   }
 
   // The arm in the hypercube that is explored, and the hand with it: what points of the unit cube

@@ -31,7 +31,7 @@ bool Search::edge_plausible(const Configuration& from, const Configuration& to, 
 }
 
 void Search::note_refusal(int pair, const Configuration& q) {
-  refusals_.resize(context_.problem().checker->world().pairs().size());
+  refusals_.resize(static_cast<std::size_t>(context_.problem().checker->world().check_count()));
   ++refusals_[static_cast<std::size_t>(pair)];
   const double tenth = 10.0 * arm_progress(context_.problem(), q);
   ++refusals_by_tenth_.at(std::min<std::size_t>(9, static_cast<std::size_t>(tenth)));
@@ -45,9 +45,8 @@ void Search::tell_refusals() {
   const geometric::CollisionWorld& world = context_.problem().checker->world();
   for (std::size_t pair = 0; pair < refusals_.size(); ++pair) {
     if (refusals_[pair] > 0) {
-      const geometric::BodyPair& bodies = world.pairs()[pair];
-      statistics().rejections[{world.body(bodies.a).name, world.body(bodies.b).name}] +=
-          refusals_[pair];
+      const geometric::NamedPair bodies = named_pair(world, static_cast<int>(pair), 0.0);
+      statistics().rejections[{bodies.a, bodies.b}] += refusals_[pair];
       refusals_[pair] = 0;
     }
   }

@@ -88,8 +88,9 @@ bool boxed_in(std::uint64_t connected, const SearchReach& reach) {
 std::string rejection_sentence(const std::vector<Rejected>& pairs, const Stretch& stretch) {
   std::string text = "Of the samples that were rejected";
   for (std::size_t i = 0; i < pairs.size(); ++i) {
-    text += fmt::format("{} in {} % {} collided with {}", i == 0 ? "," : " and",
-                        percent(pairs[i].share), pairs[i].a, pairs[i].b);
+    text += fmt::format("{} in {} % {}", i == 0 ? "," : " and", percent(pairs[i].share),
+                        pairs[i].b.empty() ? "constraint " + pairs[i].a + " was violated"
+                                           : pairs[i].a + " collided with " + pairs[i].b);
   }
   if (stretch.says_something()) {
     text += fmt::format("; most of them between {} and {} % of the motion", 10 * stretch.from,
@@ -129,8 +130,10 @@ std::vector<std::string> explain_failure(const PlanResult& result) {
   if (!pairs.empty()) {
     sentences.push_back(rejection_sentence(pairs, stretch));
   }
-  const std::string room =
-      pairs.empty() ? "" : fmt::format(" between {} and {}", pairs.front().a, pairs.front().b);
+  const std::string room = pairs.empty() ? ""
+                           : pairs.front().b.empty()
+                               ? " in constraint " + pairs.front().a
+                               : " between " + pairs.front().a + " and " + pairs.front().b;
   if (start_boxed_in || stretch.to <= kNearEnd) {
     sentences.push_back(fmt::format("Try a start with more room{}.", room));
   } else if (goal_boxed_in || stretch.from >= 10 - kNearEnd) {

@@ -80,7 +80,11 @@ class NearestFreeSearch {
       last_pair_ = *pair;
       return false;
     }
-    return !geometric::is_closer_than(*checker_, q, clearance_);
+    const geometric::CollisionWorld& world = checker_->world();
+    return !geometric::is_closer_than(*checker_, q, clearance_) &&
+           std::ranges::all_of(world.constraints(), [&](const geometric::LinkConstraint& one) {
+             return one.slack(checker_->link_poses()) >= kEnough;
+           });
   }
 
   /// Takes `q`, brought within limits, if it is free and nearer than what there is.

@@ -46,7 +46,7 @@ std::vector<int> WayChecker::changed_pairs(const Freedom& freedom) const {
   if (freedom.was_free()) {
     return memory_.changes.pairs_changed_since(freedom.free_at, world);
   }
-  std::vector<int> all(world.pairs().size());
+  std::vector<int> all(static_cast<std::size_t>(world.check_count()));
   std::iota(all.begin(), all.end(), 0);
   return all;
 }
@@ -55,8 +55,8 @@ std::vector<int> WayChecker::changed_pairs(const Freedom& freedom) const {
 void WayChecker::refuse(Freedom& freedom, std::optional<int> pair) const {
   freedom.refused_at = memory_.changes.revision();
   freedom.refused_by.clear();
-  if (pair) {
-    const geometric::CollisionWorld& world = context_.problem().checker->world();
+  const geometric::CollisionWorld& world = context_.problem().checker->world();
+  if (pair && !world.constraint(*pair)) {
     const int other = world.pairs()[static_cast<std::size_t>(*pair)].b;
     if (!world.body(other).moves()) {
       freedom.refused_by = world.body(other).name;

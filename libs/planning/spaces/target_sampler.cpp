@@ -34,14 +34,36 @@ TargetSampler::TargetSampler(PlanningContext& context, const TargetRegion& regio
   const int dimension = in_regions_
                             ? kChoices + space().corridor_dimension() + region_.basis().dimension()
                             : space().dimension();
+  for (int v = 0; v < problem_.model().variable_count(); ++v) {
+    if (std::ranges::count(problem_.arm, v) + std::ranges::count(problem_.hand, v) > 0 ||
+        problem_.start[v] != problem_.goal[v]) {
+      variables_.push_back(v);
+    }
+  }
   points_ = context.make_sampler(dimension, seed, [this, &context](const Eigen::VectorXd& u) {
-    const std::optional<Configuration> q = space().configuration(
-        target(u).coordinates, draw_.end == 0 ? problem_.start : problem_.goal);
+    Eigen::VectorXd x = target(u).coordinates;
+    const std::optional<Configuration> q =
+        configuration(x, draw_.end == 0 ? problem_.start : problem_.goal);
     return q && !context.collision(*q);
   });
 }
 
 TargetSampler::~TargetSampler() = default;
+
+std::optional<Configuration> TargetSampler::configuration(Eigen::VectorXd& x,
+                                                          const Configuration& reference) const {
+  const auto& constraints = problem_.checker->world().constraints();
+  std::optional<Configuration> q = space().configuration(x, reference);
+  if (!q || constraints.empty()) {
+    return q;
+  }
+  std::optional<Configuration> kept =
+      geometric::project_onto_constraints(problem_.model(), constraints, variables_, *q);
+  if (kept && *kept != *q) {
+    x = space().coordinates(*kept);
+  }
+  return kept;
+}
 
 TargetSampler::Target TargetSampler::draw(std::uint64_t sample, int end, int failures) {
   const auto free_joints = static_cast<int>(region_.basis().free_joints.size());

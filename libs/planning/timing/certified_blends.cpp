@@ -1,8 +1,8 @@
 #include "handway/planning/timing/certified_blends.h"
 
-#include "handway/geometric/collision/edge_checker.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/planning/core/plan_result.h"
+#include "handway/planning/paths/path_conflict.h"
 
 #include <fmt/format.h>
 
@@ -45,58 +45,44 @@ class Blends {
   Blends(const PlanningProblem& problem, const BlendOptions& options)
       : motion_(problem.motion),
         checker_(problem.checker->clone()),
-        edges_(*checker_, problem.motion, options.resolution),
         arc_clearance_(options.arc_clearance) {}
 
-  /// A sentence about the first edge that is not free, or nothing.
-  std::string fault_of(const Path& path) {
-    edges_.set_ends({make_edge_end(*checker_, path.waypoints.front(), edges_.resolution()),
-                     make_edge_end(*checker_, path.waypoints.back(), edges_.resolution())});
-    for (std::size_t w = 0; w < path.waypoints.size(); ++w) {
-      if (const auto pair = checker_->first_collision(path.waypoints[w])) {
-        return fmt::format("Collision of {} at waypoint {}.", bodies(*pair), w + 1);
-      }
-    }
-    for (std::size_t w = 0; w + 1 < path.waypoints.size(); ++w) {
-      const auto edge = edges_.check(path.waypoints[w], path.waypoints[w + 1]);
-      if (!edge.free) {
-        return fmt::format("{} come closer than {:g} mm between waypoints {} and {}.",
-                           edge.pair ? bodies(*edge.pair) : "Bodies", 1e3 * edges_.resolution(),
-                           w + 1, w + 2);
-      }
-    }
-    return {};
-  }
-
   /// Conservative advancement: from a configuration with some clearance the arc is
-  /// followed as far as no pair can have come closer than allowed.
+  /// followed as far as no pair can have come closer than allowed, and no constraint be violated.
   bool is_free(const PathPiece& arc) {
+    const Eigen::Index pairs = motion_->pair_motions();
     const Eigen::VectorXd rates = motion_->bounds(arc.fastest());
-    const double rate = rates.size() == 0 ? 0.0 : rates.maxCoeff();
-    for (double s = 0.0; s <= arc.length;) {
+    const double rate = pairs == 0 ? 0.0 : rates.head(pairs).maxCoeff();
+    for (double s = 0.0; s < arc.length;) {
       const geometric::NamedPair closest =
           geometric::find_clearance(*checker_, arc.position(s), kFarClearance + arc_clearance_);
       const double spare = closest.distance - arc_clearance_;
       if (spare < kLeastAdvance * arc_clearance_) {
         return false;
       }
-      if (rate * (arc.length - s) <= spare) {
-        break;
+      double advance = advance_in(arc.length - s, spare, rate);
+      const auto& constraints = checker_->world().constraints();
+      for (std::size_t c = 0; c < constraints.size(); ++c) {
+        const double slack = constraints[c].slack(checker_->link_poses());
+        if (slack < kLeastAdvance * arc_clearance_) {
+          return false;
+        }
+        advance = std::min(advance, advance_in(arc.length - s, slack,
+                                               rates[pairs + static_cast<Eigen::Index>(c)]));
       }
-      s += spare / rate;
+      s += advance;
     }
     return true;
   }
 
  private:
-  [[nodiscard]] std::string bodies(int pair) const {
-    const geometric::BodyPair& two = checker_->world().pairs()[static_cast<std::size_t>(pair)];
-    return checker_->world().body(two.a).name + " and " + checker_->world().body(two.b).name;
+  // How far along the rest of an arc what changes at `rate` can't spend what is spare.
+  static double advance_in(double rest, double spare, double rate) {
+    return rate * rest <= spare ? rest : spare / rate;
   }
 
   std::shared_ptr<const geometric::MotionBound> motion_;
   std::unique_ptr<geometric::CollisionChecker> checker_;
-  geometric::EdgeChecker edges_;
   double arc_clearance_;
 };
 
@@ -105,12 +91,15 @@ class Blends {
 BlendResult certified_blends(const PlanningProblem& problem, const Path& path,
                              const BlendOptions& options) {
   check_waypoints(problem.model(), path);
-  Blends blends(problem, options);
   BlendResult result;
-  result.fault = blends.fault_of(path);
-  if (!result.fault.empty()) {
+  if (const auto conflict = PathConflictSearch(problem, options.resolution).run(path.waypoints)) {
+    const std::size_t first = conflict->waypoint + 1;
+    result.fault = conflict->share > 0.0 ? fmt::format("{} between waypoints {} and {}.",
+                                                       conflict->text, first, first + 1)
+                                         : fmt::format("{} at waypoint {}.", conflict->text, first);
     return result;
   }
+  Blends blends(problem, options);
   std::vector<double> deviations(path.waypoints.size(), options.deviation);
   std::vector<bool> certain(path.waypoints.size(), false);
   std::vector<bool> smaller(path.waypoints.size(), false);

@@ -3,6 +3,7 @@
 #include "handway/geometric/collision/edge_checker.h"
 #include "handway/geometric/math/units.h"
 #include "handway/planning/core/plan_result.h"
+#include "handway/planning/paths/path_conflict.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -60,21 +61,17 @@ void check_collisions(const PlanningProblem& problem, const Trajectory& trajecto
                   make_edge_end(*checker, trajectory.points.back().position, resolution)});
   const geometric::CollisionWorld& world = checker->world();
   const auto fault = [&](const TrajectoryPoint& point, const std::optional<int>& pair,
-                         const char* what) {
-    std::string bodies = "Bodies";
-    if (pair) {
-      const geometric::BodyPair& two = world.pairs()[static_cast<std::size_t>(*pair)];
-      bodies = world.body(two.a).name + " and " + world.body(two.b).name;
-    }
+                         double closer_than) {
     report.faults.push_back(
-        {"", point.time, 0.0, fmt::format("{} {} at {:.4f} s.", bodies, what, point.time)});
+        {"", point.time, 0.0,
+         fmt::format("{} at {:.4f} s.", conflict_text(world, pair, closer_than), point.time)});
   };
   double least = kFarClearance;
   for (std::size_t i = 0; i < trajectory.points.size(); ++i) {
     const TrajectoryPoint& point = trajectory.points[i];
     if (const auto pair = checker->first_collision(point.position)) {
       least = 0.0;
-      fault(point, pair, "collide");
+      fault(point, pair, 0.0);
       break;
     }
     const geometric::NamedPair closest = geometric::find_clearance(*checker, point.position, least);
@@ -89,7 +86,7 @@ void check_collisions(const PlanningProblem& problem, const Trajectory& trajecto
     }
     const geometric::EdgeResult edge = edges.check(from, point.position);
     if (!edge.free) {
-      fault(point, edge.pair, fmt::format("come closer than {:g} mm", 1e3 * resolution).c_str());
+      fault(point, edge.pair, resolution);
       break;
     }
   }

@@ -223,5 +223,27 @@ TEST(SceneReader, SurvivesEveryCutAndEveryFlippedByteOfAScene) {
   }
 }
 
+// One key after another broken.
+TEST(SceneReader, RefusesABrokenConstraintByName) {
+  const SceneFiles files;
+  const auto refusal_of = [&](const std::string& constraint) {
+    return refusal(files.scene("constraints:\n  - " + constraint + "\n"));
+  };
+  EXPECT_THAT(
+      refusal_of("{name: a, body: hnd, upright: {angle_deg: 10}}"),
+      AllOf(HasSubstr("scene.yaml:5: constraints[0].body: found \"hnd\""), HasSubstr("\"hand\"")));
+  EXPECT_THAT(
+      refusal_of("{name: a, body: hand, upright: {angle_deg: 0}}"),
+      HasSubstr("constraints[0].upright.angle_deg: found \"0\", expected an angle above 0"));
+  EXPECT_THAT(refusal_of("{name: a, body: hand, upright: {axis: [0, 0, 0], angle_deg: 5}}"),
+              HasSubstr("expected a vector that is not 0"));
+  EXPECT_THAT(refusal_of("{name: a, body: hand, region: {size: [1, 0, 1]}}"),
+              HasSubstr("constraints[0].region.size[1]: found \"0\", expected a size above 0 m"));
+  EXPECT_THAT(refusal_of("{name: a, body: hand}"), HasSubstr("neither upright nor region"));
+  EXPECT_THAT(refusal_of("{name: a, body: hand, upright: {angle_deg: 5}}\n"
+                         "  - {name: a, body: tip, upright: {angle_deg: 5}}"),
+              HasSubstr("a name that no other constraint has"));
+}
+
 }  // namespace
 }  // namespace handway::geometric

@@ -67,6 +67,24 @@ void expect_same(const Scene& a, const Scene& b) {
       EXPECT_EQ(a.objects[i].attachment->touching, b.objects[i].attachment->touching);
     }
   }
+  ASSERT_EQ(a.constraints.size(), b.constraints.size());
+  for (std::size_t i = 0; i < a.constraints.size(); ++i) {
+    EXPECT_EQ(a.constraints[i].name, b.constraints[i].name);
+    EXPECT_EQ(a.constraints[i].body, b.constraints[i].body);
+    ASSERT_EQ(a.constraints[i].what.index(), b.constraints[i].what.index());
+    if (const auto* angle = std::get_if<OrientationConstraint>(&a.constraints[i].what)) {
+      const auto& other = std::get<OrientationConstraint>(b.constraints[i].what);
+      EXPECT_EQ(angle->axis, other.axis);
+      EXPECT_EQ(angle->direction, other.direction);
+      EXPECT_DOUBLE_EQ(angle->angle, other.angle);
+    } else {
+      const auto& box = std::get<PositionConstraint>(a.constraints[i].what);
+      const auto& other = std::get<PositionConstraint>(b.constraints[i].what);
+      EXPECT_EQ(box.point, other.point);
+      EXPECT_EQ(box.size, other.size);
+      EXPECT_TRUE(box.X_WR.isApprox(other.X_WR));
+    }
+  }
 }
 
 /// A scene that uses every part of the format, with awkward numbers and texts.
@@ -81,6 +99,9 @@ objects:
   - {name: "ñandú", cone: {radius: 0.1, length: 3}, group: "true", locked: true, solid: false}
   - {name: "null", mesh: {file: square.obj, scale: [1, -2, 3]}}
   - {name: one, mesh: {file: square.obj}, attach: {link: hand, touching: [tip, lower]}}
+constraints:
+  - {name: "up: right", body: one, upright: {axis: [0, 1, 0], angle_deg: 12.3}}
+  - {name: room, body: tip, region: {point: [0, 0, 0.1], size: [1, 2, 0.3], pose: {xyz: [1, 0, 0]}}}
 start: {elbow: 0.1}
 goal: {shoulder: 1.0000000000000002}
 postures:

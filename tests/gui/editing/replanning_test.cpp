@@ -132,5 +132,42 @@ TEST(ProblemUpdate, GivesTheWorldOfTheChangedScene) {
   }
 }
 
+TEST(ProblemUpdate, KnowsConstraints) {
+  const SmallCell cell;
+  const planning::Extensions extensions;
+  const planning::LoadedScene loaded = planning::load_scene(cell.post(), extensions);
+  const planning::PlanningProblem before = planning::make_problem(loaded.scene, loaded.basis);
+  gui::SceneState state = gui::with_constraint(
+      {loaded.scene},
+      {"ahead", "palm",
+       geometric::OrientationConstraint{Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitX(), 0.5}});
+  const planning::PlanningProblem constrained =
+      gui::updated_problem(before, {state.scene, loaded.basis});
+  geometric::Configuration turned = *loaded.scene->start;
+  turned[0] = 0.6;
+  EXPECT_TRUE(constrained.checker->clone()->first_collision(turned));
+  EXPECT_FALSE(before.checker->clone()->first_collision(turned));
+  EXPECT_TRUE(gui::updated_problem(constrained, loaded).checker->world().constraints().empty());
+}
+
+TEST(ProblemUpdate, KnowsWhatIsHollow) {
+  const SmallCell cell;
+  const planning::Extensions extensions;
+  const planning::LoadedScene loaded = planning::load_scene(cell.post(), extensions);
+  const auto around = [&](bool solid) -> planning::LoadedScene {
+    return {gui::with_changed_object({loaded.scene}, "post",
+                                     [&](geometric::SceneObject& post) {
+                                       post.shape = geometric::Box{{9.0, 9.0, 9.0}};
+                                       post.solid = solid;
+                                     })
+                .scene,
+            loaded.basis};
+  };
+  const planning::PlanningProblem inside = planning::make_problem(around(true).scene, loaded.basis);
+  EXPECT_TRUE(inside.checker->clone()->first_collision(inside.start));
+  const planning::PlanningProblem hollow = gui::updated_problem(inside, around(false));
+  EXPECT_FALSE(hollow.checker->clone()->first_collision(hollow.start));
+}
+
 }  // namespace
 }  // namespace handway::test

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <memory>
@@ -180,6 +181,37 @@ TEST_P(OmplMethod, LeavesTheConsoleAlone) {
 INSTANTIATE_TEST_SUITE_P(Ompl, OmplMethod, testing::ValuesIn(names_of_methods()),
                          [](const auto& test) {
                            std::string name = test.param;
+                           std::ranges::replace(name, '-', '_');
+                           return name;
+                         });
+
+class ConstrainedMethod : public OmplMethod {};
+
+TEST_P(ConstrainedMethod, KeepsTheHeadingOfThePalm) {
+  const PlanningProblem plain = test::post_problem();
+  geometric::Scene scene = *plain.scene;
+  constexpr double kAngle = 0.6;
+  scene.constraints.push_back({"heading", "palm",
+                               geometric::OrientationConstraint{Eigen::Vector3d::UnitX(),
+                                                                Eigen::Vector3d::UnitX(), kAngle}});
+  const PlanningProblem problem = test::planar_problem(std::move(scene), plain.start, plain.goal);
+  const PlanResult result = planner_->plan(problem, {});
+  ASSERT_TRUE(result.solved()) << result.reason;
+  for (std::size_t edge = 0; edge + 1 < result.path.waypoints.size(); ++edge) {
+    for (int i = 0; i <= 2000; ++i) {
+      const planning::Configuration q =
+          result.path.waypoints[edge] +
+          i / 2000.0 * (result.path.waypoints[edge + 1] - result.path.waypoints[edge]);
+      ASSERT_LE(std::abs(q[0] + q[1]), kAngle) << "the palm turns with shoulder and elbow";
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Ompl, ConstrainedMethod,
+                         testing::Values("ompl-rrt-connect", "ompl-pmd-rrt-connect", "ompl-kpiece",
+                                         "ompl-prm", "ompl-fmt", "ompl-bit-star"),
+                         [](const auto& method) {
+                           std::string name = method.param;
                            std::ranges::replace(name, '-', '_');
                            return name;
                          });

@@ -3,6 +3,7 @@
 #include "handway/geometric/collision/collision_world.h"
 #include "handway/geometric/export.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -67,7 +68,8 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionChecker {
   /// Of the links as placed, in the robot's base frame. Shape [link_count].
   [[nodiscard]] const std::vector<Pose>& link_poses() const { return X_BL_; }
 
-  /// Do the two bodies of world().pairs()[pair] touch, as placed?
+  /// Do the two bodies of world().pairs()[pair] touch, as placed? Questions about one pair take
+  /// constraints, too; see CollisionWorld::constraints().
   [[nodiscard]] bool pair_collides(int pair);
 
   /// A lower bound of the distance of the pair's bodies, m: the distance itself
@@ -77,27 +79,30 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionChecker {
 
   /// The pair's distance to within a `share` of it, in [0, 1), or from `enough` up if it is at
   /// least that. The larger the share, the cheaper.
+  /// @pre no constraint.
   [[nodiscard]] DistanceRange pair_distance_range(int pair, double enough, double share) {
     ++counts_.pair_distances;
     return do_pair_distance_range(pair, enough, share);
   }
 
   /// Is the pair closer than `tolerance` (m)? Cheaper than its distance.
-  [[nodiscard]] Closeness pair_closeness(int pair, double tolerance) {
-    ++counts_.pair_distances;
-    return do_pair_closeness(pair, tolerance);
-  }
+  [[nodiscard]] Closeness pair_closeness(int pair, double tolerance);
 
   /// A lower bound of the pair's distance, at most `enough`, at a small price;
   /// it may be far below the distance.
-  [[nodiscard]] double pair_bound(int pair, double enough) { return do_pair_bound(pair, enough); }
+  [[nodiscard]] double pair_bound(int pair, double enough) {
+    return world_->constraint(pair) ? pair_distance(pair, enough) : do_pair_bound(pair, enough);
+  }
 
   /// A lower bound of the pair's distance that costs next to nothing: what
   /// bounding volumes of the two bodies tell.
-  [[nodiscard]] double pair_glance(int pair) { return do_pair_glance(pair); }
+  [[nodiscard]] double pair_glance(int pair) {
+    const LinkConstraint* constraint = world_->constraint(pair);
+    return constraint ? std::max(0.0, constraint->slack(X_BL_)) : do_pair_glance(pair);
+  }
 
   /// Sets `pairs` to all that may be nearer than `distance` (m), as far as
-  /// bounding volumes tell, in order. In a large scene not every pair is looked at.
+  /// bounding volumes tell, in order. In a large scene not every pair is looked at. No constraints.
   void near_pairs(double distance, std::vector<int>& pairs) { do_near_pairs(distance, pairs); }
 
   /// near_pairs(), those first that are likely to be the closest, where that is cheap to tell.
@@ -106,11 +111,12 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionChecker {
     do_closest_first(distance, pairs);
   }
 
-  /// Index of a pair that touches in `q`, or nothing if `q` is free.
+  /// Index of a constraint that is violated or a pair that touches in `q`, or nothing if `q` is
+  /// free.
   [[nodiscard]] std::optional<int> first_collision(const Configuration& q);
 
-  /// The same, asking `hint` first and then in a fixed order: which pair is found
-  /// depends on nothing but the arguments. @pre 0 ≤ hint < pairs, if there are any.
+  /// The same, asking constraints, `hint`, and then in a fixed order: which is found
+  /// depends on nothing but the arguments. @pre 0 ≤ hint < checks, if there are any.
   [[nodiscard]] std::optional<int> first_collision(const Configuration& q, int hint);
 
   /// The first of `pairs` that touches in `q`, if any.
@@ -153,16 +159,31 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionChecker {
   int last_collision_ = 0;  ///< Asked first: neighbours in space collide in the same pair.
 };
 
-/// Two bodies by name, with their distance (m, 0 if they touch or one is inside of the other).
+/// Two bodies by name, with their distance (m, 0 if they touch or one is inside of the other); or a
+/// constraint as `a`, with `b` empty.
 struct NamedPair {
   std::string a;
   std::string b;
   double distance = 0.0;
 };
 
-/// The pair world.pairs()[pair] by its bodies' names.
+/// The pair world.pairs()[pair] by its bodies' names, or the constraint of that index.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT NamedPair named_pair(const CollisionWorld& world, int pair,
                                                             double distance);
+
+/// "a with b", or "constraint a".
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::string to_string(const NamedPair& pair);
+
+/// What is wrong with `q` in a few words, of a pair or constraint that first_collision() found:
+/// "is in collision: a with b", or "violates constraint a: …".
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::string describe_conflict(CollisionChecker& checker,
+                                                                     int pair,
+                                                                     const Configuration& q);
+
+/// Of each constraint that is violated in `q`: "constraint can upright: the axis of can is 12° off,
+/// at most 10° are allowed".
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<std::string> violated_constraints(
+    CollisionChecker& checker, const Configuration& q);
 
 /// Indices into world().pairs() of all that touch in `q`, in order.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<int> touching_pairs(CollisionChecker& checker,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "handway/geometric/collision/link_constraint.h"
 #include "handway/geometric/export.h"
 #include "handway/geometric/scene/scene.h"
 
@@ -54,7 +55,7 @@ struct BodyPair {
 class HANDWAY_GEOMETRIC_EXPORT CollisionWorld {
  public:
   /// @throws InputError if the scene has no robot, an attachment names none, or a point is
-  /// farther away than kFarthestPoint.
+  /// farther away than kFarthestPoint; as LinkConstraint.
   explicit CollisionWorld(const Scene& scene);
 
   /// This world after a change of one object that stands still, all else shared: what
@@ -64,6 +65,10 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionWorld {
   [[nodiscard]] CollisionWorld with_object_at(std::string_view name, const Pose& X_WO) const;
   [[nodiscard]] CollisionWorld with_object(const SceneObject& object) const;
   [[nodiscard]] CollisionWorld without_object(std::string_view name) const;
+
+  /// This world with the constraints of `scene`, which has the same robots and carried objects.
+  /// @throws InputError as LinkConstraint.
+  [[nodiscard]] CollisionWorld with_constraints_of(const Scene& scene) const;
 
   [[nodiscard]] const RobotModel& model() const { return *model_; }
   [[nodiscard]] const std::shared_ptr<const RobotModel>& shared_model() const { return model_; }
@@ -75,6 +80,20 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionWorld {
   /// Moving against moving first, then moving against still; each in body order.
   [[nodiscard]] const std::vector<BodyPair>& pairs() const { return pairs_; }
   [[nodiscard]] bool is_self_pair(const BodyPair& pair) const { return body(pair.b).moves(); }
+
+  /// What else has to hold along a path. Checkers count constraints after the pairs: index
+  /// pairs().size() + c is constraint c, its distance is its slack (rad or m), and it "touches"
+  /// where it is violated.
+  [[nodiscard]] const std::vector<LinkConstraint>& constraints() const { return constraints_; }
+  /// Pairs and constraints.
+  [[nodiscard]] int check_count() const {
+    return static_cast<int>(pairs_.size() + constraints_.size());
+  }
+  /// The constraint of that index; null for a pair.
+  [[nodiscard]] const LinkConstraint* constraint(int check) const {
+    const auto index = static_cast<std::size_t>(check);
+    return index < pairs_.size() ? nullptr : &constraints_[index - pairs_.size()];
+  }
 
   /// Poses of all bodies in the world. @param[out] X_WBody shape [bodies().size()].
   void place(const Configuration& q, std::vector<Pose>& X_BL, std::vector<Pose>& X_WBody) const;
@@ -90,6 +109,7 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionWorld {
   [[nodiscard]] std::vector<int> pairs_with(std::string_view still_body) const;
 
  private:
+  void add_constraints(const Scene& scene);
   void add_robot_links(const RobotInstance& robot);
   void add_still_robot(const RobotInstance& robot);
   void add_objects(const Scene& scene);
@@ -105,6 +125,7 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionWorld {
   std::vector<CollisionBody> bodies_;
   std::vector<int> moving_;
   std::vector<BodyPair> pairs_;
+  std::vector<LinkConstraint> constraints_;
 };
 
 /// The triangles of all collision shapes of a link, in the link's frame; may be empty.

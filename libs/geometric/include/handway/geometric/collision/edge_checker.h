@@ -72,6 +72,9 @@ struct EdgeEnd {
 /// end where a pair is nearer, it keeps half of the distance there, plus a fiftieth of the distance
 /// that the pair can have moved since.
 ///
+/// Constraints are held in the same way, on every configuration of a free edge: the resolution is
+/// what is left of an angle (in rad) or of the distance to a region's side.
+///
 /// Source: Schwarzer, Saha, Latombe 2005 (see MotionBound).
 class HANDWAY_GEOMETRIC_EXPORT EdgeChecker {
  public:

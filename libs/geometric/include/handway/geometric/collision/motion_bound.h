@@ -11,7 +11,8 @@ namespace handway::geometric {
 
 /// How far two bodies of a pair can move against each other when the joints
 /// move: the farthest that any point of one can travel in the frame of the other
-/// per unit of each variable, over all configurations. Couplings are included.
+/// per unit of each variable, over all configurations. Couplings are included. Of a constraint
+/// (see CollisionWorld::constraints()): how far its point can travel, or its axis turn (rad).
 ///
 /// Source: Schwarzer, Saha, Latombe, "Adaptive dynamic collision checking for
 /// single and multiple articulated robots in complex environments", IEEE
@@ -27,8 +28,11 @@ class HANDWAY_GEOMETRIC_EXPORT MotionBound {
   }
 
   /// Pairs that move against each other in the same way share a motion: those of
-  /// one body with all that stands still.
+  /// one body with all that stands still. Constraints have a motion each, after those of the pairs.
   [[nodiscard]] int motion(int pair) const { return motions_[static_cast<std::size_t>(pair)]; }
+
+  /// Motions of pairs: those from there on are of constraints.
+  [[nodiscard]] Eigen::Index pair_motions() const { return pair_motions_; }
 
   /// bound() of all motions. @returns shape [motions].
   [[nodiscard]] Eigen::VectorXd bounds(const Eigen::VectorXd& travel) const {
@@ -54,11 +58,13 @@ class HANDWAY_GEOMETRIC_EXPORT MotionBound {
     return frames_[static_cast<std::size_t>(pair)];
   }
 
-  /// A ball around a body, in the frame of the link that carries it.
+  /// A ball around a body, in the frame of the link that carries it. What a constraint holds is
+  /// numbered after the bodies: a point, or a direction, whose "centre" is a unit vector.
   struct Ball {
     int link = 0;
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();
     double radius = 0.0;
+    bool is_direction = false;
   };
   [[nodiscard]] const Ball& ball(int body) const { return balls_[static_cast<std::size_t>(body)]; }
 
@@ -72,6 +78,7 @@ class HANDWAY_GEOMETRIC_EXPORT MotionBound {
   std::vector<Ball> balls_;
   Eigen::MatrixXd of_link_;   ///< Shape [link_count x bodies].
   std::vector<int> motions_;  ///< Per pair.
+  Eigen::Index pair_motions_ = 0;
   Eigen::MatrixXd reach_;     ///< Shape [variable_count x motions], m per rad or m per m.
   Eigen::VectorXd farthest_;  ///< Shape [variable_count].
 };

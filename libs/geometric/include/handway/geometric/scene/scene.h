@@ -3,6 +3,7 @@
 #include "handway/geometric/export.h"
 #include "handway/geometric/robot/robot_model.h"
 #include "handway/geometric/scene/color.h"
+#include "handway/geometric/scene/path_constraint.h"
 #include "handway/geometric/scene/shape.h"
 
 #include <filesystem>
@@ -58,10 +59,11 @@ struct Scene {
   std::filesystem::path file;  ///< Empty for a scene not saved yet.
   std::vector<RobotInstance> robots;
   std::vector<SceneObject> objects;
-  std::optional<Configuration> start;  ///< Of robots[0].
-  std::optional<Configuration> goal;   ///< Of robots[0].
-  std::vector<NamedPosture> postures;  ///< Of robots[0] or a part of it; names are unique.
-  std::filesystem::path hand_basis;    ///< PMD basis file as the scene names it; may be empty.
+  std::optional<Configuration> start;       ///< Of robots[0].
+  std::optional<Configuration> goal;        ///< Of robots[0].
+  std::vector<PathConstraint> constraints;  ///< Of paths of robots[0].
+  std::vector<NamedPosture> postures;       ///< Of robots[0] or a part of it; names are unique.
+  std::filesystem::path hand_basis;         ///< PMD basis file as the scene names it; may be empty.
   PlannerChoice planner;
   std::vector<std::string> warnings;  ///< What the reader noticed but could live with.
 };
@@ -71,5 +73,14 @@ struct Scene {
                                                                        std::string_view name);
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT const SceneObject* find_object(const Scene& scene,
                                                                       std::string_view name);
+
+/// Whether the object is fixed to a link of the robot.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT bool is_carried_by(const SceneObject& object,
+                                                          const RobotInstance& robot);
+
+/// What a constraint may be about: names of the objects that the first robot carries, then of its
+/// links.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<std::string> constrainable_bodies(
+    const Scene& scene);
 
 }  // namespace handway::geometric

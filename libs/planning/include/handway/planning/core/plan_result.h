@@ -51,7 +51,8 @@ struct HANDWAY_PLANNING_EXPORT PlanStatistics {
   std::uint64_t edges_tested = 0;
   double sampling_s = 0.0;
   double connection_s = 0.0;
-  /// Rejected samples by colliding pair, and by tenth of the arm segment.
+  /// Rejected samples by colliding pair or by violated constraint (with an empty second name), and
+  /// by tenth of the arm segment.
   std::map<std::pair<std::string, std::string>, std::uint64_t> rejections;
   std::vector<std::uint64_t> rejections_per_tenth;
 

@@ -18,9 +18,14 @@ namespace handway::planning {
 struct PathConflict {
   std::size_t waypoint = 0;  ///< The last waypoint up to there, from 0.
   double share = 0.0;        ///< In [0, 1]: how far it is from there to the next one.
-  std::string bodies;        ///< "A and B"
-  std::string what;          ///< "collide", or "come closer than 0.05 mm"
+  /// "A and B collide", "A and B come closer than 0.05 mm", or "The motion violates constraint C".
+  std::string text;
 };
+
+/// A sentence without its end, as PathConflict::text. @param pair or constraint; nothing: it is not
+/// known. @param resolution (m) what a pair does not keep; 0: it collides.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT std::string conflict_text(
+    const geometric::CollisionWorld& world, std::optional<int> pair, double resolution = 0.0);
 
 /// Looks for the first conflict of every configuration on a polyline, ends included, in the order
 /// in which it is followed, as time_path() and preflight() do.
@@ -33,12 +38,10 @@ class HANDWAY_PLANNING_EXPORT PathConflictSearch {
   /// @returns nothing if the polyline is free.
   [[nodiscard]] std::optional<PathConflict> run(std::span<const Configuration> waypoints,
                                                 const std::function<bool()>& stop = {});
-  /// The bodies that touch in one configuration: "A and B"; empty: none.
-  [[nodiscard]] std::string bodies_touching(const Configuration& q);
+  /// What is wrong with one configuration, as PathConflict::text; empty: nothing.
+  [[nodiscard]] std::string conflict_at(const Configuration& q);
 
  private:
-  [[nodiscard]] std::string bodies(const std::optional<int>& pair) const;
-
   std::unique_ptr<geometric::CollisionChecker> checker_;
   std::shared_ptr<const geometric::MotionBound> motion_;
   double resolution_;

@@ -11,6 +11,8 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
+#include <vector>
 
 namespace handway::planning {
 
@@ -41,6 +43,12 @@ class HANDWAY_PLANNING_EXPORT TargetSampler {
   ~TargetSampler();
 
   [[nodiscard]] const CorridorSpace& space() const { return region_.space(); }
+
+  /// The configuration at `x`, joints without a coordinate as at `reference`; where the scene has
+  /// constraints, the one that is found near it and keeps them, and `x` becomes its coordinates.
+  /// Nothing if there is none.
+  [[nodiscard]] std::optional<Configuration> configuration(Eigen::VectorXd& x,
+                                                           const Configuration& reference) const;
 
   struct Target {
     Eigen::VectorXd coordinates;  ///< In space().
@@ -80,6 +88,7 @@ class HANDWAY_PLANNING_EXPORT TargetSampler {
   const TargetRegion& settings_;
   bool in_regions_;
   HandArmRegion region_;
+  std::vector<int> variables_;  ///< That may change.
   sampling::RandomStream stream_;
   Draw draw_;
   std::unique_ptr<sampling::Sampler> points_;
