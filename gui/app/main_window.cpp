@@ -2,6 +2,7 @@
 
 #include "app/body_display_tool.h"
 #include "app/collision_display.h"
+#include "app/constraint_display.h"
 #include "app/dock_layout.h"
 #include "app/file_commands.h"
 #include "app/grasp_tool.h"
@@ -108,6 +109,7 @@ MainWindow::MainWindow(std::shared_ptr<planning::Extensions> extensions, QWidget
   connect_planning();
   connect_devices();
   connect_campaigns();
+  new ConstraintDisplay(document_, *view_, this);  // shows a scene after the view does
   show_scene();
   planning_commands_->tell_of_presets();
   for (const planning::RefusedPlugin& plugin : extensions_->refused()) {

@@ -183,6 +183,33 @@ void SceneEditor::add_mesh(const std::filesystem::path& file, const Eigen::Vecto
   add(file.stem().string(), mesh, kMeshColor, foot);
 }
 
+std::string SceneEditor::constrained_body() const {
+  const geometric::RobotInstance* robot = document_.robot();
+  if (!robot || has_several()) {
+    return {};
+  }
+  const SceneItem& item = selection();
+  switch (item.kind) {
+    case Kind::kObject:
+      return is_carried_by(*selected_object(), *robot) ? item.name : std::string();
+    case Kind::kLink:
+      return item.robot == robot->name ? item.name : std::string();
+    case Kind::kPalm:
+      return robot->model->link(document_.palm()).name;
+    default:
+      return {};
+  }
+}
+
+void SceneEditor::set_constraint(const geometric::PathConstraint& constraint) {
+  push(tr("Constrain %1").arg(words(constraint.body)), with_constraint(state(), constraint),
+       selection_, "constraint " + constraint.name);
+}
+
+void SceneEditor::remove_constraint(const std::string& name) {
+  push(tr("Remove constraint %1").arg(words(name)), without_constraint(state(), name), selection_);
+}
+
 void SceneEditor::remove() {
   if (const std::vector<std::string> names = changeable(); !names.empty()) {
     apply(tr("Delete %1").arg(words_for(names)), without_objects(state(), names), {});

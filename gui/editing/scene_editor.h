@@ -55,6 +55,13 @@ class SceneEditor : public QObject {
   /// @throws InputError if the mesh can't be read.
   void add_mesh(const std::filesystem::path& file, const Eigen::Vector3d& foot);
 
+  /// What a constraint of the selection is about: a carried object, a link of the first robot, the
+  /// palm of the robot as shown. Empty: nothing.
+  [[nodiscard]] std::string constrained_body() const;
+  /// Adds a constraint, or changes the one of that name.
+  void set_constraint(const geometric::PathConstraint& constraint);
+  void remove_constraint(const std::string& name);
+
   // Edits of what is selected.
   void remove();
   void duplicate();

@@ -2,6 +2,7 @@
 
 #include "editing/arrange.h"
 #include "editing/scene_edits.h"
+#include "forms/constraint_form.h"
 #include "forms/pose_form.h"
 #include "forms/shape_form.h"
 #include "handway/geometric/math/units.h"
@@ -20,6 +21,9 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <optional>
+#include <string>
+#include <variant>
 
 namespace handway::gui {
 namespace {
@@ -52,6 +56,42 @@ QWidget* boxed(std::initializer_list<QWidget*> parts) {
   return box;
 }
 
+// The first constraint about the body with such a kind of content; nullptr if there is none.
+template <typename Content>
+const geometric::PathConstraint* constraint_about(const SceneEditor& editor) {
+  const std::string body = editor.constrained_body();
+  if (body.empty()) {
+    return nullptr;
+  }
+  const auto& all = editor.state().scene->constraints;
+  const auto found = std::ranges::find_if(all, [&](const geometric::PathConstraint& constraint) {
+    return constraint.body == body && std::holds_alternative<Content>(constraint.what);
+  });
+  return found == all.end() ? nullptr : &*found;
+}
+
+template <typename Content>
+std::optional<Content> content_about(const SceneEditor& editor) {
+  const geometric::PathConstraint* constraint = constraint_about<Content>(editor);
+  return constraint ? std::optional(std::get<Content>(constraint->what)) : std::nullopt;
+}
+
+template <typename Content>
+void change_constraint(SceneEditor& editor, const Content& content) {
+  if (const geometric::PathConstraint* old = constraint_about<Content>(editor)) {
+    editor.set_constraint({old->name, old->body, content});
+  }
+}
+
+template <typename Content>
+void switch_constraint(SceneEditor& editor, const geometric::PathConstraint& made, bool on) {
+  if (on) {
+    editor.set_constraint(made);
+  } else if (const geometric::PathConstraint* old = constraint_about<Content>(editor)) {
+    editor.remove_constraint(std::string(old->name));
+  }
+}
+
 }  // namespace
 
 PropertiesPanel::PropertiesPanel(SceneEditor& editor, QWidget* parent)
@@ -66,7 +106,8 @@ PropertiesPanel::PropertiesPanel(SceneEditor& editor, QWidget* parent)
       extent_(new QLabel),
       color_(new QToolButton),
       parent_(new QComboBox),
-      solid_(new QCheckBox(tr("Solid"))) {
+      solid_(new QCheckBox(tr("Solid"))),
+      constraints_(new ConstraintForm) {
   setFrameShape(QFrame::NoFrame);
   setWidgetResizable(true);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -105,7 +146,9 @@ PropertiesPanel::PropertiesPanel(SceneEditor& editor, QWidget* parent)
   auto* layout = new QVBoxLayout(content);
   layout->setContentsMargins(12, 10, 12, 10);
   layout->setSpacing(8);
-  for (QWidget* part : {static_cast<QWidget*>(hint_), header_, pose_box_, shape_box_}) {
+  constraints_box_ = boxed({heading(tr("Along paths")), constraints_});
+  for (QWidget* part :
+       {static_cast<QWidget*>(hint_), header_, pose_box_, shape_box_, constraints_box_}) {
     layout->addWidget(part);
   }
   layout->addStretch(1);
@@ -121,6 +164,7 @@ PropertiesPanel::PropertiesPanel(SceneEditor& editor, QWidget* parent)
     emit attach_requested(parent_->itemData(row, Qt::UserRole).toString().toStdString(),
                           parent_->itemData(row, Qt::UserRole + 1).toString().toStdString());
   });
+  connect_constraints();
   refresh_icons();
   refresh();
 }
@@ -159,6 +203,7 @@ void PropertiesPanel::refresh_icons() {
 }
 
 void PropertiesPanel::refresh() {
+  show_constraints();
   const SceneItem& item = editor_.selection();
   if (const geometric::SceneObject* object = editor_.selected_object()) {
     if (editor_.has_several()) {
@@ -284,6 +329,34 @@ void PropertiesPanel::show_posture(const geometric::Pose& X_WP) {
 }
 
 void PropertiesPanel::show_hint() { show_parts(false, false, false); }
+
+void PropertiesPanel::connect_constraints() {
+  using Upright = geometric::OrientationConstraint;
+  using Region = geometric::PositionConstraint;
+  connect(constraints_, &ConstraintForm::upright_edited, &editor_,
+          [this](const Upright& upright) { change_constraint(editor_, upright); });
+  connect(constraints_, &ConstraintForm::region_edited, &editor_,
+          [this](const Region& region) { change_constraint(editor_, region); });
+  connect(constraints_, &ConstraintForm::upright_switched, &editor_, [this](bool on) {
+    switch_constraint<Upright>(
+        editor_,
+        new_upright(*editor_.state().scene, editor_.document().configuration(),
+                    editor_.constrained_body()),
+        on);
+  });
+  connect(constraints_, &ConstraintForm::region_switched, &editor_, [this](bool on) {
+    switch_constraint<Region>(editor_,
+                              new_region(*editor_.state().scene, editor_.document().configuration(),
+                                         editor_.constrained_body()),
+                              on);
+  });
+}
+
+void PropertiesPanel::show_constraints() {
+  constraints_box_->setVisible(!editor_.constrained_body().empty());
+  constraints_->show_upright(content_about<geometric::OrientationConstraint>(editor_));
+  constraints_->show_region(content_about<geometric::PositionConstraint>(editor_));
+}
 
 void PropertiesPanel::list_parents(const geometric::SceneObject& object) {
   const QSignalBlocker quiet(parent_);

@@ -12,6 +12,7 @@ class QToolButton;
 
 namespace handway::gui {
 
+class ConstraintForm;
 class PoseForm;
 class ShapeForm;
 
@@ -44,6 +45,8 @@ class PropertiesPanel : public QScrollArea {
   void show_posture(const geometric::Pose& X_WP);
   void show_hint();
   void show_parts(bool header, bool pose, bool shape);
+  void show_constraints();
+  void connect_constraints();
   void list_parents(const geometric::SceneObject& object);
   void choose_color();
   void paint_swatch(const geometric::Color& color);
@@ -64,6 +67,8 @@ class PropertiesPanel : public QScrollArea {
   QToolButton* color_;
   QComboBox* parent_;
   QCheckBox* solid_;
+  QWidget* constraints_box_;
+  ConstraintForm* constraints_;
 };
 
 }  // namespace handway::gui

@@ -14,6 +14,7 @@ enum class Overlay {
   kTrails,
   kSteps,
   kHypercubes,
+  kConstraints,
 };
 
 }  // namespace handway::gui

@@ -53,7 +53,7 @@ struct ScenePasses {
     for (const Overlay overlay :
          {Overlay::kPath, Overlay::kRoadmap, Overlay::kRegion, Overlay::kExecuted,
           Overlay::kOptimized, Overlay::kContacts, Overlay::kClearance, Overlay::kTrails,
-          Overlay::kSteps, Overlay::kHypercubes}) {
+          Overlay::kSteps, Overlay::kHypercubes, Overlay::kConstraints}) {
       const CoinRef<SoSwitch> shown = make_coin<SoSwitch>();
       shown->whichChild = SO_SWITCH_ALL;
       solids->addChild(shown.get());
