@@ -189,9 +189,10 @@ std::string SceneEditor::constrained_body() const {
     return {};
   }
   const SceneItem& item = selection();
+  const SceneObject* object = selected_object();  // null while it is being renamed
   switch (item.kind) {
     case Kind::kObject:
-      return is_carried_by(*selected_object(), *robot) ? item.name : std::string();
+      return object && is_carried_by(*object, *robot) ? item.name : std::string();
     case Kind::kLink:
       return item.robot == robot->name ? item.name : std::string();
     case Kind::kPalm:
@@ -202,8 +203,10 @@ std::string SceneEditor::constrained_body() const {
 }
 
 void SceneEditor::set_constraint(const geometric::PathConstraint& constraint) {
+  const bool is_new = std::ranges::count(state().scene->constraints, constraint.name,
+                                         &geometric::PathConstraint::name) == 0;
   push(tr("Constrain %1").arg(words(constraint.body)), with_constraint(state(), constraint),
-       selection_, "constraint " + constraint.name);
+       selection_, is_new ? std::string() : "constraint " + constraint.name);
 }
 
 void SceneEditor::remove_constraint(const std::string& name) {

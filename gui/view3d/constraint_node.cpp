@@ -26,7 +26,7 @@ using Edges = std::vector<std::pair<int, int>>;
 
 constexpr geometric::Color kKeptColor{0.05F, 0.55F, 0.62F, 1.0F};
 constexpr geometric::Color kViolatedColor{0.86F, 0.16F, 0.14F, 1.0F};
-constexpr float kVeil = 0.22F;  // opacity of a face
+constexpr float kVeil = 0.14F;  // opacity of a face
 constexpr float kEdgeWidth = 1.5F;
 constexpr float kAxisWidth = 3.0F;
 constexpr float kDotSize = 9.0F;

@@ -7,6 +7,7 @@
 #include "handway/geometric/math/units.h"
 #include "panels/collision_label.h"
 #include "panels/doctor_card.h"
+#include "panels/properties_panel.h"
 
 #include <QCheckBox>
 
@@ -90,6 +91,8 @@ TEST_F(ConstrainingPaths, ShowsACarriedCanWithWhatItKeeps) {
   const auto& upright =
       std::get<geometric::OrientationConstraint>(scene().constraints.front().what);
   EXPECT_EQ(upright.axis, Eigen::Vector3d(Eigen::Vector3d::UnitZ())) << "the can stands";
+  QTest::qWait(50);
+  window().findChild<gui::PropertiesPanel*>()->ensureWidgetVisible(&part<QCheckBox>("keep_region"));
   keep_picture("constraints");
 }
 
