@@ -13,6 +13,7 @@ namespace {
 constexpr int kCandidates = 12;       // of which the least expanded node is expanded
 constexpr double kRefinement = 0.25;  // share of a step that is tried after it
 constexpr double kLeastGain = 0.1;    // share of a step that has to be gained
+constexpr int kLeastRefinements = 1;  // with constraints: long steps cut across what bends
 
 // Configurations that an edge may take: at first, more with every sample, at most.
 constexpr std::uint64_t kEdgeChecks = 300;
@@ -97,8 +98,10 @@ BidirectionalSearch::Growth BidirectionalSearch::expansion(int tree, sampling::R
 
 // One step of at most `range`; the new node, if the motion is free.
 std::optional<int> BidirectionalSearch::grow(const Growth& growth) {
+  const bool has_constraints = !context().problem().checker->world().constraints().empty();
+  const int refinements = std::max(settings_.refinements, has_constraints ? kLeastRefinements : 0);
   double range = settings_.range;
-  for (int i = 0; i <= settings_.refinements; ++i, range *= kRefinement) {
+  for (int i = 0; i <= refinements; ++i, range *= kRefinement) {
     if (const std::optional<int> node =
             step_towards(growth.from, growth.target.coordinates, range, growth.target)) {
       return node;

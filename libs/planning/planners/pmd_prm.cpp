@@ -250,11 +250,16 @@ class RoadmapSearch {
            !world.is_self_pair(world.pairs()[static_cast<std::size_t>(pair)]);
   }
 
-  // The arm in the hypercube that is explored, and the hand with it: what points of the unit cube
-  // stand for.
+  // The arm in the hypercube that is explored, or next to it where constraints take it, and the
+  // hand with it: what points of the unit cube stand for.
   [[nodiscard]] std::optional<Configuration> arm_at(const Eigen::VectorXd& u) const {
-    return region_.arm_at(hypercube_.first, hypercube_.second,
-                          u.head(region_.space().corridor_dimension()));
+    const std::optional<Configuration> q = region_.arm_at(
+        hypercube_.first, hypercube_.second, u.head(region_.space().corridor_dimension()));
+    const auto& constraints = context_.problem().checker->world().constraints();
+    return q && !constraints.empty()
+               ? geometric::project_onto_constraints(context_.problem().model(), constraints,
+                                                     context_.problem().arm, *q)
+               : q;
   }
   [[nodiscard]] Configuration with_hand(const Eigen::VectorXd& u) const {
     return region_.with_hand(arm_, u.head(hand_axes_));

@@ -10,6 +10,7 @@
 #include "panels/properties_panel.h"
 
 #include <QCheckBox>
+#include <QDockWidget>
 
 namespace handway::test {
 namespace {
@@ -91,7 +92,9 @@ TEST_F(ConstrainingPaths, ShowsACarriedCanWithWhatItKeeps) {
   const auto& upright =
       std::get<geometric::OrientationConstraint>(scene().constraints.front().what);
   EXPECT_EQ(upright.axis, Eigen::Vector3d(Eigen::Vector3d::UnitZ())) << "the can stands";
-  QTest::qWait(50);
+  window().resize(1440, 900);
+  window().resizeDocks({window().findChild<QDockWidget*>("properties")}, {290}, Qt::Horizontal);
+  QTest::qWait(100);
   window().findChild<gui::PropertiesPanel*>()->ensureWidgetVisible(&part<QCheckBox>("keep_region"));
   keep_picture("constraints");
 }
