@@ -198,12 +198,17 @@ class PregraspSearch {
   /// Does it only depend on where the hand is?
   [[nodiscard]] bool is_of_hand(int pair) const {
     const geometric::CollisionWorld& world = checker_->world();
-    const auto is_hand = [&](int body) {
-      const int link = world.body(body).link;
-      return !world.body(body).moves() || link == ik_.palm() ||
+    const auto is_hand_link = [&](int link) {
+      return link == ik_.palm() ||
              std::ranges::any_of(hand_.fingers(), [&](const HandClosing::Finger& finger) {
                return std::ranges::count(finger.links, link) > 0;
              });
+    };
+    if (const geometric::LinkConstraint* constraint = world.constraint(pair)) {
+      return is_hand_link(constraint->link());
+    }
+    const auto is_hand = [&](int body) {
+      return !world.body(body).moves() || is_hand_link(world.body(body).link);
     };
     const auto& bodies = world.pairs()[static_cast<std::size_t>(pair)];
     return is_hand(bodies.a) && is_hand(bodies.b);

@@ -57,6 +57,24 @@ TEST_F(PregraspSearch, FindsWaysAroundACanThatAreFree) {
   }
 }
 
+TEST_F(PregraspSearch, KeepsConstraintsOfTheHandAndOfTheArm) {
+  const PlanningProblem plain = shipped("can_on_table");
+  geometric::Scene scene = *plain.scene;
+  geometric::PositionConstraint side;  // of the can
+  side.size = Eigen::Vector3d(4.0, 2.0, 4.0);
+  side.X_WR.translation().y() = -0.85;
+  geometric::OrientationConstraint elbow;
+  elbow.angle = 1.2;
+  scene.constraints = {{"side", "palm", side}, {"elbow", "forearm_link", elbow}};
+  const PlanningProblem problem =
+      make_problem(std::make_shared<const geometric::Scene>(std::move(scene)), plain.basis);
+  const auto checker = problem.checker->clone();
+  for (const Pregrasp& grasp : find_pregrasps(problem, "can")) {
+    EXPECT_FALSE(checker->first_collision(grasp.q));
+  }
+  EXPECT_LT(find_pregrasps(problem, "can").size(), find_pregrasps(plain, "can").size());
+}
+
 TEST_F(PregraspSearch, PutsThumbAndFingersAroundWhatItGrasps) {
   for (const auto& [scene, object] :
        {std::pair("can_on_table", "can"), std::pair("can_in_box", "can"),
