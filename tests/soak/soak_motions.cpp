@@ -587,7 +587,9 @@ class Witness final : public execution::MotionObserver {
     if (!held_) {
       held_ = true;
       held_at_ = Clock::now();
-      longest_hold_ = std::max(longest_hold_, seconds(held_at_ - edited_));
+      if (edits_ > 0) {
+        longest_hold_ = std::max(longest_hold_, seconds(held_at_ - edited_));
+      }
     }
   }
 

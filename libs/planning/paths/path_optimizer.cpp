@@ -1,7 +1,5 @@
 #include "handway/planning/paths/path_optimizer.h"
 
-#include "paths/subspace_roadmap.h"
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -20,6 +18,7 @@ constexpr double kRemovals = 0.3;     // share of waypoints that are taken out i
 constexpr double kLargestMove = 0.2;  // of a waypoint
 constexpr double kSmallestMove = 0.005;
 constexpr double kLookSpacing = 0.1;  // of configurations looked at before a motion is certified
+constexpr int kRound = 64;            // replacements that are drawn before the best is tried
 
 Point between(const Point& from, const Point& to, double share) {
   return {from.q + share * (to.q - from.q), from.joints + share * (to.joints - from.joints),
@@ -45,7 +44,7 @@ Path PathOptimizer::path() const {
 
 double PathOptimizer::cost() const { return objective_.cost(sum_); }
 
-bool PathOptimizer::converged() const { return led_ && fruitless_ >= patience_; }
+bool PathOptimizer::converged() const { return fruitless_ >= patience_; }
 
 std::uint64_t PathOptimizer::spent() const {
   return context_.statistics().checks() + objective_.distance_queries();
@@ -61,6 +60,7 @@ bool PathOptimizer::is_over() const {
 
 void PathOptimizer::set_points(std::vector<Point> points) {
   points_ = std::move(points);
+  is_needed_.assign(points_.size(), false);
   motions_.clear();
   for (std::size_t i = 0; i + 1 < points_.size(); ++i) {
     motions_.push_back(objective_.measure(points_[i], points_[i + 1]));
@@ -80,48 +80,69 @@ bool PathOptimizer::has_subspace() const {
   return context_.problem().basis && objective_.weights().human_likeness > 0.0;
 }
 
+// They are as dear as checks.
+bool PathOptimizer::measures_distances() const { return objective_.weights().clearance > 0.0; }
+
 void PathOptimizer::advance(std::uint64_t checks) {
   if (points_.size() < 2) {
     return;
   }
   last_check_ = spent() + checks;
-  if (!led_ && !is_over()) {
+  if (!begun_) {
+    begun_ = true;
     if (points_.size() > kManyWaypoints) {
       prune(0, points_.size() - 1);
     }
-    lead_into_subspace();
-    led_ = true;
+    if (measures_distances()) {
+      shorten(checks / 2);
+    }
   }
   while (!is_over() && !converged()) {
     replace_at_random();
   }
 }
 
+// Costs are cheap and collision checks dear: of many replacements the one that saves most is tried
+// first.
+void PathOptimizer::replace_at_random() {
+  const int size = measures_distances() ? 1 : kRound;
+  std::vector<Replacement> round;
+  for (int i = 0; i < size; ++i) {
+    if (std::optional<Replacement> drawn = draw_replacement()) {
+      round.push_back(std::move(*drawn));
+    }
+  }
+  std::ranges::stable_sort(round, {}, &Replacement::cost);
+  const auto useful = std::ranges::find_if(
+      round, [this](Replacement& replacement) { return is_over() || apply(replacement); });
+  fruitless_ = useful != round.end() ? 0 : fruitless_ + size;
+}
+
+// Distances along a long path would take all checks.
+void PathOptimizer::shorten(std::uint64_t checks) {
+  PathOptimizer shortest(context_, {}, path(), draw_.fork(1).seed(), patience_);
+  shortest.advance(checks);
+  std::vector<Point> known = points_;
+  const double before = cost();
+  set_points(std::move(shortest.points_));
+  if (cost() > before) {
+    set_points(std::move(known));
+  }
+}
+
 // What lies between two waypoints is replaced by the straight motion, or else what lies between
 // each of them and the one in the middle.
 void PathOptimizer::prune(std::size_t first, std::size_t last) {
-  if (last - first < 2 || is_over() || try_stretch(at_waypoint(first), at_waypoint(last), {})) {
+  if (last - first < 2 || is_over()) {
+    return;
+  }
+  const auto straight = replacement(at_waypoint(first), at_waypoint(last), {});
+  if (straight && apply(*straight)) {
     return;
   }
   const std::size_t middle = first + (last - first) / 2;
   prune(middle, last);  // before waypoints in front of it go
   prune(first, middle);
-}
-
-// Without a subspace: the cheapest path over the waypoints.
-void PathOptimizer::lead_into_subspace() {
-  // Paths that were planned in the subspace need no layers.
-  constexpr double kNearForced = 1.5;
-  const auto half_square = [](const Point& end) { return 0.5 * end.outside.squaredNorm(); };
-  const double forced = half_square(points_.front()) + half_square(points_.back());
-  const bool layered = has_subspace() && sum_.outside > kNearForced * forced;
-  SubspaceRoadmap roadmap(context_, objective_, points_, layered, draw_.fork(1).seed());
-  const double before = cost();
-  std::vector<Point> known = points_;
-  set_points(roadmap.cheapest_path(checks_left() / 2));
-  if (cost() > before) {  // the roadmap's costs are those of motions of a path as long as this was
-    set_points(std::move(known));
-  }
 }
 
 PathOptimizer::Place PathOptimizer::at_waypoint(std::size_t waypoint) const {
@@ -131,7 +152,7 @@ PathOptimizer::Place PathOptimizer::at_waypoint(std::size_t waypoint) const {
 
 PathOptimizer::Place PathOptimizer::place_at(double length_before) const {
   for (std::size_t i = 0; i + 1 < points_.size(); ++i) {
-    const double length = points_[i].distance_to(points_[i + 1]);
+    const double length = motions_[i].length;
     if (length_before < length) {
       return {i, between(points_[i], points_[i + 1], length_before / length)};
     }
@@ -140,25 +161,27 @@ PathOptimizer::Place PathOptimizer::place_at(double length_before) const {
   return at_waypoint(points_.size() - 1);
 }
 
-void PathOptimizer::replace_at_random() {
+std::optional<PathOptimizer::Replacement> PathOptimizer::draw_replacement() {
   constexpr double kMoves = 0.3;  // share of waypoints moved among all replacements
-  bool useful = false;
   if (points_.size() > 2 && draw_.uniform() < kMoves) {
-    useful = move_waypoint();
-  } else {
-    const double whole = sum_.length;
-    const double a = draw_.uniform() * whole;
-    const double b = draw_.uniform() * whole;
-    const Place from = place_at(std::min(a, b));
-    const Place to = place_at(std::max(a, b));
-    useful = try_stretch(from, to, replacement(from, to));
+    return draw_waypoint_move();
   }
-  fruitless_ = useful ? 0 : fruitless_ + 1;
+  const double whole = sum_.length;
+  const double a = draw_.uniform() * whole;
+  const double b = draw_.uniform() * whole;
+  const Place from = place_at(std::min(a, b));
+  const Place to = place_at(std::max(a, b));
+  return replacement(from, to, draw_inner(from, to));
 }
 
 // What a stretch could be instead, its ends apart.
-std::vector<Point> PathOptimizer::replacement(const Place& from, const Place& to) {
+std::vector<Objective::Point> PathOptimizer::draw_inner(const Place& from, const Place& to) {
+  constexpr double kHandLaterOrSooner = 0.15;
   const PlanningProblem& problem = context_.problem();
+  if (has_subspace() && draw_.uniform() < kHandLaterOrSooner) {
+    return {draw_.uniform() < 0.5 ? objective_.with_hand(from.point, to.point)
+                                  : objective_.with_hand(to.point, from.point)};
+  }
   const double kind = draw_.uniform();
   std::vector<Point> inner(points_.begin() + static_cast<std::ptrdiff_t>(from.edge) + 1,
                            points_.begin() + static_cast<std::ptrdiff_t>(to.edge) + 1);
@@ -203,12 +226,14 @@ std::vector<Point> PathOptimizer::replacement(const Place& from, const Place& to
   return inner;
 }
 
-bool PathOptimizer::move_waypoint() {
+std::optional<PathOptimizer::Replacement> PathOptimizer::draw_waypoint_move() {
   const auto count = static_cast<double>(points_.size() - 2);
   const auto waypoint =
       1 + std::min(points_.size() - 3, static_cast<std::size_t>(draw_.uniform() * count));
+  const Place before = at_waypoint(waypoint - 1);
+  const Place after = at_waypoint(waypoint + 1);
   if (draw_.uniform() < kRemovals) {
-    return try_stretch(at_waypoint(waypoint - 1), at_waypoint(waypoint + 1), {});
+    return is_needed_[waypoint] ? std::nullopt : replacement(before, after, {});
   }
   const PlanningProblem& problem = context_.problem();
   const double size = kSmallestMove * std::pow(kLargestMove / kSmallestMove, draw_.uniform());
@@ -218,8 +243,8 @@ bool PathOptimizer::move_waypoint() {
     const Point& point = points_[waypoint];
     const Eigen::VectorXd step =
         size * (2.0 * draw_.uniform(objective_.subspace_dimension()).array() - 1.0);
-    return try_stretch(
-        at_waypoint(waypoint - 1), at_waypoint(waypoint + 1),
+    return replacement(
+        before, after,
         {objective_.moved_along_subspace(objective_.towards_subspace(point, 1.0), step)});
   }
   if (part < 0.5 && !problem.hand.empty()) {
@@ -229,57 +254,93 @@ bool PathOptimizer::move_waypoint() {
   }
   Eigen::VectorXd joints = points_[waypoint].joints + size * direction.normalized();
   joints = joints.cwiseMax(0.0).cwiseMin(1.0);
-  return try_stretch(at_waypoint(waypoint - 1), at_waypoint(waypoint + 1),
-                     {objective_.point_of_joints(std::move(joints))});
+  return replacement(before, after, {objective_.point_of_joints(std::move(joints))});
 }
 
-// The stretch between two places of the path gives way to `inner` if that costs less and is free.
-bool PathOptimizer::try_stretch(const Place& from, const Place& to,
-                                const std::vector<Point>& inner) {
-  std::vector<Point> changed{from.point};
-  const auto append = [](std::vector<Point>& list, const Point& point) {
-    if (list.back().distance_to(point) > kSame) {
-      list.push_back(point);
+// The stretch between two places of the path as `inner`, if that costs less. Most do not: nothing
+// is copied before that is known.
+std::optional<PathOptimizer::Replacement> PathOptimizer::replacement(
+    const Place& from, const Place& to, const std::vector<Point>& inner) {
+  const std::size_t last = to.edge + 1;
+  std::vector<const Point*> chain{&points_[from.edge]};
+  chain.reserve(inner.size() + 4);
+  const auto append = [&chain](const Point& point) {
+    if (chain.back()->distance_to(point) > kSame) {
+      chain.push_back(&point);
     }
   };
-  std::ranges::for_each(inner, [&](const Point& point) { append(changed, point); });
-  append(changed, to.point);
-  if (changed.size() < 2) {
-    return false;
+  append(from.point);
+  const std::size_t first_changed = chain.size() - 1;
+  std::ranges::for_each(inner, append);
+  append(to.point);
+  const std::size_t last_changed = chain.size() - 1;
+  append(points_[last]);
+  if (last_changed == first_changed) {
+    return std::nullopt;
   }
-  // Between two waypoints that stay.
-  const std::size_t first = from.edge;
-  const std::size_t last = to.edge + 1;
-  std::vector<Point> chain{points_[first]};
-  std::ranges::for_each(changed, [&](const Point& point) { append(chain, point); });
-  append(chain, points_[last]);
-  std::vector<MotionSums> motions;
   MotionSums sum = sum_;
-  for (std::size_t i = first; i < last; ++i) {
+  for (std::size_t i = from.edge; i < last; ++i) {
     sum -= motions_[i];
   }
+  const double added =
+      static_cast<double>(chain.size() - 1) - static_cast<double>(last - from.edge);
+  const auto is_worthwhile = [&](const MotionSums& path) {
+    return objective_.cost(path) + kWaypoint * added * cost() <= (1.0 - kWorthwhile) * cost();
+  };
+  MotionSums at_best = sum;
   for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
-    motions.push_back(objective_.measure(chain[i], chain[i + 1]));
+    at_best.length += chain[i]->distance_to(*chain[i + 1]);
+  }
+  if (!is_worthwhile(at_best)) {
+    return std::nullopt;
+  }
+  std::vector<MotionSums> motions;
+  motions.reserve(chain.size() - 1);
+  for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
+    motions.push_back(objective_.measure(*chain[i], *chain[i + 1]));
     sum += motions.back();
   }
-  const double added = static_cast<double>(motions.size()) - static_cast<double>(last - first);
-  if (objective_.cost(sum) > (1.0 - kWorthwhile - kWaypoint * added) * cost() ||
-      !all_free(changed)) {
-    return false;
+  if (!is_worthwhile(sum)) {
+    return std::nullopt;
   }
+  Replacement made{from.edge,
+                   last,
+                   {},
+                   first_changed,
+                   last_changed,
+                   std::move(motions),
+                   objective_.cost(sum) + kWaypoint * added * cost()};
+  made.chain.reserve(chain.size());
+  std::ranges::transform(chain, std::back_inserter(made.chain),
+                         [](const Point* point) { return *point; });
+  return made;
+}
+
+// Makes it part of the path if it is free.
+bool PathOptimizer::apply(const Replacement& made) {
   const auto at = [](auto& list, std::size_t i) {
     return list.begin() + static_cast<std::ptrdiff_t>(i);
   };
-  points_.erase(at(points_, first + 1), at(points_, last));
-  points_.insert(at(points_, first + 1), chain.begin() + 1, chain.end() - 1);
-  motions_.erase(at(motions_, first), at(motions_, last));
-  motions_.insert(at(motions_, first), motions.begin(), motions.end());
+  if (!all_free(made.changed())) {
+    if (made.is_removal()) {
+      is_needed_[made.first + 1] = true;
+    }
+    return false;
+  }
+  points_.erase(at(points_, made.first + 1), at(points_, made.last));
+  points_.insert(at(points_, made.first + 1), made.chain.begin() + 1, made.chain.end() - 1);
+  motions_.erase(at(motions_, made.first), at(motions_, made.last));
+  motions_.insert(at(motions_, made.first), made.motions.begin(), made.motions.end());
+  is_needed_.erase(at(is_needed_, made.first + 1), at(is_needed_, made.last));
+  is_needed_.insert(at(is_needed_, made.first + 1), made.chain.size() - 2, false);
+  is_needed_[made.first] = false;  // it has another neighbour now
+  is_needed_[made.first + made.chain.size() - 1] = false;
   add_up();
   return true;
 }
 
 // Cheap questions about the whole stretch come before dear ones about a part of it.
-bool PathOptimizer::all_free(const std::vector<Point>& points) {
+bool PathOptimizer::all_free(std::span<const Point> points) {
   for (std::size_t i = 1; i + 1 < points.size(); ++i) {
     if (context_.collision(points[i].q)) {
       return false;

@@ -7,6 +7,8 @@
 #include "handway/sampling/sequences/random_stream.h"
 
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <vector>
 
 namespace handway::planning {
@@ -14,19 +16,17 @@ namespace handway::planning {
 /// Lowers the cost of a free path, as an Objective measures it; every motion of the result is
 /// certified like a planner's.
 ///
-/// With a PMD subspace the path is first led into it as early and out of it as late as obstacles
-/// allow: the cheapest path over the given waypoints, points between them and the same with the
-/// hand in the subspace, whose motions are checked only where that path leads. Then, in rounds,
-/// stretches are replaced at random: by straight motions, by straight motions of the arm, the hand
-/// or a joint alone, by the same stretch nearer to the subspace; and single waypoints are moved.
-/// What costs less and is free stays.
+/// A path of many waypoints is pruned first. Then, in rounds, replacements of stretches are drawn
+/// at random: straight motions, straight motions of the arm, the hand or a joint alone, the same
+/// stretch nearer to the PMD subspace, the hand moving before the arm or after it; and moves of
+/// single waypoints. Costs are known without a check of the motion, so that of each round what
+/// saves most and is free takes its place.
 ///
 /// Any-time and deterministic: what it has after a number of checks depends on the path, the
 /// weights and the seed alone.
 ///
 /// Sources: Geraerts, Overmars, "Creating high-quality paths for motion planning", IJRR 26(8),
-/// 2007, section 4 (shortcuts, partial shortcuts); Bohlin, Kavraki, "Path planning using lazy
-/// PRM", ICRA 2000, doi:10.1109/ROBOT.2000.844107 (motions checked late).
+/// 2007, section 4 (shortcuts, partial shortcuts).
 class HANDWAY_PLANNING_EXPORT PathOptimizer {
  public:
   /// @param context outlives this. @param path all its motions are free.
@@ -39,7 +39,7 @@ class HANDWAY_PLANNING_EXPORT PathOptimizer {
   void advance(std::uint64_t checks);
 
   /// `patience` for going on after planning.
-  static constexpr int kThorough = 500;
+  static constexpr int kThorough = 2000;
   /// Goes on in rounds of 1000 checks until converged() or until the run has to end: as many rounds
   /// give the same path, whether they were asked for or are what some seconds sufficed for.
   /// @param go_on asked before each round, with the checks of the rounds before; returns bool.
@@ -69,21 +69,45 @@ class HANDWAY_PLANNING_EXPORT PathOptimizer {
     Point point;
   };
 
+  /// Of the path between two waypoints that stay.
+  struct Replacement {
+    std::size_t first = 0;  ///< The waypoints that stay.
+    std::size_t last = 0;
+    std::vector<Point> chain;         ///< The new path between them, both included; …
+    std::size_t first_changed = 0;    ///< … new from this one of its points …
+    std::size_t last_changed = 0;     ///< … to this one.
+    std::vector<MotionSums> motions;  ///< Of the chain.
+    double cost = 0.0;                ///< Of the whole path then, and of the waypoints it adds.
+
+    /// What has to be free.
+    [[nodiscard]] std::span<const Point> changed() const {
+      return std::span(chain).subspan(first_changed, last_changed - first_changed + 1);
+    }
+
+    /// Does it take a single waypoint out?
+    [[nodiscard]] bool is_removal() const { return chain.size() == 2 && last == first + 2; }
+  };
+
   [[nodiscard]] std::uint64_t spent() const;
   [[nodiscard]] std::uint64_t checks_left() const;
   [[nodiscard]] bool is_over() const;
   [[nodiscard]] bool has_subspace() const;
 
+  [[nodiscard]] bool measures_distances() const;
+
   void prune(std::size_t first, std::size_t last);
-  void lead_into_subspace();
+  void shorten(std::uint64_t checks);
   void replace_at_random();
-  [[nodiscard]] std::vector<Point> replacement(const Place& from, const Place& to);
-  bool try_stretch(const Place& from, const Place& to, const std::vector<Point>& inner);
-  bool move_waypoint();
+  [[nodiscard]] std::optional<Replacement> draw_replacement();
+  [[nodiscard]] std::vector<Point> draw_inner(const Place& from, const Place& to);
+  [[nodiscard]] std::optional<Replacement> draw_waypoint_move();
+  [[nodiscard]] std::optional<Replacement> replacement(const Place& from, const Place& to,
+                                                       const std::vector<Point>& inner);
+  bool apply(const Replacement& made);
 
   [[nodiscard]] Place place_at(double length_before) const;
   [[nodiscard]] Place at_waypoint(std::size_t waypoint) const;
-  [[nodiscard]] bool all_free(const std::vector<Point>& points);
+  [[nodiscard]] bool all_free(std::span<const Point> points);
   void set_points(std::vector<Point> points);
   void add_up();
 
@@ -92,11 +116,12 @@ class HANDWAY_PLANNING_EXPORT PathOptimizer {
   sampling::RandomStream draw_;
   std::vector<Point> points_;
   std::vector<MotionSums> motions_;  ///< Between them.
+  std::vector<bool> is_needed_;      ///< Of points: without it the path was not free.
   MotionSums sum_;                   ///< Of all motions.
   std::uint64_t last_check_ = 0;
   int patience_;
   int fruitless_ = 0;  ///< Replacements since one was of use.
-  bool led_ = false;   ///< lead_into_subspace() is done.
+  bool begun_ = false;
 };
 
 }  // namespace handway::planning
