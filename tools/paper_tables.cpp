@@ -84,7 +84,8 @@ std::vector<PaperParameter> paper_table_3() {
           {"n_H, hand trials", "n_h", "10", "20"},
           {"Largest rho_a (0: no limit)", "rho_max", "-", "-"},
           {"Samples in gaps between hypercubes", "fill_gaps", "-", "-"},
-          {"N compared at each", "n_checked", "pass", "pass"}};
+          {"N compared at each", "n_checked", "pass", "pass"},
+          {"Edges of smoothing", "smoothing", "both-ways", "both-ways"}};
 }
 
 }  // namespace handway::tools

@@ -102,8 +102,13 @@ std::vector<PlannerPreset> built_in_presets(const std::string& planner) {
   if (is_of_the_paper(planner)) {
     add(QObject::tr("As printed"),
         QObject::tr("The paper's values (Table 3) and its Algorithm 4 to the letter: ρₐ grows "
-                    "without limit, and N is compared at the end of each pass."),
-        {{"rho_max", "0"}, {"fill_gaps", "false"}, {"n_checked", "pass"}});
+                    "without limit, and N is compared at the end of each pass; smoothing may go "
+                    "back along the "
+                    "path."),
+        {{"rho_max", "0"},
+         {"fill_gaps", "false"},
+         {"n_checked", "pass"},
+         {"smoothing", "both-ways"}});
   }
   if (planner == "pmd-prm") {
     add(QObject::tr("Fast"),

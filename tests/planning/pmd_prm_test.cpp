@@ -56,7 +56,7 @@ TEST(PmdPrm, NamesWhatDepartsFromThePrint) {
   for (const Parameter& parameter : departures(planner.parameters())) {
     keys.push_back(parameter.key);
   }
-  EXPECT_THAT(keys, ElementsAre("rho_max", "fill_gaps", "n_checked"));
+  EXPECT_THAT(keys, ElementsAre("rho_max", "fill_gaps", "n_checked", "smoothing"));
   PmdPrm printed = planner_as_printed();
   EXPECT_THAT(departures(printed.parameters()), IsEmpty());
 }

@@ -133,6 +133,24 @@ TEST(Roadmap, GoesFromANodeToItself) {
   EXPECT_THAT(on_a_line({0.0, 1.0}).shortest_path(1, 1), ElementsAre(1));
 }
 
+TEST(Roadmap, GoesTheNextShortestWayWhenAnEdgeIsGone) {
+  Roadmap roadmap;
+  for (const Eigen::Vector2d& p : {Eigen::Vector2d(0, 0), Eigen::Vector2d(2, 0),
+                                   Eigen::Vector2d(1, 0.5), Eigen::Vector2d(1, -2)}) {
+    const int added = roadmap.add_node(p, p);
+    for (int other = 0; other < added; ++other) {
+      roadmap.add_edge(added, other);
+    }
+  }
+  EXPECT_THAT(roadmap.shortest_path(0, 1), ElementsAre(0, 1));
+  roadmap.remove_edge(0, 1);
+  EXPECT_THAT(roadmap.shortest_path(0, 1), ElementsAre(0, 2, 1));
+  roadmap.remove_edge(2, 1);
+  EXPECT_THAT(roadmap.shortest_path(0, 1), ElementsAre(0, 3, 1));
+  roadmap.remove_edge(3, 1);
+  EXPECT_THAT(roadmap.shortest_path(0, 1), IsEmpty());
+}
+
 TEST(Roadmap, MovesWhole) {
   Roadmap first = on_a_line({0.0, 1.0});
   first.add_edge(0, 1);

@@ -20,8 +20,8 @@ constexpr double kLookSpacing = 0.1;    // of configurations looked at before a 
 
 SubspaceRoadmap::SubspaceRoadmap(PlanningContext& context, Objective& objective,
                                  const std::vector<Point>& path, bool has_subspace,
-                                 std::uint64_t seed)
-    : context_(context), objective_(objective), draw_(seed) {
+                                 std::uint64_t seed, bool both_ways)
+    : context_(context), objective_(objective), draw_(seed), both_ways_(both_ways) {
   add_path(path, has_subspace);
 }
 
@@ -78,12 +78,16 @@ void SubspaceRoadmap::add_path(const std::vector<Point>& path, bool has_subspace
   }
 }
 
+std::size_t SubspaceRoadmap::index(std::size_t from, std::size_t to) const {
+  return both_ways_ && to < from ? index(to, from) : from * nodes_.size() + to;
+}
+
 SubspaceRoadmap::Motion& SubspaceRoadmap::motion(std::size_t from, std::size_t to) {
-  return motions_[from * nodes_.size() + to];
+  return motions_[index(from, to)];
 }
 
 double SubspaceRoadmap::cost(std::size_t from, std::size_t to) {
-  double& cost = costs_[from * nodes_.size() + to];
+  double& cost = costs_[index(from, to)];
   if (cost < 0.0) {
     const MotionSums motion = objective_.measure(nodes_[from].point, nodes_[to].point);
     cost = objective_.additive_cost(motion, length_);
@@ -97,7 +101,7 @@ void SubspaceRoadmap::set_motions(std::size_t node, Motion state) {
     for (const auto& [from, to] : {std::pair(node, other), std::pair(other, node)}) {
       if (motion(from, to) != Motion::kBlocked) {
         motion(from, to) = state;
-        costs_[from * nodes_.size() + to] = -1.0;
+        costs_[index(from, to)] = -1.0;
       }
     }
   }
@@ -142,15 +146,20 @@ std::vector<std::size_t> SubspaceRoadmap::cheapest(Motion least) {
   std::vector<double> best(count, std::numeric_limits<double>::infinity());
   std::vector<std::size_t> previous(count, 0);
   best[0] = 0.0;
-  for (std::size_t to = 1; to < count; ++to) {
-    for (std::size_t from = 0; from < to; ++from) {
-      if (motion(from, to) < least || !(best[from] < best[to])) {
-        continue;
-      }
-      const double sum = best[from] + cost(from, to);
-      if (sum < best[to]) {
-        best[to] = sum;
-        previous[to] = from;
+  bool again = true;
+  while (again) {
+    again = false;  // where all motions lead forwards, once is enough
+    for (std::size_t to = 1; to < count; ++to) {
+      for (std::size_t from = 0; from < (both_ways_ ? count : to); ++from) {
+        if (motion(from, to) < least || !(best[from] < best[to])) {
+          continue;
+        }
+        const double sum = best[from] + cost(from, to);
+        if (sum < best[to]) {
+          best[to] = sum;
+          previous[to] = from;
+          again = both_ways_;
+        }
       }
     }
   }

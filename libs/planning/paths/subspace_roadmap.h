@@ -16,15 +16,15 @@ namespace handway::planning {
 /// same points with the hand at the closest free posture of the subspace that a few trials find,
 /// and the path after it has left it. Motions lead
 /// forwards along the path, and from a layer to itself or a later one; without a subspace there
-/// is one layer. They are assumed free until the cheapest path leads over them (Bohlin, Kavraki,
-/// "Path planning using lazy PRM", ICRA 2000).
+/// is one layer, whose motions may lead both ways. They are assumed free until the cheapest path
+/// leads over them (Bohlin, Kavraki, "Path planning using lazy PRM", ICRA 2000).
 class SubspaceRoadmap {
  public:
   using Point = Objective::Point;
 
   /// All that is passed outlives this. @param path its motions are free.
   SubspaceRoadmap(PlanningContext& context, Objective& objective, const std::vector<Point>& path,
-                  bool has_subspace, std::uint64_t seed);
+                  bool has_subspace, std::uint64_t seed, bool both_ways = false);
 
   /// The cheapest free path from the first to the last point; of motions known to be free once
   /// `checks` configurations were checked or the run has to end.
@@ -40,6 +40,7 @@ class SubspaceRoadmap {
   };
 
   void add_path(const std::vector<Point>& path, bool has_subspace);
+  [[nodiscard]] std::size_t index(std::size_t from, std::size_t to) const;
   [[nodiscard]] Motion& motion(std::size_t from, std::size_t to);
   [[nodiscard]] double cost(std::size_t from, std::size_t to);
   [[nodiscard]] std::vector<std::size_t> cheapest(Motion least);
@@ -51,8 +52,9 @@ class SubspaceRoadmap {
   PlanningContext& context_;
   Objective& objective_;
   sampling::RandomStream draw_;
+  bool both_ways_;
   double length_ = 0.0;          ///< Of the path.
-  std::vector<Node> nodes_;      ///< In an order in which all motions lead forwards.
+  std::vector<Node> nodes_;      ///< In an order in which motions lead forwards.
   std::vector<Motion> motions_;  ///< Row from, column to.
   std::vector<double> costs_;    ///< The same; negative: not known yet.
 };

@@ -2,10 +2,140 @@
 
 #include "handway/planning/core/planning_context.h"
 #include "handway/planning/planners/search_parameters.h"
-#include "planners/lazy_search.h"
+#include "handway/planning/queries/arm_progress.h"
+#include "handway/planning/roadmap/roadmap.h"
+#include "planners/search.h"
 #include "planners/smooth_result.h"
 
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <set>
+#include <utility>
+
 namespace handway::planning {
+namespace {
+
+/// The search of PmdLazy.
+class LazySearch final : public Search {
+ public:
+  /// @param settings must outlive this object.
+  /// @throws InputError as make_corridor_space().
+  LazySearch(PlanningContext& context, const PmdLazySettings& settings, std::uint64_t seed)
+      : Search(context),
+        settings_(settings),
+        targets_(context, settings.region, HandSpace::kPrincipalDirections, seed),
+        space_(targets_.space()) {
+    const PlanningProblem& problem = context.problem();
+    add_node(problem.start, {space_.coordinates(problem.start), 0, 0.0});
+    add_node(problem.goal, {space_.coordinates(problem.goal), 0, 0.0});
+  }
+
+  [[nodiscard]] Path path() const override {
+    Path path;
+    for (const int node : way_) {
+      path.waypoints.push_back(roadmap_.configuration(node));
+    }
+    return path;
+  }
+
+ protected:
+  // One draw, or one look at the shortest way.
+  [[nodiscard]] std::optional<PlanStatus> step() override {
+    if (nodes_wanted_ > 0) {
+      if (sample_ >= settings_.max_samples) {
+        return PlanStatus::kSamplesSpent;
+      }
+      context().observer().on_progress(static_cast<double>(sample_) / settings_.max_samples,
+                                       "adding nodes");
+      draw_node();
+      return std::nullopt;
+    }
+    way_ = roadmap_.shortest_path(kStartNode, kGoalNode);
+    if (way_.empty() || statistics().samples == 0) {
+      nodes_wanted_ = settings_.batch;
+      return std::nullopt;
+    }
+    return is_free(way_) ? std::optional(PlanStatus::kSolved) : std::nullopt;
+  }
+
+ private:
+  // Joined to the nearest of those before.
+  void add_node(const Configuration& q, const TargetSampler::Target& target) {
+    const int node = roadmap_.add_node(q, target.coordinates);
+    for (const int other : roadmap_.nearest(node, settings_.k, kAnywhere)) {
+      roadmap_.add_edge(node, other);
+    }
+    statistics().nodes = static_cast<std::uint64_t>(roadmap_.node_count());
+    context().observer().on_node(
+        {node, q, target.pmds, arm_progress(context().problem(), q), target.rho});
+  }
+
+  void draw_node() {
+    ++statistics().samples;
+    const int end = sample_ % 2;
+    TargetSampler::Target target =
+        targets_.draw(static_cast<std::uint64_t>(sample_), end, failures_);
+    ++sample_;
+    statistics().final_rho_a = std::max(statistics().final_rho_a, target.rho);
+    const PlanningProblem& problem = context().problem();
+    const std::optional<Configuration> q =
+        targets_.configuration(target.coordinates, end == 0 ? problem.start : problem.goal);
+    if (!q || !sample_free(*q)) {
+      ++failures_;
+      return;
+    }
+    failures_ = 0;
+    --nodes_wanted_;
+    add_node(*q, target);
+  }
+
+  // What is refused is taken out of the roadmap. All edges are sampled before any is made certain.
+  [[nodiscard]] bool is_free(const std::vector<int>& way) {
+    for (const bool exactly : {false, true}) {
+      for (std::size_t i = 0; i + 1 < way.size(); ++i) {
+        const int a = way[i];
+        const int b = way[i + 1];
+        if (certain_.contains(std::minmax(a, b))) {
+          continue;
+        }
+        if (context().interruption()) {
+          return false;
+        }
+        const Configuration& from = roadmap_.configuration(a);
+        const Configuration& to = roadmap_.configuration(b);
+        const int probes = static_cast<int>(roadmap_.distance(a, b) / kProbeSpacing);
+        if (!(exactly ? context().edge_free(from, to) : edge_plausible(from, to, probes))) {
+          roadmap_.remove_edge(a, b);
+          return false;
+        }
+        if (exactly) {
+          certain_.insert(std::minmax(a, b));
+          ++statistics().edges;
+          context().observer().on_edge(a, b);
+        }
+      }
+    }
+    return true;
+  }
+
+  static constexpr int kStartNode = 0;
+  static constexpr int kGoalNode = 1;
+  static constexpr double kAnywhere = std::numeric_limits<double>::infinity();
+
+  const PmdLazySettings& settings_;
+  TargetSampler targets_;
+  const CorridorSpace& space_;
+  Roadmap roadmap_;                        ///< Its edges are taken as free until looked at.
+  std::set<std::pair<int, int>> certain_;  ///< Edges known to be free, the lower node first.
+  int sample_ = 0;
+  int failures_ = 0;      ///< Draws since one was free.
+  int nodes_wanted_ = 0;  ///< Before the next look for a way.
+  std::vector<int> way_;
+};
+
+}  // namespace
 
 std::string PmdLazy::name() const { return "pmd-lazy"; }
 

@@ -2,7 +2,6 @@
 
 #include "handway/planning/core/algorithm_observer.h"
 #include "handway/planning/core/planning_context.h"
-#include "handway/planning/paths/roadmap_smoothing.h"
 #include "handway/planning/planners/search_parameters.h"
 #include "handway/planning/roadmap/roadmap.h"
 #include "handway/planning/spaces/hand_arm_region.h"
@@ -405,6 +404,10 @@ std::vector<Parameter> PmdPrm::own_parameters() {
        "At each hand trial, or, as printed, at the end of each pass, where failed trials alone "
        "count.",
        ChoiceValue{&settings_.n_checked, {"trial", "pass"}}, 0.0, 0.0, "pass"},
+      {"smoothing", "Smoothing", "",
+       "By edges between the path's nodes that lead forwards along it, or, as printed, both ways: "
+       "back along it, too, where that makes a shorter way.",
+       ChoiceValue{&settings_.smoothing, {"forwards", "both-ways"}}, 0.0, 0.0, "both-ways"},
       {"arm_trials", "Arm draws", "",
        "Draws for an arm configuration without self-collision (Algorithm 1).",
        &settings_.arm_trials, 1, 1000},
@@ -422,7 +425,8 @@ void PmdPrm::do_plan(PlanningContext& context, PlanResult& result) {
   search.run(result);
   if (result.solved()) {
     PhaseClock smoothing_time(result.smoothing_s);
-    result.path = smooth_by_roadmap(context, search.path());
+    result.path =
+        smooth_by_roadmap(context, search.path(), static_cast<SmoothingEdges>(settings_.smoothing));
   }
 }
 

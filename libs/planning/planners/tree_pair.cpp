@@ -11,38 +11,31 @@ constexpr int kNoParent = -1;
 }  // namespace
 
 TreePair::TreePair(const Configuration& start, const Eigen::VectorXd& start_coordinates,
-                   const Configuration& goal, const Eigen::VectorXd& goal_coordinates)
-    : coordinates_(start_coordinates.size(), 64) {
-  append({start, 0, kNoParent, true}, start_coordinates);
-  append({goal, 1, kNoParent, true}, goal_coordinates);
+                   const Configuration& goal, const Eigen::VectorXd& goal_coordinates) {
+  append({start, start_coordinates, 0, kNoParent, true});
+  append({goal, goal_coordinates, 1, kNoParent, true});
 }
 
 int TreePair::add(Configuration q, const Eigen::VectorXd& coordinates, int parent, bool certain) {
-  return append({std::move(q), at(parent).tree, parent, certain}, coordinates);
+  return append({std::move(q), coordinates, at(parent).tree, parent, certain});
 }
 
-int TreePair::append(Node node, const Eigen::VectorXd& coordinates) {
+int TreePair::append(Node node) {
   const int number = size();
-  if (number == coordinates_.cols()) {
-    coordinates_.conservativeResize(Eigen::NoChange, 2 * coordinates_.cols());
-  }
-  members_.at(static_cast<std::size_t>(node.tree)).push_back(number);
+  const auto tree = static_cast<std::size_t>(node.tree);
+  members_.at(tree).push_back(number);
+  neighbours_.at(tree).add(number, node.coordinates);
   nodes_.push_back(std::move(node));
-  coordinates_.col(number) = coordinates;
   return number;
 }
 
 int TreePair::nearest(int tree, const Eigen::VectorXd& coordinates) const {
-  int nearest = tree;
-  double least = std::numeric_limits<double>::infinity();
-  for (const int node : nodes(tree)) {
-    const double squared = (coordinates_.col(node) - coordinates).squaredNorm();
-    if (squared < least) {
-      least = squared;
-      nearest = node;
-    }
-  }
-  return nearest;
+  constexpr double kAnywhere = std::numeric_limits<double>::infinity();
+  const auto is_member = [&](int node) { return tree_of(node) == tree; };
+  return neighbours_.at(static_cast<std::size_t>(tree))
+      .nearest(coordinates, 1, kAnywhere, is_member)
+      .front()
+      .second;
 }
 
 // From `node` to its root.
@@ -107,7 +100,12 @@ void TreePair::assign_trees() {
       up = at(up).parent;
     }
     for (const int below : unknown) {
-      at(below).tree = at(up).tree;
+      Node& moved = at(below);
+      if (moved.tree != at(up).tree && !moved.was_in_both) {
+        moved.was_in_both = true;
+        neighbours_.at(static_cast<std::size_t>(at(up).tree)).add(below, moved.coordinates);
+      }
+      moved.tree = at(up).tree;
       known[static_cast<std::size_t>(below)] = true;
     }
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "handway/planning/core/planning_problem.h"
+#include "roadmap/neighbours.h"
 
 #include <Eigen/Core>
 
@@ -38,7 +39,7 @@ class TreePair {
   /// A root's is itself.
   [[nodiscard]] int parent(int node) const { return at(node).parent < 0 ? node : at(node).parent; }
   [[nodiscard]] const Configuration& configuration(int node) const { return at(node).q; }
-  [[nodiscard]] auto coordinates(int node) const { return coordinates_.col(node); }
+  [[nodiscard]] const Eigen::VectorXd& coordinates(int node) const { return at(node).coordinates; }
 
   /// A way from start to goal by an edge between a node of tree 0 and one of tree 1.
   struct Way {
@@ -60,20 +61,22 @@ class TreePair {
  private:
   struct Node {
     Configuration q;
+    Eigen::VectorXd coordinates;
     int tree;
-    int parent;    ///< -1: a root.
-    bool certain;  ///< The edge to the parent.
+    int parent;                ///< -1: a root.
+    bool certain;              ///< The edge to the parent.
+    bool was_in_both = false;  ///< It went over to the other tree once.
   };
 
   [[nodiscard]] const Node& at(int node) const { return nodes_[static_cast<std::size_t>(node)]; }
   [[nodiscard]] Node& at(int node) { return nodes_[static_cast<std::size_t>(node)]; }
-  int append(Node node, const Eigen::VectorXd& coordinates);
+  int append(Node node);
   [[nodiscard]] std::vector<int> branch(int node) const;
   void assign_trees();
 
   std::vector<Node> nodes_;
   std::array<std::vector<int>, 2> members_;  ///< Of each tree.
-  Eigen::MatrixXd coordinates_;              ///< A column a node; grows by doubling.
+  std::array<Neighbours, 2> neighbours_;     ///< Those that were in each tree once.
 };
 
 }  // namespace handway::planning

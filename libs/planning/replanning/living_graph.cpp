@@ -1,6 +1,6 @@
 #include "replanning/living_graph.h"
 
-#include "roadmap/nearest_nodes.h"
+#include "roadmap/neighbours.h"
 #include "roadmap/shortest_path.h"
 
 #include <boost/graph/adjacency_list.hpp>
@@ -35,8 +35,9 @@ Vertex vertex(int node) { return static_cast<Vertex>(node); }
 }  // namespace
 
 struct LivingGraph::Graph {
-  int k;
+  int k = 0;
   BoostGraph graph;
+  Neighbours neighbours;
 
   [[nodiscard]] double distance(Vertex a, Vertex b) const {
     return (graph[a].coordinates - graph[b].coordinates).norm();
@@ -58,26 +59,24 @@ struct LivingGraph::Graph {
   }
 };
 
-LivingGraph::LivingGraph(int k) : graph_(std::make_unique<Graph>(Graph{k, {}})) {}
+LivingGraph::LivingGraph(int k) : graph_(std::make_unique<Graph>()) { graph_->k = k; }
 LivingGraph::~LivingGraph() = default;
 LivingGraph::LivingGraph(LivingGraph&&) noexcept = default;
 LivingGraph& LivingGraph::operator=(LivingGraph&&) noexcept = default;
 
 int LivingGraph::node_at(const geometric::Configuration& q, const Eigen::VectorXd& coordinates) {
   BoostGraph& graph = graph_->graph;
-  std::vector<NodeDistance> others;
-  for (Vertex other = 0; other < boost::num_vertices(graph); ++other) {
-    if (graph[other].q == q) {
-      return static_cast<int>(other);
-    }
-    others.emplace_back((graph[other].coordinates - coordinates).norm(), other);
+  const auto is_here = [&](int node) { return graph[vertex(node)].q == q; };
+  if (const auto same = graph_->neighbours.nearest(coordinates, 1, 0.0, is_here); !same.empty()) {
+    return same.front().second;
   }
   const Vertex added = boost::add_vertex(NodeData{q, coordinates, {}}, graph);
-  const std::vector<NodeDistance> nearest = nearest_nodes(std::move(others), graph_->k);
-  for (const auto& [length, other] : nearest) {
+  for (const auto& [length, other] : graph_->neighbours.nearest(coordinates, graph_->k)) {
     boost::add_edge(added, vertex(other), EdgeData{length, {}}, graph);
   }
-  return static_cast<int>(added);
+  const int node = static_cast<int>(added);
+  graph_->neighbours.add(node, coordinates);
+  return node;
 }
 
 void LivingGraph::join(int a, int b) {

@@ -1,6 +1,6 @@
 #include "handway/planning/roadmap/roadmap.h"
 
-#include "roadmap/nearest_nodes.h"
+#include "roadmap/neighbours.h"
 #include "roadmap/shortest_path.h"
 
 #include <boost/graph/adjacency_list.hpp>
@@ -28,6 +28,7 @@ using Vertex = boost::graph_traits<BoostGraph>::vertex_descriptor;
 
 struct Roadmap::Graph {
   BoostGraph graph;
+  Neighbours neighbours;
   // Property maps that grow with the graph.
   boost::vector_property_map<std::size_t> ranks;
   boost::vector_property_map<Vertex> parents;
@@ -45,10 +46,11 @@ Roadmap::Roadmap(Roadmap&&) noexcept = default;
 Roadmap& Roadmap::operator=(Roadmap&&) noexcept = default;
 
 int Roadmap::add_node(Configuration q, Eigen::VectorXd coordinates) {
-  const Vertex vertex =
-      boost::add_vertex(NodeData{std::move(q), std::move(coordinates)}, graph_->graph);
-  graph_->components.make_set(vertex);
-  return static_cast<int>(vertex);
+  const auto node = node_count();
+  graph_->neighbours.add(node, coordinates);
+  graph_->components.make_set(
+      boost::add_vertex(NodeData{std::move(q), std::move(coordinates)}, graph_->graph));
+  return node;
 }
 
 void Roadmap::add_edge(int a, int b) {
@@ -56,6 +58,10 @@ void Roadmap::add_edge(int a, int b) {
   const auto second = static_cast<Vertex>(b);
   boost::add_edge(first, second, graph_->distance(first, second), graph_->graph);
   graph_->components.union_set(first, second);
+}
+
+void Roadmap::remove_edge(int a, int b) {
+  boost::remove_edge(static_cast<Vertex>(a), static_cast<Vertex>(b), graph_->graph);
 }
 
 int Roadmap::node_count() const { return static_cast<int>(boost::num_vertices(graph_->graph)); }
@@ -76,17 +82,10 @@ bool Roadmap::same_component(int a, int b) const {
 }
 
 std::vector<int> Roadmap::nearest(int node, int k, double threshold) const {
-  std::vector<NodeDistance> candidates;
-  for (int other = 0; other < node_count(); ++other) {
-    const double d = distance(node, other);
-    if (other != node && d <= threshold) {
-      candidates.emplace_back(d, other);
-    }
-  }
-  const std::vector<NodeDistance> chosen = nearest_nodes(std::move(candidates), k);
+  const auto is_other = [node](int other) { return other != node; };
   std::vector<int> nodes;
-  nodes.reserve(chosen.size());
-  for (const auto& [d, other] : chosen) {
+  for (const auto& [length, other] : graph_->neighbours.nearest(
+           graph_->graph[static_cast<Vertex>(node)].coordinates, k, threshold, is_other)) {
     nodes.push_back(other);
   }
   return nodes;

@@ -12,9 +12,9 @@ namespace {
 
 using geometric::RobotModel;
 
-constexpr double kLimitTolerance = 1e-6;  // rad or m
-constexpr double kRateTolerance = 1e-3;   // of a limit
-constexpr double kRest = 1e-6;            // rad/s or m/s
+constexpr double kPositionTolerance = 1e-6;  // rad or m
+constexpr double kRateTolerance = 1e-3;      // of a limit
+constexpr double kRest = 1e-6;               // rad/s or m/s
 
 class Check {
  public:
@@ -94,8 +94,8 @@ class Check {
       }
       const geometric::Joint& joint = model_.joint(link);
       const double value = drive.multiplier * point.position[drive.variable] + drive.offset;
-      if ((value < joint.limits.lower - kLimitTolerance ||
-           value > joint.limits.upper + kLimitTolerance) &&
+      if ((value < joint.limits.lower - kPositionTolerance ||
+           value > joint.limits.upper + kPositionTolerance) &&
           first("limit", link)) {
         add(joint.name, point.time, value,
             fmt::format("Joint {} at {:.4f} s: {:.6f} is outside {:.6f} to {:.6f}.", joint.name,

@@ -2,6 +2,7 @@
 
 #include "handway/planning/core/planner.h"
 #include "handway/planning/export.h"
+#include "handway/planning/paths/roadmap_smoothing.h"
 #include "handway/planning/spaces/hand_arm_region.h"
 #include "handway/planning/spaces/state_space.h"
 
@@ -17,13 +18,14 @@ enum class SampleLimit {
 };
 
 /// Settings of PmdPrm. Symbols are the paper's (sections 5 and 7, Table 3). Algorithm 4 as printed
-/// is `rho_max` = 0, `fill_gaps` = false and SampleLimit::kEachPass.
+/// is `rho_max` = 0, `fill_gaps` = false, SampleLimit::kEachPass and SmoothingEdges::kBothWays.
 struct PmdPrmSettings {
   double rho_a = 0.001;   ///< ρ_a at the start: half-side of the hypercubes, normalised.
   double rho_max = 0.05;  ///< Largest ρ_a: "good results … between 0.001 and 0.05". 0: no limit.
   bool fill_gaps = true;  ///< Sample in the middle of a search range without any hypercube.
   int n_checked = static_cast<int>(SampleLimit::kEachTrial);  ///< A SampleLimit.
-  int corridor = static_cast<int>(CorridorForm::kJoint);      ///< A CorridorForm.
+  int smoothing = static_cast<int>(SmoothingEdges::kForwards);
+  int corridor = static_cast<int>(CorridorForm::kJoint);  ///< A CorridorForm.
   int n_a = 10;               ///< n_A: arm configurations per hypercube.
   int n_h = 10;               ///< n_H: hand configurations per arm configuration.
   int k = 10;                 ///< K: neighbours to connect to.

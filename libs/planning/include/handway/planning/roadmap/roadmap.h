@@ -27,6 +27,9 @@ class HANDWAY_PLANNING_EXPORT Roadmap {
   /// Adds an undirected edge weighted by the distance of its ends.
   void add_edge(int a, int b);
 
+  /// @pre there is an edge between a and b. Their component stays one.
+  void remove_edge(int a, int b);
+
   [[nodiscard]] int node_count() const;
   [[nodiscard]] int edge_count() const;
   [[nodiscard]] const geometric::Configuration& configuration(int node) const;
@@ -34,8 +37,7 @@ class HANDWAY_PLANNING_EXPORT Roadmap {
   [[nodiscard]] bool same_component(int a, int b) const;
 
   /// Up to `k` nodes nearest to `node`, itself left out, none farther than
-  /// `threshold`, nearest first. A linear scan: in 19 dimensions and below some
-  /// thousand nodes no tree beats it.
+  /// `threshold`, nearest first.
   [[nodiscard]] std::vector<int> nearest(int node, int k, double threshold) const;
 
   /// FINDPATH's search: the shortest way by A*, empty if there is none.

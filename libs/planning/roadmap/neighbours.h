@@ -1,0 +1,56 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <functional>
+#include <limits>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace handway::planning {
+
+/// How far a point is, and its number.
+using Neighbour = std::pair<double, int>;
+
+/// Points that come one by one, ready to be asked for those nearest to any point. Distances are
+/// Euclidean: weights of joints, and what a turn of the tool counts beside a shift of it, are
+/// scales of the coordinates, as those of a StateSpace have them.
+///
+/// Exact, and the same to the bit as a look at every point; of equally far points the one with the
+/// lower number comes first. Points are in kd-trees over runs of 2ⁱ `linear` of them, the last few
+/// in none: a run is joined with the one before when both are equally long, so that adding a point
+/// takes O(log² n).
+///
+/// Source: Bentley, Saxe, "Decomposable searching problems I: static-to-dynamic transformation",
+/// Journal of Algorithms 1(4), 1980, doi:10.1016/0196-6774(80)90015-2.
+class Neighbours {
+ public:
+  /// Below so many points a look at every one is faster (bench_neighbours).
+  static constexpr int kLinear = 512;
+
+  explicit Neighbours(int linear = kLinear);
+  ~Neighbours();
+  Neighbours(const Neighbours&) = delete;
+  Neighbours& operator=(const Neighbours&) = delete;
+
+  /// @param point shape [dimension], the same of all points.
+  void add(int number, const Eigen::VectorXd& point);
+
+  /// Up to `most` points that are no farther than `radius`, nearest first.
+  /// @param wanted tells by its number whether a point counts; empty: all do.
+  [[nodiscard]] std::vector<Neighbour> nearest(
+      const Eigen::VectorXd& point, int most,
+      double radius = std::numeric_limits<double>::infinity(),
+      const std::function<bool(int)>& wanted = {}) const;
+
+ private:
+  struct Run;
+
+  int linear_;
+  std::vector<int> numbers_;
+  Eigen::MatrixXd points_;  ///< A column a point; grows by doubling.
+  std::vector<std::unique_ptr<Run>> runs_;
+};
+
+}  // namespace handway::planning
