@@ -59,6 +59,8 @@ QString status_text(planning::PlanStatus status) {
       return QObject::tr("Cancelled");
     case planning::PlanStatus::kStalled:
       return QObject::tr("No path found: nothing is left to sample");
+    case planning::PlanStatus::kInfeasible:
+      return QObject::tr("There is no path");
   }
   return {};
 }
@@ -68,9 +70,11 @@ QString result_text(const planning::PlanResult& result, const QString& note) {
   const bool searched = !result.solved() && result.status != planning::PlanStatus::kStartInvalid &&
                         result.status != planning::PlanStatus::kGoalInvalid &&
                         result.status != planning::PlanStatus::kCancelled;
-  QString text = headline(searched && !result.reason.empty() ? QObject::tr("No path found")
-                                                             : status_text(result.status),
-                          result.solved() ? colors.good : colors.bad);
+  const bool is_proven = result.status == planning::PlanStatus::kInfeasible;
+  QString text =
+      headline(searched && !is_proven && !result.reason.empty() ? QObject::tr("No path found")
+                                                                : status_text(result.status),
+               result.solved() ? colors.good : colors.bad);
   if (!note.isEmpty()) {
     text += paragraph(note);
   }

@@ -48,6 +48,34 @@ bool CollisionChecker::pair_is_contained(int pair) const {
                             *world_->body(b).solids, X_WBody_[static_cast<std::size_t>(b)]);
 }
 
+std::vector<Enclosed> CollisionChecker::enclosed(const Configuration& q) {
+  place(q);
+  std::vector<Enclosed> list;
+  const auto add = [&](int inner, int outer) {
+    const BodySolids& around = *world_->body(outer).solids;
+    if (around.shells.empty()) {
+      return;
+    }
+    const BodySolids& within = *world_->body(inner).solids;
+    const Pose X_OI = X_WBody_[static_cast<std::size_t>(outer)].inverse(Eigen::Isometry) *
+                      X_WBody_[static_cast<std::size_t>(inner)];
+    for (std::size_t piece = 0; piece < within.points.size(); ++piece) {
+      for (std::size_t shell = 0; shell < around.shells.size(); ++shell) {
+        const auto& [X_GB, solid] = around.shells[shell];
+        if (solid->contains(X_GB * X_OI * within.points[piece])) {
+          list.push_back({inner, outer, static_cast<int>(piece), static_cast<int>(shell)});
+        }
+      }
+    }
+  };
+  for (const auto& [a, b] : world_->pairs()) {
+    add(a, b);
+    add(b, a);
+  }
+  std::ranges::sort(list);
+  return list;
+}
+
 bool CollisionChecker::pair_collides(int pair) {
   if (const LinkConstraint* constraint = world_->constraint(pair)) {
     return constraint->slack(X_BL_) < 0.0;

@@ -26,8 +26,10 @@ void refuse_if_far(const Eigen::Vector3d& p, const std::filesystem::path& file,
 std::shared_ptr<const BodySolids> with_origin_at(const Eigen::Vector3d& p,
                                                  const BodySolids& solids) {
   auto moved = std::make_shared<BodySolids>(solids);
-  for (BodySolids::Part& part : moved->parts) {
-    part.X_GB = part.X_GB * Eigen::Translation3d(p);
+  for (std::vector<BodySolids::Part>* list : {&moved->parts, &moved->shells}) {
+    for (BodySolids::Part& part : *list) {
+      part.X_GB = part.X_GB * Eigen::Translation3d(p);
+    }
   }
   for (Eigen::Vector3d& point : moved->points) {
     point -= p;

@@ -234,8 +234,14 @@ std::shared_ptr<const BodySolids> make_body_solids(std::span<const LinkGeometry>
     for (const Eigen::Vector3d& point : shape->points) {
       solids->points.push_back(geometry.X_LG * point);
     }
-    if (solid && shape->solid) {
-      solids->parts.push_back({geometry.X_LG.inverse(Eigen::Isometry), shape->solid});
+    if (!shape->solid) {
+      continue;
+    }
+    BodySolids::Part part{geometry.X_LG.inverse(Eigen::Isometry), shape->solid};
+    if (!solid) {
+      solids->shells.push_back(std::move(part));
+    } else {
+      solids->parts.push_back(std::move(part));
       extend(solids->box, shape->solid->box(), geometry.X_LG);
     }
   }

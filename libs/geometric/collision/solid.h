@@ -54,7 +54,8 @@ struct BodySolids {
     Pose X_GB;  ///< The body's frame in the solid's.
     std::shared_ptr<const Solid> solid;
   };
-  std::vector<Part> parts;              ///< Its closed shapes.
+  std::vector<Part> parts;              ///< Its closed shapes, if they are filled, …
+  std::vector<Part> shells;             ///< … and if they are hollow.
   std::vector<Eigen::Vector3d> points;  ///< One of each connected piece of its surfaces, m.
   Aabb box;                             ///< Around the parts, m.
   bool is_one_shape = false;

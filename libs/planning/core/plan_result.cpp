@@ -37,9 +37,9 @@ PlanStatistics& PlanStatistics::operator+=(const PlanStatistics& other) {
 }
 
 const char* to_string(PlanStatus status) {
-  static constexpr std::array<const char*, 7> kWords = {
+  static constexpr std::array<const char*, 8> kWords = {
       "solved",     "start invalid", "goal invalid", "samples spent",
-      "time limit", "cancelled",     "stalled"};
+      "time limit", "cancelled",     "stalled",      "infeasible"};
   return kWords[static_cast<std::size_t>(status)];
 }
 

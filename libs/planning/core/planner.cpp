@@ -11,7 +11,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <memory>
 #include <stdexcept>
+#include <string_view>
+#include <utility>
 
 namespace handway::planning {
 namespace {
@@ -51,6 +55,42 @@ std::string objection(PlanningContext& context, std::size_t end) {
                    "is too close to a collision: {} at {:.6f} mm, at least {:g} mm is needed",
                    names, geometric::millimetres(nearest->distance),
                    geometric::millimetres(kLeast));
+}
+
+// Why no motion leads from the start to the goal; empty if that is not known. What is inside of a
+// closed surface comes out of it through the surface only.
+std::string proof_of_infeasibility(const PlanningProblem& problem) {
+  const std::unique_ptr<geometric::CollisionChecker> checker = problem.checker->clone();
+  const std::vector<geometric::Enclosed> at_start = checker->enclosed(problem.start);
+  const std::vector<geometric::Enclosed> at_goal = checker->enclosed(problem.goal);
+  const auto sentence = [&](const geometric::Enclosed& enclosed, std::string_view end,
+                            std::string_view other) {
+    const auto name = [&](int body) { return checker->world().body(body).name; };
+    return fmt::format(
+        "There is no path: {} is inside of {} at the {} and outside at the {}, and {} "
+        "is closed.",
+        name(enclosed.inner), name(enclosed.outer), end, other, name(enclosed.outer));
+  };
+  std::vector<geometric::Enclosed> changed;
+  std::ranges::set_difference(at_start, at_goal, std::back_inserter(changed));
+  if (!changed.empty()) {
+    return sentence(changed.front(), "start", "goal");
+  }
+  std::ranges::set_difference(at_goal, at_start, std::back_inserter(changed));
+  return changed.empty() ? "" : sentence(changed.front(), "goal", "start");
+}
+
+// A planner that ends elsewhere is at fault, and nothing of its path may be used.
+void require_ends(const PlanningProblem& problem, const Path& path, const std::string& planner) {
+  constexpr double kSame = 1e-9;  // rad or m
+  const auto is_same = [](const Configuration& a, const Configuration& b) {
+    return a.size() == b.size() && (a - b).cwiseAbs().maxCoeff() <= kSame;
+  };
+  if (path.waypoints.size() < 2 || !is_same(path.waypoints.front(), problem.start) ||
+      !is_same(path.waypoints.back(), problem.goal)) {
+    throw std::logic_error("planner " + planner +
+                           " returned a path that does not lead from the start to the goal");
+  }
 }
 
 std::vector<OutOfMargin> out_of_margin(const PlanningContext& context) {
@@ -179,10 +219,14 @@ PlanResult Planner::plan(const PlanningProblem& problem, const PlanRequest& requ
     result.status = PlanStatus::kSolved;
     result.reason = "The start is the goal: there is nothing to move.";
     result.path.waypoints = {problem.start, problem.goal};
+  } else if (std::string proof = proof_of_infeasibility(problem); !proof.empty()) {
+    result.status = PlanStatus::kInfeasible;
+    result.reason = std::move(proof);
   } else {
     do_plan(context, result);
     result.time_s = context.elapsed_s() - result.smoothing_s;
     if (result.solved()) {
+      require_ends(problem, result.path, name());
       optimize(context, result);
     } else {
       result.reach = watching.reach();

@@ -107,6 +107,9 @@ std::vector<std::string> explain_failure(const PlanResult& result) {
       result.status == PlanStatus::kGoalInvalid) {
     return sentences;
   }
+  if (result.status == PlanStatus::kInfeasible) {
+    return {"Move an end to the same side of the surface, or make an opening in it."};
+  }
   bool start_boxed_in = false;
   bool goal_boxed_in = false;
   if (result.reach) {

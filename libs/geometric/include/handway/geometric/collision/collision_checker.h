@@ -4,6 +4,7 @@
 #include "handway/geometric/export.h"
 
 #include <algorithm>
+#include <compare>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -41,6 +42,16 @@ enum class Closeness {
   kFarther,   ///< At least as far apart as the tolerance.
   kCloser,    ///< Closer than that, not touching.
   kTouching,  ///< In collision.
+};
+
+/// A connected piece of a body's surface that is inside of another body's hollow closed shape.
+struct Enclosed {
+  int inner = -1;  ///< Index of the body, …
+  int outer = -1;  ///< … and of that around it.
+  int piece = 0;   ///< Of the inner body's surfaces.
+  int shell = 0;   ///< Of the outer body's hollow shapes.
+
+  friend auto operator<=>(const Enclosed&, const Enclosed&) = default;
 };
 
 /// Answers collision questions about the pairs of a CollisionWorld.
@@ -118,6 +129,12 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionChecker {
   /// The same, asking constraints, `hint`, and then in a fixed order: which is found
   /// depends on nothing but the arguments. @pre 0 ≤ hint < checks, if there are any.
   [[nodiscard]] std::optional<int> first_collision(const Configuration& q, int hint);
+
+  /// What lies inside of hollow closed shapes (objects that are not `solid`) in `q`, in order. As
+  /// long as nothing touches, this stays as it is: configurations in which it differs are in
+  /// different components of the free space.
+  /// @pre nothing touches in `q`.
+  [[nodiscard]] std::vector<Enclosed> enclosed(const Configuration& q);
 
   /// The first of `pairs` that touches in `q`, if any.
   [[nodiscard]] std::optional<int> first_collision_among(std::span<const int> pairs,

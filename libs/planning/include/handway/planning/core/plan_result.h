@@ -20,7 +20,8 @@ enum class PlanStatus {
   kSamplesSpent,  ///< The sample budget is used up.
   kTimeLimit,
   kCancelled,
-  kStalled,  ///< Nothing is left to sample: going on would change nothing.
+  kStalled,     ///< Nothing is left to sample: going on would change nothing.
+  kInfeasible,  ///< There is no path.
 };
 
 /// More clearance than this (m) is not told apart.
