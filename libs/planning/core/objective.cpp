@@ -25,9 +25,20 @@ constexpr double kQualitySpacing = 0.02;    // between those of path_quality(), 
 constexpr double kEndSlope = 0.5;           // of an end's stretch, see path_quality()
 constexpr double kDefaultVelocity = 1.0;    // rad/s or m/s
 
+// From obstacles, m, at most kFarClearance. Fingers of one hand are always near each other.
 double clearance_at(geometric::CollisionChecker& checker, const Configuration& q) {
-  return std::clamp(geometric::find_clearance(checker, q, kFarClearance).distance, 0.0,
-                    kFarClearance);
+  const geometric::CollisionWorld& world = checker.world();
+  checker.place(q);
+  std::vector<int> near;
+  checker.near_pairs_closest_first(kFarClearance, near);
+  double least = kFarClearance;
+  for (const int pair : near) {
+    if (!world.constraint(pair) &&
+        !world.is_self_pair(world.pairs()[static_cast<std::size_t>(pair)])) {
+      least = std::min(least, checker.pair_distance(pair, least));
+    }
+  }
+  return std::max(least, 0.0);
 }
 
 // The mean of |a + t (b - a)| over t in [0, 1], by Simpson's rule on four parts.

@@ -113,9 +113,10 @@ struct PathQuality {
 
   double length = 0.0;                          ///< Joints normalised to [0, 1].
   std::optional<HumanLikeness> human_likeness;  ///< Nothing without a basis.
-  double least_clearance = 0.0;                 ///< m; kFarClearance: that or more.
-  double mean_clearance = 0.0;                  ///< m, over the length, each at most kFarClearance.
-  double duration = 0.0;                        ///< s, as least_duration().
+  /// From all but the robot itself, m; kFarClearance: that or more.
+  double least_clearance = 0.0;
+  double mean_clearance = 0.0;  ///< The same over the length, each at most kFarClearance.
+  double duration = 0.0;        ///< s, as least_duration().
 };
 
 /// A hand nearer to the PMD subspace than this counts as in it; normalised joints.
