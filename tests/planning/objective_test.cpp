@@ -2,6 +2,7 @@
 
 #include "handway/planning/core/plan_result.h"
 #include "handway_test/planar_problems.h"
+#include "handway_test/solid_robots.h"
 
 #include <gtest/gtest.h>
 
@@ -111,11 +112,30 @@ TEST_F(FlatArm, HasNoHumanLikenessWithoutABasis) {
   EXPECT_FALSE(quality.human_likeness);
   EXPECT_GT(quality.length, 0.0);
   EXPECT_GT(quality.duration, 0.0);
-  EXPECT_LE(quality.least_clearance, quality.mean_clearance);
-  EXPECT_LE(quality.mean_clearance, kFarClearance);
   EXPECT_EQ(ObjectiveSettings().weights(problem_), ObjectiveWeights{})
       << "human-like is shortest where there is no basis";
   EXPECT_THROW(static_cast<void>(path_quality(problem_, {})), std::invalid_argument);
+}
+
+TEST_F(FlatArm, IsClearOfEverythingInAnEmptyCellHoweverNearItsFingersAre) {
+  const Path path{{problem_.start, problem_.goal}};
+  const PathQuality quality = path_quality(problem_, path);
+  EXPECT_EQ(quality.least_clearance, kFarClearance);
+  EXPECT_NEAR(quality.mean_clearance, kFarClearance, 1e-12);
+  EXPECT_NEAR(Objective(problem_, {.clearance = 4.0}).cost(path), quality.length, 1e-9);
+}
+
+TEST(Clearance, IsTheDistanceFromObstacles) {
+  geometric::Scene scene = test::scene_of(test::gantry(geometric::Box{{0.04, 0.04, 0.04}}));
+  scene.start = Eigen::Vector3d(-0.5, 0.0, 0.0);
+  scene.goal = Eigen::Vector3d(0.5, 0.0, 0.0);
+  test::add_object(scene, "plate", geometric::Box{{2.0, 0.02, 1.0}},
+                   Eigen::Vector3d(0.0, 0.06, 0.0));
+  const PlanningProblem problem =
+      make_problem(std::make_shared<const geometric::Scene>(std::move(scene)), nullptr);
+  const PathQuality quality = path_quality(problem, Path{{problem.start, problem.goal}});
+  EXPECT_NEAR(quality.least_clearance, 0.03, 1e-6);
+  EXPECT_NEAR(quality.mean_clearance, 0.03, 1e-6);
 }
 
 }  // namespace
