@@ -216,13 +216,11 @@ MotionSums Objective::measure(const Point& from, const Point& to) {
   return sums;
 }
 
-double Objective::cost(const MotionSums& path) const { return additive_cost(path, path.length); }
-
-double Objective::additive_cost(const MotionSums& motion, double length) const {
+double Objective::cost(const MotionSums& path) const {
   const double means =
-      weights_.human_likeness * motion.outside + weights_.clearance * motion.missing_clearance;
-  return weights_.length * motion.length + (length > 0.0 ? means / length : 0.0) +
-         weights_.duration * motion.duration;
+      weights_.human_likeness * path.outside + weights_.clearance * path.missing_clearance;
+  return weights_.length * path.length + (path.length > 0.0 ? means / path.length : 0.0) +
+         weights_.duration * path.duration;
 }
 
 // 0: kFarClearance or more everywhere, 1: in contact; the mean along the motion.

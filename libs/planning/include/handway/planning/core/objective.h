@@ -64,9 +64,6 @@ class HANDWAY_PLANNING_EXPORT Objective {
   /// Of a whole path.
   [[nodiscard]] double cost(const MotionSums& path) const;
   [[nodiscard]] double cost(const Path& path);
-  /// What a motion adds to the cost of a path of about `length`: for searches, which need costs
-  /// that add up.
-  [[nodiscard]] double additive_cost(const MotionSums& motion, double length) const;
 
   /// `at` with this share of the distance between its hand and the closest posture of the PMD
   /// subspace gone; the arm as it is. @pre the problem has a basis.
