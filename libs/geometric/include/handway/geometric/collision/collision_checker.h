@@ -4,13 +4,13 @@
 #include "handway/geometric/export.h"
 
 #include <algorithm>
-#include <compare>
 #include <cstdint>
 #include <limits>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace handway::geometric {
@@ -51,7 +51,10 @@ struct Enclosed {
   int piece = 0;   ///< Of the inner body's surfaces.
   int shell = 0;   ///< Of the outer body's hollow shapes.
 
-  friend auto operator<=>(const Enclosed&, const Enclosed&) = default;
+  friend bool operator<(const Enclosed& a, const Enclosed& b) {
+    return std::tie(a.inner, a.outer, a.piece, a.shell) <
+           std::tie(b.inner, b.outer, b.piece, b.shell);
+  }
 };
 
 /// Answers collision questions about the pairs of a CollisionWorld.
