@@ -72,7 +72,7 @@ std::vector<Enclosed> CollisionChecker::enclosed(const Configuration& q) {
     add(a, b);
     add(b, a);
   }
-  std::ranges::sort(list);
+  std::ranges::sort(list, {}, &Enclosed::key);
   return list;
 }
 

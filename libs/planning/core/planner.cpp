@@ -71,13 +71,17 @@ std::string proof_of_infeasibility(const PlanningProblem& problem) {
         "is closed.",
         name(enclosed.inner), name(enclosed.outer), end, other, name(enclosed.outer));
   };
-  std::vector<geometric::Enclosed> changed;
-  std::ranges::set_difference(at_start, at_goal, std::back_inserter(changed));
-  if (!changed.empty()) {
-    return sentence(changed.front(), "start", "goal");
+  const auto only_in = [](const auto& list, const auto& other) {
+    std::vector<geometric::Enclosed> rest;
+    std::ranges::set_difference(list, other, std::back_inserter(rest), {},
+                                &geometric::Enclosed::key, &geometric::Enclosed::key);
+    return rest;
+  };
+  if (const auto left = only_in(at_start, at_goal); !left.empty()) {
+    return sentence(left.front(), "start", "goal");
   }
-  std::ranges::set_difference(at_goal, at_start, std::back_inserter(changed));
-  return changed.empty() ? "" : sentence(changed.front(), "goal", "start");
+  const auto entered = only_in(at_goal, at_start);
+  return entered.empty() ? "" : sentence(entered.front(), "goal", "start");
 }
 
 // A planner that ends elsewhere is at fault, and nothing of its path may be used.

@@ -51,10 +51,8 @@ struct Enclosed {
   int piece = 0;   ///< Of the inner body's surfaces.
   int shell = 0;   ///< Of the outer body's hollow shapes.
 
-  friend bool operator<(const Enclosed& a, const Enclosed& b) {
-    return std::tie(a.inner, a.outer, a.piece, a.shell) <
-           std::tie(b.inner, b.outer, b.piece, b.shell);
-  }
+  /// What they are ordered by.
+  [[nodiscard]] std::tuple<int, int, int, int> key() const { return {inner, outer, piece, shell}; }
 };
 
 /// Answers collision questions about the pairs of a CollisionWorld.
