@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <random>
 
@@ -78,7 +79,8 @@ TEST(Neighbours, AreThoseOfALookAtEveryPoint) {
       Neighbours neighbours(8);
       std::vector<Eigen::VectorXd> points;
       for (int i = 0; i < 700; ++i) {
-        points.push_back(i % 10 == 9 ? points[static_cast<std::size_t>(i / 2)] : draw());
+        const bool is_twin = i % 10 == 9;  // of one that came before
+        points.push_back(is_twin ? Eigen::VectorXd(*std::next(points.begin(), i / 2)) : draw());
         neighbours.add(i, points.back());
         const Eigen::VectorXd point = i % 3 == 0 ? points.back() : draw();
         const double radius = i % 4 == 0 ? 0.5 * uniform(random) : kAnywhere;
