@@ -113,9 +113,16 @@ void PathOptimizer::replace_at_random() {
     }
   }
   std::ranges::stable_sort(round, {}, &Replacement::cost);
-  const auto useful = std::ranges::find_if(
-      round, [this](Replacement& replacement) { return is_over() || apply(replacement); });
-  fruitless_ = useful != round.end() ? 0 : fruitless_ + size;
+  for (const Replacement& replacement : round) {
+    if (is_over()) {
+      return;  // the round says nothing of what could be gained
+    }
+    if (apply(replacement)) {
+      fruitless_ = 0;
+      return;
+    }
+  }
+  fruitless_ += size;
 }
 
 // Distances along a long path would take all checks.

@@ -7,8 +7,8 @@
 namespace handway::planning {
 namespace {
 
-constexpr double kPlausibleSpacing =
-    0.1;  // of configurations looked at before a motion is certified
+// Of configurations looked at before a motion is certified.
+constexpr double kPlausibleSpacing = 0.1;
 
 /// The nodes of a path and the motions between them, assumed free until the cheapest path leads
 /// over them (Bohlin, Kavraki, "Path planning using lazy PRM", ICRA 2000).
