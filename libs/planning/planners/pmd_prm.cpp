@@ -406,7 +406,7 @@ std::vector<Parameter> PmdPrm::own_parameters() {
        ChoiceValue{&settings_.n_checked, {"trial", "pass"}}, 0.0, 0.0, "pass"},
       {"smoothing", "Smoothing", "",
        "By edges between the path's nodes that lead forwards along it, or, as printed, both ways: "
-       "back along it, too, where that makes a shorter way.",
+       "back along it, too, where that makes a shorter path.",
        ChoiceValue{&settings_.smoothing, {"forwards", "both-ways"}}, 0.0, 0.0, "both-ways"},
       {"arm_trials", "Arm draws", "",
        "Draws for an arm configuration without self-collision (Algorithm 1).",

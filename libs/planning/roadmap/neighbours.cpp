@@ -98,7 +98,7 @@ class Nearest {
   std::vector<Neighbour> found_;  ///< A heap, the farthest first; distances squared.
 };
 
-/// What a tree tells of the points it comes by, in nanoflann's words.
+/// Takes the points that a tree comes by, in nanoflann's words.
 struct Seen {
   Nearest& nearest;
   const int* numbers;

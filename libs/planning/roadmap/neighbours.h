@@ -38,7 +38,7 @@ class Neighbours {
   void add(int number, const Eigen::VectorXd& point);
 
   /// Up to `most` points that are no farther than `radius`, nearest first.
-  /// @param wanted tells by its number whether a point counts; empty: all do.
+  /// @param wanted whether the point of a number counts; empty: all do.
   [[nodiscard]] std::vector<Neighbour> nearest(
       const Eigen::VectorXd& point, int most,
       double radius = std::numeric_limits<double>::infinity(),

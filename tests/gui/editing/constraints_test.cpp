@@ -23,12 +23,6 @@ using testing::SizeIs;
 
 class ConstrainingPaths : public EditingTest {
  protected:
-  void type(const char* field, const char* text) const {
-    auto& box = part<gui::QuantityField>(field);
-    box.selectAll();
-    QTest::keyClicks(&box, text);
-    QTest::keyClick(&box, Qt::Key_Return);
-  }
   // Selects it.
   void carry_post() const {
     select("post");

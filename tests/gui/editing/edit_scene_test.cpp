@@ -21,15 +21,7 @@ using gui::SceneItem;
 using gui::SceneState;
 using Kind = SceneItem::Kind;
 
-class EditingAScene : public EditingTest {
- protected:
-  void type(const char* field, const char* text) const {
-    auto& box = part<gui::QuantityField>(field);
-    box.selectAll();
-    QTest::keyClicks(&box, text);
-    QTest::keyClick(&box, Qt::Key_Return);
-  }
-};
+class EditingAScene : public EditingTest {};
 
 TEST_F(EditingAScene, SelectsByAClickInTheView) {
   QTest::mouseClick(&window().view(), Qt::LeftButton, {}, seen({0.41, 0.38, 0.15}));

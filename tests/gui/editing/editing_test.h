@@ -1,9 +1,12 @@
 #pragma once
 
 #include "editing/scene_editing.h"
+#include "forms/quantity_field.h"
 #include "view3d/scene_view.h"
 #include "view3d/view_gizmo.h"
 #include "window_test.h"
+
+#include <QtTest>
 
 #include <stdexcept>
 #include <string>
@@ -37,6 +40,13 @@ class EditingTest : public WindowTest {
   }
   void select(const char* name) const {
     editor().select({gui::SceneItem::Kind::kObject, "", name});
+  }
+  /// Into the QuantityField of this name, and Return.
+  void type(const char* field, const char* text) const {
+    auto& box = part<gui::QuantityField>(field);
+    box.selectAll();
+    QTest::keyClicks(&box, text);
+    QTest::keyClick(&box, Qt::Key_Return);
   }
 };
 
