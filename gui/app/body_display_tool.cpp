@@ -1,8 +1,8 @@
 #include "app/body_display_tool.h"
 
-#include "app/document.h"
+#include "model/document/document.h"
+#include "view3d/body_meshes.h"
 #include "view3d/scene_view.h"
-#include "workers/body_meshes.h"
 
 namespace handway::gui {
 

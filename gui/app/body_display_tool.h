@@ -1,7 +1,7 @@
 #pragma once
 
-#include "view3d/body_display.h"
-#include "workers/latest_job.h"
+#include "model/document/body_display.h"
+#include "model/jobs/latest_job.h"
 
 #include <QObject>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "app/document.h"
-#include "panels/plan_panel.h"
+#include "features/planning/plan_panel.h"
+#include "model/document/document.h"
 
 #include <QObject>
 #include <QString>

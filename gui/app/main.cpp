@@ -1,12 +1,12 @@
 #include "app/main_window.h"
 #include "app/options.h"
 #include "app/snapshot.h"
-#include "campaigns/campaigns_panel.h"
-#include "devices/device_session.h"
-#include "devices/program_end.h"
-#include "style/icons.h"
-#include "style/theme.h"
+#include "features/campaigns/campaigns_panel.h"
+#include "features/devices/device_session.h"
+#include "model/devices/program_end.h"
 #include "view3d/scene_view.h"
+#include "widgets/style/icons.h"
+#include "widgets/style/theme.h"
 
 #include <QApplication>
 #include <QSettings>

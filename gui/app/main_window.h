@@ -1,12 +1,12 @@
 #pragma once
 
-#include "app/document.h"
+#include "app/log_panel.h"
 #include "app/options.h"
-#include "app/planning_session.h"
 #include "app/window_actions.h"
-#include "panels/log_panel.h"
-#include "preferences/preferences.h"
-#include "workers/path_player.h"
+#include "model/document/document.h"
+#include "model/planning/planning_session.h"
+#include "model/playback/path_player.h"
+#include "model/settings/preferences.h"
 
 #include <QMainWindow>
 

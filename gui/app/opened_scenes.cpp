@@ -1,8 +1,8 @@
 #include "app/file_commands.h"
 #include "app/main_window.h"
-#include "campaigns/campaigns_panel.h"
-#include "devices/device_session.h"
-#include "editing/scene_editing.h"
+#include "features/campaigns/campaigns_panel.h"
+#include "features/devices/device_session.h"
+#include "features/editing/scene_editing.h"
 #include "handway/geometric/io/mesh_reader.h"
 
 #include <QDragEnterEvent>

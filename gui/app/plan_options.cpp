@@ -1,6 +1,6 @@
 #include "app/plan_options.h"
 
-#include "panels/plan_panel.h"
+#include "features/planning/plan_panel.h"
 
 namespace handway::gui {
 

@@ -1,10 +1,10 @@
 #include "app/planning_commands.h"
 
-#include "app/planning_session.h"
+#include "app/log_panel.h"
 #include "app/window_actions.h"
-#include "panels/log_panel.h"
-#include "panels/plan_panel.h"
-#include "presets/preset_bar.h"
+#include "features/planning/plan_panel.h"
+#include "features/planning/preset_bar.h"
+#include "model/planning/planning_session.h"
 
 namespace handway::gui {
 

@@ -1,9 +1,9 @@
 #include "app/preference_effects.h"
 
-#include "editing/recovery.h"
-#include "forms/quantity_field.h"
-#include "panels/plan_panel.h"
+#include "features/editing/recovery.h"
+#include "features/planning/plan_panel.h"
 #include "view3d/scene_view.h"
+#include "widgets/forms/quantity_field.h"
 
 #include <utility>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "preferences/preferences.h"
+#include "model/settings/preferences.h"
 
 #include <QObject>
 

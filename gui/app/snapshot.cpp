@@ -1,11 +1,11 @@
 #include "app/snapshot.h"
 
-#include "app/query_check.h"
-#include "campaigns/campaigns_panel.h"
-#include "glove/glove_panel.h"
-#include "tracker/wrist_page.h"
+#include "features/campaigns/campaigns_panel.h"
+#include "features/glove/glove_panel.h"
+#include "features/planning/query_check.h"
+#include "features/tracker/wrist_page.h"
+#include "model/document/collision_monitor.h"
 #include "view3d/scene_view.h"
-#include "workers/collision_monitor.h"
 
 #include <QPixmap>
 

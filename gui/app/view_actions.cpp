@@ -2,10 +2,10 @@
 
 #include "app/body_display_tool.h"
 #include "app/window_actions.h"
-#include "preferences/preferences.h"
-#include "style/icons.h"
-#include "style/make_action.h"
+#include "model/settings/preferences.h"
 #include "view3d/scene_view.h"
+#include "widgets/style/icons.h"
+#include "widgets/style/make_action.h"
 
 #include <QActionGroup>
 #include <QMainWindow>

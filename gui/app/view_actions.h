@@ -1,6 +1,6 @@
 #pragma once
 
-#include "view3d/body_display.h"
+#include "model/document/body_display.h"
 
 #include <QAction>
 #include <QList>

@@ -2,8 +2,8 @@
 
 #include "app/recent_files.h"
 #include "handway/geometric/io/resources.h"
-#include "style/icons.h"
-#include "style/make_action.h"
+#include "widgets/style/icons.h"
+#include "widgets/style/make_action.h"
 
 #include <QMainWindow>
 #include <QMenuBar>

@@ -1,7 +1,7 @@
 #include "view3d/coin_camera.h"
 
+#include "model/settings/orbit_camera.h"
 #include "view3d/coin_conversions.h"
-#include "view3d/orbit_camera.h"
 
 #include <Inventor/nodes/SoOrthographicCamera.h>
 #include <Inventor/nodes/SoPerspectiveCamera.h>

@@ -1,6 +1,6 @@
 #include "view3d/constraint_node.h"
 
-#include "editing/scene_edits.h"
+#include "model/document/scene_edits.h"
 #include "view3d/coin_conversions.h"
 #include "view3d/edges_node.h"
 #include "view3d/round_points.h"

@@ -1,6 +1,6 @@
 #include "view3d/object_node.h"
 
-#include "editing/scene_edits.h"
+#include "model/document/scene_edits.h"
 #include "view3d/coin_conversions.h"
 #include "view3d/shape_node.h"
 

@@ -1,11 +1,11 @@
 #include "view3d/path_node.h"
 
+#include "model/settings/view_colors.h"
 #include "view3d/coin_conversions.h"
 #include "view3d/round_points.h"
 #include "view3d/shape_node.h"
 #include "view3d/unlit_style.h"
 #include "view3d/vertices.h"
-#include "view3d/view_colors.h"
 
 #include <Inventor/nodes/SoBaseColor.h>
 #include <Inventor/nodes/SoComplexity.h>

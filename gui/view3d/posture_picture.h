@@ -1,7 +1,7 @@
 #pragma once
 
 #include "handway/geometric/robot/robot_model.h"
-#include "view3d/orbit_camera.h"
+#include "model/settings/orbit_camera.h"
 #include "view3d/scene_pictures.h"
 
 #include <QImage>

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "model/planning/palm_roadmap.h"
 #include "view3d/coin_ref.h"
-#include "workers/palm_roadmap.h"
 
 class SoSeparator;
 

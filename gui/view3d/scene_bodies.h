@@ -1,11 +1,11 @@
 #pragma once
 
-#include "editing/selection.h"
 #include "handway/geometric/scene/scene.h"
-#include "view3d/body_display.h"
+#include "model/document/body_display.h"
+#include "model/document/scene_item.h"
+#include "model/document/selection.h"
 #include "view3d/object_node.h"
 #include "view3d/robot_node.h"
-#include "view3d/scene_item.h"
 
 #include <memory>
 #include <string>

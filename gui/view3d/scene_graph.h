@@ -1,15 +1,15 @@
 #pragma once
 
-#include "editing/selection.h"
-#include "view3d/frontier.h"
+#include "model/document/scene_item.h"
+#include "model/document/selection.h"
+#include "model/planning/frontier.h"
+#include "model/settings/orbit_camera.h"
+#include "model/settings/view_colors.h"
 #include "view3d/ghost.h"
 #include "view3d/gizmo_node.h"
-#include "view3d/orbit_camera.h"
 #include "view3d/overlay.h"
 #include "view3d/scene_bodies.h"
-#include "view3d/scene_item.h"
 #include "view3d/selection_outline.h"
-#include "view3d/view_colors.h"
 
 #include <array>
 #include <memory>

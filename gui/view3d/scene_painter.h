@@ -1,9 +1,9 @@
 #pragma once
 
-#include "view3d/orbit_camera.h"
+#include "model/settings/orbit_camera.h"
+#include "model/settings/view_colors.h"
 #include "view3d/picture_layer.h"
 #include "view3d/scene_graph.h"
-#include "view3d/view_colors.h"
 
 #include <QRect>
 #include <QSize>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "handway/geometric/scene/scene.h"
-#include "view3d/orbit_camera.h"
+#include "model/settings/orbit_camera.h"
 
 #include <QImage>
 #include <QSize>

@@ -1,6 +1,6 @@
 #include "view3d/scene_view.h"
 
-#include "view3d/body_display.h"
+#include "model/document/body_display.h"
 #include "view3d/orientation_cube.h"
 #include "view3d/path_node.h"
 #include "view3d/scene_graph.h"

@@ -1,13 +1,13 @@
 #pragma once
 
-#include "editing/selection.h"
+#include "model/document/scene_item.h"
+#include "model/document/selection.h"
+#include "model/planning/frontier.h"
+#include "model/settings/navigation.h"
+#include "model/settings/orbit_camera.h"
+#include "model/settings/view_colors.h"
 #include "view3d/frame_pacer.h"
-#include "view3d/frontier.h"
-#include "view3d/navigation.h"
-#include "view3d/orbit_camera.h"
 #include "view3d/overlay.h"
-#include "view3d/scene_item.h"
-#include "view3d/view_colors.h"
 #include "view3d/view_gizmo.h"
 
 #include <QOpenGLWidget>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "view3d/orbit_camera.h"
+#include "model/settings/orbit_camera.h"
 
 #include <QRect>
 #include <QSize>

@@ -1,7 +1,7 @@
 #include "view3d/shape_node.h"
 
+#include "model/meshes/shaded_meshes.h"
 #include "view3d/coin_conversions.h"
-#include "view3d/shaded_meshes.h"
 
 #include <Inventor/nodes/SoComplexity.h>
 #include <Inventor/nodes/SoCone.h>

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "model/document/scene_item.h"
+#include "model/settings/orbit_camera.h"
 #include "view3d/gizmo_handles.h"
-#include "view3d/orbit_camera.h"
-#include "view3d/scene_item.h"
 
 #include <QPointF>
 #include <QSize>

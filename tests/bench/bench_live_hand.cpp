@@ -6,13 +6,13 @@
 ///
 /// Needs a display, for example xvfb-run.
 #include "app/main_window.h"
-#include "glove/glove_panel.h"
+#include "features/glove/glove_panel.h"
 #include "handway/device/glove/glove_emulator.h"
 #include "handway/device/glove/glove_layout.h"
 #include "handway/device/glove/glove_signals.h"
 #include "handway_test/paths.h"
-#include "style/theme.h"
 #include "view3d/scene_view.h"
+#include "widgets/style/theme.h"
 
 #include <QApplication>
 #include <QElapsedTimer>

@@ -10,8 +10,8 @@
 /// Ends with 1 if any motion has less than 30 pictures a second.
 #include "handway/geometric/io/scene_reader.h"
 #include "handway_test/paths.h"
-#include "style/theme.h"
 #include "view3d/scene_view.h"
+#include "widgets/style/theme.h"
 
 #include <QApplication>
 #include <QElapsedTimer>

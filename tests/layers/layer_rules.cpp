@@ -6,6 +6,7 @@
 #include <optional>
 #include <regex>
 #include <utility>
+#include <vector>
 
 namespace handway::test {
 namespace {
@@ -19,6 +20,18 @@ const std::map<std::string, std::set<std::string>, std::less<>> kBelow = {
     {"planning", {"geometric", "sampling"}},
     {"device", {"geometric"}},
     {"execution", {"geometric", "sampling", "planning", "device"}},
+};
+
+/// The folders of the window, lowest first: each may include those before it. Two exceptions:
+/// `view3d` and `widgets` do not know each other, nor does a feature know another.
+const std::vector<std::string> kWindowFolders = {
+    "model/jobs",     "model/meshes",
+    "model/settings", "model/document",
+    "model/playback", "model/planning",
+    "model/devices",  "view3d",
+    "widgets/style",  "widgets/forms",
+    "widgets/plots",  "widgets/panels",
+    "features",       "app",
 };
 
 /// The part of the project that a file belongs to: "libs/geometric", "plugins/NAME", "gui",
@@ -59,6 +72,37 @@ bool is_screen_header(std::string_view include) {
   return qt || include.starts_with("Inventor/") || include.starts_with("qwt");
 }
 
+/// Headers of Qt's widgets; QUndoStack, which only is delivered with them, is none.
+bool is_widget_header(std::string_view include) {
+  static const std::regex kWidget(
+      R"(Q(Widget|MainWindow|Frame|Label|Menu|Action|Splitter|Dock|Tool|Tab|Tree|Table|List|Stacked)"
+      R"(|Scroll|Style|StatusBar|Progress|Header|Application|Message|Abstract|Form|Grid|HBox|VBox)"
+      R"(|Group|Check|Combo|Radio|Spin|Double|Slider|Dial|Undo|Line|Plain|Text|Push|File)"
+      R"().*(Widget|Window|Frame|Label|Menu|Action|Splitter|Bar|View|Area|Style\w*|Application)"
+      R"(|Dialog|Box|Layout|Edit|Button|Slider|Item|Delegate))");
+  static const std::regex kShort(
+      R"(Q(Widget|Frame|Label|Menu|Action|Splitter|Dialog|Slider|Dial))");
+  const std::string name(include);
+  return std::regex_match(name, kShort) || std::regex_match(name, kWidget);
+}
+
+/// The place in kWindowFolders of a file of gui/ (without "gui/"), or nothing.
+std::optional<std::size_t> window_folder_of(std::string_view file) {
+  for (std::size_t i = 0; i < kWindowFolders.size(); ++i) {
+    if (file.starts_with(kWindowFolders[i] + '/')) {
+      return i;
+    }
+  }
+  return std::nullopt;
+}
+
+/// "editing" of "features/editing/scene_tree.h".
+std::string_view feature_of(std::string_view file) {
+  constexpr std::string_view kFeatures = "features/";
+  file.remove_prefix(kFeatures.size());
+  return file.substr(0, file.find('/'));
+}
+
 std::string without_comment(const std::string& line) {
   const std::size_t comment = line.find("//");
   return comment == std::string::npos ? line : line.substr(0, comment);
@@ -87,6 +131,32 @@ std::string LayerRules::owner_of(const std::string& file, std::string_view inclu
   return part;  // made by the build
 }
 
+std::string LayerRules::window_rule_broken(std::string_view file, std::string_view include) const {
+  constexpr std::string_view kGui = "gui/";
+  file.remove_prefix(kGui.size());
+  const auto from = window_folder_of(file);
+  if (!from) {
+    return "the layer of gui/" + std::string(file) + " is not laid down";
+  }
+  const std::string& folder = kWindowFolders[*from];
+  if (include.starts_with("Inventor/") && folder != "view3d") {
+    return "only view3d knows Coin: " + std::string(include);
+  }
+  if (folder.starts_with("model/") && is_widget_header(include)) {
+    return "the model must not know widgets: " + std::string(include);
+  }
+  if (!files_.contains(std::string(kGui) + std::string(include))) {
+    return {};
+  }
+  const auto to = window_folder_of(include);
+  const bool upwards = !to || *to > *from;
+  const bool across =
+      to && ((folder.starts_with("widgets/") && kWindowFolders[*to] == "view3d") ||
+             (folder == "features" && *to == *from && feature_of(file) != feature_of(include)));
+  return upwards || across ? "gui/" + folder + " must not include " + std::string(include)
+                           : std::string();
+}
+
 std::string LayerRules::rule_broken_by_include(const std::string& file, std::string_view include,
                                                bool quoted) const {
   const std::optional<std::string> library = library_of(file);
@@ -108,6 +178,11 @@ std::string LayerRules::rule_broken_by_include(const std::string& file, std::str
   }
   if (library && is_screen_header(include)) {
     return "a library must not know Qt or Coin: " + std::string(include);
+  }
+  if (file.starts_with("gui/")) {
+    if (std::string rule = window_rule_broken(file, include); !rule.empty()) {
+      return rule;
+    }
   }
   if (quoted) {
     const std::string owner = owner_of(file, include);

@@ -28,6 +28,9 @@ class LayerRules {
  private:
   [[nodiscard]] std::string rule_broken_by_include(const std::string& file,
                                                    std::string_view include, bool quoted) const;
+  /// Of the window's layers: `file` is of gui/.
+  [[nodiscard]] std::string window_rule_broken(std::string_view file,
+                                               std::string_view include) const;
   [[nodiscard]] std::string owner_of(const std::string& file, std::string_view include) const;
 
   std::set<std::string> files_;

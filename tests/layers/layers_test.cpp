@@ -8,6 +8,7 @@
 #include <iterator>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace handway::test {
@@ -25,6 +26,11 @@ const LayerRules& sample_rules() {
       "libs/geometric/robot/tree.cpp",
       "libs/geometric/include/handway/geometric/robot/model.h",
       "libs/sampling/postures/pca.h",
+      "gui/model/document/document.h",
+      "gui/view3d/scene_view.h",
+      "gui/widgets/style/theme.h",
+      "gui/features/glove/glove_panel.h",
+      "gui/features/tracker/wrist_page.h",
       "gui/app/main_window.h",
       "tools/report.h",
       "plugins/first/reader.h",
@@ -42,6 +48,37 @@ auto breach_at(int line, const std::string& words) {
   return AllOf(Field("line", &Breach::line, line), Field("rule", &Breach::rule, HasSubstr(words)));
 }
 
+// Includes of the window that break a rule, and will be mended: nothing is added here.
+const std::set<std::pair<std::string, std::string>> kKnown = {
+    {"gui/app/start/about_box.cpp", "Inventor/SoDB.h"},
+    {"gui/features/editing/constraint_display.cpp", "Inventor/nodes/SoSeparator.h"},
+    {"gui/features/editing/palm_tool.cpp", "features/postures/posing.h"},
+    {"gui/features/editing/recovery.h", "features/planning/plan_panel.h"},
+    {"gui/features/editing/resize_tool.cpp", "Inventor/nodes/SoSeparator.h"},
+    {"gui/features/editing/scene_editing.cpp", "app/window_actions.h"},
+    {"gui/features/glove/glove_panel.cpp", "features/tracker/wrist_page.h"},
+    {"gui/features/grasping/grasp_tool.cpp", "features/editing/scene_editing.h"},
+    {"gui/features/microscope/microscope_panel.cpp", "Inventor/nodes/SoSeparator.h"},
+    {"gui/features/microscope/microscope_panel.cpp", "features/planning/plan_panel.h"},
+    {"gui/features/planning/collision_display.cpp", "Inventor/nodes/SoSeparator.h"},
+    {"gui/features/planning/hypercube_display.cpp", "Inventor/nodes/SoSeparator.h"},
+    {"gui/features/planning/query_check.cpp", "features/postures/posing.h"},
+    {"gui/features/planning/region_tool.cpp", "Inventor/nodes/SoSeparator.h"},
+    {"gui/features/planning/roadmap_display.cpp", "Inventor/nodes/SoSeparator.h"},
+    {"gui/features/playback/path_traces.cpp", "Inventor/nodes/SoMaterial.h"},
+    {"gui/features/playback/path_traces.cpp", "Inventor/nodes/SoSeparator.h"},
+    {"gui/features/postures/posing.cpp", "features/glove/glove_panel.h"},
+    {"gui/features/runs/runs_tool.cpp", "features/planning/plan_panel.h"},
+    {"gui/model/planning/planning_session.cpp", "features/planning/preset_bar.h"},
+    {"gui/model/planning/planning_session.cpp", "widgets/panels/result_text.h"},
+    {"gui/model/planning/planning_session.h", "features/planning/plan_panel.h"},
+};
+
+bool is_known(const Breach& breach) {
+  const std::size_t space = breach.rule.rfind(' ');
+  return kKnown.contains({breach.file, breach.rule.substr(space + 1)});
+}
+
 TEST(Layers, AreKeptByTheWholeProject) {
   const std::set<std::string> files = project_sources(source_dir());
   ASSERT_THAT(files, testing::Contains("libs/geometric/robot/robot_model.cpp"));
@@ -50,7 +87,8 @@ TEST(Layers, AreKeptByTheWholeProject) {
   for (const std::string& file : files) {
     std::ifstream stream(source_dir() / file);
     const std::string text(std::istreambuf_iterator<char>(stream), {});
-    const std::vector<Breach> found = rules.check(file, text);
+    std::vector<Breach> found = rules.check(file, text);
+    std::erase_if(found, is_known);
     breaches.insert(breaches.end(), found.begin(), found.end());
   }
   EXPECT_TRUE(breaches.empty()) << to_text(breaches);
@@ -140,6 +178,46 @@ TEST(LayerRules, CatchPrivateHeadersOfAnotherPart) {
 TEST(LayerRules, CatchALayerThatIsNotLaidDown) {
   EXPECT_THAT(check("libs/geometric/robot/tree.cpp", "#include \"handway/magic/wand.h\"\n"),
               ElementsAre(breach_at(1, "no library magic")));
+}
+
+TEST(LayerRules, LetTheWindowsLayersIncludeThoseBelow) {
+  EXPECT_THAT(check("gui/features/glove/a.cpp",
+                    "#include \"features/glove/glove_panel.h\"\n"
+                    "#include \"model/document/document.h\"\n"
+                    "#include \"view3d/scene_view.h\"\n"
+                    "#include \"widgets/style/theme.h\"\n"
+                    "#include <QWidget>\n"),
+              IsEmpty());
+  EXPECT_THAT(check("gui/app/a.cpp", "#include \"features/glove/glove_panel.h\"\n"), IsEmpty());
+}
+
+TEST(LayerRules, CatchAnIncludeUpwardsInTheWindow) {
+  EXPECT_THAT(check("gui/model/document/a.cpp", "#include \"view3d/scene_view.h\"\n"),
+              ElementsAre(breach_at(1, "gui/model/document must not include view3d")));
+  EXPECT_THAT(check("gui/view3d/a.cpp", "#include \"widgets/style/theme.h\"\n"),
+              ElementsAre(breach_at(1, "gui/view3d must not include widgets")));
+  EXPECT_THAT(check("gui/widgets/style/a.cpp", "#include \"view3d/scene_view.h\"\n"),
+              ElementsAre(breach_at(1, "gui/widgets/style must not include view3d")));
+  EXPECT_THAT(check("gui/features/glove/a.cpp", "#include \"app/main_window.h\"\n"),
+              ElementsAre(breach_at(1, "gui/features must not include app")));
+}
+
+TEST(LayerRules, CatchAFeatureThatKnowsAnother) {
+  EXPECT_THAT(check("gui/features/glove/a.cpp", "#include \"features/tracker/wrist_page.h\"\n"),
+              ElementsAre(breach_at(1, "must not include features/tracker/wrist_page.h")));
+}
+
+TEST(LayerRules, CatchCoinOutsideTheViewAndWidgetsInTheModel) {
+  const std::string coin = "#include <Inventor/nodes/SoSeparator.h>\n";
+  EXPECT_THAT(check("gui/view3d/a.cpp", coin), IsEmpty());
+  EXPECT_THAT(check("gui/features/glove/a.cpp", coin), ElementsAre(breach_at(1, "knows Coin")));
+  for (const char* widget : {"QWidget", "QLabel", "QComboBox", "QAction", "QFormLayout"}) {
+    EXPECT_THAT(check("gui/model/document/a.cpp", "#include <" + std::string(widget) + ">\n"),
+                ElementsAre(breach_at(1, "must not know widgets")))
+        << widget;
+  }
+  EXPECT_THAT(check("gui/model/document/a.cpp", "#include <QObject>\n#include <QUndoStack>\n"),
+              IsEmpty());
 }
 
 TEST(LayerRules, CatchUsingNamespaceStd) {

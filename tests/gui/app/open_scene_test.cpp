@@ -1,6 +1,6 @@
-#include "panels/scene_tree.h"
+#include "features/editing/scene_tree.h"
+#include "model/document/collision_monitor.h"
 #include "window_test.h"
-#include "workers/collision_monitor.h"
 
 #include <QPushButton>
 

@@ -1,4 +1,4 @@
-#include "app/save_scene.h"
+#include "model/document/save_scene.h"
 
 #include "handway/planning/core/plugin.h"
 #include "small_cell.h"

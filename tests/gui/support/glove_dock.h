@@ -1,7 +1,7 @@
 #pragma once
 
-#include "glove/glove_panel.h"
-#include "glove/sensor_bars.h"
+#include "features/glove/glove_panel.h"
+#include "features/glove/sensor_bars.h"
 #include "handway/device/glove/glove_emulator.h"
 #include "window_test.h"
 

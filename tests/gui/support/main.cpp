@@ -1,6 +1,6 @@
 #include "handway_test/real_time.h"
-#include "style/theme.h"
 #include "watched_application.h"
+#include "widgets/style/theme.h"
 
 #include <QSettings>
 #include <QTemporaryDir>

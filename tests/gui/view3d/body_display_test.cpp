@@ -1,9 +1,9 @@
 #include "app/body_display_tool.h"
-#include "editing/editing_test.h"
+#include "features/editing/editing_test.h"
+#include "model/document/collision_monitor.h"
+#include "view3d/body_meshes.h"
 #include "view3d/scene_view.h"
 #include "view3d/view_gizmo.h"
-#include "workers/body_meshes.h"
-#include "workers/collision_monitor.h"
 
 #include <QAction>
 #include <QImage>

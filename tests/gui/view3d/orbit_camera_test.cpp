@@ -1,4 +1,4 @@
-#include "view3d/orbit_camera.h"
+#include "model/settings/orbit_camera.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "editing/editing_test.h"
+#include "features/editing/editing_test.h"
 #include "pressed_mouse.h"
 #include "view3d/scene_view.h"
 #include "view3d/view_gizmo.h"

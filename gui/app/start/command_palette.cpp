@@ -1,0 +1,153 @@
+#include "app/start/command_palette.h"
+
+#include "app/start/fuzzy_match.h"
+
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QMainWindow>
+#include <QMenu>
+#include <QMenuBar>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <vector>
+
+namespace handway::gui {
+namespace {
+
+constexpr int kWidth = 520;
+constexpr int kMostRows = 11;
+constexpr int kRowHeight = 30;
+constexpr int kActionRole = Qt::UserRole;
+
+QString plain(QString text) { return text.remove('&').remove(QStringLiteral("…")); }
+
+template <typename Add>
+void visit_menu(const QMenu& menu, const QString& path, const Add& add) {
+  for (QAction* action : menu.actions()) {
+    if (action->menu()) {
+      visit_menu(*action->menu(), path + plain(action->text()) + QStringLiteral(": "), add);
+    } else if (!action->isSeparator() && !action->text().isEmpty()) {
+      add(path + plain(action->text()), action);
+    }
+  }
+}
+
+}  // namespace
+
+CommandPalette::CommandPalette(QWidget& window)
+    : QFrame(&window, Qt::Popup), window_(window), field_(new QLineEdit), list_(new QListWidget) {
+  setProperty("role", "palette");
+  setAttribute(Qt::WA_StyledBackground);
+  field_->setObjectName(QStringLiteral("palette_field"));
+  field_->setPlaceholderText(tr("Type a command"));
+  field_->installEventFilter(this);
+  list_->setObjectName(QStringLiteral("palette_list"));
+  list_->setFrameShape(QFrame::NoFrame);
+  list_->setFocusPolicy(Qt::NoFocus);
+  list_->setIconSize({18, 18});
+  list_->setUniformItemSizes(true);
+  list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(8, 8, 8, 8);
+  layout->setSpacing(6);
+  setFixedWidth(kWidth);
+  layout->addWidget(field_);
+  layout->addWidget(list_);
+  connect(field_, &QLineEdit::textChanged, this, &CommandPalette::list);
+  connect(list_, &QListWidget::itemClicked, this, &CommandPalette::run_current);
+}
+
+void CommandPalette::ask() {
+  commands_.clear();
+  const auto* main = qobject_cast<QMainWindow*>(&window_);
+  for (QAction* top : main->menuBar()->actions()) {
+    if (top->menu()) {
+      visit_menu(*top->menu(), plain(top->text()) + QStringLiteral(": "),
+                 [this](const QString& path, QAction* action) {
+                   if (action->isEnabled()) {
+                     commands_.push_back({path, action});
+                   }
+                 });
+    }
+  }
+  field_->clear();
+  list({});
+  move(window_.mapToGlobal(QPoint((window_.width() - kWidth) / 2, 90)));
+  show();
+  field_->setFocus();
+}
+
+void CommandPalette::list(const QString& typed) {
+  struct Found {
+    int score;
+    const Command* command;
+  };
+  std::vector<Found> found;
+  for (const Command& command : commands_) {
+    if (const auto score = fuzzy_score(typed, command.path)) {
+      found.push_back({*score, &command});
+    }
+  }
+  if (!typed.isEmpty()) {
+    std::ranges::stable_sort(found, std::ranges::greater(), &Found::score);
+  }
+  list_->clear();
+  for (const Found& entry : found) {
+    const QAction* action = entry.command->action;
+    auto* row = new QListWidgetItem(list_);
+    row->setSizeHint({0, kRowHeight});
+    row->setData(kActionRole, QVariant::fromValue(entry.command->action));
+    auto* words = new QWidget;
+    auto* layout = new QHBoxLayout(words);
+    layout->setContentsMargins(8, 0, 10, 0);
+    auto* picture = new QLabel;
+    picture->setFixedWidth(22);
+    picture->setPixmap(action->icon().pixmap(18, 18));
+    auto* keys = new QLabel(action->shortcut().toString(QKeySequence::NativeText));
+    keys->setProperty("role", "note");
+    layout->addWidget(picture);
+    layout->addWidget(new QLabel(entry.command->path), 1);
+    layout->addWidget(keys);
+    row->setData(Qt::AccessibleTextRole, entry.command->path);
+    list_->setItemWidget(row, words);
+  }
+  list_->setCurrentRow(0);
+  list_->setFixedHeight(std::clamp(list_->count(), 1, kMostRows) * kRowHeight + 4);
+  adjustSize();
+}
+
+void CommandPalette::run_current() {
+  const QListWidgetItem* row = list_->currentItem();
+  auto* action = row ? row->data(kActionRole).value<QAction*>() : nullptr;
+  hide();
+  if (action) {
+    action->trigger();
+  }
+}
+
+bool CommandPalette::eventFilter(QObject* watched, QEvent* event) {
+  if (watched != field_ || event->type() != QEvent::KeyPress) {
+    return QFrame::eventFilter(watched, event);
+  }
+  const int key = static_cast<QKeyEvent*>(event)->key();
+  if (key == Qt::Key_Down || key == Qt::Key_Up) {
+    const int step = key == Qt::Key_Down ? 1 : -1;
+    list_->setCurrentRow(
+        std::clamp(list_->currentRow() + step, 0, std::max(0, list_->count() - 1)));
+    return true;
+  }
+  if (key == Qt::Key_Return || key == Qt::Key_Enter) {
+    run_current();
+    return true;
+  }
+  if (key == Qt::Key_Escape) {
+    hide();
+    return true;
+  }
+  return QFrame::eventFilter(watched, event);
+}
+
+}  // namespace handway::gui

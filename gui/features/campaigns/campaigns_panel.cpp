@@ -1,0 +1,248 @@
+#include "features/campaigns/campaigns_panel.h"
+
+#include "widgets/panels/front_page.h"
+#include "widgets/panels/run_view.h"
+#include "widgets/plots/ecdf_plot.h"
+
+#include <QComboBox>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSortFilterProxyModel>
+#include <QSplitter>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <iterator>
+#include <set>
+#include <utility>
+
+namespace handway::gui {
+namespace {
+
+constexpr QSize kLeastPlot(240, 140);
+constexpr int kLeastTable = 80;  // px high
+
+constexpr int kRedrawInterval = 250;  // ms
+constexpr int kPlotHeight = 300;      // px
+constexpr int kTableHeight = 330;
+
+/// The runs on one problem.
+class RunsOfProblem : public QSortFilterProxyModel {
+ public:
+  RunsOfProblem(const std::vector<planning::ArchivedRun>& runs, const QComboBox& problems,
+                QObject* parent)
+      : QSortFilterProxyModel(parent), runs_(runs), problems_(problems) {}
+
+ protected:
+  [[nodiscard]] bool filterAcceptsRow(int row, const QModelIndex& /*parent*/) const override {
+    return problems_.currentText() ==
+           QString::fromStdString(runs_[static_cast<std::size_t>(row)].problem);
+  }
+
+ private:
+  const std::vector<planning::ArchivedRun>& runs_;
+  const QComboBox& problems_;
+};
+
+RunRow row_of(const planning::ArchivedRun& run) {
+  RunRow row;
+  row.planner = QString::fromStdString(run.planner.label);
+  row.seed = run.seed;
+  row.time_s = run.time_s;
+  row.outcome = QString::fromStdString(run.status);
+  row.samples = run.samples;
+  if (run.solved) {
+    row.nodes = run.path_nodes;
+    row.clearance = run.min_clearance_mm;
+  }
+  row.tip = QObject::tr("Open its scene and plan it again with its seed");
+  return row;
+}
+
+}  // namespace
+
+CampaignsPanel::CampaignsPanel(std::shared_ptr<const planning::Extensions> extensions,
+                               QWidget* parent)
+    : QWidget(parent),
+      runner_(std::move(extensions)),
+      table_(new RunTable(this)),
+      shown_(nullptr),
+      view_(nullptr),
+      plot_(new EcdfPlot),
+      open_(new QPushButton(tr("Open…"))),
+      stop_(new QPushButton(tr("Stop"))),
+      progress_(new QProgressBar),
+      state_(new QLabel(tr("Open a campaign to run it, or a run database to look at it."))),
+      problems_(new QComboBox) {
+  shown_ = new RunsOfProblem(runs_, *problems_, this);
+  shown_->setSourceModel(table_);
+  view_ = new RunView(*shown_,
+                      {RunTable::kPlanner, RunTable::kSeed, RunTable::kTime, RunTable::kOutcome,
+                       RunTable::kSamples, RunTable::kNodes, RunTable::kClearance});
+  view_->setObjectName(QStringLiteral("campaign_runs"));
+  view_->horizontalHeader()->setSectionResizeMode(RunTable::kPlanner,
+                                                  QHeaderView::ResizeToContents);
+  view_->horizontalHeader()->setResizeContentsPrecision(50);
+  view_->sortByColumn(RunTable::kSeed, Qt::AscendingOrder);
+  connect(view_, &QTableView::clicked, this, &CampaignsPanel::show_run);
+  // The panel shares its place with smaller ones.
+  plot_->setMinimumSize(kLeastPlot);
+  view_->setMinimumHeight(kLeastTable);
+  problems_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  auto* parts = new QSplitter(Qt::Vertical);
+  parts->addWidget(view_);
+  parts->addWidget(plot_);
+  parts->setSizes({kTableHeight, kPlotHeight});
+  parts->setChildrenCollapsible(false);
+  auto* layout = new QVBoxLayout(this);
+  layout->addWidget(make_actions());
+  layout->addWidget(progress_);
+  layout->addWidget(state_);
+  layout->addWidget(problems_);
+  layout->addWidget(parts, 1);
+  state_->setObjectName(QStringLiteral("campaign_state"));
+  state_->setWordWrap(true);
+  progress_->setVisible(false);
+  problems_->setObjectName(QStringLiteral("campaign_problem"));
+  problems_->setVisible(false);
+  redraw_.setSingleShot(true);
+  redraw_.setInterval(kRedrawInterval);
+  connect(&redraw_, &QTimer::timeout, this, &CampaignsPanel::draw);
+  connect(problems_, qOverload<int>(&QComboBox::currentIndexChanged), this,
+          &CampaignsPanel::show_problem);
+  connect(&runner_, &CampaignRunner::began, this, &CampaignsPanel::begin);
+  connect(&runner_, &CampaignRunner::found, this, &CampaignsPanel::take);
+  connect(&runner_, &CampaignRunner::ended, this, &CampaignsPanel::end);
+}
+
+QWidget* CampaignsPanel::make_actions() {
+  auto* actions = new QWidget;
+  auto* layout = new QHBoxLayout(actions);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(open_, 1);
+  layout->addWidget(stop_, 1);
+  open_->setObjectName(QStringLiteral("campaign_open"));
+  open_->setToolTip(tr("A campaign (.yaml) is carried out, a run database (.sqlite) is read"));
+  stop_->setObjectName(QStringLiteral("campaign_stop"));
+  stop_->setToolTip(tr("Runs that are done are kept; open the campaign again to go on"));
+  stop_->setEnabled(false);
+  connect(open_, &QPushButton::clicked, this, &CampaignsPanel::choose_file);
+  connect(stop_, &QPushButton::clicked, &runner_, &CampaignRunner::stop);
+  return actions;
+}
+
+void CampaignsPanel::choose_file() {
+  const QString file =
+      QFileDialog::getOpenFileName(this, tr("Open a campaign or its runs"), {},
+                                   tr("Campaigns and runs (*.yaml *.yml *.sqlite);;All files (*)"));
+  if (!file.isEmpty()) {
+    open(file);
+  }
+}
+
+void CampaignsPanel::open(const QString& file) {
+  if (runner_.is_running()) {
+    return;
+  }
+  runs_.clear();
+  table_->clear();
+  problems_->clear();
+  draw();
+  name_ = QFileInfo(file).fileName();
+  open_->setEnabled(false);
+  stop_->setEnabled(true);
+  progress_->setRange(0, 0);
+  progress_->setVisible(true);
+  state_->setText(tr("Reading %1…").arg(name_));
+  const std::filesystem::path path = QFileInfo(file).absoluteFilePath().toStdString();
+  if (file.endsWith(QLatin1String(".sqlite"))) {
+    runner_.read(path);
+  } else {
+    runner_.run(path);
+  }
+}
+
+void CampaignsPanel::come_to_front() { bring_to_front(*this); }
+
+void CampaignsPanel::begin(const QString& name, int all) {
+  name_ = name;
+  progress_->setRange(0, all);
+  progress_->setValue(0);
+  state_->setText(tr("%1: %n run(s)", nullptr, all).arg(name));
+}
+
+void CampaignsPanel::take(const std::vector<planning::ArchivedRun>& runs) {
+  for (const planning::ArchivedRun& run : runs) {
+    const QString problem = QString::fromStdString(run.problem);
+    if (problems_->findText(problem) < 0) {
+      problems_->addItem(problem);
+      problems_->setVisible(true);
+    }
+  }
+  std::vector<RunRow> rows;
+  rows.reserve(runs.size());
+  std::ranges::transform(runs, std::back_inserter(rows), row_of);
+  runs_.insert(runs_.end(), runs.begin(), runs.end());
+  table_->add(rows);
+  if (progress_->maximum() > 0) {
+    progress_->setValue(table_->rowCount());
+  }
+  if (!redraw_.isActive()) {
+    redraw_.start();
+  }
+}
+
+void CampaignsPanel::end(const QString& problem) {
+  open_->setEnabled(true);
+  stop_->setEnabled(false);
+  const bool complete = progress_->maximum() == 0 || table_->rowCount() == progress_->maximum();
+  progress_->setVisible(false);
+  const auto solved = std::ranges::count_if(runs_, &planning::ArchivedRun::solved);
+  if (!problem.isEmpty()) {
+    state_->setText(problem);
+  } else {
+    state_->setText(tr("%1: %2 runs, %3 with a path%4")
+                        .arg(name_)
+                        .arg(table_->rowCount())
+                        .arg(solved)
+                        .arg(complete ? QString() : tr("; stopped before its end")));
+  }
+  draw();
+}
+
+void CampaignsPanel::show_problem() {
+  shown_->invalidate();
+  draw();
+}
+
+void CampaignsPanel::draw() {
+  std::vector<EcdfCurve> curves;
+  for (const planning::ArchivedRun& run : runs_) {
+    if (QString::fromStdString(run.problem) != problems_->currentText()) {
+      continue;
+    }
+    const QString title = QString::fromStdString(run.planner.label);
+    auto curve = std::find_if(curves.begin(), curves.end(),
+                              [&](const EcdfCurve& other) { return other.title == title; });
+    if (curve == curves.end()) {
+      curve = curves.insert(curves.end(), EcdfCurve{title, {}, 0});
+    }
+    ++curve->runs;
+    if (run.solved) {
+      curve->times.push_back(run.time_s);
+    }
+  }
+  plot_->set_curves(curves);
+}
+
+void CampaignsPanel::show_run(const QModelIndex& index) {
+  const QModelIndex row = shown_->mapToSource(index);
+  emit run_chosen(runs_[static_cast<std::size_t>(row.row())]);
+}
+
+}  // namespace handway::gui

@@ -1,0 +1,267 @@
+#include "features/devices/device_session.h"
+
+#include "features/devices/devices_panel.h"
+#include "handway/geometric/math/units.h"
+#include "model/document/document.h"
+#include "model/playback/path_player.h"
+#include "widgets/panels/motion_text.h"
+
+#include <QDateTime>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QStandardPaths>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <utility>
+
+namespace handway::gui {
+namespace {
+
+using State = MotionDriver::State;
+
+// What an arm's queue of ten points can live on, s.
+constexpr double kPeriod = 0.02;
+// How far the robot may have moved since a motion was cleared, rad.
+constexpr double kSamePlace = 1e-3;
+constexpr double kSameNumbers = 1e-6;  // relative
+// How long a robot that was told to stop may take to be at rest before the scene is left.
+constexpr std::chrono::milliseconds kLongestRest(2500);
+
+struct Offset {
+  int variable = 0;
+  double angle = 0.0;  ///< rad
+};
+
+// How far the joint that is farthest off is.
+Offset offset(const geometric::Configuration& a, const geometric::Configuration& b) {
+  Offset farthest;
+  farthest.angle = (a - b).cwiseAbs().maxCoeff(&farthest.variable);
+  return farthest;
+}
+
+}  // namespace
+
+DeviceSession::DeviceSession(Document& document, PathPlayer& player, QObject* parent)
+    : QObject(parent),
+      document_(document),
+      player_(player),
+      panel_(new DevicesPanel),
+      stop_(stop_controls_.make_button(QStringLiteral("devices_stop"))) {
+  connect(&stop_controls_, &StopControls::stop_requested, &driver_, &MotionDriver::stop);
+  connect(panel_, &DevicesPanel::connect_requested, this, &DeviceSession::connect_devices);
+  connect(panel_, &DevicesPanel::disconnect_requested, &driver_, &MotionDriver::disconnect_all);
+  connect(panel_, &DevicesPanel::speed_changed, this, &DeviceSession::time_again);
+  connect(panel_, &DevicesPanel::run_requested, this, &DeviceSession::run);
+  connect(panel_, &DevicesPanel::hold_requested, this, [this](bool held) {
+    driver_.hold(held);
+    panel_->show_held(held);
+    panel_->show_problem({});
+  });
+  connect(panel_, &DevicesPanel::mirror_changed, this, &DeviceSession::mirror);
+  connect(panel_, &DevicesPanel::start_here_requested, this,
+          [this] { emit start_here_requested(measured_); });
+  connect(&player_, &PathPlayer::timeline_changed, this, &DeviceSession::time_again);
+  connect(&document_, &Document::edited, this, &DeviceSession::take_edit);
+  connect(&document_, &Document::opened, this, [this] {
+    driver_.disconnect_all();
+    panel_->clear_outcome();
+    panel_->show_state(driver_.state(), document_.robot() != nullptr);
+    emit executed_changed({});
+    time_again();
+  });
+  connect(&timing_, &TimingRunner::timed, this, [this](const DerivedMotion& motion) {
+    motion_ = motion;
+    panel_->show_motion(*motion.value, backwards_);
+  });
+  connect(&timing_, &TimingRunner::failed, panel_, &DevicesPanel::show_no_motion);
+  connect(&driver_, &MotionDriver::state_changed, this, &DeviceSession::take_state);
+  connect(&driver_, &MotionDriver::measured, this, &DeviceSession::take_measured);
+  connect(&driver_, &MotionDriver::progressed, panel_, &DevicesPanel::show_progress);
+  connect(&driver_, &MotionDriver::held, this, [this](const QString& reason) {
+    panel_->show_held(true);
+    panel_->show_problem(tr("Held: %1").arg(reason));
+    emit told(false, tr("The robot is held: %1").arg(reason));
+  });
+  connect(&driver_, &MotionDriver::ended, this, &DeviceSession::take_outcome);
+  connect(&driver_, &MotionDriver::failed, this, [this](const QString& message) {
+    panel_->show_problem(message);
+    emit told(false, message);
+  });
+  time_again();
+}
+
+std::filesystem::path DeviceSession::log_folder() {
+  const QString data = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
+  return std::filesystem::path(data.toStdString()) / "motions";
+}
+
+void DeviceSession::connect_devices() {
+  const auto problem = document_.problem() ? document_.problem()->if_ready() : nullptr;
+  if (!problem) {
+    panel_->show_problem(tr("The scene is still being prepared: try again in a moment."));
+    return;
+  }
+  panel_->show_problem({});
+  panel_->clear_outcome();
+  emit executed_changed({});
+  driver_.connect_to(panel_->devices(), problem, document_.configuration());
+}
+
+void DeviceSession::time_again() {
+  motion_ = {};
+  timing_.forget();
+  timed_from_ = measured_;
+  if (player_.timeline().empty() || !document_.problem()) {
+    panel_->show_no_motion(tr("Plan a path first."));
+    return;
+  }
+  if (driver_.state() == State::kRunning) {
+    panel_->show_no_motion(tr("The path is timed again when the robot is at rest."));
+    return;
+  }
+  planning::Path path = player_.timeline().path();
+  planning::TimingOptions options;
+  options.speed = panel_->speed();
+  options.period = kPeriod;
+  backwards_ = false;
+  if (measured_.size() > 0) {
+    options.measured_start = measured_;
+    options.start_tolerance = device::MotionTolerances{}.start;
+    const Offset from_start = offset(measured_, path.waypoints.front());
+    const Offset from_end = offset(measured_, path.waypoints.back());
+    if (from_start.angle > options.start_tolerance && from_end.angle <= options.start_tolerance) {
+      backwards_ = true;
+      std::ranges::reverse(path.waypoints);
+    } else if (from_start.angle > options.start_tolerance) {
+      panel_->show_elsewhere(
+          tr("The robot stands elsewhere: %1 is %2° away from where the path begins.")
+              .arg(QString::fromStdString(
+                  document_.robot()->model->variable(from_start.variable).name))
+              .arg(geometric::degrees(from_start.angle), 0, 'f', 1));
+      return;
+    }
+  }
+  panel_->show_no_motion(tr("Timing the path…"));
+  timing_.start(document_.problem(), std::move(path), "path", options);
+}
+
+// What was cleared is void at once, and the path is timed and checked in the scene as it is.
+void DeviceSession::take_edit(const SceneState& before) {
+  if (before.scene == document_.scene() || !document_.problem()) {
+    return;
+  }
+  driver_.follow(document_.problem());
+  time_again();
+  if (timing_.is_busy()) {
+    panel_->show_no_motion(tr("Out of date, the scene was edited: checking the path again…"));
+  }
+}
+
+void DeviceSession::run() {
+  if (!motion_.value || !motion_.value->cleared() || !panel_->is_armed()) {
+    return;
+  }
+  if (motion_.made_from != document_.revision()) {
+    panel_->show_problem(tr("The path is out of date: the scene was edited."));
+    time_again();
+    return;
+  }
+  const QString name = QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd_hh-mm-ss"));
+  std::error_code ignored;  // the log says whether it can be written
+  std::filesystem::create_directories(log_folder(), ignored);
+  panel_->show_problem({});
+  panel_->clear_outcome();
+  emit executed_changed({});
+  driver_.run(motion_.value, document_.problem(), log_folder() / (name.toStdString() + ".csv"));
+}
+
+void DeviceSession::take_state(State state) {
+  if (state == State::kOff) {
+    measured_.resize(0);
+    mirror();
+    time_again();
+  } else if (state == State::kConnected && !motion_.value) {
+    time_again();  // what the motion that ran has kept from it
+  }
+  show_stop(state == State::kConnected || state == State::kRunning);
+  panel_->show_state(state, document_.robot() != nullptr);
+}
+
+void DeviceSession::show_stop(bool active) {
+  stop_controls_.set_active(active);
+  if (active && !stop_keys_) {
+    stop_keys_.emplace(static_cast<std::uint32_t>(stop_->window()->effectiveWinId()),
+                       [this] { driver_.stop(); });
+  } else if (!active) {
+    stop_keys_.reset();
+  }
+}
+
+bool DeviceSession::may_leave(QWidget& window) {
+  if (driver_.state() != State::kRunning) {
+    return true;
+  }
+  const auto answer =
+      QMessageBox::warning(&window, tr("The robot is moving"), tr("Stop the robot and leave?"),
+                           QMessageBox::Yes | QMessageBox::Cancel, QMessageBox::Cancel);
+  if (answer != QMessageBox::Yes) {
+    return false;
+  }
+  if (driver_.stop_and_wait(kLongestRest)) {
+    return true;
+  }
+  const QString message = tr("The robot was told to stop and not seen at rest: look at it.");
+  panel_->show_problem(message);
+  emit told(false, message);
+  return false;
+}
+
+void DeviceSession::take_measured(const Eigen::VectorXd& q) {
+  const State state = driver_.state();
+  if (state != State::kConnected && state != State::kRunning) {
+    return;  // of a robot that may not be the scene's any more
+  }
+  const bool changed = measured_.size() != q.size() || !measured_.isApprox(q, kSameNumbers);
+  measured_ = q;
+  if (changed || document_.shows_measured() != panel_->mirrors()) {
+    mirror();
+  }
+  const bool moved =
+      timed_from_.size() != q.size() || (timed_from_ - q).cwiseAbs().maxCoeff() > kSamePlace;
+  if (moved && driver_.state() == State::kConnected) {
+    time_again();
+  }
+}
+
+void DeviceSession::mirror() {
+  if (panel_->mirrors() && measured_.size() > 0) {
+    document_.show_measured(measured_);
+  } else {
+    document_.hide_measured();
+  }
+}
+
+void DeviceSession::take_outcome(const execution::MotionOutcome& outcome,
+                                 const std::shared_ptr<const ExecutedMotion>& executed) {
+  if (!document_.robot()) {
+    return;
+  }
+  if (!outcome.started) {
+    const QString reason = outcome.collision.empty() ? tr("It was stopped before the start.")
+                                                     : QString::fromStdString(outcome.collision);
+    panel_->show_problem(tr("Not started: %1").arg(reason));
+    emit told(false, tr("The robot was not started: %1").arg(reason));
+    return;
+  }
+  panel_->show_outcome(outcome, executed, *document_.robot()->model);
+  emit executed_changed(executed->way_of(*document_.robot(), document_.palm()));
+  emit told(outcome.done, outcome.done
+                              ? tr("The robot ran the path in %1 s").arg(outcome.time, 0, 'f', 2)
+                              : tr("The robot stopped after %1 s: %2")
+                                    .arg(outcome.time, 0, 'f', 2)
+                                    .arg(cause_of(outcome)));
+}
+
+}  // namespace handway::gui

@@ -1,0 +1,79 @@
+#pragma once
+
+#include "features/devices/stop_controls.h"
+#include "model/devices/motion_driver.h"
+#include "model/devices/stop_key_listener.h"
+#include "model/planning/timing_runner.h"
+
+#include <QObject>
+
+#include <memory>
+#include <optional>
+
+class QPushButton;
+
+namespace handway::gui {
+
+class DevicesPanel;
+class Document;
+class PathPlayer;
+struct SceneState;
+
+/// From a path on screen to a motion of the hardware: times it, clears it from where the robot
+/// stands, runs it, shows where the robot is, and keeps what was executed. An edit of the scene
+/// revokes what was cleared, and reaches a motion that runs.
+class DeviceSession : public QObject {
+  Q_OBJECT
+
+ public:
+  /// Both outlive the session. Makes the panel and the stop button; a window takes them over.
+  DeviceSession(Document& document, PathPlayer& player, QObject* parent = nullptr);
+
+  [[nodiscard]] DevicesPanel* panel() const { return panel_; }
+  /// Stops the robot; to be where it is always seen. Hidden while nothing is connected.
+  [[nodiscard]] QPushButton* stop_button() const { return stop_; }
+  [[nodiscard]] MotionDriver& driver() { return driver_; }
+
+  /// To be asked before the scene or the program is left. If the robot moves, asks whether to stop
+  /// it, stops it, and waits until it is at rest. @returns false to stay.
+  [[nodiscard]] bool may_leave(QWidget& window);
+
+  /// Where logs of motions are kept.
+  [[nodiscard]] static std::filesystem::path log_folder();
+
+ signals:
+  /// The palm's way as it was measured (world, m); empty: none.
+  void executed_changed(const std::vector<Eigen::Vector3d>& way);
+  /// Let the start be where the robot stands, and plan.
+  void start_here_requested(const Eigen::VectorXd& q);
+  /// For the log.
+  void told(bool good, const QString& message);
+
+ private:
+  void connect_devices();
+  void time_again();
+  void run();
+  void take_state(MotionDriver::State state);
+  void show_stop(bool active);
+  void take_measured(const Eigen::VectorXd& q);
+  void take_edit(const SceneState& before);
+  /// The document's robot as it is measured, if that is wanted.
+  void mirror();
+  void take_outcome(const execution::MotionOutcome& outcome,
+                    const std::shared_ptr<const ExecutedMotion>& executed);
+
+  Document& document_;
+  PathPlayer& player_;
+  DevicesPanel* panel_;
+  StopControls stop_controls_;
+  QPushButton* stop_;
+  TimingRunner timing_;
+  MotionDriver driver_;
+  std::optional<StopKeyListener> stop_keys_;  ///< While there is something to stop.
+  DerivedMotion motion_;                      ///< Of the path on screen; or null.
+  bool backwards_ = false;                    ///< motion_ goes from goal to start.
+  geometric::Configuration measured_;         ///< Of size 0: nothing is connected.
+  geometric::Configuration timed_from_;       ///< `measured_` when motion_ was timed.
+};
+
+}  // namespace handway::gui

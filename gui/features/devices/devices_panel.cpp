@@ -1,0 +1,327 @@
+#include "features/devices/devices_panel.h"
+
+#include "features/devices/following_plot.h"
+#include "features/devices/motion_device_field.h"
+#include "handway/device/arm/val3_arm.h"
+#include "handway/device/hand/hand_protocol.h"
+#include "handway/geometric/math/units.h"
+#include "widgets/forms/slider_row.h"
+#include "widgets/panels/motion_text.h"
+#include "widgets/style/theme.h"
+
+#include <QCheckBox>
+#include <QFormLayout>
+#include <QFrame>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QVBoxLayout>
+#include <QVariant>
+
+#include <cmath>
+#include <utility>
+
+namespace handway::gui {
+namespace {
+
+using State = MotionDriver::State;
+
+constexpr int kMargin = 12;
+constexpr double kCautiousSpeed = 0.1;  // until somebody asks for more
+constexpr double kLeastSpeed = 0.01;
+
+QLabel* make_heading(const QString& text) {
+  auto* heading = new QLabel(text);
+  heading->setProperty("role", "heading");
+  return heading;
+}
+
+QLabel* make_text(const char* name) {
+  auto* text = new QLabel;
+  text->setObjectName(QLatin1String(name));
+  text->setWordWrap(true);
+  text->setTextFormat(Qt::RichText);
+  text->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  return text;
+}
+
+QString state_text(State state) {
+  switch (state) {
+    case State::kConnecting:
+      return QObject::tr("Connecting…");
+    case State::kConnected:
+      return QObject::tr("Connected, standing");
+    case State::kRunning:
+      return QObject::tr("The robot moves");
+    case State::kClosing:
+      return QObject::tr("Disconnecting…");
+    case State::kOff:
+      break;
+  }
+  return QObject::tr("Not connected");
+}
+
+QColor state_color(State state) {
+  const ThemeColors colors = colors_of(current_theme());
+  switch (state) {
+    case State::kConnected:
+      return colors.good;
+    case State::kRunning:
+      return colors.accent;
+    default:
+      return colors.muted;
+  }
+}
+
+}  // namespace
+
+DevicesPanel::DevicesPanel(QWidget* parent)
+    : QWidget(parent),
+      arm_(new MotionDeviceField(QStringLiteral("arm"), device::kVal3MotionPort)),
+      hand_(new MotionDeviceField(QStringLiteral("hand"), device::kHandPort)),
+      connect_(new QPushButton),
+      state_text_(make_text("devices_state")),
+      problem_(new QFrame),
+      problem_text_(make_text("devices_problem")),
+      mirror_(new QCheckBox(tr("Show where the robot stands"))),
+      speed_(new SliderRow(
+          tr("Speed"),
+          {.lower = kLeastSpeed, .upper = 1.0, .scale = 100.0, .unit = tr(" %"), .decimals = 0})),
+      motion_(make_text("devices_motion")),
+      start_here_(new QPushButton(tr("Plan from where it stands"))),
+      armed_(new QCheckBox(tr("Let the robot move"))),
+      run_(new QPushButton(tr("Run on the robot"))),
+      hold_(new QPushButton(tr("Hold"))),
+      progress_(new QProgressBar),
+      progress_text_(new QLabel),
+      outcome_text_(make_text("devices_outcome")),
+      plot_(new FollowingPlot) {
+  outcome_ = make_outcome();
+  auto* content = new QWidget;
+  auto* layout = new QVBoxLayout(content);
+  layout->setContentsMargins(kMargin, 10, kMargin, kMargin);
+  layout->setSpacing(8);
+  layout->addWidget(make_connection());
+  layout->addWidget(make_motion());
+  layout->addWidget(outcome_);
+  layout->addStretch();
+  auto* area = new QScrollArea;
+  area->setWidgetResizable(true);
+  area->setFrameShape(QFrame::NoFrame);
+  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  area->setWidget(content);
+  auto* whole = new QVBoxLayout(this);
+  whole->setContentsMargins(0, 0, 0, 0);
+  whole->addWidget(area);
+  show_state(State::kOff, false);
+}
+
+QWidget* DevicesPanel::make_connection() {
+  auto* box = new QWidget;
+  auto* layout = new QVBoxLayout(box);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(8);
+  auto* form = new QFormLayout;
+  form->setHorizontalSpacing(10);
+  form->setVerticalSpacing(6);
+  form->addRow(make_heading(tr("Controllers")));
+  form->addRow(tr("Arm"), arm_);
+  form->addRow(tr("Hand"), hand_);
+  layout->addLayout(form);
+  connect_->setObjectName(QStringLiteral("devices_connect"));
+  auto* row = new QHBoxLayout;
+  row->addWidget(state_text_, 1);
+  row->addWidget(connect_);
+  layout->addLayout(row);
+  problem_->setProperty("role", "banner");
+  auto* problem_layout = new QVBoxLayout(problem_);
+  problem_layout->setContentsMargins(10, 7, 10, 7);
+  problem_layout->addWidget(problem_text_);
+  problem_text_->setTextFormat(Qt::PlainText);
+  problem_->hide();
+  layout->addWidget(problem_);
+  mirror_->setObjectName(QStringLiteral("devices_mirror"));
+  mirror_->setChecked(true);
+  mirror_->setToolTip(
+      tr("The robot in the view is where the joints are measured, whatever is edited or played"));
+  connect(mirror_, &QCheckBox::toggled, this, &DevicesPanel::mirror_changed);
+  layout->addWidget(mirror_);
+  connect(connect_, &QPushButton::clicked, this, [this] {
+    if (state_ == State::kOff) {
+      emit connect_requested();
+    } else {
+      emit disconnect_requested();
+    }
+  });
+  return box;
+}
+
+QWidget* DevicesPanel::make_motion() {
+  auto* box = new QWidget;
+  auto* layout = new QVBoxLayout(box);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(8);
+  layout->addWidget(make_heading(tr("Motion")));
+  speed_->setObjectName(QStringLiteral("devices_speed"));
+  speed_->set_value(kCautiousSpeed);
+  speed_->setToolTip(tr("Share of the pace that the joints' limits allow"));
+  layout->addWidget(speed_);
+  layout->addWidget(motion_);
+  start_here_->setObjectName(QStringLiteral("devices_start_here"));
+  start_here_->setToolTip(tr("Makes the robot's measured posture the start, and plans"));
+  start_here_->hide();
+  layout->addWidget(start_here_);
+  armed_->setObjectName(QStringLiteral("devices_armed"));
+  armed_->setToolTip(tr("Nothing moves unless this is ticked; it holds for one motion"));
+  layout->addWidget(armed_);
+  run_->setObjectName(QStringLiteral("devices_run"));
+  run_->setProperty("role", "primary");
+  hold_->setObjectName(QStringLiteral("devices_hold"));
+  auto* buttons = new QHBoxLayout;
+  buttons->setSpacing(8);
+  buttons->addWidget(run_, 2);
+  buttons->addWidget(hold_, 1);
+  layout->addLayout(buttons);
+  progress_->setRange(0, 1000);
+  progress_->setTextVisible(false);
+  progress_->setFixedHeight(6);
+  progress_text_->setProperty("role", "note");
+  progress_text_->setObjectName(QStringLiteral("devices_progress"));
+  layout->addWidget(progress_);
+  layout->addWidget(progress_text_);
+  connect(speed_, &SliderRow::value_edited, this, &DevicesPanel::speed_changed);
+  connect(start_here_, &QPushButton::clicked, this, &DevicesPanel::start_here_requested);
+  connect(armed_, &QCheckBox::toggled, this, &DevicesPanel::update_buttons);
+  connect(run_, &QPushButton::clicked, this, &DevicesPanel::run_requested);
+  connect(hold_, &QPushButton::clicked, this, [this] { emit hold_requested(!held_); });
+  return box;
+}
+
+QWidget* DevicesPanel::make_outcome() {
+  auto* box = new QWidget;
+  auto* layout = new QVBoxLayout(box);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(8);
+  layout->addWidget(make_heading(tr("Executed")));
+  layout->addWidget(outcome_text_);
+  layout->addWidget(plot_);
+  box->hide();
+  return box;
+}
+
+MotionDevices DevicesPanel::devices() const {
+  QStringList addresses;
+  for (const MotionDeviceField* field : {arm_, hand_}) {
+    if (const QString address = field->address(); !address.isEmpty()) {
+      addresses << address;
+    }
+  }
+  return {addresses.join(QLatin1Char(',')), arm_->is_emulator(), hand_->is_emulator()};
+}
+
+void DevicesPanel::choose_devices(const QString& arm, const QString& hand) {
+  arm_->choose(arm);
+  hand_->choose(hand);
+}
+
+double DevicesPanel::speed() const { return std::max(speed_->value(), kLeastSpeed); }
+
+bool DevicesPanel::mirrors() const { return mirror_->isChecked(); }
+
+bool DevicesPanel::is_armed() const { return armed_->isChecked(); }
+
+void DevicesPanel::show_state(State state, bool robot) {
+  if (state == State::kConnected && state_ == State::kConnecting) {
+    arm_->remember();
+    hand_->remember();
+  }
+  if (state_ == State::kRunning && state != State::kRunning) {
+    armed_->setChecked(false);
+    held_ = false;
+  }
+  state_ = state;
+  robot_ = robot;
+  state_text_->setText(QStringLiteral("<span style=\"color:%1\">●</span>&nbsp; %2")
+                           .arg(html(state_color(state)), state_text(state).toHtmlEscaped()));
+  update_buttons();
+}
+
+void DevicesPanel::show_problem(const QString& message) {
+  problem_text_->setText(message);
+  problem_->setVisible(!message.isEmpty());
+}
+
+void DevicesPanel::show_no_motion(const QString& why) {
+  motion_->setText(QStringLiteral("<span style=\"color:%1\">%2</span>")
+                       .arg(html(colors_of(current_theme()).muted), why.toHtmlEscaped()));
+  cleared_ = false;
+  start_here_->hide();
+  update_buttons();
+}
+
+void DevicesPanel::show_elsewhere(const QString& where) {
+  show_no_motion(where);
+  start_here_->show();
+}
+
+void DevicesPanel::show_motion(const planning::TimedPath& motion, bool backwards) {
+  motion_->setText(motion_text(motion));
+  run_->setText(backwards ? tr("Run it backwards") : tr("Run on the robot"));
+  cleared_ = motion.cleared();
+  start_here_->hide();
+  update_buttons();
+}
+
+void DevicesPanel::show_progress(double time, double duration, double error) {
+  progress_->setValue(static_cast<int>(std::lround(1000.0 * time / std::max(duration, 1e-9))));
+  progress_text_->setText(tr("%1 of %2 s, up to %3° off")
+                              .arg(time, 0, 'f', 1)
+                              .arg(duration, 0, 'f', 1)
+                              .arg(geometric::degrees(error), 0, 'f', 2));
+}
+
+void DevicesPanel::show_held(bool held) {
+  held_ = held;
+  update_buttons();
+}
+
+void DevicesPanel::show_outcome(const execution::MotionOutcome& outcome,
+                                std::shared_ptr<const ExecutedMotion> executed,
+                                const geometric::RobotModel& model) {
+  QString text = outcome_text(outcome);
+  if (!executed->log.empty()) {
+    text += QStringLiteral("<br>") +
+            tr("Log: %1").arg(QString::fromStdString(executed->log.string()).toHtmlEscaped());
+  }
+  outcome_text_->setText(text);
+  plot_->show_motion(std::move(executed), model);
+  outcome_->show();
+}
+
+void DevicesPanel::clear_outcome() {
+  outcome_->hide();
+  plot_->clear();
+}
+
+void DevicesPanel::update_buttons() {
+  const bool off = state_ == State::kOff;
+  const bool running = state_ == State::kRunning;
+  connect_->setText(off ? tr("Connect") : tr("Disconnect"));
+  connect_->setEnabled(robot_ && state_ != State::kClosing);
+  arm_->setEnabled(off);
+  hand_->setEnabled(off);
+  speed_->setEnabled(!running);
+  armed_->setEnabled(state_ == State::kConnected && cleared_);
+  if (!armed_->isEnabled() && !running) {
+    armed_->setChecked(false);
+  }
+  run_->setEnabled(state_ == State::kConnected && cleared_ && armed_->isChecked());
+  hold_->setEnabled(running);
+  hold_->setText(held_ ? tr("Go on") : tr("Hold"));
+  progress_->setVisible(running);
+  progress_text_->setVisible(running);
+}
+
+}  // namespace handway::gui

@@ -1,0 +1,90 @@
+#pragma once
+
+#include "handway/planning/timing/time_path.h"
+#include "model/devices/motion_driver.h"
+
+#include <QWidget>
+
+class QCheckBox;
+class QFrame;
+class QLabel;
+class QProgressBar;
+class QPushButton;
+
+namespace handway::gui {
+
+class FollowingPlot;
+class MotionDeviceField;
+class SliderRow;
+
+/// Connects to an arm and a hand, tells what a motion on them would be, runs it and tells
+/// how it went. What the buttons do is the session's.
+class DevicesPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit DevicesPanel(QWidget* parent = nullptr);
+
+  [[nodiscard]] MotionDevices devices() const;
+  /// "none", "emulator" or an address each.
+  void choose_devices(const QString& arm, const QString& hand);
+  [[nodiscard]] double speed() const;  ///< Share of full pace, in (0, 1].
+  [[nodiscard]] bool mirrors() const;
+  [[nodiscard]] bool is_armed() const;
+
+  /// @param robot false if there is none to connect to.
+  void show_state(MotionDriver::State state, bool robot);
+  void show_problem(const QString& message);  ///< Empty: none.
+  /// What stands against a motion, or that none does.
+  void show_no_motion(const QString& why);
+  /// The robot doesn't stand where the path begins; offers to plan from where it does.
+  void show_elsewhere(const QString& where);
+  /// @param backwards it goes from the path's end to its start.
+  void show_motion(const planning::TimedPath& motion, bool backwards);
+  void show_progress(double time, double duration, double error);
+  void show_held(bool held);
+  void show_outcome(const execution::MotionOutcome& outcome,
+                    std::shared_ptr<const ExecutedMotion> executed,
+                    const geometric::RobotModel& model);
+  void clear_outcome();
+
+ signals:
+  void connect_requested();
+  void disconnect_requested();
+  void speed_changed();
+  void run_requested();
+  void hold_requested(bool held);
+  void mirror_changed();
+  void start_here_requested();  ///< Let the path start where the robot stands.
+
+ private:
+  QWidget* make_connection();
+  QWidget* make_motion();
+  QWidget* make_outcome();
+  void update_buttons();
+
+  MotionDeviceField* arm_;
+  MotionDeviceField* hand_;
+  QPushButton* connect_;
+  QLabel* state_text_;
+  QFrame* problem_;
+  QLabel* problem_text_;
+  QCheckBox* mirror_;
+  SliderRow* speed_;
+  QLabel* motion_;
+  QPushButton* start_here_;
+  QCheckBox* armed_;
+  QPushButton* run_;
+  QPushButton* hold_;
+  QProgressBar* progress_;
+  QLabel* progress_text_;
+  QWidget* outcome_;
+  QLabel* outcome_text_;
+  FollowingPlot* plot_;
+  MotionDriver::State state_ = MotionDriver::State::kOff;
+  bool robot_ = false;
+  bool cleared_ = false;  ///< The motion may run.
+  bool held_ = false;
+};
+
+}  // namespace handway::gui

@@ -1,0 +1,106 @@
+#include "features/editing/palm_tool.h"
+
+#include "features/postures/posing.h"
+#include "handway/geometric/io/input_error.h"
+#include "handway/planning/queries/palm_ik.h"
+#include "model/document/document.h"
+#include "model/document/scene_editor.h"
+#include "model/document/scene_edits.h"
+#include "model/planning/planning_session.h"
+#include "view3d/scene_view.h"
+
+#include <utility>
+
+namespace handway::gui {
+
+using geometric::Configuration;
+using Kind = SceneItem::Kind;
+
+PalmTool::PalmTool(Document& document, SceneEditor& editor, Posing& posing,
+                   PlanningSession& session, SceneView& view, QObject* parent)
+    : QObject(parent),
+      document_(document),
+      editor_(editor),
+      posing_(posing),
+      session_(session),
+      view_(view) {
+  connect(&document_, &Document::opened, this, &PalmTool::use_robot);
+  connect(&view_, &SceneView::dragged, this, &PalmTool::drag);
+  connect(&editor_, &SceneEditor::palm_placed, this, &PalmTool::drop);
+}
+
+PalmTool::~PalmTool() = default;
+
+void PalmTool::use_robot() {
+  ik_.reset();
+  before_.reset();
+  const geometric::RobotInstance* robot = document_.robot();
+  if (!robot || document_.groups().arm.empty()) {
+    return;
+  }
+  try {
+    ik_ = std::make_unique<const planning::PalmIk>(robot->model, document_.palm(),
+                                                   document_.groups().arm);
+  } catch (const geometric::InputError&) {  // no joint moves it: there is nothing to drag
+  }
+}
+
+std::optional<Configuration> PalmTool::moved(const SceneItem& item,
+                                             const geometric::Pose& X_WP) const {
+  const std::optional<Configuration> from = before_ ? now_ : editor_.posture(item);
+  if (!ik_ || !from) {
+    return std::nullopt;
+  }
+  return ik_->moved(*from, document_.robot()->X_WB.inverse() * X_WP).q;
+}
+
+void PalmTool::drag(const SceneItem& item, const geometric::Pose& X_WP) {
+  if (!item.is_posture()) {
+    return;
+  }
+  if (!view_.gizmo().is_dragging()) {  // put back
+    if (before_) {
+      show(item, *std::exchange(before_, std::nullopt));
+    }
+    return;
+  }
+  const std::optional<Configuration> q = moved(item, X_WP);
+  if (!q) {
+    return;
+  }
+  if (!before_) {
+    before_ = editor_.posture(item);
+  }
+  now_ = *q;
+  show(item, now_);
+}
+
+void PalmTool::show(const SceneItem& item, const Configuration& q) {
+  if (item.kind == Kind::kPalm) {
+    posing_.set(q);
+    return;
+  }
+  const bool is_start = item.kind == Kind::kStart;
+  view_.preview_ghost(is_start, q);
+  session_.try_scene(is_start ? with_start(editor_.state(), q) : with_goal(editor_.state(), q));
+}
+
+void PalmTool::drop(const SceneItem& item, const geometric::Pose& X_WP) {
+  const std::optional<Configuration> q = moved(item, X_WP);
+  before_.reset();
+  if (!q) {
+    return;
+  }
+  switch (item.kind) {
+    case Kind::kStart:
+      editor_.set_start(*q);
+      break;
+    case Kind::kGoal:
+      editor_.set_goal(*q);
+      break;
+    default:
+      posing_.set(*q);
+  }
+}
+
+}  // namespace handway::gui

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "handway/geometric/math/pose.h"
+#include "model/document/scene_item.h"
+
+#include <QObject>
+
+#include <memory>
+#include <optional>
+
+namespace handway::planning {
+class PalmIk;
+}
+
+namespace handway::gui {
+
+class Document;
+class PlanningSession;
+class Posing;
+class SceneEditor;
+class SceneView;
+
+/// Moves the robot as it is shown, its start or its goal by the palm: the arm follows. While start
+/// or goal is dragged, so does the path.
+class PalmTool : public QObject {
+  Q_OBJECT
+
+ public:
+  /// All outlive it.
+  PalmTool(Document& document, SceneEditor& editor, Posing& posing, PlanningSession& session,
+           SceneView& view, QObject* parent = nullptr);
+  ~PalmTool() override;
+
+ private:
+  void use_robot();
+  void drag(const SceneItem& item, const geometric::Pose& X_WP);
+  void drop(const SceneItem& item, const geometric::Pose& X_WP);
+  void show(const SceneItem& item, const geometric::Configuration& q);
+  /// Nothing if the robot has no palm to move.
+  [[nodiscard]] std::optional<geometric::Configuration> moved(const SceneItem& item,
+                                                              const geometric::Pose& X_WP) const;
+
+  Document& document_;
+  SceneEditor& editor_;
+  Posing& posing_;
+  PlanningSession& session_;
+  SceneView& view_;
+  std::unique_ptr<const planning::PalmIk> ik_;  ///< Null: the robot has no arm.
+  /// Of what is being dragged: as it was, and as it is now.
+  std::optional<geometric::Configuration> before_;
+  geometric::Configuration now_;
+};
+
+}  // namespace handway::gui

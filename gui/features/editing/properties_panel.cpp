@@ -1,0 +1,400 @@
+#include "features/editing/properties_panel.h"
+
+#include "handway/geometric/math/units.h"
+#include "model/document/arrange.h"
+#include "model/document/scene_edits.h"
+#include "widgets/forms/constraint_form.h"
+#include "widgets/forms/pose_form.h"
+#include "widgets/forms/shape_form.h"
+#include "widgets/style/icons.h"
+#include "widgets/style/theme.h"
+
+#include <QCheckBox>
+#include <QColorDialog>
+#include <QComboBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QSignalBlocker>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <variant>
+
+namespace handway::gui {
+namespace {
+
+using Kind = SceneItem::Kind;
+
+QLabel* heading(const QString& text) {
+  auto* label = new QLabel(text);
+  label->setProperty("role", "heading");
+  return label;
+}
+
+QToolButton* toggle(const char* name) {
+  auto* button = new QToolButton;
+  button->setObjectName(QLatin1String(name));
+  button->setCheckable(true);
+  button->setAutoRaise(true);
+  button->setIconSize({16, 16});
+  return button;
+}
+
+QWidget* boxed(std::initializer_list<QWidget*> parts) {
+  auto* box = new QWidget;
+  auto* layout = new QVBoxLayout(box);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(4);
+  for (QWidget* part : parts) {
+    layout->addWidget(part);
+  }
+  return box;
+}
+
+// The first constraint about the body with such a kind of content; nullptr if there is none.
+template <typename Content>
+const geometric::PathConstraint* constraint_about(const SceneEditor& editor) {
+  const std::string body = editor.constrained_body();
+  if (body.empty()) {
+    return nullptr;
+  }
+  const auto& all = editor.state().scene->constraints;
+  const auto found = std::ranges::find_if(all, [&](const geometric::PathConstraint& constraint) {
+    return constraint.body == body && std::holds_alternative<Content>(constraint.what);
+  });
+  return found == all.end() ? nullptr : &*found;
+}
+
+template <typename Content>
+std::optional<Content> content_about(const SceneEditor& editor) {
+  const geometric::PathConstraint* constraint = constraint_about<Content>(editor);
+  return constraint ? std::optional(std::get<Content>(constraint->what)) : std::nullopt;
+}
+
+template <typename Content>
+void change_constraint(SceneEditor& editor, const Content& content) {
+  if (const geometric::PathConstraint* old = constraint_about<Content>(editor)) {
+    editor.set_constraint({old->name, old->body, content});
+  }
+}
+
+template <typename Content>
+void switch_constraint(SceneEditor& editor, const geometric::PathConstraint& made, bool on) {
+  if (on) {
+    editor.set_constraint(made);
+  } else if (const geometric::PathConstraint* old = constraint_about<Content>(editor)) {
+    editor.remove_constraint(std::string(old->name));
+  }
+}
+
+}  // namespace
+
+PropertiesPanel::PropertiesPanel(SceneEditor& editor, QWidget* parent)
+    : QScrollArea(parent),
+      editor_(editor),
+      hint_(new QLabel(tr("Select an object to see its place and size here. Add one with "
+                          "the Add menu."))),
+      header_(make_header()),
+      pose_title_(heading(tr("Pose"))),
+      pose_(new PoseForm),
+      shape_(new ShapeForm),
+      extent_(new QLabel),
+      color_(new QToolButton),
+      parent_(new QComboBox),
+      solid_(new QCheckBox(tr("Solid"))),
+      constraints_(new ConstraintForm) {
+  setFrameShape(QFrame::NoFrame);
+  setWidgetResizable(true);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  hint_->setWordWrap(true);
+  hint_->setProperty("role", "note");
+  pose_box_ = boxed({pose_title_, pose_});
+  color_->setObjectName(QStringLiteral("color"));
+  color_->setToolTip(tr("Choose a colour"));
+  color_->setIconSize({54, 16});
+  parent_->setObjectName(QStringLiteral("fixed_to"));
+  parent_->setToolTip(tr("What the object moves with"));
+  auto* more = new QWidget;
+  auto* rows = new QFormLayout(more);
+  rows->setContentsMargins(0, 4, 0, 0);
+  rows->setHorizontalSpacing(10);
+  rows->setVerticalSpacing(5);
+  const auto note = [](const QString& text) {
+    auto* label = new QLabel(text);
+    label->setProperty("role", "note");
+    return label;
+  };
+  auto* look = new QHBoxLayout;  // a short panel shows them both
+  look->addWidget(color_);
+  look->addStretch(1);
+  look->addWidget(solid_);
+  rows->addRow(note(tr("Colour")), look);
+  rows->addRow(note(tr("Fixed to")), parent_);
+  solid_->setObjectName(QStringLiteral("solid"));
+  solid_->setToolTip(
+      tr("What is inside collides. Off: a room or a cell, of which the walls alone count"));
+  extent_->setObjectName(QStringLiteral("extent"));
+  extent_->setProperty("role", "note");
+  shape_box_ = boxed({heading(tr("Size")), shape_, extent_, more});
+
+  auto* content = new QWidget;
+  auto* layout = new QVBoxLayout(content);
+  layout->setContentsMargins(12, 10, 12, 10);
+  layout->setSpacing(8);
+  constraints_box_ = boxed({heading(tr("Along paths")), constraints_});
+  for (QWidget* part :
+       {static_cast<QWidget*>(hint_), header_, pose_box_, shape_box_, constraints_box_}) {
+    layout->addWidget(part);
+  }
+  layout->addStretch(1);
+  setWidget(content);
+
+  connect(pose_, &PoseForm::pose_edited, &editor_, &SceneEditor::place);
+  connect(shape_, &ShapeForm::shape_edited, &editor_,
+          [this](const geometric::Shape& shape) { editor_.set_shape(shape); });
+  connect(color_, &QToolButton::clicked, this, &PropertiesPanel::choose_color);
+  connect(solid_, &QCheckBox::clicked, this,
+          [this](bool on) { editor_.set_solid(editor_.selected_objects(), on); });
+  connect(parent_, qOverload<int>(&QComboBox::activated), this, [this](int row) {
+    emit attach_requested(parent_->itemData(row, Qt::UserRole).toString().toStdString(),
+                          parent_->itemData(row, Qt::UserRole + 1).toString().toStdString());
+  });
+  connect_constraints();
+  refresh_icons();
+  refresh();
+}
+
+QWidget* PropertiesPanel::make_header() {
+  name_ = new QLineEdit;
+  name_->setObjectName(QStringLiteral("object_name"));
+  kind_ = new QLabel;
+  kind_->setProperty("role", "note");
+  lock_ = toggle("lock");
+  hide_ = toggle("hide");
+  lock_->setToolTip(tr("Lock: keep it from being changed"));
+  hide_->setToolTip(tr("Hide: do not draw it; it still counts in planning"));
+  auto* header = new QWidget;
+  auto* layout = new QHBoxLayout(header);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(4);
+  layout->addWidget(name_, 1);
+  layout->addWidget(kind_);
+  layout->addWidget(hide_);
+  layout->addWidget(lock_);
+  connect(name_, &QLineEdit::editingFinished, this, [this] {
+    editor_.rename(name_->text().trimmed().toStdString());
+    refresh();
+  });
+  connect(lock_, &QToolButton::clicked, this,
+          [this](bool on) { editor_.set_locked(editor_.selected_objects(), on); });
+  connect(hide_, &QToolButton::clicked, this,
+          [this](bool on) { editor_.set_hidden(editor_.selected_objects(), on); });
+  return header;
+}
+
+void PropertiesPanel::refresh_icons() {
+  lock_->setIcon(icon("lock"));
+  hide_->setIcon(icon("hide"));
+}
+
+void PropertiesPanel::refresh() {
+  show_constraints();
+  const SceneItem& item = editor_.selection();
+  if (const geometric::SceneObject* object = editor_.selected_object()) {
+    if (editor_.has_several()) {
+      show_objects(*object);
+    } else {
+      show_object(*object);
+    }
+    return;
+  }
+  const auto& scene = editor_.state().scene;
+  const geometric::RobotInstance* robot =
+      scene ? geometric::find_robot(*scene, item.robot) : nullptr;
+  if (robot && item.kind == Kind::kRobot) {
+    show_robot(*robot);
+  } else if (robot && item.kind == Kind::kLink) {
+    show_link(*robot);
+  } else if (const auto X_WP = editor_.selected_pose(); X_WP && item.is_posture()) {
+    show_posture(*X_WP);
+  } else {
+    show_hint();
+  }
+}
+
+void PropertiesPanel::preview_pose(const geometric::Pose& X_WO) { pose_->show_pose(X_WO); }
+
+void PropertiesPanel::show_parts(bool header, bool pose, bool shape) {
+  hint_->setVisible(!header);
+  header_->setVisible(header);
+  pose_box_->setVisible(pose);
+  shape_box_->setVisible(shape);
+  lock_->setVisible(shape);
+  hide_->setVisible(shape);
+}
+
+void PropertiesPanel::show_object(const geometric::SceneObject& object) {
+  show_parts(true, true, true);
+  const bool editable = editor_.can_change();
+  name_->setText(QString::fromStdString(object.name));
+  name_->setReadOnly(!editable);
+  kind_->setText(kind_of_shape(object.shape));
+  lock_->setChecked(!editable);
+  hide_->setChecked(object.hidden);
+  pose_title_->setText(tr("Pose"));
+  pose_->show_pose(editor_.selected_pose().value());
+  shape_->show_shape(object.shape);
+  shape_->setVisible(true);
+  extent_->hide();
+  show_common(object, editable);
+}
+
+void PropertiesPanel::show_objects(const geometric::SceneObject& last) {
+  show_parts(true, true, true);
+  const std::vector<std::string>& names = editor_.selected_objects();
+  const bool editable = editor_.can_change();
+  const bool is_group = rigid_parts(*editor_.state().scene, names).size() == 1;
+  name_->setText(is_group ? QString::fromStdString(last.group)
+                          : tr("%1 objects").arg(names.size()));
+  name_->setReadOnly(true);
+  kind_->setText(is_group ? tr("Group of %1").arg(names.size()) : QString());
+  const auto all = [&](bool geometric::SceneObject::*flag) {
+    return std::ranges::all_of(
+        names, [&](const std::string& name) { return editor_.state().find(name)->*flag; });
+  };
+  lock_->setChecked(all(&geometric::SceneObject::locked));
+  hide_->setChecked(all(&geometric::SceneObject::hidden));
+  pose_title_->setText(tr("Centre (angles turn all about it)"));
+  pose_->show_pose(editor_.selected_pose().value_or(geometric::Pose::Identity()));
+  const Eigen::Vector3d size =
+      bounds(*editor_.state().scene, editor_.document().configuration(), names).size();
+  const auto mm = [](double metres) {
+    return QString::number(geometric::millimetres(metres), 'f', 1);
+  };
+  extent_->setText(tr("%1 × %2 × %3 mm together").arg(mm(size.x()), mm(size.y()), mm(size.z())));
+  extent_->show();
+  shape_->hide();
+  show_common(last, editable);
+}
+
+void PropertiesPanel::show_common(const geometric::SceneObject& object, bool editable) {
+  pose_->set_editable(editable);
+  shape_->set_editable(editable);
+  color_->setEnabled(editable);
+  paint_swatch(object.color);
+  solid_->setChecked(object.solid);
+  solid_->setEnabled(editable);
+  list_parents(object);
+  parent_->setEnabled(editable && parent_->count() > 1);
+}
+
+void PropertiesPanel::show_robot(const geometric::RobotInstance& robot) {
+  show_parts(true, true, false);
+  name_->setText(QString::fromStdString(robot.name));
+  name_->setReadOnly(true);
+  kind_->setText(tr("Robot"));
+  pose_title_->setText(tr("Base"));
+  pose_->show_pose(robot.X_WB);
+  pose_->set_editable(true);
+}
+
+void PropertiesPanel::show_link(const geometric::RobotInstance& robot) {
+  const auto X_WL = link_pose(*editor_.state().scene, editor_.document().configuration(),
+                              robot.name, editor_.selection().name);
+  show_parts(true, X_WL.has_value(), false);
+  name_->setText(QString::fromStdString(editor_.selection().name));
+  name_->setReadOnly(true);
+  kind_->setText(tr("Link"));
+  pose_title_->setText(tr("Pose (set by the joints)"));
+  pose_->show_pose(X_WL.value_or(geometric::Pose::Identity()));
+  pose_->set_editable(false);
+}
+
+void PropertiesPanel::show_posture(const geometric::Pose& X_WP) {
+  show_parts(true, true, false);
+  const Kind kind = editor_.selection().kind;
+  name_->setText(kind == Kind::kStart  ? tr("Start")
+                 : kind == Kind::kGoal ? tr("Goal")
+                                       : tr("Robot as shown"));
+  name_->setReadOnly(true);
+  kind_->setText(tr("Posture"));
+  pose_title_->setText(tr("Palm: the arm follows"));
+  pose_->show_pose(X_WP);
+  pose_->set_editable(true);
+}
+
+void PropertiesPanel::show_hint() { show_parts(false, false, false); }
+
+void PropertiesPanel::connect_constraints() {
+  using Upright = geometric::OrientationConstraint;
+  using Region = geometric::PositionConstraint;
+  connect(constraints_, &ConstraintForm::upright_edited, &editor_,
+          [this](const Upright& upright) { change_constraint(editor_, upright); });
+  connect(constraints_, &ConstraintForm::region_edited, &editor_,
+          [this](const Region& region) { change_constraint(editor_, region); });
+  connect(constraints_, &ConstraintForm::upright_switched, &editor_, [this](bool on) {
+    switch_constraint<Upright>(
+        editor_,
+        new_upright(*editor_.state().scene, editor_.document().configuration(),
+                    editor_.constrained_body()),
+        on);
+  });
+  connect(constraints_, &ConstraintForm::region_switched, &editor_, [this](bool on) {
+    switch_constraint<Region>(editor_,
+                              new_region(*editor_.state().scene, editor_.document().configuration(),
+                                         editor_.constrained_body()),
+                              on);
+  });
+}
+
+void PropertiesPanel::show_constraints() {
+  constraints_box_->setVisible(!editor_.constrained_body().empty());
+  constraints_->show_upright(content_about<geometric::OrientationConstraint>(editor_));
+  constraints_->show_region(content_about<geometric::PositionConstraint>(editor_));
+}
+
+void PropertiesPanel::list_parents(const geometric::SceneObject& object) {
+  const QSignalBlocker quiet(parent_);
+  parent_->clear();
+  parent_->addItem(tr("World"));
+  for (const geometric::RobotInstance& robot : editor_.state().scene->robots) {
+    for (int i = 0; i < robot.model->link_count(); ++i) {
+      const std::string& link = robot.model->link(i).name;
+      parent_->addItem(QString::fromStdString(link), QString::fromStdString(robot.name));
+      parent_->setItemData(parent_->count() - 1, QString::fromStdString(link), Qt::UserRole + 1);
+      if (object.attachment && object.attachment->robot == robot.name &&
+          object.attachment->link == link) {
+        parent_->setCurrentIndex(parent_->count() - 1);
+      }
+    }
+  }
+}
+
+void PropertiesPanel::paint_swatch(const geometric::Color& color) {
+  QPixmap swatch(54, 16);
+  swatch.fill(QColor::fromRgbF(color.red, color.green, color.blue));
+  color_->setIcon(swatch);
+}
+
+void PropertiesPanel::choose_color() {
+  const geometric::SceneObject* object = editor_.selected_object();
+  if (!object) {
+    return;
+  }
+  const QColor before = QColor::fromRgbF(object->color.red, object->color.green, object->color.blue,
+                                         object->color.alpha);
+  const QColor chosen = QColorDialog::getColor(
+      before, this, tr("Colour of %1").arg(SceneEditor::words_for(editor_.changeable())),
+      QColorDialog::ShowAlphaChannel);
+  if (chosen.isValid() && chosen != before) {
+    editor_.set_color({static_cast<float>(chosen.redF()), static_cast<float>(chosen.greenF()),
+                       static_cast<float>(chosen.blueF()), static_cast<float>(chosen.alphaF())});
+  }
+}
+
+}  // namespace handway::gui

@@ -1,0 +1,74 @@
+#pragma once
+
+#include "model/document/scene_editor.h"
+
+#include <QScrollArea>
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QToolButton;
+
+namespace handway::gui {
+
+class ConstraintForm;
+class PoseForm;
+class ShapeForm;
+
+/// What is selected, in numbers that can be typed over.
+class PropertiesPanel : public QScrollArea {
+  Q_OBJECT
+
+ public:
+  /// @param editor outlives the panel.
+  explicit PropertiesPanel(SceneEditor& editor, QWidget* parent = nullptr);
+
+  /// Shows the selection as it is now.
+  void refresh();
+  /// Shows where the selection is being dragged to.
+  void preview_pose(const geometric::Pose& X_WO);
+  /// Draws the icons anew, after a change of theme.
+  void refresh_icons();
+
+ signals:
+  /// To fix the selected object to a link; both empty: to the world.
+  void attach_requested(const std::string& robot, const std::string& link);
+
+ private:
+  QWidget* make_header();
+  void show_object(const geometric::SceneObject& object);
+  void show_objects(const geometric::SceneObject& last);
+  void show_common(const geometric::SceneObject& object, bool editable);
+  void show_robot(const geometric::RobotInstance& robot);
+  void show_link(const geometric::RobotInstance& robot);
+  void show_posture(const geometric::Pose& X_WP);
+  void show_hint();
+  void show_parts(bool header, bool pose, bool shape);
+  void show_constraints();
+  void connect_constraints();
+  void list_parents(const geometric::SceneObject& object);
+  void choose_color();
+  void paint_swatch(const geometric::Color& color);
+
+  SceneEditor& editor_;
+  QLabel* hint_;
+  QWidget* header_;
+  QLineEdit* name_;
+  QLabel* kind_;
+  QToolButton* lock_;
+  QToolButton* hide_;
+  QWidget* pose_box_;
+  QLabel* pose_title_;
+  PoseForm* pose_;
+  QWidget* shape_box_;
+  ShapeForm* shape_;
+  QLabel* extent_;
+  QToolButton* color_;
+  QComboBox* parent_;
+  QCheckBox* solid_;
+  QWidget* constraints_box_;
+  ConstraintForm* constraints_;
+};
+
+}  // namespace handway::gui

@@ -1,0 +1,365 @@
+#include "features/editing/scene_tree.h"
+
+#include "model/settings/view_colors.h"
+#include "widgets/style/contrast.h"
+#include "widgets/style/icons.h"
+#include "widgets/style/theme.h"
+
+#include <QHeaderView>
+#include <QPainter>
+#include <QScrollBar>
+#include <QSignalBlocker>
+#include <QTreeWidgetItemIterator>
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace handway::gui {
+namespace {
+
+using Kind = SceneItem::Kind;
+
+constexpr int kLockWidth = 24;
+constexpr int kKindRole = Qt::UserRole;
+constexpr int kRobotRole = Qt::UserRole + 1;
+constexpr int kNameRole = Qt::UserRole + 2;
+
+QColor to_qcolor(const geometric::Color& color) {
+  return QColor::fromRgbF(color.red, color.green, color.blue);
+}
+
+QTreeWidgetItem* make_row(const QString& text, const QIcon& picture, const SceneItem& item) {
+  auto* row = new QTreeWidgetItem({text});
+  row->setIcon(0, picture);
+  row->setData(0, kKindRole, static_cast<int>(item.kind));
+  row->setData(0, kRobotRole, QString::fromStdString(item.robot));
+  row->setData(0, kNameRole, QString::fromStdString(item.name));
+  return row;
+}
+
+QString mm(double metres) { return QString::number(metres * 1e3, 'f', 0); }
+
+struct SizeText {
+  QString operator()(const geometric::Box& box) const {
+    return QStringLiteral("box %1 × %2 × %3 mm")
+        .arg(mm(box.size.x()), mm(box.size.y()), mm(box.size.z()));
+  }
+  QString operator()(const geometric::Sphere& sphere) const {
+    return QStringLiteral("sphere, radius %1 mm").arg(mm(sphere.radius));
+  }
+  QString operator()(const geometric::Cylinder& cylinder) const {
+    return QStringLiteral("cylinder, radius %1 mm, length %2 mm")
+        .arg(mm(cylinder.radius), mm(cylinder.length));
+  }
+  QString operator()(const geometric::Cone& cone) const {
+    return QStringLiteral("cone, radius %1 mm, height %2 mm").arg(mm(cone.radius), mm(cone.length));
+  }
+  QString operator()(const geometric::Mesh& mesh) const {
+    return QStringLiteral("mesh %1, %2 triangles")
+        .arg(QString::fromStdString(mesh.file.filename().string()))
+        .arg(mesh.triangles ? mesh.triangles->triangles.size() : 0);
+  }
+};
+
+}  // namespace
+
+SceneTree::SceneTree(QWidget* parent) : QTreeWidget(parent) {
+  setHeaderHidden(true);
+  setColumnCount(2);
+  header()->setStretchLastSection(false);
+  header()->setSectionResizeMode(0, QHeaderView::Stretch);
+  header()->setSectionResizeMode(1, QHeaderView::Fixed);
+  header()->resizeSection(1, kLockWidth);
+  setEditTriggers(QAbstractItemView::EditKeyPressed);
+  setIndentation(16);
+  setUniformRowHeights(true);
+  setFrameShape(QFrame::NoFrame);
+  setIconSize({16, 16});
+  setSelectionMode(QAbstractItemView::ExtendedSelection);
+  connect(this, &QTreeWidget::itemSelectionChanged, this, &SceneTree::take_selection);
+  connect(this, &QTreeWidget::itemDoubleClicked, this, [this](QTreeWidgetItem* row) {
+    const SceneItem item = item_at(row);
+    if (item.kind == Kind::kStart || item.kind == Kind::kGoal) {
+      emit posture_activated(item);
+    }
+  });
+  connect(this, &QTreeWidget::itemChanged, this, &SceneTree::take_change);
+}
+
+void SceneTree::take_selection() {
+  std::vector<std::string> names;
+  const QList<QTreeWidgetItem*> selected = selectedItems();
+  std::vector<QTreeWidgetItem*> rows(selected.begin(), selected.end());
+  // The one that was clicked comes last.
+  std::stable_partition(rows.begin(), rows.end(),
+                        [this](auto* row) { return row != currentItem(); });
+  for (const QTreeWidgetItem* row : rows) {
+    const SceneItem item = item_at(row);
+    if (item.kind == Kind::kObject) {
+      names.push_back(item.name);
+    } else if (item.kind == Kind::kGroup) {
+      const std::vector<std::string> members = group_members(*state_.scene, item.name);
+      names.insert(names.end(), members.begin(), members.end());
+    }
+  }
+  if (names.empty()) {
+    emit item_selected(rows.empty() ? SceneItem{} : item_at(rows.back()));
+  } else {
+    emit objects_selected(names);
+  }
+}
+
+void SceneTree::take_object_change(const SceneItem& changed, const std::string& text, bool shown) {
+  const bool is_group = changed.kind == Kind::kGroup;
+  if (text != changed.name) {
+    is_group ? emit group_renamed(changed.name, text) : emit object_renamed(changed.name, text);
+    return;
+  }
+  const std::vector<std::string> names =
+      is_group ? group_members(*state_.scene, changed.name) : std::vector{changed.name};
+  const auto is_hidden = [this](const std::string& name) { return state_.is_hidden(name); };
+  if (shown ? std::ranges::any_of(names, is_hidden) : !std::ranges::all_of(names, is_hidden)) {
+    emit objects_toggled(names, shown);
+  }
+}
+
+void SceneTree::take_change(QTreeWidgetItem* row) {
+  const SceneItem changed = item_at(row);
+  if (changed.kind == Kind::kObject || changed.kind == Kind::kGroup) {
+    // Whoever hears of it may build the tree anew: not while a row is in use.
+    const bool shown = row->checkState(0) == Qt::Checked;
+    const std::string text = row->text(0).trimmed().toStdString();
+    QMetaObject::invokeMethod(
+        this, [this, changed, shown, text] { take_object_change(changed, text, shown); },
+        Qt::QueuedConnection);
+    return;
+  }
+  bool start = true, goal = true;
+  for (QTreeWidgetItemIterator it(this); *it; ++it) {
+    const bool shown = (*it)->checkState(0) == Qt::Checked;
+    const Kind kind = item_at(*it).kind;
+    start = kind == Kind::kStart ? shown : start;
+    goal = kind == Kind::kGoal ? shown : goal;
+  }
+  emit ghosts_toggled(start, goal);
+}
+
+void SceneTree::set_scene(std::shared_ptr<const geometric::Scene> scene) {
+  state_ = {std::move(scene)};
+  selection_ = {};
+  rebuild();
+}
+
+void SceneTree::update_scene(const SceneState& state) {
+  state_ = state;
+  std::vector<SceneItem> folded, unticked;
+  for (QTreeWidgetItemIterator it(this); *it; ++it) {
+    const SceneItem item = item_at(*it);
+    if ((*it)->childCount() > 0 && !(*it)->isExpanded()) {
+      folded.push_back(item);
+    }
+    if ((item.kind == Kind::kStart || item.kind == Kind::kGoal) &&
+        (*it)->checkState(0) != Qt::Checked) {
+      unticked.push_back(item);
+    }
+  }
+  const int scrolled = verticalScrollBar()->value();
+  rebuild();
+  const QSignalBlocker quiet(this);
+  for (QTreeWidgetItemIterator it(this); *it; ++it) {
+    const SceneItem item = item_at(*it);
+    if ((*it)->childCount() > 0) {
+      (*it)->setExpanded(std::ranges::find(folded, item) == folded.end());
+    }
+    if (std::ranges::find(unticked, item) != unticked.end()) {
+      (*it)->setCheckState(0, Qt::Unchecked);
+    }
+  }
+  select(selection_);
+  verticalScrollBar()->setValue(scrolled);
+}
+
+void SceneTree::edit_name() {
+  const Kind kind = item_at(currentItem()).kind;
+  if (kind == Kind::kObject || kind == Kind::kGroup) {
+    editItem(currentItem(), 0);
+  }
+}
+
+void SceneTree::rebuild() {
+  const QSignalBlocker quiet(this);
+  clear();
+  if (!state_.scene) {
+    return;
+  }
+  for (const geometric::RobotInstance& robot : state_.scene->robots) {
+    add_robot(robot);
+  }
+  add_objects(*state_.scene);
+  add_query(*state_.scene);
+}
+
+void SceneTree::paintEvent(QPaintEvent* event) {
+  QTreeWidget::paintEvent(event);
+  if (topLevelItemCount() == 0) {
+    QPainter painter(viewport());
+    painter.setPen(colors_of(current_theme()).muted);
+    painter.drawText(viewport()->rect().adjusted(12, 10, -12, -10),
+                     Qt::AlignTop | Qt::AlignLeft | Qt::TextWordWrap,
+                     tr("Robots, objects and the task appear here"));
+  }
+}
+
+void SceneTree::add_robot(const geometric::RobotInstance& robot) {
+  const geometric::RobotModel& model = *robot.model;
+  QTreeWidgetItem* top =
+      make_row(QString::fromStdString(robot.name), icon("robot"), {Kind::kRobot, robot.name, ""});
+  top->setToolTip(0, tr("%1: %2 links, %3 joints that move on their own")
+                         .arg(QString::fromStdString(model.name()))
+                         .arg(model.link_count())
+                         .arg(model.variable_count()));
+  addTopLevelItem(top);
+  std::vector<QTreeWidgetItem*> rows;
+  for (int i = 0; i < model.link_count(); ++i) {
+    const std::string& name = model.link(i).name;
+    rows.push_back(
+        make_row(QString::fromStdString(name), icon("link"), {Kind::kLink, robot.name, name}));
+    const int parent = model.parent(i);
+    // A serial chain stays flat; only branches (fingers) are indented.
+    QTreeWidgetItem* above = parent < 0 ? top : rows[static_cast<std::size_t>(parent)];
+    int siblings = 0;
+    for (int k = 1; k < model.link_count(); ++k) {
+      siblings += parent >= 0 && model.parent(k) == parent ? 1 : 0;
+    }
+    if (parent >= 0 && siblings == 1 && above->parent()) {
+      above = above->parent();
+    }
+    above->addChild(rows.back());
+  }
+}
+
+void SceneTree::add_objects(const geometric::Scene& scene) {
+  if (scene.objects.empty()) {
+    return;
+  }
+  QTreeWidgetItem* top = make_row(tr("Objects"), icon("objects"), {});
+  addTopLevelItem(top);
+  std::map<std::string, QTreeWidgetItem*> groups;
+  for (const geometric::SceneObject& object : scene.objects) {
+    QTreeWidgetItem* above = top;
+    if (!object.group.empty()) {
+      QTreeWidgetItem*& row = groups[object.group];
+      if (!row) {
+        row = group_row(scene, object.group);
+        top->addChild(row);
+        row->setExpanded(true);
+      }
+      above = row;
+    }
+    above->addChild(object_row(object));
+  }
+  top->setExpanded(true);
+}
+
+QTreeWidgetItem* SceneTree::group_row(const geometric::Scene& scene,
+                                      const std::string& group) const {
+  const std::vector<std::string> members = group_members(scene, group);
+  const auto hidden = std::ranges::count_if(
+      members, [this](const std::string& name) { return state_.is_hidden(name); });
+  const bool locked = std::ranges::all_of(
+      members, [this](const std::string& name) { return state_.is_locked(name); });
+  QTreeWidgetItem* row =
+      make_row(QString::fromStdString(group), icon("objects"), {Kind::kGroup, "", group});
+  row->setFlags(row->flags() | Qt::ItemIsUserCheckable | Qt::ItemIsEditable);
+  row->setCheckState(0, hidden == 0                     ? Qt::Checked
+                        : hidden == std::ssize(members) ? Qt::Unchecked
+                                                        : Qt::PartiallyChecked);
+  row->setToolTip(0, tr("Group of %1 objects").arg(std::ssize(members)));
+  if (locked) {
+    row->setIcon(1, icon("lock"));
+  }
+  return row;
+}
+
+QTreeWidgetItem* SceneTree::object_row(const geometric::SceneObject& object) const {
+  QTreeWidgetItem* row =
+      make_row(QString::fromStdString(object.name),
+               icon("object", seen_on(palette().color(QPalette::Base), to_qcolor(object.color))),
+               {Kind::kObject, "", object.name});
+  QString words = std::visit(SizeText{}, object.shape);
+  if (object.attachment) {
+    words += tr(", carried by %1").arg(QString::fromStdString(object.attachment->link));
+  }
+  if (object.locked) {
+    row->setIcon(1, icon("lock"));
+  } else {
+    row->setFlags(row->flags() | Qt::ItemIsEditable);
+  }
+  row->setFlags(row->flags() | Qt::ItemIsUserCheckable);
+  row->setCheckState(0, object.hidden ? Qt::Unchecked : Qt::Checked);
+  row->setToolTip(0, words);
+  return row;
+}
+
+void SceneTree::add_query(const geometric::Scene& scene) {
+  if (!scene.start && !scene.goal) {
+    return;
+  }
+  QTreeWidgetItem* top = make_row(tr("Task"), icon("route"), {});
+  addTopLevelItem(top);
+  const auto add = [&](const QString& text, const geometric::Color& color, Kind kind) {
+    QTreeWidgetItem* row = make_row(text, icon("posture", to_qcolor(color)), {kind, "", ""});
+    row->setFlags(row->flags() | Qt::ItemIsUserCheckable);
+    row->setCheckState(0, Qt::Checked);
+    row->setToolTip(0, tr("The box shows its ghost; a double click moves the robot there"));
+    top->addChild(row);
+  };
+  if (scene.start) {
+    add(tr("Start"), kStartColor, Kind::kStart);
+  }
+  if (scene.goal) {
+    add(tr("Goal"), kGoalColor, Kind::kGoal);
+  }
+  top->setExpanded(true);
+}
+
+SceneItem SceneTree::item_at(const QTreeWidgetItem* row) const {
+  if (!row) {
+    return {};
+  }
+  return {static_cast<Kind>(row->data(0, kKindRole).toInt()),
+          row->data(0, kRobotRole).toString().toStdString(),
+          row->data(0, kNameRole).toString().toStdString()};
+}
+
+void SceneTree::select(const Selection& selection) {
+  selection_ = selection;
+  const QSignalBlocker quiet(this);
+  const auto is_selected = [&](const std::string& name) {
+    return std::ranges::find(selection.objects, name) != selection.objects.end();
+  };
+  clearSelection();
+  QTreeWidgetItem* current = nullptr;
+  for (QTreeWidgetItemIterator it(this); *it; ++it) {
+    const SceneItem item = item_at(*it);
+    bool marked = item.kind != Kind::kNone && item == selection.item;
+    if (item.kind == Kind::kGroup) {
+      const std::vector<std::string> members = group_members(*state_.scene, item.name);
+      marked = members.size() > 1 && std::ranges::all_of(members, is_selected);
+    } else if (item.kind == Kind::kObject) {
+      marked = is_selected(item.name) && !((*it)->parent() && (*it)->parent()->isSelected());
+    }
+    (*it)->setSelected(marked);
+    current = marked && (!current || item == selection.item) ? *it : current;
+  }
+  setCurrentItem(current, 0, QItemSelectionModel::NoUpdate);
+  if (current) {
+    scrollToItem(current);
+  }
+}
+
+void SceneTree::refresh_icons() { update_scene(SceneState(state_)); }
+
+}  // namespace handway::gui

@@ -1,0 +1,65 @@
+#pragma once
+
+#include "model/document/selection.h"
+
+#include <QTreeWidget>
+
+#include <memory>
+#include <string>
+
+namespace handway::gui {
+
+/// What a scene holds: robots with their links, objects, start and goal. Objects
+/// have boxes that show and hide them, start and goal for their ghosts; an
+/// object's name can be edited in place.
+class SceneTree : public QTreeWidget {
+  Q_OBJECT
+
+ public:
+  explicit SceneTree(QWidget* parent = nullptr);
+
+  /// Null empties the tree.
+  void set_scene(std::shared_ptr<const geometric::Scene> scene);
+  /// Shows an edited scene, unfolded as before.
+  void update_scene(const SceneState& state);
+  /// Begins to edit the name of the object or group that is selected.
+  void edit_name();
+  /// Selects the item without telling anyone.
+  void select(const Selection& selection);
+  /// Draws the icons anew, after a change of theme.
+  void refresh_icons();
+
+ signals:
+  /// Something that is no object.
+  void item_selected(const handway::gui::SceneItem& item);
+  /// Those whose rows, or whose group's rows, are selected; the last one clicked is the last.
+  void objects_selected(const std::vector<std::string>& names);
+  /// A double click on start or goal.
+  void posture_activated(const handway::gui::SceneItem& item);
+  void ghosts_toggled(bool start, bool goal);
+  void objects_toggled(const std::vector<std::string>& names, bool shown);
+  void object_renamed(const std::string& name, const std::string& new_name);
+  void group_renamed(const std::string& name, const std::string& new_name);
+
+ protected:
+  /// An empty tree says what would be here.
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  void rebuild();
+  void take_selection();
+  void take_change(QTreeWidgetItem* row);
+  void take_object_change(const SceneItem& changed, const std::string& text, bool shown);
+  void add_robot(const geometric::RobotInstance& robot);
+  void add_objects(const geometric::Scene& scene);
+  [[nodiscard]] QTreeWidgetItem* object_row(const geometric::SceneObject& object) const;
+  [[nodiscard]] QTreeWidgetItem* group_row(const geometric::Scene& scene,
+                                           const std::string& group) const;
+  void add_query(const geometric::Scene& scene);
+  [[nodiscard]] SceneItem item_at(const QTreeWidgetItem* row) const;
+
+  SceneState state_;
+  Selection selection_;
+};
+
+}  // namespace handway::gui

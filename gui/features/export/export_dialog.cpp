@@ -1,0 +1,257 @@
+#include "features/export/export_dialog.h"
+
+#include "features/export/motion_preview.h"
+#include "model/document/document.h"
+#include "widgets/style/theme.h"
+
+#include <QCheckBox>
+#include <QDir>
+#include <QDoubleSpinBox>
+#include <QFileDialog>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <QVariant>
+
+#include <utility>
+
+namespace handway::gui {
+namespace {
+
+constexpr int kSettleMs = 250;
+constexpr int kSettingsWidth = 300;
+constexpr double kPercent = 100.0;
+constexpr double kMilli = 1e-3;
+
+QDoubleSpinBox* make_number(double least, double most, double value, int decimals,
+                            const QString& unit) {
+  auto* field = new QDoubleSpinBox;
+  field->setRange(least, most);
+  field->setDecimals(decimals);
+  field->setValue(value);
+  field->setSuffix(unit);
+  return field;
+}
+
+}  // namespace
+
+ExportDialog::ExportDialog(std::shared_ptr<const planning::Extensions> extensions,
+                           Document& document, planning::Path path, const QString& name,
+                           QWidget* parent)
+    : QDialog(parent),
+      extensions_(extensions),
+      document_(document),
+      path_(std::move(path)),
+      export_(std::move(extensions)),
+      formats_(new QListWidget),
+      name_(new QLineEdit(QString::fromStdString(planning::motion_name(name.toStdString())))),
+      speed_(make_number(1.0, kPercent, kPercent, 0, tr(" %"))),
+      period_(make_number(0.1, 1000.0, planning::TimingOptions{}.period / kMilli, 1, tr(" ms"))),
+      arcs_(new QCheckBox(tr("Round the corners"))),
+      deviation_(make_number(0.001, 10.0, planning::BlendOptions{}.deviation, 3, tr(" rad"))),
+      any_robot_(new QCheckBox(tr("Any robot"))),
+      preview_(new MotionPreview),
+      folder_(new QLineEdit(QDir::homePath())),
+      export_button_(new QPushButton(tr("Export"))),
+      problem_text_(new QLabel) {
+  setWindowTitle(tr("Export the path"));
+  setAttribute(Qt::WA_DeleteOnClose);
+  resize(940, 600);
+  auto* top = new QHBoxLayout;
+  top->setSpacing(12);
+  top->addWidget(make_settings());
+  top->addWidget(preview_, 1);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(14, 12, 14, 14);
+  layout->setSpacing(10);
+  layout->addLayout(top, 1);
+  layout->addWidget(make_destination());
+  settle_.setSingleShot(true);
+  settle_.setInterval(kSettleMs);
+  connect(&settle_, &QTimer::timeout, this, &ExportDialog::time_again);
+  connect(&timing_, &TimingRunner::timed, this, [this](const DerivedMotion& motion) {
+    motion_ = motion;
+    any_robot_->setVisible(
+        !extensions_->exporter(format()).robot_objection(motion.value->motion).empty());
+    preview_->show_motion(*motion.value);
+    if (motion.value->cleared()) {
+      export_.prepare(format(), motion.value, options());
+    }
+  });
+  connect(&timing_, &TimingRunner::failed, this, &ExportDialog::show_problem);
+  connect(&export_, &ExportRunner::prepared, this, [this](const auto& files) {
+    preview_->show_files(*files);
+    export_button_->setEnabled(!settle_.isActive());
+  });
+  connect(&export_, &ExportRunner::written, this, [this](const QStringList& files) {
+    emit exported(files);
+    accept();
+  });
+  connect(&export_, &ExportRunner::failed, this, &ExportDialog::show_problem);
+  connect(&document_, &Document::edited, this, &ExportDialog::take_edit);
+  connect(&document_, &Document::opened, this, &QDialog::reject);
+  formats_->setCurrentRow(0);
+  settle_.stop();
+  time_again();
+}
+
+void ExportDialog::take_edit(const SceneState& before) {
+  if (before.scene != document_.scene()) {
+    time_again();
+  }
+}
+
+QWidget* ExportDialog::make_settings() {
+  formats_->setObjectName(QStringLiteral("export_formats"));
+  formats_->setProperty("role", "choices");
+  formats_->setWordWrap(true);
+  formats_->setSpacing(2);
+  for (const auto& exporter : extensions_->exporters()) {
+    const QString name = QString::fromStdString(exporter->name());
+    auto* item = new QListWidgetItem(
+        name + QLatin1Char('\n') + QString::fromStdString(exporter->description()), formats_);
+    item->setData(Qt::UserRole, name);
+  }
+  name_->setObjectName(QStringLiteral("export_name"));
+  name_->setToolTip(tr("Of the motion, in the files and for them"));
+  speed_->setObjectName(QStringLiteral("export_speed"));
+  speed_->setToolTip(tr("Share of the pace that the joints' limits allow"));
+  period_->setToolTip(tr("Time from point to point"));
+  arcs_->setChecked(true);
+  arcs_->setToolTip(
+      tr("Pass waypoints on arcs, checked against collision, instead of stopping there"));
+  deviation_->setToolTip(tr("Farthest that an arc passes its waypoint, over all joints"));
+  auto* form = new QFormLayout;
+  form->setHorizontalSpacing(10);
+  form->setVerticalSpacing(6);
+  form->addRow(tr("Name"), name_);
+  form->addRow(tr("Speed"), speed_);
+  form->addRow(tr("Period"), period_);
+  form->addRow(QString(), arcs_);
+  form->addRow(tr("Deviation"), deviation_);
+  any_robot_->setObjectName(QStringLiteral("export_any_robot"));
+  any_robot_->setToolTip(tr("Export though the format does not seem to be for this robot"));
+  any_robot_->hide();
+  form->addRow(QString(), any_robot_);
+  auto* box = new QWidget;
+  box->setFixedWidth(kSettingsWidth);
+  auto* layout = new QVBoxLayout(box);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(10);
+  layout->addWidget(formats_, 1);
+  layout->addLayout(form);
+  const auto settle = [this] {
+    export_button_->setEnabled(false);
+    settle_.start();
+  };
+  connect(formats_, &QListWidget::currentRowChanged, this, settle);
+  connect(name_, &QLineEdit::textEdited, this, settle);
+  connect(arcs_, &QCheckBox::toggled, this, settle);
+  connect(any_robot_, &QCheckBox::toggled, this, settle);
+  for (QDoubleSpinBox* field : {speed_, period_, deviation_}) {
+    connect(field, qOverload<double>(&QDoubleSpinBox::valueChanged), this, settle);
+  }
+  return box;
+}
+
+QWidget* ExportDialog::make_destination() {
+  auto* box = new QWidget;
+  auto* layout = new QVBoxLayout(box);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(8);
+  problem_text_->setObjectName(QStringLiteral("export_problem"));
+  problem_text_->setWordWrap(true);
+  problem_text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  problem_text_->hide();
+  layout->addWidget(problem_text_);
+  folder_->setObjectName(QStringLiteral("export_folder"));
+  auto* browse = new QPushButton(tr("Browse…"));
+  auto* cancel = new QPushButton(tr("Cancel"));
+  export_button_->setObjectName(QStringLiteral("export_now"));
+  export_button_->setProperty("role", "primary");
+  export_button_->setDefault(true);
+  export_button_->setEnabled(false);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(8);
+  row->addWidget(new QLabel(tr("To folder")));
+  row->addWidget(folder_, 1);
+  row->addWidget(browse);
+  row->addSpacing(18);
+  row->addWidget(cancel);
+  row->addWidget(export_button_);
+  layout->addLayout(row);
+  connect(browse, &QPushButton::clicked, this, [this] {
+    const QString folder =
+        QFileDialog::getExistingDirectory(this, tr("Export to folder"), folder_->text());
+    if (!folder.isEmpty()) {
+      folder_->setText(folder);
+    }
+  });
+  connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
+  connect(export_button_, &QPushButton::clicked, this, &ExportDialog::export_now);
+  return box;
+}
+
+void ExportDialog::choose_format(const std::string& name) {
+  for (int row = 0; row < formats_->count(); ++row) {
+    if (formats_->item(row)->data(Qt::UserRole).toString().toStdString() == name) {
+      formats_->setCurrentRow(row);
+    }
+  }
+}
+
+void ExportDialog::set_folder(const QString& folder) { folder_->setText(folder); }
+
+std::string ExportDialog::format() const {
+  return formats_->currentItem()->data(Qt::UserRole).toString().toStdString();
+}
+
+void ExportDialog::time_again() {
+  motion_ = {};
+  export_.forget();
+  export_button_->setEnabled(false);
+  problem_text_->hide();
+  if (!formats_->currentItem()) {
+    preview_->show_waiting(tr("No exporter is installed."));
+    return;
+  }
+  const bool stops = extensions_->exporter(format()).stops_at_waypoints();
+  arcs_->setEnabled(!stops);
+  deviation_->setEnabled(!stops && arcs_->isChecked());
+  preview_->show_waiting(tr("Timing the path…"));
+  planning::TimingOptions options;
+  options.speed = speed_->value() / kPercent;
+  options.period = period_->value() * kMilli;
+  options.blends.deviation = stops || !arcs_->isChecked() ? 0.0 : deviation_->value();
+  timing_.start(document_.problem(), path_, planning::motion_name(name_->text().toStdString()),
+                options);
+}
+
+void ExportDialog::export_now() {
+  if (!motion_.value || !motion_.value->cleared()) {
+    return;
+  }
+  if (motion_.made_from != document_.revision()) {
+    time_again();
+    show_problem(tr("The path is out of date: the scene was edited."));
+    return;
+  }
+  setEnabled(false);  // what is written now is what was seen
+  export_.write(format(), motion_.value, folder_->text().toStdString(), options());
+}
+
+planning::ExportOptions ExportDialog::options() const { return {any_robot_->isChecked()}; }
+
+void ExportDialog::show_problem(const QString& message) {
+  problem_text_->setText(QStringLiteral("<span style=\"color:%1\">%2</span>")
+                             .arg(html(colors_of(current_theme()).bad), message.toHtmlEscaped()));
+  problem_text_->show();
+  setEnabled(true);
+  export_button_->setEnabled(motion_.value && motion_.value->cleared());
+}
+
+}  // namespace handway::gui

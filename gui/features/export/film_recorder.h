@@ -1,0 +1,70 @@
+#pragma once
+
+#include "features/export/film_sink.h"
+#include "handway/geometric/scene/scene.h"
+#include "model/playback/path_timeline.h"
+#include "model/settings/orbit_camera.h"
+
+#include <QObject>
+#include <QSize>
+#include <QTimer>
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace handway::gui {
+
+class ScenePictures;
+
+/// What a path's pictures are taken of, and how.
+struct FilmShot {
+  std::shared_ptr<const geometric::Scene> scene;
+  PathTimeline timeline;
+  OrbitCamera camera;
+  QSize size;            ///< Pixels.
+  int pictures = 0;      ///< Evenly spread over the path, the ends included; ≥ 2.
+  int oversampling = 1;  ///< As ScenePictures'.
+};
+
+/// Takes pictures of a path one by one while the window stays alive: between two events no more
+/// is done than to have one drawn, or to take one that is.
+class FilmRecorder : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit FilmRecorder(QObject* parent = nullptr);
+  ~FilmRecorder() override;
+
+  /// Begins a film; finished() or failed() follows.
+  void start(const FilmShot& shot, std::unique_ptr<FilmSink> sink);
+  /// Begins a strip; taken() or failed() follows.
+  void start(const FilmShot& shot);
+  /// Ends it; nothing is written.
+  void cancel();
+  [[nodiscard]] bool is_busy() const { return pictures_ != nullptr; }
+
+ signals:
+  void progressed(int done, int all);
+  /// The pictures of a strip.
+  void taken(const std::vector<QImage>& pictures);
+  /// The film is written.
+  void finished();
+  void failed(const QString& message);
+
+ private:
+  void step();
+  void begin_picture();
+  void take_picture();
+  void end();
+
+  FilmShot shot_;
+  std::unique_ptr<ScenePictures> pictures_;
+  std::unique_ptr<FilmSink> sink_;
+  std::vector<QImage> strip_;
+  int count_ = 0;
+  bool drawing_ = false;  ///< A picture is begun.
+  QTimer next_;
+};
+
+}  // namespace handway::gui

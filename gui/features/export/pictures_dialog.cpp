@@ -1,0 +1,287 @@
+#include "features/export/pictures_dialog.h"
+
+#include "features/export/frame_folder.h"
+#include "widgets/forms/speed_choice.h"
+#include "widgets/plots/strip_figure.h"
+#include "widgets/style/theme.h"
+
+#include <QComboBox>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QStandardItemModel>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <utility>
+
+namespace handway::gui {
+namespace {
+
+constexpr int kStripPictures = 6;
+constexpr int kMostStripPictures = 20;
+constexpr int kFineStrips = 2;  // oversampling
+
+}  // namespace
+
+PicturesDialog::PicturesDialog(std::shared_ptr<const geometric::Scene> scene, PathTimeline timeline,
+                               const OrbitCamera& camera, const QString& name, QWidget* parent)
+    : QDialog(parent),
+      scene_(std::move(scene)),
+      timeline_(std::move(timeline)),
+      camera_(camera),
+      kinds_(new QComboBox),
+      pictures_(new QSpinBox),
+      sizes_(new QComboBox),
+      rates_(new QComboBox),
+      speeds_(new QComboBox),
+      count_(new QLabel),
+      file_(new QLineEdit(QDir(QDir::homePath()).filePath(name.simplified().replace(' ', '_')))),
+      progress_(new QProgressBar),
+      export_button_(new QPushButton(tr("Export"))),
+      close_button_(new QPushButton(tr("Close"))),
+      note_(new QLabel) {
+  setWindowTitle(tr("Export pictures of the path"));
+  setAttribute(Qt::WA_DeleteOnClose);
+  setMinimumWidth(520);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(14, 12, 14, 14);
+  layout->setSpacing(12);
+  layout->addLayout(make_settings());
+  layout->addWidget(make_destination());
+  connect(kinds_, qOverload<int>(&QComboBox::currentIndexChanged), this,
+          &PicturesDialog::take_kind);
+  for (QComboBox* box : {rates_, speeds_}) {
+    connect(box, qOverload<int>(&QComboBox::currentIndexChanged), this,
+            &PicturesDialog::show_count);
+  }
+  connect(pictures_, qOverload<int>(&QSpinBox::valueChanged), this, &PicturesDialog::show_count);
+  connect(export_button_, &QPushButton::clicked, this, &PicturesDialog::begin);
+  connect(close_button_, &QPushButton::clicked, this, [this] {
+    if (is_busy()) {
+      cancel();
+    } else {
+      reject();
+    }
+  });
+  connect_workers();
+  show_busy(false);
+  take_kind();
+}
+
+void PicturesDialog::connect_workers() {
+  connect(&recorder_, &FilmRecorder::progressed, this, [this](int done, int all) {
+    progress_->setMaximum(all);
+    progress_->setValue(done);
+  });
+  connect(&recorder_, &FilmRecorder::taken, this, [this](const std::vector<QImage>& pictures) {
+    note_->setText(tr("Drawing the strip…"));
+    strip_.start(file_->text(), windowTitle(), pictures);
+  });
+  connect(&strip_, &StripWriter::writing, close_button_,
+          [this] { close_button_->setEnabled(false); });
+  const auto succeed = [this] {
+    emit exported(file_->text());
+    accept();
+  };
+  const auto fail = [this](const QString& message) {
+    show_busy(false);
+    show_problem(message);
+  };
+  connect(&recorder_, &FilmRecorder::finished, this, succeed);
+  connect(&strip_, &StripWriter::written, this, succeed);
+  connect(&recorder_, &FilmRecorder::failed, this, fail);
+  connect(&strip_, &StripWriter::failed, this, fail);
+}
+
+void PicturesDialog::cancel() {
+  recorder_.cancel();
+  strip_.cancel();
+  show_busy(false);
+  note_->setText(tr("Cancelled; nothing was written."));
+}
+
+QFormLayout* PicturesDialog::make_settings() {
+  kinds_->setObjectName(QStringLiteral("pictures_kind"));
+  kinds_->addItem(tr("Film strip: pictures side by side"), static_cast<int>(Kind::kStrip));
+  kinds_->addItem(tr("Frames: a folder of numbered PNG files"), static_cast<int>(Kind::kFrames));
+  kinds_->addItem(tr("Film: MP4"), static_cast<int>(Kind::kFilm));
+  kinds_->addItem(tr("Animation: GIF"), static_cast<int>(Kind::kAnimation));
+  if (FfmpegFilm::program().isEmpty()) {
+    auto* model = qobject_cast<QStandardItemModel*>(kinds_->model());
+    for (const Kind kind : {Kind::kFilm, Kind::kAnimation}) {
+      QStandardItem* item = model->item(kinds_->findData(static_cast<int>(kind)));
+      item->setEnabled(false);
+      item->setText(tr("%1 (needs ffmpeg)").arg(item->text()));
+    }
+  }
+  pictures_->setObjectName(QStringLiteral("pictures_count"));
+  pictures_->setRange(2, kMostStripPictures);
+  pictures_->setValue(kStripPictures);
+  for (const QSize& size : {QSize(640, 360), QSize(1280, 720), QSize(1920, 1080)}) {
+    sizes_->addItem(QStringLiteral("%1 × %2").arg(size.width()).arg(size.height()), size);
+  }
+  sizes_->setObjectName(QStringLiteral("pictures_size"));
+  sizes_->setCurrentIndex(1);
+  for (const int rate : {10, 15, 25, 30, 60}) {
+    rates_->addItem(tr("%1 pictures a second").arg(rate), rate);
+  }
+  rates_->setObjectName(QStringLiteral("pictures_rate"));
+  rates_->setCurrentIndex(rates_->findData(25));
+  offer_speeds(*speeds_);
+  speeds_->setToolTip(tr("Of the film; 1× is real time"));
+  count_->setProperty("role", "note");
+  auto* form = new QFormLayout;
+  form->setHorizontalSpacing(12);
+  form->setVerticalSpacing(8);
+  form->addRow(tr("What"), kinds_);
+  form->addRow(tr("Pictures"), pictures_);
+  form->addRow(tr("Size"), sizes_);
+  form->addRow(tr("Rate"), rates_);
+  form->addRow(tr("Speed"), speeds_);
+  form->addRow(QString(), count_);
+  return form;
+}
+
+QWidget* PicturesDialog::make_destination() {
+  file_->setObjectName(QStringLiteral("pictures_file"));
+  export_button_->setObjectName(QStringLiteral("pictures_export"));
+  export_button_->setProperty("role", "primary");
+  close_button_->setObjectName(QStringLiteral("pictures_close"));
+  progress_->setTextVisible(false);
+  progress_->setFixedHeight(6);
+  note_->setObjectName(QStringLiteral("pictures_note"));
+  note_->setWordWrap(true);
+  note_->setProperty("role", "note");
+  auto* browse = new QPushButton(tr("Browse…"));
+  connect(browse, &QPushButton::clicked, this, &PicturesDialog::browse);
+  auto* box = new QWidget;
+  auto* layout = new QVBoxLayout(box);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(10);
+  auto* place = new QHBoxLayout;
+  place->addWidget(file_, 1);
+  place->addWidget(browse);
+  auto* buttons = new QHBoxLayout;
+  buttons->addStretch();
+  buttons->addWidget(close_button_);
+  buttons->addWidget(export_button_);
+  layout->addLayout(place);
+  layout->addWidget(note_);
+  layout->addWidget(progress_);
+  layout->addLayout(buttons);
+  return box;
+}
+
+PicturesDialog::Kind PicturesDialog::kind() const {
+  return static_cast<Kind>(kinds_->currentData().toInt());
+}
+
+void PicturesDialog::choose(Kind kind) {
+  kinds_->setCurrentIndex(kinds_->findData(static_cast<int>(kind)));
+}
+
+void PicturesDialog::set_file(const QString& file) { file_->setText(file); }
+
+QString PicturesDialog::suffix() const {
+  switch (kind()) {
+    case Kind::kStrip:
+      return file_->text().endsWith(QStringLiteral(".svg")) ? QStringLiteral("svg")
+                                                            : QStringLiteral("png");
+    case Kind::kFilm:
+      return QStringLiteral("mp4");
+    case Kind::kAnimation:
+      return QStringLiteral("gif");
+    case Kind::kFrames:
+      break;
+  }
+  return {};
+}
+
+QSize PicturesDialog::size() const { return sizes_->currentData().toSize(); }
+
+FilmShot PicturesDialog::shot() const {
+  if (kind() == Kind::kStrip) {
+    return {scene_, timeline_, camera_, kStripScale * kStripFrame, pictures_->value(), kFineStrips};
+  }
+  const double seconds = timeline_.duration() / speeds_->currentData().toDouble();
+  const int pictures = static_cast<int>(std::ceil(seconds * rates_->currentData().toInt())) + 1;
+  return {scene_, timeline_, camera_, size(), std::max(pictures, 2), 1};
+}
+
+void PicturesDialog::take_kind() {
+  const bool strip = kind() == Kind::kStrip;
+  pictures_->setEnabled(strip);
+  for (QComboBox* box : {sizes_, rates_, speeds_}) {
+    box->setEnabled(!strip);
+  }
+  const QFileInfo old(file_->text());
+  const QString bare = old.absoluteDir().filePath(old.completeBaseName());
+  file_->setText(suffix().isEmpty() ? bare : bare + QLatin1Char('.') + suffix());
+  note_->setText(FfmpegFilm::program().isEmpty()
+                     ? tr("ffmpeg is not installed, without which there are no films and "
+                          "animations. On Debian and Ubuntu: apt install ffmpeg")
+                     : QString());
+  show_count();
+}
+
+void PicturesDialog::show_count() {
+  count_->setText(kind() == Kind::kStrip
+                      ? tr("As the view looks now, on white; as PNG or, by the file's name, SVG")
+                      : tr("%1 pictures, as the view looks now, on white").arg(shot().pictures));
+}
+
+void PicturesDialog::browse() {
+  const QString filter = suffix().isEmpty() ? QString()
+                         : kind() == Kind::kStrip
+                             ? tr("Picture (*.png);;Drawing (*.svg)")
+                             : QStringLiteral("%1 (*.%2)").arg(suffix().toUpper(), suffix());
+  const QString file = QFileDialog::getSaveFileName(this, windowTitle(), file_->text(), filter);
+  if (!file.isEmpty()) {
+    file_->setText(file);
+  }
+}
+
+void PicturesDialog::begin() {
+  try {
+    const FilmShot wanted = shot();
+    std::unique_ptr<FilmSink> sink;
+    if (kind() == Kind::kFrames) {
+      sink = std::make_unique<FrameFolder>(file_->text());
+    } else if (kind() != Kind::kStrip) {
+      sink = std::make_unique<FfmpegFilm>(file_->text(), wanted.size,
+                                          rates_->currentData().toDouble());
+    }
+    note_->setText(tr("Taking pictures…"));
+    show_busy(true);
+    recorder_.start(wanted, std::move(sink));
+  } catch (const std::exception& error) {
+    show_problem(QString::fromUtf8(error.what()));
+  }
+}
+
+void PicturesDialog::show_busy(bool busy) {
+  progress_->setVisible(busy);
+  progress_->setValue(0);
+  export_button_->setEnabled(!busy);
+  kinds_->setEnabled(!busy);
+  file_->setEnabled(!busy);
+  close_button_->setEnabled(true);
+  close_button_->setText(busy ? tr("Cancel") : tr("Close"));
+}
+
+void PicturesDialog::show_problem(const QString& message) {
+  note_->setText(QStringLiteral("<span style='color:%1'>%2</span>")
+                     .arg(html(colors_of(current_theme()).bad), message.toHtmlEscaped()));
+}
+
+}  // namespace handway::gui

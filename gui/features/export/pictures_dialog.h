@@ -1,0 +1,72 @@
+#pragma once
+
+#include "features/export/film_recorder.h"
+#include "features/export/strip_writer.h"
+
+#include <QDialog>
+
+class QComboBox;
+class QFormLayout;
+class QLabel;
+class QLineEdit;
+class QProgressBar;
+class QPushButton;
+class QSpinBox;
+
+namespace handway::gui {
+
+/// Exports pictures of a path as the view's camera sees it: a film strip, numbered frames, a film
+/// or an animation.
+class PicturesDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  enum class Kind { kStrip, kFrames, kFilm, kAnimation };
+
+  /// @param name of the scene, for files.
+  PicturesDialog(std::shared_ptr<const geometric::Scene> scene, PathTimeline timeline,
+                 const OrbitCamera& camera, const QString& name, QWidget* parent = nullptr);
+
+  void choose(Kind kind);
+  void set_file(const QString& file);
+
+ signals:
+  void exported(const QString& file);
+
+ private:
+  [[nodiscard]] QFormLayout* make_settings();
+  [[nodiscard]] QWidget* make_destination();
+  [[nodiscard]] Kind kind() const;
+  /// Of the file that is chosen; empty for a folder.
+  [[nodiscard]] QString suffix() const;
+  [[nodiscard]] QSize size() const;
+  [[nodiscard]] FilmShot shot() const;
+  [[nodiscard]] bool is_busy() const { return recorder_.is_busy() || strip_.is_busy(); }
+  void take_kind();
+  void show_count();
+  void browse();
+  void begin();
+  void connect_workers();
+  void cancel();
+  void show_busy(bool busy);
+  void show_problem(const QString& message);
+
+  std::shared_ptr<const geometric::Scene> scene_;
+  PathTimeline timeline_;
+  OrbitCamera camera_;
+  FilmRecorder recorder_;
+  StripWriter strip_;
+  QComboBox* kinds_;
+  QSpinBox* pictures_;
+  QComboBox* sizes_;
+  QComboBox* rates_;
+  QComboBox* speeds_;
+  QLabel* count_;
+  QLineEdit* file_;
+  QProgressBar* progress_;
+  QPushButton* export_button_;
+  QPushButton* close_button_;
+  QLabel* note_;
+};
+
+}  // namespace handway::gui

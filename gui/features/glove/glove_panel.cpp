@@ -1,0 +1,338 @@
+#include "features/glove/glove_panel.h"
+
+#include "features/glove/calibration_choice.h"
+#include "features/glove/capture_coach.h"
+#include "features/glove/device_field.h"
+#include "features/glove/glove_device_list.h"
+#include "features/glove/mapping_editor.h"
+#include "features/glove/pmd_explorer.h"
+#include "features/glove/record_bar.h"
+#include "features/glove/sensor_bars.h"
+#include "features/tracker/wrist_page.h"
+#include "model/document/joint_groups.h"
+#include "widgets/panels/front_page.h"
+#include "widgets/panels/link_status.h"
+#include "widgets/style/role.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QFormLayout>
+#include <QFrame>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QStackedWidget>
+#include <QTabBar>
+#include <QTabWidget>
+#include <QVBoxLayout>
+#include <QVariant>
+
+namespace handway::gui {
+namespace {
+
+using device::StreamState;
+
+constexpr int kStatisticsMs = 250;
+constexpr int kMargin = 12;
+constexpr double kSmoothing = 0.2;  // weight of the latest delay
+
+QScrollArea* scrolled(QWidget* content) {
+  auto* area = new QScrollArea;
+  area->setWidgetResizable(true);
+  area->setFrameShape(QFrame::NoFrame);
+  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  area->setWidget(content);
+  return area;
+}
+
+QString glove_text(const device::GloveInfo& info) {
+  return QObject::tr("%1, %2 hand, %3 sensors")
+      .arg(QString::fromStdString(info.model).section(QLatin1Char(','), 0, 0),
+           info.right_hand ? QObject::tr("right") : QObject::tr("left"))
+      .arg(info.sensors);
+}
+
+bool is_live(StreamState state) {
+  return state != StreamState::kStopped && state != StreamState::kFailed;
+}
+
+}  // namespace
+
+GlovePanel::GlovePanel(QWidget* parent)
+    : QWidget(parent),
+      device_(new DeviceField),
+      connect_(new QPushButton),
+      status_(new LinkStatus(QStringLiteral("glove"))),
+      tabs_(new QTabBar),
+      pages_(new QStackedWidget),
+      bars_(new SensorBars),
+      capture_(session_),
+      mapping_editor_(new MappingEditor(session_)),
+      wrist_(new WristPage),
+      follow_(new QCheckBox(tr("Hand follows"))),
+      rule_(new QComboBox),
+      contact_(new QLabel),
+      record_(new RecordBar(session_)) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  tabs_->setObjectName(QStringLiteral("glove_pages"));
+  tabs_->setDrawBase(false);
+  tabs_->setExpanding(true);
+  tabs_->setProperty("role", "pages");
+  add_page(tr("Sensors"), build_sensors_page());
+  add_page(tr("Coach"), scrolled(&capture_.coach()));
+  add_page(tr("Explore"), scrolled(&capture_.explorer()));
+  add_page(tr("Mapping"), scrolled(mapping_editor_));
+  add_page(tr("Wrist"), scrolled(wrist_));
+  layout->addWidget(build_header());
+  layout->addWidget(tabs_);
+  layout->addWidget(pages_, 1);
+  layout->addWidget(build_footer());
+  bars_->set_mapping(session_.mapping());
+  connect(tabs_, &QTabBar::currentChanged, pages_, &QStackedWidget::setCurrentIndex);
+  connect(&session_, &GloveSession::state_changed, this, &GlovePanel::show_state);
+  connect(&session_, &GloveSession::sampled, this, &GlovePanel::show_samples);
+  connect(&session_, &GloveSession::mapping_changed, this,
+          [this] { bars_->set_mapping(session_.mapping()); });
+  connect(&capture_, &CapturePages::failed, this, &GlovePanel::show_problem);
+  connect(mapping_editor_, &MappingEditor::failed, this, &GlovePanel::show_problem);
+  connect(&capture_.explorer(), &PmdExplorer::posture_changed, this,
+          [this](const geometric::NamedPosture& posture) {
+            session_.set_following(false);
+            emit posture_changed(posture);
+          });
+  connect(&session_, &GloveSession::following_changed, follow_, &QCheckBox::setChecked);
+  connect(&session_, &GloveSession::following_changed, this, [this](bool follow) {
+    if (!follow) {
+      guard_.withdraw(ContactGuard::Leader::kHand);
+    }
+  });
+  ticker_.setInterval(kStatisticsMs);
+  connect(&ticker_, &QTimer::timeout, this, &GlovePanel::show_statistics);
+  show_state(StreamState::kStopped, {});
+}
+
+GlovePanel::~GlovePanel() { session_.blockSignals(true); }
+
+QWidget* GlovePanel::build_header() {
+  auto* header = new QWidget;
+  auto* layout = new QVBoxLayout(header);
+  layout->setContentsMargins(kMargin, 10, kMargin, 8);
+  layout->setSpacing(8);
+  connect_->setObjectName(QStringLiteral("glove_connect"));
+  auto* row = new QHBoxLayout;
+  row->setSpacing(8);
+  row->addWidget(device_, 1);
+  row->addWidget(connect_);
+  layout->addLayout(row);
+  layout->addWidget(status_);
+  connect(connect_, &QPushButton::clicked, this, &GlovePanel::toggle_connection);
+  connect(device_, &DeviceField::requested, this, [this] {
+    session_.disconnect_glove();
+    toggle_connection();
+  });
+  return header;
+}
+
+QWidget* GlovePanel::build_sensors_page() {
+  auto* page = new QWidget;
+  auto* layout = new QVBoxLayout(page);
+  layout->setContentsMargins(0, 4, 0, 8);
+  layout->setSpacing(6);
+  layout->addWidget(bars_);
+  auto* calibration = new CalibrationChoice;
+  auto* form = new QFormLayout;
+  form->setContentsMargins(kMargin, 4, kMargin, 0);
+  form->setHorizontalSpacing(12);
+  form->addRow(tr("Calibration"), calibration);
+  layout->addLayout(form);
+  layout->addStretch();
+  connect(calibration, &CalibrationChoice::chosen, &session_, &GloveSession::set_calibration);
+  connect(calibration, &CalibrationChoice::failed, this, &GlovePanel::show_problem);
+  return scrolled(page);
+}
+
+QWidget* GlovePanel::build_footer() {
+  auto* footer = new QFrame;
+  footer->setProperty("role", "playback");
+  auto* layout = new QVBoxLayout(footer);
+  layout->setContentsMargins(kMargin, 8, kMargin, 10);
+  layout->setSpacing(8);
+  follow_->setObjectName(QStringLiteral("glove_follow"));
+  follow_->setChecked(session_.following());
+  follow_->setToolTip(tr("The hand in the view takes the postures of the glove"));
+  rule_->setObjectName(QStringLiteral("contact_rule"));
+  rule_->addItem(tr("Go on at contact"));
+  rule_->addItem(tr("Stop at contact"));
+  rule_->addItem(tr("Slide at contact"));
+  rule_->setToolTip(
+      tr("What becomes of a motion of glove or tracker that leads into something: it goes on and "
+         "the links turn red, it stops, or arm and fingers go as far as each is free"));
+  contact_->setObjectName(QStringLiteral("glove_contact"));
+  contact_->setProperty("role", "note");
+  contact_->setWordWrap(true);
+  contact_->hide();
+  auto* switches = new QHBoxLayout;
+  switches->setSpacing(12);
+  switches->addWidget(follow_);
+  switches->addStretch();
+  switches->addWidget(rule_);
+  layout->addLayout(switches);
+  layout->addWidget(contact_);
+  layout->addWidget(record_);
+  connect(follow_, &QCheckBox::toggled, &session_, &GloveSession::set_following);
+  connect(rule_, qOverload<int>(&QComboBox::currentIndexChanged), this,
+          [this](int rule) { guard_.set_rule(static_cast<ContactRule>(rule)); });
+  connect(&guard_, &ContactGuard::held, this, [this](const QString& contact) {
+    contact_->setText(tr("Held: %1").arg(contact));
+    contact_->setVisible(!contact.isEmpty());
+  });
+  connect(&guard_, &ContactGuard::passed, this, &GlovePanel::posture_changed);
+  connect(wrist_, &WristPage::posture_wanted, this, [this](const geometric::NamedPosture& posture) {
+    guard_.propose(ContactGuard::Leader::kArm, posture);
+  });
+  connect(wrist_, &WristPage::released, this,
+          [this] { guard_.withdraw(ContactGuard::Leader::kArm); });
+  return footer;
+}
+
+void GlovePanel::add_page(const QString& name, QWidget* page) {
+  tabs_->addTab(name);
+  pages_->addWidget(page);
+}
+
+void GlovePanel::set_hand(const std::shared_ptr<const geometric::RobotModel>& model,
+                          const std::shared_ptr<const sampling::PmdBasis>& basis,
+                          std::shared_ptr<const PreparedProblem> problem) {
+  session_.set_robot(model);
+  capture_.set_hand(model, basis);
+  std::vector<std::string> free;
+  if (basis) {
+    for (const sampling::FreeJoint& joint : basis->free_joints) {
+      free.push_back(basis->joints[static_cast<std::size_t>(joint.joint)]);
+    }
+  }
+  mapping_editor_->set_hand(model, std::move(free));
+  const JointGroups groups = model ? joint_groups(*model, basis.get()) : JointGroups{};
+  wrist_->set_robot(model, groups.arm);
+  guard_.set_robot(model, model ? moving_parts(*model, groups) : std::vector<std::vector<int>>{},
+                   std::move(problem));
+}
+
+void GlovePanel::set_configuration(const geometric::Configuration& q) {
+  guard_.set_configuration(q);
+  capture_.set_configuration(q);
+  wrist_->set_configuration(q);
+}
+
+void GlovePanel::toggle_connection() {
+  if (session_.link().is_running() && is_live(session_.link().state())) {
+    session_.disconnect_glove();
+  } else {
+    bars_->clear();
+    first_time_ = last_time_ = -1.0;
+    session_.connect_to(device_->device());
+  }
+}
+
+void GlovePanel::connect_to(const QString& device) {
+  if (!device.isEmpty()) {
+    session_.disconnect_glove();
+    device_->set_device(device.compare(GloveSession::emulator_name(), Qt::CaseInsensitive) == 0
+                            ? GloveSession::emulator_name()
+                            : device);
+    toggle_connection();
+  }
+}
+
+void GlovePanel::come_to_front(const QString& page) {
+  bring_to_front(*this);
+  for (int i = 0; i < tabs_->count(); ++i) {
+    if (tabs_->tabText(i).compare(page, Qt::CaseInsensitive) == 0) {
+      tabs_->setCurrentIndex(i);
+    }
+  }
+}
+
+double GlovePanel::listening_time() const { return last_time_ - first_time_; }
+
+void GlovePanel::show_state(StreamState state, const QString& error) {
+  const bool live = is_live(state);
+  connect_->setText(live ? tr("Disconnect") : tr("Connect"));
+  set_role(*connect_, live ? QString() : QStringLiteral("primary"));
+  device_->setEnabled(!live);
+  QString problem = error;
+  if (problem.isEmpty() && state == StreamState::kStreaming) {
+    problem = session_.mapping_error();
+    add_recent_glove(session_.device());
+  }
+  show_glove(state, problem);
+  if (state != StreamState::kStreaming) {
+    guard_.withdraw(ContactGuard::Leader::kHand);
+  }
+  if (live) {
+    ticker_.start();
+  } else {
+    ticker_.stop();
+    status_->clear_statistics();
+    to_screen_ = 0.0;
+    shown_since_.reset();
+  }
+}
+
+void GlovePanel::show_problem(const QString& message) {
+  show_glove(session_.link().state(), message);
+}
+
+void GlovePanel::show_glove(StreamState state, const QString& error) {
+  const device::GloveInfo info = session_.link().info();
+  status_->show_state(
+      state, glove_text(info),
+      QString::fromStdString(info.model.empty() ? "" : info.model + ", " + info.device), error);
+}
+
+void GlovePanel::show_samples(const std::vector<GloveSample>& samples) {
+  bars_->show_samples(samples, session_.mapper());
+  mapping_editor_->show_samples(samples);
+  first_time_ = first_time_ < 0.0 ? samples.front().frame.time : first_time_;
+  last_time_ = samples.back().frame.time;
+  if (session_.following()) {
+    move_hand(samples.back());
+  }
+}
+
+void GlovePanel::move_hand(const GloveSample& sample) {
+  const device::HandMapper* mapper = session_.mapper();
+  if (!mapper || sample.posture.size() == 0) {
+    return;
+  }
+  geometric::NamedPosture posture;
+  for (std::size_t j = 0; j < mapper->joints().size(); ++j) {
+    posture.values[mapper->joints()[j]] = sample.posture[static_cast<Eigen::Index>(j)];
+  }
+  if (!shown_since_) {
+    shown_since_ = session_.link().arrival();
+  }
+  guard_.propose(ContactGuard::Leader::kHand, posture);
+}
+
+void GlovePanel::note_drawn() {
+  if (shown_since_) {
+    const std::chrono::duration<double> delay = std::chrono::steady_clock::now() - *shown_since_;
+    to_screen_ =
+        to_screen_ > 0.0 ? to_screen_ + kSmoothing * (delay.count() - to_screen_) : delay.count();
+    shown_since_.reset();
+  }
+}
+
+void GlovePanel::show_statistics() {
+  if (session_.link().state() == StreamState::kStreaming) {
+    status_->show_statistics(session_.link().statistics(), to_screen_);
+  }
+}
+
+void GlovePanel::refresh_icons() { record_->refresh_icon(); }
+
+}  // namespace handway::gui

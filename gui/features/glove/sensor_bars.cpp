@@ -1,0 +1,228 @@
+#include "features/glove/sensor_bars.h"
+
+#include "handway/device/glove/glove_layout.h"
+#include "handway/geometric/math/units.h"
+#include "widgets/style/glove_colors.h"
+
+#include <QHelpEvent>
+#include <QPainter>
+#include <QToolTip>
+
+#include <algorithm>
+#include <cmath>
+
+namespace handway::gui {
+namespace {
+
+using Verdict = SensorWatch::Verdict;
+
+constexpr int kRowHeight = 19;
+constexpr int kGap = 7;  // between fingers
+constexpr int kBarMargin = 12;
+constexpr int kLetterWidth = 16;
+constexpr int kNameWidth = 106;
+constexpr int kCountsWidth = 30;
+constexpr int kDegreesWidth = 42;
+constexpr int kBarHeight = 7;
+constexpr double kCountsOfASensor = 255.0;
+constexpr double kBeyond = 1e-9;  // rad
+
+// The abduction sensors sit between two fingers and come after the second; each
+// is shown with the finger that its name says.
+constexpr std::array<int, device::kGloveSensors> kOrder{0,  1,  2,  3,  4,  5,  6,  10, 7,  8,  9,
+                                                        11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21};
+constexpr std::array<int, 5> kGroupBegins{4, 8, 11, 15, 19};  // places in kOrder
+
+int place_of(int sensor) {
+  return static_cast<int>(std::ranges::find(kOrder, sensor) - kOrder.begin());
+}
+
+int gaps_before(int place) {
+  return static_cast<int>(
+      std::ranges::count_if(kGroupBegins, [&](int begin) { return place >= begin; }));
+}
+
+QString joined(const std::vector<std::string>& names) {
+  QStringList list;
+  for (const std::string& name : names) {
+    list << QString::fromStdString(name);
+  }
+  return list.join(QStringLiteral(", "));
+}
+
+QString text_of(std::string_view text) {
+  return QString::fromUtf8(text.data(), static_cast<int>(text.size()));
+}
+
+}  // namespace
+
+SensorBars::SensorBars(QWidget* parent) : QWidget(parent) {
+  setObjectName(QStringLiteral("sensor_bars"));
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+}
+
+void SensorBars::clear() {
+  watch_.restart();
+  latest_.reset();
+  clamped_.clear();
+  update();
+}
+
+void SensorBars::set_mapping(const device::HandMapping& mapping) {
+  driven_ = {};
+  for (const device::JointWire& wire : mapping.wires) {
+    if (wire.sensor >= 0) {
+      driven_.at(static_cast<std::size_t>(wire.sensor)).push_back(wire.joint);
+    }
+  }
+  update();
+}
+
+void SensorBars::show_samples(const std::vector<GloveSample>& samples,
+                              const device::HandMapper* mapper) {
+  for (const GloveSample& sample : samples) {
+    watch_.take(sample.frame);
+  }
+  latest_ = samples.back();
+  clamped_.clear();
+  if (mapper && latest_->posture.size() == static_cast<Eigen::Index>(mapper->joints().size())) {
+    for (Eigen::Index j = 0; j < latest_->posture.size(); ++j) {
+      if (std::abs(latest_->unclamped[j] - latest_->posture[j]) > kBeyond) {
+        clamped_.push_back(mapper->joints()[static_cast<std::size_t>(j)]);
+      }
+    }
+  }
+  update();
+}
+
+QSize SensorBars::sizeHint() const {
+  const int rows = device::kGloveSensors;
+  return {300, rows * kRowHeight + static_cast<int>(kGroupBegins.size()) * kGap + 8};
+}
+
+QSize SensorBars::minimumSizeHint() const { return sizeHint(); }
+
+int SensorBars::top_of(int sensor) const {
+  const int place = place_of(sensor);
+  return 4 + place * kRowHeight + gaps_before(place) * kGap;
+}
+
+bool SensorBars::at_limit(int sensor) const {
+  return std::ranges::any_of(
+      driven_.at(static_cast<std::size_t>(sensor)),
+      [this](const std::string& joint) { return std::ranges::count(clamped_, joint) > 0; });
+}
+
+void SensorBars::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  for (int sensor = 0; sensor < device::kGloveSensors; ++sensor) {
+    paint_row(painter, sensor);
+  }
+}
+
+void SensorBars::paint_row(QPainter& painter, int sensor) const {
+  const ThemeColors colors = colors_of(current_theme());
+  const auto index = static_cast<std::size_t>(sensor);
+  const device::GloveSensor& about = device::cyberglove_sensors()[index];
+  const SensorWatch::Sensor& state = watch_.sensors().at(index);
+  const bool used = !driven_.at(index).empty();
+  const bool present = latest_ && state.verdict != Verdict::kMissing;
+  const int top = top_of(sensor);
+  const auto cell = [top](int x, int width) { return QRect(x, top, width, kRowHeight); };
+
+  QFont font = painter.font();
+  font.setPixelSize(12);
+  painter.setFont(font);
+  painter.setPen(faded(colors.muted, 0.9));
+  painter.drawText(cell(kBarMargin, kLetterWidth), Qt::AlignVCenter,
+                   QString(QLatin1Char(about.letter)));
+  painter.setPen(used ? colors.text : colors.muted);
+  painter.drawText(cell(kBarMargin + kLetterWidth, kNameWidth), Qt::AlignVCenter,
+                   text_of(about.label));
+
+  const int degrees_x = width() - kBarMargin - kDegreesWidth;
+  const int counts_x = degrees_x - kCountsWidth;
+  const int bar_x = kBarMargin + kLetterWidth + kNameWidth + 4;
+  const QRectF bar(bar_x, top + (kRowHeight - kBarHeight) / 2.0, counts_x - bar_x - 4, kBarHeight);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(faded(colors.border, present ? 0.75 : 0.45));
+  painter.drawRoundedRect(bar, 3.5, 3.5);
+  if (!present) {
+    painter.setPen(faded(colors.muted, 0.7));
+    painter.drawText(cell(counts_x, kCountsWidth), Qt::AlignVCenter | Qt::AlignRight,
+                     QStringLiteral("–"));
+    return;
+  }
+  const bool broken = state.verdict == Verdict::kSaturated || state.verdict == Verdict::kDead;
+  const bool limited = at_limit(sensor);
+  const QColor tone = broken    ? colors.bad
+                      : limited ? attention_color()
+                      : used    ? colors.accent
+                                : colors.muted;
+  const auto x_of = [&bar](double counts) { return bar.width() * counts / kCountsOfASensor; };
+  QRectF seen = bar;
+  seen.setLeft(bar.left() + x_of(state.least));
+  seen.setWidth(std::max(2.0, x_of(state.most) - x_of(state.least)));
+  painter.setBrush(faded(tone, 0.28));
+  painter.drawRoundedRect(seen, 2, 2);
+  QRectF now = bar;
+  now.setWidth(std::max(3.0, x_of(state.counts)));
+  painter.setBrush(faded(tone, used || broken ? 0.95 : 0.55));
+  painter.drawRoundedRect(now, 3.5, 3.5);
+
+  painter.setPen(broken ? colors.bad : colors.muted);
+  painter.drawText(cell(counts_x, kCountsWidth), Qt::AlignVCenter | Qt::AlignRight,
+                   QString::number(state.counts));
+  const double angle = latest_->angles.angles.at(index);
+  const QString degrees = broken ? (state.verdict == Verdict::kDead ? tr("dead") : tr("at end"))
+                          : std::isfinite(angle)
+                              ? QStringLiteral("%1°").arg(std::lround(angle / geometric::kDegree))
+                              : QStringLiteral("–");
+  painter.setPen(broken    ? colors.bad
+                 : limited ? attention_color()
+                 : used    ? colors.text
+                           : colors.muted);
+  painter.drawText(cell(degrees_x, kDegreesWidth), Qt::AlignVCenter | Qt::AlignRight, degrees);
+}
+
+QString SensorBars::explain(int sensor) const {
+  const auto index = static_cast<std::size_t>(sensor);
+  const device::GloveSensor& about = device::cyberglove_sensors()[index];
+  const SensorWatch::Sensor& state = watch_.sensors().at(index);
+  const std::vector<std::string>& joints = driven_.at(index);
+  QString text = tr("%1, sensor %2").arg(text_of(about.name)).arg(QLatin1Char(about.letter));
+  text += QLatin1Char('\n') +
+          (joints.empty() ? tr("Drives no joint") : tr("Drives %1").arg(joined(joints)));
+  if (latest_ && state.verdict == Verdict::kMissing) {
+    return text + QLatin1Char('\n') + tr("This glove does not have it");
+  }
+  if (latest_) {
+    text += QLatin1Char('\n') + tr("Seen so far: %1 to %2 counts").arg(state.least).arg(state.most);
+  }
+  if (state.verdict == Verdict::kDead) {
+    text += QLatin1Char('\n') + tr("Has not moved, though others have: check its cable");
+  } else if (state.verdict == Verdict::kSaturated) {
+    text += QLatin1Char('\n') + tr("At the end of its range: check its gain and its cable");
+  } else if (at_limit(sensor)) {
+    text += QLatin1Char('\n') + tr("Would take the joint beyond its limit");
+  }
+  return text;
+}
+
+bool SensorBars::event(QEvent* event) {
+  if (event->type() == QEvent::ToolTip) {
+    const auto* help = static_cast<QHelpEvent*>(event);
+    for (int sensor = 0; sensor < device::kGloveSensors; ++sensor) {
+      const QRect row(0, top_of(sensor), width(), kRowHeight);
+      if (row.contains(help->pos())) {
+        QToolTip::showText(help->globalPos(), explain(sensor), this, row);
+        return true;
+      }
+    }
+    QToolTip::hideText();
+  }
+  return QWidget::event(event);
+}
+
+}  // namespace handway::gui

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "features/glove/sensor_watch.h"
+#include "handway/device/glove/hand_mapper.h"
+#include "handway/device/glove/hand_mapping.h"
+#include "model/devices/glove_sample.h"
+
+#include <QWidget>
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace handway::gui {
+
+/// A row for each of the glove's 22 sensors, fingers apart: letter, name, a bar of the counts with
+/// the range that was seen, counts and degrees. Sensors that drive no joint are pale; what
+/// looks broken and what drives a joint to its limit is marked.
+class SensorBars : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit SensorBars(QWidget* parent = nullptr);
+
+  /// Forgets the glove: empty bars.
+  void clear();
+  void set_mapping(const device::HandMapping& mapping);
+  /// @param mapper of the sample's posture; may be null.
+  void show_samples(const std::vector<GloveSample>& samples, const device::HandMapper* mapper);
+
+  [[nodiscard]] const SensorWatch& watch() const { return watch_; }
+  /// Joints at a limit that the latest sample would have gone beyond.
+  [[nodiscard]] const std::vector<std::string>& clamped() const { return clamped_; }
+
+  [[nodiscard]] QSize sizeHint() const override;
+  [[nodiscard]] QSize minimumSizeHint() const override;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  bool event(QEvent* event) override;
+
+ private:
+  [[nodiscard]] QString explain(int sensor) const;
+  [[nodiscard]] int top_of(int sensor) const;
+  [[nodiscard]] bool at_limit(int sensor) const;
+  void paint_row(QPainter& painter, int sensor) const;
+
+  SensorWatch watch_;
+  std::optional<GloveSample> latest_;
+  std::array<std::vector<std::string>, device::kGloveSensors> driven_;
+  std::vector<std::string> clamped_;
+};
+
+}  // namespace handway::gui

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "model/document/collision_monitor.h"
+
+#include <QObject>
+
+class QAction;
+
+namespace handway::gui {
+
+class CollisionLabel;
+class Document;
+class SceneView;
+
+/// Watches the document's posture: colliding bodies are red in the view, and named in a label; a
+/// line shows where the closest bodies are closest.
+class CollisionDisplay : public QObject {
+  Q_OBJECT
+
+ public:
+  /// Makes the label; a window takes it over.
+  CollisionDisplay(Document& document, SceneView& view, QObject* parent = nullptr);
+
+  [[nodiscard]] CollisionMonitor& monitor() { return monitor_; }
+  [[nodiscard]] CollisionLabel* label() const { return label_; }
+  /// The switch of the line between the bodies that are closest.
+  [[nodiscard]] QAction* closest_shown() const { return closest_shown_; }
+  void show_scene();
+
+ signals:
+  void failed(const QString& message);
+
+ private:
+  Document& document_;
+  SceneView& view_;
+  CollisionMonitor monitor_;
+  CollisionLabel* label_;
+  QAction* closest_shown_;
+};
+
+}  // namespace handway::gui

@@ -1,0 +1,137 @@
+#include "features/playback/path_traces.h"
+
+#include "handway/planning/queries/fingertips.h"
+#include "model/document/document.h"
+#include "model/meshes/shaded_meshes.h"
+#include "model/playback/palm_path.h"
+#include "model/playback/path_player.h"
+#include "model/playback/swept_volume.h"
+#include "model/settings/view_colors.h"
+#include "view3d/ghost.h"
+#include "view3d/path_node.h"
+#include "view3d/scene_view.h"
+#include "view3d/shape_node.h"
+
+#include <Inventor/nodes/SoMaterial.h>
+#include <Inventor/nodes/SoSeparator.h>
+#include <QAction>
+#include <QMenu>
+
+#include <utility>
+
+namespace handway::gui {
+namespace {
+
+constexpr int kCopies = 8;       // postures shown
+constexpr int kPostures = 160;   // that a swept volume is made of
+constexpr double kCell = 0.012;  // m
+const geometric::Color kVolumeColor{0.36F, 0.44F, 0.78F, Ghost::kFaint};
+
+std::vector<geometric::Configuration> spread(const PathTimeline& timeline, int count) {
+  std::vector<geometric::Configuration> postures;
+  postures.reserve(static_cast<std::size_t>(count));
+  for (int i = 0; i < count; ++i) {
+    postures.push_back(timeline.at(static_cast<double>(i) / (count - 1)));
+  }
+  return postures;
+}
+
+}  // namespace
+
+PathTraces::PathTraces(Document& document, PathPlayer& player, SceneView& view, QMenu& menu,
+                       QObject* parent)
+    : QObject(parent),
+      document_(document),
+      player_(player),
+      view_(view),
+      trails_(add(menu, QStringLiteral("trails"), tr("Ways of the &fingertips"),
+                  tr("Draw where each fingertip goes"))),
+      postures_(add(menu, QStringLiteral("copies"), tr("&Postures along the path"),
+                    tr("Draw the robot at even times along the path, from green to orange"))),
+      volume_(add(menu, QStringLiteral("volume"), tr("Swept &volume"),
+                  tr("Draw all that the robot passes through"))) {
+  connect(trails_, &QAction::toggled, this, &PathTraces::update_trails);
+  connect(postures_, &QAction::toggled, this, [this](bool on) {
+    if (on) {
+      volume_->setChecked(false);
+    }
+    update_veil();
+  });
+  connect(volume_, &QAction::toggled, this, [this](bool on) {
+    if (on) {
+      postures_->setChecked(false);
+    }
+    update_veil();
+  });
+  connect(&player_, &PathPlayer::timeline_changed, this, &PathTraces::update_all);
+  connect(&player_, &PathPlayer::retimed, this, &PathTraces::update_all);
+}
+
+QAction* PathTraces::add(QMenu& menu, const QString& name, const QString& text,
+                         const QString& tip) {
+  QAction* action = menu.addAction(text);
+  action->setObjectName(name);
+  action->setCheckable(true);
+  action->setToolTip(tip);
+  return action;
+}
+
+void PathTraces::update_all() {
+  update_trails();
+  update_veil();
+}
+
+void PathTraces::update_trails() {
+  const geometric::RobotInstance* robot = document_.robot();
+  if (!robot || player_.timeline().empty() || !trails_->isChecked()) {
+    view_.set_overlay(Overlay::kTrails, nullptr);
+    return;
+  }
+  auto all = make_coin<SoSeparator>();
+  for (const int link : planning::fingertips(*robot->model, document_.groups().hand)) {
+    all->addChild(make_trail_node(palm_path(*robot, player_.timeline(), link).points).get());
+  }
+  view_.set_overlay(Overlay::kTrails, all.get());
+}
+
+void PathTraces::update_veil() {
+  job_.cancel();
+  const bool has_path = document_.robot() && !player_.timeline().empty();
+  if (has_path && volume_->isChecked()) {
+    find_volume();
+  } else {
+    view_.set_traces(has_path && postures_->isChecked() ? posture_copies().get() : nullptr);
+  }
+}
+
+CoinRef<SoSeparator> PathTraces::posture_copies() const {
+  const geometric::RobotInstance& robot = *document_.robot();
+  const LinkShapes shapes = make_link_shapes(*robot.model);
+  auto all = make_coin<SoSeparator>();
+  const auto postures = spread(player_.timeline(), kCopies);
+  for (std::size_t i = 0; i < postures.size(); ++i) {
+    geometric::Color color = color_along(i, postures.size());
+    color.alpha = Ghost::kFaint;
+    RobotNode copy(robot.model, shapes, color);
+    copy.place(robot.X_WB, postures[i]);
+    all->addChild(copy.root());
+  }
+  return all;
+}
+
+void PathTraces::find_volume() {
+  job_.run([this, robot = *document_.robot(), postures = spread(player_.timeline(), kPostures)](
+               const std::stop_token& stop) -> LatestJob::Answer {
+    const auto mesh =
+        std::make_shared<const geometric::TriangleMesh>(swept_volume(robot, postures, kCell, stop));
+    static_cast<void>(shaded(mesh));  // takes its time, too
+    return [this, mesh] {
+      auto drawing = make_coin<SoSeparator>();
+      drawing->addChild(make_material(kVolumeColor).get());
+      drawing->addChild(make_shape_node(geometric::Mesh{.file = {}, .triangles = mesh}).get());
+      view_.set_traces(drawing.get());
+    };
+  });
+}
+
+}  // namespace handway::gui

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "model/jobs/latest_job.h"
+#include "view3d/coin_ref.h"
+
+#include <QObject>
+
+#include <memory>
+
+class QAction;
+class QMenu;
+class SoSeparator;
+
+namespace handway::gui {
+
+class Document;
+class PathPlayer;
+class SceneView;
+
+/// What a path leaves in the view: the ways of the fingertips, postures along it, or all that
+/// the robot passes through.
+class PathTraces : public QObject {
+  Q_OBJECT
+
+ public:
+  /// All outlive it. @param menu gets the actions that switch them.
+  PathTraces(Document& document, PathPlayer& player, SceneView& view, QMenu& menu,
+             QObject* parent = nullptr);
+
+  [[nodiscard]] QAction& trails() const { return *trails_; }
+  [[nodiscard]] QAction& postures() const { return *postures_; }
+  [[nodiscard]] QAction& volume() const { return *volume_; }
+  /// True while a volume is still to come.
+  [[nodiscard]] bool is_busy() const { return job_.is_busy(); }
+
+ private:
+  QAction* add(QMenu& menu, const QString& name, const QString& text, const QString& tip);
+  void update_all();
+  void update_trails();
+  void update_veil();
+  void find_volume();
+  [[nodiscard]] CoinRef<SoSeparator> posture_copies() const;
+
+  Document& document_;
+  PathPlayer& player_;
+  SceneView& view_;
+  QAction* trails_;
+  QAction* postures_;
+  QAction* volume_;
+  LatestJob job_;
+};
+
+}  // namespace handway::gui

@@ -1,0 +1,304 @@
+#include "features/playback/plots_panel.h"
+
+#include "features/playback/joint_curve_list.h"
+#include "handway/geometric/io/replace_file.h"
+#include "model/document/document.h"
+#include "model/playback/motion_analysis.h"
+#include "model/playback/path_player.h"
+#include "widgets/plots/cursor_plot.h"
+#include "widgets/style/theme.h"
+
+#include <QComboBox>
+#include <QEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSplitter>
+#include <QStackedWidget>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <exception>
+
+namespace handway::gui {
+namespace {
+
+constexpr int kListWidth = 210;
+
+QString number(double value, const QString& unit) {
+  const int decimals = unit.isEmpty() ? 3 : 1;
+  const QString text =
+      QString::number(value, 'f', decimals).replace(QLatin1Char('-'), QChar(0x2212));
+  return unit == QStringLiteral("°") || unit.isEmpty() ? text + unit : text + QChar(0x2009) + unit;
+}
+
+}  // namespace
+
+PlotsPanel::PlotsPanel(Document& document, PathPlayer& player, MotionAnalysis& analysis,
+                       QWidget* parent)
+    : QWidget(parent),
+      document_(document),
+      player_(player),
+      analysis_(analysis),
+      quantities_(new QComboBox),
+      value_(new QLabel),
+      export_(new QPushButton(tr("Export…"))),
+      all_(new QPushButton(tr("Show all"))),
+      middle_(new QStackedWidget),
+      note_(new QLabel),
+      curves_(new QSplitter),
+      joints_(new JointCurveList),
+      plot_(new CursorPlot) {
+  setAttribute(Qt::WA_StyledBackground);
+  note_->setAlignment(Qt::AlignCenter);
+  note_->setWordWrap(true);
+  note_->setProperty("role", "note");
+  curves_->addWidget(joints_);
+  curves_->addWidget(plot_);
+  curves_->setStretchFactor(1, 1);
+  curves_->setSizes({kListWidth, 3 * kListWidth});
+  curves_->setChildrenCollapsible(false);
+  middle_->addWidget(note_);
+  middle_->addWidget(curves_);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(10, 6, 10, 6);
+  layout->setSpacing(4);
+  layout->addWidget(make_top());
+  layout->addWidget(middle_, 1);
+  connect(quantities_, qOverload<int>(&QComboBox::currentIndexChanged), this, &PlotsPanel::draw);
+  connect(joints_, &JointCurveList::choice_changed, this, &PlotsPanel::draw);
+  connect(all_, &QPushButton::clicked, this, [this] { plot_->show_all(); });
+  connect(export_, &QPushButton::clicked, this, &PlotsPanel::ask_for_file);
+  connect(&analysis_, &MotionAnalysis::changed, this, &PlotsPanel::take_analysis);
+  connect(&player_, &PathPlayer::moved, this, &PlotsPanel::show_cursor);
+  connect(&player_, &PathPlayer::retimed, this, &PlotsPanel::show_cursor);
+  plot_->on_scrub([this](double time) {
+    player_.pause();
+    player_.seek(time / player_.duration());
+  });
+  refresh_colors();
+  take_analysis();
+}
+
+QWidget* PlotsPanel::make_top() {
+  using Quantity = PlotQuantity;
+  for (const auto& [title, quantity] : {std::pair(tr("Position"), Quantity::kPosition),
+                                        {tr("Velocity"), Quantity::kVelocity},
+                                        {tr("Acceleration"), Quantity::kAcceleration},
+                                        {tr("Clearance"), Quantity::kClearance},
+                                        {tr("Human-likeness"), Quantity::kUnlikeness}}) {
+    quantities_->addItem(title, static_cast<int>(quantity));
+  }
+  quantities_->setObjectName(QStringLiteral("plot_quantity"));
+  quantities_->setItemData(
+      static_cast<int>(Quantity::kUnlikeness),
+      tr("How far the hand is from the postures that its principal motion directions can reach, "
+         "and from the nearest recorded posture, in normalised joints; 0 is as human as can be"),
+      Qt::ToolTipRole);
+  value_->setObjectName(QStringLiteral("plot_value"));
+  value_->setProperty("role", "note");
+  all_->setToolTip(
+      tr("The whole path (double click). The wheel zooms, with Ctrl in values; drag "
+         "with the right button to move"));
+  export_->setObjectName(QStringLiteral("plot_export"));
+  export_->setToolTip(tr("Write what is drawn as a picture (PNG, SVG) or a table (CSV)"));
+  auto* top = new QWidget;
+  auto* layout = new QHBoxLayout(top);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(10);
+  layout->addWidget(quantities_);
+  layout->addWidget(value_, 1);
+  layout->addWidget(all_);
+  layout->addWidget(export_);
+  return top;
+}
+
+PlotQuantity PlotsPanel::quantity() const {
+  return static_cast<PlotQuantity>(quantities_->currentData().toInt());
+}
+
+void PlotsPanel::show_quantity(PlotQuantity quantity) {
+  quantities_->setCurrentIndex(quantities_->findData(static_cast<int>(quantity)));
+}
+
+void PlotsPanel::refresh_colors() {
+  const ThemeColors colors = colors_of(current_theme());
+  plot_->set_colors({colors.surface, colors.text, colors.border}, colors.accent);
+}
+
+void PlotsPanel::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  show_cursor();
+}
+
+void PlotsPanel::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) {
+    refresh_colors();
+  }
+}
+
+void PlotsPanel::take_analysis() {
+  using State = MotionAnalysis::State;
+  if (const geometric::RobotInstance* robot = document_.robot()) {
+    joints_->set_robot(robot->model, document_.groups());
+  }
+  switch (analysis_.state()) {
+    case State::kNoPath:
+      note_->setText(
+          tr("No path yet. Plan one (Ctrl+P), and its joints, its clearance and how "
+             "human its hand looks are drawn here over time."));
+      break;
+    case State::kTiming:
+      note_->setText(tr("Timing the path…"));
+      break;
+    case State::kFailed:
+      note_->setText(tr("The path can't be timed: %1").arg(analysis_.fault()));
+      break;
+    case State::kTimed:
+      break;
+  }
+  draw();
+}
+
+void PlotsPanel::draw() {
+  times_.clear();
+  drawn_.clear();
+  values_.clear();
+  columns_.clear();
+  std::vector<PlotLine> lines;
+  const auto& motion = analysis_.motion();
+  if (!motion) {
+    middle_->setCurrentWidget(note_);
+    value_->clear();
+    export_->setEnabled(false);
+    all_->setEnabled(false);
+    plot_->set_lines({}, {});
+    return;
+  }
+  for (const planning::TrajectoryPoint& point : motion->trajectory.points) {
+    times_.push_back(point.time);
+  }
+  bool any_slides = false;
+  bool any_turns = false;
+  if (is_of_joints(quantity())) {
+    drawn_ = joints_->chosen();
+    for (const int variable : drawn_) {
+      values_.push_back(joint_values(*motion, variable, quantity()));
+      lines.push_back({QString::fromStdString(motion->model->variable(variable).name),
+                       JointCurveList::color_of(variable), JointCurveList::is_dashed(variable),
+                       values_.back(), joint_limits(*motion, variable, quantity())});
+      (slides(*motion->model, variable) ? any_slides : any_turns) = true;
+    }
+  } else if (analysis_.curves()) {
+    columns_ = motion_columns(*analysis_.curves(), quantity());
+    for (const PlotColumn& column : columns_) {
+      const int place = static_cast<int>(lines.size());
+      lines.push_back(
+          {title_of(column), JointCurveList::color_of(place), false, column.values, {}});
+    }
+  }
+  const bool has_none = !is_of_joints(quantity()) && lines.empty();
+  if (has_none) {
+    note_->setText(analysis_.curves()
+                       ? tr("This scene names no basis of principal motion directions for its "
+                            "hand, which the hand could be compared with.")
+                       : tr("Measuring along the path…"));
+  }
+  middle_->setCurrentWidget(has_none ? static_cast<QWidget*>(note_) : curves_);
+  joints_->setVisible(is_of_joints(quantity()));
+  export_->setEnabled(!has_none);
+  all_->setEnabled(!has_none);
+  plot_->set_titles(tr("time, s"), axis_title(quantity(), any_slides && !any_turns));
+  plot_->set_marks(motion->waypoint_times);
+  plot_->set_lines(times_, has_none ? std::vector<PlotLine>{} : std::move(lines));
+  show_cursor();
+}
+
+std::size_t PlotsPanel::point_at_cursor() const {
+  const auto after = std::ranges::lower_bound(times_, player_.time() - 1e-9);
+  return std::min(static_cast<std::size_t>(after - times_.begin()), times_.size() - 1);
+}
+
+void PlotsPanel::show_cursor() {
+  if (times_.empty()) {
+    return;
+  }
+  plot_->set_cursor(player_.time());
+  if (!isVisible()) {
+    return;
+  }
+  const std::size_t point = point_at_cursor();
+  const planning::Motion& motion = *analysis_.motion();
+  if (is_of_joints(quantity())) {
+    std::vector<QString> texts(static_cast<std::size_t>(motion.model->variable_count()));
+    for (std::size_t i = 0; i < drawn_.size(); ++i) {
+      texts[static_cast<std::size_t>(drawn_[i])] =
+          number(values_[i][point], unit_of(quantity(), slides(*motion.model, drawn_[i])));
+    }
+    joints_->show_values(texts);
+    value_->setText(drawn_.empty() ? tr("Tick the joints to draw") : QString());
+  } else {
+    value_->setText(value_text(point));
+  }
+}
+
+QString PlotsPanel::value_text(std::size_t point) const {
+  const auto value = [&](const PlotColumn& column) {
+    return number(column.values[point], unit_of(quantity(), false));
+  };
+  if (quantity() == PlotQuantity::kClearance && !columns_.empty()) {
+    const QString pair = QString::fromStdString(analysis_.curves()->closest[point]);
+    return (pair.isEmpty() ? tr("%1 or more") : tr("%1: %2").arg(QStringLiteral("%1"), pair))
+        .arg(value(columns_.front()));
+  }
+  QString text;
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    text += QStringLiteral("<span style='color:%1'>&#9632;</span> %2 %3&nbsp;&nbsp; ")
+                .arg(html(JointCurveList::color_of(static_cast<int>(i))), value(columns_[i]),
+                     title_of(columns_[i]));
+  }
+  return text;
+}
+
+void PlotsPanel::ask_for_file() {
+  QString chosen;
+  QString file = QFileDialog::getSaveFileName(
+      window(), tr("Export the plot"), quantities_->currentText().toLower(),
+      tr("Picture (*.png);;Drawing (*.svg);;Table (*.csv)"), &chosen);
+  if (file.isEmpty()) {
+    return;
+  }
+  if (QFileInfo(file).suffix().isEmpty()) {
+    file += chosen.section(QLatin1Char('*'), 1).section(QLatin1Char(')'), 0, 0);
+  }
+  try {
+    write(file);
+    emit exported(file);
+  } catch (const std::exception& error) {
+    emit failed(tr("The plot was not exported"), QString::fromUtf8(error.what()));
+  }
+}
+
+void PlotsPanel::write(const QString& file) const {
+  if (QFileInfo(file).suffix().toLower() != QStringLiteral("csv")) {
+    plot_->write(file, quantities_->currentText());
+    return;
+  }
+  const planning::Motion& motion = *analysis_.motion();
+  std::vector<PlotColumn> columns = columns_;
+  for (std::size_t i = 0; i < values_.size(); ++i) {
+    const bool mm = slides(*motion.model, drawn_[i]);
+    const char* const unit[] = {"deg", "deg_per_s", "deg_per_s2"};
+    const char* const sliding_unit[] = {"mm", "mm_per_s", "mm_per_s2"};
+    const auto which = static_cast<std::size_t>(quantity());
+    columns.push_back(
+        {motion.model->variable(drawn_[i]).name + "_" + (mm ? sliding_unit : unit)[which],
+         values_[i]});
+  }
+  geometric::replace_file(file.toStdString(), csv_of(times_, columns));
+}
+
+}  // namespace handway::gui

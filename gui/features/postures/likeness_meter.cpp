@@ -1,0 +1,150 @@
+#include "features/postures/likeness_meter.h"
+
+#include "features/postures/distance_row.h"
+#include "handway/geometric/io/resources.h"
+#include "model/document/recorded_hand.h"
+
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QMenu>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <QVariant>
+
+#include <utility>
+
+namespace handway::gui {
+
+LikenessMeter::LikenessMeter(RecordedHand& recorded, QWidget* parent)
+    : QWidget(parent),
+      recorded_(recorded),
+      to_subspace_(new DistanceRow(tr("To the PMD subspace"))),
+      to_recorded_(new DistanceRow(tr("To recorded postures"))),
+      note_(new QLabel),
+      take_(new QPushButton(tr("Take the nearest"))),
+      choose_(new QPushButton(tr("Postures"))) {
+  auto* heading = new QLabel(tr("Human-likeness"));
+  heading->setProperty("role", "heading");
+  heading->setToolTip(tr("Distances in normalised joints; 0 is as human as can be"));
+  to_subspace_->setObjectName(QStringLiteral("likeness_subspace"));
+  to_subspace_->setToolTip(
+      tr("How far the hand is from the postures that its free joints and principal motion "
+         "directions span, in normalised joints"));
+  to_recorded_->setObjectName(QStringLiteral("likeness_recorded"));
+  to_recorded_->setToolTip(
+      tr("How far the hand is from the nearest posture that was recorded of a person, in "
+         "normalised joints; the basis' free joints don't count"));
+  note_->setObjectName(QStringLiteral("likeness_note"));
+  note_->setWordWrap(true);
+  note_->setProperty("role", "note");
+  take_->setObjectName(QStringLiteral("likeness_take"));
+  take_->setToolTip(tr("Move the hand to the recorded posture that is nearest"));
+  choose_->setObjectName(QStringLiteral("likeness_choose"));
+  choose_->setToolTip(tr("Compare with other postures, as handway pca --postures writes them"));
+  auto* buttons = new QHBoxLayout;
+  buttons->setSpacing(8);
+  buttons->addWidget(take_);
+  buttons->addWidget(choose_);
+  buttons->addStretch();
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(5);
+  layout->addWidget(heading);
+  layout->addWidget(to_subspace_);
+  layout->addWidget(to_recorded_);
+  layout->addWidget(note_);
+  layout->addLayout(buttons);
+  connect(&recorded_, &RecordedHand::changed, this, &LikenessMeter::compare);
+  choose_->setMenu(make_choices());
+  connect(take_, &QPushButton::clicked, this, [this] {
+    if (const auto nearest = likeness_ ? likeness_->nearest_recorded(q_) : std::nullopt) {
+      emit configuration_edited(*nearest);
+    }
+  });
+  hide();
+}
+
+void LikenessMeter::set_hand(std::shared_ptr<const geometric::RobotModel> model,
+                             std::shared_ptr<const sampling::PmdBasis> basis,
+                             const std::vector<int>& hand) {
+  likeness_.reset();
+  model_ = std::move(model);
+  basis_ = std::move(basis);
+  hand_ = hand;
+  q_ = model_ ? model_->neutral() : geometric::Configuration();
+  setVisible(basis_ != nullptr);
+  compare();
+}
+
+void LikenessMeter::set_configuration(const geometric::Configuration& q) {
+  q_ = q;
+  show_distances();
+}
+
+void LikenessMeter::compare() {
+  likeness_.reset();
+  if (!basis_) {
+    return;
+  }
+  // What is read may still be of the hand before.
+  const auto postures = recorded_.basis() == basis_ ? recorded_.postures() : nullptr;
+  likeness_.emplace(*model_, hand_, *basis_, postures);
+  take_->setEnabled(postures != nullptr);
+  note_->setText(note());
+  show_distances();
+}
+
+void LikenessMeter::show_distances() {
+  if (!likeness_) {
+    return;
+  }
+  const planning::HandLikeness here = likeness_->at(q_);
+  to_subspace_->show_distance(
+      here.to_subspace, recorded_.postures()
+                            ? std::optional(recorded_.postures()->usual_distance_to_subspace())
+                            : std::nullopt);
+  to_recorded_->show_distance(here.to_recorded);
+}
+
+QString LikenessMeter::note() const {
+  switch (recorded_.state()) {
+    case RecordedHand::State::kNone:
+      return tr("The basis keeps no recorded postures: choose some to compare with.");
+    case RecordedHand::State::kReading:
+      return tr("Reading the recorded postures…");
+    case RecordedHand::State::kFailed:
+      return tr("The recorded postures can't be read: %1").arg(recorded_.fault());
+    case RecordedHand::State::kReady:
+      break;
+  }
+  const sampling::RecordedPostures& postures = *recorded_.postures();
+  return tr("%1 recorded postures; 19 of 20 are no farther from the subspace than %2 (mark).")
+      .arg(QLocale().toString(static_cast<qlonglong>(postures.count())))
+      .arg(postures.usual_distance_to_subspace(), 0, 'f', 2);
+}
+
+QMenu* LikenessMeter::make_choices() {
+  auto* menu = new QMenu(this);
+  const QDir shipped(QString::fromStdString((geometric::resource_dir() / "bases").string()));
+  for (const QFileInfo& file : shipped.entryInfoList({QStringLiteral("*_postures.csv")})) {
+    menu->addAction(file.completeBaseName().remove(QStringLiteral("_postures")), this,
+                    [this, file] { recorded_.choose(file.filePath().toStdString()); });
+  }
+  menu->addSeparator();
+  menu->addAction(tr("From a file…"), this, &LikenessMeter::ask_for_file);
+  return menu;
+}
+
+void LikenessMeter::ask_for_file() {
+  const QString file = QFileDialog::getOpenFileName(window(), tr("Compare with recorded postures"),
+                                                    {}, tr("Postures (*.csv)"));
+  if (!file.isEmpty()) {
+    recorded_.choose(file.toStdString());
+  }
+}
+
+}  // namespace handway::gui

@@ -1,0 +1,185 @@
+#include "features/runs/runs_panel.h"
+
+#include "widgets/panels/result_text.h"
+#include "widgets/panels/run_view.h"
+
+#include <QHBoxLayout>
+#include <QItemSelectionModel>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QSortFilterProxyModel>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace handway::gui {
+namespace {
+
+QString settings_text(const PlanRun& run) {
+  QStringList texts;
+  for (const auto& [key, value] : run.planner.settings) {
+    texts << QString::fromStdString(key + " = " + value);
+  }
+  return texts.isEmpty() ? QObject::tr("the planner's own values")
+                         : texts.join(QStringLiteral(", "));
+}
+
+RunRow as_row(const PathRecord& record, bool stands_out) {
+  const PlanRun& run = *record.run;
+  RunRow row;
+  row.number = run.number;
+  row.planner = QString::fromStdString(run.planner.name);
+  row.preset = run.preset;
+  row.seed = run.request.seed;
+  row.time_s = run.result.time_s;
+  row.outcome = status_text(run.result.status);
+  row.samples = run.result.statistics.samples;
+  if (run.result.solved()) {
+    row.nodes = run.result.path.waypoints.size();
+    row.clearance = run.result.certificate.min_clearance_mm;
+    row.length = length_of(*record.scene->robots.front().model, run.result.path);
+  }
+  if (record.figures) {
+    row.duration = record.figures->duration;
+    const auto& hand =
+        record.figures->to_recorded ? record.figures->to_recorded : record.figures->to_subspace;
+    row.hand_distance = hand ? std::optional(hand->mean) : std::nullopt;
+  }
+  row.tip = QObject::tr("<p><b>Run %1</b> (%2): %3</p>%4")
+                .arg(run.number)
+                .arg(run.begun.toString(QStringLiteral("HH:mm:ss")),
+                     settings_text(run).toHtmlEscaped(), result_text(run.result));
+  row.stands_out = stands_out;
+  return row;
+}
+
+}  // namespace
+
+RunsPanel::RunsPanel(PathHistory& history, QWidget* parent)
+    : QWidget(parent),
+      history_(history),
+      table_(new RunTable(this)),
+      sorted_(new QSortFilterProxyModel(this)),
+      view_(nullptr),
+      state_(new QLabel),
+      restore_(new QPushButton(tr("Restore"))),
+      compare_(new QPushButton(tr("Compare…"))) {
+  sorted_->setSourceModel(table_);
+  view_ = new RunView(*sorted_,
+                      {RunTable::kNumber, RunTable::kPlanner, RunTable::kPreset, RunTable::kSeed,
+                       RunTable::kTime, RunTable::kOutcome, RunTable::kLength, RunTable::kDuration,
+                       RunTable::kClearance, RunTable::kHandDistance});
+  view_->setObjectName(QStringLiteral("runs_table"));
+  view_->sortByColumn(RunTable::kNumber, Qt::DescendingOrder);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(12, 8, 12, 8);
+  layout->setSpacing(8);
+  layout->addWidget(make_actions());
+  layout->addWidget(view_, 1);
+  connect(&history_, &PathHistory::changed, this, &RunsPanel::refresh);
+  connect(view_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
+          &RunsPanel::show_actions);
+  connect(view_, &QTableView::doubleClicked, this, &RunsPanel::restore);
+  refresh();
+}
+
+QWidget* RunsPanel::make_actions() {
+  state_->setObjectName(QStringLiteral("runs_state"));
+  state_->setProperty("role", "note");
+  state_->setWordWrap(true);
+  restore_->setObjectName(QStringLiteral("runs_restore"));
+  restore_->setToolTip(
+      tr("Put back the run's planner, parameters, seed, scene, start and goal, and "
+         "show its path. Undo takes the scene back."));
+  compare_->setObjectName(QStringLiteral("runs_compare"));
+  compare_->setToolTip(tr("Compare two paths side by side"));
+  connect(restore_, &QPushButton::clicked, this, &RunsPanel::restore);
+  connect(compare_, &QPushButton::clicked, this, &RunsPanel::compare_requested);
+  auto* actions = new QWidget;
+  auto* layout = new QHBoxLayout(actions);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(8);
+  layout->addWidget(state_, 1);
+  layout->addWidget(restore_);
+  layout->addWidget(compare_);
+  return actions;
+}
+
+void RunsPanel::begin_anew() {
+  of_other_scenes_.clear();
+  for (const PathRecord& record : history_.records()) {
+    if (record.run) {
+      of_other_scenes_.push_back(record.run);
+    }
+  }
+  refresh();
+}
+
+void RunsPanel::mark(const std::shared_ptr<const PlanRun>& run) {
+  if (marked_ != run) {
+    marked_ = run;
+    refresh();
+  }
+}
+
+void RunsPanel::set_running(bool running) {
+  running_ = running;
+  show_actions();
+}
+
+void RunsPanel::refresh() {
+  const PathRecord* before = chosen();
+  const std::shared_ptr<const PlanRun> kept = before ? before->run : nullptr;
+  records_.clear();
+  std::vector<RunRow> rows;
+  for (const PathRecord& record : history_.records()) {
+    if (record.run && std::ranges::count(of_other_scenes_, record.run) == 0) {
+      records_.push_back(record);
+      rows.push_back(as_row(record, record.run == marked_));
+    }
+  }
+  table_->set_rows(std::move(rows));
+  if (const QModelIndex row = row_of(kept); row.isValid()) {
+    view_->selectRow(row.row());
+  }
+  if (const QModelIndex row = row_of(marked_); row.isValid()) {
+    view_->scrollTo(row);
+  }
+  const auto solved = std::ranges::count_if(records_, &PathRecord::is_solved);
+  state_->setText(
+      records_.empty()
+          ? tr("Every run is kept here, to compare it with others and to put it back.")
+          : tr("%1, %2 with a path. A double click puts a run back.")
+                .arg(records_.size() == 1 ? tr("1 run") : tr("%1 runs").arg(records_.size()))
+                .arg(solved));
+  show_actions();
+}
+
+QModelIndex RunsPanel::row_of(const std::shared_ptr<const PlanRun>& run) const {
+  const auto place = std::ranges::find(records_, run, &PathRecord::run);
+  return run && place != records_.end()
+             ? sorted_->mapFromSource(table_->index(static_cast<int>(place - records_.begin()), 0))
+             : QModelIndex();
+}
+
+void RunsPanel::show_actions() {
+  restore_->setEnabled(!running_ && chosen());
+  compare_->setEnabled(std::ranges::count_if(records_, &PathRecord::has_figures) > 1);
+}
+
+const PathRecord* RunsPanel::chosen() const {
+  const QModelIndexList rows = view_->selectionModel()->selectedRows();
+  return rows.isEmpty()
+             ? nullptr
+             : &records_[static_cast<std::size_t>(sorted_->mapToSource(rows.front()).row())];
+}
+
+void RunsPanel::restore() {
+  if (const PathRecord* record = chosen(); record && !running_) {
+    const PathRecord copy = *record;  // what is listed changes with it
+    emit restore_requested(copy);
+  }
+}
+
+}  // namespace handway::gui

@@ -1,0 +1,301 @@
+#include "features/tracker/wrist_page.h"
+
+#include "features/tracker/follow_form.h"
+#include "handway/geometric/math/units.h"
+#include "widgets/panels/link_status.h"
+#include "widgets/style/glove_colors.h"
+#include "widgets/style/role.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QStyle>
+#include <QVBoxLayout>
+#include <QVariant>
+
+#include <algorithm>
+#include <exception>
+
+namespace handway::gui {
+namespace {
+
+using device::FollowState;
+using device::FollowStep;
+using device::StreamState;
+
+constexpr int kRefreshMs = 100;
+constexpr int kMargin = 12;
+constexpr double kLongestStep = 0.1;  // s
+
+bool is_live(StreamState state) {
+  return state != StreamState::kStopped && state != StreamState::kFailed;
+}
+
+QString place_text(const Eigen::Vector3d& p) {
+  return QStringLiteral("%1  %2  %3 mm")
+      .arg(geometric::millimetres(p.x()), 0, 'f', 0)
+      .arg(geometric::millimetres(p.y()), 0, 'f', 0)
+      .arg(geometric::millimetres(p.z()), 0, 'f', 0);
+}
+
+QString follow_text(const FollowStep& step) {
+  switch (step.state) {
+    case FollowState::kFollowing:
+      return step.at_workspace_edge ? QObject::tr("At the edge of the workspace")
+                                    : QObject::tr("The arm follows");
+    case FollowState::kSlowed:
+      return QObject::tr("On its way, as fast as the joints may");
+    case FollowState::kOutOfReach:
+      return QObject::tr("Out of reach: %1").arg(QString::fromStdString(step.reason));
+    case FollowState::kBranchEnd:
+      return QObject::tr("The arm can't go on this way: bring the hand back");
+    case FollowState::kReleased:
+      break;
+  }
+  return QObject::tr("The arm stands");
+}
+
+QColor follow_color(const FollowStep& step) {
+  const ThemeColors colors = colors_of(current_theme());
+  switch (step.state) {
+    case FollowState::kFollowing:
+      return step.at_workspace_edge ? attention_color() : colors.good;
+    case FollowState::kSlowed:
+      return attention_color();
+    case FollowState::kOutOfReach:
+    case FollowState::kBranchEnd:
+      return colors.bad;
+    case FollowState::kReleased:
+      break;
+  }
+  return colors.muted;
+}
+
+}  // namespace
+
+WristPage::WristPage(QWidget* parent)
+    : QWidget(parent),
+      protocol_(new QComboBox),
+      address_(new QLineEdit),
+      connect_(new QPushButton),
+      status_(new LinkStatus(QStringLiteral("tracker"))),
+      clutch_(new QPushButton),
+      follow_(new QLabel),
+      wrist_(new QLabel),
+      form_(new FollowForm) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(kMargin, 12, kMargin, 10);
+  layout->setSpacing(10);
+  layout->addWidget(build_device());
+  layout->addWidget(build_clutch());
+  layout->addWidget(form_);
+  layout->addStretch();
+  connect(&session_, &TrackerSession::state_changed, this, &WristPage::show_state);
+  connect(&session_, &TrackerSession::sampled, this, &WristPage::show_samples);
+  connect(&leader_, &ArmLeader::wanted, this, &WristPage::posture_wanted);
+  connect(&leader_, &ArmLeader::clutch_changed, this, &WristPage::show_clutch);
+  connect(&leader_, &ArmLeader::followed, this, [this](const FollowStep& step) { step_ = step; });
+  connect(form_, &FollowForm::settings_edited, this, &WristPage::apply_settings);
+  ticker_.setInterval(kRefreshMs);
+  connect(&ticker_, &QTimer::timeout, this, &WristPage::refresh);
+  apply_settings();
+  show_state(StreamState::kStopped, {});
+  show_clutch(false);
+}
+
+WristPage::~WristPage() {
+  session_.blockSignals(true);
+  leader_.blockSignals(true);
+}
+
+QWidget* WristPage::build_device() {
+  protocol_->setObjectName(QStringLiteral("tracker_protocol"));
+  protocol_->addItem(tr("Emulator"), QStringLiteral("emulator"));
+  protocol_->addItem(tr("Polhemus Fastrak"), QStringLiteral("fastrak"));
+  protocol_->addItem(tr("Polhemus Liberty"), QStringLiteral("liberty"));
+  protocol_->addItem(tr("Datagrams (UDP)"), QStringLiteral("udp"));
+  address_->setObjectName(QStringLiteral("tracker_address"));
+  connect_->setObjectName(QStringLiteral("tracker_connect"));
+  const auto show_address = [this] {
+    const QString protocol = protocol_->currentData().toString();
+    address_->setVisible(protocol != QLatin1String("emulator"));
+    address_->setPlaceholderText(protocol == QLatin1String("udp")
+                                     ? tr("5005 or 0.0.0.0:5005")
+                                     : tr("/dev/ttyUSB0 or host:port"));
+  };
+  connect(protocol_, qOverload<int>(&QComboBox::currentIndexChanged), this, show_address);
+  connect(connect_, &QPushButton::clicked, this, &WristPage::toggle_connection);
+  connect(address_, &QLineEdit::returnPressed, this, &WristPage::toggle_connection);
+  show_address();
+  auto* part = new QWidget;
+  auto* layout = new QVBoxLayout(part);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(8);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(8);
+  row->addWidget(protocol_, 1);
+  row->addWidget(connect_);
+  layout->addLayout(row);
+  layout->addWidget(address_);
+  layout->addWidget(status_);
+  return part;
+}
+
+QWidget* WristPage::build_clutch() {
+  clutch_->setObjectName(QStringLiteral("tracker_clutch"));
+  clutch_->setCheckable(true);
+  clutch_->setShortcut(QKeySequence(QStringLiteral("Ctrl+K")));
+  clutch_->setToolTip(
+      tr("While the arm is led, its tool moves as the wrist does, from where both are now. "
+         "Release it to bring the hand back to where it is comfortable (Ctrl+K)"));
+  follow_->setObjectName(QStringLiteral("tracker_follow"));
+  follow_->setTextFormat(Qt::RichText);
+  follow_->setWordWrap(true);
+  wrist_->setObjectName(QStringLiteral("tracker_wrist"));
+  wrist_->setProperty("role", "note");
+  connect(clutch_, &QPushButton::clicked, &leader_, &ArmLeader::set_clutch);
+  auto* part = new QWidget;
+  auto* layout = new QVBoxLayout(part);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(6);
+  layout->addWidget(clutch_);
+  layout->addWidget(follow_);
+  layout->addWidget(wrist_);
+  return part;
+}
+
+void WristPage::set_robot(const std::shared_ptr<const geometric::RobotModel>& model,
+                          const std::vector<int>& arm) {
+  leader_.set_robot(model, arm, model ? model->neutral() : geometric::Configuration());
+  refresh();
+}
+
+void WristPage::set_configuration(const geometric::Configuration& q) {
+  leader_.set_configuration(q);
+  if (!leader_.is_clutch_closed() && isVisible()) {
+    if (const auto p_BF = leader_.tool_position()) {
+      form_->centre_box(*p_BF);
+    }
+  }
+}
+
+void WristPage::toggle_connection() {
+  if (session_.link().is_running() && is_live(session_.link().state())) {
+    session_.disconnect_tracker();
+    return;
+  }
+  first_time_ = last_time_ = -1.0;
+  const QString protocol = protocol_->currentData().toString();
+  session_.connect_to(protocol == QLatin1String("emulator")
+                          ? protocol
+                          : protocol + QLatin1Char(':') + address_->text());
+}
+
+void WristPage::connect_to(const QString& device) {
+  if (device.isEmpty()) {
+    return;
+  }
+  session_.disconnect_tracker();
+  const QString protocol = device.section(QLatin1Char(':'), 0, 0).toLower();
+  protocol_->setCurrentIndex(std::max(protocol_->findData(protocol), 0));
+  address_->setText(device.mid(protocol.size() + 1));
+  first_time_ = last_time_ = -1.0;
+  session_.connect_to(device);
+  leader_.set_clutch(true);
+}
+
+double WristPage::listening_time() const { return last_time_ - first_time_; }
+
+void WristPage::apply_settings() {
+  const device::ToolFollowerSettings settings = form_->settings();
+  try {
+    check_workspace(settings.workspace);
+    leader_.set_settings(settings);
+    complaint_.clear();
+  } catch (const std::exception& error) {
+    complaint_ = QString::fromUtf8(error.what());
+  }
+  refresh();
+}
+
+void WristPage::show_state(StreamState state, const QString& error) {
+  const bool live = is_live(state);
+  connect_->setText(live ? tr("Disconnect") : tr("Connect"));
+  set_role(*connect_, live ? QString() : QStringLiteral("primary"));
+  protocol_->setEnabled(!live);
+  address_->setEnabled(!live);
+  const device::TrackerInfo info = session_.link().info();
+  status_->show_state(state, QString::fromStdString(info.model),
+                      QString::fromStdString(info.device), error);
+  if (state != StreamState::kStreaming) {
+    sample_.reset();
+    emit released();
+  }
+  if (live) {
+    ticker_.start();
+  } else {
+    ticker_.stop();
+    leader_.set_clutch(false);
+    status_->clear_statistics();
+  }
+  refresh();
+}
+
+void WristPage::show_samples(const std::vector<device::TrackerSample>& samples) {
+  first_time_ = first_time_ < 0.0 ? samples.front().time : first_time_;
+  last_time_ = samples.back().time;
+  const int sensor = form_->sensor().value_or(sample_ ? sample_->sensor : samples.front().sensor);
+  const auto latest =
+      std::find_if(samples.rbegin(), samples.rend(),
+                   [&](const device::TrackerSample& sample) { return sample.sensor == sensor; });
+  for (const device::TrackerSample& sample : samples) {
+    // A window that was busy goes through what it missed in steps that the arm can follow.
+    const bool last = latest != samples.rend() && &sample == &*latest;
+    if (sample.sensor != sensor ||
+        (!last && sample_ && sample.time < sample_->time + kLongestStep)) {
+      continue;
+    }
+    sample_ = sample;
+    if (form_->button_closes() && sample.button) {
+      leader_.set_clutch(*sample.button);
+    }
+    leader_.take(sample);
+  }
+}
+
+void WristPage::show_clutch(bool closed) {
+  clutch_->setChecked(closed);
+  clutch_->setText(closed ? tr("Release the arm") : tr("Lead the arm"));
+  if (!closed) {
+    step_.reset();
+    emit released();
+  }
+  refresh();
+}
+
+// Rarer than samples come: nobody reads figures 100 times a second.
+void WristPage::refresh() {
+  if (session_.link().state() == StreamState::kStreaming) {
+    status_->show_statistics(session_.link().statistics());
+  }
+  clutch_->setEnabled(leader_.problem().isEmpty() && is_live(session_.link().state()));
+  const QString problem = complaint_.isEmpty() ? leader_.problem() : complaint_;
+  const FollowStep step = step_.value_or(FollowStep{});
+  const QColor color = problem.isEmpty() ? follow_color(step) : colors_of(current_theme()).bad;
+  follow_->setText(
+      QStringLiteral("<span style=\"color:%1\">●</span>&nbsp; %2")
+          .arg(html(color), (problem.isEmpty() ? follow_text(step) : problem).toHtmlEscaped()));
+  QStringList places;
+  if (sample_) {
+    places << tr("Wrist  %1").arg(place_text(sample_->X_ST.translation()));
+  }
+  if (step_) {
+    places << tr("Tool  %1").arg(place_text(step_->X_BF.translation()));
+  }
+  wrist_->setText(places.join(QStringLiteral("      ")));
+  wrist_->setVisible(!places.isEmpty());
+}
+
+}  // namespace handway::gui

@@ -1,0 +1,60 @@
+#pragma once
+
+#include "handway/geometric/robot/robot_description.h"
+#include "model/devices/step_checker.h"
+
+#include <QObject>
+#include <QString>
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace handway::gui {
+
+/// Through whose hands all postures go by which devices lead the robot. It merges them, and lets
+/// through what its rule says: all of it, or only what is free.
+class ContactGuard : public QObject {
+  Q_OBJECT
+
+ public:
+  /// A device, by the part of the robot that it leads.
+  enum class Leader { kHand, kArm };
+
+  explicit ContactGuard(QObject* parent = nullptr);
+
+  /// @param model null: no robot.
+  /// @param groups variables that go together, such as arm and fingers.
+  /// @param problem null: nothing to collide with.
+  void set_robot(std::shared_ptr<const geometric::RobotModel> model,
+                 std::vector<std::vector<int>> groups,
+                 std::shared_ptr<const PreparedProblem> problem);
+  void set_rule(ContactRule rule);
+  [[nodiscard]] ContactRule rule() const { return rule_; }
+  /// Where the robot is. @param q shape [variable_count].
+  void set_configuration(const geometric::Configuration& q) { q_ = q; }
+
+  /// The leader wants its joints there, until it wants something else or withdraws.
+  void propose(Leader leader, const geometric::NamedPosture& posture);
+  void withdraw(Leader leader);
+
+ signals:
+  void passed(const handway::geometric::NamedPosture& posture);
+  /// The robot is kept from where it is led, by what; empty: it follows again.
+  void held(const QString& contact);
+
+ private:
+  void take(const StepReport& report);
+  void tell(const QString& contact);
+  [[nodiscard]] geometric::NamedPosture wanted() const;
+
+  StepChecker checker_;
+  std::shared_ptr<const geometric::RobotModel> model_;
+  bool has_problem_ = false;
+  ContactRule rule_ = ContactRule::kPass;
+  geometric::Configuration q_;
+  std::array<geometric::NamedPosture, 2> wanted_;  ///< By Leader.
+  bool holds_ = false;
+};
+
+}  // namespace handway::gui

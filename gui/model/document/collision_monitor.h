@@ -1,0 +1,65 @@
+#pragma once
+
+#include "handway/geometric/collision/closest_points.h"
+#include "handway/geometric/collision/collision_checker.h"
+#include "model/document/prepared_problem.h"
+
+#include <QObject>
+
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace handway::gui {
+
+/// What touches what in one configuration, and which constraints it violates.
+struct CollisionReport {
+  std::vector<geometric::NamedPair> collisions;
+  std::vector<std::string> violated;  ///< As violated_constraints() says.
+  /// The closest pair of a free configuration; nothing if all are farther apart
+  /// than CollisionMonitor::kNear.
+  std::optional<geometric::NamedPair> closest;
+  std::optional<geometric::ClosestPoints> points;  ///< Of that pair.
+};
+
+/// Checks the posture on screen on a thread of its own. Only the latest posture
+/// counts: those that come faster than they can be checked are skipped.
+class CollisionMonitor : public QObject {
+  Q_OBJECT
+
+ public:
+  static constexpr double kNear = 0.10;  ///< m
+
+  explicit CollisionMonitor(QObject* parent = nullptr);
+  ~CollisionMonitor() override;
+
+  /// Null: nothing to check.
+  void set_problem(std::shared_ptr<const PreparedProblem> problem);
+  /// @param q of the first robot, shape [variable_count].
+  void check(const geometric::Configuration& q);
+  /// True while an answer is still to come.
+  [[nodiscard]] bool is_busy() const { return answered_ != asked_; }
+
+ signals:
+  void checked(const handway::gui::CollisionReport& report);
+  void failed(const QString& message);
+
+ private:
+  void work(const std::stop_token& stop);
+
+  std::mutex mutex_;
+  std::condition_variable_any wake_;
+  std::shared_ptr<const PreparedProblem> problem_;
+  std::optional<geometric::Configuration> next_;
+  int next_ticket_ = 0;
+  int asked_ = 0;     ///< GUI thread only.
+  int answered_ = 0;  ///< GUI thread only.
+  std::jthread thread_;
+};
+
+}  // namespace handway::gui

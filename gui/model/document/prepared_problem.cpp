@@ -1,0 +1,86 @@
+#include "model/document/prepared_problem.h"
+
+#include "handway/geometric/collision/preparation.h"
+#include "model/document/problem_update.h"
+
+#include <chrono>
+#include <utility>
+
+namespace handway::gui {
+namespace {
+
+constexpr std::chrono::milliseconds kLookEvery(20);
+
+// With a start and a goal.
+std::shared_ptr<const geometric::Scene> with_query(std::shared_ptr<const geometric::Scene> scene) {
+  if ((scene->start && scene->goal) || scene->robots.empty()) {
+    return scene;
+  }
+  auto complete = std::make_shared<geometric::Scene>(*scene);
+  for (auto* end : {&complete->start, &complete->goal}) {
+    if (!*end) {
+      *end = complete->robots.front().configuration;
+    }
+  }
+  return complete;
+}
+
+}  // namespace
+
+PreparedProblem::PreparedProblem(planning::LoadedScene loaded, const planning::Revision& revision,
+                                 PreparationQueue& queue, const PreparedProblem* before)
+    : revision_(revision) {
+  if (before) {
+    known_ = before->if_ready();
+    known_ = known_ ? known_ : before->known_;
+  }
+  auto promise = std::make_shared<std::promise<Problem>>();
+  problem_ = promise->get_future().share();
+  // What an edit makes is likely to be edited again: not worth the room on the disk.
+  const geometric::Preparation preparation{wanted_.get_token(), before == nullptr};
+  queue.run(wanted_, [promise = std::move(promise), loaded = std::move(loaded), known = known_,
+                      preparation] {
+    try {
+      const planning::LoadedScene complete{with_query(loaded.scene), loaded.basis};
+      promise->set_value(std::make_shared<const planning::PlanningProblem>(
+          known ? updated_problem(*known, complete, preparation)
+                : planning::make_problem(complete.scene, complete.basis, preparation)));
+    } catch (...) {
+      promise->set_exception(std::current_exception());
+    }
+  });
+}
+
+PreparedProblem::~PreparedProblem() { wanted_.request_stop(); }
+
+PreparedProblem::Problem PreparedProblem::wait(const std::stop_token& stop) const {
+  while (problem_.wait_for(kLookEvery) != std::future_status::ready) {
+    if (stop.stop_requested() || wanted_.stop_requested()) {
+      return nullptr;
+    }
+  }
+  return if_ended();
+}
+
+PreparedProblem::Problem PreparedProblem::if_ended() const {
+  try {
+    return problem_.get();
+  } catch (const geometric::PreparationStopped&) {
+    return nullptr;
+  } catch (const std::future_error&) {  // never begun
+    return nullptr;
+  }
+}
+
+PreparedProblem::Problem PreparedProblem::if_ready() const {
+  if (problem_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
+    return nullptr;
+  }
+  try {
+    return if_ended();
+  } catch (const std::exception&) {  // told to those who wait for it
+    return nullptr;
+  }
+}
+
+}  // namespace handway::gui

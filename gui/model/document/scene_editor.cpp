@@ -1,0 +1,412 @@
+#include "model/document/scene_editor.h"
+
+#include "handway/geometric/io/mesh_reader.h"
+#include "model/document/arrange.h"
+#include "model/document/resting.h"
+#include "model/document/scene_edits.h"
+
+#include <QElapsedTimer>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+namespace handway::gui {
+
+using geometric::Pose;
+using geometric::SceneObject;
+using Kind = SceneItem::Kind;
+
+namespace {
+
+constexpr qint64 kOneGestureMs = 900;
+constexpr int kMergeable = 1;
+
+constexpr geometric::Color kMeshColor{0.62F, 0.66F, 0.71F, 1.0F};
+
+QString words(const std::string& name) { return QString::fromStdString(name); }
+
+}  // namespace
+
+/// From one state to another and back.
+class SceneEditor::Command : public QUndoCommand {
+ public:
+  Command(SceneEditor& editor, const QString& text, SceneState next, Selection select,
+          std::string merge_key)
+      : QUndoCommand(text),
+        editor_(editor),
+        before_(editor.state()),
+        after_(std::move(next)),
+        selected_before_(editor.selection_),
+        selected_after_(std::move(select)),
+        merge_key_(std::move(merge_key)) {
+    age_.start();
+  }
+
+  void undo() override {
+    editor_.document_.set_state(before_);
+    editor_.set_selection(selected_before_);
+  }
+  void redo() override {
+    editor_.document_.set_state(after_);
+    editor_.set_selection(selected_after_);
+  }
+  [[nodiscard]] int id() const override { return merge_key_.empty() ? -1 : kMergeable; }
+  bool mergeWith(const QUndoCommand* other) override {
+    const auto* later = dynamic_cast<const Command*>(other);
+    if (!later || later->merge_key_ != merge_key_ || age_.elapsed() > kOneGestureMs) {
+      return false;
+    }
+    after_ = later->after_;
+    selected_after_ = later->selected_after_;
+    age_.restart();
+    return true;
+  }
+
+ private:
+  SceneEditor& editor_;
+  SceneState before_;
+  SceneState after_;
+  Selection selected_before_;
+  Selection selected_after_;
+  std::string merge_key_;
+  QElapsedTimer age_;
+};
+
+SceneEditor::SceneEditor(Document& document, QObject* parent)
+    : QObject(parent), document_(document) {
+  connect(&document_, &Document::opened, this, [this] {
+    stack_.clear();
+    select({});
+  });
+}
+
+void SceneEditor::push(const QString& text, SceneState next, Selection select,
+                       const std::string& merge_key) {
+  stack_.push(new Command(*this, text, std::move(next), std::move(select), merge_key));
+}
+
+void SceneEditor::apply(const QString& text, SceneState next, std::vector<std::string> select) {
+  push(text, std::move(next), selection_of(std::move(select)));
+}
+
+QString SceneEditor::words_for(const std::vector<std::string>& objects) {
+  return objects.size() == 1 ? words(objects.front())
+                             : tr("%1 objects").arg(static_cast<int>(objects.size()));
+}
+
+void SceneEditor::set_selection(Selection selection) {
+  selection_ = still_there(state(), std::move(selection));
+  emit selection_changed(selection_.item);
+}
+
+void SceneEditor::select(const SceneItem& item) { set_selection(selection_of(item)); }
+
+void SceneEditor::select_objects(std::vector<std::string> names) {
+  set_selection(selection_of(std::move(names)));
+}
+
+void SceneEditor::click(const SceneItem& item, bool add) {
+  set_selection(add ? toggled(state(), selection_, item) : clicked(state(), selection_, item));
+}
+
+const SceneObject* SceneEditor::selected_object() const {
+  return selection_.item.kind == Kind::kObject ? state().find(selection_.item.name) : nullptr;
+}
+
+std::vector<std::string> SceneEditor::changeable() const {
+  std::vector<std::string> names = selection_.objects;
+  std::erase_if(names, [this](const std::string& name) {
+    const SceneObject* object = state().find(name);
+    return !object || object->locked;
+  });
+  return names;
+}
+
+std::optional<Pose> SceneEditor::selected_pose() const {
+  if (const std::vector<std::string> names = changeable(); has_several() && !names.empty()) {
+    return Pose(
+        Eigen::Translation3d(bounds(*state().scene, document_.configuration(), names).centre()));
+  }
+  if (const SceneObject* object = selected_object()) {
+    return object_pose(*state().scene, document_.configuration(), *object);
+  }
+  if (state().scene && selection().kind == Kind::kRobot) {
+    if (const auto* robot = geometric::find_robot(*state().scene, selection().robot)) {
+      return robot->X_WB;
+    }
+  }
+  if (const auto q = posture(selection())) {
+    const geometric::RobotInstance& robot = *document_.robot();
+    return link_pose(*state().scene, *q, robot.name, robot.model->link(document_.palm()).name);
+  }
+  return std::nullopt;
+}
+
+std::optional<geometric::Configuration> SceneEditor::posture(const SceneItem& item) const {
+  if (!document_.robot()) {
+    return std::nullopt;
+  }
+  switch (item.kind) {
+    case Kind::kPalm:
+      return document_.configuration();
+    case Kind::kStart:
+      return state().scene->start;
+    case Kind::kGoal:
+      return state().scene->goal;
+    default:
+      return std::nullopt;
+  }
+}
+
+void SceneEditor::add(const std::string& name, const geometric::Shape& shape,
+                      const geometric::Color& color, const Eigen::Vector3d& foot) {
+  if (!state().scene) {
+    return;
+  }
+  SceneObject object;
+  object.name = unused_name(*state().scene, name);
+  object.shape = shape;
+  object.color = color;
+  const geometric::Aabb box = geometric::bounding_box(*geometric::tessellate(shape));
+  const Eigen::Vector3d underside(box.centre().x(), box.centre().y(), box.lower.z());
+  object.X_PO.translation() = foot - underside;
+  const std::string unused = object.name;
+  apply(tr("Add %1").arg(words(unused)), with_object(state(), std::move(object)), {unused});
+}
+
+void SceneEditor::add_mesh(const std::filesystem::path& file, const Eigen::Vector3d& foot) {
+  geometric::Mesh mesh;
+  mesh.file = std::filesystem::absolute(file);
+  mesh.triangles = geometric::read_mesh(mesh.file);
+  add(file.stem().string(), mesh, kMeshColor, foot);
+}
+
+std::string SceneEditor::constrained_body() const {
+  const geometric::RobotInstance* robot = document_.robot();
+  if (!robot || has_several()) {
+    return {};
+  }
+  const SceneItem& item = selection();
+  const SceneObject* object = selected_object();  // null while it is being renamed
+  switch (item.kind) {
+    case Kind::kObject:
+      return object && is_carried_by(*object, *robot) ? item.name : std::string();
+    case Kind::kLink:
+      return item.robot == robot->name ? item.name : std::string();
+    case Kind::kPalm:
+      return robot->model->link(document_.palm()).name;
+    default:
+      return {};
+  }
+}
+
+void SceneEditor::set_constraint(const geometric::PathConstraint& constraint) {
+  const bool is_new = std::ranges::count(state().scene->constraints, constraint.name,
+                                         &geometric::PathConstraint::name) == 0;
+  push(tr("Constrain %1").arg(words(constraint.body)), with_constraint(state(), constraint),
+       selection_, is_new ? std::string() : "constraint " + constraint.name);
+}
+
+void SceneEditor::remove_constraint(const std::string& name) {
+  push(tr("Remove constraint %1").arg(words(name)), without_constraint(state(), name), selection_);
+}
+
+void SceneEditor::remove() {
+  if (const std::vector<std::string> names = changeable(); !names.empty()) {
+    apply(tr("Delete %1").arg(words_for(names)), without_objects(state(), names), {});
+  }
+}
+
+void SceneEditor::duplicate() {
+  const std::vector<std::string>& names = selection_.objects;
+  if (names.empty()) {
+    return;
+  }
+  constexpr double kRoom = 1.25;
+  Pose aside = Pose::Identity();
+  const geometric::Configuration& q = document_.configuration();
+  if (has_several()) {
+    aside.translation().y() = kRoom * bounds(*state().scene, q, names).size().y();
+  } else {
+    const SceneObject& object = *selected_object();
+    const geometric::Aabb box = geometric::bounding_box(*geometric::tessellate(object.shape));
+    aside.translation() = object_pose(*state().scene, q, object).linear() *
+                          Eigen::Vector3d(0.0, kRoom * box.size().y(), 0.0);
+  }
+  Copies copies = copied(state(), q, names, {aside});
+  apply(tr("Duplicate %1").arg(words_for(names)), std::move(copies.state), std::move(copies.names));
+}
+
+void SceneEditor::rename(const std::string& name) {
+  const std::string& old = selection().name;
+  if (!can_change() || has_several() || name.empty() || name == old) {
+    return;
+  }
+  const std::string unused = unused_name(*state().scene, name);
+  push(tr("Rename %1").arg(words(old)), with_renamed_object(state(), old, unused),
+       selection_of(object_item(unused)));
+}
+
+void SceneEditor::change_selected(const QString& text, const std::string& what,
+                                  const std::function<void(SceneObject&)>& change) {
+  const std::vector<std::string> names = changeable();
+  if (names.empty()) {
+    return;
+  }
+  std::string key = what;
+  for (const std::string& name : names) {
+    key += what.empty() ? "" : '\n' + name;
+  }
+  push(text.arg(words_for(names)), with_changed_objects(state(), names, change), selection_, key);
+}
+
+void SceneEditor::place(const Pose& X_WO) {
+  if (selection().is_posture()) {
+    emit palm_placed(selection(), X_WO);
+    return;
+  }
+  if (selection().kind == Kind::kRobot) {
+    push(tr("Move %1").arg(words(selection().robot)), with_base(state(), selection().robot, X_WO),
+         selection_, "base " + selection().robot);
+    return;
+  }
+  const std::optional<Pose> before = selected_pose();
+  const std::optional<SceneState> next = placed(X_WO);
+  if (next) {
+    const bool only_turned = X_WO.translation() == before->translation();
+    change_selected(only_turned ? tr("Turn %1") : tr("Move %1"), only_turned ? "turn" : "move",
+                    [&](SceneObject& changed) { changed.X_PO = next->find(changed.name)->X_PO; });
+  }
+}
+
+std::optional<SceneState> SceneEditor::placed(const Pose& X_WO) const {
+  const std::vector<std::string> names = changeable();
+  if (names.empty()) {
+    return std::nullopt;
+  }
+  const geometric::Configuration& q = document_.configuration();
+  if (has_several()) {
+    return moved(state(), q, names, X_WO * selected_pose()->inverse());
+  }
+  return with_changed_objects(state(), names, [&](SceneObject& changed) {
+    changed.X_PO = in_parent(*state().scene, q, changed, X_WO);
+  });
+}
+
+void SceneEditor::set_shape(const geometric::Shape& shape, const std::optional<Pose>& X_WO) {
+  if (!has_several()) {
+    change_selected(tr("Resize %1"), "size", [&](SceneObject& object) {
+      object.shape = shape;
+      if (X_WO) {
+        object.X_PO = in_parent(*state().scene, document_.configuration(), object, *X_WO);
+      }
+    });
+  }
+}
+
+void SceneEditor::set_color(const geometric::Color& color) {
+  change_selected(tr("Colour %1"), "color", [&](SceneObject& object) { object.color = color; });
+}
+
+void SceneEditor::drop() {
+  std::vector<std::string> names = changeable();
+  std::erase_if(names, [this](const std::string& name) {
+    return state().find(name)->attachment.has_value();
+  });
+  if (names.empty()) {
+    return;
+  }
+  const SceneState next = dropped(state(), document_.configuration(), names);
+  if (next != state()) {
+    push(tr("Drop %1").arg(words_for(names)), next, selection_);
+  }
+}
+
+void SceneEditor::set_hidden(const std::vector<std::string>& objects, bool hidden) {
+  if (std::ranges::any_of(objects, [&](const auto& o) { return state().is_hidden(o) != hidden; })) {
+    push((hidden ? tr("Hide %1") : tr("Show %1")).arg(words_for(objects)),
+         with_changed_objects(state(), objects, [&](SceneObject& o) { o.hidden = hidden; }),
+         selection_);
+  }
+}
+
+void SceneEditor::set_locked(const std::vector<std::string>& objects, bool locked) {
+  if (std::ranges::any_of(objects, [&](const auto& o) { return state().is_locked(o) != locked; })) {
+    push((locked ? tr("Lock %1") : tr("Unlock %1")).arg(words_for(objects)),
+         with_changed_objects(state(), objects, [&](SceneObject& o) { o.locked = locked; }),
+         selection_);
+  }
+}
+
+void SceneEditor::set_solid(const std::vector<std::string>& objects, bool solid) {
+  std::vector<std::string> changed;
+  std::ranges::copy_if(objects, std::back_inserter(changed), [&](const std::string& name) {
+    const SceneObject* object = state().find(name);
+    return object && !object->locked && object->solid != solid;
+  });
+  if (!changed.empty()) {
+    push((solid ? tr("Make %1 Solid") : tr("Make %1 Hollow")).arg(words_for(changed)),
+         with_changed_objects(state(), changed, [&](SceneObject& o) { o.solid = solid; }),
+         selection_);
+  }
+}
+
+void SceneEditor::attach(const std::string& robot, const std::string& link,
+                         const std::vector<std::string>& touching) {
+  const geometric::Configuration& q = document_.configuration();
+  const auto X_WL = can_change() ? link_pose(*state().scene, q, robot, link) : std::nullopt;
+  if (X_WL) {
+    // What stands on something could not be moved at all.
+    const double rise = rise_to_clear(state(), changeable());
+    const QString text = rise > 0.0
+                             ? tr("Attach %1, raised by %2 mm")
+                                   .arg(QStringLiteral("%1"), QString::number(1e3 * rise, 'f', 1))
+                             : tr("Attach %1");
+    change_selected(text, "", [&](SceneObject& changed) {
+      const Pose X_WO = object_pose(*state().scene, q, changed);
+      changed.X_PO = X_WL->inverse() * Eigen::Translation3d(0.0, 0.0, rise) * X_WO;
+      changed.attachment = geometric::Attachment{robot, link, touching};
+    });
+  }
+}
+
+void SceneEditor::detach() {
+  const bool any = std::ranges::any_of(changeable(), [this](const auto& name) {
+    return state().find(name)->attachment.has_value();
+  });
+  if (any) {
+    change_selected(tr("Detach %1"), "", [&](SceneObject& changed) {
+      changed.X_PO = object_pose(*state().scene, document_.configuration(), changed);
+      changed.attachment.reset();
+    });
+  }
+}
+
+void SceneEditor::set_start(const geometric::Configuration& q) {
+  if (document_.robot()) {
+    push(tr("Set start"), with_start(state(), q), selection_);
+  }
+}
+
+void SceneEditor::set_goal(const geometric::Configuration& q) {
+  if (document_.robot()) {
+    push(tr("Set goal"), with_goal(state(), q), selection_);
+  }
+}
+
+void SceneEditor::keep_posture(const geometric::NamedPosture& posture) {
+  if (document_.robot()) {
+    push(tr("Keep posture %1").arg(words(posture.name)), with_posture(state(), posture),
+         selection_);
+  }
+}
+
+void SceneEditor::forget_posture(const std::string& name) {
+  if (document_.robot()) {
+    push(tr("Forget posture %1").arg(words(name)), without_posture(state(), name), selection_);
+  }
+}
+
+}  // namespace handway::gui

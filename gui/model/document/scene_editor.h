@@ -1,0 +1,123 @@
+#pragma once
+
+#include "model/document/document.h"
+#include "model/document/scene_state.h"
+#include "model/document/selection.h"
+
+#include <QObject>
+#include <QString>
+#include <QUndoStack>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace handway::gui {
+
+/// Edits the document's scene, one named entry of the undo stack for each edit,
+/// and knows what is selected. Edits of several objects leave locked ones alone.
+class SceneEditor : public QObject {
+  Q_OBJECT
+
+ public:
+  /// @param document outlives the editor.
+  explicit SceneEditor(Document& document, QObject* parent = nullptr);
+
+  [[nodiscard]] QUndoStack& undo_stack() { return stack_; }
+  [[nodiscard]] const SceneState& state() const { return document_.state(); }
+  [[nodiscard]] const Document& document() const { return document_; }
+
+  /// What was selected last.
+  [[nodiscard]] const SceneItem& selection() const { return selection_.item; }
+  /// The objects that are selected; none if something else is.
+  [[nodiscard]] const std::vector<std::string>& selected_objects() const {
+    return selection_.objects;
+  }
+  [[nodiscard]] bool has_several() const { return selection_.objects.size() > 1; }
+  [[nodiscard]] const Selection& whole_selection() const { return selection_; }
+  void select(const SceneItem& item);
+  void select_objects(std::vector<std::string> names);
+  /// A click in the view. @param add with Ctrl or Shift.
+  void click(const SceneItem& item, bool add);
+  /// The object that was selected last; nullptr if something else is selected.
+  [[nodiscard]] const geometric::SceneObject* selected_object() const;
+  /// The selected objects that are not locked.
+  [[nodiscard]] std::vector<std::string> changeable() const;
+  [[nodiscard]] bool can_change() const { return !changeable().empty(); }
+  /// Of the selected object or robot, or the palm of the selected posture, in the world. Several
+  /// objects: the middle of the box around those that can be changed, along the world's axes.
+  [[nodiscard]] std::optional<geometric::Pose> selected_pose() const;
+
+  /// Adds an object and selects it. @param foot where the middle of its underside goes (world).
+  void add(const std::string& name, const geometric::Shape& shape, const geometric::Color& color,
+           const Eigen::Vector3d& foot);
+  /// @throws InputError if the mesh can't be read.
+  void add_mesh(const std::filesystem::path& file, const Eigen::Vector3d& foot);
+
+  /// What a constraint of the selection is about: a carried object, a link of the first robot, the
+  /// palm of the robot as shown. Empty: nothing.
+  [[nodiscard]] std::string constrained_body() const;
+  /// Adds a constraint, or changes the one of that name.
+  void set_constraint(const geometric::PathConstraint& constraint);
+  void remove_constraint(const std::string& name);
+
+  // Edits of what is selected.
+  void remove();
+  void duplicate();
+  void rename(const std::string& name);
+  /// Moves objects or a robot so that selected_pose() becomes `X_WO`; of a posture it
+  /// tells palm_placed().
+  void place(const geometric::Pose& X_WO);
+  /// What place() would make of objects; nothing for anything else.
+  [[nodiscard]] std::optional<SceneState> placed(const geometric::Pose& X_WO) const;
+  /// @param X_WO where the resized object goes.
+  void set_shape(const geometric::Shape& shape, const std::optional<geometric::Pose>& X_WO = {});
+  void set_color(const geometric::Color& color);
+  /// Lowers (or lifts) the objects until they stand kRestingGap above what is below, or on the
+  /// floor.
+  void drop();
+  void set_hidden(const std::vector<std::string>& objects, bool hidden);
+  void set_locked(const std::vector<std::string>& objects, bool locked);
+  /// Whether closed shapes are filled; locked objects stay as they are.
+  void set_solid(const std::vector<std::string>& objects, bool solid);
+  /// Fixes the objects to a link, where all are now; raised by a little if one of them stands on
+  /// something, see rise_to_clear(). @param touching links that may touch them.
+  void attach(const std::string& robot, const std::string& link,
+              const std::vector<std::string>& touching);
+  void detach();
+  /// Any other edit. @param select afterwards.
+  void apply(const QString& text, SceneState next, std::vector<std::string> select);
+  /// "can", or "3 objects".
+  [[nodiscard]] static QString words_for(const std::vector<std::string>& objects);
+
+  /// The configuration of a posture; nothing of anything else.
+  [[nodiscard]] std::optional<geometric::Configuration> posture(const SceneItem& item) const;
+  void set_start(const geometric::Configuration& q);
+  void set_goal(const geometric::Configuration& q);
+  /// Keeps a posture in the scene, in place of one of the same name.
+  void keep_posture(const geometric::NamedPosture& posture);
+  void forget_posture(const std::string& name);
+
+ signals:
+  void selection_changed(const handway::gui::SceneItem& item);
+  /// The palm of a posture is to go there.
+  void palm_placed(const handway::gui::SceneItem& item, const handway::geometric::Pose& X_WP);
+
+ private:
+  class Command;
+  /// @param merge_key edits with the same key that follow each other at once become one; empty:
+  /// never.
+  void push(const QString& text, SceneState next, Selection select,
+            const std::string& merge_key = {});
+  void set_selection(Selection selection);
+  /// @param text with a place for what is changed. @param what empty: each an edit of its own.
+  void change_selected(const QString& text, const std::string& what,
+                       const std::function<void(geometric::SceneObject&)>& change);
+
+  Document& document_;
+  QUndoStack stack_;
+  Selection selection_;
+};
+
+}  // namespace handway::gui

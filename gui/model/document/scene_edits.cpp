@@ -1,0 +1,271 @@
+#include "model/document/scene_edits.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace handway::gui {
+
+using geometric::Configuration;
+using geometric::Pose;
+using geometric::Scene;
+using geometric::SceneObject;
+
+namespace {
+
+// A constraint goes with the object that it is about, also where that is only detached.
+SceneState with_scene(const SceneState& state, Scene scene) {
+  if (!scene.constraints.empty()) {
+    const std::vector<std::string> bodies = constrainable_bodies(scene);
+    std::erase_if(scene.constraints, [&](const geometric::PathConstraint& constraint) {
+      return std::ranges::count(bodies, constraint.body) == 0;
+    });
+  }
+  SceneState next = state;
+  next.scene = std::make_shared<const Scene>(std::move(scene));
+  return next;
+}
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::ranges::find(names, name) != names.end();
+}
+
+bool is_name_used(const Scene& scene, const std::string& name) {
+  return geometric::find_object(scene, name) || geometric::find_robot(scene, name);
+}
+
+// `name`, or its stem with the first number from 2 on that is not used.
+template <typename IsUsed>
+std::string unlike_others(const std::string& name, const IsUsed& is_used) {
+  if (!is_used(name)) {
+    return name;
+  }
+  std::string stem = name;
+  const std::size_t space = name.find_last_of(' ');
+  if (space != std::string::npos && space + 1 < name.size() &&
+      std::all_of(name.begin() + static_cast<std::ptrdiff_t>(space) + 1, name.end(),
+                  [](char c) { return c >= '0' && c <= '9'; })) {
+    stem = name.substr(0, space);
+  }
+  int number = 2;
+  while (is_used(stem + " " + std::to_string(number))) {
+    ++number;
+  }
+  return stem + " " + std::to_string(number);
+}
+
+struct SameShape {
+  bool operator()(const geometric::Box& a, const geometric::Box& b) const {
+    return a.size == b.size;
+  }
+  bool operator()(const geometric::Sphere& a, const geometric::Sphere& b) const {
+    return a.radius == b.radius;
+  }
+  bool operator()(const geometric::Cylinder& a, const geometric::Cylinder& b) const {
+    return a.radius == b.radius && a.length == b.length;
+  }
+  bool operator()(const geometric::Cone& a, const geometric::Cone& b) const {
+    return a.radius == b.radius && a.length == b.length;
+  }
+  bool operator()(const geometric::Mesh& a, const geometric::Mesh& b) const {
+    return a.triangles == b.triangles && a.scale == b.scale;
+  }
+  template <typename A, typename B>
+  bool operator()(const A& /*a*/, const B& /*b*/) const {
+    return false;
+  }
+};
+
+}  // namespace
+
+std::string unused_name(const Scene& scene, const std::string& name) {
+  return unlike_others(name, [&](const std::string& word) { return is_name_used(scene, word); });
+}
+
+std::string unused_group(const Scene& scene, const std::string& group) {
+  return unlike_others(group, [&](const std::string& word) {
+    return std::ranges::find(scene.objects, word, &SceneObject::group) != scene.objects.end();
+  });
+}
+
+SceneState with_object(const SceneState& state, SceneObject object) {
+  Scene scene = *state.scene;
+  object.name = unused_name(scene, object.name);
+  scene.objects.push_back(std::move(object));
+  return with_scene(state, std::move(scene));
+}
+
+SceneState without_objects(const SceneState& state, const std::vector<std::string>& names) {
+  Scene scene = *state.scene;
+  std::erase_if(scene.objects,
+                [&](const SceneObject& object) { return contains(names, object.name); });
+  return with_scene(state, std::move(scene));
+}
+
+SceneState with_changed_object(const SceneState& state, std::string_view name,
+                               const ObjectChange& change) {
+  return with_changed_objects(state, {std::string(name)}, change);
+}
+
+SceneState with_changed_objects(const SceneState& state, const std::vector<std::string>& names,
+                                const ObjectChange& change) {
+  Scene scene = *state.scene;
+  for (SceneObject& object : scene.objects) {
+    if (contains(names, object.name)) {
+      change(object);
+    }
+  }
+  return with_scene(state, std::move(scene));
+}
+
+SceneState with_renamed_object(const SceneState& state, const std::string& name,
+                               const std::string& new_name) {
+  Scene scene = *state.scene;
+  for (SceneObject& object : scene.objects) {
+    if (object.name != name) {
+      continue;
+    }
+    object.name = new_name;
+    if (is_carried_by(object, scene.robots.front())) {  // if not, they are about a link
+      for (geometric::PathConstraint& constraint : scene.constraints) {
+        constraint.body = constraint.body == name ? new_name : constraint.body;
+      }
+    }
+  }
+  return with_scene(state, std::move(scene));
+}
+
+SceneState with_constraint(const SceneState& state, geometric::PathConstraint constraint) {
+  Scene scene = *state.scene;
+  const auto same =
+      std::ranges::find(scene.constraints, constraint.name, &geometric::PathConstraint::name);
+  if (same != scene.constraints.end()) {
+    *same = std::move(constraint);
+  } else {
+    scene.constraints.push_back(std::move(constraint));
+  }
+  return with_scene(state, std::move(scene));
+}
+
+SceneState without_constraint(const SceneState& state, std::string_view name) {
+  Scene scene = *state.scene;
+  std::erase_if(scene.constraints, [&](const geometric::PathConstraint& constraint) {
+    return constraint.name == name;
+  });
+  return with_scene(state, std::move(scene));
+}
+
+std::string unused_constraint_name(const Scene& scene, const std::string& name) {
+  return unlike_others(name, [&](const std::string& word) {
+    return std::ranges::count(scene.constraints, word, &geometric::PathConstraint::name) > 0;
+  });
+}
+
+SceneState with_base(const SceneState& state, std::string_view robot, const Pose& X_WB) {
+  Scene scene = *state.scene;
+  for (geometric::RobotInstance& instance : scene.robots) {
+    if (instance.name == robot) {
+      instance.X_WB = X_WB;
+    }
+  }
+  return with_scene(state, std::move(scene));
+}
+
+SceneState with_start(const SceneState& state, const Configuration& q) {
+  Scene scene = *state.scene;
+  scene.start = q;
+  return with_scene(state, std::move(scene));
+}
+
+SceneState with_goal(const SceneState& state, const Configuration& q) {
+  Scene scene = *state.scene;
+  scene.goal = q;
+  return with_scene(state, std::move(scene));
+}
+
+SceneState with_posture(const SceneState& state, const geometric::NamedPosture& posture) {
+  Scene scene = *state.scene;
+  const auto same = std::ranges::find(scene.postures, posture.name, &geometric::NamedPosture::name);
+  if (same != scene.postures.end()) {
+    *same = posture;
+  } else {
+    scene.postures.push_back(posture);
+  }
+  return with_scene(state, std::move(scene));
+}
+
+SceneState without_posture(const SceneState& state, std::string_view name) {
+  Scene scene = *state.scene;
+  std::erase_if(scene.postures,
+                [&](const geometric::NamedPosture& posture) { return posture.name == name; });
+  return with_scene(state, std::move(scene));
+}
+
+std::optional<Pose> link_pose(const Scene& scene, const Configuration& q, std::string_view robot,
+                              std::string_view link) {
+  const geometric::RobotInstance* instance = geometric::find_robot(scene, robot);
+  const auto index = instance ? instance->model->find_link(std::string(link)) : std::nullopt;
+  if (!index) {
+    return std::nullopt;
+  }
+  std::vector<Pose> X_BL(static_cast<std::size_t>(instance->model->link_count()));
+  const bool is_first = instance == &scene.robots.front();
+  instance->model->forward_kinematics(is_first ? q : instance->configuration, X_BL);
+  return instance->X_WB * X_BL[static_cast<std::size_t>(*index)];
+}
+
+std::optional<Pose> body_pose(const Scene& scene, const Configuration& q, std::string_view body) {
+  const SceneObject* object = geometric::find_object(scene, body);
+  if (object && is_carried_by(*object, scene.robots.front())) {
+    return object_pose(scene, q, *object);
+  }
+  return link_pose(scene, q, scene.robots.front().name, body);
+}
+
+geometric::PathConstraint new_upright(const Scene& scene, const Configuration& q,
+                                      const std::string& body) {
+  geometric::OrientationConstraint upright;
+  const Eigen::Vector3d up = body_pose(scene, q, body)->linear().transpose().col(2);
+  Eigen::Index nearest = 0;
+  up.cwiseAbs().maxCoeff(&nearest);
+  upright.axis = Eigen::Vector3d::Unit(nearest) * std::copysign(1.0, up[nearest]);
+  return {unused_constraint_name(scene, body + " upright"), body, upright};
+}
+
+geometric::PathConstraint new_region(const Scene& scene, const Configuration& q,
+                                     const std::string& body) {
+  constexpr double kRoom = 0.1;  // m, on each side
+  Eigen::AlignedBox3d box;
+  for (const Configuration& at : {q, scene.start.value_or(q), scene.goal.value_or(q)}) {
+    box.extend(body_pose(scene, at, body)->translation());
+  }
+  geometric::PositionConstraint region;
+  region.size = (box.sizes().array() + 2.0 * kRoom).matrix();
+  region.X_WR.translation() = box.center();
+  return {unused_constraint_name(scene, "region of " + body), body, region};
+}
+
+Pose object_pose(const Scene& scene, const Configuration& q, const SceneObject& object) {
+  if (!object.attachment) {
+    return object.X_PO;
+  }
+  const auto X_WL = link_pose(scene, q, object.attachment->robot, object.attachment->link);
+  return X_WL ? *X_WL * object.X_PO : object.X_PO;
+}
+
+Pose in_parent(const Scene& scene, const Configuration& q, const SceneObject& object,
+               const Pose& X_WO) {
+  if (!object.attachment) {
+    return X_WO;
+  }
+  const auto X_WL = link_pose(scene, q, object.attachment->robot, object.attachment->link);
+  return X_WL ? X_WL->inverse() * X_WO : X_WO;
+}
+
+bool same_shape(const geometric::Shape& a, const geometric::Shape& b) {
+  return std::visit(SameShape{}, a, b);
+}
+
+}  // namespace handway::gui

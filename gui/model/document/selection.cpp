@@ -1,0 +1,112 @@
+#include "model/document/selection.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace handway::gui {
+namespace {
+
+using Kind = SceneItem::Kind;
+using Names = std::vector<std::string>;
+
+bool holds(const Names& names, const std::string& name) {
+  return std::ranges::find(names, name) != names.end();
+}
+
+bool same_set(Names a, Names b) {
+  std::ranges::sort(a);
+  std::ranges::sort(b);
+  return a == b;
+}
+
+// The object with its group; it comes last.
+Names with_group(const SceneState& state, const std::string& object) {
+  const geometric::SceneObject* found = state.find(object);
+  if (!found || found->group.empty()) {
+    return {object};
+  }
+  Names members = group_members(*state.scene, found->group);
+  std::erase(members, object);
+  members.push_back(object);
+  return members;
+}
+
+}  // namespace
+
+SceneItem object_item(const std::string& name) { return {Kind::kObject, "", name}; }
+
+Selection selection_of(const SceneItem& item) {
+  return {item, item.kind == Kind::kObject ? Names{item.name} : Names{}};
+}
+
+Selection selection_of(std::vector<std::string> objects) {
+  Names once;
+  for (std::string& name : objects) {
+    if (!holds(once, name)) {
+      once.push_back(std::move(name));
+    }
+  }
+  return {once.empty() ? SceneItem{} : object_item(once.back()), once};
+}
+
+std::vector<std::string> group_members(const geometric::Scene& scene, const std::string& group) {
+  Names members;
+  for (const geometric::SceneObject& object : scene.objects) {
+    if (!group.empty() && object.group == group) {
+      members.push_back(object.name);
+    }
+  }
+  return members;
+}
+
+Selection clicked(const SceneState& state, const Selection& now, const SceneItem& item) {
+  if (item.kind != Kind::kObject) {
+    return selection_of(item);
+  }
+  const Names group = with_group(state, item.name);
+  return same_set(group, now.objects) ? selection_of(item) : selection_of(group);
+}
+
+Selection toggled(const SceneState& state, const Selection& now, const SceneItem& item) {
+  if (item.kind != Kind::kObject) {
+    return now.objects.empty() ? selection_of(item) : now;
+  }
+  const Names group = with_group(state, item.name);
+  Names objects = now.objects;
+  const bool all_in =
+      std::ranges::all_of(group, [&](const std::string& name) { return holds(objects, name); });
+  std::erase_if(objects, [&](const std::string& name) { return holds(group, name); });
+  if (!all_in) {
+    objects.insert(objects.end(), group.begin(), group.end());
+  }
+  return selection_of(std::move(objects));
+}
+
+Selection still_there(const SceneState& state, Selection selection) {
+  std::erase_if(selection.objects, [&](const std::string& name) { return !state.find(name); });
+  if (selection.item.kind == Kind::kObject) {
+    return selection_of(std::move(selection.objects));
+  }
+  return selection;
+}
+
+std::vector<std::vector<std::string>> rigid_parts(const geometric::Scene& scene,
+                                                  const std::vector<std::string>& objects) {
+  std::vector<Names> parts;
+  Names done;
+  for (const std::string& name : objects) {
+    if (holds(done, name)) {
+      continue;
+    }
+    const geometric::SceneObject* object = geometric::find_object(scene, name);
+    const Names group = object ? group_members(scene, object->group) : Names{};
+    const bool whole = !group.empty() && std::ranges::all_of(group, [&](const std::string& member) {
+      return holds(objects, member);
+    });
+    parts.push_back(whole ? group : Names{name});
+    done.insert(done.end(), parts.back().begin(), parts.back().end());
+  }
+  return parts;
+}
+
+}  // namespace handway::gui

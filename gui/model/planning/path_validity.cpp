@@ -1,0 +1,74 @@
+#include "model/planning/path_validity.h"
+
+#include "handway/planning/paths/path_conflict.h"
+#include "model/playback/path_player.h"
+
+#include <exception>
+#include <optional>
+#include <utility>
+
+namespace handway::gui {
+namespace {
+
+QString text_of(const planning::PathConflict& conflict, const PathTimeline& timeline) {
+  const double waypoint = static_cast<double>(conflict.waypoint) + conflict.share;
+  return QObject::tr("Out of date, the scene was edited: %1 at %2 s of the path.")
+      .arg(QString::fromStdString(conflict.text))
+      .arg(timeline.fraction_at(waypoint) * timeline.duration(), 0, 'f', 2);
+}
+
+}  // namespace
+
+PathValidity::PathValidity(PathPlayer& player, QObject* parent) : QObject(parent), player_(player) {
+  connect(&player_, &PathPlayer::timeline_changed, this, &PathValidity::look);
+}
+
+void PathValidity::follow(std::shared_ptr<const PreparedProblem> scene) {
+  scene_ = std::move(scene);
+  look();
+}
+
+void PathValidity::set(State state, const QString& reason) {
+  state_ = state;
+  reason_ = reason;
+  emit changed();
+}
+
+void PathValidity::look() {
+  job_.cancel();
+  if (player_.timeline().empty() || !scene_) {
+    set(State::kNoPath);
+  } else if (player_.made_from() == scene_->revision()) {
+    set(State::kValid);
+  } else {
+    set(State::kOutOfDate, tr("Out of date, the scene was edited: checking the path again…"));
+    check();
+  }
+}
+
+void PathValidity::check() {
+  job_.run([this, prepared = scene_,
+            timeline = player_.timeline()](const std::stop_token& stop) -> LatestJob::Answer {
+    QString reason;
+    try {
+      const PreparedProblem::Problem problem = prepared->wait(stop);
+      if (!problem) {
+        return {};
+      }
+      planning::PathConflictSearch search(*problem);
+      const auto conflict =
+          search.run(timeline.path().waypoints, [&stop] { return stop.stop_requested(); });
+      reason = conflict ? text_of(*conflict, timeline) : QString();
+    } catch (const std::exception& error) {
+      reason = QString::fromUtf8(error.what());
+    }
+    return [this, reason, revision = prepared->revision()] {
+      if (reason.isEmpty()) {
+        player_.confirm(revision);
+      }
+      set(reason.isEmpty() ? State::kValid : State::kInvalid, reason);
+    };
+  });
+}
+
+}  // namespace handway::gui

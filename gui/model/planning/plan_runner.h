@@ -1,0 +1,49 @@
+#pragma once
+
+#include "handway/planning/core/planner.h"
+#include "model/document/prepared_problem.h"
+#include "model/planning/palm_roadmap.h"
+
+#include <QObject>
+#include <QString>
+
+#include <memory>
+#include <thread>
+
+namespace handway::gui {
+
+/// Runs a planner on a thread of its own and tells the GUI thread how it goes.
+class PlanRunner : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit PlanRunner(QObject* parent = nullptr);
+  ~PlanRunner() override;
+
+  /// Plans the problem's own query.
+  /// @param palm_link whose place is told for every node.
+  /// @pre no run is going on; the planner is not touched until it has ended.
+  void start(std::shared_ptr<planning::Planner> planner,
+             std::shared_ptr<const PreparedProblem> problem, const planning::PlanRequest& request,
+             int palm_link);
+  /// Asks the run to end; it does within 100 ms.
+  void cancel();
+  [[nodiscard]] bool is_running() const { return running_; }
+
+ signals:
+  /// @param fraction in [0, 1].
+  void progressed(double fraction, const QString& activity);
+  /// All that has been found by now.
+  void roadmap_found(const handway::gui::SharedRoadmap& roadmap);
+  void finished(const handway::planning::PlanResult& result);
+  /// @param message one sentence for a person.
+  void failed(const QString& message);
+
+ private:
+  class Reporter;
+
+  bool running_ = false;
+  std::jthread thread_;
+};
+
+}  // namespace handway::gui

@@ -1,0 +1,104 @@
+#pragma once
+
+#include "features/planning/plan_panel.h"
+#include "model/document/document.h"
+#include "model/planning/live_replanner.h"
+#include "model/planning/optimize_runner.h"
+#include "model/planning/path_history.h"
+#include "model/planning/plan_runner.h"
+#include "model/planning/seed_runner.h"
+#include "model/playback/path_player.h"
+
+#include <QObject>
+
+#include <memory>
+#include <vector>
+
+namespace handway::gui {
+
+/// From a click on Plan to a path that plays: runs the panel's planner on the
+/// document's scene, with one seed or several, moves the document's robot along the result, and
+/// keeps the path valid while the scene is edited.
+class PlanningSession : public QObject {
+  Q_OBJECT
+
+ public:
+  /// All outlive the session.
+  PlanningSession(Document& document, PlanPanel& panel, PathPlayer& player,
+                  QObject* parent = nullptr);
+
+  void start();
+  /// Goes on with optimising the path that is shown, for the panel's objective; the result is a
+  /// path of its own, as after planning. Nothing happens without a path that is valid in the scene
+  /// as it is.
+  void optimize();
+  /// Ends what runs; of optimising the best path so far is the result.
+  void cancel();
+  [[nodiscard]] bool is_running() const {
+    return runner_.is_running() || seeds_.is_running() || is_optimizing();
+  }
+  [[nodiscard]] bool is_optimizing() const { return optimizer_.is_running(); }
+  /// There is no path any more, nor a run that goes on.
+  void forget();
+  /// Shows what a run found in the scene that is open, as if it had just ended.
+  /// @pre it has a run; none is going on.
+  void show(const PathRecord& record, const QString& note = {});
+  /// The run whose path is shown; null if there is none, or the path has followed edits.
+  [[nodiscard]] const std::shared_ptr<const PlanRun>& shown_run() const { return shown_; }
+  /// True while a path follows an edit.
+  [[nodiscard]] bool is_replanning() const { return live_.is_busy(); }
+
+  /// Of the last run, as far as it is; null: none.
+  [[nodiscard]] const SharedRoadmap& roadmap() const { return roadmap_; }
+
+  /// Plans for a scene that is only tried, such as while an object is dragged.
+  void try_scene(const SceneState& state);
+
+ signals:
+  void started();
+  void optimizing_started();
+  /// The path that is being optimised, as it is by now; empty: none is any more.
+  void path_optimized(const handway::planning::Path& path);
+  /// roadmap() is another one, or has grown.
+  void roadmap_changed();
+  /// The player has a new timeline, or none.
+  void path_changed();
+  /// One of several seeds, or the only one. Its path may not be timed yet.
+  void run_ended(const handway::gui::PathRecord& record);
+  /// @param message one line for the log.
+  void ended(bool solved, const QString& message);
+
+ private:
+  void start_seeds();
+  [[nodiscard]] PathRecord record_of(const planning::PlanRequest& request,
+                                     const planning::PlanResult& result, int number) const;
+  void take_result(const planning::PlanResult& result);
+  void take_seed(const SeedOutcome& outcome);
+  void take_seeds(bool cancelled);
+  void show_none(const QString& note);
+  void take_optimized(const OptimizeOutcome& outcome);
+  void forget_optimizing();
+  /// The player plays a path from where it is in the one before.
+  void replace_path(const planning::Path& path, const planning::Revision& made_from);
+  void take_edit(const SceneState& before);
+  void take_replanned(const DerivedResult& replanned, const QString& way);
+  void forget_roadmap();
+  void take_failure(const QString& message);
+  [[nodiscard]] bool is_current() const;
+
+  Document& document_;
+  PlanPanel& panel_;
+  PathPlayer& player_;
+  PlanRunner runner_;
+  SeedRunner seeds_;
+  LiveReplanner live_;
+  planning::Revision planned_;     ///< Of the run that goes on.
+  PlanRun begun_;                  ///< The same run, as far as it is known when it begins.
+  std::vector<PathRecord> found_;  ///< Of its seeds.
+  std::shared_ptr<const PlanRun> shown_;
+  OptimizeRunner optimizer_;
+  bool repeatable_ = false;  ///< What is optimised would be found again with the panel's settings.
+  SharedRoadmap roadmap_;
+};
+
+}  // namespace handway::gui

@@ -1,0 +1,188 @@
+#include "model/planning/preset_store.h"
+
+#include "handway/geometric/io/input_error.h"
+#include "handway/geometric/io/replace_file.h"
+#include "handway/geometric/io/yaml_element.h"
+#include "handway/planning/core/planner_registry.h"
+
+#include <QFileInfo>
+#include <QSettings>
+
+#include <fmt/format.h>
+#include <yaml-cpp/yaml.h>
+
+#include <algorithm>
+
+namespace handway::gui {
+namespace {
+
+namespace fs = std::filesystem;
+using geometric::InputError;
+using geometric::YamlElement;
+
+constexpr const char* kVersion = "1";
+
+PlannerPreset read_preset(const YamlElement& item) {
+  item.allow_keys({"planner", "name", "parameters"});
+  PlannerPreset preset;
+  preset.name = QString::fromStdString(item.need("name").text());
+  if (const auto parameters = item.find("parameters")) {
+    for (const auto& [key, value] : parameters->entries()) {
+      preset.settings.emplace_back(key, value.text());
+    }
+  }
+  return preset;
+}
+
+void write_preset(YAML::Emitter& out, const std::string& planner, const PlannerPreset& preset) {
+  out << YAML::BeginMap << YAML::Key << "planner" << YAML::Value << planner << YAML::Key << "name"
+      << YAML::Value << YAML::DoubleQuoted << preset.name.toStdString();
+  if (!preset.settings.empty()) {
+    out << YAML::Key << "parameters" << YAML::Value << YAML::BeginMap;
+    for (const auto& [key, value] : preset.settings) {
+      out << YAML::Key << key << YAML::Value << YAML::DoubleQuoted << value;
+    }
+    out << YAML::EndMap;
+  }
+  out << YAML::EndMap;
+}
+
+// A name for the file that can't be read, unlike all others.
+fs::path put_aside(const fs::path& file) {
+  for (int i = 1;; ++i) {
+    fs::path aside = file;
+    aside += i == 1 ? ".unreadable" : fmt::format(".unreadable-{}", i);
+    if (!fs::exists(aside)) {
+      fs::rename(file, aside);
+      return aside;
+    }
+  }
+}
+
+}  // namespace
+
+PresetStore::PresetStore(QObject* parent) : QObject(parent) { read(); }
+
+fs::path PresetStore::file() {
+  return fs::path(QFileInfo(QSettings().fileName()).absolutePath().toStdString()) / "presets.yaml";
+}
+
+PresetStore::Entries PresetStore::read_entries() {
+  Entries entries;
+  std::error_code missing;
+  if (!fs::exists(file(), missing)) {
+    return entries;
+  }
+  const YamlElement top = YamlElement::read(file(), "a file of presets");
+  top.allow_keys({"handway_presets", "presets"});
+  const YamlElement version = top.need("handway_presets");
+  if (version.text() != kVersion) {
+    version.refuse(version.found(), kVersion, "It is of another version of the program");
+  }
+  if (const auto list = top.find("presets")) {
+    for (const YamlElement& item : list->items()) {
+      const std::string planner = item.need("planner").text();
+      entries.push_back(
+          {std::string(planning::PlannerRegistry::current_name(planner)), read_preset(item)});
+    }
+  }
+  return entries;
+}
+
+void PresetStore::read() {
+  fault_.clear();
+  try {
+    entries_ = read_entries();
+  } catch (const InputError& error) {
+    fault_ = QString::fromUtf8(error.what());
+  }
+}
+
+std::vector<PlannerPreset> PresetStore::of(const std::string& planner) const {
+  std::vector<PlannerPreset> presets = built_in_presets(planner);
+  const auto own = static_cast<std::ptrdiff_t>(presets.size());
+  for (const Entry& entry : entries_) {
+    if (entry.planner == planner) {
+      presets.push_back(entry.preset);
+    }
+  }
+  std::sort(presets.begin() + own, presets.end(), [](const auto& a, const auto& b) {
+    return QString::localeAwareCompare(a.name, b.name) < 0;
+  });
+  return presets;
+}
+
+void PresetStore::refuse_name(const std::string& planner, const QString& name) {
+  const auto presets = built_in_presets(planner);
+  if (name.trimmed().isEmpty() || std::ranges::count(presets, name, &PlannerPreset::name) > 0) {
+    throw InputError({"preset", "name", "\"" + name.toStdString() + "\"",
+                      "a name that is not one of the program's own presets",
+                      "Choose another name"});
+  }
+}
+
+void PresetStore::change(const std::function<void(Entries&)>& edit) {
+  Entries entries = entries_;
+  try {
+    entries = read_entries();
+  } catch (const InputError&) {
+    try {
+      put_aside(file());
+    } catch (const fs::filesystem_error& error) {
+      throw InputError({file().string(), "", "a file that can't be put aside", "one that can",
+                        error.code().message()});
+    }
+  }
+  edit(entries);
+  YAML::Emitter out;
+  out << YAML::BeginMap << YAML::Key << "handway_presets" << YAML::Value << kVersion << YAML::Key
+      << "presets" << YAML::Value << YAML::BeginSeq;
+  for (const Entry& entry : entries) {
+    write_preset(out, entry.planner, entry.preset);
+  }
+  out << YAML::EndSeq << YAML::EndMap;
+  std::error_code told_when_writing;
+  fs::create_directories(file().parent_path(), told_when_writing);
+  geometric::replace_file(file(), std::string(out.c_str()) + '\n');
+  entries_ = std::move(entries);
+  fault_.clear();
+  emit changed();
+}
+
+void PresetStore::save(const std::string& planner, const PlannerPreset& preset) {
+  refuse_name(planner, preset.name);
+  change([&](Entries& entries) {
+    std::erase_if(entries, [&](const Entry& entry) {
+      return entry.planner == planner && entry.preset.name == preset.name;
+    });
+    entries.push_back({planner, preset});
+  });
+}
+
+void PresetStore::rename(const std::string& planner, const QString& name, const QString& new_name) {
+  refuse_name(planner, new_name);
+  change([&](Entries& entries) {
+    const auto find = [&](const QString& wanted) {
+      return std::ranges::find_if(entries, [&](const Entry& entry) {
+        return entry.planner == planner && entry.preset.name == wanted;
+      });
+    };
+    if (find(new_name) != entries.end() && new_name != name) {
+      throw InputError({"preset", "name", "\"" + new_name.toStdString() + "\"",
+                        "a name that no other preset has", "Choose another name"});
+    }
+    if (const auto found = find(name); found != entries.end()) {
+      found->preset.name = new_name;
+    }
+  });
+}
+
+void PresetStore::remove(const std::string& planner, const QString& name) {
+  change([&](Entries& entries) {
+    std::erase_if(entries, [&](const Entry& entry) {
+      return entry.planner == planner && entry.preset.name == name;
+    });
+  });
+}
+
+}  // namespace handway::gui

@@ -1,0 +1,61 @@
+#pragma once
+
+#include "model/planning/planner_preset.h"
+
+#include <QObject>
+#include <QString>
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace handway::gui {
+
+/// The presets that there are for each planner: those that come with the program, and a person's
+/// own, which are kept in `presets.yaml` beside the other settings.
+///
+/// A file that can't be understood is left as it is and told of; with the first preset that is
+/// saved after that it is put aside, under another name, so that nothing in it is lost.
+class PresetStore : public QObject {
+  Q_OBJECT
+
+ public:
+  /// Reads what is kept.
+  explicit PresetStore(QObject* parent = nullptr);
+
+  /// Those that come with the program first, then a person's own by name.
+  [[nodiscard]] std::vector<PlannerPreset> of(const std::string& planner) const;
+  /// What is wrong with the file; empty if nothing is.
+  [[nodiscard]] const QString& fault() const { return fault_; }
+  [[nodiscard]] static std::filesystem::path file();
+
+  /// Keeps a preset, in the place of a person's own one of that name if there is one.
+  /// @throws InputError if it can't be written, or the name is one of the program's or blank.
+  void save(const std::string& planner, const PlannerPreset& preset);
+  /// @throws InputError as save() does, and if there is one of the new name already.
+  void rename(const std::string& planner, const QString& name, const QString& new_name);
+  /// @throws InputError if it can't be written.
+  void remove(const std::string& planner, const QString& name);
+
+ signals:
+  void changed();
+
+ private:
+  struct Entry {
+    std::string planner;
+    PlannerPreset preset;
+  };
+  using Entries = std::vector<Entry>;
+
+  void read();
+  [[nodiscard]] static Entries read_entries();
+  /// Writes all of them; what another window has kept meanwhile is among them.
+  void change(const std::function<void(Entries&)>& edit);
+  static void refuse_name(const std::string& planner, const QString& name);
+
+  Entries entries_;
+  QString fault_;
+};
+
+}  // namespace handway::gui

@@ -1,0 +1,73 @@
+#pragma once
+
+#include "handway/planning/core/planner.h"
+#include "handway/sampling/postures/recorded_postures.h"
+#include "model/document/prepared_problem.h"
+#include "model/jobs/background_threads.h"
+#include "model/playback/motion_curves.h"
+
+#include <QObject>
+#include <QString>
+
+#include <memory>
+#include <stop_token>
+#include <vector>
+
+namespace handway::gui {
+
+/// The same plan with several seeds.
+struct SeedRuns {
+  std::shared_ptr<const PreparedProblem> problem;
+  /// Alike; as many as there are to be at work at a time.
+  std::vector<std::shared_ptr<planning::Planner>> planners;
+  planning::PlanRequest request;  ///< Of the first seed; each has the next, and one thread.
+  int count = 1;
+  std::shared_ptr<const sampling::RecordedPostures> postures;  ///< May be null.
+};
+
+/// What one of them came to.
+struct SeedOutcome {
+  planning::PlanRequest request;
+  planning::PlanResult result;
+  std::shared_ptr<const planning::Motion> motion;  ///< Null: no path, or none that can be timed.
+  std::shared_ptr<const MotionCurves> curves;      ///< hand_curves(); null as the motion is.
+};
+
+/// Plans with several seeds, several at a time, on threads of its own, and times what is found.
+class SeedRunner : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit SeedRunner(QObject* parent = nullptr) : QObject(parent) {}
+  ~SeedRunner() override;
+
+  /// @pre none are going on; the planners are not touched until they have ended.
+  void start(SeedRuns runs);
+  /// Ends them at once; what is still found is not told any more.
+  void cancel();
+  [[nodiscard]] bool is_running() const { return running_; }
+
+ signals:
+  /// In the order in which they are done.
+  void found(const handway::gui::SeedOutcome& outcome);
+  /// All are done, or were cancelled.
+  void ended(bool cancelled);
+  /// They can't be done. @param message one sentence for a person.
+  void failed(const QString& message);
+
+ private:
+  struct Shared;
+
+  void work(const std::shared_ptr<Shared>& shared,
+            const std::shared_ptr<planning::Planner>& planner, int generation);
+  void take(int generation, const SeedOutcome& outcome);
+  void take_failure(int generation, const QString& message);
+
+  bool running_ = false;
+  int generation_ = 0;
+  int to_come_ = 0;
+  std::stop_source stop_{std::nostopstate};
+  BackgroundThreads threads_;
+};
+
+}  // namespace handway::gui

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "model/settings/navigation.h"
+#include "model/settings/orbit_camera.h"
+#include "model/settings/quantity_units.h"
+
+#include <QObject>
+#include <QString>
+
+namespace handway::gui {
+
+enum class Theme { kLight, kDark };
+
+/// What a person may wish of the workbench, whatever scene is open. As made: the defaults.
+struct PreferenceValues {
+  Theme theme = Theme::kLight;
+  QuantityUnits units;
+
+  Projection projection = Projection::kPerspective;
+  Navigation navigation;
+  bool floor = true;         ///< Show the floor grid,
+  bool cube = true;          ///< and the orientation cube.
+  int samples = 4;           ///< For each pixel of a picture that stands; 0: edges are not smooth.
+  bool always_fine = false;  ///< Smooth edges and all triangles also while something moves.
+  int frame_limit = 60;      ///< Pictures at most a second; 0: as many as can be had.
+
+  QString planner;            ///< Of scenes that name none; empty: the registry's first.
+  int threads = 0;            ///< To plan with; 0: one a processor.
+  double time_limit = 300.0;  ///< s; 0: none.
+
+  bool autosave = true;  ///< Keep unsaved changes for when the program ends unexpectedly.
+
+  bool operator==(const PreferenceValues& other) const = default;
+};
+
+/// The person's preferences, kept in the settings from one run to the next.
+class Preferences : public QObject {
+  Q_OBJECT
+
+ public:
+  /// Reads what was kept; what can't be understood is as by default.
+  explicit Preferences(QObject* parent = nullptr);
+
+  [[nodiscard]] const PreferenceValues& values() const { return values_; }
+  /// Keeps other values and tells that they have changed, if they have.
+  void set(const PreferenceValues& values);
+  /// The same for one of them: set(&PreferenceValues::floor, false).
+  template <typename Value>
+  void set(Value PreferenceValues::*member, const Value& value) {
+    PreferenceValues changed = values_;
+    changed.*member = value;
+    set(changed);
+  }
+
+ signals:
+  void changed();
+
+ private:
+  PreferenceValues values_;
+};
+
+}  // namespace handway::gui

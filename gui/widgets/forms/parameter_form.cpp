@@ -1,0 +1,149 @@
+#include "widgets/forms/parameter_form.h"
+
+#include "widgets/forms/number_field.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QSpinBox>
+
+#include <algorithm>
+#include <limits>
+
+namespace handway::gui {
+namespace {
+
+using planning::ChoiceValue;
+using planning::Parameter;
+
+QString help_of(const Parameter& parameter) {
+  QString help = QStringLiteral("<p>%1</p>").arg(QString::fromStdString(parameter.help));
+  if (std::holds_alternative<int*>(parameter.value) ||
+      std::holds_alternative<double*>(parameter.value)) {
+    help += QStringLiteral("<p>From %1 to %2 %3</p>")
+                .arg(parameter.lower)
+                .arg(parameter.upper)
+                .arg(QString::fromStdString(parameter.unit));
+  }
+  return help + QStringLiteral("<p><code>%1</code></p>").arg(QString::fromStdString(parameter.key));
+}
+
+}  // namespace
+
+ParameterForm::ParameterForm(const std::vector<Parameter>& parameters, QWidget* parent)
+    : QWidget(parent), layout_(new QFormLayout(this)) {
+  layout_->setContentsMargins(0, 0, 0, 0);
+  layout_->setHorizontalSpacing(10);
+  layout_->setVerticalSpacing(6);
+  layout_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+  layout_->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  for (const Parameter& parameter : parameters) {
+    QWidget* field = make_field(parameter);
+    field->setObjectName(QString::fromStdString(parameter.key));
+    field->setToolTip(help_of(parameter));
+    const QString label = QString::fromStdString(parameter.label);
+    if (auto* box = qobject_cast<QCheckBox*>(field)) {
+      box->setText(label);
+      layout_->addRow(box);
+      names_.emplace_back(parameter.key, box);
+    } else {
+      auto* name = new QLabel(label);
+      name->setToolTip(help_of(parameter));
+      name->setBuddy(field);
+      layout_->addRow(name, field);
+      names_.emplace_back(parameter.key, name);
+      if (parameter.key.starts_with("weight_")) {
+        weights_row_ = weights_.empty() ? layout_->rowCount() - 1 : weights_row_;
+        weights_.emplace_back(name, field);
+      }
+    }
+  }
+  show_weights();
+  connect(this, &ParameterForm::edited, this, &ParameterForm::show_weights);
+}
+
+// A row whose widgets are hidden would leave a gap.
+void ParameterForm::show_weights() {
+  const auto* objective = findChild<QComboBox*>(QStringLiteral("objective"));
+  const bool wanted = !objective || objective->currentText() == QStringLiteral("custom");
+  if (wanted == has_weights_) {
+    return;
+  }
+  has_weights_ = wanted;
+  int row = weights_row_;
+  for (const auto& [name, field] : weights_) {
+    if (wanted) {
+      layout_->insertRow(row++, name, field);
+    } else {
+      const QFormLayout::TakeRowResult taken = layout_->takeRow(field);
+      delete taken.labelItem;
+      delete taken.fieldItem;
+    }
+    name->setVisible(wanted);
+    field->setVisible(wanted);
+  }
+}
+
+void ParameterForm::mark(const std::vector<std::string>& keys) {
+  for (const auto& [key, name] : names_) {
+    QFont font = name->font();
+    font.setBold(std::ranges::count(keys, key) > 0);
+    name->setFont(font);
+  }
+}
+
+QWidget* ParameterForm::make_field(const Parameter& parameter) {
+  if (auto* const* flag = std::get_if<bool*>(&parameter.value)) {
+    auto* box = new QCheckBox;
+    box->setChecked(**flag);
+    connect(box, &QCheckBox::toggled, this, [this, value = *flag](bool on) {
+      *value = on;
+      emit edited();
+    });
+    return box;
+  }
+  if (const auto* choice = std::get_if<ChoiceValue>(&parameter.value)) {
+    auto* list = new QComboBox;
+    for (const std::string& option : choice->options) {
+      list->addItem(QString::fromStdString(option));
+    }
+    list->setCurrentIndex(*choice->index);
+    connect(list, qOverload<int>(&QComboBox::currentIndexChanged), this,
+            [this, value = choice->index](int index) {
+              *value = index;
+              emit edited();
+            });
+    return list;
+  }
+  const QString suffix = parameter.unit.empty()
+                             ? QString()
+                             : QStringLiteral(" ") + QString::fromStdString(parameter.unit);
+  if (auto* const* number = std::get_if<int*>(&parameter.value)) {
+    auto* field = new QSpinBox;
+    constexpr double kMost = std::numeric_limits<int>::max();
+    field->setRange(static_cast<int>(std::max(parameter.lower, -kMost)),
+                    static_cast<int>(std::min(parameter.upper, kMost)));
+    field->setGroupSeparatorShown(true);
+    field->setSuffix(suffix);
+    field->setValue(**number);
+    connect(field, qOverload<int>(&QSpinBox::valueChanged), this,
+            [this, value = *number](int entered) {
+              *value = entered;
+              emit edited();
+            });
+    return field;
+  }
+  double* value = std::get<double*>(parameter.value);
+  auto* field = new NumberField(parameter.lower, parameter.upper);
+  field->setSuffix(suffix);
+  field->setValue(*value);
+  connect(field, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
+          [this, value](double entered) {
+            *value = entered;
+            emit edited();
+          });
+  return field;
+}
+
+}  // namespace handway::gui

@@ -1,0 +1,168 @@
+#include "widgets/forms/shape_form.h"
+
+#include "model/document/resize.h"
+#include "widgets/forms/quantity_field.h"
+
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+
+#include <array>
+#include <cmath>
+#include <span>
+
+namespace handway::gui {
+namespace {
+
+constexpr double kSmallest = 1e-4;  // m
+constexpr double kLargest = 100.0;  // m
+
+using Values = std::vector<double>;
+
+struct Measures {
+  Values operator()(const geometric::Box& box) const {
+    return {box.size.x(), box.size.y(), box.size.z()};
+  }
+  Values operator()(const geometric::Sphere& sphere) const { return {sphere.radius}; }
+  Values operator()(const geometric::Cylinder& cylinder) const {
+    return {cylinder.radius, cylinder.length};
+  }
+  Values operator()(const geometric::Cone& cone) const { return {cone.radius, cone.length}; }
+  Values operator()(const geometric::Mesh& /*mesh*/) const { return {}; }
+};
+
+struct Resize {
+  std::span<const double> values;
+
+  void operator()(geometric::Box& box) const { box.size = {values[0], values[1], values[2]}; }
+  void operator()(geometric::Sphere& sphere) const { sphere.radius = values[0]; }
+  void operator()(geometric::Cylinder& cylinder) const {
+    cylinder.radius = values[0];
+    cylinder.length = values[1];
+  }
+  void operator()(geometric::Cone& cone) const {
+    cone.radius = values[0];
+    cone.length = values[1];
+  }
+  void operator()(geometric::Mesh& /*mesh*/) const {}
+};
+
+}  // namespace
+
+QString kind_of_shape(const geometric::Shape& shape) {
+  const std::array<QString, 5> words{QObject::tr("Box"), QObject::tr("Sphere"),
+                                     QObject::tr("Cylinder"), QObject::tr("Cone"),
+                                     QObject::tr("Mesh")};
+  return words.at(shape.index());
+}
+
+ShapeForm::ShapeForm(QWidget* parent) : QWidget(parent), layout_(new QFormLayout(this)) {
+  layout_->setContentsMargins(0, 0, 0, 0);
+  layout_->setVerticalSpacing(5);
+  layout_->setHorizontalSpacing(10);
+  rebuild();
+}
+
+void ShapeForm::add_field(const QString& label, const char* name) {
+  auto* field = new QuantityField(QuantityField::Kind::kLength, kSmallest, kLargest);
+  field->setButtonSymbols(QAbstractSpinBox::NoButtons);
+  field->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  field->setObjectName(QLatin1String(name));
+  auto* words = new QLabel(label);
+  words->setProperty("role", "note");
+  layout_->addRow(words, field);
+  fields_.push_back(field);
+  connect(field, &QuantityField::quantity_edited, this, &ShapeForm::take_values);
+}
+
+void ShapeForm::add_scale() {
+  scale_ = new QDoubleSpinBox;
+  scale_->setObjectName(QStringLiteral("size_scale"));
+  scale_->setRange(1e-4, 1e4);
+  scale_->setDecimals(4);
+  scale_->setButtonSymbols(QAbstractSpinBox::NoButtons);
+  scale_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  scale_->setToolTip(tr("Of the numbers in the file; 0.001 if these are millimetres"));
+  auto* words = new QLabel(tr("Scale"));
+  words->setProperty("role", "note");
+  layout_->addRow(words, scale_);
+  connect(scale_, &QDoubleSpinBox::editingFinished, this, [this] {
+    const auto& mesh = std::get<geometric::Mesh>(shape_);
+    const double factor = scale_->value() / std::abs(mesh.scale.x());
+    if (std::abs(factor - 1.0) > 1e-6) {
+      emit shape_edited(scaled(mesh, factor));
+    }
+  });
+}
+
+void ShapeForm::rebuild() {
+  while (layout_->rowCount() > 0) {
+    layout_->removeRow(0);
+  }
+  fields_.clear();
+  scale_ = nullptr;
+  if (std::holds_alternative<geometric::Box>(shape_)) {
+    add_field(tr("Length (x)"), "size_x");
+    add_field(tr("Width (y)"), "size_y");
+    add_field(tr("Height (z)"), "size_z");
+  } else if (const auto* mesh = std::get_if<geometric::Mesh>(&shape_)) {
+    auto* file = new QLabel(tr("%1, %2 triangles")
+                                .arg(mesh->file.empty()
+                                         ? tr("made by an importer")
+                                         : QString::fromStdString(mesh->file.filename().string()))
+                                .arg(mesh->triangles ? mesh->triangles->triangles.size() : 0));
+    file->setWordWrap(true);
+    file->setProperty("role", "note");
+    layout_->addRow(file);
+    add_scale();
+  } else {
+    add_field(tr("Radius"), "size_radius");
+    if (!std::holds_alternative<geometric::Sphere>(shape_)) {
+      add_field(std::holds_alternative<geometric::Cone>(shape_) ? tr("Height") : tr("Length"),
+                "size_length");
+    }
+  }
+}
+
+void ShapeForm::show_shape(const geometric::Shape& shape) {
+  const bool is_mesh = std::holds_alternative<geometric::Mesh>(shape);
+  const bool other_fields = shape.index() != shape_.index() || is_mesh;
+  shape_ = shape;
+  if (other_fields) {
+    rebuild();
+  }
+  const Values values = std::visit(Measures{}, shape);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    fields_[i]->show_quantity(values[i]);
+  }
+  if (scale_) {
+    const QSignalBlocker quiet(scale_);
+    scale_->setValue(std::abs(std::get<geometric::Mesh>(shape).scale.x()));
+  }
+  set_editable(editable_);
+}
+
+void ShapeForm::set_editable(bool editable) {
+  editable_ = editable;
+  for (QuantityField* field : fields_) {
+    field->setReadOnly(!editable);
+  }
+  if (scale_) {
+    scale_->setReadOnly(!editable);
+  }
+}
+
+void ShapeForm::take_values() {
+  Values values = std::visit(Measures{}, shape_);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (sender() == fields_[i]) {
+      values[i] = fields_[i]->quantity();
+    }
+  }
+  geometric::Shape resized = shape_;
+  std::visit(Resize{values}, resized);
+  emit shape_edited(resized);
+}
+
+}  // namespace handway::gui

@@ -1,0 +1,134 @@
+#include "widgets/panels/dock_layout.h"
+
+#include <QDockWidget>
+#include <QMenu>
+#include <QSettings>
+#include <QTabBar>
+#include <QTabWidget>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+namespace handway::gui {
+namespace {
+
+constexpr int kVersion = 3;        // raised when docks come or go
+constexpr int kHeightBelow = 280;  // px, at first
+
+QString key() { return QStringLiteral("window/layout"); }
+
+QDockWidget* make_dock(QMainWindow& window, const DockContent& content, Qt::DockWidgetArea area) {
+  auto* dock = new QDockWidget(content.title, &window);
+  dock->setObjectName(QLatin1String(content.name));
+  dock->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable);
+  content.widget->setAttribute(Qt::WA_StyledBackground);
+  dock->setWidget(content.widget);
+  window.addDockWidget(area, dock);
+  return dock;
+}
+
+// Makes docks as high as they need be when the first of them is opened: hidden ones have no height.
+void open_high(QMainWindow& window, const QList<QDockWidget*>& docks) {
+  const auto opened = std::make_shared<bool>(false);
+  for (QDockWidget* dock : docks) {
+    QObject::connect(dock->toggleViewAction(), &QAction::triggered, dock,
+                     [&window, dock, opened](bool open) {
+                       if (open && !std::exchange(*opened, true) && dock->height() < kHeightBelow) {
+                         window.resizeDocks({dock}, {kHeightBelow}, Qt::Vertical);
+                       }
+                     });
+  }
+}
+
+// Docks between those on the left and those on the right.
+QList<QDockWidget*> make_docks_below(QMainWindow& window,
+                                     const std::vector<DockContent>& contents) {
+  window.setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+  window.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+  QList<QDockWidget*> docks;
+  for (const DockContent& content : contents) {
+    docks.append(make_dock(window, content, Qt::BottomDockWidgetArea));
+    if (docks.size() > 1) {
+      window.tabifyDockWidget(docks.front(), docks.back());
+    }
+    QObject::connect(docks.back()->toggleViewAction(), &QAction::triggered, docks.back(),
+                     &QWidget::raise);
+  }
+  for (QDockWidget* dock : docks) {
+    dock->hide();
+  }
+  open_high(window, docks);
+  return docks;
+}
+
+QTabWidget* make_tabs(const std::vector<DockContent>& contents) {
+  auto* tabs = new QTabWidget;
+  tabs->setObjectName(QStringLiteral("control_tabs"));
+  tabs->setDocumentMode(true);
+  tabs->tabBar()->setDrawBase(false);
+  tabs->tabBar()->setExpanding(true);
+  tabs->tabBar()->setUsesScrollButtons(true);  // where a narrow window has no room for all
+  for (const DockContent& content : contents) {
+    content.widget->setObjectName(QLatin1String(content.name));
+    tabs->addTab(content.widget, content.title);
+  }
+  return tabs;
+}
+
+}  // namespace
+
+void build_docks(QMainWindow& window, const DockContents& contents, QMenu& view_menu,
+                 QMenu& edit_menu) {
+  constexpr int kLeftWidth = 270;
+  constexpr int kRightWidth = 340;
+  QList<QDockWidget*> left;
+  QList<int> heights;
+  for (const DockContent& content : contents.left) {
+    left.append(make_dock(window, content, Qt::LeftDockWidgetArea));
+    heights.append(content.height);
+  }
+  QDockWidget* history = make_dock(window, contents.history, Qt::LeftDockWidgetArea);
+  window.tabifyDockWidget(left.back(), history);
+  history->hide();
+  QTabWidget* tabs = make_tabs(contents.control);
+  QDockWidget* right =
+      make_dock(window, {"control", QObject::tr("Control"), tabs}, Qt::RightDockWidgetArea);
+  right->setTitleBarWidget(new QWidget);
+  const QList<QDockWidget*> below = make_docks_below(window, contents.below);
+  window.resizeDocks({left.front(), right},
+                     {kLeftWidth, std::max(kRightWidth, tabs->tabBar()->sizeHint().width())},
+                     Qt::Horizontal);
+  window.resizeDocks(left, heights, Qt::Vertical);
+  history->toggleViewAction()->setText(QObject::tr("Undo &history"));
+  QObject::connect(history->toggleViewAction(), &QAction::triggered, history, &QWidget::raise);
+  edit_menu.addSeparator();
+  edit_menu.addAction(history->toggleViewAction());
+  for (QDockWidget* dock : left + QList<QDockWidget*>{right} + below) {
+    view_menu.addAction(dock->toggleViewAction());
+  }
+}
+
+QWidget* stacked(std::initializer_list<QWidget*> parts, int stretched) {
+  auto* box = new QWidget;
+  auto* layout = new QVBoxLayout(box);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  int index = 0;
+  for (QWidget* part : parts) {
+    layout->addWidget(part, index++ == stretched ? 1 : 0);
+  }
+  return box;
+}
+
+void save_layout(const QMainWindow& window) {
+  QSettings().setValue(key(), window.saveState(kVersion));
+}
+
+bool restore_layout(QMainWindow& window) {
+  const QByteArray kept = QSettings().value(key()).toByteArray();
+  return !kept.isEmpty() && window.restoreState(kept, kVersion);
+}
+
+}  // namespace handway::gui

@@ -1,0 +1,133 @@
+#include "widgets/panels/link_status.h"
+
+#include "widgets/style/glove_colors.h"
+
+#include <QFrame>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QVBoxLayout>
+#include <QVariant>
+
+namespace handway::gui {
+namespace {
+
+using device::StreamState;
+
+constexpr double kMilli = 1e3;
+
+QString state_text(StreamState state, const QString& what) {
+  switch (state) {
+    case StreamState::kConnecting:
+      return QObject::tr("Connecting…");
+    case StreamState::kStreaming:
+      return what;
+    case StreamState::kUnplugged:
+      return QObject::tr("The sensor is off its unit: plug it in again");
+    case StreamState::kLost:
+      return QObject::tr("Connection lost, trying again…");
+    case StreamState::kEnded:
+      return QObject::tr("The recording is over");
+    case StreamState::kFailed:
+    case StreamState::kStopped:
+      break;
+  }
+  return QObject::tr("Not connected");
+}
+
+QColor state_color(StreamState state) {
+  const ThemeColors colors = colors_of(current_theme());
+  switch (state) {
+    case StreamState::kStreaming:
+      return colors.good;
+    case StreamState::kConnecting:
+    case StreamState::kUnplugged:
+      return attention_color();
+    case StreamState::kLost:
+    case StreamState::kFailed:
+      return colors.bad;
+    default:
+      return colors.muted;
+  }
+}
+
+QLabel* figure(const QString& name) {
+  auto* label = new QLabel;
+  label->setObjectName(name);
+  label->setProperty("role", "note");
+  return label;
+}
+
+}  // namespace
+
+LinkStatus::LinkStatus(const QString& name, QWidget* parent)
+    : QWidget(parent),
+      state_(new QLabel),
+      problem_(new QFrame),
+      problem_text_(new QLabel),
+      rate_(figure(name + QStringLiteral("_rate"))),
+      delay_(figure(name + QStringLiteral("_delay"))),
+      dropouts_(figure(name + QStringLiteral("_dropouts"))) {
+  state_->setObjectName(name + QStringLiteral("_state"));
+  state_->setTextFormat(Qt::RichText);
+  state_->setWordWrap(true);
+  problem_->setProperty("role", "banner");
+  problem_text_->setObjectName(name + QStringLiteral("_error"));
+  problem_text_->setWordWrap(true);
+  problem_text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  auto* problem_layout = new QVBoxLayout(problem_);
+  problem_layout->setContentsMargins(10, 7, 10, 7);
+  problem_layout->addWidget(problem_text_);
+  problem_->hide();
+  rate_->setToolTip(tr("Frames that arrived in the last second"));
+  delay_->setToolTip(tr("From the arrival of a frame to its picture on the screen"));
+  dropouts_->setToolTip(tr("Pauses of more than three and a half frames since connecting"));
+  auto* figures = new QHBoxLayout;
+  figures->setSpacing(14);
+  figures->addWidget(rate_);
+  figures->addWidget(delay_);
+  figures->addWidget(dropouts_);
+  figures->addStretch();
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(4);
+  layout->addWidget(state_);
+  layout->addWidget(problem_);
+  layout->addLayout(figures);
+  show_state(StreamState::kStopped, {}, {}, {});
+  clear_statistics();
+}
+
+void LinkStatus::show_state(StreamState state, const QString& what, const QString& device,
+                            const QString& error) {
+  state_->setText(QStringLiteral("<span style=\"color:%1\">●</span>&nbsp; %2")
+                      .arg(html(state_color(state)), state_text(state, what).toHtmlEscaped()));
+  state_->setToolTip(device);
+  problem_text_->setText(error);
+  problem_->setVisible(!error.isEmpty());
+}
+
+void LinkStatus::show_statistics(const device::StreamStatistics& statistics, double to_screen) {
+  rate_->setText(tr("%1 Hz").arg(statistics.rate, 0, 'f', 0));
+  if (to_screen > 0.0) {
+    delay_->setText(tr("%1 ms to screen").arg(to_screen * kMilli, 0, 'f', 0));
+  } else if (statistics.latency > 0.0) {
+    delay_->setText(tr("%1 ms to answer").arg(statistics.latency * kMilli, 0, 'f', 1));
+  }
+  dropouts_->setText(statistics.dropouts == 1 ? tr("1 dropout")
+                                              : tr("%1 dropouts").arg(statistics.dropouts));
+  rate_->show();
+  delay_->setVisible(to_screen > 0.0 || statistics.latency > 0.0);
+  dropouts_->show();
+}
+
+void LinkStatus::clear_statistics() {
+  for (QLabel* label : {rate_, delay_, dropouts_}) {
+    label->hide();
+  }
+}
+
+QString LinkStatus::error() const {
+  return problem_->isHidden() ? QString() : problem_text_->text();
+}
+
+}  // namespace handway::gui

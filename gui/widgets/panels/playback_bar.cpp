@@ -1,0 +1,177 @@
+#include "widgets/panels/playback_bar.h"
+
+#include "model/playback/path_player.h"
+#include "widgets/forms/speed_choice.h"
+#include "widgets/style/icons.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenu>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <QToolButton>
+
+#include <cmath>
+
+namespace handway::gui {
+namespace {
+
+constexpr int kScrubSteps = 10000;
+
+}  // namespace
+
+PlaybackBar::PlaybackBar(PathPlayer& player, QWidget* parent)
+    : QWidget(parent),
+      player_(player),
+      back_(make_button("step_back", tr("To the waypoint before ([)"))),
+      frame_back_(make_button("frame_back", tr("A picture back (,)"))),
+      play_(make_button("play", tr("Play or pause the planned path (Space)"))),
+      frame_forward_(make_button("frame_forward", tr("A picture on (.)"))),
+      forward_(make_button("step_forward", tr("To the next waypoint (])"))),
+      loop_(make_button("loop", tr("Begin again at the end"))),
+      reverse_(make_button("reverse", tr("Play backwards"))),
+      show_(make_button("traces", tr("What is drawn of the path"))),
+      traces_(new QMenu(this)),
+      scrub_(new QSlider(Qt::Horizontal)),
+      note_(new QLabel),
+      time_(new QLabel),
+      speed_(new QComboBox) {
+  play_->setShortcut(Qt::Key_Space);
+  back_->setShortcut(Qt::Key_BracketLeft);
+  frame_back_->setShortcut(Qt::Key_Comma);
+  frame_forward_->setShortcut(Qt::Key_Period);
+  forward_->setShortcut(Qt::Key_BracketRight);
+  reverse_->setCheckable(true);
+  loop_->setCheckable(true);
+  loop_->setChecked(true);
+  scrub_->setRange(0, kScrubSteps);
+  scrub_->setObjectName(QStringLiteral("scrub"));
+  scrub_->setToolTip(tr("Drag along the path"));
+  time_->setMinimumWidth(86);
+  time_->setAlignment(Qt::AlignCenter);
+  time_->setProperty("role", "note");
+  note_->setProperty("role", "note");
+  note_->setObjectName(QStringLiteral("playback_note"));
+  note_->hide();
+  offer_speeds(*speed_);
+  speed_->setObjectName(QStringLiteral("speed"));
+  speed_->setToolTip(tr("Speed of playing; 1× is as fast as the robot can go"));
+  show_->setPopupMode(QToolButton::InstantPopup);
+  show_->setMenu(traces_);
+  traces_->setToolTipsVisible(true);
+
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(8, 6, 8, 6);
+  layout->setSpacing(4);
+  for (QToolButton* button : buttons()) {
+    layout->addWidget(button);
+  }
+  layout->addSpacing(6);
+  layout->addWidget(scrub_, 1);
+  layout->addWidget(note_);
+  layout->addWidget(time_);
+  layout->addWidget(speed_);
+  layout->addWidget(show_);
+
+  connect(back_, &QToolButton::clicked, &player_, [this] { player_.step_back(); });
+  connect(forward_, &QToolButton::clicked, &player_, [this] { player_.step_forward(); });
+  connect(frame_back_, &QToolButton::clicked, &player_, [this] { player_.step_frames(-1); });
+  connect(frame_forward_, &QToolButton::clicked, &player_, [this] { player_.step_frames(1); });
+  connect(reverse_, &QToolButton::toggled, &player_, &PathPlayer::set_backwards);
+  connect(play_, &QToolButton::clicked, &player_,
+          [this] { player_.is_playing() ? player_.pause() : player_.play(); });
+  connect(loop_, &QToolButton::toggled, &player_, &PathPlayer::set_loop);
+  connect(scrub_, &QSlider::valueChanged, &player_, [this](int step) {
+    player_.pause();
+    player_.seek(static_cast<double>(step) / kScrubSteps);
+  });
+  connect(speed_, qOverload<int>(&QComboBox::currentIndexChanged), this,
+          [this] { player_.set_speed(speed_->currentData().toDouble()); });
+  connect(&player_, &PathPlayer::moved, this, &PlaybackBar::show_position);
+  connect(&player_, &PathPlayer::retimed, this, &PlaybackBar::show_position);
+  connect(&player_, &PathPlayer::timeline_changed, this, &PlaybackBar::show_timeline);
+  connect(&player_, &PathPlayer::playing_changed, this, &PlaybackBar::refresh_icons);
+  show_timeline();
+}
+
+QToolButton* PlaybackBar::make_button(const QString& name, const QString& tip) {
+  auto* button = new QToolButton;
+  button->setObjectName(name);
+  button->setIcon(icon(name));
+  button->setIconSize({20, 20});
+  button->setAutoRaise(true);
+  button->setToolTip(tip);
+  return button;
+}
+
+void PlaybackBar::show_note(const QString& note, const QString& explanation) {
+  note_->setText(note);
+  note_->setToolTip(explanation);
+  note_->setVisible(!note.isEmpty());
+}
+
+void PlaybackBar::hide_traces() { show_->hide(); }
+
+QList<QToolButton*> PlaybackBar::buttons() const {
+  return {back_, frame_back_, play_, frame_forward_, forward_, reverse_, loop_};
+}
+
+QList<QToolButton*> PlaybackBar::spare_buttons() const {
+  return {frame_back_, frame_forward_, reverse_};
+}
+
+int PlaybackBar::width_of(const QToolButton& button) const {
+  return button.minimumSizeHint().width() + layout()->spacing();
+}
+
+QSize PlaybackBar::minimumSizeHint() const {
+  QSize size = QWidget::minimumSizeHint();
+  for (const QToolButton* button : spare_buttons()) {
+    size.rwidth() -= button->isHidden() ? 0 : width_of(*button);
+  }
+  return size;
+}
+
+void PlaybackBar::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  int needed = minimumSizeHint().width();
+  for (const QToolButton* button : spare_buttons()) {
+    needed += width_of(*button);
+  }
+  for (QToolButton* button : spare_buttons()) {
+    button->setVisible(width() >= needed);
+  }
+}
+
+void PlaybackBar::refresh_icons() {
+  for (QToolButton* button : buttons()) {
+    button->setIcon(icon(button->objectName()));
+  }
+  show_->setIcon(icon("traces"));
+  play_->setIcon(icon(player_.is_playing() ? "pause" : "play"));
+}
+
+void PlaybackBar::show_position() {
+  const QSignalBlocker quiet(scrub_);
+  scrub_->setValue(static_cast<int>(std::lround(player_.fraction() * kScrubSteps)));
+  if (player_.timeline().empty()) {
+    time_->setText(tr("no path yet"));
+  } else {
+    time_->setText(QStringLiteral("%1 / %2 s")
+                       .arg(player_.time(), 0, 'f', 2)
+                       .arg(player_.duration(), 0, 'f', 2));
+  }
+}
+
+void PlaybackBar::show_timeline() {
+  const bool ready = !player_.timeline().empty();
+  for (QToolButton* button : {back_, frame_back_, play_, frame_forward_, forward_}) {
+    button->setEnabled(ready);
+  }
+  scrub_->setEnabled(ready);
+  show_position();
+  refresh_icons();
+}
+
+}  // namespace handway::gui

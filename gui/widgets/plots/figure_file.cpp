@@ -1,0 +1,94 @@
+#include "widgets/plots/figure_file.h"
+
+#include "handway/geometric/io/replace_file.h"
+
+#include <QBuffer>
+#include <QImage>
+#include <QPainter>
+#include <QSvgGenerator>
+#include <qwt_plot.h>
+#include <qwt_plot_renderer.h>
+
+namespace handway::gui {
+namespace {
+
+constexpr double kScreenDpi = 96.0;
+constexpr double kPrintDpi = 300.0;
+constexpr double kInch = 0.0254;  // m
+
+QByteArray png(const QSize& size, const DrawFigure& draw) {
+  const double scale = kPrintDpi / kScreenDpi;
+  QImage image((QSizeF(size) * scale).toSize(), QImage::Format_RGB32);
+  image.fill(Qt::white);
+  image.setDotsPerMeterX(qRound(kScreenDpi / kInch));  // letters as on the screen, scaled below
+  image.setDotsPerMeterY(qRound(kScreenDpi / kInch));
+  QPainter painter(&image);
+  painter.setRenderHints(QPainter::Antialiasing | QPainter::SmoothPixmapTransform);
+  painter.scale(scale, scale);
+  draw(painter, size);
+  painter.end();
+  image.setDotsPerMeterX(qRound(kPrintDpi / kInch));
+  image.setDotsPerMeterY(qRound(kPrintDpi / kInch));
+  QByteArray bytes;
+  QBuffer buffer(&bytes);
+  image.save(&buffer, "PNG");
+  return bytes;
+}
+
+QByteArray svg(const QSize& size, const QString& title, const DrawFigure& draw) {
+  QByteArray bytes;
+  QBuffer buffer(&bytes);
+  QSvgGenerator generator;
+  generator.setOutputDevice(&buffer);
+  generator.setSize(size);
+  generator.setViewBox(QRect(QPoint(0, 0), size));
+  generator.setResolution(qRound(kScreenDpi));
+  generator.setTitle(title);
+  QPainter painter(&generator);
+  painter.fillRect(QRect(QPoint(0, 0), size), Qt::white);
+  draw(painter, size);
+  painter.end();
+  return bytes;
+}
+
+}  // namespace
+
+void write_figure(const QString& path, const QString& title, const QSize& size,
+                  const DrawFigure& draw) {
+  write_bytes(path + QStringLiteral(".png"), png(size, draw));
+  write_bytes(path + QStringLiteral(".svg"), svg(size, title, draw));
+}
+
+QByteArray picture_bytes(const QString& file, const QString& title, const QSize& size,
+                         const DrawFigure& draw) {
+  return file.endsWith(QStringLiteral(".svg"), Qt::CaseInsensitive) ? svg(size, title, draw)
+                                                                    : png(size, draw);
+}
+
+void write_bytes(const QString& file, const QByteArray& bytes) {
+  geometric::replace_file(file.toStdString(),
+                          {bytes.constData(), static_cast<std::size_t>(bytes.size())});
+}
+
+void write_picture(const QString& file, const QString& title, const QSize& size,
+                   const DrawFigure& draw) {
+  write_bytes(file, picture_bytes(file, title, size, draw));
+}
+
+void draw_plots(QPainter& painter, const QSize& size, const std::vector<QwtPlot*>& plots,
+                int columns) {
+  const int rows = (static_cast<int>(plots.size()) + columns - 1) / columns;
+  const QSizeF cell(static_cast<double>(size.width()) / columns,
+                    static_cast<double>(size.height()) / rows);
+  QwtPlotRenderer renderer;
+  renderer.setDiscardFlag(QwtPlotRenderer::DiscardBackground);
+  renderer.setLayoutFlag(QwtPlotRenderer::FrameWithScales, false);
+  for (std::size_t i = 0; i < plots.size(); ++i) {
+    const int row = static_cast<int>(i) / columns;
+    const int column = static_cast<int>(i) % columns;
+    const QRectF rectangle(column * cell.width(), row * cell.height(), cell.width(), cell.height());
+    renderer.render(plots[i], &painter, rectangle.adjusted(8, 8, -8, -8));
+  }
+}
+
+}  // namespace handway::gui

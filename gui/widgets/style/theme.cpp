@@ -1,0 +1,105 @@
+#include "widgets/style/theme.h"
+
+#include <QApplication>
+#include <QFile>
+#include <QFont>
+#include <QPalette>
+#include <QStyleFactory>
+
+// Takes the drawings in; a macro of Qt that must stand outside all namespaces.
+static void take_resources() { Q_INIT_RESOURCE(workbench); }
+
+namespace handway::gui {
+namespace {
+
+Theme applied = Theme::kLight;
+
+QPalette palette_of(const ThemeColors& colors) {
+  QPalette palette;
+  palette.setColor(QPalette::Window, colors.window);
+  palette.setColor(QPalette::WindowText, colors.text);
+  palette.setColor(QPalette::Base, colors.surface);
+  palette.setColor(QPalette::AlternateBase, colors.window);
+  palette.setColor(QPalette::Text, colors.text);
+  palette.setColor(QPalette::Button, colors.surface);
+  palette.setColor(QPalette::ButtonText, colors.text);
+  palette.setColor(QPalette::BrightText, colors.on_accent);
+  palette.setColor(QPalette::Highlight, colors.accent);
+  palette.setColor(QPalette::HighlightedText, colors.on_accent);
+  palette.setColor(QPalette::ToolTipBase, colors.surface);
+  palette.setColor(QPalette::ToolTipText, colors.text);
+  palette.setColor(QPalette::PlaceholderText, colors.muted);
+  palette.setColor(QPalette::Link, colors.accent);
+  palette.setColor(QPalette::Mid, colors.border);
+  palette.setColor(QPalette::Midlight, colors.border);
+  palette.setColor(QPalette::Dark, colors.border.darker(115));
+  for (const QPalette::ColorRole role :
+       {QPalette::WindowText, QPalette::Text, QPalette::ButtonText}) {
+    QColor faint = colors.muted;
+    faint.setAlphaF(0.6);
+    palette.setColor(QPalette::Disabled, role, faint);
+  }
+  return palette;
+}
+
+// The sheet names colours as @name.
+QString style_sheet(const ThemeColors& colors, Theme theme) {
+  QFile file(QStringLiteral(":/themes/workbench.qss"));
+  if (!file.open(QIODevice::ReadOnly | QIODevice::Text)) {
+    return {};
+  }
+  QString sheet = QString::fromUtf8(file.readAll());
+  const std::pair<const char*, QColor> names[] = {
+      {"@window", colors.window},       {"@surface", colors.surface}, {"@border", colors.border},
+      {"@text", colors.text},           {"@muted", colors.muted},     {"@accent", colors.accent},
+      {"@on-accent", colors.on_accent}, {"@bad", colors.bad},         {"@good", colors.good}};
+  for (const auto& [name, color] : names) {
+    sheet.replace(QLatin1String(name) + QLatin1Char(';'), color.name() + QLatin1Char(';'));
+    sheet.replace(QLatin1String(name) + QLatin1Char(' '), color.name() + QLatin1Char(' '));
+  }
+  sheet.replace(QLatin1String("@variant"),
+                theme == Theme::kDark ? QLatin1String("dark") : QLatin1String("light"));
+  return sheet;
+}
+
+}  // namespace
+
+ThemeColors colors_of(Theme theme) {
+  if (theme == Theme::kDark) {
+    ThemeColors dark{QColor(0x1d, 0x22, 0x29), QColor(0x26, 0x2c, 0x35),
+                     QColor(0x3a, 0x43, 0x4f), QColor(0xe4, 0xe8, 0xee),
+                     QColor(0x97, 0xa3, 0xb3), QColor(0x4f, 0x93, 0xf0),
+                     QColor(0xff, 0xff, 0xff), QColor(0x4c, 0xb9, 0x86),
+                     QColor(0xef, 0x6b, 0x60), {}};
+    dark.view.sky = {0.20F, 0.235F, 0.28F, 1.0F};
+    dark.view.ground = {0.37F, 0.41F, 0.46F, 1.0F};
+    dark.view.grid = {0.72F, 0.77F, 0.84F, 1.0F};
+    dark.view.text = {0.92F, 0.94F, 0.96F, 1.0F};
+    return dark;
+  }
+  return {QColor(0xf1, 0xf3, 0xf6), QColor(0xff, 0xff, 0xff),
+          QColor(0xd5, 0xdb, 0xe3), QColor(0x22, 0x2b, 0x37),
+          QColor(0x66, 0x73, 0x85), QColor(0x1f, 0x6f, 0xd6),
+          QColor(0xff, 0xff, 0xff), QColor(0x1d, 0x8f, 0x5f),
+          QColor(0xc9, 0x2f, 0x28), {}};
+}
+
+void apply_theme(QApplication& application, Theme theme) {
+  take_resources();
+  applied = theme;
+  QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+  QFont font(QStringLiteral("Noto Sans"));
+  font.setStyleHint(QFont::SansSerif);
+  QFont::insertSubstitutions(QStringLiteral("Noto Sans"), {QStringLiteral("DejaVu Sans")});
+  font.setPixelSize(13);
+  QApplication::setFont(font);
+  const ThemeColors colors = colors_of(theme);
+  QApplication::setPalette(palette_of(colors));
+  application.setStyleSheet(style_sheet(colors, theme));
+}
+
+Theme current_theme() { return applied; }
+
+QString html(const QColor& color) { return color.name(QColor::HexRgb); }
+
+}  // namespace handway::gui

@@ -1,0 +1,428 @@
+/// STOP in every dialog, popup and window size, and while the window's thread is busy.
+#include "app/file_commands.h"
+#include "features/devices/moving_robot.h"
+#include "features/devices/x_input.h"
+#include "features/editing/scene_editing.h"
+#include "features/glove/calibration_choice.h"
+#include "features/glove/device_field.h"
+#include "features/glove/glove_panel.h"
+#include "features/glove/pmd_explorer.h"
+#include "features/planning/preset_bar.h"
+#include "handway/device/glove/glove_emulator.h"
+#include "handway/device/glove/glove_layout.h"
+#include "handway_test/paths.h"
+#include "pressed_mouse.h"
+#include "view3d/scene_view.h"
+
+#include <QComboBox>
+#include <QDialog>
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QMenu>
+#include <QMenuBar>
+#include <QPointer>
+#include <QScreen>
+#include <QTimer>
+#include <QToolButton>
+
+#include <array>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <map>
+#include <regex>
+#include <thread>
+
+namespace handway::test {
+namespace {
+
+constexpr double kSlow = 0.01;  // share of full pace
+
+class Stop : public MovingRobot {
+ protected:
+  void SetUp() override {
+    MovingRobot::SetUp();
+    if (!IsSkipped()) {
+      connect_to("emulator", "emulator");
+    }
+  }
+
+  [[nodiscard]] QAction& action(const QString& text) const {
+    for (QAction* action : window().findChildren<QAction*>()) {
+      if (action->text() == text) {
+        return *action;
+      }
+    }
+    throw std::runtime_error("no action " + text.toStdString());
+  }
+  [[nodiscard]] static QAbstractButton& button(const QWidget& parent, const QString& text) {
+    for (QAbstractButton* button : parent.findChildren<QAbstractButton*>()) {
+      if (button->text() == text) {
+        return *button;
+      }
+    }
+    throw std::runtime_error("no button " + text.toStdString());
+  }
+  [[nodiscard]] static QWidget* top_dialog() {
+    if (QWidget* modal = QApplication::activeModalWidget()) {
+      return modal;
+    }
+    for (QWidget* widget : QApplication::topLevelWidgets()) {
+      if (qobject_cast<QDialog*>(widget) && widget->isVisible()) {
+        return widget;
+      }
+    }
+    return nullptr;
+  }
+  /// Saves a picture of the screen in the folder $HANDWAY_PICTURES, if there is one.
+  static void keep_screen(const QString& name) {
+    const QString folder = qEnvironmentVariable("HANDWAY_PICTURES");
+    if (!folder.isEmpty()) {
+      QTest::qWait(300);
+      EXPECT_TRUE(QGuiApplication::primaryScreen()->grabWindow(0).save(
+          QStringLiteral("%1/%2.png").arg(folder, name)));
+    }
+  }
+  static void close_dialogs() {
+    while (QWidget* dialog = top_dialog()) {
+      dialog->close();
+      QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    }
+  }
+
+  /// Opens a dialog while the robot moves, and stops the robot there.
+  void stop_through(const std::function<void()>& open,
+                    const std::function<void(QWidget& dialog)>& stop) {
+    begin_motion(kSlow);
+    bool was_seen = false;
+    QTimer watch;
+    QObject::connect(&watch, &QTimer::timeout, &watch, [&] {
+      if (QWidget* dialog = top_dialog()) {
+        watch.stop();
+        was_seen = true;
+        QTest::qWait(50);  // it is drawn
+        const auto asked = Clock::now();
+        stop(*dialog);
+        expect_stopped_within_50_ms(asked);
+        dialog->close();
+      }
+    });
+    watch.start(5);
+    open();  // whose own event loop runs in some
+    EXPECT_TRUE(QTest::qWaitFor([&] { return was_seen; }, 5000)) << "no dialog";
+    watch.stop();
+    close_dialogs();
+    if (moves()) {
+      driver().stop();
+    }
+    ASSERT_TRUE(waits_for(gui::MotionDriver::State::kConnected));
+  }
+
+  /// What a person clicks on: seen, and nothing over it.
+  static void press_stop_of(const QWidget& dialog) {
+    auto* stop = dialog.findChild<QPushButton*>(QStringLiteral("stop"));
+    ASSERT_TRUE(stop);
+    ASSERT_TRUE(stop->isVisible());
+    const QPoint middle = stop->mapToGlobal(stop->rect().center());
+    EXPECT_TRUE(dialog.frameGeometry().contains(middle));
+    EXPECT_EQ(QApplication::widgetAt(middle), stop);
+    QTest::mousePress(stop, Qt::LeftButton);
+  }
+  static void press_key(QWidget& dialog, Qt::Key key) {
+    QWidget* focus = dialog.focusWidget();
+    QTest::keyPress(focus ? focus : &dialog, key,
+                    key == Qt::Key_Space ? Qt::ControlModifier : Qt::NoModifier);
+  }
+};
+
+/// A place in the sources that makes a dialog, and how a person comes to it.
+struct DialogCase {
+  const char* source;  ///< The file that names it, in gui/.
+  const char* name;
+  std::function<void()> open;
+};
+
+/// A place in the sources that makes a dialog. A class counts where it is declared.
+const std::regex& dialog_pattern() {
+  static const std::regex kPattern(
+      R"(QFileDialog::get\w+\(|QInputDialog::get\w+\(|QColorDialog::get\w+\(|QFontDialog::get\w+\(|)"
+      R"(QMessageBox::(question|warning|critical|information|about|aboutQt)\(|)"
+      R"(new Q\w*(Dialog|MessageBox|Wizard|ErrorMessage)\b|)"
+      R"(\bQ(File|Input|Color|Font|Progress)?(Dialog|MessageBox|Wizard|ErrorMessage) \w+[({;]|)"
+      R"(: public Q\w*(Dialog|MessageBox|Wizard)\b)");
+  return kPattern;
+}
+
+std::map<std::string, int> dialogs_in_the_sources() {
+  std::map<std::string, int> count;
+  const std::filesystem::path gui = source_dir() / "gui";
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(gui)) {
+    const std::string suffix = entry.path().extension().string();
+    if (suffix != ".cpp" && suffix != ".h") {
+      continue;
+    }
+    std::ifstream stream(entry.path());
+    const std::string text(std::istreambuf_iterator<char>(stream), {});
+    const auto found = std::distance(
+        std::sregex_iterator(text.begin(), text.end(), dialog_pattern()), std::sregex_iterator());
+    if (found > 0) {
+      count[std::filesystem::relative(entry.path(), gui).string()] = static_cast<int>(found);
+    }
+  }
+  return count;
+}
+
+class StopInDialogs : public Stop {
+ protected:
+  void SetUp() override {
+    Stop::SetUp();
+    if (IsSkipped()) {
+      return;
+    }
+    plan();
+    window().player().set_loop(false);
+    window().plan_panel().presets().save_as("own");
+    window().editing().editor().select_objects({"post"});
+    // A glove, of which something is recorded.
+    glove_ = std::make_unique<device::GloveEmulator>(device::GloveEmulatorSettings{}, [](double) {
+      return std::array<std::uint16_t, device::kGloveSensors>{};
+    });
+    window().glove_panel().connect_to(QString::fromStdString(glove_->address()));
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] {
+          return window().glove_panel().session().link().state() == device::StreamState::kStreaming;
+        },
+        kPatienceMs));
+  }
+
+  void record_something() const {
+    part<QPushButton>("record").click();
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] { return window().glove_panel().session().link().tap().rows() > 0; }, kPatienceMs));
+    part<QPushButton>("record").click();
+  }
+  void choose(QComboBox& box, const QString& text) const {
+    const int row = box.findText(text);
+    ASSERT_GE(row, 0) << text.toStdString();
+    box.setCurrentIndex(row);
+    emit box.activated(row);
+  }
+  template <typename Part>
+  [[nodiscard]] Part& only() const {
+    return *window().findChild<Part*>();
+  }
+  /// A dialog of a dialog.
+  void open_both(const QString& first, const QString& then) const {
+    action(first).trigger();
+    button(*top_dialog(), then).click();
+  }
+
+  [[nodiscard]] std::vector<DialogCase> cases() const;
+
+ private:
+  std::unique_ptr<device::GloveEmulator> glove_;
+};
+
+std::vector<DialogCase> StopInDialogs::cases() const {
+  const auto trigger = [this](const char* text) {
+    return [this, text = QString::fromUtf8(text)] { action(text).trigger(); };
+  };
+  const auto menu_of = [this](const char* name) {
+    return part<QToolButton>(name).menu()->actions();
+  };
+  return {
+      {"app/file_commands.cpp", "open", trigger("&Open…")},
+      {"app/file_commands.cpp", "save as", trigger("Save &as…")},
+      {"app/file_commands.cpp", "picture", trigger("Save &picture…")},
+      {"app/file_commands.cpp", "unsaved changes",
+       [this] { (void)only<gui::FileCommands>().may_discard(); }},
+      {"devices/device_session.cpp", "leave", [this] { window().close(); }},
+      {"panels/keep_posture_dialog.h", "keep a posture", trigger("&Keep this posture…")},
+      {"export/export_dialog.h", "export", trigger("&Export the path…")},
+      {"export/export_dialog.cpp", "folder",
+       [this] { open_both("&Export the path…", QStringLiteral("Browse…")); }},
+      {"export/pictures_dialog.h", "pictures", trigger("Export p&ictures of the path…")},
+      {"export/pictures_dialog.cpp", "file",
+       [this] { open_both("Export p&ictures of the path…", QStringLiteral("Browse…")); }},
+      {"start/about_box.cpp", "about", trigger("&About Handway")},
+      {"preferences/preferences_dialog.h", "preferences", trigger("Pre&ferences…")},
+      {"comparison/comparison_window.h", "compare", trigger("Compare two &paths…")},
+      {"comparison/comparison_window.cpp", "a path to compare",
+       [this] { open_both("Compare two &paths…", QStringLiteral("From a file…")); }},
+      {"editing/scene_editing.cpp", "mesh", trigger("&Mesh from file…")},
+      {"panels/likeness_meter.cpp", "recorded postures",
+       [this] { part<QPushButton>("likeness_choose").menu()->actions().last()->trigger(); }},
+      {"panels/properties_panel.cpp", "colour", [this] { part<QToolButton>("color").click(); }},
+      {"presets/preset_bar.cpp", "save a preset",
+       [menu_of] { menu_of("preset_menu")[0]->trigger(); }},
+      {"presets/preset_bar.cpp", "rename a preset",
+       [menu_of] { menu_of("preset_menu")[2]->trigger(); }},
+      {"playback/plots_panel.cpp", "plot", [this] { button(window(), "Export…").click(); }},
+      {"campaigns/campaigns_panel.cpp", "campaign",
+       [this] { button(part<QWidget>("campaigns"), "Open…").click(); }},
+      {"glove/capture_pages.cpp", "captured postures",
+       [this] { emit only<gui::PmdExplorer>().recording_requested(); }},
+      {"glove/device_field.cpp", "recording to replay",
+       [this] { choose(part<QComboBox>("glove_device"), "Replay a recording…"); }},
+      {"glove/calibration_choice.cpp", "calibration",
+       [this] { choose(only<gui::CalibrationChoice>(), "From a file…"); }},
+      {"glove/mapping_editor.cpp", "mapping", trigger("Open…")},
+      {"glove/mapping_editor.cpp", "save a mapping", trigger("Save as…")},
+      {"glove/mapping_editor.cpp", "mapping to compare", trigger("With a file…")},
+      {"glove/record_bar.cpp", "name of a recording", [this] { record_something(); }},
+  };
+}
+
+TEST_F(StopInDialogs, WorksByKeyAndByButtonInEveryOne) {
+  window().editing().editor().add("box", geometric::Box{}, {}, {0.9, 0.0, 0.0});
+  window().editing().editor().select_objects({"post"});
+  constexpr std::array kKeys{Qt::Key_Pause, Qt::Key_Space, Qt::Key_F12};
+  std::map<std::string, int> covered;
+  std::size_t turn = 0;
+  for (const DialogCase& dialog : cases()) {
+    SCOPED_TRACE(std::string(dialog.source) + ": " + dialog.name);
+    ++covered[dialog.source];
+    const Qt::Key key = kKeys.at(turn++ % kKeys.size());
+    stop_through(dialog.open, [&](QWidget& shown) { press_key(shown, key); });
+    stop_through(dialog.open, [&](QWidget& shown) {
+      press_stop_of(shown);
+      keep_screen(QStringLiteral("stop_in_%1").arg(QLatin1String(dialog.name)));
+    });
+    if (HasFatalFailure()) {
+      return;
+    }
+  }
+  EXPECT_EQ(covered, dialogs_in_the_sources()) << "open the new one here, too";
+}
+
+TEST_F(Stop, IsInDialogsWhileSomethingIsConnectedOnly) {
+  window().devices().driver().disconnect_all();
+  ASSERT_TRUE(waits_for(gui::MotionDriver::State::kOff));
+  action("Pre&ferences…").trigger();
+  const auto* stop = top_dialog()->findChild<QPushButton*>(QStringLiteral("stop"));
+  ASSERT_TRUE(stop);
+  EXPECT_FALSE(stop->isVisible());
+  EXPECT_FALSE(part<QPushButton>("devices_stop").isVisible());
+  close_dialogs();
+}
+
+TEST_F(Stop, WorksWhileAMenuAListOrThePaletteIsOpen) {
+  const std::vector<std::function<void()>> popups{
+      [this] { window().menuBar()->actions().front()->menu()->popup(window().pos()); },
+      [this] { part<QComboBox>("planners").showPopup(); },
+      [this] { action("Find a &command…").trigger(); },
+      [this] { action("Help on this &panel").trigger(); }};
+  for (const auto& open : popups) {
+    begin_motion(kSlow);
+    open();
+    ASSERT_TRUE(QTest::qWaitFor([] { return QApplication::activePopupWidget() != nullptr; }));
+    const QPointer<QWidget> popup = QApplication::activePopupWidget();
+    SCOPED_TRACE(popup->metaObject()->className());
+    const auto asked = Clock::now();
+    press_key(*popup, Qt::Key_Pause);
+    EXPECT_TRUE(!popup.isNull() && popup->isVisible()) << "the key is for nothing else";
+    expect_stopped_within_50_ms(asked);
+    if (!popup.isNull()) {
+      popup->close();
+    }
+  }
+}
+
+TEST_F(Stop, KeepsCtrlSpaceFromATextFieldAndFromThePlayback) {
+  begin_motion(kSlow);
+  QLineEdit field(&window());
+  field.show();
+  field.setFocus();
+  const auto asked = Clock::now();
+  press_key(field, Qt::Key_Space);
+  expect_stopped_within_50_ms(asked);
+  EXPECT_TRUE(field.text().isEmpty());
+}
+
+TEST_F(Stop, WorksWhileTheMouseDragsAndAnotherWidgetHasTheKeyboard) {
+  begin_motion(kSlow);
+  QTest::mousePress(&window().view(), Qt::LeftButton, Qt::NoModifier, QPoint(100, 100));
+  move_pressed_mouse(window().view(), QPoint(140, 120));
+  QWidget greedy(&window());
+  greedy.grabMouse();
+  greedy.grabKeyboard();
+  const auto asked = Clock::now();
+  QTest::keyPress(window().windowHandle(), Qt::Key_F12);  // as the X server would send it
+  expect_stopped_within_50_ms(asked);
+  greedy.releaseKeyboard();
+  greedy.releaseMouse();
+  QTest::mouseRelease(&window().view(), Qt::LeftButton, Qt::NoModifier, QPoint(140, 120));
+}
+
+TEST_F(Stop, WorksByTheMouseWhileAPopupHoldsIt) {
+  XInput input;
+  begin_motion(kSlow);
+  auto& stop = part<QPushButton>("devices_stop");
+  action("Find a &command…").trigger();
+  ASSERT_TRUE(QTest::qWaitFor([] { return QApplication::activePopupWidget() != nullptr; }));
+  QTest::qWait(100);
+  const auto asked = Clock::now();
+  input.click(stop.mapToGlobal(stop.rect().center()));
+  expect_stopped_within_50_ms(asked);
+}
+
+TEST_F(Stop, HearsItsKeysThoughTheWindowIsBusy) {
+  XInput input;
+  const std::vector<std::vector<xcb_keysym_t>> keys{
+      {kPauseKey}, {kF12Key}, {kControlKey, kSpaceKey}};
+  for (const auto& key : keys) {
+    SCOPED_TRACE(key.front());
+    begin_motion(kSlow);
+    window().activateWindow();
+    QTest::qWait(100);
+    const auto asked = Clock::now();
+    input.type(key);
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));  // the window's thread
+    expect_stopped_within_50_ms(asked);
+  }
+}
+
+TEST_F(Stop, HearsItsKeysThoughTheFocusIsInAWindowThatADialogBlocks) {
+  XInput input;
+  begin_motion(kSlow);
+  action("Pre&ferences…").trigger();
+  QTest::qWait(100);
+  window().activateWindow();
+  QTest::qWait(100);
+  const auto asked = Clock::now();
+  input.type({kControlKey, kSpaceKey});
+  expect_stopped_within_50_ms(asked);
+  close_dialogs();
+}
+
+TEST_F(Stop, LeavesOtherProgramsAllKeysButPause) {
+  XInput input;
+  begin_motion(kSlow);
+  input.take_keyboard();
+  input.type({kF12Key});
+  input.type({kControlKey, kSpaceKey});
+  QTest::qWait(200);
+  EXPECT_TRUE(moves());
+  const auto asked = Clock::now();
+  input.type({kPauseKey});
+  expect_stopped_within_50_ms(asked);
+}
+
+TEST_F(Stop, IsSeenAtEverySize) {
+  auto& stop = part<QPushButton>("devices_stop");
+  for (const QSize size : {QSize(1, 1), QSize(640, 400), QSize(1024, 700), QSize(1500, 900)}) {
+    window().resize(size);
+    QTest::qWait(100);
+    const QPoint corner = stop.mapTo(&window(), stop.rect().bottomRight());
+    EXPECT_TRUE(stop.isVisible());
+    EXPECT_TRUE(window().rect().contains(corner));
+    EXPECT_LE(stop.minimumSizeHint().width(), stop.width()) << "its whole word";
+    keep_screen(QStringLiteral("stop_at_%1").arg(size.width()));
+    EXPECT_LT(corner.x(), 200) << "where a screen that is too small still shows it";
+    EXPECT_LT(corner.y(), 100);
+    EXPECT_EQ(QApplication::widgetAt(stop.mapToGlobal(stop.rect().center())), &stop);
+  }
+}
+
+}  // namespace
+}  // namespace handway::test

@@ -1,0 +1,94 @@
+#include "features/glove/capture_pages.h"
+
+#include "features/glove/capture_coach.h"
+#include "features/glove/pmd_pad.h"
+#include "glove_dock.h"
+#include "handway/device/glove/recording.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QTabBar>
+
+#include <cmath>
+
+namespace handway::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+class CapturePages : public GloveDock {
+ protected:
+  [[nodiscard]] gui::PmdPad& pad() const { return part<gui::PmdPad>("pmd_pad"); }
+
+  // Both sensors through much of their ranges, the middle finger slower.
+  [[nodiscard]] std::filesystem::path recording() const {
+    device::Recording recording;
+    recording.header.kind = device::RecordingKind::kAngles;
+    for (const auto& wire : pincers_mapping().wires) {
+      recording.header.sensors.push_back(wire.sensor);
+    }
+    recording.times = Eigen::VectorXd::LinSpaced(600, 0.0, 6.0);
+    recording.values.resize(600, 2);
+    for (Eigen::Index row = 0; row < 600; ++row) {
+      const double time = recording.times[row];
+      recording.values.row(row) << 0.3 + 0.4 * std::sin(3.0 * time), 0.3 + 0.2 * std::cos(time);
+    }
+    const std::filesystem::path file = cell().folder() / "motion.csv";
+    device::write_recording(recording, file);
+    return file;
+  }
+  void show_recording() {
+    panel().come_to_front("explore");
+    panel().capture().show_recording(QString::fromStdString(recording().string()));
+    const auto& source = part<QComboBox>("explorer_source");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return source.currentText() == "motion.csv"; }));
+    auto& basis = part<QComboBox>("explorer_basis");
+    basis.setCurrentIndex(1);
+    emit basis.activated(1);
+  }
+};
+
+TEST_F(CapturePages, CountWhereTheHandHasBeen) {
+  panel().come_to_front("coach");
+  connect_to_emulator();
+  const auto& coverage = panel().capture().coach().coverage();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return panel().capture().postures().count() > 2; }));
+  const double before = coverage.share();
+  for (const std::uint16_t counts : {64, 72, 80, 90, 110, 120}) {
+    set_counts(counts);
+    QTest::qWait(60);
+  }
+  EXPECT_TRUE(QTest::qWaitFor([&] { return coverage.share() > before + 0.1; }));
+  EXPECT_THAT(panel().capture().coach().advice().toStdString(), HasSubstr("Keep moving"));
+  click("glove_connect");
+  click("capture_restart");
+  EXPECT_EQ(panel().capture().postures().count(), 0);
+}
+
+TEST_F(CapturePages, MoveTheHandWhereThePadIsPressed) {
+  show_recording();
+  ASSERT_FALSE(::testing::Test::HasFatalFailure());
+  const double before = joint("left");
+  const QPointF target(0.05, 0.02);
+  QTest::mouseClick(&pad(), Qt::LeftButton, {}, pad().to_pixel(target).toPoint());
+  EXPECT_NE(joint("left"), before);
+  EXPECT_NEAR(pad().posture().x(), target.x(), 0.01);
+  EXPECT_NEAR(pad().posture().y(), target.y(), 0.01);
+}
+
+TEST_F(CapturePages, StopFollowingTheGloveWhenThePadIsUsed) {
+  show_recording();
+  connect_to_emulator();
+  ASSERT_TRUE(part<QCheckBox>("glove_follow").isChecked());
+  QTest::mouseClick(&pad(), Qt::LeftButton, {}, pad().to_pixel({0.0, 0.0}).toPoint());
+  EXPECT_FALSE(part<QCheckBox>("glove_follow").isChecked());
+}
+
+TEST_F(CapturePages, SayWhatIsWrongWithARecording) {
+  panel().capture().show_recording(QString::fromStdString(cell().broken().string()));
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] { return part<QLabel>("glove_error").text().contains(QStringLiteral("broken.yaml")); }));
+}
+
+}  // namespace
+}  // namespace handway::test

@@ -1,0 +1,164 @@
+#include "features/glove/mapping_editor.h"
+
+#include "features/glove/curve_view.h"
+#include "features/glove/mapping_comparison.h"
+#include "features/glove/mapping_wires.h"
+#include "features/glove/wire_form.h"
+#include "handway/device/glove/glove_layout.h"
+#include "handway/geometric/io/resources.h"
+#include "handway/geometric/io/robot_loader.h"
+#include "handway/geometric/math/units.h"
+#include "pressed_mouse.h"
+#include "window_test.h"
+
+#include <QComboBox>
+#include <QLineEdit>
+
+#include <handway_test/paths.h>
+
+#include <fstream>
+#include <sstream>
+
+namespace handway::test {
+namespace {
+
+std::string content_of(const std::filesystem::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
+  return text.str();
+}
+
+class MappingEditor : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    HANDWAY_NEED_DISPLAY();
+    session_ = std::make_unique<gui::GloveSession>();
+    editor_ = std::make_unique<gui::MappingEditor>(*session_);
+    editor_->resize(340, 700);
+    editor_->show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(editor_.get()));
+  }
+
+  template <typename Widget>
+  [[nodiscard]] Widget& part(const char* name) const {
+    return *editor_->findChild<Widget*>(QLatin1String(name));
+  }
+  [[nodiscard]] gui::MappingWires& wires() const {
+    return part<gui::MappingWires>("mapping_wires");
+  }
+  void drag(const char* letter, int joint) const {
+    const int sensor = device::find_sensor(letter).value();
+    QTest::mousePress(&wires(), Qt::LeftButton, {}, wires().sensor_handle(sensor).toPoint());
+    move_pressed_mouse(wires(), wires().joint_handle(joint).toPoint());
+    QTest::mouseRelease(&wires(), Qt::LeftButton, {}, wires().joint_handle(joint).toPoint());
+  }
+  void type(const char* field, const char* text) const {
+    auto& edit = part<QLineEdit>(field);
+    edit.setFocus();
+    edit.selectAll();
+    QTest::keyClicks(&edit, QLatin1String(text));
+    QTest::keyClick(&edit, Qt::Key_Return);
+  }
+
+  std::unique_ptr<gui::GloveSession> session_;
+  std::unique_ptr<gui::MappingEditor> editor_;
+};
+
+TEST_F(MappingEditor, RebuildsTable1ByteForByte) {
+  editor_->clear();
+  EXPECT_EQ(session_->mapping().wires[0].sensor, -1);
+  const char* const letters[] = {"c", "c", "e", "f", "j", "g", "h", "", "k", "l", "n", "o", "p"};
+  for (int joint = 0; joint < 13; ++joint) {
+    if (*letters[joint] == '\0') {
+      continue;
+    }
+    drag(letters[joint], joint);
+    if (joint == 1) {
+      type("wire_gain", "-1/3");
+      type("wire_offset", "15");
+    } else if (joint != 10) {
+      type("wire_gain", "-1");
+    }
+  }
+  type("mapping_source", device::table1_mapping().source.c_str());
+  const ScratchFolder folder;
+  editor_->save(folder.path() / "mine.yaml");
+  EXPECT_EQ(content_of(folder.path() / "mine.yaml"),
+            content_of(source_dir() / "resources/mappings/table1_sah.yaml"));
+}
+
+TEST_F(MappingEditor, TakesACurveInPlaceOfGainAndOffset) {
+  drag("h", 6);
+  type("wire_curve", "0:-4, 45:-52, 97:-75");
+  const device::JointWire& wire = session_->mapping().wires[6];
+  ASSERT_EQ(wire.curve.size(), 3U);
+  EXPECT_NEAR(wire.curve[1].angle, 45.0 * geometric::kDegree, 1e-12);
+  EXPECT_NEAR(wire.curve[2].joint, -75.0 * geometric::kDegree, 1e-12);
+}
+
+TEST_F(MappingEditor, DrawsACurveWithTheMouse) {
+  editor_->set_hand(
+      geometric::load_robot(geometric::find_resource(geometric::ResourceKind::kRobot, "sah_right",
+                                                     std::filesystem::current_path(), "")),
+      {});
+  drag("h", 6);
+  auto* view = editor_->findChild<gui::CurveView*>();
+  ASSERT_TRUE(view);
+  const auto at = [&](double sensor, double joint) {
+    return view->place_of(sensor * geometric::kDegree, joint * geometric::kDegree).toPoint();
+  };
+  const auto curve = [&] { return session_->mapping().wires[6].curve; };
+  QTest::mousePress(view, Qt::LeftButton, {}, at(40, -30));
+  ASSERT_EQ(curve().size(), 3U) << "both ends of the straight wire, and the point";
+  move_pressed_mouse(*view, at(60, -20));
+  QTest::mouseRelease(view, Qt::LeftButton, {}, at(60, -20));
+  ASSERT_EQ(curve().size(), 3U);
+  EXPECT_NEAR(curve()[1].angle, 60.0 * geometric::kDegree, 1.5 * geometric::kDegree);
+  EXPECT_NEAR(curve()[1].joint, -20.0 * geometric::kDegree, 1.5 * geometric::kDegree);
+  const ScratchFolder folder;
+  editor_->save(folder.path() / "curve.yaml");
+  EXPECT_EQ(device::read_mapping(folder.path() / "curve.yaml").wires[6].curve.size(), 3U);
+  QTest::mouseClick(view, Qt::RightButton, {}, at(60, -20));
+  ASSERT_EQ(curve().size(), 2U);
+  QTest::mouseClick(view, Qt::RightButton, {},
+                    view->place_of(curve()[0].angle, curve()[0].joint).toPoint());
+  EXPECT_TRUE(curve().empty()) << "straight again";
+}
+
+TEST_F(MappingEditor, KeepsTheWireIfANumberIsNone) {
+  drag("h", 6);
+  type("wire_gain", "much");
+  EXPECT_EQ(session_->mapping().wires[6].gain, -1.0);
+}
+
+TEST_F(MappingEditor, OpensWhatItSaved) {
+  drag("d", 1);
+  const ScratchFolder folder;
+  editor_->save(folder.path() / "d.yaml");
+  editor_->clear();
+  editor_->open(folder.path() / "d.yaml");
+  EXPECT_EQ(session_->mapping().wires[1].sensor, device::find_sensor("d").value());
+}
+
+TEST_F(MappingEditor, AsksForMotionBeforeItCompares) {
+  editor_->compare_with(device::table1_mapping(), "Table 1");
+  EXPECT_TRUE(editor_->comparison().contains(QStringLiteral("Move the glove")));
+}
+
+TEST(WireNumbers, MayBeRatios) {
+  EXPECT_EQ(gui::parse_ratio("-1/3"), -1.0 / 3.0);
+  EXPECT_EQ(gui::parse_ratio(" 0.5 "), 0.5);
+  EXPECT_FALSE(gui::parse_ratio("1/0"));
+  EXPECT_FALSE(gui::parse_ratio("1/2/3"));
+  EXPECT_FALSE(gui::parse_ratio("a"));
+}
+
+TEST(WireCurves, NeedRisingAngles) {
+  EXPECT_FALSE(gui::parse_curve("0:1"));
+  EXPECT_FALSE(gui::parse_curve("0:1, 0:2"));
+  EXPECT_FALSE(gui::parse_curve("0:1, x:2"));
+  EXPECT_EQ(gui::curve_text(gui::parse_curve("0:-4, 45:-52").value()), "0:-4, 45:-52");
+}
+
+}  // namespace
+}  // namespace handway::test

@@ -1,0 +1,89 @@
+#include "features/planning/plan_panel.h"
+
+#include "window_test.h"
+
+#include <QComboBox>
+#include <QPushButton>
+#include <QSpinBox>
+
+#include <fstream>
+#include <iterator>
+
+namespace handway::test {
+namespace {
+
+class ParametersInThePanel : public WindowTest {};
+
+TEST_F(ParametersInThePanel, GoBackToThePlannersOwnValues) {
+  open(cell().post());
+  auto& panel = *window().findChild<gui::PlanPanel*>();
+  panel.choose_planner("pmd-prm");
+  auto& reset = part<QPushButton>("reset_parameters");
+  EXPECT_FALSE(reset.isEnabled());
+  const int usual = part<QSpinBox>("k").value();
+
+  part<QSpinBox>("k").setValue(usual + 3);
+  EXPECT_EQ(panel.choice().settings.size(), 1U);
+  EXPECT_TRUE(reset.isEnabled());
+
+  click("reset_parameters");
+  EXPECT_EQ(part<QSpinBox>("k").value(), usual);
+  EXPECT_TRUE(panel.choice().settings.empty());
+  EXPECT_EQ(panel.choice().name, "pmd-prm");
+  EXPECT_FALSE(reset.isEnabled());
+}
+
+TEST_F(ParametersInThePanel, StayWhileAPlannerRuns) {
+  open(cell().post());
+  auto& panel = *window().findChild<gui::PlanPanel*>();
+  panel.choose_planner("pmd-prm");
+  part<QSpinBox>("k").setValue(part<QSpinBox>("k").value() + 1);
+  panel.show_running();
+  EXPECT_FALSE(part<QPushButton>("reset_parameters").isEnabled());
+  panel.clear_result();
+  panel.set_ready(true);
+  EXPECT_TRUE(part<QPushButton>("reset_parameters").isEnabled());
+}
+
+TEST_F(ParametersInThePanel, KeepTheMarginOfARun) {
+  open(cell().post());
+  auto& panel = *window().findChild<gui::PlanPanel*>();
+  EXPECT_EQ(panel.request().margin_mm, 0.0);
+  part<QDoubleSpinBox>("margin").setValue(7.5);
+  planning::PlanRequest request = panel.request();
+  EXPECT_EQ(request.margin_mm, 7.5);
+  request.margin_mm = 3.0;
+  panel.restore(request);
+  EXPECT_EQ(panel.request().margin_mm, 3.0);
+}
+
+class PlannersInThePanel : public WindowTest {
+ protected:
+  [[nodiscard]] bool can_be_chosen(const char* planner) const {
+    const auto& list = part<QComboBox>("planners");
+    return (list.model()->index(list.findText(QLatin1String(planner)), 0).flags() &
+            Qt::ItemIsEnabled) != 0;
+  }
+  /// The post's scene without its hand basis.
+  [[nodiscard]] std::filesystem::path without_basis() const {
+    std::ifstream in(cell().post());
+    std::string text{std::istreambuf_iterator<char>(in), {}};
+    const std::string basis = "hand_basis: hand.yaml\n";
+    text.erase(text.find(basis), basis.size());
+    const std::filesystem::path file = cell().folder() / "without_basis.yaml";
+    std::ofstream(file) << text;
+    return file;
+  }
+};
+
+TEST_F(PlannersInThePanel, AreGreyWhereTheyNeedABasisAndTheSceneNamesNone) {
+  open(without_basis());
+  EXPECT_TRUE(can_be_chosen("auto"));
+  EXPECT_TRUE(can_be_chosen("rrt-connect"));
+  EXPECT_FALSE(can_be_chosen("pmd-prm"));
+  open(cell().post());
+  EXPECT_TRUE(can_be_chosen("pmd-prm"));
+}
+
+}  // namespace
+}  // namespace handway::test

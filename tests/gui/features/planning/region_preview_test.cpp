@@ -1,0 +1,104 @@
+#include "features/planning/planning_views.h"
+#include "features/planning/region_tool.h"
+#include "handway/planning/planners/pmd_prm.h"
+#include "window_test.h"
+
+#include <QCheckBox>
+#include <QDoubleSpinBox>
+#include <QElapsedTimer>
+#include <QLabel>
+#include <QSlider>
+#include <QSpinBox>
+
+namespace handway::test {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+class RegionPreviewInThePanel : public WindowTest {
+ protected:
+  void open_with(const char* planner) {
+    open(cell().post());
+    window().plan_panel().choose_planner(planner);
+  }
+  void switch_on() {
+    part<QCheckBox>("preview_region").setChecked(true);
+    settle();
+  }
+  void settle() {
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !window().planning_views().region().is_busy(); }));
+  }
+  [[nodiscard]] bool is_shown() const { return window().planning_views().region().is_shown(); }
+  [[nodiscard]] std::string note() const {
+    return part<QLabel>("preview_note").text().toStdString();
+  }
+};
+
+TEST_F(RegionPreviewInThePanel, IsOffUntilItIsAskedFor) {
+  open_with("pmd-prm");
+  EXPECT_FALSE(is_shown());
+  EXPECT_FALSE(part<QSlider>("preview_rho").isVisible());
+  switch_on();
+  EXPECT_TRUE(is_shown());
+  EXPECT_TRUE(part<QSlider>("preview_rho").isVisible());
+  part<QCheckBox>("preview_region").setChecked(false);
+  EXPECT_FALSE(is_shown());
+}
+
+TEST_F(RegionPreviewInThePanel, FollowsTheParametersField) {
+  open_with("pmd-prm");
+  switch_on();
+  const std::string before = note();
+  EXPECT_THAT(before, HasSubstr("mm of the straight motion"));
+  const int position = part<QSlider>("preview_rho").value();
+  part<QDoubleSpinBox>("rho_a").setValue(0.04);
+  settle();
+  EXPECT_GT(part<QSlider>("preview_rho").value(), position);
+  EXPECT_NE(note(), before);
+  EXPECT_THAT(note(), Not(HasSubstr("looking only")));
+}
+
+TEST_F(RegionPreviewInThePanel, SetsTheParameterThatIsDragged) {
+  open_with("pmd-prm");
+  switch_on();
+  part<QSlider>("preview_rho").setValue(600);
+  settle();
+  const auto& settings =
+      dynamic_cast<planning::PmdPrm&>(*window().plan_panel().planner()).settings();
+  const double entered = settings.rho_a;
+  EXPECT_DOUBLE_EQ(part<QDoubleSpinBox>("rho_a").value(), entered);
+  EXPECT_NEAR(entered, 0.017, 0.001) << "the slider is logarithmic";
+  EXPECT_TRUE(is_shown());
+}
+
+TEST_F(RegionPreviewInThePanel, IsForLookingOnlyWherePlannersChooseTheirWidth) {
+  open_with("auto");
+  switch_on();
+  EXPECT_THAT(note(), HasSubstr("looking only"));
+  part<QSlider>("preview_rho").setValue(100);
+  settle();
+  EXPECT_TRUE(is_shown());
+}
+
+TEST_F(RegionPreviewInThePanel, SaysThatAPlannerHasNoRegion) {
+  open_with("rrt-connect");
+  switch_on();
+  settle();
+  EXPECT_FALSE(is_shown());
+  EXPECT_THAT(note(), HasSubstr("everywhere"));
+  window().plan_panel().choose_planner("pmd-rrt-connect");
+  settle();
+  EXPECT_TRUE(is_shown());
+}
+
+TEST_F(RegionPreviewInThePanel, NeedsNoScene) {
+  switch_on();
+  EXPECT_FALSE(is_shown());
+  open_with("pmd-prm");
+  settle();
+  EXPECT_TRUE(is_shown());
+}
+
+}  // namespace
+}  // namespace handway::test

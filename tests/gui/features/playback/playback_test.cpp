@@ -1,0 +1,108 @@
+#include "app/playback_tools.h"
+#include "handway/planning/timing/certified_blends.h"
+#include "view3d/scene_view.h"
+#include "window_test.h"
+
+#include <QLabel>
+#include <QSlider>
+
+namespace handway::test {
+namespace {
+
+class Playback : public WindowTest {
+ protected:
+  void SetUp() override {
+    WindowTest::SetUp();
+    if (!IsSkipped()) {
+      open(cell().post());
+      plan();
+      ASSERT_TRUE(QTest::qWaitFor(
+          [&] { return window().playback().analysis().motion() != nullptr; }, 8000));
+      window().player().pause();
+    }
+  }
+  [[nodiscard]] const geometric::Configuration& shown() const {
+    return window().document().configuration();
+  }
+  [[nodiscard]] const geometric::Scene& scene() const { return *window().document().scene(); }
+};
+
+TEST_F(Playback, MovesTheRobotAlongThePath) {
+  window().player().seek(0.0);
+  EXPECT_TRUE(shown().isApprox(*scene().start));
+  click("play");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window().player().fraction() > 0.1; }));
+  EXPECT_FALSE(shown().isApprox(*scene().start));
+  click("play");
+  EXPECT_FALSE(window().player().is_playing());
+}
+
+TEST_F(Playback, SaysHowManyPicturesASecondAreDrawn) {
+  const auto& rate = part<QLabel>("frame_rate");
+  click("play");
+  EXPECT_TRUE(QTest::qWaitFor([&] { return rate.text().endsWith("frames/s"); }, 30000));
+  click("play");
+  EXPECT_TRUE(QTest::qWaitFor([&] { return rate.text().isEmpty(); }, 30000)) << "at rest";
+}
+
+TEST_F(Playback, ScrubsToTheGoal) {
+  auto& scrub = part<QSlider>("scrub");
+  scrub.setValue(scrub.maximum());
+  EXPECT_TRUE(shown().isApprox(*scene().goal));
+}
+
+TEST_F(Playback, StepsFromWaypointToWaypoint) {
+  window().player().seek(0.0);
+  click("step_forward");
+  const geometric::Configuration& waypoint = window().player().timeline().path().waypoints[1];
+  EXPECT_NEAR((shown() - waypoint).norm(), 0.0, planning::BlendOptions{}.deviation + 1e-3);
+  click("step_back");
+  EXPECT_TRUE(shown().isApprox(*scene().start));
+}
+
+TEST_F(Playback, BeginsAnewAtTheEndUnlessTheLoopIsOff) {
+  click("loop");
+  window().player().set_speed(4.0);
+  window().player().seek(0.9);
+  window().player().play();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !window().player().is_playing(); }));
+  EXPECT_EQ(window().player().fraction(), 1.0);
+}
+
+TEST_F(Playback, GoesBackwards) {
+  window().player().seek(0.5);
+  click("reverse");
+  click("play");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window().player().fraction() < 0.4; }));
+  click("play");
+}
+
+TEST_F(Playback, BackwardsItEndsAtTheStart) {
+  click("loop");
+  click("reverse");
+  window().player().seek(0.1);
+  window().player().play();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !window().player().is_playing(); }));
+  EXPECT_EQ(window().player().fraction(), 0.0);
+}
+
+TEST_F(Playback, StepsByPictures) {
+  window().player().seek(0.0);
+  click("frame_forward");
+  EXPECT_NEAR(window().player().time(), gui::PathPlayer::kFrame, 1e-9);
+  click("frame_back");
+  EXPECT_EQ(window().player().fraction(), 0.0);
+}
+
+TEST_F(Playback, KeepsItsPlaceWhenThePathGetsTimes) {
+  gui::PathPlayer& player = window().player();
+  const auto motion = player.timeline().motion();
+  player.set_motion(nullptr);
+  player.step_forward();
+  const double waypoint = player.timeline().waypoint_at(player.fraction());
+  player.set_motion(motion);
+  EXPECT_NEAR(player.timeline().waypoint_at(player.fraction()), waypoint, 1e-9);
+}
+
+}  // namespace
+}  // namespace handway::test
