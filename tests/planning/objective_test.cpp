@@ -52,6 +52,18 @@ TEST_F(FlatArm, CostsMoreWithTheHandOutsideOfTheSubspace) {
   EXPECT_NEAR(human.cost(outside), length + 2.0 * distance(outside.waypoints[0]), 1e-9);
 }
 
+TEST_F(FlatArm, MayBeAsManyTimesLongerForHumanLikenessOnShortAndLongMotions) {
+  const auto weight = [&](double share) {
+    PlanningProblem part = problem_;
+    part.goal = part.start + share * (problem_.goal - problem_.start);
+    return ObjectiveSettings{}.weights(part).human_likeness;
+  };
+  const double whole = normalised_distance(problem_.model(), problem_.start, problem_.goal);
+  ASSERT_GT(0.8 * whole, 0.25);
+  EXPECT_NEAR(weight(0.8), 0.8 * weight(1.0), 1e-9);
+  EXPECT_EQ(weight(1e-3), weight(1e-4));
+}
+
 TEST_F(FlatArm, CostsAtMostTheTimeOfItsSlowestJoint) {
   Objective fastest(problem_, {.length = 0.0, .duration = 1.0});
   const Configuration from = posture(-0.4, 0.0);

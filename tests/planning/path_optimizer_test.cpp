@@ -90,6 +90,16 @@ TEST_F(Optimizer, LeadsTheHandIntoTheSubspace) {
   EXPECT_LT(human.human_likeness->mean, 1.3 * human.human_likeness->forced);
 }
 
+TEST_F(Optimizer, KnowsHowMuchOfTheHandsDistanceIsTheEndsFault) {
+  const Path path = found();
+  PlanningContext context(problem_, request_, {}, observer_);
+  const PathOptimizer optimizer(context, human_like(), path, 3);
+  const PathQuality quality = path_quality(problem_, path);
+  EXPECT_NEAR(optimizer.avoidable_distance(),
+              quality.human_likeness->mean - quality.human_likeness->forced, 1e-3);
+  EXPECT_EQ(PathOptimizer(context, {}, path, 3).avoidable_distance(), 0.0);
+}
+
 TEST_F(Optimizer, KeepsAwayFromObstaclesIfThatIsWhatCounts) {
   const Path path = found();
   const PathQuality safest = path_quality(problem_, optimized(path, {.clearance = 4.0}, 20000));

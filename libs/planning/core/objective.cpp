@@ -13,9 +13,11 @@
 namespace handway::planning {
 namespace {
 
-// The weights of presets. A hand that is 0.3 from the subspace goes there if the path gets longer
-// by less than 3 for it; and the path is lengthened inside it by what makes the mean smaller.
-constexpr double kHumanLikenessWeight = 10.0;
+// The weights of presets. That of human-likeness is for a length in multiples of the straight
+// motion's from start to goal: a hand whose mean distance gets smaller by 0.05 may make the path
+// longer by about as much as that motion is.
+constexpr double kHumanLikenessWeight = 21.0;
+constexpr double kShortMotion = 0.25;  // a shorter one counts as this
 constexpr double kClearanceWeight = 4.0;
 constexpr double kDurationWeight = 1.0;
 constexpr double kTieBreak = 0.01;  // of length, where it is not the objective
@@ -130,12 +132,16 @@ class RecordedDistribution {
   const sampling::PmdBasis& basis_;
 };
 
+double straight(const PlanningProblem& problem) {
+  return std::max(kShortMotion, normalised_distance(problem.model(), problem.start, problem.goal));
+}
+
 }  // namespace
 
 ObjectiveWeights ObjectiveSettings::weights(const PlanningProblem& problem) const {
   switch (static_cast<ObjectivePreset>(preset)) {
     case ObjectivePreset::kHumanLike:
-      return {.human_likeness = problem.basis ? kHumanLikenessWeight : 0.0};
+      return {.human_likeness = problem.basis ? kHumanLikenessWeight * straight(problem) : 0.0};
     case ObjectivePreset::kSafest:
       return {.clearance = kClearanceWeight};
     case ObjectivePreset::kFastest:
@@ -266,6 +272,10 @@ Objective::Point Objective::with_hand(const Point& at, const Point& hand) const 
   return point;
 }
 
+double Objective::forced_outside(const Point& start, const Point& goal) {
+  return 0.5 * (start.outside.squaredNorm() + goal.outside.squaredNorm());
+}
+
 PathQuality path_quality(const PlanningProblem& problem, const Path& path) {
   if (path.empty()) {
     throw std::invalid_argument("a path without waypoints has no properties");
@@ -310,15 +320,12 @@ PathQuality path_quality(const PlanningProblem& problem, const Path& path) {
   quality.mean_clearance = clearance.mean();
   if (recorded) {
     const Profile middle = distance.without_ends(kEndSlope);
-    const auto square = [](double x) { return x * x; };
     const double whole = std::max(quality.length, 1e-12);
     quality.human_likeness = {
         .mean = distance.mean(),
         .largest = middle.largest(),
         .share_beyond = middle.length_above(kNearSubspace) / whole,
-        .forced = 0.5 *
-                  (square(waypoints.front().distance()) + square(waypoints.back().distance())) /
-                  whole,
+        .forced = Objective::forced_outside(waypoints.front(), waypoints.back()) / whole,
         .mahalanobis_mean = mahalanobis.mean(),
         .mahalanobis_largest = mahalanobis.largest()};
   }

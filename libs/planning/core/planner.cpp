@@ -151,11 +151,10 @@ std::vector<Parameter> Planner::parameters() {
   weight("weight_length", "Weight of length", "Of a custom objective, in normalised joints.",
          objective_.custom.length);
   weight("weight_human_likeness", "Weight of human-likeness",
-         "Of a custom objective: the hand's distance from the principal motion directions, "
-         "summed along the path.",
+         "Of a custom objective: the hand's mean distance from the principal motion directions.",
          objective_.custom.human_likeness);
   weight("weight_clearance", "Weight of clearance",
-         "Of a custom objective: what lacks in clearance, summed along the path.",
+         "Of a custom objective: the mean share of 50 mm that is missing in clearance.",
          objective_.custom.clearance);
   weight("weight_duration", "Weight of duration", "Of a custom objective, per second.",
          objective_.custom.duration);

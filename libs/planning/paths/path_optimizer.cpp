@@ -42,6 +42,14 @@ Path PathOptimizer::path() const {
   return path;
 }
 
+double PathOptimizer::avoidable_distance() const {
+  if (!has_subspace() || sum_.length <= 0.0) {
+    return 0.0;
+  }
+  const double forced = objective_.forced_outside(points_.front(), points_.back());
+  return (sum_.outside - forced) / sum_.length;
+}
+
 double PathOptimizer::cost() const { return objective_.cost(sum_); }
 
 bool PathOptimizer::converged() const { return fruitless_ >= patience_; }

@@ -166,7 +166,8 @@ void AutoPlanner::do_plan(PlanningContext& context, PlanResult& result) {
   if (result.solved()) {
     const Path found =
         race.winner_problem() == &between ? with_entries(*entries_found, race.path()) : race.path();
-    smooth_result(context, objective(), settings_.smoothing_checks, found, result);
+    constexpr int kMostRounds = 6;
+    smooth_result(context, objective(), settings_.smoothing_checks, found, result, kMostRounds);
     result.reason =
         fmt::format("Found a path of {} waypoints after {} samples, by {}{}.",
                     result.path.waypoints.size(), context.statistics().samples, race.winner(),

@@ -79,6 +79,10 @@ class HANDWAY_PLANNING_EXPORT Objective {
   /// `at` with the hand as in `hand`.
   [[nodiscard]] Point with_hand(const Point& at, const Point& hand) const;
 
+  /// MotionSums::outside of a path on which the hand goes straight from the start to the subspace,
+  /// stays in it and leaves it straight for the goal: no path between these ends has less.
+  [[nodiscard]] static double forced_outside(const Point& start, const Point& goal);
+
   /// Distance queries for clearance since this was made.
   [[nodiscard]] std::uint64_t distance_queries() const { return distance_queries_; }
 

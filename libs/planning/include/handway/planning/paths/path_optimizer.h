@@ -58,7 +58,13 @@ class HANDWAY_PLANNING_EXPORT PathOptimizer {
   /// So many replacements in a row were of no use that another one is not expected to be.
   [[nodiscard]] bool converged() const;
 
+  /// As in the constructor.
+  void set_patience(int patience) { patience_ = patience; }
+
   [[nodiscard]] Path path() const;
+  /// By how much the hand is on average farther from the PMD subspace than it would be if it went
+  /// straight to it, stayed in it and left it for the goal; 0 if that does not count.
+  [[nodiscard]] double avoidable_distance() const;
   [[nodiscard]] double cost() const;
 
  private:
