@@ -7,6 +7,7 @@
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/replace_file.h"
 #include "handway/geometric/math/units.h"
+#include "handway/geometric/robot/limit_violation.h"
 #include "handway/planning/core/plugin.h"
 #include "handway/planning/paths/path_csv.h"
 #include "handway/planning/queries/failure_explanation.h"
@@ -77,7 +78,7 @@ int exit_code_of(PlanStatus status) {
 // What touches at an end that is refused, and where a free one is.
 void print_advice(const planning::PlanningProblem& problem, bool at_start) {
   const geometric::Configuration& q = at_start ? problem.start : problem.goal;
-  if (q.size() != problem.model().variable_count() || !q.allFinite()) {
+  if (!geometric::configuration_fault(problem.model(), q).empty()) {
     return;
   }
   constexpr std::size_t kMostContacts = 3;

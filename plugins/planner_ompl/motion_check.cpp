@@ -22,7 +22,7 @@ StateCheck::StateCheck(const ompl::base::SpaceInformationPtr& information,
     : StateValidityChecker(information), context_(context), map_(map) {}
 
 bool StateCheck::isValid(const State* state) const {
-  return context_.interruption() || !context_.collision(map_.read(state));
+  return context_.interruption() || !context_.validator().collision(map_.read(state));
 }
 
 MotionCheck::MotionCheck(const ompl::base::SpaceInformationPtr& information,
@@ -30,7 +30,8 @@ MotionCheck::MotionCheck(const ompl::base::SpaceInformationPtr& information,
     : MotionValidator(information), context_(context), map_(map) {}
 
 bool MotionCheck::is_free(const Configuration& from, const Configuration& to) const {
-  if (context_.interruption() || context_.collision(to) || !context_.edge_free(from, to)) {
+  if (context_.interruption() || context_.validator().collision(to) ||
+      !context_.validator().edge_free(from, to)) {
     return false;
   }
   free_.insert(hash_of(from, to));

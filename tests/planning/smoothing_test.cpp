@@ -38,7 +38,8 @@ Path walk(PlanningContext& context, const PlanningProblem& problem, int steps, d
       next[v] = std::clamp(next[v] + share(random) * range, problem.model().lower()[v],
                            problem.model().upper()[v]);
     }
-    if (!context.collision(next) && context.edge_free(path.waypoints.back(), next)) {
+    if (!context.validator().collision(next) &&
+        context.validator().edge_free(path.waypoints.back(), next)) {
       path.waypoints.push_back(next);
     }
   }
@@ -74,7 +75,7 @@ TEST_F(Smoothing, ShortensWithoutLeavingWhatIsFree) {
   EXPECT_EQ(smooth.waypoints.front(), problem_.start);
   EXPECT_EQ(smooth.waypoints.back(), problem_.goal);
   for (std::size_t i = 0; i + 1 < smooth.waypoints.size(); ++i) {
-    EXPECT_TRUE(context.edge_free(smooth.waypoints[i], smooth.waypoints[i + 1])) << i;
+    EXPECT_TRUE(context.validator().edge_free(smooth.waypoints[i], smooth.waypoints[i + 1])) << i;
   }
 }
 
@@ -87,8 +88,9 @@ double shortest_way(PlanningContext& context, const Path& path) {
       const Configuration& from = path.waypoints[std::min(a, b)];
       const Configuration& to = path.waypoints[std::max(a, b)];
       lengths(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(b)) =
-          context.edge_free(from, to) ? normalised_distance(context.problem().model(), from, to)
-                                      : std::numeric_limits<double>::infinity();
+          context.validator().edge_free(from, to)
+              ? normalised_distance(context.problem().model(), from, to)
+              : std::numeric_limits<double>::infinity();
     }
   }
   for (Eigen::Index by = 0; by < lengths.rows(); ++by) {  // Floyd, Warshall
@@ -127,7 +129,8 @@ TEST_F(Smoothing, GoesBackAlongThePathWhereThatIsShorterAsPrinted) {
     EXPECT_NEAR(length, shortest_way(context, path), 1e-12) << seed;
     shorter += length < path_length(problem, forwards) - 1e-9 ? 1 : 0;
     for (std::size_t i = 0; i + 1 < both_ways.waypoints.size(); ++i) {
-      EXPECT_TRUE(context.edge_free(both_ways.waypoints[i], both_ways.waypoints[i + 1])) << i;
+      EXPECT_TRUE(context.validator().edge_free(both_ways.waypoints[i], both_ways.waypoints[i + 1]))
+          << i;
     }
   }
   EXPECT_EQ(shorter, 1) << "the walk of seed 35";
@@ -153,7 +156,7 @@ TEST_F(Smoothing, KeepsAPathWhenStoppedAtOnce) {
   EXPECT_EQ(smooth.waypoints.front(), problem_.start);
   EXPECT_EQ(smooth.waypoints.back(), problem_.goal);
   for (std::size_t i = 0; i + 1 < smooth.waypoints.size(); ++i) {
-    EXPECT_TRUE(free.edge_free(smooth.waypoints[i], smooth.waypoints[i + 1])) << i;
+    EXPECT_TRUE(free.validator().edge_free(smooth.waypoints[i], smooth.waypoints[i + 1])) << i;
   }
 }
 

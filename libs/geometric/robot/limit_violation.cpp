@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <set>
 
 namespace handway::geometric {
@@ -23,6 +24,19 @@ bool violates(const RobotModel& model, int link, const Configuration& q, double 
 }
 
 }  // namespace
+
+std::string configuration_fault(const RobotModel& model, const Configuration& q) {
+  if (q.size() != model.variable_count()) {
+    return fmt::format("has {} values where the robot has {} variables", q.size(),
+                       model.variable_count());
+  }
+  for (int v = 0; v < model.variable_count(); ++v) {
+    if (!std::isfinite(q[v])) {
+      return "has no number for joint " + model.variable(v).name;
+    }
+  }
+  return "";
+}
 
 std::vector<LimitViolation> limit_violations(const RobotModel& model, const Configuration& q,
                                              double tolerance) {

@@ -2,15 +2,12 @@
 
 #include "core/search_reach.h"
 #include "handway/geometric/io/input_error.h"
-#include "handway/geometric/math/units.h"
-#include "handway/geometric/robot/limit_violation.h"
 #include "handway/planning/core/planning_context.h"
 #include "handway/planning/paths/path_optimizer.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <memory>
 #include <stdexcept>
@@ -19,43 +16,6 @@
 
 namespace handway::planning {
 namespace {
-
-// Why the start (0) or the goal (1) can't be an end of a path; empty if it can.
-std::string objection(PlanningContext& context, std::size_t end) {
-  const geometric::RobotModel& model = context.problem().model();
-  const Configuration& q = end == 0 ? context.problem().start : context.problem().goal;
-  if (q.size() != model.variable_count()) {
-    return fmt::format("has {} values where the robot has {} variables", q.size(),
-                       model.variable_count());
-  }
-  for (int v = 0; v < model.variable_count(); ++v) {
-    if (!std::isfinite(q[v])) {
-      return fmt::format("has no number for joint {}", model.variable(v).name);
-    }
-  }
-  if (const auto violations = geometric::limit_violations(model, q); !violations.empty()) {
-    return "is out of limits: " + to_string(violations.front());
-  }
-  if (const std::optional<int> pair = context.collision(q)) {
-    return describe_conflict(*context.problem().checker->clone(), *pair, q);
-  }
-  constexpr double kLeast = 2.0 * geometric::kLeastResolution;
-  if (end >= context.ends().size()) {
-    return "";  // the other end is no configuration of the robot
-  }
-  const geometric::EdgeEnd::NearPair* nearest = context.ends()[end].nearest();
-  if (!nearest || nearest->distance >= kLeast) {
-    return "";
-  }
-  const geometric::CollisionWorld& world = context.problem().checker->world();
-  const std::string names = to_string(named_pair(world, nearest->pair, 0.0));
-  return world.constraint(nearest->pair)
-             ? "is at the limit of " + names + ": allow a little more"
-             : fmt::format(
-                   "is too close to a collision: {} at {:.6f} mm, at least {:g} mm is needed",
-                   names, geometric::millimetres(nearest->distance),
-                   geometric::millimetres(kLeast));
-}
 
 // Why no motion leads from the start to the goal; empty if that is not known. What is inside of a
 // closed surface comes out of it through the surface only.
@@ -97,14 +57,14 @@ void require_ends(const PlanningProblem& problem, const Path& path, const std::s
   }
 }
 
-std::vector<OutOfMargin> out_of_margin(const PlanningContext& context) {
+std::vector<OutOfMargin> out_of_margin(PlanningContext& context) {
   std::vector<OutOfMargin> list;
   if (context.request().margin_mm <= 0.0) {
     return list;
   }
   const geometric::CollisionWorld& world = context.problem().checker->world();
-  for (std::size_t end = 0; end < context.ends().size(); ++end) {
-    for (const geometric::EdgeEnd::NearPair& near : context.ends()[end].near) {
+  for (std::size_t end = 0; end < context.validator().ends().size(); ++end) {
+    for (const geometric::EdgeEnd::NearPair& near : context.validator().ends()[end].near) {
       if (!world.constraint(near.pair) &&
           !world.is_self_pair(world.pairs()[static_cast<std::size_t>(near.pair)])) {
         list.push_back({end == 1, geometric::named_pair(world, near.pair, near.distance)});
@@ -212,10 +172,10 @@ PlanResult Planner::plan(const PlanningProblem& problem, const PlanRequest& requ
   PlanningContext context(problem, request, std::move(stop), watching);
   context.set_sampler(static_cast<sampling::SamplerKind>(sampler_));
   PlanResult result;
-  if (const std::string start = objection(context, 0); !start.empty()) {
+  if (const std::string start = context.validator().objection(0); !start.empty()) {
     result.status = PlanStatus::kStartInvalid;
     result.reason = "The start " + start + ".";
-  } else if (const std::string goal = objection(context, 1); !goal.empty()) {
+  } else if (const std::string goal = context.validator().objection(1); !goal.empty()) {
     result.status = PlanStatus::kGoalInvalid;
     result.reason = "The goal " + goal + ".";
   } else if (problem.start == problem.goal) {
@@ -240,7 +200,7 @@ PlanResult Planner::plan(const PlanningProblem& problem, const PlanRequest& requ
   }
   result.statistics = context.statistics();
   if (result.solved()) {
-    result.certificate = context.certify(result.path);
+    result.certificate = context.validator().certify(result.path);
     result.out_of_margin = out_of_margin(context);
   }
   return result;

@@ -32,13 +32,9 @@ bool check_shape(const geometric::RobotModel& model, const Path& path, PathCheck
     result.faults.emplace_back("The path has no waypoints.");
   }
   for (std::size_t w = 0; w < path.waypoints.size(); ++w) {
-    const Configuration& q = path.waypoints[w];
-    if (q.size() != model.variable_count()) {
-      result.faults.push_back(
-          fmt::format("Waypoint {}: {} values where the robot has {} variables.", w + 1, q.size(),
-                      model.variable_count()));
-    } else if (!q.allFinite()) {
-      result.faults.push_back(fmt::format("Waypoint {}: a value that is no finite number.", w + 1));
+    const std::string fault = geometric::configuration_fault(model, path.waypoints[w]);
+    if (!fault.empty()) {
+      result.faults.push_back(fmt::format("Waypoint {} {}.", w + 1, fault));
     }
   }
   return result.valid();

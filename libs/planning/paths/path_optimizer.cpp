@@ -357,18 +357,18 @@ bool PathOptimizer::apply(const Replacement& made) {
 // Cheap questions about the whole stretch come before dear ones about a part of it.
 bool PathOptimizer::all_free(std::span<const Point> points) {
   for (std::size_t i = 1; i + 1 < points.size(); ++i) {
-    if (context_.collision(points[i].q)) {
+    if (context_.validator().collision(points[i].q)) {
       return false;
     }
   }
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
     const int looks = static_cast<int>(points[i].distance_to(points[i + 1]) / kLookSpacing);
-    if (!context_.edge_plausible(points[i].q, points[i + 1].q, looks)) {
+    if (!context_.validator().edge_plausible(points[i].q, points[i + 1].q, looks)) {
       return false;
     }
   }
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-    if (is_over() || !context_.edge_free(points[i].q, points[i + 1].q, checks_left())) {
+    if (is_over() || !context_.validator().edge_free(points[i].q, points[i + 1].q, checks_left())) {
       return false;
     }
   }

@@ -88,8 +88,9 @@ class PathRoadmap {
         const Configuration& from = nodes_[nodes[i]];
         const Configuration& to = nodes_[nodes[i + 1]];
         const int looks = static_cast<int>(lengths_[motion] / kPlausibleSpacing);
-        const bool passed = wanted == Motion::kPlausible ? context_.edge_plausible(from, to, looks)
-                                                         : context_.edge_free(from, to);
+        const bool passed = wanted == Motion::kPlausible
+                                ? context_.validator().edge_plausible(from, to, looks)
+                                : context_.validator().edge_free(from, to);
         motions_[motion] = passed ? wanted : Motion::kBlocked;
         if (!passed) {
           return false;

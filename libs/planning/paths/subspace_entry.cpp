@@ -24,7 +24,7 @@ Point nearest_free(PlanningContext& context, const Objective& objective, const P
   for (int i = 0; i < kBisections; ++i) {
     const double middle = 0.5 * (colliding + reached);
     Point nearer = objective.moved_along_subspace(at, middle * step);
-    if (context.collision(nearer.q)) {
+    if (context.validator().collision(nearer.q)) {
       colliding = middle;
     } else {
       reached = middle;
@@ -39,7 +39,7 @@ Point nearest_free(PlanningContext& context, const Objective& objective, const P
 std::optional<Point> free_in_subspace(PlanningContext& context, const Objective& objective,
                                       const Point& at, sampling::RandomStream& draw) {
   Point closest = objective.towards_subspace(at, 1.0);
-  if (!context.collision(closest.q)) {
+  if (!context.validator().collision(closest.q)) {
     return closest;
   }
   for (int trial = 0; trial < kTrials; ++trial) {
@@ -47,7 +47,7 @@ std::optional<Point> free_in_subspace(PlanningContext& context, const Objective&
     const Eigen::VectorXd step =
         size * (2.0 * draw.uniform(objective.subspace_dimension()).array() - 1.0);
     Point point = objective.moved_along_subspace(closest, step);
-    if (!context.collision(point.q)) {
+    if (!context.validator().collision(point.q)) {
       return nearest_free(context, objective, closest, step, std::move(point));
     }
   }
@@ -71,13 +71,14 @@ std::optional<std::vector<Configuration>> subspace_entry(PlanningContext& contex
       break;
     }
     const Configuration from = retreat == 0.0 ? end : end + retreat / length * (back - end);
-    if (retreat > 0.0 && (context.collision(from) || !context.edge_free(end, from, kMostChecks))) {
+    if (retreat > 0.0 && (context.validator().collision(from) ||
+                          !context.validator().edge_free(end, from, kMostChecks))) {
       break;
     }
     for (int entry = 0; entry < kEntries; ++entry) {
       const auto inside = free_in_subspace(context, objective, objective.point(from), draw);
-      if (inside && context.edge_plausible(from, inside->q, 3) &&
-          context.edge_free(from, inside->q, kMostChecks)) {
+      if (inside && context.validator().edge_plausible(from, inside->q, 3) &&
+          context.validator().edge_free(from, inside->q, kMostChecks)) {
         return retreat > 0.0 ? std::vector<Configuration>{end, from, inside->q}
                              : std::vector<Configuration>{end, inside->q};
       }

@@ -132,7 +132,7 @@ std::optional<int> BidirectionalSearch::step_towards(int from, const Eigen::Vect
 bool BidirectionalSearch::passable(const Configuration& from, const Configuration& to,
                                    double length) {
   return lazy_ ? edge_plausible(from, to, static_cast<int>(length / kProbeSpacing))
-               : context().edge_free(from, to);
+               : context().validator().edge_free(from, to);
 }
 
 // An edge that takes more is as good as closed as long as there may be a wider way.
@@ -176,7 +176,7 @@ bool BidirectionalSearch::verify(TreePair::Way way) {
     if (context().interruption()) {
       return false;
     }
-    if (!context().edge_free(q(edge), q(edge + 1), edge_checks())) {
+    if (!context().validator().edge_free(q(edge), q(edge + 1), edge_checks())) {
       trees_.cut(way, edge, way.certain[way.bridge]);
       return false;
     }

@@ -106,7 +106,8 @@ class LazySearch final : public Search {
         const Configuration& from = roadmap_.configuration(a);
         const Configuration& to = roadmap_.configuration(b);
         const int probes = static_cast<int>(roadmap_.distance(a, b) / kProbeSpacing);
-        if (!(exactly ? context().edge_free(from, to) : edge_plausible(from, to, probes))) {
+        if (!(exactly ? context().validator().edge_free(from, to)
+                      : edge_plausible(from, to, probes))) {
           roadmap_.remove_edge(a, b);
           return false;
         }

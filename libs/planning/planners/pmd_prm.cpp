@@ -44,11 +44,11 @@ class RoadmapSearch {
     arm_points_ = context.make_sampler(std::max(1, region_.space().corridor_dimension()),
                                        seeds.fork(1).seed(), [this](const Eigen::VectorXd& u) {
                                          const std::optional<Configuration> q = arm_at(u);
-                                         return q && !context_.arm_collides(*q);
+                                         return q && !context_.validator().arm_collides(*q);
                                        });
     hand_points_ = context.make_sampler(
         std::max(1, region_.basis().dimension()), seeds.fork(2).seed(),
-        [this](const Eigen::VectorXd& u) { return !context_.collision(with_hand(u)); });
+        [this](const Eigen::VectorXd& u) { return !context_.validator().collision(with_hand(u)); });
     add_node(context.problem().start, 0.0, 0);
     add_node(context.problem().goal, 1.0, 0);
     statistics().samples = 2;
@@ -175,7 +175,7 @@ class RoadmapSearch {
     hypercube_ = {step, rho};
     for (int i = 0; i < settings_.arm_trials; ++i) {
       const std::optional<Configuration> q = arm_at(arm_points_->point(arm_draw_count_++));
-      const bool is_free = q && !context_.arm_collides(*q);
+      const bool is_free = q && !context_.validator().arm_collides(*q);
       tell({.line = lines::kArmFree, .yes = is_free, .q = q ? &*q : nullptr, .position = step});
       if (is_free) {
         return q;
@@ -208,7 +208,7 @@ class RoadmapSearch {
     const auto trial = [&](int h) {
       return region_.with_hand(arm, points[static_cast<std::size_t>(h)].head(hand_dimension(h)));
     };
-    const auto trials = context_.first_free(count, trial);
+    const auto trials = context_.validator().first_free(count, trial);
     for (const int pair : trials.rejecting_pairs) {
       context_.count_rejection(pair, step);
     }
@@ -227,7 +227,7 @@ class RoadmapSearch {
   }
 
   // What became of the trials, the free one last.
-  void tell_trials(const PlanningContext::FirstFree& trials,
+  void tell_trials(const MotionValidator::FirstFree& trials,
                    const std::function<Configuration(int)>& trial, double step) {
     const int rejected = static_cast<int>(trials.rejecting_pairs.size());
     for (int h = 0; h < rejected + (trials.index ? 1 : 0); ++h) {
@@ -283,12 +283,12 @@ class RoadmapSearch {
     }
     const std::vector<int> neighbours = neighbours_of(node, step);
     tell({.line = lines::kNeighbours, .from = node, .count = static_cast<int>(neighbours.size())});
-    std::vector<PlanningContext::Edge> candidates;
+    std::vector<MotionValidator::Edge> candidates;
     candidates.reserve(neighbours.size());
     for (const int neighbour : neighbours) {
       candidates.push_back({roadmap_.configuration(neighbour), roadmap_.configuration(node)});
     }
-    auto edges = context_.edges(std::move(candidates));
+    auto edges = context_.validator().edges(std::move(candidates));
     for (std::size_t i = 0; i < neighbours.size(); ++i) {
       if (roadmap_.same_component(neighbours[i], node)) {
         tell({.line = lines::kSameComponent, .from = neighbours[i], .to = node});

@@ -15,7 +15,7 @@ std::optional<PlanStatus> Search::advance(const SearchBudget& budget) {
 }
 
 bool Search::sample_free(const Configuration& q) {
-  const std::optional<int> pair = context_.collision(q);
+  const std::optional<int> pair = context_.validator().collision(q);
   if (pair) {
     note_refusal(*pair, q);
   }
@@ -23,7 +23,7 @@ bool Search::sample_free(const Configuration& q) {
 }
 
 bool Search::edge_plausible(const Configuration& from, const Configuration& to, int count) {
-  const std::optional<int> pair = context_.edge_probe(from, to, count);
+  const std::optional<int> pair = context_.validator().edge_probe(from, to, count);
   if (pair) {
     note_refusal(*pair, 0.5 * (from + to));
   }

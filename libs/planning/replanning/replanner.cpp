@@ -59,7 +59,7 @@ Configuration before_obstruction(PlanningContext& context, const Configuration& 
     return from;
   }
   Configuration q = from + share * (to - from);
-  return !context.collision(q) && context.edge_free(from, q) ? q : from;
+  return !context.validator().collision(q) && context.validator().edge_free(from, q) ? q : from;
 }
 
 }  // namespace

@@ -72,7 +72,7 @@ bool WayChecker::node_free(int node) {
   if (const std::vector<int> pairs = changed_pairs(freedom); !pairs.empty()) {
     memory_.report.rechecked += freedom.was_free() ? 1 : 0;
     const std::optional<int> touching =
-        context_.collision_among(pairs, memory_.graph.configuration(node));
+        context_.validator().collision_among(pairs, memory_.graph.configuration(node));
     if (touching) {
       refuse(freedom, touching);
       return false;
@@ -89,8 +89,8 @@ bool WayChecker::edge_free(int a, int b) {
   }
   if (const std::vector<int> pairs = changed_pairs(freedom); !pairs.empty()) {
     memory_.report.rechecked += freedom.was_free() ? 1 : 0;
-    const geometric::EdgeResult result =
-        context_.edge_among(pairs, memory_.graph.configuration(a), memory_.graph.configuration(b));
+    const geometric::EdgeResult result = context_.validator().edge_among(
+        pairs, memory_.graph.configuration(a), memory_.graph.configuration(b));
     if (!result.free && !result.pair) {
       return false;  // interrupted: nothing was settled
     }
@@ -115,7 +115,7 @@ bool WayChecker::plausible(int a, int b) {
   const Configuration& from = memory_.graph.configuration(a);
   const Configuration& to = memory_.graph.configuration(b);
   const int probes = static_cast<int>(memory_.graph.distance(a, b) / kProbeSpacing);
-  const std::optional<int> touching = context_.edge_probe(from, to, probes);
+  const std::optional<int> touching = context_.validator().edge_probe(from, to, probes);
   if (touching) {
     ++memory_.report.refused_edges;
     refuse(freedom, touching);

@@ -44,7 +44,7 @@ TargetSampler::TargetSampler(PlanningContext& context, const TargetRegion& regio
     Eigen::VectorXd x = target(u).coordinates;
     const std::optional<Configuration> q =
         configuration(x, draw_.end == 0 ? problem_.start : problem_.goal);
-    return q && !context.collision(*q);
+    return q && !context.validator().collision(*q);
   });
 }
 

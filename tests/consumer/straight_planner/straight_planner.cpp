@@ -53,7 +53,7 @@ class StraightPlanner final : public Planner {
  private:
   static bool is_free(PlanningContext& context, const Path& path) {
     for (std::size_t i = 0; i + 1 < path.waypoints.size(); ++i) {
-      if (!context.edge_free(path.waypoints[i], path.waypoints[i + 1])) {
+      if (!context.validator().edge_free(path.waypoints[i], path.waypoints[i + 1])) {
         return false;
       }
     }

@@ -65,10 +65,10 @@ TEST_F(BesideAPost, TheFreePartOfAMotionIsFoundAndIsFree) {
   EXPECT_LT(last.second, 0.5) << "the post stands in the middle";
   const Configuration reached = map_.read(end.get());
   EXPECT_TRUE(reached.isApprox(problem_.start + last.second * (problem_.goal - problem_.start)));
-  EXPECT_TRUE(context_.edge_free(problem_.start, reached));
+  EXPECT_TRUE(context_.validator().edge_free(problem_.start, reached));
   const double farther = last.second + 1.0 / 32.0;
-  EXPECT_FALSE(context_.edge_free(problem_.start,
-                                  problem_.start + farther * (problem_.goal - problem_.start)));
+  EXPECT_FALSE(context_.validator().edge_free(
+      problem_.start, problem_.start + farther * (problem_.goal - problem_.start)));
 }
 
 TEST_F(BesideAPost, TheFreePartMayBeWrittenOverTheEndOfTheMotion) {

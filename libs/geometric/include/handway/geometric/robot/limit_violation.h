@@ -8,6 +8,11 @@
 
 namespace handway::geometric {
 
+/// Why `q` is no configuration of the robot, whatever its limits: "has 5 values where the robot has
+/// 7 variables", or "has no number for joint J"; empty if it is one.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::string configuration_fault(const RobotModel& model,
+                                                                       const Configuration& q);
+
 /// A joint out of its limits; rad or m.
 struct LimitViolation {
   std::string joint;

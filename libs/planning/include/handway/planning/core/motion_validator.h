@@ -1,0 +1,125 @@
+#pragma once
+
+#include "handway/geometric/collision/edge_checker.h"
+#include "handway/planning/core/plan_result.h"
+#include "handway/planning/core/planning_problem.h"
+#include "handway/planning/export.h"
+#include "handway/planning/paths/path.h"
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace handway::planning {
+
+class ThreadPool;
+struct PlanRequest;
+
+/// Whether configurations and motions of a run are valid: free of collision, obeying the scene's
+/// constraints, keeping the request's margin. Edges are certified along the whole of their motion.
+/// What is asked is counted in the run's statistics.
+///
+/// For the planner's own thread.
+class HANDWAY_PLANNING_EXPORT MotionValidator {
+ public:
+  /// @param problem, request, statistics, threads must outlive this object.
+  /// @param is_interrupted asked from any thread; once it is true, every edge is refused.
+  MotionValidator(const PlanningProblem& problem, const PlanRequest& request,
+                  PlanStatistics& statistics, ThreadPool& threads,
+                  std::function<bool()> is_interrupted);
+  ~MotionValidator();
+  MotionValidator(const MotionValidator&) = delete;
+  MotionValidator& operator=(const MotionValidator&) = delete;
+
+  /// Start and goal, with what is so near there that edges keep less than the resolution. Empty if
+  /// either is no configuration of the robot.
+  [[nodiscard]] const std::vector<geometric::EdgeEnd>& ends() const { return ends_; }
+  /// Why the start (0) or the goal (1) can't be an end of a path, as "is out of limits: …"; empty
+  /// if it can.
+  [[nodiscard]] std::string objection(std::size_t end);
+
+  /// The pair that touches in `q`, if any.
+  [[nodiscard]] std::optional<int> collision(const Configuration& q);
+
+  /// The same for pairs of the arm alone, whatever the hand does (Algorithm 1's
+  /// SELFCOLLISION of an arm configuration).
+  [[nodiscard]] bool arm_collides(const Configuration& q);
+
+  /// Outcome of `count` independent configurations, the first free one in order.
+  struct FirstFree {
+    std::optional<int> index;          ///< Nothing: none is free.
+    std::vector<int> rejecting_pairs;  ///< One for each of those before it, in order.
+  };
+  /// Asks `candidate(i)` for i = 0, 1, … on all threads and stops at the first
+  /// free one; the answer is that of asking one after the other.
+  [[nodiscard]] FirstFree first_free(int count, const std::function<Configuration(int)>& candidate);
+
+  struct Edge {
+    Configuration from;
+    Configuration to;
+  };
+  /// Edges to ask for in order. When one is asked for, other threads check those
+  /// that are likely to be asked for next.
+  class HANDWAY_PLANNING_EXPORT EdgeBatch {
+   public:
+    /// Is edge `index` free? Adds to the statistics when first asked for.
+    [[nodiscard]] bool is_free(std::size_t index);
+
+   private:
+    friend class MotionValidator;
+    EdgeBatch(MotionValidator& validator, std::vector<Edge> edges);
+
+    MotionValidator& validator_;
+    std::vector<Edge> edges_;
+    std::vector<std::optional<geometric::EdgeResult>> results_;
+  };
+  [[nodiscard]] EdgeBatch edges(std::vector<Edge> edges);
+  /// @param most_checks as EdgeChecker::check(): an edge so close to something that
+  /// more configurations would have to be looked at is refused.
+  [[nodiscard]] bool edge_free(
+      const Configuration& from, const Configuration& to,
+      std::uint64_t most_checks = std::numeric_limits<std::uint64_t>::max());
+
+  /// Whether an edge or a configuration is free of some pairs, and of which it is not.
+  [[nodiscard]] geometric::EdgeResult edge_among(std::span<const int> pairs,
+                                                 const Configuration& from,
+                                                 const Configuration& to);
+  [[nodiscard]] std::optional<int> collision_among(std::span<const int> pairs,
+                                                   const Configuration& q);
+
+  /// Are configurations evenly spread over an edge free of collision? At least
+  /// `count` of them, 2^n - 1. Quick, and no proof; an edge that fails is not free.
+  [[nodiscard]] bool edge_plausible(const Configuration& from, const Configuration& to, int count) {
+    return !edge_probe(from, to, count);
+  }
+  /// The same; a pair that touches, if the edge fails.
+  [[nodiscard]] std::optional<int> edge_probe(const Configuration& from, const Configuration& to,
+                                              int count);
+
+  /// The smallest clearance along `path` and what it took to know it; the resolution
+  /// at most if the run had to end before it was known. @pre its edges are free.
+  [[nodiscard]] Certificate certify(const Path& path);
+
+ private:
+  struct Worker;
+  struct Workers;
+
+  /// `edge`, once the statistics know of it.
+  const geometric::EdgeResult& counted(const geometric::EdgeResult& edge);
+
+  const PlanningProblem& problem_;
+  const PlanRequest& request_;
+  PlanStatistics& statistics_;
+  ThreadPool& threads_;
+  std::vector<int> arm_pairs_;
+  std::vector<geometric::EdgeEnd> ends_;
+  int last_rejecting_pair_ = 0;  ///< Asked first: neighbours in space collide in the same pair.
+  std::unique_ptr<Workers> workers_;
+};
+
+}  // namespace handway::planning
