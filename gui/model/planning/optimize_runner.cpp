@@ -152,7 +152,7 @@ OptimizeOutcome OptimizeRunner::run(const OptimizeTask& task, int generation,
                   outcome.last.converged ? " Nothing more is to be gained." : "");
   planning::PlanningContext certifying(*work_->problem, unlimited(task.request), discarded,
                                        work_->silent);
-  result.certificate = certifying.certify(result.path);
+  result.certificate = certifying.validator().certify(result.path);
   return outcome;
 }
 
