@@ -1,23 +1,20 @@
-#include "bench_command.h"
-
 #include "bench_report.h"
-#include "bench_scenes.h"
-#include "bench_table.h"
 #include "campaign_command.h"
-#include "chosen_basis.h"
+#include "commands.h"
 #include "exit_codes.h"
 #include "handway/geometric/collision/make_checker.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/replace_file.h"
+#include "handway/geometric/io/resources.h"
 #include "handway/geometric/io/scene_writer.h"
 #include "handway/planning/campaigns/campaign_reader.h"
 #include "handway/planning/core/plugin.h"
 #include "handway/sampling/postures/pmd_basis_io.h"
-#include "number_options.h"
-#include "peak_memory.h"
-#include "scene_planner.h"
+#include "machine.h"
+#include "numbers.h"
+#include "plan_bench.h"
+#include "scene_options.h"
 #include "scene_variants.h"
-#include "variant_bench.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -26,6 +23,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <filesystem>
 #include <initializer_list>
 #include <map>
@@ -37,6 +35,46 @@
 
 namespace handway::tools {
 namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<fs::path> shipped_scenes() {
+  std::vector<fs::path> scenes;
+  std::error_code ignored;  // no folder: no scenes
+  const fs::path folder = geometric::resource_dir().parent_path() / "scenes";
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
+    if (entry.path().extension() == ".yaml") {
+      scenes.push_back(entry.path());
+    }
+  }
+  std::sort(scenes.begin(), scenes.end());
+  return scenes;
+}
+
+std::vector<fs::path> published_problems(const fs::path& folder) {
+  std::vector<fs::path> problems;
+  for (const std::string name : {"_TwoCanb", "_CanBox", "_ShelfCan2", "-shelfT2"}) {
+    const fs::path file = folder / "auro" / ("TX90_RHand_ICRA10_5PMD" + name + "_new.xml");
+    if (fs::exists(file)) {
+      problems.push_back(file);
+    }
+  }
+  if (problems.empty()) {
+    throw geometric::InputError({"HANDWAY_REFERENCE_DIR", "", "\"" + folder.string() + "\"",
+                                 "a folder that holds the published problems in \"auro\"",
+                                 "Correct the variable or unset it"});
+  }
+  return problems;
+}
+
+std::vector<fs::path> bench_scenes() {
+  std::vector<fs::path> scenes = shipped_scenes();
+  if (const char* reference = std::getenv("HANDWAY_REFERENCE_DIR")) {
+    const std::vector<fs::path> problems = published_problems(reference);
+    scenes.insert(scenes.end(), problems.begin(), problems.end());
+  }
+  return scenes;
+}
 
 namespace fs = std::filesystem;
 

@@ -1,12 +1,81 @@
 #pragma once
 
+#include "handway/planning/campaigns/campaign.h"
+#include "handway/planning/campaigns/run_record.h"
 #include "handway/planning/campaigns/run_workers.h"
 #include "handway/planning/core/plugin.h"
 
+#include <chrono>
+#include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
 
 namespace handway::tools {
+
+/// Tells on standard error how far a campaign is: a line that is overwritten where that is a
+/// terminal, a line now and then otherwise.
+class CampaignProgress {
+ public:
+  /// @param kept runs done before. @param total all of the campaign's.
+  CampaignProgress(std::string name, std::size_t kept, std::size_t total, int workers);
+  ~CampaignProgress();
+  CampaignProgress(const CampaignProgress&) = delete;
+  CampaignProgress& operator=(const CampaignProgress&) = delete;
+
+  void add(std::span<const planning::RunRecord> records);
+  /// Seconds since the beginning.
+  [[nodiscard]] double elapsed_s() const;
+
+ private:
+  [[nodiscard]] std::string line() const;
+  void show(bool last);
+
+  std::string name_;
+  std::size_t kept_;
+  std::size_t total_;
+  std::size_t done_ = 0;    ///< Since the beginning.
+  std::size_t solved_ = 0;  ///< Of those.
+  bool terminal_;
+  std::chrono::steady_clock::time_point begin_;
+  std::chrono::steady_clock::time_point next_;
+};
+
+/// "12 s", "3 min 20 s", "2 h 5 min": a duration for people.
+[[nodiscard]] std::string duration_text(double seconds);
+
+struct CampaignSession {
+  std::filesystem::path folder;  ///< Made if it is not there; gets `runs.sqlite`.
+  bool resume = false;
+  int jobs = 0;  ///< Runs at a time; 0: one for each core, shared among the threads of a run.
+};
+
+/// What became of a campaign.
+struct CampaignOutcome {
+  std::vector<planning::RunRecord> records;  ///< Those of earlier sessions included.
+  std::vector<std::string> versions;         ///< Of the programs that made them.
+  double elapsed_s = 0.0;                    ///< Wall clock of this session.
+  std::size_t done = 0;                      ///< Runs of this session.
+  int workers = 0;                           ///< 0: nothing was carried out.
+  bool complete = false;                     ///< False: it was interrupted.
+};
+
+/// Carries out what is left of a campaign, on threads or with a team of processes.
+/// Ctrl+C ends it and keeps what is done.
+/// @param team may be null.
+/// @returns nothing in a process of a team that does not lead it.
+/// @throws InputError for what can't be read or written.
+[[nodiscard]] std::optional<CampaignOutcome> conduct_campaign(
+    const planning::Campaign& campaign, const planning::Extensions& extensions,
+    const CampaignSession& session, planning::ProcessTeam* team);
+
+/// Makes a folder and those above it.
+/// @throws InputError if that can't be done.
+void make_out_folder(const std::filesystem::path& folder);
 
 struct CampaignOptions {
   std::filesystem::path file;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "campaign_session.h"
+#include "campaign_command.h"
 #include "handway/planning/campaigns/campaign.h"
 #include "report_document.h"
 

@@ -1,14 +1,12 @@
-#include "check_command.h"
-
+#include "commands.h"
 #include "exit_codes.h"
-#include "hand_likeness.h"
 #include "handway/geometric/math/units.h"
 #include "handway/planning/core/plugin.h"
 #include "handway/planning/paths/path_check.h"
 #include "handway/planning/paths/path_csv.h"
-#include "number_options.h"
-#include "scene_warnings.h"
-#include "upright_option.h"
+#include "numbers.h"
+#include "plan_report.h"
+#include "scene_options.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

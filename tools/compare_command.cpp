@@ -1,5 +1,4 @@
-#include "compare_command.h"
-
+#include "commands.h"
 #include "exit_codes.h"
 #include "figures_program.h"
 #include "handway/execution/motion/motion_record.h"

@@ -1,5 +1,9 @@
 #pragma once
 
+#include "handway/sampling/postures/pmd_basis.h"
+
+#include <Eigen/Core>
+
 #include <filesystem>
 
 namespace handway::tools {
@@ -8,5 +12,13 @@ namespace handway::tools {
 /// itself on a display, under xvfb-run without one.
 /// @throws InputError if the program or xvfb-run isn't there or fails.
 void draw_figures(const std::filesystem::path& source);
+
+/// Writes `postures.csv` (rad), `basis.yaml` and `variance.csv` to a folder, which is made if it
+/// isn't there, and has draw_figures() draw their figures there.
+/// @param postures rad, shape [samples, joints of the basis].
+/// @param shares of the variance, shape [directions].
+/// @throws InputError if a file can't be written, and as draw_figures().
+void write_basis_plots(const std::filesystem::path& folder, const sampling::PmdBasis& basis,
+                       const Eigen::MatrixXd& postures, const Eigen::VectorXd& shares);
 
 }  // namespace handway::tools

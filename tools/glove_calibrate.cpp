@@ -1,6 +1,5 @@
-#include "glove_calibrate.h"
-
 #include "exit_codes.h"
+#include "glove_commands.h"
 #include "handway/device/glove/calibration_fit.h"
 #include "handway/device/glove/glove_layout.h"
 #include "handway/device/glove/guided_poses.h"

@@ -1,13 +1,12 @@
-#include "glove_emulate.h"
-
-#include "device_serve.h"
+#include "emulated_device.h"
+#include "glove_commands.h"
 #include "handway/device/glove/glove_calibration.h"
 #include "handway/device/glove/glove_layout.h"
 #include "handway/device/glove/glove_signals.h"
 #include "handway/device/glove/recording.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/nearest_name.h"
-#include "number_options.h"
+#include "numbers.h"
 
 #include <CLI/CLI.hpp>
 

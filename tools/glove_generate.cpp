@@ -1,8 +1,7 @@
-#include "glove_generate.h"
-
 #include "exit_codes.h"
+#include "glove_commands.h"
 #include "handway/device/glove/generated_recording.h"
-#include "number_options.h"
+#include "numbers.h"
 
 #include <CLI/CLI.hpp>
 

@@ -1,13 +1,132 @@
-#include "glove_live.h"
-
-#include "glove_device_options.h"
-#include "glove_show.h"
+#include "emulated_device.h"
+#include "exit_codes.h"
+#include "glove_commands.h"
+#include "glove_display.h"
+#include "handway/device/glove/glove.h"
+#include "handway/device/glove/glove_signals.h"
+#include "handway/device/glove/glove_stream.h"
+#include "handway/device/glove/recording.h"
+#include "handway/device/glove/replay_glove.h"
+#include "interrupt.h"
+#include "numbers.h"
+#include "terminal_table.h"
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <unistd.h>
 
+#include <cstdint>
+#include <filesystem>
 #include <memory>
+#include <mutex>
+#include <stdexcept>
+#include <stop_token>
+#include <string>
 
 namespace handway::tools {
+namespace {
+
+struct GloveShowOptions {
+  std::uint64_t frames = 0;  ///< Stop after so many; 0: at Ctrl+C or the end.
+  bool json = false;
+};
+
+using device::GloveFrame;
+using device::GloveInfo;
+using device::GloveStream;
+using device::StreamState;
+using std::chrono::milliseconds;
+
+constexpr milliseconds kRefresh{100};
+
+/// Takes frames on the stream's thread, for the main thread to show.
+class Latest {
+ public:
+  explicit Latest(std::uint64_t wanted) : wanted_(wanted) {}
+
+  /// @returns whether the frame is one of those that were asked for.
+  bool take(const GloveFrame& frame) {
+    const std::lock_guard lock(mutex_);
+    if (wanted_ > 0 && count_ == wanted_) {
+      return false;
+    }
+    frame_ = frame;
+    ++count_;
+    return true;
+  }
+  [[nodiscard]] bool complete() const {
+    const std::lock_guard lock(mutex_);
+    return wanted_ > 0 && count_ == wanted_;
+  }
+  [[nodiscard]] GloveFrame frame() const {
+    const std::lock_guard lock(mutex_);
+    return frame_;
+  }
+
+ private:
+  const std::uint64_t wanted_;
+  mutable std::mutex mutex_;
+  GloveFrame frame_;
+  std::uint64_t count_ = 0;
+};
+
+void announce(const GloveInfo& info) {
+  fmt::print(stderr, "{}: {}, {} sensors, {} hand\n", info.device, info.model, info.sensors,
+             info.right_hand ? "right" : "left");
+}
+
+void add_glove_show_options(CLI::App& command, GloveShowOptions& options) {
+  command.add_option("--frames", options.frames, "Stop after so many frames")
+      ->check(CLI::PositiveNumber);
+  command.add_flag("--json", options.json, "One JSON object a line instead of a table");
+}
+
+int show_glove(std::unique_ptr<device::Glove> glove, const GloveShowOptions& options) {
+  const bool table = !options.json && ::isatty(STDOUT_FILENO) != 0;
+  Latest latest(options.frames);
+  int sensors = device::kGloveSensors;
+  device::GloveStreamHandlers handlers;
+  handlers.on_connected = [&](const GloveInfo& info) {
+    sensors = info.sensors;
+    announce(info);
+  };
+  handlers.on_frame = [&](const GloveFrame& frame) {
+    if (latest.take(frame) && !table) {
+      print_line(options.json ? frame_json(frame, sensors) : frame_line(frame, sensors));
+    }
+  };
+  handlers.on_state = [&](StreamState state) {
+    if (!table && (state == StreamState::kLost || state == StreamState::kUnplugged)) {
+      fmt::print(stderr, "{}\n", state_name(state));
+    }
+  };
+  std::stop_source stop;
+  const StopsOnInterrupt guard(stop);
+  GloveStream stream(std::move(glove), {}, handlers);
+  bool first = true;
+  while (!stop.stop_requested() && !latest.complete() && !stream.wait(kRefresh)) {
+    const device::StreamStatistics statistics = stream.statistics();
+    if (table && statistics.frames > 0) {
+      print_table(glove_table(latest.frame(), stream.info().sensors, stream.state(), statistics),
+                  first);
+      first = false;
+    }
+  }
+  if (stream.state() == StreamState::kFailed) {
+    throw std::runtime_error(stream.error());
+  }
+  const device::StreamStatistics statistics = stream.statistics();
+  stream.request_stop();
+  stream.wait(milliseconds(1000));
+  if (options.json) {
+    print_line(statistics_json(statistics));
+  } else {
+    fmt::print(stderr, "{}\n", statistics_line(statistics));
+  }
+  return kDone;
+}
+
+}  // namespace
 
 void add_glove_live(CLI::App& glove, int& exit_code) {
   struct Options {
@@ -21,6 +140,53 @@ void add_glove_live(CLI::App& glove, int& exit_code) {
   command->callback([options, &exit_code] {
     exit_code = show_glove(make_glove(options->device), options->show);
   });
+}
+
+namespace {
+
+struct ReplayOptions {
+  std::filesystem::path file;
+  device::ReplaySettings replay;
+  GloveShowOptions show;
+  ServeOptions serve;
+};
+
+device::Recording read(const std::filesystem::path& file) {
+  device::Recording recording = device::read_recording(file);
+  for (const std::string& warning : recording.warnings) {
+    fmt::print(stderr, "warning: {}\n", warning);
+  }
+  return recording;
+}
+
+int replay(const ReplayOptions& options) {
+  device::Recording recording = read(options.file);
+  if (!options.serve.pty && !options.serve.tcp_port) {
+    return show_glove(
+        std::make_unique<device::ReplayGlove>(recording, options.file.string(), options.replay),
+        options.show);
+  }
+  recording.times /= options.replay.speed;
+  device::SensorFaults none;
+  none.noise = 0.0;
+  auto unit = std::make_unique<device::CyberGloveUnit>(device::CyberGloveUnitSettings{},
+                                                       recorded_signal(recording, 1, none));
+  return serve_device({}, std::move(unit), options.serve);
+}
+
+}  // namespace
+
+void add_glove_replay(CLI::App& glove, int& exit_code) {
+  auto options = std::make_shared<ReplayOptions>();
+  CLI::App* command = glove.add_subcommand("replay", "Play a recording");
+  command->add_option("recording", options->file, "Recording (CSV)")->required();
+  command->add_option("--speed", options->replay.speed, "Times as fast as it was recorded")
+      ->check(positive_number())
+      ->capture_default_str();
+  command->add_flag("--loop", options->replay.loop, "Begin again at the end");
+  add_glove_show_options(*command, options->show);
+  add_serve_options(*command, options->serve);
+  command->callback([options, &exit_code] { exit_code = replay(*options); });
 }
 
 }  // namespace handway::tools

@@ -1,13 +1,12 @@
-#include "glove_record.h"
-
+#include "commands.h"
 #include "exit_codes.h"
-#include "glove_device_options.h"
+#include "glove_commands.h"
 #include "glove_display.h"
 #include "handway/device/glove/glove_layout.h"
 #include "handway/device/glove/glove_stream.h"
 #include "handway/device/glove/recording_writer.h"
 #include "interrupt.h"
-#include "number_options.h"
+#include "numbers.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/chrono.h>

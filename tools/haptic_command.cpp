@@ -1,16 +1,305 @@
-#include "haptic_command.h"
-
+#include "commands.h"
 #include "emulated_device.h"
+#include "exit_codes.h"
 #include "handway/device/haptic/haptic_emulator.h"
-#include "haptic_guide.h"
-#include "number_options.h"
+#include "handway/device/haptic/network_haptic.h"
+#include "handway/device/ros/ros_robot.h"
+#include "handway/execution/guidance/guidance_run.h"
+#include "handway/execution/motion/motion_parts.h"
+#include "handway/execution/motion/motion_target.h"
+#include "handway/geometric/io/files_read.h"
+#include "handway/geometric/io/input_error.h"
+#include "handway/geometric/robot/robot_model.h"
+#include "handway/planning/paths/path_check.h"
+#include "handway/planning/timing/rate_limits.h"
+#include "interrupt.h"
+#include "numbers.h"
+#include "scene_file_watch.h"
+#include "timing_options.h"
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
+#include <atomic>
+#include <cerrno>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
 #include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
 
 namespace handway::tools {
 namespace {
+
+/// A guidance as CSV, a row for each sample of the device: `time` (s), `progress` (m of the tool's
+/// way), `place` (a waypoint's index with the share of the way to the next), `button`,
+/// `deviation` (m of the hand), `force.x`, `force.y`, `force.z` (N, in the device's frame), then
+/// the robot's joints as they were led (rad). Rows are written as they come.
+class HapticLog {
+ public:
+  /// @param file empty: nothing is written. @throws InputError if it can't be written.
+  HapticLog(const std::filesystem::path& file, const geometric::RobotModel& model);
+
+  void add(const execution::GuidanceSample& sample);
+  /// False if a row could not be written.
+  [[nodiscard]] bool good() const { return !out_.is_open() || out_.good(); }
+
+ private:
+  std::ofstream out_;
+};
+
+HapticLog::HapticLog(const std::filesystem::path& file, const geometric::RobotModel& model) {
+  if (file.empty()) {
+    return;
+  }
+  out_.open(file, std::ios::binary | std::ios::trunc);
+  std::string header = "time,progress,place,button,deviation,force.x,force.y,force.z";
+  for (int v = 0; v < model.variable_count(); ++v) {
+    header += "," + model.variable(v).name;
+  }
+  out_ << header << '\n' << std::flush;
+  if (!out_) {
+    throw geometric::InputError(
+        {file.string(), "", std::strerror(errno), "a file to write to", ""});
+  }
+}
+
+void HapticLog::add(const execution::GuidanceSample& sample) {
+  if (!out_.is_open()) {
+    return;
+  }
+  const Eigen::Vector3d& force = sample.step.force;
+  std::string row = fmt::format("{:.6f},{:.6f},{:.6f},{},{:.6f},{:.4f},{:.4f},{:.4f}", sample.time,
+                                sample.step.progress, sample.place, sample.handle.button ? 1 : 0,
+                                sample.step.deviation, force.x(), force.y(), force.z());
+  for (const double q : sample.q) {
+    row += fmt::format(",{:.6f}", q);
+  }
+  out_ << row + "\n";
+}
+
+constexpr double kCautiousSpeed = 0.1;
+constexpr double kProgressPeriod = 0.5;    // s
+constexpr double kLeadTime = 0.1;          // s
+constexpr double kMillimetre = 1e-3;       // m
+constexpr double kCheckResolution = 1e-3;  // m
+
+struct GuideChoice {
+  TimingChoice timing;
+  std::string to;
+  std::string robot;
+  std::string link;
+  std::filesystem::path log;
+  device::ForceGuideSettings guide;
+  double tube_mm = device::ForceGuideSettings{}.tube / kMillimetre;
+  double start_tolerance = 0.01;
+  bool yes = false;
+};
+
+/// Robots in ROS that are led.
+class LedRobots {
+ public:
+  LedRobots(const std::string& text, const planning::PlanningProblem& problem)
+      : targets_(text.empty() ? std::vector<execution::MotionTarget>()
+                              : execution::parse_targets(text, problem)) {
+    for (const execution::MotionTarget& target : targets_) {
+      auto* robot = dynamic_cast<device::RosRobot*>(target.link.get());
+      if (robot == nullptr) {
+        throw geometric::InputError({"--robot", "", target.link->name(), "ros:// or ros2://",
+                                     "Other devices take whole motions only."});
+      }
+      robots_.push_back(robot);
+    }
+  }
+
+  // @throws InputError if a joint stands elsewhere than the path begins.
+  void connect(const planning::Configuration& start, double tolerance,
+               const std::stop_token& stop) {
+    for (std::size_t i = 0; i < robots_.size(); ++i) {
+      robots_[i]->connect(stop);
+      for (std::size_t j = 0; j < targets_[i].variables.size(); ++j) {
+        const double wanted = start[targets_[i].variables[j]];
+        const double found = robots_[i]->measured().position[static_cast<Eigen::Index>(j)];
+        if (std::abs(found - wanted) > tolerance) {
+          throw geometric::InputError(
+              {targets_[i].link->name(), "joint " + robots_[i]->joints().names[j],
+               fmt::format("{:.4f} rad", found),
+               fmt::format("{:.4f} rad within {:g}, the path's start", wanted, tolerance),
+               "Move the robot to the start, or plan from where it stands."});
+        }
+      }
+    }
+  }
+
+  void lead(const planning::Configuration& q) {
+    for (std::size_t i = 0; i < robots_.size(); ++i) {
+      Eigen::VectorXd part(robots_[i]->joints().count());
+      for (std::size_t j = 0; j < targets_[i].variables.size(); ++j) {
+        part[static_cast<Eigen::Index>(j)] = q[targets_[i].variables[j]];
+      }
+      robots_[i]->update();
+      robots_[i]->lead(part, kLeadTime);
+    }
+  }
+
+  [[nodiscard]] bool empty() const { return robots_.empty(); }
+  [[nodiscard]] const std::vector<execution::MotionTarget>& targets() const { return targets_; }
+
+ private:
+  std::vector<execution::MotionTarget> targets_;
+  std::vector<device::RosRobot*> robots_;
+};
+
+// What is wrong with the path; empty if the robot may go it.
+std::string fault_of(planning::PlanningProblem problem, const planning::Path& path) {
+  problem.start = path.waypoints.front();
+  problem.goal = path.waypoints.back();
+  const planning::PathCheckResult result = check_path(problem, path, kCheckResolution);
+  return result.valid() ? "" : result.faults.front();
+}
+
+void check_path_is_free(const TimingInput& input) {
+  if (const std::string fault = fault_of(input.problem, input.path); !fault.empty()) {
+    throw geometric::InputError({"path", "", fault, "a path that the robot may go", "Plan again."});
+  }
+}
+
+int report(const execution::GuidanceOutcome& outcome, const device::ForceGuide& guide,
+           const HapticLog& log) {
+  fmt::print(
+      "{} samples in {:.1f} s, {} grips, up to {:.1f} mm of the hand from the way, up to "
+      "{:.2f} N\n",
+      outcome.samples, outcome.time, guide.grips(), outcome.largest_deviation / kMillimetre,
+      outcome.strongest);
+  if (!log.good()) {
+    fmt::print(stderr, "The log could not be written to its end.\n");
+  }
+  if (outcome.arrived) {
+    fmt::print("done: at the path's end\n");
+    return log.good() ? kDone : kInvalidInput;
+  }
+  std::fflush(stdout);
+  if (!outcome.fault.empty()) {
+    fmt::print(stderr, "{}\n", outcome.fault);
+  }
+  fmt::print("STOPPED {}: no force, the robot stands\n",
+             outcome.fault.empty() ? "on request" : "after a fault");
+  return kMotionStopped;
+}
+
+int guide(const GuideChoice& choice) {
+  planning::Extensions extensions;
+  extensions.load_plugins(planning::plugin_directory());
+  const geometric::FilesRead notes;
+  const TimingInput input = read_timing_input(choice.timing, extensions);
+  const geometric::RobotModel& model = input.problem.model();
+  const execution::PathToolCurve way(
+      input.problem.scene->robots.front().model, input.path,
+      choice.link.empty() ? execution::tool_link(model, input.problem.arm) : choice.link);
+  const planning::RateLimits limits = choice.timing.limits.empty()
+                                          ? planning::rate_limits(model)
+                                          : planning::read_rate_limits(model, choice.timing.limits);
+  std::vector<planning::AssumedLimit> assumed = limits.assumed;
+  std::erase_if(assumed, [](const auto& one) { return one.rate != planning::Rate::kVelocity; });
+  for (const std::string& line : assumption_lines(assumed)) {
+    fmt::print("{}\n", line);
+  }
+  check_path_is_free(input);
+  device::ForceGuideSettings settings = choice.guide;
+  settings.tube = kMillimetre * choice.tube_mm;
+  const std::unique_ptr<device::HapticDevice> handle = device::make_haptic_device(choice.to);
+  LedRobots robots(choice.robot, input.problem);
+  if (!robots.empty()) {
+    execution::check_that_the_rest_stands(model, input.path, robots.targets());
+  }
+  std::stop_source stop;
+  const StopsOnInterrupt guard(stop);
+  robots.connect(input.path.waypoints.front(), choice.start_tolerance, stop.get_token());
+  handle->connect(stop.get_token());
+  fmt::print("{}: {:.2f} m of the tool, {:.2f} m of the hand; forces up to {:.2f} N\n",
+             handle->name(), way.curve()->length(), way.curve()->length() / settings.scale,
+             std::min(settings.strongest, handle->abilities().force));
+  if (!robots.empty() && !choice.yes) {
+    fmt::print(stderr, "Nothing moved: --yes lets the robot move.\n");
+    return kWrongUsage;
+  }
+  std::fflush(stdout);
+  HapticLog log(choice.log, model);
+  std::atomic<bool> edited = false;
+  const SceneFileWatch edits(see_files(notes.files()), [&edited] { edited = true; });
+  if (!robots.empty()) {
+    // Its files may have been edited while devices were connected.
+    planning::Path route = input.path;
+    route.waypoints.insert(route.waypoints.begin(),
+                           execution::with_measured(route.waypoints.front(), robots.targets()));
+    const std::string fault = fault_of(read_problem_again(choice.timing, extensions, model), route);
+    if (!fault.empty()) {
+      fmt::print(stderr, "Nothing moved: {}\n", fault);
+      return kNoPath;
+    }
+  }
+  device::ForceGuide force_guide(way.curve(), settings);
+  execution::GuidedMotion motion(input.path, limits.at_speed(choice.timing.speed).velocity);
+  double next = kProgressPeriod;
+  const execution::GuidanceOutcome outcome = run_guidance(
+      *handle, force_guide, way, motion, stop.get_token(),
+      {.on_sample =
+           [&](const execution::GuidanceSample& sample) {
+             log.add(sample);
+             if (sample.time >= next) {
+               next += kProgressPeriod;
+               fmt::print("{:.1f} s: {:.3f} of {:.3f} m, {:.1f} mm off, {:.2f} N\n", sample.time,
+                          sample.step.progress, way.curve()->length(),
+                          sample.step.deviation / kMillimetre, sample.step.force.norm());
+               std::fflush(stdout);
+             }
+           },
+       .lead =
+           [&](const planning::Configuration& q) {
+             if (edited && !robots.empty()) {
+               throw std::runtime_error(
+                   "The scene was edited: the rest of the path is not checked. Start again.");
+             }
+             robots.lead(q);
+           }});
+  return report(outcome, force_guide, log);
+}
+
+void add_haptic_guide(CLI::App& haptic, int& exit_code) {
+  auto choice = std::make_shared<GuideChoice>();
+  choice->timing.speed = kCautiousSpeed;
+  CLI::App* command =
+      haptic.add_subcommand("guide", "Guide a hand along a path, and lead the robot by it");
+  command->add_option("path", choice->timing.path, "Path (CSV)")->required();
+  command->add_option("--scene", choice->timing.scene, "Scene or problem that the path is of")
+      ->required();
+  command->add_option("--to", choice->to, "The device: haptic://HOST[:PORT]")->required();
+  command->add_option("--robot", choice->robot,
+                      "A robot to lead: ros://HOST[:PORT][/CONTROLLER][#arm|#hand] (ros2://)");
+  command->add_flag("--yes", choice->yes, "Let the robot move");
+  command->add_option("--link", choice->link,
+                      "The link that the handle stands for (default: the arm's last)");
+  command->add_option("--log", choice->log, "Where to write what happened (CSV)");
+  command->add_option("--limits", choice->timing.limits, "Velocity limits (joint_limits.yaml)");
+  const auto number = [command](const char* name, double& value, double least, double most,
+                                const char* text) {
+    command->add_option(name, value, text)->check(number_in(least, most))->capture_default_str();
+  };
+  number("--speed", choice->timing.speed, 0.001, 1.0, "Share of the joints' velocity limits");
+  number("--scale", choice->guide.scale, 0.01, 100.0, "Ways of the tool for a way of the hand");
+  number("--tube-mm", choice->tube_mm, 0.0, 100.0, "So far from the way nothing pulls the hand");
+  number("--stiffness", choice->guide.stiffness, 0.0, 2000.0, "Of the spring to the tube, N/m");
+  number("--damping", choice->guide.damping, 0.0, 20.0, "N s/m");
+  number("--assistance", choice->guide.assistance, 0.0, 20.0, "Force along the way, N");
+  number("--max-force", choice->guide.strongest, 0.01, 20.0, "Strongest force on the hand, N");
+  number("--start-tolerance", choice->start_tolerance, 1e-5, 1.0,
+         "How far a joint may stand from the path's start, rad");
+  command->callback([choice, &exit_code] { exit_code = guide(*choice); });
+}
 
 struct EmulateChoice {
   EmulatedDeviceChoice device;

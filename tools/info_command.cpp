@@ -1,5 +1,4 @@
-#include "info_command.h"
-
+#include "commands.h"
 #include "exit_codes.h"
 #include "handway/geometric/collision/make_checker.h"
 #include "handway/geometric/math/units.h"

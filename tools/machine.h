@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,5 +16,12 @@ namespace handway::tools {
 
 /// The processor as the system calls it.
 [[nodiscard]] std::string processor_name();
+
+/// Gives back what is free and begins a new measurement of the peak.
+void reset_peak_memory();
+
+/// The most memory that this process has had resident since reset_peak_memory(), or,
+/// where the system can't tell that, since its beginning; bytes.
+[[nodiscard]] std::size_t peak_memory();
 
 }  // namespace handway::tools

@@ -1,8 +1,5 @@
-#include "plan_command.h"
-
-#include "chosen_basis.h"
+#include "commands.h"
 #include "exit_codes.h"
-#include "hand_likeness.h"
 #include "handway/geometric/collision/contact.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/replace_file.h"
@@ -13,11 +10,9 @@
 #include "handway/planning/queries/failure_explanation.h"
 #include "handway/planning/queries/nearest_free.h"
 #include "interrupt.h"
-#include "number_options.h"
+#include "numbers.h"
 #include "plan_report.h"
-#include "scene_planner.h"
-#include "scene_warnings.h"
-#include "upright_option.h"
+#include "scene_options.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -1,8 +1,8 @@
 #include "plan_report.h"
 
+#include "handway/geometric/io/input_error.h"
 #include "handway/geometric/math/units.h"
 #include "handway/planning/queries/failure_explanation.h"
-#include "path_quality_json.h"
 #include "version.h"
 
 #include <nlohmann/json.hpp>
@@ -109,6 +109,52 @@ std::string plan_report(planning::Planner& planner, const planning::PlanRequest&
       {"version", kVersion},
   };
   return report.dump(2) + "\n";
+}
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+}  // namespace
+
+nlohmann::ordered_json path_quality_json(const std::optional<planning::PathQuality>& quality) {
+  if (!quality) {
+    return nullptr;
+  }
+  Json likeness = nullptr;
+  if (const auto& human = quality->human_likeness) {
+    likeness = {{"to_subspace",
+                 {{"mean", human->mean},
+                  {"largest", human->largest},
+                  {"share_beyond", human->share_beyond},
+                  {"forced", human->forced}}},
+                {"mahalanobis",
+                 {{"mean", human->mahalanobis_mean}, {"largest", human->mahalanobis_largest}}}};
+  }
+  return {{"length", quality->length},
+          {"human_likeness", likeness},
+          {"clearance",
+           {{"least_mm", geometric::millimetres(quality->least_clearance)},
+            {"mean_mm", geometric::millimetres(quality->mean_clearance)}}},
+          {"duration_s", quality->duration}};
+}
+
+std::optional<planning::PathLikeness> hand_likeness(const planning::PlanningProblem& problem,
+                                                    const planning::Path& path,
+                                                    const std::filesystem::path& postures) {
+  if (!problem.basis && !postures.empty()) {
+    throw geometric::InputError({problem.scene->file.string(), "hand_basis", "nothing",
+                                 "a PMD basis, whose joints the postures are of",
+                                 "Name one in the scene."});
+  }
+  if (!problem.basis || path.empty()) {
+    return std::nullopt;
+  }
+  const planning::HumanLikeness likeness(
+      problem.model(), problem.hand, *problem.basis,
+      postures.empty() ? sampling::load_recorded_postures(*problem.basis)
+                       : sampling::load_recorded_postures(*problem.basis, postures));
+  return planning::path_likeness(problem.model(), likeness, path);
 }
 
 }  // namespace handway::tools

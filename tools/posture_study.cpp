@@ -2,15 +2,119 @@
 
 #include "handway/device/glove/glove_calibration.h"
 #include "handway/device/glove/hand_mapper.h"
+#include "handway/device/glove/recording_filters.h"
+#include "handway/geometric/io/input_error.h"
+#include "handway/geometric/io/nearest_name.h"
 #include "handway/geometric/io/resources.h"
 #include "handway/geometric/io/robot_loader.h"
-#include "mapped_recording.h"
+#include "handway/sampling/postures/robust_components.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace handway::tools {
+MappedRecording map_file(const std::filesystem::path& file,
+                         const device::GloveCalibration& calibration, const RecordingSteps& steps,
+                         const device::HandMapper& mapper) {
+  MappedRecording result;
+  result.file = file;
+  device::Recording recording = device::read_recording(file);
+  result.quality = device::assess(recording);
+  result.calibrated = recording.header.kind == device::RecordingKind::kCounts;
+  recording = device::to_angles(recording, calibration);
+  if (steps.from > 0.0 || steps.to) {
+    const double begin = recording.times[0];
+    const double end = steps.to.value_or(std::numeric_limits<double>::infinity());
+    recording = device::trimmed(recording, begin + steps.from, begin + end);
+  }
+  if (steps.drop_duplicates) {
+    recording = device::without_duplicates(recording);
+  }
+  if (steps.resample > 0.0) {
+    recording = device::resampled(recording, steps.resample);
+  }
+  if (steps.low_pass > 0.0) {
+    recording = device::low_passed(recording, steps.low_pass);
+  }
+  result.mapped = mapper.map_recording(recording);
+  result.recording = std::move(recording);
+  return result;
+}
+
+namespace {
+
+constexpr double kStill = 1e-9;  // rad
+
+}  // namespace
+
+Eigen::MatrixXd normalised_samples(const std::vector<MappedRecording>& recordings,
+                                   const device::HandMapper& mapper, Normalisation normalisation) {
+  Eigen::Index rows = 0;
+  for (const MappedRecording& recording : recordings) {
+    rows += recording.mapped.postures.rows();
+  }
+  Eigen::MatrixXd samples(rows, mapper.lower().size());
+  Eigen::Index next = 0;
+  for (const MappedRecording& recording : recordings) {
+    const device::MappedPostures& mapped = recording.mapped;
+    samples.middleRows(next, mapped.postures.rows()) =
+        normalisation == Normalisation::kLimits ? mapped.postures : mapped.unclamped;
+    next += mapped.postures.rows();
+  }
+  Eigen::VectorXd least = mapper.lower();
+  Eigen::VectorXd most = mapper.upper();
+  if (normalisation == Normalisation::kRange) {
+    least = samples.colwise().minCoeff();
+    most = samples.colwise().maxCoeff();
+  }
+  for (Eigen::Index j = 0; j < samples.cols(); ++j) {
+    if (most[j] - least[j] > kStill) {
+      samples.col(j) = (samples.col(j).array() - least[j]) / (most[j] - least[j]);
+    } else {
+      samples.col(j).setConstant(0.5);
+    }
+  }
+  return samples;
+}
+
+Eigen::MatrixXd joint_values(const Eigen::MatrixXd& samples, const device::HandMapper& mapper) {
+  const Eigen::RowVectorXd range = (mapper.upper() - mapper.lower()).transpose();
+  return (samples.array().rowwise() * range.array()).rowwise() + mapper.lower().transpose().array();
+}
+
+Analysis analyse(const Eigen::MatrixXd& samples, const std::vector<int>& left_out, bool robust) {
+  Analysis result;
+  result.samples = samples.rows();
+  if (!robust) {
+    result.components = sampling::principal_components(samples, left_out);
+    return result;
+  }
+  sampling::RobustComponents found = sampling::robust_principal_components(samples, left_out);
+  result.components = std::move(found.components);
+  result.outliers = found.outliers;
+  return result;
+}
+
+std::vector<int> joint_indices(const std::vector<std::string>& names,
+                               const std::vector<std::string>& joints) {
+  std::vector<int> indices;
+  for (const std::string& name : names) {
+    const auto found = std::ranges::find(joints, name);
+    if (found == joints.end()) {
+      throw geometric::InputError({"--free " + name, "", "no joint of that name",
+                                   "a joint of the hand", geometric::advise_name(name, joints)});
+    }
+    const auto index = static_cast<int>(found - joints.begin());
+    if (std::ranges::count(indices, index) == 0) {
+      indices.push_back(index);
+    }
+  }
+  return indices;
+}
+
 namespace {
 
 namespace fs = std::filesystem;

@@ -1,15 +1,75 @@
 #pragma once
 
+#include "handway/device/glove/glove_calibration.h"
+#include "handway/device/glove/hand_mapper.h"
+#include "handway/device/glove/recording.h"
+#include "handway/device/glove/recording_quality.h"
 #include "handway/sampling/postures/pmd_basis.h"
-#include "posture_analysis.h"
+#include "handway/sampling/postures/principal_components.h"
 
 #include <Eigen/Core>
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace handway::tools {
+
+/// What is done to a recording before it is mapped. 0: not done.
+struct RecordingSteps {
+  double from = 0.0;         ///< s
+  std::optional<double> to;  ///< s
+  bool drop_duplicates = false;
+  double resample = 0.0;  ///< Hz
+  double low_pass = 0.0;  ///< Hz
+};
+
+/// A recording on its way to postures of a hand.
+struct MappedRecording {
+  std::filesystem::path file;
+  device::Recording recording;       ///< Angles, after all steps.
+  device::RecordingQuality quality;  ///< Of the file as it was read.
+  bool calibrated = false;           ///< It held counts.
+  device::MappedPostures mapped;
+};
+
+/// Reads, calibrates (counts only), filters in the order of the steps, and maps.
+[[nodiscard]] MappedRecording map_file(const std::filesystem::path& file,
+                                       const device::GloveCalibration& calibration,
+                                       const RecordingSteps& steps,
+                                       const device::HandMapper& mapper);
+
+/// How joints are scaled to [0, 1] before their components are found.
+enum class Normalisation {
+  kLimits,  ///< Postures clamped to the joint limits, by these limits.
+  kRange,   ///< Postures as the mapping gave them, by the least and most of each joint.
+};
+
+/// The postures of all recordings, one after the other, shape [samples, joints]. A joint that
+/// doesn't move is in the middle.
+[[nodiscard]] Eigen::MatrixXd normalised_samples(const std::vector<MappedRecording>& recordings,
+                                                 const device::HandMapper& mapper,
+                                                 Normalisation normalisation);
+
+/// Samples back in rad by the joint limits, shape [samples, joints].
+[[nodiscard]] Eigen::MatrixXd joint_values(const Eigen::MatrixXd& samples,
+                                           const device::HandMapper& mapper);
+
+/// Components, and how many samples were set aside.
+struct Analysis {
+  sampling::PrincipalComponents components;
+  Eigen::Index samples = 0;
+  Eigen::Index outliers = 0;
+};
+
+/// @param robust set outliers aside.
+[[nodiscard]] Analysis analyse(const Eigen::MatrixXd& samples, const std::vector<int>& left_out,
+                               bool robust);
+
+/// Indices of joints by name. @throws InputError for an unknown one.
+[[nodiscard]] std::vector<int> joint_indices(const std::vector<std::string>& names,
+                                             const std::vector<std::string>& joints);
 
 /// A recording of a glove mapped to the SAH hand by the paper's Table 1, and its principal motion
 /// directions: of all joints but the thumb base, which gets an axis of its own (section 4.2).

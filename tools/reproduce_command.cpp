@@ -1,8 +1,6 @@
-#include "reproduce_command.h"
-
 #include "campaign_command.h"
 #include "campaign_report.h"
-#include "campaign_session.h"
+#include "commands.h"
 #include "exit_codes.h"
 #include "handway/geometric/io/resources.h"
 #include "handway/planning/campaigns/campaign_reader.h"

@@ -1,13 +1,25 @@
 #pragma once
 
 #include "handway/planning/core/plugin.h"
-#include "reproduced_figure.h"
+#include "report_document.h"
 
 #include <filesystem>
+#include <optional>
 #include <set>
+#include <string>
 #include <vector>
 
 namespace handway::tools {
+
+/// A figure of the paper's, made again.
+struct ReproducedFigure {
+  int number = 0;  ///< In the paper.
+  std::string caption;
+  std::string text;  ///< What it is made of; may be empty.
+  std::vector<ReportPicture> pictures;
+  std::optional<ReportTable> table;  ///< Published figures beside ours, where there are some.
+  std::string problem;               ///< Why not all of it is there; may be empty.
+};
 
 /// Figures that there are: 7 to 10 of hand postures, 14 and 17 of paths.
 [[nodiscard]] std::set<int> reproducible_figures();

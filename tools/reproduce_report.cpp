@@ -2,19 +2,243 @@
 
 #include "campaign_report.h"
 #include "handway/geometric/io/replace_file.h"
-#include "number_text.h"
-#include "paper_tables.h"
-#include "reproduce_tables.h"
+#include "handway/planning/campaigns/campaign.h"
+#include "handway/planning/campaigns/campaign_summary.h"
+#include "handway/planning/campaigns/run_record.h"
+#include "numbers.h"
+#include "report_document.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
 #include <iterator>
 #include <limits>
+#include <numeric>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace handway::tools {
 namespace {
+
+/// A row of Table 2 or 4: the means that were published, and what a run has for it.
+struct PaperRow {
+  std::string label;
+  std::vector<double> published;  ///< A number a column; NaN: not applicable.
+  std::function<double(const planning::RunRecord&)> value;
+};
+
+/// A row of Table 3: the initial parameters with PMDs and, in the print in brackets, without.
+struct PaperParameter {
+  std::string label;
+  std::string key;  ///< Ours.
+  std::string with_pmds;
+  std::string without_pmds;
+};
+
+inline constexpr const char* kTable2Machine = "Core2 CPU at 3.00 GHz, Windows";
+inline constexpr const char* kTable4Machine = "I5 with 4 cores and 4 GB, Windows 7, MPI";
+
+using planning::RunRecord;
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+double number(std::uint64_t count) { return static_cast<double>(count); }
+
+// The share, in %, of the roadmap's sampled nodes that were drawn with `count` PMDs.
+double share_with_pmds(const RunRecord& run, std::size_t count) {
+  if (run.nodes_per_pmds.size() < 2) {
+    return kNone;
+  }
+  const double all =
+      number(std::accumulate(run.nodes_per_pmds.begin() + 1, run.nodes_per_pmds.end(), 0UL));
+  const std::uint64_t some = count < run.nodes_per_pmds.size() ? run.nodes_per_pmds[count] : 0;
+  return all > 0.0 ? 100.0 * number(some) / all : kNone;
+}
+
+/// Columns: reduced search space, full search space. 100 runs.
+std::vector<PaperRow> paper_table_2() {
+  std::vector<PaperRow> rows = {
+      {"Time to find a solution [s]", {10.39, 915.28}, [](const RunRecord& r) { return r.time_s; }},
+      {"Smoothing time [s]", {0.096, 15.20}, [](const RunRecord& r) { return r.smoothing_s; }},
+      {"Final neighboring threshold (rho_a)",
+       {0.0013, 0.0631},
+       [](const RunRecord& r) { return r.final_rho_a; }},
+      {"Maximum num. of trials (j x h loops)",
+       {22.55, 270.44},
+       [](const RunRecord& r) { return number(r.max_trials); }},
+      {"Total num. of samples (numSamples)",
+       {698.82, 7274.78},
+       [](const RunRecord& r) { return number(r.samples); }},
+      {"Total num. of nodes in the PRM",
+       {29.18, 567.22},
+       [](const RunRecord& r) { return number(r.nodes); }},
+  };
+  constexpr std::array<double, 4> kShares = {22.4, 26.5, 16.5, 34.7};
+  for (std::size_t i = 0; i < kShares.size(); ++i) {
+    rows.push_back({fmt::format("% of PRM nodes with thumb-base + {} PMDs", i + 1),
+                    {kShares[i], kNone},
+                    [count = i + 1](const RunRecord& r) { return share_with_pmds(r, count); }});
+  }
+  rows.push_back({"Total nodes in the solution path", {3.66, 3.22}, [](const RunRecord& r) {
+                    return number(r.path_nodes);
+                  }});
+  return rows;
+}
+
+/// Columns: problems 1 to 4. 1,000 runs.
+std::vector<PaperRow> paper_table_4() {
+  return {
+      {"Time to find a solution [s]",
+       {21.06, 7.75, 71.64, 24.09},
+       [](const RunRecord& r) { return r.time_s; }},
+      {"Smoothing time [s]",
+       {0.124, 0.022, 0.821, 0.142},
+       [](const RunRecord& r) { return r.smoothing_s; }},
+      {"Number of samples",
+       {1188.7, 437.7, 2093.8, 2205.6},
+       [](const RunRecord& r) { return number(r.samples); }},
+      {"Nodes in the PRM",
+       {53.6, 24.6, 131.7, 81.9},
+       [](const RunRecord& r) { return number(r.nodes); }},
+      {"Nodes in solution path",
+       {3.9, 3.4, 4.2, 4.9},
+       [](const RunRecord& r) { return number(r.path_nodes); }},
+  };
+}
+
+std::vector<PaperParameter> paper_table_3() {
+  return {{"rho_a (initial)", "rho_a", "0.001", "0.001"},
+          {"K, neighbours", "k", "10", "10"},
+          {"N, most samples (initial)", "max_samples", "100", "10000"},
+          {"n_A, arm trials", "n_a", "10", "20"},
+          {"n_H, hand trials", "n_h", "10", "20"},
+          {"Largest rho_a (0: no limit)", "rho_max", "-", "-"},
+          {"Samples in gaps between hypercubes", "fill_gaps", "-", "-"},
+          {"N compared at each", "n_checked", "pass", "pass"},
+          {"Edges of smoothing", "smoothing", "both-ways", "both-ways"}};
+}
+
+/// A column of measured figures.
+struct MeasuredColumn {
+  std::string label;
+  planning::CampaignCell cell;
+};
+
+using planning::CampaignCell;
+using planning::Interval;
+
+// Over the runs that found a path, where there is such a number.
+std::vector<double> values_of(const PaperRow& row, const CampaignCell& cell) {
+  std::vector<double> values = cell.of_solved({"", "", row.value});
+  std::erase_if(values, [](double value) { return std::isnan(value); });
+  return values;
+}
+
+std::string mean_text(const std::vector<double>& values) {
+  const Interval interval = planning::mean_interval(values);
+  if (std::isnan(interval.lower)) {
+    return number_text(planning::mean_of(values));
+  }
+  return fmt::format("{} ({} to {})", number_text(planning::mean_of(values)),
+                     number_text(interval.lower), number_text(interval.upper));
+}
+
+std::string success_text(const CampaignCell& cell) {
+  const Interval interval = planning::wilson_interval(cell.solved(), cell.runs.size());
+  return fmt::format(
+      "{} ({:.1f} to {:.1f})",
+      percent_text(static_cast<double>(cell.solved()) / static_cast<double>(cell.runs.size())),
+      100.0 * interval.lower, 100.0 * interval.upper);
+}
+
+std::string times_faster(double published, const CampaignCell& cell, const PaperRow& time) {
+  const double mean = planning::mean_of(values_of(time, cell));
+  return mean > 0.0 ? number_text(published / mean) : "-";
+}
+
+const std::string& parameter_of(const planning::CampaignPlanner& planner, const std::string& key) {
+  static const std::string kUnset = "-";
+  const auto found =
+      std::ranges::find(planner.parameters, key, &planning::ParameterTexts::value_type::first);
+  return found == planner.parameters.end() ? kUnset : found->second;
+}
+
+/// Runs, success with Wilson's interval, then the paper's rows: published value, and for
+/// each column the mean with its 95 % interval over the runs that found a path; at the end the
+/// published time by the mean time.
+/// @param published which column of the rows.
+ReportTable compared_table(const std::vector<PaperRow>& rows, std::size_t published,
+                           const std::vector<MeasuredColumn>& columns) {
+  ReportTable table{{"", "published"}, {{"Runs", "-"}, {"Solved", "-"}}};
+  for (const MeasuredColumn& column : columns) {
+    table.columns.push_back(column.label);
+    table.rows[0].push_back(fmt::format("{}", column.cell.runs.size()));
+    table.rows[1].push_back(success_text(column.cell));
+  }
+  for (const PaperRow& row : rows) {
+    std::vector<std::string> cells = {row.label, number_text(row.published[published])};
+    for (const MeasuredColumn& column : columns) {
+      cells.push_back(mean_text(values_of(row, column.cell)));
+    }
+    const bool applies = std::any_of(cells.begin() + 1, cells.end(),
+                                     [](const std::string& cell) { return cell != "-"; });
+    if (applies) {
+      table.rows.push_back(std::move(cells));
+    }
+  }
+  std::vector<std::string> ratio = {"Published time / our mean time", "1"};
+  std::vector<std::string> median = {"Median time of all runs [s]", "-"};
+  for (const MeasuredColumn& column : columns) {
+    ratio.push_back(times_faster(rows.front().published[published], column.cell, rows.front()));
+    median.push_back(number_text(planning::quantile_of(column.cell.times(), 0.5)));
+  }
+  table.rows.push_back(std::move(median));
+  table.rows.push_back(std::move(ratio));
+  return table;
+}
+
+/// Such a table without rows.
+ReportTable compared_csv() {
+  return {{"table", "problem", "column", "runs", "solved", "figure", "published", "mean",
+           "mean_lower", "mean_upper", "median"},
+          {}};
+}
+
+/// The same for programs: a row for each column and figure.
+/// @param table such as "2"; @param problem what the columns are about.
+void add_compared_rows(ReportTable& csv, const std::string& table, const std::string& problem,
+                       const std::vector<PaperRow>& rows, std::size_t published,
+                       const std::vector<MeasuredColumn>& columns) {
+  for (const MeasuredColumn& column : columns) {
+    for (const PaperRow& row : rows) {
+      const std::vector<double> values = values_of(row, column.cell);
+      const Interval interval = planning::mean_interval(values);
+      csv.rows.push_back({table, problem, column.label, fmt::format("{}", column.cell.runs.size()),
+                          fmt::format("{}", column.cell.solved()), row.label,
+                          number_field(row.published[published]),
+                          number_field(planning::mean_of(values)), number_field(interval.lower),
+                          number_field(interval.upper),
+                          number_field(planning::quantile_of(values, 0.5))});
+    }
+  }
+}
+
+ReportTable parameters_compared(const planning::CampaignPlanner& with_pmds,
+                                const planning::CampaignPlanner& without_pmds) {
+  ReportTable table{{"Parameter", "published, PMDs", "ours, " + with_pmds.planner,
+                     "published, no PMDs", "ours, " + without_pmds.planner},
+                    {}};
+  for (const PaperParameter& parameter : paper_table_3()) {
+    table.rows.push_back({parameter.label, parameter.with_pmds,
+                          parameter_of(with_pmds, parameter.key), parameter.without_pmds,
+                          parameter_of(without_pmds, parameter.key)});
+  }
+  return table;
+}
 
 namespace fs = std::filesystem;
 using planning::CampaignCell;

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "campaign_session.h"
+#include "campaign_command.h"
 #include "handway/planning/campaigns/campaign.h"
-#include "reproduced_figure.h"
+#include "reproduce_figures.h"
 
 #include <filesystem>
 #include <set>

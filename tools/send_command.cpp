@@ -1,5 +1,4 @@
-#include "send_command.h"
-
+#include "commands.h"
 #include "exit_codes.h"
 #include "handway/execution/motion/motion_log.h"
 #include "handway/execution/motion/motion_parts.h"
@@ -8,7 +7,7 @@
 #include "handway/geometric/io/files_read.h"
 #include "handway/geometric/io/input_error.h"
 #include "interrupt.h"
-#include "number_options.h"
+#include "numbers.h"
 #include "scene_file_watch.h"
 #include "timing_options.h"
 

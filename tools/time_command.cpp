@@ -1,5 +1,4 @@
-#include "time_command.h"
-
+#include "commands.h"
 #include "exit_codes.h"
 #include "timing_options.h"
 

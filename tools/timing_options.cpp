@@ -4,8 +4,8 @@
 #include "handway/geometric/io/replace_file.h"
 #include "handway/geometric/math/units.h"
 #include "handway/planning/paths/path_csv.h"
-#include "number_options.h"
-#include "scene_warnings.h"
+#include "numbers.h"
+#include "scene_options.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

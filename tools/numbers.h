@@ -1,7 +1,11 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include "handway/planning/paths/path_csv.h"
 
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <cmath>
 #include <string>
 
 namespace handway::tools {
@@ -34,6 +38,40 @@ namespace handway::tools {
             return text.starts_with('-') ? "\"" + text + "\" is below 0" : std::string();
           },
           "NONNEGATIVE"};
+}
+
+/// A measured number for people, to about four digits; "-" if there is none, "∞" if
+/// it is beyond what was measured.
+[[nodiscard]] inline std::string number_text(double value) {
+  if (std::isnan(value)) {
+    return "-";
+  }
+  if (std::isinf(value)) {
+    return "∞";
+  }
+  const double size = std::abs(value);
+  if (size >= 1000.0 || value == 0.0) {
+    return fmt::format("{:.0f}", value);
+  }
+  if (size >= 100.0) {
+    return fmt::format("{:.1f}", value);
+  }
+  return fmt::format("{:.{}f}", value, size >= 10.0 ? 2 : size >= 0.1 ? 3 : 4);
+}
+
+/// The same number for programs: the shortest that reads back; empty if it is not finite.
+[[nodiscard]] inline std::string number_field(double value) {
+  return std::isfinite(value) ? fmt::format("{}", value) : "";
+}
+
+/// The same of seconds: rounded to nanoseconds, finer than what clocks tell.
+[[nodiscard]] inline std::string seconds_field(double seconds) {
+  return std::isfinite(seconds) ? planning::csv_time(seconds) : "";
+}
+
+/// A share of 1 as a percentage.
+[[nodiscard]] inline std::string percent_text(double share) {
+  return fmt::format("{:.1f} %", 100.0 * share);
 }
 
 }  // namespace handway::tools

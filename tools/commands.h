@@ -1,0 +1,57 @@
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace handway::tools {
+
+/// Adds `handway arm` and its command `emulate`.
+void add_arm_command(CLI::App& app, int& exit_code);
+
+/// `handway bench [SCENE…]`: what collision checks and plans take.
+void add_bench_command(CLI::App& app, int& exit_code);
+
+/// `handway check SCENE PATH.csv`: re-checks a path on the exact meshes.
+void add_check_command(CLI::App& app, int& exit_code);
+
+/// Adds `handway compare`.
+void add_compare_command(CLI::App& app, int& exit_code);
+
+/// `handway export PATH.csv`: times a path and writes it for a controller.
+void add_export_command(CLI::App& app, int& exit_code);
+
+/// handway glove emulate|live|record|replay …
+void add_glove_command(CLI::App& app, int& exit_code);
+
+/// Adds `handway hand` and its command `emulate`.
+void add_hand_command(CLI::App& app, int& exit_code);
+
+/// Adds `handway haptic` and its commands `guide` and `emulate`.
+void add_haptic_command(CLI::App& app, int& exit_code);
+
+/// `handway info SCENE|ROBOT`: what was loaded, with warnings.
+void add_info_command(CLI::App& app, int& exit_code);
+
+/// `handway pca RECORDING…`: finds a hand's principal motion directions.
+void add_pca_command(CLI::App& app, int& exit_code);
+
+/// `handway plan SCENE`: finds a path and writes it.
+void add_plan_command(CLI::App& app, int& exit_code);
+
+/// `handway reproduce`: the paper's tables, measured again.
+void add_reproduce_command(CLI::App& app, int& exit_code);
+
+/// Adds `handway ros` and its command `emulate`.
+void add_ros_command(CLI::App& app, int& exit_code);
+
+/// Adds `handway send PATH.csv --scene SCENE --to DEVICE`.
+void add_send_command(CLI::App& app, int& exit_code);
+
+/// `handway time PATH.csv`: how long a path takes, and whether it may run.
+void add_time_command(CLI::App& app, int& exit_code);
+
+/// handway tracker emulate|live …
+void add_tracker_command(CLI::App& app, int& exit_code);
+
+}  // namespace handway::tools

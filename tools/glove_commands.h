@@ -1,0 +1,44 @@
+#pragma once
+
+#include "handway/device/glove/glove.h"
+
+#include <memory>
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace handway::tools {
+
+/// Which glove, and how to read it.
+struct GloveDeviceOptions {
+  std::string device;
+  double rate_hz = 100.0;
+  int baud = 115200;
+  bool poll = false;
+};
+
+void add_glove_device_options(CLI::App& command, GloveDeviceOptions& options);
+
+[[nodiscard]] std::unique_ptr<device::Glove> make_glove(const GloveDeviceOptions& options);
+
+/// handway glove calibrate: a calibration from recordings of guided poses and of a free motion.
+void add_glove_calibrate(CLI::App& glove, int& exit_code);
+
+/// handway glove emulate: an emulated CyberGlove on a pseudo-terminal or a TCP port.
+void add_glove_emulate(CLI::App& glove, int& exit_code);
+
+/// handway glove generate: a recording of a synthetic hand, faster than it would move.
+void add_glove_generate(CLI::App& glove, int& exit_code);
+
+/// handway glove live: what a glove measures, as it comes.
+void add_glove_live(CLI::App& glove, int& exit_code);
+
+/// handway glove record: what a glove measures, into a file.
+void add_glove_record(CLI::App& glove, int& exit_code);
+
+/// handway glove replay: a recording played as if it came from a glove.
+void add_glove_replay(CLI::App& glove, int& exit_code);
+
+}  // namespace handway::tools

@@ -1,0 +1,3 @@
+#include "numbers.h"
+
+namespace handway::tools {}  // namespace handway::tools

@@ -1,0 +1,151 @@
+#include "scene_options.h"
+
+#include "handway/geometric/io/input_error.h"
+#include "handway/geometric/io/nearest_name.h"
+#include "handway/geometric/io/resources.h"
+#include "handway/geometric/math/units.h"
+#include "handway/sampling/postures/pmd_basis_io.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace handway::tools {
+void choose_basis(std::vector<std::string>& settings, planning::LoadedScene& scene) {
+  const std::string key = "basis=";
+  for (const std::string& setting : settings) {
+    if (!setting.starts_with(key)) {
+      continue;
+    }
+    const std::filesystem::path file =
+        geometric::find_resource(geometric::ResourceKind::kHandBasis, setting.substr(key.size()),
+                                 std::filesystem::current_path(), "--set basis");
+    auto basis = std::make_shared<const sampling::PmdBasis>(sampling::read_pmd_basis(file));
+    if (scene.basis && scene.basis->hand != basis->hand) {
+      throw geometric::InputError({file.string(), "hand", basis->hand, scene.basis->hand,
+                                   "The scene's robot has another hand"});
+    }
+    scene.basis = std::move(basis);
+  }
+  std::erase_if(settings, [&](const std::string& setting) { return setting.starts_with(key); });
+}
+
+std::unique_ptr<planning::Planner> scene_planner(const std::string& name,
+                                                 const geometric::PlannerChoice& choice,
+                                                 const planning::PlannerRegistry& registry) {
+  const std::string taken = !name.empty()          ? name
+                            : !choice.name.empty() ? choice.name
+                                                   : registry.names().front();
+  std::unique_ptr<planning::Planner> planner = registry.create(taken);
+  using planning::PlannerRegistry;
+  const bool same =
+      PlannerRegistry::current_name(taken) == PlannerRegistry::current_name(choice.name);
+  if (same || choice.name.empty()) {
+    const std::vector<planning::Parameter> parameters = planner->parameters();
+    for (const auto& [key, value] : choice.settings) {
+      set_from_text(find_parameter(parameters, key), value);
+    }
+  }
+  return planner;
+}
+
+void apply_settings(planning::Planner& planner, const std::vector<std::string>& settings) {
+  const std::vector<planning::Parameter> parameters = planner.parameters();
+  for (const std::string& setting : settings) {
+    const std::size_t equals = setting.find('=');
+    if (equals == std::string::npos) {
+      throw CLI::ValidationError("--set", "\"" + setting + "\" is not KEY=VALUE");
+    }
+    set_from_text(find_parameter(parameters, setting.substr(0, equals)),
+                  setting.substr(equals + 1));
+  }
+}
+
+void print_warnings(const geometric::Scene& scene) {
+  if (scene.warnings.empty()) {
+    return;
+  }
+  const std::size_t count = scene.warnings.size();
+  std::string summary = fmt::format("{} warning{}\n", count, count == 1 ? "" : "s");
+  for (const std::string& warning : scene.warnings) {
+    summary += fmt::format("  warning: {}\n", warning);
+  }
+  fmt::print(stderr, "handway: {}", summary);
+}
+
+namespace {
+
+struct Upright {
+  std::string body;  // names may hold colons
+  double degrees;
+};
+
+std::optional<Upright> upright_of(const std::string& text) {
+  const std::size_t colon = text.rfind(':');
+  double degrees = 0.0;
+  const bool good = colon != std::string::npos && colon > 0 &&
+                    CLI::detail::lexical_cast(text.substr(colon + 1), degrees) && degrees > 0.0 &&
+                    degrees <= 180.0;
+  return good ? std::optional(Upright{text.substr(0, colon), degrees}) : std::nullopt;
+}
+
+std::string unused_name(const geometric::Scene& scene, const std::string& name) {
+  std::string unused = name;
+  for (int number = 2;
+       std::ranges::count(scene.constraints, unused, &geometric::PathConstraint::name) > 0;
+       ++number) {
+    unused = name + " " + std::to_string(number);
+  }
+  return unused;
+}
+
+}  // namespace
+
+void add_upright_option(CLI::App& command, std::vector<std::string>& uprights) {
+  command
+      .add_option("--upright", uprights,
+                  "Keep the z axis of a carried object or a link within DEGREES of the world's, "
+                  "all along the path")
+      ->type_name("OBJECT:DEGREES")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->check([](const std::string& text) {
+        return upright_of(text) ? std::string()
+                                : "\"" + text +
+                                      "\" is not OBJECT:DEGREES with an angle above 0 "
+                                      "and up to 180 degrees";
+      });
+}
+
+void add_uprights(const std::vector<std::string>& uprights, planning::LoadedScene& loaded) {
+  if (uprights.empty()) {
+    return;
+  }
+  geometric::Scene scene = *loaded.scene;
+  const std::vector<std::string> bodies = constrainable_bodies(scene);
+  for (const std::string& text : uprights) {
+    const Upright upright = upright_of(text).value();
+    if (std::ranges::count(bodies, upright.body) == 0) {
+      throw geometric::InputError(
+          {scene.file.string(), "--upright " + text,
+           upright.body + (find_object(scene, upright.body) ? ", which is not attached to a link"
+                                                            : ", which is not in the scene"),
+           "an object on a link of " + scene.robots.front().name + ", or one of its links",
+           geometric::advise_name(upright.body, bodies)});
+    }
+    geometric::OrientationConstraint what;
+    what.angle = geometric::radians(upright.degrees);
+    scene.constraints.push_back(
+        {unused_name(scene, upright.body + " upright"), upright.body, what});
+  }
+  loaded.scene = std::make_shared<const geometric::Scene>(std::move(scene));
+}
+
+}  // namespace handway::tools

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "handway/geometric/scene/scene.h"
+#include "handway/planning/core/importer.h"
+#include "handway/planning/core/planner_registry.h"
+
+#include <CLI/CLI.hpp>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace handway::tools {
+
+/// Takes `basis=FILE` out of the settings, and puts that basis in the place of the scene's. FILE is
+/// a path or the name of a basis that ships.
+/// @throws InputError if it can't be read or is for another hand than the scene's basis.
+void choose_basis(std::vector<std::string>& settings, planning::LoadedScene& scene);
+
+/// The planner called `name` (empty: the scene's, or else the first in the registry).
+/// The scene's settings are taken if they are for it; another planner's mean nothing.
+/// @throws InputError for an unknown planner or setting.
+[[nodiscard]] std::unique_ptr<planning::Planner> scene_planner(
+    const std::string& name, const geometric::PlannerChoice& choice,
+    const planning::PlannerRegistry& registry);
+
+/// Sets parameters from the command line, KEY=VALUE each.
+/// @throws CLI::ValidationError if one is not of this form, InputError for an unknown parameter or
+/// a value that it can't have.
+void apply_settings(planning::Planner& planner, const std::vector<std::string>& settings);
+
+/// What readers noticed but could live with, as one summary on stderr; nothing if there is nothing.
+void print_warnings(const geometric::Scene& scene);
+
+/// Adds `--upright OBJECT:DEGREES`, which may be given several times.
+void add_upright_option(CLI::App& command, std::vector<std::string>& uprights);
+
+/// Adds a constraint to the scene for each OBJECT:DEGREES that the option took: the z axis of the
+/// object, or of the robot's link of that name, stays within that angle of the world's.
+/// @throws InputError if the robot has no such link and carries no such object.
+void add_uprights(const std::vector<std::string>& uprights, planning::LoadedScene& scene);
+
+}  // namespace handway::tools
