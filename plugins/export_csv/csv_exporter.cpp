@@ -1,8 +1,41 @@
 #include "csv_exporter.h"
 
-#include "csv_table.h"
+#include "handway/geometric/io/input_error.h"
+#include "handway/planning/paths/path_csv.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace handway::export_csv {
+namespace {
+
+/// Text in rows and columns: times as planning::csv_time(), other numbers as the shortest that read
+/// back to the same bits.
+class CsvTable {
+ public:
+  explicit CsvTable(const std::vector<std::string>& columns);
+
+  /// @param time s, the first column. @param values of all others.
+  void add_row(double time, const std::vector<double>& values);
+
+  [[nodiscard]] const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+};
+
+CsvTable::CsvTable(const std::vector<std::string>& columns)
+    : text_(fmt::format("{}\n", fmt::join(columns, ","))) {}
+
+void CsvTable::add_row(double time, const std::vector<double>& values) {
+  text_ += fmt::format("{},{}\n", planning::csv_time(time), fmt::join(values, ","));
+}
+
+}  // namespace
 
 std::vector<planning::ExportedFile> CsvExporter::do_export(const planning::Motion& motion) const {
   const geometric::RobotModel& model = *motion.model;
@@ -28,6 +61,41 @@ std::vector<planning::ExportedFile> CsvExporter::do_export(const planning::Motio
     table.add_row(point.time, row);
   }
   return {{motion.name + ".csv", table.text()}};
+}
+
+namespace {
+
+std::string table_of(const planning::Motion& motion, const std::vector<int>& variables) {
+  std::vector<std::string> columns = {"time"};
+  for (const char* rate : {"", ".velocity"}) {
+    for (const int v : variables) {
+      columns.push_back(motion.model->variable(v).name + rate);
+    }
+  }
+  CsvTable table(columns);
+  for (const planning::TrajectoryPoint& point : motion.trajectory.points) {
+    std::vector<double> row;
+    for (const Eigen::VectorXd* values : {&point.position, &point.velocity}) {
+      for (const int v : variables) {
+        row.push_back((*values)[v]);
+      }
+    }
+    table.add_row(point.time, row);
+  }
+  return table.text();
+}
+
+}  // namespace
+
+std::vector<planning::ExportedFile> SplitExporter::do_export(const planning::Motion& motion) const {
+  if (motion.arm.empty() || motion.hand.empty()) {
+    throw geometric::InputError({"robot " + motion.model->name(), "",
+                                 motion.arm.empty() ? "no arm" : "no hand",
+                                 "joints of an arm and of a hand",
+                                 "Groups \"arm\" and \"hand\" of the SRDF file tell them"});
+  }
+  return {{motion.name + "_arm.csv", table_of(motion, motion.arm)},
+          {motion.name + "_hand.csv", table_of(motion, motion.hand)}};
 }
 
 }  // namespace handway::export_csv

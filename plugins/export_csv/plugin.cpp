@@ -1,7 +1,6 @@
 #include "handway/planning/core/plugin.h"
 
 #include "csv_exporter.h"
-#include "split_exporter.h"
 
 extern "C" __attribute__((visibility("default"))) const handway::planning::Plugin*
 handway_plugin() {

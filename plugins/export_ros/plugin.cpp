@@ -1,6 +1,5 @@
 #include "handway/planning/core/plugin.h"
 
-#include "moveit_exporter.h"
 #include "ros_exporter.h"
 
 extern "C" __attribute__((visibility("default"))) const handway::planning::Plugin*

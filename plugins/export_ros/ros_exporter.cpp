@@ -1,9 +1,134 @@
 #include "ros_exporter.h"
 
-#include "messages.h"
-#include "yaml_text.h"
+#include "handway/planning/core/exporter.h"
+
+#include <nlohmann/json.hpp>
+#include <yaml-cpp/yaml.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <string>
 
 namespace handway::export_ros {
+namespace {
+
+using Message = nlohmann::ordered_json;
+
+/// How a version of ROS calls the parts of a time: {secs, nsecs} or {sec, nanosec}; and
+/// only the first has `seq` in its headers.
+enum class RosVersion { kRos1, kRos2 };
+
+Message time_message(double seconds, RosVersion version) {
+  constexpr std::int64_t kNanoseconds = 1'000'000'000;
+  const auto all = static_cast<std::int64_t>(std::llround(seconds * 1e9));
+  const bool first = version == RosVersion::kRos1;
+  return {{first ? "secs" : "sec", all / kNanoseconds},
+          {first ? "nsecs" : "nanosec", all % kNanoseconds}};
+}
+
+Message numbers(const Eigen::VectorXd& values) {
+  return std::vector<double>(values.begin(), values.end());
+}
+
+/// std_msgs/Header with time 0, which means "now".
+Message header(RosVersion version) {
+  Message message;
+  if (version == RosVersion::kRos1) {
+    message["seq"] = 0;
+  }
+  message["stamp"] = time_message(0.0, version);
+  message["frame_id"] = "";
+  return message;
+}
+
+/// trajectory_msgs/JointTrajectory of the joints that move on their own: the effort arrays
+/// are empty, times increase strictly.
+Message joint_trajectory(const planning::Motion& motion, RosVersion version) {
+  Message names = Message::array();
+  for (int v = 0; v < motion.model->variable_count(); ++v) {
+    names.push_back(motion.model->variable(v).name);
+  }
+  Message points = Message::array();
+  for (const planning::TrajectoryPoint& point : motion.trajectory.points) {
+    points.push_back({{"positions", numbers(point.position)},
+                      {"velocities", numbers(point.velocity)},
+                      {"accelerations", numbers(point.acceleration)},
+                      {"effort", Message::array()},
+                      {"time_from_start", time_message(point.time, version)}});
+  }
+  return {{"header", header(version)}, {"joint_names", names}, {"points", points}};
+}
+
+Message start_state(const planning::Motion& motion, RosVersion version) {
+  Message names = Message::array();
+  Message positions = Message::array();
+  for (const geometric::JointValue& joint :
+       geometric::joint_values(*motion.model, motion.trajectory.points.front().position)) {
+    names.push_back(std::string(joint.joint));
+    positions.push_back(joint.value);
+  }
+  const Message none = Message::array();
+  return {{"joint_state",
+           {{"header", header(version)},
+            {"name", names},
+            {"position", positions},
+            {"velocity", none},
+            {"effort", none}}},
+          {"multi_dof_joint_state",
+           {{"header", header(version)},
+            {"joint_names", none},
+            {"transforms", none},
+            {"twist", none},
+            {"wrench", none}}},
+          {"attached_collision_objects", none},
+          {"is_diff", false}};
+}
+
+// NOLINTNEXTLINE(misc-no-recursion): messages are a few levels deep
+void write_value(YAML::Emitter& out, const Message& message) {
+  switch (message.type()) {
+    case Message::value_t::object:
+      out << YAML::BeginMap;
+      for (const auto& [key, value] : message.items()) {
+        out << YAML::Key << key << YAML::Value;
+        write_value(out, value);
+      }
+      out << YAML::EndMap;
+      return;
+    case Message::value_t::array: {
+      const bool plain =
+          std::ranges::none_of(message, [](const Message& item) { return item.is_structured(); });
+      out << (plain ? YAML::Flow : YAML::Block) << YAML::BeginSeq;
+      for (const Message& item : message) {
+        write_value(out, item);
+      }
+      out << YAML::EndSeq;
+      return;
+    }
+    case Message::value_t::string:
+      out << YAML::DoubleQuoted << message.get<std::string>();
+      return;
+    case Message::value_t::boolean:
+      out << message.get<bool>();
+      return;
+    case Message::value_t::number_float:
+      out << message.get<double>();
+      return;
+    default:
+      out << message.get<std::int64_t>();
+  }
+}
+
+std::string to_yaml(const Message& message) {
+  YAML::Emitter out;
+  out.SetDoublePrecision(std::numeric_limits<double>::max_digits10);
+  write_value(out, message);
+  return std::string(out.c_str()) + "\n";
+}
+
+}  // namespace
 
 std::vector<planning::ExportedFile> RosExporter::do_export(const planning::Motion& motion) const {
   std::vector<planning::ExportedFile> files;
@@ -12,6 +137,24 @@ std::vector<planning::ExportedFile> RosExporter::do_export(const planning::Motio
     const std::string stem = motion.name + (version == RosVersion::kRos1 ? "_ros1" : "_ros2");
     files.push_back({stem + ".yaml", to_yaml(message)});
     files.push_back({stem + ".json", message.dump() + "\n"});
+  }
+  return files;
+}
+
+std::vector<planning::ExportedFile> MoveItExporter::do_export(
+    const planning::Motion& motion) const {
+  std::vector<planning::ExportedFile> files;
+  for (const RosVersion version : {RosVersion::kRos1, RosVersion::kRos2}) {
+    const Message none = Message::array();
+    const Message robot_trajectory = {
+        {"joint_trajectory", joint_trajectory(motion, version)},
+        {"multi_dof_joint_trajectory",
+         {{"header", header(version)}, {"joint_names", none}, {"points", none}}}};
+    const Message message = {{"model_id", motion.model->name()},
+                             {"trajectory", Message::array({robot_trajectory})},
+                             {"trajectory_start", start_state(motion, version)}};
+    const char* end = version == RosVersion::kRos1 ? "_display_ros1.yaml" : "_display_ros2.yaml";
+    files.push_back({motion.name + end, to_yaml(message)});
   }
   return files;
 }

@@ -1,14 +1,30 @@
 #pragma once
 
-#include "inventor_mesh.h"
+#include "handway/geometric/scene/color.h"
+#include "handway/geometric/scene/triangle_mesh.h"
 
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace handway::import_kautham {
+
+/// The triangles of an Open Inventor or VRML file.
+struct InventorMesh {
+  std::shared_ptr<const geometric::TriangleMesh> triangles;  ///< m
+  geometric::Color color;                                    ///< Diffuse, of the first triangle.
+  bool includes_files = false;                               ///< Parts of it come from others.
+  std::vector<std::string> warnings = {};                    ///< Textures that can't be read.
+};
+
+/// Reads an Open Inventor or VRML file whose lengths, times `scale`, are
+/// millimetres. Files that it includes are looked for in its own folder.
+/// @throws InputError if the file or one that it includes can't be read, or it
+/// has no triangles.
+[[nodiscard]] InventorMesh read_inventor_mesh(const std::filesystem::path& file, double scale);
 
 /// Meshes by file and scale, each read once: also in later runs, because what was read of a file
 /// is kept in the user's cache by the file's content. Files that include others, or of which a

@@ -1,6 +1,5 @@
 #include "kautham_problem.h"
 
-#include "location.h"
 #include "xml_file.h"
 
 #include <fmt/format.h>

@@ -1,7 +1,6 @@
 #include "kautham_robot.h"
 
 #include "handway/geometric/math/units.h"
-#include "location.h"
 #include "xml_file.h"
 
 #include <algorithm>

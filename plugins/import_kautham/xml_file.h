@@ -1,5 +1,7 @@
 #pragma once
 
+#include "handway/geometric/math/pose.h"
+
 #include <pugixml.hpp>
 
 #include <filesystem>
@@ -62,5 +64,10 @@ class XmlFile {
 
 /// A finite number that fills the whole text, whatever the locale. @returns false if it is none.
 [[nodiscard]] bool parse_number(std::string_view text, double& value);
+
+/// The pose that a Location, Home or PreTrans element gives: X, Y, Z in mm, then
+/// a turn by TH degrees about the axis (WX, WY, WZ), which needs no unit length.
+/// @throws InputError if a number is missing, or an angle has no axis.
+[[nodiscard]] geometric::Pose read_location(const XmlFile& xml, pugi::xml_node node);
 
 }  // namespace handway::import_kautham

@@ -17,4 +17,12 @@ namespace handway::import_moveit {
 /// @throws InputError naming file, line, element, what was found and expected.
 [[nodiscard]] planning::LoadedScene read_moveit_problem(const ProblemFiles& files);
 
+/// Problems of MoveIt: a planning scene and a motion plan request as YAML files.
+class MoveitImporter final : public planning::Importer {
+ public:
+  [[nodiscard]] std::string name() const override;
+  [[nodiscard]] bool can_read(const std::filesystem::path& file) const override;
+  [[nodiscard]] planning::LoadedScene read(const std::filesystem::path& file) const override;
+};
+
 }  // namespace handway::import_moveit

@@ -1,6 +1,6 @@
 #include "handway/planning/core/plugin.h"
 
-#include "moveit_importer.h"
+#include "moveit_problem.h"
 
 extern "C" __attribute__((visibility("default"))) const handway::planning::Plugin*
 handway_plugin() {

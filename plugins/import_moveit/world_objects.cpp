@@ -2,7 +2,6 @@
 
 #include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/mesh_reader.h"
-#include "messages.h"
 #include "problem_files.h"
 
 #include <fmt/format.h>

@@ -3,7 +3,6 @@
 #include "handway_test/input_errors.h"
 #include "handway_test/motions.h"
 #include "handway_test/paths.h"
-#include "split_exporter.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,7 +1,6 @@
 // The field names and nesting are those of trajectory_msgs/JointTrajectory,
 // moveit_msgs/DisplayTrajectory and what they are made of.
 #include "handway_test/motions.h"
-#include "moveit_exporter.h"
 #include "ros_exporter.h"
 
 #include <gmock/gmock.h>

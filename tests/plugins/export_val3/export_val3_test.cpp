@@ -1,4 +1,3 @@
-#include "arm_moves.h"
 #include "handway/geometric/math/units.h"
 #include "handway_test/input_errors.h"
 #include "handway_test/motions.h"

@@ -1,6 +1,5 @@
-#include "inventor_mesh.h"
-
 #include "handway/geometric/io/input_error.h"
+#include "inventor_meshes.h"
 #include "small_problem.h"
 
 #include <gmock/gmock.h>

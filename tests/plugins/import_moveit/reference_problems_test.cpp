@@ -1,7 +1,7 @@
 /// Published problems, changed as other people's folders differ: they load, with a summary.
 #include "handway/geometric/io/input_error.h"
 #include "handway_test/paths.h"
-#include "moveit_importer.h"
+#include "moveit_problem.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

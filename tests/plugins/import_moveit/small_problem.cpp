@@ -2,7 +2,7 @@
 
 #include "handway/geometric/io/text_file.h"
 #include "handway_test/input_errors.h"
-#include "moveit_importer.h"
+#include "moveit_problem.h"
 
 #include <gtest/gtest.h>
 
