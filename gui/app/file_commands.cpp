@@ -5,16 +5,58 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
+#include <QSettings>
 
 namespace handway::gui {
+namespace {
 
-FileCommands::FileCommands(QWidget& window, Document& document, PlanPanel& plan_panel,
+constexpr int kMost = 10;
+
+QString key() { return QStringLiteral("recent_files"); }
+
+}  // namespace
+
+RecentFiles::RecentFiles(QWidget* parent) : QMenu(tr("Open &recent"), parent) {
+  connect(this, &QMenu::aboutToShow, this, &RecentFiles::rebuild);
+  rebuild();
+}
+
+QStringList RecentFiles::files() {
+  QStringList found;
+  for (const QString& file : QSettings().value(key()).toStringList()) {
+    if (QFileInfo::exists(file)) {
+      found << file;
+    }
+  }
+  return found;
+}
+
+void RecentFiles::add(const QString& file) {
+  QSettings settings;
+  QStringList files = settings.value(key()).toStringList();
+  const QString absolute = QFileInfo(file).absoluteFilePath();
+  files.removeAll(absolute);
+  files.prepend(absolute);
+  settings.setValue(key(), QStringList(files.mid(0, kMost)));
+  rebuild();
+}
+
+void RecentFiles::rebuild() {
+  clear();
+  for (const QString& file : files()) {
+    QAction* action =
+        addAction(QFileInfo(file).fileName(), this, [this, file] { emit chosen(file); });
+    action->setToolTip(file);
+    action->setStatusTip(file);
+  }
+  if (isEmpty()) {
+    addAction(tr("None yet"))->setEnabled(false);
+  }
+}
+
+FileCommands::FileCommands(QWidget& window, Document& document, PlanSettings& planning,
                            QUndoStack& edits)
-    : QObject(&window),
-      window_(window),
-      document_(document),
-      plan_panel_(plan_panel),
-      edits_(edits) {}
+    : QObject(&window), window_(window), document_(document), planning_(planning), edits_(edits) {}
 
 QString FileCommands::scene_name() const {
   const std::string& name = document_.scene()->name;
@@ -50,7 +92,7 @@ bool FileCommands::save_as() {
 
 bool FileCommands::save_to(const QString& file) {
   try {
-    document_.save(file.toStdString(), plan_panel_.choice());
+    document_.save(file.toStdString(), planning_.choice());
   } catch (const std::exception& error) {
     emit failed(tr("The scene was not saved"), QString::fromUtf8(error.what()));
     return false;

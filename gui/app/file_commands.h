@@ -1,15 +1,35 @@
 #pragma once
 
-#include "features/planning/plan_panel.h"
 #include "model/document/document.h"
+#include "model/planning/plan_settings.h"
 
+#include <QMenu>
 #include <QObject>
 #include <QString>
+#include <QStringList>
 #include <QUndoStack>
 
 class QWidget;
 
 namespace handway::gui {
+
+/// File > Open recent: the last files that were opened, kept between runs.
+class RecentFiles : public QMenu {
+  Q_OBJECT
+
+ public:
+  explicit RecentFiles(QWidget* parent = nullptr);
+
+  /// Those that are still there, the last first.
+  [[nodiscard]] static QStringList files();
+  void add(const QString& file);
+
+ signals:
+  void chosen(const QString& file);
+
+ private:
+  void rebuild();
+};
 
 /// Opening and saving, with the questions that go with them.
 class FileCommands : public QObject {
@@ -17,7 +37,7 @@ class FileCommands : public QObject {
 
  public:
   /// All outlive it. @param window in front of which questions are asked.
-  FileCommands(QWidget& window, Document& document, PlanPanel& plan_panel, QUndoStack& edits);
+  FileCommands(QWidget& window, Document& document, PlanSettings& planning, QUndoStack& edits);
 
   /// What people call the scene that is open.
   [[nodiscard]] QString scene_name() const;
@@ -40,7 +60,7 @@ class FileCommands : public QObject {
  private:
   QWidget& window_;
   Document& document_;
-  PlanPanel& plan_panel_;
+  PlanSettings& planning_;
   QUndoStack& edits_;
 };
 

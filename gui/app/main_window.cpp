@@ -1,22 +1,17 @@
 #include "app/main_window.h"
 
-#include "app/body_display_tool.h"
 #include "app/file_commands.h"
 #include "app/frame_rate_label.h"
-#include "app/plan_options.h"
 #include "app/planning_commands.h"
 #include "app/playback_tools.h"
 #include "app/preference_effects.h"
-#include "app/recent_files.h"
-#include "app/start/about_box.h"
 #include "app/start/command_palette.h"
-#include "app/start/panel_help.h"
+#include "app/start/help.h"
 #include "app/start/start_page.h"
 #include "app/view_actions.h"
 #include "features/campaigns/campaigns_panel.h"
 #include "features/devices/device_session.h"
 #include "features/devices/devices_panel.h"
-#include "features/editing/constraint_display.h"
 #include "features/editing/palm_tool.h"
 #include "features/editing/properties_panel.h"
 #include "features/editing/recovery.h"
@@ -26,31 +21,33 @@
 #include "features/glove/glove_panel.h"
 #include "features/grasping/grasp_tool.h"
 #include "features/planning/collision_display.h"
-#include "features/planning/collision_label.h"
+#include "features/planning/plan_panel.h"
 #include "features/planning/planning_views.h"
 #include "features/planning/query_check.h"
 #include "features/postures/joint_panel.h"
 #include "features/postures/kept_postures.h"
 #include "features/postures/pmd_panel.h"
-#include "features/postures/posing.h"
-#include "features/postures/posture_bar.h"
+#include "features/postures/posture_panels.h"
 #include "features/preferences/preferences_dialog.h"
-#include "features/runs/runs_tool.h"
+#include "features/runs/runs_panel.h"
 #include "features/tracker/wrist_page.h"
+#include "handway/geometric/io/mesh_reader.h"
 #include "model/planning/path_validity.h"
-#include "model/playback/palm_path.h"
+#include "model/playback/path_timeline.h"
 #include "view3d/scene_view.h"
 #include "widgets/forms/wheel_guard.h"
-#include "widgets/panels/banner.h"
 #include "widgets/panels/dock_layout.h"
+#include "widgets/panels/floating_card.h"
 #include "widgets/panels/playback_bar.h"
 #include "widgets/style/theme.h"
 
 #include <QApplication>
 #include <QCloseEvent>
+#include <QDragEnterEvent>
 #include <QFileInfo>
 #include <QMenu>
 #include <QMenuBar>
+#include <QMimeData>
 #include <QPushButton>
 #include <QStackedWidget>
 #include <QStatusBar>
@@ -62,17 +59,22 @@ MainWindow::MainWindow(std::shared_ptr<planning::Extensions> extensions, QWidget
     : QMainWindow(parent),
       extensions_(std::move(extensions)),
       document_(extensions_),
+      editor_(document_),
+      posing_(document_, player_),
+      plan_settings_(extensions_->planners()),
       view_(new SceneView),
       middle_(new QStackedWidget),
       banner_(new Banner(middle_)),
-      tree_(new SceneTree),
       log_(new LogPanel),
-      plan_panel_(new PlanPanel(extensions_->planners())),
+      plan_panel_(new PlanPanel(plan_settings_)),
       campaigns_(new CampaignsPanel(extensions_)),
-      posing_(std::make_unique<Posing>(document_, player_)),
+      postures_(std::make_unique<PosturePanels>(document_, posing_)),
+      glove_(new GlovePanel),
+      wrist_(new WristPage),
       devices_(std::make_unique<DeviceSession>(document_, player_)),
       collisions_(std::make_unique<CollisionDisplay>(document_, *view_)),
-      planning_views_(std::make_unique<PlanningViews>(document_, player_, *plan_panel_, *view_)),
+      planning_views_(std::make_unique<PlanningViews>(document_, player_, plan_settings_,
+                                                      *plan_panel_, *view_)),
       playback_(new PlaybackBar(player_)),
       start_page_(new StartPage),
       palette_(new CommandPalette(*this)),
@@ -81,31 +83,32 @@ MainWindow::MainWindow(std::shared_ptr<planning::Extensions> extensions, QWidget
       view_actions_(
           std::make_unique<ViewActions>(*this, *actions_, *view_, *body_display_, preferences_)),
       playback_tools_(std::make_unique<PlaybackTools>(
-          PlaybackParts{*this, *actions_, document_, player_, *view_, *playback_, *plan_panel_,
-                        extensions_->planners()})),
-      editing_(std::make_unique<SceneEditing>(*this, *actions_, document_, *view_, *tree_,
-                                              collisions_->monitor())),
-      files_(std::make_unique<FileCommands>(*this, document_, *plan_panel_,
-                                            editing_->editor().undo_stack())),
-      recovery_(std::make_unique<Recovery>(document_, editing_->editor(), *plan_panel_, *banner_)) {
+          PlaybackParts{*this, *actions_, document_, player_, *view_, *playback_, plan_settings_})),
+      editing_(std::make_unique<SceneEditing>(
+          EditingParts{*this, *actions_->edit_menu(), *actions_->add_menu(), *actions_->edit_bar(),
+                       editor_, *view_, collisions_->monitor()})),
+      files_(
+          std::make_unique<FileCommands>(*this, document_, plan_settings_, editor_.undo_stack())),
+      recovery_(std::make_unique<Recovery>(document_, editor_, plan_settings_, *banner_)) {
   setWindowTitle(tr("Handway"));
   setAcceptDrops(true);
   new WheelGuard(this);
   build_docks();
-  session_ = std::make_unique<PlanningSession>(document_, *plan_panel_, player_);
+  session_ = std::make_unique<PlanningSession>(document_, plan_settings_, player_);
+  plan_panel_->follow(*session_);
   validity_ = std::make_unique<PathValidity>(player_);
   planning_views_->follow(*session_, *actions_->samples, *actions_->hypercubes);
-  query_check_ = std::make_unique<QueryCheck>(document_, editing_->editor(), *posing_, *view_);
-  grasp_tool_ = std::make_unique<GraspTool>(document_, *editing_, *session_, *view_);
-  palm_tool_ =
-      std::make_unique<PalmTool>(document_, editing_->editor(), *posing_, *session_, *view_);
+  query_check_ = std::make_unique<QueryCheck>(document_, editor_, posing_, *view_);
+  grasp_tool_ = std::make_unique<GraspTool>(document_, editor_, *session_, *view_);
+  palm_tool_ = std::make_unique<PalmTool>(document_, editor_, posing_, *session_, *view_);
   view_->set_colors(colors_of(current_theme()).view);
   preference_effects_ =
-      std::make_unique<PreferenceEffects>(preferences_, *view_, *plan_panel_, *recovery_);
+      std::make_unique<PreferenceEffects>(preferences_, *view_, plan_settings_, *recovery_);
   connect_actions();
   connect_start();
   connect_document();
   connect_view();
+  connect_glove();
   connect_planning();
   connect_devices();
   connect_campaigns();
@@ -123,30 +126,29 @@ MainWindow::MainWindow(std::shared_ptr<planning::Extensions> extensions, QWidget
 MainWindow::~MainWindow() = default;
 
 CollisionMonitor& MainWindow::collisions() { return collisions_->monitor(); }
-GlovePanel& MainWindow::glove_panel() { return *posing_->glove(); }
 
 void MainWindow::build_docks() {
   playback_->setProperty("role", "playback");
   middle_->addWidget(start_page_);
   middle_->addWidget(stacked({view_, playback_}, 0));
   setCentralWidget(middle_);
-  auto* history = new QUndoView(&editing_->editor().undo_stack());
+  auto* history = new QUndoView(&editor_.undo_stack());
   history->setEmptyLabel(tr("As opened"));
-  gui::build_docks(
-      *this,
-      {.left = {{"scene", tr("Scene"), tree_, 290},
-                {"properties", tr("Properties"), editing_->properties(), 350},
-                {"messages", tr("Messages"), log_, 110}},
-       .history = {"history", tr("History"), history},
-       .control = {{"plan", tr("Plan"), plan_panel_},
-                   {"joints", tr("Joints"), stacked({posing_->postures(), posing_->joints()}, 1)},
-                   {"hand", tr("Hand"), posing_->hand()},
-                   {"glove", tr("Glove"), posing_->glove()},
-                   {"devices", tr("Devices"), devices_->panel()},
-                   {"campaigns", tr("Campaigns"), campaigns_}},
-       .below = playback_tools_->docks(
-           {"projection", tr("Projection"), planning_views_->projection_panel()})},
-      *actions_->view_menu(), *actions_->edit_menu());
+  gui::build_docks(*this,
+                   {.left = {{"scene", tr("Scene"), &editing_->tree(), 290},
+                             {"properties", tr("Properties"), editing_->properties(), 350},
+                             {"messages", tr("Messages"), log_, 110}},
+                    .history = {"history", tr("History"), history},
+                    .control = {{"plan", tr("Plan"), plan_panel_},
+                                {"joints", tr("Joints"),
+                                 stacked({postures_->postures(), postures_->joints()}, 1)},
+                                {"hand", tr("Hand"), postures_->hand()},
+                                {"glove", tr("Glove"), glove_},
+                                {"devices", tr("Devices"), devices_->panel()},
+                                {"campaigns", tr("Campaigns"), campaigns_}},
+                    .below = playback_tools_->docks(
+                        {"projection", tr("Projection"), planning_views_->projection_panel()})},
+                   *actions_->view_menu(), *actions_->edit_menu());
   actions_->view_menu()->addActions({collisions_->closest_shown(), actions_->default_layout});
   statusBar()->addWidget(collisions_->label(), 1);
   statusBar()->addPermanentWidget(new FrameRateLabel(*view_));
@@ -200,11 +202,10 @@ void MainWindow::connect_start() {
   connect(actions_->default_layout, &QAction::triggered, this,
           [this] { restoreState(default_layout_); });
   connect(actions_->set_start, &QAction::triggered, this,
-          [this] { editing_->editor().set_start(document_.configuration()); });
+          [this] { editor_.set_start(document_.configuration()); });
   connect(actions_->set_goal, &QAction::triggered, this,
-          [this] { editing_->editor().set_goal(document_.configuration()); });
-  new KeptPostures(document_, editing_->editor(), *posing_->postures(), *actions_->keep_posture,
-                   this);
+          [this] { editor_.set_goal(document_.configuration()); });
+  new KeptPostures(document_, editor_, *postures_->postures(), *actions_->keep_posture, this);
 }
 
 void MainWindow::connect_document() {
@@ -213,7 +214,7 @@ void MainWindow::connect_document() {
   });
   connect(&document_, &Document::opened, this, &MainWindow::show_scene);
   connect(&document_, &Document::edited, this, &MainWindow::update_ready);
-  connect(&editing_->editor().undo_stack(), &QUndoStack::cleanChanged, this,
+  connect(&editor_.undo_stack(), &QUndoStack::cleanChanged, this,
           [this](bool clean) { setWindowModified(!clean); });
   connect(editing_.get(), &SceneEditing::failed, this, &MainWindow::show_error);
   connect(recovery_.get(), &Recovery::failed, this, [this](const QString& message) {
@@ -230,22 +231,47 @@ void MainWindow::connect_document() {
 }
 
 void MainWindow::connect_view() {
-  connect(tree_, &SceneTree::ghosts_toggled, view_, &SceneView::show_ghosts);
-  connect(tree_, &SceneTree::posture_activated, this, [this](const SceneItem& item) {
+  connect(&editing_->tree(), &SceneTree::ghosts_toggled, view_, &SceneView::show_ghosts);
+  connect(&editing_->tree(), &SceneTree::posture_activated, this, [this](const SceneItem& item) {
     const auto& q =
         item.kind == SceneItem::Kind::kStart ? document_.scene()->start : document_.scene()->goal;
-    posing_->set(*q);
+    posing_.set(*q);
   });
-  connect(&editing_->editor(), &SceneEditor::selection_changed, posing_.get(), &Posing::show_item);
-  connect(view_, &SceneView::frameSwapped, posing_->glove(), &GlovePanel::note_drawn);
+  connect(&editor_, &SceneEditor::selection_changed, postures_.get(), &PosturePanels::show_item);
+}
+
+void MainWindow::connect_glove() {
+  glove_->add_page(tr("Wrist"), wrist_);
+  connect(view_, &SceneView::frameSwapped, glove_, &GlovePanel::note_drawn);
+  connect(glove_, &GlovePanel::posture_changed, &posing_, &Posing::apply);
+  connect(&document_, &Document::configuration_changed, glove_, &GlovePanel::set_configuration);
+  connect(&document_, &Document::configuration_changed, wrist_, &WristPage::set_configuration);
+  connect(wrist_, &WristPage::posture_wanted, &glove_->guard(),
+          [this](const geometric::NamedPosture& posture) {
+            glove_->guard().propose(ContactGuard::Leader::kArm, posture);
+          });
+  connect(wrist_, &WristPage::released, &glove_->guard(),
+          [this] { glove_->guard().withdraw(ContactGuard::Leader::kArm); });
+}
+
+void MainWindow::show_hand() {
+  const geometric::RobotInstance* robot = document_.robot();
+  const auto model = robot ? robot->model : nullptr;
+  glove_->set_hand(model, document_.loaded().basis, document_.problem());
+  wrist_->set_robot(model, document_.groups().arm);
 }
 
 void MainWindow::connect_planning() {
-  planning_commands_ =
-      std::make_unique<PlanningCommands>(*actions_, *session_, *plan_panel_, *log_);
+  planning_commands_ = std::make_unique<PlanningCommands>(*actions_, *session_, plan_settings_,
+                                                          plan_panel_->presets(), *log_);
   runs_tool_ = std::make_unique<RunsTool>(playback_tools_->history(), *playback_tools_->runs(),
-                                          *session_, *plan_panel_, editing_->editor());
+                                          *session_, plan_settings_, editor_);
+  connect(plan_panel_, &PlanPanel::runs_requested, this,
+          [this] { bring_to_front(*playback_tools_->runs()); });
   connect(planning_commands_.get(), &PlanningCommands::failed, this, &MainWindow::show_error);
+  connect(editing_->actions().grasp, &QAction::triggered, grasp_tool_.get(), &GraspTool::begin);
+  connect(grasp_tool_.get(), &GraspTool::handles_welcome, editing_.get(),
+          &SceneEditing::show_handles);
   connect(editing_.get(), &SceneEditing::tried, session_.get(), &PlanningSession::try_scene);
   connect(session_.get(), &PlanningSession::path_changed, this, &MainWindow::show_path);
   connect(session_.get(), &PlanningSession::path_optimized, this, &MainWindow::show_optimized);
@@ -279,7 +305,7 @@ void MainWindow::connect_devices() {
   });
   connect(devices_.get(), &DeviceSession::start_here_requested, this,
           [this](const Eigen::VectorXd& q) {
-            editing_->editor().set_start(q);
+            editor_.set_start(q);
             session_->start();
           });
 }
@@ -296,13 +322,60 @@ void MainWindow::begin(const Options& options) {
   }
 }
 
+bool MainWindow::may_leave() { return devices_->may_leave(*this) && files_->may_discard(); }
+
+void MainWindow::open(const QString& file) {
+  if (!may_leave()) {
+    return;
+  }
+  options_ = {};
+  document_.open(file.toStdString());
+}
+
+void MainWindow::create(const std::string& robot) {
+  if (may_leave()) {
+    options_ = {};
+    document_.create(robot);
+  }
+}
+
+// A run is its problem, planner, parameters and seed: planned again, it gives the same path.
+void MainWindow::connect_campaigns() {
+  connect(campaigns_, &CampaignsPanel::run_chosen, this, [this](const planning::ArchivedRun& run) {
+    if (may_leave()) {
+      options_ = {};
+      options_.play = true;
+      options_.planner = run.planner.planner;
+      options_.settings = run.planner.parameters;
+      options_.seed = run.seed;
+      document_.open(run.file);
+    }
+  });
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  if (event->mimeData()->hasUrls() && event->mimeData()->urls().front().isLocalFile()) {
+    event->acceptProposedAction();
+  }
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  const QString file = event->mimeData()->urls().front().toLocalFile();
+  if (document_.scene() && geometric::is_mesh_file(file.toStdString())) {
+    editing_->add_mesh(file);
+  } else {
+    open(file);
+  }
+}
+
 void MainWindow::show_scene() {
   statusBar()->clearMessage();
   const auto& scene = document_.scene();
   collisions_->show_scene();
   view_->set_scene(scene);
-  tree_->set_scene(scene);
-  posing_->show_robot();
+  editing_->tree().set_scene(scene);
+  postures_->show_robot();
+  show_hand();
   update_ready();
   middle_->setCurrentIndex(scene ? 1 : 0);
   for (QAction* action : {actions_->set_start, actions_->set_goal, actions_->keep_posture}) {
@@ -324,7 +397,7 @@ void MainWindow::show_scene() {
   }
   try {
     plan_panel_->show_planners_that_serve(document_.loaded().basis != nullptr);
-    apply_plan_options(options_, document_.scene()->planner, *plan_panel_);
+    apply_plan_options();
   } catch (const std::exception& error) {
     const QString message = QString::fromUtf8(error.what());
     show_error(tr("The planner can't be set up"), message);
@@ -348,14 +421,29 @@ void MainWindow::update_ready() {
 
 void MainWindow::update_title() { setWindowTitle(tr("%1[*] – Handway").arg(files_->scene_name())); }
 
+// What the options say of planning goes before what the scene says.
+void MainWindow::apply_plan_options() {
+  plan_settings_.apply(document_.scene()->planner);
+  if (!options_.planner.empty()) {
+    plan_settings_.choose_planner(options_.planner);
+  }
+  if (options_.seed) {
+    plan_settings_.set_seed(*options_.seed);
+    plan_settings_.set_seeds(1);
+  }
+  for (const auto& [key, value] : options_.settings) {
+    plan_settings_.set_parameter(key, value);
+  }
+}
+
 void MainWindow::apply_glove_options() {
   if (!options_.glove.empty() || !options_.glove_page.empty() || !options_.tracker.empty()) {
-    posing_->glove()->come_to_front(QString::fromStdString(options_.glove_page));
-    posing_->glove()->connect_to(QString::fromStdString(options_.glove));
+    glove_->come_to_front(QString::fromStdString(options_.glove_page));
+    glove_->connect_to(QString::fromStdString(options_.glove));
     if (!options_.tracker.empty() && document_.scene()->start) {
-      posing_->set(*document_.scene()->start);
+      posing_.set(*document_.scene()->start);
     }
-    posing_->glove()->wrist().connect_to(QString::fromStdString(options_.tracker));
+    wrist_->connect_to(QString::fromStdString(options_.tracker));
   }
 }
 
@@ -422,10 +510,10 @@ void MainWindow::show_theme(Theme theme) {
   actions_->refresh_icons();
   view_actions_->refresh_icons();
   playback_->refresh_icons();
-  tree_->refresh_icons();
+  editing_->tree().refresh_icons();
   editing_->refresh_icons();
   start_page_->refresh();
-  posing_->glove()->refresh_icons();
+  glove_->refresh_icons();
 }
 
 }  // namespace handway::gui

@@ -4,8 +4,10 @@
 #include "app/options.h"
 #include "app/window_actions.h"
 #include "model/document/document.h"
+#include "model/document/scene_editor.h"
 #include "model/planning/planning_session.h"
 #include "model/playback/path_player.h"
+#include "model/playback/posing.h"
 #include "model/settings/preferences.h"
 
 #include <QMainWindow>
@@ -28,20 +30,21 @@ class GlovePanel;
 class GraspTool;
 class PalmTool;
 class PathValidity;
+class PlanPanel;
 class PlaybackBar;
 class PlaybackTools;
 class PlanningCommands;
 class PlanningViews;
-class Posing;
+class PosturePanels;
 class PreferenceEffects;
 class QueryCheck;
 class Recovery;
 class RunsTool;
 class SceneEditing;
-class SceneTree;
 class SceneView;
 class StartPage;
 class ViewActions;
+class WristPage;
 
 /// The workbench's window. Builds the parts and connects them; what they do is theirs.
 class MainWindow : public QMainWindow {
@@ -61,13 +64,16 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] BodyDisplayTool& body_display() { return *body_display_; }
   [[nodiscard]] Document& document() { return document_; }
   [[nodiscard]] PlanningSession& session() { return *session_; }
+  [[nodiscard]] SceneEditor& editor() { return editor_; }
   [[nodiscard]] SceneEditing& editing() { return *editing_; }
   [[nodiscard]] Recovery& recovery() { return *recovery_; }
   [[nodiscard]] PathPlayer& player() { return player_; }
   [[nodiscard]] PlaybackTools& playback() { return *playback_tools_; }
   [[nodiscard]] SceneView& view() { return *view_; }
+  [[nodiscard]] PlanSettings& plan_settings() { return plan_settings_; }
   [[nodiscard]] PlanPanel& plan_panel() { return *plan_panel_; }
-  [[nodiscard]] GlovePanel& glove_panel();
+  [[nodiscard]] GlovePanel& glove_panel() { return *glove_; }
+  [[nodiscard]] WristPage& wrist_page() { return *wrist_; }
   [[nodiscard]] CampaignsPanel& campaigns() { return *campaigns_; }
   [[nodiscard]] DeviceSession& devices() { return *devices_; }
   [[nodiscard]] const PathValidity& path_validity() const { return *validity_; }
@@ -96,6 +102,7 @@ class MainWindow : public QMainWindow {
   void connect_document();
   void connect_start();
   void connect_view();
+  void connect_glove();
   void connect_planning();
   void connect_devices();
   void connect_campaigns();
@@ -103,7 +110,9 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] bool may_leave();
   void export_path();
   void show_scene();
+  void show_hand();
   void show_error(const QString& title, const QString& message);
+  void apply_plan_options();
   void apply_glove_options();
   void show_path();
   void show_optimized(const planning::Path& path);
@@ -116,15 +125,19 @@ class MainWindow : public QMainWindow {
   Options options_;
   Preferences preferences_;
   Document document_;
+  SceneEditor editor_;
   PathPlayer player_;
+  Posing posing_;
+  PlanSettings plan_settings_;
   SceneView* view_;
   QStackedWidget* middle_;
   Banner* banner_;
-  SceneTree* tree_;
   LogPanel* log_;
   PlanPanel* plan_panel_;
   CampaignsPanel* campaigns_;
-  std::unique_ptr<Posing> posing_;
+  std::unique_ptr<PosturePanels> postures_;
+  GlovePanel* glove_;
+  WristPage* wrist_;
   std::unique_ptr<DeviceSession> devices_;
   std::unique_ptr<CollisionDisplay> collisions_;
   std::unique_ptr<PlanningViews> planning_views_;

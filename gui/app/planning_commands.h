@@ -6,8 +6,9 @@
 namespace handway::gui {
 
 class LogPanel;
-class PlanPanel;
+class PlanSettings;
 class PlanningSession;
+class PresetBar;
 class WindowActions;
 
 /// The window's commands to plan and to cancel, and what its messages tell of planning.
@@ -16,8 +17,8 @@ class PlanningCommands : public QObject {
 
  public:
   /// All outlive it.
-  PlanningCommands(WindowActions& actions, PlanningSession& session, PlanPanel& panel,
-                   LogPanel& log, QObject* parent = nullptr);
+  PlanningCommands(WindowActions& actions, PlanningSession& session, PlanSettings& settings,
+                   PresetBar& presets, LogPanel& log, QObject* parent = nullptr);
 
   /// Tells what is wrong with the person's presets, if anything is.
   void tell_of_presets();
@@ -31,7 +32,8 @@ class PlanningCommands : public QObject {
   void show_end(bool solved, const QString& text);
 
   WindowActions& actions_;
-  PlanPanel& panel_;
+  PlanSettings& settings_;
+  PresetBar& presets_;
   LogPanel& log_;
 };
 

@@ -4,10 +4,10 @@
 #include "features/comparison/comparison_window.h"
 #include "features/export/pictures_dialog.h"
 #include "features/microscope/microscope_panel.h"
-#include "features/planning/plan_panel.h"
 #include "features/playback/plots_panel.h"
 #include "features/runs/runs_panel.h"
 #include "model/document/document.h"
+#include "model/planning/plan_settings.h"
 #include "model/playback/path_player.h"
 #include "view3d/scene_view.h"
 #include "widgets/panels/playback_bar.h"
@@ -23,7 +23,7 @@ PlaybackTools::PlaybackTools(const PlaybackParts& parts, QObject* parent)
       traces_(parts.document, parts.player, parts.view, parts.bar.traces()),
       runs_(new RunsPanel(history_)),
       plots_(new PlotsPanel(parts.document, parts.player, analysis_)),
-      microscope_(new MicroscopePanel(parts.document, parts.planners, parts.planning, parts.view)) {
+      microscope_(new MicroscopePanel(parts.document, parts.planning, parts.view)) {
   connect(plots_, &PlotsPanel::exported, this, &PlaybackTools::exported);
   connect(plots_, &PlotsPanel::failed, this, &PlaybackTools::failed);
   connect(microscope_, &MicroscopePanel::taken, &parts_.player, &PathPlayer::pause);

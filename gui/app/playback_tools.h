@@ -7,14 +7,10 @@
 
 #include <QObject>
 
-namespace handway::planning {
-class PlannerRegistry;
-}
-
 namespace handway::gui {
 
 class MicroscopePanel;
-class PlanPanel;
+class PlanSettings;
 class PlaybackBar;
 class PlotsPanel;
 class RunsPanel;
@@ -28,8 +24,7 @@ struct PlaybackParts {
   PathPlayer& player;
   SceneView& view;
   PlaybackBar& bar;
-  PlanPanel& planning;
-  const planning::PlannerRegistry& planners;
+  PlanSettings& planning;
 };
 
 /// What can be done with the path that is played: its curves over time, what it leaves in the

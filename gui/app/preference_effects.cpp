@@ -1,7 +1,7 @@
 #include "app/preference_effects.h"
 
 #include "features/editing/recovery.h"
-#include "features/planning/plan_panel.h"
+#include "model/planning/plan_settings.h"
 #include "view3d/scene_view.h"
 #include "widgets/forms/quantity_field.h"
 
@@ -10,17 +10,17 @@
 namespace handway::gui {
 
 PreferenceEffects::PreferenceEffects(const Preferences& preferences, SceneView& view,
-                                     PlanPanel& plan_panel, Recovery& recovery, QObject* parent)
+                                     PlanSettings& planning, Recovery& recovery, QObject* parent)
     : QObject(parent),
       preferences_(preferences),
       view_(view),
-      plan_panel_(plan_panel),
+      planning_(planning),
       recovery_(recovery),
       applied_(preferences.values()) {
   apply_at_once(applied_);
-  plan_panel_.set_usual_planner(applied_.planner.toStdString());
-  plan_panel_.set_threads(applied_.threads);
-  plan_panel_.set_time_limit(applied_.time_limit);
+  planning_.set_usual_planner(applied_.planner.toStdString());
+  planning_.set_threads(applied_.threads);
+  planning_.set_time_limit(applied_.time_limit);
   connect(&preferences_, &Preferences::changed, this, &PreferenceEffects::follow);
 }
 
@@ -39,13 +39,13 @@ void PreferenceEffects::apply_at_once(const PreferenceValues& values) {
 // The panel's fields are for one run each: only a preference that has changed is put there.
 void PreferenceEffects::apply_to_planning(const PreferenceValues& values) {
   if (values.planner != applied_.planner) {
-    plan_panel_.set_usual_planner(values.planner.toStdString());
+    planning_.set_usual_planner(values.planner.toStdString());
   }
   if (values.threads != applied_.threads) {
-    plan_panel_.set_threads(values.threads);
+    planning_.set_threads(values.threads);
   }
   if (values.time_limit != applied_.time_limit) {
-    plan_panel_.set_time_limit(values.time_limit);
+    planning_.set_time_limit(values.time_limit);
   }
 }
 

@@ -6,7 +6,7 @@
 
 namespace handway::gui {
 
-class PlanPanel;
+class PlanSettings;
 class Recovery;
 class SceneView;
 
@@ -16,7 +16,7 @@ class PreferenceEffects : public QObject {
 
  public:
   /// All outlive it.
-  PreferenceEffects(const Preferences& preferences, SceneView& view, PlanPanel& plan_panel,
+  PreferenceEffects(const Preferences& preferences, SceneView& view, PlanSettings& planning,
                     Recovery& recovery, QObject* parent = nullptr);
 
  signals:
@@ -30,7 +30,7 @@ class PreferenceEffects : public QObject {
 
   const Preferences& preferences_;
   SceneView& view_;
-  PlanPanel& plan_panel_;
+  PlanSettings& planning_;
   Recovery& recovery_;
   PreferenceValues applied_;
 };

@@ -45,13 +45,13 @@ bool Snapshot::listens() const {
   };
   GlovePanel& glove = window_.glove_panel();
   return glove_time_ > 0.0 &&
-         (runs(glove.session().link()) || runs(glove.wrist().session().link()));
+         (runs(glove.session().link()) || runs(window_.wrist_page().session().link()));
 }
 
 void Snapshot::wait_until_settled() {
   if (listens()) {
     GlovePanel& glove = window_.glove_panel();
-    if (std::max(glove.listening_time(), glove.wrist().listening_time()) >= glove_time_) {
+    if (std::max(glove.listening_time(), window_.wrist_page().listening_time()) >= glove_time_) {
       poll_.stop();
       save();
     }

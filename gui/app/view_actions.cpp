@@ -1,11 +1,11 @@
 #include "app/view_actions.h"
 
-#include "app/body_display_tool.h"
 #include "app/window_actions.h"
+#include "model/document/document.h"
 #include "model/settings/preferences.h"
+#include "view3d/body_meshes.h"
 #include "view3d/scene_view.h"
 #include "widgets/style/icons.h"
-#include "widgets/style/make_action.h"
 
 #include <QActionGroup>
 #include <QMainWindow>
@@ -14,6 +14,36 @@
 #include <QToolButton>
 
 namespace handway::gui {
+
+BodyDisplayTool::BodyDisplayTool(Document& document, SceneView& view, QObject* parent)
+    : QObject(parent), document_(document), view_(view) {
+  const auto refresh_unless_visual = [this] {
+    if (display_ != BodyDisplay::kVisual) {
+      refresh();
+    }
+  };
+  connect(&document_, &Document::opened, this, refresh_unless_visual);
+  connect(&document_, &Document::edited, this, refresh_unless_visual);
+}
+
+void BodyDisplayTool::show(BodyDisplay display) {
+  if (display != display_) {
+    display_ = display;
+    refresh();
+  }
+}
+
+void BodyDisplayTool::refresh() {
+  if (display_ == BodyDisplay::kVisual || !document_.scene()) {
+    job_.cancel();
+    view_.stand_in({});
+    return;
+  }
+  job_.run([this, scene = document_.scene(),
+            display = display_](const std::stop_token& stop) -> LatestJob::Answer {
+    return [this, meshes = body_meshes(*scene, display, stop)] { view_.stand_in(meshes); };
+  });
+}
 
 ViewActions::ViewActions(QMainWindow& window, WindowActions& others, SceneView& view,
                          BodyDisplayTool& bodies, Preferences& preferences)

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "model/document/body_display.h"
+#include "model/jobs/background.h"
+#include "view3d/body_meshes.h"
 
 #include <QAction>
 #include <QList>
@@ -14,10 +15,33 @@ class QToolButton;
 
 namespace handway::gui {
 
-class BodyDisplayTool;
+class Document;
 class Preferences;
 class SceneView;
 class WindowActions;
+
+/// Draws the scene's bodies as they look, or as collision checking has them. Makes what that
+/// takes on a thread of its own.
+class BodyDisplayTool : public QObject {
+  Q_OBJECT
+
+ public:
+  /// Both outlive it.
+  BodyDisplayTool(Document& document, SceneView& view, QObject* parent = nullptr);
+
+  void show(BodyDisplay display);
+  [[nodiscard]] BodyDisplay display() const { return display_; }
+  /// True while what to draw is being made.
+  [[nodiscard]] bool is_busy() const { return job_.is_busy(); }
+
+ private:
+  void refresh();
+
+  Document& document_;
+  SceneView& view_;
+  BodyDisplay display_ = BodyDisplay::kVisual;
+  LatestJob job_;
+};
 
 /// The commands of the 3-D view, in the View menu and on the tool bar: where to look from, in
 /// which projection, and what to show.

@@ -1,9 +1,8 @@
 #include "app/window_actions.h"
 
-#include "app/recent_files.h"
+#include "app/file_commands.h"
 #include "handway/geometric/io/resources.h"
 #include "widgets/style/icons.h"
-#include "widgets/style/make_action.h"
 
 #include <QMainWindow>
 #include <QMenuBar>

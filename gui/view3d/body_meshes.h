@@ -1,11 +1,29 @@
 #pragma once
 
 #include "handway/geometric/scene/scene.h"
-#include "model/document/body_display.h"
+#include "handway/geometric/scene/triangle_mesh.h"
 
+#include <map>
+#include <memory>
 #include <stop_token>
+#include <string>
+#include <vector>
 
 namespace handway::gui {
+
+/// As what bodies are drawn.
+enum class BodyDisplay {
+  kVisual,     ///< As they look.
+  kCollision,  ///< The triangles that collisions are checked with.
+  kHulls,      ///< The convex hulls that part two bodies,
+  kSpheres,    ///< and the spheres that cover one, before triangles are asked.
+};
+
+/// What stands in for the looks of a scene's bodies, each in its own frame; null: its looks.
+struct BodyMeshes {
+  std::vector<std::vector<std::shared_ptr<const geometric::TriangleMesh>>> links;  ///< By robot.
+  std::map<std::string, std::shared_ptr<const geometric::TriangleMesh>> objects;   ///< By name.
+};
 
 /// The meshes that stand in for a scene's bodies; none for BodyDisplay::kVisual. May take
 /// seconds the first time; the volumes of links are remembered. For any thread.

@@ -2,11 +2,8 @@
 
 #include "model/document/scene_edits.h"
 #include "view3d/coin_conversions.h"
-#include "view3d/edges_node.h"
-#include "view3d/round_points.h"
 #include "view3d/shape_node.h"
-#include "view3d/unlit_style.h"
-#include "view3d/vertices.h"
+#include "view3d/unlit_nodes.h"
 
 #include <Inventor/nodes/SoBaseColor.h>
 #include <Inventor/nodes/SoMaterial.h>
@@ -109,8 +106,7 @@ void add_box(SoSeparator& parent, const geometric::PositionConstraint& region,
 
 }  // namespace
 
-CoinRef<SoSeparator> make_constraints_node(const geometric::Scene& scene,
-                                           const geometric::Configuration& q) {
+Drawing make_constraints_node(const geometric::Scene& scene, const geometric::Configuration& q) {
   auto separator = make_coin<SoSeparator>();
   for (const geometric::PathConstraint& constraint : scene.constraints) {
     const std::optional<geometric::Pose> X_WB = body_pose(scene, q, constraint.body);

@@ -1,7 +1,7 @@
 #include "view3d/floor_grid.h"
 
 #include "view3d/coin_conversions.h"
-#include "view3d/unlit_style.h"
+#include "view3d/unlit_nodes.h"
 
 #include <Inventor/nodes/SoLineSet.h>
 #include <Inventor/nodes/SoSeparator.h>

@@ -1,15 +1,17 @@
 #include "view3d/gizmo_node.h"
 
 #include "view3d/coin_conversions.h"
-#include "view3d/unlit_style.h"
+#include "view3d/unlit_nodes.h"
 
 #include <Inventor/nodes/SoBaseColor.h>
 #include <Inventor/nodes/SoComplexity.h>
 #include <Inventor/nodes/SoCone.h>
+#include <Inventor/nodes/SoDepthBuffer.h>
 #include <Inventor/nodes/SoIndexedFaceSet.h>
 #include <Inventor/nodes/SoLineSet.h>
 #include <Inventor/nodes/SoMaterial.h>
 #include <Inventor/nodes/SoMatrixTransform.h>
+#include <Inventor/nodes/SoPointSet.h>
 #include <Inventor/nodes/SoRotation.h>
 #include <Inventor/nodes/SoScale.h>
 #include <Inventor/nodes/SoSeparator.h>
@@ -24,12 +26,50 @@
 namespace handway::gui {
 namespace {
 
+const SbColor kKnobRim(0.20F, 0.22F, 0.26F);
+const SbColor kPlain(1.0F, 1.0F, 1.0F);
+const SbColor kHotKnob(1.0F, 0.74F, 0.10F);
+constexpr float kRimSize = 11.0F;  // pixels
+constexpr float kSize = 8.0F;
+
+void add_square(SoSeparator& root, const Eigen::Vector3d& point, const SbColor& color, float size) {
+  auto* square = new SoSeparator;
+  add_unlit_style(*square, 1.0F, size);
+  auto* paint = new SoBaseColor;
+  paint->rgb = color;
+  square->addChild(paint);
+  auto* properties = new SoVertexProperty;
+  properties->vertex = to_coin(point);
+  auto* dot = new SoPointSet;
+  dot->vertexProperty = properties;
+  square->addChild(dot);
+  root.addChild(square);
+}
+
+}  // namespace
+
+Drawing make_knobs_node(std::span<const Eigen::Vector3d> points, std::optional<int> hot) {
+  auto root = make_coin<SoSeparator>();
+  root->renderCaching = SoSeparator::OFF;
+  auto* in_front = new SoDepthBuffer;
+  in_front->test = FALSE;
+  root->addChild(in_front);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const bool is_hot = hot == static_cast<int>(i);
+    add_square(*root.get(), points[i], kKnobRim, kRimSize + (is_hot ? 2.0F : 0.0F));
+    add_square(*root.get(), points[i], is_hot ? kHotKnob : kPlain, kSize + (is_hot ? 2.0F : 0.0F));
+  }
+  return root;
+}
+
+namespace {
+
 using Eigen::Vector3d;
 
 constexpr std::array<geometric::Color, 3> kAxisColors{
     {{0.86F, 0.22F, 0.20F, 1.0F}, {0.18F, 0.62F, 0.24F, 1.0F}, {0.16F, 0.42F, 0.90F, 1.0F}}};
 constexpr geometric::Color kHot{1.0F, 0.74F, 0.10F, 1.0F};
-constexpr float kLineWidth = 2.6F;
+constexpr float kGizmoLineWidth = 2.6F;
 constexpr float kHotLineWidth = 4.2F;
 constexpr double kTipLength = 0.17;
 constexpr double kTipRadius = 0.048;
@@ -102,7 +142,7 @@ void add_plate(SoGroup& group, int normal) {
 
 void add_handle(SoGroup& group, const GizmoHandle& handle, bool hot) {
   SoSeparator* separator = plain_separator();
-  add_unlit_style(*separator, hot ? kHotLineWidth : kLineWidth, 1.0F);
+  add_unlit_style(*separator, hot ? kHotLineWidth : kGizmoLineWidth, 1.0F);
   geometric::Color color = hot ? kHot : kAxisColors[static_cast<std::size_t>(handle.axis)];
   using Kind = GizmoHandle::Kind;
   if (handle.kind == Kind::kPlate) {

@@ -2,14 +2,23 @@
 
 #include "view3d/coin_ref.h"
 #include "view3d/gizmo_handles.h"
+#include "view3d/overlay.h"
+
+#include <Eigen/Core>
 
 #include <optional>
+#include <span>
 
 class SoMatrixTransform;
 class SoScale;
 class SoSeparator;
 
 namespace handway::gui {
+
+/// Small squares, always of the same size on the screen. @param points world, m.
+/// @param hot index of the one that is under the pointer or held.
+[[nodiscard]] Drawing make_knobs_node(std::span<const Eigen::Vector3d> points,
+                                      std::optional<int> hot);
 
 /// The drawing of a gizmo: red, green and blue arrows, plates and rings; what is
 /// under the pointer or held is bright, and while it is held the rest is gone.

@@ -1,15 +1,53 @@
 #pragma once
 
-#include "view3d/cube_parts.h"
-
 #include <QPoint>
 #include <QWidget>
 
 #include <Eigen/Core>
 
+#include <array>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace handway::gui {
+
+/// A face, edge or corner of the cube with half edge 1, by the way towards it: components
+/// -1, 0 or 1; one, two or three of them are not 0.
+using CubePart = Eigen::Vector3i;
+
+/// A face of the cube: its name, and as one reads it, what is right and up on it.
+struct CubeFace {
+  const char* name;
+  CubePart normal;
+  Eigen::Vector3d right;
+  Eigen::Vector3d up;
+};
+
+/// The six, named as the standard views: the robot's front is +x, up is +z.
+[[nodiscard]] const std::array<CubeFace, 6>& cube_faces();
+
+/// Faces are parted into three by three fields at these places: corners, edges, the face itself.
+inline constexpr std::array kCubeFields{-1.0, -0.62, 0.62, 1.0};
+
+/// The part to which field (column, row), each 0 to 2 from lower left, of a face belongs.
+[[nodiscard]] CubePart part_of_field(const CubeFace& face, int column, int row);
+
+/// The part that is seen at a place. @param R_WC columns: right, up and backwards of the camera,
+/// which sees in parallel. @param right, up from the cube's centre.
+[[nodiscard]] std::optional<CubePart> cube_part_at(const Eigen::Matrix3d& R_WC, double right,
+                                                   double up);
+
+/// Where a camera on a turntable stands that looks at a part, rad.
+struct CubeDirection {
+  double azimuth;
+  double elevation;
+};
+/// @param azimuth of the camera now; from above and below it turns to the nearest quarter.
+[[nodiscard]] CubeDirection direction_of(const CubePart& part, double azimuth);
+
+/// The faces that meet at a part, for people: "Top, front".
+[[nodiscard]] std::vector<const char*> face_names(const CubePart& part);
 
 /// A small cube in a corner of a 3-D view that turns as the view does. A click on a face, an edge
 /// or a corner looks from there; dragging it turns the view.

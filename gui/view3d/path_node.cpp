@@ -2,10 +2,9 @@
 
 #include "model/settings/view_colors.h"
 #include "view3d/coin_conversions.h"
-#include "view3d/round_points.h"
+#include "view3d/ghost.h"
 #include "view3d/shape_node.h"
-#include "view3d/unlit_style.h"
-#include "view3d/vertices.h"
+#include "view3d/unlit_nodes.h"
 
 #include <Inventor/nodes/SoBaseColor.h>
 #include <Inventor/nodes/SoComplexity.h>
@@ -19,6 +18,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 #include <vector>
 
 namespace handway::gui {
@@ -94,16 +94,16 @@ SoSeparator* make_bead(const Eigen::Vector3d& place, const geometric::Color& col
 
 }  // namespace
 
-CoinRef<SoSeparator> make_trail_node(std::span<const Eigen::Vector3d> points) {
+Drawing make_trail_node(std::span<const Eigen::Vector3d> points) {
   return CoinRef<SoSeparator>(make_line(points, 1.5F));
 }
 
-CoinRef<SoSeparator> make_executed_node(std::span<const Eigen::Vector3d> points) {
+Drawing make_executed_node(std::span<const Eigen::Vector3d> points) {
   return make_plain_line(points, kExecutedColor, 2.0F);
 }
 
-CoinRef<SoSeparator> make_optimized_node(std::span<const Eigen::Vector3d> points,
-                                         std::span<const Eigen::Vector3d> waypoints) {
+Drawing make_optimized_node(std::span<const Eigen::Vector3d> points,
+                            std::span<const Eigen::Vector3d> waypoints) {
   CoinRef<SoSeparator> separator = make_plain_line(points, kOptimizedColor, 4.0F);
   for (const Eigen::Vector3d& waypoint : waypoints) {
     separator->addChild(make_bead(waypoint, kOptimizedColor));
@@ -111,8 +111,8 @@ CoinRef<SoSeparator> make_optimized_node(std::span<const Eigen::Vector3d> points
   return separator;
 }
 
-CoinRef<SoSeparator> make_path_node(std::span<const Eigen::Vector3d> points,
-                                    std::span<const Eigen::Vector3d> waypoints) {
+Drawing make_path_node(std::span<const Eigen::Vector3d> points,
+                       std::span<const Eigen::Vector3d> waypoints) {
   auto separator = make_seen_through();
   separator->addChild(make_line(points, 3.0F));
   for (std::size_t i = 0; i < waypoints.size(); ++i) {
@@ -121,7 +121,7 @@ CoinRef<SoSeparator> make_path_node(std::span<const Eigen::Vector3d> points,
   return separator;
 }
 
-CoinRef<SoSeparator> make_contacts_node(std::span<const Eigen::Vector3d> points) {
+Drawing make_contacts_node(std::span<const Eigen::Vector3d> points) {
   auto separator = make_seen_through();
   for (const Eigen::Vector3d& point : points) {
     separator->addChild(make_bead(point, kContactColor));
@@ -129,7 +129,7 @@ CoinRef<SoSeparator> make_contacts_node(std::span<const Eigen::Vector3d> points)
   return separator;
 }
 
-CoinRef<SoSeparator> make_clearance_node(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+Drawing make_clearance_node(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   constexpr double kFar = 0.03;  // m, from which on all is green
   const auto t = static_cast<float>(std::min(1.0, (a - b).norm() / kFar));
   const geometric::Color color{std::min(0.90F, 1.8F * (1.0F - t)), std::min(0.68F, 1.36F * t),
@@ -149,6 +149,41 @@ CoinRef<SoSeparator> make_clearance_node(const Eigen::Vector3d& a, const Eigen::
   line->addChild(dots);
   separator->addChild(line);
   return separator;
+}
+
+namespace {
+
+const geometric::Color kVolumeColor{0.36F, 0.44F, 0.78F, Ghost::kFaint};
+
+}  // namespace
+
+Drawing make_trails_node(std::span<const std::vector<Eigen::Vector3d>> trails) {
+  auto all = make_coin<SoSeparator>();
+  for (const std::vector<Eigen::Vector3d>& trail : trails) {
+    all->addChild(make_trail_node(trail).node());
+  }
+  return all;
+}
+
+Drawing make_copies_node(const geometric::RobotInstance& robot,
+                         std::span<const geometric::Configuration> postures) {
+  const LinkShapes shapes = make_link_shapes(*robot.model);
+  auto all = make_coin<SoSeparator>();
+  for (std::size_t i = 0; i < postures.size(); ++i) {
+    geometric::Color color = color_along(i, postures.size());
+    color.alpha = Ghost::kFaint;
+    RobotNode copy(robot.model, shapes, color);
+    copy.place(robot.X_WB, postures[i]);
+    all->addChild(copy.root());
+  }
+  return all;
+}
+
+Drawing make_volume_node(std::shared_ptr<const geometric::TriangleMesh> mesh) {
+  auto all = make_coin<SoSeparator>();
+  all->addChild(make_material(kVolumeColor).get());
+  all->addChild(make_shape_node(geometric::Mesh{.file = {}, .triangles = std::move(mesh)}).get());
+  return all;
 }
 
 }  // namespace handway::gui

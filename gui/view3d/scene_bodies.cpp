@@ -1,14 +1,114 @@
 #include "view3d/scene_bodies.h"
 
-#include "view3d/still_split.h"
+#include "handway/geometric/scene/scene_difference.h"
+#include "model/document/scene_edits.h"
+#include "view3d/coin_conversions.h"
+#include "view3d/robot_node.h"
+#include "view3d/shape_node.h"
 
 #include <Inventor/SoPath.h>
+#include <Inventor/nodes/SoMaterial.h>
+#include <Inventor/nodes/SoMatrixTransform.h>
 #include <Inventor/nodes/SoSeparator.h>
+#include <Inventor/nodes/SoSwitch.h>
 
 #include <algorithm>
 #include <utility>
 
 namespace handway::gui {
+
+StillSplit::StillSplit(CoinRef<SoSeparator> still, CoinRef<SoSeparator> moving)
+    : still_(std::move(still)), moving_(std::move(moving)), first_(still_->getNumChildren()) {}
+
+void StillSplit::begin(const RobotNode& robot) {
+  X_WL_.assign(robot.link_poses().begin(), robot.link_poses().end());
+  has_moved_.assign(X_WL_.size(), false);
+}
+
+bool StillSplit::note_motion(const RobotNode& robot) {
+  if (X_WL_.size() != robot.link_poses().size()) {
+    begin(robot);
+    return true;
+  }
+  bool more = false;
+  for (std::size_t i = 0; i < X_WL_.size(); ++i) {
+    if (!has_moved_[i] && X_WL_[i].matrix() != robot.link_poses()[i].matrix()) {
+      has_moved_[i] = true;
+      more = true;
+    }
+  }
+  return more;
+}
+
+bool StillSplit::moves(int link) const {
+  const auto index = static_cast<std::size_t>(link);
+  return index < has_moved_.size() && has_moved_[index];
+}
+
+void StillSplit::list(const RobotNode* robot, std::span<SoNode* const> still,
+                      std::span<SoNode* const> moving) {
+  for (SoSeparator* root : {still_.get(), moving_.get()}) {
+    while (root->getNumChildren() > first_) {
+      root->removeChild(root->getNumChildren() - 1);
+    }
+  }
+  if (robot) {
+    for (int i = 0; i < robot->model().link_count(); ++i) {
+      (moves(i) ? moving_ : still_)->addChild(robot->link_root(i));
+    }
+  }
+  for (SoNode* node : still) {
+    still_->addChild(node);
+  }
+  for (SoNode* node : moving) {
+    moving_->addChild(node);
+  }
+}
+
+namespace {
+
+CoinRef<SoSeparator> make_looks(const geometric::SceneObject& object) {
+  auto looks = make_coin<SoSeparator>();
+  looks->renderCaching = SoSeparator::OFF;
+  looks->addChild(make_material(object.color).get());
+  looks->addChild(make_shape_node(object.shape).get());
+  return looks;
+}
+
+}  // namespace
+
+ObjectNode::ObjectNode(const geometric::SceneObject& object)
+    : name_(object.name),
+      shape_(object.shape),
+      color_(object.color),
+      root_(make_coin<SoSeparator>()),
+      drawing_(make_looks(object), object.color),
+      transform_(make_coin<SoMatrixTransform>()),
+      look_(make_coin<SoSwitch>()) {
+  root_->renderCaching = SoSeparator::OFF;
+  look_->addChild(make_look_material(Look::kColliding).get());
+  root_->addChild(transform_.get());
+  root_->addChild(look_.get());
+  root_->addChild(drawing_.get());
+  place(object.X_PO);
+}
+
+ObjectNode::~ObjectNode() = default;
+
+bool ObjectNode::draws(const geometric::SceneObject& object) const {
+  return name_ == object.name && color_ == object.color && same_shape(shape_, object.shape);
+}
+
+void ObjectNode::place(const geometric::Pose& X_WO) { transform_->matrix = to_coin(X_WO); }
+
+bool ObjectNode::set_look(Look look) {
+  const int child = look == Look::kPlain ? SO_SWITCH_NONE : 0;
+  if (look_->whichChild.getValue() == child) {
+    return false;
+  }
+  look_->whichChild = child;
+  return true;
+}
 
 using geometric::Configuration;
 using geometric::Pose;

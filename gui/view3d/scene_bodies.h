@@ -1,23 +1,89 @@
 #pragma once
 
+#include "handway/geometric/math/pose.h"
 #include "handway/geometric/scene/scene.h"
-#include "model/document/body_display.h"
-#include "model/document/scene_item.h"
 #include "model/document/selection.h"
-#include "view3d/object_node.h"
+#include "view3d/body_meshes.h"
+#include "view3d/coin_ref.h"
 #include "view3d/robot_node.h"
 
+#include <Inventor/nodes/SoSeparator.h>
+
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
+class SoMatrixTransform;
 class SoNode;
 class SoPath;
 class SoSeparator;
+class SoSwitch;
 
 namespace handway::gui {
 
-class StillSplit;
+class RobotNode;
+
+/// Which links of a robot have moved since a picture was made of all, and the drawings of what
+/// stands still and of what moves, apart.
+class StillSplit {
+ public:
+  /// Roots whose first children are camera and lights.
+  StillSplit(CoinRef<SoSeparator> still, CoinRef<SoSeparator> moving);
+
+  /// Nothing has moved so far.
+  void begin(const RobotNode& robot);
+  /// Looks which links have moved. @returns whether one has that had not before.
+  bool note_motion(const RobotNode& robot);
+
+  /// Has the link moved, as far as has been noted?
+  [[nodiscard]] bool moves(int link) const;
+
+  /// Lists the drawings anew. @param still, moving what else belongs to either.
+  void list(const RobotNode* robot, std::span<SoNode* const> still,
+            std::span<SoNode* const> moving);
+
+  [[nodiscard]] SoSeparator* still() const { return still_.get(); }
+  [[nodiscard]] SoSeparator* moving() const { return moving_.get(); }
+
+ private:
+  CoinRef<SoSeparator> still_;
+  CoinRef<SoSeparator> moving_;
+  int first_ = 0;                      ///< Children before the first drawing.
+  std::vector<geometric::Pose> X_WL_;  ///< At begin(), shape [link_count].
+  std::vector<bool> has_moved_;        ///< Shape [link_count].
+};
+
+/// The drawing of one object of a scene.
+class ObjectNode {
+ public:
+  explicit ObjectNode(const geometric::SceneObject& object);
+  ~ObjectNode();
+  ObjectNode(const ObjectNode&) = delete;
+  ObjectNode& operator=(const ObjectNode&) = delete;
+
+  [[nodiscard]] SoSeparator* root() const { return root_.get(); }
+  [[nodiscard]] const std::string& name() const { return name_; }
+  /// Is this what `object` looks like, wherever it is?
+  [[nodiscard]] bool draws(const geometric::SceneObject& object) const;
+
+  void place(const geometric::Pose& X_WO);
+  /// Draws a mesh in place of its looks; null: its looks.
+  void stand_in(const std::shared_ptr<const geometric::TriangleMesh>& mesh) const {
+    drawing_.stand_in(mesh);
+  }
+  /// @returns whether it looked otherwise before.
+  bool set_look(Look look);
+
+ private:
+  std::string name_;
+  geometric::Shape shape_;
+  geometric::Color color_;
+  CoinRef<SoSeparator> root_;
+  BodyShape drawing_;
+  CoinRef<SoMatrixTransform> transform_;
+  CoinRef<SoSwitch> look_;
+};
 
 /// The drawings of a scene's robots and objects, and where each stands.
 class SceneBodies {

@@ -1,6 +1,6 @@
 #include "view3d/scene_graph.h"
 
-#include "view3d/coin_camera.h"
+#include "model/settings/orbit_camera.h"
 #include "view3d/coin_conversions.h"
 #include "view3d/floor_grid.h"
 #include "view3d/scene_extent.h"
@@ -23,6 +23,44 @@
 #include <utility>
 
 namespace handway::gui {
+namespace {
+
+constexpr double kReach = 12.0;  // m: what is shown behind the target
+
+void turn(SoCamera& eye, const OrbitCamera& camera, double aspect) {
+  const Eigen::Matrix3f R = camera.orientation().cast<float>();
+  SbMatrix turn = SbMatrix::identity();
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) {
+      turn[row][column] = R(column, row);
+    }
+  }
+  eye.viewportMapping = SoCamera::LEAVE_ALONE;
+  eye.aspectRatio = static_cast<float>(aspect);
+  eye.orientation = SbRotation(turn);
+}
+
+}  // namespace
+
+void aim_camera(SoPerspectiveCamera& eye, const OrbitCamera& camera, double aspect) {
+  turn(eye, camera, aspect);
+  eye.position = to_coin(camera.position());
+  eye.heightAngle = static_cast<float>(OrbitCamera::kFieldOfView);
+  const double distance = camera.placement().distance;
+  eye.nearDistance = static_cast<float>(std::max(0.01, 0.05 * distance));
+  eye.farDistance = static_cast<float>(distance + kReach);
+  eye.focalDistance = static_cast<float>(distance);
+}
+
+void aim_camera(SoOrthographicCamera& eye, const OrbitCamera& camera, double aspect) {
+  turn(eye, camera, aspect);
+  const Eigen::Vector3d backwards = camera.orientation().col(2);
+  eye.position = to_coin(Eigen::Vector3d(camera.placement().target + kReach * backwards));
+  eye.height = static_cast<float>(camera.seen_height(camera.placement().distance));
+  eye.nearDistance = 0.01F;
+  eye.farDistance = static_cast<float>(2.0 * kReach);
+  eye.focalDistance = static_cast<float>(kReach);
+}
 
 using geometric::Configuration;
 using geometric::Pose;
@@ -71,8 +109,9 @@ void SceneGraph::preview(const SceneItem& item, const Pose& X_WO) { bodies_.prev
 
 void SceneGraph::stand_in(const BodyMeshes& meshes) { bodies_.stand_in(meshes); }
 
-void SceneGraph::set_handles(SoNode* handles) {
-  passes_->gizmo->replaceChild(ScenePasses::kGizmo, handles ? handles : gizmo_.root());
+void SceneGraph::set_handles(const Drawing& handles) {
+  passes_->gizmo->replaceChild(ScenePasses::kGizmo,
+                               handles.node() ? handles.node() : gizmo_.root());
 }
 
 void SceneGraph::add_ghosts() {
@@ -170,10 +209,10 @@ void SceneGraph::preview_ghost(bool start, const std::optional<Configuration>& q
   update_ghosts();
 }
 
-void SceneGraph::set_traces(SoNode* drawing) {
+void SceneGraph::set_traces(const Drawing& drawing) {
   traces_.clear();
-  if (drawing) {
-    traces_.show(drawing, [this](SoSeparator* root) { passes_->prepare(root); });
+  if (drawing.node()) {
+    traces_.show(drawing.node(), [this](SoSeparator* root) { passes_->prepare(root); });
   }
 }
 
@@ -198,11 +237,11 @@ bool SceneGraph::update_looks() {
 
 void SceneGraph::update_outline() { outline_.set_parts(bodies_.parts_of(selection_)); }
 
-void SceneGraph::set_overlay(Overlay overlay, SoNode* drawing) {
+void SceneGraph::set_overlay(Overlay overlay, const Drawing& drawing) {
   SoSwitch& shown = *passes_->overlays.at(overlay).get();
   shown.removeAllChildren();
-  if (drawing) {
-    shown.addChild(drawing);
+  if (drawing.node()) {
+    shown.addChild(drawing.node());
   }
 }
 

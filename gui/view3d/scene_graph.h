@@ -1,8 +1,6 @@
 #pragma once
 
-#include "model/document/scene_item.h"
 #include "model/document/selection.h"
-#include "model/planning/frontier.h"
 #include "model/settings/orbit_camera.h"
 #include "model/settings/view_colors.h"
 #include "view3d/ghost.h"
@@ -18,12 +16,21 @@
 #include <string>
 #include <vector>
 
-class SoGLRenderAction;
 class SbVec2s;
+class SoGLRenderAction;
+class SoOrthographicCamera;
+class SoPerspectiveCamera;
 
 namespace handway::gui {
 
+class OrbitCamera;
 struct ScenePasses;
+
+/// Puts a Coin camera where `camera` is. @param aspect width by height.
+void aim_camera(SoPerspectiveCamera& eye, const OrbitCamera& camera, double aspect);
+
+/// The same for one that sees in parallel; it stands far back, so that everything is before it.
+void aim_camera(SoOrthographicCamera& eye, const OrbitCamera& camera, double aspect);
 
 /// A scene as Coin nodes. Knows no window: what to show comes in, drawing and
 /// picking go out.
@@ -41,7 +48,7 @@ class SceneGraph {
   void stand_in(const BodyMeshes& meshes);
   [[nodiscard]] GizmoNode& gizmo() { return gizmo_; }
   /// Draws something else in place of the gizmo; null: the gizmo.
-  void set_handles(SoNode* handles);
+  void set_handles(const Drawing& handles);
   void set_colors(const ViewColors& colors);
 
   /// Moves the first robot, and what it carries. @param q shape [variable_count].
@@ -58,9 +65,9 @@ class SceneGraph {
   /// scene changes; nothing: none. Start and goal have no ghosts meanwhile.
   void show_frontier(const std::optional<Frontier>& frontier);
   /// Draws something as ghosts are, until the scene changes; null: nothing.
-  void set_traces(SoNode* drawing);
+  void set_traces(const Drawing& drawing);
   /// @param drawing in the world's frame, m; null: nothing.
-  void set_overlay(Overlay overlay, SoNode* drawing);
+  void set_overlay(Overlay overlay, const Drawing& drawing);
   void set_overlay_visible(Overlay overlay, bool visible);
   void set_floor_visible(bool visible);
 

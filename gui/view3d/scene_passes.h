@@ -1,10 +1,8 @@
 #pragma once
 
-#include "view3d/axes_node.h"
 #include "view3d/coin_ref.h"
-#include "view3d/lights.h"
 #include "view3d/overlay.h"
-#include "view3d/still_split.h"
+#include "view3d/scene_bodies.h"
 
 #include <Inventor/nodes/SoComplexity.h>
 #include <Inventor/nodes/SoOrthographicCamera.h>
@@ -15,7 +13,19 @@
 #include <map>
 #include <optional>
 
+class SoGroup;
+class SoSeparator;
+
 namespace handway::gui {
+
+/// Three unit arrows from the origin: x red, y green, z blue.
+[[nodiscard]] CoinRef<SoSeparator> make_axes_node();
+
+/// Key and fill light that go with the camera; belongs before it in the graph.
+[[nodiscard]] CoinRef<SoGroup> make_camera_lights();
+
+/// A weak light from above, standing in the world; belongs after the camera.
+[[nodiscard]] CoinRef<SoGroup> make_sky_light();
 
 /// One root a pass, all seen by the same camera under the same lights.
 struct ScenePasses {

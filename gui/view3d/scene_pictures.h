@@ -1,5 +1,6 @@
 #pragma once
 
+#include "handway/geometric/robot/robot_model.h"
 #include "handway/geometric/scene/scene.h"
 #include "model/settings/orbit_camera.h"
 
@@ -62,6 +63,24 @@ class ScenePictures {
   QSize size_;                                          ///< Of the picture that was begun.
   bool is_resolved_ = false;
   GLsync fence_ = nullptr;
+};
+
+/// Takes pictures of a robot in any posture without a window, on white. Needs a display that
+/// OpenGL can draw for, and a QGuiApplication.
+class PosturePictures {
+ public:
+  /// @param placement where the camera stands; its target and distance are found.
+  /// @throws geometric::InputError if there is no OpenGL.
+  PosturePictures(const std::shared_ptr<const geometric::RobotModel>& robot,
+                  const OrbitCamera::Placement& placement);
+
+  /// The robot at `q`; all pictures have the same camera, which sees it
+  /// at both ends of its joints' ranges.
+  [[nodiscard]] QImage picture(const geometric::Configuration& q, const QSize& size);
+
+ private:
+  ScenePictures pictures_;
+  OrbitCamera camera_;
 };
 
 }  // namespace handway::gui

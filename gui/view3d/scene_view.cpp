@@ -1,6 +1,6 @@
 #include "view3d/scene_view.h"
 
-#include "model/document/body_display.h"
+#include "view3d/body_meshes.h"
 #include "view3d/orientation_cube.h"
 #include "view3d/path_node.h"
 #include "view3d/scene_graph.h"
@@ -11,12 +11,39 @@
 #include <Inventor/SoDB.h>
 #include <Inventor/nodes/SoSeparator.h>
 #include <QElapsedTimer>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QWheelEvent>
 
 #include <GL/gl.h>
 
+#include <algorithm>
 #include <cmath>
 
+/// What mouse and keys do in the 3-D view.
+
 namespace handway::gui {
+
+FramePacer::FramePacer(QWidget& widget) : widget_(widget) {
+  next_.setSingleShot(true);
+  next_.setTimerType(Qt::PreciseTimer);
+  QObject::connect(&next_, &QTimer::timeout, &widget_, qOverload<>(&QWidget::update));
+}
+
+void FramePacer::request() {
+  const qint64 pause = limit_ > 0 ? 1000 / limit_ : 0;
+  if (!since_last_.isValid() || since_last_.elapsed() >= pause) {
+    widget_.update();
+  } else if (!next_.isActive()) {
+    next_.start(static_cast<int>(pause - since_last_.elapsed()));
+  }
+}
+
+void FramePacer::note_painted() {
+  next_.stop();
+  since_last_.start();
+}
+
 namespace {
 
 constexpr int kSettleMs = 150;
@@ -24,6 +51,10 @@ constexpr int kCubeMargin = 10;     // px
 constexpr double kCubeTurns = 0.8;  // as if the cube's corner were so much of the view's height
 
 }  // namespace
+
+QString SceneView::coin_version() {
+  return QString::fromLatin1(SoDB::getVersion()).section('-', -1);
+}
 
 SceneView::SceneView(QWidget* parent)
     : QOpenGLWidget(parent),
@@ -132,8 +163,8 @@ void SceneView::set_gizmo(const SceneItem& item, const std::optional<geometric::
   pacer_.request();
 }
 
-void SceneView::set_handles(SoNode* handles) {
-  has_handles_ = handles != nullptr;
+void SceneView::set_handles(const Drawing& handles) {
+  has_handles_ = handles.node() != nullptr;
   graph_->set_handles(handles);
   pacer_.request();
 }
@@ -182,13 +213,12 @@ void SceneView::show_frontier(const std::optional<Frontier>& frontier) {
 void SceneView::set_path(std::span<const Eigen::Vector3d> points,
                          std::span<const Eigen::Vector3d> waypoints) {
   graph_->set_overlay(Overlay::kPath,
-                      points.empty() ? nullptr : make_path_node(points, waypoints).get());
+                      points.empty() ? Drawing() : make_path_node(points, waypoints));
   change();
 }
 
 void SceneView::set_executed(std::span<const Eigen::Vector3d> points) {
-  graph_->set_overlay(Overlay::kExecuted,
-                      points.empty() ? nullptr : make_executed_node(points).get());
+  graph_->set_overlay(Overlay::kExecuted, points.empty() ? Drawing() : make_executed_node(points));
   pacer_.request();
 }
 
@@ -198,7 +228,7 @@ void SceneView::set_camera(const OrbitCamera::Placement& placement) {
   hurry();
 }
 
-void SceneView::set_overlay(Overlay overlay, SoNode* drawing) {
+void SceneView::set_overlay(Overlay overlay, const Drawing& drawing) {
   graph_->set_overlay(overlay, drawing);
   if (overlay == Overlay::kClearance) {  // which goes with the robot
     pacer_.request();
@@ -210,11 +240,11 @@ void SceneView::set_overlay(Overlay overlay, SoNode* drawing) {
 void SceneView::set_optimized(std::span<const Eigen::Vector3d> points,
                               std::span<const Eigen::Vector3d> waypoints) {
   graph_->set_overlay(Overlay::kOptimized,
-                      points.empty() ? nullptr : make_optimized_node(points, waypoints).get());
+                      points.empty() ? Drawing() : make_optimized_node(points, waypoints));
   change();
 }
 
-void SceneView::set_traces(SoNode* drawing) {
+void SceneView::set_traces(const Drawing& drawing) {
   graph_->set_traces(drawing);
   change();
 }
@@ -225,8 +255,7 @@ void SceneView::set_overlay_visible(Overlay overlay, bool visible) {
 }
 
 void SceneView::set_contacts(std::span<const Eigen::Vector3d> points) {
-  graph_->set_overlay(Overlay::kContacts,
-                      points.empty() ? nullptr : make_contacts_node(points).get());
+  graph_->set_overlay(Overlay::kContacts, points.empty() ? Drawing() : make_contacts_node(points));
   change();
 }
 
@@ -340,6 +369,111 @@ void SceneView::resizeEvent(QResizeEvent* event) {
   if (untouched_ && has_scene_) {
     camera_.fit(graph_->points_of_interest(), aspect());
   }
+}
+
+void SceneView::mousePressEvent(QMouseEvent* event) {
+  press_position_ = last_position_ = event->pos();
+  flight_.stop();
+  const bool plain = event->button() == Qt::LeftButton && !(event->modifiers() & Qt::ShiftModifier);
+  if (plain && gizmo_.is_shown() && gizmo_.press(camera_, size(), event->pos())) {
+    pacer_.request();
+  }
+}
+
+void SceneView::mouseMoveEvent(QMouseEvent* event) {
+  const QPoint moved = event->pos() - last_position_;
+  last_position_ = event->pos();
+  if (gizmo_.is_dragging()) {
+    drag_gizmo(event->pos(), event->modifiers() & Qt::ControlModifier);
+    return;
+  }
+  if (!event->buttons()) {
+    if (gizmo_.hover(camera_, size(), event->pos())) {
+      setCursor(gizmo_.hot() ? Qt::PointingHandCursor : Qt::ArrowCursor);
+      pacer_.request();
+    }
+    return;
+  }
+  if (moved.isNull()) {
+    return;
+  }
+  untouched_ = false;
+  move_camera(camera_, camera_move(navigation_.style, event->buttons(), event->modifiers()),
+              QPointF(moved) / std::max(height(), 1));
+  hurry();
+}
+
+void SceneView::mouseReleaseEvent(QMouseEvent* event) {
+  if (gizmo_.is_dragging() && event->button() == Qt::LeftButton) {
+    const geometric::Pose X_WO = *gizmo_.pose();
+    const geometric::Pose from = gizmo_.release();
+    overlay_->set_note({}, {});
+    pacer_.request();
+    if (!X_WO.isApprox(from, 1e-12)) {
+      emit dropped(gizmo_.item(), X_WO);
+    }
+    if (!(event->modifiers() & Qt::ControlModifier)) {
+      return;  // with it, a click on a handle means what is behind
+    }
+  }
+  const bool still = (event->pos() - press_position_).manhattanLength() < 4;
+  if (event->button() != Qt::LeftButton || !still) {
+    return;
+  }
+  const auto hit = pick_at(event->pos());
+  const bool add = event->modifiers() & (Qt::ControlModifier | Qt::ShiftModifier);
+  if (hit || !add) {
+    emit picked(hit ? hit->item : SceneItem{}, add);
+  }
+}
+
+bool SceneView::event(QEvent* event) {
+  const bool is_key =
+      event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress;
+  if (is_key && gizmo_.is_dragging() && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
+    if (event->type() == QEvent::KeyPress) {
+      cancel_drag();
+    }
+    event->accept();
+    return true;
+  }
+  return QOpenGLWidget::event(event);
+}
+
+void SceneView::mouseDoubleClickEvent(QMouseEvent* event) {
+  if (const auto hit = pick_at(event->pos())) {
+    untouched_ = false;
+    OrbitCamera::Placement centred = camera_.placement();
+    centred.target = hit->point;
+    fly_to(centred);
+  }
+}
+
+void SceneView::wheelEvent(QWheelEvent* event) {
+  untouched_ = false;
+  const double unit = 1.0 / std::max(height(), 1);
+  const QPointF from_middle = event->position() - QPointF(rect().center());
+  camera_.zoom(wheel_zoom(navigation_, event->angleDelta().y()), from_middle.x() * unit,
+               -from_middle.y() * unit);
+  hurry();
+  event->accept();
+}
+
+void SceneView::drag_gizmo(const QPoint& position, bool snap) {
+  const geometric::Pose X_WO = gizmo_.drag(camera_, size(), position, snap);
+  graph_->preview(gizmo_.item(), X_WO);
+  overlay_->set_note(gizmo_.amount(), position);
+  change();
+  hurry();
+  emit dragged(gizmo_.item(), X_WO);
+}
+
+void SceneView::cancel_drag() {
+  const geometric::Pose X_WO = gizmo_.cancel();
+  graph_->preview(gizmo_.item(), X_WO);
+  overlay_->set_note({}, {});
+  change();
+  emit dragged(gizmo_.item(), X_WO);
 }
 
 }  // namespace handway::gui

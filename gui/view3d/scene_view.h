@@ -1,27 +1,24 @@
 #pragma once
 
-#include "model/document/scene_item.h"
 #include "model/document/selection.h"
-#include "model/planning/frontier.h"
 #include "model/settings/navigation.h"
 #include "model/settings/orbit_camera.h"
 #include "model/settings/view_colors.h"
-#include "view3d/frame_pacer.h"
 #include "view3d/overlay.h"
 #include "view3d/view_gizmo.h"
 
+#include <QElapsedTimer>
 #include <QOpenGLWidget>
 #include <QPoint>
 #include <QTimer>
 #include <QVariantAnimation>
+#include <QWidget>
 
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
-
-class SoNode;
 
 namespace handway::gui {
 
@@ -31,12 +28,35 @@ class ScenePainter;
 class ViewOverlay;
 struct BodyMeshes;
 
+/// Asks a widget for pictures, but for no more than so many a second: what is asked for sooner
+/// comes when its time has come.
+class FramePacer {
+ public:
+  explicit FramePacer(QWidget& widget);
+
+  /// @param frames a second; 0: as many as can be had.
+  void set_limit(int frames) { limit_ = frames; }
+  [[nodiscard]] int limit() const { return limit_; }
+  void request();
+  /// A picture is being painted.
+  void note_painted();
+
+ private:
+  QWidget& widget_;
+  QTimer next_;
+  QElapsedTimer since_last_;
+  int limit_ = 0;
+};
+
 /// The 3-D view: shows a scene, turns with the mouse (as its Navigation says; the wheel zooms, a
 /// double click centres) and with the cube in its corner, tells what was clicked.
 class SceneView : public QOpenGLWidget {
   Q_OBJECT
 
  public:
+  /// "4.0.0".
+  [[nodiscard]] static QString coin_version();
+
   explicit SceneView(QWidget* parent = nullptr);
   ~SceneView() override;
 
@@ -56,7 +76,7 @@ class SceneView : public QOpenGLWidget {
   /// Puts handles onto an object or a robot. @param X_WO nothing: no handles.
   void set_gizmo(const SceneItem& item, const std::optional<geometric::Pose>& X_WO);
   /// Draws other handles in place of the gizmo, and in front of everything; null: none.
-  void set_handles(SoNode* handles);
+  void set_handles(const Drawing& handles);
   /// A few words beside a place in the view; empty: none.
   void set_note(const QString& note, const QPoint& place);
   /// Handles along the target's own axes, or the world's.
@@ -76,12 +96,12 @@ class SceneView : public QOpenGLWidget {
   void set_optimized(std::span<const Eigen::Vector3d> points,
                      std::span<const Eigen::Vector3d> waypoints);
   /// @param drawing in the world's frame, m; null: nothing.
-  void set_overlay(Overlay overlay, SoNode* drawing);
+  void set_overlay(Overlay overlay, const Drawing& drawing);
   void set_overlay_visible(Overlay overlay, bool visible);
   /// Where bodies go into each other (world, m).
   void set_contacts(std::span<const Eigen::Vector3d> points);
   /// Draws something as the ghosts are, until the scene changes; null: nothing.
-  void set_traces(SoNode* drawing);
+  void set_traces(const Drawing& drawing);
   void set_floor_visible(bool visible);
 
   /// Draws meshes in place of the bodies' looks, where there are any.

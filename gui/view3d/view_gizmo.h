@@ -1,6 +1,6 @@
 #pragma once
 
-#include "model/document/scene_item.h"
+#include "model/document/selection.h"
 #include "model/settings/orbit_camera.h"
 #include "view3d/gizmo_handles.h"
 

@@ -3,8 +3,6 @@
 /// beside it.
 /// handway-figures FILE.csv: draws the differences of a log that `handway send` wrote, beside it.
 #include "app/figures/basis_figures.h"
-#include "app/figures/figure_data.h"
-#include "app/figures/film_figures.h"
 #include "app/figures/motion_figures.h"
 
 #include <QApplication>

@@ -1,18 +1,95 @@
 #include "app/start/start_page.h"
 
-#include "app/recent_files.h"
-#include "app/start/scene_card.h"
-#include "app/start/shipped_scenes.h"
+#include "app/file_commands.h"
 #include "handway/geometric/io/resources.h"
 #include "widgets/style/icons.h"
+#include "widgets/style/theme.h"
 
 #include <QFileInfo>
 #include <QGridLayout>
 #include <QLabel>
+#include <QPainter>
+#include <QPainterPath>
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
+#include <system_error>
+
 namespace handway::gui {
+namespace fs = std::filesystem;
+
+std::vector<ShippedScene> shipped_scenes() {
+  std::vector<ShippedScene> scenes;
+  std::error_code none;
+  for (const fs::directory_entry& entry :
+       fs::directory_iterator(geometric::resource_dir().parent_path() / "scenes", none)) {
+    if (entry.path().extension() != ".yaml") {
+      continue;
+    }
+    const QString stem = QString::fromStdString(entry.path().stem().string());
+    QString title = stem;
+    title.replace('_', ' ');
+    title[0] = title[0].toUpper();
+    scenes.push_back({entry.path(), title, QStringLiteral(":/thumbnails/%1.jpg").arg(stem)});
+  }
+  std::ranges::sort(scenes, {}, &ShippedScene::file);
+  return scenes;
+}
+
+namespace {
+
+constexpr int kNameHeight = 38;
+constexpr double kCorner = 7.0;
+
+}  // namespace
+
+SceneCard::SceneCard(const QString& title, const QString& picture, QWidget* parent)
+    : QAbstractButton(parent), picture_(picture) {
+  setText(title);
+  setCursor(Qt::PointingHandCursor);
+  setFocusPolicy(Qt::TabFocus);
+  setFixedSize(sizeHint());
+}
+
+QSize SceneCard::sizeHint() const { return {kWidth, kPictureHeight + kNameHeight}; }
+
+void SceneCard::enterEvent(QEvent* event) {
+  QAbstractButton::enterEvent(event);
+  update();
+}
+
+void SceneCard::leaveEvent(QEvent* event) {
+  QAbstractButton::leaveEvent(event);
+  update();
+}
+
+void SceneCard::paintEvent(QPaintEvent* /*event*/) {
+  const ThemeColors colors = colors_of(current_theme());
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setRenderHint(QPainter::SmoothPixmapTransform);
+  const QRectF frame = QRectF(rect()).adjusted(0.75, 0.75, -0.75, -0.75);
+  QPainterPath outline;
+  outline.addRoundedRect(frame, kCorner, kCorner);
+  painter.setClipPath(outline);
+  painter.fillRect(rect(), isDown() ? colors.window : colors.surface);
+  const QRect place(0, 0, width(), kPictureHeight);
+  if (picture_.isNull()) {
+    painter.fillRect(place, colors.window);
+    gui::icon(QStringLiteral("objects")).paint(&painter, place.adjusted(90, 50, -90, -50));
+  } else {
+    painter.drawPixmap(place, picture_);
+  }
+  painter.setPen(colors.text);
+  painter.drawText(QRect(12, kPictureHeight, width() - 24, kNameHeight),
+                   Qt::AlignLeft | Qt::AlignVCenter, text());
+  painter.setClipping(false);
+  const bool hot = underMouse() || hasFocus();
+  painter.setPen(QPen(hot ? colors.accent : colors.border, hot ? 2.0 : 1.0));
+  painter.drawPath(outline);
+}
+
 namespace {
 
 constexpr int kColumns = 3;

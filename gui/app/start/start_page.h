@@ -1,12 +1,48 @@
 #pragma once
 
+#include <QAbstractButton>
+#include <QPixmap>
 #include <QScrollArea>
+#include <QString>
 
+#include <filesystem>
 #include <string>
+#include <vector>
 
 class QVBoxLayout;
 
 namespace handway::gui {
+
+/// A scene that comes with the program.
+struct ShippedScene {
+  std::filesystem::path file;
+  QString title;    ///< "Can on a table"
+  QString picture;  ///< Of the resources; may not be there.
+};
+
+/// In alphabetical order; empty if the program's scenes are not where they belong.
+[[nodiscard]] std::vector<ShippedScene> shipped_scenes();
+
+/// A picture with a name below it, to be clicked.
+class SceneCard : public QAbstractButton {
+  Q_OBJECT
+
+ public:
+  static constexpr int kWidth = 232;
+  static constexpr int kPictureHeight = 145;
+
+  SceneCard(const QString& title, const QString& picture, QWidget* parent = nullptr);
+
+  [[nodiscard]] QSize sizeHint() const override;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void enterEvent(QEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+
+ private:
+  QPixmap picture_;
+};
 
 /// What an empty window shows: scenes to open, robots to begin with, recent files.
 class StartPage : public QScrollArea {

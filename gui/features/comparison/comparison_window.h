@@ -1,11 +1,13 @@
 #pragma once
 
 #include "model/document/prepared_problem.h"
-#include "model/jobs/latest_job.h"
+#include "model/jobs/background.h"
 #include "model/planning/path_history.h"
 #include "model/playback/path_player.h"
 
 #include <QDialog>
+#include <QTableWidget>
+#include <QWidget>
 
 #include <array>
 #include <memory>
@@ -16,9 +18,49 @@ class QLabel;
 
 namespace handway::gui {
 
-class FigureTable;
-class LockedViews;
 class PlaybackBar;
+class SceneView;
+
+/// The figures of two paths side by side, with what the right one has more or less; the better
+/// of two numbers is bold and green where more or less is better.
+class FigureTable : public QTableWidget {
+  Q_OBJECT
+
+ public:
+  explicit FigureTable(QWidget* parent = nullptr);
+
+  /// Nothing: dashes.
+  void show_figures(const std::optional<PathFigures>& left,
+                    const std::optional<PathFigures>& right);
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void fill();
+
+  std::optional<PathFigures> left_;
+  std::optional<PathFigures> right_;
+};
+
+/// Two views side by side that always look from the same place.
+class LockedViews : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit LockedViews(QWidget* parent = nullptr);
+
+  [[nodiscard]] SceneView& view(std::size_t index) const { return *views_.at(index); }
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  /// The other view has to look as this one does.
+  void follow(std::size_t index);
+
+  std::array<SceneView*, 2> views_;
+};
 
 /// Two paths side by side (the paper's Fig. 14): views that look from the same place, one
 /// playback for both, and their figures below.

@@ -1,16 +1,20 @@
 #pragma once
 
-#include "features/devices/stop_controls.h"
 #include "model/devices/motion_driver.h"
 #include "model/devices/stop_key_listener.h"
 #include "model/planning/timing_runner.h"
 
+#include <QList>
 #include <QObject>
+#include <QPointer>
+#include <QString>
 
 #include <memory>
 #include <optional>
 
+class QKeyEvent;
 class QPushButton;
+class QWidget;
 
 namespace handway::gui {
 
@@ -18,6 +22,40 @@ class DevicesPanel;
 class Document;
 class PathPlayer;
 struct SceneState;
+
+/// Everything in the program's windows that stops the robot: keys that no dialog, popup or text
+/// field keeps for itself, and a STOP button in the main window and along the top of every dialog,
+/// whoever makes it and whenever. Buttons stop when they are pressed, not when they are released.
+///
+/// Native dialogs and menu bars would show none of this: from its constructor on the program uses
+/// Qt's own.
+class StopControls : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit StopControls(QObject* parent = nullptr);
+
+  /// A button that is shown while there is something to stop. A window takes it over.
+  [[nodiscard]] QPushButton* make_button(const QString& name);
+  /// @param active whether there is something to stop.
+  void set_active(bool active);
+
+  /// For tool tips: "Ctrl+Space, Pause or F12".
+  [[nodiscard]] static QString keys_text();
+
+ signals:
+  void stop_requested();
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  void add_to(QWidget& window);
+  [[nodiscard]] bool is_at_button(const QPoint& place) const;
+
+  bool active_ = false;
+  QList<QPointer<QPushButton>> buttons_;
+};
 
 /// From a path on screen to a motion of the hardware: times it, clears it from where the robot
 /// stands, runs it, shows where the robot is, and keeps what was executed. An edit of the scene

@@ -1,12 +1,12 @@
 #include "features/editing/palm_tool.h"
 
-#include "features/postures/posing.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/planning/queries/palm_ik.h"
 #include "model/document/document.h"
 #include "model/document/scene_editor.h"
 #include "model/document/scene_edits.h"
 #include "model/planning/planning_session.h"
+#include "model/playback/posing.h"
 #include "view3d/scene_view.h"
 
 #include <utility>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "handway/geometric/math/pose.h"
-#include "model/document/scene_item.h"
+#include "model/document/selection.h"
 
 #include <QObject>
 

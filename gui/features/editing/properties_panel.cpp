@@ -4,7 +4,7 @@
 #include "model/document/arrange.h"
 #include "model/document/scene_edits.h"
 #include "widgets/forms/constraint_form.h"
-#include "widgets/forms/pose_form.h"
+#include "widgets/forms/quantity_field.h"
 #include "widgets/forms/shape_form.h"
 #include "widgets/style/icons.h"
 #include "widgets/style/theme.h"

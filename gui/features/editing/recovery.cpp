@@ -1,6 +1,6 @@
 #include "features/editing/recovery.h"
 
-#include "widgets/panels/banner.h"
+#include "widgets/panels/floating_card.h"
 
 #include <QLocale>
 
@@ -8,12 +8,12 @@
 
 namespace handway::gui {
 
-Recovery::Recovery(Document& document, SceneEditor& editor, const PlanPanel& plan_panel,
+Recovery::Recovery(Document& document, SceneEditor& editor, const PlanSettings& planning,
                    Banner& banner, QObject* parent)
     : QObject(parent),
       document_(document),
       editor_(editor),
-      plan_panel_(plan_panel),
+      planning_(planning),
       banner_(banner),
       autosave_(Autosave::default_folder()) {
   connect(&autosave_, &Autosave::stored, this, [this] { fails_ = false; });
@@ -61,7 +61,7 @@ void Recovery::store(const std::optional<LostScene>& then_forget) {
   }
   const QString name = QString::fromStdString(document_.scene()->name);
   autosave_.store(
-      {document_.loaded(), document_.configuration(), plan_panel_.choice(), document_.file(), name},
+      {document_.loaded(), document_.configuration(), planning_.choice(), document_.file(), name},
       then_forget);
 }
 

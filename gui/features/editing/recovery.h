@@ -1,8 +1,8 @@
 #pragma once
 
-#include "features/planning/plan_panel.h"
 #include "model/document/autosave.h"
 #include "model/document/scene_editor.h"
+#include "model/planning/plan_settings.h"
 
 #include <QObject>
 
@@ -16,7 +16,7 @@ class Recovery : public QObject {
 
  public:
   /// All outlive it.
-  Recovery(Document& document, SceneEditor& editor, const PlanPanel& plan_panel, Banner& banner,
+  Recovery(Document& document, SceneEditor& editor, const PlanSettings& planning, Banner& banner,
            QObject* parent = nullptr);
 
   [[nodiscard]] Autosave& autosave() { return autosave_; }
@@ -36,7 +36,7 @@ class Recovery : public QObject {
 
   Document& document_;
   SceneEditor& editor_;
-  const PlanPanel& plan_panel_;
+  const PlanSettings& planning_;
   Banner& banner_;
   Autosave autosave_;
   std::optional<LostScene> recovering_;

@@ -1,12 +1,12 @@
 #include "features/editing/resize_tool.h"
 
 #include "handway/geometric/math/units.h"
+#include "handway/geometric/scene/scene_difference.h"
 #include "model/document/scene_editor.h"
 #include "model/document/scene_edits.h"
-#include "view3d/knobs_node.h"
+#include "view3d/gizmo_node.h"
 #include "view3d/scene_view.h"
 
-#include <Inventor/nodes/SoSeparator.h>
 #include <QKeyEvent>
 #include <QMouseEvent>
 
@@ -83,7 +83,7 @@ void ResizeTool::draw() {
     }
   }
   const std::optional<int> hot = drag_ ? 0 : hot_;
-  view_.set_handles(points.empty() ? nullptr : make_knobs_node(points, hot).get());
+  view_.set_handles(points.empty() ? Drawing() : make_knobs_node(points, hot));
 }
 
 std::optional<int> ResizeTool::knob_at(const QPoint& place) const {

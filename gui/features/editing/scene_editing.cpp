@@ -1,9 +1,10 @@
 #include "features/editing/scene_editing.h"
 
-#include "app/window_actions.h"
 #include "features/editing/properties_panel.h"
 #include "features/editing/scene_tree.h"
+#include "model/document/document.h"
 #include "model/document/scene_edits.h"
+#include "view3d/constraint_node.h"
 #include "view3d/scene_view.h"
 
 #include <QFileDialog>
@@ -18,18 +19,16 @@ constexpr geometric::Color kNewColor{0.36F, 0.56F, 0.80F, 1.0F};
 
 }  // namespace
 
-SceneEditing::SceneEditing(QMainWindow& window, WindowActions& actions, Document& document,
-                           SceneView& view, SceneTree& tree, CollisionMonitor& collisions)
-    : QObject(&window),
-      window_(window),
-      document_(document),
-      view_(view),
-      tree_(tree),
-      editor_(document),
-      edit_actions_(window, *actions.edit_menu(), *actions.add_menu(), *actions.edit_bar(),
-                    editor_),
-      arrange_actions_(window, *actions.edit_menu(), *actions.edit_bar(), editor_, view_),
+SceneEditing::SceneEditing(const EditingParts& parts)
+    : QObject(&parts.window),
+      window_(parts.window),
+      document_(parts.editor.document()),
+      view_(parts.view),
+      editor_(parts.editor),
+      edit_actions_(window_, parts.edit_menu, parts.add_menu, parts.bar, editor_),
+      arrange_actions_(window_, parts.edit_menu, parts.bar, editor_, view_),
       resize_(editor_, view_),
+      tree_(new SceneTree),
       properties_(new PropertiesPanel(editor_)) {
   connect(&document_, &Document::edited, this, &SceneEditing::show_edit);
   connect(&document_, &Document::opened, this, &SceneEditing::show_selection);
@@ -38,7 +37,7 @@ SceneEditing::SceneEditing(QMainWindow& window, WindowActions& actions, Document
     properties_->refresh();
   });
   connect(&editor_, &SceneEditor::selection_changed, this, &SceneEditing::show_selection);
-  connect(&collisions, &CollisionMonitor::checked, this,
+  connect(&parts.collisions, &CollisionMonitor::checked, this,
           [this](const CollisionReport& report) { report_ = report; });
   connect(properties_, &PropertiesPanel::attach_requested, this, &SceneEditing::attach);
   connect(&edit_actions_, &EditActions::add_requested, this,
@@ -63,22 +62,22 @@ void SceneEditing::connect_view() {
               emit tried(*state);
             }
           });
-  connect(&tree_, &SceneTree::item_selected, &editor_, &SceneEditor::select);
-  connect(&tree_, &SceneTree::objects_selected, &editor_, &SceneEditor::select_objects);
-  connect(&tree_, &SceneTree::objects_toggled, this,
+  connect(tree_, &SceneTree::item_selected, &editor_, &SceneEditor::select);
+  connect(tree_, &SceneTree::objects_selected, &editor_, &SceneEditor::select_objects);
+  connect(tree_, &SceneTree::objects_toggled, this,
           [this](const std::vector<std::string>& names, bool shown) {
             editor_.set_hidden(names, !shown);
           });
-  connect(&tree_, &SceneTree::object_renamed, this,
+  connect(tree_, &SceneTree::object_renamed, this,
           [this](const std::string& name, const std::string& new_name) {
             editor_.select({SceneItem::Kind::kObject, "", name});
             editor_.rename(new_name);
-            tree_.update_scene(editor_.state());
+            tree_->update_scene(editor_.state());
           });
-  connect(&tree_, &SceneTree::group_renamed, this,
+  connect(tree_, &SceneTree::group_renamed, this,
           [this](const std::string& name, const std::string& new_name) {
             arrange_actions_.rename_group(name, new_name);
-            tree_.update_scene(editor_.state());
+            tree_->update_scene(editor_.state());
           });
   connect(&resize_, &ResizeTool::tried, this, &SceneEditing::tried);
   connect(edit_actions_.resize, &QAction::toggled, this, [this](bool on) {
@@ -86,7 +85,7 @@ void SceneEditing::connect_view() {
     update_gizmo();
   });
   connect(edit_actions_.local, &QAction::toggled, &view_, &SceneView::set_gizmo_local);
-  connect(&edit_actions_, &EditActions::rename_requested, &tree_, &SceneTree::edit_name);
+  connect(&edit_actions_, &EditActions::rename_requested, tree_, &SceneTree::edit_name);
 }
 
 void SceneEditing::refresh_icons() {
@@ -97,7 +96,7 @@ void SceneEditing::refresh_icons() {
 
 void SceneEditing::show_selection() {
   view_.set_selection(editor_.whole_selection());
-  tree_.select(editor_.whole_selection());
+  tree_->select(editor_.whole_selection());
   edit_actions_.update_enabled();
   arrange_actions_.update_enabled();
   properties_->refresh();
@@ -106,7 +105,7 @@ void SceneEditing::show_selection() {
 
 void SceneEditing::show_edit(const SceneState& /*before*/) {
   view_.update_scene(editor_.state());
-  tree_.update_scene(editor_.state());
+  tree_->update_scene(editor_.state());
   show_selection();
 }
 
@@ -169,6 +168,27 @@ void SceneEditing::add_mesh(const QString& file) {
   } catch (const std::exception& error) {
     emit failed(tr("The mesh can't be added"), QString::fromUtf8(error.what()));
   }
+}
+
+ConstraintDisplay::ConstraintDisplay(Document& document, SceneView& view, QObject* parent)
+    : QObject(parent), document_(document), view_(view) {
+  connect(&document_, &Document::opened, this, &ConstraintDisplay::show);
+  connect(&document_, &Document::edited, this, &ConstraintDisplay::show);
+  connect(&document_, &Document::configuration_changed, this, [this] {
+    if (document_.scene() && !document_.scene()->constraints.empty()) {
+      show();
+    }
+  });
+}
+
+void ConstraintDisplay::show() {
+  const auto& scene = document_.scene();
+  if (!scene || scene->constraints.empty()) {
+    view_.set_overlay(Overlay::kConstraints, nullptr);
+    return;
+  }
+  view_.set_overlay(Overlay::kConstraints,
+                    make_constraints_node(*scene, document_.configuration()));
 }
 
 }  // namespace handway::gui

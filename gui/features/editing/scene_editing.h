@@ -1,6 +1,5 @@
 #pragma once
 
-#include "features/editing/arrange_actions.h"
 #include "features/editing/edit_actions.h"
 #include "features/editing/resize_tool.h"
 #include "model/document/collision_monitor.h"
@@ -8,27 +7,40 @@
 
 #include <QObject>
 
+class QMainWindow;
+class QMenu;
+class QToolBar;
+
 namespace handway::gui {
 
+class Document;
 class PropertiesPanel;
 class SceneTree;
 class SceneView;
-class WindowActions;
+
+/// What SceneEditing works with; all outlive it.
+struct EditingParts {
+  QMainWindow& window;
+  QMenu& edit_menu;
+  QMenu& add_menu;
+  QToolBar& bar;
+  SceneEditor& editor;
+  SceneView& view;
+  CollisionMonitor& collisions;
+};
 
 /// Keeps view, tree, properties and menus in step with what is selected and edited.
 class SceneEditing : public QObject {
   Q_OBJECT
 
  public:
-  /// All outlive it.
-  SceneEditing(QMainWindow& window, WindowActions& actions, Document& document, SceneView& view,
-               SceneTree& tree, CollisionMonitor& collisions);
+  explicit SceneEditing(const EditingParts& parts);
 
-  [[nodiscard]] SceneEditor& editor() { return editor_; }
   [[nodiscard]] EditActions& actions() { return edit_actions_; }
   [[nodiscard]] ArrangeActions& arrange() { return arrange_actions_; }
   [[nodiscard]] ResizeTool& resize() { return resize_; }
-  /// To be put into a dock.
+  /// To be put into docks.
+  [[nodiscard]] SceneTree& tree() const { return *tree_; }
   [[nodiscard]] PropertiesPanel* properties() const { return properties_; }
   void refresh_icons();
 
@@ -51,16 +63,31 @@ class SceneEditing : public QObject {
   void attach(const std::string& robot, const std::string& link);
 
   QMainWindow& window_;
-  Document& document_;
+  const Document& document_;
   SceneView& view_;
-  SceneTree& tree_;
-  SceneEditor editor_;
+  SceneEditor& editor_;
   EditActions edit_actions_;
   ArrangeActions arrange_actions_;
   ResizeTool resize_;
+  SceneTree* tree_;
   PropertiesPanel* properties_;
   CollisionReport report_;
   bool has_handles_ = true;
+};
+
+/// Draws the scene's constraints into the view, for the posture on screen.
+class ConstraintDisplay : public QObject {
+  Q_OBJECT
+
+ public:
+  /// Both outlive it.
+  ConstraintDisplay(Document& document, SceneView& view, QObject* parent = nullptr);
+
+ private:
+  void show();
+
+  Document& document_;
+  SceneView& view_;
 };
 
 }  // namespace handway::gui

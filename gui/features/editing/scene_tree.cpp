@@ -1,7 +1,6 @@
 #include "features/editing/scene_tree.h"
 
 #include "model/settings/view_colors.h"
-#include "widgets/style/contrast.h"
 #include "widgets/style/icons.h"
 #include "widgets/style/theme.h"
 

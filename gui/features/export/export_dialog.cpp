@@ -1,25 +1,183 @@
 #include "features/export/export_dialog.h"
 
-#include "features/export/motion_preview.h"
+#include "handway/geometric/math/units.h"
 #include "model/document/document.h"
+#include "widgets/panels/result_text.h"
+#include "widgets/plots/time_plot.h"
 #include "widgets/style/theme.h"
 
 #include <QCheckBox>
 #include <QDir>
 #include <QDoubleSpinBox>
 #include <QFileDialog>
+#include <QFontDatabase>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QPlainTextEdit>
 #include <QPushButton>
+#include <QSplitter>
+#include <QStringList>
+#include <QTabBar>
+#include <QTabWidget>
 #include <QVBoxLayout>
 #include <QVariant>
 
+#include <exception>
+#include <functional>
 #include <utility>
 
 namespace handway::gui {
+
+ExportRunner::ExportRunner(std::shared_ptr<const planning::Extensions> extensions, QObject* parent)
+    : QObject(parent), extensions_(std::move(extensions)) {}
+
+void ExportRunner::run(std::function<LatestJob::Answer()> work) {
+  job_.run([this, work = std::move(work)](const std::stop_token& /*stop*/) -> LatestJob::Answer {
+    try {
+      return work();
+    } catch (const std::exception& error) {
+      return [this, message = QString::fromUtf8(error.what())] { emit failed(message); };
+    }
+  });
+}
+
+void ExportRunner::prepare(const std::string& format,
+                           std::shared_ptr<const planning::TimedPath> motion,
+                           const planning::ExportOptions& options) {
+  run([this, &exporter = extensions_->exporter(format), motion = std::move(motion), options] {
+    const auto files = std::make_shared<const Files>(exporter.files(motion->motion, options));
+    return [this, files] { emit prepared(files); };
+  });
+}
+
+void ExportRunner::write(const std::string& format,
+                         std::shared_ptr<const planning::TimedPath> motion,
+                         std::filesystem::path folder, const planning::ExportOptions& options) {
+  run([this, &exporter = extensions_->exporter(format), motion = std::move(motion),
+       folder = std::move(folder), options] {
+    QStringList files;
+    for (const std::filesystem::path& file : exporter.write(motion->motion, folder, options)) {
+      files << QString::fromStdString(file.string());
+    }
+    return [this, files] { emit written(files); };
+  });
+}
+
+namespace {
+
+constexpr std::size_t kMostShown = 60000;  // characters of a file
+constexpr int kNamesWidth = 170;
+
+QColor hue_of(std::size_t index, std::size_t count) {
+  constexpr int kWheel = 360;
+  return QColor::fromHsv(static_cast<int>(kWheel * index / count), 190, 190);
+}
+
+// The velocities of some of the joints as curves.
+void draw(TimePlot& plot, const planning::Motion& motion, const std::vector<int>& variables) {
+  plot.clear();
+  std::vector<double> times;
+  for (const planning::TrajectoryPoint& point : motion.trajectory.points) {
+    times.push_back(point.time);
+  }
+  for (std::size_t j = 0; j < variables.size(); ++j) {
+    std::vector<double> values;
+    for (const planning::TrajectoryPoint& point : motion.trajectory.points) {
+      values.push_back(geometric::degrees(point.velocity[variables[j]]));
+    }
+    const QString name = QString::fromStdString(motion.model->variable(variables[j]).name);
+    plot.set_curve(plot.add_curve(name, hue_of(j, variables.size())), times, values);
+  }
+  plot.refresh();
+}
+
+}  // namespace
+
+MotionPreview::MotionPreview(QWidget* parent)
+    : QWidget(parent),
+      tabs_(new QTabWidget),
+      report_(new QLabel),
+      arm_(new TimePlot({}, tr("arm, °/s"))),
+      hand_(new TimePlot(tr("time, s"), tr("hand, °/s"))),
+      names_(new QListWidget),
+      content_(new QPlainTextEdit) {
+  tabs_->setDocumentMode(true);
+  tabs_->tabBar()->setDrawBase(false);
+  report_->setObjectName(QStringLiteral("export_report"));
+  report_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  report_->setWordWrap(true);
+  report_->setMargin(12);
+  report_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  auto* speeds = new QWidget;
+  auto* plots = new QVBoxLayout(speeds);
+  plots->setContentsMargins(0, 0, 0, 0);
+  plots->setSpacing(0);
+  plots->addWidget(arm_);
+  plots->addWidget(hand_);
+  names_->setObjectName(QStringLiteral("export_files"));
+  content_->setObjectName(QStringLiteral("export_content"));
+  content_->setReadOnly(true);
+  content_->setLineWrapMode(QPlainTextEdit::NoWrap);
+  content_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+  auto* files = new QSplitter;
+  files->addWidget(names_);
+  files->addWidget(content_);
+  files->setSizes({kNamesWidth, 3 * kNamesWidth});
+  tabs_->addTab(report_, tr("Pre-flight"));
+  tabs_->addTab(speeds, tr("Velocities"));
+  tabs_->addTab(files, tr("Files"));
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(tabs_);
+  connect(names_, &QListWidget::currentRowChanged, this, &MotionPreview::show_file);
+}
+
+void MotionPreview::show_waiting(const QString& text) {
+  report_->setText(QStringLiteral("<span style=\"color:%1\">%2</span>")
+                       .arg(html(colors_of(current_theme()).muted), text.toHtmlEscaped()));
+  arm_->clear();
+  hand_->clear();
+  show_files({});
+}
+
+void MotionPreview::show_motion(const planning::TimedPath& motion) {
+  report_->setText(motion_text(motion));
+  if (motion.cleared()) {
+    show_velocities(motion.motion);
+  }
+}
+
+void MotionPreview::show_velocities(const planning::Motion& motion) {
+  draw(*arm_, motion, motion.arm);
+  draw(*hand_, motion, motion.hand);
+}
+
+void MotionPreview::show_files(std::vector<planning::ExportedFile> files) {
+  names_->clear();
+  content_->clear();
+  files_ = std::move(files);
+  for (const planning::ExportedFile& file : files_) {
+    names_->addItem(QString::fromStdString(file.name.string()));
+  }
+  names_->setCurrentRow(files_.empty() ? -1 : 0);
+}
+
+void MotionPreview::show_file(int row) {
+  if (row < 0 || row >= static_cast<int>(files_.size())) {
+    content_->clear();
+    return;
+  }
+  const std::string& content = files_[static_cast<std::size_t>(row)].content;
+  QString shown = QString::fromStdString(content.substr(0, kMostShown));
+  if (content.size() > kMostShown) {
+    shown += tr("\n… %1 characters more").arg(content.size() - kMostShown);
+  }
+  content_->setPlainText(shown);
+}
+
 namespace {
 
 constexpr int kSettleMs = 250;

@@ -1,23 +1,92 @@
 #pragma once
 
-#include "features/export/export_runner.h"
+#include "handway/planning/core/exporter.h"
+#include "handway/planning/core/plugin.h"
+#include "handway/planning/timing/time_path.h"
+#include "model/jobs/background.h"
 #include "model/planning/timing_runner.h"
 
 #include <QDialog>
+#include <QObject>
+#include <QString>
 #include <QTimer>
+#include <QWidget>
+
+#include <memory>
+#include <vector>
 
 class QCheckBox;
 class QDoubleSpinBox;
 class QLabel;
 class QLineEdit;
 class QListWidget;
+class QPlainTextEdit;
 class QPushButton;
+class QTabWidget;
 
 namespace handway::gui {
 
 class Document;
-class MotionPreview;
+class TimePlot;
 struct SceneState;
+
+/// Makes and writes the files of a motion off the GUI thread. Only the answer to the latest
+/// request counts.
+class ExportRunner : public QObject {
+  Q_OBJECT
+
+ public:
+  using Files = std::vector<planning::ExportedFile>;
+
+  explicit ExportRunner(std::shared_ptr<const planning::Extensions> extensions,
+                        QObject* parent = nullptr);
+
+  /// Makes the files; prepared() or failed() follows.
+  /// @param format name of an exporter. @pre the motion is cleared().
+  void prepare(const std::string& format, std::shared_ptr<const planning::TimedPath> motion,
+               const planning::ExportOptions& options);
+  /// Writes them; written() or failed() follows.
+  void write(const std::string& format, std::shared_ptr<const planning::TimedPath> motion,
+             std::filesystem::path folder, const planning::ExportOptions& options);
+  /// No answer is wanted any more.
+  void forget() { job_.cancel(); }
+
+ signals:
+  void prepared(const std::shared_ptr<const handway::gui::ExportRunner::Files>& files);
+  void written(const QStringList& files);
+  void failed(const QString& message);
+
+ private:
+  /// @param work may throw.
+  void run(std::function<LatestJob::Answer()> work);
+
+  std::shared_ptr<const planning::Extensions> extensions_;
+  LatestJob job_;
+};
+
+/// What an export would be: its pre-flight report, how fast the joints go, and the files.
+class MotionPreview : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit MotionPreview(QWidget* parent = nullptr);
+
+  void show_waiting(const QString& text);
+  void show_motion(const planning::TimedPath& motion);
+  void show_files(std::vector<planning::ExportedFile> files);
+
+ private:
+  void show_velocities(const planning::Motion& motion);
+  void show_file(int row);
+
+  QTabWidget* tabs_;
+  QLabel* report_;
+  TimePlot* arm_;
+  TimePlot* hand_;
+  QListWidget* names_;
+  QPlainTextEdit* content_;
+  std::vector<planning::ExportedFile> files_;
+};
 
 /// Exports a path for a controller: format, timing, a preview of all that would be written, and
 /// the folder. What fails the pre-flight can't be exported, nor what was timed before an edit.

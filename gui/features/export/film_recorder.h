@@ -1,12 +1,16 @@
 #pragma once
 
-#include "features/export/film_sink.h"
 #include "handway/geometric/scene/scene.h"
 #include "model/playback/path_timeline.h"
 #include "model/settings/orbit_camera.h"
 
+#include <QDir>
+#include <QImage>
 #include <QObject>
+#include <QProcess>
 #include <QSize>
+#include <QString>
+#include <QTemporaryDir>
 #include <QTimer>
 
 #include <functional>
@@ -16,6 +20,93 @@
 namespace handway::gui {
 
 class ScenePictures;
+
+/// Where parts of a file or folder are made: beside it, on the same disk, under a hidden name that
+/// tells which program makes them.
+[[nodiscard]] QString parts_beside(const QString& file);
+
+/// @throws geometric::InputError unless the parts' folder could be made.
+void need_writable(const QTemporaryDir& parts, const QString& file);
+
+/// Removes parts beside a file that programs have left which were killed on this machine, in the
+/// background.
+void remove_leftovers_beside(const QString& file);
+
+/// Where the pictures of a film go. Until it is complete nothing stands under its name.
+class FilmSink : public QObject {
+  Q_OBJECT
+
+ public:
+  /// May another picture be added, or would it have to wait?
+  [[nodiscard]] virtual bool has_room() const { return true; }
+  virtual void add(const QImage& picture) = 0;
+  /// All pictures are there; done() or failed() follows.
+  virtual void finish() = 0;
+
+ signals:
+  /// Ready for more.
+  void drained();
+  void done();
+  void failed(const QString& message);
+};
+
+/// A film or an animation, by the program ffmpeg.
+class FfmpegFilm : public FilmSink {
+  Q_OBJECT
+
+ public:
+  /// Where ffmpeg is; empty: it is not installed.
+  [[nodiscard]] static QString program();
+
+  /// @param file ends in .mp4 or .gif. @param size of all pictures; both even.
+  /// @throws geometric::InputError if the file's folder can't be written to.
+  FfmpegFilm(const QString& file, const QSize& size, double rate);
+  ~FfmpegFilm() override;
+
+  [[nodiscard]] bool has_room() const override;
+  void add(const QImage& picture) override;
+  void finish() override;
+
+ private:
+  void take_end(int code, QProcess::ExitStatus status);
+
+  QString file_;
+  std::unique_ptr<QTemporaryDir> parts_;
+  QString part_;
+  QProcess process_;
+  bool ended_ = false;
+};
+
+/// Numbered PNG files in a new folder. They are made in the background, in a folder beside that
+/// takes the new name when all are there; if they are not wanted any more, or one can't be
+/// written, nothing of them stays.
+class FrameFolder : public FilmSink {
+  Q_OBJECT
+
+ public:
+  static constexpr int kMostWaiting = 4;  ///< Pictures.
+
+  /// @throws geometric::InputError if the folder is there already, or can't be made.
+  explicit FrameFolder(const QString& folder);
+  ~FrameFolder() override;
+
+  [[nodiscard]] bool has_room() const override { return waiting_ < kMostWaiting; }
+  void add(const QImage& picture) override;
+  void finish() override;
+
+ private:
+  class Parts;
+
+  void take_written(const QString& fault);
+  void end();
+
+  QString folder_;
+  std::shared_ptr<Parts> parts_;  ///< Shared with those that write to it.
+  int count_ = 0;
+  int waiting_ = 0;
+  bool complete_ = false;  ///< No more are to come.
+  bool failed_ = false;
+};
 
 /// What a path's pictures are taken of, and how.
 struct FilmShot {

@@ -1,9 +1,14 @@
 #pragma once
 
 #include "features/export/film_recorder.h"
-#include "features/export/strip_writer.h"
+#include "model/jobs/background.h"
 
 #include <QDialog>
+#include <QImage>
+#include <QObject>
+#include <QString>
+
+#include <vector>
 
 class QComboBox;
 class QFormLayout;
@@ -14,6 +19,33 @@ class QPushButton;
 class QSpinBox;
 
 namespace handway::gui {
+
+/// Draws the pictures of a film strip into one file, by its ending PNG or SVG, in the background.
+class StripWriter : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit StripWriter(QObject* parent = nullptr) : QObject(parent) {}
+
+  /// written() or failed() follows.
+  void start(const QString& file, const QString& title, const std::vector<QImage>& pictures);
+  /// While it draws: nothing is written.
+  void cancel();
+  [[nodiscard]] bool is_busy() const { return busy_; }
+
+ signals:
+  /// It has drawn, and can't be cancelled any more.
+  void writing();
+  void written();
+  void failed(const QString& message);
+
+ private:
+  void write(const QString& file, const QByteArray& bytes);
+
+  bool busy_ = false;
+  bool writing_ = false;
+  LatestJob job_;
+};
 
 /// Exports pictures of a path as the view's camera sees it: a film strip, numbered frames, a film
 /// or an animation.

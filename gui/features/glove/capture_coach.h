@@ -1,9 +1,10 @@
 #pragma once
 
 #include "features/glove/captured_postures.h"
-#include "features/glove/joint_coverage.h"
+#include "features/glove/coverage_bars.h"
 #include "handway/device/glove/hand_mapping.h"
 
+#include <QStringList>
 #include <QWidget>
 
 class QLabel;
@@ -13,6 +14,13 @@ class QPushButton;
 namespace handway::gui {
 
 class CoverageBars;
+
+/// What the person should do with the hand to cover more of its workspace, the most useful
+/// first; none if all joints have been through most of their ranges.
+/// @param mapping that the coverage was seen through.
+/// @param most hints to give.
+[[nodiscard]] QStringList capture_hints(const JointCoverage& coverage,
+                                        const device::HandMapping& mapping, int most = 3);
 
 /// Tells the person while the hand is captured how much of its workspace was visited, what to do
 /// next, and when it is enough.

@@ -3,7 +3,7 @@
 #include "features/glove/captured_postures.h"
 #include "handway/sampling/postures/pmd_basis.h"
 #include "model/devices/glove_session.h"
-#include "model/jobs/background_threads.h"
+#include "model/jobs/background.h"
 
 #include <QObject>
 #include <QTimer>

@@ -1,7 +1,7 @@
 #include "features/glove/curve_view.h"
 
 #include "handway/geometric/math/units.h"
-#include "widgets/style/glove_colors.h"
+#include "widgets/style/theme.h"
 
 #include <QMouseEvent>
 #include <QPainter>

@@ -1,8 +1,29 @@
 #pragma once
 
+#include "handway/device/glove/glove_calibration.h"
+
 #include <QComboBox>
+#include <QString>
+#include <QStringList>
+
+#include <optional>
 
 namespace handway::gui {
+
+/// A serial port that a glove may be on.
+struct GlovePort {
+  QString path;   ///< To be opened: "/dev/ttyUSB0".
+  QString label;  ///< For people: with the adapter's name if the system knows it.
+};
+
+/// Serial ports of USB adapters and Bluetooth (ttyUSB*, ttyACM*, rfcomm*), each once; those with a
+/// name under serial/by-id first, under that name, which stays the same when plugged elsewhere.
+/// @param devices folder of the devices.
+[[nodiscard]] QList<GlovePort> find_glove_ports(const QString& devices = QStringLiteral("/dev"));
+
+/// Devices and recordings that were connected to, latest first.
+[[nodiscard]] QStringList recent_gloves();
+void add_recent_glove(const QString& device);
 
 /// Where the glove is: one field that takes a serial port, an address, the emulator or
 /// a recording, with those that are known to choose from.
@@ -26,6 +47,27 @@ class DeviceField : public QComboBox {
   void refresh();
   void choose(int index);
   void choose_recording();
+};
+
+/// Which calibration turns counts into angles: the typical one, or one from a file.
+class CalibrationChoice : public QComboBox {
+  Q_OBJECT
+
+ public:
+  explicit CalibrationChoice(QWidget* parent = nullptr);
+
+  /// @throws geometric::InputError if it is none.
+  void load(const QString& file);
+
+ signals:
+  /// Nothing: the typical one.
+  void chosen(const std::optional<handway::device::GloveCalibration>& calibration);
+  void failed(const QString& message);
+
+ private:
+  void choose(int index);
+
+  int last_ = 0;
 };
 
 }  // namespace handway::gui

@@ -1,18 +1,15 @@
 #include "features/glove/glove_panel.h"
 
-#include "features/glove/calibration_choice.h"
 #include "features/glove/capture_coach.h"
 #include "features/glove/device_field.h"
-#include "features/glove/glove_device_list.h"
 #include "features/glove/mapping_editor.h"
 #include "features/glove/pmd_explorer.h"
 #include "features/glove/record_bar.h"
 #include "features/glove/sensor_bars.h"
-#include "features/tracker/wrist_page.h"
 #include "model/document/joint_groups.h"
-#include "widgets/panels/front_page.h"
+#include "widgets/panels/dock_layout.h"
 #include "widgets/panels/link_status.h"
-#include "widgets/style/role.h"
+#include "widgets/style/theme.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -69,7 +66,6 @@ GlovePanel::GlovePanel(QWidget* parent)
       bars_(new SensorBars),
       capture_(session_),
       mapping_editor_(new MappingEditor(session_)),
-      wrist_(new WristPage),
       follow_(new QCheckBox(tr("Hand follows"))),
       rule_(new QComboBox),
       contact_(new QLabel),
@@ -81,11 +77,10 @@ GlovePanel::GlovePanel(QWidget* parent)
   tabs_->setDrawBase(false);
   tabs_->setExpanding(true);
   tabs_->setProperty("role", "pages");
-  add_page(tr("Sensors"), build_sensors_page());
-  add_page(tr("Coach"), scrolled(&capture_.coach()));
-  add_page(tr("Explore"), scrolled(&capture_.explorer()));
-  add_page(tr("Mapping"), scrolled(mapping_editor_));
-  add_page(tr("Wrist"), scrolled(wrist_));
+  put_page(tr("Sensors"), build_sensors_page());
+  add_page(tr("Coach"), &capture_.coach());
+  add_page(tr("Explore"), &capture_.explorer());
+  add_page(tr("Mapping"), mapping_editor_);
   layout->addWidget(build_header());
   layout->addWidget(tabs_);
   layout->addWidget(pages_, 1);
@@ -190,15 +185,12 @@ QWidget* GlovePanel::build_footer() {
     contact_->setVisible(!contact.isEmpty());
   });
   connect(&guard_, &ContactGuard::passed, this, &GlovePanel::posture_changed);
-  connect(wrist_, &WristPage::posture_wanted, this, [this](const geometric::NamedPosture& posture) {
-    guard_.propose(ContactGuard::Leader::kArm, posture);
-  });
-  connect(wrist_, &WristPage::released, this,
-          [this] { guard_.withdraw(ContactGuard::Leader::kArm); });
   return footer;
 }
 
-void GlovePanel::add_page(const QString& name, QWidget* page) {
+void GlovePanel::add_page(const QString& name, QWidget* page) { put_page(name, scrolled(page)); }
+
+void GlovePanel::put_page(const QString& name, QWidget* page) {
   tabs_->addTab(name);
   pages_->addWidget(page);
 }
@@ -216,7 +208,6 @@ void GlovePanel::set_hand(const std::shared_ptr<const geometric::RobotModel>& mo
   }
   mapping_editor_->set_hand(model, std::move(free));
   const JointGroups groups = model ? joint_groups(*model, basis.get()) : JointGroups{};
-  wrist_->set_robot(model, groups.arm);
   guard_.set_robot(model, model ? moving_parts(*model, groups) : std::vector<std::vector<int>>{},
                    std::move(problem));
 }
@@ -224,7 +215,6 @@ void GlovePanel::set_hand(const std::shared_ptr<const geometric::RobotModel>& mo
 void GlovePanel::set_configuration(const geometric::Configuration& q) {
   guard_.set_configuration(q);
   capture_.set_configuration(q);
-  wrist_->set_configuration(q);
 }
 
 void GlovePanel::toggle_connection() {

@@ -26,10 +26,9 @@ class LinkStatus;
 class MappingEditor;
 class RecordBar;
 class SensorBars;
-class WristPage;
 
 /// The glove in the window: connects to it, shows what it measures, and moves the hand of the
-/// scene with it; on a page of its own the wrist tracker, which moves the arm.
+/// scene with it. Others that lead the robot may have a page of their own in it.
 class GlovePanel : public QWidget {
   Q_OBJECT
 
@@ -48,6 +47,10 @@ class GlovePanel : public QWidget {
   /// The view has drawn the posture that was told last.
   void note_drawn();
   void refresh_icons();
+  /// Adds a page, which the panel takes over and scrolls.
+  void add_page(const QString& name, QWidget* page);
+  /// What else moves the scene's robot proposes its postures here.
+  [[nodiscard]] ContactGuard& guard() { return guard_; }
 
   /// Connects as if the person had; an empty device does nothing.
   void connect_to(const QString& device);
@@ -60,7 +63,6 @@ class GlovePanel : public QWidget {
   [[nodiscard]] CapturePages& capture() { return capture_; }
   [[nodiscard]] MappingEditor& mapping_editor() { return *mapping_editor_; }
   [[nodiscard]] RecordBar& record_bar() { return *record_; }
-  [[nodiscard]] WristPage& wrist() { return *wrist_; }
 
  signals:
   /// Joints of hand or arm are to be there.
@@ -70,7 +72,7 @@ class GlovePanel : public QWidget {
   QWidget* build_header();
   QWidget* build_sensors_page();
   QWidget* build_footer();
-  void add_page(const QString& name, QWidget* page);
+  void put_page(const QString& name, QWidget* page);
   void toggle_connection();
   void show_state(device::StreamState state, const QString& error);
   void show_samples(const std::vector<GloveSample>& samples);
@@ -88,7 +90,6 @@ class GlovePanel : public QWidget {
   SensorBars* bars_;
   CapturePages capture_;
   MappingEditor* mapping_editor_;
-  WristPage* wrist_;
   ContactGuard guard_;
   QCheckBox* follow_;
   QComboBox* rule_;

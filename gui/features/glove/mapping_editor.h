@@ -1,8 +1,13 @@
 #pragma once
 
+#include "handway/device/glove/glove_frame.h"
+#include "handway/device/glove/hand_mapping.h"
+#include "handway/geometric/robot/robot_model.h"
 #include "model/devices/glove_session.h"
 
 #include <QWidget>
+
+#include <Eigen/Core>
 
 #include <deque>
 #include <filesystem>
@@ -18,6 +23,23 @@ namespace handway::gui {
 class CurveView;
 class MappingWires;
 class WireForm;
+
+/// What two mappings make of the same motion of a glove.
+struct MappingComparison {
+  Eigen::VectorXd shares_a;  ///< Of the variance, each principal direction, falling.
+  Eigen::VectorXd shares_b;
+  /// Between the spaces of the first k directions, rad; entry k-1. Only for joints in both.
+  Eigen::VectorXd angles;
+};
+
+/// @param frames at least two.
+/// @param left_out names of joints that take no part in the principal components.
+/// @throws geometric::InputError if a mapping does not fit the robot.
+[[nodiscard]] MappingComparison compare_mappings(const std::vector<device::GloveAngles>& frames,
+                                                 const device::HandMapping& a,
+                                                 const device::HandMapping& b,
+                                                 const geometric::RobotModel& model,
+                                                 const std::vector<std::string>& left_out);
 
 /// Edits which sensor drives which joint, while the glove moves the hand with it, and compares
 /// the mapping with another by what both make of the same motion.

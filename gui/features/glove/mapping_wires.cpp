@@ -2,7 +2,7 @@
 
 #include "features/glove/coverage_bars.h"
 #include "handway/device/glove/glove_layout.h"
-#include "widgets/style/glove_colors.h"
+#include "widgets/style/theme.h"
 
 #include <QMouseEvent>
 #include <QPainter>

@@ -2,7 +2,7 @@
 
 #include "handway/device/glove/hand_mapper.h"
 #include "handway/device/glove/hand_mapping.h"
-#include "model/devices/glove_sample.h"
+#include "model/devices/glove_session.h"
 
 #include <QPointF>
 #include <QWidget>

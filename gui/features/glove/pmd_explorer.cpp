@@ -1,19 +1,246 @@
 #include "features/glove/pmd_explorer.h"
 
-#include "features/glove/correlation_map.h"
+#include "features/glove/coverage_bars.h"
 #include "features/glove/pmd_pad.h"
-#include "features/glove/variance_chart.h"
+#include "handway/geometric/robot/normalised_joints.h"
+#include "widgets/style/theme.h"
 
 #include <QComboBox>
 #include <QGridLayout>
+#include <QHelpEvent>
 #include <QLabel>
+#include <QPainter>
+#include <QPolygonF>
 #include <QSignalBlocker>
+#include <QToolTip>
 #include <QVBoxLayout>
 #include <QVariant>
 
+#include <algorithm>
+#include <cmath>
 #include <exception>
 
 namespace handway::gui {
+
+HandAxes::HandAxes(std::shared_ptr<const geometric::RobotModel> model, sampling::PmdBasis basis)
+    : model_(std::move(model)), basis_(std::move(basis)) {
+  for (const std::string& joint : basis_.joints) {
+    const auto variable = model_ ? model_->find_variable(joint) : std::nullopt;
+    if (!variable) {
+      variables_.clear();
+      return;
+    }
+    variables_.push_back(*variable);
+  }
+}
+
+QString HandAxes::name(int axis) const {
+  const auto index = static_cast<std::size_t>(axis);
+  const std::size_t free = basis_.free_joints.size();
+  return index < free
+             ? joint_label(basis_.joints[static_cast<std::size_t>(basis_.free_joints[index].joint)])
+             : QString::fromStdString(basis_.directions[index - free].name);
+}
+
+double HandAxes::half_side(int axis) const {
+  const auto index = static_cast<std::size_t>(axis);
+  const std::size_t free = basis_.free_joints.size();
+  return index < free ? basis_.free_joints[index].half_side
+                      : basis_.directions[index - free].half_side;
+}
+
+Eigen::VectorXd HandAxes::coordinates(const geometric::Configuration& q) const {
+  const geometric::Configuration p = geometric::normalised(*model_, q);
+  Eigen::VectorXd posture(static_cast<Eigen::Index>(variables_.size()));
+  for (std::size_t i = 0; i < variables_.size(); ++i) {
+    posture[static_cast<Eigen::Index>(i)] = p[variables_[i]];
+  }
+  return sampling::project(basis_, posture);
+}
+
+Eigen::VectorXd HandAxes::coordinates(const std::vector<std::string>& joints,
+                                      const Eigen::VectorXd& posture) const {
+  Eigen::VectorXd ordered(static_cast<Eigen::Index>(basis_.joints.size()));
+  for (std::size_t i = 0; i < basis_.joints.size(); ++i) {
+    const auto found = std::ranges::find(joints, basis_.joints[i]);
+    if (found == joints.end()) {
+      return {};
+    }
+    ordered[static_cast<Eigen::Index>(i)] = posture[found - joints.begin()];
+  }
+  return sampling::project(basis_, ordered);
+}
+
+geometric::NamedPosture HandAxes::posture(const Eigen::VectorXd& coordinates) const {
+  Eigen::VectorXd u(dimension());
+  for (int axis = 0; axis < dimension(); ++axis) {
+    const double side = half_side(axis);
+    u[axis] = side > 0.0 ? std::clamp(0.5 * (coordinates[axis] / side + 1.0), 0.0, 1.0) : 0.5;
+  }
+  const Eigen::VectorXd p = sampling::map_to_posture(basis_, u);
+  geometric::NamedPosture posture;
+  for (std::size_t i = 0; i < variables_.size(); ++i) {
+    const double lower = model_->lower()[variables_[i]];
+    const double upper = model_->upper()[variables_[i]];
+    posture.values[basis_.joints[i]] = lower + p[static_cast<Eigen::Index>(i)] * (upper - lower);
+  }
+  return posture;
+}
+
+namespace {
+
+QColor mixed(const QColor& a, const QColor& b, double share) {
+  const auto mix = [share](double from, double to) { return from + share * (to - from); };
+  return QColor::fromRgbF(mix(a.redF(), b.redF()), mix(a.greenF(), b.greenF()),
+                          mix(a.blueF(), b.blueF()));
+}
+
+}  // namespace
+
+CorrelationMap::CorrelationMap(QWidget* parent) : QWidget(parent) {
+  setObjectName(QStringLiteral("correlation_map"));
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+}
+
+void CorrelationMap::set_correlations(const std::vector<std::string>& joints,
+                                      const Eigen::MatrixXd& correlations) {
+  joints_ = joints;
+  correlations_ = correlations;
+  update();
+}
+
+QRectF CorrelationMap::square() const {
+  const double side = std::min(width() - 4, height() - 8 - 8);
+  return {(width() - side) / 2.0, 8.0, side, side};
+}
+
+void CorrelationMap::paintEvent(QPaintEvent*) {
+  const ThemeColors colors = colors_of(current_theme());
+  QPainter painter(this);
+  const QRectF area = square();
+  const auto count = static_cast<double>(correlations_.rows());
+  for (Eigen::Index i = 0; i < correlations_.rows(); ++i) {
+    for (Eigen::Index j = 0; j < correlations_.cols(); ++j) {
+      const double value = correlations_(i, j);
+      const double side = area.width() / count;
+      const QRectF cell(area.left() + static_cast<double>(j) * side,
+                        area.top() + static_cast<double>(i) * side, side, side);
+      painter.fillRect(
+          cell.adjusted(0.0, 0.0, -0.5, -0.5),
+          mixed(colors.window, value >= 0.0 ? colors.accent : colors.bad, std::abs(value)));
+    }
+  }
+  painter.setPen(QPen(colors.border, 1.0));
+  painter.drawRect(area);
+  if (correlations_.size() == 0) {
+    QFont font = painter.font();
+    font.setPixelSize(10);
+    painter.setFont(font);
+    painter.setPen(colors.muted);
+    painter.drawText(area, Qt::AlignCenter, tr("no postures"));
+  }
+}
+
+bool CorrelationMap::event(QEvent* event) {
+  if (event->type() == QEvent::ToolTip && correlations_.size() > 0) {
+    const auto* help = static_cast<QHelpEvent*>(event);
+    const QPointF inside = help->pos() - square().topLeft();
+    const double side = square().width() / static_cast<double>(correlations_.rows());
+    const auto column = static_cast<Eigen::Index>(std::floor(inside.x() / side));
+    const auto row = static_cast<Eigen::Index>(std::floor(inside.y() / side));
+    if (row >= 0 && column >= 0 && row < correlations_.rows() && column < correlations_.cols()) {
+      QToolTip::showText(help->globalPos(),
+                         tr("%1 and %2: %3")
+                             .arg(joint_label(joints_[static_cast<std::size_t>(row)]),
+                                  joint_label(joints_[static_cast<std::size_t>(column)]))
+                             .arg(correlations_(row, column), 0, 'f', 2),
+                         this);
+      return true;
+    }
+    QToolTip::hideText();
+  }
+  return QWidget::event(event);
+}
+
+namespace {
+
+constexpr double kPercentOfAll = 100.0;
+constexpr int kLabelled = 3;
+constexpr Eigen::Index kMost = 12;
+constexpr double kLabelHeight = 13.0;  // px
+constexpr double kBarShare = 0.62;
+
+}  // namespace
+
+VarianceChart::VarianceChart(QWidget* parent) : QWidget(parent) {
+  setObjectName(QStringLiteral("variance_chart"));
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+}
+
+void VarianceChart::set_shares(const Eigen::VectorXd& shares) {
+  shares_ = shares.head(std::min<Eigen::Index>(shares.size(), kMost));
+  QStringList lines;
+  double sum = 0.0;
+  for (Eigen::Index k = 0; k < shares_.size(); ++k) {
+    sum += shares_[k];
+    lines << tr("%1 directions: %2 %").arg(k + 1).arg(sum * kPercentOfAll, 0, 'f', 2);
+  }
+  setToolTip(lines.join(QLatin1Char('\n')));
+  update();
+}
+
+void VarianceChart::paintEvent(QPaintEvent*) {
+  const ThemeColors colors = colors_of(current_theme());
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  QFont font = painter.font();
+  font.setPixelSize(10);
+  painter.setFont(font);
+  const QRectF area = QRectF(rect()).adjusted(2, 8, -4, -16);
+  painter.setPen(QPen(faded(colors.border, 0.9), 1.0));
+  for (const double level : {0.0, 0.5, 1.0}) {
+    const double y = area.bottom() - level * area.height();
+    painter.drawLine(QPointF(area.left(), y), QPointF(area.right(), y));
+  }
+  if (shares_.size() == 0) {
+    painter.setPen(colors.muted);
+    painter.drawText(area, Qt::AlignCenter, tr("no postures"));
+    return;
+  }
+  const double step = area.width() / static_cast<double>(shares_.size());
+  QPolygonF sums;
+  double sum = 0.0;
+  for (Eigen::Index k = 0; k < shares_.size(); ++k) {
+    sum += shares_[k];
+    const double middle = area.left() + (static_cast<double>(k) + 0.5) * step;
+    sums << QPointF(middle, area.bottom() - sum * area.height());
+    const double height = shares_[k] * area.height();
+    painter.fillRect(
+        QRectF(middle - kBarShare * step / 2, area.bottom() - height, kBarShare * step, height),
+        faded(colors.accent, 0.35));
+    if (k == 0 || (k + 1) % 4 == 0) {
+      painter.setPen(colors.muted);
+      painter.drawText(QRectF(middle - 10, area.bottom() + 2, 20, 13), Qt::AlignCenter,
+                       QString::number(k + 1));
+    }
+  }
+  painter.setPen(QPen(colors.accent, 1.6));
+  painter.drawPolyline(sums);
+  painter.setBrush(colors.surface);
+  for (const QPointF& point : sums) {
+    painter.drawEllipse(point, 2.2, 2.2);
+  }
+  sum = 0.0;
+  painter.setPen(colors.text);
+  for (int k = 0; k < std::min<int>(kLabelled, static_cast<int>(shares_.size())); ++k) {
+    sum += shares_[k];
+    if (k == 0 || sums[k - 1].y() - sums[k].y() > kLabelHeight) {
+      painter.drawText(QRectF(sums[k].x() + 5, sums[k].y(), 60, kLabelHeight), Qt::AlignLeft,
+                       QStringLiteral("%1 %").arg(sum * kPercentOfAll, 0, 'f', 0));
+    }
+  }
+}
+
 namespace {
 
 constexpr int kLive = 0;

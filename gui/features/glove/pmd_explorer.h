@@ -1,20 +1,100 @@
 #pragma once
 
 #include "features/glove/captured_postures.h"
-#include "features/glove/hand_axes.h"
+#include "handway/geometric/robot/robot_description.h"
+#include "handway/geometric/robot/robot_model.h"
+#include "handway/sampling/postures/pmd_basis.h"
 
+#include <QString>
 #include <QWidget>
 
+#include <Eigen/Core>
+
 #include <memory>
+#include <string>
+#include <vector>
 
 class QComboBox;
 class QLabel;
 
 namespace handway::gui {
 
-class CorrelationMap;
 class PmdPad;
-class VarianceChart;
+
+/// The axes of a PMD basis on the hand of a robot: postures to coordinates and back.
+class HandAxes {
+ public:
+  HandAxes() = default;
+  /// Empty if the robot lacks a joint of the basis.
+  HandAxes(std::shared_ptr<const geometric::RobotModel> model, sampling::PmdBasis basis);
+
+  [[nodiscard]] bool empty() const { return variables_.empty(); }
+  [[nodiscard]] const sampling::PmdBasis& basis() const { return basis_; }
+  [[nodiscard]] int dimension() const { return empty() ? 0 : basis_.dimension(); }
+  [[nodiscard]] QString name(int axis) const;
+  [[nodiscard]] double half_side(int axis) const;
+
+  /// @param q shape [variable_count]. @returns shape [dimension].
+  [[nodiscard]] Eigen::VectorXd coordinates(const geometric::Configuration& q) const;
+  /// @param posture normalised joints named `joints`. @returns shape [dimension]; empty if
+  /// one of the basis' joints is not among them.
+  [[nodiscard]] Eigen::VectorXd coordinates(const std::vector<std::string>& joints,
+                                            const Eigen::VectorXd& posture) const;
+  /// The hand's posture at coordinates within the box.
+  [[nodiscard]] geometric::NamedPosture posture(const Eigen::VectorXd& coordinates) const;
+
+ private:
+  std::shared_ptr<const geometric::RobotModel> model_;
+  sampling::PmdBasis basis_;
+  std::vector<int> variables_;  ///< Of the basis' joints.
+};
+
+/// Correlations of all pairs of joints as a square of colours: blue together, red
+/// against each other (paper, section 4.2).
+class CorrelationMap : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit CorrelationMap(QWidget* parent = nullptr);
+
+  /// @param correlations in [-1, 1], shape [joints, joints]; empty: not known.
+  void set_correlations(const std::vector<std::string>& joints,
+                        const Eigen::MatrixXd& correlations);
+
+  [[nodiscard]] QSize sizeHint() const override { return {130, 140}; }
+  [[nodiscard]] QSize minimumSizeHint() const override { return {90, 140}; }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  bool event(QEvent* event) override;
+
+ private:
+  [[nodiscard]] QRectF square() const;
+
+  std::vector<std::string> joints_;
+  Eigen::MatrixXd correlations_;
+};
+
+/// How much of the variance the first principal directions hold together: bars for each, a
+/// line for their sum (paper, Fig. 10).
+class VarianceChart : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit VarianceChart(QWidget* parent = nullptr);
+
+  /// @param shares in [0, 1], falling; empty: not known.
+  void set_shares(const Eigen::VectorXd& shares);
+
+  [[nodiscard]] QSize sizeHint() const override { return {130, 140}; }
+  [[nodiscard]] QSize minimumSizeHint() const override { return {90, 140}; }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  Eigen::VectorXd shares_;
+};
 
 /// Explores a hand along its principal motion directions: two axes as a pad to drag in, the
 /// postures that were captured or recorded as dots, what the directions hold of the

@@ -1,6 +1,6 @@
 #include "features/glove/pmd_pad.h"
 
-#include "widgets/style/glove_colors.h"
+#include "widgets/style/theme.h"
 
 #include <QMouseEvent>
 #include <QPainter>

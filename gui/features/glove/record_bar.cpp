@@ -1,22 +1,42 @@
 #include "features/glove/record_bar.h"
 
-#include "features/glove/recording_file.h"
 #include "handway/device/glove/glove_layout.h"
-#include "widgets/style/glove_colors.h"
+#include "handway/geometric/io/input_error.h"
 #include "widgets/style/icons.h"
+#include "widgets/style/theme.h"
 
 #include <QDateTime>
+#include <QDir>
+#include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QStandardPaths>
+#include <QString>
 #include <QVariant>
 
 #include <exception>
 
 namespace handway::gui {
+
+std::filesystem::path new_recording_file(const std::filesystem::path& folder) {
+  const QString stem = QDir(QString::fromStdString(folder.string()))
+                           .filePath(QDateTime::currentDateTime().toString(
+                               QStringLiteral("'glove-'yyyyMMdd-HHmmss")));
+  QFile file(stem + QStringLiteral(".csv"));
+  for (int i = 2; !file.open(QIODevice::WriteOnly | QIODevice::NewOnly); ++i) {
+    if (!file.exists()) {
+      throw geometric::InputError({file.fileName().toStdString(), "",
+                                   file.errorString().toStdString(), "a file that can be written",
+                                   "Look whether the folder is full or locked"});
+    }
+    file.setFileName(QStringLiteral("%1-%2.csv").arg(stem).arg(i));
+  }
+  return file.fileName().toStdString();
+}
+
 namespace {
 
 using device::StreamState;

@@ -12,6 +12,11 @@ class QPushButton;
 
 namespace handway::gui {
 
+/// A new, empty file in `folder`, named by the time. Nothing else gets it: another window that
+/// begins to record in the same second has a file of its own.
+/// @throws handway::geometric::InputError if none can be made.
+[[nodiscard]] std::filesystem::path new_recording_file(const std::filesystem::path& folder);
+
 /// Records what comes from the glove. Rows go to a file in the user's data folder as they come;
 /// when the recording is stopped it is moved to where the person wants it, or stays there.
 class RecordBar : public QWidget {

@@ -1,26 +1,159 @@
 #include "features/grasping/grasp_tool.h"
 
-#include "features/editing/scene_editing.h"
-#include "features/grasping/grasp_card.h"
+#include "handway/geometric/math/units.h"
 #include "model/document/document.h"
+#include "model/document/scene_editor.h"
 #include "model/planning/planning_session.h"
 #include "view3d/scene_view.h"
+#include "widgets/style/icons.h"
+
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPushButton>
+#include <QToolButton>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+#include <QVariant>
 
 #include <exception>
 #include <utility>
 
 namespace handway::gui {
+namespace {
 
-GraspTool::GraspTool(Document& document, SceneEditing& editing, PlanningSession& session,
+constexpr int kWidth = 290;
+constexpr int kMargin = 12;
+constexpr int kRankWidth = 26;
+
+QStringList row_texts(int rank, const planning::Pregrasp& grasp) {
+  return {QString::number(rank), QString::number(grasp.fingers),
+          QObject::tr("%1 %").arg(100.0 * grasp.enclosure, 0, 'f', 0),
+          QObject::tr("%1 mm").arg(geometric::millimetres(grasp.clearance), 0, 'f', 0),
+          QString::number(grasp.score, 'f', 2)};
+}
+
+QString row_tip(const planning::Pregrasp& grasp) {
+  return QObject::tr(
+             "%1 from the hand's principal motion directions, arm travel %2 (normalised joints)")
+      .arg(grasp.subspace_distance, 0, 'f', 2)
+      .arg(grasp.arm_travel, 0, 'f', 2);
+}
+
+}  // namespace
+
+GraspCard::GraspCard(QWidget* host)
+    : FloatingCard(host),
+      title_(new QLabel),
+      note_(new QLabel),
+      list_(new QTreeWidget),
+      plan_(new QPushButton(tr("Plan to this grasp"))) {
+  setProperty("role", "offer");
+  setObjectName(QStringLiteral("grasps"));
+  title_->setProperty("role", "heading");
+  note_->setProperty("role", "note");
+  note_->setObjectName(QStringLiteral("grasp_note"));
+  note_->setWordWrap(true);
+  list_->setObjectName(QStringLiteral("grasp_list"));
+  list_->setFrameShape(QFrame::NoFrame);
+  list_->setRootIsDecorated(false);
+  list_->setUniformRowHeights(true);
+  list_->setHeaderLabels({QString(), tr("Fingers"), tr("Around"), tr("Clear"), tr("Score")});
+  list_->header()->setStretchLastSection(false);
+  list_->header()->setMinimumSectionSize(kRankWidth);
+  list_->header()->setSectionResizeMode(QHeaderView::Stretch);
+  list_->header()->setSectionResizeMode(0, QHeaderView::Fixed);
+  list_->header()->resizeSection(0, kRankWidth);
+  const QStringList words{tr("Rank"), tr("Fingers that are near the object"),
+                          tr("How far thumb and fingers are on opposite sides of it"),
+                          tr("Distance of robot and hand to everything else, up to 50 mm"),
+                          tr("What they are ranked by, from 0 to 1")};
+  for (int column = 0; column < words.size(); ++column) {
+    list_->headerItem()->setToolTip(column, words[column]);
+  }
+  plan_->setObjectName(QStringLiteral("grasp_plan"));
+  plan_->setProperty("role", "primary");
+  plan_->setToolTip(tr("Take it for the goal and plan"));
+  auto* close = new QToolButton;
+  close->setObjectName(QStringLiteral("grasp_close"));
+  close->setIcon(icon("close"));
+  close->setAutoRaise(true);
+  close->setToolTip(tr("Leave the goal as it is"));
+  connect(close, &QToolButton::clicked, this, [this] {
+    hide();
+    emit closed();
+  });
+  connect(list_, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
+    const int row = list_->indexOfTopLevelItem(item);
+    plan_->setEnabled(row >= 0);
+    if (row >= 0) {
+      emit looked_at(row);
+    }
+  });
+  connect(list_, &QTreeWidget::itemDoubleClicked, plan_, &QPushButton::click);
+  connect(plan_, &QPushButton::clicked, this, [this] {
+    hide();
+    emit chosen(list_->indexOfTopLevelItem(list_->currentItem()));
+  });
+  auto* header = new QHBoxLayout;
+  header->addWidget(title_, 1);
+  header->addWidget(close, 0, Qt::AlignTop);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(12, 6, 8, 10);
+  layout->setSpacing(6);
+  layout->addLayout(header);
+  layout->addWidget(note_);
+  layout->addWidget(list_, 1);
+  layout->addWidget(plan_);
+}
+
+void GraspCard::show_search(const QString& object) {
+  set_up(tr("Grasp %1").arg(object), tr("Looking for ways to grasp it…"), false);
+}
+
+void GraspCard::show_grasps(const QString& object, const std::vector<planning::Pregrasp>& grasps) {
+  if (grasps.empty()) {
+    show_failure(object, tr("No way to grasp it was found: it is too large for the hand, out of "
+                            "reach, or other things are too close."));
+    return;
+  }
+  list_->clear();
+  for (std::size_t i = 0; i < grasps.size(); ++i) {
+    auto* row = new QTreeWidgetItem(list_, row_texts(static_cast<int>(i) + 1, grasps[i]));
+    for (int column = 0; column < list_->columnCount(); ++column) {
+      row->setToolTip(column, row_tip(grasps[i]));
+      row->setTextAlignment(column, column == 0 ? Qt::AlignRight : Qt::AlignHCenter);
+    }
+  }
+  set_up(tr("Grasp %1").arg(object), tr("The best first; the ghost shows the one chosen."), true);
+  list_->setCurrentItem(list_->topLevelItem(0));
+}
+
+void GraspCard::show_failure(const QString& object, const QString& reason) {
+  set_up(tr("Grasp %1").arg(object), reason, false);
+}
+
+void GraspCard::set_up(const QString& title, const QString& note, bool with_list) {
+  title_->setText(title);
+  note_->setText(note);
+  list_->setVisible(with_list);
+  plan_->setVisible(with_list);
+  appear();
+}
+
+void GraspCard::place() {
+  const int height = list_->isVisibleTo(this) ? 336 : layout()->heightForWidth(kWidth);
+  setGeometry(parentWidget()->width() - kWidth - kMargin, kMargin, kWidth, height);
+}
+
+GraspTool::GraspTool(Document& document, SceneEditor& editor, PlanningSession& session,
                      SceneView& view, QObject* parent)
     : QObject(parent),
       document_(document),
-      editing_(editing),
-      editor_(editing.editor()),
+      editor_(editor),
       session_(session),
       view_(view),
       card_(new GraspCard(&view)) {
-  connect(editing.actions().grasp, &QAction::triggered, this, &GraspTool::begin);
   connect(&document_, &Document::opened, this, &GraspTool::end);
   connect(&document_, &Document::edited, this, [this](const SceneState& before) {
     if (before.scene != document_.scene()) {
@@ -39,7 +172,7 @@ void GraspTool::begin() {
   if (!object || !document_.problem()) {
     return;
   }
-  editing_.show_handles(false);  // they would hide the fingers
+  emit handles_welcome(false);
   card_->show_search(QString::fromStdString(object->name));
   job_.run([this, name = object->name,
             problem = document_.problem()](const std::stop_token& stop) -> LatestJob::Answer {
@@ -65,7 +198,7 @@ void GraspTool::begin() {
 void GraspTool::end() {
   job_.cancel();
   card_->hide();
-  editing_.show_handles(true);
+  emit handles_welcome(true);
   if (!std::exchange(grasps_, {}).value.empty() && document_.robot()) {
     view_.preview_ghost(false, document_.scene()->goal);
   }

@@ -2,21 +2,52 @@
 
 #include "handway/planning/core/revision.h"
 #include "handway/planning/grasps/pregrasp_search.h"
-#include "model/jobs/latest_job.h"
+#include "model/jobs/background.h"
+#include "widgets/panels/floating_card.h"
 
 #include <QObject>
 
 #include <string>
 #include <vector>
 
+class QLabel;
+class QPushButton;
+class QTreeWidget;
+
 namespace handway::gui {
 
 class Document;
-class GraspCard;
 class PlanningSession;
-class SceneEditing;
 class SceneEditor;
 class SceneView;
+
+/// Floats in a corner of the view: ways to grasp an object, the best first, to choose from.
+class GraspCard : public FloatingCard {
+  Q_OBJECT
+
+ public:
+  explicit GraspCard(QWidget* host);
+
+  void show_search(const QString& object);
+  void show_grasps(const QString& object, const std::vector<planning::Pregrasp>& grasps);
+  void show_failure(const QString& object, const QString& reason);
+
+ signals:
+  /// The row that is looked at.
+  void looked_at(int index);
+  /// Plan to this one.
+  void chosen(int index);
+  void closed();
+
+ private:
+  void set_up(const QString& title, const QString& note, bool with_list);
+  void place() override;
+
+  QLabel* title_;
+  QLabel* note_;
+  QTreeWidget* list_;
+  QPushButton* plan_;
+};
 
 /// From an object to a plan: finds pre-grasps in the background, shows them as ghosts of the goal,
 /// and plans to the one that is chosen.
@@ -25,7 +56,7 @@ class GraspTool : public QObject {
 
  public:
   /// All outlive it. The card floats over the view.
-  GraspTool(Document& document, SceneEditing& editing, PlanningSession& session, SceneView& view,
+  GraspTool(Document& document, SceneEditor& editor, PlanningSession& session, SceneView& view,
             QObject* parent = nullptr);
 
   /// Looks for ways to grasp the selected object.
@@ -33,12 +64,16 @@ class GraspTool : public QObject {
   [[nodiscard]] bool is_busy() const { return job_.is_busy(); }
   [[nodiscard]] const std::vector<planning::Pregrasp>& grasps() const { return grasps_.value; }
 
+ signals:
+  /// Whether there is room in the view for the handles of what is selected: they would hide the
+  /// fingers.
+  void handles_welcome(bool welcome);
+
  private:
   void end();
   void choose(int index);
 
   Document& document_;
-  SceneEditing& editing_;
   SceneEditor& editor_;
   PlanningSession& session_;
   SceneView& view_;

@@ -1,11 +1,27 @@
 #pragma once
 
+#include "handway/planning/core/algorithm_observer.h"
+
+#include <QString>
 #include <QWidget>
+
+#include <span>
+#include <string_view>
 
 class QLabel;
 class QPlainTextEdit;
 
 namespace handway::gui {
+
+/// Algorithms 1 to 4 of the paper (sections 5.1 to 5.3), its lines in other words.
+struct AlgorithmListing {
+  int algorithm;
+  const char* title;                        ///< "SampleArm(step, ρₐ)"
+  std::span<const std::string_view> lines;  ///< Line 1 first, indented by two spaces a level.
+};
+
+/// @pre algorithm is 1 to 4.
+[[nodiscard]] const AlgorithmListing& algorithm_listing(int algorithm);
 
 /// One of the paper's listings with its line numbers, one line marked.
 class ListingView : public QWidget {

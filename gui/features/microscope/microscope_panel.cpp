@@ -1,19 +1,18 @@
 #include "features/microscope/microscope_panel.h"
 
 #include "features/microscope/listing_view.h"
-#include "features/microscope/step_text.h"
-#include "features/planning/plan_panel.h"
 #include "model/document/document.h"
+#include "model/planning/path_history.h"
+#include "model/planning/plan_settings.h"
+#include "view3d/roadmap_node.h"
 #include "view3d/scene_view.h"
-#include "view3d/steps_node.h"
-#include "widgets/panels/result_text.h"
 #include "widgets/style/icons.h"
 
-#include <Inventor/nodes/SoSeparator.h>
 #include <QComboBox>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QObject>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSlider>
@@ -23,6 +22,106 @@
 #include <algorithm>
 
 namespace handway::gui {
+namespace {
+
+namespace lines = planning::algorithm_lines;
+using planning::AlgorithmStep;
+
+QString node_name(int node) {
+  return node == 0   ? QObject::tr("the start")
+         : node == 1 ? QObject::tr("the goal")
+                     : QObject::tr("node %1").arg(node);
+}
+
+QString percent(double position) {
+  return QObject::tr("%1 % of the arm segment").arg(100.0 * position, 0, 'f', 0);
+}
+
+QString edge_text(const AlgorithmStep& step, const QString& text) {
+  QString whole = text.arg(node_name(step.from), node_name(step.to));
+  whole.replace(0, 1, whole.front().toUpper());
+  return whole;
+}
+
+QString arm_text(const AlgorithmStep& step, bool has_sample) {
+  if (!has_sample) {
+    return QObject::tr("No configuration of the arm reaches the drawn pose of the tool.");
+  }
+  return step.yes
+             ? QObject::tr("The arm drawn at %1 is free of itself.").arg(percent(step.position))
+             : QObject::tr("The arm drawn at %1 touches itself: drawn again.")
+                   .arg(percent(step.position));
+}
+
+QString hand_text(const RecordedRun& run, const AlgorithmStep& step) {
+  const QString axes = step.count == 1 ? QObject::tr("The hand drawn on one axis")
+                                       : QObject::tr("The hand drawn on %1 axes").arg(step.count);
+  if (step.yes) {
+    return QObject::tr("%1 is free: a sample.").arg(axes);
+  }
+  const auto& [a, b] = run.pairs[static_cast<std::size_t>(step.pair)];
+  if (b.empty()) {
+    return QObject::tr("%1 is refused: it violates constraint %2.")
+        .arg(axes, QString::fromStdString(a));
+  }
+  return QObject::tr("%1 is refused: %2 touches %3.")
+      .arg(axes, QString::fromStdString(a), QString::fromStdString(b));
+}
+
+}  // namespace
+
+QString step_text(const RecordedRun& run, std::size_t index) {
+  const RecordedStep& recorded = run.steps[index];
+  const AlgorithmStep& step = recorded.step;
+  if (step.line == lines::kArmFree) {
+    return arm_text(step, recorded.sample >= 0);
+  }
+  if (step.line == lines::kNoArm) {
+    return QObject::tr("All draws for the arm are spent: the next try.");
+  }
+  if (step.line == lines::kHandFreeOfSelf || step.line == lines::kHandFree) {
+    return hand_text(run, step);
+  }
+  if (step.line == lines::kAddNode) {
+    return step.from <= 1 ? QObject::tr("The roadmap begins with %1.").arg(node_name(step.from))
+                          : QObject::tr("The sample becomes %1.").arg(node_name(step.from));
+  }
+  if (step.line == lines::kNeighbours) {
+    return (step.count == 1 ? QObject::tr("%1 has one neighbour near enough.")
+                            : QObject::tr("%1 has %2 neighbours near enough.")
+                                  .arg(QStringLiteral("%1"))
+                                  .arg(step.count))
+        .arg(node_name(step.from).replace(0, 1, QLatin1Char('N')));
+  }
+  if (step.line == lines::kSameComponent) {
+    return edge_text(step, QObject::tr("%1 and %2 are joined already: no edge is needed."));
+  }
+  if (step.line == lines::kLocalPlan) {
+    return edge_text(step, step.yes ? QObject::tr("%1 to %2: the straight way is free.")
+                                    : QObject::tr("%1 to %2: something is in the way."));
+  }
+  if (step.line == lines::kAddEdge) {
+    return edge_text(step, QObject::tr("%1 and %2 get an edge."));
+  }
+  if (step.line == lines::kWiden) {
+    return QObject::tr("Another pass along the arm segment, with hypercubes of ±%1.")
+        .arg(step.rho_a, 0, 'g', 3);
+  }
+  if (step.line == lines::kHypercube) {
+    return QObject::tr("The hypercube at %1 is next.").arg(percent(step.position));
+  }
+  if (step.line == lines::kJoined) {
+    return step.yes ? QObject::tr("Start and goal are joined: there is a path.")
+                    : QObject::tr("Start and goal are not joined yet.");
+  }
+  if (step.line == lines::kSearchRange) {
+    return QObject::tr("From now on only from %1 % to %2 % of the arm segment is searched.")
+        .arg(100.0 * step.position, 0, 'f', 0)
+        .arg(100.0 * step.range_end, 0, 'f', 0);
+  }
+  return QObject::tr("The search ends without a path.");
+}
+
 namespace {
 
 constexpr int kMain = 4;           // the algorithm that calls the others
@@ -39,11 +138,10 @@ int calling_line(int algorithm) {
 
 }  // namespace
 
-MicroscopePanel::MicroscopePanel(Document& document, const planning::PlannerRegistry& planners,
-                                 PlanPanel& planning, SceneView& view, QWidget* parent)
+MicroscopePanel::MicroscopePanel(Document& document, PlanSettings& planning, SceneView& view,
+                                 QWidget* parent)
     : QWidget(parent),
       document_(document),
-      planners_(planners),
       planning_(planning),
       view_(view),
       record_(new QPushButton(tr("Record a run"))),
@@ -193,7 +291,7 @@ std::shared_ptr<planning::Planner> MicroscopePanel::make_planner() const {
   const geometric::PlannerChoice choice = planning_.choice();
   const bool tells_steps = choice.name == kPlanner || choice.name == kFullPlanner;
   std::shared_ptr<planning::Planner> planner =
-      planners_.create(tells_steps ? choice.name : kPlanner);
+      planning_.registry().create(tells_steps ? choice.name : kPlanner);
   if (tells_steps) {
     for (const auto& [key, value] : choice.settings) {
       planning::set_from_text(planning::find_parameter(planner->parameters(), key), value);
@@ -285,7 +383,7 @@ void MicroscopePanel::show_step() {
     caller_->show_line(kMain, calling_line(line.algorithm), true);
     called_->show_line(line.algorithm, line.line, false);
   }
-  view_.set_overlay(Overlay::kSteps, make_steps_node(microscope_).get());
+  view_.set_overlay(Overlay::kSteps, make_steps_node(microscope_));
   if (recorded.sample >= 0) {
     emit taken();
     document_.set_configuration(run->samples[static_cast<std::size_t>(recorded.sample)]);

@@ -3,6 +3,7 @@
 #include "handway/planning/core/planner_registry.h"
 #include "model/planning/microscope.h"
 
+#include <QString>
 #include <QTimer>
 #include <QWidget>
 
@@ -16,8 +17,11 @@ namespace handway::gui {
 
 class Document;
 class ListingView;
-class PlanPanel;
+class PlanSettings;
 class SceneView;
+
+/// What a line found, in a sentence. @pre index is one of the run's steps.
+[[nodiscard]] QString step_text(const RecordedRun& run, std::size_t index);
 
 /// The algorithm microscope: records a run of the paper's planner and replays it line by line,
 /// with the sample in question as the robot on screen and the roadmap as it was.
@@ -26,8 +30,8 @@ class MicroscopePanel : public QWidget {
 
  public:
   /// All outlive it. @param planning whose planner, settings and seed are taken.
-  MicroscopePanel(Document& document, const planning::PlannerRegistry& planners,
-                  PlanPanel& planning, SceneView& view, QWidget* parent = nullptr);
+  MicroscopePanel(Document& document, PlanSettings& planning, SceneView& view,
+                  QWidget* parent = nullptr);
 
   [[nodiscard]] Microscope& microscope() { return microscope_; }
   [[nodiscard]] QSize sizeHint() const override { return {640, 270}; }
@@ -54,8 +58,7 @@ class MicroscopePanel : public QWidget {
   [[nodiscard]] std::shared_ptr<planning::Planner> make_planner() const;
 
   Document& document_;
-  const planning::PlannerRegistry& planners_;
-  PlanPanel& planning_;
+  PlanSettings& planning_;
   SceneView& view_;
   Microscope microscope_;
   QPushButton* record_;

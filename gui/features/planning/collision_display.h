@@ -2,15 +2,26 @@
 
 #include "model/document/collision_monitor.h"
 
+#include <QLabel>
 #include <QObject>
 
 class QAction;
 
 namespace handway::gui {
 
-class CollisionLabel;
 class Document;
 class SceneView;
+
+/// "in collision: A with B", or how far the closest bodies are apart.
+class CollisionLabel : public QLabel {
+  Q_OBJECT
+
+ public:
+  explicit CollisionLabel(QWidget* parent = nullptr);
+
+  void show_report(const CollisionReport& report);
+  void show_nothing();
+};
 
 /// Watches the document's posture: colliding bodies are red in the view, and named in a label; a
 /// line shows where the closest bodies are closest.

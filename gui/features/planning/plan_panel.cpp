@@ -1,6 +1,7 @@
 #include "features/planning/plan_panel.h"
 
 #include "features/planning/preset_bar.h"
+#include "model/planning/planning_session.h"
 #include "widgets/forms/parameter_form.h"
 #include "widgets/panels/result_text.h"
 #include "widgets/style/icons.h"
@@ -20,9 +21,9 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
-#include <thread>
 
 namespace handway::gui {
 namespace {
@@ -37,9 +38,9 @@ QLabel* make_heading(const QString& text) {
 
 }  // namespace
 
-PlanPanel::PlanPanel(const planning::PlannerRegistry& registry, QWidget* parent)
+PlanPanel::PlanPanel(PlanSettings& settings, QWidget* parent)
     : QWidget(parent),
-      registry_(registry),
+      settings_(settings),
       planners_(new QComboBox),
       description_(new QLabel),
       seed_(new QSpinBox),
@@ -48,7 +49,7 @@ PlanPanel::PlanPanel(const planning::PlannerRegistry& registry, QWidget* parent)
       time_limit_(new QDoubleSpinBox),
       margin_(new QDoubleSpinBox),
       threads_(new QSpinBox),
-      presets_(new PresetBar(registry)),
+      presets_(new PresetBar(settings.registry())),
       modified_(new QLabel(tr("modified"))),
       reset_(new QPushButton(tr("Reset"))),
       form_place_(new QVBoxLayout),
@@ -68,23 +69,76 @@ PlanPanel::PlanPanel(const planning::PlannerRegistry& registry, QWidget* parent)
   layout->addWidget(make_settings(), 1);
   layout->addWidget(make_actions());
 
-  for (const std::string& name : registry_.names()) {
-    const auto planner = registry_.create(name);
+  const planning::PlannerRegistry& registry = settings_.registry();
+  for (const std::string& name : registry.names()) {
+    const auto planner = registry.create(name);
     planners_->addItem(QString::fromStdString(name), planner->capabilities().needs_basis);
   }
-  connect(planners_, &QComboBox::currentTextChanged, this,
-          [this](const QString& name) { use_planner(name.toStdString()); });
+  show_request();
+  connect_settings();
   connect(reset_, &QPushButton::clicked, presets_, &PresetBar::restore);
   connect(presets_, &PresetBar::applied, this, [this] { rebuild_form(false); });
-  connect(presets_, &PresetBar::changed, this, &PlanPanel::show_modified);
+  connect(presets_, &PresetBar::changed, this, [this] {
+    settings_.set_preset(presets_->words());
+    show_modified();
+  });
   connect(plan_, &QPushButton::clicked, this, &PlanPanel::plan_requested);
   connect(cancel_, &QPushButton::clicked, this, &PlanPanel::cancel_requested);
-  set_usual_planner({});
-  set_threads(0);
-  if (planners_->count() > 0) {
-    use_planner(planners_->currentText().toStdString());
+  if (settings_.planner()) {
+    rebuild_form(true);
   }
   end_run();
+}
+
+void PlanPanel::connect_settings() {
+  const auto changed = qOverload<double>(&QDoubleSpinBox::valueChanged);
+  const auto counted = qOverload<int>(&QSpinBox::valueChanged);
+  connect(planners_, &QComboBox::currentTextChanged, &settings_,
+          [this](const QString& name) { settings_.use_planner(name.toStdString()); });
+  connect(seed_, counted, &settings_,
+          [this](int seed) { settings_.set_seed(static_cast<std::uint64_t>(seed)); });
+  connect(seeds_, counted, &settings_, &PlanSettings::set_seeds);
+  connect(merit_, qOverload<int>(&QComboBox::currentIndexChanged), &settings_,
+          [this] { settings_.set_merit(static_cast<PathMerit>(merit_->currentData().toInt())); });
+  connect(time_limit_, changed, &settings_, &PlanSettings::set_time_limit);
+  connect(margin_, changed, &settings_, &PlanSettings::set_margin);
+  connect(threads_, counted, &settings_, &PlanSettings::set_threads);
+  connect(optimize_limit_, changed, &settings_, &PlanSettings::set_optimize_limit);
+  connect(&settings_, &PlanSettings::planner_changed, this, &PlanPanel::rebuild_form);
+  connect(&settings_, &PlanSettings::request_changed, this, &PlanPanel::show_request);
+}
+
+void PlanPanel::show_request() {
+  // Shown, not entered: a field rounds, and the settings shall not.
+  const std::array quiet{QSignalBlocker(seed_),          QSignalBlocker(seeds_),
+                         QSignalBlocker(merit_),         QSignalBlocker(time_limit_),
+                         QSignalBlocker(margin_),        QSignalBlocker(threads_),
+                         QSignalBlocker(optimize_limit_)};
+  const planning::PlanRequest& request = settings_.request();
+  seed_->setValue(static_cast<int>(request.seed));
+  seeds_->setValue(settings_.seeds());
+  merit_->setCurrentIndex(merit_->findData(static_cast<int>(settings_.merit())));
+  time_limit_->setValue(std::isfinite(request.time_limit_s) ? request.time_limit_s : 0.0);
+  margin_->setValue(request.margin_mm);
+  threads_->setValue(request.threads);
+  const double limit = settings_.optimize_limit();
+  optimize_limit_->setValue(std::isfinite(limit) ? limit : 0.0);
+  show_whether_several();
+}
+
+void PlanPanel::follow(PlanningSession& session) {
+  connect(this, &PlanPanel::plan_requested, &session, &PlanningSession::start);
+  connect(this, &PlanPanel::optimize_requested, &session, &PlanningSession::optimize);
+  connect(this, &PlanPanel::cancel_requested, &session, &PlanningSession::cancel);
+  connect(&session, &PlanningSession::forgotten, result_, &QLabel::clear);
+  connect(&session, &PlanningSession::started, this, &PlanPanel::show_running);
+  connect(&session, &PlanningSession::progressed, this, &PlanPanel::show_progress);
+  connect(&session, &PlanningSession::seeds_done, this, &PlanPanel::show_seeds);
+  connect(&session, &PlanningSession::optimizing_started, this, &PlanPanel::show_optimizing);
+  connect(&session, &PlanningSession::optimized_further, this, &PlanPanel::show_optimize_progress);
+  connect(&session, &PlanningSession::result_found, this, &PlanPanel::show_result);
+  connect(&session, &PlanningSession::replanned, this, &PlanPanel::show_replanned);
+  connect(&session, &PlanningSession::failed, this, &PlanPanel::show_failure);
 }
 
 QWidget* PlanPanel::make_settings() {
@@ -93,13 +147,11 @@ QWidget* PlanPanel::make_settings() {
   description_->setWordWrap(true);
   description_->setProperty("role", "note");
   seed_->setRange(0, std::numeric_limits<int>::max());
-  seed_->setValue(1);
   seed_->setObjectName(QStringLiteral("seed"));
   seed_->setToolTip(tr("The same seed gives the same path, on any number of threads"));
   time_limit_->setObjectName(QStringLiteral("time_limit"));
   time_limit_->setRange(0.0, 86400.0);
   time_limit_->setDecimals(1);
-  time_limit_->setValue(300.0);
   time_limit_->setSuffix(tr(" s"));
   time_limit_->setSpecialValueText(tr("none"));
   time_limit_->setToolTip(tr("Give up after this time"));
@@ -167,7 +219,6 @@ QWidget* PlanPanel::make_seeds() {
   for (const PathMerit merit : kPathMerits) {
     merit_->addItem(tr("the %1").arg(superlative(merit)), static_cast<int>(merit));
   }
-  connect(seeds_, qOverload<int>(&QSpinBox::valueChanged), this, &PlanPanel::show_whether_several);
   auto* row = new QWidget;
   auto* layout = new QHBoxLayout(row);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -216,7 +267,6 @@ QWidget* PlanPanel::make_actions() {
 }
 
 QWidget* PlanPanel::make_optimizing() {
-  constexpr double kUsual = 10.0;
   optimize_->setObjectName(QStringLiteral("optimize"));
   optimize_->setToolTip(
       tr("Make the path better for the objective above, until nothing more is to be gained, it is "
@@ -224,7 +274,6 @@ QWidget* PlanPanel::make_optimizing() {
   optimize_limit_->setObjectName(QStringLiteral("optimize_limit"));
   optimize_limit_->setRange(0.0, 86400.0);
   optimize_limit_->setDecimals(1);
-  optimize_limit_->setValue(kUsual);
   optimize_limit_->setPrefix(tr("for "));
   optimize_limit_->setSuffix(tr(" s"));
   optimize_limit_->setSpecialValueText(tr("until stopped"));
@@ -241,18 +290,6 @@ QWidget* PlanPanel::make_optimizing() {
 
 void PlanPanel::set_optimizable(bool optimizable) { optimizing_->setVisible(optimizable); }
 
-double PlanPanel::optimize_limit() const {
-  return optimize_limit_->value() > 0.0 ? optimize_limit_->value()
-                                        : std::numeric_limits<double>::infinity();
-}
-
-void PlanPanel::use_planner(const std::string& name) {
-  planner_ = registry_.create(name);
-  const QSignalBlocker quiet(planners_);
-  planners_->setCurrentText(QString::fromStdString(planner_->name()));
-  rebuild_form(true);
-}
-
 void PlanPanel::show_planners_that_serve(bool has_basis) {
   auto* items = qobject_cast<QStandardItemModel*>(planners_->model());
   for (int i = 0; i < planners_->count(); ++i) {
@@ -263,11 +300,14 @@ void PlanPanel::show_planners_that_serve(bool has_basis) {
   }
 }
 
-void PlanPanel::rebuild_form(bool anew) {
-  description_->setText(QString::fromStdString(planner_->description()));
+void PlanPanel::rebuild_form(bool from_defaults) {
+  planning::Planner& planner = *settings_.planner();
+  const QSignalBlocker quiet(planners_);
+  planners_->setCurrentText(QString::fromStdString(planner.name()));
+  description_->setText(QString::fromStdString(planner.description()));
   show_whether_several();
   delete form_;
-  std::vector<planning::Parameter> parameters = planner_->parameters();
+  std::vector<planning::Parameter> parameters = planner.parameters();
   std::ranges::stable_partition(parameters, [](const planning::Parameter& parameter) {
     return parameter.key == "objective" || parameter.key.starts_with("weight_");
   });
@@ -275,34 +315,10 @@ void PlanPanel::rebuild_form(bool anew) {
   form_place_->addWidget(form_);
   connect(form_, &ParameterForm::edited, this, [this] {
     presets_->look_again();
-    emit settings_changed();
+    settings_.announce_parameters();
   });
-  presets_->show_planner(*planner_, anew);
-  emit settings_changed();
-}
-
-void PlanPanel::apply(const geometric::PlannerChoice& choice) {
-  if (planners_->count() == 0) {
-    return;
-  }
-  use_planner(choice.name.empty() ? usual_planner_ : choice.name);
-  for (const auto& [key, value] : choice.settings) {
-    set_from_text(find_parameter(planner_->parameters(), key), value);
-  }
-  rebuild_form(true);
-}
-
-void PlanPanel::choose_planner(const std::string& name) {
-  if (!planner_ || planner_->name() != planning::PlannerRegistry::current_name(name)) {
-    use_planner(name);
-  }
-}
-
-void PlanPanel::set_parameter(const std::string& key, const std::string& value) {
-  if (planner_) {
-    set_from_text(find_parameter(planner_->parameters(), key), value);
-    rebuild_form(false);
-  }
+  presets_->show_planner(planner, from_defaults);
+  settings_.announce_parameters();
 }
 
 void PlanPanel::enter(const char* key, double value) {
@@ -318,84 +334,15 @@ void PlanPanel::enter(const char* key, double value) {
 
 void PlanPanel::add_section(QWidget* section) { sections_->addWidget(section); }
 
-void PlanPanel::set_seed(std::uint64_t seed) { seed_->setValue(static_cast<int>(seed)); }
-
-void PlanPanel::restore(const planning::PlanRequest& request) {
-  set_seed(request.seed);
-  set_seeds(1);
-  time_limit_->setValue(std::isfinite(request.time_limit_s) ? request.time_limit_s : 0.0);
-  margin_->setValue(request.margin_mm);
-}
-
-void PlanPanel::set_seeds(int seeds) { seeds_->setValue(seeds); }
-
-int PlanPanel::seeds() const { return seeds_->value(); }
-
-PathMerit PlanPanel::merit() const { return static_cast<PathMerit>(merit_->currentData().toInt()); }
-
 void PlanPanel::show_whether_several() {
-  const bool several = seeds() > 1;
+  const bool several = settings_.seeds() > 1;
+  const auto& planner = settings_.planner();
   merit_->setEnabled(several);
-  threads_->setEnabled(several || (planner_ && planner_->capabilities().uses_threads));
-}
-
-std::vector<std::shared_ptr<planning::Planner>> PlanPanel::copies(int count) const {
-  std::vector<std::shared_ptr<planning::Planner>> copies;
-  for (int i = 0; i < count; ++i) {
-    std::shared_ptr<planning::Planner> copy = registry_.create(planner_->name());
-    const std::vector<planning::Parameter> parameters = copy->parameters();
-    for (const planning::Parameter& parameter : planner_->parameters()) {
-      set_from_text(find_parameter(parameters, parameter.key), planning::to_text(parameter));
-    }
-    copies.push_back(std::move(copy));
-  }
-  return copies;
-}
-
-void PlanPanel::set_usual_planner(const std::string& name) {
-  const std::vector<std::string> names = registry_.names();
-  const std::string current(planning::PlannerRegistry::current_name(name));
-  const bool known = std::ranges::find(names, current) != names.end();
-  usual_planner_ = known ? current : names.empty() ? std::string() : names.front();
-}
-
-void PlanPanel::set_threads(int threads) {
-  const unsigned processors = std::max(1U, std::thread::hardware_concurrency());
-  threads_->setValue(threads > 0 ? threads : static_cast<int>(processors));
-}
-
-void PlanPanel::set_time_limit(double seconds) { time_limit_->setValue(seconds); }
-
-planning::PlanRequest PlanPanel::request() const {
-  planning::PlanRequest request;
-  request.seed = static_cast<std::uint64_t>(seed_->value());
-  request.threads = threads_->value();
-  if (time_limit_->value() > 0.0) {
-    request.time_limit_s = time_limit_->value();
-  }
-  request.margin_mm = margin_->value();
-  return request;
-}
-
-geometric::PlannerChoice PlanPanel::choice() const {
-  geometric::PlannerChoice choice;
-  if (!planner_) {
-    return choice;
-  }
-  choice.name = planner_->name();
-  const std::unique_ptr<planning::Planner> fresh = registry_.create(choice.name);
-  const std::vector<planning::Parameter> usual = fresh->parameters();
-  for (const planning::Parameter& parameter : planner_->parameters()) {
-    std::string value = planning::to_text(parameter);
-    if (value != planning::to_text(planning::find_parameter(usual, parameter.key))) {
-      choice.settings.emplace_back(parameter.key, std::move(value));
-    }
-  }
-  return choice;
+  threads_->setEnabled(several || (planner && planner->capabilities().uses_threads));
 }
 
 void PlanPanel::set_ready(bool ready, const QString& why_not) {
-  ready_ = ready && planner_ != nullptr;
+  ready_ = ready && settings_.planner() != nullptr;
   plan_->setToolTip(ready ? tr("Find a path from start to goal (Ctrl+P)") : why_not);
   end_run();
 }
@@ -412,7 +359,7 @@ void PlanPanel::show_optimizing() {
   result_->setText(tr("Optimising…"));
 }
 
-void PlanPanel::show_optimizing(const OptimizeProgress& progress) {
+void PlanPanel::show_optimize_progress(const OptimizeProgress& progress) {
   const double done = std::isfinite(progress.limit_s) ? progress.seconds / progress.limit_s : 0.0;
   progress_->setRange(0, std::isfinite(progress.limit_s) ? 1000 : 0);  // 0: busy
   progress_->setValue(static_cast<int>(std::lround(1000.0 * std::min(1.0, done))));
@@ -470,9 +417,10 @@ void PlanPanel::show_progress(double fraction, const QString& activity) {
 }
 
 void PlanPanel::show_seeds(int done, int solved) {
-  progress_->setValue(1000 * done / seeds());
+  const int seeds = settings_.seeds();
+  progress_->setValue(1000 * done / seeds);
   result_->setText(
-      tr("Planning: %1 of %2 seeds done, %3 with a path…").arg(done).arg(seeds()).arg(solved));
+      tr("Planning: %1 of %2 seeds done, %3 with a path…").arg(done).arg(seeds).arg(solved));
 }
 
 void PlanPanel::show_result(const planning::PlanResult& result, const QString& note) {
@@ -481,8 +429,8 @@ void PlanPanel::show_result(const planning::PlanResult& result, const QString& n
   all_runs_->setVisible(true);
 }
 
-void PlanPanel::show_replanned(const planning::PlanResult& result, const QString& way) {
-  result_->setText(replanned_text(result, way));
+void PlanPanel::show_replanned(const planning::PlanResult& result, const QString& origin) {
+  result_->setText(replanned_text(result, origin));
 }
 
 void PlanPanel::show_validity(const QString& reason) {
@@ -495,7 +443,5 @@ void PlanPanel::show_failure(const QString& message) {
   end_run();
   result_->setText(failure_text(message));
 }
-
-void PlanPanel::clear_result() { result_->clear(); }
 
 }  // namespace handway::gui

@@ -1,20 +1,18 @@
 #include "features/planning/planning_views.h"
 
 #include "features/planning/frontier_display.h"
-#include "features/planning/hypercube_display.h"
-#include "features/planning/projection_panel.h"
 #include "features/planning/projection_tool.h"
 #include "features/planning/region_tool.h"
 #include "features/planning/roadmap_display.h"
 
 namespace handway::gui {
 
-PlanningViews::PlanningViews(Document& document, PathPlayer& player, PlanPanel& panel,
-                             SceneView& view)
+PlanningViews::PlanningViews(Document& document, PathPlayer& player, PlanSettings& settings,
+                             PlanPanel& panel, SceneView& view)
     : document_(document),
-      panel_(panel),
+      settings_(settings),
       view_(view),
-      region_(std::make_unique<RegionTool>(document, panel, view)),
+      region_(std::make_unique<RegionTool>(document, settings, panel, view)),
       projection_(std::make_unique<ProjectionTool>(document, player)) {}
 
 PlanningViews::~PlanningViews() = default;
@@ -22,7 +20,7 @@ PlanningViews::~PlanningViews() = default;
 void PlanningViews::follow(PlanningSession& session, QAction& roadmap_shown,
                            QAction& hypercubes_shown) {
   hypercubes_ =
-      std::make_unique<HypercubeDisplay>(document_, panel_, session, view_, hypercubes_shown);
+      std::make_unique<HypercubeDisplay>(document_, settings_, session, view_, hypercubes_shown);
   roadmap_ = std::make_unique<RoadmapDisplay>(session, view_, roadmap_shown, *hypercubes_,
                                               hypercubes_shown);
   frontier_ = std::make_unique<FrontierDisplay>(document_, session, view_);

@@ -14,6 +14,7 @@ class FrontierDisplay;
 class HypercubeDisplay;
 class PathPlayer;
 class PlanPanel;
+class PlanSettings;
 class PlanningSession;
 class ProjectionTool;
 class RegionTool;
@@ -27,7 +28,8 @@ class PlanningViews : public QObject {
 
  public:
   /// All outlive it.
-  PlanningViews(Document& document, PathPlayer& player, PlanPanel& panel, SceneView& view);
+  PlanningViews(Document& document, PathPlayer& player, PlanSettings& settings, PlanPanel& panel,
+                SceneView& view);
   ~PlanningViews() override;
 
   /// @param roadmap_shown, hypercubes_shown switches. All outlive it.
@@ -44,7 +46,7 @@ class PlanningViews : public QObject {
 
  private:
   Document& document_;
-  PlanPanel& panel_;
+  PlanSettings& settings_;
   SceneView& view_;
   std::unique_ptr<RegionTool> region_;
   std::unique_ptr<ProjectionTool> projection_;

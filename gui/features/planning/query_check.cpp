@@ -1,12 +1,134 @@
 #include "features/planning/query_check.h"
 
-#include "features/planning/doctor_card.h"
-#include "features/postures/posing.h"
 #include "model/document/document.h"
 #include "model/document/scene_editor.h"
+#include "model/playback/posing.h"
 #include "view3d/scene_view.h"
+#include "widgets/style/icons.h"
+#include "widgets/style/theme.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QStringList>
+#include <QToolButton>
+#include <QVariant>
+
+#include <algorithm>
 
 namespace handway::gui {
+namespace {
+
+constexpr int kMostContacts = 2;
+
+QString words(const std::string& name) { return QString::fromStdString(name).toHtmlEscaped(); }
+
+QString contact_text(const geometric::Contact& contact) {
+  const QString depth =
+      contact.depth < geometric::Contact::kMostDepth
+          ? QObject::tr("%1 mm deep").arg(geometric::millimetres(contact.depth), 0, 'f', 1)
+          : QObject::tr("more than %1 mm deep").arg(geometric::millimetres(contact.depth));
+  const Eigen::Vector3d p = contact.p_W / geometric::kMillimetre;
+  return QObject::tr("<b>%1</b> is in <b>%2</b>, %3, at (%4, %5, %6) mm")
+      .arg(words(contact.a), words(contact.b), depth)
+      .arg(p.x(), 0, 'f', 0)
+      .arg(p.y(), 0, 'f', 0)
+      .arg(p.z(), 0, 'f', 0);
+}
+
+}  // namespace
+
+QString diagnosis_text(const geometric::RobotModel& model, const EndDiagnosis& end) {
+  QStringList lines;
+  if (!end.beyond_limits.empty()) {
+    QStringList joints;
+    for (const std::string& joint : end.beyond_limits) {
+      joints << words(joint);
+    }
+    lines << QObject::tr("Beyond its limits: <b>%1</b>").arg(joints.join(QStringLiteral(", ")));
+  }
+  for (const std::string& violated : end.violated) {
+    lines << QObject::tr("Violates %1").arg(words(violated));
+  }
+  const int named = std::min(kMostContacts, static_cast<int>(end.contacts.size()));
+  for (int i = 0; i < named; ++i) {
+    lines << contact_text(end.contacts[static_cast<std::size_t>(i)]);
+  }
+  if (const int others = static_cast<int>(end.contacts.size()) - named; others > 0) {
+    lines << (others == 1 ? QObject::tr("and one more pair")
+                          : QObject::tr("and %1 more pairs").arg(others));
+  }
+  if (end.nearest.q) {
+    lines << QObject::tr("A free one is %1° away: %2")
+                 .arg(geometric::degrees(end.nearest.distance), 0, 'f', 1)
+                 .arg(words(planning::describe_change(model, end.q, *end.nearest.q)));
+  } else {
+    lines << QObject::tr("No free one was found within %1°")
+                 .arg(geometric::degrees(planning::NearestFreeOptions{}.most_distance), 0, 'f', 0);
+  }
+  return QStringLiteral("<b>%1</b><br>%2")
+      .arg(end.is_start ? QObject::tr("The start can't be planned from")
+                        : QObject::tr("The goal can't be planned to"),
+           lines.join(QStringLiteral("<br>")));
+}
+
+DoctorCard::DoctorCard(QWidget* host)
+    : FloatingCard(host),
+      picture_(new QLabel),
+      text_(new QLabel),
+      show_(new QPushButton(tr("Show"))),
+      use_(new QPushButton(tr("Use it"))) {
+  setProperty("role", "banner");
+  setObjectName(QStringLiteral("doctor"));
+  text_->setWordWrap(true);
+  text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  text_->setObjectName(QStringLiteral("doctor_text"));
+  show_->setObjectName(QStringLiteral("doctor_show"));
+  show_->setToolTip(tr("Move the robot to the free posture"));
+  use_->setObjectName(QStringLiteral("doctor_use"));
+  use_->setToolTip(tr("Take the free posture instead"));
+  use_->setProperty("role", "primary");
+  auto* close = new QToolButton;
+  close->setIcon(icon("close"));
+  close->setAutoRaise(true);
+  close->setToolTip(tr("Put this message away"));
+  connect(close, &QToolButton::clicked, this, &QWidget::hide);
+  connect(show_, &QPushButton::clicked, this, [this] { emit shown(*end_.nearest.q); });
+  connect(use_, &QPushButton::clicked, this,
+          [this] { emit accepted(end_.is_start, *end_.nearest.q); });
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(14, 10, 8, 10);
+  layout->setSpacing(12);
+  layout->addWidget(picture_, 0, Qt::AlignTop);
+  layout->addWidget(text_, 1);
+  layout->addWidget(show_, 0, Qt::AlignVCenter);
+  layout->addWidget(use_, 0, Qt::AlignVCenter);
+  layout->addWidget(close, 0, Qt::AlignTop);
+}
+
+void DoctorCard::show_diagnoses(const std::shared_ptr<const geometric::RobotModel>& model,
+                                const std::vector<EndDiagnosis>& ends) {
+  if (ends.empty()) {
+    hide();
+    return;
+  }
+  end_ = ends.front();
+  picture_->setPixmap(icon("warning", colors_of(current_theme()).bad).pixmap(24, 24));
+  text_->setText(diagnosis_text(*model, end_));
+  show_->setVisible(end_.nearest.q.has_value());
+  use_->setVisible(end_.nearest.q.has_value());
+  appear();
+}
+
+QString DoctorCard::text() const { return isHidden() ? QString() : text_->text(); }
+
+void DoctorCard::place() {
+  constexpr int kLeft = 108;  // of it stands the axes cross
+  const int width = std::min(parentWidget()->width() - kLeft - 12, 720);
+  const int height = std::max(layout()->heightForWidth(width), minimumSizeHint().height());
+  setGeometry(std::max(kLeft, (parentWidget()->width() - width) / 2),
+              parentWidget()->height() - height - 16, width, height);
+}
 
 QueryCheck::QueryCheck(Document& document, SceneEditor& editor, Posing& posing, SceneView& view,
                        QObject* parent)

@@ -1,27 +1,208 @@
 #include "features/planning/region_tool.h"
 
 #include "features/planning/plan_panel.h"
-#include "features/planning/region_preview_box.h"
+#include "handway/geometric/math/units.h"
 #include "model/document/document.h"
 #include "view3d/region_node.h"
 #include "view3d/scene_view.h"
 
-#include <Inventor/nodes/SoSeparator.h>
+#include <QCheckBox>
+#include <QColor>
+#include <QGridLayout>
+#include <QLabel>
+#include <QLocale>
 #include <QScopedValueRollback>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <QTimer>
+#include <QVBoxLayout>
 
+#include <algorithm>
+#include <cmath>
 #include <exception>
+#include <utility>
 
 namespace handway::gui {
+namespace {
+
+// The slider of ρ_a goes by its logarithm.
+constexpr double kLeastRho = 1e-4;
+constexpr double kMostRho = 0.5;
+constexpr int kRhoSteps = 1000;
+
+double rho_of(int position) {
+  const double rho =
+      kLeastRho * std::pow(kMostRho / kLeastRho, static_cast<double>(position) / kRhoSteps);
+  const double unit = std::pow(10.0, std::floor(std::log10(rho)) - 1.0);  // two digits
+  return std::round(rho / unit) * unit;
+}
+
+int position_of(double rho) {
+  const double share =
+      std::log(std::clamp(rho, kLeastRho, kMostRho) / kLeastRho) / std::log(kMostRho / kLeastRho);
+  return static_cast<int>(std::lround(share * kRhoSteps));
+}
+
+QString bullet(const geometric::Color& color, const QString& name) {
+  return QStringLiteral("<span style='color:%1'>&#9679;</span>&nbsp;%2")
+      .arg(QColor::fromRgbF(color.red, color.green, color.blue).name(), name);
+}
+
+}  // namespace
+
+RegionPreviewBox::RegionPreviewBox(QWidget* parent)
+    : QWidget(parent),
+      on_(new QCheckBox(tr("Show where it samples"))),
+      sliders_(new QWidget),
+      rho_(new QSlider(Qt::Horizontal)),
+      pmds_(new QSlider(Qt::Horizontal)),
+      rho_value_(new QLabel),
+      pmds_value_(new QLabel),
+      note_(new QLabel),
+      legend_(new QLabel) {
+  on_->setObjectName(QStringLiteral("preview_region"));
+  on_->setToolTip(
+      tr("Shows in the view where palm and fingertips are in configurations that the "
+         "planner may draw, free or not"));
+  rho_->setObjectName(QStringLiteral("preview_rho"));
+  rho_->setRange(0, kRhoSteps);
+  rho_->setPageStep(kRhoSteps / 20);
+  pmds_->setObjectName(QStringLiteral("preview_pmds"));
+  pmds_->setPageStep(1);
+  note_->setObjectName(QStringLiteral("preview_note"));
+  note_->setProperty("role", "note");
+  note_->setWordWrap(true);
+  legend_->setText(bullet(kPalmColor, tr("palm")) + QStringLiteral(" &nbsp; ") +
+                   bullet(kFingertipColor, tr("fingertips")) + QStringLiteral(" &nbsp; ") +
+                   bullet(kStraightColor, tr("straight motion")));
+  auto* rows = new QGridLayout(sliders_);
+  rows->setContentsMargins(0, 0, 0, 0);
+  rows->setHorizontalSpacing(8);
+  rows->setVerticalSpacing(4);
+  rows->addWidget(new QLabel(tr("Half-width ρₐ")), 0, 0);
+  rows->addWidget(rho_, 0, 1);
+  rows->addWidget(rho_value_, 0, 2);
+  rows->addWidget(new QLabel(tr("Directions")), 1, 0);
+  rows->addWidget(pmds_, 1, 1);
+  rows->addWidget(pmds_value_, 1, 2);
+  rows->addWidget(legend_, 2, 0, 1, 3);
+  for (QLabel* value : {rho_value_, pmds_value_}) {
+    value->setMinimumWidth(48);
+    value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  }
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(6);
+  auto* heading = new QLabel(tr("Sampling region"));
+  heading->setProperty("role", "heading");
+  layout->addWidget(heading);
+  layout->addWidget(on_);
+  layout->addWidget(sliders_);
+  layout->addWidget(note_);
+  sliders_->hide();
+  note_->hide();
+  connect(on_, &QCheckBox::toggled, this, [this](bool on) {
+    sliders_->setVisible(on && region_);
+    note_->setVisible(on);
+    was_switched_on_ = on;
+    emit changed();
+  });
+  connect(rho_, &QSlider::valueChanged, this, [this] {
+    take_sliders();
+    emit rho_edited(region_->rho_a);
+    emit changed();
+  });
+  connect(pmds_, &QSlider::valueChanged, this, [this] {
+    take_sliders();
+    emit pmds_edited(region_->pmds);
+    emit changed();
+  });
+}
+
+// A scroll area would not make room for all lines of a text that is wrapped.
+void RegionPreviewBox::set_note(const QString& text) {
+  note_->setText(text);
+  note_->setMinimumHeight(note_->heightForWidth(width()));
+}
+
+void RegionPreviewBox::come_into_sight() {
+  for (QWidget* above = parentWidget(); above; above = above->parentWidget()) {
+    if (auto* area = qobject_cast<QScrollArea*>(above)) {
+      area->verticalScrollBar()->setValue(area->verticalScrollBar()->maximum());
+    }
+  }
+}
+
+bool RegionPreviewBox::is_on() const { return on_->isChecked(); }
+
+void RegionPreviewBox::show_region(const std::optional<planning::SamplingRegion>& region,
+                                   int directions, bool bound) {
+  region_ = region;
+  bound_ = bound;
+  sliders_->setVisible(is_on() && region_);
+  if (!region_) {
+    set_note(tr("This planner samples everywhere within the joints' limits."));
+    return;
+  }
+  const QSignalBlocker quiet_rho(rho_);
+  const QSignalBlocker quiet_pmds(pmds_);
+  rho_->setValue(position_of(region_->rho_a));
+  pmds_->setRange(1, std::max(1, directions));
+  pmds_->setValue(region_->pmds);
+  pmds_->setEnabled(region_->hand == planning::HandSpace::kPrincipalDirections && directions > 1);
+  label_values();
+}
+
+void RegionPreviewBox::take_sliders() {
+  region_->rho_a = rho_of(rho_->value());
+  region_->pmds = pmds_->value();
+  label_values();
+}
+
+void RegionPreviewBox::label_values() {
+  rho_value_->setText(QString::number(region_->rho_a, 'g', 2));
+  pmds_value_->setText(region_->hand == planning::HandSpace::kPrincipalDirections
+                           ? QString::number(region_->pmds)
+                           : tr("all joints"));
+}
+
+void RegionPreviewBox::show_draws(const planning::RegionDraws& draws) {
+  QString text =
+      tr("Nine of ten palms are within %1 mm of the straight motion; the corridor has "
+         "%2 hypercubes.")
+          .arg(geometric::millimetres(draws.palm_reach), 0, 'f', draws.palm_reach < 0.01 ? 1 : 0)
+          .arg(QLocale().toString(draws.hypercubes));
+  if (!bound_) {
+    text += QLatin1Char(' ') +
+            tr("This planner chooses its own width, and begins with 0.1; the sliders are for "
+               "looking only.");
+  }
+  set_note(text);
+  if (std::exchange(was_switched_on_, false)) {
+    QTimer::singleShot(300, this, &RegionPreviewBox::come_into_sight);  // once it has its size
+  }
+}
+
+void RegionPreviewBox::show_failure(const QString& message) { set_note(message); }
+
 namespace {
 
 constexpr int kConfigurations = 700;
 
 }  // namespace
 
-RegionTool::RegionTool(Document& document, PlanPanel& panel, SceneView& view, QObject* parent)
-    : QObject(parent), document_(document), panel_(panel), view_(view), box_(new RegionPreviewBox) {
+RegionTool::RegionTool(Document& document, PlanSettings& settings, PlanPanel& panel,
+                       SceneView& view, QObject* parent)
+    : QObject(parent),
+      document_(document),
+      settings_(settings),
+      panel_(panel),
+      view_(view),
+      box_(new RegionPreviewBox) {
   panel_.add_section(box_);
-  connect(&panel_, &PlanPanel::settings_changed, this, &RegionTool::read_planner);
+  connect(&settings_, &PlanSettings::parameters_changed, this, &RegionTool::read_planner);
   connect(&document_, &Document::opened, this, &RegionTool::read_planner);
   connect(&document_, &Document::edited, this, &RegionTool::update);
   connect(box_, &RegionPreviewBox::changed, this, &RegionTool::update);
@@ -37,13 +218,14 @@ RegionTool::RegionTool(Document& document, PlanPanel& panel, SceneView& view, QO
 }
 
 void RegionTool::read_planner() {
-  if (busy_writing_ || !panel_.planner()) {
+  if (busy_writing_ || !settings_.planner()) {
     return;
   }
   const auto& basis = document_.loaded().basis;
   const int directions = basis ? static_cast<int>(basis->directions.size()) : 0;
-  box_->show_region(planning::first_region(*panel_.planner(), directions), directions,
-                    planning::parameter_called(panel_.planner()->parameters(), "rho_a") != nullptr);
+  box_->show_region(
+      planning::first_region(*settings_.planner(), directions), directions,
+      planning::parameter_called(settings_.planner()->parameters(), "rho_a") != nullptr);
   update();
 }
 
@@ -71,7 +253,7 @@ void RegionTool::update() {
       return [this, draws = preview.draw(region, kConfigurations, stop)] {
         shown_ = true;
         box_->show_draws(draws);
-        view_.set_overlay(Overlay::kRegion, make_region_node(draws).get());
+        view_.set_overlay(Overlay::kRegion, make_region_node(draws));
       };
     } catch (const std::exception& error) {
       return [this, message = QString::fromUtf8(error.what())] {

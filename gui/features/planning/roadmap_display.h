@@ -1,15 +1,103 @@
 #pragma once
 
+#include "handway/planning/queries/palm_boxes.h"
+#include "model/jobs/background.h"
+#include "model/planning/palm_roadmap.h"
+#include "widgets/panels/floating_card.h"
+
 #include <QObject>
 
+#include <optional>
+#include <utility>
+#include <vector>
+
 class QAction;
+class QCheckBox;
+class QLabel;
 
 namespace handway::gui {
 
-class HypercubeDisplay;
+class Document;
+class PlanSettings;
 class PlanningSession;
-class RoadmapLegend;
 class SceneView;
+
+/// Draws into the view where the palm goes in the hypercubes that the session's planner sweeps,
+/// as long as it is wanted: those that are still searched apart from those that aren't.
+class HypercubeDisplay : public QObject {
+  Q_OBJECT
+
+ public:
+  static constexpr int kMostBoxes = 65;  ///< Of more hypercubes every n-th is drawn.
+
+  /// @param shown a switch. All outlive it.
+  HypercubeDisplay(Document& document, PlanSettings& settings, PlanningSession& session,
+                   SceneView& view, QAction& shown, QObject* parent = nullptr);
+
+  /// Half-side of the hypercubes that are drawn, or would be; nothing: the roadmap has none.
+  [[nodiscard]] std::optional<double> half_side() const;
+  /// What is drawn.
+  [[nodiscard]] const std::vector<planning::PalmBox>& boxes() const { return boxes_; }
+
+ signals:
+  void changed();
+
+ private:
+  /// What a drawing depends on.
+  struct Subject {
+    planning::SamplingRegion region;
+    std::pair<double, double> range;
+  };
+
+  /// The search whose hypercubes are drawn: of several the one that gave the path, or, as long as
+  /// none has, the first.
+  [[nodiscard]] std::size_t search() const;
+  void begin_run();
+  void take_roadmap();
+  void draw(const Subject& subject);
+  void clear();
+
+  Document& document_;
+  PlanSettings& settings_;
+  PlanningSession& session_;
+  SceneView& view_;
+  QAction& shown_;
+  /// Of the run's searches; empty: no hypercubes.
+  std::vector<planning::SamplingRegion> regions_;
+  std::optional<Subject> drawn_;
+  std::vector<planning::PalmBox> boxes_;
+  LatestJob job_;
+};
+
+/// Floats in a corner of the view: how many nodes and edges a roadmap has, which colour stands
+/// for which number of principal motion directions, and whether hypercubes are drawn with it.
+class RoadmapLegend : public FloatingCard {
+  Q_OBJECT
+
+ public:
+  /// How a roadmap came about.
+  struct Search {
+    bool goes_on = false;
+    std::optional<double> half_side;  ///< ρ_a of the hypercubes; nothing: there are none.
+  };
+
+  /// @param hypercubes their switch; outlives it.
+  RoadmapLegend(QAction& hypercubes, QWidget* host);
+
+  /// @param roadmap null or empty hides it.
+  void show_roadmap(const SharedRoadmap& roadmap, const Search& search);
+
+ private:
+  void place() override;
+
+  QLabel* title_;
+  QLabel* note_;
+  QLabel* counts_;
+  QCheckBox* boxes_;
+};
+
+/// Nodes by their number of principal motion directions. @returns shape [most + 1].
+[[nodiscard]] std::vector<int> nodes_per_pmds(const PalmRoadmap& roadmap);
 
 /// Draws the session's roadmap into the view, with a legend, as long as it is wanted.
 class RoadmapDisplay : public QObject {

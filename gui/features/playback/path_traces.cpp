@@ -3,17 +3,12 @@
 #include "handway/planning/queries/fingertips.h"
 #include "model/document/document.h"
 #include "model/meshes/shaded_meshes.h"
-#include "model/playback/palm_path.h"
 #include "model/playback/path_player.h"
+#include "model/playback/path_timeline.h"
 #include "model/playback/swept_volume.h"
-#include "model/settings/view_colors.h"
-#include "view3d/ghost.h"
 #include "view3d/path_node.h"
 #include "view3d/scene_view.h"
-#include "view3d/shape_node.h"
 
-#include <Inventor/nodes/SoMaterial.h>
-#include <Inventor/nodes/SoSeparator.h>
 #include <QAction>
 #include <QMenu>
 
@@ -25,7 +20,6 @@ namespace {
 constexpr int kCopies = 8;       // postures shown
 constexpr int kPostures = 160;   // that a swept volume is made of
 constexpr double kCell = 0.012;  // m
-const geometric::Color kVolumeColor{0.36F, 0.44F, 0.78F, Ghost::kFaint};
 
 std::vector<geometric::Configuration> spread(const PathTimeline& timeline, int count) {
   std::vector<geometric::Configuration> postures;
@@ -87,11 +81,11 @@ void PathTraces::update_trails() {
     view_.set_overlay(Overlay::kTrails, nullptr);
     return;
   }
-  auto all = make_coin<SoSeparator>();
+  std::vector<std::vector<Eigen::Vector3d>> trails;
   for (const int link : planning::fingertips(*robot->model, document_.groups().hand)) {
-    all->addChild(make_trail_node(palm_path(*robot, player_.timeline(), link).points).get());
+    trails.push_back(palm_path(*robot, player_.timeline(), link).points);
   }
-  view_.set_overlay(Overlay::kTrails, all.get());
+  view_.set_overlay(Overlay::kTrails, make_trails_node(trails));
 }
 
 void PathTraces::update_veil() {
@@ -99,24 +93,11 @@ void PathTraces::update_veil() {
   const bool has_path = document_.robot() && !player_.timeline().empty();
   if (has_path && volume_->isChecked()) {
     find_volume();
+  } else if (has_path && postures_->isChecked()) {
+    view_.set_traces(make_copies_node(*document_.robot(), spread(player_.timeline(), kCopies)));
   } else {
-    view_.set_traces(has_path && postures_->isChecked() ? posture_copies().get() : nullptr);
+    view_.set_traces(nullptr);
   }
-}
-
-CoinRef<SoSeparator> PathTraces::posture_copies() const {
-  const geometric::RobotInstance& robot = *document_.robot();
-  const LinkShapes shapes = make_link_shapes(*robot.model);
-  auto all = make_coin<SoSeparator>();
-  const auto postures = spread(player_.timeline(), kCopies);
-  for (std::size_t i = 0; i < postures.size(); ++i) {
-    geometric::Color color = color_along(i, postures.size());
-    color.alpha = Ghost::kFaint;
-    RobotNode copy(robot.model, shapes, color);
-    copy.place(robot.X_WB, postures[i]);
-    all->addChild(copy.root());
-  }
-  return all;
 }
 
 void PathTraces::find_volume() {
@@ -125,12 +106,7 @@ void PathTraces::find_volume() {
     const auto mesh =
         std::make_shared<const geometric::TriangleMesh>(swept_volume(robot, postures, kCell, stop));
     static_cast<void>(shaded(mesh));  // takes its time, too
-    return [this, mesh] {
-      auto drawing = make_coin<SoSeparator>();
-      drawing->addChild(make_material(kVolumeColor).get());
-      drawing->addChild(make_shape_node(geometric::Mesh{.file = {}, .triangles = mesh}).get());
-      view_.set_traces(drawing.get());
-    };
+    return [this, mesh] { view_.set_traces(make_volume_node(mesh)); };
   });
 }
 

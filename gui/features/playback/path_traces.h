@@ -1,7 +1,6 @@
 #pragma once
 
-#include "model/jobs/latest_job.h"
-#include "view3d/coin_ref.h"
+#include "model/jobs/background.h"
 
 #include <QObject>
 
@@ -9,7 +8,6 @@
 
 class QAction;
 class QMenu;
-class SoSeparator;
 
 namespace handway::gui {
 
@@ -39,7 +37,6 @@ class PathTraces : public QObject {
   void update_trails();
   void update_veil();
   void find_volume();
-  [[nodiscard]] CoinRef<SoSeparator> posture_copies() const;
 
   Document& document_;
   PathPlayer& player_;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "model/playback/motion_curves.h"
+#include "model/playback/motion_analysis.h"
 
 #include <QString>
 

@@ -14,8 +14,25 @@ class QPushButton;
 
 namespace handway::gui {
 
-class DistanceRow;
 class RecordedHand;
+
+/// A distance in normalised joints: its name, a bar from 0 to kMost, and the number.
+class DistanceRow : public QWidget {
+ public:
+  static constexpr double kMost = 1.0;  ///< Where the bar is full.
+
+  explicit DistanceRow(const QString& name, QWidget* parent = nullptr);
+
+  /// Nothing: a dash. @param usual is marked on the bar; nothing: no mark.
+  void show_distance(std::optional<double> distance, std::optional<double> usual = std::nullopt);
+  [[nodiscard]] QString text() const;
+
+ private:
+  class Bar;
+
+  Bar* bar_;
+  QLabel* number_;
+};
 
 /// How human the posed hand looks: its distances to the subspace of its principal motion
 /// directions and to the nearest recorded posture.

@@ -3,6 +3,7 @@
 #include "model/planning/path_history.h"
 
 #include <QModelIndex>
+#include <QObject>
 #include <QWidget>
 
 #include <memory>
@@ -14,8 +15,11 @@ class QSortFilterProxyModel;
 
 namespace handway::gui {
 
+class PlanSettings;
+class PlanningSession;
 class RunTable;
 class RunView;
+class SceneEditor;
 
 /// The runs of the scene that is open, the latest first, to be looked at and put back.
 class RunsPanel : public QWidget {
@@ -57,6 +61,26 @@ class RunsPanel : public QWidget {
   QLabel* state_;
   QPushButton* restore_;
   QPushButton* compare_;
+};
+
+/// Keeps the runs of a session in the history, and puts them back.
+class RunsTool : public QObject {
+  Q_OBJECT
+
+ public:
+  /// All outlive it.
+  RunsTool(PathHistory& history, RunsPanel& runs, PlanningSession& session, PlanSettings& settings,
+           SceneEditor& editor, QObject* parent = nullptr);
+
+  /// Gives settings and scene what the run began with, and shows what it found; what changes the
+  /// scene can be undone. Nothing happens while a planner runs.
+  /// @pre the record has a run, of the scene that is open.
+  void restore(const PathRecord& record);
+
+ private:
+  PlanningSession& session_;
+  PlanSettings& settings_;
+  SceneEditor& editor_;
 };
 
 }  // namespace handway::gui

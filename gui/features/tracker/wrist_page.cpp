@@ -3,8 +3,7 @@
 #include "features/tracker/follow_form.h"
 #include "handway/geometric/math/units.h"
 #include "widgets/panels/link_status.h"
-#include "widgets/style/glove_colors.h"
-#include "widgets/style/role.h"
+#include "widgets/style/theme.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>

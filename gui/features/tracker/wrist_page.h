@@ -1,6 +1,5 @@
 #pragma once
 
-#include "model/devices/arm_leader.h"
 #include "model/devices/tracker_session.h"
 
 #include <QTimer>

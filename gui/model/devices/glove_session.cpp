@@ -11,6 +11,125 @@
 #include <utility>
 
 namespace handway::gui {
+
+void RecordingTap::begin(const std::filesystem::path& file, device::RecordingHeader header) {
+  auto writer = std::make_unique<device::RecordingWriter>(file, std::move(header));
+  const std::lock_guard lock(mutex_);
+  writer_ = std::move(writer);
+  rows_ = 0;
+  first_ = last_ = 0.0;
+  error_.clear();
+}
+
+void RecordingTap::end() {
+  const std::lock_guard lock(mutex_);
+  writer_.reset();
+}
+
+void RecordingTap::take(const device::GloveFrame& frame) {
+  const std::lock_guard lock(mutex_);
+  if (!writer_) {
+    return;
+  }
+  device::GloveFrame row = frame;
+  if (rows_ == 0) {
+    first_ = frame.time;
+  }
+  row.time -= first_;
+  try {
+    writer_->append(row);
+    last_ = frame.time;
+    ++rows_;
+  } catch (const std::exception& error) {
+    error_ = error.what();
+    writer_.reset();
+  }
+}
+
+bool RecordingTap::is_on() const {
+  const std::lock_guard lock(mutex_);
+  return writer_ != nullptr;
+}
+
+std::size_t RecordingTap::rows() const {
+  const std::lock_guard lock(mutex_);
+  return rows_;
+}
+
+double RecordingTap::duration() const {
+  const std::lock_guard lock(mutex_);
+  return last_ - first_;
+}
+
+std::string RecordingTap::error() const {
+  const std::lock_guard lock(mutex_);
+  return error_;
+}
+
+using device::StreamState;
+
+// The stream ends before the emulator that it talks to.
+struct GloveLink::Running {
+  std::unique_ptr<device::GloveEmulator> emulator;
+  std::unique_ptr<device::GloveStream> stream;
+};
+
+GloveLink::GloveLink(QObject* parent) : QObject(parent), tap_(std::make_shared<RecordingTap>()) {}
+
+GloveLink::~GloveLink() {
+  blockSignals(true);
+  stop();
+}
+
+void GloveLink::start(std::unique_ptr<device::Glove> glove,
+                      std::unique_ptr<device::GloveEmulator> emulator) {
+  stop();
+  inbox_ = std::make_unique<Inbox>([this](const Inbox::Items& frames) { emit arrived(frames); },
+                                   [this](StreamState state) { take_state(state); });
+  running_ = std::make_shared<Running>();
+  running_->emulator = std::move(emulator);
+  state_ = StreamState::kConnecting;
+  device::GloveStreamHandlers handlers;
+  handlers.on_frame = [push = inbox_->item_slot(), tap = tap_](const device::GloveFrame& frame) {
+    tap->take(frame);
+    push(frame);
+  };
+  handlers.on_state = inbox_->state_slot();
+  running_->stream =
+      std::make_unique<device::GloveStream>(std::move(glove), device::StreamSettings{}, handlers);
+  emit state_changed(state_, {});
+}
+
+void GloveLink::stop() {
+  if (!running_) {
+    return;
+  }
+  inbox_->close();
+  running_->stream->request_stop();
+  closing_.run([ending = std::exchange(running_, nullptr)]() mutable { ending.reset(); });
+  state_ = StreamState::kStopped;
+  emit state_changed(state_, {});
+}
+
+device::GloveInfo GloveLink::info() const {
+  return running_ ? running_->stream->info() : device::GloveInfo{};
+}
+
+device::StreamStatistics GloveLink::statistics() const {
+  return running_ ? running_->stream->statistics() : device::StreamStatistics{};
+}
+
+std::chrono::steady_clock::time_point GloveLink::arrival() const {
+  return inbox_ ? inbox_->arrival() : std::chrono::steady_clock::time_point{};
+}
+
+void GloveLink::take_state(StreamState state) {
+  state_ = state;
+  const bool broken = state == StreamState::kLost || state == StreamState::kFailed;
+  const QString error = broken ? QString::fromStdString(running_->stream->error()) : QString();
+  emit state_changed(state, error);
+}
+
 namespace {
 
 using device::StreamState;

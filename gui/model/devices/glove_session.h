@@ -1,20 +1,110 @@
 #pragma once
 
 #include "handway/device/glove/glove_calibration.h"
+#include "handway/device/glove/glove_emulator.h"
+#include "handway/device/glove/glove_frame.h"
+#include "handway/device/glove/glove_stream.h"
 #include "handway/device/glove/hand_mapper.h"
 #include "handway/device/glove/hand_mapping.h"
+#include "handway/device/glove/recording_writer.h"
 #include "handway/geometric/robot/robot_model.h"
-#include "model/devices/glove_link.h"
-#include "model/devices/glove_sample.h"
+#include "model/devices/stream_inbox.h"
+#include "model/jobs/background.h"
 
 #include <QObject>
 #include <QString>
 
+#include <Eigen/Core>
+
+#include <chrono>
+#include <cstddef>
+#include <filesystem>
 #include <memory>
+#include <mutex>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace handway::gui {
+
+/// One frame of a glove, and what calibration and mapping make of it.
+struct GloveSample {
+  device::GloveFrame frame;
+  device::GloveAngles angles;
+  Eigen::VectorXd unclamped;  ///< rad, as mapped, shape [mapped joints]; empty without mapping.
+  Eigen::VectorXd posture;    ///< rad, within limits, shape [mapped joints].
+};
+
+/// Writes the frames that pass by into a recording, row by row as they come, while it is
+/// switched on. For any thread.
+class RecordingTap {
+ public:
+  /// Begins a file anew.
+  /// @throws geometric::InputError if it can't be written.
+  void begin(const std::filesystem::path& file, device::RecordingHeader header);
+  /// Closes the file.
+  void end();
+
+  void take(const device::GloveFrame& frame);
+
+  [[nodiscard]] bool is_on() const;
+  [[nodiscard]] std::size_t rows() const;
+  /// From the first row to the last, s.
+  [[nodiscard]] double duration() const;
+  /// Why rows could not be written; empty if all were.
+  [[nodiscard]] std::string error() const;
+
+ private:
+  mutable std::mutex mutex_;
+  std::unique_ptr<device::RecordingWriter> writer_;
+  std::size_t rows_ = 0;
+  double first_ = 0.0;
+  double last_ = 0.0;
+  std::string error_;
+};
+
+/// A glove's stream brought to the window's thread. The recording tap sees every frame, on the
+/// stream's thread.
+class GloveLink : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit GloveLink(QObject* parent = nullptr);
+  ~GloveLink() override;
+
+  /// Takes the place of the stream before.
+  /// @param emulator that the glove talks to, kept as long; may be null.
+  void start(std::unique_ptr<device::Glove> glove,
+             std::unique_ptr<device::GloveEmulator> emulator = nullptr);
+  /// Returns at once.
+  void stop();
+
+  [[nodiscard]] bool is_running() const { return running_ != nullptr; }
+  [[nodiscard]] device::StreamState state() const { return state_; }
+  [[nodiscard]] device::GloveInfo info() const;
+  [[nodiscard]] device::StreamStatistics statistics() const;
+  /// When the first of the frames that arrived() told last came in.
+  [[nodiscard]] std::chrono::steady_clock::time_point arrival() const;
+  [[nodiscard]] RecordingTap& tap() { return *tap_; }
+
+ signals:
+  /// @param error why, of kLost and kFailed.
+  void state_changed(handway::device::StreamState state, const QString& error);
+  /// Frames since the last time, oldest first, never none.
+  void arrived(const std::vector<handway::device::GloveFrame>& frames);
+
+ private:
+  using Inbox = StreamInbox<device::GloveFrame>;
+  struct Running;
+
+  void take_state(device::StreamState state);
+
+  std::shared_ptr<RecordingTap> tap_;
+  std::unique_ptr<Inbox> inbox_;
+  std::shared_ptr<Running> running_;
+  device::StreamState state_ = device::StreamState::kStopped;
+  BackgroundThreads closing_;
+};
 
 /// The glove that the workbench listens to: its link, calibration, and mapping to the
 /// hand of the scene.

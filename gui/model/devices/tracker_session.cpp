@@ -4,16 +4,77 @@
 #include "handway/device/tracker/tracker_units.h"
 #include "handway/device/tracker/udp_tracker.h"
 #include "handway/geometric/io/input_error.h"
+#include "handway/geometric/robot/numeric_inverse_kinematics.h"
+#include "handway/geometric/robot/tx90_inverse_kinematics.h"
 
 #include <exception>
 #include <memory>
+#include <utility>
 
 namespace handway::gui {
+
+using device::StreamState;
+
+// The stream ends before the emulator that it talks to.
+struct TrackerLink::Running {
+  std::unique_ptr<device::DeviceEmulator> emulator;
+  std::unique_ptr<device::TrackerStream> stream;
+};
+
+TrackerLink::TrackerLink(QObject* parent) : QObject(parent) {}
+
+TrackerLink::~TrackerLink() {
+  blockSignals(true);
+  stop();
+}
+
+void TrackerLink::start(std::unique_ptr<device::Tracker> tracker,
+                        std::unique_ptr<device::DeviceEmulator> emulator) {
+  stop();
+  inbox_ = std::make_unique<Inbox>([this](const Inbox::Items& samples) { emit arrived(samples); },
+                                   [this](StreamState state) { take_state(state); });
+  running_ = std::make_shared<Running>();
+  running_->emulator = std::move(emulator);
+  state_ = StreamState::kConnecting;
+  device::TrackerStreamHandlers handlers;
+  handlers.on_sample = inbox_->item_slot();
+  handlers.on_state = inbox_->state_slot();
+  running_->stream = std::make_unique<device::TrackerStream>(std::move(tracker),
+                                                             device::StreamSettings{}, handlers);
+  emit state_changed(state_, {});
+}
+
+void TrackerLink::stop() {
+  if (!running_) {
+    return;
+  }
+  inbox_->close();
+  running_->stream->request_stop();
+  closing_.run([ending = std::exchange(running_, nullptr)]() mutable { ending.reset(); });
+  state_ = StreamState::kStopped;
+  emit state_changed(state_, {});
+}
+
+device::TrackerInfo TrackerLink::info() const {
+  return running_ ? running_->stream->info() : device::TrackerInfo{};
+}
+
+device::StreamStatistics TrackerLink::statistics() const {
+  return running_ ? running_->stream->statistics() : device::StreamStatistics{};
+}
+
+void TrackerLink::take_state(StreamState state) {
+  state_ = state;
+  const bool broken = state == StreamState::kLost || state == StreamState::kFailed;
+  const QString error = broken ? QString::fromStdString(running_->stream->error()) : QString();
+  emit state_changed(state, error);
+}
+
 namespace {
 
 using device::StreamState;
 
-constexpr std::uint64_t kEmulatorSeed = 1;
+constexpr std::uint64_t kTrackerSeed = 1;
 
 std::unique_ptr<device::Tracker> polhemus(device::PolhemusModel model, const std::string& address) {
   device::PolhemusSettings settings;
@@ -50,7 +111,7 @@ void TrackerSession::start(const QString& protocol, const QString& address) {
   if (protocol == QLatin1String("emulator")) {
     auto emulator = std::make_unique<device::DeviceEmulator>(
         device::DeviceEmulatorSettings{},
-        device::make_fastrak_unit({}, device::wrist_motion_signal(kEmulatorSeed)));
+        device::make_fastrak_unit({}, device::wrist_motion_signal(kTrackerSeed)));
     auto tracker = polhemus(device::PolhemusModel::kFastrak, emulator->address());
     link_.start(std::move(tracker), std::move(emulator));
     return;
@@ -76,5 +137,101 @@ void TrackerSession::start(const QString& protocol, const QString& address) {
 }
 
 void TrackerSession::disconnect_tracker() { link_.stop(); }
+
+namespace {
+
+using geometric::InverseKinematics;
+using geometric::RobotModel;
+
+// In closed form if the arm allows it, else by iteration from where it is, briefly.
+std::unique_ptr<InverseKinematics> make_kinematics(const std::shared_ptr<const RobotModel>& model,
+                                                   int tool) {
+  constexpr int kIterations = 30;
+  const std::string& link = model->link(tool).name;
+  try {
+    return geometric::make_tx90_inverse_kinematics(model, link);
+  } catch (const geometric::InputError&) {
+    geometric::NumericIkOptions options;
+    options.max_iterations = kIterations;
+    options.max_restarts = 0;
+    return std::make_unique<geometric::NumericInverseKinematics>(
+        model, link, std::vector<std::string>{}, options);
+  }
+}
+
+}  // namespace
+
+ArmLeader::ArmLeader(QObject* parent) : QObject(parent), problem_(tr("There is no robot")) {}
+
+void ArmLeader::set_robot(const std::shared_ptr<const RobotModel>& model,
+                          const std::vector<int>& arm, const geometric::Configuration& q) {
+  set_clutch(false);
+  ik_.reset();
+  joints_.clear();
+  q_ = q;
+  if (!model || arm.empty()) {
+    problem_ = model ? tr("The robot has no arm") : tr("There is no robot");
+    return;
+  }
+  try {
+    ik_ = make_kinematics(model, model->variable_link(arm.back()));
+    for (const int variable : ik_->variables()) {
+      joints_.push_back(model->variable(variable).name);
+    }
+    problem_.clear();
+  } catch (const std::exception& error) {
+    problem_ = QString::fromUtf8(error.what());
+  }
+}
+
+void ArmLeader::set_settings(const device::ToolFollowerSettings& settings) {
+  settings_ = settings;
+  if (closed_) {
+    take_hold();
+  }
+}
+
+std::optional<Eigen::Vector3d> ArmLeader::tool_position() const {
+  if (!ik_) {
+    return std::nullopt;
+  }
+  return device::ToolFollower(ik_, q_).tool_pose().translation();
+}
+
+void ArmLeader::take_hold() {
+  follower_.emplace(ik_, q_, settings_);
+  follower_->engage();
+}
+
+void ArmLeader::set_clutch(bool closed) {
+  closed = closed && ik_;
+  if (closed == closed_) {
+    return;
+  }
+  closed_ = closed;
+  if (closed) {
+    take_hold();
+  } else {
+    follower_.reset();
+  }
+  emit clutch_changed(closed);
+}
+
+void ArmLeader::take(const device::TrackerSample& sample) {
+  if (!follower_) {
+    return;
+  }
+  const device::FollowStep step = follower_->update(sample);
+  if (!follower_->engaged()) {
+    set_clutch(false);
+  } else {
+    geometric::NamedPosture posture;
+    for (std::size_t j = 0; j < joints_.size(); ++j) {
+      posture.values[joints_[j]] = step.q[ik_->variables()[j]];
+    }
+    emit wanted(posture);
+  }
+  emit followed(step);
+}
 
 }  // namespace handway::gui

@@ -2,7 +2,7 @@
 
 #include "handway/geometric/math/pose.h"
 #include "handway/geometric/scene/triangle_mesh.h"
-#include "model/document/scene_state.h"
+#include "model/document/scene_edits.h"
 
 #include <Eigen/Core>
 

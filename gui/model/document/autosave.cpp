@@ -1,7 +1,7 @@
 #include "model/document/autosave.h"
 
 #include "handway/geometric/io/replace_file.h"
-#include "model/document/save_scene.h"
+#include "model/document/document.h"
 
 #include <QCoreApplication>
 #include <QDir>

@@ -1,11 +1,96 @@
 #include "model/document/document.h"
 
-#include "model/document/save_scene.h"
+#include "handway/geometric/io/resources.h"
+#include "handway/geometric/io/scene_writer.h"
+#include "handway/sampling/postures/pmd_basis_io.h"
+#include "model/meshes/shaded_meshes.h"
 
 #include <algorithm>
+#include <exception>
+#include <functional>
+#include <string>
 #include <utility>
 
 namespace handway::gui {
+
+using geometric::ResourceKind;
+
+planning::LoadedScene new_scene(const std::string& robot, const planning::Extensions& extensions) {
+  const planning::LoadedScene loaded = planning::load_scene(
+      geometric::find_resource(ResourceKind::kRobot, robot, geometric::resource_dir()), extensions);
+  geometric::Scene scene = *loaded.scene;
+  scene.name.clear();
+  scene.file.clear();
+  scene.robots.front().file = robot;
+  std::shared_ptr<const sampling::PmdBasis> basis = loaded.basis;
+  for (const std::string& name : geometric::resource_names(ResourceKind::kHandBasis)) {
+    if (basis) {
+      break;
+    }
+    sampling::PmdBasis candidate = sampling::read_pmd_basis(
+        geometric::find_resource(ResourceKind::kHandBasis, name, geometric::resource_dir()));
+    const bool fits = std::ranges::all_of(candidate.joints, [&](const std::string& joint) {
+      return scene.robots.front().model->find_variable(joint).has_value();
+    });
+    if (fits) {
+      basis = std::make_shared<const sampling::PmdBasis>(std::move(candidate));
+      scene.hand_basis = name;
+    }
+  }
+  return {std::make_shared<const geometric::Scene>(std::move(scene)), basis};
+}
+
+void save_scene(const planning::LoadedScene& loaded, const geometric::Configuration& shown,
+                const geometric::PlannerChoice& planner, const std::filesystem::path& file) {
+  geometric::Scene scene = *loaded.scene;
+  scene.planner = planner;
+  if (!scene.robots.empty()) {
+    scene.robots.front().configuration = shown;
+  }
+  if (loaded.basis && scene.hand_basis.empty()) {
+    const std::filesystem::path basis = file.parent_path() / (file.stem().string() + "_hand.yaml");
+    sampling::write_pmd_basis(*loaded.basis, basis);
+    scene.hand_basis = std::filesystem::absolute(basis);
+  }
+  geometric::write_scene(scene, file);
+}
+
+SceneLoader::SceneLoader(std::shared_ptr<const planning::Extensions> extensions, QObject* parent)
+    : QObject(parent), extensions_(std::move(extensions)) {}
+
+SceneLoader::~SceneLoader() = default;
+
+void SceneLoader::load(const std::filesystem::path& file) {
+  run([file, extensions = extensions_] { return planning::load_scene(file, *extensions); });
+}
+
+void SceneLoader::create(const std::string& robot) {
+  run([robot, extensions = extensions_] { return new_scene(robot, *extensions); });
+}
+
+void SceneLoader::run(std::function<planning::LoadedScene()> read) {
+  const int generation = ++generation_;
+  const auto deliver = [this, generation](std::function<void()> report) {
+    QMetaObject::invokeMethod(
+        this,
+        [this, generation, report = std::move(report)] {
+          if (generation == generation_) {
+            report();
+          }
+        },
+        Qt::QueuedConnection);
+  };
+  threads_.run([this, deliver, read = std::move(read)] {
+    try {
+      const planning::LoadedScene scene = read();
+      shade_meshes(*scene.scene);
+      deliver([this, scene] { emit loaded(scene); });
+    } catch (const std::exception& error) {
+      deliver([this, message = QString::fromUtf8(error.what())] { emit failed(message); });
+    }
+  });
+}
+
 namespace {
 
 using geometric::RobotInstance;

@@ -1,20 +1,64 @@
 #pragma once
 
+#include "handway/geometric/scene/scene.h"
+#include "handway/planning/core/importer.h"
 #include "handway/planning/core/plugin.h"
 #include "handway/planning/core/revision.h"
 #include "model/document/joint_groups.h"
 #include "model/document/prepared_problem.h"
 #include "model/document/recorded_hand.h"
-#include "model/document/scene_loader.h"
-#include "model/document/scene_state.h"
+#include "model/document/scene_edits.h"
+#include "model/jobs/background.h"
 
 #include <QObject>
 #include <QString>
 
 #include <filesystem>
+#include <functional>
 #include <memory>
+#include <string>
 
 namespace handway::gui {
+
+/// A scene with nothing but a robot of the library, and the first hand basis of the
+/// library that fits it. @throws InputError if there is no such robot.
+[[nodiscard]] planning::LoadedScene new_scene(const std::string& robot,
+                                              const planning::Extensions& extensions);
+
+/// Writes a scene as Handway's own format, the first robot standing at `shown`.
+/// The hand's basis of an imported problem goes into `STEM_hand.yaml` beside it.
+/// @param shown shape [variable_count] of the first robot; unused without robots.
+/// @throws InputError if a file can't be written.
+void save_scene(const planning::LoadedScene& loaded, const geometric::Configuration& shown,
+                const geometric::PlannerChoice& planner, const std::filesystem::path& file);
+
+/// Reads scene files off the GUI thread.
+class SceneLoader : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit SceneLoader(std::shared_ptr<const planning::Extensions> extensions,
+                       QObject* parent = nullptr);
+  ~SceneLoader() override;
+
+  /// Reads `file`, without waiting; what an earlier call is still reading is dropped.
+  void load(const std::filesystem::path& file);
+
+  /// Makes a new scene with a robot of the library in the same way.
+  void create(const std::string& robot);
+
+ signals:
+  void loaded(const handway::planning::LoadedScene& scene);
+  /// @param message one sentence for a person.
+  void failed(const QString& message);
+
+ private:
+  void run(std::function<planning::LoadedScene()> read);
+
+  std::shared_ptr<const planning::Extensions> extensions_;
+  int generation_ = 0;
+  BackgroundThreads threads_;
+};
 
 /// The scene that is open, and the posture in which its first robot is shown.
 class Document : public QObject {

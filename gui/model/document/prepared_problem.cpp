@@ -1,12 +1,48 @@
 #include "model/document/prepared_problem.h"
 
 #include "handway/geometric/collision/preparation.h"
-#include "model/document/problem_update.h"
 
 #include <chrono>
 #include <utility>
 
 namespace handway::gui {
+
+PreparationQueue::PreparationQueue() : thread_([this](const std::stop_token& end) { work(end); }) {}
+
+PreparationQueue::~PreparationQueue() {
+  thread_.request_stop();
+  const std::lock_guard lock(mutex_);
+  running_.request_stop();
+  for (Job& job : waiting_) {
+    job.wanted.request_stop();
+  }
+}
+
+void PreparationQueue::run(std::stop_source wanted, std::function<void()> job) {
+  {
+    const std::lock_guard lock(mutex_);
+    std::erase_if(waiting_, [](const Job& other) { return other.wanted.stop_requested(); });
+    waiting_.push_back({std::move(wanted), std::move(job)});
+  }
+  wake_.notify_one();
+}
+
+void PreparationQueue::work(const std::stop_token& end) {
+  std::unique_lock lock(mutex_);
+  while (wake_.wait(lock, end, [this] { return !waiting_.empty(); }) && !end.stop_requested()) {
+    Job job = std::move(waiting_.back());
+    waiting_.pop_back();
+    if (job.wanted.stop_requested()) {
+      continue;
+    }
+    running_ = job.wanted;
+    lock.unlock();
+    job.work();
+    job.work = nullptr;  // what it holds may take long to release
+    lock.lock();
+  }
+}
+
 namespace {
 
 constexpr std::chrono::milliseconds kLookEvery(20);
@@ -43,7 +79,7 @@ PreparedProblem::PreparedProblem(planning::LoadedScene loaded, const planning::R
     try {
       const planning::LoadedScene complete{with_query(loaded.scene), loaded.basis};
       promise->set_value(std::make_shared<const planning::PlanningProblem>(
-          known ? updated_problem(*known, complete, preparation)
+          known ? planning::updated_problem(*known, complete.scene, complete.basis, preparation)
                 : planning::make_problem(complete.scene, complete.basis, preparation)));
     } catch (...) {
       promise->set_exception(std::current_exception());

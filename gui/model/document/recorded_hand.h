@@ -1,7 +1,7 @@
 #pragma once
 
 #include "handway/sampling/postures/recorded_postures.h"
-#include "model/jobs/latest_job.h"
+#include "model/jobs/background.h"
 
 #include <QObject>
 #include <QString>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "model/document/document.h"
-#include "model/document/scene_state.h"
+#include "model/document/scene_edits.h"
 #include "model/document/selection.h"
 
 #include <QObject>

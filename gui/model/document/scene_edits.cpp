@@ -56,28 +56,6 @@ std::string unlike_others(const std::string& name, const IsUsed& is_used) {
   return stem + " " + std::to_string(number);
 }
 
-struct SameShape {
-  bool operator()(const geometric::Box& a, const geometric::Box& b) const {
-    return a.size == b.size;
-  }
-  bool operator()(const geometric::Sphere& a, const geometric::Sphere& b) const {
-    return a.radius == b.radius;
-  }
-  bool operator()(const geometric::Cylinder& a, const geometric::Cylinder& b) const {
-    return a.radius == b.radius && a.length == b.length;
-  }
-  bool operator()(const geometric::Cone& a, const geometric::Cone& b) const {
-    return a.radius == b.radius && a.length == b.length;
-  }
-  bool operator()(const geometric::Mesh& a, const geometric::Mesh& b) const {
-    return a.triangles == b.triangles && a.scale == b.scale;
-  }
-  template <typename A, typename B>
-  bool operator()(const A& /*a*/, const B& /*b*/) const {
-    return false;
-  }
-};
-
 }  // namespace
 
 std::string unused_name(const Scene& scene, const std::string& name) {
@@ -262,10 +240,6 @@ Pose in_parent(const Scene& scene, const Configuration& q, const SceneObject& ob
   }
   const auto X_WL = link_pose(scene, q, object.attachment->robot, object.attachment->link);
   return X_WL ? X_WL->inverse() * X_WO : X_WO;
-}
-
-bool same_shape(const geometric::Shape& a, const geometric::Shape& b) {
-  return std::visit(SameShape{}, a, b);
 }
 
 }  // namespace handway::gui

@@ -1,15 +1,36 @@
 #pragma once
 
-#include "model/document/scene_state.h"
+#include "handway/geometric/scene/scene.h"
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-/// Edits as functions: an old state in, a new state out.
 namespace handway::gui {
+
+/// What a person edits: a scene that never changes itself. An edit makes a new
+/// state of an old one.
+struct SceneState {
+  std::shared_ptr<const geometric::Scene> scene;
+
+  [[nodiscard]] bool is_hidden(std::string_view object) const {
+    const geometric::SceneObject* found = find(object);
+    return found && found->hidden;
+  }
+  [[nodiscard]] bool is_locked(std::string_view object) const {
+    const geometric::SceneObject* found = find(object);
+    return found && found->locked;
+  }
+  /// nullptr if there is no such object.
+  [[nodiscard]] const geometric::SceneObject* find(std::string_view object) const {
+    return scene ? geometric::find_object(*scene, object) : nullptr;
+  }
+
+  friend bool operator==(const SceneState&, const SceneState&) = default;
+};
 
 using ObjectChange = std::function<void(geometric::SceneObject&)>;
 
@@ -84,8 +105,5 @@ using ObjectChange = std::function<void(geometric::SceneObject&)>;
                                         const geometric::Configuration& q,
                                         const geometric::SceneObject& object,
                                         const geometric::Pose& X_WO);
-
-/// Of the same kind and size; meshes with the same triangles.
-[[nodiscard]] bool same_shape(const geometric::Shape& a, const geometric::Shape& b);
 
 }  // namespace handway::gui

@@ -1,8 +1,67 @@
 #pragma once
 
+#include <QObject>
+
+#include <condition_variable>
 #include <functional>
+#include <future>
+#include <mutex>
+#include <stop_token>
+#include <thread>
+#include <vector>
 
 namespace handway::gui {
+
+/// A thread for one kind of question whose latest answer alone counts: asking again, or
+/// cancelling, ends the job before, whose answer never arrives. For the GUI thread's use.
+class LatestJob : public QObject {
+  Q_OBJECT
+
+ public:
+  /// What is to be done on the GUI thread with what a job found; may be empty.
+  using Answer = std::function<void()>;
+  /// Runs on the job's thread; must not throw. The token says that nobody waits any more.
+  using Job = std::function<Answer(const std::stop_token& stop)>;
+
+  explicit LatestJob(QObject* parent = nullptr);
+  ~LatestJob() override;
+
+  void run(Job job);
+  void cancel();
+  /// True while an answer is still to come.
+  [[nodiscard]] bool is_busy() const { return wanted_ != done_; }
+
+ signals:
+  /// An answer has arrived, or there is none to wait for any more.
+  void ended();
+
+ private:
+  void work(const std::stop_token& stop);
+
+  std::mutex mutex_;
+  std::condition_variable_any wake_;
+  Job next_;
+  int next_ticket_ = 0;
+  std::stop_source running_{std::nostopstate};
+  int wanted_ = 0;  ///< GUI thread only.
+  int done_ = 0;    ///< GUI thread only.
+  std::jthread thread_;
+};
+
+/// Threads that nobody waits for until the end: each runs one job; the
+/// destructor waits for those that still do. For one thread's use.
+class BackgroundThreads {
+ public:
+  /// @param job must not throw.
+  void run(std::function<void()> job);
+
+ private:
+  struct Running {
+    std::future<void> done;
+    std::jthread thread;
+  };
+  std::vector<Running> running_;
+};
 
 /// Has a thread of the global pool do something whose end nobody waits for.
 void run_in_background(std::function<void()> work);

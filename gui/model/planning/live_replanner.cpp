@@ -1,12 +1,64 @@
 #include "model/planning/live_replanner.h"
 
-#include "model/planning/followed_path.h"
+#include "handway/planning/core/planning_context.h"
+#include "handway/planning/planners/auto_planner.h"
+#include "handway/planning/replanning/living_roadmap.h"
 
 #include <algorithm>
 #include <exception>
 #include <utility>
 
 namespace handway::gui {
+namespace {
+
+using planning::LivingRoadmap;
+using planning::Path;
+using planning::PlanResult;
+
+constexpr double kTimeLimit = 2.0;  // s, of one query
+
+/// Answers the first query with a path that is known already.
+class KnownPathFirst : public planning::Planner {
+ public:
+  KnownPathFirst(Path path, std::unique_ptr<Planner> rest)
+      : path_(std::move(path)), rest_(std::move(rest)) {
+    objective() = rest_->objective();
+  }
+
+  [[nodiscard]] std::string name() const override { return rest_->name(); }
+  [[nodiscard]] std::string description() const override { return rest_->description(); }
+  [[nodiscard]] planning::PlannerCapabilities capabilities() const override {
+    return rest_->capabilities();
+  }
+
+ protected:
+  void do_plan(planning::PlanningContext& context, PlanResult& result) override {
+    if (path_.waypoints.empty()) {
+      rest_->plan_within(context, result);
+      return;
+    }
+    result.path = std::exchange(path_, {});
+    result.status = planning::PlanStatus::kSolved;
+  }
+  [[nodiscard]] std::vector<planning::Parameter> own_parameters() override { return {}; }
+
+ private:
+  Path path_;
+  std::unique_ptr<Planner> rest_;
+};
+
+// A roadmap whose first path is one that was planned for `problem`.
+std::unique_ptr<LivingRoadmap> roadmap_of(const planning::PlanningProblem& problem, Path path,
+                                          const planning::PlanRequest& request,
+                                          const std::stop_token& stop) {
+  auto roadmap = std::make_unique<LivingRoadmap>(
+      problem, planning::LivingRoadmapSettings{},
+      std::make_unique<KnownPathFirst>(std::move(path), std::make_unique<planning::AutoPlanner>()));
+  (void)roadmap->plan(request, stop);
+  return roadmap;
+}
+
+}  // namespace
 
 LiveReplanner::LiveReplanner(QObject* parent)
     : QObject(parent), thread_([this](const std::stop_token& stop) { work(stop); }) {}
@@ -56,7 +108,8 @@ void LiveReplanner::follow(std::shared_ptr<const geometric::Scene> scene,
 }
 
 void LiveReplanner::work(const std::stop_token& stop) {
-  std::unique_ptr<FollowedPath> path;
+  std::unique_ptr<LivingRoadmap> roadmap;
+  planning::PlanRequest request;
   int generation = 0;
   while (true) {
     std::optional<Start> start;
@@ -91,23 +144,24 @@ void LiveReplanner::work(const std::stop_token& stop) {
     };
     try {
       if (start) {
-        path.reset();
+        roadmap.reset();
         if (const PreparedProblem::Problem problem = start->problem->wait(cancelled)) {
-          path = std::make_unique<FollowedPath>(*problem, std::move(start->path), start->request,
-                                                cancelled);
+          request = start->request;
+          request.time_limit_s = std::min(request.time_limit_s, kTimeLimit);
+          roadmap = roadmap_of(*problem, std::move(start->path), request, cancelled);
         }
-      } else if (path && path->move_to(*scene)) {
-        DerivedResult result{path->plan(cancelled), revision};
+      } else if (roadmap && roadmap->follow(*scene)) {
+        DerivedResult result{roadmap->plan(request, cancelled), revision};
         deliver([this, result = std::move(result),
-                 way = QString::fromLatin1(planning::to_string(path->source()))] {
-          emit replanned(result, way);
+                 origin = QString::fromLatin1(planning::to_string(roadmap->report().source))] {
+          emit replanned(result, origin);
         });
       } else {
-        path.reset();
+        roadmap.reset();
         deliver([this] { emit lost(); });
       }
     } catch (const std::exception&) {  // a scene that makes no problem; planning it says why
-      path.reset();
+      roadmap.reset();
       deliver([this] { emit lost(); });
     }
   }

@@ -41,8 +41,8 @@ class LiveReplanner : public QObject {
   void follow(std::shared_ptr<const geometric::Scene> scene, const planning::Revision& revision);
 
  signals:
-  /// @param way which means the path came from, one word.
-  void replanned(const handway::gui::DerivedResult& result, const QString& way);
+  /// @param origin which means the path came from, one word.
+  void replanned(const handway::gui::DerivedResult& result, const QString& origin);
   /// The scene has changed in a way that needs a new plan.
   void lost();
 

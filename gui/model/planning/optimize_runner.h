@@ -4,7 +4,7 @@
 #include "handway/planning/core/plan_result.h"
 #include "handway/planning/core/planner.h"
 #include "model/document/prepared_problem.h"
-#include "model/jobs/latest_job.h"
+#include "model/jobs/background.h"
 
 #include <QObject>
 #include <QString>

@@ -1,18 +1,89 @@
 #pragma once
 
 #include "handway/geometric/scene/scene.h"
-#include "model/planning/path_figures.h"
-#include "model/planning/plan_run.h"
-#include "model/playback/motion_curves.h"
+#include "handway/planning/core/planner.h"
+#include "handway/planning/queries/human_likeness.h"
+#include "model/document/scene_edits.h"
+#include "model/playback/motion_analysis.h"
 
 #include <QObject>
 #include <QString>
+#include <QTime>
 
+#include <array>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
 
+namespace handway::geometric {
+class RobotModel;
+}  // namespace handway::geometric
+namespace handway::planning {
+struct Path;
+}  // namespace handway::planning
+
 namespace handway::gui {
+
+struct PathRecord;
+
+/// A run of a planner: all that it takes to do it again, and what came of it.
+struct PlanRun {
+  int number = 0;  ///< From 1, in the order in which runs began.
+  QTime begun;
+  SceneState state;                  ///< Robots, objects, start and goal.
+  geometric::PlannerChoice planner;  ///< With the settings that are not its own values.
+  QString preset;                    ///< In words.
+  planning::PlanRequest request;
+  planning::PlanResult result;
+  QString failure;  ///< Why it could not be done; empty if there is a result.
+};
+
+/// How planning ended, in few words: "Path found".
+[[nodiscard]] QString status_text(planning::PlanStatus status);
+/// A result as one line of plain text.
+[[nodiscard]] QString result_line(const planning::PlanResult& result);
+
+/// "350 ms", "2.41 s".
+[[nodiscard]] QString seconds_text(double seconds);
+/// With commas between thousands.
+[[nodiscard]] QString count_text(std::uint64_t count);
+
+/// The key figures of a path.
+struct PathFigures {
+  double duration = 0.0;  ///< s
+  double length = 0.0;    ///< In joints normalised to [0, 1].
+  double turning = 0.0;   ///< See turning_of().
+  double palm_way = 0.0;  ///< m
+  int waypoints = 0;
+  double least_clearance = 0.0;  ///< m, at most kMostClearance; or a run's certificate.
+  /// m, over time, more than kMostClearance counting as that; nothing where it was not looked at.
+  std::optional<double> mean_clearance;
+  /// How human the hand looks, over time; nothing where there is nothing to compare with.
+  std::optional<planning::DistanceAlong> to_subspace;
+  std::optional<planning::DistanceAlong> to_recorded;
+};
+
+/// @pre the record has a motion with its curves; if those have no clearance, it has a run.
+[[nodiscard]] PathFigures figures_of(const PathRecord& record);
+
+/// In joints normalised to [0, 1].
+[[nodiscard]] double length_of(const geometric::RobotModel& model, const planning::Path& path);
+
+/// By how much a path changes its direction at all its waypoints together, rad, in joints
+/// normalised to [0, 1]: 0 for a straight one.
+[[nodiscard]] double turning_of(const geometric::RobotModel& model, const planning::Path& path);
+
+/// By what the better of two paths is told.
+enum class PathMerit { kShort, kQuick, kSmooth, kHuman, kClear };
+inline constexpr std::array kPathMerits{PathMerit::kShort, PathMerit::kQuick, PathMerit::kSmooth,
+                                        PathMerit::kHuman, PathMerit::kClear};
+
+/// Of two paths, the one with the lesser cost is better.
+[[nodiscard]] double cost(const PathFigures& figures, PathMerit merit);
+
+/// The best by that merit: "shortest", "quickest", …
+[[nodiscard]] QString superlative(PathMerit merit);
 
 /// A path that was found or shown, or a run that found none, with all that is known about it.
 struct PathRecord {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "model/document/prepared_problem.h"
-#include "model/jobs/latest_job.h"
+#include "model/jobs/background.h"
 
 #include <QObject>
 #include <QString>

@@ -1,6 +1,6 @@
 #include "model/planning/plan_runner.h"
 
-#include "model/planning/roadmap_watch.h"
+#include "model/planning/palm_roadmap.h"
 
 #include <QElapsedTimer>
 

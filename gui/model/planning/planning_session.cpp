@@ -1,8 +1,5 @@
 #include "model/planning/planning_session.h"
 
-#include "features/planning/preset_bar.h"
-#include "widgets/panels/result_text.h"
-
 #include <algorithm>
 
 namespace handway::gui {
@@ -25,12 +22,9 @@ bool is_planned_with(const PlanRun& run, const geometric::PlannerChoice& choice)
 
 }  // namespace
 
-PlanningSession::PlanningSession(Document& document, PlanPanel& panel, PathPlayer& player,
+PlanningSession::PlanningSession(Document& document, PlanSettings& settings, PathPlayer& player,
                                  QObject* parent)
-    : QObject(parent), document_(document), panel_(panel), player_(player) {
-  connect(&panel_, &PlanPanel::plan_requested, this, &PlanningSession::start);
-  connect(&panel_, &PlanPanel::optimize_requested, this, &PlanningSession::optimize);
-  connect(&panel_, &PlanPanel::cancel_requested, this, &PlanningSession::cancel);
+    : QObject(parent), document_(document), settings_(settings), player_(player) {
   connect(&document_, &Document::opened, this, &PlanningSession::forget);
   connect(&document_, &Document::edited, this, &PlanningSession::take_edit);
   connect(&live_, &LiveReplanner::replanned, this, &PlanningSession::take_replanned);
@@ -41,7 +35,7 @@ PlanningSession::PlanningSession(Document& document, PlanPanel& panel, PathPlaye
   connect(&runner_, &PlanRunner::progressed, this,
           [this](double fraction, const QString& activity) {
             if (is_current() && is_running()) {
-              panel_.show_progress(fraction, activity);
+              emit progressed(fraction, activity);
             }
           });
   connect(&runner_, &PlanRunner::roadmap_found, this, [this](const SharedRoadmap& roadmap) {
@@ -56,7 +50,7 @@ PlanningSession::PlanningSession(Document& document, PlanPanel& panel, PathPlaye
   connect(&seeds_, &SeedRunner::ended, this, &PlanningSession::take_seeds);
   connect(&seeds_, &SeedRunner::failed, this, &PlanningSession::take_failure);
   connect(&optimizer_, &OptimizeRunner::progressed, this, [this](const OptimizeProgress& progress) {
-    panel_.show_optimizing(progress);
+    emit optimized_further(progress);
     emit path_optimized(progress.path);
   });
   connect(&optimizer_, &OptimizeRunner::finished, this, &PlanningSession::take_optimized);
@@ -74,7 +68,7 @@ void PlanningSession::forget() {
   live_.end();
   shown_.reset();
   player_.clear();
-  panel_.clear_result();
+  emit forgotten();
   forget_roadmap();
   emit path_changed();
 }
@@ -85,7 +79,7 @@ void PlanningSession::forget_roadmap() {
 }
 
 void PlanningSession::start() {
-  if (is_running() || !panel_.planner() || !document_.robot()) {
+  if (is_running() || !settings_.planner() || !document_.robot()) {
     return;
   }
   forget();
@@ -94,51 +88,52 @@ void PlanningSession::start() {
   found_.clear();
   begun_.begun = QTime::currentTime();
   begun_.state = document_.state();
-  begun_.planner = panel_.choice();
-  begun_.preset = panel_.presets().words();
-  begun_.request = panel_.request();
-  panel_.show_running();
-  if (panel_.seeds() > 1) {
+  begun_.planner = settings_.choice();
+  begun_.preset = settings_.preset();
+  begun_.request = settings_.request();
+  const bool several = settings_.seeds() > 1;
+  if (several) {
     start_seeds();
   } else {
-    runner_.start(panel_.planner(), document_.problem(), begun_.request, document_.palm());
+    runner_.start(settings_.planner(), document_.problem(), begun_.request, document_.palm());
   }
   emit started();
+  if (several) {
+    emit seeds_done(0, 0);
+  }
 }
 
 void PlanningSession::start_seeds() {
-  const int count = panel_.seeds();
-  panel_.show_seeds(0, 0);
-  seeds_.start({document_.problem(), panel_.copies(std::min(begun_.request.threads, count)),
+  const int count = settings_.seeds();
+  seeds_.start({document_.problem(), settings_.copies(std::min(begun_.request.threads, count)),
                 begun_.request, count, document_.recorded_hand().postures()});
 }
 
 void PlanningSession::optimize() {
-  if (is_running() || !panel_.planner() || player_.timeline().empty() ||
+  if (is_running() || !settings_.planner() || player_.timeline().empty() ||
       player_.made_from() != document_.revision()) {
     return;
   }
   planned_ = document_.revision();
   OptimizeTask task;
   task.problem = document_.problem();
-  task.objective = panel_.planner()->objective();
-  task.request = shown_ ? shown_->request : panel_.request();
+  task.objective = settings_.planner()->objective();
+  task.request = shown_ ? shown_->request : settings_.request();
   repeatable_ = false;
   if (shown_) {
     task.found = shown_->result;
-    repeatable_ = is_planned_with(*shown_, panel_.choice());
+    repeatable_ = is_planned_with(*shown_, settings_.choice());
   }
   task.found.path = player_.timeline().path();
-  task.request.optimize_s = panel_.optimize_limit();
+  task.request.optimize_s = settings_.optimize_limit();
   begun_.number += std::max(1, static_cast<int>(found_.size()));
   found_.clear();
   begun_.begun = QTime::currentTime();
   begun_.state = document_.state();
-  begun_.planner = without_optimizing(panel_.choice());
-  begun_.preset = tr("%1, optimised").arg(panel_.presets().words());
+  begun_.planner = without_optimizing(settings_.choice());
+  begun_.preset = tr("%1, optimised").arg(settings_.preset());
   begun_.request = task.request;
   begun_.request.optimize_s = 0.0;  // paths that follow edits are not optimised for so long
-  panel_.show_optimizing();
   optimizer_.start(std::move(task));
   emit optimizing_started();
 }
@@ -147,7 +142,7 @@ void PlanningSession::take_optimized(const OptimizeOutcome& outcome) {
   emit path_optimized({});
   planning::PlanResult result = outcome.result;
   if (result.path.waypoints == player_.timeline().path().waypoints) {
-    panel_.show_result(result);
+    emit result_found(result, {});
     emit ended(true, QString::fromStdString(result.reason));
     return;
   }
@@ -155,7 +150,7 @@ void PlanningSession::take_optimized(const OptimizeOutcome& outcome) {
     begun_.planner.settings.emplace_back(kOptimizeChecks, std::to_string(result.optimize_checks));
   }
   const PathRecord record = record_of(begun_.request, result, begun_.number);
-  panel_.show_result(result);
+  emit result_found(result, {});
   shown_ = record.run;
   replace_path(result.path, document_.revision());
   live_.begin(document_.problem(), result.path, begun_.request);
@@ -194,7 +189,7 @@ PathRecord PlanningSession::record_of(const planning::PlanRequest& request,
 
 void PlanningSession::show(const PathRecord& record, const QString& note) {
   const planning::PlanResult& result = record.run->result;
-  panel_.show_result(result, note);
+  emit result_found(result, note);
   if (!result.solved()) {
     return;
   }
@@ -231,7 +226,7 @@ void PlanningSession::take_seed(const SeedOutcome& outcome) {
   }
   found_.push_back(record);
   const auto solved = std::ranges::count_if(found_, &PathRecord::is_solved);
-  panel_.show_seeds(static_cast<int>(found_.size()), static_cast<int>(solved));
+  emit seeds_done(static_cast<int>(found_.size()), static_cast<int>(solved));
   emit run_ended(record);
 }
 
@@ -240,12 +235,12 @@ void PlanningSession::take_seeds(bool cancelled) {
     emit ended(false, tr("Planning was cancelled: another scene was opened"));
     return;
   }
-  const PathMerit merit = panel_.merit();
+  const PathMerit merit = settings_.merit();
   const auto best = best_of(found_, merit);
   const auto done = static_cast<int>(found_.size());
-  const QString how_many = cancelled
-                               ? tr("%1 of %2 seeds, then cancelled").arg(done).arg(panel_.seeds())
-                               : tr("%1 seeds").arg(done);
+  const QString how_many =
+      cancelled ? tr("%1 of %2 seeds, then cancelled").arg(done).arg(settings_.seeds())
+                : tr("%1 seeds").arg(done);
   if (best == found_.end()) {
     show_none(tr("No path from %1.").arg(how_many));
     return;
@@ -273,7 +268,7 @@ void PlanningSession::show_none(const QString& note) {
     result.statistics += record.run->result.statistics;
     result.time_s += record.run->result.time_s;
   }
-  panel_.show_result(result, note);
+  emit result_found(result, note);
   emit ended(false, note);
 }
 
@@ -292,14 +287,14 @@ void PlanningSession::take_edit(const SceneState& before) {
 
 void PlanningSession::try_scene(const SceneState& state) { live_.follow(state.scene, {}); }
 
-void PlanningSession::take_replanned(const DerivedResult& replanned, const QString& way) {
-  const planning::PlanResult& result = replanned.value;
-  panel_.show_replanned(result, way);
+void PlanningSession::take_replanned(const DerivedResult& derived, const QString& origin) {
+  const planning::PlanResult& result = derived.value;
+  emit replanned(result, origin);
   if (!result.solved()) {
     return;
   }
   shown_.reset();
-  replace_path(result.path, replanned.made_from);
+  replace_path(result.path, derived.made_from);
 }
 
 void PlanningSession::replace_path(const planning::Path& path,
@@ -315,7 +310,7 @@ void PlanningSession::replace_path(const planning::Path& path,
 }
 
 void PlanningSession::take_failure(const QString& message) {
-  panel_.show_failure(message);
+  emit failed(message);
   emit ended(false, message);
 }
 

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "features/planning/plan_panel.h"
 #include "model/document/document.h"
 #include "model/planning/live_replanner.h"
 #include "model/planning/optimize_runner.h"
 #include "model/planning/path_history.h"
 #include "model/planning/plan_runner.h"
+#include "model/planning/plan_settings.h"
 #include "model/planning/seed_runner.h"
 #include "model/playback/path_player.h"
 
@@ -16,7 +16,7 @@
 
 namespace handway::gui {
 
-/// From a click on Plan to a path that plays: runs the panel's planner on the
+/// From a click on Plan to a path that plays: runs the chosen planner on the
 /// document's scene, with one seed or several, moves the document's robot along the result, and
 /// keeps the path valid while the scene is edited.
 class PlanningSession : public QObject {
@@ -24,11 +24,11 @@ class PlanningSession : public QObject {
 
  public:
   /// All outlive the session.
-  PlanningSession(Document& document, PlanPanel& panel, PathPlayer& player,
+  PlanningSession(Document& document, PlanSettings& settings, PathPlayer& player,
                   QObject* parent = nullptr);
 
   void start();
-  /// Goes on with optimising the path that is shown, for the panel's objective; the result is a
+  /// Goes on with optimising the path that is shown, for the planner's objective; the result is a
   /// path of its own, as after planning. Nothing happens without a path that is valid in the scene
   /// as it is.
   void optimize();
@@ -59,6 +59,17 @@ class PlanningSession : public QObject {
   void optimizing_started();
   /// The path that is being optimised, as it is by now; empty: none is any more.
   void path_optimized(const handway::planning::Path& path);
+  void progressed(double fraction, const QString& activity);
+  /// Of several seeds, so many are done, of which so many found a path.
+  void seeds_done(int done, int solved);
+  void optimized_further(const handway::gui::OptimizeProgress& progress);
+  /// What a run, or several seeds together, came to. @param note to be said first; may be empty.
+  void result_found(const handway::planning::PlanResult& result, const QString& note);
+  /// A path follows an edit, or there is none. @param origin where it came from, one word.
+  void replanned(const handway::planning::PlanResult& result, const QString& origin);
+  void failed(const QString& message);
+  /// What was found before counts no more.
+  void forgotten();
   /// roadmap() is another one, or has grown.
   void roadmap_changed();
   /// The player has a new timeline, or none.
@@ -81,13 +92,13 @@ class PlanningSession : public QObject {
   /// The player plays a path from where it is in the one before.
   void replace_path(const planning::Path& path, const planning::Revision& made_from);
   void take_edit(const SceneState& before);
-  void take_replanned(const DerivedResult& replanned, const QString& way);
+  void take_replanned(const DerivedResult& derived, const QString& origin);
   void forget_roadmap();
   void take_failure(const QString& message);
   [[nodiscard]] bool is_current() const;
 
   Document& document_;
-  PlanPanel& panel_;
+  PlanSettings& settings_;
   PathPlayer& player_;
   PlanRunner runner_;
   SeedRunner seeds_;
@@ -97,7 +108,8 @@ class PlanningSession : public QObject {
   std::vector<PathRecord> found_;  ///< Of its seeds.
   std::shared_ptr<const PlanRun> shown_;
   OptimizeRunner optimizer_;
-  bool repeatable_ = false;  ///< What is optimised would be found again with the panel's settings.
+  bool repeatable_ =
+      false;  ///< What is optimised would be found again with the settings as they are.
   SharedRoadmap roadmap_;
 };
 

@@ -3,7 +3,7 @@
 #include "handway/geometric/collision/contact.h"
 #include "handway/planning/queries/nearest_free.h"
 #include "model/document/prepared_problem.h"
-#include "model/jobs/latest_job.h"
+#include "model/jobs/background.h"
 
 #include <QMetaType>
 #include <QObject>

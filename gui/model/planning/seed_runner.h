@@ -3,8 +3,8 @@
 #include "handway/planning/core/planner.h"
 #include "handway/sampling/postures/recorded_postures.h"
 #include "model/document/prepared_problem.h"
-#include "model/jobs/background_threads.h"
-#include "model/playback/motion_curves.h"
+#include "model/jobs/background.h"
+#include "model/playback/motion_analysis.h"
 
 #include <QObject>
 #include <QString>

@@ -2,7 +2,7 @@
 
 #include "handway/planning/timing/time_path.h"
 #include "model/document/prepared_problem.h"
-#include "model/jobs/latest_job.h"
+#include "model/jobs/background.h"
 
 #include <QObject>
 #include <QString>

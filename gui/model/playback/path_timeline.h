@@ -1,6 +1,7 @@
 #pragma once
 
 #include "handway/geometric/robot/robot_model.h"
+#include "handway/geometric/scene/scene.h"
 #include "handway/planning/core/exporter.h"
 #include "handway/planning/paths/path.h"
 
@@ -47,5 +48,15 @@ class PathTimeline {
   std::shared_ptr<const planning::Motion> motion_;  ///< Null: at even speed.
   std::vector<double> distance_;                    ///< From the first waypoint to each.
 };
+
+/// The way of one link's origin through the world, m.
+struct PalmPath {
+  std::vector<Eigen::Vector3d> points;     ///< Close together, along the whole path.
+  std::vector<Eigen::Vector3d> waypoints;  ///< One for each of the path's.
+};
+
+/// @param link of the robot, for example its palm.
+[[nodiscard]] PalmPath palm_path(const geometric::RobotInstance& robot,
+                                 const PathTimeline& timeline, int link);
 
 }  // namespace handway::gui

@@ -1,6 +1,5 @@
 #include "widgets/forms/constraint_form.h"
 
-#include "widgets/forms/pose_form.h"
 #include "widgets/forms/quantity_field.h"
 #include "widgets/forms/shape_form.h"
 

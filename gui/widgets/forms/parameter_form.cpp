@@ -1,17 +1,26 @@
 #include "widgets/forms/parameter_form.h"
 
-#include "widgets/forms/number_field.h"
-
 #include <QCheckBox>
 #include <QComboBox>
 #include <QFormLayout>
 #include <QLabel>
+#include <QLocale>
 #include <QSpinBox>
 
 #include <algorithm>
 #include <limits>
 
 namespace handway::gui {
+
+NumberField::NumberField(double lower, double upper, QWidget* parent) : QDoubleSpinBox(parent) {
+  setDecimals(9);
+  setRange(lower, upper);
+  setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+  setKeyboardTracking(false);
+}
+
+QString NumberField::textFromValue(double value) const { return locale().toString(value, 'g', 6); }
+
 namespace {
 
 using planning::ChoiceValue;

@@ -2,6 +2,7 @@
 
 #include "handway/planning/core/parameter.h"
 
+#include <QDoubleSpinBox>
 #include <QWidget>
 
 #include <string>
@@ -11,6 +12,17 @@
 class QFormLayout;
 
 namespace handway::gui {
+
+/// A spin box for numbers of any size: shows as many digits as the value needs
+/// (0.005, 1e-06) and steps in proportion to it.
+class NumberField : public QDoubleSpinBox {
+  Q_OBJECT
+
+ public:
+  NumberField(double lower, double upper, QWidget* parent = nullptr);
+
+  [[nodiscard]] QString textFromValue(double value) const override;
+};
 
 /// A form for parameters: a field with unit, range and help for each number, a
 /// list for choices, a box for switches. Fields write straight through the

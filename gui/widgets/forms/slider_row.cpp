@@ -1,6 +1,6 @@
 #include "widgets/forms/slider_row.h"
 
-#include "widgets/style/role.h"
+#include "widgets/style/theme.h"
 
 #include <QDoubleSpinBox>
 #include <QHBoxLayout>

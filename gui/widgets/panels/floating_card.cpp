@@ -1,6 +1,17 @@
 #include "widgets/panels/floating_card.h"
 
+#include "widgets/style/icons.h"
+#include "widgets/style/theme.h"
+
 #include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QToolButton>
+#include <QVariant>
+
+#include <algorithm>
+#include <utility>
 
 namespace handway::gui {
 
@@ -53,6 +64,84 @@ bool FloatingCard::eventFilter(QObject* watched, QEvent* event) {
     place();
   }
   return QFrame::eventFilter(watched, event);
+}
+
+Banner::Banner(QWidget* host)
+    : FloatingCard(host),
+      picture_(new QLabel),
+      text_(new QLabel),
+      answers_(new QWidget),
+      accept_(new QPushButton),
+      refuse_(new QPushButton) {
+  text_->setWordWrap(true);
+  text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  text_->setObjectName(QStringLiteral("banner_text"));
+  auto* close = new QToolButton;
+  close->setIcon(icon("close"));
+  close->setAutoRaise(true);
+  close->setToolTip(tr("Put this message away"));
+  connect(close, &QToolButton::clicked, this, &QWidget::hide);
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(14, 10, 8, 10);
+  layout->setSpacing(12);
+  layout->addWidget(picture_, 0, Qt::AlignTop);
+  accept_->setObjectName(QStringLiteral("banner_accept"));
+  refuse_->setObjectName(QStringLiteral("banner_refuse"));
+  connect(accept_, &QPushButton::clicked, this, [this] {
+    hide();
+    on_accept_();
+  });
+  connect(refuse_, &QPushButton::clicked, this, [this] {
+    hide();
+    on_refuse_();
+  });
+  auto* answers = new QHBoxLayout(answers_);
+  answers->setContentsMargins(0, 0, 0, 0);
+  answers->addWidget(accept_);
+  answers->addWidget(refuse_);
+  layout->addWidget(text_, 1);
+  layout->addWidget(answers_, 0, Qt::AlignVCenter);
+  layout->addWidget(close, 0, Qt::AlignTop);
+}
+
+void Banner::show_message(const QString& title, const QString& message) {
+  show_text(title, message, false);
+}
+
+void Banner::hide_message() {
+  if (!is_offer_) {
+    hide();
+  }
+}
+
+void Banner::offer(const QString& title, const QString& message, const QString& accept,
+                   std::function<void()> on_accept, const QString& refuse,
+                   std::function<void()> on_refuse) {
+  accept_->setText(accept);
+  refuse_->setText(refuse);
+  on_accept_ = std::move(on_accept);
+  on_refuse_ = std::move(on_refuse);
+  show_text(title, message, true);
+}
+
+void Banner::show_text(const QString& title, const QString& message, bool is_offer) {
+  is_offer_ = is_offer;
+  set_role(*this, is_offer ? QStringLiteral("offer") : QStringLiteral("banner"));
+  const ThemeColors colors = colors_of(current_theme());
+  picture_->setPixmap(is_offer ? icon("undo", colors.accent).pixmap(24, 24)
+                               : icon("warning", colors.bad).pixmap(24, 24));
+  answers_->setVisible(is_offer);
+  text_->setText(
+      QStringLiteral("<b>%1</b><br>%2").arg(title.toHtmlEscaped(), message.toHtmlEscaped()));
+  appear();
+}
+
+QString Banner::message() const { return text_->text(); }
+
+void Banner::place() {
+  const int width = std::min(parentWidget()->width() - 32, 760);
+  const int height = std::max(layout()->heightForWidth(width), minimumSizeHint().height());
+  setGeometry((parentWidget()->width() - width) / 2, 16, width, height);
 }
 
 }  // namespace handway::gui

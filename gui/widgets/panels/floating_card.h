@@ -3,6 +3,11 @@
 #include <QFrame>
 #include <QList>
 
+#include <functional>
+
+class QLabel;
+class QPushButton;
+
 namespace handway::gui {
 
 /// A frame that floats over a widget and keeps its place when that one is resized.
@@ -28,6 +33,38 @@ class FloatingCard : public QFrame {
 
  private:
   void place_others() const;
+};
+
+/// One message over the view that does not stop anybody: what went wrong, or what
+/// could be done, and a button to put it away.
+class Banner : public FloatingCard {
+  Q_OBJECT
+
+ public:
+  /// Floats at the top of `host`.
+  explicit Banner(QWidget* host);
+
+  void show_message(const QString& title, const QString& message);
+  /// Puts a message away; an offer stays.
+  void hide_message();
+  /// A question that may be left open. Both buttons put the banner away.
+  void offer(const QString& title, const QString& message, const QString& accept,
+             std::function<void()> on_accept, const QString& refuse,
+             std::function<void()> on_refuse);
+  [[nodiscard]] QString message() const;
+
+ private:
+  void show_text(const QString& title, const QString& message, bool is_offer);
+  void place() override;
+
+  QLabel* picture_;
+  QLabel* text_;
+  bool is_offer_ = false;
+  QWidget* answers_;
+  QPushButton* accept_;
+  QPushButton* refuse_;
+  std::function<void()> on_accept_;
+  std::function<void()> on_refuse_;
 };
 
 }  // namespace handway::gui

@@ -1,6 +1,6 @@
 #include "widgets/panels/link_status.h"
 
-#include "widgets/style/glove_colors.h"
+#include "widgets/style/theme.h"
 
 #include <QFrame>
 #include <QHBoxLayout>

@@ -1,7 +1,6 @@
 #include "widgets/panels/playback_bar.h"
 
 #include "model/playback/path_player.h"
-#include "widgets/forms/speed_choice.h"
 #include "widgets/style/icons.h"
 
 #include <QComboBox>
@@ -15,6 +14,14 @@
 #include <cmath>
 
 namespace handway::gui {
+
+void offer_speeds(QComboBox& box) {
+  for (const double factor : {0.1, 0.25, 0.5, 1.0, 2.0, 5.0, 10.0}) {
+    box.addItem(QStringLiteral("%1×").arg(factor), factor);
+  }
+  box.setCurrentIndex(box.findData(1.0));
+}
+
 namespace {
 
 constexpr int kScrubSteps = 10000;

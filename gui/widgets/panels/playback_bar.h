@@ -13,6 +13,10 @@ namespace handway::gui {
 
 class PathPlayer;
 
+/// Offers speeds from a tenth to ten times real time, each item's data the factor; real time is
+/// chosen.
+void offer_speeds(QComboBox& box);
+
 /// Buttons and a scrub slider for a path player. Where there is little room, buttons that have a
 /// key are left out.
 class PlaybackBar : public QWidget {

@@ -2,9 +2,13 @@
 
 #include "handway/geometric/math/units.h"
 #include "handway/planning/queries/failure_explanation.h"
+#include "model/planning/path_history.h"
 #include "widgets/style/theme.h"
 
-#include <QLocale>
+#include <QObject>
+#include <QStringList>
+
+#include <algorithm>
 
 namespace handway::gui {
 namespace {
@@ -32,38 +36,7 @@ QString row(const QString& name, const QString& value) {
       .arg(html(colors_of(current_theme()).muted), name, value);
 }
 
-QString seconds(double value) {
-  return value < 1.0 ? QStringLiteral("%1 ms").arg(value * 1e3, 0, 'f', 0)
-                     : QStringLiteral("%1 s").arg(value, 0, 'f', 2);
-}
-
-QString count(std::uint64_t value) {
-  return QLocale(QLocale::English).toString(static_cast<qulonglong>(value));
-}
-
 }  // namespace
-
-QString status_text(planning::PlanStatus status) {
-  switch (status) {
-    case planning::PlanStatus::kSolved:
-      return QObject::tr("Path found");
-    case planning::PlanStatus::kStartInvalid:
-      return QObject::tr("The start is not valid");
-    case planning::PlanStatus::kGoalInvalid:
-      return QObject::tr("The goal is not valid");
-    case planning::PlanStatus::kSamplesSpent:
-      return QObject::tr("No path found: the samples are used up");
-    case planning::PlanStatus::kTimeLimit:
-      return QObject::tr("No path found in the time given");
-    case planning::PlanStatus::kCancelled:
-      return QObject::tr("Cancelled");
-    case planning::PlanStatus::kStalled:
-      return QObject::tr("No path found: nothing is left to sample");
-    case planning::PlanStatus::kInfeasible:
-      return QObject::tr("There is no path");
-  }
-  return {};
-}
 
 QString result_text(const planning::PlanResult& result, const QString& note) {
   const ThemeColors colors = colors_of(current_theme());
@@ -88,14 +61,14 @@ QString result_text(const planning::PlanResult& result, const QString& note) {
     text += paragraph(QString::fromStdString(sentence));
   }
   text += begin_table();
-  text += row(QObject::tr("Planning"), seconds(result.time_s));
+  text += row(QObject::tr("Planning"), seconds_text(result.time_s));
   if (result.solved() && result.smoothing_s > 0.0) {
-    text += row(QObject::tr("Smoothing"), seconds(result.smoothing_s));
+    text += row(QObject::tr("Smoothing"), seconds_text(result.smoothing_s));
   }
-  text += row(QObject::tr("Samples"), count(result.statistics.samples));
-  text += row(QObject::tr("Nodes"), count(result.statistics.nodes));
+  text += row(QObject::tr("Samples"), count_text(result.statistics.samples));
+  text += row(QObject::tr("Nodes"), count_text(result.statistics.nodes));
   if (result.solved()) {
-    text += row(QObject::tr("Waypoints"), count(result.path.waypoints.size()));
+    text += row(QObject::tr("Waypoints"), count_text(result.path.waypoints.size()));
     text += row(QObject::tr("Clearance"),
                 QStringLiteral("≥ %1 mm").arg(result.certificate.min_clearance_mm, 0, 'f', 2));
   }
@@ -119,10 +92,10 @@ QString replanned_text(const planning::PlanResult& result, const QString& way) {
                      : headline(QObject::tr("No path in the scene as it is now"), colors.bad) +
                            paragraph(QString::fromStdString(result.reason));
   text += begin_table();
-  text += row(QObject::tr("Planning again"), seconds(result.time_s + result.smoothing_s));
+  text += row(QObject::tr("Planning again"), seconds_text(result.time_s + result.smoothing_s));
   if (result.solved()) {
     text += row(QObject::tr("From"), way);
-    text += row(QObject::tr("Waypoints"), count(result.path.waypoints.size()));
+    text += row(QObject::tr("Waypoints"), count_text(result.path.waypoints.size()));
     text += row(QObject::tr("Clearance"),
                 QStringLiteral("≥ %1 mm").arg(result.certificate.min_clearance_mm, 0, 'f', 2));
   }
@@ -140,22 +113,96 @@ QString optimizing_text(const OptimizeProgress& progress) {
     text += row(QObject::tr("Hand to PMD subspace"),
                 QObject::tr("%1 on average").arg(*progress.hand_distance, 0, 'f', 3));
   }
-  text += row(QObject::tr("Waypoints"), count(progress.path.waypoints.size()));
+  text += row(QObject::tr("Waypoints"), count_text(progress.path.waypoints.size()));
   text += row(QObject::tr("Time"), QObject::tr("%1 s").arg(progress.seconds, 0, 'f', 1));
   return text + QStringLiteral("</table>");
-}
-
-QString result_line(const planning::PlanResult& result) {
-  if (result.solved()) {
-    return QObject::tr("Path found in %1, %2 waypoints")
-        .arg(seconds(result.time_s), count(result.path.waypoints.size()));
-  }
-  return result.reason.empty() ? status_text(result.status) : QString::fromStdString(result.reason);
 }
 
 QString failure_text(const QString& message) {
   return headline(QObject::tr("Planning failed"), colors_of(current_theme()).bad) +
          QStringLiteral("<p style=\"margin:0\">%1</p>").arg(message.toHtmlEscaped());
+}
+
+namespace {
+
+constexpr std::size_t kMostFaults = 4;
+constexpr std::size_t kMostJoints = 4;
+
+QString tr(const char* text) { return QObject::tr(text); }
+
+QString colored(const QString& text, const QColor& color) {
+  return QStringLiteral("<b style=\"color:%1\">%2</b>").arg(html(color), text.toHtmlEscaped());
+}
+
+QString faults_text(const planning::TimedPath& motion) {
+  QString text = colored(tr("Not cleared to run"), colors_of(current_theme()).bad);
+  const auto& faults = motion.preflight.faults;
+  for (std::size_t i = 0; i < std::min(faults.size(), kMostFaults); ++i) {
+    text += QStringLiteral("<br>") + QString::fromStdString(faults[i].text).toHtmlEscaped();
+  }
+  if (faults.size() > kMostFaults) {
+    text += QStringLiteral("<br>") + tr("and %1 more").arg(faults.size() - kMostFaults);
+  }
+  if (faults.empty()) {
+    text += QStringLiteral("<br>") + QString::fromStdString(motion.blends.fault).toHtmlEscaped();
+  }
+  return text;
+}
+
+}  // namespace
+
+QString motion_text(const planning::TimedPath& motion) {
+  if (!motion.cleared()) {
+    return faults_text(motion);
+  }
+  const planning::PreflightReport& report = motion.preflight;
+  QString text = colored(tr("Cleared to run"), colors_of(current_theme()).good);
+  const auto add = [&text](const QString& line) { text += QStringLiteral("<br>") + line; };
+  add(tr("%1 s").arg(report.duration, 0, 'f', 2));
+  const auto add_share = [&](const QString& line, const planning::LimitShare& share) {
+    if (share.share > 0.0) {
+      add(line.arg(100.0 * share.share, 0, 'f', 0).arg(QString::fromStdString(share.joint)));
+    }
+  };
+  add_share(tr("Velocity up to %1 % of the limit (%2)"), report.velocity);
+  add_share(tr("Acceleration up to %1 % of the limit (%2)"), report.acceleration);
+  add(tr("Clearance %1 mm (%2)")
+          .arg(report.min_clearance_mm, 0, 'f', 2)
+          .arg(QString::fromStdString(report.closest_pair)));
+  for (const std::string& line : planning::assumption_lines(report.assumed, kMostJoints)) {
+    add(QString::fromStdString(line).toHtmlEscaped());
+  }
+  return text;
+}
+
+QString cause_of(const execution::MotionOutcome& outcome) {
+  const std::string& cause = outcome.collision.empty() ? outcome.fault : outcome.collision;
+  return cause.empty() ? tr("on request") : QString::fromStdString(cause);
+}
+
+QString outcome_text(const execution::MotionOutcome& outcome) {
+  const ThemeColors colors = colors_of(current_theme());
+  QString text;
+  if (outcome.done) {
+    text = colored(tr("Done in %1 s").arg(outcome.time, 0, 'f', 2), colors.good);
+  } else {
+    text = colored(tr("Stopped after %1 s").arg(outcome.time, 0, 'f', 2), colors.bad);
+    if (!outcome.fault.empty() || !outcome.collision.empty()) {
+      text += QStringLiteral("<br>") + cause_of(outcome).toHtmlEscaped();
+    }
+    text += QStringLiteral("<br>") +
+            (outcome.at_rest_ms >= 0.0
+                 ? tr("At rest %1 ms after the stop").arg(outcome.at_rest_ms, 0, 'f', 0)
+                 : colored(tr("Not seen at rest: look at the robot"), colors.bad));
+  }
+  double error = 0.0;
+  for (const execution::FollowingError& device : outcome.errors) {
+    error = std::max(error, device.max().maxCoeff());
+  }
+  return text + QStringLiteral("<br>") +
+         tr("Largest following error %1° (%2 rad)")
+             .arg(geometric::degrees(error), 0, 'f', 2)
+             .arg(error, 0, 'f', 4);
 }
 
 }  // namespace handway::gui

@@ -1,6 +1,8 @@
 #pragma once
 
+#include "handway/execution/motion/motion_run.h"
 #include "handway/planning/core/plan_result.h"
+#include "handway/planning/timing/time_path.h"
 #include "model/planning/optimize_runner.h"
 
 #include <QString>
@@ -11,9 +13,6 @@ namespace handway::gui {
 /// @param note to be said first, plain text; may be empty.
 [[nodiscard]] QString result_text(const planning::PlanResult& result, const QString& note = {});
 
-/// How planning ended, in few words: "Path found".
-[[nodiscard]] QString status_text(planning::PlanStatus status);
-
 /// The same of a path that was planned again for an edited scene.
 /// @param way where it came from, one word.
 [[nodiscard]] QString replanned_text(const planning::PlanResult& result, const QString& way);
@@ -21,10 +20,16 @@ namespace handway::gui {
 /// A path that gets better, with its figures, as rich text.
 [[nodiscard]] QString optimizing_text(const OptimizeProgress& progress);
 
-/// A result as one line of plain text.
-[[nodiscard]] QString result_line(const planning::PlanResult& result);
-
 /// A failure in words, as rich text.
 [[nodiscard]] QString failure_text(const QString& message);
+
+/// What a motion would be like, or what stands against it, for a person (rich text).
+[[nodiscard]] QString motion_text(const planning::TimedPath& motion);
+
+/// What stopped a motion that was not done.
+[[nodiscard]] QString cause_of(const execution::MotionOutcome& outcome);
+
+/// How a motion ended, for a person (rich text).
+[[nodiscard]] QString outcome_text(const execution::MotionOutcome& outcome);
 
 }  // namespace handway::gui

@@ -2,10 +2,14 @@
 
 #include <QAbstractTableModel>
 #include <QString>
+#include <QTableView>
 
 #include <cstdint>
+#include <initializer_list>
 #include <optional>
 #include <vector>
+
+class QSortFilterProxyModel;
 
 namespace handway::gui {
 
@@ -67,6 +71,16 @@ class RunTable : public QAbstractTableModel {
 
  private:
   std::vector<RunRow> rows_;
+};
+
+/// A view of runs, that are sorted by what is clicked on, of which one may be chosen.
+class RunView : public QTableView {
+  Q_OBJECT
+
+ public:
+  /// @param runs that are sorted, of a RunTable. @param columns that are shown. Outlives the view.
+  RunView(QSortFilterProxyModel& runs, std::initializer_list<RunTable::Column> columns,
+          QWidget* parent = nullptr);
 };
 
 }  // namespace handway::gui

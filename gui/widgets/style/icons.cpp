@@ -2,7 +2,9 @@
 
 #include "widgets/style/theme.h"
 
+#include <QAction>
 #include <QFile>
+#include <QKeySequence>
 #include <QPainter>
 #include <QPixmap>
 #include <QPixmapCache>
@@ -68,6 +70,19 @@ QIcon icon(const QString& name, const QColor& color) {
   add_sizes(result, name, faint, QIcon::Disabled, QIcon::Off);
   add_sizes(result, name, colors_of(current_theme()).on_accent, QIcon::Selected, QIcon::Off);
   return result;
+}
+
+QAction* make_action(QObject& parent, const QString& name, const QString& text,
+                     const QKeySequence& keys, const QString& tip) {
+  auto* action = new QAction(text, &parent);
+  action->setObjectName(name);
+  action->setShortcut(keys);
+  if (!tip.isEmpty()) {
+    action->setStatusTip(tip);
+    const QString shown = keys.toString(QKeySequence::NativeText);
+    action->setToolTip(shown.isEmpty() ? tip : QStringLiteral("%1 (%2)").arg(tip, shown));
+  }
+  return action;
 }
 
 }  // namespace handway::gui

@@ -4,12 +4,62 @@
 #include <QFile>
 #include <QFont>
 #include <QPalette>
+#include <QStyle>
 #include <QStyleFactory>
+#include <QVariant>
+#include <QWidget>
+
+#include <algorithm>
+#include <cmath>
 
 // Takes the drawings in; a macro of Qt that must stand outside all namespaces.
 static void take_resources() { Q_INIT_RESOURCE(workbench); }
 
 namespace handway::gui {
+namespace {
+
+constexpr double kEnough = 2.5;
+constexpr int kSteps = 20;
+
+double linear(double value) {
+  return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+}
+
+double luminance(const QColor& color) {
+  return 0.2126 * linear(color.redF()) + 0.7152 * linear(color.greenF()) +
+         0.0722 * linear(color.blueF());
+}
+
+QColor mixed(const QColor& from, const QColor& to, double share) {
+  const auto mix = [share](double a, double b) { return a + share * (b - a); };
+  return QColor::fromRgbF(mix(from.redF(), to.redF()), mix(from.greenF(), to.greenF()),
+                          mix(from.blueF(), to.blueF()), from.alphaF());
+}
+
+}  // namespace
+
+double contrast(const QColor& a, const QColor& b) {
+  const auto [low, high] = std::minmax({luminance(a), luminance(b)});
+  return (high + 0.05) / (low + 0.05);
+}
+
+QColor seen_on(const QColor& background, const QColor& color) {
+  const QColor far = contrast(background, Qt::white) > contrast(background, Qt::black)
+                         ? QColor(Qt::white)
+                         : QColor(Qt::black);
+  QColor seen = color;
+  for (int step = 1; step <= kSteps && contrast(seen, background) < kEnough; ++step) {
+    seen = mixed(color, far, static_cast<double>(step) / kSteps);
+  }
+  return seen;
+}
+
+void set_role(QWidget& widget, const QString& role) {
+  widget.setProperty("role", role);
+  widget.style()->unpolish(&widget);
+  widget.style()->polish(&widget);
+}
+
 namespace {
 
 Theme applied = Theme::kLight;

@@ -7,6 +7,7 @@
 #include <QString>
 
 class QApplication;
+class QWidget;
 
 namespace handway::gui {
 
@@ -34,5 +35,26 @@ void apply_theme(QApplication& application, Theme theme);
 
 /// "#rrggbb", for rich text.
 [[nodiscard]] QString html(const QColor& color);
+
+/// The ratio of two colours' luminances, 1 to 21, as the Web Content Accessibility Guidelines 2.1
+/// define it.
+[[nodiscard]] double contrast(const QColor& a, const QColor& b);
+
+/// `color`, lighter or darker if it could hardly be told from `background`.
+[[nodiscard]] QColor seen_on(const QColor& background, const QColor& color);
+
+/// Gives a widget that is shown already another role in the style sheet; empty: none.
+void set_role(QWidget& widget, const QString& role);
+
+/// What needs attention but is no fault: joints at their limits, sensors at their ends.
+[[nodiscard]] inline QColor attention_color() {
+  return current_theme() == Theme::kDark ? QColor(0xe5, 0xa5, 0x3d) : QColor(0xb9, 0x73, 0x0b);
+}
+
+/// `color` with a part of its opacity.
+[[nodiscard]] inline QColor faded(QColor color, double opacity) {
+  color.setAlphaF(opacity);
+  return color;
+}
 
 }  // namespace handway::gui

@@ -245,6 +245,17 @@ CollisionWorld CollisionWorld::without_object(std::string_view name) const {
   return changed;
 }
 
+CollisionWorld CollisionWorld::with_change(const ObjectChange& change) const {
+  switch (change.kind) {
+    case ObjectChange::Kind::kRemoved:
+      return without_object(change.object.name);
+    case ObjectChange::Kind::kAdded:
+      return with_object(change.object);
+    default:
+      return with_object_at(change.object.name, change.object.X_PO);
+  }
+}
+
 CollisionWorld CollisionWorld::with_constraints_of(const Scene& scene) const {
   CollisionWorld changed = *this;
   changed.constraints_.clear();

@@ -73,6 +73,33 @@ PlanningProblem make_problem(std::shared_ptr<const geometric::Scene> scene,
   return problem;
 }
 
+PlanningProblem updated_problem(const PlanningProblem& before,
+                                std::shared_ptr<const geometric::Scene> scene,
+                                std::shared_ptr<const sampling::PmdBasis> basis,
+                                const geometric::Preparation& preparation) {
+  const auto difference = geometric::scene_difference(*before.scene, *scene);
+  if (before.basis != basis || !difference || !difference->keeps_order) {
+    return make_problem(std::move(scene), std::move(basis), preparation);
+  }
+  PlanningProblem updated = before;
+  updated.start = needed(*scene, "start", scene->start);
+  updated.goal = needed(*scene, "goal", scene->goal);
+  updated.scene = std::move(scene);
+  if (difference->empty()) {
+    return updated;
+  }
+  geometric::CollisionWorld world = before.checker->world();
+  for (const geometric::ObjectChange& change : difference->changes) {
+    world = world.with_change(change);
+  }
+  const auto shared =
+      std::make_shared<const geometric::CollisionWorld>(world.with_constraints_of(*updated.scene));
+  updated.motion = std::make_shared<const geometric::MotionBound>(*shared);
+  updated.checker =
+      geometric::make_collision_checker(shared, geometric::CheckerKind::kFast, preparation);
+  return updated;
+}
+
 double normalised_distance(const geometric::RobotModel& model, const Configuration& a,
                            const Configuration& b) {
   return (geometric::normalised(model, a) - geometric::normalised(model, b)).norm();

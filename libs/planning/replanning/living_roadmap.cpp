@@ -13,6 +13,7 @@ namespace handway::planning {
 
 using geometric::CollisionWorld;
 using geometric::InputError;
+using geometric::ObjectChange;
 using geometric::Scene;
 using geometric::SceneObject;
 
@@ -26,7 +27,7 @@ std::unique_ptr<Planner> usual_planner(const PlanningProblem& problem) {
 }
 
 // The scene's object of that name that stands still.
-std::vector<SceneObject>::iterator still_object(Scene& scene, const std::string& name) {
+SceneObject still_object(const Scene& scene, const std::string& name) {
   const auto found =
       std::ranges::find_if(scene.objects, [&](const SceneObject& o) { return o.name == name; });
   if (found == scene.objects.end()) {
@@ -43,7 +44,7 @@ std::vector<SceneObject>::iterator still_object(Scene& scene, const std::string&
          "an attachment to " + found->attachment->robot + "/" + found->attachment->link,
          "an object that stands still", "A carried object moves with its link"});
   }
-  return found;
+  return *found;
 }
 
 }  // namespace
@@ -56,14 +57,15 @@ struct LivingRoadmap::State {
         planner(chosen ? std::move(chosen) : usual_planner(problem)),
         memory(settings) {}
 
-  // @param moved the object was there and is: how the robot can move has not changed.
-  void change(const std::string& object, Scene scene, CollisionWorld changed, bool moved) {
-    if (!moved) {
+  void change(const geometric::ObjectChange& change) {
+    world = std::make_shared<const CollisionWorld>(world->with_change(change));
+    auto scene = std::make_shared<Scene>(*problem.scene);
+    geometric::apply(change, *scene);
+    problem.scene = std::move(scene);
+    if (change.kind != ObjectChange::Kind::kMoved) {  // else all moves as before
       problem.motion = nullptr;
     }
-    problem.scene = std::make_shared<const Scene>(std::move(scene));
-    world = std::make_shared<const CollisionWorld>(std::move(changed));
-    memory.changes.note(object);
+    memory.changes.note(change.object.name);
   }
 
   // Several changes between two queries make one checker.
@@ -97,22 +99,30 @@ const PlanningProblem& LivingRoadmap::problem() {
 const ReplanReport& LivingRoadmap::report() const { return state_->memory.report; }
 
 void LivingRoadmap::move_object(const std::string& name, const geometric::Pose& X_WO) {
-  Scene scene = *state_->problem.scene;
-  still_object(scene, name)->X_PO = X_WO;
-  state_->change(name, std::move(scene), state_->world->with_object_at(name, X_WO), true);
+  SceneObject object = still_object(*state_->problem.scene, name);
+  object.X_PO = X_WO;
+  state_->change({ObjectChange::Kind::kMoved, std::move(object)});
 }
 
 void LivingRoadmap::add_object(const SceneObject& object) {
-  CollisionWorld changed = state_->world->with_object(object);
-  Scene scene = *state_->problem.scene;
-  scene.objects.push_back(object);
-  state_->change(object.name, std::move(scene), std::move(changed), false);
+  state_->change({ObjectChange::Kind::kAdded, object});
 }
 
 void LivingRoadmap::remove_object(const std::string& name) {
-  Scene scene = *state_->problem.scene;
-  scene.objects.erase(still_object(scene, name));
-  state_->change(name, std::move(scene), state_->world->without_object(name), false);
+  state_->change({ObjectChange::Kind::kRemoved, still_object(*state_->problem.scene, name)});
+}
+
+bool LivingRoadmap::follow(const Scene& scene) {
+  const auto difference = geometric::scene_difference(*state_->problem.scene, scene);
+  if (!difference || difference->other_constraints || !scene.start || !scene.goal) {
+    return false;
+  }
+  for (const ObjectChange& change : difference->changes) {
+    state_->change(change);
+  }
+  set_start(*scene.start);
+  set_goal(*scene.goal);
+  return true;
 }
 
 void LivingRoadmap::set_start(const Configuration& q) { state_->problem.start = q; }

@@ -1,6 +1,5 @@
-#include "model/document/save_scene.h"
-
 #include "handway/planning/core/plugin.h"
+#include "model/document/document.h"
 #include "small_cell.h"
 
 #include <gmock/gmock.h>

@@ -9,7 +9,7 @@
 #include "handway/planning/core/objective.h"
 #include "handway/planning/core/plugin.h"
 #include "handway/planning/paths/path_check.h"
-#include "model/document/drop_height.h"
+#include "model/document/resting.h"
 #include "model/document/scene_edits.h"
 #include "patience.h"
 #include "small_cell.h"
@@ -63,7 +63,7 @@ class Story : public ::testing::Test {
   }
 
   [[nodiscard]] gui::MainWindow& window() const { return *window_; }
-  [[nodiscard]] gui::SceneEditor& editor() const { return window_->editing().editor(); }
+  [[nodiscard]] gui::SceneEditor& editor() const { return window_->editor(); }
   [[nodiscard]] const geometric::Scene& scene() const { return *window_->document().scene(); }
 
   void select(const char* object) const {
@@ -249,14 +249,14 @@ TEST_F(Story, SaysWhatIsWrongWithAFileAndKeepsTheScene) {
 
 TEST_F(Story, PlansWithSeveralSeedsAndPutsARunBack) {
   open(source_dir() / "scenes" / "cans_on_desk.yaml");
-  window().plan_panel().choose_planner("auto");
-  window().plan_panel().set_seeds(6);
+  window().plan_settings().choose_planner("auto");
+  window().plan_settings().set_seeds(6);
   ASSERT_TRUE(plan());
   picture("seeds_1_best");
   const auto best = window().session().shown_run();
   ASSERT_TRUE(best);
-  window().plan_panel().choose_planner("rrt-connect");
-  window().plan_panel().set_seeds(1);
+  window().plan_settings().choose_planner("rrt-connect");
+  window().plan_settings().set_seeds(1);
   ASSERT_TRUE(plan());
   auto* runs = window().findChild<QTableView*>(QStringLiteral("runs_table"));
   ASSERT_EQ(runs->model()->rowCount(), 7);
@@ -266,7 +266,7 @@ TEST_F(Story, PlansWithSeveralSeedsAndPutsARunBack) {
     }
   }
   window().findChild<QPushButton*>(QStringLiteral("runs_restore"))->click();
-  EXPECT_EQ(window().plan_panel().planner()->name(), "auto");
+  EXPECT_EQ(window().plan_settings().planner()->name(), "auto");
   EXPECT_EQ(window().player().timeline().path().waypoints, best->result.path.waypoints);
   picture("seeds_2_restored");
   ASSERT_TRUE(plan());
@@ -345,7 +345,7 @@ hand_basis: hand.yaml
   ObjectiveFigure figure;
   std::map<std::string, planning::PathQuality> found;
   for (const char* objective : {"human-like", "shortest", "safest", "fastest"}) {
-    window().plan_panel().apply(
+    window().plan_settings().apply(
         {"auto", {{"objective", objective}, {"optimize_checks", "100000"}}});
     ASSERT_TRUE(plan()) << objective;
     window().player().seek(0.0);
@@ -367,7 +367,7 @@ hand_basis: hand.yaml
 
 TEST_F(Story, KeepsOptimisingThePathThatWasFound) {
   open(source_dir() / "scenes" / "can_on_table.yaml");
-  window().plan_panel().apply(
+  window().plan_settings().apply(
       {"rrt-connect", {{"smoothing_checks", "0"}, {"objective", "safest"}}});
   ASSERT_TRUE(plan());
   trigger("Roadmap");
@@ -388,7 +388,7 @@ TEST_F(Story, KeepsOptimisingThePathThatWasFound) {
 
 TEST_F(Story, SaysWhatStoodInTheWay) {
   open(source_dir() / "scenes" / "t_shape.yaml");
-  window().plan_panel().apply({"rrt-connect", {{"max_samples", "500"}}});
+  window().plan_settings().apply({"rrt-connect", {{"max_samples", "500"}}});
   ASSERT_FALSE(plan());
   auto* result = window().findChild<QLabel*>(QStringLiteral("result"));
   EXPECT_THAT(result->text().toStdString(), HasSubstr("collided with"));
@@ -400,7 +400,7 @@ TEST_F(Story, SaysWhatStoodInTheWay) {
 TEST_F(Story, CancelsAHardPlan) {
   HANDWAY_NEED_REFERENCE(reference);
   open(reference / "auro" / "TX90_RHand_ICRA10_5PMD-shelfT2_new.xml");
-  window().plan_panel().choose_planner("full-prm");
+  window().plan_settings().choose_planner("full-prm");
   QSignalSpy ended(&window().session(), &gui::PlanningSession::ended);
   trigger("Plan");
   QTest::qWait(1000);
@@ -409,7 +409,7 @@ TEST_F(Story, CancelsAHardPlan) {
   ASSERT_TRUE(wait_for([&] { return !ended.isEmpty(); }));
   EXPECT_FALSE(ended.front().front().toBool());
   picture("cancel_2_cancelled");
-  window().plan_panel().choose_planner("auto");
+  window().plan_settings().choose_planner("auto");
 }
 
 TEST_F(Story, MovesEmulatedDevicesAndTellsWhatAnEditRevokes) {

@@ -1,4 +1,4 @@
-#include "app/body_display_tool.h"
+#include "app/view_actions.h"
 #include "features/editing/editing_test.h"
 #include "model/document/collision_monitor.h"
 #include "view3d/body_meshes.h"

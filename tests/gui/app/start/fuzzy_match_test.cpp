@@ -1,4 +1,4 @@
-#include "app/start/fuzzy_match.h"
+#include "app/start/command_palette.h"
 
 #include <gtest/gtest.h>
 

@@ -57,7 +57,7 @@ TEST_F(StartingTheWindow, BeginsANewSceneWithARobotOfTheLibrary) {
   EXPECT_TRUE(geometric::find_object(*window().document().scene(), "box"));
   run_command("undo");
   EXPECT_TRUE(window().document().scene()->objects.empty());
-  window().editing().editor().undo_stack().setClean();
+  window().editor().undo_stack().setClean();
 }
 
 TEST_F(StartingTheWindow, HelpsWithTheViewOnF1) {

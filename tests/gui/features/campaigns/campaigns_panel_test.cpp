@@ -98,9 +98,9 @@ TEST_F(CampaignsInTheWindow, ShowARunThatIsClickedWithThePathItHad) {
   emit runs().clicked(row);
   ASSERT_TRUE(ended.wait(kPatience));
   EXPECT_EQ(window().document().file().filename(), "round_the_post.yaml");
-  EXPECT_EQ(window().plan_panel().planner()->name(),
+  EXPECT_EQ(window().plan_settings().planner()->name(),
             row.siblingAtColumn(gui::RunTable::kPlanner).data().toString().toStdString());
-  EXPECT_EQ(window().plan_panel().request().seed, row.data().toULongLong());
+  EXPECT_EQ(window().plan_settings().request().seed, row.data().toULongLong());
   EXPECT_EQ(window().player().timeline().path().waypoints.size(), nodes);
   EXPECT_THAT(result(), HasSubstr(std::to_string(samples)));
   ASSERT_NE(window().session().roadmap(), nullptr);

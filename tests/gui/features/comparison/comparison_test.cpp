@@ -1,6 +1,5 @@
 #include "app/playback_tools.h"
 #include "features/comparison/comparison_window.h"
-#include "features/comparison/locked_views.h"
 #include "patience.h"
 #include "view3d/scene_view.h"
 #include "window_test.h"
@@ -16,7 +15,7 @@ class Comparison : public WindowTest {
  protected:
   void plan_with(std::uint64_t seed) {
     const std::size_t before = history().size();
-    window().plan_panel().set_seed(seed);
+    window().plan_settings().set_seed(seed);
     plan();
     ASSERT_TRUE(QTest::qWaitFor([&] { return history().size() > before; }, kPatienceMs));
     window().player().pause();

@@ -82,7 +82,7 @@ class Devices : public WindowTest {
     wall.X_PO = geometric::pose_from_rpy({std::cos(angle), std::sin(angle), 0.0}, 0.0, 0.0, angle);
     editor().apply("Add a wall", gui::with_object(editor().state(), wall), {"wall"});
   }
-  [[nodiscard]] gui::SceneEditor& editor() const { return window().editing().editor(); }
+  [[nodiscard]] gui::SceneEditor& editor() const { return window().editor(); }
   /// Across the workspace, between start and goal.
   static constexpr double kAcross = 1.2;
   [[nodiscard]] bool says(const char* label, const char* words) const {

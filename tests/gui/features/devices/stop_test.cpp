@@ -3,10 +3,10 @@
 #include "features/devices/moving_robot.h"
 #include "features/devices/x_input.h"
 #include "features/editing/scene_editing.h"
-#include "features/glove/calibration_choice.h"
 #include "features/glove/device_field.h"
 #include "features/glove/glove_panel.h"
 #include "features/glove/pmd_explorer.h"
+#include "features/planning/plan_panel.h"
 #include "features/planning/preset_bar.h"
 #include "handway/device/glove/glove_emulator.h"
 #include "handway/device/glove/glove_layout.h"
@@ -182,7 +182,7 @@ class StopInDialogs : public Stop {
     plan();
     window().player().set_loop(false);
     window().plan_panel().presets().save_as("own");
-    window().editing().editor().select_objects({"post"});
+    window().editor().select_objects({"post"});
     // A glove, of which something is recorded.
     glove_ = std::make_unique<device::GloveEmulator>(device::GloveEmulatorSettings{}, [](double) {
       return std::array<std::uint16_t, device::kGloveSensors>{};
@@ -237,14 +237,14 @@ std::vector<DialogCase> StopInDialogs::cases() const {
       {"app/file_commands.cpp", "unsaved changes",
        [this] { (void)only<gui::FileCommands>().may_discard(); }},
       {"features/devices/device_session.cpp", "leave", [this] { window().close(); }},
-      {"features/postures/keep_posture_dialog.h", "keep a posture", trigger("&Keep this posture…")},
+      {"features/postures/kept_postures.h", "keep a posture", trigger("&Keep this posture…")},
       {"features/export/export_dialog.h", "export", trigger("&Export the path…")},
       {"features/export/export_dialog.cpp", "folder",
        [this] { open_both("&Export the path…", QStringLiteral("Browse…")); }},
       {"features/export/pictures_dialog.h", "pictures", trigger("Export p&ictures of the path…")},
       {"features/export/pictures_dialog.cpp", "file",
        [this] { open_both("Export p&ictures of the path…", QStringLiteral("Browse…")); }},
-      {"app/start/about_box.cpp", "about", trigger("&About Handway")},
+      {"app/start/help.cpp", "about", trigger("&About Handway")},
       {"features/preferences/preferences_dialog.h", "preferences", trigger("Pre&ferences…")},
       {"features/comparison/comparison_window.h", "compare", trigger("Compare two &paths…")},
       {"features/comparison/comparison_window.cpp", "a path to compare",
@@ -266,7 +266,7 @@ std::vector<DialogCase> StopInDialogs::cases() const {
        [this] { emit only<gui::PmdExplorer>().recording_requested(); }},
       {"features/glove/device_field.cpp", "recording to replay",
        [this] { choose(part<QComboBox>("glove_device"), "Replay a recording…"); }},
-      {"features/glove/calibration_choice.cpp", "calibration",
+      {"features/glove/device_field.cpp", "calibration",
        [this] { choose(only<gui::CalibrationChoice>(), "From a file…"); }},
       {"features/glove/mapping_editor.cpp", "mapping", trigger("Open…")},
       {"features/glove/mapping_editor.cpp", "save a mapping", trigger("Save as…")},
@@ -276,8 +276,8 @@ std::vector<DialogCase> StopInDialogs::cases() const {
 }
 
 TEST_F(StopInDialogs, WorksByKeyAndByButtonInEveryOne) {
-  window().editing().editor().add("box", geometric::Box{}, {}, {0.9, 0.0, 0.0});
-  window().editing().editor().select_objects({"post"});
+  window().editor().add("box", geometric::Box{}, {}, {0.9, 0.0, 0.0});
+  window().editor().select_objects({"post"});
   constexpr std::array kKeys{Qt::Key_Pause, Qt::Key_Space, Qt::Key_F12};
   std::map<std::string, int> covered;
   std::size_t turn = 0;

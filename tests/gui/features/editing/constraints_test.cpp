@@ -1,7 +1,6 @@
 #include "features/editing/editing_test.h"
 #include "features/editing/properties_panel.h"
-#include "features/planning/collision_label.h"
-#include "features/planning/doctor_card.h"
+#include "features/planning/collision_display.h"
 #include "features/planning/query_check.h"
 #include "handway/geometric/io/scene_reader.h"
 #include "handway/geometric/io/scene_writer.h"

@@ -23,7 +23,7 @@ class EditingTest : public WindowTest {
     }
   }
 
-  [[nodiscard]] gui::SceneEditor& editor() const { return window().editing().editor(); }
+  [[nodiscard]] gui::SceneEditor& editor() const { return window().editor(); }
   [[nodiscard]] gui::EditActions& actions() const { return window().editing().actions(); }
   [[nodiscard]] const geometric::Scene& scene() const { return *window().document().scene(); }
   [[nodiscard]] const geometric::SceneObject& object(const char* name) const {

@@ -1,6 +1,5 @@
 #include "features/editing/editing_test.h"
 #include "handway/geometric/collision/make_checker.h"
-#include "model/document/problem_update.h"
 #include "model/document/scene_edits.h"
 
 #include <QSignalSpy>
@@ -113,7 +112,7 @@ TEST(ProblemUpdate, GivesTheWorldOfTheChangedScene) {
   state = gui::with_changed_object(
       state, "post", [](geometric::SceneObject& post) { post.X_PO.translation().z() += 0.3; });
   const planning::PlanningProblem updated =
-      gui::updated_problem(before, {state.scene, loaded.basis});
+      planning::updated_problem(before, state.scene, loaded.basis);
   const planning::PlanningProblem anew = planning::make_problem(state.scene, loaded.basis);
   const auto names = [](const planning::PlanningProblem& problem) {
     std::vector<std::string> all;
@@ -142,12 +141,15 @@ TEST(ProblemUpdate, KnowsConstraints) {
       {"ahead", "palm",
        geometric::OrientationConstraint{Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitX(), 0.5}});
   const planning::PlanningProblem constrained =
-      gui::updated_problem(before, {state.scene, loaded.basis});
+      planning::updated_problem(before, state.scene, loaded.basis);
   geometric::Configuration turned = *loaded.scene->start;
   turned[0] = 0.6;
   EXPECT_TRUE(constrained.checker->clone()->first_collision(turned));
   EXPECT_FALSE(before.checker->clone()->first_collision(turned));
-  EXPECT_TRUE(gui::updated_problem(constrained, loaded).checker->world().constraints().empty());
+  EXPECT_TRUE(planning::updated_problem(constrained, loaded.scene, loaded.basis)
+                  .checker->world()
+                  .constraints()
+                  .empty());
 }
 
 TEST(ProblemUpdate, KnowsWhatIsHollow) {
@@ -165,7 +167,8 @@ TEST(ProblemUpdate, KnowsWhatIsHollow) {
   };
   const planning::PlanningProblem inside = planning::make_problem(around(true).scene, loaded.basis);
   EXPECT_TRUE(inside.checker->clone()->first_collision(inside.start));
-  const planning::PlanningProblem hollow = gui::updated_problem(inside, around(false));
+  const planning::PlanningProblem hollow =
+      planning::updated_problem(inside, around(false).scene, loaded.basis);
   EXPECT_FALSE(hollow.checker->clone()->first_collision(hollow.start));
 }
 

@@ -83,7 +83,7 @@ TEST_F(ExportDialogTest, TimesAgainAtAnotherSpeed) {
 
 TEST_F(ExportDialogTest, ExportsNothingThatWasTimedBeforeAnEdit) {
   ASSERT_TRUE(is_ready());
-  gui::SceneEditor& editor = window().editing().editor();
+  gui::SceneEditor& editor = window().editor();
   const auto add = [&](double x) {
     geometric::SceneObject wall;
     wall.name = "wall";

@@ -1,4 +1,4 @@
-#include "features/glove/capture_hints.h"
+#include "features/glove/capture_coach.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

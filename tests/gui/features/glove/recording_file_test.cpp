@@ -1,5 +1,4 @@
-#include "features/glove/recording_file.h"
-
+#include "features/glove/record_bar.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway_test/paths.h"
 

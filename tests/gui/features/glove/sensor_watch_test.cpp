@@ -1,6 +1,5 @@
-#include "features/glove/sensor_watch.h"
-
-#include "features/glove/glove_device_list.h"
+#include "features/glove/device_field.h"
+#include "features/glove/sensor_bars.h"
 
 #include <gtest/gtest.h>
 #include <handway_test/paths.h>

@@ -1,10 +1,8 @@
 #include "model/planning/microscope.h"
 
 #include "app/playback_tools.h"
-#include "features/microscope/algorithm_listing.h"
 #include "features/microscope/listing_view.h"
 #include "features/microscope/microscope_panel.h"
-#include "features/microscope/step_text.h"
 #include "patience.h"
 #include "window_test.h"
 

@@ -18,7 +18,7 @@ class FrontierOfASearch : public WindowTest {
  protected:
   void fail_to_plan() {
     open(cell().wall());
-    window().plan_panel().apply({"rrt-connect", {{"max_samples", "300"}}});
+    window().plan_settings().apply({"rrt-connect", {{"max_samples", "300"}}});
     plan();
     ASSERT_TRUE(window().player().timeline().empty());
   }

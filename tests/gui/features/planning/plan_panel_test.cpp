@@ -16,45 +16,44 @@ class ParametersInThePanel : public WindowTest {};
 
 TEST_F(ParametersInThePanel, GoBackToThePlannersOwnValues) {
   open(cell().post());
-  auto& panel = *window().findChild<gui::PlanPanel*>();
-  panel.choose_planner("pmd-prm");
+  gui::PlanSettings& settings = window().plan_settings();
+  settings.choose_planner("pmd-prm");
   auto& reset = part<QPushButton>("reset_parameters");
   EXPECT_FALSE(reset.isEnabled());
   const int usual = part<QSpinBox>("k").value();
 
   part<QSpinBox>("k").setValue(usual + 3);
-  EXPECT_EQ(panel.choice().settings.size(), 1U);
+  EXPECT_EQ(settings.choice().settings.size(), 1U);
   EXPECT_TRUE(reset.isEnabled());
 
   click("reset_parameters");
   EXPECT_EQ(part<QSpinBox>("k").value(), usual);
-  EXPECT_TRUE(panel.choice().settings.empty());
-  EXPECT_EQ(panel.choice().name, "pmd-prm");
+  EXPECT_TRUE(settings.choice().settings.empty());
+  EXPECT_EQ(settings.choice().name, "pmd-prm");
   EXPECT_FALSE(reset.isEnabled());
 }
 
 TEST_F(ParametersInThePanel, StayWhileAPlannerRuns) {
   open(cell().post());
-  auto& panel = *window().findChild<gui::PlanPanel*>();
-  panel.choose_planner("pmd-prm");
+  window().plan_settings().choose_planner("pmd-prm");
   part<QSpinBox>("k").setValue(part<QSpinBox>("k").value() + 1);
-  panel.show_running();
+  emit window().session().started();
   EXPECT_FALSE(part<QPushButton>("reset_parameters").isEnabled());
-  panel.clear_result();
-  panel.set_ready(true);
+  window().plan_panel().set_ready(true);
   EXPECT_TRUE(part<QPushButton>("reset_parameters").isEnabled());
 }
 
 TEST_F(ParametersInThePanel, KeepTheMarginOfARun) {
   open(cell().post());
-  auto& panel = *window().findChild<gui::PlanPanel*>();
-  EXPECT_EQ(panel.request().margin_mm, 0.0);
+  gui::PlanSettings& settings = window().plan_settings();
+  EXPECT_EQ(settings.request().margin_mm, 0.0);
   part<QDoubleSpinBox>("margin").setValue(7.5);
-  planning::PlanRequest request = panel.request();
+  planning::PlanRequest request = settings.request();
   EXPECT_EQ(request.margin_mm, 7.5);
   request.margin_mm = 3.0;
-  panel.restore(request);
-  EXPECT_EQ(panel.request().margin_mm, 3.0);
+  settings.restore(request);
+  EXPECT_EQ(settings.request().margin_mm, 3.0);
+  EXPECT_EQ(part<QDoubleSpinBox>("margin").value(), 3.0);
 }
 
 class PlannersInThePanel : public WindowTest {

@@ -25,7 +25,7 @@ class PresetsInThePanel : public WindowTest {
     WindowTest::SetUp();
     if (!IsSkipped()) {
       open(cell().post());
-      window().plan_panel().choose_planner("auto");
+      window().plan_settings().choose_planner("auto");
     }
   }
   void TearDown() override {
@@ -68,7 +68,7 @@ TEST_F(PresetsInThePanel, GiveTheirValuesToTheParameters) {
   EXPECT_EQ(bar().words(), QStringLiteral("Thorough"));
   EXPECT_FALSE(part<QLabel>("modified").isVisible());
   choose("Balanced");
-  EXPECT_TRUE(window().plan_panel().choice().settings.empty());
+  EXPECT_TRUE(window().plan_settings().choice().settings.empty());
 }
 
 TEST_F(PresetsInThePanel, SayWhichValuesAreOthersAndTakeThemBack) {
@@ -96,9 +96,9 @@ TEST_F(PresetsInThePanel, FitEveryPlannerThatTheyAreFor) {
 }
 
 TEST_F(PresetsInThePanel, AreChosenWhereASceneAsksForTheirValues) {
-  window().plan_panel().apply({"auto", {{"smoothing_checks", "0"}}});
+  window().plan_settings().apply({"auto", {{"smoothing_checks", "0"}}});
   EXPECT_EQ(bar().words(), QStringLiteral("Fast"));
-  window().plan_panel().apply({"auto", {{"smoothing_checks", "1"}}});
+  window().plan_settings().apply({"auto", {{"smoothing_checks", "1"}}});
   EXPECT_EQ(bar().words(), QStringLiteral("Balanced, modified"));
 }
 

@@ -1,6 +1,5 @@
 #include "features/editing/scene_editing.h"
 #include "features/planning/planning_views.h"
-#include "features/planning/projection_panel.h"
 #include "features/planning/projection_tool.h"
 #include "model/document/scene_editor.h"
 #include "widgets/plots/projection_plot.h"
@@ -59,7 +58,7 @@ TEST_F(ProjectionOfTheRoadmap, MovesTheRobotToANodeThatIsClicked) {
   show_projection();
   plan();
   settle();
-  const int undo = window().editing().editor().undo_stack().count();
+  const int undo = window().editor().undo_stack().count();
   window().player().play();
   const auto& nodes = window().session().roadmap()->roadmap.nodes;
   const int last = static_cast<int>(nodes.size()) - 1;
@@ -68,7 +67,7 @@ TEST_F(ProjectionOfTheRoadmap, MovesTheRobotToANodeThatIsClicked) {
   ASSERT_TRUE(clicked) << "nodes may lie on each other";
   EXPECT_EQ(window().document().configuration(), nodes[static_cast<std::size_t>(*clicked)].q);
   EXPECT_FALSE(window().player().is_playing());
-  EXPECT_EQ(window().editing().editor().undo_stack().count(), undo) << "nothing to undo";
+  EXPECT_EQ(window().editor().undo_stack().count(), undo) << "nothing to undo";
   QTest::mouseClick(plot().canvas(), Qt::LeftButton, Qt::NoModifier, QPoint(2, 2));
   EXPECT_EQ(window().document().configuration(), nodes[static_cast<std::size_t>(*clicked)].q);
 }

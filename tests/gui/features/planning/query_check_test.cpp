@@ -1,7 +1,6 @@
 #include "features/planning/query_check.h"
 
 #include "features/editing/editing_test.h"
-#include "features/planning/doctor_card.h"
 
 #include <QPushButton>
 

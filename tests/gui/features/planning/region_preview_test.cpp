@@ -20,7 +20,7 @@ class RegionPreviewInThePanel : public WindowTest {
  protected:
   void open_with(const char* planner) {
     open(cell().post());
-    window().plan_panel().choose_planner(planner);
+    window().plan_settings().choose_planner(planner);
   }
   void switch_on() {
     part<QCheckBox>("preview_region").setChecked(true);
@@ -65,7 +65,7 @@ TEST_F(RegionPreviewInThePanel, SetsTheParameterThatIsDragged) {
   part<QSlider>("preview_rho").setValue(600);
   settle();
   const auto& settings =
-      dynamic_cast<planning::PmdPrm&>(*window().plan_panel().planner()).settings();
+      dynamic_cast<planning::PmdPrm&>(*window().plan_settings().planner()).settings();
   const double entered = settings.rho_a;
   EXPECT_DOUBLE_EQ(part<QDoubleSpinBox>("rho_a").value(), entered);
   EXPECT_NEAR(entered, 0.017, 0.001) << "the slider is logarithmic";
@@ -87,7 +87,7 @@ TEST_F(RegionPreviewInThePanel, SaysThatAPlannerHasNoRegion) {
   settle();
   EXPECT_FALSE(is_shown());
   EXPECT_THAT(note(), HasSubstr("everywhere"));
-  window().plan_panel().choose_planner("pmd-rrt-connect");
+  window().plan_settings().choose_planner("pmd-rrt-connect");
   settle();
   EXPECT_TRUE(is_shown());
 }

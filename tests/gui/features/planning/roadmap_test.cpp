@@ -1,6 +1,6 @@
-#include "features/planning/hypercube_display.h"
+#include "features/planning/plan_panel.h"
 #include "features/planning/planning_views.h"
-#include "features/planning/roadmap_legend.h"
+#include "features/planning/roadmap_display.h"
 #include "window_test.h"
 
 #include <QAction>
@@ -93,7 +93,7 @@ TEST_F(RoadmapInTheView, GoesWithItsSwitchAndWithTheScene) {
 
 TEST_F(RoadmapInTheView, CountsNodesByTheirPrincipalDirections) {
   open(cell().post());
-  window().plan_panel().choose_planner("pmd-rrt-connect");
+  window().plan_settings().choose_planner("pmd-rrt-connect");
   plan();
   ASSERT_TRUE(window().session().roadmap());
   EXPECT_FALSE(window().session().roadmap()->roadmap.winner) << "one search alone";
@@ -102,7 +102,7 @@ TEST_F(RoadmapInTheView, CountsNodesByTheirPrincipalDirections) {
 
 TEST_F(RoadmapInTheView, DoesNotSearchAnyMoreOnceThereIsAPath) {
   open(cell().post());
-  window().plan_panel().choose_planner("pmd-prm");
+  window().plan_settings().choose_planner("pmd-prm");
   widen();
   plan();
   EXPECT_THAT(text("roadmap_note"), Not(HasSubstr("Searching")));
@@ -119,7 +119,7 @@ class HypercubesInTheView : public RoadmapInTheView {
   void plan_with(const char* planner) { plan_with(planner, cell().post()); }
   void plan_with(const char* planner, const std::filesystem::path& scene) {
     open(scene);
-    window().plan_panel().choose_planner(planner);
+    window().plan_settings().choose_planner(planner);
     widen();
     plan();
   }

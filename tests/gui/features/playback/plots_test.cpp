@@ -1,5 +1,4 @@
 #include "app/playback_tools.h"
-#include "features/playback/joint_curve_list.h"
 #include "features/playback/plots_panel.h"
 #include "patience.h"
 #include "pressed_mouse.h"

@@ -143,14 +143,14 @@ TEST_F(ThePreferences, ShowQuantitiesInOtherUnits) {
 TEST_F(ThePreferences, SetWhatPlanningBeginsWith) {
   part<QSpinBox>("usual_threads").setValue(3);
   part<QDoubleSpinBox>("usual_time_limit").setValue(12.0);
-  const planning::PlanRequest request = window().plan_panel().request();
+  const planning::PlanRequest request = window().plan_settings().request();
   EXPECT_EQ(request.threads, 3);
   EXPECT_DOUBLE_EQ(request.time_limit_s, 12.0);
   auto& planner = part<QComboBox>("usual_planner");
   planner.setCurrentIndex(planner.count() - 1);
   const std::string last = planner.currentText().toStdString();
-  window().plan_panel().apply({});
-  EXPECT_EQ(window().plan_panel().planner()->name(), last);
+  window().plan_settings().apply({});
+  EXPECT_EQ(window().plan_settings().planner()->name(), last);
 }
 
 TEST_F(ThePreferences, SwitchOffTheKeepingOfUnsavedChanges) {

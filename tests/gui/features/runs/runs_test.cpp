@@ -1,6 +1,6 @@
 #include "app/playback_tools.h"
 #include "features/editing/scene_editing.h"
-#include "model/planning/path_figures.h"
+#include "model/planning/path_history.h"
 #include "widgets/panels/run_table.h"
 #include "window_test.h"
 
@@ -31,7 +31,7 @@ class RunsInTheWindow : public WindowTest {
   [[nodiscard]] QString cell_text(int row, gui::RunTable::Column column) const {
     return rows().index(row, column).data().toString();
   }
-  [[nodiscard]] QUndoStack& edits() const { return window().editing().editor().undo_stack(); }
+  [[nodiscard]] QUndoStack& edits() const { return window().editor().undo_stack(); }
   // The row of a run, restored by a double click.
   void restore(int number) const {
     auto& table = part<QTableView>("runs_table");
@@ -54,7 +54,7 @@ class RunsInTheWindow : public WindowTest {
 
 TEST_F(RunsInTheWindow, AreListedWithWhatCameOfThem) {
   open(cell().post());
-  window().plan_panel().choose_planner("pmd-rrt-connect");
+  window().plan_settings().choose_planner("pmd-rrt-connect");
   plan();
   show_dock("runs");
   ASSERT_EQ(rows().rowCount(), 1);
@@ -80,29 +80,29 @@ TEST_F(RunsInTheWindow, AreListedWhenThereIsNoPath) {
 
 TEST_F(RunsInTheWindow, ArePutBackAndGiveTheIdenticalPathAgain) {
   open(cell().post());
-  gui::PlanPanel& panel = window().plan_panel();
-  panel.choose_planner("pmd-rrt-connect");
+  gui::PlanSettings& settings = window().plan_settings();
+  settings.choose_planner("pmd-rrt-connect");
   part<QSpinBox>("smoothing_checks").setValue(17);
-  panel.set_seed(5);
+  settings.set_seed(5);
   plan();
   const std::vector<geometric::Configuration> first = shown_path();
   const geometric::Configuration goal = *window().document().scene()->goal;
   show_dock("runs");
 
-  panel.choose_planner("rrt-connect");
-  panel.set_seed(9);
-  panel.set_seeds(4);
+  settings.choose_planner("rrt-connect");
+  settings.set_seed(9);
+  settings.set_seeds(4);
   geometric::Configuration other = goal;
   other[0] -= 0.1;
-  window().editing().editor().set_goal(other);
+  window().editor().set_goal(other);
   plan_seeds(1);
   ASSERT_NE(shown_path(), first);
 
   restore(1);
-  EXPECT_EQ(panel.planner()->name(), "pmd-rrt-connect");
+  EXPECT_EQ(settings.planner()->name(), "pmd-rrt-connect");
   EXPECT_EQ(part<QSpinBox>("smoothing_checks").value(), 17);
-  EXPECT_EQ(panel.request().seed, 5U);
-  EXPECT_EQ(panel.seeds(), 1);
+  EXPECT_EQ(settings.request().seed, 5U);
+  EXPECT_EQ(settings.seeds(), 1);
   EXPECT_EQ(*window().document().scene()->goal, goal);
   EXPECT_EQ(shown_path(), first);
   EXPECT_THAT(result(), AllOf(HasSubstr("Run 1, restored"), HasSubstr("Path found")));
@@ -119,7 +119,7 @@ TEST_F(RunsInTheWindow, ArePutBackAndGiveTheIdenticalPathAgain) {
 
 TEST_F(RunsInTheWindow, WithSeveralSeedsShowTheBest) {
   open(cell().post());
-  window().plan_panel().choose_planner("rrt-connect");
+  window().plan_settings().choose_planner("rrt-connect");
   part<QSpinBox>("smoothing_checks").setValue(0);
   plan_seeds(6);
   ASSERT_EQ(rows().rowCount(), 6);
@@ -140,8 +140,8 @@ TEST_F(RunsInTheWindow, WithSeveralSeedsShowTheBest) {
   EXPECT_FALSE(part<QDockWidget>("runs").isHidden());
 
   const auto best_run = shortest->run;
-  window().plan_panel().set_seeds(1);
-  window().plan_panel().set_seed(best_run->request.seed);
+  window().plan_settings().set_seeds(1);
+  window().plan_settings().set_seed(best_run->request.seed);
   plan();
   EXPECT_EQ(shown_path(), best_run->result.path.waypoints) << "the same alone";
 }
@@ -165,7 +165,7 @@ TEST_F(RunsInTheWindow, WithSeveralSeedsAreCancelledAtOnce) {
 
 TEST_F(RunsInTheWindow, WithSeveralSeedsSayWhatStoodInTheWay) {
   open(cell().wall());
-  window().plan_panel().choose_planner("auto");
+  window().plan_settings().choose_planner("auto");
   part<QSpinBox>("max_samples").setValue(400);
   plan_seeds(3);
   EXPECT_THAT(result(), AllOf(HasSubstr("No path from 3 seeds"), HasSubstr("wall")));

@@ -77,7 +77,7 @@ class WristPage : public WindowTest {
   }
   void unplug() { emulator_.reset(); }
 
-  [[nodiscard]] gui::WristPage& page() const { return window().glove_panel().wrist(); }
+  [[nodiscard]] gui::WristPage& page() const { return window().wrist_page(); }
   /// How far the tool is from where it was when the clutch was closed, m.
   [[nodiscard]] Eigen::Vector3d way() const { return tool() - grip_; }
   [[nodiscard]] bool waits_for_way(const Eigen::Vector3d& wanted) const {

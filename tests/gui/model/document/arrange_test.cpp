@@ -1,6 +1,6 @@
 #include "model/document/arrange.h"
 
-#include "features/editing/array_card.h"
+#include "features/editing/array_tool.h"
 #include "features/editing/editing_test.h"
 #include "features/editing/scene_tree.h"
 #include "handway/geometric/io/scene_reader.h"

@@ -1,4 +1,4 @@
-#include "model/document/drop_height.h"
+#include "model/document/resting.h"
 
 #include <gtest/gtest.h>
 

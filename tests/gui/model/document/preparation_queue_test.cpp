@@ -1,5 +1,3 @@
-#include "model/document/preparation_queue.h"
-
 #include "handway_test/solid_robots.h"
 #include "model/document/prepared_problem.h"
 

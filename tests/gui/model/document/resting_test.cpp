@@ -1,7 +1,6 @@
 #include "model/document/resting.h"
 
 #include "features/editing/editing_test.h"
-#include "model/document/drop_height.h"
 #include "model/document/scene_edits.h"
 
 namespace handway::test {

@@ -1,8 +1,6 @@
-#include "model/meshes/coarse_mesh.h"
-
 #include "handway/geometric/scene/shape.h"
-#include "model/meshes/drawn_mesh.h"
-#include "model/meshes/welded_mesh.h"
+#include "model/meshes/crease_normals.h"
+#include "model/meshes/shaded_meshes.h"
 
 #include <gtest/gtest.h>
 

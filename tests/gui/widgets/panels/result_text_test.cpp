@@ -1,5 +1,7 @@
 #include "widgets/panels/result_text.h"
 
+#include "model/planning/path_history.h"
+
 #include <gmock/gmock.h>
 
 namespace handway::gui {

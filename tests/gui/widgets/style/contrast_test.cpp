@@ -1,4 +1,4 @@
-#include "widgets/style/contrast.h"
+#include "widgets/style/theme.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 #include "handway/geometric/collision/link_constraint.h"
 #include "handway/geometric/export.h"
-#include "handway/geometric/scene/scene.h"
+#include "handway/geometric/scene/scene_difference.h"
 
 #include <memory>
 #include <string>
@@ -65,6 +65,7 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionWorld {
   [[nodiscard]] CollisionWorld with_object_at(std::string_view name, const Pose& X_WO) const;
   [[nodiscard]] CollisionWorld with_object(const SceneObject& object) const;
   [[nodiscard]] CollisionWorld without_object(std::string_view name) const;
+  [[nodiscard]] CollisionWorld with_change(const ObjectChange& change) const;
 
   /// This world with the constraints of `scene`, which has the same robots and carried objects.
   /// @throws InputError as LinkConstraint.

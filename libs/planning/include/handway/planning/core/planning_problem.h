@@ -39,6 +39,14 @@ struct PlanningProblem {
     std::shared_ptr<const geometric::Scene> scene, std::shared_ptr<const sampling::PmdBasis> basis,
     const geometric::Preparation& preparation = {});
 
+/// What make_problem() makes of a changed scene, sharing with the problem of the scene before all
+/// that the change left alone: the checker, or at least the meshes that it has prepared.
+/// @throws as make_problem().
+[[nodiscard]] HANDWAY_PLANNING_EXPORT PlanningProblem
+updated_problem(const PlanningProblem& before, std::shared_ptr<const geometric::Scene> scene,
+                std::shared_ptr<const sampling::PmdBasis> basis,
+                const geometric::Preparation& preparation = {});
+
 /// Distance of two configurations in joints normalised to [0, 1] (paper, section 7).
 [[nodiscard]] HANDWAY_PLANNING_EXPORT double normalised_distance(const geometric::RobotModel& model,
                                                                  const Configuration& a,

@@ -77,6 +77,10 @@ class HANDWAY_PLANNING_EXPORT LivingRoadmap {
   void move_object(const std::string& name, const geometric::Pose& X_WO);
   void add_object(const geometric::SceneObject& object);
   void remove_object(const std::string& name);
+  /// All that leads to another scene, with its start and goal. @returns false, having done
+  /// nothing, if that takes more: other robots, carried objects or constraints, or an end that the
+  /// scene has not.
+  [[nodiscard]] bool follow(const geometric::Scene& scene);
 
   /// Checked by plan(), like the ends of any problem.
   void set_start(const Configuration& q);

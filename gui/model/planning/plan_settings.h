@@ -1,0 +1,102 @@
+#pragma once
+
+#include "handway/geometric/scene/scene.h"
+#include "handway/planning/core/planner.h"
+#include "handway/planning/core/planner_registry.h"
+#include "model/planning/path_history.h"
+
+#include <QObject>
+#include <QString>
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace handway::gui {
+
+/// What the next run is asked for: a planner with its parameters, seeds, limits.
+class PlanSettings : public QObject {
+  Q_OBJECT
+
+ public:
+  /// Begins with the registry's first planner. @param registry outlives the settings.
+  explicit PlanSettings(const planning::PlannerRegistry& registry, QObject* parent = nullptr);
+
+  [[nodiscard]] const planning::PlannerRegistry& registry() const { return registry_; }
+  /// The chosen planner; null if there is none. Whoever changes its parameters calls
+  /// announce_parameters().
+  [[nodiscard]] const std::shared_ptr<planning::Planner>& planner() const { return planner_; }
+  /// So many planners like the chosen one.
+  [[nodiscard]] std::vector<std::shared_ptr<planning::Planner>> copies(int count) const;
+  /// The chosen planner with the settings that differ from its defaults.
+  [[nodiscard]] geometric::PlannerChoice choice() const;
+
+  /// Takes over a scene's planner with its settings.
+  /// @throws InputError if it names an unknown planner, key or value.
+  void apply(const geometric::PlannerChoice& choice);
+  /// Chooses a planner with its defaults. @throws InputError if there is none of that name.
+  void use_planner(const std::string& name);
+  /// The same, but keeps the settings if it is chosen already.
+  void choose_planner(const std::string& name);
+  /// Sets KEY=VALUE of the chosen planner. @throws InputError
+  void set_parameter(const std::string& key, const std::string& value);
+  /// The planner of scenes that name none; one that does not exist: the registry's first.
+  void set_usual_planner(const std::string& name);
+  void announce_parameters() { emit parameters_changed(); }
+
+  /// Seed, threads, time limit and margin.
+  [[nodiscard]] const planning::PlanRequest& request() const { return request_; }
+  void set_seed(std::uint64_t seed);
+  /// @param threads 0: one a processor.
+  void set_threads(int threads);
+  /// @param seconds 0: none.
+  void set_time_limit(double seconds);
+  void set_margin(double millimetres);
+  /// Seed, time limit and margin as they were; one seed.
+  void restore(const planning::PlanRequest& request);
+
+  /// How many seeds are planned with, from the seed on.
+  [[nodiscard]] int seeds() const { return seeds_; }
+  void set_seeds(int seeds);
+  /// By which the best of several seeds' paths is chosen.
+  [[nodiscard]] PathMerit merit() const { return merit_; }
+  void set_merit(PathMerit merit);
+  /// For how long a path is optimised at most, s; infinite: until it is stopped.
+  [[nodiscard]] double optimize_limit() const { return optimize_limit_; }
+  /// @param seconds 0: until it is stopped.
+  void set_optimize_limit(double seconds);
+  /// The preset in words: "Fast", or "Fast, modified".
+  [[nodiscard]] const QString& preset() const { return preset_; }
+  void set_preset(const QString& words) { preset_ = words; }
+
+ signals:
+  /// Another planner, or the same with parameters that were set from outside its form.
+  /// @param from_defaults presets begin with the planner's own values.
+  void planner_changed(bool from_defaults);
+  /// Another planner, or another value of a parameter.
+  void parameters_changed();
+  /// Anything but planner and parameters.
+  void request_changed();
+
+ private:
+  /// Keeps `value` in `member`, and says so if it is another.
+  template <typename Value>
+  void keep(Value& member, const Value& value) {
+    if (member != value) {
+      member = value;
+      emit request_changed();
+    }
+  }
+
+  const planning::PlannerRegistry& registry_;
+  std::shared_ptr<planning::Planner> planner_;
+  std::string usual_planner_;
+  planning::PlanRequest request_;
+  int seeds_ = 1;
+  PathMerit merit_ = kPathMerits.front();
+  double optimize_limit_ = 10.0;
+  QString preset_;
+};
+
+}  // namespace handway::gui

@@ -1,0 +1,19 @@
+#include "view3d/overlay.h"
+
+#include <Inventor/nodes/SoNode.h>
+
+namespace handway::gui {
+
+Drawing::Drawing(SoNode* node) : node_(node) {
+  if (node_) {
+    node_->ref();
+  }
+}
+
+Drawing::~Drawing() {
+  if (node_) {
+    node_->unref();
+  }
+}
+
+}  // namespace handway::gui

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "handway/geometric/scene/color.h"
+
+#include <Inventor/nodes/SoPointSet.h>
+
+#include <Eigen/Core>
+
+#include <span>
+#include <utility>
+
+class SoGroup;
+class SoSeparator;
+class SoVertexProperty;
+
+namespace handway::gui {
+
+/// What follows in `group` is drawn in its plain colours, whatever the lights:
+/// lines `line_width` and points `point_size` pixels wide.
+void add_unlit_style(SoGroup& group, float line_width, float point_size = 1.0F);
+
+/// Points [m, W] for a Coin line or point set.
+[[nodiscard]] SoVertexProperty* make_vertices(std::span<const Eigen::Vector3d> points);
+
+/// Points drawn as discs with smooth edges.
+class RoundPoints : public SoPointSet {
+  SO_NODE_HEADER(RoundPoints);
+
+ public:
+  static void initClass();
+  RoundPoints();
+
+  void GLRender(SoGLRenderAction* action) override;
+
+ protected:
+  ~RoundPoints() override = default;
+};
+
+/// Straight lines between points that are given by their numbers.
+/// @param points [m, W]
+/// @param width of the lines [pixels]
+[[nodiscard]] SoSeparator* make_edges_node(std::span<const Eigen::Vector3d> points,
+                                           std::span<const std::pair<int, int>> edges,
+                                           const geometric::Color& color, float width);
+
+}  // namespace handway::gui

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <QString>
+#include <QWidget>
+
+#include <Eigen/Core>
+
+#include <memory>
+#include <vector>
+
+class QwtPlot;
+
+namespace handway::gui {
+
+/// A planner's runs in an EcdfPlot.
+struct EcdfCurve {
+  QString title;
+  std::vector<double> times;  ///< s, of the runs that found a path, in any order.
+  int runs = 0;               ///< Those without a path too.
+};
+
+/// How the share of runs that found a path grows with time, on a logarithmic scale.
+class EcdfPlot : public QWidget {
+ public:
+  explicit EcdfPlot(QWidget* parent = nullptr);
+
+  void set_curves(const std::vector<EcdfCurve>& curves);
+
+ private:
+  QwtPlot* plot_;
+};
+
+/// One variable of a scatter plot.
+struct PlotVariable {
+  QString title;           ///< With its unit.
+  Eigen::VectorXd values;  ///< Shape [samples].
+};
+
+/// Samples as dots, their correlation coefficient above. Of many samples evenly chosen ones are
+/// drawn; the coefficient is of all.
+/// @pre both have as many values, at least one.
+[[nodiscard]] std::unique_ptr<QwtPlot> make_scatter_plot(const PlotVariable& x,
+                                                         const PlotVariable& y);
+
+/// Pearson's correlation coefficient; 0 if one of them doesn't vary.
+[[nodiscard]] double correlation(const Eigen::VectorXd& x, const Eigen::VectorXd& y);
+
+/// How much of the variance the first principal directions cover together (line), and each by
+/// itself (bars). @param shares of each direction, in [0, 1], falling, shape [directions].
+[[nodiscard]] std::unique_ptr<QwtPlot> make_variance_plot(const Eigen::VectorXd& shares);
+
+}  // namespace handway::gui

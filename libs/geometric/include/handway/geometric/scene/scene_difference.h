@@ -1,0 +1,41 @@
+#pragma once
+
+#include "handway/geometric/export.h"
+#include "handway/geometric/scene/scene.h"
+
+#include <optional>
+#include <vector>
+
+namespace handway::geometric {
+
+/// Of the same kind and size; meshes with the same triangles.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT bool same_shape(const Shape& a, const Shape& b);
+
+/// What happens to one object that stands still in the world.
+struct ObjectChange {
+  enum class Kind { kMoved, kRemoved, kAdded };
+
+  Kind kind = Kind::kMoved;
+  SceneObject object;  ///< As it is afterwards; as it was, if it is removed.
+};
+
+/// How one scene becomes another as far as collisions go, with the same robots and carried objects.
+struct SceneDifference {
+  /// One after the other. An object of another shape is removed, and added at the end.
+  std::vector<ObjectChange> changes;
+  bool other_constraints = false;
+  /// Do the changes leave the objects in the order of the later scene?
+  bool keeps_order = true;
+
+  [[nodiscard]] bool empty() const { return changes.empty() && !other_constraints; }
+};
+
+/// What leads from `before` to `after`; nothing if robots or carried objects are different. Where
+/// the first robot stands does not matter.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::optional<SceneDifference> scene_difference(
+    const Scene& before, const Scene& after);
+
+/// Makes the change in the scene's objects. @pre an object that is moved or removed is there.
+HANDWAY_GEOMETRIC_EXPORT void apply(const ObjectChange& change, Scene& scene);
+
+}  // namespace handway::geometric
