@@ -172,6 +172,7 @@ ReportTable box_plot_table(const Campaign& campaign, std::span<const CampaignCel
   return table;
 }
 
+/// A row for each pair of planners on a problem.
 ReportTable comparison_table(const Campaign& campaign,
                              std::span<const planning::CampaignComparison> comparisons) {
   ReportTable table{{"problem", "first", "second", "u", "first_is_faster", "p", "p_holm", "method"},
@@ -319,6 +320,7 @@ std::string ecdf_svg(std::span<const PlotSeries> series) {
   return drawing(legend, svg);
 }
 
+/// Boxes of the finite values side by side, on a logarithmic scale.
 std::string box_plot_svg(std::span<const PlotSeries> series) {
   constexpr double kLabels = 220.0;
   const TimeAxis axis(series, kLabels);

@@ -81,6 +81,9 @@ void add_glove_show_options(CLI::App& command, GloveShowOptions& options) {
   command.add_flag("--json", options.json, "One JSON object a line instead of a table");
 }
 
+/// Shows what a glove measures: on a terminal a table that is refreshed, else a line a frame.
+/// @throws geometric::InputError if it can't be connected.
+/// @returns the exit code.
 int show_glove(std::unique_ptr<device::Glove> glove, const GloveShowOptions& options) {
   const bool table = !options.json && ::isatty(STDOUT_FILENO) != 0;
   Latest latest(options.frames);

@@ -269,6 +269,7 @@ int guide(const GuideChoice& choice) {
   return report(outcome, force_guide, log);
 }
 
+/// Adds `handway haptic guide`.
 void add_haptic_guide(CLI::App& haptic, int& exit_code) {
   auto choice = std::make_shared<GuideChoice>();
   choice->timing.speed = kCautiousSpeed;

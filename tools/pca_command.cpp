@@ -153,6 +153,7 @@ std::string largest_angle_text(const sampling::PrincipalComponents& a,
   return numbers + '\n' + angles + '\n';
 }
 
+/// Axes and half sides of a basis, and its largest entries.
 std::string basis_text(const sampling::PmdBasis& basis) {
   std::string text;
   for (const sampling::FreeJoint& free : basis.free_joints) {

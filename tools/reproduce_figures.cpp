@@ -151,6 +151,11 @@ const std::set<int>& posture_figures() {
   return kNumbers;
 }
 
+/// Analyses the recording that ships and, where HANDWAY_REFERENCE_DIR names the folder of the
+/// published files, the recordings of people in it, mapped by the paper's Table 1, and draws those
+/// of `figures` that are figures of postures to `postures/RECORDING`. The numbers of 7 and 10
+/// stand in `figure_7.csv` and `figure_10.csv` beside it.
+/// @throws InputError if a file can't be written or the recording that ships not be read.
 std::vector<ReproducedFigure> reproduce_postures(const std::set<int>& figures,
                                                  const fs::path& folder) {
   if (std::ranges::none_of(figures, [](int f) { return posture_figures().contains(f); })) {
@@ -295,6 +300,11 @@ const std::set<int>& film_figures() {
   return kNumbers;
 }
 
+/// Plans the paths of those of `figures` that are films on the scenes that ship, each with seed 1,
+/// and draws them as film strips: `figure_N.png` and `.svg`, made of `figure_N.yaml` and paths as
+/// CSV in the folder `figure_N`.
+/// @param time_limit_s of each plan; a row without a path says so.
+/// @throws InputError if a file can't be written or a scene not be read.
 std::vector<ReproducedFigure> reproduce_films(const std::set<int>& figures,
                                               const planning::Extensions& extensions,
                                               double time_limit_s, const fs::path& folder) {

@@ -227,6 +227,7 @@ void add_compared_rows(ReportTable& csv, const std::string& table, const std::st
   }
 }
 
+/// Table 3, with the parameters of two planners beside it.
 ReportTable parameters_compared(const planning::CampaignPlanner& with_pmds,
                                 const planning::CampaignPlanner& without_pmds) {
   ReportTable table{{"Parameter", "published, PMDs", "ours, " + with_pmds.planner,

@@ -157,6 +157,12 @@ std::vector<int> hand_links(const RobotModel& model, int palm) {
   return links;
 }
 
+/// `q` with the hand closed around objects: one finger after the other turns its joints down the
+/// gradient of its distance to the nearest of them, until it keeps only `gap` to anything, the
+/// hand's other links included, or its joints are at their limits. A finger that keeps less already
+/// stays. Same arguments, same bits.
+/// @param hand variables of the hand. @param palm the link that its fingers hang from.
+/// @param objects names of bodies that stand still. @param gap m, > 0.
 Configuration close_hand(CollisionChecker& checker, const std::vector<int>& hand, int palm,
                          const std::vector<std::string>& objects, Configuration q, double gap) {
   for (const Finger& finger : fingers_of(checker.world(), hand, palm, objects)) {

@@ -73,6 +73,7 @@ std::string sample_line(const TrackerSample& sample) {
                      button_sign(sample));
 }
 
+/// {"statistics": {…}} on one line.
 std::string tracker_statistics_json(const StreamStatistics& s, const TrackerFaults& faults) {
   const nlohmann::ordered_json numbers{{"samples", s.frames},
                                        {"rate_hz", s.rate},
@@ -123,6 +124,7 @@ int emulate(const EmulateOptions& options) {
   return serve_device(settings, make_unit(options), options.serve);
 }
 
+/// handway tracker emulate: an emulated tracker on a pseudo-terminal, a TCP port or by UDP.
 void add_tracker_emulate(CLI::App& tracker, int& exit_code) {
   auto options = std::make_shared<EmulateOptions>();
   CLI::App* command =
@@ -284,6 +286,7 @@ int show(const LiveOptions& options) {
   return kDone;
 }
 
+/// handway tracker live: what a tracker measures, as it comes.
 void add_tracker_live(CLI::App& tracker, int& exit_code) {
   auto options = std::make_shared<LiveOptions>();
   CLI::App* command = tracker.add_subcommand("live", "Show what a tracker measures");

@@ -61,6 +61,7 @@ Message joint_trajectory(const planning::Motion& motion, RosVersion version) {
   return {{"header", header(version)}, {"joint_names", names}, {"points", points}};
 }
 
+/// moveit_msgs/RobotState: where the motion begins, with the coupled joints.
 Message start_state(const planning::Motion& motion, RosVersion version) {
   Message names = Message::array();
   Message positions = Message::array();
@@ -121,6 +122,7 @@ void write_value(YAML::Emitter& out, const Message& message) {
   }
 }
 
+/// The message as YAML, arrays of plain values on a line; numbers read back to the same bits.
 std::string to_yaml(const Message& message) {
   YAML::Emitter out;
   out.SetDoublePrecision(std::numeric_limits<double>::max_digits10);

@@ -67,6 +67,10 @@ double top_speed(double duration, double acceleration) {
   return half - std::sqrt(std::max(0.0, half * half - acceleration));
 }
 
+/// A move to each waypoint, the first one being where the motion begins. Speeds are such that
+/// moves take as long as in the motion, the joints speeding up, running and slowing down
+/// together at the limits that the motion was timed with.
+/// @throws InputError if the arm has not six joints that turn.
 std::vector<ArmMove> arm_moves(const planning::Motion& motion) {
   check_arm(motion);
   std::vector<ArmMove> moves;
@@ -233,6 +237,8 @@ std::string stop_program() {
 end)");
 }
 
+/// runPath.pgx: refuses to run unless the arm stands at the first point and all points are
+/// in range; then goes from point to point.
 std::string run_path_program() {
   return program("runPath", {{"l_i", "num"}, {"l_jHere", "jointRx"}}, R"(begin
   l_jHere=herej()

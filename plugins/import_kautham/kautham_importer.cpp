@@ -173,6 +173,8 @@ planning::LoadedScene make_scene(const KauthamProblem& problem) {
   return SceneBuilder(problem).build();
 }
 
+/// A scene with just this robot, all controls in the middle, nothing around it.
+/// @param file a `.rob` file.
 planning::LoadedScene make_robot_scene(const std::filesystem::path& file) {
   KauthamProblem problem;
   problem.file = file;

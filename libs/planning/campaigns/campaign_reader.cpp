@@ -1,15 +1,22 @@
 #include "handway/planning/campaigns/campaign_reader.h"
 
-#include "campaigns/parameter_values.h"
-#include "campaigns/problem_files.h"
 #include "handway/geometric/io/existing_file.h"
+#include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/nearest_name.h"
+#include "handway/geometric/io/resources.h"
 #include "handway/geometric/io/yaml_element.h"
+#include "handway/planning/campaigns/campaign.h"
+#include "handway/planning/core/parameter.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
 #include <fstream>
+#include <limits>
 #include <optional>
 #include <string>
 #include <system_error>
@@ -17,6 +24,196 @@
 
 namespace handway::planning {
 namespace {
+
+using geometric::InputError;
+using geometric::YamlElement;
+
+constexpr double kMostSteps = 1000.0;
+
+/// The whole number or number that an element holds, within bounds.
+/// @throws InputError naming the element.
+double bounded_number(const YamlElement& element, double lower, double upper, bool whole) {
+  const std::string text = element.text();
+  double value = std::numeric_limits<double>::quiet_NaN();
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool good = error == std::errc() && end == text.data() + text.size() && value >= lower &&
+                    value <= upper && (!whole || value == std::floor(value));
+  if (!good) {
+    element.refuse(element.found(), fmt::format("a {}number from {:.12g} to {:.12g}",
+                                                whole ? "whole " : "", lower, upper));
+  }
+  return value;
+}
+
+std::string accepted(const YamlElement& element, const Parameter& parameter,
+                     const std::string& text) {
+  try {
+    set_from_text(parameter, text);
+  } catch (const InputError& error) {
+    element.refuse(error.problem().found, error.problem().expected);
+  }
+  return to_text(parameter);
+}
+
+bool is_logarithmic(const YamlElement& range) {
+  const auto scale = range.find("scale");
+  if (!scale) {
+    return false;
+  }
+  if (scale->text() != "linear" && scale->text() != "log") {
+    scale->refuse(scale->found(), "linear or log");
+  }
+  return scale->text() == "log";
+}
+
+std::vector<double> range_values(const YamlElement& range) {
+  constexpr double kMost = 1e12;
+  range.allow_keys({"from", "to", "steps", "scale"});
+  const double from = bounded_number(range.need("from"), -kMost, kMost, false);
+  const double to = bounded_number(range.need("to"), -kMost, kMost, false);
+  const int steps = static_cast<int>(bounded_number(range.need("steps"), 2, kMostSteps, true));
+  const bool logarithmic = is_logarithmic(range);
+  if (logarithmic && (from <= 0.0 || to <= 0.0)) {
+    range.refuse(fmt::format("a range from {:g} to {:g}", from, to),
+                 "ends above 0 on a logarithmic scale");
+  }
+  std::vector<double> values;
+  for (int i = 0; i < steps; ++i) {
+    const double t = static_cast<double>(i) / (steps - 1);
+    if (i == 0 || i == steps - 1) {  // the ends exactly
+      values.push_back(i == 0 ? from : to);
+    } else {
+      values.push_back(logarithmic ? from * std::pow(to / from, t) : from + (to - from) * t);
+    }
+  }
+  return values;
+}
+
+// Rounded to six digits: what a person would write.
+std::string range_text(const Parameter& parameter, double value) {
+  if (std::holds_alternative<int*>(parameter.value)) {
+    return fmt::format("{:.0f}", std::round(value));
+  }
+  return fmt::format("{:.6g}", value);
+}
+
+/// The values that a campaign gives a parameter: one, a list, or a range
+/// `{from: A, to: B, steps: N, scale: linear|log}` with both ends. Each is text that the
+/// parameter has accepted; in a range of a whole-numbered parameter they are rounded, and
+/// those that fall together are taken once. At least one.
+/// @throws InputError naming the element.
+std::vector<std::string> parameter_values(const YamlElement& element, const Parameter& parameter) {
+  std::vector<std::string> values;
+  if (element.is_list()) {
+    for (const YamlElement& item : element.items()) {
+      values.push_back(accepted(item, parameter, item.text()));
+    }
+    if (values.empty()) {
+      element.refuse("an empty list", "at least one value");
+    }
+  } else if (element.is_map()) {
+    for (const double value : range_values(element)) {
+      values.push_back(accepted(element, parameter, range_text(parameter, value)));
+    }
+  } else {
+    values.push_back(accepted(element, parameter, element.text()));
+  }
+  std::vector<std::string> once;
+  for (const std::string& value : values) {
+    if (std::ranges::count(once, value) == 0) {
+      once.push_back(value);
+    }
+  }
+  return once;
+}
+
+namespace fs = std::filesystem;
+using geometric::YamlElement;
+
+// What a problem's name stands for, or why there is no such file.
+struct Found {
+  fs::path file;
+  std::string fault;
+  std::string advice;
+};
+
+Found with_environment(const std::string& text) {
+  std::string result;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t begin = text.find("${", at);
+    result += text.substr(at, begin - at);
+    if (begin == std::string::npos) {
+      break;
+    }
+    const std::size_t end = text.find('}', begin);
+    if (end == std::string::npos) {
+      return {{}, fmt::format("\"{}\", a \"${{\" without \"}}\"", text), ""};
+    }
+    const std::string name = text.substr(begin + 2, end - begin - 2);
+    const char* value = std::getenv(name.c_str());
+    if (value == nullptr) {
+      return {{}, fmt::format("${{{}}}, which is not set", name), "Set the variable " + name};
+    }
+    result += value;
+    at = end + 1;
+  }
+  return {result, "", ""};
+}
+
+Found find_problem(const std::string& text, const fs::path& folder) {
+  Found named = with_environment(text);
+  if (!named.fault.empty()) {
+    return named;
+  }
+  const fs::path scenes = geometric::resource_dir().parent_path() / "scenes";
+  std::error_code error;
+  for (const fs::path& file :
+       {folder / named.file, scenes / named.file, scenes / (named.file.string() + ".yaml")}) {
+    if (fs::is_regular_file(file, error)) {
+      return {fs::absolute(file).lexically_normal(), "", ""};
+    }
+  }
+  return {{},
+          fmt::format("\"{}\", which is no file", named.file.string()),
+          fmt::format("Looked in {} and {}", folder.string(), scenes.string())};
+}
+
+bool is_optional(const YamlElement& problem) {
+  const std::optional<YamlElement> flag = problem.find("optional");
+  return flag && flag->flag();
+}
+
+/// The problems under a campaign's key `problems`.
+/// @param folder of the campaign's file.
+/// @throws InputError naming the element of one that is not there.
+std::vector<CampaignProblem> campaign_problems(const YamlElement& list, const fs::path& folder) {
+  std::vector<CampaignProblem> problems;
+  for (const YamlElement& item : list.items()) {
+    const bool is_map = item.is_map();
+    if (is_map) {
+      item.allow_keys({"name", "file", "optional"});
+    }
+    const YamlElement file = is_map ? item.need("file") : item;
+    const Found found = find_problem(file.text(), folder);
+    if (!found.fault.empty()) {
+      if (is_map && is_optional(item)) {
+        continue;
+      }
+      file.refuse(found.fault, "a scene or problem file", found.advice);
+    }
+    const std::optional<YamlElement> own_name = is_map ? item.find("name") : std::nullopt;
+    const std::string name = own_name ? own_name->text() : found.file.stem().string();
+    if (std::ranges::count(problems, name, &CampaignProblem::name) != 0) {
+      item.refuse(fmt::format("a second problem called \"{}\"", name), "names that differ",
+                  "Give it a \"name\" of its own");
+    }
+    problems.push_back({name, found.file});
+  }
+  if (problems.empty()) {
+    list.refuse("no problem that is there", "at least one");
+  }
+  return problems;
+}
 
 namespace fs = std::filesystem;
 using geometric::YamlElement;

@@ -1,18 +1,23 @@
 #include "handway/planning/campaigns/run_database.h"
 
-#include "campaigns/folder_lock.h"
 #include "campaigns/run_columns.h"
 #include "campaigns/run_schema.h"
 #include "handway/geometric/io/digest.h"
 #include "handway/geometric/io/input_error.h"
 
 #include <SQLiteCpp/SQLiteCpp.h>
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <sqlite3.h>
+#include <sys/file.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
 #include <map>
 #include <set>
 #include <sstream>
@@ -22,6 +27,38 @@
 
 namespace handway::planning {
 namespace {
+
+/// Keeps other programs from working in a folder, as long as it lives; the system takes it
+/// back from a program that is killed.
+class FolderLock {
+ public:
+  /// @throws InputError if another program holds it, or the folder can't be opened.
+  explicit FolderLock(const std::filesystem::path& folder);
+  ~FolderLock();
+  FolderLock(const FolderLock&) = delete;
+  FolderLock& operator=(const FolderLock&) = delete;
+
+ private:
+  int descriptor_ = -1;
+};
+
+using geometric::InputError;
+
+FolderLock::FolderLock(const std::filesystem::path& folder)
+    : descriptor_(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+  if (descriptor_ < 0) {
+    throw InputError(
+        {folder.string(), "", std::strerror(errno), "a folder for runs", "Choose another folder"});
+  }
+  if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+    close(descriptor_);
+    throw InputError({folder.string(), "", "a campaign that is being run there",
+                      "a folder that no other program works in",
+                      "Wait until it is done, or choose another folder"});
+  }
+}
+
+FolderLock::~FolderLock() { close(descriptor_); }
 
 namespace fs = std::filesystem;
 using geometric::InputError;

@@ -2,6 +2,7 @@
 
 #include "handway/geometric/robot/normalised_joints.h"
 #include "handway/planning/core/plan_result.h"
+#include "handway/planning/timing/rate_limits.h"
 
 #include <algorithm>
 #include <array>
@@ -25,7 +26,6 @@ constexpr double kTieBreak = 0.01;  // of length, where it is not the objective
 constexpr double kClearanceSpacing = 0.05;  // between distance queries of a cost
 constexpr double kQualitySpacing = 0.02;    // between those of path_quality(), and its postures
 constexpr double kEndSlope = 0.5;           // of an end's stretch, see path_quality()
-constexpr double kDefaultVelocity = 1.0;    // rad/s or m/s
 
 // From obstacles, m, at most kFarClearance. Fingers of one hand are always near each other.
 double clearance_at(geometric::CollisionChecker& checker, const Configuration& q) {
