@@ -23,11 +23,13 @@ struct Frontier {
 /// Something to draw, for those who need not know Coin.
 class Drawing {
  public:
-  /// Nothing.
+  // Nothing, or a node of a known kind, is a drawing as it is.
+  // NOLINTBEGIN(google-explicit-constructor)
   Drawing(std::nullptr_t = nullptr) {}
-  explicit Drawing(SoNode* node);
   template <typename Node>
   Drawing(const CoinRef<Node>& node) : Drawing(node.get()) {}
+  // NOLINTEND(google-explicit-constructor)
+  explicit Drawing(SoNode* node);
   Drawing(const Drawing& other) : Drawing(other.node_) {}
   Drawing(Drawing&& other) noexcept : node_(std::exchange(other.node_, nullptr)) {}
   Drawing& operator=(Drawing other) noexcept {

@@ -308,9 +308,10 @@ void PlanPanel::rebuild_form(bool from_defaults) {
   show_whether_several();
   delete form_;
   std::vector<planning::Parameter> parameters = planner.parameters();
-  std::ranges::stable_partition(parameters, [](const planning::Parameter& parameter) {
-    return parameter.key == "objective" || parameter.key.starts_with("weight_");
-  });
+  std::stable_partition(
+      parameters.begin(), parameters.end(), [](const planning::Parameter& parameter) {
+        return parameter.key == "objective" || parameter.key.starts_with("weight_");
+      });
   form_ = new ParameterForm(parameters);
   form_place_->addWidget(form_);
   connect(form_, &ParameterForm::edited, this, [this] {
