@@ -125,10 +125,10 @@ void bind_contents(py::class_<SceneModel>& scene) {
           "Variables of the hand, in the order of the basis' joints.")
       .def_property_readonly(
           "lower", [](const SceneModel& s) { return to_array(s.robot().lower()); },
-          "Limits, [variables], rad or m.")
+          "Limits, [variables], rad or m; -pi for a continuous joint, which has none.")
       .def_property_readonly(
           "upper", [](const SceneModel& s) { return to_array(s.robot().upper()); },
-          "Limits, [variables], rad or m.")
+          "Limits, [variables], rad or m; pi for a continuous joint, which has none.")
       .def_property_readonly(
           "start", [](const SceneModel& s) { return optional_array(s.scene().start); },
           "[variables], rad or m; None if the scene has none.")

@@ -80,8 +80,8 @@ py::object within_limits(const SceneModel& scene, const Array& q) {
   const geometric::RobotModel& robot = scene.robot();
   std::vector<char> answers;
   for (const Configuration& row : batch.rows) {
-    answers.push_back(static_cast<char>((row.array() >= robot.lower().array() - kTolerance).all() &&
-                                        (row.array() <= robot.upper().array() + kTolerance).all()));
+    answers.push_back(
+        static_cast<char>(((robot.clamped(row) - row).array().abs() <= kTolerance).all()));
   }
   return truths(batch, answers);
 }

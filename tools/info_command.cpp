@@ -66,8 +66,11 @@ void print_robot(const geometric::RobotInstance& robot) {
     const auto shown = [&](double value) {
       return turns ? geometric::degrees(value) : geometric::millimetres(value);
     };
-    fmt::print("  {:<18} {:>10.2f} {:>10.2f} {:>10.1f}  {} {}\n", joint.name,
-               shown(joint.limits.lower), shown(joint.limits.upper), shown(joint.limits.velocity),
+    const auto limit = [&](double value) {
+      return joint.is_continuous() ? "none" : fmt::format("{:.2f}", shown(value));
+    };
+    fmt::print("  {:<18} {:>10} {:>10} {:>10.1f}  {} {}\n", joint.name, limit(joint.limits.lower),
+               limit(joint.limits.upper), shown(joint.limits.velocity),
                joint.mimic ? joint.mimic->joint : "", turns ? "(deg)" : "(mm)");
   }
   if (const std::vector<std::string> open = links_with_open_meshes(model); !open.empty()) {

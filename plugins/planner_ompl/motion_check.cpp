@@ -30,8 +30,9 @@ MotionCheck::MotionCheck(const ompl::base::SpaceInformationPtr& information,
     : MotionValidator(information), context_(context), map_(map) {}
 
 bool MotionCheck::is_free(const Configuration& from, const Configuration& to) const {
+  const Configuration end = map_.problem().model().nearest_equivalent(from, to);
   if (context_.interruption() || context_.validator().collision(to) ||
-      !context_.validator().edge_free(from, to)) {
+      !context_.validator().edge_free(from, end)) {
     return false;
   }
   free_.insert(hash_of(from, to));

@@ -145,7 +145,9 @@ planning::Path Search::path() const {
 bool Search::proved(const planning::Path& path) {
   const auto end = std::ranges::adjacent_find(
       path.waypoints, [this](const Configuration& from, const Configuration& to) {
-        return !motions_->known_free(from, to) && !context_.validator().edge_free(from, to);
+        return !motions_->known_free(from, to) &&
+               !context_.validator().edge_free(
+                   from, context_.problem().model().nearest_equivalent(from, to));
       });
   return end == path.waypoints.end();
 }

@@ -2,6 +2,7 @@
 
 #include <ompl/base/spaces/RealVectorStateProjections.h>
 
+#include <cmath>
 #include <memory>
 #include <numeric>
 #include <utility>
@@ -12,10 +13,40 @@ namespace {
 using planning::Configuration;
 using RealState = ompl::base::RealVectorStateSpace::StateType;
 
-/// Informed samplers take the space's default sampler, whatever it was told to make.
+// The fraction of each periodic coordinate; others as they are.
+Eigen::VectorXd within_period(const geometric::Periods& periods, Eigen::VectorXd x) {
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    x[i] -= periods.has(i) ? std::floor(x[i]) : 0.0;
+  }
+  return x;
+}
+
+/// Informed samplers take the space's default sampler, whatever it was told to make. Periodic
+/// coordinates are in [0, 1], of which the ends are one place.
 class SampledSpace final : public ompl::base::RealVectorStateSpace {
  public:
-  using RealVectorStateSpace::RealVectorStateSpace;
+  explicit SampledSpace(const Eigen::VectorXd& periods)
+      : RealVectorStateSpace(static_cast<unsigned int>(periods.size())), periods_(periods) {}
+
+  double distance(const ompl::base::State* a, const ompl::base::State* b) const override {
+    return periods_.none() ? RealVectorStateSpace::distance(a, b)
+                           : std::sqrt(periods_.squared_distance(values(a), values(b)));
+  }
+
+  void interpolate(const ompl::base::State* from, const ompl::base::State* to, double share,
+                   ompl::base::State* state) const override {
+    if (periods_.none()) {
+      RealVectorStateSpace::interpolate(from, to, share, state);
+      return;
+    }
+    const Eigen::VectorXd begin = values(from);
+    set(state, begin + share * periods_.difference(begin, values(to)));
+  }
+
+  void enforceBounds(ompl::base::State* state) const override {
+    set(state, values(state));
+    RealVectorStateSpace::enforceBounds(state);
+  }
 
   [[nodiscard]] ompl::base::StateSamplerPtr allocDefaultStateSampler() const override {
     return ssa_ ? ssa_(this) : RealVectorStateSpace::allocDefaultStateSampler();
@@ -33,6 +64,16 @@ class SampledSpace final : public ompl::base::RealVectorStateSpace {
     registerDefaultProjection(
         std::make_shared<ompl::base::RealVectorOrthogonalProjectionEvaluator>(this, all));
   }
+
+ private:
+  [[nodiscard]] Eigen::Map<Eigen::VectorXd> values(const ompl::base::State* state) const {
+    return {state->as<StateType>()->values, static_cast<Eigen::Index>(getDimension())};
+  }
+  void set(ompl::base::State* state, const Eigen::VectorXd& x) const {
+    values(state) = within_period(periods_, x);
+  }
+
+  geometric::Periods periods_;
 };
 
 }  // namespace
@@ -50,20 +91,24 @@ StateMap::StateMap(std::unique_ptr<planning::StateSpace> coordinates)
   ompl::base::RealVectorBounds bounds(static_cast<unsigned int>(kept_.size()));
   bounds.low.clear();
   bounds.high.clear();
-  for (const int i : kept_) {
-    bounds.low.push_back(lower[i]);
-    bounds.high.push_back(upper[i]);
+  const geometric::Periods& periods = coordinates_->periods();
+  Eigen::VectorXd kept_periods = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(kept_.size()));
+  for (std::size_t k = 0; k < kept_.size(); ++k) {
+    const int i = kept_[k];
+    const bool periodic = periods.has(i);
+    kept_periods[static_cast<Eigen::Index>(k)] = periodic ? 1.0 : 0.0;
+    bounds.low.push_back(periodic ? 0.0 : lower[i]);
+    bounds.high.push_back(periodic ? 1.0 : upper[i]);
   }
-  space_ = std::make_shared<SampledSpace>(static_cast<unsigned int>(kept_.size()));
+  space_ = std::make_shared<SampledSpace>(kept_periods);
   space_->setBounds(bounds);
   start_ = values_of(problem().start);
   goal_ = values_of(problem().goal);
 }
 
 Eigen::VectorXd StateMap::values_of(const Configuration& q) const {
-  return coordinates_->coordinates(q)
-      .cwiseMax(coordinates_->lower())
-      .cwiseMin(coordinates_->upper())(kept_);
+  const Eigen::VectorXd x = within_period(coordinates_->periods(), coordinates_->coordinates(q));
+  return x.cwiseMax(coordinates_->lower()).cwiseMin(coordinates_->upper())(kept_);
 }
 
 void StateMap::write(const Configuration& q, ompl::base::State* state) const {

@@ -13,6 +13,7 @@
 #include <chrono>
 #include <functional>
 #include <map>
+#include <numbers>
 #include <set>
 #include <stop_token>
 #include <string>
@@ -27,6 +28,9 @@ namespace {
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
+
+constexpr double kPi = std::numbers::pi;
+constexpr Eigen::Index kShoulder = 0;
 
 std::string word_of(std::string name) {
   std::ranges::replace_if(
@@ -304,6 +308,54 @@ TEST_P(EveryPlanner, SaysWhatItNeeds) {
                 HasSubstr("hand_basis"));
   } else {
     EXPECT_TRUE(planner->plan(problem, {}).solved());
+  }
+}
+
+TEST_P(EveryPlanner, TakesTheShorterArcOfAContinuousJoint) {
+  const PlanningProblem problem = test::endless_problem(2.6, -2.6);
+  const auto planner = planner_with(GetParam(), "20000");
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    PlanRequest request;
+    request.seed = seed;
+    const PlanResult result = planner->plan(problem, request);
+    ASSERT_TRUE(result.solved()) << result.reason;
+    EXPECT_EQ(result.path.waypoints.front(), problem.start) << "to the bit";
+    EXPECT_NEAR(result.path.waypoints.back()[kShoulder], 2 * kPi - 2.6, 1e-12) << "unwrapped";
+    EXPECT_THAT(check_path(problem, result.path, 0.001).faults, IsEmpty());
+    double turned = 0.0;
+    for (std::size_t w = 0; w + 1 < result.path.waypoints.size(); ++w) {
+      turned +=
+          std::abs(result.path.waypoints[w + 1][kShoulder] - result.path.waypoints[w][kShoulder]);
+    }
+    EXPECT_LT(turned, 2.5) << "seed " << seed << ": 1.1 rad would do, 5.2 the other way";
+  }
+}
+
+// What was turned to several times on the way there is planned from where it is.
+TEST_P(EveryPlanner, StartsAContinuousJointFromAnyTurn) {
+  const PlanningProblem problem = test::endless_problem(20.0, 20.5 - 6 * kPi);
+  const PlanResult result = planner_with(GetParam(), "20000")->plan(problem, {});
+  ASSERT_TRUE(result.solved()) << result.reason;
+  EXPECT_EQ(result.path.waypoints.front()[kShoulder], 20.0);
+  EXPECT_NEAR(result.path.waypoints.back()[kShoulder], 20.5, 1e-12);
+  EXPECT_THAT(check_path(problem, result.path, 0.001).faults, IsEmpty());
+}
+
+// Planners with a corridor look around the straight motion alone.
+TEST_P(EveryPlanner, TurnsAContinuousJointTheOtherWayWhereTheShorterArcIsBlocked) {
+  if (GetParam().find("pmd-") != std::string::npos || GetParam() == "full-prm") {
+    GTEST_SKIP() << "looks around the straight motion alone";
+  }
+  const PlanningProblem problem = test::endless_problem_with_wall();
+  ASSERT_NEAR(problem.goal[kShoulder], 2 * kPi - 2.7, 1e-12);
+  const auto planner = planner_with(GetParam(), "20000");
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    PlanRequest request;
+    request.seed = seed;
+    const PlanResult result = planner->plan(problem, request);
+    ASSERT_TRUE(result.solved()) << result.reason;
+    EXPECT_NEAR(result.path.waypoints.back()[kShoulder], -2.7, 1e-12) << "the other way round";
+    EXPECT_THAT(check_path(problem, result.path, 0.001).faults, IsEmpty());
   }
 }
 

@@ -60,6 +60,18 @@ TEST(Neighbours, OfEquallyFarPointsTheLowerNumberComesFirst) {
   EXPECT_THAT(neighbours.nearest(at(1), 2, 0.0), ElementsAre(FieldsAre(0.0, 0), FieldsAre(0.0, 2)));
 }
 
+TEST(Neighbours, AreNearAcrossTheSeamOfAPeriodicCoordinate) {
+  Neighbours neighbours(4, geometric::Periods(Eigen::Vector2d(1.0, 0.0)));
+  for (int i = 0; i < 40; ++i) {
+    neighbours.add(i, Eigen::Vector2d(0.025 * i + 3.0, 0.0));
+  }
+  EXPECT_THAT(neighbours.nearest(Eigen::Vector2d(-0.01, 0.0), 2),
+              ElementsAre(FieldsAre(testing::DoubleNear(0.01, 1e-12), 0),
+                          FieldsAre(testing::DoubleNear(0.015, 1e-12), 39)));
+  EXPECT_THAT(neighbours.nearest(Eigen::Vector2d(0.0, 1.0), 1),
+              ElementsAre(FieldsAre(testing::DoubleNear(1.0, 1e-12), 0)));
+}
+
 // Points as random as those of a search, on a coarse grid (many duplicates, many equally far), and
 // some of each many times.
 TEST(Neighbours, AreThoseOfALookAtEveryPoint) {

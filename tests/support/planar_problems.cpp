@@ -1,5 +1,6 @@
 #include "handway_test/planar_problems.h"
 
+#include <limits>
 #include <memory>
 #include <utility>
 
@@ -53,6 +54,32 @@ PlanningProblem post_problem() {
   add_object(scene, "post", geometric::Cylinder{0.01, 0.3}, Eigen::Vector3d(0.755, 0.0, 0.0));
   return planar_problem(std::move(scene), planar_configuration(-0.4, 0.0),
                         planar_configuration(0.4, 0.0));
+}
+
+namespace {
+
+Scene endless_scene() {
+  geometric::RobotDescription robot = planar_hand_arm();
+  geometric::JointLimits& shoulder = robot.joints.front().limits;
+  shoulder.lower = -std::numeric_limits<double>::infinity();
+  shoulder.upper = std::numeric_limits<double>::infinity();
+  Scene scene = scene_of(std::move(robot));
+  add_object(scene, "post", geometric::Cylinder{0.05, 0.3}, Eigen::Vector3d(0.0, 1.5, 0.0));
+  return scene;
+}
+
+}  // namespace
+
+PlanningProblem endless_problem(double shoulder_start, double shoulder_goal) {
+  return planar_problem(endless_scene(), planar_configuration(shoulder_start, 0.0),
+                        planar_configuration(shoulder_goal, 0.0));
+}
+
+PlanningProblem endless_problem_with_wall() {
+  Scene scene = endless_scene();
+  add_object(scene, "wall", geometric::Box{{0.6, 0.005, 0.2}}, Eigen::Vector3d(-0.5, 0.0, 0.0));
+  return planar_problem(std::move(scene), planar_configuration(2.7, 0.0),
+                        planar_configuration(-2.7, 0.0));
 }
 
 PlanningProblem walled_in_problem() {

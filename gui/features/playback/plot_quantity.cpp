@@ -104,7 +104,10 @@ std::vector<double> joint_limits(const planning::Motion& motion, int variable,
                                  PlotQuantity quantity) {
   const double scale = unit(*motion.model, variable);
   if (quantity == PlotQuantity::kPosition) {
-    return {scale * motion.model->lower()[variable], scale * motion.model->upper()[variable]};
+    return motion.model->is_continuous(variable)
+               ? std::vector<double>{}
+               : std::vector<double>{scale * motion.model->lower()[variable],
+                                     scale * motion.model->upper()[variable]};
   }
   const Eigen::VectorXd& most =
       quantity == PlotQuantity::kVelocity ? motion.limits.velocity : motion.limits.acceleration;

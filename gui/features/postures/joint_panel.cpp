@@ -26,12 +26,12 @@ SliderRow::Range range_of(const geometric::JointLimits& limits, JointType type) 
   return {limits.lower, limits.upper, 1.0 / geometric::kDegree, QStringLiteral("°"), 1};
 }
 
-// Limits of a coupled joint: what its leader lets it reach.
+// Limits of a joint: what its leader, if it is coupled, lets it reach. Continuous joints are shown
+// over one turn.
 geometric::JointLimits reach(const geometric::RobotModel& model, int link) {
   const geometric::RobotModel::Drive& drive = model.drive(link);
-  const geometric::JointLimits& leader = model.variable(drive.variable).limits;
-  const double a = drive.multiplier * leader.lower + drive.offset;
-  const double b = drive.multiplier * leader.upper + drive.offset;
+  const double a = drive.multiplier * model.lower()[drive.variable] + drive.offset;
+  const double b = drive.multiplier * model.upper()[drive.variable] + drive.offset;
   geometric::JointLimits limits;
   limits.lower = std::min(a, b);
   limits.upper = std::max(a, b);
@@ -104,9 +104,8 @@ void JointPanel::add_group(const QString& title, const std::vector<int>& variabl
 
 SliderRow* JointPanel::add_row(int link) {
   const geometric::Joint& joint = model_->joint(link);
-  const bool leads = model_->variable_link(model_->drive(link).variable) == link;
   auto* row = new SliderRow(QString::fromStdString(joint.name),
-                            range_of(leads ? joint.limits : reach(*model_, link), joint.type));
+                            range_of(reach(*model_, link), joint.type));
   row->set_label_width(kLabelWidth);
   row->setObjectName(QString::fromStdString(joint.name));
   layout_->addWidget(row);
@@ -138,9 +137,11 @@ void JointPanel::set_configuration(const geometric::Configuration& q) {
     return;
   }
   q_ = q;
+  const geometric::Configuration shown =
+      model_->nearest_equivalent(geometric::Configuration::Zero(q.size()), q);
   for (const Row& row : rows_) {
     const geometric::RobotModel::Drive& drive = model_->drive(row.link);
-    row.slider->set_value(drive.multiplier * q[drive.variable] + drive.offset);
+    row.slider->set_value(drive.multiplier * shown[drive.variable] + drive.offset);
   }
 }
 

@@ -31,6 +31,7 @@ std::unique_ptr<DistanceTable> DistanceTable::make(const RobotModel& model, int 
   for (const int v : moving) {
     const double range = std::max(model.upper()[v] - model.lower()[v], 1e-9);
     axes.push_back({v, model.lower()[v], range / static_cast<double>(cells),
+                    model.is_continuous(v) ? range : 0.0,
                     motion.bound(pair, Eigen::VectorXd::Unit(model.variable_count(), v))});
   }
   return std::unique_ptr<DistanceTable>(new DistanceTable(std::move(axes), cells, model.neutral()));
@@ -52,14 +53,19 @@ double DistanceTable::bound(const Configuration& q, const Distance& exact) const
   std::array<double, 2> centre{};
   for (std::size_t i = 0; i < axes_.size(); ++i) {
     const Axis& axis = axes_[i];
-    const double position = (q[axis.variable] - axis.lower) / axis.cell;
+    double from_lower = q[axis.variable] - axis.lower;
+    if (axis.turn > 0.0) {
+      from_lower -= axis.turn * std::floor(from_lower / axis.turn);
+    }
+    const double position = from_lower / axis.cell;
     if (position < 0.0 || position > static_cast<double>(cells_per_axis_)) {
       return 0.0;  // out of limits: not remembered
     }
     const std::size_t cell = std::min(static_cast<std::size_t>(position), cells_per_axis_ - 1);
     index = index * cells_per_axis_ + cell;
     centre[i] = axis.lower + (static_cast<double>(cell) + 0.5) * axis.cell;
-    way += axis.reach * std::abs(q[axis.variable] - centre[i]);
+    way += axis.reach * std::abs(axis.turn > 0.0 ? axis.lower + from_lower - centre[i]
+                                                 : q[axis.variable] - centre[i]);
   }
   float distance = cells_[index].load(std::memory_order_relaxed);
   if (distance == kUnknown) {

@@ -43,6 +43,7 @@ class DistanceTable {
     int variable;
     double lower;
     double cell;   ///< rad or m
+    double turn;   ///< rad, after which it comes round again; 0: it does not.
     double reach;  ///< m per rad, or m per m
   };
 

@@ -86,7 +86,8 @@ double EdgeChecker::required(int pair, const Configuration& middle, double motio
   for (const EdgeEnd& end : ends_) {
     for (const EdgeEnd::NearPair& near : end.near) {
       if (near.pair == pair) {
-        const double to_middle = bounds_->bound(pair, (middle - end.q).cwiseAbs());
+        const double to_middle = bounds_->bound(
+            pair, checker_.world().model().turns().difference(end.q, middle).cwiseAbs());
         required = std::min(required, near.resolution() + growth * (to_middle + motion));
       }
     }

@@ -173,8 +173,9 @@ std::optional<Configuration> project_onto_constraints(const RobotModel& model,
     const Eigen::VectorXd change = -slopes.transpose() * damped.ldlt().solve(amounts);
     for (std::size_t i = 0; i < variables.size(); ++i) {
       const int v = variables[i];
-      q[v] = std::clamp(q[v] + range[v] * change[static_cast<Eigen::Index>(i)], model.lower()[v],
-                        model.upper()[v]);
+      const JointLimits& limits = model.variable(v).limits;
+      q[v] = std::clamp(q[v] + range[v] * change[static_cast<Eigen::Index>(i)], limits.lower,
+                        limits.upper);
     }
   }
   return std::nullopt;

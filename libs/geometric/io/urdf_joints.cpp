@@ -6,12 +6,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numbers>
+#include <limits>
 
 namespace handway::geometric {
 namespace {
-
-constexpr double kTurn = 2.0 * std::numbers::pi;
 
 JointLimits limits_of(const urdf::Joint& joint) {
   JointLimits limits;
@@ -21,8 +19,8 @@ JointLimits limits_of(const urdf::Joint& joint) {
     limits.velocity = joint.limits->velocity > 0.0 ? joint.limits->velocity : limits.velocity;
   }
   if (joint.type == urdf::Joint::CONTINUOUS) {
-    limits.lower = -kTurn;
-    limits.upper = kTurn;
+    limits.lower = -std::numeric_limits<double>::infinity();
+    limits.upper = std::numeric_limits<double>::infinity();
   }
   return limits;
 }
@@ -63,17 +61,6 @@ void resolve_mimic(Joint& joint, const std::vector<Joint>& joints, const std::st
   }
 }
 
-// A continuous joint that follows another has no limits of its own to narrow the other's by.
-void reach_with_leader(Joint& coupled, const std::vector<Joint>& joints) {
-  const auto leader = std::ranges::find(joints, coupled.mimic->joint, &Joint::name);
-  if (leader != joints.end()) {
-    const double a = coupled.mimic->multiplier * leader->limits.lower + coupled.mimic->offset;
-    const double b = coupled.mimic->multiplier * leader->limits.upper + coupled.mimic->offset;
-    coupled.limits.lower = std::min(a, b);
-    coupled.limits.upper = std::max(a, b);
-  }
-}
-
 void note_joints(const std::vector<std::string>& names, const char* what, RobotDescription& robot) {
   if (!names.empty()) {
     robot.warnings.push_back(fmt::format("{}: {}", what, fmt::join(names, ", ")));
@@ -85,7 +72,6 @@ void note_joints(const std::vector<std::string>& names, const char* what, RobotD
 void add_joints(const XmlDocument& document, const urdf::ModelInterface& model,
                 RobotDescription& robot) {
   std::vector<std::string> places;
-  std::vector<std::string> endless;
   for (const pugi::xml_node& node : document.root("robot").children("joint")) {
     places.push_back(document.where(node));
     const std::string name = node.attribute("name").value();
@@ -95,23 +81,16 @@ void add_joints(const XmlDocument& document, const urdf::ModelInterface& model,
                         "what ROS reads too", ""});
     }
     robot.joints.push_back(joint_of(*joint));
-    if (joint->type == urdf::Joint::CONTINUOUS) {
-      endless.push_back(name);
-    }
   }
   const std::vector<Joint> as_written = robot.joints;
   std::vector<std::string> rangeless;
   for (std::size_t i = 0; i < robot.joints.size(); ++i) {
     Joint& joint = robot.joints[i];
     resolve_mimic(joint, as_written, places[i]);
-    if (joint.mimic && std::ranges::count(endless, joint.name) > 0) {
-      reach_with_leader(joint, as_written);
-      std::erase(endless, joint.name);
-    } else if (joint.type != JointType::kFixed && joint.limits.range() == 0.0) {
+    if (joint.type != JointType::kFixed && joint.limits.range() == 0.0) {
       rangeless.push_back(joint.name);
     }
   }
-  note_joints(endless, "joints that turn without end, limited to one turn each way", robot);
   note_joints(rangeless, "joints that can't move, as their limits leave no range", robot);
 }
 

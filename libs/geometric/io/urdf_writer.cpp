@@ -97,6 +97,7 @@ class UrdfText {
     set(element, "name", joint.name);
     set(element, "type",
         joint.type == JointType::kFixed      ? "fixed"
+        : joint.is_continuous()              ? "continuous"
         : joint.type == JointType::kRevolute ? "revolute"
                                              : "prismatic");
     append_origin(element, joint.X_PJ);
@@ -107,8 +108,10 @@ class UrdfText {
     }
     set(element.append_child("axis"), "xyz", triple(joint.axis));
     pugi::xml_node limit = element.append_child("limit");
-    set(limit, "lower", number_text(joint.limits.lower));
-    set(limit, "upper", number_text(joint.limits.upper));
+    if (!joint.is_continuous()) {
+      set(limit, "lower", number_text(joint.limits.lower));
+      set(limit, "upper", number_text(joint.limits.upper));
+    }
     set(limit, "effort", "0");
     set(limit, "velocity",
         std::isfinite(joint.limits.velocity) ? number_text(joint.limits.velocity) : "0");

@@ -50,8 +50,9 @@ DampedLeastSquares::Miss DampedLeastSquares::descend(Configuration& q, int& iter
       const Eigen::VectorXd delta = step(normal, gradient, damping);
       for (std::size_t k = 0; k < variables_.size(); ++k) {
         const int v = variables_[k];
-        q[v] = std::clamp(before[v] + delta[static_cast<Eigen::Index>(k)], model_.lower()[v],
-                          model_.upper()[v]);
+        const JointLimits& limits = model_.variable(v).limits;
+        q[v] = std::clamp(before[v] + delta[static_cast<Eigen::Index>(k)], limits.lower,
+                          limits.upper);
       }
       there = miss(q);
       if (there.cost < here.cost || damping > kLargestDamping) {
@@ -106,8 +107,8 @@ void DampedLeastSquares::find_free(const Configuration& q, const Eigen::VectorXd
   for (std::size_t k = 0; k < variables_.size(); ++k) {
     const int v = variables_[k];
     const double pull = gradient[static_cast<Eigen::Index>(k)];
-    const bool held =
-        (pull < 0.0 && q[v] <= model_.lower()[v]) || (pull > 0.0 && q[v] >= model_.upper()[v]);
+    const JointLimits& limits = model_.variable(v).limits;
+    const bool held = (pull < 0.0 && q[v] <= limits.lower) || (pull > 0.0 && q[v] >= limits.upper);
     if (!held) {
       free_.push_back(static_cast<Eigen::Index>(k));
     }

@@ -111,7 +111,8 @@ NumericIkResult NumericInverseKinematics::find(const Pose& X_BT,
     for (const int v : variables()) {
       const double lower = model().lower()[v];
       const double upper = model().upper()[v];
-      q[v] = attempt == 0 ? std::clamp(reference[v], lower, upper)
+      const JointLimits& limits = model().variable(v).limits;
+      q[v] = attempt == 0 ? std::clamp(reference[v], limits.lower, limits.upper)
                           : lower + unit(engine) * (upper - lower);
     }
     const DampedLeastSquares::Miss miss = search.descend(q, result.iterations, expired);
@@ -119,7 +120,7 @@ NumericIkResult NumericInverseKinematics::find(const Pose& X_BT,
     result.converged = search.within_tolerance(miss);
     if (miss.cost < least_cost || result.converged) {
       least_cost = miss.cost;
-      result.q = q;
+      result.q = model().nearest_equivalent(reference, q);
       result.position_residual = miss.position;
       result.orientation_residual = miss.orientation;
     }

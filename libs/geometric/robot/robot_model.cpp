@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
+#include <numbers>
 #include <set>
 #include <unordered_map>
 #include <utility>
@@ -16,6 +18,7 @@ namespace handway::geometric {
 namespace {
 
 constexpr double kLargestValue = 1e6;     // of a joint's limit, multiplier or offset
+constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr double kLimitTolerance = 1e-9;  // rad or m: roundings of a file's numbers
 
 [[noreturn]] void refuse(const RobotDescription& robot, const std::string& element,
@@ -55,10 +58,12 @@ bool is_reasonable(double value) {
 void check_limits(const RobotDescription& robot, const Joint& joint) {
   const std::string element = "joint " + joint.name;
   const JointLimits& limits = joint.limits;
-  if (!is_reasonable(limits.lower) || !is_reasonable(limits.upper) || limits.lower > limits.upper) {
+  const bool has_none = joint.is_continuous() && limits.lower < limits.upper;
+  if (!has_none && (!is_reasonable(limits.lower) || !is_reasonable(limits.upper) ||
+                    limits.lower > limits.upper)) {
     refuse(robot, element, fmt::format("limits {:g} to {:g}", limits.lower, limits.upper),
            "limits within ±1000000 (rad or m), lower below upper",
-           "A joint that turns without end needs limits too, for example -6.2832 to 6.2832");
+           "A revolute joint that turns without end has infinite limits, both");
   }
   for (const auto& [what, limit] :
        {std::pair("velocity", limits.velocity), std::pair("acceleration", limits.acceleration)}) {
@@ -106,7 +111,8 @@ Range allowed_by(const Joint& coupled, const RobotModel::Drive& drive) {
   if (drive.multiplier == 0.0) {  // it stays where it is, whatever its leader does
     const bool is_within = drive.offset >= coupled.limits.lower - kLimitTolerance &&
                            drive.offset <= coupled.limits.upper + kLimitTolerance;
-    return is_within ? Range{-kLargestValue, kLargestValue} : Range{kLargestValue, -kLargestValue};
+    constexpr double kAny = std::numeric_limits<double>::infinity();
+    return is_within ? Range{-kAny, kAny} : Range{kLargestValue, -kLargestValue};
   }
   const double a = (coupled.limits.lower - drive.offset) / drive.multiplier;
   const double b = (coupled.limits.upper - drive.offset) / drive.multiplier;
@@ -232,12 +238,77 @@ void RobotModel::index_variables() {
     const auto& [variable, multiplier, offset] = drive(i);
     steps_.push_back(forward_kinematics_step(joint(i), parent(i), variable, multiplier, offset));
   }
+  set_ranges();
+}
+
+void RobotModel::set_ranges() {
+  limit_joints_with_gears();
   lower_.resize(variable_count());
   upper_.resize(variable_count());
+  Eigen::VectorXd turns = Eigen::VectorXd::Zero(variable_count());
   for (int v = 0; v < variable_count(); ++v) {
-    lower_[v] = variable(v).limits.lower;
-    upper_[v] = variable(v).limits.upper;
+    const bool endless = variable(v).is_continuous();
+    lower_[v] = endless ? -std::numbers::pi : variable(v).limits.lower;
+    upper_[v] = endless ? std::numbers::pi : variable(v).limits.upper;
+    turns[v] = endless ? kTurn : 0.0;
   }
+  turns_ = Periods(std::move(turns));
+}
+
+// After a turn of a continuous joint, what follows it is where it was only if it turns by whole
+// turns, too. Where it does not, the joint has a place for each turn, and so needs limits.
+void RobotModel::limit_joints_with_gears() {
+  for (int i = 1; i < link_count(); ++i) {
+    if (drive(i).variable < 0 || !joint(i).mimic) {
+      continue;
+    }
+    Joint& leader =
+        description_.joints[static_cast<std::size_t>(variable_link(drive(i).variable) - 1)];
+    const bool comes_round = joint(i).type == JointType::kRevolute &&
+                             drive(i).multiplier == std::round(drive(i).multiplier);
+    if (leader.is_continuous() && !comes_round) {
+      leader.limits.lower = -kTurn;
+      leader.limits.upper = kTurn;
+      description_.warnings.push_back(fmt::format(
+          "joint {} is limited to one turn each way: {}, which follows it, is elsewhere after a "
+          "turn",
+          leader.name, joint(i).name));
+    }
+  }
+}
+
+std::vector<Configuration> RobotModel::unwrapped(std::vector<Configuration> waypoints,
+                                                 const Configuration& start) const {
+  const Configuration* before = &start;
+  for (Configuration& q : waypoints) {
+    q = nearest_equivalent(*before, q);
+    before = &q;
+  }
+  return waypoints;
+}
+
+std::vector<Configuration> RobotModel::in_half_turns(
+    const std::vector<Configuration>& waypoints) const {
+  std::vector<Configuration> path;
+  for (const Configuration& q : waypoints) {
+    double half_turns = 1.0;
+    for (int v = 0; v < variable_count() && !path.empty(); ++v) {
+      const double way = is_continuous(v) ? std::abs(q[v] - path.back()[v]) : 0.0;
+      half_turns = std::max(half_turns, std::ceil(way / std::numbers::pi - kLimitTolerance));
+    }
+    for (double i = 1.0; i < half_turns; ++i) {
+      path.emplace_back(path.back() + (q - path.back()) / (half_turns - i + 1.0));
+    }
+    path.push_back(q);
+  }
+  return path;
+}
+
+Configuration RobotModel::clamped(Configuration q) const {
+  for (int v = 0; v < variable_count(); ++v) {
+    q[v] = is_continuous(v) ? q[v] : std::min(std::max(q[v], lower_[v]), upper_[v]);
+  }
+  return q;
 }
 
 std::optional<int> RobotModel::find_link(std::string_view name) const {

@@ -36,7 +36,7 @@ struct Turns {
 
 Turns turns(double angle, double reference, JointLimits limits, const Tx90IkOptions& options) {
   const double nearest = std::round((reference - angle) / kFullTurn);
-  if (!options.respect_limits) {
+  if (!options.respect_limits || std::isinf(limits.lower)) {
     limits.lower = -std::numeric_limits<double>::infinity();
     limits.upper = std::numeric_limits<double>::infinity();
     return {angle, nearest, nearest, limits};

@@ -53,6 +53,12 @@ const Configuration& needed(const geometric::Scene& scene, const char* which,
   return *q;
 }
 
+void set_ends(const geometric::Scene& scene, PlanningProblem& problem) {
+  problem.start = needed(scene, "start", scene.start);
+  problem.goal = scene.robots.front().model->nearest_equivalent(problem.start,
+                                                                needed(scene, "goal", scene.goal));
+}
+
 }  // namespace
 
 PlanningProblem make_problem(std::shared_ptr<const geometric::Scene> scene,
@@ -63,8 +69,7 @@ PlanningProblem make_problem(std::shared_ptr<const geometric::Scene> scene,
   PlanningProblem problem;
   problem.hand = hand_variables(*scene, basis.get());
   problem.arm = arm_variables(*scene->robots.front().model, problem.hand);
-  problem.start = needed(*scene, "start", scene->start);
-  problem.goal = needed(*scene, "goal", scene->goal);
+  set_ends(*scene, problem);
   problem.scene = std::move(scene);
   problem.basis = std::move(basis);
   problem.checker =
@@ -82,8 +87,7 @@ PlanningProblem updated_problem(const PlanningProblem& before,
     return make_problem(std::move(scene), std::move(basis), preparation);
   }
   PlanningProblem updated = before;
-  updated.start = needed(*scene, "start", scene->start);
-  updated.goal = needed(*scene, "goal", scene->goal);
+  set_ends(*scene, updated);
   updated.scene = std::move(scene);
   if (difference->empty()) {
     return updated;

@@ -124,7 +124,8 @@ PathCheckResult check_path(const PlanningProblem& problem, const Path& path, dou
     return result;
   }
   check_end("start", problem.start, path.waypoints.front(), result);
-  check_end("end", problem.goal, path.waypoints.back(), result);
+  const Configuration& end = path.waypoints.back();
+  check_end("end", problem.model().nearest_equivalent(end, problem.goal), end, result);
   check_limits(problem.model(), path, result);
   Walk(problem, resolution, result).run(path);
   return result;

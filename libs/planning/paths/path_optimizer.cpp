@@ -1,5 +1,7 @@
 #include "handway/planning/paths/path_optimizer.h"
 
+#include "handway/geometric/robot/normalised_joints.h"
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -267,8 +269,8 @@ std::optional<PathOptimizer::Replacement> PathOptimizer::draw_waypoint_move() {
   } else if (part < 0.7 && !problem.arm.empty()) {
     direction(problem.arm).setZero();
   }
-  Eigen::VectorXd joints = points_[waypoint].joints + size * direction.normalized();
-  joints = joints.cwiseMax(0.0).cwiseMin(1.0);
+  Eigen::VectorXd joints = geometric::clamped_to_range(
+      problem.model(), points_[waypoint].joints + size * direction.normalized());
   return replacement(before, after, {objective_.point_of_joints(std::move(joints))});
 }
 

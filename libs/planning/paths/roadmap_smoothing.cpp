@@ -110,7 +110,9 @@ class PathRoadmap {
 }  // namespace
 
 Path smooth_by_roadmap(PlanningContext& context, const Path& path, SmoothingEdges edges) {
-  return PathRoadmap(context, path.waypoints, edges == SmoothingEdges::kBothWays).shortest_path();
+  const PlanningProblem& problem = context.problem();
+  const auto nodes = problem.model().unwrapped(path.waypoints, problem.start);
+  return PathRoadmap(context, nodes, edges == SmoothingEdges::kBothWays).shortest_path();
 }
 
 }  // namespace handway::planning

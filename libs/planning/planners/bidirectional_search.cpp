@@ -31,7 +31,7 @@ BidirectionalSearch::BidirectionalSearch(PlanningContext& context,
       targets_(context, settings.region, hand, seed),
       space_(targets_.space()),
       trees_(context.problem().start, space_.coordinates(context.problem().start),
-             context.problem().goal, space_.coordinates(context.problem().goal)),
+             context.problem().goal, space_.coordinates(context.problem().goal), space_.periods()),
       choices_(sampling::RandomStream(seed).fork(1)) {
   announce_node(0, {});
   announce_node(1, {});
@@ -110,10 +110,11 @@ std::optional<int> BidirectionalSearch::grow(const Growth& growth) {
   return std::nullopt;
 }
 
-std::optional<int> BidirectionalSearch::step_towards(int from, const Eigen::VectorXd& end,
+std::optional<int> BidirectionalSearch::step_towards(int from, const Eigen::VectorXd& towards,
                                                      double range,
                                                      const TargetSampler::Target& target) {
   const Eigen::VectorXd begin = trees_.coordinates(from);
+  const Eigen::VectorXd end = space_.periods().nearest(begin, towards);
   const double length = (end - begin).norm();
   Eigen::VectorXd x = begin + std::min(1.0, range / std::max(length, 1e-12)) * (end - begin);
   const std::optional<Configuration> q = targets_.configuration(x, trees_.configuration(from));
@@ -129,8 +130,9 @@ std::optional<int> BidirectionalSearch::step_towards(int from, const Eigen::Vect
   return node;
 }
 
-bool BidirectionalSearch::passable(const Configuration& from, const Configuration& to,
+bool BidirectionalSearch::passable(const Configuration& from, const Configuration& target,
                                    double length) {
+  const Configuration to = context().problem().model().nearest_equivalent(from, target);
   return lazy_ ? edge_plausible(from, to, static_cast<int>(length / kProbeSpacing))
                : context().validator().edge_free(from, to);
 }
@@ -148,7 +150,7 @@ bool BidirectionalSearch::connect(int reached, const TargetSampler::Target& targ
   const Eigen::VectorXd end = trees_.coordinates(reached);
   std::optional<int> at = trees_.nearest(1 - growing, end);
   while (at && !context().interruption()) {
-    const double length = (trees_.coordinates(*at) - end).norm();
+    const double length = space_.periods().difference(end, trees_.coordinates(*at)).norm();
     if (length <= settings_.range) {
       return passable(trees_.configuration(*at), trees_.configuration(reached), length) &&
              verify(growing == 0 ? trees_.way(reached, *at) : trees_.way(*at, reached));
@@ -160,15 +162,17 @@ bool BidirectionalSearch::connect(int reached, const TargetSampler::Target& targ
 
 // Settles what is uncertain of a way, longest edges first: those fail most and cost least then.
 bool BidirectionalSearch::verify(TreePair::Way way) {
-  const auto q = [&](std::size_t i) -> const Configuration& {
-    return trees_.configuration(way.nodes[i]);
-  };
+  std::vector<Configuration> q;
+  for (const int node : way.nodes) {
+    q.push_back(trees_.configuration(node));
+  }
+  q = context().problem().model().unwrapped(std::move(q), q.front());
   way.certain[way.bridge] = !lazy_;
   std::vector<std::pair<double, std::size_t>> uncertain;
   for (std::size_t edge = 0; edge < way.certain.size(); ++edge) {
     if (!way.certain[edge]) {
       uncertain.emplace_back(
-          -normalised_distance(context().problem().model(), q(edge), q(edge + 1)), edge);
+          -normalised_distance(context().problem().model(), q[edge], q[edge + 1]), edge);
     }
   }
   std::ranges::sort(uncertain);
@@ -176,7 +180,7 @@ bool BidirectionalSearch::verify(TreePair::Way way) {
     if (context().interruption()) {
       return false;
     }
-    if (!context().validator().edge_free(q(edge), q(edge + 1), edge_checks())) {
+    if (!context().validator().edge_free(q[edge], q[edge + 1], edge_checks())) {
       trees_.cut(way, edge, way.certain[way.bridge]);
       return false;
     }
@@ -185,9 +189,7 @@ bool BidirectionalSearch::verify(TreePair::Way way) {
   }
   ++statistics().edges;
   context().observer().on_edge(way.nodes[way.bridge], way.nodes[way.bridge + 1]);
-  for (std::size_t i = 0; i < way.nodes.size(); ++i) {
-    path_.waypoints.push_back(q(i));
-  }
+  path_.waypoints = std::move(q);
   return true;
 }
 

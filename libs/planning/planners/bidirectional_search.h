@@ -36,10 +36,12 @@ class BidirectionalSearch final : public Search {
   [[nodiscard]] Growth extension(int tree);
   [[nodiscard]] Growth expansion(int tree, sampling::RandomStream draw);
   [[nodiscard]] std::optional<int> grow(const Growth& growth);
-  [[nodiscard]] std::optional<int> step_towards(int from, const Eigen::VectorXd& end, double range,
+  [[nodiscard]] std::optional<int> step_towards(int from, const Eigen::VectorXd& towards,
+                                                double range,
                                                 const TargetSampler::Target& target);
   [[nodiscard]] bool connect(int reached, const TargetSampler::Target& target);
-  [[nodiscard]] bool passable(const Configuration& from, const Configuration& to, double length);
+  [[nodiscard]] bool passable(const Configuration& from, const Configuration& target,
+                              double length);
   [[nodiscard]] bool verify(TreePair::Way way);
   [[nodiscard]] std::uint64_t edge_checks() const;
 

@@ -104,7 +104,8 @@ class LazySearch final : public Search {
           return false;
         }
         const Configuration& from = roadmap_.configuration(a);
-        const Configuration& to = roadmap_.configuration(b);
+        const Configuration to =
+            context().problem().model().nearest_equivalent(from, roadmap_.configuration(b));
         const int probes = static_cast<int>(roadmap_.distance(a, b) / kProbeSpacing);
         if (!(exactly ? context().validator().edge_free(from, to)
                       : edge_plausible(from, to, probes))) {
@@ -128,7 +129,7 @@ class LazySearch final : public Search {
   const PmdLazySettings& settings_;
   TargetSampler targets_;
   const CorridorSpace& space_;
-  Roadmap roadmap_;                        ///< Its edges are taken as free until looked at.
+  Roadmap roadmap_{space_.periods()};      ///< Its edges are taken as free until looked at.
   std::set<std::pair<int, int>> certain_;  ///< Edges known to be free, the lower node first.
   int sample_ = 0;
   int failures_ = 0;      ///< Draws since one was free.

@@ -286,7 +286,8 @@ class RoadmapSearch {
     std::vector<MotionValidator::Edge> candidates;
     candidates.reserve(neighbours.size());
     for (const int neighbour : neighbours) {
-      candidates.push_back({roadmap_.configuration(neighbour), roadmap_.configuration(node)});
+      const Configuration& from = roadmap_.configuration(neighbour);
+      candidates.push_back({from, context_.problem().model().nearest_equivalent(from, q)});
     }
     auto edges = context_.validator().edges(std::move(candidates));
     for (std::size_t i = 0; i < neighbours.size(); ++i) {
@@ -349,7 +350,7 @@ class RoadmapSearch {
   int hand_axes_ = 0;                    ///< That they are drawn from.
   std::uint64_t arm_draw_count_ = 0;
   std::uint64_t hand_draw_count_ = 2;  ///< Begins as numSamples does.
-  Roadmap roadmap_;
+  Roadmap roadmap_{joints_->periods()};
   std::vector<double> steps_;  ///< Where on the arm segment each node was drawn.
 };
 

@@ -17,8 +17,11 @@ constexpr double kDistance = 0.01;        // of the hand from the subspace, that
 void smooth_result(PlanningContext& context, const ObjectiveSettings& objective, int checks,
                    const Path& found, PlanResult& result, int most_rounds) {
   const PhaseClock smoothing_time(result.smoothing_s);
-  const ObjectiveWeights weights = objective.weights(context.problem());
-  PathOptimizer optimizer(context, weights, found, context.request().seed);
+  const PlanningProblem& problem = context.problem();
+  const ObjectiveWeights weights = objective.weights(problem);
+  PathOptimizer optimizer(context, weights,
+                          {problem.model().unwrapped(found.waypoints, problem.start)},
+                          context.request().seed);
   const std::uint64_t parts = (found.waypoints.size() + kWaypoints - 1) / kWaypoints;
   const std::uint64_t round = parts * static_cast<std::uint64_t>(checks);
   const bool adapts = most_rounds > 1;

@@ -11,7 +11,10 @@ constexpr int kNoParent = -1;
 }  // namespace
 
 TreePair::TreePair(const Configuration& start, const Eigen::VectorXd& start_coordinates,
-                   const Configuration& goal, const Eigen::VectorXd& goal_coordinates) {
+                   const Configuration& goal, const Eigen::VectorXd& goal_coordinates,
+                   const geometric::Periods& periods)
+    : neighbours_{Neighbours(Neighbours::kLinear, periods),
+                  Neighbours(Neighbours::kLinear, periods)} {
   append({start, start_coordinates, 0, kNoParent, true});
   append({goal, goal_coordinates, 1, kNoParent, true});
 }

@@ -13,7 +13,7 @@ namespace handway::planning {
 
 /// Two trees of configurations, of the start (tree 0, rooted at node 0) and of
 /// the goal (tree 1, rooted at node 1), over one set of nodes. Distances are
-/// Euclidean in the coordinates of a StateSpace.
+/// those of a StateSpace.
 ///
 /// Edges may be uncertain. When one of a way through both trees turns out not to
 /// be free, what it carried goes over to the other tree, and no node is lost.
@@ -23,7 +23,8 @@ namespace handway::planning {
 class TreePair {
  public:
   TreePair(const Configuration& start, const Eigen::VectorXd& start_coordinates,
-           const Configuration& goal, const Eigen::VectorXd& goal_coordinates);
+           const Configuration& goal, const Eigen::VectorXd& goal_coordinates,
+           const geometric::Periods& periods = {});
 
   /// Hangs a node below `parent`, in the parent's tree. @param certain the edge is known to be
   /// free.

@@ -63,9 +63,7 @@ class NearestFreeSearch {
   }
 
  private:
-  [[nodiscard]] Configuration clamped(const Configuration& q) const {
-    return q.cwiseMax(model_.lower()).cwiseMin(model_.upper());
-  }
+  [[nodiscard]] Configuration clamped(const Configuration& q) const { return model_.clamped(q); }
   [[nodiscard]] double distance(const Configuration& q) const { return (q - from_).norm(); }
   [[nodiscard]] bool is_spent() const {
     return checks_ >= options_.most_checks || stop_.stop_requested();

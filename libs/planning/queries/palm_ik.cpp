@@ -93,8 +93,9 @@ PalmMove PalmIk::moved(const Configuration& q, const Pose& X_BP) const {
     }
     Configuration bent = q;
     for (const int v : iterative_->variables()) {
-      bent[v] = std::clamp(bent[v] + bend, model_->lower()[v], model_->upper()[v]);
+      bent[v] += bend;
     }
+    bent = model_->clamped(std::move(bent));
     geometric::NumericIkResult other = iterative_->find(X_BP, bent);
     if (other.converged || other.position_residual < kBetter * found.position_residual) {
       found = std::move(other);

@@ -35,12 +35,13 @@ Vertex vertex(int node) { return static_cast<Vertex>(node); }
 }  // namespace
 
 struct LivingGraph::Graph {
-  int k = 0;
-  BoostGraph graph;
-  Neighbours neighbours;
+  int k;
+  geometric::Periods periods;
+  BoostGraph graph = {};
+  Neighbours neighbours{Neighbours::kLinear, periods};
 
   [[nodiscard]] double distance(Vertex a, Vertex b) const {
-    return (graph[a].coordinates - graph[b].coordinates).norm();
+    return periods.difference(graph[b].coordinates, graph[a].coordinates).norm();
   }
 
   // Infinite: not to be taken.
@@ -59,15 +60,19 @@ struct LivingGraph::Graph {
   }
 };
 
-LivingGraph::LivingGraph(int k) : graph_(std::make_unique<Graph>()) { graph_->k = k; }
+LivingGraph::LivingGraph(int k, geometric::Periods periods)
+    : graph_(new Graph{k, std::move(periods)}) {}
 LivingGraph::~LivingGraph() = default;
 LivingGraph::LivingGraph(LivingGraph&&) noexcept = default;
 LivingGraph& LivingGraph::operator=(LivingGraph&&) noexcept = default;
 
 int LivingGraph::node_at(const geometric::Configuration& q, const Eigen::VectorXd& coordinates) {
   BoostGraph& graph = graph_->graph;
-  const auto is_here = [&](int node) { return graph[vertex(node)].q == q; };
-  if (const auto same = graph_->neighbours.nearest(coordinates, 1, 0.0, is_here); !same.empty()) {
+  const bool periodic = !graph_->periods.none();
+  const double rounding = periodic ? 1e-12 : 0.0;  // of values whole periods apart
+  const auto is_here = [&](int node) { return periodic || graph[vertex(node)].q == q; };
+  if (const auto same = graph_->neighbours.nearest(coordinates, 1, rounding, is_here);
+      !same.empty()) {
     return same.front().second;
   }
   const Vertex added = boost::add_vertex(NodeData{q, coordinates, {}}, graph);

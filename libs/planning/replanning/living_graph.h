@@ -1,5 +1,6 @@
 #pragma once
 
+#include "handway/geometric/math/periods.h"
 #include "handway/geometric/math/pose.h"
 #include "replanning/scene_changes.h"
 
@@ -16,12 +17,14 @@ namespace handway::planning {
 class LivingGraph {
  public:
   /// @param k edges that a new node gets, to the nearest nodes.
-  explicit LivingGraph(int k);
+  /// @param periods of the coordinates.
+  LivingGraph(int k, geometric::Periods periods);
   ~LivingGraph();
   LivingGraph(LivingGraph&&) noexcept;
   LivingGraph& operator=(LivingGraph&&) noexcept;
 
-  /// The node at `q`, added if there is none; nothing is known of a new one.
+  /// The node at `q`, or whole periods from it, added if there is none; nothing is known of a new
+  /// one.
   /// @returns its number, from 0 up.
   int node_at(const geometric::Configuration& q, const Eigen::VectorXd& coordinates);
 

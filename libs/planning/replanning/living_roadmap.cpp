@@ -55,7 +55,7 @@ struct LivingRoadmap::State {
       : problem(std::move(first)),
         world(problem.checker->shared_world()),
         planner(chosen ? std::move(chosen) : usual_planner(problem)),
-        memory(settings) {}
+        memory(settings, problem.model()) {}
 
   void change(const geometric::ObjectChange& change) {
     world = std::make_shared<const CollisionWorld>(world->with_change(change));
@@ -125,9 +125,15 @@ bool LivingRoadmap::follow(const Scene& scene) {
   return true;
 }
 
-void LivingRoadmap::set_start(const Configuration& q) { state_->problem.start = q; }
+void LivingRoadmap::set_start(const Configuration& q) {
+  state_->problem.start = q;
+  set_goal(state_->problem.goal);
+}
 
-void LivingRoadmap::set_goal(const Configuration& q) { state_->problem.goal = q; }
+void LivingRoadmap::set_goal(const Configuration& q) {
+  PlanningProblem& problem = state_->problem;
+  problem.goal = problem.model().nearest_equivalent(problem.start, q);
+}
 
 PlanResult LivingRoadmap::plan(const PlanRequest& request, std::stop_token stop,
                                Observer* observer) {

@@ -64,12 +64,13 @@ Configuration before_obstruction(PlanningContext& context, const Configuration& 
 
 }  // namespace
 
-Path Replanner::along(const std::vector<int>& way) const {
+Path Replanner::along(const PlanningProblem& problem, const std::vector<int>& way) const {
   Path path;
   for (const int node : way) {
     path.waypoints.push_back(memory_.graph.configuration(node));
   }
-  return path;
+  path.waypoints.front() = problem.start;  // to the bit, whatever turn its node is at
+  return {problem.model().unwrapped(std::move(path.waypoints), problem.start)};
 }
 
 void Replanner::do_plan(PlanningContext& context, PlanResult& result) {
@@ -114,7 +115,7 @@ std::optional<Path> Replanner::known_path(PlanningContext& context, WayChecker& 
   memory_.graph.node(goal).set_free(memory_.changes.revision());
   if (const auto way =
           checker.shortest_way(start, goal, LivingGraph::Edges::kOnceFree, kUnlimited)) {
-    Path path = along(*way);
+    Path path = along(context.problem(), *way);
     memory_.report.source = path.waypoints == memory_.last_path.waypoints ? ReplanSource::kLastPath
                                                                           : ReplanSource::kRoadmap;
     return path;
@@ -123,7 +124,7 @@ std::optional<Path> Replanner::known_path(PlanningContext& context, WayChecker& 
           checker.shortest_way(start, goal, LivingGraph::Edges::kAny,
                                static_cast<std::uint64_t>(memory_.settings.roadmap_checks))) {
     memory_.report.source = ReplanSource::kRoadmap;
-    return along(*way);
+    return along(context.problem(), *way);
   }
   return std::nullopt;
 }
@@ -150,7 +151,7 @@ std::optional<Path> Replanner::repaired_path(PlanningContext& context, WayChecke
     edge_free.push_back(checker.edge_free(way[i], way[i + 1]));
   }
   Path path;
-  const Path waypoints = along(way);
+  const Path waypoints = along(context.problem(), way);
   std::size_t next = 0;  // waypoint to go on with
   for (const Gap& gap : gaps(edge_free)) {
     for (; next <= gap.first; ++next) {

@@ -10,7 +10,7 @@ namespace handway::planning {
 
 /// What a LivingRoadmap keeps from one query to the next.
 struct RoadmapMemory {
-  explicit RoadmapMemory(const LivingRoadmapSettings& limits) : settings(limits), graph(limits.k) {}
+  RoadmapMemory(const LivingRoadmapSettings& limits, const geometric::RobotModel& model);
 
   /// The node at `q`, added if need be.
   int node_at(const PlanningProblem& problem, const Configuration& q);

@@ -89,8 +89,8 @@ bool WayChecker::edge_free(int a, int b) {
   }
   if (const std::vector<int> pairs = changed_pairs(freedom); !pairs.empty()) {
     memory_.report.rechecked += freedom.was_free() ? 1 : 0;
-    const geometric::EdgeResult result = context_.validator().edge_among(
-        pairs, memory_.graph.configuration(a), memory_.graph.configuration(b));
+    const Configuration& from = memory_.graph.configuration(a);
+    const geometric::EdgeResult result = context_.validator().edge_among(pairs, from, end_of(a, b));
     if (!result.free && !result.pair) {
       return false;  // interrupted: nothing was settled
     }
@@ -113,7 +113,7 @@ bool WayChecker::plausible(int a, int b) {
     return true;
   }
   const Configuration& from = memory_.graph.configuration(a);
-  const Configuration& to = memory_.graph.configuration(b);
+  const Configuration to = end_of(a, b);
   const int probes = static_cast<int>(memory_.graph.distance(a, b) / kProbeSpacing);
   const std::optional<int> touching = context_.validator().edge_probe(from, to, probes);
   if (touching) {
@@ -121,6 +121,11 @@ bool WayChecker::plausible(int a, int b) {
     refuse(freedom, touching);
   }
   return !touching;
+}
+
+Configuration WayChecker::end_of(int a, int b) const {
+  return context_.problem().model().nearest_equivalent(memory_.graph.configuration(a),
+                                                       memory_.graph.configuration(b));
 }
 
 std::optional<double> WayChecker::obstruction(int a, int b) const {

@@ -35,6 +35,8 @@ class WayChecker {
  private:
   [[nodiscard]] bool way_free(const std::vector<int>& way);
   [[nodiscard]] bool plausible(int a, int b);
+  /// Of the motion from node `a` to `b`.
+  [[nodiscard]] Configuration end_of(int a, int b) const;
   void refuse(Freedom& freedom, std::optional<int> pair) const;
   [[nodiscard]] std::vector<int> changed_pairs(const Freedom& freedom) const;
 

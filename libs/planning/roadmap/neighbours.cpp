@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 namespace handway::planning {
 namespace {
@@ -154,7 +155,8 @@ struct Neighbours::Run {
   bool useful = true;
 };
 
-Neighbours::Neighbours(int linear) : linear_(linear) {}
+Neighbours::Neighbours(int linear, geometric::Periods periods)
+    : linear_(linear), periods_(std::move(periods)) {}
 Neighbours::~Neighbours() = default;
 
 void Neighbours::add(int number, const Eigen::VectorXd& point) {
@@ -165,7 +167,7 @@ void Neighbours::add(int number, const Eigen::VectorXd& point) {
   points_.col(count) = point;
   numbers_.push_back(number);
   Offset first = runs_.empty() ? 0 : runs_.back()->end();
-  if (count + 1 - first < linear_) {
+  if (count + 1 - first < linear_ || !periods_.none()) {
     return;
   }
   while (!runs_.empty() && runs_.back()->columns.count == count + 1 - first) {
@@ -180,7 +182,8 @@ std::vector<Neighbour> Neighbours::nearest(const Eigen::VectorXd& point, int mos
   Nearest nearest(static_cast<std::size_t>(most), radius, wanted);
   const auto look_at = [&](Offset first, Offset end) {
     for (Offset i = first; i < end; ++i) {
-      const double squared = (points_.col(i) - point).squaredNorm();
+      const double squared = periods_.none() ? (points_.col(i) - point).squaredNorm()
+                                             : periods_.squared_distance(point, points_.col(i));
       if (squared <= nearest.limit()) {
         nearest.see(squared, numbers_[static_cast<std::size_t>(i)]);
       }

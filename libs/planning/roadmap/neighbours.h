@@ -1,5 +1,7 @@
 #pragma once
 
+#include "handway/geometric/math/periods.h"
+
 #include <Eigen/Core>
 
 #include <functional>
@@ -29,7 +31,8 @@ class Neighbours {
   /// Below so many points a look at every one is faster (bench_neighbours).
   static constexpr int kLinear = 512;
 
-  explicit Neighbours(int linear = kLinear);
+  /// @param periods of the coordinates. Where there are any, all points are looked at.
+  explicit Neighbours(int linear = kLinear, geometric::Periods periods = {});
   ~Neighbours();
   Neighbours(const Neighbours&) = delete;
   Neighbours& operator=(const Neighbours&) = delete;
@@ -48,6 +51,7 @@ class Neighbours {
   struct Run;
 
   int linear_;
+  geometric::Periods periods_;
   std::vector<int> numbers_;
   Eigen::MatrixXd points_;  ///< A column a point; grows by doubling.
   std::vector<std::unique_ptr<Run>> runs_;

@@ -27,7 +27,10 @@ using Vertex = boost::graph_traits<BoostGraph>::vertex_descriptor;
 }  // namespace
 
 struct Roadmap::Graph {
+  explicit Graph(const geometric::Periods& of) : periods(of), neighbours(Neighbours::kLinear, of) {}
+
   BoostGraph graph;
+  geometric::Periods periods;
   Neighbours neighbours;
   // Property maps that grow with the graph.
   boost::vector_property_map<std::size_t> ranks;
@@ -36,11 +39,11 @@ struct Roadmap::Graph {
       components{ranks, parents};
 
   [[nodiscard]] double distance(Vertex a, Vertex b) const {
-    return (graph[a].coordinates - graph[b].coordinates).norm();
+    return periods.difference(graph[b].coordinates, graph[a].coordinates).norm();
   }
 };
 
-Roadmap::Roadmap() : graph_(std::make_unique<Graph>()) {}
+Roadmap::Roadmap(geometric::Periods periods) : graph_(std::make_unique<Graph>(periods)) {}
 Roadmap::~Roadmap() = default;
 Roadmap::Roadmap(Roadmap&&) noexcept = default;
 Roadmap& Roadmap::operator=(Roadmap&&) noexcept = default;

@@ -63,13 +63,15 @@ class ControlSpace final : public StateSpace {
     Eigen::VectorXd joints = geometric::normalised(problem().model(), reference);
     joints(arm()) = arm_start_ + frame_ * x.head(frame_.cols());
     joints(problem().hand) = centre_ + axes_ * x.tail(axes_.cols());
-    return geometric::denormalised(problem().model(), joints.cwiseMax(0.0).cwiseMin(1.0));
+    return geometric::denormalised(problem().model(),
+                                   geometric::clamped_to_range(problem().model(), joints));
   }
 
  private:
   [[nodiscard]] Eigen::VectorXd joints_of(const Configuration& q,
                                           const std::vector<int>& variables) const {
-    return geometric::normalised(problem().model(), q)(variables).cwiseMax(0.0).cwiseMin(1.0);
+    const geometric::RobotModel& model = problem().model();
+    return geometric::clamped_to_range(model, geometric::normalised(model, q))(variables);
   }
 
   // The nearest posture's, within the box: the axes may depend on each other, as where the ends

@@ -27,15 +27,16 @@ class JointSpace final : public CorridorSpace {
   explicit JointSpace(const PlanningProblem& problem)
       : CorridorSpace(problem),
         corridor_(arm_coordinates(problem.start), arm_coordinates(problem.goal)) {
-    const auto size = static_cast<Eigen::Index>(arm().size());
-    set_arm_bounds(Eigen::VectorXd::Zero(size), Eigen::VectorXd::Ones(size));
+    set_arm_coordinates(arm());
   }
 
   [[nodiscard]] int steps(double rho) const override { return corridor_.steps(rho); }
   [[nodiscard]] int corridor_dimension() const override { return corridor_.dimension(); }
   [[nodiscard]] Eigen::VectorXd corridor_point(double step, double rho,
                                                const Eigen::VectorXd& u) const override {
-    return corridor_.sample(step, rho, u);
+    return corridor_.sample(step, rho, u)
+        .cwiseMax(lower().head(u.size()))
+        .cwiseMin(upper().head(u.size()));
   }
 
  private:
@@ -82,9 +83,7 @@ class ToolSpace final : public CorridorSpace {
     if (ik_->variables() != arm) {
       refuse(problem, "an arm of other joints than those before its last link");
     }
-    const Eigen::VectorXd infinite =
-        Eigen::VectorXd::Constant(6, std::numeric_limits<double>::infinity());
-    set_arm_bounds(-infinite, infinite);
+    set_arm_coordinates(std::vector<int>(6, -1));
   }
 
   [[nodiscard]] int steps(double rho) const override { return corridor_.steps(rho); }
@@ -150,18 +149,29 @@ StateSpace::StateSpace(const PlanningProblem& problem) : problem_(problem), arm_
 
 StateSpace::~StateSpace() = default;
 
-void StateSpace::set_bounds(Eigen::VectorXd lower, Eigen::VectorXd upper) {
+void StateSpace::set_bounds(Eigen::VectorXd lower, Eigen::VectorXd upper,
+                            geometric::Periods periods) {
   lower_ = std::move(lower);
   upper_ = std::move(upper);
+  periods_ = std::move(periods);
 }
 
-void CorridorSpace::set_arm_bounds(const Eigen::VectorXd& lower, const Eigen::VectorXd& upper) {
-  const auto hand_size = static_cast<Eigen::Index>(problem().hand.size());
-  Eigen::VectorXd all_lower(lower.size() + hand_size);
-  all_lower << lower, Eigen::VectorXd::Zero(hand_size);
-  Eigen::VectorXd all_upper(upper.size() + hand_size);
-  all_upper << upper, Eigen::VectorXd::Ones(hand_size);
-  set_bounds(std::move(all_lower), std::move(all_upper));
+void CorridorSpace::set_arm_coordinates(const std::vector<int>& arm_variables) {
+  std::vector<int> variables = arm_variables;
+  variables.insert(variables.end(), problem().hand.begin(), problem().hand.end());
+  const auto size = static_cast<Eigen::Index>(variables.size());
+  Eigen::VectorXd lower = Eigen::VectorXd::Zero(size);
+  Eigen::VectorXd upper = Eigen::VectorXd::Ones(size);
+  Eigen::VectorXd periods = Eigen::VectorXd::Zero(size);
+  for (Eigen::Index i = 0; i < size; ++i) {
+    const int v = variables[static_cast<std::size_t>(i)];
+    periods[i] = v >= 0 && problem().model().is_continuous(v) ? 1.0 : 0.0;
+    if (v < 0 || periods[i] > 0.0) {
+      lower[i] = -std::numeric_limits<double>::infinity();
+      upper[i] = std::numeric_limits<double>::infinity();
+    }
+  }
+  set_bounds(std::move(lower), std::move(upper), geometric::Periods(std::move(periods)));
 }
 
 Eigen::VectorXd CorridorSpace::coordinates(const Configuration& q) const {

@@ -75,7 +75,8 @@ TargetSampler::Target TargetSampler::draw(std::uint64_t sample, int end, int fai
 
 TargetSampler::Target TargetSampler::target(const Eigen::VectorXd& u) const {
   if (!in_regions_) {
-    return {space().lower() + u.cwiseProduct(space().upper() - space().lower()), 0, 0.0};
+    const Eigen::VectorXd range = space().upper() - space().lower();
+    return {range.array().isFinite().select(space().lower() + u.cwiseProduct(range), u), 0, 0.0};
   }
   Target target = u[0] < settings_.near_ends ? near_end(u) : in_corridor(u);
   target.pmds = draw_.axes - static_cast<int>(region_.basis().free_joints.size());

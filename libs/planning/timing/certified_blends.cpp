@@ -30,11 +30,11 @@ void check_waypoints(const geometric::RobotModel& model, const Path& path) {
                                    fmt::format("{}, one a joint", model.variable_count()), ""});
     }
     for (int v = 0; v < model.variable_count(); ++v) {
-      if (!(q[v] >= model.lower()[v] - kLimitTolerance &&
-            q[v] <= model.upper()[v] + kLimitTolerance)) {
+      const geometric::JointLimits& limits = model.variable(v).limits;
+      if (!(q[v] >= limits.lower - kLimitTolerance && q[v] <= limits.upper + kLimitTolerance)) {
         throw geometric::InputError(
             {source, "joint " + model.variable(v).name, fmt::format("{:.6g}", q[v]),
-             fmt::format("{:.6g} to {:.6g}", model.lower()[v], model.upper()[v]), ""});
+             fmt::format("{:.6g} to {:.6g}", limits.lower, limits.upper), ""});
       }
     }
   }

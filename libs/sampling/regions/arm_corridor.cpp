@@ -11,7 +11,7 @@ ArmCorridor::ArmCorridor(Eigen::VectorXd start, Eigen::VectorXd goal)
 
 Eigen::VectorXd ArmCorridor::sample(double step, double rho, const Eigen::VectorXd& u) const {
   const Eigen::VectorXd centre = start_ + step * (goal_ - start_);
-  return (centre.array() + rho * (2.0 * u.array() - 1.0)).cwiseMax(0.0).cwiseMin(1.0);
+  return centre.array() + rho * (2.0 * u.array() - 1.0);
 }
 
 int ArmCorridor::steps(double rho) const { return corridor_steps(length(), rho); }

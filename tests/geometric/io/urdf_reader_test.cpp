@@ -68,15 +68,14 @@ TEST(UrdfReader, ReadsLinksAndJointsInTheOrderOfTheFile) {
   EXPECT_THAT(r.warnings, IsEmpty());
 }
 
-TEST(UrdfReader, LimitsAContinuousJointToOneTurnEachWay) {
+TEST(UrdfReader, GivesAContinuousJointNoLimits) {
   const ScratchFiles files;
   const RobotDescription r = read_urdf(
       files.write("r.urdf", robot("<link name=\"a\"/><link name=\"b\"/>" +
                                   joint("spin", "continuous", "a", "b", "<axis xyz=\"0 0 1\"/>"))));
   EXPECT_EQ(r.joints[0].type, JointType::kRevolute);
-  EXPECT_DOUBLE_EQ(r.joints[0].limits.lower, -2 * kPi);
-  EXPECT_DOUBLE_EQ(r.joints[0].limits.upper, 2 * kPi);
-  EXPECT_THAT(r.warnings, ElementsAre(HasSubstr("spin")));
+  EXPECT_TRUE(r.joints[0].is_continuous());
+  EXPECT_THAT(r.warnings, IsEmpty());
 }
 
 TEST(UrdfReader, FollowsChainsOfCoupledJoints) {

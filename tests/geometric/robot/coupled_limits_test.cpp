@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <numbers>
+#include <vector>
 
 namespace handway::geometric {
 namespace {
@@ -15,6 +17,9 @@ using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kPi = std::numbers::pi;
 
 Joint turning(const std::string& name, const std::string& parent, const std::string& child,
               double lower, double upper) {
@@ -54,6 +59,59 @@ TEST(CoupledLimits, NarrowItForAJointThatTurnsTheOtherWay) {
   const RobotModel model(finger(-1.0, 0.0, -0.8, 0.3));
   EXPECT_DOUBLE_EQ(model.lower()[0], -0.3);
   EXPECT_DOUBLE_EQ(model.upper()[0], 0.8);
+}
+
+TEST(ContinuousJoints, HaveNoLimitsAndTheRangeOfOneTurn) {
+  RobotDescription robot = finger(2.0, 0.5, -kInfinity, kInfinity);
+  robot.joints.front().limits = {-kInfinity, kInfinity};
+  const RobotModel model(robot);
+  EXPECT_TRUE(model.is_continuous(0));
+  EXPECT_DOUBLE_EQ(model.upper()[0] - model.lower()[0], 2 * kPi);
+  EXPECT_THAT(limit_violations(model, bent(100.0)), IsEmpty());
+  EXPECT_EQ(model.clamped(bent(100.0)), bent(100.0));
+  EXPECT_THAT(model.description().warnings, IsEmpty());
+}
+
+TEST(ContinuousJoints, GoTheShorterWayRound) {
+  RobotDescription robot = finger(2.0, 0.5, -kInfinity, kInfinity);
+  robot.joints.front().limits = {-kInfinity, kInfinity};
+  const RobotModel model(robot);
+  EXPECT_DOUBLE_EQ(model.nearest_equivalent(bent(3.1), bent(-3.1))[0], 2 * kPi - 3.1);
+  EXPECT_DOUBLE_EQ(model.nearest_equivalent(bent(20.0), bent(0.0))[0], 6 * kPi);
+  EXPECT_EQ(model.nearest_equivalent(bent(0.0), bent(kPi)), bent(kPi)) << "half a turn: as asked";
+  EXPECT_EQ(model.nearest_equivalent(bent(0.0), bent(-kPi)), bent(-kPi));
+  const std::vector<Configuration> path =
+      model.unwrapped({bent(-3.0), bent(-1.0), bent(1.0), bent(3.0)}, bent(3.0));
+  EXPECT_DOUBLE_EQ(path.front()[0], 2 * kPi - 3.0);
+  EXPECT_DOUBLE_EQ(path.back()[0], 2 * kPi + 3.0);
+}
+
+TEST(ContinuousJoints, TurnByHalfTurnsAtMostWhereAPathIsCutIntoSuch) {
+  RobotDescription robot = finger(1.0, 0.0, -kInfinity, kInfinity);
+  robot.joints.front().limits = {-kInfinity, kInfinity};
+  const RobotModel model(robot);
+  EXPECT_THAT(model.in_half_turns({bent(0.0), bent(6.0), bent(6.0 + kPi)}),
+              ElementsAre(bent(0.0), bent(3.0), bent(6.0), bent(6.0 + kPi)));
+}
+
+TEST(ContinuousJoints, AreLimitedToATurnEachWayByAGearThatIsElsewhereAfterATurn) {
+  for (const double gear : {0.5, -2.5}) {
+    RobotDescription robot = finger(gear, 0.0, -kInfinity, kInfinity);
+    robot.joints.front().limits = {-kInfinity, kInfinity};
+    const RobotModel model(robot);
+    EXPECT_FALSE(model.is_continuous(0));
+    EXPECT_DOUBLE_EQ(model.upper()[0], 2 * kPi);
+    EXPECT_THAT(model.description().warnings,
+                ElementsAre(AllOf(HasSubstr("knuckle"), HasSubstr("tip"))));
+  }
+}
+
+TEST(ContinuousJoints, TakeTheLimitsOfWhatFollowsThem) {
+  RobotDescription robot = finger(1.0, 0.0, -1.0, 2.0);
+  robot.joints.front().limits = {-kInfinity, kInfinity};
+  const RobotModel model(robot);
+  EXPECT_FALSE(model.is_continuous(0));
+  EXPECT_DOUBLE_EQ(model.lower()[0], -1.0);
 }
 
 TEST(CoupledLimits, LeaveARangeAloneThatTheyAllow) {

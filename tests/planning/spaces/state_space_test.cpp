@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <stop_token>
 
 namespace handway::planning {
@@ -14,6 +15,7 @@ namespace {
 
 constexpr std::uint64_t kDraws = 500;
 constexpr int kAllAxes = 100;
+constexpr double kPi = std::numbers::pi;
 
 Configuration there_and_back(const StateSpace& space, const Configuration& q) {
   return space.configuration(space.coordinates(q), q).value();
@@ -27,6 +29,26 @@ TEST(JointSpace, IsTheUnitCubeOfNormalisedJoints) {
   EXPECT_TRUE(there_and_back(*space, q).isApprox(q, 1e-14));
   EXPECT_NEAR((space->coordinates(problem.start) - space->coordinates(problem.goal)).norm(),
               normalised_distance(problem.model(), problem.start, problem.goal), 1e-12);
+}
+
+TEST(JointSpace, HasACorridorWithinTheLimitsOfTheJoints) {
+  const PlanningProblem problem = test::open_problem();
+  const auto space = make_corridor_space(problem, CorridorForm::kJoint);
+  sampling::RandomStream stream(1);
+  for (int i = 0; i < 200; ++i) {
+    const Eigen::VectorXd arm = space->corridor_point(stream.uniform(), 0.7, stream.uniform(2));
+    ASSERT_GE(arm.minCoeff(), 0.0);
+    ASSERT_LE(arm.maxCoeff(), 1.0);
+  }
+}
+
+TEST(JointSpace, GoesOnBeyondATurnOfAContinuousJoint) {
+  const PlanningProblem problem = test::endless_problem(3.0, 3.5);
+  const auto space = make_corridor_space(problem, CorridorForm::kJoint);
+  const Eigen::VectorXd start = space->coordinates(problem.start);
+  const Eigen::VectorXd goal = space->coordinates(test::planar_configuration(3.5 - 4 * kPi, 0.0));
+  EXPECT_NEAR(space->periods().difference(start, goal).norm(), 0.5 / (2 * kPi), 1e-12);
+  EXPECT_GT(space->corridor_point(1.0, 0.1, Eigen::Vector2d(1.0, 0.5))[0], 1.1);
 }
 
 TEST(ControlSpace, HasTheArmsTheFreeJointsTheDirectionsAndTheEndsDeviations) {

@@ -27,16 +27,6 @@ TEST(ArmCorridor, ReachesTheFacesOfItsCubes) {
   EXPECT_LT((sample - Eigen::Vector3d(0.4, 0.5, 0.6)).norm(), 1e-15);
 }
 
-TEST(ArmCorridor, KeepsJointsWithinTheirLimits) {
-  const ArmCorridor corridor(kStart, kGoal);
-  RandomStream stream(1);
-  for (int i = 0; i < 200; ++i) {
-    const Eigen::VectorXd sample = corridor.sample(stream.uniform(), 0.7, stream.uniform(3));
-    ASSERT_GE(sample.minCoeff(), 0.0);
-    ASSERT_LE(sample.maxCoeff(), 1.0);
-  }
-}
-
 TEST(CorridorSteps, AreTheSmallestPowerOfTwoThatIsFineEnough) {
   EXPECT_EQ(corridor_steps(1.0, 1.0), 1);
   EXPECT_EQ(corridor_steps(1.0, 0.9), 2);

@@ -28,6 +28,14 @@ namespace handway::test {
 /// The stretched hand sweeps across a post: the fingers have to spread.
 [[nodiscard]] planning::PlanningProblem post_problem();
 
+/// A robot like it whose shoulder turns without end, with nothing near it, from one angle of the
+/// shoulder to another.
+[[nodiscard]] planning::PlanningProblem endless_problem(double shoulder_start,
+                                                        double shoulder_goal);
+
+/// The same from 2.7 rad to -2.7 rad, with a wall where the shorter arc would lead through.
+[[nodiscard]] planning::PlanningProblem endless_problem_with_wall();
+
 /// Start and goal are free, but the goal's upper arm stands between two walls
 /// that it can't pass.
 [[nodiscard]] planning::PlanningProblem walled_in_problem();

@@ -9,8 +9,8 @@ namespace handway::geometric {
 
 /// Reads a robot from a URDF file (http://wiki.ros.org/urdf/XML), by urdfdom.
 ///
-/// - Joints: `revolute`, `prismatic`, `fixed`, `continuous` (becomes revolute
-///   with limits ±2π, with a warning); `mimic`, also in chains. A velocity
+/// - Joints: `revolute`, `prismatic`, `fixed`, `continuous` (revolute with
+///   infinite limits, see Joint::is_continuous()); `mimic`, also in chains. A velocity
 ///   limit of 0 counts as unknown (infinity). URDF has no acceleration limits;
 ///   they stay infinite.
 /// - Geometry: box, sphere, cylinder, mesh; all `visual` and `collision`

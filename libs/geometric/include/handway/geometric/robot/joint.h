@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <string>
@@ -12,7 +13,8 @@ namespace handway::geometric {
 
 enum class JointType { kFixed, kRevolute, kPrismatic };
 
-/// Limits of a joint: rad, rad/s, rad/s² (revolute) or m, m/s, m/s² (prismatic).
+/// Limits of a joint: rad, rad/s, rad/s² (revolute) or m, m/s, m/s² (prismatic). Those of a
+/// continuous joint, a revolute one that turns without end, are infinite.
 struct JointLimits {
   double lower = 0.0;
   double upper = 0.0;
@@ -41,6 +43,11 @@ struct Joint {
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
   JointLimits limits;
   std::optional<Mimic> mimic;
+
+  /// A revolute joint without ends, which comes round again after a whole turn.
+  [[nodiscard]] bool is_continuous() const {
+    return type == JointType::kRevolute && std::isinf(limits.lower) && std::isinf(limits.upper);
+  }
 };
 
 }  // namespace handway::geometric

@@ -2,6 +2,9 @@
 
 #include "handway/geometric/robot/robot_model.h"
 
+#include <algorithm>
+#include <utility>
+
 /// The joint space scaled to [0, 1] per joint, in which the paper measures
 /// distances (section 7) and runs the PCA.
 namespace handway::geometric {
@@ -10,6 +13,23 @@ namespace handway::geometric {
 [[nodiscard]] inline Configuration normalised(const RobotModel& model, const Configuration& q) {
   const Configuration range = model.upper() - model.lower();
   return (range.array() > 0.0).select((q - model.lower()).cwiseQuotient(range), 0.0);
+}
+
+/// `p` with every joint within [0, 1]; continuous joints, which have no limits, as they are.
+[[nodiscard]] inline Configuration clamped_to_range(const RobotModel& model, Configuration p) {
+  for (int v = 0; v < model.variable_count(); ++v) {
+    p[v] = model.is_continuous(v) ? p[v] : std::min(std::max(p[v], 0.0), 1.0);
+  }
+  return p;
+}
+
+/// 1 for each continuous joint: of normalised joints.
+[[nodiscard]] inline Periods normalised_turns(const RobotModel& model) {
+  Eigen::VectorXd turns(model.variable_count());
+  for (int v = 0; v < model.variable_count(); ++v) {
+    turns[v] = model.is_continuous(v) ? 1.0 : 0.0;
+  }
+  return Periods(std::move(turns));
 }
 
 /// lower + p * (upper - lower), shape [variable_count].

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "handway/geometric/export.h"
+#include "handway/geometric/math/periods.h"
 #include "handway/geometric/robot/forward_kinematics_step.h"
 #include "handway/geometric/robot/robot_description.h"
 
@@ -29,7 +30,7 @@ class HANDWAY_GEOMETRIC_EXPORT RobotModel {
   };
 
   /// @throws InputError if names repeat or dangle, the joints form no single
-  /// tree, limits are inverted, not finite or never kept by a coupled joint, an axis
+  /// tree, limits are inverted, not finite (but for continuous joints) or never kept by a coupled joint, an axis
   /// is zero, or a coupling names a fixed, missing or itself coupled joint.
   explicit RobotModel(RobotDescription description);
 
@@ -58,9 +59,32 @@ class HANDWAY_GEOMETRIC_EXPORT RobotModel {
   }
   [[nodiscard]] const Joint& variable(int index) const { return joint(variable_link(index)); }
   [[nodiscard]] std::optional<int> find_variable(std::string_view joint_name) const;
-  /// Limits of all variables, within which coupled joints keep theirs; shape [variable_count].
+  /// Limits of all variables, within which coupled joints keep theirs; of a continuous joint, which
+  /// has none, half a turn each way: the range over which it is sampled and by which distances are
+  /// normalised. Shape [variable_count].
   [[nodiscard]] const Configuration& lower() const { return lower_; }
   [[nodiscard]] const Configuration& upper() const { return upper_; }
+
+  /// True if the joint turns without end: its values count modulo 2π.
+  [[nodiscard]] bool is_continuous(int variable) const { return turns_.has(variable); }
+  /// 2π for each continuous joint.
+  [[nodiscard]] const Periods& turns() const { return turns_; }
+  /// `to`, with continuous joints moved by whole turns to within half a turn of `from`; as it is if
+  /// the sizes differ.
+  [[nodiscard]] Configuration nearest_equivalent(const Configuration& from,
+                                                 const Configuration& to) const {
+    return from.size() == to.size() ? turns_.nearest(from, to) : to;
+  }
+  /// The same waypoints, each as nearest_equivalent() to the one before, the first to `start`: the
+  /// values that hardware needs, without jumps.
+  [[nodiscard]] std::vector<Configuration> unwrapped(std::vector<Configuration> waypoints,
+                                                     const Configuration& start) const;
+  /// The same path with waypoints between where a continuous joint turns by more than half a turn
+  /// at once: so nearest_equivalent() of each to the one before is itself.
+  [[nodiscard]] std::vector<Configuration> in_half_turns(
+      const std::vector<Configuration>& waypoints) const;
+  /// Within all limits.
+  [[nodiscard]] Configuration clamped(Configuration q) const;
 
   /// Variables of the group's joints, in configuration order; coupled and fixed
   /// joints of the group are left out. nullopt if there is no such group.
@@ -81,6 +105,8 @@ class HANDWAY_GEOMETRIC_EXPORT RobotModel {
  private:
   void sort_parents_first();
   void index_variables();
+  void limit_joints_with_gears();
+  void set_ranges();
 
   RobotDescription description_;
   std::vector<int> parents_;
@@ -89,6 +115,7 @@ class HANDWAY_GEOMETRIC_EXPORT RobotModel {
   std::vector<ForwardKinematicsStep> steps_;  ///< One per joint, of link i at i - 1.
   Configuration lower_;
   Configuration upper_;
+  Periods turns_;
 };
 
 /// Values of every moving joint, coupled ones included, in link order.

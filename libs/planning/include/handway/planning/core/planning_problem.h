@@ -31,7 +31,8 @@ struct PlanningProblem {
 
 /// Puts a problem together. The hand are the basis' joints, or else those of the robot's group
 /// "hand"; the arm are the others of the group "arm" or, if none of them moves, of the robot.
-/// Either may be empty. Start and goal are the scene's.
+/// Either may be empty. Start and goal are the scene's, the goal with
+/// continuous joints within half a turn of the start.
 /// @param basis may be null.
 /// @throws InputError if the scene lacks a robot, a start or a goal, or the
 /// basis names a joint that the robot has not; PreparationStopped where `preparation` asks for it.

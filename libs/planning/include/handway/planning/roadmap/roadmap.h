@@ -1,5 +1,6 @@
 #pragma once
 
+#include "handway/geometric/math/periods.h"
 #include "handway/geometric/math/pose.h"
 #include "handway/planning/export.h"
 
@@ -15,7 +16,8 @@ namespace handway::planning {
 /// normalised to [0, 1] (paper, section 7).
 class HANDWAY_PLANNING_EXPORT Roadmap {
  public:
-  Roadmap();
+  /// @param periods of the coordinates.
+  explicit Roadmap(geometric::Periods periods = {});
   ~Roadmap();
   Roadmap(Roadmap&&) noexcept;
   Roadmap& operator=(Roadmap&&) noexcept;

@@ -12,7 +12,8 @@
 namespace handway::planning {
 
 /// Coordinates in which a planner draws configurations, measures distances and moves: a box of real
-/// numbers, Euclidean distances, straight lines. It knows no obstacles.
+/// numbers, Euclidean distances, straight lines; those of continuous joints come round again. It
+/// knows no obstacles.
 class HANDWAY_PLANNING_EXPORT StateSpace {
  public:
   virtual ~StateSpace();
@@ -21,6 +22,8 @@ class HANDWAY_PLANNING_EXPORT StateSpace {
 
   [[nodiscard]] const PlanningProblem& problem() const { return problem_; }
   [[nodiscard]] int dimension() const { return static_cast<int>(lower_.size()); }
+  /// Of continuous joints.
+  [[nodiscard]] const geometric::Periods& periods() const { return periods_; }
   /// Corners of the box, shape [dimension()]; a coordinate without limits is infinite there.
   [[nodiscard]] const Eigen::VectorXd& lower() const { return lower_; }
   [[nodiscard]] const Eigen::VectorXd& upper() const { return upper_; }
@@ -42,13 +45,14 @@ class HANDWAY_PLANNING_EXPORT StateSpace {
   [[nodiscard]] const std::vector<int>& arm() const { return arm_; }
 
   /// To be called by the derived constructor.
-  void set_bounds(Eigen::VectorXd lower, Eigen::VectorXd upper);
+  void set_bounds(Eigen::VectorXd lower, Eigen::VectorXd upper, geometric::Periods periods = {});
 
  private:
   const PlanningProblem& problem_;
   std::vector<int> arm_;
   Eigen::VectorXd lower_;
   Eigen::VectorXd upper_;
+  geometric::Periods periods_;
 };
 
 /// In which space the arm's sampling region lies along the straight motion.
@@ -77,8 +81,9 @@ class HANDWAY_PLANNING_EXPORT CorridorSpace : public StateSpace {
  protected:
   using StateSpace::StateSpace;
 
-  /// To be called by the derived constructor, with the bounds of the arm's coordinates.
-  void set_arm_bounds(const Eigen::VectorXd& lower, const Eigen::VectorXd& upper);
+  /// To be called by the derived constructor. @param arm_variables whose normalised joints are the
+  /// arm's coordinates; -1 of a coordinate without limits.
+  void set_arm_coordinates(const std::vector<int>& arm_variables);
 
   [[nodiscard]] virtual Eigen::VectorXd arm_coordinates(const Configuration& q) const = 0;
   /// `q`, with its hand posture, with the arm at `x`.

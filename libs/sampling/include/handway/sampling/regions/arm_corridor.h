@@ -17,7 +17,7 @@ class HANDWAY_SAMPLING_EXPORT ArmCorridor {
   [[nodiscard]] int dimension() const { return static_cast<int>(start_.size()); }
   [[nodiscard]] double length() const { return (goal_ - start_).norm(); }
 
-  /// Algorithm 1's draw: start + step (goal - start) + ρ_a (2u - 1), clamped to [0, 1].
+  /// Algorithm 1's draw: start + step (goal - start) + ρ_a (2u - 1), which may be beyond limits.
   /// @param step in [0, 1]. @param u in [0,1]^dimension. @param rho half-side, ≥ 0.
   [[nodiscard]] Eigen::VectorXd sample(double step, double rho, const Eigen::VectorXd& u) const;
 

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <cmath>
+#include <utility>
+
+namespace handway::geometric {
+
+/// Which coordinates of a vector come round again, as an angle does after a whole turn: values that
+/// differ by whole periods in them are the same place.
+///
+/// Vectors stay plain numbers. What moves from one place to another goes to the value next to where
+/// it is, so that straight motions take the shorter arc.
+class Periods {
+ public:
+  /// None do.
+  Periods() = default;
+  /// @param periods > 0; 0 of a coordinate that doesn't come round. Shape [dimension].
+  explicit Periods(Eigen::VectorXd periods)
+      : periods_((periods.array() > 0.0).any() ? std::move(periods) : Eigen::VectorXd()) {}
+
+  [[nodiscard]] bool none() const { return periods_.size() == 0; }
+  /// Shape [dimension]; false for all if none().
+  [[nodiscard]] bool has(Eigen::Index coordinate) const {
+    return !none() && periods_[coordinate] > 0.0;
+  }
+
+  /// `to`, moved by whole periods to at most half a period from `from`.
+  [[nodiscard]] Eigen::VectorXd nearest(const Eigen::VectorXd& from, Eigen::VectorXd to) const {
+    for (Eigen::Index i = 0; i < periods_.size(); ++i) {
+      to[i] -= whole(i, to[i] - from[i]);
+    }
+    return to;
+  }
+
+  /// The shortest vector from `from` to where `to` is.
+  [[nodiscard]] Eigen::VectorXd difference(const Eigen::VectorXd& from,
+                                           const Eigen::VectorXd& to) const {
+    return nearest(from, to) - from;
+  }
+
+  /// Length of difference(), squared.
+  template <typename A, typename B>
+  [[nodiscard]] double squared_distance(const A& from, const B& to) const {
+    double sum = 0.0;
+    for (Eigen::Index i = 0; i < from.size(); ++i) {
+      const double way = to[i] - from[i];
+      const double shortest = none() ? way : way - whole(i, way);
+      sum += shortest * shortest;
+    }
+    return sum;
+  }
+
+ private:
+  // What to take off `way`. Half a period stays what it is, up to roundings: so it leads the same
+  // way round however often it is asked for.
+  [[nodiscard]] double whole(Eigen::Index i, double way) const {
+    constexpr double kTie = 0.5 + 1e-9;
+    const double period = periods_[i];
+    return period > 0.0 && std::abs(way) > kTie * period ? period * std::round(way / period) : 0.0;
+  }
+
+  Eigen::VectorXd periods_;  ///< Empty: none.
+};
+
+}  // namespace handway::geometric
