@@ -5,6 +5,7 @@
 #include "handway/geometric/io/resources.h"
 #include "handway/geometric/io/robot_loader.h"
 #include "handway/geometric/io/yaml_element.h"
+#include "handway/geometric/robot/base_joint.h"
 #include "handway/geometric/robot/robot_model.h"
 #include "problem_files.h"
 #include "world_objects.h"
@@ -93,6 +94,10 @@ std::shared_ptr<const RobotModel> group_robot(const RobotModel& model, const Yam
     joint->type = JointType::kFixed;
     joint->mimic.reset();
   }
+  std::erase_if(description.base_joints, [&](const geometric::BaseJoint& base) {
+    return std::ranges::count(kept,
+                              model.find_variable(joints_of(base).front()).value_or(-1)) == 0;
+  });
   std::erase_if(description.groups,
                 [](const geometric::JointGroup& other) { return other.name != "hand"; });
   description.postures.clear();
@@ -159,13 +164,15 @@ class ProblemReader {
     for (const std::string& warning : model->description().warnings) {
       scene_->warnings.push_back(fmt::format("robot {}: {}", model->name(), warning));
     }
-    scene_->robots.push_back({model->name(), file, model, Pose::Identity(), start});
+    scene_->robots.push_back({model->name(), file, model, X_WB_, start});
     if (request_) {
       scene_->start = start;
       scene_->goal = goal_of(*model);
+      scene_->robots.front().model = within_workspace(model);
     }
   }
 
+  // Sets where the robot stands, too.
   [[nodiscard]] Configuration start_of(const RobotModel& model) {
     Configuration q = model.neutral();
     for (const auto& state : {top_.find("robot_state"), request_ ? request_->find("start_state")
@@ -174,8 +181,36 @@ class ProblemReader {
       if (joints) {
         q = with_values(model, read_joint_state(*joints), q, unknown_joints_);
       }
+      if (const auto bases = state ? state->find("multi_dof_joint_state") : std::nullopt) {
+        for (const auto& [name, X] : read_multi_dof_joint_state(*bases)) {
+          q = with_base_at(model, name, X, q);
+        }
+      }
     }
     return q;
+  }
+
+  // `q` with a planar or floating joint at `X`; a virtual joint that does not move gives the place
+  // of the robot instead.
+  [[nodiscard]] Configuration with_base_at(const RobotModel& model, const std::string& name,
+                                           const Pose& X, const Configuration& q) {
+    const geometric::RobotDescription& robot = model.description();
+    const auto base = std::ranges::find(robot.base_joints, name, &geometric::BaseJoint::name);
+    if (base == robot.base_joints.end()) {
+      if (std::ranges::count(robot.virtual_joints, name, &geometric::BaseJoint::name) > 0) {
+        X_WB_ = X;
+      } else {
+        unknown_joints_.insert(name);
+      }
+      return q;
+    }
+    std::map<std::string, double> values;
+    const std::vector<std::string> joints = joints_of(*base);
+    const std::vector<double> at = values_at(*base, X);
+    std::ranges::transform(
+        joints, at, std::inserter(values, values.end()),
+        [](const std::string& joint, double value) { return std::pair(joint, value); });
+    return with_values(model, values, q, unknown_joints_);
   }
 
   [[nodiscard]] Configuration goal_of(const RobotModel& model) {
@@ -207,6 +242,38 @@ class ProblemReader {
     return with_values(model, values, scene_->robots.front().configuration, unknown_joints_);
   }
 
+  // Planar and floating joints go as far as the request's workspace, and to start and goal.
+  [[nodiscard]] std::shared_ptr<const RobotModel> within_workspace(
+      const std::shared_ptr<const RobotModel>& model) const {
+    geometric::RobotDescription robot = model->description();
+    if (robot.base_joints.empty()) {
+      return model;
+    }
+    const auto workspace = request_->find("workspace_parameters");
+    const auto corner = [&](const char* key) -> std::optional<Eigen::Vector3d> {
+      const auto element = workspace ? workspace->find(key) : std::nullopt;
+      return element ? std::optional(read_point(*element)) : std::nullopt;
+    };
+    const auto lower = corner("min_corner");
+    const auto upper = corner("max_corner");
+    const bool is_given = lower && upper && (lower->array() < upper->array()).all();
+    for (const geometric::BaseJoint& base : robot.base_joints) {
+      Eigen::Index axis = 0;
+      for (const std::string& slide : slides_of(base)) {
+        const int v = *model->find_variable(slide);
+        auto& limits = std::ranges::find(robot.joints, slide, &geometric::Joint::name)->limits;
+        limits.lower = is_given ? (*lower)[axis] : limits.lower;
+        limits.upper = is_given ? (*upper)[axis] : limits.upper;
+        for (const double value : {(*scene_->start)[v], (*scene_->goal)[v]}) {
+          limits.lower = std::min(limits.lower, value);
+          limits.upper = std::max(limits.upper, value);
+        }
+        ++axis;
+      }
+    }
+    return std::make_shared<const RobotModel>(std::move(robot));
+  }
+
   [[nodiscard]] Frames frames_of(const geometric::RobotInstance& robot) const {
     const RobotModel& model = *robot.model;
     std::vector<Pose> X_BL(static_cast<std::size_t>(model.link_count()));
@@ -217,15 +284,7 @@ class ProblemReader {
     }
     if (const auto transforms = top_.find("fixed_frame_transforms")) {
       for (const YamlElement& one : transforms->items()) {
-        const YamlElement transform = one.need("transform");
-        Pose X = Pose::Identity();
-        if (const auto rotation = transform.find("rotation")) {
-          X.linear() = read_rotation(*rotation).toRotationMatrix();
-        }
-        if (const auto translation = transform.find("translation")) {
-          X.translation() = read_point(*translation);
-        }
-        frames.emplace(one.need("child_frame_id").text(), X);
+        frames.emplace(one.need("child_frame_id").text(), read_transform(one.need("transform")));
       }
     }
     return frames;
@@ -266,6 +325,7 @@ class ProblemReader {
 
   const ProblemFiles& files_;
   std::set<std::string> unknown_joints_;
+  Pose X_WB_ = Pose::Identity();
   fs::path folder_;
   YamlElement top_;
   std::optional<YamlElement> request_;

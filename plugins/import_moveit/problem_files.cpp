@@ -89,6 +89,36 @@ std::map<std::string, double> read_joint_state(const YamlElement& element) {
   return values;
 }
 
+Pose read_transform(const YamlElement& element) {
+  Pose X = Pose::Identity();
+  if (const auto rotation = element.find("rotation")) {
+    X.linear() = read_rotation(*rotation).toRotationMatrix();
+  }
+  if (const auto translation = element.find("translation")) {
+    X.translation() = read_point(*translation);
+  }
+  return X;
+}
+
+std::map<std::string, Pose> read_multi_dof_joint_state(const YamlElement& element) {
+  std::map<std::string, Pose> poses;
+  const std::optional<YamlElement> names = element.find("joint_names");
+  if (!names) {
+    return poses;
+  }
+  const std::vector<YamlElement> items = names->items();
+  const YamlElement list = element.need("transforms");
+  const std::vector<YamlElement> transforms = list.items();
+  if (items.size() != transforms.size()) {
+    list.refuse(fmt::format("{} transforms", transforms.size()),
+                fmt::format("{}, one for each name", items.size()));
+  }
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    poses[items[i].text()] = read_transform(transforms[i]);
+  }
+  return poses;
+}
+
 namespace {
 
 namespace fs = std::filesystem;

@@ -27,6 +27,14 @@ namespace handway::import_moveit {
 /// @throws InputError if there are not as many positions as names.
 [[nodiscard]] std::map<std::string, double> read_joint_state(const geometric::YamlElement& element);
 
+/// sensor_msgs/MultiDOFJointState: where planar and floating joints are, by name.
+/// @throws InputError if there are not as many transforms as names.
+[[nodiscard]] std::map<std::string, geometric::Pose> read_multi_dof_joint_state(
+    const geometric::YamlElement& element);
+
+/// geometry_msgs/Transform: `translation` and `rotation`, each of which may be missing.
+[[nodiscard]] geometric::Pose read_transform(const geometric::YamlElement& element);
+
 /// The files of a problem as MotionBenchMaker lays them out: `scene0001.yaml` beside
 /// `request0001.yaml`.
 struct ProblemFiles {

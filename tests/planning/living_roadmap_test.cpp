@@ -74,8 +74,7 @@ TEST(AContinuousJoint, IsReplannedFromWhicheverTurnItIsAt) {
   LivingRoadmap roadmap(test::endless_problem(2.7, -2.7));
   Configuration here = test::planar_configuration(2.7, 0.0);
   const Configuration there = test::planar_configuration(-2.7, 0.0);
-  const geometric::SceneObject wall =
-      test::endless_problem_with_wall().scene->objects.back();
+  const geometric::SceneObject wall = test::endless_problem_with_wall().scene->objects.back();
   for (int round = 0; round < 6; ++round) {
     if (round == 2) {
       roadmap.add_object(wall);

@@ -104,8 +104,8 @@ void JointPanel::add_group(const QString& title, const std::vector<int>& variabl
 
 SliderRow* JointPanel::add_row(int link) {
   const geometric::Joint& joint = model_->joint(link);
-  auto* row = new SliderRow(QString::fromStdString(joint.name),
-                            range_of(reach(*model_, link), joint.type));
+  auto* row =
+      new SliderRow(QString::fromStdString(joint.name), range_of(reach(*model_, link), joint.type));
   row->set_label_width(kLabelWidth);
   row->setObjectName(QString::fromStdString(joint.name));
   layout_->addWidget(row);

@@ -4,6 +4,7 @@
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/resources.h"
 #include "handway/geometric/io/robot_loader.h"
+#include "io/scene_bases.h"
 #include "io/scene_configuration.h"
 #include "io/scene_constraints.h"
 #include "io/scene_objects.h"
@@ -51,11 +52,12 @@ void check_new_name(const YamlElement& element, const Scene& scene, const std::s
 }
 
 RobotInstance robot_of(const YamlElement& element, Scene& scene, const fs::path& folder) {
-  element.allow_keys({"name", "model", "base", "configuration"});
+  element.allow_keys({"name", "model", "base", "moving_base", "bounds", "configuration"});
   const YamlElement model = element.need("model");
   RobotInstance robot;
   robot.file = model.text();
-  robot.model = load_robot(find_noted(ResourceKind::kRobot, model, folder, scene));
+  robot.model =
+      with_bases(element, load_robot(find_noted(ResourceKind::kRobot, model, folder, scene)));
   const std::optional<YamlElement> name = element.find("name");
   robot.name = name ? name->text() : robot.model->name();
   check_new_name(name ? *name : element, scene, robot.name);
@@ -143,6 +145,7 @@ Scene read_scene(const fs::path& file) {
   }
   scene.start = query_of(top, "start", scene.robots.front());
   scene.goal = query_of(top, "goal", scene.robots.front());
+  bound_bases(top.need("robots"), scene);
   if (const std::optional<YamlElement> postures = top.find("postures")) {
     for (const auto& [name, values] : postures->entries()) {
       scene.postures.push_back(posture_of(values, *scene.robots.front().model, name));

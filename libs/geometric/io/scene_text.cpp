@@ -1,5 +1,6 @@
 #include "io/scene_text.h"
 
+#include "handway/geometric/robot/base_joint.h"
 #include "io/number_text.h"
 #include "io/scene_version.h"
 #include "io/yaml_text.h"
@@ -31,10 +32,29 @@ std::string posture_text(const NamedPosture& posture) {
   return text;
 }
 
-std::string robot_text(const RobotInstance& robot, const std::filesystem::path& reference) {
-  return fmt::format("  - name: {}\n    model: {}\n    base: {}\n    configuration:{}",
+// Which root moves, and how far bases go.
+std::string bases_text(const RobotModel& model) {
+  std::string text;
+  std::string bounds;
+  for (const BaseJoint& base : model.description().base_joints) {
+    if (base.of_scene) {
+      text += fmt::format("    moving_base: {}\n",
+                          base.motion == BaseMotion::kPlanar ? "planar" : "floating");
+    }
+    for (const std::string& slide : slides_of(base)) {
+      const JointLimits& limits = model.variable(model.find_variable(slide).value()).limits;
+      bounds += fmt::format("      {}: {}\n", yaml_scalar(slide),
+                            yaml_list(Eigen::Vector2d(limits.lower, limits.upper)));
+    }
+  }
+  return bounds.empty() ? "" : text + "    bounds:\n" + bounds;
+}
+
+std::string robot_text(const RobotInstance& robot, const std::filesystem::path& reference,
+                       bool is_saved) {
+  return fmt::format("  - name: {}\n    model: {}\n    base: {}\n{}    configuration:{}",
                      yaml_scalar(robot.name), yaml_scalar(reference.generic_string()),
-                     yaml_pose(robot.X_WB),
+                     yaml_pose(robot.X_WB), is_saved ? "" : bases_text(*robot.model),
                      configuration_text(*robot.model, robot.configuration, "      "));
 }
 
@@ -141,7 +161,7 @@ std::string scene_text(const Scene& scene, const SceneReferences& references) {
   }
   text += "robots:\n";
   for (std::size_t i = 0; i < scene.robots.size(); ++i) {
-    text += robot_text(scene.robots[i], references.robots[i]);
+    text += robot_text(scene.robots[i], references.robots[i], references.is_saved_robot[i]);
   }
   text += scene.objects.empty() ? "" : "objects:\n";
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {

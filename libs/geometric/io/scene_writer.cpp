@@ -53,7 +53,7 @@ class SceneFileWriter {
       throw InputError({file_.string(), "robots", "a scene without a robot", "at least one", ""});
     }
     for (const RobotInstance& robot : scene_.robots) {
-      references_.robots.push_back(robot_reference(robot));
+      add_robot_reference(robot);
     }
     if (!scene_.hand_basis.empty()) {
       references_.hand_basis =
@@ -67,16 +67,19 @@ class SceneFileWriter {
 
  private:
   // A robot that comes from no robot file (an importer made it) is saved as one.
-  [[nodiscard]] fs::path robot_reference(const RobotInstance& robot) const {
+  void add_robot_reference(const RobotInstance& robot) {
     const fs::path& file = robot.file.empty() ? robot.model->description().file : robot.file;
     const bool is_other_file = file.has_extension() && !has_extension(file, ".urdf") &&
                                fs::exists(fs::absolute(from_ / file));
-    if (!file.empty() && !is_other_file) {
-      return moved_reference(ResourceKind::kRobot, file, from_, to_);
+    const bool has_file = !file.empty() && !is_other_file;
+    references_.is_saved_robot.push_back(!has_file);
+    if (has_file) {
+      references_.robots.push_back(moved_reference(ResourceKind::kRobot, file, from_, to_));
+      return;
     }
-    fs::path saved = file_.stem().string() + "_" + file_name_of(robot.name) + ".urdf";
-    write_urdf(*robot.model, to_ / saved);
-    return saved;
+    references_.robots.emplace_back(file_.stem().string() + "_" + file_name_of(robot.name) +
+                                    ".urdf");
+    write_urdf(*robot.model, to_ / references_.robots.back());
   }
 
   void add_mesh_reference(const SceneObject& object) {

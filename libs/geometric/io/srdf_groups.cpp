@@ -2,6 +2,7 @@
 
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/nearest_name.h"
+#include "handway/geometric/robot/base_joint.h"
 
 #include <fmt/format.h>
 
@@ -47,7 +48,11 @@ class GroupReader {
     for (const pugi::xml_node& part : group.children()) {
       const std::string kind = part.name();
       if (kind == "joint") {
-        if (const auto joint = known(part, "joint", "name", joint_names_)) {
+        if (const BaseJoint* base = base_called(part.attribute("name").value())) {
+          for (const std::string& joint : joints_of(*base)) {
+            add(joints, joint);
+          }
+        } else if (const auto joint = known(part, "joint", "name", joint_names_)) {
           add(joints, *joint);
         }
       } else if (kind == "link") {
@@ -93,6 +98,11 @@ class GroupReader {
     if (std::ranges::count(joints, joint) == 0) {
       joints.push_back(joint);
     }
+  }
+
+  [[nodiscard]] const BaseJoint* base_called(const std::string& name) const {
+    const auto base = std::ranges::find(robot_.base_joints, name, &BaseJoint::name);
+    return base == robot_.base_joints.end() ? nullptr : &*base;
   }
 
   [[nodiscard]] const Joint* carrier_of(const std::string& link) const {

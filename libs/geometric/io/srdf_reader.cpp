@@ -1,6 +1,7 @@
 #include "handway/geometric/io/srdf_reader.h"
 
 #include "handway/geometric/io/input_error.h"
+#include "handway/geometric/robot/base_joint.h"
 #include "io/number_text.h"
 #include "io/srdf_groups.h"
 #include "io/xml_document.h"
@@ -33,7 +34,7 @@ std::vector<std::string> names_of(const Items& items) {
   return names;
 }
 
-// http://wiki.ros.org/srdf; only the first three are read.
+// http://wiki.ros.org/srdf; only the first three and virtual_joint are read.
 const XmlVocabulary& vocabulary() {
   static const XmlVocabulary kVocabulary = {
       {"robot",
@@ -44,6 +45,36 @@ const XmlVocabulary& vocabulary() {
       {"group_state", {.children = {"joint"}}},
       {"disable_collisions", {.attributes = {"link1", "link2", "reason"}}}};
   return kVocabulary;
+}
+
+// The planar and floating ones, by which MoveIt lets the root move. Those that a group names become
+// joints of the robot.
+void add_virtual_joints(const XmlDocument& document, RobotDescription& robot) {
+  const pugi::xml_node top = document.root("robot");
+  const auto is_root = [&](const std::string& link) {
+    return std::ranges::count(robot.joints, link, &Joint::child) == 0;
+  };
+  for (const pugi::xml_node& node : top.children("virtual_joint")) {
+    const std::string type = document.need(node, "type");
+    const std::string child = document.need(node, "child_link");
+    if ((type != "planar" && type != "floating") || !is_root(child)) {
+      continue;
+    }
+    const BaseJoint joint{document.need(node, "name"),
+                          type == "planar" ? BaseMotion::kPlanar : BaseMotion::kFloating};
+    const auto names_it = [&](const pugi::xml_node& group) {
+      const auto parts = group.children("joint");
+      return std::any_of(parts.begin(), parts.end(), [&](const pugi::xml_node& part) {
+        return part.attribute("name").value() == joint.name;
+      });
+    };
+    const auto groups = top.children("group");
+    if (std::any_of(groups.begin(), groups.end(), names_it)) {
+      add_moving_root(robot, joint, child, node.attribute("parent_frame").value());
+    } else {
+      robot.virtual_joints.push_back(joint);
+    }
+  }
 }
 
 /// What is read of an SRDF file.
@@ -127,6 +158,7 @@ class SrdfReader {
 
 void read_srdf(const std::filesystem::path& file, RobotDescription& robot) {
   const XmlDocument document(file, "a semantic robot file (SRDF)");
+  add_virtual_joints(document, robot);
   Semantics srdf = SrdfReader(document, robot).read();
   if (const std::string name = document.root("robot").attribute("name").value();
       name != robot.name) {

@@ -20,7 +20,8 @@ namespace {
 constexpr double kLargestNumber = 1e6;  // m or rad: what is beyond is a slip
 
 const std::vector<std::string> kShapes = {"box", "sphere", "cylinder", "mesh"};
-const std::vector<std::string> kJointTypes = {"revolute", "continuous", "prismatic", "fixed"};
+const std::vector<std::string> kJointTypes = {"revolute", "continuous", "prismatic",
+                                              "fixed",    "planar",     "floating"};
 
 // http://wiki.ros.org/urdf/XML
 const XmlVocabulary& vocabulary() {
@@ -343,10 +344,8 @@ class ElementReader {
     const std::string element = "joint " + document_.need(joint, "name");
     const std::string type = document_.need(joint, "type");
     if (std::ranges::count(kJointTypes, type) == 0) {
-      refuse(joint, element, "type \"" + type + "\"", "revolute, continuous, prismatic or fixed",
-             type == "floating" || type == "planar"
-                 ? "Model it by prismatic and revolute joints with small links between"
-                 : "");
+      refuse(joint, element, "type \"" + type + "\"",
+             fmt::format("{}", fmt::join(kJointTypes, ", ")));
     }
     pugi::xml_node copy = robot_.append_child("joint");
     copy_attribute(joint, "name", copy);
@@ -360,7 +359,16 @@ class ElementReader {
       copy.append_child(end).append_attribute("link") = document_.need(link, "link").c_str();
     }
     copy_origin(joint, element, copy);
-    if (type != "fixed") {
+    if (type == "planar" || type == "floating") {
+      if (const pugi::xml_node mimic = joint.child("mimic")) {
+        refuse(mimic, element, "<mimic> of a joint of type " + type, "none");
+      }
+      // Without a normal a planar joint moves across z, as in MoveIt.
+      copy_axis(joint, element, copy);
+      if (!copy.child("axis")) {
+        set(copy.append_child("axis"), "xyz", {0.0, 0.0, 1.0});
+      }
+    } else if (type != "fixed") {
       copy_axis(joint, element, copy);
       copy_limit(joint, element, type, copy);
       copy_mimic(joint, element, copy);

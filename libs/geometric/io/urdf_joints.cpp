@@ -1,6 +1,7 @@
 #include "io/urdf_joints.h"
 
 #include "handway/geometric/io/input_error.h"
+#include "handway/geometric/robot/base_joint.h"
 #include "io/urdf_geometry.h"
 
 #include <fmt/format.h>
@@ -23,6 +24,18 @@ JointLimits limits_of(const urdf::Joint& joint) {
     limits.upper = std::numeric_limits<double>::infinity();
   }
   return limits;
+}
+
+bool is_base(const urdf::Joint& joint) {
+  return joint.type == urdf::Joint::PLANAR || joint.type == urdf::Joint::FLOATING;
+}
+
+void add_base(const urdf::Joint& joint, RobotDescription& robot) {
+  const bool planar = joint.type == urdf::Joint::PLANAR;
+  const Eigen::Vector3d normal(joint.axis.x, joint.axis.y, joint.axis.z);
+  add_base_joint(robot, {joint.name, planar ? BaseMotion::kPlanar : BaseMotion::kFloating},
+                 {joint.parent_link_name, joint.child_link_name,
+                  pose_of(joint.parent_to_joint_origin_transform), normal.normalized()});
 }
 
 Joint joint_of(const urdf::Joint& joint) {
@@ -80,7 +93,12 @@ void add_joints(const XmlDocument& document, const urdf::ModelInterface& model,
       throw InputError({places.back(), "joint " + name, "a joint that urdfdom does not read",
                         "what ROS reads too", ""});
     }
-    robot.joints.push_back(joint_of(*joint));
+    if (is_base(*joint)) {
+      add_base(*joint, robot);
+      places.resize(robot.joints.size(), places.back());
+    } else {
+      robot.joints.push_back(joint_of(*joint));
+    }
   }
   const std::vector<Joint> as_written = robot.joints;
   std::vector<std::string> rangeless;

@@ -2,7 +2,9 @@
 
 #include "handway/geometric/collision/collision_world.h"
 #include "handway/geometric/collision/fcl_checker.h"
+#include "handway/geometric/robot/base_joint.h"
 
+#include <algorithm>
 #include <random>
 #include <stdexcept>
 #include <vector>
@@ -10,13 +12,22 @@
 namespace handway::geometric {
 namespace {
 
-// The closest ancestor with collision geometry; -1 if there is none.
+bool is_of_base(const RobotModel& model, int link) {
+  return std::ranges::any_of(model.description().base_joints, [&](const BaseJoint& base) {
+    return std::ranges::count(joints_of(base), model.joint(link).name) > 0;
+  });
+}
+
+// The closest ancestor with collision geometry; -1 if there is none, or a planar or floating joint
+// between: what moves freely may hit what it moves against.
 int solid_ancestor(const RobotModel& model, int link) {
-  int above = model.parent(link);
-  while (above >= 0 && model.link(above).collision.empty()) {
-    above = model.parent(above);
+  while (link > 0 && !is_of_base(model, link)) {
+    link = model.parent(link);
+    if (!model.link(link).collision.empty()) {
+      return link;
+    }
   }
-  return above;
+  return -1;
 }
 
 std::shared_ptr<const CollisionWorld> world_of_all_pairs(const RobotModel& model) {

@@ -51,8 +51,8 @@ DampedLeastSquares::Miss DampedLeastSquares::descend(Configuration& q, int& iter
       for (std::size_t k = 0; k < variables_.size(); ++k) {
         const int v = variables_[k];
         const JointLimits& limits = model_.variable(v).limits;
-        q[v] = std::clamp(before[v] + delta[static_cast<Eigen::Index>(k)], limits.lower,
-                          limits.upper);
+        q[v] =
+            std::clamp(before[v] + delta[static_cast<Eigen::Index>(k)], limits.lower, limits.upper);
       }
       there = miss(q);
       if (there.cost < here.cost || damping > kLargestDamping) {

@@ -17,7 +17,7 @@
 namespace handway::geometric {
 namespace {
 
-constexpr double kLargestValue = 1e6;     // of a joint's limit, multiplier or offset
+constexpr double kLargestValue = 1e6;  // of a joint's limit, multiplier or offset
 constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr double kLimitTolerance = 1e-9;  // rad or m: roundings of a file's numbers
 

@@ -51,8 +51,8 @@ void require_ends(const PlanningProblem& problem, const Path& path, const std::s
     return a.size() == b.size() && (a - b).cwiseAbs().maxCoeff() <= kSame;
   };
   if (path.waypoints.size() < 2 || !is_same(path.waypoints.front(), problem.start) ||
-      !is_same(path.waypoints.back(), problem.model().nearest_equivalent(path.waypoints.back(),
-                                                                         problem.goal))) {
+      !is_same(path.waypoints.back(),
+               problem.model().nearest_equivalent(path.waypoints.back(), problem.goal))) {
     throw std::logic_error("planner " + planner +
                            " returned a path that does not lead from the start to the goal");
   }

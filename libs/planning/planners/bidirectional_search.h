@@ -37,8 +37,7 @@ class BidirectionalSearch final : public Search {
   [[nodiscard]] Growth expansion(int tree, sampling::RandomStream draw);
   [[nodiscard]] std::optional<int> grow(const Growth& growth);
   [[nodiscard]] std::optional<int> step_towards(int from, const Eigen::VectorXd& towards,
-                                                double range,
-                                                const TargetSampler::Target& target);
+                                                double range, const TargetSampler::Target& target);
   [[nodiscard]] bool connect(int reached, const TargetSampler::Target& target);
   [[nodiscard]] bool passable(const Configuration& from, const Configuration& target,
                               double length);

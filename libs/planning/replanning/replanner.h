@@ -40,8 +40,7 @@ class Replanner final : public Planner {
   [[nodiscard]] std::vector<int> free_waypoints(PlanningContext& context, WayChecker& checker);
   [[nodiscard]] std::optional<Path> detour(PlanningContext& context, const Configuration& from,
                                            const Configuration& to);
-  [[nodiscard]] Path along(const PlanningProblem& problem,
-                           const std::vector<int>& way) const;
+  [[nodiscard]] Path along(const PlanningProblem& problem, const std::vector<int>& way) const;
 
   RoadmapMemory& memory_;
   Planner& planner_;

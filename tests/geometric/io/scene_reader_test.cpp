@@ -37,6 +37,49 @@ TEST(SceneReader, NeedsNothingButARobot) {
   EXPECT_TRUE(scene.objects.empty());
 }
 
+// Limits of the slide `name`, m.
+Eigen::Vector2d bounds_of(const Scene& scene, const std::string& name) {
+  const RobotModel& model = *scene.robots.front().model;
+  const JointLimits& limits = model.variable(model.find_variable(name).value()).limits;
+  return {limits.lower, limits.upper};
+}
+
+TEST(SceneReader, LetsTheBaseOfARobotMoveWithinBounds) {
+  const SceneFiles files;
+  const Scene scene = read_scene(files.scene(R"(    moving_base: planar
+    bounds: {base/x: [-1, 2.5]}
+objects:
+  - {name: table, box: {size: [1, 2, 0.1]}, pose: {xyz: [3, 0, 0]}}
+start: {base/x: 1, base/y: 4, base/theta: 3, shoulder: 1}
+)"));
+  const RobotModel& model = *scene.robots.front().model;
+  EXPECT_EQ(model.variable_count(), 5);
+  EXPECT_EQ(model.link(0).name, "world");
+  EXPECT_EQ(bounds_of(scene, "base/x"), Eigen::Vector2d(-1, 2.5)) << "as the scene says";
+  EXPECT_EQ(bounds_of(scene, "base/y"), Eigen::Vector2d(-1.5, 4.5))
+      << "half a metre beyond the table and the start";
+  EXPECT_EQ((*scene.start)[*model.find_variable("base/theta")], 3.0);
+}
+
+TEST(SceneReader, FreesAHandInSpace) {
+  const SceneFiles files;
+  const Scene scene = read_scene(files.scene("    moving_base: floating\n"));
+  EXPECT_EQ(scene.robots.front().model->variable_count(), 8);
+  EXPECT_EQ(bounds_of(scene, "base/trans_z"), Eigen::Vector2d(-0.5, 0.5));
+}
+
+TEST(SceneReader, RefusesBasesThatMakeNoSense) {
+  const SceneFiles files;
+  EXPECT_THAT(refusal(files.scene("    moving_base: wheels\n")),
+              AllOf(HasSubstr("scene.yaml:4"), HasSubstr("wheels"), HasSubstr("planar")));
+  EXPECT_THAT(refusal(files.scene("    bounds: {base/x: [0, 1]}\n")),
+              AllOf(HasSubstr("scene.yaml:4"), HasSubstr("moving_base")));
+  EXPECT_THAT(refusal(files.scene("    moving_base: planar\n    bounds: {base/theta: [0, 1]}\n")),
+              AllOf(HasSubstr("scene.yaml:5"), HasSubstr("base/theta"), HasSubstr("base/x")));
+  EXPECT_THAT(refusal(files.scene("    moving_base: planar\n    bounds: {base/x: [1, 0]}\n")),
+              AllOf(HasSubstr("scene.yaml:5"), HasSubstr("lower first")));
+}
+
 TEST(SceneReader, ReadsEveryPartOfAScene) {
   const SceneFiles files;
   files.write("basis.yaml", "hand: h\n");

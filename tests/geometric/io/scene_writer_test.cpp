@@ -119,6 +119,23 @@ planner: {name: pmd-prm, rho_a: 1e-3, flag: true, note: "a: b", empty: "", "odd 
   return scene;
 }
 
+TEST(SceneWriter, KeepsMovingBasesAndHowFarTheyGo) {
+  const SceneFiles files;
+  const Scene scene = read_scene(files.scene(R"(    moving_base: floating
+    bounds: {base/trans_x: [-1, 2.5]}
+start: {base/trans_y: 1, base/yaw: 3, shoulder: 1}
+)"));
+  const std::filesystem::path saved = files.write("saved.yaml", "");
+  write_scene(scene, saved);
+  const Scene again = read_scene(saved);
+  const RobotModel& model = *scene.robots.front().model;
+  const RobotModel& read = *again.robots.front().model;
+  EXPECT_EQ(read.lower(), model.lower());
+  EXPECT_EQ(read.upper(), model.upper());
+  EXPECT_EQ(again.start, scene.start);
+  EXPECT_EQ(read.variable(0).name, "base/trans_x");
+}
+
 TEST(SceneWriter, WritesWhatTheReaderReadsBack) {
   const SceneFiles files;
   const Scene scene = full_scene(files);

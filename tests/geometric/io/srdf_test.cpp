@@ -2,6 +2,7 @@
 
 #include <handway/geometric/io/srdf_reader.h>
 #include <handway/geometric/io/srdf_writer.h>
+#include <handway/geometric/robot/robot_model.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -44,6 +45,33 @@ RobotDescription read(const ScratchFiles& files, const std::string& body) {
   RobotDescription robot = chain_of_three();
   read_srdf(files.write("r.srdf", srdf(body)), robot);
   return robot;
+}
+
+TEST(SrdfReader, LetsTheRootMoveByAVirtualJointThatAGroupNames) {
+  const ScratchFiles files;
+  const RobotDescription robot = read(files, R"(
+    <virtual_joint name="world_joint" type="planar" parent_frame="odom" child_link="base"/>
+    <group name="arm"><joint name="j1"/></group>
+    <group name="everything"><joint name="world_joint"/><group name="arm"/></group>)");
+  EXPECT_THAT(robot.groups[0].joints, ElementsAre("j1")) << "the arm stays what it is";
+  EXPECT_THAT(robot.groups[1].joints,
+              ElementsAre("world_joint/x", "world_joint/y", "world_joint/theta", "j1"));
+  const RobotModel model(robot);
+  EXPECT_EQ(model.link(0).name, "odom");
+  EXPECT_EQ(model.variable_count(), 3);
+  EXPECT_THAT(robot.warnings, testing::IsEmpty());
+}
+
+TEST(SrdfReader, LeavesTheRootWhereItIsWhereNoGroupNamesTheVirtualJoint) {
+  const ScratchFiles files;
+  const RobotDescription robot = read(files, R"(
+    <virtual_joint name="fixed_base" type="fixed" parent_frame="world" child_link="base"/>
+    <virtual_joint name="world_joint" type="floating" parent_frame="world" child_link="base"/>
+    <group name="arm"><joint name="j1"/></group>)");
+  EXPECT_EQ(RobotModel(robot).link(0).name, "base");
+  ASSERT_EQ(robot.virtual_joints.size(), 1U);
+  EXPECT_EQ(robot.virtual_joints.front().name, "world_joint");
+  EXPECT_THAT(robot.base_joints, testing::IsEmpty());
 }
 
 TEST(SrdfReader, ResolvesGroupsByJointsLinksChainsAndGroups) {

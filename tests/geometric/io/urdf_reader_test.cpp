@@ -2,6 +2,8 @@
 
 #include <handway/geometric/io/robot_loader.h>
 #include <handway/geometric/io/urdf_reader.h>
+#include <handway/geometric/robot/base_joint.h>
+#include <handway/geometric/robot/robot_state.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -78,6 +80,52 @@ TEST(UrdfReader, GivesAContinuousJointNoLimits) {
   EXPECT_THAT(r.warnings, IsEmpty());
 }
 
+TEST(UrdfReader, ReadsAPlanarJointAsTwoSlidesAndATurn) {
+  const ScratchFiles files;
+  const RobotModel model(read_urdf(
+      files.write("r.urdf", robot("<link name=\"a\"/><link name=\"b\"/>" +
+                                  joint("drive", "planar", "a", "b", "<origin xyz=\"1 0 0\"/>")))));
+  ASSERT_EQ(model.variable_count(), 3);
+  EXPECT_EQ(model.variable(0).name, "drive/x");
+  EXPECT_EQ(model.variable(1).name, "drive/y");
+  EXPECT_EQ(model.variable(2).name, "drive/theta");
+  EXPECT_TRUE(model.is_continuous(2));
+  RobotState state(std::make_shared<const RobotModel>(model));
+  state.set_configuration(Eigen::Vector3d(0.5, -0.25, kPi / 2));
+  EXPECT_TRUE(state.link_pose("b").isApprox(pose_from_rpy({1.5, -0.25, 0}, 0, 0, kPi / 2), 1e-12))
+      << "across z where the file names no normal";
+}
+
+TEST(UrdfReader, MovesAPlanarJointAcrossItsNormal) {
+  const ScratchFiles files;
+  const RobotModel model(read_urdf(
+      files.write("r.urdf", robot("<link name=\"a\"/><link name=\"b\"/>" +
+                                  joint("wall", "planar", "a", "b", "<axis xyz=\"0 2 0\"/>")))));
+  EXPECT_NEAR(model.variable(0).axis.dot(Eigen::Vector3d::UnitY()), 0.0, 1e-12);
+  EXPECT_NEAR(model.variable(1).axis.dot(Eigen::Vector3d::UnitY()), 0.0, 1e-12);
+  EXPECT_TRUE(model.variable(2).axis.isApprox(Eigen::Vector3d::UnitY()));
+}
+
+// Any pose is reached, by the angles of URDF's rpy.
+TEST(UrdfReader, ReadsAFloatingJointAsThreeSlidesAndThreeTurns) {
+  const ScratchFiles files;
+  const RobotModel model(read_urdf(files.write(
+      "r.urdf",
+      robot("<link name=\"a\"/><link name=\"b\"/>" + joint("free", "floating", "a", "b", "")))));
+  ASSERT_EQ(model.variable_count(), 6);
+  EXPECT_EQ(model.variable(2).name, "free/trans_z");
+  EXPECT_EQ(model.variable(5).name, "free/roll");
+  EXPECT_TRUE(model.is_continuous(3) && !model.is_continuous(4) && model.is_continuous(5));
+  for (const Pose& X : {pose_from_rpy({0.1, -0.2, 0.3}, 2.5, -1.2, 3.0),
+                        pose_from_rpy({0, 0, 0}, -3.0, 1.5, -0.1), Pose::Identity()}) {
+    const std::vector<double> values = values_at(model.description().base_joints.front(), X);
+    RobotState state(std::make_shared<const RobotModel>(model));
+    state.set_configuration(Eigen::Map<const Eigen::VectorXd>(values.data(), 6));
+    EXPECT_TRUE(state.link_pose("b").isApprox(X, 1e-12));
+    EXPECT_TRUE(state.within_limits());
+  }
+}
+
 TEST(UrdfReader, FollowsChainsOfCoupledJoints) {
   const ScratchFiles files;
   const auto model = load_robot(files.write(
@@ -149,8 +197,8 @@ TEST(UrdfReader, NamesTheLineOfABrokenFile) {
 TEST(UrdfReader, NamesTheLineOfAWrongElement) {
   const ScratchFiles files;
   const std::string links = "<link name=\"a\"/>\n<link name=\"b\"/>\n";
-  EXPECT_THAT(refusal(files, robot(links + joint("j", "floating", "a", "b", ""))),
-              AllOf(HasSubstr("broken.urdf:5"), HasSubstr("floating"), HasSubstr("prismatic")));
+  EXPECT_THAT(refusal(files, robot(links + joint("j", "screw", "a", "b", ""))),
+              AllOf(HasSubstr("broken.urdf:5"), HasSubstr("screw"), HasSubstr("floating")));
   EXPECT_THAT(refusal(files, robot(links + joint("j", "revolute", "a", "b", ""))),
               AllOf(HasSubstr("broken.urdf:5"), HasSubstr("limit")));
   EXPECT_THAT(refusal(files, robot(links + joint("j", "fixed", "a", "nowhere", ""))),

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <numbers>
 
 namespace handway::import_moveit {
 namespace {
@@ -44,6 +45,52 @@ TEST(MoveitProblem, MovesTheJointsOfItsGroupAlone) {
   };
   EXPECT_TRUE(place("finger").isApprox(Eigen::Vector3d(0.51, 0.03, 0.45))) << "where it was";
   EXPECT_TRUE(place("finger_2").isApprox(Eigen::Vector3d(0.51, -0.03, 0.45))) << "coupled";
+}
+
+constexpr const char* kVirtualJoint =
+    R"(<virtual_joint name="world_joint" type="planar" parent_frame="odom" child_link="base"/>
+  <group name="crane_arm">)";
+
+// On the left of where the problem has it, turned by a quarter.
+constexpr const char* kBaseState = R"(robot_state:
+  multi_dof_joint_state:
+    joint_names: [world_joint]
+    transforms: [{translation: {x: 0, y: 3, z: 0}, rotation: {x: 0, y: 0, z: 0.7071068, w: 0.7071068}}]
+)";
+
+TEST(MoveitProblem, PutsARobotWhereItsVirtualJointIs) {
+  const SmallProblem problem;
+  const auto srdf = problem.folder() / "robots" / "crane.srdf";
+  problem.replace(srdf, "<group name=\"crane_arm\">", kVirtualJoint);
+  problem.replace(problem.scene(), "robot_state:\n", kBaseState);
+  const auto scene = problem.read().scene;
+  EXPECT_EQ(scene->robots.front().model->variable_count(), 3) << "the group does not name it";
+  EXPECT_TRUE(scene->robots.front().X_WB.translation().isApprox(Eigen::Vector3d(0, 3, 0)));
+}
+
+TEST(MoveitProblem, MovesTheBaseOfAGroupThatNamesIt) {
+  const SmallProblem problem;
+  const auto srdf = problem.folder() / "robots" / "crane.srdf";
+  problem.replace(srdf, "<group name=\"crane_arm\">",
+                  std::string(kVirtualJoint) + "<joint name=\"world_joint\"/>");
+  problem.replace(problem.scene(), "robot_state:\n", kBaseState);
+  problem.replace(problem.request(), "goal_constraints:\n",
+                  "workspace_parameters: {min_corner: [-1, -1, -1], max_corner: [1, 4, 1]}\n"
+                  "goal_constraints:\n");
+  EXPECT_THAT(problem.refusal(), HasSubstr("world_joint/x")) << "the goal says nothing of it";
+  problem.replace(problem.request(), "      - {joint_name: reach, position: 0.1}\n",
+                  "      - {joint_name: reach, position: 0.1}\n"
+                  "      - {joint_name: world_joint/x, position: -0.5}\n"
+                  "      - {joint_name: world_joint/y, position: 1}\n"
+                  "      - {joint_name: world_joint/theta, position: 0}\n");
+  const auto scene = problem.read().scene;
+  const geometric::RobotModel& model = *scene->robots.front().model;
+  ASSERT_EQ(model.variable_count(), 6);
+  EXPECT_NEAR((*scene->start)[1], 3.0, 1e-12);
+  EXPECT_NEAR((*scene->start)[2], std::numbers::pi / 2, 1e-6);
+  EXPECT_EQ((*scene->goal)[0], -0.5);
+  EXPECT_EQ(model.lower()[1], -1.0);
+  EXPECT_EQ(model.upper()[1], 4.0);
 }
 
 TEST(MoveitProblem, HasTheObjectsOfItsWorld) {

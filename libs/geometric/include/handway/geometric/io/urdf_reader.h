@@ -10,9 +10,10 @@ namespace handway::geometric {
 /// Reads a robot from a URDF file (http://wiki.ros.org/urdf/XML), by urdfdom.
 ///
 /// - Joints: `revolute`, `prismatic`, `fixed`, `continuous` (revolute with
-///   infinite limits, see Joint::is_continuous()); `mimic`, also in chains. A velocity
-///   limit of 0 counts as unknown (infinity). URDF has no acceleration limits;
-///   they stay infinite.
+///   infinite limits, see Joint::is_continuous()); `planar` and
+///   `floating` (chains of slides and turns, see add_base_joint()); `mimic`, also in chains. A
+///   velocity limit of 0 counts as unknown (infinity). URDF has no acceleration limits; they stay
+///   infinite.
 /// - Geometry: box, sphere, cylinder, mesh; all `visual` and `collision`
 ///   elements; colours of materials, global ones included. Mesh::file is
 ///   absolute.
@@ -23,7 +24,7 @@ namespace handway::geometric {
 /// - An SRDF file beside it with the same stem is read too (see read_srdf()).
 ///
 /// @throws InputError naming the line if the file or one that it names can't be
-/// read, is no URDF, or has a `floating` or `planar` joint.
+/// read or is no URDF.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT RobotDescription
 read_urdf(const std::filesystem::path& file);
 

@@ -24,6 +24,16 @@ struct NamedPosture {
   std::map<std::string, double> values;
 };
 
+enum class BaseMotion { kPlanar, kFloating };
+
+/// A planar or floating joint, which is a chain of slides and turns: see add_base_joint().
+struct BaseJoint {
+  std::string name;
+  BaseMotion motion = BaseMotion::kPlanar;
+  /// It was added because a scene lets the robot's root move; the robot's file has it not.
+  bool of_scene = false;
+};
+
 /// What a robot file says, before it is checked: the input of RobotModel.
 struct RobotDescription {
   std::string name;
@@ -31,6 +41,8 @@ struct RobotDescription {
   std::vector<Link> links;
   std::vector<Joint> joints;
   std::vector<JointGroup> groups;
+  std::vector<BaseJoint> base_joints;
+  std::vector<BaseJoint> virtual_joints;  ///< Of the SRDF; they don't move unless a scene says so.
   std::vector<NamedPosture> postures;
   AllowedCollisions allowed_collisions;
   std::vector<std::string> warnings;  ///< What the reader noticed but could live with.

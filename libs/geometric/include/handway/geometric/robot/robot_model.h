@@ -30,8 +30,8 @@ class HANDWAY_GEOMETRIC_EXPORT RobotModel {
   };
 
   /// @throws InputError if names repeat or dangle, the joints form no single
-  /// tree, limits are inverted, not finite (but for continuous joints) or never kept by a coupled joint, an axis
-  /// is zero, or a coupling names a fixed, missing or itself coupled joint.
+  /// tree, limits are inverted, not finite (but for continuous joints) or never kept by a coupled
+  /// joint, an axis is zero, or a coupling names a fixed, missing or itself coupled joint.
   explicit RobotModel(RobotDescription description);
 
   [[nodiscard]] const std::string& name() const { return description_.name; }

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "handway/geometric/export.h"
+#include "handway/geometric/robot/robot_description.h"
+
+#include <Eigen/Core>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace handway::geometric {
+
+/// How far a base goes each way where neither its file nor a scene says it, m.
+inline constexpr double kDefaultBaseReach = 2.0;
+
+/// Where a base joint is, as Joint::parent, Joint::child and Joint::X_PJ.
+struct BasePlace {
+  std::string parent;
+  std::string child;
+  Pose X_PJ = Pose::Identity();
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< Of the plane, in the joint's frame.
+};
+
+/// Appends a planar or floating joint as a chain of slides and turns, with links without shape
+/// between them that are called like the joints:
+/// - planar: NAME/x, NAME/y, and NAME/theta about the normal, as MoveIt calls them;
+/// - floating: NAME/trans_x, NAME/trans_y, NAME/trans_z, as MoveIt calls them, then NAME/yaw about
+///   z, NAME/pitch about the new y and NAME/roll about the newest x: the angles of URDF's `rpy`. So
+///   every orientation is reached; next to a pitch of ±90°, yaw and roll do the same.
+///
+/// All turns are continuous but the pitch, which has ±90°. Slides have ±kDefaultBaseReach.
+HANDWAY_GEOMETRIC_EXPORT void add_base_joint(RobotDescription& robot, const BaseJoint& base,
+                                             const BasePlace& place);
+
+/// The joints of its chain, in order: the slides first.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<std::string> joints_of(const BaseJoint& base);
+/// The slides alone.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<std::string> slides_of(const BaseJoint& base);
+
+/// Values of joints_of() for a pose of the child in the joint's frame, of which a planar joint
+/// takes what it can reach.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<double> values_at(const BaseJoint& base,
+                                                                     const Pose& X_JC);
+
+/// The robot's root moves, too: a new root "world" (or "world_2", … if there is one) and the joint
+/// in between. Its joints go to the front of the group "arm", if there is one.
+HANDWAY_GEOMETRIC_EXPORT void add_moving_root(RobotDescription& robot, const BaseJoint& base,
+                                              const std::string& root, std::string_view frame);
+
+}  // namespace handway::geometric
