@@ -21,14 +21,6 @@
 namespace handway::export_val3 {
 namespace {
 
-/// A joint move of the arm to a point, from rest to rest.
-struct ArmMove {
-  std::array<double, 6> point{};  ///< deg
-  double velocity = 100.0;        ///< % of the nominal joint speed, above 0.
-  double acceleration = 100.0;    ///< % of the nominal joint acceleration, above 0.
-  double pause = 0.0;             ///< s: above 0 the arm stays where it is, while the hand moves.
-};
-
 constexpr double kStill = 1e-9;       // rad: the arm stays
 constexpr double kLeastShare = 1e-4;  // of a limit
 
@@ -67,10 +59,8 @@ double top_speed(double duration, double acceleration) {
   return half - std::sqrt(std::max(0.0, half * half - acceleration));
 }
 
-/// A move to each waypoint, the first one being where the motion begins. Speeds are such that
-/// moves take as long as in the motion, the joints speeding up, running and slowing down
-/// together at the limits that the motion was timed with.
-/// @throws InputError if the arm has not six joints that turn.
+}  // namespace
+
 std::vector<ArmMove> arm_moves(const planning::Motion& motion) {
   check_arm(motion);
   std::vector<ArmMove> moves;
@@ -99,8 +89,10 @@ std::vector<ArmMove> arm_moves(const planning::Motion& motion) {
   return moves;
 }
 
+namespace {
+
 /// How far (deg) the arm may stand from the first point when the program starts.
-inline constexpr double kStartTolerance = 0.1;
+constexpr double kStartTolerance = 0.1;
 
 using Attributes = std::initializer_list<std::pair<const char*, std::string>>;
 

@@ -95,8 +95,7 @@ std::shared_ptr<const RobotModel> group_robot(const RobotModel& model, const Yam
     joint->mimic.reset();
   }
   std::erase_if(description.base_joints, [&](const geometric::BaseJoint& base) {
-    return std::ranges::count(kept,
-                              model.find_variable(joints_of(base).front()).value_or(-1)) == 0;
+    return std::ranges::count(kept, model.find_variable(joints_of(base).front()).value_or(-1)) == 0;
   });
   std::erase_if(description.groups,
                 [](const geometric::JointGroup& other) { return other.name != "hand"; });
