@@ -67,7 +67,7 @@ std::vector<fs::path> published_problems(const fs::path& folder) {
   return problems;
 }
 
-/// What `handway bench` measures unless told otherwise: the scenes that ship, by name;
+/// What `handway bench` measures by default: the scenes that ship, by name;
 /// and, if $HANDWAY_REFERENCE_DIR is set, the published problems 1 to 4.
 /// @throws InputError if that folder holds none of them.
 std::vector<fs::path> bench_scenes() {

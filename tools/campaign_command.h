@@ -89,7 +89,7 @@ struct CampaignOptions {
 [[nodiscard]] int run_campaign_file(const CampaignOptions& options);
 
 /// Runs `work` in the team of processes that `mpirun` started, or with none (null). Of
-/// a team, only the process that leads tells what went wrong.
+/// a team, only the process that leads says what went wrong.
 [[nodiscard]] int run_in_team(const std::function<int(planning::ProcessTeam*)>& work);
 
 }  // namespace handway::tools

@@ -204,7 +204,7 @@ constexpr double kRowHeight = 26.0;
 constexpr double kTop = 12.0;
 constexpr double kAxisHeight = 40.0;
 constexpr double kShortest = 1e-6;  // s; what is shorter is drawn here
-// Okabe and Ito's colours, told apart by all eyes.
+// Okabe and Ito's colours, that all eyes distinguish.
 constexpr std::array<const char*, 7> kColors = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
                                                 "#e69f00", "#56b4e9", "#000000"};
 
@@ -408,9 +408,9 @@ ReportTable pairs(const Campaign& campaign, std::span<const CampaignComparison> 
 ReportTable failures(const Campaign& campaign, std::span<const CampaignCell> cells) {
   ReportTable table{{"Planner", "status", "runs", "for example"}, {}};
   for (const CampaignCell& cell : cells) {
-    std::set<std::string> told;
+    std::set<std::string> listed;
     for (const planning::RunRecord& run : cell.runs) {
-      if (!run.solved && told.insert(run.status).second) {
+      if (!run.solved && listed.insert(run.status).second) {
         const auto count = std::ranges::count(cell.runs, run.status, &planning::RunRecord::status);
         table.rows.push_back({campaign.planners[static_cast<std::size_t>(cell.planner)].label,
                               run.status, fmt::format("{}", count), run.reason});

@@ -291,7 +291,7 @@ void add_haptic_guide(CLI::App& haptic, int& exit_code) {
     command->add_option(name, value, text)->check(number_in(least, most))->capture_default_str();
   };
   number("--speed", choice->timing.speed, 0.001, 1.0, "Share of the joints' velocity limits");
-  number("--scale", choice->guide.scale, 0.01, 100.0, "Ways of the tool for a way of the hand");
+  number("--scale", choice->guide.scale, 0.01, 100.0, "Motion of the tool per motion of the hand");
   number("--tube-mm", choice->tube_mm, 0.0, 100.0, "So far from the way nothing pulls the hand");
   number("--stiffness", choice->guide.stiffness, 0.0, 2000.0, "Of the spring to the tube, N/m");
   number("--damping", choice->guide.damping, 0.0, 20.0, "N s/m");

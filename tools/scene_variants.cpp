@@ -181,7 +181,7 @@ using sampling::RandomStream;
 
 constexpr int kMostDraws = 100;
 constexpr double kGraspReach = 0.03;  // m, from the hand to what it grasps
-constexpr double kDeeper = 1e-3;      // m, that contacts of objects are not told apart
+constexpr double kDeeper = 1e-3;      // m, that contacts of objects are not distinguished
 constexpr double kLowered = 5e-3;     // m, to feel what an object rests on
 constexpr double kApproached = 5e-5;  // m
 constexpr double kHorizontal = 0.2;   // least horizontal part of a direction

@@ -135,7 +135,7 @@ int report(const std::vector<MotionTarget>& targets, const execution::MotionOutc
   if (!outcome.fault.empty()) {
     fmt::print(stderr, "{}\n", outcome.fault);
   }
-  fmt::print("STOPPED at {:.2f} of {:.2f} s: {}; all devices told to stop within {:.1f} ms, ",
+  fmt::print("STOPPED at {:.2f} of {:.2f} s: {}; STOP sent to all devices within {:.1f} ms, ",
              outcome.time, duration, cause_of(outcome), outcome.stop_sent_ms);
   if (outcome.at_rest_ms >= 0.0) {
     fmt::print("at rest {:.0f} ms later\n", outcome.at_rest_ms);

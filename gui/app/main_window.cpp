@@ -300,9 +300,10 @@ void MainWindow::connect_devices() {
   connect(actions_->export_path, &QAction::triggered, this, &MainWindow::export_path);
   connect(devices_.get(), &DeviceSession::executed_changed, view_,
           [this](const std::vector<Eigen::Vector3d>& way) { view_->set_executed(way); });
-  connect(devices_.get(), &DeviceSession::told, this, [this](bool good, const QString& message) {
-    log_->add(good ? LogPanel::Level::kNote : LogPanel::Level::kError, message);
-  });
+  connect(devices_.get(), &DeviceSession::reported, this,
+          [this](bool good, const QString& message) {
+            log_->add(good ? LogPanel::Level::kNote : LogPanel::Level::kError, message);
+          });
   connect(devices_.get(), &DeviceSession::start_here_requested, this,
           [this](const Eigen::VectorXd& q) {
             editor_.set_start(q);

@@ -69,7 +69,7 @@ ViewActions::ViewActions(QMainWindow& window, WindowActions& others, SceneView& 
   connect(floor_, &QAction::toggled, this,
           [this](bool on) { preferences_.set(&PreferenceValues::floor, on); });
   cube_ = make_switch("cube", tr("Orientation &cube"), "",
-                      tr("Show the cube that tells from where one looks"), true);
+                      tr("Show the cube with the direction of view"), true);
   connect(cube_, &QAction::toggled, this,
           [this](bool on) { preferences_.set(&PreferenceValues::cube, on); });
 

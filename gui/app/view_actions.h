@@ -53,7 +53,7 @@ class ViewActions : public QObject {
   ViewActions(QMainWindow& window, WindowActions& others, SceneView& view, BodyDisplayTool& bodies,
               Preferences& preferences);
 
-  /// Draws the icons anew, after a change of theme.
+  /// Redraws the icons, after a change of theme.
   void refresh_icons();
 
  private:

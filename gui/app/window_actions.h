@@ -18,7 +18,7 @@ class WindowActions {
  public:
   explicit WindowActions(QMainWindow& window);
 
-  /// Draws the icons anew, after a change of theme.
+  /// Redraws the icons, after a change of theme.
   void refresh_icons();
   /// The menu that shows and hides the side panels.
   [[nodiscard]] QMenu* view_menu() const { return view_menu_; }

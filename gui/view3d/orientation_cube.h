@@ -27,7 +27,7 @@ struct CubeFace {
 /// The six, named as the standard views: the robot's front is +x, up is +z.
 [[nodiscard]] const std::array<CubeFace, 6>& cube_faces();
 
-/// Faces are parted into three by three fields at these places: corners, edges, the face itself.
+/// Faces are divided into three by three fields at these places: corners, edges, the face itself.
 inline constexpr std::array kCubeFields{-1.0, -0.62, 0.62, 1.0};
 
 /// The part to which field (column, row), each 0 to 2 from lower left, of a face belongs.

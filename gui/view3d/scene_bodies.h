@@ -39,7 +39,7 @@ class StillSplit {
   /// Has the link moved, as far as has been noted?
   [[nodiscard]] bool moves(int link) const;
 
-  /// Lists the drawings anew. @param still, moving what else belongs to either.
+  /// Lists the drawings again. @param still, moving what else belongs to either.
   void list(const RobotNode* robot, std::span<SoNode* const> still,
             std::span<SoNode* const> moving);
 
@@ -93,7 +93,7 @@ class SceneBodies {
 
   /// Draws another scene; null: nothing.
   void show(std::shared_ptr<const geometric::Scene> scene);
-  /// Draws an edited scene with the same robots; makes anew only what looks different.
+  /// Draws an edited scene with the same robots; rebuilds only what looks different.
   void update(std::shared_ptr<const geometric::Scene> scene);
   [[nodiscard]] const std::shared_ptr<const geometric::Scene>& scene() const { return scene_; }
 

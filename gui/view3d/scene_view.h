@@ -49,7 +49,7 @@ class FramePacer {
 };
 
 /// The 3-D view: shows a scene, turns with the mouse (as its Navigation says; the wheel zooms, a
-/// double click centres) and with the cube in its corner, tells what was clicked.
+/// double click centres) and with the cube in its corner, reports what was clicked.
 class SceneView : public QOpenGLWidget {
   Q_OBJECT
 
@@ -157,7 +157,7 @@ class SceneView : public QOpenGLWidget {
   [[nodiscard]] double aspect() const;
   /// What is seen at a place in the widget.
   [[nodiscard]] std::optional<SceneHit> pick_at(const QPoint& position);
-  /// Paints anew what the painter may have kept.
+  /// Repaints what the painter may have kept.
   void change();
   /// Paints fast from now on, until nothing has moved for a moment.
   void hurry();

@@ -31,7 +31,7 @@ void check_arm(const planning::Motion& motion) {
   if (motion.arm.size() != 6 || !std::ranges::all_of(motion.arm, turns)) {
     throw geometric::InputError(
         {"robot " + motion.model->name(), "", fmt::format("an arm of {} joints", motion.arm.size()),
-         "six that turn, as VAL3's jointRx has", "The group \"arm\" of the SRDF file tells them"});
+         "six that turn, as VAL3's jointRx has", "The group \"arm\" of the SRDF file names them"});
   }
 }
 

@@ -149,7 +149,7 @@ class SceneBuilder {
     }
   }
 
-  // Nothing that planning needs: told once, with the first of them.
+  // Nothing that planning needs: reported once, with the first of them.
   void note_textures() {
     if (const std::vector<std::string>& missing = meshes_.warnings(); !missing.empty()) {
       scene_->warnings.push_back(

@@ -45,12 +45,12 @@ void SequentialPrm::build_until(const PlannerTerminationCondition& done) {
 // Who waits for a first solution hears of it.
 ompl::base::PathPtr SequentialPrm::announced_path() {
   ompl::base::PathPtr path = constructSolution(startM_.front(), goalM_.front());
-  if (const auto& told = pdef_->getIntermediateSolutionCallback()) {
+  if (const auto& callback = pdef_->getIntermediateSolutionCallback()) {
     std::vector<const State*> states;
     for (const State* state : path->as<ompl::geometric::PathGeometric>()->getStates()) {
       states.push_back(state);
     }
-    told(this, states, path->cost(opt_));
+    callback(this, states, path->cost(opt_));
   }
   return path;
 }
@@ -81,7 +81,7 @@ void SequentialPrm::getPlannerData(PlannerData& data) const {
   }
 }
 
-// Until it knows its range OMPL takes 0 for the longest edge, and keeps to it when told
+// Until it knows its range OMPL takes 0 for the longest edge, and keeps to it when asked
 // the number of neighbours.
 CheckedLazyPrm::CheckedLazyPrm(const ompl::base::SpaceInformationPtr& information, bool star)
     : LazyPRM(information, star) {

@@ -34,7 +34,7 @@ class Search {
          const std::vector<planning::Parameter>& settings, SampleBudget budget,
          const planning::TargetRegion& region, planning::HandSpace hand);
 
-  /// Searches, then tells the observer the nodes and edges there are in the end.
+  /// Searches, then reports to the observer the nodes and edges there are in the end.
   /// Sets status, reason if there is something to add, path and statistics.
   void run(planning::PlanResult& result);
 

@@ -152,7 +152,7 @@ TEST_F(Send, StopsOnRequestWithinATenthOfASecond) {
   const std::string stopped = skip_to("STOPPED");
   EXPECT_EQ(sending.wait(), kMotionStopped);
   EXPECT_THAT(stopped, HasSubstr("on request"));
-  EXPECT_LT(number_after(stopped, "told to stop within"), 100.0) << stopped;
+  EXPECT_LT(number_after(stopped, "STOP sent to all devices within"), 100.0) << stopped;
   EXPECT_LT(number_after(stopped, "at rest"), 1000.0) << stopped;
   EXPECT_GT(log_rows().size(), 60U);
 }
@@ -322,7 +322,7 @@ TEST_P(SendWithFault, StopsAllDevicesAndKeepsTheLog) {
   EXPECT_THAT(done.err, AllOf(HasSubstr(GetParam().message),
                               HasSubstr(std::string(GetParam().device) + "://")));
   EXPECT_LT(number_after(done.out, "STOPPED at"), is_slow ? 4.2 : 2.1) << done.out;
-  EXPECT_LT(number_after(done.out, "told to stop within"), 100.0) << done.out;
+  EXPECT_LT(number_after(done.out, "STOP sent to all devices within"), 100.0) << done.out;
   EXPECT_THAT(done.out, AllOf(HasSubstr("following error"), Not(HasSubstr("done"))));
   EXPECT_GT(log_rows().size(), 30U);
 }

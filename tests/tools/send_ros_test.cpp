@@ -90,7 +90,7 @@ TEST_P(SendToFaultyRos, StopsAndKeepsTheLog) {
   EXPECT_EQ(done.exit_code, kMotionStopped) << done.out;
   EXPECT_THAT(done.err, AllOf(HasSubstr(GetParam().message), HasSubstr("ros://")));
   EXPECT_LT(number_after(done.out, "STOPPED at"), 2.1) << done.out;
-  EXPECT_LT(number_after(done.out, "told to stop within"), 100.0) << done.out;
+  EXPECT_LT(number_after(done.out, "STOP sent to all devices within"), 100.0) << done.out;
   EXPECT_THAT(done.out, AllOf(HasSubstr("following error"), Not(HasSubstr("done"))));
   EXPECT_GT(lines_of(line_.read("log.csv")).size(), 30U);
 }

@@ -51,7 +51,7 @@ class StartPage : public QScrollArea {
  public:
   explicit StartPage(QWidget* parent = nullptr);
 
-  /// Builds the page anew, after a change of theme or of the recent files.
+  /// Rebuilds the page, after a change of theme or of the recent files.
   void refresh();
 
  signals:

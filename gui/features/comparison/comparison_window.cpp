@@ -41,7 +41,7 @@ struct Figure {
   Better better;
   std::optional<double> left;
   std::optional<double> right;
-  std::optional<double> most = std::nullopt;  ///< More is not told apart.
+  std::optional<double> most = std::nullopt;  ///< More is not distinguished.
 };
 
 QString number(double value, int decimals) {

@@ -130,7 +130,7 @@ constexpr double kPeriod = 0.02;
 // How far the robot may have moved since a motion was cleared, rad.
 constexpr double kSamePlace = 1e-3;
 constexpr double kSameNumbers = 1e-6;  // relative
-// How long a robot that was told to stop may take to be at rest before the scene is left.
+// How long a robot that was stopped may take to be at rest before the scene is left.
 constexpr std::chrono::milliseconds kLongestRest(2500);
 
 struct Offset {
@@ -186,12 +186,12 @@ DeviceSession::DeviceSession(Document& document, PathPlayer& player, QObject* pa
   connect(&driver_, &MotionDriver::held, this, [this](const QString& reason) {
     panel_->show_held(true);
     panel_->show_problem(tr("Held: %1").arg(reason));
-    emit told(false, tr("The robot is held: %1").arg(reason));
+    emit reported(false, tr("The robot is held: %1").arg(reason));
   });
   connect(&driver_, &MotionDriver::ended, this, &DeviceSession::take_outcome);
   connect(&driver_, &MotionDriver::failed, this, [this](const QString& message) {
     panel_->show_problem(message);
-    emit told(false, message);
+    emit reported(false, message);
   });
   time_again();
 }
@@ -316,9 +316,10 @@ bool DeviceSession::may_leave(QWidget& window) {
   if (driver_.stop_and_wait(kLongestRest)) {
     return true;
   }
-  const QString message = tr("The robot was told to stop and not seen at rest: look at it.");
+  const QString message =
+      tr("STOP was sent to the robot, but it was not seen at rest: look at it.");
   panel_->show_problem(message);
-  emit told(false, message);
+  emit reported(false, message);
   return false;
 }
 
@@ -356,16 +357,16 @@ void DeviceSession::take_outcome(const execution::MotionOutcome& outcome,
     const QString reason = outcome.collision.empty() ? tr("It was stopped before the start.")
                                                      : QString::fromStdString(outcome.collision);
     panel_->show_problem(tr("Not started: %1").arg(reason));
-    emit told(false, tr("The robot was not started: %1").arg(reason));
+    emit reported(false, tr("The robot was not started: %1").arg(reason));
     return;
   }
   panel_->show_outcome(outcome, executed, *document_.robot()->model);
   emit executed_changed(executed->way_of(*document_.robot(), document_.palm()));
-  emit told(outcome.done, outcome.done
-                              ? tr("The robot ran the path in %1 s").arg(outcome.time, 0, 'f', 2)
-                              : tr("The robot stopped after %1 s: %2")
-                                    .arg(outcome.time, 0, 'f', 2)
-                                    .arg(cause_of(outcome)));
+  emit reported(outcome.done,
+                outcome.done ? tr("The robot ran the path in %1 s").arg(outcome.time, 0, 'f', 2)
+                             : tr("The robot stopped after %1 s: %2")
+                                   .arg(outcome.time, 0, 'f', 2)
+                                   .arg(cause_of(outcome)));
 }
 
 }  // namespace handway::gui

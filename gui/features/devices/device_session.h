@@ -85,7 +85,7 @@ class DeviceSession : public QObject {
   /// Let the start be where the robot stands, and plan.
   void start_here_requested(const Eigen::VectorXd& q);
   /// For the log.
-  void told(bool good, const QString& message);
+  void reported(bool good, const QString& message);
 
  private:
   void connect_devices();

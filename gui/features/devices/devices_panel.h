@@ -61,7 +61,7 @@ class MotionDeviceField : public QComboBox {
   QString kind_;
 };
 
-/// Connects to an arm and a hand, tells what a motion on them would be, runs it and tells
+/// Connects to an arm and a hand, shows what a motion on them would be, runs it and shows
 /// how it went. What the buttons do is the session's.
 class DevicesPanel : public QWidget {
   Q_OBJECT

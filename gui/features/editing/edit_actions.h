@@ -29,7 +29,7 @@ class EditActions : public QObject {
   EditActions(QMainWindow& window, QMenu& edit_menu, QMenu& add_menu, QToolBar& bar,
               SceneEditor& editor);
 
-  /// Draws the icons anew, after a change of theme.
+  /// Redraws the icons, after a change of theme.
   void refresh_icons();
   /// What can be done with the selection as it is now.
   void update_enabled();
@@ -76,7 +76,7 @@ class ArrangeActions : public QObject {
   ArrangeActions(QMainWindow& window, QMenu& edit_menu, QToolBar& bar, SceneEditor& editor,
                  SceneView& view);
 
-  /// Draws the icons anew, after a change of theme.
+  /// Redraws the icons, after a change of theme.
   void refresh_icons();
   /// What can be done with the selection as it is now.
   void update_enabled();

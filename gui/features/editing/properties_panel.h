@@ -28,7 +28,7 @@ class PropertiesPanel : public QScrollArea {
   void refresh();
   /// Shows where the selection is being dragged to.
   void preview_pose(const geometric::Pose& X_WO);
-  /// Draws the icons anew, after a change of theme.
+  /// Redraws the icons, after a change of theme.
   void refresh_icons();
 
  signals:

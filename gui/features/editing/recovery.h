@@ -27,7 +27,7 @@ class Recovery : public QObject {
   void offer();
 
  signals:
-  /// Scenes can't be stored; told once until one can again.
+  /// Scenes can't be stored; reported once until one can again.
   void failed(const QString& message);
 
  private:

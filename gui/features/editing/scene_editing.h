@@ -44,7 +44,7 @@ class SceneEditing : public QObject {
   [[nodiscard]] PropertiesPanel* properties() const { return properties_; }
   void refresh_icons();
 
-  /// Adds a mesh from a file. Where that fails, failed() tells.
+  /// Adds a mesh from a file. Where that fails, failed() says so.
   void add_mesh(const QString& file);
   /// Whether what is selected has handles to be moved by, where it can be moved.
   void show_handles(bool shown);

@@ -26,7 +26,7 @@ class SceneTree : public QTreeWidget {
   void edit_name();
   /// Selects the item without telling anyone.
   void select(const Selection& selection);
-  /// Draws the icons anew, after a change of theme.
+  /// Redraws the icons, after a change of theme.
   void refresh_icons();
 
  signals:

@@ -22,7 +22,7 @@ namespace handway::gui {
 class ScenePictures;
 
 /// Where parts of a file or folder are made: beside it, on the same disk, under a hidden name that
-/// tells which program makes them.
+/// says which program makes them.
 [[nodiscard]] QString parts_beside(const QString& file);
 
 /// @throws geometric::InputError unless the parts' folder could be made.

@@ -156,7 +156,7 @@ CaptureCoach::CaptureCoach(QWidget* parent)
       advice_(new QLabel),
       hints_label_(new QLabel),
       bars_(new CoverageBars),
-      restart_(new QPushButton(tr("Start anew"))) {
+      restart_(new QPushButton(tr("Start again"))) {
   headline_->setObjectName(QStringLiteral("coverage_headline"));
   advice_->setObjectName(QStringLiteral("capture_advice"));
   hints_label_->setObjectName(QStringLiteral("capture_hints"));

@@ -30,7 +30,7 @@ class CaptureCoach : public QWidget {
  public:
   explicit CaptureCoach(QWidget* parent = nullptr);
 
-  /// Begins anew with these joints.
+  /// Starts again with these joints.
   void restart(const device::HandMapping& mapping, const std::vector<std::string>& joints,
                const std::vector<bool>& driven);
   /// @param posture normalised, shape [joints].

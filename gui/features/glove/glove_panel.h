@@ -44,7 +44,7 @@ class GlovePanel : public QWidget {
                 std::shared_ptr<const PreparedProblem> problem);
   /// Where the robot is. @param q shape [variable_count].
   void set_configuration(const geometric::Configuration& q);
-  /// The view has drawn the posture that was told last.
+  /// The view has drawn the posture that was shown last.
   void note_drawn();
   void refresh_icons();
   /// Adds a page, which the panel takes over and scrolls.

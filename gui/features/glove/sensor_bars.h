@@ -14,7 +14,7 @@
 
 namespace handway::gui {
 
-/// What can be told of a glove's sensors while they are used.
+/// What is known of a glove's sensors while they are used.
 class SensorWatch {
  public:
   enum class Verdict {

@@ -45,7 +45,7 @@ PresetBar::PresetBar(const planning::PlannerRegistry& registry, QWidget* parent)
           [this](int row) { apply(list_->itemData(row).toString()); });
 }
 
-void PresetBar::show_planner(planning::Planner& planner, bool anew) {
+void PresetBar::show_planner(planning::Planner& planner, bool reset) {
   const bool other_kind = !fresh_ || fresh_->name() != planner.name();
   const QString before = presets_.empty() ? QString() : chosen().name;
   planner_ = &planner;
@@ -59,7 +59,7 @@ void PresetBar::show_planner(planning::Planner& planner, bool anew) {
   if (fitting != presets_.end()) {
     choose(fitting->name);
   } else {
-    choose(anew || other_kind ? presets_.front().name : before);
+    choose(reset || other_kind ? presets_.front().name : before);
   }
 }
 

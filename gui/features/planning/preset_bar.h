@@ -25,9 +25,9 @@ class PresetBar : public QWidget {
   explicit PresetBar(const planning::PlannerRegistry& registry, QWidget* parent = nullptr);
 
   /// Offers the presets of another planner, or the same with other values; chooses the first that
-  /// has its values, or else, if `anew`, the planner's own, or else stays with what is chosen.
+  /// has its values, or else, if `reset`, the planner's own, or else stays with what is chosen.
   /// @param planner outlives this or the next call.
-  void show_planner(planning::Planner& planner, bool anew);
+  void show_planner(planning::Planner& planner, bool reset);
   /// What is chosen has other values than the planner by now?
   [[nodiscard]] bool is_modified() const { return modified_; }
   /// The parameters that differ from what is chosen.

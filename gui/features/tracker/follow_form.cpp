@@ -81,7 +81,7 @@ QWidget* FollowForm::build_motion() {
   scale_->setSingleStep(0.05);
   scale_->setValue(1.0);
   scale_->setPrefix(QStringLiteral("× "));
-  scale_->setToolTip(tr("How far the tool goes for the way of the wrist"));
+  scale_->setToolTip(tr("How far the tool moves for a motion of the wrist"));
   turn_->setObjectName(QStringLiteral("tracker_turn"));
   turn_->setChecked(true);
   source_yaw_->setToolTip(

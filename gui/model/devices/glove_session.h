@@ -39,7 +39,7 @@ struct GloveSample {
 /// switched on. For any thread.
 class RecordingTap {
  public:
-  /// Begins a file anew.
+  /// Starts a new file.
   /// @throws geometric::InputError if it can't be written.
   void begin(const std::filesystem::path& file, device::RecordingHeader header);
   /// Closes the file.
@@ -83,7 +83,7 @@ class GloveLink : public QObject {
   [[nodiscard]] device::StreamState state() const { return state_; }
   [[nodiscard]] device::GloveInfo info() const;
   [[nodiscard]] device::StreamStatistics statistics() const;
-  /// When the first of the frames that arrived() told last came in.
+  /// When the first of the frames that arrived() announced last came in.
   [[nodiscard]] std::chrono::steady_clock::time_point arrival() const;
   [[nodiscard]] RecordingTap& tap() { return *tap_; }
 
@@ -119,7 +119,7 @@ class GloveSession : public QObject {
   [[nodiscard]] static QString emulator_name();
 
   /// Connects to a serial port, a TCP port, the emulator, or a recording to be replayed. What goes
-  /// wrong is told by state_changed().
+  /// wrong is reported by state_changed().
   void connect_to(const QString& device);
   void disconnect_glove();
   [[nodiscard]] const QString& device() const { return device_; }

@@ -137,7 +137,7 @@ struct MotionDriver::Devices {
   }
 };
 
-// Keeps what was executed, and tells the window now and then.
+// Keeps what was executed, and notifies the window now and then.
 class MotionDriver::Recorder final : public execution::MotionObserver {
  public:
   Recorder(MotionDriver& driver, const Devices& devices, const Order& order)

@@ -21,7 +21,7 @@
 
 namespace handway::gui {
 
-/// What the devices told while a motion ran, beside what was planned.
+/// What the devices reported while a motion ran, beside what was planned.
 struct ExecutedMotion {
   struct Device {
     std::string kind;                              ///< "arm" or "hand"
@@ -42,7 +42,7 @@ struct ExecutedMotion {
   [[nodiscard]] JointCurve curve(int variable) const;
   /// The variable that was farthest off, or -1.
   [[nodiscard]] int worst_variable() const;
-  /// The way of a link's origin as it was measured (world, m).
+  /// The path of a link's origin as it was measured (world, m).
   [[nodiscard]] std::vector<Eigen::Vector3d> way_of(const geometric::RobotInstance& robot,
                                                     int link) const;
 };
@@ -55,7 +55,7 @@ struct MotionDevices {
   bool emulated_hand = false;
 };
 
-/// Keeps the connection to an arm and a hand on a thread of its own, tells where they stand, and
+/// Keeps the connection to an arm and a hand on a thread of its own, reports where they are, and
 /// runs motions on them.
 class MotionDriver : public QObject {
   Q_OBJECT

@@ -8,7 +8,7 @@
 
 namespace handway::gui {
 
-/// While it lives, the robot is told to stop, and its rest is waited for, before the program ends
+/// While it lives, the robot is stopped, and its rest is waited for, before the program ends
 /// in ways that its window has no say in: by SIGINT, SIGTERM or SIGHUP, which then do what they
 /// always do, and by exit(), as Qt and Xlib do when the display is lost. One at a time.
 class ProgramEnd {

@@ -15,7 +15,7 @@
 
 namespace handway::gui {
 
-/// Brings what a device's stream tells to the window's thread. Items wait in a box and are handed
+/// Brings what a device's stream reports to the window's thread. Items wait in a box and are handed
 /// over together, at most once every kPeriodMs: a window that is busy gets the latest late, never a
 /// queue of old ones. To be made, asked and destroyed by the window's thread.
 template <typename Item>
@@ -67,7 +67,7 @@ class StreamInbox {
     std::mutex mutex;
     StreamInbox* owner = nullptr;
     Items items;
-    bool told = false;
+    bool notified = false;
     std::chrono::steady_clock::time_point arrival;  ///< Of the first that waits.
   };
 
@@ -92,9 +92,9 @@ class StreamInbox {
       box->items.erase(box->items.begin(), box->items.begin() + kMostWaiting / 2);
     }
     box->items.push_back(item);
-    if (!std::exchange(box->told, true)) {
+    if (!std::exchange(box->notified, true)) {
       box->arrival = std::chrono::steady_clock::now();
-      invoke(box, [](StreamInbox& owner) { owner.told(); });
+      invoke(box, [](StreamInbox& owner) { owner.take(); });
     }
   }
 
@@ -105,7 +105,7 @@ class StreamInbox {
     }
   }
 
-  void told() {
+  void take() {
     const qint64 passed = since_delivery_.isValid() ? since_delivery_.elapsed() : kPeriodMs;
     if (passed >= kPeriodMs) {
       deliver();
@@ -120,7 +120,7 @@ class StreamInbox {
     {
       const std::lock_guard lock(box_->mutex);
       items.swap(box_->items);
-      box_->told = false;
+      box_->notified = false;
       arrival_ = box_->arrival;
     }
     if (!items.empty()) {

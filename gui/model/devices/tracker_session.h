@@ -68,10 +68,10 @@ class TrackerSession : public QObject {
   [[nodiscard]] static QStringList protocols();
 
   /// Connects to "emulator", "fastrak:/dev/ttyUSB0", "liberty:HOST:PORT" or "udp:5005". What
-  /// goes wrong is told by state_changed().
+  /// goes wrong is reported by state_changed().
   void connect_to(const QString& device);
   void disconnect_tracker();
-  /// As connect_to() was told; empty before.
+  /// What connect_to() was called with; empty before.
   [[nodiscard]] const QString& device() const { return device_; }
   [[nodiscard]] TrackerLink& link() { return link_; }
 
@@ -87,8 +87,8 @@ class TrackerSession : public QObject {
   QString device_;
 };
 
-/// Leads the arm by a tracked wrist: the clutch, and a follower that begins anew where the robot is
-/// whenever it is closed.
+/// Leads the arm by a tracked wrist: the clutch, and a follower that starts again where the robot
+/// is whenever it is closed.
 class ArmLeader : public QObject {
   Q_OBJECT
 
@@ -101,7 +101,7 @@ class ArmLeader : public QObject {
                  const std::vector<int>& arm, const geometric::Configuration& q);
   /// Why there is nothing to lead; empty if there is.
   [[nodiscard]] const QString& problem() const { return problem_; }
-  /// Takes effect at once: a closed clutch takes hold anew.
+  /// Takes effect at once: a closed clutch engages again.
   void set_settings(const device::ToolFollowerSettings& settings);
   [[nodiscard]] const device::ToolFollowerSettings& settings() const { return settings_; }
   void set_configuration(const geometric::Configuration& q) { q_ = q; }

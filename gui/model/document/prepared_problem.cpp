@@ -114,7 +114,7 @@ PreparedProblem::Problem PreparedProblem::if_ready() const {
   }
   try {
     return if_ended();
-  } catch (const std::exception&) {  // told to those who wait for it
+  } catch (const std::exception&) {  // thrown at those who wait for it
     return nullptr;
   }
 }

@@ -67,7 +67,7 @@ class SceneEditor : public QObject {
   void duplicate();
   void rename(const std::string& name);
   /// Moves objects or a robot so that selected_pose() becomes `X_WO`; of a posture it
-  /// tells palm_placed().
+  /// emits palm_placed().
   void place(const geometric::Pose& X_WO);
   /// What place() would make of objects; nothing for anything else.
   [[nodiscard]] std::optional<SceneState> placed(const geometric::Pose& X_WO) const;

@@ -65,7 +65,7 @@ enum class StepFilter {
   kEdges,    ///< Nodes, local plans and edges.
 };
 
-/// Records a run of a planner that tells its steps, and goes through them.
+/// Records a run of a planner that reports its steps, and goes through them.
 class Microscope : public QObject {
   Q_OBJECT
 

@@ -74,7 +74,7 @@ struct PathFigures {
 /// normalised to [0, 1]: 0 for a straight one.
 [[nodiscard]] double turning_of(const geometric::RobotModel& model, const planning::Path& path);
 
-/// By what the better of two paths is told.
+/// How the better of two paths is chosen.
 enum class PathMerit { kShort, kQuick, kSmooth, kHuman, kClear };
 inline constexpr std::array kPathMerits{PathMerit::kShort, PathMerit::kQuick, PathMerit::kSmooth,
                                         PathMerit::kHuman, PathMerit::kClear};

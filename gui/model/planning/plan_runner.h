@@ -12,7 +12,7 @@
 
 namespace handway::gui {
 
-/// Runs a planner on a thread of its own and tells the GUI thread how it goes.
+/// Runs a planner on a thread of its own and reports its progress to the GUI thread.
 class PlanRunner : public QObject {
   Q_OBJECT
 
@@ -21,7 +21,7 @@ class PlanRunner : public QObject {
   ~PlanRunner() override;
 
   /// Plans the problem's own query.
-  /// @param palm_link whose place is told for every node.
+  /// @param palm_link whose place is reported for every node.
   /// @pre no run is going on; the planner is not touched until it has ended.
   void start(std::shared_ptr<planning::Planner> planner,
              std::shared_ptr<const PreparedProblem> problem, const planning::PlanRequest& request,

@@ -255,7 +255,7 @@ void PlanningSession::take_seeds(bool cancelled) {
   emit ended(true, note);
 }
 
-// What stood in the way of all of them together.
+// What stood in the way for all of them together.
 void PlanningSession::show_none(const QString& note) {
   planning::PlanResult result;
   result.status = planning::PlanStatus::kCancelled;

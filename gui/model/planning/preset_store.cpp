@@ -268,8 +268,8 @@ void PresetStore::change(const std::function<void(Entries&)>& edit) {
     write_preset(out, entry.planner, entry.preset);
   }
   out << YAML::EndSeq << YAML::EndMap;
-  std::error_code told_when_writing;
-  fs::create_directories(file().parent_path(), told_when_writing);
+  std::error_code warned_when_writing;
+  fs::create_directories(file().parent_path(), warned_when_writing);
   geometric::replace_file(file(), std::string(out.c_str()) + '\n');
   entries_ = std::move(entries);
   fault_.clear();

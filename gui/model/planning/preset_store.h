@@ -42,7 +42,7 @@ void apply_preset(const PlannerPreset& preset, planning::Planner& fresh,
 /// The presets that there are for each planner: those that come with the program, and a person's
 /// own, which are kept in `presets.yaml` beside the other settings.
 ///
-/// A file that can't be understood is left as it is and told of; with the first preset that is
+/// A file that can't be understood is left as it is and reported; with the first preset that is
 /// saved after that it is put aside, under another name, so that nothing in it is lost.
 class PresetStore : public QObject {
   Q_OBJECT

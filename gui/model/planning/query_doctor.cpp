@@ -36,7 +36,7 @@ void QueryDoctor::examine(const std::shared_ptr<const geometric::Scene>& scene,
         ends = diagnose(*prepared, has_start, has_goal, stop);
       }
     } catch (const std::exception&) {
-      return nullptr;  // the collision display tells why the scene can't be checked
+      return nullptr;  // the collision display says why the scene can't be checked
     }
     return [this, ends = std::move(ends)] { emit diagnosed(ends); };
   });

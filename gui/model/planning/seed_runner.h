@@ -43,7 +43,7 @@ class SeedRunner : public QObject {
 
   /// @pre none are going on; the planners are not touched until they have ended.
   void start(SeedRuns runs);
-  /// Ends them at once; what is still found is not told any more.
+  /// Ends them at once; what is still found is not reported any more.
   void cancel();
   [[nodiscard]] bool is_running() const { return running_; }
 

@@ -41,7 +41,7 @@ struct MotionCurves {
   std::vector<double> to_recorded;
 };
 
-/// More clearance (m) is not told apart.
+/// More clearance (m) is not distinguished.
 inline constexpr double kMostClearance = 0.1;
 
 /// @param postures of a person, may be null.

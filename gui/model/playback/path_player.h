@@ -67,7 +67,7 @@ class PathPlayer : public QObject {
   QElapsedTimer clock_;
   double fraction_ = 0.0;
   double speed_ = 1.0;
-  double rest_s_ = 0.0;  ///< Still to wait at the end before a loop begins anew.
+  double rest_s_ = 0.0;  ///< Still to wait at the end before a loop starts again.
   bool loop_ = true;
   bool backwards_ = false;
 };

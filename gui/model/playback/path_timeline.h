@@ -49,7 +49,7 @@ class PathTimeline {
   std::vector<double> distance_;                    ///< From the first waypoint to each.
 };
 
-/// The way of one link's origin through the world, m.
+/// The path of one link's origin through the world, m.
 struct PalmPath {
   std::vector<Eigen::Vector3d> points;     ///< Close together, along the whole path.
   std::vector<Eigen::Vector3d> waypoints;  ///< One for each of the path's.

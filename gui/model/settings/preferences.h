@@ -60,7 +60,7 @@ class Preferences : public QObject {
   explicit Preferences(QObject* parent = nullptr);
 
   [[nodiscard]] const PreferenceValues& values() const { return values_; }
-  /// Keeps other values and tells that they have changed, if they have.
+  /// Keeps other values and emits changed(), if they have.
   void set(const PreferenceValues& values);
   /// The same for one of them: set(&PreferenceValues::floor, false).
   template <typename Value>

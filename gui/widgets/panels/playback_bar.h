@@ -32,7 +32,7 @@ class PlaybackBar : public QWidget {
   void show_note(const QString& note, const QString& explanation);
   /// Where nothing is drawn but the path.
   void hide_traces();
-  /// Draws the icons anew, after a change of theme.
+  /// Redraws the icons, after a change of theme.
   void refresh_icons();
 
   /// Without the buttons that can be left out.

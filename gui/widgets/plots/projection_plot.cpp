@@ -94,7 +94,7 @@ class ProjectionPlot::Drawing : public QwtPlotItem {
   const ProjectionColors& colors_;
 };
 
-/// Where the robot is: drawn over the plot, which is not drawn anew when it moves.
+/// Where the robot is: drawn over the plot, which is not redrawn when it moves.
 class ProjectionPlot::RobotMark : public QwtWidgetOverlay {
  public:
   explicit RobotMark(const ProjectionPlot& plot)

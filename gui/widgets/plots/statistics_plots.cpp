@@ -24,7 +24,7 @@ namespace {
 constexpr double kShortest = 1e-5;  // s; what is shorter is drawn here
 constexpr double kWidth = 1.8;
 constexpr double kLegendSize = 8.5;
-// Okabe and Ito's colours, told apart by all eyes.
+// Okabe and Ito's colours, that all eyes distinguish.
 constexpr std::array<QRgb, 7> kColors = {0xff0072b2, 0xffd55e00, 0xff009e73, 0xffcc79a7,
                                          0xffe69f00, 0xff56b4e9, 0xff000000};
 

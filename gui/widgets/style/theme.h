@@ -40,7 +40,7 @@ void apply_theme(QApplication& application, Theme theme);
 /// define it.
 [[nodiscard]] double contrast(const QColor& a, const QColor& b);
 
-/// `color`, lighter or darker if it could hardly be told from `background`.
+/// `color`, lighter or darker if it could hardly be distinguished from `background`.
 [[nodiscard]] QColor seen_on(const QColor& background, const QColor& color);
 
 /// Gives a widget that is shown already another role in the style sheet; empty: none.

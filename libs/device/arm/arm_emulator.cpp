@@ -81,7 +81,7 @@ void ArmEmulator::Running::run(const std::stop_token& stop) {
   const auto begin = Clock::now();
   HostWatch motion(*ports.motion);
   HostWatch state(*ports.state);
-  double told = 0.0;
+  double last_feedback = 0.0;
   bool cut = false;
   std::array<std::uint8_t, 4096> bytes{};
   while (!stop.stop_requested()) {
@@ -101,8 +101,8 @@ void ArmEmulator::Running::run(const std::stop_token& stop) {
       controller.connection_lost();
     }
     take(std::span(bytes).first(count), now);
-    if (now - told >= kFeedbackPeriod) {
-      told = now;
+    if (now - last_feedback >= kFeedbackPeriod) {
+      last_feedback = now;
       for (const SimpleMessage& message : controller.feedback()) {
         feedback.add(encode(message), now + delay());
       }

@@ -45,7 +45,7 @@ struct Val3Controller::Arm {
   double now = 0.0;
   double moved = 0.0;      ///< s since the first motion began
   bool has_moved = false;  ///< A motion began.
-  int fed_back = 0;        ///< Times that positions were told.
+  int fed_back = 0;        ///< Times that positions were sent.
   int stops = 0;           ///< Commands.
   bool fault_active = false;
 
@@ -190,14 +190,14 @@ std::vector<SimpleMessage> Val3Controller::feedback() {
   for (Eigen::Index j = 0; j < arm_->settings.joints.count(); ++j) {
     position.joints[static_cast<std::size_t>(j)] = static_cast<float>(arm_->joints.position()[j]);
   }
-  std::vector<SimpleMessage> told{position};
+  std::vector<SimpleMessage> feedback{position};
   if (arm_->fed_back++ % kStatusPeriod == 0) {
     SimpleMessage status;
     status.type = SimpleMessageType::kStatus;
     status.status = arm_->status();
-    told.push_back(status);
+    feedback.push_back(status);
   }
-  return told;
+  return feedback;
 }
 
 void Val3Controller::connection_lost() { arm_->stop(); }

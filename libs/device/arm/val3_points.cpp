@@ -5,7 +5,7 @@
 namespace handway::device {
 namespace {
 
-// Nothing that moves less can be told to an arm (float32), rad.
+// Nothing that moves less can be sent to an arm (float32), rad.
 constexpr double kNoMove = 1e-6;
 // The least share of its velocity that the controller takes.
 constexpr double kLeastVelocity = 1e-4;

@@ -34,7 +34,7 @@ class StreamedDevice {
   StreamedDevice(const StreamedDevice&) = delete;
   StreamedDevice& operator=(const StreamedDevice&) = delete;
 
-  /// Opens the device, and tells who wants to know. @throws DeviceError
+  /// Opens the device, and notifies whoever listens. @throws DeviceError
   virtual Pace connect(const std::stop_token& stop) = 0;
   /// Waits for a sample and keeps it for hand_over(). @throws DeviceError
   virtual Event next(std::chrono::milliseconds timeout, const std::stop_token& stop) = 0;

@@ -23,12 +23,12 @@ namespace handway::device {
 /// An emulated device that speaks in lines, with its port, run by a thread of its own.
 ///
 /// @tparam Device has, for one thread at a time, `advance(now)`, `receive(line, now)` and
-/// `feedback()` (what it answers and tells), `connection_lost()` and `active_fault()`.
+/// `feedback()` (what it answers and reports), `connection_lost()` and `active_fault()`.
 template <typename Device>
 class LineEmulator {
  public:
   /// @param scheme of its address: "hand". @param port 0: any that is free.
-  /// @param period in which it tells its state, s. @param settings of the device.
+  /// @param period in which it reports its state, s. @param settings of the device.
   /// @throws DeviceError if the port is taken.
   template <typename Settings>
   LineEmulator(const std::string& scheme, std::uint16_t port, double period,
@@ -56,7 +56,7 @@ class LineEmulator {
   void run(const std::stop_token& stop) {
     const auto begin = Clock::now();
     HostWatch host(port_);
-    double told = 0.0;
+    double last_feedback = 0.0;
     bool cut = false;
     std::array<std::uint8_t, 16384> bytes{};
     while (!stop.stop_requested()) {
@@ -70,8 +70,8 @@ class LineEmulator {
         device_.connection_lost();
       }
       take(std::span(bytes).first(count), now);
-      if (now - told >= period_) {
-        told = now;
+      if (now - last_feedback >= period_) {
+        last_feedback = now;
         send(device_.feedback(), now);
       }
       if (device_.active_fault() == FaultKind::kLost && !cut) {

@@ -54,7 +54,7 @@ void MotionLink::connect(const std::stop_token& stop) {
   const auto begin = Clock::now();
   while (measured_.samples == 0 || backlog_.any()) {
     if (Clock::now() - begin > kFirstPosition || stop.stop_requested()) {
-      refuse("no joint positions", "a controller that tells where its joints are",
+      refuse("no joint positions", "a controller that reports where its joints are",
              "Look whether its program is running.");
     }
     take_turn(0.0);

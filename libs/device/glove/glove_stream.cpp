@@ -9,23 +9,23 @@ namespace handway::device {
 
 namespace {
 
-/// A glove, and what its stream tells of it.
+/// A glove, and what its stream reports of it.
 class StreamedGlove final : public StreamedDevice {
  public:
-  struct Told {
+  struct Reports {
     mutable std::mutex mutex;
     GloveInfo info;
   };
 
   StreamedGlove(std::unique_ptr<Glove> glove, GloveStreamHandlers handlers,
-                std::shared_ptr<Told> told)
-      : glove_(std::move(glove)), handlers_(std::move(handlers)), told_(std::move(told)) {}
+                std::shared_ptr<Reports> reports)
+      : glove_(std::move(glove)), handlers_(std::move(handlers)), reports_(std::move(reports)) {}
 
   Pace connect(const std::stop_token& stop) override {
     const GloveInfo info = glove_->connect(stop);
     {
-      const std::lock_guard lock(told_->mutex);
-      told_->info = info;
+      const std::lock_guard lock(reports_->mutex);
+      reports_->info = info;
     }
     if (handlers_.on_connected) {
       handlers_.on_connected(info);
@@ -65,19 +65,19 @@ class StreamedGlove final : public StreamedDevice {
  private:
   std::unique_ptr<Glove> glove_;
   GloveStreamHandlers handlers_;
-  std::shared_ptr<Told> told_;
+  std::shared_ptr<Reports> reports_;
   GloveFrame frame_;
 };
 
 }  // namespace
 
 struct GloveStream::Running {
-  std::shared_ptr<StreamedGlove::Told> told = std::make_shared<StreamedGlove::Told>();
+  std::shared_ptr<StreamedGlove::Reports> reports = std::make_shared<StreamedGlove::Reports>();
   DeviceStream stream;
 
   Running(std::unique_ptr<Glove> glove, const StreamSettings& settings,
           const GloveStreamHandlers& handlers)
-      : stream(std::make_unique<StreamedGlove>(std::move(glove), handlers, told), settings,
+      : stream(std::make_unique<StreamedGlove>(std::move(glove), handlers, reports), settings,
                handlers.on_state) {}
 };
 
@@ -96,8 +96,8 @@ bool GloveStream::wait(std::chrono::milliseconds timeout) const {
 StreamState GloveStream::state() const { return running_->stream.state(); }
 
 GloveInfo GloveStream::info() const {
-  const std::lock_guard lock(running_->told->mutex);
-  return running_->told->info;
+  const std::lock_guard lock(running_->reports->mutex);
+  return running_->reports->info;
 }
 
 std::string GloveStream::error() const { return running_->stream.error(); }

@@ -123,7 +123,7 @@ class CsvReader {
     if (is_remark(line)) {
       return;
     }
-    // A number that is cut may look whole: only the end of the line tells.
+    // A number that is cut may look whole: only the end of the line shows.
     const std::vector<std::string_view> parts = cells(line.text, separator_);
     const std::size_t columns = recording_.header.sensors.size() + 1;
     if (!line.ended && (own_ || parts.size() < columns)) {

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <vector>
 
-/// The kinds of file that read_recording() tells apart; messages as documented there.
+/// The kinds of file that read_recording() distinguishes; messages as documented there.
 namespace handway::device {
 
 /// CSV with a header: Handway's own recordings, and others.

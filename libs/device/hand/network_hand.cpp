@@ -145,7 +145,7 @@ void NetworkHand::take_answer(const std::vector<std::string_view>& words, const 
   } else if (words[0] == "ok" && words.size() == 2) {
     wire_->answer = words[1];
   } else if (words[0] == "error") {
-    refuse(quote(line), "a hand that does what it is told", "Look at its controller.");
+    refuse(quote(line), "a hand that accepts the command", "Look at its controller.");
   } else {
     throw LineProtocolError(fmt::format("the line {}", quote(line)));
   }

@@ -14,7 +14,7 @@ constexpr double kReturnSpeed = 0.25;
 constexpr double kReturned = 0.002;
 // A share of the workspace, of each half edge, that it uses.
 constexpr double kEdge = 0.9;
-// A hand at rest for so long, s, slower than that, m/s, presses anew.
+// A hand at rest for so long, s, slower than that, m/s, presses again.
 constexpr double kRest = 0.8;
 constexpr double kRestSpeed = 0.004;
 // How fast the tremble turns, rad/s, about each axis.

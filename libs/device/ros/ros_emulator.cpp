@@ -51,7 +51,7 @@ void RosEmulator::Running::send(WebSocketPort::Host host, const RosController::M
 
 void RosEmulator::Running::run(const std::stop_token& stop) {
   const auto begin = Clock::now();
-  double told = 0.0;
+  double last_feedback = 0.0;
   bool cut = false;
   while (!stop.stop_requested()) {
     const std::vector<WebSocketPort::Message> messages = port.serve(kTick);
@@ -61,8 +61,8 @@ void RosEmulator::Running::run(const std::stop_token& stop) {
     for (const WebSocketPort::Message& message : messages) {
       send(message.host, controller.receive(message.host, message.text, now), now);
     }
-    if (now - told >= kFeedbackPeriod) {
-      told = now;
+    if (now - last_feedback >= kFeedbackPeriod) {
+      last_feedback = now;
       for (const WebSocketPort::Host host : port.hosts()) {
         send(host, controller.feedback(host), now);
       }

@@ -35,7 +35,7 @@ struct RosRobot::Wire {
   RosAddress address;
   std::unique_ptr<WebSocketLink> link;
   Eigen::VectorXd position;
-  std::vector<bool> fresh;  ///< Joints that were told since the last sample.
+  std::vector<bool> fresh;  ///< Joints that were reported since the last sample.
   std::vector<bool> known;
   int messages = 0;  ///< About joints.
   std::optional<RobotStatus> status;
@@ -188,7 +188,7 @@ void RosRobot::take(const RosbridgeMessage& message) {
   if (message.op == "status") {
     // Many robots don't have this topic, nor the type.
     if (message.level == "error" && message.id != kStatusId) {
-      refuse(quote(message.text), "a rosbridge server that does what it is told",
+      refuse(quote(message.text), "a rosbridge server that accepts the command",
              "Look whether topic and ROS version are right and the controller runs.");
     }
   } else if (message.joint_state && message.topic == kJointStatesTopic) {
@@ -214,7 +214,7 @@ void RosRobot::take_joints(const RosJointState& state) {
     wire_->fresh[static_cast<std::size_t>(joint)] = true;
     wire_->known[static_cast<std::size_t>(joint)] = true;
   }
-  if (std::ranges::all_of(wire_->fresh, [](bool told) { return told; })) {
+  if (std::ranges::all_of(wire_->fresh, [](bool reported) { return reported; })) {
     add_sample(wire_->position);
     wire_->fresh.assign(wire_->fresh.size(), false);
   } else if (const auto missing = std::ranges::find(wire_->known, false);

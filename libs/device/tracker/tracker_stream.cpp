@@ -9,23 +9,25 @@ namespace handway::device {
 
 namespace {
 
-/// A tracker, and what its stream tells of it.
+/// A tracker, and what its stream reports of it.
 class StreamedTracker final : public StreamedDevice {
  public:
-  struct Told {
+  struct Reports {
     mutable std::mutex mutex;
     TrackerInfo info;
   };
 
   StreamedTracker(std::unique_ptr<Tracker> tracker, TrackerStreamHandlers handlers,
-                  std::shared_ptr<Told> told)
-      : tracker_(std::move(tracker)), handlers_(std::move(handlers)), told_(std::move(told)) {}
+                  std::shared_ptr<Reports> reports)
+      : tracker_(std::move(tracker)),
+        handlers_(std::move(handlers)),
+        reports_(std::move(reports)) {}
 
   Pace connect(const std::stop_token& stop) override {
     const TrackerInfo info = tracker_->connect(stop);
     {
-      const std::lock_guard lock(told_->mutex);
-      told_->info = info;
+      const std::lock_guard lock(reports_->mutex);
+      reports_->info = info;
     }
     if (handlers_.on_connected) {
       handlers_.on_connected(info);
@@ -63,19 +65,19 @@ class StreamedTracker final : public StreamedDevice {
  private:
   std::unique_ptr<Tracker> tracker_;
   TrackerStreamHandlers handlers_;
-  std::shared_ptr<Told> told_;
+  std::shared_ptr<Reports> reports_;
   TrackerSample sample_;
 };
 
 }  // namespace
 
 struct TrackerStream::Running {
-  std::shared_ptr<StreamedTracker::Told> told = std::make_shared<StreamedTracker::Told>();
+  std::shared_ptr<StreamedTracker::Reports> reports = std::make_shared<StreamedTracker::Reports>();
   DeviceStream stream;
 
   Running(std::unique_ptr<Tracker> tracker, const StreamSettings& settings,
           const TrackerStreamHandlers& handlers)
-      : stream(std::make_unique<StreamedTracker>(std::move(tracker), handlers, told), settings,
+      : stream(std::make_unique<StreamedTracker>(std::move(tracker), handlers, reports), settings,
                handlers.on_state) {}
 };
 
@@ -94,8 +96,8 @@ bool TrackerStream::wait(std::chrono::milliseconds timeout) const {
 StreamState TrackerStream::state() const { return running_->stream.state(); }
 
 TrackerInfo TrackerStream::info() const {
-  const std::lock_guard lock(running_->told->mutex);
-  return running_->told->info;
+  const std::lock_guard lock(running_->reports->mutex);
+  return running_->reports->info;
 }
 
 std::string TrackerStream::error() const { return running_->stream.error(); }

@@ -16,7 +16,7 @@ namespace {
 using std::chrono::milliseconds;
 
 constexpr milliseconds kSlice{20};
-// Datagrams don't overtake each other by so much: the sender's clock began anew, s.
+// Datagrams don't overtake each other by so much: the sender's clock was set back, s.
 constexpr double kRestart = 1.0;
 
 }  // namespace

@@ -16,12 +16,12 @@
 namespace handway::geometric {
 namespace {
 
-constexpr double kRemembered = 0.005;  // m: distances in tables are cut off here
-constexpr double kTold = 0.0005;       // m: spheres need not tell more than this
-constexpr int kGlance = 16;            // nodes of spheres that a bound is worth …
-constexpr int kThorough = 1 << 20;     // … and that one to be remembered is
-constexpr std::size_t kPlainer = 8;    // times fewer triangles
-constexpr float kTiny = 0.4F;          // of the other body's size
+constexpr double kRemembered = 0.005;   // m: distances in tables are cut off here
+constexpr double kFineEnough = 0.0005;  // m: spheres need not be finer than this
+constexpr int kQuickNodes = 16;         // nodes of spheres that a bound is worth …
+constexpr int kThorough = 1 << 20;      // … and that one to be remembered is
+constexpr std::size_t kPlainer = 8;     // times fewer triangles
+constexpr float kTiny = 0.4F;           // of the other body's size
 
 }  // namespace
 
@@ -75,9 +75,9 @@ struct BoundedChecker::Volumes {
   std::vector<BodyPair> pairs;  ///< In the world's order; a gives the spheres.
 };
 
-/// A pair that a glance does not settle; the less shallow, the likelier it touches.
+/// A pair that the quick test does not settle; the deeper, the likelier it touches.
 struct BoundedChecker::Doubt {
-  float shallowness;
+  float relative_distance;
   int pair;
 };
 
@@ -128,33 +128,34 @@ void BoundedChecker::do_closest_first(double distance, std::vector<int>& pairs) 
 std::optional<int> BoundedChecker::do_first_collision(int hint) {
   std::vector<Doubt>& doubts = scratch_->doubts;
   doubts.clear();
-  if (volumes_->roots->bound(scratch_->roots, hint) < kTouch && touches_at_a_glance(hint)) {
+  if (volumes_->roots->bound(scratch_->roots, hint) < kTouch && touches_quickly(hint)) {
     return hint;
   }
   do_near_pairs(kTouch, scratch_->near);
   std::ranges::reverse(scratch_->near);  // what stands still came last, and is hit most often
   for (const int pair : scratch_->near) {
-    if (pair != hint && touches_at_a_glance(pair)) {
+    if (pair != hint && touches_quickly(pair)) {
       return pair;
     }
   }
-  std::ranges::sort(doubts, {},
-                    [](const Doubt& doubt) { return std::pair(doubt.shallowness, doubt.pair); });
+  std::ranges::sort(doubts, {}, [](const Doubt& doubt) {
+    return std::pair(doubt.relative_distance, doubt.pair);
+  });
   const auto touching = std::ranges::find_if(doubts, [&](const Doubt& doubt) {
     return exact_closeness(doubt.pair, kTouch) == Closeness::kTouching;
   });
   return touching == doubts.end() ? std::nullopt : std::optional(touching->pair);
 }
 
-bool BoundedChecker::touches_at_a_glance(int pair) {
+bool BoundedChecker::touches_quickly(int pair) {
   count_pair_collision();
-  if (is_parted(pair, kTouch)) {
+  if (is_separated(pair, kTouch)) {
     return false;
   }
   SurfaceQuery surfaces = query(pair, body_poses());
-  const std::optional<Closeness> seen = surfaces.glance(kTouch);
+  const std::optional<Closeness> seen = surfaces.quick_closeness(kTouch);
   if (!seen) {
-    scratch_->doubts.push_back({surfaces.shallowness(), pair});
+    scratch_->doubts.push_back({surfaces.relative_distance(), pair});
     return false;
   }
   return seen == Closeness::kTouching || is_contained(pair, surfaces);
@@ -182,8 +183,9 @@ double BoundedChecker::remembered(int pair) {
       return 0.0;
     }
     const double bound = query(pair, X_BBody).bound(kRemembered, kThorough);
-    return bound > kTold ? bound
-                         : std::min(kRemembered, query(pair, X_BBody).distance(kRemembered).upper);
+    return bound > kFineEnough
+               ? bound
+               : std::min(kRemembered, query(pair, X_BBody).distance(kRemembered).upper);
   });
 }
 
@@ -203,18 +205,18 @@ Closeness BoundedChecker::do_pair_closeness(int pair, double tolerance) {
              : nearby_closeness(pair, tolerance);
 }
 
-bool BoundedChecker::boxes_part(int pair, double distance) {
+bool BoundedChecker::boxes_are_apart(int pair, double distance) {
   return volumes_->roots->both_move(pair) &&
          volumes_->boxes.are_apart(pair, body_poses(), distance, scratch_->axes);
 }
 
-bool BoundedChecker::is_parted(int pair, double distance) {
-  return remembered(pair) >= distance || boxes_part(pair, distance);
+bool BoundedChecker::is_separated(int pair, double distance) {
+  return remembered(pair) >= distance || boxes_are_apart(pair, distance);
 }
 
 Closeness BoundedChecker::nearby_closeness(int pair, double tolerance) {
-  return is_parted(pair, std::max(tolerance, kTouch)) ? Closeness::kFarther
-                                                      : exact_closeness(pair, tolerance);
+  return is_separated(pair, std::max(tolerance, kTouch)) ? Closeness::kFarther
+                                                         : exact_closeness(pair, tolerance);
 }
 
 Closeness BoundedChecker::exact_closeness(int pair, double tolerance) {
@@ -240,16 +242,16 @@ bool BoundedChecker::is_contained(int pair, const SurfaceQuery& surfaces) const 
   return !surfaces.hulls_are_apart() && !kept_outside && pair_is_contained(pair);
 }
 
-double BoundedChecker::do_pair_glance(int pair) {
+double BoundedChecker::do_pair_quick_bound(int pair) {
   return std::max(0.0, volumes_->roots->bound(scratch_->roots, pair));
 }
 
 double BoundedChecker::do_pair_bound(int pair, double enough) {
-  if (volumes_->roots->bound(scratch_->roots, pair) >= enough || boxes_part(pair, enough)) {
+  if (volumes_->roots->bound(scratch_->roots, pair) >= enough || boxes_are_apart(pair, enough)) {
     return enough;
   }
   SurfaceQuery surfaces = query(pair, body_poses());
-  const double least = surfaces.bound(enough, kGlance);
+  const double least = surfaces.bound(enough, kQuickNodes);
   if (is_contained(pair, surfaces)) {
     return 0.0;
   }
@@ -261,7 +263,7 @@ double BoundedChecker::do_pair_distance(int pair, double enough) {
 }
 
 DistanceRange BoundedChecker::do_pair_distance_range(int pair, double enough, double share) {
-  if (volumes_->roots->bound(scratch_->roots, pair) >= enough || boxes_part(pair, enough)) {
+  if (volumes_->roots->bound(scratch_->roots, pair) >= enough || boxes_are_apart(pair, enough)) {
     return {enough};
   }
   SurfaceQuery surfaces = query(pair, body_poses());

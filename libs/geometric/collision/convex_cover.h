@@ -45,7 +45,7 @@ class ConvexCover {
 ///
 /// Source: Gilbert's algorithm for the nearest points of two convex sets (Gilbert,
 /// "An iterative procedure for computing the minimum of a quadratic form on a
-/// convex set", 1966): each of its steps tells a plane between them.
+/// convex set", 1966): each of its steps gives a plane between them.
 [[nodiscard]] float hull_gap(const ConvexCover& a, const ConvexCover& b, const FloatPose& X_BA,
                              float enough);
 

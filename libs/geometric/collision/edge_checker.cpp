@@ -157,7 +157,7 @@ EdgeResult EdgeChecker::search(const Configuration& from, const Configuration& t
       for (std::size_t i = stretch.first; i < stretch.first + stretch.count; ++i) {
         const int pair = pairs[i];
         const double motion = motion_.over_edge(pair) * stretch.half;
-        if (checker_.pair_glance(pair) >= motion + far_from_ends(pair)) {
+        if (checker_.pair_quick_bound(pair) >= motion + far_from_ends(pair)) {
           continue;
         }
         const double need = motion_.within(pair, stretch.half);
@@ -193,12 +193,13 @@ bool EdgeChecker::is_out_of_reach(int pair, double distance) {
   const MotionBound::PairFrame& frame = bounds_->pair_frame(pair);
   const double size =
       bounds_->ball(frame.a).radius + (frame.b_moves ? bounds_->ball(frame.b).radius : 0.0);
-  return distance > checker_.pair_glance(pair) + kLikelyGain * size;
+  return distance > checker_.pair_quick_bound(pair) + kLikelyGain * size;
 }
 
 Closeness EdgeChecker::closeness_of_spheres(int pair) {
-  return checker_.pair_glance(pair) <= 0.0 && checker_.pair_collides(pair) ? Closeness::kTouching
-                                                                           : Closeness::kCloser;
+  return checker_.pair_quick_bound(pair) <= 0.0 && checker_.pair_collides(pair)
+             ? Closeness::kTouching
+             : Closeness::kCloser;
 }
 
 Closeness EdgeChecker::closeness_within(int pair, double need, double required) {
@@ -286,7 +287,7 @@ void EdgeChecker::look_at_end(const Configuration& q, Clearance& found) {
 }
 
 bool EdgeChecker::settle(int pair, double half, Clearance& found) {
-  if (checker_.pair_glance(pair) >= found.at_most + motion_.over_edge(pair) * half) {
+  if (checker_.pair_quick_bound(pair) >= found.at_most + motion_.over_edge(pair) * half) {
     return true;
   }
   const double loss = motion_.within(pair, half);

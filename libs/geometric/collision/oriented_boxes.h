@@ -16,7 +16,7 @@ namespace handway::geometric {
 /// tell hardly more, aren't looked at (Gottschalk, Lin and Manocha, "OBBTree", 1996).
 class OrientedBoxes {
  public:
-  /// Of each pair, the axis that parted it last. It changes how long an answer takes, not which.
+  /// Of each pair, the axis that separated it last. It changes how long an answer takes, not which.
   using LastAxes = std::vector<std::uint8_t>;
 
   explicit OrientedBoxes(const CollisionWorld& world);

@@ -15,7 +15,7 @@ namespace handway::geometric {
                                   const SurfaceSides& b, const FloatPose& X_BA);
 
 /// A lower bound (m) of the distance of surface A from surface B: how far A's box is inside of
-/// a box outside of each of B's pieces; 0 or less if it tells nothing.
+/// a box outside of each of B's pieces; 0 or less if it says nothing.
 /// @param centre,half of a box that contains A, along the axes of A's frame, m.
 [[nodiscard]] float gap_outside(const Eigen::Vector3f& centre, const Eigen::Vector3f& half,
                                 const SurfaceSides& b, const FloatPose& X_BA);

@@ -24,7 +24,7 @@ bool is_in(const Aabb& box, const Eigen::Vector3d& p) {
 }
 
 // Seen along z, does the edge from a to b cross the ray from p along x, upwards (1) or downwards
-// (-1)? What two triangles with the same edge are told never differs in more than the sign, so that
+// (-1)? What two triangles with the same edge get never differs in more than the sign, so that
 // no ray slips through between them.
 int crossing(const Eigen::Vector3d& p, const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   if ((a.y() > p.y()) == (b.y() > p.y())) {

@@ -223,7 +223,7 @@ class SphereTreeGrowth {
     node.normal_z.fill(1.0F);
     node.thickness.fill(0.0F);
     node.child.fill(SphereCover::kLeaf);
-    for (const Part& part : parted(pieces)) {
+    for (const Part& part : split(pieces)) {
       const Ball ball = enclosing_ball(part);
       const BoundingSphere sphere = rounded(ball);
       const std::size_t k = node.count++;
@@ -279,7 +279,7 @@ class SphereTreeGrowth {
   }
 
   // The largest part is halved until there are sixteen or none can be.
-  [[nodiscard]] std::vector<Part> parted(Part pieces) const {
+  [[nodiscard]] std::vector<Part> split(Part pieces) const {
     struct Sized {
       Part part;
       double radius;

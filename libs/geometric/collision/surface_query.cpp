@@ -52,7 +52,7 @@ bool SurfaceQuery::root_is_near() {
   if (bound - root.radius - rounding >= reach_) {
     return false;
   }
-  shallowness_ = bound / root.radius;
+  relative_distance_ = bound / root.radius;
   if (!placed_) {
     placed_ = true;
     X_BA_ = X_WB_.inverse(Eigen::Isometry) * X_WA_;
@@ -78,7 +78,7 @@ void SurfaceQuery::found(double distance) {
 double SurfaceQuery::bound(double enough, int effort) {
   start(enough);
   effort_ = effort;
-  if (root_is_near() && !kept_outside() && !parted_by_plane()) {
+  if (root_is_near() && !kept_outside() && !separated_by_plane()) {
     bound_node(0);
   }
   return std::min(enough, std::max(gap(), least_));
@@ -108,7 +108,7 @@ DistanceRange SurfaceQuery::distance(double enough, double share) {
   return {reach_, least_ < enough ? least_ : std::numeric_limits<double>::infinity()};
 }
 
-std::optional<Closeness> SurfaceQuery::glance(double tolerance) {
+std::optional<Closeness> SurfaceQuery::quick_closeness(double tolerance) {
   start(tolerance);
   return look();
 }
@@ -171,7 +171,7 @@ bool SurfaceQuery::kept_outside() {
   return gap() >= reach_;
 }
 
-bool SurfaceQuery::parted_by_plane() {
+bool SurfaceQuery::separated_by_plane() {
   const auto reach = static_cast<float>(reach_);
   hull_gap_ = std::max(hull_gap_, static_cast<double>(hull_gap(*a_.hull, *b_.hull, moves_, reach)));
   return gap() >= reach_;
@@ -188,7 +188,7 @@ bool SurfaceQuery::pierces(float share) {
 bool SurfaceQuery::settled_as_a_whole() {
   if (!tried_whole_) {
     tried_whole_ = true;
-    return parted_by_plane() || pierces(1.0F);
+    return separated_by_plane() || pierces(1.0F);
   }
   return gap() >= reach_;
 }

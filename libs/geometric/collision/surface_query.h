@@ -30,12 +30,12 @@ class SurfaceQuery {
   [[nodiscard]] DistanceRange distance(double enough, double share = 0.0);
 
   /// Are the surfaces closer than `tolerance` (m), as far as a look at each of them as a whole
-  /// tells? A touch that is found so is beyond doubt.
-  [[nodiscard]] std::optional<Closeness> glance(double tolerance);
+  /// shows? A touch that is found so is beyond doubt.
+  [[nodiscard]] std::optional<Closeness> quick_closeness(double tolerance);
 
-  /// How far the middle of A's sphere is from B, as far as the field tells, as a share of the
-  /// radius. @pre glance() did not settle it.
-  [[nodiscard]] float shallowness() const { return shallowness_; }
+  /// How far the middle of A's sphere is from B, as far as the field says, as a share of the
+  /// radius. @pre quick_closeness() did not settle it.
+  [[nodiscard]] float relative_distance() const { return relative_distance_; }
 
   /// Are the surfaces closer than `tolerance` (m)? "Touching" below kTouch.
   [[nodiscard]] Closeness closeness(double tolerance);
@@ -53,12 +53,12 @@ class SurfaceQuery {
   [[nodiscard]] bool was_exact() const { return exact_; }
 
  private:
-  /// Sets out for what is nearer than `least` (m), each distance told to within 1 - `keep` of it.
+  /// Sets out for what is nearer than `least` (m), each distance known to within 1 - `keep` of it.
   void start(double least, double keep = 1.0);
   void found(double distance);
   /// Whether the sphere around A may be nearer than `reach_`; then X_BA is known.
   [[nodiscard]] bool root_is_near();
-  /// What a glance tells, if it does.
+  /// The answer of the quick test, if it has one.
   [[nodiscard]] std::optional<Closeness> look();
   void visit_all();
   void bound_node(std::uint32_t node);
@@ -66,7 +66,7 @@ class SurfaceQuery {
   /// Whether A's box is known to be outside of B and at least `reach_` away.
   [[nodiscard]] bool kept_outside();
   /// Whether the hulls are known to be at least `reach_` apart.
-  [[nodiscard]] bool parted_by_plane();
+  [[nodiscard]] bool separated_by_plane();
   /// m: the surfaces are known to be that far apart.
   [[nodiscard]] double gap() const { return std::max(hull_gap_, outside_gap_); }
   /// Whether A is known to go through B, in that share of its sphere at least; then `least_` is 0.
@@ -88,13 +88,13 @@ class SurfaceQuery {
   FloatPose moves_;
   double least_ = 0.0;    ///< The least distance known so far, or what is asked for.
   double reach_ = 0.0;    ///< What is so far away or farther is not looked at.
-  double keep_ = 1.0;     ///< That much of the least distance found: how it is told.
+  double keep_ = 1.0;     ///< That much of the least distance found: how precisely it is known.
   double ends_at_ = 0.0;  ///< No need to look further below this.
   int effort_ = 0;
   int patience_ = 0;
   bool exact_ = false;
   bool tried_whole_ = false;
-  float shallowness_ = 0.0F;
+  float relative_distance_ = 0.0F;
   double hull_gap_ = 0.0;             ///< m: the hulls are known to be that far apart; and …
   double outside_gap_ = 0.0;          ///< … A's box to be outside of B by that.
   std::vector<std::uint32_t>& near_;  ///< Triangles of B that a leaf is compared with.

@@ -16,7 +16,7 @@ inline constexpr double kTouch = 1e-9;
                                      double tolerance);
 
 /// Does an edge of one go through the other, at least kTouch from its borders?
-/// Then they collide by any way of counting.
+/// Then they collide however that is counted.
 [[nodiscard]] bool surely_cross(const TriangleCorners& s, const TriangleCorners& t);
 
 }  // namespace handway::geometric

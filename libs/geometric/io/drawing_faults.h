@@ -7,7 +7,7 @@
 
 namespace handway::geometric {
 
-/// What of a file can't be drawn. Planning does without it: told in one warning.
+/// What of a file can't be drawn. Planning does without it: reported in one warning.
 class DrawingFaults {
  public:
   void add(const InputError& fault);

@@ -153,7 +153,7 @@ class Reading {
     return process.wait_for_end(seconds_left());
   }
 
-  // @returns whether a whole answer came, as far as it can be told from its form.
+  // @returns whether a whole answer came, as far as its form shows.
   [[nodiscard]] bool receive(const OwnedDescriptor& pipe) {
     if (pipe.get() < 0 || !read(pipe, std::span(&reply_, 1)) || reply_.mark != kMeshStreamMark ||
         reply_.text_bytes > kLongestMeshText ||
@@ -185,7 +185,7 @@ class Reading {
       case MeshReplyKind::kMesh:
         return;
       case MeshReplyKind::kRefused:
-        refuse_as_told();
+        refuse_as_given();
       case MeshReplyKind::kTooLarge:
         refuse(fmt::format("more than {} vertices or triangles", limits_.request.most_vertices),
                "Simplify the mesh");
@@ -196,7 +196,7 @@ class Reading {
     refuse("something unreadable");
   }
 
-  [[noreturn]] void refuse_as_told() const {
+  [[noreturn]] void refuse_as_given() const {
     std::array<std::string, 4> parts;
     std::string_view rest = text_;
     for (std::string& part : parts) {

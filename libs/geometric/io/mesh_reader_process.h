@@ -46,7 +46,7 @@ class MeshReaderProcess {
   [[nodiscard]] const std::filesystem::path& program() const { return program_; }
   /// Is it there, with nothing left to say?
   [[nodiscard]] bool idle() const;
-  /// Has it told before how a reading ended?
+  /// Has it reported before how a reading ended?
   [[nodiscard]] bool has_served() const { return has_served_; }
 
   /// @returns the pipe that the answer comes through; invalid if the program is gone.

@@ -9,7 +9,7 @@
 namespace handway::geometric {
 
 /// Lines of an SRDF file about links, joints or groups that are not there: those of another
-/// variant of the robot, mostly. They are passed over, and told in one warning.
+/// variant of the robot, mostly. They are passed over, and reported in one warning.
 class UnknownNames {
  public:
   void add(const XmlDocument& document, const pugi::xml_node& node, const std::string& kind,

@@ -23,7 +23,7 @@ using XmlVocabulary = std::map<std::string, XmlElementKind, std::less<>>;
 ///
 /// A name within two letters of one that may stand there is a slip: refused. So is an element
 /// of `needed` where it may not stand: what it says would be lost. Other names are those of
-/// vendors and later versions: gathered, to be told in one warning.
+/// vendors and later versions: gathered, to be reported in one warning.
 /// @returns "<gazebo> (3)", …: what is not read, and how often it is there; sorted.
 /// @throws InputError naming the line.
 [[nodiscard]] std::vector<std::string> unread_elements(const XmlDocument& document,

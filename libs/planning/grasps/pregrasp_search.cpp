@@ -22,7 +22,7 @@ using geometric::Pose;
 
 constexpr double kNear = 0.015;     // m, of a finger at the object
 constexpr double kEnclosure = 0.5;  // at least: thumb and a finger at right angles
-constexpr double kClear = 0.05;     // m that is not told apart
+constexpr double kClear = 0.05;     // m: more is not distinguished
 constexpr double kMost = 0.16;      // m, of the object's second longest side
 constexpr double kRoom = 0.06;      // m, that an opened hand may be wider than that
 constexpr double kAside = 0.015;    // m

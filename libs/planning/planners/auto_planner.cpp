@@ -68,7 +68,7 @@ std::optional<Entries> subspace_entries(PlanningContext& context, const Objectiv
   return useful ? std::optional(std::move(entries)) : std::nullopt;
 }
 
-// From start to goal by way of the entries.
+// From start to goal through the entries.
 Path with_entries(const Entries& entries, const Path& between) {
   Path path;
   path.waypoints.assign(entries.from_start.begin(), entries.from_start.end() - 1);

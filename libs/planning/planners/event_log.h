@@ -8,7 +8,7 @@
 
 namespace handway::planning {
 
-/// Keeps what a search tells, to tell it later.
+/// Keeps the events of a search, to replay them later.
 class EventLog final : public Observer {
  public:
   void on_node(const NodeEvent& node) override;

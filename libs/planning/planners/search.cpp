@@ -10,7 +10,7 @@ Search::~Search() = default;
 
 std::optional<PlanStatus> Search::advance(const SearchBudget& budget) {
   const std::optional<PlanStatus> end = spend(budget);
-  tell_refusals();
+  report_refusals();
   return end;
 }
 
@@ -38,7 +38,7 @@ void Search::note_refusal(int pair, const Configuration& q) {
 }
 
 // Names are looked up here and not for each refusal.
-void Search::tell_refusals() {
+void Search::report_refusals() {
   if (refusals_.empty()) {
     return;
   }

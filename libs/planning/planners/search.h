@@ -52,10 +52,10 @@ class Search {
   [[nodiscard]] std::optional<PlanStatus> spend(const SearchBudget& budget);
   /// A pair of bodies touches at `q`, or near it.
   void note_refusal(int pair, const Configuration& q);
-  void tell_refusals();
+  void report_refusals();
 
   PlanningContext& context_;
-  std::vector<std::uint64_t> refusals_;                ///< By pair of bodies; not told yet.
+  std::vector<std::uint64_t> refusals_;  ///< By pair of bodies; not in the statistics yet.
   std::array<std::uint64_t, 10> refusals_by_tenth_{};  ///< Of the arm's straight motion.
 };
 

@@ -13,15 +13,15 @@ namespace handway::planning {
 struct RoadmapMemory;
 
 /// Keeps the nodes and edges that searches tell of, and passes on to another observer
-/// what it is told, with numbers that differ from search to search.
+/// what it observes, with numbers that differ from search to search.
 class NodeHarvest final : public Observer {
  public:
   explicit NodeHarvest(Observer& listener) : listener_(listener) {}
 
-  /// What is told from now on is of another search, whose numbers start again.
+  /// Events from now on are of another search, whose numbers start again.
   void begin_search();
 
-  /// Adds what was told to the roadmap, as nodes and edges of which nothing is certain.
+  /// Adds what was observed to the roadmap, as nodes and edges of which nothing is certain.
   void bring_in(const PlanningProblem& problem, RoadmapMemory& memory) const;
 
   void on_node(const NodeEvent& node) override;

@@ -104,7 +104,8 @@ class FarScene : public testing::TestWithParam<double> {
           const double found = checker->pair_distance(pair, kEnough);
           ASSERT_NEAR(std::min(found, kEnough), std::min(distance, kEnough), kTolerance) << name;
           ASSERT_LE(checker->pair_bound(pair, kEnough), distance + kTolerance) << name;
-          ASSERT_LE(std::min(checker->pair_glance(pair), kEnough), distance + kTolerance) << name;
+          ASSERT_LE(std::min(checker->pair_quick_bound(pair), kEnough), distance + kTolerance)
+              << name;
           if (distance > kTolerance) {
             ASSERT_FALSE(checker->pair_collides(pair)) << name;
           } else if (distance <= 0.0) {

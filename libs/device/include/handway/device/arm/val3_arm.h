@@ -9,7 +9,7 @@
 
 namespace handway::device {
 
-/// Port of motions of the VAL3 server; it tells the state on the next but one.
+/// Port of motions of the VAL3 server; it reports the state on the next but one.
 inline constexpr std::uint16_t kVal3MotionPort = 11000;
 
 /// An arm on a Staeubli CS8 or CS9 controller that runs the VAL3 server of ROS-Industrial

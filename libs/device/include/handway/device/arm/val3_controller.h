@@ -26,7 +26,7 @@ struct Val3ControllerSettings {
 };
 
 /// An emulated CS8 controller that runs the VAL3 server of ROS-Industrial, without wires: what it
-/// is told and what it answers are messages, and time is given. The arm moves from point to point
+/// receives and what it answers are messages, and time is given. The arm moves from point to point
 /// so that its slowest joint goes at the share of its velocity that the point asks for, as `movej`
 /// does between points that are blended; a point's duration plays no part. Where the queue is
 /// empty the arm stands.
@@ -45,7 +45,7 @@ class HANDWAY_DEVICE_EXPORT Val3Controller {
 
   /// Lets time pass until `now` (s).
   void advance(double now);
-  /// What the state connection tells every 20 ms: positions, and every fifth time status.
+  /// What the state connection sends every 20 ms: positions, and every fifth time status.
   [[nodiscard]] std::vector<SimpleMessage> feedback();
 
   /// Loss of a connection stops the motion.

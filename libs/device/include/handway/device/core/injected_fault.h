@@ -7,7 +7,7 @@ enum class FaultKind {
   kNone,
   kLate,        ///< All that it sends comes 0.6 s late.
   kLost,        ///< The connection breaks.
-  kRefused,     ///< It refuses what it is told.
+  kRefused,     ///< It refuses commands.
   kEstop,       ///< Somebody presses the emergency stop.
   kJointLimit,  ///< A joint's range ends where the joint is.
   kSlow,        ///< It moves at half the pace: the monitor speed is at 50 %.

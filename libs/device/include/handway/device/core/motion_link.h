@@ -60,8 +60,8 @@ class HANDWAY_DEVICE_EXPORT MotionLink {
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] const JointRanges& joints() const { return joints_; }
 
-  /// Connects, and waits until the device has told its joints' positions.
-  /// @throws DeviceError if it can't be reached or tells none within 3 s.
+  /// Connects, and waits until the device has reported its joints' positions.
+  /// @throws DeviceError if it can't be reached or reports none within 3 s.
   void connect(const std::stop_token& stop = {});
 
   /// Gives the device a motion.
@@ -83,7 +83,7 @@ class HANDWAY_DEVICE_EXPORT MotionLink {
   void resume();
 
   /// Stops the joints as fast as the device can, and forgets the motion. Never throws: if the
-  /// device can't be told any more its own watchdog stops it.
+  /// device can't be reached any more its own watchdog stops it.
   void stop();
 
   /// Takes what the device said, gives it what it needs, and looks whether all is well. Waits

@@ -5,7 +5,7 @@
 
 namespace handway::device {
 
-/// For how long a device has told nothing to a program that listened. Time in which the program
+/// For how long a device has reported nothing to a program that listened. Time in which the program
 /// itself was held up, by a busy or sleeping computer, is not the device's silence.
 class Silence {
  public:

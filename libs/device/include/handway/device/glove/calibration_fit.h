@@ -22,12 +22,12 @@ struct CalibrationFit {
 /// A posture that the person was asked to take, and what the glove read meanwhile.
 struct GuidedPose {
   std::string name;                          ///< "flat hand".
-  std::array<double, kGloveSensors> angles;  ///< rad, flexion positive; NaN: not told.
+  std::array<double, kGloveSensors> angles;  ///< rad, flexion positive; NaN: unknown.
   Recording counts;                          ///< While the posture was held; kCounts.
 };
 
 /// Fits each sensor's line by least squares to the means of the poses that tell its angle. A
-/// sensor gets no calibration if fewer than two different angles are told for it or its
+/// sensor gets no calibration if fewer than two different angles are known for it or its
 /// means differ by less than 10 counts. Residuals above 0.1 rad give a warning.
 /// @throws geometric::InputError if there are no poses, or one holds angles instead of counts.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT CalibrationFit calibrate_from_poses(
@@ -41,7 +41,7 @@ using AngleRanges = std::array<std::pair<double, double>, kGloveSensors>;
 
 /// Lays each sensor's 1st and 99th percentile of a free motion on the ends of its joint's range.
 /// The gain's sign is that of `signs` (a sensor's calibration before): from the counts alone
-/// it can't be told which end is which. A sensor that went through less than 10 counts keeps
+/// it is unknown which end is which. A sensor that went through less than 10 counts keeps
 /// that calibration.
 /// @throws geometric::InputError if the recording holds no counts.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT CalibrationFit calibrate_from_range(

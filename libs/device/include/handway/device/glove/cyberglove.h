@@ -26,7 +26,7 @@ struct CyberGloveSettings {
 ///
 /// connect() stops whatever the unit was doing, asks for state, number of sensors and hand, sets
 /// rate and filter, and starts the stream. When the glove is pulled off the unit next()
-/// tells so, and starts the stream again once it is back.
+/// reports so, and starts the stream again once it is back.
 class HANDWAY_DEVICE_EXPORT CyberGlove final : public Glove {
  public:
   /// @param address as for open_link().

@@ -11,7 +11,7 @@
 
 namespace handway::device {
 
-/// What a connected glove told of itself.
+/// What a connected glove reported of itself.
 struct GloveInfo {
   std::string device;           ///< Port or file, as the user named it.
   std::string model;            ///< "CyberGlove, firmware 1.2".

@@ -36,7 +36,7 @@ struct GloveCalibration {
   std::array<std::optional<SensorCalibration>, kGloveSensors> sensors;
 };
 
-/// Reads a calibration; which kind of file it is, is told from its content:
+/// Reads a calibration; which kind of file it is, is recognised by its content:
 ///   - YAML as above;
 ///   - text with 22 lines `angle:counts angle:counts`, from the wrist to the little finger,
 ///     a straight line through two points each (rad, signs of VirtualHand: turned here);

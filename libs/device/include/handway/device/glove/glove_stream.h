@@ -12,7 +12,7 @@
 
 namespace handway::device {
 
-/// What a GloveStream tells, all of it on its own thread and one after the other; whoever has to
+/// What a GloveStream reports, all of it on its own thread and one after the other; whoever has to
 /// touch a window passes it on there. Any may be empty. None may throw.
 struct GloveStreamHandlers {
   std::function<void(const GloveInfo& info)> on_connected;
@@ -39,7 +39,7 @@ class HANDWAY_DEVICE_EXPORT GloveStream {
   bool wait(std::chrono::milliseconds timeout) const;
 
   [[nodiscard]] StreamState state() const;
-  /// What connect() told last.
+  /// What connect() reported last.
   [[nodiscard]] GloveInfo info() const;
   /// Why the connection was lost last, or never made; empty if it never was.
   [[nodiscard]] std::string error() const;

@@ -55,7 +55,7 @@ struct Recording {
 /// Column of the sensor (index into cyberglove_sensors()), or -1.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT int column_of(const RecordingHeader& header, int sensor);
 
-/// Reads a recording. What it is, is told from its content, not from its name:
+/// Reads a recording. The kind of file is recognised by its content, not by its name:
 ///   - a recording of Handway as above. A last line without its end, as a program leaves
 ///     that is killed while it writes, is left out with a warning;
 ///   - other CSV (separated by commas, semicolons or tabs) with a header of `time` (s) and

@@ -16,7 +16,7 @@ namespace handway::device {
 /// For one thread at a time.
 class HANDWAY_DEVICE_EXPORT RecordingWriter {
  public:
-  /// Begins the file anew.
+  /// Starts the file again.
   /// @throws geometric::InputError if it can't be written.
   /// @throws std::invalid_argument for a sensor that isn't there, or one twice.
   RecordingWriter(const std::filesystem::path& file, RecordingHeader header);

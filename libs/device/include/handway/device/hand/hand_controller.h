@@ -36,7 +36,7 @@ class HANDWAY_DEVICE_EXPORT HandController {
 
   /// Lets time pass until `now` (s).
   void advance(double now);
-  /// What it tells every 10 ms; empty before a host has said hello.
+  /// What it sends every 10 ms; empty before a host has said hello.
   [[nodiscard]] std::string feedback();
 
   /// The host is gone: it stops, and waits for another hello.

@@ -26,7 +26,7 @@
 ///     stop                                ok stop
 ///     alive      (at least every 0.1 s)
 ///
-/// Instead of "ok WORD" the hand may answer "error WORD" and a reason. From "hello" on it tells
+/// Instead of "ok WORD" the hand may answer "error WORD" and a reason. From "hello" on it reports
 /// "state T PHASE Q1 … QJOINTS" every 10 ms: T of the motion's time, PHASE one of `idle ready
 /// running paused done stopped error`; after `error` comes a line "fault" and a reason. It stops if
 /// it hears nothing for 0.25 s, or the connection breaks, while it moves.

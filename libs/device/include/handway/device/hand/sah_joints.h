@@ -9,7 +9,7 @@ namespace handway::device {
 /// their own, in the order of its drives: thumb base; then abduction, proximal and medial joint of
 /// thumb, index, middle and ring finger. A medial joint takes the distal one along. Flexion is
 /// negative. The velocities, 120 degrees a second, are those that users of the related DLR/HIT
-/// hand set: the SAH's maker tells none.
+/// hand set: the SAH's maker publishes none.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT JointRanges sah_joints();
 
 }  // namespace handway::device

@@ -38,7 +38,7 @@ class HANDWAY_DEVICE_EXPORT EmulatedHaptic {
 
   /// Lets time pass until `now` (s).
   void advance(double now);
-  /// What it tells every 2 ms; empty before a host has said hello.
+  /// What it sends every 2 ms; empty before a host has said hello.
   [[nodiscard]] std::string feedback() const;
 
   /// The host is gone: no force any more, and another hello is waited for.

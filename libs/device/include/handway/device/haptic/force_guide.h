@@ -13,7 +13,7 @@ namespace handway::device {
 
 /// How a hand is guided. Forces and ways are the hand's, as it feels them.
 struct ForceGuideSettings {
-  double scale = 3.0;        ///< Ways of the tool for a way of the hand.
+  double scale = 3.0;        ///< Motion of the tool per motion of the hand.
   double tube = 0.003;       ///< So far from the curve nothing pulls, m.
   double stiffness = 150.0;  ///< Of the spring towards the tube, N/m.
   double damping = 2.0;      ///< N s/m, in all directions.

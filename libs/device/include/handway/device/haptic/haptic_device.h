@@ -14,7 +14,7 @@
 
 namespace handway::device {
 
-/// A handle that tells where a hand moves it and pushes back.
+/// A handle that reports where a hand moves it and pushes back.
 ///
 /// To be used by one thread, which calls read() and then apply(), over and over. Force ends
 /// with whatever goes wrong: with the connection, with silence, with the program.
@@ -35,7 +35,7 @@ class HANDWAY_DEVICE_EXPORT HapticDevice {
   /// The newest sample since the last call; nothing if none came within `timeout`. Takes at most
   /// 256 KiB, and 5 ms from the first bytes on, however much the device sends.
   /// @throws DeviceError, after a force of 0, if the device has a fault, the connection broke, it
-  /// has told nothing for 0.1 s, or for so long more than can be read.
+  /// has reported nothing for 0.1 s, or for so long more than can be read.
   [[nodiscard]] std::optional<HapticSample> read(std::chrono::milliseconds timeout);
 
   /// Pushes the hand until the next call, or until the device has heard nothing for 0.05 s.
@@ -43,7 +43,7 @@ class HANDWAY_DEVICE_EXPORT HapticDevice {
   /// finite. @throws DeviceError if the connection broke.
   void apply(const Eigen::Vector3d& force);
 
-  /// No force. Never throws: a device that can't be told any more lets go by itself.
+  /// No force. Never throws: a device that can't be reached any more lets go by itself.
   void release();
 
  protected:

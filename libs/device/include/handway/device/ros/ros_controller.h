@@ -42,7 +42,7 @@ class HANDWAY_DEVICE_EXPORT RosController {
 
   /// Lets time pass until `now` (s).
   void advance(double now);
-  /// What it tells `host` every 10 ms: what it subscribed to.
+  /// What it sends `host` every 10 ms: what it subscribed to.
   [[nodiscard]] Messages feedback(std::uint64_t host);
 
   [[nodiscard]] const Eigen::VectorXd& position() const;

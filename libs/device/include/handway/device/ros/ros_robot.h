@@ -22,7 +22,7 @@ struct RosAddress {
   std::string trajectory_topic = "/joint_trajectory_controller/command";
 };
 
-/// Topics on which a robot tells where its joints are, and how it is.
+/// Topics on which a robot reports where its joints are, and how it is.
 inline constexpr const char* kJointStatesTopic = "/joint_states";
 inline constexpr const char* kRobotStatusTopic = "/robot_status";
 
@@ -33,10 +33,10 @@ inline constexpr const char* kRobotStatusTopic = "/robot_status";
 /// A robot in ROS 1 or ROS 2 with a joint_trajectory_controller (ros_controllers, ros2_controllers)
 /// behind a rosbridge server.
 ///
-/// A controller in ROS runs on when who told it is gone. So it never gets more than the
+/// A controller in ROS runs on when who commanded it is gone. So it never gets more than the
 /// next 0.2 s, and 0.25 s more in which it brakes on the planned path; every 50 ms the next
 /// stretch takes the place of the last. Positions come from kJointStatesTopic, from one
-/// publisher or several. What kRobotStatusTopic tells (industrial_msgs/RobotStatus) is
+/// publisher or several. What kRobotStatusTopic reports (industrial_msgs/RobotStatus) is
 /// heeded if somebody publishes it: there is nothing that all robots tell.
 class HANDWAY_DEVICE_EXPORT RosRobot final : public MotionLink {
  public:

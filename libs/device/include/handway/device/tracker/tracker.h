@@ -18,10 +18,10 @@ struct TrackerSample {
   int sensor = 1;     ///< Which of the tracker's; Polhemus stations count from 1.
   /// Pose of the sensor's frame T in the frame S of the source (or transmitter), m.
   geometric::Pose X_ST = geometric::Pose::Identity();
-  std::optional<bool> button;  ///< Whether it is pressed; nothing if the sensor tells of none.
+  std::optional<bool> button;  ///< Whether it is pressed; nothing if the sensor has none.
 };
 
-/// What a connected tracker told of itself.
+/// What a connected tracker reported of itself.
 struct TrackerInfo {
   std::string device;  ///< Port, as the user named it.
   std::string model;   ///< "Polhemus Fastrak, binary".

@@ -12,8 +12,8 @@
 
 namespace handway::device {
 
-/// What a TrackerStream tells, all of it on its own thread and one after the other; whoever has to
-/// touch a window passes it on there. Any may be empty. None may throw.
+/// What a TrackerStream reports, all of it on its own thread and one after the other; whoever has
+/// to touch a window passes it on there. Any may be empty. None may throw.
 struct TrackerStreamHandlers {
   std::function<void(const TrackerInfo& info)> on_connected;
   std::function<void(const TrackerSample& sample)> on_sample;
@@ -39,7 +39,7 @@ class HANDWAY_DEVICE_EXPORT TrackerStream {
   bool wait(std::chrono::milliseconds timeout) const;
 
   [[nodiscard]] StreamState state() const;
-  /// What connect() told last.
+  /// What connect() reported last.
   [[nodiscard]] TrackerInfo info() const;
   /// Why the connection was lost last, or never made; empty if it never was.
   [[nodiscard]] std::string error() const;

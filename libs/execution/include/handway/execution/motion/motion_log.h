@@ -11,7 +11,7 @@
 
 namespace handway::execution {
 
-/// Planned and measured joints as CSV, a row for each time a device tells its joints: `time`
+/// Planned and measured joints as CSV, a row for each time a device reports its joints: `time`
 /// (s of the motion), `device`, each joint as planned and, as JOINT.measured, as measured (rad);
 /// joints of the other device are empty. Rows are written as they come, so that the file is whole
 /// whatever happens.

@@ -19,7 +19,7 @@ struct RecordedDevice {
   Eigen::MatrixXd measured;         ///< rad, shape [times, joints].
 };
 
-/// Reads what a MotionLog wrote. Devices that told nothing are left out.
+/// Reads what a MotionLog wrote. Devices that reported nothing are left out.
 /// @throws InputError with line for a file that is none, or with nothing in it.
 [[nodiscard]] HANDWAY_EXECUTION_EXPORT std::vector<RecordedDevice> read_motion_log(
     const std::filesystem::path& file);

@@ -13,7 +13,7 @@
 
 namespace handway::execution {
 
-/// What a device told of itself while a motion ran.
+/// What a device reported of itself while a motion ran.
 struct MotionSample {
   double time = 0.0;         ///< s of the motion.
   std::size_t target = 0;    ///< Which device.
@@ -51,7 +51,7 @@ struct MotionOutcome {
   std::string fault;          ///< Why not done; empty if it was asked to stop.
   std::string collision;      ///< Why the scene's watch stopped it or did not let it start.
   double time = 0.0;          ///< s of the motion at the end.
-  double stop_sent_ms = 0.0;  ///< From the request at most until all devices were told to stop.
+  double stop_sent_ms = 0.0;  ///< From the request at most until STOP was sent to all devices.
   device::MotionLink::Clock::time_point stop_sent;  ///< When they had been; unset if none was.
   double at_rest_ms = -1.0;  ///< From there until all were measured at rest; -1: not seen.
   std::vector<FollowingError> errors;  ///< Of each target.
@@ -65,7 +65,7 @@ struct MotionOutcome {
 /// is then, from where the robot is measured. An edit that leaves the rest unanswered for
 /// SceneWatch::kLongestWait, or blocks it, holds the motion; where a hold would come too late it is
 /// stopped.
-/// @throws DeviceError if one can't start; all were told to stop then, and waited for.
+/// @throws DeviceError if one can't start; all were stopped then, and waited for.
 [[nodiscard]] HANDWAY_EXECUTION_EXPORT MotionOutcome
 run_motion(std::vector<MotionTarget>& targets, const device::MotionTolerances& tolerances,
            MotionRequests& requests, MotionObserver& observer);

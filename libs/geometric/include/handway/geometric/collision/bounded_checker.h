@@ -37,7 +37,7 @@ class HANDWAY_GEOMETRIC_EXPORT BoundedChecker final : public CollisionChecker {
                                                      double share) override;
   [[nodiscard]] Closeness do_pair_closeness(int pair, double tolerance) override;
   [[nodiscard]] double do_pair_bound(int pair, double enough) override;
-  [[nodiscard]] double do_pair_glance(int pair) override;
+  [[nodiscard]] double do_pair_quick_bound(int pair) override;
   void do_near_pairs(double distance, std::vector<int>& pairs) override;
   void do_closest_first(double distance, std::vector<int>& pairs) override;
   [[nodiscard]] std::optional<int> do_first_collision(int hint) override;
@@ -56,14 +56,14 @@ class HANDWAY_GEOMETRIC_EXPORT BoundedChecker final : public CollisionChecker {
 
   /// Whether both bodies move and their boxes are at least `distance` (m) apart. What stands still
   /// is mostly large and hollow: its box says nothing.
-  [[nodiscard]] bool boxes_part(int pair, double distance);
+  [[nodiscard]] bool boxes_are_apart(int pair, double distance);
 
   /// The same from what is remembered of the pair or from the boxes.
-  [[nodiscard]] bool is_parted(int pair, double distance);
+  [[nodiscard]] bool is_separated(int pair, double distance);
 
-  /// Whether the pair touches beyond doubt; if it takes more than a glance to tell, it joins the
+  /// Whether the pair touches beyond doubt; if it takes more than the quick test, it joins the
   /// pairs in doubt.
-  [[nodiscard]] bool touches_at_a_glance(int pair);
+  [[nodiscard]] bool touches_quickly(int pair);
 
   /// A lower bound from the pair's table of distances, if it has one; else 0.
   [[nodiscard]] double remembered(int pair);

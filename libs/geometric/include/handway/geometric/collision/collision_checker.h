@@ -108,9 +108,9 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionChecker {
 
   /// A lower bound of the pair's distance that costs next to nothing: what
   /// bounding volumes of the two bodies tell.
-  [[nodiscard]] double pair_glance(int pair) {
+  [[nodiscard]] double pair_quick_bound(int pair) {
     const LinkConstraint* constraint = world_->constraint(pair);
-    return constraint ? std::max(0.0, constraint->slack(X_BL_)) : do_pair_glance(pair);
+    return constraint ? std::max(0.0, constraint->slack(X_BL_)) : do_pair_quick_bound(pair);
   }
 
   /// Sets `pairs` to all that may be nearer than `distance` (m), as far as
@@ -162,7 +162,7 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionChecker {
   [[nodiscard]] virtual double do_pair_bound(int pair, double enough) {
     return do_pair_distance(pair, enough);
   }
-  [[nodiscard]] virtual double do_pair_glance(int /*pair*/) { return 0.0; }
+  [[nodiscard]] virtual double do_pair_quick_bound(int /*pair*/) { return 0.0; }
   virtual void do_near_pairs(double distance, std::vector<int>& pairs);
   virtual void do_closest_first(double /*distance*/, std::vector<int>& /*pairs*/) {}
   /// Asks `hint` first, then in a fixed order. There are pairs.

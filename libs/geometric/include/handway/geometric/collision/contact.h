@@ -14,7 +14,7 @@ namespace handway::geometric {
 
 /// Where and how far two bodies go into each other.
 struct Contact {
-  /// Depths are not told apart beyond this, m.
+  /// Depths are not distinguished beyond this, m.
   static constexpr double kMostDepth = 0.2;
 
   std::string a;

@@ -15,7 +15,7 @@ struct AlgorithmLine {
   friend bool operator==(const AlgorithmLine&, const AlgorithmLine&) = default;
 };
 
-/// Where a planner can be in them when it tells something.
+/// Where a planner can be in them when it reports something.
 namespace algorithm_lines {
 inline constexpr AlgorithmLine kArmFree{1, 4};         ///< Is the arm's sample free of itself?
 inline constexpr AlgorithmLine kNoArm{1, 9};           ///< All draws for the arm are spent.
@@ -48,8 +48,9 @@ struct AlgorithmStep {
   double rho_a = 0.0;
 };
 
-/// An Observer that is told every step of pmd-prm and full-prm, on the planner's own thread and
-/// in the same order on every run. Planners that are told of a plain Observer spend nothing on it.
+/// An Observer that is notified of every step of pmd-prm and full-prm, on the planner's own thread
+/// and in the same order on every run. Planners that are given a plain Observer spend nothing on
+/// it.
 class AlgorithmObserver : public Observer {
  public:
   [[nodiscard]] AlgorithmObserver* algorithm() final { return this; }

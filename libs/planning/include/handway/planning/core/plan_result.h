@@ -24,7 +24,7 @@ enum class PlanStatus {
   kInfeasible,  ///< There is no path.
 };
 
-/// More clearance than this (m) is not told apart.
+/// More clearance than this (m) is not distinguished.
 inline constexpr double kFarClearance = 0.05;
 
 /// What is known about a path: every configuration on it has at least this

@@ -17,7 +17,7 @@ struct LivingRoadmapSettings {
   int max_nodes = 3000;  ///< When there are more, all but those of the last path are forgotten.
   /// Configurations checked in search of a way over edges never checked before, each time.
   int roadmap_checks = 500;
-  /// Configurations checked for a way around what cuts the last path, before planning anew.
+  /// Configurations checked for a way around what cuts the last path, before planning from scratch.
   int repair_checks = 4000;
   int smoothing_checks = 300;  ///< Configurations that ShortcutSmoothing may check.
 };
@@ -28,7 +28,7 @@ enum class ReplanSource {
   kLastPath,  ///< The path of the time before; it is still free.
   kRoadmap,   ///< A way over what is left of the roadmap.
   kRepair,    ///< The last path with a new way around what cuts it.
-  kPlanner,   ///< Planned anew.
+  kPlanner,   ///< Planned from scratch.
 };
 
 /// What the last LivingRoadmap::plan() found in the roadmap and did with it.
@@ -50,7 +50,7 @@ struct ReplanReport {
 /// it takes, in this order: the shortest way over edges that were free before,
 /// which mostly is the last path; a way over other edges of the roadmap; the last
 /// path, with a new way from where it is cut to where it is free again (a
-/// bidirectional search in the paper's regions, there); a path planned anew. All but an
+/// bidirectional search in the paper's regions, there); a path planned from scratch. All but an
 /// unchanged path are smoothed, and all that was learned goes into the roadmap.
 ///
 /// The same calls give the same paths, for any number of threads. For one call at a time.
@@ -60,15 +60,15 @@ struct ReplanReport {
 /// dynamically changing environments", IROS 2004, doi:10.1109/IROS.2004.1389625.
 class HANDWAY_PLANNING_EXPORT LivingRoadmap {
  public:
-  /// @param planner plans the first path, and others anew where repair fails; null: AutoPlanner
-  /// if the problem has a basis, RrtConnect over all joints otherwise.
+  /// @param planner plans the first path, and others from scratch where repair fails; null:
+  /// AutoPlanner if the problem has a basis, RrtConnect over all joints otherwise.
   explicit LivingRoadmap(PlanningProblem problem, const LivingRoadmapSettings& settings = {},
                          std::unique_ptr<Planner> planner = nullptr);
   ~LivingRoadmap();
   LivingRoadmap(LivingRoadmap&&) noexcept;
   LivingRoadmap& operator=(LivingRoadmap&&) noexcept;
 
-  /// The problem as it is now. After a change, this or plan() makes its checker anew.
+  /// The problem as it is now. After a change, this or plan() makes a new checker.
   [[nodiscard]] const PlanningProblem& problem();
 
   /// Changes of objects that stand still in the world. @param X_WO the object's pose.
@@ -87,7 +87,7 @@ class HANDWAY_PLANNING_EXPORT LivingRoadmap {
   void set_goal(const Configuration& q);
 
   /// As Planner::plan(). Where it fails, the roadmap and the last path are kept for the next time.
-  /// @param observer is told of the nodes that this call adds.
+  /// @param observer is notified of the nodes that this call adds.
   [[nodiscard]] PlanResult plan(const PlanRequest& request, std::stop_token stop = {},
                                 Observer* observer = nullptr);
 

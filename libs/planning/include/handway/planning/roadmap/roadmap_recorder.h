@@ -25,7 +25,7 @@ struct HANDWAY_PLANNING_EXPORT RecordedRoadmap {
   std::vector<Node> nodes;
   std::vector<Edge> edges;
   std::optional<int> winner;                         ///< The search that gave the path, of several.
-  std::pair<double, double> search_range{0.0, 1.0};  ///< [d_ini, d_goal], the last that was told.
+  std::pair<double, double> search_range{0.0, 1.0};  ///< [d_ini, d_goal], the last one reported.
   std::uint64_t left_out = 0;                        ///< Nodes beyond what the recorder keeps.
 
   /// The winner's nodes and edges alone; all if there is none.

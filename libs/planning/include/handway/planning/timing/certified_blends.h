@@ -30,7 +30,7 @@ struct BlendResult {
   double largest_deviation = 0.0;  ///< rad or m
 };
 
-/// Rounds the corners of a path without leaving free space. Every edge is checked anew,
+/// Rounds the corners of a path without leaving free space. Every edge is checked again,
 /// then every arc, by conservative advancement: as far from a checked configuration as the
 /// joints can't have spent its clearance. The deviation of an arc that is not free is
 /// halved, until it is, or until there is no arc and the motion stops at the waypoint.
