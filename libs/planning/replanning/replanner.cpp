@@ -18,7 +18,7 @@ HandSpace hand_space(const PlanningProblem& problem) {
   return problem.basis ? HandSpace::kPrincipalDirections : HandSpace::kAllJoints;
 }
 
-const char* description(ReplanSource source) {
+const char* sentence_for(ReplanSource source) {
   switch (source) {
     case ReplanSource::kLastPath:
       return "The last path is still free";
@@ -90,7 +90,7 @@ void Replanner::do_plan(PlanningContext& context, PlanResult& result) {
       result.path = std::move(*path);
     }
     result.reason =
-        fmt::format("{}: {} waypoints.", description(report.source), result.path.waypoints.size());
+        fmt::format("{}: {} waypoints.", sentence_for(report.source), result.path.waypoints.size());
   } else if (const std::optional<PlanStatus> interruption = context.interruption()) {
     result.status = *interruption;
   } else {
