@@ -19,7 +19,7 @@ namespace handway::geometric {
 /// near a place are found without looking at all.
 class StillBodies {
  public:
-  /// @param p_WO where places are reckoned from.
+  /// @param p_WO origin of the coordinates, m.
   StillBodies(const CollisionWorld& world, const Eigen::Vector3d& p_WO);
 
   /// Adds the pairs of the moving body `body` with what stands still nearer than

@@ -1,3 +1,0 @@
-#include "numbers.h"
-
-namespace handway::tools {}  // namespace handway::tools
