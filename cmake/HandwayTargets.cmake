@@ -78,11 +78,12 @@ function(handway_benchmark name)
   _handway_warnings(${name})
 endfunction()
 
-# handway_test(NAME [REAL_TIME] SOURCES … LINK …): a GoogleTest program whose cases CTest lists one
-# by one. Those of programs that have to keep up with the clock run while no other test does, and
+# handway_test(NAME [SLOW] [REAL_TIME] SOURCES … LINK …): a GoogleTest program whose cases CTest lists
+# one by one, labelled "fast" or "slow": all fast ones together take less than a minute. Those of
+# programs that have to keep up with the clock are slow, too; they run while no other test does, and
 # again if the machine itself did not keep up.
 function(handway_test name)
-  cmake_parse_arguments(ARG "REAL_TIME" "" "SOURCES;LINK" ${ARGN})
+  cmake_parse_arguments(ARG "SLOW;REAL_TIME" "" "SOURCES;LINK" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
   if(ARG_REAL_TIME)
     set(main handway_test_real_time_main)
@@ -93,12 +94,17 @@ function(handway_test name)
                                         ${main})
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/tests")
   _handway_warnings(${name})
+  if(ARG_SLOW OR ARG_REAL_TIME)
+    set(label slow)
+  else()
+    set(label fast)
+  endif()
   # What they test is optimised; tests themselves are not worth the compiler's time.
   target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
   gtest_discover_tests(
     ${name}
     DISCOVERY_MODE PRE_TEST
-    PROPERTIES TIMEOUT ${HANDWAY_TEST_TIMEOUT} RUN_SERIAL ${ARG_REAL_TIME}
+    PROPERTIES TIMEOUT ${HANDWAY_TEST_TIMEOUT} RUN_SERIAL ${ARG_REAL_TIME} LABELS ${label}
                ENVIRONMENT "XDG_CACHE_HOME=${CMAKE_BINARY_DIR}/cache")
 endfunction()
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "handway/planning/core/plugin.h"
+#include "handway/planning/extensions/plugin.h"
 
 namespace handway::python {
 

@@ -8,7 +8,7 @@
 #include "handway/geometric/io/resources.h"
 #include "handway/geometric/io/scene_writer.h"
 #include "handway/planning/campaigns/campaign_reader.h"
-#include "handway/planning/core/plugin.h"
+#include "handway/planning/extensions/plugin.h"
 #include "handway/sampling/postures/pmd_basis_io.h"
 #include "machine.h"
 #include "numbers.h"

@@ -3,7 +3,7 @@
 #include "handway/planning/campaigns/campaign.h"
 #include "handway/planning/campaigns/run_record.h"
 #include "handway/planning/campaigns/run_workers.h"
-#include "handway/planning/core/plugin.h"
+#include "handway/planning/extensions/plugin.h"
 
 #include <chrono>
 #include <cstddef>

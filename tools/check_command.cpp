@@ -1,7 +1,7 @@
 #include "commands.h"
 #include "exit_codes.h"
 #include "handway/geometric/math/units.h"
-#include "handway/planning/core/plugin.h"
+#include "handway/planning/extensions/plugin.h"
 #include "handway/planning/paths/path_check.h"
 #include "handway/planning/paths/path_csv.h"
 #include "numbers.h"

@@ -3,7 +3,7 @@
 #include "exit_codes.h"
 #include "handway/execution/motion/motion_target.h"
 #include "handway/geometric/io/input_error.h"
-#include "handway/planning/core/plugin.h"
+#include "handway/planning/extensions/plugin.h"
 #include "interrupt.h"
 #include "numbers.h"
 

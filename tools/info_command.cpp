@@ -4,7 +4,7 @@
 #include "handway/geometric/math/units.h"
 #include "handway/geometric/robot/limit_violation.h"
 #include "handway/planning/core/planning_problem.h"
-#include "handway/planning/core/plugin.h"
+#include "handway/planning/extensions/plugin.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -9,8 +9,8 @@
 #include "handway/geometric/io/robot_loader.h"
 #include "handway/geometric/math/units.h"
 #include "handway/sampling/postures/pmd_basis_io.h"
+#include "handway/sampling/postures/posture_subspace.h"
 #include "handway/sampling/postures/posture_table.h"
-#include "handway/sampling/postures/principal_angles.h"
 #include "numbers.h"
 #include "posture_study.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "handway/planning/core/objective.h"
-#include "handway/planning/core/planner.h"
+#include "handway/planning/planners/planner.h"
 #include "scene_variants.h"
 
 #include <cstddef>

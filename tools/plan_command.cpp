@@ -5,7 +5,7 @@
 #include "handway/geometric/io/replace_file.h"
 #include "handway/geometric/math/units.h"
 #include "handway/geometric/robot/limit_violation.h"
-#include "handway/planning/core/plugin.h"
+#include "handway/planning/extensions/plugin.h"
 #include "handway/planning/paths/path_csv.h"
 #include "handway/planning/queries/failure_explanation.h"
 #include "handway/planning/queries/nearest_free.h"

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "handway/planning/core/objective.h"
-#include "handway/planning/core/planner.h"
+#include "handway/planning/core/path.h"
 #include "handway/planning/core/planning_problem.h"
-#include "handway/planning/paths/path.h"
+#include "handway/planning/planners/planner.h"
 #include "handway/planning/queries/human_likeness.h"
 
 #include <nlohmann/json_fwd.hpp>

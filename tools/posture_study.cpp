@@ -7,7 +7,7 @@
 #include "handway/geometric/io/nearest_name.h"
 #include "handway/geometric/io/resources.h"
 #include "handway/geometric/io/robot_loader.h"
-#include "handway/sampling/postures/robust_components.h"
+#include "handway/sampling/postures/principal_components.h"
 
 #include <fmt/format.h>
 

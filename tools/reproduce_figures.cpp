@@ -6,7 +6,7 @@
 #include "handway/geometric/io/replace_file.h"
 #include "handway/geometric/io/resources.h"
 #include "handway/planning/core/planning_problem.h"
-#include "handway/planning/core/plugin.h"
+#include "handway/planning/extensions/plugin.h"
 #include "handway/planning/paths/path_csv.h"
 #include "numbers.h"
 #include "posture_study.h"

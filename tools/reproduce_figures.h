@@ -1,6 +1,6 @@
 #pragma once
 
-#include "handway/planning/core/plugin.h"
+#include "handway/planning/extensions/plugin.h"
 #include "report_document.h"
 
 #include <filesystem>

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "handway/geometric/scene/scene.h"
-#include "handway/planning/core/importer.h"
-#include "handway/planning/core/planner_registry.h"
+#include "handway/planning/extensions/importer.h"
+#include "handway/planning/planners/planner_registry.h"
 
 #include <CLI/CLI.hpp>
 

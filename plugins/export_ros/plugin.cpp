@@ -1,4 +1,4 @@
-#include "handway/planning/core/plugin.h"
+#include "handway/planning/extensions/plugin.h"
 
 #include "ros_exporter.h"
 

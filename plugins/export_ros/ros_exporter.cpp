@@ -1,6 +1,6 @@
 #include "ros_exporter.h"
 
-#include "handway/planning/core/exporter.h"
+#include "handway/planning/extensions/exporter.h"
 
 #include <nlohmann/json.hpp>
 #include <yaml-cpp/yaml.h>

@@ -1,4 +1,4 @@
-#include "handway/planning/core/plugin.h"
+#include "handway/planning/extensions/plugin.h"
 
 #include "val3_exporter.h"
 

@@ -2,7 +2,7 @@
 
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/math/units.h"
-#include "handway/planning/core/exporter.h"
+#include "handway/planning/extensions/exporter.h"
 
 #include <fmt/format.h>
 #include <pugixml.hpp>

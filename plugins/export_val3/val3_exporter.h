@@ -1,6 +1,6 @@
 #pragma once
 
-#include "handway/planning/core/exporter.h"
+#include "handway/planning/extensions/exporter.h"
 
 #include <array>
 #include <vector>

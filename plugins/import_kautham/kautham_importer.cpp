@@ -2,7 +2,7 @@
 
 #include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/input_error.h"
-#include "handway/planning/core/importer.h"
+#include "handway/planning/extensions/importer.h"
 #include "kautham_model.h"
 #include "kautham_problem.h"
 

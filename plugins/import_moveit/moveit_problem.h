@@ -1,6 +1,6 @@
 #pragma once
 
-#include "handway/planning/core/importer.h"
+#include "handway/planning/extensions/importer.h"
 #include "problem_files.h"
 
 namespace handway::import_moveit {

@@ -1,4 +1,4 @@
-#include "handway/planning/core/plugin.h"
+#include "handway/planning/extensions/plugin.h"
 
 #include "moveit_problem.h"
 

@@ -2,7 +2,7 @@
 
 #include "handway/planning/core/planning_context.h"
 #include "handway/planning/paths/roadmap_smoothing.h"
-#include "handway/planning/planners/search_parameters.h"
+#include "handway/planning/spaces/target_sampler.h"
 
 #include <fmt/format.h>
 #include <ompl/util/Console.h>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "handway/planning/core/planner.h"
-#include "handway/planning/core/planner_registry.h"
+#include "handway/planning/planners/planner.h"
+#include "handway/planning/planners/planner_registry.h"
 #include "handway/planning/spaces/target_sampler.h"
 #include "methods.h"
 #include "search.h"

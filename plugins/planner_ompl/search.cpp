@@ -1,7 +1,7 @@
 #include "search.h"
 
 #include "handway/geometric/io/input_error.h"
-#include "handway/planning/queries/arm_progress.h"
+#include "handway/planning/core/planning_problem.h"
 
 #include <fmt/format.h>
 #include <ompl/geometric/PathGeometric.h>

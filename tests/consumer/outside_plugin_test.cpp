@@ -1,5 +1,5 @@
 #include "handway/planning/core/planning_problem.h"
-#include "handway/planning/core/plugin.h"
+#include "handway/planning/extensions/plugin.h"
 #include "handway_test/paths.h"
 
 #include <gmock/gmock.h>

@@ -1,6 +1,6 @@
 /// What every exporter has to keep, whatever its format.
-#include "handway/planning/core/exporter.h"
-#include "handway/planning/core/plugin.h"
+#include "handway/planning/extensions/exporter.h"
+#include "handway/planning/extensions/plugin.h"
 #include "handway_test/input_errors.h"
 #include "handway_test/motions.h"
 #include "handway_test/paths.h"

@@ -1,8 +1,8 @@
 /// What every planner has to keep with robots that are no hand on an arm, whatever its settings:
 /// it plans, or says in words what it needs.
-#include "handway/planning/core/planner_registry.h"
-#include "handway/planning/core/plugin.h"
+#include "handway/planning/extensions/plugin.h"
 #include "handway/planning/paths/path_check.h"
+#include "handway/planning/planners/planner_registry.h"
 #include "handway_test/input_errors.h"
 #include "handway_test/planar_problems.h"
 

@@ -1,9 +1,9 @@
 /// What every planner has to keep, built in or from a plugin, whatever its method.
-#include "handway/planning/core/planner_registry.h"
 #include "handway/planning/core/planning_context.h"
-#include "handway/planning/core/plugin.h"
+#include "handway/planning/core/planning_problem.h"
+#include "handway/planning/extensions/plugin.h"
 #include "handway/planning/paths/path_check.h"
-#include "handway/planning/queries/arm_progress.h"
+#include "handway/planning/planners/planner_registry.h"
 #include "handway_test/input_errors.h"
 #include "handway_test/planar_problems.h"
 

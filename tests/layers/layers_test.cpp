@@ -67,9 +67,11 @@ TEST(LayerRules, LetEachLayerIncludeThoseBelow) {
                     "#include \"handway/sampling/postures/pmd_basis.h\"\n"
                     "#include <handway/geometric/scene/scene.h>\n"),
               IsEmpty());
-  EXPECT_THAT(check("gui/app/a.cpp", "#include \"handway/planning/core/planner.h\"\n"), IsEmpty());
-  EXPECT_THAT(check("plugins/first/plugin.cpp", "#include \"handway/planning/core/plugin.h\"\n"),
+  EXPECT_THAT(check("gui/app/a.cpp", "#include \"handway/planning/planners/planner.h\"\n"),
               IsEmpty());
+  EXPECT_THAT(
+      check("plugins/first/plugin.cpp", "#include \"handway/planning/extensions/plugin.h\"\n"),
+      IsEmpty());
 }
 
 TEST(LayerRules, CatchAnIncludeUpwards) {
@@ -77,14 +79,15 @@ TEST(LayerRules, CatchAnIncludeUpwards) {
                     "#include \"robot/tree.h\"\n"
                     "#include \"handway/sampling/postures/pmd_basis.h\"\n"),
               ElementsAre(breach_at(2, "geometric must not include sampling")));
-  EXPECT_THAT(check("libs/sampling/postures/pca.h", "#include <handway/planning/core/planner.h>"),
-              ElementsAre(breach_at(1, "sampling must not include planning")));
+  EXPECT_THAT(
+      check("libs/sampling/postures/pca.h", "#include <handway/planning/planners/planner.h>"),
+      ElementsAre(breach_at(1, "sampling must not include planning")));
 }
 
 TEST(LayerRules, KeepDevicesApartFromPlanning) {
   EXPECT_THAT(check("libs/device/arm/a.cpp", "#include \"handway/geometric/math/pose.h\"\n"),
               IsEmpty());
-  EXPECT_THAT(check("libs/device/arm/a.cpp", "#include \"handway/planning/paths/path.h\"\n"),
+  EXPECT_THAT(check("libs/device/arm/a.cpp", "#include \"handway/planning/core/path.h\"\n"),
               ElementsAre(breach_at(1, "device must not include planning")));
 }
 

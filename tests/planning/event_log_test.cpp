@@ -1,4 +1,4 @@
-#include "planners/event_log.h"
+#include "planners/race.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-#include "handway/planning/core/planner_registry.h"
+#include "handway/planning/planners/planner_registry.h"
 
 #include "handway_test/input_errors.h"
 

@@ -1,9 +1,9 @@
 /// What Planner::plan() sees to, whatever the planner: no search where there is no path, and none
 /// of a path that leads elsewhere.
-#include "handway/planning/core/planner.h"
+#include "handway/planning/planners/planner.h"
 
 #include "handway/geometric/scene/scene.h"
-#include "handway/planning/core/planner_registry.h"
+#include "handway/planning/planners/planner_registry.h"
 #include "handway/planning/queries/failure_explanation.h"
 #include "handway_test/solid_robots.h"
 

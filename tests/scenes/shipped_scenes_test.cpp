@@ -3,9 +3,9 @@
 #include "handway/geometric/collision/edge_checker.h"
 #include "handway/geometric/io/scene_reader.h"
 #include "handway/geometric/io/scene_writer.h"
-#include "handway/planning/core/planner_registry.h"
-#include "handway/planning/core/plugin.h"
+#include "handway/planning/extensions/plugin.h"
 #include "handway/planning/paths/path_check.h"
+#include "handway/planning/planners/planner_registry.h"
 #include "handway/sampling/postures/pmd_basis.h"
 #include "handway_test/paths.h"
 

@@ -19,8 +19,8 @@
 #include "handway/execution/motion/scene_watch.h"
 #include "handway/geometric/collision/make_checker.h"
 #include "handway/geometric/math/pose.h"
-#include "handway/planning/core/planner_registry.h"
 #include "handway/planning/paths/path_conflict.h"
+#include "handway/planning/planners/planner_registry.h"
 #include "handway/planning/timing/time_path.h"
 #include "handway_test/known_problems.h"
 

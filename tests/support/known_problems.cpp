@@ -1,6 +1,6 @@
 #include "handway_test/known_problems.h"
 
-#include "handway/planning/core/plugin.h"
+#include "handway/planning/extensions/plugin.h"
 #include "handway_test/paths.h"
 #include "kautham_importer.h"
 

@@ -6,8 +6,10 @@
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace handway::test {
 namespace {
@@ -45,6 +47,22 @@ TEST_F(Handway, PlansAndChecks) {
   const Outcome check = line_.run("check post.yaml path.csv");
   EXPECT_EQ(check.exit_code, kDone) << check.out << check.err;
   EXPECT_THAT(check.out, HasSubstr("valid"));
+}
+
+// For whoever has to find out what went wrong elsewhere.
+TEST_F(Handway, KeepsTheProblemsThatItPlansWhereAsked) {
+  ::setenv("HANDWAY_LOG_PROBLEMS", (line_.folder() / "log").c_str(), 1);
+  const Outcome plan = line_.run("plan post.yaml --seed 3 --set smoothing_checks=50 --out a.csv");
+  ::unsetenv("HANDWAY_LOG_PROBLEMS");
+  ASSERT_EQ(plan.exit_code, kDone) << plan.err;
+  std::vector<fs::path> problems(fs::directory_iterator(line_.folder() / "log"), {});
+  ASSERT_EQ(problems.size(), 1U);
+  const std::string kept = fs::relative(problems.front(), line_.folder()).string();
+  std::string again = line_.read(kept + "/command.txt");
+  ASSERT_THAT(again, StartsWith("handway plan scene.yaml --planner auto --seed 3"));
+  again = again.substr(0, again.size() - 1).replace(0, 23, "plan " + kept + "/scene.yaml");
+  ASSERT_EQ(line_.run(again + " --out b.csv").exit_code, kDone) << again;
+  EXPECT_EQ(line_.read("b.csv"), line_.read("a.csv"));
 }
 
 TEST_F(Handway, ReportsWithTheKeysOfTheContract) {

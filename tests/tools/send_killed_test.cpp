@@ -5,7 +5,7 @@
 #include "handway/device/hand/hand_emulator.h"
 #include "handway/device/ros/ros_emulator.h"
 #include "handway/execution/motion/motion_target.h"
-#include "handway/planning/core/plugin.h"
+#include "handway/planning/extensions/plugin.h"
 #include "sent_path.h"
 
 #include <gmock/gmock.h>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "handway/planning/campaigns/run_archive.h"
-#include "handway/planning/core/plugin.h"
+#include "handway/planning/extensions/plugin.h"
 #include "widgets/panels/run_table.h"
 
 #include <QObject>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "handway/planning/core/exporter.h"
-#include "handway/planning/core/plugin.h"
+#include "handway/planning/extensions/exporter.h"
+#include "handway/planning/extensions/plugin.h"
 #include "handway/planning/timing/time_path.h"
 #include "model/jobs/background.h"
 #include "model/planning/timing_runner.h"

@@ -1,6 +1,6 @@
 #include "features/glove/captured_postures.h"
 
-#include "handway/sampling/postures/principal_angles.h"
+#include "handway/sampling/postures/posture_subspace.h"
 
 #include <algorithm>
 #include <cmath>

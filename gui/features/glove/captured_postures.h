@@ -1,6 +1,6 @@
 #pragma once
 
-#include "handway/sampling/postures/incremental_components.h"
+#include "handway/sampling/postures/principal_components.h"
 
 #include <Eigen/Core>
 

@@ -6,7 +6,7 @@
 #include "handway/device/glove/hand_mapper.h"
 #include "handway/geometric/io/resources.h"
 #include "handway/geometric/math/units.h"
-#include "handway/sampling/postures/principal_angles.h"
+#include "handway/sampling/postures/posture_subspace.h"
 #include "handway/sampling/postures/principal_components.h"
 
 #include <QFileDialog>

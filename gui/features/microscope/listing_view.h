@@ -1,6 +1,6 @@
 #pragma once
 
-#include "handway/planning/core/algorithm_observer.h"
+#include "handway/planning/core/observer.h"
 
 #include <QString>
 #include <QWidget>

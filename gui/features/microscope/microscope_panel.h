@@ -1,6 +1,6 @@
 #pragma once
 
-#include "handway/planning/core/planner_registry.h"
+#include "handway/planning/planners/planner_registry.h"
 #include "model/planning/microscope.h"
 
 #include <QString>

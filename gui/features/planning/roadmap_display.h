@@ -1,6 +1,6 @@
 #pragma once
 
-#include "handway/planning/queries/palm_boxes.h"
+#include "handway/planning/queries/region_draws.h"
 #include "model/jobs/background.h"
 #include "model/planning/palm_roadmap.h"
 #include "widgets/panels/floating_card.h"

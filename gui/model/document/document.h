@@ -1,9 +1,9 @@
 #pragma once
 
 #include "handway/geometric/scene/scene.h"
-#include "handway/planning/core/importer.h"
-#include "handway/planning/core/plugin.h"
 #include "handway/planning/core/revision.h"
+#include "handway/planning/extensions/importer.h"
+#include "handway/planning/extensions/plugin.h"
 #include "model/document/joint_groups.h"
 #include "model/document/prepared_problem.h"
 #include "model/document/recorded_hand.h"

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "handway/planning/core/importer.h"
 #include "handway/planning/core/planning_problem.h"
 #include "handway/planning/core/revision.h"
+#include "handway/planning/extensions/importer.h"
 
 #include <condition_variable>
 #include <functional>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "handway/planning/core/planner.h"
 #include "handway/planning/core/revision.h"
+#include "handway/planning/planners/planner.h"
 #include "model/document/prepared_problem.h"
 
 #include <QObject>

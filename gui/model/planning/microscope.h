@@ -1,9 +1,9 @@
 #pragma once
 
 #include "handway/geometric/scene/scene.h"
-#include "handway/planning/core/algorithm_observer.h"
+#include "handway/planning/core/observer.h"
 #include "handway/planning/core/plan_result.h"
-#include "handway/planning/core/planner.h"
+#include "handway/planning/planners/planner.h"
 #include "model/document/prepared_problem.h"
 #include "model/jobs/background.h"
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "handway/planning/core/objective_settings.h"
+#include "handway/planning/core/objective.h"
 #include "handway/planning/core/plan_result.h"
-#include "handway/planning/core/planner.h"
+#include "handway/planning/planners/planner.h"
 #include "model/document/prepared_problem.h"
 #include "model/jobs/background.h"
 

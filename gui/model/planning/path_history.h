@@ -1,7 +1,7 @@
 #pragma once
 
 #include "handway/geometric/scene/scene.h"
-#include "handway/planning/core/planner.h"
+#include "handway/planning/planners/planner.h"
 #include "handway/planning/queries/human_likeness.h"
 #include "model/document/scene_edits.h"
 #include "model/playback/motion_analysis.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "handway/planning/core/planner.h"
+#include "handway/planning/planners/planner.h"
 #include "model/document/prepared_problem.h"
 #include "model/planning/palm_roadmap.h"
 

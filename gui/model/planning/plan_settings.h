@@ -1,8 +1,8 @@
 #pragma once
 
 #include "handway/geometric/scene/scene.h"
-#include "handway/planning/core/planner.h"
-#include "handway/planning/core/planner_registry.h"
+#include "handway/planning/planners/planner.h"
+#include "handway/planning/planners/planner_registry.h"
 #include "model/planning/path_history.h"
 
 #include <QObject>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "handway/planning/core/planner.h"
+#include "handway/planning/planners/planner.h"
 
 #include <QObject>
 #include <QString>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "handway/planning/core/exporter.h"
+#include "handway/planning/core/path.h"
 #include "handway/planning/core/planning_problem.h"
-#include "handway/planning/paths/path.h"
+#include "handway/planning/extensions/exporter.h"
 #include "handway/sampling/postures/recorded_postures.h"
 #include "model/jobs/background.h"
 

@@ -2,8 +2,8 @@
 
 #include "handway/geometric/robot/robot_model.h"
 #include "handway/geometric/scene/scene.h"
-#include "handway/planning/core/exporter.h"
-#include "handway/planning/paths/path.h"
+#include "handway/planning/core/path.h"
+#include "handway/planning/extensions/exporter.h"
 
 #include <memory>
 #include <vector>

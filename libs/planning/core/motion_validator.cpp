@@ -1,10 +1,8 @@
 #include "handway/planning/core/motion_validator.h"
 
-#include "core/lowest_index.h"
 #include "core/thread_pool.h"
 #include "handway/geometric/math/units.h"
 #include "handway/geometric/robot/limit_violation.h"
-#include "handway/planning/core/planner.h"
 
 #include <fmt/format.h>
 #include <tbb/enumerable_thread_specific.h>

@@ -2,7 +2,6 @@
 
 #include "handway/geometric/robot/normalised_joints.h"
 #include "handway/planning/core/plan_result.h"
-#include "handway/planning/timing/rate_limits.h"
 
 #include <algorithm>
 #include <array>

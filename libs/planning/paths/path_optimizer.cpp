@@ -22,6 +22,10 @@ constexpr double kSmallestMove = 0.005;
 constexpr double kLookSpacing = 0.1;  // of configurations looked at before a motion is certified
 constexpr int kRound = 64;            // replacements that are drawn before the best is tried
 
+// For smooth_result().
+constexpr std::uint64_t kWaypoints = 16;  // that a number of checks is for
+constexpr double kDistance = 0.01;        // of the hand from the subspace, that is worth a round
+
 Point between(const Point& from, const Point& to, double share) {
   return {from.q + share * (to.q - from.q), from.joints + share * (to.joints - from.joints),
           from.outside + share * (to.outside - from.outside)};
@@ -375,6 +379,26 @@ bool PathOptimizer::all_free(std::span<const Point> points) {
     }
   }
   return true;
+}
+
+void smooth_result(PlanningContext& context, const ObjectiveSettings& objective, int checks,
+                   const Path& found, PlanResult& result, int most_rounds) {
+  const PhaseClock smoothing_time(result.smoothing_s);
+  const PlanningProblem& problem = context.problem();
+  const ObjectiveWeights weights = objective.weights(problem);
+  PathOptimizer optimizer(context, weights,
+                          {problem.model().unwrapped(found.waypoints, problem.start)},
+                          context.request().seed);
+  const std::uint64_t parts = (found.waypoints.size() + kWaypoints - 1) / kWaypoints;
+  const std::uint64_t round = parts * static_cast<std::uint64_t>(checks);
+  const bool adapts = most_rounds > 1;
+  optimizer.advance(adapts && weights == ObjectiveWeights{} ? round / 2 : round);
+  if (adapts) {
+    const double more = std::round(optimizer.avoidable_distance() / kDistance);
+    optimizer.set_patience(PathOptimizer::kThorough);
+    optimizer.advance(round * static_cast<std::uint64_t>(std::clamp(more, 0.0, most_rounds - 1.0)));
+  }
+  result.path = optimizer.path();
 }
 
 }  // namespace handway::planning

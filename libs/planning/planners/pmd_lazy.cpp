@@ -1,11 +1,11 @@
 #include "handway/planning/planners/pmd_lazy.h"
 
 #include "handway/planning/core/planning_context.h"
-#include "handway/planning/planners/search_parameters.h"
-#include "handway/planning/queries/arm_progress.h"
+#include "handway/planning/core/planning_problem.h"
+#include "handway/planning/paths/path_optimizer.h"
 #include "handway/planning/roadmap/roadmap.h"
+#include "handway/planning/spaces/target_sampler.h"
 #include "planners/search.h"
-#include "planners/smooth_result.h"
 
 #include <algorithm>
 #include <cstdint>

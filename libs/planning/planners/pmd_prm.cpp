@@ -1,13 +1,13 @@
 #include "handway/planning/planners/pmd_prm.h"
 
-#include "handway/planning/core/algorithm_observer.h"
+#include "handway/planning/core/observer.h"
+#include "handway/planning/core/plan_result.h"
 #include "handway/planning/core/planning_context.h"
-#include "handway/planning/planners/search_parameters.h"
 #include "handway/planning/roadmap/roadmap.h"
 #include "handway/planning/spaces/hand_arm_region.h"
+#include "handway/planning/spaces/target_sampler.h"
+#include "handway/sampling/sequences/halton_sequence.h"
 #include "handway/sampling/sequences/random_stream.h"
-#include "handway/sampling/sequences/van_der_corput.h"
-#include "planners/phase_clock.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,6 @@
 #include "planners/race.h"
 
-#include "core/lowest_index.h"
-#include "planners/event_log.h"
+#include "core/thread_pool.h"
 
 #include <algorithm>
 #include <stop_token>
@@ -15,6 +14,25 @@ constexpr int kLeadRounds = 2;               // the first racer goes first in th
 constexpr int kLongestRounds = 12;           // from this round on they grow no more
 
 }  // namespace
+
+void EventLog::on_node(const NodeEvent& node) {
+  events_.emplace_back(Node{node.id, node.q, node.pmd_count, node.step, node.rho_a});
+}
+
+void EventLog::on_edge(int from, int to) { events_.emplace_back(Edge{from, to}); }
+
+void EventLog::replay(Observer& observer, int offset, int stride) {
+  for (const auto& event : events_) {
+    if (const auto* node = std::get_if<Node>(&event)) {
+      observer.on_node(
+          {stride * node->id + offset, node->q, node->pmd_count, node->step, node->rho_a, offset});
+    } else {
+      const auto& [from, to] = std::get<Edge>(event);
+      observer.on_edge(stride * from + offset, stride * to + offset);
+    }
+  }
+  events_.clear();
+}
 
 /// A racer on its way.
 struct Race::Lane {

@@ -1,9 +1,9 @@
 #include "handway/planning/planners/rrt_connect.h"
 
 #include "handway/planning/core/planning_context.h"
-#include "handway/planning/planners/search_parameters.h"
+#include "handway/planning/paths/path_optimizer.h"
+#include "handway/planning/spaces/target_sampler.h"
 #include "planners/bidirectional_search.h"
-#include "planners/smooth_result.h"
 
 namespace handway::planning {
 

@@ -1,6 +1,6 @@
 #include "planners/search.h"
 
-#include "handway/planning/queries/arm_progress.h"
+#include "handway/planning/core/planning_problem.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "handway/planning/core/path.h"
 #include "handway/planning/core/planning_context.h"
-#include "handway/planning/paths/path.h"
 
 #include <array>
 #include <cstdint>

@@ -1,7 +1,7 @@
 #include "replanning/replanner.h"
 
+#include "handway/planning/paths/path_optimizer.h"
 #include "planners/bidirectional_search.h"
-#include "planners/smooth_result.h"
 
 #include <fmt/format.h>
 

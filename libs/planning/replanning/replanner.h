@@ -1,7 +1,7 @@
 #pragma once
 
-#include "handway/planning/core/planner.h"
 #include "handway/planning/core/planning_context.h"
+#include "handway/planning/planners/planner.h"
 #include "replanning/node_harvest.h"
 #include "replanning/roadmap_memory.h"
 #include "replanning/way_checker.h"

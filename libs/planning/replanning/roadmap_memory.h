@@ -1,7 +1,7 @@
 #pragma once
 
+#include "handway/planning/core/path.h"
 #include "handway/planning/core/planning_problem.h"
-#include "handway/planning/paths/path.h"
 #include "handway/planning/replanning/living_roadmap.h"
 #include "replanning/living_graph.h"
 #include "replanning/scene_changes.h"

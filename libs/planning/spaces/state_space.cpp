@@ -6,7 +6,6 @@
 #include "handway/geometric/robot/robot_state.h"
 #include "handway/geometric/robot/tx90_inverse_kinematics.h"
 #include "handway/sampling/regions/arm_corridor.h"
-#include "handway/sampling/regions/cartesian_corridor.h"
 
 #include <Eigen/Geometry>
 

@@ -2,6 +2,7 @@
 
 #include "handway/geometric/io/nearest_name.h"
 #include "handway/geometric/io/yaml_element.h"
+#include "handway/planning/core/objective.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,5 +1,12 @@
 #include "handway/sampling/postures/posture_subspace.h"
 
+#include <Eigen/SVD>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
 namespace handway::sampling {
 
 PostureSubspace::PostureSubspace(const PmdBasis& basis) {
@@ -32,6 +39,27 @@ double PostureSubspace::distance(const Eigen::VectorXd& posture) const {
 
 Eigen::VectorXd PostureSubspace::closest(const Eigen::VectorXd& posture) const {
   return (posture - outside(posture)).cwiseMax(0.0).cwiseMin(1.0);
+}
+
+Eigen::VectorXd principal_angles(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
+  if (a.rows() != b.rows() || a.cols() == 0 || b.cols() == 0) {
+    throw std::invalid_argument("principal angles need two bases of the same space");
+  }
+  const Eigen::MatrixXd& wide = a.cols() >= b.cols() ? a : b;
+  const Eigen::MatrixXd& narrow = a.cols() >= b.cols() ? b : a;
+  const Eigen::JacobiSVD<Eigen::MatrixXd> shared(wide.transpose() * narrow);
+  const Eigen::JacobiSVD<Eigen::MatrixXd> apart(narrow - wide * (wide.transpose() * narrow));
+  const Eigen::Index count = narrow.cols();
+  Eigen::VectorXd angles(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const double cosine = std::clamp(shared.singularValues()[i], 0.0, 1.0);
+    const Eigen::Index from_last = count - 1 - i;
+    const double sine = from_last < apart.singularValues().size()
+                            ? std::clamp(apart.singularValues()[from_last], 0.0, 1.0)
+                            : 0.0;
+    angles[i] = cosine * cosine < 0.5 ? std::acos(cosine) : std::asin(sine);
+  }
+  return angles;
 }
 
 }  // namespace handway::sampling

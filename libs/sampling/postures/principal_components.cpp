@@ -1,18 +1,63 @@
 #include "handway/sampling/postures/principal_components.h"
 
 #include "handway/geometric/io/input_error.h"
-#include "joint_selection.h"
 
+#include <Eigen/Core>
+#include <Eigen/Eigenvalues>
 #include <Eigen/SVD>
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace handway::sampling {
+
 namespace {
 
-constexpr double kStill = 1e-9;  // standard deviation of a direction that doesn't vary
+constexpr double kStill = 1e-9;  // standard deviation of what doesn't vary
+
+// Indices of the joints that aren't left out. Throws std::invalid_argument if left_out names a
+// joint that isn't there, one twice, or all of them.
+std::vector<int> joints_taken(Eigen::Index joints, const std::vector<int>& left_out) {
+  std::vector<bool> taken(static_cast<std::size_t>(joints), true);
+  for (const int joint : left_out) {
+    if (joint < 0 || joint >= joints || !taken[static_cast<std::size_t>(joint)]) {
+      throw std::invalid_argument("joint " + std::to_string(joint) +
+                                  " to leave out is unknown or named twice");
+    }
+    taken[static_cast<std::size_t>(joint)] = false;
+  }
+  std::vector<int> columns;
+  for (int i = 0; i < joints; ++i) {
+    if (taken[static_cast<std::size_t>(i)]) {
+      columns.push_back(i);
+    }
+  }
+  if (columns.empty()) {
+    throw std::invalid_argument("every joint is left out of the principal component analysis");
+  }
+  return columns;
+}
+
+// `direction` or its opposite: the one whose largest entry is positive.
+Eigen::VectorXd with_fixed_sign(const Eigen::VectorXd& direction) {
+  Eigen::Index largest = 0;
+  direction.cwiseAbs().maxCoeff(&largest);
+  return direction[largest] < 0.0 ? Eigen::VectorXd(-direction) : direction;
+}
+
+// Each over their sum; all 0 if that is 0.
+Eigen::VectorXd shares_of(const Eigen::VectorXd& variances) {
+  const double total = variances.sum();
+  if (!(total > 0.0)) {
+    return Eigen::VectorXd::Zero(variances.size());
+  }
+  return variances / total;
+}
 
 void check_samples(const Eigen::MatrixXd& samples) {
   if (samples.rows() < 2) {
@@ -79,6 +124,153 @@ PmdBasis make_pmd_basis(std::string hand, std::string source, std::vector<std::s
                                 options.sigmas_per_half_side * sigma, components.variances[k]});
   }
   return basis;
+}
+
+IncrementalComponents::IncrementalComponents(int joints) {
+  if (joints < 1) {
+    throw std::invalid_argument("principal components need a joint");
+  }
+  mean_ = Eigen::VectorXd::Zero(joints);
+  scatter_ = Eigen::MatrixXd::Zero(joints, joints);
+}
+
+void IncrementalComponents::add(const Eigen::VectorXd& posture) {
+  if (posture.size() != mean_.size() || !posture.allFinite()) {
+    throw std::invalid_argument("a posture needs a finite value for every joint");
+  }
+  ++count_;
+  const Eigen::VectorXd before = posture - mean_;
+  mean_ += before / static_cast<double>(count_);
+  scatter_ += before * (posture - mean_).transpose();
+}
+
+PrincipalComponents IncrementalComponents::components(const std::vector<int>& left_out) const {
+  if (count_ < 2) {
+    throw geometric::InputError({"postures", "", std::to_string(count_) + " samples", "at least 2",
+                                 "Record more postures"});
+  }
+  const std::vector<int> taken = joints_taken(mean_.size(), left_out);
+  const Eigen::MatrixXd scatter = scatter_(taken, taken);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(0.5 *
+                                                              (scatter + scatter.transpose()));
+  const Eigen::Index size = std::min(count_, solver.eigenvalues().size());
+  PrincipalComponents result;
+  result.mean = mean_;
+  result.variances =
+      solver.eigenvalues().reverse().head(size).cwiseMax(0.0) / static_cast<double>(count_ - 1);
+  result.shares = shares_of(result.variances);
+  result.directions = Eigen::MatrixXd::Zero(mean_.size(), size);
+  for (Eigen::Index k = 0; k < size; ++k) {
+    const Eigen::Index column = solver.eigenvectors().cols() - 1 - k;
+    result.directions(taken, k) = with_fixed_sign(solver.eigenvectors().col(column));
+  }
+  return result;
+}
+
+namespace {
+
+constexpr double kMedianToDeviation = 1.4826;  // of a normal distribution
+constexpr int kMostSteps = 100;
+constexpr double kNormal975 = 1.959964;  // 97.5 % quantile of the normal distribution
+
+using Rows = std::vector<Eigen::Index>;
+
+double median(Eigen::VectorXd values) {
+  const auto middle = values.begin() + values.size() / 2;
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+// Quantile of χ² with so many degrees of freedom (Wilson and Hilferty 1931).
+double chi_squared(double freedom, double normal_quantile) {
+  const double part = 2.0 / (9.0 * freedom);
+  return freedom * std::pow(1.0 - part + normal_quantile * std::sqrt(part), 3);
+}
+
+// The rows with the smallest distances, sorted.
+Rows nearest(const Eigen::VectorXd& distances, Eigen::Index count) {
+  Rows rows(static_cast<std::size_t>(distances.size()));
+  std::iota(rows.begin(), rows.end(), 0);
+  std::ranges::nth_element(rows, rows.begin() + count - 1, {},
+                           [&](Eigen::Index row) { return std::pair(distances[row], row); });
+  rows.resize(static_cast<std::size_t>(count));
+  std::ranges::sort(rows);
+  return rows;
+}
+
+Eigen::VectorXd median_distances(const Eigen::MatrixXd& samples) {
+  Eigen::VectorXd squares = Eigen::VectorXd::Zero(samples.rows());
+  for (Eigen::Index j = 0; j < samples.cols(); ++j) {
+    const Eigen::VectorXd off = (samples.col(j).array() - median(samples.col(j))).abs();
+    const double deviation = kMedianToDeviation * median(off);
+    if (deviation > kStill) {
+      squares += (off / deviation).cwiseAbs2();
+    }
+  }
+  return squares;
+}
+
+struct Distances {
+  Eigen::VectorXd squares;   ///< Mahalanobis distances squared.
+  Eigen::Index freedom = 0;  ///< Directions that vary.
+};
+
+Distances mahalanobis(const Eigen::MatrixXd& samples, const Rows& rows) {
+  const PrincipalComponents of_rows = principal_components(samples(rows, Eigen::all));
+  Distances result;
+  result.squares = Eigen::VectorXd::Zero(samples.rows());
+  const Eigen::MatrixXd along = (samples.rowwise() - of_rows.mean.transpose()) * of_rows.directions;
+  for (Eigen::Index k = 0; k < of_rows.variances.size(); ++k) {
+    if (std::sqrt(of_rows.variances[k]) > kStill) {
+      result.squares += along.col(k).cwiseAbs2() / of_rows.variances[k];
+      ++result.freedom;
+    }
+  }
+  return result;
+}
+
+Rows within_quantile(const Distances& distances) {
+  const auto freedom = static_cast<double>(std::max<Eigen::Index>(distances.freedom, 1));
+  const double scale = median(distances.squares) / chi_squared(freedom, 0.0);
+  const double limit = scale * chi_squared(freedom, kNormal975);
+  Rows rows;
+  for (Eigen::Index row = 0; row < distances.squares.size(); ++row) {
+    if (distances.squares[row] <= limit) {
+      rows.push_back(row);
+    }
+  }
+  return rows;
+}
+
+}  // namespace
+
+RobustComponents robust_principal_components(const Eigen::MatrixXd& samples,
+                                             const std::vector<int>& left_out) {
+  RobustComponents result;
+  result.components = principal_components(samples, left_out);  // checks the samples
+  const Eigen::MatrixXd taken = samples(Eigen::all, joints_taken(samples.cols(), left_out));
+  const Eigen::Index half = std::max<Eigen::Index>(2, (samples.rows() + 1) / 2);
+  const Eigen::Index most = std::max<Eigen::Index>(half, (3 * samples.rows() + 3) / 4);
+  Rows rows = nearest(median_distances(taken), half);
+  Distances distances = mahalanobis(taken, rows);
+  for (int step = 0; step < kMostSteps; ++step) {
+    Rows next = nearest(distances.squares, most);
+    if (next == rows) {
+      break;
+    }
+    rows = std::move(next);
+    distances = mahalanobis(taken, rows);
+  }
+  rows = within_quantile(distances);
+  result.kept.assign(static_cast<std::size_t>(samples.rows()), false);
+  for (const Eigen::Index row : rows) {
+    result.kept[static_cast<std::size_t>(row)] = true;
+  }
+  result.outliers = samples.rows() - static_cast<Eigen::Index>(rows.size());
+  if (result.outliers > 0) {
+    result.components = principal_components(samples(rows, Eigen::all), left_out);
+  }
+  return result;
 }
 
 }  // namespace handway::sampling

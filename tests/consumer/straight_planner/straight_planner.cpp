@@ -1,5 +1,5 @@
 #include "handway/planning/core/planning_context.h"
-#include "handway/planning/core/plugin.h"
+#include "handway/planning/extensions/plugin.h"
 
 #include <memory>
 #include <string>

@@ -7,7 +7,7 @@
 #include "features/grasping/grasp_tool.h"
 #include "handway/geometric/io/scene_writer.h"
 #include "handway/planning/core/objective.h"
-#include "handway/planning/core/plugin.h"
+#include "handway/planning/extensions/plugin.h"
 #include "handway/planning/paths/path_check.h"
 #include "model/document/resting.h"
 #include "model/document/scene_edits.h"

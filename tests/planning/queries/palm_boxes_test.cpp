@@ -1,4 +1,4 @@
-#include "handway/planning/queries/palm_boxes.h"
+#include "handway/planning/queries/region_draws.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 #include "handway/planning/queries/region_draws.h"
 
-#include "handway/planning/core/planner_registry.h"
 #include "handway/planning/planners/auto_planner.h"
+#include "handway/planning/planners/planner_registry.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

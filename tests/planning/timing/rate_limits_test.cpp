@@ -1,5 +1,6 @@
 #include "handway/planning/timing/rate_limits.h"
 
+#include "handway/planning/core/objective.h"
 #include "handway_test/input_errors.h"
 #include "handway_test/paths.h"
 #include "handway_test/solid_robots.h"

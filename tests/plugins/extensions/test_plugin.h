@@ -1,6 +1,6 @@
 #pragma once
 
-#include "handway/planning/core/plugin.h"
+#include "handway/planning/extensions/plugin.h"
 
 /// Defines the entry point that hands over `object`, a Plugin with static life.
 #define HANDWAY_TEST_PLUGIN(object)                                                  \

@@ -1,9 +1,9 @@
 /// What is read of a MoveIt problem, and that it is planned for.
 #include "moveit_problem.h"
 
-#include "handway/planning/core/planner_registry.h"
 #include "handway/planning/core/planning_problem.h"
 #include "handway/planning/paths/path_check.h"
+#include "handway/planning/planners/planner_registry.h"
 #include "ompl_planner.h"
 #include "small_problem.h"
 

@@ -1,6 +1,5 @@
-#include "handway/sampling/postures/incremental_components.h"
-
 #include "handway/geometric/io/input_error.h"
+#include "handway/sampling/postures/principal_components.h"
 #include "handway/sampling/sequences/random_stream.h"
 
 #include <gtest/gtest.h>
@@ -51,24 +50,12 @@ TEST(IncrementalComponents, EqualThoseOfAllPosturesAtOnce) {
   expect_same(incremental.components({0, 7}), principal_components(samples, {0, 7}));
 }
 
-TEST(IncrementalComponents, MergeAsIfAllPosturesHadComeToOne) {
-  const Eigen::MatrixXd samples = postures(1000, 2);
-  IncrementalComponents first(kJoints);
-  IncrementalComponents second(kJoints);
-  add_all(samples.topRows(300), first);
-  add_all(samples.bottomRows(700), second);
-  first.merge(IncrementalComponents(kJoints));
-  first.merge(second);
-  expect_same(first.components(), principal_components(samples));
-}
-
 TEST(IncrementalComponents, RefuseWhatIsNoPosture) {
   EXPECT_THROW(IncrementalComponents(0), std::invalid_argument);
   IncrementalComponents components(2);
   EXPECT_THROW(components.add(Eigen::Vector3d::Zero()), std::invalid_argument);
   EXPECT_THROW(components.add(Eigen::Vector2d(0, std::numeric_limits<double>::infinity())),
                std::invalid_argument);
-  EXPECT_THROW(components.merge(IncrementalComponents(3)), std::invalid_argument);
   components.add(Eigen::Vector2d::Zero());
   EXPECT_THROW((void)components.components(), geometric::InputError);
 }

@@ -1,4 +1,4 @@
-#include "handway/sampling/postures/principal_angles.h"
+#include "handway/sampling/postures/posture_subspace.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,5 @@
-#include "handway/sampling/postures/robust_components.h"
-
-#include "handway/sampling/postures/principal_angles.h"
+#include "handway/sampling/postures/posture_subspace.h"
+#include "handway/sampling/postures/principal_components.h"
 #include "handway/sampling/sequences/random_stream.h"
 
 #include <gtest/gtest.h>

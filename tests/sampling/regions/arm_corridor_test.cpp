@@ -1,6 +1,5 @@
 #include "handway/sampling/regions/arm_corridor.h"
 
-#include "handway/sampling/regions/corridor_steps.h"
 #include "handway/sampling/sequences/random_stream.h"
 
 #include <gtest/gtest.h>

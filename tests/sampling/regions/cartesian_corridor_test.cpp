@@ -1,5 +1,4 @@
-#include "handway/sampling/regions/cartesian_corridor.h"
-
+#include "handway/sampling/regions/arm_corridor.h"
 #include "handway/sampling/sequences/random_stream.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "handway/sampling/sequences/van_der_corput.h"
+#include "handway/sampling/sequences/halton_sequence.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #include "features/export/export_dialog.h"
 
 #include "features/editing/scene_editing.h"
-#include "handway/planning/core/plugin.h"
+#include "handway/planning/extensions/plugin.h"
 #include "model/document/scene_edits.h"
 #include "patience.h"
 #include "window_test.h"

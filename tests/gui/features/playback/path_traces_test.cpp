@@ -1,7 +1,7 @@
 #include "features/playback/path_traces.h"
 
 #include "app/playback_tools.h"
-#include "handway/planning/core/plugin.h"
+#include "handway/planning/extensions/plugin.h"
 #include "model/playback/swept_volume.h"
 #include "view3d/scene_view.h"
 #include "window_test.h"

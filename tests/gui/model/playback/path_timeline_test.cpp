@@ -1,6 +1,6 @@
 #include "model/playback/path_timeline.h"
 
-#include "handway/planning/core/plugin.h"
+#include "handway/planning/extensions/plugin.h"
 #include "small_cell.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "handway/planning/core/exporter.h"
 #include "handway/planning/core/planning_problem.h"
+#include "handway/planning/extensions/exporter.h"
 
 namespace handway::test {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "handway/execution/export.h"
-#include "handway/planning/paths/path.h"
+#include "handway/planning/core/path.h"
 
 #include <Eigen/Core>
 

@@ -4,7 +4,7 @@
 #include "handway/execution/export.h"
 #include "handway/geometric/math/pose.h"
 #include "handway/geometric/robot/robot_model.h"
-#include "handway/planning/paths/path.h"
+#include "handway/planning/core/path.h"
 
 #include <memory>
 #include <string>

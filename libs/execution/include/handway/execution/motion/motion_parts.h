@@ -2,7 +2,7 @@
 
 #include "handway/execution/export.h"
 #include "handway/execution/motion/motion_target.h"
-#include "handway/planning/paths/path.h"
+#include "handway/planning/core/path.h"
 #include "handway/planning/timing/trajectory.h"
 
 #include <vector>

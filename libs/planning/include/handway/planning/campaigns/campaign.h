@@ -1,7 +1,7 @@
 #pragma once
 
-#include "handway/planning/core/planner_registry.h"
 #include "handway/planning/export.h"
+#include "handway/planning/planners/planner_registry.h"
 
 #include <cstddef>
 #include <cstdint>

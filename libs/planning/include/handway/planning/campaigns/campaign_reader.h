@@ -1,8 +1,8 @@
 #pragma once
 
 #include "handway/planning/campaigns/campaign.h"
-#include "handway/planning/core/planner_registry.h"
 #include "handway/planning/export.h"
+#include "handway/planning/planners/planner_registry.h"
 
 #include <filesystem>
 

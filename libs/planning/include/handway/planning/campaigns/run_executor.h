@@ -3,8 +3,8 @@
 #include "handway/planning/campaigns/campaign.h"
 #include "handway/planning/campaigns/run_record.h"
 #include "handway/planning/core/planning_problem.h"
-#include "handway/planning/core/plugin.h"
 #include "handway/planning/export.h"
+#include "handway/planning/extensions/plugin.h"
 
 #include <optional>
 #include <stop_token>

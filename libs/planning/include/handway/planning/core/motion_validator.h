@@ -1,10 +1,10 @@
 #pragma once
 
 #include "handway/geometric/collision/edge_checker.h"
+#include "handway/planning/core/path.h"
 #include "handway/planning/core/plan_result.h"
 #include "handway/planning/core/planning_problem.h"
 #include "handway/planning/export.h"
-#include "handway/planning/paths/path.h"
 
 #include <cstdint>
 #include <functional>
@@ -18,7 +18,6 @@
 namespace handway::planning {
 
 class ThreadPool;
-struct PlanRequest;
 
 /// Whether configurations and motions of a run are valid: free of collision, obeying the scene's
 /// constraints, keeping the request's margin. Edges are certified along the whole of their motion.

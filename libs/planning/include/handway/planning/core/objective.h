@@ -1,9 +1,8 @@
 #pragma once
 
-#include "handway/planning/core/objective_settings.h"
+#include "handway/planning/core/path.h"
 #include "handway/planning/core/planning_problem.h"
 #include "handway/planning/export.h"
-#include "handway/planning/paths/path.h"
 #include "handway/sampling/postures/posture_subspace.h"
 
 #include <Eigen/Core>
@@ -14,8 +13,38 @@
 
 namespace handway::planning {
 
+/// How much each property of a path counts in its cost; means are over its length.
+struct ObjectiveWeights {
+  double length = 1.0;          ///< Per length in joints normalised to [0, 1].
+  double human_likeness = 0.0;  ///< Per mean distance of the hand from the PMD subspace.
+  double clearance = 0.0;       ///< Per mean share of kFarClearance that is missing.
+  double duration = 0.0;        ///< Per second.
+
+  friend bool operator==(const ObjectiveWeights&, const ObjectiveWeights&) = default;
+};
+
+/// What a path is made to be.
+enum class ObjectivePreset {
+  kHumanLike,  ///< The hand stays near the PMD subspace; without a basis as kShortest.
+  kShortest,
+  kSafest,   ///< Far from obstacles.
+  kFastest,  ///< In the least time under the velocity limits.
+  kCustom,   ///< ObjectiveSettings::custom.
+};
+
+/// A planner's choice of an objective.
+struct ObjectiveSettings {
+  int preset = static_cast<int>(ObjectivePreset::kHumanLike);  ///< An ObjectivePreset.
+  ObjectiveWeights custom;
+
+  [[nodiscard]] HANDWAY_PLANNING_EXPORT ObjectiveWeights
+  weights(const PlanningProblem& problem) const;
+};
+
+/// A joint without a velocity limit is taken to allow this, rad/s or m/s.
+inline constexpr double kDefaultVelocity = 1.0;
+
 /// Time of the straight motion from `from` to `to` with one joint at its velocity limit, s.
-/// Joints without a limit take 1 rad/s or 1 m/s.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT double least_duration(const geometric::RobotModel& model,
                                                             const Configuration& from,
                                                             const Configuration& to);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "handway/geometric/math/pose.h"
-#include "handway/planning/paths/path.h"
+#include "handway/planning/core/path.h"
 
 #include <string_view>
 
@@ -37,6 +37,57 @@ class Observer {
 
   /// Who watches the steps of the paper's algorithms, too; null: nobody.
   [[nodiscard]] virtual AlgorithmObserver* algorithm() { return nullptr; }
+};
+
+/// A line of one of the paper's listings (section 5, Algorithms 1 to 4), counted from the first
+/// statement, lines that only end a block included.
+struct AlgorithmLine {
+  int algorithm = 0;
+  int line = 0;
+
+  friend bool operator==(const AlgorithmLine&, const AlgorithmLine&) = default;
+};
+
+/// Where a planner can be in them when it reports something.
+namespace algorithm_lines {
+inline constexpr AlgorithmLine kArmFree{1, 4};         ///< Is the arm's sample free of itself?
+inline constexpr AlgorithmLine kNoArm{1, 9};           ///< All draws for the arm are spent.
+inline constexpr AlgorithmLine kHandFreeOfSelf{2, 6};  ///< Does the sample touch itself?
+inline constexpr AlgorithmLine kHandFree{2, 7};        ///< Does it touch an object?
+inline constexpr AlgorithmLine kAddNode{3, 1};
+inline constexpr AlgorithmLine kNeighbours{3, 2};
+inline constexpr AlgorithmLine kSameComponent{3, 4};  ///< Are the two joined already?
+inline constexpr AlgorithmLine kLocalPlan{3, 5};      ///< Is the straight way between them free?
+inline constexpr AlgorithmLine kAddEdge{3, 6};
+inline constexpr AlgorithmLine kWiden{4, 7};       ///< Another pass, with wider hypercubes.
+inline constexpr AlgorithmLine kHypercube{4, 12};  ///< The next hypercube.
+inline constexpr AlgorithmLine kJoined{4, 20};     ///< Are start and goal joined?
+inline constexpr AlgorithmLine kSearchRange{4, 23};
+inline constexpr AlgorithmLine kFailure{4, 35};
+}  // namespace algorithm_lines
+
+/// What a planner has just done in a line. What a line has nothing to do with is as below.
+struct AlgorithmStep {
+  AlgorithmLine line;
+  bool yes = true;  ///< The answer, if the line asks something.
+  const geometric::Configuration* q =
+      nullptr;    ///< The sample in question; valid during the call alone.
+  int from = -1;  ///< Nodes of the roadmap: an edge, or (from) one node.
+  int to = -1;
+  int pair = -1;          ///< Colliding pair of the checker's world, if the answer is no.
+  int count = 0;          ///< Neighbours found, or axes of the hand's subspace.
+  double position = 0.0;  ///< Along the arm segment; of a range: its beginning.
+  double range_end = 0.0;
+  double rho_a = 0.0;
+};
+
+/// An Observer that is notified of every step of pmd-prm and full-prm, on the planner's own thread
+/// and in the same order on every run. Planners that are given a plain Observer spend nothing on
+/// it.
+class AlgorithmObserver : public Observer {
+ public:
+  [[nodiscard]] AlgorithmObserver* algorithm() final { return this; }
+  virtual void on_step(const AlgorithmStep& step) = 0;
 };
 
 }  // namespace handway::planning

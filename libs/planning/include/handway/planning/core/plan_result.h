@@ -1,10 +1,12 @@
 #pragma once
 
 #include "handway/geometric/collision/collision_checker.h"
+#include "handway/planning/core/path.h"
 #include "handway/planning/export.h"
-#include "handway/planning/paths/path.h"
 
+#include <chrono>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -12,6 +14,17 @@
 #include <vector>
 
 namespace handway::planning {
+
+/// How to run a planner.
+struct PlanRequest {
+  std::uint64_t seed = 1;
+  int threads = 1;  ///< ≥ 1; the result does not depend on it.
+  double time_limit_s = std::numeric_limits<double>::infinity();
+  double resolution_mm = 0.05;  ///< Edges closer than this to anything are refused.
+  /// What the robot keeps from all else, where the ends allow it; see EdgeChecker. ≥ 0.
+  double margin_mm = 0.0;
+  double optimize_s = 0.0;  ///< Seconds to go on with optimising the path that was found.
+};
 
 enum class PlanStatus {
   kSolved,
@@ -62,6 +75,29 @@ struct HANDWAY_PLANNING_EXPORT PlanStatistics {
 
   /// Configurations checked while planning and smoothing.
   [[nodiscard]] std::uint64_t checks() const { return node_checks + edge_checks; }
+};
+
+/// Adds the time from construction to stop(), or to destruction, to a sum of seconds.
+class PhaseClock {
+ public:
+  explicit PhaseClock(double& sum) : sum_(sum), begin_(Clock::now()) {}
+  ~PhaseClock() { stop(); }
+  PhaseClock(const PhaseClock&) = delete;
+  PhaseClock& operator=(const PhaseClock&) = delete;
+
+  void stop() {
+    if (running_) {
+      sum_ += std::chrono::duration<double>(Clock::now() - begin_).count();
+      running_ = false;
+    }
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  double& sum_;
+  Clock::time_point begin_;
+  bool running_ = true;
 };
 
 /// How far a search came from both ends, along the straight motion from start to goal.

@@ -2,7 +2,7 @@
 
 #include "handway/planning/core/motion_validator.h"
 #include "handway/planning/core/observer.h"
-#include "handway/planning/core/planner.h"
+#include "handway/planning/core/plan_result.h"
 #include "handway/planning/core/planning_problem.h"
 #include "handway/planning/export.h"
 #include "handway/sampling/samplers/sampler.h"

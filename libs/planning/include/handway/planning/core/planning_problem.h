@@ -53,4 +53,9 @@ updated_problem(const PlanningProblem& before, std::shared_ptr<const geometric::
                                                                  const Configuration& a,
                                                                  const Configuration& b);
 
+/// Where the arm is on its straight motion from start to goal, in [0, 1]: of the nearest
+/// configuration on it; 0 for an arm that has nothing to move.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT double arm_progress(const PlanningProblem& problem,
+                                                          const Configuration& q);
+
 }  // namespace handway::planning

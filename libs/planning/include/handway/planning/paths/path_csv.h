@@ -1,8 +1,8 @@
 #pragma once
 
 #include "handway/geometric/robot/robot_model.h"
+#include "handway/planning/core/path.h"
 #include "handway/planning/export.h"
-#include "handway/planning/paths/path.h"
 
 #include <filesystem>
 #include <string>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "handway/planning/core/planner.h"
 #include "handway/planning/export.h"
+#include "handway/planning/planners/planner.h"
 #include "handway/planning/spaces/target_sampler.h"
 
 #include <string>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "handway/planning/core/planner.h"
 #include "handway/planning/export.h"
 #include "handway/planning/paths/roadmap_smoothing.h"
+#include "handway/planning/planners/planner.h"
 #include "handway/planning/spaces/hand_arm_region.h"
 #include "handway/planning/spaces/state_space.h"
 

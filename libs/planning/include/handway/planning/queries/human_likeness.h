@@ -1,8 +1,8 @@
 #pragma once
 
+#include "handway/planning/core/path.h"
 #include "handway/planning/core/planning_problem.h"
 #include "handway/planning/export.h"
-#include "handway/planning/paths/path.h"
 #include "handway/sampling/postures/posture_subspace.h"
 #include "handway/sampling/postures/recorded_postures.h"
 

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "handway/geometric/scene/scene.h"
-#include "handway/planning/core/planner.h"
 #include "handway/planning/core/planning_problem.h"
 #include "handway/planning/export.h"
+#include "handway/planning/planners/planner.h"
 
 #include <memory>
 #include <stop_token>

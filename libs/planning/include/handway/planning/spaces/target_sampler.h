@@ -1,5 +1,6 @@
 #pragma once
 
+#include "handway/planning/core/parameter.h"
 #include "handway/planning/core/planning_context.h"
 #include "handway/planning/export.h"
 #include "handway/planning/spaces/hand_arm_region.h"
@@ -93,5 +94,12 @@ class HANDWAY_PLANNING_EXPORT TargetSampler {
   Draw draw_;
   std::unique_ptr<sampling::Sampler> points_;
 };
+
+/// Descriptions of the parameters of regions.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT Parameter corridor_parameter(int& value);
+
+/// Of all that a region is made of but its corridor and PMDs.
+HANDWAY_PLANNING_EXPORT void append_region_parameters(std::vector<Parameter>& list,
+                                                      TargetRegion& region);
 
 }  // namespace handway::planning

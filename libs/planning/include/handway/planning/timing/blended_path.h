@@ -1,7 +1,7 @@
 #pragma once
 
+#include "handway/planning/core/path.h"
 #include "handway/planning/export.h"
-#include "handway/planning/paths/path.h"
 
 #include <cstddef>
 #include <vector>

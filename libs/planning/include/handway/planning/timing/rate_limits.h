@@ -13,9 +13,6 @@
 
 namespace handway::planning {
 
-/// A joint without a velocity limit is taken to allow this, rad/s or m/s.
-inline constexpr double kDefaultVelocity = 1.0;
-
 /// A joint without an acceleration limit is taken to reach its velocity limit in
 /// this time, s. Neither URDF nor the makers' leaflets of the TX90 and the SAH tell
 /// accelerations; four times the velocity is modest for arms of that size.

@@ -48,4 +48,49 @@ struct PmdBasisOptions {
                                                               const PrincipalComponents& components,
                                                               const PmdBasisOptions& options = {});
 
+/// Principal components of postures that come one by one, such as from a glove in use. Mean and
+/// scatter are updated with each posture (Welford 1962), so
+/// that after n postures the components are those of all n, up to rounding, in memory
+/// and time per posture that don't grow. For one thread at a time.
+class HANDWAY_SAMPLING_EXPORT IncrementalComponents {
+ public:
+  /// @param joints length of every posture, ≥ 1.
+  /// @throws std::invalid_argument for fewer.
+  explicit IncrementalComponents(int joints);
+
+  /// @param posture joints normalised to [0, 1], shape [joints].
+  /// @throws std::invalid_argument for another length or a value that isn't finite.
+  void add(const Eigen::VectorXd& posture);
+
+  [[nodiscard]] Eigen::Index count() const { return count_; }
+
+  /// What principal_components() finds for the same postures.
+  /// @throws as that function.
+  [[nodiscard]] PrincipalComponents components(const std::vector<int>& left_out = {}) const;
+
+ private:
+  Eigen::Index count_ = 0;
+  Eigen::VectorXd mean_;
+  Eigen::MatrixXd scatter_;  ///< Σ (x - mean)(x - mean)'.
+};
+
+/// Components of the samples that belong together.
+struct RobustComponents {
+  PrincipalComponents components;  ///< Of the samples that were kept.
+  std::vector<bool> kept;          ///< False: an outlier, shape [samples].
+  Eigen::Index outliers = 0;
+};
+
+/// Principal components that few wild samples (a slipped sensor, a lost record) don't turn: the
+/// reweighted minimum covariance determinant (Rousseeuw and Van Driessen 1999) from one fixed
+/// start. Begins with the half of the samples nearest to the medians of the joints, in units of
+/// the median deviations. Then takes, until they stay the same, the three quarters nearest by
+/// Mahalanobis distance to the mean and covariance of those taken before. At last keeps
+/// what lies within the 97.5 % quantile of χ² of that distance, scaled so that its median is
+/// that of χ², and analyses it as principal_components() does. Directions along which nothing
+/// varies count in no distance.
+/// @param samples, left_out and errors as for principal_components().
+[[nodiscard]] HANDWAY_SAMPLING_EXPORT RobustComponents
+robust_principal_components(const Eigen::MatrixXd& samples, const std::vector<int>& left_out = {});
+
 }  // namespace handway::sampling

@@ -1,4 +1,4 @@
-#include "handway/planning/core/exporter.h"
+#include "handway/planning/extensions/exporter.h"
 
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/replace_file.h"

@@ -1,4 +1,4 @@
-#include "core/search_reach.h"
+#include "planners/search_reach.h"
 
 #include "handway/geometric/robot/normalised_joints.h"
 

@@ -1,10 +1,7 @@
 #pragma once
 
-#include "handway/geometric/robot/robot_model.h"
 #include "handway/planning/export.h"
-#include "handway/planning/paths/path.h"
-#include "handway/planning/timing/rate_limits.h"
-#include "handway/planning/timing/trajectory.h"
+#include "handway/planning/timing/time_path.h"
 
 #include <filesystem>
 #include <memory>
@@ -12,19 +9,6 @@
 #include <vector>
 
 namespace handway::planning {
-
-/// A timed motion, ready to become files.
-struct Motion {
-  std::string name;  ///< Letters, digits and "_"; the first a letter: for files and programs.
-  std::shared_ptr<const geometric::RobotModel> model;
-  std::vector<int> arm;                ///< Variables of the arm, in order.
-  std::vector<int> hand;               ///< Variables of the hand, in order.
-  RateLimits limits;                   ///< Of the robot, at full speed.
-  double speed = 1.0;                  ///< In (0, 1]: at what share of it the motion was timed.
-  Path path;                           ///< The waypoints, …
-  std::vector<double> waypoint_times;  ///< … and when they are passed, s; shape [waypoints].
-  Trajectory trajectory;               ///< At a fixed period.
-};
 
 /// A file that an exporter makes.
 struct ExportedFile {

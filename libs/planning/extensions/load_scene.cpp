@@ -3,7 +3,7 @@
 #include "handway/geometric/io/resources.h"
 #include "handway/geometric/io/robot_loader.h"
 #include "handway/geometric/io/scene_reader.h"
-#include "handway/planning/core/plugin.h"
+#include "handway/planning/extensions/plugin.h"
 #include "handway/sampling/postures/pmd_basis_io.h"
 
 #include <fmt/format.h>

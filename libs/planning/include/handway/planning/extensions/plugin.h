@@ -1,9 +1,9 @@
 #pragma once
 
-#include "handway/planning/core/exporter.h"
-#include "handway/planning/core/importer.h"
-#include "handway/planning/core/planner_registry.h"
 #include "handway/planning/export.h"
+#include "handway/planning/extensions/exporter.h"
+#include "handway/planning/extensions/importer.h"
+#include "handway/planning/planners/planner_registry.h"
 
 #include <filesystem>
 #include <memory>

@@ -1,9 +1,10 @@
-#include "handway/planning/core/planner.h"
+#include "handway/planning/planners/planner.h"
 
-#include "core/search_reach.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/planning/core/planning_context.h"
 #include "handway/planning/paths/path_optimizer.h"
+#include "planners/problem_log.h"
+#include "planners/search_reach.h"
 
 #include <fmt/format.h>
 
@@ -168,6 +169,7 @@ PlanResult Planner::plan(const PlanningProblem& problem, const PlanRequest& requ
                                  "a PMD basis for planner " + name(),
                                  "Name one in the scene, or choose another planner"});
   }
+  log_problem(*this, problem, request);
   Observer silent;
   ReachObserver watching(problem, observer ? *observer : silent);
   PlanningContext context(problem, request, std::move(stop), watching);
@@ -205,6 +207,23 @@ PlanResult Planner::plan(const PlanningProblem& problem, const PlanRequest& requ
     result.out_of_margin = out_of_margin(context);
   }
   return result;
+}
+
+Parameter max_samples_parameter(int& value) {
+  return {"max_samples", "Samples", "",       "Samples drawn before the planner gives up.",
+          &value,        1,         100000000};
+}
+
+Parameter smoothing_checks_parameter(int& value) {
+  return {
+      "smoothing_checks",
+      "Checks to smooth",
+      "",
+      "Configurations checked to shorten the path once it is found, for every 16 waypoints that "
+      "it then has. 0: it stays as it is.",
+      &value,
+      0,
+      10000000};
 }
 
 }  // namespace handway::planning

@@ -1,4 +1,4 @@
-#include "handway/planning/core/plugin.h"
+#include "handway/planning/extensions/plugin.h"
 
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/nearest_name.h"

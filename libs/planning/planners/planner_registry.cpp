@@ -1,18 +1,31 @@
-#include "handway/planning/core/planner_registry.h"
+#include "handway/planning/planners/planner_registry.h"
 
 #include "handway/geometric/io/input_error.h"
-#include "planners/built_in_planners.h"
+#include "handway/planning/planners/auto_planner.h"
+#include "handway/planning/planners/pmd_lazy.h"
+#include "handway/planning/planners/pmd_prm.h"
+#include "handway/planning/planners/rrt_connect.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <memory>
 #include <stdexcept>
 #include <utility>
 
 namespace handway::planning {
 
-PlannerRegistry::PlannerRegistry() { register_built_in_planners(*this); }
+// The default one first.
+PlannerRegistry::PlannerRegistry() {
+  add("auto", [] { return std::make_unique<AutoPlanner>(); });
+  add("pmd-prm", [] { return std::make_unique<PmdPrm>(HandSpace::kPrincipalDirections); });
+  add("full-prm", [] { return std::make_unique<PmdPrm>(HandSpace::kAllJoints); });
+  add("pmd-rrt-connect",
+      [] { return std::make_unique<RrtConnect>(HandSpace::kPrincipalDirections); });
+  add("pmd-lazy", [] { return std::make_unique<PmdLazy>(); });
+  add("rrt-connect", [] { return std::make_unique<RrtConnect>(HandSpace::kAllJoints); });
+}
 
 void PlannerRegistry::add(std::string name, PlannerFactory factory) {
   if (std::ranges::count(names(), name) > 0) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "handway/planning/core/objective_settings.h"
+#include "handway/planning/core/objective.h"
 #include "handway/planning/core/observer.h"
 #include "handway/planning/core/parameter.h"
 #include "handway/planning/core/plan_result.h"
@@ -8,7 +8,6 @@
 #include "handway/planning/export.h"
 
 #include <cstdint>
-#include <limits>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -23,17 +22,6 @@ struct PlannerCapabilities {
   bool needs_basis = false;   ///< Refuses problems without one.
   bool uses_threads = false;  ///< More threads make it faster.
   bool deterministic = true;  ///< Same seed, same bits.
-};
-
-/// How to run a planner.
-struct PlanRequest {
-  std::uint64_t seed = 1;
-  int threads = 1;  ///< ≥ 1; the result does not depend on it.
-  double time_limit_s = std::numeric_limits<double>::infinity();
-  double resolution_mm = 0.05;  ///< Edges closer than this to anything are refused.
-  /// What the robot keeps from all else, where the ends allow it; see EdgeChecker. ≥ 0.
-  double margin_mm = 0.0;
-  double optimize_s = 0.0;  ///< Seconds to go on with optimising the path that was found.
 };
 
 /// Finds a collision-free path from a problem's start to its goal.
@@ -82,5 +70,9 @@ class HANDWAY_PLANNING_EXPORT Planner {
   int optimize_checks_ = 0;
   int sampler_ = 0;  ///< A sampling::SamplerKind.
 };
+
+/// Descriptions of the parameters that several planners have.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT Parameter max_samples_parameter(int& value);
+[[nodiscard]] HANDWAY_PLANNING_EXPORT Parameter smoothing_checks_parameter(int& value);
 
 }  // namespace handway::planning
