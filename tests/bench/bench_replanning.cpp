@@ -1,8 +1,9 @@
-/// An object dragged in steps of a centimetre: planning again with a living roadmap, which
+/// An object dragged in steps of a centimetre: planning again with a dynamic roadmap, which
 /// keeps what it knows, and planning anew.
 #include "handway/planning/planners/auto_planner.h"
-#include "handway/planning/replanning/living_roadmap.h"
+#include "handway/planning/replanning/dynamic_roadmap.h"
 #include "handway_test/known_problems.h"
+#include "handway_test/roadmap_scenes.h"
 
 #include <benchmark/benchmark.h>
 
@@ -63,8 +64,8 @@ struct Sum {
 // which both ways have in common.
 double search_time(const PlanResult& result) { return result.time_s + result.smoothing_s; }
 
-void bm_living_roadmap(benchmark::State& state, const Drag& drag) {
-  LivingRoadmap roadmap(problem_of(drag.scene));
+void bm_dynamic_roadmap(benchmark::State& state, const Drag& drag) {
+  DynamicRoadmap roadmap(problem_of(drag.scene));
   const geometric::Pose X_WO = geometric::find_object(*roadmap.problem().scene, drag.object)->X_PO;
   (void)roadmap.plan({});
   Sum sum;
@@ -72,7 +73,7 @@ void bm_living_roadmap(benchmark::State& state, const Drag& drag) {
   int anew = 0;
   int step = 0;
   for (auto _ : state) {
-    roadmap.move_object(drag.object, place_of(X_WO, drag, ++step));
+    test::move_object(roadmap, drag.object, place_of(X_WO, drag, ++step));
     const PlanResult result = roadmap.plan({});
     state.SetIterationTime(search_time(result));
     sum.add(result, search_time(result));
@@ -85,13 +86,13 @@ void bm_living_roadmap(benchmark::State& state, const Drag& drag) {
 }
 
 void bm_anew(benchmark::State& state, const Drag& drag) {
-  LivingRoadmap moved(problem_of(drag.scene));  // for its problem alone
+  DynamicRoadmap moved(problem_of(drag.scene));  // for its problem alone
   const geometric::Pose X_WO = geometric::find_object(*moved.problem().scene, drag.object)->X_PO;
   AutoPlanner planner;
   Sum sum;
   int step = 0;
   for (auto _ : state) {
-    moved.move_object(drag.object, place_of(X_WO, drag, ++step));
+    test::move_object(moved, drag.object, place_of(X_WO, drag, ++step));
     const PlanResult result = planner.plan(moved.problem(), {});
     state.SetIterationTime(search_time(result));
     sum.add(result, search_time(result));
@@ -111,7 +112,7 @@ int main(int argc, char** argv) {
   };
   for (const Drag& drag : drags) {
     const std::string name = drag.scene + "/" + drag.object;
-    benchmark::RegisterBenchmark(("living/" + name).c_str(), handway::planning::bm_living_roadmap,
+    benchmark::RegisterBenchmark(("dynamic/" + name).c_str(), handway::planning::bm_dynamic_roadmap,
                                  drag)
         ->UseManualTime()
         ->Iterations(drag.steps * 12)

@@ -6,11 +6,12 @@
 #include "handway/planning/planners/planner_registry.h"
 #include "handway/planning/queries/failure_explanation.h"
 #include "handway/planning/queries/nearest_free.h"
-#include "handway/planning/replanning/living_roadmap.h"
+#include "handway/planning/replanning/dynamic_roadmap.h"
 #include "handway/planning/timing/certified_blends.h"
 #include "handway/planning/timing/time_path.h"
 #include "handway_test/known_problems.h"
 #include "handway_test/planar_problems.h"
+#include "handway_test/roadmap_scenes.h"
 
 #include <Eigen/Geometry>
 #include <gmock/gmock.h>
@@ -199,10 +200,11 @@ TEST(ConstraintsKept, ByRoundedCorners) {
 }
 
 TEST(ConstraintsKept, WhileAnObjectMoves) {
-  LivingRoadmap roadmap(post_problem_with(heading(kMostAngle)));
+  DynamicRoadmap roadmap(post_problem_with(heading(kMostAngle)));
   for (int step = 0; step < 8; ++step) {
-    roadmap.move_object(
-        "post", geometric::Pose(Eigen::Translation3d(0.755, 0.02 * std::sin(1.0 * step), 0.0)));
+    test::move_object(
+        roadmap, "post",
+        geometric::Pose(Eigen::Translation3d(0.755, 0.02 * std::sin(1.0 * step), 0.0)));
     const PlanResult result = roadmap.plan({});
     ASSERT_TRUE(result.solved()) << "step " << step << ": " << result.reason;
     expect_along(result.path, roadmap.problem(), is_near_heading);

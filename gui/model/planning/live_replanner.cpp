@@ -2,7 +2,7 @@
 
 #include "handway/planning/core/planning_context.h"
 #include "handway/planning/planners/auto_planner.h"
-#include "handway/planning/replanning/living_roadmap.h"
+#include "handway/planning/replanning/dynamic_roadmap.h"
 
 #include <algorithm>
 #include <exception>
@@ -11,7 +11,7 @@
 namespace handway::gui {
 namespace {
 
-using planning::LivingRoadmap;
+using planning::DynamicRoadmap;
 using planning::Path;
 using planning::PlanResult;
 
@@ -48,11 +48,11 @@ class KnownPathFirst : public planning::Planner {
 };
 
 // A roadmap whose first path is one that was planned for `problem`.
-std::unique_ptr<LivingRoadmap> roadmap_of(const planning::PlanningProblem& problem, Path path,
-                                          const planning::PlanRequest& request,
-                                          const std::stop_token& stop) {
-  auto roadmap = std::make_unique<LivingRoadmap>(
-      problem, planning::LivingRoadmapSettings{},
+std::unique_ptr<DynamicRoadmap> roadmap_of(const planning::PlanningProblem& problem, Path path,
+                                           const planning::PlanRequest& request,
+                                           const std::stop_token& stop) {
+  auto roadmap = std::make_unique<DynamicRoadmap>(
+      problem, planning::DynamicRoadmapSettings{},
       std::make_unique<KnownPathFirst>(std::move(path), std::make_unique<planning::AutoPlanner>()));
   (void)roadmap->plan(request, stop);
   return roadmap;
@@ -108,7 +108,7 @@ void LiveReplanner::follow(std::shared_ptr<const geometric::Scene> scene,
 }
 
 void LiveReplanner::work(const std::stop_token& stop) {
-  std::unique_ptr<LivingRoadmap> roadmap;
+  std::unique_ptr<DynamicRoadmap> roadmap;
   planning::PlanRequest request;
   int generation = 0;
   while (true) {

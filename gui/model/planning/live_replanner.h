@@ -18,7 +18,7 @@ namespace handway::gui {
 using DerivedResult = planning::Derived<planning::PlanResult>;
 
 /// Keeps a path valid while its scene is edited: plans again on a thread of its own
-/// with a living roadmap. Only the latest scene counts: those that come faster than
+/// with a dynamic roadmap. Only the latest scene counts: those that come faster than
 /// they can be planned are skipped.
 class LiveReplanner : public QObject {
   Q_OBJECT

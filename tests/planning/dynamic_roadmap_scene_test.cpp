@@ -1,8 +1,9 @@
-/// A living roadmap on a scene that ships.
+/// A dynamic roadmap on a scene that ships.
 #include "handway/geometric/collision/edge_checker.h"
 #include "handway/planning/planners/auto_planner.h"
-#include "handway/planning/replanning/living_roadmap.h"
+#include "handway/planning/replanning/dynamic_roadmap.h"
 #include "handway_test/known_problems.h"
+#include "handway_test/roadmap_scenes.h"
 
 #include <gtest/gtest.h>
 
@@ -13,16 +14,16 @@
 namespace handway::planning {
 namespace {
 
-TEST(LivingRoadmapOfCanOnTable, FollowsTheCanWithFewerChecksThanPlanningAnew) {
+TEST(DynamicRoadmapOfCanOnTable, FollowsTheCanWithFewerChecksThanPlanningAnew) {
   const std::vector<test::KnownProblem> all = test::known_problems();
   const auto found = std::ranges::find(all, "can_on_table", &test::KnownProblem::name);
   ASSERT_NE(found, all.end());
   const LoadedScene loaded = test::load(*found);
-  LivingRoadmap roadmap(make_problem(loaded.scene, loaded.basis));
+  DynamicRoadmap roadmap(make_problem(loaded.scene, loaded.basis));
   ASSERT_TRUE(roadmap.plan({}).solved());
   geometric::Pose X_WCan = geometric::find_object(*loaded.scene, "can")->X_PO;
   X_WCan.translation().x() -= 0.01;
-  roadmap.move_object("can", X_WCan);
+  test::move_object(roadmap, "can", X_WCan);
   const PlanResult result = roadmap.plan({});
   ASSERT_TRUE(result.solved()) << result.reason;
   const PlanningProblem& problem = roadmap.problem();

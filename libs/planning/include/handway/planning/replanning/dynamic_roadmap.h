@@ -11,13 +11,14 @@
 
 namespace handway::planning {
 
-/// Settings of LivingRoadmap.
-struct LivingRoadmapSettings {
+/// Settings of DynamicRoadmap.
+struct DynamicRoadmapSettings {
   int k = 8;             ///< Nearest nodes that a new node is joined to.
   int max_nodes = 3000;  ///< When there are more, all but those of the last path are forgotten.
-  /// Configurations checked in search of a way over edges never checked before, each time.
+  /// Configurations checked in search of a path over edges never checked before, each time.
   int roadmap_checks = 500;
-  /// Configurations checked for a way around what cuts the last path, before planning from scratch.
+  /// Configurations checked for a detour around what cuts the last path, before planning from
+  /// scratch.
   int repair_checks = 4000;
   int smoothing_checks = 300;  ///< Configurations that ShortcutSmoothing may check.
 };
@@ -26,12 +27,12 @@ struct LivingRoadmapSettings {
 enum class ReplanSource {
   kNone,      ///< There is none.
   kLastPath,  ///< The path of the time before; it is still free.
-  kRoadmap,   ///< A way over what is left of the roadmap.
-  kRepair,    ///< The last path with a new way around what cuts it.
+  kRoadmap,   ///< Over what is left of the roadmap.
+  kRepair,    ///< The last path with a detour around what cuts it.
   kPlanner,   ///< Planned from scratch.
 };
 
-/// What the last LivingRoadmap::plan() found in the roadmap and did with it.
+/// What the last DynamicRoadmap::plan() found in the roadmap and did with it.
 struct ReplanReport {
   ReplanSource source = ReplanSource::kNone;
   int nodes = 0;          ///< Of the roadmap, afterwards.
@@ -45,11 +46,11 @@ struct ReplanReport {
 ///
 /// It keeps a roadmap of what it learned. A node or edge that was free stays free
 /// of all that stands where it stood, so that only pairs with changed objects are
-/// checked again, and only along ways that are about to be taken. One that was
+/// checked again, and only along paths that are about to be taken. One that was
 /// refused stays refused until the object that refused it changes. Asked to plan,
-/// it takes, in this order: the shortest way over edges that were free before,
-/// which mostly is the last path; a way over other edges of the roadmap; the last
-/// path, with a new way from where it is cut to where it is free again (a
+/// it takes, in this order: the shortest path over edges that were free before,
+/// which mostly is the last one; a path over other edges of the roadmap; the last
+/// path, with a detour from where it is cut to where it is free again (a
 /// bidirectional search in the paper's regions, there); a path planned from scratch. All but an
 /// unchanged path are smoothed, and all that was learned goes into the roadmap.
 ///
@@ -58,33 +59,21 @@ struct ReplanReport {
 /// Sources: Bohlin, Kavraki, "Path planning using lazy PRM", ICRA 2000,
 /// doi:10.1109/ROBOT.2000.844107; Jaillet, Siméon, "A PRM-based motion planner for
 /// dynamically changing environments", IROS 2004, doi:10.1109/IROS.2004.1389625.
-class HANDWAY_PLANNING_EXPORT LivingRoadmap {
+class HANDWAY_PLANNING_EXPORT DynamicRoadmap {
  public:
   /// @param planner plans the first path, and others from scratch where repair fails; null:
   /// AutoPlanner if the problem has a basis, RrtConnect over all joints otherwise.
-  explicit LivingRoadmap(PlanningProblem problem, const LivingRoadmapSettings& settings = {},
-                         std::unique_ptr<Planner> planner = nullptr);
-  ~LivingRoadmap();
-  LivingRoadmap(LivingRoadmap&&) noexcept;
-  LivingRoadmap& operator=(LivingRoadmap&&) noexcept;
+  explicit DynamicRoadmap(PlanningProblem problem, const DynamicRoadmapSettings& settings = {},
+                          std::unique_ptr<Planner> planner = nullptr);
+  ~DynamicRoadmap();
 
   /// The problem as it is now. After a change, this or plan() makes a new checker.
   [[nodiscard]] const PlanningProblem& problem();
 
-  /// Changes of objects that stand still in the world. @param X_WO the object's pose.
-  /// @throws InputError naming the object, if there is none of that name, it is carried by
-  /// a robot, or one to be added has a name that is taken.
-  void move_object(const std::string& name, const geometric::Pose& X_WO);
-  void add_object(const geometric::SceneObject& object);
-  void remove_object(const std::string& name);
-  /// All that leads to another scene, with its start and goal. @returns false, having done
-  /// nothing, if that takes more: other robots, carried objects or constraints, or an end that the
-  /// scene has not.
+  /// Makes the changes of objects that lead to another scene, and takes its start and goal, which
+  /// plan() checks like the ends of any problem. @returns false, having done nothing, if that takes
+  /// more: other robots, carried objects or constraints, or an end that the scene has not.
   [[nodiscard]] bool follow(const geometric::Scene& scene);
-
-  /// Checked by plan(), like the ends of any problem.
-  void set_start(const Configuration& q);
-  void set_goal(const Configuration& q);
 
   /// As Planner::plan(). Where it fails, the roadmap and the last path are kept for the next time.
   /// @param observer is notified of the nodes that this call adds.

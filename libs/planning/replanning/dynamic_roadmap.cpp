@@ -1,0 +1,111 @@
+#include "handway/planning/replanning/dynamic_roadmap.h"
+
+#include "handway/geometric/collision/make_checker.h"
+#include "handway/geometric/scene/scene_difference.h"
+#include "handway/planning/planners/auto_planner.h"
+#include "handway/planning/planners/rrt_connect.h"
+#include "replanning/replanner.h"
+
+#include <utility>
+
+namespace handway::planning {
+namespace {
+
+std::unique_ptr<Planner> usual_planner(const PlanningProblem& problem) {
+  if (problem.basis) {
+    return std::make_unique<AutoPlanner>();
+  }
+  return std::make_unique<RrtConnect>(HandSpace::kAllJoints);
+}
+
+}  // namespace
+
+struct DynamicRoadmap::State {
+  void change(const geometric::ObjectChange& change) {
+    world = std::make_shared<const geometric::CollisionWorld>(world->with_change(change));
+    auto scene = std::make_shared<geometric::Scene>(*problem.scene);
+    geometric::apply(change, *scene);
+    problem.scene = std::move(scene);
+    if (change.kind != geometric::ObjectChange::Kind::kMoved) {  // else all moves as before
+      problem.motion = nullptr;
+    }
+    memory.changes.note(change.object.name);
+  }
+
+  // Several changes between two queries make one checker.
+  void update_checker() {
+    if (problem.checker->shared_world() != world) {
+      problem.checker = geometric::make_collision_checker(world);
+      if (!problem.motion) {
+        problem.motion = std::make_shared<const geometric::MotionBound>(*world);
+      }
+    }
+  }
+
+  PlanningProblem problem;
+  std::shared_ptr<const geometric::CollisionWorld> world;
+  std::unique_ptr<Planner> planner;
+  RoadmapMemory memory;
+};
+
+DynamicRoadmap::DynamicRoadmap(PlanningProblem problem, const DynamicRoadmapSettings& settings,
+                               std::unique_ptr<Planner> planner) {
+  auto world = problem.checker->shared_world();
+  auto graph = std::make_unique<RoadmapGraph>(problem.scene->robots.front().model, settings.k);
+  planner = planner ? std::move(planner) : usual_planner(problem);
+  state_.reset(new State{std::move(problem), std::move(world), std::move(planner),
+                         RoadmapMemory{settings, std::move(graph)}});
+}
+DynamicRoadmap::~DynamicRoadmap() = default;
+
+const PlanningProblem& DynamicRoadmap::problem() {
+  state_->update_checker();
+  return state_->problem;
+}
+
+const ReplanReport& DynamicRoadmap::report() const { return state_->memory.report; }
+
+bool DynamicRoadmap::follow(const geometric::Scene& scene) {
+  const auto difference = geometric::scene_difference(*state_->problem.scene, scene);
+  if (!difference || difference->other_constraints || !scene.start || !scene.goal) {
+    return false;
+  }
+  for (const geometric::ObjectChange& change : difference->changes) {
+    state_->change(change);
+  }
+  PlanningProblem& problem = state_->problem;
+  problem.start = *scene.start;
+  problem.goal = problem.model().nearest_equivalent(problem.start, *scene.goal);
+  return true;
+}
+
+PlanResult DynamicRoadmap::plan(const PlanRequest& request, std::stop_token stop,
+                                Observer* observer) {
+  state_->update_checker();
+  RoadmapMemory& memory = state_->memory;
+  memory.report = {};
+  Observer silent;
+  PlanResult result = replan(memory, *state_->planner, state_->problem, request, std::move(stop),
+                             observer ? *observer : silent);
+  memory.report.nodes = memory.graph->node_count();
+  memory.report.edges = memory.graph->edge_count();
+  return result;
+}
+
+const char* to_string(ReplanSource source) {
+  switch (source) {
+    case ReplanSource::kNone:
+      return "none";
+    case ReplanSource::kLastPath:
+      return "last path";
+    case ReplanSource::kRoadmap:
+      return "roadmap";
+    case ReplanSource::kRepair:
+      return "repair";
+    case ReplanSource::kPlanner:
+      return "planner";
+  }
+  return "none";
+}
+
+}  // namespace handway::planning
