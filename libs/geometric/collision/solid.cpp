@@ -1,5 +1,6 @@
 #include "collision/solid.h"
 
+#include "collision/nearest_point.h"
 #include "handway/geometric/scene/mesh_topology.h"
 #include "scene/vertex_groups.h"
 
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <limits>
 #include <map>
 #include <mutex>
 #include <utility>
@@ -18,6 +20,8 @@ namespace handway::geometric {
 namespace {
 
 constexpr double kBoxRounding = 1e-14;  // of the coordinates
+constexpr int kGridCells = 64;          // along the longest edge of the box
+constexpr double kGridHair = 1e-6;  // of a cell's edge: the surface enters cells that are as near
 
 bool is_in(const Aabb& box, const Eigen::Vector3d& p) {
   return (p.array() >= box.lower.array()).all() && (p.array() <= box.upper.array()).all();
@@ -148,7 +152,57 @@ void extend(Aabb& box, const Aabb& part, const Pose& X_BG) {
 
 }  // namespace
 
-Solid::Pieces::Pieces(const TriangleMesh& surface) : tree(surface) {
+SideGrid::SideGrid(const TriangleMesh& surface, const Aabb& box)
+    : lower_(box.lower),
+      edge_(std::max(box.size().maxCoeff() / kGridCells, std::numeric_limits<double>::min())),
+      count_((box.size() / edge_).array().ceil().cast<int>().max(1).min(kGridCells)),
+      sides_(static_cast<std::size_t>(count_.prod())) {
+  const double hair = kGridHair * edge_;
+  for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
+    const auto [a, b, c] = corners(surface, t);
+    const Eigen::Vector3d normal = (b - a).cross(c - a);
+    const double reach = 0.5 * edge_ * normal.lpNorm<1>() + hair * normal.norm();
+    const Eigen::Vector3d beside = Eigen::Vector3d::Constant(hair);
+    const Index first = index_of(a.cwiseMin(b).cwiseMin(c) - beside);
+    const Index last = index_of(a.cwiseMax(b).cwiseMax(c) + beside);
+    for (int z = first.z(); z <= last.z(); ++z) {
+      for (int y = first.y(); y <= last.y(); ++y) {
+        for (int x = first.x(); x <= last.x(); ++x) {
+          const Index cell(x, y, z);
+          const Eigen::Vector3d centre = lower_ + edge_ * (cell.cast<double>() + 0.5).matrix();
+          if (std::abs(normal.dot(centre - a)) <= reach) {
+            sides_[number_of(cell)].store(Side::kBoth, std::memory_order_relaxed);
+          }
+        }
+      }
+    }
+  }
+}
+
+SideGrid::Index SideGrid::index_of(const Eigen::Vector3d& p) const {
+  return ((p - lower_) / edge_).array().floor().cast<int>().max(0).min(count_ - 1);
+}
+
+std::size_t SideGrid::number_of(const Index& cell) const {
+  return static_cast<std::size_t>(cell.x() + count_.x() * (cell.y() + count_.y() * cell.z()));
+}
+
+bool SideGrid::is_inside(const Eigen::Vector3d& p,
+                         const std::function<bool(const Eigen::Vector3d&)>& find) const {
+  std::atomic<Side>& side = sides_[number_of(index_of(p))];
+  const Side known = side.load(std::memory_order_relaxed);
+  if (known == Side::kInside || known == Side::kOutside) {
+    return known == Side::kInside;
+  }
+  const bool inside = find(p);
+  if (known == Side::kUnknown) {
+    side.store(inside ? Side::kInside : Side::kOutside, std::memory_order_relaxed);
+  }
+  return inside;
+}
+
+Solid::Pieces::Pieces(const TriangleMesh& surface, const Aabb& box)
+    : sides(surface, box), tree(surface) {
   const std::vector<std::uint32_t> numbers = piece_numbers(surface);
   piece_of.reserve(surface.triangles.size());
   std::uint32_t pieces = 0;
@@ -163,18 +217,20 @@ Solid::Solid(TriangleMesh surface)
     : surface_(std::make_shared<const TriangleMesh>(std::move(surface))),
       box_(bounding_box(*surface_)),
       primitive_(PrimitiveDistance::of(*surface_)),
-      pieces_([mesh = surface_] { return Pieces(*mesh); }) {}
+      pieces_([mesh = surface_, box = box_] { return Pieces(*mesh, box); }) {}
 
 bool Solid::contains(const Eigen::Vector3d& p) const {
   if (!is_in(box_, p)) {
     return false;
   }
   const std::optional<bool> known = primitive_ ? primitive_->contains(p) : std::nullopt;
-  return known.value_or(false) || (!known && is_within_windings(p));
+  return known ? *known : pieces_->sides.is_inside(p, [this](const Eigen::Vector3d& q) {
+    return is_within_windings(q);
+  });
 }
 
 bool Solid::is_within_windings(const Eigen::Vector3d& p) const {
-  const auto& [tree, piece_of, is_oriented] = *pieces_;
+  const auto& [sides, tree, piece_of, is_oriented] = *pieces_;
   struct Passage {
     std::uint32_t piece;
     int winding;

@@ -6,13 +6,41 @@
 #include "handway/geometric/robot/link.h"
 #include "handway/geometric/scene/triangle_mesh.h"
 
+#include <array>
+#include <atomic>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
 namespace handway::geometric {
+
+/// The sides of a closed surface, by the cells of a regular grid around it. Cells that the surface
+/// does not enter are inside or outside as a whole: of each, one point has to be looked at.
+class SideGrid {
+ public:
+  /// @param box around the surface.
+  SideGrid(const TriangleMesh& surface, const Aabb& box);
+
+  /// Whether `p`, in the box, is inside. @param find says so of any point; asked where the surface
+  /// enters the cell, and the first time in any other one.
+  [[nodiscard]] bool is_inside(const Eigen::Vector3d& p,
+                               const std::function<bool(const Eigen::Vector3d&)>& find) const;
+
+ private:
+  enum class Side : std::uint8_t { kUnknown, kInside, kOutside, kBoth };
+  using Index = Eigen::Array3i;
+
+  [[nodiscard]] Index index_of(const Eigen::Vector3d& p) const;
+  [[nodiscard]] std::size_t number_of(const Index& cell) const;
+
+  Eigen::Vector3d lower_;
+  double edge_;  ///< Of a cell, m.
+  Index count_;
+  mutable std::vector<std::atomic<Side>> sides_;  ///< Per cell.
+};
 
 /// The inside of a closed surface. Every connected piece of the surface is a solid of its own: what
 /// is inside any of them is inside, also where a piece lies in another one.
@@ -31,8 +59,9 @@ class Solid {
  private:
   /// What rays are counted by.
   struct Pieces {
-    explicit Pieces(const TriangleMesh& surface);
+    Pieces(const TriangleMesh& surface, const Aabb& box);
 
+    SideGrid sides;
     BoxTree tree;
     std::vector<std::uint32_t> piece_of;  ///< Shape [triangles].
     /// Shape [pieces]: whether neighbours are wound alike; then windings tell the inside also where
