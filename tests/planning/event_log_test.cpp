@@ -1,4 +1,4 @@
-#include "planners/race.h"
+#include "planners/portfolio.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

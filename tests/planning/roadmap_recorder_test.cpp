@@ -68,7 +68,7 @@ TEST(RoadmapRecorder, TellsTheWinnersRoadmapFromTheOthers) {
   EXPECT_THAT(winner.edges, ElementsAre(Pair(0, 1)));
 }
 
-// Every search of a race begins with start and goal; the path has to be the winner's.
+// Every search of a portfolio begins with start and goal; the path has to be the winner's.
 TEST(RoadmapRecorder, HasTheWholeRoadmapOfARace) {
   const PlanningProblem problem = test::post_problem();
   RoadmapRecorder recorder(100000);

@@ -43,7 +43,7 @@ TEST_F(ATreePair, ListsTheNodesOfEitherTree) {
   EXPECT_THAT(trees_.nodes(1), ElementsAre(1, eight));
   EXPECT_EQ(trees_.parent(four), two);
   EXPECT_EQ(trees_.parent(1), 1) << "a root";
-  trees_.cut(trees_.way(four, eight), 1, true);  // between 2 and 4
+  trees_.cut(trees_.connection(four, eight), 1, true);  // between 2 and 4
   EXPECT_THAT(trees_.nodes(0), ElementsAre(0, two));
   EXPECT_THAT(trees_.nodes(1), ElementsAre(1, four, eight));
 }
@@ -52,21 +52,21 @@ TEST_F(ATreePair, LeadsFromStartToGoalOverTheBridge) {
   const int two = add(2, 0);
   const int four = add(4, two);
   const int eight = add(8, 1);
-  const TreePair::Way way = trees_.way(four, eight);
-  EXPECT_THAT(way.nodes, ElementsAre(0, two, four, eight, 1));
-  EXPECT_EQ(way.bridge, 2U);
-  EXPECT_THAT(way.certain, ElementsAre(false, false, false, false));
+  const TreePair::Connection connection = trees_.connection(four, eight);
+  EXPECT_THAT(connection.nodes, ElementsAre(0, two, four, eight, 1));
+  EXPECT_EQ(connection.bridge, 2U);
+  EXPECT_THAT(connection.certain, ElementsAre(false, false, false, false));
 }
 
 TEST_F(ATreePair, RemembersWhatIsCertain) {
   const int two = add(2, 0);
   const int four = add(4, two);
   const int eight = add(8, 1);
-  TreePair::Way way = trees_.way(four, eight);
-  trees_.confirm(way, 0);
-  trees_.confirm(way, way.bridge);
-  trees_.confirm(way, 3);
-  EXPECT_THAT(trees_.way(four, eight).certain, ElementsAre(true, false, false, true));
+  TreePair::Connection connection = trees_.connection(four, eight);
+  trees_.confirm(connection, 0);
+  trees_.confirm(connection, connection.bridge);
+  trees_.confirm(connection, 3);
+  EXPECT_THAT(trees_.connection(four, eight).certain, ElementsAre(true, false, false, true));
 }
 
 TEST_F(ATreePair, HandsACutBranchToTheOtherTree) {
@@ -74,12 +74,12 @@ TEST_F(ATreePair, HandsACutBranchToTheOtherTree) {
   const int four = add(4, two);
   const int twig = add(4.5, four);
   const int eight = add(8, 1);
-  const TreePair::Way way = trees_.way(four, eight);
-  trees_.cut(way, 1, true);  // between 2 and 4
+  const TreePair::Connection connection = trees_.connection(four, eight);
+  trees_.cut(connection, 1, true);  // between 2 and 4
   EXPECT_EQ(trees_.tree_of(two), 0);
   EXPECT_EQ(trees_.tree_of(four), 1);
   EXPECT_EQ(trees_.tree_of(twig), 1);
-  const TreePair::Way other = trees_.way(two, twig);
+  const TreePair::Connection other = trees_.connection(two, twig);
   EXPECT_THAT(other.nodes, ElementsAre(0, two, twig, four, eight, 1));
   EXPECT_THAT(other.certain, ElementsAre(false, false, false, true, false))
       << "the bridge of before is known to be free";
@@ -89,17 +89,17 @@ TEST_F(ATreePair, HandsACutBranchOfTheGoalToTheStart) {
   const int two = add(2, 0);
   const int eight = add(8, 1);
   const int six = add(6, eight);
-  trees_.cut(trees_.way(two, six), 3, false);  // between 8 and the goal
+  trees_.cut(trees_.connection(two, six), 3, false);  // between 8 and the goal
   EXPECT_EQ(trees_.tree_of(eight), 0);
   EXPECT_EQ(trees_.tree_of(six), 0);
-  EXPECT_THAT(trees_.way(eight, 1).nodes, ElementsAre(0, two, six, eight, 1));
+  EXPECT_THAT(trees_.connection(eight, 1).nodes, ElementsAre(0, two, six, eight, 1));
 }
 
 TEST_F(ATreePair, LosesNothingWhenTheBridgeIsNotFree) {
   const int two = add(2, 0);
   const int eight = add(8, 1);
-  const TreePair::Way way = trees_.way(two, eight);
-  trees_.cut(way, way.bridge, false);
+  const TreePair::Connection connection = trees_.connection(two, eight);
+  trees_.cut(connection, connection.bridge, false);
   EXPECT_EQ(trees_.tree_of(two), 0);
   EXPECT_EQ(trees_.tree_of(eight), 1);
 }

@@ -44,18 +44,18 @@ Ranks rank(std::span<const double> first, std::span<const double> second) {
 // P(U ≤ u) for samples of n and m without ties, by Mann and Whitney's recurrence over the
 // number of arrangements with each U, built up as the product of Gaussian binomials.
 double exact_cumulative(std::size_t n, std::size_t m, std::size_t u) {
-  std::vector<double> ways(n * m + 1, 0.0);
-  ways[0] = 1.0;
+  std::vector<double> counts(n * m + 1, 0.0);
+  counts[0] = 1.0;
   for (std::size_t i = 1; i <= n; ++i) {  // times (1 - q^(m+i)) / (1 - q^i)
-    for (std::size_t k = ways.size(); k-- > m + i;) {
-      ways[k] -= ways[k - m - i];
+    for (std::size_t k = counts.size(); k-- > m + i;) {
+      counts[k] -= counts[k - m - i];
     }
-    for (std::size_t k = i; k < ways.size(); ++k) {
-      ways[k] += ways[k - i];
+    for (std::size_t k = i; k < counts.size(); ++k) {
+      counts[k] += counts[k - i];
     }
   }
-  const double all = std::accumulate(ways.begin(), ways.end(), 0.0);
-  return std::accumulate(ways.begin(), ways.begin() + static_cast<std::ptrdiff_t>(u) + 1, 0.0) /
+  const double all = std::accumulate(counts.begin(), counts.end(), 0.0);
+  return std::accumulate(counts.begin(), counts.begin() + static_cast<std::ptrdiff_t>(u) + 1, 0.0) /
          all;
 }
 

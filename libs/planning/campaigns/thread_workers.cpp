@@ -13,7 +13,7 @@
 namespace handway::planning {
 namespace {
 
-/// Records on their way from the threads to the one that takes them.
+/// Records that go from the threads to the one that takes them.
 class RecordQueue {
  public:
   explicit RecordQueue(int workers) : busy_(workers) {}

@@ -8,7 +8,7 @@
 #include "handway/planning/spaces/target_sampler.h"
 #include "handway/sampling/sequences/random_stream.h"
 #include "planners/bidirectional_search.h"
-#include "planners/race.h"
+#include "planners/portfolio.h"
 
 #include <fmt/format.h>
 
@@ -23,7 +23,7 @@ namespace handway::planning {
 namespace {
 
 RrtConnectSettings without_limit(RrtConnectSettings settings) {
-  settings.max_samples = std::numeric_limits<int>::max();  // the race counts samples itself
+  settings.max_samples = std::numeric_limits<int>::max();  // the portfolio counts samples itself
   return settings;
 }
 
@@ -165,7 +165,7 @@ Path with_entries(const Entries& entries, const Path& between) {
   return path;
 }
 
-/// Who takes part in the race.
+/// A search of the portfolio.
 struct Participant {
   std::string name;
   int first_round;
@@ -195,7 +195,8 @@ std::vector<Participant> participants(CorridorForm form, bool has_basis) {
 std::string AutoPlanner::name() const { return "auto"; }
 
 std::string AutoPlanner::description() const {
-  return "Races trees in the principal directions or the arm's corridor and expansive trees";
+  return "Several tree searches, in the principal directions or the arm's corridor first; the "
+         "first path wins";
 }
 
 PlannerCapabilities AutoPlanner::capabilities() const {
@@ -232,11 +233,11 @@ void AutoPlanner::do_plan(PlanningContext& context, PlanResult& result) {
   const sampling::RandomStream seeds(context.request().seed);
   const auto entries_found = subspace_entries(context, objective().weights(context.problem()));
   PlanningProblem between = context.problem();
-  std::vector<Racer> racers;
+  std::vector<PortfolioMember> members;
   for (const Participant& participant : list) {
     const std::uint64_t seed =
         participant.fork == 0 ? seeds.seed() : seeds.fork(participant.fork).seed();
-    racers.push_back(
+    members.push_back(
         {participant.name, participant.first_round, [&participant, seed](PlanningContext& lane) {
            return std::make_unique<BidirectionalSearch>(lane, participant.settings,
                                                         participant.hand, seed);
@@ -245,19 +246,21 @@ void AutoPlanner::do_plan(PlanningContext& context, PlanResult& result) {
   if (entries_found) {
     between.start = entries_found->from_start.back();
     between.goal = entries_found->from_goal.back();
-    racers.front().name = "trees in the principal motion directions";
-    racers.front().problem = &between;
+    members.front().name = "trees in the principal motion directions";
+    members.front().problem = &between;
   }
-  Race race(context, std::move(racers), static_cast<std::uint64_t>(settings_.max_samples));
-  result.status = race.run();
+  Portfolio portfolio(context, std::move(members),
+                      static_cast<std::uint64_t>(settings_.max_samples));
+  result.status = portfolio.run();
   if (result.solved()) {
-    const Path found =
-        race.winner_problem() == &between ? with_entries(*entries_found, race.path()) : race.path();
+    const Path found = portfolio.winner_problem() == &between
+                           ? with_entries(*entries_found, portfolio.path())
+                           : portfolio.path();
     constexpr int kMostRounds = 6;
     smooth_result(context, objective(), settings_.smoothing_checks, found, result, kMostRounds);
     result.reason =
         fmt::format("Found a path of {} waypoints after {} samples, by {}{}.",
-                    result.path.waypoints.size(), context.statistics().samples, race.winner(),
+                    result.path.waypoints.size(), context.statistics().samples, portfolio.winner(),
                     has_basis ? "" : ", over all joints: the scene has no hand basis");
   }
 }

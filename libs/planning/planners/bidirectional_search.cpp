@@ -137,7 +137,7 @@ bool BidirectionalSearch::passable(const Configuration& from, const Configuratio
                : context().validator().edge_free(from, to);
 }
 
-// An edge that takes more is as good as closed as long as there may be a wider way.
+// An edge that takes more is as good as closed as long as there may be a wider passage.
 std::uint64_t BidirectionalSearch::edge_checks() const {
   return lazy_ ? std::min(kMostEdgeChecks,
                           kEdgeChecks + kMoreEdgeChecks * static_cast<std::uint64_t>(sample_))
@@ -153,24 +153,26 @@ bool BidirectionalSearch::connect(int reached, const TargetSampler::Target& targ
     const double length = space_.periods().difference(end, trees_.coordinates(*at)).norm();
     if (length <= settings_.range) {
       return passable(trees_.configuration(*at), trees_.configuration(reached), length) &&
-             verify(growing == 0 ? trees_.way(reached, *at) : trees_.way(*at, reached));
+             verify(growing == 0 ? trees_.connection(reached, *at)
+                                 : trees_.connection(*at, reached));
     }
     at = step_towards(*at, end, settings_.range, target);
   }
   return false;
 }
 
-// Settles what is uncertain of a way, longest edges first: those fail most and cost least then.
-bool BidirectionalSearch::verify(TreePair::Way way) {
+// Settles what is uncertain of a connection, longest edges first: those fail most and cost least
+// then.
+bool BidirectionalSearch::verify(TreePair::Connection connection) {
   std::vector<Configuration> q;
-  for (const int node : way.nodes) {
+  for (const int node : connection.nodes) {
     q.push_back(trees_.configuration(node));
   }
   q = context().problem().model().unwrapped(std::move(q), q.front());
-  way.certain[way.bridge] = !lazy_;
+  connection.certain[connection.bridge] = !lazy_;
   std::vector<std::pair<double, std::size_t>> uncertain;
-  for (std::size_t edge = 0; edge < way.certain.size(); ++edge) {
-    if (!way.certain[edge]) {
+  for (std::size_t edge = 0; edge < connection.certain.size(); ++edge) {
+    if (!connection.certain[edge]) {
       uncertain.emplace_back(
           -normalised_distance(context().problem().model(), q[edge], q[edge + 1]), edge);
     }
@@ -181,14 +183,15 @@ bool BidirectionalSearch::verify(TreePair::Way way) {
       return false;
     }
     if (!context().validator().edge_free(q[edge], q[edge + 1], edge_checks())) {
-      trees_.cut(way, edge, way.certain[way.bridge]);
+      trees_.cut(connection, edge, connection.certain[connection.bridge]);
       return false;
     }
-    way.certain[edge] = true;
-    trees_.confirm(way, edge);
+    connection.certain[edge] = true;
+    trees_.confirm(connection, edge);
   }
   ++statistics().edges;
-  context().observer().on_edge(way.nodes[way.bridge], way.nodes[way.bridge + 1]);
+  context().observer().on_edge(connection.nodes[connection.bridge],
+                               connection.nodes[connection.bridge + 1]);
   path_.waypoints = std::move(q);
   return true;
 }

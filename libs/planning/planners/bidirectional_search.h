@@ -41,7 +41,7 @@ class BidirectionalSearch final : public Search {
   [[nodiscard]] bool connect(int reached, const TargetSampler::Target& target);
   [[nodiscard]] bool passable(const Configuration& from, const Configuration& target,
                               double length);
-  [[nodiscard]] bool verify(TreePair::Way way);
+  [[nodiscard]] bool verify(TreePair::Connection connection);
   [[nodiscard]] std::uint64_t edge_checks() const;
 
   const RrtConnectSettings& settings_;

@@ -34,14 +34,14 @@ class LazySearch final : public Search {
 
   [[nodiscard]] Path path() const override {
     Path path;
-    for (const int node : way_) {
+    for (const int node : path_) {
       path.waypoints.push_back(roadmap_.configuration(node));
     }
     return path;
   }
 
  protected:
-  // One draw, or one look at the shortest way.
+  // One draw, or one look at the shortest nodes.
   [[nodiscard]] std::optional<PlanStatus> step() override {
     if (nodes_wanted_ > 0) {
       if (sample_ >= settings_.max_samples) {
@@ -52,12 +52,12 @@ class LazySearch final : public Search {
       draw_node();
       return std::nullopt;
     }
-    way_ = roadmap_.shortest_path(kStartNode, kGoalNode);
-    if (way_.empty() || statistics().samples == 0) {
+    path_ = roadmap_.shortest_path(kStartNode, kGoalNode);
+    if (path_.empty() || statistics().samples == 0) {
       nodes_wanted_ = settings_.batch;
       return std::nullopt;
     }
-    return is_free(way_) ? std::optional(PlanStatus::kSolved) : std::nullopt;
+    return is_free(path_) ? std::optional(PlanStatus::kSolved) : std::nullopt;
   }
 
  private:
@@ -92,11 +92,11 @@ class LazySearch final : public Search {
   }
 
   // What is refused is taken out of the roadmap. All edges are sampled before any is made certain.
-  [[nodiscard]] bool is_free(const std::vector<int>& way) {
+  [[nodiscard]] bool is_free(const std::vector<int>& nodes) {
     for (const bool exactly : {false, true}) {
-      for (std::size_t i = 0; i + 1 < way.size(); ++i) {
-        const int a = way[i];
-        const int b = way[i + 1];
+      for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
+        const int a = nodes[i];
+        const int b = nodes[i + 1];
         if (certain_.contains(std::minmax(a, b))) {
           continue;
         }
@@ -133,8 +133,8 @@ class LazySearch final : public Search {
   std::set<std::pair<int, int>> certain_;  ///< Edges known to be free, the lower node first.
   int sample_ = 0;
   int failures_ = 0;      ///< Draws since one was free.
-  int nodes_wanted_ = 0;  ///< Before the next look for a way.
-  std::vector<int> way_;
+  int nodes_wanted_ = 0;  ///< Before the next look for a nodes.
+  std::vector<int> path_;
 };
 
 }  // namespace
@@ -142,7 +142,7 @@ class LazySearch final : public Search {
 std::string PmdLazy::name() const { return "pmd-lazy"; }
 
 std::string PmdLazy::description() const {
-  return "Roadmap in the same regions that checks edges only where the shortest way leads";
+  return "Roadmap in the same regions that checks edges only where the shortest path leads";
 }
 
 PlannerCapabilities PmdLazy::capabilities() const {
@@ -153,7 +153,7 @@ std::vector<Parameter> PmdLazy::own_parameters() {
   std::vector<Parameter> list = {
       {"k", "Neighbours K", "", "Nearest nodes that a new node is joined to.", &settings_.k, 1,
        1000},
-      {"batch", "Nodes at a time", "", "Nodes added when no way from start to goal is left.",
+      {"batch", "Nodes at a time", "", "Nodes added when no path from start to goal is left.",
        &settings_.batch, 1, 100000},
       max_samples_parameter(settings_.max_samples),
       smoothing_checks_parameter(settings_.smoothing_checks),

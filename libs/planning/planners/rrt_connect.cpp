@@ -8,7 +8,7 @@
 namespace handway::planning {
 
 RrtConnect::RrtConnect(HandSpace space) : space_(space) {
-  if (space == HandSpace::kAllJoints) {  // no regions to find short ways in
+  if (space == HandSpace::kAllJoints) {  // no regions to find short paths in
     settings_.range = 0.2;
     settings_.refinements = 2;
   }

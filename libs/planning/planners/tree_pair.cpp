@@ -50,37 +50,37 @@ std::vector<int> TreePair::branch(int node) const {
   return nodes;
 }
 
-TreePair::Way TreePair::way(int start_side, int goal_side) const {
+TreePair::Connection TreePair::connection(int start_side, int goal_side) const {
   const std::vector<int> before = branch(start_side);
   const std::vector<int> after = branch(goal_side);
-  Way way;
-  way.nodes.assign(before.rbegin(), before.rend());
-  way.bridge = way.nodes.size() - 1;
-  way.nodes.insert(way.nodes.end(), after.begin(), after.end());
-  for (std::size_t i = 0; i + 1 < way.nodes.size(); ++i) {
-    way.certain.push_back(i < way.bridge   ? at(way.nodes[i + 1]).certain
-                          : i > way.bridge ? at(way.nodes[i]).certain
-                                           : false);
+  Connection connection;
+  connection.nodes.assign(before.rbegin(), before.rend());
+  connection.bridge = connection.nodes.size() - 1;
+  connection.nodes.insert(connection.nodes.end(), after.begin(), after.end());
+  for (std::size_t i = 0; i + 1 < connection.nodes.size(); ++i) {
+    connection.certain.push_back(i < connection.bridge   ? at(connection.nodes[i + 1]).certain
+                                 : i > connection.bridge ? at(connection.nodes[i]).certain
+                                                         : false);
   }
-  return way;
+  return connection;
 }
 
-void TreePair::confirm(const Way& way, std::size_t edge) {
-  if (edge != way.bridge) {
-    at(way.nodes[edge < way.bridge ? edge + 1 : edge]).certain = true;
+void TreePair::confirm(const Connection& connection, std::size_t edge) {
+  if (edge != connection.bridge) {
+    at(connection.nodes[edge < connection.bridge ? edge + 1 : edge]).certain = true;
   }
 }
 
-void TreePair::cut(const Way& way, std::size_t edge, bool bridge_certain) {
-  if (edge == way.bridge) {
+void TreePair::cut(const Connection& connection, std::size_t edge, bool bridge_certain) {
+  if (edge == connection.bridge) {
     return;
   }
-  // Along the way from the cut to the bridge, each node's parent becomes its child.
-  const bool in_start_tree = edge < way.bridge;
-  int parent = way.nodes[in_start_tree ? way.bridge + 1 : way.bridge];
+  // Along the connection from the cut to the bridge, each node's parent becomes its child.
+  const bool in_start_tree = edge < connection.bridge;
+  int parent = connection.nodes[in_start_tree ? connection.bridge + 1 : connection.bridge];
   bool certain = bridge_certain;
-  for (std::size_t i = way.bridge; i != edge; in_start_tree ? --i : ++i) {
-    const int node = way.nodes[in_start_tree ? i : i + 1];
+  for (std::size_t i = connection.bridge; i != edge; in_start_tree ? --i : ++i) {
+    const int node = connection.nodes[in_start_tree ? i : i + 1];
     const bool next_certain = at(node).certain;
     at(node).parent = parent;
     at(node).certain = certain;

@@ -15,7 +15,7 @@ namespace handway::planning {
 /// the goal (tree 1, rooted at node 1), over one set of nodes. Distances are
 /// those of a StateSpace.
 ///
-/// Edges may be uncertain. When one of a way through both trees turns out not to
+/// Edges may be uncertain. When one of a connection through both trees turns out not to
 /// be free, what it carried goes over to the other tree, and no node is lost.
 ///
 /// Source: Sánchez, Latombe, "A single-query bi-directional probabilistic roadmap
@@ -42,22 +42,22 @@ class TreePair {
   [[nodiscard]] const Configuration& configuration(int node) const { return at(node).q; }
   [[nodiscard]] const Eigen::VectorXd& coordinates(int node) const { return at(node).coordinates; }
 
-  /// A way from start to goal by an edge between a node of tree 0 and one of tree 1.
-  struct Way {
+  /// A connection from start to goal by an edge between a node of tree 0 and one of tree 1.
+  struct Connection {
     std::vector<int> nodes;     ///< From start to goal.
     std::vector<bool> certain;  ///< Per edge: edge i is from nodes[i] to nodes[i + 1].
     std::size_t bridge = 0;     ///< The edge between the trees.
   };
   /// @pre `start_side` is in tree 0, `goal_side` in tree 1.
-  [[nodiscard]] Way way(int start_side, int goal_side) const;
+  [[nodiscard]] Connection connection(int start_side, int goal_side) const;
 
-  /// Edge `edge` of `way` is free: remembered, unless it is the bridge.
-  void confirm(const Way& way, std::size_t edge);
+  /// Edge `edge` of `connection` is free: remembered, unless it is the bridge.
+  void confirm(const Connection& connection, std::size_t edge);
 
-  /// Edge `edge` of `way` is not free. Unless it is the bridge, the nodes between
+  /// Edge `edge` of `connection` is not free. Unless it is the bridge, the nodes between
   /// it and the bridge, with all that hangs on them, go over to the other tree.
   /// @param bridge_certain the bridge is known to be free.
-  void cut(const Way& way, std::size_t edge, bool bridge_certain);
+  void cut(const Connection& connection, std::size_t edge, bool bridge_certain);
 
  private:
   struct Node {

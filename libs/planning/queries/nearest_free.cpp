@@ -97,17 +97,17 @@ class NearestFreeSearch {
 
   void look_on_shell(double radius) {
     for (Eigen::Index v = 0; v < from_.size(); ++v) {
-      for (const double way : {radius, -radius}) {
+      for (const double step : {radius, -radius}) {
         Configuration q = from_;
-        q[v] += way;
+        q[v] += step;
         offer_and_shorten(q);
       }
     }
     for (int i = 0; i < kDirections; ++i) {
       for (const std::vector<int>& group : groups_) {
         Configuration q = from_;
-        const Eigen::VectorXd way = random_.normal(static_cast<int>(group.size()));
-        q(group) += radius * way.normalized();
+        const Eigen::VectorXd direction = random_.normal(static_cast<int>(group.size()));
+        q(group) += radius * direction.normalized();
         offer_and_shorten(q);
       }
     }
@@ -122,13 +122,13 @@ class NearestFreeSearch {
   /// Along the straight line to where the search began.
   void shorten() {
     const Configuration base = clamped(from_);
-    const Eigen::VectorXd way = *best_ - base;
-    const double length = way.norm();
+    const Eigen::VectorXd direction = *best_ - base;
+    const double length = direction.norm();
     double blocked = 0.0;
     double free = 1.0;
     while ((free - blocked) * length > kPrecision && !is_spent()) {
       const double middle = 0.5 * (blocked + free);
-      Configuration q = base + middle * way;
+      Configuration q = base + middle * direction;
       if (is_free(q)) {
         free = middle;
         best_ = std::move(q);
@@ -147,9 +147,10 @@ class NearestFreeSearch {
     for (int i = 0; i < kSteps && !is_spent(); ++i) {
       const std::vector<int>& group = groups_[static_cast<std::size_t>(i) % groups_.size()];
       const double length = distance(*best_);
-      Eigen::VectorXd way = *best_ - from_;
-      way(group) += 0.5 * length * random_.normal(static_cast<int>(group.size())).normalized();
-      offer_and_shorten(from_ + 0.97 * length * way.normalized());
+      Eigen::VectorXd direction = *best_ - from_;
+      direction(group) +=
+          0.5 * length * random_.normal(static_cast<int>(group.size())).normalized();
+      offer_and_shorten(from_ + 0.97 * length * direction.normalized());
     }
   }
 

@@ -97,10 +97,10 @@ std::vector<SamplingRegion> first_regions(Planner& planner, int directions) {
   if (const std::optional<SamplingRegion> first = first_region(planner, directions)) {
     regions.push_back(*first);
   }
-  if (const auto* race = dynamic_cast<const AutoPlanner*>(&planner)) {
+  if (const auto* several = dynamic_cast<const AutoPlanner*>(&planner)) {
     const SamplingRegion common = regions.front();
     regions.clear();
-    for (const TargetRegion& region : race->regions(true)) {
+    for (const TargetRegion& region : several->regions(true)) {
       regions.push_back(common);
       regions.back().corridor = static_cast<CorridorForm>(region.corridor);
       regions.back().rho_a = region.rho_a;

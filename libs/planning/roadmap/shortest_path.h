@@ -29,10 +29,10 @@ class StopAtGoal : public boost::default_astar_visitor {
 
 }  // namespace shortest_path_detail
 
-/// The shortest way from node `from` to node `to` by A*, both included; empty if there is none.
+/// The shortest path from node `from` to node `to` by A*, both included; empty if there is none.
 /// @param graph a boost::adjacency_list whose nodes are numbered from 0 up.
 /// @param weights property map from its edges to lengths ≥ 0; infinite: not to be taken.
-/// @param distance_to_goal never more than the way from a node to `to`.
+/// @param distance_to_goal never more than the length of a path from a node to `to`.
 template <typename Graph, typename Weights, typename Heuristic>
 [[nodiscard]] std::vector<int> shortest_path(const Graph& graph, int from, int to,
                                              const Weights& weights,

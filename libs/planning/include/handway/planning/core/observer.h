@@ -57,7 +57,7 @@ inline constexpr AlgorithmLine kHandFree{2, 7};        ///< Does it touch an obj
 inline constexpr AlgorithmLine kAddNode{3, 1};
 inline constexpr AlgorithmLine kNeighbours{3, 2};
 inline constexpr AlgorithmLine kSameComponent{3, 4};  ///< Are the two joined already?
-inline constexpr AlgorithmLine kLocalPlan{3, 5};      ///< Is the straight way between them free?
+inline constexpr AlgorithmLine kLocalPlan{3, 5};      ///< Is the straight motion between them free?
 inline constexpr AlgorithmLine kAddEdge{3, 6};
 inline constexpr AlgorithmLine kWiden{4, 7};       ///< Another pass, with wider hypercubes.
 inline constexpr AlgorithmLine kHypercube{4, 12};  ///< The next hypercube.

@@ -14,7 +14,7 @@ enum class SmoothingEdges {
 
 /// The paper's smoothing (section 5.3, FINDPATH): "a new (small) roadmap composed
 /// of the nodes of the path and all collision-free edges between them", and its
-/// shortest way. Interrupted, it gives the best way known by then.
+/// shortest path. Interrupted, it gives the best path known by then.
 /// @pre every edge of `path` is free.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT Path smooth_by_roadmap(
     PlanningContext& context, const Path& path, SmoothingEdges edges = SmoothingEdges::kForwards);

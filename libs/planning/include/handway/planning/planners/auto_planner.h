@@ -16,8 +16,8 @@ struct AutoPlannerSettings {
   bool cartesian = true;       ///< Expansive trees grow in poses of the arm's tool.
 };
 
-/// The default. Races searches and takes the path of the first to find one: trees in the joint
-/// corridor start alone; where they don't find a path soon, expansive trees (see
+/// The default. Runs a portfolio of searches and takes the path of the first to find one: trees in
+/// the joint corridor start alone; where they don't find a path soon, expansive trees (see
 /// RrtConnectSettings::expansions; in poses of the tool if the arm has closed-form inverse
 /// kinematics), the same from another seed, and trees over all joints join. Budgets are counted in
 /// configurations, so that the winner is the same for any number of threads. The path is then
@@ -31,7 +31,7 @@ class HANDWAY_PLANNING_EXPORT AutoPlanner final : public Planner {
   [[nodiscard]] PlannerCapabilities capabilities() const override;
 
   [[nodiscard]] AutoPlannerSettings& settings() { return settings_; }
-  /// Where each of the searches that race begins to draw from, in the order of
+  /// Where each of its searches begins to draw from, in the order of
   /// NodeEvent::search. @param has_basis of the problem.
   [[nodiscard]] std::vector<TargetRegion> regions(bool has_basis) const;
 

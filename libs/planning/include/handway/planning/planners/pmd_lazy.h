@@ -19,8 +19,8 @@ struct PmdLazySettings {
 };
 
 /// A roadmap in the paper's sampling regions whose edges are checked only where
-/// the shortest way from start to goal leads; edges that are refused go, and new
-/// nodes come when no way is left, from a corridor that widens.
+/// the shortest path from start to goal leads; edges that are refused go, and new
+/// nodes come when no path is left, from a corridor that widens.
 ///
 /// Source: Bohlin, Kavraki, "Path planning using lazy PRM", ICRA 2000,
 /// doi:10.1109/ROBOT.2000.844107. Nodes are checked when they are drawn.

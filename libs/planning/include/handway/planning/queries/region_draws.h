@@ -77,9 +77,9 @@ class HANDWAY_PLANNING_EXPORT RegionPreview {
 
 /// Where the palm goes in one hypercube B^a(p_i) of a corridor.
 struct PalmBox {
-  geometric::Pose X_WC;       ///< Middle, axes along the palm's widest ways.
+  geometric::Pose X_WC;       ///< Middle, axes along the palm's widest extents.
   Eigen::Vector3d half_size;  ///< m
-  double step = 0.0;          ///< p_i: share of the arm's way from start (0) to goal (1).
+  double step = 0.0;          ///< p_i: share of the arm's motion from start (0) to goal (1).
 };
 
 /// Boxes around the palm's places in the hypercubes of a region's corridor (paper, section 5.1,

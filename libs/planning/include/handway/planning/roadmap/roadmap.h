@@ -42,7 +42,7 @@ class HANDWAY_PLANNING_EXPORT Roadmap {
   /// `threshold`, nearest first.
   [[nodiscard]] std::vector<int> nearest(int node, int k, double threshold) const;
 
-  /// FINDPATH's search: the shortest way by A*, empty if there is none.
+  /// FINDPATH's search: the shortest path by A*, empty if there is none.
   [[nodiscard]] std::vector<int> shortest_path(int from, int to) const;
 
  private:

@@ -39,51 +39,51 @@ class EventLog final : public Observer {
   std::vector<std::variant<Node, Edge>> events_;
 };
 
-/// A search that takes part in a Race; NodeEvent::search is its place in the list.
-struct Racer {
+/// A search that takes part in a Portfolio; NodeEvent::search is its place in the list.
+struct PortfolioMember {
   std::string name;     ///< In words, for the reason.
   int first_round = 0;  ///< Starts in this round.
   std::function<std::unique_ptr<Search>(PlanningContext&)> make;
-  const PlanningProblem* problem = nullptr;  ///< Between other ends; null: the race's own.
+  const PlanningProblem* problem = nullptr;  ///< Between other ends; null: the portfolio's own.
 };
 
 /// Lets several searches run on one problem until one solves it.
 ///
-/// The race goes in rounds. In each, every racer may check as many configurations
+/// The portfolio is run in rounds. In each, every member may check as many configurations
 /// as the round allows, twice as many as in the one before. The winner is the
 /// first in order to solve in the earliest round, whichever was done first by the
-/// clock; the order is that of the list, but the first racer goes last from the
+/// clock; the order is that of the list, but the first member goes last from the
 /// third round on: so any number of threads finds the same. Searches that can't win
 /// any more are stopped.
-class Race {
+class Portfolio {
  public:
-  /// @param samples that all racers may draw together.
-  Race(PlanningContext& context, std::vector<Racer> racers, std::uint64_t samples);
-  ~Race();
-  Race(const Race&) = delete;
-  Race& operator=(const Race&) = delete;
+  /// @param samples that all members may draw together.
+  Portfolio(PlanningContext& context, std::vector<PortfolioMember> members, std::uint64_t samples);
+  ~Portfolio();
+  Portfolio(const Portfolio&) = delete;
+  Portfolio& operator=(const Portfolio&) = delete;
 
-  /// To the end. Adds up what all racers did in the context's statistics, apart
+  /// To the end. Adds up what all members did in the context's statistics, apart
   /// from work of a round that its winner made needless.
   [[nodiscard]] PlanStatus run();
 
   /// @pre run() gave kSolved.
   [[nodiscard]] const std::string& winner() const;
-  [[nodiscard]] const PlanningProblem* winner_problem() const;  ///< Racer::problem.
+  [[nodiscard]] const PlanningProblem* winner_problem() const;  ///< PortfolioMember::problem.
   [[nodiscard]] Path path() const;
 
  private:
-  struct Lane;
+  struct Run;
 
   [[nodiscard]] std::optional<PlanStatus> run_round(int round);
-  void run_lanes(const std::vector<Lane*>& lanes, const SearchBudget& budget);
-  void publish(const std::vector<Lane*>& lanes);
+  void advance(const std::vector<Run*>& runs, const SearchBudget& budget);
+  void publish(const std::vector<Run*>& runs);
 
   PlanningContext& context_;
   std::uint64_t samples_;
-  std::vector<std::unique_ptr<Lane>> lanes_;
-  PlanStatistics before_;  ///< What the context had done before the race.
-  const Lane* winner_ = nullptr;
+  std::vector<std::unique_ptr<Run>> runs_;
+  PlanStatistics before_;  ///< What the context had done before the portfolio.
+  const Run* winner_ = nullptr;
 };
 
 }  // namespace handway::planning

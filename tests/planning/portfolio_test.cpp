@@ -1,4 +1,4 @@
-#include "planners/race.h"
+#include "planners/portfolio.h"
 
 #include "handway_test/planar_problems.h"
 
@@ -35,7 +35,7 @@ class Counting final : public Search {
   std::uint64_t enough_;
 };
 
-Racer racer(std::string name, std::uint64_t enough, int first_round = 0) {
+PortfolioMember member(std::string name, std::uint64_t enough, int first_round = 0) {
   return {std::move(name), first_round,
           [enough](PlanningContext& context) -> std::unique_ptr<Search> {
             return std::make_unique<Counting>(context, enough);
@@ -51,11 +51,11 @@ class ARace : public testing::TestWithParam<int> {
     std::string winner;
     PlanStatistics statistics;
   };
-  Outcome run(std::vector<Racer> racers, std::uint64_t samples = kPlenty) {
+  Outcome run(std::vector<PortfolioMember> members, std::uint64_t samples = kPlenty) {
     PlanningContext context(problem_, request_, stop_.get_token(), observer_);
-    Race race(context, std::move(racers), samples);
-    const PlanStatus status = race.run();
-    return {status, status == PlanStatus::kSolved ? race.winner() : "", context.statistics()};
+    Portfolio portfolio(context, std::move(members), samples);
+    const PlanStatus status = portfolio.run();
+    return {status, status == PlanStatus::kSolved ? portfolio.winner() : "", context.statistics()};
   }
 
   PlanningProblem problem_ = test::open_problem();
@@ -65,33 +65,33 @@ class ARace : public testing::TestWithParam<int> {
 };
 
 TEST_P(ARace, IsWonByTheOnlyOneThatSolves) {
-  const Outcome outcome = run({racer("hare", kNever), racer("tortoise", 200'000)});
+  const Outcome outcome = run({member("hare", kNever), member("tortoise", 200'000)});
   EXPECT_EQ(outcome.status, PlanStatus::kSolved);
   EXPECT_EQ(outcome.winner, "tortoise");
 }
 
 TEST_P(ARace, IsWonByTheFirstInOrderWhenBothSolveInTheSameRound) {
-  EXPECT_EQ(run({racer("first", 400), racer("second", 20)}).winner, "first");
+  EXPECT_EQ(run({member("first", 400), member("second", 20)}).winner, "first");
 }
 
 TEST_P(ARace, IsWonByTheOneThatNeedsFewerRounds) {
-  EXPECT_EQ(run({racer("slow", 100'000), racer("quick", 20)}).winner, "quick");
+  EXPECT_EQ(run({member("slow", 100'000), member("quick", 20)}).winner, "quick");
 }
 
 TEST_P(ARace, LetsARacerStartLater) {
-  EXPECT_EQ(run({racer("slow", 200'000), racer("late", 20, 3)}).winner, "late");
-  EXPECT_EQ(run({racer("prompt", 400), racer("late", 20, 3)}).winner, "prompt");
+  EXPECT_EQ(run({member("slow", 200'000), member("late", 20, 3)}).winner, "late");
+  EXPECT_EQ(run({member("prompt", 400), member("late", 20, 3)}).winner, "prompt");
 }
 
 TEST_P(ARace, CountsOnlyWhatTheWinnerHadToWaitFor) {
-  const Outcome alone = run({racer("first", 400)});
-  const Outcome both = run({racer("first", 400), racer("second", 20)});
+  const Outcome alone = run({member("first", 400)});
+  const Outcome both = run({member("first", 400), member("second", 20)});
   EXPECT_EQ(both.statistics.node_checks, alone.statistics.node_checks);
   EXPECT_EQ(both.statistics.samples, 40U);
 }
 
 TEST_P(ARace, EndsWhenTheSamplesAreSpent) {
-  const Outcome outcome = run({racer("one", kNever), racer("other", kNever, 1)}, 1000);
+  const Outcome outcome = run({member("one", kNever), member("other", kNever, 1)}, 1000);
   EXPECT_EQ(outcome.status, PlanStatus::kSamplesSpent);
   EXPECT_GE(outcome.statistics.samples, 1000U);
   EXPECT_LE(outcome.statistics.samples, 1002U);
@@ -99,12 +99,12 @@ TEST_P(ARace, EndsWhenTheSamplesAreSpent) {
 
 TEST_P(ARace, EndsWhenItIsCancelled) {
   stop_.request_stop();
-  EXPECT_EQ(run({racer("one", kNever), racer("other", kNever)}).status, PlanStatus::kCancelled);
+  EXPECT_EQ(run({member("one", kNever), member("other", kNever)}).status, PlanStatus::kCancelled);
 }
 
 TEST_P(ARace, EndsWithTheTime) {
   request_.time_limit_s = 0.02;
-  EXPECT_EQ(run({racer("one", kNever), racer("other", kNever)}).status, PlanStatus::kTimeLimit);
+  EXPECT_EQ(run({member("one", kNever), member("other", kNever)}).status, PlanStatus::kTimeLimit);
 }
 
 INSTANTIATE_TEST_SUITE_P(Threads, ARace, testing::Values(1, 2, 5));
