@@ -260,7 +260,8 @@ BenchTable::BenchTable(const BenchSettings& settings,
 
 void BenchTable::begin_collisions() const {
   fmt::print(
-      "Collision, \u00b5s: a configuration near the way from start to goal; an edge of a tenth of "
+      "Collision, \u00b5s: a configuration near the motion from start to goal; an edge of a tenth "
+      "of "
       "it.\n"
       "{:<{}} {:>7} {:>9} | {:>9} {:>6} {:>6} {:>5} {:>9} {:>5} | {:>6} {:>6} {:>6} {:>5}\n",
       "scene", width_, "load ms", "memory MB", "collide %", "config", "FCL", "ratio", "FCL broad",

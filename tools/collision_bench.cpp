@@ -22,7 +22,7 @@ using geometric::Configuration;
 constexpr int kConfigurations = 256;
 constexpr std::size_t kEdges = 24;
 constexpr double kSpread = 0.05;      // of a joint's range
-constexpr double kEdge = 0.1;         // of the way from start to goal
+constexpr double kEdge = 0.1;         // of the motion from start to goal
 constexpr double kResolution = 5e-5;  // m, as planners have it
 constexpr int kRounds = 5;
 constexpr double kLeastTime = 0.05;  // s that a round takes; all questions are asked once at least
@@ -82,7 +82,7 @@ void measure(std::initializer_list<Series*> all) {
 struct Questions {
   std::vector<Configuration> configurations;
   std::vector<Configuration> edge_starts;
-  Configuration way;  ///< Of every edge.
+  Configuration motion;  ///< Of every edge.
 };
 
 Series configurations_for(CollisionChecker& checker, const Questions& questions) {
@@ -97,7 +97,7 @@ Series edges_for(geometric::EdgeChecker& edges, const Questions& questions) {
   return {questions.edge_starts.size(),
           [&](std::size_t i) {
             const Configuration& from = questions.edge_starts[i];
-            static_cast<void>(edges.check(from, from + questions.way));
+            static_cast<void>(edges.check(from, from + questions.motion));
           },
           {}};
 }
@@ -112,7 +112,7 @@ CollisionBench bench_collision(const std::shared_ptr<const CollisionWorld>& worl
   const std::unique_ptr<CollisionChecker> broad = make_collision_checker(world, kFclBroadphase);
   Questions questions;
   questions.configurations = draw(*world, start, goal);
-  questions.way = kEdge * (goal - start);
+  questions.motion = kEdge * (goal - start);
   const auto motion = std::make_shared<const geometric::MotionBound>(*world);
   geometric::EdgeChecker fast_edges(*fast, motion, kResolution);
   geometric::EdgeChecker fcl_edges(*fcl, motion, kResolution);
@@ -128,9 +128,9 @@ CollisionBench bench_collision(const std::shared_ptr<const CollisionWorld>& worl
                         broad->first_collision(q).has_value() == collides;
     bench.disagreements += agreed ? 0 : 1;
     if (!collides && questions.edge_starts.size() < kEdges &&
-        !fast->first_collision(q + questions.way)) {
+        !fast->first_collision(q + questions.motion)) {
       questions.edge_starts.push_back(q);
-      free_edges += fast_edges.check(q, q + questions.way).free ? 1 : 0;
+      free_edges += fast_edges.check(q, q + questions.motion).free ? 1 : 0;
     }
   }
   bench.configurations = kConfigurations;

@@ -25,7 +25,7 @@ struct CollisionBench {
 };
 
 /// Configurations are drawn around the straight motion from `start` to `goal`, up to 5 %
-/// of every joint's range off it; edges begin there and take a tenth of the way.
+/// of every joint's range off it; edges begin there and take a tenth of the motion.
 [[nodiscard]] CollisionBench bench_collision(
     const std::shared_ptr<const geometric::CollisionWorld>& world,
     const geometric::Configuration& start, const geometric::Configuration& goal);

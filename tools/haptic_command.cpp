@@ -36,7 +36,7 @@ namespace handway::tools {
 namespace {
 
 /// A guidance as CSV, a row for each sample of the device: `time` (s), `progress` (m of the tool's
-/// way), `place` (a waypoint's index with the share of the way to the next), `button`,
+/// path), `place` (a waypoint's index with the share of the motion to the next), `button`,
 /// `deviation` (m of the hand), `force.x`, `force.y`, `force.z` (N, in the device's frame), then
 /// the robot's joints as they were led (rad). Rows are written as they come.
 class HapticLog {
@@ -171,7 +171,7 @@ void check_path_is_free(const TimingInput& input) {
 int report(const execution::GuidanceOutcome& outcome, const device::ForceGuide& guide,
            const HapticLog& log) {
   fmt::print(
-      "{} samples in {:.1f} s, {} grips, up to {:.1f} mm of the hand from the way, up to "
+      "{} samples in {:.1f} s, {} grips, up to {:.1f} mm of the hand from the path, up to "
       "{:.2f} N\n",
       outcome.samples, outcome.time, guide.grips(), outcome.largest_deviation / kMillimetre,
       outcome.strongest);
@@ -197,7 +197,7 @@ int guide(const GuideChoice& choice) {
   const geometric::FilesRead notes;
   const TimingInput input = read_timing_input(choice.timing, extensions);
   const geometric::RobotModel& model = input.problem.model();
-  const execution::PathToolCurve way(
+  const execution::PathToolCurve tool_path(
       input.problem.scene->robots.front().model, input.path,
       choice.link.empty() ? execution::tool_link(model, input.problem.arm) : choice.link);
   const planning::RateLimits limits = choice.timing.limits.empty()
@@ -221,7 +221,8 @@ int guide(const GuideChoice& choice) {
   robots.connect(input.path.waypoints.front(), choice.start_tolerance, stop.get_token());
   handle->connect(stop.get_token());
   fmt::print("{}: {:.2f} m of the tool, {:.2f} m of the hand; forces up to {:.2f} N\n",
-             handle->name(), way.curve()->length(), way.curve()->length() / settings.scale,
+             handle->name(), tool_path.curve()->length(),
+             tool_path.curve()->length() / settings.scale,
              std::min(settings.strongest, handle->abilities().force));
   if (!robots.empty() && !choice.yes) {
     fmt::print(stderr, "Nothing moved: --yes lets the robot move.\n");
@@ -242,18 +243,18 @@ int guide(const GuideChoice& choice) {
       return kNoPath;
     }
   }
-  device::ForceGuide force_guide(way.curve(), settings);
+  device::ForceGuide force_guide(tool_path.curve(), settings);
   execution::GuidedMotion motion(input.path, limits.at_speed(choice.timing.speed).velocity);
   double next = kProgressPeriod;
   const execution::GuidanceOutcome outcome = run_guidance(
-      *handle, force_guide, way, motion, stop.get_token(),
+      *handle, force_guide, tool_path, motion, stop.get_token(),
       {.on_sample =
            [&](const execution::GuidanceSample& sample) {
              log.add(sample);
              if (sample.time >= next) {
                next += kProgressPeriod;
                fmt::print("{:.1f} s: {:.3f} of {:.3f} m, {:.1f} mm off, {:.2f} N\n", sample.time,
-                          sample.step.progress, way.curve()->length(),
+                          sample.step.progress, tool_path.curve()->length(),
                           sample.step.deviation / kMillimetre, sample.step.force.norm());
                std::fflush(stdout);
              }
@@ -292,10 +293,10 @@ void add_haptic_guide(CLI::App& haptic, int& exit_code) {
   };
   number("--speed", choice->timing.speed, 0.001, 1.0, "Share of the joints' velocity limits");
   number("--scale", choice->guide.scale, 0.01, 100.0, "Motion of the tool per motion of the hand");
-  number("--tube-mm", choice->tube_mm, 0.0, 100.0, "So far from the way nothing pulls the hand");
+  number("--tube-mm", choice->tube_mm, 0.0, 100.0, "So far from the path nothing pulls the hand");
   number("--stiffness", choice->guide.stiffness, 0.0, 2000.0, "Of the spring to the tube, N/m");
   number("--damping", choice->guide.damping, 0.0, 20.0, "N s/m");
-  number("--assistance", choice->guide.assistance, 0.0, 20.0, "Force along the way, N");
+  number("--assistance", choice->guide.assistance, 0.0, 20.0, "Force along the path, N");
   number("--max-force", choice->guide.strongest, 0.01, 20.0, "Strongest force on the hand, N");
   number("--start-tolerance", choice->start_tolerance, 1e-5, 1.0,
          "How far a joint may stand from the path's start, rad");

@@ -145,12 +145,12 @@ PostureStudy study_postures(const fs::path& recording, Normalisation normalisati
   PostureStudy study;
   study.recording = recording;
   study.normalisation = normalisation;
-  for (const Normalisation way : {Normalisation::kLimits, Normalisation::kRange}) {
-    const Eigen::MatrixXd samples = normalised_samples(mapped, mapper, way);
+  for (const Normalisation scaling : {Normalisation::kLimits, Normalisation::kRange}) {
+    const Eigen::MatrixXd samples = normalised_samples(mapped, mapper, scaling);
     const Analysis analysis = analyse(samples, free, false);
-    const bool limits = way == Normalisation::kLimits;
+    const bool limits = scaling == Normalisation::kLimits;
     (limits ? study.limits_shares : study.range_shares) = analysis.components.shares;
-    if (way == normalisation) {
+    if (scaling == normalisation) {
       study.shares = analysis.components.shares;
       study.postures = joint_values(samples, mapper);
       study.basis = sampling::make_pmd_basis(

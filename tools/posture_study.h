@@ -25,7 +25,7 @@ struct RecordingSteps {
   double low_pass = 0.0;  ///< Hz
 };
 
-/// A recording on its way to postures of a hand.
+/// A recording that becomes postures of a hand.
 struct MappedRecording {
   std::filesystem::path file;
   device::Recording recording;       ///< Angles, after all steps.

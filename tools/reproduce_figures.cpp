@@ -63,7 +63,7 @@ struct Studied {
   PostureStudy study;
 };
 
-std::string way_text(Normalisation normalisation) {
+std::string text_of(Normalisation normalisation) {
   return normalisation == Normalisation::kLimits ? "joints by limits" : "joints by own range";
 }
 
@@ -110,10 +110,10 @@ ReportTable variance_table(const std::vector<Studied>& all) {
   ReportTable table{{"Directions", "published [%]"}, {}};
   std::vector<const Eigen::VectorXd*> columns;
   for (const Studied& one : all) {
-    for (const Normalisation way : {Normalisation::kLimits, Normalisation::kRange}) {
-      table.columns.push_back(fmt::format("{}, {} [%]", one.name, way_text(way)));
-      columns.push_back(way == Normalisation::kLimits ? &one.study.limits_shares
-                                                      : &one.study.range_shares);
+    for (const Normalisation scaling : {Normalisation::kLimits, Normalisation::kRange}) {
+      table.columns.push_back(fmt::format("{}, {} [%]", one.name, text_of(scaling)));
+      columns.push_back(scaling == Normalisation::kLimits ? &one.study.limits_shares
+                                                          : &one.study.range_shares);
     }
   }
   const Eigen::Index most = columns.front()->size();
@@ -139,7 +139,7 @@ std::string sources_text(const std::vector<Studied>& all) {
       "which has an axis of its own. Drawn are";
   for (const Studied& one : all) {
     text += fmt::format("{} {}, {} postures, {}", &one == all.data() ? "" : ";", one.name,
-                        one.study.postures.rows(), way_text(one.study.normalisation));
+                        one.study.postures.rows(), text_of(one.study.normalisation));
   }
   return text + ".";
 }

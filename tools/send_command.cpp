@@ -49,8 +49,8 @@ class SendObserver final : public execution::MotionObserver {
                execution::MotionRequests& requests, std::stop_source& stop)
       : targets_(targets), log_(log), requests_(requests), stop_(stop) {}
 
-  // What the scene has in the way, if that ended the motion.
-  [[nodiscard]] const std::string& in_the_way() const { return in_the_way_; }
+  // What of the scene ended the motion.
+  [[nodiscard]] const std::string& obstacle() const { return obstacle_; }
 
   void on_sample(const execution::MotionSample& sample) override {
     log_.add(sample.time, sample.target, sample.planned, sample.measured);
@@ -83,7 +83,7 @@ class SendObserver final : public execution::MotionObserver {
     const execution::SceneVerdict rest =
         watch.look(time, execution::with_measured(watch.start(), targets_));
     if (rest.state == execution::SceneVerdict::State::kBlocked) {
-      in_the_way_ = rest.reason;
+      obstacle_ = rest.reason;
       stop_.request_stop();
     } else if (rest.state == execution::SceneVerdict::State::kFree) {
       requests_.hold = false;
@@ -94,7 +94,7 @@ class SendObserver final : public execution::MotionObserver {
   execution::MotionLog& log_;
   execution::MotionRequests& requests_;
   std::stop_source& stop_;
-  std::string in_the_way_;
+  std::string obstacle_;
   double next_ = kProgressPeriod;
 };
 
@@ -234,7 +234,7 @@ int send(const SendChoice& choice) {
   SendObserver observer(targets, log, requests, stop);
   execution::MotionOutcome outcome = run_motion(targets, choice.tolerances, requests, observer);
   if (outcome.collision.empty()) {
-    outcome.collision = observer.in_the_way();
+    outcome.collision = observer.obstacle();
   }
   if (!outcome.started) {
     fmt::print(stderr, "Nothing moved: {}\n",
