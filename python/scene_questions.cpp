@@ -1,7 +1,6 @@
 #include "scene_questions.h"
 
 #include "handway/geometric/io/input_error.h"
-#include "handway/geometric/io/nearest_name.h"
 
 #include <algorithm>
 #include <iterator>

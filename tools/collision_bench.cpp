@@ -1,8 +1,8 @@
 #include "collision_bench.h"
 
-#include "handway/geometric/collision/edge_checker.h"
-#include "handway/geometric/collision/make_checker.h"
-#include "handway/geometric/collision/motion_bound.h"
+#include "handway/geometric/collision/checkers/make_checker.h"
+#include "handway/geometric/collision/continuous/edge_checker.h"
+#include "handway/geometric/collision/continuous/motion_bound.h"
 #include "handway/planning/campaigns/sample_statistics.h"
 
 #include <chrono>

@@ -4,7 +4,6 @@
 #include "handway/device/glove/glove_layout.h"
 #include "handway/device/glove/guided_poses.h"
 #include "handway/geometric/io/input_error.h"
-#include "handway/geometric/io/nearest_name.h"
 #include "handway/geometric/io/resources.h"
 
 #include <CLI/CLI.hpp>

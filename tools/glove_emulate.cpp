@@ -5,7 +5,6 @@
 #include "handway/device/glove/glove_signals.h"
 #include "handway/device/glove/recording.h"
 #include "handway/geometric/io/input_error.h"
-#include "handway/geometric/io/nearest_name.h"
 #include "numbers.h"
 
 #include <CLI/CLI.hpp>

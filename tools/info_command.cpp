@@ -1,6 +1,6 @@
 #include "commands.h"
 #include "exit_codes.h"
-#include "handway/geometric/collision/make_checker.h"
+#include "handway/geometric/collision/checkers/make_checker.h"
 #include "handway/geometric/math/units.h"
 #include "handway/geometric/robot/limit_violation.h"
 #include "handway/planning/core/planning_problem.h"

@@ -1,6 +1,6 @@
 #include "commands.h"
 #include "exit_codes.h"
-#include "handway/geometric/collision/contact.h"
+#include "handway/geometric/collision/narrow_phase/contact.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/replace_file.h"
 #include "handway/geometric/math/units.h"

@@ -1,6 +1,6 @@
 #include "scene_file_watch.h"
 
-#include "handway/geometric/io/digest.h"
+#include "handway/geometric/io/disk_cache.h"
 
 #include <chrono>
 #include <system_error>

@@ -1,7 +1,6 @@
 #include "scene_options.h"
 
 #include "handway/geometric/io/input_error.h"
-#include "handway/geometric/io/nearest_name.h"
 #include "handway/geometric/io/resources.h"
 #include "handway/geometric/math/units.h"
 #include "handway/sampling/postures/pmd_basis_io.h"

@@ -1,9 +1,8 @@
 #include "scene_variants.h"
 
-#include "handway/geometric/collision/closest_points.h"
-#include "handway/geometric/collision/contact.h"
-#include "handway/geometric/collision/fcl_checker.h"
-#include "handway/geometric/collision/make_checker.h"
+#include "handway/geometric/collision/checkers/fcl_checker.h"
+#include "handway/geometric/collision/checkers/make_checker.h"
+#include "handway/geometric/collision/narrow_phase/contact.h"
 #include "handway/geometric/robot/limit_violation.h"
 #include "handway/planning/core/planning_problem.h"
 #include "handway/planning/queries/palm_ik.h"

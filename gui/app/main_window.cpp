@@ -31,7 +31,7 @@
 #include "features/preferences/preferences_dialog.h"
 #include "features/runs/runs_panel.h"
 #include "features/tracker/wrist_page.h"
-#include "handway/geometric/io/mesh_reader.h"
+#include "handway/geometric/formats/mesh_reader.h"
 #include "model/planning/path_validity.h"
 #include "model/playback/path_timeline.h"
 #include "view3d/scene_view.h"

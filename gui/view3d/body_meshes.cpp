@@ -1,8 +1,8 @@
 #include "view3d/body_meshes.h"
 
-#include "handway/geometric/collision/bounding_volumes.h"
+#include "handway/geometric/collision/cache/bounding_volumes.h"
 #include "handway/geometric/collision/collision_world.h"
-#include "handway/geometric/scene/convex_hull.h"
+#include "handway/geometric/mesh/convex_hull.h"
 #include "model/meshes/shaded_meshes.h"
 
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "handway/geometric/mesh/triangle_mesh.h"
 #include "handway/geometric/scene/scene.h"
-#include "handway/geometric/scene/triangle_mesh.h"
 
 #include <map>
 #include <memory>

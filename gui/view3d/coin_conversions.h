@@ -1,7 +1,7 @@
 #pragma once
 
 #include "handway/geometric/math/pose.h"
-#include "handway/geometric/scene/color.h"
+#include "handway/geometric/mesh/shape.h"
 
 #include <Inventor/SbColor.h>
 #include <Inventor/SbMatrix.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "handway/geometric/scene/color.h"
+#include "handway/geometric/mesh/shape.h"
 #include "view3d/coin_ref.h"
 
 #include <Eigen/Core>

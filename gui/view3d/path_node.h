@@ -1,9 +1,9 @@
 #pragma once
 
+#include "handway/geometric/mesh/shape.h"
+#include "handway/geometric/mesh/triangle_mesh.h"
 #include "handway/geometric/robot/robot_state.h"
-#include "handway/geometric/scene/color.h"
 #include "handway/geometric/scene/scene.h"
-#include "handway/geometric/scene/triangle_mesh.h"
 #include "view3d/overlay.h"
 
 #include <Eigen/Core>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "handway/geometric/scene/color.h"
+#include "handway/geometric/mesh/shape.h"
 #include "model/planning/microscope.h"
 #include "model/planning/palm_roadmap.h"
 #include "view3d/overlay.h"

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "handway/geometric/mesh/shape.h"
+#include "handway/geometric/mesh/triangle_mesh.h"
 #include "handway/geometric/robot/robot_model.h"
-#include "handway/geometric/scene/color.h"
-#include "handway/geometric/scene/triangle_mesh.h"
 #include "view3d/coin_ref.h"
 
 #include <Inventor/nodes/SoSeparator.h>

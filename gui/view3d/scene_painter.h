@@ -1,6 +1,6 @@
 #pragma once
 
-#include "handway/geometric/scene/color.h"
+#include "handway/geometric/mesh/shape.h"
 #include "model/settings/orbit_camera.h"
 #include "model/settings/view_colors.h"
 #include "view3d/scene_graph.h"

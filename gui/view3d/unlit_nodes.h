@@ -1,6 +1,6 @@
 #pragma once
 
-#include "handway/geometric/scene/color.h"
+#include "handway/geometric/mesh/shape.h"
 
 #include <Inventor/nodes/SoPointSet.h>
 

@@ -1,9 +1,9 @@
 #include "inventor_meshes.h"
 
+#include "handway/geometric/formats/mesh_import.h"
 #include "handway/geometric/io/disk_cache.h"
-#include "handway/geometric/io/files_read.h"
 #include "handway/geometric/io/input_error.h"
-#include "handway/geometric/io/mesh_import.h"
+#include "handway/geometric/io/text_file.h"
 
 #include <boost/archive/binary_iarchive.hpp>
 #include <boost/archive/binary_oarchive.hpp>

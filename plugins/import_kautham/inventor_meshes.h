@@ -1,7 +1,7 @@
 #pragma once
 
-#include "handway/geometric/scene/color.h"
-#include "handway/geometric/scene/triangle_mesh.h"
+#include "handway/geometric/mesh/shape.h"
+#include "handway/geometric/mesh/triangle_mesh.h"
 
 #include <filesystem>
 #include <map>

@@ -1,7 +1,6 @@
 #include "xml_file.h"
 
 #include "handway/geometric/io/input_error.h"
-#include "handway/geometric/io/nearest_name.h"
 #include "handway/geometric/io/text_file.h"
 #include "handway/geometric/math/units.h"
 

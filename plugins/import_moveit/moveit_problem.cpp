@@ -1,10 +1,10 @@
 #include "moveit_problem.h"
 
+#include "handway/geometric/formats/robot_loader.h"
+#include "handway/geometric/formats/yaml_element.h"
 #include "handway/geometric/io/existing_file.h"
-#include "handway/geometric/io/nearest_name.h"
+#include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/resources.h"
-#include "handway/geometric/io/robot_loader.h"
-#include "handway/geometric/io/yaml_element.h"
 #include "handway/geometric/robot/base_joint.h"
 #include "handway/geometric/robot/robot_model.h"
 #include "problem_files.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "handway/geometric/io/yaml_element.h"
+#include "handway/geometric/formats/yaml_element.h"
 #include "handway/geometric/math/pose.h"
 
 #include <filesystem>

@@ -1,7 +1,7 @@
 #include "world_objects.h"
 
+#include "handway/geometric/formats/mesh_reader.h"
 #include "handway/geometric/io/existing_file.h"
-#include "handway/geometric/io/mesh_reader.h"
 #include "problem_files.h"
 
 #include <fmt/format.h>

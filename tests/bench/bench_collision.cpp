@@ -1,10 +1,9 @@
 /// One configuration near a query's segment, and one edge of the length that planners
 /// connect, with FCL pair by pair, FCL with its broad phase and the everyday checker,
 /// on every known problem.
-#include "handway/geometric/collision/bounded_checker.h"
-#include "handway/geometric/collision/edge_checker.h"
-#include "handway/geometric/collision/fcl_broadphase_checker.h"
-#include "handway/geometric/collision/fcl_checker.h"
+#include "handway/geometric/collision/checkers/bounded_checker.h"
+#include "handway/geometric/collision/checkers/fcl_checker.h"
+#include "handway/geometric/collision/continuous/edge_checker.h"
 #include "handway_test/known_problems.h"
 
 #include <benchmark/benchmark.h>

@@ -1,7 +1,7 @@
 /// Meshes of third-party formats, by the library and its program: the first byte of an input says
 /// which format, the others are the file. The program may do with it what it likes.
-#include "handway/geometric/io/mesh_import.h"
-#include "handway/geometric/io/mesh_reader.h"
+#include "handway/geometric/formats/mesh_import.h"
+#include "handway/geometric/formats/mesh_reader.h"
 #include "input_file.h"
 
 #include <array>

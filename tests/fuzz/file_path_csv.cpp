@@ -1,5 +1,5 @@
 /// Paths (CSV).
-#include "handway/geometric/io/robot_loader.h"
+#include "handway/geometric/formats/robot_loader.h"
 #include "handway/planning/paths/path_csv.h"
 #include "input_file.h"
 

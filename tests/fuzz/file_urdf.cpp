@@ -1,5 +1,5 @@
 /// Robots (URDF).
-#include "handway/geometric/io/robot_loader.h"
+#include "handway/geometric/formats/robot_loader.h"
 #include "input_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

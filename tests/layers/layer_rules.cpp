@@ -22,6 +22,15 @@ const std::map<std::string, std::set<std::string>, std::less<>> kBelow = {
     {"execution", {"geometric", "sampling", "planning", "device"}},
 };
 
+/// The folders of libraries, lowest first: sources and headers of each, the public ones too, may
+/// include those of the folders before it. A library that is not named here is not checked.
+const std::map<std::string, std::vector<std::string>, std::less<>> kLibraryFolders = {
+    {"geometric",
+     {"math", "io", "mesh", "robot", "scene", "collision/volumes", "collision",
+      "collision/continuous", "collision/cache", "collision/broad_phase", "collision/narrow_phase",
+      "collision/checkers", "formats"}},
+};
+
 /// The folders of the window, lowest first: each may include those before it. Two exceptions:
 /// `view3d` and `widgets` do not know each other, nor does a feature know another.
 const std::vector<std::string> kWindowFolders = {
@@ -52,6 +61,19 @@ std::optional<std::string> library_of(std::string_view file) {
     return std::nullopt;
   }
   return part_of(file).substr(kLibs.size());
+}
+
+/// "collision/cache" of "libs/geometric/collision/cache/a.cpp" and of its public headers, which
+/// are in libs/geometric/include/handway/geometric/collision/cache.
+std::string library_folder_of(std::string_view file, const std::string& library) {
+  for (const std::string& prefix :
+       {"libs/" + library + '/', "include/handway/" + library + '/'}) {
+    if (file.starts_with(prefix)) {
+      file.remove_prefix(prefix.size());
+    }
+  }
+  const std::size_t slash = file.rfind('/');
+  return slash == std::string_view::npos ? std::string() : std::string(file.substr(0, slash));
 }
 
 bool is_header(std::string_view file) { return file.ends_with(".h"); }
@@ -131,6 +153,39 @@ std::string LayerRules::owner_of(const std::string& file, std::string_view inclu
   return part;  // made by the build
 }
 
+std::optional<std::string> LayerRules::file_of_library(const std::string& file,
+                                                       const std::string& library,
+                                                       std::string_view include) const {
+  const std::string root = "libs/" + library + '/';
+  const std::string name(include);
+  const fs::path beside = (fs::path(file).parent_path() / name).lexically_normal();
+  for (const std::string& candidate :
+       {root + "include/" + name, beside.generic_string(), root + name}) {
+    if (candidate.starts_with(root) && files_.contains(candidate)) {
+      return candidate;
+    }
+  }
+  return std::nullopt;
+}
+
+std::string LayerRules::folder_rule_broken(const std::string& file, const std::string& library,
+                                           std::string_view include) const {
+  const auto rule = kLibraryFolders.find(library);
+  const std::optional<std::string> included = file_of_library(file, library, include);
+  if (rule == kLibraryFolders.end() || !included) {
+    return {};
+  }
+  const std::vector<std::string>& folders = rule->second;
+  const std::string from = library_folder_of(file, library);
+  const std::string to = library_folder_of(*included, library);
+  const auto place = std::ranges::find(folders, from);
+  if (place == folders.end()) {
+    return "the layer of the folder " + library + '/' + from + " is not laid down";
+  }
+  const bool below = std::find(folders.begin(), place + 1, to) != place + 1;
+  return below ? std::string() : library + '/' + from + " must not include " + to;
+}
+
 std::string LayerRules::window_rule_broken(std::string_view file, std::string_view include) const {
   constexpr std::string_view kGui = "gui/";
   file.remove_prefix(kGui.size());
@@ -160,6 +215,11 @@ std::string LayerRules::window_rule_broken(std::string_view file, std::string_vi
 std::string LayerRules::rule_broken_by_include(const std::string& file, std::string_view include,
                                                bool quoted) const {
   const std::optional<std::string> library = library_of(file);
+  if (library) {
+    if (std::string rule = folder_rule_broken(file, *library, include); !rule.empty()) {
+      return rule;
+    }
+  }
   constexpr std::string_view kOurs = "handway/";
   if (include.starts_with(kOurs)) {
     const std::string_view rest = include.substr(kOurs.size());

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -28,6 +29,13 @@ class LayerRules {
  private:
   [[nodiscard]] std::string rule_broken_by_include(const std::string& file,
                                                    std::string_view include, bool quoted) const;
+  /// The file of `library` that a file of it includes, or nothing.
+  [[nodiscard]] std::optional<std::string> file_of_library(const std::string& file,
+                                                           const std::string& library,
+                                                           std::string_view include) const;
+  /// Of the order of the library's folders: `file` is of it.
+  [[nodiscard]] std::string folder_rule_broken(const std::string& file, const std::string& library,
+                                               std::string_view include) const;
   /// Of the window's layers: `file` is of gui/.
   [[nodiscard]] std::string window_rule_broken(std::string_view file,
                                                std::string_view include) const;

@@ -23,7 +23,9 @@ const LayerRules& sample_rules() {
   static const LayerRules kRules({
       "libs/geometric/robot/tree.h",
       "libs/geometric/robot/tree.cpp",
+      "libs/geometric/include/handway/geometric/collision/world.h",
       "libs/geometric/include/handway/geometric/robot/model.h",
+      "libs/geometric/collision/cache/table.h",
       "libs/sampling/postures/pca.h",
       "gui/model/document/document.h",
       "gui/view3d/scene_view.h",
@@ -82,6 +84,29 @@ TEST(LayerRules, CatchAnIncludeUpwards) {
   EXPECT_THAT(
       check("libs/sampling/postures/pca.h", "#include <handway/planning/planners/planner.h>"),
       ElementsAre(breach_at(1, "sampling must not include planning")));
+}
+
+TEST(LayerRules, LetAFolderOfALibraryIncludeThoseBelow) {
+  EXPECT_THAT(check("libs/geometric/collision/cache/table.cpp",
+                    "#include \"table.h\"\n"
+                    "#include \"robot/tree.h\"\n"
+                    "#include \"handway/geometric/collision/world.h\"\n"
+                    "#include \"handway/geometric/export.h\"\n"),
+              IsEmpty());
+}
+
+TEST(LayerRules, CatchAFolderOfALibraryThatIncludesOneAbove) {
+  EXPECT_THAT(check("libs/geometric/robot/tree.cpp",
+                    "#include \"tree.h\"\n"
+                    "#include <handway/geometric/collision/world.h>\n"
+                    "#include \"collision/cache/table.h\"\n"),
+              ElementsAre(breach_at(2, "geometric/robot must not include collision"),
+                          breach_at(3, "geometric/robot must not include collision/cache")));
+  EXPECT_THAT(check("libs/geometric/include/handway/geometric/robot/model.h",
+                    "#include \"handway/geometric/collision/world.h\"\n"),
+              ElementsAre(breach_at(1, "geometric/robot must not include collision")));
+  EXPECT_THAT(check("libs/geometric/magic/wand.cpp", "#include \"robot/tree.h\"\n"),
+              ElementsAre(breach_at(1, "geometric/magic is not laid down")));
 }
 
 TEST(LayerRules, KeepDevicesApartFromPlanning) {

@@ -1,5 +1,5 @@
 /// A dynamic roadmap on a scene that ships.
-#include "handway/geometric/collision/edge_checker.h"
+#include "handway/geometric/collision/continuous/edge_checker.h"
 #include "handway/planning/planners/auto_planner.h"
 #include "handway/planning/replanning/dynamic_roadmap.h"
 #include "handway_test/known_problems.h"

@@ -1,6 +1,6 @@
 #include "handway/planning/replanning/dynamic_roadmap.h"
 
-#include "handway/geometric/collision/edge_checker.h"
+#include "handway/geometric/collision/continuous/edge_checker.h"
 #include "handway/planning/planners/auto_planner.h"
 #include "handway_test/planar_problems.h"
 #include "handway_test/roadmap_scenes.h"

@@ -2,7 +2,7 @@
 #include "handway/device/glove/generated_recording.h"
 #include "handway/device/glove/glove_calibration.h"
 #include "handway/device/glove/hand_mapper.h"
-#include "handway/geometric/io/robot_loader.h"
+#include "handway/geometric/formats/robot_loader.h"
 #include "handway/sampling/postures/pmd_basis_io.h"
 #include "handway/sampling/postures/principal_components.h"
 #include "handway_test/paths.h"

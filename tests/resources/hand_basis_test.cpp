@@ -1,4 +1,4 @@
-#include "handway/geometric/io/robot_loader.h"
+#include "handway/geometric/formats/robot_loader.h"
 #include "handway/geometric/robot/normalised_joints.h"
 #include "handway/sampling/postures/pmd_basis_io.h"
 #include "handway_test/paths.h"

@@ -1,6 +1,6 @@
 #include "handway/geometric/collision/collision_world.h"
+#include "handway/geometric/formats/robot_loader.h"
 #include "handway/geometric/io/input_error.h"
-#include "handway/geometric/io/robot_loader.h"
 #include "handway/geometric/robot/robot_state.h"
 #include "handway_test/paths.h"
 #include "kautham_importer.h"

@@ -1,5 +1,5 @@
-#include "handway/geometric/collision/fcl_checker.h"
-#include "handway/geometric/io/robot_loader.h"
+#include "handway/geometric/collision/checkers/fcl_checker.h"
+#include "handway/geometric/formats/robot_loader.h"
 #include "handway_test/paths.h"
 
 #include <gmock/gmock.h>

@@ -1,8 +1,8 @@
 // Every scene that ships is a problem that a person can open and plan at once.
 
-#include "handway/geometric/collision/edge_checker.h"
-#include "handway/geometric/io/scene_reader.h"
-#include "handway/geometric/io/scene_writer.h"
+#include "handway/geometric/collision/continuous/edge_checker.h"
+#include "handway/geometric/formats/scene_reader.h"
+#include "handway/geometric/formats/scene_writer.h"
 #include "handway/planning/extensions/plugin.h"
 #include "handway/planning/paths/path_check.h"
 #include "handway/planning/planners/planner_registry.h"

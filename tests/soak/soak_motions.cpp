@@ -17,7 +17,7 @@
 #include "handway/execution/motion/motion_parts.h"
 #include "handway/execution/motion/motion_run.h"
 #include "handway/execution/motion/scene_watch.h"
-#include "handway/geometric/collision/make_checker.h"
+#include "handway/geometric/collision/checkers/make_checker.h"
 #include "handway/geometric/math/pose.h"
 #include "handway/planning/paths/path_conflict.h"
 #include "handway/planning/planners/planner_registry.h"

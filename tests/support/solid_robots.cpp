@@ -1,6 +1,6 @@
 #include "handway_test/solid_robots.h"
 
-#include "handway/geometric/collision/fcl_checker.h"
+#include "handway/geometric/collision/checkers/fcl_checker.h"
 #include "handway_test/robots.h"
 
 #include <utility>

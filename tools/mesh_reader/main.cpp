@@ -1,6 +1,6 @@
 /// Reads meshes of third-party formats for Handway's libraries, each file in a process of its own
 /// (handway/geometric/io/mesh_stream.h). Nothing for people to start.
-#include "handway/geometric/io/mesh_stream.h"
+#include "handway/geometric/formats/mesh_stream.h"
 #include "readers.h"
 
 #include <sys/prctl.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "handway/geometric/io/mesh_stream.h"
+#include "handway/geometric/formats/mesh_stream.h"
 
 #include <array>
 #include <cstdint>

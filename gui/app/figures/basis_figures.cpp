@@ -1,8 +1,8 @@
 #include "app/figures/basis_figures.h"
 
+#include "handway/geometric/formats/robot_loader.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/resources.h"
-#include "handway/geometric/io/robot_loader.h"
 #include "handway/geometric/io/text_file.h"
 #include "handway/geometric/math/units.h"
 #include "handway/sampling/postures/pmd_basis_io.h"

@@ -1,6 +1,6 @@
 #include "app/figures/motion_figures.h"
 
-#include "handway/geometric/io/yaml_element.h"
+#include "handway/geometric/formats/yaml_element.h"
 #include "handway/planning/extensions/plugin.h"
 #include "handway/planning/paths/path_csv.h"
 #include "model/document/joint_groups.h"

@@ -1,6 +1,6 @@
 #include "model/devices/contact_guard.h"
 
-#include "handway/geometric/collision/sliding_step.h"
+#include "handway/geometric/collision/continuous/sliding_step.h"
 
 #include <exception>
 #include <utility>

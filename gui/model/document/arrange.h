@@ -1,7 +1,7 @@
 #pragma once
 
 #include "handway/geometric/math/pose.h"
-#include "handway/geometric/scene/triangle_mesh.h"
+#include "handway/geometric/mesh/triangle_mesh.h"
 #include "model/document/scene_edits.h"
 
 #include <Eigen/Core>

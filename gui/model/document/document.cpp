@@ -1,7 +1,7 @@
 #include "model/document/document.h"
 
+#include "handway/geometric/formats/scene_writer.h"
 #include "handway/geometric/io/resources.h"
-#include "handway/geometric/io/scene_writer.h"
 #include "handway/sampling/postures/pmd_basis_io.h"
 #include "model/meshes/shaded_meshes.h"
 

@@ -1,6 +1,6 @@
 #include "model/document/prepared_problem.h"
 
-#include "handway/geometric/collision/preparation.h"
+#include "handway/geometric/collision/volumes/preparation.h"
 
 #include <chrono>
 #include <utility>

@@ -1,6 +1,6 @@
 #include "model/document/resize.h"
 
-#include "handway/geometric/scene/triangle_mesh.h"
+#include "handway/geometric/mesh/triangle_mesh.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "handway/geometric/math/pose.h"
-#include "handway/geometric/scene/shape.h"
+#include "handway/geometric/mesh/shape.h"
 
 #include <Eigen/Core>
 

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "handway/geometric/mesh/triangle_mesh.h"
 #include "handway/geometric/robot/robot_model.h"
 #include "handway/geometric/scene/scene.h"
-#include "handway/geometric/scene/triangle_mesh.h"
 #include "model/document/scene_edits.h"
 
 #include <optional>

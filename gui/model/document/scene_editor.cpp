@@ -1,6 +1,6 @@
 #include "model/document/scene_editor.h"
 
-#include "handway/geometric/io/mesh_reader.h"
+#include "handway/geometric/formats/mesh_reader.h"
 #include "model/document/arrange.h"
 #include "model/document/resting.h"
 #include "model/document/scene_edits.h"

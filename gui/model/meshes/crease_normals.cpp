@@ -1,6 +1,6 @@
 #include "model/meshes/crease_normals.h"
 
-#include "handway/geometric/scene/mesh_topology.h"
+#include "handway/geometric/mesh/triangle_mesh.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "handway/geometric/scene/triangle_mesh.h"
+#include "handway/geometric/mesh/triangle_mesh.h"
 
 #include <Eigen/Core>
 

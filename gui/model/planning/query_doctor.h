@@ -1,6 +1,6 @@
 #pragma once
 
-#include "handway/geometric/collision/contact.h"
+#include "handway/geometric/collision/narrow_phase/contact.h"
 #include "handway/planning/queries/nearest_free.h"
 #include "model/document/prepared_problem.h"
 #include "model/jobs/background.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "handway/geometric/scene/shape.h"
+#include "handway/geometric/mesh/shape.h"
 
 #include <QWidget>
 

@@ -1,11 +1,10 @@
 #include "calibration_text_files.h"
 #include "handway/device/glove/glove_calibration.h"
 #include "handway/device/glove/glove_layout.h"
+#include "handway/geometric/formats/yaml_element.h"
 #include "handway/geometric/io/input_error.h"
-#include "handway/geometric/io/nearest_name.h"
 #include "handway/geometric/io/replace_file.h"
 #include "handway/geometric/io/text_file.h"
-#include "handway/geometric/io/yaml_element.h"
 #include "number_text.h"
 #include "yaml_text.h"
 

@@ -1,8 +1,8 @@
 #include "handway/device/glove/guided_poses.h"
 
 #include "handway/device/glove/glove_layout.h"
-#include "handway/geometric/io/nearest_name.h"
-#include "handway/geometric/io/yaml_element.h"
+#include "handway/geometric/formats/yaml_element.h"
+#include "handway/geometric/io/input_error.h"
 #include "handway/geometric/math/units.h"
 #include "yaml_text.h"
 

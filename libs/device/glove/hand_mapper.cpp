@@ -2,7 +2,6 @@
 
 #include "handway/device/glove/glove_layout.h"
 #include "handway/geometric/io/input_error.h"
-#include "handway/geometric/io/nearest_name.h"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,9 @@
 #include "handway/device/glove/hand_mapping.h"
 
 #include "handway/device/glove/glove_layout.h"
-#include "handway/geometric/io/nearest_name.h"
+#include "handway/geometric/formats/yaml_element.h"
+#include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/replace_file.h"
-#include "handway/geometric/io/yaml_element.h"
 #include "handway/geometric/math/units.h"
 #include "yaml_text.h"
 

@@ -1,6 +1,5 @@
 #include "handway/device/glove/glove_layout.h"
 #include "handway/geometric/io/input_error.h"
-#include "handway/geometric/io/nearest_name.h"
 #include "number_text.h"
 #include "recording_readers.h"
 #include "recording_text.h"

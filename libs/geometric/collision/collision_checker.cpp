@@ -1,6 +1,6 @@
 #include "handway/geometric/collision/collision_checker.h"
 
-#include "collision/solid.h"
+#include "collision/volumes/solid.h"
 
 #include <algorithm>
 #include <numeric>

@@ -1,6 +1,6 @@
 #include "handway/geometric/collision/collision_world.h"
 
-#include "collision/solid.h"
+#include "collision/volumes/solid.h"
 #include "handway/geometric/io/input_error.h"
 
 #include <algorithm>

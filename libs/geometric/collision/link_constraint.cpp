@@ -1,7 +1,6 @@
 #include "handway/geometric/collision/link_constraint.h"
 
 #include "handway/geometric/io/input_error.h"
-#include "handway/geometric/io/nearest_name.h"
 #include "handway/geometric/math/units.h"
 
 #include <Eigen/Cholesky>

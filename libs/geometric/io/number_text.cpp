@@ -1,12 +1,17 @@
-#include "io/number_text.h"
+#include "handway/geometric/io/number_text.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
 namespace handway::geometric {
+namespace {
+
+constexpr std::string_view kBlanks = " \t\r\n";
+
+}  // namespace
 
 std::optional<double> parse_number(std::string_view text) {
-  constexpr std::string_view kBlanks = " \t\r\n";
   const std::size_t first = text.find_first_not_of(kBlanks);
   if (first == std::string_view::npos) {
     return std::nullopt;
@@ -31,6 +36,29 @@ std::string number_text(double value) {
   const auto [end, error] =
       std::to_chars(buffer, buffer + sizeof(buffer), value == 0.0 ? 0 : value);
   return {buffer, end};
+}
+
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view kAround = " \t\r\n\"";
+  const std::size_t first = text.find_first_not_of(kAround);
+  if (first == std::string_view::npos) {
+    return {};
+  }
+  return text.substr(first, text.find_last_not_of(kAround) - first + 1);
+}
+
+std::vector<std::string_view> cells(std::string_view line, char separator) {
+  std::vector<std::string_view> parts;
+  const std::string_view separators = separator == ' ' ? kBlanks : std::string_view(&separator, 1);
+  std::size_t begin = 0;
+  while (begin <= line.size()) {
+    const std::size_t end = std::min(line.find_first_of(separators, begin), line.size());
+    if (separator != ' ' || end > begin) {
+      parts.push_back(trimmed(line.substr(begin, end - begin)));
+    }
+    begin = end + 1;
+  }
+  return parts;
 }
 
 }  // namespace handway::geometric

@@ -2,7 +2,6 @@
 
 #include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/input_error.h"
-#include "handway/geometric/io/nearest_name.h"
 
 #include <dlfcn.h>
 

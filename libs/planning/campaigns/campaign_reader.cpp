@@ -1,10 +1,9 @@
 #include "handway/planning/campaigns/campaign_reader.h"
 
+#include "handway/geometric/formats/yaml_element.h"
 #include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/input_error.h"
-#include "handway/geometric/io/nearest_name.h"
 #include "handway/geometric/io/resources.h"
-#include "handway/geometric/io/yaml_element.h"
 #include "handway/planning/campaigns/campaign.h"
 #include "handway/planning/core/parameter.h"
 

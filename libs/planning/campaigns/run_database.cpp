@@ -2,7 +2,7 @@
 
 #include "campaigns/run_columns.h"
 #include "campaigns/run_schema.h"
-#include "handway/geometric/io/digest.h"
+#include "handway/geometric/io/disk_cache.h"
 #include "handway/geometric/io/input_error.h"
 
 #include <SQLiteCpp/SQLiteCpp.h>

@@ -1,7 +1,7 @@
 #include "handway/planning/campaigns/run_executor.h"
 
-#include "handway/geometric/io/files_read.h"
 #include "handway/geometric/io/input_error.h"
+#include "handway/geometric/io/text_file.h"
 #include "handway/planning/paths/path_csv.h"
 
 #include <utility>

@@ -1,7 +1,6 @@
 #include "handway/planning/extensions/plugin.h"
 
 #include "handway/geometric/io/input_error.h"
-#include "handway/geometric/io/nearest_name.h"
 
 #include <boost/dll/runtime_symbol_info.hpp>
 #include <boost/dll/shared_library.hpp>

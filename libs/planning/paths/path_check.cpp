@@ -1,6 +1,6 @@
 #include "handway/planning/paths/path_check.h"
 
-#include "handway/geometric/collision/fcl_checker.h"
+#include "handway/geometric/collision/checkers/fcl_checker.h"
 #include "handway/geometric/math/units.h"
 #include "handway/geometric/robot/limit_violation.h"
 #include "handway/planning/core/plan_result.h"

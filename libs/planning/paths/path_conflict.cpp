@@ -1,6 +1,6 @@
 #include "handway/planning/paths/path_conflict.h"
 
-#include "handway/geometric/collision/edge_checker.h"
+#include "handway/geometric/collision/continuous/edge_checker.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #include "handway/planning/replanning/dynamic_roadmap.h"
 
-#include "handway/geometric/collision/make_checker.h"
+#include "handway/geometric/collision/checkers/make_checker.h"
 #include "handway/geometric/scene/scene_difference.h"
 #include "handway/planning/planners/auto_planner.h"
 #include "handway/planning/planners/rrt_connect.h"

@@ -1,6 +1,6 @@
 #include "handway/planning/timing/preflight.h"
 
-#include "handway/geometric/collision/edge_checker.h"
+#include "handway/geometric/collision/continuous/edge_checker.h"
 #include "handway/geometric/math/units.h"
 #include "handway/planning/core/plan_result.h"
 #include "handway/planning/paths/path_conflict.h"

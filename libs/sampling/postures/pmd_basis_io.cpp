@@ -1,8 +1,8 @@
 #include "handway/sampling/postures/pmd_basis_io.h"
 
+#include "handway/geometric/formats/yaml_element.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/replace_file.h"
-#include "handway/geometric/io/yaml_file.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

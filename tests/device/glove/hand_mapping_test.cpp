@@ -2,8 +2,8 @@
 
 #include "handway/device/glove/glove_layout.h"
 #include "handway/device/glove/hand_mapper.h"
+#include "handway/geometric/formats/robot_loader.h"
 #include "handway/geometric/io/input_error.h"
-#include "handway/geometric/io/robot_loader.h"
 #include "handway_test/paths.h"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-#include "handway/geometric/collision/bounded_checker.h"
+#include "handway/geometric/collision/checkers/bounded_checker.h"
 
 #include "../robot/random_configurations.h"
 #include "checker_agreement.h"

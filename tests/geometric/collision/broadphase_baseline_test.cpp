@@ -1,7 +1,6 @@
 /// The baseline of the benchmarks answers as FCL without a broad phase does.
 #include "../robot/random_configurations.h"
-#include "handway/geometric/collision/fcl_broadphase_checker.h"
-#include "handway/geometric/collision/fcl_checker.h"
+#include "handway/geometric/collision/checkers/fcl_checker.h"
 #include "handway_test/solid_robots.h"
 
 #include <gtest/gtest.h>

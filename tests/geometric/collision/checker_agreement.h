@@ -1,7 +1,7 @@
 #pragma once
 
-#include "handway/geometric/collision/bounded_checker.h"
-#include "handway/geometric/collision/fcl_checker.h"
+#include "handway/geometric/collision/checkers/bounded_checker.h"
+#include "handway/geometric/collision/checkers/fcl_checker.h"
 
 #include <gtest/gtest.h>
 

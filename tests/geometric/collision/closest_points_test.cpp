@@ -1,5 +1,4 @@
-#include "handway/geometric/collision/closest_points.h"
-
+#include "handway/geometric/collision/narrow_phase/contact.h"
 #include "handway_test/solid_robots.h"
 
 #include <gtest/gtest.h>

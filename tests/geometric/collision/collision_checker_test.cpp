@@ -1,8 +1,8 @@
 /// Questions that have an answer on paper, asked of every checker.
 #include "handway/geometric/collision/collision_checker.h"
 
-#include "handway/geometric/collision/bounded_checker.h"
-#include "handway/geometric/collision/fcl_checker.h"
+#include "handway/geometric/collision/checkers/bounded_checker.h"
+#include "handway/geometric/collision/checkers/fcl_checker.h"
 #include "handway_test/solid_robots.h"
 
 #include <gmock/gmock.h>

@@ -1,6 +1,6 @@
 #include "handway/geometric/collision/collision_world.h"
 
-#include "handway/geometric/collision/fcl_checker.h"
+#include "handway/geometric/collision/checkers/fcl_checker.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway_test/solid_robots.h"
 

@@ -1,6 +1,6 @@
-#include "handway/geometric/collision/contact.h"
+#include "handway/geometric/collision/narrow_phase/contact.h"
 
-#include "handway/geometric/collision/bounded_checker.h"
+#include "handway/geometric/collision/checkers/bounded_checker.h"
 #include "handway_test/solid_robots.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "handway/geometric/collision/edge_checker.h"
+#include "handway/geometric/collision/continuous/edge_checker.h"
 
 #include "../robot/random_configurations.h"
 #include "edge_judge.h"

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "handway/geometric/collision/bounded_checker.h"
-#include "handway/geometric/collision/edge_checker.h"
-#include "handway/geometric/collision/fcl_checker.h"
+#include "handway/geometric/collision/checkers/bounded_checker.h"
+#include "handway/geometric/collision/checkers/fcl_checker.h"
+#include "handway/geometric/collision/continuous/edge_checker.h"
 
 #include <algorithm>
 #include <memory>

@@ -1,8 +1,8 @@
 /// Scenes that are far from the origin or large: the answers of the scene at the origin.
 #include "../robot/random_configurations.h"
-#include "handway/geometric/collision/bounded_checker.h"
-#include "handway/geometric/collision/edge_checker.h"
-#include "handway/geometric/collision/fcl_checker.h"
+#include "handway/geometric/collision/checkers/bounded_checker.h"
+#include "handway/geometric/collision/checkers/fcl_checker.h"
+#include "handway/geometric/collision/continuous/edge_checker.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway_test/memory_use.h"
 #include "handway_test/scale.h"

@@ -4,8 +4,8 @@
 
 #include "../robot/random_configurations.h"
 #include "checker_agreement.h"
-#include "handway/geometric/collision/fcl_broadphase_checker.h"
-#include "handway/geometric/collision/motion_bound.h"
+#include "handway/geometric/collision/checkers/fcl_checker.h"
+#include "handway/geometric/collision/continuous/motion_bound.h"
 #include "handway_test/scale.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,6 @@
-#include "handway/geometric/collision/motion_bound.h"
+#include "handway/geometric/collision/continuous/motion_bound.h"
 
 #include "../robot/random_configurations.h"
-#include "handway/geometric/collision/edge_motion.h"
 #include "handway_test/solid_robots.h"
 
 #include <gtest/gtest.h>

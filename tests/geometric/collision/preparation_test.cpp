@@ -1,6 +1,6 @@
-#include "handway/geometric/collision/preparation.h"
+#include "handway/geometric/collision/volumes/preparation.h"
 
-#include "handway/geometric/collision/bounded_checker.h"
+#include "handway/geometric/collision/checkers/bounded_checker.h"
 #include "handway_test/paths.h"
 #include "handway_test/solid_robots.h"
 

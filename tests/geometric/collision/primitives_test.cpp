@@ -1,6 +1,6 @@
 /// Primitives of any size, anywhere: the answers of FCL on their triangles.
-#include "handway/geometric/collision/bounded_checker.h"
-#include "handway/geometric/collision/fcl_checker.h"
+#include "handway/geometric/collision/checkers/bounded_checker.h"
+#include "handway/geometric/collision/checkers/fcl_checker.h"
 #include "handway_test/solid_robots.h"
 
 #include <gtest/gtest.h>

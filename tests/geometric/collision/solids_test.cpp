@@ -1,9 +1,9 @@
 /// What is inside of a solid collides with it, for every checker.
 #include "../robot/random_configurations.h"
-#include "handway/geometric/collision/contact.h"
-#include "handway/geometric/collision/edge_checker.h"
-#include "handway/geometric/collision/make_checker.h"
-#include "handway/geometric/scene/mesh_topology.h"
+#include "handway/geometric/collision/checkers/make_checker.h"
+#include "handway/geometric/collision/continuous/edge_checker.h"
+#include "handway/geometric/collision/narrow_phase/contact.h"
+#include "handway/geometric/mesh/triangle_mesh.h"
 #include "handway_test/solid_robots.h"
 
 #include <gtest/gtest.h>

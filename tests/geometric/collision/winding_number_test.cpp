@@ -2,8 +2,8 @@
 /// numbers, summed over solid angles (Jacobson, Kavan, Sorkine-Hornung 2013), without trees or
 /// rays.
 #include "../robot/random_configurations.h"
-#include "handway/geometric/collision/bounded_checker.h"
-#include "handway/geometric/collision/fcl_checker.h"
+#include "handway/geometric/collision/checkers/bounded_checker.h"
+#include "handway/geometric/collision/checkers/fcl_checker.h"
 #include "handway_test/scale.h"
 #include "handway_test/solid_robots.h"
 

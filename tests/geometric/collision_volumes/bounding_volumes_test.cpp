@@ -1,6 +1,6 @@
-#include "handway/geometric/collision/bounding_volumes.h"
+#include "handway/geometric/collision/cache/bounding_volumes.h"
 
-#include "handway/geometric/scene/convex_hull.h"
+#include "handway/geometric/mesh/convex_hull.h"
 #include "sample_meshes.h"
 
 #include <gtest/gtest.h>

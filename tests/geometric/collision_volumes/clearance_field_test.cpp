@@ -1,6 +1,6 @@
-#include "collision/clearance_field.h"
+#include "collision/volumes/clearance_field.h"
 
-#include "collision/nearest_point.h"
+#include "collision/volumes/box_tree.h"
 #include "sample_meshes.h"
 
 #include <gtest/gtest.h>

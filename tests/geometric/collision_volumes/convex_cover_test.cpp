@@ -1,4 +1,4 @@
-#include "collision/convex_cover.h"
+#include "collision/volumes/convex_cover.h"
 
 #include "sample_meshes.h"
 

@@ -1,6 +1,4 @@
-#include "collision/distance_table.h"
-
-#include "collision/remembered_distances.h"
+#include "collision/cache/self_distance_cache.h"
 #include "handway_test/solid_robots.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,5 @@
-#include "collision/mesh_pieces.h"
-
-#include "handway/geometric/scene/mesh_topology.h"
+#include "handway/geometric/mesh/triangle_mesh.h"
+#include "mesh/triangle_mesh.h"
 #include "sample_meshes.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
-#include "collision/oriented_boxes.h"
+#include "collision/broad_phase/oriented_boxes.h"
 
 #include "../robot/random_configurations.h"
-#include "handway/geometric/collision/fcl_checker.h"
+#include "handway/geometric/collision/checkers/fcl_checker.h"
 #include "handway_test/solid_robots.h"
 
 #include <gtest/gtest.h>

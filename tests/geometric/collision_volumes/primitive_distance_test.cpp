@@ -1,7 +1,7 @@
-#include "collision/primitive_distance.h"
+#include "collision/volumes/primitive_distance.h"
 
-#include "collision/nearest_point.h"
-#include "collision/solid.h"
+#include "collision/volumes/box_tree.h"
+#include "collision/volumes/solid.h"
 #include "sample_meshes.h"
 
 #include <gtest/gtest.h>

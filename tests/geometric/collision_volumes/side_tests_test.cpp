@@ -1,7 +1,6 @@
-#include "collision/side_tests.h"
-
-#include "collision/fcl_tree.h"
-#include "collision/mesh_pieces.h"
+#include "collision/narrow_phase/fcl_bodies.h"
+#include "collision/volumes/sided_boxes.h"
+#include "mesh/triangle_mesh.h"
 #include "sample_meshes.h"
 
 #include <fcl/narrowphase/collision.h>

@@ -1,6 +1,6 @@
-#include "collision/sided_boxes.h"
+#include "collision/volumes/sided_boxes.h"
 
-#include "collision/mesh_pieces.h"
+#include "mesh/triangle_mesh.h"
 #include "sample_meshes.h"
 
 #include <gtest/gtest.h>

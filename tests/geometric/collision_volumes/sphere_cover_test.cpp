@@ -1,4 +1,4 @@
-#include "collision/sphere_cover.h"
+#include "collision/volumes/sphere_cover.h"
 
 #include "sample_meshes.h"
 

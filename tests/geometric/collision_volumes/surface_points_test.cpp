@@ -1,6 +1,5 @@
-#include "collision/surface_points.h"
-
-#include "collision/nearest_point.h"
+#include "collision/volumes/box_tree.h"
+#include "collision/volumes/sided_boxes.h"
 #include "sample_meshes.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,4 @@
-#include "collision/triangle_block.h"
-
+#include "collision/volumes/triangle_tree.h"
 #include "sample_meshes.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "collision/triangle_contact.h"
+#include "collision/volumes/triangle_tree.h"
 
 #include <gtest/gtest.h>
 

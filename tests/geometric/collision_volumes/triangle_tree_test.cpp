@@ -1,6 +1,6 @@
-#include "collision/triangle_tree.h"
+#include "collision/volumes/triangle_tree.h"
 
-#include "collision/nearest_point.h"
+#include "collision/volumes/box_tree.h"
 #include "sample_meshes.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,5 @@
-#include "collision/volume_archive.h"
-
-#include "collision/mesh_pieces.h"
+#include "collision/cache/surface.h"
+#include "mesh/triangle_mesh.h"
 #include "sample_meshes.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,4 @@
-#include "handway/geometric/io/files_read.h"
-
-#include "handway/geometric/io/mesh_reader.h"
+#include "handway/geometric/formats/mesh_reader.h"
 #include "handway/geometric/io/text_file.h"
 #include "scratch_files.h"
 

@@ -1,8 +1,8 @@
 /// Mesh files of others, read by a process of its own that they may crash, stall or fill.
 #include "scratch_files.h"
 
-#include <handway/geometric/io/mesh_import.h>
-#include <handway/geometric/io/mesh_reader.h>
+#include <handway/geometric/formats/mesh_import.h>
+#include <handway/geometric/formats/mesh_reader.h>
 
 #include <assimp/Importer.hpp>
 #include <gmock/gmock.h>

@@ -1,7 +1,7 @@
 #include "handway_test/paths.h"
 #include "scratch_files.h"
 
-#include <handway/geometric/io/mesh_reader.h>
+#include <handway/geometric/formats/mesh_reader.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 #include "scratch_files.h"
 
-#include <handway/geometric/io/srdf_reader.h>
-#include <handway/geometric/io/srdf_writer.h>
+#include <handway/geometric/formats/srdf_reader.h>
+#include <handway/geometric/formats/srdf_writer.h>
 #include <handway/geometric/robot/robot_model.h>
 
 #include <gmock/gmock.h>

@@ -1,8 +1,8 @@
 /// What of a URDF can't be read: what planning needs is refused, by line; the rest is told.
 #include "scratch_files.h"
 
-#include <handway/geometric/io/robot_loader.h>
-#include <handway/geometric/io/urdf_reader.h>
+#include <handway/geometric/formats/robot_loader.h>
+#include <handway/geometric/formats/urdf_reader.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

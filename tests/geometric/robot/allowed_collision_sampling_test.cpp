@@ -1,4 +1,4 @@
-#include <handway/geometric/robot/allowed_collision_sampling.h>
+#include <handway/geometric/formats/robot_loader.h>
 
 #include <gtest/gtest.h>
 

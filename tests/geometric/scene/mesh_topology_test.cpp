@@ -1,4 +1,4 @@
-#include "handway/geometric/scene/mesh_topology.h"
+#include "handway/geometric/mesh/triangle_mesh.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

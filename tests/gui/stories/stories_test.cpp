@@ -5,7 +5,7 @@
 #include "features/editing/scene_editing.h"
 #include "features/export/export_dialog.h"
 #include "features/grasping/grasp_tool.h"
-#include "handway/geometric/io/scene_writer.h"
+#include "handway/geometric/formats/scene_writer.h"
 #include "handway/planning/core/objective.h"
 #include "handway/planning/extensions/plugin.h"
 #include "handway/planning/paths/path_check.h"

@@ -1,8 +1,8 @@
 /// Carrying out runs on threads.
 #include "handway/planning/campaigns/run_workers.h"
 
+#include "handway/geometric/formats/scene_writer.h"
 #include "handway/geometric/io/input_error.h"
-#include "handway/geometric/io/scene_writer.h"
 #include "handway/sampling/postures/pmd_basis_io.h"
 #include "handway_test/paths.h"
 #include "handway_test/planar_problems.h"

@@ -1,5 +1,5 @@
+#include "handway/geometric/collision/checkers/fcl_checker.h"
 #include "handway/geometric/collision/collision_checker.h"
-#include "handway/geometric/collision/fcl_checker.h"
 #include "handway_test/paths.h"
 #include "kautham_importer.h"
 #include "modified_dh.h"

@@ -2,7 +2,7 @@
 
 #include "features/editing/editing_test.h"
 #include "full_disk.h"
-#include "handway/geometric/io/scene_reader.h"
+#include "handway/geometric/formats/scene_reader.h"
 #include "patience.h"
 
 #include <QProcess>

@@ -3,7 +3,7 @@
 #include "features/editing/array_tool.h"
 #include "features/editing/editing_test.h"
 #include "features/editing/scene_tree.h"
-#include "handway/geometric/io/scene_reader.h"
+#include "handway/geometric/formats/scene_reader.h"
 #include "model/document/resting.h"
 #include "pressed_mouse.h"
 #include "view3d/scene_view.h"

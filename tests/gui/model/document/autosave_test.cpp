@@ -1,6 +1,6 @@
 #include "model/document/autosave.h"
 
-#include "handway/geometric/io/scene_reader.h"
+#include "handway/geometric/formats/scene_reader.h"
 #include "patience.h"
 #include "small_cell.h"
 #include "window_test.h"

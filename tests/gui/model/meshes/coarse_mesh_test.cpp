@@ -1,4 +1,4 @@
-#include "handway/geometric/scene/shape.h"
+#include "handway/geometric/mesh/shape.h"
 #include "model/meshes/crease_normals.h"
 #include "model/meshes/shaded_meshes.h"
 

@@ -1,7 +1,7 @@
 #include "model/meshes/crease_normals.h"
 
 #include "handway/geometric/math/units.h"
-#include "handway/geometric/scene/shape.h"
+#include "handway/geometric/mesh/shape.h"
 
 #include <gtest/gtest.h>
 

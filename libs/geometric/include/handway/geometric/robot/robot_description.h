@@ -1,15 +1,102 @@
 #pragma once
 
-#include "handway/geometric/robot/allowed_collisions.h"
-#include "handway/geometric/robot/joint.h"
-#include "handway/geometric/robot/link.h"
+#include "handway/geometric/export.h"
+#include "handway/geometric/math/pose.h"
+#include "handway/geometric/mesh/shape.h"
 
+#include <Eigen/Core>
+
+#include <cmath>
 #include <filesystem>
+#include <limits>
 #include <map>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace handway::geometric {
+
+enum class JointType { kFixed, kRevolute, kPrismatic };
+
+/// Limits of a joint: rad, rad/s, rad/s² (revolute) or m, m/s, m/s² (prismatic). Those of a
+/// continuous joint, a revolute one that turns without end, are infinite.
+struct JointLimits {
+  double lower = 0.0;
+  double upper = 0.0;
+  double velocity = std::numeric_limits<double>::infinity();
+  double acceleration = std::numeric_limits<double>::infinity();
+
+  [[nodiscard]] double range() const { return upper - lower; }
+};
+
+/// Linear coupling: q = multiplier * q_of(joint) + offset (URDF's `mimic`).
+struct Mimic {
+  std::string joint;
+  double multiplier = 1.0;
+  double offset = 0.0;
+};
+
+/// Connects a child link to its parent. With P the parent's frame and J the
+/// joint's own, X_PJ is fixed and the child moves by q about (revolute) or
+/// along (prismatic) `axis`, a unit vector in J.
+struct Joint {
+  std::string name;
+  JointType type = JointType::kFixed;
+  std::string parent;  ///< Link name.
+  std::string child;   ///< Link name.
+  Pose X_PJ = Pose::Identity();
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
+  JointLimits limits;
+  std::optional<Mimic> mimic;
+
+  /// A revolute joint without ends, which comes round again after a whole turn.
+  [[nodiscard]] bool is_continuous() const {
+    return type == JointType::kRevolute && std::isinf(limits.lower) && std::isinf(limits.upper);
+  }
+};
+
+/// One shape fixed to a link; X_LG is the shape's frame in the link's.
+struct LinkGeometry {
+  Shape shape;
+  Pose X_LG = Pose::Identity();
+  Color color;
+};
+
+/// A rigid body of a robot. What is seen and what collides may differ.
+struct Link {
+  std::string name;
+  std::vector<LinkGeometry> visual;
+  std::vector<LinkGeometry> collision;
+};
+
+/// Why a pair of links need not be checked against each other.
+enum class AllowedReason {
+  kAdjacent,  ///< Joined by a joint: they touch by construction.
+  kAlways,    ///< In collision in every sampled configuration.
+  kNever,     ///< In collision in no sampled configuration.
+  kUser,      ///< Somebody said so.
+};
+
+/// The word in SRDF files: "Adjacent", "Always", "Never", "User".
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT const char* to_string(AllowedReason reason);
+
+/// The allowed-collision matrix: pairs of link names with the reason. The order
+/// of a pair's names does not matter.
+class HANDWAY_GEOMETRIC_EXPORT AllowedCollisions {
+ public:
+  using Pair = std::pair<std::string, std::string>;  ///< Names in ascending order.
+
+  void allow(const std::string& link_a, const std::string& link_b, AllowedReason reason);
+  void forbid(const std::string& link_a, const std::string& link_b);
+
+  [[nodiscard]] std::optional<AllowedReason> reason(const std::string& link_a,
+                                                    const std::string& link_b) const;
+  [[nodiscard]] const std::map<Pair, AllowedReason>& entries() const { return entries_; }
+
+ private:
+  std::map<Pair, AllowedReason> entries_;
+};
 
 /// A named set of joints, for example "arm" or "hand" (SRDF's `group`).
 struct JointGroup {

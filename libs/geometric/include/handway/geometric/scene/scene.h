@@ -1,10 +1,9 @@
 #pragma once
 
 #include "handway/geometric/export.h"
+#include "handway/geometric/mesh/shape.h"
 #include "handway/geometric/robot/robot_model.h"
-#include "handway/geometric/scene/color.h"
 #include "handway/geometric/scene/path_constraint.h"
-#include "handway/geometric/scene/shape.h"
 
 #include <filesystem>
 #include <memory>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "handway/geometric/collision/edge_checker.h"
+#include "handway/geometric/collision/continuous/edge_checker.h"
 #include "handway/planning/core/path.h"
 #include "handway/planning/core/plan_result.h"
 #include "handway/planning/core/planning_problem.h"

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "handway/geometric/collision/collision_checker.h"
-#include "handway/geometric/collision/motion_bound.h"
-#include "handway/geometric/collision/preparation.h"
+#include "handway/geometric/collision/continuous/motion_bound.h"
+#include "handway/geometric/collision/volumes/preparation.h"
 #include "handway/geometric/scene/scene.h"
 #include "handway/planning/export.h"
 #include "handway/sampling/postures/pmd_basis.h"

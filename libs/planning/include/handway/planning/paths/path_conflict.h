@@ -1,7 +1,7 @@
 #pragma once
 
 #include "handway/geometric/collision/collision_checker.h"
-#include "handway/geometric/collision/motion_bound.h"
+#include "handway/geometric/collision/continuous/motion_bound.h"
 #include "handway/planning/core/planning_problem.h"
 #include "handway/planning/export.h"
 

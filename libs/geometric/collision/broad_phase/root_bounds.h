@@ -1,0 +1,107 @@
+#pragma once
+
+#include "collision/volumes/sphere_cover.h"
+#include "handway/geometric/collision/collision_world.h"
+
+#include <Eigen/Geometry>
+
+#include <unsupported/Eigen/BVH>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace handway::geometric {
+
+/// The bodies of a world that stand still in a tree of their boxes, so that those
+/// near a place are found without looking at all.
+class StillBodies {
+ public:
+  /// @param p_WO origin of the coordinates, m.
+  StillBodies(const CollisionWorld& world, const Eigen::Vector3d& p_WO);
+
+  /// Adds the pairs of the moving body `body` with what stands still nearer than
+  /// `reach` (m) to `centre`, by its box along the axes of the world, and maybe some more.
+  void append_near(int body, const Eigen::Vector3f& centre, float reach,
+                   std::vector<int>& pairs) const;
+
+ private:
+  Eigen::KdBVH<float, 3, int> tree_;       ///< Of numbers of still bodies.
+  std::vector<std::vector<int>> pair_of_;  ///< Per body and still body: the pair; -1: none.
+};
+
+/// Lower bounds of the distances of all pairs of a world from one volume a body:
+/// the sphere around what moves, against another such sphere or against the box
+/// of what stands still. They are reckoned in single precision, from an origin O near the robot;
+/// what that loses, which grows with the coordinates, is taken off.
+class RootBounds {
+ public:
+  /// Where the spheres of one configuration are.
+  struct Placement {
+    std::vector<float> x, y, z;       ///< m, from O; shape [moving bodies, to full lanes].
+    float rounding = 0.0F;            ///< m: of coordinates that are far from O.
+    std::vector<std::uint32_t> near;  ///< Room for what is found.
+    std::vector<int> candidates;
+  };
+
+  /// @param spheres shape [bodies], around each body in its own frame.
+  RootBounds(const CollisionWorld& world, std::vector<BoundingSphere> spheres);
+
+  [[nodiscard]] Placement placement() const;
+  /// @param X_WBody shape [bodies].
+  void place(std::span<const Pose> X_WBody, Placement& placement) const;
+
+  /// Sets `pairs` to all that may be nearer than `tolerance` (m), in order.
+  void find_near(Placement& placement, double tolerance, std::vector<int>& pairs) const;
+
+  /// Whether neither of the pair's bodies stands still.
+  [[nodiscard]] bool both_move(int pair) const {
+    return static_cast<std::size_t>(pair) < moving_pairs_;
+  }
+
+  /// A lower bound (m) of the pair's distance; negative where the volumes overlap.
+  [[nodiscard]] double bound(const Placement& placement, int pair) const;
+
+ private:
+  struct Cell {
+    std::size_t row;
+    std::size_t column;
+  };
+  /// What a body that moves may meet: a row for each of them, a column for each that it may meet.
+  struct Table {
+    Table(std::size_t row_count, std::size_t column_count);
+    void add(int pair, Cell cell, float radius);
+    [[nodiscard]] std::size_t blocks() const;  ///< Of lanes in a row.
+
+    std::size_t rows;
+    std::size_t width;         ///< Columns, to full lanes.
+    std::vector<float> radii;  ///< Shape [rows, width]: of the spheres, with room for roundings.
+    std::vector<int> pairs;    ///< Shape [rows, width].
+  };
+  /// @param column shape [bodies].
+  void add_pair(int a, int b, const std::vector<std::size_t>& column, bool both_move);
+  void add_box(const CollisionBody& still, std::size_t column);
+  /// Sets a bit for every column that is nearer than `within` (m); shape of `near` [rows, blocks].
+  void find_near_moving(const Placement& at, float within, std::uint32_t* near) const;
+  void find_near_still(const Placement& at, float within, std::uint32_t* near) const;
+  /// The same of many still bodies, which are looked up instead.
+  void append_near_still(Placement& placement, double tolerance, std::vector<int>& pairs) const;
+
+  Eigen::Vector3d p_WO_;
+  std::vector<BoundingSphere> spheres_;
+  std::vector<int> bodies_;       ///< That move.
+  std::vector<Cell> cells_;       ///< Of each pair in the one or the other table.
+  std::size_t moving_pairs_ = 0;  ///< So many pairs come first in which both move.
+  Table moving_;                  ///< With what moves, …
+  Table still_;                   ///< … and with what stands still.
+  /// Of each still body: R and p of X_BoxO, row by row, half the edges, and what is lost.
+  std::array<std::vector<float>, 12> X_BoxO_;
+  std::array<std::vector<float>, 3> half_;
+  std::vector<float> box_rounding_;
+  std::optional<StillBodies> many_;  ///< If there are many.
+};
+
+}  // namespace handway::geometric

@@ -1,0 +1,92 @@
+#pragma once
+
+#include "collision/cache/surface.h"
+#include "handway/geometric/collision/collision_world.h"
+#include "handway/geometric/collision/continuous/motion_bound.h"
+#include "handway/geometric/io/disk_cache.h"
+#include "handway/geometric/robot/robot_model.h"
+
+#include <array>
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace handway::geometric {
+
+/// Distances of a pair of bodies that one or two joints alone move against each
+/// other (neighbouring finger links, wrist and palm), remembered on a grid over
+/// those joints. Cells are filled when first asked for, by any thread, with the other
+/// joints at rest: to the last bit, what is in a cell does not depend on who fills it.
+class DistanceTable {
+ public:
+  /// The exact distance (m) of the pair in a configuration.
+  using Distance = std::function<double(const Configuration&)>;
+
+  /// A table for `pair` (of two links of the robot), or nothing if none or more
+  /// than two variables move it.
+  [[nodiscard]] static std::unique_ptr<DistanceTable> make(const RobotModel& model, int link_a,
+                                                           int link_b, int pair,
+                                                           const MotionBound& motion);
+
+  /// A lower bound (m) of the distance in `q`: that of the cell's centre less
+  /// what the way from there can take; 0 or less if it can't tell.
+  [[nodiscard]] double bound(const Configuration& q, const Distance& exact) const;
+
+  /// What is known, shape [cells]; negative where nothing is.
+  [[nodiscard]] std::vector<float> cells() const;
+  void set_cells(std::span<const float> cells);
+  [[nodiscard]] std::size_t cell_count() const { return cells_.size(); }
+  /// Whether anything was learned since set_cells().
+  [[nodiscard]] bool has_learned() const { return learned_.load(std::memory_order_relaxed); }
+
+ private:
+  struct Axis {
+    int variable;
+    double lower;
+    double cell;   ///< rad or m
+    double turn;   ///< rad, after which it comes round again; 0: it does not.
+    double reach;  ///< m per rad, or m per m
+  };
+
+  DistanceTable(std::vector<Axis> axes, std::size_t cells_per_axis, Configuration rest);
+
+  std::vector<Axis> axes_;
+  Configuration rest_;
+  std::size_t cells_per_axis_;
+  mutable std::atomic<bool> learned_ = false;
+  mutable std::vector<std::atomic<float>> cells_;  ///< Negative: not known yet.
+};
+
+/// Poses of the robot's links and of what it carries in its base, shape [bodies]; bodies that
+/// stand still are left at the identity. What is derived from them does not depend on where
+/// the robot stands.
+[[nodiscard]] std::vector<Pose> poses_at_base(const CollisionWorld& world, const Configuration& q);
+
+/// The distance tables of a robot's pairs. What they learn is kept in the user's
+/// cache when the last checker goes, for the same robot in later runs.
+class RememberedDistances {
+ public:
+  /// @param surfaces shape [bodies].
+  /// @param keeps whether to keep what is learned even if the cache knows nothing of the robot yet.
+  RememberedDistances(const CollisionWorld& world,
+                      const std::vector<std::shared_ptr<const Surface>>& surfaces, bool keeps);
+  ~RememberedDistances();
+  RememberedDistances(const RememberedDistances&) = delete;
+  RememberedDistances& operator=(const RememberedDistances&) = delete;
+
+  /// Of a pair of the world; null where it has none.
+  [[nodiscard]] const DistanceTable* table(int pair) const {
+    return tables_[static_cast<std::size_t>(pair)].get();
+  }
+
+ private:
+  void recall();
+
+  CacheKey key_;
+  bool keeps_;
+  std::vector<std::unique_ptr<DistanceTable>> tables_;
+};
+
+}  // namespace handway::geometric

@@ -1,0 +1,58 @@
+#pragma once
+
+#include "collision/volumes/clearance_field.h"
+#include "collision/volumes/convex_cover.h"
+#include "collision/volumes/on_demand.h"
+#include "collision/volumes/sided_boxes.h"
+#include "collision/volumes/sphere_cover.h"
+#include "collision/volumes/triangle_tree.h"
+#include "handway/geometric/collision/volumes/preparation.h"
+#include "handway/geometric/io/disk_cache.h"
+#include "handway/geometric/mesh/triangle_mesh.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace handway::geometric {
+
+/// What takes long to make of a mesh.
+struct MeshVolumes {
+  SphereCover cover;
+  ConvexCover hull;
+  ClearanceField field;
+  SurfaceSides sides;
+  SurfacePoints points;
+};
+
+/// What changes where the bytes of archived volumes do: a part of their key.
+[[nodiscard]] std::string archive_layout();
+
+/// Volumes as bytes, for this kind of processor.
+[[nodiscard]] std::string archive_volumes(const MeshVolumes& volumes);
+
+/// @pre `bytes` are what archive_volumes() gave.
+[[nodiscard]] MeshVolumes unarchive_volumes(const std::string& bytes);
+
+/// A mesh with what makes questions about it fast. Immutable, shared.
+struct Surface {
+  CacheKey key;  ///< Of the mesh's content.
+  std::shared_ptr<const TriangleMesh> mesh;
+  SphereCover cover;
+  ClearanceField field;
+  OnDemand<TriangleTree> triangles;
+  OnDemand<ConvexCover> hull;
+  OnDemand<SurfaceSides> sides;
+  OnDemand<SurfacePoints> points;
+};
+
+/// The surfaces of `meshes`, in order. Meshes of the same content share one; what
+/// another part of the program still holds is not made again. Of primitives next to nothing is made
+/// before it is asked for; of other meshes, what an earlier run made is read from the user's cache,
+/// and all processors make the rest.
+/// @throws PreparationStopped where `preparation` asks for it.
+[[nodiscard]] std::vector<std::shared_ptr<const Surface>> make_surfaces(
+    const std::vector<std::shared_ptr<const TriangleMesh>>& meshes,
+    const Preparation& preparation = {});
+
+}  // namespace handway::geometric

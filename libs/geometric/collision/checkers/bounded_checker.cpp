@@ -1,0 +1,274 @@
+#include "handway/geometric/collision/checkers/bounded_checker.h"
+
+#include "collision/broad_phase/oriented_boxes.h"
+#include "collision/broad_phase/root_bounds.h"
+#include "collision/cache/self_distance_cache.h"
+#include "collision/narrow_phase/fcl_bodies.h"
+#include "collision/narrow_phase/surface_query.h"
+#include "collision/volumes/solid.h"
+
+#include <algorithm>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace handway::geometric {
+namespace {
+
+constexpr double kRemembered = 0.005;   // m: distances in tables are cut off here
+constexpr double kFineEnough = 0.0005;  // m: spheres need not be finer than this
+constexpr int kQuickNodes = 16;         // nodes of spheres that a bound is worth …
+constexpr int kThorough = 1 << 20;      // … and that one to be remembered is
+constexpr std::size_t kPlainer = 8;     // times fewer triangles
+constexpr float kTiny = 0.4F;           // of the other body's size
+
+}  // namespace
+
+struct BoundedChecker::Volumes {
+  Volumes(const CollisionWorld& world, const Preparation& preparation)
+      : exact(world), boxes(world) {
+    std::vector<std::shared_ptr<const TriangleMesh>> meshes;
+    for (const CollisionBody& body : world.bodies()) {
+      meshes.push_back(body.mesh);
+    }
+    surfaces = make_surfaces(meshes, preparation);
+    for (const BodyPair& pair : world.pairs()) {
+      pairs.push_back(spheres_first(pair));
+    }
+    roots.emplace(world, root_spheres());
+    distances.emplace(world, surfaces, preparation.keeps_volumes);
+  }
+
+  // Spheres of a mesh around a primitive, whose distance is exact everywhere. Else those of the
+  // smaller body in the field of the larger; but the field of a much plainer mesh has larger
+  // cells, and serves better if the body is not tiny.
+  [[nodiscard]] BodyPair spheres_first(const BodyPair& pair) const {
+    const Surface& a = *surfaces[static_cast<std::size_t>(pair.a)];
+    const Surface& b = *surfaces[static_cast<std::size_t>(pair.b)];
+    const bool a_is_primitive = a.field.primitive().has_value();
+    if (a_is_primitive != b.field.primitive().has_value()) {
+      return a_is_primitive ? BodyPair{pair.b, pair.a} : pair;
+    }
+    const bool a_is_smaller = a.cover.root().radius <= b.cover.root().radius;
+    const Surface& smaller = a_is_smaller ? a : b;
+    const Surface& larger = a_is_smaller ? b : a;
+    const bool plain = kPlainer * smaller.mesh->triangles.size() < larger.mesh->triangles.size() &&
+                       kTiny * larger.cover.root().radius < smaller.cover.root().radius;
+    return a_is_smaller != plain ? pair : BodyPair{pair.b, pair.a};
+  }
+
+  [[nodiscard]] std::vector<BoundingSphere> root_spheres() const {
+    std::vector<BoundingSphere> spheres;
+    spheres.reserve(surfaces.size());
+    for (const std::shared_ptr<const Surface>& surface : surfaces) {
+      spheres.push_back(surface->cover.root());
+    }
+    return spheres;
+  }
+
+  FclBodies exact;
+  OrientedBoxes boxes;
+  std::optional<RootBounds> roots;
+  std::optional<RememberedDistances> distances;
+  std::vector<std::shared_ptr<const Surface>> surfaces;  ///< Per body.
+  std::vector<BodyPair> pairs;  ///< In the world's order; a gives the spheres.
+};
+
+/// A pair that the quick test does not settle; the deeper, the likelier it touches.
+struct BoundedChecker::Doubt {
+  float relative_distance;
+  int pair;
+};
+
+struct BoundedChecker::Scratch {
+  explicit Scratch(const Volumes& volumes)
+      : roots(volumes.roots->placement()), axes(volumes.boxes.last_axes()) {}
+
+  RootBounds::Placement roots;
+  OrientedBoxes::LastAxes axes;
+  std::vector<int> near;
+  std::vector<std::uint32_t> triangles;
+  std::vector<Doubt> doubts;
+};
+
+BoundedChecker::BoundedChecker(std::shared_ptr<const CollisionWorld> world,
+                               const Preparation& preparation)
+    : CollisionChecker(std::move(world)),
+      volumes_(std::make_shared<const Volumes>(CollisionChecker::world(), preparation)),
+      scratch_(std::make_unique<Scratch>(*volumes_)) {}
+
+BoundedChecker::~BoundedChecker() = default;
+
+BoundedChecker::BoundedChecker(const BoundedChecker& other)
+    : CollisionChecker(other),
+      volumes_(other.volumes_),
+      scratch_(std::make_unique<Scratch>(*volumes_)) {}
+
+std::unique_ptr<CollisionChecker> BoundedChecker::clone() const {
+  return std::unique_ptr<CollisionChecker>(new BoundedChecker(*this));
+}
+
+void BoundedChecker::do_place() { volumes_->roots->place(body_poses(), scratch_->roots); }
+
+void BoundedChecker::do_near_pairs(double distance, std::vector<int>& pairs) {
+  volumes_->roots->find_near(scratch_->roots, distance, pairs);
+}
+
+void BoundedChecker::do_closest_first(double distance, std::vector<int>& pairs) {
+  std::vector<std::pair<double, int>> bounds;
+  bounds.reserve(pairs.size());
+  for (const int pair : pairs) {
+    bounds.emplace_back(do_pair_bound(pair, distance), pair);
+  }
+  std::ranges::sort(bounds);
+  std::ranges::transform(bounds, pairs.begin(), &std::pair<double, int>::second);
+}
+
+std::optional<int> BoundedChecker::do_first_collision(int hint) {
+  std::vector<Doubt>& doubts = scratch_->doubts;
+  doubts.clear();
+  if (volumes_->roots->bound(scratch_->roots, hint) < kTouch && touches_quickly(hint)) {
+    return hint;
+  }
+  do_near_pairs(kTouch, scratch_->near);
+  std::ranges::reverse(scratch_->near);  // what stands still came last, and is hit most often
+  for (const int pair : scratch_->near) {
+    if (pair != hint && touches_quickly(pair)) {
+      return pair;
+    }
+  }
+  std::ranges::sort(doubts, {}, [](const Doubt& doubt) {
+    return std::pair(doubt.relative_distance, doubt.pair);
+  });
+  const auto touching = std::ranges::find_if(doubts, [&](const Doubt& doubt) {
+    return exact_closeness(doubt.pair, kTouch) == Closeness::kTouching;
+  });
+  return touching == doubts.end() ? std::nullopt : std::optional(touching->pair);
+}
+
+bool BoundedChecker::touches_quickly(int pair) {
+  count_pair_collision();
+  if (is_separated(pair, kTouch)) {
+    return false;
+  }
+  SurfaceQuery surfaces = query(pair, body_poses());
+  const std::optional<Closeness> seen = surfaces.quick_closeness(kTouch);
+  if (!seen) {
+    scratch_->doubts.push_back({surfaces.relative_distance(), pair});
+    return false;
+  }
+  return seen == Closeness::kTouching || is_contained(pair, surfaces);
+}
+
+SurfaceQuery BoundedChecker::query(int pair, std::span<const Pose> X_WBody) {
+  const BodyPair& bodies = volumes_->pairs[static_cast<std::size_t>(pair)];
+  const auto a = static_cast<std::size_t>(bodies.a);
+  const auto b = static_cast<std::size_t>(bodies.b);
+  return {*volumes_->surfaces[a], *volumes_->surfaces[b], X_WBody[a], X_WBody[b],
+          scratch_->triangles};
+}
+
+double BoundedChecker::remembered(int pair) {
+  const DistanceTable* table = volumes_->distances->table(pair);
+  if (!table) {
+    return 0.0;
+  }
+  return table->bound(configuration(), [&](const Configuration& q) {
+    const std::vector<Pose> X_BBody = poses_at_base(world(), q);
+    const BodyPair& bodies = world().pairs()[static_cast<std::size_t>(pair)];
+    if (contain_each_other(
+            *world().body(bodies.a).solids, X_BBody[static_cast<std::size_t>(bodies.a)],
+            *world().body(bodies.b).solids, X_BBody[static_cast<std::size_t>(bodies.b)])) {
+      return 0.0;
+    }
+    const double bound = query(pair, X_BBody).bound(kRemembered, kThorough);
+    return bound > kFineEnough
+               ? bound
+               : std::min(kRemembered, query(pair, X_BBody).distance(kRemembered).upper);
+  });
+}
+
+bool BoundedChecker::touches(int pair) const {
+  const BodyPair& bodies = volumes_->pairs[static_cast<std::size_t>(pair)];
+  return volumes_->exact.collide(bodies.a, body_poses()[static_cast<std::size_t>(bodies.a)],
+                                 bodies.b, body_poses()[static_cast<std::size_t>(bodies.b)]);
+}
+
+bool BoundedChecker::do_pair_collides(int pair) {
+  return do_pair_closeness(pair, kTouch) == Closeness::kTouching;
+}
+
+Closeness BoundedChecker::do_pair_closeness(int pair, double tolerance) {
+  return volumes_->roots->bound(scratch_->roots, pair) >= tolerance
+             ? Closeness::kFarther
+             : nearby_closeness(pair, tolerance);
+}
+
+bool BoundedChecker::boxes_are_apart(int pair, double distance) {
+  return volumes_->roots->both_move(pair) &&
+         volumes_->boxes.are_apart(pair, body_poses(), distance, scratch_->axes);
+}
+
+bool BoundedChecker::is_separated(int pair, double distance) {
+  return remembered(pair) >= distance || boxes_are_apart(pair, distance);
+}
+
+Closeness BoundedChecker::nearby_closeness(int pair, double tolerance) {
+  return is_separated(pair, std::max(tolerance, kTouch)) ? Closeness::kFarther
+                                                         : exact_closeness(pair, tolerance);
+}
+
+Closeness BoundedChecker::exact_closeness(int pair, double tolerance) {
+  SurfaceQuery surfaces = query(pair, body_poses());
+  const Closeness closeness = surfaces.closeness(tolerance);
+  if (surfaces.was_exact()) {
+    count_exact_test();
+  }
+  const bool doubtful = closeness == Closeness::kTouching && !surfaces.surely_crosses();
+  if (doubtful ? touches(pair) : closeness == Closeness::kTouching) {
+    return Closeness::kTouching;
+  }
+  if (is_contained(pair, surfaces)) {
+    return Closeness::kTouching;
+  }
+  return doubtful ? Closeness::kCloser : closeness;
+}
+
+bool BoundedChecker::is_contained(int pair, const SurfaceQuery& surfaces) const {
+  // Boxes are outside of the pieces of all shapes together; those of several may overlap.
+  const BodyPair& bodies = volumes_->pairs[static_cast<std::size_t>(pair)];
+  const bool kept_outside = surfaces.is_outside() && world().body(bodies.b).solids->is_one_shape;
+  return !surfaces.hulls_are_apart() && !kept_outside && pair_is_contained(pair);
+}
+
+double BoundedChecker::do_pair_quick_bound(int pair) {
+  return std::max(0.0, volumes_->roots->bound(scratch_->roots, pair));
+}
+
+double BoundedChecker::do_pair_bound(int pair, double enough) {
+  if (volumes_->roots->bound(scratch_->roots, pair) >= enough || boxes_are_apart(pair, enough)) {
+    return enough;
+  }
+  SurfaceQuery surfaces = query(pair, body_poses());
+  const double least = surfaces.bound(enough, kQuickNodes);
+  if (is_contained(pair, surfaces)) {
+    return 0.0;
+  }
+  return least >= enough ? least : std::min(enough, std::max(least, remembered(pair)));
+}
+
+double BoundedChecker::do_pair_distance(int pair, double enough) {
+  return std::min(enough, do_pair_distance_range(pair, enough, 0.0).upper);
+}
+
+DistanceRange BoundedChecker::do_pair_distance_range(int pair, double enough, double share) {
+  if (volumes_->roots->bound(scratch_->roots, pair) >= enough || boxes_are_apart(pair, enough)) {
+    return {enough};
+  }
+  SurfaceQuery surfaces = query(pair, body_poses());
+  const DistanceRange distance = surfaces.distance(enough, share);
+  return is_contained(pair, surfaces) ? DistanceRange{0.0, 0.0} : distance;
+}
+
+}  // namespace handway::geometric

@@ -1,0 +1,198 @@
+#include "handway/geometric/collision/narrow_phase/contact.h"
+
+#include "collision/narrow_phase/fcl_bodies.h"
+#include "collision/volumes/solid.h"
+
+#include <fcl/geometry/bvh/BVH_model.h>
+#include <fcl/math/bv/OBBRSS.h>
+#include <fcl/narrowphase/collision.h>
+#include <fcl/narrowphase/distance.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <utility>
+
+namespace handway::geometric {
+/// Trees of the bodies that were asked for, and where the bodies are.
+struct ClosestPointFinder::Trees {
+  FclTrees of_meshes;
+  std::vector<Pose> X_BL;
+  std::vector<Pose> X_WBody;
+
+  const FclTree* get(const CollisionBody& body) { return of_meshes.of(*body.mesh).get(); }
+};
+
+ClosestPointFinder::ClosestPointFinder(std::shared_ptr<const CollisionWorld> world)
+    : world_(std::move(world)), trees_(std::make_unique<Trees>()) {}
+
+ClosestPointFinder::~ClosestPointFinder() = default;
+
+std::optional<ClosestPoints> ClosestPointFinder::between(std::string_view a, std::string_view b,
+                                                         const Configuration& q) {
+  const auto& bodies = world_->bodies();
+  const auto find = [&](std::string_view name) {
+    return std::ranges::find(bodies, name, &CollisionBody::name);
+  };
+  const auto body_a = find(a);
+  const auto body_b = find(b);
+  if (body_a == bodies.end() || body_b == bodies.end()) {
+    return std::nullopt;
+  }
+  trees_->X_BL.resize(static_cast<std::size_t>(world_->model().link_count()));
+  trees_->X_WBody.resize(bodies.size());
+  world_->place(q, trees_->X_BL, trees_->X_WBody);
+  const Pose& X_WA = trees_->X_WBody[static_cast<std::size_t>(body_a - bodies.begin())];
+  const Pose& X_WB = trees_->X_WBody[static_cast<std::size_t>(body_b - bodies.begin())];
+  const fcl::DistanceRequestd request(true);
+  fcl::DistanceResultd result;
+  fcl::distance(trees_->get(*body_a), X_WA, trees_->get(*body_b), X_WB, request, result);
+  if (result.min_distance <= 0.0) {
+    return std::nullopt;
+  }
+  return ClosestPoints{result.nearest_points[0], result.nearest_points[1]};
+}
+
+namespace {
+
+constexpr double kPrecision = 1e-4;       // m
+constexpr std::size_t kMostPoints = 400;  // triangle contacts that the middle is taken of
+
+struct PlacedBody {
+  const BodySolids& solids;
+  const FclTree& tree;
+  Pose X_WB;
+};
+
+// Two bodies in their places, one of which can be shifted.
+class PlacedPair {
+ public:
+  PlacedPair(const PlacedBody& a, const PlacedBody& b) : a_(a), b_(b) {}
+
+  // Middle and mean normal (from a to b) of where the surfaces cross, if they do.
+  struct Crossing {
+    Eigen::Vector3d middle;
+    Eigen::Vector3d normal;
+  };
+  [[nodiscard]] std::optional<Crossing> crossing() const {
+    fcl::CollisionRequestd request(kMostPoints, true);
+    fcl::CollisionResultd result;
+    fcl::collide(&a_.tree, a_.X_WB, &b_.tree, b_.X_WB, request, result);
+    if (!result.isCollision()) {
+      return std::nullopt;
+    }
+    Crossing crossing{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
+    for (std::size_t i = 0; i < result.numContacts(); ++i) {
+      crossing.middle += result.getContact(i).pos;
+      crossing.normal += result.getContact(i).normal;
+    }
+    crossing.middle /= static_cast<double>(result.numContacts());
+    return crossing;
+  }
+
+  // Is body a, shifted, neither crossing body b nor inside it, or around it?
+  [[nodiscard]] bool is_clear(const Eigen::Vector3d& shift) const {
+    const Pose X_WA = Eigen::Translation3d(shift) * a_.X_WB;
+    const fcl::CollisionRequestd request;
+    fcl::CollisionResultd result;
+    if (fcl::collide(&a_.tree, X_WA, &b_.tree, b_.X_WB, request, result) > 0) {
+      return false;
+    }
+    return !contain_each_other(a_.solids, X_WA, b_.solids, b_.X_WB);
+  }
+
+  // Where one body is inside of the other without a crossing: a point of the inner one; no normal.
+  [[nodiscard]] std::optional<Crossing> containment() const {
+    for (const auto& [inner, outer] : {std::pair(&a_, &b_), std::pair(&b_, &a_)}) {
+      const Pose X_OI = outer->X_WB.inverse(Eigen::Isometry) * inner->X_WB;
+      for (const Eigen::Vector3d& point : inner->solids.points) {
+        if (outer->solids.contains(X_OI * point)) {
+          return Crossing{inner->X_WB * point, Eigen::Vector3d::Zero()};
+        }
+      }
+    }
+    return std::nullopt;
+  }
+
+  [[nodiscard]] const Pose& X_WB() const { return b_.X_WB; }
+
+ private:
+  const PlacedBody& a_;
+  const PlacedBody& b_;
+};
+
+// The mean normal and the 26 ways to a cube's faces, edges and corners, the cube turned
+// as body b: boxes and walls are left straight.
+std::vector<Eigen::Vector3d> ways_out(const Eigen::Vector3d& normal, const Pose& X_WB) {
+  std::vector<Eigen::Vector3d> ways;
+  if (normal.norm() > 1e-6) {
+    ways.emplace_back(-normal.normalized());
+    ways.emplace_back(normal.normalized());
+  }
+  for (int x = -1; x <= 1; ++x) {
+    for (int y = -1; y <= 1; ++y) {
+      for (int z = -1; z <= 1; ++z) {
+        if (x != 0 || y != 0 || z != 0) {
+          ways.emplace_back(X_WB.linear() * Eigen::Vector3d(x, y, z).normalized());
+        }
+      }
+    }
+  }
+  return ways;
+}
+
+void find_depth(const PlacedPair& pair, const Eigen::Vector3d& normal, Contact& contact) {
+  for (const Eigen::Vector3d& way : ways_out(normal, pair.X_WB())) {
+    if (contact.depth <= kPrecision || !pair.is_clear((contact.depth - kPrecision) * way)) {
+      continue;
+    }
+    double blocked = 0.0;
+    double clear = contact.depth - kPrecision;
+    while (clear - blocked > kPrecision) {
+      const double middle = 0.5 * (blocked + clear);
+      (pair.is_clear(middle * way) ? clear : blocked) = middle;
+    }
+    contact.depth = clear;
+    contact.direction = way;
+  }
+}
+
+}  // namespace
+
+std::vector<Contact> find_contacts(const CollisionWorld& world, const Configuration& q,
+                                   std::span<const int> pairs) {
+  std::vector<Pose> X_BL(static_cast<std::size_t>(world.model().link_count()));
+  std::vector<Pose> X_WBody(world.bodies().size());
+  world.place(q, X_BL, X_WBody);
+  FclTrees trees;
+  const auto placed = [&](int index) {
+    const CollisionBody& body = world.body(index);
+    return PlacedBody{*body.solids, *trees.of(*body.mesh),
+                      X_WBody[static_cast<std::size_t>(index)]};
+  };
+  std::vector<Contact> contacts;
+  for (const int index : pairs) {
+    const BodyPair& bodies = world.pairs()[static_cast<std::size_t>(index)];
+    const PlacedBody a = placed(bodies.a);
+    const PlacedBody b = placed(bodies.b);
+    const PlacedPair pair(a, b);
+    std::optional<PlacedPair::Crossing> crossing = pair.crossing();
+    if (!crossing) {
+      crossing = pair.containment();
+    }
+    if (crossing) {
+      Contact contact{world.body(bodies.a).name, world.body(bodies.b).name, crossing->middle};
+      find_depth(pair, crossing->normal, contact);
+      contacts.push_back(std::move(contact));
+    }
+  }
+  return contacts;
+}
+
+std::vector<Contact> find_contacts(CollisionChecker& checker, const Configuration& q) {
+  std::vector<Contact> contacts = find_contacts(checker.world(), q, touching_pairs(checker, q));
+  std::ranges::stable_sort(contacts, std::greater(), &Contact::depth);
+  return contacts;
+}
+
+}  // namespace handway::geometric

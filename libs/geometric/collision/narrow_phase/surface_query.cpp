@@ -1,0 +1,242 @@
+#include "collision/narrow_phase/surface_query.h"
+
+#include "collision/volumes/sided_boxes.h"
+
+#include <fcl/narrowphase/detail/primitive_shape_algorithm/triangle_distance.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+namespace handway::geometric {
+namespace {
+
+constexpr float kDeep = 0.5F;  // of A's radius: a crossing so deep is looked for before all else
+constexpr int kPatience = 3;   // nodes visited on the field's word alone
+
+double triangle_distance(const TriangleCorners& s, const TriangleCorners& t) {
+  Eigen::Vector3d p;
+  Eigen::Vector3d q;
+  return fcl::detail::TriangleDistance<double>::triDistance(s.data(), t.data(), p, q);
+}
+
+// Takes out the sphere with the least bound.
+std::size_t take_nearest(SphereBounds& bounds) {
+  std::size_t nearest = 0;
+  float least = INFINITY;
+  for (std::uint32_t bits = bounds.near; bits != 0; bits &= bits - 1) {
+    const auto k = static_cast<std::size_t>(std::countr_zero(bits));
+    if (bounds.bound[k] < least) {
+      least = bounds.bound[k];
+      nearest = k;
+    }
+  }
+  bounds.near &= ~(1U << nearest);
+  return nearest;
+}
+
+}  // namespace
+
+SurfaceQuery::SurfaceQuery(const Surface& a, const Surface& b, const Pose& X_WA, const Pose& X_WB,
+                           std::vector<std::uint32_t>& near)
+    : a_(a), b_(b), X_WA_(X_WA), X_WB_(X_WB), near_(near) {}
+
+bool SurfaceQuery::root_is_near() {
+  const BoundingSphere& root = a_.cover.root();
+  const Eigen::Vector3d centre = X_WA_ * root.centre.cast<double>() - X_WB_.translation();
+  const Eigen::Vector3f p_BRoot = (X_WB_.linear().transpose() * centre).cast<float>();
+  const float rounding = kMoveRounding * p_BRoot.lpNorm<1>() + b_.field.rounding();
+  const float bound = b_.field.bound(p_BRoot);
+  if (bound - root.radius - rounding >= reach_) {
+    return false;
+  }
+  relative_distance_ = bound / root.radius;
+  if (!placed_) {
+    placed_ = true;
+    X_BA_ = X_WB_.inverse(Eigen::Isometry) * X_WA_;
+    moves_ = FloatPose(X_BA_, root.centre.lpNorm<1>() + root.radius);
+    moves_.rounding += b_.field.rounding();
+  }
+  return true;
+}
+
+void SurfaceQuery::start(double least, double keep) {
+  least_ = least;
+  reach_ = least;
+  keep_ = keep;
+}
+
+void SurfaceQuery::found(double distance) {
+  if (distance < least_) {
+    least_ = distance;
+    reach_ = keep_ * distance;
+  }
+}
+
+double SurfaceQuery::bound(double enough, int effort) {
+  start(enough);
+  effort_ = effort;
+  if (root_is_near() && !kept_outside() && !separated_by_plane()) {
+    bound_node(0);
+  }
+  return std::min(enough, std::max(gap(), least_));
+}
+
+void SurfaceQuery::bound_node(std::uint32_t index) {
+  const SphereCover::Node& node = a_.cover.node(index);
+  SphereBounds bounds;
+  sphere_bounds(node, b_.field, moves_, static_cast<float>(reach_), bounds);
+  while (bounds.near != 0 && least_ > 0.0) {
+    const std::size_t k = take_nearest(bounds);
+    if (bounds.bound[k] >= reach_) {
+      return;
+    }
+    if ((node.child[k] & SphereCover::kLeaf) != 0 || --effort_ < 0) {
+      found(bounds.bound[k]);
+    } else {
+      bound_node(node.child[k]);
+    }
+  }
+}
+
+DistanceRange SurfaceQuery::distance(double enough, double share) {
+  start(enough, 1.0 - share);
+  ends_at_ = 0.0;
+  visit_all();
+  return {reach_, least_ < enough ? least_ : std::numeric_limits<double>::infinity()};
+}
+
+std::optional<Closeness> SurfaceQuery::quick_closeness(double tolerance) {
+  start(tolerance);
+  return look();
+}
+
+std::optional<Closeness> SurfaceQuery::look() {
+  if (!root_is_near() || kept_outside()) {
+    return Closeness::kFarther;
+  }
+  return pierces(kDeep) ? std::optional(Closeness::kTouching) : std::nullopt;
+}
+
+Closeness SurfaceQuery::closeness(double tolerance) {
+  start(tolerance);
+  ends_at_ = tolerance;
+  visit_all();
+  if (least_ >= tolerance) {
+    return Closeness::kFarther;
+  }
+  if (least_ >= kTouch) {  // closer than the tolerance: only touching is of interest now
+    start(kTouch);
+    ends_at_ = kTouch;
+    visit_all();
+  }
+  return least_ < kTouch ? Closeness::kTouching : Closeness::kCloser;
+}
+
+void SurfaceQuery::visit_all() {
+  patience_ = kPatience;
+  if (!look()) {
+    visit(0);
+  }
+}
+
+void SurfaceQuery::visit(std::uint32_t index) {
+  const SphereCover::Node& node = a_.cover.node(index);
+  SphereBounds bounds;
+  sphere_bounds(node, b_.field, moves_, static_cast<float>(reach_), bounds);
+  while (bounds.near != 0 && least_ >= ends_at_) {
+    const std::size_t k = take_nearest(bounds);
+    if (bounds.bound[k] >= reach_) {
+      return;
+    }
+    const Eigen::Vector3d centre = X_BA_ * Eigen::Vector3d(node.x[k], node.y[k], node.z[k]);
+    const auto radius = static_cast<double>(node.radius[k]);
+    const bool is_leaf = (node.child[k] & SphereCover::kLeaf) != 0;
+    if ((is_leaf || patience_ <= 1) && settled_as_a_whole()) {
+      return;
+    }
+    if (is_leaf) {
+      compare(node.child[k] & ~SphereCover::kLeaf, centre, radius);
+    } else if (--patience_ >= 0 || b_.triangles->is_nearer_than(centre, radius + reach_)) {
+      visit(node.child[k]);
+    }
+  }
+}
+
+bool SurfaceQuery::kept_outside() {
+  const float outside = gap_outside(a_.field.centre(), a_.field.half(), *b_.sides, moves_);
+  outside_gap_ = std::max(outside_gap_, static_cast<double>(outside));
+  return gap() >= reach_;
+}
+
+bool SurfaceQuery::separated_by_plane() {
+  const auto reach = static_cast<float>(reach_);
+  hull_gap_ = std::max(hull_gap_, static_cast<double>(hull_gap(*a_.hull, *b_.hull, moves_, reach)));
+  return gap() >= reach_;
+}
+
+bool SurfaceQuery::pierces(float share) {
+  const BoundingSphere& root = a_.cover.root();
+  if (surely_pierces(*a_.points, {root.centre, share * root.radius}, *b_.sides, moves_)) {
+    found(0.0);
+  }
+  return least_ <= 0.0;
+}
+
+bool SurfaceQuery::settled_as_a_whole() {
+  if (!tried_whole_) {
+    tried_whole_ = true;
+    return separated_by_plane() || pierces(1.0F);
+  }
+  return gap() >= reach_;
+}
+
+void SurfaceQuery::compare(std::uint32_t leaf, const Eigen::Vector3d& centre, double radius) {
+  near_.clear();
+  b_.triangles->append_within(centre, radius + reach_, near_);
+  if (near_.empty()) {
+    return;
+  }
+  for (const std::uint32_t triangle : a_.cover.triangles(leaf)) {
+    TriangleCorners s = corners(*a_.mesh, triangle);
+    for (Eigen::Vector3d& p : s) {
+      p = X_BA_ * p;
+    }
+    if (!field_keeps_apart(s)) {
+      exact_ = true;
+      compare_triangle(s);
+    }
+    if (least_ < ends_at_ || least_ <= 0.0) {
+      return;
+    }
+  }
+}
+
+bool SurfaceQuery::field_keeps_apart(const TriangleCorners& s) const {
+  const Eigen::Vector3d middle = (s[0] + s[1] + s[2]) / 3.0;
+  const double radius =
+      std::sqrt(std::max({(s[0] - middle).squaredNorm(), (s[1] - middle).squaredNorm(),
+                          (s[2] - middle).squaredNorm()}));
+  const double reach = reach_ + moves_.rounding;
+  return static_cast<double>(b_.field.bound(middle.cast<float>())) - radius >= reach ||
+         static_cast<double>(b_.field.bound(std::array<Eigen::Vector3f, 3>{
+             s[0].cast<float>(), s[1].cast<float>(), s[2].cast<float>()})) >= reach;
+}
+
+void SurfaceQuery::compare_triangle(const TriangleCorners& s) {
+  for (const std::uint32_t other : near_) {
+    const TriangleCorners t = corners(*b_.mesh, other);
+    if (!plane_keeps_apart(s, t, reach_)) {
+      // Looking for a touch, most that planes leave cross; else hardly any does.
+      const bool touch = ends_at_ > 0.0 && surely_cross(s, t);
+      found(touch ? 0.0 : triangle_distance(s, t));
+      if (least_ < ends_at_ || least_ <= 0.0) {
+        return;
+      }
+    }
+  }
+}
+
+}  // namespace handway::geometric

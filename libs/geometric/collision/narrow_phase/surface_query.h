@@ -1,0 +1,103 @@
+#pragma once
+
+#include "collision/cache/surface.h"
+#include "collision/volumes/sphere_bounds.h"
+#include "collision/volumes/triangle_tree.h"
+#include "handway/geometric/collision/collision_checker.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace handway::geometric {
+
+/// Questions about two surfaces in one position: spheres of A in the clearance
+/// field of B leave a few triangles, and those are compared one by one.
+class SurfaceQuery {
+ public:
+  /// @param X_WA,X_WB must outlive this object.
+  /// @param near room for triangles that are compared; must outlive this object.
+  SurfaceQuery(const Surface& a, const Surface& b, const Pose& X_WA, const Pose& X_WB,
+               std::vector<std::uint32_t>& near);
+
+  /// A lower bound (m) of the distance, at most `enough`, from spheres alone; 0 if
+  /// they can't tell. @param effort nodes of spheres to look into.
+  [[nodiscard]] double bound(double enough, int effort);
+
+  /// The distance (m) to within a `share` of it, or from `enough` up if the surfaces are at least
+  /// that far apart; 0 where they surely cross. The less is enough, the sooner it ends.
+  [[nodiscard]] DistanceRange distance(double enough, double share = 0.0);
+
+  /// Are the surfaces closer than `tolerance` (m), as far as a look at each of them as a whole
+  /// shows? A touch that is found so is beyond doubt.
+  [[nodiscard]] std::optional<Closeness> quick_closeness(double tolerance);
+
+  /// How far the middle of A's sphere is from B, as far as the field says, as a share of the
+  /// radius. @pre quick_closeness() did not settle it.
+  [[nodiscard]] float relative_distance() const { return relative_distance_; }
+
+  /// Are the surfaces closer than `tolerance` (m)? "Touching" below kTouch.
+  [[nodiscard]] Closeness closeness(double tolerance);
+
+  /// Whether the hulls are known to be apart, so that neither surface is inside of the other.
+  [[nodiscard]] bool hulls_are_apart() const { return hull_gap_ > 0.0; }
+
+  /// Whether A is known to be in a box that is outside of each closed piece of B.
+  [[nodiscard]] bool is_outside() const { return outside_gap_ > 0.0; }
+
+  /// Whether triangles were found that cross beyond doubt.
+  [[nodiscard]] bool surely_crosses() const { return least_ <= 0.0; }
+
+  /// Whether triangles had to be looked at.
+  [[nodiscard]] bool was_exact() const { return exact_; }
+
+ private:
+  /// Sets out for what is nearer than `least` (m), each distance known to within 1 - `keep` of it.
+  void start(double least, double keep = 1.0);
+  void found(double distance);
+  /// Whether the sphere around A may be nearer than `reach_`; then X_BA is known.
+  [[nodiscard]] bool root_is_near();
+  /// The answer of the quick test, if it has one.
+  [[nodiscard]] std::optional<Closeness> look();
+  void visit_all();
+  void bound_node(std::uint32_t node);
+  void visit(std::uint32_t node);
+  /// Whether A's box is known to be outside of B and at least `reach_` away.
+  [[nodiscard]] bool kept_outside();
+  /// Whether the hulls are known to be at least `reach_` apart.
+  [[nodiscard]] bool separated_by_plane();
+  /// m: the surfaces are known to be that far apart.
+  [[nodiscard]] double gap() const { return std::max(hull_gap_, outside_gap_); }
+  /// Whether A is known to go through B, in that share of its sphere at least; then `least_` is 0.
+  [[nodiscard]] bool pierces(float share);
+  /// Either of these; looked for once.
+  [[nodiscard]] bool settled_as_a_whole();
+  void compare(std::uint32_t leaf, const Eigen::Vector3d& centre, double radius);
+  /// Is a triangle, in B's frame, at least `reach_` away for all that the field knows?
+  [[nodiscard]] bool field_keeps_apart(const TriangleCorners& s) const;
+  /// With the triangles in `near_`.
+  void compare_triangle(const TriangleCorners& s);
+
+  const Surface& a_;
+  const Surface& b_;
+  const Pose& X_WA_;
+  const Pose& X_WB_;
+  bool placed_ = false;
+  Pose X_BA_;
+  FloatPose moves_;
+  double least_ = 0.0;    ///< The least distance known so far, or what is asked for.
+  double reach_ = 0.0;    ///< What is so far away or farther is not looked at.
+  double keep_ = 1.0;     ///< That much of the least distance found: how precisely it is known.
+  double ends_at_ = 0.0;  ///< No need to look further below this.
+  int effort_ = 0;
+  int patience_ = 0;
+  bool exact_ = false;
+  bool tried_whole_ = false;
+  float relative_distance_ = 0.0F;
+  double hull_gap_ = 0.0;             ///< m: the hulls are known to be that far apart; and …
+  double outside_gap_ = 0.0;          ///< … A's box to be outside of B by that.
+  std::vector<std::uint32_t>& near_;  ///< Triangles of B that a leaf is compared with.
+};
+
+}  // namespace handway::geometric

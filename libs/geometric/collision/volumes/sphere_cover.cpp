@@ -1,0 +1,373 @@
+#include "collision/volumes/sphere_cover.h"
+
+#include <tbb/concurrent_vector.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+namespace handway::geometric {
+namespace {
+
+constexpr double kEdge = 1.5;       // of a leaf's radius: longer edges are cut
+constexpr double kNodeEdge = 0.25;  // of a node's radius: the same, for the spheres below it
+
+// What part of a triangle a sphere is to contain.
+struct Piece {
+  std::array<Eigen::Vector3d, 3> corners;
+  std::uint32_t triangle;
+
+  [[nodiscard]] Eigen::Vector3d sum() const { return corners[0] + corners[1] + corners[2]; }
+};
+
+struct Ball {
+  Eigen::Vector3d centre;
+  double radius;
+};
+
+Aabb box_around(std::span<const Piece> pieces) {
+  Aabb box{pieces.front().corners[0], pieces.front().corners[0]};
+  for (const Piece& piece : pieces) {
+    for (const Eigen::Vector3d& p : piece.corners) {
+      box.lower = box.lower.cwiseMin(p);
+      box.upper = box.upper.cwiseMax(p);
+    }
+  }
+  return box;
+}
+
+// A small ball around points: start at the box's centre, then move towards
+// the farthest point in shrinking steps (Badoiu and Clarkson, 2003).
+// @param visit shows all points to a function.
+template <typename Visit>
+Ball enclosing_ball(const Visit& visit, const Aabb& box) {
+  const auto farthest_from = [&](const Eigen::Vector3d& centre) {
+    const Eigen::Vector3d* farthest = nullptr;
+    double most = -1.0;
+    visit([&](const Eigen::Vector3d& p) {
+      if (const double squared = (p - centre).squaredNorm(); squared > most) {
+        most = squared;
+        farthest = &p;
+      }
+    });
+    return farthest;
+  };
+  Eigen::Vector3d centre = box.centre();
+  const Eigen::Vector3d* farthest = farthest_from(centre);
+  Ball best{centre, (*farthest - centre).norm()};
+  for (int i = 1; i <= 6; ++i) {
+    centre += (*farthest - centre) / (i + 1.0);
+    farthest = farthest_from(centre);
+    if (const double radius = (*farthest - centre).norm(); radius < best.radius) {
+      best = {centre, radius};
+    }
+  }
+  return best;
+}
+
+Ball enclosing_ball(std::span<const Piece> pieces) {
+  return enclosing_ball(
+      [&](const auto& see) {
+        for (const Piece& piece : pieces) {
+          std::ranges::for_each(piece.corners, see);
+        }
+      },
+      box_around(pieces));
+}
+
+struct Plane {
+  Eigen::Vector3f normal;
+  float thickness;
+};
+
+// The mean plane through `centre`.
+Plane plane_through(const Eigen::Vector3f& centre, std::span<const Piece> pieces) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const Piece& piece : pieces) {
+    const auto& [a, b, c] = piece.corners;
+    sum += (b - a).cross(c - a);
+  }
+  const double length = sum.norm();
+  const Eigen::Vector3f normal =
+      (length > 0.0 ? Eigen::Vector3d(sum / length) : Eigen::Vector3d::UnitZ()).cast<float>();
+  double thickness = 0.0;
+  for (const Piece& piece : pieces) {
+    for (const Eigen::Vector3d& p : piece.corners) {
+      thickness =
+          std::max(thickness, std::abs((p - centre.cast<double>()).dot(normal.cast<double>())));
+    }
+  }
+  return {normal, std::nextafter(static_cast<float>(thickness), 1e30F)};
+}
+
+// Centres are rounded to float; the radius makes up for that.
+BoundingSphere rounded(const Ball& ball) {
+  const Eigen::Vector3f centre = ball.centre.cast<float>();
+  const double radius = ball.radius + (centre.cast<double>() - ball.centre).norm();
+  return {centre, std::nextafter(static_cast<float>(radius * (1.0 + 1e-7)), 1e30F)};
+}
+
+double longest_edge(const Piece& piece) {
+  const auto& [a, b, c] = piece.corners;
+  return std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
+}
+
+// Cut until no edge is longer, or there are more than `most` pieces.
+void cut(const Piece& piece, double longest_edge, std::size_t most, std::vector<Piece>& pieces) {
+  const auto& [a, b, c] = piece.corners;
+  const double ab = (b - a).norm();
+  const double bc = (c - b).norm();
+  const double ca = (a - c).norm();
+  const double longest = std::max({ab, bc, ca});
+  if (longest <= longest_edge || pieces.size() > most) {
+    pieces.push_back(piece);
+    return;
+  }
+  // Turn the triangle so that its longest edge comes first, and halve that.
+  const std::size_t first = bc == longest ? 1 : ca == longest ? 2 : 0;
+  const Eigen::Vector3d& p = piece.corners[first];
+  const Eigen::Vector3d& q = piece.corners[(first + 1) % 3];
+  const Eigen::Vector3d& r = piece.corners[(first + 2) % 3];
+  const Eigen::Vector3d middle = 0.5 * (p + q);
+  cut({{p, middle, r}, piece.triangle}, longest_edge, most, pieces);
+  cut({{middle, q, r}, piece.triangle}, longest_edge, most, pieces);
+}
+
+// All triangles cut so; with more than `most` pieces it is not complete.
+std::vector<Piece> cut(const TriangleMesh& mesh, double longest_edge, std::size_t most) {
+  std::vector<Piece> pieces;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto& [a, b, c] = mesh.triangles[t];
+    cut({{mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]}, t}, longest_edge, most, pieces);
+    if (pieces.size() > most) {
+      break;
+    }
+  }
+  return pieces;
+}
+
+std::vector<Piece> uncut(const TriangleMesh& mesh) {
+  std::vector<Piece> pieces;
+  pieces.reserve(mesh.triangles.size());
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto& [a, b, c] = mesh.triangles[t];
+    pieces.push_back({{mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]}, t});
+  }
+  return pieces;
+}
+
+}  // namespace
+
+/// Makes the nodes of one tree.
+class SphereTreeGrowth {
+ public:
+  using Pieces = std::vector<Piece>;
+
+  SphereTreeGrowth(Pieces pieces, double leaf_radius)
+      : leaf_radius_(leaf_radius), root_(enclosing_ball(pieces)) {
+    slots_.emplace_back(std::move(pieces));
+  }
+
+  SphereTreeGrowth(std::shared_ptr<const TriangleMesh> mesh, double leaf_radius)
+      : leaf_radius_(leaf_radius),
+        root_(enclosing_ball([&](const auto& see) { std::ranges::for_each(mesh->vertices, see); },
+                             bounding_box(*mesh))),
+        mesh_(std::move(mesh)) {
+    slots_.emplace_back(Pieces());
+  }
+
+  [[nodiscard]] BoundingSphere root() const { return rounded(root_); }
+
+  const SphereCover::Node& node(std::uint32_t index) {
+    Slot& slot = slots_[index];
+    if (const SphereCover::Node* made = slot.made.load(std::memory_order_acquire)) {
+      return *made;
+    }
+    const std::scoped_lock lock(mutex_);
+    if (!slot.node) {
+      Pieces pieces = mesh_ ? uncut(*std::exchange(mesh_, {})) : std::exchange(slot.pieces, {});
+      slot.node = std::make_unique<const SphereCover::Node>(made_of(std::move(pieces)));
+      slot.made.store(slot.node.get(), std::memory_order_release);
+    }
+    return *slot.node;
+  }
+
+  [[nodiscard]] std::span<const std::uint32_t> leaf(std::uint32_t index) const {
+    return leaves_[index];
+  }
+
+ private:
+  using Part = std::span<Piece>;
+
+  struct Slot {
+    explicit Slot(Pieces below) : pieces(std::move(below)) {}
+
+    Pieces pieces;  ///< Of a node that is not made yet.
+    std::unique_ptr<const SphereCover::Node> node;
+    std::atomic<const SphereCover::Node*> made = nullptr;
+  };
+
+  SphereCover::Node made_of(Pieces pieces) {
+    cut_for_node(pieces);
+    SphereCover::Node node;
+    node.x.fill(0.0F);
+    node.y.fill(0.0F);
+    node.z.fill(0.0F);
+    node.radius.fill(-1e30F);
+    node.normal_x.fill(0.0F);
+    node.normal_y.fill(0.0F);
+    node.normal_z.fill(1.0F);
+    node.thickness.fill(0.0F);
+    node.child.fill(SphereCover::kLeaf);
+    for (const Part& part : split(pieces)) {
+      const Ball ball = enclosing_ball(part);
+      const BoundingSphere sphere = rounded(ball);
+      const std::size_t k = node.count++;
+      node.x[k] = sphere.centre.x();
+      node.y[k] = sphere.centre.y();
+      node.z[k] = sphere.centre.z();
+      node.radius[k] = sphere.radius;
+      const Plane plane = plane_through(sphere.centre, part);
+      node.normal_x[k] = plane.normal.x();
+      node.normal_y[k] = plane.normal.y();
+      node.normal_z[k] = plane.normal.z();
+      node.thickness[k] = plane.thickness;
+      node.child[k] =
+          is_leaf(part, ball.radius) ? SphereCover::kLeaf | add_leaf(part) : add_slot(part);
+    }
+    return node;
+  }
+
+  // Large triangles into pieces that sixteen spheres can share.
+  void cut_for_node(Pieces& pieces) const {
+    const double longest =
+        std::max(kEdge * leaf_radius_, kNodeEdge * enclosing_ball(pieces).radius);
+    if (std::ranges::all_of(pieces,
+                            [&](const Piece& piece) { return longest_edge(piece) <= longest; })) {
+      return;
+    }
+    Pieces smaller;
+    for (const Piece& piece : pieces) {
+      cut(piece, longest, std::numeric_limits<std::size_t>::max(), smaller);
+    }
+    pieces = std::move(smaller);
+  }
+
+  [[nodiscard]] bool is_leaf(const Part& part, double radius) const {
+    return radius <= leaf_radius_ ||
+           (part.size() == 1 && longest_edge(part.front()) <= kEdge * leaf_radius_);
+  }
+
+  std::uint32_t add_slot(Part pieces) {
+    const auto slot = slots_.emplace_back(Pieces(pieces.begin(), pieces.end()));
+    return static_cast<std::uint32_t>(slot - slots_.begin());
+  }
+
+  std::uint32_t add_leaf(Part pieces) {
+    std::vector<std::uint32_t> triangles;
+    for (const Piece& piece : pieces) {
+      triangles.push_back(piece.triangle);
+    }
+    std::ranges::sort(triangles);
+    triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+    const auto leaf = leaves_.push_back(std::move(triangles));
+    return static_cast<std::uint32_t>(leaf - leaves_.begin());
+  }
+
+  // The largest part is halved until there are sixteen or none can be.
+  [[nodiscard]] std::vector<Part> split(Part pieces) const {
+    struct Sized {
+      Part part;
+      double radius;
+    };
+    // Of what can't be halved, less than of all else.
+    const auto worth = [this](const Sized& sized) {
+      return sized.part.size() == 1 || is_leaf(sized.part, sized.radius) ? -1.0 : sized.radius;
+    };
+    std::vector<Sized> parts{{pieces, enclosing_ball(pieces).radius}};
+    while (parts.size() < SphereCover::kWidth) {
+      const auto largest = std::ranges::max_element(parts, {}, worth);
+      if (worth(*largest) < 0.0) {
+        break;
+      }
+      const auto [first, second] = halves(largest->part);
+      *largest = {first, enclosing_ball(first).radius};
+      parts.push_back({second, enclosing_ball(second).radius});
+    }
+    std::vector<Part> result;
+    result.reserve(parts.size());
+    for (const Sized& sized : parts) {
+      result.push_back(sized.part);
+    }
+    return result;
+  }
+
+  static std::pair<Part, Part> halves(Part pieces) {
+    Eigen::Index axis = 0;
+    box_around(pieces).size().maxCoeff(&axis);
+    const std::size_t half = pieces.size() / 2;
+    std::ranges::nth_element(
+        pieces, pieces.begin() + static_cast<std::ptrdiff_t>(half),
+        [axis](const Piece& s, const Piece& t) { return s.sum()[axis] < t.sum()[axis]; });
+    return {pieces.first(half), pieces.subspan(half)};
+  }
+
+  double leaf_radius_;
+  Ball root_;
+  std::shared_ptr<const TriangleMesh> mesh_;  ///< Until the first node is made of it.
+  std::mutex mutex_;                          ///< Of whoever makes a node.
+  tbb::concurrent_vector<Slot> slots_;
+  tbb::concurrent_vector<std::vector<std::uint32_t>> leaves_;
+};
+
+SphereCover::SphereCover(const TriangleMesh& mesh, double leaf_radius) {
+  const std::size_t most = mesh.triangles.size() + kMostPieces;
+  std::vector<Piece> pieces = cut(mesh, kEdge * leaf_radius, most);
+  while (pieces.size() > most) {
+    leaf_radius *= 2.0;
+    pieces = cut(mesh, kEdge * leaf_radius, most);
+  }
+  SphereTreeGrowth growth(std::move(pieces), leaf_radius);
+  root_ = growth.root();
+  copy_complete(growth, 0);
+  leaves_.push_back(static_cast<std::uint32_t>(triangles_.size()));
+}
+
+SphereCover SphereCover::growing(std::shared_ptr<const TriangleMesh> mesh, double leaf_radius) {
+  SphereCover cover;
+  cover.growth_ = std::make_shared<SphereTreeGrowth>(std::move(mesh), leaf_radius);
+  cover.root_ = cover.growth_->root();
+  return cover;
+}
+
+const SphereCover::Node& SphereCover::grown_node(std::uint32_t index) const {
+  return growth_->node(index);
+}
+
+std::span<const std::uint32_t> SphereCover::grown_leaf(std::uint32_t leaf) const {
+  return growth_->leaf(leaf);
+}
+
+std::uint32_t SphereCover::copy_complete(SphereTreeGrowth& growth, std::uint32_t index) {
+  const auto copy = static_cast<std::uint32_t>(nodes_.size());
+  nodes_.push_back(growth.node(index));
+  for (std::size_t k = 0; k < nodes_[copy].count; ++k) {
+    const std::uint32_t child = nodes_[copy].child[k];
+    if ((child & kLeaf) == 0) {
+      const std::uint32_t below = copy_complete(growth, child);
+      nodes_[copy].child[k] = below;
+      continue;
+    }
+    nodes_[copy].child[k] = kLeaf | static_cast<std::uint32_t>(leaves_.size());
+    leaves_.push_back(static_cast<std::uint32_t>(triangles_.size()));
+    const std::span<const std::uint32_t> triangles = growth.leaf(child & ~kLeaf);
+    triangles_.insert(triangles_.end(), triangles.begin(), triangles.end());
+  }
+  return copy;
+}
+
+}  // namespace handway::geometric

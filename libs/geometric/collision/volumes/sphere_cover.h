@@ -1,0 +1,89 @@
+#pragma once
+
+#include "handway/geometric/mesh/triangle_mesh.h"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace handway::geometric {
+
+/// A sphere, m.
+struct BoundingSphere {
+  Eigen::Vector3f centre;
+  float radius = 0.0F;
+};
+
+class SphereTreeGrowth;
+
+/// A tree of spheres in the mesh's frame, sixteen to a node so that they are
+/// asked together. The spheres of every level together contain the whole
+/// surface; those of a node contain what its parent's sphere is for.
+///
+/// It is complete, or it grows where it is asked for: a node is made at its first visit, by any
+/// thread, and depends on nothing but the mesh and the nodes above it. Copies grow together.
+class SphereCover {
+ public:
+  static constexpr std::size_t kWidth = 16;
+
+  struct alignas(64) Node {
+    std::array<float, kWidth> x, y, z, radius;  ///< Past `count`: radius -1e30, never near.
+    /// The surface in a sphere lies within `thickness` of a plane through its
+    /// centre with this normal: it is a disk where it is flat.
+    std::array<float, kWidth> normal_x, normal_y, normal_z, thickness;
+    /// Node below each sphere or, with kLeaf set, leaf.
+    std::array<std::uint32_t, kWidth> child;
+    std::uint32_t count = 0;
+  };
+  static constexpr std::uint32_t kLeaf = 0x80000000U;
+
+  SphereCover() = default;
+
+  /// A tree that grows. Its leaves are as small as asked for whatever the triangles.
+  /// @pre the mesh has a triangle.
+  [[nodiscard]] static SphereCover growing(std::shared_ptr<const TriangleMesh> mesh,
+                                           double leaf_radius);
+
+  static constexpr std::size_t kMostPieces = 1U << 16;
+
+  /// A complete tree.
+  /// @param leaf_radius (m) spheres are split until they are this small; large
+  /// triangles are cut for that, but into no more than kMostPieces beyond their
+  /// number: where that is too few, spheres stay larger.
+  /// @pre the mesh has a triangle.
+  SphereCover(const TriangleMesh& mesh, double leaf_radius);
+
+  [[nodiscard]] const BoundingSphere& root() const { return root_; }
+  /// The node with that number, 0 being below the root.
+  [[nodiscard]] const Node& node(std::uint32_t index) const {
+    return growth_ ? grown_node(index) : nodes_[index];
+  }
+  /// Of a complete tree.
+  [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }
+  /// Triangles whose pieces are in a leaf's sphere.
+  [[nodiscard]] std::span<const std::uint32_t> triangles(std::uint32_t leaf) const {
+    return growth_ ? grown_leaf(leaf)
+                   : std::span<const std::uint32_t>{triangles_.data() + leaves_[leaf],
+                                                    triangles_.data() + leaves_[leaf + 1]};
+  }
+
+ private:
+  friend class VolumeArchive;
+
+  [[nodiscard]] const Node& grown_node(std::uint32_t index) const;
+  [[nodiscard]] std::span<const std::uint32_t> grown_leaf(std::uint32_t leaf) const;
+  std::uint32_t copy_complete(SphereTreeGrowth& growth, std::uint32_t index);
+
+  BoundingSphere root_;
+  std::vector<Node> nodes_;
+  std::vector<std::uint32_t> leaves_;  ///< First of each leaf's triangles, and the end.
+  std::vector<std::uint32_t> triangles_;
+  std::shared_ptr<SphereTreeGrowth> growth_;  ///< Null: complete.
+};
+
+}  // namespace handway::geometric

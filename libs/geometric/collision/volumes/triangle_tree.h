@@ -1,0 +1,102 @@
+#pragma once
+
+#include "collision/volumes/box_tree.h"
+#include "handway/geometric/mesh/triangle_mesh.h"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace handway::geometric {
+
+using TriangleCorners = std::array<Eigen::Vector3d, 3>;
+
+/// Below this (m) surfaces count as touching unless FCL says otherwise: a hair,
+/// so that roundings can't hide a touch.
+inline constexpr double kTouch = 1e-9;
+
+/// Does the plane of one triangle keep the other at least `tolerance` (m) away?
+/// Says no where it can't tell.
+[[nodiscard]] bool plane_keeps_apart(const TriangleCorners& s, const TriangleCorners& t,
+                                     double tolerance);
+
+/// Does an edge of one go through the other, at least kTouch from its borders?
+/// Then they collide however that is counted.
+[[nodiscard]] bool surely_cross(const TriangleCorners& s, const TriangleCorners& t);
+
+/// A few triangles side by side, for the distance of a point from all at once.
+class TriangleBlock {
+ public:
+  static constexpr std::size_t kWidth = 8;
+
+  TriangleBlock() = default;
+
+  /// @pre 1 to kWidth triangles.
+  explicit TriangleBlock(std::span<const TriangleCorners> triangles);
+
+  using Lanes = std::array<float, kWidth>;
+
+  /// Squared distances (m²) of `p` from the triangles, up to single precision; past the
+  /// last one, that from it again.
+  [[nodiscard]] Lanes squared_distances(const Eigen::Vector3f& p) const;
+  /// Distance (m) of `p` from the nearest triangle.
+  [[nodiscard]] float distance(const Eigen::Vector3f& p) const;
+
+ private:
+  using Vectors = std::array<Lanes, 3>;
+
+  alignas(32) std::array<Vectors, 3> corners_{};
+  Vectors normals_{};  ///< Of length 1, or 0 where a triangle has no area.
+};
+
+/// The triangles of a mesh, eight to a leaf, below axis-aligned boxes, eight to a
+/// node: what is near to a point is found with few looks at the memory. It reckons in
+/// single precision, and takes for nearer what roundings leave in doubt.
+class TriangleTree {
+ public:
+  /// @pre the mesh has a triangle.
+  explicit TriangleTree(const TriangleMesh& mesh);
+
+  /// Is a triangle nearer to `p` (m, in the mesh's frame) than `distance` (m)?
+  [[nodiscard]] bool is_nearer_than(const Eigen::Vector3d& p, double distance) const;
+
+  /// Appends the triangles that are nearer to `p` than `distance` (m).
+  void append_within(const Eigen::Vector3d& p, double distance,
+                     std::vector<std::uint32_t>& triangles) const;
+
+ private:
+  friend class TriangleTreeBuilder;
+
+  static constexpr std::size_t kWidth = 8;
+  static constexpr std::uint32_t kLeaf = 0x80000000U;
+
+  struct alignas(64) Node {
+    std::array<std::array<float, kWidth>, 3> centre{};
+    std::array<std::array<float, kWidth>, 3> half{};  ///< Past the last: -1e30, never near.
+    std::array<std::uint32_t, kWidth> child{};        ///< Node or, with kLeaf set, leaf.
+  };
+  struct Leaf {
+    TriangleBlock block;
+    std::array<std::uint32_t, TriangleBlock::kWidth> triangles{};  ///< Indices in the mesh.
+    std::uint32_t count = 0;
+  };
+
+  /// Shows `visit` the leaves near to `p` until it has seen enough.
+  template <typename Visit>
+  void visit_near(const Eigen::Vector3f& p, float distance, const Visit& visit) const;
+  /// `distance`, and what roundings may be off by.
+  [[nodiscard]] float reach(const Eigen::Vector3d& p, double distance) const;
+  static std::uint32_t near_boxes(const Node& node, const Eigen::Vector3f& p, float distance,
+                                  std::array<float, kWidth>& squared);
+
+  float size_ = 0.0F;  ///< m: no coordinate is larger.
+  std::uint32_t root_ = 0;
+  std::vector<Node> nodes_;
+  std::vector<Leaf> leaves_;
+};
+
+}  // namespace handway::geometric

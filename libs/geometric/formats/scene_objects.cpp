@@ -1,0 +1,177 @@
+#include "formats/scene_objects.h"
+
+#include "handway/geometric/formats/mesh_reader.h"
+#include "handway/geometric/io/input_error.h"
+#include "handway/geometric/io/resources.h"
+#include "handway/geometric/math/units.h"
+
+#include <algorithm>
+
+namespace handway::geometric {
+namespace {
+
+constexpr const char* kShapes = "one of box, sphere, cylinder, cone and mesh";
+
+double size_of(const YamlElement& element) {
+  const double size = element.number();
+  if (size <= 0.0) {
+    element.refuse(element.found(), "a size above 0 m");
+  }
+  return size;
+}
+
+Box box_of(const YamlElement& element) {
+  element.allow_keys({"size"});
+  const YamlElement size = element.need("size");
+  Box box{size.numbers(3)};
+  for (const YamlElement& edge : size.items()) {
+    static_cast<void>(size_of(edge));
+  }
+  return box;
+}
+
+Eigen::Vector3d scale_of(const YamlElement& element) {
+  const Eigen::Vector3d scale = element.is_list() ? Eigen::Vector3d(element.numbers(3))
+                                                  : Eigen::Vector3d::Constant(element.number());
+  if ((scale.array() == 0.0).any()) {
+    element.refuse("a scale of 0", "one factor or three, other than 0");
+  }
+  return scale;
+}
+
+Mesh mesh_of(const YamlElement& element, const std::filesystem::path& folder) {
+  element.allow_keys({"file", "scale"});
+  const YamlElement file = element.need("file");
+  const std::optional<YamlElement> scale = element.find("scale");
+  Mesh mesh;
+  mesh.file = find_resource(ResourceKind::kObject, file.text(), folder, file.where());
+  mesh.scale = scale ? scale_of(*scale) : Eigen::Vector3d::Ones();
+  mesh.triangles = read_mesh(mesh.file, mesh.scale, file.where());
+  return mesh;
+}
+
+Shape shape_of(const std::string& kind, const YamlElement& element,
+               const std::filesystem::path& folder) {
+  if (kind == "box") {
+    return box_of(element);
+  }
+  if (kind == "mesh") {
+    return mesh_of(element, folder);
+  }
+  if (kind == "sphere") {
+    element.allow_keys({"radius"});
+    return Sphere{size_of(element.need("radius"))};
+  }
+  element.allow_keys({"radius", "length"});
+  const double radius = size_of(element.need("radius"));
+  const double length = size_of(element.need("length"));
+  return kind == "cone" ? Shape(Cone{radius, length}) : Shape(Cylinder{radius, length});
+}
+
+Shape only_shape_of(const YamlElement& object, const std::filesystem::path& folder) {
+  std::optional<Shape> shape;
+  for (const std::string kind : {"box", "sphere", "cylinder", "cone", "mesh"}) {
+    if (const std::optional<YamlElement> element = object.find(kind)) {
+      if (shape) {
+        element->refuse("a second shape", kShapes, "Make one object for each shape");
+      }
+      shape = shape_of(kind, *element, folder);
+    }
+  }
+  if (!shape) {
+    object.refuse("no shape", kShapes);
+  }
+  return *shape;
+}
+
+Color color_of(const YamlElement& element) {
+  std::array<float, 4> parts = {0, 0, 0, 1};
+  const std::vector<YamlElement> items = element.items();
+  if (items.size() != 3 && items.size() != 4) {
+    element.refuse(element.found(), "[red, green, blue] or [red, green, blue, opacity]");
+  }
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const double value = items[i].number();
+    if (value < 0.0 || value > 1.0) {
+      items[i].refuse(items[i].found(), "a number from 0 to 1");
+    }
+    parts[i] = static_cast<float>(value);
+  }
+  return {parts[0], parts[1], parts[2], parts[3]};
+}
+
+std::string link_of(const YamlElement& element, const RobotModel& model) {
+  std::string name = element.text();
+  if (!model.find_link(name)) {
+    std::vector<std::string> links;
+    for (const Link& link : model.description().links) {
+      links.push_back(link.name);
+    }
+    element.refuse(element.found(), "a link of " + model.name(), advise_name(name, links));
+  }
+  return name;
+}
+
+Attachment attachment_of(const YamlElement& element, const Scene& scene) {
+  element.allow_keys({"robot", "link", "touching"});
+  Attachment attachment;
+  attachment.robot = scene.robots.front().name;
+  const RobotInstance* robot = &scene.robots.front();
+  if (const std::optional<YamlElement> name = element.find("robot")) {
+    attachment.robot = name->text();
+    robot = find_robot(scene, attachment.robot);
+    if (!robot) {
+      name->refuse(name->found(), "a robot of the scene");
+    }
+  }
+  attachment.link = link_of(element.need("link"), *robot->model);
+  if (const std::optional<YamlElement> touching = element.find("touching")) {
+    for (const YamlElement& link : touching->items()) {
+      attachment.touching.push_back(link_of(link, *robot->model));
+    }
+  }
+  return attachment;
+}
+
+bool flag_of(const YamlElement& object, const char* key, bool usually = false) {
+  const std::optional<YamlElement> flag = object.find(key);
+  return flag ? flag->flag() : usually;
+}
+
+}  // namespace
+
+Pose pose_of(const YamlElement& element) {
+  element.allow_keys({"xyz", "rpy_deg"});
+  const std::optional<YamlElement> xyz = element.find("xyz");
+  const std::optional<YamlElement> rpy = element.find("rpy_deg");
+  const Eigen::Vector3d p = xyz ? xyz->numbers(3) : Eigen::VectorXd::Zero(3);
+  const Eigen::Vector3d angles = rpy ? rpy->numbers(3) : Eigen::VectorXd::Zero(3);
+  return pose_from_rpy(p, radians(angles.x()), radians(angles.y()), radians(angles.z()));
+}
+
+SceneObject object_of(const YamlElement& element, const Scene& scene,
+                      const std::filesystem::path& folder) {
+  element.allow_keys({"name", "box", "sphere", "cylinder", "cone", "mesh", "pose", "color",
+                      "attach", "group", "hidden", "locked", "solid"});
+  SceneObject object;
+  object.name = element.need("name").text();
+  object.shape = only_shape_of(element, folder);
+  if (const std::optional<YamlElement> pose = element.find("pose")) {
+    object.X_PO = pose_of(*pose);
+  }
+  if (const std::optional<YamlElement> color = element.find("color")) {
+    object.color = color_of(*color);
+  }
+  if (const std::optional<YamlElement> attach = element.find("attach")) {
+    object.attachment = attachment_of(*attach, scene);
+  }
+  if (const std::optional<YamlElement> group = element.find("group")) {
+    object.group = group->text();
+  }
+  object.hidden = flag_of(element, "hidden");
+  object.locked = flag_of(element, "locked");
+  object.solid = flag_of(element, "solid", true);
+  return object;
+}
+
+}  // namespace handway::geometric

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "handway/geometric/formats/yaml_element.h"
+#include "handway/geometric/scene/scene.h"
+
+#include <filesystem>
+
+namespace handway::geometric {
+
+/// `{xyz: […], rpy_deg: […]}`, both optional.
+[[nodiscard]] Pose pose_of(const YamlElement& element);
+
+/// One entry of a scene file's `objects`.
+/// @param scene with its robots, which the object may be attached to.
+/// @param folder of the scene file.
+[[nodiscard]] SceneObject object_of(const YamlElement& element, const Scene& scene,
+                                    const std::filesystem::path& folder);
+
+}  // namespace handway::geometric

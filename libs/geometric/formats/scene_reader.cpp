@@ -1,0 +1,320 @@
+#include "handway/geometric/formats/scene_reader.h"
+
+#include "formats/scene_bases.h"
+#include "formats/scene_objects.h"
+#include "handway/geometric/formats/robot_loader.h"
+#include "handway/geometric/formats/yaml_element.h"
+#include "handway/geometric/io/existing_file.h"
+#include "handway/geometric/io/input_error.h"
+#include "handway/geometric/io/resources.h"
+#include "handway/geometric/math/units.h"
+#include "handway/geometric/robot/robot_model.h"
+#include "handway/geometric/io/number_text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace handway::geometric {
+namespace {
+
+constexpr double kAgreement = 1e-6;  // rad or m
+
+// The link that the named joint carries.
+int carried_link(const YamlElement& element, const RobotModel& model, const std::string& name) {
+  std::vector<std::string> moving;
+  for (int link = 1; link < model.link_count(); ++link) {
+    const bool moves = model.drive(link).variable >= 0;
+    if (moves) {
+      moving.push_back(model.joint(link).name);
+    }
+    if (model.joint(link).name == name) {
+      if (!moves) {
+        element.refuse("a value for the fixed joint \"" + name + "\"", "joints that move");
+      }
+      return link;
+    }
+  }
+  element.refuse("the unknown joint \"" + name + "\"", "a joint of " + model.name(),
+                 advise_name(name, moving));
+}
+
+/// A map of joint names to values (rad, m), laid over `defaults`. A coupled
+/// joint may be named too: it then gives its leader's value, or must agree with
+/// it (within 1e-6).
+/// @param defaults shape [variable_count].
+/// @throws InputError naming the line, for unknown and fixed joints and for
+/// coupled joints that contradict each other.
+Configuration configuration_of(const YamlElement& element, const RobotModel& model,
+                               const Configuration& defaults) {
+  Configuration q = defaults;
+  std::vector<std::string> given_by(static_cast<std::size_t>(model.variable_count()));
+  const auto entries = element.entries();
+  // Leaders first, so that the coupled joints are checked against what was said of them.
+  for (const bool coupled : {false, true}) {
+    for (const auto& [name, value] : entries) {
+      const int link = carried_link(value, model, name);
+      if (model.joint(link).mimic.has_value() != coupled) {
+        continue;
+      }
+      const RobotModel::Drive& drive = model.drive(link);
+      std::string& giver = given_by[static_cast<std::size_t>(drive.variable)];
+      const double wanted = value.number();
+      if (giver.empty() && drive.multiplier != 0.0) {
+        q[drive.variable] = (wanted - drive.offset) / drive.multiplier;
+        giver = name;
+        continue;
+      }
+      const double follows = drive.multiplier * q[drive.variable] + drive.offset;
+      if (std::abs(wanted - follows) > kAgreement) {
+        value.refuse(number_text(wanted),
+                     number_text(follows) + ", which follows from " +
+                         (giver.empty() ? "its coupling" : "\"" + giver + "\""),
+                     "Leave the coupled joint out");
+      }
+    }
+  }
+  return q;
+}
+
+/// A map of joint names to values (rad, m), as configuration_of() takes it.
+/// @returns the values of the variables that it gives; without a group.
+/// @throws InputError as configuration_of().
+NamedPosture posture_of(const YamlElement& element, const RobotModel& model,
+                        const std::string& name) {
+  const Configuration q = configuration_of(element, model, model.neutral());
+  NamedPosture posture{name, {}, {}};
+  for (const auto& [joint, value] : element.entries()) {
+    const int variable = model.drive(carried_link(value, model, joint)).variable;
+    posture.values[model.variable(variable).name] = q[variable];
+  }
+  return posture;
+}
+
+std::string body_of(const YamlElement& element, const Scene& scene) {
+  std::string name = element.text();
+  const std::vector<std::string> bodies = constrainable_bodies(scene);
+  if (std::ranges::find(bodies, name) == bodies.end()) {
+    element.refuse(
+        element.found() + (find_object(scene, name) ? ", which no link of the robot carries" : ""),
+        "an object on a link of " + scene.robots.front().name + ", or one of its links",
+        advise_name(name, bodies));
+  }
+  return name;
+}
+
+Eigen::Vector3d direction_of(const YamlElement& map, const std::string& key) {
+  const std::optional<YamlElement> element = map.find(key);
+  if (!element) {
+    return Eigen::Vector3d::UnitZ();
+  }
+  const Eigen::Vector3d direction = element->numbers(3);
+  if (direction.norm() < 1e-6) {
+    element->refuse("the direction 0", "a vector that is not 0");
+  }
+  return direction;
+}
+
+OrientationConstraint orientation_of(const YamlElement& element) {
+  element.allow_keys({"axis", "direction", "angle_deg"});
+  const YamlElement angle = element.need("angle_deg");
+  if (angle.number() <= 0.0 || angle.number() > 180.0) {
+    angle.refuse(angle.found(), "an angle above 0 and up to 180 degrees");
+  }
+  return {direction_of(element, "axis"), direction_of(element, "direction"),
+          radians(angle.number())};
+}
+
+PositionConstraint position_of(const YamlElement& element) {
+  element.allow_keys({"point", "size", "pose"});
+  PositionConstraint position;
+  if (const std::optional<YamlElement> point = element.find("point")) {
+    position.point = point->numbers(3);
+  }
+  const YamlElement size = element.need("size");
+  position.size = size.numbers(3);
+  for (const YamlElement& edge : size.items()) {
+    if (edge.number() <= 0.0) {
+      edge.refuse(edge.found(), "a size above 0 m");
+    }
+  }
+  if (const std::optional<YamlElement> pose = element.find("pose")) {
+    position.X_WR = pose_of(*pose);
+  }
+  return position;
+}
+
+/// One entry of a scene file's `constraints`.
+/// @param scene with its robots and objects, which the constraint may be about.
+PathConstraint constraint_of(const YamlElement& element, const Scene& scene) {
+  element.allow_keys({"name", "body", "upright", "region"});
+  PathConstraint constraint;
+  const YamlElement name = element.need("name");
+  constraint.name = name.text();
+  if (constraint.name.empty() ||
+      std::ranges::count(scene.constraints, constraint.name, &PathConstraint::name) > 0) {
+    name.refuse(name.found() + (constraint.name.empty() ? "" : " a second time"),
+                "a name that no other constraint has");
+  }
+  constraint.body = body_of(element.need("body"), scene);
+  const std::optional<YamlElement> upright = element.find("upright");
+  const std::optional<YamlElement> region = element.find("region");
+  if (upright.has_value() == region.has_value()) {
+    element.refuse(upright ? "both upright and region" : "neither upright nor region",
+                   "one of upright and region", "Make one constraint for each");
+  }
+  if (upright) {
+    constraint.what = orientation_of(*upright);
+  } else {
+    constraint.what = position_of(*region);
+  }
+  return constraint;
+}
+
+namespace fs = std::filesystem;
+
+void check_version(const YamlElement& top) {
+  const YamlElement version = top.need("handway");
+  if (version.number() != kSceneVersion) {
+    version.refuse(version.found(), std::to_string(kSceneVersion),
+                   "Files of a newer version need a newer Handway");
+  }
+}
+
+// find_resource(), and a warning if the file has other letters than the scene.
+fs::path find_noted(ResourceKind kind, const YamlElement& reference, const fs::path& folder,
+                    Scene& scene) {
+  const fs::path file = find_resource(kind, reference.text(), folder, reference.where());
+  if (differs_in_case(reference.text(), file)) {
+    scene.warnings.push_back(reference.where() + ": the file's name has other letters, \"" +
+                             file.filename().string() + "\"");
+  }
+  return file;
+}
+
+std::string text_or_empty(const YamlElement& map, const std::string& key) {
+  const std::optional<YamlElement> element = map.find(key);
+  return element ? element->text() : "";
+}
+
+void check_new_name(const YamlElement& element, const Scene& scene, const std::string& name) {
+  if (name.empty()) {
+    element.refuse("an empty name", "a name");
+  }
+  if (find_robot(scene, name) || find_object(scene, name)) {
+    element.refuse("the name \"" + name + "\" a second time", "names that are unique in the scene",
+                   "Give it a \"name\" of its own");
+  }
+}
+
+RobotInstance robot_of(const YamlElement& element, Scene& scene, const fs::path& folder) {
+  element.allow_keys({"name", "model", "base", "moving_base", "bounds", "configuration"});
+  const YamlElement model = element.need("model");
+  RobotInstance robot;
+  robot.file = model.text();
+  robot.model =
+      with_bases(element, load_robot(find_noted(ResourceKind::kRobot, model, folder, scene)));
+  const std::optional<YamlElement> name = element.find("name");
+  robot.name = name ? name->text() : robot.model->name();
+  check_new_name(name ? *name : element, scene, robot.name);
+  if (const std::optional<YamlElement> base = element.find("base")) {
+    robot.X_WB = pose_of(*base);
+  }
+  const std::optional<YamlElement> configuration = element.find("configuration");
+  robot.configuration = robot.model->neutral();
+  if (configuration) {
+    robot.configuration = configuration_of(*configuration, *robot.model, robot.configuration);
+  }
+  return robot;
+}
+
+void add_robots(const YamlElement& top, const fs::path& folder, Scene& scene) {
+  const YamlElement list = top.need("robots");
+  for (const YamlElement& element : list.items()) {
+    scene.robots.push_back(robot_of(element, scene, folder));
+    const RobotInstance& robot = scene.robots.back();
+    for (const std::string& warning : robot.model->description().warnings) {
+      scene.warnings.push_back("robot " + robot.name + ": " + warning);
+    }
+  }
+  if (scene.robots.empty()) {
+    list.refuse("an empty list", "at least one robot");
+  }
+}
+
+void add_objects(const YamlElement& top, const fs::path& folder, Scene& scene) {
+  const std::optional<YamlElement> list = top.find("objects");
+  if (!list) {
+    return;
+  }
+  for (const YamlElement& element : list->items()) {
+    SceneObject object = object_of(element, scene, folder);
+    if (const std::optional<YamlElement> mesh = element.find("mesh")) {
+      static_cast<void>(find_noted(ResourceKind::kObject, mesh->need("file"), folder, scene));
+    }
+    check_new_name(element, scene, object.name);
+    if (scene.robots.front().model->find_link(object.name)) {
+      scene.warnings.push_back("object " + object.name + " has the name of a link of " +
+                               scene.robots.front().name);
+    }
+    scene.objects.push_back(std::move(object));
+  }
+}
+
+std::optional<Configuration> query_of(const YamlElement& top, const std::string& key,
+                                      const RobotInstance& robot) {
+  const std::optional<YamlElement> element = top.find(key);
+  return element ? std::optional(configuration_of(*element, *robot.model, robot.configuration))
+                 : std::nullopt;
+}
+
+PlannerChoice planner_of(const YamlElement& element) {
+  PlannerChoice planner;
+  for (const auto& [key, value] : element.entries()) {
+    if (key == "name") {
+      planner.name = value.text();
+    } else {
+      planner.settings.emplace_back(key, value.text());
+    }
+  }
+  return planner;
+}
+
+}  // namespace
+
+Scene read_scene(const fs::path& file) {
+  const YamlElement top = YamlElement::read(file, "a scene file");
+  top.allow_keys({"handway", "name", "description", "robots", "objects", "constraints", "start",
+                  "goal", "postures", "hand_basis", "planner"});
+  check_version(top);
+  const fs::path folder = fs::absolute(file).parent_path();
+  Scene scene;
+  scene.file = file;
+  scene.name = text_or_empty(top, "name");
+  scene.description = text_or_empty(top, "description");
+  add_robots(top, folder, scene);
+  add_objects(top, folder, scene);
+  if (const std::optional<YamlElement> constraints = top.find("constraints")) {
+    for (const YamlElement& element : constraints->items()) {
+      scene.constraints.push_back(constraint_of(element, scene));
+    }
+  }
+  scene.start = query_of(top, "start", scene.robots.front());
+  scene.goal = query_of(top, "goal", scene.robots.front());
+  bound_bases(top.need("robots"), scene);
+  if (const std::optional<YamlElement> postures = top.find("postures")) {
+    for (const auto& [name, values] : postures->entries()) {
+      scene.postures.push_back(posture_of(values, *scene.robots.front().model, name));
+    }
+  }
+  if (const std::optional<YamlElement> basis = top.find("hand_basis")) {
+    scene.hand_basis = basis->text();
+    static_cast<void>(find_noted(ResourceKind::kHandBasis, *basis, folder, scene));
+  }
+  if (const std::optional<YamlElement> planner = top.find("planner")) {
+    scene.planner = planner_of(*planner);
+  }
+  return scene;
+}
+
+}  // namespace handway::geometric

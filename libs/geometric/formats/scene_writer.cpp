@@ -1,0 +1,328 @@
+#include "handway/geometric/formats/scene_writer.h"
+
+#include "formats/yaml_text.h"
+#include "handway/geometric/formats/mesh_reader.h"
+#include "handway/geometric/formats/obj_writer.h"
+#include "handway/geometric/formats/scene_reader.h"
+#include "handway/geometric/formats/urdf_writer.h"
+#include "handway/geometric/io/existing_file.h"
+#include "handway/geometric/io/input_error.h"
+#include "handway/geometric/io/replace_file.h"
+#include "handway/geometric/io/resources.h"
+#include "handway/geometric/io/text_file.h"
+#include "handway/geometric/robot/base_joint.h"
+#include "handway/geometric/io/number_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <sstream>
+#include <string>
+#include <system_error>
+#include <vector>
+
+namespace handway::geometric {
+namespace {
+
+/// How a scene file names the files that it needs, in the scene's order.
+struct SceneReferences {
+  std::vector<std::filesystem::path> robots;
+  std::vector<bool> is_saved_robot;           ///< With its bases, in a file made for the scene.
+  std::vector<std::filesystem::path> meshes;  ///< Empty for objects of other shapes.
+  std::vector<bool> is_scaled;                ///< False: the mesh file already has the scale.
+  std::filesystem::path hand_basis;
+};
+
+std::string configuration_text(const RobotModel& model, const Configuration& q,
+                               const std::string& indent) {
+  if (model.variable_count() == 0) {
+    return " {}\n";
+  }
+  std::string text = "\n";
+  for (int v = 0; v < model.variable_count(); ++v) {
+    text +=
+        fmt::format("{}{}: {}\n", indent, yaml_scalar(model.variable(v).name), number_text(q[v]));
+  }
+  return text;
+}
+
+std::string posture_text(const NamedPosture& posture) {
+  std::string text =
+      fmt::format("  {}:{}\n", yaml_scalar(posture.name), posture.values.empty() ? " {}" : "");
+  for (const auto& [joint, value] : posture.values) {
+    text += fmt::format("    {}: {}\n", yaml_scalar(joint), number_text(value));
+  }
+  return text;
+}
+
+// Which root moves, and how far bases go.
+std::string bases_text(const RobotModel& model) {
+  std::string text;
+  std::string bounds;
+  for (const BaseJoint& base : model.description().base_joints) {
+    if (base.of_scene) {
+      text += fmt::format("    moving_base: {}\n",
+                          base.motion == BaseMotion::kPlanar ? "planar" : "floating");
+    }
+    for (const std::string& slide : slides_of(base)) {
+      const JointLimits& limits = model.variable(model.find_variable(slide).value()).limits;
+      bounds += fmt::format("      {}: {}\n", yaml_scalar(slide),
+                            yaml_list(Eigen::Vector2d(limits.lower, limits.upper)));
+    }
+  }
+  return bounds.empty() ? "" : text + "    bounds:\n" + bounds;
+}
+
+std::string robot_text(const RobotInstance& robot, const std::filesystem::path& reference,
+                       bool is_saved) {
+  return fmt::format("  - name: {}\n    model: {}\n    base: {}\n{}    configuration:{}",
+                     yaml_scalar(robot.name), yaml_scalar(reference.generic_string()),
+                     yaml_pose(robot.X_WB), is_saved ? "" : bases_text(*robot.model),
+                     configuration_text(*robot.model, robot.configuration, "      "));
+}
+
+class ShapeText {
+ public:
+  ShapeText(const std::filesystem::path& mesh, bool is_scaled)
+      : mesh_(mesh), is_scaled_(is_scaled) {}
+
+  std::string operator()(const Box& box) const {
+    return fmt::format("box: {{size: {}}}", yaml_list(box.size));
+  }
+  std::string operator()(const Sphere& sphere) const {
+    return fmt::format("sphere: {{radius: {}}}", number_text(sphere.radius));
+  }
+  std::string operator()(const Cylinder& cylinder) const {
+    return fmt::format("cylinder: {{radius: {}, length: {}}}", number_text(cylinder.radius),
+                       number_text(cylinder.length));
+  }
+  std::string operator()(const Cone& cone) const {
+    return fmt::format("cone: {{radius: {}, length: {}}}", number_text(cone.radius),
+                       number_text(cone.length));
+  }
+  std::string operator()(const Mesh& mesh) const {
+    const bool uniform = (mesh.scale.array() == mesh.scale.x()).all();
+    const std::string scale = uniform ? number_text(mesh.scale.x()) : yaml_list(mesh.scale);
+    return fmt::format("mesh: {{file: {}{}}}", yaml_scalar(mesh_.generic_string()),
+                       is_scaled_ && scale != "1" ? ", scale: " + scale : "");
+  }
+
+ private:
+  const std::filesystem::path& mesh_;
+  bool is_scaled_;
+};
+
+std::string color_text(const Color& color) {
+  const auto number = [](float value) { return fmt::format("{}", value); };
+  return fmt::format("[{}, {}, {}{}]", number(color.red), number(color.green), number(color.blue),
+                     color.alpha == 1.0F ? "" : ", " + number(color.alpha));
+}
+
+std::string attachment_text(const Attachment& attachment) {
+  std::string text = fmt::format("{{robot: {}, link: {}", yaml_scalar(attachment.robot),
+                                 yaml_scalar(attachment.link));
+  if (!attachment.touching.empty()) {
+    text += ", touching: [";
+    for (const std::string& link : attachment.touching) {
+      text += (text.ends_with('[') ? "" : ", ") + yaml_scalar(link);
+    }
+    text += ']';
+  }
+  return text + '}';
+}
+
+std::string object_text(const SceneObject& object, const ShapeText& shape) {
+  std::string text = fmt::format("  - name: {}\n    {}\n    pose: {}\n    color: {}\n",
+                                 yaml_scalar(object.name), std::visit(shape, object.shape),
+                                 yaml_pose(object.X_PO), color_text(object.color));
+  if (object.attachment) {
+    text += "    attach: " + attachment_text(*object.attachment) + '\n';
+  }
+  if (!object.group.empty()) {
+    text += "    group: " + yaml_scalar(object.group) + '\n';
+  }
+  text += object.solid ? "" : "    solid: false\n";
+  text += object.hidden ? "    hidden: true\n" : "";
+  text += object.locked ? "    locked: true\n" : "";
+  return text;
+}
+
+std::string constraint_text(const PathConstraint& constraint) {
+  std::string text = fmt::format("  - name: {}\n    body: {}\n", yaml_scalar(constraint.name),
+                                 yaml_scalar(constraint.body));
+  if (const auto* orientation = std::get_if<OrientationConstraint>(&constraint.what)) {
+    return text + fmt::format("    upright: {{axis: {}, direction: {}, angle_deg: {}}}\n",
+                              yaml_list(orientation->axis), yaml_list(orientation->direction),
+                              number_text(rounded_degrees(orientation->angle)));
+  }
+  const auto& position = std::get<PositionConstraint>(constraint.what);
+  return text + fmt::format("    region: {{point: {}, size: {}, pose: {}}}\n",
+                            yaml_list(position.point), yaml_list(position.size),
+                            yaml_pose(position.X_WR));
+}
+
+std::string planner_text(const PlannerChoice& planner) {
+  std::string text;
+  if (!planner.name.empty()) {
+    text += "  name: " + yaml_scalar(planner.name) + '\n';
+  }
+  for (const auto& [key, value] : planner.settings) {
+    text += fmt::format("  {}: {}\n", yaml_scalar(key), yaml_scalar(value));
+  }
+  return text.empty() ? "" : "planner:\n" + text;
+}
+
+/// The text of a scene file, without comments.
+std::string scene_text(const Scene& scene, const SceneReferences& references) {
+  std::string text = fmt::format("handway: {}\n", kSceneVersion);
+  if (!scene.name.empty()) {
+    text += "name: " + yaml_scalar(scene.name) + '\n';
+  }
+  if (!scene.description.empty()) {
+    text += "description: " + yaml_scalar(scene.description) + '\n';
+  }
+  text += "robots:\n";
+  for (std::size_t i = 0; i < scene.robots.size(); ++i) {
+    text += robot_text(scene.robots[i], references.robots[i], references.is_saved_robot[i]);
+  }
+  text += scene.objects.empty() ? "" : "objects:\n";
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    text += object_text(scene.objects[i], ShapeText(references.meshes[i], references.is_scaled[i]));
+  }
+  text += scene.constraints.empty() ? "" : "constraints:\n";
+  for (const PathConstraint& constraint : scene.constraints) {
+    text += constraint_text(constraint);
+  }
+  if (scene.start) {
+    text += "start:" + configuration_text(*scene.robots[0].model, *scene.start, "  ");
+  }
+  if (scene.goal) {
+    text += "goal:" + configuration_text(*scene.robots[0].model, *scene.goal, "  ");
+  }
+  text += scene.postures.empty() ? "" : "postures:\n";
+  for (const NamedPosture& posture : scene.postures) {
+    text += posture_text(posture);
+  }
+  if (!references.hand_basis.empty()) {
+    text += "hand_basis: " + yaml_scalar(references.hand_basis.generic_string()) + '\n';
+  }
+  return text + planner_text(scene.planner);
+}
+
+namespace fs = std::filesystem;
+
+fs::path folder_of(const fs::path& file) { return fs::absolute(file).parent_path(); }
+
+// `reference`, as a scene in folder `from` names a file, for a scene in folder `to`.
+fs::path moved_reference(ResourceKind kind, const fs::path& reference, const fs::path& from,
+                         const fs::path& to) {
+  fs::path file;
+  try {
+    file = find_resource(kind, reference, from);
+    if (find_resource(kind, reference, to) == file) {
+      return reference;
+    }
+  } catch (const InputError&) {
+    if (file.empty()) {
+      return reference;  // it was broken before
+    }
+  }
+  return resource_reference(kind, file, to);
+}
+
+class SceneFileWriter {
+ public:
+  SceneFileWriter(const Scene& scene, const fs::path& file)
+      : scene_(scene),
+        file_(file),
+        from_(scene.file.empty() ? fs::current_path() : folder_of(scene.file)),
+        to_(folder_of(file)),
+        meshes_(file) {}
+
+  void write() {
+    if (scene_.robots.empty()) {
+      throw InputError({file_.string(), "robots", "a scene without a robot", "at least one", ""});
+    }
+    for (const RobotInstance& robot : scene_.robots) {
+      add_robot_reference(robot);
+    }
+    if (!scene_.hand_basis.empty()) {
+      references_.hand_basis =
+          moved_reference(ResourceKind::kHandBasis, scene_.hand_basis, from_, to_);
+    }
+    for (const SceneObject& object : scene_.objects) {
+      add_mesh_reference(object);
+    }
+    replace_file(file_, leading_comments() + scene_text(scene_, references_));
+  }
+
+ private:
+  // A robot that comes from no robot file (an importer made it) is saved as one.
+  void add_robot_reference(const RobotInstance& robot) {
+    const fs::path& file = robot.file.empty() ? robot.model->description().file : robot.file;
+    const bool is_other_file = file.has_extension() && !has_extension(file, ".urdf") &&
+                               fs::exists(fs::absolute(from_ / file));
+    const bool has_file = !file.empty() && !is_other_file;
+    references_.is_saved_robot.push_back(!has_file);
+    if (has_file) {
+      references_.robots.push_back(moved_reference(ResourceKind::kRobot, file, from_, to_));
+      return;
+    }
+    references_.robots.emplace_back(file_.stem().string() + "_" + file_name_of(robot.name) +
+                                    ".urdf");
+    write_urdf(*robot.model, to_ / references_.robots.back());
+  }
+
+  void add_mesh_reference(const SceneObject& object) {
+    const Mesh* mesh = std::get_if<Mesh>(&object.shape);
+    const bool has_file = mesh && !mesh->file.empty() && is_mesh_file(mesh->file);
+    references_.is_scaled.push_back(has_file);
+    if (!mesh) {
+      references_.meshes.emplace_back();
+    } else if (has_file) {
+      references_.meshes.push_back(resource_reference(ResourceKind::kObject, mesh->file, to_));
+    } else {
+      references_.meshes.push_back(meshes_.save(object.name, *mesh->triangles));
+    }
+  }
+
+  // Comments and blank lines at the top of the file that is there now.
+  [[nodiscard]] std::string leading_comments() const {
+    std::string text;
+    try {
+      text = read_text_file(file_, "a scene file");
+    } catch (const InputError&) {
+      return "";  // a new file, or one that is no scene
+    }
+    std::istringstream lines(text);
+    std::string comments;
+    std::string line;
+    for (std::string blank; std::getline(lines, line); blank += '\n') {
+      const std::size_t first = line.find_first_not_of(" \t\r");
+      if (first != std::string::npos && line[first] != '#') {
+        break;
+      }
+      if (first != std::string::npos) {
+        comments += blank + line;
+        blank.clear();
+      }
+    }
+    if (!comments.empty()) {
+      comments += '\n';
+    }
+    return comments;
+  }
+
+  const Scene& scene_;
+  fs::path file_;
+  fs::path from_;
+  fs::path to_;
+  SceneReferences references_;
+  SavedMeshes meshes_;
+};
+
+}  // namespace
+
+void write_scene(const Scene& scene, const fs::path& file) { SceneFileWriter(scene, file).write(); }
+
+}  // namespace handway::geometric

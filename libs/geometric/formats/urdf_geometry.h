@@ -1,0 +1,32 @@
+#pragma once
+
+#include "formats/urdf_elements.h"
+#include "handway/geometric/robot/robot_description.h"
+
+#include <urdf_model/link.h>
+
+#include <filesystem>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace handway::geometric {
+
+/// What was noticed about the files that links name.
+struct LinkFiles {
+  DrawingFaults drawing;          ///< What can't be drawn.
+  std::set<std::string> renamed;  ///< Mesh files whose names have other letters than written.
+};
+
+/// A pose as URDF gives it, X_PJ or X_LG.
+[[nodiscard]] Pose pose_of(const urdf::Pose& pose);
+
+/// The link with its shapes; mesh files are read. A visual mesh that can't be read is left
+/// out and noted.
+/// @param folder of the URDF file, absolute.
+/// @param referenced_by "FILE:LINE" of the link, for messages.
+/// @throws InputError if a size is not positive or a collision mesh can't be read.
+[[nodiscard]] Link link_of(const urdf::Link& link, const std::filesystem::path& folder,
+                           const std::string& referenced_by, LinkFiles& files);
+
+}  // namespace handway::geometric

@@ -1,0 +1,287 @@
+#include "handway/geometric/formats/urdf_reader.h"
+
+#include "formats/urdf_elements.h"
+#include "formats/urdf_geometry.h"
+#include "formats/xml_document.h"
+#include "handway/geometric/formats/srdf_reader.h"
+#include "handway/geometric/io/existing_file.h"
+#include "handway/geometric/io/input_error.h"
+#include "handway/geometric/robot/base_joint.h"
+
+#include <console_bridge/console.h>
+#include <fmt/format.h>
+#include <urdf_model/model.h>
+#include <urdf_parser/urdf_parser.h>
+#include <urdf_world/types.h>
+
+#include <algorithm>
+#include <cctype>
+#include <exception>
+#include <iterator>
+#include <limits>
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace handway::geometric {
+namespace {
+
+JointLimits limits_of(const urdf::Joint& joint) {
+  JointLimits limits;
+  if (joint.limits) {
+    limits.lower = joint.limits->lower;
+    limits.upper = joint.limits->upper;
+    limits.velocity = joint.limits->velocity > 0.0 ? joint.limits->velocity : limits.velocity;
+  }
+  if (joint.type == urdf::Joint::CONTINUOUS) {
+    limits.lower = -std::numeric_limits<double>::infinity();
+    limits.upper = std::numeric_limits<double>::infinity();
+  }
+  return limits;
+}
+
+bool is_base(const urdf::Joint& joint) {
+  return joint.type == urdf::Joint::PLANAR || joint.type == urdf::Joint::FLOATING;
+}
+
+void add_base(const urdf::Joint& joint, RobotDescription& robot) {
+  const bool planar = joint.type == urdf::Joint::PLANAR;
+  const Eigen::Vector3d normal(joint.axis.x, joint.axis.y, joint.axis.z);
+  add_base_joint(robot, {joint.name, planar ? BaseMotion::kPlanar : BaseMotion::kFloating},
+                 {joint.parent_link_name, joint.child_link_name,
+                  pose_of(joint.parent_to_joint_origin_transform), normal.normalized()});
+}
+
+Joint joint_of(const urdf::Joint& joint) {
+  Joint result;
+  result.name = joint.name;
+  result.parent = joint.parent_link_name;
+  result.child = joint.child_link_name;
+  result.X_PJ = pose_of(joint.parent_to_joint_origin_transform);
+  if (joint.type == urdf::Joint::FIXED) {
+    return result;
+  }
+  result.type = joint.type == urdf::Joint::PRISMATIC ? JointType::kPrismatic : JointType::kRevolute;
+  result.axis = Eigen::Vector3d(joint.axis.x, joint.axis.y, joint.axis.z).normalized();
+  result.limits = limits_of(joint);
+  if (joint.mimic) {
+    result.mimic = Mimic{joint.mimic->joint_name, joint.mimic->multiplier, joint.mimic->offset};
+  }
+  return result;
+}
+
+// Follows `mimic` to a joint that has none; q = m1 * (m2 * q2 + o2) + o1.
+void resolve_mimic(Joint& joint, const std::vector<Joint>& joints, const std::string& where) {
+  for (std::size_t steps = 0; joint.mimic; ++steps) {
+    const auto leader = std::ranges::find(joints, joint.mimic->joint, &Joint::name);
+    if (leader == joints.end() || !leader->mimic) {
+      return;
+    }
+    if (steps > joints.size()) {
+      throw InputError({where, "joint " + joint.name, "a mimic that leads back to itself",
+                        "a joint that moves on its own", ""});
+    }
+    Mimic& mimic = *joint.mimic;
+    mimic.offset += mimic.multiplier * leader->mimic->offset;
+    mimic.multiplier *= leader->mimic->multiplier;
+    mimic.joint = leader->mimic->joint;
+  }
+}
+
+void note_joints(const std::vector<std::string>& names, const char* what, RobotDescription& robot) {
+  if (!names.empty()) {
+    robot.warnings.push_back(fmt::format("{}: {}", what, fmt::join(names, ", ")));
+  }
+}
+
+/// All joints in the order of the file; chains of `mimic` are resolved to the
+/// joint that moves on its own. Adds to the robot's warnings.
+/// @throws InputError if `mimic` forms a ring.
+void add_joints(const XmlDocument& document, const urdf::ModelInterface& model,
+                RobotDescription& robot) {
+  std::vector<std::string> places;
+  for (const pugi::xml_node& node : document.root("robot").children("joint")) {
+    places.push_back(document.where(node));
+    const std::string name = node.attribute("name").value();
+    const urdf::JointConstSharedPtr joint = model.getJoint(name);
+    if (!joint) {
+      throw InputError({places.back(), "joint " + name, "a joint that urdfdom does not read",
+                        "what ROS reads too", ""});
+    }
+    if (is_base(*joint)) {
+      add_base(*joint, robot);
+      places.resize(robot.joints.size(), places.back());
+    } else {
+      robot.joints.push_back(joint_of(*joint));
+    }
+  }
+  const std::vector<Joint> as_written = robot.joints;
+  std::vector<std::string> rangeless;
+  for (std::size_t i = 0; i < robot.joints.size(); ++i) {
+    Joint& joint = robot.joints[i];
+    resolve_mimic(joint, as_written, places[i]);
+    if (joint.type != JointType::kFixed && joint.limits.range() == 0.0) {
+      rangeless.push_back(joint.name);
+    }
+  }
+  note_joints(rangeless, "joints that can't move, as their limits leave no range", robot);
+}
+
+/// What urdfdom made of a text, and what it said about it.
+struct UrdfdomResult {
+  urdf::ModelInterfaceSharedPtr model;  ///< Null if it refused the text.
+  std::vector<std::string> messages;    ///< Errors and warnings, in order.
+};
+
+class Collector final : public console_bridge::OutputHandler {
+ public:
+  explicit Collector(std::vector<std::string>& messages) : messages_(messages) {
+    console_bridge::useOutputHandler(this);
+  }
+  ~Collector() override { console_bridge::restorePreviousOutputHandler(); }
+  Collector(const Collector&) = delete;
+  Collector& operator=(const Collector&) = delete;
+
+  void log(const std::string& text, console_bridge::LogLevel level, const char* /*file*/,
+           int /*line*/) override {
+    if (level >= console_bridge::CONSOLE_BRIDGE_LOG_WARN) {
+      messages_.push_back(text);
+    }
+  }
+
+ private:
+  std::vector<std::string>& messages_;
+};
+
+/// Runs urdfdom with its messages caught instead of printed. Any thread.
+UrdfdomResult parse_by_urdfdom(const std::string& text) {
+  static std::mutex one_at_a_time;  // the output handler is one for the whole program
+  const std::lock_guard lock(one_at_a_time);
+  UrdfdomResult result;
+  const Collector collector(result.messages);
+  try {
+    result.model = urdf::parseURDF(text);
+  } catch (const std::exception& error) {
+    result.model.reset();
+    result.messages.emplace_back(error.what());
+  }
+  return result;
+}
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostLinks = 2000;  // a longer chain could exhaust the stack
+constexpr const char* kWhat = "a robot file (URDF)";
+
+// urdfdom says what is wrong but not where: the line of the first link, joint or
+// material whose name it quotes.
+std::string place_of(const XmlDocument& document, const std::vector<std::string>& messages) {
+  for (const std::string& message : messages) {
+    for (const pugi::xml_node& node : document.root("robot").children()) {
+      const std::string name = node.attribute("name").value();
+      for (const char quote : {'\'', '"', '[', ' '}) {
+        const std::size_t at = name.empty() ? std::string::npos : message.find(quote + name);
+        if (at != std::string::npos && at + 1 + name.size() < message.size() &&
+            !std::isalnum(static_cast<unsigned char>(message[at + 1 + name.size()])) &&
+            message[at + 1 + name.size()] != '_') {
+          return document.where(node);
+        }
+      }
+    }
+  }
+  return document.where(document.root("robot"));
+}
+
+std::string joined(const std::vector<std::string>& messages) {
+  std::string text;
+  for (const std::string& message : messages) {
+    text += (text.empty() ? "" : "; ") + message;
+  }
+  return text;
+}
+
+void check_size(const XmlDocument& document) {
+  static_cast<void>(document.need(document.root("robot"), "name"));
+  std::size_t count = 0;
+  for (const pugi::xml_node& link : document.root("robot").children("link")) {
+    if (++count > kMostLinks) {
+      throw InputError({document.where(link), "robot",
+                        "more links than " + std::to_string(kMostLinks), "a robot of fewer links",
+                        ""});
+    }
+  }
+}
+
+std::ptrdiff_t count_of(const pugi::xml_node& link, const char* element) {
+  return std::ranges::distance(link.children(element));
+}
+
+// The link that a node describes. Whatever urdfdom drops, no collision element is lost.
+Link read_link(const XmlDocument& document, const pugi::xml_node& node,
+               const urdf::ModelInterface& model, const fs::path& folder, LinkFiles& files) {
+  const std::string name = node.attribute("name").value();
+  const urdf::LinkConstSharedPtr link = model.getLink(name);
+  if (!link || std::ssize(link->collision_array) != count_of(node, "collision")) {
+    throw InputError({document.where(node), "link " + name,
+                      "a link that urdfdom reads only in part", "what ROS reads too", ""});
+  }
+  Link result = link_of(*link, folder, document.where(node), files);
+  if (result.visual.empty() && count_of(node, "visual") > 0) {
+    result.visual = result.collision;
+  }
+  return result;
+}
+
+void note_links_without_collision(const XmlDocument& document, RobotDescription& robot) {
+  std::vector<std::string> names;
+  for (const pugi::xml_node& link : document.root("robot").children("link")) {
+    if (link.child("visual") && !link.child("collision")) {
+      names.emplace_back(link.attribute("name").value());
+    }
+  }
+  if (!names.empty()) {
+    robot.warnings.push_back(
+        fmt::format("links with visual but no collision geometry, which collide with nothing: {}",
+                    fmt::join(names, ", ")));
+  }
+}
+
+}  // namespace
+
+RobotDescription read_urdf(const fs::path& file) {
+  const XmlDocument document(file, kWhat);
+  check_size(document);
+  UrdfElements elements = check_urdf_elements(document);
+  const UrdfdomResult parsed = parse_by_urdfdom(elements.text);
+  if (!parsed.model) {
+    const std::string reason = joined(parsed.messages);
+    throw InputError({place_of(document, parsed.messages), "robot",
+                      reason.empty() ? "something that makes no robot" : reason, kWhat, ""});
+  }
+  RobotDescription robot;
+  robot.name = parsed.model->getName();
+  robot.file = file;
+  robot.warnings = parsed.messages;
+  robot.warnings.insert(robot.warnings.end(), elements.warnings.begin(), elements.warnings.end());
+  const fs::path folder = fs::absolute(file).parent_path();
+  LinkFiles files{std::move(elements.drawing), {}};
+  for (const pugi::xml_node& node : document.root("robot").children("link")) {
+    robot.links.push_back(read_link(document, node, *parsed.model, folder, files));
+  }
+  add_joints(document, *parsed.model, robot);
+  note_links_without_collision(document, robot);
+  if (const std::string faults = files.drawing.summary(); !faults.empty()) {
+    robot.warnings.push_back(faults);
+  }
+  if (!files.renamed.empty()) {
+    robot.warnings.push_back(fmt::format("files whose names have other letters on the disk: {}",
+                                         fmt::join(files.renamed, ", ")));
+  }
+  const fs::path srdf = existing_file(fs::path(file).replace_extension(".srdf"));
+  if (fs::exists(srdf)) {
+    read_srdf(srdf, robot);
+  }
+  return robot;
+}
+
+}  // namespace handway::geometric

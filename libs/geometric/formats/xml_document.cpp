@@ -1,0 +1,195 @@
+#include "formats/xml_document.h"
+
+#include "handway/geometric/io/input_error.h"
+#include "handway/geometric/io/text_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <optional>
+#include <sstream>
+
+namespace handway::geometric {
+namespace {
+
+constexpr int kDeepest = 100;
+constexpr std::ptrdiff_t kMostTags = 1'000'000;
+constexpr std::ptrdiff_t kMostAttributes = 200;  // of one element
+
+// Finds a node that is nested too deep or has too many attributes; an empty node if there is none.
+pugi::xml_node find_excessive(const pugi::xml_node& root) {
+  struct Walker : pugi::xml_tree_walker {
+    bool for_each(pugi::xml_node& node) override {
+      const auto attributes = node.attributes();
+      if (depth() > kDeepest ||
+          std::distance(attributes.begin(), attributes.end()) > kMostAttributes) {
+        found = node;
+      }
+      return !found;
+    }
+    pugi::xml_node found;
+  } walker;
+  pugi::xml_node start = root;
+  start.traverse(walker);
+  return walker.found;
+}
+
+}  // namespace
+
+XmlDocument::XmlDocument(const std::filesystem::path& file, const std::string& what)
+    : file_(file), what_(what), text_(read_text_file(file, what)) {
+  if (std::ranges::count(text_, '<') > kMostTags) {
+    throw InputError({file_.string(), "", "more than " + std::to_string(kMostTags) + " tags", what_,
+                      "Is this the right file?"});
+  }
+  const pugi::xml_parse_result result = nodes_.load_buffer(
+      text_.data(), text_.size(),
+      pugi::parse_default | pugi::parse_comments | pugi::parse_declaration, pugi::encoding_utf8);
+  if (!result) {
+    throw InputError({where(result.offset), "", std::string("broken XML: ") + result.description(),
+                      what_, "Check the tags around this line"});
+  }
+  if (const pugi::xml_node found = find_excessive(nodes_)) {
+    throw InputError({where(found), "",
+                      "an element nested deeper than " + std::to_string(kDeepest) +
+                          " or with more than " + std::to_string(kMostAttributes) + " attributes",
+                      what_, "Is this the right file?"});
+  }
+}
+
+pugi::xml_node XmlDocument::root(const std::string& name) const {
+  const pugi::xml_node top = nodes_.document_element();
+  if (name != top.name()) {
+    throw InputError({where(top), "top element", "<" + std::string(top.name()) + ">",
+                      "<" + name + ">", "Is this " + what_ + "?"});
+  }
+  return top;
+}
+
+std::string XmlDocument::where(const pugi::xml_node& node) const {
+  return node ? where(node.offset_debug()) : file_.string();
+}
+
+std::string XmlDocument::where(std::ptrdiff_t offset) const {
+  const auto end = std::clamp<std::ptrdiff_t>(offset, 0, std::ssize(text_));
+  const auto line = 1 + std::count(text_.begin(), text_.begin() + end, '\n');
+  return file_.string() + ":" + std::to_string(line);
+}
+
+std::string XmlDocument::need(const pugi::xml_node& node, const char* attribute) const {
+  const std::string value = node.attribute(attribute).value();
+  if (value.empty()) {
+    throw InputError({where(node), "<" + std::string(node.name()) + ">",
+                      std::string("no ") + attribute, std::string(attribute) + "=\"…\"", ""});
+  }
+  return value;
+}
+
+std::string xml_text(const pugi::xml_document& document) {
+  std::ostringstream stream;
+  document.save(stream, "  ", pugi::format_default, pugi::encoding_utf8);
+  return stream.str();
+}
+
+namespace {
+
+bool contains(const std::vector<std::string>& names, std::string_view name) {
+  return std::ranges::find(names, name) != names.end();
+}
+
+class Walk {
+ public:
+  Walk(const XmlDocument& document, const XmlVocabulary& vocabulary,
+       const std::vector<std::string>& needed)
+      : document_(document), vocabulary_(vocabulary), needed_(needed) {}
+
+  void look_into(const pugi::xml_node& element) {
+    const auto kind = vocabulary_.find(std::string_view(element.name()));
+    if (kind == vocabulary_.end()) {
+      return;
+    }
+    look_at_attributes(element, kind->second.attributes);
+    for (const pugi::xml_node& child : element.children()) {
+      if (child.type() != pugi::node_element) {
+        continue;
+      }
+      if (contains(kind->second.children, child.name())) {
+        look_into(child);
+      } else {
+        look_at_stranger(element, child, kind->second.children);
+      }
+    }
+  }
+
+  [[nodiscard]] std::vector<std::string> unread() const {
+    std::vector<std::string> list;
+    for (const auto& [name, count] : unread_) {
+      list.push_back(count == 1 ? name : fmt::format("{} ({})", name, count));
+    }
+    return list;
+  }
+
+ private:
+  [[noreturn]] void refuse(const pugi::xml_node& at, const pugi::xml_node& element,
+                           const std::string& found, const std::string& expected,
+                           const std::string& advice) const {
+    throw InputError(
+        {document_.where(at), fmt::format("<{}>", element.name()), found, expected, advice});
+  }
+
+  void look_at_stranger(const pugi::xml_node& parent, const pugi::xml_node& child,
+                        const std::vector<std::string>& known) {
+    const std::string name = child.name();
+    if (name.starts_with("xacro:")) {
+      refuse(child, parent, fmt::format("<{}>", name), "a file without macros",
+             "Convert it with the xacro tool first");
+    }
+    if (const std::optional<std::string> meant = slip_of(name, known)) {
+      refuse(child, parent, fmt::format("the unknown element <{}>", name), join(known),
+             fmt::format("Did you mean <{}>?", *meant));
+    }
+    if (contains(needed_, name)) {
+      refuse(child, parent, fmt::format("<{}>, which has no place in it", name), join(known), "");
+    }
+    ++unread_[fmt::format("<{}>", name)];
+  }
+
+  void look_at_attributes(const pugi::xml_node& element, const std::vector<std::string>& known) {
+    if (known.empty()) {
+      return;
+    }
+    for (const pugi::xml_attribute& attribute : element.attributes()) {
+      const std::string name = attribute.name();
+      if (contains(known, name)) {
+        continue;
+      }
+      if (const std::optional<std::string> meant = slip_of(name, known)) {
+        refuse(element, element, fmt::format("the unknown attribute {}", name), join(known),
+               fmt::format("Did you mean {}?", *meant));
+      }
+      ++unread_[fmt::format("{} of <{}>", name, element.name())];
+    }
+  }
+
+  static std::string join(const std::vector<std::string>& names) {
+    return names.empty() ? "nothing" : fmt::format("{}", fmt::join(names, ", "));
+  }
+
+  const XmlDocument& document_;
+  const XmlVocabulary& vocabulary_;
+  const std::vector<std::string>& needed_;
+  std::map<std::string, int> unread_;
+};
+
+}  // namespace
+
+std::vector<std::string> unread_elements(const XmlDocument& document, const pugi::xml_node& top,
+                                         const XmlVocabulary& vocabulary,
+                                         const std::vector<std::string>& needed) {
+  Walk walk(document, vocabulary, needed);
+  walk.look_into(top);
+  return walk.unread();
+}
+
+}  // namespace handway::geometric

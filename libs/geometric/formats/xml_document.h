@@ -1,0 +1,68 @@
+#pragma once
+
+#include <pugixml.hpp>
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace handway::geometric {
+
+/// A well-formed XML file whose nodes know their line: of at most 64 MB and a million tags, nested
+/// at most 100 deep, with at most 200 attributes an element.
+class XmlDocument {
+ public:
+  /// @param what what the file should be, for messages: "a robot file (URDF)".
+  /// @throws InputError if the file can't be read, or is no XML (naming the line).
+  XmlDocument(const std::filesystem::path& file, const std::string& what);
+
+  /// The top element. @throws InputError if it is not called `name`.
+  [[nodiscard]] pugi::xml_node root(const std::string& name) const;
+
+  [[nodiscard]] pugi::xml_document& nodes() { return nodes_; }
+  [[nodiscard]] const std::string& text() const { return text_; }
+
+  /// "FILE:LINE" of a node; "FILE" of none.
+  [[nodiscard]] std::string where(const pugi::xml_node& node) const;
+
+  /// An attribute that must be there and not be empty.
+  /// @throws InputError otherwise.
+  [[nodiscard]] std::string need(const pugi::xml_node& node, const char* attribute) const;
+
+ private:
+  [[nodiscard]] std::string where(std::ptrdiff_t offset) const;
+
+  std::filesystem::path file_;
+  std::string what_;
+  std::string text_;
+  pugi::xml_document nodes_;
+};
+
+/// The text of a document, indented by two blanks, with an XML declaration.
+[[nodiscard]] std::string xml_text(const pugi::xml_document& document);
+
+/// What may stand in an element of a format.
+struct XmlElementKind {
+  std::vector<std::string> children = {};
+  std::vector<std::string> attributes = {};  ///< Empty: any.
+};
+
+/// The elements of a format by name. An element has the same children wherever it stands;
+/// those that are not listed are not looked into.
+using XmlVocabulary = std::map<std::string, XmlElementKind, std::less<>>;
+
+/// Finds what a reader would pass over without a word, below the top element.
+///
+/// A name within two letters of one that may stand there is a slip: refused. So is an element
+/// of `needed` where it may not stand: what it says would be lost. Other names are those of
+/// vendors and later versions: gathered, to be reported in one warning.
+/// @returns "<gazebo> (3)", …: what is not read, and how often it is there; sorted.
+/// @throws InputError naming the line.
+[[nodiscard]] std::vector<std::string> unread_elements(const XmlDocument& document,
+                                                       const pugi::xml_node& top,
+                                                       const XmlVocabulary& vocabulary,
+                                                       const std::vector<std::string>& needed);
+
+}  // namespace handway::geometric

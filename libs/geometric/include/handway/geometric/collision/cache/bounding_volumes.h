@@ -1,0 +1,38 @@
+#pragma once
+
+#include "handway/geometric/export.h"
+#include "handway/geometric/mesh/triangle_mesh.h"
+
+#include <Eigen/Core>
+
+#include <memory>
+#include <vector>
+
+namespace handway::geometric {
+
+/// A sphere of a cover, m.
+struct CoveringSphere {
+  Eigen::Vector3d centre;
+  double radius = 0.0;
+};
+
+/// What BoundedChecker asks about a body before it looks at triangles, for people to see; in the
+/// body's frame.
+struct BoundingVolumes {
+  /// Of the tree of spheres: together they contain the surface.
+  std::vector<CoveringSphere> spheres;
+  /// The convex hull of what may part two bodies, grown if it is flat. The surface is nowhere
+  /// farther out than `margin`, m.
+  TriangleMesh hull;
+  double margin = 0.0;
+};
+
+/// The volumes of `meshes`, in order. They are those of the checker: made once, and kept in the
+/// user's cache.
+/// @param largest (m) a larger sphere of the tree is replaced by the up to sixteen below it, if
+/// there are any; 0: the smallest.
+/// @pre each mesh has a triangle.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<BoundingVolumes> bounding_volumes(
+    const std::vector<std::shared_ptr<const TriangleMesh>>& meshes, double largest);
+
+}  // namespace handway::geometric

@@ -1,0 +1,78 @@
+#pragma once
+
+#include "handway/geometric/collision/collision_checker.h"
+#include "handway/geometric/collision/volumes/preparation.h"
+#include "handway/geometric/export.h"
+
+#include <memory>
+#include <optional>
+#include <span>
+
+namespace handway::geometric {
+
+class SurfaceQuery;
+
+/// The everyday checker: the answers of FclChecker, most of them from bounding
+/// spheres or remembered distances alone, the rest from the triangles that are
+/// closer than what was asked for. Only what seems to touch goes to FCL.
+class HANDWAY_GEOMETRIC_EXPORT BoundedChecker final : public CollisionChecker {
+ public:
+  /// @throws PreparationStopped where `preparation` asks for it.
+  explicit BoundedChecker(std::shared_ptr<const CollisionWorld> world,
+                          const Preparation& preparation = {});
+  ~BoundedChecker() override;
+
+  [[nodiscard]] std::unique_ptr<CollisionChecker> clone() const override;
+
+ private:
+  struct Volumes;  // immutable, shared by clones
+  struct Scratch;  // of one thread
+  struct Doubt;
+
+  BoundedChecker(const BoundedChecker& other);
+  void do_place() override;
+  [[nodiscard]] bool do_pair_collides(int pair) override;
+  [[nodiscard]] double do_pair_distance(int pair, double enough) override;
+  [[nodiscard]] DistanceRange do_pair_distance_range(int pair, double enough,
+                                                     double share) override;
+  [[nodiscard]] Closeness do_pair_closeness(int pair, double tolerance) override;
+  [[nodiscard]] double do_pair_bound(int pair, double enough) override;
+  [[nodiscard]] double do_pair_quick_bound(int pair) override;
+  void do_near_pairs(double distance, std::vector<int>& pairs) override;
+  void do_closest_first(double distance, std::vector<int>& pairs) override;
+  [[nodiscard]] std::optional<int> do_first_collision(int hint) override;
+
+  [[nodiscard]] SurfaceQuery query(int pair, std::span<const Pose> X_WBody);
+
+  /// The closeness of a pair whose bounding volumes don't tell.
+  [[nodiscard]] Closeness nearby_closeness(int pair, double tolerance);
+
+  /// The same from the triangles, and from whether one body is inside of the other.
+  [[nodiscard]] Closeness exact_closeness(int pair, double tolerance);
+
+  /// Whether a piece of either body is inside of the other, asked after the surfaces, which do not
+  /// touch.
+  [[nodiscard]] bool is_contained(int pair, const SurfaceQuery& surfaces) const;
+
+  /// Whether both bodies move and their boxes are at least `distance` (m) apart. What stands still
+  /// is mostly large and hollow: its box says nothing.
+  [[nodiscard]] bool boxes_are_apart(int pair, double distance);
+
+  /// The same from what is remembered of the pair or from the boxes.
+  [[nodiscard]] bool is_separated(int pair, double distance);
+
+  /// Whether the pair touches beyond doubt; if it takes more than the quick test, it joins the
+  /// pairs in doubt.
+  [[nodiscard]] bool touches_quickly(int pair);
+
+  /// A lower bound from the pair's table of distances, if it has one; else 0.
+  [[nodiscard]] double remembered(int pair);
+
+  /// FCL's answer for the pair as placed.
+  [[nodiscard]] bool touches(int pair) const;
+
+  std::shared_ptr<const Volumes> volumes_;
+  std::unique_ptr<Scratch> scratch_;
+};
+
+}  // namespace handway::geometric

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "handway/geometric/collision/collision_checker.h"
+#include "handway/geometric/export.h"
+
+#include <memory>
+
+namespace handway::geometric {
+
+/// The reference: FCL's OBBRSS trees on the raw triangles, one pair after the
+/// other, nothing in front of them; and whether one body is inside of the other.
+class HANDWAY_GEOMETRIC_EXPORT FclChecker final : public CollisionChecker {
+ public:
+  explicit FclChecker(std::shared_ptr<const CollisionWorld> world);
+  ~FclChecker() override;
+
+  [[nodiscard]] std::unique_ptr<CollisionChecker> clone() const override;
+
+ private:
+  struct Trees;  // keeps FCL out of the header
+
+  FclChecker(const FclChecker& other);
+  [[nodiscard]] bool do_pair_collides(int pair) override;
+  [[nodiscard]] double do_pair_distance(int pair, double enough) override;
+
+  std::shared_ptr<const Trees> trees_;
+};
+
+/// FCL as its users set it up: a dynamic AABB tree over the bodies that move, one
+/// over those that stand still, OBBRSS trees on the raw triangles behind them. The
+/// baseline that the fast checker is measured against.
+///
+/// Of several pairs that touch, first_collision() names whichever the trees meet first.
+class HANDWAY_GEOMETRIC_EXPORT FclBroadphaseChecker final : public CollisionChecker {
+ public:
+  explicit FclBroadphaseChecker(std::shared_ptr<const CollisionWorld> world);
+  ~FclBroadphaseChecker() override;
+
+  [[nodiscard]] std::unique_ptr<CollisionChecker> clone() const override;
+
+ private:
+  struct Models;  // immutable, shared by clones; keeps FCL out of the header
+  struct Managers;
+
+  FclBroadphaseChecker(const FclBroadphaseChecker& other);
+  void do_place() override;
+  [[nodiscard]] bool do_pair_collides(int pair) override;
+  [[nodiscard]] double do_pair_distance(int pair, double enough) override;
+  [[nodiscard]] std::optional<int> do_first_collision(int hint) override;
+
+  std::shared_ptr<const Models> models_;
+  std::unique_ptr<Managers> managers_;
+};
+
+}  // namespace handway::geometric

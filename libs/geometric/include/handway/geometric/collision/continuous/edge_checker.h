@@ -1,0 +1,162 @@
+#pragma once
+
+#include "handway/geometric/collision/collision_checker.h"
+#include "handway/geometric/collision/continuous/motion_bound.h"
+#include "handway/geometric/export.h"
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace handway::geometric {
+
+/// What is known about a straight motion between two configurations.
+struct EdgeResult {
+  bool free = false;
+  /// If not free, and settled: the pair that touches, or comes closer than the resolution, …
+  std::optional<int> pair;
+  double at = 0.0;           ///< … and where on the edge, in [0, 1].
+  std::uint64_t checks = 0;  ///< Configurations looked at.
+};
+
+/// No resolution is finer than this, m: what is nearer than twice of it at an end is too near to
+/// leave the end with certainty.
+inline constexpr double kLeastResolution = 1e-6;
+
+/// A configuration that motions begin or end at, with what is so near in it that edges need a finer
+/// resolution to get there.
+struct EdgeEnd {
+  struct NearPair {
+    int pair;
+    double distance;  ///< m
+    /// m, that edges keep of it next to the end: half the distance.
+    [[nodiscard]] double resolution() const { return 0.5 * distance; }
+  };
+  Configuration q;
+  std::vector<NearPair> near;
+
+  /// The nearest pair, if there is one.
+  [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT const NearPair* nearest() const;
+  /// What edges keep next to the end, m, if they keep `resolution` elsewhere.
+  [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT double resolution(double elsewhere) const;
+};
+
+/// @param q free of collision. @param resolution m, of edges; what is nearer than twice of it
+/// counts. @param margin m; so does what has to keep that and is nearer, by four resolutions more.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT EdgeEnd make_edge_end(CollisionChecker& checker,
+                                                             const Configuration& q,
+                                                             double resolution,
+                                                             double margin = 0.0);
+
+/// Decides whether the straight motion between two configurations is free, for
+/// every configuration on it and not just for samples.
+///
+/// A pair is free on a stretch if its distance in the middle is more, by the
+/// resolution, than it can lose on the way to either end (bounded motion). Stretches that this does
+/// not settle are halved, level by level, so that configurations are visited in the order of the
+/// Van der Corput sequence's levels. A pair that still isn't settled when it can move less than the
+/// resolution is closer than one and a half of it: the edge is refused. On a free edge, every pair
+/// that moves keeps the resolution as its distance everywhere.
+///
+/// Around ends with near pairs (set_ends()) the resolution of these pairs is smaller: half of what
+/// they have there, and a hundredth more of every way that the pair can have moved since. So it is
+/// the usual one again where it can have moved by a hundred resolutions.
+///
+/// With a margin, the robot moreover keeps that distance from what it is not made of. Next to an
+/// end where a pair is nearer, it keeps half of the distance there, plus a fiftieth of the distance
+/// that the pair can have moved since.
+///
+/// Constraints are held in the same way, on every configuration of a free edge: the resolution is
+/// what is left of an angle (in rad) or of the distance to a region's side.
+///
+/// Source: Schwarzer, Saha, Latombe 2005 (see MotionBound).
+class HANDWAY_GEOMETRIC_EXPORT EdgeChecker {
+ public:
+  /// @param checker used for all questions; must outlive this object.
+  /// @param resolution (m) > 0.
+  EdgeChecker(CollisionChecker& checker, std::shared_ptr<const MotionBound> motion,
+              double resolution);
+
+  /// Questions end early once `stop` says so; it is asked every few configurations,
+  /// and once at the beginning of each question. Empty: they never do.
+  void stop_when(std::function<bool()> stop) { stop_ = std::move(stop); }
+
+  /// Where resolutions and the margin shrink, also of edges that only pass by.
+  void set_ends(std::vector<EdgeEnd> ends);
+
+  /// What the robot keeps from all else, m, ≥ 0.
+  void set_margin(double margin) { margin_ = margin; }
+
+  /// A pair that does not keep the margin at `q`.
+  [[nodiscard]] std::optional<int> too_near(const Configuration& q);
+
+  /// @param most_checks looks at no more configurations: an edge that they do not
+  /// settle is said not to be free, without a pair; and so is one that was stopped.
+  /// @pre both ends are free of collision.
+  [[nodiscard]] EdgeResult check(
+      const Configuration& from, const Configuration& to,
+      std::uint64_t most_checks = std::numeric_limits<std::uint64_t>::max());
+
+  /// The same of some pairs alone, as if there were no others: an edge is free if and only
+  /// if it is for every pair on its own.
+  [[nodiscard]] EdgeResult check_among(
+      std::span<const int> pairs, const Configuration& from, const Configuration& to,
+      std::uint64_t most_checks = std::numeric_limits<std::uint64_t>::max());
+
+  /// The smallest distance (m) of any pair on the whole edge, but not above `enough`:
+  /// a lower bound, below the true one by at most `tolerance` (m) or by at most `share`
+  /// of it, whichever is more. Branch and bound over the same stretches. Stopped, it
+  /// gives the least resolution at most, which every free edge keeps.
+  /// @pre the edge is free.
+  [[nodiscard]] NamedPair clearance(const Configuration& from, const Configuration& to,
+                                    double enough, double tolerance, double share = 0.0);
+
+  [[nodiscard]] double resolution() const { return resolution_; }
+
+ private:
+  /// @param list_pairs sets the pairs to look at once the middle of the edge is in place.
+  [[nodiscard]] EdgeResult search(const Configuration& from, const Configuration& to,
+                                  std::uint64_t most_checks,
+                                  const std::function<void(std::vector<int>&)>& list_pairs);
+  [[nodiscard]] bool is_stopped(std::uint64_t checks) const;
+
+  /// What the pair has to keep (m) where it is not near an end.
+  [[nodiscard]] double far_from_ends(int pair) const;
+  /// What the pair has to keep (m) around `middle`, up to where it can have moved by `motion` (m).
+  [[nodiscard]] double required(int pair, const Configuration& middle, double motion) const;
+
+  /// Whether no bound of the pair's distance is likely to be that large; of the configuration in
+  /// place, as the next two, where "closer" may be said wrongly of a pair that needs much.
+  [[nodiscard]] bool is_out_of_reach(int pair, double distance);
+  [[nodiscard]] Closeness closeness_of_spheres(int pair);
+  /// @param need m, that it can come closer. @param required m, to keep nevertheless.
+  [[nodiscard]] Closeness closeness_within(int pair, double need, double required);
+
+  struct Clearance;  // what clearance() has found so far
+  void look_at_end(const Configuration& q, Clearance& found);
+  /// Of the configuration in place, the middle of a stretch of that half length: whether the pair
+  /// is settled on it.
+  [[nodiscard]] bool settle(int pair, double half, Clearance& found);
+
+  struct Stretch {
+    double middle;
+    double half;
+    std::size_t first;  ///< Of its pairs in the level's list.
+    std::size_t count;
+  };
+
+  CollisionChecker& checker_;
+  std::shared_ptr<const MotionBound> bounds_;
+  EdgeMotion motion_;
+  double resolution_;
+  double margin_ = 0.0;
+  std::vector<EdgeEnd> ends_;  ///< That have near pairs.
+  std::function<bool()> stop_;
+};
+
+}  // namespace handway::geometric

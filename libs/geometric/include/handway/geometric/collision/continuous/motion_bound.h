@@ -1,0 +1,126 @@
+#pragma once
+
+#include "handway/geometric/collision/collision_world.h"
+#include "handway/geometric/export.h"
+
+#include <Eigen/Core>
+
+#include <memory>
+#include <vector>
+
+namespace handway::geometric {
+
+/// How far two bodies of a pair can move against each other when the joints
+/// move: the farthest that any point of one can travel in the frame of the other
+/// per unit of each variable, over all configurations. Couplings are included. Of a constraint
+/// (see CollisionWorld::constraints()): how far its point can travel, or its axis turn (rad).
+///
+/// Source: Schwarzer, Saha, Latombe, "Adaptive dynamic collision checking for
+/// single and multiple articulated robots in complex environments", IEEE
+/// Transactions on Robotics 21(3), 2005.
+class HANDWAY_GEOMETRIC_EXPORT MotionBound {
+ public:
+  explicit MotionBound(const CollisionWorld& world);
+
+  /// Upper bound (m) of the change of the pair's distance when every variable v
+  /// moves by at most `travel[v]`. @param travel shape [variable_count], ≥ 0.
+  [[nodiscard]] double bound(int pair, const Eigen::VectorXd& travel) const {
+    return reach_.col(motion(pair)).dot(travel);
+  }
+
+  /// Pairs that move against each other in the same way share a motion: those of
+  /// one body with all that stands still. Constraints have a motion each, after those of the pairs.
+  [[nodiscard]] int motion(int pair) const { return motions_[static_cast<std::size_t>(pair)]; }
+
+  /// Motions of pairs: those from there on are of constraints.
+  [[nodiscard]] Eigen::Index pair_motions() const { return pair_motions_; }
+
+  /// bound() of all motions. @returns shape [motions].
+  [[nodiscard]] Eigen::VectorXd bounds(const Eigen::VectorXd& travel) const {
+    return reach_.transpose() * travel;
+  }
+
+  /// The same for any point of the robot in the world: the measure of edge
+  /// resolution in millimetres.
+  [[nodiscard]] double any_point(const Eigen::VectorXd& travel) const {
+    return farthest_.dot(travel);
+  }
+
+  [[nodiscard]] const RobotModel& model() const { return *model_; }
+
+  /// Where a pair's motion is measured.
+  struct PairFrame {
+    int a = 0;  ///< Bodies of the pair.
+    int b = 0;
+    int link = 0;  ///< The closest common ancestor of their links.
+    bool b_moves = false;
+  };
+  [[nodiscard]] const PairFrame& pair_frame(int pair) const {
+    return frames_[static_cast<std::size_t>(pair)];
+  }
+
+  /// A ball around a body, in the frame of the link that carries it. What a constraint holds is
+  /// numbered after the bodies: a point, or a direction, whose "centre" is a unit vector.
+  struct Ball {
+    int link = 0;
+    Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+    double radius = 0.0;
+    bool is_direction = false;
+  };
+  [[nodiscard]] const Ball& ball(int body) const { return balls_[static_cast<std::size_t>(body)]; }
+
+  /// The farthest that a point of `body` can travel per unit of the joint of
+  /// `link`, over all configurations: m per rad, or 1. 0: it is not carried by it.
+  [[nodiscard]] double reach(int link, int body) const { return of_link_(link, body); }
+
+ private:
+  std::shared_ptr<const RobotModel> model_;
+  std::vector<PairFrame> frames_;
+  std::vector<Ball> balls_;
+  Eigen::MatrixXd of_link_;   ///< Shape [link_count x bodies].
+  std::vector<int> motions_;  ///< Per pair.
+  Eigen::Index pair_motions_ = 0;
+  Eigen::MatrixXd reach_;     ///< Shape [variable_count x motions], m per rad or m per m.
+  Eigen::VectorXd farthest_;  ///< Shape [variable_count].
+};
+
+/// How far the bodies of a pair move against each other on a part of one edge:
+/// MotionBound, sharpened by how they really move in the part's middle.
+///
+/// Where several joints turn at once their motions largely cancel out. A point's
+/// velocity in the middle is known; on the way to either end it changes by no
+/// more than the joints turn each other's axes. Both together bound the way.
+class HANDWAY_GEOMETRIC_EXPORT EdgeMotion {
+ public:
+  explicit EdgeMotion(std::shared_ptr<const MotionBound> motion);
+
+  /// The edge: how much each variable changes from one end to the other.
+  void set_edge(const Configuration& delta);
+
+  /// A configuration on the edge. @param X_BL its link poses, in the robot's base.
+  void set_middle(const std::vector<Pose>& X_BL);
+
+  /// MotionBound's bound (m) of the change of the pair's distance over the whole edge.
+  [[nodiscard]] double over_edge(int pair) const { return travel_[motion_->motion(pair)]; }
+
+  /// The most (m) that any pair has over the edge.
+  [[nodiscard]] double most_over_edge() const { return most_; }
+
+  /// Upper bound (m) of the change of the pair's distance between the middle and
+  /// any configuration of the edge at most `half` of the edge away from it.
+  [[nodiscard]] double within(int pair, double half) const;
+
+ private:
+  /// Of a body against the link `frame`.
+  [[nodiscard]] double way(int body, int frame, double half) const;
+
+  std::shared_ptr<const MotionBound> motion_;
+  Eigen::VectorXd travel_;  ///< Per motion.
+  double most_ = 0.0;
+  std::vector<double> rates_;          ///< Per link: its joint's change, rad or m.
+  std::vector<Eigen::Vector3d> w_BL_;  ///< Per link: angular velocity in the base, rad per edge.
+  std::vector<Eigen::Vector3d> v_BL_;  ///< Per link: velocity of its frame's origin, m per edge.
+  const std::vector<Pose>* X_BL_ = nullptr;
+};
+
+}  // namespace handway::geometric

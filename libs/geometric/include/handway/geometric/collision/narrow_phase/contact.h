@@ -1,0 +1,69 @@
+#pragma once
+
+#include "handway/geometric/collision/collision_checker.h"
+#include "handway/geometric/collision/collision_world.h"
+#include "handway/geometric/export.h"
+
+#include <Eigen/Core>
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace handway::geometric {
+
+/// Where two bodies are closest to each other; world, m.
+struct ClosestPoints {
+  Eigen::Vector3d p_WA;  ///< On the first one's surface.
+  Eigen::Vector3d p_WB;  ///< On the second one's.
+};
+
+/// Finds the closest points of bodies of a world, for people to see. For one thread.
+class HANDWAY_GEOMETRIC_EXPORT ClosestPointFinder {
+ public:
+  explicit ClosestPointFinder(std::shared_ptr<const CollisionWorld> world);
+  ~ClosestPointFinder();
+
+  /// @param a, b names of bodies. @param q shape [variable_count].
+  /// @returns nothing if there is no such body or they touch.
+  [[nodiscard]] std::optional<ClosestPoints> between(std::string_view a, std::string_view b,
+                                                     const Configuration& q);
+
+ private:
+  struct Trees;
+
+  std::shared_ptr<const CollisionWorld> world_;
+  std::unique_ptr<Trees> trees_;
+};
+
+/// Where and how far two bodies go into each other.
+struct Contact {
+  /// Depths are not distinguished beyond this, m.
+  static constexpr double kMostDepth = 0.2;
+
+  std::string a;
+  std::string b;
+  /// Middle of where the surfaces cross; if one body is inside of the other, a point of its
+  /// surface.
+  Eigen::Vector3d p_W = Eigen::Vector3d::Zero();
+  /// Way out for `a`: unit vector, world.
+  Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();
+  /// How far `a` has to be shifted along `direction` to be clear of `b`, m, to 0.1 mm. The
+  /// shortest of some thirty directions: an upper bound of the penetration depth; kMostDepth if
+  /// none of them gets clear sooner.
+  double depth = kMostDepth;
+};
+
+/// The contacts of those of `pairs` (indices into world.pairs()) that touch in `q`, in order. A few
+/// milliseconds each: for explaining, not for planning. @param q shape [variable_count].
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<Contact> find_contacts(
+    const CollisionWorld& world, const Configuration& q, std::span<const int> pairs);
+
+/// All contacts in `q`, deepest first.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<Contact> find_contacts(CollisionChecker& checker,
+                                                                          const Configuration& q);
+
+}  // namespace handway::geometric

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "handway/geometric/export.h"
+#include "handway/geometric/scene/scene.h"
+
+#include <filesystem>
+
+namespace handway::geometric {
+
+/// The version of the scene format that this program reads and writes.
+inline constexpr int kSceneVersion = 1;
+
+/// Reads a scene file (YAML; docs/scene-format.md), its robots and its meshes.
+///
+/// RobotInstance::file and Scene::hand_basis keep the reference as the file
+/// names it (find_resource() makes a path of it); Mesh::file is absolute.
+/// A joint that `configuration` leaves out stands at the model's neutral();
+/// one that `start` or `goal` leave out stands as in `configuration`.
+/// Start and goal may be out of limits or in collision: planners say so.
+///
+/// @throws InputError naming file, line and element of what is wrong.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT Scene read_scene(const std::filesystem::path& file);
+
+}  // namespace handway::geometric

@@ -1,0 +1,86 @@
+#pragma once
+
+#include "handway/geometric/export.h"
+
+#include <Eigen/Core>
+
+#include <filesystem>
+#include <initializer_list>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace handway::geometric {
+
+/// A part of a YAML file that knows its name and line, so that what is wrong
+/// with it can be said precisely. Cheap to copy; not for several threads at once.
+///
+/// All functions throw InputError naming file, line and element if the part is
+/// not what they ask for.
+class HANDWAY_GEOMETRIC_EXPORT YamlElement {
+ public:
+  /// The top of a file that holds one YAML document.
+  /// @param what what the file should be, for messages: "a scene file".
+  [[nodiscard]] static YamlElement read(const std::filesystem::path& file, const std::string& what);
+
+  /// From the top, for example "objects[2].pose.xyz"; empty for the top.
+  [[nodiscard]] const std::string& name() const { return name_; }
+  /// "FILE:LINE".
+  [[nodiscard]] std::string where() const;
+  [[noreturn]] void refuse(const std::string& found, const std::string& expected,
+                           const std::string& advice = "") const;
+  /// What is there, in short: `"abc"`, `a list of 3`, `nothing`, …
+  [[nodiscard]] std::string found() const;
+
+  [[nodiscard]] bool is_map() const;
+  [[nodiscard]] bool is_list() const;
+  [[nodiscard]] bool is_scalar() const;
+
+  /// Checks that this is a map in which every key is known and occurs once;
+  /// advises the nearest known key.
+  void allow_keys(std::initializer_list<std::string> known) const;
+  /// Checks that no key of this map is misspelt: is none of the known ones and at most two
+  /// letters off one. Other keys may be there. For formats of others.
+  void refuse_slips(std::initializer_list<std::string> known) const;
+  /// The value of a key; nothing if the key is absent or its value empty.
+  [[nodiscard]] std::optional<YamlElement> find(const std::string& key) const;
+  [[nodiscard]] YamlElement need(const std::string& key) const;
+  /// Keys and values of a map in file order; keys are text and occur once.
+  [[nodiscard]] std::vector<std::pair<std::string, YamlElement>> entries() const;
+  [[nodiscard]] std::vector<YamlElement> items() const;
+
+  [[nodiscard]] std::string text() const;
+  /// True or false, in these words.
+  [[nodiscard]] bool flag() const;
+  /// Finite and within ±10⁶ (metres, radians: what is beyond is a slip of units).
+  [[nodiscard]] double number() const;
+  /// A list of `count` numbers, shape [count].
+  [[nodiscard]] Eigen::VectorXd numbers(int count) const;
+
+ private:
+  struct Document;
+  struct Node;
+
+  YamlElement(std::shared_ptr<const Document> document, std::shared_ptr<const Node> node,
+              std::string name);
+  // As refuse(), of a map's key: where the key is, not its value, which may be lines further down.
+  [[noreturn]] void refuse_key(const std::string& key, const std::string& found,
+                               const std::string& expected, const std::string& advice) const;
+  [[nodiscard]] YamlElement child(const Node& node, const std::string& suffix) const;
+
+  std::shared_ptr<const Document> document_;
+  std::shared_ptr<const Node> node_;
+  std::string name_;
+};
+
+/// The text of a YAML file of one document that is fit to be parsed: at most 16 MB, a million
+/// elements and 500 levels, what aliases stand for counted as often as they do.
+/// @param what what the file should be, for messages: "a scene file".
+/// @throws InputError as read_text_file(); if it is no YAML, has more or fewer documents than one,
+/// exceeds a limit, or has an alias within what it stands for.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::string read_yaml_text(const std::filesystem::path& file,
+                                                                  const std::string& what);
+
+}  // namespace handway::geometric

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "handway/geometric/export.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// Numbers in text files, and lines of cells that hold them.
+namespace handway::geometric {
+
+/// The finite number that the whole of `text` spells, whatever the locale; blanks
+/// around it do not matter. Nothing for anything else, NaN and infinity included.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::optional<double> parse_number(std::string_view text);
+
+/// The shortest text that parse_number() reads back as the same number.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::string number_text(double value);
+
+/// Without blanks, quotes and the end of line around it.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::string_view trimmed(std::string_view text);
+
+/// Trimmed parts between separators; ' ' separates by any run of blanks.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<std::string_view> cells(std::string_view line,
+                                                                           char separator);
+
+}  // namespace handway::geometric

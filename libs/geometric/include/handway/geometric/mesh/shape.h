@@ -1,0 +1,68 @@
+#pragma once
+
+#include "handway/geometric/export.h"
+#include "handway/geometric/mesh/triangle_mesh.h"
+
+#include <Eigen/Core>
+
+#include <filesystem>
+#include <memory>
+#include <string_view>
+#include <variant>
+
+namespace handway::geometric {
+
+/// Linear RGB and opacity, each in [0, 1].
+struct Color {
+  float red = 0.7F;
+  float green = 0.7F;
+  float blue = 0.7F;
+  float alpha = 1.0F;
+
+  friend bool operator==(const Color&, const Color&) = default;
+};
+
+/// A box centred in its frame; edge lengths in m.
+struct Box {
+  Eigen::Vector3d size{0.1, 0.1, 0.1};
+};
+
+/// A sphere centred in its frame; m.
+struct Sphere {
+  double radius = 0.05;
+};
+
+/// A cylinder along z, centred in its frame; m.
+struct Cylinder {
+  double radius = 0.05;
+  double length = 0.1;
+};
+
+/// A cone along z: base disc at z = -length/2, apex at z = +length/2; m.
+struct Cone {
+  double radius = 0.05;
+  double length = 0.1;
+};
+
+/// Triangles from a file, or from a program when `file` is empty.
+struct Mesh {
+  std::filesystem::path file;                       ///< As loaded; absolute.
+  Eigen::Vector3d scale = Eigen::Vector3d::Ones();  ///< Already applied to `triangles`.
+  std::shared_ptr<const TriangleMesh> triangles;    ///< Never null in a loaded scene.
+};
+
+using Shape = std::variant<Box, Sphere, Cylinder, Cone, Mesh>;
+
+/// "box", "sphere", "cylinder", "cone" or "mesh": the word in scene files.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::string_view shape_name(const Shape& shape);
+
+/// The triangles that stand for `shape` in collision checking. A box and a mesh
+/// are exact. Round shapes become polyhedra that contain the true solid and
+/// leave it by at most 0.7 % of the radius.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::shared_ptr<const TriangleMesh> tessellate(
+    const Shape& shape);
+
+/// Whether the shape has an inside: primitives do, and meshes whose surface is_closed().
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT bool is_closed(const Shape& shape);
+
+}  // namespace handway::geometric

@@ -1,0 +1,70 @@
+#pragma once
+
+#include "handway/geometric/export.h"
+#include "handway/geometric/math/pose.h"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace handway::geometric {
+
+/// Triangles over shared vertices, in the frame of the body that owns them.
+/// The one geometric form that collision checking works on.
+struct TriangleMesh {
+  std::vector<Eigen::Vector3d> vertices;                ///< m
+  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< Indices into `vertices`.
+
+  [[nodiscard]] bool empty() const { return triangles.empty(); }
+};
+
+/// An axis-aligned box, m.
+struct Aabb {
+  Eigen::Vector3d lower;
+  Eigen::Vector3d upper;
+
+  [[nodiscard]] Eigen::Vector3d centre() const { return 0.5 * (lower + upper); }
+  [[nodiscard]] Eigen::Vector3d size() const { return upper - lower; }
+};
+
+/// The tight box around all vertices.
+/// @pre the mesh has a vertex.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT Aabb bounding_box(const TriangleMesh& mesh);
+
+/// `mesh` with every vertex v replaced by X_AB * (scale ∘ v).
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT TriangleMesh
+transformed(const TriangleMesh& mesh, const Pose& X_AB,
+            const Eigen::Vector3d& scale = Eigen::Vector3d::Ones());
+
+/// Adds the triangles of `part` to `whole`.
+HANDWAY_GEOMETRIC_EXPORT void append(TriangleMesh& whole, const TriangleMesh& part);
+
+/// The same triangles with one vertex a place, also of triangle soups (STL). A triangle may have
+/// a vertex twice then.
+/// @param grid m: places are one if they round to the same multiple of it; 0: if they are equal.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT TriangleMesh welded(const TriangleMesh& mesh,
+                                                           double grid = 0.0);
+
+/// For every vertex the number of the piece that it belongs to, from 0: vertices of one piece hang
+/// together by triangles. A vertex without triangles is a piece of its own.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<std::uint32_t> piece_numbers(
+    const TriangleMesh& mesh);
+
+/// The same triangles without those that have a vertex twice, and one of those that have the same
+/// three: of faces that are drawn from both sides, one side.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT TriangleMesh distinct_triangles(const TriangleMesh& mesh);
+
+/// Whether the surface is watertight, piece by piece: every edge belongs to an even number of
+/// triangles, so that it has two sides and whoever gets from one to the other goes through it.
+/// Triangles may be wound either way.
+/// @param mesh welded() and with distinct_triangles(): no two vertices are at the same place.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT bool is_closed(const TriangleMesh& mesh);
+
+/// The parts of a mesh that hang together, vertices at the same place being one and equal triangles
+/// too; those with the longest box diagonal first.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<TriangleMesh> pieces_of(
+    const TriangleMesh& mesh);
+
+}  // namespace handway::geometric
