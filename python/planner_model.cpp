@@ -83,7 +83,7 @@ std::unique_ptr<PlannerModel> make_planner(const std::string& name) {
 }
 
 std::unique_ptr<PlannerModel> make_scene_planner(const SceneModel& scene, const std::string& name) {
-  const geometric::PlannerChoice& choice = scene.scene().planner;
+  const geometric::PlannerRequest& choice = scene.scene().planner;
   std::unique_ptr<PlannerModel> planner = make_planner(name.empty() ? choice.name : name);
   if (choice.name.empty() || planner->planner().name() == choice.name) {
     for (const auto& [key, text] : choice.settings) {

@@ -126,7 +126,7 @@ SceneBench bench_checks(const fs::path& file, const BenchOptions& options,
 std::vector<std::unique_ptr<planning::Planner>> planners_for(
     const BenchOptions& options, const BenchScene& scene,
     const planning::PlannerRegistry& registry) {
-  const geometric::PlannerChoice& choice = scene.loaded.scene->planner;
+  const geometric::PlannerRequest& choice = scene.loaded.scene->planner;
   std::vector<std::unique_ptr<planning::Planner>> planners;
   planners.push_back(scene_planner("", choice, registry));
   apply_settings(*planners.front(), scene.settings);

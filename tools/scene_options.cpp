@@ -37,7 +37,7 @@ void choose_basis(std::vector<std::string>& settings, planning::LoadedScene& sce
 }
 
 std::unique_ptr<planning::Planner> scene_planner(const std::string& name,
-                                                 const geometric::PlannerChoice& choice,
+                                                 const geometric::PlannerRequest& choice,
                                                  const planning::PlannerRegistry& registry) {
   const std::string taken = !name.empty()          ? name
                             : !choice.name.empty() ? choice.name

@@ -21,7 +21,7 @@ void choose_basis(std::vector<std::string>& settings, planning::LoadedScene& sce
 /// The scene's settings are taken if they are for it; another planner's mean nothing.
 /// @throws InputError for an unknown planner or setting.
 [[nodiscard]] std::unique_ptr<planning::Planner> scene_planner(
-    const std::string& name, const geometric::PlannerChoice& choice,
+    const std::string& name, const geometric::PlannerRequest& choice,
     const planning::PlannerRegistry& registry);
 
 /// Sets parameters from the command line, KEY=VALUE each.

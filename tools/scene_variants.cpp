@@ -205,8 +205,8 @@ struct Motion {
   }
 };
 
-bool is_movable(const SceneObject& object) {
-  return !object.attachment && !object.locked &&
+bool is_movable(const Scene& scene, const SceneObject& object) {
+  return !object.attachment && !scene.display.of(object.name).locked &&
          bounding_box(*tessellate(object.shape)).size().maxCoeff() <= kLongestMovable;
 }
 
@@ -222,7 +222,7 @@ std::vector<Unit> movable_units(const Scene& scene) {
   std::vector<Unit> units;
   std::map<std::string, std::size_t> of_group;
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-    const std::string& group = scene.objects[i].group;
+    const std::string& group = scene.display.of(scene.objects[i].name).group;
     const auto [known, is_new] = of_group.emplace(group, units.size());
     if (group.empty() || is_new) {
       units.emplace_back();
@@ -231,7 +231,7 @@ std::vector<Unit> movable_units(const Scene& scene) {
   }
   std::erase_if(units, [&](const Unit& unit) {
     return !std::ranges::all_of(unit.objects,
-                                [&](std::size_t i) { return is_movable(scene.objects[i]); });
+                                [&](std::size_t i) { return is_movable(scene, scene.objects[i]); });
   });
   for (Unit& unit : units) {
     unit.middle = middle_of(scene, unit.objects);

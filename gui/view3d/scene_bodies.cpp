@@ -228,7 +228,7 @@ std::vector<SoNode*> SceneBodies::shown() const {
     nodes.push_back(robot->root());
   }
   for (std::size_t i = 0; i < objects_.size(); ++i) {
-    if (!scene_->objects[i].hidden) {
+    if (!scene_->display.of(scene_->objects[i].name).hidden) {
       nodes.push_back(objects_[i]->root());
     }
   }
@@ -242,7 +242,7 @@ SceneBodies::Others SceneBodies::others() const {
   }
   for (std::size_t i = 0; i < objects_.size(); ++i) {
     const geometric::SceneObject& object = scene_->objects[i];
-    if (!object.hidden) {
+    if (!scene_->display.of(object.name).hidden) {
       const bool apart = object.attachment || object.color.alpha < 1.0F;
       (apart ? others.moving : others.still).push_back(objects_[i]->root());
     }

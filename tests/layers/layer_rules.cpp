@@ -66,8 +66,7 @@ std::optional<std::string> library_of(std::string_view file) {
 /// "collision/cache" of "libs/geometric/collision/cache/a.cpp" and of its public headers, which
 /// are in libs/geometric/include/handway/geometric/collision/cache.
 std::string library_folder_of(std::string_view file, const std::string& library) {
-  for (const std::string& prefix :
-       {"libs/" + library + '/', "include/handway/" + library + '/'}) {
+  for (const std::string& prefix : {"libs/" + library + '/', "include/handway/" + library + '/'}) {
     if (file.starts_with(prefix)) {
       file.remove_prefix(prefix.size());
     }

@@ -268,8 +268,7 @@ void ArrayTool::finish() {
   if (card_->groups()) {
     const std::string group =
         unused_group(*made.scene, names_.size() == 1 ? names_.front() : tr("array").toStdString());
-    made = with_changed_objects(made, all,
-                                [&](geometric::SceneObject& object) { object.group = group; });
+    made = with_changed_display(made, all, [&](auto& display) { display.group = group; });
   }
   editor_.apply(tr("Array of %1").arg(SceneEditor::words_for(names_)), std::move(made), all);
 }

@@ -160,7 +160,7 @@ void EditActions::update_enabled() {
   grasp->setEnabled(object && !object->attachment && editor_.document().robot());
   palm->setEnabled(editor_.document().robot() != nullptr);
   palm->setChecked(editor_.selection().kind == SceneItem::Kind::kPalm);
-  hide->setChecked(object && object->hidden);
+  hide->setChecked(object && editor_.state().is_hidden(object->name));
   lock->setChecked(object && !can_change);
 }
 
@@ -261,8 +261,7 @@ void ArrangeActions::update_enabled() {
   const std::vector<std::string>& objects = editor_.selected_objects();
   const std::size_t parts = scene && editor_.can_change() ? rigid_parts(*scene, objects).size() : 0;
   const bool in_group = std::ranges::any_of(objects, [this](const std::string& name) {
-    const geometric::SceneObject* object = editor_.state().find(name);
-    return object && !object->group.empty();
+    return !editor_.state().display_of(name).group.empty();
   });
   align_menu_->setEnabled(parts > 1);
   distribute_menu_->setEnabled(parts > 2);
@@ -295,18 +294,18 @@ void ArrangeActions::distribute(int axis) {
 void ArrangeActions::make_group() {
   const std::vector<std::string> objects = editor_.selected_objects();
   const std::string name = unused_group(*editor_.state().scene, tr("group").toStdString());
-  editor_.apply(tr("Group %1").arg(SceneEditor::words_for(objects)),
-                with_changed_objects(editor_.state(), objects,
-                                     [&](geometric::SceneObject& object) { object.group = name; }),
-                objects);
+  editor_.apply(
+      tr("Group %1").arg(SceneEditor::words_for(objects)),
+      with_changed_display(editor_.state(), objects, [&](auto& display) { display.group = name; }),
+      objects);
 }
 
 void ArrangeActions::ungroup() {
   const std::vector<std::string> objects = editor_.selected_objects();
-  editor_.apply(tr("Ungroup %1").arg(SceneEditor::words_for(objects)),
-                with_changed_objects(editor_.state(), objects,
-                                     [](geometric::SceneObject& object) { object.group.clear(); }),
-                objects);
+  editor_.apply(
+      tr("Ungroup %1").arg(SceneEditor::words_for(objects)),
+      with_changed_display(editor_.state(), objects, [](auto& display) { display.group.clear(); }),
+      objects);
 }
 
 void ArrangeActions::rename_group(const std::string& name, const std::string& new_name) {
@@ -315,11 +314,10 @@ void ArrangeActions::rename_group(const std::string& name, const std::string& ne
   }
   const std::vector<std::string> members = group_members(*editor_.state().scene, name);
   const std::string unused = unused_group(*editor_.state().scene, new_name);
-  editor_.apply(
-      tr("Rename group %1").arg(QString::fromStdString(name)),
-      with_changed_objects(editor_.state(), members,
-                           [&](geometric::SceneObject& object) { object.group = unused; }),
-      members);
+  editor_.apply(tr("Rename group %1").arg(QString::fromStdString(name)),
+                with_changed_display(editor_.state(), members,
+                                     [&](auto& display) { display.group = unused; }),
+                members);
 }
 
 }  // namespace handway::gui

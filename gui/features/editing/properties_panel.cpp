@@ -245,7 +245,7 @@ void PropertiesPanel::show_object(const geometric::SceneObject& object) {
   name_->setReadOnly(!editable);
   kind_->setText(kind_of_shape(object.shape));
   lock_->setChecked(!editable);
-  hide_->setChecked(object.hidden);
+  hide_->setChecked(editor_.state().is_hidden(object.name));
   pose_title_->setText(tr("Pose"));
   pose_->show_pose(editor_.selected_pose().value());
   shape_->show_shape(object.shape);
@@ -259,16 +259,16 @@ void PropertiesPanel::show_objects(const geometric::SceneObject& last) {
   const std::vector<std::string>& names = editor_.selected_objects();
   const bool editable = editor_.can_change();
   const bool is_group = rigid_parts(*editor_.state().scene, names).size() == 1;
-  name_->setText(is_group ? QString::fromStdString(last.group)
+  name_->setText(is_group ? QString::fromStdString(editor_.state().display_of(last.name).group)
                           : tr("%1 objects").arg(names.size()));
   name_->setReadOnly(true);
   kind_->setText(is_group ? tr("Group of %1").arg(names.size()) : QString());
-  const auto all = [&](bool geometric::SceneObject::*flag) {
+  const auto all = [&](bool geometric::ObjectDisplay::*flag) {
     return std::ranges::all_of(
-        names, [&](const std::string& name) { return editor_.state().find(name)->*flag; });
+        names, [&](const std::string& name) { return editor_.state().display_of(name).*flag; });
   };
-  lock_->setChecked(all(&geometric::SceneObject::locked));
-  hide_->setChecked(all(&geometric::SceneObject::hidden));
+  lock_->setChecked(all(&geometric::ObjectDisplay::locked));
+  hide_->setChecked(all(&geometric::ObjectDisplay::hidden));
   pose_title_->setText(tr("Centre (angles turn all about it)"));
   pose_->show_pose(editor_.selected_pose().value_or(geometric::Pose::Identity()));
   const Eigen::Vector3d size =

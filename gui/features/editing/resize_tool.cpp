@@ -51,8 +51,8 @@ bool ResizeTool::update() {
     return true;
   }
   const geometric::SceneObject* object = editor_.selected_object();
-  const bool shown =
-      wanted_ && object && !editor_.has_several() && editor_.can_change() && !object->hidden;
+  const bool shown = wanted_ && object && !editor_.has_several() && editor_.can_change() &&
+                     !editor_.state().is_hidden(object->name);
   if (shown) {
     object_ = object->name;
     knobs_ = resize_knobs(object->shape);

@@ -248,10 +248,10 @@ void SceneTree::add_objects(const geometric::Scene& scene) {
   std::map<std::string, QTreeWidgetItem*> groups;
   for (const geometric::SceneObject& object : scene.objects) {
     QTreeWidgetItem* above = top;
-    if (!object.group.empty()) {
-      QTreeWidgetItem*& row = groups[object.group];
+    if (const std::string& group = scene.display.of(object.name).group; !group.empty()) {
+      QTreeWidgetItem*& row = groups[group];
       if (!row) {
-        row = group_row(scene, object.group);
+        row = group_row(scene, group);
         top->addChild(row);
         row->setExpanded(true);
       }
@@ -291,13 +291,13 @@ QTreeWidgetItem* SceneTree::object_row(const geometric::SceneObject& object) con
   if (object.attachment) {
     words += tr(", carried by %1").arg(QString::fromStdString(object.attachment->link));
   }
-  if (object.locked) {
+  if (state_.is_locked(object.name)) {
     row->setIcon(1, icon("lock"));
   } else {
     row->setFlags(row->flags() | Qt::ItemIsEditable);
   }
   row->setFlags(row->flags() | Qt::ItemIsUserCheckable);
-  row->setCheckState(0, object.hidden ? Qt::Unchecked : Qt::Checked);
+  row->setCheckState(0, state_.is_hidden(object.name) ? Qt::Unchecked : Qt::Checked);
   row->setToolTip(0, words);
   return row;
 }

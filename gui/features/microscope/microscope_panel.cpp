@@ -288,7 +288,7 @@ StepFilter MicroscopePanel::filter() const {
 }
 
 std::shared_ptr<planning::Planner> MicroscopePanel::make_planner() const {
-  const geometric::PlannerChoice choice = planning_.choice();
+  const geometric::PlannerRequest choice = planning_.choice();
   const bool tells_steps = choice.name == kPlanner || choice.name == kFullPlanner;
   std::shared_ptr<planning::Planner> planner =
       planning_.registry().create(tells_steps ? choice.name : kPlanner);

@@ -142,14 +142,16 @@ Copies copied(const SceneState& state, const Configuration& q, const ObjectNames
     for (const ObjectNames& part : parts) {
       std::string group;
       if (part.size() > 1) {
-        group = unused_group(scene, state.find(part.front())->group);
+        group = unused_group(scene, state.display_of(part.front()).group);
       }
       for (const std::string& name : part) {
         SceneObject copy = *state.find(name);
         copy.X_PO = in_parent(*state.scene, q, copy, motion * object_pose(*state.scene, q, copy));
         copy.name = unused_name(scene, name);
-        copy.group = part.size() > 1 ? group : copy.group;
-        copy.locked = false;
+        geometric::ObjectDisplay display = state.display_of(name);
+        display.group = part.size() > 1 ? group : display.group;
+        display.locked = false;
+        scene.display.set(copy.name, std::move(display));
         made.push_back(copy.name);
         scene.objects.push_back(std::move(copy));
       }

@@ -21,7 +21,7 @@ namespace handway::gui {
 struct UnsavedScene {
   planning::LoadedScene loaded;
   geometric::Configuration shown;  ///< Where the first robot stands.
-  geometric::PlannerChoice planner;
+  geometric::PlannerRequest planner;
   std::filesystem::path file;  ///< Where it was opened from; may be empty.
   QString name;                ///< For people.
 };

@@ -41,7 +41,7 @@ planning::LoadedScene new_scene(const std::string& robot, const planning::Extens
 }
 
 void save_scene(const planning::LoadedScene& loaded, const geometric::Configuration& shown,
-                const geometric::PlannerChoice& planner, const std::filesystem::path& file) {
+                const geometric::PlannerRequest& planner, const std::filesystem::path& file) {
   geometric::Scene scene = *loaded.scene;
   scene.planner = planner;
   if (!scene.robots.empty()) {
@@ -136,7 +136,7 @@ void Document::create(const std::string& robot) {
   loader_.create(robot);
 }
 
-void Document::save(const std::filesystem::path& file, const geometric::PlannerChoice& planner) {
+void Document::save(const std::filesystem::path& file, const geometric::PlannerRequest& planner) {
   save_scene(loaded_, q_, planner, file);
   file_ = file;
 }

@@ -30,7 +30,7 @@ namespace handway::gui {
 /// @param shown shape [variable_count] of the first robot; unused without robots.
 /// @throws InputError if a file can't be written.
 void save_scene(const planning::LoadedScene& loaded, const geometric::Configuration& shown,
-                const geometric::PlannerChoice& planner, const std::filesystem::path& file);
+                const geometric::PlannerRequest& planner, const std::filesystem::path& file);
 
 /// Reads scene files off the GUI thread.
 class SceneLoader : public QObject {
@@ -95,7 +95,7 @@ class Document : public QObject {
   void create(const std::string& robot);
   /// Writes the scene with the robot as it stands, and goes by that name from now on.
   /// @throws InputError if a file can't be written.
-  void save(const std::filesystem::path& file, const geometric::PlannerChoice& planner);
+  void save(const std::filesystem::path& file, const geometric::PlannerRequest& planner);
   /// Shows another scene, that is in memory already.
   void set_scene(planning::LoadedScene scene, const std::filesystem::path& file = {});
   /// Replaces the scene by an edited one with the same robots.

@@ -119,7 +119,7 @@ std::vector<std::string> SceneEditor::changeable() const {
   std::vector<std::string> names = selection_.objects;
   std::erase_if(names, [this](const std::string& name) {
     const SceneObject* object = state().find(name);
-    return !object || object->locked;
+    return !object || state().is_locked(name);
   });
   return names;
 }
@@ -327,7 +327,7 @@ void SceneEditor::drop() {
 void SceneEditor::set_hidden(const std::vector<std::string>& objects, bool hidden) {
   if (std::ranges::any_of(objects, [&](const auto& o) { return state().is_hidden(o) != hidden; })) {
     push((hidden ? tr("Hide %1") : tr("Show %1")).arg(words_for(objects)),
-         with_changed_objects(state(), objects, [&](SceneObject& o) { o.hidden = hidden; }),
+         with_changed_display(state(), objects, [&](auto& display) { display.hidden = hidden; }),
          selection_);
   }
 }
@@ -335,7 +335,7 @@ void SceneEditor::set_hidden(const std::vector<std::string>& objects, bool hidde
 void SceneEditor::set_locked(const std::vector<std::string>& objects, bool locked) {
   if (std::ranges::any_of(objects, [&](const auto& o) { return state().is_locked(o) != locked; })) {
     push((locked ? tr("Lock %1") : tr("Unlock %1")).arg(words_for(objects)),
-         with_changed_objects(state(), objects, [&](SceneObject& o) { o.locked = locked; }),
+         with_changed_display(state(), objects, [&](auto& display) { display.locked = locked; }),
          selection_);
   }
 }
@@ -344,7 +344,7 @@ void SceneEditor::set_solid(const std::vector<std::string>& objects, bool solid)
   std::vector<std::string> changed;
   std::ranges::copy_if(objects, std::back_inserter(changed), [&](const std::string& name) {
     const SceneObject* object = state().find(name);
-    return object && !object->locked && object->solid != solid;
+    return object && !state().is_locked(name) && object->solid != solid;
   });
   if (!changed.empty()) {
     push((solid ? tr("Make %1 Solid") : tr("Make %1 Hollow")).arg(words_for(changed)),

@@ -64,7 +64,9 @@ std::string unused_name(const Scene& scene, const std::string& name) {
 
 std::string unused_group(const Scene& scene, const std::string& group) {
   return unlike_others(group, [&](const std::string& word) {
-    return std::ranges::find(scene.objects, word, &SceneObject::group) != scene.objects.end();
+    return std::ranges::any_of(scene.objects, [&](const SceneObject& object) {
+      return scene.display.of(object.name).group == word;
+    });
   });
 }
 
@@ -79,6 +81,9 @@ SceneState without_objects(const SceneState& state, const std::vector<std::strin
   Scene scene = *state.scene;
   std::erase_if(scene.objects,
                 [&](const SceneObject& object) { return contains(names, object.name); });
+  for (const std::string& name : names) {
+    scene.display.remove(name);
+  }
   return with_scene(state, std::move(scene));
 }
 
@@ -98,6 +103,19 @@ SceneState with_changed_objects(const SceneState& state, const std::vector<std::
   return with_scene(state, std::move(scene));
 }
 
+SceneState with_changed_display(const SceneState& state, const std::vector<std::string>& names,
+                                const DisplayChange& change) {
+  Scene scene = *state.scene;
+  for (const SceneObject& object : scene.objects) {
+    if (contains(names, object.name)) {
+      geometric::ObjectDisplay display = scene.display.of(object.name);
+      change(display);
+      scene.display.set(object.name, std::move(display));
+    }
+  }
+  return with_scene(state, std::move(scene));
+}
+
 SceneState with_renamed_object(const SceneState& state, const std::string& name,
                                const std::string& new_name) {
   Scene scene = *state.scene;
@@ -106,6 +124,8 @@ SceneState with_renamed_object(const SceneState& state, const std::string& name,
       continue;
     }
     object.name = new_name;
+    scene.display.remove(name);
+    scene.display.set(new_name, state.display_of(name));
     if (is_carried_by(object, scene.robots.front())) {  // if not, they are about a link
       for (geometric::PathConstraint& constraint : scene.constraints) {
         constraint.body = constraint.body == name ? new_name : constraint.body;

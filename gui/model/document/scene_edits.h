@@ -16,13 +16,10 @@ namespace handway::gui {
 struct SceneState {
   std::shared_ptr<const geometric::Scene> scene;
 
-  [[nodiscard]] bool is_hidden(std::string_view object) const {
-    const geometric::SceneObject* found = find(object);
-    return found && found->hidden;
-  }
-  [[nodiscard]] bool is_locked(std::string_view object) const {
-    const geometric::SceneObject* found = find(object);
-    return found && found->locked;
+  [[nodiscard]] bool is_hidden(std::string_view object) const { return display_of(object).hidden; }
+  [[nodiscard]] bool is_locked(std::string_view object) const { return display_of(object).locked; }
+  [[nodiscard]] geometric::ObjectDisplay display_of(std::string_view object) const {
+    return scene ? scene->display.of(object) : geometric::ObjectDisplay{};
   }
   /// nullptr if there is no such object.
   [[nodiscard]] const geometric::SceneObject* find(std::string_view object) const {
@@ -33,6 +30,7 @@ struct SceneState {
 };
 
 using ObjectChange = std::function<void(geometric::SceneObject&)>;
+using DisplayChange = std::function<void(geometric::ObjectDisplay&)>;
 
 /// `name`, or `name` with the first number that makes it unlike all other names:
 /// "can", "can 2", "can 3", ….
@@ -49,6 +47,10 @@ using ObjectChange = std::function<void(geometric::SceneObject&)>;
 [[nodiscard]] SceneState with_changed_objects(const SceneState& state,
                                               const std::vector<std::string>& names,
                                               const ObjectChange& change);
+/// @param change of how the window treats each of these objects.
+[[nodiscard]] SceneState with_changed_display(const SceneState& state,
+                                              const std::vector<std::string>& names,
+                                              const DisplayChange& change);
 [[nodiscard]] SceneState with_renamed_object(const SceneState& state, const std::string& name,
                                              const std::string& new_name);
 /// In place of the one of that name, or as a new one. @param constraint about one of

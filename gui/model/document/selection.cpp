@@ -21,11 +21,11 @@ bool same_set(Names a, Names b) {
 
 // The object with its group; it comes last.
 Names with_group(const SceneState& state, const std::string& object) {
-  const geometric::SceneObject* found = state.find(object);
-  if (!found || found->group.empty()) {
+  const std::string group = state.display_of(object).group;
+  if (group.empty()) {
     return {object};
   }
-  Names members = group_members(*state.scene, found->group);
+  Names members = group_members(*state.scene, group);
   std::erase(members, object);
   members.push_back(object);
   return members;
@@ -52,7 +52,7 @@ Selection selection_of(std::vector<std::string> objects) {
 std::vector<std::string> group_members(const geometric::Scene& scene, const std::string& group) {
   Names members;
   for (const geometric::SceneObject& object : scene.objects) {
-    if (!group.empty() && object.group == group) {
+    if (!group.empty() && scene.display.of(object.name).group == group) {
       members.push_back(object.name);
     }
   }
@@ -98,8 +98,7 @@ std::vector<std::vector<std::string>> rigid_parts(const geometric::Scene& scene,
     if (holds(done, name)) {
       continue;
     }
-    const geometric::SceneObject* object = geometric::find_object(scene, name);
-    const Names group = object ? group_members(scene, object->group) : Names{};
+    const Names group = group_members(scene, scene.display.of(name).group);
     const bool whole = !group.empty() && std::ranges::all_of(group, [&](const std::string& member) {
       return holds(objects, member);
     });

@@ -31,9 +31,9 @@ struct PathRecord;
 struct PlanRun {
   int number = 0;  ///< From 1, in the order in which runs began.
   QTime begun;
-  SceneState state;                  ///< Robots, objects, start and goal.
-  geometric::PlannerChoice planner;  ///< With the settings that are not its own values.
-  QString preset;                    ///< In words.
+  SceneState state;                   ///< Robots, objects, start and goal.
+  geometric::PlannerRequest planner;  ///< With the settings that are not its own values.
+  QString preset;                     ///< In words.
   planning::PlanRequest request;
   planning::PlanResult result;
   QString failure;  ///< Why it could not be done; empty if there is a result.

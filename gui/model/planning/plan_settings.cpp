@@ -30,8 +30,8 @@ std::vector<std::shared_ptr<planning::Planner>> PlanSettings::copies(int count) 
   return copies;
 }
 
-geometric::PlannerChoice PlanSettings::choice() const {
-  geometric::PlannerChoice choice;
+geometric::PlannerRequest PlanSettings::choice() const {
+  geometric::PlannerRequest choice;
   if (!planner_) {
     return choice;
   }
@@ -47,7 +47,7 @@ geometric::PlannerChoice PlanSettings::choice() const {
   return choice;
 }
 
-void PlanSettings::apply(const geometric::PlannerChoice& choice) {
+void PlanSettings::apply(const geometric::PlannerRequest& choice) {
   if (!planner_) {
     return;
   }

@@ -30,11 +30,11 @@ class PlanSettings : public QObject {
   /// So many planners like the chosen one.
   [[nodiscard]] std::vector<std::shared_ptr<planning::Planner>> copies(int count) const;
   /// The chosen planner with the settings that differ from its defaults.
-  [[nodiscard]] geometric::PlannerChoice choice() const;
+  [[nodiscard]] geometric::PlannerRequest choice() const;
 
   /// Takes over a scene's planner with its settings.
   /// @throws InputError if it names an unknown planner, key or value.
-  void apply(const geometric::PlannerChoice& choice);
+  void apply(const geometric::PlannerRequest& choice);
   /// Chooses a planner with its defaults. @throws InputError if there is none of that name.
   void use_planner(const std::string& name);
   /// The same, but keeps the settings if it is chosen already.

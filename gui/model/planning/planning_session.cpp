@@ -7,14 +7,14 @@ namespace {
 
 constexpr const char* kOptimizeChecks = "optimize_checks";
 
-geometric::PlannerChoice without_optimizing(geometric::PlannerChoice choice) {
+geometric::PlannerRequest without_optimizing(geometric::PlannerRequest choice) {
   std::erase_if(choice.settings,
                 [](const auto& setting) { return setting.first == kOptimizeChecks; });
   return choice;
 }
 
 // Does the planner's choice find the run's path again, but for what was optimised since?
-bool is_planned_with(const PlanRun& run, const geometric::PlannerChoice& choice) {
+bool is_planned_with(const PlanRun& run, const geometric::PlannerRequest& choice) {
   const auto wanted = without_optimizing(run.planner);
   const auto chosen = without_optimizing(choice);
   return wanted.name == chosen.name && wanted.settings == chosen.settings;

@@ -1,8 +1,8 @@
 #include "handway/geometric/formats/obj_writer.h"
 
 #include "handway/geometric/io/input_error.h"
-#include "handway/geometric/io/replace_file.h"
 #include "handway/geometric/io/number_text.h"
+#include "handway/geometric/io/replace_file.h"
 
 #include <algorithm>
 #include <cctype>

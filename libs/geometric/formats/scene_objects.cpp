@@ -165,13 +165,18 @@ SceneObject object_of(const YamlElement& element, const Scene& scene,
   if (const std::optional<YamlElement> attach = element.find("attach")) {
     object.attachment = attachment_of(*attach, scene);
   }
-  if (const std::optional<YamlElement> group = element.find("group")) {
-    object.group = group->text();
-  }
-  object.hidden = flag_of(element, "hidden");
-  object.locked = flag_of(element, "locked");
   object.solid = flag_of(element, "solid", true);
   return object;
+}
+
+ObjectDisplay display_of(const YamlElement& element) {
+  ObjectDisplay display;
+  if (const std::optional<YamlElement> group = element.find("group")) {
+    display.group = group->text();
+  }
+  display.hidden = flag_of(element, "hidden");
+  display.locked = flag_of(element, "locked");
+  return display;
 }
 
 }  // namespace handway::geometric

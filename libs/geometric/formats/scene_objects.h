@@ -16,4 +16,7 @@ namespace handway::geometric {
 [[nodiscard]] SceneObject object_of(const YamlElement& element, const Scene& scene,
                                     const std::filesystem::path& folder);
 
+/// What the same entry says to the window.
+[[nodiscard]] ObjectDisplay display_of(const YamlElement& element);
+
 }  // namespace handway::geometric

@@ -6,10 +6,10 @@
 #include "handway/geometric/formats/yaml_element.h"
 #include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/input_error.h"
+#include "handway/geometric/io/number_text.h"
 #include "handway/geometric/io/resources.h"
 #include "handway/geometric/math/units.h"
 #include "handway/geometric/robot/robot_model.h"
-#include "handway/geometric/io/number_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -257,6 +257,7 @@ void add_objects(const YamlElement& top, const fs::path& folder, Scene& scene) {
       scene.warnings.push_back("object " + object.name + " has the name of a link of " +
                                scene.robots.front().name);
     }
+    scene.display.set(object.name, display_of(element));
     scene.objects.push_back(std::move(object));
   }
 }
@@ -268,8 +269,8 @@ std::optional<Configuration> query_of(const YamlElement& top, const std::string&
                  : std::nullopt;
 }
 
-PlannerChoice planner_of(const YamlElement& element) {
-  PlannerChoice planner;
+PlannerRequest planner_of(const YamlElement& element) {
+  PlannerRequest planner;
   for (const auto& [key, value] : element.entries()) {
     if (key == "name") {
       planner.name = value.text();

@@ -7,11 +7,11 @@
 #include "handway/geometric/formats/urdf_writer.h"
 #include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/input_error.h"
+#include "handway/geometric/io/number_text.h"
 #include "handway/geometric/io/replace_file.h"
 #include "handway/geometric/io/resources.h"
 #include "handway/geometric/io/text_file.h"
 #include "handway/geometric/robot/base_joint.h"
-#include "handway/geometric/io/number_text.h"
 
 #include <fmt/format.h>
 
@@ -131,19 +131,20 @@ std::string attachment_text(const Attachment& attachment) {
   return text + '}';
 }
 
-std::string object_text(const SceneObject& object, const ShapeText& shape) {
+std::string object_text(const SceneObject& object, const ObjectDisplay& display,
+                        const ShapeText& shape) {
   std::string text = fmt::format("  - name: {}\n    {}\n    pose: {}\n    color: {}\n",
                                  yaml_scalar(object.name), std::visit(shape, object.shape),
                                  yaml_pose(object.X_PO), color_text(object.color));
   if (object.attachment) {
     text += "    attach: " + attachment_text(*object.attachment) + '\n';
   }
-  if (!object.group.empty()) {
-    text += "    group: " + yaml_scalar(object.group) + '\n';
+  if (!display.group.empty()) {
+    text += "    group: " + yaml_scalar(display.group) + '\n';
   }
   text += object.solid ? "" : "    solid: false\n";
-  text += object.hidden ? "    hidden: true\n" : "";
-  text += object.locked ? "    locked: true\n" : "";
+  text += display.hidden ? "    hidden: true\n" : "";
+  text += display.locked ? "    locked: true\n" : "";
   return text;
 }
 
@@ -161,7 +162,7 @@ std::string constraint_text(const PathConstraint& constraint) {
                             yaml_pose(position.X_WR));
 }
 
-std::string planner_text(const PlannerChoice& planner) {
+std::string planner_text(const PlannerRequest& planner) {
   std::string text;
   if (!planner.name.empty()) {
     text += "  name: " + yaml_scalar(planner.name) + '\n';
@@ -187,7 +188,9 @@ std::string scene_text(const Scene& scene, const SceneReferences& references) {
   }
   text += scene.objects.empty() ? "" : "objects:\n";
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-    text += object_text(scene.objects[i], ShapeText(references.meshes[i], references.is_scaled[i]));
+    const SceneObject& object = scene.objects[i];
+    text += object_text(object, scene.display.of(object.name),
+                        ShapeText(references.meshes[i], references.is_scaled[i]));
   }
   text += scene.constraints.empty() ? "" : "constraints:\n";
   for (const PathConstraint& constraint : scene.constraints) {

@@ -2,8 +2,8 @@
 
 #include "formats/xml_document.h"
 #include "handway/geometric/io/input_error.h"
-#include "handway/geometric/robot/base_joint.h"
 #include "handway/geometric/io/number_text.h"
+#include "handway/geometric/robot/base_joint.h"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 #include "handway/geometric/formats/srdf_writer.h"
 
 #include "formats/xml_document.h"
-#include "handway/geometric/io/replace_file.h"
 #include "handway/geometric/io/number_text.h"
+#include "handway/geometric/io/replace_file.h"
 
 namespace handway::geometric {
 namespace {

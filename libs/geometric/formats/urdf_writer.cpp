@@ -4,8 +4,8 @@
 #include "handway/geometric/formats/mesh_reader.h"
 #include "handway/geometric/formats/obj_writer.h"
 #include "handway/geometric/formats/srdf_writer.h"
-#include "handway/geometric/io/replace_file.h"
 #include "handway/geometric/io/number_text.h"
+#include "handway/geometric/io/replace_file.h"
 
 #include <cmath>
 

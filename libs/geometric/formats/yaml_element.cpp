@@ -1,8 +1,8 @@
 #include "handway/geometric/formats/yaml_element.h"
 
 #include "handway/geometric/io/input_error.h"
-#include "handway/geometric/io/text_file.h"
 #include "handway/geometric/io/number_text.h"
+#include "handway/geometric/io/text_file.h"
 
 #include <fmt/format.h>
 #include <yaml-cpp/eventhandler.h>

@@ -1,7 +1,7 @@
 #include "formats/yaml_text.h"
 
-#include "handway/geometric/math/units.h"
 #include "handway/geometric/io/number_text.h"
+#include "handway/geometric/math/units.h"
 
 #include <fmt/format.h>
 

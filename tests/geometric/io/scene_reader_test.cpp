@@ -123,9 +123,9 @@ planner: {name: pmd-prm, rho_a: 0.0010, corridor: joint}
   EXPECT_THAT(scene.objects[1].attachment->touching, ElementsAre("lower", "tip"));
   EXPECT_EQ(scene.objects[2].color.alpha, 0.5F);
   EXPECT_EQ(std::get<Cone>(scene.objects[3].shape).length, 0.12);
-  EXPECT_EQ(scene.objects[3].group, "clothes");
-  EXPECT_TRUE(scene.objects[3].hidden);
-  EXPECT_FALSE(scene.objects[3].locked);
+  EXPECT_EQ(scene.display.of("hat").group, "clothes");
+  EXPECT_TRUE(scene.display.of("hat").hidden);
+  EXPECT_FALSE(scene.display.of("hat").locked);
   EXPECT_FALSE(scene.objects[3].solid);
   EXPECT_TRUE(scene.objects[0].solid);
   const Mesh& plate = std::get<Mesh>(scene.objects[4].shape);

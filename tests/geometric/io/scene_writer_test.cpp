@@ -56,9 +56,7 @@ void expect_same(const Scene& a, const Scene& b) {
     expect_same_shape(a.objects[i].shape, b.objects[i].shape);
     EXPECT_TRUE(a.objects[i].X_PO.isApprox(b.objects[i].X_PO, 1e-13));
     EXPECT_EQ(a.objects[i].color, b.objects[i].color);
-    EXPECT_EQ(a.objects[i].group, b.objects[i].group);
-    EXPECT_EQ(a.objects[i].hidden, b.objects[i].hidden);
-    EXPECT_EQ(a.objects[i].locked, b.objects[i].locked);
+    EXPECT_EQ(a.display.of(a.objects[i].name), b.display.of(b.objects[i].name));
     EXPECT_EQ(a.objects[i].solid, b.objects[i].solid);
     ASSERT_EQ(a.objects[i].attachment.has_value(), b.objects[i].attachment.has_value());
     if (a.objects[i].attachment) {

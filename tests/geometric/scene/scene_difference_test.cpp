@@ -38,7 +38,7 @@ TEST(SceneDifference, IsEmptyForWhatCollisionsDoNotSee) {
   const Scene before = scene_of({box("a", 1.0)});
   Scene after = before;
   after.objects.front().color = {1.0F, 0.0F, 0.0F, 1.0F};
-  after.objects.front().hidden = true;
+  after.display.set("a", {.hidden = true});
   EXPECT_TRUE(scene_difference(before, after)->empty());
 }
 

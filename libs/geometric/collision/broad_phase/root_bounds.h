@@ -5,13 +5,12 @@
 
 #include <Eigen/Geometry>
 
-#include <unsupported/Eigen/BVH>
-
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <unsupported/Eigen/BVH>
 #include <vector>
 
 namespace handway::geometric {

@@ -31,7 +31,13 @@ class EditingTest : public WindowTest {
     if (!found) {
       throw std::runtime_error(std::string("no object called ") + name);
     }
+    [[nodiscard]] const geometric::ObjectDisplay& display(const char* name) const {
+      return scene().display.of(name);
+    }
     return *found;
+  }
+  [[nodiscard]] const geometric::ObjectDisplay& display(const char* name) const {
+    return scene().display.of(name);
   }
   /// Where a point of the world is in the view.
   [[nodiscard]] QPoint seen(const Eigen::Vector3d& p_W) const {

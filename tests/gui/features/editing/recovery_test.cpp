@@ -70,8 +70,8 @@ TEST_F(RecoveringWork, LosesAtMostOneEditWhenItIsKilled) {
   click("banner_accept");
   ASSERT_TRUE(QTest::qWaitFor([&] { return !ready.isEmpty(); }));
   EXPECT_DOUBLE_EQ(object("post").X_PO.translation().x(), 0.6);
-  EXPECT_EQ(object("box 2").group, "group");
-  EXPECT_TRUE(object("box").hidden);
+  EXPECT_EQ(display("box 2").group, "group");
+  EXPECT_TRUE(display("box").hidden);
   EXPECT_TRUE(window().isWindowModified()) << "still to be saved";
   EXPECT_EQ(window().document().file(), cell().post());
   EXPECT_TRUE(QTest::qWaitFor([&] {

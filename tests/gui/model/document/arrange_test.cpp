@@ -183,7 +183,7 @@ TEST_F(ArrangingObjects, DuplicatesHidesAndLocksThemInOneEditEach) {
   expect_one_edit("Duplicate 2 objects");
   actions().hide->trigger();
   EXPECT_EQ(editor().undo_stack().undoText(), "Hide 2 objects");
-  EXPECT_TRUE(object("b 2").hidden);
+  EXPECT_TRUE(display("b 2").hidden);
   actions().lock->trigger();
   EXPECT_EQ(editor().undo_stack().undoText(), "Lock 2 objects");
   EXPECT_FALSE(window().view().gizmo().is_shown());
@@ -215,17 +215,17 @@ TEST_F(ArrangingObjects, KeepsAGroupTogether) {
   click_row("group");
   EXPECT_THAT(editor().selected_objects(), UnorderedElementsAre("a", "b"));
   row("group")->setText(0, "pair");
-  ASSERT_TRUE(QTest::qWaitFor([&] { return object("a").group == "pair"; }));
-  EXPECT_EQ(object("b").group, "pair");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return display("a").group == "pair"; }));
+  EXPECT_EQ(display("b").group, "pair");
   actions().duplicate->trigger();
-  EXPECT_EQ(object("a 2").group, "pair 2");
+  EXPECT_EQ(display("a 2").group, "pair 2");
   editor().select_objects({"a", "b", "c"});
   trigger("Y: centres");
   EXPECT_NEAR((place("a") - place("b")).y(), 0.15, 1e-12) << "aligned as one";
   EXPECT_NEAR(gui::bounds(scene(), window().document().configuration(), {"a", "b"}).centre().y(),
               -0.2, 1e-12);
   trigger("Ungroup");
-  EXPECT_EQ(object("a").group, "");
+  EXPECT_EQ(display("a").group, "");
 }
 
 TEST_F(ArrangingObjects, SavesGroupsAndWhatIsHiddenOrLocked) {
@@ -235,15 +235,15 @@ TEST_F(ArrangingObjects, SavesGroupsAndWhatIsHiddenOrLocked) {
   editor().set_locked({"c"}, true);
   window().document().save(cell().folder() / "arranged.yaml", {});
   const geometric::Scene read = geometric::read_scene(cell().folder() / "arranged.yaml");
-  EXPECT_EQ(geometric::find_object(read, "b")->group, "group");
-  EXPECT_TRUE(geometric::find_object(read, "a")->hidden);
-  EXPECT_TRUE(geometric::find_object(read, "c")->locked);
+  EXPECT_EQ(read.display.of("b").group, "group");
+  EXPECT_TRUE(read.display.of("a").hidden);
+  EXPECT_TRUE(read.display.of("c").locked);
   editor().undo_stack().setClean();
   open(cell().folder() / "arranged.yaml");
   EXPECT_EQ(row("a")->checkState(0), Qt::Unchecked);
   EXPECT_EQ(row("group")->checkState(0), Qt::PartiallyChecked);
   row("group")->setCheckState(0, Qt::Checked);
-  EXPECT_TRUE(QTest::qWaitFor([&] { return !object("a").hidden; }));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !display("a").hidden; }));
 }
 
 TEST_F(ArrangingObjects, ShowsCopiesInRowsWhileTheyAreSetUp) {
@@ -278,7 +278,7 @@ TEST_F(ArrangingObjects, PutsCopiesAroundAnAxis) {
   click("array_make");
   EXPECT_TRUE(place("a 2").isApprox(Eigen::Vector3d(0.3, 0.5, 0.02), 1e-9));
   EXPECT_TRUE(place("a 3").isApprox(Eigen::Vector3d(-0.5, 0.3, 0.02), 1e-9));
-  EXPECT_EQ(object("a 4").group, "a");
+  EXPECT_EQ(display("a 4").group, "a");
   expect_one_edit("Array of a");
 }
 

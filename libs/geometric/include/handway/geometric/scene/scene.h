@@ -4,13 +4,14 @@
 #include "handway/geometric/mesh/shape.h"
 #include "handway/geometric/robot/robot_model.h"
 #include "handway/geometric/scene/path_constraint.h"
+#include "handway/geometric/scene/planner_request.h"
+#include "handway/geometric/scene/scene_display.h"
 
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace handway::geometric {
@@ -38,17 +39,8 @@ struct SceneObject {
   Pose X_PO = Pose::Identity();  ///< In the world, or in the link it is attached to.
   Color color;
   std::optional<Attachment> attachment;
-  std::string group = {};  ///< Objects with the same word are moved together; empty: none.
-  bool hidden = false;     ///< Not drawn; it still counts in planning.
-  bool locked = false;     ///< Not to be changed by hand.
   /// Whether a closed shape is filled. False: its surface alone counts, as of a room or a cell.
   bool solid = true;
-};
-
-/// Which planner a scene asks for; the planning layer gives the words a meaning.
-struct PlannerChoice {
-  std::string name;                                           ///< Empty: the default planner.
-  std::vector<std::pair<std::string, std::string>> settings;  ///< Key and value as written.
 };
 
 /// One problem: robots, objects, a query for the first robot.
@@ -63,8 +55,9 @@ struct Scene {
   std::vector<PathConstraint> constraints;  ///< Of paths of robots[0].
   std::vector<NamedPosture> postures;       ///< Of robots[0] or a part of it; names are unique.
   std::filesystem::path hand_basis;         ///< PMD basis file as the scene names it; may be empty.
-  PlannerChoice planner;
-  std::vector<std::string> warnings;  ///< What the reader noticed but could live with.
+  PlannerRequest planner;                   ///< For planning alone.
+  SceneDisplay display;                     ///< For the window alone.
+  std::vector<std::string> warnings;        ///< What the reader noticed but could live with.
 };
 
 /// First robot or object of that name; nullptr if there is none.

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace handway::geometric {
+
+/// How the window treats an object.
+struct ObjectDisplay {
+  bool hidden = false;     ///< Not drawn; it still counts in planning.
+  bool locked = false;     ///< Not to be changed by hand.
+  std::string group = {};  ///< Objects with the same word are moved together; empty: none.
+
+  friend bool operator==(const ObjectDisplay&, const ObjectDisplay&) = default;
+};
+
+/// What a scene file says to the window alone: planning and collision checking do without it.
+class SceneDisplay {
+ public:
+  /// Of the object of that name: as set, or ObjectDisplay{}.
+  [[nodiscard]] const ObjectDisplay& of(std::string_view object) const {
+    static const ObjectDisplay kUsual;
+    const auto found = objects_.find(object);
+    return found == objects_.end() ? kUsual : found->second;
+  }
+
+  void set(const std::string& object, ObjectDisplay display) {
+    if (display == ObjectDisplay{}) {
+      objects_.erase(object);
+    } else {
+      objects_[object] = std::move(display);
+    }
+  }
+
+  void remove(const std::string& object) { objects_.erase(object); }
+
+ private:
+  std::map<std::string, ObjectDisplay, std::less<>> objects_;  ///< By name.
+};
+
+}  // namespace handway::geometric
