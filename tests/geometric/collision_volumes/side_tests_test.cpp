@@ -1,5 +1,5 @@
 #include "collision/narrow_phase/fcl_bodies.h"
-#include "collision/volumes/sided_boxes.h"
+#include "collision/volumes/box_cover.h"
 #include "mesh/triangle_mesh.h"
 #include "sample_meshes.h"
 
@@ -15,7 +15,7 @@ struct Body {
   explicit Body(const TriangleMesh& surface)
       : mesh(surface),
         points(pieces_of(surface).front()),
-        sides(make_sided_boxes(pieces_of(surface))),
+        sides(make_box_cover(pieces_of(surface))),
         tree(make_fcl_tree(surface)) {
     const Aabb box = bounding_box(surface);
     centre = box.centre().cast<float>();

@@ -1,5 +1,5 @@
+#include "collision/volumes/box_cover.h"
 #include "collision/volumes/box_tree.h"
-#include "collision/volumes/sided_boxes.h"
 #include "sample_meshes.h"
 
 #include <gtest/gtest.h>

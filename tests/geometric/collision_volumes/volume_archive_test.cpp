@@ -9,9 +9,9 @@ namespace {
 
 TEST(VolumeArchive, GivesBackTheSameVolumes) {
   const TriangleMesh mesh = *tessellate(Cylinder{0.03, 0.12});
-  const MeshVolumes made{SphereCover(mesh, 0.01), ConvexCover(mesh, 1e-4),
-                         ClearanceField(mesh, BoxTree(mesh), 4096),
-                         make_sided_boxes(pieces_of(mesh)), SurfacePoints(mesh)};
+  const MeshVolumes made{SphereTree(mesh, 0.01), ConvexCover(mesh, 1e-4),
+                         DistanceField(mesh, BoxTree(mesh), 4096), make_box_cover(pieces_of(mesh)),
+                         SurfacePoints(mesh)};
   const MeshVolumes read = unarchive_volumes(archive_volumes(made));
 
   EXPECT_EQ(read.cover.root().radius, made.cover.root().radius);

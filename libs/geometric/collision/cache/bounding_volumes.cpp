@@ -10,11 +10,11 @@ namespace {
 
 constexpr double kThinnest = 1e-5;  // m
 
-void list_spheres(const SphereCover& cover, std::uint32_t node_index, double largest,
+void list_spheres(const SphereTree& cover, std::uint32_t node_index, double largest,
                   std::vector<CoveringSphere>& spheres) {
-  const SphereCover::Node& node = cover.node(node_index);
+  const SphereTree::Node& node = cover.node(node_index);
   for (std::uint32_t i = 0; i < node.count; ++i) {
-    const bool is_leaf = (node.child[i] & SphereCover::kLeaf) != 0;
+    const bool is_leaf = (node.child[i] & SphereTree::kLeaf) != 0;
     if (node.radius[i] > largest && !is_leaf) {
       list_spheres(cover, node.child[i], largest, spheres);
     } else {
@@ -23,7 +23,7 @@ void list_spheres(const SphereCover& cover, std::uint32_t node_index, double lar
   }
 }
 
-std::vector<CoveringSphere> spheres_of(const SphereCover& cover, double largest) {
+std::vector<CoveringSphere> spheres_of(const SphereTree& cover, double largest) {
   std::vector<CoveringSphere> spheres;
   if (cover.root().radius <= largest) {
     spheres.push_back({cover.root().centre.cast<double>(), cover.root().radius});

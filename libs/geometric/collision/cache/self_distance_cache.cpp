@@ -140,9 +140,9 @@ std::vector<Pose> poses_at_base(const CollisionWorld& world, const Configuration
   return X_BBody;
 }
 
-RememberedDistances::RememberedDistances(
-    const CollisionWorld& world, const std::vector<std::shared_ptr<const Surface>>& surfaces,
-    bool keeps)
+SelfDistanceCache::SelfDistanceCache(const CollisionWorld& world,
+                                     const std::vector<std::shared_ptr<const Surface>>& surfaces,
+                                     bool keeps)
     : keeps_(keeps) {
   const MotionBound motion(world);
   std::string all;
@@ -161,7 +161,7 @@ RememberedDistances::RememberedDistances(
   recall();
 }
 
-void RememberedDistances::recall() {
+void SelfDistanceCache::recall() {
   const std::optional<std::string> cached = DiskCache::of_user().read(key_);
   std::size_t count = 0;
   for (const auto& table : tables_) {
@@ -182,7 +182,7 @@ void RememberedDistances::recall() {
   }
 }
 
-RememberedDistances::~RememberedDistances() {
+SelfDistanceCache::~SelfDistanceCache() {
   const bool learned =
       std::ranges::any_of(tables_, [](const auto& table) { return table && table->has_learned(); });
   if (!learned || !keeps_) {

@@ -66,15 +66,15 @@ class DistanceTable {
 
 /// The distance tables of a robot's pairs. What they learn is kept in the user's
 /// cache when the last checker goes, for the same robot in later runs.
-class RememberedDistances {
+class SelfDistanceCache {
  public:
   /// @param surfaces shape [bodies].
   /// @param keeps whether to keep what is learned even if the cache knows nothing of the robot yet.
-  RememberedDistances(const CollisionWorld& world,
-                      const std::vector<std::shared_ptr<const Surface>>& surfaces, bool keeps);
-  ~RememberedDistances();
-  RememberedDistances(const RememberedDistances&) = delete;
-  RememberedDistances& operator=(const RememberedDistances&) = delete;
+  SelfDistanceCache(const CollisionWorld& world,
+                    const std::vector<std::shared_ptr<const Surface>>& surfaces, bool keeps);
+  ~SelfDistanceCache();
+  SelfDistanceCache(const SelfDistanceCache&) = delete;
+  SelfDistanceCache& operator=(const SelfDistanceCache&) = delete;
 
   /// Of a pair of the world; null where it has none.
   [[nodiscard]] const DistanceTable* table(int pair) const {

@@ -83,8 +83,8 @@ class VolumeArchive {
 
 std::string archive_layout() {
   constexpr int kRevision = 14;  // to change with what volumes are made of
-  return fmt::format("volumes {}, {} {} {} {} {}", kRevision, sizeof(SphereCover::Node),
-                     sizeof(ClearanceField::Cell), sizeof(TriangleBlock), sizeof(SidedBoxes),
+  return fmt::format("volumes {}, {} {} {} {} {}", kRevision, sizeof(SphereTree::Node),
+                     sizeof(DistanceField::Cell), sizeof(TriangleBlock), sizeof(BoxCover),
                      sizeof(SurfacePoints));
 }
 
@@ -176,19 +176,19 @@ std::size_t cells_for(const TriangleMesh& mesh) {
   return mesh.triangles.size() < kPlain ? kCellsOfPlain : kCells;
 }
 
-double hull_margin(const SphereCover& cover) {
+double hull_margin(const SphereTree& cover) {
   return kHullMargin * static_cast<double>(cover.root().radius);
 }
 
 MeshVolumes make_volumes(const TriangleMesh& mesh, const std::stop_token& stop) {
   end_if_stopped(stop);
   MeshVolumes volumes;
-  volumes.cover = SphereCover(mesh, leaf_radius(mesh));
+  volumes.cover = SphereTree(mesh, leaf_radius(mesh));
   end_if_stopped(stop);
   volumes.hull = ConvexCover(mesh, hull_margin(volumes.cover));
-  volumes.field = ClearanceField(mesh, BoxTree(mesh), cells_for(mesh), stop);
+  volumes.field = DistanceField(mesh, BoxTree(mesh), cells_for(mesh), stop);
   const std::vector<TriangleMesh> pieces = pieces_of(mesh);
-  volumes.sides = make_sided_boxes(pieces);
+  volumes.sides = make_box_cover(pieces);
   end_if_stopped(stop);
   volumes.points = SurfacePoints(pieces.front());
   return volumes;
@@ -211,15 +211,15 @@ MeshVolumes volumes_of(const CacheKey& key, const TriangleMesh& mesh,
 
 Surface surface_of_primitive(const CacheKey& key, const std::shared_ptr<const TriangleMesh>& mesh,
                              const PrimitiveDistance& primitive) {
-  const SphereCover cover = SphereCover::growing(mesh, leaf_radius(*mesh));
+  const SphereTree cover = SphereTree::growing(mesh, leaf_radius(*mesh));
   const double margin = hull_margin(cover);
   return {key,
           mesh,
           cover,
-          ClearanceField(primitive),
+          DistanceField(primitive),
           OnDemand<TriangleTree>([mesh] { return TriangleTree(*mesh); }),
           OnDemand<ConvexCover>([mesh, margin] { return ConvexCover(*mesh, margin); }),
-          OnDemand<SurfaceSides>([primitive] { return make_sided_boxes(primitive); }),
+          OnDemand<SurfaceSides>([primitive] { return make_box_cover(primitive); }),
           OnDemand<SurfacePoints>([mesh] { return SurfacePoints(*mesh); })};
 }
 
@@ -250,8 +250,8 @@ Surface surface_of_large_mesh(const CacheKey& key,
       transformed(*tessellate(Box{box.size()}), Pose(Eigen::Translation3d(box.centre())));
   return {key,
           mesh,
-          SphereCover::growing(mesh, leaf_radius(*mesh)),
-          ClearanceField::growing(mesh),
+          SphereTree::growing(mesh, leaf_radius(*mesh)),
+          DistanceField::growing(mesh),
           OnDemand<TriangleTree>([mesh] { return TriangleTree(*mesh); }),
           OnDemand<ConvexCover>([around] { return ConvexCover(around, 0.0); }),
           OnDemand<SurfaceSides>(SurfaceSides{}),

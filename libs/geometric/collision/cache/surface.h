@@ -1,10 +1,10 @@
 #pragma once
 
-#include "collision/volumes/clearance_field.h"
+#include "collision/volumes/box_cover.h"
 #include "collision/volumes/convex_cover.h"
+#include "collision/volumes/distance_field.h"
 #include "collision/volumes/on_demand.h"
-#include "collision/volumes/sided_boxes.h"
-#include "collision/volumes/sphere_cover.h"
+#include "collision/volumes/sphere_tree.h"
 #include "collision/volumes/triangle_tree.h"
 #include "handway/geometric/collision/volumes/preparation.h"
 #include "handway/geometric/io/disk_cache.h"
@@ -18,9 +18,9 @@ namespace handway::geometric {
 
 /// What takes long to make of a mesh.
 struct MeshVolumes {
-  SphereCover cover;
+  SphereTree cover;
   ConvexCover hull;
-  ClearanceField field;
+  DistanceField field;
   SurfaceSides sides;
   SurfacePoints points;
 };
@@ -38,8 +38,8 @@ struct MeshVolumes {
 struct Surface {
   CacheKey key;  ///< Of the mesh's content.
   std::shared_ptr<const TriangleMesh> mesh;
-  SphereCover cover;
-  ClearanceField field;
+  SphereTree cover;
+  DistanceField field;
   OnDemand<TriangleTree> triangles;
   OnDemand<ConvexCover> hull;
   OnDemand<SurfaceSides> sides;

@@ -1,10 +1,10 @@
 #include "handway/geometric/collision/checkers/bounded_checker.h"
 
+#include "collision/broad_phase/broad_phase.h"
 #include "collision/broad_phase/oriented_boxes.h"
-#include "collision/broad_phase/root_bounds.h"
 #include "collision/cache/self_distance_cache.h"
 #include "collision/narrow_phase/fcl_bodies.h"
-#include "collision/narrow_phase/surface_query.h"
+#include "collision/narrow_phase/narrow_phase_query.h"
 #include "collision/volumes/solid.h"
 
 #include <algorithm>
@@ -36,7 +36,7 @@ struct BoundedChecker::Volumes {
     for (const BodyPair& pair : world.pairs()) {
       pairs.push_back(spheres_first(pair));
     }
-    roots.emplace(world, root_spheres());
+    broad_phase.emplace(world, root_spheres());
     distances.emplace(world, surfaces, preparation.keeps_volumes);
   }
 
@@ -69,27 +69,27 @@ struct BoundedChecker::Volumes {
 
   FclBodies exact;
   OrientedBoxes boxes;
-  std::optional<RootBounds> roots;
-  std::optional<RememberedDistances> distances;
+  std::optional<BroadPhase> broad_phase;
+  std::optional<SelfDistanceCache> distances;
   std::vector<std::shared_ptr<const Surface>> surfaces;  ///< Per body.
   std::vector<BodyPair> pairs;  ///< In the world's order; a gives the spheres.
 };
 
 /// A pair that the quick test does not settle; the deeper, the likelier it touches.
-struct BoundedChecker::Doubt {
+struct BoundedChecker::UndecidedPair {
   float relative_distance;
   int pair;
 };
 
 struct BoundedChecker::Scratch {
   explicit Scratch(const Volumes& volumes)
-      : roots(volumes.roots->placement()), axes(volumes.boxes.last_axes()) {}
+      : placement(volumes.broad_phase->placement()), axes(volumes.boxes.last_axes()) {}
 
-  RootBounds::Placement roots;
+  BroadPhase::Placement placement;
   OrientedBoxes::LastAxes axes;
   std::vector<int> near;
   std::vector<std::uint32_t> triangles;
-  std::vector<Doubt> doubts;
+  std::vector<UndecidedPair> undecided;
 };
 
 BoundedChecker::BoundedChecker(std::shared_ptr<const CollisionWorld> world,
@@ -109,10 +109,10 @@ std::unique_ptr<CollisionChecker> BoundedChecker::clone() const {
   return std::unique_ptr<CollisionChecker>(new BoundedChecker(*this));
 }
 
-void BoundedChecker::do_place() { volumes_->roots->place(body_poses(), scratch_->roots); }
+void BoundedChecker::do_place() { volumes_->broad_phase->place(body_poses(), scratch_->placement); }
 
 void BoundedChecker::do_near_pairs(double distance, std::vector<int>& pairs) {
-  volumes_->roots->find_near(scratch_->roots, distance, pairs);
+  volumes_->broad_phase->find_near(scratch_->placement, distance, pairs);
 }
 
 void BoundedChecker::do_closest_first(double distance, std::vector<int>& pairs) {
@@ -126,9 +126,9 @@ void BoundedChecker::do_closest_first(double distance, std::vector<int>& pairs) 
 }
 
 std::optional<int> BoundedChecker::do_first_collision(int hint) {
-  std::vector<Doubt>& doubts = scratch_->doubts;
-  doubts.clear();
-  if (volumes_->roots->bound(scratch_->roots, hint) < kTouch && touches_quickly(hint)) {
+  std::vector<UndecidedPair>& undecided = scratch_->undecided;
+  undecided.clear();
+  if (volumes_->broad_phase->bound(scratch_->placement, hint) < kTouch && touches_quickly(hint)) {
     return hint;
   }
   do_near_pairs(kTouch, scratch_->near);
@@ -138,13 +138,13 @@ std::optional<int> BoundedChecker::do_first_collision(int hint) {
       return pair;
     }
   }
-  std::ranges::sort(doubts, {}, [](const Doubt& doubt) {
-    return std::pair(doubt.relative_distance, doubt.pair);
+  std::ranges::sort(undecided, {}, [](const UndecidedPair& candidate) {
+    return std::pair(candidate.relative_distance, candidate.pair);
   });
-  const auto touching = std::ranges::find_if(doubts, [&](const Doubt& doubt) {
-    return exact_closeness(doubt.pair, kTouch) == Closeness::kTouching;
+  const auto touching = std::ranges::find_if(undecided, [&](const UndecidedPair& candidate) {
+    return exact_closeness(candidate.pair, kTouch) == Closeness::kTouching;
   });
-  return touching == doubts.end() ? std::nullopt : std::optional(touching->pair);
+  return touching == undecided.end() ? std::nullopt : std::optional(touching->pair);
 }
 
 bool BoundedChecker::touches_quickly(int pair) {
@@ -152,16 +152,16 @@ bool BoundedChecker::touches_quickly(int pair) {
   if (is_separated(pair, kTouch)) {
     return false;
   }
-  SurfaceQuery surfaces = query(pair, body_poses());
+  NarrowPhaseQuery surfaces = query(pair, body_poses());
   const std::optional<Closeness> seen = surfaces.quick_closeness(kTouch);
   if (!seen) {
-    scratch_->doubts.push_back({surfaces.relative_distance(), pair});
+    scratch_->undecided.push_back({surfaces.relative_distance(), pair});
     return false;
   }
   return seen == Closeness::kTouching || is_contained(pair, surfaces);
 }
 
-SurfaceQuery BoundedChecker::query(int pair, std::span<const Pose> X_WBody) {
+NarrowPhaseQuery BoundedChecker::query(int pair, std::span<const Pose> X_WBody) {
   const BodyPair& bodies = volumes_->pairs[static_cast<std::size_t>(pair)];
   const auto a = static_cast<std::size_t>(bodies.a);
   const auto b = static_cast<std::size_t>(bodies.b);
@@ -169,7 +169,7 @@ SurfaceQuery BoundedChecker::query(int pair, std::span<const Pose> X_WBody) {
           scratch_->triangles};
 }
 
-double BoundedChecker::remembered(int pair) {
+double BoundedChecker::cached_distance(int pair) {
   const DistanceTable* table = volumes_->distances->table(pair);
   if (!table) {
     return 0.0;
@@ -200,18 +200,18 @@ bool BoundedChecker::do_pair_collides(int pair) {
 }
 
 Closeness BoundedChecker::do_pair_closeness(int pair, double tolerance) {
-  return volumes_->roots->bound(scratch_->roots, pair) >= tolerance
+  return volumes_->broad_phase->bound(scratch_->placement, pair) >= tolerance
              ? Closeness::kFarther
              : nearby_closeness(pair, tolerance);
 }
 
 bool BoundedChecker::boxes_are_apart(int pair, double distance) {
-  return volumes_->roots->both_move(pair) &&
+  return volumes_->broad_phase->both_move(pair) &&
          volumes_->boxes.are_apart(pair, body_poses(), distance, scratch_->axes);
 }
 
 bool BoundedChecker::is_separated(int pair, double distance) {
-  return remembered(pair) >= distance || boxes_are_apart(pair, distance);
+  return cached_distance(pair) >= distance || boxes_are_apart(pair, distance);
 }
 
 Closeness BoundedChecker::nearby_closeness(int pair, double tolerance) {
@@ -220,7 +220,7 @@ Closeness BoundedChecker::nearby_closeness(int pair, double tolerance) {
 }
 
 Closeness BoundedChecker::exact_closeness(int pair, double tolerance) {
-  SurfaceQuery surfaces = query(pair, body_poses());
+  NarrowPhaseQuery surfaces = query(pair, body_poses());
   const Closeness closeness = surfaces.closeness(tolerance);
   if (surfaces.was_exact()) {
     count_exact_test();
@@ -235,7 +235,7 @@ Closeness BoundedChecker::exact_closeness(int pair, double tolerance) {
   return doubtful ? Closeness::kCloser : closeness;
 }
 
-bool BoundedChecker::is_contained(int pair, const SurfaceQuery& surfaces) const {
+bool BoundedChecker::is_contained(int pair, const NarrowPhaseQuery& surfaces) const {
   // Boxes are outside of the pieces of all shapes together; those of several may overlap.
   const BodyPair& bodies = volumes_->pairs[static_cast<std::size_t>(pair)];
   const bool kept_outside = surfaces.is_outside() && world().body(bodies.b).solids->is_one_shape;
@@ -243,19 +243,20 @@ bool BoundedChecker::is_contained(int pair, const SurfaceQuery& surfaces) const 
 }
 
 double BoundedChecker::do_pair_quick_bound(int pair) {
-  return std::max(0.0, volumes_->roots->bound(scratch_->roots, pair));
+  return std::max(0.0, volumes_->broad_phase->bound(scratch_->placement, pair));
 }
 
 double BoundedChecker::do_pair_bound(int pair, double enough) {
-  if (volumes_->roots->bound(scratch_->roots, pair) >= enough || boxes_are_apart(pair, enough)) {
+  if (volumes_->broad_phase->bound(scratch_->placement, pair) >= enough ||
+      boxes_are_apart(pair, enough)) {
     return enough;
   }
-  SurfaceQuery surfaces = query(pair, body_poses());
+  NarrowPhaseQuery surfaces = query(pair, body_poses());
   const double least = surfaces.bound(enough, kQuickNodes);
   if (is_contained(pair, surfaces)) {
     return 0.0;
   }
-  return least >= enough ? least : std::min(enough, std::max(least, remembered(pair)));
+  return least >= enough ? least : std::min(enough, std::max(least, cached_distance(pair)));
 }
 
 double BoundedChecker::do_pair_distance(int pair, double enough) {
@@ -263,10 +264,11 @@ double BoundedChecker::do_pair_distance(int pair, double enough) {
 }
 
 DistanceRange BoundedChecker::do_pair_distance_range(int pair, double enough, double share) {
-  if (volumes_->roots->bound(scratch_->roots, pair) >= enough || boxes_are_apart(pair, enough)) {
+  if (volumes_->broad_phase->bound(scratch_->placement, pair) >= enough ||
+      boxes_are_apart(pair, enough)) {
     return {enough};
   }
-  SurfaceQuery surfaces = query(pair, body_poses());
+  NarrowPhaseQuery surfaces = query(pair, body_poses());
   const DistanceRange distance = surfaces.distance(enough, share);
   return is_contained(pair, surfaces) ? DistanceRange{0.0, 0.0} : distance;
 }

@@ -9,14 +9,14 @@
 namespace handway::geometric {
 namespace {
 
-constexpr std::size_t kWidth = SphereCover::kWidth;
+constexpr std::size_t kWidth = SphereTree::kWidth;
 
 struct alignas(64) Points {
   std::array<float, kWidth> x, y, z;
 };
 
 // Moves the centres; bit k: sphere k is nearer than `tolerance` to the box of the field's mesh.
-HANDWAY_VECTOR_UNITS std::uint32_t near_box(const SphereCover::Node& node, const float* centre,
+HANDWAY_VECTOR_UNITS std::uint32_t near_box(const SphereTree::Node& node, const float* centre,
                                             const float* half, const FloatPose& X, float tolerance,
                                             Points& moved) {
   alignas(64) std::array<std::uint32_t, kWidth> near;
@@ -42,7 +42,7 @@ HANDWAY_VECTOR_UNITS std::uint32_t near_box(const SphereCover::Node& node, const
 }
 
 // How far a slab with that slope, `bound` away from the centre, is from the disk in a sphere.
-float disk_bound(const SphereCover::Node& node, std::size_t k, float bound, const float* slope,
+float disk_bound(const SphereTree::Node& node, std::size_t k, float bound, const float* slope,
                  const FloatPose& X) {
   const float nx = node.normal_x[k];
   const float ny = node.normal_y[k];
@@ -56,16 +56,16 @@ float disk_bound(const SphereCover::Node& node, std::size_t k, float bound, cons
 }
 
 // The same of the field, where the whole sphere is in one cell or the mesh is a primitive.
-float disk_bound(const SphereCover::Node& node, std::size_t k, const ClearanceField& field,
-                 const ClearanceField::Place& place, const FloatPose& X,
+float disk_bound(const SphereTree::Node& node, std::size_t k, const DistanceField& field,
+                 const DistanceField::Place& place, const FloatPose& X,
                  const Eigen::Vector3f& centre) {
   if (field.primitive()) {
     const auto [distance, slope] = field.primitive()->tangent(centre);
-    return distance <= 0.0F ? ClearanceField::kNothing
+    return distance <= 0.0F ? DistanceField::kNothing
                             : disk_bound(node, k, distance, slope.data(), X);
   }
   if (place.cell == nullptr || place.cell->listed() || place.room < node.radius[k] + X.rounding) {
-    return ClearanceField::kNothing;
+    return DistanceField::kNothing;
   }
   return disk_bound(node, k, place.cell->bound(centre), place.cell->slope.data(), X);
 }
@@ -80,8 +80,8 @@ FloatPose::FloatPose(const Pose& X_BA, float reach) {
   rounding = kMoveRounding * (reach + translation.lpNorm<1>());
 }
 
-void sphere_bounds(const SphereCover::Node& node, const ClearanceField& field,
-                   const FloatPose& X_BA, float tolerance, SphereBounds& bounds) {
+void sphere_bounds(const SphereTree::Node& node, const DistanceField& field, const FloatPose& X_BA,
+                   float tolerance, SphereBounds& bounds) {
   Points moved;
   const float within = tolerance + X_BA.rounding;
   std::uint32_t candidates =
@@ -90,7 +90,7 @@ void sphere_bounds(const SphereCover::Node& node, const ClearanceField& field,
   for (; candidates != 0; candidates &= candidates - 1) {
     const auto k = static_cast<std::size_t>(std::countr_zero(candidates));
     const Eigen::Vector3f centre(moved.x[k], moved.y[k], moved.z[k]);
-    const ClearanceField::Place place = field.find(centre);
+    const DistanceField::Place place = field.find(centre);
     float bound = field.bound(centre, place) - node.radius[k] - X_BA.rounding;
     if (bound < tolerance) {
       bound = std::max(bound, disk_bound(node, k, field, place, X_BA, centre) - X_BA.rounding);

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "collision/volumes/clearance_field.h"
-#include "collision/volumes/sphere_cover.h"
+#include "collision/volumes/distance_field.h"
+#include "collision/volumes/sphere_tree.h"
 #include "handway/geometric/math/pose.h"
 
 #include <array>
@@ -27,13 +27,13 @@ struct FloatPose {
 /// Bounds of a node's spheres.
 struct SphereBounds {
   std::uint32_t near = 0;  ///< Bit k: sphere k may be nearer than asked for.
-  alignas(64) std::array<float, SphereCover::kWidth> bound;  ///< m, of those; negative: overlap.
+  alignas(64) std::array<float, SphereTree::kWidth> bound;  ///< m, of those; negative: overlap.
 };
 
 /// Which spheres of a node may be nearer than `tolerance` (m) to the field's
 /// surface, and lower bounds of their distances.
 /// @param X_BA pose of the spheres' frame in the field's.
-void sphere_bounds(const SphereCover::Node& node, const ClearanceField& field,
-                   const FloatPose& X_BA, float tolerance, SphereBounds& bounds);
+void sphere_bounds(const SphereTree::Node& node, const DistanceField& field, const FloatPose& X_BA,
+                   float tolerance, SphereBounds& bounds);
 
 }  // namespace handway::geometric

@@ -10,7 +10,7 @@
 
 namespace handway::geometric {
 
-class SurfaceQuery;
+class NarrowPhaseQuery;
 
 /// The everyday checker: the answers of FclChecker, most of them from bounding
 /// spheres or remembered distances alone, the rest from the triangles that are
@@ -27,7 +27,7 @@ class HANDWAY_GEOMETRIC_EXPORT BoundedChecker final : public CollisionChecker {
  private:
   struct Volumes;  // immutable, shared by clones
   struct Scratch;  // of one thread
-  struct Doubt;
+  struct UndecidedPair;
 
   BoundedChecker(const BoundedChecker& other);
   void do_place() override;
@@ -42,7 +42,7 @@ class HANDWAY_GEOMETRIC_EXPORT BoundedChecker final : public CollisionChecker {
   void do_closest_first(double distance, std::vector<int>& pairs) override;
   [[nodiscard]] std::optional<int> do_first_collision(int hint) override;
 
-  [[nodiscard]] SurfaceQuery query(int pair, std::span<const Pose> X_WBody);
+  [[nodiscard]] NarrowPhaseQuery query(int pair, std::span<const Pose> X_WBody);
 
   /// The closeness of a pair whose bounding volumes don't tell.
   [[nodiscard]] Closeness nearby_closeness(int pair, double tolerance);
@@ -52,7 +52,7 @@ class HANDWAY_GEOMETRIC_EXPORT BoundedChecker final : public CollisionChecker {
 
   /// Whether a piece of either body is inside of the other, asked after the surfaces, which do not
   /// touch.
-  [[nodiscard]] bool is_contained(int pair, const SurfaceQuery& surfaces) const;
+  [[nodiscard]] bool is_contained(int pair, const NarrowPhaseQuery& surfaces) const;
 
   /// Whether both bodies move and their boxes are at least `distance` (m) apart. What stands still
   /// is mostly large and hollow: its box says nothing.
@@ -62,11 +62,11 @@ class HANDWAY_GEOMETRIC_EXPORT BoundedChecker final : public CollisionChecker {
   [[nodiscard]] bool is_separated(int pair, double distance);
 
   /// Whether the pair touches beyond doubt; if it takes more than the quick test, it joins the
-  /// pairs in doubt.
+  /// undecided pairs.
   [[nodiscard]] bool touches_quickly(int pair);
 
   /// A lower bound from the pair's table of distances, if it has one; else 0.
-  [[nodiscard]] double remembered(int pair);
+  [[nodiscard]] double cached_distance(int pair);
 
   /// FCL's answer for the pair as placed.
   [[nodiscard]] bool touches(int pair) const;

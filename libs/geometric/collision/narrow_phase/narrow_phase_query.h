@@ -14,12 +14,12 @@ namespace handway::geometric {
 
 /// Questions about two surfaces in one position: spheres of A in the clearance
 /// field of B leave a few triangles, and those are compared one by one.
-class SurfaceQuery {
+class NarrowPhaseQuery {
  public:
   /// @param X_WA,X_WB must outlive this object.
   /// @param near room for triangles that are compared; must outlive this object.
-  SurfaceQuery(const Surface& a, const Surface& b, const Pose& X_WA, const Pose& X_WB,
-               std::vector<std::uint32_t>& near);
+  NarrowPhaseQuery(const Surface& a, const Surface& b, const Pose& X_WA, const Pose& X_WB,
+                   std::vector<std::uint32_t>& near);
 
   /// A lower bound (m) of the distance, at most `enough`, from spheres alone; 0 if
   /// they can't tell. @param effort nodes of spheres to look into.

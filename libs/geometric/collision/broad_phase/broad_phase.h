@@ -1,6 +1,6 @@
 #pragma once
 
-#include "collision/volumes/sphere_cover.h"
+#include "collision/volumes/sphere_tree.h"
 #include "handway/geometric/collision/collision_world.h"
 
 #include <Eigen/Geometry>
@@ -17,10 +17,10 @@ namespace handway::geometric {
 
 /// The bodies of a world that stand still in a tree of their boxes, so that those
 /// near a place are found without looking at all.
-class StillBodies {
+class StaticBodies {
  public:
   /// @param p_WO origin of the coordinates, m.
-  StillBodies(const CollisionWorld& world, const Eigen::Vector3d& p_WO);
+  StaticBodies(const CollisionWorld& world, const Eigen::Vector3d& p_WO);
 
   /// Adds the pairs of the moving body `body` with what stands still nearer than
   /// `reach` (m) to `centre`, by its box along the axes of the world, and maybe some more.
@@ -36,7 +36,7 @@ class StillBodies {
 /// the sphere around what moves, against another such sphere or against the box
 /// of what stands still. They are reckoned in single precision, from an origin O near the robot;
 /// what that loses, which grows with the coordinates, is taken off.
-class RootBounds {
+class BroadPhase {
  public:
   /// Where the spheres of one configuration are.
   struct Placement {
@@ -47,7 +47,7 @@ class RootBounds {
   };
 
   /// @param spheres shape [bodies], around each body in its own frame.
-  RootBounds(const CollisionWorld& world, std::vector<BoundingSphere> spheres);
+  BroadPhase(const CollisionWorld& world, std::vector<BoundingSphere> spheres);
 
   [[nodiscard]] Placement placement() const;
   /// @param X_WBody shape [bodies].
@@ -100,7 +100,7 @@ class RootBounds {
   std::array<std::vector<float>, 12> X_BoxO_;
   std::array<std::vector<float>, 3> half_;
   std::vector<float> box_rounding_;
-  std::optional<StillBodies> many_;  ///< If there are many.
+  std::optional<StaticBodies> many_;  ///< If there are many.
 };
 
 }  // namespace handway::geometric

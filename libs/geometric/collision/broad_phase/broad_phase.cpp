@@ -1,4 +1,4 @@
-#include "collision/broad_phase/root_bounds.h"
+#include "collision/broad_phase/broad_phase.h"
 
 #include "collision/volumes/vector_units.h"
 
@@ -53,7 +53,7 @@ struct NearBodies {
 
 }  // namespace
 
-StillBodies::StillBodies(const CollisionWorld& world, const Eigen::Vector3d& p_WO) {
+StaticBodies::StaticBodies(const CollisionWorld& world, const Eigen::Vector3d& p_WO) {
   std::vector<int> numbers(world.bodies().size(), -1);
   std::vector<int> still;
   std::vector<FloatBox> boxes;
@@ -78,8 +78,8 @@ StillBodies::StillBodies(const CollisionWorld& world, const Eigen::Vector3d& p_W
   }
 }
 
-void StillBodies::append_near(int body, const Eigen::Vector3f& centre, float reach,
-                              std::vector<int>& pairs) const {
+void StaticBodies::append_near(int body, const Eigen::Vector3f& centre, float reach,
+                               std::vector<int>& pairs) const {
   if (reach <= 0.0F) {
     return;
   }
@@ -138,20 +138,20 @@ std::size_t count_still(const CollisionWorld& world) {
 
 }  // namespace
 
-RootBounds::Table::Table(std::size_t row_count, std::size_t column_count)
+BroadPhase::Table::Table(std::size_t row_count, std::size_t column_count)
     : rows(row_count),
       width(full_lanes(column_count)),
       radii(rows * width, kNoPair),
       pairs(rows * width, -1) {}
 
-void RootBounds::Table::add(int pair, Cell cell, float radius) {
+void BroadPhase::Table::add(int pair, Cell cell, float radius) {
   radii[cell.row * width + cell.column] = radius;
   pairs[cell.row * width + cell.column] = pair;
 }
 
-std::size_t RootBounds::Table::blocks() const { return width / kLanes; }
+std::size_t BroadPhase::Table::blocks() const { return width / kLanes; }
 
-RootBounds::RootBounds(const CollisionWorld& world, std::vector<BoundingSphere> spheres)
+BroadPhase::BroadPhase(const CollisionWorld& world, std::vector<BoundingSphere> spheres)
     : p_WO_(origin_near(world.X_WB().translation())),
       spheres_(std::move(spheres)),
       bodies_(world.moving()),
@@ -179,7 +179,7 @@ RootBounds::RootBounds(const CollisionWorld& world, std::vector<BoundingSphere> 
   }
 }
 
-void RootBounds::add_pair(int a, int b, const std::vector<std::size_t>& column, bool both_move) {
+void BroadPhase::add_pair(int a, int b, const std::vector<std::size_t>& column, bool both_move) {
   const auto first = static_cast<std::size_t>(a);
   const auto second = static_cast<std::size_t>(b);
   const auto pair = static_cast<int>(cells_.size());
@@ -191,7 +191,7 @@ void RootBounds::add_pair(int a, int b, const std::vector<std::size_t>& column, 
   moving_pairs_ += both_move ? 1 : 0;
 }
 
-void RootBounds::add_box(const CollisionBody& still, std::size_t column) {
+void BroadPhase::add_box(const CollisionBody& still, std::size_t column) {
   const Aabb box = bounding_box(*still.mesh);
   const Pose X_BoxO =
       Eigen::Translation3d(-box.centre()) * still.X_FB.inverse() * Eigen::Translation3d(p_WO_);
@@ -205,13 +205,13 @@ void RootBounds::add_box(const CollisionBody& still, std::size_t column) {
   box_rounding_[column] = rounding_beyond(X_BoxO.translation().norm() + 0.5 * box.size().norm());
 }
 
-RootBounds::Placement RootBounds::placement() const {
+BroadPhase::Placement BroadPhase::placement() const {
   const std::vector<float> zeros(moving_.width);
   const std::size_t blocks = std::max(moving_.blocks(), many_ ? 0 : still_.blocks());
   return {zeros, zeros, zeros, 0.0F, std::vector<std::uint32_t>(bodies_.size() * blocks), {}};
 }
 
-void RootBounds::place(std::span<const Pose> X_WBody, Placement& placement) const {
+void BroadPhase::place(std::span<const Pose> X_WBody, Placement& placement) const {
   double farthest = 0.0;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     const auto body = static_cast<std::size_t>(bodies_[i]);
@@ -224,7 +224,7 @@ void RootBounds::place(std::span<const Pose> X_WBody, Placement& placement) cons
   placement.rounding = rounding_beyond(farthest);
 }
 
-void RootBounds::find_near(Placement& placement, double tolerance, std::vector<int>& pairs) const {
+void BroadPhase::find_near(Placement& placement, double tolerance, std::vector<int>& pairs) const {
   const float within = static_cast<float>(std::min(tolerance, kEverywhere)) + placement.rounding;
   pairs.clear();
   find_near_moving(placement, within, placement.near.data());
@@ -237,7 +237,7 @@ void RootBounds::find_near(Placement& placement, double tolerance, std::vector<i
   }
 }
 
-void RootBounds::append_near_still(Placement& placement, double tolerance,
+void BroadPhase::append_near_still(Placement& placement, double tolerance,
                                    std::vector<int>& pairs) const {
   std::vector<int>& candidates = placement.candidates;
   candidates.clear();
@@ -253,7 +253,7 @@ void RootBounds::append_near_still(Placement& placement, double tolerance,
                        [&](int pair) { return bound(placement, pair) < tolerance; });
 }
 
-double RootBounds::bound(const Placement& placement, int pair) const {
+double BroadPhase::bound(const Placement& placement, int pair) const {
   const auto [i, j] = cells_[static_cast<std::size_t>(pair)];
   const Eigen::Vector3f p(placement.x[i], placement.y[i], placement.z[i]);
   if (static_cast<std::size_t>(pair) < moving_pairs_) {
@@ -269,7 +269,7 @@ double RootBounds::bound(const Placement& placement, int pair) const {
   return beyond.norm() - still_.radii[i * still_.width + j] - placement.rounding;
 }
 
-HANDWAY_VECTOR_UNITS void RootBounds::find_near_moving(const Placement& at, float within,
+HANDWAY_VECTOR_UNITS void BroadPhase::find_near_moving(const Placement& at, float within,
                                                        std::uint32_t* near) const {
   const std::size_t blocks = moving_.blocks();
   for (std::size_t i = 0; i < moving_.rows; ++i) {
@@ -290,7 +290,7 @@ HANDWAY_VECTOR_UNITS void RootBounds::find_near_moving(const Placement& at, floa
   }
 }
 
-HANDWAY_VECTOR_UNITS void RootBounds::find_near_still(const Placement& at, float within,
+HANDWAY_VECTOR_UNITS void BroadPhase::find_near_still(const Placement& at, float within,
                                                       std::uint32_t* near) const {
   const std::size_t blocks = still_.blocks();
   for (std::size_t i = 0; i < still_.rows; ++i) {

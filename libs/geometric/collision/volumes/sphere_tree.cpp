@@ -1,4 +1,4 @@
-#include "collision/volumes/sphere_cover.h"
+#include "collision/volumes/sphere_tree.h"
 
 #include <tbb/concurrent_vector.h>
 
@@ -182,15 +182,15 @@ class SphereTreeGrowth {
 
   [[nodiscard]] BoundingSphere root() const { return rounded(root_); }
 
-  const SphereCover::Node& node(std::uint32_t index) {
+  const SphereTree::Node& node(std::uint32_t index) {
     Slot& slot = slots_[index];
-    if (const SphereCover::Node* made = slot.made.load(std::memory_order_acquire)) {
+    if (const SphereTree::Node* made = slot.made.load(std::memory_order_acquire)) {
       return *made;
     }
     const std::scoped_lock lock(mutex_);
     if (!slot.node) {
       Pieces pieces = mesh_ ? uncut(*std::exchange(mesh_, {})) : std::exchange(slot.pieces, {});
-      slot.node = std::make_unique<const SphereCover::Node>(made_of(std::move(pieces)));
+      slot.node = std::make_unique<const SphereTree::Node>(made_of(std::move(pieces)));
       slot.made.store(slot.node.get(), std::memory_order_release);
     }
     return *slot.node;
@@ -207,13 +207,13 @@ class SphereTreeGrowth {
     explicit Slot(Pieces below) : pieces(std::move(below)) {}
 
     Pieces pieces;  ///< Of a node that is not made yet.
-    std::unique_ptr<const SphereCover::Node> node;
-    std::atomic<const SphereCover::Node*> made = nullptr;
+    std::unique_ptr<const SphereTree::Node> node;
+    std::atomic<const SphereTree::Node*> made = nullptr;
   };
 
-  SphereCover::Node made_of(Pieces pieces) {
+  SphereTree::Node made_of(Pieces pieces) {
     cut_for_node(pieces);
-    SphereCover::Node node;
+    SphereTree::Node node;
     node.x.fill(0.0F);
     node.y.fill(0.0F);
     node.z.fill(0.0F);
@@ -222,7 +222,7 @@ class SphereTreeGrowth {
     node.normal_y.fill(0.0F);
     node.normal_z.fill(1.0F);
     node.thickness.fill(0.0F);
-    node.child.fill(SphereCover::kLeaf);
+    node.child.fill(SphereTree::kLeaf);
     for (const Part& part : split(pieces)) {
       const Ball ball = enclosing_ball(part);
       const BoundingSphere sphere = rounded(ball);
@@ -237,7 +237,7 @@ class SphereTreeGrowth {
       node.normal_z[k] = plane.normal.z();
       node.thickness[k] = plane.thickness;
       node.child[k] =
-          is_leaf(part, ball.radius) ? SphereCover::kLeaf | add_leaf(part) : add_slot(part);
+          is_leaf(part, ball.radius) ? SphereTree::kLeaf | add_leaf(part) : add_slot(part);
     }
     return node;
   }
@@ -289,7 +289,7 @@ class SphereTreeGrowth {
       return sized.part.size() == 1 || is_leaf(sized.part, sized.radius) ? -1.0 : sized.radius;
     };
     std::vector<Sized> parts{{pieces, enclosing_ball(pieces).radius}};
-    while (parts.size() < SphereCover::kWidth) {
+    while (parts.size() < SphereTree::kWidth) {
       const auto largest = std::ranges::max_element(parts, {}, worth);
       if (worth(*largest) < 0.0) {
         break;
@@ -324,7 +324,7 @@ class SphereTreeGrowth {
   tbb::concurrent_vector<std::vector<std::uint32_t>> leaves_;
 };
 
-SphereCover::SphereCover(const TriangleMesh& mesh, double leaf_radius) {
+SphereTree::SphereTree(const TriangleMesh& mesh, double leaf_radius) {
   const std::size_t most = mesh.triangles.size() + kMostPieces;
   std::vector<Piece> pieces = cut(mesh, kEdge * leaf_radius, most);
   while (pieces.size() > most) {
@@ -337,22 +337,22 @@ SphereCover::SphereCover(const TriangleMesh& mesh, double leaf_radius) {
   leaves_.push_back(static_cast<std::uint32_t>(triangles_.size()));
 }
 
-SphereCover SphereCover::growing(std::shared_ptr<const TriangleMesh> mesh, double leaf_radius) {
-  SphereCover cover;
+SphereTree SphereTree::growing(std::shared_ptr<const TriangleMesh> mesh, double leaf_radius) {
+  SphereTree cover;
   cover.growth_ = std::make_shared<SphereTreeGrowth>(std::move(mesh), leaf_radius);
   cover.root_ = cover.growth_->root();
   return cover;
 }
 
-const SphereCover::Node& SphereCover::grown_node(std::uint32_t index) const {
+const SphereTree::Node& SphereTree::grown_node(std::uint32_t index) const {
   return growth_->node(index);
 }
 
-std::span<const std::uint32_t> SphereCover::grown_leaf(std::uint32_t leaf) const {
+std::span<const std::uint32_t> SphereTree::grown_leaf(std::uint32_t leaf) const {
   return growth_->leaf(leaf);
 }
 
-std::uint32_t SphereCover::copy_complete(SphereTreeGrowth& growth, std::uint32_t index) {
+std::uint32_t SphereTree::copy_complete(SphereTreeGrowth& growth, std::uint32_t index) {
   const auto copy = static_cast<std::uint32_t>(nodes_.size());
   nodes_.push_back(growth.node(index));
   for (std::size_t k = 0; k < nodes_[copy].count; ++k) {

@@ -1,4 +1,4 @@
-#include "collision/volumes/sided_boxes.h"
+#include "collision/volumes/box_cover.h"
 
 #include "collision/volumes/box_tree.h"
 #include "collision/volumes/free_space.h"
@@ -28,16 +28,16 @@ constexpr double kLeastShare = 0.005;  // of the space on its side: smaller boxe
 using Block = FreeSpace::Block;
 using Index = FreeSpace::Index;
 
-SidedBoxes::Boxes no_boxes() {
-  SidedBoxes::Boxes boxes;
-  for (std::array<float, SidedBoxes::kMost>& half : boxes.half) {
+BoxCover::Boxes no_boxes() {
+  BoxCover::Boxes boxes;
+  for (std::array<float, BoxCover::kMost>& half : boxes.half) {
     half.fill(kNever);
   }
   return boxes;
 }
 
 // Rounded so that nothing is in it that is not in `box`.
-void store(const Aabb& box, SidedBoxes::Boxes& boxes, std::size_t k) {
+void store(const Aabb& box, BoxCover::Boxes& boxes, std::size_t k) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto i = static_cast<Eigen::Index>(axis);
     const double centre = box.centre()[i];
@@ -48,7 +48,7 @@ void store(const Aabb& box, SidedBoxes::Boxes& boxes, std::size_t k) {
 }
 
 // Rounded so that all of `box` is in it.
-void store_around(const Aabb& box, SidedBoxes& boxes) {
+void store_around(const Aabb& box, BoxCover& boxes) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto i = static_cast<Eigen::Index>(axis);
     const double half = 0.5 * box.size()[i];
@@ -71,9 +71,9 @@ class Filling {
     sum_up(inside);
   }
 
-  [[nodiscard]] SidedBoxes::Boxes boxes() {
-    SidedBoxes::Boxes boxes = no_boxes();
-    for (std::size_t k = 0; k < SidedBoxes::kMost && !open_.empty(); ++k) {
+  [[nodiscard]] BoxCover::Boxes boxes() {
+    BoxCover::Boxes boxes = no_boxes();
+    for (std::size_t k = 0; k < BoxCover::kMost && !open_.empty(); ++k) {
       const Block best = largest();
       if (space_.volume(best) < kLeastShare * whole_) {
         break;
@@ -208,10 +208,10 @@ Eigen::Matrix3d frame_of(const TriangleMesh& piece) {
   return R_PB;
 }
 
-SidedBoxes boxes_of(const TriangleMesh& piece) {
+BoxCover boxes_of(const TriangleMesh& piece) {
   const Eigen::Matrix3d R_PB = frame_of(piece);
   const TriangleMesh turned = transformed(piece, Pose(R_PB));
-  SidedBoxes boxes{};
+  BoxCover boxes{};
   Eigen::Map<Eigen::Matrix<float, 3, 3, Eigen::RowMajor>>(boxes.R_PB.data()) = R_PB.cast<float>();
   store_around(bounding_box(turned), boxes);
   const FreeSpace space(turned);
@@ -222,7 +222,7 @@ SidedBoxes boxes_of(const TriangleMesh& piece) {
 
 }  // namespace
 
-SurfaceSides make_sided_boxes(const std::vector<TriangleMesh>& pieces) {
+SurfaceSides make_box_cover(const std::vector<TriangleMesh>& pieces) {
   SurfaceSides sides;
   for (const TriangleMesh& piece : pieces) {
     if (sides.pieces.size() < kPieces && is_closed(piece)) {
@@ -233,8 +233,8 @@ SurfaceSides make_sided_boxes(const std::vector<TriangleMesh>& pieces) {
   return sides;
 }
 
-SurfaceSides make_sided_boxes(const PrimitiveDistance& primitive) {
-  SidedBoxes boxes{};
+SurfaceSides make_box_cover(const PrimitiveDistance& primitive) {
+  BoxCover boxes{};
   boxes.R_PB = {1.0F, 0.0F, 0.0F, 0.0F, 1.0F, 0.0F, 0.0F, 0.0F, 1.0F};
   store_around(primitive.box(), boxes);
   boxes.inside = no_boxes();
@@ -282,10 +282,10 @@ SurfacePoints::SurfacePoints(const TriangleMesh& piece) {
 namespace {
 
 using Rotation = Eigen::Matrix<float, 3, 3, Eigen::RowMajor>;
-using Boxes = SidedBoxes::Boxes;
+using Boxes = BoxCover::Boxes;
 
 constexpr std::size_t kCount = SurfacePoints::kCount;
-constexpr std::size_t kBoxes = SidedBoxes::kMost;
+constexpr std::size_t kBoxes = BoxCover::kMost;
 
 HANDWAY_VECTOR_UNITS void move(const SurfacePoints& points, const float* R, const float* p,
                                SurfacePoints& moved) {
@@ -360,7 +360,7 @@ bool any_in(const SurfacePoints& points, const Boxes& boxes, std::uint32_t bits,
   return false;
 }
 
-bool pierces(const SurfacePoints& a, const BoundingSphere& around, const SidedBoxes& b,
+bool pierces(const SurfacePoints& a, const BoundingSphere& around, const BoxCover& b,
              const FloatPose& X_BA) {
   const Eigen::Map<const Rotation> R_PB(b.R_PB.data());
   const Eigen::Vector3f centre = R_PB * around.centre;
@@ -383,7 +383,7 @@ bool pierces(const SurfacePoints& a, const BoundingSphere& around, const SidedBo
           any_in(moved, b.outside, reached(centre.data(), around.radius, b.outside), rounding));
 }
 
-float gap_outside(const Eigen::Vector3f& centre, const Eigen::Vector3f& half, const SidedBoxes& b,
+float gap_outside(const Eigen::Vector3f& centre, const Eigen::Vector3f& half, const BoxCover& b,
                   const FloatPose& X_BA) {
   const Eigen::Map<const Rotation> R_PB(b.R_PB.data());
   const Rotation R_PA = R_PB * Eigen::Map<const Rotation>(X_BA.R.data());
@@ -404,8 +404,8 @@ bool surely_pierces(const SurfacePoints& a, const BoundingSphere& around, const 
   const BoundingSphere moved{Eigen::Map<const Rotation>(X_BA.R.data()) * around.centre +
                                  Eigen::Map<const Eigen::Vector3f>(X_BA.p.data()),
                              around.radius};
-  return std::ranges::any_of(
-      b.pieces, [&](const SidedBoxes& piece) { return pierces(a, moved, piece, X_BA); });
+  return std::ranges::any_of(b.pieces,
+                             [&](const BoxCover& piece) { return pierces(a, moved, piece, X_BA); });
 }
 
 float gap_outside(const Eigen::Vector3f& centre, const Eigen::Vector3f& half, const SurfaceSides& b,
@@ -414,7 +414,7 @@ float gap_outside(const Eigen::Vector3f& centre, const Eigen::Vector3f& half, co
     return 0.0F;
   }
   float least = std::numeric_limits<float>::max();
-  for (const SidedBoxes& piece : b.pieces) {
+  for (const BoxCover& piece : b.pieces) {
     least = std::min(least, gap_outside(centre, half, piece, X_BA));
   }
   return least;

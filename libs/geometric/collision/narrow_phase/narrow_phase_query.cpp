@@ -1,6 +1,6 @@
-#include "collision/narrow_phase/surface_query.h"
+#include "collision/narrow_phase/narrow_phase_query.h"
 
-#include "collision/volumes/sided_boxes.h"
+#include "collision/volumes/box_cover.h"
 
 #include <fcl/narrowphase/detail/primitive_shape_algorithm/triangle_distance.h>
 
@@ -39,11 +39,11 @@ std::size_t take_nearest(SphereBounds& bounds) {
 
 }  // namespace
 
-SurfaceQuery::SurfaceQuery(const Surface& a, const Surface& b, const Pose& X_WA, const Pose& X_WB,
-                           std::vector<std::uint32_t>& near)
+NarrowPhaseQuery::NarrowPhaseQuery(const Surface& a, const Surface& b, const Pose& X_WA,
+                                   const Pose& X_WB, std::vector<std::uint32_t>& near)
     : a_(a), b_(b), X_WA_(X_WA), X_WB_(X_WB), near_(near) {}
 
-bool SurfaceQuery::root_is_near() {
+bool NarrowPhaseQuery::root_is_near() {
   const BoundingSphere& root = a_.cover.root();
   const Eigen::Vector3d centre = X_WA_ * root.centre.cast<double>() - X_WB_.translation();
   const Eigen::Vector3f p_BRoot = (X_WB_.linear().transpose() * centre).cast<float>();
@@ -62,20 +62,20 @@ bool SurfaceQuery::root_is_near() {
   return true;
 }
 
-void SurfaceQuery::start(double least, double keep) {
+void NarrowPhaseQuery::start(double least, double keep) {
   least_ = least;
   reach_ = least;
   keep_ = keep;
 }
 
-void SurfaceQuery::found(double distance) {
+void NarrowPhaseQuery::found(double distance) {
   if (distance < least_) {
     least_ = distance;
     reach_ = keep_ * distance;
   }
 }
 
-double SurfaceQuery::bound(double enough, int effort) {
+double NarrowPhaseQuery::bound(double enough, int effort) {
   start(enough);
   effort_ = effort;
   if (root_is_near() && !kept_outside() && !separated_by_plane()) {
@@ -84,8 +84,8 @@ double SurfaceQuery::bound(double enough, int effort) {
   return std::min(enough, std::max(gap(), least_));
 }
 
-void SurfaceQuery::bound_node(std::uint32_t index) {
-  const SphereCover::Node& node = a_.cover.node(index);
+void NarrowPhaseQuery::bound_node(std::uint32_t index) {
+  const SphereTree::Node& node = a_.cover.node(index);
   SphereBounds bounds;
   sphere_bounds(node, b_.field, moves_, static_cast<float>(reach_), bounds);
   while (bounds.near != 0 && least_ > 0.0) {
@@ -93,7 +93,7 @@ void SurfaceQuery::bound_node(std::uint32_t index) {
     if (bounds.bound[k] >= reach_) {
       return;
     }
-    if ((node.child[k] & SphereCover::kLeaf) != 0 || --effort_ < 0) {
+    if ((node.child[k] & SphereTree::kLeaf) != 0 || --effort_ < 0) {
       found(bounds.bound[k]);
     } else {
       bound_node(node.child[k]);
@@ -101,26 +101,26 @@ void SurfaceQuery::bound_node(std::uint32_t index) {
   }
 }
 
-DistanceRange SurfaceQuery::distance(double enough, double share) {
+DistanceRange NarrowPhaseQuery::distance(double enough, double share) {
   start(enough, 1.0 - share);
   ends_at_ = 0.0;
   visit_all();
   return {reach_, least_ < enough ? least_ : std::numeric_limits<double>::infinity()};
 }
 
-std::optional<Closeness> SurfaceQuery::quick_closeness(double tolerance) {
+std::optional<Closeness> NarrowPhaseQuery::quick_closeness(double tolerance) {
   start(tolerance);
   return look();
 }
 
-std::optional<Closeness> SurfaceQuery::look() {
+std::optional<Closeness> NarrowPhaseQuery::look() {
   if (!root_is_near() || kept_outside()) {
     return Closeness::kFarther;
   }
   return pierces(kDeep) ? std::optional(Closeness::kTouching) : std::nullopt;
 }
 
-Closeness SurfaceQuery::closeness(double tolerance) {
+Closeness NarrowPhaseQuery::closeness(double tolerance) {
   start(tolerance);
   ends_at_ = tolerance;
   visit_all();
@@ -135,15 +135,15 @@ Closeness SurfaceQuery::closeness(double tolerance) {
   return least_ < kTouch ? Closeness::kTouching : Closeness::kCloser;
 }
 
-void SurfaceQuery::visit_all() {
+void NarrowPhaseQuery::visit_all() {
   patience_ = kPatience;
   if (!look()) {
     visit(0);
   }
 }
 
-void SurfaceQuery::visit(std::uint32_t index) {
-  const SphereCover::Node& node = a_.cover.node(index);
+void NarrowPhaseQuery::visit(std::uint32_t index) {
+  const SphereTree::Node& node = a_.cover.node(index);
   SphereBounds bounds;
   sphere_bounds(node, b_.field, moves_, static_cast<float>(reach_), bounds);
   while (bounds.near != 0 && least_ >= ends_at_) {
@@ -153,31 +153,31 @@ void SurfaceQuery::visit(std::uint32_t index) {
     }
     const Eigen::Vector3d centre = X_BA_ * Eigen::Vector3d(node.x[k], node.y[k], node.z[k]);
     const auto radius = static_cast<double>(node.radius[k]);
-    const bool is_leaf = (node.child[k] & SphereCover::kLeaf) != 0;
+    const bool is_leaf = (node.child[k] & SphereTree::kLeaf) != 0;
     if ((is_leaf || patience_ <= 1) && settled_as_a_whole()) {
       return;
     }
     if (is_leaf) {
-      compare(node.child[k] & ~SphereCover::kLeaf, centre, radius);
+      compare(node.child[k] & ~SphereTree::kLeaf, centre, radius);
     } else if (--patience_ >= 0 || b_.triangles->is_nearer_than(centre, radius + reach_)) {
       visit(node.child[k]);
     }
   }
 }
 
-bool SurfaceQuery::kept_outside() {
+bool NarrowPhaseQuery::kept_outside() {
   const float outside = gap_outside(a_.field.centre(), a_.field.half(), *b_.sides, moves_);
   outside_gap_ = std::max(outside_gap_, static_cast<double>(outside));
   return gap() >= reach_;
 }
 
-bool SurfaceQuery::separated_by_plane() {
+bool NarrowPhaseQuery::separated_by_plane() {
   const auto reach = static_cast<float>(reach_);
   hull_gap_ = std::max(hull_gap_, static_cast<double>(hull_gap(*a_.hull, *b_.hull, moves_, reach)));
   return gap() >= reach_;
 }
 
-bool SurfaceQuery::pierces(float share) {
+bool NarrowPhaseQuery::pierces(float share) {
   const BoundingSphere& root = a_.cover.root();
   if (surely_pierces(*a_.points, {root.centre, share * root.radius}, *b_.sides, moves_)) {
     found(0.0);
@@ -185,7 +185,7 @@ bool SurfaceQuery::pierces(float share) {
   return least_ <= 0.0;
 }
 
-bool SurfaceQuery::settled_as_a_whole() {
+bool NarrowPhaseQuery::settled_as_a_whole() {
   if (!tried_whole_) {
     tried_whole_ = true;
     return separated_by_plane() || pierces(1.0F);
@@ -193,7 +193,7 @@ bool SurfaceQuery::settled_as_a_whole() {
   return gap() >= reach_;
 }
 
-void SurfaceQuery::compare(std::uint32_t leaf, const Eigen::Vector3d& centre, double radius) {
+void NarrowPhaseQuery::compare(std::uint32_t leaf, const Eigen::Vector3d& centre, double radius) {
   near_.clear();
   b_.triangles->append_within(centre, radius + reach_, near_);
   if (near_.empty()) {
@@ -214,7 +214,7 @@ void SurfaceQuery::compare(std::uint32_t leaf, const Eigen::Vector3d& centre, do
   }
 }
 
-bool SurfaceQuery::field_keeps_apart(const TriangleCorners& s) const {
+bool NarrowPhaseQuery::field_keeps_apart(const TriangleCorners& s) const {
   const Eigen::Vector3d middle = (s[0] + s[1] + s[2]) / 3.0;
   const double radius =
       std::sqrt(std::max({(s[0] - middle).squaredNorm(), (s[1] - middle).squaredNorm(),
@@ -225,7 +225,7 @@ bool SurfaceQuery::field_keeps_apart(const TriangleCorners& s) const {
              s[0].cast<float>(), s[1].cast<float>(), s[2].cast<float>()})) >= reach;
 }
 
-void SurfaceQuery::compare_triangle(const TriangleCorners& s) {
+void NarrowPhaseQuery::compare_triangle(const TriangleCorners& s) {
   for (const std::uint32_t other : near_) {
     const TriangleCorners t = corners(*b_.mesh, other);
     if (!plane_keeps_apart(s, t, reach_)) {

@@ -1,4 +1,4 @@
-#include "collision/volumes/clearance_field.h"
+#include "collision/volumes/distance_field.h"
 
 #include "collision/volumes/box_tree.h"
 #include "collision/volumes/on_demand.h"
@@ -33,7 +33,7 @@ struct Cube {
 };
 
 struct Bound {
-  ClearanceField::Cell cell;
+  DistanceField::Cell cell;
   double worth;     // of refining it
   double distance;  // of the centre
   std::uint32_t nearest;
@@ -50,7 +50,7 @@ class CellMaker {
     const NearestPoint nearest = nearest_point(mesh_, boxes_, cube.centre, hint);
     const Eigen::Vector3d slope = slope_from(nearest, cube.centre);
     const double along = slope.dot(cube.centre);
-    ClearanceField::Cell cell;
+    DistanceField::Cell cell;
     cell.front = static_cast<float>(lowest_value(cube, slope, nearest.distance) - along);
     cell.back = -1e3F;
     if (nearest.distance <= std::sqrt(3.0) * cube.half) {
@@ -106,7 +106,7 @@ class CellMaker {
 
   // What the bound falls short by in some points of the cube, the more the nearer
   // they are to the surface.
-  [[nodiscard]] double worth_of_refining(const Cube& cube, const ClearanceField::Cell& cell,
+  [[nodiscard]] double worth_of_refining(const Cube& cube, const DistanceField::Cell& cell,
                                          const NearestPoint& nearest) const {
     double worth = 0.0;
     for (const int k : {0, 3, 5, 6}) {
@@ -190,9 +190,9 @@ class CellMaker {
 
 }  // namespace
 
-class ClearanceFieldBuilder {
+class DistanceFieldBuilder {
  public:
-  ClearanceFieldBuilder(ClearanceField& field, const TriangleMesh& mesh, const BoxTree& boxes)
+  DistanceFieldBuilder(DistanceField& field, const TriangleMesh& mesh, const BoxTree& boxes)
       : field_(field), maker_(mesh, boxes) {}
 
   void build(std::size_t budget, const std::stop_token& stop) {
@@ -208,7 +208,7 @@ class ClearanceFieldBuilder {
         }
       }
     }
-    while (!open_.empty() && spent() + ClearanceField::kChildren <= budget) {
+    while (!open_.empty() && spent() + DistanceField::kChildren <= budget) {
       end_if_stopped(stop);
       const Open worst = open_.top();
       open_.pop();
@@ -241,7 +241,7 @@ class ClearanceFieldBuilder {
 
   // Cells, and as many as a block of triangles takes the room of.
   [[nodiscard]] std::size_t spent() const {
-    constexpr std::size_t kCellsOfBlock = sizeof(TriangleBlock) / sizeof(ClearanceField::Cell);
+    constexpr std::size_t kCellsOfBlock = sizeof(TriangleBlock) / sizeof(DistanceField::Cell);
     return field_.cells_.size() + kCellsOfBlock * field_.blocks_.size();
   }
 
@@ -252,58 +252,58 @@ class ClearanceFieldBuilder {
       return;
     }
     field_.cells_[open.cell] =
-        ClearanceField::Cell::marked(ClearanceField::kListed, field_.blocks_.size());
+        DistanceField::Cell::marked(DistanceField::kListed, field_.blocks_.size());
     field_.blocks_.emplace_back(triangles);
   }
 
   void refine(const Open& open) {
     const auto first = static_cast<std::uint32_t>(field_.cells_.size());
-    const double half = open.cube.half / ClearanceField::kSplit;
+    const double half = open.cube.half / DistanceField::kSplit;
     const Eigen::Vector3d lowest =
         open.cube.centre - Eigen::Vector3d::Constant(open.cube.half - half);
     std::uint32_t hint = open.nearest;
-    for (int z = 0; z < ClearanceField::kSplit; ++z) {
-      for (int y = 0; y < ClearanceField::kSplit; ++y) {
-        for (int x = 0; x < ClearanceField::kSplit; ++x) {
+    for (int z = 0; z < DistanceField::kSplit; ++z) {
+      for (int y = 0; y < DistanceField::kSplit; ++y) {
+        for (int x = 0; x < DistanceField::kSplit; ++x) {
           hint = add({lowest + 2.0 * half * Eigen::Vector3d(x, y, z), half}, hint);
         }
       }
     }
-    field_.cells_[open.cell] = ClearanceField::Cell::marked(ClearanceField::kRefined, first);
+    field_.cells_[open.cell] = DistanceField::Cell::marked(DistanceField::kRefined, first);
   }
 
-  ClearanceField& field_;
+  DistanceField& field_;
   CellMaker maker_;
   std::priority_queue<Open> open_;
 };
 
 /// A field whose cells are made when a point is first looked for in them, by any thread: each
 /// depends on the mesh and the cell around it alone. Which of two threads made it doesn't show.
-class ClearanceFieldGrowth {
+class DistanceFieldGrowth {
  public:
-  ClearanceFieldGrowth(std::shared_ptr<const TriangleMesh> mesh, std::size_t coarsest)
+  DistanceFieldGrowth(std::shared_ptr<const TriangleMesh> mesh, std::size_t coarsest)
       : mesh_(std::move(mesh)),
         boxes_([mesh = mesh_] { return BoxTree(*mesh); }),
         roots_(coarsest) {}
 
-  ~ClearanceFieldGrowth() {
+  ~DistanceFieldGrowth() {
     for (const Slot& root : roots_) {
       remove(root);
     }
   }
-  ClearanceFieldGrowth(const ClearanceFieldGrowth&) = delete;
-  ClearanceFieldGrowth& operator=(const ClearanceFieldGrowth&) = delete;
+  DistanceFieldGrowth(const DistanceFieldGrowth&) = delete;
+  DistanceFieldGrowth& operator=(const DistanceFieldGrowth&) = delete;
 
   /// @param cube of the coarsest cell with that number.
   /// @param p in the cube, with its place in it in cells.
-  ClearanceField::Place find(std::size_t index, const Cube& cube, Eigen::Array3f u) {
+  DistanceField::Place find(std::size_t index, const Cube& cube, Eigen::Array3f u) {
     const Grown* cell = get(roots_[index], cube, 0);
     float side = static_cast<float>(2.0 * cube.half);
     for (int depth = 0; cell->may_refine && depth < kDeepest; ++depth) {
-      u *= static_cast<float>(ClearanceField::kSplit);
-      const Eigen::Array3i i = u.cast<int>().min(ClearanceField::kSplit - 1);
+      u *= static_cast<float>(DistanceField::kSplit);
+      const Eigen::Array3i i = u.cast<int>().min(DistanceField::kSplit - 1);
       u -= i.cast<float>();
-      side /= static_cast<float>(ClearanceField::kSplit);
+      side /= static_cast<float>(DistanceField::kSplit);
       cell = below(*cell, i);
     }
     return {&cell->cell, side * std::min(u.minCoeff(), 1.0F - u.maxCoeff())};
@@ -316,18 +316,18 @@ class ClearanceFieldGrowth {
     Grown(const Bound& bound, const Cube& around)
         : cell(bound.cell), cube(around), nearest(bound.nearest), may_refine(bound.worth > 0.0) {}
 
-    ClearanceField::Cell cell;
+    DistanceField::Cell cell;
     Cube cube;
     std::uint32_t nearest;
     bool may_refine;
-    mutable std::array<Slot, ClearanceField::kChildren> below{};
+    mutable std::array<Slot, DistanceField::kChildren> below{};
   };
 
   const Grown* below(const Grown& cell, const Eigen::Array3i& i) const {
-    const double half = cell.cube.half / ClearanceField::kSplit;
+    const double half = cell.cube.half / DistanceField::kSplit;
     const Eigen::Vector3d offset =
-        (2.0 * half * (i.cast<double>() - 0.5 * (ClearanceField::kSplit - 1))).matrix();
-    const int number = i.x() + ClearanceField::kSplit * (i.y() + ClearanceField::kSplit * i.z());
+        (2.0 * half * (i.cast<double>() - 0.5 * (DistanceField::kSplit - 1))).matrix();
+    const int number = i.x() + DistanceField::kSplit * (i.y() + DistanceField::kSplit * i.z());
     return get(cell.below[static_cast<std::size_t>(number)], {cell.cube.centre + offset, half},
                cell.nearest);
   }
@@ -356,7 +356,7 @@ class ClearanceFieldGrowth {
   mutable std::vector<Slot> roots_;
 };
 
-void ClearanceField::lay_out(const Aabb& box) {
+void DistanceField::lay_out(const Aabb& box) {
   centre_ = box.centre().cast<float>();
   half_ = (0.5 * box.size()).cast<float>();
   const double longest = std::max(box.size().maxCoeff(), 1e-3);
@@ -368,34 +368,34 @@ void ClearanceField::lay_out(const Aabb& box) {
   origin_ = (box.centre() - 0.5 * side * counts_.cast<double>().matrix()).cast<float>();
 }
 
-ClearanceField ClearanceField::growing(std::shared_ptr<const TriangleMesh> mesh) {
-  ClearanceField field;
+DistanceField DistanceField::growing(std::shared_ptr<const TriangleMesh> mesh) {
+  DistanceField field;
   field.lay_out(bounding_box(*mesh));
   const auto cells = static_cast<std::size_t>(field.counts_.prod());
-  field.growth_ = std::make_shared<ClearanceFieldGrowth>(std::move(mesh), cells);
+  field.growth_ = std::make_shared<DistanceFieldGrowth>(std::move(mesh), cells);
   return field;
 }
 
-ClearanceField::Place ClearanceField::find_grown(const Eigen::Array3i& i,
-                                                 const Eigen::Array3f& u) const {
+DistanceField::Place DistanceField::find_grown(const Eigen::Array3i& i,
+                                               const Eigen::Array3f& u) const {
   const double half = 0.5 / static_cast<double>(per_cell_);
   const Eigen::Vector3d centre =
       origin_.cast<double>() + (2.0 * half * (i.cast<double>() + 0.5)).matrix();
   return growth_->find(index_of(i), {centre, half}, u);
 }
 
-ClearanceField::ClearanceField(const TriangleMesh& mesh, const BoxTree& boxes, std::size_t budget,
-                               const std::stop_token& stop) {
+DistanceField::DistanceField(const TriangleMesh& mesh, const BoxTree& boxes, std::size_t budget,
+                             const std::stop_token& stop) {
   lay_out(bounding_box(mesh));
-  ClearanceFieldBuilder(*this, mesh, boxes).build(budget, stop);
+  DistanceFieldBuilder(*this, mesh, boxes).build(budget, stop);
 }
 
-ClearanceField::ClearanceField(const PrimitiveDistance& primitive)
+DistanceField::DistanceField(const PrimitiveDistance& primitive)
     : centre_(primitive.box().centre().cast<float>()),
       half_((0.5 * primitive.box().size()).cast<float>()),
       primitive_(primitive) {}
 
-float ClearanceField::bound(const std::array<Eigen::Vector3f, 3>& triangle) const {
+float DistanceField::bound(const std::array<Eigen::Vector3f, 3>& triangle) const {
   if (primitive_) {
     const Eigen::Vector3f middle = (triangle[0] + triangle[1] + triangle[2]) / 3.0F;
     const auto [distance, slope] = primitive_->tangent(middle);

@@ -1,4 +1,4 @@
-#include "collision/volumes/sphere_cover.h"
+#include "collision/volumes/sphere_tree.h"
 
 #include "sample_meshes.h"
 
@@ -17,9 +17,9 @@ constexpr double kLeaf = 0.01;  // m
 
 // Is the point of `triangle` in a leaf's sphere that lists it, below spheres that
 // contain it, too?
-bool is_covered(const SphereCover& cover, std::uint32_t index, const Eigen::Vector3d& p,
+bool is_covered(const SphereTree& cover, std::uint32_t index, const Eigen::Vector3d& p,
                 std::uint32_t triangle) {
-  const SphereCover::Node& node = cover.node(index);
+  const SphereTree::Node& node = cover.node(index);
   for (std::size_t k = 0; k < node.count; ++k) {
     const Eigen::Vector3d centre(node.x[k], node.y[k], node.z[k]);
     const Eigen::Vector3d normal(node.normal_x[k], node.normal_y[k], node.normal_z[k]);
@@ -28,19 +28,19 @@ bool is_covered(const SphereCover& cover, std::uint32_t index, const Eigen::Vect
       continue;
     }
     const std::uint32_t child = node.child[k];
-    if ((child & SphereCover::kLeaf) == 0
+    if ((child & SphereTree::kLeaf) == 0
             ? is_covered(cover, child, p, triangle)
-            : std::ranges::count(cover.triangles(child & ~SphereCover::kLeaf), triangle) > 0) {
+            : std::ranges::count(cover.triangles(child & ~SphereTree::kLeaf), triangle) > 0) {
       return true;
     }
   }
   return false;
 }
 
-TEST(SphereCover, ContainsTheWholeSurfaceOnEveryLevel) {
+TEST(SphereTree, ContainsTheWholeSurfaceOnEveryLevel) {
   for (const auto& [name, mesh] : test::sample_meshes()) {
     SCOPED_TRACE(name);
-    const SphereCover cover(mesh, kLeaf);
+    const SphereTree cover(mesh, kLeaf);
     test::RandomPoints points(mesh, 1.0);
     for (int i = 0; i < 2000; ++i) {
       std::uint32_t triangle = 0;
@@ -51,11 +51,10 @@ TEST(SphereCover, ContainsTheWholeSurfaceOnEveryLevel) {
   }
 }
 
-TEST(SphereCover, ContainsTheWholeSurfaceWhereItGrows) {
+TEST(SphereTree, ContainsTheWholeSurfaceWhereItGrows) {
   for (const auto& [name, mesh] : test::sample_meshes()) {
     SCOPED_TRACE(name);
-    const SphereCover cover =
-        SphereCover::growing(std::make_shared<const TriangleMesh>(mesh), kLeaf);
+    const SphereTree cover = SphereTree::growing(std::make_shared<const TriangleMesh>(mesh), kLeaf);
     test::RandomPoints points(mesh, 1.0);
     for (int i = 0; i < 2000; ++i) {
       std::uint32_t triangle = 0;
@@ -67,34 +66,34 @@ TEST(SphereCover, ContainsTheWholeSurfaceWhereItGrows) {
 }
 
 // Sums up the tree below a node, whatever its nodes' numbers are.
-double fingerprint(const SphereCover& cover, std::uint32_t index) {
-  const SphereCover::Node& node = cover.node(index);
+double fingerprint(const SphereTree& cover, std::uint32_t index) {
+  const SphereTree::Node& node = cover.node(index);
   double sum = 0.0;
   for (std::size_t k = 0; k < node.count; ++k) {
-    const bool is_leaf = (node.child[k] & SphereCover::kLeaf) != 0;
+    const bool is_leaf = (node.child[k] & SphereTree::kLeaf) != 0;
     sum +=
         static_cast<double>(k + 1) *
         (static_cast<double>(node.radius[k]) +
-         (is_leaf ? static_cast<double>(cover.triangles(node.child[k] & ~SphereCover::kLeaf).size())
+         (is_leaf ? static_cast<double>(cover.triangles(node.child[k] & ~SphereTree::kLeaf).size())
                   : 0.9 * fingerprint(cover, node.child[k])));
   }
   return sum;
 }
 
 // Visits the tree below a node, the last child first.
-void visit_backwards(const SphereCover& cover, std::uint32_t index) {
-  const SphereCover::Node& node = cover.node(index);
+void visit_backwards(const SphereTree& cover, std::uint32_t index) {
+  const SphereTree::Node& node = cover.node(index);
   for (std::size_t k = node.count; k-- > 0;) {
-    if ((node.child[k] & SphereCover::kLeaf) == 0) {
+    if ((node.child[k] & SphereTree::kLeaf) == 0) {
       visit_backwards(cover, node.child[k]);
     }
   }
 }
 
-TEST(SphereCover, GrowsTheSameWhoeverComesFirst) {
+TEST(SphereTree, GrowsTheSameWhoeverComesFirst) {
   const auto mesh = tessellate(Box{{0.4, 0.3, 0.2}});
-  const SphereCover forwards = SphereCover::growing(mesh, kLeaf);
-  const SphereCover shared = SphereCover::growing(mesh, kLeaf);
+  const SphereTree forwards = SphereTree::growing(mesh, kLeaf);
+  const SphereTree shared = SphereTree::growing(mesh, kLeaf);
   const double expected = fingerprint(forwards, 0);
   {
     std::vector<std::jthread> threads;
@@ -107,36 +106,36 @@ TEST(SphereCover, GrowsTheSameWhoeverComesFirst) {
   EXPECT_EQ(fingerprint(shared, 0), expected);
 }
 
-TEST(SphereCover, GrowsAsFineAsItWouldBeComplete) {
+TEST(SphereTree, GrowsAsFineAsItWouldBeComplete) {
   const auto mesh = tessellate(Box{{0.4, 0.3, 0.2}});
-  const std::function<void(const SphereCover&, std::uint32_t)> look = [&](const SphereCover& cover,
-                                                                          std::uint32_t index) {
-    const SphereCover::Node& node = cover.node(index);
+  const std::function<void(const SphereTree&, std::uint32_t)> look = [&](const SphereTree& cover,
+                                                                         std::uint32_t index) {
+    const SphereTree::Node& node = cover.node(index);
     for (std::size_t k = 0; k < node.count; ++k) {
-      if ((node.child[k] & SphereCover::kLeaf) != 0) {
+      if ((node.child[k] & SphereTree::kLeaf) != 0) {
         EXPECT_LE(node.radius[k], 1.01 * kLeaf);
       } else {
         look(cover, node.child[k]);
       }
     }
   };
-  look(SphereCover::growing(mesh, kLeaf), 0);
+  look(SphereTree::growing(mesh, kLeaf), 0);
 }
 
-TEST(SphereCover, CutsLargeTriangles) {
-  const SphereCover cover(*tessellate(Box{{0.4, 0.3, 0.2}}), kLeaf);
-  for (const SphereCover::Node& node : cover.nodes()) {
+TEST(SphereTree, CutsLargeTriangles) {
+  const SphereTree cover(*tessellate(Box{{0.4, 0.3, 0.2}}), kLeaf);
+  for (const SphereTree::Node& node : cover.nodes()) {
     for (std::size_t k = 0; k < node.count; ++k) {
-      if ((node.child[k] & SphereCover::kLeaf) != 0) {
+      if ((node.child[k] & SphereTree::kLeaf) != 0) {
         EXPECT_LE(node.radius[k], 1.01 * kLeaf);
       }
     }
   }
 }
 
-TEST(SphereCover, IsFlatWhereTheSurfaceIs) {
-  const SphereCover cover(test::sample_meshes()[2].mesh, kLeaf);  // the plate
-  for (const SphereCover::Node& node : cover.nodes()) {
+TEST(SphereTree, IsFlatWhereTheSurfaceIs) {
+  const SphereTree cover(test::sample_meshes()[2].mesh, kLeaf);  // the plate
+  for (const SphereTree::Node& node : cover.nodes()) {
     for (std::size_t k = 0; k < node.count; ++k) {
       EXPECT_LT(node.thickness[k], 1e-6F);
     }

@@ -27,7 +27,7 @@ class SphereTreeGrowth;
 ///
 /// It is complete, or it grows where it is asked for: a node is made at its first visit, by any
 /// thread, and depends on nothing but the mesh and the nodes above it. Copies grow together.
-class SphereCover {
+class SphereTree {
  public:
   static constexpr std::size_t kWidth = 16;
 
@@ -42,12 +42,12 @@ class SphereCover {
   };
   static constexpr std::uint32_t kLeaf = 0x80000000U;
 
-  SphereCover() = default;
+  SphereTree() = default;
 
   /// A tree that grows. Its leaves are as small as asked for whatever the triangles.
   /// @pre the mesh has a triangle.
-  [[nodiscard]] static SphereCover growing(std::shared_ptr<const TriangleMesh> mesh,
-                                           double leaf_radius);
+  [[nodiscard]] static SphereTree growing(std::shared_ptr<const TriangleMesh> mesh,
+                                          double leaf_radius);
 
   static constexpr std::size_t kMostPieces = 1U << 16;
 
@@ -56,7 +56,7 @@ class SphereCover {
   /// triangles are cut for that, but into no more than kMostPieces beyond their
   /// number: where that is too few, spheres stay larger.
   /// @pre the mesh has a triangle.
-  SphereCover(const TriangleMesh& mesh, double leaf_radius);
+  SphereTree(const TriangleMesh& mesh, double leaf_radius);
 
   [[nodiscard]] const BoundingSphere& root() const { return root_; }
   /// The node with that number, 0 being below the root.

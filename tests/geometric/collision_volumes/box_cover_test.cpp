@@ -1,4 +1,4 @@
-#include "collision/volumes/sided_boxes.h"
+#include "collision/volumes/box_cover.h"
 
 #include "mesh/triangle_mesh.h"
 #include "sample_meshes.h"
@@ -11,12 +11,12 @@
 namespace handway::geometric {
 namespace {
 
-SurfaceSides sides_of(const TriangleMesh& mesh) { return make_sided_boxes(pieces_of(mesh)); }
+SurfaceSides sides_of(const TriangleMesh& mesh) { return make_box_cover(pieces_of(mesh)); }
 
-bool is_in(const SidedBoxes& piece, const SidedBoxes::Boxes& boxes, const Eigen::Vector3d& p) {
+bool is_in(const BoxCover& piece, const BoxCover::Boxes& boxes, const Eigen::Vector3d& p) {
   const Eigen::Map<const Eigen::Matrix<float, 3, 3, Eigen::RowMajor>> R_PB(piece.R_PB.data());
   const Eigen::Vector3f at = R_PB * p.cast<float>();
-  for (std::size_t k = 0; k < SidedBoxes::kMost; ++k) {
+  for (std::size_t k = 0; k < BoxCover::kMost; ++k) {
     bool within = true;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       within = within && std::abs(at[static_cast<Eigen::Index>(axis)] - boxes.centre[axis][k]) <=
@@ -29,7 +29,7 @@ bool is_in(const SidedBoxes& piece, const SidedBoxes::Boxes& boxes, const Eigen:
   return false;
 }
 
-TEST(SidedBoxes, AreNotEnteredByTheSurface) {
+TEST(BoxCover, AreNotEnteredByTheSurface) {
   for (const auto& [name, mesh] : test::sample_meshes()) {
     SCOPED_TRACE(name);
     const SurfaceSides sides = sides_of(mesh);
@@ -38,19 +38,19 @@ TEST(SidedBoxes, AreNotEnteredByTheSurface) {
       std::uint32_t triangle = 0;
       const Eigen::Vector3d p = points.next_on(mesh, triangle);
       // Of its own piece; other pieces' boxes it may be in.
-      const SidedBoxes* piece = sides.pieces.empty()
-                                    ? nullptr
-                                    : &sides.pieces[sides.pieces.size() > 1 && p.x() > 0.1 ? 1 : 0];
+      const BoxCover* piece = sides.pieces.empty()
+                                  ? nullptr
+                                  : &sides.pieces[sides.pieces.size() > 1 && p.x() > 0.1 ? 1 : 0];
       ASSERT_FALSE(piece != nullptr && is_in(*piece, piece->inside, p)) << p.transpose();
       ASSERT_FALSE(piece != nullptr && is_in(*piece, piece->outside, p)) << p.transpose();
     }
   }
 }
 
-TEST(SidedBoxes, KnowTheSides) {
+TEST(BoxCover, KnowTheSides) {
   const SurfaceSides sides = sides_of(*tessellate(Cylinder{0.03, 0.12}));
   ASSERT_TRUE(sides.has_all);
-  const SidedBoxes& can = sides.pieces.front();
+  const BoxCover& can = sides.pieces.front();
   test::RandomPoints points(*tessellate(Cylinder{0.03, 0.12}), 1.5);
   int inside = 0;
   int outside = 0;
@@ -68,12 +68,12 @@ TEST(SidedBoxes, KnowTheSides) {
   EXPECT_GT(outside, 1000);
 }
 
-TEST(SidedBoxes, FillAPlateThatLiesAskew) {
+TEST(BoxCover, FillAPlateThatLiesAskew) {
   const Pose X(Eigen::AngleAxisd(0.4, Eigen::Vector3d(1, 2, 3).normalized()));
   const TriangleMesh plate = transformed(*tessellate(Box{{1.0, 0.6, 0.004}}), X);
   const SurfaceSides sides = sides_of(plate);
   ASSERT_TRUE(sides.has_all);
-  const SidedBoxes& boxes = sides.pieces.front();
+  const BoxCover& boxes = sides.pieces.front();
   EXPECT_TRUE(is_in(boxes, boxes.inside, X * Eigen::Vector3d(0.49, 0.29, 0.0019)));
   EXPECT_FALSE(is_in(boxes, boxes.inside, X * Eigen::Vector3d(0.49, 0.29, 0.0021)));
 }
@@ -105,17 +105,17 @@ TriangleMesh frame() {
   return mesh;
 }
 
-TEST(SidedBoxes, FillAHole) {
+TEST(BoxCover, FillAHole) {
   const SurfaceSides sides = sides_of(frame());
   ASSERT_TRUE(sides.has_all);
-  const SidedBoxes& boxes = sides.pieces.front();
+  const BoxCover& boxes = sides.pieces.front();
   EXPECT_TRUE(is_in(boxes, boxes.outside, {0.09, -0.09, 0.0}));
   EXPECT_TRUE(is_in(boxes, boxes.outside, {0.0, 0.0, 0.5})) << "it goes on above";
   EXPECT_TRUE(is_in(boxes, boxes.inside, {0.13, 0.13, 0.0}));
   EXPECT_FALSE(is_in(boxes, boxes.inside, {0.09, -0.09, 0.0}));
 }
 
-TEST(SidedBoxes, AreOfEachClosedPiece) {
+TEST(BoxCover, AreOfEachClosedPiece) {
   const SurfaceSides two_balls = sides_of(test::sample_meshes().back().mesh);
   EXPECT_TRUE(two_balls.has_all);
   EXPECT_EQ(two_balls.pieces.size(), 2U);

@@ -2,7 +2,7 @@
 
 #include "collision/volumes/primitive_distance.h"
 #include "collision/volumes/sphere_bounds.h"
-#include "collision/volumes/sphere_cover.h"
+#include "collision/volumes/sphere_tree.h"
 #include "handway/geometric/mesh/triangle_mesh.h"
 
 #include <array>
@@ -14,7 +14,7 @@ namespace handway::geometric {
 
 /// Boxes that one closed piece of a surface does not enter: some inside of it, some outside.
 /// What hangs together and has a point in one of either kind goes through the surface.
-struct SidedBoxes {
+struct BoxCover {
   static constexpr std::size_t kMost = 16;  ///< Boxes of each kind.
 
   /// Boxes along the axes of a frame P, m, side by side; past the last one, none that anything
@@ -33,15 +33,15 @@ struct SidedBoxes {
 
 /// What is known of the sides of a whole surface.
 struct SurfaceSides {
-  std::vector<SidedBoxes> pieces;
+  std::vector<BoxCover> pieces;
   bool has_all = false;  ///< Whether they are all pieces that there are.
 };
 
 /// The boxes of the widest closed ones of a mesh's pieces.
-[[nodiscard]] SurfaceSides make_sided_boxes(const std::vector<TriangleMesh>& pieces);
+[[nodiscard]] SurfaceSides make_box_cover(const std::vector<TriangleMesh>& pieces);
 
 /// The boxes of a primitive; there are none outside of it.
-[[nodiscard]] SurfaceSides make_sided_boxes(const PrimitiveDistance& primitive);
+[[nodiscard]] SurfaceSides make_box_cover(const PrimitiveDistance& primitive);
 
 /// Points all over one piece of a surface, in its frame, m: on the surface there is a way from
 /// each of them to every other.

@@ -18,7 +18,7 @@
 
 namespace handway::geometric {
 
-class ClearanceFieldGrowth;
+class DistanceFieldGrowth;
 
 /// A lower bound of the distance of any point from a mesh's surface, in constant
 /// time.
@@ -33,7 +33,7 @@ class ClearanceFieldGrowth;
 /// matters to a cell, it lists these.
 ///
 /// Of a primitive, distances are known in closed form; there are no cells.
-class ClearanceField {
+class DistanceField {
  public:
   /// The larger of front + slope · p and back - slope · p (m, p in the mesh's frame);
   /// a refined cell has children instead, a listed one a block of triangles.
@@ -66,20 +66,20 @@ class ClearanceField {
   static constexpr int kSplit = 2;  ///< Children of a cell along each axis, x fastest.
   static constexpr std::uint32_t kChildren = kSplit * kSplit * kSplit;
 
-  ClearanceField() = default;
+  DistanceField() = default;
 
   /// @param budget about how many cells to spend.
   /// @pre the mesh has a triangle.
   /// @throws PreparationStopped once `stop` is requested.
-  ClearanceField(const TriangleMesh& mesh, const BoxTree& boxes, std::size_t budget,
-                 const std::stop_token& stop = {});
+  DistanceField(const TriangleMesh& mesh, const BoxTree& boxes, std::size_t budget,
+                const std::stop_token& stop = {});
 
-  explicit ClearanceField(const PrimitiveDistance& primitive);
+  explicit DistanceField(const PrimitiveDistance& primitive);
 
   /// A field without a budget, whose cells are made where it is asked: for meshes of which only a
   /// part is ever come near to.
   /// @pre the mesh has a triangle.
-  [[nodiscard]] static ClearanceField growing(std::shared_ptr<const TriangleMesh> mesh);
+  [[nodiscard]] static DistanceField growing(std::shared_ptr<const TriangleMesh> mesh);
 
   /// Nothing for other meshes.
   [[nodiscard]] const std::optional<PrimitiveDistance>& primitive() const { return primitive_; }
@@ -115,7 +115,7 @@ class ClearanceField {
   [[nodiscard]] std::size_t block_count() const { return blocks_.size(); }
 
  private:
-  friend class ClearanceFieldBuilder;
+  friend class DistanceFieldBuilder;
   friend class VolumeArchive;
 
   void lay_out(const Aabb& box);
@@ -138,10 +138,10 @@ class ClearanceField {
   std::vector<Cell> cells_;
   std::vector<TriangleBlock> blocks_;
   std::optional<PrimitiveDistance> primitive_;
-  std::shared_ptr<ClearanceFieldGrowth> growth_;  ///< Null: all cells are there.
+  std::shared_ptr<DistanceFieldGrowth> growth_;  ///< Null: all cells are there.
 };
 
-inline ClearanceField::Place ClearanceField::find(const Eigen::Vector3f& p) const {
+inline DistanceField::Place DistanceField::find(const Eigen::Vector3f& p) const {
   if (primitive_) {
     return {nullptr, 0.0F};
   }
@@ -166,9 +166,9 @@ inline ClearanceField::Place ClearanceField::find(const Eigen::Vector3f& p) cons
   return {cell, side * std::min(u.minCoeff(), 1.0F - u.maxCoeff())};
 }
 
-inline float ClearanceField::bound(const Eigen::Vector3f& p) const { return bound(p, find(p)); }
+inline float DistanceField::bound(const Eigen::Vector3f& p) const { return bound(p, find(p)); }
 
-inline float ClearanceField::bound(const Eigen::Vector3f& p, const Place& place) const {
+inline float DistanceField::bound(const Eigen::Vector3f& p, const Place& place) const {
   if (primitive_) {
     return primitive_->bound(p);
   }

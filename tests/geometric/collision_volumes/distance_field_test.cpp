@@ -1,4 +1,4 @@
-#include "collision/volumes/clearance_field.h"
+#include "collision/volumes/distance_field.h"
 
 #include "collision/volumes/box_tree.h"
 #include "sample_meshes.h"
@@ -18,11 +18,11 @@ namespace {
 constexpr std::size_t kCells = 4096;
 constexpr double kSinglePrecision = 2e-6;  // m, within a metre
 
-TEST(ClearanceField, IsNeverAboveTheDistance) {
+TEST(DistanceField, IsNeverAboveTheDistance) {
   for (const auto& [name, mesh] : test::sample_meshes()) {
     SCOPED_TRACE(name);
     const BoxTree boxes(mesh);
-    const ClearanceField field(mesh, boxes, kCells);
+    const DistanceField field(mesh, boxes, kCells);
     test::RandomPoints points(mesh, 3.0);
     for (int i = 0; i < 5000; ++i) {
       const Eigen::Vector3d p = points.next();
@@ -33,12 +33,11 @@ TEST(ClearanceField, IsNeverAboveTheDistance) {
   }
 }
 
-TEST(ClearanceField, IsNeverAboveTheDistanceWhereItGrows) {
+TEST(DistanceField, IsNeverAboveTheDistanceWhereItGrows) {
   for (const auto& [name, mesh] : test::sample_meshes()) {
     SCOPED_TRACE(name);
     const BoxTree boxes(mesh);
-    const ClearanceField field =
-        ClearanceField::growing(std::make_shared<const TriangleMesh>(mesh));
+    const DistanceField field = DistanceField::growing(std::make_shared<const TriangleMesh>(mesh));
     test::RandomPoints points(mesh, 3.0);
     for (int i = 0; i < 5000; ++i) {
       const Eigen::Vector3d p = points.next();
@@ -49,22 +48,22 @@ TEST(ClearanceField, IsNeverAboveTheDistanceWhereItGrows) {
   }
 }
 
-TEST(ClearanceField, GrowsTheSameWhoeverComesFirst) {
+TEST(DistanceField, GrowsTheSameWhoeverComesFirst) {
   const auto mesh = tessellate(Cylinder{0.03, 0.12});
   std::vector<Eigen::Vector3f> points;
   test::RandomPoints random(*mesh, 2.0);
   for (int i = 0; i < 3000; ++i) {
     points.emplace_back(random.next().cast<float>());
   }
-  const auto bounds = [&points](const ClearanceField& field) {
+  const auto bounds = [&points](const DistanceField& field) {
     std::vector<float> found;
     for (const Eigen::Vector3f& p : points) {
       found.push_back(field.bound(p));
     }
     return found;
   };
-  const std::vector<float> expected = bounds(ClearanceField::growing(mesh));
-  const ClearanceField shared = ClearanceField::growing(mesh);
+  const std::vector<float> expected = bounds(DistanceField::growing(mesh));
+  const DistanceField shared = DistanceField::growing(mesh);
   {
     std::vector<std::jthread> threads;
     for (int i = 0; i < 4; ++i) {
@@ -78,10 +77,10 @@ TEST(ClearanceField, GrowsTheSameWhoeverComesFirst) {
   EXPECT_EQ(bounds(shared), expected);
 }
 
-TEST(ClearanceField, BoundsTrianglesWhereItGrows) {
+TEST(DistanceField, BoundsTrianglesWhereItGrows) {
   const auto mesh = tessellate(Cylinder{0.03, 0.12});
   const BoxTree boxes(*mesh);
-  const ClearanceField field = ClearanceField::growing(mesh);
+  const DistanceField field = DistanceField::growing(mesh);
   test::RandomPoints points(*mesh, 1.5);
   int bounded = 0;
   for (int i = 0; i < 2000; ++i) {
@@ -98,19 +97,19 @@ TEST(ClearanceField, BoundsTrianglesWhereItGrows) {
   EXPECT_GT(bounded, 200);
 }
 
-TEST(ClearanceField, IsTheDistanceAlongAFlatFaceOnEitherSide) {
+TEST(DistanceField, IsTheDistanceAlongAFlatFaceOnEitherSide) {
   const TriangleMesh mesh = test::sample_meshes()[2].mesh;  // the plate
-  const ClearanceField field(mesh, BoxTree(mesh), kCells);
+  const DistanceField field(mesh, BoxTree(mesh), kCells);
   for (const double height : {0.001, 0.01, 0.1, -0.001, -0.01, -0.1}) {
     EXPECT_NEAR(field.bound(Eigen::Vector3d(0.5, 0.25, height).cast<float>()), std::abs(height),
                 1e-4);
   }
 }
 
-TEST(ClearanceField, LosesLittleNearACurvedSurface) {
+TEST(DistanceField, LosesLittleNearACurvedSurface) {
   const TriangleMesh mesh = *tessellate(Cylinder{0.03, 0.12});
   const BoxTree boxes(mesh);
-  const ClearanceField field(mesh, boxes, 1U << 14);
+  const DistanceField field(mesh, boxes, 1U << 14);
   for (int i = 0; i < 360; ++i) {
     const double angle = i * 3.14159265358979 / 180.0;
     const Eigen::Vector3d p(0.035 * std::cos(angle), 0.035 * std::sin(angle), 0.01);
@@ -118,16 +117,16 @@ TEST(ClearanceField, LosesLittleNearACurvedSurface) {
   }
 }
 
-TEST(ClearanceField, FarAwayIsTheDistanceFromTheBox) {
+TEST(DistanceField, FarAwayIsTheDistanceFromTheBox) {
   const TriangleMesh mesh = *tessellate(Box{{0.4, 0.1, 0.02}});
-  const ClearanceField field(mesh, BoxTree(mesh), kCells);
+  const DistanceField field(mesh, BoxTree(mesh), kCells);
   EXPECT_NEAR(field.bound({10.2F, 0.0F, 0.0F}), 10.0F, 1e-5F);
 }
 
-TEST(ClearanceField, BoundsTrianglesThatAreInOneCell) {
+TEST(DistanceField, BoundsTrianglesThatAreInOneCell) {
   const TriangleMesh mesh = *tessellate(Cylinder{0.03, 0.12});
   const BoxTree boxes(mesh);
-  const ClearanceField field(mesh, boxes, kCells);
+  const DistanceField field(mesh, boxes, kCells);
   test::RandomPoints points(mesh, 1.5);
   int bounded = 0;
   for (int i = 0; i < 2000; ++i) {
