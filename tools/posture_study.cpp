@@ -3,9 +3,9 @@
 #include "handway/device/glove/glove_calibration.h"
 #include "handway/device/glove/hand_mapper.h"
 #include "handway/device/glove/recording_filters.h"
+#include "handway/geometric/formats/robot_loader.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/resources.h"
-#include "handway/geometric/formats/robot_loader.h"
 #include "handway/sampling/postures/principal_components.h"
 
 #include <fmt/format.h>

@@ -29,6 +29,10 @@ const std::map<std::string, std::vector<std::string>, std::less<>> kLibraryFolde
      {"math", "io", "mesh", "robot", "scene", "collision/volumes", "collision",
       "collision/continuous", "collision/cache", "collision/broad_phase", "collision/narrow_phase",
       "collision/checkers", "formats"}},
+    {"sampling", {"sequences", "samplers", "regions", "postures"}},
+    {"planning",
+     {"core", "spaces", "paths", "roadmap", "timing", "planners", "queries", "extensions",
+      "replanning", "grasps", "campaigns"}},
 };
 
 /// The folders of the window, lowest first: each may include those before it. Two exceptions:

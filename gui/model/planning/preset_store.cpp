@@ -1,8 +1,8 @@
 #include "model/planning/preset_store.h"
 
+#include "handway/geometric/formats/yaml_element.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/replace_file.h"
-#include "handway/geometric/formats/yaml_element.h"
 #include "handway/planning/planners/planner_registry.h"
 
 #include <QFileInfo>

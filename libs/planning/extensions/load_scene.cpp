@@ -1,8 +1,8 @@
+#include "handway/geometric/formats/robot_loader.h"
+#include "handway/geometric/formats/scene_reader.h"
 #include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/resources.h"
-#include "handway/geometric/formats/robot_loader.h"
-#include "handway/geometric/formats/scene_reader.h"
 #include "handway/planning/extensions/plugin.h"
 #include "handway/sampling/postures/pmd_basis_io.h"
 

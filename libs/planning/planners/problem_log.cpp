@@ -1,7 +1,7 @@
 #include "planners/problem_log.h"
 
-#include "handway/geometric/io/replace_file.h"
 #include "handway/geometric/formats/scene_writer.h"
+#include "handway/geometric/io/replace_file.h"
 #include "handway/sampling/postures/pmd_basis_io.h"
 
 #include <fmt/format.h>

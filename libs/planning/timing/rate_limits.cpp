@@ -1,7 +1,7 @@
 #include "handway/planning/timing/rate_limits.h"
 
-#include "handway/geometric/io/input_error.h"
 #include "handway/geometric/formats/yaml_element.h"
+#include "handway/geometric/io/input_error.h"
 #include "handway/planning/core/objective.h"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 #include "collision/volumes/box_cover.h"
 
-#include "mesh/triangle_mesh.h"
+#include "handway/geometric/mesh/triangle_mesh.h"
 #include "sample_meshes.h"
 
 #include <gtest/gtest.h>

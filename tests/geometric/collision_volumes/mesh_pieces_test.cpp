@@ -1,5 +1,4 @@
 #include "handway/geometric/mesh/triangle_mesh.h"
-#include "mesh/triangle_mesh.h"
 #include "sample_meshes.h"
 
 #include <gtest/gtest.h>

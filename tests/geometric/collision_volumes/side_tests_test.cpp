@@ -1,6 +1,6 @@
 #include "collision/narrow_phase/fcl_bodies.h"
 #include "collision/volumes/box_cover.h"
-#include "mesh/triangle_mesh.h"
+#include "handway/geometric/mesh/triangle_mesh.h"
 #include "sample_meshes.h"
 
 #include <fcl/narrowphase/collision.h>

@@ -1,5 +1,5 @@
 #include "collision/cache/surface.h"
-#include "mesh/triangle_mesh.h"
+#include "handway/geometric/mesh/triangle_mesh.h"
 #include "sample_meshes.h"
 
 #include <gtest/gtest.h>

@@ -296,13 +296,13 @@ HANDWAY_VECTOR_UNITS void move(const SurfacePoints& points, const float* R, cons
   }
 }
 
-struct Box {
+struct LocalBox {
   std::array<float, 3> centre;
   std::array<float, 3> half;
 };
 
 // How many points are in the box.
-HANDWAY_VECTOR_UNITS std::uint32_t count_in(const SurfacePoints& points, const Box& box) {
+HANDWAY_VECTOR_UNITS std::uint32_t count_in(const SurfacePoints& points, const LocalBox& box) {
   std::uint32_t count = 0;
   for (std::size_t k = 0; k < kCount; ++k) {
     const float x = std::abs(points.x[k] - box.centre[0]) - box.half[0];
@@ -327,7 +327,7 @@ HANDWAY_VECTOR_UNITS std::uint32_t reached(const float* centre, float radius, co
 }
 
 // How deep in one of the boxes a box is; negative: in none.
-HANDWAY_VECTOR_UNITS float depth_in(const Box& box, const Boxes& boxes) {
+HANDWAY_VECTOR_UNITS float depth_in(const LocalBox& box, const Boxes& boxes) {
   alignas(64) std::array<float, kBoxes> depth;
   for (std::size_t k = 0; k < kBoxes; ++k) {
     const float x = boxes.half[0][k] - std::abs(box.centre[0] - boxes.centre[0][k]) - box.half[0];
@@ -345,7 +345,7 @@ HANDWAY_VECTOR_UNITS float depth_in(const Box& box, const Boxes& boxes) {
   return deepest;
 }
 
-Box box_of(const Boxes& boxes, std::size_t k, float gain) {
+LocalBox box_of(const Boxes& boxes, std::size_t k, float gain) {
   return {{boxes.centre[0][k], boxes.centre[1][k], boxes.centre[2][k]},
           {boxes.half[0][k] + gain, boxes.half[1][k] + gain, boxes.half[2][k] + gain}};
 }

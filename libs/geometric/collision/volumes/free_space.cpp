@@ -10,12 +10,12 @@
 namespace handway::geometric {
 namespace {
 
-constexpr int kSteps = 32;          // of a grid along each axis, besides lines at flat faces
-constexpr std::size_t kFaces = 12;  // so many flat faces across an axis have lines of their own
-constexpr double kBeside = 1e-5;    // m: so far on either side
-constexpr double kBeyond = 1.0;     // m: so far around the piece the grid reaches
-constexpr double kHair = 2e-6;      // m: free cells are at least so far from the surface
-constexpr std::size_t kParts = 24;  // the largest, whose sides are found
+constexpr int kSteps = 32;              // of a grid along each axis, besides lines at flat faces
+constexpr std::size_t kGridFaces = 12;  // so many flat faces across an axis have lines of their own
+constexpr double kBeside = 1e-5;        // m: so far on either side
+constexpr double kBeyond = 1.0;         // m: so far around the piece the grid reaches
+constexpr double kGridHair = 2e-6;      // m: free cells are at least so far from the surface
+constexpr std::size_t kParts = 24;      // the largest, whose sides are found
 
 // The coordinates of the largest faces across an axis.
 std::vector<double> flat_faces(const TriangleMesh& piece, Eigen::Index axis) {
@@ -23,7 +23,7 @@ std::vector<double> flat_faces(const TriangleMesh& piece, Eigen::Index axis) {
   for (std::uint32_t t = 0; t < piece.triangles.size(); ++t) {
     const auto [a, b, c] = corners(piece, t);
     const auto [low, high] = std::minmax({a[axis], b[axis], c[axis]});
-    if (high - low < kHair) {
+    if (high - low < kGridHair) {
       areas[a[axis]] += (b - a).cross(c - a).norm();
     }
   }
@@ -33,7 +33,7 @@ std::vector<double> flat_faces(const TriangleMesh& piece, Eigen::Index axis) {
     largest.emplace_back(-area, place);
   }
   std::ranges::sort(largest);
-  largest.resize(std::min(largest.size(), kFaces));
+  largest.resize(std::min(largest.size(), kGridFaces));
   std::vector<double> faces;
   std::ranges::transform(largest, std::back_inserter(faces), &std::pair<double, double>::second);
   return faces;
@@ -77,8 +77,8 @@ void FreeSpace::block_cells(const std::array<Eigen::Vector3d, 3>& triangle) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto i = static_cast<Eigen::Index>(axis);
     const std::vector<double>& lines = lines_[axis];
-    const auto below = std::ranges::lower_bound(lines, lower[i] - kHair) - lines.begin();
-    const auto above = std::ranges::upper_bound(lines, upper[i] + kHair) - lines.begin();
+    const auto below = std::ranges::lower_bound(lines, lower[i] - kGridHair) - lines.begin();
+    const auto above = std::ranges::upper_bound(lines, upper[i] + kGridHair) - lines.begin();
     cells.first[axis] = std::max(0, static_cast<int>(below) - 1);
     cells.end[axis] = std::min(count_[axis], static_cast<int>(above));
   }

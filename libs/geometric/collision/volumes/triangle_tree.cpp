@@ -121,8 +121,8 @@ float TriangleBlock::distance(const Eigen::Vector3f& p) const {
 
 namespace {
 
-constexpr float kBoxRounding = 2e-6F;  // of the coordinates: more than single precision loses
-constexpr float kNever = -1e30F;       // half a box that no point is near to
+constexpr float kTreeRounding = 2e-6F;  // of the coordinates: more than single precision loses
+constexpr float kPastLast = -1e30F;     // half a box that no point is near to
 
 struct TreePiece {
   Eigen::Vector3d lower;
@@ -171,7 +171,7 @@ class TriangleTreeBuilder {
   std::uint32_t add_node(Pieces pieces) {
     const std::size_t index = tree_.nodes_.size();
     for (auto& half : tree_.nodes_.emplace_back().half) {
-      half.fill(kNever);
+      half.fill(kPastLast);
     }
     std::vector<Pieces> groups{pieces};
     while (groups.size() < TriangleTree::kWidth) {
@@ -229,7 +229,7 @@ TriangleTree::TriangleTree(const TriangleMesh& mesh) { TriangleTreeBuilder(*this
 
 float TriangleTree::reach(const Eigen::Vector3d& p, double distance) const {
   return static_cast<float>(distance) +
-         kBoxRounding * (size_ + static_cast<float>(distance + p.lpNorm<1>()));
+         kTreeRounding * (size_ + static_cast<float>(distance + p.lpNorm<1>()));
 }
 
 HANDWAY_VECTOR_UNITS std::uint32_t TriangleTree::near_boxes(const Node& node,
