@@ -31,9 +31,6 @@ class EditingTest : public WindowTest {
     if (!found) {
       throw std::runtime_error(std::string("no object called ") + name);
     }
-    [[nodiscard]] const geometric::ObjectDisplay& display(const char* name) const {
-      return scene().display.of(name);
-    }
     return *found;
   }
   [[nodiscard]] const geometric::ObjectDisplay& display(const char* name) const {
