@@ -33,6 +33,7 @@ const std::map<std::string, std::vector<std::string>, std::less<>> kLibraryFolde
     {"planning",
      {"core", "spaces", "paths", "roadmap", "timing", "planners", "queries", "extensions",
       "replanning", "grasps", "campaigns"}},
+    {"device", {"core", "glove", "tracker", "arm", "hand", "ros", "haptic"}},
 };
 
 /// The folders of the window, lowest first: each may include those before it. Two exceptions:
