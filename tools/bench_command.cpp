@@ -7,7 +7,7 @@
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/replace_file.h"
 #include "handway/geometric/io/resources.h"
-#include "handway/planning/campaigns/campaign_reader.h"
+#include "handway/planning/campaigns/campaign.h"
 #include "handway/planning/extensions/plugin.h"
 #include "handway/sampling/postures/pmd_basis_io.h"
 #include "machine.h"

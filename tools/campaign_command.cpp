@@ -3,9 +3,9 @@
 #include "campaign_report.h"
 #include "exit_codes.h"
 #include "handway/geometric/io/input_error.h"
-#include "handway/planning/campaigns/campaign_reader.h"
+#include "handway/planning/campaigns/campaign.h"
 #include "handway/planning/campaigns/run_database.h"
-#include "handway/planning/campaigns/run_executor.h"
+#include "handway/planning/campaigns/run_workers.h"
 #include "interrupt.h"
 #include "version.h"
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "handway/planning/campaigns/campaign.h"
-#include "handway/planning/campaigns/run_record.h"
 #include "handway/planning/campaigns/run_workers.h"
 #include "handway/planning/extensions/plugin.h"
 

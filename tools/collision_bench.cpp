@@ -3,7 +3,7 @@
 #include "handway/geometric/collision/checkers/make_checker.h"
 #include "handway/geometric/collision/continuous/edge_checker.h"
 #include "handway/geometric/collision/continuous/motion_bound.h"
-#include "handway/planning/campaigns/sample_statistics.h"
+#include "handway/planning/campaigns/campaign_statistics.h"
 
 #include <chrono>
 #include <functional>

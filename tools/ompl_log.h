@@ -1,7 +1,7 @@
 #pragma once
 
 #include "handway/planning/campaigns/campaign.h"
-#include "handway/planning/campaigns/campaign_summary.h"
+#include "handway/planning/campaigns/campaign_statistics.h"
 
 #include <span>
 #include <string>

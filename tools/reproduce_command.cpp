@@ -3,7 +3,7 @@
 #include "commands.h"
 #include "exit_codes.h"
 #include "handway/geometric/io/resources.h"
-#include "handway/planning/campaigns/campaign_reader.h"
+#include "handway/planning/campaigns/campaign.h"
 #include "reproduce_figures.h"
 #include "reproduce_report.h"
 

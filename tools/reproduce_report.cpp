@@ -3,8 +3,7 @@
 #include "campaign_report.h"
 #include "handway/geometric/io/replace_file.h"
 #include "handway/planning/campaigns/campaign.h"
-#include "handway/planning/campaigns/campaign_summary.h"
-#include "handway/planning/campaigns/run_record.h"
+#include "handway/planning/campaigns/campaign_statistics.h"
 #include "numbers.h"
 #include "report_document.h"
 

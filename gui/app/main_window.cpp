@@ -348,7 +348,7 @@ void MainWindow::connect_campaigns() {
       options_.play = true;
       options_.planner = run.planner.planner;
       options_.settings = run.planner.parameters;
-      options_.seed = run.seed;
+      options_.seed = run.record.spec.seed;
       document_.open(run.file);
     }
   });

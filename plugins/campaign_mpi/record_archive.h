@@ -1,6 +1,6 @@
 #pragma once
 
-#include "handway/planning/campaigns/run_record.h"
+#include "handway/planning/campaigns/campaign.h"
 
 #include <boost/serialization/string.hpp>
 #include <boost/serialization/vector.hpp>

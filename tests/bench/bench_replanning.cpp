@@ -77,8 +77,8 @@ void bm_dynamic_roadmap(benchmark::State& state, const Drag& drag) {
     const PlanResult result = roadmap.plan({});
     state.SetIterationTime(search_time(result));
     sum.add(result, search_time(result));
-    kept += roadmap.report().source == ReplanSource::kLastPath ? 1 : 0;
-    anew += roadmap.report().source == ReplanSource::kPlanner ? 1 : 0;
+    kept += roadmap.source() == ReplanSource::kLastPath ? 1 : 0;
+    anew += roadmap.source() == ReplanSource::kPlanner ? 1 : 0;
   }
   sum.report(state);
   state.counters["kept"] = static_cast<double>(kept) / static_cast<double>(state.iterations());

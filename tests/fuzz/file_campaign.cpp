@@ -1,5 +1,5 @@
 /// Campaigns (YAML).
-#include "handway/planning/campaigns/campaign_reader.h"
+#include "handway/planning/campaigns/campaign.h"
 #include "handway/planning/planners/planner_registry.h"
 #include "input_file.h"
 

@@ -7,7 +7,7 @@
 #include "handway/planning/queries/failure_explanation.h"
 #include "handway/planning/queries/nearest_free.h"
 #include "handway/planning/replanning/dynamic_roadmap.h"
-#include "handway/planning/timing/certified_blends.h"
+#include "handway/planning/timing/blended_path.h"
 #include "handway/planning/timing/time_path.h"
 #include "handway_test/known_problems.h"
 #include "handway_test/planar_problems.h"
@@ -238,7 +238,7 @@ TEST(ConstraintRefusals, AMotionThatWasTimedWithoutThemIsNotCleared) {
   ASSERT_TRUE(timed.cleared());
   geometric::Scene scene = *plain.scene;
   scene.constraints.push_back(heading(0.35));
-  PreflightOptions options;
+  TimingOptions options;
   options.limits = timed.motion.limits;
   const PreflightReport report =
       preflight(test::planar_problem(std::move(scene), plain.start, plain.goal),

@@ -1,8 +1,7 @@
 #include "features/campaigns/campaigns_panel.h"
 
-#include "handway/planning/campaigns/campaign_reader.h"
+#include "handway/planning/campaigns/campaign.h"
 #include "handway/planning/campaigns/run_database.h"
-#include "handway/planning/campaigns/run_executor.h"
 #include "handway/planning/campaigns/run_workers.h"
 #include "widgets/panels/dock_layout.h"
 #include "widgets/panels/run_table.h"
@@ -149,13 +148,13 @@ class RunsOfProblem : public QSortFilterProxyModel {
 RunRow row_of(const planning::ArchivedRun& run) {
   RunRow row;
   row.planner = QString::fromStdString(run.planner.label);
-  row.seed = run.seed;
-  row.time_s = run.time_s;
-  row.outcome = QString::fromStdString(run.status);
-  row.samples = run.samples;
-  if (run.solved) {
-    row.nodes = run.path_nodes;
-    row.clearance = run.min_clearance_mm;
+  row.seed = run.record.spec.seed;
+  row.time_s = run.record.time_s;
+  row.outcome = QString::fromStdString(run.record.status);
+  row.samples = run.record.samples;
+  if (run.record.solved) {
+    row.nodes = run.record.path_nodes;
+    row.clearance = run.record.min_clearance_mm;
   }
   row.tip = QObject::tr("Open its scene and plan it again with its seed");
   return row;
@@ -299,7 +298,8 @@ void CampaignsPanel::end(const QString& problem) {
   stop_->setEnabled(false);
   const bool complete = progress_->maximum() == 0 || table_->rowCount() == progress_->maximum();
   progress_->setVisible(false);
-  const auto solved = std::ranges::count_if(runs_, &planning::ArchivedRun::solved);
+  const auto solved =
+      std::ranges::count_if(runs_, &planning::RunRecord::solved, &planning::ArchivedRun::record);
   if (!problem.isEmpty()) {
     state_->setText(problem);
   } else {
@@ -330,8 +330,8 @@ void CampaignsPanel::draw() {
       curve = curves.insert(curves.end(), EcdfCurve{title, {}, 0});
     }
     ++curve->runs;
-    if (run.solved) {
-      curve->times.push_back(run.time_s);
+    if (run.record.solved) {
+      curve->times.push_back(run.record.time_s);
     }
   }
   plot_->set_curves(curves);

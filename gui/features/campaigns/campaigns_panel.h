@@ -1,6 +1,6 @@
 #pragma once
 
-#include "handway/planning/campaigns/run_archive.h"
+#include "handway/planning/campaigns/run_database.h"
 #include "handway/planning/extensions/plugin.h"
 #include "widgets/panels/run_table.h"
 

@@ -52,7 +52,7 @@ std::unique_ptr<DynamicRoadmap> roadmap_of(const planning::PlanningProblem& prob
                                            const planning::PlanRequest& request,
                                            const std::stop_token& stop) {
   auto roadmap = std::make_unique<DynamicRoadmap>(
-      problem, planning::DynamicRoadmapSettings{},
+      problem,
       std::make_unique<KnownPathFirst>(std::move(path), std::make_unique<planning::AutoPlanner>()));
   (void)roadmap->plan(request, stop);
   return roadmap;
@@ -153,7 +153,7 @@ void LiveReplanner::work(const std::stop_token& stop) {
       } else if (roadmap && roadmap->follow(*scene)) {
         DerivedResult result{roadmap->plan(request, cancelled), revision};
         deliver([this, result = std::move(result),
-                 origin = QString::fromLatin1(planning::to_string(roadmap->report().source))] {
+                 origin = QString::fromLatin1(planning::to_string(roadmap->source()))] {
           emit replanned(result, origin);
         });
       } else {

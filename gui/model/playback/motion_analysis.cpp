@@ -1,7 +1,7 @@
 #include "model/playback/motion_analysis.h"
 
 #include "handway/planning/queries/human_likeness.h"
-#include "handway/planning/timing/certified_blends.h"
+#include "handway/planning/timing/blended_path.h"
 #include "handway/planning/timing/time_law.h"
 #include "model/document/document.h"
 #include "model/playback/path_player.h"

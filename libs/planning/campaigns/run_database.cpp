@@ -1,11 +1,10 @@
 #include "handway/planning/campaigns/run_database.h"
 
-#include "campaigns/run_columns.h"
-#include "campaigns/run_schema.h"
 #include "handway/geometric/io/disk_cache.h"
 #include "handway/geometric/io/input_error.h"
 
 #include <SQLiteCpp/SQLiteCpp.h>
+#include <SQLiteCpp/VariadicBind.h>
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -17,24 +16,186 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
-#include <filesystem>
 #include <map>
 #include <set>
 #include <sstream>
+#include <string_view>
 #include <system_error>
 #include <tuple>
 #include <type_traits>
+#include <utility>
+#include <variant>
 
 namespace handway::planning {
 namespace {
+
+namespace fs = std::filesystem;
+using geometric::InputError;
+using SQLite::Statement;
+
+/// Marks the files of this program (SQLite's application_id): "HWAY".
+constexpr int kApplicationId = 0x48574159;
+/// SQLite's user_version; raised with every change of the tables.
+constexpr int kSchemaVersion = 1;
+constexpr int kBusyTimeout = 2000;  // ms, while another program writes
+constexpr const char* kResumeAdvice =
+    "Make room or correct what is wrong, and go on with --resume: the runs done so far are kept";
+
+/// Where a RunRecord keeps a number or a text that is a column of the run database.
+using RunField = std::variant<std::uint64_t RunRecord::*, double RunRecord::*, bool RunRecord::*,
+                              std::string RunRecord::*>;
+
+struct RunColumn {
+  std::string_view name;
+  RunField field;
+};
+
+/// The columns of a run in the order of the table, after problem, planner, seed and version;
+/// `nodes_per_pmds` (JSON) and `path` follow.
+constexpr std::array<RunColumn, 21> kRunColumns = {{
+    {"solved", &RunRecord::solved},
+    {"status", &RunRecord::status},
+    {"reason", &RunRecord::reason},
+    {"time_s", &RunRecord::time_s},
+    {"smoothing_s", &RunRecord::smoothing_s},
+    {"sampling_s", &RunRecord::sampling_s},
+    {"connection_s", &RunRecord::connection_s},
+    {"samples", &RunRecord::samples},
+    {"nodes", &RunRecord::nodes},
+    {"edges", &RunRecord::edges},
+    {"passes", &RunRecord::passes},
+    {"max_trials", &RunRecord::max_trials},
+    {"final_rho_a", &RunRecord::final_rho_a},
+    {"node_checks", &RunRecord::node_checks},
+    {"edge_checks", &RunRecord::edge_checks},
+    {"edges_tested", &RunRecord::edges_tested},
+    {"path_nodes", &RunRecord::path_nodes},
+    {"path_length", &RunRecord::path_length},
+    {"resolution_mm", &RunRecord::resolution_mm},
+    {"min_clearance_mm", &RunRecord::min_clearance_mm},
+    {"certificate_checks", &RunRecord::certificate_checks},
+}};
+
+/// Calls `use` with each field of `record` that is a column, in the order of the table.
+template <typename Record, typename Use>
+void for_each_field(Record& record, const Use& use) {
+  for (const RunColumn& column : kRunColumns) {
+    std::visit([&](const auto member) { use(column.name, record.*member); }, column.field);
+  }
+}
+
+std::string column_names() {
+  std::string names;
+  for (const RunColumn& column : kRunColumns) {
+    names += fmt::format("{}, ", column.name);
+  }
+  return names;
+}
+
+/// The statements that make the tables and the view.
+std::string run_schema() {
+  std::string columns;
+  const RunRecord record;
+  for_each_field(record, [&](std::string_view name, const auto& value) {
+    using Value = std::decay_t<decltype(value)>;
+    columns += fmt::format("  {} {} NOT NULL,\n", name,
+                           std::is_same_v<Value, double>        ? "REAL"
+                           : std::is_same_v<Value, std::string> ? "TEXT"
+                                                                : "INTEGER");
+  });
+  return fmt::format(
+      "PRAGMA application_id = {};\n"
+      "PRAGMA user_version = {};\n"
+      "CREATE TABLE setting (key TEXT PRIMARY KEY, value TEXT NOT NULL);\n"
+      "CREATE TABLE problem (\n"
+      "  id INTEGER PRIMARY KEY, name TEXT NOT NULL UNIQUE, file TEXT NOT NULL,\n"
+      "  digest TEXT NOT NULL);\n"
+      "CREATE TABLE planner (\n"
+      "  id INTEGER PRIMARY KEY, label TEXT NOT NULL, planner TEXT NOT NULL,\n"
+      "  parameters TEXT NOT NULL, UNIQUE (planner, parameters));\n"
+      "CREATE TABLE run (\n"
+      "  problem INTEGER NOT NULL REFERENCES problem (id),\n"
+      "  planner INTEGER NOT NULL REFERENCES planner (id),\n"
+      "  seed INTEGER NOT NULL,\n"
+      "  version TEXT NOT NULL,\n"
+      "{}"
+      "  nodes_per_pmds TEXT NOT NULL,\n"
+      "  path TEXT NOT NULL,\n"
+      "  PRIMARY KEY (problem, planner, seed)) WITHOUT ROWID;\n"
+      "CREATE VIEW runs AS SELECT problem.name AS problem, planner.label AS planner, seed,\n"
+      "  {} nodes_per_pmds, path, version FROM run\n"
+      "  JOIN problem ON problem.id = run.problem JOIN planner ON planner.id = run.planner;\n",
+      kApplicationId, kSchemaVersion, columns, column_names());
+}
+
+/// Adds a run; parameters: problem, planner, seed, version, then kRunColumns, nodes_per_pmds and
+/// path. A run that is there stays.
+std::string insert_run() {
+  std::string marks = "?, ?, ?, ?";
+  for (std::size_t i = 0; i < kRunColumns.size() + 2; ++i) {
+    marks += ", ?";
+  }
+  return fmt::format(
+      "INSERT INTO run (problem, planner, seed, version, {} nodes_per_pmds, path) "
+      "VALUES ({}) ON CONFLICT DO NOTHING",
+      column_names(), marks);
+}
+
+void bind_fields(Statement& insert, int at, const RunRecord& record) {
+  for_each_field(record, [&](std::string_view /*name*/, const auto& value) {
+    using Value = std::decay_t<decltype(value)>;
+    if constexpr (std::is_same_v<Value, double> || std::is_same_v<Value, std::string>) {
+      insert.bind(at++, value);
+    } else {
+      insert.bind(at++, static_cast<std::int64_t>(value));
+    }
+  });
+  insert.bind(at++, nlohmann::json(record.nodes_per_pmds).dump());
+  insert.bind(at, record.path);
+}
+
+/// A record without spec and path, from kRunColumns and nodes_per_pmds, which begin at column `at`.
+RunRecord record_in(const Statement& row, int at) {
+  RunRecord record;
+  for_each_field(record, [&](std::string_view /*name*/, auto& value) {
+    using Value = std::decay_t<decltype(value)>;
+    const SQLite::Column column = row.getColumn(at++);
+    if constexpr (std::is_same_v<Value, double>) {
+      value = column.getDouble();
+    } else if constexpr (std::is_same_v<Value, std::string>) {
+      value = column.getString();
+    } else {
+      value = static_cast<Value>(column.getInt64());
+    }
+  });
+  record.nodes_per_pmds =
+      nlohmann::json::parse(row.getColumn(at).getString()).get<std::vector<std::uint64_t>>();
+  return record;
+}
+
+std::uint64_t seed_in(const Statement& row, int at) {
+  return static_cast<std::uint64_t>(row.getColumn(at).getInt64());
+}
 
 /// Keeps other programs from working in a folder, as long as it lives; the system takes it
 /// back from a program that is killed.
 class FolderLock {
  public:
   /// @throws InputError if another program holds it, or the folder can't be opened.
-  explicit FolderLock(const std::filesystem::path& folder);
-  ~FolderLock();
+  explicit FolderLock(const fs::path& folder)
+      : descriptor_(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+    if (descriptor_ < 0) {
+      throw InputError({folder.string(), "", std::strerror(errno), "a folder for runs",
+                        "Choose another folder"});
+    }
+    if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+      close(descriptor_);
+      throw InputError({folder.string(), "", "a campaign that is being run there",
+                        "a folder that no other program works in",
+                        "Wait until it is done, or choose another folder"});
+    }
+  }
+  ~FolderLock() { close(descriptor_); }
   FolderLock(const FolderLock&) = delete;
   FolderLock& operator=(const FolderLock&) = delete;
 
@@ -42,38 +203,19 @@ class FolderLock {
   int descriptor_ = -1;
 };
 
-using geometric::InputError;
-
-FolderLock::FolderLock(const std::filesystem::path& folder)
-    : descriptor_(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
-  if (descriptor_ < 0) {
+/// Does `work` on the database in `file`. @throws InputError for what SQLite throws.
+template <typename Work>
+auto on_database(const fs::path& file, const Work& work) {
+  try {
+    return work();
+  } catch (const SQLite::Exception& error) {
+    if (error.getErrorCode() == SQLITE_NOTADB) {
+      throw InputError({file.string(), "", "a file of another format", "a run database",
+                        "Choose another folder"});
+    }
     throw InputError(
-        {folder.string(), "", std::strerror(errno), "a folder for runs", "Choose another folder"});
+        {file.string(), "", error.what(), "a run database that can be written", kResumeAdvice});
   }
-  if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
-    close(descriptor_);
-    throw InputError({folder.string(), "", "a campaign that is being run there",
-                      "a folder that no other program works in",
-                      "Wait until it is done, or choose another folder"});
-  }
-}
-
-FolderLock::~FolderLock() { close(descriptor_); }
-
-namespace fs = std::filesystem;
-using geometric::InputError;
-using SQLite::Statement;
-
-constexpr const char* kResumeAdvice =
-    "Make room or correct what is wrong, and go on with --resume: the runs done so far are kept";
-
-[[noreturn]] void refuse(const fs::path& file, const SQLite::Exception& error) {
-  if (error.getErrorCode() == SQLITE_NOTADB) {
-    throw InputError(
-        {file.string(), "", "a file of another format", "a run database", "Choose another folder"});
-  }
-  throw InputError(
-      {file.string(), "", error.what(), "a run database that can be written", kResumeAdvice});
 }
 
 // A line for each file of a problem: its digest and its path.
@@ -109,7 +251,21 @@ std::string json_of(const ParameterTexts& parameters) {
   return json.dump();
 }
 
+ParameterTexts parameters_in(const std::string& text) {
+  ParameterTexts parameters;
+  const auto json = nlohmann::ordered_json::parse(text);
+  for (const auto& [key, value] : json.items()) {
+    parameters.emplace_back(key, value.get<std::string>());
+  }
+  return parameters;
+}
+
 using Key = std::tuple<std::int64_t, std::int64_t, std::uint64_t>;
+
+// Of a row that begins with problem, planner and seed.
+Key key_in(const Statement& row) {
+  return {row.getColumn(0).getInt64(), row.getColumn(1).getInt64(), seed_in(row, 2)};
+}
 
 }  // namespace
 
@@ -123,10 +279,18 @@ struct RunDatabase::Connection {
   void keep_setting(const char* key, const std::string& value);
   std::int64_t problem_id(const CampaignProblem& problem);
   std::int64_t planner_id(const CampaignPlanner& planner);
-  void bind(Statement& insert, const RunRecord& record, const std::string& version) const;
   [[nodiscard]] Key key_of(const RunSpec& spec) const {
     return {problems[static_cast<std::size_t>(spec.problem)],
             planners[static_cast<std::size_t>(spec.planner)], spec.seed};
+  }
+
+  /// Carries out a statement with these parameters. @returns the row that it added.
+  template <typename... Values>
+  std::int64_t insert(const char* statement, const Values&... values) {
+    Statement query(database, statement);
+    SQLite::bind(query, values...);
+    query.exec();
+    return database.getLastInsertRowid();
   }
 
   FolderLock lock;
@@ -149,102 +313,61 @@ void RunDatabase::Connection::prepare(Opening opening) {
     transaction.commit();
     return;
   }
-  if (id != kRunDatabaseId || version != kRunDatabaseVersion) {
+  if (id != kApplicationId || version != kSchemaVersion) {
     throw InputError({file.string(), "", "a database of another program or version",
                       "a run database", "Choose another folder"});
   }
-  if (opening == Opening::kNew && database.execAndGet("SELECT count(*) FROM run").getInt() > 0) {
-    throw InputError(
-        {file.string(), "",
-         fmt::format("{} runs", database.execAndGet("SELECT count(*) FROM run").getInt()),
-         "a folder without runs", "Go on with them with --resume, or choose another folder"});
+  const int runs = database.execAndGet("SELECT count(*) FROM run").getInt();
+  if (opening == Opening::kNew && runs > 0) {
+    throw InputError({file.string(), "", fmt::format("{} runs", runs), "a folder without runs",
+                      "Go on with them with --resume, or choose another folder"});
   }
 }
 
 void RunDatabase::Connection::keep_setting(const char* key, const std::string& value) {
   Statement query(database, "SELECT value FROM setting WHERE key = ?");
   query.bind(1, key);
-  if (query.executeStep()) {
-    const std::string kept = query.getColumn(0).getString();
-    if (kept != value) {
-      throw InputError({file.string(), key, fmt::format("runs made with {}", kept),
-                        fmt::format("{}, as the campaign says", value),
-                        "Choose another folder, or correct the campaign"});
-    }
-    return;
+  if (!query.executeStep()) {
+    insert("INSERT INTO setting (key, value) VALUES (?, ?)", key, value);
+  } else if (const std::string kept = query.getColumn(0).getString(); kept != value) {
+    throw InputError({file.string(), key, fmt::format("runs made with {}", kept),
+                      fmt::format("{}, as the campaign says", value),
+                      "Choose another folder, or correct the campaign"});
   }
-  Statement insert(database, "INSERT INTO setting (key, value) VALUES (?, ?)");
-  insert.bind(1, key);
-  insert.bind(2, value);
-  insert.exec();
 }
 
 std::int64_t RunDatabase::Connection::problem_id(const CampaignProblem& problem) {
   const std::string digest = digests_of(problem);
   Statement query(database, "SELECT id, digest FROM problem WHERE name = ?");
   query.bind(1, problem.name);
-  if (query.executeStep()) {
-    if (const std::string kept = query.getColumn(1).getString(); kept != digest) {
-      throw InputError({file.string(), fmt::format("problem \"{}\"", problem.name),
-                        "runs of another or an older file",
-                        fmt::format("runs of {} as it is now", first_difference(kept, digest)),
-                        "Choose another folder, or give the problem another name"});
-    }
-    return query.getColumn(0).getInt64();
+  if (!query.executeStep()) {
+    return insert("INSERT INTO problem (name, file, digest) VALUES (?, ?, ?)", problem.name,
+                  problem.file.string(), digest);
   }
-  Statement insert(database, "INSERT INTO problem (name, file, digest) VALUES (?, ?, ?)");
-  insert.bind(1, problem.name);
-  insert.bind(2, problem.file.string());
-  insert.bind(3, digest);
-  insert.exec();
-  return database.getLastInsertRowid();
+  if (const std::string kept = query.getColumn(1).getString(); kept != digest) {
+    throw InputError({file.string(), fmt::format("problem \"{}\"", problem.name),
+                      "runs of another or an older file",
+                      fmt::format("runs of {} as it is now", first_difference(kept, digest)),
+                      "Choose another folder, or give the problem another name"});
+  }
+  return query.getColumn(0).getInt64();
 }
 
 std::int64_t RunDatabase::Connection::planner_id(const CampaignPlanner& planner) {
   const std::string parameters = json_of(planner.parameters);
   Statement query(database, "SELECT id FROM planner WHERE planner = ? AND parameters = ?");
-  query.bind(1, planner.planner);
-  query.bind(2, parameters);
+  SQLite::bind(query, planner.planner, parameters);
   if (query.executeStep()) {
     return query.getColumn(0).getInt64();
   }
-  Statement insert(database, "INSERT INTO planner (label, planner, parameters) VALUES (?, ?, ?)");
-  insert.bind(1, planner.label);
-  insert.bind(2, planner.planner);
-  insert.bind(3, parameters);
-  insert.exec();
-  return database.getLastInsertRowid();
-}
-
-void RunDatabase::Connection::bind(Statement& insert, const RunRecord& record,
-                                   const std::string& version) const {
-  const auto [problem, planner, seed] = key_of(record.spec);
-  int at = 0;
-  insert.bind(++at, problem);
-  insert.bind(++at, planner);
-  insert.bind(++at, static_cast<std::int64_t>(seed));
-  insert.bind(++at, version);
-  for (const RunColumn& column : kRunColumns) {
-    ++at;
-    std::visit(
-        [&](const auto member) {
-          using Value = std::decay_t<decltype(record.*member)>;
-          if constexpr (std::is_same_v<Value, double> || std::is_same_v<Value, std::string>) {
-            insert.bind(at, record.*member);
-          } else {
-            insert.bind(at, static_cast<std::int64_t>(record.*member));
-          }
-        },
-        column.field);
-  }
-  insert.bind(++at, nlohmann::json(record.nodes_per_pmds).dump());
-  insert.bind(++at, record.path);
+  return insert("INSERT INTO planner (label, planner, parameters) VALUES (?, ?, ?)", planner.label,
+                planner.planner, parameters);
 }
 
 RunDatabase::RunDatabase(const fs::path& file, const Campaign& campaign, std::string version,
                          Opening opening)
     : campaign_(campaign), version_(std::move(version)) {
-  try {
+  on_database(file, [&] {
     connection_ = std::make_unique<Connection>(file);
     connection_->prepare(opening);
     SQLite::Transaction transaction(connection_->database);
@@ -257,76 +380,49 @@ RunDatabase::RunDatabase(const fs::path& file, const Campaign& campaign, std::st
       connection_->planners.push_back(connection_->planner_id(planner));
     }
     transaction.commit();
-  } catch (const SQLite::Exception& error) {
-    refuse(file, error);
-  }
+  });
 }
 
 RunDatabase::~RunDatabase() = default;
 
 std::vector<RunSpec> RunDatabase::pending() const {
   std::set<Key> done;
-  try {
+  on_database(connection_->file, [&] {
     Statement query(connection_->database, "SELECT problem, planner, seed FROM run");
     while (query.executeStep()) {
-      done.emplace(query.getColumn(0).getInt64(), query.getColumn(1).getInt64(),
-                   static_cast<std::uint64_t>(query.getColumn(2).getInt64()));
+      done.insert(key_in(query));
     }
-  } catch (const SQLite::Exception& error) {
-    refuse(connection_->file, error);
-  }
+  });
   std::vector<RunSpec> runs = campaign_.runs();
   std::erase_if(runs, [&](const RunSpec& run) { return done.contains(connection_->key_of(run)); });
   return runs;
 }
 
 void RunDatabase::add(std::span<const RunRecord> records) {
-  try {
+  on_database(connection_->file, [&] {
     SQLite::Transaction transaction(connection_->database);
     Statement insert(connection_->database, insert_run());
     for (const RunRecord& record : records) {
-      connection_->bind(insert, record, version_);
+      const auto [problem, planner, seed] = connection_->key_of(record.spec);
+      SQLite::bind(insert, problem, planner, static_cast<std::int64_t>(seed), version_);
+      bind_fields(insert, 5, record);
       insert.exec();
       insert.reset();
     }
     transaction.commit();
-  } catch (const SQLite::Exception& error) {
-    refuse(connection_->file, error);
-  }
+  });
 }
 
 std::vector<RunRecord> RunDatabase::records() const {
   std::map<Key, RunRecord> found;
-  try {
-    Statement query(connection_->database, select_runs());
+  on_database(connection_->file, [&] {
+    Statement query(
+        connection_->database,
+        fmt::format("SELECT problem, planner, seed, {} nodes_per_pmds FROM run", column_names()));
     while (query.executeStep()) {
-      RunRecord record;
-      int at = 3;
-      for (const RunColumn& column : kRunColumns) {
-        std::visit(
-            [&](const auto member) {
-              using Value = std::decay_t<decltype(record.*member)>;
-              const SQLite::Column value = query.getColumn(at);
-              if constexpr (std::is_same_v<Value, double>) {
-                record.*member = value.getDouble();
-              } else if constexpr (std::is_same_v<Value, std::string>) {
-                record.*member = value.getString();
-              } else {
-                record.*member = static_cast<Value>(value.getInt64());
-              }
-            },
-            column.field);
-        ++at;
-      }
-      record.nodes_per_pmds =
-          nlohmann::json::parse(query.getColumn(at).getString()).get<std::vector<std::uint64_t>>();
-      found.emplace(Key{query.getColumn(0).getInt64(), query.getColumn(1).getInt64(),
-                        static_cast<std::uint64_t>(query.getColumn(2).getInt64())},
-                    std::move(record));
+      found.emplace(key_in(query), record_in(query, 3));
     }
-  } catch (const SQLite::Exception& error) {
-    refuse(connection_->file, error);
-  }
+  });
   std::vector<RunRecord> records;
   for (const RunSpec& run : campaign_.runs()) {
     if (const auto at = found.find(connection_->key_of(run)); at != found.end()) {
@@ -339,15 +435,56 @@ std::vector<RunRecord> RunDatabase::records() const {
 
 std::vector<std::string> RunDatabase::versions() const {
   std::vector<std::string> versions;
-  try {
+  on_database(connection_->file, [&] {
     Statement query(connection_->database, "SELECT DISTINCT version FROM run ORDER BY version");
     while (query.executeStep()) {
       versions.push_back(query.getColumn(0).getString());
     }
-  } catch (const SQLite::Exception& error) {
-    refuse(connection_->file, error);
-  }
+  });
   return versions;
+}
+
+std::vector<ArchivedRun> read_runs(const fs::path& file) {
+  const auto refuse = [&](const std::string& found) -> InputError {
+    return InputError({file.string(), "", found, "a run database of `handway bench`",
+                       "It is called runs.sqlite, in the folder of the campaign"});
+  };
+  if (std::error_code ignored; !fs::is_regular_file(file, ignored)) {
+    throw refuse("no such file");
+  }
+  try {
+    SQLite::Database database(file.string(), SQLite::OPEN_READONLY, kBusyTimeout);
+    if (database.execAndGet("PRAGMA application_id").getInt() != kApplicationId) {
+      throw refuse("a database of another program");
+    }
+    Statement rows(database,
+                   fmt::format("SELECT problem.name, problem.file, planner.label, planner.planner, "
+                               "planner.parameters, seed, {} nodes_per_pmds FROM run "
+                               "JOIN problem ON problem.id = run.problem "
+                               "JOIN planner ON planner.id = run.planner "
+                               "ORDER BY run.problem, run.planner, seed",
+                               column_names()));
+    std::vector<ArchivedRun> runs;
+    while (rows.executeStep()) {
+      const auto text = [&](int column) { return rows.getColumn(column).getString(); };
+      runs.push_back(
+          {text(0), text(1), {text(2), text(3), parameters_in(text(4))}, record_in(rows, 6)});
+      runs.back().record.spec.seed = seed_in(rows, 5);
+    }
+    return runs;
+  } catch (const SQLite::Exception& error) {
+    throw refuse(error.what());
+  } catch (const nlohmann::json::exception& error) {
+    throw refuse(error.what());
+  }
+}
+
+ArchivedRun archived(const Campaign& campaign, const RunRecord& record) {
+  const CampaignProblem& problem = campaign.problems[static_cast<std::size_t>(record.spec.problem)];
+  ArchivedRun run{problem.name, problem.file,
+                  campaign.planners[static_cast<std::size_t>(record.spec.planner)], record};
+  run.record.path.clear();
+  return run;
 }
 
 }  // namespace handway::planning

@@ -3,7 +3,7 @@
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/replace_file.h"
 #include "handway/geometric/robot/limit_violation.h"
-#include "handway/planning/timing/trajectory_check.h"
+#include "handway/planning/timing/trajectory.h"
 
 #include <fmt/format.h>
 

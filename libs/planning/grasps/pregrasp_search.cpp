@@ -1,8 +1,10 @@
 #include "handway/planning/grasps/pregrasp_search.h"
 
-#include "grasps/hand_closing.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/math/units.h"
+#include "handway/geometric/robot/normalised_joints.h"
+#include "handway/planning/core/planning_problem.h"
+#include "handway/planning/queries/fingertips.h"
 #include "handway/planning/queries/palm_ik.h"
 #include "handway/sampling/sequences/random_stream.h"
 
@@ -11,14 +13,195 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <numbers>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace handway::planning {
 namespace {
 
+using Eigen::Vector3d;
 using geometric::Pose;
+using geometric::RobotModel;
+
+/// The point of the segment from `a` to `b` that is closest to `p`.
+Vector3d nearest_on_segment(const Vector3d& p, const Vector3d& a, const Vector3d& b) {
+  const double length = (b - a).squaredNorm();
+  const double t = length > 0.0 ? std::clamp((p - a).dot(b - a) / length, 0.0, 1.0) : 0.0;
+  return a + t * (b - a);
+}
+
+// The tip that is farthest from the middle of all others.
+std::size_t thumb_of(const std::vector<Vector3d>& tips) {
+  Vector3d sum = Vector3d::Zero();
+  for (const Vector3d& tip : tips) {
+    sum += tip;
+  }
+  std::size_t thumb = 0;
+  double farthest = -1.0;
+  for (std::size_t i = 0; i < tips.size(); ++i) {
+    const Vector3d others = (sum - tips[i]) / static_cast<double>(tips.size() - 1);
+    if (const double distance = (tips[i] - others).norm(); distance > farthest) {
+      farthest = distance;
+      thumb = i;
+    }
+  }
+  return thumb;
+}
+
+/// Opened preshapes of a problem's hand, drawn from its PMD box, and how its fingers close.
+class HandClosing {
+ public:
+  /// An opened hand, seen from its palm: a thumb against fingers side by side. Lengths in m.
+  struct Preshape {
+    Eigen::VectorXd open;  ///< Normalised joints in the basis' order.
+    Vector3d grip;         ///< Between the thumb's tip and the middle of the others.
+    Vector3d opposition;   ///< From the thumb to the others; of length 1.
+    Vector3d row;          ///< Along the others' tips, square to it; of length 1.
+    double opening = 0.0;  ///< From the thumb's tip to the others.
+  };
+  /// The part of the hand that one branch of the palm carries.
+  struct Finger {
+    std::vector<int> joints;  ///< Indices in the basis' order, the nearest to the palm first.
+    std::vector<int> links;
+    Vector3d p_LTip = Vector3d::Zero();  ///< Middle of the last one, in its frame.
+  };
+
+  /// @pre the problem has a basis. @param palm the link of the hand.
+  HandClosing(const PlanningProblem& problem, int palm) : problem_(problem), palm_(palm) {
+    find_fingers();
+    make_preshapes();
+  }
+
+  /// The widest open first.
+  [[nodiscard]] const std::vector<Preshape>& preshapes() const { return preshapes_; }
+  [[nodiscard]] const std::vector<Finger>& fingers() const { return fingers_; }
+
+  /// `q` with the hand in `posture`, brought within limits.
+  [[nodiscard]] Configuration with_hand(Configuration q, const Eigen::VectorXd& posture) const {
+    const RobotModel& model = problem_.model();
+    for (std::size_t j = 0; j < problem_.hand.size(); ++j) {
+      const int v = problem_.hand[j];
+      const double share = std::clamp(posture[static_cast<Eigen::Index>(j)], 0.0, 1.0);
+      q[v] = std::min(model.lower()[v] + share * (model.upper()[v] - model.lower()[v]),
+                      model.upper()[v]);
+    }
+    return q;
+  }
+
+  /// The hand of `q`, normalised.
+  [[nodiscard]] Eigen::VectorXd hand_of(const Configuration& q) const {
+    return geometric::normalised(problem_.model(), q)(problem_.hand);
+  }
+
+  /// How a finger's joints bring its tip closer to a segment: shape [joints of the finger], of
+  /// length 1, or zero where none does. @param a, b ends of the segment in the palm's frame, m.
+  [[nodiscard]] Eigen::VectorXd towards(const Finger& finger, const Eigen::VectorXd& posture,
+                                        const Vector3d& a, const Vector3d& b) const {
+    constexpr double kStep = 1e-3;  // normalised
+    const auto distance = [&](const Eigen::VectorXd& at) {
+      const Vector3d p = tip(finger, at);
+      return (p - nearest_on_segment(p, a, b)).norm();
+    };
+    const double before = distance(posture);
+    Eigen::VectorXd rates(static_cast<Eigen::Index>(finger.joints.size()));
+    for (Eigen::Index k = 0; k < rates.size(); ++k) {
+      const int joint = finger.joints[static_cast<std::size_t>(k)];
+      Eigen::VectorXd moved = posture;
+      const double step = moved[joint] < 0.5 ? kStep : -kStep;
+      moved[joint] += step;
+      rates[k] = (before - distance(moved)) / step;
+    }
+    const double length = rates.norm();
+    return length > 1e-9 ? Eigen::VectorXd(rates / length) : Eigen::VectorXd::Zero(rates.size());
+  }
+
+ private:
+  void find_fingers() {
+    const RobotModel& model = problem_.model();
+    std::map<int, Finger> by_root;  // the palm's child that everything of a finger hangs from
+    const auto root_of = [&](int link) {
+      while (link >= 0 && model.parent(link) != palm_) {
+        link = model.parent(link);
+      }
+      return link;
+    };
+    for (std::size_t j = 0; j < problem_.hand.size(); ++j) {
+      if (const int root = root_of(model.variable_link(problem_.hand[j])); root >= 0) {
+        by_root[root].joints.push_back(static_cast<int>(j));
+      }
+    }
+    for (int link = 0; link < model.link_count(); ++link) {
+      if (const auto found = by_root.find(root_of(link)); found != by_root.end()) {
+        found->second.links.push_back(link);
+      }
+    }
+    for (auto& [root, finger] : by_root) {
+      finger.p_LTip = middle_of(model.link(finger.links.back()));
+      fingers_.push_back(std::move(finger));
+    }
+  }
+
+  [[nodiscard]] Vector3d tip(const Finger& finger, const Eigen::VectorXd& posture) const {
+    const RobotModel& model = problem_.model();
+    std::vector<Pose> X_BL(static_cast<std::size_t>(model.link_count()));
+    model.forward_kinematics(with_hand(problem_.start, posture), X_BL);
+    return X_BL[static_cast<std::size_t>(palm_)].inverse() *
+           (X_BL[static_cast<std::size_t>(finger.links.back())] * finger.p_LTip);
+  }
+
+  [[nodiscard]] std::optional<Preshape> preshape(Eigen::VectorXd open) const {
+    constexpr double kLeastOpening = 0.04;  // m
+    std::vector<Vector3d> tips;
+    tips.reserve(fingers_.size());
+    for (const Finger& finger : fingers_) {
+      tips.push_back(tip(finger, open));
+    }
+    if (tips.size() < 2) {
+      return std::nullopt;
+    }
+    const std::size_t thumb = thumb_of(tips);
+    const Vector3d p_thumb = tips[thumb];
+    tips.erase(tips.begin() + static_cast<std::ptrdiff_t>(thumb));
+    Vector3d others = Vector3d::Zero();
+    for (const Vector3d& other : tips) {
+      others += other / static_cast<double>(tips.size());
+    }
+    Preshape shape{std::move(open), 0.5 * (p_thumb + others), others - p_thumb, {}, 0.0};
+    shape.opening = shape.opposition.norm();
+    if (shape.opening < kLeastOpening) {
+      return std::nullopt;
+    }
+    shape.opposition /= shape.opening;
+    shape.row = tips.back() - tips.front();
+    shape.row -= shape.row.dot(shape.opposition) * shape.opposition;
+    if (shape.row.norm() < 1e-3) {  // one finger against the thumb
+      shape.row = shape.opposition.unitOrthogonal();
+    }
+    shape.row.normalize();
+    return shape;
+  }
+
+  void make_preshapes() {
+    constexpr int kDrawn = 400;
+    sampling::RandomStream random(1);
+    for (int i = 0; i < kDrawn; ++i) {
+      if (auto shape = preshape(sampling::map_to_posture(
+              *problem_.basis, random.uniform(problem_.basis->dimension())))) {
+        preshapes_.push_back(std::move(*shape));
+      }
+    }
+    std::ranges::stable_sort(preshapes_, std::greater(), &Preshape::opening);
+  }
+
+  const PlanningProblem& problem_;
+  int palm_;
+  std::vector<Finger> fingers_;
+  std::vector<Preshape> preshapes_;
+};
 
 constexpr double kNear = 0.015;     // m, of a finger at the object
 constexpr double kEnclosure = 0.5;  // at least: thumb and a finger at right angles
@@ -26,7 +209,7 @@ constexpr double kClear = 0.05;     // m: more is not distinguished
 constexpr double kMost = 0.16;      // m, of the object's second longest side
 constexpr double kRoom = 0.06;      // m, that an opened hand may be wider than that
 constexpr double kAside = 0.015;    // m
-constexpr double kDeepest = 0.4;    // of the way from the fingertips to the palm
+constexpr double kDeepest = 0.4;    // of the distance from the fingertips to the palm
 constexpr double kTilt = geometric::radians(25.0);
 constexpr int kClosingSteps = 40;
 constexpr int kOpeningSteps = 12;
@@ -63,21 +246,21 @@ class PregraspSearch {
         box_(geometric::bounding_box(*geometric::tessellate(object.shape))),
         X_WO_(object.X_PO),
         X_BW_(problem.scene->robots.front().X_WB.inverse()),
-        with_object_(checker_->world().pairs_with(object.name)),
-        middles_(static_cast<std::size_t>(problem.model().link_count()), Eigen::Vector3d::Zero()) {
-    find_middles();
+        with_object_(checker_->world().pairs_with(object.name)) {
+    for (int link = 0; link < problem.model().link_count(); ++link) {
+      middles_.push_back(middle_of(problem.model().link(link)));
+    }
     box_.size().maxCoeff(&longest_);
-    Eigen::Vector3d sides = box_.size();
+    Vector3d sides = box_.size();
     std::ranges::sort(sides);
     middle_side_ = sides[1];
     const geometric::CollisionWorld& world = checker_->world();
     for (int pair = 0; pair < static_cast<int>(world.pairs().size()); ++pair) {
-      if (!world.is_self_pair(world.pairs()[static_cast<std::size_t>(pair)]) &&
-          std::ranges::count(with_object_, pair) == 0) {
-        with_others_.push_back(pair);
-      }
-      if (world.is_self_pair(world.pairs()[static_cast<std::size_t>(pair)]) && is_of_hand(pair)) {
+      const bool is_self = world.is_self_pair(world.pairs()[static_cast<std::size_t>(pair)]);
+      if (is_self && is_of_hand(pair)) {
         of_hand_.push_back(pair);
+      } else if (!is_self && std::ranges::count(with_object_, pair) == 0) {
+        with_others_.push_back(pair);
       }
     }
   }
@@ -92,16 +275,19 @@ class PregraspSearch {
       return;  // it does not fit, or the hand would close on from too far
     }
     const Configuration opened = hand_.with_hand(problem_.start, preshape.open);
-    const std::vector<Configuration> ways = ik_.all(opened, X_BW_ * X_WO_ * X_OP);
-    if (ways.empty()) {
+    const std::vector<Configuration> solutions = ik_.all(opened, X_BW_ * X_WO_ * X_OP);
+    if (solutions.empty()) {
       return;
     }
-    const Configuration wider = opened_wider(ways.front());
-    for (Configuration q : ways) {  // the hand is at the same place in all of them
+    const Configuration wider = opened_wider(solutions.front());
+    for (Configuration q : solutions) {  // the hand is at the same place in all of them
       q(problem_.hand) = wider(problem_.hand);
       const std::optional<int> pair = colliding(q);
       if (!pair && keeps_gaps()) {
-        take(closed(q));
+        for (const HandClosing::Finger& finger : hand_.fingers()) {
+          q = closed_finger(std::move(q), finger);
+        }
+        take(q);
         return;
       }
       if (!pair || is_of_hand(*pair)) {
@@ -132,15 +318,6 @@ class PregraspSearch {
   }
 
  private:
-  void find_middles() {
-    for (const geometric::CollisionBody& body : checker_->world().bodies()) {
-      if (body.moves() && !body.is_carried) {
-        middles_[static_cast<std::size_t>(body.link)] =
-            geometric::bounding_box(*body.mesh).centre();
-      }
-    }
-  }
-
   /// The fingers side by side along one of the object's edges, more or less, and the object
   /// between them and the thumb.
   [[nodiscard]] Pose palm_at(const HandClosing::Preshape& preshape,
@@ -149,31 +326,29 @@ class PregraspSearch {
     Eigen::Matrix3d of_hand;  // row, opposition and what is square to both
     of_hand << preshape.row, preshape.opposition, preshape.row.cross(preshape.opposition);
     const auto edge = static_cast<int>(random.below(3));
-    const Eigen::Vector3d row = (random.below(2) == 0 ? 1.0 : -1.0) * Eigen::Vector3d::Unit(edge);
-    const Eigen::Vector3d across = Eigen::AngleAxisd(std::numbers::pi * signed_uniform(), row) *
-                                   Eigen::Vector3d::Unit((edge + 1) % 3);
+    const Vector3d row = (random.below(2) == 0 ? 1.0 : -1.0) * Vector3d::Unit(edge);
+    const Vector3d across = Eigen::AngleAxisd(std::numbers::pi * signed_uniform(), row) *
+                            Vector3d::Unit((edge + 1) % 3);
     Eigen::Matrix3d of_object;
     of_object << row, across, row.cross(across);
-    const Eigen::Vector3d tilt =
-        kTilt * Eigen::Vector3d(signed_uniform(), signed_uniform(), signed_uniform());
+    const Vector3d tilt = kTilt * Vector3d(signed_uniform(), signed_uniform(), signed_uniform());
     const Eigen::Matrix3d tilted =
-        Eigen::AngleAxisd(tilt.norm(), tilt.norm() > 0.0 ? Eigen::Vector3d(tilt.normalized())
-                                                         : Eigen::Vector3d::UnitX().eval())
+        Eigen::AngleAxisd(
+            tilt.norm(), tilt.norm() > 0.0 ? Vector3d(tilt.normalized()) : Vector3d::UnitX().eval())
             .toRotationMatrix();
     Pose X_OP = Pose::Identity();
     X_OP.linear() = of_object * tilted * of_hand.transpose();
-    Eigen::Vector3d p_O = box_.centre();  // its longest side has room to choose
+    Vector3d p_O = box_.centre();  // its longest side has room to choose
     p_O[longest_] += 0.35 * signed_uniform() * box_.size()[longest_];
     // Somewhere between the fingertips and the palm.
-    const Eigen::Vector3d aside =
-        kAside * Eigen::Vector3d(signed_uniform(), signed_uniform(), signed_uniform());
+    const Vector3d aside = kAside * Vector3d(signed_uniform(), signed_uniform(), signed_uniform());
     const double depth = 1.0 - kDeepest * random.uniform();
     X_OP.translation() = p_O - X_OP.linear() * (depth * preshape.grip + aside);
     return X_OP;
   }
 
   /// Of the box around the object, along a direction of its frame, m.
-  [[nodiscard]] double width_along(const Eigen::Vector3d& direction) const {
+  [[nodiscard]] double width_along(const Vector3d& direction) const {
     return direction.cwiseAbs().dot(box_.size());
   }
 
@@ -273,19 +448,11 @@ class PregraspSearch {
   }
 
   /// The object's longest axis, as far as fingers go to it.
-  [[nodiscard]] std::pair<Eigen::Vector3d, Eigen::Vector3d> axis_in_palm(
-      const Configuration& q) const {
+  [[nodiscard]] std::pair<Vector3d, Vector3d> axis_in_palm(const Configuration& q) const {
     const Pose X_PO = (X_WO_.inverse() * X_BW_.inverse() * ik_.pose(q)).inverse();
-    Eigen::Vector3d along = Eigen::Vector3d::Zero();
+    Vector3d along = Vector3d::Zero();
     along[longest_] = 0.5 * std::max(0.0, box_.size()[longest_] - middle_side_);
     return {X_PO * (box_.centre() - along), X_PO * (box_.centre() + along)};
-  }
-
-  Configuration closed(Configuration q) {
-    for (const HandClosing::Finger& finger : hand_.fingers()) {
-      q = closed_finger(std::move(q), finger);
-    }
-    return q;
   }
 
   void take(const Configuration& q) {
@@ -293,18 +460,17 @@ class PregraspSearch {
     checker_->place(q);
     const auto [a, b] = axis_in_palm(q);
     const Pose X_PB = ik_.pose(q).inverse();
-    std::vector<Eigen::Vector3d> sides;  // of the object, on which the fingers are
+    std::vector<Vector3d> sides;  // of the object, on which the fingers are
     for (const HandClosing::Finger& finger : hand_.fingers()) {
       if (const auto nearest = nearest_link(finger)) {
-        const Eigen::Vector3d p_P = X_PB *
-                                    checker_->link_poses()[static_cast<std::size_t>(*nearest)] *
-                                    middles_[static_cast<std::size_t>(*nearest)];
+        const Vector3d p_P = X_PB * checker_->link_poses()[static_cast<std::size_t>(*nearest)] *
+                             middles_[static_cast<std::size_t>(*nearest)];
         sides.push_back((p_P - nearest_on_segment(p_P, a, b)).normalized());
       }
     }
     grasp.fingers = static_cast<int>(sides.size());
-    for (const Eigen::Vector3d& one : sides) {
-      for (const Eigen::Vector3d& other : sides) {
+    for (const Vector3d& one : sides) {
+      for (const Vector3d& other : sides) {
         grasp.enclosure = std::max(grasp.enclosure, 0.5 * (1.0 - one.dot(other)));
       }
     }
@@ -361,8 +527,8 @@ class PregraspSearch {
   Pose X_BW_;
   std::vector<int> with_object_;
   std::vector<int> with_others_;
-  std::vector<int> of_hand_;              ///< Pairs of its links.
-  std::vector<Eigen::Vector3d> middles_;  ///< Of every link, in its frame.
+  std::vector<int> of_hand_;       ///< Pairs of its links.
+  std::vector<Vector3d> middles_;  ///< Of every link, in its frame.
   std::vector<Pregrasp> found_;
   int last_pair_ = 0;
 };

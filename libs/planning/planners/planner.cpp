@@ -47,9 +47,9 @@ std::string proof_of_infeasibility(const PlanningProblem& problem) {
 
 // A planner that ends elsewhere is at fault, and nothing of its path may be used.
 void require_ends(const PlanningProblem& problem, const Path& path, const std::string& planner) {
-  constexpr double kSame = 1e-9;  // rad or m
+  constexpr double kSameEnd = 1e-9;  // rad or m
   const auto is_same = [](const Configuration& a, const Configuration& b) {
-    return a.size() == b.size() && (a - b).cwiseAbs().maxCoeff() <= kSame;
+    return a.size() == b.size() && (a - b).cwiseAbs().maxCoeff() <= kSameEnd;
   };
   if (path.waypoints.size() < 2 || !is_same(path.waypoints.front(), problem.start) ||
       !is_same(path.waypoints.back(),

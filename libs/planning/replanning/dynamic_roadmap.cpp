@@ -48,13 +48,13 @@ struct DynamicRoadmap::State {
   RoadmapMemory memory;
 };
 
-DynamicRoadmap::DynamicRoadmap(PlanningProblem problem, const DynamicRoadmapSettings& settings,
-                               std::unique_ptr<Planner> planner) {
+DynamicRoadmap::DynamicRoadmap(PlanningProblem problem, std::unique_ptr<Planner> planner,
+                               int max_nodes) {
   auto world = problem.checker->shared_world();
-  auto graph = std::make_unique<RoadmapGraph>(problem.scene->robots.front().model, settings.k);
+  auto graph = std::make_unique<RoadmapGraph>(problem.scene->robots.front().model);
   planner = planner ? std::move(planner) : usual_planner(problem);
   state_.reset(new State{std::move(problem), std::move(world), std::move(planner),
-                         RoadmapMemory{settings, std::move(graph)}});
+                         RoadmapMemory{max_nodes, std::move(graph)}});
 }
 DynamicRoadmap::~DynamicRoadmap() = default;
 
@@ -63,7 +63,7 @@ const PlanningProblem& DynamicRoadmap::problem() {
   return state_->problem;
 }
 
-const ReplanReport& DynamicRoadmap::report() const { return state_->memory.report; }
+ReplanSource DynamicRoadmap::source() const { return state_->memory.source; }
 
 bool DynamicRoadmap::follow(const geometric::Scene& scene) {
   const auto difference = geometric::scene_difference(*state_->problem.scene, scene);
@@ -82,14 +82,9 @@ bool DynamicRoadmap::follow(const geometric::Scene& scene) {
 PlanResult DynamicRoadmap::plan(const PlanRequest& request, std::stop_token stop,
                                 Observer* observer) {
   state_->update_checker();
-  RoadmapMemory& memory = state_->memory;
-  memory.report = {};
   Observer silent;
-  PlanResult result = replan(memory, *state_->planner, state_->problem, request, std::move(stop),
-                             observer ? *observer : silent);
-  memory.report.nodes = memory.graph->node_count();
-  memory.report.edges = memory.graph->edge_count();
-  return result;
+  return replan(state_->memory, *state_->planner, state_->problem, request, std::move(stop),
+                observer ? *observer : silent);
 }
 
 const char* to_string(ReplanSource source) {

@@ -19,6 +19,11 @@ namespace {
 
 constexpr double kProbeSpacing = 0.05;  // of configurations looked at before an edge is checked
 constexpr double kBackOff = 0.1;        // from what cuts an edge to where the detour begins
+// Configurations checked in search of a path over edges never checked before, each time; for a
+// detour around what cuts the last path, before planning from scratch; and in smoothing.
+constexpr std::uint64_t kRoadmapChecks = 500;
+constexpr std::uint64_t kRepairChecks = 4000;
+constexpr int kSmoothingChecks = 300;
 
 /// Finds out whether paths over a roadmap are free, asking no more than what is not known, and
 /// remembers the answers.
@@ -52,7 +57,7 @@ class LazyPathValidator {
       const std::optional<int> touching =
           context_.validator().collision_among(pairs, memory_.graph->configuration(node));
       if (touching) {
-        refuse(validity, touching);
+        refuse(validity, *touching);
       }
       return !touching;
     });
@@ -65,8 +70,7 @@ class LazyPathValidator {
       const geometric::EdgeResult result =
           context_.validator().edge_among(pairs, memory_.graph->configuration(a), end_of(a, b));
       if (!result.free && result.pair) {  // without a pair it was interrupted: nothing is settled
-        ++memory_.report.refused_edges;
-        refuse(validity, result.pair);
+        refuse(validity, *result.pair);
         obstructions_[{a, b}] = result.at;
         obstructions_[{b, a}] = 1.0 - result.at;
       }
@@ -107,8 +111,7 @@ class LazyPathValidator {
     const std::optional<int> touching =
         context_.validator().edge_probe(memory_.graph->configuration(a), end_of(a, b), probes);
     if (touching) {
-      ++memory_.report.refused_edges;
-      refuse(validity, touching);
+      refuse(validity, *touching);
     }
     return !touching;
   }
@@ -119,11 +122,8 @@ class LazyPathValidator {
     if (validity.is_refused(memory_.changes)) {
       return false;
     }
-    if (const std::vector<int> pairs = unknown_pairs(validity); !pairs.empty()) {
-      memory_.report.rechecked += validity.was_free() ? 1 : 0;
-      if (!check(pairs)) {
-        return false;
-      }
+    if (const std::vector<int> pairs = unknown_pairs(validity); !pairs.empty() && !check(pairs)) {
+      return false;
     }
     validity.set_free(memory_.changes.revision());
     return true;
@@ -140,12 +140,12 @@ class LazyPathValidator {
   }
 
   // What it was known to be free of stays known.
-  void refuse(ValidityState& validity, std::optional<int> pair) const {
+  void refuse(ValidityState& validity, int pair) const {
     validity.refused_at = memory_.changes.revision();
     validity.refused_by.clear();
     const geometric::CollisionWorld& world = context_.problem().checker->world();
-    if (pair && !world.constraint(*pair)) {
-      const int other = world.pairs()[static_cast<std::size_t>(*pair)].b;
+    if (!world.constraint(pair)) {
+      const int other = world.pairs()[static_cast<std::size_t>(pair)].b;
       if (!world.body(other).moves()) {
         validity.refused_by = world.body(other).name;
       }
@@ -175,8 +175,8 @@ class ObserverAdapter final : public Observer {
   /// Adds what was observed to the roadmap, as nodes and edges of which nothing is certain.
   void add_to(RoadmapMemory& memory) const {
     std::vector<int> numbers(nodes_.size(), -1);
-    for (std::size_t i = 0;
-         i < nodes_.size() && memory.graph->node_count() < memory.settings.max_nodes; ++i) {
+    for (std::size_t i = 0; i < nodes_.size() && memory.graph->node_count() < memory.max_nodes;
+         ++i) {
       numbers[i] = memory.graph->node_at(nodes_[i]);
     }
     for (const auto& [from, to] : edges_) {
@@ -255,28 +255,25 @@ class Replanner final : public Planner {
  protected:
   void do_plan(PlanningContext& context, PlanResult& result) override {
     LazyPathValidator validator(context, memory_);
-    ReplanReport& report = memory_.report;
-    report.revived_edges = memory_.graph->revived_edges(memory_.changes);
     std::optional<Path> path = known_path(context, validator);
     if (!path && !memory_.last_path.empty()) {
       path = repaired_path(context, validator);
     }
     if (path) {
       result.status = PlanStatus::kSolved;
-      if (report.source != ReplanSource::kLastPath) {
-        smooth_result(context, planner_.objective(), memory_.settings.smoothing_checks, *path,
-                      result);
+      if (memory_.source != ReplanSource::kLastPath) {
+        smooth_result(context, planner_.objective(), kSmoothingChecks, *path, result);
       } else {
         result.path = std::move(*path);
       }
-      result.reason = fmt::format("{}: {} waypoints.", sentence_for(report.source),
+      result.reason = fmt::format("{}: {} waypoints.", sentence_for(memory_.source),
                                   result.path.waypoints.size());
     } else if (const std::optional<PlanStatus> interruption = context.interruption()) {
       result.status = *interruption;
     } else {
       adapter_.begin_search();
       planner_.plan_within(context, result);
-      report.source = result.solved() ? ReplanSource::kPlanner : ReplanSource::kNone;
+      memory_.source = result.solved() ? ReplanSource::kPlanner : ReplanSource::kNone;
     }
     adapter_.add_to(memory_);
     if (result.solved()) {
@@ -298,15 +295,13 @@ class Replanner final : public Planner {
     if (const auto nodes =
             validator.shortest_path(start, goal, RoadmapGraph::Edges::kOnceFree, kUnlimited)) {
       Path path = along(context.problem(), *nodes);
-      memory_.report.source = path.waypoints == memory_.last_path.waypoints
-                                  ? ReplanSource::kLastPath
-                                  : ReplanSource::kRoadmap;
+      memory_.source = path.waypoints == memory_.last_path.waypoints ? ReplanSource::kLastPath
+                                                                     : ReplanSource::kRoadmap;
       return path;
     }
     if (const auto nodes =
-            validator.shortest_path(start, goal, RoadmapGraph::Edges::kAny,
-                                    static_cast<std::uint64_t>(memory_.settings.roadmap_checks))) {
-      memory_.report.source = ReplanSource::kRoadmap;
+            validator.shortest_path(start, goal, RoadmapGraph::Edges::kAny, kRoadmapChecks)) {
+      memory_.source = ReplanSource::kRoadmap;
       return along(context.problem(), *nodes);
     }
     return std::nullopt;
@@ -347,7 +342,7 @@ class Replanner final : public Planner {
         path.waypoints.push_back(waypoints[end]);
       }
     }
-    memory_.report.source = ReplanSource::kRepair;
+    memory_.source = ReplanSource::kRepair;
     return path;
   }
 
@@ -385,7 +380,7 @@ class Replanner final : public Planner {
                                part.basis ? HandSpace::kPrincipalDirections : HandSpace::kAllJoints,
                                context.request().seed);
     SearchBudget budget;
-    budget.checks = static_cast<std::uint64_t>(memory_.settings.repair_checks);
+    budget.checks = kRepairChecks;
     const bool found = search.advance(budget) == PlanStatus::kSolved;
     context.statistics() += own->statistics();
     return found ? std::optional(search.path()) : std::nullopt;
@@ -402,9 +397,8 @@ class Replanner final : public Planner {
 
   // Keeps a path whose edges are free in this revision, and forgets the rest if it is too much.
   void remember(const PlanningProblem& problem, const Path& path) {
-    if (memory_.graph->node_count() > memory_.settings.max_nodes) {
-      memory_.graph =
-          std::make_unique<RoadmapGraph>(problem.scene->robots.front().model, memory_.settings.k);
+    if (memory_.graph->node_count() > memory_.max_nodes) {
+      memory_.graph = std::make_unique<RoadmapGraph>(problem.scene->robots.front().model);
     }
     memory_.last_path = {problem.model().in_half_turns(path.waypoints)};
     int before = -1;
@@ -427,6 +421,7 @@ class Replanner final : public Planner {
 
 PlanResult replan(RoadmapMemory& memory, Planner& planner, const PlanningProblem& problem,
                   const PlanRequest& request, std::stop_token stop, Observer& observer) {
+  memory.source = ReplanSource::kNone;
   ObserverAdapter adapter(observer);
   return Replanner(memory, planner, adapter).plan(problem, request, std::move(stop), &adapter);
 }

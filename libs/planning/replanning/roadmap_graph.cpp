@@ -27,13 +27,13 @@ std::vector<int> SceneChanges::pairs_changed_since(int revision,
   return pairs;
 }
 
-RoadmapGraph::RoadmapGraph(std::shared_ptr<const geometric::RobotModel> model, int k)
+RoadmapGraph::RoadmapGraph(std::shared_ptr<const geometric::RobotModel> model)
     : model_(std::move(model)),
       periods_(geometric::normalised_turns(*model_)),
-      k_(k),
       neighbours_(Neighbours::kLinear, periods_) {}
 
 int RoadmapGraph::node_at(const Configuration& q) {
+  constexpr int kJoined = 8;  // nearest nodes that a new one gets an edge to
   const Eigen::VectorXd coordinates = geometric::normalised(*model_, q);
   const bool periodic = !periods_.none();
   const double rounding = periodic ? 1e-12 : 0.0;  // of values whole periods apart
@@ -42,7 +42,7 @@ int RoadmapGraph::node_at(const Configuration& q) {
     return same.front().second;
   }
   const auto added = boost::add_vertex(Node{q, coordinates}, graph_);
-  for (const auto& [length, other] : neighbours_.nearest(coordinates, k_)) {
+  for (const auto& [length, other] : neighbours_.nearest(coordinates, kJoined)) {
     boost::add_edge(added, at(other), Edge{length}, graph_);
   }
   const int node = static_cast<int>(added);
@@ -81,16 +81,6 @@ std::vector<int> RoadmapGraph::shortest_path(int from, int to, Edges edges,
       [&](const Graph::edge_descriptor& edge) { return cost(edge, edges, changes); });
   return planning::shortest_path(graph_, from, to, costs,
                                  [&](auto node) { return distance(static_cast<int>(node), to); });
-}
-
-int RoadmapGraph::revived_edges(const SceneChanges& changes) const {
-  int revived = 0;
-  for (auto [edge, end] = boost::edges(graph_); edge != end; ++edge) {
-    const ValidityState& validity = graph_[*edge].validity;
-    revived +=
-        validity.refused_at != ValidityState::kNever && !validity.is_refused(changes) ? 1 : 0;
-  }
-  return revived;
 }
 
 }  // namespace handway::planning

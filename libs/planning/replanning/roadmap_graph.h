@@ -58,11 +58,10 @@ struct ValidityState {
 /// free. Distances are Euclidean in normalised joints.
 class RoadmapGraph {
  public:
-  /// @param k edges that a new node gets, to the nearest nodes.
-  RoadmapGraph(std::shared_ptr<const geometric::RobotModel> model, int k);
+  explicit RoadmapGraph(std::shared_ptr<const geometric::RobotModel> model);
 
-  /// The node at `q`, or whole turns from it, added if there is none; nothing is known of a new
-  /// one.
+  /// The node at `q`, or whole turns from it, added if there is none, with edges to its nearest;
+  /// nothing is known of a new one.
   /// @returns its number, from 0 up.
   int node_at(const Configuration& q);
 
@@ -85,9 +84,6 @@ class RoadmapGraph {
   [[nodiscard]] std::vector<int> shortest_path(int from, int to, Edges edges,
                                                const SceneChanges& changes) const;
 
-  /// Edges that were refused because of an object that changed since.
-  [[nodiscard]] int revived_edges(const SceneChanges& changes) const;
-
  private:
   struct Node {
     Configuration q;
@@ -108,18 +104,17 @@ class RoadmapGraph {
 
   std::shared_ptr<const geometric::RobotModel> model_;
   geometric::Periods periods_;
-  int k_;
   Graph graph_;
   Neighbours neighbours_;
 };
 
 /// What a DynamicRoadmap keeps from one query to the next.
 struct RoadmapMemory {
-  DynamicRoadmapSettings settings;
+  int max_nodes;  ///< When there are more, all but those of the last path are forgotten.
   std::unique_ptr<RoadmapGraph> graph;
   SceneChanges changes = {};
-  Path last_path = {};  ///< Empty: none was found yet.
-  ReplanReport report = {};
+  Path last_path = {};                        ///< Empty: none was found yet.
+  ReplanSource source = ReplanSource::kNone;  ///< Of the path of the last query.
 };
 
 }  // namespace handway::planning

@@ -20,13 +20,10 @@ namespace {
 using geometric::RobotModel;
 using geometric::YamlElement;
 
-/// Of one joint; 0: not known.
-struct JointRates {
-  double velocity = 0.0;
-  double acceleration = 0.0;
-  double jerk = 0.0;
-};
+constexpr std::array kRates{Rate::kVelocity, Rate::kAcceleration, Rate::kJerk};
 
+/// Of one joint, by rate; 0: not known.
+using JointRates = std::array<double, kRates.size()>;
 using RatesByJoint = std::map<std::string, JointRates, std::less<>>;
 
 double known(double limit) { return std::isfinite(limit) && limit > 0.0 ? limit : 0.0; }
@@ -55,19 +52,19 @@ RateLimits of_variables(const RobotModel& model, const RatesByJoint& rates) {
   const Eigen::Index count = model.variable_count();
   RateLimits limits{Eigen::VectorXd::Zero(count), Eigen::VectorXd::Zero(count),
                     Eigen::VectorXd::Zero(count)};
-  const auto narrow = [](double& limit, double other) {
-    if (other > 0.0 && (limit == 0.0 || other < limit)) {
-      limit = other;
-    }
-  };
+  const std::array all{&limits.velocity, &limits.acceleration, &limits.jerk};
   for (int link = 1; link < model.link_count(); ++link) {
     const RobotModel::Drive& drive = model.drive(link);
-    if (drive.variable >= 0 && drive.multiplier != 0.0) {
-      const JointRates& joint = rates.find(model.joint(link).name)->second;
-      const double scale = std::abs(drive.multiplier);
-      narrow(limits.velocity[drive.variable], joint.velocity / scale);
-      narrow(limits.acceleration[drive.variable], joint.acceleration / scale);
-      narrow(limits.jerk[drive.variable], joint.jerk / scale);
+    if (drive.variable < 0 || drive.multiplier == 0.0) {
+      continue;
+    }
+    const JointRates& joint = rates.find(model.joint(link).name)->second;
+    for (std::size_t r = 0; r < kRates.size(); ++r) {
+      const double own = joint.at(r) / std::abs(drive.multiplier);
+      double& limit = (*all.at(r))[drive.variable];
+      if (own > 0.0 && (limit == 0.0 || own < limit)) {
+        limit = own;
+      }
     }
   }
   // In this order: one follows from the other.
@@ -92,14 +89,11 @@ RateLimits of_variables(const RobotModel& model, const RatesByJoint& rates) {
                            fmt::join(geometric::nearest_names(name, joints, kFew), ", ")));
 }
 
-bool flag(const YamlElement& joint, const std::string& key) {
-  const auto element = joint.find(key);
-  return !element || element->flag();
-}
-
-void read(const YamlElement& joint, const std::string& has, const std::string& key, double& limit) {
-  const auto element = joint.find(key);
-  if (!element || !flag(joint, has)) {
+// The limit of a rate, if the joint's map has one that counts.
+void read(const YamlElement& joint, Rate rate, double& limit) {
+  const auto element = joint.find(fmt::format("max_{}", rate_name(rate)));
+  const auto flag = joint.find(fmt::format("has_{}_limits", rate_name(rate)));
+  if (!element || (flag && !flag->flag())) {
     return;
   }
   limit = element->number();
@@ -131,17 +125,15 @@ RateLimits RateLimits::without_jerk() const {
 
 std::vector<std::string> assumption_lines(const std::vector<AssumedLimit>& assumed,
                                           std::size_t most) {
-  const std::array<std::pair<Rate, std::string>, 3> kinds{
-      {{Rate::kVelocity, fmt::format("{:g} rad/s or m/s", kDefaultVelocity)},
-       {Rate::kAcceleration,
-        fmt::format("the velocity limit is reached in {:g} s", kDefaultRampTime)},
-       {Rate::kJerk,
-        fmt::format("the acceleration limit is reached in {:g} s", kDefaultJerkTime)}}};
+  const std::array defaults{
+      fmt::format("{:g} rad/s or m/s", kDefaultVelocity),
+      fmt::format("the velocity limit is reached in {:g} s", kDefaultRampTime),
+      fmt::format("the acceleration limit is reached in {:g} s", kDefaultJerkTime)};
   std::vector<std::string> lines;
-  for (const auto& [rate, how] : kinds) {
+  for (std::size_t r = 0; r < kRates.size(); ++r) {
     std::vector<std::string> joints;
     for (const AssumedLimit& one : assumed) {
-      if (one.rate == rate) {
+      if (one.rate == kRates.at(r)) {
         joints.push_back(one.joint);
       }
     }
@@ -150,7 +142,7 @@ std::vector<std::string> assumption_lines(const std::vector<AssumedLimit>& assum
     }
     const std::size_t named = std::min(most, joints.size());
     std::string line = fmt::format(
-        "assumed {} limits, as no file has them ({}): {}", rate_name(rate), how,
+        "assumed {} limits, as no file has them ({}): {}", rate_name(kRates.at(r)), defaults.at(r),
         fmt::join(joints.begin(), joints.begin() + static_cast<std::ptrdiff_t>(named), ", "));
     if (named < joints.size()) {
       line += fmt::format(" and {} more", joints.size() - named);
@@ -180,9 +172,9 @@ RateLimits read_rate_limits(const RobotModel& model, const std::filesystem::path
     if (found == rates.end()) {
       refuse_unknown(joint, name, model);
     }
-    read(joint, "has_velocity_limits", "max_velocity", found->second.velocity);
-    read(joint, "has_acceleration_limits", "max_acceleration", found->second.acceleration);
-    read(joint, "has_jerk_limits", "max_jerk", found->second.jerk);
+    for (std::size_t r = 0; r < kRates.size(); ++r) {
+      read(joint, kRates.at(r), found->second.at(r));
+    }
   }
   return of_variables(model, rates);
 }

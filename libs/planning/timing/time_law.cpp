@@ -1,9 +1,12 @@
 #include "handway/planning/timing/time_law.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <stdexcept>
+#include <utility>
 
 namespace handway::planning {
 namespace {
@@ -71,6 +74,23 @@ struct Range {
   }
 };
 
+/// The largest number for which `is_low` was seen to hold and the smallest for which it was not,
+/// between `low`, for which it holds, and `high`.
+template <typename Predicate>
+std::pair<double, double> bisect(double low, double high, const Predicate& is_low) {
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (low + high);
+    (is_low(middle) ? low : high) = middle;
+  }
+  return {low, high};
+}
+
+/// The largest share that a joint takes of its limit.
+template <typename Values>
+double largest_share(const Eigen::MatrixBase<Values>& values, const Eigen::VectorXd& limits) {
+  return values.cwiseAbs().cwiseQuotient(limits).maxCoeff();
+}
+
 /// What ds²/dt² may be in `cell` at speed² x, so that at its end speed² is at most `most`.
 Range accelerations(const Cell& cell, const RateLimits& limits, double x, double most) {
   Range range{-x / (2.0 * cell.width), (most - x) / (2.0 * cell.width)};
@@ -103,19 +123,12 @@ double fastest(const Configuration& first, const Configuration& third, const Rat
 /// Largest speed² at the beginning of the cell from which its end is reached with at
 /// most `most`. The speeds that are possible are an interval from 0.
 double controllable(const Cell& cell, const RateLimits& limits, double most) {
-  double high = fastest(cell.first[0], cell.third, limits);
-  if (!accelerations(cell, limits, high, most).empty()) {
-    return high;
-  }
-  double low = 0.0;
-  for (int i = 0; i < 60; ++i) {
-    const double middle = 0.5 * (low + high);
-    (accelerations(cell, limits, middle, most).empty() ? high : low) = middle;
-  }
-  return low;
+  const auto reaches_end = [&](double x) { return !accelerations(cell, limits, x, most).empty(); };
+  const double high = fastest(cell.first[0], cell.third, limits);
+  return reaches_end(high) ? high : bisect(0.0, high, reaches_end).first;
 }
 
-/// By how much a cell is too fast: time has to be stretched by this, at least 1.
+/// By how much the fastest law is too fast in a cell: time has to be stretched by this, at least 1.
 double excess(const PathPiece& piece, const Cell& cell, const RateLimits& limits, double x0,
               double x1) {
   double worst = 1.0;
@@ -128,10 +141,8 @@ double excess(const PathPiece& piece, const Cell& cell, const RateLimits& limits
     const Configuration first = piece.first_derivative(s);
     const Configuration acceleration = u * first + x * piece.second_derivative(s);
     const double top = steps == 0 ? std::max(x0, x1) : x;
-    worst = std::max(worst,
-                     (std::sqrt(top) * first.cwiseAbs()).cwiseQuotient(limits.velocity).maxCoeff());
-    worst = std::max(
-        worst, std::sqrt(acceleration.cwiseAbs().cwiseQuotient(limits.acceleration).maxCoeff()));
+    worst = std::max({worst, largest_share(std::sqrt(top) * first, limits.velocity),
+                      std::sqrt(largest_share(acceleration, limits.acceleration))});
   }
   return worst;
 }
@@ -148,6 +159,15 @@ void stretch(std::vector<TimeLaw::Knot>& knots, std::size_t first, double factor
 }
 
 }  // namespace
+
+TimeLaw::Knot TimeLaw::Knot::after(double t) const {
+  return {time + t,
+          s + (speed + (acceleration / 2.0 + jerk / 6.0 * t) * t) * t,
+          std::max(0.0, speed + (acceleration + jerk / 2.0 * t) * t),
+          piece,
+          acceleration + jerk * t,
+          jerk};
+}
 
 TimeLaw time_optimal(const BlendedPath& path, const RateLimits& limits) {
   const std::vector<Cell> cells = grid(path);
@@ -207,6 +227,196 @@ TimeLaw align_stops(TimeLaw law, double period) {
     }
   }
   law.knots = std::move(knots);
+  return law;
+}
+
+namespace {
+
+using Knot = TimeLaw::Knot;
+
+// Shares of the acceleration and jerk limits that the fastest law is made with before it is
+// averaged, and windows, as shares of its duration.
+constexpr std::array kAccelerations{1.0, 0.7, 0.5, 0.3};
+constexpr std::array kJerks{1.0, 0.5, 0.2};
+constexpr std::array kWindows{0.02, 0.04, 0.07, 0.11, 0.16, 0.23, 0.32, 0.44, 0.6, 0.8, 1.0};
+// For what is between the samples, of a limit.
+constexpr double kMargin = 1.002;
+// Knots that are nearer in time are one, s.
+constexpr double kSameTime = 1e-9;
+
+/// A stretch of the fastest law from stop to stop, with one arc length along all its pieces.
+struct Section {
+  std::vector<Knot> knots;
+  std::vector<double> begins;  ///< Of its pieces, in the section's arc length.
+  std::size_t first = 0;       ///< Piece.
+
+  [[nodiscard]] double duration() const { return knots.back().time - knots.front().time; }
+
+  /// The motion at a time since the section's beginning; outside it is at rest.
+  [[nodiscard]] Knot at(double t) const {
+    const double time = knots.front().time + t;
+    if (t <= 0.0 || t >= duration()) {
+      return {.time = time, .s = t <= 0.0 ? 0.0 : knots.back().s};
+    }
+    const Knot& before = *std::prev(std::ranges::upper_bound(knots, time, {}, &Knot::time));
+    return before.after(time - before.time);
+  }
+};
+
+std::vector<Section> sections_of(const BlendedPath& path, const TimeLaw& law) {
+  std::vector<Section> sections;
+  for (std::size_t k = 0; k < law.knots.size(); ++k) {
+    const bool begins =
+        k == 0 || (law.knots[k].s == 0.0 && path.pieces()[law.knots[k].piece - 1].ends_in_corner);
+    if (begins) {
+      sections.push_back({{}, {0.0}, law.knots[k].piece});
+    }
+    Section& section = sections.back();
+    while (section.first + section.begins.size() <= law.knots[k].piece) {
+      const std::size_t last = section.first + section.begins.size() - 1;
+      section.begins.push_back(section.begins.back() + path.pieces()[last].length);
+    }
+    section.knots.push_back(law.knots[k]);
+    section.knots.back().s += section.begins.back();
+  }
+  return sections;
+}
+
+/// The section averaged over a window of time; times are since its beginning.
+std::vector<Knot> averaged(const Section& section, double window) {
+  std::vector<double> times;
+  for (const Knot& knot : section.knots) {
+    times.push_back(knot.time - section.knots.front().time);
+    times.push_back(times.back() + window);
+  }
+  std::ranges::sort(times);
+  times.erase(
+      std::unique(times.begin(), times.end(), [](double a, double b) { return b - a < kSameTime; }),
+      times.end());
+  std::vector<Knot> knots;
+  knots.reserve(times.size());
+  for (const double t : times) {
+    const Knot end = section.at(t);
+    const Knot begin = section.at(t - window);
+    knots.push_back(
+        {t, 0.0, (end.s - begin.s) / window, 0, (end.speed - begin.speed) / window, 0.0});
+  }
+  for (std::size_t k = 0; k + 1 < knots.size(); ++k) {
+    const double step = knots[k + 1].time - knots[k].time;
+    Knot& knot = knots[k];
+    knot.jerk = (knots[k + 1].acceleration - knot.acceleration) / step;
+    knots[k + 1].s = knot.after(step).s;
+  }
+  return knots;
+}
+
+/// The law in the pieces' own arc lengths, with two knots where one ends and the next begins.
+std::vector<Knot> in_pieces(const BlendedPath& path, const Section& section,
+                            const std::vector<Knot>& knots) {
+  std::vector<Knot> result;
+  std::size_t piece = section.first;
+  const std::size_t last = section.first + section.begins.size() - 1;
+  const auto begin_of = [&](std::size_t p) { return section.begins[p - section.first]; };
+  const auto add = [&](Knot knot) {
+    knot.s = std::clamp(knot.s - begin_of(piece), 0.0, path.pieces()[piece].length);
+    knot.piece = piece;
+    result.push_back(knot);
+  };
+  for (std::size_t k = 0; k + 1 < knots.size(); ++k) {
+    Knot knot = knots[k];
+    const double end = knots[k + 1].time;
+    add(knot);
+    while (piece < last && knots[k + 1].s > begin_of(piece + 1)) {
+      const auto is_before = [&](double t) { return knot.after(t).s < begin_of(piece + 1); };
+      knot = knot.after(bisect(0.0, end - knot.time, is_before).second);
+      add(knot);
+      result.back().s = path.pieces()[piece].length;
+      ++piece;
+      add(knot);
+      result.back().s = 0.0;
+    }
+  }
+  piece = last;
+  add({knots.back().time, std::numeric_limits<double>::infinity(), 0.0, last, 0.0, 0.0});
+  result.front().speed = 0.0;
+  return result;
+}
+
+/// By how much the law is too fast: time has to be stretched by this.
+double excess(const BlendedPath& path, const std::vector<Knot>& knots, const RateLimits& limits) {
+  double velocity = 0.0;
+  double acceleration = 0.0;
+  double jerk = 0.0;
+  for (std::size_t k = 0; k + 1 < knots.size(); ++k) {
+    if (knots[k].piece != knots[k + 1].piece) {
+      continue;
+    }
+    const PathPiece& piece = path.pieces()[knots[k].piece];
+    for (const double share : {0.0, 0.5, 1.0}) {
+      const Knot at = knots[k].after(share * (knots[k + 1].time - knots[k].time));
+      const double s = std::min(at.s, piece.length);
+      const Eigen::VectorXd first = piece.first_derivative(s);
+      const Eigen::VectorXd second = piece.second_derivative(s);
+      const double v = at.speed;
+      velocity = std::max(velocity, largest_share(v * first, limits.velocity));
+      acceleration = std::max(acceleration, largest_share(at.acceleration * first + v * v * second,
+                                                          limits.acceleration));
+      jerk = std::max(jerk, largest_share(at.jerk * first + 3.0 * v * at.acceleration * second +
+                                              v * v * v * piece.third_derivative(s),
+                                          limits.jerk));
+    }
+  }
+  return kMargin * std::max({velocity, std::sqrt(acceleration), std::cbrt(jerk)});
+}
+
+struct Candidate {
+  std::vector<Knot> knots;
+  double duration = std::numeric_limits<double>::infinity();
+};
+
+void keep_faster(const BlendedPath& path, const Section& section, const RateLimits& limits,
+                 Candidate& best) {
+  for (const double share : kWindows) {
+    std::vector<Knot> knots =
+        in_pieces(path, section, averaged(section, share * section.duration()));
+    const double factor = excess(path, knots, limits);
+    const double duration = factor * knots.back().time;
+    if (duration < best.duration) {
+      stretch(knots, 0, factor);
+      best = {std::move(knots), duration};
+    }
+  }
+}
+
+}  // namespace
+
+TimeLaw jerk_limited(const BlendedPath& path, const RateLimits& limits) {
+  if (std::ranges::any_of(path.pieces(), [](const PathPiece& piece) {
+        return piece.is_arc() && !piece.is_smooth_arc();
+      })) {
+    throw std::invalid_argument("jerk can't be limited on circular arcs");
+  }
+  std::vector<Candidate> best;
+  for (const double acceleration : kAccelerations) {
+    for (const double jerk : kJerks) {
+      const TimeLaw law = time_optimal(
+          path, {limits.velocity, acceleration * limits.acceleration, jerk * limits.jerk});
+      const std::vector<Section> sections = sections_of(path, law);
+      best.resize(sections.size());
+      for (std::size_t i = 0; i < sections.size(); ++i) {
+        keep_faster(path, sections[i], limits, best[i]);
+      }
+    }
+  }
+  TimeLaw law;
+  double begin = 0.0;
+  for (const Candidate& section : best) {
+    for (Knot knot : section.knots) {
+      knot.time += begin;
+      law.knots.push_back(knot);
+    }
+    begin += section.duration;
+  }
   return law;
 }
 

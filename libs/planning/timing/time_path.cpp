@@ -1,14 +1,177 @@
 #include "handway/planning/timing/time_path.h"
 
+#include "handway/geometric/collision/continuous/edge_checker.h"
 #include "handway/geometric/io/input_error.h"
-#include "handway/planning/timing/jerk_limited.h"
+#include "handway/geometric/math/units.h"
+#include "handway/planning/core/plan_result.h"
+#include "handway/planning/paths/path_conflict.h"
+#include "handway/planning/timing/time_law.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <optional>
 
 namespace handway::planning {
+namespace {
+
+void check_start(const geometric::RobotModel& model, const TrajectoryPoint& first,
+                 const Configuration& measured, double tolerance, PreflightReport& report) {
+  if (measured.size() != first.position.size()) {
+    report.faults.push_back({"", first.time, static_cast<double>(measured.size()),
+                             fmt::format("The robot reports {} joints, the trajectory has {}.",
+                                         measured.size(), first.position.size())});
+    return;
+  }
+  for (int v = 0; v < model.variable_count(); ++v) {
+    const double off = first.position[v] - measured[v];
+    if (!(std::abs(off) <= tolerance)) {
+      const std::string& joint = model.variable(v).name;
+      report.faults.push_back(
+          {joint, first.time, measured[v],
+           fmt::format(
+               "Joint {} is at {:.6f}, {:.6f} away from where the trajectory begins ({:.6f}).",
+               joint, measured[v], std::abs(off), first.position[v])});
+    }
+  }
+}
+
+LimitShare largest_share(const geometric::RobotModel& model, const Trajectory& trajectory,
+                         const Eigen::VectorXd& limits,
+                         const Eigen::VectorXd TrajectoryPoint::*rate) {
+  LimitShare largest;
+  for (const TrajectoryPoint& point : trajectory.points) {
+    for (int v = 0; v < model.variable_count(); ++v) {
+      const double share = std::abs((point.*rate)[v]) / limits[v];
+      if (share > largest.share) {
+        largest = {model.variable(v).name, point.time, share};
+      }
+    }
+  }
+  return largest;
+}
+
+/// @param measured where the robot stands; of size 0: where the trajectory begins.
+void check_collisions(const PlanningProblem& problem, const Trajectory& trajectory,
+                      const Configuration& measured, double resolution, PreflightReport& report) {
+  const auto checker = problem.checker->clone();
+  geometric::EdgeChecker edges(*checker, problem.motion, resolution);
+  edges.set_ends({make_edge_end(*checker, trajectory.points.front().position, resolution),
+                  make_edge_end(*checker, trajectory.points.back().position, resolution)});
+  const geometric::CollisionWorld& world = checker->world();
+  const auto fault = [&](const TrajectoryPoint& point, const std::optional<int>& pair,
+                         double closer_than) {
+    report.faults.push_back(
+        {"", point.time, 0.0,
+         fmt::format("{} at {:.4f} s.", conflict_text(world, pair, closer_than), point.time)});
+  };
+  double least = kFarClearance;
+  for (std::size_t i = 0; i < trajectory.points.size(); ++i) {
+    const TrajectoryPoint& point = trajectory.points[i];
+    if (const auto pair = checker->first_collision(point.position)) {
+      least = 0.0;
+      fault(point, pair, 0.0);
+      break;
+    }
+    const geometric::NamedPair closest = geometric::find_clearance(*checker, point.position, least);
+    if (closest.distance < least) {
+      least = closest.distance;
+      report.closest_pair = closest.a + " with " + closest.b;
+      report.min_clearance_time = point.time;
+    }
+    const Configuration& from = i > 0 ? trajectory.points[i - 1].position : measured;
+    if (from.size() != point.position.size()) {
+      continue;
+    }
+    const geometric::EdgeResult edge = edges.check(from, point.position);
+    if (!edge.free) {
+      fault(point, edge.pair, resolution);
+      break;
+    }
+  }
+  report.min_clearance_mm = geometric::millimetres(least);
+}
+
+nlohmann::ordered_json to_object(const LimitShare& share) {
+  return {{"joint", share.joint}, {"time_s", share.time}, {"share", share.share}};
+}
+
+}  // namespace
+
+PreflightReport preflight(const PlanningProblem& problem, const Trajectory& trajectory,
+                          const TimingOptions& options) {
+  PreflightReport report;
+  report.points = trajectory.points.size();
+  report.duration = trajectory.duration();
+  report.assumed = options.limits.assumed;
+  report.faults = check_trajectory(problem.model(), trajectory, options.limits);
+  if (!report.cleared()) {
+    return report;
+  }
+  report.velocity = largest_share(problem.model(), trajectory, options.limits.velocity,
+                                  &TrajectoryPoint::velocity);
+  report.acceleration = largest_share(problem.model(), trajectory, options.limits.acceleration,
+                                      &TrajectoryPoint::acceleration);
+  if (options.measured_start.size() > 0) {
+    check_start(problem.model(), trajectory.points.front(), options.measured_start,
+                options.start_tolerance, report);
+  }
+  check_collisions(problem, trajectory, options.measured_start, options.blends.resolution, report);
+  return report;
+}
+
+std::string to_text(const PreflightReport& report) {
+  std::string text;
+  for (const TrajectoryFault& fault : report.faults) {
+    text += fault.text + "\n";
+  }
+  text += fmt::format("{}: {} points, {:.3f} s\n", report.cleared() ? "cleared" : "NOT CLEARED",
+                      report.points, report.duration);
+  for (const auto& [what, share] :
+       {std::pair("velocity", report.velocity), std::pair("acceleration", report.acceleration)}) {
+    if (share.share > 0.0) {
+      text += fmt::format("largest {}: {:.1f} % of the limit, joint {} at {:.3f} s\n", what,
+                          100.0 * share.share, share.joint, share.time);
+    }
+  }
+  if (!report.closest_pair.empty()) {
+    text += fmt::format("smallest clearance: {:.3f} mm at {:.3f} s, {}\n", report.min_clearance_mm,
+                        report.min_clearance_time, report.closest_pair);
+  }
+  for (const std::string& line : assumption_lines(report.assumed)) {
+    text += line + "\n";
+  }
+  return text;
+}
+
+std::string to_json(const PreflightReport& report) {
+  nlohmann::ordered_json faults = nlohmann::ordered_json::array();
+  for (const TrajectoryFault& fault : report.faults) {
+    faults.push_back({{"joint", fault.joint},
+                      {"time_s", fault.time},
+                      {"value", fault.value},
+                      {"text", fault.text}});
+  }
+  nlohmann::ordered_json assumed = nlohmann::ordered_json::array();
+  for (const AssumedLimit& one : report.assumed) {
+    assumed.push_back({{"joint", one.joint}, {"limit", rate_name(one.rate)}, {"value", one.value}});
+  }
+  const nlohmann::ordered_json object = {{"cleared", report.cleared()},
+                                         {"faults", faults},
+                                         {"points", report.points},
+                                         {"duration_s", report.duration},
+                                         {"velocity", to_object(report.velocity)},
+                                         {"acceleration", to_object(report.acceleration)},
+                                         {"min_clearance_mm", report.min_clearance_mm},
+                                         {"min_clearance_time_s", report.min_clearance_time},
+                                         {"closest_pair", report.closest_pair},
+                                         {"assumed_limits", assumed}};
+  return object.dump(2) + "\n";
+}
+
 namespace {
 
 void check(const char* what, double value, double above, double most) {
@@ -59,11 +222,8 @@ TimedPath time_path(const PlanningProblem& problem, const Path& path, const std:
   timed.motion.waypoint_times = waypoint_times(blended, law);
   timed.motion.trajectory = sample(blended, law, options.period);
   timed.least_duration = least_duration(path, limits);
-  PreflightOptions checks;
+  TimingOptions checks = options;
   checks.limits = timed.motion.limits;
-  checks.measured_start = options.measured_start;
-  checks.start_tolerance = options.start_tolerance;
-  checks.resolution = options.blends.resolution;
   timed.preflight = preflight(problem, timed.motion.trajectory, checks);
   return timed;
 }

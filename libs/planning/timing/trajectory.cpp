@@ -1,8 +1,13 @@
 #include "handway/planning/timing/trajectory.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <stdexcept>
+#include <string_view>
+#include <utility>
 
 namespace handway::planning {
 namespace {
@@ -16,14 +21,11 @@ TrajectoryPoint at_rest(double time, const geometric::Configuration& q) {
 }
 
 TrajectoryPoint point_in_cell(const PathPiece& piece, const Knot& a, const Knot& b, double time) {
-  const double t = time - a.time;
-  const double acceleration = a.acceleration + a.jerk * t;
-  const double way = (a.speed + (a.acceleration / 2.0 + a.jerk / 6.0 * t) * t) * t;
-  const double s = std::clamp(a.s + way, a.s, b.s);
-  const double speed = std::max(0.0, a.speed + (a.acceleration + a.jerk / 2.0 * t) * t);
+  const Knot at = a.after(time - a.time);
+  const double s = std::clamp(at.s, a.s, b.s);
   const Eigen::VectorXd first = piece.first_derivative(s);
-  return {time, piece.position(s), speed * first,
-          acceleration * first + speed * speed * piece.second_derivative(s)};
+  return {time, piece.position(s), at.speed * first,
+          at.acceleration * first + at.speed * at.speed * piece.second_derivative(s)};
 }
 
 /// From rest to rest over `distance`.
@@ -112,6 +114,149 @@ double least_duration(const Path& path, const RateLimits& limits) {
     least = std::max(least, total);
   }
   return least;
+}
+
+namespace {
+
+using geometric::RobotModel;
+
+constexpr double kPositionTolerance = 1e-6;  // rad or m
+constexpr double kRateTolerance = 1e-3;      // of a limit
+constexpr double kRest = 1e-6;               // rad/s or m/s
+
+class Check {
+ public:
+  Check(const RobotModel& model, const RateLimits& limits) : model_(model), limits_(limits) {}
+
+  std::vector<TrajectoryFault> run(const Trajectory& trajectory) {
+    if (trajectory.empty()) {
+      add(0.0, 0.0, "The trajectory has no points.");
+      return std::move(faults_);
+    }
+    for (const TrajectoryPoint& point : trajectory.points) {
+      if (!check_shape(point)) {
+        return std::move(faults_);
+      }
+    }
+    check_rest(trajectory.points.front(), "begins");
+    check_rest(trajectory.points.back(), "ends");
+    for (std::size_t i = 0; i < trajectory.points.size(); ++i) {
+      check_point(trajectory.points[i]);
+      if (i > 0) {
+        check_step(trajectory.points[i - 1], trajectory.points[i]);
+      }
+    }
+    return std::move(faults_);
+  }
+
+ private:
+  void add(double time, double value, std::string text) {
+    faults_.push_back({"", time, value, std::move(text)});
+  }
+  /// @param text what comes after "Joint NAME ".
+  void add_of(const std::string& joint, double time, double value, const std::string& text) {
+    faults_.push_back({joint, time, value, "Joint " + joint + " " + text});
+  }
+
+  /// True for the first fault of a kind that a joint has.
+  bool first(std::string_view kind, int joint) { return seen_.emplace(kind, joint).second; }
+
+  bool check_shape(const TrajectoryPoint& point) {
+    const Eigen::Index count = model_.variable_count();
+    if (point.position.size() != count || point.velocity.size() != count ||
+        point.acceleration.size() != count) {
+      add(point.time, static_cast<double>(point.position.size()),
+          fmt::format("At {:.4f} s: {} positions, {} velocities and {} accelerations where the "
+                      "robot has {} joints that move on their own.",
+                      point.time, point.position.size(), point.velocity.size(),
+                      point.acceleration.size(), count));
+      return false;
+    }
+    for (int v = 0; v < count; ++v) {
+      for (const double value :
+           {point.time, point.position[v], point.velocity[v], point.acceleration[v]}) {
+        if (!std::isfinite(value)) {
+          add_of(model_.variable(v).name, point.time, value,
+                 fmt::format("at {:.4f} s: {} is no finite number.", point.time, value));
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
+  void check_rest(const TrajectoryPoint& point, std::string_view what) {
+    for (int v = 0; v < model_.variable_count(); ++v) {
+      if (std::abs(point.velocity[v]) > kRest && first(what, v)) {
+        add_of(model_.variable(v).name, point.time, point.velocity[v],
+               fmt::format("{} at {:.6g} rad/s, not at rest.", what, point.velocity[v]));
+      }
+    }
+  }
+
+  void check_point(const TrajectoryPoint& point) {
+    for (int link = 1; link < model_.link_count(); ++link) {
+      const RobotModel::Drive& drive = model_.drive(link);
+      if (drive.variable < 0) {
+        continue;
+      }
+      const geometric::Joint& joint = model_.joint(link);
+      const double value = drive.multiplier * point.position[drive.variable] + drive.offset;
+      if ((value < joint.limits.lower - kPositionTolerance ||
+           value > joint.limits.upper + kPositionTolerance) &&
+          first("limit", link)) {
+        add_of(joint.name, point.time, value,
+               fmt::format("at {:.4f} s: {:.6f} is outside {:.6f} to {:.6f}.", point.time, value,
+                           joint.limits.lower, joint.limits.upper));
+      }
+    }
+    for (int v = 0; v < model_.variable_count(); ++v) {
+      check_rate("velocity", v, point.time, point.velocity[v], limits_.velocity[v]);
+      check_rate("acceleration", v, point.time, point.acceleration[v], limits_.acceleration[v]);
+    }
+  }
+
+  void check_step(const TrajectoryPoint& before, const TrajectoryPoint& point) {
+    const double step = point.time - before.time;
+    if (!(step > 0.0)) {
+      if (first("time", 0)) {
+        add(point.time, step,
+            fmt::format("Time goes from {:.6f} s to {:.6f} s: it has to increase.", before.time,
+                        point.time));
+      }
+      return;
+    }
+    for (int v = 0; v < model_.variable_count(); ++v) {
+      check_rate("velocity", v, point.time, (point.position[v] - before.position[v]) / step,
+                 limits_.velocity[v]);
+      check_rate("acceleration", v, point.time, (point.velocity[v] - before.velocity[v]) / step,
+                 limits_.acceleration[v]);
+      if (limits_.jerk.size() > 0) {
+        check_rate("jerk", v, point.time, (point.acceleration[v] - before.acceleration[v]) / step,
+                   limits_.jerk[v]);
+      }
+    }
+  }
+
+  void check_rate(std::string_view what, int variable, double time, double value, double limit) {
+    if (std::abs(value) > limit * (1.0 + kRateTolerance) && first(what, variable)) {
+      add_of(model_.variable(variable).name, time, value,
+             fmt::format("at {:.4f} s: {} {:.4f} is above {:.4f}.", time, what, std::abs(value),
+                         limit));
+    }
+  }
+
+  const RobotModel& model_;
+  const RateLimits& limits_;
+  std::set<std::pair<std::string, int>> seen_;
+  std::vector<TrajectoryFault> faults_;
+};
+
+}  // namespace
+
+std::vector<TrajectoryFault> check_trajectory(const RobotModel& model, const Trajectory& trajectory,
+                                              const RateLimits& limits) {
+  return Check(model, limits).run(trajectory);
 }
 
 }  // namespace handway::planning

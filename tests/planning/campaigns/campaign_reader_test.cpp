@@ -1,7 +1,6 @@
 /// Campaign files: what they mean and how they are refused.
-#include "handway/planning/campaigns/campaign_reader.h"
-
 #include "handway/geometric/io/input_error.h"
+#include "handway/planning/campaigns/campaign.h"
 #include "handway_test/input_errors.h"
 #include "handway_test/paths.h"
 

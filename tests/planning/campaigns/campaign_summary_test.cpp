@@ -1,4 +1,4 @@
-#include "handway/planning/campaigns/campaign_summary.h"
+#include "handway/planning/campaigns/campaign_statistics.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

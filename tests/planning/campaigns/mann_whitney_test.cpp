@@ -1,5 +1,5 @@
 /// The Mann-Whitney test against published values.
-#include "handway/planning/campaigns/mann_whitney.h"
+#include "handway/planning/campaigns/campaign_statistics.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 /// Means, quantiles and intervals against published values.
-#include "handway/planning/campaigns/sample_statistics.h"
+#include "handway/planning/campaigns/campaign_statistics.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

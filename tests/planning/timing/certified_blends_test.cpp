@@ -1,5 +1,4 @@
-#include "handway/planning/timing/certified_blends.h"
-
+#include "handway/planning/timing/blended_path.h"
 #include "handway_test/input_errors.h"
 #include "handway_test/planar_problems.h"
 

@@ -1,5 +1,4 @@
-#include "handway/planning/timing/jerk_limited.h"
-
+#include "handway/planning/timing/time_law.h"
 #include "handway/planning/timing/trajectory.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,3 @@
-#include "handway/planning/timing/preflight.h"
-
 #include "handway/planning/timing/time_path.h"
 #include "handway_test/input_errors.h"
 #include "handway_test/planar_problems.h"
@@ -34,7 +32,7 @@ class Preflight : public testing::Test {
 
   PlanningProblem problem_ = test::open_problem();
   TimedPath timed_;
-  PreflightOptions options_;
+  TimingOptions options_;
 };
 
 TEST_F(Preflight, ClearsWhatTimePathMakes) {

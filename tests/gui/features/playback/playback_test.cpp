@@ -1,5 +1,5 @@
 #include "app/playback_tools.h"
-#include "handway/planning/timing/certified_blends.h"
+#include "handway/planning/timing/blended_path.h"
 #include "view3d/scene_view.h"
 #include "window_test.h"
 

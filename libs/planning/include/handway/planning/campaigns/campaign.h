@@ -1,5 +1,6 @@
 #pragma once
 
+#include "handway/planning/core/plan_result.h"
 #include "handway/planning/export.h"
 #include "handway/planning/planners/planner_registry.h"
 
@@ -63,5 +64,41 @@ struct HANDWAY_PLANNING_EXPORT Campaign {
 /// @throws InputError for an unknown planner, parameter or value.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::unique_ptr<Planner> make_planner(
     const CampaignPlanner& entry, const PlannerRegistry& registry);
+
+/// What one run of a campaign came to. Apart from the times, the same campaign gives the
+/// same records, whatever the machine was doing, unless a run ended at its time limit.
+/// Of the statistics, rejections are left out.
+struct RunRecord : PlanStatistics {
+  RunSpec spec;
+  bool solved = false;
+  std::string status;  ///< As to_string(PlanStatus); "refused" if the planner couldn't begin.
+  std::string reason;  ///< One sentence.
+
+  double time_s = 0.0;       ///< Planning alone, wall clock.
+  double smoothing_s = 0.0;  ///< Wall clock.
+
+  std::uint64_t path_nodes = 0;  ///< 0: no path.
+  double path_length = 0.0;      ///< In joints normalised to [0, 1]; 0: no path.
+  double resolution_mm = 0.0;    ///< Of the certificate.
+  double min_clearance_mm = 0.0;
+  std::uint64_t certificate_checks = 0;
+  std::string path;  ///< As to_csv(); empty: no path.
+};
+
+/// Reads a campaign file (YAML; docs/campaigns.md).
+///
+/// Problems are paths relative to the campaign's folder or names of scenes that ship;
+/// `${NAME}` in them is the environment's. A problem marked optional is left out where
+/// its file, or a variable in its name, is missing. Every combination of a planner's lists
+/// of values becomes a CampaignPlanner of its own, and so does each value under `vary`;
+/// two that come to the same parameters become one.
+///
+/// @throws InputError naming file, line and element of what is wrong, planners, parameters
+/// and their ranges included. The problems themselves are not opened.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT Campaign read_campaign(const std::filesystem::path& file,
+                                                             const PlannerRegistry& registry);
+
+/// Is this a YAML file with the key `campaign` at its top? Never throws.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT bool is_campaign(const std::filesystem::path& file);
 
 }  // namespace handway::planning

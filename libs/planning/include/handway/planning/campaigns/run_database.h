@@ -1,9 +1,9 @@
 #pragma once
 
 #include "handway/planning/campaigns/campaign.h"
-#include "handway/planning/campaigns/run_record.h"
 #include "handway/planning/export.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <span>
@@ -59,5 +59,23 @@ class HANDWAY_PLANNING_EXPORT RunDatabase {
   const Campaign campaign_;
   std::string version_;
 };
+
+/// A run with all that it takes to carry it out again.
+struct ArchivedRun {
+  std::string problem;  ///< Its name in the campaign.
+  std::filesystem::path file;
+  CampaignPlanner planner;
+  RunRecord record;  ///< Without its path; of its spec the seed alone has a meaning.
+};
+
+/// All runs of a run database, in the order of problems, planners and seeds. Another program may be
+/// adding to it.
+/// @throws InputError if it can't be read or is no run database.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<ArchivedRun> read_runs(
+    const std::filesystem::path& file);
+
+/// The same of a run that was just made.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT ArchivedRun archived(const Campaign& campaign,
+                                                           const RunRecord& record);
 
 }  // namespace handway::planning

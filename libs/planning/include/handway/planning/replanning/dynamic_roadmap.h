@@ -11,18 +11,6 @@
 
 namespace handway::planning {
 
-/// Settings of DynamicRoadmap.
-struct DynamicRoadmapSettings {
-  int k = 8;             ///< Nearest nodes that a new node is joined to.
-  int max_nodes = 3000;  ///< When there are more, all but those of the last path are forgotten.
-  /// Configurations checked in search of a path over edges never checked before, each time.
-  int roadmap_checks = 500;
-  /// Configurations checked for a detour around what cuts the last path, before planning from
-  /// scratch.
-  int repair_checks = 4000;
-  int smoothing_checks = 300;  ///< Configurations that ShortcutSmoothing may check.
-};
-
 /// Where a path came from, from the cheapest to the dearest.
 enum class ReplanSource {
   kNone,      ///< There is none.
@@ -30,16 +18,6 @@ enum class ReplanSource {
   kRoadmap,   ///< Over what is left of the roadmap.
   kRepair,    ///< The last path with a detour around what cuts it.
   kPlanner,   ///< Planned from scratch.
-};
-
-/// What the last DynamicRoadmap::plan() found in the roadmap and did with it.
-struct ReplanReport {
-  ReplanSource source = ReplanSource::kNone;
-  int nodes = 0;          ///< Of the roadmap, afterwards.
-  int edges = 0;          ///< Of these, whatever is known of them.
-  int rechecked = 0;      ///< Nodes and edges found free before and asked about changes alone.
-  int refused_edges = 0;  ///< Edges found not to be free.
-  int revived_edges = 0;  ///< Refused before because of something that has changed since.
 };
 
 /// Plans again and again in a scene that changes little from one time to the next.
@@ -63,8 +41,9 @@ class HANDWAY_PLANNING_EXPORT DynamicRoadmap {
  public:
   /// @param planner plans the first path, and others from scratch where repair fails; null:
   /// AutoPlanner if the problem has a basis, RrtConnect over all joints otherwise.
-  explicit DynamicRoadmap(PlanningProblem problem, const DynamicRoadmapSettings& settings = {},
-                          std::unique_ptr<Planner> planner = nullptr);
+  /// @param max_nodes when there are more, all but those of the last path are forgotten.
+  explicit DynamicRoadmap(PlanningProblem problem, std::unique_ptr<Planner> planner = nullptr,
+                          int max_nodes = 3000);
   ~DynamicRoadmap();
 
   /// The problem as it is now. After a change, this or plan() makes a new checker.
@@ -80,8 +59,8 @@ class HANDWAY_PLANNING_EXPORT DynamicRoadmap {
   [[nodiscard]] PlanResult plan(const PlanRequest& request, std::stop_token stop = {},
                                 Observer* observer = nullptr);
 
-  /// Of the last plan().
-  [[nodiscard]] const ReplanReport& report() const;
+  /// Where the path of the last plan() came from.
+  [[nodiscard]] ReplanSource source() const;
 
  private:
   struct State;

@@ -20,13 +20,16 @@ struct TimeLaw {
                                 ///< at the same time begins the next.
     double acceleration = 0.0;  ///< d²s/dt² from here on.
     double jerk = 0.0;          ///< d³s/dt³ up to the next knot.
+
+    /// The motion `t` s later, with the jerk of this knot.
+    [[nodiscard]] Knot after(double t) const;
   };
   std::vector<Knot> knots;  ///< Empty for a path without length.
 
   [[nodiscard]] double duration() const { return knots.empty() ? 0.0 : knots.back().time; }
 };
 
-/// The fastest way along `path` that keeps the limits, from rest to rest, stopping at
+/// The fastest motion along `path` that keeps the limits, from rest to rest, stopping at
 /// corners that have no arc. Jerk is not limited: accelerations jump; see jerk_limited().
 /// Where limits.jerk is given speeds on arcs are so low that their shape alone does not exceed it.
 ///
@@ -43,5 +46,19 @@ struct TimeLaw {
 /// The same motion with every stretch from stop to stop slowed down to the next multiple of
 /// `period` (s), so that samples at this period meet the stops. @pre period > 0.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT TimeLaw align_stops(TimeLaw law, double period);
+
+/// A fast motion along `path` that keeps the limits, jerk included, from rest to rest, stopping
+/// at corners that have no arc. The path is the same to the bit: only its times are other ones.
+///
+/// From stop to stop time_optimal() is averaged over a window of time: its acceleration, which
+/// jumps, becomes one that changes evenly, by no more than its jumps in the window's length. Then
+/// the stretch is slowed down to where velocity, acceleration and jerk of all joints are in their
+/// limits. Of several windows, and of several shares of the accelerations to begin with, the
+/// fastest is taken. Nearly, not quite as fast as can be: the limits are met where one joint
+/// is at its worst.
+/// @pre limits.jerk is of the model's shape.
+/// @throws std::invalid_argument if the path has circular arcs, where no jerk is limited.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT TimeLaw jerk_limited(const BlendedPath& path,
+                                                           const RateLimits& limits);
 
 }  // namespace handway::planning

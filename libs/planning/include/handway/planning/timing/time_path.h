@@ -2,8 +2,7 @@
 
 #include "handway/planning/core/planning_problem.h"
 #include "handway/planning/export.h"
-#include "handway/planning/timing/certified_blends.h"
-#include "handway/planning/timing/preflight.h"
+#include "handway/planning/timing/blended_path.h"
 #include "handway/planning/timing/rate_limits.h"
 #include "handway/planning/timing/trajectory.h"
 
@@ -35,6 +34,46 @@ struct TimingOptions {
   Configuration measured_start;   ///< Of size 0: the start is not compared.
   double start_tolerance = 1e-3;  ///< rad or m, of that comparison.
 };
+
+/// Largest share that a motion takes of a limit, and where.
+struct LimitShare {
+  std::string joint;
+  double time = 0.0;   ///< s
+  double share = 0.0;  ///< 1: at the limit.
+};
+
+/// What is known about a trajectory before it runs.
+struct PreflightReport {
+  std::vector<TrajectoryFault> faults;  ///< Empty: cleared to run.
+  std::size_t points = 0;
+  double duration = 0.0;  ///< s
+  LimitShare velocity;
+  LimitShare acceleration;
+  double min_clearance_mm = 0.0;      ///< At the points; more than 50 mm is not distinguished.
+  double min_clearance_time = 0.0;    ///< s
+  std::string closest_pair;           ///< "A with B"
+  std::vector<AssumedLimit> assumed;  ///< Limits that it was checked against and no file has.
+
+  [[nodiscard]] bool cleared() const { return faults.empty(); }
+};
+
+/// Checks everything that can be known without the robot: check_trajectory(), the start
+/// against what was measured and the straight motion from there, and collisions for every
+/// configuration between the points (they are followed in straight lines), with the clearance along
+/// time. A trajectory that fails check_trajectory() is not looked at further.
+/// @param options limits (not of size 0), measured start and the resolution of blends count.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT PreflightReport preflight(const PlanningProblem& problem,
+                                                                const Trajectory& trajectory,
+                                                                const TimingOptions& options);
+
+/// For a person, a line each.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT std::string to_text(const PreflightReport& report);
+
+/// A JSON object: `cleared`, `faults` (`joint`, `time_s`, `value`, `text`), `points`,
+/// `duration_s`, `velocity` and `acceleration` (`joint`, `time_s`, `share`),
+/// `min_clearance_mm`, `min_clearance_time_s`, `closest_pair`, `assumed_limits` (`joint`, `limit`:
+/// rate_name(), `value`). What is no finite number is null.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT std::string to_json(const PreflightReport& report);
 
 /// A path made into a motion, and all that is known about it.
 struct TimedPath {
