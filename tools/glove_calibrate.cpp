@@ -2,7 +2,6 @@
 #include "glove_commands.h"
 #include "handway/device/glove/calibration_fit.h"
 #include "handway/device/glove/glove_layout.h"
-#include "handway/device/glove/guided_poses.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/resources.h"
 

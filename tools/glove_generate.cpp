@@ -1,6 +1,6 @@
 #include "exit_codes.h"
 #include "glove_commands.h"
-#include "handway/device/glove/generated_recording.h"
+#include "handway/device/glove/glove_signals.h"
 #include "numbers.h"
 
 #include <CLI/CLI.hpp>

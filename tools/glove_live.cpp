@@ -4,7 +4,6 @@
 #include "glove_display.h"
 #include "handway/device/glove/glove.h"
 #include "handway/device/glove/glove_signals.h"
-#include "handway/device/glove/glove_stream.h"
 #include "handway/device/glove/recording.h"
 #include "handway/device/glove/replay_glove.h"
 #include "interrupt.h"
@@ -93,7 +92,7 @@ int show_glove(std::unique_ptr<device::Glove> glove, const GloveShowOptions& opt
     sensors = info.sensors;
     announce(info);
   };
-  handlers.on_frame = [&](const GloveFrame& frame) {
+  handlers.on_sample = [&](const GloveFrame& frame) {
     if (latest.take(frame) && !table) {
       print_line(options.json ? frame_json(frame, sensors) : frame_line(frame, sensors));
     }

@@ -2,9 +2,9 @@
 #include "exit_codes.h"
 #include "glove_commands.h"
 #include "glove_display.h"
+#include "handway/device/glove/glove.h"
 #include "handway/device/glove/glove_layout.h"
-#include "handway/device/glove/glove_stream.h"
-#include "handway/device/glove/recording_writer.h"
+#include "handway/device/glove/recording.h"
 #include "interrupt.h"
 #include "numbers.h"
 
@@ -136,7 +136,7 @@ int record(const RecordOptions& options) {
   Recorder recorder(options);
   device::GloveStreamHandlers handlers;
   handlers.on_connected = [&](const GloveInfo& info) { recorder.connected(info); };
-  handlers.on_frame = [&](const GloveFrame& frame) { recorder.take(frame); };
+  handlers.on_sample = [&](const GloveFrame& frame) { recorder.take(frame); };
   handlers.on_state = tell_state;
   std::stop_source stop;
   const StopsOnInterrupt guard(stop);

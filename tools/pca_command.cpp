@@ -3,7 +3,7 @@
 #include "figures_program.h"
 #include "handway/device/glove/glove_calibration.h"
 #include "handway/device/glove/glove_layout.h"
-#include "handway/device/glove/hand_mapper.h"
+#include "handway/device/glove/hand_mapping.h"
 #include "handway/geometric/formats/robot_loader.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/resources.h"

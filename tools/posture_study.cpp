@@ -1,7 +1,7 @@
 #include "posture_study.h"
 
 #include "handway/device/glove/glove_calibration.h"
-#include "handway/device/glove/hand_mapper.h"
+#include "handway/device/glove/hand_mapping.h"
 #include "handway/device/glove/recording_filters.h"
 #include "handway/geometric/formats/robot_loader.h"
 #include "handway/geometric/io/input_error.h"

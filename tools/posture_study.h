@@ -1,7 +1,7 @@
 #pragma once
 
 #include "handway/device/glove/glove_calibration.h"
-#include "handway/device/glove/hand_mapper.h"
+#include "handway/device/glove/hand_mapping.h"
 #include "handway/device/glove/recording.h"
 #include "handway/device/glove/recording_quality.h"
 #include "handway/sampling/postures/pmd_basis.h"

@@ -2,9 +2,8 @@
 #include "emulated_device.h"
 #include "exit_codes.h"
 #include "handway/device/core/device_error.h"
-#include "handway/device/core/stream_statistics.h"
+#include "handway/device/core/device_stream.h"
 #include "handway/device/tracker/polhemus_tracker.h"
-#include "handway/device/tracker/pose_datagram.h"
 #include "handway/device/tracker/tracker.h"
 #include "handway/device/tracker/tracker_units.h"
 #include "handway/device/tracker/udp_tracker.h"
@@ -29,8 +28,8 @@
 namespace handway::tools {
 namespace {
 
+using device::ReceptionFaults;
 using device::StreamStatistics;
-using device::TrackerFaults;
 using device::TrackerSample;
 
 char button_sign(const TrackerSample& sample) {
@@ -41,7 +40,7 @@ char button_sign(const TrackerSample& sample) {
 }
 
 /// "120.0 Hz, 1234 samples, …".
-std::string tracker_statistics_line(const StreamStatistics& s, const TrackerFaults& faults) {
+std::string tracker_statistics_line(const StreamStatistics& s, const ReceptionFaults& faults) {
   return fmt::format(
       "{:.1f} Hz, {} samples, jitter {:.1f} ms, longest gap {:.0f} ms, {} resyncs, {} doubtful, "
       "{} reconnects",
@@ -51,7 +50,7 @@ std::string tracker_statistics_line(const StreamStatistics& s, const TrackerFaul
 
 /// Every sensor's last pose (mm, deg) and button; below them how the stream runs.
 std::string tracker_table(const std::map<int, TrackerSample>& sensors, const char* state,
-                          const StreamStatistics& statistics, const TrackerFaults& faults) {
+                          const StreamStatistics& statistics, const ReceptionFaults& faults) {
   std::string text = fmt::format("{:<7}{:>9}{:>9}{:>9}{:>10}{:>11}{:>8}{:>8}\n", "sensor", "x mm",
                                  "y mm", "z mm", "azimuth", "elevation", "roll", "button");
   for (const auto& [number, sample] : sensors) {
@@ -74,7 +73,7 @@ std::string sample_line(const TrackerSample& sample) {
 }
 
 /// {"statistics": {…}} on one line.
-std::string tracker_statistics_json(const StreamStatistics& s, const TrackerFaults& faults) {
+std::string tracker_statistics_json(const StreamStatistics& s, const ReceptionFaults& faults) {
   const nlohmann::ordered_json numbers{{"samples", s.frames},
                                        {"rate_hz", s.rate},
                                        {"jitter_s", s.jitter},
@@ -156,8 +155,8 @@ void add_tracker_emulate(CLI::App& tracker, int& exit_code) {
   command->callback([options, &exit_code] { exit_code = emulate(*options); });
 }
 
+using device::SampleEvent;
 using device::Tracker;
-using device::TrackerEvent;
 using device::TrackerReading;
 using device::TrackerSample;
 using std::chrono::milliseconds;
@@ -242,10 +241,10 @@ class Live {
   }
 
   void take(const TrackerReading& reading) {
-    if (reading.event == TrackerEvent::kUnplugged) {
+    if (reading.event == SampleEvent::kUnplugged) {
       enter("unplugged");
     }
-    if (reading.event != TrackerEvent::kSample) {
+    if (reading.event != SampleEvent::kSample) {
       return;
     }
     enter("streaming");

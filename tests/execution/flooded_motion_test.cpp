@@ -2,12 +2,10 @@
 /// reaches both all the same.
 #include "handway/device/arm/arm_emulator.h"
 #include "handway/device/arm/simple_message.h"
-#include "handway/device/arm/tx90_joints.h"
 #include "handway/device/arm/val3_arm.h"
 #include "handway/device/hand/hand_emulator.h"
 #include "handway/device/hand/hand_protocol.h"
 #include "handway/device/hand/network_hand.h"
-#include "handway/device/hand/sah_joints.h"
 #include "handway/execution/motion/motion_run.h"
 #include "handway_test/flooding_proxy.h"
 

@@ -2,11 +2,9 @@
 #include "handway/execution/motion/motion_run.h"
 
 #include "handway/device/arm/arm_emulator.h"
-#include "handway/device/arm/tx90_joints.h"
 #include "handway/device/arm/val3_arm.h"
 #include "handway/device/hand/hand_emulator.h"
 #include "handway/device/hand/network_hand.h"
-#include "handway/device/hand/sah_joints.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 /// What a CyberGlove sends, as records and as answers, and what an emulated one is sent.
 #include "cyberglove_commands.h"
 #include "handway/device/glove/cyberglove_parser.h"
-#include "handway/device/glove/cyberglove_unit.h"
+#include "handway/device/glove/glove_emulator.h"
 #include "pieces.h"
 
 #include <algorithm>

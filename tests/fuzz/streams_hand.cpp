@@ -1,7 +1,7 @@
 /// Lines of the hand protocol: what a hand sends, and what an emulated one is sent.
-#include "handway/device/hand/hand_controller.h"
+#include "handway/device/hand/hand_emulator.h"
 #include "handway/device/hand/hand_protocol.h"
-#include "handway/device/hand/sah_joints.h"
+#include "handway/device/hand/network_hand.h"
 #include "pieces.h"
 
 #include <string>

@@ -1,6 +1,5 @@
 /// What trackers send, and what emulated ones are sent: the second byte chooses model and format.
-#include "handway/device/tracker/fastrak_parser.h"
-#include "handway/device/tracker/liberty_parser.h"
+#include "handway/device/tracker/polhemus_parser.h"
 #include "handway/device/tracker/tracker_units.h"
 #include "pieces.h"
 

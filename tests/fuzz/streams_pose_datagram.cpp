@@ -1,5 +1,5 @@
 /// Poses as UDP datagrams.
-#include "handway/device/tracker/pose_datagram.h"
+#include "handway/device/tracker/udp_tracker.h"
 #include "pieces.h"
 
 #include <cmath>

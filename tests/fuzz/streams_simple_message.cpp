@@ -1,7 +1,7 @@
 /// What a VAL3 server sends, and what an emulated controller is sent: simple_message.
+#include "handway/device/arm/arm_emulator.h"
 #include "handway/device/arm/simple_message.h"
-#include "handway/device/arm/tx90_joints.h"
-#include "handway/device/arm/val3_controller.h"
+#include "handway/device/arm/val3_arm.h"
 #include "pieces.h"
 
 #include <cmath>

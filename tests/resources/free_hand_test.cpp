@@ -1,7 +1,7 @@
 /// The recording that ships, and the basis made from it.
-#include "handway/device/glove/generated_recording.h"
 #include "handway/device/glove/glove_calibration.h"
-#include "handway/device/glove/hand_mapper.h"
+#include "handway/device/glove/glove_signals.h"
+#include "handway/device/glove/hand_mapping.h"
 #include "handway/geometric/formats/robot_loader.h"
 #include "handway/sampling/postures/pmd_basis_io.h"
 #include "handway/sampling/postures/principal_components.h"

@@ -1,6 +1,6 @@
 #include "background_process.h"
 #include "command_line.h"
-#include "handway/device/glove/glove_frame.h"
+#include "handway/device/glove/glove_layout.h"
 #include "handway/device/glove/recording.h"
 
 #include <gmock/gmock.h>

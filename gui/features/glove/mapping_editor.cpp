@@ -3,7 +3,7 @@
 #include "features/glove/curve_view.h"
 #include "features/glove/mapping_wires.h"
 #include "features/glove/wire_form.h"
-#include "handway/device/glove/hand_mapper.h"
+#include "handway/device/glove/hand_mapping.h"
 #include "handway/geometric/io/resources.h"
 #include "handway/geometric/math/units.h"
 #include "handway/sampling/postures/posture_subspace.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "handway/device/glove/glove_frame.h"
+#include "handway/device/glove/glove_layout.h"
 #include "handway/device/glove/hand_mapping.h"
 #include "handway/geometric/robot/robot_model.h"
 #include "model/devices/glove_session.h"

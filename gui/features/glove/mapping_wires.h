@@ -1,6 +1,5 @@
 #pragma once
 
-#include "handway/device/glove/hand_mapper.h"
 #include "handway/device/glove/hand_mapping.h"
 #include "model/devices/glove_session.h"
 

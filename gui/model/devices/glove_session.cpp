@@ -90,7 +90,7 @@ void GloveLink::start(std::unique_ptr<device::Glove> glove,
   running_->emulator = std::move(emulator);
   state_ = StreamState::kConnecting;
   device::GloveStreamHandlers handlers;
-  handlers.on_frame = [push = inbox_->item_slot(), tap = tap_](const device::GloveFrame& frame) {
+  handlers.on_sample = [push = inbox_->item_slot(), tap = tap_](const device::GloveFrame& frame) {
     tap->take(frame);
     push(frame);
   };

@@ -1,12 +1,11 @@
 #pragma once
 
+#include "handway/device/glove/glove.h"
 #include "handway/device/glove/glove_calibration.h"
 #include "handway/device/glove/glove_emulator.h"
-#include "handway/device/glove/glove_frame.h"
-#include "handway/device/glove/glove_stream.h"
-#include "handway/device/glove/hand_mapper.h"
+#include "handway/device/glove/glove_layout.h"
 #include "handway/device/glove/hand_mapping.h"
-#include "handway/device/glove/recording_writer.h"
+#include "handway/device/glove/recording.h"
 #include "handway/geometric/robot/robot_model.h"
 #include "model/devices/stream_inbox.h"
 #include "model/jobs/background.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "handway/device/core/stream_state.h"
+#include "handway/device/core/device_stream.h"
 
 #include <QElapsedTimer>
 #include <QObject>

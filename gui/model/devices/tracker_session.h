@@ -2,7 +2,7 @@
 
 #include "handway/device/core/device_emulator.h"
 #include "handway/device/tracker/tool_follower.h"
-#include "handway/device/tracker/tracker_stream.h"
+#include "handway/device/tracker/tracker.h"
 #include "handway/geometric/robot/robot_description.h"
 #include "model/devices/stream_inbox.h"
 #include "model/jobs/background.h"

@@ -1,16 +1,222 @@
 #include "handway/device/arm/arm_emulator.h"
 
-#include "core/delayed_bytes.h"
-#include "core/host_watch.h"
-#include "core/tcp_host_port.h"
+#include "core/emulated_joints.h"
+#include "core/ports.h"
 #include "handway/device/core/device_error.h"
 
+#include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
+#include <deque>
 #include <mutex>
+#include <stdexcept>
 #include <thread>
 
 namespace handway::device {
+namespace {
+
+constexpr int kStatusPeriod = 5;   // positions from status to status
+constexpr double kOnLimit = 1e-5;  // rad: positions travel as float32
+constexpr int kEstopCode = 1;
+
+struct Move {
+  Eigen::VectorXd target;
+  double velocity;  // share of the joints' velocities
+};
+
+Val3ControllerSettings checked(Val3ControllerSettings settings) {
+  const Eigen::Index count = settings.joints.count();
+  if (count == 0 || count > static_cast<Eigen::Index>(kSimpleMessageJoints) ||
+      settings.position.size() != count || settings.queue == 0 || !(settings.braking_time > 0.0)) {
+    throw std::invalid_argument("an arm controller needs 1 to 10 joints, a queue and brakes");
+  }
+  return settings;
+}
+
+}  // namespace
+
+struct Val3Controller::Arm {
+  explicit Arm(Val3ControllerSettings given)
+      : settings(checked(std::move(given))),
+        joints(settings.position, settings.joints.velocity / settings.braking_time, settings.lag),
+        powered(settings.powered) {}
+
+  Val3ControllerSettings settings;
+  EmulatedJoints joints;
+  bool powered;
+  bool estopped = false;
+  std::deque<Move> queue;  ///< The first is under way.
+  double now = 0.0;
+  double moved = 0.0;      ///< s since the first motion began
+  bool has_moved = false;  ///< A motion began.
+  int fed_back = 0;        ///< Times that positions were sent.
+  int stops = 0;           ///< Commands.
+  bool fault_active = false;
+
+  void step();
+  void follow(double dt);
+  void stop();
+  void begin_fault();
+  [[nodiscard]] bool fault(FaultKind kind) const {
+    return fault_active && settings.fault.kind == kind;
+  }
+  [[nodiscard]] bool accepts(const SimpleMessage& point);
+  [[nodiscard]] bool in_range(const Eigen::VectorXd& target) const;
+  [[nodiscard]] RobotStatus status() const;
+};
+
+void Val3Controller::Arm::stop() {
+  queue.clear();
+  joints.brake();
+}
+
+void Val3Controller::Arm::begin_fault() {
+  fault_active = true;
+  if (settings.fault.kind == FaultKind::kEstop) {
+    estopped = true;
+    powered = false;
+    stop();
+  } else if (settings.fault.kind == FaultKind::kJointLimit && !queue.empty()) {
+    // Of the joint that goes farthest.
+    Eigen::Index joint = 0;
+    const Eigen::VectorXd way = queue.back().target - joints.commanded();
+    way.cwiseAbs().maxCoeff(&joint);
+    (way[joint] > 0.0 ? settings.joints.upper : settings.joints.lower)[joint] =
+        joints.commanded()[joint];
+  }
+}
+
+// Along the queue, from target to target, for `dt` s.
+void Val3Controller::Arm::follow(double dt) {
+  const double pace = fault(FaultKind::kSlow) ? 0.5 : 1.0;
+  Eigen::VectorXd at = joints.commanded();
+  Eigen::VectorXd velocity = Eigen::VectorXd::Zero(at.size());
+  while (dt > 0.0 && !queue.empty()) {
+    const Eigen::VectorXd way = queue.front().target - at;
+    const double needed = (way.cwiseAbs().array() / settings.joints.velocity.array()).maxCoeff() /
+                          (queue.front().velocity * pace);
+    if (needed <= dt) {
+      at = queue.front().target;
+      dt -= needed;
+      queue.pop_front();
+    } else {
+      velocity = way / needed;
+      at += velocity * dt;
+      dt = 0.0;
+    }
+  }
+  joints.command(at, velocity);
+}
+
+void Val3Controller::Arm::step() {
+  now += kEmulationStep;
+  if (!queue.empty()) {
+    has_moved = true;
+    follow(kEmulationStep);
+  } else {
+    joints.command(joints.commanded(), Eigen::VectorXd::Zero(joints.commanded().size()));
+  }
+  joints.step(kEmulationStep);
+  if (has_moved) {
+    moved += kEmulationStep;
+    if (!fault_active && settings.fault.kind != FaultKind::kNone && moved >= settings.fault.after) {
+      begin_fault();
+    }
+  }
+}
+
+bool Val3Controller::Arm::in_range(const Eigen::VectorXd& target) const {
+  return (target.array() >= settings.joints.lower.array() - kOnLimit).all() &&
+         (target.array() <= settings.joints.upper.array() + kOnLimit).all();
+}
+
+bool Val3Controller::Arm::accepts(const SimpleMessage& point) {
+  Move move{Eigen::VectorXd(settings.joints.count()), static_cast<double>(point.velocity)};
+  for (Eigen::Index j = 0; j < move.target.size(); ++j) {
+    move.target[j] = static_cast<double>(point.joints[static_cast<std::size_t>(j)]);
+  }
+  if (!powered || !settings.automatic || estopped || fault(FaultKind::kRefused) ||
+      !(move.velocity > 0.0 && move.velocity <= 1.0) || !in_range(move.target) ||
+      queue.size() >= settings.queue) {
+    return false;
+  }
+  joints.release();
+  queue.push_back(std::move(move));
+  return true;
+}
+
+RobotStatus Val3Controller::Arm::status() const {
+  RobotStatus status;
+  status.drives_powered = powered ? 1 : 0;
+  status.emergency_stopped = estopped ? 1 : 0;
+  status.error_code = estopped ? kEstopCode : 0;
+  status.in_error = estopped ? 1 : 0;
+  status.in_motion = joints.moving() ? 1 : 0;
+  status.mode = settings.automatic ? 2 : 1;
+  status.motion_possible = powered && settings.automatic && !estopped ? 1 : 0;
+  return status;
+}
+
+Val3Controller::Val3Controller(Val3ControllerSettings settings)
+    : arm_(std::make_unique<Arm>(std::move(settings))) {}
+
+Val3Controller::~Val3Controller() = default;
+
+SimpleMessage Val3Controller::receive(const SimpleMessage& message, double now) {
+  advance(now);
+  SimpleMessage reply;
+  reply.type = message.type;
+  reply.kind = SimpleMessageKind::kReply;
+  reply.sequence = message.sequence;
+  reply.reply = SimpleMessageReply::kFailure;
+  if (message.type == SimpleMessageType::kJointTrajectoryPoint &&
+      message.kind == SimpleMessageKind::kRequest) {
+    const bool stop = message.sequence == kStopSequence;
+    if (stop) {
+      ++arm_->stops;
+      arm_->stop();
+    }
+    if (stop || arm_->accepts(message)) {
+      reply.reply = SimpleMessageReply::kSuccess;
+    }
+  }
+  return reply;
+}
+
+void Val3Controller::advance(double now) {
+  while (arm_->now + kEmulationStep <= now) {
+    arm_->step();
+  }
+}
+
+std::vector<SimpleMessage> Val3Controller::feedback() {
+  SimpleMessage position;
+  for (Eigen::Index j = 0; j < arm_->settings.joints.count(); ++j) {
+    position.joints[static_cast<std::size_t>(j)] = static_cast<float>(arm_->joints.position()[j]);
+  }
+  std::vector<SimpleMessage> feedback{position};
+  if (arm_->fed_back++ % kStatusPeriod == 0) {
+    SimpleMessage status;
+    status.type = SimpleMessageType::kStatus;
+    status.status = arm_->status();
+    feedback.push_back(status);
+  }
+  return feedback;
+}
+
+void Val3Controller::connection_lost() { arm_->stop(); }
+
+const Eigen::VectorXd& Val3Controller::position() const { return arm_->joints.position(); }
+
+bool Val3Controller::moving() const { return arm_->joints.moving(); }
+
+int Val3Controller::stops() const { return arm_->stops; }
+
+FaultKind Val3Controller::active_fault() const {
+  return arm_->fault_active ? arm_->settings.fault.kind : FaultKind::kNone;
+}
+
 namespace {
 
 using Clock = std::chrono::steady_clock;

@@ -1,20 +1,101 @@
 #include "handway/device/arm/val3_arm.h"
 
-#include "core/bounded_read.h"
 #include "core/links.h"
 #include "handway/device/arm/simple_message.h"
 #include "handway/device/core/device_error.h"
-#include "val3_points.h"
+#include "handway/device/core/joint_trajectory.h"
+#include "handway/geometric/math/units.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <span>
 #include <stdexcept>
+#include <vector>
 
 namespace handway::device {
 namespace {
+
+struct Row {
+  const char* name;
+  double lower;     ///< degrees
+  double upper;     ///< degrees
+  double velocity;  ///< degrees a second
+};
+
+constexpr std::array<Row, 6> kRows{{{"joint_1", -180.0, 180.0, 400.0},
+                                    {"joint_2", -130.0, 147.5, 400.0},
+                                    {"joint_3", -145.0, 145.0, 430.0},
+                                    {"joint_4", -270.0, 270.0, 540.0},
+                                    {"joint_5", -115.0, 140.0, 475.0},
+                                    {"joint_6", -270.0, 270.0, 760.0}}};
+
+}  // namespace
+
+JointRanges tx90_joints() {
+  JointRanges joints{{}, Eigen::VectorXd(6), Eigen::VectorXd(6), Eigen::VectorXd(6)};
+  for (Eigen::Index j = 0; j < 6; ++j) {
+    const Row& row = kRows[static_cast<std::size_t>(j)];
+    joints.names.emplace_back(row.name);
+    joints.lower[j] = geometric::radians(row.lower);
+    joints.upper[j] = geometric::radians(row.upper);
+    joints.velocity[j] = geometric::radians(row.velocity);
+  }
+  return joints;
+}
+
+namespace {
+
+/// A point for the VAL3 server, and when it is sent.
+struct Val3Point {
+  double due = 0.0;  ///< s of the motion's time: not earlier.
+  double end = 0.0;  ///< s: when the arm is there.
+  SimpleMessage message;
+};
+
+/// How many points are sent ahead of their time: the queue holds ten.
+inline constexpr std::size_t kVal3PointsAhead = 8;
+
+// Nothing that moves less can be sent to an arm (float32), rad.
+constexpr double kNoMove = 1e-6;
+// The least share of its velocity that the controller takes.
+constexpr double kLeastVelocity = 1e-4;
+
+// The points of a trajectory but the first, where the arm stands. Points at which it does
+// not move are left out, and what follows them waits until they are over.
+// @pre check_trajectory().
+std::vector<Val3Point> val3_points(const JointTrajectory& trajectory, const JointRanges& joints) {
+  std::vector<Val3Point> points;
+  double wait_until = 0.0;
+  Eigen::VectorXd from = trajectory.positions.row(0);
+  for (std::size_t i = 1; i < trajectory.times.size(); ++i) {
+    const Eigen::VectorXd to = trajectory.positions.row(static_cast<Eigen::Index>(i));
+    const double duration = trajectory.times[i] - trajectory.times[i - 1];
+    if ((to - from).cwiseAbs().maxCoeff() < kNoMove) {
+      wait_until = trajectory.times[i];
+      continue;
+    }
+    const double share =
+        ((to - from).cwiseAbs().array() / joints.velocity.array()).maxCoeff() / duration;
+    Val3Point point;
+    const std::size_t ahead = i > kVal3PointsAhead ? i - kVal3PointsAhead : 0;
+    point.due = std::max(trajectory.times[ahead], wait_until);
+    point.end = trajectory.times[i];
+    point.message.type = SimpleMessageType::kJointTrajectoryPoint;
+    point.message.kind = SimpleMessageKind::kRequest;
+    point.message.sequence = static_cast<std::int32_t>(points.size());
+    for (Eigen::Index j = 0; j < to.size(); ++j) {
+      point.message.joints[static_cast<std::size_t>(j)] = static_cast<float>(to[j]);
+    }
+    point.message.velocity = static_cast<float>(std::clamp(share, kLeastVelocity, 1.0));
+    point.message.duration = static_cast<float>(duration);
+    points.push_back(point);
+    from = to;
+  }
+  return points;
+}
 
 using Clock = MotionLink::Clock;
 using std::chrono::milliseconds;

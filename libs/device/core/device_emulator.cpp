@@ -1,7 +1,7 @@
 #include "handway/device/core/device_emulator.h"
 
-#include "delayed_bytes.h"
-#include "host_port.h"
+#include "core/ports.h"
+#include "core/random_moves.h"
 
 #include <algorithm>
 #include <array>
@@ -11,6 +11,56 @@
 #include <thread>
 
 namespace handway::device {
+LineFaults::LineFaults(const LineFaultSettings& settings)
+    : settings_(settings), random_(std::make_unique<SeededRandom>(settings.seed)) {
+  for (const double probability : {settings.dropout, settings.garbage}) {
+    if (!(probability >= 0.0 && probability <= 1.0)) {
+      throw std::invalid_argument("a probability has to be from 0 to 1");
+    }
+  }
+}
+
+LineFaults::~LineFaults() = default;
+
+std::vector<std::uint8_t> LineFaults::apply(std::vector<std::uint8_t> record) {
+  if (record.empty()) {
+    return record;
+  }
+  if (random_->uniform() < settings_.dropout) {
+    ++count_;
+    return {};
+  }
+  if (random_->uniform() < settings_.garbage) {
+    ++count_;
+    damage(record);
+  }
+  return record;
+}
+
+void LineFaults::damage(std::vector<std::uint8_t>& record) {
+  const auto at = record.begin() + static_cast<std::ptrdiff_t>(random_->index(record.size()));
+  switch (random_->index(5)) {
+    case 0:
+      record.erase(at);
+      break;
+    case 1:
+      record.insert(at, *at);
+      break;
+    case 2:
+      *at = 0;
+      break;
+    case 3:
+      record.erase(at, record.end());
+      break;
+    default: {
+      std::vector<std::uint8_t> noise(1 + random_->index(40));
+      for (std::uint8_t& byte : noise) {
+        byte = static_cast<std::uint8_t>(random_->bits());
+      }
+      record.insert(record.begin(), noise.begin(), noise.end());
+    }
+  }
+}
 
 namespace {
 

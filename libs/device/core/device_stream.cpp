@@ -1,9 +1,87 @@
-#include "core/device_stream.h"
+#include "handway/device/core/device_stream.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace handway::device {
+const char* state_name(StreamState state) {
+  switch (state) {
+    case StreamState::kConnecting:
+      return "connecting";
+    case StreamState::kStreaming:
+      return "streaming";
+    case StreamState::kUnplugged:
+      return "unplugged";
+    case StreamState::kLost:
+      return "lost";
+    case StreamState::kEnded:
+      return "ended";
+    case StreamState::kStopped:
+      return "stopped";
+    case StreamState::kFailed:
+      return "failed";
+  }
+  return "unknown";
+}
+
+namespace {
+
+constexpr double kWindow = 1.0;  // s
+// More than any device sends within the window, unless it sends without pause.
+constexpr std::size_t kMostRecent = 10000;
+constexpr double kDropoutPeriods = 3.5;  // Less is what a busy computer does to any stream.
+
+}  // namespace
+
+void StreamStatisticsCounter::connected(double rate, double round_trip) {
+  period_ = rate > 0.0 ? 1.0 / rate : 0.0;
+  statistics_.latency = round_trip;
+  statistics_.reconnects += begun_ ? 1 : 0;
+  begun_ = true;
+}
+
+void StreamStatisticsCounter::frame(double time, double handled) {
+  if (statistics_.frames > 0) {
+    const double gap = time - last_time_;
+    statistics_.longest_gap = std::max(statistics_.longest_gap, gap);
+    if (period_ > 0.0 && gap > kDropoutPeriods * period_) {
+      ++statistics_.dropouts;
+    }
+  }
+  last_time_ = time;
+  ++statistics_.frames;
+  recent_.push_back({time, std::max(handled - time, 0.0)});
+  while (recent_.front().time < time - kWindow || recent_.size() > kMostRecent) {
+    recent_.pop_front();
+  }
+}
+
+StreamStatistics StreamStatisticsCounter::at(double now) const {
+  StreamStatistics result = statistics_;
+  const auto first = std::ranges::find_if(
+      recent_, [&](const Arrival& arrival) { return arrival.time >= now - kWindow; });
+  const auto count = recent_.end() - first;
+  if (count < 2) {
+    result.rate = static_cast<double>(count) / kWindow;
+    return result;
+  }
+  const double mean = (recent_.back().time - first->time) / static_cast<double>(count - 1);
+  // A stream that has stopped slows down from one second's worth of frames to none.
+  const double span = std::max(recent_.back().time, now - 2.0 * mean) - first->time;
+  result.rate = span > 0.0 ? static_cast<double>(count - 1) / span : 0.0;
+  double deviation = 0.0;
+  for (auto at = first + 1; at != recent_.end(); ++at) {
+    deviation += std::abs(at->time - (at - 1)->time - mean);
+  }
+  result.jitter = deviation / static_cast<double>(count - 1);
+  result.handling =
+      std::accumulate(first, recent_.end(), 0.0,
+                      [](double sum, const Arrival& arrival) { return sum + arrival.handling; }) /
+      static_cast<double>(count);
+  return result;
+}
 
 namespace {
 
@@ -18,18 +96,18 @@ bool is_over(StreamState state) {
 
 }  // namespace
 
-DeviceStream::DeviceStream(std::unique_ptr<StreamedDevice> device, const StreamSettings& settings,
+StreamThread::StreamThread(std::unique_ptr<StreamSource> source, const StreamSettings& settings,
                            std::function<void(StreamState)> on_state)
-    : device_(std::move(device)),
+    : source_(std::move(source)),
       settings_(settings),
       on_state_(std::move(on_state)),
       thread_([this](const std::stop_token& stop) {
         const StreamState why = run_to_end(stop);
-        device_->disconnect();
+        source_->disconnect();
         enter(why);
       }) {}
 
-void DeviceStream::enter(StreamState next) {
+void StreamThread::enter(StreamState next) {
   {
     const std::lock_guard lock(mutex_);
     if (state_ == next) {
@@ -43,25 +121,25 @@ void DeviceStream::enter(StreamState next) {
   changed_.notify_all();
 }
 
-void DeviceStream::keep_error(const std::exception& problem) {
+void StreamThread::keep_error(const std::exception& problem) {
   const std::lock_guard lock(mutex_);
   error_ = problem.what();
 }
 
-double DeviceStream::now() const {
+double StreamThread::now() const {
   return std::chrono::duration<double>(Clock::now() - begin_).count();
 }
 
 // @returns whether to go on.
-bool DeviceStream::pause(milliseconds delay, const std::stop_token& stop) const {
+bool StreamThread::pause(milliseconds delay, const std::stop_token& stop) const {
   std::unique_lock lock(mutex_);
   changed_.wait_for(lock, stop, delay, [] { return false; });
   return !stop.stop_requested();
 }
 
-bool DeviceStream::connect(const std::stop_token& stop) {
+bool StreamThread::connect(const std::stop_token& stop) {
   try {
-    const StreamedDevice::Pace pace = device_->connect(stop);
+    const StreamSource::Pace pace = source_->connect(stop);
     {
       const std::lock_guard lock(mutex_);
       counter_.connected(pace.rate, pace.round_trip);
@@ -76,29 +154,29 @@ bool DeviceStream::connect(const std::stop_token& stop) {
   }
 }
 
-void DeviceStream::hand_over() {
+void StreamThread::hand_over() {
   enter(StreamState::kStreaming);
-  const double handling = device_->hand_over();
+  const double handling = source_->hand_over();
   const double time = now();
   const std::lock_guard lock(mutex_);
   counter_.frame(time - handling, time);
-  counter_.resynchronised(device_->resynchronisations());
+  counter_.resynchronised(source_->resynchronisations());
 }
 
 // Reads until there is nothing more to be read. @returns why.
-StreamState DeviceStream::read(const std::stop_token& stop) {
+StreamState StreamThread::read(const std::stop_token& stop) {
   try {
     while (!stop.stop_requested()) {
-      switch (device_->next(kReadTimeout, stop)) {
-        case StreamedDevice::Event::kSample:
+      switch (source_->next(kReadTimeout, stop)) {
+        case SampleEvent::kSample:
           hand_over();
           break;
-        case StreamedDevice::Event::kUnplugged:
+        case SampleEvent::kUnplugged:
           enter(StreamState::kUnplugged);
           break;
-        case StreamedDevice::Event::kEnd:
+        case SampleEvent::kEnd:
           return StreamState::kEnded;
-        case StreamedDevice::Event::kNothing:
+        case SampleEvent::kNothing:
           break;
       }
     }
@@ -109,7 +187,7 @@ StreamState DeviceStream::read(const std::stop_token& stop) {
   }
 }
 
-StreamState DeviceStream::run_to_end(const std::stop_token& stop) {
+StreamState StreamThread::run_to_end(const std::stop_token& stop) {
   milliseconds delay = settings_.first_delay;
   bool ever = false;
   while (!stop.stop_requested()) {
@@ -120,7 +198,7 @@ StreamState DeviceStream::run_to_end(const std::stop_token& stop) {
       if (why != StreamState::kLost) {
         return why;
       }
-      device_->disconnect();
+      source_->disconnect();
     }
     if (stop.stop_requested()) {
       break;
@@ -137,22 +215,22 @@ StreamState DeviceStream::run_to_end(const std::stop_token& stop) {
   return StreamState::kStopped;
 }
 
-bool DeviceStream::wait(milliseconds timeout) const {
+bool StreamThread::wait(milliseconds timeout) const {
   std::unique_lock lock(mutex_);
   return changed_.wait_for(lock, timeout, [this] { return is_over(state_); });
 }
 
-StreamState DeviceStream::state() const {
+StreamState StreamThread::state() const {
   const std::lock_guard lock(mutex_);
   return state_;
 }
 
-std::string DeviceStream::error() const {
+std::string StreamThread::error() const {
   const std::lock_guard lock(mutex_);
   return error_;
 }
 
-StreamStatistics DeviceStream::statistics() const {
+StreamStatistics StreamThread::statistics() const {
   const std::lock_guard lock(mutex_);
   return counter_.at(now());
 }

@@ -6,6 +6,9 @@
 
 namespace handway::device {
 
+/// Of the integration of all emulated robots, s.
+inline constexpr double kEmulationStep = 1e-3;
+
 /// Joints of an emulated device. They follow what they are commanded with a first-order lag
 /// (a servo's position loop), and brake with constant deceleration.
 class EmulatedJoints {

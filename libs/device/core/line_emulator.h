@@ -1,8 +1,6 @@
 #pragma once
 
-#include "core/delayed_bytes.h"
-#include "core/host_watch.h"
-#include "core/tcp_host_port.h"
+#include "core/ports.h"
 #include "handway/device/core/injected_fault.h"
 #include "handway/device/core/line_protocol.h"
 

@@ -1,7 +1,12 @@
 #pragma once
 
 #include "handway/device/core/byte_link.h"
-#include "handway/device/core/device_address.h"
+
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <span>
 
 namespace handway::device {
 
@@ -11,5 +16,47 @@ namespace handway::device {
 [[nodiscard]] std::unique_ptr<ByteLink> open_tcp_link(const std::string& name,
                                                       const TcpAddress& address,
                                                       const std::stop_token& stop);
+
+/// What one turn of a device's loop takes from one connection at most: a device that sends without
+/// pause must keep its host neither from a stop nor from the other devices.
+class ReadBudget {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  static constexpr std::size_t kMostBytes = std::size_t{256} * 1024;
+  static constexpr std::chrono::milliseconds kLongest{5};
+
+  void spend(std::size_t bytes) { bytes_ += bytes; }
+  [[nodiscard]] bool spent() const { return bytes_ >= kMostBytes || Clock::now() >= deadline_; }
+
+ private:
+  std::size_t bytes_ = 0;
+  Clock::time_point deadline_ = Clock::now() + kLongest;
+};
+
+/// Takes what has come over a link, within a ReadBudget that begins with the first bytes.
+/// @param wait for the first bytes.
+/// @param take is called with each piece, a span of bytes that is never empty. What it throws ends
+/// the turn.
+/// @returns whether that was all; false: more waits than one turn may take.
+/// @throws DeviceError if the other end is gone.
+template <typename Take>
+bool read_turn(ByteLink& link, std::chrono::milliseconds wait, Take&& take) {
+  std::array<std::uint8_t, 4096> bytes{};
+  std::size_t count = link.read(bytes, wait);
+  ReadBudget budget;
+  while (count > 0) {
+    take(std::span<const std::uint8_t>(bytes).first(count));
+    budget.spend(count);
+    if (count < bytes.size()) {
+      return true;
+    }
+    if (budget.spent()) {
+      return false;
+    }
+    count = link.read(bytes, std::chrono::milliseconds(0));
+  }
+  return true;
+}
 
 }  // namespace handway::device

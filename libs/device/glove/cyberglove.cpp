@@ -1,7 +1,7 @@
 #include "handway/device/glove/cyberglove.h"
 
-#include "core/bounded_read.h"
-#include "cyberglove_setup.h"
+#include "core/links.h"
+#include "glove/cyberglove_protocol.h"
 #include "handway/device/core/device_error.h"
 #include "handway/device/glove/cyberglove_parser.h"
 
@@ -14,8 +14,92 @@
 #include <thread>
 
 namespace handway::device {
-
 namespace {
+
+// "?G": bit 0 the unit is initialised, bit 1 a glove is plugged in.
+constexpr std::uint8_t kReady = 0x03;
+
+// Whether the glove is on its unit and ready. Nothing if the unit doesn't answer.
+std::optional<bool> glove_is_ready(CyberGloveCommands& commands, const std::stop_token& stop) {
+  const auto reply = commands.query('G', 1, stop);
+  if (!reply) {
+    return std::nullopt;
+  }
+  return !reply->data.empty() && (reply->data[0] & kReady) == kReady;
+}
+
+int ask_sensors(CyberGloveCommands& commands, const std::string& device,
+                const std::stop_token& stop) {
+  const auto reply = commands.query('S', 1, stop);
+  if (!reply || reply->data.empty()) {
+    throw DeviceError({device, "number of sensors", "no answer", "18 or 22",
+                       "Switch the interface unit off and on again."});
+  }
+  const int sensors = reply->data[0];
+  if (sensors != 18 && sensors != 22) {
+    throw DeviceError({device, "number of sensors", std::to_string(sensors), "18 or 22",
+                       "Only CyberGloves with 18 or 22 sensors can be used."});
+  }
+  return sensors;
+}
+
+void require_ready(CyberGloveCommands& commands, const std::string& device,
+                   const std::stop_token& stop) {
+  const std::optional<bool> ready = glove_is_ready(commands, stop);
+  if (!ready) {
+    throw DeviceError({device, "", "no answer", "a CyberGlove interface unit",
+                       "Look whether it is switched on, whether the port is the right one, and "
+                       "whether both sides use the same baud rate (115200 as delivered)."});
+  }
+  if (!*ready) {
+    throw DeviceError({device, "", "an interface unit without a glove", "one with a glove",
+                       "Plug the glove into the interface unit."});
+  }
+}
+
+void set_rate(CyberGloveCommands& commands, const std::string& device, double rate,
+              const std::stop_token& stop) {
+  const auto reply = commands.set('T', sampling_words(rate), stop);
+  if (!reply || reply->error != 0) {
+    throw DeviceError({device, "sampling rate",
+                       reply ? "a unit that refuses it as too high" : "no answer",
+                       fmt::format("one that samples at {:g} Hz", rate), "Ask for a lower rate."});
+  }
+}
+
+// Brings a CyberGlove interface unit from any state to where it can be sampled: 22 or 18
+// sensors, neither time stamp nor status in its records.
+// @returns everything but `device`.
+// @throws DeviceError if nobody answers, something else than a CyberGlove does, there is no glove
+// on the unit, or the rate is too high for it.
+GloveInfo set_up_cyberglove(CyberGloveCommands& commands, const std::string& device,
+                            const CyberGloveSettings& settings, const std::stop_token& stop) {
+  commands.stop_stream(stop);
+  require_ready(commands, device, stop);
+  GloveInfo info;
+  info.device = device;
+  info.sensors = ask_sensors(commands, device, stop);
+  if (const auto hand = commands.query('R', 1, stop); hand && !hand->data.empty()) {
+    info.right_hand = hand->data[0] != 0;
+  }
+  info.model = "CyberGlove";
+  if (const auto version = commands.query('V', 4, stop); version && version->data.size() == 4) {
+    const auto& v = version->data;
+    info.model += fmt::format(", firmware {}.{}", v[0] << 8 | v[1], v[2] << 8 | v[3]);
+  }
+  // What another program may have left: records would be longer than those to be parsed.
+  const std::uint8_t off = 0;
+  (void)commands.set('D', {&off, 1}, stop);
+  (void)commands.set('U', {&off, 1}, stop);
+  const auto all = static_cast<std::uint8_t>(info.sensors);
+  (void)commands.set('N', {&all, 1}, stop);
+  const std::uint8_t filter = settings.filter ? 1 : 0;
+  (void)commands.set('F', {&filter, 1}, stop);
+  set_rate(commands, device, settings.rate, stop);
+  info.rate = settings.rate;
+  info.round_trip = commands.round_trip();
+  return info;
+}
 
 using std::chrono::milliseconds;
 
@@ -119,7 +203,7 @@ GloveReading CyberGlove::take_frame(milliseconds timeout, const std::stop_token&
                          "Ask for a lower rate."});
     }
     if (session.frames.empty() && session.unplugged) {
-      return {GloveEvent::kUnplugged, {}};
+      return {SampleEvent::kUnplugged, {}};
     }
     if (Clock::now() - session.last_sign > patience) {
       throw DeviceError({address_, "", "no frame for " + std::to_string(patience.count()) + " ms",
@@ -132,7 +216,7 @@ GloveReading CyberGlove::take_frame(milliseconds timeout, const std::stop_token&
   }
   const GloveFrame frame = session.frames.front();
   session.frames.pop_front();
-  return {GloveEvent::kFrame, frame};
+  return {SampleEvent::kSample, frame};
 }
 
 void CyberGlove::take_bytes(std::span<const std::uint8_t> bytes) {
@@ -172,7 +256,7 @@ GloveReading CyberGlove::look_for_glove(milliseconds timeout, const std::stop_to
   while (Clock::now() < until && !stop.stop_requested()) {
     std::this_thread::sleep_for(kSlice);
   }
-  return {GloveEvent::kUnplugged, {}};
+  return {SampleEvent::kUnplugged, {}};
 }
 
 void CyberGlove::add_faults() noexcept {
@@ -191,8 +275,8 @@ void CyberGlove::do_disconnect() noexcept {
   session_.reset();
 }
 
-GloveLineFaults CyberGlove::do_line_faults() const {
-  GloveLineFaults faults = faults_;
+ReceptionFaults CyberGlove::do_faults() const {
+  ReceptionFaults faults = faults_;
   if (session_) {
     faults.resynchronisations += session_->parser.resynchronisations();
     faults.dropped_bytes += session_->parser.dropped_bytes();

@@ -1,13 +1,10 @@
 #include "handway/device/glove/glove_layout.h"
 
-#include "handway/device/glove/glove_frame.h"
-
 #include <algorithm>
 #include <array>
 #include <stdexcept>
 
 namespace handway::device {
-
 namespace {
 
 constexpr std::array<GloveSensor, kGloveSensors> kSensors{{

@@ -1,16 +1,89 @@
 #include "handway/device/glove/recording.h"
 
+#include "glove/text_files.h"
+#include "handway/device/glove/glove_layout.h"
+#include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/replace_file.h"
 #include "handway/geometric/io/text_file.h"
-#include "number_text.h"
 #include "recording_readers.h"
-#include "recording_text.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <iterator>
+#include <set>
+#include <span>
 #include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace handway::device {
 namespace {
+
+void check_sensors(const RecordingHeader& header) {
+  const auto known = static_cast<int>(cyberglove_sensors().size());
+  std::set<int> seen;
+  for (const int sensor : header.sensors) {
+    if (sensor < 0 || sensor >= known || !seen.insert(sensor).second) {
+      throw std::invalid_argument("a recording's sensors must be known and distinct");
+    }
+  }
+  if (seen.empty()) {
+    throw std::invalid_argument("a recording needs a sensor");
+  }
+}
+
+std::string single_line(std::string text) {
+  std::ranges::replace_if(
+      text, [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  return text;
+}
+
+void add_field(std::string& text, const char* key, const std::string& value) {
+  if (!value.empty()) {
+    text += fmt::format("# {}: {}\n", key, single_line(value));
+  }
+}
+
+// The lines before the first row. @throws std::invalid_argument for a sensor that isn't
+// there, one twice, or none.
+std::string header_text(const RecordingHeader& header) {
+  check_sensors(header);
+  std::string text = fmt::format("{}\n", kRecordingMark);
+  add_field(text, "kind", to_string(header.kind));
+  add_field(text, "device", header.device);
+  add_field(text, "date", header.date);
+  add_field(text, "origin", header.origin);
+  text += "time";
+  for (const int sensor : header.sensors) {
+    text += fmt::format(",{}", cyberglove_sensors()[static_cast<std::size_t>(sensor)].name);
+  }
+  return text + '\n';
+}
+
+// One row with its end of line. @throws std::invalid_argument if a value isn't finite or
+// their number is not that of the sensors.
+std::string row_text(const RecordingHeader& header, double time, std::span<const double> values) {
+  if (values.size() != header.sensors.size()) {
+    throw std::invalid_argument("a row of a recording needs a value for every sensor");
+  }
+  const auto finite = [](double value) { return std::isfinite(value); };
+  if (!finite(time) || !std::ranges::all_of(values, finite)) {
+    throw std::invalid_argument("a recording holds no value that isn't finite");
+  }
+  std::string text;
+  fmt::format_to(std::back_inserter(text), "{}", time);
+  for (const double value : values) {
+    fmt::format_to(std::back_inserter(text), ",{}", value);
+  }
+  return text + '\n';
+}
 
 constexpr std::size_t kLargestFile = std::size_t{1} << 30;  // some 30 hours at 100 Hz
 
@@ -46,6 +119,77 @@ void write_recording(const Recording& recording, const std::filesystem::path& fi
                      {values.data(), static_cast<std::size_t>(values.size())});
   }
   geometric::replace_file(file, text);
+}
+
+namespace {
+
+constexpr int kReadableByAll = 0666;  // less the umask
+
+[[noreturn]] void fail(const std::filesystem::path& file, int error) {
+  throw geometric::InputError({file.string(), "", std::strerror(error), "a file to write to",
+                               "Check the folder, its permissions and the room on the disk"});
+}
+
+int open_anew(const std::filesystem::path& file) {
+  const int number =
+      ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, kReadableByAll);
+  if (number < 0) {
+    fail(file, errno);
+  }
+  return number;
+}
+
+template <typename Values>
+std::vector<double> selected(const Values& all, const std::vector<int>& sensors) {
+  std::vector<double> values;
+  values.reserve(sensors.size());
+  for (const int sensor : sensors) {
+    values.push_back(static_cast<double>(all.at(static_cast<std::size_t>(sensor))));
+  }
+  return values;
+}
+
+}  // namespace
+
+RecordingWriter::Descriptor::~Descriptor() {
+  if (number_ >= 0) {
+    ::close(number_);
+  }
+}
+
+RecordingWriter::Descriptor::Descriptor(Descriptor&& other) noexcept
+    : number_(std::exchange(other.number_, -1)) {}
+
+RecordingWriter::RecordingWriter(const std::filesystem::path& file, RecordingHeader header)
+    : file_(file), header_(std::move(header)), descriptor_(open_anew(file)) {
+  write(header_text(header_));
+}
+
+void RecordingWriter::append(double time, std::span<const double> values) {
+  if (rows_ > 0 && time < last_time_) {
+    throw std::invalid_argument("time runs backwards in a recording");
+  }
+  write(row_text(header_, time, values));
+  last_time_ = time;
+  ++rows_;
+}
+
+void RecordingWriter::append(const GloveFrame& frame) {
+  append(frame.time, selected(frame.counts, header_.sensors));
+}
+
+void RecordingWriter::append(const GloveAngles& angles) {
+  append(angles.time, selected(angles.angles, header_.sensors));
+}
+
+void RecordingWriter::write(std::string_view text) const {
+  while (!text.empty()) {
+    const ssize_t written = ::write(descriptor_.number(), text.data(), text.size());
+    if (written < 0 && errno != EINTR) {
+      fail(file_, errno);
+    }
+    text.remove_prefix(written > 0 ? static_cast<std::size_t>(written) : 0);
+  }
 }
 
 }  // namespace handway::device

@@ -1,12 +1,11 @@
-#include "recording_player.h"
+#include "glove/recording_player.h"
 
 #include "handway/geometric/io/input_error.h"
-#include "sensor_counts.h"
+#include "recording_player.h"
 
 #include <algorithm>
 
 namespace handway::device {
-
 RecordingPlayer::RecordingPlayer(const Recording& recording, const GloveCalibration& calibration) {
   const Eigen::Index rows = recording.times.size();
   if (rows == 0) {

@@ -1,14 +1,31 @@
 #pragma once
 
 #include "handway/device/glove/glove_calibration.h"
-#include "handway/device/glove/glove_frame.h"
+#include "handway/device/glove/glove_layout.h"
 #include "handway/device/glove/recording.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace handway::device {
+
+/// What a sensor without calibration, or one that a recording doesn't have, reads.
+inline constexpr double kMidScale = 128.0;
+
+/// What a sensor reads for an angle (rad), before rounding.
+[[nodiscard]] inline double counts_of(const std::optional<SensorCalibration>& sensor,
+                                      double angle) {
+  return sensor ? sensor->zero + angle / sensor->gain : kMidScale;
+}
+
+/// Rounded, and brought to what a sensor can read: 1 to 255.
+[[nodiscard]] inline std::uint16_t to_count(double value) {
+  return static_cast<std::uint16_t>(std::clamp(std::round(value), 1.0, 255.0));
+}
 
 /// The frames of a recording as counts, and where they are in time.
 class RecordingPlayer {

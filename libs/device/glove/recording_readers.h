@@ -1,13 +1,17 @@
 #pragma once
 
+#include "glove/text_files.h"
 #include "handway/device/glove/recording.h"
-#include "text_lines.h"
 
 #include <filesystem>
 #include <vector>
 
 /// The kinds of file that read_recording() distinguishes; messages as documented there.
+
 namespace handway::device {
+
+/// The first line of every recording of Handway.
+inline constexpr const char* kRecordingMark = "# handway glove recording 1";
 
 /// CSV with a header: Handway's own recordings, and others.
 [[nodiscard]] Recording read_csv_recording(const std::filesystem::path& file,

@@ -1,8 +1,8 @@
 #include "handway/device/glove/replay_glove.h"
 
+#include "glove/recording_player.h"
 #include "handway/device/glove/glove_layout.h"
 #include "recording_player.h"
-#include "sensor_counts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -61,7 +61,7 @@ GloveInfo ReplayGlove::do_connect(const std::stop_token& /*stop*/) {
 GloveReading ReplayGlove::do_next(milliseconds timeout, const std::stop_token& stop) {
   if (next_ == player_->size()) {
     if (!settings_.loop) {
-      return {GloveEvent::kEnd, {}};
+      return {SampleEvent::kEnd, {}};
     }
     begin_ += player_->duration() / settings_.speed;
     next_ = 0;
@@ -81,7 +81,7 @@ GloveReading ReplayGlove::do_next(milliseconds timeout, const std::stop_token& s
     std::uint16_t& count = frame.counts[static_cast<std::size_t>(sensor)];
     count = count == 0 ? to_count(kMidScale) : count;
   }
-  return {GloveEvent::kFrame, frame};
+  return {SampleEvent::kSample, frame};
 }
 
 }  // namespace handway::device

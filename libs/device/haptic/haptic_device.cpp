@@ -1,10 +1,14 @@
 #include "handway/device/haptic/haptic_device.h"
 
+#include "core/links.h"
 #include "handway/device/core/device_error.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <exception>
+#include <span>
+#include <string_view>
 
 namespace handway::device {
 namespace {
@@ -64,6 +68,103 @@ void HapticDevice::release() {
     // The connection is gone: the device's own watchdog lets go.
     return;
   }
+}
+
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr milliseconds kLongestHello{1000};
+constexpr std::string_view kScheme = "haptic://";
+constexpr const char* kExpected = "a device that speaks Handway's haptic protocol";
+constexpr const char* kAdvice = "Look whether the port is right.";
+
+}  // namespace
+
+struct NetworkHaptic::Wire {
+  TcpAddress address;
+  std::unique_ptr<ByteLink> link;
+  LineBuffer lines;
+
+  void send(std::string_view text) const {
+    link->write({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()},
+                ByteLink::kLongestCommand);
+  }
+  // Waits for bytes, and hands what has come to `take`, line by line. @returns as read_turn().
+  template <typename Take>
+  bool receive(milliseconds timeout, const Take& take) {
+    return read_turn(*link, timeout, [&](std::span<const std::uint8_t> bytes) {
+      lines.add(bytes);
+      while (const auto line = lines.next()) {
+        take(*line);
+      }
+    });
+  }
+};
+
+NetworkHaptic::NetworkHaptic(std::string name, std::string host, std::uint16_t port)
+    : HapticDevice(std::move(name)), wire_(std::make_unique<Wire>()) {
+  wire_->address = {std::move(host), port};
+}
+
+NetworkHaptic::~NetworkHaptic() = default;
+
+HapticAbilities NetworkHaptic::do_connect(const std::stop_token& stop) {
+  wire_->link.reset();
+  wire_->link = open_tcp_link(name(), wire_->address, stop);
+  wire_->lines = {};
+  wire_->send(fmt::format("hello {}\n", kHapticProtocolVersion));
+  const auto begin = std::chrono::steady_clock::now();
+  try {
+    std::optional<HapticAbilities> abilities;
+    while (std::chrono::steady_clock::now() - begin < kLongestHello && !stop.stop_requested()) {
+      // States may follow at once.
+      static_cast<void>(wire_->receive(milliseconds(10), [&](const std::string& line) {
+        if (!abilities) {
+          abilities = parse_haptic_hello(line);
+        }
+      }));
+      if (abilities) {
+        return *abilities;
+      }
+    }
+  } catch (const LineProtocolError& error) {
+    refuse(error.what(), kExpected, kAdvice);
+  }
+  refuse("no answer to \"hello\"", kExpected, kAdvice);
+}
+
+HapticDevice::Reading NetworkHaptic::do_read(milliseconds timeout) {
+  Reading reading;
+  try {
+    reading.all = wire_->receive(timeout, [&](const std::string& line) {
+      if (line.starts_with("fault")) {
+        refuse(quote(line.substr(std::min<std::size_t>(line.size(), 6))),
+               "a device without a fault", "Look at the device.");
+      }
+      reading.newest = parse_haptic_state(line);
+    });
+  } catch (const LineProtocolError& error) {
+    refuse(error.what(), kExpected, kAdvice);
+  }
+  return reading;
+}
+
+void NetworkHaptic::do_apply(const Eigen::Vector3d& force) {
+  if (wire_->link) {
+    wire_->send(force_line(force));
+  }
+}
+
+std::unique_ptr<HapticDevice> make_haptic_device(const std::string& address) {
+  const std::string where =
+      address.starts_with(kScheme) ? address.substr(kScheme.size()) : std::string();
+  if (where.empty()) {
+    throw geometric::InputError({"--to", "", fmt::format("\"{}\"", address), "haptic://HOST[:PORT]",
+                                 "Write, for example, haptic://localhost."});
+  }
+  const TcpAddress found = parse_host_and_port(where, kHapticPort);
+  return std::make_unique<NetworkHaptic>(address, found.host, found.port);
 }
 
 }  // namespace handway::device

@@ -1,10 +1,10 @@
 #include "handway/device/ros/ros_robot.h"
 
-#include "core/bounded_read.h"
-#include "core/motion_window.h"
-#include "core/web_socket_link.h"
+#include "core/links.h"
 #include "handway/device/core/device_error.h"
+#include "handway/device/core/joint_trajectory.h"
 #include "handway/device/core/line_protocol.h"
+#include "ros/web_socket.h"
 
 #include <fmt/format.h>
 
@@ -15,6 +15,52 @@
 
 namespace handway::device {
 namespace {
+
+/// How much of a motion a device is trusted with at once, s.
+struct WindowLength {
+  double follow = 0.2;  ///< As planned,
+  double brake = 0.25;  ///< and then evenly slower, to rest.
+};
+
+constexpr double kFirst = 0.005;     // s: a point that is due at once is late when it arrives
+constexpr double kApart = 1e-3;      // s, of two points, at least
+constexpr double kBrakeStep = 0.01;  // s, while braking
+
+// The next stretch of a motion as a whole one of its own: a device that hears no more follows it
+// to its end and stands, having braked on the planned path.
+// @param time where it begins, s of `motion`; its own times begin a few ms after 0 and end with
+// `length`, or where the motion does.
+JointTrajectory motion_window(const JointTrajectory& motion, double time,
+                              const WindowLength& length) {
+  std::vector<double> own;
+  std::vector<double> planned;
+  const auto add = [&](double when, double where) {
+    if (when >= kFirst && (own.empty() || when >= own.back() + kApart)) {
+      own.push_back(when);
+      planned.push_back(where);
+    }
+  };
+  const double end = motion.duration();
+  const double until = time + length.follow;
+  const auto next = std::ranges::upper_bound(motion.times, time);
+  for (auto point = next; point != motion.times.end() && *point < until; ++point) {
+    add(*point - time, *point);
+  }
+  if (until >= end) {
+    add(std::max({kFirst, end - time, own.empty() ? 0.0 : own.back() + kApart}), end);
+  } else {
+    for (double t = 0.0; t < length.brake - kApart; t += kBrakeStep) {
+      add(length.follow + t, until + t - 0.5 * t * t / length.brake);
+    }
+    add(length.follow + length.brake, until + 0.5 * length.brake);
+  }
+  JointTrajectory window{std::move(own), Eigen::MatrixXd(static_cast<Eigen::Index>(planned.size()),
+                                                         motion.positions.cols())};
+  for (std::size_t i = 0; i < planned.size(); ++i) {
+    window.positions.row(static_cast<Eigen::Index>(i)) = motion.at(planned[i]);
+  }
+  return window;
+}
 
 using Clock = MotionLink::Clock;
 using std::chrono::milliseconds;

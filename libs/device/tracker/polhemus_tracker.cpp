@@ -1,18 +1,147 @@
 #include "handway/device/tracker/polhemus_tracker.h"
 
-#include "core/bounded_read.h"
+#include "core/links.h"
 #include "handway/device/core/byte_link.h"
 #include "handway/device/core/device_error.h"
-#include "polhemus_protocol.h"
+#include "handway/device/tracker/polhemus_parser.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <deque>
+#include <memory>
+#include <span>
+#include <stdexcept>
+#include <string_view>
 #include <thread>
 
 namespace handway::device {
-
 namespace {
+
+/// What one model of tracker wants to hear, and how its records are read.
+class PolhemusProtocol {
+ public:
+  virtual ~PolhemusProtocol() = default;
+  PolhemusProtocol(const PolhemusProtocol&) = delete;
+  PolhemusProtocol& operator=(const PolhemusProtocol&) = delete;
+
+  [[nodiscard]] virtual std::string_view name() const = 0;
+  /// Ends what it is doing.
+  [[nodiscard]] virtual std::string stop_command() const = 0;
+  /// Asks for a reply, whatever it is doing.
+  [[nodiscard]] virtual std::string probe_command() const = 0;
+  /// Sets it up; between two of them it needs a pause.
+  [[nodiscard]] virtual std::vector<std::string> set_up_commands() const = 0;
+  [[nodiscard]] virtual std::string start_command() const = 0;
+
+  virtual std::vector<PolhemusRecord> parse(std::span<const std::uint8_t> bytes) = 0;
+  /// Forgets the beginning of an incomplete record.
+  virtual void reset() = 0;
+  /// `doubtful` is left at 0.
+  [[nodiscard]] virtual ReceptionFaults faults() const = 0;
+
+ protected:
+  PolhemusProtocol() = default;
+};
+
+constexpr int kFastrakStations = 4;
+
+FastrakFormat fastrak_format(const PolhemusSettings& settings) {
+  FastrakFormat format;
+  format.items = settings.ascii ? std::vector<int>{2, 4} : std::vector<int>{2, 11};
+  if (settings.button) {
+    format.items.push_back(16);
+  }
+  format.items.push_back(settings.ascii ? 1 : 0);
+  format.binary = !settings.ascii;
+  return format;
+}
+
+LibertyFormat liberty_format(const PolhemusSettings& settings) {
+  LibertyFormat format;
+  if (settings.button) {
+    format.items.push_back(10);
+  }
+  return format;
+}
+
+template <typename Parser>
+class ParsedProtocol : public PolhemusProtocol {
+ public:
+  std::vector<PolhemusRecord> parse(std::span<const std::uint8_t> bytes) override {
+    return parser_.push(bytes);
+  }
+  void reset() override { parser_.reset(); }
+  [[nodiscard]] ReceptionFaults faults() const override {
+    return {parser_.resynchronisations(), parser_.dropped_bytes(), 0};
+  }
+
+ protected:
+  explicit ParsedProtocol(Parser parser) : parser_(std::move(parser)) {}
+
+ private:
+  Parser parser_;
+};
+
+class FastrakProtocol final : public ParsedProtocol<FastrakParser> {
+ public:
+  explicit FastrakProtocol(const PolhemusSettings& settings)
+      : ParsedProtocol(FastrakParser(fastrak_format(settings))),
+        format_(fastrak_format(settings)) {}
+
+  [[nodiscard]] std::string_view name() const override {
+    return format_.binary ? "Polhemus Fastrak, binary" : "Polhemus Fastrak, ASCII";
+  }
+  // The return ends a command that another program left unfinished.
+  [[nodiscard]] std::string stop_command() const override { return "\rc"; }
+  [[nodiscard]] std::string probe_command() const override { return "S"; }
+  [[nodiscard]] std::vector<std::string> set_up_commands() const override {
+    std::vector<std::string> commands{"U"};
+    for (int station = 1; station <= kFastrakStations; ++station) {
+      commands.push_back(fmt::format("O{},{}\r", station, fmt::join(format_.items, ",")));
+    }
+    commands.emplace_back(format_.binary ? "f" : "F");
+    return commands;
+  }
+  [[nodiscard]] std::string start_command() const override { return "C"; }
+
+ private:
+  FastrakFormat format_;
+};
+
+class LibertyProtocol final : public ParsedProtocol<LibertyParser> {
+ public:
+  explicit LibertyProtocol(const PolhemusSettings& settings)
+      : ParsedProtocol(LibertyParser(liberty_format(settings))),
+        format_(liberty_format(settings)) {}
+
+  [[nodiscard]] std::string_view name() const override { return "Polhemus Liberty"; }
+  // The return ends a command that another program left unfinished.
+  [[nodiscard]] std::string stop_command() const override { return "\rPF1\r"; }
+  [[nodiscard]] std::string probe_command() const override {
+    return "\x15"
+           "0\r";
+  }
+  [[nodiscard]] std::vector<std::string> set_up_commands() const override {
+    return {"U0\r", fmt::format("O*,{}\r", fmt::join(format_.items, ",")), "Q0\r"};
+  }
+  [[nodiscard]] std::string start_command() const override { return "C\r"; }
+
+ private:
+  LibertyFormat format_;
+};
+
+std::unique_ptr<PolhemusProtocol> make_polhemus_protocol(const PolhemusSettings& settings) {
+  if (settings.model == PolhemusModel::kFastrak) {
+    return std::make_unique<FastrakProtocol>(settings);
+  }
+  if (settings.ascii) {
+    throw std::invalid_argument("a Liberty is read in binary only");
+  }
+  return std::make_unique<LibertyProtocol>(settings);
+}
 
 using std::chrono::milliseconds;
 
@@ -154,7 +283,7 @@ TrackerReading PolhemusTracker::do_next(milliseconds timeout, const std::stop_to
                          "Look whether it is switched on and connected."});
     }
     if (now >= end) {
-      return {session.unplugged ? TrackerEvent::kUnplugged : TrackerEvent::kNothing, {}};
+      return {session.unplugged ? SampleEvent::kUnplugged : SampleEvent::kNothing, {}};
     }
   }
   if (session.samples.empty()) {
@@ -162,7 +291,7 @@ TrackerReading PolhemusTracker::do_next(milliseconds timeout, const std::stop_to
   }
   const TrackerSample sample = session.samples.front();
   session.samples.pop_front();
-  return {TrackerEvent::kSample, sample};
+  return {SampleEvent::kSample, sample};
 }
 
 void PolhemusTracker::do_disconnect() noexcept {
@@ -175,10 +304,10 @@ void PolhemusTracker::do_disconnect() noexcept {
   session_.reset();
 }
 
-TrackerFaults PolhemusTracker::do_faults() const {
-  TrackerFaults faults = faults_;
+ReceptionFaults PolhemusTracker::do_faults() const {
+  ReceptionFaults faults = faults_;
   if (session_) {
-    const TrackerFaults now = session_->protocol->faults();
+    const ReceptionFaults now = session_->protocol->faults();
     faults.resynchronisations += now.resynchronisations;
     faults.dropped_bytes += now.dropped_bytes;
     faults.doubtful += session_->doubtful;

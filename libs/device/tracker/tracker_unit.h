@@ -23,6 +23,9 @@ class TrackerUnit : public DeviceUnit {
   void begin_stream(double now, double frames_per_second);
   void end_stream() { streaming_ = false; }
 
+  /// The records of all sensors, none if they are unplugged.
+  [[nodiscard]] Bytes frame(double now);
+
   [[nodiscard]] const TrackerUnitSettings& settings() const { return settings_; }
   [[nodiscard]] bool plugged() const { return plugged_; }
   [[nodiscard]] bool streaming() const { return streaming_; }

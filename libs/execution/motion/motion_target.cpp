@@ -1,7 +1,7 @@
 #include "handway/execution/motion/motion_target.h"
 
 #include "handway/device/arm/val3_arm.h"
-#include "handway/device/core/device_address.h"
+#include "handway/device/core/byte_link.h"
 #include "handway/device/hand/hand_protocol.h"
 #include "handway/device/hand/network_hand.h"
 #include "handway/device/ros/ros_robot.h"

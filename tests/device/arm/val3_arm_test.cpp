@@ -2,7 +2,6 @@
 #include "handway/device/arm/val3_arm.h"
 
 #include "handway/device/arm/arm_emulator.h"
-#include "handway/device/arm/tx90_joints.h"
 #include "handway/device/core/device_error.h"
 #include "support/motions.h"
 

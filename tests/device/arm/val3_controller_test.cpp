@@ -1,7 +1,6 @@
 /// The emulated controller without wires.
-#include "handway/device/arm/val3_controller.h"
-
-#include "handway/device/arm/tx90_joints.h"
+#include "handway/device/arm/arm_emulator.h"
+#include "handway/device/arm/val3_arm.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,4 @@
-#include "handway/device/core/device_address.h"
-
+#include "handway/device/core/byte_link.h"
 #include "handway/geometric/io/input_error.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "handway/device/core/line_faults.h"
+#include "handway/device/core/device_emulator.h"
 
 #include <gtest/gtest.h>
 

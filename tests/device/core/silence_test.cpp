@@ -1,5 +1,5 @@
 /// How long a device is silent, for a program that is held up itself now and then.
-#include "handway/device/core/silence.h"
+#include "handway/device/core/watchdog.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "handway/device/core/stream_statistics.h"
+#include "handway/device/core/device_stream.h"
 
 #include <gtest/gtest.h>
 

@@ -26,8 +26,8 @@ std::vector<GloveFrame> take(Glove& glove, std::size_t count) {
   const auto end = std::chrono::steady_clock::now() + seconds(10);
   while (frames.size() < count && std::chrono::steady_clock::now() < end) {
     const GloveReading reading = glove.next(milliseconds(100));
-    if (reading.event == GloveEvent::kFrame) {
-      frames.push_back(reading.frame);
+    if (reading.event == SampleEvent::kSample) {
+      frames.push_back(reading.sample);
     }
   }
   EXPECT_EQ(frames.size(), count);
@@ -60,7 +60,7 @@ TEST(CyberGlove, StreamsFromAPseudoTerminal) {
   EXPECT_THAT(info.model, HasSubstr("CyberGlove"));
   EXPECT_GT(info.round_trip, 0.0);
   expect_consecutive(take(glove, 50));
-  EXPECT_EQ(glove.line_faults().resynchronisations, 0U);
+  EXPECT_EQ(glove.faults().resynchronisations, 0U);
 }
 
 TEST(CyberGlove, StreamsOverTcpAtTheRateAskedFor) {
@@ -128,7 +128,7 @@ TEST(CyberGlove, DropsDamagedRecordsAndGoesOn) {
     torn += std::count(frame.counts.begin(), frame.counts.end(), frame.counts[0]) < 21 ? 1 : 0;
   }
   EXPECT_LE(torn, 4U);
-  EXPECT_GT(glove.line_faults().resynchronisations, 0U);
+  EXPECT_GT(glove.faults().resynchronisations, 0U);
 }
 
 TEST(CyberGlove, TellsThatTheGloveWasUnpluggedAndStartsAgainWhenItIsBack) {
@@ -138,11 +138,11 @@ TEST(CyberGlove, TellsThatTheGloveWasUnpluggedAndStartsAgainWhenItIsBack) {
   take(glove, 5);
   emulator.set_plugged(false);
   GloveReading reading;
-  for (int k = 0; k < 100 && reading.event != GloveEvent::kUnplugged; ++k) {
+  for (int k = 0; k < 100 && reading.event != SampleEvent::kUnplugged; ++k) {
     reading = glove.next(milliseconds(50));
   }
-  ASSERT_EQ(reading.event, GloveEvent::kUnplugged);
-  EXPECT_EQ(glove.next(milliseconds(50)).event, GloveEvent::kUnplugged);
+  ASSERT_EQ(reading.event, SampleEvent::kUnplugged);
+  EXPECT_EQ(glove.next(milliseconds(50)).event, SampleEvent::kUnplugged);
   emulator.set_plugged(true);
   take(glove, 5);
 }
@@ -208,7 +208,7 @@ TEST(CyberGlove, StopsWaitingWhenAsked) {
     stop.request_stop();
   });
   const auto begin = std::chrono::steady_clock::now();
-  EXPECT_EQ(glove.next(seconds(10), stop.get_token()).event, GloveEvent::kNothing);
+  EXPECT_EQ(glove.next(seconds(10), stop.get_token()).event, SampleEvent::kNothing);
   EXPECT_LT(std::chrono::steady_clock::now() - begin, seconds(1));
 }
 

@@ -1,7 +1,5 @@
 #include "handway/device/glove/glove_layout.h"
 
-#include "handway/device/glove/glove_frame.h"
-
 #include <gtest/gtest.h>
 
 #include <set>

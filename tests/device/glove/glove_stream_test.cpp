@@ -1,7 +1,6 @@
-#include "handway/device/glove/glove_stream.h"
-
 #include "counting_signal.h"
 #include "handway/device/glove/cyberglove.h"
+#include "handway/device/glove/glove.h"
 #include "handway/device/glove/glove_emulator.h"
 
 #include <gmock/gmock.h>
@@ -24,7 +23,7 @@ class GloveListener {
  public:
   GloveStreamHandlers handlers() {
     GloveStreamHandlers all;
-    all.on_frame = [this](const GloveFrame& frame) {
+    all.on_sample = [this](const GloveFrame& frame) {
       const std::lock_guard lock(mutex_);
       frames_.push_back(frame);
     };

@@ -1,8 +1,6 @@
 #include "handway/device/glove/recording.h"
 
-#include "handway/device/glove/glove_frame.h"
 #include "handway/device/glove/glove_layout.h"
-#include "handway/device/glove/recording_writer.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway_test/paths.h"
 

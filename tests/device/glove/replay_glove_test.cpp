@@ -34,11 +34,11 @@ std::vector<GloveFrame> play(ReplayGlove& glove, std::size_t at_most) {
   std::vector<GloveFrame> frames;
   while (frames.size() < at_most) {
     const GloveReading reading = glove.next(milliseconds(500));
-    if (reading.event == GloveEvent::kEnd) {
+    if (reading.event == SampleEvent::kEnd) {
       break;
     }
-    if (reading.event == GloveEvent::kFrame) {
-      frames.push_back(reading.frame);
+    if (reading.event == SampleEvent::kSample) {
+      frames.push_back(reading.sample);
     }
   }
   return frames;

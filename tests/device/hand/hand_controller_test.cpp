@@ -1,8 +1,7 @@
 /// The protocol of hands, and the emulated hand without wires.
-#include "handway/device/hand/hand_controller.h"
-
+#include "handway/device/hand/hand_emulator.h"
 #include "handway/device/hand/hand_protocol.h"
-#include "handway/device/hand/sah_joints.h"
+#include "handway/device/hand/network_hand.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -3,7 +3,6 @@
 
 #include "handway/device/core/device_error.h"
 #include "handway/device/hand/hand_emulator.h"
-#include "handway/device/hand/sah_joints.h"
 #include "support/motions.h"
 
 #include <gmock/gmock.h>

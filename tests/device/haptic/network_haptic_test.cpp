@@ -1,8 +1,6 @@
 /// The haptic protocol, and its client on an emulated device through a real socket.
-#include "handway/device/haptic/network_haptic.h"
-
 #include "handway/device/core/device_error.h"
-#include "handway/device/haptic/emulated_haptic.h"
+#include "handway/device/haptic/haptic_device.h"
 #include "handway/device/haptic/haptic_emulator.h"
 #include "support/motions.h"
 

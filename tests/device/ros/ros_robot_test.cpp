@@ -1,7 +1,7 @@
 /// The client of rosbridge, on an emulated robot, through real WebSockets.
 #include "handway/device/ros/ros_robot.h"
 
-#include "handway/device/arm/tx90_joints.h"
+#include "handway/device/arm/val3_arm.h"
 #include "handway/device/core/device_error.h"
 #include "handway/device/ros/ros_emulator.h"
 #include "support/motions.h"

@@ -1,5 +1,5 @@
-#include "handway/device/tracker/fastrak_parser.h"
-#include "handway/device/tracker/liberty_parser.h"
+#include "handway/device/tracker/polhemus_parser.h"
+
 #include "handway/geometric/math/units.h"
 
 #include <gmock/gmock.h>

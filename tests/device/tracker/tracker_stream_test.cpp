@@ -1,7 +1,6 @@
-#include "handway/device/tracker/tracker_stream.h"
-
 #include "handway/device/core/device_emulator.h"
 #include "handway/device/tracker/polhemus_tracker.h"
+#include "handway/device/tracker/tracker.h"
 #include "handway/device/tracker/tracker_units.h"
 
 #include <gmock/gmock.h>

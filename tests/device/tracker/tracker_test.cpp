@@ -62,7 +62,7 @@ std::vector<TrackerSample> take(Tracker& tracker, std::size_t count) {
   const auto end = std::chrono::steady_clock::now() + seconds(10);
   while (samples.size() < count && std::chrono::steady_clock::now() < end) {
     const TrackerReading reading = tracker.next(milliseconds(100));
-    if (reading.event == TrackerEvent::kSample) {
+    if (reading.event == SampleEvent::kSample) {
       samples.push_back(reading.sample);
     }
   }
@@ -123,11 +123,11 @@ TEST_P(PolhemusTrackers, TellThatTheSensorIsUnpluggedAndGoOnWhenItIsBack) {
   pair.tracker->connect();
   take(*pair.tracker, 5);
   pair.emulator->set_plugged(false);
-  TrackerEvent event = TrackerEvent::kNothing;
-  for (int k = 0; k < 50 && event != TrackerEvent::kUnplugged; ++k) {
+  SampleEvent event = SampleEvent::kNothing;
+  for (int k = 0; k < 50 && event != SampleEvent::kUnplugged; ++k) {
     event = pair.tracker->next(milliseconds(100)).event;
   }
-  EXPECT_EQ(event, TrackerEvent::kUnplugged);
+  EXPECT_EQ(event, SampleEvent::kUnplugged);
   pair.emulator->set_plugged(true);
   take(*pair.tracker, 5);
 }
@@ -187,7 +187,7 @@ TEST(PolhemusTracker, StopsWaitingWhenAsked) {
     stop.request_stop();
   });
   const auto begin = std::chrono::steady_clock::now();
-  EXPECT_EQ(tracker.next(seconds(10), stop.get_token()).event, TrackerEvent::kNothing);
+  EXPECT_EQ(tracker.next(seconds(10), stop.get_token()).event, SampleEvent::kNothing);
   EXPECT_LT(std::chrono::steady_clock::now() - begin, seconds(1));
 }
 

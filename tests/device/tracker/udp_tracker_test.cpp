@@ -2,7 +2,6 @@
 
 #include "handway/device/core/device_emulator.h"
 #include "handway/device/core/device_error.h"
-#include "handway/device/tracker/pose_datagram.h"
 #include "handway/device/tracker/tracker_units.h"
 #include "handway_test/free_port.h"
 
@@ -100,7 +99,7 @@ TEST(UdpTracker, ReadsTheSensorsOfASender) {
   std::array<int, 2> seen{};
   for (int k = 0; k < 40; ++k) {
     const TrackerReading reading = tracker.next(milliseconds(1000));
-    ASSERT_EQ(reading.event, TrackerEvent::kSample);
+    ASSERT_EQ(reading.event, SampleEvent::kSample);
     EXPECT_GE(reading.sample.time, last);
     EXPECT_EQ(reading.sample.button.has_value(), reading.sample.sensor == 0);
     last = reading.sample.time;
@@ -118,7 +117,7 @@ TEST(UdpTracker, CountsDamagedDatagramsAndNoticesThatTheSenderIsGone) {
   UdpTracker tracker(port, {milliseconds(300)});
   tracker.connect();
   for (int k = 0; k < 30; ++k) {
-    ASSERT_EQ(tracker.next(milliseconds(1000)).event, TrackerEvent::kSample);
+    ASSERT_EQ(tracker.next(milliseconds(1000)).event, SampleEvent::kSample);
   }
   EXPECT_GT(tracker.faults().resynchronisations, 0U);
   emulator.reset();
@@ -130,7 +129,7 @@ TEST(UdpTracker, CountsDamagedDatagramsAndNoticesThatTheSenderIsGone) {
   EXPECT_THROW(lost(), DeviceError);
   emulator = send_to(port);
   tracker.connect();
-  EXPECT_EQ(tracker.next(milliseconds(1000)).event, TrackerEvent::kSample);
+  EXPECT_EQ(tracker.next(milliseconds(1000)).event, SampleEvent::kSample);
 }
 
 TEST(UdpTracker, SaysWhatIsWrongWithThePort) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "handway/device/core/joint_trajectory.h"
 #include "handway/device/core/motion_link.h"
 #include "handway/device/export.h"
 
@@ -8,6 +9,10 @@
 #include <string>
 
 namespace handway::device {
+
+/// Ranges and nominal speeds of the Staeubli TX90's six joints.
+/// Source: Staeubli, TX90 data sheet.
+[[nodiscard]] HANDWAY_DEVICE_EXPORT JointRanges tx90_joints();
 
 /// Port of motions of the VAL3 server; it reports the state on the next but one.
 inline constexpr std::uint16_t kVal3MotionPort = 11000;

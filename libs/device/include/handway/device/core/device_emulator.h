@@ -1,15 +1,75 @@
 #pragma once
 
-#include "handway/device/core/device_unit.h"
-#include "handway/device/core/line_faults.h"
 #include "handway/device/export.h"
 
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 namespace handway::device {
+
+/// The inside of an emulated device: takes the bytes that a host sends and gives those that the
+/// device would. Knows neither ports nor clocks, so that a test can run a day of it in a
+/// moment; DeviceEmulator puts it on a port. Times are in s and never fall.
+class HANDWAY_DEVICE_EXPORT DeviceUnit {
+ public:
+  using Bytes = std::vector<std::uint8_t>;
+
+  virtual ~DeviceUnit() = default;
+  DeviceUnit& operator=(const DeviceUnit&) = delete;
+
+  /// Takes what the host sent. @returns the answer.
+  [[nodiscard]] virtual Bytes receive(std::span<const std::uint8_t> bytes, double now) = 0;
+
+  /// @returns the records that were due up to `now`, one an entry; not more than a quarter of a
+  /// second's worth, a unit that was held up doesn't make up for more.
+  [[nodiscard]] virtual std::vector<Bytes> advance(double now) = 0;
+
+  /// When advance() has something to give again; nothing if it waits for the host.
+  [[nodiscard]] virtual std::optional<double> next_due() const = 0;
+
+  /// Pulls what measures (glove, sensors) off the unit, or puts it back on.
+  virtual void set_plugged(bool plugged) = 0;
+
+ protected:
+  DeviceUnit() = default;
+  DeviceUnit(const DeviceUnit&) = default;
+};
+
+class SeededRandom;
+
+/// How likely each fault is for one record, 0 to 1.
+struct LineFaultSettings {
+  double dropout = 0.0;  ///< The record is lost.
+  double garbage = 0.0;  ///< The record is damaged: see LineFaults.
+  std::uint64_t seed = 1;
+};
+
+/// Does to records what bad cables do: loses some whole, and damages others by one of a lost
+/// byte, a doubled byte, a 00 inside, a missing end, random bytes in front. The same seed gives
+/// the same faults.
+class HANDWAY_DEVICE_EXPORT LineFaults {
+ public:
+  /// @throws std::invalid_argument if a probability is not from 0 to 1.
+  explicit LineFaults(const LineFaultSettings& settings);
+  ~LineFaults();
+
+  /// @returns what of `record` arrives.
+  [[nodiscard]] std::vector<std::uint8_t> apply(std::vector<std::uint8_t> record);
+
+  /// Records so far that were lost or damaged.
+  [[nodiscard]] std::uint64_t count() const { return count_; }
+
+ private:
+  void damage(std::vector<std::uint8_t>& record);
+
+  LineFaultSettings settings_;
+  std::unique_ptr<SeededRandom> random_;
+  std::uint64_t count_ = 0;
+};
 
 struct DeviceEmulatorSettings {
   LineFaultSettings faults;         ///< Of records that come by themselves; answers arrive whole.

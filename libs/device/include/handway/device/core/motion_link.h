@@ -1,8 +1,7 @@
 #pragma once
 
-#include "handway/device/core/backlog.h"
 #include "handway/device/core/joint_trajectory.h"
-#include "handway/device/core/silence.h"
+#include "handway/device/core/watchdog.h"
 #include "handway/device/export.h"
 
 #include <Eigen/Core>

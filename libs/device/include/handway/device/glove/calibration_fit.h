@@ -2,15 +2,37 @@
 
 #include "handway/device/export.h"
 #include "handway/device/glove/glove_calibration.h"
+#include "handway/device/glove/glove_layout.h"
 #include "handway/device/glove/recording.h"
 
 #include <array>
+#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
 
+/// Postures that a person is asked to take while a glove is calibrated, as YAML:
+///
+///     poses:
+///       - name: flat
+///         instruction: "Lay the hand flat on a table."
+///         degrees: {IndexMPJ: 0, IndexPIJ: 0}
+
 /// Ways to find a glove's calibration for a hand.
+
 namespace handway::device {
+
+/// What to ask for, and the angles that follow.
+struct PoseInstruction {
+  std::string name;
+  std::string instruction;                   ///< One sentence; may be empty.
+  std::array<double, kGloveSensors> angles;  ///< rad; NaN for sensors that the pose leaves open.
+};
+
+/// @throws geometric::InputError with file, line and key for an unknown sensor, a name twice, no
+/// poses, or a pose without angles.
+[[nodiscard]] HANDWAY_DEVICE_EXPORT std::vector<PoseInstruction> read_guided_poses(
+    const std::filesystem::path& file);
 
 /// A calibration and what is suspicious about it: sensors that are dead (hardly moved),
 /// noisy, or at an end of their range; fits that are bad.

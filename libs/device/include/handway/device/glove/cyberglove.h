@@ -40,7 +40,7 @@ class HANDWAY_DEVICE_EXPORT CyberGlove final : public Glove {
   GloveInfo do_connect(const std::stop_token& stop) override;
   GloveReading do_next(std::chrono::milliseconds timeout, const std::stop_token& stop) override;
   void do_disconnect() noexcept override;
-  [[nodiscard]] GloveLineFaults do_line_faults() const override;
+  [[nodiscard]] ReceptionFaults do_faults() const override;
 
   void start_sampling();
   GloveReading take_frame(std::chrono::milliseconds timeout, const std::stop_token& stop);
@@ -52,7 +52,7 @@ class HANDWAY_DEVICE_EXPORT CyberGlove final : public Glove {
   std::string address_;
   CyberGloveSettings settings_;
   std::unique_ptr<Session> session_;  ///< While connected.
-  GloveLineFaults faults_;            ///< Of former connections.
+  ReceptionFaults faults_;            ///< Of former connections.
 };
 
 }  // namespace handway::device

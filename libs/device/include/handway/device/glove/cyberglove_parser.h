@@ -1,7 +1,7 @@
 #pragma once
 
 #include "handway/device/export.h"
-#include "handway/device/glove/glove_frame.h"
+#include "handway/device/glove/glove_layout.h"
 
 #include <array>
 #include <cstddef>

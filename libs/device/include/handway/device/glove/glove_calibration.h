@@ -1,7 +1,7 @@
 #pragma once
 
 #include "handway/device/export.h"
-#include "handway/device/glove/glove_frame.h"
+#include "handway/device/glove/glove_layout.h"
 #include "handway/device/glove/recording.h"
 
 #include <array>
@@ -18,6 +18,7 @@
 ///     sensors:
 ///       ThumbRotate: {gain: 0.01584, zero: 90}
 ///       ThumbMPJ: {gain: 0.01459, zero: 88, residual: 0.02}   # residual: optional
+
 namespace handway::device {
 
 /// angle = gain · (counts - zero).

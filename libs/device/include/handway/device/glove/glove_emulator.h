@@ -1,16 +1,69 @@
 #pragma once
 
 #include "handway/device/core/device_emulator.h"
-#include "handway/device/core/line_faults.h"
 #include "handway/device/export.h"
-#include "handway/device/glove/cyberglove_unit.h"
+#include "handway/device/glove/glove_layout.h"
 
+#include <array>
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 namespace handway::device {
+
+/// What an emulated glove's sensors read at a time: s, never falling from one call to the next.
+using GloveSignal = std::function<std::array<std::uint16_t, kGloveSensors>(double time)>;
+
+struct CyberGloveUnitSettings {
+  int sensors = kGloveSensors;  ///< 18 or 22.
+  bool right_hand = true;
+  double rate = 100.0;      ///< Until the host sets another, Hz.
+  double top_rate = 480.0;  ///< Faster is refused with "es"; as fast as 115200 bit/s carry.
+};
+
+/// The interface unit of an emulated CyberGlove, in binary and in ASCII commands.
+class HANDWAY_DEVICE_EXPORT CyberGloveUnit final : public DeviceUnit {
+ public:
+  /// @throws std::invalid_argument if there are neither 18 nor 22 sensors, or no rate above 0.
+  CyberGloveUnit(const CyberGloveUnitSettings& settings, GloveSignal signal);
+
+  [[nodiscard]] Bytes receive(std::span<const std::uint8_t> bytes, double now) override;
+  [[nodiscard]] std::vector<Bytes> advance(double now) override;
+  [[nodiscard]] std::optional<double> next_due() const override;
+  /// Pulls the glove off the unit, or puts it back on.
+  void set_plugged(bool plugged) override { plugged_ = plugged; }
+
+  [[nodiscard]] bool streaming() const { return streaming_.has_value(); }
+
+ private:
+  enum class Form { kBinary, kText };
+
+  void reset_registers();
+  void take(std::uint8_t byte, double now, Bytes& out);
+  void take_binary(double now, Bytes& out);
+  void take_text(double now, Bytes& out);
+  void query(char letter, Form form, Bytes& out) const;
+  void set(char letter, const Bytes& arguments, Form form, Bytes& out);
+  void begin_stream(Form form, double now);
+  [[nodiscard]] double period() const;
+  [[nodiscard]] Bytes record(Form form, char letter, double time) const;
+  [[nodiscard]] Bytes query_data(char letter) const;
+
+  CyberGloveUnitSettings settings_;
+  GloveSignal signal_;
+  std::map<char, Bytes> registers_;
+  Bytes command_;  ///< Taken so far, incomplete.
+  double command_time_ = 0.0;
+  std::optional<Form> streaming_;
+  double next_record_ = 0.0;
+  std::optional<double> restarted_at_;  ///< Deaf until then.
+  bool plugged_ = true;
+};
 
 /// A CyberGlove on a port.
 struct GloveEmulatorSettings : DeviceEmulatorSettings {

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "handway/device/export.h"
-#include "handway/device/glove/cyberglove_unit.h"
 #include "handway/device/glove/glove_calibration.h"
+#include "handway/device/glove/glove_emulator.h"
 #include "handway/device/glove/recording.h"
 
 #include <cstdint>
@@ -31,5 +31,13 @@ exploring_hand_signal(std::uint64_t seed, const SensorFaults& faults = {},
 [[nodiscard]] HANDWAY_DEVICE_EXPORT GloveSignal
 recorded_signal(const Recording& recording, std::uint64_t seed, const SensorFaults& faults,
                 const GloveCalibration& calibration = typical_calibration());
+
+/// What an emulated glove of 22 sensors with the typical calibration would record of a hand that
+/// moves freely (HandExploration): counts with noise, evenly timed from 0. The same arguments
+/// give the same recording; its header names them.
+/// @param rows ≥ 1. @param rate Hz, > 0.
+/// @throws std::invalid_argument if there are no rows or no rate.
+[[nodiscard]] HANDWAY_DEVICE_EXPORT Recording generate_recording(std::uint64_t seed, int rows,
+                                                                 double rate);
 
 }  // namespace handway::device

@@ -4,6 +4,7 @@
 #include "handway/device/glove/recording.h"
 
 /// What may be done to a recording before it is analysed. None changes its input.
+
 namespace handway::device {
 
 /// Rows at even times from the first, values straight between those that were recorded.

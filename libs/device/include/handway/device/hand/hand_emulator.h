@@ -1,7 +1,8 @@
 #pragma once
 
+#include "handway/device/core/injected_fault.h"
+#include "handway/device/core/joint_trajectory.h"
 #include "handway/device/export.h"
-#include "handway/device/hand/hand_controller.h"
 
 #include <Eigen/Core>
 
@@ -10,6 +11,49 @@
 #include <string>
 
 namespace handway::device {
+
+struct HandControllerSettings {
+  JointRanges joints;
+  Eigen::VectorXd position;  ///< Where the fingers are, rad.
+  double lag = 0.015;        ///< Time constant of the servos, s.
+  /// Time in which a stop brings a joint down from its full velocity, s.
+  double braking_time = 0.1;
+  std::size_t longest = 1000000;  ///< How many points of a trajectory it holds.
+  InjectedFault fault;
+};
+
+/// An emulated hand that speaks hand_protocol.h, without wires: lines and time are given. It
+/// holds whole trajectories and follows their time. Time never goes back from call to call.
+class HANDWAY_DEVICE_EXPORT HandController {
+ public:
+  /// @throws std::invalid_argument for settings that make no sense.
+  explicit HandController(HandControllerSettings settings);
+  ~HandController();
+  HandController(const HandController&) = delete;
+  HandController& operator=(const HandController&) = delete;
+
+  /// Takes a line of the host's, without its end. @returns what it answers: lines, or nothing.
+  [[nodiscard]] std::string receive(const std::string& line, double now);
+
+  /// Lets time pass until `now` (s).
+  void advance(double now);
+  /// What it sends every 10 ms; empty before a host has said hello.
+  [[nodiscard]] std::string feedback();
+
+  /// The host is gone: it stops, and waits for another hello.
+  void connection_lost();
+
+  [[nodiscard]] const Eigen::VectorXd& position() const;
+  [[nodiscard]] bool moving() const;
+  /// How many stop commands came. Loss of the connection, or silence, is none.
+  [[nodiscard]] int stops() const;
+  /// The fault, from when it begins on.
+  [[nodiscard]] FaultKind active_fault() const;
+
+ private:
+  struct Hand;
+  std::unique_ptr<Hand> hand_;
+};
 
 /// A HandController with its port, run by a thread of its own. Only this computer can connect.
 class HANDWAY_DEVICE_EXPORT HandEmulator {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "handway/device/core/joint_trajectory.h"
 #include "handway/device/core/motion_link.h"
 #include "handway/device/export.h"
 
@@ -9,6 +10,13 @@
 #include <vector>
 
 namespace handway::device {
+
+/// Ranges and velocities of the 13 joints of the Schunk Anthropomorphic Hand (SAH) that move on
+/// their own, in the order of its drives: thumb base; then abduction, proximal and medial joint of
+/// thumb, index, middle and ring finger. A medial joint takes the distal one along. Flexion is
+/// negative. The velocities, 120 degrees a second, are those that users of the related DLR/HIT
+/// hand set: the SAH's maker publishes none.
+[[nodiscard]] HANDWAY_DEVICE_EXPORT JointRanges sah_joints();
 
 /// A hand behind a TCP port that speaks hand_protocol.h. It holds the whole motion and keeps
 /// its time itself.

@@ -1,7 +1,8 @@
 #pragma once
 
+#include "handway/device/core/injected_fault.h"
 #include "handway/device/export.h"
-#include "handway/device/haptic/emulated_haptic.h"
+#include "handway/device/haptic/haptic_protocol.h"
 
 #include <Eigen/Core>
 
@@ -10,6 +11,50 @@
 #include <string>
 
 namespace handway::device {
+
+struct EmulatedHapticSettings {
+  HapticAbilities abilities{3.3, {0.08, 0.06, 0.035}};  ///< As a Phantom Omni's.
+  double mass = 0.15;                                   ///< Of the handle and the hand on it, kg.
+  double friction = 1.5;                                ///< Of the hand, N s/m.
+  /// How strongly the hand trembles: peak force, N, in directions that turn.
+  double tremble = 0.3;
+  /// kNone, kLate, kLost, kRefused (its motors are too warm) or kEstop.
+  InjectedFault fault;
+};
+
+/// An emulated haptic device with a hand that lets itself be guided, without wires: lines and time
+/// are given. The hand holds the button and goes where the device pushes it, trembling. Where the
+/// workspace ends, and when it has come to rest, it lets the button go, brings the handle back to
+/// the middle and presses again. Time never goes back from call to call.
+class HANDWAY_DEVICE_EXPORT EmulatedHaptic {
+ public:
+  /// @throws std::invalid_argument for settings that make no sense.
+  explicit EmulatedHaptic(const EmulatedHapticSettings& settings);
+  ~EmulatedHaptic();
+  EmulatedHaptic(const EmulatedHaptic&) = delete;
+  EmulatedHaptic& operator=(const EmulatedHaptic&) = delete;
+
+  /// Takes a line of the host's, without its end. @returns what it answers: a line, or nothing.
+  [[nodiscard]] std::string receive(const std::string& line, double now);
+
+  /// Lets time pass until `now` (s).
+  void advance(double now);
+  /// What it sends every 2 ms; empty before a host has said hello.
+  [[nodiscard]] std::string feedback() const;
+
+  /// The host is gone: no force any more, and another hello is waited for.
+  void connection_lost();
+
+  /// What its motors do now, N.
+  [[nodiscard]] const Eigen::Vector3d& force() const;
+  [[nodiscard]] const HapticSample& sample() const;
+  /// The fault, from when it begins on.
+  [[nodiscard]] FaultKind active_fault() const;
+
+ private:
+  struct Device;
+  std::unique_ptr<Device> device_;
+};
 
 /// An EmulatedHaptic with its port, run by a thread of its own. Only this computer can connect.
 class HANDWAY_DEVICE_EXPORT HapticEmulator {

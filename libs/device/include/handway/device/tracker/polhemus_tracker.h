@@ -1,7 +1,7 @@
 #pragma once
 
 #include "handway/device/export.h"
-#include "handway/device/tracker/polhemus_record.h"
+#include "handway/device/tracker/polhemus_parser.h"
 #include "handway/device/tracker/tracker.h"
 
 #include <chrono>
@@ -26,7 +26,7 @@ struct PolhemusSettings {
 
 /// Driver of Polhemus trackers on a serial port or a TCP port. Samples are stamped when their last
 /// byte arrives. Records that the device marks as distorted or out of range are dropped and counted
-/// in TrackerFaults::doubtful.
+/// in ReceptionFaults::doubtful.
 ///
 /// connect() stops whatever the unit was doing, asks for its state, sets units and output
 /// list of every station, and starts the continuous output. When no record comes the unit is
@@ -44,7 +44,7 @@ class HANDWAY_DEVICE_EXPORT PolhemusTracker final : public Tracker {
   TrackerInfo do_connect(const std::stop_token& stop) override;
   TrackerReading do_next(std::chrono::milliseconds timeout, const std::stop_token& stop) override;
   void do_disconnect() noexcept override;
-  [[nodiscard]] TrackerFaults do_faults() const override;
+  [[nodiscard]] ReceptionFaults do_faults() const override;
 
   void take_records(std::chrono::milliseconds timeout);
   void take(const PolhemusRecord& record, Clock::time_point arrival);
@@ -54,7 +54,7 @@ class HANDWAY_DEVICE_EXPORT PolhemusTracker final : public Tracker {
   std::string address_;
   PolhemusSettings settings_;
   std::unique_ptr<Session> session_;  ///< While connected.
-  TrackerFaults faults_;              ///< Of former connections.
+  ReceptionFaults faults_;            ///< Of former connections.
 };
 
 }  // namespace handway::device

@@ -1,12 +1,31 @@
 #pragma once
 
-#include "handway/device/core/device_unit.h"
+#include "handway/device/core/device_emulator.h"
 #include "handway/device/export.h"
-#include "handway/device/tracker/tracker_signals.h"
+#include "handway/geometric/math/pose.h"
 
+#include <cstdint>
+#include <functional>
 #include <memory>
 
 namespace handway::device {
+
+/// Pose X_ST of an emulated tracker's sensor (from 1) at a time: s, never falling from one call
+/// to the next.
+using TrackerSignal = std::function<geometric::Pose(double time, int sensor)>;
+
+/// What is done to the poses of emulated sensors; by default as much as a magnetic tracker's
+/// noise within 75 cm of its source.
+struct TrackerNoise {
+  double position = 0.0002;  ///< Standard deviation of each coordinate, m.
+  double angle = 0.0005;     ///< Of each component of a small rotation vector, rad.
+};
+
+/// The poses of a wrist that somebody moves who tries what can be reached: minimum-jerk moves in a
+/// box of 50 × 50 × 40 cm in front of the source, turning by up to 40° about each axis, with
+/// noise. Each sensor has a motion of its own. The same seed and times give the same poses.
+[[nodiscard]] HANDWAY_DEVICE_EXPORT TrackerSignal
+wrist_motion_signal(std::uint64_t seed, const TrackerNoise& noise = {});
 
 struct TrackerUnitSettings {
   int sensors = 1;      ///< A Fastrak has up to 4, a Liberty 16.

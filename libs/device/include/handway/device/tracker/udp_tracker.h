@@ -4,10 +4,31 @@
 #include "handway/device/tracker/tracker.h"
 
 #include <chrono>
+#include <cstdint>
 #include <memory>
+#include <optional>
+#include <span>
 #include <string>
 
 namespace handway::device {
+
+/// The longest datagram that is read, bytes.
+inline constexpr std::size_t kLongestPoseDatagram = 1024;
+
+/// Reads a pose from a UDP datagram: one JSON object in UTF-8 with
+///
+///     {"sensor": 0, "time": 12.345, "position": [x, y, z], "quaternion": [x, y, z, w],
+///      "button": false}
+///
+/// position in m, quaternion of unit length within 1e-3 with its scalar last, as in VRPN; time in
+/// s on the sender's clock; sensor from 0 to 255 (default 0); button may be left out; other keys
+/// are ignored.
+/// @returns the sample, its time that of the sender; nothing if the datagram is anything else.
+[[nodiscard]] HANDWAY_DEVICE_EXPORT std::optional<TrackerSample> read_pose_datagram(
+    std::span<const std::uint8_t> datagram);
+
+/// @pre the sample's numbers are finite.
+[[nodiscard]] HANDWAY_DEVICE_EXPORT std::string write_pose_datagram(const TrackerSample& sample);
 
 struct UdpTrackerSettings {
   /// The source is taken for lost after this long without a good datagram.
@@ -31,14 +52,14 @@ class HANDWAY_DEVICE_EXPORT UdpTracker final : public Tracker {
   TrackerInfo do_connect(const std::stop_token& stop) override;
   TrackerReading do_next(std::chrono::milliseconds timeout, const std::stop_token& stop) override;
   void do_disconnect() noexcept override;
-  [[nodiscard]] TrackerFaults do_faults() const override { return faults_; }
+  [[nodiscard]] ReceptionFaults do_faults() const override { return faults_; }
 
   void take_datagram(std::chrono::milliseconds timeout);
 
   std::string address_;
   UdpTrackerSettings settings_;
   std::unique_ptr<Session> session_;  ///< While connected.
-  TrackerFaults faults_;
+  ReceptionFaults faults_;
 };
 
 }  // namespace handway::device

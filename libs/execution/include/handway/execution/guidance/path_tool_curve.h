@@ -1,6 +1,6 @@
 #pragma once
 
-#include "handway/device/haptic/tool_curve.h"
+#include "handway/device/haptic/force_guide.h"
 #include "handway/execution/export.h"
 #include "handway/geometric/math/pose.h"
 #include "handway/geometric/robot/robot_model.h"

@@ -1,0 +1,350 @@
+#include "glove/recording_readers.h"
+
+#include "glove/text_files.h"
+#include "handway/device/glove/glove_layout.h"
+#include "handway/geometric/io/input_error.h"
+#include "recording_readers.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <string>
+
+namespace handway::device {
+std::string at_line(const std::filesystem::path& file, const TextLine& line) {
+  return fmt::format("{}:{}", file.string(), line.number);
+}
+
+RecordedRows::RecordedRows(const std::filesystem::path& file, std::size_t columns)
+    : file_(file), columns_(columns) {}
+
+void RecordedRows::add(const TextLine& line, double time, const std::vector<double>& values) {
+  if (!times_.empty() && time < times_.back()) {
+    throw geometric::InputError(
+        {at_line(file_, line), "time", fmt::format("{} after {}", time, times_.back()),
+         "time that doesn't run backwards", "Split the file there, or sort its rows"});
+  }
+  times_.push_back(time);
+  values_.insert(values_.end(), values.begin(), values.end());
+}
+
+void RecordedRows::move_to(Recording& recording) {
+  if (times_.empty()) {
+    throw geometric::InputError({file_.string(), "", "no rows", "at least one", ""});
+  }
+  const auto rows = static_cast<Eigen::Index>(times_.size());
+  const auto columns = static_cast<Eigen::Index>(columns_);
+  recording.times = Eigen::Map<const Eigen::VectorXd>(times_.data(), rows);
+  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  recording.values = Eigen::Map<const RowMajor>(values_.data(), rows, columns);
+}
+
+namespace {
+
+using geometric::InputError;
+
+constexpr double kMostCounts = 255.0;
+constexpr double kWidestAngle = 2 * M_PI;  // rad
+
+// The separator that the header uses most.
+char separator_of(std::string_view header) {
+  constexpr std::string_view kSeparators = ",;\t";
+  return *std::ranges::max_element(kSeparators, {},
+                                   [&](char c) { return std::ranges::count(header, c); });
+}
+
+class CsvReader {
+ public:
+  CsvReader(const std::filesystem::path& file, const std::vector<TextLine>& lines)
+      : file_(file), lines_(lines), own_(trimmed(lines.front().text) == kRecordingMark) {}
+
+  Recording read() {
+    std::size_t next = 0;
+    for (; next < lines_.size() && is_remark(lines_[next]); ++next) {
+      read_field(lines_[next]);
+    }
+    if (next == lines_.size()) {
+      throw InputError({file_.string(), "", "no header", "time and names of sensors", ""});
+    }
+    read_columns(lines_[next]);
+    RecordedRows rows(file_, recording_.header.sensors.size());
+    for (++next; next < lines_.size(); ++next) {
+      read_row(lines_[next], rows);
+    }
+    rows.move_to(recording_);
+    settle_kind();
+    return std::move(recording_);
+  }
+
+ private:
+  static bool is_remark(const TextLine& line) {
+    const std::string_view text = trimmed(line.text);
+    return text.empty() || text.starts_with('#');
+  }
+
+  void read_field(const TextLine& line) {
+    std::string_view text = trimmed(line.text);
+    const std::size_t colon = text.find(':');
+    if (!own_ || colon == std::string_view::npos) {
+      return;
+    }
+    const std::string_view key = trimmed(text.substr(1, colon - 1));
+    const std::string value(trimmed(text.substr(colon + 1)));
+    RecordingHeader& header = recording_.header;
+    if (key == "kind") {
+      if (value != "counts" && value != "angles") {
+        throw InputError({at_line(file_, line), "kind", '"' + value + '"', "counts or angles", ""});
+      }
+      kind_ = value == "counts" ? RecordingKind::kCounts : RecordingKind::kAngles;
+    } else if (key == "device") {
+      header.device = value;
+    } else if (key == "date") {
+      header.date = value;
+    } else if (key == "origin") {
+      header.origin = value;
+    }
+  }
+
+  void read_columns(const TextLine& line) {
+    separator_ = separator_of(line.text);
+    const std::vector<std::string_view> names = cells(line.text, separator_);
+    if (std::ranges::count(names, "time") != 1) {
+      throw InputError({at_line(file_, line), "",
+                        fmt::format("{} columns \"time\"", std::ranges::count(names, "time")),
+                        "a header with one, in seconds, and names of sensors",
+                        "Is this a recording of a glove?"});
+    }
+    for (std::size_t c = 0; c < names.size(); ++c) {
+      if (names[c] == "time") {
+        time_column_ = c;
+      } else {
+        recording_.header.sensors.push_back(sensor(line, names[c]));
+      }
+    }
+    if (recording_.header.sensors.empty()) {
+      throw InputError({at_line(file_, line), "", "no column of a sensor", "at least one", ""});
+    }
+  }
+
+  [[nodiscard]] int sensor(const TextLine& line, std::string_view name) const {
+    const std::optional<int> found = find_sensor(name);
+    const std::vector<int>& before = recording_.header.sensors;
+    if (!found) {
+      std::vector<std::string> known;
+      for (const GloveSensor& each : cyberglove_sensors()) {
+        known.emplace_back(each.name);
+      }
+      throw InputError({at_line(file_, line), fmt::format("column \"{}\"", name),
+                        "no sensor of the glove", "a sensor's name or letter",
+                        geometric::advise_name(name, known)});
+    }
+    if (std::ranges::count(before, *found) > 0) {
+      throw InputError({at_line(file_, line), fmt::format("column \"{}\"", name),
+                        "a sensor for the second time", "every sensor once", ""});
+    }
+    return *found;
+  }
+
+  void read_row(const TextLine& line, RecordedRows& rows) {
+    if (is_remark(line)) {
+      return;
+    }
+    // A number that is cut may look whole: only the end of the line shows.
+    const std::vector<std::string_view> parts = cells(line.text, separator_);
+    const std::size_t columns = recording_.header.sensors.size() + 1;
+    if (!line.ended && (own_ || parts.size() < columns)) {
+      recording_.warnings.push_back(at_line(file_, line) + ": left out, the row is cut off");
+      return;
+    }
+    if (parts.size() != columns) {
+      throw InputError({at_line(file_, line), "", fmt::format("{} values", parts.size()),
+                        fmt::format("{} as in the header", columns), ""});
+    }
+    double time = 0.0;
+    std::vector<double> values;
+    for (std::size_t c = 0; c < columns; ++c) {
+      const std::optional<double> value = finite_number(parts[c]);
+      if (!value) {
+        throw InputError({at_line(file_, line), column_name(c), fmt::format("\"{:.40}\"", parts[c]),
+                          "a finite number", ""});
+      }
+      if (c == time_column_) {
+        time = *value;
+        continue;
+      }
+      check_value(line, c, *value);
+      values.push_back(*value);
+    }
+    rows.add(line, time, values);
+  }
+
+  void check_value(const TextLine& line, std::size_t column, double value) const {
+    const bool counts = value >= 0.0 && value <= kMostCounts;
+    const bool angle = std::abs(value) <= kWidestAngle;
+    const bool fits = kind_ ? (*kind_ == RecordingKind::kCounts ? counts : angle) : counts || angle;
+    if (!fits) {
+      throw InputError({at_line(file_, line), column_name(column), fmt::format("{}", value),
+                        kind_ == RecordingKind::kAngles ? "an angle in rad"
+                        : kind_                         ? "counts from 0 to 255"
+                                                        : "counts from 0 to 255, or rad",
+                        ""});
+    }
+  }
+
+  [[nodiscard]] std::string column_name(std::size_t column) const {
+    if (column == time_column_) {
+      return "column time";
+    }
+    const std::size_t i = column < time_column_ ? column : column - 1;
+    const auto sensor = static_cast<std::size_t>(recording_.header.sensors[i]);
+    return fmt::format("column {}", cyberglove_sensors()[sensor].name);
+  }
+
+  // What a file that doesn't say holds: whole numbers are counts.
+  void settle_kind() {
+    const Eigen::MatrixXd& values = recording_.values;
+    if (!kind_) {
+      const bool whole = (values.array() == values.array().round()).all();
+      kind_ = whole && values.minCoeff() >= 0.0 ? RecordingKind::kCounts : RecordingKind::kAngles;
+      recording_.warnings.push_back(file_.string() + ": taken for " + to_string(*kind_) +
+                                    " by its numbers");
+      if (!whole && values.cwiseAbs().maxCoeff() > kWidestAngle) {
+        throw InputError({file_.string(), "", fmt::format("values up to {}", values.maxCoeff()),
+                          "whole counts, or angles in rad", "Are these degrees?"});
+      }
+    }
+    recording_.header.kind = *kind_;
+  }
+
+  const std::filesystem::path& file_;
+  const std::vector<TextLine>& lines_;
+  bool own_;
+  Recording recording_;
+  std::optional<RecordingKind> kind_;
+  char separator_ = ',';
+  std::size_t time_column_ = 0;
+};
+
+}  // namespace
+
+Recording read_csv_recording(const std::filesystem::path& file,
+                             const std::vector<TextLine>& lines) {
+  return CsvReader(file, lines).read();
+}
+
+namespace {
+
+constexpr std::size_t kDateCells = 6;
+constexpr std::size_t kSlots = 23;  // the VirtualHand order without its last, unwired one
+constexpr std::size_t kCells = kDateCells + 1 + kSlots;
+
+using Row = std::array<double, kCells>;
+
+// Seconds since 1970 of the first six cells; nothing if they are no date and time.
+std::optional<double> seconds(const Row& row) {
+  const auto whole = [](double value) { return value == std::floor(value); };
+  for (std::size_t i = 0; i + 1 < kDateCells; ++i) {
+    if (!whole(row[i]) || row[i] < 0 || row[i] > 9999) {
+      return std::nullopt;
+    }
+  }
+  const std::chrono::year_month_day day{std::chrono::year(static_cast<int>(row[0])),
+                                        std::chrono::month(static_cast<unsigned>(row[1])),
+                                        std::chrono::day(static_cast<unsigned>(row[2]))};
+  if (!day.ok() || row[3] > 23 || row[4] > 59 || row[5] < 0.0 || row[5] > 61.0) {
+    return std::nullopt;
+  }
+  const auto days = std::chrono::sys_days(day).time_since_epoch().count();
+  return 86400.0 * static_cast<double>(days) + 3600.0 * row[3] + 60.0 * row[4] + row[5];
+}
+
+std::optional<Row> numbers(const TextLine& line) {
+  const std::vector<std::string_view> parts = cells(line.text, ' ');
+  if (parts.size() != kCells) {
+    return std::nullopt;
+  }
+  Row row{};
+  for (std::size_t i = 0; i < kCells; ++i) {
+    const std::optional<double> number = finite_number(parts[i]);
+    if (!number) {
+      return std::nullopt;
+    }
+    row.at(i) = *number;
+  }
+  return row;
+}
+
+void check_angle(const std::filesystem::path& file, const TextLine& line, std::size_t sensor,
+                 double angle) {
+  if (std::abs(angle) > kWidestAngle) {
+    throw geometric::InputError({at_line(file, line),
+                                 std::string(cyberglove_sensors()[sensor].name),
+                                 fmt::format("{}", angle), "an angle in rad", ""});
+  }
+}
+
+std::string iso_date(const Row& row) {
+  return fmt::format("{:04.0f}-{:02.0f}-{:02.0f}T{:02.0f}:{:02.0f}:{:06.3f}", row[0], row[1],
+                     row[2], row[3], row[4], row[5]);
+}
+
+}  // namespace
+
+bool is_virtual_hand_row(const TextLine& line) {
+  const std::optional<Row> row = numbers(line);
+  return row && seconds(*row);
+}
+
+Recording read_virtual_hand_log(const std::filesystem::path& file,
+                                const std::vector<TextLine>& lines) {
+  Recording recording;
+  recording.header.kind = RecordingKind::kAngles;
+  recording.header.device = "CyberGlove by VirtualHand";
+  recording.header.origin = file.filename().string();
+  recording.header.sensors.resize(kGloveSensors);
+  std::iota(recording.header.sensors.begin(), recording.header.sensors.end(), 0);
+  RecordedRows rows(file, kGloveSensors);
+  std::optional<double> begin;
+  for (const TextLine& line : lines) {
+    if (trimmed(line.text).empty()) {
+      continue;
+    }
+    const std::optional<Row> row = numbers(line);
+    const std::optional<double> time = row ? seconds(*row) : std::nullopt;
+    if (!time && !line.ended) {
+      recording.warnings.push_back(at_line(file, line) + ": left out, the row is cut off");
+      break;
+    }
+    if (!time) {
+      throw geometric::InputError(
+          {at_line(file, line), "", fmt::format("\"{:.40}\"", trimmed(line.text)),
+           "year, month, day, hour, minute, second, switch and 23 angles (rad)", ""});
+    }
+    if (!begin) {
+      begin = time;
+      recording.header.date = iso_date(*row);
+    }
+    std::vector<double> angles;
+    for (std::size_t sensor = 0; sensor < kGloveSensors; ++sensor) {
+      const auto slot = static_cast<std::size_t>(cyberglove_sensors()[sensor].slot);
+      angles.push_back(virtual_hand_sign(static_cast<int>(sensor)) *
+                       row->at(kDateCells + 1 + slot));
+      check_angle(file, line, sensor, angles.back());
+    }
+    // Times in such files have 10 µs; their difference has noise of the large numbers.
+    rows.add(line, std::round((*time - *begin) * 1e5) / 1e5, angles);
+  }
+  rows.move_to(recording);
+  recording.warnings.push_back(
+      file.string() +
+      ": signs turned to flexion and spreading positive; with a glove of 18 sensors "
+      "the distal joints in it are estimates");
+  return recording;
+}
+
+}  // namespace handway::device

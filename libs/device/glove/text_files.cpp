@@ -1,0 +1,90 @@
+#include "glove/text_files.h"
+
+#include "handway/device/glove/glove_layout.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+namespace handway::device {
+std::vector<TextLine> text_lines(std::string_view text) {
+  std::vector<TextLine> lines;
+  std::size_t begin = 0;
+  while (begin < text.size()) {
+    const std::size_t end = text.find('\n', begin);
+    const bool ended = end != std::string_view::npos;
+    lines.push_back({text.substr(begin, ended ? end - begin : end), lines.size() + 1, ended});
+    begin = ended ? end + 1 : text.size();
+  }
+  return lines;
+}
+
+namespace {
+
+constexpr std::string_view kBlanks = " \t\r\n";
+
+}  // namespace
+
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view kAround = " \t\r\n\"";
+  const std::size_t first = text.find_first_not_of(kAround);
+  if (first == std::string_view::npos) {
+    return {};
+  }
+  return text.substr(first, text.find_last_not_of(kAround) - first + 1);
+}
+
+std::vector<std::string_view> cells(std::string_view line, char separator) {
+  std::vector<std::string_view> parts;
+  const std::string_view separators = separator == ' ' ? kBlanks : std::string_view(&separator, 1);
+  std::size_t begin = 0;
+  while (begin <= line.size()) {
+    const std::size_t end = std::min(line.find_first_of(separators, begin), line.size());
+    if (separator != ' ' || end > begin) {
+      parts.push_back(trimmed(line.substr(begin, end - begin)));
+    }
+    begin = end + 1;
+  }
+  return parts;
+}
+
+std::optional<double> finite_number(std::string_view cell) {
+  cell.remove_prefix(cell.starts_with('+') ? 1 : 0);
+  double value = 0.0;
+  const char* const end = cell.data() + cell.size();
+  const auto [parsed, error] = std::from_chars(cell.data(), end, value);
+  if (error != std::errc() || parsed != end || !std::isfinite(value)) {
+    return std::nullopt;
+  }
+  return value;
+}
+
+std::string optional_text(const geometric::YamlElement& map, const std::string& key) {
+  const std::optional<geometric::YamlElement> value = map.find(key);
+  return value ? value->text() : "";
+}
+
+std::string text_field(const std::string& key, const std::string& text) {
+  if (text.empty()) {
+    return "";
+  }
+  std::string quoted;
+  for (const char c : text) {
+    if (c == '"' || c == '\\') {
+      quoted += '\\';
+    }
+    quoted += c == '\n' || c == '\r' ? ' ' : c;
+  }
+  return key + ": \"" + quoted + "\"\n";
+}
+
+std::vector<std::string> sensor_names() {
+  std::vector<std::string> names;
+  for (const GloveSensor& sensor : cyberglove_sensors()) {
+    names.emplace_back(sensor.name);
+  }
+  return names;
+}
+
+}  // namespace handway::device

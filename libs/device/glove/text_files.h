@@ -1,0 +1,55 @@
+#pragma once
+
+#include "handway/geometric/formats/yaml_element.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// Pieces of text files with numbers.
+
+/// What this folder's YAML files share.
+
+namespace handway::device {
+
+/// A line of a text file without its end.
+struct TextLine {
+  std::string_view text;
+  std::size_t number = 0;  ///< From 1.
+  bool ended = true;       ///< False for a last line without its end.
+};
+
+/// All lines of a text, of which they stay a part.
+[[nodiscard]] std::vector<TextLine> text_lines(std::string_view text);
+
+/// Without blanks, quotes and the end of line around it.
+[[nodiscard]] std::string_view trimmed(std::string_view text);
+
+/// Trimmed parts between separators; ' ' separates by any run of blanks.
+[[nodiscard]] std::vector<std::string_view> cells(std::string_view line, char separator);
+
+/// The finite number that the whole cell is, or nothing.
+[[nodiscard]] std::optional<double> finite_number(std::string_view cell);
+
+/// The text of a key; empty if there is none.
+[[nodiscard]] std::string optional_text(const geometric::YamlElement& map, const std::string& key);
+
+/// `key: "text"` as a line; nothing for an empty text.
+[[nodiscard]] std::string text_field(const std::string& key, const std::string& text);
+
+/// Of all sensors, for advice on misspelt ones.
+[[nodiscard]] std::vector<std::string> sensor_names();
+
+/// What to multiply an angle of VirtualHand with to have flexion positive and abduction positive
+/// when the fingers spread. VirtualHand turns all abductions about the same direction: index and
+/// middle finger spread in its negative, ring and little finger in its positive direction.
+[[nodiscard]] inline double virtual_hand_sign(int sensor) {
+  constexpr std::array kKept{14, 18};  // RingMiddleAbduct, PinkieRingAbduct
+  return std::ranges::find(kKept, sensor) == kKept.end() ? -1.0 : 1.0;
+}
+
+}  // namespace handway::device

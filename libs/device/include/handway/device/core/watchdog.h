@@ -1,0 +1,60 @@
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+
+namespace handway::device {
+
+/// For how long a device has been sending more than was read, so that what was read is old.
+class Backlog {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  /// A turn of reading is over. @param all whether it took everything that had come.
+  void turn(bool all, Clock::time_point now) {
+    if (all) {
+      since_.reset();
+    } else if (!since_) {
+      since_ = now;
+    }
+  }
+
+  [[nodiscard]] bool any() const { return since_.has_value(); }
+  /// Zero if there is none.
+  [[nodiscard]] Clock::duration lasted(Clock::time_point now) const {
+    return since_ ? now - *since_ : Clock::duration::zero();
+  }
+
+ private:
+  std::optional<Clock::time_point> since_;
+};
+
+/// For how long a device has reported nothing to a program that listened. Time in which the program
+/// itself was held up, by a busy or sleeping computer, is not the device's silence.
+class Silence {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  /// The device spoke, or is about to.
+  void heard(Clock::time_point now) {
+    listened_ = now;
+    lasted_ = Clock::duration::zero();
+  }
+
+  /// The program listened and heard nothing. @returns how long that has been so.
+  Clock::duration listened(Clock::time_point now) {
+    lasted_ += std::min<Clock::duration>(now - listened_, kLongestPause);
+    listened_ = now;
+    return lasted_;
+  }
+
+ private:
+  /// From one time of listening to the next; a longer one is a hold-up.
+  static constexpr std::chrono::milliseconds kLongestPause{20};
+
+  Clock::time_point listened_ = Clock::now();
+  Clock::duration lasted_ = Clock::duration::zero();
+};
+
+}  // namespace handway::device
