@@ -1,32 +1,16 @@
 #include "methods.h"
 
-#include "method_settings.h"
 #include "roadmap_methods.h"
 
-#include <ompl/geometric/planners/est/BiEST.h>
 #include <ompl/geometric/planners/est/EST.h>
-#include <ompl/geometric/planners/est/ProjEST.h>
-#include <ompl/geometric/planners/fmt/BFMT.h>
 #include <ompl/geometric/planners/fmt/FMT.h>
 #include <ompl/geometric/planners/informedtrees/ABITstar.h>
 #include <ompl/geometric/planners/informedtrees/AITstar.h>
 #include <ompl/geometric/planners/informedtrees/BITstar.h>
-#include <ompl/geometric/planners/kpiece/BKPIECE1.h>
 #include <ompl/geometric/planners/kpiece/KPIECE1.h>
-#include <ompl/geometric/planners/kpiece/LBKPIECE1.h>
-#include <ompl/geometric/planners/pdst/PDST.h>
-#include <ompl/geometric/planners/rlrt/BiRLRT.h>
-#include <ompl/geometric/planners/rlrt/RLRT.h>
-#include <ompl/geometric/planners/rrt/BiTRRT.h>
-#include <ompl/geometric/planners/rrt/InformedRRTstar.h>
-#include <ompl/geometric/planners/rrt/LazyRRT.h>
 #include <ompl/geometric/planners/rrt/RRT.h>
 #include <ompl/geometric/planners/rrt/RRTConnect.h>
-#include <ompl/geometric/planners/rrt/RRTXstatic.h>
-#include <ompl/geometric/planners/rrt/RRTsharp.h>
 #include <ompl/geometric/planners/rrt/RRTstar.h>
-#include <ompl/geometric/planners/rrt/SORRTstar.h>
-#include <ompl/geometric/planners/rrt/TRRT.h>
 #include <ompl/geometric/planners/sbl/SBL.h>
 #include <ompl/geometric/planners/stride/STRIDE.h>
 
@@ -42,6 +26,65 @@ ompl::base::PlannerPtr make(const ompl::base::SpaceInformationPtr& information) 
   return std::make_shared<Kind>(information);
 }
 
+// The parameters of OMPL's that are offered, each for all planners that take it.
+
+const MethodSetting kRange = {
+    "range",
+    "Step length",
+    "Longest step of a tree, in joints normalised to [0, 1]. 0: a fifth of the space's diagonal.",
+    0.0,
+    0.0,
+    10.0};
+const MethodSetting kGoalBias = {
+    "goal_bias", "Share of the goal", "Share of samples that are the goal itself.", 0.05, 0.0, 1.0};
+const MethodSetting kNeighbours = {"max_nearest_neighbors",
+                                   "Neighbours",
+                                   "Nearest milestones that a new one is connected to.",
+                                   10,
+                                   1.0,
+                                   1000.0};
+const MethodSetting kBorderFraction = {
+    "border_fraction",
+    "Share of the border",
+    "Share of expansions from cells at the border of what is explored.",
+    0.9,
+    0.001,
+    1.0};
+const MethodSetting kFailureFactor = {
+    "failed_expansion_score_factor",
+    "Factor of failure",
+    "A cell's score is multiplied by this when an expansion from it fails.",
+    0.5,
+    0.001,
+    1.0};
+const MethodSetting kLeastPart = {
+    "min_valid_path_fraction",
+    "Least part of a step",
+    "A step that is not free is kept up to where it is, if that is more than this share.",
+    0.2,
+    0.001,
+    1.0};
+const MethodSetting kRewireFactor = {
+    "rewire_factor",
+    "Rewiring factor",
+    "Neighbours are looked for this much farther than theory asks for.",
+    1.1,
+    1.01,
+    2.0};
+const MethodSetting kNumSamples = {
+    "num_samples",
+    "Samples at once",
+    "Valid samples drawn before the tree grows; more are drawn if they don't do.",
+    1000,
+    10.0,
+    100000.0};
+const MethodSetting kBatch = {"samples_per_batch",
+                              "Samples per batch",
+                              "Valid samples drawn before edges are looked at again.",
+                              100,
+                              1.0,
+                              10000.0};
+
 constexpr MethodTraits kImproves = {.improves = true};
 constexpr MethodTraits kGuesses = {.guesses = true};
 
@@ -50,24 +93,12 @@ constexpr MethodTraits kGuesses = {.guesses = true};
 const std::vector<Method>& methods() {
   static const std::vector<Method> kMethods = {
       {"prm", "PRM", "a roadmap", make<SequentialPrm>, {kNeighbours}, {}},
-      {"prm-star",
-       "PRM*",
-       "a roadmap with as many neighbours as its size asks for",
-       make<SequentialPrmStar>,
-       {},
-       kImproves},
       {"lazy-prm",
        "LazyPRM",
        "a roadmap that is checked only where a path leads",
        make<CheckedLazyPrm>,
        {kNeighbours},
        {}},
-      {"lazy-prm-star",
-       "LazyPRM*",
-       "the same with as many neighbours as its size asks for",
-       make<CheckedLazyPrmStar>,
-       {},
-       kImproves},
       {"rrt",
        "RRT",
        "a tree from the start that grows towards samples",
@@ -80,47 +111,10 @@ const std::vector<Method>& methods() {
        make<og::RRTConnect>,
        {kRange},
        {}},
-      {"lazy-rrt",
-       "LazyRRT",
-       "a tree that is checked only where a path leads",
-       make<og::LazyRRT>,
-       {kRange, kGoalBias},
-       kGuesses},
-      {"t-rrt",
-       "TRRT",
-       "a tree that refuses most steps to higher cost",
-       make<og::TRRT>,
-       {kRange, kGoalBias},
-       {}},
-      {"bi-t-rrt", "BiTRRT", "two such trees", make<og::BiTRRT>, {kRange}, {}},
       {"rrt-star",
        "RRT*",
        "a tree that is rewired to shorter branches",
        make<og::RRTstar>,
-       {kRange, kGoalBias, kRewireFactor},
-       kImproves},
-      {"informed-rrt-star",
-       "InformedRRT*",
-       "the same, then samples only where it gets shorter",
-       make<og::InformedRRTstar>,
-       {kRange, kGoalBias, kRewireFactor},
-       kImproves},
-      {"sorrt-star",
-       "SORRT*",
-       "the same with samples in order of what they promise",
-       make<og::SORRTstar>,
-       {kRange, kGoalBias, kRewireFactor},
-       kImproves},
-      {"rrt-sharp",
-       "RRT#",
-       "a tree that is rewired wherever it gets shorter",
-       make<og::RRTsharp>,
-       {kRange, kGoalBias, kRewireFactor},
-       kImproves},
-      {"rrt-x",
-       "RRTX",
-       "the same, for gains that count",
-       make<og::RRTXstatic>,
        {kRange, kGoalBias, kRewireFactor},
        kImproves},
       {"est",
@@ -129,36 +123,12 @@ const std::vector<Method>& methods() {
        make<og::EST>,
        {kRange, kGoalBias},
        {}},
-      {"bi-est",
-       "BiEST",
-       "trees from start and goal that grow where they are sparse",
-       make<og::BiEST>,
-       {kRange},
-       {}},
-      {"proj-est",
-       "ProjEST",
-       "a tree that grows where a projection of it is sparse",
-       make<og::ProjEST>,
-       {kRange, kGoalBias},
-       {}},
       {"kpiece",
        "KPIECE1",
        "a tree from the start, at the border of what is explored",
        make<og::KPIECE1>,
        {kRange, kGoalBias, kBorderFraction, kFailureFactor, kLeastPart},
        {}},
-      {"bkpiece",
-       "BKPIECE1",
-       "trees from start and goal, at the border of what is explored",
-       make<og::BKPIECE1>,
-       {kRange, kBorderFraction, kFailureFactor, kLeastPart},
-       {}},
-      {"lbkpiece",
-       "LBKPIECE1",
-       "the same, checked only where a path leads",
-       make<og::LBKPIECE1>,
-       {kRange, kBorderFraction, kLeastPart},
-       kGuesses},
       {"sbl",
        "SBL",
        "trees from start and goal that are checked only where a path leads",
@@ -171,26 +141,12 @@ const std::vector<Method>& methods() {
        make<og::STRIDE>,
        {kRange, kGoalBias, kLeastPart},
        {}},
-      {"pdst",
-       "PDST",
-       "a tree of motions over cells that are halved",
-       make<og::PDST>,
-       {kGoalBias},
-       kGuesses},
-      {"rl-rt",
-       "RLRT",
-       "a tree of leaps as long as they are free",
-       make<og::RLRT>,
-       {kRange, kGoalBias},
-       {}},
-      {"bi-rl-rt", "BiRLRT", "two such trees", make<og::BiRLRT>, {kRange}, {}},
       {"fmt",
        "FMT*",
        "a tree by cost to come over samples drawn before",
        make<og::FMT>,
        {kNumSamples},
        {}},
-      {"bfmt", "BFMT*", "two such trees", make<og::BFMT>, {kNumSamples}, {}},
       {"bit-star",
        "BIT*",
        "a tree over batches of samples, the most promising edges first",

@@ -15,8 +15,8 @@ using ompl::base::PlannerStatus;
 using ompl::base::PlannerTerminationCondition;
 using ompl::base::State;
 
-SequentialPrm::SequentialPrm(const ompl::base::SpaceInformationPtr& information, bool star)
-    : PRM(information, star) {}
+SequentialPrm::SequentialPrm(const ompl::base::SpaceInformationPtr& information)
+    : PRM(information, false) {}
 
 bool SequentialPrm::add_ends(const PlannerTerminationCondition& stop) {
   while (const State* start = pis_.nextStart()) {
@@ -65,12 +65,7 @@ PlannerStatus SequentialPrm::solve(const PlannerTerminationCondition& stop) {
   if (!connected()) {
     return PlannerStatus::TIMEOUT;
   }
-  ompl::base::PathPtr path = announced_path();
-  if (!opt_->isSatisfied(path->cost(opt_))) {
-    build_until(stop);
-    path = constructSolution(startM_.front(), goalM_.front());
-  }
-  pdef_->addSolutionPath(path, false, 0.0, getName());
+  pdef_->addSolutionPath(announced_path(), false, 0.0, getName());
   return PlannerStatus::EXACT_SOLUTION;
 }
 
@@ -83,11 +78,9 @@ void SequentialPrm::getPlannerData(PlannerData& data) const {
 
 // Until it knows its range OMPL takes 0 for the longest edge, and keeps to it when asked
 // the number of neighbours.
-CheckedLazyPrm::CheckedLazyPrm(const ompl::base::SpaceInformationPtr& information, bool star)
-    : LazyPRM(information, star) {
-  if (!star) {
-    setRange(information->getMaximumExtent());
-  }
+CheckedLazyPrm::CheckedLazyPrm(const ompl::base::SpaceInformationPtr& information)
+    : LazyPRM(information, false) {
+  setRange(information->getMaximumExtent());
 }
 
 void CheckedLazyPrm::getPlannerData(PlannerData& data) const {
