@@ -1,9 +1,14 @@
 #include "app/file_commands.h"
 
+#include "features/workbench.h"
 #include "handway/geometric/io/existing_file.h"
+#include "handway/geometric/io/resources.h"
+#include "view3d/scene_view.h"
+#include "widgets/panels/log_panel.h"
 
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QMainWindow>
 #include <QMessageBox>
 #include <QSettings>
 
@@ -54,33 +59,80 @@ void RecentFiles::rebuild() {
   }
 }
 
-FileCommands::FileCommands(QWidget& window, Document& document, PlanSettings& planning,
-                           QUndoStack& edits)
-    : QObject(&window), window_(window), document_(document), planning_(planning), edits_(edits) {}
-
-QString FileCommands::scene_name() const {
-  const std::string& name = document_.scene()->name;
-  return QString::fromStdString(!name.empty()              ? name
-                                : document_.file().empty() ? tr("New scene").toStdString()
-                                                           : document_.file().filename().string());
+FileCommands::FileCommands(Workbench& workbench)
+    : QObject(&workbench),
+      workbench_(workbench),
+      recent_(new RecentFiles(&workbench.window)),
+      open_(workbench.make_action("open", tr("&Open…"), QKeySequence::Open,
+                                  tr("Open a scene or problem file"))),
+      save_(workbench.make_action("save", tr("&Save"), QKeySequence::Save, tr("Save the scene"))),
+      save_as_(workbench.make_action("", tr("Save &as…"), QKeySequence::SaveAs,
+                                     tr("Save the scene under a name"))),
+      picture_(workbench.make_action("camera", tr("Save &picture…"), {},
+                                     tr("Save a picture of the 3-D view"))) {
+  place_actions();
+  connect(open_, &QAction::triggered, this, &FileCommands::open);
+  connect(recent_, &RecentFiles::chosen, &workbench_,
+          [this](const QString& file) { workbench_.open(file.toStdString()); });
+  connect(save_, &QAction::triggered, this, &FileCommands::save);
+  connect(save_as_, &QAction::triggered, this, &FileCommands::save_as);
+  connect(picture_, &QAction::triggered, this, &FileCommands::save_picture);
 }
 
-QString FileCommands::choose() {
-  return QFileDialog::getOpenFileName(
-      &window_, tr("Open a scene"),
-      QFileInfo(QString::fromStdString(document_.file().string())).path(),
+QMenu* FileCommands::make_new_menu() {
+  auto* menu = new QMenu(tr("&New with"), &workbench_.window);
+  for (const std::string& robot : geometric::resource_names(geometric::ResourceKind::kRobot)) {
+    connect(menu->addAction(QString::fromStdString(robot)), &QAction::triggered, &workbench_,
+            [this, robot] { workbench_.create(robot); });
+  }
+  return menu;
+}
+
+void FileCommands::place_actions() {
+  QAction* quit = workbench_.make_action("", tr("&Quit"), QKeySequence::Quit, {});
+  connect(quit, &QAction::triggered, &workbench_.window, &QWidget::close);
+  workbench_.add_to_menu(MainMenu::kFile, {0, 0}, make_new_menu()->menuAction());
+  workbench_.add_to_menu(MainMenu::kFile, {0, 1}, open_);
+  workbench_.add_to_menu(MainMenu::kFile, {0, 2}, recent_->menuAction());
+  workbench_.add_to_menu(MainMenu::kFile, {1, 0}, save_);
+  workbench_.add_to_menu(MainMenu::kFile, {1, 1}, save_as_);
+  workbench_.add_to_menu(MainMenu::kFile, {1, 2}, picture_);
+  workbench_.add_to_menu(MainMenu::kFile, {3, 0}, quit);
+  workbench_.add_to_bar(MainBar::kTools, {0, 0}, open_, true);
+  workbench_.add_to_bar(MainBar::kTools, {0, 1}, save_, true);
+  workbench_.add_to_bar(MainBar::kTools, {3, 20}, picture_);
+}
+
+void FileCommands::show_scene() {
+  const Document& document = workbench_.document;
+  save_->setEnabled(document.scene() != nullptr);
+  save_as_->setEnabled(document.scene() != nullptr);
+  if (document.scene() && !document.file().empty()) {
+    recent_->add(QString::fromStdString(document.file().string()));
+  }
+}
+
+void FileCommands::open() {
+  const QString file = QFileDialog::getOpenFileName(
+      &workbench_.window, tr("Open a scene"),
+      QFileInfo(QString::fromStdString(workbench_.document.file().string())).path(),
       tr("Scenes, problems and robots (*.yaml *.yml *.xml *.urdf);;All files (*)"));
+  if (!file.isEmpty()) {
+    workbench_.open(file.toStdString());
+  }
 }
 
 bool FileCommands::save() {
-  const bool is_own = geometric::has_extension(document_.file(), ".yaml");
-  return is_own ? save_to(QString::fromStdString(document_.file().string())) : save_as();
+  const std::filesystem::path& file = workbench_.document.file();
+  return geometric::has_extension(file, ".yaml") ? save_to(QString::fromStdString(file.string()))
+                                                 : save_as();
 }
 
 bool FileCommands::save_as() {
   QString file = QFileDialog::getSaveFileName(
-      &window_, tr("Save the scene"),
-      QString::fromStdString(document_.file().stem().string() + ".yaml"), tr("Scenes (*.yaml)"));
+      &workbench_.window, tr("Save the scene"),
+      QString::fromStdString(workbench_.document.file().stem().string() + ".yaml"),
+      tr("Scenes (*.yaml)"));
   if (file.isEmpty()) {
     return false;
   }
@@ -92,30 +144,33 @@ bool FileCommands::save_as() {
 
 bool FileCommands::save_to(const QString& file) {
   try {
-    document_.save(file.toStdString(), planning_.choice());
+    workbench_.document.save(file.toStdString(), workbench_.plan_settings.choice());
   } catch (const std::exception& error) {
-    emit failed(tr("The scene was not saved"), QString::fromUtf8(error.what()));
+    workbench_.show_error(tr("The scene was not saved"), QString::fromUtf8(error.what()));
     return false;
   }
-  edits_.setClean();
-  emit saved(file);
+  workbench_.editor.undo_stack().setClean();
+  recent_->add(file);
+  workbench_.log.add(LogPanel::Level::kNote, tr("Saved as %1").arg(file));
+  emit saved();
   return true;
 }
 
-void FileCommands::save_picture(QWidget& view) {
-  const QString file =
-      QFileDialog::getSaveFileName(&window_, tr("Save a picture"), {}, tr("Pictures (*.png)"));
-  if (!file.isEmpty() && !view.grab().save(file)) {
-    emit failed(tr("The picture was not saved"), tr("%1 can't be written").arg(file));
+void FileCommands::save_picture() {
+  const QString file = QFileDialog::getSaveFileName(&workbench_.window, tr("Save a picture"), {},
+                                                    tr("Pictures (*.png)"));
+  if (!file.isEmpty() && !workbench_.view.grab().save(file)) {
+    workbench_.show_error(tr("The picture was not saved"), tr("%1 can't be written").arg(file));
   }
 }
 
 bool FileCommands::may_discard() {
-  if (edits_.isClean()) {
+  if (workbench_.editor.undo_stack().isClean()) {
     return true;
   }
   const auto answer = QMessageBox::question(
-      &window_, tr("Unsaved changes"), tr("Save the changes to %1?").arg(scene_name()),
+      &workbench_.window, tr("Unsaved changes"),
+      tr("Save the changes to %1?").arg(workbench_.scene_name()),
       QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
   return answer == QMessageBox::Save ? save() : answer == QMessageBox::Discard;
 }

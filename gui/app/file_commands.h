@@ -1,17 +1,16 @@
 #pragma once
 
-#include "model/document/document.h"
-#include "model/planning/plan_settings.h"
-
 #include <QMenu>
 #include <QObject>
 #include <QString>
 #include <QStringList>
-#include <QUndoStack>
 
+class QAction;
 class QWidget;
 
 namespace handway::gui {
+
+class Workbench;
 
 /// File > Open recent: the last files that were opened, kept between runs.
 class RecentFiles : public QMenu {
@@ -31,37 +30,40 @@ class RecentFiles : public QMenu {
   void rebuild();
 };
 
-/// Opening and saving, with the questions that go with them.
+/// The commands of the File menu that open and save, with the questions that go with them.
 class FileCommands : public QObject {
   Q_OBJECT
 
  public:
-  /// All outlive it. @param window in front of which questions are asked.
-  FileCommands(QWidget& window, Document& document, PlanSettings& planning, QUndoStack& edits);
+  /// @param workbench outlives it.
+  explicit FileCommands(Workbench& workbench);
 
-  /// What people call the scene that is open.
-  [[nodiscard]] QString scene_name() const;
-
-  /// Asks for a file. @returns empty if there is to be none.
-  [[nodiscard]] QString choose();
+  /// The scene that is shown is another one, or none.
+  void show_scene();
+  /// Asks for a scene and opens it.
+  void open();
   /// @returns whether it was saved.
   bool save();
   bool save_as();
-  bool save_to(const QString& file);
-  /// Asks for a file and puts a picture of `view` there.
-  void save_picture(QWidget& view);
   /// Asks whether to save unsaved changes, if there are any. @returns false to stay.
   [[nodiscard]] bool may_discard();
 
  signals:
-  void saved(const QString& file);
-  void failed(const QString& title, const QString& message);
+  void saved();
 
  private:
-  QWidget& window_;
-  Document& document_;
-  PlanSettings& planning_;
-  QUndoStack& edits_;
+  [[nodiscard]] QMenu* make_new_menu();
+  void place_actions();
+  bool save_to(const QString& file);
+  /// Asks for a file and puts a picture of the view there.
+  void save_picture();
+
+  Workbench& workbench_;
+  RecentFiles* recent_;
+  QAction* open_;
+  QAction* save_;
+  QAction* save_as_;
+  QAction* picture_;
 };
 
 }  // namespace handway::gui

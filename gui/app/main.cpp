@@ -1,11 +1,9 @@
 #include "app/main_window.h"
 #include "app/options.h"
 #include "app/snapshot.h"
-#include "features/campaigns/campaigns_panel.h"
-#include "features/devices/device_session.h"
-#include "model/devices/program_end.h"
+#include "features/workbench.h"
+#include "model/devices/motion_driver.h"
 #include "view3d/scene_view.h"
-#include "widgets/style/icons.h"
 #include "widgets/style/theme.h"
 
 #include <QApplication>
@@ -35,7 +33,7 @@ int run(QApplication& application, const gui::Options& options) {
   auto extensions = std::make_shared<planning::Extensions>();
   extensions->load_plugins(planning::plugin_directory());
   gui::MainWindow window(extensions);
-  const gui::ProgramEnd end(window.devices().driver());
+  const gui::ProgramEnd end(window.workbench().driver);
   window.resize(options.size);
   if (options.view_only) {
     window.view().setFixedSize(options.size);
@@ -54,15 +52,7 @@ int run(QApplication& application, const gui::Options& options) {
   }
   window.show();
   QMetaObject::invokeMethod(
-      &window,
-      [&] {
-        window.begin(options);
-        if (!options.campaign.empty()) {
-          window.campaigns().come_to_front();
-          window.campaigns().open(QString::fromStdString(options.campaign.string()));
-        }
-      },
-      Qt::QueuedConnection);
+      &window, [&] { window.begin(options); }, Qt::QueuedConnection);
   return QApplication::exec();
 }
 

@@ -1,15 +1,11 @@
 #include "app/snapshot.h"
 
-#include "features/campaigns/campaigns_panel.h"
-#include "features/glove/glove_panel.h"
-#include "features/planning/query_check.h"
-#include "features/tracker/wrist_page.h"
-#include "model/document/collision_monitor.h"
+#include "features/workbench.h"
 #include "view3d/scene_view.h"
 
 #include <QPixmap>
 
-#include <algorithm>
+#include <optional>
 
 namespace handway::gui {
 namespace {
@@ -38,29 +34,18 @@ Snapshot::Snapshot(MainWindow& window, const Options& options, QObject* parent)
   });
 }
 
-// The collision checks of a hand that moves never end.
-bool Snapshot::listens() const {
-  const auto runs = [](const auto& link) {
-    return link.is_running() && link.state() != device::StreamState::kFailed;
-  };
-  GlovePanel& glove = window_.glove_panel();
-  return glove_time_ > 0.0 &&
-         (runs(glove.session().link()) || runs(window_.wrist_page().session().link()));
-}
-
 void Snapshot::wait_until_settled() {
-  if (listens()) {
-    GlovePanel& glove = window_.glove_panel();
-    if (std::max(glove.listening_time(), window_.wrist_page().listening_time()) >= glove_time_) {
+  const Workbench& workbench = window_.workbench();
+  const std::optional<double> listening =
+      glove_time_ > 0.0 ? workbench.listening_time() : std::nullopt;
+  if (listening) {  // the collision checks of a hand that moves never end
+    if (*listening >= glove_time_) {
       poll_.stop();
       save();
     }
     return;
   }
-  const bool busy = window_.session().is_running() || window_.campaigns().runner().is_running() ||
-                    window_.collisions().is_busy() || window_.player().is_playing() ||
-                    window_.session().is_replanning() || window_.query_check().is_busy() ||
-                    (window_.document().scene() && window_.view().frame_time_ms() <= 0.0);
+  const bool busy = workbench.is_busy();
   calm_polls_ = busy ? 0 : calm_polls_ + 1;
   if (calm_polls_ >= 3) {
     poll_.stop();

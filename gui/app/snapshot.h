@@ -23,7 +23,6 @@ class Snapshot : public QObject {
  private:
   void wait_until_settled();
   void save();
-  [[nodiscard]] bool listens() const;
 
   MainWindow& window_;
   QString file_;

@@ -1,19 +1,106 @@
 #include "app/view_actions.h"
 
-#include "app/window_actions.h"
+#include "features/workbench.h"
 #include "model/document/document.h"
 #include "model/settings/preferences.h"
-#include "view3d/body_meshes.h"
+#include "view3d/scene_bodies.h"
 #include "view3d/scene_view.h"
-#include "widgets/style/icons.h"
+#include "widgets/forms/quantity_field.h"
+#include "widgets/style/theme.h"
 
 #include <QActionGroup>
 #include <QMainWindow>
 #include <QMenu>
-#include <QToolBar>
 #include <QToolButton>
 
+#include <cmath>
+#include <utility>
+
 namespace handway::gui {
+namespace {
+
+constexpr int kTickMs = 500;
+constexpr int kFewFrames = 3;  // one or two are no motion
+
+}  // namespace
+
+FrameRateLabel::FrameRateLabel(SceneView& view, QWidget* parent) : QLabel(parent), view_(view) {
+  setObjectName(QStringLiteral("frame_rate"));
+  setProperty("role", "note");
+  setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  setMinimumWidth(fontMetrics().horizontalAdvance(tr("%1 frames/s").arg(8888)));
+  setToolTip(tr("How fast the view draws while something moves"));
+  tick_.setInterval(kTickMs);
+  connect(&tick_, &QTimer::timeout, this, &FrameRateLabel::show_rate);
+  connect(&view_, &QOpenGLWidget::frameSwapped, this, &FrameRateLabel::count_frame);
+}
+
+void FrameRateLabel::count_frame() {
+  ++frames_;
+  if (!tick_.isActive()) {
+    since_.start();
+    tick_.start();
+  }
+}
+
+void FrameRateLabel::show_rate() {
+  if (frames_ < kFewFrames) {
+    tick_.stop();
+    clear();
+  } else {
+    const double rate = 1e3 * frames_ / static_cast<double>(since_.restart());
+    setText(tr("%1 frames/s").arg(std::lround(rate)));
+    setToolTip(tr("The last picture took %1 ms").arg(view_.frame_time_ms(), 0, 'f', 1));
+  }
+  frames_ = 0;
+}
+
+PreferenceEffects::PreferenceEffects(Workbench& workbench)
+    : QObject(&workbench),
+      preferences_(workbench.preferences),
+      view_(workbench.view),
+      planning_(workbench.plan_settings),
+      applied_(workbench.preferences.values()) {
+  apply_at_once(applied_);
+  planning_.set_usual_planner(applied_.planner.toStdString());
+  planning_.set_threads(applied_.threads);
+  planning_.set_time_limit(applied_.time_limit);
+  connect(&preferences_, &Preferences::changed, this, &PreferenceEffects::follow);
+}
+
+void PreferenceEffects::apply_at_once(const PreferenceValues& values) {
+  view_.set_projection(values.projection);
+  view_.set_navigation(values.navigation);
+  view_.set_floor_visible(values.floor);
+  view_.set_cube_visible(values.cube);
+  view_.set_samples(values.samples);
+  view_.set_always_fine(values.always_fine);
+  view_.set_frame_limit(values.frame_limit);
+  QuantityField::show_units(values.units);
+}
+
+// The panel's fields are for one run each: only a preference that has changed is put there.
+void PreferenceEffects::apply_to_planning(const PreferenceValues& values) {
+  if (values.planner != applied_.planner) {
+    planning_.set_usual_planner(values.planner.toStdString());
+  }
+  if (values.threads != applied_.threads) {
+    planning_.set_threads(values.threads);
+  }
+  if (values.time_limit != applied_.time_limit) {
+    planning_.set_time_limit(values.time_limit);
+  }
+}
+
+void PreferenceEffects::follow() {
+  const PreferenceValues& values = preferences_.values();
+  apply_at_once(values);
+  apply_to_planning(values);
+  const bool recolor = values.theme != std::exchange(applied_, values).theme;
+  if (recolor) {
+    emit theme_changed(values.theme);
+  }
+}
 
 BodyDisplayTool::BodyDisplayTool(Document& document, SceneView& view, QObject* parent)
     : QObject(parent), document_(document), view_(view) {
@@ -45,26 +132,26 @@ void BodyDisplayTool::refresh() {
   });
 }
 
-ViewActions::ViewActions(QMainWindow& window, WindowActions& others, SceneView& view,
-                         BodyDisplayTool& bodies, Preferences& preferences)
-    : QObject(&window),
-      window_(window),
-      view_(view),
+ViewActions::ViewActions(Workbench& workbench, BodyDisplayTool& bodies)
+    : QObject(&workbench),
+      workbench_(workbench),
+      view_(workbench.view),
       bodies_(bodies),
-      preferences_(preferences),
+      preferences_(workbench.preferences),
       displays_(new QActionGroup(this)),
       display_button_(new QToolButton) {
-  fit_ = make("fit", tr("&Fit"), "F", tr("Show the whole scene"));
+  fit_ = make("fit", tr("Show &all"), "F", tr("Show the whole scene"));
   connect(fit_, &QAction::triggered, &view_, &SceneView::fit);
   on_bar_ << fit_;
-  QMenu* standard = make_standard_views();
+  standard_views_ = make_standard_views();
   orthographic_ = make_switch("orthographic", tr("O&rthographic"), "5",
                               tr("Lines that are parallel stay parallel in the picture"), false);
+  on_bar_ << orthographic_;
   connect(orthographic_, &QAction::toggled, this, [this](bool on) {
     preferences_.set(&PreferenceValues::projection,
                      on ? Projection::kOrthographic : Projection::kPerspective);
   });
-  QMenu* displays = make_displays();
+  displays_menu_ = make_displays();
   floor_ = make_switch("grid", tr("Floor &grid"), "G", tr("Show the floor grid"), true);
   connect(floor_, &QAction::toggled, this,
           [this](bool on) { preferences_.set(&PreferenceValues::floor, on); });
@@ -72,27 +159,30 @@ ViewActions::ViewActions(QMainWindow& window, WindowActions& others, SceneView& 
                       tr("Show the cube with the direction of view"), true);
   connect(cube_, &QAction::toggled, this,
           [this](bool on) { preferences_.set(&PreferenceValues::cube, on); });
-
-  QMenu& menu = *others.view_menu();
-  menu.insertAction(others.samples, fit_);
-  menu.insertMenu(others.samples, standard);
-  menu.insertAction(others.samples, orthographic_);
-  menu.insertMenu(others.samples, displays);
-  menu.insertSeparator(others.samples);
-  menu.insertActions(others.samples, {floor_, cube_});
-  QToolBar& bar = *others.bar();
-  bar.insertActions(others.samples, on_bar_);
-  bar.insertAction(others.samples, orthographic_);
-  bar.insertSeparator(others.samples);
-  bar.insertWidget(others.samples, display_button_);
-  bar.insertAction(others.samples, floor_);
-  refresh_icons();
+  place_actions();
+  refresh_icon();
   follow_preferences();
+  connect(&workbench_, &Workbench::theme_changed, this, &ViewActions::refresh_icon);
   connect(&preferences_, &Preferences::changed, this, &ViewActions::follow_preferences);
 }
 
+void ViewActions::place_actions() {
+  workbench_.add_to_menu(MainMenu::kView, {0, 0}, fit_);
+  workbench_.add_to_menu(MainMenu::kView, {0, 1}, standard_views_->menuAction());
+  workbench_.add_to_menu(MainMenu::kView, {0, 2}, orthographic_);
+  workbench_.add_to_menu(MainMenu::kView, {0, 3}, displays_menu_->menuAction());
+  workbench_.add_to_menu(MainMenu::kView, {1, 0}, floor_);
+  workbench_.add_to_menu(MainMenu::kView, {1, 1}, cube_);
+  int order = 0;
+  for (QAction* action : on_bar_) {
+    workbench_.add_to_bar(MainBar::kTools, {2, ++order}, action);
+  }
+  workbench_.add_to_bar(MainBar::kTools, {3, 0}, display_button_);
+  workbench_.add_to_bar(MainBar::kTools, {3, 1}, floor_);
+}
+
 QMenu* ViewActions::make_standard_views() {
-  auto* menu = new QMenu(tr("&Look from"), &window_);
+  auto* menu = new QMenu(tr("Standard &views"), &workbench_.window);
   const auto add = [&](StandardView from, QAction* action) {
     connect(action, &QAction::triggered, &view_, [this, from] { view_.look_from(from); });
     menu->addAction(action);
@@ -110,7 +200,7 @@ QMenu* ViewActions::make_standard_views() {
 }
 
 QMenu* ViewActions::make_displays() {
-  auto* menu = new QMenu(tr("&Bodies as"), &window_);
+  auto* menu = new QMenu(tr("&Bodies as"), &workbench_.window);
   const auto add = [&](BodyDisplay display, QAction* action) {
     action->setCheckable(true);
     action->setChecked(display == bodies_.display());
@@ -126,7 +216,7 @@ QMenu* ViewActions::make_displays() {
   add(kCollision, make("bodies_collision", tr("&Collision meshes"), "Alt+2",
                        tr("The triangles that collisions are checked with")));
   add(kHulls, make("bodies_hulls", tr("Convex &hulls"), "Alt+3",
-                   tr("The hulls that part bodies before triangles are compared")));
+                   tr("The hulls that separate bodies before triangles are compared")));
   add(kSpheres, make("bodies_spheres", tr("Bounding &spheres"), "Alt+4",
                      tr("The spheres that cover bodies before triangles are compared")));
   display_button_->setObjectName(QStringLiteral("display"));
@@ -145,10 +235,7 @@ void ViewActions::follow_preferences() {
 
 QAction* ViewActions::make(const char* name, const QString& text, const char* keys,
                            const QString& tip) {
-  QAction* action =
-      make_action(window_, QLatin1String(name), text, QKeySequence(QLatin1String(keys)), tip);
-  with_icon_ << action;
-  return action;
+  return workbench_.make_action(QLatin1String(name), text, QKeySequence(QLatin1String(keys)), tip);
 }
 
 QAction* ViewActions::make_switch(const char* name, const QString& text, const char* keys,
@@ -159,11 +246,6 @@ QAction* ViewActions::make_switch(const char* name, const QString& text, const c
   return action;
 }
 
-void ViewActions::refresh_icons() {
-  for (QAction* action : with_icon_) {
-    action->setIcon(icon(action->objectName()));
-  }
-  display_button_->setIcon(displays_->checkedAction()->icon());
-}
+void ViewActions::refresh_icon() { display_button_->setIcon(displays_->checkedAction()->icon()); }
 
 }  // namespace handway::gui

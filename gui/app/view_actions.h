@@ -1,24 +1,70 @@
 #pragma once
 
 #include "model/jobs/background.h"
-#include "view3d/body_meshes.h"
+#include "model/settings/preferences.h"
+#include "view3d/scene_bodies.h"
 
 #include <QAction>
+#include <QElapsedTimer>
+#include <QLabel>
 #include <QList>
 #include <QObject>
+#include <QTimer>
 
 class QActionGroup;
-class QMainWindow;
 class QMenu;
-class QToolBar;
 class QToolButton;
 
 namespace handway::gui {
 
+class SceneView;
+
+/// Says in the status bar how many pictures a second a view draws; nothing while it rests.
+class FrameRateLabel : public QLabel {
+  Q_OBJECT
+
+ public:
+  /// @param view outlives the label.
+  explicit FrameRateLabel(SceneView& view, QWidget* parent = nullptr);
+
+ private:
+  void count_frame();
+  void show_rate();
+
+  SceneView& view_;
+  QTimer tick_;
+  QElapsedTimer since_;
+  int frames_ = 0;
+};
+
+class PlanSettings;
+class Workbench;
+
+/// Does what the preferences say, when the window opens and whenever they change.
+class PreferenceEffects : public QObject {
+  Q_OBJECT
+
+ public:
+  /// @param workbench outlives it.
+  explicit PreferenceEffects(Workbench& workbench);
+
+ signals:
+  /// The window shall have other colours.
+  void theme_changed(handway::gui::Theme theme);
+
+ private:
+  void apply_at_once(const PreferenceValues& values);
+  void apply_to_planning(const PreferenceValues& values);
+  void follow();
+
+  const Preferences& preferences_;
+  SceneView& view_;
+  PlanSettings& planning_;
+  PreferenceValues applied_;
+};
+
 class Document;
 class Preferences;
-class SceneView;
-class WindowActions;
 
 /// Draws the scene's bodies as they look, or as collision checking has them. Makes what that
 /// takes on a thread of its own.
@@ -49,12 +95,8 @@ class ViewActions : public QObject {
   Q_OBJECT
 
  public:
-  /// All outlive the actions.
-  ViewActions(QMainWindow& window, WindowActions& others, SceneView& view, BodyDisplayTool& bodies,
-              Preferences& preferences);
-
-  /// Redraws the icons, after a change of theme.
-  void refresh_icons();
+  /// @param workbench, bodies outlive the actions.
+  ViewActions(Workbench& workbench, BodyDisplayTool& bodies);
 
  private:
   QAction* make(const char* name, const QString& text, const char* keys, const QString& tip);
@@ -62,20 +104,23 @@ class ViewActions : public QObject {
                        bool on);
   QMenu* make_standard_views();
   QMenu* make_displays();
+  void place_actions();
   void follow_preferences();
+  void refresh_icon();
 
-  QMainWindow& window_;
+  Workbench& workbench_;
   SceneView& view_;
   BodyDisplayTool& bodies_;
   Preferences& preferences_;
   QAction* fit_;
+  QMenu* standard_views_;
   QAction* orthographic_;
   QAction* floor_;
   QAction* cube_;
   QActionGroup* displays_;
+  QMenu* displays_menu_;
   QToolButton* display_button_;
   QList<QAction*> on_bar_;
-  QList<QAction*> with_icon_;
 };
 
 }  // namespace handway::gui

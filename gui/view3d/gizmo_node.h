@@ -1,7 +1,8 @@
 #pragma once
 
+#include "handway/geometric/math/pose.h"
+#include "handway/geometric/math/units.h"
 #include "view3d/coin_ref.h"
-#include "view3d/gizmo_handles.h"
 #include "view3d/overlay.h"
 
 #include <Eigen/Core>
@@ -14,6 +15,73 @@ class SoScale;
 class SoSeparator;
 
 namespace handway::gui {
+
+/// A half-line in the world, m; `direction` has length 1.
+struct Ray {
+  Eigen::Vector3d origin;
+  Eigen::Vector3d direction;
+};
+
+/// What can be dragged: arrows along three axes, plates between two, rings about one.
+struct GizmoHandle {
+  enum class Kind { kArrow, kPlate, kRing };
+  Kind kind = Kind::kArrow;
+  int axis = 0;  ///< Of the arrow or ring; the plate's normal.
+
+  friend bool operator==(const GizmoHandle&, const GizmoHandle&) = default;
+};
+
+/// Where a gizmo stands, with its proportions.
+struct GizmoFrame {
+  static constexpr double kArrowFrom = 0.18;
+  static constexpr double kArrowTo = 1.0;
+  static constexpr double kRingRadius = 0.78;
+  static constexpr double kPlateFrom = 0.24;
+  static constexpr double kPlateTo = 0.40;
+  static constexpr double kReach = 0.075;  ///< How near a handle still counts as hit.
+
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();    ///< World, m.
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  ///< Columns; world.
+  double size = 1.0;                                   ///< m per unit of the above.
+};
+
+/// The handle that the ray passes closest to, of those it hits.
+[[nodiscard]] std::optional<GizmoHandle> handle_at(const GizmoFrame& frame, const Ray& ray);
+
+/// A pull at one handle.
+class GizmoDrag {
+ public:
+  static constexpr double kSnapLength = 0.01;                     ///< m
+  static constexpr double kSnapAngle = geometric::radians(15.0);  ///< rad
+
+  /// @param X_WO what is dragged. @param ray where it was taken hold of.
+  GizmoDrag(const GizmoHandle& handle, const GizmoFrame& frame, const geometric::Pose& X_WO,
+            const Ray& ray);
+
+  [[nodiscard]] const GizmoHandle& handle() const { return handle_; }
+  [[nodiscard]] const geometric::Pose& start() const { return X_WO_; }
+
+  /// Where it is now. @param snap in steps of kSnapLength or kSnapAngle: along the axes of the
+  /// world onto their round values, otherwise from where it was.
+  [[nodiscard]] geometric::Pose moved_to(const Ray& ray, bool snap);
+  /// How far along the axes, m; of a ring about its axis, rad. Of the last moved_to().
+  [[nodiscard]] const Eigen::Vector3d& amount() const { return amount_; }
+
+ private:
+  [[nodiscard]] double along_axis(const Ray& ray) const;
+  [[nodiscard]] Eigen::Vector3d on_plane(const Ray& ray) const;
+  [[nodiscard]] double angle_about_axis(const Ray& ray) const;
+  [[nodiscard]] double snapped_step(int axis, double step) const;
+
+  GizmoHandle handle_;
+  GizmoFrame frame_;
+  geometric::Pose X_WO_;
+  Eigen::Vector3d amount_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d tangent_ = Eigen::Vector3d::Zero();  ///< Of a ring where it was taken.
+  Eigen::Vector3d held_ = Eigen::Vector3d::Zero();     ///< The point that was taken.
+  double held_along_ = 0.0;
+  double held_angle_ = 0.0;
+};
 
 /// Small squares, always of the same size on the screen. @param points world, m.
 /// @param hot index of the one that is under the pointer or held.

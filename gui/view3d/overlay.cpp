@@ -1,9 +1,36 @@
 #include "view3d/overlay.h"
 
+#include "model/document/scene_edits.h"
+#include "model/settings/view_colors.h"
+#include "view3d/coin_conversions.h"
+#include "view3d/robot_node.h"
+#include "view3d/unlit_nodes.h"
+
+#include <Inventor/nodes/SoAnnotation.h>
+#include <Inventor/nodes/SoBaseColor.h>
+#include <Inventor/nodes/SoComplexity.h>
+#include <Inventor/nodes/SoDepthBuffer.h>
+#include <Inventor/nodes/SoLineSet.h>
+#include <Inventor/nodes/SoMaterial.h>
+#include <Inventor/nodes/SoMatrixTransform.h>
 #include <Inventor/nodes/SoNode.h>
+#include <Inventor/nodes/SoPointSet.h>
+#include <Inventor/nodes/SoSeparator.h>
+#include <Inventor/nodes/SoSphere.h>
+#include <Inventor/nodes/SoTranslation.h>
+#include <Inventor/nodes/SoVertexProperty.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numbers>
+#include <span>
+#include <utility>
+#include <vector>
 
 namespace handway::gui {
-
 Drawing::Drawing(SoNode* node) : node_(node) {
   if (node_) {
     node_->ref();
@@ -14,6 +41,482 @@ Drawing::~Drawing() {
   if (node_) {
     node_->unref();
   }
+}
+
+namespace {
+
+using Edges = std::vector<std::pair<int, int>>;
+
+constexpr geometric::Color kKeptColor{0.05F, 0.55F, 0.62F, 1.0F};
+constexpr geometric::Color kViolatedColor{0.86F, 0.16F, 0.14F, 1.0F};
+constexpr float kVeil = 0.14F;  // opacity of a face
+constexpr float kEdgeWidth = 1.5F;
+constexpr float kAxisWidth = 3.0F;
+constexpr float kDotSize = 9.0F;
+
+constexpr double kSlant = 0.25;  // m, of a cone, and the length of the axis in it
+constexpr int kRim = 48;         // corners of its rim
+
+void add_veil(SoSeparator& parent, const geometric::Shape& shape, const geometric::Pose& X_WS,
+              geometric::Color color) {
+  auto* veil = new SoSeparator;
+  auto* place = new SoMatrixTransform;
+  place->matrix = to_coin(X_WS);
+  veil->addChild(place);
+  color.alpha = kVeil;
+  veil->addChild(make_material(color).get());
+  veil->addChild(make_shape_node(shape).get());
+  parent.addChild(veil);
+}
+
+// Its apex at the body's origin. What allows more than a right angle has no cone.
+void add_cone(SoSeparator& parent, const geometric::OrientationConstraint& upright,
+              const geometric::Pose& X_WB) {
+  const Eigen::Vector3d direction = upright.direction.normalized();
+  const Eigen::Vector3d axis = X_WB.linear() * upright.axis.normalized();
+  const double angle = std::atan2(axis.cross(direction).norm(), axis.dot(direction));
+  const geometric::Color color = angle <= upright.angle ? kKeptColor : kViolatedColor;
+  const std::array<Eigen::Vector3d, 2> ends{X_WB.translation(),
+                                            X_WB.translation() + 1.15 * kSlant * axis};
+  parent.addChild(make_edges_node(ends, Edges{{0, 1}}, color, kAxisWidth));
+  if (upright.angle >= 0.5 * std::numbers::pi) {
+    return;
+  }
+  const geometric::Cone cone{kSlant * std::sin(upright.angle), kSlant * std::cos(upright.angle)};
+  const Eigen::Quaterniond turn =
+      Eigen::Quaterniond::FromTwoVectors(-Eigen::Vector3d::UnitZ(), direction);
+  const geometric::Pose X_WC =
+      Eigen::Translation3d(X_WB.translation() + 0.5 * cone.length * direction) * turn;
+  add_veil(parent, cone, X_WC, color);
+  std::vector<Eigen::Vector3d> rim;
+  Edges edges;
+  for (int i = 0; i < kRim; ++i) {
+    const double at = 2.0 * std::numbers::pi * i / kRim;
+    rim.emplace_back(X_WC * Eigen::Vector3d(cone.radius * std::cos(at), cone.radius * std::sin(at),
+                                            -0.5 * cone.length));
+    edges.emplace_back(i, (i + 1) % kRim);
+  }
+  parent.addChild(make_edges_node(rim, edges, color, kEdgeWidth));
+}
+
+void add_box(SoSeparator& parent, const geometric::PositionConstraint& region,
+             const geometric::Pose& X_WB) {
+  const Eigen::Vector3d p_W = X_WB * region.point;
+  const bool is_kept =
+      ((region.X_WR.inverse() * p_W).cwiseAbs().array() <= 0.5 * region.size.array()).all();
+  const geometric::Color color = is_kept ? kKeptColor : kViolatedColor;
+  add_veil(parent, geometric::Box{region.size}, region.X_WR, color);
+  std::vector<Eigen::Vector3d> corners;
+  Edges edges;
+  for (int corner = 0; corner < 8; ++corner) {  // numbered by their bits: 1 for x, 2 for y, 4 for z
+    const auto side = [corner](int bit) { return (corner & bit) != 0 ? 0.5 : -0.5; };
+    corners.emplace_back(region.X_WR *
+                         region.size.cwiseProduct(Eigen::Vector3d(side(1), side(2), side(4))));
+    for (const int bit : {1, 2, 4}) {
+      if ((corner & bit) == 0) {
+        edges.emplace_back(corner, corner | bit);
+      }
+    }
+  }
+  parent.addChild(make_edges_node(corners, edges, color, kEdgeWidth));
+  auto* point = new SoSeparator;
+  add_unlit_style(*point, 1.0F, kDotSize);
+  auto* base = new SoBaseColor;
+  base->rgb = to_coin(color);
+  point->addChild(base);
+  auto* dot = new RoundPoints;
+  dot->vertexProperty = make_vertices(std::array{p_W});
+  point->addChild(dot);
+  parent.addChild(point);
+}
+
+}  // namespace
+
+Drawing make_constraints_node(const geometric::Scene& scene, const geometric::Configuration& q) {
+  auto separator = make_coin<SoSeparator>();
+  for (const geometric::PathConstraint& constraint : scene.constraints) {
+    const std::optional<geometric::Pose> X_WB = body_pose(scene, q, constraint.body);
+    if (!X_WB) {
+      continue;
+    }
+    if (const auto* upright = std::get_if<geometric::OrientationConstraint>(&constraint.what)) {
+      add_cone(*separator.get(), *upright, *X_WB);
+    } else {
+      add_box(*separator.get(), std::get<geometric::PositionConstraint>(constraint.what), *X_WB);
+    }
+  }
+  return separator;
+}
+
+geometric::Color color_along(std::size_t i, std::size_t count) {
+  const geometric::Color& a = kStartColor;
+  const geometric::Color& b = kGoalColor;
+  const float t = count > 1 ? static_cast<float>(i) / static_cast<float>(count - 1) : 0.0F;
+  return {a.red + t * (b.red - a.red), a.green + t * (b.green - a.green),
+          a.blue + t * (b.blue - a.blue), 1.0F};
+}
+
+namespace {
+
+constexpr float kBeadRadius = 0.005F;  // m
+constexpr geometric::Color kExecutedColor{0.80F, 0.12F, 0.46F, 1.0F};
+constexpr geometric::Color kContactColor{0.93F, 0.05F, 0.60F, 1.0F};
+
+SoSeparator* make_line(std::span<const Eigen::Vector3d> points, float width) {
+  auto* separator = new SoSeparator;
+  add_unlit_style(*separator, width);
+  SoVertexProperty* properties = make_vertices(points);
+  std::vector<std::uint32_t> colors;
+  colors.reserve(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    colors.push_back(packed_rgba(color_along(i, points.size())));
+  }
+  properties->orderedRGBA.setValues(0, static_cast<int>(colors.size()), colors.data());
+  properties->materialBinding = SoVertexProperty::PER_VERTEX;
+  auto* line = new SoLineSet;
+  line->vertexProperty = properties;
+  separator->addChild(line);
+  return separator;
+}
+
+// For what is seen through the robot, which would hide most of it.
+CoinRef<SoSeparator> make_seen_through() {
+  auto separator = make_coin<SoSeparator>();
+  auto* through = new SoDepthBuffer;
+  through->test = FALSE;
+  separator->addChild(through);
+  return separator;
+}
+
+// Of one colour, seen through everything.
+CoinRef<SoSeparator> make_plain_line(std::span<const Eigen::Vector3d> points,
+                                     const geometric::Color& rgb, float width) {
+  auto separator = make_seen_through();
+  auto* drawing = new SoSeparator;
+  add_unlit_style(*drawing, width);
+  auto* color = new SoBaseColor;
+  color->rgb = to_coin(rgb);
+  drawing->addChild(color);
+  auto* line = new SoLineSet;
+  line->vertexProperty = make_vertices(points);
+  drawing->addChild(line);
+  separator->addChild(drawing);
+  return separator;
+}
+
+SoSeparator* make_bead(const Eigen::Vector3d& place, const geometric::Color& color) {
+  auto* separator = new SoSeparator;
+  auto* translation = new SoTranslation;
+  translation->translation = to_coin(place);
+  separator->addChild(translation);
+  separator->addChild(make_material(color).get());
+  separator->addChild(new SoComplexity);
+  auto* ball = new SoSphere;
+  ball->radius = kBeadRadius;
+  separator->addChild(ball);
+  return separator;
+}
+
+}  // namespace
+
+Drawing make_trail_node(std::span<const Eigen::Vector3d> points) {
+  return CoinRef<SoSeparator>(make_line(points, 1.5F));
+}
+
+Drawing make_executed_node(std::span<const Eigen::Vector3d> points) {
+  return make_plain_line(points, kExecutedColor, 2.0F);
+}
+
+Drawing make_optimized_node(std::span<const Eigen::Vector3d> points,
+                            std::span<const Eigen::Vector3d> waypoints) {
+  CoinRef<SoSeparator> separator = make_plain_line(points, kOptimizedColor, 4.0F);
+  for (const Eigen::Vector3d& waypoint : waypoints) {
+    separator->addChild(make_bead(waypoint, kOptimizedColor));
+  }
+  return separator;
+}
+
+Drawing make_path_node(std::span<const Eigen::Vector3d> points,
+                       std::span<const Eigen::Vector3d> waypoints) {
+  auto separator = make_seen_through();
+  separator->addChild(make_line(points, 3.0F));
+  for (std::size_t i = 0; i < waypoints.size(); ++i) {
+    separator->addChild(make_bead(waypoints[i], color_along(i, waypoints.size())));
+  }
+  return separator;
+}
+
+Drawing make_contacts_node(std::span<const Eigen::Vector3d> points) {
+  auto separator = make_seen_through();
+  for (const Eigen::Vector3d& point : points) {
+    separator->addChild(make_bead(point, kContactColor));
+  }
+  return separator;
+}
+
+Drawing make_clearance_node(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  constexpr double kFar = 0.03;  // m, from which on all is green
+  const auto t = static_cast<float>(std::min(1.0, (a - b).norm() / kFar));
+  const geometric::Color color{std::min(0.90F, 1.8F * (1.0F - t)), std::min(0.68F, 1.36F * t),
+                               0.12F, 1.0F};
+  auto separator = make_seen_through();
+  auto* line = new SoSeparator;
+  add_unlit_style(*line, 2.5F, 7.0F);
+  auto* base = new SoBaseColor;
+  base->rgb = to_coin(color);
+  line->addChild(base);
+  const std::array ends{a, b};
+  auto* segment = new SoLineSet;
+  segment->vertexProperty = make_vertices(ends);
+  line->addChild(segment);
+  auto* dots = new RoundPoints;
+  dots->vertexProperty = make_vertices(ends);
+  line->addChild(dots);
+  separator->addChild(line);
+  return separator;
+}
+
+namespace {
+
+const geometric::Color kVolumeColor{0.36F, 0.44F, 0.78F, Ghost::kFaint};
+
+}  // namespace
+
+Drawing make_trails_node(std::span<const std::vector<Eigen::Vector3d>> trails) {
+  auto all = make_coin<SoSeparator>();
+  for (const std::vector<Eigen::Vector3d>& trail : trails) {
+    all->addChild(make_trail_node(trail).node());
+  }
+  return all;
+}
+
+Drawing make_copies_node(const geometric::RobotInstance& robot,
+                         std::span<const geometric::Configuration> postures) {
+  const LinkShapes shapes = make_link_shapes(*robot.model);
+  auto all = make_coin<SoSeparator>();
+  for (std::size_t i = 0; i < postures.size(); ++i) {
+    geometric::Color color = color_along(i, postures.size());
+    color.alpha = Ghost::kFaint;
+    RobotNode copy(robot.model, shapes, color);
+    copy.place(robot.X_WB, postures[i]);
+    all->addChild(copy.root());
+  }
+  return all;
+}
+
+Drawing make_volume_node(std::shared_ptr<const geometric::TriangleMesh> mesh) {
+  auto all = make_coin<SoSeparator>();
+  all->addChild(make_material(kVolumeColor).get());
+  all->addChild(make_shape_node(geometric::Mesh{.file = {}, .triangles = std::move(mesh)}).get());
+  return all;
+}
+
+namespace {
+
+constexpr float kSampleVeil = 0.30F;  // opacity of one sample
+
+void add_dots(SoSeparator& parent, std::span<const Eigen::Vector3d> points, geometric::Color color,
+              float opacity, float width) {
+  auto* separator = new SoSeparator;
+  add_unlit_style(*separator, 1.0F, width);
+  color.alpha = opacity;
+  separator->addChild(make_material(color).get());
+  auto* dots = new RoundPoints;
+  dots->vertexProperty = make_vertices(points);
+  separator->addChild(dots);
+  parent.addChild(separator);
+}
+
+}  // namespace
+
+Drawing make_region_node(const planning::RegionDraws& draws) {
+  auto separator = make_coin<SoSeparator>();
+  auto* motion = new SoAnnotation;  // the clouds and the robot would hide most of it
+  add_unlit_style(*motion, 2.5F);
+  motion->addChild(make_material(kStraightColor).get());
+  auto* line = new SoLineSet;
+  line->vertexProperty = make_vertices(draws.motion);
+  motion->addChild(line);
+  if (!draws.centres.empty()) {
+    add_dots(*motion, draws.centres, kStraightColor, 1.0F, 8.0F);
+  }
+  add_dots(*separator.get(), draws.fingertips, kFingertipColor, kSampleVeil, 5.0F);
+  add_dots(*separator.get(), draws.palms, kPalmColor, kSampleVeil, 7.0F);
+  separator->addChild(motion);
+  return separator;
+}
+
+namespace {
+
+constexpr float kBoxLineWidth = 1.5F;
+constexpr double kRounding = 0.005;  // of the way
+
+// Corners are numbered by their bits: 1 for x, 2 for y, 4 for z.
+constexpr std::array<std::pair<int, int>, 12> kEdges{{{0, 1},
+                                                      {2, 3},
+                                                      {4, 5},
+                                                      {6, 7},
+                                                      {0, 2},
+                                                      {1, 3},
+                                                      {4, 6},
+                                                      {5, 7},
+                                                      {0, 4},
+                                                      {1, 5},
+                                                      {2, 6},
+                                                      {3, 7}}};
+
+Eigen::Vector3d corner(const planning::PalmBox& box, int number) {
+  const auto side = [number](int bit) { return (number & bit) != 0 ? 1.0 : -1.0; };
+  return box.X_WC * box.half_size.cwiseProduct(Eigen::Vector3d(side(1), side(2), side(4)));
+}
+
+}  // namespace
+
+Drawing make_boxes_node(const std::vector<planning::PalmBox>& boxes,
+                        std::pair<double, double> range) {
+  std::vector<Eigen::Vector3d> corners;
+  std::vector<std::pair<int, int>> searched;
+  std::vector<std::pair<int, int>> given_up;
+  const bool is_joined = range.second - range.first < kRounding;  // nothing is left to search
+  for (const planning::PalmBox& box : boxes) {
+    const bool is_within =
+        is_joined || (box.step >= range.first - kRounding && box.step <= range.second + kRounding);
+    const auto first = static_cast<int>(corners.size());
+    for (int number = 0; number < 8; ++number) {
+      corners.push_back(corner(box, number));
+    }
+    for (const auto& [from, to] : kEdges) {
+      (is_within ? searched : given_up).emplace_back(first + from, first + to);
+    }
+  }
+  auto separator = make_coin<SoSeparator>();
+  for (const auto& [edges, color] :
+       {std::pair(&given_up, kGivenUpColor), std::pair(&searched, kSearchedColor)}) {
+    if (!edges->empty()) {
+      separator->addChild(make_edges_node(corners, *edges, color, kBoxLineWidth));
+    }
+  }
+  return separator;
+}
+
+namespace {
+
+constexpr std::array<geometric::Color, 6> kScale{{{0.16F, 0.40F, 0.78F, 1.0F},
+                                                  {0.05F, 0.60F, 0.62F, 1.0F},
+                                                  {0.36F, 0.63F, 0.15F, 1.0F},
+                                                  {0.88F, 0.63F, 0.05F, 1.0F},
+                                                  {0.86F, 0.31F, 0.13F, 1.0F},
+                                                  {0.70F, 0.17F, 0.50F, 1.0F}}};
+
+}  // namespace
+
+geometric::Color pmd_color(int count, int most) {
+  if (count <= 0) {
+    return {0.47F, 0.50F, 0.55F, 1.0F};
+  }
+  const int steps = std::max(most, static_cast<int>(kScale.size())) - 1;
+  const float place = static_cast<float>(std::min(count - 1, steps) * (kScale.size() - 1)) /
+                      static_cast<float>(steps);
+  const auto below = static_cast<std::size_t>(place);
+  const geometric::Color& a = kScale.at(below);
+  const geometric::Color& b = kScale.at(std::min(below + 1, kScale.size() - 1));
+  const float t = place - static_cast<float>(below);
+  return {a.red + t * (b.red - a.red), a.green + t * (b.green - a.green),
+          a.blue + t * (b.blue - a.blue), 1.0F};
+}
+
+namespace {
+
+constexpr float kDotWidth = 6.0F;
+constexpr float kLineWidth = 1.0F;
+constexpr geometric::Color kEdgeColor{0.52F, 0.58F, 0.67F, 1.0F};
+
+SoSeparator* make_dots(const PalmRoadmap& roadmap) {
+  auto* separator = new SoSeparator;
+  add_unlit_style(*separator, kLineWidth, kDotWidth);
+  const int most = most_pmds(roadmap);
+  std::vector<std::uint32_t> colors;
+  for (const auto& node : roadmap.roadmap.nodes) {
+    colors.push_back(packed_rgba(pmd_color(node.pmd_count, most)));
+  }
+  SoVertexProperty* vertices = make_vertices(roadmap.palms);
+  vertices->orderedRGBA.setValues(0, static_cast<int>(colors.size()), colors.data());
+  vertices->materialBinding = SoVertexProperty::PER_VERTEX;
+  auto* dots = new RoundPoints;
+  dots->vertexProperty = vertices;
+  separator->addChild(dots);
+  return separator;
+}
+
+}  // namespace
+
+Drawing make_roadmap_node(const PalmRoadmap& roadmap) {
+  auto separator = make_coin<SoSeparator>();
+  if (!roadmap.roadmap.edges.empty()) {
+    separator->addChild(
+        make_edges_node(roadmap.palms, roadmap.roadmap.edges, kEdgeColor, kLineWidth));
+  }
+  separator->addChild(make_dots(roadmap));
+  return separator;
+}
+
+int most_pmds(const PalmRoadmap& roadmap) {
+  int most = 0;
+  for (const auto& node : roadmap.roadmap.nodes) {
+    most = std::max(most, node.pmd_count);
+  }
+  return most;
+}
+
+namespace {
+
+namespace lines = planning::algorithm_lines;
+
+constexpr geometric::Color kNode{0.16F, 0.36F, 0.72F, 1.0F};
+constexpr geometric::Color kEdge{0.42F, 0.52F, 0.70F, 1.0F};
+constexpr geometric::Color kFree{0.11F, 0.66F, 0.36F, 1.0F};
+constexpr geometric::Color kRefused{0.85F, 0.16F, 0.14F, 1.0F};
+
+SoSeparator* make_nodes(const Microscope& microscope, int first, int last,
+                        const geometric::Color& color, float size) {
+  auto* separator = new SoSeparator;
+  add_unlit_style(*separator, 1.0F, size);
+  auto* base = new SoBaseColor;
+  base->rgb = to_coin(color);
+  separator->addChild(base);
+  auto* set = new SoPointSet;
+  set->vertexProperty = make_vertices(
+      std::span(microscope.palms())
+          .subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(last - first)));
+  separator->addChild(set);
+  return separator;
+}
+
+}  // namespace
+
+Drawing make_steps_node(const Microscope& microscope) {
+  auto all = make_coin<SoSeparator>();
+  auto* through = new SoDepthBuffer;
+  through->test = FALSE;
+  all->addChild(through);
+  const std::size_t done = microscope.position() + 1;
+  const RecordedRun& run = *microscope.run();
+  const auto edges = run.edges_after(done);
+  if (!edges.empty()) {
+    all->addChild(make_edges_node(microscope.palms(), edges, kEdge, 1.5F));
+  }
+  const int nodes = run.nodes_after(done);
+  all->addChild(make_nodes(microscope, 0, nodes, kNode, 6.0F));
+  const planning::AlgorithmStep& step = microscope.step().step;
+  if (step.to >= 0 && step.line != lines::kJoined) {
+    const std::pair<int, int> edge(step.from, step.to);
+    all->addChild(make_edges_node(microscope.palms(), std::span(&edge, 1),
+                                  step.yes ? kFree : kRefused, 4.0F));
+  }
+  if (step.from >= 0 && step.to < 0) {
+    all->addChild(make_nodes(microscope, step.from, step.from + 1, kFree, 11.0F));
+  }
+  return all;
 }
 
 }  // namespace handway::gui

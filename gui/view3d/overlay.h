@@ -1,9 +1,20 @@
 #pragma once
 
+#include "handway/geometric/mesh/shape.h"
+#include "handway/geometric/mesh/triangle_mesh.h"
 #include "handway/geometric/robot/robot_model.h"
+#include "handway/geometric/robot/robot_state.h"
+#include "handway/geometric/scene/scene.h"
+#include "handway/planning/queries/region_draws.h"
+#include "model/planning/microscope.h"
+#include "model/planning/palm_roadmap.h"
 #include "view3d/coin_ref.h"
 
+#include <Eigen/Core>
+
 #include <cstddef>
+#include <memory>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -59,5 +70,78 @@ enum class Overlay {
   kHypercubes,
   kConstraints,
 };
+
+/// The scene's constraints as they are for the first robot at `q`: a cone about the direction that
+/// an axis has to keep to, with the axis in it; a box that a point has to stay in, with the point.
+/// What is violated is red.
+[[nodiscard]] Drawing make_constraints_node(const geometric::Scene& scene,
+                                            const geometric::Configuration& q);
+
+/// A line through `points` (world, m) that changes from the start's colour to
+/// the goal's, with a bead at each of `waypoints`; nothing hides it.
+[[nodiscard]] Drawing make_path_node(std::span<const Eigen::Vector3d> points,
+                                     std::span<const Eigen::Vector3d> waypoints);
+
+/// The colour of the i-th of `count` places along a path, from the start's to the goal's.
+[[nodiscard]] geometric::Color color_along(std::size_t i, std::size_t count);
+
+/// A thin line through `points` (world, m) in the same colours, hidden by what is in front.
+[[nodiscard]] Drawing make_trail_node(std::span<const Eigen::Vector3d> points);
+
+/// A line of one colour through `points` (world, m): what the robot did. Nothing hides it.
+[[nodiscard]] Drawing make_executed_node(std::span<const Eigen::Vector3d> points);
+
+/// The same of a path that is being optimised, with a bead at each of `waypoints`.
+[[nodiscard]] Drawing make_optimized_node(std::span<const Eigen::Vector3d> points,
+                                          std::span<const Eigen::Vector3d> waypoints);
+
+/// A magenta ball at each of `points` (world, m), seen through everything.
+[[nodiscard]] Drawing make_contacts_node(std::span<const Eigen::Vector3d> points);
+
+/// A line between the closest points (world, m) of two bodies, seen through everything: red if
+/// they nearly touch, over yellow to green.
+[[nodiscard]] Drawing make_clearance_node(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
+
+/// A thin line through each of `trails` (points in the world, m); see make_trail_node().
+[[nodiscard]] Drawing make_trails_node(std::span<const std::vector<Eigen::Vector3d>> trails);
+
+/// The robot, faint, at each of `postures`, from the start's colour to the goal's.
+[[nodiscard]] Drawing make_copies_node(const geometric::RobotInstance& robot,
+                                       std::span<const geometric::Configuration> postures);
+
+/// A volume (world, m) that things pass through, faint.
+[[nodiscard]] Drawing make_volume_node(std::shared_ptr<const geometric::TriangleMesh> mesh);
+
+inline constexpr geometric::Color kPalmColor{0.16F, 0.40F, 0.78F, 1.0F};
+inline constexpr geometric::Color kFingertipColor{0.70F, 0.17F, 0.50F, 1.0F};
+inline constexpr geometric::Color kStraightColor{0.93F, 0.70F, 0.08F, 1.0F};
+
+/// Translucent clouds of palms and fingertips, and the straight motion with a dot for the middle
+/// of each hypercube, as long as there are few.
+[[nodiscard]] Drawing make_region_node(const planning::RegionDraws& draws);
+
+inline constexpr geometric::Color kSearchedColor{0.90F, 0.52F, 0.05F, 1.0F};
+inline constexpr geometric::Color kGivenUpColor{0.45F, 0.49F, 0.56F, 1.0F};
+
+/// The edges of boxes: of those within `range` of the arm's way in kSearchedColor, of others in
+/// kGivenUpColor; of all in the first if the range is empty, start and goal being joined. Two
+/// drawings at most, however many there are.
+[[nodiscard]] Drawing make_boxes_node(const std::vector<planning::PalmBox>& boxes,
+                                      std::pair<double, double> range);
+
+/// What a sample is drawn in that used `count` of at most `most` principal motion
+/// directions, from blue for few to magenta for many; grey for none.
+[[nodiscard]] geometric::Color pmd_color(int count, int most);
+
+/// A dot where the palm is in each node, coloured by the number of principal motion
+/// directions, and a thin line for each edge.
+[[nodiscard]] Drawing make_roadmap_node(const PalmRoadmap& roadmap);
+
+/// The most principal motion directions that a node used; 0 if none did.
+[[nodiscard]] int most_pmds(const PalmRoadmap& roadmap);
+
+/// The roadmap at the palm as it was at the microscope's step, with the edge in question in
+/// front: green if it is free, red if it is not. @pre there is a run.
+[[nodiscard]] Drawing make_steps_node(const Microscope& microscope);
 
 }  // namespace handway::gui

@@ -1,16 +1,18 @@
 #pragma once
 
 #include "handway/geometric/math/pose.h"
+#include "handway/geometric/mesh/triangle_mesh.h"
 #include "handway/geometric/scene/scene.h"
 #include "model/document/selection.h"
-#include "view3d/body_meshes.h"
 #include "view3d/coin_ref.h"
 #include "view3d/robot_node.h"
 
 #include <Inventor/nodes/SoSeparator.h>
 
+#include <map>
 #include <memory>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -21,6 +23,25 @@ class SoSeparator;
 class SoSwitch;
 
 namespace handway::gui {
+
+/// As what bodies are drawn.
+enum class BodyDisplay {
+  kVisual,     ///< As they look.
+  kCollision,  ///< The triangles that collisions are checked with.
+  kHulls,      ///< The convex hulls that part two bodies,
+  kSpheres,    ///< and the spheres that cover one, before triangles are asked.
+};
+
+/// What stands in for the looks of a scene's bodies, each in its own frame; null: its looks.
+struct BodyMeshes {
+  std::vector<std::vector<std::shared_ptr<const geometric::TriangleMesh>>> links;  ///< By robot.
+  std::map<std::string, std::shared_ptr<const geometric::TriangleMesh>> objects;   ///< By name.
+};
+
+/// The meshes that stand in for a scene's bodies; none for BodyDisplay::kVisual. May take
+/// seconds the first time; the volumes of links are remembered. For any thread.
+[[nodiscard]] BodyMeshes body_meshes(const geometric::Scene& scene, BodyDisplay display,
+                                     const std::stop_token& stop = {});
 
 class RobotNode;
 

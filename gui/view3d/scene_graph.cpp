@@ -2,27 +2,212 @@
 
 #include "model/settings/orbit_camera.h"
 #include "view3d/coin_conversions.h"
-#include "view3d/floor_grid.h"
-#include "view3d/scene_extent.h"
+#include "view3d/orientation_cube.h"
 #include "view3d/scene_passes.h"
-#include "view3d/view_overlay.h"
+#include "view3d/unlit_nodes.h"
 
 #include <Inventor/SoPath.h>
 #include <Inventor/SoPickedPoint.h>
 #include <Inventor/actions/SoGLRenderAction.h>
 #include <Inventor/actions/SoRayPickAction.h>
+#include <Inventor/nodes/SoLineSet.h>
 #include <Inventor/nodes/SoOrthographicCamera.h>
 #include <Inventor/nodes/SoPerspectiveCamera.h>
 #include <Inventor/nodes/SoSeparator.h>
 #include <Inventor/nodes/SoSwitch.h>
+#include <Inventor/nodes/SoVertexProperty.h>
 
 #include <GL/gl.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <limits>
 #include <utility>
+#include <vector>
 
 namespace handway::gui {
+namespace {
+
+constexpr double kSpacing = 0.1;  // m
+constexpr int kStrongEvery = 5;
+
+class GridLines {
+ public:
+  GridLines(const Eigen::Vector3d& centre, double radius, const geometric::Color& color)
+      : centre_(centre), radius_(radius), color_(color) {}
+
+  // A line parallel to `along`, `offset` from the middle, in pieces that fade.
+  void add(const Eigen::Vector3d& along, const Eigen::Vector3d& across, double offset,
+           float strength) {
+    const double half = std::sqrt(std::max(radius_ * radius_ - offset * offset, 0.0));
+    const int pieces = std::max(2, static_cast<int>(std::ceil(2.0 * half / 0.25)));
+    for (int i = 0; i <= pieces; ++i) {
+      const double s = half * (2.0 * i / pieces - 1.0);
+      const double from_middle = std::hypot(s, offset) / radius_;
+      geometric::Color color = color_;
+      color.alpha = strength * static_cast<float>(std::pow(1.0 - std::min(from_middle, 1.0), 1.2));
+      points_.push_back(to_coin(Eigen::Vector3d(centre_ + s * along + offset * across)));
+      colors_.push_back(packed_rgba(color));
+    }
+    counts_.push_back(pieces + 1);
+  }
+
+  [[nodiscard]] SoLineSet* make() const {
+    auto* properties = new SoVertexProperty;
+    properties->vertex.setValues(0, static_cast<int>(points_.size()), points_.data());
+    properties->orderedRGBA.setValues(0, static_cast<int>(colors_.size()), colors_.data());
+    properties->materialBinding = SoVertexProperty::PER_VERTEX;
+    auto* lines = new SoLineSet;
+    lines->vertexProperty = properties;
+    lines->numVertices.setValues(0, static_cast<int>(counts_.size()), counts_.data());
+    return lines;
+  }
+
+ private:
+  Eigen::Vector3d centre_;
+  double radius_;
+  geometric::Color color_;
+  std::vector<SbVec3f> points_;
+  std::vector<std::uint32_t> colors_;
+  std::vector<std::int32_t> counts_;
+};
+
+}  // namespace
+
+CoinRef<SoSeparator> make_floor_grid(const Eigen::Vector3d& centre, double radius,
+                                     const geometric::Color& color) {
+  // Lines stand at whole multiples of the spacing in the world.
+  const Eigen::Vector3d middle(std::round(centre.x() / kSpacing) * kSpacing,
+                               std::round(centre.y() / kSpacing) * kSpacing, centre.z());
+  GridLines grid(middle, radius, color);
+  const int count = static_cast<int>(radius / kSpacing);
+  const auto strength = [](long line) { return line % kStrongEvery == 0 ? 0.55F : 0.22F; };
+  for (int i = -count; i <= count; ++i) {
+    grid.add(Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(), i * kSpacing,
+             strength(std::lround(middle.y() / kSpacing) + i));
+    grid.add(Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitX(), i * kSpacing,
+             strength(std::lround(middle.x() / kSpacing) + i));
+  }
+  auto separator = make_coin<SoSeparator>();
+  add_unlit_style(*separator.get(), 1.0F);
+  separator->addChild(grid.make());
+  return separator;
+}
+
+namespace {
+
+using geometric::Aabb;
+using geometric::Configuration;
+using geometric::Pose;
+using Points = std::vector<Eigen::Vector3d>;
+
+constexpr double kAround = 0.12;  // m
+
+void add_corners(Points& points, const Aabb& box, const Pose& X) {
+  for (int corner = 0; corner < 8; ++corner) {
+    const Eigen::Vector3d p((corner & 1) ? box.upper.x() : box.lower.x(),
+                            (corner & 2) ? box.upper.y() : box.lower.y(),
+                            (corner & 4) ? box.upper.z() : box.lower.z());
+    points.push_back(X * p);
+  }
+}
+
+void add_shape(Points& points, const geometric::Shape& shape, const Pose& X) {
+  const auto mesh = geometric::tessellate(shape);
+  if (mesh && !mesh->vertices.empty()) {
+    add_corners(points, geometric::bounding_box(*mesh), X);
+  }
+}
+
+std::vector<Pose> link_poses(const geometric::RobotInstance& robot, const Configuration& q) {
+  std::vector<Pose> X_WL(static_cast<std::size_t>(robot.model->link_count()));
+  robot.model->forward_kinematics(q, X_WL);
+  for (Pose& X : X_WL) {
+    X = robot.X_WB * X;
+  }
+  return X_WL;
+}
+
+void add_robot(Points& points, const geometric::RobotInstance& robot, const Configuration& q) {
+  const std::vector<Pose> X_WL = link_poses(robot, q);
+  for (int i = 0; i < robot.model->link_count(); ++i) {
+    const geometric::Link& link = robot.model->link(i);
+    for (const auto& geometry : link.visual.empty() ? link.collision : link.visual) {
+      add_shape(points, geometry.shape, X_WL[static_cast<std::size_t>(i)] * geometry.X_LG);
+    }
+  }
+}
+
+Aabb box_around(const Points& points) {
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  Aabb box{Eigen::Vector3d::Constant(kFar), Eigen::Vector3d::Constant(-kFar)};
+  for (const Eigen::Vector3d& point : points) {
+    box.lower = box.lower.cwiseMin(point);
+    box.upper = box.upper.cwiseMax(point);
+  }
+  return box;
+}
+
+Points robot_points(const geometric::Scene& scene) {
+  Points points;
+  for (const geometric::RobotInstance& robot : scene.robots) {
+    add_robot(points, robot, robot.configuration);
+  }
+  for (const auto& q : {scene.start, scene.goal}) {
+    if (q && !scene.robots.empty()) {
+      add_robot(points, scene.robots.front(), *q);
+    }
+  }
+  return points;
+}
+
+}  // namespace
+
+Points points_of_interest(const geometric::Scene& scene) {
+  Points points = robot_points(scene);
+  const bool has_robot = !points.empty();
+  Aabb near = box_around(points);
+  near.lower.array() -= kAround;
+  near.upper.array() += kAround;
+  for (const geometric::SceneObject& object : scene.objects) {
+    Points corners;
+    if (!object.attachment) {
+      add_shape(corners, object.shape, object.X_PO);
+    }
+    if (has_robot && !corners.empty()) {
+      const Aabb box = box_around(corners);
+      const Aabb part{box.lower.cwiseMax(near.lower), box.upper.cwiseMin(near.upper)};
+      corners.clear();
+      if ((part.lower.array() <= part.upper.array()).all()) {
+        add_corners(corners, part, Pose::Identity());
+      }
+    }
+    points.insert(points.end(), corners.begin(), corners.end());
+  }
+  return points;
+}
+
+double lowest_point(const geometric::Scene& scene) {
+  Points points = robot_points(scene);
+  for (const geometric::SceneObject& object : scene.objects) {
+    if (!object.attachment) {
+      add_shape(points, object.shape, object.X_PO);
+    }
+  }
+  return points.empty() ? 0.0 : box_around(points).lower.z();
+}
+
+double task_azimuth(const geometric::Scene& scene) {
+  if (scene.robots.empty()) {
+    return 0.0;
+  }
+  const geometric::RobotInstance& robot = scene.robots.front();
+  const std::vector<Pose> X_WL = link_poses(robot, scene.goal.value_or(robot.configuration));
+  const Eigen::Vector3d reach = X_WL.back().translation() - robot.X_WB.translation();
+  return reach.head<2>().norm() > 0.05 ? std::atan2(reach.y(), reach.x()) : 0.0;
+}
+
 namespace {
 
 constexpr double kReach = 12.0;  // m: what is shown behind the target
@@ -61,9 +246,6 @@ void aim_camera(SoOrthographicCamera& eye, const OrbitCamera& camera, double asp
   eye.farDistance = static_cast<float>(2.0 * kReach);
   eye.focalDistance = static_cast<float>(kReach);
 }
-
-using geometric::Configuration;
-using geometric::Pose;
 
 SceneGraph::SceneGraph() : passes_(std::make_unique<ScenePasses>()) {
   passes_->gizmo->addChild(gizmo_.root());

@@ -1,13 +1,18 @@
 #pragma once
 
+#include "handway/geometric/mesh/shape.h"
+#include "handway/geometric/scene/scene.h"
 #include "model/document/selection.h"
 #include "model/settings/orbit_camera.h"
 #include "model/settings/view_colors.h"
-#include "view3d/ghost.h"
+#include "view3d/coin_ref.h"
 #include "view3d/gizmo_node.h"
 #include "view3d/overlay.h"
+#include "view3d/robot_node.h"
 #include "view3d/scene_bodies.h"
 #include "view3d/selection_outline.h"
+
+#include <Eigen/Core>
 
 #include <array>
 #include <memory>
@@ -16,12 +21,32 @@
 #include <string>
 #include <vector>
 
+class SoSeparator;
+
 class SbVec2s;
 class SoGLRenderAction;
 class SoOrthographicCamera;
 class SoPerspectiveCamera;
 
 namespace handway::gui {
+
+/// Lines 0.1 m apart on a horizontal disc, stronger every 0.5 m, fading out
+/// towards its rim.
+/// @param centre of the disc in the world, m. @param radius m.
+[[nodiscard]] CoinRef<SoSeparator> make_floor_grid(const Eigen::Vector3d& centre, double radius,
+                                                   const geometric::Color& color);
+
+/// Points (world, m) that a picture of the scene should contain: corners around
+/// every link of every robot as it stands, of the first robot also at start and
+/// goal, and around the parts of objects that are close to the robots.
+[[nodiscard]] std::vector<Eigen::Vector3d> points_of_interest(const geometric::Scene& scene);
+
+/// The lowest height that any robot or object reaches, m; 0 for an empty scene.
+[[nodiscard]] double lowest_point(const geometric::Scene& scene);
+
+/// Azimuth (rad, about +z from +x) from the first robot's base to where its last
+/// link is at goal, or to where it stands if there is no goal.
+[[nodiscard]] double task_azimuth(const geometric::Scene& scene);
 
 class OrbitCamera;
 struct ScenePasses;

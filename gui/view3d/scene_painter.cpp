@@ -1,7 +1,7 @@
 #include "view3d/scene_painter.h"
 
+#include "view3d/orientation_cube.h"
 #include "view3d/scene_graph.h"
-#include "view3d/view_overlay.h"
 
 #include <Inventor/SbViewportRegion.h>
 #include <Inventor/actions/SoGLRenderAction.h>

@@ -1,6 +1,6 @@
 #include "view3d/scene_passes.h"
 
-#include "view3d/shape_node.h"
+#include "view3d/robot_node.h"
 
 #include <Inventor/nodes/SoCone.h>
 #include <Inventor/nodes/SoCylinder.h>

@@ -1,11 +1,10 @@
 #include "view3d/scene_view.h"
 
-#include "view3d/body_meshes.h"
 #include "view3d/orientation_cube.h"
-#include "view3d/path_node.h"
+#include "view3d/overlay.h"
+#include "view3d/scene_bodies.h"
 #include "view3d/scene_graph.h"
 #include "view3d/scene_painter.h"
-#include "view3d/view_overlay.h"
 
 #include <Inventor/SbVec2s.h>
 #include <Inventor/SoDB.h>

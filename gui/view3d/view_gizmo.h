@@ -2,7 +2,7 @@
 
 #include "model/document/selection.h"
 #include "model/settings/orbit_camera.h"
-#include "view3d/gizmo_handles.h"
+#include "view3d/gizmo_node.h"
 
 #include <QPointF>
 #include <QSize>

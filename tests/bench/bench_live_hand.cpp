@@ -70,7 +70,7 @@ class Measurement {
  public:
   Measurement(gui::MainWindow& window, std::shared_ptr<Stamps> stamps)
       : stamps_(std::move(stamps)), view_(window.view()) {
-    gui::GlovePanel& panel = window.glove_panel();
+    gui::GlovePanel& panel = *window.findChild<gui::GlovePanel*>();
     QObject::connect(&panel.session(), &gui::GloveSession::sampled, &view_,
                      [this](const std::vector<gui::GloveSample>& samples) {
                        latest_ = samples.back().frame.counts[kNumberSensor];
@@ -160,8 +160,8 @@ int main(int argc, char** argv) {
   });
   QObject::connect(&window, &gui::MainWindow::ready, [&] {
     window.document().set_configuration(*window.document().scene()->start);
-    window.glove_panel().come_to_front(page);
-    window.glove_panel().connect_to(QString::fromStdString(glove.address()));
+    window.findChild<gui::GlovePanel*>()->come_to_front(page);
+    window.findChild<gui::GlovePanel*>()->connect_to(QString::fromStdString(glove.address()));
     QTimer::singleShot(static_cast<int>(1e3 * kWarmUp), &window, [&] { measurement.begin(); });
     QTimer::singleShot(static_cast<int>(1e3 * (kWarmUp + seconds)), &window, [&] {
       measurement.print();

@@ -48,6 +48,9 @@ const std::vector<std::string> kWindowFolders = {
     "features",       "app",
 };
 
+/// Where the window's features are listed, the only place that names them.
+constexpr std::string_view kFeatureList = "app/features.cpp";
+
 /// The part of the project that a file belongs to: "libs/geometric", "plugins/NAME", "gui",
 /// "tools", "python".
 std::string part_of(std::string_view file) {
@@ -122,11 +125,12 @@ std::optional<std::size_t> window_folder_of(std::string_view file) {
   return std::nullopt;
 }
 
-/// "editing" of "features/editing/scene_tree.h".
+/// "editing" of "features/editing/scene_tree.h"; empty of a file that features have in common.
 std::string_view feature_of(std::string_view file) {
   constexpr std::string_view kFeatures = "features/";
   file.remove_prefix(kFeatures.size());
-  return file.substr(0, file.find('/'));
+  const std::size_t end = file.find('/');
+  return end == std::string_view::npos ? std::string_view() : file.substr(0, end);
 }
 
 std::string without_comment(const std::string& line) {
@@ -211,7 +215,12 @@ std::string LayerRules::window_rule_broken(std::string_view file, std::string_vi
   const bool upwards = !to || *to > *from;
   const bool across =
       to && ((folder.starts_with("widgets/") && kWindowFolders[*to] == "view3d") ||
-             (folder == "features" && *to == *from && feature_of(file) != feature_of(include)));
+             (folder == "features" && *to == *from && !feature_of(include).empty() &&
+              feature_of(file) != feature_of(include)));
+  if (include.starts_with("features/") && !feature_of(include).empty() && folder == "app" &&
+      file != kFeatureList) {
+    return "only gui/" + std::string(kFeatureList) + " must include features";
+  }
   return upwards || across ? "gui/" + folder + " must not include " + std::string(include)
                            : std::string();
 }

@@ -32,6 +32,7 @@ const LayerRules& sample_rules() {
       "gui/widgets/style/theme.h",
       "gui/features/glove/glove_panel.h",
       "gui/features/tracker/wrist_page.h",
+      "gui/features/workbench.h",
       "gui/app/main_window.h",
       "tools/report.h",
       "plugins/first/reader.h",
@@ -178,12 +179,14 @@ TEST(LayerRules, CatchALayerThatIsNotLaidDown) {
 TEST(LayerRules, LetTheWindowsLayersIncludeThoseBelow) {
   EXPECT_THAT(check("gui/features/glove/a.cpp",
                     "#include \"features/glove/glove_panel.h\"\n"
+                    "#include \"features/workbench.h\"\n"
                     "#include \"model/document/document.h\"\n"
                     "#include \"view3d/scene_view.h\"\n"
                     "#include \"widgets/style/theme.h\"\n"
                     "#include <QWidget>\n"),
               IsEmpty());
-  EXPECT_THAT(check("gui/app/a.cpp", "#include \"features/glove/glove_panel.h\"\n"), IsEmpty());
+  EXPECT_THAT(check("gui/app/features.cpp", "#include \"features/glove/glove_panel.h\"\n"),
+              IsEmpty());
 }
 
 TEST(LayerRules, CatchAnIncludeUpwardsInTheWindow) {
@@ -200,6 +203,13 @@ TEST(LayerRules, CatchAnIncludeUpwardsInTheWindow) {
 TEST(LayerRules, CatchAFeatureThatKnowsAnother) {
   EXPECT_THAT(check("gui/features/glove/a.cpp", "#include \"features/tracker/wrist_page.h\"\n"),
               ElementsAre(breach_at(1, "must not include features/tracker/wrist_page.h")));
+  EXPECT_THAT(check("gui/features/workbench.cpp", "#include \"features/tracker/wrist_page.h\"\n"),
+              ElementsAre(breach_at(1, "must not include features/tracker/wrist_page.h")));
+}
+
+TEST(LayerRules, CatchAFeatureNamedOutsideTheList) {
+  EXPECT_THAT(check("gui/app/a.cpp", "#include \"features/glove/glove_panel.h\"\n"),
+              ElementsAre(breach_at(1, "only gui/app/features.cpp must include features")));
 }
 
 TEST(LayerRules, CatchCoinOutsideTheViewAndWidgetsInTheModel) {

@@ -8,7 +8,6 @@
 #include "handway/sampling/postures/pmd_basis_io.h"
 #include "view3d/scene_pictures.h"
 #include "widgets/plots/figure_file.h"
-#include "widgets/plots/plot_style.h"
 #include "widgets/plots/statistics_plots.h"
 
 #include <QImage>

@@ -3,14 +3,12 @@
 #include "handway/geometric/formats/yaml_element.h"
 #include "handway/planning/extensions/plugin.h"
 #include "handway/planning/paths/path_csv.h"
-#include "model/document/joint_groups.h"
-#include "model/playback/path_timeline.h"
-#include "view3d/scene_extent.h"
+#include "model/document/document.h"
+#include "model/playback/path_player.h"
+#include "view3d/scene_graph.h"
 #include "view3d/scene_pictures.h"
+#include "widgets/plots/cursor_plot.h"
 #include "widgets/plots/figure_file.h"
-#include "widgets/plots/plot_style.h"
-#include "widgets/plots/strip_figure.h"
-#include "widgets/plots/time_plot.h"
 
 #include <QColor>
 #include <QImage>

@@ -46,8 +46,9 @@ constexpr Help kHelp[] = {
          "to zoom, double click to centre.</p><p>A click selects, with Ctrl or Shift several. "
          "Arrows move what is selected "
          "along an axis, plates in a plane, rings turn it; Ctrl snaps to 10 mm and 15°, Esc puts "
-         "it back. <b>S</b> puts knobs on the sides of an object, to resize it. <b>L</b> switches "
-         "between the world's axes and its own. <b>M</b> puts handles "
+         "it back. <b>S</b> puts handles on the sides of an object, to resize it. <b>L</b> "
+         "switches "
+         "between the world's axes and its local ones. <b>M</b> puts handles "
          "on the palm: the arm follows. So it does from start or goal, if you click on their "
          "ghosts.</p><p>While a path is "
          "shown it follows what you drag.</p>")},
@@ -74,9 +75,9 @@ constexpr Help kHelp[] = {
          "Help",
          "<b>Plan</b><p>Choose a planner and a preset of its parameters, press Plan. Every "
          "parameter says in its tool tip what it does; those that differ from the preset are "
-         "bold. <b>⋯</b> keeps them as a preset of your own.</p><p>Same settings and seed: same "
+         "bold. <b>⋯</b> saves them as a preset of your own.</p><p>Same settings and seed: same "
          "path. <b>Seeds</b> plans with several and shows the best path; <b>All runs</b> lists "
-         "what was planned.</p><p><b>Show where it samples</b> draws where palm and fingertips "
+         "what was planned.</p><p><b>Show the sampling region</b> draws where palm and fingertips "
          "may be in the planner's samples.</p>")},
     {"runs",
      QT_TRANSLATE_NOOP(

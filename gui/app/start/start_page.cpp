@@ -2,7 +2,6 @@
 
 #include "app/file_commands.h"
 #include "handway/geometric/io/resources.h"
-#include "widgets/style/icons.h"
 #include "widgets/style/theme.h"
 
 #include <QFileInfo>

@@ -1,5 +1,6 @@
 #include "features/campaigns/campaigns_panel.h"
 
+#include "features/workbench.h"
 #include "handway/planning/campaigns/campaign.h"
 #include "handway/planning/campaigns/run_database.h"
 #include "handway/planning/campaigns/run_workers.h"
@@ -340,6 +341,28 @@ void CampaignsPanel::draw() {
 void CampaignsPanel::show_run(const QModelIndex& index) {
   const QModelIndex row = shown_->mapToSource(index);
   emit run_chosen(runs_[static_cast<std::size_t>(row.row())]);
+}
+
+void add_campaigns(Workbench& workbench) {
+  auto* panel = new CampaignsPanel(workbench.extensions);
+  workbench.add_dock(DockArea::kControl, 5, {"campaigns", QObject::tr("Campaigns"), panel});
+  workbench.add_work([panel] { return panel->runner().is_running(); });
+  QObject::connect(&workbench, &Workbench::begun, panel, [panel, &workbench] {
+    if (!workbench.options.campaign.empty()) {
+      panel->come_to_front();
+      panel->open(QString::fromStdString(workbench.options.campaign.string()));
+    }
+  });
+  // A run is its problem, planner, parameters and seed: planned again, it gives the same path.
+  QObject::connect(panel, &CampaignsPanel::run_chosen, &workbench,
+                   [&workbench](const planning::ArchivedRun& run) {
+                     Options options;
+                     options.play = true;
+                     options.planner = run.planner.planner;
+                     options.settings = run.planner.parameters;
+                     options.seed = run.record.spec.seed;
+                     workbench.open(run.file, options);
+                   });
 }
 
 }  // namespace handway::gui

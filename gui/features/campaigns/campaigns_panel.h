@@ -24,6 +24,7 @@ namespace handway::gui {
 
 class EcdfPlot;
 class RunView;
+class Workbench;
 
 /// Carries out a campaign, or reads the runs of one, on a thread of its own. Runs go to
 /// `runs.sqlite` in a folder beside the campaign's file, named after it, as `handway bench` does;
@@ -105,5 +106,8 @@ class CampaignsPanel : public QWidget {
   QString name_;
   QTimer redraw_;  ///< Many runs, one drawing.
 };
+
+/// Adds the panel of campaigns; a run that is clicked is planned again, and played.
+void add_campaigns(Workbench& workbench);
 
 }  // namespace handway::gui

@@ -1,8 +1,9 @@
 #include "features/comparison/comparison_window.h"
 
+#include "features/workbench.h"
 #include "handway/geometric/math/units.h"
 #include "handway/planning/paths/path_csv.h"
-#include "model/playback/path_timeline.h"
+#include "model/playback/path_player.h"
 #include "view3d/scene_view.h"
 #include "widgets/panels/playback_bar.h"
 #include "widgets/style/theme.h"
@@ -118,7 +119,7 @@ std::vector<Figure> figures(const std::optional<PathFigures>& left,
       [](const PathFigures& f) { return Value(f.length); });
   add(QObject::tr("Turning at waypoints, rad"), 2, Better::kLess,
       [](const PathFigures& f) { return Value(f.turning); });
-  add(QObject::tr("Way of the palm, m"), 3, Better::kLess,
+  add(QObject::tr("Path length of the palm, m"), 3, Better::kLess,
       [](const PathFigures& f) { return Value(f.palm_way); });
   add(QObject::tr("Waypoints"), 0, Better::kNeither,
       [](const PathFigures& f) { return Value(f.waypoints); });
@@ -442,6 +443,26 @@ void ComparisonWindow::open_file(std::size_t side, const QString& file) {
     } catch (const std::exception& error) {
       return [this, message = QString::fromUtf8(error.what())] { note_->setText(message); };
     }
+  });
+}
+
+void add_comparison(Workbench& workbench) {
+  QAction* compare = workbench.make_action({}, QObject::tr("Compare two &paths…"), {},
+                                           QObject::tr("Two paths side by side"));
+  compare->setObjectName(QStringLiteral("compare"));
+  compare->setEnabled(false);
+  workbench.add_to_menu(MainMenu::kPlan, {0, 10}, compare);
+  QObject::connect(&workbench.history, &PathHistory::changed, compare, [&workbench, compare] {
+    compare->setEnabled(!workbench.history.paths().empty());
+  });
+  QObject::connect(compare, &QAction::triggered, &workbench, [&workbench] {
+    Document& document = workbench.document;
+    auto* dialog =
+        new ComparisonWindow(workbench.history,
+                             {document.robot() ? document.problem() : nullptr, document.scene(),
+                              document.palm(), document.recorded_hand().postures()},
+                             &workbench.window);
+    dialog->show();
   });
 }
 

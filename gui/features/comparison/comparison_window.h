@@ -19,6 +19,7 @@ class QLabel;
 namespace handway::gui {
 
 class PlaybackBar;
+class Workbench;
 class SceneView;
 
 /// The figures of two paths side by side, with what the right one has more or less; the better
@@ -108,5 +109,8 @@ class ComparisonWindow : public QDialog {
   FigureTable* table_;
   QLabel* note_;
 };
+
+/// Adds the command "compare", enabled while there is a path to compare.
+void add_comparison(Workbench& workbench);
 
 }  // namespace handway::gui

@@ -1,15 +1,20 @@
 #include "features/devices/device_session.h"
 
 #include "features/devices/devices_panel.h"
+#include "features/workbench.h"
 #include "handway/geometric/math/units.h"
 #include "model/document/document.h"
 #include "model/playback/path_player.h"
-#include "widgets/panels/result_text.h"
+#include "view3d/scene_view.h"
+#include "widgets/panels/log_panel.h"
+#include "widgets/panels/run_table.h"
 
 #include <QApplication>
 #include <QDateTime>
 #include <QKeyEvent>
 #include <QLayout>
+#include <QMainWindow>
+#include <QMenuBar>
 #include <QMessageBox>
 #include <QMouseEvent>
 #include <QPushButton>
@@ -147,12 +152,14 @@ Offset offset(const geometric::Configuration& a, const geometric::Configuration&
 
 }  // namespace
 
-DeviceSession::DeviceSession(Document& document, PathPlayer& player, QObject* parent)
+DeviceSession::DeviceSession(Document& document, PathPlayer& player, MotionDriver& driver,
+                             QObject* parent)
     : QObject(parent),
       document_(document),
       player_(player),
       panel_(new DevicesPanel),
-      stop_(stop_controls_.make_button(QStringLiteral("devices_stop"))) {
+      stop_(stop_controls_.make_button(QStringLiteral("devices_stop"))),
+      driver_(driver) {
   connect(&stop_controls_, &StopControls::stop_requested, &driver_, &MotionDriver::stop);
   connect(panel_, &DevicesPanel::connect_requested, this, &DeviceSession::connect_devices);
   connect(panel_, &DevicesPanel::disconnect_requested, &driver_, &MotionDriver::disconnect_all);
@@ -239,11 +246,10 @@ void DeviceSession::time_again() {
       backwards_ = true;
       std::ranges::reverse(path.waypoints);
     } else if (from_start.angle > options.start_tolerance) {
-      panel_->show_elsewhere(
-          tr("The robot stands elsewhere: %1 is %2° away from where the path begins.")
-              .arg(QString::fromStdString(
-                  document_.robot()->model->variable(from_start.variable).name))
-              .arg(geometric::degrees(from_start.angle), 0, 'f', 1));
+      panel_->show_elsewhere(tr("The robot is not at the start of the path: %1 is %2° away.")
+                                 .arg(QString::fromStdString(
+                                     document_.robot()->model->variable(from_start.variable).name))
+                                 .arg(geometric::degrees(from_start.angle), 0, 'f', 1));
       return;
     }
   }
@@ -367,6 +373,27 @@ void DeviceSession::take_outcome(const execution::MotionOutcome& outcome,
                              : tr("The robot stopped after %1 s: %2")
                                    .arg(outcome.time, 0, 'f', 2)
                                    .arg(cause_of(outcome)));
+}
+
+void add_devices(Workbench& workbench) {
+  auto& devices =
+      workbench.own<DeviceSession>(workbench.document, workbench.player, workbench.driver);
+  workbench.add_dock(DockArea::kControl, 4, {"devices", QObject::tr("Devices"), devices.panel()});
+  // The corner that is on the screen even if the window is larger.
+  workbench.window.menuBar()->setCornerWidget(devices.stop_button(), Qt::TopLeftCorner);
+  workbench.ask_before_leaving([&] { return devices.may_leave(workbench.window); });
+  QObject::connect(
+      &devices, &DeviceSession::executed_changed, &workbench.view,
+      [&](const std::vector<Eigen::Vector3d>& path) { workbench.view.set_executed(path); });
+  QObject::connect(
+      &devices, &DeviceSession::reported, &workbench, [&](bool good, const QString& message) {
+        workbench.log.add(good ? LogPanel::Level::kNote : LogPanel::Level::kError, message);
+      });
+  QObject::connect(&devices, &DeviceSession::start_here_requested, &workbench,
+                   [&](const Eigen::VectorXd& q) {
+                     workbench.editor.set_start(q);
+                     workbench.session.start();
+                   });
 }
 
 }  // namespace handway::gui

@@ -2,7 +2,7 @@
 
 #include "model/devices/motion_driver.h"
 #include "model/devices/stop_key_listener.h"
-#include "model/planning/timing_runner.h"
+#include "model/planning/plan_runner.h"
 
 #include <QList>
 #include <QObject>
@@ -21,6 +21,7 @@ namespace handway::gui {
 class DevicesPanel;
 class Document;
 class PathPlayer;
+class Workbench;
 struct SceneState;
 
 /// Everything in the program's windows that stops the robot: keys that no dialog, popup or text
@@ -64,13 +65,13 @@ class DeviceSession : public QObject {
   Q_OBJECT
 
  public:
-  /// Both outlive the session. Makes the panel and the stop button; a window takes them over.
-  DeviceSession(Document& document, PathPlayer& player, QObject* parent = nullptr);
+  /// All outlive the session. Makes the panel and the stop button; a window takes them over.
+  DeviceSession(Document& document, PathPlayer& player, MotionDriver& driver,
+                QObject* parent = nullptr);
 
   [[nodiscard]] DevicesPanel* panel() const { return panel_; }
   /// Stops the robot; to be where it is always seen. Hidden while nothing is connected.
   [[nodiscard]] QPushButton* stop_button() const { return stop_; }
-  [[nodiscard]] MotionDriver& driver() { return driver_; }
 
   /// To be asked before the scene or the program is left. If the robot moves, asks whether to stop
   /// it, stops it, and waits until it is at rest. @returns false to stay.
@@ -106,12 +107,15 @@ class DeviceSession : public QObject {
   StopControls stop_controls_;
   QPushButton* stop_;
   TimingRunner timing_;
-  MotionDriver driver_;
+  MotionDriver& driver_;
   std::optional<StopKeyListener> stop_keys_;  ///< While there is something to stop.
   DerivedMotion motion_;                      ///< Of the path on screen; or null.
   bool backwards_ = false;                    ///< motion_ goes from goal to start.
   geometric::Configuration measured_;         ///< Of size 0: nothing is connected.
   geometric::Configuration timed_from_;       ///< `measured_` when motion_ was timed.
 };
+
+/// Adds the panel, and a STOP button to the window.
+void add_devices(Workbench& workbench);
 
 }  // namespace handway::gui

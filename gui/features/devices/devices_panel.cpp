@@ -3,10 +3,10 @@
 #include "handway/device/arm/val3_arm.h"
 #include "handway/device/hand/hand_protocol.h"
 #include "handway/geometric/math/units.h"
-#include "widgets/forms/slider_row.h"
-#include "widgets/panels/result_text.h"
-#include "widgets/plots/plot_style.h"
-#include "widgets/plots/time_plot.h"
+#include "widgets/forms/quantity_field.h"
+#include "widgets/panels/run_table.h"
+#include "widgets/plots/cursor_plot.h"
+#include "widgets/plots/figure_file.h"
 #include "widgets/style/theme.h"
 
 #include <QCheckBox>
@@ -237,12 +237,12 @@ DevicesPanel::DevicesPanel(QWidget* parent)
       state_text_(make_text("devices_state")),
       problem_(new QFrame),
       problem_text_(make_text("devices_problem")),
-      mirror_(new QCheckBox(tr("Show where the robot stands"))),
+      mirror_(new QCheckBox(tr("Show the measured robot"))),
       speed_(new SliderRow(
           tr("Speed"),
           {.lower = kLeastSpeed, .upper = 1.0, .scale = 100.0, .unit = tr(" %"), .decimals = 0})),
       motion_(make_text("devices_motion")),
-      start_here_(new QPushButton(tr("Plan from where it stands"))),
+      start_here_(new QPushButton(tr("Plan from the measured position"))),
       armed_(new QCheckBox(tr("Let the robot move"))),
       run_(new QPushButton(tr("Run on the robot"))),
       hold_(new QPushButton(tr("Hold"))),
@@ -420,7 +420,7 @@ void DevicesPanel::show_elsewhere(const QString& where) {
 
 void DevicesPanel::show_motion(const planning::TimedPath& motion, bool backwards) {
   motion_->setText(motion_text(motion));
-  run_->setText(backwards ? tr("Run it backwards") : tr("Run on the robot"));
+  run_->setText(backwards ? tr("Run backwards") : tr("Run on the robot"));
   cleared_ = motion.cleared();
   start_here_->hide();
   update_buttons();

@@ -4,7 +4,7 @@
 #include "model/document/scene_edits.h"
 #include "view3d/scene_view.h"
 #include "widgets/forms/quantity_field.h"
-#include "widgets/style/icons.h"
+#include "widgets/style/theme.h"
 
 #include <QCheckBox>
 #include <QComboBox>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "model/document/arrange.h"
+#include "model/document/scene_edits.h"
 #include "widgets/panels/floating_card.h"
 
 #include <QObject>

@@ -1,14 +1,14 @@
 #include "features/editing/edit_actions.h"
 
 #include "features/editing/array_tool.h"
+#include "features/workbench.h"
 #include "handway/geometric/io/resources.h"
 #include "model/document/scene_edits.h"
 #include "model/document/selection.h"
-#include "widgets/style/icons.h"
+#include "widgets/style/theme.h"
 
 #include <QMainWindow>
 #include <QMenu>
-#include <QToolBar>
 #include <QToolButton>
 
 #include <algorithm>
@@ -26,52 +26,87 @@ QString as_title(const std::string& name) {
 
 }  // namespace
 
-EditActions::EditActions(QMainWindow& window, QMenu& edit_menu, QMenu& add_menu, QToolBar& bar,
-                         SceneEditor& editor)
-    : QObject(&window), window_(window), editor_(editor), add_button_(new QToolButton) {
-  undo = editor_.undo_stack().createUndoAction(&window_, tr("&Undo"));
-  redo = editor_.undo_stack().createRedoAction(&window_, tr("&Redo"));
+EditActions::EditActions(Workbench& workbench)
+    : workbench_(workbench), editor_(workbench.editor), add_button_(new QToolButton) {
+  make_actions();
+  fill_menu();
+  fill_add_menu(workbench_.menu(MainMenu::kAdd));
+  make_add_button();
+  fill_bar();
+  connect_actions();
+  update_enabled();
+}
+
+void EditActions::make_actions() {
+  undo = editor_.undo_stack().createUndoAction(&workbench_.window, tr("&Undo"));
+  redo = editor_.undo_stack().createRedoAction(&workbench_.window, tr("&Redo"));
   take(*undo, "undo", QKeySequence::Undo, tr("Take the last edit back"));
   take(*redo, "redo", QKeySequence(QStringLiteral("Ctrl+Shift+Z")), tr("Make it again"));
-  rename = make("", tr("Re&name"), QKeySequence(Qt::Key_F2),
-                tr("Give the object or group another name"));
-  duplicate = make("duplicate", tr("&Duplicate"), QKeySequence(QStringLiteral("Ctrl+D")),
-                   tr("Put a copy beside the object"));
-  remove = make("delete", tr("D&elete"), QKeySequence::Delete, tr("Take the object away"));
-  drop = make("drop", tr("Drop to &surface"), QKeySequence(Qt::Key_End),
-              tr("Let the object stand on what is below it"));
-  hide = make("hide", tr("&Hide"), QKeySequence(Qt::Key_H), tr("Do not draw the object"));
-  lock = make("lock", tr("&Lock"), QKeySequence(QStringLiteral("Ctrl+L")),
-              tr("Keep the object from being changed"));
-  local = make("local_axes", tr("&Own axes"), QKeySequence(Qt::Key_L),
-               tr("Handles along the object's own axes, not the world's"));
-  resize = make("resize", tr("Resi&ze by hand"), QKeySequence(Qt::Key_S),
-                tr("Knobs on the object's sides, to make it larger or smaller"));
-  grasp = make("posture", tr("&Grasp…"), QKeySequence(QStringLiteral("Ctrl+G")),
-               tr("Choose a way to grasp the object and plan to it"));
-  palm = make("palm", tr("Move the &palm"), QKeySequence(Qt::Key_M),
-              tr("Handles on the palm: the arm follows"));
+  rename = workbench_.make_action("", tr("Re&name"), QKeySequence(Qt::Key_F2),
+                                  tr("Give the object or group another name"));
+  duplicate =
+      workbench_.make_action("duplicate", tr("&Duplicate"), QKeySequence(QStringLiteral("Ctrl+D")),
+                             tr("Put a copy beside the object"));
+  remove = workbench_.make_action("delete", tr("D&elete"), QKeySequence::Delete,
+                                  tr("Take the object away"));
+  drop = workbench_.make_action("drop", tr("Drop to &surface"), QKeySequence(Qt::Key_End),
+                                tr("Let the object stand on what is below it"));
+  hide = workbench_.make_action("hide", tr("&Hide"), QKeySequence(Qt::Key_H),
+                                tr("Do not draw the object"));
+  lock = workbench_.make_action("lock", tr("&Lock"), QKeySequence(QStringLiteral("Ctrl+L")),
+                                tr("Keep the object from being changed"));
+  local =
+      workbench_.make_action("local_axes", tr("&Local axes"), QKeySequence(Qt::Key_L),
+                             tr("Handles along the object's local axes instead of the world's"));
+  resize =
+      workbench_.make_action("resize", tr("Resi&ze with handles"), QKeySequence(Qt::Key_S),
+                             tr("Handles on the object's sides, to make it larger or smaller"));
+  palm = workbench_.make_action("palm", tr("Move the &palm"), QKeySequence(Qt::Key_M),
+                                tr("Handles on the palm: the arm follows"));
   for (QAction* action : {hide, lock, local, palm, resize}) {
     action->setCheckable(true);
   }
-  edit_menu.addActions({undo, redo});
-  edit_menu.addSeparator();
-  edit_menu.addActions({rename, duplicate, remove});
-  edit_menu.addSeparator();
-  edit_menu.addActions({drop, hide, lock});
-  edit_menu.addSeparator();
-  edit_menu.addActions({grasp, palm, resize, local});
-  fill_add_menu(add_menu);
-  bar.addActions({undo, redo});
+}
+
+void EditActions::fill_menu() {
+  const std::vector<std::vector<QAction*>> sections{
+      {undo, redo}, {rename, duplicate, remove}, {drop, hide, lock}, {palm, resize, local}};
+  for (std::size_t section = 0; section < sections.size(); ++section) {
+    int order = 0;
+    for (QAction* action : sections[section]) {
+      workbench_.add_to_menu(MainMenu::kEdit, {static_cast<int>(section), ++order}, action);
+    }
+  }
+}
+
+void EditActions::make_add_button() {
   add_button_->setObjectName(QStringLiteral("add_object"));
   add_button_->setText(tr("Add"));
   add_button_->setToolTip(tr("Add an object to the scene"));
-  add_button_->setMenu(&add_menu);
+  add_button_->setMenu(&workbench_.menu(MainMenu::kAdd));
   add_button_->setPopupMode(QToolButton::InstantPopup);
   add_button_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-  bar.addWidget(add_button_);
-  bar.addActions({duplicate, remove, drop, grasp, palm, resize, local});
+  const auto refresh = [this] { add_button_->setIcon(icon("add")); };
+  connect(&workbench_, &Workbench::theme_changed, this, refresh);
+  refresh();
+}
 
+// Other features' buttons go between these.
+void EditActions::fill_bar() {
+  workbench_.add_to_bar(MainBar::kEditing, {0, 0}, undo);
+  workbench_.add_to_bar(MainBar::kEditing, {0, 1}, redo);
+  workbench_.add_to_bar(MainBar::kEditing, {0, 10}, add_button_);
+  int order = 20;
+  for (QAction* action : {duplicate, remove, drop}) {
+    workbench_.add_to_bar(MainBar::kEditing, {0, ++order}, action);
+  }
+  order = 60;
+  for (QAction* action : {palm, resize, local}) {
+    workbench_.add_to_bar(MainBar::kEditing, {0, ++order}, action);
+  }
+}
+
+void EditActions::connect_actions() {
   connect(rename, &QAction::triggered, this, [this] { emit rename_requested(); });
   connect(duplicate, &QAction::triggered, &editor_, &SceneEditor::duplicate);
   connect(remove, &QAction::triggered, &editor_, &SceneEditor::remove);
@@ -83,14 +118,12 @@ EditActions::EditActions(QMainWindow& window, QMenu& edit_menu, QMenu& add_menu,
   connect(palm, &QAction::triggered, this, [this](bool on) {
     editor_.select(on ? SceneItem{SceneItem::Kind::kPalm, "", ""} : SceneItem{});
   });
-  refresh_icons();
-  update_enabled();
 }
 
 void EditActions::fill_add_menu(QMenu& menu) {
   const auto add_shape = [&](const char* name, const QString& title, const QString& object,
                              const geometric::Shape& shape) {
-    QAction* action = make(name, title, {}, {});
+    QAction* action = workbench_.make_action(name, title, {}, {});
     connect(action, &QAction::triggered, this,
             [this, object, shape] { emit add_requested(object, shape); });
     menu.addAction(action);
@@ -102,7 +135,7 @@ void EditActions::fill_add_menu(QMenu& menu) {
   add_shape("cone", tr("C&one"), tr("cone"), geometric::Cone{});
   menu.addSeparator();
   const auto add_mesh = [&](const QString& title, const QString& file) {
-    QAction* action = make("object", title, {}, {});
+    QAction* action = workbench_.make_action("object", title, {}, {});
     connect(action, &QAction::triggered, this, [this, file] { emit add_mesh_requested(file); });
     menu.addAction(action);
     adding_ << action;
@@ -121,25 +154,7 @@ void EditActions::take(QAction& action, const QString& name, const QKeySequence&
   action.setObjectName(name);
   action.setShortcut(keys);
   action.setStatusTip(tip);
-  if (!name.isEmpty()) {
-    with_icon_ << &action;
-  }
-}
-
-QAction* EditActions::make(const QString& name, const QString& text, const QKeySequence& keys,
-                           const QString& tip) {
-  QAction* action = make_action(window_, name, text, keys, tip);
-  if (!name.isEmpty()) {
-    with_icon_ << action;
-  }
-  return action;
-}
-
-void EditActions::refresh_icons() {
-  add_button_->setIcon(icon("add"));
-  for (QAction* action : with_icon_) {
-    action->setIcon(icon(action->objectName()));
-  }
+  workbench_.keep_icon(action);
 }
 
 void EditActions::update_enabled() {
@@ -157,7 +172,6 @@ void EditActions::update_enabled() {
   drop->setEnabled(can_change && (editor_.has_several() || !object->attachment));
   hide->setEnabled(object);
   lock->setEnabled(object);
-  grasp->setEnabled(object && !object->attachment && editor_.document().robot());
   palm->setEnabled(editor_.document().robot() != nullptr);
   palm->setChecked(editor_.selection().kind == SceneItem::Kind::kPalm);
   hide->setChecked(object && editor_.state().is_hidden(object->name));
@@ -172,36 +186,27 @@ QString axis_name(int axis) { return QLatin1String(kAxes.at(static_cast<std::siz
 
 }  // namespace
 
-ArrangeActions::ArrangeActions(QMainWindow& window, QMenu& edit_menu, QToolBar& bar,
-                               SceneEditor& editor, SceneView& view)
-    : QObject(&window),
-      window_(window),
-      editor_(editor),
-      align_menu_(new QMenu(tr("&Align"), &window)),
-      distribute_menu_(new QMenu(tr("D&istribute"), &window)),
+ArrangeActions::ArrangeActions(Workbench& workbench)
+    : workbench_(workbench),
+      editor_(workbench.editor),
+      align_menu_(new QMenu(tr("&Align"), &workbench.window)),
+      distribute_menu_(new QMenu(tr("D&istribute"), &workbench.window)),
       button_(new QToolButton) {
-  select_all = make("select_all", tr("Select &all"), "Ctrl+A", tr("Select every object"));
-  array = make("array", tr("Arra&y…"), "Ctrl+Shift+A", tr("Copies in rows or around an axis"));
-  group = make("group", tr("&Group"), "Ctrl+Shift+G",
-               tr("Objects of a group are selected and moved together"));
-  dissolve = make("ungroup", tr("&Ungroup"), "Ctrl+Shift+U", tr("Make single objects of a group"));
+  select_all =
+      workbench_.make_action("select_all", tr("Select &all"),
+                             QKeySequence(QStringLiteral("Ctrl+A")), tr("Select every object"));
+  array =
+      workbench_.make_action("array", tr("Arra&y…"), QKeySequence(QStringLiteral("Ctrl+Shift+A")),
+                             tr("Copies in rows or around an axis"));
+  group =
+      workbench_.make_action("group", tr("&Group"), QKeySequence(QStringLiteral("Ctrl+Shift+G")),
+                             tr("Objects of a group are selected and moved together"));
+  dissolve = workbench_.make_action("ungroup", tr("&Ungroup"),
+                                    QKeySequence(QStringLiteral("Ctrl+Shift+U")),
+                                    tr("Make single objects of a group"));
   fill_align_menu();
   fill_distribute_menu();
-  auto* arrange = new QMenu(tr("Arrange"), &window_);
-  for (QMenu* menu : {&edit_menu, arrange}) {
-    menu->addSeparator();
-    menu->addMenu(align_menu_);
-    menu->addMenu(distribute_menu_);
-    menu->addActions({array, group, dissolve});
-  }
-  edit_menu.addAction(select_all);
-  button_->setObjectName(QStringLiteral("arrange"));
-  button_->setText(tr("Arrange"));
-  button_->setToolTip(tr("Align, distribute, repeat or group what is selected"));
-  button_->setMenu(arrange);
-  button_->setPopupMode(QToolButton::InstantPopup);
-  bar.addWidget(button_);
-
+  place_actions();
   connect(select_all, &QAction::triggered, this, [this] {
     std::vector<std::string> names;
     for (const geometric::SceneObject& object : editor_.state().scene->objects) {
@@ -211,18 +216,28 @@ ArrangeActions::ArrangeActions(QMainWindow& window, QMenu& edit_menu, QToolBar& 
   });
   connect(group, &QAction::triggered, this, &ArrangeActions::make_group);
   connect(dissolve, &QAction::triggered, this, &ArrangeActions::ungroup);
-  auto* tool = new ArrayTool(editor_, view, this);
+  auto* tool = new ArrayTool(editor_, workbench_.view, this);
   connect(array, &QAction::triggered, tool, &ArrayTool::begin);
+  connect(&workbench_, &Workbench::theme_changed, this, &ArrangeActions::refresh_icons);
   refresh_icons();
   update_enabled();
 }
 
-QAction* ArrangeActions::make(const char* name, const QString& text, const char* keys,
-                              const QString& tip) {
-  QAction* action =
-      make_action(window_, QLatin1String(name), text, QKeySequence(QLatin1String(keys)), tip);
-  with_icon_ << action;
-  return action;
+void ArrangeActions::place_actions() {
+  auto* arrange = new QMenu(tr("Arrange"), &workbench_.window);
+  int order = 0;
+  for (QAction* action :
+       {align_menu_->menuAction(), distribute_menu_->menuAction(), array, group, dissolve}) {
+    arrange->addAction(action);
+    workbench_.add_to_menu(MainMenu::kEdit, {4, ++order}, action);
+  }
+  workbench_.add_to_menu(MainMenu::kEdit, {4, ++order}, select_all);
+  button_->setObjectName(QStringLiteral("arrange"));
+  button_->setText(tr("Arrange"));
+  button_->setToolTip(tr("Align, distribute, repeat or group what is selected"));
+  button_->setMenu(arrange);
+  button_->setPopupMode(QToolButton::InstantPopup);
+  workbench_.add_to_bar(MainBar::kEditing, {0, 70}, button_);
 }
 
 void ArrangeActions::fill_align_menu() {
@@ -251,9 +266,6 @@ void ArrangeActions::refresh_icons() {
   button_->setIcon(icon("align"));
   align_menu_->setIcon(icon("align"));
   distribute_menu_->setIcon(icon("distribute"));
-  for (QAction* action : with_icon_) {
-    action->setIcon(icon(action->objectName()));
-  }
 }
 
 void ArrangeActions::update_enabled() {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "model/document/arrange.h"
 #include "model/document/scene_editor.h"
+#include "model/document/scene_edits.h"
 
 #include <QAction>
 #include <QList>
@@ -11,26 +11,21 @@
 #include <string>
 #include <vector>
 
-class QMainWindow;
 class QMenu;
-class QToolBar;
 class QToolButton;
 
 namespace handway::gui {
 
-class SceneView;
+class Workbench;
 
 /// The Edit and Add menus and their part of the tool bar.
 class EditActions : public QObject {
   Q_OBJECT
 
  public:
-  /// All outlive the actions.
-  EditActions(QMainWindow& window, QMenu& edit_menu, QMenu& add_menu, QToolBar& bar,
-              SceneEditor& editor);
+  /// @param workbench outlives the actions.
+  explicit EditActions(Workbench& workbench);
 
-  /// Redraws the icons, after a change of theme.
-  void refresh_icons();
   /// What can be done with the selection as it is now.
   void update_enabled();
 
@@ -42,7 +37,6 @@ class EditActions : public QObject {
   QAction* drop;
   QAction* hide;
   QAction* lock;
-  QAction* grasp;   ///< Plans to grasp the selected object.
   QAction* palm;    ///< The palm of the robot is selected, to be moved.
   QAction* resize;  ///< Knobs to make the object larger or smaller.
   QAction* local;   ///< Handles along the object's own axes.
@@ -54,15 +48,17 @@ class EditActions : public QObject {
   void rename_requested();
 
  private:
-  QAction* make(const QString& name, const QString& text, const QKeySequence& keys,
-                const QString& tip);
+  void make_actions();
+  void make_add_button();
+  void fill_menu();
+  void fill_bar();
+  void connect_actions();
   void take(QAction& action, const QString& name, const QKeySequence& keys, const QString& tip);
   void fill_add_menu(QMenu& menu);
 
-  QMainWindow& window_;
+  Workbench& workbench_;
   SceneEditor& editor_;
   QToolButton* add_button_;
-  QList<QAction*> with_icon_;
   QList<QAction*> adding_;
 };
 
@@ -72,12 +68,9 @@ class ArrangeActions : public QObject {
   Q_OBJECT
 
  public:
-  /// All outlive the actions.
-  ArrangeActions(QMainWindow& window, QMenu& edit_menu, QToolBar& bar, SceneEditor& editor,
-                 SceneView& view);
+  /// @param workbench outlives the actions.
+  explicit ArrangeActions(Workbench& workbench);
 
-  /// Redraws the icons, after a change of theme.
-  void refresh_icons();
   /// What can be done with the selection as it is now.
   void update_enabled();
 
@@ -93,16 +86,16 @@ class ArrangeActions : public QObject {
   QAction* dissolve;
 
  private:
+  void refresh_icons();
   void fill_align_menu();
   void fill_distribute_menu();
-  QAction* make(const char* name, const QString& text, const char* keys, const QString& tip);
+  void place_actions();
 
-  QMainWindow& window_;
+  Workbench& workbench_;
   SceneEditor& editor_;
   QMenu* align_menu_;
   QMenu* distribute_menu_;
   QToolButton* button_;
-  QList<QAction*> with_icon_;
 };
 
 }  // namespace handway::gui

@@ -6,7 +6,7 @@
 #include "model/document/scene_editor.h"
 #include "model/document/scene_edits.h"
 #include "model/planning/planning_session.h"
-#include "model/playback/posing.h"
+#include "model/playback/path_player.h"
 #include "view3d/scene_view.h"
 
 #include <utility>

@@ -1,12 +1,9 @@
 #include "features/editing/properties_panel.h"
 
 #include "handway/geometric/math/units.h"
-#include "model/document/arrange.h"
 #include "model/document/scene_edits.h"
-#include "widgets/forms/constraint_form.h"
 #include "widgets/forms/quantity_field.h"
 #include "widgets/forms/shape_form.h"
-#include "widgets/style/icons.h"
 #include "widgets/style/theme.h"
 
 #include <QCheckBox>

@@ -1,8 +1,7 @@
 #pragma once
 
-#include "model/document/resize.h"
 #include "model/document/scene_edits.h"
-#include "view3d/gizmo_handles.h"
+#include "view3d/gizmo_node.h"
 
 #include <QObject>
 #include <QPoint>

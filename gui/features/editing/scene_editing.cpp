@@ -1,35 +1,133 @@
 #include "features/editing/scene_editing.h"
 
+#include "features/editing/palm_tool.h"
 #include "features/editing/properties_panel.h"
 #include "features/editing/scene_tree.h"
+#include "features/workbench.h"
 #include "model/document/document.h"
 #include "model/document/scene_edits.h"
-#include "view3d/constraint_node.h"
+#include "view3d/overlay.h"
 #include "view3d/scene_view.h"
+#include "widgets/panels/floating_card.h"
+#include "widgets/panels/log_panel.h"
 
 #include <QFileDialog>
+#include <QLocale>
 #include <QMainWindow>
+#include <QUndoView>
 
 #include <algorithm>
+#include <utility>
 
 namespace handway::gui {
+Recovery::Recovery(Workbench& workbench)
+    : document_(workbench.document),
+      editor_(workbench.editor),
+      planning_(workbench.plan_settings),
+      banner_(workbench.banner),
+      autosave_(Autosave::default_folder()) {
+  const auto follow = [this, &workbench] { set_enabled(workbench.preferences.values().autosave); };
+  connect(&workbench.preferences, &Preferences::changed, this, follow);
+  connect(&workbench, &Workbench::begun, this, [this, &workbench] {
+    if (workbench.options.screenshot.empty()) {
+      offer();
+    }
+  });
+  connect(this, &Recovery::failed, &workbench, [&workbench](const QString& message) {
+    workbench.log.add(LogPanel::Level::kError, tr("Unsaved changes are not kept: %1").arg(message));
+  });
+  follow();
+  connect(&autosave_, &Autosave::stored, this, [this] { fails_ = false; });
+  connect(&autosave_, &Autosave::failed, this, [this](const QString& message) {
+    if (!std::exchange(fails_, true)) {
+      emit failed(message);
+    }
+  });
+  connect(&document_, &Document::edited, this, [this](const SceneState& before) {
+    if (before.scene != document_.scene()) {
+      store(std::nullopt);
+    }
+  });
+  connect(&editor_.undo_stack(), &QUndoStack::cleanChanged, this, [this](bool clean) {
+    if (clean) {
+      autosave_.clear();
+    }
+  });
+  connect(&document_, &Document::opened, this, [this] {
+    if (recovering_ && document_.file() == recovering_->file) {
+      editor_.undo_stack().resetClean();
+      store(recovering_);
+    } else {
+      autosave_.clear();
+    }
+    recovering_.reset();
+  });
+  connect(&document_, &Document::open_failed, this, [this] { recovering_.reset(); });
+}
+
+void Recovery::set_enabled(bool enabled) {
+  if (enabled != enabled_) {
+    enabled_ = enabled;
+    if (!enabled) {
+      autosave_.clear();
+    } else if (document_.scene() && !editor_.undo_stack().isClean()) {
+      store(std::nullopt);
+    }
+  }
+}
+
+void Recovery::store(const std::optional<LostScene>& then_forget) {
+  if (!enabled_) {
+    return;
+  }
+  const QString name = QString::fromStdString(document_.scene()->name);
+  autosave_.store(
+      {document_.loaded(), document_.configuration(), planning_.choice(), document_.file(), name},
+      then_forget);
+}
+
+void Recovery::offer() {
+  const std::vector<LostScene> lost = autosave_.find_lost();
+  if (lost.empty()) {
+    return;
+  }
+  const LostScene& last = lost.front();
+  const QString name = !last.name.isEmpty() ? last.name
+                       : last.file.empty()  ? tr("a new scene")
+                                            : QString::fromStdString(last.file.filename().string());
+  banner_.offer(
+      tr("Unsaved changes to %1").arg(name),
+      tr("The program ended without saving them, %1.")
+          .arg(QLocale().toString(last.time, QLocale::ShortFormat)),
+      tr("Recover"), [this, last] { recover(last); }, tr("Discard"),
+      [last] { Autosave::forget(last); });
+}
+
+void Recovery::recover(const LostScene& lost) {
+  recovering_ = lost;
+  document_.open_copy(lost.scene, lost.file);
+}
+
 namespace {
 
 constexpr geometric::Color kNewColor{0.36F, 0.56F, 0.80F, 1.0F};
 
 }  // namespace
 
-SceneEditing::SceneEditing(const EditingParts& parts)
-    : QObject(&parts.window),
-      window_(parts.window),
-      document_(parts.editor.document()),
-      view_(parts.view),
-      editor_(parts.editor),
-      edit_actions_(window_, parts.edit_menu, parts.add_menu, parts.bar, editor_),
-      arrange_actions_(window_, parts.edit_menu, parts.bar, editor_, view_),
+SceneEditing::SceneEditing(Workbench& workbench)
+    : workbench_(workbench),
+      document_(workbench.document),
+      view_(workbench.view),
+      editor_(workbench.editor),
+      edit_actions_(workbench),
+      arrange_actions_(workbench),
       resize_(editor_, view_),
       tree_(new SceneTree),
       properties_(new PropertiesPanel(editor_)) {
+  edit_actions_.setParent(this);
+  arrange_actions_.setParent(this);
+  resize_.setParent(this);
+  add_docks();
   connect(&document_, &Document::edited, this, &SceneEditing::show_edit);
   connect(&document_, &Document::opened, this, &SceneEditing::show_selection);
   connect(&document_, &Document::configuration_changed, this, [this] {
@@ -37,8 +135,16 @@ SceneEditing::SceneEditing(const EditingParts& parts)
     properties_->refresh();
   });
   connect(&editor_, &SceneEditor::selection_changed, this, &SceneEditing::show_selection);
-  connect(&parts.collisions, &CollisionMonitor::checked, this,
+  connect(&workbench_.collisions, &CollisionMonitor::checked, this,
           [this](const CollisionReport& report) { report_ = report; });
+  connect(&workbench_, &Workbench::scene_shown, this,
+          [this] { tree_->set_scene(document_.scene()); });
+  connect(&workbench_, &Workbench::mesh_dropped, this, &SceneEditing::add_mesh);
+  connect(&workbench_, &Workbench::handles_welcome, this, &SceneEditing::show_handles);
+  connect(&workbench_, &Workbench::theme_changed, this, [this] {
+    tree_->refresh_icons();
+    properties_->refresh_icons();
+  });
   connect(properties_, &PropertiesPanel::attach_requested, this, &SceneEditing::attach);
   connect(&edit_actions_, &EditActions::add_requested, this,
           [this](const QString& name, const geometric::Shape& shape) {
@@ -46,6 +152,15 @@ SceneEditing::SceneEditing(const EditingParts& parts)
           });
   connect(&edit_actions_, &EditActions::add_mesh_requested, this, &SceneEditing::add_mesh);
   connect_view();
+  connect_tree();
+}
+
+void SceneEditing::add_docks() {
+  workbench_.add_dock(DockArea::kLeft, 0, {"scene", tr("Scene"), tree_, 290});
+  workbench_.add_dock(DockArea::kLeft, 1, {"properties", tr("Properties"), properties_, 350});
+  auto* history = new QUndoView(&editor_.undo_stack());
+  history->setEmptyLabel(tr("As opened"));
+  workbench_.add_dock(DockArea::kHistory, 0, {"history", tr("History"), history});
 }
 
 void SceneEditing::connect_view() {
@@ -59,9 +174,23 @@ void SceneEditing::connect_view() {
               if (item.kind == SceneItem::Kind::kSeveral) {
                 preview(*state);
               }
-              emit tried(*state);
+              workbench_.session.try_scene(*state);
             }
           });
+  connect(&resize_, &ResizeTool::tried, &workbench_.session, &PlanningSession::try_scene);
+  connect(edit_actions_.resize, &QAction::toggled, this, [this](bool on) {
+    resize_.set_wanted(on);
+    update_gizmo();
+  });
+  connect(edit_actions_.local, &QAction::toggled, &view_, &SceneView::set_gizmo_local);
+}
+
+void SceneEditing::connect_tree() {
+  connect(tree_, &SceneTree::ghosts_toggled, &view_, &SceneView::show_ghosts);
+  connect(tree_, &SceneTree::posture_activated, this, [this](const SceneItem& item) {
+    const geometric::Scene& scene = *document_.scene();
+    workbench_.posing.set(item.kind == SceneItem::Kind::kStart ? *scene.start : *scene.goal);
+  });
   connect(tree_, &SceneTree::item_selected, &editor_, &SceneEditor::select);
   connect(tree_, &SceneTree::objects_selected, &editor_, &SceneEditor::select_objects);
   connect(tree_, &SceneTree::objects_toggled, this,
@@ -79,19 +208,7 @@ void SceneEditing::connect_view() {
             arrange_actions_.rename_group(name, new_name);
             tree_->update_scene(editor_.state());
           });
-  connect(&resize_, &ResizeTool::tried, this, &SceneEditing::tried);
-  connect(edit_actions_.resize, &QAction::toggled, this, [this](bool on) {
-    resize_.set_wanted(on);
-    update_gizmo();
-  });
-  connect(edit_actions_.local, &QAction::toggled, &view_, &SceneView::set_gizmo_local);
   connect(&edit_actions_, &EditActions::rename_requested, tree_, &SceneTree::edit_name);
-}
-
-void SceneEditing::refresh_icons() {
-  edit_actions_.refresh_icons();
-  arrange_actions_.refresh_icons();
-  properties_->refresh_icons();
 }
 
 void SceneEditing::show_selection() {
@@ -157,7 +274,7 @@ void SceneEditing::attach(const std::string& robot, const std::string& link) {
 void SceneEditing::add_mesh(const QString& file) {
   const QString chosen =
       file.isEmpty() ? QFileDialog::getOpenFileName(
-                           &window_, tr("Add a mesh"), {},
+                           &workbench_.window, tr("Add a mesh"), {},
                            tr("Meshes (*.stl *.obj *.dae *.ply *.glb *.gltf);;All files (*)"))
                      : file;
   if (chosen.isEmpty() || !document_.scene()) {
@@ -166,13 +283,12 @@ void SceneEditing::add_mesh(const QString& file) {
   try {
     editor_.add_mesh(chosen.toStdString(), view_.place_for_new());
   } catch (const std::exception& error) {
-    emit failed(tr("The mesh can't be added"), QString::fromUtf8(error.what()));
+    workbench_.show_error(tr("The mesh can't be added"), QString::fromUtf8(error.what()));
   }
 }
 
 ConstraintDisplay::ConstraintDisplay(Document& document, SceneView& view, QObject* parent)
     : QObject(parent), document_(document), view_(view) {
-  connect(&document_, &Document::opened, this, &ConstraintDisplay::show);
   connect(&document_, &Document::edited, this, &ConstraintDisplay::show);
   connect(&document_, &Document::configuration_changed, this, [this] {
     if (document_.scene() && !document_.scene()->constraints.empty()) {
@@ -189,6 +305,15 @@ void ConstraintDisplay::show() {
   }
   view_.set_overlay(Overlay::kConstraints,
                     make_constraints_node(*scene, document_.configuration()));
+}
+
+void add_editing(Workbench& workbench) {
+  workbench.own<SceneEditing>(workbench);
+  workbench.own<Recovery>(workbench);
+  workbench.own<PalmTool>(workbench.document, workbench.editor, workbench.posing, workbench.session,
+                          workbench.view);
+  auto& constraints = workbench.own<ConstraintDisplay>(workbench.document, workbench.view);
+  QObject::connect(&workbench, &Workbench::scene_shown, &constraints, &ConstraintDisplay::show);
 }
 
 }  // namespace handway::gui

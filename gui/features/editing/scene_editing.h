@@ -2,39 +2,62 @@
 
 #include "features/editing/edit_actions.h"
 #include "features/editing/resize_tool.h"
+#include "model/document/autosave.h"
 #include "model/document/collision_monitor.h"
 #include "model/document/scene_editor.h"
+#include "model/planning/plan_settings.h"
 
 #include <QObject>
 
-class QMainWindow;
-class QMenu;
-class QToolBar;
-
 namespace handway::gui {
+
+class Banner;
+class Workbench;
+
+/// Stores the scene after every edit, and offers what was lost before.
+class Recovery : public QObject {
+  Q_OBJECT
+
+ public:
+  /// @param workbench outlives it.
+  explicit Recovery(Workbench& workbench);
+
+  [[nodiscard]] Autosave& autosave() { return autosave_; }
+
+ signals:
+  /// Scenes can't be stored; reported once until one can again.
+  void failed(const QString& message);
+
+ private:
+  /// Whether unsaved changes are kept; those that are kept go at once when they shall not be.
+  void set_enabled(bool enabled);
+  /// Offers in the banner what was lost last, if anything was.
+  void offer();
+  void recover(const LostScene& lost);
+  void store(const std::optional<LostScene>& then_forget);
+
+  Document& document_;
+  SceneEditor& editor_;
+  const PlanSettings& planning_;
+  Banner& banner_;
+  Autosave autosave_;
+  std::optional<LostScene> recovering_;
+  bool enabled_ = true;
+  bool fails_ = false;
+};
 
 class Document;
 class PropertiesPanel;
 class SceneTree;
 class SceneView;
 
-/// What SceneEditing works with; all outlive it.
-struct EditingParts {
-  QMainWindow& window;
-  QMenu& edit_menu;
-  QMenu& add_menu;
-  QToolBar& bar;
-  SceneEditor& editor;
-  SceneView& view;
-  CollisionMonitor& collisions;
-};
-
 /// Keeps view, tree, properties and menus in step with what is selected and edited.
 class SceneEditing : public QObject {
   Q_OBJECT
 
  public:
-  explicit SceneEditing(const EditingParts& parts);
+  /// @param workbench outlives it.
+  explicit SceneEditing(Workbench& workbench);
 
   [[nodiscard]] EditActions& actions() { return edit_actions_; }
   [[nodiscard]] ArrangeActions& arrange() { return arrange_actions_; }
@@ -42,27 +65,23 @@ class SceneEditing : public QObject {
   /// To be put into docks.
   [[nodiscard]] SceneTree& tree() const { return *tree_; }
   [[nodiscard]] PropertiesPanel* properties() const { return properties_; }
-  void refresh_icons();
 
   /// Adds a mesh from a file. Where that fails, failed() says so.
   void add_mesh(const QString& file);
   /// Whether what is selected has handles to be moved by, where it can be moved.
   void show_handles(bool shown);
 
- signals:
-  /// The scene as it would be if what is dragged stayed where it is now.
-  void tried(const handway::gui::SceneState& state);
-  void failed(const QString& title, const QString& message);
-
  private:
   void connect_view();
+  void connect_tree();
+  void add_docks();
   void show_selection();
   void show_edit(const SceneState& before);
   void update_gizmo();
   void preview(const SceneState& state);
   void attach(const std::string& robot, const std::string& link);
 
-  QMainWindow& window_;
+  Workbench& workbench_;
   const Document& document_;
   SceneView& view_;
   SceneEditor& editor_;
@@ -83,11 +102,14 @@ class ConstraintDisplay : public QObject {
   /// Both outlive it.
   ConstraintDisplay(Document& document, SceneView& view, QObject* parent = nullptr);
 
- private:
   void show();
 
+ private:
   Document& document_;
   SceneView& view_;
 };
+
+/// Adds the scene's tree, properties, history and editing commands, autosave, and handles.
+void add_editing(Workbench& workbench);
 
 }  // namespace handway::gui

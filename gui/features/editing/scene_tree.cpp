@@ -1,7 +1,6 @@
 #include "features/editing/scene_tree.h"
 
 #include "model/settings/view_colors.h"
-#include "widgets/style/icons.h"
 #include "widgets/style/theme.h"
 
 #include <QHeaderView>
@@ -215,7 +214,7 @@ void SceneTree::add_robot(const geometric::RobotInstance& robot) {
   const geometric::RobotModel& model = *robot.model;
   QTreeWidgetItem* top =
       make_row(QString::fromStdString(robot.name), icon("robot"), {Kind::kRobot, robot.name, ""});
-  top->setToolTip(0, tr("%1: %2 links, %3 joints that move on their own")
+  top->setToolTip(0, tr("%1: %2 links, %3 independent joints")
                          .arg(QString::fromStdString(model.name()))
                          .arg(model.link_count())
                          .arg(model.variable_count()));

@@ -1,9 +1,13 @@
 #include "features/export/export_dialog.h"
 
+#include "features/export/pictures_dialog.h"
+#include "features/workbench.h"
 #include "handway/geometric/math/units.h"
 #include "model/document/document.h"
-#include "widgets/panels/result_text.h"
-#include "widgets/plots/time_plot.h"
+#include "view3d/scene_view.h"
+#include "widgets/panels/log_panel.h"
+#include "widgets/panels/run_table.h"
+#include "widgets/plots/cursor_plot.h"
 #include "widgets/style/theme.h"
 
 #include <QCheckBox>
@@ -410,6 +414,57 @@ void ExportDialog::show_problem(const QString& message) {
   problem_text_->show();
   setEnabled(true);
   export_button_->setEnabled(motion_.value && motion_.value->cleared());
+}
+
+namespace {
+
+void note_exported(Workbench& workbench, const QString& files) {
+  workbench.log.add(LogPanel::Level::kNote, QObject::tr("Exported %1").arg(files));
+}
+
+void export_path(Workbench& workbench) {
+  auto* dialog =
+      new ExportDialog(workbench.extensions, workbench.document, workbench.player.timeline().path(),
+                       workbench.scene_name(), &workbench.window);
+  QObject::connect(dialog, &ExportDialog::exported, &workbench, [&](const QStringList& files) {
+    note_exported(workbench, files.join(QStringLiteral(", ")));
+  });
+  dialog->open();
+}
+
+void export_pictures(Workbench& workbench) {
+  const auto& scene = workbench.document.scene();
+  auto* dialog = new PicturesDialog(
+      scene, workbench.player.timeline(), workbench.view.camera(),
+      scene->name.empty() ? QObject::tr("path") : QString::fromStdString(scene->name),
+      &workbench.window);
+  QObject::connect(dialog, &PicturesDialog::exported, &workbench,
+                   [&](const QString& file) { note_exported(workbench, file); });
+  dialog->open();
+}
+
+}  // namespace
+
+void add_export(Workbench& workbench) {
+  QAction* pictures = workbench.make_action({}, QObject::tr("Export p&ictures of the path…"), {},
+                                            QObject::tr("Film strip, frames, film or animation "
+                                                        "of the path"));
+  pictures->setObjectName(QStringLiteral("pictures"));
+  QAction* path = workbench.make_action({}, QObject::tr("&Export the path…"),
+                                        QKeySequence(QStringLiteral("Ctrl+E")),
+                                        QObject::tr("Time the path and write it for a controller"));
+  path->setObjectName(QStringLiteral("export_path"));
+  pictures->setEnabled(false);
+  path->setEnabled(false);
+  workbench.add_to_menu(MainMenu::kFile, {1, 10}, pictures);
+  workbench.add_to_menu(MainMenu::kFile, {1, 11}, path);
+  QObject::connect(&workbench.player, &PathPlayer::timeline_changed, pictures,
+                   [&, pictures] { pictures->setEnabled(!workbench.player.timeline().empty()); });
+  QObject::connect(&workbench.validity, &PathValidity::changed, path, [&, path] {
+    path->setEnabled(workbench.validity.state() == PathValidity::State::kValid);
+  });
+  QObject::connect(pictures, &QAction::triggered, &workbench, [&] { export_pictures(workbench); });
+  QObject::connect(path, &QAction::triggered, &workbench, [&] { export_path(workbench); });
 }
 
 }  // namespace handway::gui

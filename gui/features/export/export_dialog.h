@@ -4,7 +4,7 @@
 #include "handway/planning/extensions/plugin.h"
 #include "handway/planning/timing/time_path.h"
 #include "model/jobs/background.h"
-#include "model/planning/timing_runner.h"
+#include "model/planning/plan_runner.h"
 
 #include <QDialog>
 #include <QObject>
@@ -28,6 +28,7 @@ namespace handway::gui {
 
 class Document;
 class TimePlot;
+class Workbench;
 struct SceneState;
 
 /// Makes and writes the files of a motion off the GUI thread. Only the answer to the latest
@@ -134,5 +135,8 @@ class ExportDialog : public QDialog {
   QPushButton* export_button_;
   QLabel* problem_text_;
 };
+
+/// Adds the commands that export the path and pictures of it.
+void add_export(Workbench& workbench);
 
 }  // namespace handway::gui

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "handway/geometric/scene/scene.h"
-#include "model/playback/path_timeline.h"
+#include "model/playback/path_player.h"
 #include "model/settings/orbit_camera.h"
 
 #include <QDir>

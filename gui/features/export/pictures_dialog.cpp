@@ -2,7 +2,7 @@
 
 #include "features/export/film_recorder.h"
 #include "widgets/panels/playback_bar.h"
-#include "widgets/plots/strip_figure.h"
+#include "widgets/plots/figure_file.h"
 #include "widgets/style/theme.h"
 
 #include <QComboBox>

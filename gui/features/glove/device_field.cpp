@@ -162,7 +162,7 @@ CalibrationChoice::CalibrationChoice(QWidget* parent) : QComboBox(parent) {
   setMinimumContentsLength(10);
   addItem(tr("Typical right hand"));
   addItem(tr("From a file…"));
-  setItemData(kTypical, tr("What gloves read on nobody in particular"), Qt::ToolTipRole);
+  setItemData(kTypical, tr("Generic calibration"), Qt::ToolTipRole);
   connect(this, qOverload<int>(&QComboBox::activated), this, &CalibrationChoice::choose);
 }
 

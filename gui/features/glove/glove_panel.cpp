@@ -6,7 +6,9 @@
 #include "features/glove/pmd_explorer.h"
 #include "features/glove/record_bar.h"
 #include "features/glove/sensor_bars.h"
-#include "model/document/joint_groups.h"
+#include "features/workbench.h"
+#include "model/document/document.h"
+#include "view3d/scene_view.h"
 #include "widgets/panels/dock_layout.h"
 #include "widgets/panels/link_status.h"
 #include "widgets/style/theme.h"
@@ -56,7 +58,7 @@ bool is_live(StreamState state) {
 
 }  // namespace
 
-GlovePanel::GlovePanel(QWidget* parent)
+GlovePanel::GlovePanel(ContactGuard& guard, QWidget* parent)
     : QWidget(parent),
       device_(new DeviceField),
       connect_(new QPushButton),
@@ -66,6 +68,7 @@ GlovePanel::GlovePanel(QWidget* parent)
       bars_(new SensorBars),
       capture_(session_),
       mapping_editor_(new MappingEditor(session_)),
+      guard_(guard),
       follow_(new QCheckBox(tr("Hand follows"))),
       rule_(new QComboBox),
       contact_(new QLabel),
@@ -324,5 +327,37 @@ void GlovePanel::show_statistics() {
 }
 
 void GlovePanel::refresh_icons() { record_->refresh_icon(); }
+
+void add_glove(Workbench& workbench) {
+  auto* panel = new GlovePanel(workbench.guard);
+  const auto add_page = [panel](const QString& title, QWidget* page) {
+    panel->add_page(title, page);
+  };
+  workbench.add_dock(
+      DockArea::kControl, 3,
+      {.name = "glove", .title = QObject::tr("Glove"), .widget = panel, .add_page = add_page});
+  workbench.add_stream([panel]() -> std::optional<double> {
+    const auto& link = panel->session().link();
+    const bool runs = link.is_running() && link.state() != StreamState::kFailed;
+    return runs ? std::optional(panel->listening_time()) : std::nullopt;
+  });
+  Document& document = workbench.document;
+  QObject::connect(&workbench.view, &SceneView::frameSwapped, panel, &GlovePanel::note_drawn);
+  QObject::connect(panel, &GlovePanel::posture_changed, &workbench.posing, &Posing::apply);
+  QObject::connect(&document, &Document::configuration_changed, panel,
+                   &GlovePanel::set_configuration);
+  QObject::connect(&workbench, &Workbench::theme_changed, panel, &GlovePanel::refresh_icons);
+  QObject::connect(&workbench, &Workbench::scene_shown, panel, [panel, &document] {
+    const geometric::RobotInstance* robot = document.robot();
+    panel->set_hand(robot ? robot->model : nullptr, document.loaded().basis, document.problem());
+  });
+  QObject::connect(&workbench, &Workbench::ready, panel, [panel, &workbench] {
+    const Options& options = workbench.options;
+    if (!options.glove.empty() || !options.glove_page.empty() || !options.tracker.empty()) {
+      panel->come_to_front(QString::fromStdString(options.glove_page));
+      panel->connect_to(QString::fromStdString(options.glove));
+    }
+  });
+}
 
 }  // namespace handway::gui

@@ -26,6 +26,7 @@ class LinkStatus;
 class MappingEditor;
 class RecordBar;
 class SensorBars;
+class Workbench;
 
 /// The glove in the window: connects to it, shows what it measures, and moves the hand of the
 /// scene with it. Others that lead the robot may have a page of their own in it.
@@ -33,7 +34,8 @@ class GlovePanel : public QWidget {
   Q_OBJECT
 
  public:
-  explicit GlovePanel(QWidget* parent = nullptr);
+  /// @param guard decides on postures of glove and others; outlives the panel.
+  explicit GlovePanel(ContactGuard& guard, QWidget* parent = nullptr);
   ~GlovePanel() override;
 
   /// @param model null: no robot.
@@ -49,8 +51,6 @@ class GlovePanel : public QWidget {
   void refresh_icons();
   /// Adds a page, which the panel takes over and scrolls.
   void add_page(const QString& name, QWidget* page);
-  /// What else moves the scene's robot proposes its postures here.
-  [[nodiscard]] ContactGuard& guard() { return guard_; }
 
   /// Connects as if the person had; an empty device does nothing.
   void connect_to(const QString& device);
@@ -90,7 +90,7 @@ class GlovePanel : public QWidget {
   SensorBars* bars_;
   CapturePages capture_;
   MappingEditor* mapping_editor_;
-  ContactGuard guard_;
+  ContactGuard& guard_;
   QCheckBox* follow_;
   QComboBox* rule_;
   QLabel* contact_;
@@ -101,5 +101,8 @@ class GlovePanel : public QWidget {
   double first_time_ = -1.0;  ///< Of the frames since connecting, s.
   double last_time_ = -1.0;
 };
+
+/// Adds the panel; its hand is the scene's.
+void add_glove(Workbench& workbench);
 
 }  // namespace handway::gui

@@ -5,12 +5,14 @@
 #include "handway/geometric/robot/robot_model.h"
 #include "model/devices/glove_session.h"
 
+#include <QPointF>
 #include <QWidget>
 
 #include <Eigen/Core>
 
 #include <deque>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,8 +22,54 @@ class QPushButton;
 
 namespace handway::gui {
 
+/// A mapping as wires from sensors, left, to joints, right. A wire is laid by dragging from a
+/// sensor to a joint; a click on a joint selects it. Bars behind the names show what goes in
+/// and what comes out.
+class MappingWires : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit MappingWires(QWidget* parent = nullptr);
+
+  void set_mapping(const device::HandMapping& mapping);
+  void select(int joint);
+  [[nodiscard]] int selected() const { return selected_; }
+  /// @param mapper of the sample's posture.
+  void show_sample(const GloveSample& sample, const device::HandMapper& mapper);
+
+  /// Where to press and release, for one who drags.
+  [[nodiscard]] QPointF sensor_handle(int sensor) const;
+  [[nodiscard]] QPointF joint_handle(int joint) const;
+
+  [[nodiscard]] QSize sizeHint() const override;
+  [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
+
+ signals:
+  void connected(int joint, int sensor);
+  void selected_changed(int joint);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+
+ private:
+  [[nodiscard]] std::optional<int> sensor_at(const QPointF& position) const;
+  [[nodiscard]] std::optional<int> joint_at(const QPointF& position) const;
+  void paint_wire(QPainter& painter, const QPointF& from, const QPointF& to, bool strong) const;
+  void paint_sensors(QPainter& painter) const;
+  void paint_joints(QPainter& painter) const;
+
+  device::HandMapping mapping_;
+  std::vector<double> outputs_;  ///< Of the joints in their ranges, [0, 1]; -1: not known.
+  std::optional<device::GloveFrame> input_;
+  int selected_ = 0;
+  std::optional<int> dragged_;  ///< Sensor.
+  QPointF pointer_;
+};
+
 class CurveView;
-class MappingWires;
 class WireForm;
 
 /// What two mappings make of the same motion of a glove.

@@ -2,7 +2,6 @@
 
 #include "handway/device/glove/glove_layout.h"
 #include "handway/geometric/io/input_error.h"
-#include "widgets/style/icons.h"
 #include "widgets/style/theme.h"
 
 #include <QDateTime>

@@ -1,11 +1,12 @@
 #include "features/grasping/grasp_tool.h"
 
+#include "features/workbench.h"
 #include "handway/geometric/math/units.h"
 #include "model/document/document.h"
 #include "model/document/scene_editor.h"
 #include "model/planning/planning_session.h"
 #include "view3d/scene_view.h"
-#include "widgets/style/icons.h"
+#include "widgets/style/theme.h"
 
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -108,12 +109,12 @@ GraspCard::GraspCard(QWidget* host)
 }
 
 void GraspCard::show_search(const QString& object) {
-  set_up(tr("Grasp %1").arg(object), tr("Looking for ways to grasp it…"), false);
+  set_up(tr("Grasp %1").arg(object), tr("Searching for grasps…"), false);
 }
 
 void GraspCard::show_grasps(const QString& object, const std::vector<planning::Pregrasp>& grasps) {
   if (grasps.empty()) {
-    show_failure(object, tr("No way to grasp it was found: it is too large for the hand, out of "
+    show_failure(object, tr("No grasp was found: it is too large for the hand, out of "
                             "reach, or other things are too close."));
     return;
   }
@@ -215,6 +216,26 @@ void GraspTool::choose(int index) {
     editor_.set_start(document_.configuration());
   }
   session_.start();
+}
+
+void add_grasping(Workbench& workbench) {
+  auto& tool = workbench.own<GraspTool>(workbench.document, workbench.editor, workbench.session,
+                                        workbench.view);
+  QAction* grasp = workbench.make_action(
+      QStringLiteral("posture"), QObject::tr("&Grasp…"), QKeySequence(QStringLiteral("Ctrl+G")),
+      QObject::tr("Find grasps of the object, choose one and plan to it"));
+  workbench.add_to_menu(MainMenu::kEdit, {3, 0}, grasp);
+  workbench.add_to_bar(MainBar::kEditing, {0, 50}, grasp);
+  const auto update_enabled = [grasp, &workbench] {
+    const geometric::SceneObject* object = workbench.editor.selected_object();
+    grasp->setEnabled(object && !object->attachment && workbench.document.robot());
+  };
+  QObject::connect(grasp, &QAction::triggered, &tool, &GraspTool::begin);
+  QObject::connect(&tool, &GraspTool::handles_welcome, &workbench, &Workbench::handles_welcome);
+  QObject::connect(&workbench.document, &Document::opened, grasp, update_enabled);
+  QObject::connect(&workbench.document, &Document::edited, grasp, update_enabled);
+  QObject::connect(&workbench.editor, &SceneEditor::selection_changed, grasp, update_enabled);
+  update_enabled();
 }
 
 }  // namespace handway::gui

@@ -20,6 +20,7 @@ class Document;
 class PlanningSession;
 class SceneEditor;
 class SceneView;
+class Workbench;
 
 /// Floats in a corner of the view: ways to grasp an object, the best first, to choose from.
 class GraspCard : public FloatingCard {
@@ -81,5 +82,8 @@ class GraspTool : public QObject {
   planning::Derived<std::vector<planning::Pregrasp>> grasps_;
   LatestJob job_;
 };
+
+/// Adds the command that finds grasps of the selected object.
+void add_grasping(Workbench& workbench);
 
 }  // namespace handway::gui

@@ -1,13 +1,22 @@
 #include "features/planning/collision_display.h"
 
 #include "model/document/document.h"
-#include "view3d/path_node.h"
+#include "model/document/scene_editor.h"
+#include "model/playback/path_player.h"
+#include "view3d/overlay.h"
 #include "view3d/scene_view.h"
 #include "widgets/style/theme.h"
 
 #include <QAction>
+#include <QHBoxLayout>
 #include <QKeySequence>
+#include <QLabel>
+#include <QPushButton>
 #include <QStringList>
+#include <QToolButton>
+#include <QVariant>
+
+#include <algorithm>
 
 namespace handway::gui {
 namespace {
@@ -61,9 +70,8 @@ void CollisionLabel::show_nothing() {
   setToolTip({});
 }
 
-CollisionDisplay::CollisionDisplay(Document& document, SceneView& view, QObject* parent)
+CollisionDisplay::CollisionDisplay(CollisionMonitor& monitor, SceneView& view, QObject* parent)
     : QObject(parent),
-      document_(document),
       view_(view),
       label_(new CollisionLabel),
       closest_shown_(new QAction(tr("C&losest points"), &view)) {
@@ -74,13 +82,7 @@ CollisionDisplay::CollisionDisplay(Document& document, SceneView& view, QObject*
   closest_shown_->setChecked(true);
   connect(closest_shown_, &QAction::toggled, this,
           [this](bool on) { view_.set_overlay_visible(Overlay::kClearance, on); });
-  connect(&document_, &Document::configuration_changed, &monitor_, &CollisionMonitor::check);
-  connect(&document_, &Document::edited, this, [this](const SceneState& before) {
-    if (before.scene != document_.scene()) {
-      monitor_.set_problem(document_.problem());
-    }
-  });
-  connect(&monitor_, &CollisionMonitor::checked, this, [this](const CollisionReport& report) {
+  connect(&monitor, &CollisionMonitor::checked, this, [this](const CollisionReport& report) {
     std::vector<std::string> bodies;
     for (const geometric::NamedPair& pair : report.collisions) {
       bodies.push_back(pair.a);
@@ -95,16 +97,157 @@ CollisionDisplay::CollisionDisplay(Document& document, SceneView& view, QObject*
     }
     label_->show_report(report);
   });
-  connect(&monitor_, &CollisionMonitor::failed, this, [this](const QString& message) {
+  connect(&monitor, &CollisionMonitor::failed, this, [this](const QString& message) {
     label_->show_nothing();
     emit failed(tr("Collisions are not checked: %1").arg(message));
   });
 }
 
 void CollisionDisplay::show_scene() {
-  monitor_.set_problem(document_.problem());
   label_->show_nothing();
   view_.set_overlay(Overlay::kClearance, nullptr);
+}
+
+namespace {
+
+constexpr int kMostContacts = 2;
+
+QString words(const std::string& name) { return QString::fromStdString(name).toHtmlEscaped(); }
+
+QString contact_text(const geometric::Contact& contact) {
+  const QString depth =
+      contact.depth < geometric::Contact::kMostDepth
+          ? QObject::tr("%1 mm deep").arg(geometric::millimetres(contact.depth), 0, 'f', 1)
+          : QObject::tr("more than %1 mm deep").arg(geometric::millimetres(contact.depth));
+  const Eigen::Vector3d p = contact.p_W / geometric::kMillimetre;
+  return QObject::tr("<b>%1</b> is in <b>%2</b>, %3, at (%4, %5, %6) mm")
+      .arg(words(contact.a), words(contact.b), depth)
+      .arg(p.x(), 0, 'f', 0)
+      .arg(p.y(), 0, 'f', 0)
+      .arg(p.z(), 0, 'f', 0);
+}
+
+}  // namespace
+
+QString diagnosis_text(const geometric::RobotModel& model, const EndDiagnosis& end) {
+  QStringList lines;
+  if (!end.beyond_limits.empty()) {
+    QStringList joints;
+    for (const std::string& joint : end.beyond_limits) {
+      joints << words(joint);
+    }
+    lines << QObject::tr("Beyond its limits: <b>%1</b>").arg(joints.join(QStringLiteral(", ")));
+  }
+  for (const std::string& violated : end.violated) {
+    lines << QObject::tr("Violates %1").arg(words(violated));
+  }
+  const int named = std::min(kMostContacts, static_cast<int>(end.contacts.size()));
+  for (int i = 0; i < named; ++i) {
+    lines << contact_text(end.contacts[static_cast<std::size_t>(i)]);
+  }
+  if (const int others = static_cast<int>(end.contacts.size()) - named; others > 0) {
+    lines << (others == 1 ? QObject::tr("and one more pair")
+                          : QObject::tr("and %1 more pairs").arg(others));
+  }
+  if (end.nearest.q) {
+    lines << QObject::tr("A free one is %1° away: %2")
+                 .arg(geometric::degrees(end.nearest.distance), 0, 'f', 1)
+                 .arg(words(planning::describe_change(model, end.q, *end.nearest.q)));
+  } else {
+    lines << QObject::tr("No free one was found within %1°")
+                 .arg(geometric::degrees(planning::NearestFreeOptions{}.most_distance), 0, 'f', 0);
+  }
+  return QStringLiteral("<b>%1</b><br>%2")
+      .arg(end.is_start ? QObject::tr("The start can't be planned from")
+                        : QObject::tr("The goal can't be planned to"),
+           lines.join(QStringLiteral("<br>")));
+}
+
+DoctorCard::DoctorCard(QWidget* host)
+    : FloatingCard(host),
+      picture_(new QLabel),
+      text_(new QLabel),
+      show_(new QPushButton(tr("Show"))),
+      use_(new QPushButton(tr("Use posture"))) {
+  setProperty("role", "banner");
+  setObjectName(QStringLiteral("doctor"));
+  text_->setWordWrap(true);
+  text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  text_->setObjectName(QStringLiteral("doctor_text"));
+  show_->setObjectName(QStringLiteral("doctor_show"));
+  show_->setToolTip(tr("Move the robot to the free posture"));
+  use_->setObjectName(QStringLiteral("doctor_use"));
+  use_->setToolTip(tr("Take the free posture instead"));
+  use_->setProperty("role", "primary");
+  auto* close = new QToolButton;
+  close->setIcon(icon("close"));
+  close->setAutoRaise(true);
+  close->setToolTip(tr("Put this message away"));
+  connect(close, &QToolButton::clicked, this, &QWidget::hide);
+  connect(show_, &QPushButton::clicked, this, [this] { emit shown(*end_.nearest.q); });
+  connect(use_, &QPushButton::clicked, this,
+          [this] { emit accepted(end_.is_start, *end_.nearest.q); });
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(14, 10, 8, 10);
+  layout->setSpacing(12);
+  layout->addWidget(picture_, 0, Qt::AlignTop);
+  layout->addWidget(text_, 1);
+  layout->addWidget(show_, 0, Qt::AlignVCenter);
+  layout->addWidget(use_, 0, Qt::AlignVCenter);
+  layout->addWidget(close, 0, Qt::AlignTop);
+}
+
+void DoctorCard::show_diagnoses(const std::shared_ptr<const geometric::RobotModel>& model,
+                                const std::vector<EndDiagnosis>& ends) {
+  if (ends.empty()) {
+    hide();
+    return;
+  }
+  end_ = ends.front();
+  picture_->setPixmap(icon("warning", colors_of(current_theme()).bad).pixmap(24, 24));
+  text_->setText(diagnosis_text(*model, end_));
+  show_->setVisible(end_.nearest.q.has_value());
+  use_->setVisible(end_.nearest.q.has_value());
+  appear();
+}
+
+QString DoctorCard::text() const { return isHidden() ? QString() : text_->text(); }
+
+void DoctorCard::place() {
+  constexpr int kLeft = 108;  // of it stands the axes cross
+  const int width = std::min(parentWidget()->width() - kLeft - 12, 720);
+  const int height = std::max(layout()->heightForWidth(width), minimumSizeHint().height());
+  setGeometry(std::max(kLeft, (parentWidget()->width() - width) / 2),
+              parentWidget()->height() - height - 16, width, height);
+}
+
+QueryCheck::QueryCheck(Document& document, SceneEditor& editor, Posing& posing, SceneView& view,
+                       QObject* parent)
+    : QObject(parent), document_(document), view_(view), card_(new DoctorCard(&view)) {
+  connect(&document_, &Document::opened, this, &QueryCheck::examine);
+  connect(&document_, &Document::edited, this, [this](const SceneState& before) {
+    if (before.scene != document_.scene()) {
+      examine();
+    }
+  });
+  connect(&doctor_, &QueryDoctor::diagnosed, this, &QueryCheck::take);
+  connect(card_, &DoctorCard::shown, &posing, &Posing::set);
+  connect(card_, &DoctorCard::accepted, &editor, [&editor](bool is_start, const auto& q) {
+    is_start ? editor.set_start(q) : editor.set_goal(q);
+  });
+}
+
+void QueryCheck::examine() { doctor_.examine(document_.scene(), document_.problem()); }
+
+void QueryCheck::take(const std::vector<EndDiagnosis>& ends) {
+  std::vector<Eigen::Vector3d> places;
+  if (!ends.empty()) {
+    for (const geometric::Contact& contact : ends.front().contacts) {
+      places.push_back(contact.p_W);
+    }
+  }
+  view_.set_contacts(places);
+  card_->show_diagnoses(document_.robot() ? document_.robot()->model : nullptr, ends);
 }
 
 }  // namespace handway::gui

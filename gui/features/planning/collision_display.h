@@ -1,15 +1,22 @@
 #pragma once
 
 #include "model/document/collision_monitor.h"
+#include "model/planning/query_doctor.h"
+#include "widgets/panels/floating_card.h"
 
 #include <QLabel>
 #include <QObject>
 
+#include <memory>
+#include <vector>
+
 class QAction;
+
+class QLabel;
+class QPushButton;
 
 namespace handway::gui {
 
-class Document;
 class SceneView;
 
 /// "in collision: A with B", or how far the closest bodies are apart.
@@ -29,24 +36,82 @@ class CollisionDisplay : public QObject {
   Q_OBJECT
 
  public:
-  /// Makes the label; a window takes it over.
-  CollisionDisplay(Document& document, SceneView& view, QObject* parent = nullptr);
+  /// Makes the label; a window takes it over. @param monitor outlives it, as do the others.
+  CollisionDisplay(CollisionMonitor& monitor, SceneView& view, QObject* parent = nullptr);
 
-  [[nodiscard]] CollisionMonitor& monitor() { return monitor_; }
   [[nodiscard]] CollisionLabel* label() const { return label_; }
   /// The switch of the line between the bodies that are closest.
   [[nodiscard]] QAction* closest_shown() const { return closest_shown_; }
+  /// Another scene is shown, of which nothing is known yet.
   void show_scene();
 
  signals:
   void failed(const QString& message);
 
  private:
-  Document& document_;
   SceneView& view_;
-  CollisionMonitor monitor_;
   CollisionLabel* label_;
   QAction* closest_shown_;
+};
+
+class Document;
+class Posing;
+class SceneEditor;
+
+/// Floats at the foot of the view while start or goal can't be planned with: says what touches
+/// what, how deep and where, and offers the nearest free posture.
+class DoctorCard : public FloatingCard {
+  Q_OBJECT
+
+ public:
+  explicit DoctorCard(QWidget* host);
+
+  /// Shows the first of `ends`; none: hides the card.
+  void show_diagnoses(const std::shared_ptr<const geometric::RobotModel>& model,
+                      const std::vector<EndDiagnosis>& ends);
+  /// What is written on it; empty while it is hidden.
+  [[nodiscard]] QString text() const;
+
+ signals:
+  /// A click on Show.
+  void shown(const Eigen::VectorXd& q);
+  /// A click on Use it.
+  void accepted(bool is_start, const Eigen::VectorXd& q);
+
+ private:
+  void place() override;
+
+  QLabel* picture_;
+  QLabel* text_;
+  QPushButton* show_;
+  QPushButton* use_;
+  EndDiagnosis end_;
+};
+
+/// One or two sentences about what is wrong, as rich text.
+[[nodiscard]] QString diagnosis_text(const geometric::RobotModel& model, const EndDiagnosis& end);
+
+/// Looks after start and goal of the document: what can't be planned with is explained in the
+/// view, with a free posture nearby to take instead.
+class QueryCheck : public QObject {
+  Q_OBJECT
+
+ public:
+  /// All outlive it. The card floats over the view.
+  QueryCheck(Document& document, SceneEditor& editor, Posing& posing, SceneView& view,
+             QObject* parent = nullptr);
+
+  [[nodiscard]] bool is_busy() const { return doctor_.is_busy(); }
+  [[nodiscard]] const DoctorCard& card() const { return *card_; }
+
+ private:
+  void examine();
+  void take(const std::vector<EndDiagnosis>& ends);
+
+  Document& document_;
+  SceneView& view_;
+  QueryDoctor doctor_;
+  DoctorCard* card_;
 };
 
 }  // namespace handway::gui

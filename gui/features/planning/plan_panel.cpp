@@ -3,8 +3,7 @@
 #include "features/planning/preset_bar.h"
 #include "model/planning/planning_session.h"
 #include "widgets/forms/parameter_form.h"
-#include "widgets/panels/result_text.h"
-#include "widgets/style/icons.h"
+#include "widgets/panels/run_table.h"
 #include "widgets/style/theme.h"
 
 #include <QComboBox>
@@ -57,7 +56,7 @@ PlanPanel::PlanPanel(PlanSettings& settings, QWidget* parent)
       plan_(new QPushButton(tr("Plan"))),
       cancel_(new QPushButton(tr("Cancel"))),
       optimizing_(new QWidget),
-      optimize_(new QPushButton(tr("Keep optimising"))),
+      optimize_(new QPushButton(tr("Continue optimising"))),
       optimize_limit_(new QDoubleSpinBox),
       progress_(new QProgressBar),
       validity_(new QLabel),

@@ -25,7 +25,7 @@ PresetBar::PresetBar(const planning::PlannerRegistry& registry, QWidget* parent)
   list_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   more_->setObjectName(QStringLiteral("preset_menu"));
   more_->setText(QStringLiteral("⋯"));
-  more_->setToolTip(tr("Keep these values as a preset of your own"));
+  more_->setToolTip(tr("Save these values as a preset of your own"));
   more_->setProperty("role", "more");
   more_->setPopupMode(QToolButton::InstantPopup);
   auto* menu = new QMenu(more_);

@@ -2,7 +2,7 @@
 
 #include "model/document/document.h"
 #include "model/planning/planning_session.h"
-#include "view3d/roadmap_node.h"
+#include "view3d/overlay.h"
 #include "widgets/plots/projection_plot.h"
 #include "widgets/style/theme.h"
 
@@ -62,10 +62,10 @@ QStringList titles_of(const planning::HandArmChart& chart) {
   for (const auto& [kind, name] : chart.axes()) {
     switch (kind) {
       case Kind::kArmWay:
-        titles << QObject::tr("Arm's way, start to goal");
+        titles << QObject::tr("Along the arm's path, start to goal");
         break;
       case Kind::kArmDistance:
-        titles << QObject::tr("Beside the arm's way");
+        titles << QObject::tr("Distance from the arm's path");
         break;
       case Kind::kFreeJoint:
         titles << QObject::tr("Joint %1").arg(QString::fromStdString(name));

@@ -3,7 +3,7 @@
 #include "features/planning/plan_panel.h"
 #include "handway/geometric/math/units.h"
 #include "model/document/document.h"
-#include "view3d/region_node.h"
+#include "view3d/overlay.h"
 #include "view3d/scene_view.h"
 
 #include <QCheckBox>
@@ -54,7 +54,7 @@ QString bullet(const geometric::Color& color, const QString& name) {
 
 RegionPreviewBox::RegionPreviewBox(QWidget* parent)
     : QWidget(parent),
-      on_(new QCheckBox(tr("Show where it samples"))),
+      on_(new QCheckBox(tr("Show the sampling region"))),
       sliders_(new QWidget),
       rho_(new QSlider(Qt::Horizontal)),
       pmds_(new QSlider(Qt::Horizontal)),

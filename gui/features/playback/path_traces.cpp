@@ -4,9 +4,8 @@
 #include "model/document/document.h"
 #include "model/meshes/shaded_meshes.h"
 #include "model/playback/path_player.h"
-#include "model/playback/path_timeline.h"
 #include "model/playback/swept_volume.h"
-#include "view3d/path_node.h"
+#include "view3d/overlay.h"
 #include "view3d/scene_view.h"
 
 #include <QAction>
@@ -38,7 +37,7 @@ PathTraces::PathTraces(Document& document, PathPlayer& player, SceneView& view, 
       document_(document),
       player_(player),
       view_(view),
-      trails_(add(menu, QStringLiteral("trails"), tr("Ways of the &fingertips"),
+      trails_(add(menu, QStringLiteral("trails"), tr("&Fingertip paths"),
                   tr("Draw where each fingertip goes"))),
       postures_(add(menu, QStringLiteral("copies"), tr("&Postures along the path"),
                     tr("Draw the robot at even times along the path, from green to orange"))),

@@ -1,9 +1,14 @@
 #include "features/playback/plots_panel.h"
 
+#include "features/playback/path_traces.h"
+#include "features/workbench.h"
 #include "handway/geometric/io/replace_file.h"
+#include "handway/geometric/math/units.h"
 #include "model/document/document.h"
 #include "model/playback/motion_analysis.h"
 #include "model/playback/path_player.h"
+#include "widgets/panels/log_panel.h"
+#include "widgets/panels/playback_bar.h"
 #include "widgets/plots/cursor_plot.h"
 #include "widgets/style/theme.h"
 
@@ -14,6 +19,7 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
+#include <QObject>
 #include <QPainter>
 #include <QPixmap>
 #include <QPushButton>
@@ -22,11 +28,132 @@
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <exception>
+#include <iterator>
+#include <utility>
 
 namespace handway::gui {
+namespace {
+
+constexpr const char* kClearance = "clearance_mm";
+constexpr const char* kToSubspace = "distance_to_pmds";
+constexpr const char* kToRecorded = "distance_to_recorded";
+
+double unit(const geometric::RobotModel& model, int variable) {
+  return slides(model, variable) ? geometric::millimetres(1.0) : geometric::degrees(1.0);
+}
+
+}  // namespace
+
+bool is_of_joints(PlotQuantity quantity) {
+  return quantity != PlotQuantity::kClearance && quantity != PlotQuantity::kUnlikeness;
+}
+
+bool slides(const geometric::RobotModel& model, int variable) {
+  return model.variable(variable).type == geometric::JointType::kPrismatic;
+}
+
+QString unit_of(PlotQuantity quantity, bool slides) {
+  const QString way = slides ? QStringLiteral("mm") : QStringLiteral("°");
+  switch (quantity) {
+    case PlotQuantity::kPosition:
+      return way;
+    case PlotQuantity::kVelocity:
+      return way + QStringLiteral("/s");
+    case PlotQuantity::kAcceleration:
+      return way + QStringLiteral("/s²");
+    case PlotQuantity::kClearance:
+      return QStringLiteral("mm");
+    case PlotQuantity::kUnlikeness:
+      break;
+  }
+  return {};
+}
+
+QString axis_title(PlotQuantity quantity, bool slides) {
+  const auto with_unit = [&](const QString& name) {
+    return QStringLiteral("%1, %2").arg(name, unit_of(quantity, slides));
+  };
+  switch (quantity) {
+    case PlotQuantity::kPosition:
+      return with_unit(QObject::tr("position"));
+    case PlotQuantity::kVelocity:
+      return with_unit(QObject::tr("velocity"));
+    case PlotQuantity::kAcceleration:
+      return with_unit(QObject::tr("acceleration"));
+    case PlotQuantity::kClearance:
+      return with_unit(QObject::tr("clearance"));
+    case PlotQuantity::kUnlikeness:
+      break;
+  }
+  return QObject::tr("distance");
+}
+
+std::vector<double> joint_values(const planning::Motion& motion, int variable,
+                                 PlotQuantity quantity) {
+  const double scale = unit(*motion.model, variable);
+  std::vector<double> values;
+  values.reserve(motion.trajectory.points.size());
+  for (const planning::TrajectoryPoint& point : motion.trajectory.points) {
+    const Eigen::VectorXd& all = quantity == PlotQuantity::kPosition   ? point.position
+                                 : quantity == PlotQuantity::kVelocity ? point.velocity
+                                                                       : point.acceleration;
+    values.push_back(scale * all[variable]);
+  }
+  return values;
+}
+
+std::vector<PlotColumn> motion_columns(const MotionCurves& curves, PlotQuantity quantity) {
+  std::vector<PlotColumn> columns;
+  if (quantity == PlotQuantity::kUnlikeness) {
+    columns = {{kToSubspace, curves.to_subspace}, {kToRecorded, curves.to_recorded}};
+  } else {
+    columns.push_back({kClearance, {}});
+    std::ranges::transform(curves.clearance, std::back_inserter(columns.back().values),
+                           geometric::millimetres);
+  }
+  std::erase_if(columns, [](const PlotColumn& column) { return column.values.empty(); });
+  return columns;
+}
+
+QString title_of(const PlotColumn& column) {
+  return column.name == kToSubspace   ? QObject::tr("to the PMD subspace")
+         : column.name == kToRecorded ? QObject::tr("to the nearest recorded posture")
+                                      : QObject::tr("Clearance");
+}
+
+std::vector<double> joint_limits(const planning::Motion& motion, int variable,
+                                 PlotQuantity quantity) {
+  const double scale = unit(*motion.model, variable);
+  if (quantity == PlotQuantity::kPosition) {
+    return motion.model->is_continuous(variable)
+               ? std::vector<double>{}
+               : std::vector<double>{scale * motion.model->lower()[variable],
+                                     scale * motion.model->upper()[variable]};
+  }
+  const Eigen::VectorXd& most =
+      quantity == PlotQuantity::kVelocity ? motion.limits.velocity : motion.limits.acceleration;
+  return {-scale * most[variable], scale * most[variable]};
+}
+
+std::string csv_of(const std::vector<double>& times, const std::vector<PlotColumn>& columns) {
+  std::string text = "time_s";
+  for (const PlotColumn& column : columns) {
+    text += "," + column.name;
+  }
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    text += fmt::format("\n{:.6g}", times[i]);
+    for (const PlotColumn& column : columns) {
+      text += fmt::format(",{:.9g}", column.values[i] + 0.0);
+    }
+  }
+  return text + "\n";
+}
+
 namespace {
 
 constexpr int kName = 0;
@@ -439,6 +566,17 @@ void PlotsPanel::write(const QString& file) const {
          values_[i]});
   }
   geometric::replace_file(file.toStdString(), csv_of(times_, columns));
+}
+
+void add_playback(Workbench& workbench) {
+  workbench.own<PathTraces>(workbench.document, workbench.player, workbench.view,
+                            workbench.playback_bar.traces());
+  auto* plots = new PlotsPanel(workbench.document, workbench.player, workbench.analysis);
+  workbench.add_dock(DockArea::kBelow, 1, {"plots", QObject::tr("Plots"), plots});
+  QObject::connect(plots, &PlotsPanel::failed, &workbench, &Workbench::show_error);
+  QObject::connect(plots, &PlotsPanel::exported, &workbench, [&](const QString& file) {
+    workbench.log.add(LogPanel::Level::kNote, QObject::tr("Exported %1").arg(file));
+  });
 }
 
 }  // namespace handway::gui

@@ -1,13 +1,15 @@
 #pragma once
 
-#include "features/playback/plot_quantity.h"
-#include "model/document/joint_groups.h"
+#include "model/document/document.h"
+#include "model/playback/motion_analysis.h"
 
 #include <QColor>
+#include <QString>
 #include <QTreeWidget>
 #include <QWidget>
 
 #include <memory>
+#include <string>
 #include <vector>
 
 class QComboBox;
@@ -18,10 +20,51 @@ class QStackedWidget;
 
 namespace handway::gui {
 
+/// What a plot of a motion shows.
+enum class PlotQuantity { kPosition, kVelocity, kAcceleration, kClearance, kUnlikeness };
+
+/// Is there a curve for every joint, or one for all?
+[[nodiscard]] bool is_of_joints(PlotQuantity quantity);
+
+/// With its unit: "velocity, °/s".
+[[nodiscard]] QString axis_title(PlotQuantity quantity, bool slides);
+
+/// The unit alone; empty: a pure number. @param slides of a joint that does not turn.
+[[nodiscard]] QString unit_of(PlotQuantity quantity, bool slides);
+
+[[nodiscard]] bool slides(const geometric::RobotModel& model, int variable);
+
+/// A joint's position, velocity or acceleration at the motion's points, in degrees or
+/// millimetres.
+[[nodiscard]] std::vector<double> joint_values(const planning::Motion& motion, int variable,
+                                               PlotQuantity quantity);
+
+/// Between what a joint's values have to stay, lowest first.
+[[nodiscard]] std::vector<double> joint_limits(const planning::Motion& motion, int variable,
+                                               PlotQuantity quantity);
+
+/// A curve as a table's column.
+struct PlotColumn {
+  std::string name;
+  std::vector<double> values;
+};
+
+/// Clearance in millimetres, or the hand's distances to the subspace of its principal motion
+/// directions and to the recorded postures, those of them that there are.
+[[nodiscard]] std::vector<PlotColumn> motion_columns(const MotionCurves& curves,
+                                                     PlotQuantity quantity);
+/// What a person reads of motion_columns().
+[[nodiscard]] QString title_of(const PlotColumn& column);
+
+/// A table with a column for each curve.
+[[nodiscard]] std::string csv_of(const std::vector<double>& times,
+                                 const std::vector<PlotColumn>& columns);
+
 class CursorPlot;
 class Document;
 class MotionAnalysis;
 class PathPlayer;
+class Workbench;
 
 /// The joints of a robot, arm and fingers apart, to choose whose curves are drawn; it is their
 /// legend too, with their values where the cursor is.
@@ -104,5 +147,8 @@ class PlotsPanel : public QWidget {
   std::vector<std::vector<double>> values_;  ///< Of each of them; empty: no curves of joints.
   std::vector<PlotColumn> columns_;          ///< Curves that are not of joints.
 };
+
+/// Adds the plots below the view, and what the path leaves in the view to the playback bar.
+void add_playback(Workbench& workbench);
 
 }  // namespace handway::gui

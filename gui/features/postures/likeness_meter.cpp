@@ -1,7 +1,7 @@
 #include "features/postures/likeness_meter.h"
 
 #include "handway/geometric/io/resources.h"
-#include "model/document/recorded_hand.h"
+#include "model/document/document.h"
 #include "widgets/style/theme.h"
 
 #include <QDir>

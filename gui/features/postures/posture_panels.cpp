@@ -1,19 +1,28 @@
 #include "features/postures/posture_panels.h"
 
 #include "features/postures/joint_panel.h"
-#include "features/postures/pmd_panel.h"
+#include "features/workbench.h"
 #include "model/document/document.h"
+#include "model/document/scene_editor.h"
 #include "model/document/selection.h"
-#include "model/playback/posing.h"
+#include "model/playback/path_player.h"
 #include "model/settings/view_colors.h"
 #include "widgets/panels/dock_layout.h"
-#include "widgets/style/icons.h"
+#include "widgets/style/theme.h"
 
+#include <QAction>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFormLayout>
 #include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
 #include <QMenu>
 #include <QPushButton>
+#include <QVBoxLayout>
 
 #include <algorithm>
+#include <utility>
 
 namespace handway::gui {
 namespace {
@@ -32,7 +41,7 @@ PostureBar::PostureBar(QWidget* parent)
       menu_(new QMenu(this)) {
   start_->setToolTip(tr("Go to start"));
   goal_->setToolTip(tr("Go to goal"));
-  postures_->setToolTip(tr("Go to a posture that has a name, or keep this one under a name"));
+  postures_->setToolTip(tr("Go to a posture that has a name, or save this one under a name"));
   start_->setObjectName(QStringLiteral("go_to_start"));
   goal_->setObjectName(QStringLiteral("go_to_goal"));
   postures_->setObjectName(QStringLiteral("postures"));
@@ -70,9 +79,9 @@ void PostureBar::list_postures(const geometric::Scene& scene) {
   menu_->addSeparator();
   std::ranges::for_each(scene.robots.front().model->description().postures, add);
   menu_->addSeparator();
-  menu_->addAction(tr("Keep this posture…"), this, &PostureBar::keep_requested);
+  menu_->addAction(tr("Save posture…"), this, &PostureBar::keep_requested);
   if (!scene.postures.empty()) {
-    QMenu* forget = menu_->addMenu(tr("Forget"));
+    QMenu* forget = menu_->addMenu(tr("Delete"));
     forget->setObjectName(QStringLiteral("forget_posture"));
     for (const geometric::NamedPosture& posture : scene.postures) {
       const QString name = QString::fromStdString(posture.name);
@@ -81,12 +90,21 @@ void PostureBar::list_postures(const geometric::Scene& scene) {
   }
 }
 
-PosturePanels::PosturePanels(Document& document, Posing& posing, QObject* parent)
-    : QObject(parent),
-      document_(document),
+PosturePanels::PosturePanels(Workbench& workbench)
+    : workbench_(workbench),
+      document_(workbench.document),
       postures_(new PostureBar),
       joints_(new JointPanel),
-      hand_(new PmdPanel(document.recorded_hand())) {
+      hand_(new PmdPanel(document_.recorded_hand())) {
+  workbench_.add_dock(DockArea::kControl, 1,
+                      {"joints", tr("Joints"), stacked({postures_, joints_}, 1)});
+  workbench_.add_dock(DockArea::kControl, 2, {"hand", tr("Hand"), hand_});
+  connect_panels();
+  add_commands();
+}
+
+void PosturePanels::connect_panels() {
+  Posing& posing = workbench_.posing;
   connect(joints_, &JointPanel::configuration_edited, &posing, &Posing::set);
   connect(hand_, &PmdPanel::configuration_edited, &posing, &Posing::set);
   connect(postures_, &PostureBar::posture_requested, &posing, &Posing::apply);
@@ -103,6 +121,30 @@ PosturePanels::PosturePanels(Document& document, Posing& posing, QObject* parent
       postures_->set_scene(document_.scene());
     }
   });
+  connect(&workbench_, &Workbench::scene_shown, this, &PosturePanels::show_robot);
+  connect(&workbench_.editor, &SceneEditor::selection_changed, this, &PosturePanels::show_item);
+}
+
+void PosturePanels::add_commands() {
+  QAction* start = workbench_.make_action("start", tr("Set &start here"), {},
+                                          tr("Start from the posture that is shown"));
+  QAction* goal = workbench_.make_action("goal", tr("Set &goal here"), {},
+                                         tr("End in the posture that is shown"));
+  QAction* keep = workbench_.make_action("", tr("Save &posture…"), {},
+                                         tr("Give the posture a name, in the scene"));
+  keep->setObjectName(QStringLiteral("keep_posture"));
+  int order = 0;
+  for (QAction* action : {start, goal, keep}) {
+    workbench_.add_to_menu(MainMenu::kPlan, {1, ++order}, action);
+    connect(&workbench_, &Workbench::scene_shown, action,
+            [this, action] { action->setEnabled(document_.robot() != nullptr); });
+  }
+  SceneEditor& editor = workbench_.editor;
+  connect(start, &QAction::triggered, this,
+          [this, &editor] { editor.set_start(document_.configuration()); });
+  connect(goal, &QAction::triggered, this,
+          [this, &editor] { editor.set_goal(document_.configuration()); });
+  new KeptPostures(document_, editor, *postures_, *keep, this);
 }
 
 void PosturePanels::show_robot() {
@@ -119,6 +161,107 @@ void PosturePanels::show_item(const SceneItem& item) const {
     bring_to_front(*joints_);
     joints_->show_link(item.name);
   }
+}
+
+void add_postures(Workbench& workbench) { workbench.own<PosturePanels>(workbench); }
+
+namespace {
+
+constexpr int kLeastWidth = 340;
+
+}  // namespace
+
+KeepPostureDialog::KeepPostureDialog(const JointGroups& groups, const QStringList& taken,
+                                     QWidget* parent)
+    : QDialog(parent),
+      taken_(taken),
+      name_(new QLineEdit),
+      part_(new QComboBox),
+      note_(new QLabel),
+      keep_(nullptr) {
+  setWindowTitle(tr("Save posture"));
+  setMinimumWidth(kLeastWidth);
+  name_->setObjectName(QStringLiteral("posture_name"));
+  name_->setPlaceholderText(tr("for example: above the table"));
+  part_->setObjectName(QStringLiteral("posture_part"));
+  std::vector<int> all = groups.arm;
+  all.insert(all.end(), groups.hand.begin(), groups.hand.end());
+  all.insert(all.end(), groups.other.begin(), groups.other.end());
+  add_part(tr("The whole robot"), std::move(all));
+  if (!groups.arm.empty() && !groups.hand.empty()) {
+    add_part(tr("The arm"), groups.arm);
+    add_part(tr("The hand"), groups.hand);
+  }
+  auto* form = new QFormLayout;
+  form->addRow(tr("Name"), name_);
+  form->addRow(tr("Of"), part_);
+  note_->setProperty("role", "note");
+  note_->setWordWrap(true);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
+  keep_ = buttons->addButton(tr("Save"), QDialogButtonBox::AcceptRole);
+  keep_->setObjectName(QStringLiteral("posture_keep"));
+  keep_->setProperty("role", "primary");
+  keep_->setDefault(true);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(16, 16, 16, 12);
+  layout->setSpacing(10);
+  layout->addLayout(form);
+  layout->addWidget(note_);
+  layout->addWidget(buttons);
+  connect(name_, &QLineEdit::textChanged, this, &KeepPostureDialog::look_at_name);
+  connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  look_at_name();
+}
+
+void KeepPostureDialog::add_part(const QString& text, std::vector<int> variables) {
+  part_->addItem(text);
+  parts_.push_back(std::move(variables));
+}
+
+void KeepPostureDialog::look_at_name() {
+  keep_->setEnabled(!name().isEmpty());
+  note_->setText(
+      taken_.contains(name())
+          ? tr("It takes the place of the posture of that name.")
+          : tr("Postures are saved with the scene. Joints of other parts stay where they "
+               "are when the robot goes to it."));
+}
+
+QString KeepPostureDialog::name() const { return name_->text().trimmed(); }
+
+const std::vector<int>& KeepPostureDialog::variables() const {
+  return parts_[static_cast<std::size_t>(part_->currentIndex())];
+}
+
+KeptPostures::KeptPostures(const Document& document, SceneEditor& editor, PostureBar& bar,
+                           QAction& keep, QObject* parent)
+    : QObject(parent), document_(document), editor_(editor), bar_(bar) {
+  connect(&keep, &QAction::triggered, this, &KeptPostures::keep_this);
+  connect(&bar, &PostureBar::keep_requested, this, &KeptPostures::keep_this);
+  connect(&bar, &PostureBar::forget_requested, this,
+          [this](const QString& name) { editor_.forget_posture(name.toStdString()); });
+}
+
+void KeptPostures::keep_this() {
+  const geometric::RobotInstance* robot = document_.robot();
+  if (!robot) {
+    return;
+  }
+  QStringList taken;
+  for (const geometric::NamedPosture& posture : document_.scene()->postures) {
+    taken.push_back(QString::fromStdString(posture.name));
+  }
+  KeepPostureDialog dialog(document_.groups(), taken, bar_.window());
+  if (dialog.exec() != QDialog::Accepted) {
+    return;
+  }
+  geometric::NamedPosture posture;
+  posture.name = dialog.name().toStdString();
+  for (const int variable : dialog.variables()) {
+    posture.values[robot->model->variable(variable).name] = document_.configuration()[variable];
+  }
+  editor_.keep_posture(posture);
 }
 
 }  // namespace handway::gui

@@ -1,8 +1,11 @@
 #pragma once
 
 #include "handway/geometric/scene/scene.h"
+#include "model/document/document.h"
 
+#include <QDialog>
 #include <QObject>
+#include <QStringList>
 #include <QWidget>
 
 #include <memory>
@@ -11,12 +14,17 @@ class QMenu;
 class QPushButton;
 class QToolButton;
 
+class QAction;
+class QComboBox;
+class QLabel;
+class QLineEdit;
+
 namespace handway::gui {
 
 class Document;
 class JointPanel;
 class PmdPanel;
-class Posing;
+class Workbench;
 struct SceneItem;
 
 /// Buttons that move the first robot to start, goal or a named posture, of the scene or of the
@@ -52,23 +60,69 @@ class PosturePanels : public QObject {
   Q_OBJECT
 
  public:
-  /// Makes the panels; a window takes them over. Both outlive them.
-  PosturePanels(Document& document, Posing& posing, QObject* parent = nullptr);
+  /// Adds the panels to the window. @param workbench outlives them.
+  explicit PosturePanels(Workbench& workbench);
 
-  [[nodiscard]] PostureBar* postures() const { return postures_; }
-  [[nodiscard]] JointPanel* joints() const { return joints_; }
-  [[nodiscard]] PmdPanel* hand() const { return hand_; }
-
+ private:
+  void connect_panels();
+  void add_commands();
   /// Shows the document's robot, which may be another than before.
   void show_robot();
   /// Of a link of the robot the slider of its joint comes to the front.
   void show_item(const SceneItem& item) const;
 
- private:
+  Workbench& workbench_;
   Document& document_;
   PostureBar* postures_;
   JointPanel* joints_;
   PmdPanel* hand_;
+};
+
+/// Adds the panels of joints and hand, and the commands that set start and goal and keep postures.
+void add_postures(Workbench& workbench);
+
+class SceneEditor;
+
+/// Asks under which name a posture is kept, and of which part of the robot.
+class KeepPostureDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  /// @param taken names of postures that are kept already: one of them is kept in its place.
+  KeepPostureDialog(const JointGroups& groups, const QStringList& taken, QWidget* parent = nullptr);
+
+  [[nodiscard]] QString name() const;
+  /// The variables that belong to it.
+  [[nodiscard]] const std::vector<int>& variables() const;
+
+ private:
+  void add_part(const QString& text, std::vector<int> variables);
+  void look_at_name();
+
+  QStringList taken_;
+  std::vector<std::vector<int>> parts_;  ///< By row of the choice.
+  QLineEdit* name_;
+  QComboBox* part_;
+  QLabel* note_;
+  QPushButton* keep_;
+};
+
+/// Keeps postures by name in the scene, and forgets them again, each in an edit that can be undone.
+class KeptPostures : public QObject {
+  Q_OBJECT
+
+ public:
+  /// All outlive it. @param keep asks for it, in menus.
+  KeptPostures(const Document& document, SceneEditor& editor, PostureBar& bar, QAction& keep,
+               QObject* parent = nullptr);
+
+ private:
+  /// Asks for a name.
+  void keep_this();
+
+  const Document& document_;
+  SceneEditor& editor_;
+  PostureBar& bar_;
 };
 
 }  // namespace handway::gui

@@ -1,11 +1,14 @@
 #include "features/preferences/preferences_dialog.h"
 
+#include "features/workbench.h"
+
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QLabel>
+#include <QMainWindow>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSpinBox>
@@ -189,17 +192,30 @@ void PreferencesDialog::add_number(QFormLayout& form, const char* name, const QS
   form.addRow(label, field);
 }
 
-void show_preferences(Preferences& preferences, const std::vector<std::string>& planners,
-                      QWidget& window) {
-  if (auto* open = window.findChild<PreferencesDialog*>()) {
+namespace {
+
+// The one that is open already, if there is one.
+void show_preferences(Workbench& workbench) {
+  if (auto* open = workbench.window.findChild<PreferencesDialog*>()) {
     open->activateWindow();
     return;
   }
-  QStringList names;
-  for (const std::string& name : planners) {
-    names << QString::fromStdString(name);
+  QStringList planners;
+  for (const std::string& name : workbench.extensions->planners().names()) {
+    planners << QString::fromStdString(name);
   }
-  (new PreferencesDialog(preferences, names, &window))->show();
+  (new PreferencesDialog(workbench.preferences, planners, &workbench.window))->show();
+}
+
+}  // namespace
+
+void add_preferences(Workbench& workbench) {
+  QAction* action = workbench.make_action(
+      QStringLiteral("preferences"), QObject::tr("Pre&ferences…"),
+      QKeySequence(QStringLiteral("Ctrl+,")), QObject::tr("How the workbench looks and behaves"));
+  workbench.add_to_menu(MainMenu::kFile, {2, 0}, action);
+  QObject::connect(action, &QAction::triggered, &workbench,
+                   [&workbench] { show_preferences(workbench); });
 }
 
 }  // namespace handway::gui

@@ -13,6 +13,8 @@ class QFormLayout;
 
 namespace handway::gui {
 
+class Workbench;
+
 /// Shows all preferences. Each works as soon as it is changed.
 class PreferencesDialog : public QDialog {
   Q_OBJECT
@@ -47,9 +49,7 @@ class PreferencesDialog : public QDialog {
   std::vector<std::function<void()>> show_;  ///< Each shows one value as it is now.
 };
 
-/// Shows the dialog of a window; the one that is open already, if there is one.
-/// @param planners by name; the first is the usual one.
-void show_preferences(Preferences& preferences, const std::vector<std::string>& planners,
-                      QWidget& window);
+/// Adds the command that shows the dialog.
+void add_preferences(Workbench& workbench);
 
 }  // namespace handway::gui

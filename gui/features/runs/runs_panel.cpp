@@ -1,9 +1,9 @@
 #include "features/runs/runs_panel.h"
 
+#include "features/workbench.h"
 #include "model/document/scene_editor.h"
 #include "model/planning/planning_session.h"
 #include "widgets/panels/dock_layout.h"
-#include "widgets/panels/result_text.h"
 #include "widgets/panels/run_table.h"
 
 #include <QHBoxLayout>
@@ -152,8 +152,8 @@ void RunsPanel::refresh() {
   const auto solved = std::ranges::count_if(records_, &PathRecord::is_solved);
   state_->setText(
       records_.empty()
-          ? tr("Every run is kept here, to compare it with others and to put it back.")
-          : tr("%1, %2 with a path. A double click puts a run back.")
+          ? tr("Every run is kept here, to compare it with others and to restore it.")
+          : tr("%1, %2 with a path. A double click restores a run.")
                 .arg(records_.size() == 1 ? tr("1 run") : tr("%1 runs").arg(records_.size()))
                 .arg(solved));
   show_actions();
@@ -217,6 +217,15 @@ void RunsTool::restore(const PathRecord& record) {
     editor_.apply(tr("Restore run %1").arg(run.number), run.state, {});
   }
   session_.show(record, tr("Run %1, restored.").arg(run.number));
+}
+
+void add_runs(Workbench& workbench) {
+  auto* panel = new RunsPanel(workbench.history);
+  workbench.own<RunsTool>(workbench.history, *panel, workbench.session, workbench.plan_settings,
+                          workbench.editor);
+  workbench.add_dock(DockArea::kBelow, 0, {"runs", QObject::tr("Runs"), panel});
+  QObject::connect(panel, &RunsPanel::compare_requested, &workbench,
+                   [&] { workbench.trigger("compare"); });
 }
 
 }  // namespace handway::gui

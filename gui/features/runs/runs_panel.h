@@ -20,6 +20,7 @@ class PlanningSession;
 class RunTable;
 class RunView;
 class SceneEditor;
+class Workbench;
 
 /// The runs of the scene that is open, the latest first, to be looked at and put back.
 class RunsPanel : public QWidget {
@@ -82,5 +83,8 @@ class RunsTool : public QObject {
   PlanSettings& settings_;
   SceneEditor& editor_;
 };
+
+/// Adds the panel below the view.
+void add_runs(Workbench& workbench);
 
 }  // namespace handway::gui

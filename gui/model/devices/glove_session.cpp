@@ -132,8 +132,6 @@ void GloveLink::take_state(StreamState state) {
 
 namespace {
 
-using device::StreamState;
-
 constexpr std::uint64_t kEmulatorSeed = 1;
 
 }  // namespace

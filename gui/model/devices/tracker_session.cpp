@@ -72,8 +72,6 @@ void TrackerLink::take_state(StreamState state) {
 
 namespace {
 
-using device::StreamState;
-
 constexpr std::uint64_t kTrackerSeed = 1;
 
 std::unique_ptr<device::Tracker> polhemus(device::PolhemusModel model, const std::string& address) {

@@ -1,12 +1,13 @@
 #pragma once
 
+#include "handway/geometric/robot/robot_model.h"
 #include "handway/geometric/scene/scene.h"
 #include "handway/planning/core/revision.h"
 #include "handway/planning/extensions/importer.h"
 #include "handway/planning/extensions/plugin.h"
-#include "model/document/joint_groups.h"
+#include "handway/sampling/postures/pmd_basis.h"
+#include "handway/sampling/postures/recorded_postures.h"
 #include "model/document/prepared_problem.h"
-#include "model/document/recorded_hand.h"
 #include "model/document/scene_edits.h"
 #include "model/jobs/background.h"
 
@@ -17,8 +18,73 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace handway::gui {
+
+/// The variables of arm and hand, by planning::make_problem's rule: the groups
+/// "arm" and "hand", the basis' joints for the hand, the rest for the arm.
+struct JointGroups {
+  std::vector<int> arm;
+  std::vector<int> hand;   ///< In the basis' joint order if there is a basis.
+  std::vector<int> other;  ///< In neither.
+};
+
+/// @param basis may be null.
+[[nodiscard]] JointGroups joint_groups(const geometric::RobotModel& model,
+                                       const sampling::PmdBasis* basis);
+
+/// The link that stands for the hand as a whole: the last that the arm moves, or
+/// the one fixed to it that carries the fingers.
+[[nodiscard]] int palm_link(const geometric::RobotModel& model, const JointGroups& groups);
+
+/// The arm, and each finger by itself: variables of the hand of which one moves the other's link.
+[[nodiscard]] std::vector<std::vector<int>> moving_parts(const geometric::RobotModel& model,
+                                                         const JointGroups& groups);
+
+/// The recorded postures that a hand is compared with: those that its basis names, or those of a
+/// file that a person chose, read in the background.
+class RecordedHand : public QObject {
+  Q_OBJECT
+
+ public:
+  enum class State {
+    kNone,  ///< The basis names none, and none were chosen; or there is no basis.
+    kReading,
+    kReady,
+    kFailed,
+  };
+
+  explicit RecordedHand(QObject* parent = nullptr) : QObject(parent) {}
+
+  /// Of another scene. What was chosen stays for the same hand. @param basis may be null.
+  void set_basis(std::shared_ptr<const sampling::PmdBasis> basis);
+  /// Compares with a file's postures (sampling::read_postures()) instead of the basis'.
+  void choose(const std::filesystem::path& file);
+
+  [[nodiscard]] State state() const { return state_; }
+  [[nodiscard]] const std::shared_ptr<const sampling::PmdBasis>& basis() const { return basis_; }
+  /// Null unless kReady.
+  [[nodiscard]] const std::shared_ptr<const sampling::RecordedPostures>& postures() const {
+    return postures_;
+  }
+  /// Why they couldn't be read; a sentence.
+  [[nodiscard]] const QString& fault() const { return fault_; }
+
+ signals:
+  void changed();
+
+ private:
+  void read();
+
+  std::shared_ptr<const sampling::PmdBasis> basis_;
+  std::filesystem::path chosen_;
+  std::string chosen_for_;  ///< Hand.
+  State state_ = State::kNone;
+  std::shared_ptr<const sampling::RecordedPostures> postures_;
+  QString fault_;
+  LatestJob job_;
+};
 
 /// A scene with nothing but a robot of the library, and the first hand basis of the
 /// library that fits it. @throws InputError if there is no such robot.

@@ -1,6 +1,5 @@
 #include "model/document/resting.h"
 
-#include "model/document/arrange.h"
 #include "model/document/scene_edits.h"
 #include "model/document/selection.h"
 

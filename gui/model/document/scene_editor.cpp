@@ -1,7 +1,6 @@
 #include "model/document/scene_editor.h"
 
 #include "handway/geometric/formats/mesh_reader.h"
-#include "model/document/arrange.h"
 #include "model/document/resting.h"
 #include "model/document/scene_edits.h"
 
@@ -398,14 +397,14 @@ void SceneEditor::set_goal(const geometric::Configuration& q) {
 
 void SceneEditor::keep_posture(const geometric::NamedPosture& posture) {
   if (document_.robot()) {
-    push(tr("Keep posture %1").arg(words(posture.name)), with_posture(state(), posture),
+    push(tr("Save posture %1").arg(words(posture.name)), with_posture(state(), posture),
          selection_);
   }
 }
 
 void SceneEditor::forget_posture(const std::string& name) {
   if (document_.robot()) {
-    push(tr("Forget posture %1").arg(words(name)), without_posture(state(), name), selection_);
+    push(tr("Delete posture %1").arg(words(name)), without_posture(state(), name), selection_);
   }
 }
 

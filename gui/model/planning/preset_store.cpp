@@ -75,7 +75,7 @@ std::vector<PlannerPreset> built_in_presets(const std::string& planner) {
   };
   const QString as_found = QObject::tr("Takes the path as it is found, without shortening it.");
   const QString shortened =
-      QObject::tr("Shortens the path for as long as that still helps: a shorter way, later.");
+      QObject::tr("Shortens the path for as long as that still helps: a shorter path, later.");
   const auto is_one_of = [&](std::initializer_list<const char*> names) {
     return std::ranges::find(names, planner) != names.end();
   };
@@ -97,7 +97,8 @@ std::vector<PlannerPreset> built_in_presets(const std::string& planner) {
   }
   if (planner == "pmd-lazy") {
     add(QObject::tr("Thorough"),
-        QObject::tr("Chooses the way among more nodes, and shortens it for as long as that helps."),
+        QObject::tr(
+            "Chooses the path among more nodes, and shortens it for as long as that helps."),
         {{"batch", "50"}, {"smoothing_checks", "5000"}});
   }
   if (planner == "pmd-rrt-connect") {

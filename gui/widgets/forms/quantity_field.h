@@ -4,9 +4,15 @@
 #include "model/settings/preferences.h"
 
 #include <QDoubleSpinBox>
+#include <QObject>
+#include <QString>
 #include <QWidget>
 
 #include <array>
+
+class QDoubleSpinBox;
+class QLabel;
+class QSlider;
 
 namespace handway::gui {
 
@@ -62,6 +68,61 @@ class PoseForm : public QWidget {
   std::array<QuantityField*, 3> position_;
   std::array<QuantityField*, 3> rotation_;
   geometric::Pose X_ = geometric::Pose::Identity();
+};
+
+/// A number on a slider with its name in front and a field behind.
+class SliderRow : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// What the row is about. Bounds and values are in inside units; the screen
+  /// shows them multiplied by `scale`.
+  struct Range {
+    double lower = 0.0;
+    double upper = 1.0;
+    double scale = 1.0;
+    QString unit;      ///< On screen, for example "°".
+    int decimals = 1;  ///< On screen.
+  };
+
+  SliderRow(const QString& label, const Range& range, QWidget* parent = nullptr);
+
+  [[nodiscard]] double value() const { return value_; }
+  /// Shows `value` without telling anyone; values outside the range are shown at its end.
+  void set_value(double value);
+  /// A row that only shows.
+  void set_read_only();
+  /// A row that somebody asked for stands out from the others.
+  void set_chosen(bool chosen);
+  /// Name column of a stack of rows, px.
+  void set_label_width(int width);
+
+ signals:
+  /// The person moved it; inside units.
+  void value_edited(double value);
+
+ private:
+  void edit(double value);
+  void show_value(bool slider, bool field);
+
+  Range range_;
+  double value_ = 0.0;
+  QLabel* label_;
+  QSlider* slider_;
+  QDoubleSpinBox* field_;
+};
+
+/// Keeps the wheel from changing sliders, number fields and choices over which it merely happens
+/// to scroll: it changes only those that have the focus, and goes on to what scrolls otherwise.
+class WheelGuard : public QObject {
+  Q_OBJECT
+
+ public:
+  /// Watches all widgets of the program for as long as it lives.
+  explicit WheelGuard(QObject* parent);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
 };
 
 }  // namespace handway::gui

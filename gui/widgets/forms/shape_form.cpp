@@ -1,15 +1,19 @@
 #include "widgets/forms/shape_form.h"
 
-#include "model/document/resize.h"
+#include "model/document/scene_edits.h"
 #include "widgets/forms/quantity_field.h"
 
+#include <QCheckBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
+#include <QVBoxLayout>
 
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <span>
 
 namespace handway::gui {
@@ -163,6 +167,94 @@ void ShapeForm::take_values() {
   geometric::Shape resized = shape_;
   std::visit(Resize{values}, resized);
   emit shape_edited(resized);
+}
+
+namespace {
+
+constexpr double kLeastAngle = 1e-4;  // rad
+
+QCheckBox* make_switch(const QString& text, const QString& tip, const char* name) {
+  auto* box = new QCheckBox(text);
+  box->setObjectName(QLatin1String(name));
+  box->setToolTip(tip);
+  return box;
+}
+
+QLabel* note(const QString& text) {
+  auto* label = new QLabel(text);
+  label->setProperty("role", "note");
+  return label;
+}
+
+void show_switch(QCheckBox& box, bool on) {
+  const QSignalBlocker quiet(&box);
+  box.setChecked(on);
+}
+
+}  // namespace
+
+ConstraintForm::ConstraintForm(QWidget* parent)
+    : QWidget(parent),
+      upright_on_(make_switch(tr("Upright within"),
+                              tr("Paths keep the axis that is up now as near to the vertical"),
+                              "keep_upright")),
+      angle_(new QuantityField(QuantityField::Kind::kAngle, kLeastAngle, std::numbers::pi)),
+      region_on_(make_switch(tr("In a region"), tr("Paths keep its origin inside of a box"),
+                             "keep_region")),
+      region_box_(new QWidget),
+      size_(new ShapeForm),
+      centre_(new PoseForm) {
+  angle_->setObjectName(QStringLiteral("upright_angle"));
+  angle_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  auto* upright = new QHBoxLayout;
+  upright->addWidget(upright_on_);
+  upright->addWidget(angle_, 1);
+  auto* region = new QVBoxLayout(region_box_);
+  region->setContentsMargins(0, 0, 0, 0);
+  region->setSpacing(5);
+  region->addWidget(size_);
+  region->addWidget(note(tr("Its centre")));
+  region->addWidget(centre_);
+  for (auto* field : region_box_->findChildren<QuantityField*>()) {  // an object has such, too
+    field->setObjectName(QStringLiteral("region_") + field->objectName());
+  }
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(5);
+  layout->addLayout(upright);
+  layout->addWidget(region_on_);
+  layout->addWidget(region_box_);
+  connect(upright_on_, &QCheckBox::clicked, this, &ConstraintForm::upright_switched);
+  connect(region_on_, &QCheckBox::clicked, this, &ConstraintForm::region_switched);
+  connect(angle_, &QuantityField::quantity_edited, this, [this](double angle) {
+    upright_.angle = angle;
+    emit upright_edited(upright_);
+  });
+  connect(size_, &ShapeForm::shape_edited, this, [this](const geometric::Shape& shape) {
+    region_.size = std::get<geometric::Box>(shape).size;
+    emit region_edited(region_);
+  });
+  connect(centre_, &PoseForm::pose_edited, this, [this](const geometric::Pose& X_WR) {
+    region_.X_WR = X_WR;
+    emit region_edited(region_);
+  });
+  show_upright({});
+  show_region({});
+}
+
+void ConstraintForm::show_upright(const std::optional<geometric::OrientationConstraint>& upright) {
+  upright_ = upright.value_or(geometric::OrientationConstraint{});
+  show_switch(*upright_on_, upright.has_value());
+  angle_->show_quantity(upright_.angle);
+  angle_->setEnabled(upright.has_value());
+}
+
+void ConstraintForm::show_region(const std::optional<geometric::PositionConstraint>& region) {
+  region_ = region.value_or(geometric::PositionConstraint{});
+  show_switch(*region_on_, region.has_value());
+  region_box_->setVisible(region.has_value());
+  size_->show_shape(geometric::Box{region_.size});
+  centre_->show_pose(region_.X_WR);
 }
 
 }  // namespace handway::gui

@@ -1,7 +1,7 @@
 #include "widgets/panels/dock_layout.h"
 
+#include <QAction>
 #include <QDockWidget>
-#include <QMenu>
 #include <QSettings>
 #include <QTabBar>
 #include <QTabWidget>
@@ -95,19 +95,24 @@ QTabWidget* make_tabs(const std::vector<DockContent>& contents) {
 
 }  // namespace
 
-void build_docks(QMainWindow& window, const DockContents& contents, QMenu& view_menu,
-                 QMenu& edit_menu) {
+DockSwitches build_docks(QMainWindow& window, const DockContents& contents) {
   constexpr int kLeftWidth = 270;
   constexpr int kRightWidth = 340;
+  DockSwitches switches;
   QList<QDockWidget*> left;
   QList<int> heights;
   for (const DockContent& content : contents.left) {
     left.append(make_dock(window, content, Qt::LeftDockWidgetArea));
     heights.append(content.height);
   }
-  QDockWidget* history = make_dock(window, contents.history, Qt::LeftDockWidgetArea);
-  window.tabifyDockWidget(left.back(), history);
-  history->hide();
+  for (const DockContent& content : contents.history) {
+    QDockWidget* history = make_dock(window, content, Qt::LeftDockWidgetArea);
+    window.tabifyDockWidget(left.back(), history);
+    history->hide();
+    history->toggleViewAction()->setText(QObject::tr("Undo &history"));
+    QObject::connect(history->toggleViewAction(), &QAction::triggered, history, &QWidget::raise);
+    switches.history.append(history->toggleViewAction());
+  }
   QTabWidget* tabs = make_tabs(contents.control);
   QDockWidget* right =
       make_dock(window, {"control", QObject::tr("Control"), tabs}, Qt::RightDockWidgetArea);
@@ -117,13 +122,10 @@ void build_docks(QMainWindow& window, const DockContents& contents, QMenu& view_
                      {kLeftWidth, std::max(kRightWidth, tabs->tabBar()->sizeHint().width())},
                      Qt::Horizontal);
   window.resizeDocks(left, heights, Qt::Vertical);
-  history->toggleViewAction()->setText(QObject::tr("Undo &history"));
-  QObject::connect(history->toggleViewAction(), &QAction::triggered, history, &QWidget::raise);
-  edit_menu.addSeparator();
-  edit_menu.addAction(history->toggleViewAction());
   for (QDockWidget* dock : left + QList<QDockWidget*>{right} + below) {
-    view_menu.addAction(dock->toggleViewAction());
+    switches.panels.append(dock->toggleViewAction());
   }
+  return switches;
 }
 
 QWidget* stacked(std::initializer_list<QWidget*> parts, int stretched) {

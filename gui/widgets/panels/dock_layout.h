@@ -1,12 +1,14 @@
 #pragma once
 
+#include <QList>
 #include <QMainWindow>
 #include <QString>
 
+#include <functional>
 #include <initializer_list>
 #include <vector>
 
-class QMenu;
+class QAction;
 class QWidget;
 
 namespace handway::gui {
@@ -20,20 +22,26 @@ struct DockContent {
   QString title;
   QWidget* widget;
   int height = 0;  ///< At first, px; for those above each other.
+  /// Takes over a page of another part of the window; empty: there is no room for any.
+  std::function<void(const QString& title, QWidget* page)> add_page = {};
 };
 
 /// What goes into the docks around the view.
 struct DockContents {
   std::vector<DockContent> left;     ///< Above each other.
-  DockContent history;               ///< Behind the last on the left, hidden at first.
+  std::vector<DockContent> history;  ///< Behind the last on the left, hidden at first.
   std::vector<DockContent> control;  ///< Tabs on the right.
   std::vector<DockContent> below;    ///< Behind each other below the view, hidden at first.
 };
 
+/// Actions that show and hide docks.
+struct DockSwitches {
+  QList<QAction*> panels;
+  QList<QAction*> history;
+};
+
 /// Docks at their usual places.
-/// @param view_menu, edit_menu get actions that show and hide them.
-void build_docks(QMainWindow& window, const DockContents& contents, QMenu& view_menu,
-                 QMenu& edit_menu);
+[[nodiscard]] DockSwitches build_docks(QMainWindow& window, const DockContents& contents);
 
 /// Widgets above each other without gaps. @param stretched index of the one that takes the rest.
 [[nodiscard]] QWidget* stacked(std::initializer_list<QWidget*> parts, int stretched);

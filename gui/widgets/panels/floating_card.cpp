@@ -1,6 +1,5 @@
 #include "widgets/panels/floating_card.h"
 
-#include "widgets/style/icons.h"
 #include "widgets/style/theme.h"
 
 #include <QEvent>

@@ -1,7 +1,7 @@
 #include "widgets/panels/playback_bar.h"
 
 #include "model/playback/path_player.h"
-#include "widgets/style/icons.h"
+#include "widgets/style/theme.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -38,7 +38,7 @@ PlaybackBar::PlaybackBar(PathPlayer& player, QWidget* parent)
       forward_(make_button("step_forward", tr("To the next waypoint (])"))),
       loop_(make_button("loop", tr("Begin again at the end"))),
       reverse_(make_button("reverse", tr("Play backwards"))),
-      show_(make_button("traces", tr("What is drawn of the path"))),
+      show_(make_button("traces", tr("Drawings of the path"))),
       traces_(new QMenu(this)),
       scrub_(new QSlider(Qt::Horizontal)),
       note_(new QLabel),

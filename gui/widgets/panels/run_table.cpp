@@ -1,13 +1,214 @@
 #include "widgets/panels/run_table.h"
 
+#include "handway/geometric/math/units.h"
+#include "handway/planning/queries/failure_explanation.h"
+#include "model/planning/path_history.h"
+#include "widgets/style/theme.h"
+
 #include <QFont>
 #include <QHeaderView>
+#include <QObject>
 #include <QSortFilterProxyModel>
+#include <QStringList>
 
 #include <algorithm>
 #include <utility>
 
 namespace handway::gui {
+namespace {
+
+QString headline(const QString& text, const QColor& color) {
+  return QStringLiteral("<p style=\"margin:0 0 6px 0\"><b style=\"color:%1\">%2</b></p>")
+      .arg(html(color), text);
+}
+
+QString paragraph(const QString& text) {
+  return QStringLiteral("<p style=\"margin:0 0 6px 0\">%1</p>").arg(text.toHtmlEscaped());
+}
+
+QString capitalised(const QString& text) { return text.left(1).toUpper() + text.mid(1); }
+
+// Below a paragraph, whose lower margin counts for nothing there.
+QString begin_table() {
+  return QStringLiteral("<table cellspacing=\"0\" cellpadding=\"1\" style=\"margin-top:6px\">");
+}
+
+QString row(const QString& name, const QString& value) {
+  return QStringLiteral(
+             "<tr><td style=\"color:%1;padding-right:14px\">%2</td><td "
+             "align=\"right\">%3</td></tr>")
+      .arg(html(colors_of(current_theme()).muted), name, value);
+}
+
+}  // namespace
+
+QString result_text(const planning::PlanResult& result, const QString& note) {
+  const ThemeColors colors = colors_of(current_theme());
+  const bool searched = !result.solved() && result.status != planning::PlanStatus::kStartInvalid &&
+                        result.status != planning::PlanStatus::kGoalInvalid &&
+                        result.status != planning::PlanStatus::kCancelled;
+  const bool is_proven = result.status == planning::PlanStatus::kInfeasible;
+  QString text =
+      headline(searched && !is_proven && !result.reason.empty() ? QObject::tr("No path found")
+                                                                : status_text(result.status),
+               result.solved() ? colors.good : colors.bad);
+  if (!note.isEmpty()) {
+    text += paragraph(note);
+  }
+  if (!result.reason.empty()) {
+    // The headline says it already.
+    const QString reason = QString::fromStdString(result.reason);
+    const QString stem = QObject::tr("No path found: ");
+    text += paragraph(reason.startsWith(stem) ? capitalised(reason.mid(stem.size())) : reason);
+  }
+  for (const std::string& sentence : planning::explain_failure(result)) {
+    text += paragraph(QString::fromStdString(sentence));
+  }
+  text += begin_table();
+  text += row(QObject::tr("Planning"), seconds_text(result.time_s));
+  if (result.solved() && result.smoothing_s > 0.0) {
+    text += row(QObject::tr("Smoothing"), seconds_text(result.smoothing_s));
+  }
+  text += row(QObject::tr("Samples"), count_text(result.statistics.samples));
+  text += row(QObject::tr("Nodes"), count_text(result.statistics.nodes));
+  if (result.solved()) {
+    text += row(QObject::tr("Waypoints"), count_text(result.path.waypoints.size()));
+    text += row(QObject::tr("Clearance"),
+                QStringLiteral("≥ %1 mm").arg(result.certificate.min_clearance_mm, 0, 'f', 2));
+  }
+  text += QStringLiteral("</table>");
+  for (const planning::OutOfMargin& near : result.out_of_margin) {
+    const QString end = near.at_goal ? QObject::tr("goal") : QObject::tr("start");
+    text +=
+        paragraph(QObject::tr("%1 and %2 are %3 mm apart at the %4: next to it they keep less "
+                              "than the margin.")
+                      .arg(QString::fromStdString(near.pair.a), QString::fromStdString(near.pair.b))
+                      .arg(geometric::millimetres(near.pair.distance), 0, 'f', 2)
+                      .arg(end));
+  }
+  return text;
+}
+
+QString replanned_text(const planning::PlanResult& result, const QString& way) {
+  const ThemeColors colors = colors_of(current_theme());
+  QString text = result.solved()
+                     ? headline(QObject::tr("Path follows the scene"), colors.good)
+                     : headline(QObject::tr("No path in the scene as it is now"), colors.bad) +
+                           paragraph(QString::fromStdString(result.reason));
+  text += begin_table();
+  text += row(QObject::tr("Planning again"), seconds_text(result.time_s + result.smoothing_s));
+  if (result.solved()) {
+    text += row(QObject::tr("From"), way);
+    text += row(QObject::tr("Waypoints"), count_text(result.path.waypoints.size()));
+    text += row(QObject::tr("Clearance"),
+                QStringLiteral("≥ %1 mm").arg(result.certificate.min_clearance_mm, 0, 'f', 2));
+  }
+  return text + QStringLiteral("</table>");
+}
+
+QString optimizing_text(const OptimizeProgress& progress) {
+  QString text = headline(QObject::tr("Optimising the path"), colors_of(current_theme()).good);
+  text += begin_table();
+  text += row(QObject::tr("Cost"), QObject::tr("%1, %2 before")
+                                       .arg(progress.cost, 0, 'f', 3)
+                                       .arg(progress.cost_before, 0, 'f', 3));
+  text += row(QObject::tr("Length"), QStringLiteral("%1").arg(progress.length, 0, 'f', 3));
+  if (progress.hand_distance) {
+    text += row(QObject::tr("Hand to PMD subspace"),
+                QObject::tr("%1 on average").arg(*progress.hand_distance, 0, 'f', 3));
+  }
+  text += row(QObject::tr("Waypoints"), count_text(progress.path.waypoints.size()));
+  text += row(QObject::tr("Time"), QObject::tr("%1 s").arg(progress.seconds, 0, 'f', 1));
+  return text + QStringLiteral("</table>");
+}
+
+QString failure_text(const QString& message) {
+  return headline(QObject::tr("Planning failed"), colors_of(current_theme()).bad) +
+         QStringLiteral("<p style=\"margin:0\">%1</p>").arg(message.toHtmlEscaped());
+}
+
+namespace {
+
+constexpr std::size_t kMostFaults = 4;
+constexpr std::size_t kMostJoints = 4;
+
+QString tr(const char* text) { return QObject::tr(text); }
+
+QString colored(const QString& text, const QColor& color) {
+  return QStringLiteral("<b style=\"color:%1\">%2</b>").arg(html(color), text.toHtmlEscaped());
+}
+
+QString faults_text(const planning::TimedPath& motion) {
+  QString text = colored(tr("Not cleared to run"), colors_of(current_theme()).bad);
+  const auto& faults = motion.preflight.faults;
+  for (std::size_t i = 0; i < std::min(faults.size(), kMostFaults); ++i) {
+    text += QStringLiteral("<br>") + QString::fromStdString(faults[i].text).toHtmlEscaped();
+  }
+  if (faults.size() > kMostFaults) {
+    text += QStringLiteral("<br>") + tr("and %1 more").arg(faults.size() - kMostFaults);
+  }
+  if (faults.empty()) {
+    text += QStringLiteral("<br>") + QString::fromStdString(motion.blends.fault).toHtmlEscaped();
+  }
+  return text;
+}
+
+}  // namespace
+
+QString motion_text(const planning::TimedPath& motion) {
+  if (!motion.cleared()) {
+    return faults_text(motion);
+  }
+  const planning::PreflightReport& report = motion.preflight;
+  QString text = colored(tr("Cleared to run"), colors_of(current_theme()).good);
+  const auto add = [&text](const QString& line) { text += QStringLiteral("<br>") + line; };
+  add(tr("%1 s").arg(report.duration, 0, 'f', 2));
+  const auto add_share = [&](const QString& line, const planning::LimitShare& share) {
+    if (share.share > 0.0) {
+      add(line.arg(100.0 * share.share, 0, 'f', 0).arg(QString::fromStdString(share.joint)));
+    }
+  };
+  add_share(tr("Velocity up to %1 % of the limit (%2)"), report.velocity);
+  add_share(tr("Acceleration up to %1 % of the limit (%2)"), report.acceleration);
+  add(tr("Clearance %1 mm (%2)")
+          .arg(report.min_clearance_mm, 0, 'f', 2)
+          .arg(QString::fromStdString(report.closest_pair)));
+  for (const std::string& line : planning::assumption_lines(report.assumed, kMostJoints)) {
+    add(QString::fromStdString(line).toHtmlEscaped());
+  }
+  return text;
+}
+
+QString cause_of(const execution::MotionOutcome& outcome) {
+  const std::string& cause = outcome.collision.empty() ? outcome.fault : outcome.collision;
+  return cause.empty() ? tr("on request") : QString::fromStdString(cause);
+}
+
+QString outcome_text(const execution::MotionOutcome& outcome) {
+  const ThemeColors colors = colors_of(current_theme());
+  QString text;
+  if (outcome.done) {
+    text = colored(tr("Done in %1 s").arg(outcome.time, 0, 'f', 2), colors.good);
+  } else {
+    text = colored(tr("Stopped after %1 s").arg(outcome.time, 0, 'f', 2), colors.bad);
+    if (!outcome.fault.empty() || !outcome.collision.empty()) {
+      text += QStringLiteral("<br>") + cause_of(outcome).toHtmlEscaped();
+    }
+    text += QStringLiteral("<br>") +
+            (outcome.at_rest_ms >= 0.0
+                 ? tr("At rest %1 ms after the stop").arg(outcome.at_rest_ms, 0, 'f', 0)
+                 : colored(tr("Not seen at rest: look at the robot"), colors.bad));
+  }
+  double error = 0.0;
+  for (const execution::FollowingError& device : outcome.errors) {
+    error = std::max(error, device.max().maxCoeff());
+  }
+  return text + QStringLiteral("<br>") +
+         tr("Largest following error %1° (%2 rad)")
+             .arg(geometric::degrees(error), 0, 'f', 2)
+             .arg(error, 0, 'f', 4);
+}
+
 namespace {
 
 template <typename Value>

@@ -1,7 +1,8 @@
 #pragma once
 
-#include "widgets/plots/plot_style.h"
+#include "widgets/plots/figure_file.h"
 
+#include <QColor>
 #include <QPoint>
 #include <QString>
 #include <QWidget>
@@ -11,6 +12,8 @@
 #include <vector>
 
 class QwtPlot;
+
+class QwtPlotCurve;
 
 namespace handway::gui {
 
@@ -79,6 +82,27 @@ class CursorPlot : public QWidget {
   std::optional<Range> y_;
   QPoint last_;
   std::function<void(double)> scrub_;
+};
+
+/// Curves over time. Those that stand above each other have their times in line.
+class TimePlot : public QWidget {
+ public:
+  /// @param x_title may be empty, for one that stands above another.
+  TimePlot(const QString& x_title, const QString& y_title, QWidget* parent = nullptr);
+
+  /// @returns its index.
+  int add_curve(const QString& title, const QColor& color, bool dashed = false);
+  void show_legend();
+  /// Takes all curves away.
+  void clear();
+  /// @param times s. @param values as many.
+  void set_curve(int index, const std::vector<double>& times, const std::vector<double>& values);
+  /// Draws what was set.
+  void refresh();
+
+ private:
+  QwtPlot* plot_;
+  std::vector<QwtPlotCurve*> curves_;
 };
 
 }  // namespace handway::gui

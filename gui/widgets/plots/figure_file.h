@@ -1,17 +1,48 @@
 #pragma once
 
 #include <QByteArray>
+#include <QColor>
+#include <QFont>
+#include <QImage>
 #include <QSize>
 #include <QString>
 
 #include <functional>
 #include <vector>
 
+class QwtPlot;
+class QwtText;
+
+/// What all figures have in common: black on white, thin lines, a light grid, one sans-serif
+/// font, as journals print them.
+
 class QPainter;
 class QRectF;
-class QwtPlot;
 
 namespace handway::gui {
+
+inline const QColor kPlotInk{0x22, 0x26, 0x2b};
+inline const QColor kPlotGrid{0xdd, 0xe1, 0xe6};
+inline const QColor kPlotBlue{0x1f, 0x5f, 0xa8};
+inline const QColor kPlotOrange{0xd9, 0x6c, 0x1e};
+
+/// What a plot is drawn in.
+struct PlotColors {
+  QColor paper{Qt::white};
+  QColor ink = kPlotInk;
+  QColor grid = kPlotGrid;
+};
+
+/// @param size of the letters, points.
+[[nodiscard]] QFont plot_font(double size, bool bold = false);
+
+[[nodiscard]] QwtText plot_text(const QString& text, double size, bool bold = false);
+
+/// Makes a new plot look like the others; its axes get these titles.
+void style_plot(QwtPlot& plot, const QString& x_title, const QString& y_title);
+
+/// Draws a styled plot in other colours, for the screen.
+void color_plot(QwtPlot& plot, const PlotColors& colors);
 
 /// Draws a figure in a rectangle of that size (pixels at 96 dpi), top left at (0, 0).
 using DrawFigure = std::function<void(QPainter&, const QSize&)>;
@@ -36,5 +67,23 @@ void write_bytes(const QString& file, const QByteArray& bytes);
 /// Draws plots side by side, row by row, all of the same size.
 void draw_plots(QPainter& painter, const QSize& size, const std::vector<QwtPlot*>& plots,
                 int columns);
+
+/// Pictures side by side under a label; those of all strips of a figure are as many.
+struct Strip {
+  QString label;  ///< May be empty.
+  std::vector<QImage> pictures;
+};
+
+/// How large a picture is drawn, pixels at 96 dpi; images have a multiple of it.
+inline constexpr QSize kStripFrame{150, 132};
+inline constexpr int kStripScale = 3;
+
+/// How large the figure of these strips is. @param frame of one picture.
+[[nodiscard]] QSize strips_size(const std::vector<Strip>& strips, const QSize& frame = kStripFrame);
+
+/// Draws strips above each other, as the paper's Figs. 14, 15 and 17.
+/// @param strips outlives the result.
+[[nodiscard]] DrawFigure draw_strips(const std::vector<Strip>& strips,
+                                     const QSize& frame = kStripFrame);
 
 }  // namespace handway::gui

@@ -1,6 +1,6 @@
 #include "widgets/plots/statistics_plots.h"
 
-#include "widgets/plots/plot_style.h"
+#include "widgets/plots/figure_file.h"
 
 #include <QPen>
 #include <QVBoxLayout>

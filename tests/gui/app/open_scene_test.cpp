@@ -62,7 +62,7 @@ TEST_F(OpenScene, ShowsTheLastOfTwoFilesOpenedInARow) {
 TEST_F(OpenScene, SaysWhatTouchesWhat) {
   open(cell().goal_in_wall());
   gui::CollisionReport report;
-  QObject::connect(&window().collisions(), &gui::CollisionMonitor::checked, &window(),
+  QObject::connect(&window().workbench().collisions, &gui::CollisionMonitor::checked, &window(),
                    [&](const gui::CollisionReport& found) { report = found; });
   click("go_to_goal");
   ASSERT_TRUE(QTest::qWaitFor([&] { return !report.collisions.empty(); }));

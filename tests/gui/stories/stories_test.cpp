@@ -144,8 +144,8 @@ TEST_F(Story, FromANewSceneToAnExportedPathAndBack) {
 
   select("can");
   trigger("Grasp…");
-  ASSERT_TRUE(wait_for([&] { return !window().grasp_tool().is_busy(); }));
-  ASSERT_FALSE(window().grasp_tool().grasps().empty());
+  ASSERT_TRUE(wait_for([&] { return !tool<gui::GraspTool>().is_busy(); }));
+  ASSERT_FALSE(tool<gui::GraspTool>().grasps().empty());
   picture("new_5_grasps");
   QSignalSpy ended(&window().session(), &gui::PlanningSession::ended);
   window().findChild<QPushButton*>(QStringLiteral("grasp_plan"))->click();
@@ -199,7 +199,7 @@ TEST_F(Story, LiftsACanFromTheTableThatItStandsOn) {
   geometric::Configuration q = scene().goal.value();
   window().document().set_configuration(q);
   trigger("Set start here");
-  ASSERT_TRUE(wait_for([&] { return !window().collisions().is_busy(); }));
+  ASSERT_TRUE(wait_for([&] { return !window().workbench().collisions.is_busy(); }));
   auto* fixed_to = window().findChild<QComboBox*>(QStringLiteral("fixed_to"));
   fixed_to->setCurrentIndex(fixed_to->findText(QStringLiteral("palm")));
   emit fixed_to->activated(fixed_to->currentIndex());
@@ -249,14 +249,14 @@ TEST_F(Story, SaysWhatIsWrongWithAFileAndKeepsTheScene) {
 
 TEST_F(Story, PlansWithSeveralSeedsAndPutsARunBack) {
   open(source_dir() / "scenes" / "cans_on_desk.yaml");
-  window().plan_settings().choose_planner("auto");
-  window().plan_settings().set_seeds(6);
+  window().workbench().plan_settings.choose_planner("auto");
+  window().workbench().plan_settings.set_seeds(6);
   ASSERT_TRUE(plan());
   picture("seeds_1_best");
   const auto best = window().session().shown_run();
   ASSERT_TRUE(best);
-  window().plan_settings().choose_planner("rrt-connect");
-  window().plan_settings().set_seeds(1);
+  window().workbench().plan_settings.choose_planner("rrt-connect");
+  window().workbench().plan_settings.set_seeds(1);
   ASSERT_TRUE(plan());
   auto* runs = window().findChild<QTableView*>(QStringLiteral("runs_table"));
   ASSERT_EQ(runs->model()->rowCount(), 7);
@@ -266,7 +266,7 @@ TEST_F(Story, PlansWithSeveralSeedsAndPutsARunBack) {
     }
   }
   window().findChild<QPushButton*>(QStringLiteral("runs_restore"))->click();
-  EXPECT_EQ(window().plan_settings().planner()->name(), "auto");
+  EXPECT_EQ(window().workbench().plan_settings.planner()->name(), "auto");
   EXPECT_EQ(window().player().timeline().path().waypoints, best->result.path.waypoints);
   picture("seeds_2_restored");
   ASSERT_TRUE(plan());
@@ -345,7 +345,7 @@ hand_basis: hand.yaml
   ObjectiveFigure figure;
   std::map<std::string, planning::PathQuality> found;
   for (const char* objective : {"human-like", "shortest", "safest", "fastest"}) {
-    window().plan_settings().apply(
+    window().workbench().plan_settings.apply(
         {"auto", {{"objective", objective}, {"optimize_checks", "100000"}}});
     ASSERT_TRUE(plan()) << objective;
     window().player().seek(0.0);
@@ -367,7 +367,7 @@ hand_basis: hand.yaml
 
 TEST_F(Story, KeepsOptimisingThePathThatWasFound) {
   open(source_dir() / "scenes" / "can_on_table.yaml");
-  window().plan_settings().apply(
+  window().workbench().plan_settings.apply(
       {"rrt-connect", {{"smoothing_checks", "0"}, {"objective", "safest"}}});
   ASSERT_TRUE(plan());
   trigger("Roadmap");
@@ -377,7 +377,7 @@ TEST_F(Story, KeepsOptimisingThePathThatWasFound) {
   int better = 0;
   QObject::connect(&window().session(), &gui::PlanningSession::path_optimized, [&] { ++better; });
   QSignalSpy ended(&window().session(), &gui::PlanningSession::ended);
-  trigger("Keep optimising");
+  trigger("Continue optimising");
   ASSERT_TRUE(wait_for([&] { return better > 1 || !ended.isEmpty(); }));
   picture("optimise_2_running");
   trigger("Cancel");
@@ -388,7 +388,7 @@ TEST_F(Story, KeepsOptimisingThePathThatWasFound) {
 
 TEST_F(Story, SaysWhatStoodInTheWay) {
   open(source_dir() / "scenes" / "t_shape.yaml");
-  window().plan_settings().apply({"rrt-connect", {{"max_samples", "500"}}});
+  window().workbench().plan_settings.apply({"rrt-connect", {{"max_samples", "500"}}});
   ASSERT_FALSE(plan());
   auto* result = window().findChild<QLabel*>(QStringLiteral("result"));
   EXPECT_THAT(result->text().toStdString(), HasSubstr("collided with"));
@@ -400,7 +400,7 @@ TEST_F(Story, SaysWhatStoodInTheWay) {
 TEST_F(Story, CancelsAHardPlan) {
   HANDWAY_NEED_REFERENCE(reference);
   open(reference / "auro" / "TX90_RHand_ICRA10_5PMD-shelfT2_new.xml");
-  window().plan_settings().choose_planner("full-prm");
+  window().workbench().plan_settings.choose_planner("full-prm");
   QSignalSpy ended(&window().session(), &gui::PlanningSession::ended);
   trigger("Plan");
   QTest::qWait(1000);
@@ -409,7 +409,7 @@ TEST_F(Story, CancelsAHardPlan) {
   ASSERT_TRUE(wait_for([&] { return !ended.isEmpty(); }));
   EXPECT_FALSE(ended.front().front().toBool());
   picture("cancel_2_cancelled");
-  window().plan_settings().choose_planner("auto");
+  window().workbench().plan_settings.choose_planner("auto");
 }
 
 TEST_F(Story, MovesEmulatedDevicesAndTellsWhatAnEditRevokes) {
@@ -419,7 +419,7 @@ TEST_F(Story, MovesEmulatedDevicesAndTellsWhatAnEditRevokes) {
   editor().select({});
   ASSERT_TRUE(plan());
   window().player().set_loop(false);
-  gui::DevicesPanel& panel = *window().devices().panel();
+  gui::DevicesPanel& panel = tool<gui::DevicesPanel>();
   const auto button = [&](const char* name) {
     return window().findChild<QAbstractButton*>(QLatin1String(name));
   };
@@ -428,7 +428,7 @@ TEST_F(Story, MovesEmulatedDevicesAndTellsWhatAnEditRevokes) {
   ASSERT_TRUE(wait_for([&] { return button("devices_armed")->isEnabled(); }));
   picture("devices_2_cleared");
   button("devices_armed")->click();
-  QSignalSpy ended(&window().devices().driver(), &gui::MotionDriver::ended);
+  QSignalSpy ended(&window().workbench().driver, &gui::MotionDriver::ended);
   button("devices_run")->click();
   ASSERT_TRUE(wait_for([&] { return !ended.isEmpty(); }));
   auto* outcome = window().findChild<QLabel*>(QStringLiteral("devices_outcome"));

@@ -32,7 +32,7 @@ class GloveDock : public WindowTest {
   void set_counts(std::uint16_t counts) { *counts_ = counts; }
   void unplug() { emulator_.reset(); }
 
-  [[nodiscard]] gui::GlovePanel& panel() const { return window().glove_panel(); }
+  [[nodiscard]] gui::GlovePanel& panel() const { return tool<gui::GlovePanel>(); }
   [[nodiscard]] double joint(const char* name) const;
   [[nodiscard]] const std::shared_ptr<std::atomic<std::uint16_t>>& counts() const {
     return counts_;

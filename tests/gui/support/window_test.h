@@ -39,6 +39,15 @@ class WindowTest : public ::testing::Test {
     }
     return *widget;
   }
+  /// The window's only panel, tool or display of that type.
+  template <typename Tool>
+  [[nodiscard]] Tool& tool() const {
+    auto* found = window_->findChild<Tool*>();
+    if (!found) {
+      throw std::runtime_error(std::string("no ") + Tool::staticMetaObject.className());
+    }
+    return *found;
+  }
   void click(const char* button) const;
   /// Shows a dock before the others that share its place.
   void show_dock(const char* name) const;

@@ -1,7 +1,7 @@
 #include "app/view_actions.h"
 #include "features/editing/editing_test.h"
 #include "model/document/collision_monitor.h"
-#include "view3d/body_meshes.h"
+#include "view3d/scene_bodies.h"
 #include "view3d/scene_view.h"
 #include "view3d/view_gizmo.h"
 
@@ -22,7 +22,7 @@ class DrawnBodies : public EditingTest {
   [[nodiscard]] gui::SceneView& view() const { return window().view(); }
   void show(const char* action) const {
     part<QAction>(action).trigger();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !window().body_display().is_busy(); }, 8000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !tool<gui::BodyDisplayTool>().is_busy(); }, 8000));
   }
   [[nodiscard]] QImage picture() const {
     view().settle();
@@ -42,7 +42,7 @@ class DrawnBodies : public EditingTest {
 };
 
 TEST_F(DrawnBodies, LookOtherwiseAsSpheresAndTheSameAgainAsTheyAre) {
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !window().collisions().is_busy(); }, 8000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !window().workbench().collisions.is_busy(); }, 8000));
   const QImage visual = picture();
   show("bodies_spheres");
   EXPECT_NE(picture(), visual);
@@ -65,7 +65,7 @@ TEST_F(DrawnBodies, AreRedWhereTheyCollideInEveryDisplay) {
   geometric::Configuration q = window().document().configuration();
   q[0] = 0.75;  // into the post
   window().document().set_configuration(q);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !window().collisions().is_busy(); }, 8000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !window().workbench().collisions.is_busy(); }, 8000));
   for (const char* action : kActions) {
     SCOPED_TRACE(action);
     show(action);
@@ -76,13 +76,13 @@ TEST_F(DrawnBodies, AreRedWhereTheyCollideInEveryDisplay) {
 TEST_F(DrawnBodies, AreDrawnAsVolumesAfterAnEditToo) {
   show("bodies_hulls");
   editor().add("ball", geometric::Sphere{0.1}, {}, {0.0, 0.6, 0.0});
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !window().body_display().is_busy(); }, 8000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !tool<gui::BodyDisplayTool>().is_busy(); }, 8000));
   const gui::BodyMeshes meshes = gui::body_meshes(scene(), BodyDisplay::kHulls);
   EXPECT_EQ(meshes.objects.size(), scene().objects.size());
   editor().undo_stack().setClean();  // nobody is there to answer about unsaved changes
   open(cell().post());
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !window().body_display().is_busy(); }, 8000));
-  EXPECT_EQ(window().body_display().display(), BodyDisplay::kHulls);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !tool<gui::BodyDisplayTool>().is_busy(); }, 8000));
+  EXPECT_EQ(tool<gui::BodyDisplayTool>().display(), BodyDisplay::kHulls);
 }
 
 }  // namespace

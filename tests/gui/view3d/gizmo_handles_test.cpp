@@ -1,6 +1,5 @@
-#include "view3d/gizmo_handles.h"
-
 #include "handway/geometric/math/units.h"
+#include "view3d/gizmo_node.h"
 
 #include <gtest/gtest.h>
 

@@ -71,7 +71,7 @@ class TheOrientationCube : public WindowTest {
   }
   void TearDown() override {
     if (!IsSkipped()) {
-      window().preferences().set(gui::PreferenceValues{});
+      window().workbench().preferences.set(gui::PreferenceValues{});
     }
     WindowTest::TearDown();
   }

@@ -92,7 +92,7 @@ class SeenInParallel : public EditingTest {
   }
   void TearDown() override {
     if (!IsSkipped()) {
-      window().preferences().set(gui::PreferenceValues{});
+      window().workbench().preferences.set(gui::PreferenceValues{});
     }
     EditingTest::TearDown();
   }

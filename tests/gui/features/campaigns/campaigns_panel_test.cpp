@@ -42,8 +42,8 @@ class CampaignsInTheWindow : public WindowTest {
   }
   // Opens and waits until it is over.
   void open_in_panel(const QString& file) const {
-    QSignalSpy ended(&window().campaigns().runner(), &gui::CampaignRunner::ended);
-    window().campaigns().open(file);
+    QSignalSpy ended(&tool<gui::CampaignsPanel>().runner(), &gui::CampaignRunner::ended);
+    tool<gui::CampaignsPanel>().open(file);
     EXPECT_TRUE(ended.wait(kPatience));
   }
 };
@@ -68,9 +68,9 @@ TEST_F(CampaignsInTheWindow, GoOnWhereTheyEndedAndAreReadFromTheirDatabase) {
 }
 
 TEST_F(CampaignsInTheWindow, KeepWhatIsDoneWhenStopped) {
-  QSignalSpy ended(&window().campaigns().runner(), &gui::CampaignRunner::ended);
-  QSignalSpy found(&window().campaigns().runner(), &gui::CampaignRunner::found);
-  window().campaigns().open(campaign("100000"));
+  QSignalSpy ended(&tool<gui::CampaignsPanel>().runner(), &gui::CampaignRunner::ended);
+  QSignalSpy found(&tool<gui::CampaignsPanel>().runner(), &gui::CampaignRunner::found);
+  tool<gui::CampaignsPanel>().open(campaign("100000"));
   ASSERT_TRUE(found.wait(kPatience));  // nothing was there before
   while (runs().model()->rowCount() == 0) {
     ASSERT_TRUE(found.wait(kPatience));
@@ -98,9 +98,9 @@ TEST_F(CampaignsInTheWindow, ShowARunThatIsClickedWithThePathItHad) {
   emit runs().clicked(row);
   ASSERT_TRUE(ended.wait(kPatience));
   EXPECT_EQ(window().document().file().filename(), "round_the_post.yaml");
-  EXPECT_EQ(window().plan_settings().planner()->name(),
+  EXPECT_EQ(window().workbench().plan_settings.planner()->name(),
             row.siblingAtColumn(gui::RunTable::kPlanner).data().toString().toStdString());
-  EXPECT_EQ(window().plan_settings().request().seed, row.data().toULongLong());
+  EXPECT_EQ(window().workbench().plan_settings.request().seed, row.data().toULongLong());
   EXPECT_EQ(window().player().timeline().path().waypoints.size(), nodes);
   EXPECT_THAT(result(), HasSubstr(std::to_string(samples)));
   ASSERT_NE(window().session().roadmap(), nullptr);

@@ -1,4 +1,3 @@
-#include "app/playback_tools.h"
 #include "features/comparison/comparison_window.h"
 #include "patience.h"
 #include "view3d/scene_view.h"
@@ -15,13 +14,13 @@ class Comparison : public WindowTest {
  protected:
   void plan_with(std::uint64_t seed) {
     const std::size_t before = history().size();
-    window().plan_settings().set_seed(seed);
+    window().workbench().plan_settings.set_seed(seed);
     plan();
     ASSERT_TRUE(QTest::qWaitFor([&] { return history().size() > before; }, kPatienceMs));
     window().player().pause();
   }
   [[nodiscard]] std::vector<gui::PathRecord> history() const {
-    return window().playback().history().paths();
+    return window().workbench().history.paths();
   }
   [[nodiscard]] gui::ComparisonWindow& begin() const {
     part<QAction>("compare").trigger();

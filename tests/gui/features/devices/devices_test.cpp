@@ -6,7 +6,7 @@
 #include "model/document/scene_edits.h"
 #include "model/planning/path_validity.h"
 #include "patience.h"
-#include "widgets/forms/slider_row.h"
+#include "widgets/forms/quantity_field.h"
 #include "window_test.h"
 
 #include <QAction>
@@ -38,8 +38,8 @@ class Devices : public WindowTest {
     }
   }
 
-  [[nodiscard]] gui::DevicesPanel& panel() const { return *window().devices().panel(); }
-  [[nodiscard]] MotionDriver& driver() const { return window().devices().driver(); }
+  [[nodiscard]] gui::DevicesPanel& panel() const { return tool<gui::DevicesPanel>(); }
+  [[nodiscard]] MotionDriver& driver() const { return window().workbench().driver; }
   [[nodiscard]] bool reaches(MotionDriver::State state) const {
     return QTest::qWaitFor([&] { return driver().state() == state; }, kPatienceMs);
   }
@@ -129,7 +129,7 @@ TEST_F(Devices, RunAPathAndTellHowItWent) {
   EXPECT_EQ(state_after_motion(), MotionDriver::State::kConnected);
   EXPECT_FALSE(panel().is_armed()) << "it holds for one motion";
   EXPECT_TRUE(QTest::qWaitFor(
-      [&] { return part<QPushButton>("devices_run").text() == "Run it backwards"; }, kPatienceMs));
+      [&] { return part<QPushButton>("devices_run").text() == "Run backwards"; }, kPatienceMs));
   EXPECT_TRUE(std::filesystem::exists(executed->log));
   EXPECT_NEAR(window().document().configuration()[0], window().document().scene()->goal.value()[0],
               0.02);
@@ -241,7 +241,7 @@ TEST_F(Devices, DoNotRunThroughAWallThatWasAddedAfterPlanning) {
   ASSERT_TRUE(says("devices_motion", "Not cleared")) << text("devices_motion");
   ASSERT_TRUE(says("path_validity", "wall")) << text("path_validity");
   EXPECT_THAT(text("path_validity"), HasSubstr(" s of the path"));
-  EXPECT_EQ(window().path_validity().state(), gui::PathValidity::State::kInvalid);
+  EXPECT_EQ(window().workbench().validity.state(), gui::PathValidity::State::kInvalid);
   EXPECT_FALSE(run.isEnabled());
   EXPECT_FALSE(armed.isEnabled());
   EXPECT_FALSE(to_export->isEnabled());

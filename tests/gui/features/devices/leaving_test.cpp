@@ -2,7 +2,7 @@
 #include "features/devices/moving_robot.h"
 #include "handway/device/arm/arm_emulator.h"
 #include "handway/device/hand/hand_emulator.h"
-#include "model/devices/program_end.h"
+#include "model/devices/motion_driver.h"
 
 #include <QMessageBox>
 #include <QProcess>

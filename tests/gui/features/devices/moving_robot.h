@@ -18,7 +18,7 @@ class MovingRobot : public WindowTest {
  protected:
   using Clock = std::chrono::steady_clock;
 
-  [[nodiscard]] gui::MotionDriver& driver() const { return window().devices().driver(); }
+  [[nodiscard]] gui::MotionDriver& driver() const { return window().workbench().driver; }
   [[nodiscard]] bool waits_for(gui::MotionDriver::State state) const {
     return QTest::qWaitFor([&] { return driver().state() == state; }, kPatienceMs);
   }
@@ -37,7 +37,7 @@ class MovingRobot : public WindowTest {
     QObject::connect(&driver(), &gui::MotionDriver::progressed, &driver(), [this] { ++reports_; });
     QObject::connect(&driver(), &gui::MotionDriver::ended, &driver(),
                      [this](const execution::MotionOutcome& outcome) { outcome_ = outcome; });
-    window().devices().panel()->choose_devices(arm, hand);
+    tool<gui::DevicesPanel>().choose_devices(arm, hand);
     click("devices_connect");
     ASSERT_TRUE(waits_for(gui::MotionDriver::State::kConnected));
     ASSERT_TRUE(QTest::qWaitFor([&] { return measured_.size() > 0; }, kPatienceMs));

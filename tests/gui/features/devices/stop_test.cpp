@@ -181,16 +181,17 @@ class StopInDialogs : public Stop {
     }
     plan();
     window().player().set_loop(false);
-    window().plan_panel().presets().save_as("own");
+    tool<gui::PresetBar>().save_as("own");
     window().editor().select_objects({"post"});
     // A glove, of which something is recorded.
     glove_ = std::make_unique<device::GloveEmulator>(device::GloveEmulatorSettings{}, [](double) {
       return std::array<std::uint16_t, device::kGloveSensors>{};
     });
-    window().glove_panel().connect_to(QString::fromStdString(glove_->address()));
+    tool<gui::GlovePanel>().connect_to(QString::fromStdString(glove_->address()));
     ASSERT_TRUE(QTest::qWaitFor(
         [&] {
-          return window().glove_panel().session().link().state() == device::StreamState::kStreaming;
+          return tool<gui::GlovePanel>().session().link().state() ==
+                 device::StreamState::kStreaming;
         },
         kPatienceMs));
   }
@@ -198,7 +199,7 @@ class StopInDialogs : public Stop {
   void record_something() const {
     part<QPushButton>("record").click();
     ASSERT_TRUE(QTest::qWaitFor(
-        [&] { return window().glove_panel().session().link().tap().rows() > 0; }, kPatienceMs));
+        [&] { return tool<gui::GlovePanel>().session().link().tap().rows() > 0; }, kPatienceMs));
     part<QPushButton>("record").click();
   }
   void choose(QComboBox& box, const QString& text) const {
@@ -237,7 +238,7 @@ std::vector<DialogCase> StopInDialogs::cases() const {
       {"app/file_commands.cpp", "unsaved changes",
        [this] { (void)only<gui::FileCommands>().may_discard(); }},
       {"features/devices/device_session.cpp", "leave", [this] { window().close(); }},
-      {"features/postures/kept_postures.h", "keep a posture", trigger("&Keep this posture…")},
+      {"features/postures/posture_panels.h", "save a posture", trigger("Save &posture…")},
       {"features/export/export_dialog.h", "export", trigger("&Export the path…")},
       {"features/export/export_dialog.cpp", "folder",
        [this] { open_both("&Export the path…", QStringLiteral("Browse…")); }},
@@ -298,7 +299,7 @@ TEST_F(StopInDialogs, WorksByKeyAndByButtonInEveryOne) {
 }
 
 TEST_F(Stop, IsInDialogsWhileSomethingIsConnectedOnly) {
-  window().devices().driver().disconnect_all();
+  window().workbench().driver.disconnect_all();
   ASSERT_TRUE(waits_for(gui::MotionDriver::State::kOff));
   action("Pre&ferences…").trigger();
   const auto* stop = top_dialog()->findChild<QPushButton*>(QStringLiteral("stop"));

@@ -1,7 +1,6 @@
 #include "features/editing/editing_test.h"
 #include "features/editing/properties_panel.h"
 #include "features/planning/collision_display.h"
-#include "features/planning/query_check.h"
 #include "handway/geometric/formats/scene_reader.h"
 #include "handway/geometric/formats/scene_writer.h"
 #include "handway/geometric/math/units.h"
@@ -59,11 +58,11 @@ TEST_F(ConstrainingPaths, KeepsThePalmInARegion) {
   part<QCheckBox>("keep_region").click();
   ASSERT_THAT(scene().constraints, SizeIs(1));
   EXPECT_EQ(scene().constraints[0].body, "palm");
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !window().query_check().is_busy(); }, 8000));
-  EXPECT_EQ(window().query_check().card().text(), "") << "it has room for both ends";
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !tool<gui::QueryCheck>().is_busy(); }, 8000));
+  EXPECT_EQ(tool<gui::QueryCheck>().card().text(), "") << "it has room for both ends";
   type("region_position_x", "0.9 m");
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !window().query_check().is_busy(); }, 8000));
-  EXPECT_THAT(window().query_check().card().text().toStdString(),
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !tool<gui::QueryCheck>().is_busy(); }, 8000));
+  EXPECT_THAT(tool<gui::QueryCheck>().card().text().toStdString(),
               AllOf(HasSubstr("can't be planned"), HasSubstr("Violates constraint region of palm"),
                     HasSubstr("are allowed")));
   window().document().set_configuration(*scene().goal);

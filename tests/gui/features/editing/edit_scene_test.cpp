@@ -164,7 +164,7 @@ TEST_F(EditingAScene, PutsBackWhatIsDraggedOnEscape) {
 TEST_F(EditingAScene, PlansInTheSceneAsItIsNow) {
   select("post");
   editor().remove();
-  window().plan_settings().set_parameter("objective", "shortest");
+  window().workbench().plan_settings.set_parameter("objective", "shortest");
   plan();
   EXPECT_EQ(window().player().timeline().path().waypoints.size(), 2U) << "straight";
 }

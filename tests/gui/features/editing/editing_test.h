@@ -24,7 +24,7 @@ class EditingTest : public WindowTest {
   }
 
   [[nodiscard]] gui::SceneEditor& editor() const { return window().editor(); }
-  [[nodiscard]] gui::EditActions& actions() const { return window().editing().actions(); }
+  [[nodiscard]] gui::EditActions& actions() const { return tool<gui::EditActions>(); }
   [[nodiscard]] const geometric::Scene& scene() const { return *window().document().scene(); }
   [[nodiscard]] const geometric::SceneObject& object(const char* name) const {
     const geometric::SceneObject* found = geometric::find_object(scene(), name);

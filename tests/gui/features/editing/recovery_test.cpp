@@ -1,6 +1,5 @@
-#include "features/editing/recovery.h"
-
 #include "features/editing/editing_test.h"
+#include "features/editing/scene_editing.h"
 #include "full_disk.h"
 #include "handway/geometric/formats/scene_reader.h"
 #include "patience.h"
@@ -36,13 +35,13 @@ class RecoveringWork : public EditingTest {
 /// Not a test of its own: what the test below runs in another process, and kills.
 TEST_F(RecoveringWork, DISABLED_WorkThatIsKilled) {
   open(QString::fromLocal8Bit(qgetenv("HANDWAY_TEST_SCENE")).toStdString());
-  QSignalSpy stored(&window().recovery().autosave(), &gui::Autosave::stored);
+  QSignalSpy stored(&tool<gui::Recovery>().autosave(), &gui::Autosave::stored);
   select("post");
   editor().place(geometric::Pose(Eigen::Translation3d(0.6, 0.4, 0.0)));
   editor().add("box", geometric::Box{}, {}, {0.6, 0.0, 0.0});
   editor().add("box", geometric::Box{}, {}, {0.9, 0.0, 0.0});
   editor().select_objects({"box", "box 2"});
-  window().editing().arrange().make_group();
+  tool<gui::ArrangeActions>().make_group();
   editor().set_hidden({"box"}, true);
   ASSERT_TRUE(QTest::qWaitFor([&] { return !stored.isEmpty(); }));
   QTest::qWait(500);
@@ -66,7 +65,7 @@ TEST_F(RecoveringWork, LosesAtMostOneEditWhenItIsKilled) {
   ASSERT_TRUE(part<QPushButton>("banner_accept").isVisible());
   EXPECT_THAT(window().message().toStdString(), HasSubstr("Small cell"));
   QSignalSpy ready(&window(), &gui::MainWindow::ready);
-  QSignalSpy stored(&window().recovery().autosave(), &gui::Autosave::stored);
+  QSignalSpy stored(&tool<gui::Recovery>().autosave(), &gui::Autosave::stored);
   click("banner_accept");
   ASSERT_TRUE(QTest::qWaitFor([&] { return !ready.isEmpty(); }));
   EXPECT_DOUBLE_EQ(object("post").X_PO.translation().x(), 0.6);
@@ -75,14 +74,14 @@ TEST_F(RecoveringWork, LosesAtMostOneEditWhenItIsKilled) {
   EXPECT_TRUE(window().isWindowModified()) << "still to be saved";
   EXPECT_EQ(window().document().file(), cell().post());
   EXPECT_TRUE(QTest::qWaitFor([&] {
-    return !stored.isEmpty() && window().recovery().autosave().find_lost().empty();
+    return !stored.isEmpty() && tool<gui::Recovery>().autosave().find_lost().empty();
   })) << "offered once";
 }
 
 TEST_F(RecoveringWork, KeepsTheLastCopyWhileTheDiskIsFullAndSaysSoOnce) {
-  QSignalSpy stored(&window().recovery().autosave(), &gui::Autosave::stored);
-  QSignalSpy not_stored(&window().recovery().autosave(), &gui::Autosave::failed);
-  QSignalSpy told(&window().recovery(), &gui::Recovery::failed);
+  QSignalSpy stored(&tool<gui::Recovery>().autosave(), &gui::Autosave::stored);
+  QSignalSpy not_stored(&tool<gui::Recovery>().autosave(), &gui::Autosave::failed);
+  QSignalSpy told(&tool<gui::Recovery>(), &gui::Recovery::failed);
   editor().add("first", geometric::Box{}, {}, {0.6, 0.0, 0.0});
   ASSERT_TRUE(comes(stored));
   {
@@ -120,7 +119,7 @@ TEST_F(RecoveringWork, LeavesTheFileAloneWhenItCannotBeSaved) {
 }
 
 TEST_F(RecoveringWork, OffersNothingWhenAllIsSaved) {
-  QSignalSpy stored(&window().recovery().autosave(), &gui::Autosave::stored);
+  QSignalSpy stored(&tool<gui::Recovery>().autosave(), &gui::Autosave::stored);
   select("post");
   editor().remove();
   ASSERT_TRUE(QTest::qWaitFor([&] { return !stored.isEmpty(); }));
@@ -134,7 +133,7 @@ TEST_F(RecoveringWork, OffersNothingWhenAllIsSaved) {
 
 // A window that is open is not lost.
 TEST_F(RecoveringWork, LeavesOtherWindowsAlone) {
-  QSignalSpy stored(&window().recovery().autosave(), &gui::Autosave::stored);
+  QSignalSpy stored(&tool<gui::Recovery>().autosave(), &gui::Autosave::stored);
   select("post");
   editor().remove();
   ASSERT_TRUE(QTest::qWaitFor([&] { return !stored.isEmpty(); }));

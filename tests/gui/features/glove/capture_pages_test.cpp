@@ -1,7 +1,7 @@
 #include "features/glove/capture_pages.h"
 
 #include "features/glove/capture_coach.h"
-#include "features/glove/pmd_pad.h"
+#include "features/glove/pmd_explorer.h"
 #include "glove_dock.h"
 #include "handway/device/glove/recording.h"
 

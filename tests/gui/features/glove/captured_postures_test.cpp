@@ -1,4 +1,4 @@
-#include "features/glove/captured_postures.h"
+#include "features/glove/capture_pages.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,5 @@
 #include "features/glove/mapping_editor.h"
 
-#include "features/glove/curve_view.h"
-#include "features/glove/mapping_wires.h"
 #include "features/glove/wire_form.h"
 #include "handway/device/glove/glove_layout.h"
 #include "handway/geometric/formats/robot_loader.h"

@@ -15,8 +15,8 @@ class ClickToPlan : public EditingTest {
  protected:
   void grasp(const char* object) {
     select(object);
-    actions().grasp->trigger();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !window().grasp_tool().is_busy(); }, 30000));
+    part<QAction>("posture").trigger();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !tool<gui::GraspTool>().is_busy(); }, 30000));
   }
 };
 
@@ -24,7 +24,7 @@ TEST_F(ClickToPlan, PlansToTheGraspThatIsChosen) {
   open(source_dir() / "scenes" / "can_on_table.yaml");
   const geometric::Configuration before = *scene().goal;
   grasp("can");
-  const std::vector<planning::Pregrasp> grasps = window().grasp_tool().grasps();
+  const std::vector<planning::Pregrasp> grasps = tool<gui::GraspTool>().grasps();
   ASSERT_FALSE(grasps.empty());
   auto& list = part<QTreeWidget>("grasp_list");
   EXPECT_EQ(list.topLevelItemCount(), static_cast<int>(grasps.size()));
@@ -46,14 +46,14 @@ TEST_F(ClickToPlan, LeavesTheGoalWhenTheListIsClosed) {
   grasp("can");
   click("grasp_close");
   EXPECT_EQ(editor().state(), before);
-  EXPECT_TRUE(window().grasp_tool().grasps().empty());
+  EXPECT_TRUE(tool<gui::GraspTool>().grasps().empty());
   EXPECT_TRUE(window().view().gizmo().is_shown());
 }
 
 TEST_F(ClickToPlan, SaysWhenThereIsNoWay) {
   open(source_dir() / "scenes" / "can_on_table.yaml");
   grasp("table");
-  EXPECT_TRUE(window().grasp_tool().grasps().empty());
+  EXPECT_TRUE(tool<gui::GraspTool>().grasps().empty());
   EXPECT_THAT(part<QLabel>("grasp_note").text().toStdString(), ::testing::HasSubstr("too large"));
 }
 

@@ -1,7 +1,5 @@
 #include "model/planning/microscope.h"
 
-#include "app/playback_tools.h"
-#include "features/microscope/listing_view.h"
 #include "features/microscope/microscope_panel.h"
 #include "patience.h"
 #include "window_test.h"
@@ -38,7 +36,7 @@ class MicroscopeTest : public WindowTest {
     show_dock("microscope");
   }
   [[nodiscard]] gui::Microscope& microscope() const {
-    return window().playback().microscope()->microscope();
+    return tool<gui::MicroscopePanel>().microscope();
   }
   void record() {
     click("microscope_record");
@@ -86,7 +84,7 @@ TEST_F(MicroscopeTest, ShowsARefusedSampleAndSaysWhatItTouches) {
   EXPECT_THAT(words(), HasSubstr("touches"));
   const auto sample = static_cast<std::size_t>(microscope().step().sample);
   EXPECT_EQ(window().document().configuration(), microscope().run()->samples[sample]);
-  const auto listings = window().playback().microscope()->findChildren<gui::ListingView*>();
+  const auto listings = tool<gui::MicroscopePanel>().findChildren<gui::ListingView*>();
   EXPECT_EQ(listings.at(0)->algorithm(), 4);
   EXPECT_EQ(listings.at(0)->line(), 18);
   EXPECT_EQ(listings.at(1)->algorithm(), 2);

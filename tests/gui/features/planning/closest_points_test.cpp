@@ -13,12 +13,12 @@ class ClosestPointsInTheView : public WindowTest {
   gui::CollisionReport report(double shoulder) {
     gui::CollisionReport latest;
     const auto connection =
-        QObject::connect(&window().collisions(), &gui::CollisionMonitor::checked,
+        QObject::connect(&window().workbench().collisions, &gui::CollisionMonitor::checked,
                          [&](const gui::CollisionReport& report) { latest = report; });
     geometric::Configuration q = *window().document().scene()->start;
     q[0] += shoulder;
     window().document().set_configuration(q);
-    EXPECT_TRUE(QTest::qWaitFor([&] { return !window().collisions().is_busy(); }));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !window().workbench().collisions.is_busy(); }));
     QObject::disconnect(connection);
     return latest;
   }

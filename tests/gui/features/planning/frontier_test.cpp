@@ -1,5 +1,5 @@
-#include "features/planning/frontier_display.h"
-#include "features/planning/planning_views.h"
+#include "features/planning/planning_commands.h"
+#include "features/planning/roadmap_display.h"
 #include "handway/geometric/collision/collision_checker.h"
 #include "handway/planning/core/planning_problem.h"
 #include "view3d/scene_view.h"
@@ -18,12 +18,12 @@ class FrontierOfASearch : public WindowTest {
  protected:
   void fail_to_plan() {
     open(cell().wall());
-    window().plan_settings().apply({"rrt-connect", {{"max_samples", "300"}}});
+    window().workbench().plan_settings.apply({"rrt-connect", {{"max_samples", "300"}}});
     plan();
     ASSERT_TRUE(window().player().timeline().empty());
   }
   [[nodiscard]] const planning::SearchReach* shown() const {
-    return window().planning_views().frontier().shown();
+    return tool<gui::FrontierDisplay>().shown();
   }
   [[nodiscard]] bool has_legend() const { return part<QWidget>("frontier_legend").isVisible(); }
 };

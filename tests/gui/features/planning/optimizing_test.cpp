@@ -25,7 +25,7 @@ class OptimizingInTheWindow : public WindowTest {
   /// A path around the post that there is much to gain for.
   void plan_roughly() {
     open(cell().post());
-    window().plan_settings().apply({"rrt-connect", {{"smoothing_checks", "0"}}});
+    window().workbench().plan_settings.apply({"rrt-connect", {{"smoothing_checks", "0"}}});
     plan();
     ASSERT_TRUE(part<QPushButton>("optimize").isVisible());
   }
@@ -54,7 +54,7 @@ TEST_F(OptimizingInTheWindow, IsOfferedOnceThereIsAPath) {
 
 TEST_F(OptimizingInTheWindow, IsNotOfferedWhereNoPathWasFound) {
   open(cell().wall());
-  window().plan_settings().apply({"rrt-connect", {{"max_samples", "300"}}});
+  window().workbench().plan_settings.apply({"rrt-connect", {{"max_samples", "300"}}});
   plan();
   EXPECT_FALSE(part<QPushButton>("optimize").isVisible());
 }

@@ -16,7 +16,7 @@ class ParametersInThePanel : public WindowTest {};
 
 TEST_F(ParametersInThePanel, GoBackToThePlannersOwnValues) {
   open(cell().post());
-  gui::PlanSettings& settings = window().plan_settings();
+  gui::PlanSettings& settings = window().workbench().plan_settings;
   settings.choose_planner("pmd-prm");
   auto& reset = part<QPushButton>("reset_parameters");
   EXPECT_FALSE(reset.isEnabled());
@@ -35,17 +35,17 @@ TEST_F(ParametersInThePanel, GoBackToThePlannersOwnValues) {
 
 TEST_F(ParametersInThePanel, StayWhileAPlannerRuns) {
   open(cell().post());
-  window().plan_settings().choose_planner("pmd-prm");
+  window().workbench().plan_settings.choose_planner("pmd-prm");
   part<QSpinBox>("k").setValue(part<QSpinBox>("k").value() + 1);
   emit window().session().started();
   EXPECT_FALSE(part<QPushButton>("reset_parameters").isEnabled());
-  window().plan_panel().set_ready(true);
+  tool<gui::PlanPanel>().set_ready(true);
   EXPECT_TRUE(part<QPushButton>("reset_parameters").isEnabled());
 }
 
 TEST_F(ParametersInThePanel, KeepTheMarginOfARun) {
   open(cell().post());
-  gui::PlanSettings& settings = window().plan_settings();
+  gui::PlanSettings& settings = window().workbench().plan_settings;
   EXPECT_EQ(settings.request().margin_mm, 0.0);
   part<QDoubleSpinBox>("margin").setValue(7.5);
   planning::PlanRequest request = settings.request();

@@ -28,7 +28,7 @@ TEST_F(PlanningInTheWindow, SaysInWordsThatAPathWasFound) {
 
 TEST_F(PlanningInTheWindow, UsesThePrincipalDirectionsOfTheHand) {
   open(cell().post());
-  window().plan_settings().choose_planner("pmd-rrt-connect");
+  window().workbench().plan_settings.choose_planner("pmd-rrt-connect");
   plan();
   EXPECT_THAT(result(), HasSubstr("Path found"));
 }

@@ -25,7 +25,7 @@ class PresetsInThePanel : public WindowTest {
     WindowTest::SetUp();
     if (!IsSkipped()) {
       open(cell().post());
-      window().plan_settings().choose_planner("auto");
+      window().workbench().plan_settings.choose_planner("auto");
     }
   }
   void TearDown() override {
@@ -39,7 +39,7 @@ class PresetsInThePanel : public WindowTest {
     std::filesystem::remove(file.string() + ".unreadable");
   }
 
-  [[nodiscard]] gui::PresetBar& bar() const { return window().plan_panel().presets(); }
+  [[nodiscard]] gui::PresetBar& bar() const { return tool<gui::PresetBar>(); }
   [[nodiscard]] QComboBox& list() const { return part<QComboBox>("presets"); }
   [[nodiscard]] QSpinBox& checks() const { return part<QSpinBox>("smoothing_checks"); }
   [[nodiscard]] std::vector<std::string> names() const {
@@ -68,7 +68,7 @@ TEST_F(PresetsInThePanel, GiveTheirValuesToTheParameters) {
   EXPECT_EQ(bar().words(), QStringLiteral("Thorough"));
   EXPECT_FALSE(part<QLabel>("modified").isVisible());
   choose("Balanced");
-  EXPECT_TRUE(window().plan_settings().choice().settings.empty());
+  EXPECT_TRUE(window().workbench().plan_settings.choice().settings.empty());
 }
 
 TEST_F(PresetsInThePanel, SayWhichValuesAreOthersAndTakeThemBack) {
@@ -96,9 +96,9 @@ TEST_F(PresetsInThePanel, FitEveryPlannerThatTheyAreFor) {
 }
 
 TEST_F(PresetsInThePanel, AreChosenWhereASceneAsksForTheirValues) {
-  window().plan_settings().apply({"auto", {{"smoothing_checks", "0"}}});
+  window().workbench().plan_settings.apply({"auto", {{"smoothing_checks", "0"}}});
   EXPECT_EQ(bar().words(), QStringLiteral("Fast"));
-  window().plan_settings().apply({"auto", {{"smoothing_checks", "1"}}});
+  window().workbench().plan_settings.apply({"auto", {{"smoothing_checks", "1"}}});
   EXPECT_EQ(bar().words(), QStringLiteral("Balanced, modified"));
 }
 

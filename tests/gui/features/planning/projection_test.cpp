@@ -1,5 +1,5 @@
 #include "features/editing/scene_editing.h"
-#include "features/planning/planning_views.h"
+#include "features/planning/planning_commands.h"
 #include "features/planning/projection_tool.h"
 #include "model/document/scene_editor.h"
 #include "widgets/plots/projection_plot.h"
@@ -24,7 +24,7 @@ class ProjectionOfTheRoadmap : public WindowTest {
   void settle() {
     ASSERT_TRUE(QTest::qWaitFor([&] { return !tool().is_busy(); }));
   }
-  [[nodiscard]] gui::ProjectionTool& tool() const { return window().planning_views().projection(); }
+  [[nodiscard]] gui::ProjectionTool& tool() const { return tool<gui::ProjectionTool>(); }
   [[nodiscard]] gui::ProjectionPlot& plot() const { return tool().panel()->plot(); }
   [[nodiscard]] QPoint place_of(int node) const {
     return plot().place_of(plot().roadmap().nodes.at(static_cast<std::size_t>(node)).place);
@@ -88,14 +88,14 @@ TEST_F(ProjectionOfTheRoadmap, ShowsOtherCoordinates) {
   plan();
   settle();
   auto& across = part<QComboBox>("projection_x");
-  EXPECT_EQ(across.currentText(), "Arm's way, start to goal");
+  EXPECT_EQ(across.currentText(), "Along the arm's path, start to goal");
   EXPECT_EQ(part<QComboBox>("projection_y").currentText(), "PMD 1");
-  across.setCurrentText("Beside the arm's way");
+  across.setCurrentText("Distance from the arm's path");
   EXPECT_NEAR(plot().roadmap().start.x(), 0.0, 1e-9);
   EXPECT_NEAR(plot().roadmap().goal.x(), 0.0, 1e-9);
   plan();
   settle();
-  EXPECT_EQ(across.currentText(), "Beside the arm's way") << "stays for the next run";
+  EXPECT_EQ(across.currentText(), "Distance from the arm's path") << "stays for the next run";
 }
 
 TEST_F(ProjectionOfTheRoadmap, CatchesUpWhenItIsShown) {

@@ -1,6 +1,5 @@
-#include "features/planning/query_check.h"
-
 #include "features/editing/editing_test.h"
+#include "features/planning/collision_display.h"
 
 #include <QPushButton>
 
@@ -13,10 +12,10 @@ using ::testing::HasSubstr;
 class GoalDoctor : public EditingTest {
  protected:
   void wait_for_diagnosis() {
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !window().query_check().is_busy(); }, 8000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !tool<gui::QueryCheck>().is_busy(); }, 8000));
   }
   [[nodiscard]] std::string said() const {
-    return window().query_check().card().text().toStdString();
+    return tool<gui::QueryCheck>().card().text().toStdString();
   }
 };
 

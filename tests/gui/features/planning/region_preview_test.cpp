@@ -1,4 +1,4 @@
-#include "features/planning/planning_views.h"
+#include "features/planning/planning_commands.h"
 #include "features/planning/region_tool.h"
 #include "handway/planning/planners/pmd_prm.h"
 #include "window_test.h"
@@ -20,16 +20,16 @@ class RegionPreviewInThePanel : public WindowTest {
  protected:
   void open_with(const char* planner) {
     open(cell().post());
-    window().plan_settings().choose_planner(planner);
+    window().workbench().plan_settings.choose_planner(planner);
   }
   void switch_on() {
     part<QCheckBox>("preview_region").setChecked(true);
     settle();
   }
   void settle() {
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !window().planning_views().region().is_busy(); }));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !tool<gui::RegionTool>().is_busy(); }));
   }
-  [[nodiscard]] bool is_shown() const { return window().planning_views().region().is_shown(); }
+  [[nodiscard]] bool is_shown() const { return tool<gui::RegionTool>().is_shown(); }
   [[nodiscard]] std::string note() const {
     return part<QLabel>("preview_note").text().toStdString();
   }
@@ -65,7 +65,7 @@ TEST_F(RegionPreviewInThePanel, SetsTheParameterThatIsDragged) {
   part<QSlider>("preview_rho").setValue(600);
   settle();
   const auto& settings =
-      dynamic_cast<planning::PmdPrm&>(*window().plan_settings().planner()).settings();
+      dynamic_cast<planning::PmdPrm&>(*window().workbench().plan_settings.planner()).settings();
   const double entered = settings.rho_a;
   EXPECT_DOUBLE_EQ(part<QDoubleSpinBox>("rho_a").value(), entered);
   EXPECT_NEAR(entered, 0.017, 0.001) << "the slider is logarithmic";
@@ -87,7 +87,7 @@ TEST_F(RegionPreviewInThePanel, SaysThatAPlannerHasNoRegion) {
   settle();
   EXPECT_FALSE(is_shown());
   EXPECT_THAT(note(), HasSubstr("everywhere"));
-  window().plan_settings().choose_planner("pmd-rrt-connect");
+  window().workbench().plan_settings.choose_planner("pmd-rrt-connect");
   settle();
   EXPECT_TRUE(is_shown());
 }

@@ -1,5 +1,5 @@
 #include "features/planning/plan_panel.h"
-#include "features/planning/planning_views.h"
+#include "features/planning/planning_commands.h"
 #include "features/planning/roadmap_display.h"
 #include "window_test.h"
 
@@ -28,8 +28,8 @@ class RoadmapInTheView : public WindowTest {
   }
   /// The way around the post is far from the straight motion.
   void widen() const {
-    window().plan_panel().enter("rho_max", 0.5);
-    window().plan_panel().enter("rho_a", 0.3);
+    tool<gui::PlanPanel>().enter("rho_max", 0.5);
+    tool<gui::PlanPanel>().enter("rho_a", 0.3);
   }
   [[nodiscard]] bool legend_is_shown() const {
     return !part<gui::RoadmapLegend>("roadmap_legend").isHidden();
@@ -93,7 +93,7 @@ TEST_F(RoadmapInTheView, GoesWithItsSwitchAndWithTheScene) {
 
 TEST_F(RoadmapInTheView, CountsNodesByTheirPrincipalDirections) {
   open(cell().post());
-  window().plan_settings().choose_planner("pmd-rrt-connect");
+  window().workbench().plan_settings.choose_planner("pmd-rrt-connect");
   plan();
   ASSERT_TRUE(window().session().roadmap());
   EXPECT_FALSE(window().session().roadmap()->roadmap.winner) << "one search alone";
@@ -102,7 +102,7 @@ TEST_F(RoadmapInTheView, CountsNodesByTheirPrincipalDirections) {
 
 TEST_F(RoadmapInTheView, DoesNotSearchAnyMoreOnceThereIsAPath) {
   open(cell().post());
-  window().plan_settings().choose_planner("pmd-prm");
+  window().workbench().plan_settings.choose_planner("pmd-prm");
   widen();
   plan();
   EXPECT_THAT(text("roadmap_note"), Not(HasSubstr("Searching")));
@@ -111,7 +111,7 @@ TEST_F(RoadmapInTheView, DoesNotSearchAnyMoreOnceThereIsAPath) {
 class HypercubesInTheView : public RoadmapInTheView {
  protected:
   [[nodiscard]] const gui::HypercubeDisplay& display() const {
-    return window().planning_views().hypercubes();
+    return tool<gui::HypercubeDisplay>();
   }
   [[nodiscard]] bool are_drawn() const {
     return QTest::qWaitFor([&] { return !display().boxes().empty(); }, 8000);
@@ -119,7 +119,7 @@ class HypercubesInTheView : public RoadmapInTheView {
   void plan_with(const char* planner) { plan_with(planner, cell().post()); }
   void plan_with(const char* planner, const std::filesystem::path& scene) {
     open(scene);
-    window().plan_settings().choose_planner(planner);
+    window().workbench().plan_settings.choose_planner(planner);
     widen();
     plan();
   }

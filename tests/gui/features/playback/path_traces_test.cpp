@@ -1,6 +1,5 @@
 #include "features/playback/path_traces.h"
 
-#include "app/playback_tools.h"
 #include "handway/planning/extensions/plugin.h"
 #include "model/playback/swept_volume.h"
 #include "view3d/scene_view.h"
@@ -51,7 +50,7 @@ class Traces : public WindowTest {
       window().player().pause();
     }
   }
-  [[nodiscard]] gui::PathTraces& traces() const { return window().playback().traces(); }
+  [[nodiscard]] gui::PathTraces& traces() const { return tool<gui::PathTraces>(); }
   [[nodiscard]] QImage picture() const {
     QTest::qWait(400);
     return window().view().grabFramebuffer();

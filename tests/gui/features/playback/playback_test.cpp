@@ -1,4 +1,3 @@
-#include "app/playback_tools.h"
 #include "handway/planning/timing/blended_path.h"
 #include "view3d/scene_view.h"
 #include "window_test.h"
@@ -16,8 +15,8 @@ class Playback : public WindowTest {
     if (!IsSkipped()) {
       open(cell().post());
       plan();
-      ASSERT_TRUE(QTest::qWaitFor(
-          [&] { return window().playback().analysis().motion() != nullptr; }, 8000));
+      ASSERT_TRUE(
+          QTest::qWaitFor([&] { return window().workbench().analysis.motion() != nullptr; }, 8000));
       window().player().pause();
     }
   }

@@ -1,4 +1,3 @@
-#include "app/playback_tools.h"
 #include "features/playback/plots_panel.h"
 #include "patience.h"
 #include "pressed_mouse.h"
@@ -32,8 +31,8 @@ class Plots : public WindowTest {
     ASSERT_TRUE(QTest::qWaitFor([&] { return analysis().curves() != nullptr; }, kPatienceMs));
     window().player().pause();
   }
-  [[nodiscard]] gui::MotionAnalysis& analysis() const { return window().playback().analysis(); }
-  [[nodiscard]] gui::PlotsPanel& panel() const { return *window().playback().plots(); }
+  [[nodiscard]] gui::MotionAnalysis& analysis() const { return window().workbench().analysis; }
+  [[nodiscard]] gui::PlotsPanel& panel() const { return tool<gui::PlotsPanel>(); }
   [[nodiscard]] std::string note() const {
     for (const auto* label : panel().findChildren<QLabel*>()) {
       if (label->isVisible() && label->wordWrap()) {

@@ -1,4 +1,3 @@
-#include "app/playback_tools.h"
 #include "features/playback/plots_panel.h"
 #include "patience.h"
 #include "window_test.h"
@@ -121,8 +120,7 @@ TEST_F(HumanLikenessMeter, IsDrawnAlongThePath) {
   open(cell().post());
   compare_with(postures());
   plan();
-  auto& tools = window().playback();
-  const auto curves = [&] { return tools.analysis().curves(); };
+  const auto curves = [&] { return window().workbench().analysis.curves(); };
   ASSERT_TRUE(QTest::qWaitFor([&] { return curves() != nullptr; }, kPatienceMs));
   window().player().pause();
   EXPECT_EQ(curves()->to_recorded.size(), curves()->to_subspace.size());
@@ -130,12 +128,12 @@ TEST_F(HumanLikenessMeter, IsDrawnAlongThePath) {
   dock.toggleViewAction()->trigger();
   QTest::qWait(50);
   EXPECT_GE(dock.height(), 200);
-  tools.plots()->show_quantity(gui::PlotQuantity::kUnlikeness);
+  tool<gui::PlotsPanel>().show_quantity(gui::PlotQuantity::kUnlikeness);
   QTest::qWait(50);
   EXPECT_THAT(part<QLabel>("plot_value").text().toStdString(),
               HasSubstr("to the nearest recorded posture"));
   const std::filesystem::path file = cell().folder() / "plot.csv";
-  tools.plots()->write(QString::fromStdString(file.string()));
+  tool<gui::PlotsPanel>().write(QString::fromStdString(file.string()));
   std::string header;
   std::ifstream in(file);
   std::getline(in, header);
@@ -145,13 +143,12 @@ TEST_F(HumanLikenessMeter, IsDrawnAlongThePath) {
 TEST_F(HumanLikenessMeter, BringsTheSecondCurveToAPathThatIsThere) {
   open(cell().post());
   plan();
-  auto& tools = window().playback();
-  const auto curves = [&] { return tools.analysis().curves(); };
+  const auto curves = [&] { return window().workbench().analysis.curves(); };
   ASSERT_TRUE(QTest::qWaitFor([&] { return curves() != nullptr; }, kPatienceMs));
   EXPECT_TRUE(curves()->to_recorded.empty());
   compare_with(postures());
   EXPECT_TRUE(QTest::qWaitFor([&] { return !curves()->to_recorded.empty(); }, kPatienceMs));
-  EXPECT_EQ(tools.history().records().size(), 1U) << "it is the same path";
+  EXPECT_EQ(window().workbench().history.records().size(), 1U) << "it is the same path";
 }
 
 }  // namespace

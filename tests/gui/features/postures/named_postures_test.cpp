@@ -59,7 +59,7 @@ class NamedPostures : public EditingTest {
 TEST_F(NamedPostures, AreKeptGoneToAndForgotten) {
   stand(0.4, 0.9);
   keep("aside");
-  EXPECT_EQ(editor().undo_stack().undoText(), "Keep posture aside");
+  EXPECT_EQ(editor().undo_stack().undoText(), "Save posture aside");
   stand(0.0, 0.0);
   go_to("aside");
   EXPECT_EQ(shown(), Eigen::Vector4d(0.4, 0.9, 0.0, 0.0));

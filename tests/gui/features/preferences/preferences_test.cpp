@@ -34,12 +34,14 @@ class ThePreferences : public EditingTest {
   }
   void TearDown() override {
     if (!IsSkipped()) {
-      window().preferences().set(PreferenceValues{});
+      window().workbench().preferences.set(PreferenceValues{});
     }
     EditingTest::TearDown();
   }
 
-  [[nodiscard]] const PreferenceValues& values() const { return window().preferences().values(); }
+  [[nodiscard]] const PreferenceValues& values() const {
+    return window().workbench().preferences.values();
+  }
   [[nodiscard]] gui::SceneView& view() const { return window().view(); }
   void choose(const char* box, int index) const { part<QComboBox>(box).setCurrentIndex(index); }
   [[nodiscard]] double turned_by(Qt::MouseButton button) const {
@@ -143,14 +145,14 @@ TEST_F(ThePreferences, ShowQuantitiesInOtherUnits) {
 TEST_F(ThePreferences, SetWhatPlanningBeginsWith) {
   part<QSpinBox>("usual_threads").setValue(3);
   part<QDoubleSpinBox>("usual_time_limit").setValue(12.0);
-  const planning::PlanRequest request = window().plan_settings().request();
+  const planning::PlanRequest request = window().workbench().plan_settings.request();
   EXPECT_EQ(request.threads, 3);
   EXPECT_DOUBLE_EQ(request.time_limit_s, 12.0);
   auto& planner = part<QComboBox>("usual_planner");
   planner.setCurrentIndex(planner.count() - 1);
   const std::string last = planner.currentText().toStdString();
-  window().plan_settings().apply({});
-  EXPECT_EQ(window().plan_settings().planner()->name(), last);
+  window().workbench().plan_settings.apply({});
+  EXPECT_EQ(window().workbench().plan_settings.planner()->name(), last);
 }
 
 TEST_F(ThePreferences, SwitchOffTheKeepingOfUnsavedChanges) {

@@ -1,4 +1,3 @@
-#include "app/playback_tools.h"
 #include "features/editing/scene_editing.h"
 #include "model/planning/path_history.h"
 #include "widgets/panels/run_table.h"
@@ -22,7 +21,7 @@ using ::testing::HasSubstr;
 class RunsInTheWindow : public WindowTest {
  protected:
   [[nodiscard]] const std::vector<gui::PathRecord>& records() const {
-    return window().playback().history().records();
+    return window().workbench().history.records();
   }
   [[nodiscard]] std::vector<geometric::Configuration> shown_path() const {
     return window().player().timeline().path().waypoints;
@@ -54,7 +53,7 @@ class RunsInTheWindow : public WindowTest {
 
 TEST_F(RunsInTheWindow, AreListedWithWhatCameOfThem) {
   open(cell().post());
-  window().plan_settings().choose_planner("pmd-rrt-connect");
+  window().workbench().plan_settings.choose_planner("pmd-rrt-connect");
   plan();
   show_dock("runs");
   ASSERT_EQ(rows().rowCount(), 1);
@@ -80,7 +79,7 @@ TEST_F(RunsInTheWindow, AreListedWhenThereIsNoPath) {
 
 TEST_F(RunsInTheWindow, ArePutBackAndGiveTheIdenticalPathAgain) {
   open(cell().post());
-  gui::PlanSettings& settings = window().plan_settings();
+  gui::PlanSettings& settings = window().workbench().plan_settings;
   settings.choose_planner("pmd-rrt-connect");
   part<QSpinBox>("smoothing_checks").setValue(17);
   settings.set_seed(5);
@@ -119,7 +118,7 @@ TEST_F(RunsInTheWindow, ArePutBackAndGiveTheIdenticalPathAgain) {
 
 TEST_F(RunsInTheWindow, WithSeveralSeedsShowTheBest) {
   open(cell().post());
-  window().plan_settings().choose_planner("rrt-connect");
+  window().workbench().plan_settings.choose_planner("rrt-connect");
   part<QSpinBox>("smoothing_checks").setValue(0);
   plan_seeds(6);
   ASSERT_EQ(rows().rowCount(), 6);
@@ -140,8 +139,8 @@ TEST_F(RunsInTheWindow, WithSeveralSeedsShowTheBest) {
   EXPECT_FALSE(part<QDockWidget>("runs").isHidden());
 
   const auto best_run = shortest->run;
-  window().plan_settings().set_seeds(1);
-  window().plan_settings().set_seed(best_run->request.seed);
+  window().workbench().plan_settings.set_seeds(1);
+  window().workbench().plan_settings.set_seed(best_run->request.seed);
   plan();
   EXPECT_EQ(shown_path(), best_run->result.path.waypoints) << "the same alone";
 }
@@ -165,7 +164,7 @@ TEST_F(RunsInTheWindow, WithSeveralSeedsAreCancelledAtOnce) {
 
 TEST_F(RunsInTheWindow, WithSeveralSeedsSayWhatStoodInTheWay) {
   open(cell().wall());
-  window().plan_settings().choose_planner("auto");
+  window().workbench().plan_settings.choose_planner("auto");
   part<QSpinBox>("max_samples").setValue(400);
   plan_seeds(3);
   EXPECT_THAT(result(), AllOf(HasSubstr("No path from 3 seeds"), HasSubstr("wall")));

@@ -1,10 +1,9 @@
-#include "model/document/arrange.h"
-
 #include "features/editing/array_tool.h"
 #include "features/editing/editing_test.h"
 #include "features/editing/scene_tree.h"
 #include "handway/geometric/formats/scene_reader.h"
 #include "model/document/resting.h"
+#include "model/document/scene_edits.h"
 #include "pressed_mouse.h"
 #include "view3d/scene_view.h"
 #include "widgets/forms/quantity_field.h"

@@ -1,5 +1,3 @@
-#include "model/document/resize.h"
-
 #include "features/editing/editing_test.h"
 #include "handway/geometric/io/resources.h"
 #include "model/document/scene_edits.h"
@@ -52,7 +50,7 @@ TEST(Resizing, ScalesMeshesAllAround) {
 
 class ResizingByHand : public EditingTest {
  protected:
-  [[nodiscard]] gui::ResizeTool& tool() const { return window().editing().resize(); }
+  [[nodiscard]] gui::ResizeTool& tool() const { return tool<gui::ResizeTool>(); }
   /// Of the post, at the top.
   [[nodiscard]] QPoint top() const { return tool().places().back(); }
 };

@@ -1,5 +1,4 @@
 #include "handway/geometric/mesh/shape.h"
-#include "model/meshes/crease_normals.h"
 #include "model/meshes/shaded_meshes.h"
 
 #include <gtest/gtest.h>

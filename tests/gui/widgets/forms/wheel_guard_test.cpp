@@ -1,5 +1,4 @@
-#include "widgets/forms/wheel_guard.h"
-
+#include "widgets/forms/quantity_field.h"
 #include "window_test.h"
 
 #include <QComboBox>

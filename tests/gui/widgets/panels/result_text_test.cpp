@@ -1,6 +1,5 @@
-#include "widgets/panels/result_text.h"
-
 #include "model/planning/path_history.h"
+#include "widgets/panels/run_table.h"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-#include "app/log_panel.h"
+#include "widgets/panels/log_panel.h"
 
 #include "widgets/style/theme.h"
 

@@ -1,0 +1,194 @@
+#pragma once
+
+#include "handway/planning/extensions/plugin.h"
+#include "model/devices/contact_guard.h"
+#include "model/devices/motion_driver.h"
+#include "model/document/collision_monitor.h"
+#include "model/document/document.h"
+#include "model/document/scene_editor.h"
+#include "model/planning/path_history.h"
+#include "model/planning/path_validity.h"
+#include "model/planning/plan_settings.h"
+#include "model/planning/planning_session.h"
+#include "model/playback/motion_analysis.h"
+#include "model/playback/path_player.h"
+#include "model/settings/options.h"
+#include "model/settings/preferences.h"
+#include "widgets/panels/dock_layout.h"
+
+#include <QAction>
+#include <QObject>
+#include <QString>
+
+#include <compare>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+class QMainWindow;
+class QMenu;
+class QToolBar;
+class QWidget;
+
+namespace handway::gui {
+
+class Banner;
+class LogPanel;
+class PlaybackBar;
+class SceneView;
+
+enum class MainMenu { kFile, kEdit, kAdd, kPlan, kView, kHelp };
+enum class MainBar { kTools, kEditing };
+enum class DockArea { kLeft, kHistory, kControl, kBelow };
+
+/// Where something is in a menu or tool bar, whoever adds it and when: between sections there are
+/// separators.
+struct Position {
+  int section = 0;
+  int order = 0;  ///< In the section.
+
+  auto operator<=>(const Position&) const = default;
+};
+
+/// What features of the window work with: the model, the 3-D view, and places for their menus,
+/// tool bar buttons and docks. A feature is a folder with a function `add_NAME(Workbench&)`; what
+/// features have in common is here, so that none knows another.
+class Workbench : public QObject {
+  Q_OBJECT
+
+ public:
+  /// @param centre in the middle of the window: the banner floats over it.
+  Workbench(std::shared_ptr<planning::Extensions> plugins, QMainWindow& main_window,
+            QWidget& centre);
+  ~Workbench() override;
+
+  std::shared_ptr<planning::Extensions> extensions;
+  Options options;  ///< Of the scene that is open; empty once another is opened.
+  Preferences preferences;
+  Document document;
+  SceneEditor editor;
+  PathPlayer player;
+  Posing posing;
+  PlanSettings plan_settings;
+  CollisionMonitor collisions;  ///< Of the posture that is shown.
+  PlanningSession session;
+  PathValidity validity;  ///< Of the path that is played, in the scene as it is.
+  MotionAnalysis analysis;
+  PathHistory history;
+  ContactGuard guard;  ///< What moves the robot from outside proposes its postures here.
+  MotionDriver driver;
+
+  QMainWindow& window;
+  SceneView& view;
+  Banner& banner;  ///< Above the view.
+  PlaybackBar& playback_bar;
+  LogPanel& log;
+
+  /// Makes an object that lives as long as the feature does.
+  template <typename Tool, typename... Arguments>
+  Tool& own(Arguments&&... arguments) {
+    auto tool = std::make_unique<Tool>(std::forward<Arguments>(arguments)...);
+    Tool& made = *tool;
+    made.setParent(this);
+    tools_.push_back(std::move(tool));
+    return made;
+  }
+
+  /// A command of the window. @param name of the object and of its icon, which follows the theme;
+  /// may be empty. @param tip empty: none.
+  [[nodiscard]] QAction* make_action(const QString& name, const QString& text,
+                                     const QKeySequence& keys, const QString& tip);
+  /// The icon of `action`, by its object name, follows the theme.
+  void keep_icon(QAction& action);
+  /// Of no effect after build(), as are the next three. Submenus are added by their menuAction().
+  void add_to_menu(MainMenu menu, Position position, QAction* action);
+  /// @param with_text beside the icon.
+  void add_to_bar(MainBar bar, Position position, QAction* action, bool with_text = false);
+  void add_to_bar(MainBar bar, Position position, QWidget* widget);
+  /// @param order among the docks of the area.
+  void add_dock(DockArea area, int order, const DockContent& content);
+  /// Adds a page to a panel of the control tabs that has pages; without that panel it is a tab.
+  void add_page(const char* panel, const QString& title, QWidget* page);
+  [[nodiscard]] QMenu& menu(MainMenu menu) const { return *menus_.at(menu); }
+  /// Puts everything that was added where it belongs. To be called once.
+  void build();
+
+  /// Shows the dock or tab of that name, if there is one.
+  void show_panel(const char* name) const;
+  /// Does what the command with that object name does, if there is one.
+  void trigger(const char* action) const;
+
+  /// What people call the scene that is open.
+  [[nodiscard]] QString scene_name() const;
+  /// Opens a file unless something keeps the scene from being left.
+  void open(const std::filesystem::path& file, const Options& with = {});
+  /// Begins a new scene with a robot of the library, likewise.
+  void create(const std::string& robot);
+  /// @param may_leave asked before the scene or the program is left; returns false to stay.
+  void ask_before_leaving(std::function<bool()> may_leave);
+  [[nodiscard]] bool may_leave() const;
+
+  /// @param busy whether the window does not show yet what was asked for.
+  void add_work(std::function<bool()> busy);
+  [[nodiscard]] bool is_busy() const;
+  /// @param time for how long a device has been listened to, s; nothing: none is connected.
+  void add_stream(std::function<std::optional<double>()> time);
+  /// The longest of all streams.
+  [[nodiscard]] std::optional<double> listening_time() const;
+
+  /// Writes an error into the log, and into the banner above the view.
+  void show_error(const QString& title, const QString& message);
+
+ signals:
+  /// The window is on screen, its options are known.
+  void begun();
+  /// Another scene is shown, or none.
+  void scene_shown();
+  /// The scene is shown and the planner is set up.
+  void ready();
+  /// The scene, or what the options ask of it, is not to be had.
+  void failed(const QString& message);
+  /// A file of a mesh was dropped on the window.
+  void mesh_dropped(const QString& file);
+  /// Whether there is room in the view for handles of what is selected.
+  void handles_welcome(bool welcome);
+  void theme_changed();
+
+ private:
+  struct Entry {
+    Position position;
+    std::variant<QAction*, QWidget*> content;
+    bool with_text = false;
+  };
+  struct Page {
+    const char* panel;
+    QString title;
+    QWidget* widget;
+  };
+
+  void follow_document();
+  /// What was played goes into the history, with its figures.
+  void remember_path();
+  [[nodiscard]] std::vector<DockContent> docks_of(DockArea area) const;
+  void build_pages();
+  void build_menus();
+  void build_bars();
+
+  std::map<MainMenu, QMenu*> menus_;
+  std::map<MainMenu, std::vector<Entry>> menu_entries_;
+  std::map<MainBar, std::vector<Entry>> bar_entries_;
+  std::map<DockArea, std::multimap<int, DockContent>> docks_;
+  std::vector<Page> pages_;
+  std::vector<QAction*> with_icon_;
+  std::vector<std::function<bool()>> leave_guards_;
+  std::vector<std::function<bool()>> works_;
+  std::vector<std::function<std::optional<double>()>> streams_;
+  std::vector<std::unique_ptr<QObject>> tools_;  ///< Work with all the others: gone first.
+};
+
+}  // namespace handway::gui
