@@ -146,7 +146,7 @@ TEST_F(PresetsInThePanel, InABrokenFileAreToldOfAndNotLost) {
   gui::MainWindow second(std::make_shared<planning::Extensions>());
   second.show();
   EXPECT_THAT(second.message().toStdString(), HasSubstr("presets.yaml:3"));
-  gui::PresetBar& presets = second.plan_panel().presets();
+  gui::PresetBar& presets = *second.findChild<gui::PresetBar*>();
   EXPECT_EQ(presets.store().of("auto").size(), 6U);
 
   presets.save_as(QStringLiteral("New"));
@@ -161,7 +161,7 @@ TEST_F(PresetsInThePanel, ThatDoNotFitThePlannerChangeNothing) {
       "handway_presets: 1\npresets:\n  - planner: auto\n    name: Old\n"
       "    parameters: {smoothing_checks: 5, nonsense: 3}\n");
   gui::MainWindow second(std::make_shared<planning::Extensions>());
-  gui::PresetBar& presets = second.plan_panel().presets();
+  gui::PresetBar& presets = *second.findChild<gui::PresetBar*>();
   QSignalSpy failed(&presets, &gui::PresetBar::failed);
   auto* list = second.findChild<QComboBox*>(QStringLiteral("presets"));
   emit list->activated(list->findText(QStringLiteral("Old")));

@@ -35,7 +35,7 @@ class WristPage : public WindowTest {
     }
     open(source_dir() / "scenes" / "can_on_table.yaml");
     window().document().set_configuration(*window().document().scene()->start);
-    tool<gui::GlovePanel>().come_to_front("Wrist");
+    WindowTest::tool<gui::GlovePanel>().come_to_front("Wrist");
   }
 
   void connect_to(const QString& address) const {
@@ -77,7 +77,7 @@ class WristPage : public WindowTest {
   }
   void unplug() { emulator_.reset(); }
 
-  [[nodiscard]] gui::WristPage& page() const { return tool<gui::WristPage>(); }
+  [[nodiscard]] gui::WristPage& page() const { return WindowTest::tool<gui::WristPage>(); }
   /// How far the tool is from where it was when the clutch was closed, m.
   [[nodiscard]] Eigen::Vector3d way() const { return tool() - grip_; }
   [[nodiscard]] bool waits_for_way(const Eigen::Vector3d& wanted) const {

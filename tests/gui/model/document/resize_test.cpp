@@ -50,7 +50,7 @@ TEST(Resizing, ScalesMeshesAllAround) {
 
 class ResizingByHand : public EditingTest {
  protected:
-  [[nodiscard]] gui::ResizeTool& tool() const { return tool<gui::ResizeTool>(); }
+  [[nodiscard]] gui::ResizeTool& tool() const { return WindowTest::tool<gui::ResizeTool>(); }
   /// Of the post, at the top.
   [[nodiscard]] QPoint top() const { return tool().places().back(); }
 };
