@@ -1,5 +1,5 @@
 /// What a CyberGlove sends, as records and as answers, and what an emulated one is sent.
-#include "cyberglove_commands.h"
+#include "cyberglove_protocol.h"
 #include "handway/device/glove/cyberglove_parser.h"
 #include "handway/device/glove/glove_emulator.h"
 #include "pieces.h"

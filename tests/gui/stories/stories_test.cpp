@@ -144,8 +144,8 @@ TEST_F(Story, FromANewSceneToAnExportedPathAndBack) {
 
   select("can");
   trigger("Grasp…");
-  ASSERT_TRUE(wait_for([&] { return !tool<gui::GraspTool>().is_busy(); }));
-  ASSERT_FALSE(tool<gui::GraspTool>().grasps().empty());
+  ASSERT_TRUE(wait_for([&] { return !window().findChild<gui::GraspTool*>()->is_busy(); }));
+  ASSERT_FALSE(window().findChild<gui::GraspTool*>()->grasps().empty());
   picture("new_5_grasps");
   QSignalSpy ended(&window().session(), &gui::PlanningSession::ended);
   window().findChild<QPushButton*>(QStringLiteral("grasp_plan"))->click();
@@ -419,7 +419,7 @@ TEST_F(Story, MovesEmulatedDevicesAndTellsWhatAnEditRevokes) {
   editor().select({});
   ASSERT_TRUE(plan());
   window().player().set_loop(false);
-  gui::DevicesPanel& panel = tool<gui::DevicesPanel>();
+  gui::DevicesPanel& panel = *window().findChild<gui::DevicesPanel*>();
   const auto button = [&](const char* name) {
     return window().findChild<QAbstractButton*>(QLatin1String(name));
   };

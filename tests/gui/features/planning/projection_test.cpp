@@ -24,7 +24,9 @@ class ProjectionOfTheRoadmap : public WindowTest {
   void settle() {
     ASSERT_TRUE(QTest::qWaitFor([&] { return !tool().is_busy(); }));
   }
-  [[nodiscard]] gui::ProjectionTool& tool() const { return WindowTest::tool<gui::ProjectionTool>(); }
+  [[nodiscard]] gui::ProjectionTool& tool() const {
+    return WindowTest::tool<gui::ProjectionTool>();
+  }
   [[nodiscard]] gui::ProjectionPlot& plot() const { return tool().panel()->plot(); }
   [[nodiscard]] QPoint place_of(int node) const {
     return plot().place_of(plot().roadmap().nodes.at(static_cast<std::size_t>(node)).place);
