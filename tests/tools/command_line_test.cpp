@@ -60,7 +60,8 @@ TEST_F(Handway, KeepsTheProblemsThatItPlansWhereAsked) {
   const std::string kept = fs::relative(problems.front(), line_.folder()).string();
   std::string again = line_.read(kept + "/command.txt");
   ASSERT_THAT(again, StartsWith("handway plan scene.yaml --planner auto --seed 3"));
-  again = again.substr(0, again.size() - 1).replace(0, 23, "plan " + kept + "/scene.yaml");
+  again.pop_back();  // the end of the line
+  again.replace(0, std::string("handway plan scene.yaml").size(), "plan " + kept + "/scene.yaml");
   ASSERT_EQ(line_.run(again + " --out b.csv").exit_code, kDone) << again;
   EXPECT_EQ(line_.read("b.csv"), line_.read("a.csv"));
 }
