@@ -49,7 +49,7 @@ TEST_F(Haptic, GuidesAHandToThePathsEnd) {
   ASSERT_EQ(done.exit_code, 0) << done.out << done.err;
   EXPECT_THAT(done.out, AllOf(HasSubstr("forces up to 2.00 N"), HasSubstr("grips"),
                               HasSubstr("done: at the path's end")));
-  EXPECT_LE(number_after(done.out, "way, up to"), 2.0);
+  EXPECT_LE(number_after(done.out, "path, up to"), 2.0);
   const std::vector<std::string> log = lines_of(line_.read("log.csv"));
   ASSERT_GT(log.size(), 50U);
   EXPECT_THAT(log.front(), StartsWith("time,progress,place,button,deviation,force.x,"));
