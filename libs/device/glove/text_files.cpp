@@ -8,6 +8,7 @@
 #include <optional>
 
 namespace handway::device {
+
 std::vector<TextLine> text_lines(std::string_view text) {
   std::vector<TextLine> lines;
   std::size_t begin = 0;
@@ -18,35 +19,6 @@ std::vector<TextLine> text_lines(std::string_view text) {
     begin = ended ? end + 1 : text.size();
   }
   return lines;
-}
-
-namespace {
-
-constexpr std::string_view kBlanks = " \t\r\n";
-
-}  // namespace
-
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view kAround = " \t\r\n\"";
-  const std::size_t first = text.find_first_not_of(kAround);
-  if (first == std::string_view::npos) {
-    return {};
-  }
-  return text.substr(first, text.find_last_not_of(kAround) - first + 1);
-}
-
-std::vector<std::string_view> cells(std::string_view line, char separator) {
-  std::vector<std::string_view> parts;
-  const std::string_view separators = separator == ' ' ? kBlanks : std::string_view(&separator, 1);
-  std::size_t begin = 0;
-  while (begin <= line.size()) {
-    const std::size_t end = std::min(line.find_first_of(separators, begin), line.size());
-    if (separator != ' ' || end > begin) {
-      parts.push_back(trimmed(line.substr(begin, end - begin)));
-    }
-    begin = end + 1;
-  }
-  return parts;
 }
 
 std::optional<double> finite_number(std::string_view cell) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "handway/geometric/formats/yaml_element.h"
+#include "handway/geometric/io/number_text.h"
 
 #include <algorithm>
 #include <array>
@@ -26,11 +27,8 @@ struct TextLine {
 /// All lines of a text, of which they stay a part.
 [[nodiscard]] std::vector<TextLine> text_lines(std::string_view text);
 
-/// Without blanks, quotes and the end of line around it.
-[[nodiscard]] std::string_view trimmed(std::string_view text);
-
-/// Trimmed parts between separators; ' ' separates by any run of blanks.
-[[nodiscard]] std::vector<std::string_view> cells(std::string_view line, char separator);
+using geometric::cells;
+using geometric::trimmed;
 
 /// The finite number that the whole cell is, or nothing.
 [[nodiscard]] std::optional<double> finite_number(std::string_view cell);

@@ -1,6 +1,7 @@
 #include "handway/planning/paths/path_csv.h"
 
 #include "handway/geometric/io/input_error.h"
+#include "handway/geometric/io/number_text.h"
 #include "handway/geometric/io/replace_file.h"
 #include "handway/geometric/io/text_file.h"
 #include "handway/planning/core/objective.h"
@@ -25,17 +26,8 @@ constexpr std::size_t kLargestFile = std::size_t{256} << 20;
 constexpr double kCouplingTolerance = 1e-4;  // rad or m
 
 std::vector<std::string> cells(const std::string& line) {
-  std::vector<std::string> parts;
-  std::size_t begin = 0;
-  while (begin <= line.size()) {
-    const std::size_t end = std::min(line.find(',', begin), line.size());
-    std::string cell = line.substr(begin, end - begin);
-    const auto first = cell.find_first_not_of(" \t\r\"");
-    const auto last = cell.find_last_not_of(" \t\r\"");
-    parts.push_back(first == std::string::npos ? "" : cell.substr(first, last - first + 1));
-    begin = end + 1;
-  }
-  return parts;
+  const std::vector<std::string_view> parts = geometric::cells(line, ',');
+  return {parts.begin(), parts.end()};
 }
 
 class Reader {
