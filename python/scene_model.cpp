@@ -1,9 +1,9 @@
 #include "scene_model.h"
 
-#include "extensions.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/resources.h"
 #include "handway/sampling/postures/pmd_basis_io.h"
+#include "plugins.h"
 
 namespace handway::python {
 namespace {
@@ -13,7 +13,7 @@ using geometric::InputError;
 using geometric::Scene;
 
 planning::LoadedScene load(const std::filesystem::path& file, const std::string& basis) {
-  planning::LoadedScene loaded = planning::load_scene(file, extensions());
+  planning::LoadedScene loaded = planning::load_scene(file, plugins());
   if (loaded.scene->robots.empty()) {
     throw InputError({file.string(), "robots", "none", "a robot to plan for", ""});
   }

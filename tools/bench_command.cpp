@@ -101,17 +101,17 @@ struct BenchScene {
 };
 
 BenchScene load(const fs::path& file, const BenchOptions& options,
-                const planning::Extensions& extensions) {
-  BenchScene scene{planning::load_scene(file, extensions), options.sets};
+                const planning::PluginManager& plugins) {
+  BenchScene scene{planning::load_scene(file, plugins), options.sets};
   choose_basis(scene.settings, scene.loaded);
   return scene;
 }
 
 SceneBench bench_checks(const fs::path& file, const BenchOptions& options,
-                        const planning::Extensions& extensions) {
+                        const planning::PluginManager& plugins) {
   reset_peak_memory();
   const auto begin = std::chrono::steady_clock::now();
-  const planning::LoadedScene loaded = load(file, options, extensions).loaded;
+  const planning::LoadedScene loaded = load(file, options, plugins).loaded;
   const planning::PlanningProblem problem = planning::make_problem(loaded.scene, loaded.basis);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
   SceneBench bench;
@@ -174,12 +174,12 @@ PlanBench bench_plan(planning::Planner& planner, const planning::LoadedScene& lo
 }
 
 void bench_plans(SceneBench& bench, const BenchOptions& options,
-                 const planning::Extensions& extensions, const BenchTable& table) {
-  const BenchScene scene = load(bench.file, options, extensions);
+                 const planning::PluginManager& plugins, const BenchTable& table) {
+  const BenchScene scene = load(bench.file, options, plugins);
   // Kept while they run, so that what is made of meshes is not read again for each.
   const planning::PlanningProblem kept =
       planning::make_problem(scene.loaded.scene, scene.loaded.basis);
-  for (const auto& planner : planners_for(options, scene, extensions.planners())) {
+  for (const auto& planner : planners_for(options, scene, plugins.planners())) {
     for (const std::string& checker : options.settings.checkers) {
       bench.plans.push_back(bench_plan(*planner, scene.loaded, checker,
                                        options.settings.time_limit_s, options, all_seeds(options)));
@@ -206,27 +206,27 @@ bool query_is_valid(const SceneBench& bench) {
 }
 
 // Refuses an unknown planner and a folder that can't be written to at once.
-planning::Extensions checked_extensions(const BenchOptions& options) {
-  planning::Extensions extensions;
-  extensions.load_plugins(planning::plugin_directory());
+planning::PluginManager checked_extensions(const BenchOptions& options) {
+  planning::PluginManager plugins;
+  plugins.load_plugins(planning::plugin_directory());
   for (const std::string& name : options.planners) {
     if (name != "all") {
-      static_cast<void>(extensions.planners().create(name));
+      static_cast<void>(plugins.planners().create(name));
     }
   }
   if (!options.out.empty()) {
     make_folder(options.out);
   }
-  return extensions;
+  return plugins;
 }
 
 int bench(const BenchOptions& options) {
-  const planning::Extensions extensions = checked_extensions(options);
+  const planning::PluginManager plugins = checked_extensions(options);
   const std::vector<fs::path> files = options.scenes.empty() ? bench_scenes() : options.scenes;
   const BenchTable table(options.settings, files);
   std::vector<SceneBench> scenes;
   for (const fs::path& file : files) {
-    scenes.push_back(bench_checks(file, options, extensions));
+    scenes.push_back(bench_checks(file, options, plugins));
     if (scenes.size() == 1) {  // a file that can't be read leaves no table
       table.begin_collisions();
     }
@@ -235,7 +235,7 @@ int bench(const BenchOptions& options) {
   if (!options.checks_only) {
     table.begin_plans();
     for (SceneBench& scene : scenes) {
-      bench_plans(scene, options, extensions, table);
+      bench_plans(scene, options, plugins, table);
     }
   }
   if (!options.out.empty()) {
@@ -246,12 +246,12 @@ int bench(const BenchOptions& options) {
 }
 
 std::vector<PlanBench> bench_variant(const BenchScene& scene, const BenchOptions& options,
-                                     const planning::Extensions& extensions) {
+                                     const planning::PluginManager& plugins) {
   const std::string& checker = options.settings.checkers.front();
   const planning::PlanningProblem kept =
       planning::make_problem(scene.loaded.scene, scene.loaded.basis);
   std::vector<PlanBench> plans;
-  for (const auto& planner : planners_for(options, scene, extensions.planners())) {
+  for (const auto& planner : planners_for(options, scene, plugins.planners())) {
     const bool is_default = plans.empty();
     plans.push_back(bench_plan(
         *planner, scene.loaded, checker,
@@ -265,8 +265,8 @@ std::vector<PlanBench> bench_variant(const BenchScene& scene, const BenchOptions
 // The variants of a file; `use` is handed each that was found.
 template <typename Use>
 VariantBench make_variants(const fs::path& file, const BenchOptions& options,
-                           const planning::Extensions& extensions, const Use& use) {
-  const planning::LoadedScene loaded = planning::load_scene(file, extensions);
+                           const planning::PluginManager& plugins, const Use& use) {
+  const planning::LoadedScene loaded = planning::load_scene(file, plugins);
   const planning::PlanningProblem problem = planning::make_problem(loaded.scene, loaded.basis);
   const VariantGenerator generator(problem);
   VariantBench bench{file, fmt::format("{}", fmt::join(generator.target(), ", ")), {}};
@@ -280,19 +280,19 @@ VariantBench make_variants(const fs::path& file, const BenchOptions& options,
 }
 
 int bench_variants(const BenchOptions& options) {
-  const planning::Extensions extensions = checked_extensions(options);
+  const planning::PluginManager plugins = checked_extensions(options);
   const std::vector<fs::path> files = options.scenes.empty() ? bench_scenes() : options.scenes;
   const BenchTable table(options.settings, files);
   std::vector<VariantBench> benches;
   VariantSummary total;
   for (const fs::path& file : files) {
-    BenchScene scene = load(file, options, extensions);
+    BenchScene scene = load(file, options, plugins);
     if (benches.empty()) {  // a file that can't be read leaves no table
       table.begin_variants(options.variants);
     }
-    benches.push_back(make_variants(file, options, extensions, [&](VariantRuns& runs) {
+    benches.push_back(make_variants(file, options, plugins, [&](VariantRuns& runs) {
       scene.loaded.scene = runs.variant.scene;
-      runs.plans = bench_variant(scene, options, extensions);
+      runs.plans = bench_variant(scene, options, plugins);
     }));
     table.add_variants(benches.back());
     total += summary_of(benches.back());
@@ -307,26 +307,24 @@ int bench_variants(const BenchOptions& options) {
 
 // As scene files; the basis of an imported problem, which is in no file of ours, beside them.
 int write_variants(const BenchOptions& options) {
-  const planning::Extensions extensions = checked_extensions(options);
+  const planning::PluginManager plugins = checked_extensions(options);
   make_folder(options.write);
   for (const fs::path& file : options.scenes.empty() ? bench_scenes() : options.scenes) {
-    const BenchScene source = load(file, options, extensions);
+    const BenchScene source = load(file, options, plugins);
     const std::string stem = file.stem().string();
     fs::path basis = source.loaded.scene->hand_basis;
     if (source.loaded.basis && basis.empty()) {
       basis = fs::absolute(options.write / (stem + "_hand.yaml"));
       sampling::write_pmd_basis(*source.loaded.basis, basis);
     }
-    const VariantBench bench =
-        make_variants(file, options, extensions, [&](const VariantRuns& runs) {
-          geometric::Scene scene = *runs.variant.scene;
-          scene.hand_basis = basis;
-          const fs::path target =
-              options.write / fmt::format("{}_seed{}_variant{:02}.yaml", stem, runs.variant.seed,
-                                          runs.variant.number);
-          geometric::write_scene(scene, target);
-          fmt::print("{}\n", target.string());
-        });
+    const VariantBench bench = make_variants(file, options, plugins, [&](const VariantRuns& runs) {
+      geometric::Scene scene = *runs.variant.scene;
+      scene.hand_basis = basis;
+      const fs::path target = options.write / fmt::format("{}_seed{}_variant{:02}.yaml", stem,
+                                                          runs.variant.seed, runs.variant.number);
+      geometric::write_scene(scene, target);
+      fmt::print("{}\n", target.string());
+    });
     for (const VariantRuns& runs : bench.variants) {
       if (!runs.variant.scene) {
         fmt::print("{}, variant {}: no free start and goal in {} draws\n", stem,

@@ -117,15 +117,15 @@ int thread_count(const CampaignSession& session, const planning::Campaign& campa
 }  // namespace
 
 std::optional<CampaignOutcome> conduct_campaign(const planning::Campaign& campaign,
-                                                const planning::Extensions& extensions,
+                                                const planning::PluginManager& plugins,
                                                 const CampaignSession& session,
                                                 planning::ProcessTeam* team) {
   if (team != nullptr && !team->leads()) {
-    team->serve(planning::RunExecutor(campaign, extensions));
+    team->serve(planning::RunExecutor(campaign, plugins));
     return std::nullopt;
   }
   make_out_folder(session.folder);
-  const planning::RunExecutor executor(campaign, extensions);
+  const planning::RunExecutor executor(campaign, plugins);
   RunDatabase database(session.folder / "runs.sqlite", executor.campaign(), kVersion,
                        session.resume ? RunDatabase::Opening::kResume : RunDatabase::Opening::kNew);
   planning::ThreadWorkers threads(thread_count(session, campaign));
@@ -171,15 +171,14 @@ namespace {
 namespace fs = std::filesystem;
 
 int run_campaign(const CampaignOptions& options, planning::ProcessTeam* team) {
-  planning::Extensions extensions;
-  extensions.load_plugins(planning::plugin_directory());
-  const planning::Campaign campaign = planning::read_campaign(options.file, extensions.planners());
+  planning::PluginManager plugins;
+  plugins.load_plugins(planning::plugin_directory());
+  const planning::Campaign campaign = planning::read_campaign(options.file, plugins.planners());
   CampaignSession session;
   session.folder = options.out.empty() ? fs::path(options.file.stem()) : options.out;
   session.resume = options.resume;
   session.jobs = options.jobs;
-  const std::optional<CampaignOutcome> outcome =
-      conduct_campaign(campaign, extensions, session, team);
+  const std::optional<CampaignOutcome> outcome = conduct_campaign(campaign, plugins, session, team);
   if (!outcome) {
     return kDone;
   }

@@ -69,7 +69,7 @@ struct CampaignOutcome {
 /// @returns nothing in a process of a team that does not lead it.
 /// @throws InputError for what can't be read or written.
 [[nodiscard]] std::optional<CampaignOutcome> conduct_campaign(
-    const planning::Campaign& campaign, const planning::Extensions& extensions,
+    const planning::Campaign& campaign, const planning::PluginManager& plugins,
     const CampaignSession& session, planning::ProcessTeam* team);
 
 /// Makes a folder and those above it.

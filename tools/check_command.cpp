@@ -40,9 +40,9 @@ void print_likeness(const planning::PathLikeness& likeness) {
 }
 
 int check(const CheckOptions& options) {
-  planning::Extensions extensions;
-  extensions.load_plugins(planning::plugin_directory());
-  planning::LoadedScene loaded = planning::load_scene(options.scene, extensions);
+  planning::PluginManager plugins;
+  plugins.load_plugins(planning::plugin_directory());
+  planning::LoadedScene loaded = planning::load_scene(options.scene, plugins);
   print_warnings(*loaded.scene);
   add_uprights(options.uprights, loaded);
   const planning::PlanningProblem problem = planning::make_problem(loaded.scene, loaded.basis);

@@ -1,7 +1,7 @@
 #include "collision_bench.h"
 
 #include "handway/geometric/collision/checkers/make_checker.h"
-#include "handway/geometric/collision/continuous/edge_checker.h"
+#include "handway/geometric/collision/continuous/continuous_collision_checker.h"
 #include "handway/geometric/collision/continuous/motion_bound.h"
 #include "handway/planning/campaigns/campaign_statistics.h"
 
@@ -93,7 +93,7 @@ Series configurations_for(CollisionChecker& checker, const Questions& questions)
           {}};
 }
 
-Series edges_for(geometric::EdgeChecker& edges, const Questions& questions) {
+Series edges_for(geometric::ContinuousCollisionChecker& edges, const Questions& questions) {
   return {questions.edge_starts.size(),
           [&](std::size_t i) {
             const Configuration& from = questions.edge_starts[i];
@@ -114,8 +114,8 @@ CollisionBench bench_collision(const std::shared_ptr<const CollisionWorld>& worl
   questions.configurations = draw(*world, start, goal);
   questions.motion = kEdge * (goal - start);
   const auto motion = std::make_shared<const geometric::MotionBound>(*world);
-  geometric::EdgeChecker fast_edges(*fast, motion, kResolution);
-  geometric::EdgeChecker fcl_edges(*fcl, motion, kResolution);
+  geometric::ContinuousCollisionChecker fast_edges(*fast, motion, kResolution);
+  geometric::ContinuousCollisionChecker fcl_edges(*fcl, motion, kResolution);
 
   // Asking once before the clock runs also fills what the fast checker remembers.
   CollisionBench bench;

@@ -75,9 +75,9 @@ void add_emulated_device_options(CLI::App& command, EmulatedDeviceChoice& choice
 }
 
 EmulatedPosture scene_posture(const std::filesystem::path& scene, const std::string& kind) {
-  planning::Extensions extensions;
-  extensions.load_plugins(planning::plugin_directory());
-  const planning::LoadedScene loaded = planning::load_scene(scene, extensions);
+  planning::PluginManager plugins;
+  plugins.load_plugins(planning::plugin_directory());
+  const planning::LoadedScene loaded = planning::load_scene(scene, plugins);
   const planning::PlanningProblem problem = planning::make_problem(loaded.scene, loaded.basis);
   const std::vector<int> variables = execution::device_variables(problem, kind);
   if (variables.empty()) {

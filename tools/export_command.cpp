@@ -20,11 +20,11 @@ struct ExportChoice {
 };
 
 int run_export(ExportChoice choice) {
-  planning::Extensions extensions;
-  extensions.load_plugins(planning::plugin_directory());
-  const planning::Exporter& exporter = extensions.exporter(choice.to);
+  planning::PluginManager plugins;
+  plugins.load_plugins(planning::plugin_directory());
+  const planning::Exporter& exporter = plugins.exporter(choice.to);
   choice.timing.no_blend = choice.timing.no_blend || exporter.stops_at_waypoints();
-  const planning::TimedPath timed = run_timing(choice.timing, extensions);
+  const planning::TimedPath timed = run_timing(choice.timing, plugins);
   std::vector<std::filesystem::path> written;
   if (timed.cleared()) {
     written = exporter.write(timed.motion, choice.out, choice.options);

@@ -11,7 +11,7 @@
 #include "handway/geometric/io/text_file.h"
 #include "handway/geometric/robot/robot_model.h"
 #include "handway/planning/paths/path_check.h"
-#include "handway/planning/timing/rate_limits.h"
+#include "handway/planning/timing/kinematic_limits.h"
 #include "interrupt.h"
 #include "numbers.h"
 #include "scene_file_watch.h"
@@ -192,17 +192,18 @@ int report(const execution::GuidanceOutcome& outcome, const device::ForceGuide& 
 }
 
 int guide(const GuideChoice& choice) {
-  planning::Extensions extensions;
-  extensions.load_plugins(planning::plugin_directory());
+  planning::PluginManager plugins;
+  plugins.load_plugins(planning::plugin_directory());
   const geometric::FilesRead notes;
-  const TimingInput input = read_timing_input(choice.timing, extensions);
+  const TimingInput input = read_timing_input(choice.timing, plugins);
   const geometric::RobotModel& model = input.problem.model();
   const execution::PathToolCurve tool_path(
       input.problem.scene->robots.front().model, input.path,
       choice.link.empty() ? execution::tool_link(model, input.problem.arm) : choice.link);
-  const planning::RateLimits limits = choice.timing.limits.empty()
-                                          ? planning::rate_limits(model)
-                                          : planning::read_rate_limits(model, choice.timing.limits);
+  const planning::JointKinematicLimits limits =
+      choice.timing.limits.empty()
+          ? planning::rate_limits(model)
+          : planning::read_joint_kinematic_limits(model, choice.timing.limits);
   std::vector<planning::AssumedLimit> assumed = limits.assumed;
   std::erase_if(assumed, [](const auto& one) { return one.rate != planning::Rate::kVelocity; });
   for (const std::string& line : assumption_lines(assumed)) {
@@ -237,7 +238,7 @@ int guide(const GuideChoice& choice) {
     planning::Path route = input.path;
     route.waypoints.insert(route.waypoints.begin(),
                            execution::with_measured(route.waypoints.front(), robots.targets()));
-    const std::string fault = fault_of(read_problem_again(choice.timing, extensions, model), route);
+    const std::string fault = fault_of(read_problem_again(choice.timing, plugins, model), route);
     if (!fault.empty()) {
       fmt::print(stderr, "Nothing moved: {}\n", fault);
       return kNoPath;

@@ -209,9 +209,9 @@ void print_text(const std::filesystem::path& file, const planning::LoadedScene& 
 }
 
 int info(const std::filesystem::path& file, bool as_json) {
-  planning::Extensions extensions;
-  extensions.load_plugins(planning::plugin_directory());
-  const planning::LoadedScene loaded = planning::load_scene(file, extensions);
+  planning::PluginManager plugins;
+  plugins.load_plugins(planning::plugin_directory());
+  const planning::LoadedScene loaded = planning::load_scene(file, plugins);
   const geometric::Scene& scene = *loaded.scene;
   std::unique_ptr<geometric::CollisionChecker> checker;
   std::vector<End> ends;
@@ -221,7 +221,7 @@ int info(const std::filesystem::path& file, bool as_json) {
     ends = examine_ends(scene, *checker);
   }
   std::vector<std::string> warnings = scene.warnings;
-  for (const planning::RefusedPlugin& plugin : extensions.refused()) {
+  for (const planning::RefusedPlugin& plugin : plugins.refused()) {
     warnings.push_back(
         fmt::format("plugin {} was not loaded: {}", plugin.file.string(), plugin.reason));
   }

@@ -122,14 +122,14 @@ void print_summary(const PlanResult& result, const planning::PlanningProblem& pr
 
 int plan(PlanOptions options) {
   const auto begin = std::chrono::steady_clock::now();
-  planning::Extensions extensions;
-  extensions.load_plugins(planning::plugin_directory());
-  planning::LoadedScene loaded = planning::load_scene(options.scene, extensions);
+  planning::PluginManager plugins;
+  plugins.load_plugins(planning::plugin_directory());
+  planning::LoadedScene loaded = planning::load_scene(options.scene, plugins);
   print_warnings(*loaded.scene);
   choose_basis(options.settings, loaded);
   add_uprights(options.uprights, loaded);
   const std::unique_ptr<planning::Planner> planner =
-      scene_planner(options.planner, loaded.scene->planner, extensions.planners());
+      scene_planner(options.planner, loaded.scene->planner, plugins.planners());
   apply_settings(*planner, options.settings);
   const planning::PlanningProblem problem = planning::make_problem(loaded.scene, loaded.basis);
   const std::chrono::duration<double> load = std::chrono::steady_clock::now() - begin;

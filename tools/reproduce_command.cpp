@@ -86,8 +86,8 @@ std::set<int> asked_figures(const ReproduceOptions& options) {
 }
 
 int reproduce(const ReproduceOptions& options, planning::ProcessTeam* team) {
-  planning::Extensions extensions;
-  extensions.load_plugins(planning::plugin_directory());
+  planning::PluginManager plugins;
+  plugins.load_plugins(planning::plugin_directory());
   const std::set<int> tables = asked_tables(options);
   std::vector<ReproducedCampaign> done;
   for (const Part& part : kParts) {
@@ -97,7 +97,7 @@ int reproduce(const ReproduceOptions& options, planning::ProcessTeam* team) {
     }
     const fs::path file =
         geometric::resource_dir() / "campaigns" / fmt::format("{}.yaml", part.name);
-    planning::Campaign campaign = planning::read_campaign(file, extensions.planners());
+    planning::Campaign campaign = planning::read_campaign(file, plugins.planners());
     take_runs(campaign, part, options);
     if (read_only) {
       done.push_back({part.table, std::move(campaign), {}});
@@ -107,7 +107,7 @@ int reproduce(const ReproduceOptions& options, planning::ProcessTeam* team) {
     session.folder = options.out / part.name;
     session.resume = options.resume;
     session.jobs = options.jobs;
-    std::optional<CampaignOutcome> outcome = conduct_campaign(campaign, extensions, session, team);
+    std::optional<CampaignOutcome> outcome = conduct_campaign(campaign, plugins, session, team);
     if (!outcome) {
       continue;
     }
@@ -129,7 +129,7 @@ int reproduce(const ReproduceOptions& options, planning::ProcessTeam* team) {
   constexpr double kFigureLimit = 60.0;  // s, of each path
   constexpr double kQuickFigureLimit = 8.0;
   const std::vector<ReproducedFigure> figures =
-      reproduce_figures(interrupted ? std::set<int>{} : asked_figures(options), extensions,
+      reproduce_figures(interrupted ? std::set<int>{} : asked_figures(options), plugins,
                         options.quick ? kQuickFigureLimit : kFigureLimit, options.out);
   write_reproduce_report(tables, done, figures, options.quick, options.out);
   fmt::print("report in {}\n", (options.out / "report.html").string());

@@ -236,8 +236,8 @@ const std::vector<Figure>& figures_there_are() {
 
 class FilmMaker {
  public:
-  FilmMaker(const planning::Extensions& extensions, double time_limit_s, const fs::path& folder)
-      : extensions_(extensions), time_limit_s_(time_limit_s), folder_(folder) {}
+  FilmMaker(const planning::PluginManager& plugins, double time_limit_s, const fs::path& folder)
+      : plugins_(plugins), time_limit_s_(time_limit_s), folder_(folder) {}
 
   [[nodiscard]] ReproducedFigure make(const Figure& figure) const {
     ReproducedFigure made{figure.number, figure.caption, "", {}, {}, ""};
@@ -268,10 +268,10 @@ class FilmMaker {
                                      ReproducedFigure& made) const {
     const fs::path scene =
         geometric::resource_dir().parent_path() / "scenes" / fmt::format("{}.yaml", row.scene);
-    const planning::LoadedScene loaded = planning::load_scene(scene, extensions_);
+    const planning::LoadedScene loaded = planning::load_scene(scene, plugins_);
     const planning::PlanningProblem problem = planning::make_problem(loaded.scene, loaded.basis);
     const planning::PlanResult result =
-        extensions_.planners().create(row.planner)->plan(problem, {.time_limit_s = time_limit_s_});
+        plugins_.planners().create(row.planner)->plan(problem, {.time_limit_s = time_limit_s_});
     if (!result.solved()) {
       made.problem += fmt::format("{}: {} ", row.label, result.reason);
       return "";
@@ -282,7 +282,7 @@ class FilmMaker {
                        fs::absolute(scene).string(), path, row.camera);
   }
 
-  const planning::Extensions& extensions_;
+  const planning::PluginManager& plugins_;
   double time_limit_s_;
   const fs::path& folder_;
 };
@@ -306,9 +306,9 @@ const std::set<int>& film_figures() {
 /// @param time_limit_s of each plan; a row without a path says so.
 /// @throws InputError if a file can't be written or a scene not be read.
 std::vector<ReproducedFigure> reproduce_films(const std::set<int>& figures,
-                                              const planning::Extensions& extensions,
+                                              const planning::PluginManager& plugins,
                                               double time_limit_s, const fs::path& folder) {
-  const FilmMaker maker(extensions, time_limit_s, folder);
+  const FilmMaker maker(plugins, time_limit_s, folder);
   std::vector<ReproducedFigure> made;
   for (const Figure& figure : figures_there_are()) {
     if (figures.contains(figure.number)) {
@@ -327,11 +327,11 @@ std::set<int> reproducible_figures() {
 }
 
 std::vector<ReproducedFigure> reproduce_figures(const std::set<int>& figures,
-                                                const planning::Extensions& extensions,
+                                                const planning::PluginManager& plugins,
                                                 double time_limit_s,
                                                 const std::filesystem::path& folder) {
   std::vector<ReproducedFigure> made = reproduce_postures(figures, folder);
-  std::vector<ReproducedFigure> films = reproduce_films(figures, extensions, time_limit_s, folder);
+  std::vector<ReproducedFigure> films = reproduce_films(figures, plugins, time_limit_s, folder);
   made.insert(made.end(), std::make_move_iterator(films.begin()),
               std::make_move_iterator(films.end()));
   return made;

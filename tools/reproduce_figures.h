@@ -28,7 +28,7 @@ struct ReproducedFigure {
 /// @param time_limit_s of each plan.
 /// @throws InputError if a file can't be written or a scene not be read.
 [[nodiscard]] std::vector<ReproducedFigure> reproduce_figures(
-    const std::set<int>& figures, const planning::Extensions& extensions, double time_limit_s,
+    const std::set<int>& figures, const planning::PluginManager& plugins, double time_limit_s,
     const std::filesystem::path& folder);
 
 }  // namespace handway::tools

@@ -148,12 +148,12 @@ int report(const std::vector<MotionTarget>& targets, const execution::MotionOutc
 // The scene as its files are now, which may have changed since the path was timed. What is not
 // the robot that the motion was timed for, or can't run it, is refused.
 execution::SceneWatch::Problem scene_now(const TimingChoice& choice,
-                                         const planning::Extensions& extensions,
+                                         const planning::PluginManager& plugins,
                                          const planning::Motion& motion) {
   auto problem = std::make_shared<const planning::PlanningProblem>(
-      read_problem_again(choice, extensions, *motion.model));
+      read_problem_again(choice, plugins, *motion.model));
   const geometric::RobotModel& model = problem->model();
-  planning::RateLimits limits = read_limits(choice, model);
+  planning::JointKinematicLimits limits = read_limits(choice, model);
   if (!choice.jerk) {
     limits.jerk.resize(0);
   }
@@ -186,10 +186,10 @@ int end_before_the_start() {
 }
 
 int send(const SendChoice& choice) {
-  planning::Extensions extensions;
-  extensions.load_plugins(planning::plugin_directory());
+  planning::PluginManager plugins;
+  plugins.load_plugins(planning::plugin_directory());
   const geometric::FilesRead notes;
-  const TimingInput input = read_timing_input(choice.timing, extensions);
+  const TimingInput input = read_timing_input(choice.timing, plugins);
   std::vector<MotionTarget> targets = execution::parse_targets(choice.to, input.problem);
   execution::check_that_the_rest_stands(input.problem.model(), input.path, targets);
   std::stop_source stop;
@@ -225,7 +225,7 @@ int send(const SendChoice& choice) {
     return end_before_the_start();
   }
   const auto read_scene = [&](const std::stop_token& /*stop*/) {
-    return scene_now(choice.timing, extensions, timed.motion);
+    return scene_now(choice.timing, plugins, timed.motion);
   };
   std::vector<SeenFile> seen = see_files(notes.files());  // before they are read once more
   execution::SceneWatch watch(timed.motion.trajectory, read_scene);

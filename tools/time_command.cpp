@@ -14,9 +14,9 @@ void add_time_command(CLI::App& app, int& exit_code) {
       app.add_subcommand("time", "Tell how long a path takes, and whether it may run");
   add_timing_options(*command, *choice);
   command->callback([choice, &exit_code] {
-    planning::Extensions extensions;
-    extensions.load_plugins(planning::plugin_directory());
-    const planning::TimedPath timed = run_timing(*choice, extensions);
+    planning::PluginManager plugins;
+    plugins.load_plugins(planning::plugin_directory());
+    const planning::TimedPath timed = run_timing(*choice, plugins);
     print_timing(timed);
     exit_code = timed.cleared() ? kDone : kNoPath;
   });

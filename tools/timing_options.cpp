@@ -41,15 +41,15 @@ void add_timing_options(CLI::App& command, TimingChoice& choice) {
 }
 
 planning::PlanningProblem read_problem(const TimingChoice& choice,
-                                       const planning::Extensions& extensions) {
-  const planning::LoadedScene loaded = planning::load_scene(choice.scene, extensions);
+                                       const planning::PluginManager& plugins) {
+  const planning::LoadedScene loaded = planning::load_scene(choice.scene, plugins);
   return planning::make_problem(loaded.scene, loaded.basis);
 }
 
 planning::PlanningProblem read_problem_again(const TimingChoice& choice,
-                                             const planning::Extensions& extensions,
+                                             const planning::PluginManager& plugins,
                                              const geometric::RobotModel& before) {
-  planning::PlanningProblem problem = read_problem(choice, extensions);
+  planning::PlanningProblem problem = read_problem(choice, plugins);
   const geometric::RobotModel& model = problem.model();
   bool is_same = model.variable_count() == before.variable_count();
   for (int v = 0; is_same && v < model.variable_count(); ++v) {
@@ -63,20 +63,21 @@ planning::PlanningProblem read_problem_again(const TimingChoice& choice,
   return problem;
 }
 
-planning::RateLimits read_limits(const TimingChoice& choice, const geometric::RobotModel& model) {
+planning::JointKinematicLimits read_limits(const TimingChoice& choice,
+                                           const geometric::RobotModel& model) {
   return choice.limits.empty() ? planning::rate_limits(model)
-                               : planning::read_rate_limits(model, choice.limits);
+                               : planning::read_joint_kinematic_limits(model, choice.limits);
 }
 
-TimingInput read_timing_input(const TimingChoice& choice, const planning::Extensions& extensions) {
-  planning::PlanningProblem problem = read_problem(choice, extensions);
+TimingInput read_timing_input(const TimingChoice& choice, const planning::PluginManager& plugins) {
+  planning::PlanningProblem problem = read_problem(choice, plugins);
   print_warnings(*problem.scene);
   planning::Path path = planning::read_path_csv(problem.model(), choice.path);
   return {std::move(problem), std::move(path)};
 }
 
-planning::TimedPath run_timing(const TimingChoice& choice, const planning::Extensions& extensions) {
-  const TimingInput input = read_timing_input(choice, extensions);
+planning::TimedPath run_timing(const TimingChoice& choice, const planning::PluginManager& plugins) {
+  const TimingInput input = read_timing_input(choice, plugins);
   return run_timing(choice, input, input.problem.start, planning::TimingOptions{}.start_tolerance);
 }
 

@@ -29,18 +29,18 @@ void add_timing_options(CLI::App& command, TimingChoice& choice);
 
 /// The scene's problem, as its files are now. @throws InputError for files that are wrong.
 [[nodiscard]] planning::PlanningProblem read_problem(const TimingChoice& choice,
-                                                     const planning::Extensions& extensions);
+                                                     const planning::PluginManager& plugins);
 
 /// read_problem() again: what was read before may have been edited since.
 /// @throws InputError also if the robot is not that of `before`.
 [[nodiscard]] planning::PlanningProblem read_problem_again(const TimingChoice& choice,
-                                                           const planning::Extensions& extensions,
+                                                           const planning::PluginManager& plugins,
                                                            const geometric::RobotModel& before);
 
 /// The limits of the choice's file, or of the robot if it names none.
 /// @throws InputError for a file that is wrong.
-[[nodiscard]] planning::RateLimits read_limits(const TimingChoice& choice,
-                                               const geometric::RobotModel& model);
+[[nodiscard]] planning::JointKinematicLimits read_limits(const TimingChoice& choice,
+                                                         const geometric::RobotModel& model);
 
 /// What a path is timed with.
 struct TimingInput {
@@ -51,7 +51,7 @@ struct TimingInput {
 /// Reads scene and path, and prints the scene's warnings. @throws InputError for files that are
 /// wrong.
 [[nodiscard]] TimingInput read_timing_input(const TimingChoice& choice,
-                                            const planning::Extensions& extensions);
+                                            const planning::PluginManager& plugins);
 
 /// Times the path. Writes the report if one is asked for.
 /// @param start where the robot is, the scene's start or as measured, and how far from
@@ -65,7 +65,7 @@ struct TimingInput {
 /// asked for.
 /// @throws InputError for files and options that are wrong.
 [[nodiscard]] planning::TimedPath run_timing(const TimingChoice& choice,
-                                             const planning::Extensions& extensions);
+                                             const planning::PluginManager& plugins);
 
 /// Prints what a person wants to know.
 void print_timing(const planning::TimedPath& timed);

@@ -30,9 +30,9 @@ gui::Theme theme_of(const gui::Options& options) {
 }
 
 int run(QApplication& application, const gui::Options& options) {
-  auto extensions = std::make_shared<planning::Extensions>();
-  extensions->load_plugins(planning::plugin_directory());
-  gui::MainWindow window(extensions);
+  auto plugins = std::make_shared<planning::PluginManager>();
+  plugins->load_plugins(planning::plugin_directory());
+  gui::MainWindow window(plugins);
   const gui::ProgramEnd end(window.workbench().driver);
   window.resize(options.size);
   if (options.view_only) {

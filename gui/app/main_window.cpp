@@ -25,10 +25,10 @@
 
 namespace handway::gui {
 
-MainWindow::MainWindow(std::shared_ptr<planning::Extensions> extensions, QWidget* parent)
+MainWindow::MainWindow(std::shared_ptr<planning::PluginManager> plugins, QWidget* parent)
     : QMainWindow(parent),
       middle_(new QStackedWidget),
-      workbench_(std::move(extensions), *this, *middle_),
+      workbench_(std::move(plugins), *this, *middle_),
       start_page_(new StartPage),
       files_(new FileCommands(workbench_)) {
   setWindowTitle(tr("Handway"));
@@ -126,7 +126,7 @@ void MainWindow::connect_document() {
 }
 
 void MainWindow::log_refused_plugins() {
-  for (const planning::RefusedPlugin& plugin : workbench_.extensions->refused()) {
+  for (const planning::RefusedPlugin& plugin : workbench_.plugins->refused()) {
     workbench_.log.add(LogPanel::Level::kWarning,
                        tr("Plugin %1 was not taken: %2")
                            .arg(QString::fromStdString(plugin.file.filename().string()),

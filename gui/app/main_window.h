@@ -18,7 +18,7 @@ class MainWindow : public QMainWindow {
   Q_OBJECT
 
  public:
-  explicit MainWindow(std::shared_ptr<planning::Extensions> extensions, QWidget* parent = nullptr);
+  explicit MainWindow(std::shared_ptr<planning::PluginManager> plugins, QWidget* parent = nullptr);
   ~MainWindow() override;
 
   /// Opens the options' scene and sets the planner as they say.

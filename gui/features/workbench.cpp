@@ -25,14 +25,14 @@ constexpr int kIconSize = 20;       // px
 
 }  // namespace
 
-Workbench::Workbench(std::shared_ptr<planning::Extensions> plugins, QMainWindow& main_window,
-                     QWidget& centre)
+Workbench::Workbench(std::shared_ptr<planning::PluginManager> loaded_plugins,
+                     QMainWindow& main_window, QWidget& centre)
     : QObject(&main_window),
-      extensions(std::move(plugins)),
-      document(extensions),
+      plugins(std::move(loaded_plugins)),
+      document(plugins),
       editor(document),
       posing(document, player),
-      plan_settings(extensions->planners()),
+      plan_settings(plugins->planners()),
       session(document, plan_settings, player),
       validity(player),
       analysis(document, player),

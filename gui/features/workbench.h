@@ -63,11 +63,11 @@ class Workbench : public QObject {
 
  public:
   /// @param centre in the middle of the window: the banner floats over it.
-  Workbench(std::shared_ptr<planning::Extensions> plugins, QMainWindow& main_window,
+  Workbench(std::shared_ptr<planning::PluginManager> loaded_plugins, QMainWindow& main_window,
             QWidget& centre);
   ~Workbench() override;
 
-  std::shared_ptr<planning::Extensions> extensions;
+  std::shared_ptr<planning::PluginManager> plugins;
   Options options;  ///< Of the scene that is open; empty once another is opened.
   Preferences preferences;
   Document document;

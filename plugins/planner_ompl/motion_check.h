@@ -29,8 +29,8 @@ class StateCheck final : public ompl::base::StateValidityChecker {
 };
 
 /// OMPL's question whether a motion is valid, answered for the whole motion and not
-/// for samples of it (geometric::EdgeChecker). As OMPL asks, the first state is taken
-/// to be valid and the second is checked. Once the run has to end every answer is no.
+/// for samples of it (geometric::ContinuousCollisionChecker). As OMPL asks, the first state is
+/// taken to be valid and the second is checked. Once the run has to end every answer is no.
 class MotionCheck final : public ompl::base::MotionValidator {
  public:
   /// `context` and `map` must outlive this object.

@@ -1,9 +1,9 @@
 /// One configuration near a query's segment, and one edge of the length that planners
 /// connect, with FCL pair by pair, FCL with its broad phase and the everyday checker,
 /// on every known problem.
-#include "handway/geometric/collision/checkers/bounded_checker.h"
+#include "handway/geometric/collision/checkers/exact_collision_checker.h"
 #include "handway/geometric/collision/checkers/fcl_checker.h"
-#include "handway/geometric/collision/continuous/edge_checker.h"
+#include "handway/geometric/collision/continuous/continuous_collision_checker.h"
 #include "handway_test/known_problems.h"
 
 #include <benchmark/benchmark.h>
@@ -57,7 +57,7 @@ void bm_edge(benchmark::State& state, const KnownProblem& problem) {
   const CollisionProblem& chosen = loaded(problem);
   Checker checker(chosen.world);
   const auto motion = std::make_shared<const MotionBound>(*chosen.world);
-  EdgeChecker edges(checker, motion, kResolution);
+  ContinuousCollisionChecker edges(checker, motion, kResolution);
   const Configuration way = kEdge * (chosen.goal - chosen.start);
   std::vector<Configuration> starts;
   for (const Configuration& q : near_segment(chosen, kEdges)) {
@@ -100,7 +100,7 @@ void add_benchmarks(const std::string& checker) {
 int main(int argc, char** argv) {
   handway::geometric::add_benchmarks<handway::geometric::FclChecker>("fcl");
   handway::geometric::add_benchmarks<handway::geometric::FclBroadphaseChecker>("fcl_broadphase");
-  handway::geometric::add_benchmarks<handway::geometric::BoundedChecker>("bounded");
+  handway::geometric::add_benchmarks<handway::geometric::ExactCollisionChecker>("bounded");
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) {
     return 1;

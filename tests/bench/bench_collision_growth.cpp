@@ -1,7 +1,7 @@
 /// How the price of a configuration grows: with the number of obstacles, with the
 /// triangles of one, with threads; and what a checker costs to build, in time and
 /// memory.
-#include "handway/geometric/collision/checkers/bounded_checker.h"
+#include "handway/geometric/collision/checkers/exact_collision_checker.h"
 #include "handway/geometric/collision/checkers/fcl_checker.h"
 #include "handway_test/memory_use.h"
 #include "handway_test/robots.h"
@@ -186,7 +186,7 @@ void bm_load_boxes(benchmark::State& state) {
 
 HANDWAY_GROWTH(FclChecker);
 HANDWAY_GROWTH(FclBroadphaseChecker);
-HANDWAY_GROWTH(BoundedChecker);
+HANDWAY_GROWTH(ExactCollisionChecker);
 
 }  // namespace
 }  // namespace handway::geometric

@@ -3,7 +3,7 @@
 #include "handway/geometric/robot/jacobian.h"
 #include "handway/geometric/robot/numeric_inverse_kinematics.h"
 #include "handway/geometric/robot/robot_model.h"
-#include "handway/geometric/robot/tx90_inverse_kinematics.h"
+#include "handway/geometric/robot/spherical_wrist_inverse_kinematics.h"
 #include "handway_test/robots.h"
 
 #include <benchmark/benchmark.h>
@@ -34,7 +34,7 @@ void dense_products(const RobotModel& model, const Configuration& q,
   X_BL[0].setIdentity();
   for (int i = 1; i < model.link_count(); ++i) {
     const Joint& joint = model.joint(i);
-    const RobotModel::Drive& drive = model.drive(i);
+    const RobotModel::MimicMapping& drive = model.drive(i);
     Eigen::Matrix4d motion = Eigen::Matrix4d::Identity();
     if (drive.variable >= 0) {
       const double value = drive.multiplier * q[drive.variable] + drive.offset;
@@ -82,9 +82,9 @@ void bm_point_jacobian(benchmark::State& state) {
 }
 BENCHMARK(bm_point_jacobian);
 
-void bm_tx90_inverse_kinematics(benchmark::State& state) {
+void bm_spherical_wrist_inverse_kinematics(benchmark::State& state) {
   const auto model = std::make_shared<const RobotModel>(test::tx90_sah());
-  const auto ik = make_tx90_inverse_kinematics(model, "Palm");
+  const auto ik = make_spherical_wrist_inverse_kinematics(model, "Palm");
   const std::vector<Configuration> configurations = random_configurations(*model, 256);
   std::vector<Pose> X_BL(static_cast<std::size_t>(model->link_count()));
   std::vector<Pose> targets;
@@ -98,7 +98,7 @@ void bm_tx90_inverse_kinematics(benchmark::State& state) {
     ++k;
   }
 }
-BENCHMARK(bm_tx90_inverse_kinematics);
+BENCHMARK(bm_spherical_wrist_inverse_kinematics);
 
 void bm_numeric_inverse_kinematics(benchmark::State& state) {
   const auto model = std::make_shared<const RobotModel>(test::tx90_urdf_style());

@@ -149,7 +149,7 @@ int main(int argc, char** argv) {
   settings.unit.rate = kRate;
   auto stamps = std::make_shared<Stamps>();
   const device::GloveEmulator glove(settings, numbered(stamps));
-  gui::MainWindow window(std::make_shared<handway::planning::Extensions>());
+  gui::MainWindow window(std::make_shared<handway::planning::PluginManager>());
   window.resize(1280, 800);
   window.show();
   Measurement measurement(window, stamps);

@@ -61,19 +61,19 @@ TEST(OutsidePlugin, IsBuiltOnTheInstalledLibrariesAndPlans) {
   const test::ScratchFolder scratch;
   ASSERT_NO_FATAL_FAILURE(build_outside(scratch.path()));
 
-  Extensions extensions;
-  extensions.load_plugins(scratch.path() / "build");
-  ASSERT_THAT(extensions.refused(), testing::IsEmpty());
-  ASSERT_THAT(extensions.loaded(), testing::SizeIs(1));
-  EXPECT_EQ(extensions.loaded().front().version, "1.0");
+  PluginManager plugins;
+  plugins.load_plugins(scratch.path() / "build");
+  ASSERT_THAT(plugins.refused(), testing::IsEmpty());
+  ASSERT_THAT(plugins.loaded(), testing::SizeIs(1));
+  EXPECT_EQ(plugins.loaded().front().version, "1.0");
 
   const fs::path scene = scratch.path() / "scene.yaml";
   std::ofstream(scratch.path() / "lever.urdf") << kRobot;
   std::ofstream(scene) << "handway: 1\n"
                           "robots:\n  - model: lever.urdf\n"
                           "start: {swing: -2}\ngoal: {swing: 0.5}\n";
-  const LoadedScene loaded = load_scene(scene, extensions);
-  const auto planner = extensions.planners().create("straight");
+  const LoadedScene loaded = load_scene(scene, plugins);
+  const auto planner = plugins.planners().create("straight");
   const PlanResult result = planner->plan(make_problem(loaded.scene, loaded.basis), {});
   EXPECT_TRUE(result.solved()) << result.reason;
   EXPECT_THAT(result.path.waypoints, testing::SizeIs(2));

@@ -28,9 +28,9 @@ using testing::IsEmpty;
 using testing::IsSupersetOf;
 using testing::Not;
 
-const Extensions& extensions() {
-  static const Extensions kExtensions = [] {
-    Extensions made;
+const PluginManager& plugins() {
+  static const PluginManager kExtensions = [] {
+    PluginManager made;
     made.load_plugins(HANDWAY_PLUGINS);
     return made;
   }();
@@ -39,7 +39,7 @@ const Extensions& extensions() {
 
 std::vector<std::string> names() {
   std::vector<std::string> all;
-  for (const auto& exporter : extensions().exporters()) {
+  for (const auto& exporter : plugins().exporters()) {
     all.push_back(exporter->name());
   }
   return all;
@@ -67,7 +67,7 @@ class EveryExporter : public testing::TestWithParam<std::string> {
     return message;
   }
 
-  const Exporter& exporter_ = extensions().exporter(GetParam());
+  const Exporter& exporter_ = plugins().exporter(GetParam());
 };
 
 TEST(Exporters, AreTheOnesThatShipEachOnce) {
@@ -77,7 +77,7 @@ TEST(Exporters, AreTheOnesThatShipEachOnce) {
 }
 
 TEST(Exporters, AreRefusedByNameWithTheOnesThereAre) {
-  EXPECT_THAT(test::refusal_of([] { static_cast<void>(extensions().exporter("vla3")); }),
+  EXPECT_THAT(test::refusal_of([] { static_cast<void>(plugins().exporter("vla3")); }),
               AllOf(HasSubstr("vla3"), HasSubstr("val3")));
 }
 

@@ -30,10 +30,10 @@ using testing::IsEmpty;
 using testing::Not;
 
 const PlannerRegistry& registry() {
-  static const Extensions kExtensions = [] {
-    Extensions extensions;
-    extensions.load_plugins(HANDWAY_PLUGINS);
-    return extensions;
+  static const PluginManager kExtensions = [] {
+    PluginManager plugins;
+    plugins.load_plugins(HANDWAY_PLUGINS);
+    return plugins;
   }();
   return kExtensions.planners();
 }

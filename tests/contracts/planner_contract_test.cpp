@@ -39,10 +39,10 @@ std::string word_of(std::string name) {
 }
 
 const PlannerRegistry& registry() {
-  static const Extensions kExtensions = [] {
-    Extensions extensions;
-    extensions.load_plugins(HANDWAY_PLUGINS);
-    return extensions;
+  static const PluginManager kExtensions = [] {
+    PluginManager plugins;
+    plugins.load_plugins(HANDWAY_PLUGINS);
+    return plugins;
   }();
   return kExtensions.planners();
 }

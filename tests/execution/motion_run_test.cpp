@@ -110,8 +110,8 @@ TEST_F(MotionRun, TakesBothToTheEnd) {
 TEST_F(MotionRun, HoldsBothAtOneTimeAndGoesOn) {
   upload();
   Watcher watcher;
-  device::MotionLink& arm = *targets_[0].link;
-  device::MotionLink& hand = *targets_[1].link;
+  device::TrajectoryClient& arm = *targets_[0].link;
+  device::TrajectoryClient& hand = *targets_[1].link;
   double arm_held = -1.0;
   double hand_held = -1.0;
   int polls = 0;
@@ -119,7 +119,7 @@ TEST_F(MotionRun, HoldsBothAtOneTimeAndGoesOn) {
     if (!requests_.hold && polls == 0 && time > 0.5) {
       requests_.hold = true;
     } else if (requests_.hold && ++polls > 200) {
-      const auto now = device::MotionLink::Clock::now();
+      const auto now = device::TrajectoryClient::Clock::now();
       arm_held = arm.motion_time(now);
       hand_held = hand.motion_time(now);
       EXPECT_FALSE(arm_->moving());
@@ -198,13 +198,13 @@ TEST_F(MotionRun, StopsBothWhenTheObserverThrows) {
 }
 
 /// A device without wires: it is where its motion has it, until it is stopped.
-class FakeDevice final : public device::MotionLink {
+class FakeDevice final : public device::TrajectoryClient {
  public:
   explicit FakeDevice(const std::string& name)
-      : MotionLink(name, {{name},
-                          Eigen::VectorXd::Constant(1, -9.0),
-                          Eigen::VectorXd::Constant(1, 9.0),
-                          Eigen::VectorXd::Constant(1, 1.0)}) {}
+      : TrajectoryClient(name, {{name},
+                                Eigen::VectorXd::Constant(1, -9.0),
+                                Eigen::VectorXd::Constant(1, 9.0),
+                                Eigen::VectorXd::Constant(1, 1.0)}) {}
 
   std::string throws_in;  ///< One of start, update, pause, resume, stop.
   std::chrono::milliseconds stop_takes{0};
@@ -324,11 +324,11 @@ TEST(MotionRunOfTwo, StopsOneAtOnceThoughTheOtherTakesNoMoreBytes) {
   }
   std::stop_source stop;
   MotionRequests requests{.stop = stop.get_token()};
-  device::MotionLink::Clock::time_point requested;
+  device::TrajectoryClient::Clock::time_point requested;
   Watcher watcher;
   watcher.progress = [&](double time) {
     if (time > 0.1 && stop.request_stop()) {
-      requested = device::MotionLink::Clock::now();
+      requested = device::TrajectoryClient::Clock::now();
     }
   };
   const MotionOutcome outcome = run_motion(targets, {}, requests, watcher);

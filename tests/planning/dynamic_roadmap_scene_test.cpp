@@ -1,5 +1,5 @@
 /// A dynamic roadmap on a scene that ships.
-#include "handway/geometric/collision/continuous/edge_checker.h"
+#include "handway/geometric/collision/continuous/continuous_collision_checker.h"
 #include "handway/planning/planners/auto_planner.h"
 #include "handway/planning/replanning/dynamic_roadmap.h"
 #include "handway_test/known_problems.h"
@@ -31,7 +31,7 @@ TEST(DynamicRoadmapOfCanOnTable, FollowsTheCanWithFewerChecksThanPlanningAnew) {
   ASSERT_TRUE(anew.solved());
   EXPECT_LT(result.statistics.checks(), anew.statistics.checks());
   const std::unique_ptr<geometric::CollisionChecker> checker = problem.checker->clone();
-  geometric::EdgeChecker edges(*checker, problem.motion, 4e-5);
+  geometric::ContinuousCollisionChecker edges(*checker, problem.motion, 4e-5);
   for (std::size_t i = 0; i + 1 < result.path.waypoints.size(); ++i) {
     EXPECT_TRUE(edges.check(result.path.waypoints[i], result.path.waypoints[i + 1]).free) << i;
   }

@@ -1,6 +1,6 @@
 #include "handway/planning/replanning/dynamic_roadmap.h"
 
-#include "handway/geometric/collision/continuous/edge_checker.h"
+#include "handway/geometric/collision/continuous/continuous_collision_checker.h"
 #include "handway/planning/planners/auto_planner.h"
 #include "handway_test/planar_problems.h"
 #include "handway_test/roadmap_scenes.h"
@@ -35,7 +35,7 @@ void expect_valid(DynamicRoadmap& roadmap, const PlanResult& result) {
     return make_problem(scene, anew.basis);
   }();
   const std::unique_ptr<geometric::CollisionChecker> checker = problem.checker->clone();
-  geometric::EdgeChecker edges(*checker, problem.motion, 4e-5);
+  geometric::ContinuousCollisionChecker edges(*checker, problem.motion, 4e-5);
   EXPECT_EQ(result.path.waypoints.front(), problem.start);
   const Configuration& end = result.path.waypoints.back();
   EXPECT_TRUE(problem.model().nearest_equivalent(end, problem.goal).isApprox(end, 1e-12));

@@ -1,6 +1,6 @@
 // Every scene that ships is a problem that a person can open and plan at once.
 
-#include "handway/geometric/collision/continuous/edge_checker.h"
+#include "handway/geometric/collision/continuous/continuous_collision_checker.h"
 #include "handway/geometric/formats/scene_reader.h"
 #include "handway/geometric/formats/scene_writer.h"
 #include "handway/planning/extensions/plugin.h"
@@ -69,7 +69,7 @@ class ShippedScene : public testing::TestWithParam<std::string> {
  protected:
   ShippedScene()
       : file_(scene_dir() / (GetParam() + ".yaml")),
-        loaded_(load_scene(file_, Extensions())),
+        loaded_(load_scene(file_, PluginManager())),
         problem_(make_problem(loaded_.scene, loaded_.basis)) {}
 
   [[nodiscard]] const fs::path& file() const { return file_; }
@@ -121,7 +121,7 @@ TEST_P(ShippedScene, ShowsTheRobotAtTheStart) {
 
 TEST_P(ShippedScene, NeedsMoreThanAStraightMotion) {
   const auto checker = problem().checker->clone();
-  geometric::EdgeChecker edge(*checker, problem().motion, kResolution);
+  geometric::ContinuousCollisionChecker edge(*checker, problem().motion, kResolution);
   EXPECT_FALSE(edge.check(problem().start, problem().goal).free);
 }
 

@@ -12,7 +12,7 @@
 /// machine let the loop stand still. Exits 1 if any path or motion
 /// fails, or a verdict is wrong.
 #include "handway/device/arm/arm_emulator.h"
-#include "handway/device/core/motion_link.h"
+#include "handway/device/core/trajectory_client.h"
 #include "handway/device/hand/hand_emulator.h"
 #include "handway/execution/motion/motion_parts.h"
 #include "handway/execution/motion/motion_run.h"
@@ -464,10 +464,10 @@ class VirtualTime {
 };
 
 /// A device that follows its trajectory to the letter, and stops at once.
-class SimulatedLink final : public device::MotionLink {
+class SimulatedLink final : public device::TrajectoryClient {
  public:
   SimulatedLink(std::string name, device::JointRanges joints, Eigen::VectorXd position)
-      : MotionLink(std::move(name), std::move(joints)), position_(std::move(position)) {}
+      : TrajectoryClient(std::move(name), std::move(joints)), position_(std::move(position)) {}
 
  private:
   void do_connect(const std::stop_token& /*stop*/) override { add_sample(position_); }

@@ -36,7 +36,7 @@ std::vector<KnownProblem> known_problems() {
 planning::LoadedScene load(const KnownProblem& problem) {
   return problem.file.extension() == ".xml"
              ? import_kautham::KauthamImporter().read(problem.file)
-             : planning::load_scene(problem.file, planning::Extensions());
+             : planning::load_scene(problem.file, planning::PluginManager());
 }
 
 CollisionProblem::CollisionProblem(const geometric::Scene& scene)

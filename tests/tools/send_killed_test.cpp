@@ -31,8 +31,8 @@ constexpr milliseconds kLongestRest{1500};
 class SendThatIs : public testing::TestWithParam<int> {
  protected:
   SendThatIs() {
-    const planning::Extensions extensions;
-    const planning::LoadedScene loaded = planning::load_scene(scene(), extensions);
+    const planning::PluginManager plugins;
+    const planning::LoadedScene loaded = planning::load_scene(scene(), plugins);
     problem_ = std::make_unique<planning::PlanningProblem>(
         planning::make_problem(loaded.scene, loaded.basis));
     line_.write("path.csv", planned_path());

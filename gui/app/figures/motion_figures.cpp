@@ -48,11 +48,11 @@ int frames_of(const YamlElement& element) {
 }
 
 FilmRow row_of(const YamlElement& element, const fs::path& folder,
-               const planning::Extensions& extensions) {
+               const planning::PluginManager& plugins) {
   element.allow_keys({"label", "scene", "path", "azimuth_deg", "elevation_deg"});
   FilmRow row;
   row.label = element.need("label").text();
-  row.scene = planning::load_scene(folder / element.need("scene").text(), extensions).scene;
+  row.scene = planning::load_scene(folder / element.need("scene").text(), plugins).scene;
   if (row.scene->robots.empty()) {
     element.need("scene").refuse("a scene without a robot", "one with a robot");
   }
@@ -79,10 +79,10 @@ FilmData read_film_data(const fs::path& file) {
   data.title = top.need("title").text();
   data.frames = frames_of(top.need("frames"));
   data.view = view_of(top.need("view"));
-  planning::Extensions extensions;
-  extensions.load_plugins(planning::plugin_directory());
+  planning::PluginManager plugins;
+  plugins.load_plugins(planning::plugin_directory());
   for (const YamlElement& row : top.need("rows").items()) {
-    data.rows.push_back(row_of(row, file.parent_path(), extensions));
+    data.rows.push_back(row_of(row, file.parent_path(), plugins));
   }
   if (data.rows.empty()) {
     top.need("rows").refuse("an empty list", "at least one row");

@@ -38,9 +38,9 @@ int workers_beside_the_window() {
 
 }  // namespace
 
-CampaignRunner::CampaignRunner(std::shared_ptr<const planning::Extensions> extensions,
+CampaignRunner::CampaignRunner(std::shared_ptr<const planning::PluginManager> plugins,
                                QObject* parent)
-    : QObject(parent), extensions_(std::move(extensions)) {}
+    : QObject(parent), plugins_(std::move(plugins)) {}
 
 CampaignRunner::~CampaignRunner() { stop(); }
 
@@ -84,10 +84,10 @@ void CampaignRunner::hand_over(std::vector<ArchivedRun> runs) {
 }
 
 void CampaignRunner::carry_out(const fs::path& file, const std::stop_token& stop) {
-  const planning::Campaign campaign = planning::read_campaign(file, extensions_->planners());
+  const planning::Campaign campaign = planning::read_campaign(file, plugins_->planners());
   const fs::path folder = file.parent_path() / file.stem();
   fs::create_directories(folder);
-  const planning::RunExecutor executor(campaign, *extensions_);
+  const planning::RunExecutor executor(campaign, *plugins_);
   planning::RunDatabase database(folder / "runs.sqlite", executor.campaign(),
                                  QCoreApplication::applicationVersion().toStdString(),
                                  planning::RunDatabase::Opening::kResume);
@@ -163,10 +163,10 @@ RunRow row_of(const planning::ArchivedRun& run) {
 
 }  // namespace
 
-CampaignsPanel::CampaignsPanel(std::shared_ptr<const planning::Extensions> extensions,
+CampaignsPanel::CampaignsPanel(std::shared_ptr<const planning::PluginManager> plugins,
                                QWidget* parent)
     : QWidget(parent),
-      runner_(std::move(extensions)),
+      runner_(std::move(plugins)),
       table_(new RunTable(this)),
       shown_(nullptr),
       view_(nullptr),
@@ -344,7 +344,7 @@ void CampaignsPanel::show_run(const QModelIndex& index) {
 }
 
 void add_campaigns(Workbench& workbench) {
-  auto* panel = new CampaignsPanel(workbench.extensions);
+  auto* panel = new CampaignsPanel(workbench.plugins);
   workbench.add_dock(DockArea::kControl, 5, {"campaigns", QObject::tr("Campaigns"), panel});
   workbench.add_work([panel] { return panel->runner().is_running(); });
   QObject::connect(&workbench, &Workbench::begun, panel, [panel, &workbench] {

@@ -33,7 +33,7 @@ class CampaignRunner : public QObject {
   Q_OBJECT
 
  public:
-  explicit CampaignRunner(std::shared_ptr<const planning::Extensions> extensions,
+  explicit CampaignRunner(std::shared_ptr<const planning::PluginManager> plugins,
                           QObject* parent = nullptr);
   ~CampaignRunner() override;
 
@@ -59,7 +59,7 @@ class CampaignRunner : public QObject {
   void carry_out(const std::filesystem::path& file, const std::stop_token& stop);
   void hand_over(std::vector<planning::ArchivedRun> runs);
 
-  std::shared_ptr<const planning::Extensions> extensions_;
+  std::shared_ptr<const planning::PluginManager> plugins_;
   bool running_ = false;
   std::jthread thread_;
 };
@@ -70,7 +70,7 @@ class CampaignsPanel : public QWidget {
   Q_OBJECT
 
  public:
-  explicit CampaignsPanel(std::shared_ptr<const planning::Extensions> extensions,
+  explicit CampaignsPanel(std::shared_ptr<const planning::PluginManager> plugins,
                           QWidget* parent = nullptr);
 
   /// Reads a run database, or carries out a campaign (.yaml).

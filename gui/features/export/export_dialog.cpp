@@ -35,8 +35,8 @@
 
 namespace handway::gui {
 
-ExportRunner::ExportRunner(std::shared_ptr<const planning::Extensions> extensions, QObject* parent)
-    : QObject(parent), extensions_(std::move(extensions)) {}
+ExportRunner::ExportRunner(std::shared_ptr<const planning::PluginManager> plugins, QObject* parent)
+    : QObject(parent), plugins_(std::move(plugins)) {}
 
 void ExportRunner::run(std::function<LatestJob::Answer()> work) {
   job_.run([this, work = std::move(work)](const std::stop_token& /*stop*/) -> LatestJob::Answer {
@@ -51,7 +51,7 @@ void ExportRunner::run(std::function<LatestJob::Answer()> work) {
 void ExportRunner::prepare(const std::string& format,
                            std::shared_ptr<const planning::TimedPath> motion,
                            const planning::ExportOptions& options) {
-  run([this, &exporter = extensions_->exporter(format), motion = std::move(motion), options] {
+  run([this, &exporter = plugins_->exporter(format), motion = std::move(motion), options] {
     const auto files = std::make_shared<const Files>(exporter.files(motion->motion, options));
     return [this, files] { emit prepared(files); };
   });
@@ -60,7 +60,7 @@ void ExportRunner::prepare(const std::string& format,
 void ExportRunner::write(const std::string& format,
                          std::shared_ptr<const planning::TimedPath> motion,
                          std::filesystem::path folder, const planning::ExportOptions& options) {
-  run([this, &exporter = extensions_->exporter(format), motion = std::move(motion),
+  run([this, &exporter = plugins_->exporter(format), motion = std::move(motion),
        folder = std::move(folder), options] {
     QStringList files;
     for (const std::filesystem::path& file : exporter.write(motion->motion, folder, options)) {
@@ -201,14 +201,14 @@ QDoubleSpinBox* make_number(double least, double most, double value, int decimal
 
 }  // namespace
 
-ExportDialog::ExportDialog(std::shared_ptr<const planning::Extensions> extensions,
+ExportDialog::ExportDialog(std::shared_ptr<const planning::PluginManager> plugins,
                            Document& document, planning::Path path, const QString& name,
                            QWidget* parent)
     : QDialog(parent),
-      extensions_(extensions),
+      plugins_(plugins),
       document_(document),
       path_(std::move(path)),
-      export_(std::move(extensions)),
+      export_(std::move(plugins)),
       formats_(new QListWidget),
       name_(new QLineEdit(QString::fromStdString(planning::motion_name(name.toStdString())))),
       speed_(make_number(1.0, kPercent, kPercent, 0, tr(" %"))),
@@ -238,7 +238,7 @@ ExportDialog::ExportDialog(std::shared_ptr<const planning::Extensions> extension
   connect(&timing_, &TimingRunner::timed, this, [this](const DerivedMotion& motion) {
     motion_ = motion;
     any_robot_->setVisible(
-        !extensions_->exporter(format()).robot_objection(motion.value->motion).empty());
+        !plugins_->exporter(format()).robot_objection(motion.value->motion).empty());
     preview_->show_motion(*motion.value);
     if (motion.value->cleared()) {
       export_.prepare(format(), motion.value, options());
@@ -272,7 +272,7 @@ QWidget* ExportDialog::make_settings() {
   formats_->setProperty("role", "choices");
   formats_->setWordWrap(true);
   formats_->setSpacing(2);
-  for (const auto& exporter : extensions_->exporters()) {
+  for (const auto& exporter : plugins_->exporters()) {
     const QString name = QString::fromStdString(exporter->name());
     auto* item = new QListWidgetItem(
         name + QLatin1Char('\n') + QString::fromStdString(exporter->description()), formats_);
@@ -381,7 +381,7 @@ void ExportDialog::time_again() {
     preview_->show_waiting(tr("No exporter is installed."));
     return;
   }
-  const bool stops = extensions_->exporter(format()).stops_at_waypoints();
+  const bool stops = plugins_->exporter(format()).stops_at_waypoints();
   arcs_->setEnabled(!stops);
   deviation_->setEnabled(!stops && arcs_->isChecked());
   preview_->show_waiting(tr("Timing the path…"));
@@ -424,7 +424,7 @@ void note_exported(Workbench& workbench, const QString& files) {
 
 void export_path(Workbench& workbench) {
   auto* dialog =
-      new ExportDialog(workbench.extensions, workbench.document, workbench.player.timeline().path(),
+      new ExportDialog(workbench.plugins, workbench.document, workbench.player.timeline().path(),
                        workbench.scene_name(), &workbench.window);
   QObject::connect(dialog, &ExportDialog::exported, &workbench, [&](const QStringList& files) {
     note_exported(workbench, files.join(QStringLiteral(", ")));

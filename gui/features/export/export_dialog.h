@@ -39,7 +39,7 @@ class ExportRunner : public QObject {
  public:
   using Files = std::vector<planning::ExportedFile>;
 
-  explicit ExportRunner(std::shared_ptr<const planning::Extensions> extensions,
+  explicit ExportRunner(std::shared_ptr<const planning::PluginManager> plugins,
                         QObject* parent = nullptr);
 
   /// Makes the files; prepared() or failed() follows.
@@ -61,7 +61,7 @@ class ExportRunner : public QObject {
   /// @param work may throw.
   void run(std::function<LatestJob::Answer()> work);
 
-  std::shared_ptr<const planning::Extensions> extensions_;
+  std::shared_ptr<const planning::PluginManager> plugins_;
   LatestJob job_;
 };
 
@@ -96,7 +96,7 @@ class ExportDialog : public QDialog {
 
  public:
   /// @param document outlives it. @param path of its robot. @param name of the scene, for files.
-  ExportDialog(std::shared_ptr<const planning::Extensions> extensions, Document& document,
+  ExportDialog(std::shared_ptr<const planning::PluginManager> plugins, Document& document,
                planning::Path path, const QString& name, QWidget* parent = nullptr);
 
   /// Leaves the choice as it is if there is no such exporter.
@@ -116,7 +116,7 @@ class ExportDialog : public QDialog {
   [[nodiscard]] planning::ExportOptions options() const;
   void show_problem(const QString& message);
 
-  std::shared_ptr<const planning::Extensions> extensions_;
+  std::shared_ptr<const planning::PluginManager> plugins_;
   Document& document_;
   planning::Path path_;
   TimingRunner timing_;

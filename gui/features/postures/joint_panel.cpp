@@ -33,7 +33,7 @@ SliderRow::Range range_of(const geometric::JointLimits& limits, JointType type) 
 // Limits of a joint: what its leader, if it is coupled, lets it reach. Continuous joints are shown
 // over one turn.
 geometric::JointLimits reach(const geometric::RobotModel& model, int link) {
-  const geometric::RobotModel::Drive& drive = model.drive(link);
+  const geometric::RobotModel::MimicMapping& drive = model.drive(link);
   const double a = drive.multiplier * model.lower()[drive.variable] + drive.offset;
   const double b = drive.multiplier * model.upper()[drive.variable] + drive.offset;
   geometric::JointLimits limits;
@@ -144,7 +144,7 @@ void JointPanel::set_configuration(const geometric::Configuration& q) {
   const geometric::Configuration shown =
       model_->nearest_equivalent(geometric::Configuration::Zero(q.size()), q);
   for (const Row& row : rows_) {
-    const geometric::RobotModel::Drive& drive = model_->drive(row.link);
+    const geometric::RobotModel::MimicMapping& drive = model_->drive(row.link);
     row.slider->set_value(drive.multiplier * shown[drive.variable] + drive.offset);
   }
 }

@@ -201,7 +201,7 @@ void show_preferences(Workbench& workbench) {
     return;
   }
   QStringList planners;
-  for (const std::string& name : workbench.extensions->planners().names()) {
+  for (const std::string& name : workbench.plugins->planners().names()) {
     planners << QString::fromStdString(name);
   }
   (new PreferencesDialog(workbench.preferences, planners, &workbench.window))->show();

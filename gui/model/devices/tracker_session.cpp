@@ -5,7 +5,7 @@
 #include "handway/device/tracker/udp_tracker.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/robot/numeric_inverse_kinematics.h"
-#include "handway/geometric/robot/tx90_inverse_kinematics.h"
+#include "handway/geometric/robot/spherical_wrist_inverse_kinematics.h"
 
 #include <exception>
 #include <memory>
@@ -147,7 +147,7 @@ std::unique_ptr<InverseKinematics> make_kinematics(const std::shared_ptr<const R
   constexpr int kIterations = 30;
   const std::string& link = model->link(tool).name;
   try {
-    return geometric::make_tx90_inverse_kinematics(model, link);
+    return geometric::make_spherical_wrist_inverse_kinematics(model, link);
   } catch (const geometric::InputError&) {
     geometric::NumericIkOptions options;
     options.max_iterations = kIterations;

@@ -121,9 +121,9 @@ void RecordedHand::read() {
 
 using geometric::ResourceKind;
 
-planning::LoadedScene new_scene(const std::string& robot, const planning::Extensions& extensions) {
+planning::LoadedScene new_scene(const std::string& robot, const planning::PluginManager& plugins) {
   const planning::LoadedScene loaded = planning::load_scene(
-      geometric::find_resource(ResourceKind::kRobot, robot, geometric::resource_dir()), extensions);
+      geometric::find_resource(ResourceKind::kRobot, robot, geometric::resource_dir()), plugins);
   geometric::Scene scene = *loaded.scene;
   scene.name.clear();
   scene.file.clear();
@@ -161,17 +161,17 @@ void save_scene(const planning::LoadedScene& loaded, const geometric::Configurat
   geometric::write_scene(scene, file);
 }
 
-SceneLoader::SceneLoader(std::shared_ptr<const planning::Extensions> extensions, QObject* parent)
-    : QObject(parent), extensions_(std::move(extensions)) {}
+SceneLoader::SceneLoader(std::shared_ptr<const planning::PluginManager> plugins, QObject* parent)
+    : QObject(parent), plugins_(std::move(plugins)) {}
 
 SceneLoader::~SceneLoader() = default;
 
 void SceneLoader::load(const std::filesystem::path& file) {
-  run([file, extensions = extensions_] { return planning::load_scene(file, *extensions); });
+  run([file, plugins = plugins_] { return planning::load_scene(file, *plugins); });
 }
 
 void SceneLoader::create(const std::string& robot) {
-  run([robot, extensions = extensions_] { return new_scene(robot, *extensions); });
+  run([robot, plugins = plugins_] { return new_scene(robot, *plugins); });
 }
 
 void SceneLoader::run(std::function<planning::LoadedScene()> read) {
@@ -217,8 +217,8 @@ planning::Revision after_edit(planning::Revision revision, const geometric::Scen
 
 }  // namespace
 
-Document::Document(std::shared_ptr<const planning::Extensions> extensions, QObject* parent)
-    : QObject(parent), loader_(std::move(extensions)) {
+Document::Document(std::shared_ptr<const planning::PluginManager> plugins, QObject* parent)
+    : QObject(parent), loader_(std::move(plugins)) {
   connect(&loader_, &SceneLoader::loaded, this,
           [this](const planning::LoadedScene& scene) { set_scene(scene, requested_); });
   connect(&loader_, &SceneLoader::failed, this, &Document::open_failed);

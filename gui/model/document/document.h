@@ -89,7 +89,7 @@ class RecordedHand : public QObject {
 /// A scene with nothing but a robot of the library, and the first hand basis of the
 /// library that fits it. @throws InputError if there is no such robot.
 [[nodiscard]] planning::LoadedScene new_scene(const std::string& robot,
-                                              const planning::Extensions& extensions);
+                                              const planning::PluginManager& plugins);
 
 /// Writes a scene as Handway's own format, the first robot standing at `shown`.
 /// The hand's basis of an imported problem goes into `STEM_hand.yaml` beside it.
@@ -103,7 +103,7 @@ class SceneLoader : public QObject {
   Q_OBJECT
 
  public:
-  explicit SceneLoader(std::shared_ptr<const planning::Extensions> extensions,
+  explicit SceneLoader(std::shared_ptr<const planning::PluginManager> plugins,
                        QObject* parent = nullptr);
   ~SceneLoader() override;
 
@@ -121,7 +121,7 @@ class SceneLoader : public QObject {
  private:
   void run(std::function<planning::LoadedScene()> read);
 
-  std::shared_ptr<const planning::Extensions> extensions_;
+  std::shared_ptr<const planning::PluginManager> plugins_;
   int generation_ = 0;
   BackgroundThreads threads_;
 };
@@ -131,7 +131,7 @@ class Document : public QObject {
   Q_OBJECT
 
  public:
-  explicit Document(std::shared_ptr<const planning::Extensions> extensions,
+  explicit Document(std::shared_ptr<const planning::PluginManager> plugins,
                     QObject* parent = nullptr);
 
   [[nodiscard]] const std::shared_ptr<const geometric::Scene>& scene() const {

@@ -2,7 +2,7 @@
 
 #include "handway/planning/queries/human_likeness.h"
 #include "handway/planning/timing/blended_path.h"
-#include "handway/planning/timing/time_law.h"
+#include "handway/planning/timing/time_parameterization.h"
 #include "model/document/document.h"
 #include "model/playback/path_player.h"
 
@@ -30,7 +30,7 @@ PathMotion motion_of(const planning::PlanningProblem& problem, const planning::P
   if (!blends.path) {
     return {nullptr, blends.fault};
   }
-  const planning::TimeLaw law = planning::time_optimal(*blends.path, motion->limits);
+  const planning::TimeParameterization law = planning::time_optimal(*blends.path, motion->limits);
   motion->waypoint_times = planning::waypoint_times(*blends.path, law);
   motion->trajectory = planning::sample(*blends.path, law, kPeriod);
   return {motion, {}};

@@ -97,7 +97,7 @@ std::vector<Val3Point> val3_points(const JointTrajectory& trajectory, const Join
   return points;
 }
 
-using Clock = MotionLink::Clock;
+using Clock = TrajectoryClient::Clock;
 using std::chrono::milliseconds;
 
 constexpr int kStatePortAfterMotion = 2;
@@ -146,7 +146,7 @@ struct Val3Arm::Wire {
 };
 
 Val3Arm::Val3Arm(std::string name, std::string host, std::uint16_t port, JointRanges joints)
-    : MotionLink(std::move(name), std::move(joints)), wire_(std::make_unique<Wire>()) {
+    : TrajectoryClient(std::move(name), std::move(joints)), wire_(std::make_unique<Wire>()) {
   if (this->joints().count() > static_cast<Eigen::Index>(kSimpleMessageJoints)) {
     throw std::invalid_argument("an arm of more than ten joints");
   }

@@ -39,7 +39,7 @@ JointRanges sah_joints() {
 
 namespace {
 
-using Clock = MotionLink::Clock;
+using Clock = TrajectoryClient::Clock;
 using std::chrono::milliseconds;
 
 constexpr milliseconds kLongestAnswer{1000};
@@ -67,7 +67,7 @@ struct NetworkHand::Wire {
 };
 
 NetworkHand::NetworkHand(std::string name, std::string host, std::uint16_t port, JointRanges joints)
-    : MotionLink(std::move(name), std::move(joints)), wire_(std::make_unique<Wire>()) {
+    : TrajectoryClient(std::move(name), std::move(joints)), wire_(std::make_unique<Wire>()) {
   wire_->host = std::move(host);
   wire_->port = port;
 }

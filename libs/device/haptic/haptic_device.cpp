@@ -23,14 +23,14 @@ void HapticDevice::refuse(std::string found, std::string expected, std::string a
 
 void HapticDevice::connect(const std::stop_token& stop) {
   abilities_ = do_connect(stop);
-  silence_.heard(Silence::Clock::now());
+  watchdog_.heard(Watchdog::Clock::now());
   backlog_ = {};
 }
 
 std::optional<HapticSample> HapticDevice::read(std::chrono::milliseconds timeout) {
   try {
     const Reading reading = do_read(timeout);
-    const auto now = Silence::Clock::now();
+    const auto now = Watchdog::Clock::now();
     backlog_.turn(reading.all, now);
     if (backlog_.lasted(now) > kLongestSilence) {
       refuse(fmt::format("more messages than can be read, for {} ms", kLongestSilence.count()),
@@ -38,8 +38,8 @@ std::optional<HapticSample> HapticDevice::read(std::chrono::milliseconds timeout
              "What it says is old by the time it is read: look at its program.");
     }
     if (reading.newest) {
-      silence_.heard(now);
-    } else if (silence_.listened(now) > kLongestSilence) {
+      watchdog_.heard(now);
+    } else if (watchdog_.listened(now) > kLongestSilence) {
       refuse(fmt::format("no position for {} ms", kLongestSilence.count()),
              "one every 10 ms or more often", "Look at the network and at the device.");
     }

@@ -62,7 +62,7 @@ JointTrajectory motion_window(const JointTrajectory& motion, double time,
   return window;
 }
 
-using Clock = MotionLink::Clock;
+using Clock = TrajectoryClient::Clock;
 using std::chrono::milliseconds;
 
 constexpr milliseconds kSendPeriod{50};
@@ -101,7 +101,7 @@ std::string trajectory_topic(const std::string& controller, RosVersion version) 
 }
 
 RosRobot::RosRobot(std::string name, RosAddress address, JointRanges joints)
-    : MotionLink(std::move(name), std::move(joints)), wire_(std::make_unique<Wire>()) {
+    : TrajectoryClient(std::move(name), std::move(joints)), wire_(std::make_unique<Wire>()) {
   wire_->address = std::move(address);
 }
 

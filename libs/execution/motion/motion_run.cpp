@@ -11,7 +11,7 @@ namespace handway::execution {
 namespace {
 
 using device::MotionPhase;
-using Clock = device::MotionLink::Clock;
+using Clock = device::TrajectoryClient::Clock;
 
 // How long devices may take to come to rest, s, and what is rest: positions from one time to the
 // next, rad.
@@ -105,7 +105,7 @@ class Run {
     {
       std::vector<std::jthread> senders;
       for (const MotionTarget& target : targets_) {
-        device::MotionLink& link = *target.link;
+        device::TrajectoryClient& link = *target.link;
         try {
           senders.emplace_back([&link] { link.stop(); });
         } catch (const std::system_error&) {
@@ -235,7 +235,7 @@ class Run {
   // Every device's news; errors count while it moves.
   void update() {
     for (std::size_t i = 0; i < targets_.size(); ++i) {
-      device::MotionLink& link = *targets_[i].link;
+      device::TrajectoryClient& link = *targets_[i].link;
       const bool running = link.phase() == MotionPhase::kRunning;
       link.update();
       const device::MeasuredJoints& measured = link.measured();
@@ -260,7 +260,7 @@ class Run {
 
   void report_progress() {
     if (observer_works_) {
-      const device::MotionLink& first = *targets_.front().link;
+      const device::TrajectoryClient& first = *targets_.front().link;
       observe([&] { observer_.on_progress(first.motion_time(Clock::now()), outcome_.errors); });
     }
   }

@@ -59,7 +59,7 @@ std::pair<Eigen::MatrixXd, Eigen::VectorXd> excess_of(const RobotModel& model,
     const LinkConstraint::Excess& excess = list[static_cast<std::size_t>(row)];
     amounts[row] = excess.amount;
     for (int link = links[static_cast<std::size_t>(row)]; link > 0; link = model.parent(link)) {
-      const RobotModel::Drive& drive = model.drive(link);
+      const RobotModel::MimicMapping& drive = model.drive(link);
       if (drive.variable < 0) {
         continue;
       }

@@ -57,7 +57,7 @@ Configuration configuration_of(const YamlElement& element, const RobotModel& mod
       if (model.joint(link).mimic.has_value() != coupled) {
         continue;
       }
-      const RobotModel::Drive& drive = model.drive(link);
+      const RobotModel::MimicMapping& drive = model.drive(link);
       std::string& giver = given_by[static_cast<std::size_t>(drive.variable)];
       const double wanted = value.number();
       if (giver.empty() && drive.multiplier != 0.0) {

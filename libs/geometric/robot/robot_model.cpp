@@ -109,7 +109,7 @@ struct Range {
   double upper;
 };
 
-Range allowed_by(const Joint& coupled, const RobotModel::Drive& drive) {
+Range allowed_by(const Joint& coupled, const RobotModel::MimicMapping& drive) {
   if (drive.multiplier == 0.0) {  // it stays where it is, whatever its leader does
     const bool is_within = drive.offset >= coupled.limits.lower - kLimitTolerance &&
                            drive.offset <= coupled.limits.upper + kLimitTolerance;
@@ -130,7 +130,7 @@ std::string shown(const Joint& joint, const JointLimits& limits) {
 
 // A coupled joint keeps its own limits: its leader may go only as far as they let it.
 void narrow_leader(RobotDescription& robot, int leading_link, int coupled_link,
-                   const RobotModel::Drive& drive) {
+                   const RobotModel::MimicMapping& drive) {
   Joint& leader = robot.joints[static_cast<std::size_t>(leading_link - 1)];
   const Joint& coupled = robot.joints[static_cast<std::size_t>(coupled_link - 1)];
   const Range allowed = allowed_by(coupled, drive);
@@ -369,7 +369,7 @@ bool RobotModel::moves_between(int variable, int link_a, int link_b) const {
 std::vector<JointValue> joint_values(const RobotModel& model, const Configuration& q) {
   std::vector<JointValue> values;
   for (int i = 1; i < model.link_count(); ++i) {
-    const RobotModel::Drive& drive = model.drive(i);
+    const RobotModel::MimicMapping& drive = model.drive(i);
     if (drive.variable >= 0) {
       values.push_back({model.joint(i).name, drive.multiplier * q[drive.variable] + drive.offset});
     }

@@ -71,7 +71,7 @@ void RobotState::set_posture(const NamedPosture& posture) {
 
 double RobotState::joint_value(std::string_view joint_name) const {
   for (int i = 1; i < model_->link_count(); ++i) {
-    const RobotModel::Drive& drive = model_->drive(i);
+    const RobotModel::MimicMapping& drive = model_->drive(i);
     if (drive.variable >= 0 && model_->joint(i).name == joint_name) {
       return drive.multiplier * q_[drive.variable] + drive.offset;
     }

@@ -55,11 +55,11 @@ RunRecord record_of(const RunSpec& spec, const PlanResult& result,
 
 }  // namespace
 
-RunExecutor::RunExecutor(Campaign campaign, const Extensions& extensions)
-    : campaign_(std::move(campaign)), extensions_(extensions) {
+RunExecutor::RunExecutor(Campaign campaign, const PluginManager& plugins)
+    : campaign_(std::move(campaign)), plugins_(plugins) {
   for (CampaignProblem& problem : campaign_.problems) {
     const geometric::FilesRead notes;
-    const LoadedScene loaded = load_scene(problem.file, extensions);
+    const LoadedScene loaded = load_scene(problem.file, plugins);
     problem.files = notes.files();
     problems_.push_back(make_problem(loaded.scene, loaded.basis));
   }
@@ -67,8 +67,8 @@ RunExecutor::RunExecutor(Campaign campaign, const Extensions& extensions)
 
 std::optional<RunRecord> RunExecutor::run(const RunSpec& spec, std::stop_token stop) const {
   const PlanningProblem& problem = problems_[static_cast<std::size_t>(spec.problem)];
-  const std::unique_ptr<Planner> planner = make_planner(
-      campaign_.planners[static_cast<std::size_t>(spec.planner)], extensions_.planners());
+  const std::unique_ptr<Planner> planner =
+      make_planner(campaign_.planners[static_cast<std::size_t>(spec.planner)], plugins_.planners());
   PlanRequest request;
   request.seed = spec.seed;
   request.threads = campaign_.threads;

@@ -36,7 +36,7 @@ struct MotionValidator::Worker {
   }
 
   std::unique_ptr<geometric::CollisionChecker> checker;
-  geometric::EdgeChecker edges;
+  geometric::ContinuousCollisionChecker edges;
 };
 
 /// One for each thread that asks; a single one where the run has one thread, whichever that is.
@@ -241,7 +241,7 @@ std::optional<int> MotionValidator::edge_probe(const Configuration& from, const 
 Certificate MotionValidator::certify(const Path& path) {
   constexpr double kMostTolerance = 2e-5;  // m, or …
   constexpr double kShare = 0.2;  // … of the clearance: how far below it the answer may be
-  geometric::EdgeChecker& edges = workers_->own().edges;
+  geometric::ContinuousCollisionChecker& edges = workers_->own().edges;
   geometric::CollisionChecker& checker = *workers_->own().checker;
   const std::uint64_t before = checker.counts().configurations;
   const double resolution = geometric::metres(request_.resolution_mm);

@@ -45,13 +45,13 @@ LoadedScene scene_of_robot(const fs::path& file) {
   return {std::make_shared<const geometric::Scene>(std::move(scene)), nullptr};
 }
 
-[[noreturn]] void refuse(const fs::path& file, const Extensions& extensions) {
+[[noreturn]] void refuse(const fs::path& file, const PluginManager& plugins) {
   std::string formats = "a Handway scene (.yaml), a robot (.urdf)";
-  for (const auto& importer : extensions.importers()) {
+  for (const auto& importer : plugins.importers()) {
     formats += ", " + importer->name();
   }
   std::string advice;
-  for (const RefusedPlugin& plugin : extensions.refused()) {
+  for (const RefusedPlugin& plugin : plugins.refused()) {
     advice += fmt::format("{}{} was not loaded: {}", advice.empty() ? "" : "; ",
                           plugin.file.filename().string(), plugin.reason);
   }
@@ -61,14 +61,14 @@ LoadedScene scene_of_robot(const fs::path& file) {
 
 }  // namespace
 
-LoadedScene load_scene(const fs::path& file, const Extensions& extensions) {
+LoadedScene load_scene(const fs::path& file, const PluginManager& plugins) {
   std::error_code error;
   if (!fs::is_regular_file(file, error)) {
     throw geometric::InputError({file.string(), "",
                                  fs::exists(file, error) ? "no regular file" : "no such file",
                                  "a scene or robot file", ""});
   }
-  for (const auto& importer : extensions.importers()) {
+  for (const auto& importer : plugins.importers()) {
     if (importer->can_read(file)) {
       return importer->read(file);
     }
@@ -79,7 +79,7 @@ LoadedScene load_scene(const fs::path& file, const Extensions& extensions) {
   if (geometric::has_extension(file, ".urdf")) {
     return scene_of_robot(file);
   }
-  refuse(file, extensions);
+  refuse(file, plugins);
 }
 
 }  // namespace handway::planning

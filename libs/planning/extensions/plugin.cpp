@@ -95,7 +95,7 @@ const Plugin& open_plugin(const fs::path& file) {
 
 }  // namespace
 
-void Extensions::load_plugins(const fs::path& directory) {
+void PluginManager::load_plugins(const fs::path& directory) {
   const std::vector<fs::path> files = libraries_in(directory);
   if (files.empty()) {
     return;
@@ -116,7 +116,7 @@ void Extensions::load_plugins(const fs::path& directory) {
   }
 }
 
-void Extensions::add(const Plugin& plugin, const fs::path& file) {
+void PluginManager::add(const Plugin& plugin, const fs::path& file) {
   const auto same = std::ranges::find(loaded_, plugin.name, &LoadedPlugin::name);
   if (same != loaded_.end()) {
     throw std::runtime_error(
@@ -139,7 +139,7 @@ void Extensions::add(const Plugin& plugin, const fs::path& file) {
   loaded_.push_back({file, plugin.name, plugin.version});
 }
 
-const Exporter& Extensions::exporter(const std::string& name) const {
+const Exporter& PluginManager::exporter(const std::string& name) const {
   std::vector<std::string> names;
   for (const std::unique_ptr<Exporter>& exporter : exporters_) {
     if (exporter->name() == name) {

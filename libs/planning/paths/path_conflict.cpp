@@ -1,6 +1,6 @@
 #include "handway/planning/paths/path_conflict.h"
 
-#include "handway/geometric/collision/continuous/edge_checker.h"
+#include "handway/geometric/collision/continuous/continuous_collision_checker.h"
 
 #include <fmt/format.h>
 
@@ -28,7 +28,7 @@ std::string PathConflictSearch::conflict_at(const Configuration& q) {
 
 std::optional<PathConflict> PathConflictSearch::run(std::span<const Configuration> waypoints,
                                                     const std::function<bool()>& stop) {
-  geometric::EdgeChecker edges(*checker_, motion_, resolution_);
+  geometric::ContinuousCollisionChecker edges(*checker_, motion_, resolution_);
   const auto stopped = [&stop] { return stop && stop(); };
   if (stop) {
     edges.stop_when(stop);

@@ -112,7 +112,7 @@ class Reader {
       if (link == 0) {
         continue;
       }
-      const RobotModel::Drive& drive = model_.drive(link);
+      const RobotModel::MimicMapping& drive = model_.drive(link);
       const double expected = drive.multiplier * q[drive.variable] + drive.offset;
       if (std::abs(number(row[c], header_[c]) - expected) > kCouplingTolerance) {
         throw InputError({at_line(), "column " + header_[c], row[c],

@@ -1,6 +1,6 @@
 #include "handway/planning/queries/nearest_free.h"
 
-#include "handway/geometric/collision/continuous/edge_checker.h"
+#include "handway/geometric/collision/continuous/continuous_collision_checker.h"
 #include "handway/sampling/sequences/random_stream.h"
 
 #include <fmt/format.h>

@@ -3,7 +3,7 @@
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/math/units.h"
 #include "handway/geometric/robot/numeric_inverse_kinematics.h"
-#include "handway/geometric/robot/tx90_inverse_kinematics.h"
+#include "handway/geometric/robot/spherical_wrist_inverse_kinematics.h"
 
 #include <algorithm>
 #include <string>
@@ -23,7 +23,7 @@ constexpr double kBetter = 0.9;  // of the distance that is left, or it is not w
 std::unique_ptr<geometric::InverseKinematics> closed_form(
     const std::shared_ptr<const RobotModel>& model, int palm, const std::vector<int>& arm) {
   try {
-    auto ik = geometric::make_tx90_inverse_kinematics(model, model->link(palm).name);
+    auto ik = geometric::make_spherical_wrist_inverse_kinematics(model, model->link(palm).name);
     std::vector<int> sorted = arm;
     std::ranges::sort(sorted);
     return ik->variables() == sorted ? std::move(ik) : nullptr;

@@ -4,7 +4,7 @@
 #include "handway/geometric/math/pose.h"
 #include "handway/geometric/robot/normalised_joints.h"
 #include "handway/geometric/robot/robot_state.h"
-#include "handway/geometric/robot/tx90_inverse_kinematics.h"
+#include "handway/geometric/robot/spherical_wrist_inverse_kinematics.h"
 #include "handway/sampling/regions/arm_corridor.h"
 
 #include <Eigen/Geometry>
@@ -72,8 +72,8 @@ class ToolSpace final : public CorridorSpace {
   explicit ToolSpace(const PlanningProblem& problem)
       : CorridorSpace(problem),
         link_(last_arm_link(problem)),
-        ik_(geometric::make_tx90_inverse_kinematics(problem.scene->robots.front().model,
-                                                    problem.model().link(link_).name)),
+        ik_(geometric::make_spherical_wrist_inverse_kinematics(problem.scene->robots.front().model,
+                                                               problem.model().link(link_).name)),
         corridor_(tool_pose(problem.start), tool_pose(problem.goal), scale_),
         q_BM_(Eigen::Quaterniond(tool_pose(problem.start).linear())
                   .slerp(0.5, Eigen::Quaterniond(tool_pose(problem.goal).linear()))) {

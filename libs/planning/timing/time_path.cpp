@@ -1,11 +1,11 @@
 #include "handway/planning/timing/time_path.h"
 
-#include "handway/geometric/collision/continuous/edge_checker.h"
+#include "handway/geometric/collision/continuous/continuous_collision_checker.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/math/units.h"
 #include "handway/planning/core/plan_result.h"
 #include "handway/planning/paths/path_conflict.h"
-#include "handway/planning/timing/time_law.h"
+#include "handway/planning/timing/time_parameterization.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -58,7 +58,7 @@ LimitShare largest_share(const geometric::RobotModel& model, const Trajectory& t
 void check_collisions(const PlanningProblem& problem, const Trajectory& trajectory,
                       const Configuration& measured, double resolution, PreflightReport& report) {
   const auto checker = problem.checker->clone();
-  geometric::EdgeChecker edges(*checker, problem.motion, resolution);
+  geometric::ContinuousCollisionChecker edges(*checker, problem.motion, resolution);
   edges.set_ends({make_edge_end(*checker, trajectory.points.front().position, resolution),
                   make_edge_end(*checker, trajectory.points.back().position, resolution)});
   const geometric::CollisionWorld& world = checker->world();
@@ -215,8 +215,8 @@ TimedPath time_path(const PlanningProblem& problem, const Path& path, const std:
     return timed;
   }
   const BlendedPath& blended = *timed.blends.path;
-  const RateLimits limits = timed.motion.limits.at_speed(options.speed);
-  const TimeLaw law = align_stops(
+  const JointKinematicLimits limits = timed.motion.limits.at_speed(options.speed);
+  const TimeParameterization law = align_stops(
       options.limit_jerk ? jerk_limited(blended, limits) : time_optimal(blended, limits),
       options.period);
   timed.motion.waypoint_times = waypoint_times(blended, law);

@@ -12,7 +12,7 @@
 namespace handway::planning {
 namespace {
 
-using Knot = TimeLaw::Knot;
+using Knot = TimeParameterization::Knot;
 
 constexpr double kMostPoints = 1e7;
 
@@ -37,7 +37,7 @@ double least_time(double distance, double velocity, double acceleration) {
 
 }  // namespace
 
-TrajectoryPoint point_at(const BlendedPath& path, const TimeLaw& law, double time) {
+TrajectoryPoint point_at(const BlendedPath& path, const TimeParameterization& law, double time) {
   if (law.knots.empty()) {
     return at_rest(time, path.polyline().waypoints.front());
   }
@@ -52,7 +52,7 @@ TrajectoryPoint point_at(const BlendedPath& path, const TimeLaw& law, double tim
   return point_in_cell(path.pieces()[after->piece], *std::prev(after), *after, t);
 }
 
-Trajectory sample(const BlendedPath& path, const TimeLaw& law, double period) {
+Trajectory sample(const BlendedPath& path, const TimeParameterization& law, double period) {
   const double duration = law.duration();
   if (!(period > 0.0) || duration / period > kMostPoints) {
     throw std::invalid_argument("a period above 0 is needed, and at most 10 million points");
@@ -70,7 +70,7 @@ Trajectory sample(const BlendedPath& path, const TimeLaw& law, double period) {
   return trajectory;
 }
 
-std::vector<double> waypoint_times(const BlendedPath& path, const TimeLaw& law) {
+std::vector<double> waypoint_times(const BlendedPath& path, const TimeParameterization& law) {
   std::vector<double> times(path.polyline().waypoints.size(), 0.0);
   std::size_t done = 1;
   const auto pass = [&](std::size_t waypoint, double time) {
@@ -96,7 +96,7 @@ std::vector<double> waypoint_times(const BlendedPath& path, const TimeLaw& law) 
   return times;
 }
 
-double least_duration(const Path& path, const RateLimits& limits) {
+double least_duration(const Path& path, const JointKinematicLimits& limits) {
   double least = 0.0;
   for (Eigen::Index j = 0; j < limits.velocity.size() && !path.empty(); ++j) {
     double total = 0.0;
@@ -126,7 +126,8 @@ constexpr double kRest = 1e-6;               // rad/s or m/s
 
 class Check {
  public:
-  Check(const RobotModel& model, const RateLimits& limits) : model_(model), limits_(limits) {}
+  Check(const RobotModel& model, const JointKinematicLimits& limits)
+      : model_(model), limits_(limits) {}
 
   std::vector<TrajectoryFault> run(const Trajectory& trajectory) {
     if (trajectory.empty()) {
@@ -196,7 +197,7 @@ class Check {
 
   void check_point(const TrajectoryPoint& point) {
     for (int link = 1; link < model_.link_count(); ++link) {
-      const RobotModel::Drive& drive = model_.drive(link);
+      const RobotModel::MimicMapping& drive = model_.drive(link);
       if (drive.variable < 0) {
         continue;
       }
@@ -247,7 +248,7 @@ class Check {
   }
 
   const RobotModel& model_;
-  const RateLimits& limits_;
+  const JointKinematicLimits& limits_;
   std::set<std::pair<std::string, int>> seen_;
   std::vector<TrajectoryFault> faults_;
 };
@@ -255,7 +256,7 @@ class Check {
 }  // namespace
 
 std::vector<TrajectoryFault> check_trajectory(const RobotModel& model, const Trajectory& trajectory,
-                                              const RateLimits& limits) {
+                                              const JointKinematicLimits& limits) {
   return Check(model, limits).run(trajectory);
 }
 

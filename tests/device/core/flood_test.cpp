@@ -122,13 +122,13 @@ TEST(ReadTurn, EndsWithItsBudgetOfTimeWhateverIsDoneWithTheBytes) {
 }
 
 /// A device that is never read to the end of what it says.
-class TalkativeDevice final : public MotionLink {
+class TalkativeDevice final : public TrajectoryClient {
  public:
   TalkativeDevice()
-      : MotionLink("talkative", {{"joint"},
-                                 Eigen::VectorXd::Constant(1, -1.0),
-                                 Eigen::VectorXd::Constant(1, 1.0),
-                                 Eigen::VectorXd::Constant(1, 1.0)}) {}
+      : TrajectoryClient("talkative", {{"joint"},
+                                       Eigen::VectorXd::Constant(1, -1.0),
+                                       Eigen::VectorXd::Constant(1, 1.0),
+                                       Eigen::VectorXd::Constant(1, 1.0)}) {}
   std::atomic<bool> all = true;
   int stops = 0;
 
@@ -191,7 +191,7 @@ struct FloodedLink {
   std::vector<std::shared_ptr<test::FloodingProxy>> proxies;
   test::FloodingProxy* flooding = nullptr;  ///< The one that is to flood, …
   std::string message;                      ///< … with this.
-  std::unique_ptr<MotionLink> link;
+  std::unique_ptr<TrajectoryClient> link;
 };
 
 FloodedLink hand_link() {

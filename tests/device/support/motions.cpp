@@ -28,7 +28,8 @@ device::JointTrajectory swing(const Eigen::VectorXd& from, const Eigen::VectorXd
   return trajectory;
 }
 
-bool update_until(device::MotionLink& link, const std::function<bool()>& done, double seconds) {
+bool update_until(device::TrajectoryClient& link, const std::function<bool()>& done,
+                  double seconds) {
   const auto begin = Clock::now();
   while (!done()) {
     if (since(begin) > seconds) {
@@ -39,7 +40,7 @@ bool update_until(device::MotionLink& link, const std::function<bool()>& done, d
   return true;
 }
 
-void run_to_end(device::MotionLink& link) {
+void run_to_end(device::TrajectoryClient& link) {
   update_until(
       link,
       [&] {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "handway/device/core/motion_link.h"
+#include "handway/device/core/trajectory_client.h"
 
 #include <chrono>
 #include <functional>
@@ -13,10 +13,11 @@ namespace handway::test {
                                             double duration);
 
 /// Updates the link until `done` says so, at most `seconds`. @returns whether it did.
-bool update_until(device::MotionLink& link, const std::function<bool()>& done, double seconds = 5);
+bool update_until(device::TrajectoryClient& link, const std::function<bool()>& done,
+                  double seconds = 5);
 
 /// Updates the link until its motion has ended.
-void run_to_end(device::MotionLink& link);
+void run_to_end(device::TrajectoryClient& link);
 
 /// Waits until `done` says so, at most 3 s. @returns how long it took, s.
 [[nodiscard]] double wait_until(const std::function<bool()>& done);

@@ -1,7 +1,7 @@
 #include "handway/device/tracker/tool_follower.h"
 
 #include "handway/device/tracker/tracker_units.h"
-#include "handway/geometric/robot/tx90_inverse_kinematics.h"
+#include "handway/geometric/robot/spherical_wrist_inverse_kinematics.h"
 #include "handway_test/robots.h"
 
 #include <gmock/gmock.h>
@@ -38,8 +38,8 @@ class FollowedTx90 : public testing::Test {
 
   std::shared_ptr<const geometric::RobotModel> model_ =
       std::make_shared<geometric::RobotModel>(test::tx90_urdf_style());
-  std::shared_ptr<const geometric::Tx90InverseKinematics> ik_ =
-      geometric::make_tx90_inverse_kinematics(model_, "flange");
+  std::shared_ptr<const geometric::SphericalWristInverseKinematics> ik_ =
+      geometric::make_spherical_wrist_inverse_kinematics(model_, "flange");
   Configuration start_ = (Configuration(6) << 0.2, 0.4, 1.6, 0.3, 0.9, 0.1).finished();
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "handway/geometric/collision/checkers/bounded_checker.h"
+#include "handway/geometric/collision/checkers/exact_collision_checker.h"
 #include "handway/geometric/collision/checkers/fcl_checker.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 
 namespace handway::test {
 
-/// Asks FclChecker and BoundedChecker the same questions.
+/// Asks FclChecker and ExactCollisionChecker the same questions.
 class CheckerAgreement {
  public:
   explicit CheckerAgreement(const geometric::Scene& scene)
@@ -23,7 +23,7 @@ class CheckerAgreement {
 
   [[nodiscard]] const geometric::CollisionWorld& world() const { return *world_; }
   [[nodiscard]] geometric::FclChecker& exact() { return exact_; }
-  [[nodiscard]] geometric::BoundedChecker& bounded() { return bounded_; }
+  [[nodiscard]] geometric::ExactCollisionChecker& bounded() { return bounded_; }
   [[nodiscard]] int collisions() const { return collisions_; }
   [[nodiscard]] int frees() const { return frees_; }
   /// Pairs asked for their distance.
@@ -98,7 +98,7 @@ class CheckerAgreement {
 
   std::shared_ptr<const geometric::CollisionWorld> world_;
   geometric::FclChecker exact_;
-  geometric::BoundedChecker bounded_;
+  geometric::ExactCollisionChecker bounded_;
   int collisions_ = 0;
   int frees_ = 0;
   std::uint64_t pairs_measured_ = 0;

@@ -1,7 +1,7 @@
 /// Questions that have an answer on paper, asked of every checker.
 #include "handway/geometric/collision/collision_checker.h"
 
-#include "handway/geometric/collision/checkers/bounded_checker.h"
+#include "handway/geometric/collision/checkers/exact_collision_checker.h"
 #include "handway/geometric/collision/checkers/fcl_checker.h"
 #include "handway_test/solid_robots.h"
 
@@ -170,7 +170,7 @@ TEST_P(EveryChecker, HasIndependentClones) {
 
 INSTANTIATE_TEST_SUITE_P(Checkers, EveryChecker,
                          testing::Values(Kind{"Fcl", make<FclChecker>},
-                                         Kind{"Bounded", make<BoundedChecker>}),
+                                         Kind{"Bounded", make<ExactCollisionChecker>}),
                          [](const auto& test) { return test.param.name; });
 
 }  // namespace

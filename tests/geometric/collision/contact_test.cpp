@@ -1,6 +1,6 @@
 #include "handway/geometric/collision/narrow_phase/contact.h"
 
-#include "handway/geometric/collision/checkers/bounded_checker.h"
+#include "handway/geometric/collision/checkers/exact_collision_checker.h"
 #include "handway_test/solid_robots.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ using test::add_object;
 using test::scene_of;
 
 std::vector<Contact> contacts_of(const Scene& scene, const Configuration& q) {
-  BoundedChecker checker(std::make_shared<const CollisionWorld>(scene));
+  ExactCollisionChecker checker(std::make_shared<const CollisionWorld>(scene));
   return find_contacts(checker, q);
 }
 

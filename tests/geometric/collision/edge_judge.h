@@ -1,8 +1,8 @@
 #pragma once
 
-#include "handway/geometric/collision/checkers/bounded_checker.h"
+#include "handway/geometric/collision/checkers/exact_collision_checker.h"
 #include "handway/geometric/collision/checkers/fcl_checker.h"
-#include "handway/geometric/collision/continuous/edge_checker.h"
+#include "handway/geometric/collision/continuous/continuous_collision_checker.h"
 
 #include <algorithm>
 #include <memory>
@@ -22,7 +22,7 @@ class EdgeJudge {
   [[nodiscard]] const geometric::CollisionWorld& world() const { return *world_; }
   [[nodiscard]] const geometric::MotionBound& motion() const { return *motion_; }
   [[nodiscard]] geometric::FclChecker& exact() { return exact_; }
-  [[nodiscard]] geometric::EdgeChecker& edges() { return edges_; }
+  [[nodiscard]] geometric::ContinuousCollisionChecker& edges() { return edges_; }
 
   /// Does FCL find a collision where no point moves more than `step` (m) between samples?
   [[nodiscard]] bool collides(const geometric::Configuration& from,
@@ -58,8 +58,8 @@ class EdgeJudge {
   std::shared_ptr<const geometric::CollisionWorld> world_;
   std::shared_ptr<const geometric::MotionBound> motion_;
   geometric::FclChecker exact_;
-  geometric::BoundedChecker bounded_;
-  geometric::EdgeChecker edges_;
+  geometric::ExactCollisionChecker bounded_;
+  geometric::ContinuousCollisionChecker edges_;
 };
 
 }  // namespace handway::test

@@ -1,8 +1,8 @@
 /// Scenes that are far from the origin or large: the answers of the scene at the origin.
 #include "../robot/random_configurations.h"
-#include "handway/geometric/collision/checkers/bounded_checker.h"
+#include "handway/geometric/collision/checkers/exact_collision_checker.h"
 #include "handway/geometric/collision/checkers/fcl_checker.h"
-#include "handway/geometric/collision/continuous/edge_checker.h"
+#include "handway/geometric/collision/continuous/continuous_collision_checker.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway_test/memory_use.h"
 #include "handway_test/scale.h"
@@ -82,7 +82,7 @@ class FarScene : public testing::TestWithParam<double> {
     const auto near_world = std::make_shared<const CollisionWorld>(hall());
     const auto far_world = std::make_shared<const CollisionWorld>(far);
     FclChecker exact(near_world);
-    BoundedChecker bounded(far_world);
+    ExactCollisionChecker bounded(far_world);
     FclChecker exact_far(far_world);
     RandomConfigurations random(near_world->model(), 3);
     constexpr double kEnough = 0.05;
@@ -150,8 +150,8 @@ class FarScene : public testing::TestWithParam<double> {
           edges(checker, std::make_shared<const MotionBound>(*world), 1e-4) {}
 
     std::shared_ptr<const CollisionWorld> world;
-    BoundedChecker checker;
-    EdgeChecker edges;
+    ExactCollisionChecker checker;
+    ContinuousCollisionChecker edges;
   };
 
   Eigen::Vector3d offset_ = GetParam() * Eigen::Vector3d(1.0, -0.7, 0.3);
@@ -190,7 +190,7 @@ TEST(FarPoints, AreRefusedBeyondTheRange) {
 
 TEST(LargeObjects, TakeNoMoreMemoryThanSmallOnes) {
   Scene scene = test::scene_of(test::solid_tx90_sah());
-  static_cast<void>(BoundedChecker(std::make_shared<const CollisionWorld>(scene)));
+  static_cast<void>(ExactCollisionChecker(std::make_shared<const CollisionWorld>(scene)));
   const std::size_t before = test::peak_memory();
   for (const double length : {1e3, 1e4, 1e6}) {
     for (const double width : {1e-3, 0.1, 10.0, 1e3}) {
@@ -198,7 +198,7 @@ TEST(LargeObjects, TakeNoMoreMemoryThanSmallOnes) {
                  Box{{length, width, width}}, Eigen::Vector3d(0, 0, -2e3));
     }
   }
-  const BoundedChecker checker(std::make_shared<const CollisionWorld>(scene));
+  const ExactCollisionChecker checker(std::make_shared<const CollisionWorld>(scene));
   EXPECT_LT(test::peak_memory() - before, std::size_t{400} << 20);
 }
 

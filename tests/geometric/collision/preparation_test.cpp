@@ -1,6 +1,6 @@
 #include "handway/geometric/collision/volumes/preparation.h"
 
-#include "handway/geometric/collision/checkers/bounded_checker.h"
+#include "handway/geometric/collision/checkers/exact_collision_checker.h"
 #include "handway_test/paths.h"
 #include "handway_test/solid_robots.h"
 
@@ -69,20 +69,20 @@ class CheckerPreparation : public testing::Test {
 TEST_F(CheckerPreparation, EndsWhenItIsAskedTo) {
   std::stop_source stop;
   stop.request_stop();
-  EXPECT_THROW(BoundedChecker(world_with(plate(0.11)), {stop.get_token(), true}),
+  EXPECT_THROW(ExactCollisionChecker(world_with(plate(0.11)), {stop.get_token(), true}),
                PreparationStopped);
   EXPECT_EQ(entries(), 0);
 }
 
 TEST_F(CheckerPreparation, KeepsWhatIsOpened) {
-  { const BoundedChecker opened(world_with(plate(0.12))); }
+  { const ExactCollisionChecker opened(world_with(plate(0.12))); }
   EXPECT_EQ(entries(), 1) << "the plate";
 }
 
 TEST_F(CheckerPreparation, KeepsNothingOfPrimitives) {
   for (const Shape& shape : {Shape(Box{{0.1, 0.2, 0.3}}), Shape(Sphere{0.1}),
                              Shape(Cylinder{0.1, 0.2}), Shape(Cone{0.1, 0.2})}) {
-    BoundedChecker opened(world_with(shape));
+    ExactCollisionChecker opened(world_with(shape));
     opened.place(Eigen::Vector3d(0, 0, 0));
     EXPECT_GT(opened.pair_distance(0, 10.0), 0.0);
   }
@@ -94,7 +94,7 @@ TEST_F(CheckerPreparation, LeavesNothingBehindOfWhatIsEdited) {
     const double size = 0.1 * i;
     for (const Shape& shape : {Shape(plate(size)), Shape(Box{{size, size, 0.1}}),
                                Shape(Cylinder{size, 0.2}), Shape(Cone{size, 0.2})}) {
-      const BoundedChecker edited(world_with(shape), {{}, false});
+      const ExactCollisionChecker edited(world_with(shape), {{}, false});
     }
   }
   EXPECT_EQ(entries(), 0);
@@ -102,12 +102,12 @@ TEST_F(CheckerPreparation, LeavesNothingBehindOfWhatIsEdited) {
 
 TEST_F(CheckerPreparation, DoesNotTrustTheEntryOfAnotherMesh) {
   const auto distance_of_large = [] {
-    BoundedChecker checker(world_with(plate(0.6)));
+    ExactCollisionChecker checker(world_with(plate(0.6)));
     checker.place(Eigen::Vector3d(0, 0, 0));
     return checker.pair_distance(0, 10.0);
   };
   const double distance = distance_of_large();
-  { const BoundedChecker other(world_with(plate(0.05))); }
+  { const ExactCollisionChecker other(world_with(plate(0.05))); }
   std::vector<fs::path> files;
   for (const fs::directory_entry& entry :
        fs::directory_iterator(folder_.path() / "handway" / "meshes")) {

@@ -1,5 +1,5 @@
 /// Primitives of any size, anywhere: the answers of FCL on their triangles.
-#include "handway/geometric/collision/checkers/bounded_checker.h"
+#include "handway/geometric/collision/checkers/exact_collision_checker.h"
 #include "handway/geometric/collision/checkers/fcl_checker.h"
 #include "handway_test/solid_robots.h"
 
@@ -70,7 +70,7 @@ class RandomShapes {
   std::mt19937_64 engine_;
 };
 
-void expect_same(FclChecker& exact, BoundedChecker& bounded, const Configuration& q) {
+void expect_same(FclChecker& exact, ExactCollisionChecker& bounded, const Configuration& q) {
   exact.place(q);
   bounded.place(q);
   bool any = false;
@@ -112,7 +112,7 @@ TEST_P(Primitives, HaveTheAnswersOfFcl) {
     }
     const auto world = std::make_shared<const CollisionWorld>(scene);
     FclChecker exact(world);
-    BoundedChecker bounded(world);
+    ExactCollisionChecker bounded(world);
     for (int i = 0; i < kConfigurations; ++i) {
       SCOPED_TRACE(testing::Message() << "scene " << scene_number);
       ASSERT_NO_FATAL_FAILURE(expect_same(exact, bounded, random.point(0.9)));
@@ -135,7 +135,7 @@ TEST(PrimitivesOnDemand, AnswerTheSameWhateverWasAskedBefore) {
   for (int i = 0; i < 100; ++i) {
     configurations.emplace_back(random.point(0.9));
   }
-  const auto answers_in_order = [&](BoundedChecker& checker, const auto& order) {
+  const auto answers_in_order = [&](ExactCollisionChecker& checker, const auto& order) {
     std::vector<std::vector<double>> answers(configurations.size());
     for (const std::size_t i : order) {
       checker.place(configurations[i]);
@@ -151,11 +151,11 @@ TEST(PrimitivesOnDemand, AnswerTheSameWhateverWasAskedBefore) {
   std::iota(order.begin(), order.end(), 0U);
   std::vector<std::vector<double>> forwards;
   {
-    BoundedChecker checker(world);
+    ExactCollisionChecker checker(world);
     forwards = answers_in_order(checker, order);
   }
   std::ranges::reverse(order);
-  BoundedChecker checker(world);
+  ExactCollisionChecker checker(world);
   EXPECT_EQ(answers_in_order(checker, order), forwards);
 }
 

@@ -1,7 +1,7 @@
 /// What is inside of a solid collides with it, for every checker.
 #include "../robot/random_configurations.h"
 #include "handway/geometric/collision/checkers/make_checker.h"
-#include "handway/geometric/collision/continuous/edge_checker.h"
+#include "handway/geometric/collision/continuous/continuous_collision_checker.h"
 #include "handway/geometric/collision/narrow_phase/contact.h"
 #include "handway/geometric/mesh/triangle_mesh.h"
 #include "handway_test/solid_robots.h"
@@ -205,7 +205,8 @@ TEST_P(Solids, RefuseMotionsInsideOfThem) {
   Scene scene = scene_of(test::gantry(Sphere{0.02}));
   add_object(scene, "room", Box{{20, 20, 20}}, Pose::Identity());
   const auto checker = checker_of(scene);
-  EdgeChecker edges(*checker, std::make_shared<const MotionBound>(checker->world()), 5e-5);
+  ContinuousCollisionChecker edges(*checker, std::make_shared<const MotionBound>(checker->world()),
+                                   5e-5);
   EXPECT_FALSE(edges.check(Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(0.3, 0.2, 0)).free);
   EXPECT_FALSE(edges.check(Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1e-6, 0, 0)).free);
 }

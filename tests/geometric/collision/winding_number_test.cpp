@@ -2,7 +2,7 @@
 /// numbers, summed over solid angles (Jacobson, Kavan, Sorkine-Hornung 2013), without trees or
 /// rays.
 #include "../robot/random_configurations.h"
-#include "handway/geometric/collision/checkers/bounded_checker.h"
+#include "handway/geometric/collision/checkers/exact_collision_checker.h"
 #include "handway/geometric/collision/checkers/fcl_checker.h"
 #include "handway_test/scale.h"
 #include "handway_test/solid_robots.h"
@@ -205,7 +205,7 @@ class Flight {
 
 TEST(WindingNumber, FindsTheSameInsideAsTheCheckers) {
   Flight flight;
-  BoundedChecker fast(flight.world());
+  ExactCollisionChecker fast(flight.world());
   FclChecker reference(flight.world());
   test::RandomConfigurations random(flight.world()->model(), 5);
   const int count = test::scaled(2000);

@@ -9,14 +9,14 @@ namespace {
 
 TEST(SaveScene, WritesWhatOpensAsTheSame) {
   const SmallCell cell;
-  const planning::Extensions extensions;
-  const planning::LoadedScene before = planning::load_scene(cell.post(), extensions);
+  const planning::PluginManager plugins;
+  const planning::LoadedScene before = planning::load_scene(cell.post(), plugins);
   geometric::Configuration shown = before.scene->robots.front().configuration;
   shown[0] = 0.25;
   const std::filesystem::path file = cell.folder() / "saved.yaml";
   gui::save_scene(before, shown, {"rrt-connect", {{"step", "0.1"}}}, file);
 
-  const planning::LoadedScene after = planning::load_scene(file, extensions);
+  const planning::LoadedScene after = planning::load_scene(file, plugins);
   EXPECT_EQ(after.scene->robots.front().configuration, shown);
   EXPECT_EQ(after.scene->goal, before.scene->goal);
   EXPECT_EQ(after.scene->planner.name, "rrt-connect");
@@ -28,8 +28,8 @@ TEST(SaveScene, WritesWhatOpensAsTheSame) {
 
 TEST(SaveScene, PutsTheBasisOfAnImportedProblemBesideIt) {
   const SmallCell cell;
-  const planning::Extensions extensions;
-  planning::LoadedScene loaded = planning::load_scene(cell.post(), extensions);
+  const planning::PluginManager plugins;
+  planning::LoadedScene loaded = planning::load_scene(cell.post(), plugins);
   geometric::Scene imported = *loaded.scene;
   imported.hand_basis.clear();
   auto longer = std::make_shared<sampling::PmdBasis>(*loaded.basis);
@@ -38,7 +38,7 @@ TEST(SaveScene, PutsTheBasisOfAnImportedProblemBesideIt) {
 
   const std::filesystem::path file = cell.folder() / "saved.yaml";
   gui::save_scene(loaded, imported.robots.front().configuration, {}, file);
-  const planning::LoadedScene after = planning::load_scene(file, extensions);
+  const planning::LoadedScene after = planning::load_scene(file, plugins);
   ASSERT_TRUE(after.basis);
   const Eigen::VectorXd corner = Eigen::VectorXd::Ones(1);
   EXPECT_TRUE(sampling::map_to_posture(*after.basis, corner)

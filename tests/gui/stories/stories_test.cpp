@@ -48,9 +48,9 @@ class Story : public ::testing::Test {
  protected:
   void SetUp() override {
     HANDWAY_NEED_DISPLAY();
-    auto extensions = std::make_shared<planning::Extensions>();
-    extensions->load_plugins(planning::plugin_directory());
-    window_ = std::make_unique<gui::MainWindow>(extensions);
+    auto plugins = std::make_shared<planning::PluginManager>();
+    plugins->load_plugins(planning::plugin_directory());
+    window_ = std::make_unique<gui::MainWindow>(plugins);
     window_->resize(1440, 900);
     window_->show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get()));

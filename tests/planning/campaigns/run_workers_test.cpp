@@ -34,7 +34,7 @@ class ThreadWorkersTest : public testing::Test {
     geometric::write_scene(scene, campaign_.problems.back().file);
   }
   std::vector<RunRecord> run(int threads) const {
-    const RunExecutor executor(campaign_, extensions_);
+    const RunExecutor executor(campaign_, plugins_);
     std::vector<RunRecord> all;
     ThreadWorkers(threads).carry_out(executor, campaign_.runs(),
                                      [&](std::span<const RunRecord> records) {
@@ -46,7 +46,7 @@ class ThreadWorkersTest : public testing::Test {
   }
 
   test::ScratchFolder folder_;
-  Extensions extensions_;
+  PluginManager plugins_;
   Campaign campaign_;
 };
 
@@ -74,7 +74,7 @@ TEST_F(ThreadWorkersTest, NotePlannersThatNeedWhatAProblemHasNot) {
 }
 
 TEST_F(ThreadWorkersTest, EndWhenRecordsCannotBeKept) {
-  const RunExecutor executor(campaign_, extensions_);
+  const RunExecutor executor(campaign_, plugins_);
   EXPECT_THROW(ThreadWorkers(2).carry_out(
                    executor, campaign_.runs(),
                    [](std::span<const RunRecord>) { throw std::runtime_error("no room"); }, {}),
@@ -82,7 +82,7 @@ TEST_F(ThreadWorkersTest, EndWhenRecordsCannotBeKept) {
 }
 
 TEST_F(ThreadWorkersTest, EndWhenTheyAreStopped) {
-  const RunExecutor executor(campaign_, extensions_);
+  const RunExecutor executor(campaign_, plugins_);
   std::stop_source stop;
   std::size_t taken = 0;
   stop.request_stop();
@@ -94,7 +94,7 @@ TEST_F(ThreadWorkersTest, EndWhenTheyAreStopped) {
 
 TEST_F(ThreadWorkersTest, RefuseProblemsThatCannotBeRead) {
   campaign_.problems.push_back({"gone", folder_.path() / "gone.yaml"});
-  EXPECT_THROW(RunExecutor(campaign_, extensions_), geometric::InputError);
+  EXPECT_THROW(RunExecutor(campaign_, plugins_), geometric::InputError);
 }
 
 }  // namespace

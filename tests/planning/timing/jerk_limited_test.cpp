@@ -1,4 +1,4 @@
-#include "handway/planning/timing/time_law.h"
+#include "handway/planning/timing/time_parameterization.h"
 #include "handway/planning/timing/trajectory.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-RateLimits limits(double velocity, double acceleration, double jerk) {
+JointKinematicLimits limits(double velocity, double acceleration, double jerk) {
   return {Vector2d::Constant(velocity), Vector2d::Constant(acceleration), Vector2d::Constant(jerk)};
 }
 
@@ -28,7 +28,8 @@ struct Shares {
   double jerk = 0.0;
 };
 
-Shares measured(const BlendedPath& path, const TimeLaw& law, const RateLimits& rates) {
+Shares measured(const BlendedPath& path, const TimeParameterization& law,
+                const JointKinematicLimits& rates) {
   constexpr int kSamples = 8000;
   const double step = law.duration() / kSamples;
   std::vector<Eigen::VectorXd> q;
@@ -84,7 +85,7 @@ TEST(JerkLimited, IsNearTheLeastTimeOfAStraightLine) {
 
 TEST(JerkLimited, IsNearlyTheFastestWhereJerkHardlyCounts) {
   const BlendedPath path = smooth({{Vector2d(0, 0), Vector2d(10, 5), Vector2d(20, 0)}}, 0.2);
-  const RateLimits rates = limits(2.0, 4.0, 4000.0);
+  const JointKinematicLimits rates = limits(2.0, 4.0, 4000.0);
   EXPECT_LT(jerk_limited(path, rates).duration(), 1.1 * time_optimal(path, rates).duration());
 }
 
@@ -100,9 +101,9 @@ TEST(JerkLimited, KeepsAllLimitsAlongRandomPaths) {
     for (int w = 0; w < 2 + run % 5; ++w) {
       path.waypoints.push_back(numbers(0.0, 1.0));
     }
-    const RateLimits rates{numbers(2.0, 1.0), numbers(6.0, 4.0), numbers(60.0, 40.0)};
+    const JointKinematicLimits rates{numbers(2.0, 1.0), numbers(6.0, 4.0), numbers(60.0, 40.0)};
     const BlendedPath blended = smooth(path, 0.02 * (run % 4));
-    const TimeLaw law = align_stops(jerk_limited(blended, rates), 0.004);
+    const TimeParameterization law = align_stops(jerk_limited(blended, rates), 0.004);
     const Shares shares = measured(blended, law, rates);
     EXPECT_LT(shares.velocity, 1.0 + 1e-6) << run;
     EXPECT_LT(shares.acceleration, 1.0 + 1e-4) << run;
@@ -115,7 +116,7 @@ TEST(JerkLimited, KeepsAllLimitsAlongRandomPaths) {
 TEST(JerkLimited, StopsWhereThereIsNoArcAndEndsAtTheEnds) {
   const Path path = {{Vector2d(0, 0), Vector2d(1, 0), Vector2d(1, 0.7), Vector2d(2, 0.7)}};
   const BlendedPath corners = smooth(path, 0.0);
-  const TimeLaw law = align_stops(jerk_limited(corners, limits(2, 4, 40)), 0.004);
+  const TimeParameterization law = align_stops(jerk_limited(corners, limits(2, 4, 40)), 0.004);
   const std::vector<double> times = waypoint_times(corners, law);
   for (std::size_t w = 0; w < path.waypoints.size(); ++w) {
     const TrajectoryPoint point = point_at(corners, law, times[w]);

@@ -21,72 +21,72 @@ using testing::SizeIs;
 const std::filesystem::path kTestPlugins = TEST_PLUGINS;
 
 std::string reason_of_refusal(const std::filesystem::path& directory) {
-  Extensions extensions;
-  extensions.load_plugins(directory);
-  EXPECT_THAT(extensions.loaded(), IsEmpty());
-  EXPECT_THAT(extensions.refused(), SizeIs(1));
-  return extensions.refused().empty() ? "" : extensions.refused().front().reason;
+  PluginManager plugins;
+  plugins.load_plugins(directory);
+  EXPECT_THAT(plugins.loaded(), IsEmpty());
+  EXPECT_THAT(plugins.refused(), SizeIs(1));
+  return plugins.refused().empty() ? "" : plugins.refused().front().reason;
 }
 
-TEST(Extensions, KnowTheBuiltInPlannersWithoutPlugins) {
-  const Extensions extensions;
-  EXPECT_EQ(extensions.planners().names().front(), "auto");
+TEST(PluginManager, KnowTheBuiltInPlannersWithoutPlugins) {
+  const PluginManager plugins;
+  EXPECT_EQ(plugins.planners().names().front(), "auto");
 }
 
-TEST(Extensions, TakePlannersAndImportersOfAPlugin) {
-  Extensions extensions;
-  extensions.load_plugins(kTestPlugins / "greeting");
-  EXPECT_THAT(extensions.refused(), IsEmpty());
-  ASSERT_THAT(extensions.loaded(), SizeIs(1));
-  EXPECT_EQ(extensions.loaded().front().name, "greeting");
-  EXPECT_EQ(extensions.loaded().front().version, "1.2");
-  EXPECT_THAT(extensions.planners().names(), Contains("hello-planner"));
-  ASSERT_THAT(extensions.importers(), SizeIs(1));
-  EXPECT_EQ(extensions.importers().front()->name(), "greetings (.hello)");
+TEST(PluginManager, TakePlannersAndImportersOfAPlugin) {
+  PluginManager plugins;
+  plugins.load_plugins(kTestPlugins / "greeting");
+  EXPECT_THAT(plugins.refused(), IsEmpty());
+  ASSERT_THAT(plugins.loaded(), SizeIs(1));
+  EXPECT_EQ(plugins.loaded().front().name, "greeting");
+  EXPECT_EQ(plugins.loaded().front().version, "1.2");
+  EXPECT_THAT(plugins.planners().names(), Contains("hello-planner"));
+  ASSERT_THAT(plugins.importers(), SizeIs(1));
+  EXPECT_EQ(plugins.importers().front()->name(), "greetings (.hello)");
 }
 
-TEST(Extensions, RefuseAPluginThatIsLoadedAlready) {
-  Extensions extensions;
-  extensions.load_plugins(kTestPlugins / "greeting");
-  extensions.load_plugins(kTestPlugins / "greeting");
-  EXPECT_THAT(extensions.importers(), SizeIs(1));
-  ASSERT_THAT(extensions.refused(), SizeIs(1));
-  EXPECT_THAT(extensions.refused().front().reason, HasSubstr("plugin greeting is loaded already"));
+TEST(PluginManager, RefuseAPluginThatIsLoadedAlready) {
+  PluginManager plugins;
+  plugins.load_plugins(kTestPlugins / "greeting");
+  plugins.load_plugins(kTestPlugins / "greeting");
+  EXPECT_THAT(plugins.importers(), SizeIs(1));
+  ASSERT_THAT(plugins.refused(), SizeIs(1));
+  EXPECT_THAT(plugins.refused().front().reason, HasSubstr("plugin greeting is loaded already"));
 }
 
-TEST(Extensions, NameTheInterfaceVersionOfAnOldPlugin) {
+TEST(PluginManager, NameTheInterfaceVersionOfAnOldPlugin) {
   EXPECT_EQ(reason_of_refusal(kTestPlugins / "old_interface"),
             "made for version " + std::to_string(kPluginApiVersion - 1) +
                 " of the plugin interface, not " + std::to_string(kPluginApiVersion));
 }
 
-TEST(Extensions, RefuseALibraryThatIsNoPlugin) {
+TEST(PluginManager, RefuseALibraryThatIsNoPlugin) {
   EXPECT_THAT(reason_of_refusal(kTestPlugins / "without_entry_point"),
               HasSubstr("no function handway_plugin"));
 }
 
-TEST(Extensions, RefuseAFileThatIsNoLibrary) {
+TEST(PluginManager, RefuseAFileThatIsNoLibrary) {
   const test::ScratchFolder scratch;
   std::ofstream(scratch.path() / "text.so") << "not a library";
   EXPECT_THAT(reason_of_refusal(scratch.path()), HasSubstr("not a library that can be loaded"));
 }
 
-TEST(Extensions, TakeNothingOfAPluginThatFails) {
-  Extensions extensions;
-  extensions.load_plugins(kTestPlugins / "failing");
-  ASSERT_THAT(extensions.refused(), SizeIs(1));
-  EXPECT_EQ(extensions.refused().front().reason, "no licence for half-done");
-  EXPECT_EQ(extensions.refused().front().file.filename(), "test_plugin_failing.so");
-  EXPECT_THAT(extensions.planners().names(), Not(Contains("half-done")));
+TEST(PluginManager, TakeNothingOfAPluginThatFails) {
+  PluginManager plugins;
+  plugins.load_plugins(kTestPlugins / "failing");
+  ASSERT_THAT(plugins.refused(), SizeIs(1));
+  EXPECT_EQ(plugins.refused().front().reason, "no licence for half-done");
+  EXPECT_EQ(plugins.refused().front().file.filename(), "test_plugin_failing.so");
+  EXPECT_THAT(plugins.planners().names(), Not(Contains("half-done")));
 }
 
-TEST(Extensions, PassOverFoldersThatAreMissingAndOtherFiles) {
+TEST(PluginManager, PassOverFoldersThatAreMissingAndOtherFiles) {
   const test::ScratchFolder scratch;
   std::ofstream(scratch.path() / "README.md") << "about plugins";
-  Extensions extensions;
-  extensions.load_plugins(scratch.path());
-  extensions.load_plugins(scratch.path() / "absent");
-  EXPECT_THAT(extensions.refused(), IsEmpty());
+  PluginManager plugins;
+  plugins.load_plugins(scratch.path());
+  plugins.load_plugins(scratch.path() / "absent");
+  EXPECT_THAT(plugins.refused(), IsEmpty());
 }
 
 /// A copy of a plugin, whose rights a test may change.
@@ -126,13 +126,13 @@ TEST_F(PluginsOfOthers, AreRefusedIfTheyBelongToAnotherUser) {
               HasSubstr(scratch_.path().string() + " belongs to another user"));
 }
 
-TEST(Extensions, TakeThePluginsOfTheProject) {
-  Extensions extensions;
-  extensions.load_plugins(HANDWAY_PLUGINS);
-  for (const RefusedPlugin& refused : extensions.refused()) {
+TEST(PluginManager, TakeThePluginsOfTheProject) {
+  PluginManager plugins;
+  plugins.load_plugins(HANDWAY_PLUGINS);
+  for (const RefusedPlugin& refused : plugins.refused()) {
     ADD_FAILURE() << refused.file << ": " << refused.reason;
   }
-  EXPECT_THAT(extensions.loaded(), Contains(testing::Field(&LoadedPlugin::name, "import_kautham")));
+  EXPECT_THAT(plugins.loaded(), Contains(testing::Field(&LoadedPlugin::name, "import_kautham")));
 }
 
 TEST(PluginDirectory, LiesBesideTheProgramsFolderUnlessTold) {

@@ -41,7 +41,7 @@ class LoadScene : public testing::Test {
   }
   std::string complaint(const std::filesystem::path& file) const {
     try {
-      static_cast<void>(load_scene(file, extensions_));
+      static_cast<void>(load_scene(file, plugins_));
     } catch (const geometric::InputError& error) {
       return error.what();
     }
@@ -49,7 +49,7 @@ class LoadScene : public testing::Test {
   }
 
   test::ScratchFolder scratch_;
-  Extensions extensions_;
+  PluginManager plugins_;
 };
 
 TEST_F(LoadScene, ReadsHandwayScenesWithTheirBasis) {
@@ -58,7 +58,7 @@ TEST_F(LoadScene, ReadsHandwayScenesWithTheirBasis) {
   const auto file = write("scene.yml",
                           "handway: 1\nrobots:\n  - model: lever.urdf\n"
                           "hand_basis: lever_basis.yaml\n");
-  const LoadedScene loaded = load_scene(file, extensions_);
+  const LoadedScene loaded = load_scene(file, plugins_);
   EXPECT_EQ(loaded.scene->robots.front().model->name(), "lever");
   ASSERT_TRUE(loaded.basis);
   EXPECT_EQ(loaded.basis->joints.front(), "swing");
@@ -72,7 +72,7 @@ TEST_F(LoadScene, NamesABasisThatIsMissing) {
 }
 
 TEST_F(LoadScene, PutsARobotIntoASceneOfItsOwn) {
-  const LoadedScene loaded = load_scene(write("lever.urdf", kRobot), extensions_);
+  const LoadedScene loaded = load_scene(write("lever.urdf", kRobot), plugins_);
   ASSERT_EQ(loaded.scene->robots.size(), 1U);
   EXPECT_EQ(loaded.scene->robots.front().name, "lever");
   EXPECT_EQ(loaded.scene->robots.front().configuration.size(), 1);
@@ -81,13 +81,13 @@ TEST_F(LoadScene, PutsARobotIntoASceneOfItsOwn) {
 }
 
 TEST_F(LoadScene, AsksTheImporters) {
-  extensions_.load_plugins(std::filesystem::path(TEST_PLUGINS) / "greeting");
-  EXPECT_EQ(load_scene(write("world.hello", ""), extensions_).scene->name, "hello world");
+  plugins_.load_plugins(std::filesystem::path(TEST_PLUGINS) / "greeting");
+  EXPECT_EQ(load_scene(write("world.hello", ""), plugins_).scene->name, "hello world");
 }
 
 TEST_F(LoadScene, NamesTheFormatsThereAreAndThePluginsThatFailed) {
-  extensions_.load_plugins(std::filesystem::path(TEST_PLUGINS) / "greeting");
-  extensions_.load_plugins(std::filesystem::path(TEST_PLUGINS) / "old_interface");
+  plugins_.load_plugins(std::filesystem::path(TEST_PLUGINS) / "greeting");
+  plugins_.load_plugins(std::filesystem::path(TEST_PLUGINS) / "old_interface");
   const std::string said = complaint(write("scene.doc", "?"));
   EXPECT_THAT(said, HasSubstr("Handway scene (.yaml), a robot (.urdf), greetings (.hello)"));
   EXPECT_THAT(said, HasSubstr("test_plugin_old_interface.so was not loaded: made for version " +
@@ -101,9 +101,9 @@ TEST_F(LoadScene, NamesAFileThatIsMissing) {
 
 TEST_F(LoadScene, MakesAProblemOfAReferenceFile) {
   HANDWAY_NEED_REFERENCE(reference);
-  extensions_.load_plugins(HANDWAY_PLUGINS);
+  plugins_.load_plugins(HANDWAY_PLUGINS);
   const LoadedScene loaded =
-      load_scene(reference / "auro/TX90_RHand_ICRA10_5PMD_TwoCanb_new.xml", extensions_);
+      load_scene(reference / "auro/TX90_RHand_ICRA10_5PMD_TwoCanb_new.xml", plugins_);
   const PlanningProblem problem = make_problem(loaded.scene, loaded.basis);
   EXPECT_EQ(problem.arm.size(), 6U);
   EXPECT_EQ(problem.hand.size(), 13U);

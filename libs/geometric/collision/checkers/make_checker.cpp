@@ -1,6 +1,6 @@
 #include "handway/geometric/collision/checkers/make_checker.h"
 
-#include "handway/geometric/collision/checkers/bounded_checker.h"
+#include "handway/geometric/collision/checkers/exact_collision_checker.h"
 #include "handway/geometric/collision/checkers/fcl_checker.h"
 
 #include <utility>
@@ -17,7 +17,7 @@ std::unique_ptr<CollisionChecker> make_collision_checker(
     case CheckerKind::kFast:
       break;
   }
-  return std::make_unique<BoundedChecker>(std::move(world), preparation);
+  return std::make_unique<ExactCollisionChecker>(std::move(world), preparation);
 }
 
 }  // namespace handway::geometric

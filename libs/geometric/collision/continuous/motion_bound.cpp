@@ -20,7 +20,7 @@ double slide(const RobotModel& model, int link) {
     return 0.0;
   }
   // A coupled slide goes where its leader's limits let it, whatever its own say.
-  const RobotModel::Drive& drive = model.drive(link);
+  const RobotModel::MimicMapping& drive = model.drive(link);
   return std::max(std::abs(drive.multiplier * model.lower()[drive.variable] + drive.offset),
                   std::abs(drive.multiplier * model.upper()[drive.variable] + drive.offset));
 }
@@ -175,7 +175,7 @@ void EdgeMotion::set_edge(const Configuration& delta) {
   travel_ = motion_->bounds(delta.cwiseAbs());
   most_ = motion_->pair_motions() > 0 ? travel_.head(motion_->pair_motions()).maxCoeff() : 0.0;
   for (int i = 1; i < model.link_count(); ++i) {
-    const RobotModel::Drive& drive = model.drive(i);
+    const RobotModel::MimicMapping& drive = model.drive(i);
     rates_[static_cast<std::size_t>(i)] =
         drive.variable < 0 ? 0.0 : drive.multiplier * delta[drive.variable];
   }

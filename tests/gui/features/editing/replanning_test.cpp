@@ -100,8 +100,8 @@ TEST_F(ReplanningLive, EndsWhenTheRobotIsMoved) {
 
 TEST(ProblemUpdate, GivesTheWorldOfTheChangedScene) {
   const SmallCell cell;
-  const planning::Extensions extensions;
-  const planning::LoadedScene loaded = planning::load_scene(cell.post(), extensions);
+  const planning::PluginManager plugins;
+  const planning::LoadedScene loaded = planning::load_scene(cell.post(), plugins);
   const planning::PlanningProblem before = planning::make_problem(loaded.scene, loaded.basis);
   gui::SceneState state{loaded.scene};
   geometric::SceneObject ball;
@@ -133,8 +133,8 @@ TEST(ProblemUpdate, GivesTheWorldOfTheChangedScene) {
 
 TEST(ProblemUpdate, KnowsConstraints) {
   const SmallCell cell;
-  const planning::Extensions extensions;
-  const planning::LoadedScene loaded = planning::load_scene(cell.post(), extensions);
+  const planning::PluginManager plugins;
+  const planning::LoadedScene loaded = planning::load_scene(cell.post(), plugins);
   const planning::PlanningProblem before = planning::make_problem(loaded.scene, loaded.basis);
   gui::SceneState state = gui::with_constraint(
       {loaded.scene},
@@ -154,8 +154,8 @@ TEST(ProblemUpdate, KnowsConstraints) {
 
 TEST(ProblemUpdate, KnowsWhatIsHollow) {
   const SmallCell cell;
-  const planning::Extensions extensions;
-  const planning::LoadedScene loaded = planning::load_scene(cell.post(), extensions);
+  const planning::PluginManager plugins;
+  const planning::LoadedScene loaded = planning::load_scene(cell.post(), plugins);
   const auto around = [&](bool solid) -> planning::LoadedScene {
     return {gui::with_changed_object({loaded.scene}, "post",
                                      [&](geometric::SceneObject& post) {

@@ -31,9 +31,9 @@ class ExportDialogTest : public WindowTest {
     }
     open(cell().post());
     plan();
-    auto extensions = std::make_shared<planning::Extensions>();
-    extensions->load_plugins(planning::plugin_directory());
-    dialog_ = new gui::ExportDialog(extensions, window().document(),
+    auto plugins = std::make_shared<planning::PluginManager>();
+    plugins->load_plugins(planning::plugin_directory());
+    dialog_ = new gui::ExportDialog(plugins, window().document(),
                                     window().player().timeline().path(), "Small cell", &window());
     dialog_->set_folder(QString::fromStdString((folder_.path() / "out").string()));
     dialog_->choose_format("csv");

@@ -143,7 +143,7 @@ TEST_F(PresetsInThePanel, OfSeveralWindowsAreAllKept) {
 TEST_F(PresetsInThePanel, InABrokenFileAreToldOfAndNotLost) {
   const std::string broken = "handway_presets: 1\npresets:\n  - planer: pmd-prm\n";
   write_presets(broken);
-  gui::MainWindow second(std::make_shared<planning::Extensions>());
+  gui::MainWindow second(std::make_shared<planning::PluginManager>());
   second.show();
   EXPECT_THAT(second.message().toStdString(), HasSubstr("presets.yaml:3"));
   gui::PresetBar& presets = *second.findChild<gui::PresetBar*>();
@@ -160,7 +160,7 @@ TEST_F(PresetsInThePanel, ThatDoNotFitThePlannerChangeNothing) {
   write_presets(
       "handway_presets: 1\npresets:\n  - planner: auto\n    name: Old\n"
       "    parameters: {smoothing_checks: 5, nonsense: 3}\n");
-  gui::MainWindow second(std::make_shared<planning::Extensions>());
+  gui::MainWindow second(std::make_shared<planning::PluginManager>());
   gui::PresetBar& presets = *second.findChild<gui::PresetBar*>();
   QSignalSpy failed(&presets, &gui::PresetBar::failed);
   auto* list = second.findChild<QComboBox*>(QStringLiteral("presets"));

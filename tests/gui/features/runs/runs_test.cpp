@@ -183,7 +183,7 @@ TEST_F(RunsInTheWindow, OfAnotherSceneAreNotListed) {
 
 TEST(Turning, IsTheSumOfTheAnglesAtWaypoints) {
   const SmallCell cell;
-  const auto scene = planning::load_scene(cell.post(), planning::Extensions()).scene;
+  const auto scene = planning::load_scene(cell.post(), planning::PluginManager()).scene;
   const geometric::RobotModel& model = *scene->robots.front().model;
   const geometric::Configuration q = scene->robots.front().configuration;
   planning::Path path;

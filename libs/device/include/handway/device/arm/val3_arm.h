@@ -1,7 +1,7 @@
 #pragma once
 
 #include "handway/device/core/joint_trajectory.h"
-#include "handway/device/core/motion_link.h"
+#include "handway/device/core/trajectory_client.h"
 #include "handway/device/export.h"
 
 #include <cstdint>
@@ -24,7 +24,7 @@ inline constexpr std::uint16_t kVal3MotionPort = 11000;
 /// joints' nominal velocities, from a queue of ten points. The motion's time is kept by
 /// sending points ahead by less than the queue holds, each with the share that takes it there in
 /// its time, and where the arm has to wait by sending the next point when the wait is over.
-class HANDWAY_DEVICE_EXPORT Val3Arm final : public MotionLink {
+class HANDWAY_DEVICE_EXPORT Val3Arm final : public TrajectoryClient {
  public:
   /// @param name for messages. @param port of motions.
   /// @param joints in the controller's order, with its nominal velocities; ten at most.

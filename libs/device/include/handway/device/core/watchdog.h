@@ -32,7 +32,7 @@ class Backlog {
 
 /// For how long a device has reported nothing to a program that listened. Time in which the program
 /// itself was held up, by a busy or sleeping computer, is not the device's silence.
-class Silence {
+class Watchdog {
  public:
   using Clock = std::chrono::steady_clock;
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "handway/device/core/joint_trajectory.h"
-#include "handway/device/core/motion_link.h"
+#include "handway/device/core/trajectory_client.h"
 #include "handway/device/export.h"
 
 #include <cstdint>
@@ -20,7 +20,7 @@ namespace handway::device {
 
 /// A hand behind a TCP port that speaks hand_protocol.h. It holds the whole motion and keeps
 /// its time itself.
-class HANDWAY_DEVICE_EXPORT NetworkHand final : public MotionLink {
+class HANDWAY_DEVICE_EXPORT NetworkHand final : public TrajectoryClient {
  public:
   /// @param name for messages. @param joints in the hand's order.
   NetworkHand(std::string name, std::string host, std::uint16_t port, JointRanges joints);

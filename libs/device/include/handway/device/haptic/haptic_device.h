@@ -66,7 +66,7 @@ class HANDWAY_DEVICE_EXPORT HapticDevice {
 
   std::string name_;
   HapticAbilities abilities_;
-  Silence silence_;
+  Watchdog watchdog_;
   Backlog backlog_;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "handway/device/core/motion_link.h"
+#include "handway/device/core/trajectory_client.h"
 #include "handway/device/export.h"
 #include "handway/device/ros/rosbridge.h"
 
@@ -38,7 +38,7 @@ inline constexpr const char* kRobotStatusTopic = "/robot_status";
 /// stretch takes the place of the last. Positions come from kJointStatesTopic, from one
 /// publisher or several. What kRobotStatusTopic reports (industrial_msgs/RobotStatus) is
 /// heeded if somebody publishes it: there is nothing that all robots tell.
-class HANDWAY_DEVICE_EXPORT RosRobot final : public MotionLink {
+class HANDWAY_DEVICE_EXPORT RosRobot final : public TrajectoryClient {
  public:
   /// @param name for messages. @param joints that the controller moves, by their names in ROS.
   RosRobot(std::string name, RosAddress address, JointRanges joints);

@@ -52,7 +52,8 @@ struct MotionOutcome {
   std::string collision;      ///< Why the scene's watch stopped it or did not let it start.
   double time = 0.0;          ///< s of the motion at the end.
   double stop_sent_ms = 0.0;  ///< From the request at most until STOP was sent to all devices.
-  device::MotionLink::Clock::time_point stop_sent;  ///< When they had been; unset if none was.
+  device::TrajectoryClient::Clock::time_point
+      stop_sent;             ///< When they had been; unset if none was.
   double at_rest_ms = -1.0;  ///< From there until all were measured at rest; -1: not seen.
   std::vector<FollowingError> errors;  ///< Of each target.
 };

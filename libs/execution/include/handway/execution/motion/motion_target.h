@@ -1,6 +1,6 @@
 #pragma once
 
-#include "handway/device/core/motion_link.h"
+#include "handway/device/core/trajectory_client.h"
 #include "handway/execution/export.h"
 #include "handway/planning/core/planning_problem.h"
 
@@ -17,7 +17,7 @@ inline constexpr const char* kWholeRobot = "robot";
 struct MotionTarget {
   std::string kind;            ///< "arm", "hand" or kWholeRobot
   std::vector<int> variables;  ///< The robot's variables that it moves, in its order.
-  std::unique_ptr<device::MotionLink> link;
+  std::unique_ptr<device::TrajectoryClient> link;
 };
 
 /// The variables of the robot's arm, hand or both, in the order in which the robot has them.

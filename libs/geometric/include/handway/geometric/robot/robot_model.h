@@ -40,7 +40,7 @@ struct ForwardKinematicsStep {
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
 };
 
-/// @param multiplier, offset the joint's value from its variable (RobotModel::Drive).
+/// @param multiplier, offset the joint's value from its variable (RobotModel::MimicMapping).
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT ForwardKinematicsStep forward_kinematics_step(
     const Joint& joint, int parent, int variable, double multiplier, double offset);
 
@@ -53,7 +53,7 @@ class HANDWAY_GEOMETRIC_EXPORT RobotModel {
  public:
   /// How a joint's value follows from a configuration:
   /// q_joint = multiplier * q[variable] + offset; variable < 0 for a fixed joint.
-  struct Drive {
+  struct MimicMapping {
     int variable = -1;
     double multiplier = 1.0;
     double offset = 0.0;
@@ -77,7 +77,7 @@ class HANDWAY_GEOMETRIC_EXPORT RobotModel {
   [[nodiscard]] const Joint& joint(int link) const {
     return description_.joints[static_cast<std::size_t>(link - 1)];
   }
-  [[nodiscard]] const Drive& drive(int link) const {
+  [[nodiscard]] const MimicMapping& drive(int link) const {
     return drives_[static_cast<std::size_t>(link)];
   }
   [[nodiscard]] std::optional<int> find_link(std::string_view name) const;
@@ -140,7 +140,7 @@ class HANDWAY_GEOMETRIC_EXPORT RobotModel {
 
   RobotDescription description_;
   std::vector<int> parents_;
-  std::vector<Drive> drives_;
+  std::vector<MimicMapping> drives_;
   std::vector<int> variable_links_;
   std::vector<ForwardKinematicsStep> steps_;  ///< One per joint, of link i at i - 1.
   Configuration lower_;

@@ -17,9 +17,9 @@ namespace handway::planning {
 class HANDWAY_PLANNING_EXPORT RunExecutor {
  public:
   /// Opens all problems.
-  /// @param extensions must outlive it.
+  /// @param plugins must outlive it.
   /// @throws InputError if one can't be read or has no start or goal.
-  RunExecutor(Campaign campaign, const Extensions& extensions);
+  RunExecutor(Campaign campaign, const PluginManager& plugins);
 
   /// Plans with checkers that remember nothing of other runs.
   /// @returns nothing if it was cancelled.
@@ -30,7 +30,7 @@ class HANDWAY_PLANNING_EXPORT RunExecutor {
 
  private:
   Campaign campaign_;
-  const Extensions& extensions_;
+  const PluginManager& plugins_;
   std::vector<PlanningProblem> problems_;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "handway/geometric/collision/continuous/edge_checker.h"
+#include "handway/geometric/collision/continuous/continuous_collision_checker.h"
 #include "handway/planning/core/path.h"
 #include "handway/planning/core/plan_result.h"
 #include "handway/planning/core/planning_problem.h"
@@ -78,7 +78,7 @@ class HANDWAY_PLANNING_EXPORT MotionValidator {
     std::vector<std::optional<geometric::EdgeResult>> results_;
   };
   [[nodiscard]] EdgeBatch edges(std::vector<Edge> edges);
-  /// @param most_checks as EdgeChecker::check(): an edge so close to something that
+  /// @param most_checks as ContinuousCollisionChecker::check(): an edge so close to something that
   /// more configurations would have to be looked at is refused.
   [[nodiscard]] bool edge_free(
       const Configuration& from, const Configuration& to,

@@ -21,7 +21,8 @@ struct PlanRequest {
   int threads = 1;  ///< ≥ 1; the result does not depend on it.
   double time_limit_s = std::numeric_limits<double>::infinity();
   double resolution_mm = 0.05;  ///< Edges closer than this to anything are refused.
-  /// What the robot keeps from all else, where the ends allow it; see EdgeChecker. ≥ 0.
+  /// What the robot keeps from all else, where the ends allow it; see ContinuousCollisionChecker. ≥
+  /// 0.
   double margin_mm = 0.0;
   double optimize_s = 0.0;  ///< Seconds to go on with optimising the path that was found.
 };
@@ -44,7 +45,8 @@ inline constexpr double kFarClearance = 0.05;
 /// clearance, in every checked pair.
 struct Certificate {
   double resolution_mm = 0.0;  ///< Along edges, pairs that move keep at least this; …
-  /// … but next to an end, where it is less, half of what they have there; see EdgeChecker.
+  /// … but next to an end, where it is less, half of what they have there; see
+  /// ContinuousCollisionChecker.
   double resolution_at_start_mm = 0.0;
   double resolution_at_goal_mm = 0.0;
   double min_clearance_mm = 0.0;  ///< A lower bound over the whole path, at most a fifth too low.

@@ -39,10 +39,10 @@ struct RefusedPlugin {
   std::string reason;
 };
 
-/// The extensions that a program has loaded, and the planners it knows.
-class HANDWAY_PLANNING_EXPORT Extensions {
+/// The plugins that a program has loaded, and the planners it knows.
+class HANDWAY_PLANNING_EXPORT PluginManager {
  public:
-  Extensions() = default;
+  PluginManager() = default;
 
   /// Loads every library of `directory` (none if it does not exist), in the order
   /// of their names. A file that is no plugin, is of another API version, bears
@@ -81,6 +81,6 @@ class HANDWAY_PLANNING_EXPORT Extensions {
 /// basis that the scene names is loaded too.
 /// @throws InputError if the file can't be read or is of no known format.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT LoadedScene load_scene(const std::filesystem::path& file,
-                                                             const Extensions& extensions);
+                                                             const PluginManager& plugins);
 
 }  // namespace handway::planning

@@ -3,7 +3,7 @@
 #include "handway/planning/core/planning_problem.h"
 #include "handway/planning/export.h"
 #include "handway/planning/timing/blended_path.h"
-#include "handway/planning/timing/rate_limits.h"
+#include "handway/planning/timing/kinematic_limits.h"
 #include "handway/planning/timing/trajectory.h"
 
 #include <memory>
@@ -18,7 +18,7 @@ struct Motion {
   std::shared_ptr<const geometric::RobotModel> model;
   std::vector<int> arm;                ///< Variables of the arm, in order.
   std::vector<int> hand;               ///< Variables of the hand, in order.
-  RateLimits limits;                   ///< Of the robot, at full speed.
+  JointKinematicLimits limits;         ///< Of the robot, at full speed.
   double speed = 1.0;                  ///< In (0, 1]: at what share of it the motion was timed.
   Path path;                           ///< The waypoints, …
   std::vector<double> waypoint_times;  ///< … and when they are passed, s; shape [waypoints].
@@ -30,7 +30,7 @@ struct TimingOptions {
   double period = 0.004;  ///< s between points; 4 ms is the cycle of a CS8 controller.
   BlendOptions blends;    ///< Their shape is of no account: it follows from limit_jerk.
   bool limit_jerk = false;
-  RateLimits limits;              ///< Of size 0: those of the robot.
+  JointKinematicLimits limits;    ///< Of size 0: those of the robot.
   Configuration measured_start;   ///< Of size 0: the start is not compared.
   double start_tolerance = 1e-3;  ///< rad or m, of that comparison.
 };

@@ -3,8 +3,8 @@
 #include "handway/geometric/robot/robot_model.h"
 #include "handway/planning/export.h"
 #include "handway/planning/timing/blended_path.h"
-#include "handway/planning/timing/rate_limits.h"
-#include "handway/planning/timing/time_law.h"
+#include "handway/planning/timing/kinematic_limits.h"
+#include "handway/planning/timing/time_parameterization.h"
 
 #include <string>
 #include <vector>
@@ -32,26 +32,28 @@ struct Trajectory {
 /// Where the motion is at `time`, which is clamped to the law's. At a join the earlier
 /// acceleration counts, at the very end rest.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT TrajectoryPoint point_at(const BlendedPath& path,
-                                                               const TimeLaw& law, double time);
+                                                               const TimeParameterization& law,
+                                                               double time);
 
 /// Samples at 0, period, 2 period, … up to the end, which is the path's to the bit. A law
 /// that does not end at a multiple of the period ends with a shorter step. A path
 /// without length gives two points in the same place.
 /// @throws std::invalid_argument if period is not above 0 or there would be more than
 /// 10 million points.
-[[nodiscard]] HANDWAY_PLANNING_EXPORT Trajectory sample(const BlendedPath& path, const TimeLaw& law,
+[[nodiscard]] HANDWAY_PLANNING_EXPORT Trajectory sample(const BlendedPath& path,
+                                                        const TimeParameterization& law,
                                                         double period);
 
 /// When the motion passes each waypoint of the path (the middle of its arc), s; shape
 /// [waypoints].
-[[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<double> waypoint_times(const BlendedPath& path,
-                                                                         const TimeLaw& law);
+[[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<double> waypoint_times(
+    const BlendedPath& path, const TimeParameterization& law);
 
 /// A time (s) below which no motion through the path's waypoints in straight lines can
 /// stay, whatever it does between: each joint alone, from rest to rest, from one of its turning
 /// points to the next, at its velocity and acceleration limits.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT double least_duration(const Path& path,
-                                                            const RateLimits& limits);
+                                                            const JointKinematicLimits& limits);
 
 /// Why a trajectory must not run.
 struct TrajectoryFault {
@@ -68,6 +70,7 @@ struct TrajectoryFault {
 /// is limited, as it follows from accelerations. Of each kind the first for each joint.
 /// @pre limits are of the model's shape.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<TrajectoryFault> check_trajectory(
-    const geometric::RobotModel& model, const Trajectory& trajectory, const RateLimits& limits);
+    const geometric::RobotModel& model, const Trajectory& trajectory,
+    const JointKinematicLimits& limits);
 
 }  // namespace handway::planning

@@ -16,8 +16,8 @@ struct CoveringSphere {
   double radius = 0.0;
 };
 
-/// What BoundedChecker asks about a body before it looks at triangles, for people to see; in the
-/// body's frame.
+/// What ExactCollisionChecker asks about a body before it looks at triangles, for people to see; in
+/// the body's frame.
 struct BoundingVolumes {
   /// Of the tree of spheres: together they contain the surface.
   std::vector<CoveringSphere> spheres;

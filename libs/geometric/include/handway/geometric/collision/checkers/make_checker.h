@@ -10,7 +10,7 @@ namespace handway::geometric {
 
 /// Checkers that give the same answers.
 enum class CheckerKind {
-  kFast,           ///< BoundedChecker.
+  kFast,           ///< ExactCollisionChecker.
   kFcl,            ///< FclChecker.
   kFclBroadphase,  ///< FclBroadphaseChecker.
 };

@@ -1,4 +1,4 @@
-#include "handway/geometric/collision/continuous/edge_checker.h"
+#include "handway/geometric/collision/continuous/continuous_collision_checker.h"
 
 #include <algorithm>
 #include <optional>
@@ -67,20 +67,22 @@ EdgeEnd make_edge_end(CollisionChecker& checker, const Configuration& q, double 
   return end;
 }
 
-EdgeChecker::EdgeChecker(CollisionChecker& checker, std::shared_ptr<const MotionBound> motion,
-                         double resolution)
+ContinuousCollisionChecker::ContinuousCollisionChecker(CollisionChecker& checker,
+                                                       std::shared_ptr<const MotionBound> motion,
+                                                       double resolution)
     : checker_(checker), bounds_(motion), motion_(std::move(motion)), resolution_(resolution) {}
 
-void EdgeChecker::set_ends(std::vector<EdgeEnd> ends) {
+void ContinuousCollisionChecker::set_ends(std::vector<EdgeEnd> ends) {
   ends_ = std::move(ends);
   std::erase_if(ends_, [](const EdgeEnd& end) { return end.near.empty(); });
 }
 
-double EdgeChecker::far_from_ends(int pair) const {
+double ContinuousCollisionChecker::far_from_ends(int pair) const {
   return margin_ > resolution_ && keeps_margin(checker_, pair) ? margin_ : resolution_;
 }
 
-double EdgeChecker::required(int pair, const Configuration& middle, double motion) const {
+double ContinuousCollisionChecker::required(int pair, const Configuration& middle,
+                                            double motion) const {
   double required = far_from_ends(pair);
   const double growth = required > resolution_ ? kMarginGrowth : kGrowth;
   for (const EdgeEnd& end : ends_) {
@@ -95,7 +97,7 @@ double EdgeChecker::required(int pair, const Configuration& middle, double motio
   return std::max(required, kLeastResolution);
 }
 
-std::optional<int> EdgeChecker::too_near(const Configuration& q) {
+std::optional<int> ContinuousCollisionChecker::too_near(const Configuration& q) {
   if (margin_ <= 0.0) {
     return std::nullopt;
   }
@@ -110,12 +112,12 @@ std::optional<int> EdgeChecker::too_near(const Configuration& q) {
   return too_near == pairs.end() ? std::nullopt : std::optional(*too_near);
 }
 
-bool EdgeChecker::is_stopped(std::uint64_t checks) const {
+bool ContinuousCollisionChecker::is_stopped(std::uint64_t checks) const {
   return stop_ && checks % kStopPeriod == 0 && stop_();
 }
 
-EdgeResult EdgeChecker::check(const Configuration& from, const Configuration& to,
-                              std::uint64_t most_checks) {
+EdgeResult ContinuousCollisionChecker::check(const Configuration& from, const Configuration& to,
+                                             std::uint64_t most_checks) {
   return search(from, to, most_checks, [&](std::vector<int>& pairs) {
     checker_.near_pairs(0.5 * motion_.most_over_edge() + std::max(resolution_, margin_), pairs);
     add_constraints(checker_.world(), pairs);
@@ -123,15 +125,17 @@ EdgeResult EdgeChecker::check(const Configuration& from, const Configuration& to
   });
 }
 
-EdgeResult EdgeChecker::check_among(std::span<const int> among, const Configuration& from,
-                                    const Configuration& to, std::uint64_t most_checks) {
+EdgeResult ContinuousCollisionChecker::check_among(std::span<const int> among,
+                                                   const Configuration& from,
+                                                   const Configuration& to,
+                                                   std::uint64_t most_checks) {
   return search(from, to, most_checks,
                 [&](std::vector<int>& pairs) { pairs.assign(among.begin(), among.end()); });
 }
 
-EdgeResult EdgeChecker::search(const Configuration& from, const Configuration& to,
-                               std::uint64_t most_checks,
-                               const std::function<void(std::vector<int>&)>& list_pairs) {
+EdgeResult ContinuousCollisionChecker::search(
+    const Configuration& from, const Configuration& to, std::uint64_t most_checks,
+    const std::function<void(std::vector<int>&)>& list_pairs) {
   const Configuration delta = to - from;
   motion_.set_edge(delta);
   EdgeResult result;
@@ -189,20 +193,20 @@ EdgeResult EdgeChecker::search(const Configuration& from, const Configuration& t
   return result;
 }
 
-bool EdgeChecker::is_out_of_reach(int pair, double distance) {
+bool ContinuousCollisionChecker::is_out_of_reach(int pair, double distance) {
   const MotionBound::PairFrame& frame = bounds_->pair_frame(pair);
   const double size =
       bounds_->ball(frame.a).radius + (frame.b_moves ? bounds_->ball(frame.b).radius : 0.0);
   return distance > checker_.pair_quick_bound(pair) + kLikelyGain * size;
 }
 
-Closeness EdgeChecker::closeness_of_spheres(int pair) {
+Closeness ContinuousCollisionChecker::closeness_of_spheres(int pair) {
   return checker_.pair_quick_bound(pair) <= 0.0 && checker_.pair_collides(pair)
              ? Closeness::kTouching
              : Closeness::kCloser;
 }
 
-Closeness EdgeChecker::closeness_within(int pair, double need, double required) {
+Closeness ContinuousCollisionChecker::closeness_within(int pair, double need, double required) {
   const double tolerance = need + required;
   if (need + std::min(required, resolution_) <= kWorthExact) {
     return checker_.pair_closeness(pair, tolerance);
@@ -214,7 +218,7 @@ Closeness EdgeChecker::closeness_within(int pair, double need, double required) 
   return bound <= 0.0 && checker_.pair_collides(pair) ? Closeness::kTouching : Closeness::kCloser;
 }
 
-struct EdgeChecker::Clearance {
+struct ContinuousCollisionChecker::Clearance {
   double tolerance;  ///< m, or …
   double share;      ///< … of the least distance: how far below it the answer may be.
   double at_most;    ///< m: a distance that there is, or what is asked for.
@@ -241,8 +245,8 @@ struct EdgeChecker::Clearance {
   }
 };
 
-NamedPair EdgeChecker::clearance(const Configuration& from, const Configuration& to, double enough,
-                                 double tolerance, double share) {
+NamedPair ContinuousCollisionChecker::clearance(const Configuration& from, const Configuration& to,
+                                                double enough, double tolerance, double share) {
   const Configuration delta = to - from;
   motion_.set_edge(delta);
   Clearance found{tolerance, share, enough, enough};
@@ -276,7 +280,7 @@ NamedPair EdgeChecker::clearance(const Configuration& from, const Configuration&
   return found.pair ? named_pair(checker_.world(), *found.pair, least) : NamedPair{"", "", least};
 }
 
-void EdgeChecker::look_at_end(const Configuration& q, Clearance& found) {
+void ContinuousCollisionChecker::look_at_end(const Configuration& q, Clearance& found) {
   checker_.place(q);
   std::vector<int> near;
   checker_.near_pairs_closest_first(found.at_most, near);
@@ -286,7 +290,7 @@ void EdgeChecker::look_at_end(const Configuration& q, Clearance& found) {
   }
 }
 
-bool EdgeChecker::settle(int pair, double half, Clearance& found) {
+bool ContinuousCollisionChecker::settle(int pair, double half, Clearance& found) {
   if (checker_.pair_quick_bound(pair) >= found.at_most + motion_.over_edge(pair) * half) {
     return true;
   }

@@ -1,4 +1,4 @@
-#include "handway/planning/timing/time_law.h"
+#include "handway/planning/timing/time_parameterization.h"
 
 #include "handway/planning/timing/trajectory.h"
 
@@ -15,7 +15,8 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector4d;
 
-RateLimits rate_limits(const Eigen::VectorXd& velocity, const Eigen::VectorXd& acceleration) {
+JointKinematicLimits rate_limits(const Eigen::VectorXd& velocity,
+                                 const Eigen::VectorXd& acceleration) {
   return {velocity, acceleration};
 }
 
@@ -23,12 +24,13 @@ BlendedPath blended(const Path& path, double deviation) {
   return {path, std::vector<double>(path.waypoints.size(), deviation)};
 }
 
-double duration(const Path& path, double deviation, const RateLimits& rates) {
+double duration(const Path& path, double deviation, const JointKinematicLimits& rates) {
   return time_optimal(blended(path, deviation), rates).duration();
 }
 
 /// Largest share of a limit that the motion reaches, between knots too.
-double largest_share(const BlendedPath& path, const TimeLaw& law, const RateLimits& rates) {
+double largest_share(const BlendedPath& path, const TimeParameterization& law,
+                     const JointKinematicLimits& rates) {
   double share = 0.0;
   constexpr int kSamples = 20000;
   for (int i = 1; i < kSamples; ++i) {
@@ -41,19 +43,19 @@ double largest_share(const BlendedPath& path, const TimeLaw& law, const RateLimi
 }
 
 // Closed forms: a triangle of speed, and a trapezium.
-TEST(TimeLaw, TakesAStraightLineAsFastAsThereIs) {
-  const RateLimits rates = rate_limits(Vector2d(2, 10), Vector2d(1, 10));
+TEST(TimeParameterization, TakesAStraightLineAsFastAsThereIs) {
+  const JointKinematicLimits rates = rate_limits(Vector2d(2, 10), Vector2d(1, 10));
   EXPECT_NEAR(duration({{Vector2d(0, 0), Vector2d(1, 1)}}, 0, rates), 2.0, 1e-5);
   EXPECT_NEAR(duration({{Vector2d(0, 0), Vector2d(10, 1)}}, 0, rates), 10 / 2.0 + 2, 1e-5);
 }
 
-TEST(TimeLaw, AddsUpStraightLinesWhereItStops) {
-  const RateLimits rates = rate_limits(Vector2d(2, 2), Vector2d(1, 1));
+TEST(TimeParameterization, AddsUpStraightLinesWhereItStops) {
+  const JointKinematicLimits rates = rate_limits(Vector2d(2, 2), Vector2d(1, 1));
   EXPECT_NEAR(duration({{Vector2d(0, 0), Vector2d(1, 0), Vector2d(1, 1)}}, 0, rates), 4.0, 1e-5);
 }
 
-TEST(TimeLaw, PassesWaypointsOnALineWithoutSlowingDown) {
-  const RateLimits rates = rate_limits(Vector2d(2, 2), Vector2d(1, 1));
+TEST(TimeParameterization, PassesWaypointsOnALineWithoutSlowingDown) {
+  const JointKinematicLimits rates = rate_limits(Vector2d(2, 2), Vector2d(1, 1));
   EXPECT_NEAR(duration({{Vector2d(0, 0), Vector2d(0.3, 0.3), Vector2d(1, 1)}}, 0, rates), 2.0,
               1e-4);
 }
@@ -61,7 +63,7 @@ TEST(TimeLaw, PassesWaypointsOnALineWithoutSlowingDown) {
 // Waypoints, rate_limits and durations of the tests that Kunz and Stilman's own
 // implementation (2012) comes with, in encoder counts. Theirs steps through
 // the phase plane in fixed times; the durations are of steps of 10 and 0.001 s.
-TEST(TimeLaw, AgreesWithTheAuthorsImplementation) {
+TEST(TimeParameterization, AgreesWithTheAuthorsImplementation) {
   const Path line = {{Vector4d(1424.0, 984.999694824219, 2126.0, 0.0),
                       Vector4d(1423.0, 985.000244140625, 2126.0, 0.0)}};
   const Eigen::VectorXd velocity = Vector4d(1.3, 0.67, 0.67, 0.5);
@@ -75,9 +77,9 @@ TEST(TimeLaw, AgreesWithTheAuthorsImplementation) {
   EXPECT_LT(took, 1922.1418427445944);
 }
 
-TEST(TimeLaw, IsFasterWithArcsThanWithStops) {
+TEST(TimeParameterization, IsFasterWithArcsThanWithStops) {
   const Path path = {{Vector2d(0, 0), Vector2d(1, 0), Vector2d(1, 1), Vector2d(2, 1)}};
-  const RateLimits rates = rate_limits(Vector2d(2, 2), Vector2d(4, 4));
+  const JointKinematicLimits rates = rate_limits(Vector2d(2, 2), Vector2d(4, 4));
   double last = duration(path, 0.0, rates);
   for (const double deviation : {0.001, 0.01, 0.05, 0.1}) {
     const double took = duration(path, deviation, rates);
@@ -87,7 +89,7 @@ TEST(TimeLaw, IsFasterWithArcsThanWithStops) {
   EXPECT_GE(last, least_duration(path, rates));
 }
 
-TEST(TimeLaw, NeverExceedsALimitOnAnyOfManyPaths) {
+TEST(TimeParameterization, NeverExceedsALimitOnAnyOfManyPaths) {
   std::mt19937_64 random(7);
   std::uniform_real_distribution<double> value(-1.0, 1.0);
   for (int run = 0; run < 30; ++run) {
@@ -97,12 +99,12 @@ TEST(TimeLaw, NeverExceedsALimitOnAnyOfManyPaths) {
       path.waypoints.emplace_back(
           Eigen::VectorXd::NullaryExpr(joints, [&] { return value(random); }));
     }
-    RateLimits rates;
+    JointKinematicLimits rates;
     rates.velocity = Eigen::VectorXd::NullaryExpr(joints, [&] { return 2.0 + value(random); });
     rates.acceleration =
         Eigen::VectorXd::NullaryExpr(joints, [&] { return 6.0 + 4 * value(random); });
     const BlendedPath smooth = blended(path, 0.02 * (run % 4));
-    const TimeLaw law = time_optimal(smooth, rates);
+    const TimeParameterization law = time_optimal(smooth, rates);
     const double share = largest_share(smooth, law, rates);
     EXPECT_LT(share, 1.0 + 1e-4) << run;
     EXPECT_GT(share, 0.95) << run << ": something has to be at its limit";
@@ -112,17 +114,18 @@ TEST(TimeLaw, NeverExceedsALimitOnAnyOfManyPaths) {
   }
 }
 
-TEST(TimeLaw, RunsTheSameMotionSlower) {
+TEST(TimeParameterization, RunsTheSameMotionSlower) {
   const Path path = {{Vector2d(0, 0), Vector2d(1, 0), Vector2d(1, 1)}};
-  const RateLimits rates = rate_limits(Vector2d(2, 2), Vector2d(4, 4));
+  const JointKinematicLimits rates = rate_limits(Vector2d(2, 2), Vector2d(4, 4));
   EXPECT_NEAR(duration(path, 0.1, rates.at_speed(0.25)), 4.0 * duration(path, 0.1, rates), 1e-9);
 }
 
-TEST(TimeLaw, BringsStopsToMultiplesOfThePeriod) {
+TEST(TimeParameterization, BringsStopsToMultiplesOfThePeriod) {
   const Path path = {{Vector2d(0, 0), Vector2d(1, 0), Vector2d(1, 0.7), Vector2d(2, 0.7)}};
   const BlendedPath corners = blended(path, 0.0);
-  const TimeLaw fast = time_optimal(corners, rate_limits(Vector2d(2, 2), Vector2d(4, 4)));
-  const TimeLaw law = align_stops(fast, 0.004);
+  const TimeParameterization fast =
+      time_optimal(corners, rate_limits(Vector2d(2, 2), Vector2d(4, 4)));
+  const TimeParameterization law = align_stops(fast, 0.004);
   int stops = 0;
   for (std::size_t k = 0; k < law.knots.size(); ++k) {
     if (law.knots[k].speed == 0.0) {
@@ -139,9 +142,9 @@ TEST(TimeLaw, BringsStopsToMultiplesOfThePeriod) {
   }
 }
 
-TEST(TimeLaw, OfAPathWithoutLengthIsEmpty) {
+TEST(TimeParameterization, OfAPathWithoutLengthIsEmpty) {
   const BlendedPath path = blended({{Vector2d(1, 2), Vector2d(1, 2)}}, 0.1);
-  const TimeLaw law = time_optimal(path, rate_limits(Vector2d(1, 1), Vector2d(1, 1)));
+  const TimeParameterization law = time_optimal(path, rate_limits(Vector2d(1, 1), Vector2d(1, 1)));
   EXPECT_EQ(law.duration(), 0.0);
   const Trajectory still = sample(path, align_stops(law, 0.01), 0.01);
   ASSERT_EQ(still.points.size(), 2U);
@@ -152,7 +155,7 @@ TEST(TimeLaw, OfAPathWithoutLengthIsEmpty) {
 TEST(Trajectory, BeginsAndEndsAtRestAtTheEndsOfThePath) {
   const Path path = {{Vector2d(0.1, 0.2), Vector2d(1, 0), Vector2d(1.1, 1.3)}};
   const BlendedPath smooth = blended(path, 0.1);
-  const TimeLaw law =
+  const TimeParameterization law =
       align_stops(time_optimal(smooth, rate_limits(Vector2d(2, 2), Vector2d(4, 4))), 0.004);
   const Trajectory trajectory = sample(smooth, law, 0.004);
   EXPECT_EQ(trajectory.points.front().position, path.waypoints.front()) << "to the bit";
@@ -167,7 +170,8 @@ TEST(Trajectory, BeginsAndEndsAtRestAtTheEndsOfThePath) {
 TEST(Trajectory, HasTheVelocitiesOfItsPositions) {
   const Path path = {{Vector2d(0, 0), Vector2d(1, 0), Vector2d(1, 1)}};
   const BlendedPath smooth = blended(path, 0.1);
-  const TimeLaw law = time_optimal(smooth, rate_limits(Vector2d(2, 2), Vector2d(4, 4)));
+  const TimeParameterization law =
+      time_optimal(smooth, rate_limits(Vector2d(2, 2), Vector2d(4, 4)));
   const Trajectory trajectory = sample(smooth, law, 0.001);
   for (std::size_t i = 1; i + 1 < trajectory.points.size(); ++i) {
     const TrajectoryPoint& a = trajectory.points[i - 1];
@@ -179,13 +183,13 @@ TEST(Trajectory, HasTheVelocitiesOfItsPositions) {
 
 TEST(Trajectory, RefusesAPeriodThatIsNone) {
   const BlendedPath path = blended({{Vector2d(0, 0), Vector2d(1, 2)}}, 0.1);
-  const TimeLaw law = time_optimal(path, rate_limits(Vector2d(1, 1), Vector2d(1, 1)));
+  const TimeParameterization law = time_optimal(path, rate_limits(Vector2d(1, 1), Vector2d(1, 1)));
   EXPECT_THROW(static_cast<void>(sample(path, law, 0.0)), std::invalid_argument);
   EXPECT_THROW(static_cast<void>(sample(path, law, 1e-9)), std::invalid_argument);
 }
 
 TEST(LeastDuration, CountsEveryTurnOfAJoint) {
-  const RateLimits rates = rate_limits(Vector2d(10, 10), Vector2d(1, 1));
+  const JointKinematicLimits rates = rate_limits(Vector2d(10, 10), Vector2d(1, 1));
   EXPECT_NEAR(least_duration({{Vector2d(0, 0), Vector2d(1, 0)}}, rates), 2.0, 1e-12);
   EXPECT_NEAR(least_duration({{Vector2d(0, 0), Vector2d(1, 0), Vector2d(0, 5)}}, rates), 4.472,
               1e-3);

@@ -1,4 +1,4 @@
-#include "handway/geometric/collision/checkers/bounded_checker.h"
+#include "handway/geometric/collision/checkers/exact_collision_checker.h"
 
 #include "collision/broad_phase/broad_phase.h"
 #include "collision/broad_phase/oriented_boxes.h"
@@ -25,7 +25,7 @@ constexpr float kTiny = 0.4F;           // of the other body's size
 
 }  // namespace
 
-struct BoundedChecker::Volumes {
+struct ExactCollisionChecker::Volumes {
   Volumes(const CollisionWorld& world, const Preparation& preparation)
       : exact(world), boxes(world) {
     std::vector<std::shared_ptr<const TriangleMesh>> meshes;
@@ -76,12 +76,12 @@ struct BoundedChecker::Volumes {
 };
 
 /// A pair that the quick test does not settle; the deeper, the likelier it touches.
-struct BoundedChecker::UndecidedPair {
+struct ExactCollisionChecker::UndecidedPair {
   float relative_distance;
   int pair;
 };
 
-struct BoundedChecker::Scratch {
+struct ExactCollisionChecker::Scratch {
   explicit Scratch(const Volumes& volumes)
       : placement(volumes.broad_phase->placement()), axes(volumes.boxes.last_axes()) {}
 
@@ -92,30 +92,32 @@ struct BoundedChecker::Scratch {
   std::vector<UndecidedPair> undecided;
 };
 
-BoundedChecker::BoundedChecker(std::shared_ptr<const CollisionWorld> world,
-                               const Preparation& preparation)
+ExactCollisionChecker::ExactCollisionChecker(std::shared_ptr<const CollisionWorld> world,
+                                             const Preparation& preparation)
     : CollisionChecker(std::move(world)),
       volumes_(std::make_shared<const Volumes>(CollisionChecker::world(), preparation)),
       scratch_(std::make_unique<Scratch>(*volumes_)) {}
 
-BoundedChecker::~BoundedChecker() = default;
+ExactCollisionChecker::~ExactCollisionChecker() = default;
 
-BoundedChecker::BoundedChecker(const BoundedChecker& other)
+ExactCollisionChecker::ExactCollisionChecker(const ExactCollisionChecker& other)
     : CollisionChecker(other),
       volumes_(other.volumes_),
       scratch_(std::make_unique<Scratch>(*volumes_)) {}
 
-std::unique_ptr<CollisionChecker> BoundedChecker::clone() const {
-  return std::unique_ptr<CollisionChecker>(new BoundedChecker(*this));
+std::unique_ptr<CollisionChecker> ExactCollisionChecker::clone() const {
+  return std::unique_ptr<CollisionChecker>(new ExactCollisionChecker(*this));
 }
 
-void BoundedChecker::do_place() { volumes_->broad_phase->place(body_poses(), scratch_->placement); }
+void ExactCollisionChecker::do_place() {
+  volumes_->broad_phase->place(body_poses(), scratch_->placement);
+}
 
-void BoundedChecker::do_near_pairs(double distance, std::vector<int>& pairs) {
+void ExactCollisionChecker::do_near_pairs(double distance, std::vector<int>& pairs) {
   volumes_->broad_phase->find_near(scratch_->placement, distance, pairs);
 }
 
-void BoundedChecker::do_closest_first(double distance, std::vector<int>& pairs) {
+void ExactCollisionChecker::do_closest_first(double distance, std::vector<int>& pairs) {
   std::vector<std::pair<double, int>> bounds;
   bounds.reserve(pairs.size());
   for (const int pair : pairs) {
@@ -125,7 +127,7 @@ void BoundedChecker::do_closest_first(double distance, std::vector<int>& pairs) 
   std::ranges::transform(bounds, pairs.begin(), &std::pair<double, int>::second);
 }
 
-std::optional<int> BoundedChecker::do_first_collision(int hint) {
+std::optional<int> ExactCollisionChecker::do_first_collision(int hint) {
   std::vector<UndecidedPair>& undecided = scratch_->undecided;
   undecided.clear();
   if (volumes_->broad_phase->bound(scratch_->placement, hint) < kTouch && touches_quickly(hint)) {
@@ -147,7 +149,7 @@ std::optional<int> BoundedChecker::do_first_collision(int hint) {
   return touching == undecided.end() ? std::nullopt : std::optional(touching->pair);
 }
 
-bool BoundedChecker::touches_quickly(int pair) {
+bool ExactCollisionChecker::touches_quickly(int pair) {
   count_pair_collision();
   if (is_separated(pair, kTouch)) {
     return false;
@@ -161,7 +163,7 @@ bool BoundedChecker::touches_quickly(int pair) {
   return seen == Closeness::kTouching || is_contained(pair, surfaces);
 }
 
-NarrowPhaseQuery BoundedChecker::query(int pair, std::span<const Pose> X_WBody) {
+NarrowPhaseQuery ExactCollisionChecker::query(int pair, std::span<const Pose> X_WBody) {
   const BodyPair& bodies = volumes_->pairs[static_cast<std::size_t>(pair)];
   const auto a = static_cast<std::size_t>(bodies.a);
   const auto b = static_cast<std::size_t>(bodies.b);
@@ -169,7 +171,7 @@ NarrowPhaseQuery BoundedChecker::query(int pair, std::span<const Pose> X_WBody) 
           scratch_->triangles};
 }
 
-double BoundedChecker::cached_distance(int pair) {
+double ExactCollisionChecker::cached_distance(int pair) {
   const DistanceTable* table = volumes_->distances->table(pair);
   if (!table) {
     return 0.0;
@@ -189,37 +191,37 @@ double BoundedChecker::cached_distance(int pair) {
   });
 }
 
-bool BoundedChecker::touches(int pair) const {
+bool ExactCollisionChecker::touches(int pair) const {
   const BodyPair& bodies = volumes_->pairs[static_cast<std::size_t>(pair)];
   return volumes_->exact.collide(bodies.a, body_poses()[static_cast<std::size_t>(bodies.a)],
                                  bodies.b, body_poses()[static_cast<std::size_t>(bodies.b)]);
 }
 
-bool BoundedChecker::do_pair_collides(int pair) {
+bool ExactCollisionChecker::do_pair_collides(int pair) {
   return do_pair_closeness(pair, kTouch) == Closeness::kTouching;
 }
 
-Closeness BoundedChecker::do_pair_closeness(int pair, double tolerance) {
+Closeness ExactCollisionChecker::do_pair_closeness(int pair, double tolerance) {
   return volumes_->broad_phase->bound(scratch_->placement, pair) >= tolerance
              ? Closeness::kFarther
              : nearby_closeness(pair, tolerance);
 }
 
-bool BoundedChecker::boxes_are_apart(int pair, double distance) {
+bool ExactCollisionChecker::boxes_are_apart(int pair, double distance) {
   return volumes_->broad_phase->both_move(pair) &&
          volumes_->boxes.are_apart(pair, body_poses(), distance, scratch_->axes);
 }
 
-bool BoundedChecker::is_separated(int pair, double distance) {
+bool ExactCollisionChecker::is_separated(int pair, double distance) {
   return cached_distance(pair) >= distance || boxes_are_apart(pair, distance);
 }
 
-Closeness BoundedChecker::nearby_closeness(int pair, double tolerance) {
+Closeness ExactCollisionChecker::nearby_closeness(int pair, double tolerance) {
   return is_separated(pair, std::max(tolerance, kTouch)) ? Closeness::kFarther
                                                          : exact_closeness(pair, tolerance);
 }
 
-Closeness BoundedChecker::exact_closeness(int pair, double tolerance) {
+Closeness ExactCollisionChecker::exact_closeness(int pair, double tolerance) {
   NarrowPhaseQuery surfaces = query(pair, body_poses());
   const Closeness closeness = surfaces.closeness(tolerance);
   if (surfaces.was_exact()) {
@@ -235,18 +237,18 @@ Closeness BoundedChecker::exact_closeness(int pair, double tolerance) {
   return doubtful ? Closeness::kCloser : closeness;
 }
 
-bool BoundedChecker::is_contained(int pair, const NarrowPhaseQuery& surfaces) const {
+bool ExactCollisionChecker::is_contained(int pair, const NarrowPhaseQuery& surfaces) const {
   // Boxes are outside of the pieces of all shapes together; those of several may overlap.
   const BodyPair& bodies = volumes_->pairs[static_cast<std::size_t>(pair)];
   const bool kept_outside = surfaces.is_outside() && world().body(bodies.b).solids->is_one_shape;
   return !surfaces.hulls_are_apart() && !kept_outside && pair_is_contained(pair);
 }
 
-double BoundedChecker::do_pair_quick_bound(int pair) {
+double ExactCollisionChecker::do_pair_quick_bound(int pair) {
   return std::max(0.0, volumes_->broad_phase->bound(scratch_->placement, pair));
 }
 
-double BoundedChecker::do_pair_bound(int pair, double enough) {
+double ExactCollisionChecker::do_pair_bound(int pair, double enough) {
   if (volumes_->broad_phase->bound(scratch_->placement, pair) >= enough ||
       boxes_are_apart(pair, enough)) {
     return enough;
@@ -259,11 +261,11 @@ double BoundedChecker::do_pair_bound(int pair, double enough) {
   return least >= enough ? least : std::min(enough, std::max(least, cached_distance(pair)));
 }
 
-double BoundedChecker::do_pair_distance(int pair, double enough) {
+double ExactCollisionChecker::do_pair_distance(int pair, double enough) {
   return std::min(enough, do_pair_distance_range(pair, enough, 0.0).upper);
 }
 
-DistanceRange BoundedChecker::do_pair_distance_range(int pair, double enough, double share) {
+DistanceRange ExactCollisionChecker::do_pair_distance_range(int pair, double enough, double share) {
   if (volumes_->broad_phase->bound(scratch_->placement, pair) >= enough ||
       boxes_are_apart(pair, enough)) {
     return {enough};

@@ -8,10 +8,10 @@ namespace {
 
 using std::chrono::milliseconds;
 
-const Silence::Clock::time_point kBegin{};
+const Watchdog::Clock::time_point kBegin{};
 
-TEST(Silence, LastsWhileTheProgramListens) {
-  Silence silence;
+TEST(Watchdog, LastsWhileTheProgramListens) {
+  Watchdog silence;
   silence.heard(kBegin);
   for (int ms = 2; ms < 300; ms += 2) {
     silence.listened(kBegin + milliseconds(ms));
@@ -19,16 +19,16 @@ TEST(Silence, LastsWhileTheProgramListens) {
   EXPECT_EQ(silence.listened(kBegin + milliseconds(300)), milliseconds(300));
 }
 
-TEST(Silence, EndsWithAWord) {
-  Silence silence;
+TEST(Watchdog, EndsWithAWord) {
+  Watchdog silence;
   silence.heard(kBegin);
   silence.listened(kBegin + milliseconds(10));
   silence.heard(kBegin + milliseconds(12));
   EXPECT_EQ(silence.listened(kBegin + milliseconds(14)), milliseconds(2));
 }
 
-TEST(Silence, IsNotTheDevicesWhileTheProgramIsHeldUp) {
-  Silence silence;
+TEST(Watchdog, IsNotTheDevicesWhileTheProgramIsHeldUp) {
+  Watchdog silence;
   silence.heard(kBegin);
   EXPECT_LE(silence.listened(kBegin + milliseconds(3000)), milliseconds(20));
   EXPECT_LE(silence.listened(kBegin + milliseconds(3002)), milliseconds(22));

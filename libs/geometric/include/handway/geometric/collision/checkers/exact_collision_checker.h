@@ -15,12 +15,12 @@ class NarrowPhaseQuery;
 /// The everyday checker: the answers of FclChecker, most of them from bounding
 /// spheres or remembered distances alone, the rest from the triangles that are
 /// closer than what was asked for. Only what seems to touch goes to FCL.
-class HANDWAY_GEOMETRIC_EXPORT BoundedChecker final : public CollisionChecker {
+class HANDWAY_GEOMETRIC_EXPORT ExactCollisionChecker final : public CollisionChecker {
  public:
   /// @throws PreparationStopped where `preparation` asks for it.
-  explicit BoundedChecker(std::shared_ptr<const CollisionWorld> world,
-                          const Preparation& preparation = {});
-  ~BoundedChecker() override;
+  explicit ExactCollisionChecker(std::shared_ptr<const CollisionWorld> world,
+                                 const Preparation& preparation = {});
+  ~ExactCollisionChecker() override;
 
   [[nodiscard]] std::unique_ptr<CollisionChecker> clone() const override;
 
@@ -29,7 +29,7 @@ class HANDWAY_GEOMETRIC_EXPORT BoundedChecker final : public CollisionChecker {
   struct Scratch;  // of one thread
   struct UndecidedPair;
 
-  BoundedChecker(const BoundedChecker& other);
+  ExactCollisionChecker(const ExactCollisionChecker& other);
   void do_place() override;
   [[nodiscard]] bool do_pair_collides(int pair) override;
   [[nodiscard]] double do_pair_distance(int pair, double enough) override;

@@ -21,7 +21,7 @@ enum class MotionPhase {
   kPaused,   ///< Held; resume() goes on.
   kDone,     ///< At its end.
   kStopped,  ///< Ended by stop().
-  kFailed,   ///< Ended by a fault; see MotionLink::fault().
+  kFailed,   ///< Ended by a fault; see TrajectoryClient::fault().
 };
 
 /// What a device said last.
@@ -47,13 +47,13 @@ struct MotionTolerances {
 /// words.
 ///
 /// The public functions check; derived classes speak the device's protocol.
-class HANDWAY_DEVICE_EXPORT MotionLink {
+class HANDWAY_DEVICE_EXPORT TrajectoryClient {
  public:
   using Clock = std::chrono::steady_clock;
 
-  virtual ~MotionLink() = default;
-  MotionLink(const MotionLink&) = delete;
-  MotionLink& operator=(const MotionLink&) = delete;
+  virtual ~TrajectoryClient() = default;
+  TrajectoryClient(const TrajectoryClient&) = delete;
+  TrajectoryClient& operator=(const TrajectoryClient&) = delete;
 
   /// The device as the user wrote it: "arm://localhost:11000".
   [[nodiscard]] const std::string& name() const { return name_; }
@@ -99,7 +99,7 @@ class HANDWAY_DEVICE_EXPORT MotionLink {
   [[nodiscard]] const JointTrajectory& trajectory() const { return trajectory_; }
 
  protected:
-  MotionLink(std::string name, JointRanges joints);
+  TrajectoryClient(std::string name, JointRanges joints);
 
   /// For derived classes: positions came. @pre shape [joints].
   void add_sample(const Eigen::VectorXd& position);
@@ -131,7 +131,7 @@ class HANDWAY_DEVICE_EXPORT MotionLink {
   MotionPhase phase_ = MotionPhase::kIdle;
   std::string fault_;
   MeasuredJoints measured_;
-  Silence silence_;
+  Watchdog watchdog_;
   Backlog backlog_;
   std::uint64_t samples_seen_ = 0;
   JointTrajectory trajectory_;

@@ -1,4 +1,4 @@
-#include "handway/geometric/collision/continuous/edge_checker.h"
+#include "handway/geometric/collision/continuous/continuous_collision_checker.h"
 
 #include "../robot/random_configurations.h"
 #include "edge_judge.h"
@@ -46,7 +46,7 @@ std::vector<std::pair<Configuration, Configuration>> short_edges(EdgeJudge& judg
   return edges;
 }
 
-TEST(EdgeChecker, SeesAThinPlateBetweenSamples) {
+TEST(ContinuousCollisionChecker, SeesAThinPlateBetweenSamples) {
   Scene scene = sliding_finger();
   add_object(scene, "plate", Box{{0.0001, 0.3, 0.3}}, Eigen::Vector3d(0.0313, 0, 0));
   EdgeJudge judge(scene);
@@ -60,7 +60,7 @@ TEST(EdgeChecker, SeesAThinPlateBetweenSamples) {
                                             result.at * (to - Eigen::Vector3d(-0.2, 0, 0))));
 }
 
-TEST(EdgeChecker, SeesAWireBetweenSamples) {
+TEST(ContinuousCollisionChecker, SeesAWireBetweenSamples) {
   // Wires across the way at many places, so that none profits from where halving lands.
   for (int i = 0; i < 60; ++i) {
     Scene scene = sliding_finger();
@@ -74,7 +74,7 @@ TEST(EdgeChecker, SeesAWireBetweenSamples) {
   }
 }
 
-TEST(EdgeChecker, PassesAGapThatAFingerFits) {
+TEST(ContinuousCollisionChecker, PassesAGapThatAFingerFits) {
   for (const double play : {0.0002, 0.001, 0.01}) {
     Scene scene = sliding_finger();
     const double y = 0.5 * (0.016 + play + 0.0001);
@@ -86,7 +86,7 @@ TEST(EdgeChecker, PassesAGapThatAFingerFits) {
   }
 }
 
-TEST(EdgeChecker, RefusesAGapThatAFingerDoesNotFit) {
+TEST(ContinuousCollisionChecker, RefusesAGapThatAFingerDoesNotFit) {
   for (const double excess : {1e-5, 0.0002, 0.001, 0.006}) {
     Scene scene = sliding_finger();
     const double y = 0.5 * (0.016 - excess + 0.0001);
@@ -98,7 +98,7 @@ TEST(EdgeChecker, RefusesAGapThatAFingerDoesNotFit) {
   }
 }
 
-TEST(EdgeChecker, RefusesToPassCloserThanItsResolution) {
+TEST(ContinuousCollisionChecker, RefusesToPassCloserThanItsResolution) {
   Scene scene = sliding_finger();
   add_object(scene, "table", Box{{0.1, 0.1, 0.1}}, Eigen::Vector3d(0, 0, -0.075 - 1e-6));
   EdgeJudge judge(scene);
@@ -112,7 +112,7 @@ TEST(EdgeChecker, RefusesToPassCloserThanItsResolution) {
   EXPECT_TRUE(judge.edges().check(from + above, to + above).free);
 }
 
-TEST(EdgeChecker, AcceptsAnEdgeInTheOpenAtOnce) {
+TEST(ContinuousCollisionChecker, AcceptsAnEdgeInTheOpenAtOnce) {
   Scene scene = sliding_finger();
   add_object(scene, "far", Box{}, Eigen::Vector3d(0, 0, -0.9));
   EdgeJudge judge(scene);
@@ -123,7 +123,7 @@ TEST(EdgeChecker, AcceptsAnEdgeInTheOpenAtOnce) {
   EXPECT_TRUE(judge.edges().check(Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()).free);
 }
 
-TEST(EdgeChecker, WorksWithoutPairs) {
+TEST(ContinuousCollisionChecker, WorksWithoutPairs) {
   EdgeJudge judge(sliding_finger());
   EXPECT_TRUE(judge.edges().check(Eigen::Vector3d(-1, 0, 0), Eigen::Vector3d(1, 0, 0)).free);
 }
@@ -147,7 +147,7 @@ Scene thin_things() {
   return scene;
 }
 
-TEST(EdgeChecker, MissesNoCollisionOnRandomEdges) {
+TEST(ContinuousCollisionChecker, MissesNoCollisionOnRandomEdges) {
   EdgeJudge judge(thin_things());
   RandomConfigurations random(judge.world().model(), 21);
   int free = 0;
@@ -171,7 +171,7 @@ TEST(EdgeChecker, MissesNoCollisionOnRandomEdges) {
   }
 }
 
-TEST(EdgeChecker, IsFreeIfItIsForEveryPairOnItsOwn) {
+TEST(ContinuousCollisionChecker, IsFreeIfItIsForEveryPairOnItsOwn) {
   EdgeJudge judge(thin_things());
   int refused = 0;
   for (const auto& [from, to] : short_edges(judge, 25)) {
@@ -190,7 +190,7 @@ TEST(EdgeChecker, IsFreeIfItIsForEveryPairOnItsOwn) {
   EXPECT_LT(refused, 40);
 }
 
-TEST(EdgeChecker, AcceptsWhatIsFree) {
+TEST(ContinuousCollisionChecker, AcceptsWhatIsFree) {
   EdgeJudge judge(thin_things());
   int accepted = 0;
   for (const auto& [from, to] : short_edges(judge, 22)) {
@@ -203,7 +203,7 @@ TEST(EdgeChecker, AcceptsWhatIsFree) {
   EXPECT_GT(accepted, 10);
 }
 
-TEST(EdgeChecker, BoundsTheClearanceFromBelow) {
+TEST(ContinuousCollisionChecker, BoundsTheClearanceFromBelow) {
   constexpr double kTolerance = 5e-5;
   constexpr double kStep = 2e-4;
   EdgeJudge judge(thin_things());
@@ -226,7 +226,7 @@ TEST(EdgeChecker, BoundsTheClearanceFromBelow) {
   }
 }
 
-TEST(EdgeChecker, NamesThePairOfTheClearance) {
+TEST(ContinuousCollisionChecker, NamesThePairOfTheClearance) {
   Scene scene = sliding_finger();
   add_object(scene, "table", Box{{0.1, 0.1, 0.1}}, Eigen::Vector3d(0, 0, -0.078));
   EdgeJudge judge(scene);

@@ -1,4 +1,4 @@
-#include "handway/planning/timing/rate_limits.h"
+#include "handway/planning/timing/kinematic_limits.h"
 
 #include "handway/geometric/formats/yaml_element.h"
 #include "handway/geometric/io/input_error.h"
@@ -48,13 +48,13 @@ void assume(const RobotModel& model, Rate rate, const Eigen::VectorXd& defaults,
   }
 }
 
-RateLimits of_variables(const RobotModel& model, const RatesByJoint& rates) {
+JointKinematicLimits of_variables(const RobotModel& model, const RatesByJoint& rates) {
   const Eigen::Index count = model.variable_count();
-  RateLimits limits{Eigen::VectorXd::Zero(count), Eigen::VectorXd::Zero(count),
-                    Eigen::VectorXd::Zero(count)};
+  JointKinematicLimits limits{Eigen::VectorXd::Zero(count), Eigen::VectorXd::Zero(count),
+                              Eigen::VectorXd::Zero(count)};
   const std::array all{&limits.velocity, &limits.acceleration, &limits.jerk};
   for (int link = 1; link < model.link_count(); ++link) {
-    const RobotModel::Drive& drive = model.drive(link);
+    const RobotModel::MimicMapping& drive = model.drive(link);
     if (drive.variable < 0 || drive.multiplier == 0.0) {
       continue;
     }
@@ -116,8 +116,8 @@ const char* rate_name(Rate rate) {
   return "jerk";
 }
 
-RateLimits RateLimits::without_jerk() const {
-  RateLimits limits = *this;
+JointKinematicLimits JointKinematicLimits::without_jerk() const {
+  JointKinematicLimits limits = *this;
   limits.jerk.resize(0);
   std::erase_if(limits.assumed, [](const AssumedLimit& one) { return one.rate == Rate::kJerk; });
   return limits;
@@ -152,16 +152,17 @@ std::vector<std::string> assumption_lines(const std::vector<AssumedLimit>& assum
   return lines;
 }
 
-RateLimits rate_limits(const RobotModel& model) {
+JointKinematicLimits rate_limits(const RobotModel& model) {
   const std::filesystem::path& robot = model.description().file;
   const std::filesystem::path file = robot.parent_path() / "joint_limits.yaml";
   if (!robot.empty() && std::filesystem::is_regular_file(file)) {
-    return read_rate_limits(model, file);
+    return read_joint_kinematic_limits(model, file);
   }
   return of_variables(model, rates_of(model));
 }
 
-RateLimits read_rate_limits(const RobotModel& model, const std::filesystem::path& file) {
+JointKinematicLimits read_joint_kinematic_limits(const RobotModel& model,
+                                                 const std::filesystem::path& file) {
   RatesByJoint rates = rates_of(model);
   const YamlElement top = YamlElement::read(file, "a file of joint limits (YAML)");
   for (const auto& [name, joint] : top.need("joint_limits").entries()) {

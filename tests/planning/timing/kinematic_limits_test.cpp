@@ -1,4 +1,4 @@
-#include "handway/planning/timing/rate_limits.h"
+#include "handway/planning/timing/kinematic_limits.h"
 
 #include "handway/planning/core/objective.h"
 #include "handway_test/input_errors.h"
@@ -24,9 +24,9 @@ using testing::SizeIs;
 
 class JointLimitsFile : public testing::Test {
  protected:
-  [[nodiscard]] RateLimits read(const std::string& text) const {
+  [[nodiscard]] JointKinematicLimits read(const std::string& text) const {
     std::ofstream(folder_.path() / "limits.yaml") << text;
-    return read_rate_limits(model_, folder_.path() / "limits.yaml");
+    return read_joint_kinematic_limits(model_, folder_.path() / "limits.yaml");
   }
   [[nodiscard]] std::string refusal(const std::string& text) const {
     return test::refusal_of([&] { static_cast<void>(read(text)); });
@@ -37,21 +37,21 @@ class JointLimitsFile : public testing::Test {
   RobotModel model_{test::planar_hand_arm()};
 };
 
-TEST(RateLimits, HaveDefaultsWhereTheRobotHasNone) {
+TEST(JointKinematicLimits, HaveDefaultsWhereTheRobotHasNone) {
   const RobotModel model(test::planar_hand_arm());
-  const RateLimits limits = rate_limits(model);
+  const JointKinematicLimits limits = rate_limits(model);
   EXPECT_EQ(limits.velocity, Eigen::VectorXd::Constant(5, kDefaultVelocity));
   EXPECT_EQ(limits.acceleration, Eigen::VectorXd::Constant(5, kDefaultVelocity / kDefaultRampTime));
 }
 
-TEST(RateLimits, KeepThoseOfCoupledJointsToo) {
+TEST(JointKinematicLimits, KeepThoseOfCoupledJointsToo) {
   geometric::RobotDescription robot = test::planar_hand_arm();
   for (geometric::Joint& joint : robot.joints) {
     joint.limits.velocity = joint.mimic ? 0.4 : 2.0;  // a tip turns by half its finger's angle
     joint.limits.acceleration = joint.mimic ? 3.0 : 5.0;
   }
   const RobotModel model(robot);
-  const RateLimits limits = rate_limits(model);
+  const JointKinematicLimits limits = rate_limits(model);
   const int left = model.find_variable("left").value();
   const int shoulder = model.find_variable("shoulder").value();
   EXPECT_DOUBLE_EQ(limits.velocity[left], 0.8);
@@ -60,7 +60,7 @@ TEST(RateLimits, KeepThoseOfCoupledJointsToo) {
 }
 
 TEST_F(JointLimitsFile, ReplacesWhatItNames) {
-  const RateLimits limits = read(
+  const JointKinematicLimits limits = read(
       "joint_limits:\n"
       "  shoulder:\n    has_velocity_limits: true\n    max_velocity: 3\n"
       "    has_acceleration_limits: true\n    max_acceleration: 7\n    max_jerk: 50\n"
@@ -84,19 +84,19 @@ TEST_F(JointLimitsFile, IsRefusedForAJointThatTheRobotHasNot) {
 
 using Assumed = std::vector<AssumedLimit>;
 
-Assumed of_rate(const RateLimits& limits, Rate rate) {
+Assumed of_rate(const JointKinematicLimits& limits, Rate rate) {
   Assumed some = limits.assumed;
   std::erase_if(some, [rate](const AssumedLimit& one) { return one.rate != rate; });
   return some;
 }
 
-TEST(RateLimits, SayWhichWereAssumed) {
+TEST(JointKinematicLimits, SayWhichWereAssumed) {
   geometric::RobotDescription robot = test::planar_hand_arm();
   for (geometric::Joint& joint : robot.joints) {
     joint.limits.velocity = joint.name == "elbow" ? 0.0 : 2.0;
     joint.limits.acceleration = joint.name == "shoulder" ? 5.0 : 0.0;
   }
-  const RateLimits limits = rate_limits(RobotModel(robot));
+  const JointKinematicLimits limits = rate_limits(RobotModel(robot));
   EXPECT_THAT(of_rate(limits, Rate::kVelocity),
               ElementsAre(AssumedLimit{"elbow", Rate::kVelocity, kDefaultVelocity}));
   EXPECT_THAT(of_rate(limits, Rate::kAcceleration), SizeIs(4)) << "of all but the shoulder";

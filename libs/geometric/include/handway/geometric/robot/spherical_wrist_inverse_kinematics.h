@@ -28,9 +28,9 @@ struct Tx90IkOptions {
 /// and there is one wrist branch; with the wrist centre on axis 1, which only
 /// an arm without lateral offset can do, joint 1 keeps its reference. Coinciding
 /// branches (arm stretched) appear once, as the first named in ArmBranch.
-class HANDWAY_GEOMETRIC_EXPORT Tx90InverseKinematics : public InverseKinematics {
+class HANDWAY_GEOMETRIC_EXPORT SphericalWristInverseKinematics : public InverseKinematics {
  public:
-  ~Tx90InverseKinematics() override;
+  ~SphericalWristInverseKinematics() override;
 
   /// The branch that a configuration of the whole robot is on.
   /// @pre q has shape [model().variable_count()].
@@ -48,8 +48,9 @@ class HANDWAY_GEOMETRIC_EXPORT Tx90InverseKinematics : public InverseKinematics 
 /// @throws InputError if the robot has no such link, or naming what keeps the
 /// chain from being solved in closed form: other than six joints, axes that
 /// are not square, parallel or concurrent within 1e-6 rad or m.
-[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::unique_ptr<Tx90InverseKinematics>
-make_tx90_inverse_kinematics(std::shared_ptr<const RobotModel> model, std::string_view tip_link,
-                             const Tx90IkOptions& options = {});
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::unique_ptr<SphericalWristInverseKinematics>
+make_spherical_wrist_inverse_kinematics(std::shared_ptr<const RobotModel> model,
+                                        std::string_view tip_link,
+                                        const Tx90IkOptions& options = {});
 
 }  // namespace handway::geometric

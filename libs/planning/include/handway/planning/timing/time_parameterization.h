@@ -2,7 +2,7 @@
 
 #include "handway/planning/export.h"
 #include "handway/planning/timing/blended_path.h"
-#include "handway/planning/timing/rate_limits.h"
+#include "handway/planning/timing/kinematic_limits.h"
 
 #include <cstddef>
 #include <vector>
@@ -11,7 +11,7 @@ namespace handway::planning {
 
 /// When a motion is where on its path: between two knots the acceleration along the path changes
 /// evenly, or not at all.
-struct TimeLaw {
+struct TimeParameterization {
   struct Knot {
     double time = 0.0;          ///< s
     double s = 0.0;             ///< Arc length from the beginning of the piece.
@@ -40,12 +40,13 @@ struct TimeLaw {
 /// are asked at both ends of a cell; what arcs exceed them by in between is
 /// taken away by stretching time.
 /// @pre path and limits have the same number of variables.
-[[nodiscard]] HANDWAY_PLANNING_EXPORT TimeLaw time_optimal(const BlendedPath& path,
-                                                           const RateLimits& limits);
+[[nodiscard]] HANDWAY_PLANNING_EXPORT TimeParameterization
+time_optimal(const BlendedPath& path, const JointKinematicLimits& limits);
 
 /// The same motion with every stretch from stop to stop slowed down to the next multiple of
 /// `period` (s), so that samples at this period meet the stops. @pre period > 0.
-[[nodiscard]] HANDWAY_PLANNING_EXPORT TimeLaw align_stops(TimeLaw law, double period);
+[[nodiscard]] HANDWAY_PLANNING_EXPORT TimeParameterization align_stops(TimeParameterization law,
+                                                                       double period);
 
 /// A fast motion along `path` that keeps the limits, jerk included, from rest to rest, stopping
 /// at corners that have no arc. The path is the same to the bit: only its times are other ones.
@@ -58,7 +59,7 @@ struct TimeLaw {
 /// is at its worst.
 /// @pre limits.jerk is of the model's shape.
 /// @throws std::invalid_argument if the path has circular arcs, where no jerk is limited.
-[[nodiscard]] HANDWAY_PLANNING_EXPORT TimeLaw jerk_limited(const BlendedPath& path,
-                                                           const RateLimits& limits);
+[[nodiscard]] HANDWAY_PLANNING_EXPORT TimeParameterization
+jerk_limited(const BlendedPath& path, const JointKinematicLimits& limits);
 
 }  // namespace handway::planning

@@ -1,12 +1,12 @@
-#include "extensions.h"
+#include "plugins.h"
 
 #include <functional>
 
 namespace handway::python {
 
-const planning::Extensions& extensions() {
-  static const planning::Extensions& loaded = [] {
-    auto* made = new planning::Extensions;
+const planning::PluginManager& plugins() {
+  static const planning::PluginManager& loaded = [] {
+    auto* made = new planning::PluginManager;
     made->load_plugins(planning::plugin_directory());
     return std::ref(*made);
   }();

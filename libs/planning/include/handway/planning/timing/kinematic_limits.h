@@ -36,7 +36,7 @@ struct AssumedLimit {
 };
 
 /// How fast the variables of a robot may change; all values > 0.
-struct RateLimits {
+struct JointKinematicLimits {
   Eigen::VectorXd velocity;      ///< Shape [variable_count], rad/s or m/s.
   Eigen::VectorXd acceleration;  ///< Shape [variable_count], rad/s² or m/s².
   Eigen::VectorXd jerk{};        ///< Shape [variable_count], rad/s³ or m/s³; size 0: not limited.
@@ -44,12 +44,12 @@ struct RateLimits {
 
   /// Of the same motions at `speed` times their pace: velocities by it, accelerations
   /// by its square, jerk by its cube; without `assumed`. @pre speed > 0.
-  [[nodiscard]] RateLimits at_speed(double speed) const {
+  [[nodiscard]] JointKinematicLimits at_speed(double speed) const {
     return {velocity * speed, acceleration * (speed * speed), jerk * (speed * speed * speed)};
   }
 
   /// The same without limits of jerk, assumed ones included.
-  [[nodiscard]] HANDWAY_PLANNING_EXPORT RateLimits without_jerk() const;
+  [[nodiscard]] HANDWAY_PLANNING_EXPORT JointKinematicLimits without_jerk() const;
 };
 
 /// For a person: a line for each rate of which limits were assumed.
@@ -62,9 +62,10 @@ struct RateLimits {
 /// limits of the joints that are coupled to it too.
 ///
 /// If `joint_limits.yaml` stands beside the robot's file it is read on top, as by
-/// read_rate_limits().
+/// read_joint_kinematic_limits().
 /// @throws InputError if that file is wrong.
-[[nodiscard]] HANDWAY_PLANNING_EXPORT RateLimits rate_limits(const geometric::RobotModel& model);
+[[nodiscard]] HANDWAY_PLANNING_EXPORT JointKinematicLimits
+rate_limits(const geometric::RobotModel& model);
 
 /// The limits of the robot's joints, replaced where `file` has others. The file is
 /// of the form that MoveIt knows: a map `joint_limits` of joints, each with
@@ -72,7 +73,7 @@ struct RateLimits {
 /// `max_acceleration`, `has_jerk_limits`, `max_jerk` (all optional, SI units).
 /// @throws InputError naming line and key, also for a joint that the robot has not: limits that
 /// somebody relies on must not be passed over.
-[[nodiscard]] HANDWAY_PLANNING_EXPORT RateLimits
-read_rate_limits(const geometric::RobotModel& model, const std::filesystem::path& file);
+[[nodiscard]] HANDWAY_PLANNING_EXPORT JointKinematicLimits
+read_joint_kinematic_limits(const geometric::RobotModel& model, const std::filesystem::path& file);
 
 }  // namespace handway::planning

@@ -1,4 +1,4 @@
-#include "handway/device/core/motion_link.h"
+#include "handway/device/core/trajectory_client.h"
 
 #include "handway/device/core/device_error.h"
 
@@ -24,13 +24,13 @@ constexpr milliseconds kLongestBacklog{500};
 // How long after its time a motion may still be arriving, s.
 constexpr double kLatestArrival = 2.0;
 
-double seconds(MotionLink::Clock::duration duration) {
+double seconds(TrajectoryClient::Clock::duration duration) {
   return std::chrono::duration<double>(duration).count();
 }
 
 }  // namespace
 
-MotionLink::MotionLink(std::string name, JointRanges joints)
+TrajectoryClient::TrajectoryClient(std::string name, JointRanges joints)
     : name_(std::move(name)), joints_(std::move(joints)) {
   const Eigen::Index count = joints_.count();
   if (count == 0 || joints_.upper.size() != count || joints_.velocity.size() != count ||
@@ -41,11 +41,11 @@ MotionLink::MotionLink(std::string name, JointRanges joints)
   }
 }
 
-void MotionLink::refuse(std::string found, std::string expected, std::string advice) const {
+void TrajectoryClient::refuse(std::string found, std::string expected, std::string advice) const {
   throw DeviceError({name_, "", std::move(found), std::move(expected), std::move(advice)});
 }
 
-void MotionLink::connect(const std::stop_token& stop) {
+void TrajectoryClient::connect(const std::stop_token& stop) {
   connected_ = false;
   phase_ = MotionPhase::kIdle;
   measured_ = {};
@@ -60,12 +60,12 @@ void MotionLink::connect(const std::stop_token& stop) {
     take_turn(0.0);
     std::this_thread::sleep_for(milliseconds(1));
   }
-  silence_.heard(Clock::now());
+  watchdog_.heard(Clock::now());
   connected_ = true;
 }
 
 // One bounded piece of what the device sends.
-void MotionLink::take_turn(double time) {
+void TrajectoryClient::take_turn(double time) {
   const bool all = do_update(time);
   const auto now = Clock::now();
   backlog_.turn(all, now);
@@ -76,7 +76,7 @@ void MotionLink::take_turn(double time) {
   }
 }
 
-void MotionLink::upload(const JointTrajectory& trajectory, const std::stop_token& stop) {
+void TrajectoryClient::upload(const JointTrajectory& trajectory, const std::stop_token& stop) {
   if (!connected_) {
     refuse("no connection", "one that is made", "Connect again.");
   }
@@ -94,7 +94,7 @@ void MotionLink::upload(const JointTrajectory& trajectory, const std::stop_token
   fault_.clear();
 }
 
-void MotionLink::start(const MotionTolerances& tolerances) {
+void TrajectoryClient::start(const MotionTolerances& tolerances) {
   update();
   if (phase_ != MotionPhase::kReady) {
     refuse(fault_.empty() ? "no motion" : fault_, "a motion that is uploaded", "Upload one.");
@@ -121,7 +121,7 @@ void MotionLink::start(const MotionTolerances& tolerances) {
   phase_ = MotionPhase::kRunning;
 }
 
-double MotionLink::pause(double time) {
+double TrajectoryClient::pause(double time) {
   if (phase_ == MotionPhase::kRunning) {
     try {
       hold_ = do_pause(std::max(time, motion_time(Clock::now())));
@@ -133,7 +133,7 @@ double MotionLink::pause(double time) {
   return phase_ == MotionPhase::kPaused ? hold_ : motion_time(Clock::now());
 }
 
-void MotionLink::resume() {
+void TrajectoryClient::resume() {
   if (phase_ == MotionPhase::kPaused) {
     const auto now = Clock::now();
     const double held = motion_time(now);
@@ -149,7 +149,7 @@ void MotionLink::resume() {
   }
 }
 
-void MotionLink::stop() {
+void TrajectoryClient::stop() {
   const bool moving = phase_ == MotionPhase::kRunning || phase_ == MotionPhase::kPaused;
   try {
     if (connected_) {
@@ -166,7 +166,7 @@ void MotionLink::stop() {
   }
 }
 
-double MotionLink::motion_time(Clock::time_point now) const {
+double TrajectoryClient::motion_time(Clock::time_point now) const {
   switch (phase_) {
     case MotionPhase::kIdle:
     case MotionPhase::kReady:
@@ -178,14 +178,14 @@ double MotionLink::motion_time(Clock::time_point now) const {
   }
 }
 
-void MotionLink::fail(std::string fault) {
+void TrajectoryClient::fail(std::string fault) {
   fault_ = std::move(fault);
   phase_ = MotionPhase::kFailed;
   connected_ = send_stop();
 }
 
 // @returns false if the connection is gone: the device's own watchdog stops it then.
-bool MotionLink::send_stop() {
+bool TrajectoryClient::send_stop() {
   try {
     do_stop();
     return true;
@@ -194,13 +194,13 @@ bool MotionLink::send_stop() {
   }
 }
 
-void MotionLink::update() {
+void TrajectoryClient::update() {
   if (!connected_) {
     return;
   }
   try {
     take_turn(motion_time(Clock::now()));
-    if (silence_.listened(Clock::now()) > kLongestSilence) {
+    if (watchdog_.listened(Clock::now()) > kLongestSilence) {
       refuse(fmt::format("no joint positions for {} ms", kLongestSilence.count()),
              "one every 20 ms or more often", "Look at the network and at the controller.");
     }
@@ -217,7 +217,7 @@ void MotionLink::update() {
   }
 }
 
-void MotionLink::look_at_sample() {
+void TrajectoryClient::look_at_sample() {
   if (measured_.samples == samples_seen_) {
     return;
   }
@@ -234,7 +234,7 @@ void MotionLink::look_at_sample() {
   }
 }
 
-void MotionLink::look_at_end(Clock::time_point now) {
+void TrajectoryClient::look_at_end(Clock::time_point now) {
   const double late = motion_time(now) - trajectory_.duration();
   if (late < 0.0) {
     return;
@@ -252,11 +252,11 @@ void MotionLink::look_at_end(Clock::time_point now) {
   }
 }
 
-void MotionLink::add_sample(const Eigen::VectorXd& position) {
+void TrajectoryClient::add_sample(const Eigen::VectorXd& position) {
   measured_.position = position;
   measured_.received = Clock::now();
   ++measured_.samples;
-  silence_.heard(measured_.received);
+  watchdog_.heard(measured_.received);
 }
 
 }  // namespace handway::device

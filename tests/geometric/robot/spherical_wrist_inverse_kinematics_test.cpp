@@ -1,4 +1,4 @@
-#include "handway/geometric/robot/tx90_inverse_kinematics.h"
+#include "handway/geometric/robot/spherical_wrist_inverse_kinematics.h"
 
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/math/units.h"
@@ -29,7 +29,7 @@ constexpr double kFullTurn = 2 * std::numbers::pi;
 struct Arm {
   Arm(const RobotDescription& description, const std::string& tip, Tx90IkOptions options = {})
       : model(std::make_shared<const RobotModel>(description)),
-        ik(make_tx90_inverse_kinematics(model, tip, options)),
+        ik(make_spherical_wrist_inverse_kinematics(model, tip, options)),
         X_BL(static_cast<std::size_t>(model->link_count())) {}
 
   const Pose& tip_pose(const Configuration& q) {
@@ -53,7 +53,7 @@ struct Arm {
   }
 
   std::shared_ptr<const RobotModel> model;
-  std::unique_ptr<Tx90InverseKinematics> ik;
+  std::unique_ptr<SphericalWristInverseKinematics> ik;
   std::vector<Pose> X_BL;
 };
 
@@ -98,14 +98,14 @@ void expect_round_trip(const RobotDescription& description, const std::string& t
   }
 }
 
-TEST(Tx90InverseKinematics, FindsARandomPostureAgainForEveryTip) {
+TEST(SphericalWristInverseKinematics, FindsARandomPostureAgainForEveryTip) {
   expect_round_trip(test::tx90_urdf_style(), "link_6", 40000, 10);
   expect_round_trip(test::tx90_urdf_style(), "flange", 10000, 11);
   expect_round_trip(test::tx90_dh_style(), "Tcp", 40000, 12);
   expect_round_trip(test::tx90_sah(), "Palm", 10000, 13);
 }
 
-TEST(Tx90InverseKinematics, ServesATipTurnedAndShiftedAgainstTheFlange) {
+TEST(SphericalWristInverseKinematics, ServesATipTurnedAndShiftedAgainstTheFlange) {
   RobotDescription robot = test::tx90_urdf_style();
   robot.joints.back().X_PJ = pose_from_rpy({0.02, -0.13, 0.21}, 0.4, -0.9, 2.0);
   expect_round_trip(robot, "flange", 10000, 14);
@@ -113,7 +113,7 @@ TEST(Tx90InverseKinematics, ServesATipTurnedAndShiftedAgainstTheFlange) {
 
 /// The same arm on a tilted pedestal, with lengths of its own, an elbow that is
 /// bent at zero, axis 3 the other way round and a wrist that is bent at zero.
-TEST(Tx90InverseKinematics, ReadsTheLengthsAndZerosFromTheModel) {
+TEST(SphericalWristInverseKinematics, ReadsTheLengthsAndZerosFromTheModel) {
   RobotDescription robot = test::tx90_urdf_style();
   robot.joints[0].X_PJ = pose_from_rpy({0.3, -0.2, 0.4}, 0.2, -0.3, 1.0);
   robot.joints[1].X_PJ.translation() = Eigen::Vector3d(0.07, 0.0, 0.02);
@@ -138,7 +138,7 @@ TEST(Tx90InverseKinematics, ReadsTheLengthsAndZerosFromTheModel) {
   }
 }
 
-TEST(Tx90InverseKinematics, FindsEightBranchesInTheMiddleOfTheWorkspace) {
+TEST(SphericalWristInverseKinematics, FindsEightBranchesInTheMiddleOfTheWorkspace) {
   Arm arm(test::tx90_urdf_style(), "flange", {.respect_limits = false});
   const Configuration q = arm.degrees({20, 20, 70, 30, 40, 50});
   const IkResult result = arm.ik->solve(arm.tip_pose(q), q);
@@ -152,7 +152,7 @@ TEST(Tx90InverseKinematics, FindsEightBranchesInTheMiddleOfTheWorkspace) {
   EXPECT_LT((result.solutions.front().q - q).norm(), 1e-9);
 }
 
-TEST(Tx90InverseKinematics, NamesTheBranchAsTheController) {
+TEST(SphericalWristInverseKinematics, NamesTheBranchAsTheController) {
   Arm arm(test::tx90_urdf_style(), "flange");
   EXPECT_EQ(arm.ik->branch_of(arm.degrees({0, 40, 30, 0, 20, 0})),
             (ArmBranch{Shoulder::kLefty, Bend::kPositive, Bend::kPositive}));
@@ -160,7 +160,7 @@ TEST(Tx90InverseKinematics, NamesTheBranchAsTheController) {
             (ArmBranch{Shoulder::kRighty, Bend::kNegative, Bend::kNegative}));
 }
 
-TEST(Tx90InverseKinematics, SolvesOnOneBranch) {
+TEST(SphericalWristInverseKinematics, SolvesOnOneBranch) {
   Arm arm(test::tx90_sah(), "Palm");
   const Configuration q = arm.degrees({20, 20, 70, 30, 40, 50});
   const Pose X_BT = arm.tip_pose(q);
@@ -173,7 +173,7 @@ TEST(Tx90InverseKinematics, SolvesOnOneBranch) {
   EXPECT_LT((*there)[4], 0.0);
 }
 
-TEST(Tx90InverseKinematics, ListsFullTurnsWithinTheLimits) {
+TEST(SphericalWristInverseKinematics, ListsFullTurnsWithinTheLimits) {
   Arm arm(test::tx90_urdf_style(), "flange", {.full_turn_alternates = true});
   const Configuration q = arm.degrees({20, 20, 70, -150, 40, 200});
   const Pose X_BT = arm.tip_pose(q);
@@ -189,7 +189,7 @@ TEST(Tx90InverseKinematics, ListsFullTurnsWithinTheLimits) {
   EXPECT_LT((result.solutions.front().q - q).norm(), 1e-9);
 }
 
-TEST(Tx90InverseKinematics, TakesTheTurnNearestToTheReference) {
+TEST(SphericalWristInverseKinematics, TakesTheTurnNearestToTheReference) {
   Arm arm(test::tx90_urdf_style(), "flange");
   const Configuration q = arm.degrees({20, 20, 70, -150, 40, 200});
   const IkResult result = arm.ik->solve(arm.tip_pose(q), arm.degrees({20, 20, 70, 190, 40, 190}));
@@ -197,7 +197,7 @@ TEST(Tx90InverseKinematics, TakesTheTurnNearestToTheReference) {
   EXPECT_NEAR(result.solutions.front().q[5], radians(200), 1e-9);
 }
 
-TEST(Tx90InverseKinematics, KeepsJointFourWhereTheWristIsStraight) {
+TEST(SphericalWristInverseKinematics, KeepsJointFourWhereTheWristIsStraight) {
   Arm arm(test::tx90_urdf_style(), "flange");
   for (const double bend : {0.0, 1e-14, 1e-12}) {
     Configuration q = arm.degrees({20, 20, 70, 33, 0, 44});
@@ -216,7 +216,7 @@ TEST(Tx90InverseKinematics, KeepsJointFourWhereTheWristIsStraight) {
 
 /// Near a singularity the pose fixes some joints badly, but the posture found
 /// must still reach it.
-TEST(Tx90InverseKinematics, ReachesPosesCloseToEverySingularity) {
+TEST(SphericalWristInverseKinematics, ReachesPosesCloseToEverySingularity) {
   Arm arm(test::tx90_urdf_style(), "flange");
   RandomConfigurations random(*arm.model, 16);
   for (int k = 0; k < 20000; ++k) {
@@ -240,7 +240,7 @@ TEST(Tx90InverseKinematics, ReachesPosesCloseToEverySingularity) {
   }
 }
 
-TEST(Tx90InverseKinematics, KeepsJointOneWhereTheWristIsOnTheShoulderAxis) {
+TEST(SphericalWristInverseKinematics, KeepsJointOneWhereTheWristIsOnTheShoulderAxis) {
   RobotDescription robot = test::tx90_urdf_style();
   robot.joints[2].X_PJ.translation().y() = 0.0;  // No lateral offset.
   Arm arm(robot, "flange");
@@ -257,7 +257,7 @@ TEST(Tx90InverseKinematics, KeepsJointOneWhereTheWristIsOnTheShoulderAxis) {
   }
 }
 
-TEST(Tx90InverseKinematics, SaysWhyAPoseIsOutOfReach) {
+TEST(SphericalWristInverseKinematics, SaysWhyAPoseIsOutOfReach) {
   Arm arm(test::tx90_urdf_style(), "flange");
   const Configuration q = arm.model->neutral();
   Pose X_BT = pose_from_rpy({2.0, 0.0, 1.0}, 0, 0, 0);
@@ -278,10 +278,10 @@ TEST(Tx90InverseKinematics, SaysWhyAPoseIsOutOfReach) {
   EXPECT_THAT(result.reason, HasSubstr("joint joint_5"));
 }
 
-TEST(Tx90InverseKinematics, RefusesArmsOfAnotherBuildAndSaysWhere) {
+TEST(SphericalWristInverseKinematics, RefusesArmsOfAnotherBuildAndSaysWhere) {
   const auto refusal = [](const RobotDescription& robot, const std::string& tip) -> std::string {
     try {
-      (void)make_tx90_inverse_kinematics(std::make_shared<const RobotModel>(robot), tip);
+      (void)make_spherical_wrist_inverse_kinematics(std::make_shared<const RobotModel>(robot), tip);
     } catch (const InputError& error) {
       return error.what();
     }
@@ -305,7 +305,7 @@ TEST(Tx90InverseKinematics, RefusesArmsOfAnotherBuildAndSaysWhere) {
   EXPECT_THAT(refusal(test::tx90_sah(), "hook"), HasSubstr("no link of this name"));
 }
 
-TEST(Tx90InverseKinematics, RefusesWhatIsNoPoseOrReference) {
+TEST(SphericalWristInverseKinematics, RefusesWhatIsNoPoseOrReference) {
   Arm arm(test::tx90_urdf_style(), "flange");
   const Configuration q = arm.model->neutral();
   EXPECT_THROW((void)arm.ik->solve(Pose::Identity(), Configuration::Zero(5)), InputError);

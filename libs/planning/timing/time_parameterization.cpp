@@ -1,4 +1,4 @@
-#include "handway/planning/timing/time_law.h"
+#include "handway/planning/timing/time_parameterization.h"
 
 #include <algorithm>
 #include <array>
@@ -92,7 +92,7 @@ double largest_share(const Eigen::MatrixBase<Values>& values, const Eigen::Vecto
 }
 
 /// What ds²/dt² may be in `cell` at speed² x, so that at its end speed² is at most `most`.
-Range accelerations(const Cell& cell, const RateLimits& limits, double x, double most) {
+Range accelerations(const Cell& cell, const JointKinematicLimits& limits, double x, double most) {
   Range range{-x / (2.0 * cell.width), (most - x) / (2.0 * cell.width)};
   for (Eigen::Index j = 0; j < limits.acceleration.size() && !range.empty(); ++j) {
     const double limit = limits.acceleration[j];
@@ -105,7 +105,8 @@ Range accelerations(const Cell& cell, const RateLimits& limits, double x, double
 
 /// Largest speed² where the derivatives are these, for velocity, and for the jerk of the path's own
 /// shape if it is limited. @param third the largest of the piece.
-double fastest(const Configuration& first, const Configuration& third, const RateLimits& limits) {
+double fastest(const Configuration& first, const Configuration& third,
+               const JointKinematicLimits& limits) {
   double speed = std::numeric_limits<double>::max();
   for (Eigen::Index j = 0; j < limits.jerk.size(); ++j) {
     if (third[j] != 0.0) {
@@ -122,15 +123,15 @@ double fastest(const Configuration& first, const Configuration& third, const Rat
 
 /// Largest speed² at the beginning of the cell from which its end is reached with at
 /// most `most`. The speeds that are possible are an interval from 0.
-double controllable(const Cell& cell, const RateLimits& limits, double most) {
+double controllable(const Cell& cell, const JointKinematicLimits& limits, double most) {
   const auto reaches_end = [&](double x) { return !accelerations(cell, limits, x, most).empty(); };
   const double high = fastest(cell.first[0], cell.third, limits);
   return reaches_end(high) ? high : bisect(0.0, high, reaches_end).first;
 }
 
 /// By how much the fastest law is too fast in a cell: time has to be stretched by this, at least 1.
-double excess(const PathPiece& piece, const Cell& cell, const RateLimits& limits, double x0,
-              double x1) {
+double excess(const PathPiece& piece, const Cell& cell, const JointKinematicLimits& limits,
+              double x0, double x1) {
   double worst = 1.0;
   const double u = (x1 - x0) / (2.0 * cell.width);
   const int steps = piece.is_arc() ? 4 : 0;
@@ -148,7 +149,7 @@ double excess(const PathPiece& piece, const Cell& cell, const RateLimits& limits
 }
 
 /// Slows the knots from `first` to the end down by `factor`.
-void stretch(std::vector<TimeLaw::Knot>& knots, std::size_t first, double factor) {
+void stretch(std::vector<TimeParameterization::Knot>& knots, std::size_t first, double factor) {
   const double begin = knots[first].time;
   for (std::size_t k = first; k < knots.size(); ++k) {
     knots[k].time = begin + factor * (knots[k].time - begin);
@@ -160,7 +161,7 @@ void stretch(std::vector<TimeLaw::Knot>& knots, std::size_t first, double factor
 
 }  // namespace
 
-TimeLaw::Knot TimeLaw::Knot::after(double t) const {
+TimeParameterization::Knot TimeParameterization::Knot::after(double t) const {
   return {time + t,
           s + (speed + (acceleration / 2.0 + jerk / 6.0 * t) * t) * t,
           std::max(0.0, speed + (acceleration + jerk / 2.0 * t) * t),
@@ -169,7 +170,7 @@ TimeLaw::Knot TimeLaw::Knot::after(double t) const {
           jerk};
 }
 
-TimeLaw time_optimal(const BlendedPath& path, const RateLimits& limits) {
+TimeParameterization time_optimal(const BlendedPath& path, const JointKinematicLimits& limits) {
   const std::vector<Cell> cells = grid(path);
   std::vector<double> most(cells.size() + 1, 0.0);
   for (std::size_t c = cells.size(); c-- > 0;) {
@@ -180,7 +181,7 @@ TimeLaw time_optimal(const BlendedPath& path, const RateLimits& limits) {
     most[c + 1] = end;
     most[c] = controllable(cells[c], limits, end);
   }
-  TimeLaw law;
+  TimeParameterization law;
   double x = 0.0;
   double time = 0.0;
   double slower = 1.0;
@@ -209,8 +210,8 @@ TimeLaw time_optimal(const BlendedPath& path, const RateLimits& limits) {
   return law;
 }
 
-TimeLaw align_stops(TimeLaw law, double period) {
-  std::vector<TimeLaw::Knot> knots;
+TimeParameterization align_stops(TimeParameterization law, double period) {
+  std::vector<TimeParameterization::Knot> knots;
   std::size_t section = 0;
   double late = 0.0;  // what the stretches so far have added
   for (std::size_t k = 0; k < law.knots.size(); ++k) {
@@ -232,7 +233,7 @@ TimeLaw align_stops(TimeLaw law, double period) {
 
 namespace {
 
-using Knot = TimeLaw::Knot;
+using Knot = TimeParameterization::Knot;
 
 // Shares of the acceleration and jerk limits that the fastest law is made with before it is
 // averaged, and windows, as shares of its duration.
@@ -263,7 +264,7 @@ struct Section {
   }
 };
 
-std::vector<Section> sections_of(const BlendedPath& path, const TimeLaw& law) {
+std::vector<Section> sections_of(const BlendedPath& path, const TimeParameterization& law) {
   std::vector<Section> sections;
   for (std::size_t k = 0; k < law.knots.size(); ++k) {
     const bool begins =
@@ -343,7 +344,8 @@ std::vector<Knot> in_pieces(const BlendedPath& path, const Section& section,
 }
 
 /// By how much the law is too fast: time has to be stretched by this.
-double excess(const BlendedPath& path, const std::vector<Knot>& knots, const RateLimits& limits) {
+double excess(const BlendedPath& path, const std::vector<Knot>& knots,
+              const JointKinematicLimits& limits) {
   double velocity = 0.0;
   double acceleration = 0.0;
   double jerk = 0.0;
@@ -374,8 +376,8 @@ struct Candidate {
   double duration = std::numeric_limits<double>::infinity();
 };
 
-void keep_faster(const BlendedPath& path, const Section& section, const RateLimits& limits,
-                 Candidate& best) {
+void keep_faster(const BlendedPath& path, const Section& section,
+                 const JointKinematicLimits& limits, Candidate& best) {
   for (const double share : kWindows) {
     std::vector<Knot> knots =
         in_pieces(path, section, averaged(section, share * section.duration()));
@@ -390,7 +392,7 @@ void keep_faster(const BlendedPath& path, const Section& section, const RateLimi
 
 }  // namespace
 
-TimeLaw jerk_limited(const BlendedPath& path, const RateLimits& limits) {
+TimeParameterization jerk_limited(const BlendedPath& path, const JointKinematicLimits& limits) {
   if (std::ranges::any_of(path.pieces(), [](const PathPiece& piece) {
         return piece.is_arc() && !piece.is_smooth_arc();
       })) {
@@ -399,7 +401,7 @@ TimeLaw jerk_limited(const BlendedPath& path, const RateLimits& limits) {
   std::vector<Candidate> best;
   for (const double acceleration : kAccelerations) {
     for (const double jerk : kJerks) {
-      const TimeLaw law = time_optimal(
+      const TimeParameterization law = time_optimal(
           path, {limits.velocity, acceleration * limits.acceleration, jerk * limits.jerk});
       const std::vector<Section> sections = sections_of(path, law);
       best.resize(sections.size());
@@ -408,7 +410,7 @@ TimeLaw jerk_limited(const BlendedPath& path, const RateLimits& limits) {
       }
     }
   }
-  TimeLaw law;
+  TimeParameterization law;
   double begin = 0.0;
   for (const Candidate& section : best) {
     for (Knot knot : section.knots) {

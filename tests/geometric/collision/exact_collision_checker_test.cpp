@@ -1,4 +1,4 @@
-#include "handway/geometric/collision/checkers/bounded_checker.h"
+#include "handway/geometric/collision/checkers/exact_collision_checker.h"
 
 #include "../robot/random_configurations.h"
 #include "checker_agreement.h"
@@ -60,7 +60,7 @@ std::pair<Configuration, Configuration> contact(FclChecker& checker, Configurati
   return {free, colliding};
 }
 
-TEST(BoundedChecker, AgreesWithFclAnywhere) {
+TEST(ExactCollisionChecker, AgreesWithFclAnywhere) {
   CheckerAgreement checkers(cluttered());
   RandomConfigurations random(checkers.world().model(), 1);
   for (int i = 0; i < 300; ++i) {
@@ -70,7 +70,7 @@ TEST(BoundedChecker, AgreesWithFclAnywhere) {
   EXPECT_GT(checkers.frees(), 20);
 }
 
-TEST(BoundedChecker, AgreesWithFclAtContact) {
+TEST(ExactCollisionChecker, AgreesWithFclAtContact) {
   CheckerAgreement checkers(cluttered());
   RandomConfigurations random(checkers.world().model(), 2);
   int contacts = 0;
@@ -93,7 +93,7 @@ TEST(BoundedChecker, AgreesWithFclAtContact) {
   }
 }
 
-TEST(BoundedChecker, AgreesWithFclOnDistances) {
+TEST(ExactCollisionChecker, AgreesWithFclOnDistances) {
   CheckerAgreement checkers(cluttered());
   RandomConfigurations random(checkers.world().model(), 3);
   for (int i = 0; i < 40; ++i) {
@@ -104,7 +104,7 @@ TEST(BoundedChecker, AgreesWithFclOnDistances) {
   }
 }
 
-TEST(BoundedChecker, AgreesWithFclOutOfLimits) {
+TEST(ExactCollisionChecker, AgreesWithFclOutOfLimits) {
   CheckerAgreement checkers(cluttered());
   const RobotModel& model = checkers.world().model();
   RandomConfigurations random(model, 4);
@@ -116,7 +116,7 @@ TEST(BoundedChecker, AgreesWithFclOutOfLimits) {
   }
 }
 
-TEST(BoundedChecker, AgreesWithFclForACarriedCan) {
+TEST(ExactCollisionChecker, AgreesWithFclForACarriedCan) {
   Scene scene = cluttered();
   add_object(scene, "carried", test::as_mesh(Cylinder{0.03, 0.12}), Eigen::Vector3d(0.06, 0, 0.15));
   scene.objects.back().attachment = Attachment{"tx90_sah", "Palm", {"Thumb-Dist", "Mid-Dist"}};
@@ -129,7 +129,7 @@ TEST(BoundedChecker, AgreesWithFclForACarriedCan) {
   }
 }
 
-TEST(BoundedChecker, AgreesWithFclOnSheetsWithoutThickness) {
+TEST(ExactCollisionChecker, AgreesWithFclOnSheetsWithoutThickness) {
   const auto sheet = [](TriangleMesh mesh) {
     return Mesh{"", Eigen::Vector3d::Ones(), std::make_shared<const TriangleMesh>(std::move(mesh))};
   };
@@ -148,7 +148,7 @@ TEST(BoundedChecker, AgreesWithFclOnSheetsWithoutThickness) {
   }
 }
 
-TEST(BoundedChecker, AgreesWithFclAmongManyObjects) {
+TEST(ExactCollisionChecker, AgreesWithFclAmongManyObjects) {
   CheckerAgreement checkers(crowded());
   RandomConfigurations random(checkers.world().model(), 7);
   for (int i = 0; i < 40; ++i) {
@@ -160,9 +160,9 @@ TEST(BoundedChecker, AgreesWithFclAmongManyObjects) {
   EXPECT_GT(checkers.frees(), 5);
 }
 
-TEST(BoundedChecker, MissesNoNearPairAmongManyObjects) {
+TEST(ExactCollisionChecker, MissesNoNearPairAmongManyObjects) {
   const auto world = std::make_shared<const CollisionWorld>(crowded());
-  BoundedChecker checker(world);
+  ExactCollisionChecker checker(world);
   RandomConfigurations random(world->model(), 8);
   const int count = static_cast<int>(world->pairs().size());
   std::vector<int> near;
@@ -180,9 +180,9 @@ TEST(BoundedChecker, MissesNoNearPairAmongManyObjects) {
   }
 }
 
-TEST(BoundedChecker, AnswersManyThreadsAlike) {
+TEST(ExactCollisionChecker, AnswersManyThreadsAlike) {
   const Scene scene = cluttered();
-  const BoundedChecker checker(std::make_shared<const CollisionWorld>(scene));
+  const ExactCollisionChecker checker(std::make_shared<const CollisionWorld>(scene));
   RandomConfigurations random(checker.world().model(), 6);
   std::vector<Configuration> configurations;
   for (int i = 0; i < 200; ++i) {
@@ -204,8 +204,8 @@ TEST(BoundedChecker, AnswersManyThreadsAlike) {
   }
 }
 
-TEST(BoundedChecker, FindsTheSamePairWhateverItWasAskedBefore) {
-  BoundedChecker asked(std::make_shared<const CollisionWorld>(cluttered()));
+TEST(ExactCollisionChecker, FindsTheSamePairWhateverItWasAskedBefore) {
+  ExactCollisionChecker asked(std::make_shared<const CollisionWorld>(cluttered()));
   RandomConfigurations random(asked.world().model(), 10);
   std::mt19937_64 engine(10);
   std::uniform_int_distribution<int> any(0, static_cast<int>(asked.world().pairs().size()) - 1);
@@ -220,9 +220,9 @@ TEST(BoundedChecker, FindsTheSamePairWhateverItWasAskedBefore) {
   EXPECT_GT(found, 20);
 }
 
-TEST(BoundedChecker, SparesFclMostQuestions) {
+TEST(ExactCollisionChecker, SparesFclMostQuestions) {
   CheckerAgreement checkers(cluttered());
-  BoundedChecker bounded(checkers.exact().shared_world());
+  ExactCollisionChecker bounded(checkers.exact().shared_world());
   RandomConfigurations random(checkers.world().model(), 7);
   for (int i = 0; i < 200; ++i) {
     static_cast<void>(find_collisions(bounded, random.next()));

@@ -1,4 +1,4 @@
-#include "handway/geometric/robot/tx90_inverse_kinematics.h"
+#include "handway/geometric/robot/spherical_wrist_inverse_kinematics.h"
 
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/math/pose.h"
@@ -407,12 +407,12 @@ Turns turns(double angle, double reference, JointLimits limits, const Tx90IkOpti
   return {angle, chosen, chosen, limits};
 }
 
-class Solution : public Tx90InverseKinematics {
+class Solution : public SphericalWristInverseKinematics {
  public:
   Solution(std::shared_ptr<const RobotModel> model, int tip_link, const Tx90Chain& chain,
            const Tx90IkOptions& options)
-      : Tx90InverseKinematics(std::move(model), tip_link,
-                              {chain.variables.begin(), chain.variables.end()}),
+      : SphericalWristInverseKinematics(std::move(model), tip_link,
+                                        {chain.variables.begin(), chain.variables.end()}),
         chain_(chain),
         geometry_(tx90_geometry(this->model(), chain, tip_link)),
         options_(options) {
@@ -487,11 +487,10 @@ class Solution : public Tx90InverseKinematics {
 
 }  // namespace
 
-Tx90InverseKinematics::~Tx90InverseKinematics() = default;
+SphericalWristInverseKinematics::~SphericalWristInverseKinematics() = default;
 
-std::optional<Configuration> Tx90InverseKinematics::solve_on(const ArmBranch& branch,
-                                                             const Pose& X_BT,
-                                                             const Configuration& reference) const {
+std::optional<Configuration> SphericalWristInverseKinematics::solve_on(
+    const ArmBranch& branch, const Pose& X_BT, const Configuration& reference) const {
   for (const IkSolution& solution : solve(X_BT, reference).solutions) {
     if (solution.branch == branch) {
       return solution.q;
@@ -500,7 +499,7 @@ std::optional<Configuration> Tx90InverseKinematics::solve_on(const ArmBranch& br
   return std::nullopt;
 }
 
-std::unique_ptr<Tx90InverseKinematics> make_tx90_inverse_kinematics(
+std::unique_ptr<SphericalWristInverseKinematics> make_spherical_wrist_inverse_kinematics(
     std::shared_ptr<const RobotModel> model, std::string_view tip_link,
     const Tx90IkOptions& options) {
   const std::optional<int> tip = model->find_link(tip_link);

@@ -75,12 +75,12 @@ struct EdgeEnd {
 /// what is left of an angle (in rad) or of the distance to a region's side.
 ///
 /// Source: Schwarzer, Saha, Latombe 2005 (see MotionBound).
-class HANDWAY_GEOMETRIC_EXPORT EdgeChecker {
+class HANDWAY_GEOMETRIC_EXPORT ContinuousCollisionChecker {
  public:
   /// @param checker used for all questions; must outlive this object.
   /// @param resolution (m) > 0.
-  EdgeChecker(CollisionChecker& checker, std::shared_ptr<const MotionBound> motion,
-              double resolution);
+  ContinuousCollisionChecker(CollisionChecker& checker, std::shared_ptr<const MotionBound> motion,
+                             double resolution);
 
   /// Questions end early once `stop` says so; it is asked every few configurations,
   /// and once at the beginning of each question. Empty: they never do.
