@@ -3,7 +3,7 @@
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/math/units.h"
 #include "planner_model.h"
-#include "plugins.h"
+#include "plugin_manager.h"
 
 #include <pybind11/stl.h>
 
@@ -153,7 +153,7 @@ void bind_planner_class(py::module_& module) {
 
 py::dict loaded_plugins() {
   py::dict plugins;
-  for (const planning::LoadedPlugin& plugin : plugins().loaded()) {
+  for (const planning::LoadedPlugin& plugin : plugin_manager().loaded()) {
     plugins[py::str(plugin.name)] = plugin.version;
   }
   return plugins;
@@ -161,7 +161,7 @@ py::dict loaded_plugins() {
 
 py::dict refused_plugins() {
   py::dict plugins;
-  for (const planning::RefusedPlugin& plugin : plugins().refused()) {
+  for (const planning::RefusedPlugin& plugin : plugin_manager().refused()) {
     plugins[py::str(plugin.file.string())] = plugin.reason;
   }
   return plugins;
@@ -173,7 +173,7 @@ void bind_planner(py::module_& module) {
   bind_parameter(module);
   bind_planner_class(module);
   module.def(
-      "planners", [] { return plugins().planners().names(); },
+      "planners", [] { return plugin_manager().planners().names(); },
       "Names of all planners, those of plugins included; the first is the default.");
   module.def(
       "planner", [](const std::string& name) { return make_planner(name); }, py::arg("name") = "",

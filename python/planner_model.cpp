@@ -1,7 +1,7 @@
 #include "planner_model.h"
 
 #include "interruptible.h"
-#include "plugins.h"
+#include "plugin_manager.h"
 
 #include <stdexcept>
 #include <type_traits>
@@ -77,7 +77,7 @@ PlanOutcome PlannerModel::plan(const planning::PlanningProblem& problem,
 }
 
 std::unique_ptr<PlannerModel> make_planner(const std::string& name) {
-  const PlannerRegistry& registry = plugins().planners();
+  const PlannerRegistry& registry = plugin_manager().planners();
   return std::make_unique<PlannerModel>(
       registry.create(name.empty() ? registry.names().front() : name));
 }

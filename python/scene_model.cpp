@@ -3,7 +3,7 @@
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/resources.h"
 #include "handway/sampling/postures/pmd_basis_io.h"
-#include "plugins.h"
+#include "plugin_manager.h"
 
 namespace handway::python {
 namespace {
@@ -13,7 +13,7 @@ using geometric::InputError;
 using geometric::Scene;
 
 planning::LoadedScene load(const std::filesystem::path& file, const std::string& basis) {
-  planning::LoadedScene loaded = planning::load_scene(file, plugins());
+  planning::LoadedScene loaded = planning::load_scene(file, plugin_manager());
   if (loaded.scene->robots.empty()) {
     throw InputError({file.string(), "robots", "none", "a robot to plan for", ""});
   }

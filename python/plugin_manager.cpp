@@ -1,10 +1,10 @@
-#include "plugins.h"
+#include "plugin_manager.h"
 
 #include <functional>
 
 namespace handway::python {
 
-const planning::PluginManager& plugins() {
+const planning::PluginManager& plugin_manager() {
   static const planning::PluginManager& loaded = [] {
     auto* made = new planning::PluginManager;
     made->load_plugins(planning::plugin_directory());
