@@ -48,6 +48,9 @@ void add_ros_command(CLI::App& app, int& exit_code);
 /// Adds `handway send PATH.csv --scene SCENE --to DEVICE`.
 void add_send_command(CLI::App& app, int& exit_code);
 
+/// `handway setup ROBOT.urdf`: groups, pairs of links that may touch, and what looks wrong.
+void add_setup_command(CLI::App& app, int& exit_code);
+
 /// `handway time PATH.csv`: how long a path takes, and whether it may run.
 void add_time_command(CLI::App& app, int& exit_code);
 

@@ -1,10 +1,12 @@
 #include "commands.h"
 #include "exit_codes.h"
 #include "handway/geometric/collision/checkers/make_checker.h"
+#include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/math/units.h"
 #include "handway/geometric/robot/limit_violation.h"
 #include "handway/planning/core/planning_problem.h"
 #include "handway/planning/extensions/plugin.h"
+#include "robot_report.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -12,6 +14,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -24,6 +27,9 @@ namespace {
 
 using geometric::RobotModel;
 using Json = nlohmann::ordered_json;
+
+constexpr int kInfoSamples = 1000;
+constexpr std::uint64_t kInfoSeed = 1;
 
 std::size_t triangle_count(const std::vector<geometric::LinkGeometry>& geometry) {
   std::size_t count = 0;
@@ -78,6 +84,13 @@ void print_robot(const geometric::RobotInstance& robot) {
   }
   for (const geometric::JointGroup& group : model.description().groups) {
     fmt::print("  group {}: {} joints\n", group.name, group.joints.size());
+  }
+  for (const geometric::RobotPart& part : robot.parts) {
+    fmt::print("  part {}: {}{}\n", part.name, part.model->name(),
+               part.carrier < 0
+                   ? ""
+                   : fmt::format(", on {} of {}", part.link,
+                                 robot.parts[static_cast<std::size_t>(part.carrier)].name));
   }
 }
 
@@ -158,14 +171,22 @@ const char* form_of(const geometric::SceneObject& object) {
                                 : "surface (open mesh)";
 }
 
+std::vector<std::string> part_names(const geometric::RobotInstance& robot) {
+  std::vector<std::string> names;
+  std::ranges::transform(robot.parts, std::back_inserter(names), &geometric::RobotPart::name);
+  return names;
+}
+
 void print_json(const geometric::Scene& scene, const std::vector<End>& ends,
+                const std::optional<RobotReport>& examined,
                 const std::vector<std::string>& warnings) {
   Json robots = Json::array();
   for (const geometric::RobotInstance& robot : scene.robots) {
     robots.push_back({{"name", robot.name},
                       {"links", robot.model->link_count()},
                       {"joints", robot.model->variable_count()},
-                      {"links_with_open_meshes", links_with_open_meshes(*robot.model)}});
+                      {"links_with_open_meshes", links_with_open_meshes(*robot.model)},
+                      {"parts", part_names(robot)}});
   }
   Json objects = Json::array();
   for (const geometric::SceneObject& object : scene.objects) {
@@ -178,11 +199,15 @@ void print_json(const geometric::Scene& scene, const std::vector<End>& ends,
   for (const End& end : ends) {
     report[end.which] = json_of(end);
   }
+  if (examined) {
+    report["findings"] = findings_json(*examined);
+  }
   fmt::print("{}\n", report.dump(2));
 }
 
 void print_text(const std::filesystem::path& file, const planning::LoadedScene& loaded,
                 const std::vector<End>& ends, const geometric::CollisionChecker* checker,
+                const std::optional<RobotReport>& examined,
                 const std::vector<std::string>& warnings) {
   const geometric::Scene& scene = *loaded.scene;
   fmt::print("{}\n", scene.name.empty() ? file.string() : scene.name);
@@ -202,6 +227,9 @@ void print_text(const std::filesystem::path& file, const planning::LoadedScene& 
   }
   if (checker) {
     print_ends(ends, *checker);
+  }
+  if (examined) {
+    print_findings(*examined);
   }
   for (const std::string& warning : warnings) {
     fmt::print("warning: {}\n", warning);
@@ -225,10 +253,15 @@ int info(const std::filesystem::path& file, bool as_json) {
     warnings.push_back(
         fmt::format("plugin {} was not loaded: {}", plugin.file.string(), plugin.reason));
   }
+  std::optional<RobotReport> examined;
+  if (geometric::has_extension(file, ".urdf")) {
+    const std::shared_ptr<const RobotModel>& model = scene.robots.front().model;
+    examined = robot_report(model, geometric::propose_groups(*model), kInfoSamples, kInfoSeed);
+  }
   if (as_json) {
-    print_json(scene, ends, warnings);
+    print_json(scene, ends, examined, warnings);
   } else {
-    print_text(file, loaded, ends, checker.get(), warnings);
+    print_text(file, loaded, ends, checker.get(), examined, warnings);
   }
   return kDone;
 }

@@ -6,11 +6,14 @@
 
 #include <array>
 #include <cstdio>
+#include <filesystem>
+#include <fstream>
 #include <regex>
 #include <set>
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace handway::test {
@@ -109,6 +112,36 @@ TEST(Readme, ShowsCommandsThatWork) {
     ++commands;
   }
   EXPECT_GE(commands, 3);
+}
+
+// The commands of the section in their order, in a folder with two robots that have no SRDF.
+TEST(RobotsManual, GoesFromTwoRobotFilesToAPath) {
+  namespace fs = std::filesystem;
+  const ScratchFolder scratch;
+  const fs::path robots = source_dir() / "resources/robots";
+  for (const auto& [name, shipped] : {std::pair("arm", "tx90"), std::pair("hand", "sah_right")}) {
+    const fs::path folder = scratch.path() / name;
+    fs::create_directory(folder);
+    fs::create_directory_symlink(robots / shipped / "meshes", folder / "meshes");
+    fs::copy_file(robots / shipped / (std::string(shipped) + ".urdf"),
+                  folder / (std::string(name) + ".urdf"));
+  }
+  const std::string text =
+      section(read_text(source_dir() / "docs" / "robots.md"), "Bring your own robot");
+  const std::size_t yaml = text.find("```yaml\n") + 8;
+  std::ofstream(scratch.path() / "reach.yaml") << text.substr(yaml, text.find("```", yaml) - yaml);
+  std::istringstream lines(text);
+  int commands = 0;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("handway ")) {
+      const ShellRun done = run_in_shell("cd " + scratch.path().string() + " && " HANDWAY_PROGRAM +
+                                         line.substr(std::string("handway").size()));
+      EXPECT_EQ(done.status, 0) << line << '\n' << done.printed;
+      ++commands;
+    }
+  }
+  EXPECT_EQ(commands, 9);
+  EXPECT_TRUE(fs::exists(scratch.path() / "robot.srdf"));
 }
 
 }  // namespace

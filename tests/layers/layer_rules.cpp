@@ -28,7 +28,7 @@ const std::map<std::string, std::vector<std::string>, std::less<>> kLibraryFolde
     {"geometric",
      {"math", "io", "mesh", "robot", "scene", "collision/volumes", "collision",
       "collision/continuous", "collision/cache", "collision/broad_phase", "collision/narrow_phase",
-      "collision/checkers", "formats"}},
+      "collision/checkers", "setup", "formats"}},
     {"sampling", {"sequences", "samplers", "regions", "postures"}},
     {"planning",
      {"core", "spaces", "paths", "roadmap", "timing", "planners", "queries", "extensions",

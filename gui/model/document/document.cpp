@@ -26,7 +26,7 @@ JointGroups joint_groups(const geometric::RobotModel& model, const sampling::Pmd
   JointGroups groups;
   if (basis) {
     for (const std::string& joint : basis->joints) {
-      if (const std::optional<int> variable = model.find_variable(joint)) {
+      if (const std::optional<int> variable = geometric::find_variable_of_part(model, joint)) {
         groups.hand.push_back(*variable);
       }
     }

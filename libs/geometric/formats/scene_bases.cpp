@@ -169,12 +169,11 @@ std::shared_ptr<const RobotModel> with_bases(const YamlElement& robot,
   return bounds.empty() ? moving : bounded(*moving, bounds);
 }
 
-void bound_bases(const YamlElement& robots, Scene& scene) {
+void bound_bases(const std::vector<YamlElement>& robots, Scene& scene) {
   Points points;
-  const std::vector<YamlElement> elements = robots.items();
   for (std::size_t i = 0; i < scene.robots.size(); ++i) {
     RobotInstance& robot = scene.robots[i];
-    Bounds bounds = given_bounds(elements[i], *robot.model);
+    Bounds bounds = given_bounds(robots[i], *robot.model);
     if (bounds.size() == slides_of_bases(*robot.model).size()) {
       continue;
     }
@@ -191,6 +190,9 @@ void bound_bases(const YamlElement& robots, Scene& scene) {
       add_bounds(robot, base, points, values, bounds);
     }
     robot.model = bounded(*robot.model, bounds);
+    if (!robot.parts.empty()) {
+      robot.parts.front().model = bounded(*robot.parts.front().model, bounds);
+    }
   }
 }
 

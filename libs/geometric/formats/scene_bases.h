@@ -4,6 +4,7 @@
 #include "handway/geometric/scene/scene.h"
 
 #include <memory>
+#include <vector>
 
 namespace handway::geometric {
 
@@ -15,7 +16,7 @@ namespace handway::geometric {
 
 /// Gives slides of bases that the robot's "bounds" do not name those of the scene: the box around
 /// objects, robots, start and goal, larger by kAroundScene each way.
-/// @param robots the list of the scene's robots, in which bounds are looked up.
-void bound_bases(const YamlElement& robots, Scene& scene);
+/// @param robots the elements of the scene's robots, in which bounds are looked up.
+void bound_bases(const std::vector<YamlElement>& robots, Scene& scene);
 
 }  // namespace handway::geometric

@@ -1,6 +1,7 @@
 #include "formats/scene_objects.h"
 
 #include "handway/geometric/formats/mesh_reader.h"
+#include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/resources.h"
 #include "handway/geometric/math/units.h"
@@ -100,8 +101,12 @@ Color color_of(const YamlElement& element) {
   return {parts[0], parts[1], parts[2], parts[3]};
 }
 
-std::string link_of(const YamlElement& element, const RobotModel& model) {
+// Of a part of a composed robot, links go by their own names too.
+std::string link_of(const YamlElement& element, const RobotModel& model, const RobotPart* part) {
   std::string name = element.text();
+  if (part != nullptr && part->links.contains(name)) {
+    return part->links.at(name);
+  }
   if (!model.find_link(name)) {
     std::vector<std::string> links;
     for (const Link& link : model.description().links) {
@@ -115,19 +120,21 @@ std::string link_of(const YamlElement& element, const RobotModel& model) {
 Attachment attachment_of(const YamlElement& element, const Scene& scene) {
   element.allow_keys({"robot", "link", "touching"});
   Attachment attachment;
-  attachment.robot = scene.robots.front().name;
   const RobotInstance* robot = &scene.robots.front();
-  if (const std::optional<YamlElement> name = element.find("robot")) {
-    attachment.robot = name->text();
-    robot = find_robot(scene, attachment.robot);
+  const std::optional<YamlElement> name = element.find("robot");
+  if (name) {
+    robot = find_robot_with_part(scene, name->text());
     if (!robot) {
       name->refuse(name->found(), "a robot of the scene");
     }
   }
-  attachment.link = link_of(element.need("link"), *robot->model);
+  const auto part = std::ranges::find(robot->parts, name ? name->text() : "", &RobotPart::name);
+  const RobotPart* own = part == robot->parts.end() ? nullptr : &*part;
+  attachment.robot = robot->name;
+  attachment.link = link_of(element.need("link"), *robot->model, own);
   if (const std::optional<YamlElement> touching = element.find("touching")) {
     for (const YamlElement& link : touching->items()) {
-      attachment.touching.push_back(link_of(link, *robot->model));
+      attachment.touching.push_back(link_of(link, *robot->model, own));
     }
   }
   return attachment;
@@ -147,6 +154,17 @@ Pose pose_of(const YamlElement& element) {
   const Eigen::Vector3d p = xyz ? xyz->numbers(3) : Eigen::VectorXd::Zero(3);
   const Eigen::Vector3d angles = rpy ? rpy->numbers(3) : Eigen::VectorXd::Zero(3);
   return pose_from_rpy(p, radians(angles.x()), radians(angles.y()), radians(angles.z()));
+}
+
+std::filesystem::path find_noted(ResourceKind kind, const YamlElement& reference,
+                                 const std::filesystem::path& folder, Scene& scene) {
+  const std::filesystem::path file =
+      find_resource(kind, reference.text(), folder, reference.where());
+  if (differs_in_case(reference.text(), file)) {
+    scene.warnings.push_back(reference.where() + ": the file's name has other letters, \"" +
+                             file.filename().string() + "\"");
+  }
+  return file;
 }
 
 SceneObject object_of(const YamlElement& element, const Scene& scene,

@@ -2,7 +2,7 @@
 
 #include "formats/scene_bases.h"
 #include "formats/scene_objects.h"
-#include "handway/geometric/formats/robot_loader.h"
+#include "formats/scene_robots.h"
 #include "handway/geometric/formats/yaml_element.h"
 #include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/input_error.h"
@@ -17,65 +17,6 @@
 
 namespace handway::geometric {
 namespace {
-
-constexpr double kAgreement = 1e-6;  // rad or m
-
-// The link that the named joint carries.
-int carried_link(const YamlElement& element, const RobotModel& model, const std::string& name) {
-  std::vector<std::string> moving;
-  for (int link = 1; link < model.link_count(); ++link) {
-    const bool moves = model.drive(link).variable >= 0;
-    if (moves) {
-      moving.push_back(model.joint(link).name);
-    }
-    if (model.joint(link).name == name) {
-      if (!moves) {
-        element.refuse("a value for the fixed joint \"" + name + "\"", "joints that move");
-      }
-      return link;
-    }
-  }
-  element.refuse("the unknown joint \"" + name + "\"", "a joint of " + model.name(),
-                 advise_name(name, moving));
-}
-
-/// A map of joint names to values (rad, m), laid over `defaults`. A coupled
-/// joint may be named too: it then gives its leader's value, or must agree with
-/// it (within 1e-6).
-/// @param defaults shape [variable_count].
-/// @throws InputError naming the line, for unknown and fixed joints and for
-/// coupled joints that contradict each other.
-Configuration configuration_of(const YamlElement& element, const RobotModel& model,
-                               const Configuration& defaults) {
-  Configuration q = defaults;
-  std::vector<std::string> given_by(static_cast<std::size_t>(model.variable_count()));
-  const auto entries = element.entries();
-  // Leaders first, so that the coupled joints are checked against what was said of them.
-  for (const bool coupled : {false, true}) {
-    for (const auto& [name, value] : entries) {
-      const int link = carried_link(value, model, name);
-      if (model.joint(link).mimic.has_value() != coupled) {
-        continue;
-      }
-      const RobotModel::MimicMapping& drive = model.drive(link);
-      std::string& giver = given_by[static_cast<std::size_t>(drive.variable)];
-      const double wanted = value.number();
-      if (giver.empty() && drive.multiplier != 0.0) {
-        q[drive.variable] = (wanted - drive.offset) / drive.multiplier;
-        giver = name;
-        continue;
-      }
-      const double follows = drive.multiplier * q[drive.variable] + drive.offset;
-      if (std::abs(wanted - follows) > kAgreement) {
-        value.refuse(number_text(wanted),
-                     number_text(follows) + ", which follows from " +
-                         (giver.empty() ? "its coupling" : "\"" + giver + "\""),
-                     "Leave the coupled joint out");
-      }
-    }
-  }
-  return q;
-}
 
 /// A map of joint names to values (rad, m), as configuration_of() takes it.
 /// @returns the values of the variables that it gives; without a group.
@@ -181,17 +122,6 @@ void check_version(const YamlElement& top) {
   }
 }
 
-// find_resource(), and a warning if the file has other letters than the scene.
-fs::path find_noted(ResourceKind kind, const YamlElement& reference, const fs::path& folder,
-                    Scene& scene) {
-  const fs::path file = find_resource(kind, reference.text(), folder, reference.where());
-  if (differs_in_case(reference.text(), file)) {
-    scene.warnings.push_back(reference.where() + ": the file's name has other letters, \"" +
-                             file.filename().string() + "\"");
-  }
-  return file;
-}
-
 std::string text_or_empty(const YamlElement& map, const std::string& key) {
   const std::optional<YamlElement> element = map.find(key);
   return element ? element->text() : "";
@@ -201,44 +131,8 @@ void check_new_name(const YamlElement& element, const Scene& scene, const std::s
   if (name.empty()) {
     element.refuse("an empty name", "a name");
   }
-  if (find_robot(scene, name) || find_object(scene, name)) {
-    element.refuse("the name \"" + name + "\" a second time", "names that are unique in the scene",
-                   "Give it a \"name\" of its own");
-  }
-}
-
-RobotInstance robot_of(const YamlElement& element, Scene& scene, const fs::path& folder) {
-  element.allow_keys({"name", "model", "base", "moving_base", "bounds", "configuration"});
-  const YamlElement model = element.need("model");
-  RobotInstance robot;
-  robot.file = model.text();
-  robot.model =
-      with_bases(element, load_robot(find_noted(ResourceKind::kRobot, model, folder, scene)));
-  const std::optional<YamlElement> name = element.find("name");
-  robot.name = name ? name->text() : robot.model->name();
-  check_new_name(name ? *name : element, scene, robot.name);
-  if (const std::optional<YamlElement> base = element.find("base")) {
-    robot.X_WB = pose_of(*base);
-  }
-  const std::optional<YamlElement> configuration = element.find("configuration");
-  robot.configuration = robot.model->neutral();
-  if (configuration) {
-    robot.configuration = configuration_of(*configuration, *robot.model, robot.configuration);
-  }
-  return robot;
-}
-
-void add_robots(const YamlElement& top, const fs::path& folder, Scene& scene) {
-  const YamlElement list = top.need("robots");
-  for (const YamlElement& element : list.items()) {
-    scene.robots.push_back(robot_of(element, scene, folder));
-    const RobotInstance& robot = scene.robots.back();
-    for (const std::string& warning : robot.model->description().warnings) {
-      scene.warnings.push_back("robot " + robot.name + ": " + warning);
-    }
-  }
-  if (scene.robots.empty()) {
-    list.refuse("an empty list", "at least one robot");
+  if (find_robot_with_part(scene, name) || find_object(scene, name)) {
+    refuse_second_name(element, name);
   }
 }
 
@@ -293,7 +187,7 @@ Scene read_scene(const fs::path& file) {
   scene.file = file;
   scene.name = text_or_empty(top, "name");
   scene.description = text_or_empty(top, "description");
-  add_robots(top, folder, scene);
+  const std::vector<YamlElement> robots = read_robots(top.need("robots"), folder, scene);
   add_objects(top, folder, scene);
   if (const std::optional<YamlElement> constraints = top.find("constraints")) {
     for (const YamlElement& element : constraints->items()) {
@@ -302,7 +196,7 @@ Scene read_scene(const fs::path& file) {
   }
   scene.start = query_of(top, "start", scene.robots.front());
   scene.goal = query_of(top, "goal", scene.robots.front());
-  bound_bases(top.need("robots"), scene);
+  bound_bases(robots, scene);
   if (const std::optional<YamlElement> postures = top.find("postures")) {
     for (const auto& [name, values] : postures->entries()) {
       scene.postures.push_back(posture_of(values, *scene.robots.front().model, name));

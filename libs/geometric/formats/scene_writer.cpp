@@ -24,12 +24,17 @@
 namespace handway::geometric {
 namespace {
 
+/// How a scene file names a robot's file.
+struct RobotReference {
+  std::filesystem::path file;
+  bool is_saved = false;  ///< With its bases, in a file made for the scene.
+};
+
 /// How a scene file names the files that it needs, in the scene's order.
 struct SceneReferences {
-  std::vector<std::filesystem::path> robots;
-  std::vector<bool> is_saved_robot;           ///< With its bases, in a file made for the scene.
-  std::vector<std::filesystem::path> meshes;  ///< Empty for objects of other shapes.
-  std::vector<bool> is_scaled;                ///< False: the mesh file already has the scale.
+  std::vector<std::vector<RobotReference>> robots;  ///< Of each robot: of its parts, in order.
+  std::vector<std::filesystem::path> meshes;        ///< Empty for objects of other shapes.
+  std::vector<bool> is_scaled;                      ///< False: the mesh file already has the scale.
   std::filesystem::path hand_basis;
 };
 
@@ -73,12 +78,36 @@ std::string bases_text(const RobotModel& model) {
   return bounds.empty() ? "" : text + "    bounds:\n" + bounds;
 }
 
-std::string robot_text(const RobotInstance& robot, const std::filesystem::path& reference,
-                       bool is_saved) {
-  return fmt::format("  - name: {}\n    model: {}\n    base: {}\n{}    configuration:{}",
-                     yaml_scalar(robot.name), yaml_scalar(reference.generic_string()),
-                     yaml_pose(robot.X_WB), is_saved ? "" : bases_text(*robot.model),
-                     configuration_text(*robot.model, robot.configuration, "      "));
+// The values of the part's own joints, by their own names.
+std::string part_configuration_text(const RobotInstance& robot, const RobotPart& part) {
+  Configuration q = part.model->neutral();
+  for (int v = 0; v < part.model->variable_count(); ++v) {
+    const std::string& composed = part.joints.at(part.model->variable(v).name);
+    q[v] = robot.configuration[robot.model->find_variable(composed).value()];
+  }
+  return configuration_text(*part.model, q, "      ");
+}
+
+std::string mount_text(const RobotInstance& robot, const RobotPart& part) {
+  return fmt::format("    mount: {{robot: {}, link: {}, pose: {}}}\n",
+                     yaml_scalar(robot.parts[static_cast<std::size_t>(part.carrier)].name),
+                     yaml_scalar(part.link), yaml_pose(part.X_LB));
+}
+
+std::string robot_text(const RobotInstance& robot, const std::vector<RobotReference>& references) {
+  std::string text;
+  for (std::size_t i = 0; i < references.size(); ++i) {
+    const RobotPart* part = robot.parts.empty() ? nullptr : &robot.parts[i];
+    text += fmt::format(
+        "  - name: {}\n    model: {}\n{}{}    configuration:{}",
+        yaml_scalar(part ? part->name : robot.name),
+        yaml_scalar(references[i].file.generic_string()),
+        i == 0 ? fmt::format("    base: {}\n", yaml_pose(robot.X_WB)) : mount_text(robot, *part),
+        i > 0 || references[i].is_saved ? "" : bases_text(part ? *part->model : *robot.model),
+        part ? part_configuration_text(robot, *part)
+             : configuration_text(*robot.model, robot.configuration, "      "));
+  }
+  return text;
 }
 
 class ShapeText {
@@ -184,7 +213,7 @@ std::string scene_text(const Scene& scene, const SceneReferences& references) {
   }
   text += "robots:\n";
   for (std::size_t i = 0; i < scene.robots.size(); ++i) {
-    text += robot_text(scene.robots[i], references.robots[i], references.is_saved_robot[i]);
+    text += robot_text(scene.robots[i], references.robots[i]);
   }
   text += scene.objects.empty() ? "" : "objects:\n";
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
@@ -247,7 +276,13 @@ class SceneFileWriter {
       throw InputError({file_.string(), "robots", "a scene without a robot", "at least one", ""});
     }
     for (const RobotInstance& robot : scene_.robots) {
-      add_robot_reference(robot);
+      std::vector<RobotReference>& references = references_.robots.emplace_back();
+      for (const RobotPart& part : robot.parts) {
+        references.push_back(robot_reference(part.name, part.file, *part.model));
+      }
+      if (robot.parts.empty()) {
+        references.push_back(robot_reference(robot.name, robot.file, *robot.model));
+      }
     }
     if (!scene_.hand_basis.empty()) {
       references_.hand_basis =
@@ -261,19 +296,17 @@ class SceneFileWriter {
 
  private:
   // A robot that comes from no robot file (an importer made it) is saved as one.
-  void add_robot_reference(const RobotInstance& robot) {
-    const fs::path& file = robot.file.empty() ? robot.model->description().file : robot.file;
+  RobotReference robot_reference(const std::string& name, const fs::path& known,
+                                 const RobotModel& model) const {
+    const fs::path& file = known.empty() ? model.description().file : known;
     const bool is_other_file = file.has_extension() && !has_extension(file, ".urdf") &&
                                fs::exists(fs::absolute(from_ / file));
-    const bool has_file = !file.empty() && !is_other_file;
-    references_.is_saved_robot.push_back(!has_file);
-    if (has_file) {
-      references_.robots.push_back(moved_reference(ResourceKind::kRobot, file, from_, to_));
-      return;
+    if (!file.empty() && !is_other_file) {
+      return {moved_reference(ResourceKind::kRobot, file, from_, to_)};
     }
-    references_.robots.emplace_back(file_.stem().string() + "_" + file_name_of(robot.name) +
-                                    ".urdf");
-    write_urdf(*robot.model, to_ / references_.robots.back());
+    const fs::path saved = file_.stem().string() + "_" + file_name_of(name) + ".urdf";
+    write_urdf(model, to_ / saved);
+    return {saved, true};
   }
 
   void add_mesh_reference(const SceneObject& object) {

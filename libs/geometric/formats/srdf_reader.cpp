@@ -205,8 +205,8 @@ std::vector<JointGroup> srdf_groups(const XmlDocument& document, const RobotDesc
 }
 
 AllowedReason reason_of(const std::string& word) {
-  for (const AllowedReason reason :
-       {AllowedReason::kAdjacent, AllowedReason::kAlways, AllowedReason::kNever}) {
+  for (const AllowedReason reason : {AllowedReason::kAdjacent, AllowedReason::kAlways,
+                                     AllowedReason::kNever, AllowedReason::kDefault}) {
     if (word == to_string(reason)) {
       return reason;
     }
@@ -222,7 +222,7 @@ std::vector<std::string> names_of(const Items& items) {
   return names;
 }
 
-// http://wiki.ros.org/srdf; only the first three and virtual_joint are read.
+// http://wiki.ros.org/srdf; only the first four and virtual_joint are read.
 const XmlVocabulary& vocabulary() {
   static const XmlVocabulary kVocabulary = {
       {"robot",
@@ -231,6 +231,7 @@ const XmlVocabulary& vocabulary() {
       {"group", {.children = {"joint", "link", "chain", "group"}}},
       {"chain", {.attributes = {"base_link", "tip_link"}}},
       {"group_state", {.children = {"joint"}}},
+      {"end_effector", {.attributes = {"name", "parent_link", "group", "parent_group"}}},
       {"disable_collisions", {.attributes = {"link1", "link2", "reason"}}}};
   return kVocabulary;
 }
@@ -268,6 +269,7 @@ void add_virtual_joints(const XmlDocument& document, RobotDescription& robot) {
 /// What is read of an SRDF file.
 struct Semantics {
   std::vector<JointGroup> groups;
+  std::vector<EndEffector> end_effectors;
   std::vector<NamedPosture> postures;
   AllowedCollisions allowed;
   std::vector<std::string> warnings;
@@ -284,6 +286,9 @@ class SrdfReader {
   }
 
   [[nodiscard]] Semantics read() {
+    for (const pugi::xml_node& node : top_.children("end_effector")) {
+      add_end_effector(node);
+    }
     for (const pugi::xml_node& node : top_.children("group_state")) {
       add_posture(node);
     }
@@ -303,6 +308,21 @@ class SrdfReader {
   }
 
  private:
+  void add_end_effector(const pugi::xml_node& node) {
+    const EndEffector effector{node.attribute("name").value(), node.attribute("group").value(),
+                               node.attribute("parent_link").value(),
+                               node.attribute("parent_group").value()};
+    const std::vector<std::string> groups = names_of(semantics_.groups);
+    const auto is_group = [&](const std::string& group) {
+      return unknown_.check(document_, node, "group", group, groups);
+    };
+    if (is_group(effector.group) &&
+        (effector.parent_group.empty() || is_group(effector.parent_group)) &&
+        unknown_.check(document_, node, "link", effector.parent_link, links_)) {
+      semantics_.end_effectors.push_back(effector);
+    }
+  }
+
   void add_posture(const pugi::xml_node& node) {
     NamedPosture posture{document_.need(node, "name"), document_.need(node, "group"), {}};
     if (!unknown_.check(document_, node, "group", posture.group, names_of(semantics_.groups))) {
@@ -353,6 +373,7 @@ void read_srdf(const std::filesystem::path& file, RobotDescription& robot) {
     srdf.warnings.push_back(file.string() + " is written for a robot called \"" + name + "\"");
   }
   robot.groups = std::move(srdf.groups);
+  robot.end_effectors = std::move(srdf.end_effectors);
   robot.postures = std::move(srdf.postures);
   robot.allowed_collisions = std::move(srdf.allowed);
   std::ranges::move(srdf.warnings, std::back_inserter(robot.warnings));

@@ -22,11 +22,25 @@ void remove_disabled(pugi::xml_node robot) {
   }
 }
 
+bool has_child(const pugi::xml_node& robot, const char* element, const std::string& name) {
+  return !robot.find_child_by_attribute(element, "name", name.c_str()).empty();
+}
+
 void append_group(pugi::xml_node robot, const JointGroup& group) {
   pugi::xml_node element = robot.append_child("group");
   element.append_attribute("name") = group.name.c_str();
   for (const std::string& joint : group.joints) {
     element.append_child("joint").append_attribute("name") = joint.c_str();
+  }
+}
+
+void append_end_effector(pugi::xml_node robot, const EndEffector& effector) {
+  pugi::xml_node element = robot.append_child("end_effector");
+  element.append_attribute("name") = effector.name.c_str();
+  element.append_attribute("parent_link") = effector.parent_link.c_str();
+  element.append_attribute("group") = effector.group.c_str();
+  if (!effector.parent_group.empty()) {
+    element.append_attribute("parent_group") = effector.parent_group.c_str();
   }
 }
 
@@ -43,21 +57,26 @@ void append_posture(pugi::xml_node robot, const NamedPosture& posture) {
 
 }  // namespace
 
-void write_disabled_collisions(const std::filesystem::path& file, const std::string& robot,
-                               const AllowedCollisions& allowed) {
-  if (std::filesystem::exists(file)) {
-    XmlDocument document(file, "a semantic robot file (SRDF)");
-    pugi::xml_node root = document.root("robot");
-    remove_disabled(root);
-    append_disabled(root, allowed);
-    replace_file(file, xml_text(document.nodes()));
+void update_srdf(const RobotDescription& robot, const std::filesystem::path& file) {
+  if (!std::filesystem::exists(file)) {
+    write_srdf(robot, file);
     return;
   }
-  pugi::xml_document document;
-  pugi::xml_node root = document.append_child("robot");
-  root.append_attribute("name") = robot.c_str();
-  append_disabled(root, allowed);
-  replace_file(file, xml_text(document));
+  XmlDocument document(file, "a semantic robot file (SRDF)");
+  pugi::xml_node root = document.root("robot");
+  for (const JointGroup& group : robot.groups) {
+    if (!has_child(root, "group", group.name)) {
+      append_group(root, group);
+    }
+  }
+  for (const EndEffector& effector : robot.end_effectors) {
+    if (!has_child(root, "end_effector", effector.name)) {
+      append_end_effector(root, effector);
+    }
+  }
+  remove_disabled(root);
+  append_disabled(root, robot.allowed_collisions);
+  replace_file(file, xml_text(document.nodes()));
 }
 
 void write_srdf(const RobotDescription& robot, const std::filesystem::path& file) {
@@ -66,6 +85,9 @@ void write_srdf(const RobotDescription& robot, const std::filesystem::path& file
   root.append_attribute("name") = robot.name.c_str();
   for (const JointGroup& group : robot.groups) {
     append_group(root, group);
+  }
+  for (const EndEffector& effector : robot.end_effectors) {
+    append_end_effector(root, effector);
   }
   for (const NamedPosture& posture : robot.postures) {
     append_posture(root, posture);

@@ -5,9 +5,14 @@
 #include "handway/geometric/io/input_error.h"
 
 #include <cmath>
+#include <cstdlib>
 #include <optional>
+#include <sstream>
+#include <string>
 #include <string_view>
 #include <system_error>
+#include <utility>
+#include <vector>
 
 namespace handway::geometric {
 namespace {
@@ -32,6 +37,65 @@ std::optional<fs::path> find_package(const std::string& name, const fs::path& fo
   return std::nullopt;
 }
 
+// The folders of $ROS_PACKAGE_PATH, and those in which $AMENT_PREFIX_PATH has packages.
+std::vector<fs::path> package_roots() {
+  std::vector<fs::path> roots;
+  for (const auto& [variable, below] :
+       {std::pair("ROS_PACKAGE_PATH", ""), std::pair("AMENT_PREFIX_PATH", "share")}) {
+    const char* value = std::getenv(variable);
+    std::istringstream paths(value != nullptr ? value : "");
+    for (std::string path; std::getline(paths, path, ':');) {
+      if (!path.empty()) {
+        roots.push_back(fs::path(path) / below);
+      }
+    }
+  }
+  return roots;
+}
+
+std::optional<fs::path> find_ros_package(const std::string& name) {
+  std::error_code ignored;
+  for (const fs::path& root : package_roots()) {
+    for (const fs::path& folder : {root / name, root}) {
+      if (folder.filename() == name && fs::is_directory(folder, ignored)) {
+        return folder;
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+// A file of that name in the robot's folder or the one above it, as deep as meshes usually lie.
+std::optional<fs::path> find_elsewhere(const fs::path& name, const fs::path& folder) {
+  constexpr int kDepth = 5;
+  constexpr int kMostEntries = 20'000;
+  int entries = 0;
+  std::error_code error;
+  for (const fs::path& top : {folder, folder.parent_path()}) {
+    constexpr auto kOptions = fs::directory_options::skip_permission_denied;
+    for (fs::recursive_directory_iterator entry(top, kOptions, error), end;
+         !error && entry != end && ++entries < kMostEntries; entry.increment(error)) {
+      if (entry.depth() >= kDepth) {
+        entry.disable_recursion_pending();
+      }
+      std::error_code ignored;
+      if (entry->path().filename() == name && entry->is_regular_file(ignored)) {
+        return entry->path();
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+// "Write filename="…" if there is such a file nearby, else `otherwise`.
+std::string mesh_advice(const std::string& filename, const fs::path& folder,
+                        const std::string& otherwise) {
+  const std::optional<fs::path> found = find_elsewhere(fs::path(filename).filename(), folder);
+  return found ? "Write filename=\"" + found->lexically_relative(folder).generic_string() +
+                     "\": there is a file of this name"
+               : otherwise;
+}
+
 /// The file that a robot file means by a mesh's `filename` (see read_urdf()).
 /// @param folder of the robot file, absolute.
 /// @param referenced_by "FILE:LINE", for messages.
@@ -54,12 +118,16 @@ fs::path resolve_mesh_filename(const std::string& filename, const fs::path& fold
   const std::string name = rest.substr(0, rest.find('/'));
   std::optional<fs::path> package = find_package(name, folder, Letters::kExact);
   if (!package) {
+    package = find_ros_package(name);
+  }
+  if (!package) {
     package = find_package(name, folder, Letters::kAnyCase);
   }
   if (!package) {
-    throw InputError({referenced_by, "mesh", "\"" + filename + "\", but no folder \"" + name + "\"",
-                      "that folder at " + folder.string() + " or above",
-                      "Put the package there, or write a relative path"});
+    throw InputError(
+        {referenced_by, "mesh", "\"" + filename + "\", but no folder \"" + name + "\"",
+         "that folder at " + folder.string() + " or above, or in $ROS_PACKAGE_PATH",
+         mesh_advice(filename, folder, "Put the package there, or write a relative path")});
   }
   return existing_file((*package / fs::path(rest).lexically_relative(name)).lexically_normal());
 }
@@ -105,6 +173,10 @@ class GeometryReader {
     const auto& mesh = dynamic_cast<const urdf::Mesh&>(geometry);
     const Eigen::Vector3d scale(mesh.scale.x, mesh.scale.y, mesh.scale.z);
     const std::filesystem::path file = resolve_mesh_filename(mesh.filename, folder_, where_);
+    if (!std::filesystem::exists(file)) {
+      throw InputError({where_, element_, "no such file: " + file.string(), "a mesh",
+                        mesh_advice(mesh.filename, folder_, "Check the path")});
+    }
     if (differs_in_case(mesh.filename, file)) {
       files_.renamed.insert(mesh.filename);
     }

@@ -13,7 +13,8 @@ AllowedCollisions::Pair ordered(const std::string& a, const std::string& b) {
 }  // namespace
 
 const char* to_string(AllowedReason reason) {
-  static constexpr std::array<const char*, 4> kWords = {"Adjacent", "Always", "Never", "User"};
+  static constexpr std::array<const char*, 5> kWords = {"Adjacent", "Always", "Never", "Default",
+                                                        "User"};
   return kWords[static_cast<std::size_t>(reason)];
 }
 

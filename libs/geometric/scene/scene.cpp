@@ -21,6 +21,14 @@ const SceneObject* find_object(const Scene& scene, std::string_view name) {
   return find_named(scene.objects, name);
 }
 
+const RobotInstance* find_robot_with_part(const Scene& scene, std::string_view name) {
+  const auto has_it = [&](const RobotInstance& robot) {
+    return robot.name == name || std::ranges::count(robot.parts, name, &RobotPart::name) > 0;
+  };
+  const auto found = std::ranges::find_if(scene.robots, has_it);
+  return found == scene.robots.end() ? nullptr : &*found;
+}
+
 bool is_carried_by(const SceneObject& object, const RobotInstance& robot) {
   return object.attachment && object.attachment->robot == robot.name &&
          robot.model->find_link(object.attachment->link);

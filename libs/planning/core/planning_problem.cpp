@@ -20,7 +20,7 @@ std::vector<int> hand_variables(const geometric::Scene& scene, const sampling::P
   }
   std::vector<int> hand;
   for (const std::string& joint : basis->joints) {
-    const std::optional<int> variable = model.find_variable(joint);
+    const std::optional<int> variable = geometric::find_variable_of_part(model, joint);
     if (!variable) {
       throw InputError({scene.file.string(), "hand_basis",
                         "joint \"" + joint + "\", which robot " + model.name() + " has not",

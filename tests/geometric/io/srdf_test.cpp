@@ -141,10 +141,18 @@ TEST(SrdfReader, RefusesMisspeltElementsAndTellsOfOthers) {
               AllOf(HasSubstr("r.srdf:2"), HasSubstr("Did you mean <disable_collisions>?")));
   EXPECT_THAT(refusal("<grup name=\"g\"/>"), HasSubstr("Did you mean <group>?"));
   EXPECT_THAT(refusal("<group name=\"g\"><chian/></group>"), HasSubstr("<chain>"));
-  EXPECT_THAT(read(files, R"(<end_effector name="e" parent_link="tip" group="g"/>
-    <enable_collisions link1="l1" link2="tip"/><motoman:tool/>)")
-                  .warnings,
+  EXPECT_THAT(read(files, R"(<enable_collisions link1="l1" link2="tip"/><motoman:tool/>)").warnings,
               ElementsAre(AllOf(HasSubstr("<enable_collisions>"), HasSubstr("<motoman:tool>"))));
+}
+
+TEST(SrdfReader, ReadsEndEffectorsAndPassesOverThoseOfUnknownGroups) {
+  const ScratchFiles files;
+  const RobotDescription robot = read(files, R"(<group name="g"><joint name="j2"/></group>
+<end_effector name="e" parent_link="l1" group="g"/>
+<end_effector name="f" parent_link="l1" group="h"/>
+)");
+  EXPECT_THAT(robot.end_effectors, ElementsAre(EndEffector{"e", "g", "l1", ""}));
+  EXPECT_THAT(robot.warnings, ElementsAre(HasSubstr("group \"h\"")));
 }
 
 TEST(SrdfReader, NamesTheLineOfWhatMakesNoSense) {
@@ -185,29 +193,37 @@ TEST(SrdfWriter, ReplacesTheMatrixAndKeepsTheRest) {
   AllowedCollisions allowed;
   allowed.allow("l2", "tip", AllowedReason::kAdjacent);
   allowed.allow("base", "tip", AllowedReason::kUser);
-  write_disabled_collisions(file, "r", allowed);
+  RobotDescription changed = chain_of_three();
+  changed.allowed_collisions = allowed;
+  changed.groups = {{"g", {"j1"}}, {"hand", {"j2"}}};
+  update_srdf(changed, file);
   EXPECT_THAT(ScratchFiles::read(file), HasSubstr("by hand"));
   RobotDescription robot = chain_of_three();
   read_srdf(file, robot);
   EXPECT_EQ(robot.allowed_collisions.entries(), allowed.entries());
-  EXPECT_EQ(robot.groups.size(), 1U);
+  EXPECT_EQ(robot.groups.size(), 2U);
 }
 
 TEST(SrdfWriter, MakesAFileWhereThereIsNone) {
   const ScratchFiles files;
   AllowedCollisions allowed;
   allowed.allow("l2", "tip", AllowedReason::kAlways);
-  write_disabled_collisions(files.folder() / "new.srdf", "r", allowed);
   RobotDescription robot = chain_of_three();
+  robot.allowed_collisions = allowed;
+  robot.groups = {{"hand", {"j2"}}};
+  robot.end_effectors = {{"gripper", "hand", "l1", ""}};
+  update_srdf(robot, files.folder() / "new.srdf");
+  robot = chain_of_three();
   read_srdf(files.folder() / "new.srdf", robot);
   EXPECT_EQ(robot.allowed_collisions.entries(), allowed.entries());
+  EXPECT_THAT(robot.end_effectors, ElementsAre(EndEffector{"gripper", "hand", "l1", ""}));
   EXPECT_THAT(robot.warnings, Not(testing::Contains(HasSubstr("robot called"))));
 }
 
 TEST(SrdfWriter, LeavesAFileThatIsNoSrdfAlone) {
   const ScratchFiles files;
   const auto file = files.write("r.srdf", "notes");
-  EXPECT_THROW(write_disabled_collisions(file, "r", {}), InputError);
+  EXPECT_THROW(update_srdf(chain_of_three(), file), InputError);
   EXPECT_EQ(ScratchFiles::read(file), "notes");
 }
 

@@ -188,6 +188,37 @@ TEST(UrdfReader, FindsMeshesOfPackages) {
   EXPECT_EQ(std::get<Mesh>(r.links[2].collision[0].shape).file, mesh);
 }
 
+TEST(UrdfReader, FindsPackagesWhereRosHasThem) {
+  const ScratchFiles files;
+  const auto mesh = files.write("ros/share/arm_description/meshes/s.obj", kSquareObj);
+  const auto file = files.write(
+      "mine/r.urdf", robot("<link name=\"a\"><collision><geometry><mesh "
+                           "filename=\"package://arm_description/meshes/s.obj\"/></geometry>"
+                           "</collision></link>"));
+  const std::string ros = (files.folder() / "ros").string();
+  for (const auto& [variable, value] : {std::pair("ROS_PACKAGE_PATH", "/nowhere:" + ros + "/share"),
+                                        std::pair("AMENT_PREFIX_PATH", ros)}) {
+    ASSERT_EQ(setenv(variable, value.c_str(), 1), 0);
+    const RobotDescription r = read_urdf(file);
+    unsetenv(variable);
+    EXPECT_EQ(std::get<Mesh>(r.links[0].collision[0].shape).file, mesh);
+  }
+}
+
+TEST(UrdfReader, SaysWhereAMissingMeshMayBe) {
+  const ScratchFiles files;
+  files.write("other/parts/s.obj", kSquareObj);
+  for (const char* name : {"meshes/s.obj", "package://nowhere/s.obj"}) {
+    const auto file =
+        files.write("mine/r.urdf",
+                    robot(std::string("<link name=\"a\"><collision><geometry><mesh filename=\"") +
+                          name + "\"/></geometry></collision></link>"));
+    EXPECT_THAT(
+        input_error_of([&] { static_cast<void>(read_urdf(file)); }),
+        AllOf(HasSubstr("r.urdf:"), HasSubstr(name), HasSubstr("\"../other/parts/s.obj\"")));
+  }
+}
+
 TEST(UrdfReader, NamesTheLineOfABrokenFile) {
   const ScratchFiles files;
   EXPECT_THAT(refusal(files, "<robot name=\"r\">\n<link name=\"a\">\n</robot>\n"),
@@ -265,7 +296,7 @@ TEST(UrdfReader, RefusesCoupledJointsInARing) {
       "no error");
 }
 
-TEST(RobotLoader, LetsJoinedLinksTouchWithoutAnSrdf) {
+TEST(RobotLoader, LetsJoinedAndOverlappingLinksTouchWithoutAnSrdf) {
   const ScratchFiles files;
   const std::string solid =
       "<collision><geometry><sphere radius=\"0.1\"/></geometry></collision></link>";
@@ -277,8 +308,12 @@ TEST(RobotLoader, LetsJoinedLinksTouchWithoutAnSrdf) {
   const AllowedCollisions& allowed = model->description().allowed_collisions;
   EXPECT_EQ(allowed.reason("a", "b"), AllowedReason::kAdjacent);
   EXPECT_EQ(allowed.reason("b", "c"), AllowedReason::kAdjacent);
-  EXPECT_EQ(allowed.entries().size(), 2U);
-  EXPECT_THAT(model->description().warnings, ElementsAre(HasSubstr("SRDF")));
+  EXPECT_EQ(allowed.reason("a", "c"), AllowedReason::kAlways);
+  EXPECT_EQ(allowed.entries().size(), 3U);
+  EXPECT_EQ(model->find_group("arm")->size(), 2U);
+  EXPECT_THAT(model->description().warnings,
+              ElementsAre(AllOf(HasSubstr("SRDF"), HasSubstr("1 pair that overlaps")),
+                          HasSubstr("may be an arm or a finger")));
 }
 
 TEST(RobotLoader, RefusesOtherKindsOfFiles) {

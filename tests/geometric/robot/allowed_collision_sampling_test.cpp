@@ -1,4 +1,4 @@
-#include <handway/geometric/formats/robot_loader.h>
+#include <handway/geometric/setup/collision_sampling.h>
 
 #include <gtest/gtest.h>
 
@@ -43,6 +43,11 @@ RobotModel spheres() {
   add_joint("far", "back", {0.1, 0, -5}, JointType::kRevolute);
   add_joint("arm", "sweeper", {-1, 0, 0}, JointType::kRevolute);
   return RobotModel(robot);
+}
+
+AllowedCollisions sample_allowed_collisions(const RobotModel& model, int samples,
+                                            std::uint64_t seed) {
+  return allowed_collisions(model, sample_self_collisions(model, samples, seed));
 }
 
 TEST(AllowedCollisionSampling, FindsAdjacentLinksAcrossLinksWithoutGeometry) {

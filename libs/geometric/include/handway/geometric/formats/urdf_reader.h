@@ -19,7 +19,7 @@ namespace handway::geometric {
 ///   absolute.
 /// - Mesh file names: relative to the URDF's folder; absolute; `file://PATH`;
 ///   `package://NAME/REST`, NAME being a folder above the URDF, or a neighbour
-///   of one of these.
+///   of one of these, or a package of $ROS_PACKAGE_PATH or $AMENT_PREFIX_PATH.
 /// - Links and joints keep the order of the file.
 /// - An SRDF file beside it with the same stem is read too (see read_srdf()).
 ///

@@ -75,10 +75,11 @@ enum class AllowedReason {
   kAdjacent,  ///< Joined by a joint: they touch by construction.
   kAlways,    ///< In collision in every sampled configuration.
   kNever,     ///< In collision in no sampled configuration.
+  kDefault,   ///< In collision at the neutral posture and at most others: the shapes overlap.
   kUser,      ///< Somebody said so.
 };
 
-/// The word in SRDF files: "Adjacent", "Always", "Never", "User".
+/// The word in SRDF files: "Adjacent", "Always", "Never", "Default", "User".
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT const char* to_string(AllowedReason reason);
 
 /// The allowed-collision matrix: pairs of link names with the reason. The order
@@ -102,6 +103,16 @@ class HANDWAY_GEOMETRIC_EXPORT AllowedCollisions {
 struct JointGroup {
   std::string name;
   std::vector<std::string> joints;
+};
+
+/// What an arm carries to work with (SRDF's `end_effector`).
+struct EndEffector {
+  std::string name;
+  std::string group;         ///< Its joints.
+  std::string parent_link;   ///< The link that carries it.
+  std::string parent_group;  ///< The joints that move it; may be empty.
+
+  friend bool operator==(const EndEffector&, const EndEffector&) = default;
 };
 
 /// A named posture of some joints (SRDF's `group_state`), rad or m.
@@ -128,6 +139,7 @@ struct RobotDescription {
   std::vector<Link> links;
   std::vector<Joint> joints;
   std::vector<JointGroup> groups;
+  std::vector<EndEffector> end_effectors;
   std::vector<BaseJoint> base_joints;
   std::vector<BaseJoint> virtual_joints;  ///< Of the SRDF; they don't move unless a scene says so.
   std::vector<NamedPosture> postures;

@@ -2,6 +2,7 @@
 
 #include "handway/geometric/export.h"
 #include "handway/geometric/mesh/shape.h"
+#include "handway/geometric/robot/composed_robot.h"
 #include "handway/geometric/robot/robot_model.h"
 #include "handway/geometric/scene/path_constraint.h"
 #include "handway/geometric/scene/planner_request.h"
@@ -23,6 +24,9 @@ struct RobotInstance {
   std::shared_ptr<const RobotModel> model;
   Pose X_WB = Pose::Identity();  ///< Base (root link) in the world.
   Configuration configuration;   ///< Where the robot stands; shape [variable_count].
+  /// The robots that are mounted on each other to make `model`, the one that stands in the world
+  /// first: it has the `name` and `file` of this robot. Empty for a robot of one file.
+  std::vector<RobotPart> parts = {};
 };
 
 /// What an object is fixed to when it is not fixed to the world.
@@ -65,6 +69,10 @@ struct Scene {
                                                                        std::string_view name);
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT const SceneObject* find_object(const Scene& scene,
                                                                       std::string_view name);
+
+/// The robot of that name, or that has a part of that name; nullptr if there is none.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT const RobotInstance* find_robot_with_part(
+    const Scene& scene, std::string_view name);
 
 /// Whether the object is fixed to a link of the robot.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT bool is_carried_by(const SceneObject& object,

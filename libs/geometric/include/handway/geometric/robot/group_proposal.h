@@ -1,0 +1,44 @@
+#pragma once
+
+#include "handway/geometric/export.h"
+#include "handway/geometric/robot/robot_model.h"
+
+#include <string>
+#include <vector>
+
+namespace handway::geometric {
+
+/// What the tree leaves open, and what to do about it.
+struct GroupQuestion {
+  std::string open;
+  std::string mend;
+};
+
+/// What parts of a robot seem to be its arm and its hand. Joints in the robot's order, fixed ones
+/// left out.
+struct GroupProposal {
+  std::vector<std::string> arm;
+  std::vector<std::string> hand;         ///< Of the fingers, without `wrist`.
+  std::vector<std::string> wrist;        ///< One or two joints between the root and the palm.
+  std::string palm;                      ///< The link that carries the fingers; empty without hand.
+  std::vector<std::string> fingertips;   ///< The last link of each finger.
+  std::string tip;                       ///< Of an arm without a hand: the last link.
+  std::vector<GroupQuestion> questions;  ///< What only a person can decide.
+
+  /// `hand`, and `wrist`, which comes with the hand unless somebody says that the arm has it.
+  [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<std::string> hand_with_wrist() const;
+};
+
+/// Finds arm and hand by the tree alone. A hand is what branches into fingers of at most 0.4 m; all
+/// that leads there is the arm. One or two joints that lead to the fingers of a robot without other
+/// arm are a wrist. Where branches are longer they are arms, each with what it carries. A robot
+/// that does not branch is an arm.
+///
+/// Of several hands, `palm` is the first one's.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT GroupProposal propose_groups(const RobotModel& model);
+
+/// Adds the groups "arm" and "hand" of the proposal, those that have joints, and the end effector
+/// of the hand. Groups and end effectors that are there stay.
+HANDWAY_GEOMETRIC_EXPORT void add_groups(const GroupProposal& proposal, RobotDescription& robot);
+
+}  // namespace handway::geometric

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "handway/geometric/export.h"
+#include "handway/geometric/robot/robot_description.h"
+#include "handway/geometric/robot/robot_model.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace handway::geometric {
+
+/// The pairs of links with collision geometry that a joint connects, also where
+/// links without geometry stand between them.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT AllowedCollisions adjacent_links(const RobotModel& model);
+
+/// How often two links that are not adjacent were in collision.
+struct SampledPair {
+  std::string a;
+  std::string b;
+  int collisions = 0;       ///< Of the samples.
+  bool at_neutral = false;  ///< In RobotModel::neutral().
+  bool at_middle = false;   ///< With every joint in the middle of its range.
+
+  /// In collision at the neutral posture and in at least half of the samples: the shapes overlap by
+  /// construction, as those of a knuckle and its palm may.
+  [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT bool overlaps(int samples) const;
+};
+
+struct SelfCollisionSamples {
+  int samples = 0;
+  /// Samples in which pairs touch that neither always touch nor overlap.
+  int colliding = 0;
+  std::vector<SampledPair> pairs;
+};
+
+/// Counts collisions of all pairs of links that move against each other and are not adjacent, in
+/// configurations drawn uniformly between the limits. The robot's allowed collisions play no part.
+/// Same model, samples and seed give the same counts. One thread.
+/// @throws std::invalid_argument if `samples` < 1.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT SelfCollisionSamples
+sample_self_collisions(const RobotModel& model, int samples, std::uint64_t seed);
+
+/// The allowed-collision matrix that follows: pairs that are adjacent, that were in collision in
+/// every sample (Always) or in none (Never), and that overlap (Default).
+///
+/// "Never" is a claim about the samples only: more samples make it safer.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT AllowedCollisions
+allowed_collisions(const RobotModel& model, const SelfCollisionSamples& sampled);
+
+/// The same without the pairs that never collide, at a fraction of the time: what makes a robot
+/// usable, and leaves out no pair that may be in collision where it need not be.
+/// @throws std::invalid_argument if `samples` < 1.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT AllowedCollisions
+sample_overlapping_links(const RobotModel& model, int samples, std::uint64_t seed);
+
+}  // namespace handway::geometric

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "handway/geometric/export.h"
+#include "handway/geometric/scene/scene.h"
+
+#include <string>
+
+namespace handway::geometric {
+
+/// Makes the model of a robot of several parts (compose_robots()), and names the parts' links and
+/// joints. Links next to a mount may touch, and so may links of different parts that overlap in
+/// every sampled posture, with a warning in the description.
+///
+/// Joints keep their values; those of parts that are new stand at the part's neutral posture.
+/// @pre robot.parts has at least two parts, carriers before what they carry.
+/// @throws InputError if a carrier has no such link, or the parts make no robot.
+HANDWAY_GEOMETRIC_EXPORT void compose_parts(RobotInstance& robot);
+
+/// Mounts a robot of the scene, with all that it carries, on a link of another one: it becomes a
+/// part of that robot. What the scene says of joints and links by name goes on to hold.
+/// @param carrier name of a robot or of a part. @param link by the carrier's own name.
+/// @param X_LB base of the mounted robot in that link.
+/// @throws InputError if there is no such robot or link, or the carrier is the robot itself; the
+/// scene is then as it was.
+HANDWAY_GEOMETRIC_EXPORT void mount_robot(Scene& scene, const std::string& robot,
+                                          const std::string& carrier, const std::string& link,
+                                          const Pose& X_LB);
+
+/// Moves a mounted part to another pose in the link that carries it.
+/// @throws InputError if no part of that name is mounted.
+HANDWAY_GEOMETRIC_EXPORT void move_mount(Scene& scene, const std::string& part, const Pose& X_LB);
+
+}  // namespace handway::geometric

@@ -1,0 +1,151 @@
+#include "handway/geometric/robot/group_proposal.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace handway::geometric {
+namespace {
+
+constexpr double kLongestFinger = 0.4;    // m
+constexpr std::size_t kLongestWrist = 2;  // joints
+
+class GroupFinder {
+ public:
+  explicit GroupFinder(const RobotModel& model)
+      : model_(model),
+        children_(static_cast<std::size_t>(model.link_count())),
+        moves_(children_.size()),
+        reach_(children_.size()) {
+    for (int link = model.link_count() - 1; link > 0; --link) {
+      const auto i = static_cast<std::size_t>(link);
+      const auto above = static_cast<std::size_t>(model.parent(link));
+      const Joint& joint = model.joint(link);
+      children_[above].insert(children_[above].begin(), link);
+      moves_[i] = moves_[i] || joint.type != JointType::kFixed;
+      moves_[above] = moves_[above] || moves_[i];
+      const double slide = joint.type == JointType::kPrismatic ? joint.limits.range() : 0.0;
+      reach_[above] = std::max(reach_[above], reach_[i] + joint.X_PJ.translation().norm() + slide);
+    }
+  }
+
+  [[nodiscard]] GroupProposal find() {
+    follow(0);
+    if (!proposal_.hand.empty() && proposal_.arm.size() <= kLongestWrist) {
+      std::swap(proposal_.wrist, proposal_.arm);
+    }
+    ask();
+    return std::move(proposal_);
+  }
+
+ private:
+  [[nodiscard]] std::vector<int> moving_branches(int link) const {
+    std::vector<int> branches;
+    std::ranges::copy_if(children_[static_cast<std::size_t>(link)], std::back_inserter(branches),
+                         [&](int child) { return moves_[static_cast<std::size_t>(child)]; });
+    return branches;
+  }
+
+  // From `link` to where the tree branches, or ends.
+  void follow(int link) {
+    if (link > 0) {
+      add(proposal_.arm, link);
+    }
+    const std::vector<int> branches = moving_branches(link);
+    if (branches.empty()) {
+      proposal_.tip = last_link(link);
+    } else if (branches.size() > 1 && reach_[static_cast<std::size_t>(link)] <= kLongestFinger) {
+      add_hand(link, branches);
+    } else {
+      std::ranges::for_each(branches, [&](int branch) { follow(branch); });
+    }
+  }
+
+  void add_hand(int palm, const std::vector<int>& fingers) {
+    if (proposal_.palm.empty()) {
+      proposal_.palm = model_.link(palm).name;
+    }
+    std::ranges::for_each(fingers, [&](int finger) { add_finger(finger); });
+  }
+
+  void add_finger(int link) {
+    add(proposal_.hand, link);
+    const std::vector<int> branches = moving_branches(link);
+    std::ranges::for_each(branches, [&](int branch) { add_finger(branch); });
+    if (branches.empty()) {
+      proposal_.fingertips.push_back(last_link(link));
+    }
+  }
+
+  void add(std::vector<std::string>& joints, int link) const {
+    if (model_.joint(link).type != JointType::kFixed) {
+      joints.push_back(model_.joint(link).name);
+    }
+  }
+
+  // The end of a chain of fixed joints; where it branches, of the one that goes farthest.
+  [[nodiscard]] std::string last_link(int link) const {
+    const std::vector<int>& children = children_[static_cast<std::size_t>(link)];
+    if (children.empty()) {
+      return model_.link(link).name;
+    }
+    return last_link(*std::ranges::max_element(children, {}, [&](int child) {
+      return reach_[static_cast<std::size_t>(child)] +
+             model_.joint(child).X_PJ.translation().norm();
+    }));
+  }
+
+  void ask() {
+    if (!proposal_.wrist.empty()) {
+      const bool one = proposal_.wrist.size() == 1;
+      proposal_.questions.push_back(
+          {fmt::format("{} lead{} to the palm {}, and may be of the hand or of the arm",
+                       fmt::join(proposal_.wrist, ", "), one ? "s" : "", proposal_.palm),
+           "Counted to the hand; `handway setup --wrist arm` makes an SRDF that counts them to "
+           "the arm"});
+    }
+    if (proposal_.hand.empty() && !proposal_.arm.empty() && reach_.front() <= kLongestFinger) {
+      proposal_.questions.push_back(
+          {fmt::format("{} may be an arm or a finger", fmt::join(proposal_.arm, ", ")),
+           "Counted to the arm; name them in a group \"hand\" of the SRDF if they grasp"});
+    }
+  }
+
+  const RobotModel& model_;
+  std::vector<std::vector<int>> children_;  // by link
+  std::vector<bool> moves_;                 // the link or one that it carries
+  std::vector<double> reach_;  // m, from the link to the farthest end of what it carries
+  GroupProposal proposal_;
+};
+
+bool has_group(const RobotDescription& robot, const std::string& name) {
+  return std::ranges::count(robot.groups, name, &JointGroup::name) > 0;
+}
+
+}  // namespace
+
+std::vector<std::string> GroupProposal::hand_with_wrist() const {
+  std::vector<std::string> joints = wrist;
+  joints.insert(joints.end(), hand.begin(), hand.end());
+  return joints;
+}
+
+GroupProposal propose_groups(const RobotModel& model) { return GroupFinder(model).find(); }
+
+void add_groups(const GroupProposal& proposal, RobotDescription& robot) {
+  const std::vector<std::string> hand = proposal.hand_with_wrist();
+  if (!proposal.arm.empty() && !has_group(robot, "arm")) {
+    robot.groups.push_back({"arm", proposal.arm});
+  }
+  if (!hand.empty() && !has_group(robot, "hand")) {
+    robot.groups.push_back({"hand", hand});
+    const bool has_arm = has_group(robot, "arm");
+    if (robot.end_effectors.empty()) {
+      robot.end_effectors.push_back({"hand", "hand", proposal.palm, has_arm ? "arm" : ""});
+    }
+  }
+}
+
+}  // namespace handway::geometric

@@ -1,0 +1,234 @@
+#include "handway/geometric/setup/mounting.h"
+
+#include "handway/geometric/collision/checkers/fcl_checker.h"
+#include "handway/geometric/collision/collision_world.h"
+#include "handway/geometric/io/input_error.h"
+#include "handway/geometric/setup/collision_sampling.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace handway::geometric {
+namespace {
+
+constexpr int kSamples = 200;
+constexpr std::uint64_t kSeed = 1;
+
+// The parts of a robot; of one that has none, itself.
+std::vector<RobotPart> parts_of(const RobotInstance& robot) {
+  if (!robot.parts.empty()) {
+    return robot.parts;
+  }
+  RobotPart part;
+  part.name = robot.name;
+  part.file = robot.file;
+  part.model = robot.model;
+  for (const Link& link : robot.model->description().links) {
+    part.links[link.name] = link.name;
+  }
+  for (const Joint& joint : robot.model->description().joints) {
+    part.joints[joint.name] = joint.name;
+  }
+  return {part};
+}
+
+/// Values of joints by part and own name: what stays when the composed names change.
+using PartValues = std::map<std::pair<std::string, std::string>, double>;
+
+PartValues values_of(const RobotInstance& robot, const Configuration& q) {
+  PartValues values;
+  for (const RobotPart& part : parts_of(robot)) {
+    for (const auto& [own, composed] : part.joints) {
+      if (const std::optional<int> variable = robot.model->find_variable(composed)) {
+        values[{part.name, own}] = q[*variable];
+      }
+    }
+  }
+  return values;
+}
+
+Configuration configuration_of(const RobotInstance& robot, const PartValues& values) {
+  Configuration q = robot.model->neutral();
+  for (const RobotPart& part : robot.parts) {
+    for (const auto& [own, composed] : part.joints) {
+      const auto value = values.find({part.name, own});
+      const std::optional<int> variable = robot.model->find_variable(composed);
+      if (variable && value != values.end()) {
+        q[*variable] = value->second;
+      }
+    }
+  }
+  return q;
+}
+
+// By composed link.
+std::map<std::string, const RobotPart*> part_of_links(const std::vector<RobotPart>& parts) {
+  std::map<std::string, const RobotPart*> owners;
+  for (const RobotPart& part : parts) {
+    for (const auto& [own, composed] : part.links) {
+      owners[composed] = &part;
+    }
+  }
+  return owners;
+}
+
+// Only what is of different parts: each part has its own matrix already.
+void allow_at_mounts(const std::vector<RobotPart>& parts, RobotDescription& description) {
+  const auto owners = part_of_links(parts);
+  const AllowedCollisions sampled =
+      sample_overlapping_links(RobotModel(description), kSamples, kSeed);
+  for (const auto& [pair, reason] : sampled.entries()) {
+    const bool is_at_mount = owners.at(pair.first) != owners.at(pair.second);
+    if (!is_at_mount || reason == AllowedReason::kDefault) {
+      continue;
+    }
+    description.allowed_collisions.allow(pair.first, pair.second, reason);
+    if (reason == AllowedReason::kAlways) {
+      description.warnings.push_back(fmt::format(
+          "{} of {} and {} of {} overlap in every posture, and are not checked: look "
+          "whether the pose of the mount is right",
+          pair.first, owners.at(pair.first)->name, pair.second, owners.at(pair.second)->name));
+    }
+  }
+}
+
+/// Old and new names of what robots of a scene have.
+struct Renaming {
+  std::map<std::string, std::string> links;
+  std::map<std::string, std::string> joints;
+
+  Renaming(const RobotInstance& before, const RobotInstance& after) {
+    for (const RobotPart& part : parts_of(before)) {
+      const auto now = std::ranges::find(after.parts, part.name, &RobotPart::name);
+      for (const auto& [own, composed] : part.links) {
+        links[composed] = now->links.at(own);
+      }
+      for (const auto& [own, composed] : part.joints) {
+        joints[composed] = now->joints.at(own);
+      }
+    }
+  }
+
+  void rename_link(std::string& link) const {
+    if (const auto found = links.find(link); found != links.end()) {
+      link = found->second;
+    }
+  }
+};
+
+void rename_in_objects(Scene& scene, const RobotInstance& before, const RobotInstance& after) {
+  const Renaming renaming(before, after);
+  for (SceneObject& object : scene.objects) {
+    if (object.attachment && object.attachment->robot == before.name) {
+      object.attachment->robot = after.name;
+      renaming.rename_link(object.attachment->link);
+      for (std::string& link : object.attachment->touching) {
+        renaming.rename_link(link);
+      }
+    }
+  }
+}
+
+// What is said of the first robot alone.
+void rename_in_query(Scene& scene, const RobotInstance& before, const RobotInstance& after) {
+  const Renaming renaming(before, after);
+  for (PathConstraint& constraint : scene.constraints) {
+    if (!find_object(scene, constraint.body)) {
+      renaming.rename_link(constraint.body);
+    }
+  }
+  for (NamedPosture& posture : scene.postures) {
+    std::map<std::string, double> values;
+    for (const auto& [joint, value] : posture.values) {
+      values[renaming.joints.at(joint)] = value;
+    }
+    posture.values = std::move(values);
+  }
+}
+
+std::size_t needed_robot(const Scene& scene, const RobotInstance* found, const std::string& name) {
+  if (found == nullptr) {
+    throw InputError({scene.file.string(), "robots", "no robot \"" + name + "\"",
+                      "the name of a robot of the scene", ""});
+  }
+  return static_cast<std::size_t>(found - scene.robots.data());
+}
+
+RobotInstance mounted(const RobotInstance& carrier, const std::string& part,
+                      const std::string& link, const RobotInstance& robot, const Pose& X_LB) {
+  RobotInstance whole = carrier;
+  whole.parts = parts_of(carrier);
+  const auto on = std::ranges::find(whole.parts, part, &RobotPart::name) - whole.parts.begin();
+  const auto first = static_cast<int>(whole.parts.size());
+  for (RobotPart& added : parts_of(robot)) {
+    added.carrier = added.carrier < 0 ? static_cast<int>(on) : added.carrier + first;
+    whole.parts.push_back(std::move(added));
+  }
+  whole.parts[static_cast<std::size_t>(first)].link = link;
+  whole.parts[static_cast<std::size_t>(first)].X_LB = X_LB;
+  compose_parts(whole);
+  PartValues values = values_of(carrier, carrier.configuration);
+  values.merge(values_of(robot, robot.configuration));
+  whole.configuration = configuration_of(whole, values);
+  return whole;
+}
+
+}  // namespace
+
+void compose_parts(RobotInstance& robot) {
+  const PartValues before = robot.model ? values_of(robot, robot.configuration) : PartValues();
+  robot.parts.front().name = robot.name;
+  RobotDescription description = compose_robots(robot.parts);
+  allow_at_mounts(robot.parts, description);
+  robot.model = std::make_shared<const RobotModel>(std::move(description));
+  robot.configuration = configuration_of(robot, before);
+}
+
+void mount_robot(Scene& scene, const std::string& robot, const std::string& carrier,
+                 const std::string& link, const Pose& X_LB) {
+  const std::size_t added = needed_robot(scene, find_robot(scene, robot), robot);
+  const std::size_t onto = needed_robot(scene, find_robot_with_part(scene, carrier), carrier);
+  if (added == onto) {
+    throw InputError({scene.file.string(), "robot " + robot, "a mount on " + carrier,
+                      "another robot: " + robot + " carries " + carrier + " already", ""});
+  }
+  const RobotInstance alone = scene.robots[added];
+  const RobotInstance before = scene.robots[onto];
+  const RobotInstance whole = mounted(before, carrier, link, alone, X_LB);
+  rename_in_objects(scene, before, whole);
+  rename_in_objects(scene, alone, whole);
+  if (std::min(added, onto) == 0) {
+    const RobotInstance& first = scene.robots.front();
+    const RobotInstance& other = added == 0 ? before : alone;
+    for (std::optional<Configuration>* q : {&scene.start, &scene.goal}) {
+      if (*q) {
+        PartValues values = values_of(first, **q);
+        values.merge(values_of(other, other.configuration));
+        *q = configuration_of(whole, values);
+      }
+    }
+    rename_in_query(scene, first, whole);
+  }
+  scene.robots[std::min(added, onto)] = whole;
+  scene.robots.erase(scene.robots.begin() + static_cast<std::ptrdiff_t>(std::max(added, onto)));
+}
+
+void move_mount(Scene& scene, const std::string& part, const Pose& X_LB) {
+  const RobotInstance* found = find_robot_with_part(scene, part);
+  RobotInstance& robot = scene.robots[needed_robot(scene, found, part)];
+  const auto moved = std::ranges::find(robot.parts, part, &RobotPart::name);
+  if (moved == robot.parts.end() || moved->carrier < 0) {
+    throw InputError({scene.file.string(), "robot " + part, "a robot that is not mounted",
+                      "one that another robot carries", ""});
+  }
+  moved->X_LB = X_LB;
+  compose_parts(robot);
+}
+
+}  // namespace handway::geometric

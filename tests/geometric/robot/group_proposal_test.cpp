@@ -1,0 +1,97 @@
+#include <handway/geometric/robot/group_proposal.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace handway::geometric {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+class Tree {
+ public:
+  Tree() { robot_.links.push_back({"root", {}, {}}); }
+
+  /// A joint `NAME_joint` to a new link `name`.
+  Tree& add(const std::string& parent, const std::string& name, double length,
+            JointType type = JointType::kRevolute) {
+    robot_.links.push_back({name, {}, {}});
+    Joint joint;
+    joint.name = name + "_joint";
+    joint.type = type;
+    joint.parent = parent;
+    joint.child = name;
+    joint.X_PJ.translation().z() = length;
+    joint.limits = {-0.01, 0.01};
+    robot_.joints.push_back(joint);
+    return *this;
+  }
+
+  /// Two fingers of two joints each on `palm`, and a fixed tip on the first.
+  Tree& add_fingers(const std::string& palm, const std::string& name) {
+    add(palm, name + "1", 0.05).add(name + "1", name + "2", 0.05);
+    add(name + "2", name + "tip", 0.02, JointType::kFixed);
+    return add(palm, name + "3", 0.05).add(name + "3", name + "4", 0.05);
+  }
+
+  Tree& add_arm(const std::string& parent, const std::string& name) {
+    return add(parent, name + "a", 0.3)
+        .add(name + "a", name + "b", 0.3)
+        .add(name + "b", name + "c", 0.3);
+  }
+
+  [[nodiscard]] RobotModel model() const { return RobotModel(robot_); }
+
+ private:
+  RobotDescription robot_;
+};
+
+TEST(GroupProposal, CallsAChainAnArm) {
+  const GroupProposal groups = propose_groups(Tree().add_arm("root", "").model());
+  EXPECT_THAT(groups.arm, ElementsAre("a_joint", "b_joint", "c_joint"));
+  EXPECT_THAT(groups.hand, IsEmpty());
+  EXPECT_EQ(groups.tip, "c");
+  EXPECT_THAT(groups.questions, IsEmpty());
+}
+
+TEST(GroupProposal, FindsTheHandWhereTheTreeBranchesIntoFingers) {
+  const GroupProposal groups =
+      propose_groups(Tree().add_arm("root", "").add_fingers("c", "f").model());
+  EXPECT_THAT(groups.arm, ElementsAre("a_joint", "b_joint", "c_joint"));
+  EXPECT_THAT(groups.hand, ElementsAre("f1_joint", "f2_joint", "f3_joint", "f4_joint"));
+  EXPECT_EQ(groups.palm, "c");
+  EXPECT_THAT(groups.fingertips, ElementsAre("ftip", "f4"));
+}
+
+TEST(GroupProposal, AsksWhoseTheWristIs) {
+  const Tree tree = Tree().add("root", "forearm", 0.1, JointType::kFixed);
+  const GroupProposal groups =
+      propose_groups(Tree(tree).add("forearm", "wrist", 0.2).add_fingers("wrist", "f").model());
+  EXPECT_THAT(groups.arm, IsEmpty());
+  EXPECT_THAT(groups.wrist, ElementsAre("wrist_joint"));
+  ASSERT_EQ(groups.questions.size(), 1U);
+  EXPECT_EQ(groups.questions.front().open,
+            "wrist_joint leads to the palm wrist, and may be of the hand or of the arm");
+  EXPECT_EQ(groups.hand_with_wrist().size(), 5U);
+}
+
+TEST(GroupProposal, TakesLongBranchesForArms) {
+  const GroupProposal groups = propose_groups(
+      Tree().add_arm("root", "l").add_fingers("lc", "lf").add_arm("root", "r").model());
+  EXPECT_EQ(groups.arm.size(), 6U);
+  EXPECT_EQ(groups.hand.size(), 4U);
+  EXPECT_EQ(groups.palm, "lc");
+}
+
+TEST(GroupProposal, LeavesGroupsThatAreThere) {
+  RobotDescription robot = Tree().add_arm("root", "").add_fingers("c", "f").model().description();
+  robot.groups = {{"hand", {"f1_joint"}}};
+  add_groups(propose_groups(RobotModel(robot)), robot);
+  ASSERT_EQ(robot.groups.size(), 2U);
+  EXPECT_THAT(robot.groups[0].joints, ElementsAre("f1_joint"));
+  EXPECT_EQ(robot.groups[1].name, "arm");
+}
+
+}  // namespace
+}  // namespace handway::geometric

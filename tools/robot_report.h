@@ -1,0 +1,34 @@
+#pragma once
+
+#include "handway/geometric/robot/group_proposal.h"
+#include "handway/geometric/robot/robot_model.h"
+#include "handway/geometric/setup/collision_sampling.h"
+#include "handway/geometric/setup/robot_findings.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace handway::tools {
+
+/// What is known of a robot by looking at its tree, its shapes and random postures.
+struct RobotReport {
+  std::shared_ptr<const geometric::RobotModel> model;
+  geometric::GroupProposal groups;
+  geometric::SelfCollisionSamples sampled;
+  std::vector<geometric::RobotFinding> findings;
+};
+
+[[nodiscard]] RobotReport robot_report(std::shared_ptr<const geometric::RobotModel> model,
+                                       geometric::GroupProposal groups, int samples,
+                                       std::uint64_t seed);
+
+/// On standard output, a line each for what was found and for its mend.
+void print_findings(const RobotReport& report);
+
+/// A list of objects with `found` and `mend`.
+[[nodiscard]] nlohmann::ordered_json findings_json(const RobotReport& report);
+
+}  // namespace handway::tools

@@ -1,0 +1,196 @@
+#include "commands.h"
+#include "exit_codes.h"
+#include "handway/geometric/formats/srdf_writer.h"
+#include "handway/geometric/formats/urdf_writer.h"
+#include "handway/geometric/io/existing_file.h"
+#include "handway/geometric/io/input_error.h"
+#include "handway/planning/extensions/plugin.h"
+#include "robot_report.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace handway::tools {
+namespace {
+
+using geometric::AllowedReason;
+using geometric::GroupProposal;
+using geometric::InputError;
+using geometric::RobotDescription;
+using geometric::RobotModel;
+using Json = nlohmann::ordered_json;
+
+constexpr std::array kReasons = {AllowedReason::kAdjacent, AllowedReason::kAlways,
+                                 AllowedReason::kDefault, AllowedReason::kNever,
+                                 AllowedReason::kUser};
+
+struct SetupChoice {
+  std::filesystem::path file;
+  std::filesystem::path out;
+  int samples = 10'000;
+  std::uint64_t seed = 1;
+  std::string wrist;
+  bool as_json = false;
+};
+
+// With the wrist counted to the arm or the hand, if somebody has decided that.
+GroupProposal decided_groups(const RobotModel& model, const std::string& wrist) {
+  GroupProposal groups = geometric::propose_groups(model);
+  if (!wrist.empty()) {
+    std::vector<std::string>& owner = wrist == "arm" ? groups.arm : groups.hand;
+    owner.insert(owner.begin(), groups.wrist.begin(), groups.wrist.end());
+    groups.wrist.clear();
+    groups.questions.clear();
+  }
+  return groups;
+}
+
+std::shared_ptr<const RobotModel> first_robot(const std::filesystem::path& file) {
+  planning::PluginManager plugins;
+  plugins.load_plugins(planning::plugin_directory());
+  return planning::load_scene(file, plugins).scene->robots.front().model;
+}
+
+// With what was sampled and the groups that it has not. Pairs that somebody has allowed stay.
+RobotDescription completed(const RobotReport& report, bool wrist_is_decided) {
+  RobotDescription robot = report.model->description();
+  const geometric::AllowedCollisions before = robot.allowed_collisions;
+  robot.allowed_collisions = geometric::allowed_collisions(*report.model, report.sampled);
+  for (const auto& [pair, reason] : before.entries()) {
+    if (reason == AllowedReason::kUser) {
+      robot.allowed_collisions.allow(pair.first, pair.second, reason);
+    }
+  }
+  if (wrist_is_decided) {
+    std::erase_if(robot.groups, [](const geometric::JointGroup& group) {
+      return group.name == "arm" || group.name == "hand";
+    });
+  }
+  add_groups(report.groups, robot);
+  return robot;
+}
+
+void print_text(const RobotReport& report, const RobotDescription& robot) {
+  fmt::print("robot {}: {} links, {} independent joints\n", robot.name, robot.links.size(),
+             report.model->variable_count());
+  for (const geometric::JointGroup& group : robot.groups) {
+    fmt::print("group {}: {}\n", group.name, fmt::join(group.joints, ", "));
+  }
+  for (const geometric::EndEffector& effector : robot.end_effectors) {
+    fmt::print("end effector {}: group {} on {}\n", effector.name, effector.group,
+               effector.parent_link);
+  }
+  const GroupProposal& groups = report.groups;
+  if (!groups.palm.empty()) {
+    fmt::print("palm: {}\nfingertips: {}\n", groups.palm, fmt::join(groups.fingertips, ", "));
+  } else if (!groups.tip.empty()) {
+    fmt::print("tip: {}\n", groups.tip);
+  }
+  std::vector<std::string> counts;
+  for (const AllowedReason reason : kReasons) {
+    const auto count =
+        std::ranges::count_if(robot.allowed_collisions.entries(),
+                              [reason](const auto& entry) { return entry.second == reason; });
+    if (count > 0) {
+      counts.push_back(fmt::format("{} {}", count, to_string(reason)));
+    }
+  }
+  fmt::print("pairs of links that may touch: {} ({})\n", robot.allowed_collisions.entries().size(),
+             fmt::join(counts, ", "));
+  print_findings(report);
+}
+
+void print_json(const RobotReport& report, const RobotDescription& robot) {
+  Json groups = Json::object();
+  for (const geometric::JointGroup& group : robot.groups) {
+    groups[group.name] = group.joints;
+  }
+  Json allowed = Json::array();
+  for (const auto& [pair, reason] : robot.allowed_collisions.entries()) {
+    allowed.push_back({pair.first, pair.second, to_string(reason)});
+  }
+  const Json document{{"robot", robot.name},
+                      {"groups", groups},
+                      {"wrist", report.groups.wrist},
+                      {"palm", report.groups.palm},
+                      {"fingertips", report.groups.fingertips},
+                      {"tip", report.groups.tip},
+                      {"samples", report.sampled.samples},
+                      {"colliding", report.sampled.colliding},
+                      {"allowed", allowed},
+                      {"findings", findings_json(report)}};
+  fmt::print("{}\n", document.dump(2));
+}
+
+void check_out(const SetupChoice& choice) {
+  const bool is_srdf = geometric::has_extension(choice.out, ".srdf");
+  if (!is_srdf && !geometric::has_extension(choice.out, ".urdf")) {
+    throw InputError({"--out", "", "a file called " + choice.out.filename().string(),
+                      "NAME.srdf, or NAME.urdf for both files", ""});
+  }
+  if (is_srdf && !choice.wrist.empty() && std::filesystem::exists(choice.out)) {
+    throw InputError({"--wrist", "", choice.out.string() + ", which is there already", "a new SRDF",
+                      "Move the joints between its groups by hand"});
+  }
+}
+
+void write(const RobotDescription& robot, const std::filesystem::path& out) {
+  if (geometric::has_extension(out, ".urdf")) {
+    write_urdf(RobotModel(robot), out);
+  } else {
+    update_srdf(robot, out);
+  }
+}
+
+int setup(const SetupChoice& choice) {
+  if (!choice.out.empty()) {
+    check_out(choice);
+  }
+  const std::shared_ptr<const RobotModel> model = first_robot(choice.file);
+  const RobotReport report =
+      robot_report(model, decided_groups(*model, choice.wrist), choice.samples, choice.seed);
+  const RobotDescription robot = completed(report, !choice.wrist.empty());
+  if (choice.as_json) {
+    print_json(report, robot);
+  } else {
+    print_text(report, robot);
+  }
+  if (!choice.out.empty()) {
+    write(robot, choice.out);
+  }
+  return kDone;
+}
+
+}  // namespace
+
+void add_setup_command(CLI::App& app, int& exit_code) {
+  auto choice = std::make_shared<SetupChoice>();
+  CLI::App* command = app.add_subcommand(
+      "setup", "Find a robot's groups and the pairs of its links that may touch");
+  command->add_option("file", choice->file, "Robot file, or a scene for its first robot")
+      ->required();
+  command->add_option("-o,--out", choice->out,
+                      "Write NAME.srdf, or NAME.urdf with NAME.srdf for the robot of a scene");
+  command->add_option("--samples", choice->samples, "Random postures that are looked at")
+      ->check(CLI::Range(1, 10'000'000))
+      ->capture_default_str();
+  command->add_option("--seed", choice->seed, "Of the random postures")->capture_default_str();
+  command
+      ->add_option("--wrist", choice->wrist,
+                   "What the joints before the palm belong to: arm or hand")
+      ->check(CLI::IsMember({"arm", "hand"}));
+  command->add_flag("--json", choice->as_json, "Print it as JSON, for programs");
+  command->callback([choice, &exit_code] { exit_code = setup(*choice); });
+}
+
+}  // namespace handway::tools
