@@ -49,7 +49,8 @@ void do_without_srdf(RobotDescription& robot) {
 std::shared_ptr<const RobotModel> load_robot(const std::filesystem::path& file) {
   if (!has_extension(file, ".urdf")) {
     throw InputError({file.string(), "", "a file called *" + file.extension().string(),
-                      "a robot file (*.urdf)", "Convert xacro files with the xacro tool first"});
+                      "a robot file (*.urdf)",
+                      "Convert xacro files first: xacro FILE.xacro > FILE.urdf"});
   }
   RobotDescription description = read_urdf(file);
   if (description.allowed_collisions.entries().empty()) {

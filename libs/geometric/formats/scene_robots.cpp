@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <utility>
@@ -58,9 +59,8 @@ void check_name(const std::vector<Entry>& entries, const Entry& entry) {
 
 std::vector<std::string> names_of(const std::vector<Entry>& entries) {
   std::vector<std::string> names;
-  for (const Entry& entry : entries) {
-    names.push_back(entry.part.name);
-  }
+  std::ranges::transform(entries, std::back_inserter(names),
+                         [](const Entry& entry) { return entry.part.name; });
   return names;
 }
 

@@ -79,7 +79,8 @@ void resolve_mimic(Joint& joint, const std::vector<Joint>& joints, const std::st
     }
     if (steps > joints.size()) {
       throw InputError({where, "joint " + joint.name, "a mimic that leads back to itself",
-                        "a joint that moves on its own", ""});
+                        "a joint that moves on its own",
+                        "Take the mimic of one of the joints of the ring away"});
     }
     Mimic& mimic = *joint.mimic;
     mimic.offset += mimic.multiplier * leader->mimic->offset;

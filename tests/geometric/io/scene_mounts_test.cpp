@@ -4,6 +4,7 @@
 #include <handway/geometric/formats/scene_reader.h>
 #include <handway/geometric/formats/scene_writer.h>
 #include <handway/geometric/formats/urdf_writer.h>
+#include <handway/geometric/scene/scene_difference.h>
 #include <handway/geometric/setup/mounting.h>
 
 #include <gmock/gmock.h>
@@ -210,6 +211,16 @@ TEST(SceneMounts, AskAboutLinksThatOverlapInEveryPosture) {
 )");
   EXPECT_THAT(scene.warnings, testing::Contains(AllOf(HasSubstr("overlap in every posture"),
                                                       HasSubstr("flange"), HasSubstr("body"))));
+}
+
+TEST(SceneMounts, CountAsADifferenceOfScenes) {
+  const Robots files;
+  const Scene before = files.scene(kArmAndHand);
+  Scene after = before;
+  ASSERT_TRUE(scene_difference(before, after));
+  EXPECT_TRUE(scene_difference(before, after)->empty());
+  move_mount(after, "hand", Pose(Eigen::Translation3d(0, 0, 0.2)));
+  EXPECT_FALSE(scene_difference(before, after));
 }
 
 TEST(MountRobot, KeepsWhatTheSceneSays) {
