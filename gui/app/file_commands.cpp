@@ -12,10 +12,18 @@
 #include <QMessageBox>
 #include <QSettings>
 
+#include <algorithm>
+
 namespace handway::gui {
 namespace {
 
 constexpr int kMost = 10;
+
+// Some desktops have none.
+QKeySequence keys_of(QKeySequence::StandardKey standard, const char* otherwise) {
+  const QKeySequence keys(standard);
+  return keys.isEmpty() ? QKeySequence(QLatin1String(otherwise)) : keys;
+}
 
 QString key() { return QStringLiteral("recent_files"); }
 
@@ -66,7 +74,8 @@ FileCommands::FileCommands(Workbench& workbench)
       open_(workbench.make_action("open", tr("&Open…"), QKeySequence::Open,
                                   tr("Open a scene or problem file"))),
       save_(workbench.make_action("save", tr("&Save"), QKeySequence::Save, tr("Save the scene"))),
-      save_as_(workbench.make_action("", tr("Save &as…"), QKeySequence::SaveAs,
+      save_as_(workbench.make_action("", tr("Save &as…"),
+                                     keys_of(QKeySequence::SaveAs, "Ctrl+Shift+S"),
                                      tr("Save the scene under a name"))),
       picture_(workbench.make_action("camera", tr("Save &picture…"), {},
                                      tr("Save a picture of the 3-D view"))) {
@@ -82,14 +91,32 @@ FileCommands::FileCommands(Workbench& workbench)
 QMenu* FileCommands::make_new_menu() {
   auto* menu = new QMenu(tr("&New with"), &workbench_.window);
   for (const std::string& robot : geometric::resource_names(geometric::ResourceKind::kRobot)) {
+    if (menu->isEmpty()) {
+      make_new_command(robot);
+    }
     connect(menu->addAction(QString::fromStdString(robot)), &QAction::triggered, &workbench_,
             [this, robot] { workbench_.create(robot); });
   }
   return menu;
 }
 
+// A new scene with the robot of the one that is open, if it is of the library.
+void FileCommands::make_new_command(const std::string& first_robot) {
+  QAction* create = workbench_.make_action("", tr("&New"), QKeySequence::New,
+                                           tr("Begin a new scene with the same robot"));
+  workbench_.add_to_menu(MainMenu::kFile, {0, -1}, create);
+  connect(create, &QAction::triggered, &workbench_, [this, first_robot] {
+    const std::vector<std::string> known =
+        geometric::resource_names(geometric::ResourceKind::kRobot);
+    const geometric::RobotInstance* robot = workbench_.document.robot();
+    const std::string open = robot ? robot->model->name() : std::string();
+    workbench_.create(std::ranges::count(known, open) > 0 ? open : first_robot);
+  });
+}
+
 void FileCommands::place_actions() {
-  QAction* quit = workbench_.make_action("", tr("&Quit"), QKeySequence::Quit, {});
+  QAction* quit =
+      workbench_.make_action("", tr("&Quit"), keys_of(QKeySequence::Quit, "Ctrl+Q"), {});
   connect(quit, &QAction::triggered, &workbench_.window, &QWidget::close);
   workbench_.add_to_menu(MainMenu::kFile, {0, 0}, make_new_menu()->menuAction());
   workbench_.add_to_menu(MainMenu::kFile, {0, 1}, open_);

@@ -53,6 +53,7 @@ class FileCommands : public QObject {
 
  private:
   [[nodiscard]] QMenu* make_new_menu();
+  void make_new_command(const std::string& first_robot);
   void place_actions();
   bool save_to(const QString& file);
   /// Asks for a file and puts a picture of the view there.

@@ -3,6 +3,7 @@
 #include "app/snapshot.h"
 #include "features/workbench.h"
 #include "model/devices/motion_driver.h"
+#include "model/settings/preferences.h"
 #include "view3d/scene_view.h"
 #include "widgets/style/theme.h"
 
@@ -81,7 +82,8 @@ int main(int argc, char** argv) {
   QApplication::setOrganizationName(QStringLiteral("handway"));
   QApplication::setApplicationName(QStringLiteral("handway-workbench"));
   QApplication::setApplicationVersion(QStringLiteral(HANDWAY_VERSION));
-  gui::apply_theme(application, theme_of(*options));
+  const int text_size = options->text_size.value_or(gui::Preferences().values().text_size);
+  gui::apply_theme(application, theme_of(*options), text_size / 100.0);
   QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/handway.svg")));
   return run(application, *options);
 }

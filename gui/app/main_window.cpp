@@ -35,6 +35,7 @@ MainWindow::MainWindow(std::shared_ptr<planning::PluginManager> plugins, QWidget
   setAcceptDrops(true);
   setContextMenuPolicy(Qt::NoContextMenu);
   new WheelGuard(this);
+  new FocusReturn(*this, workbench_.view);
   build_middle();
   add_commands();
   add_features(workbench_);
@@ -217,9 +218,16 @@ QString MainWindow::message() const {
 
 void MainWindow::show_validity() {
   const QString& reason = workbench_.validity.reason();
+  if (workbench_.validity.state() == PathValidity::State::kInvalid &&
+      workbench_.player.is_playing()) {
+    workbench_.player.pause();
+    workbench_.show_error(tr("The path is not valid any more"), reason);
+  }
   PlaybackBar& bar = workbench_.playback_bar;
   if (!reason.isEmpty()) {
-    bar.show_note(tr("out of date"), reason);
+    bar.show_note(workbench_.validity.state() == PathValidity::State::kInvalid ? tr("not valid")
+                                                                               : tr("out of date"),
+                  reason);
   } else if (workbench_.document.shows_measured()) {
     bar.show_note(tr("robot as measured"),
                   tr("The robot is shown where it is measured: see the tab Devices"));

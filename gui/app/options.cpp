@@ -74,6 +74,9 @@ std::optional<Options> parse_options(int argc, char** argv, int& exit_code) {
       ->check(CLI::Range(0.0, 3600.0));
   app.add_option("--theme", options.theme, "light or dark (default: as last time)")
       ->check(CLI::IsMember({"light", "dark"}));
+  app.add_option("--text-size", options.text_size,
+                 "Size of text, in percent (default: as in the preferences)")
+      ->check(CLI::Range(100, 200));
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

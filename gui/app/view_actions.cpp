@@ -8,7 +8,11 @@
 #include "widgets/forms/quantity_field.h"
 #include "widgets/style/theme.h"
 
+#include <QAbstractSpinBox>
 #include <QActionGroup>
+#include <QApplication>
+#include <QKeyEvent>
+#include <QLineEdit>
 #include <QMainWindow>
 #include <QMenu>
 #include <QToolButton>
@@ -102,6 +106,28 @@ void PreferenceEffects::follow() {
   }
 }
 
+FocusReturn::FocusReturn(QWidget& window, QWidget& view)
+    : QObject(&window), window_(window), view_(view) {
+  qApp->installEventFilter(this);
+}
+
+bool FocusReturn::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() != QEvent::KeyPress) {
+    return QObject::eventFilter(watched, event);
+  }
+  const int key = static_cast<QKeyEvent*>(event)->key();
+  auto* field = qobject_cast<QWidget*>(watched);
+  const bool is_field =
+      qobject_cast<QLineEdit*>(watched) || qobject_cast<QAbstractSpinBox*>(watched);
+  if (is_field && (key == Qt::Key_Return || key == Qt::Key_Enter) &&
+      window_.focusWidget() == field) {
+    // Once the field has taken what was entered.
+    QMetaObject::invokeMethod(
+        &view_, [this] { view_.setFocus(); }, Qt::QueuedConnection);
+  }
+  return QObject::eventFilter(watched, event);
+}
+
 BodyDisplayTool::BodyDisplayTool(Document& document, SceneView& view, QObject* parent)
     : QObject(parent), document_(document), view_(view) {
   const auto refresh_unless_visual = [this] {
@@ -140,7 +166,7 @@ ViewActions::ViewActions(Workbench& workbench, BodyDisplayTool& bodies)
       preferences_(workbench.preferences),
       displays_(new QActionGroup(this)),
       display_button_(new QToolButton) {
-  fit_ = make("fit", tr("Show &all"), "F", tr("Show the whole scene"));
+  fit_ = make("fit", tr("Show &all"), "F", tr("Show what is selected, or else the whole scene"));
   connect(fit_, &QAction::triggered, &view_, &SceneView::fit);
   on_bar_ << fit_;
   standard_views_ = make_standard_views();

@@ -63,6 +63,23 @@ class PreferenceEffects : public QObject {
   PreferenceValues applied_;
 };
 
+/// Gives the focus back to the view once something was entered into a field of the window, so that
+/// the keys of the view's commands work again.
+class FocusReturn : public QObject {
+  Q_OBJECT
+
+ public:
+  /// Both outlive it.
+  FocusReturn(QWidget& window, QWidget& view);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  QWidget& window_;
+  QWidget& view_;
+};
+
 class Document;
 class Preferences;
 

@@ -252,12 +252,17 @@ CoinRef<SoSeparator> make_geometry_node(const geometric::LinkGeometry& geometry)
   return separator;
 }
 
+constexpr geometric::Color kColliding{0.86F, 0.13F, 0.11F, 1.0F};
+constexpr geometric::Color kCollidingRed{0.98F, 0.80F, 0.05F, 1.0F};  // of what is red already
+
 }  // namespace
 
-CoinRef<SoMaterial> make_look_material(Look look) {
+CoinRef<SoMaterial> make_look_material(Look look, const geometric::Color& plain) {
   switch (look) {
-    case Look::kColliding:
-      return overriding({0.86F, 0.13F, 0.11F, 1.0F}, 0.25F);
+    case Look::kColliding: {
+      const bool is_red = plain.red > 0.5F && plain.green < 0.4F && plain.blue < 0.4F;
+      return overriding(is_red ? kCollidingRed : kColliding, 0.25F);
+    }
     case Look::kPlain:
       break;
   }

@@ -53,7 +53,8 @@ class BodyShape {
 enum class Look { kPlain, kColliding };
 
 /// The override material of a look; null for kPlain.
-[[nodiscard]] CoinRef<SoMaterial> make_look_material(Look look);
+/// @param plain what the body is painted with otherwise.
+[[nodiscard]] CoinRef<SoMaterial> make_look_material(Look look, const geometric::Color& plain = {});
 
 /// What the links of a robot look like in their own frames; shared by the robot
 /// and its ghosts. Shape [link_count].

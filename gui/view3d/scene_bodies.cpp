@@ -203,7 +203,7 @@ ObjectNode::ObjectNode(const geometric::SceneObject& object)
       transform_(make_coin<SoMatrixTransform>()),
       look_(make_coin<SoSwitch>()) {
   root_->renderCaching = SoSeparator::OFF;
-  look_->addChild(make_look_material(Look::kColliding).get());
+  look_->addChild(make_look_material(Look::kColliding, object.color).get());
   root_->addChild(transform_.get());
   root_->addChild(look_.get());
   root_->addChild(drawing_.get());

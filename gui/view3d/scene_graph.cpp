@@ -9,6 +9,7 @@
 #include <Inventor/SoPath.h>
 #include <Inventor/SoPickedPoint.h>
 #include <Inventor/actions/SoGLRenderAction.h>
+#include <Inventor/actions/SoGetBoundingBoxAction.h>
 #include <Inventor/actions/SoRayPickAction.h>
 #include <Inventor/nodes/SoLineSet.h>
 #include <Inventor/nodes/SoOrthographicCamera.h>
@@ -208,9 +209,128 @@ double task_azimuth(const geometric::Scene& scene) {
   return reach.head<2>().norm() > 0.05 ? std::atan2(reach.y(), reach.x()) : 0.0;
 }
 
+Points all_points(const geometric::Scene& scene) {
+  Points points = robot_points(scene);
+  for (const geometric::SceneObject& object : scene.objects) {
+    if (!object.attachment) {
+      add_shape(points, object.shape, object.X_PO);
+    }
+  }
+  return points;
+}
+
 namespace {
 
-constexpr double kReach = 12.0;  // m: what is shown behind the target
+constexpr int kSeenPoints = 24;        // of the robot
+constexpr double kEnoughSeen = 0.7;    // share of them
+constexpr double kFarEye = 4.0;        // m from the middle
+constexpr double kNearlyThere = 0.97;  // of the ray: what is seen may touch something
+
+// Does something of the mesh lie between the two (in its frame)?
+bool hides(const geometric::TriangleMesh& mesh, const Eigen::Vector3d& eye,
+           const Eigen::Vector3d& point) {
+  const Eigen::Vector3d ray = point - eye;
+  return std::ranges::any_of(mesh.triangles, [&](const auto& corners) {
+    const Eigen::Vector3d& a = mesh.vertices[corners[0]];
+    const Eigen::Vector3d ab = mesh.vertices[corners[1]] - a, ac = mesh.vertices[corners[2]] - a;
+    const Eigen::Vector3d p = ray.cross(ac);
+    const double det = ab.dot(p);
+    if (std::abs(det) < 1e-12) {
+      return false;
+    }
+    const Eigen::Vector3d from = eye - a, q = from.cross(ab);
+    const double u = from.dot(p) / det, v = ray.dot(q) / det, t = ac.dot(q) / det;
+    return u >= 0.0 && v >= 0.0 && u + v <= 1.0 && t > 0.0 && t < kNearlyThere;
+  });
+}
+
+/// What stands around the robot, to look past it.
+class Obstacles {
+ public:
+  explicit Obstacles(const geometric::Scene& scene) {
+    for (const geometric::SceneObject& object : scene.objects) {
+      const auto mesh = object.attachment ? nullptr : geometric::tessellate(object.shape);
+      if (mesh && !mesh->vertices.empty() && !scene.display.of(object.name).hidden) {
+        const Aabb box = geometric::bounding_box(*mesh);
+        parts_.push_back({mesh, Eigen::AlignedBox3d(box.lower, box.upper), object.X_PO.inverse()});
+      }
+    }
+  }
+
+  [[nodiscard]] bool hide(const Eigen::Vector3d& eye, const Eigen::Vector3d& point) const {
+    return std::ranges::any_of(parts_, [&](const Part& part) {
+      const Eigen::Vector3d from = part.X_OW * eye, to = part.X_OW * point;
+      return meets(part.box, from, to) && hides(*part.mesh, from, to);
+    });
+  }
+
+ private:
+  struct Part {
+    std::shared_ptr<const geometric::TriangleMesh> mesh;
+    Eigen::AlignedBox3d box;  // in its frame
+    Pose X_OW;
+  };
+
+  static bool meets(const Eigen::AlignedBox3d& box, const Eigen::Vector3d& from,
+                    const Eigen::Vector3d& to) {
+    double begin = 0.0, end = 1.0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double step = to[axis] - from[axis];
+      if (std::abs(step) < 1e-12) {
+        if (from[axis] < box.min()[axis] || from[axis] > box.max()[axis]) {
+          return false;
+        }
+        continue;
+      }
+      const auto [low, high] = std::minmax(
+          {(box.min()[axis] - from[axis]) / step, (box.max()[axis] - from[axis]) / step});
+      begin = std::max(begin, low);
+      end = std::min(end, high);
+    }
+    return begin <= end;
+  }
+
+  std::vector<Part> parts_;
+};
+
+}  // namespace
+
+double open_azimuth(const geometric::Scene& scene) {
+  const double task = task_azimuth(scene);
+  const Obstacles obstacles(scene);
+  const Points robot = robot_points(scene);
+  if (robot.empty()) {
+    return task;
+  }
+  const Eigen::Vector3d middle = box_around(robot).centre();
+  const std::size_t step = std::max<std::size_t>(1, robot.size() / kSeenPoints);
+  double best = task;
+  double most = -1.0;
+  for (const double turn : {0.0, 70.0, -40.0, 110.0, -90.0, 145.0, -140.0, 180.0}) {
+    OrbitCamera camera;
+    camera.look_from(StandardView::kOblique, task + geometric::radians(turn));
+    const Eigen::Vector3d eye = middle + kFarEye * camera.orientation().col(2);
+    double seen = 0.0, all = 0.0;
+    for (std::size_t i = 0; i < robot.size(); i += step) {
+      const Eigen::Vector3d point = 0.5 * (robot[i] + middle);  // corners are outside of links
+      seen += obstacles.hide(eye, point) ? 0.0 : 1.0;
+      all += 1.0;
+    }
+    if (seen / all > most + 0.05) {
+      most = seen / all;
+      best = task + geometric::radians(turn);
+    }
+    if (most >= kEnoughSeen) {
+      break;
+    }
+  }
+  return best;
+}
+
+namespace {
+
+constexpr double kVeilDepth = 0.06;  // m: a ghost that is no farther before an object is part of it
+constexpr double kReach = 12.0;      // m: what is shown behind the target
 
 void turn(SoCamera& eye, const OrbitCamera& camera, double aspect) {
   const Eigen::Matrix3f R = camera.orientation().cast<float>();
@@ -440,8 +560,23 @@ std::vector<Eigen::Vector3d> SceneGraph::points_of_interest() const {
                          : std::vector<Eigen::Vector3d>{};
 }
 
-double SceneGraph::task_azimuth() const {
-  return bodies_.scene() ? gui::task_azimuth(*bodies_.scene()) : 0.0;
+double SceneGraph::open_azimuth() const {
+  return bodies_.scene() ? gui::open_azimuth(*bodies_.scene()) : 0.0;
+}
+
+Points SceneGraph::selected_points() const {
+  Points points;
+  for (SoSeparator* part : bodies_.parts_of(selection_)) {
+    SoGetBoundingBoxAction around{SbViewportRegion()};
+    around.apply(part);
+    const SbBox3f box = around.getBoundingBox();
+    if (!box.isEmpty()) {
+      const SbVec3f &low = box.getMin(), &high = box.getMax();
+      add_corners(points, {{low[0], low[1], low[2]}, {high[0], high[1], high[2]}},
+                  Pose::Identity());
+    }
+  }
+  return points.empty() && bodies_.scene() ? all_points(*bodies_.scene()) : points;
 }
 
 void SceneGraph::aim(const OrbitCamera& camera, double aspect) {
@@ -537,6 +672,9 @@ std::optional<SceneHit> SceneGraph::pick(const SbVec2s& viewport, const SbVec2s&
   look_at(passes_->solids.get(), [this](const SoPath& path) { return bodies_.item_of(path); });
   if (nearest && nearest->item.kind == SceneItem::Kind::kLink) {
     return nearest;  // ghosts are veils that often hang before the robot
+  }
+  if (nearest) {
+    most += kVeilDepth;  // what a ghost grasps is meant, not the ghost
   }
   for (const auto& [ghost, kind] :
        {std::pair(&start_, SceneItem::Kind::kStart), std::pair(&goal_, SceneItem::Kind::kGoal)}) {

@@ -48,6 +48,13 @@ namespace handway::gui {
 /// link is at goal, or to where it stands if there is no goal.
 [[nodiscard]] double task_azimuth(const geometric::Scene& scene);
 
+/// The azimuth (rad) next to task_azimuth() from which an oblique view sees most of the first
+/// robot, past shelves and the walls of cages.
+[[nodiscard]] double open_azimuth(const geometric::Scene& scene);
+
+/// Corners of the boxes around everything in the scene (world, m).
+[[nodiscard]] std::vector<Eigen::Vector3d> all_points(const geometric::Scene& scene);
+
 class OrbitCamera;
 struct ScenePasses;
 
@@ -99,8 +106,11 @@ class SceneGraph {
   /// Points that a picture of the whole scene should contain: the robots now, at
   /// start and at goal, and the objects near them.
   [[nodiscard]] std::vector<Eigen::Vector3d> points_of_interest() const;
+  /// Of what is selected, or else of everything.
+  [[nodiscard]] std::vector<Eigen::Vector3d> selected_points() const;
   /// Azimuth of the task as seen from the first robot's base, rad.
-  [[nodiscard]] double task_azimuth() const;
+  /// Where to look across the task from.
+  [[nodiscard]] double open_azimuth() const;
 
   /// Sets the camera that everything is drawn with and picked with from now on.
   void aim(const OrbitCamera& camera, double aspect);

@@ -113,7 +113,7 @@ void SceneView::set_scene(std::shared_ptr<const geometric::Scene> scene) {
   flight_.stop();
   colliding_.clear();
   graph_->set_scene(std::move(scene));
-  camera_.look_from(StandardView::kOblique, graph_->task_azimuth());
+  camera_.look_from(StandardView::kOblique, graph_->open_azimuth());
   camera_.fit(graph_->points_of_interest(), aspect());
   change();
 }
@@ -284,14 +284,15 @@ void SceneView::set_samples(int samples) {
 }
 
 void SceneView::fit() {
+  untouched_ = false;
   OrbitCamera fitted = camera_;
-  fitted.fit(graph_->points_of_interest(), aspect());
+  fitted.fit(graph_->selected_points(), aspect());
   fly_to(fitted.placement());
 }
 
 void SceneView::look_from(StandardView view) {
   OrbitCamera turned = camera_;
-  turned.look_from(view, view == StandardView::kOblique ? graph_->task_azimuth() : 0.0);
+  turned.look_from(view, view == StandardView::kOblique ? graph_->open_azimuth() : 0.0);
   turned.fit(graph_->points_of_interest(), aspect());
   fly_to(turned.placement());
 }

@@ -117,7 +117,7 @@ class SceneView : public QOpenGLWidget {
   /// @param frames at most a second; 0: as many as can be had.
   void set_frame_limit(int frames) { pacer_.set_limit(frames); }
 
-  /// Moves the camera so that the whole scene is seen.
+  /// Moves the camera so that what is selected is seen, or else the whole scene.
   void fit();
   void look_from(StandardView view);
   void set_camera(const OrbitCamera::Placement& placement);

@@ -1,5 +1,7 @@
 #include "app/start/command_palette.h"
 
+#include "widgets/style/theme.h"
+
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
@@ -91,7 +93,7 @@ CommandPalette::CommandPalette(QWidget& window)
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(8, 8, 8, 8);
   layout->setSpacing(6);
-  setFixedWidth(kWidth);
+  setFixedWidth(scaled(kWidth));
   layout->addWidget(field_);
   layout->addWidget(list_);
   connect(field_, &QLineEdit::textChanged, this, &CommandPalette::list);
@@ -113,7 +115,7 @@ void CommandPalette::ask() {
   }
   field_->clear();
   list({});
-  move(window_.mapToGlobal(QPoint((window_.width() - kWidth) / 2, 90)));
+  move(window_.mapToGlobal(QPoint((window_.width() - scaled(kWidth)) / 2, 90)));
   show();
   field_->setFocus();
 }
@@ -136,7 +138,7 @@ void CommandPalette::list(const QString& typed) {
   for (const Found& entry : found) {
     const QAction* action = entry.command->action;
     auto* row = new QListWidgetItem(list_);
-    row->setSizeHint({0, kRowHeight});
+    row->setSizeHint({0, scaled(kRowHeight)});
     row->setData(kActionRole, QVariant::fromValue(entry.command->action));
     auto* words = new QWidget;
     auto* layout = new QHBoxLayout(words);
@@ -153,7 +155,7 @@ void CommandPalette::list(const QString& typed) {
     list_->setItemWidget(row, words);
   }
   list_->setCurrentRow(0);
-  list_->setFixedHeight(std::clamp(list_->count(), 1, kMostRows) * kRowHeight + 4);
+  list_->setFixedHeight(std::clamp(list_->count(), 1, kMostRows) * scaled(kRowHeight) + 4);
   adjustSize();
 }
 

@@ -1,6 +1,7 @@
 #include "app/start/help.h"
 
 #include "view3d/scene_view.h"
+#include "widgets/style/theme.h"
 
 #include <QApplication>
 #include <QCursor>
@@ -163,13 +164,13 @@ void show_panel_help(QMainWindow& window) {
   card->setProperty("role", "help");
   auto* text = new QLabel(QCoreApplication::translate("Help", help->text));
   text->setWordWrap(true);
-  text->setFixedWidth(kHelpWidth);
+  text->setFixedWidth(scaled(kHelpWidth));
   auto* layout = new QVBoxLayout(card);
   layout->setContentsMargins(16, 12, 16, 12);
   layout->addWidget(text);
   card->adjustSize();
   const QPoint corner =
-      window.mapToGlobal(QPoint(window.width() - kHelpWidth - 60, window.height()));
+      window.mapToGlobal(QPoint(window.width() - scaled(kHelpWidth) - 60, window.height()));
   const QPoint place = QCursor::pos() + QPoint(12, 12);
   card->move(std::min(place.x(), corner.x()),
              std::min(place.y(), corner.y() - card->height() - 20));

@@ -51,7 +51,7 @@ SceneCard::SceneCard(const QString& title, const QString& picture, QWidget* pare
   setFixedSize(sizeHint());
 }
 
-QSize SceneCard::sizeHint() const { return {kWidth, kPictureHeight + kNameHeight}; }
+QSize SceneCard::sizeHint() const { return {kWidth, kPictureHeight + scaled(kNameHeight)}; }
 
 void SceneCard::enterEvent(QEvent* event) {
   QAbstractButton::enterEvent(event);
@@ -81,7 +81,7 @@ void SceneCard::paintEvent(QPaintEvent* /*event*/) {
     painter.drawPixmap(place, picture_);
   }
   painter.setPen(colors.text);
-  painter.drawText(QRect(12, kPictureHeight, width() - 24, kNameHeight),
+  painter.drawText(QRect(12, kPictureHeight, width() - 24, scaled(kNameHeight)),
                    Qt::AlignLeft | Qt::AlignVCenter, text());
   painter.setClipping(false);
   const bool hot = underMouse() || hasFocus();
@@ -119,9 +119,11 @@ void StartPage::refresh() {
   layout->setContentsMargins(0, 28, 0, 28);
   layout->setSpacing(8);
   layout->addWidget(make_label(tr("Handway"), "title"));
-  layout->addWidget(
+  QLabel* words =
       make_label(tr("Open a scene, plan a motion of hand and arm, watch it. Or drop a file here."),
-                 "subtitle"));
+                 "subtitle");
+  words->setWordWrap(true);
+  layout->addWidget(words);
   add_scenes(*layout);
   add_robots(*layout);
   add_recent(*layout);

@@ -153,7 +153,7 @@ FigureTable::FigureTable(QWidget* parent) : QTableWidget(parent) {
     horizontalHeaderItem(column)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
   }
   verticalHeader()->hide();
-  verticalHeader()->setDefaultSectionSize(kFigureRowHeight);
+  verticalHeader()->setDefaultSectionSize(scaled(kFigureRowHeight));
   horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
   horizontalHeader()->setSectionResizeMode(kName, QHeaderView::ResizeToContents);
   horizontalHeader()->setSectionsClickable(false);
@@ -204,7 +204,7 @@ void FigureTable::fill() {
       setItem(row, column, item);
     }
   }
-  setFixedHeight(horizontalHeader()->sizeHint().height() + rowCount() * kFigureRowHeight +
+  setFixedHeight(horizontalHeader()->sizeHint().height() + rowCount() * scaled(kFigureRowHeight) +
                  2 * frameWidth());
 }
 
@@ -258,7 +258,7 @@ ComparisonWindow::ComparisonWindow(PathHistory& history, Query query, QWidget* p
       note_(new QLabel) {
   setWindowTitle(tr("Compare two paths"));
   setAttribute(Qt::WA_DeleteOnClose);
-  resize(1180, 800);
+  resize(within_window(*this, {1180, 800}));
   auto* top = new QHBoxLayout;
   top->setSpacing(14);
   top->addWidget(make_chooser(0), 1);
@@ -296,6 +296,7 @@ ComparisonWindow::ComparisonWindow(PathHistory& history, Query query, QWidget* p
 QWidget* ComparisonWindow::make_chooser(std::size_t side) {
   QComboBox* const box = choosers_.at(side);
   box->setObjectName(QStringLiteral("comparison_%1").arg(side == 0 ? "left" : "right"));
+  connect(box, &QComboBox::currentTextChanged, box, &QWidget::setToolTip);
   box->setPlaceholderText(tr("Choose a path"));
   box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   connect(box, qOverload<int>(&QComboBox::activated), this,

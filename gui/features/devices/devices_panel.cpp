@@ -4,6 +4,7 @@
 #include "handway/device/hand/hand_protocol.h"
 #include "handway/geometric/math/units.h"
 #include "widgets/forms/quantity_field.h"
+#include "widgets/panels/dock_layout.h"
 #include "widgets/panels/run_table.h"
 #include "widgets/plots/cursor_plot.h"
 #include "widgets/plots/figure_file.h"
@@ -18,7 +19,6 @@
 #include <QLineEdit>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QSettings>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
@@ -259,14 +259,9 @@ DevicesPanel::DevicesPanel(QWidget* parent)
   layout->addWidget(make_motion());
   layout->addWidget(outcome_);
   layout->addStretch();
-  auto* area = new QScrollArea;
-  area->setWidgetResizable(true);
-  area->setFrameShape(QFrame::NoFrame);
-  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  area->setWidget(content);
   auto* whole = new QVBoxLayout(this);
   whole->setContentsMargins(0, 0, 0, 0);
-  whole->addWidget(area);
+  whole->addWidget(new PanelArea(content));
   show_state(State::kOff, false);
 }
 
@@ -287,13 +282,6 @@ QWidget* DevicesPanel::make_connection() {
   row->addWidget(state_text_, 1);
   row->addWidget(connect_);
   layout->addLayout(row);
-  problem_->setProperty("role", "banner");
-  auto* problem_layout = new QVBoxLayout(problem_);
-  problem_layout->setContentsMargins(10, 7, 10, 7);
-  problem_layout->addWidget(problem_text_);
-  problem_text_->setTextFormat(Qt::PlainText);
-  problem_->hide();
-  layout->addWidget(problem_);
   mirror_->setObjectName(QStringLiteral("devices_mirror"));
   mirror_->setChecked(true);
   mirror_->setToolTip(
@@ -320,11 +308,6 @@ QWidget* DevicesPanel::make_motion() {
   speed_->set_value(kCautiousSpeed);
   speed_->setToolTip(tr("Share of the pace that the joints' limits allow"));
   layout->addWidget(speed_);
-  layout->addWidget(motion_);
-  start_here_->setObjectName(QStringLiteral("devices_start_here"));
-  start_here_->setToolTip(tr("Makes the robot's measured posture the start, and plans"));
-  start_here_->hide();
-  layout->addWidget(start_here_);
   armed_->setObjectName(QStringLiteral("devices_armed"));
   armed_->setToolTip(tr("Nothing moves unless this is ticked; it holds for one motion"));
   layout->addWidget(armed_);
@@ -341,8 +324,25 @@ QWidget* DevicesPanel::make_motion() {
   progress_->setFixedHeight(6);
   progress_text_->setProperty("role", "note");
   progress_text_->setObjectName(QStringLiteral("devices_progress"));
-  layout->addWidget(progress_);
-  layout->addWidget(progress_text_);
+  for (QWidget* shown_while_running :
+       {static_cast<QWidget*>(progress_), static_cast<QWidget*>(progress_text_)}) {
+    QSizePolicy keeps_room = shown_while_running->sizePolicy();
+    keeps_room.setRetainSizeWhenHidden(true);
+    shown_while_running->setSizePolicy(keeps_room);
+    layout->addWidget(shown_while_running);
+  }
+  problem_->setProperty("role", "banner");
+  auto* problem_layout = new QVBoxLayout(problem_);
+  problem_layout->setContentsMargins(10, 7, 10, 7);
+  problem_layout->addWidget(problem_text_);
+  problem_text_->setTextFormat(Qt::PlainText);
+  problem_->hide();
+  layout->addWidget(problem_);
+  layout->addWidget(motion_);
+  start_here_->setObjectName(QStringLiteral("devices_start_here"));
+  start_here_->setToolTip(tr("Makes the robot's measured posture the start, and plans"));
+  start_here_->hide();
+  layout->addWidget(start_here_);
   connect(speed_, &SliderRow::value_edited, this, &DevicesPanel::speed_changed);
   connect(start_here_, &QPushButton::clicked, this, &DevicesPanel::start_here_requested);
   connect(armed_, &QCheckBox::toggled, this, &DevicesPanel::update_buttons);

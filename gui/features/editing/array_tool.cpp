@@ -228,8 +228,9 @@ void ArrayCard::place() {
     pages_->widget(i)->setSizePolicy(QSizePolicy::Preferred, vertical);
   }
   layout()->activate();
-  setGeometry(parentWidget()->width() - kWidth - kCardMargin, kCardMargin, kWidth,
-              layout()->sizeHint().height());
+  const QSize room = parentWidget()->size() - QSize(2 * kCardMargin, 2 * kCardMargin);
+  const QSize size = QSize(scaled(kWidth), layout()->sizeHint().height()).boundedTo(room);
+  setGeometry({{parentWidget()->width() - size.width() - kCardMargin, kCardMargin}, size});
 }
 
 ArrayTool::ArrayTool(SceneEditor& editor, SceneView& view, QObject* parent)

@@ -30,6 +30,7 @@ using Kind = SceneItem::Kind;
 QLabel* heading(const QString& text) {
   auto* label = new QLabel(text);
   label->setProperty("role", "heading");
+  label->setWordWrap(true);
   return label;
 }
 
@@ -92,7 +93,7 @@ void switch_constraint(SceneEditor& editor, const geometric::PathConstraint& mad
 }  // namespace
 
 PropertiesPanel::PropertiesPanel(SceneEditor& editor, QWidget* parent)
-    : QScrollArea(parent),
+    : PanelArea(nullptr, parent),
       editor_(editor),
       hint_(new QLabel(tr("Select an object to see its place and size here. Add one with "
                           "the Add menu."))),
@@ -105,9 +106,6 @@ PropertiesPanel::PropertiesPanel(SceneEditor& editor, QWidget* parent)
       parent_(new QComboBox),
       solid_(new QCheckBox(tr("Solid"))),
       constraints_(new ConstraintForm) {
-  setFrameShape(QFrame::NoFrame);
-  setWidgetResizable(true);
-  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   hint_->setWordWrap(true);
   hint_->setProperty("role", "note");
   pose_box_ = boxed({pose_title_, pose_});
@@ -137,6 +135,7 @@ PropertiesPanel::PropertiesPanel(SceneEditor& editor, QWidget* parent)
       tr("What is inside collides. Off: a room or a cell, of which the walls alone count"));
   extent_->setObjectName(QStringLiteral("extent"));
   extent_->setProperty("role", "note");
+  extent_->setWordWrap(true);
   shape_box_ = boxed({heading(tr("Size")), shape_, extent_, more});
 
   auto* content = new QWidget;

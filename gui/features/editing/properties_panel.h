@@ -1,8 +1,7 @@
 #pragma once
 
 #include "model/document/scene_editor.h"
-
-#include <QScrollArea>
+#include "widgets/panels/dock_layout.h"
 
 class QCheckBox;
 class QComboBox;
@@ -17,7 +16,7 @@ class PoseForm;
 class ShapeForm;
 
 /// What is selected, in numbers that can be typed over.
-class PropertiesPanel : public QScrollArea {
+class PropertiesPanel : public PanelArea {
   Q_OBJECT
 
  public:

@@ -31,6 +31,7 @@ QColor to_qcolor(const geometric::Color& color) {
 QTreeWidgetItem* make_row(const QString& text, const QIcon& picture, const SceneItem& item) {
   auto* row = new QTreeWidgetItem({text});
   row->setIcon(0, picture);
+  row->setToolTip(0, text);
   row->setData(0, kKindRole, static_cast<int>(item.kind));
   row->setData(0, kRobotRole, QString::fromStdString(item.robot));
   row->setData(0, kNameRole, QString::fromStdString(item.name));
@@ -274,7 +275,7 @@ QTreeWidgetItem* SceneTree::group_row(const geometric::Scene& scene,
   row->setCheckState(0, hidden == 0                     ? Qt::Checked
                         : hidden == std::ssize(members) ? Qt::Unchecked
                                                         : Qt::PartiallyChecked);
-  row->setToolTip(0, tr("Group of %1 objects").arg(std::ssize(members)));
+  row->setToolTip(0, tr("%1: group of %2 objects").arg(row->text(0)).arg(std::ssize(members)));
   if (locked) {
     row->setIcon(1, icon("lock"));
   }
@@ -297,7 +298,7 @@ QTreeWidgetItem* SceneTree::object_row(const geometric::SceneObject& object) con
   }
   row->setFlags(row->flags() | Qt::ItemIsUserCheckable);
   row->setCheckState(0, state_.is_hidden(object.name) ? Qt::Unchecked : Qt::Checked);
-  row->setToolTip(0, words);
+  row->setToolTip(0, QStringLiteral("%1: %2").arg(row->text(0), words));
   return row;
 }
 
@@ -311,7 +312,9 @@ void SceneTree::add_query(const geometric::Scene& scene) {
     QTreeWidgetItem* row = make_row(text, icon("posture", to_qcolor(color)), {kind, "", ""});
     row->setFlags(row->flags() | Qt::ItemIsUserCheckable);
     row->setCheckState(0, Qt::Checked);
-    row->setToolTip(0, tr("The box shows its ghost; a double click moves the robot there"));
+    row->setToolTip(
+        0,
+        tr("%1: the box shows its ghost; a double click moves the robot there").arg(row->text(0)));
     top->addChild(row);
   };
   if (scene.start) {

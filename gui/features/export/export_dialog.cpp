@@ -222,7 +222,7 @@ ExportDialog::ExportDialog(std::shared_ptr<const planning::PluginManager> plugin
       problem_text_(new QLabel) {
   setWindowTitle(tr("Export the path"));
   setAttribute(Qt::WA_DeleteOnClose);
-  resize(940, 600);
+  resize(within_window(*this, {scaled(940), scaled(600)}));
   auto* top = new QHBoxLayout;
   top->setSpacing(12);
   top->addWidget(make_settings());
@@ -300,7 +300,7 @@ QWidget* ExportDialog::make_settings() {
   any_robot_->hide();
   form->addRow(QString(), any_robot_);
   auto* box = new QWidget;
-  box->setFixedWidth(kSettingsWidth);
+  box->setFixedWidth(scaled(kSettingsWidth));
   auto* layout = new QVBoxLayout(box);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(10);

@@ -95,7 +95,7 @@ PicturesDialog::PicturesDialog(std::shared_ptr<const geometric::Scene> scene, Pa
       note_(new QLabel) {
   setWindowTitle(tr("Export pictures of the path"));
   setAttribute(Qt::WA_DeleteOnClose);
-  setMinimumWidth(520);
+  setMinimumWidth(scaled(520));
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(14, 12, 14, 14);
   layout->setSpacing(12);

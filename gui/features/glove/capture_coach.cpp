@@ -91,24 +91,24 @@ void CoverageBars::show_coverage(const JointCoverage& coverage) {
 }
 
 QSize CoverageBars::sizeHint() const {
-  return {300, static_cast<int>(joints_.size()) * kRowHeight};
+  return {scaled(300), static_cast<int>(joints_.size()) * scaled(kRowHeight)};
 }
 
 void CoverageBars::paintEvent(QPaintEvent*) {
   const ThemeColors colors = colors_of(current_theme());
   QPainter painter(this);
   QFont font = painter.font();
-  font.setPixelSize(12);
+  font.setPixelSize(scaled(12));
   painter.setFont(font);
-  const int bar_x = kSideMargin + kNameWidth;
-  const int bar_width = width() - bar_x - kPercentWidth - kSideMargin;
+  const int bar_x = kSideMargin + scaled(kNameWidth);
+  const int bar_width = width() - bar_x - scaled(kPercentWidth) - kSideMargin;
   for (std::size_t j = 0; j < joints_.size(); ++j) {
     const JointVisits& visits = joints_[j];
-    const int top = static_cast<int>(j) * kRowHeight;
+    const int top = static_cast<int>(j) * scaled(kRowHeight);
     painter.setPen(visits.driven ? colors.text : colors.muted);
-    painter.drawText(QRect(kSideMargin, top, kNameWidth, kRowHeight), Qt::AlignVCenter,
-                     joint_label(visits.joint));
-    const QRectF bar(bar_x, top + (kRowHeight - kBarHeight) / 2.0, bar_width, kBarHeight);
+    painter.drawText(QRect(kSideMargin, top, scaled(kNameWidth), scaled(kRowHeight)),
+                     Qt::AlignVCenter, joint_label(visits.joint));
+    const QRectF bar(bar_x, top + (scaled(kRowHeight) - kBarHeight) / 2.0, bar_width, kBarHeight);
     painter.fillRect(bar, faded(colors.border, visits.driven ? 0.7 : 0.35));
     const double bin = bar.width() / JointVisits::kBins;
     for (int b = 0; b < JointVisits::kBins && visits.driven; ++b) {
@@ -127,7 +127,8 @@ void CoverageBars::paintEvent(QPaintEvent*) {
       const double x = bar.left() + visits.now * (bar.width() - 2.0);
       painter.fillRect(QRectF(x, bar.top() - 3.0, 2.0, bar.height() + 6.0), colors.text);
     }
-    const QRect percent(width() - kSideMargin - kPercentWidth, top, kPercentWidth, kRowHeight);
+    const QRect percent(width() - kSideMargin - scaled(kPercentWidth), top, scaled(kPercentWidth),
+                        scaled(kRowHeight));
     painter.setPen(colors.muted);
     painter.drawText(
         percent, Qt::AlignVCenter | Qt::AlignRight,

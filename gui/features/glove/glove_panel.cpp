@@ -20,7 +20,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QStackedWidget>
 #include <QTabBar>
 #include <QTabWidget>
@@ -35,15 +34,6 @@ using device::StreamState;
 constexpr int kStatisticsMs = 250;
 constexpr int kMargin = 12;
 constexpr double kSmoothing = 0.2;  // weight of the latest delay
-
-QScrollArea* scrolled(QWidget* content) {
-  auto* area = new QScrollArea;
-  area->setWidgetResizable(true);
-  area->setFrameShape(QFrame::NoFrame);
-  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  area->setWidget(content);
-  return area;
-}
 
 QString glove_text(const device::GloveInfo& info) {
   return QObject::tr("%1, %2 hand, %3 sensors")
@@ -149,7 +139,7 @@ QWidget* GlovePanel::build_sensors_page() {
   layout->addStretch();
   connect(calibration, &CalibrationChoice::chosen, &session_, &GloveSession::set_calibration);
   connect(calibration, &CalibrationChoice::failed, this, &GlovePanel::show_problem);
-  return scrolled(page);
+  return new PanelArea(page);
 }
 
 QWidget* GlovePanel::build_footer() {
@@ -172,12 +162,9 @@ QWidget* GlovePanel::build_footer() {
   contact_->setProperty("role", "note");
   contact_->setWordWrap(true);
   contact_->hide();
-  auto* switches = new QHBoxLayout;
-  switches->setSpacing(12);
-  switches->addWidget(follow_);
-  switches->addStretch();
-  switches->addWidget(rule_);
-  layout->addLayout(switches);
+  rule_->setMinimumContentsLength(rule_->itemText(0).size());
+  layout->addWidget(follow_);
+  layout->addWidget(rule_);
   layout->addWidget(contact_);
   layout->addWidget(record_);
   connect(follow_, &QCheckBox::toggled, &session_, &GloveSession::set_following);
@@ -191,7 +178,9 @@ QWidget* GlovePanel::build_footer() {
   return footer;
 }
 
-void GlovePanel::add_page(const QString& name, QWidget* page) { put_page(name, scrolled(page)); }
+void GlovePanel::add_page(const QString& name, QWidget* page) {
+  put_page(name, new PanelArea(page));
+}
 
 void GlovePanel::put_page(const QString& name, QWidget* page) {
   tabs_->addTab(name);

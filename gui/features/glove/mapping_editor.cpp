@@ -76,20 +76,22 @@ void MappingWires::show_sample(const GloveSample& sample, const device::HandMapp
   update();
 }
 
-QSize MappingWires::sizeHint() const { return {300, device::kGloveSensors * kRow + 4}; }
+QSize MappingWires::sizeHint() const {
+  return {scaled(300), device::kGloveSensors * scaled(kRow) + 4};
+}
 
 QPointF MappingWires::sensor_handle(int sensor) const {
-  return {kWireMargin + kColumn + 6.0, (sensor + 0.5) * kRow};
+  return {kWireMargin + scaled(kColumn) + 6.0, (sensor + 0.5) * scaled(kRow)};
 }
 
 QPointF MappingWires::joint_handle(int joint) const {
   const double count = std::max(1.0, static_cast<double>(mapping_.wires.size()));
-  const double step = device::kGloveSensors * kRow / count;
-  return {width() - kWireMargin - kColumn - 6.0, (joint + 0.5) * step};
+  const double step = device::kGloveSensors * scaled(kRow) / count;
+  return {width() - kWireMargin - scaled(kColumn) - 6.0, (joint + 0.5) * step};
 }
 
 std::optional<int> MappingWires::sensor_at(const QPointF& position) const {
-  const int sensor = static_cast<int>(position.y() / kRow);
+  const int sensor = static_cast<int>(position.y() / scaled(kRow));
   const bool inside =
       position.x() < sensor_handle(0).x() + 10.0 && sensor >= 0 && sensor < device::kGloveSensors;
   return inside ? std::optional(sensor) : std::nullopt;
@@ -98,7 +100,8 @@ std::optional<int> MappingWires::sensor_at(const QPointF& position) const {
 std::optional<int> MappingWires::joint_at(const QPointF& position) const {
   for (int joint = 0; joint < static_cast<int>(mapping_.wires.size()); ++joint) {
     const QPointF handle = joint_handle(joint);
-    if (position.x() > handle.x() - 10.0 && std::abs(position.y() - handle.y()) < kRow / 2.0) {
+    if (position.x() > handle.x() - 10.0 &&
+        std::abs(position.y() - handle.y()) < scaled(kRow) / 2.0) {
       return joint;
     }
   }
@@ -146,10 +149,10 @@ void MappingWires::paint_sensors(QPainter& painter) const {
   const ThemeColors colors = colors_of(current_theme());
   for (int sensor = 0; sensor < device::kGloveSensors; ++sensor) {
     const bool used = std::ranges::count(mapping_.wires, sensor, &device::JointWire::sensor) > 0;
-    const QRectF cell(kWireMargin, sensor * kRow, kColumn, kRow);
+    const QRectF cell(kWireMargin, sensor * scaled(kRow), scaled(kColumn), scaled(kRow));
     if (input_) {
       const double share = input_->counts.at(static_cast<std::size_t>(sensor)) / kMostCounts;
-      painter.fillRect(QRectF(cell.left(), cell.top() + 2, cell.width() * share, kRow - 4),
+      painter.fillRect(QRectF(cell.left(), cell.top() + 2, cell.width() * share, scaled(kRow) - 4),
                        faded(used ? colors.accent : colors.muted, 0.16));
     }
     painter.setPen(used ? colors.text : colors.muted);
@@ -166,10 +169,12 @@ void MappingWires::paint_joints(QPainter& painter) const {
     const device::JointWire& wire = mapping_.wires[w];
     const bool driven = wire.sensor >= 0;
     const QPointF handle = joint_handle(static_cast<int>(w));
-    const QRectF cell(handle.x() + 6.0, handle.y() - kRow / 2.0, kColumn, kRow);
+    const QRectF cell(handle.x() + 6.0, handle.y() - scaled(kRow) / 2.0, scaled(kColumn),
+                      scaled(kRow));
     if (outputs_[w] >= 0.0) {
-      painter.fillRect(QRectF(cell.left(), cell.top() + 2, cell.width() * outputs_[w], kRow - 4),
-                       faded(driven ? colors.accent : colors.muted, 0.16));
+      painter.fillRect(
+          QRectF(cell.left(), cell.top() + 2, cell.width() * outputs_[w], scaled(kRow) - 4),
+          faded(driven ? colors.accent : colors.muted, 0.16));
     }
     if (static_cast<int>(w) == selected_) {
       painter.setPen(QPen(colors.accent, 1.2));
@@ -188,7 +193,7 @@ void MappingWires::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   QFont font = painter.font();
-  font.setPixelSize(11);
+  font.setPixelSize(scaled(11));
   painter.setFont(font);
   for (std::size_t w = 0; w < mapping_.wires.size(); ++w) {
     if (mapping_.wires[w].sensor >= 0) {
@@ -282,6 +287,7 @@ MappingEditor::MappingEditor(GloveSession& session, QWidget* parent)
       comparison_(new QLabel) {
   source_->setObjectName(QStringLiteral("mapping_source"));
   source_->setPlaceholderText(tr("where the correspondence comes from"));
+  connect(source_, &QLineEdit::textChanged, source_, &QWidget::setToolTip);
   comparison_->setObjectName(QStringLiteral("mapping_comparison"));
   comparison_->setProperty("role", "note");
   comparison_->setWordWrap(true);

@@ -150,18 +150,18 @@ void PmdPad::paintEvent(QPaintEvent*) {
     painter.drawEllipse(to_pixel(dot), kDot, kDot);
   }
   QFont font = painter.font();
-  font.setPixelSize(11);
+  font.setPixelSize(scaled(11));
   painter.setFont(font);
   painter.setPen(colors.muted);
   const QRectF area = plane().adjusted(6, 3, -6, -3);
   const QPointF middle = to_pixel({0.0, 0.0});
-  painter.drawText(QRectF(area.left(), middle.y() - 16, area.width(), 15),
+  painter.drawText(QRectF(area.left(), middle.y() - scaled(16), area.width(), scaled(15)),
                    Qt::AlignRight | Qt::AlignVCenter, x_.name);
-  painter.drawText(QRectF(middle.x() + 5, area.top(), area.width() / 2, 15),
+  painter.drawText(QRectF(middle.x() + 5, area.top(), area.width() / 2, scaled(15)),
                    Qt::AlignLeft | Qt::AlignVCenter, y_.name);
   painter.setPen(colors.accent);
   painter.drawText(
-      QRectF(box.left() + 5, box.bottom() - 18, box.width() - 10, 16),
+      QRectF(box.left() + 5, box.bottom() - scaled(18), box.width() - 10, scaled(16)),
       Qt::AlignLeft | Qt::AlignVCenter,
       QStringLiteral("±%1 × ±%2").arg(x_.half_side, 0, 'f', 2).arg(y_.half_side, 0, 'f', 2));
   painter.setPen(QPen(colors.surface, 2.0));
@@ -281,7 +281,7 @@ void CorrelationMap::paintEvent(QPaintEvent*) {
   painter.drawRect(area);
   if (correlations_.size() == 0) {
     QFont font = painter.font();
-    font.setPixelSize(10);
+    font.setPixelSize(scaled(10));
     painter.setFont(font);
     painter.setPen(colors.muted);
     painter.drawText(area, Qt::AlignCenter, tr("no postures"));
@@ -314,7 +314,7 @@ namespace {
 constexpr double kPercentOfAll = 100.0;
 constexpr int kLabelled = 3;
 constexpr Eigen::Index kMost = 12;
-constexpr double kLabelHeight = 13.0;  // px
+constexpr int kLabelHeight = 13;  // px
 constexpr double kBarShare = 0.62;
 
 }  // namespace
@@ -341,9 +341,9 @@ void VarianceChart::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   QFont font = painter.font();
-  font.setPixelSize(10);
+  font.setPixelSize(scaled(10));
   painter.setFont(font);
-  const QRectF area = QRectF(rect()).adjusted(2, 8, -4, -16);
+  const QRectF area = QRectF(rect()).adjusted(2, 8, -4, -scaled(16));
   painter.setPen(QPen(faded(colors.border, 0.9), 1.0));
   for (const double level : {0.0, 0.5, 1.0}) {
     const double y = area.bottom() - level * area.height();
@@ -367,8 +367,8 @@ void VarianceChart::paintEvent(QPaintEvent*) {
         faded(colors.accent, 0.35));
     if (k == 0 || (k + 1) % 4 == 0) {
       painter.setPen(colors.muted);
-      painter.drawText(QRectF(middle - 10, area.bottom() + 2, 20, 13), Qt::AlignCenter,
-                       QString::number(k + 1));
+      painter.drawText(QRectF(middle - scaled(10), area.bottom() + 2, scaled(20), scaled(13)),
+                       Qt::AlignCenter, QString::number(k + 1));
     }
   }
   painter.setPen(QPen(colors.accent, 1.6));
@@ -381,9 +381,9 @@ void VarianceChart::paintEvent(QPaintEvent*) {
   painter.setPen(colors.text);
   for (int k = 0; k < std::min<int>(kLabelled, static_cast<int>(shares_.size())); ++k) {
     sum += shares_[k];
-    if (k == 0 || sums[k - 1].y() - sums[k].y() > kLabelHeight) {
-      painter.drawText(QRectF(sums[k].x() + 5, sums[k].y(), 60, kLabelHeight), Qt::AlignLeft,
-                       QStringLiteral("%1 %").arg(sum * kPercentOfAll, 0, 'f', 0));
+    if (k == 0 || sums[k - 1].y() - sums[k].y() > scaled(kLabelHeight)) {
+      painter.drawText(QRectF(sums[k].x() + 5, sums[k].y(), scaled(60), scaled(kLabelHeight)),
+                       Qt::AlignLeft, QStringLiteral("%1 %").arg(sum * kPercentOfAll, 0, 'f', 0));
     }
   }
 }

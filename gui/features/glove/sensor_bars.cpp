@@ -142,14 +142,20 @@ void SensorBars::show_samples(const std::vector<GloveSample>& samples,
 
 QSize SensorBars::sizeHint() const {
   const int rows = device::kGloveSensors;
-  return {300, rows * kRowHeight + static_cast<int>(kGroupBegins.size()) * kGap + 8};
+  return {scaled(300),
+          rows * scaled(kRowHeight) + static_cast<int>(kGroupBegins.size()) * kGap + 8};
 }
 
-QSize SensorBars::minimumSizeHint() const { return sizeHint(); }
+QSize SensorBars::minimumSizeHint() const {
+  constexpr int kLeastBar = 60;
+  const int words =
+      scaled(kLetterWidth) + scaled(kNameWidth) + scaled(kCountsWidth) + scaled(kDegreesWidth);
+  return {2 * kBarMargin + words + kLeastBar, sizeHint().height()};
+}
 
 int SensorBars::top_of(int sensor) const {
   const int place = place_of(sensor);
-  return 4 + place * kRowHeight + gaps_before(place) * kGap;
+  return 4 + place * scaled(kRowHeight) + gaps_before(place) * kGap;
 }
 
 bool SensorBars::at_limit(int sensor) const {
@@ -174,28 +180,29 @@ void SensorBars::paint_row(QPainter& painter, int sensor) const {
   const bool used = !driven_.at(index).empty();
   const bool present = latest_ && state.verdict != Verdict::kMissing;
   const int top = top_of(sensor);
-  const auto cell = [top](int x, int width) { return QRect(x, top, width, kRowHeight); };
+  const auto cell = [top](int x, int width) { return QRect(x, top, width, scaled(kRowHeight)); };
 
   QFont font = painter.font();
-  font.setPixelSize(12);
+  font.setPixelSize(scaled(12));
   painter.setFont(font);
   painter.setPen(faded(colors.muted, 0.9));
-  painter.drawText(cell(kBarMargin, kLetterWidth), Qt::AlignVCenter,
+  painter.drawText(cell(kBarMargin, scaled(kLetterWidth)), Qt::AlignVCenter,
                    QString(QLatin1Char(about.letter)));
   painter.setPen(used ? colors.text : colors.muted);
-  painter.drawText(cell(kBarMargin + kLetterWidth, kNameWidth), Qt::AlignVCenter,
+  painter.drawText(cell(kBarMargin + scaled(kLetterWidth), scaled(kNameWidth)), Qt::AlignVCenter,
                    text_of(about.label));
 
-  const int degrees_x = width() - kBarMargin - kDegreesWidth;
-  const int counts_x = degrees_x - kCountsWidth;
-  const int bar_x = kBarMargin + kLetterWidth + kNameWidth + 4;
-  const QRectF bar(bar_x, top + (kRowHeight - kBarHeight) / 2.0, counts_x - bar_x - 4, kBarHeight);
+  const int degrees_x = width() - kBarMargin - scaled(kDegreesWidth);
+  const int counts_x = degrees_x - scaled(kCountsWidth);
+  const int bar_x = kBarMargin + scaled(kLetterWidth) + scaled(kNameWidth) + 4;
+  const QRectF bar(bar_x, top + (scaled(kRowHeight) - kBarHeight) / 2.0, counts_x - bar_x - 4,
+                   kBarHeight);
   painter.setPen(Qt::NoPen);
   painter.setBrush(faded(colors.border, present ? 0.75 : 0.45));
   painter.drawRoundedRect(bar, 3.5, 3.5);
   if (!present) {
     painter.setPen(faded(colors.muted, 0.7));
-    painter.drawText(cell(counts_x, kCountsWidth), Qt::AlignVCenter | Qt::AlignRight,
+    painter.drawText(cell(counts_x, scaled(kCountsWidth)), Qt::AlignVCenter | Qt::AlignRight,
                      QStringLiteral("–"));
     return;
   }
@@ -217,7 +224,7 @@ void SensorBars::paint_row(QPainter& painter, int sensor) const {
   painter.drawRoundedRect(now, 3.5, 3.5);
 
   painter.setPen(broken ? colors.bad : colors.muted);
-  painter.drawText(cell(counts_x, kCountsWidth), Qt::AlignVCenter | Qt::AlignRight,
+  painter.drawText(cell(counts_x, scaled(kCountsWidth)), Qt::AlignVCenter | Qt::AlignRight,
                    QString::number(state.counts));
   const double angle = latest_->angles.angles.at(index);
   const QString degrees = broken ? (state.verdict == Verdict::kDead ? tr("dead") : tr("at end"))
@@ -228,7 +235,8 @@ void SensorBars::paint_row(QPainter& painter, int sensor) const {
                  : limited ? attention_color()
                  : used    ? colors.text
                            : colors.muted);
-  painter.drawText(cell(degrees_x, kDegreesWidth), Qt::AlignVCenter | Qt::AlignRight, degrees);
+  painter.drawText(cell(degrees_x, scaled(kDegreesWidth)), Qt::AlignVCenter | Qt::AlignRight,
+                   degrees);
 }
 
 QString SensorBars::explain(int sensor) const {
@@ -259,7 +267,7 @@ bool SensorBars::event(QEvent* event) {
   if (event->type() == QEvent::ToolTip) {
     const auto* help = static_cast<QHelpEvent*>(event);
     for (int sensor = 0; sensor < device::kGloveSensors; ++sensor) {
-      const QRect row(0, top_of(sensor), width(), kRowHeight);
+      const QRect row(0, top_of(sensor), width(), scaled(kRowHeight));
       if (row.contains(help->pos())) {
         QToolTip::showText(help->globalPos(), explain(sensor), this, row);
         return true;

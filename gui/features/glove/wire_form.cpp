@@ -64,7 +64,9 @@ void CurveView::show_sensor(double angle) {
   update();
 }
 
-QRectF CurveView::area() const { return QRectF(rect()).adjusted(34, 6, -16, -18); }
+QRectF CurveView::area() const {
+  return QRectF(rect()).adjusted(scaled(34), 6, -scaled(16), -scaled(18));
+}
 
 QPointF CurveView::place_of(double angle, double joint) const {
   const QRectF box = area();
@@ -184,22 +186,22 @@ void CurveView::paint_axes(QPainter& painter) const {
   painter.fillRect(QRectF(place_of(kLeastSensor, upper_), place_of(kMostSensor, lower_)),
                    faded(colors.accent, 0.06));
   QFont font = painter.font();
-  font.setPixelSize(10);
+  font.setPixelSize(scaled(10));
   painter.setFont(font);
   for (double degrees = -30.0; degrees <= 120.0; degrees += 30.0) {
     const double x = place_of(degrees * kDegree, lower_).x();
     painter.setPen(QPen(faded(colors.border, degrees == 0.0 ? 1.0 : 0.6), 1.0));
     painter.drawLine(QPointF(x, box.top()), QPointF(x, box.bottom()));
     painter.setPen(colors.muted);
-    painter.drawText(QRectF(x - 20.0, box.bottom() + 2.0, 40.0, 14.0), Qt::AlignCenter,
-                     QStringLiteral("%1°").arg(degrees));
+    painter.drawText(QRectF(x - scaled(20), box.bottom() + 2.0, scaled(40), scaled(14)),
+                     Qt::AlignCenter, QStringLiteral("%1°").arg(degrees));
   }
   for (const double joint : {lower_, upper_}) {
     const double y = place_of(0.0, joint).y();
     painter.setPen(QPen(faded(colors.border, 0.9), 1.0));
     painter.drawLine(QPointF(box.left(), y), QPointF(box.right(), y));
     painter.setPen(colors.muted);
-    painter.drawText(QRectF(0.0, y - 7.0, box.left() - 5.0, 14.0),
+    painter.drawText(QRectF(0.0, y - scaled(7), box.left() - 5.0, scaled(14)),
                      Qt::AlignRight | Qt::AlignVCenter,
                      QStringLiteral("%1°").arg(joint / kDegree, 0, 'f', 0));
   }
@@ -242,7 +244,7 @@ QString shown_number(double value) { return QString::number(value, 'g', kShownDi
 QLineEdit* field(const char* name) {
   auto* edit = new QLineEdit;
   edit->setObjectName(QLatin1String(name));
-  edit->setMinimumWidth(40);
+  edit->setMinimumWidth(scaled(40));
   return edit;
 }
 

@@ -25,7 +25,7 @@ namespace {
 
 constexpr int kWidth = 290;
 constexpr int kMargin = 12;
-constexpr int kRankWidth = 26;
+constexpr int kColumnWidth = 52;
 
 QStringList row_texts(int rank, const planning::Pregrasp& grasp) {
   return {QString::number(rank), QString::number(grasp.fingers),
@@ -61,10 +61,10 @@ GraspCard::GraspCard(QWidget* host)
   list_->setUniformRowHeights(true);
   list_->setHeaderLabels({QString(), tr("Fingers"), tr("Around"), tr("Clear"), tr("Score")});
   list_->header()->setStretchLastSection(false);
-  list_->header()->setMinimumSectionSize(kRankWidth);
+  list_->header()->setMinimumSectionSize(scaled(kColumnWidth));
   list_->header()->setSectionResizeMode(QHeaderView::Stretch);
   list_->header()->setSectionResizeMode(0, QHeaderView::Fixed);
-  list_->header()->resizeSection(0, kRankWidth);
+  list_->header()->resizeSection(0, scaled(kColumnWidth));
   const QStringList words{tr("Rank"), tr("Fingers that are near the object"),
                           tr("How far thumb and fingers are on opposite sides of it"),
                           tr("Distance of robot and hand to everything else, up to 50 mm"),
@@ -143,8 +143,11 @@ void GraspCard::set_up(const QString& title, const QString& note, bool with_list
 }
 
 void GraspCard::place() {
-  const int height = list_->isVisibleTo(this) ? 336 : layout()->heightForWidth(kWidth);
-  setGeometry(parentWidget()->width() - kWidth - kMargin, kMargin, kWidth, height);
+  const int height =
+      list_->isVisibleTo(this) ? scaled(336) : layout()->heightForWidth(scaled(kWidth));
+  const QSize room = parentWidget()->size() - QSize(kMargin, 2 * kMargin);
+  const QSize size = QSize(scaled(kWidth), height).boundedTo(room);
+  setGeometry({{room.width() - size.width(), kMargin}, size});
 }
 
 GraspTool::GraspTool(Document& document, SceneEditor& editor, PlanningSession& session,
@@ -215,6 +218,7 @@ void GraspTool::choose(int index) {
   if (!document_.scene()->start) {
     editor_.set_start(document_.configuration());
   }
+  emit planning();
   session_.start();
 }
 
@@ -232,6 +236,8 @@ void add_grasping(Workbench& workbench) {
   };
   QObject::connect(grasp, &QAction::triggered, &tool, &GraspTool::begin);
   QObject::connect(&tool, &GraspTool::handles_welcome, &workbench, &Workbench::handles_welcome);
+  QObject::connect(&tool, &GraspTool::planning, &workbench,
+                   [&workbench] { workbench.show_panel("plan"); });
   QObject::connect(&workbench.document, &Document::opened, grasp, update_enabled);
   QObject::connect(&workbench.document, &Document::edited, grasp, update_enabled);
   QObject::connect(&workbench.editor, &SceneEditor::selection_changed, grasp, update_enabled);

@@ -69,6 +69,8 @@ class GraspTool : public QObject {
   /// Whether there is room in the view for the handles of what is selected: they would hide the
   /// fingers.
   void handles_welcome(bool welcome);
+  /// A grasp was chosen and is planned to.
+  void planning();
 
  private:
   void end();

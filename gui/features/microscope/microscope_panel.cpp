@@ -152,7 +152,7 @@ ListingView::ListingView(QWidget* parent)
   text_->setLineWrapMode(QPlainTextEdit::NoWrap);
   text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   QFont font = QFontDatabase::systemFont(QFontDatabase::FixedFont);
-  font.setPixelSize(12);
+  font.setPixelSize(scaled(12));
   text_->setFont(font);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -431,7 +431,7 @@ QWidget* MicroscopePanel::make_controls() {
   state_->setProperty("role", "note");
   count_->setProperty("role", "note");
   auto* controls = new QWidget;
-  controls->setFixedWidth(kControlsWidth);
+  controls->setMaximumWidth(scaled(kControlsWidth));
   auto* layout = new QVBoxLayout(controls);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(6);

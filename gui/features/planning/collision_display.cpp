@@ -14,6 +14,7 @@
 #include <QPushButton>
 #include <QStringList>
 #include <QToolButton>
+#include <QVBoxLayout>
 #include <QVariant>
 
 #include <algorithm>
@@ -21,21 +22,45 @@
 namespace handway::gui {
 namespace {
 
+constexpr int kBesideText = 8;  // px
+
 QString dotted(const QColor& color, const QString& text) {
   return QStringLiteral("<span style=\"color:%1\">●</span>&nbsp; %2").arg(html(color), text);
 }
 
 QString pair_text(const geometric::NamedPair& pair) {
   return QObject::tr("%1 with %2")
-      .arg(QString::fromStdString(pair.a).toHtmlEscaped(),
-           QString::fromStdString(pair.b).toHtmlEscaped());
+      .arg(QString::fromStdString(pair.a), QString::fromStdString(pair.b));
 }
 
 }  // namespace
 
 CollisionLabel::CollisionLabel(QWidget* parent) : QLabel(parent) {
-  setContentsMargins(8, 0, 8, 0);
+  setContentsMargins(kBesideText, 0, kBesideText, 0);
   setTextFormat(Qt::RichText);
+  setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // the window is as wide as it is
+}
+
+void CollisionLabel::show_words(const QColor& color, const QString& words, const QString& all) {
+  color_ = color;
+  words_ = words;
+  setToolTip(all);
+  elide();
+}
+
+void CollisionLabel::elide() {
+  const int dot = fontMetrics().horizontalAdvance(QStringLiteral("●   "));
+  const int room = width() - 2 * kBesideText - dot;
+  setText(words_.isEmpty()
+              ? QString()
+              : dotted(color_, fontMetrics()
+                                   .elidedText(words_, Qt::ElideRight, std::max(room, 0))
+                                   .toHtmlEscaped()));
+}
+
+void CollisionLabel::resizeEvent(QResizeEvent* event) {
+  QLabel::resizeEvent(event);
+  elide();
 }
 
 void CollisionLabel::show_report(const CollisionReport& report) {
@@ -45,30 +70,26 @@ void CollisionLabel::show_report(const CollisionReport& report) {
     all << tr("in collision: %1").arg(pair_text(pair));
   }
   for (const std::string& violated : report.violated) {
-    all << tr("violates %1").arg(QString::fromStdString(violated).toHtmlEscaped());
+    all << tr("violates %1").arg(QString::fromStdString(violated));
   }
   if (!all.empty()) {
     const int others = all.size() - 1;
-    setText(dotted(colors.bad,
-                   others > 0 ? tr("%1 (and %2 more)").arg(all.front()).arg(others) : all.front()));
-    setToolTip(all.join(QStringLiteral("<br>")));
+    show_words(colors.bad,
+               others > 0 ? tr("%1 (and %2 more)").arg(all.front()).arg(others) : all.front(),
+               all.join(QLatin1Char('\n')));
     return;
   }
-  setToolTip({});
-  setText(
-      dotted(colors.good,
-             report.closest
-                 ? tr("free, closest: %1 to %2, %3 mm")
-                       .arg(QString::fromStdString(report.closest->a).toHtmlEscaped(),
-                            QString::fromStdString(report.closest->b).toHtmlEscaped())
-                       .arg(report.closest->distance * 1e3, 0, 'f', 1)
-                 : tr("free, nothing within %1 mm").arg(CollisionMonitor::kNear * 1e3, 0, 'f', 0)));
+  const QString words =
+      report.closest
+          ? tr("free, closest: %1 to %2, %3 mm")
+                .arg(QString::fromStdString(report.closest->a),
+                     QString::fromStdString(report.closest->b))
+                .arg(report.closest->distance * 1e3, 0, 'f', 1)
+          : tr("free, nothing within %1 mm").arg(CollisionMonitor::kNear * 1e3, 0, 'f', 0);
+  show_words(colors.good, words, words);
 }
 
-void CollisionLabel::show_nothing() {
-  clear();
-  setToolTip({});
-}
+void CollisionLabel::show_nothing() { show_words({}, {}, {}); }
 
 CollisionDisplay::CollisionDisplay(CollisionMonitor& monitor, SceneView& view, QObject* parent)
     : QObject(parent),
@@ -191,9 +212,14 @@ DoctorCard::DoctorCard(QWidget* host)
   layout->setContentsMargins(14, 10, 8, 10);
   layout->setSpacing(12);
   layout->addWidget(picture_, 0, Qt::AlignTop);
-  layout->addWidget(text_, 1);
-  layout->addWidget(show_, 0, Qt::AlignVCenter);
-  layout->addWidget(use_, 0, Qt::AlignVCenter);
+  auto* words = new QVBoxLayout;
+  words->addWidget(text_);
+  auto* answers = new QHBoxLayout;
+  answers->addWidget(show_);
+  answers->addWidget(use_);
+  answers->addStretch();
+  words->addLayout(answers);
+  layout->addLayout(words, 1);
   layout->addWidget(close, 0, Qt::AlignTop);
 }
 

@@ -4,6 +4,7 @@
 #include "model/planning/query_doctor.h"
 #include "widgets/panels/floating_card.h"
 
+#include <QColor>
 #include <QLabel>
 #include <QObject>
 
@@ -28,6 +29,17 @@ class CollisionLabel : public QLabel {
 
   void show_report(const CollisionReport& report);
   void show_nothing();
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  /// @param all for the tool tip.
+  void show_words(const QColor& color, const QString& words, const QString& all);
+  void elide();
+
+  QColor color_;
+  QString words_;
 };
 
 /// Watches the document's posture: colliding bodies are red in the view, and named in a label; a

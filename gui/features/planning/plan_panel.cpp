@@ -3,6 +3,7 @@
 #include "features/planning/preset_bar.h"
 #include "model/planning/planning_session.h"
 #include "widgets/forms/parameter_form.h"
+#include "widgets/panels/dock_layout.h"
 #include "widgets/panels/run_table.h"
 #include "widgets/style/theme.h"
 
@@ -13,7 +14,6 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QSignalBlocker>
 #include <QSpinBox>
 #include <QStandardItemModel>
@@ -28,6 +28,7 @@ namespace handway::gui {
 namespace {
 
 constexpr int kPlannersSeen = 14;  // of a list that may have dozens
+constexpr int kClockMs = 100;
 
 QLabel* make_heading(const QString& text) {
   auto* heading = new QLabel(text);
@@ -65,8 +66,9 @@ PlanPanel::PlanPanel(PlanSettings& settings, QWidget* parent)
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
-  layout->addWidget(make_settings(), 1);
   layout->addWidget(make_actions());
+  layout->addWidget(make_settings(), 1);
+  layout->addWidget(make_results());
 
   const planning::PlannerRegistry& registry = settings_.registry();
   for (const std::string& name : registry.names()) {
@@ -81,6 +83,8 @@ PlanPanel::PlanPanel(PlanSettings& settings, QWidget* parent)
     settings_.set_preset(presets_->words());
     show_modified();
   });
+  clock_.setInterval(kClockMs);
+  connect(&clock_, &QTimer::timeout, this, &PlanPanel::show_elapsed);
   connect(plan_, &QPushButton::clicked, this, &PlanPanel::plan_requested);
   connect(cancel_, &QPushButton::clicked, this, &PlanPanel::cancel_requested);
   if (settings_.planner()) {
@@ -197,12 +201,7 @@ QWidget* PlanPanel::make_settings() {
   form->addRow(tr("Time limit"), time_limit_);
   form->addRow(tr("Margin"), margin_);
   form->addRow(tr("Threads"), threads_);
-  auto* area = new QScrollArea;
-  area->setWidgetResizable(true);
-  area->setFrameShape(QFrame::NoFrame);
-  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  area->setWidget(box);
-  return area;
+  return new PanelArea(box);
 }
 
 QWidget* PlanPanel::make_seeds() {
@@ -235,6 +234,26 @@ QWidget* PlanPanel::make_actions() {
   progress_->setRange(0, 1000);
   progress_->setTextVisible(false);
   progress_->setFixedHeight(6);
+  for (QWidget* shown_at_times : {static_cast<QWidget*>(progress_), optimizing_}) {
+    QSizePolicy keeps_room = shown_at_times->sizePolicy();
+    keeps_room.setRetainSizeWhenHidden(true);
+    shown_at_times->setSizePolicy(keeps_room);
+  }
+  auto* box = new QWidget;
+  auto* layout = new QVBoxLayout(box);
+  layout->setContentsMargins(12, 12, 12, 0);
+  layout->setSpacing(8);
+  auto* buttons = new QHBoxLayout;
+  buttons->setSpacing(8);
+  buttons->addWidget(plan_, 2);
+  buttons->addWidget(cancel_, 1);
+  layout->addLayout(buttons);
+  layout->addWidget(make_optimizing());
+  layout->addWidget(progress_);
+  return box;
+}
+
+QWidget* PlanPanel::make_results() {
   result_->setObjectName(QStringLiteral("result"));
   result_->setWordWrap(true);
   result_->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -250,15 +269,8 @@ QWidget* PlanPanel::make_actions() {
   connect(all_runs_, &QPushButton::clicked, this, &PlanPanel::runs_requested);
   auto* box = new QWidget;
   auto* layout = new QVBoxLayout(box);
-  layout->setContentsMargins(12, 8, 12, 12);
+  layout->setContentsMargins(12, 0, 12, 12);
   layout->setSpacing(8);
-  auto* buttons = new QHBoxLayout;
-  buttons->setSpacing(8);
-  buttons->addWidget(plan_, 2);
-  buttons->addWidget(cancel_, 1);
-  layout->addLayout(buttons);
-  layout->addWidget(make_optimizing());
-  layout->addWidget(progress_);
   layout->addWidget(validity_);
   layout->addWidget(result_);
   layout->addWidget(all_runs_, 0, Qt::AlignLeft);
@@ -349,7 +361,16 @@ void PlanPanel::set_ready(bool ready, const QString& why_not) {
 
 void PlanPanel::show_running() {
   begin_run();
-  result_->setText(tr("Planning…"));
+  activity_ = tr("Planning");
+  show_elapsed();
+}
+
+void PlanPanel::show_elapsed() {
+  if (!activity_.isEmpty()) {
+    result_->setText(tr("%1, %2 s")
+                         .arg(activity_)
+                         .arg(1e-3 * static_cast<double>(since_start_.elapsed()), 0, 'f', 1));
+  }
 }
 
 void PlanPanel::show_optimizing() {
@@ -367,6 +388,8 @@ void PlanPanel::show_optimize_progress(const OptimizeProgress& progress) {
 }
 
 void PlanPanel::begin_run() {
+  since_start_.start();
+  clock_.start();
   plan_->setEnabled(false);
   optimize_->setEnabled(false);
   optimize_limit_->setEnabled(false);
@@ -383,6 +406,8 @@ void PlanPanel::begin_run() {
 }
 
 void PlanPanel::end_run() {
+  clock_.stop();
+  activity_.clear();
   plan_->setEnabled(ready_);
   cancel_->setEnabled(false);
   cancel_->setText(tr("Cancel"));
@@ -412,15 +437,16 @@ void PlanPanel::show_modified() {
 void PlanPanel::show_progress(double fraction, const QString& activity) {
   progress_->setValue(static_cast<int>(std::lround(1000.0 * fraction)));
   if (!activity.isEmpty()) {
-    result_->setText(tr("Planning: %1…").arg(activity));
+    activity_ = tr("Planning: %1").arg(activity);
+    show_elapsed();
   }
 }
 
 void PlanPanel::show_seeds(int done, int solved) {
   const int seeds = settings_.seeds();
   progress_->setValue(1000 * done / seeds);
-  result_->setText(
-      tr("Planning: %1 of %2 seeds done, %3 with a path…").arg(done).arg(seeds).arg(solved));
+  activity_ = tr("Planning: %1 of %2 seeds done, %3 with a path").arg(done).arg(seeds).arg(solved);
+  show_elapsed();
 }
 
 void PlanPanel::show_result(const planning::PlanResult& result, const QString& note) {

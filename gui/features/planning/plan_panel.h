@@ -3,6 +3,8 @@
 #include "model/planning/plan_runner.h"
 #include "model/planning/plan_settings.h"
 
+#include <QElapsedTimer>
+#include <QTimer>
 #include <QWidget>
 
 class QComboBox;
@@ -55,12 +57,15 @@ class PlanPanel : public QWidget {
   QWidget* make_settings();
   QWidget* make_seeds();
   QWidget* make_actions();
+  QWidget* make_results();
   QWidget* make_optimizing();
   void connect_settings();
   void show_request();
   /// Of the chosen planner. @param from_defaults presets begin with the planner's own values.
   void rebuild_form(bool from_defaults);
   void show_running();
+  /// What is being done, and for how long.
+  void show_elapsed();
   void show_optimizing();
   void show_optimize_progress(const OptimizeProgress& progress);
   void show_progress(double fraction, const QString& activity);
@@ -102,6 +107,9 @@ class PlanPanel : public QWidget {
   QLabel* validity_;
   QLabel* result_;
   QPushButton* all_runs_;
+  QString activity_;  ///< Of the planner that runs; empty: none does.
+  QElapsedTimer since_start_;
+  QTimer clock_;
   bool ready_ = false;
 };
 

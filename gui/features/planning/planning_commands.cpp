@@ -36,7 +36,6 @@ PlanningCommands::PlanningCommands(Workbench& workbench, PlanPanel& panel)
   optimize_->setObjectName(QStringLiteral("optimize_action"));
   hypercubes_shown_->setObjectName(QStringLiteral("hypercubes"));
   roadmap_shown_->setCheckable(true);
-  roadmap_shown_->setChecked(true);
   hypercubes_shown_->setCheckable(true);
   cancel_->setEnabled(false);
   optimize_->setEnabled(false);

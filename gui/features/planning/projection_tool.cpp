@@ -87,7 +87,9 @@ QColor shown(const geometric::Color& color) {
   return QColor::fromRgbF(color.red, color.green, color.blue);
 }
 
-QColor color_of(int pmds, int most) { return shown(pmd_color(pmds, most)); }
+QColor color_of(int pmds, int most) {
+  return seen_on(colors_of(current_theme()).surface, shown(pmd_color(pmds, most)));
+}
 
 QString legend(const PalmRoadmap& roadmap) {
   QString text;
@@ -153,9 +155,11 @@ ProjectionPanel::ProjectionPanel(QWidget* parent)
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(pages_);
+  note_->setWordWrap(true);
   setMinimumHeight(180);
   take_theme();
   for (QComboBox* axis : {x_, y_}) {
+    connect(axis, &QComboBox::currentTextChanged, axis, &QWidget::setToolTip);
     connect(axis, qOverload<int>(&QComboBox::currentIndexChanged), this, [this] { redraw(false); });
   }
   connect(all, &QToolButton::clicked, this, [this] { plot_->show_all(); });
@@ -200,6 +204,7 @@ void ProjectionPanel::name_axes(const planning::HandArmChart& chart) {
     axis->clear();
     axis->addItems(titles);
     axis->setCurrentIndex(axis == x_ ? 0 : static_cast<int>(up));
+    axis->setToolTip(axis->currentText());
   }
 }
 

@@ -5,6 +5,7 @@
 #include "model/document/document.h"
 #include "view3d/overlay.h"
 #include "view3d/scene_view.h"
+#include "widgets/style/theme.h"
 
 #include <QCheckBox>
 #include <QColor>
@@ -89,7 +90,7 @@ RegionPreviewBox::RegionPreviewBox(QWidget* parent)
   rows->addWidget(pmds_value_, 1, 2);
   rows->addWidget(legend_, 2, 0, 1, 3);
   for (QLabel* value : {rho_value_, pmds_value_}) {
-    value->setMinimumWidth(48);
+    value->setMinimumWidth(scaled(48));
     value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   }
   auto* layout = new QVBoxLayout(this);

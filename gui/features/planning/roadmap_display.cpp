@@ -6,6 +6,7 @@
 #include "model/settings/view_colors.h"
 #include "view3d/overlay.h"
 #include "view3d/scene_view.h"
+#include "widgets/style/theme.h"
 
 #include <QAction>
 #include <QCheckBox>
@@ -113,12 +114,16 @@ namespace {
 
 constexpr int kMargin = 12;
 
+QColor mark_color(const geometric::Color& color) {
+  return seen_on(colors_of(current_theme()).surface,
+                 QColor::fromRgbF(color.red, color.green, color.blue));
+}
+
 QString legend_row(const QString& name, int count, const geometric::Color& color) {
   return QStringLiteral(
              "<tr><td style='color:%1'>&#9679;</td><td style='padding-left:6px'>%2</td>"
              "<td align='right' style='padding-left:18px'>%3</td></tr>")
-      .arg(QColor::fromRgbF(color.red, color.green, color.blue).name(), name,
-           QLocale().toString(count));
+      .arg(mark_color(color).name(), name, QLocale().toString(count));
 }
 
 // What the colours mean, and what is searched, or was at last.
@@ -144,6 +149,8 @@ QString note_of(const PalmRoadmap& roadmap, int most, bool goes_on) {
 RoadmapLegend::RoadmapLegend(QAction& hypercubes, QWidget* host)
     : FloatingCard(host),
       title_(new QLabel),
+      fold_(new QToolButton),
+      details_(new QWidget),
       note_(new QLabel),
       counts_(new QLabel),
       boxes_(new QCheckBox) {
@@ -157,10 +164,23 @@ RoadmapLegend::RoadmapLegend(QAction& hypercubes, QWidget* host)
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(12, 8, 12, 8);
   layout->setSpacing(3);
-  for (QLabel* label : {title_, note_, counts_}) {
-    layout->addWidget(label);
-  }
-  layout->addWidget(boxes_);
+  fold_->setObjectName(QStringLiteral("roadmap_fold"));
+  fold_->setCheckable(true);
+  fold_->setArrowType(Qt::DownArrow);
+  fold_->setAutoRaise(true);
+  fold_->setToolTip(tr("Fold this card"));
+  connect(fold_, &QToolButton::toggled, this, &RoadmapLegend::fold);
+  auto* head = new QHBoxLayout;
+  head->addWidget(title_, 1);
+  head->addWidget(fold_);
+  layout->addLayout(head);
+  layout->addWidget(details_);
+  auto* rows = new QVBoxLayout(details_);
+  rows->setContentsMargins(0, 0, 0, 0);
+  rows->setSpacing(3);
+  rows->addWidget(note_);
+  rows->addWidget(counts_);
+  rows->addWidget(boxes_);
   boxes_->setObjectName(QStringLiteral("roadmap_boxes"));
   boxes_->setFocusPolicy(Qt::NoFocus);
   boxes_->setChecked(hypercubes.isChecked());
@@ -201,8 +221,19 @@ void RoadmapLegend::show_roadmap(const SharedRoadmap& roadmap, const Search& sea
   appear();
 }
 
+void RoadmapLegend::fold(bool folded) {
+  fold_->setArrowType(folded ? Qt::RightArrow : Qt::DownArrow);
+  details_->setVisible(!folded);
+  layout()->activate();
+  place();
+}
+
 void RoadmapLegend::place() {
   adjustSize();
+  if (!fold_->isChecked() && height() + 2 * kMargin > parentWidget()->height()) {
+    fold_->setChecked(true);  // and so comes back here
+    return;
+  }
   QRect place(QPoint(), size());
   place.moveBottomRight(parentWidget()->rect().bottomRight() - QPoint(kMargin, kMargin));
   for (const FloatingCard* other : others()) {  // above what is in its way

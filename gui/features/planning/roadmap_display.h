@@ -18,6 +18,7 @@ class QCheckBox;
 class QLabel;
 
 class QGridLayout;
+class QToolButton;
 
 namespace handway::gui {
 
@@ -93,8 +94,11 @@ class RoadmapLegend : public FloatingCard {
 
  private:
   void place() override;
+  void fold(bool folded);
 
   QLabel* title_;
+  QToolButton* fold_;
+  QWidget* details_;
   QLabel* note_;
   QLabel* counts_;
   QCheckBox* boxes_;

@@ -218,9 +218,11 @@ bool JointCurveList::is_dashed(int variable) {
 QTreeWidgetItem* JointCurveList::add_group(const std::vector<int>& variables, const QString& name) {
   auto* group = new QTreeWidgetItem(this, {name});
   group->setFlags(Qt::ItemIsEnabled | Qt::ItemIsUserCheckable | Qt::ItemIsAutoTristate);
+  group->setToolTip(kName, name);
   for (const int variable : variables) {
     const std::string& joint = model_->variable(variable).name;
     auto* item = new QTreeWidgetItem(group, {QString::fromStdString(joint)});
+    item->setToolTip(kName, QString::fromStdString(joint));
     item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsUserCheckable);
     item->setCheckState(kName, Qt::Unchecked);
     item->setIcon(kName, swatch(variable));

@@ -4,10 +4,11 @@
 #include "handway/geometric/math/units.h"
 #include "handway/geometric/robot/normalised_joints.h"
 #include "widgets/forms/quantity_field.h"
+#include "widgets/panels/dock_layout.h"
+#include "widgets/style/theme.h"
 
 #include <QLabel>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QVBoxLayout>
 #include <QVariant>
 
@@ -45,12 +46,9 @@ geometric::JointLimits reach(const geometric::RobotModel& model, int link) {
 }  // namespace
 
 JointPanel::JointPanel(QWidget* parent)
-    : QWidget(parent), scroll_(new QScrollArea), content_(nullptr), layout_(nullptr) {
+    : QWidget(parent), scroll_(new PanelArea), content_(nullptr), layout_(nullptr) {
   auto* outer = new QVBoxLayout(this);
   outer->setContentsMargins(0, 0, 0, 0);
-  scroll_->setWidgetResizable(true);
-  scroll_->setFrameShape(QFrame::NoFrame);
-  scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   content_ = new QWidget;
   layout_ = new QVBoxLayout(content_);
   layout_->setContentsMargins(12, 10, 12, 10);
@@ -110,7 +108,7 @@ SliderRow* JointPanel::add_row(int link) {
   const geometric::Joint& joint = model_->joint(link);
   auto* row =
       new SliderRow(QString::fromStdString(joint.name), range_of(reach(*model_, link), joint.type));
-  row->set_label_width(kLabelWidth);
+  row->use_two_lines();
   row->setObjectName(QString::fromStdString(joint.name));
   layout_->addWidget(row);
   rows_.push_back({link, row});
@@ -217,7 +215,7 @@ void PmdPanel::set_hand(std::shared_ptr<const geometric::RobotModel> model,
 
 void PmdPanel::add_axis(const QString& name, double half_side, double variance) {
   auto* row = new SliderRow(name, {-half_side, half_side, 1.0, QString(), 3});
-  row->set_label_width(128);
+  row->set_label_width(scaled(kLabelWidth));
   row->setObjectName(name);
   if (variance > 0.0) {
     row->setToolTip(tr("%1: standard deviation %2 of the normalised joints, half side %3")

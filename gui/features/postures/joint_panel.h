@@ -10,13 +10,13 @@
 #include <string>
 #include <vector>
 
-class QScrollArea;
 class QVBoxLayout;
 
 class QLabel;
 
 namespace handway::gui {
 
+class PanelArea;
 class SliderRow;
 
 /// A slider for every joint of the first robot, arm and hand apart; coupled
@@ -49,7 +49,7 @@ class JointPanel : public QWidget {
 
   std::shared_ptr<const geometric::RobotModel> model_;
   geometric::Configuration q_;
-  QScrollArea* scroll_;
+  PanelArea* scroll_;
   QWidget* content_;
   QVBoxLayout* layout_;
   std::vector<Row> rows_;

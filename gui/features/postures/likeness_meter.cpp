@@ -69,8 +69,8 @@ class DistanceRow::Bar : public QWidget {
 DistanceRow::DistanceRow(const QString& name, QWidget* parent)
     : QWidget(parent), bar_(new Bar), number_(new QLabel) {
   auto* label = new QLabel(name);
-  label->setFixedWidth(kNameWidth);
-  number_->setMinimumWidth(kNumberWidth);
+  label->setFixedWidth(scaled(kNameWidth));
+  number_->setMinimumWidth(scaled(kNumberWidth));
   number_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);

@@ -35,12 +35,12 @@ QColor to_qcolor(const geometric::Color& color) {
 
 PostureBar::PostureBar(QWidget* parent)
     : QWidget(parent),
-      start_(new QPushButton(icon("start", to_qcolor(kStartColor)), tr("Start"))),
-      goal_(new QPushButton(icon("goal", to_qcolor(kGoalColor)), tr("Goal"))),
+      start_(new QPushButton(icon("start", to_qcolor(kStartColor)), tr("Go to start"))),
+      goal_(new QPushButton(icon("goal", to_qcolor(kGoalColor)), tr("Go to goal"))),
       postures_(new QPushButton(tr("Postures"))),
       menu_(new QMenu(this)) {
-  start_->setToolTip(tr("Go to start"));
-  goal_->setToolTip(tr("Go to goal"));
+  start_->setToolTip(tr("Move the robot to the start"));
+  goal_->setToolTip(tr("Move the robot to the goal"));
   postures_->setToolTip(tr("Go to a posture that has a name, or save this one under a name"));
   start_->setObjectName(QStringLiteral("go_to_start"));
   goal_->setObjectName(QStringLiteral("go_to_goal"));
@@ -50,6 +50,7 @@ PostureBar::PostureBar(QWidget* parent)
   layout->setContentsMargins(12, 10, 12, 2);
   layout->setSpacing(8);
   for (QPushButton* button : {start_, goal_, postures_}) {
+    button->setProperty("role", "compact");
     layout->addWidget(button, 1);
   }
   connect(start_, &QPushButton::clicked, this, &PostureBar::start_requested);
@@ -180,7 +181,7 @@ KeepPostureDialog::KeepPostureDialog(const JointGroups& groups, const QStringLis
       note_(new QLabel),
       keep_(nullptr) {
   setWindowTitle(tr("Save posture"));
-  setMinimumWidth(kLeastWidth);
+  setMinimumWidth(scaled(kLeastWidth));
   name_->setObjectName(QStringLiteral("posture_name"));
   name_->setPlaceholderText(tr("for example: above the table"));
   part_->setObjectName(QStringLiteral("posture_part"));

@@ -1,6 +1,8 @@
 #include "features/preferences/preferences_dialog.h"
 
 #include "features/workbench.h"
+#include "widgets/panels/dock_layout.h"
+#include "widgets/style/theme.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -35,7 +37,10 @@ PreferencesDialog::PreferencesDialog(Preferences& preferences, const QStringList
   setObjectName(QStringLiteral("preferences"));
   setWindowTitle(tr("Preferences"));
   setAttribute(Qt::WA_DeleteOnClose);
-  auto* form = new QFormLayout;
+  auto* content = new QWidget;
+  auto* area = new PanelArea(content);
+  auto* form = new QFormLayout(content);
+  form->setContentsMargins(0, 0, 8, 0);
   form->setHorizontalSpacing(24);
   form->setVerticalSpacing(7);
   form->setFieldGrowthPolicy(QFormLayout::FieldsStayAtSizeHint);
@@ -52,8 +57,7 @@ PreferencesDialog::PreferencesDialog(Preferences& preferences, const QStringList
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(20, 12, 20, 16);
   layout->setSpacing(16);
-  layout->setSizeConstraint(QLayout::SetFixedSize);
-  layout->addLayout(form);
+  layout->addWidget(area, 1);
   layout->addWidget(buttons);
   const auto show_all = [this] {
     for (const std::function<void()>& show : show_) {
@@ -61,6 +65,7 @@ PreferencesDialog::PreferencesDialog(Preferences& preferences, const QStringList
     }
   };
   show_all();
+  resize(within_window(*this, sizeHint()));
   connect(&preferences_, &Preferences::changed, this, show_all);
 }
 
@@ -69,6 +74,9 @@ void PreferencesDialog::add_appearance(QFormLayout& form) {
   add_choice<Theme>(form, "theme", tr("Theme"),
                     {{tr("Light"), Theme::kLight}, {tr("Dark"), Theme::kDark}},
                     [](Values& values) -> Theme& { return values.theme; });
+  add_choice<int>(form, "text_size", tr("Text, at the next start"),
+                  {{tr("100 %"), 100}, {tr("125 %"), 125}, {tr("150 %"), 150}, {tr("200 %"), 200}},
+                  [](Values& values) -> int& { return values.text_size; });
   add_choice<LengthUnit>(form, "length_unit", tr("Lengths in fields"),
                          {{tr("Millimetres"), LengthUnit::kMillimetre},
                           {tr("Centimetres"), LengthUnit::kCentimetre},
@@ -149,7 +157,7 @@ void PreferencesDialog::add_choice(QFormLayout& form, const char* name, const QS
                                    const std::function<Value&(Values&)>& get) {
   auto* box = new QComboBox;
   box->setObjectName(QLatin1String(name));
-  box->setFixedWidth(kFieldWidth);
+  box->setFixedWidth(scaled(kFieldWidth));
   for (const Choice<Value>& choice : choices) {
     box->addItem(choice.text);
   }
@@ -188,7 +196,7 @@ void PreferencesDialog::add_switch(QFormLayout& form, const char* name, const QS
 void PreferencesDialog::add_number(QFormLayout& form, const char* name, const QString& label,
                                    QWidget* field) {
   field->setObjectName(QLatin1String(name));
-  field->setFixedWidth(kFieldWidth);
+  field->setFixedWidth(scaled(kFieldWidth));
   form.addRow(label, field);
 }
 

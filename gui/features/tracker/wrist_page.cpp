@@ -39,7 +39,7 @@ QuantityField* length_field(const QString& name) {
   auto* field = new QuantityField(QuantityField::Kind::kLength, -kFarthest, kFarthest);
   field->setButtonSymbols(QAbstractSpinBox::NoButtons);
   field->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  field->setMinimumWidth(60);
+  field->setMinimumWidth(scaled(60));
   field->setObjectName(name);
   return field;
 }
@@ -155,7 +155,7 @@ QWidget* FollowForm::build_workspace() {
   layout->addWidget(box_);
   layout->addWidget(box_fields_);
   limits_reach_->setToolTip(tr("Distance of the tool from the origin of the robot's base"));
-  reach_->setMaximumWidth(90);
+  reach_->setMaximumWidth(scaled(90));
   auto* reach = new QHBoxLayout;
   reach->addWidget(limits_reach_, 1);
   reach->addWidget(reach_);

@@ -27,6 +27,7 @@ struct Options {
   std::string tracker;             ///< Wrist tracker to connect to at once; empty: none.
   std::filesystem::path campaign;  ///< Campaign or run database to open at once; empty: none.
   std::string theme;               ///< "light" or "dark"; empty: as last time.
+  std::optional<int> text_size;    ///< Percent; nothing: as in the preferences.
 };
 
 }  // namespace handway::gui

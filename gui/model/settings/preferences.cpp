@@ -101,6 +101,7 @@ class Writer {
 template <typename Visitor, typename Values>
 void visit(Visitor&& visitor, Values& values) {
   visitor.word("theme", values.theme, kThemes);
+  visitor.number("text_size", values.text_size, 100, 200);
   visitor.word("units/length", values.units.length, kLengths);
   visitor.word("units/angle", values.units.angle, kAngles);
   visitor.word("view/projection", values.projection, kProjections);

@@ -32,6 +32,7 @@ enum class Theme { kLight, kDark };
 /// What a person may wish of the workbench, whatever scene is open. As made: the defaults.
 struct PreferenceValues {
   Theme theme = Theme::kLight;
+  int text_size = 100;  ///< Percent; from the next start.
   QuantityUnits units;
 
   Projection projection = Projection::kPerspective;

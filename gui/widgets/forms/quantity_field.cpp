@@ -142,12 +142,19 @@ namespace {
 constexpr double kFarthest = 100.0;                   // m
 constexpr double kFullTurn = 2.0 * std::numbers::pi;  // rad
 
+constexpr int kAroundText = 18;  // px
+
+QString longest_text(QuantityField::Kind kind) {
+  return kind == QuantityField::Kind::kLength ? QStringLiteral("−1000.000 mm")
+                                              : QStringLiteral("−180.000°");
+}
+
 QuantityField* make_field(QuantityField::Kind kind, double most, const char* name) {
   auto* field = new QuantityField(kind, -most, most);
   field->setButtonSymbols(QAbstractSpinBox::NoButtons);
   field->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   field->setObjectName(QLatin1String(name));
-  field->setMinimumWidth(60);
+  field->setMinimumWidth(field->fontMetrics().horizontalAdvance(longest_text(kind)) + kAroundText);
   return field;
 }
 
@@ -168,16 +175,12 @@ PoseForm::PoseForm(QWidget* parent) : QWidget(parent) {
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setHorizontalSpacing(6);
   layout->setVerticalSpacing(5);
-  layout->setColumnStretch(1, 5);
-  layout->setColumnStretch(3, 4);
   for (std::size_t i = 0; i < 3; ++i) {
     const int row = static_cast<int>(i);
     position_.at(i) = make_field(QuantityField::Kind::kLength, kFarthest, kPositionNames.at(i));
     rotation_.at(i) = make_field(QuantityField::Kind::kAngle, kFullTurn, kRotationNames.at(i));
-    layout->addWidget(make_label(QLatin1String(kPositions.at(i))), row, 0);
-    layout->addWidget(position_.at(i), row, 1);
-    layout->addWidget(make_label(rotations.at(i)), row, 2);
-    layout->addWidget(rotation_.at(i), row, 3);
+    labels_.at(i) = make_label(QLatin1String(kPositions.at(i)));
+    labels_.at(i + 3) = make_label(rotations.at(i));
     connect(position_.at(i), &QuantityField::quantity_edited, this, [this, row](double value) {
       geometric::Pose X = X_;
       X.translation()[row] = value;
@@ -189,6 +192,47 @@ PoseForm::PoseForm(QWidget* parent) : QWidget(parent) {
                                    rotation_[1]->quantity(), rotation_[2]->quantity());
       emit pose_edited(turned);
     });
+  }
+  arrange(true);
+}
+
+void PoseForm::arrange(bool narrow) {
+  auto* grid = qobject_cast<QGridLayout*>(layout());
+  for (std::size_t i = 0; i < 3; ++i) {
+    const int row = static_cast<int>(i);
+    const int below = narrow ? row + 3 : row;
+    const int beside = narrow ? 0 : 2;
+    grid->addWidget(labels_.at(i), row, 0);
+    grid->addWidget(position_.at(i), row, 1);
+    grid->addWidget(labels_.at(i + 3), below, beside);
+    grid->addWidget(rotation_.at(i), below, beside + 1);
+  }
+  grid->setColumnStretch(1, 5);
+  grid->setColumnStretch(3, narrow ? 0 : 4);
+  is_narrow_ = narrow;
+  // The layout around may be at work just now.
+  QMetaObject::invokeMethod(this, &QWidget::updateGeometry, Qt::QueuedConnection);
+}
+
+int PoseForm::width_of_columns() const {
+  const int space = layout()->contentsMargins().left() +
+                    3 * qobject_cast<QGridLayout*>(layout())->horizontalSpacing();
+  return labels_[0]->sizeHint().width() + position_[0]->minimumWidth() +
+         labels_[4]->sizeHint().width() + rotation_[0]->minimumWidth() + space;
+}
+
+// With all fields below each other.
+QSize PoseForm::minimumSizeHint() const {
+  const int label = labels_[4]->sizeHint().width();
+  const int space = qobject_cast<QGridLayout*>(layout())->horizontalSpacing();
+  return {label + space + position_[0]->minimumWidth(), layout()->minimumSize().height()};
+}
+
+void PoseForm::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  const bool narrow = width() < width_of_columns();
+  if (narrow != is_narrow_) {
+    arrange(narrow);
   }
 }
 
@@ -202,9 +246,13 @@ void PoseForm::show_pose(const geometric::Pose& X) {
 }
 
 void PoseForm::set_editable(bool editable) {
-  for (std::size_t i = 0; i < 3; ++i) {
-    position_.at(i)->setReadOnly(!editable);
-    rotation_.at(i)->setReadOnly(!editable);
+  for (QuantityField* field :
+       {position_[0], position_[1], position_[2], rotation_[0], rotation_[1], rotation_[2]}) {
+    if (field->isReadOnly() == editable) {
+      field->setReadOnly(!editable);
+      field->setFocusPolicy(editable ? Qt::StrongFocus : Qt::ClickFocus);
+      set_role(*field, editable ? QString() : QStringLiteral("shown"));
+    }
   }
 }
 
@@ -233,13 +281,15 @@ SliderRow::SliderRow(const QString& label, const Range& range, QWidget* parent)
   field_->setAlignment(Qt::AlignRight);
   field_->setButtonSymbols(QAbstractSpinBox::NoButtons);
   field_->setKeyboardTracking(false);
-  field_->setFixedWidth(68);
-  auto* layout = new QHBoxLayout(this);
+  field_->setFixedWidth(scaled(68));
+  auto* layout = new QGridLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(8);
-  layout->addWidget(label_);
-  layout->addWidget(slider_, 1);
-  layout->addWidget(field_);
+  layout->setHorizontalSpacing(8);
+  layout->setVerticalSpacing(0);
+  layout->setColumnStretch(1, 1);
+  layout->addWidget(label_, 0, 0);
+  layout->addWidget(slider_, 0, 1);
+  layout->addWidget(field_, 0, 2);
   setToolTip(QStringLiteral("%1: %2%4 to %3%4")
                  .arg(label)
                  .arg(range.lower * range.scale, 0, 'f', range.decimals)
@@ -288,6 +338,11 @@ void SliderRow::set_read_only() {
 
 void SliderRow::set_chosen(bool chosen) {
   set_role(*label_, chosen ? QStringLiteral("chosen") : QString());
+}
+
+void SliderRow::use_two_lines() {
+  auto* grid = qobject_cast<QGridLayout*>(layout());
+  grid->addWidget(slider_, 1, 0, 1, 3);
 }
 
 void SliderRow::set_label_width(int width) {

@@ -59,15 +59,25 @@ class PoseForm : public QWidget {
 
   void show_pose(const geometric::Pose& X);
   void set_editable(bool editable);
+  [[nodiscard]] QSize minimumSizeHint() const override;
 
  signals:
   /// What was not typed stays exactly as shown.
   void pose_edited(const handway::geometric::Pose& X);
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
+  /// @param narrow the rotation below the position, not beside it.
+  void arrange(bool narrow);
+  [[nodiscard]] int width_of_columns() const;
+
   std::array<QuantityField*, 3> position_;
   std::array<QuantityField*, 3> rotation_;
   geometric::Pose X_ = geometric::Pose::Identity();
+  std::array<QLabel*, 6> labels_{};  ///< Of the position, then of the rotation.
+  bool is_narrow_ = false;
 };
 
 /// A number on a slider with its name in front and a field behind.
@@ -96,6 +106,8 @@ class SliderRow : public QWidget {
   void set_chosen(bool chosen);
   /// Name column of a stack of rows, px.
   void set_label_width(int width);
+  /// The slider below its name and number, as wide as all.
+  void use_two_lines();
 
  signals:
   /// The person moved it; inside units.

@@ -1,7 +1,11 @@
 #include "widgets/panels/dock_layout.h"
 
+#include "widgets/style/theme.h"
+
 #include <QAction>
 #include <QDockWidget>
+#include <QEvent>
+#include <QScrollBar>
 #include <QSettings>
 #include <QTabBar>
 #include <QTabWidget>
@@ -49,12 +53,12 @@ QDockWidget* make_dock(QMainWindow& window, const DockContent& content, Qt::Dock
 void open_high(QMainWindow& window, const QList<QDockWidget*>& docks) {
   const auto opened = std::make_shared<bool>(false);
   for (QDockWidget* dock : docks) {
-    QObject::connect(dock->toggleViewAction(), &QAction::triggered, dock,
-                     [&window, dock, opened](bool open) {
-                       if (open && !std::exchange(*opened, true) && dock->height() < kHeightBelow) {
-                         window.resizeDocks({dock}, {kHeightBelow}, Qt::Vertical);
-                       }
-                     });
+    QObject::connect(
+        dock->toggleViewAction(), &QAction::triggered, dock, [&window, dock, opened](bool open) {
+          if (open && !std::exchange(*opened, true) && dock->height() < scaled(kHeightBelow)) {
+            window.resizeDocks({dock}, {scaled(kHeightBelow)}, Qt::Vertical);
+          }
+        });
   }
 }
 
@@ -96,7 +100,7 @@ QTabWidget* make_tabs(const std::vector<DockContent>& contents) {
 }  // namespace
 
 DockSwitches build_docks(QMainWindow& window, const DockContents& contents) {
-  constexpr int kLeftWidth = 270;
+  constexpr int kLeftWidth = 302;
   constexpr int kRightWidth = 340;
   DockSwitches switches;
   QList<QDockWidget*> left;
@@ -115,17 +119,62 @@ DockSwitches build_docks(QMainWindow& window, const DockContents& contents) {
   }
   QTabWidget* tabs = make_tabs(contents.control);
   QDockWidget* right =
-      make_dock(window, {"control", QObject::tr("Control"), tabs}, Qt::RightDockWidgetArea);
+      make_dock(window, {"control", QObject::tr("Control panels"), tabs}, Qt::RightDockWidgetArea);
   right->setTitleBarWidget(new QWidget);
   const QList<QDockWidget*> below = make_docks_below(window, contents.below);
-  window.resizeDocks({left.front(), right},
-                     {kLeftWidth, std::max(kRightWidth, tabs->tabBar()->sizeHint().width())},
-                     Qt::Horizontal);
+  window.resizeDocks(
+      {left.front(), right},
+      {scaled(kLeftWidth), std::max(scaled(kRightWidth), tabs->tabBar()->sizeHint().width())},
+      Qt::Horizontal);
   window.resizeDocks(left, heights, Qt::Vertical);
   for (QDockWidget* dock : left + QList<QDockWidget*>{right} + below) {
     switches.panels.append(dock->toggleViewAction());
   }
   return switches;
+}
+
+PanelArea::PanelArea(QWidget* content, QWidget* parent) : QScrollArea(parent) {
+  setWidgetResizable(true);
+  setFrameShape(QFrame::NoFrame);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  if (content) {
+    setWidget(content);
+  }
+}
+
+int PanelArea::width_around(const QSize& content) const {
+  return content.width() + verticalScrollBar()->sizeHint().width() + 2 * frameWidth();
+}
+
+QSize PanelArea::sizeHint() const {
+  const QSize content = widget() ? widget()->sizeHint() : QSize();
+  return {width_around(content), content.height() + 2 * frameWidth()};
+}
+
+QSize PanelArea::minimumSizeHint() const {
+  const QSize least = QScrollArea::minimumSizeHint();
+  return {widget() ? width_around(widget()->minimumSizeHint()) : least.width(), least.height()};
+}
+
+// The style sheet has a say in how large widgets are, also those that are shown later.
+void PanelArea::showEvent(QShowEvent* event) {
+  for (const QWidget* part : findChildren<QWidget*>()) {
+    part->ensurePolished();
+  }
+  QScrollArea::showEvent(event);
+}
+
+bool PanelArea::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == widget() && event->type() == QEvent::LayoutRequest) {
+    updateGeometry();
+  }
+  return QScrollArea::eventFilter(watched, event);
+}
+
+QSize within_window(const QWidget& dialog, const QSize& wanted) {
+  constexpr int kAround = 40;  // px, of the window's frame and of what is behind
+  const QWidget* parent = dialog.parentWidget();
+  return parent ? wanted.boundedTo(parent->window()->size() - QSize(kAround, kAround)) : wanted;
 }
 
 QWidget* stacked(std::initializer_list<QWidget*> parts, int stretched) {

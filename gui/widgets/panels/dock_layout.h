@@ -2,6 +2,7 @@
 
 #include <QList>
 #include <QMainWindow>
+#include <QScrollArea>
 #include <QString>
 
 #include <functional>
@@ -42,6 +43,27 @@ struct DockSwitches {
 
 /// Docks at their usual places.
 [[nodiscard]] DockSwitches build_docks(QMainWindow& window, const DockContents& contents);
+
+/// A panel that scrolls up and down where it has not enough room. It never is narrower than what is
+/// in it.
+class PanelArea : public QScrollArea {
+ public:
+  /// @param content may be given later, by setWidget().
+  explicit PanelArea(QWidget* content = nullptr, QWidget* parent = nullptr);
+
+  [[nodiscard]] QSize sizeHint() const override;
+  [[nodiscard]] QSize minimumSizeHint() const override;
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  [[nodiscard]] int width_around(const QSize& content) const;
+};
+
+/// `wanted`, but no larger than the window that a dialog belongs to.
+[[nodiscard]] QSize within_window(const QWidget& dialog, const QSize& wanted);
 
 /// Widgets above each other without gaps. @param stretched index of the one that takes the rest.
 [[nodiscard]] QWidget* stacked(std::initializer_list<QWidget*> parts, int stretched);

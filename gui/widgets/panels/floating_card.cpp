@@ -7,6 +7,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QToolButton>
+#include <QVBoxLayout>
 #include <QVariant>
 
 #include <algorithm>
@@ -80,10 +81,15 @@ Banner::Banner(QWidget* host)
   close->setAutoRaise(true);
   close->setToolTip(tr("Put this message away"));
   connect(close, &QToolButton::clicked, this, &QWidget::hide);
-  auto* layout = new QHBoxLayout(this);
+  auto* words = new QHBoxLayout;
+  words->setSpacing(12);
+  words->addWidget(picture_, 0, Qt::AlignTop);
+  words->addWidget(text_, 1);
+  words->addWidget(close, 0, Qt::AlignTop);
+  auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(14, 10, 8, 10);
-  layout->setSpacing(12);
-  layout->addWidget(picture_, 0, Qt::AlignTop);
+  layout->addLayout(words);
+  layout->addWidget(answers_, 0, Qt::AlignRight);
   accept_->setObjectName(QStringLiteral("banner_accept"));
   refuse_->setObjectName(QStringLiteral("banner_refuse"));
   connect(accept_, &QPushButton::clicked, this, [this] {
@@ -98,9 +104,6 @@ Banner::Banner(QWidget* host)
   answers->setContentsMargins(0, 0, 0, 0);
   answers->addWidget(accept_);
   answers->addWidget(refuse_);
-  layout->addWidget(text_, 1);
-  layout->addWidget(answers_, 0, Qt::AlignVCenter);
-  layout->addWidget(close, 0, Qt::AlignTop);
 }
 
 void Banner::show_message(const QString& title, const QString& message) {
@@ -118,6 +121,9 @@ void Banner::offer(const QString& title, const QString& message, const QString& 
                    std::function<void()> on_refuse) {
   accept_->setText(accept);
   refuse_->setText(refuse);
+  for (QPushButton* answer : {accept_, refuse_}) {
+    answer->setMinimumWidth(answer->sizeHint().width());
+  }
   on_accept_ = std::move(on_accept);
   on_refuse_ = std::move(on_refuse);
   show_text(title, message, true);
@@ -138,9 +144,12 @@ void Banner::show_text(const QString& title, const QString& message, bool is_off
 QString Banner::message() const { return text_->text(); }
 
 void Banner::place() {
-  const int width = std::min(parentWidget()->width() - 32, 760);
+  const int width = std::min(parentWidget()->width() - 32, scaled(760));
   const int height = std::max(layout()->heightForWidth(width), minimumSizeHint().height());
   setGeometry((parentWidget()->width() - width) / 2, 16, width, height);
+  layout()->activate();
+  const int lacking = text_->heightForWidth(text_->width()) - text_->height();
+  resize(width, height + std::max(lacking, 0));
 }
 
 }  // namespace handway::gui

@@ -13,7 +13,7 @@ LogPanel::LogPanel(QWidget* parent) : QPlainTextEdit(parent) {
   setPlaceholderText(tr("Messages appear here"));
   document()->setDocumentMargin(10);
   QFont smaller = font();
-  smaller.setPixelSize(12);
+  smaller.setPixelSize(scaled(12));
   setFont(smaller);
 }
 

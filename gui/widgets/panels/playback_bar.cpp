@@ -25,6 +25,7 @@ void offer_speeds(QComboBox& box) {
 namespace {
 
 constexpr int kScrubSteps = 10000;
+constexpr int kLeastScrub = 160;  // px, for a timeline that can be used
 
 }  // namespace
 
@@ -40,6 +41,8 @@ PlaybackBar::PlaybackBar(PathPlayer& player, QWidget* parent)
       reverse_(make_button("reverse", tr("Play backwards"))),
       show_(make_button("traces", tr("Drawings of the path"))),
       traces_(new QMenu(this)),
+      above_(new QHBoxLayout),
+      row_(new QHBoxLayout),
       scrub_(new QSlider(Qt::Horizontal)),
       note_(new QLabel),
       time_(new QLabel),
@@ -55,7 +58,7 @@ PlaybackBar::PlaybackBar(PathPlayer& player, QWidget* parent)
   scrub_->setRange(0, kScrubSteps);
   scrub_->setObjectName(QStringLiteral("scrub"));
   scrub_->setToolTip(tr("Drag along the path"));
-  time_->setMinimumWidth(86);
+  time_->setMinimumWidth(scaled(86));
   time_->setAlignment(Qt::AlignCenter);
   time_->setProperty("role", "note");
   note_->setProperty("role", "note");
@@ -68,18 +71,22 @@ PlaybackBar::PlaybackBar(PathPlayer& player, QWidget* parent)
   show_->setMenu(traces_);
   traces_->setToolTipsVisible(true);
 
-  auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(8, 6, 8, 6);
-  layout->setSpacing(4);
+  auto* rows = new QVBoxLayout(this);
+  rows->setContentsMargins(8, 6, 8, 6);
+  rows->setSpacing(2);
+  rows->addLayout(above_);
+  rows->addLayout(row_);
+  row_->setSpacing(4);
   for (QToolButton* button : buttons()) {
-    layout->addWidget(button);
+    row_->addWidget(button);
   }
-  layout->addSpacing(6);
-  layout->addWidget(scrub_, 1);
-  layout->addWidget(note_);
-  layout->addWidget(time_);
-  layout->addWidget(speed_);
-  layout->addWidget(show_);
+  row_->addSpacing(6);
+  row_->addStretch();
+  row_->addWidget(speed_);
+  row_->addWidget(show_);
+  above_->addWidget(scrub_, 1);
+  above_->addWidget(note_);
+  above_->addWidget(time_);
 
   connect(back_, &QToolButton::clicked, &player_, [this] { player_.step_back(); });
   connect(forward_, &QToolButton::clicked, &player_, [this] { player_.step_forward(); });
@@ -116,7 +123,11 @@ void PlaybackBar::show_note(const QString& note, const QString& explanation) {
   note_->setText(note);
   note_->setToolTip(explanation);
   note_->setVisible(!note.isEmpty());
+  share_room();
 }
+
+// Beside a timeline above the buttons there is room for one of them.
+void PlaybackBar::share_room() { time_->setVisible(above_->isEmpty() || note_->text().isEmpty()); }
 
 void PlaybackBar::hide_traces() { show_->hide(); }
 
@@ -129,11 +140,19 @@ QList<QToolButton*> PlaybackBar::spare_buttons() const {
 }
 
 int PlaybackBar::width_of(const QToolButton& button) const {
-  return button.minimumSizeHint().width() + layout()->spacing();
+  return button.minimumSizeHint().width() + row_->spacing();
 }
 
+// Of a bar with the timeline above and without the spare buttons.
 QSize PlaybackBar::minimumSizeHint() const {
   QSize size = QWidget::minimumSizeHint();
+  if (above_->isEmpty()) {
+    for (const QWidget* part :
+         {static_cast<const QWidget*>(scrub_), static_cast<const QWidget*>(note_),
+          static_cast<const QWidget*>(time_)}) {
+      size.rwidth() -= part->isHidden() ? 0 : part->minimumSizeHint().width() + row_->spacing();
+    }
+  }
   for (const QToolButton* button : spare_buttons()) {
     size.rwidth() -= button->isHidden() ? 0 : width_of(*button);
   }
@@ -148,6 +167,21 @@ void PlaybackBar::resizeEvent(QResizeEvent* event) {
   }
   for (QToolButton* button : spare_buttons()) {
     button->setVisible(width() >= needed);
+  }
+  put_scrub(width() < needed + time_->minimumSizeHint().width() + kLeastScrub);
+}
+
+void PlaybackBar::put_scrub(bool above) {
+  if (above == above_->isEmpty()) {
+    int place = above ? 0 : row_->indexOf(buttons().last()) + 2;
+    QBoxLayout* const row = above ? above_ : row_;
+    for (QWidget* part : {static_cast<QWidget*>(scrub_), static_cast<QWidget*>(note_),
+                          static_cast<QWidget*>(time_)}) {
+      row_->removeWidget(part);
+      above_->removeWidget(part);
+      row->insertWidget(place++, part, part == scrub_ ? 1 : 0);
+    }
+    share_room();
   }
 }
 

@@ -3,6 +3,7 @@
 #include <QList>
 #include <QWidget>
 
+class QBoxLayout;
 class QComboBox;
 class QLabel;
 class QMenu;
@@ -17,8 +18,8 @@ class PathPlayer;
 /// chosen.
 void offer_speeds(QComboBox& box);
 
-/// Buttons and a scrub slider for a path player. Where there is little room, buttons that have a
-/// key are left out.
+/// Buttons and a scrub slider for a path player. Where there is little room, the slider is above
+/// the buttons, and those that have a key are left out.
 class PlaybackBar : public QWidget {
   Q_OBJECT
 
@@ -49,6 +50,8 @@ class PlaybackBar : public QWidget {
   [[nodiscard]] int width_of(const QToolButton& button) const;
   void show_position();
   void show_timeline();
+  void put_scrub(bool above);
+  void share_room();
 
   PathPlayer& player_;
   QToolButton* back_;
@@ -60,6 +63,8 @@ class PlaybackBar : public QWidget {
   QToolButton* reverse_;
   QToolButton* show_;
   QMenu* traces_;
+  QBoxLayout* above_;  ///< Of the buttons.
+  QBoxLayout* row_;
   QSlider* scrub_;
   QLabel* note_;
   QLabel* time_;

@@ -408,7 +408,7 @@ RunView::RunView(QSortFilterProxyModel& runs, std::initializer_list<RunTable::Co
     setColumnHidden(column, std::ranges::find(columns, column) == columns.end());
   }
   for (int column = 0; column < RunTable::kColumns; ++column) {
-    setColumnWidth(column, width_of(column));
+    setColumnWidth(column, scaled(width_of(column)));
   }
   setSortingEnabled(true);
   setSelectionBehavior(QAbstractItemView::SelectRows);
@@ -418,9 +418,9 @@ RunView::RunView(QSortFilterProxyModel& runs, std::initializer_list<RunTable::Co
   setWordWrap(false);
   setProperty("role", "runs");
   verticalHeader()->hide();
-  verticalHeader()->setDefaultSectionSize(kRowHeight);
+  verticalHeader()->setDefaultSectionSize(scaled(kRowHeight));
   horizontalHeader()->setHighlightSections(false);
-  horizontalHeader()->setMinimumSectionSize(kLeastColumn);
+  horizontalHeader()->setMinimumSectionSize(scaled(kLeastColumn));
 }
 
 }  // namespace handway::gui

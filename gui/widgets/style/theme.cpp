@@ -9,6 +9,7 @@
 #include <QPalette>
 #include <QPixmap>
 #include <QPixmapCache>
+#include <QRegularExpression>
 #include <QStyle>
 #include <QStyleFactory>
 #include <QSvgRenderer>
@@ -24,7 +25,7 @@ static void take_resources() { Q_INIT_RESOURCE(workbench); }
 namespace handway::gui {
 namespace {
 
-constexpr double kEnough = 2.5;
+constexpr double kEnough = 3.0;  // of drawings
 constexpr int kSteps = 20;
 
 double linear(double value) {
@@ -68,7 +69,10 @@ void set_role(QWidget& widget, const QString& role) {
 
 namespace {
 
+constexpr int kTextSize = 13;  // px
+
 Theme applied = Theme::kLight;
+double applied_scale = 1.0;
 
 QPalette palette_of(const ThemeColors& colors) {
   QPalette palette;
@@ -98,7 +102,22 @@ QPalette palette_of(const ThemeColors& colors) {
   return palette;
 }
 
-// The sheet names colours as @name.
+// What is as large as the text beside it: fonts, and the boxes and arrows of controls.
+QString with_scaled_text(const QString& sheet) {
+  static const QRegularExpression kSize(QStringLiteral("(?<=@size )(\\d+)(?=px)"));
+  QString scaled_sheet;
+  int done = 0;
+  for (auto sizes = kSize.globalMatch(sheet); sizes.hasNext();) {
+    const QRegularExpressionMatch size = sizes.next();
+    scaled_sheet += sheet.mid(done, size.capturedStart() - done);
+    scaled_sheet += QString::number(scaled(size.captured().toInt()));
+    done = size.capturedEnd();
+  }
+  scaled_sheet += sheet.mid(done);
+  return scaled_sheet.remove(QLatin1String("@size "));
+}
+
+// The sheet names colours as @name, and sizes that grow with the text as @size.
 QString style_sheet(const ThemeColors& colors, Theme theme) {
   QFile file(QStringLiteral(":/themes/workbench.qss"));
   if (!file.open(QIODevice::ReadOnly | QIODevice::Text)) {
@@ -106,48 +125,67 @@ QString style_sheet(const ThemeColors& colors, Theme theme) {
   }
   QString sheet = QString::fromUtf8(file.readAll());
   const std::pair<const char*, QColor> names[] = {
-      {"@window", colors.window},       {"@surface", colors.surface}, {"@border", colors.border},
-      {"@text", colors.text},           {"@muted", colors.muted},     {"@accent", colors.accent},
-      {"@on-accent", colors.on_accent}, {"@bad", colors.bad},         {"@good", colors.good}};
+      {"@window", colors.window},       {"@surface", colors.surface},
+      {"@border", colors.border},       {"@text", colors.text},
+      {"@muted", colors.muted},         {"@accent", colors.accent},
+      {"@on-accent", colors.on_accent}, {"@bad", colors.bad},
+      {"@good", colors.good},           {"@stop", colors.stop}};
   for (const auto& [name, color] : names) {
     sheet.replace(QLatin1String(name) + QLatin1Char(';'), color.name() + QLatin1Char(';'));
     sheet.replace(QLatin1String(name) + QLatin1Char(' '), color.name() + QLatin1Char(' '));
   }
   sheet.replace(QLatin1String("@variant"),
                 theme == Theme::kDark ? QLatin1String("dark") : QLatin1String("light"));
-  return sheet;
+  return with_scaled_text(sheet);
 }
 
 }  // namespace
 
 ThemeColors colors_of(Theme theme) {
   if (theme == Theme::kDark) {
-    ThemeColors dark{QColor(0x1d, 0x22, 0x29), QColor(0x26, 0x2c, 0x35),
-                     QColor(0x3a, 0x43, 0x4f), QColor(0xe4, 0xe8, 0xee),
-                     QColor(0x97, 0xa3, 0xb3), QColor(0x4f, 0x93, 0xf0),
-                     QColor(0xff, 0xff, 0xff), QColor(0x4c, 0xb9, 0x86),
-                     QColor(0xef, 0x6b, 0x60), {}};
+    ThemeColors dark{QColor(0x1d, 0x22, 0x29),
+                     QColor(0x26, 0x2c, 0x35),
+                     QColor(0x3a, 0x43, 0x4f),
+                     QColor(0xe4, 0xe8, 0xee),
+                     QColor(0xa3, 0xae, 0xbd),
+                     QColor(0x5b, 0x9b, 0xf2),
+                     QColor(0x0b, 0x16, 0x26),
+                     QColor(0x4c, 0xb9, 0x86),
+                     QColor(0xf2, 0x7d, 0x73),
+                     QColor(0xd2, 0x30, 0x28),
+                     {}};
     dark.view.sky = {0.20F, 0.235F, 0.28F, 1.0F};
     dark.view.ground = {0.37F, 0.41F, 0.46F, 1.0F};
     dark.view.grid = {0.72F, 0.77F, 0.84F, 1.0F};
     dark.view.text = {0.92F, 0.94F, 0.96F, 1.0F};
     return dark;
   }
-  return {QColor(0xf1, 0xf3, 0xf6), QColor(0xff, 0xff, 0xff),
-          QColor(0xd5, 0xdb, 0xe3), QColor(0x22, 0x2b, 0x37),
-          QColor(0x66, 0x73, 0x85), QColor(0x1f, 0x6f, 0xd6),
-          QColor(0xff, 0xff, 0xff), QColor(0x1d, 0x8f, 0x5f),
-          QColor(0xc9, 0x2f, 0x28), {}};
+  return {QColor(0xf1, 0xf3, 0xf6),
+          QColor(0xff, 0xff, 0xff),
+          QColor(0xd5, 0xdb, 0xe3),
+          QColor(0x22, 0x2b, 0x37),
+          QColor(0x5a, 0x66, 0x77),
+          QColor(0x1a, 0x62, 0xc2),
+          QColor(0xff, 0xff, 0xff),
+          QColor(0x14, 0x74, 0x4a),
+          QColor(0xc9, 0x2f, 0x28),
+          QColor(0xc9, 0x2f, 0x28),
+          {}};
 }
 
 void apply_theme(QApplication& application, Theme theme) {
+  apply_theme(application, theme, applied_scale);
+}
+
+void apply_theme(QApplication& application, Theme theme, double text_scale) {
   take_resources();
   applied = theme;
+  applied_scale = text_scale;
   QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
   QFont font(QStringLiteral("Noto Sans"));
   font.setStyleHint(QFont::SansSerif);
   QFont::insertSubstitutions(QStringLiteral("Noto Sans"), {QStringLiteral("DejaVu Sans")});
-  font.setPixelSize(13);
+  font.setPixelSize(scaled(kTextSize));
   QApplication::setFont(font);
   const ThemeColors colors = colors_of(theme);
   QApplication::setPalette(palette_of(colors));
@@ -155,6 +193,8 @@ void apply_theme(QApplication& application, Theme theme) {
 }
 
 Theme current_theme() { return applied; }
+
+int scaled(int pixels) { return static_cast<int>(std::lround(applied_scale * pixels)); }
 
 QString html(const QColor& color) { return color.name(QColor::HexRgb); }
 

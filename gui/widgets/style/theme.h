@@ -27,13 +27,20 @@ struct ThemeColors {
   QColor on_accent;
   QColor good;
   QColor bad;
+  QColor stop;  ///< Behind white words.
   ViewColors view;
 };
 
 [[nodiscard]] ThemeColors colors_of(Theme theme);
 
 /// Gives the program Fusion style, palette and style sheet of `theme`.
+/// @param text_scale 1 is 100 %; widgets that exist keep the widths that they have.
+void apply_theme(QApplication& application, Theme theme, double text_scale);
+/// With text as large as it is.
 void apply_theme(QApplication& application, Theme theme);
+
+/// As large as `pixels` are beside text of 100 %, px: for what has room for so many letters.
+[[nodiscard]] int scaled(int pixels);
 
 /// The theme that was applied last.
 [[nodiscard]] Theme current_theme();
@@ -53,7 +60,7 @@ void set_role(QWidget& widget, const QString& role);
 
 /// What needs attention but is no fault: joints at their limits, sensors at their ends.
 [[nodiscard]] inline QColor attention_color() {
-  return current_theme() == Theme::kDark ? QColor(0xe5, 0xa5, 0x3d) : QColor(0xb9, 0x73, 0x0b);
+  return current_theme() == Theme::kDark ? QColor(0xe5, 0xa5, 0x3d) : QColor(0x8f, 0x56, 0x00);
 }
 
 /// `color` with a part of its opacity.

@@ -14,7 +14,7 @@ namespace handway::test {
 void WindowTest::SetUp() {
   HANDWAY_NEED_DISPLAY();
   window_ = std::make_unique<gui::MainWindow>(std::make_shared<planning::PluginManager>());
-  window_->resize(900, 640);
+  window_->resize(1024, 700);
   window_->show();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get()));
   WatchedApplication::forget();

@@ -21,6 +21,12 @@ using ::testing::SizeIs;
 
 class RoadmapInTheView : public WindowTest {
  protected:
+  void SetUp() override {
+    WindowTest::SetUp();
+    if (!IsSkipped()) {
+      part<QAction>("samples").setChecked(true);
+    }
+  }
   [[nodiscard]] std::string text(const char* label) const {
     QTextDocument document;
     document.setHtml(part<QLabel>(label).text());

@@ -1,0 +1,152 @@
+/// What people do without thinking about it, and what therefore has to be where and as they expect.
+#include "features/grasping/grasp_tool.h"
+#include "model/document/scene_edits.h"
+#include "patience.h"
+#include "view3d/scene_graph.h"
+#include "view3d/scene_view.h"
+#include "window_test.h"
+
+#include <QAction>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QTabWidget>
+
+#include <cmath>
+#include <numbers>
+
+namespace handway::test {
+namespace {
+
+class Habits : public WindowTest {
+ protected:
+  [[nodiscard]] QPoint place_of(const char* button) const {
+    return part<QWidget>(button).mapTo(&window(), QPoint());
+  }
+  [[nodiscard]] const geometric::Scene& scene() const { return *window().document().scene(); }
+  [[nodiscard]] double distance() const { return window().view().camera().placement().distance; }
+  void show_all_of_it() const {
+    part<QAction>("fit").trigger();
+    QTest::qWait(500);
+  }
+};
+
+TEST_F(Habits, PlanAndCancelStayWhereTheyAre) {
+  open(cell().post());
+  const QPoint plan_place = place_of("plan"), cancel_place = place_of("cancel");
+  plan();
+  EXPECT_EQ(place_of("plan"), plan_place);
+  EXPECT_EQ(place_of("cancel"), cancel_place);
+  window().editor().set_goal(scene().start.value());
+  QTest::qWait(100);
+  EXPECT_EQ(place_of("plan"), plan_place);
+}
+
+TEST_F(Habits, EnterInAFieldGivesTheFocusBackToTheView) {
+  open(cell().post());
+  auto& seed = part<QSpinBox>("seed");
+  seed.setFocus();
+  QTest::keyClicks(&seed, QStringLiteral("7"));
+  QTest::keyClick(&seed, Qt::Key_Return);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return window().focusWidget() == &window().view(); }, 1000));
+}
+
+TEST_F(Habits, KeysOfTheManualExistOnce) {
+  std::map<QString, int> keys;
+  for (const QAction* action : window().findChildren<QAction*>()) {
+    for (const QKeySequence& key : action->shortcuts()) {
+      ++keys[key.toString(QKeySequence::PortableText)];
+    }
+  }
+  for (const char* key : {"Ctrl+N",
+                          "Ctrl+O",
+                          "Ctrl+S",
+                          "Ctrl+Shift+S",
+                          "Ctrl+Q",
+                          "Ctrl+Z",
+                          "Ctrl+Shift+Z",
+                          "Ctrl+A",
+                          "F2",
+                          "Ctrl+D",
+                          "Del",
+                          "End",
+                          "H",
+                          "Ctrl+L",
+                          "L",
+                          "S",
+                          "Ctrl+Shift+A",
+                          "Ctrl+Shift+G",
+                          "Ctrl+Shift+U",
+                          "M",
+                          "Ctrl+G",
+                          "Ctrl+Shift+P",
+                          "F1",
+                          "Ctrl+P",
+                          "Esc",
+                          "Ctrl+E",
+                          "F",
+                          "0",
+                          "1",
+                          "2",
+                          "3",
+                          "5",
+                          "G",
+                          "N",
+                          "C",
+                          "Alt+1",
+                          "Ctrl+,"}) {
+    EXPECT_EQ(keys[QLatin1String(key)], 1) << key;
+  }
+}
+
+TEST_F(Habits, TheRoadmapStartsHidden) { EXPECT_FALSE(part<QAction>("samples").isChecked()); }
+
+TEST_F(Habits, PlanningToAGraspShowsThePlanPanel) {
+  auto& tabs = part<QTabWidget>("control_tabs");
+  tabs.setCurrentIndex(1);
+  emit tool<gui::GraspTool>().planning();
+  EXPECT_EQ(tabs.currentWidget()->objectName(), QStringLiteral("plan"));
+}
+
+TEST_F(Habits, ASceneOpensFromASideThatIsNotBlocked) {
+  open(cell().post_aside());
+  EXPECT_DOUBLE_EQ(gui::open_azimuth(scene()), gui::task_azimuth(scene()));
+  geometric::Scene walled = scene();
+  const double azimuth = window().view().camera().placement().azimuth;
+  geometric::SceneObject wall;
+  wall.name = "wall";
+  wall.shape = geometric::Box{{0.05, 3.0, 3.0}};
+  wall.X_PO =
+      Eigen::AngleAxisd(azimuth, Eigen::Vector3d::UnitZ()) * Eigen::Translation3d(1.2, 0.0, 0.0);
+  walled.objects.push_back(wall);
+  EXPECT_GT(std::abs(gui::open_azimuth(walled) - gui::task_azimuth(walled)), 0.3);
+}
+
+TEST_F(Habits, FShowsEverythingOrWhatIsSelected) {
+  open(cell().post_aside());
+  show_all_of_it();
+  const double robot_alone = distance();
+  window().editor().add("far", geometric::Box{{0.1, 0.1, 0.1}}, {}, {2.5, 0.0, 0.0});
+  window().editor().select({});
+  show_all_of_it();
+  EXPECT_GT(distance(), 1.3 * robot_alone);
+  window().editor().select({gui::SceneItem::Kind::kObject, "", "far"});
+  show_all_of_it();
+  EXPECT_LT(distance(), 0.7 * robot_alone);
+  EXPECT_NEAR(window().view().camera().placement().target.x(), 2.5, 0.1);
+}
+
+TEST_F(Habits, APathThatIsNoLongerValidStops) {
+  open(cell().post_aside());
+  plan();
+  window().player().play();
+  ASSERT_TRUE(window().player().is_playing());
+  // Where the arm is at the goal: there is no other path.
+  window().editor().add("block", geometric::Box{{0.2, 0.2, 0.2}}, {}, {0.04, 0.42, -0.1});
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !window().player().is_playing(); }, kPatienceMs));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !window().message().isEmpty(); }, kPatienceMs));
+  EXPECT_TRUE(window().message().contains(QStringLiteral("not valid")))
+      << qPrintable(window().message());
+}
+
+}  // namespace
+}  // namespace handway::test

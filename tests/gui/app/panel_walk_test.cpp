@@ -1,0 +1,302 @@
+/// A walk through all panels, cards, menus and dialogs in the sizes, themes and sizes of text that
+/// people use: nothing is cut, outside of the window or hard to read. With $HANDWAY_PICTURES it
+/// leaves a picture of each stop, which scripts/contact-sheet puts together.
+#include "features/devices/device_session.h"
+#include "handway/planning/extensions/plugin.h"
+#include "handway_test/paths.h"
+#include "layout_audit.h"
+#include "model/document/scene_edits.h"
+#include "patience.h"
+#include "small_cell.h"
+#include "widgets/panels/floating_card.h"
+#include "widgets/style/theme.h"
+#include "window_test.h"
+
+#include <QComboBox>
+#include <QDir>
+#include <QDockWidget>
+#include <QMenu>
+#include <QMenuBar>
+#include <QPainter>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QStatusBar>
+#include <QTabWidget>
+#include <QTimer>
+
+namespace handway::test {
+namespace {
+
+struct Form {
+  const char* name;
+  QSize size;
+  double text_scale;
+  gui::Theme theme;
+};
+
+void PrintTo(const Form& form, std::ostream* out) { *out << form.name; }
+
+class PanelWalk : public ::testing::TestWithParam<Form> {
+ protected:
+  void SetUp() override {
+    HANDWAY_NEED_DISPLAY();
+    gui::apply_theme(*qApp, GetParam().theme, GetParam().text_scale);
+    auto plugins = std::make_shared<planning::PluginManager>();
+    plugins->load_plugins(planning::plugin_directory());
+    window_ = std::make_unique<gui::MainWindow>(plugins);
+    window_->resize(GetParam().size);
+    window_->show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get()));
+  }
+  void TearDown() override {
+    window_.reset();
+    if (qApp) {
+      gui::apply_theme(*qApp, gui::Theme::kLight, 1.0);
+    }
+  }
+
+  [[nodiscard]] gui::Workbench& workbench() const { return window_->workbench(); }
+  template <typename Widget = QWidget>
+  [[nodiscard]] Widget& part(const char* name) const {
+    auto* widget = window_->findChild<Widget*>(QLatin1String(name));
+    if (!widget) {
+      throw std::runtime_error(std::string("no part called ") + name);
+    }
+    return *widget;
+  }
+  [[nodiscard]] QAction& action(const char* words) const {
+    for (QAction* action : window_->findChildren<QAction*>()) {
+      if (!action->menu() && action->text().remove(QLatin1Char('&')) == QString::fromUtf8(words)) {
+        return *action;
+      }
+    }
+    throw std::runtime_error(std::string("no command called ") + words);
+  }
+  template <typename Condition>
+  void wait_for(Condition condition) const {
+    ASSERT_TRUE(QTest::qWaitFor(condition, kPatienceMs));
+  }
+
+  /// What is on screen now.
+  void look(const QString& stop) { look_at(stop, *window_); }
+  void look_at(const QString& stop, QWidget& of) {
+    settle(of);
+    const QSize room = GetParam().size;
+    if (of.width() > room.width() || of.height() > room.height()) {
+      ADD_FAILURE() << stop.toStdString() << " is " << of.width() << " x " << of.height();
+    }
+    for (const QString& fault : audit_.new_faults(of)) {
+      ADD_FAILURE() << stop.toStdString() << ": " << fault.toStdString();
+    }
+    keep_picture(stop, of);
+  }
+  /// Waits until nothing is laid out any more.
+  static void settle(QWidget& of) {
+    QList<QRect> before;
+    for (int still = 0, tries = 0; still < 3 && tries < 60; ++tries) {
+      QTest::qWait(20);
+      QList<QRect> now;
+      for (const QWidget* widget : of.findChildren<QWidget*>()) {
+        now << widget->geometry();
+      }
+      still = now == before ? still + 1 : 0;
+      before = now;
+    }
+  }
+  static void keep_picture(const QString& stop, QWidget& of) {
+    const QString folder = qEnvironmentVariable("HANDWAY_PICTURES");
+    if (!folder.isEmpty()) {
+      const QDir place(QStringLiteral("%1/%2").arg(folder, QLatin1String(GetParam().name)));
+      place.mkpath(QStringLiteral("."));
+      static int number = 0;
+      EXPECT_TRUE(of.grab().save(place.filePath(
+          QStringLiteral("%1_%2.png").arg(++number, 4, 10, QLatin1Char('0')).arg(stop))));
+    }
+  }
+
+  void open_task() const {
+    QSignalSpy ready(window_.get(), &gui::MainWindow::ready);
+    window_->open(QString::fromStdString((source_dir() / "scenes" / "can_on_table.yaml").string()));
+    wait_for([&] { return !ready.isEmpty(); });
+  }
+  void plan() const {
+    QSignalSpy ended(&window_->session(), &gui::PlanningSession::ended);
+    window_->session().start();
+    wait_for([&] { return !ended.isEmpty(); });
+  }
+  void select(gui::SceneItem::Kind kind, const char* name) const {
+    const std::string& robot = window_->document().robot()->name;
+    window_->editor().select({kind, kind == gui::SceneItem::Kind::kObject ? "" : robot, name});
+  }
+  void walk_control_panels();
+  void walk_pages_of(QWidget& panel, const QString& stop);
+  void walk_docks();
+  void walk_properties();
+  void walk_cards();
+  void walk_menus();
+  /// Looks at the window that a command opens, and closes it.
+  void look_at_opened(const QString& stop, QAction& action);
+
+  LayoutAudit audit_;
+  std::unique_ptr<gui::MainWindow> window_;
+};
+
+void PanelWalk::walk_pages_of(QWidget& panel, const QString& stop) {
+  look(stop);
+  for (QTabBar* tabs : panel.findChildren<QTabBar*>()) {
+    for (int page = 1; tabs->isVisible() && page < tabs->count(); ++page) {
+      tabs->setCurrentIndex(page);
+      look(stop + QLatin1Char('_') + tabs->tabText(page));
+    }
+    tabs->setCurrentIndex(0);
+  }
+}
+
+void PanelWalk::walk_control_panels() {
+  auto& tabs = part<QTabWidget>("control_tabs");
+  for (int i = 0; i < tabs.count(); ++i) {
+    tabs.setCurrentIndex(i);
+    walk_pages_of(*tabs.widget(i), tabs.tabText(i));
+  }
+  tabs.setCurrentIndex(0);
+}
+
+void PanelWalk::walk_docks() {
+  for (const char* name : {"runs", "plots", "microscope", "projection", "history"}) {
+    auto& dock = part<QDockWidget>(name);
+    dock.toggleViewAction()->trigger();
+    dock.raise();
+    QTest::qWait(100);
+    look(QLatin1String(name));
+    dock.hide();
+  }
+}
+
+void PanelWalk::walk_properties() {
+  using Kind = gui::SceneItem::Kind;
+  select(Kind::kObject, "can");
+  look(QStringLiteral("object"));
+  window_->editor().select_objects({"can", "table"});
+  look(QStringLiteral("objects"));
+  select(Kind::kLink, "palm");
+  look(QStringLiteral("link"));
+  select(Kind::kRobot, "");
+  look(QStringLiteral("robot"));
+  window_->editor().select({Kind::kGoal, "", ""});
+  look(QStringLiteral("goal"));
+  part<QTabWidget>("control_tabs").setCurrentIndex(0);
+}
+
+void PanelWalk::walk_cards() {
+  const QString message =
+      QStringLiteral("/home/somebody/robots/a/folder/with/a/long/name/cell.yaml:12: found a word");
+  workbench().banner.show_message(QStringLiteral("The scene can't be opened"), message);
+  look(QStringLiteral("banner"));
+  workbench().banner.offer(
+      QStringLiteral("Unsaved changes to Can on a table"), message, QStringLiteral("Recover"),
+      [] {}, QStringLiteral("Discard"), [] {});
+  look(QStringLiteral("offer"));
+  workbench().banner.hide();
+
+  select(gui::SceneItem::Kind::kObject, "can");
+  action("Grasp…").trigger();
+  wait_for([&] { return part("grasp_plan").isVisible(); });
+  look(QStringLiteral("grasps"));
+  part<QAbstractButton>("grasp_close").click();
+  action("Array…").trigger();
+  look(QStringLiteral("array"));
+  QTest::keyClick(window_.get(), Qt::Key_Escape);
+  for (auto* card : window_->findChildren<gui::FloatingCard*>()) {
+    card->hide();
+  }
+
+  const auto goal = window_->document().scene()->goal;
+  window_->editor().set_goal(window_->document().robot()->model->neutral());
+  wait_for([&] { return part("doctor").isVisible() || !workbench().is_busy(); });
+  look(QStringLiteral("goal_in_collision"));
+  window_->editor().undo_stack().undo();
+  ASSERT_EQ(window_->document().scene()->goal, goal);
+}
+
+void PanelWalk::walk_menus() {
+  for (QAction* top : window_->menuBar()->actions()) {
+    QMenu* menu = top->menu();
+    ASSERT_TRUE(menu);
+    if (menu->isEmpty()) {
+      continue;
+    }
+    menu->popup(window_->mapToGlobal({0, 0}));
+    look_at(QStringLiteral("menu_") + top->text().remove(QLatin1Char('&')), *menu);
+    menu->close();
+  }
+}
+
+void PanelWalk::look_at_opened(const QString& stop, QAction& action) {
+  ASSERT_TRUE(action.isEnabled()) << stop.toStdString();
+  QTimer::singleShot(400, window_.get(), [this, stop] {
+    QWidget* opened = nullptr;
+    for (QWidget* top : QApplication::topLevelWidgets()) {
+      if (top != window_.get() && top->isVisible()) {
+        opened = top;
+      }
+    }
+    ASSERT_TRUE(opened) << stop.toStdString();
+    look_at(stop, *opened);
+    opened->close();
+  });
+  action.trigger();
+  QTest::qWait(700);
+}
+
+TEST_P(PanelWalk, CutsNothingAndIsReadable) {
+  look(QStringLiteral("start_page"));
+  open_task();
+  ASSERT_EQ(window_->size(), GetParam().size);
+  look(QStringLiteral("opened"));
+  plan();
+  window_->player().seek(0.5);
+  walk_control_panels();
+  walk_docks();
+  walk_properties();
+  walk_menus();
+  look_at_opened(QStringLiteral("preferences"), action("Preferences…"));
+  look_at_opened(QStringLiteral("export"), action("Export the path…"));
+  look_at_opened(QStringLiteral("pictures"), action("Export pictures of the path…"));
+  look_at_opened(QStringLiteral("compare"), action("Compare two paths…"));
+  look_at_opened(QStringLiteral("save_posture"), action("Save posture…"));
+  look_at_opened(QStringLiteral("commands"), action("Find a command…"));
+  look_at_opened(QStringLiteral("help"), action("Help on this panel"));
+  look_at_opened(QStringLiteral("about"), action("About Handway"));
+  walk_cards();
+}
+
+TEST_P(PanelWalk, CutsNothingWithDevices) {
+  open_task();
+  plan();
+  auto& tabs = part<QTabWidget>("control_tabs");
+  for (int i = 0; i < tabs.count(); ++i) {
+    if (tabs.tabText(i) == QLatin1String("Devices")) {
+      tabs.setCurrentIndex(i);
+    }
+  }
+  part<QPushButton>("devices_connect").click();
+  wait_for([&] { return workbench().driver.state() == gui::MotionDriver::State::kConnected; });
+  QTest::qWait(300);
+  look(QStringLiteral("Devices_connected"));
+  part<QPushButton>("devices_connect").click();
+  wait_for([&] { return workbench().driver.state() == gui::MotionDriver::State::kOff; });
+}
+
+// Of a small window, of a usual one, and of a usual one with text of twice the size.
+INSTANTIATE_TEST_SUITE_P(
+    Forms, PanelWalk,
+    ::testing::Values(Form{"small_light", {1024, 700}, 1.0, gui::Theme::kLight},
+                      Form{"small_dark", {1024, 700}, 1.0, gui::Theme::kDark},
+                      Form{"usual_light", {1440, 900}, 1.0, gui::Theme::kLight},
+                      Form{"usual_dark", {1440, 900}, 1.0, gui::Theme::kDark},
+                      Form{"large_text_light", {1440, 900}, 2.0, gui::Theme::kLight},
+                      Form{"large_text_dark", {1440, 900}, 2.0, gui::Theme::kDark}),
+    [](const auto& form) { return std::string(form.param.name); });
+
+}  // namespace
+}  // namespace handway::test
