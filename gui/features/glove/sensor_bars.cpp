@@ -61,14 +61,14 @@ namespace {
 
 using Verdict = SensorWatch::Verdict;
 
-constexpr int kRowHeight = 19;
+constexpr int kSensorRow = 19;
 constexpr int kGap = 7;  // between fingers
 constexpr int kBarMargin = 12;
 constexpr int kLetterWidth = 16;
-constexpr int kNameWidth = 106;
+constexpr int kSensorName = 106;
 constexpr int kCountsWidth = 30;
 constexpr int kDegreesWidth = 42;
-constexpr int kBarHeight = 7;
+constexpr int kSensorBar = 7;
 constexpr double kCountsOfASensor = 255.0;
 constexpr double kBeyond = 1e-9;  // rad
 
@@ -143,19 +143,19 @@ void SensorBars::show_samples(const std::vector<GloveSample>& samples,
 QSize SensorBars::sizeHint() const {
   const int rows = device::kGloveSensors;
   return {scaled(300),
-          rows * scaled(kRowHeight) + static_cast<int>(kGroupBegins.size()) * kGap + 8};
+          rows * scaled(kSensorRow) + static_cast<int>(kGroupBegins.size()) * kGap + 8};
 }
 
 QSize SensorBars::minimumSizeHint() const {
   constexpr int kLeastBar = 60;
   const int words =
-      scaled(kLetterWidth) + scaled(kNameWidth) + scaled(kCountsWidth) + scaled(kDegreesWidth);
+      scaled(kLetterWidth) + scaled(kSensorName) + scaled(kCountsWidth) + scaled(kDegreesWidth);
   return {2 * kBarMargin + words + kLeastBar, sizeHint().height()};
 }
 
 int SensorBars::top_of(int sensor) const {
   const int place = place_of(sensor);
-  return 4 + place * scaled(kRowHeight) + gaps_before(place) * kGap;
+  return 4 + place * scaled(kSensorRow) + gaps_before(place) * kGap;
 }
 
 bool SensorBars::at_limit(int sensor) const {
@@ -180,7 +180,7 @@ void SensorBars::paint_row(QPainter& painter, int sensor) const {
   const bool used = !driven_.at(index).empty();
   const bool present = latest_ && state.verdict != Verdict::kMissing;
   const int top = top_of(sensor);
-  const auto cell = [top](int x, int width) { return QRect(x, top, width, scaled(kRowHeight)); };
+  const auto cell = [top](int x, int width) { return QRect(x, top, width, scaled(kSensorRow)); };
 
   QFont font = painter.font();
   font.setPixelSize(scaled(12));
@@ -189,14 +189,14 @@ void SensorBars::paint_row(QPainter& painter, int sensor) const {
   painter.drawText(cell(kBarMargin, scaled(kLetterWidth)), Qt::AlignVCenter,
                    QString(QLatin1Char(about.letter)));
   painter.setPen(used ? colors.text : colors.muted);
-  painter.drawText(cell(kBarMargin + scaled(kLetterWidth), scaled(kNameWidth)), Qt::AlignVCenter,
+  painter.drawText(cell(kBarMargin + scaled(kLetterWidth), scaled(kSensorName)), Qt::AlignVCenter,
                    text_of(about.label));
 
   const int degrees_x = width() - kBarMargin - scaled(kDegreesWidth);
   const int counts_x = degrees_x - scaled(kCountsWidth);
-  const int bar_x = kBarMargin + scaled(kLetterWidth) + scaled(kNameWidth) + 4;
-  const QRectF bar(bar_x, top + (scaled(kRowHeight) - kBarHeight) / 2.0, counts_x - bar_x - 4,
-                   kBarHeight);
+  const int bar_x = kBarMargin + scaled(kLetterWidth) + scaled(kSensorName) + 4;
+  const QRectF bar(bar_x, top + (scaled(kSensorRow) - kSensorBar) / 2.0, counts_x - bar_x - 4,
+                   kSensorBar);
   painter.setPen(Qt::NoPen);
   painter.setBrush(faded(colors.border, present ? 0.75 : 0.45));
   painter.drawRoundedRect(bar, 3.5, 3.5);
@@ -267,7 +267,7 @@ bool SensorBars::event(QEvent* event) {
   if (event->type() == QEvent::ToolTip) {
     const auto* help = static_cast<QHelpEvent*>(event);
     for (int sensor = 0; sensor < device::kGloveSensors; ++sensor) {
-      const QRect row(0, top_of(sensor), width(), scaled(kRowHeight));
+      const QRect row(0, top_of(sensor), width(), scaled(kSensorRow));
       if (row.contains(help->pos())) {
         QToolTip::showText(help->globalPos(), explain(sensor), this, row);
         return true;
