@@ -264,6 +264,7 @@ RoadmapDisplay::RoadmapDisplay(PlanningSession& session, SceneView& view, QActio
   connect(&hypercubes_, &HypercubeDisplay::changed, this, &RoadmapDisplay::show_legend);
   connect(&session_, &PlanningSession::ended, this, &RoadmapDisplay::show_legend);
   connect(&session_, &PlanningSession::roadmap_changed, this, &RoadmapDisplay::draw);
+  view_.set_overlay_visible(Overlay::kRoadmap, shown_.isChecked());
   connect(&shown_, &QAction::toggled, this, [this](bool on) {
     view_.set_overlay_visible(Overlay::kRoadmap, on);
     show_legend();
