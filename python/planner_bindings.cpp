@@ -21,7 +21,7 @@ using geometric::InputError;
 using planning::Parameter;
 
 std::vector<std::string> options_of(const Parameter& parameter) {
-  const auto* choice = std::get_if<planning::ChoiceValue>(&parameter.value);
+  const auto* choice = std::get_if<planning::Choice>(&parameter.value);
   return choice != nullptr ? choice->options : std::vector<std::string>{};
 }
 

@@ -28,10 +28,10 @@ std::string setting_text(const py::object& value) {
 py::object value_of(const Parameter& parameter) {
   return std::visit(
       [&](const auto& value) -> py::object {
-        if constexpr (std::is_same_v<std::decay_t<decltype(value)>, planning::ChoiceValue>) {
+        if constexpr (std::is_same_v<std::decay_t<decltype(value)>, planning::Choice>) {
           return py::str(to_text(parameter));
         } else {
-          return py::cast(*value);
+          return py::cast(value);
         }
       },
       parameter.value);
@@ -53,7 +53,7 @@ py::object PlannerModel::get(const std::string& key) const {
 
 void PlannerModel::set(const std::string& key, const py::object& value) {
   need_idle();
-  set_from_text(find_parameter(parameters(), key), setting_text(value));
+  planner_->set_parameter(key, setting_text(value));
 }
 
 PlanOutcome PlannerModel::plan(const planning::PlanningProblem& problem,

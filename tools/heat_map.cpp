@@ -1,12 +1,12 @@
 #include "heat_map.h"
 
+#include "handway/geometric/io/number_text.h"
 #include "numbers.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -192,17 +192,10 @@ using planning::CampaignCell;
 using planning::CampaignPlanner;
 using planning::ParameterTexts;
 
-std::optional<double> number_of(const std::string& text) {
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc() && end == text.data() + text.size() ? std::optional(value)
-                                                                  : std::nullopt;
-}
-
 // Numbers by their size, before words.
 bool comes_first(const std::string& a, const std::string& b) {
-  const std::optional<double> left = number_of(a);
-  const std::optional<double> right = number_of(b);
+  const std::optional<double> left = geometric::parse_number(a);
+  const std::optional<double> right = geometric::parse_number(b);
   if (left && right) {
     return *left < *right;
   }

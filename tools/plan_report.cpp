@@ -15,10 +15,10 @@ using Json = nlohmann::ordered_json;
 Json value_of(const planning::Parameter& parameter) {
   return std::visit(
       [&](const auto& value) -> Json {
-        if constexpr (std::is_same_v<std::decay_t<decltype(value)>, planning::ChoiceValue>) {
+        if constexpr (std::is_same_v<std::decay_t<decltype(value)>, planning::Choice>) {
           return to_text(parameter);
         } else {
-          return *value;
+          return value;
         }
       },
       parameter.value);

@@ -1,9 +1,11 @@
 #include "kautham_problem.h"
 
+#include "handway/geometric/io/number_text.h"
 #include "xml_file.h"
 
 #include <fmt/format.h>
 
+#include <optional>
 #include <string_view>
 
 namespace handway::import_kautham {
@@ -35,16 +37,13 @@ KauthamProblem::Obstacle read_obstacle(const XmlFile& xml, pugi::xml_node node) 
 // Controls in [0, 1], separated by white space, as many as `dim` says.
 std::vector<double> read_controls(const XmlFile& xml, pugi::xml_node node) {
   std::vector<double> values;
-  std::string_view rest = trimmed(node.child_value());
-  while (!rest.empty()) {
-    const std::string_view word = rest.substr(0, rest.find_first_of(" \t\r\n"));
-    double value = 0.0;
-    if (!parse_number(word, value) || value < 0.0 || value > 1.0) {
+  for (const std::string_view word : geometric::cells(node.child_value(), ' ')) {
+    const std::optional<double> value = geometric::parse_number(word);
+    if (!value || *value < 0.0 || *value > 1.0) {
       xml.refuse(node, "", fmt::format("\"{}\" as control {}", word, values.size() + 1),
                  "a number from 0 to 1");
     }
-    values.push_back(value);
-    rest = trimmed(rest.substr(word.size()));
+    values.push_back(*value);
   }
   const double dimension = xml.number_or(node, "dim", static_cast<double>(values.size()));
   if (dimension != static_cast<double>(values.size())) {
@@ -56,15 +55,16 @@ std::vector<double> read_controls(const XmlFile& xml, pugi::xml_node node) {
 
 void read_planner(const XmlFile& xml, pugi::xml_node node, KauthamProblem& problem) {
   const pugi::xml_node parameters = node.child("Parameters");
-  problem.planner = trimmed(parameters.child("Name").child_value());
+  problem.planner = geometric::trimmed(parameters.child("Name").child_value());
   if (const pugi::xml_node local = parameters.child("LocalPlanner")) {
-    problem.parameters.emplace_back("LocalPlanner", trimmed(local.child_value()));
+    problem.parameters.emplace_back("LocalPlanner", geometric::trimmed(local.child_value()));
     if (local.attribute("stepSize")) {
       problem.parameters.emplace_back("stepSize", xml.text(local, "stepSize"));
     }
   }
   for (const pugi::xml_node parameter : parameters.children("Parameter")) {
-    problem.parameters.emplace_back(xml.text(parameter, "name"), trimmed(parameter.child_value()));
+    problem.parameters.emplace_back(xml.text(parameter, "name"),
+                                    geometric::trimmed(parameter.child_value()));
   }
 }
 
@@ -94,7 +94,7 @@ KauthamProblem read_kautham_problem(const std::filesystem::path& file) {
   const XmlFile xml(file, "Problem");
   KauthamProblem problem;
   problem.file = file;
-  problem.name = trimmed(xml.root().attribute("name").value());
+  problem.name = geometric::trimmed(xml.root().attribute("name").value());
   if (problem.name.empty()) {
     problem.name = file.stem().string();
   } else if (problem.name.ends_with(".xml")) {

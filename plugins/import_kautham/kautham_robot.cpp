@@ -1,5 +1,6 @@
 #include "kautham_robot.h"
 
+#include "handway/geometric/io/number_text.h"
 #include "handway/geometric/math/units.h"
 #include "xml_file.h"
 
@@ -25,7 +26,7 @@ class RobotReader {
  public:
   explicit RobotReader(const std::filesystem::path& file) : xml_(file, "Robot") {
     robot_.file = file;
-    const std::string_view name = trimmed(xml_.root().attribute("name").value());
+    const std::string_view name = geometric::trimmed(xml_.root().attribute("name").value());
     robot_.name = name.empty() ? file.stem().string() : std::string(name);
   }
 
@@ -47,12 +48,12 @@ class RobotReader {
   }
 
   void check_conventions() {
-    const std::string_view convention = trimmed(xml_.root().attribute("DHType").value());
+    const std::string_view convention = geometric::trimmed(xml_.root().attribute("DHType").value());
     if (convention != "Modified") {
       xml_.refuse(xml_.root(), "DHType", in_quotes(convention), "\"Modified\"",
                   "Rewrite the joints with modified Denavit-Hartenberg parameters");
     }
-    const std::string_view type = trimmed(xml_.root().attribute("robType").value());
+    const std::string_view type = geometric::trimmed(xml_.root().attribute("robType").value());
     if (type != "Tree" && type != "Chain") {
       xml_.refuse(xml_.root(), "robType", in_quotes(type), "\"Tree\" or \"Chain\"",
                   "A free-flying body has no joints: describe it as an object of the scene");
@@ -113,7 +114,8 @@ class RobotReader {
     if (is_chain_ && !element) {
       return above;
     }
-    const std::string name(trimmed(xml_.child(node, "Parent").attribute("name").value()));
+    const std::string name(
+        geometric::trimmed(xml_.child(node, "Parent").attribute("name").value()));
     if (above < 0) {
       if (!name.empty()) {
         xml_.refuse(element, "name", in_quotes(name), "nothing: the first joint is the root");
@@ -175,9 +177,8 @@ class RobotReader {
   }
 
   void warn_of_count(pugi::xml_node list, std::size_t found) {
-    double said = 0.0;
     if (const pugi::xml_attribute size = list.attribute("size");
-        size && (!parse_number(size.value(), said) || said != static_cast<double>(found))) {
+        size && geometric::parse_number(size.value()) != static_cast<double>(found)) {
       robot_.warnings.push_back(xml_.place(list) + ": " + list.name() + " says size " +
                                 size.value() + " but has " + std::to_string(found));
     }

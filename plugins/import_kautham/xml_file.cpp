@@ -1,13 +1,13 @@
 #include "xml_file.h"
 
 #include "handway/geometric/io/input_error.h"
+#include "handway/geometric/io/number_text.h"
 #include "handway/geometric/io/text_file.h"
 #include "handway/geometric/math/units.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <iterator>
@@ -42,7 +42,7 @@ std::string element_path(pugi::xml_node node) {
   std::vector<std::string> parts;
   for (; node && node.parent() && node.parent().type() != pugi::node_document;
        node = node.parent()) {
-    const std::string_view name = trimmed(node.attribute("name").value());
+    const std::string_view name = geometric::trimmed(node.attribute("name").value());
     parts.push_back(name.empty() ? node.name()
                                  : std::string(node.name()) + " \"" + std::string(name) + "\"");
   }
@@ -55,26 +55,7 @@ std::string element_path(pugi::xml_node node) {
 
 }  // namespace
 
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view kSpace = " \t\r\n";
-  const auto first = text.find_first_not_of(kSpace);
-  if (first == std::string_view::npos) {
-    return {};
-  }
-  return text.substr(first, text.find_last_not_of(kSpace) - first + 1);
-}
-
 std::string in_quotes(std::string_view text) { return fmt::format("\"{}\"", text); }
-
-bool parse_number(std::string_view text, double& value) {
-  text = trimmed(text);
-  if (text.starts_with('+')) {
-    text.remove_prefix(1);
-  }
-  const char* end = text.data() + text.size();
-  const auto [rest, error] = std::from_chars(text.data(), end, value);
-  return error == std::errc() && rest == end && std::isfinite(value);
-}
 
 XmlFile::XmlFile(const std::filesystem::path& file, const char* root)
     : path_(file), content_(geometric::read_text_file(file, "a Kautham file (XML)", kLargestFile)) {
@@ -110,7 +91,7 @@ std::string XmlFile::text(pugi::xml_node node, const char* attribute) const {
   if (!found) {
     refuse(node, attribute, "no such attribute", "one");
   }
-  const std::string_view value = trimmed(found.value());
+  const std::string_view value = geometric::trimmed(found.value());
   if (value.empty()) {
     refuse(node, attribute, "an empty attribute", "a text");
   }
@@ -119,11 +100,11 @@ std::string XmlFile::text(pugi::xml_node node, const char* attribute) const {
 
 double XmlFile::number(pugi::xml_node node, const char* attribute) const {
   const std::string value = text(node, attribute);
-  double number = 0.0;
-  if (!parse_number(value, number)) {
+  const std::optional<double> number = geometric::parse_number(value);
+  if (!number) {
     refuse(node, attribute, in_quotes(value), "a finite number");
   }
-  return number;
+  return *number;
 }
 
 double XmlFile::number_or(pugi::xml_node node, const char* attribute, double otherwise) const {

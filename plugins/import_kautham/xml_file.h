@@ -56,14 +56,8 @@ class XmlFile {
   pugi::xml_node root_;
 };
 
-/// The text without white space at its ends.
-[[nodiscard]] std::string_view trimmed(std::string_view text);
-
 /// The text in quotation marks.
 [[nodiscard]] std::string in_quotes(std::string_view text);
-
-/// A finite number that fills the whole text, whatever the locale. @returns false if it is none.
-[[nodiscard]] bool parse_number(std::string_view text, double& value);
 
 /// The pose that a Location, Home or PreTrans element gives: X, Y, Z in mm, then
 /// a turn by TH degrees about the axis (WX, WY, WZ), which needs no unit length.

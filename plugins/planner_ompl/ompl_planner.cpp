@@ -8,12 +8,15 @@
 #include <ompl/util/Console.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
+#include <iterator>
 #include <memory>
 #include <utility>
 
 namespace handway::planner_ompl {
 namespace {
 
+using planning::BoundParameter;
 using planning::HandSpace;
 using planning::Parameter;
 
@@ -51,8 +54,8 @@ planning::PlannerCapabilities OmplPlanner::capabilities() const {
   return {.uses_pmds = in_controls, .needs_basis = in_controls};
 }
 
-std::vector<Parameter> OmplPlanner::method_parameters() {
-  std::vector<Parameter> list;
+std::vector<BoundParameter> OmplPlanner::method_parameters() {
+  std::vector<BoundParameter> list;
   for (std::size_t i = 0; i < values_.size(); ++i) {
     const MethodSetting& setting = method_.settings[i];
     std::visit(
@@ -65,8 +68,8 @@ std::vector<Parameter> OmplPlanner::method_parameters() {
   return list;
 }
 
-std::vector<Parameter> OmplPlanner::own_parameters() {
-  std::vector<Parameter> list = method_parameters();
+std::vector<BoundParameter> OmplPlanner::own_parameters() {
+  std::vector<BoundParameter> list = method_parameters();
   list.push_back({"max_samples", "Samples", "", "Samples drawn before the planner gives up.",
                   &budget_.all, 1, 100000000});
   if (method_.traits.improves) {
@@ -92,8 +95,10 @@ void OmplPlanner::do_plan(planning::PlanningContext& context, planning::PlanResu
   } else {
     space = planning::make_control_space(problem, region_.max_pmds, region_.rho_max);
   }
-  Search search(context, method_, std::make_unique<StateMap>(std::move(space)), method_parameters(),
-                budget_, region_, space_);
+  std::vector<Parameter> settings;
+  std::ranges::transform(method_parameters(), std::back_inserter(settings), planning::value_of);
+  Search search(context, method_, std::make_unique<StateMap>(std::move(space)), settings, budget_,
+                region_, space_);
   search.run(result);
   if (result.solved()) {
     const double begin = context.elapsed_s();

@@ -30,10 +30,10 @@ class OmplPlanner final : public planning::Planner {
  protected:
   /// @throws geometric::InputError if OMPL refuses a setting.
   void do_plan(planning::PlanningContext& context, planning::PlanResult& result) override;
-  [[nodiscard]] std::vector<planning::Parameter> own_parameters() override;
+  [[nodiscard]] std::vector<planning::BoundParameter> own_parameters() override;
 
  private:
-  [[nodiscard]] std::vector<planning::Parameter> method_parameters();
+  [[nodiscard]] std::vector<planning::BoundParameter> method_parameters();
 
   const Method& method_;
   planning::HandSpace space_;

@@ -137,11 +137,11 @@ const std::vector<OddRobot> kOddRobots = {
 std::vector<std::pair<std::string, std::string>> choices_of(Planner& planner) {
   std::vector<std::pair<std::string, std::string>> choices = {{"", ""}};
   for (const Parameter& parameter : planner.parameters()) {
-    if (const auto* choice = std::get_if<ChoiceValue>(&parameter.value)) {
+    if (const auto* choice = std::get_if<Choice>(&parameter.value)) {
       for (const std::string& option : choice->options) {
         choices.emplace_back(parameter.key, option);
       }
-    } else if (std::holds_alternative<bool*>(parameter.value)) {
+    } else if (std::holds_alternative<bool>(parameter.value)) {
       choices.emplace_back(parameter.key, "true");
       choices.emplace_back(parameter.key, "false");
     }
@@ -152,9 +152,9 @@ std::vector<std::pair<std::string, std::string>> choices_of(Planner& planner) {
 std::unique_ptr<Planner> planner_with(const std::string& name,
                                       const std::pair<std::string, std::string>& choice) {
   std::unique_ptr<Planner> planner = registry().create(name);
-  set_from_text(find_parameter(planner->parameters(), "max_samples"), "2000");
+  planner->set_parameter("max_samples", "2000");
   if (!choice.first.empty()) {
-    set_from_text(find_parameter(planner->parameters(), choice.first), choice.second);
+    planner->set_parameter(choice.first, choice.second);
   }
   return planner;
 }

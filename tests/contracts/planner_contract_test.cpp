@@ -49,7 +49,7 @@ const PlannerRegistry& registry() {
 
 std::unique_ptr<Planner> planner_with(const std::string& name, const std::string& samples) {
   std::unique_ptr<Planner> planner = registry().create(name);
-  set_from_text(find_parameter(planner->parameters(), "max_samples"), samples);
+  planner->set_parameter("max_samples", samples);
   return planner;
 }
 

@@ -14,7 +14,7 @@
 namespace handway::test {
 namespace {
 
-using planning::ChoiceValue;
+using planning::Choice;
 using planning::Parameter;
 using planning::Planner;
 
@@ -25,11 +25,11 @@ std::string allowed(const Parameter& parameter) {
   return std::visit(
       [&](const auto& value) -> std::string {
         using Value = std::decay_t<decltype(value)>;
-        if constexpr (std::is_same_v<Value, bool*>) {
+        if constexpr (std::is_same_v<Value, bool>) {
           return "`true`, `false`";
-        } else if constexpr (std::is_same_v<Value, ChoiceValue>) {
+        } else if constexpr (std::is_same_v<Value, Choice>) {
           return fmt::format("`{}`", fmt::join(value.options, "`, `"));
-        } else if constexpr (std::is_same_v<Value, int*>) {
+        } else if constexpr (std::is_same_v<Value, int>) {
           return fmt::format("{:.0f} to {:.0f}", parameter.lower, parameter.upper);
         } else {
           return fmt::format("{:g} to {:g}", parameter.lower, parameter.upper);

@@ -33,7 +33,8 @@ const std::map<std::string, std::vector<std::string>, std::less<>> kLibraryFolde
     {"planning",
      {"core", "spaces", "paths", "roadmap", "timing", "planners", "queries", "extensions",
       "replanning", "grasps", "campaigns"}},
-    {"device", {"core", "glove", "tracker", "arm", "hand", "ros", "haptic"}},
+    {"device", {"core", "glove", "retargeting", "tracker", "arm", "hand", "ros", "haptic"}},
+    {"execution", {"motion", "guidance"}},
 };
 
 /// The folders of the window, lowest first: each may include those before it. Two exceptions:
@@ -69,6 +70,18 @@ std::optional<std::string> library_of(std::string_view file) {
     return std::nullopt;
   }
   return part_of(file).substr(kLibs.size());
+}
+
+/// The library that a file of tests/LIBRARY/ tests, or nothing: tests/contracts and others test
+/// several.
+std::optional<std::string> tested_library_of(std::string_view file) {
+  constexpr std::string_view kTests = "tests/";
+  if (!file.starts_with(kTests)) {
+    return std::nullopt;
+  }
+  file.remove_prefix(kTests.size());
+  const std::string library(file.substr(0, file.find('/')));
+  return kBelow.contains(library) ? std::optional(library) : std::nullopt;
 }
 
 /// "collision/cache" of "libs/geometric/collision/cache/a.cpp" and of its public headers, which
@@ -136,6 +149,17 @@ std::string_view feature_of(std::string_view file) {
 std::string without_comment(const std::string& line) {
   const std::size_t comment = line.find("//");
   return comment == std::string::npos ? line : line.substr(0, comment);
+}
+
+// What a test of one library includes that the library itself must not.
+std::string test_rule_broken(const std::string& library, std::string_view include) {
+  for (const auto& [other, below] : kBelow) {
+    if (include.starts_with("handway/" + other + '/') && other != library &&
+        !kBelow.at(library).contains(other)) {
+      return "a test of " + library + " must not include " + other;
+    }
+  }
+  return {};
 }
 
 }  // namespace
@@ -227,6 +251,10 @@ std::string LayerRules::window_rule_broken(std::string_view file, std::string_vi
 
 std::string LayerRules::rule_broken_by_include(const std::string& file, std::string_view include,
                                                bool quoted) const {
+  if (file.starts_with("tests/")) {
+    const std::optional<std::string> tested = tested_library_of(file);
+    return tested ? test_rule_broken(*tested, include) : std::string();
+  }
   const std::optional<std::string> library = library_of(file);
   if (library) {
     if (std::string rule = folder_rule_broken(file, *library, include); !rule.empty()) {
@@ -289,7 +317,7 @@ std::vector<Breach> LayerRules::check(const std::string& file, std::string_view 
       if (!rule.empty()) {
         breaches.push_back({file, number, rule});
       }
-    } else if (std::regex_search(line, kUsingStd)) {
+    } else if (!file.starts_with("tests/") && std::regex_search(line, kUsingStd)) {
       breaches.push_back({file, number, "no using namespace std"});
     } else if (library_of(file) && is_header(file) && std::regex_search(line, match, kScreenName)) {
       breaches.push_back({file, number, "a library must not know Qt or Coin: " + match.str()});
@@ -299,7 +327,7 @@ std::vector<Breach> LayerRules::check(const std::string& file, std::string_view 
 }
 
 std::set<std::string> project_sources(const fs::path& root) {
-  constexpr std::array kFolders = {"libs", "gui", "tools", "plugins", "python"};
+  constexpr std::array kFolders = {"libs", "gui", "tools", "plugins", "python", "tests"};
   std::set<std::string> files;
   for (const char* folder : kFolders) {
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / folder)) {

@@ -44,7 +44,8 @@ class LayerRules {
   std::set<std::string> files_;
 };
 
-/// Sources and headers under libs/, gui/, tools/, plugins/ and python/ of `root`, relative to it.
+/// Sources and headers under libs/, gui/, tools/, plugins/, python/ and tests/ of `root`, relative
+/// to it.
 [[nodiscard]] std::set<std::string> project_sources(const std::filesystem::path& root);
 
 /// "file:line: rule", one a line.

@@ -117,6 +117,14 @@ TEST(LayerRules, KeepDevicesApartFromPlanning) {
               ElementsAre(breach_at(1, "device must not include planning")));
 }
 
+TEST(LayerRules, CatchATestThatIncludesWhatItsLibraryMustNot) {
+  const std::string include = "#include \"handway/sampling/postures/pca.h\"\n";
+  EXPECT_THAT(check("tests/planning/a_test.cpp", include), IsEmpty());
+  EXPECT_THAT(check("tests/contracts/a_test.cpp", include), IsEmpty());
+  EXPECT_THAT(check("tests/device/glove/a_test.cpp", include),
+              ElementsAre(breach_at(1, "a test of device must not include sampling")));
+}
+
 TEST(LayerRules, CatchQtAndCoinInALibrary) {
   EXPECT_THAT(check("libs/geometric/robot/tree.cpp",
                     "#include <QString>\n"

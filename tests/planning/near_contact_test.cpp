@@ -42,7 +42,7 @@ TEST(ExpansiveTrees, SolveEveryKnownProblem) {
       for (const auto& [key, value] :
            {std::pair("expansions", std::string("1")), std::pair("range", std::string("0.1")),
             std::pair("corridor", corridor)}) {
-        set_from_text(find_parameter(planner->parameters(), key), value);
+        planner->set_parameter(key, value);
       }
       const PlanResult result = planner->plan(problem, {});
       ASSERT_TRUE(result.solved()) << result.reason;

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -22,17 +23,25 @@ struct Settings {
   int kind = 1;
 };
 
-std::vector<Parameter> parameters_of(Settings& settings) {
+std::vector<BoundParameter> parameters_of(Settings& settings) {
   return {{"fast", "Fast", "", "", &settings.fast},
           {"tries", "Tries", "", "", &settings.tries, 1, 10},
           {"width", "Width", "m", "", &settings.width, 1e-3, 0.5},
-          {"kind", "Kind", "", "", ChoiceValue{&settings.kind, {"joint", "cartesian"}}}};
+          {"kind", "Kind", "", "", BoundChoice{&settings.kind, {"joint", "cartesian"}}}};
 }
 
 class Parameters : public testing::Test {
  protected:
   void set(const std::string& key, const std::string& text) {
-    set_from_text(find_parameter(list_, key), text);
+    std::vector<Parameter> list = values();
+    Parameter& parameter = find_parameter(list, key);
+    set_from_text(parameter, text);
+    assign(list_[static_cast<std::size_t>(&parameter - list.data())], parameter);
+  }
+  std::vector<Parameter> values() {
+    std::vector<Parameter> list(list_.size());
+    std::ranges::transform(list_, list.begin(), value_of);
+    return list;
   }
   std::string refusal(const std::string& key, const std::string& text) {
     const Settings before = settings_;
@@ -45,7 +54,7 @@ class Parameters : public testing::Test {
   }
 
   Settings settings_;
-  std::vector<Parameter> list_ = parameters_of(settings_);
+  std::vector<BoundParameter> list_ = parameters_of(settings_);
 };
 
 TEST_F(Parameters, AreSetFromText) {
@@ -63,14 +72,15 @@ TEST_F(Parameters, AreSetFromText) {
 
 TEST_F(Parameters, ReadBackWhatTheyWrite) {
   settings_.width = 0.1 + 0.2;
-  for (const Parameter& parameter : list_) {
+  for (Parameter parameter : values()) {
     const std::string text = to_text(parameter);
     set_from_text(parameter, text);
     EXPECT_EQ(to_text(parameter), text);
+    set(parameter.key, text);
   }
   EXPECT_EQ(settings_.width, 0.1 + 0.2);
-  EXPECT_EQ(to_text(list_[0]), "false");
-  EXPECT_EQ(to_text(list_[3]), "cartesian");
+  EXPECT_EQ(to_text(values()[0]), "false");
+  EXPECT_EQ(to_text(values()[3]), "cartesian");
 }
 
 TEST_F(Parameters, RefuseNumbersOutOfRange) {

@@ -144,8 +144,7 @@ TEST_F(Optimizer, RepeatsWhatItDidInSomeTimeByTheNumberOfChecks) {
   ASSERT_TRUE(timed.solved());
   ASSERT_GT(timed.optimize_checks, 0U);
   AutoPlanner again;
-  set_from_text(find_parameter(again.parameters(), "optimize_checks"),
-                std::to_string(timed.optimize_checks));
+  again.set_parameter("optimize_checks", std::to_string(timed.optimize_checks));
   const PlanResult counted = again.plan(problem_, {});
   EXPECT_EQ(counted.path.waypoints, timed.path.waypoints);
   EXPECT_EQ(counted.optimize_checks, timed.optimize_checks);

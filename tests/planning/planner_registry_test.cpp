@@ -44,7 +44,7 @@ TEST(PlannerRegistry, DescribesEveryParameter) {
     for (const Parameter& parameter : planner->parameters()) {
       EXPECT_TRUE(keys.insert(parameter.key).second) << name << " " << parameter.key;
       EXPECT_FALSE(parameter.label.empty() || parameter.help.empty()) << parameter.key;
-      EXPECT_NO_THROW(set_from_text(parameter, to_text(parameter)))
+      EXPECT_NO_THROW(planner->set_parameter(parameter.key, to_text(parameter)))
           << name << ": the default of " << parameter.key << " must be allowed";
     }
   }

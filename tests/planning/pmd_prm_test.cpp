@@ -19,7 +19,7 @@ PmdPrm planner_as_printed() {
   PmdPrm planner(HandSpace::kPrincipalDirections);
   for (const Parameter& parameter : planner.parameters()) {
     if (!parameter.as_printed.empty()) {
-      set_from_text(parameter, parameter.as_printed);
+      planner.set_parameter(parameter.key, parameter.as_printed);
     }
   }
   return planner;

@@ -16,7 +16,7 @@ class RefusedSamples : public testing::TestWithParam<const char*> {};
 TEST_P(RefusedSamples, AreCountedByWhatTouchesAndWhere) {
   const PlanningProblem problem = test::walled_in_problem();
   const auto planner = PlannerRegistry().create(GetParam());
-  set_from_text(find_parameter(planner->parameters(), "max_samples"), "400");
+  planner->set_parameter("max_samples", "400");
   const PlanResult result = planner->plan(problem, {});
   ASSERT_EQ(result.status, PlanStatus::kSamplesSpent);
   const PlanStatistics& statistics = result.statistics;
@@ -72,7 +72,7 @@ TEST(ArmSamples, ThatAllCollideWithTheRobotItselfEndTheSearch) {
   const PlanningProblem problem =
       make_problem(std::make_shared<const geometric::Scene>(std::move(scene)), nullptr);
   const auto planner = PlannerRegistry().create("full-prm");
-  set_from_text(find_parameter(planner->parameters(), "rho_a"), "0.05");
+  planner->set_parameter("rho_a", "0.05");
   const PlanResult result = planner->plan(problem, {});
   EXPECT_EQ(result.status, PlanStatus::kStalled) << result.reason;
   EXPECT_THAT(result.reason, testing::HasSubstr("stalled"));

@@ -174,7 +174,7 @@ TEST_P(ShippedScene, IsTheSameWhenWrittenAndReadAgain) {
 
 TEST_P(ShippedScene, IsSolvedByThePaperPlanner) {
   const std::unique_ptr<Planner> planner = PlannerRegistry().create("pmd-prm");
-  set_from_text(find_parameter(planner->parameters(), "max_samples"), "20000");
+  planner->set_parameter("max_samples", "20000");
   const PlanResult result = planner->plan(problem(), PlanRequest());
   ASSERT_TRUE(result.solved()) << result.reason;
   const PathCheckResult check = check_path(problem(), result.path, 5e-3);

@@ -2,6 +2,7 @@
 
 #include "handway/geometric/formats/robot_loader.h"
 #include "handway/geometric/io/input_error.h"
+#include "handway/geometric/io/number_text.h"
 #include "handway/geometric/io/resources.h"
 #include "handway/geometric/io/text_file.h"
 #include "handway/geometric/math/units.h"
@@ -17,7 +18,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <sstream>
 #include <utility>
@@ -30,44 +30,30 @@ using geometric::InputError;
 
 constexpr std::size_t kLargestFile = std::size_t{1} << 30;
 
-std::vector<std::string> cells(const std::string& line) {
-  std::vector<std::string> parts;
-  std::istringstream in(line);
-  for (std::string part; std::getline(in, part, ',');) {
-    parts.push_back(part);
-  }
-  return parts;
-}
-
-double number(const std::string& cell, const std::string& where) {
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-  if (error != std::errc() || end != cell.data() + cell.size() || !std::isfinite(value)) {
-    throw InputError({where, "", "\"" + cell + "\"", "a finite number", ""});
-  }
-  return value;
-}
-
 // The rows of a CSV file whose header is `names`.
 Eigen::MatrixXd read_table(const std::filesystem::path& file,
                            const std::vector<std::string>& names) {
   std::istringstream in(geometric::read_text_file(file, "a table of numbers", kLargestFile));
   std::string line;
   std::getline(in, line);
-  if (cells(line) != names) {
+  if (!std::ranges::equal(geometric::cells(line, ','), names)) {
     throw InputError({file.string() + ":1", "", "another header", "the joints of the basis", ""});
   }
   std::vector<double> values;
   Eigen::Index rows = 0;
   for (; std::getline(in, line); ++rows) {
     const std::string where = file.string() + ':' + std::to_string(rows + 2);
-    const std::vector<std::string> row = cells(line);
+    const std::vector<std::string_view> row = geometric::cells(line, ',');
     if (row.size() != names.size()) {
       throw InputError({where, "", std::to_string(row.size()) + " values",
                         std::to_string(names.size()) + " as in the header", ""});
     }
-    for (const std::string& cell : row) {
-      values.push_back(number(cell, where));
+    for (const std::string_view cell : row) {
+      const std::optional<double> value = geometric::parse_number(cell);
+      if (!value) {
+        throw InputError({where, "", '"' + std::string(cell) + '"', "a finite number", ""});
+      }
+      values.push_back(*value);
     }
   }
   if (rows == 0) {

@@ -494,7 +494,7 @@ std::shared_ptr<planning::Planner> MicroscopePanel::make_planner() const {
       planning_.registry().create(tells_steps ? choice.name : kPlanner);
   if (tells_steps) {
     for (const auto& [key, value] : choice.settings) {
-      planning::set_from_text(planning::find_parameter(planner->parameters(), key), value);
+      planner->set_parameter(key, value);
     }
   }
   return planner;

@@ -325,10 +325,12 @@ void PlanPanel::rebuild_form(bool from_defaults) {
       });
   form_ = new ParameterForm(parameters);
   form_place_->addWidget(form_);
-  connect(form_, &ParameterForm::edited, this, [this] {
-    presets_->look_again();
-    settings_.announce_parameters();
-  });
+  connect(form_, &ParameterForm::edited, this,
+          [this, &planner](const std::string& key, const std::string& value) {
+            planner.set_parameter(key, value);
+            presets_->look_again();
+            settings_.announce_parameters();
+          });
   presets_->show_planner(planner, from_defaults);
   settings_.announce_parameters();
 }

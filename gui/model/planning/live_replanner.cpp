@@ -40,7 +40,7 @@ class KnownPathFirst : public planning::Planner {
     result.path = std::exchange(path_, {});
     result.status = planning::PlanStatus::kSolved;
   }
-  [[nodiscard]] std::vector<planning::Parameter> own_parameters() override { return {}; }
+  [[nodiscard]] std::vector<planning::BoundParameter> own_parameters() override { return {}; }
 
  private:
   Path path_;

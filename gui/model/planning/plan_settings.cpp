@@ -21,9 +21,8 @@ std::vector<std::shared_ptr<planning::Planner>> PlanSettings::copies(int count) 
   std::vector<std::shared_ptr<planning::Planner>> copies;
   for (int i = 0; i < count; ++i) {
     std::shared_ptr<planning::Planner> copy = registry_.create(planner_->name());
-    const std::vector<planning::Parameter> parameters = copy->parameters();
     for (const planning::Parameter& parameter : planner_->parameters()) {
-      set_from_text(find_parameter(parameters, parameter.key), planning::to_text(parameter));
+      copy->set_parameter(parameter.key, planning::to_text(parameter));
     }
     copies.push_back(std::move(copy));
   }
@@ -53,7 +52,7 @@ void PlanSettings::apply(const geometric::PlannerRequest& choice) {
   }
   use_planner(choice.name.empty() ? usual_planner_ : choice.name);
   for (const auto& [key, value] : choice.settings) {
-    set_from_text(find_parameter(planner_->parameters(), key), value);
+    planner_->set_parameter(key, value);
   }
   emit planner_changed(true);
 }
@@ -71,7 +70,7 @@ void PlanSettings::choose_planner(const std::string& name) {
 
 void PlanSettings::set_parameter(const std::string& key, const std::string& value) {
   if (planner_) {
-    set_from_text(find_parameter(planner_->parameters(), key), value);
+    planner_->set_parameter(key, value);
     emit planner_changed(false);
   }
 }

@@ -43,27 +43,13 @@ Texts texts_of(const std::vector<planning::Parameter>& parameters) {
   return texts;
 }
 
-void set_all(const std::vector<planning::Parameter>& parameters, const Texts& texts) {
-  for (std::size_t i = 0; i < parameters.size(); ++i) {
-    set_from_text(parameters[i], texts[i]);
-  }
-}
-
 // What the planner's parameters would be.
-Texts values_of(const PlannerPreset& preset, planning::Planner& fresh) {
-  const std::vector<planning::Parameter> parameters = fresh.parameters();
-  const Texts own = texts_of(parameters);
-  try {
-    for (const auto& [key, value] : preset.settings) {
-      set_from_text(find_parameter(parameters, key), value);
-    }
-  } catch (const geometric::InputError&) {
-    set_all(parameters, own);
-    throw;
+std::vector<planning::Parameter> values_of(const PlannerPreset& preset, planning::Planner& fresh) {
+  std::vector<planning::Parameter> parameters = fresh.parameters();
+  for (const auto& [key, value] : preset.settings) {
+    set_from_text(planning::find_parameter(parameters, key), value);
   }
-  Texts values = texts_of(parameters);
-  set_all(parameters, own);
-  return values;
+  return parameters;
 }
 
 }  // namespace
@@ -130,13 +116,15 @@ std::vector<PlannerPreset> built_in_presets(const std::string& planner) {
 
 void apply_preset(const PlannerPreset& preset, planning::Planner& fresh,
                   planning::Planner& planner) {
-  set_all(planner.parameters(), values_of(preset, fresh));
+  for (const planning::Parameter& parameter : values_of(preset, fresh)) {
+    planner.set_parameter(parameter.key, to_text(parameter));
+  }
 }
 
 bool has_values_of(const PlannerPreset& preset, planning::Planner& fresh,
                    planning::Planner& planner) {
   try {
-    return values_of(preset, fresh) == texts_of(planner.parameters());
+    return texts_of(values_of(preset, fresh)) == texts_of(planner.parameters());
   } catch (const geometric::InputError&) {
     return false;
   }

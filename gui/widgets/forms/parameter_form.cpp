@@ -7,6 +7,8 @@
 #include <QLocale>
 #include <QSpinBox>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
 
@@ -23,13 +25,13 @@ QString NumberField::textFromValue(double value) const { return locale().toStrin
 
 namespace {
 
-using planning::ChoiceValue;
+using planning::Choice;
 using planning::Parameter;
 
 QString help_of(const Parameter& parameter) {
   QString help = QStringLiteral("<p>%1</p>").arg(QString::fromStdString(parameter.help));
-  if (std::holds_alternative<int*>(parameter.value) ||
-      std::holds_alternative<double*>(parameter.value)) {
+  if (std::holds_alternative<int>(parameter.value) ||
+      std::holds_alternative<double>(parameter.value)) {
     help += QStringLiteral("<p>From %1 to %2 %3</p>")
                 .arg(parameter.lower)
                 .arg(parameter.upper)
@@ -103,55 +105,45 @@ void ParameterForm::mark(const std::vector<std::string>& keys) {
 }
 
 QWidget* ParameterForm::make_field(const Parameter& parameter) {
-  if (auto* const* flag = std::get_if<bool*>(&parameter.value)) {
+  const auto report = [this, key = parameter.key](const std::string& value) {
+    emit edited(key, value);
+  };
+  if (const bool* flag = std::get_if<bool>(&parameter.value)) {
     auto* box = new QCheckBox;
-    box->setChecked(**flag);
-    connect(box, &QCheckBox::toggled, this, [this, value = *flag](bool on) {
-      *value = on;
-      emit edited();
-    });
+    box->setChecked(*flag);
+    connect(box, &QCheckBox::toggled, this, [report](bool on) { report(on ? "true" : "false"); });
     return box;
   }
-  if (const auto* choice = std::get_if<ChoiceValue>(&parameter.value)) {
+  if (const auto* choice = std::get_if<Choice>(&parameter.value)) {
     auto* list = new QComboBox;
     for (const std::string& option : choice->options) {
       list->addItem(QString::fromStdString(option));
     }
-    list->setCurrentIndex(*choice->index);
-    connect(list, qOverload<int>(&QComboBox::currentIndexChanged), this,
-            [this, value = choice->index](int index) {
-              *value = index;
-              emit edited();
-            });
+    list->setCurrentIndex(choice->index);
+    connect(list, &QComboBox::currentTextChanged, this,
+            [report](const QString& option) { report(option.toStdString()); });
     return list;
   }
   const QString suffix = parameter.unit.empty()
                              ? QString()
                              : QStringLiteral(" ") + QString::fromStdString(parameter.unit);
-  if (auto* const* number = std::get_if<int*>(&parameter.value)) {
+  if (const int* number = std::get_if<int>(&parameter.value)) {
     auto* field = new QSpinBox;
     constexpr double kMost = std::numeric_limits<int>::max();
     field->setRange(static_cast<int>(std::max(parameter.lower, -kMost)),
                     static_cast<int>(std::min(parameter.upper, kMost)));
     field->setGroupSeparatorShown(true);
     field->setSuffix(suffix);
-    field->setValue(**number);
+    field->setValue(*number);
     connect(field, qOverload<int>(&QSpinBox::valueChanged), this,
-            [this, value = *number](int entered) {
-              *value = entered;
-              emit edited();
-            });
+            [report](int entered) { report(std::to_string(entered)); });
     return field;
   }
-  double* value = std::get<double*>(parameter.value);
   auto* field = new NumberField(parameter.lower, parameter.upper);
   field->setSuffix(suffix);
-  field->setValue(*value);
+  field->setValue(std::get<double>(parameter.value));
   connect(field, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
-          [this, value](double entered) {
-            *value = entered;
-            emit edited();
-          });
+          [report](double entered) { report(fmt::format("{}", entered)); });
   return field;
 }
 

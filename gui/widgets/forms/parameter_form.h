@@ -25,8 +25,7 @@ class NumberField : public QDoubleSpinBox {
 };
 
 /// A form for parameters: a field with unit, range and help for each number, a
-/// list for choices, a box for switches. Fields write straight through the
-/// parameters' pointers, which must stay valid as long as the form lives.
+/// list for choices, a box for switches.
 class ParameterForm : public QWidget {
   Q_OBJECT
 
@@ -38,7 +37,8 @@ class ParameterForm : public QWidget {
   void mark(const std::vector<std::string>& keys);
 
  signals:
-  void edited();
+  /// `value` is text as planning::set_from_text() takes it.
+  void edited(const std::string& key, const std::string& value);
 
  private:
   QWidget* make_field(const planning::Parameter& parameter);

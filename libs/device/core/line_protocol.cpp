@@ -1,10 +1,11 @@
 #include "handway/device/core/line_protocol.h"
 
+#include "handway/geometric/io/number_text.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
+#include <optional>
 
 namespace handway::device {
 namespace {
@@ -29,13 +30,11 @@ std::vector<std::string_view> words_of(std::string_view line) {
 }
 
 double number_of(std::string_view word) {
-  double value = 0.0;
-  const char* end = word.data() + word.size();
-  const auto [stop, error] = std::from_chars(word.data(), end, value);
-  if (error != std::errc() || stop != end || !std::isfinite(value)) {
+  const std::optional<double> value = geometric::parse_number(word);
+  if (!value) {
     throw LineProtocolError(fmt::format("{} is no number", quote(word)));
   }
-  return value;
+  return *value;
 }
 
 std::string quote(std::string_view text) {

@@ -51,8 +51,8 @@ std::optional<PointPair> point_pair(const TextLine& line) {
     if (parts.size() != 2) {
       return std::nullopt;
     }
-    const std::optional<double> angle = finite_number(parts[0]);
-    const std::optional<double> counts = finite_number(parts[1]);
+    const std::optional<double> angle = parse_number(parts[0]);
+    const std::optional<double> counts = parse_number(parts[1]);
     if (!angle || !counts) {
       return std::nullopt;
     }
@@ -121,8 +121,8 @@ GloveCalibration read_virtual_hand_calibration(const std::filesystem::path& file
   for (std::size_t slot = 0; slot < kGroups * kLinesPerGroup; ++slot) {
     const TextLine& line = lines[2 + slot + slot / kLinesPerGroup];
     const std::vector<std::string_view> parts = cells(line.text, ' ');
-    const std::optional<double> zero = parts.size() < 3 ? std::nullopt : finite_number(parts[1]);
-    const std::optional<double> gain = parts.size() < 3 ? std::nullopt : finite_number(parts[2]);
+    const std::optional<double> zero = parts.size() < 3 ? std::nullopt : parse_number(parts[1]);
+    const std::optional<double> gain = parts.size() < 3 ? std::nullopt : parse_number(parts[2]);
     if (!zero || !gain) {
       throw InputError({at_line(file, line), "", fmt::format("\"{:.40}\"", trimmed(line.text)),
                         "\"index zero gain x\"", ""});

@@ -168,7 +168,7 @@ class CsvReader {
     double time = 0.0;
     std::vector<double> values;
     for (std::size_t c = 0; c < columns; ++c) {
-      const std::optional<double> value = finite_number(parts[c]);
+      const std::optional<double> value = parse_number(parts[c]);
       if (!value) {
         throw InputError({at_line(file_, line), column_name(c), fmt::format("\"{:.40}\"", parts[c]),
                           "a finite number", ""});
@@ -270,7 +270,7 @@ std::optional<Row> numbers(const TextLine& line) {
   }
   Row row{};
   for (std::size_t i = 0; i < kCells; ++i) {
-    const std::optional<double> number = finite_number(parts[i]);
+    const std::optional<double> number = parse_number(parts[i]);
     if (!number) {
       return std::nullopt;
     }

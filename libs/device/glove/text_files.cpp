@@ -3,8 +3,6 @@
 #include "handway/device/glove/glove_layout.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <optional>
 
 namespace handway::device {
@@ -19,17 +17,6 @@ std::vector<TextLine> text_lines(std::string_view text) {
     begin = ended ? end + 1 : text.size();
   }
   return lines;
-}
-
-std::optional<double> finite_number(std::string_view cell) {
-  cell.remove_prefix(cell.starts_with('+') ? 1 : 0);
-  double value = 0.0;
-  const char* const end = cell.data() + cell.size();
-  const auto [parsed, error] = std::from_chars(cell.data(), end, value);
-  if (error != std::errc() || parsed != end || !std::isfinite(value)) {
-    return std::nullopt;
-  }
-  return value;
 }
 
 std::string optional_text(const geometric::YamlElement& map, const std::string& key) {

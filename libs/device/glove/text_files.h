@@ -28,10 +28,8 @@ struct TextLine {
 [[nodiscard]] std::vector<TextLine> text_lines(std::string_view text);
 
 using geometric::cells;
+using geometric::parse_number;
 using geometric::trimmed;
-
-/// The finite number that the whole cell is, or nothing.
-[[nodiscard]] std::optional<double> finite_number(std::string_view cell);
 
 /// The text of a key; empty if there is none.
 [[nodiscard]] std::string optional_text(const geometric::YamlElement& map, const std::string& key);

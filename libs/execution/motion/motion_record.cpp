@@ -1,13 +1,13 @@
 #include "handway/execution/motion/motion_record.h"
 
 #include "handway/geometric/io/input_error.h"
+#include "handway/geometric/io/number_text.h"
 #include "handway/geometric/io/text_file.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
+#include <optional>
 #include <sstream>
 #include <string_view>
 
@@ -19,18 +19,6 @@ using geometric::InputError;
 constexpr std::size_t kLargestFile = std::size_t{256} << 20;
 constexpr std::string_view kMeasured = ".measured";
 constexpr std::size_t kFirstJoint = 2;  // after time and device
-
-std::vector<std::string_view> cells_of(std::string_view line) {
-  std::vector<std::string_view> cells;
-  while (true) {
-    const std::size_t end = line.find(',');
-    cells.push_back(line.substr(0, end));
-    if (end == std::string_view::npos) {
-      return cells;
-    }
-    line.remove_prefix(end + 1);
-  }
-}
 
 /// The rows of one device, while they are read.
 struct Rows {
@@ -74,7 +62,7 @@ class Reader {
   }
 
   void read_header(const std::string& line) {
-    for (const std::string_view cell : cells_of(line)) {
+    for (const std::string_view cell : geometric::cells(line, ',')) {
       header_.emplace_back(cell);
     }
     joints_ = (header_.size() - std::min(header_.size(), kFirstJoint)) / 2;
@@ -90,12 +78,11 @@ class Reader {
   }
 
   [[nodiscard]] double number(std::string_view cell) const {
-    double value = 0.0;
-    const auto [stop, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-    if (error != std::errc() || stop != cell.data() + cell.size() || !std::isfinite(value)) {
+    const std::optional<double> value = geometric::parse_number(cell);
+    if (!value) {
       refuse(fmt::format("\"{}\"", cell), "a number");
     }
-    return value;
+    return *value;
   }
 
   // A device's joints are those that its first row has numbers for.
@@ -120,7 +107,7 @@ class Reader {
   }
 
   void read_row(const std::string& line) {
-    const std::vector<std::string_view> cells = cells_of(line);
+    const std::vector<std::string_view> cells = geometric::cells(line, ',');
     if (cells.size() != header_.size()) {
       refuse(fmt::format("{} values", cells.size()), fmt::format("{}", header_.size()));
     }

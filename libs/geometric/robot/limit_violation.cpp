@@ -1,5 +1,7 @@
 #include "handway/geometric/robot/limit_violation.h"
 
+#include "handway/geometric/io/input_error.h"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -61,6 +63,27 @@ std::vector<LimitViolation> limit_violations(const RobotModel& model, const Conf
     }
   }
   return violations;
+}
+
+void require_configuration(const RobotModel& model, const Configuration& q,
+                           const std::string& source) {
+  constexpr double kTolerance = 1e-6;
+  if (q.size() != model.variable_count()) {
+    throw InputError({source, "", fmt::format("{} values", q.size()),
+                      fmt::format("{}, one a joint", model.variable_count()), ""});
+  }
+  for (int v = 0; v < model.variable_count(); ++v) {
+    if (!std::isfinite(q[v])) {
+      throw InputError({source, "joint " + model.variable(v).name, fmt::format("{}", q[v]),
+                        "a finite number", ""});
+    }
+  }
+  const std::vector<LimitViolation> violations = limit_violations(model, q, kTolerance);
+  if (!violations.empty()) {
+    const LimitViolation& first = violations.front();
+    throw InputError({source, "joint " + first.joint, fmt::format("{:.6g}", first.value),
+                      fmt::format("{:.6g} to {:.6g}", first.lower, first.upper), ""});
+  }
 }
 
 std::string to_string(const LimitViolation& violation) {

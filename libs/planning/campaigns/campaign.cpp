@@ -3,13 +3,13 @@
 #include "handway/geometric/formats/yaml_element.h"
 #include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/input_error.h"
+#include "handway/geometric/io/number_text.h"
 #include "handway/geometric/io/resources.h"
 #include "handway/planning/core/parameter.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -39,9 +39,8 @@ std::vector<RunSpec> Campaign::runs() const {
 std::unique_ptr<Planner> make_planner(const CampaignPlanner& entry,
                                       const PlannerRegistry& registry) {
   std::unique_ptr<Planner> planner = registry.create(entry.planner);
-  const std::vector<Parameter> parameters = planner->parameters();
   for (const auto& [key, value] : entry.parameters) {
-    set_from_text(find_parameter(parameters, key), value);
+    planner->set_parameter(key, value);
   }
   return planner;
 }
@@ -61,20 +60,15 @@ constexpr std::size_t kMostPlanners = 10000;
 /// The whole number or number that an element holds, within bounds.
 /// @throws InputError naming the element.
 double bounded_number(const YamlElement& element, double lower, double upper, bool whole) {
-  const std::string text = element.text();
-  double value = std::numeric_limits<double>::quiet_NaN();
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool good = error == std::errc() && end == text.data() + text.size() && value >= lower &&
-                    value <= upper && (!whole || value == std::floor(value));
-  if (!good) {
+  const std::optional<double> value = geometric::parse_number(element.text());
+  if (!value || *value < lower || *value > upper || (whole && *value != std::floor(*value))) {
     element.refuse(element.found(), fmt::format("a {}number from {:.12g} to {:.12g}",
                                                 whole ? "whole " : "", lower, upper));
   }
-  return value;
+  return *value;
 }
 
-std::string accepted(const YamlElement& element, const Parameter& parameter,
-                     const std::string& text) {
+std::string accepted(const YamlElement& element, Parameter parameter, const std::string& text) {
   try {
     set_from_text(parameter, text);
   } catch (const InputError& error) {
@@ -119,7 +113,7 @@ std::vector<double> range_values(const YamlElement& range) {
 
 // Rounded to six digits: what a person would write.
 std::string range_text(const Parameter& parameter, double value) {
-  if (std::holds_alternative<int*>(parameter.value)) {
+  if (std::holds_alternative<int>(parameter.value)) {
     return fmt::format("{:.0f}", std::round(value));
   }
   return fmt::format("{:.6g}", value);
@@ -246,9 +240,7 @@ std::vector<Axis> axes(const std::optional<YamlElement>& map, Planner& planner) 
   for (const auto& [key, element] : map->entries()) {
     const auto found = std::ranges::find(parameters, key, &Parameter::key);
     if (found != parameters.end()) {
-      const std::string before = to_text(*found);
       result.push_back({key, parameter_values(element, *found)});
-      set_from_text(*found, before);
       continue;
     }
     std::vector<std::string> keys;

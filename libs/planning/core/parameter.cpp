@@ -9,6 +9,7 @@
 #include <charconv>
 #include <iterator>
 #include <type_traits>
+#include <utility>
 
 namespace handway::planning {
 namespace {
@@ -41,26 +42,54 @@ void set_bool(const Parameter& parameter, std::string_view text, bool& value) {
   value = text == "true";
 }
 
-void set_choice(const Parameter& parameter, std::string_view text, const ChoiceValue& choice) {
+void set_choice(const Parameter& parameter, std::string_view text, Choice& choice) {
   const auto found = std::ranges::find(choice.options, text);
   if (found == choice.options.end()) {
     refuse(parameter, text, fmt::format("one of {}", fmt::join(choice.options, ", ")));
   }
-  *choice.index = static_cast<int>(found - choice.options.begin());
+  choice.index = static_cast<int>(found - choice.options.begin());
 }
 
 }  // namespace
 
-void set_from_text(const Parameter& parameter, std::string_view text) {
+Parameter value_of(const BoundParameter& parameter) {
+  Parameter result{parameter.key, parameter.label, parameter.unit,  parameter.help,
+                   false,         parameter.lower, parameter.upper, parameter.as_printed};
   std::visit(
-      [&](const auto& value) {
+      [&](const auto& member) {
+        if constexpr (std::is_same_v<std::decay_t<decltype(member)>, BoundChoice>) {
+          result.value = Choice{*member.index, member.options};
+        } else {
+          result.value = *member;
+        }
+      },
+      parameter.value);
+  return result;
+}
+
+void assign(const BoundParameter& member, const Parameter& parameter) {
+  std::visit(
+      [&](const auto& target) {
+        using Target = std::decay_t<decltype(target)>;
+        if constexpr (std::is_same_v<Target, BoundChoice>) {
+          *target.index = std::get<Choice>(parameter.value).index;
+        } else {
+          *target = std::get<std::remove_pointer_t<Target>>(parameter.value);
+        }
+      },
+      member.value);
+}
+
+void set_from_text(Parameter& parameter, std::string_view text) {
+  std::visit(
+      [&](auto& value) {
         using Value = std::decay_t<decltype(value)>;
-        if constexpr (std::is_same_v<Value, bool*>) {
-          set_bool(parameter, text, *value);
-        } else if constexpr (std::is_same_v<Value, ChoiceValue>) {
+        if constexpr (std::is_same_v<Value, bool>) {
+          set_bool(parameter, text, value);
+        } else if constexpr (std::is_same_v<Value, Choice>) {
           set_choice(parameter, text, value);
         } else {
-          set_number(parameter, text, *value);
+          set_number(parameter, text, value);
         }
       },
       parameter.value);
@@ -69,10 +98,10 @@ void set_from_text(const Parameter& parameter, std::string_view text) {
 std::string to_text(const Parameter& parameter) {
   return std::visit(
       [](const auto& value) -> std::string {
-        if constexpr (std::is_same_v<std::decay_t<decltype(value)>, ChoiceValue>) {
-          return value.options[static_cast<std::size_t>(*value.index)];
+        if constexpr (std::is_same_v<std::decay_t<decltype(value)>, Choice>) {
+          return value.options[static_cast<std::size_t>(value.index)];
         } else {
-          return fmt::format("{}", *value);
+          return fmt::format("{}", value);
         }
       },
       parameter.value);
@@ -100,6 +129,11 @@ const Parameter& find_parameter(const std::vector<Parameter>& parameters, std::s
                                  fmt::format("one of {}", fmt::join(keys, ", ")), ""});
   }
   return *found;
+}
+
+Parameter& find_parameter(std::vector<Parameter>& parameters, std::string_view key) {
+  const Parameter& found = find_parameter(std::as_const(parameters), key);
+  return parameters[static_cast<std::size_t>(&found - parameters.data())];
 }
 
 }  // namespace handway::planning

@@ -51,26 +51,10 @@ void check_waypoints(const Motion& motion) {
     const geometric::Configuration& q = motion.path.waypoints[w];
     const double time = motion.waypoint_times[w];
     const std::string source = fmt::format("waypoint {} at {:.4f} s", w + 1, time);
-    if (q.size() != model.variable_count()) {
-      throw InputError({source, "", fmt::format("{} values", q.size()),
-                        fmt::format("{}", model.variable_count()), ""});
-    }
     if (!std::isfinite(time) || (w > 0 && time < motion.waypoint_times[w - 1])) {
       throw InputError({source, "time", fmt::format("{}", time), "times in order", ""});
     }
-    for (int v = 0; v < model.variable_count(); ++v) {
-      if (!std::isfinite(q[v])) {
-        throw InputError({source, "joint " + model.variable(v).name, fmt::format("{}", q[v]),
-                          "a finite number", ""});
-      }
-    }
-    constexpr double kTolerance = 1e-6;  // rad or m
-    if (const auto violations = geometric::limit_violations(model, q, kTolerance);
-        !violations.empty()) {
-      const geometric::LimitViolation& first = violations.front();
-      throw InputError({source, "joint " + first.joint, fmt::format("{:.6f}", first.value),
-                        fmt::format("{:.6f} to {:.6f}", first.lower, first.upper), ""});
-    }
+    geometric::require_configuration(model, q, source);
   }
 }
 

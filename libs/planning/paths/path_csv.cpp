@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <sstream>
@@ -124,12 +123,11 @@ class Reader {
   }
 
   [[nodiscard]] double number(const std::string& cell, const std::string& column) const {
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-    if (error != std::errc() || end != cell.data() + cell.size() || !std::isfinite(value)) {
+    const std::optional<double> value = geometric::parse_number(cell);
+    if (!value) {
       throw InputError({at_line(), "column " + column, "\"" + cell + "\"", "a finite number", ""});
     }
-    return value;
+    return *value;
   }
 
   [[nodiscard]] std::string at_line() const { return fmt::format("{}:{}", file_.string(), line_); }

@@ -203,7 +203,7 @@ PlannerCapabilities AutoPlanner::capabilities() const {
   return {.uses_pmds = true, .uses_threads = true, .deterministic = true};
 }
 
-std::vector<Parameter> AutoPlanner::own_parameters() {
+std::vector<BoundParameter> AutoPlanner::own_parameters() {
   return {
       {"max_samples", "Samples", "", "Samples that all searches draw together before giving up.",
        &settings_.max_samples, 1, 100000000},

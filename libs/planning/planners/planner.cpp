@@ -101,12 +101,26 @@ std::string reason_of(const PlanResult& result, PlanningContext& context) {
 }  // namespace
 
 std::vector<Parameter> Planner::parameters() {
-  std::vector<Parameter> list = own_parameters();
+  const std::vector<BoundParameter> bound = bound_parameters();
+  std::vector<Parameter> list(bound.size());
+  std::ranges::transform(bound, list.begin(), value_of);
+  return list;
+}
+
+void Planner::set_parameter(std::string_view key, std::string_view text) {
+  std::vector<Parameter> list = parameters();
+  Parameter& parameter = find_parameter(list, key);
+  set_from_text(parameter, text);
+  assign(bound_parameters()[static_cast<std::size_t>(&parameter - list.data())], parameter);
+}
+
+std::vector<BoundParameter> Planner::bound_parameters() {
+  std::vector<BoundParameter> list = own_parameters();
   list.push_back(
       {"objective", "Objective", "",
        "What paths are optimised for. Human-like: the hand stays near the principal "
        "motion directions; custom: the weights below.",
-       ChoiceValue{&objective_.preset, {"human-like", "shortest", "safest", "fastest", "custom"}}});
+       BoundChoice{&objective_.preset, {"human-like", "shortest", "safest", "fastest", "custom"}}});
   const auto weight = [&](const char* key, const char* label, const char* help, double& value) {
     list.push_back({key, label, "", help, &value, 0.0, 1e6});
   };
@@ -127,7 +141,7 @@ std::vector<Parameter> Planner::parameters() {
   list.push_back({"sampler", "Sampler", "",
                   "How points of a sampling region are chosen: uniformly, by a sequence that fills "
                   "it evenly, near obstacles, or in narrow passages.",
-                  ChoiceValue{&sampler_, sampling::sampler_names()}});
+                  BoundChoice{&sampler_, sampling::sampler_names()}});
   return list;
 }
 
@@ -209,12 +223,12 @@ PlanResult Planner::plan(const PlanningProblem& problem, const PlanRequest& requ
   return result;
 }
 
-Parameter max_samples_parameter(int& value) {
+BoundParameter max_samples_parameter(int& value) {
   return {"max_samples", "Samples", "",       "Samples drawn before the planner gives up.",
           &value,        1,         100000000};
 }
 
-Parameter smoothing_checks_parameter(int& value) {
+BoundParameter smoothing_checks_parameter(int& value) {
   return {
       "smoothing_checks",
       "Checks to smooth",

@@ -149,8 +149,8 @@ PlannerCapabilities PmdLazy::capabilities() const {
   return {.uses_pmds = true, .needs_basis = true, .uses_threads = false, .deterministic = true};
 }
 
-std::vector<Parameter> PmdLazy::own_parameters() {
-  std::vector<Parameter> list = {
+std::vector<BoundParameter> PmdLazy::own_parameters() {
+  std::vector<BoundParameter> list = {
       {"k", "Neighbours K", "", "Nearest nodes that a new node is joined to.", &settings_.k, 1,
        1000},
       {"batch", "Nodes at a time", "", "Nodes added when no path from start to goal is left.",

@@ -380,8 +380,8 @@ PlannerCapabilities PmdPrm::capabilities() const {
           .deterministic = true};
 }
 
-std::vector<Parameter> PmdPrm::own_parameters() {
-  std::vector<Parameter> list = {
+std::vector<BoundParameter> PmdPrm::own_parameters() {
+  std::vector<BoundParameter> list = {
       {"rho_a", "Corridor half-width ρₐ", "",
        "Half-side of the arm's sampling hypercubes at the "
        "start, in joints normalised to [0, 1]. It grows with every pass.",
@@ -404,11 +404,11 @@ std::vector<Parameter> PmdPrm::own_parameters() {
       {"n_checked", "Check N", "",
        "At each hand trial, or, as printed, at the end of each pass, where failed trials alone "
        "count.",
-       ChoiceValue{&settings_.n_checked, {"trial", "pass"}}, 0.0, 0.0, "pass"},
+       BoundChoice{&settings_.n_checked, {"trial", "pass"}}, 0.0, 0.0, "pass"},
       {"smoothing", "Smoothing", "",
        "By edges between the path's nodes that lead forwards along it, or, as printed, both ways: "
        "back along it, too, where that makes a shorter path.",
-       ChoiceValue{&settings_.smoothing, {"forwards", "both-ways"}}, 0.0, 0.0, "both-ways"},
+       BoundChoice{&settings_.smoothing, {"forwards", "both-ways"}}, 0.0, 0.0, "both-ways"},
       {"arm_trials", "Arm draws", "",
        "Draws for an arm configuration without self-collision (Algorithm 1).",
        &settings_.arm_trials, 1, 1000},

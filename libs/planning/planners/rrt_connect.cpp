@@ -31,8 +31,8 @@ PlannerCapabilities RrtConnect::capabilities() const {
           .deterministic = true};
 }
 
-std::vector<Parameter> RrtConnect::own_parameters() {
-  std::vector<Parameter> list = {
+std::vector<BoundParameter> RrtConnect::own_parameters() {
+  std::vector<BoundParameter> list = {
       {"range", "Step length", "", "Longest step of a tree, in joints normalised to [0, 1].",
        &settings_.range, 1e-3, 10.0},
       {"refinements", "Shorter steps", "",

@@ -82,12 +82,12 @@ std::optional<SamplingRegion> first_region(Planner& planner, int directions) {
   if (!rho) {
     return planner.capabilities().uses_pmds ? std::optional(region) : std::nullopt;
   }
-  region.rho_a = *std::get<double*>(rho->value);
+  region.rho_a = std::get<double>(rho->value);
   if (const Parameter* corridor = parameter_called(parameters, "corridor")) {
-    region.corridor = static_cast<CorridorForm>(*std::get<ChoiceValue>(corridor->value).index);
+    region.corridor = static_cast<CorridorForm>(std::get<Choice>(corridor->value).index);
   }
   if (const Parameter* pmds = parameter_called(parameters, "max_pmds")) {
-    region.pmds = std::min(directions, *std::get<int*>(pmds->value));
+    region.pmds = std::min(directions, std::get<int>(pmds->value));
   }
   return region;
 }

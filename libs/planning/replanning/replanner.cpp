@@ -282,7 +282,7 @@ class Replanner final : public Planner {
     context.statistics().nodes = static_cast<std::uint64_t>(memory_.graph->node_count());
     context.statistics().edges = static_cast<std::uint64_t>(memory_.graph->edge_count());
   }
-  [[nodiscard]] std::vector<Parameter> own_parameters() override { return {}; }
+  [[nodiscard]] std::vector<BoundParameter> own_parameters() override { return {}; }
 
  private:
   // From the roadmap as it is.

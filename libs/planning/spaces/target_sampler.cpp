@@ -160,13 +160,13 @@ Eigen::VectorXd TargetSampler::held(Eigen::VectorXd target, const Eigen::VectorX
   return target;
 }
 
-Parameter corridor_parameter(int& value) {
+BoundParameter corridor_parameter(int& value) {
   return {"corridor", "Corridor", "",
           "Around the straight motion of the arm's joints, or of its tool.",
-          ChoiceValue{&value, {"joint", "cartesian"}}};
+          BoundChoice{&value, {"joint", "cartesian"}}};
 }
 
-void append_region_parameters(std::vector<Parameter>& list, TargetRegion& region) {
+void append_region_parameters(std::vector<BoundParameter>& list, TargetRegion& region) {
   list.push_back({"near_ends", "Samples near the ends", "",
                   "Share of samples drawn around start and goal.", &region.near_ends, 0.0, 1.0});
   list.push_back({"rho_a", "Corridor half-width ρₐ", "",

@@ -1,6 +1,7 @@
 #include "handway/planning/timing/blended_path.h"
 
 #include "handway/geometric/io/input_error.h"
+#include "handway/geometric/robot/limit_violation.h"
 #include "handway/planning/core/plan_result.h"
 #include "handway/planning/paths/path_conflict.h"
 
@@ -185,27 +186,13 @@ namespace {
 
 constexpr double kLeastDeviation = 1e-4;  // rad or m: smaller arcs save no time
 constexpr double kLeastAdvance = 0.05;    // of an arc's clearance: what has to be spare
-constexpr double kLimitTolerance = 1e-6;  // rad or m
 
 void check_waypoints(const geometric::RobotModel& model, const Path& path) {
   if (path.empty()) {
     throw geometric::InputError({"the path", "", "no waypoints", "at least one", ""});
   }
   for (std::size_t w = 0; w < path.waypoints.size(); ++w) {
-    const Configuration& q = path.waypoints[w];
-    const std::string source = fmt::format("waypoint {}", w + 1);
-    if (q.size() != model.variable_count()) {
-      throw geometric::InputError({source, "", fmt::format("{} values", q.size()),
-                                   fmt::format("{}, one a joint", model.variable_count()), ""});
-    }
-    for (int v = 0; v < model.variable_count(); ++v) {
-      const geometric::JointLimits& limits = model.variable(v).limits;
-      if (!(q[v] >= limits.lower - kLimitTolerance && q[v] <= limits.upper + kLimitTolerance)) {
-        throw geometric::InputError(
-            {source, "joint " + model.variable(v).name, fmt::format("{:.6g}", q[v]),
-             fmt::format("{:.6g} to {:.6g}", limits.lower, limits.upper), ""});
-      }
-    }
+    geometric::require_configuration(model, path.waypoints[w], fmt::format("waypoint {}", w + 1));
   }
 }
 

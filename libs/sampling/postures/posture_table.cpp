@@ -1,6 +1,7 @@
 #include "handway/sampling/postures/posture_table.h"
 
 #include "handway/geometric/io/input_error.h"
+#include "handway/geometric/io/number_text.h"
 #include "handway/geometric/io/replace_file.h"
 #include "handway/geometric/io/text_file.h"
 
@@ -8,8 +9,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 #include <iterator>
+#include <optional>
+#include <sstream>
 #include <stdexcept>
 #include <string_view>
 
@@ -22,41 +24,11 @@ constexpr std::size_t kLargestFile = std::size_t{1} << 28;  // some million post
 constexpr std::string_view kFirstLine = "# handway postures 1";
 constexpr double kRounding = 1e-6;
 
-std::string_view trimmed(std::string_view text) {
-  const auto begin = text.find_first_not_of(" \t\r");
-  return begin == std::string_view::npos
-             ? std::string_view()
-             : text.substr(begin, text.find_last_not_of(" \t\r") + 1 - begin);
-}
-
-// Takes a text apart at a character.
-class Pieces {
- public:
-  Pieces(std::string_view text, char end) : rest_(text), end_(end) {}
-
-  bool next(std::string_view& piece) {
-    if (done_) {
-      return false;
-    }
-    const auto at = rest_.find(end_);
-    piece = trimmed(rest_.substr(0, at));
-    done_ = at == std::string_view::npos;
-    rest_.remove_prefix(done_ ? rest_.size() : at + 1);
-    return true;
-  }
-
- private:
-  std::string_view rest_;
-  char end_;
-  bool done_ = false;
-};
-
 class TableReader {
  public:
   explicit TableReader(const std::filesystem::path& file)
       : file_(file),
-        text_(geometric::read_text_file(file, "postures of a hand (CSV)", kLargestFile)),
-        lines_(text_, '\n') {}
+        text_(geometric::read_text_file(file, "postures of a hand (CSV)", kLargestFile)) {}
 
   PostureTable read() {
     read_head();
@@ -84,8 +56,9 @@ class TableReader {
 
   // The next line with something on it.
   bool next_line() {
-    while (lines_.next(line_)) {
+    for (std::string line; std::getline(text_, line);) {
       ++number_;
+      line_ = geometric::trimmed(line);
       if (!line_.empty()) {
         return true;
       }
@@ -98,11 +71,11 @@ class TableReader {
       fail("", "another first line", fmt::format("\"{}\"", kFirstLine));
     }
     while (next_line() && line_.front() == '#') {
-      const std::string_view note = trimmed(line_.substr(1));
+      const std::string_view note = geometric::trimmed(std::string_view(line_).substr(1));
       for (const auto& [key, value] :
            {std::pair(std::string_view("hand:"), &table_.hand), {"source:", &table_.source}}) {
         if (note.starts_with(key)) {
-          *value = trimmed(note.substr(key.size()));
+          *value = geometric::trimmed(note.substr(key.size()));
         }
       }
     }
@@ -112,8 +85,7 @@ class TableReader {
   }
 
   void read_names() {
-    Pieces names(line_, ',');
-    for (std::string_view name; names.next(name);) {
+    for (const std::string_view name : geometric::cells(line_, ',')) {
       if (name.empty() || std::ranges::count(table_.joints, name) > 0) {
         fail("", name.empty() ? "a column without a name" : fmt::format("\"{}\" twice", name),
              "every joint's name once");
@@ -123,33 +95,27 @@ class TableReader {
   }
 
   void read_row(std::vector<double>& values) const {
-    Pieces cells(line_, ',');
-    std::size_t count = 0;
-    for (std::string_view cell; cells.next(cell); ++count) {
-      if (count < table_.joints.size()) {
-        values.push_back(value_of(cell, table_.joints[count]));
-      }
-    }
-    if (count != table_.joints.size()) {
-      fail("", fmt::format("{} values", count),
+    const std::vector<std::string_view> cells = geometric::cells(line_, ',');
+    if (cells.size() != table_.joints.size()) {
+      fail("", fmt::format("{} values", cells.size()),
            fmt::format("{} as in the header", table_.joints.size()));
+    }
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      values.push_back(value_of(cells[i], table_.joints[i]));
     }
   }
 
   [[nodiscard]] double value_of(std::string_view cell, const std::string& joint) const {
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-    const bool is_number = error == std::errc() && end == cell.data() + cell.size();
-    if (!is_number || !(value >= -kRounding && value <= 1.0 + kRounding)) {
+    const std::optional<double> value = geometric::parse_number(cell);
+    if (!value || !(*value >= -kRounding && *value <= 1.0 + kRounding)) {
       fail(joint, fmt::format("\"{}\"", cell), "a number from 0 to 1");
     }
-    return std::clamp(value, 0.0, 1.0);
+    return std::clamp(*value, 0.0, 1.0);
   }
 
   const std::filesystem::path& file_;
-  std::string text_;
-  Pieces lines_;
-  std::string_view line_;
+  std::istringstream text_;
+  std::string line_;
   int number_ = 0;
   PostureTable table_;
 };

@@ -8,7 +8,7 @@
 namespace {
 
 using handway::geometric::Configuration;
-using handway::planning::Parameter;
+using handway::planning::BoundParameter;
 using handway::planning::Path;
 using handway::planning::Planner;
 using handway::planning::PlannerCapabilities;
@@ -25,7 +25,7 @@ class StraightPlanner final : public Planner {
   std::string name() const override { return "straight"; }
   std::string description() const override { return "A straight line, or two"; }
   PlannerCapabilities capabilities() const override { return {}; }
-  std::vector<Parameter> own_parameters() override {
+  std::vector<BoundParameter> own_parameters() override {
     return {
         {"detour", "Detour", "", "Try the way by the middle of the joints' ranges too.", &detour_}};
   }

@@ -64,8 +64,8 @@ TEST_F(RegionDrawsOfTheFlatArm, EndWhenNobodyWaitsForThem) {
 TEST(FirstRegion, IsWhatThePlannersParametersSay) {
   const PlannerRegistry registry;
   const auto planner = registry.create("pmd-prm");
-  set_from_text(find_parameter(planner->parameters(), "rho_a"), "0.02");
-  set_from_text(find_parameter(planner->parameters(), "corridor"), "cartesian");
+  planner->set_parameter("rho_a", "0.02");
+  planner->set_parameter("corridor", "cartesian");
   const std::optional<SamplingRegion> region = first_region(*planner, 9);
   ASSERT_TRUE(region);
   EXPECT_EQ(region->rho_a, 0.02);

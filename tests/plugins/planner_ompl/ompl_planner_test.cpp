@@ -51,7 +51,7 @@ PlanResult plan(planning::Planner& planner, std::uint64_t seed) {
 }
 
 void set(planning::Planner& planner, const std::string& key, const std::string& value) {
-  set_from_text(find_parameter(planner.parameters(), key), value);
+  planner.set_parameter(key, value);
 }
 
 // Without those that all planners share, which come last.
@@ -110,15 +110,11 @@ TEST_P(OmplMethod, TakesTheLimitsOfItsSettings) {
     }
     const std::string initial = to_text(setting);
     for (const double limit : {setting.lower, setting.upper}) {
-      if (int* const* value = std::get_if<int*>(&setting.value)) {
-        **value = static_cast<int>(limit);
-      } else {
-        *std::get<double*>(setting.value) = limit;
-      }
+      set(*planner_, setting.key, fmt::format("{:.17g}", limit));
       EXPECT_NO_THROW(static_cast<void>(planner_->plan(problem, PlanRequest{.time_limit_s = 0.5})))
           << setting.key << " " << limit;
     }
-    set_from_text(setting, initial);
+    set(*planner_, setting.key, initial);
   }
 }
 
@@ -159,7 +155,7 @@ TEST_P(OmplMethod, DrawsOtherSamplesForAnotherSeed) {
   set(*planner_, "max_samples", "600");
   for (const planning::Parameter& setting : planner_->parameters()) {
     if (setting.key == "num_samples") {
-      set_from_text(setting, "50");  // else the samples are spent before it begins
+      set(*planner_, setting.key, "50");  // else the samples are spent before it begins
     }
   }
   const PlanResult first = plan(*planner_, 1);
@@ -219,8 +215,8 @@ INSTANTIATE_TEST_SUITE_P(Ompl, ConstrainedMethod,
 std::size_t edges_with(const std::string& planner, const std::string& key,
                        const std::string& value) {
   const auto made = registry().create(planner);
-  set_from_text(find_parameter(made->parameters(), key), value);
-  set_from_text(find_parameter(made->parameters(), "max_samples"), "300");
+  made->set_parameter(key, value);
+  made->set_parameter("max_samples", "300");
   return made->plan(test::walled_in_problem(), {}).statistics.edges;
 }
 
@@ -267,7 +263,7 @@ TEST(OmplPlanners, ReachAGoalThatMovesAJointOfNoGroup) {
 
 TEST(OmplPrm, KeepsMilestonesThatNothingIsConnectedTo) {
   const auto planner = registry().create("ompl-prm");
-  set_from_text(find_parameter(planner->parameters(), "max_samples"), "300");
+  planner->set_parameter("max_samples", "300");
   const PlanResult result = planner->plan(test::walled_in_problem(), {});
   EXPECT_FALSE(result.solved());
   EXPECT_GT(result.statistics.nodes, 2U);

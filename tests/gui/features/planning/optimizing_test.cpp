@@ -106,7 +106,7 @@ TEST_F(OptimizingInTheWindow, StopsWithTheBestSoFarAndGoesOnFromThereBitForBit) 
   ASSERT_EQ(settings.count("optimize_checks"), 1U);
   const auto planner = planning::PlannerRegistry().create(run->planner.name);
   for (const auto& [key, value] : settings) {
-    set_from_text(find_parameter(planner->parameters(), key), value);
+    planner->set_parameter(key, value);
   }
   planning::PlanRequest request;
   request.seed = run->request.seed;

@@ -29,6 +29,12 @@ struct LimitViolation {
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<LimitViolation> limit_violations(
     const RobotModel& model, const Configuration& q, double tolerance = 1e-9);
 
+/// @param source what `q` is, for the message: "waypoint 3".
+/// @throws InputError if `q` is no configuration of the robot, or puts a joint out of its limits by
+/// more than 1e-6 rad or m.
+HANDWAY_GEOMETRIC_EXPORT void require_configuration(const RobotModel& model, const Configuration& q,
+                                                    const std::string& source);
+
 /// "joint J at 0.9000, allowed -0.5000 to 0.5000", and which joint it follows.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::string to_string(const LimitViolation& violation);
 

@@ -9,31 +9,44 @@
 
 namespace handway::planning {
 
-/// A choice among words, bound to an integer that holds the index.
-struct ChoiceValue {
-  int* index = nullptr;
+/// A choice among words. `Index` is the index of the chosen one, or a pointer to it.
+template <typename Index>
+struct BasicChoice {
+  Index index{};
   std::vector<std::string> options;
 };
+using Choice = BasicChoice<int>;
+using BoundChoice = BasicChoice<int*>;
 
-/// A planner's setting: what it is called and means, and where its value lives.
-/// Command line, scene files, forms and docs are made from this one description.
-struct Parameter {
+/// A planner's setting. Command line, scene files, forms and docs are made from this description.
+template <typename Value>
+struct BasicParameter {
   std::string key;    ///< In files and on the command line, for example "rho_a".
   std::string label;  ///< On screen.
   std::string unit;   ///< Empty: a bare number.
   std::string help;   ///< One or two sentences.
-  std::variant<bool*, int*, double*, ChoiceValue> value;
+  Value value;
   double lower = 0.0;  ///< Of numbers, inclusive.
   double upper = 0.0;  ///< Of numbers, inclusive.
   /// The value that follows the published algorithm as printed, where others depart from it.
   std::string as_printed = {};
 };
 
-/// Sets `parameter` from text ("0.01", "true", "joint").
-/// @throws InputError naming the key, the text and what is allowed.
-HANDWAY_PLANNING_EXPORT void set_from_text(const Parameter& parameter, std::string_view text);
+/// A setting with its value.
+using Parameter = BasicParameter<std::variant<bool, int, double, Choice>>;
+/// A setting with the member of the planner's that holds its value: for planners alone.
+using BoundParameter = BasicParameter<std::variant<bool*, int*, double*, BoundChoice>>;
 
-/// The current value as text that set_from_text accepts.
+/// The setting with the value that its member has now.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT Parameter value_of(const BoundParameter& parameter);
+/// Gives the member the value of `parameter`, which is of the same kind.
+HANDWAY_PLANNING_EXPORT void assign(const BoundParameter& member, const Parameter& parameter);
+
+/// Sets the value from text ("0.01", "true", "joint").
+/// @throws InputError naming the key, the text and what is allowed; the value is as before.
+HANDWAY_PLANNING_EXPORT void set_from_text(Parameter& parameter, std::string_view text);
+
+/// The value as text that set_from_text accepts.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::string to_text(const Parameter& parameter);
 
 /// Those whose value departs from the algorithm as printed.
@@ -48,5 +61,7 @@ HANDWAY_PLANNING_EXPORT void set_from_text(const Parameter& parameter, std::stri
 /// @throws InputError naming the keys there are.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT const Parameter& find_parameter(
     const std::vector<Parameter>& parameters, std::string_view key);
+[[nodiscard]] HANDWAY_PLANNING_EXPORT Parameter& find_parameter(std::vector<Parameter>& parameters,
+                                                                std::string_view key);
 
 }  // namespace handway::planning

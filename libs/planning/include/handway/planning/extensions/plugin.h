@@ -13,7 +13,7 @@
 namespace handway::planning {
 
 /// Raised whenever a plugin built against an older header would misbehave.
-inline constexpr int kPluginApiVersion = 5;
+inline constexpr int kPluginApiVersion = 6;
 
 /// What a plugin library hands over: a struct with this layout, exported as
 /// `extern "C" const handway::planning::Plugin* handway_plugin()`.

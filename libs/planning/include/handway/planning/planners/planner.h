@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <stop_token>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace handway::planning {
@@ -35,9 +36,12 @@ class HANDWAY_PLANNING_EXPORT Planner {
   [[nodiscard]] virtual std::string name() const = 0;
   [[nodiscard]] virtual std::string description() const = 0;
   [[nodiscard]] virtual PlannerCapabilities capabilities() const = 0;
-  /// The settings, bound to this object: change them through the pointers. First the planner's
-  /// own, then those of the objective and of optimising that all planners share.
+  /// The settings with their values: first the planner's own, then those of the objective and of
+  /// optimising that all planners share.
   [[nodiscard]] std::vector<Parameter> parameters();
+  /// Sets one of them from text, as set_from_text().
+  /// @throws InputError naming the keys there are, or what the setting takes.
+  void set_parameter(std::string_view key, std::string_view text);
 
   /// What paths are optimised for.
   [[nodiscard]] ObjectiveSettings& objective() { return objective_; }
@@ -60,10 +64,11 @@ class HANDWAY_PLANNING_EXPORT Planner {
   /// Searches. Sets status, reason, path, statistics and, if it smooths, smoothing_s.
   virtual void do_plan(PlanningContext& context, PlanResult& result) = 0;
 
-  /// The settings of this planner alone, bound to this object.
-  [[nodiscard]] virtual std::vector<Parameter> own_parameters() = 0;
+  /// The settings of this planner alone, bound to its members.
+  [[nodiscard]] virtual std::vector<BoundParameter> own_parameters() = 0;
 
  private:
+  [[nodiscard]] std::vector<BoundParameter> bound_parameters();
   void optimize(PlanningContext& context, PlanResult& result) const;
 
   ObjectiveSettings objective_;
@@ -72,7 +77,7 @@ class HANDWAY_PLANNING_EXPORT Planner {
 };
 
 /// Descriptions of the parameters that several planners have.
-[[nodiscard]] HANDWAY_PLANNING_EXPORT Parameter max_samples_parameter(int& value);
-[[nodiscard]] HANDWAY_PLANNING_EXPORT Parameter smoothing_checks_parameter(int& value);
+[[nodiscard]] HANDWAY_PLANNING_EXPORT BoundParameter max_samples_parameter(int& value);
+[[nodiscard]] HANDWAY_PLANNING_EXPORT BoundParameter smoothing_checks_parameter(int& value);
 
 }  // namespace handway::planning

@@ -48,7 +48,7 @@ class HANDWAY_PLANNING_EXPORT RrtConnect final : public Planner {
 
  protected:
   void do_plan(PlanningContext& context, PlanResult& result) override;
-  [[nodiscard]] std::vector<Parameter> own_parameters() override;
+  [[nodiscard]] std::vector<BoundParameter> own_parameters() override;
 
  private:
   HandSpace space_;

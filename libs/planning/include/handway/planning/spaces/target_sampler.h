@@ -96,10 +96,10 @@ class HANDWAY_PLANNING_EXPORT TargetSampler {
 };
 
 /// Descriptions of the parameters of regions.
-[[nodiscard]] HANDWAY_PLANNING_EXPORT Parameter corridor_parameter(int& value);
+[[nodiscard]] HANDWAY_PLANNING_EXPORT BoundParameter corridor_parameter(int& value);
 
 /// Of all that a region is made of but its corridor and PMDs.
-HANDWAY_PLANNING_EXPORT void append_region_parameters(std::vector<Parameter>& list,
+HANDWAY_PLANNING_EXPORT void append_region_parameters(std::vector<BoundParameter>& list,
                                                       TargetRegion& region);
 
 }  // namespace handway::planning
