@@ -2,7 +2,9 @@
 
 #include "handway/planning/core/plan_result.h"
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace handway::python {
@@ -12,7 +14,8 @@ struct PlanOutcome {
   planning::PlanResult result;
   std::string planner;
   std::uint64_t seed = 1;
-  int variables = 0;  ///< Of the robot: the width of the path.
+  std::optional<std::size_t> goal_pose;  ///< Where the path ends, of goals as poses.
+  int variables = 0;                     ///< Of the robot: the width of the path.
 };
 
 }  // namespace handway::python

@@ -4,6 +4,7 @@
 #include "handway/geometric/math/units.h"
 #include "planner_model.h"
 #include "plugin_manager.h"
+#include "scene_kinematics.h"
 
 #include <pybind11/stl.h>
 
@@ -73,9 +74,9 @@ std::optional<geometric::Configuration> end_of(const SceneModel& scene,
 
 PlanOutcome plan(PlannerModel& planner, const SceneModel& scene, const std::optional<Array>& start,
                  const std::optional<Array>& goal, std::uint64_t seed, int threads,
-                 double time_limit, double resolution, double margin) {
-  const planning::PlanningProblem problem =
-      scene.problem_between(end_of(scene, start, "start"), end_of(scene, goal, "goal"));
+                 double time_limit, double resolution, double margin, const py::object& goal_pose) {
+  const planning::PlanningProblem problem = scene.problem_between(
+      end_of(scene, start, "start"), end_of(scene, goal, "goal"), goal_poses_from(goal_pose));
   return planner.plan(problem, request_of(seed, threads, time_limit, resolution, margin));
 }
 
@@ -140,8 +141,11 @@ void bind_planner_class(py::module_& module) {
       .def("plan", &plan, py::arg("scene"), py::kw_only(), py::arg("start") = py::none(),
            py::arg("goal") = py::none(), py::arg("seed") = 1, py::arg("threads") = 1,
            py::arg("time_limit") = kNoLimit, py::arg("resolution") = 5e-5, py::arg("margin") = 0.0,
+           py::arg("goal_pose") = py::none(),
            "Finds a path that is free of collisions, and certifies its clearance.\n\n"
            "start, goal: [variables], rad or m; the scene's if not given.\n"
+           "goal_pose: a PoseGoal or several, any of which will do; goal is then for the joints\n"
+           "that don't move their links.\n"
            "seed: of all random choices. threads: the path doesn't depend on it.\n"
            "time_limit: s. resolution: edges closer than this to anything are refused, m.\n"
            "margin: what the robot keeps from all else, where the ends allow it, m.\n\n"

@@ -68,6 +68,9 @@ PlanOutcome PlannerModel::plan(const planning::PlanningProblem& problem,
     run_interruptible([&](const std::stop_token& stop) {
       outcome.result = planner_->plan(problem, request, stop);
     });
+    if (outcome.result.goal) {
+      outcome.goal_pose = problem.goals[*outcome.result.goal].pose;
+    }
   } catch (...) {
     runs_ = false;
     throw;

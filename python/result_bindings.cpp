@@ -81,6 +81,9 @@ void bind_result(py::module_& module) {
           "[waypoints, variables], rad or m; [0, variables] without a path. Between two\n"
           "waypoints all joints move linearly together.")
       .def_property_readonly(
+          "goal_pose", [](const PlanOutcome& outcome) { return outcome.goal_pose; },
+          "Of goals as poses: the index of the one where the path ends; else None.")
+      .def_property_readonly(
           "certificate", [](const PlanOutcome& outcome) { return outcome.result.certificate; },
           "Clearance of the path.")
       .def_property_readonly("statistics", &statistics_of,

@@ -4,6 +4,7 @@
 #include "handway/planning/paths/path_check.h"
 #include "handway/planning/paths/path_csv.h"
 #include "planner_model.h"
+#include "scene_kinematics.h"
 #include "scene_questions.h"
 
 #include <pybind11/stl.h>
@@ -78,8 +79,8 @@ planning::Path path_from(const SceneModel& scene, const Array& path) {
 }
 
 planning::PathCheckResult check(const SceneModel& scene, const Array& array, double resolution,
-                                const std::optional<Array>& start,
-                                const std::optional<Array>& goal) {
+                                const std::optional<Array>& start, const std::optional<Array>& goal,
+                                const py::object& goal_pose) {
   if (!(resolution >= 1e-7 && resolution <= 1.0)) {
     throw InputError({"resolution", "", std::to_string(resolution), "1e-7 to 1 m", ""});
   }
@@ -89,7 +90,7 @@ planning::PathCheckResult check(const SceneModel& scene, const Array& array, dou
     return given ? std::optional(vector_from(*given, variables, name)) : std::nullopt;
   };
   const planning::PlanningProblem problem =
-      scene.problem_between(end(start, "start"), end(goal, "goal"));
+      scene.problem_between(end(start, "start"), end(goal, "goal"), goal_poses_from(goal_pose));
   const py::gil_scoped_release release;
   return check_path(problem, path, resolution);
 }
@@ -136,6 +137,9 @@ void bind_contents(py::class_<SceneModel>& scene) {
           "goal", [](const SceneModel& s) { return optional_array(s.scene().goal); },
           "[variables], rad or m; None if the scene has none.")
       .def_property_readonly(
+          "goal_poses", [](const SceneModel& s) { return s.scene().goal_poses; },
+          "Goals as poses of a link; empty if the scene has none.")
+      .def_property_readonly(
           "basis",
           [](const SceneModel& s) {
             return std::const_pointer_cast<sampling::PmdBasis>(s.problem().basis);
@@ -171,6 +175,24 @@ void bind_questions(py::class_<SceneModel>& scene) {
            "Returns [variables].");
 }
 
+void bind_kinematics(py::class_<SceneModel>& scene) {
+  scene
+      .def("inverse_kinematics", &inverse_kinematics, py::arg("link"), py::arg("X_WL"),
+           py::arg("near") = py::none(), py::arg("most") = 1, py::arg("free") = true,
+           "Configurations in which a link is at X_WL, [4, 4], in the world.\n\n"
+           "near: [variables]; found are the nearest to it first, and joints that don't move the\n"
+           "link stay as there; the scene's robot as it stands if None. most: how many at most.\n"
+           "free: leave out those in which the robot collides or violates a constraint.\n"
+           "Returns [n, variables], rad or m; n is 0 if the pose is out of reach.")
+      .def("jacobian", &jacobian, py::arg("link"), py::arg("q"),
+           "How the origin of a link moves, [6, variables]: three rows for its velocity (m/s) and\n"
+           "three for the link's angular velocity (rad/s) in the world, per unit speed of each\n"
+           "variable. q: [variables], rad or m.")
+      .def("manipulability", &manipulability, py::arg("link"), py::arg("q"),
+           "Yoshikawa's measure for the origin of a link: 0 where the arm can't move it in some\n"
+           "direction. q: [variables] or [n, variables], rad or m. Returns a number or [n].");
+}
+
 void bind_paths(py::class_<SceneModel>& scene) {
   scene
       .def("planner", &make_scene_planner, py::arg("name") = "",
@@ -178,10 +200,11 @@ void bind_paths(py::class_<SceneModel>& scene) {
            "name, with the scene's settings if they are meant for it.")
       .def("check", &check, py::arg("path"), py::arg("resolution") = 1e-3, py::kw_only(),
            py::arg("start") = py::none(), py::arg("goal") = py::none(),
+           py::arg("goal_pose") = py::none(),
            "Walks along a path and checks limits, both ends and the exact meshes.\n\n"
            "path: [waypoints, variables], rad or m. resolution: how far any point of the robot\n"
            "moves at most from one check to the next, m. start, goal: [variables]; the scene's\n"
-           "if None.")
+           "if None. goal_pose: as in Planner.plan().")
       .def("read_path", &read_path, py::arg("file"),
            "Reads a path (CSV). Returns [waypoints, variables], rad or m.")
       .def("write_path", &write_path, py::arg("path"), py::arg("file"),
@@ -196,6 +219,7 @@ void bind_scene(py::module_& module) {
                                "Nothing in it changes; threads may share it.");
   bind_contents(scene);
   bind_questions(scene);
+  bind_kinematics(scene);
   bind_paths(scene);
   scene.def("__repr__", [](const SceneModel& s) {
     return "<handway.Scene \"" + s.scene().name + "\" with " + s.robot().name() + ">";

@@ -2,8 +2,12 @@
 
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/resources.h"
+#include "handway/geometric/robot/inverse_kinematics.h"
 #include "handway/sampling/postures/pmd_basis_io.h"
 #include "plugin_manager.h"
+
+#include <algorithm>
+#include <iterator>
 
 namespace handway::python {
 namespace {
@@ -24,13 +28,15 @@ planning::LoadedScene load(const std::filesystem::path& file, const std::string&
 }
 
 std::shared_ptr<const Scene> with_both_ends(const std::shared_ptr<const Scene>& scene) {
-  if (scene->start && scene->goal) {
+  if (scene->start && (scene->goal || !scene->goal_poses.empty())) {
     return scene;
   }
   auto whole = std::make_shared<Scene>(*scene);
   const Configuration& here = scene->robots.front().configuration;
   whole->start = scene->start.value_or(here);
-  whole->goal = scene->goal.value_or(here);
+  if (scene->goal_poses.empty()) {
+    whole->goal = scene->goal.value_or(here);
+  }
   return whole;
 }
 
@@ -46,6 +52,17 @@ Configuration end_of(const Scene& scene, const char* which,
 
 }  // namespace
 
+int needed_link(const geometric::RobotModel& robot, const std::string& name) {
+  if (const std::optional<int> link = robot.find_link(name)) {
+    return *link;
+  }
+  std::vector<std::string> names;
+  std::ranges::transform(robot.description().links, std::back_inserter(names),
+                         &geometric::Link::name);
+  throw InputError({"link", "", "\"" + name + "\"", "a link of " + robot.name(),
+                    geometric::advise_name(name, names)});
+}
+
 std::shared_ptr<const sampling::PmdBasis> find_basis(const std::string& reference) {
   const std::filesystem::path file = geometric::find_resource(
       geometric::ResourceKind::kHandBasis, reference, std::filesystem::current_path(), "basis");
@@ -60,11 +77,28 @@ SceneModel::SceneModel(const std::filesystem::path& file, const std::string& bas
 }
 
 planning::PlanningProblem SceneModel::problem_between(
-    const std::optional<Configuration>& start, const std::optional<Configuration>& goal) const {
-  planning::PlanningProblem problem = problem_;
-  problem.start = end_of(*scene_, "start", start, scene_->start);
-  problem.goal = end_of(*scene_, "goal", goal, scene_->goal);
-  return problem;
+    const std::optional<Configuration>& start, const std::optional<Configuration>& goal,
+    const std::vector<geometric::PoseGoal>& goal_poses) const {
+  const Configuration from = end_of(*scene_, "start", start, scene_->start);
+  if (goal_poses.empty() && (goal || scene_->goal_poses.empty())) {
+    planning::PlanningProblem problem = problem_;
+    problem.start = from;
+    problem.set_goal(end_of(*scene_, "goal", goal, scene_->goal));
+    return problem;
+  }
+  auto scene = std::make_shared<Scene>(*scene_);
+  scene->start = from;
+  scene->goal = goal ? goal : scene_->goal;
+  if (!goal_poses.empty()) {
+    scene->goal_poses = goal_poses;
+  }
+  for (const geometric::PoseGoal& pose : scene->goal_poses) {
+    if (chain_variables(robot(), needed_link(robot(), pose.link)).empty()) {
+      throw InputError({"goal_pose", "link", "\"" + pose.link + "\", which no joint moves",
+                        "a link that moves", ""});
+    }
+  }
+  return updated_problem(problem_, scene, problem_.basis);
 }
 
 }  // namespace handway::python

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace handway::python {
 
@@ -25,16 +26,23 @@ class SceneModel {
   [[nodiscard]] CheckerPool& checkers() const { return *checkers_; }
 
   /// The query from `start` to `goal`, the scene's where there is none.
-  /// @throws InputError if the scene has none either.
+  /// @param goal_poses in place of the scene's; `goal` is then for the joints that don't move their
+  /// links. Without poses a `goal` that is given is the goal, whatever poses the scene has.
+  /// @throws InputError if the scene has none either, or has not a goal's link.
   [[nodiscard]] planning::PlanningProblem problem_between(
       const std::optional<geometric::Configuration>& start,
-      const std::optional<geometric::Configuration>& goal) const;
+      const std::optional<geometric::Configuration>& goal,
+      const std::vector<geometric::PoseGoal>& goal_poses = {}) const;
 
  private:
   std::shared_ptr<const geometric::Scene> scene_;  ///< As it was read.
   planning::PlanningProblem problem_;              ///< Ends that the scene lacks are the robot's.
   std::unique_ptr<CheckerPool> checkers_;
 };
+
+/// Index of the link called `name`.
+/// @throws InputError naming the nearest link if there is none.
+[[nodiscard]] int needed_link(const geometric::RobotModel& robot, const std::string& name);
 
 /// A basis of the library by name, or a file.
 /// @throws InputError if there is none or it can't be read.

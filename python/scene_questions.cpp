@@ -43,17 +43,6 @@ py::object truths(const Batch& batch, const std::vector<char>& values) {
   return array;
 }
 
-int needed_link(const geometric::RobotModel& robot, const std::string& name) {
-  if (const std::optional<int> link = robot.find_link(name)) {
-    return *link;
-  }
-  std::vector<std::string> names;
-  std::ranges::transform(robot.description().links, std::back_inserter(names),
-                         &geometric::Link::name);
-  throw InputError({"link", "", "\"" + name + "\"", "a link of " + robot.name(),
-                    geometric::advise_name(name, names)});
-}
-
 }  // namespace
 
 py::object collides(const SceneModel& scene, const Array& q) {

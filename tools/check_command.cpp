@@ -25,6 +25,7 @@ struct CheckOptions {
   std::filesystem::path postures;
   double resolution_mm = 1.0;
   std::vector<std::string> uprights;
+  GoalPoseOptions goal_poses;
 };
 
 void print_likeness(const planning::PathLikeness& likeness) {
@@ -45,6 +46,7 @@ int check(const CheckOptions& options) {
   planning::LoadedScene loaded = planning::load_scene(options.scene, plugins);
   print_warnings(*loaded.scene);
   add_uprights(options.uprights, loaded);
+  set_goal_poses(options.goal_poses, loaded);
   const planning::PlanningProblem problem = planning::make_problem(loaded.scene, loaded.basis);
   const planning::Path path = planning::read_path_csv(problem.model(), options.path);
   const planning::PathCheckResult result =
@@ -84,6 +86,7 @@ void add_check_command(CLI::App& app, int& exit_code) {
   command->add_option("--postures", options->postures,
                       "Recorded postures to compare the hand with (default: the basis')");
   add_upright_option(*command, options->uprights);
+  add_goal_pose_options(*command, options->goal_poses);
   command->callback([options, &exit_code] { exit_code = check(*options); });
 }
 

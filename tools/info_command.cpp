@@ -5,6 +5,7 @@
 #include "handway/geometric/math/units.h"
 #include "handway/geometric/robot/limit_violation.h"
 #include "handway/planning/core/planning_problem.h"
+#include "handway/planning/core/pose_goals.h"
 #include "handway/planning/extensions/plugin.h"
 #include "robot_report.h"
 
@@ -14,6 +15,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -115,7 +117,8 @@ std::vector<End> examine_ends(const geometric::Scene& scene, geometric::Collisio
   std::vector<End> ends;
   for (const auto& [which, q] :
        {std::pair("start", &scene.start), std::pair("goal", &scene.goal)}) {
-    if (!q->has_value()) {
+    const bool is_for_poses = q == &scene.goal && !scene.goal_poses.empty();
+    if (!q->has_value() || is_for_poses) {
       continue;
     }
     End end{which};
@@ -152,6 +155,37 @@ void print_ends(const std::vector<End>& ends, const geometric::CollisionChecker&
   fmt::print("pairs of bodies that are checked: {}\n", checker.world().pairs().size());
 }
 
+// In how many free configurations the robot was found to keep each goal pose.
+std::vector<std::ptrdiff_t> counts_of(const geometric::Scene& scene,
+                                      const planning::PoseGoalSolutions& solutions) {
+  std::vector<std::ptrdiff_t> counts;
+  for (std::size_t pose = 0; pose < scene.goal_poses.size(); ++pose) {
+    counts.push_back(
+        std::ranges::count(solutions.candidates, pose, &planning::GoalCandidate::pose));
+  }
+  return counts;
+}
+
+void print_goal_poses(const geometric::Scene& scene, const planning::PoseGoalSolutions& solutions) {
+  const std::vector<std::ptrdiff_t> counts = counts_of(scene, solutions);
+  for (std::size_t pose = 0; pose < counts.size(); ++pose) {
+    fmt::print("{}: {} free configuration{} found\n", planning::name_of_pose_goal(scene, pose),
+               counts[pose], counts[pose] == 1 ? "" : "s");
+  }
+  if (!solutions.fault.empty()) {
+    fmt::print("{}\n", solutions.fault);
+  }
+}
+
+Json json_of(const geometric::Scene& scene, const planning::PoseGoalSolutions& solutions) {
+  const std::vector<std::ptrdiff_t> counts = counts_of(scene, solutions);
+  Json poses = Json::array();
+  for (std::size_t pose = 0; pose < counts.size(); ++pose) {
+    poses.push_back({{"link", scene.goal_poses[pose].link}, {"configurations", counts[pose]}});
+  }
+  return poses;
+}
+
 Json json_of(const End& end) {
   const geometric::NamedPair* pair =
       end.touching.empty() ? (end.closest ? &*end.closest : nullptr) : &end.touching.front();
@@ -178,6 +212,7 @@ std::vector<std::string> part_names(const geometric::RobotInstance& robot) {
 }
 
 void print_json(const geometric::Scene& scene, const std::vector<End>& ends,
+                const std::optional<planning::PoseGoalSolutions>& solutions,
                 const std::optional<RobotReport>& examined,
                 const std::vector<std::string>& warnings) {
   Json robots = Json::array();
@@ -199,6 +234,10 @@ void print_json(const geometric::Scene& scene, const std::vector<End>& ends,
   for (const End& end : ends) {
     report[end.which] = json_of(end);
   }
+  if (solutions) {
+    report["goal_poses"] = json_of(scene, *solutions);
+    report["goal_fault"] = solutions->fault;
+  }
   if (examined) {
     report["findings"] = findings_json(*examined);
   }
@@ -206,7 +245,9 @@ void print_json(const geometric::Scene& scene, const std::vector<End>& ends,
 }
 
 void print_text(const std::filesystem::path& file, const planning::LoadedScene& loaded,
-                const std::vector<End>& ends, const geometric::CollisionChecker* checker,
+                const std::vector<End>& ends,
+                const std::optional<planning::PoseGoalSolutions>& solutions,
+                const geometric::CollisionChecker* checker,
                 const std::optional<RobotReport>& examined,
                 const std::vector<std::string>& warnings) {
   const geometric::Scene& scene = *loaded.scene;
@@ -228,6 +269,9 @@ void print_text(const std::filesystem::path& file, const planning::LoadedScene& 
   if (checker) {
     print_ends(ends, *checker);
   }
+  if (solutions) {
+    print_goal_poses(scene, *solutions);
+  }
   if (examined) {
     print_findings(*examined);
   }
@@ -243,10 +287,15 @@ int info(const std::filesystem::path& file, bool as_json) {
   const geometric::Scene& scene = *loaded.scene;
   std::unique_ptr<geometric::CollisionChecker> checker;
   std::vector<End> ends;
-  if (scene.start || scene.goal) {
+  std::optional<planning::PoseGoalSolutions> solutions;
+  if (scene.start || scene.goal || !scene.goal_poses.empty()) {
     checker =
         geometric::make_collision_checker(std::make_shared<const geometric::CollisionWorld>(scene));
     ends = examine_ends(scene, *checker);
+    if (!scene.goal_poses.empty()) {
+      solutions = planning::solve_pose_goals(
+          scene, *checker, scene.start.value_or(scene.robots.front().configuration));
+    }
   }
   std::vector<std::string> warnings = scene.warnings;
   for (const planning::RefusedPlugin& plugin : plugins.refused()) {
@@ -259,9 +308,9 @@ int info(const std::filesystem::path& file, bool as_json) {
     examined = robot_report(model, geometric::propose_groups(*model), kInfoSamples, kInfoSeed);
   }
   if (as_json) {
-    print_json(scene, ends, examined, warnings);
+    print_json(scene, ends, solutions, examined, warnings);
   } else {
-    print_text(file, loaded, ends, checker.get(), examined, warnings);
+    print_text(file, loaded, ends, solutions, checker.get(), examined, warnings);
   }
   return kDone;
 }

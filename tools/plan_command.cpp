@@ -46,6 +46,7 @@ struct PlanOptions {
   double optimize_s = 0.0;
   std::vector<std::string> settings;
   std::vector<std::string> uprights;
+  GoalPoseOptions goal_poses;
   fs::path out;
   fs::path report;
 };
@@ -115,7 +116,9 @@ void print_summary(const PlanResult& result, const planning::PlanningProblem& pr
   for (const std::string& sentence : planning::explain_failure(result)) {
     fmt::print(stderr, "  {}\n", sentence);
   }
-  if (result.status == PlanStatus::kStartInvalid || result.status == PlanStatus::kGoalInvalid) {
+  const bool is_end_invalid =
+      result.status == PlanStatus::kStartInvalid || result.status == PlanStatus::kGoalInvalid;
+  if (is_end_invalid && problem.goal_fault.empty()) {
     print_advice(problem, result.status == PlanStatus::kStartInvalid);
   }
 }
@@ -128,6 +131,7 @@ int plan(PlanOptions options) {
   print_warnings(*loaded.scene);
   choose_basis(options.settings, loaded);
   add_uprights(options.uprights, loaded);
+  set_goal_poses(options.goal_poses, loaded);
   const std::unique_ptr<planning::Planner> planner =
       scene_planner(options.planner, loaded.scene->planner, plugins.planners());
   apply_settings(*planner, options.settings);
@@ -149,7 +153,7 @@ int plan(PlanOptions options) {
     const auto quality =
         result.solved() ? std::optional(path_quality(problem, result.path)) : std::nullopt;
     geometric::replace_file(options.report,
-                            plan_report(*planner, request, result, load.count(),
+                            plan_report(*planner, problem, request, result, load.count(),
                                         hand_likeness(problem, result.path), quality));
   }
   print_summary(result, problem);
@@ -187,6 +191,7 @@ void add_plan_command(CLI::App& app, int& exit_code) {
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   add_upright_option(*command, options->uprights);
+  add_goal_pose_options(*command, options->goal_poses);
   command->add_option("--out", options->out, "Write the path here (CSV)");
   command->add_option("--report", options->report, "Write a report here (JSON)");
   command->callback([options, &exit_code] { exit_code = plan(*options); });

@@ -59,11 +59,23 @@ Json likeness_of(const std::optional<planning::PathLikeness>& likeness) {
       {"to_recorded", likeness->to_recorded ? distance_of(*likeness->to_recorded) : Json(nullptr)}};
 }
 
+// Where the path ends, of a problem whose goal is given by poses.
+Json goal_of(const planning::PlanningProblem& problem, const planning::PlanResult& result) {
+  if (!result.goal) {
+    return nullptr;
+  }
+  const std::size_t pose = problem.goals[*result.goal].pose;
+  return {{"pose", pose + 1},
+          {"link", problem.scene->goal_poses[pose].link},
+          {"configuration", *result.goal + 1},
+          {"configurations", problem.goals.size()}};
+}
+
 }  // namespace
 
-std::string plan_report(planning::Planner& planner, const planning::PlanRequest& request,
-                        const planning::PlanResult& result, double load_s,
-                        const std::optional<planning::PathLikeness>& likeness,
+std::string plan_report(planning::Planner& planner, const planning::PlanningProblem& problem,
+                        const planning::PlanRequest& request, const planning::PlanResult& result,
+                        double load_s, const std::optional<planning::PathLikeness>& likeness,
                         const std::optional<planning::PathQuality>& quality) {
   Json parameters = Json::object();
   for (const planning::Parameter& parameter : planner.parameters()) {
@@ -92,6 +104,7 @@ std::string plan_report(planning::Planner& planner, const planning::PlanRequest&
       {"smoothing_s", result.smoothing_s},
       {"optimize_checks", result.optimize_checks},
       {"load_s", load_s},
+      {"goal", goal_of(problem, result)},
       {"path_nodes", result.path.waypoints.size()},
       {"certificate",
        {{"resolution_mm", result.certificate.resolution_mm},

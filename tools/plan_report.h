@@ -18,6 +18,7 @@ namespace handway::tools {
 /// @param likeness of the path's hand; nothing: there is no path, or no basis to compare with.
 /// @param quality of the path; nothing: there is none.
 [[nodiscard]] std::string plan_report(planning::Planner& planner,
+                                      const planning::PlanningProblem& problem,
                                       const planning::PlanRequest& request,
                                       const planning::PlanResult& result, double load_s,
                                       const std::optional<planning::PathLikeness>& likeness,

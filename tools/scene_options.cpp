@@ -3,15 +3,21 @@
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/resources.h"
 #include "handway/geometric/math/units.h"
+#include "handway/geometric/robot/inverse_kinematics.h"
+#include "handway/planning/core/planning_problem.h"
+#include "handway/planning/queries/palm_ik.h"
 #include "handway/sampling/postures/pmd_basis_io.h"
+#include "numbers.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -140,6 +146,118 @@ void add_uprights(const std::vector<std::string>& uprights, planning::LoadedScen
     what.angle = geometric::radians(upright.degrees);
     scene.constraints.push_back(
         {unused_name(scene, upright.body + " upright"), upright.body, what});
+  }
+  loaded.scene = std::make_shared<const geometric::Scene>(std::move(scene));
+}
+
+namespace {
+
+struct GivenPose {
+  std::string link;  ///< Empty: not given.
+  Eigen::Vector3d xyz;
+  std::optional<Eigen::Vector3d> rpy;  ///< rad
+};
+
+std::optional<std::vector<double>> numbers_of(const std::string& text) {
+  std::vector<double> numbers;
+  for (const std::string& part : CLI::detail::split(text, ',')) {
+    double number = 0.0;
+    if (!CLI::detail::lexical_cast(CLI::detail::trim_copy(part), number) ||
+        !std::isfinite(number)) {
+      return std::nullopt;
+    }
+    numbers.push_back(number);
+  }
+  return numbers;
+}
+
+std::optional<GivenPose> given_pose_of(const std::string& text) {
+  const std::size_t colon = text.rfind(':');  // names may hold colons
+  const bool has_link = colon != std::string::npos && colon > 0;
+  const auto numbers = numbers_of(has_link ? text.substr(colon + 1) : text);
+  if (!numbers || (numbers->size() != 3 && numbers->size() != 6)) {
+    return std::nullopt;
+  }
+  const std::vector<double>& n = *numbers;
+  GivenPose pose{has_link ? text.substr(0, colon) : "", {n[0], n[1], n[2]}, std::nullopt};
+  if (n.size() == 6) {
+    pose.rpy = geometric::kDegree * Eigen::Vector3d(n[3], n[4], n[5]);
+  }
+  return pose;
+}
+
+// The link that `name` says or, if it is empty, the hand or what else the arm carries.
+std::string goal_link_of(const std::string& name, const std::string& option,
+                         const planning::LoadedScene& loaded) {
+  const geometric::Scene& scene = *loaded.scene;
+  const geometric::RobotModel& model = *scene.robots.front().model;
+  if (name.empty()) {
+    const std::vector<int> hand = planning::hand_variables(scene, loaded.basis.get());
+    return model.link(planning::palm_link(model, planning::arm_variables(model, hand), hand)).name;
+  }
+  const std::optional<int> link = model.find_link(name);
+  if (!link || geometric::chain_variables(model, *link).empty()) {
+    std::vector<std::string> links;
+    for (int other = 1; other < model.link_count(); ++other) {
+      links.push_back(model.link(other).name);
+    }
+    throw geometric::InputError(
+        {scene.file.string(), option,
+         name + (link ? ", which no joint moves" : ", which is no link of the robot"),
+         "a link of " + scene.robots.front().name + " that moves",
+         link ? "" : geometric::advise_name(name, links)});
+  }
+  return name;
+}
+
+}  // namespace
+
+void add_goal_pose_options(CLI::App& command, GoalPoseOptions& options) {
+  command
+      .add_option(
+          "--goal-pose", options.poses,
+          "A goal as a pose of a link in the world, m and degrees, in place of the scene's; "
+          "without angles in any orientation. Several: any of them")
+      ->type_name("[LINK:]X,Y,Z[,ROLL,PITCH,YAW]")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->check([](const std::string& text) {
+        return given_pose_of(text)
+                   ? std::string()
+                   : "\"" + text + "\" is not [LINK:]X,Y,Z or [LINK:]X,Y,Z,ROLL,PITCH,YAW";
+      });
+  command.add_option("--goal-link", options.link,
+                     "Link of goal poses that name none (default: the hand, or the arm's last)");
+  command
+      .add_option("--goal-tolerance", options.tolerance,
+                  "How far goal poses may be missed (default: 0.1 mm and 0.1 degrees)")
+      ->type_name("MM,DEGREES")
+      ->delimiter(',')
+      ->expected(2)
+      ->check(number_in(0.0, 1e4));
+}
+
+void set_goal_poses(const GoalPoseOptions& options, planning::LoadedScene& loaded) {
+  if (options.poses.empty()) {
+    return;
+  }
+  geometric::Scene scene = *loaded.scene;
+  scene.goal_poses.clear();
+  for (const std::string& text : options.poses) {
+    const GivenPose given = given_pose_of(text).value();
+    geometric::PoseGoal goal;
+    goal.link = given.link.empty() ? goal_link_of(options.link, "--goal-link", loaded)
+                                   : goal_link_of(given.link, "--goal-pose", loaded);
+    const Eigen::Vector3d rpy = given.rpy.value_or(Eigen::Vector3d::Zero());
+    goal.X_WG = geometric::pose_from_rpy(given.xyz, rpy.x(), rpy.y(), rpy.z());
+    if (!options.tolerance.empty()) {
+      goal.position_tolerance.setConstant(geometric::metres(options.tolerance[0]));
+      goal.rotation_tolerance.setConstant(geometric::radians(options.tolerance[1]));
+    }
+    if (!given.rpy) {
+      goal.rotation_tolerance.setConstant(std::numbers::pi);
+    }
+    scene.goal_poses.push_back(std::move(goal));
   }
   loaded.scene = std::make_shared<const geometric::Scene>(std::move(scene));
 }

@@ -40,4 +40,19 @@ void add_upright_option(CLI::App& command, std::vector<std::string>& uprights);
 /// @throws InputError if the robot has no such link and carries no such object.
 void add_uprights(const std::vector<std::string>& uprights, planning::LoadedScene& scene);
 
+/// Goals as poses of a link, from the command line.
+struct GoalPoseOptions {
+  std::vector<std::string> poses;  ///< "[LINK:]X,Y,Z[,ROLL,PITCH,YAW]", m and degrees.
+  std::string link;                ///< Of poses that name none; empty: of the hand or tool.
+  std::vector<double> tolerance;   ///< mm and degrees; empty: as a scene's.
+};
+
+/// Adds `--goal-pose`, which may be given several times, `--goal-link` and `--goal-tolerance`.
+void add_goal_pose_options(CLI::App& command, GoalPoseOptions& options);
+
+/// Puts the goal poses in the place of the scene's goal; the scene's remains for the joints that
+/// don't move their links. Nothing without poses. @throws InputError for a link that the robot has
+/// not or that no joint moves.
+void set_goal_poses(const GoalPoseOptions& options, planning::LoadedScene& scene);
+
 }  // namespace handway::tools

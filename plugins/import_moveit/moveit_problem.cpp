@@ -1,5 +1,6 @@
 #include "moveit_problem.h"
 
+#include "goal_constraints.h"
 #include "handway/geometric/formats/robot_loader.h"
 #include "handway/geometric/formats/yaml_element.h"
 #include "handway/geometric/io/existing_file.h"
@@ -129,6 +130,7 @@ class ProblemReader {
     scene_->name = name && !name->text().empty() ? name->text() : scene_->file.stem().string();
     add_robot();
     const Frames frames = frames_of(scene_->robots.front());
+    add_pose_goals(frames);
     if (const auto world = top_.find("world")) {
       add_world(*world, frames, folder_, *scene_);
     }
@@ -166,6 +168,7 @@ class ProblemReader {
     scene_->robots.push_back({model->name(), file, model, X_WB_, start});
     if (request_) {
       scene_->start = start;
+      read_goals();
       scene_->goal = goal_of(*model);
       scene_->robots.front().model = within_workspace(model);
     }
@@ -212,30 +215,55 @@ class ProblemReader {
     return with_values(model, values, q, unknown_joints_);
   }
 
-  [[nodiscard]] Configuration goal_of(const RobotModel& model) {
+  // If the first goal has a pose, all that have one; else the first alone.
+  void read_goals() {
     request_->refuse_slips({"start_state", "goal_constraints", "path_constraints", "group_name"});
     const YamlElement list = request_->need("goal_constraints");
-    const std::vector<YamlElement> goals = list.items();
-    if (goals.empty()) {
+    goals_ = list.items();
+    if (goals_.empty()) {
       list.refuse("an empty list", "a goal");
     }
-    if (goals.size() > 1) {
-      scene_->warnings.push_back(
-          fmt::format("{}: only the first of {} goals is used", list.where(), goals.size()));
+    const std::size_t count = goals_.size();
+    if (has_pose(goals_.front())) {
+      std::erase_if(goals_, [](const YamlElement& goal) { return !has_pose(goal); });
+    } else {
+      goals_.erase(goals_.begin() + 1, goals_.end());
     }
-    const YamlElement& goal = goals.front();
+    if (goals_.size() < count) {
+      scene_->warnings.push_back(
+          goals_.size() == 1
+              ? fmt::format("{}: only the first of {} goals is used", list.where(), count)
+              : fmt::format("{}: only the {} of {} goals with a pose are used", list.where(),
+                            goals_.size(), count));
+    }
+  }
+
+  void add_pose_goals(const Frames& frames) {
+    for (const YamlElement& goal : goals_) {
+      if (has_pose(goal)) {
+        const std::vector<geometric::PoseGoal> poses =
+            read_pose_goals(goal, *scene_->robots.front().model, frames);
+        scene_->goal_poses.insert(scene_->goal_poses.end(), poses.begin(), poses.end());
+      }
+    }
+  }
+
+  // With a pose: of the joints that the first goal names; the others are as at the start.
+  [[nodiscard]] Configuration goal_of(const RobotModel& model) {
+    const YamlElement& goal = goals_.front();
+    goal.refuse_slips({"name", "joint_constraints", "position_constraints",
+                       "orientation_constraints", "visibility_constraints"});
     const std::optional<YamlElement> constraints = goal.find("joint_constraints");
     std::map<std::string, double> values;
     for (const YamlElement& one : constraints ? constraints->items() : std::vector<YamlElement>()) {
       values[one.need("joint_name").text()] = one.need("position").number();
     }
-    for (int v = 0; v < model.variable_count(); ++v) {
+    for (int v = 0; v < model.variable_count() && !has_pose(goal); ++v) {
       const std::string& joint = model.variable(v).name;
       if (!values.contains(joint)) {
         goal.refuse(values.empty() ? "no joint_constraints"
                                    : fmt::format("no joint constraint for \"{}\"", joint),
-                    "the goal as positions of all joints of the group",
-                    "A pose of a link is no goal here: give the posture that reaches it");
+                    "the goal as positions of all joints of the group, or as the pose of a link");
       }
     }
     return with_values(model, values, scene_->robots.front().configuration, unknown_joints_);
@@ -328,6 +356,7 @@ class ProblemReader {
   fs::path folder_;
   YamlElement top_;
   std::optional<YamlElement> request_;
+  std::vector<YamlElement> goals_;  ///< Of the request, those that are used.
   std::shared_ptr<geometric::Scene> scene_ = std::make_shared<geometric::Scene>();
 };
 

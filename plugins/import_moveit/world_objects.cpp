@@ -22,21 +22,6 @@ using geometric::YamlElement;
 
 constexpr geometric::Color kColor{0.55, 0.62, 0.68};
 
-Pose frame_of(const YamlElement& object, const Frames& frames) {
-  const std::optional<YamlElement> header = object.find("header");
-  const std::optional<YamlElement> id = header ? header->find("frame_id") : std::nullopt;
-  if (!id || id->text().empty()) {
-    return Pose::Identity();
-  }
-  const std::string name = id->text().starts_with('/') ? id->text().substr(1) : id->text();
-  const auto frame = frames.find(name);
-  if (frame == frames.end()) {
-    id->refuse(fmt::format("the frame \"{}\"", name),
-               "\"world\", a link of the robot or one of fixed_frame_transforms");
-  }
-  return frame->second;
-}
-
 // shape_msgs/SolidPrimitive's numbers, and the words of MotionBenchMaker.
 std::string kind_of(const YamlElement& type) {
   static const std::map<std::string, std::string> kKinds = {
@@ -175,6 +160,27 @@ void add_object(const YamlElement& object, const Pose& X_PF, const fs::path& fol
 }
 
 }  // namespace
+
+Pose frame_of(const YamlElement& message, const Frames& frames) {
+  const std::optional<YamlElement> header = message.find("header");
+  const std::optional<YamlElement> id = header ? header->find("frame_id") : std::nullopt;
+  if (!id || id->text().empty()) {
+    return Pose::Identity();
+  }
+  const std::string name = id->text().starts_with('/') ? id->text().substr(1) : id->text();
+  const auto frame = frames.find(name);
+  if (frame == frames.end()) {
+    id->refuse(fmt::format("the frame \"{}\"", name),
+               "\"world\", a link of the robot or one of fixed_frame_transforms");
+  }
+  return frame->second;
+}
+
+std::vector<std::pair<Shape, Pose>> read_primitives(const YamlElement& message) {
+  std::vector<PlacedShape> shapes;
+  read_shapes(message, "primitives", "primitive_poses", read_primitive, shapes);
+  return shapes;
+}
 
 void add_world(const YamlElement& world, const Frames& frames, const fs::path& folder,
                geometric::Scene& scene) {

@@ -6,12 +6,23 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace handway::import_moveit {
 
 /// Poses of frames in the world by name: the robot's links, "world" and those that the scene
 /// names (`fixed_frame_transforms`).
 using Frames = std::map<std::string, geometric::Pose>;
+
+/// Where the frame of a message's `header` is in the world; "world" if it names none.
+/// @throws InputError if there is no such frame.
+[[nodiscard]] geometric::Pose frame_of(const geometric::YamlElement& message, const Frames& frames);
+
+/// The `primitives` of a message with their poses, `primitive_poses`, in the message's frame.
+/// @throws InputError naming what is wrong with one.
+[[nodiscard]] std::vector<std::pair<geometric::Shape, geometric::Pose>> read_primitives(
+    const geometric::YamlElement& message);
 
 /// Adds the collision objects of `world` (moveit_msgs/PlanningSceneWorld) to `scene`: an
 /// object of the scene for each primitive and each mesh.

@@ -8,6 +8,8 @@
 
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
+#include <chrono>
 #include <memory>
 #include <random>
 #include <vector>
@@ -124,6 +126,37 @@ void bm_numeric_inverse_kinematics(benchmark::State& state) {
   state.counters["reached"] = static_cast<double>(reached) / static_cast<double>(k);
 }
 BENCHMARK(bm_numeric_inverse_kinematics);
+
+/// Poses of 10 000 uniformly random configurations, each from the neutral one: the time of a single
+/// solution, and how many are reached, as solvers of other projects are compared by.
+void bm_arm_inverse_kinematics(benchmark::State& state, const RobotDescription& robot) {
+  constexpr int kPoses = 10000;
+  using Clock = std::chrono::steady_clock;
+  const auto model = std::make_shared<const RobotModel>(robot);
+  const NumericInverseKinematics ik(model, model->link(model->link_count() - 1).name);
+  const std::vector<Configuration> configurations = random_configurations(*model, kPoses);
+  std::vector<Pose> X_BL(static_cast<std::size_t>(model->link_count()));
+  std::vector<double> times;
+  int reached = 0;
+  for (auto _ : state) {
+    for (const Configuration& q : configurations) {
+      model->forward_kinematics(q, X_BL);
+      const Clock::time_point begin = Clock::now();
+      reached += ik.find(X_BL.back(), model->neutral()).converged ? 1 : 0;
+      times.push_back(std::chrono::duration<double, std::micro>(Clock::now() - begin).count());
+    }
+  }
+  std::ranges::sort(times);
+  const auto at = [&](double share) {
+    return times[static_cast<std::size_t>(share * static_cast<double>(times.size() - 1))];
+  };
+  state.counters["reached"] = static_cast<double>(reached) / static_cast<double>(times.size());
+  state.counters["median_us"] = at(0.5);
+  state.counters["p99_us"] = at(0.99);
+}
+BENCHMARK_CAPTURE(bm_arm_inverse_kinematics, ur5e, test::ur5e())->Iterations(1);
+BENCHMARK_CAPTURE(bm_arm_inverse_kinematics, panda, test::panda_arm())->Iterations(1);
+BENCHMARK_CAPTURE(bm_arm_inverse_kinematics, iiwa14, test::iiwa14())->Iterations(1);
 
 }  // namespace
 }  // namespace handway::geometric

@@ -3,6 +3,8 @@
 #include "handway/geometric/math/units.h"
 
 #include <array>
+#include <span>
+#include <string>
 #include <utility>
 
 namespace handway::test {
@@ -81,6 +83,19 @@ Pose finger_mount(double x, double y, double z, const Eigen::Vector3d& axis, dou
   return translation_mm(x, y, z) * Eigen::AngleAxisd(radians(angle), axis.normalized());
 }
 
+RobotDescription dh_arm(const std::string& name, std::span<const DhRow> rows,
+                        std::span<const Range> limits) {
+  RobotDescription robot;
+  robot.name = name;
+  robot.links.push_back({"base", {}, {}});
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const std::string number = std::to_string(i + 1);
+    add(robot, robot.links.back().name, "link_" + number, "joint_" + number, dh_pose(rows[i]),
+        Eigen::Vector3d::UnitZ(), limits[i]);
+  }
+  return robot;
+}
+
 }  // namespace
 
 RobotDescription tx90_urdf_style() {
@@ -140,6 +155,44 @@ RobotDescription tx90_sah() {
   robot.joints.pop_back();
   add_sah_hand(robot, "link_6");
   return robot;
+}
+
+RobotDescription ur5e() {
+  constexpr std::array<DhRow, 6> kRows = {{{0, 0, 0, 162.5},
+                                           {90, 0, 0, 0},
+                                           {0, -425, 0, 0},
+                                           {0, -392.2, 0, 133.3},
+                                           {90, 0, 0, 99.7},
+                                           {-90, 0, 0, 99.6}}};
+  constexpr std::array<Range, 6> kLimits = {
+      {{-360, 360}, {-360, 360}, {-180, 180}, {-360, 360}, {-360, 360}, {-360, 360}}};
+  return dh_arm("ur5e", kRows, kLimits);
+}
+
+RobotDescription panda_arm() {
+  constexpr std::array<DhRow, 7> kRows = {{{0, 0, 0, 333},
+                                           {-90, 0, 0, 0},
+                                           {90, 0, 0, 316},
+                                           {90, 82.5, 0, 0},
+                                           {-90, -82.5, 0, 384},
+                                           {90, 0, 0, 0},
+                                           {90, 88, 0, 107}}};
+  constexpr std::array<Range, 7> kLimits = {
+      {{-166, 166}, {-101, 101}, {-166, 166}, {-176, -4}, {-166, 166}, {-1, 215}, {-166, 166}}};
+  return dh_arm("panda", kRows, kLimits);
+}
+
+RobotDescription iiwa14() {
+  constexpr std::array<DhRow, 7> kRows = {{{0, 0, 0, 360},
+                                           {-90, 0, 0, 0},
+                                           {90, 0, 0, 420},
+                                           {90, 0, 0, 0},
+                                           {-90, 0, 0, 400},
+                                           {-90, 0, 0, 0},
+                                           {90, 0, 0, 126}}};
+  constexpr std::array<Range, 7> kLimits = {
+      {{-170, 170}, {-120, 120}, {-170, 170}, {-120, 120}, {-170, 170}, {-120, 120}, {-175, 175}}};
+  return dh_arm("iiwa14", kRows, kLimits);
 }
 
 }  // namespace handway::test

@@ -256,6 +256,54 @@ TEST_F(Handway, KeepsWhatTheCommandLineNamesUpright) {
   }
 }
 
+TEST_F(Handway, PlansToPosesOfALink) {
+  const std::string goal = " --goal-pose 0.549876,0.055172,0,0,0,-17.18873";
+  const Outcome plan = line_.run("plan open.yaml" + goal + " --out path.csv --report report.json");
+  EXPECT_EQ(plan.exit_code, kDone) << plan.err;
+  EXPECT_THAT(plan.out, HasSubstr("It ends at goal pose of link palm"));
+  EXPECT_THAT(line_.read("report.json"),
+              AllOf(HasSubstr("\"goal\": {"), HasSubstr("\"link\": \"palm\"")));
+  EXPECT_EQ(line_.run("check open.yaml path.csv" + goal).exit_code, kDone);
+  EXPECT_EQ(line_.run("check open.yaml path.csv").exit_code, kNoPath) << "the scene's is elsewhere";
+  const std::string behind = " --goal-pose -9,0,0 --goal-pose lower:-0.18,0.24,0 --goal-link thumb";
+  const Outcome other = line_.run("plan open.yaml" + behind + " --out path.csv");
+  EXPECT_EQ(other.exit_code, kDone) << other.err;
+  EXPECT_THAT(other.out, HasSubstr("It ends at goal pose 2 of link lower"));
+  EXPECT_EQ(line_.run("check open.yaml path.csv" + behind).exit_code, kDone);
+}
+
+TEST_F(Handway, TellsInHowManyConfigurationsAGoalPoseIsFree) {
+  line_.replace(
+      "open.yaml", "goal:",
+      "goal_pose:\n  - {link: palm, xyz: [0.549876, 0.055172, 0], rpy_deg: [0, 0, -17.18873]}"
+      "\n  - {link: palm, xyz: [2, 0, 0]}\ngoal:");
+  const Outcome text = line_.run("info open.yaml");
+  EXPECT_THAT(text.out,
+              AllOf(HasSubstr("goal pose 1 of link palm: 1 free configuration found\n"),
+                    HasSubstr("goal pose 2 of link palm: 0 free configurations found\n")));
+  const auto info = nlohmann::json::parse(line_.run("info open.yaml --json").out);
+  EXPECT_EQ(info["goal_poses"][0]["configurations"], 1);
+  EXPECT_EQ(info["goal_fault"], "");
+  EXPECT_TRUE(info["goal"].is_null());
+  EXPECT_EQ(line_.run("plan open.yaml --out path.csv").exit_code, kDone);
+  EXPECT_EQ(line_.run("check open.yaml path.csv").exit_code, kDone);
+}
+
+TEST_F(Handway, SaysWhyAPoseCannotBeComeTo) {
+  const Outcome far = line_.run("plan open.yaml --goal-pose 0.9,0,0");
+  EXPECT_EQ(far.exit_code, kInvalidQuery);
+  EXPECT_THAT(far.err, HasSubstr("The goal is out of reach: the nearest configuration that was "
+                                 "found misses goal pose of link palm by 300 mm"));
+  EXPECT_EQ(line_.run("plan open.yaml --goal-pose 0.62,0,0 --goal-tolerance 25,0").exit_code,
+            kDone);
+  expect_refusal("plan open.yaml --goal-pose plm:0.3,0,0", "plm, which is no link of the robot",
+                 "Did you mean \"palm\"?");
+  expect_refusal("plan open.yaml --goal-pose base:0.3,0,0", "base, which no joint moves");
+  for (const std::string bad : {"1,2", "1,2,3,4", "1,2,x", "palm:", "1,2,nan"}) {
+    EXPECT_EQ(line_.run("plan open.yaml --goal-pose " + bad).exit_code, kWrongUsage) << bad;
+  }
+}
+
 TEST_F(Handway, RefusesAStartInCollision) {
   line_.replace("post.yaml", "-0.4", "-0.066");
   const Outcome run = line_.run("plan post.yaml --out path.csv --report report.json");

@@ -92,7 +92,7 @@ void PlanningCommands::report_presets() {
 
 void PlanningCommands::update_ready() {
   const auto& scene = workbench_.document.scene();
-  const bool has_query = scene && scene->start && scene->goal;
+  const bool has_query = scene && scene->start && (scene->goal || !scene->goal_poses.empty());
   panel_.set_ready(has_query,
                    scene ? tr("The scene has no start or no goal") : tr("Open a scene first"));
   plan_->setEnabled(has_query && !workbench_.session.is_running());

@@ -4,8 +4,7 @@
 #include "handway/device/tracker/tracker_units.h"
 #include "handway/device/tracker/udp_tracker.h"
 #include "handway/geometric/io/input_error.h"
-#include "handway/geometric/robot/numeric_inverse_kinematics.h"
-#include "handway/geometric/robot/spherical_wrist_inverse_kinematics.h"
+#include "handway/geometric/robot/arm_inverse_kinematics.h"
 
 #include <exception>
 #include <memory>
@@ -144,17 +143,11 @@ using geometric::RobotModel;
 // In closed form if the arm allows it, else by iteration from where it is, briefly.
 std::unique_ptr<InverseKinematics> make_kinematics(const std::shared_ptr<const RobotModel>& model,
                                                    int tool) {
-  constexpr int kIterations = 30;
-  const std::string& link = model->link(tool).name;
-  try {
-    return geometric::make_spherical_wrist_inverse_kinematics(model, link);
-  } catch (const geometric::InputError&) {
-    geometric::NumericIkOptions options;
-    options.max_iterations = kIterations;
-    options.max_restarts = 0;
-    return std::make_unique<geometric::NumericInverseKinematics>(
-        model, link, std::vector<std::string>{}, options);
-  }
+  geometric::NumericIkOptions options;
+  options.max_iterations = 30;
+  options.max_restarts = 0;
+  return geometric::make_arm_inverse_kinematics(model, tool,
+                                                geometric::chain_variables(*model, tool), options);
 }
 
 }  // namespace

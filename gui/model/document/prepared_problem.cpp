@@ -47,16 +47,17 @@ namespace {
 
 constexpr std::chrono::milliseconds kLookEvery(20);
 
-// With a start and a goal.
+// With a start and a goal, unless poses give it.
 std::shared_ptr<const geometric::Scene> with_query(std::shared_ptr<const geometric::Scene> scene) {
-  if ((scene->start && scene->goal) || scene->robots.empty()) {
+  const bool has_goal = scene->goal || !scene->goal_poses.empty();
+  if ((scene->start && has_goal) || scene->robots.empty()) {
     return scene;
   }
   auto complete = std::make_shared<geometric::Scene>(*scene);
-  for (auto* end : {&complete->start, &complete->goal}) {
-    if (!*end) {
-      *end = complete->robots.front().configuration;
-    }
+  const geometric::Configuration& here = complete->robots.front().configuration;
+  complete->start = scene->start.value_or(here);
+  if (!has_goal) {
+    complete->goal = here;
   }
   return complete;
 }

@@ -184,6 +184,7 @@ SceneState with_start(const SceneState& state, const Configuration& q) {
 SceneState with_goal(const SceneState& state, const Configuration& q) {
   Scene scene = *state.scene;
   scene.goal = q;
+  scene.goal_poses.clear();
   return with_scene(state, std::move(scene));
 }
 

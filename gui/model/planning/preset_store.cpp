@@ -91,7 +91,7 @@ std::vector<PlannerPreset> built_in_presets(const std::string& planner) {
     add(QObject::tr("Tight places"),
         QObject::tr(
             "Short steps in poses of the tool, from where few were tried: for hands that have "
-            "to leave or reach a narrow place. Needs an arm built like the TX90."),
+            "to leave or reach a narrow place. Needs an arm of six or more joints."),
         {{"corridor", "cartesian"}, {"range", "0.1"}, {"expansions", "1"}});
   }
   if (is_of_the_paper(planner)) {

@@ -121,6 +121,9 @@ Points corners_of(const Scene& scene) {
       add_robot(scene.robots.front(), *q, points);
     }
   }
+  for (const PoseGoal& goal : scene.goal_poses) {
+    points.push_back(goal.X_WG.translation());
+  }
   return points;
 }
 

@@ -15,7 +15,7 @@ namespace handway::geometric {
     const YamlElement& robot, const std::shared_ptr<const RobotModel>& model);
 
 /// Gives slides of bases that the robot's "bounds" do not name those of the scene: the box around
-/// objects, robots, start and goal, larger by kAroundScene each way.
+/// objects, robots, start, goal and goal poses, larger by kAroundScene each way.
 /// @param robots the elements of the scene's robots, in which bounds are looked up.
 void bound_bases(const std::vector<YamlElement>& robots, Scene& scene);
 

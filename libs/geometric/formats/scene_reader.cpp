@@ -1,6 +1,7 @@
 #include "handway/geometric/formats/scene_reader.h"
 
 #include "formats/scene_bases.h"
+#include "formats/scene_goals.h"
 #include "formats/scene_objects.h"
 #include "formats/scene_robots.h"
 #include "handway/geometric/formats/yaml_element.h"
@@ -180,7 +181,7 @@ PlannerRequest planner_of(const YamlElement& element) {
 Scene read_scene(const fs::path& file) {
   const YamlElement top = YamlElement::read(file, "a scene file");
   top.allow_keys({"handway", "name", "description", "robots", "objects", "constraints", "start",
-                  "goal", "postures", "hand_basis", "planner"});
+                  "goal", "goal_pose", "postures", "hand_basis", "planner"});
   check_version(top);
   const fs::path folder = fs::absolute(file).parent_path();
   Scene scene;
@@ -196,6 +197,9 @@ Scene read_scene(const fs::path& file) {
   }
   scene.start = query_of(top, "start", scene.robots.front());
   scene.goal = query_of(top, "goal", scene.robots.front());
+  if (const std::optional<YamlElement> goals = top.find("goal_pose")) {
+    scene.goal_poses = pose_goals_of(*goals, *scene.robots.front().model);
+  }
   bound_bases(robots, scene);
   if (const std::optional<YamlElement> postures = top.find("postures")) {
     for (const auto& [name, values] : postures->entries()) {

@@ -1,5 +1,6 @@
 #include "handway/geometric/formats/scene_writer.h"
 
+#include "formats/scene_goals.h"
 #include "formats/yaml_text.h"
 #include "handway/geometric/formats/mesh_reader.h"
 #include "handway/geometric/formats/obj_writer.h"
@@ -231,6 +232,7 @@ std::string scene_text(const Scene& scene, const SceneReferences& references) {
   if (scene.goal) {
     text += "goal:" + configuration_text(*scene.robots[0].model, *scene.goal, "  ");
   }
+  text += pose_goals_text(scene.goal_poses);
   text += scene.postures.empty() ? "" : "postures:\n";
   for (const NamedPosture& posture : scene.postures) {
     text += posture_text(posture);

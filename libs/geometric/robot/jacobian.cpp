@@ -1,5 +1,8 @@
 #include "handway/geometric/robot/jacobian.h"
 
+#include <Eigen/Cholesky>
+#include <Eigen/SVD>
+
 namespace handway::geometric {
 
 Jacobian point_jacobian(const RobotModel& model, std::span<const Pose> X_BL, int link,
@@ -28,6 +31,17 @@ Jacobian point_jacobian(const RobotModel& model, std::span<const Pose> X_BL, int
 Jacobian point_jacobian(const RobotState& state, int link, const Eigen::Vector3d& p_LQ) {
   // Nothing in the algorithm depends on where the base is.
   return point_jacobian(state.model(), state.link_poses(), link, p_LQ);
+}
+
+double manipulability(const Eigen::MatrixXd& J) {
+  return Eigen::JacobiSVD<Eigen::MatrixXd>(J).singularValues().prod();
+}
+
+Eigen::VectorXd null_space_motion(const Eigen::MatrixXd& J, const Eigen::VectorXd& wanted,
+                                  double damping) {
+  Eigen::MatrixXd task = J * J.transpose();
+  task.diagonal().array() += damping;
+  return wanted - J.transpose() * task.ldlt().solve(J * wanted);
 }
 
 }  // namespace handway::geometric

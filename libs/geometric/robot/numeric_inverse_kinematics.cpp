@@ -12,6 +12,8 @@
 #include <chrono>
 #include <cmath>
 #include <functional>
+#include <numbers>
+#include <optional>
 #include <random>
 #include <utility>
 
@@ -27,9 +29,9 @@ class DampedLeastSquares {
 
   /// How a configuration misses the target.
   struct Miss {
-    Eigen::Matrix<double, 6, 1> error;  ///< m, weighted rotation in m; base frame.
-    double position = 0.0;              ///< m
-    double orientation = 0.0;           ///< rad; 0 if it does not count.
+    Eigen::Matrix<double, 6, 1> error;  ///< m, weighted rotation in m; target's frame.
+    double position = 0.0;              ///< m, beyond the slack.
+    double orientation = 0.0;           ///< rad, beyond the slack; 0 if it does not count.
     double cost = 0.0;                  ///< Half the error's square, m².
   };
 
@@ -40,15 +42,28 @@ class DampedLeastSquares {
   [[nodiscard]] Miss descend(Configuration& q, int& iterations,
                              const std::function<bool()>& expired);
 
+  /// Moves a solution through the null space to where it is nearest to the reference.
+  /// @param[in,out] q within the tolerances; stays so. @param[in,out] miss of q.
+  void draw_near(const Configuration& reference, Configuration& q, Miss& miss, int& iterations,
+                 const std::function<bool()>& expired);
+
   [[nodiscard]] bool within_tolerance(const Miss& miss) const;
 
  private:
   [[nodiscard]] Miss miss(const Configuration& q);
-  [[nodiscard]] Eigen::Matrix<double, 6, Eigen::Dynamic> error_jacobian() const;
+  /// Of the configuration that miss() was asked for last. @param error its error: what is within
+  /// the slack is free to move.
+  [[nodiscard]] Eigen::Matrix<double, 6, Eigen::Dynamic> error_jacobian(
+      const Eigen::Matrix<double, 6, 1>& error) const;
   /// Marks the variables that are free to follow the gradient.
   void find_free(const Configuration& q, const Eigen::VectorXd& gradient);
   [[nodiscard]] Eigen::VectorXd step(const Eigen::MatrixXd& normal, const Eigen::VectorXd& gradient,
                                      double damping) const;
+  /// `q` moved by `delta`, shape [variables], within limits.
+  [[nodiscard]] Configuration moved(const Configuration& q, const Eigen::VectorXd& delta) const;
+  [[nodiscard]] double distance(const Configuration& a, const Configuration& b) const {
+    return (a - b)(variables_).norm();
+  }
 
   const RobotModel& model_;
   int tip_link_;
@@ -56,17 +71,22 @@ class DampedLeastSquares {
   const NumericIkOptions& options_;
   const Pose& X_BT_;
   std::vector<Pose> X_BL_;
-  std::vector<Eigen::Index> free_;  ///< Places in variables_.
+  std::vector<Eigen::Index> free_;                  ///< Places in variables_.
+  Eigen::Vector3d turn_ = Eigen::Vector3d::Zero();  ///< Rotation vector from the target to T.
 };
 
-constexpr double kFirstDamping = 1e-3;    // m²/rad²; about 1e-3 of a large arm's squared reach
-constexpr double kLeastDamping = 1e-12;   // keeps the equations solvable
-constexpr double kLargestDamping = 1e6;   // beyond it no step helps
-constexpr double kDampingDown = 0.2;      // after a good step
-constexpr double kDampingUp = 5.0;        // after a bad one
-constexpr double kLargestStep = 0.8;      // rad or m; linearisation means nothing beyond
-constexpr double kLeastGain = 1e-7;       // relative fall of the cost that counts as progress
-constexpr int kStepsWithoutProgress = 3;  // before a start is given up
+constexpr double kTurn = 2.0 * std::numbers::pi;
+constexpr double kFirstDamping = 1e-3;     // m²/rad²; about 1e-3 of a large arm's squared reach
+constexpr double kLeastDamping = 1e-12;    // keeps the equations solvable
+constexpr double kLargestDamping = 1e6;    // beyond it no step helps
+constexpr double kDampingDown = 0.2;       // after a good step
+constexpr double kDampingUp = 5.0;         // after a bad one
+constexpr double kLargestStep = 0.8;       // rad or m; linearisation means nothing beyond
+constexpr double kLeastGain = 1e-7;        // relative fall of the cost that counts as progress
+constexpr int kStepsWithoutProgress = 3;   // before a start is given up
+constexpr int kNearingSteps = 30;          // through the null space, at most
+constexpr double kLeastNearing = 1e-3;     // share of the distance that a step has to gain
+constexpr double kShortestNearing = 0.05;  // of a step that was asked for, before it is given up
 
 DampedLeastSquares::DampedLeastSquares(const RobotModel& model, int tip_link,
                                        const std::vector<int>& variables,
@@ -85,7 +105,7 @@ DampedLeastSquares::Miss DampedLeastSquares::descend(Configuration& q, int& iter
   int without_progress = 0;
   for (int i = 0; i < options_.max_iterations && !within_tolerance(here) && !expired(); ++i) {
     ++iterations;
-    const auto J = error_jacobian();
+    const auto J = error_jacobian(here.error);
     const Eigen::VectorXd gradient = J.transpose() * here.error;
     const Eigen::MatrixXd normal = J.transpose() * J;
     find_free(q, gradient);
@@ -95,13 +115,7 @@ DampedLeastSquares::Miss DampedLeastSquares::descend(Configuration& q, int& iter
     const Configuration before = q;
     Miss there;
     for (;; damping *= kDampingUp) {
-      const Eigen::VectorXd delta = step(normal, gradient, damping);
-      for (std::size_t k = 0; k < variables_.size(); ++k) {
-        const int v = variables_[k];
-        const JointLimits& limits = model_.variable(v).limits;
-        q[v] =
-            std::clamp(before[v] + delta[static_cast<Eigen::Index>(k)], limits.lower, limits.upper);
-      }
+      q = moved(before, step(normal, gradient, damping));
       there = miss(q);
       if (there.cost < here.cost || damping > kLargestDamping) {
         break;
@@ -122,31 +136,91 @@ DampedLeastSquares::Miss DampedLeastSquares::descend(Configuration& q, int& iter
   return here;
 }
 
+void DampedLeastSquares::draw_near(const Configuration& reference, Configuration& q, Miss& here,
+                                   int& iterations, const std::function<bool()>& expired) {
+  for (int i = 0; i < kNearingSteps && !expired(); ++i) {
+    here = miss(q);
+    const Eigen::VectorXd wanted = (reference - q)(variables_);
+    Eigen::VectorXd motion = null_space_motion(error_jacobian(here.error), wanted);
+    if (const double largest = motion.cwiseAbs().maxCoeff(); largest > kLargestStep) {
+      motion *= kLargestStep / largest;
+    }
+    const double least = (1.0 - kLeastNearing) * distance(reference, q);
+    bool is_nearer = false;
+    for (double share = 1.0; share > kShortestNearing && !is_nearer; share *= 0.5) {
+      Configuration q_there = moved(q, share * motion);
+      const Miss there = descend(q_there, iterations, expired);
+      is_nearer = within_tolerance(there) && distance(reference, q_there) < least;
+      if (is_nearer) {
+        q = std::move(q_there);
+        here = there;
+      }
+    }
+    if (!is_nearer) {
+      break;
+    }
+  }
+}
+
 bool DampedLeastSquares::within_tolerance(const Miss& miss) const {
   return miss.position <= options_.position_tolerance &&
          miss.orientation <= options_.orientation_tolerance;
 }
 
+/// `error` less the slack each way, and where something is left.
+Eigen::Vector3d beyond(const Eigen::Vector3d& error, const Eigen::Vector3d& slack) {
+  return error - error.cwiseMax(-slack).cwiseMin(slack);
+}
+
+/// How the rotation vector `turn` changes when the frame that it leads to turns, both in the frame
+/// that it begins at: the inverse of SO(3)'s left Jacobian.
+Eigen::Matrix3d rate_of_rotation_vector(const Eigen::Vector3d& turn) {
+  constexpr double kSmall = 1e-4;  // rad; the series is exact to rounding below
+  const double angle = turn.norm();
+  Eigen::Matrix3d cross;
+  cross << 0.0, -turn.z(), turn.y(), turn.z(), 0.0, -turn.x(), -turn.y(), turn.x(), 0.0;
+  const double second = angle < kSmall
+                            ? 1.0 / 12.0
+                            : 1.0 / (angle * angle) - 1.0 / (2.0 * angle * std::tan(0.5 * angle));
+  return Eigen::Matrix3d::Identity() - 0.5 * cross + second * cross * cross;
+}
+
 DampedLeastSquares::Miss DampedLeastSquares::miss(const Configuration& q) {
   model_.forward_kinematics(q, X_BL_);
-  const Pose X = X_BL_[static_cast<std::size_t>(tip_link_)] * options_.X_LT;
+  const Pose X_GT = X_BT_.inverse() * X_BL_[static_cast<std::size_t>(tip_link_)] * options_.X_LT;
   Miss result;
-  result.error.head<3>() = X_BT_.translation() - X.translation();
+  result.error.head<3>() = -beyond(X_GT.translation(), options_.position_slack);
   result.position = result.error.head<3>().norm();
   result.error.tail<3>().setZero();
   if (!options_.position_only) {
-    const Eigen::AngleAxisd turn(Eigen::Matrix3d(X_BT_.linear() * X.linear().transpose()));
-    result.orientation = std::abs(turn.angle());
-    result.error.tail<3>() = options_.orientation_weight * turn.angle() * turn.axis();
+    const Eigen::AngleAxisd turn(Eigen::Matrix3d(X_GT.linear()));
+    turn_ = turn.angle() * turn.axis();
+    const Eigen::Vector3d missing = -beyond(turn_, options_.rotation_slack);
+    result.orientation = missing.norm();
+    result.error.tail<3>() = options_.orientation_weight * missing;
   }
   result.cost = 0.5 * result.error.squaredNorm();
   return result;
 }
 
-Eigen::Matrix<double, 6, Eigen::Dynamic> DampedLeastSquares::error_jacobian() const {
+Eigen::Matrix<double, 6, Eigen::Dynamic> DampedLeastSquares::error_jacobian(
+    const Eigen::Matrix<double, 6, 1>& error) const {
   const Jacobian full = point_jacobian(model_, X_BL_, tip_link_, options_.X_LT.translation());
+  const Eigen::Matrix3d R_GB = X_BT_.linear().transpose();
   Eigen::Matrix<double, 6, Eigen::Dynamic> J = full(Eigen::all, variables_);
-  J.bottomRows<3>() *= options_.position_only ? 0.0 : options_.orientation_weight;
+  J.topRows<3>() = R_GB * J.topRows<3>();
+  if (options_.position_only) {
+    J.bottomRows<3>().setZero();
+  } else {
+    J.bottomRows<3>() =
+        options_.orientation_weight * rate_of_rotation_vector(turn_) * R_GB * J.bottomRows<3>();
+  }
+  for (Eigen::Index i = 0; i < 6; ++i) {
+    const double slack = i < 3 ? options_.position_slack[i] : options_.rotation_slack[i - 3];
+    if (slack > 0.0 && error[i] == 0.0) {
+      J.row(i).setZero();
+    }
+  }
   return J;
 }
 
@@ -171,6 +245,17 @@ Eigen::VectorXd DampedLeastSquares::step(const Eigen::MatrixXd& normal,
   delta(free_) = damped.ldlt().solve(Eigen::VectorXd(gradient(free_))).eval();
   const double largest = delta.cwiseAbs().maxCoeff();
   return largest > kLargestStep ? Eigen::VectorXd(delta * (kLargestStep / largest)) : delta;
+}
+
+Configuration DampedLeastSquares::moved(const Configuration& q,
+                                        const Eigen::VectorXd& delta) const {
+  Configuration there = q;
+  for (std::size_t k = 0; k < variables_.size(); ++k) {
+    const int v = variables_[k];
+    const JointLimits& limits = model_.variable(v).limits;
+    there[v] = std::clamp(q[v] + delta[static_cast<Eigen::Index>(k)], limits.lower, limits.upper);
+  }
+  return there;
 }
 
 [[noreturn]] void refuse_name(const RobotModel& model, const std::string& element,
@@ -221,12 +306,20 @@ void check_options(const RobotModel& model, const NumericIkOptions& options) {
   need(options.max_restarts >= 0, "max_restarts", options.max_restarts, "0 or more");
   need(options.time_limit_s > 0.0, "time_limit_s", options.time_limit_s, "a positive time (s)");
   need(options.X_LT.matrix().allFinite(), "X_LT", NAN, "finite numbers");
+  need(options.position_slack.minCoeff() >= 0.0, "position_slack",
+       options.position_slack.minCoeff(), "0 or more (m)");
+  need(options.rotation_slack.minCoeff() >= 0.0, "rotation_slack",
+       options.rotation_slack.minCoeff(), "0 or more (rad)");
 }
 
 /// Uniform in [0, 1), the same on every C++ library.
 double unit(std::mt19937_64& engine) { return static_cast<double>(engine() >> 11) * 0x1p-53; }
 
 std::string failure(const NumericIkResult& result, const NumericIkOptions& options, bool expired) {
+  if (result.refused > 0) {
+    return fmt::format("{} posture{} the pose, and none of them is accepted", result.refused,
+                       result.refused == 1 ? " reaches" : "s reach");
+  }
   std::string text = expired ? fmt::format("the time limit of {} s passed", options.time_limit_s)
                              : fmt::format("no posture found from {} starts", result.restarts + 1);
   text += fmt::format("; the nearest misses by {:.3g} mm", millimetres(result.position_residual));
@@ -234,6 +327,46 @@ std::string failure(const NumericIkResult& result, const NumericIkOptions& optio
     text += fmt::format(" and {:.3g} degrees", degrees(result.orientation_residual));
   }
   return text;
+}
+
+/// Those of `variables` that may turn by whole turns, as far as limits let them, and leave the
+/// robot where it is: nothing follows them with a gear.
+std::vector<int> turning_variables(const RobotModel& model, const std::vector<int>& variables) {
+  std::vector<int> turning;
+  for (const int v : variables) {
+    bool comes_round = true;
+    for (int link = 1; link < model.link_count(); ++link) {
+      const RobotModel::MimicMapping& drive = model.drive(link);
+      comes_round = comes_round &&
+                    (drive.variable != v || (model.joint(link).type == JointType::kRevolute &&
+                                             drive.multiplier == std::round(drive.multiplier)));
+    }
+    if (comes_round) {
+      turning.push_back(v);
+    }
+  }
+  return turning;
+}
+
+/// `q` with `turning` variables moved by whole turns to where they are nearest to the reference
+/// within their limits.
+Configuration with_nearest_turns(const RobotModel& model, const std::vector<int>& turning,
+                                 const Configuration& reference, Configuration q) {
+  for (const int v : turning) {
+    const JointLimits& limits = model.variable(v).limits;
+    const double least = std::ceil((limits.lower - q[v]) / kTurn);
+    const double most = std::floor((limits.upper - q[v]) / kTurn);
+    const double turns = std::clamp(std::round((reference[v] - q[v]) / kTurn), std::min(0.0, least),
+                                    std::max(0.0, most));
+    q[v] = turns == 0.0 ? q[v] : std::clamp(q[v] + turns * kTurn, limits.lower, limits.upper);
+  }
+  return q;
+}
+
+double squared_miss(const NumericIkResult& result, const NumericIkOptions& options) {
+  const double turned =
+      options.position_only ? 0.0 : options.orientation_weight * result.orientation_residual;
+  return result.position_residual * result.position_residual + turned * turned;
 }
 
 }  // namespace
@@ -244,12 +377,14 @@ NumericInverseKinematics::NumericInverseKinematics(const std::shared_ptr<const R
                                                    const NumericIkOptions& options)
     : InverseKinematics(model, link_named(*model, tip_link),
                         variables_named(*model, link_named(*model, tip_link), joints)),
-      options_(options) {
+      options_(options),
+      turning_(turning_variables(*model, variables())) {
   check_options(*model, options_);
 }
 
-NumericIkResult NumericInverseKinematics::find(const Pose& X_BT,
-                                               const Configuration& reference) const {
+bool NumericInverseKinematics::search(
+    const Pose& X_BT, const Configuration& reference,
+    const std::function<bool(const NumericIkResult&)>& take) const {
   check(X_BT, reference);
   const auto start = std::chrono::steady_clock::now();
   bool late = false;
@@ -261,9 +396,8 @@ NumericIkResult NumericInverseKinematics::find(const Pose& X_BT,
     return late;
   };
   std::mt19937_64 engine(options_.seed);
-  DampedLeastSquares search(model(), tip_link(), variables(), options_, X_BT);
+  DampedLeastSquares descent(model(), tip_link(), variables(), options_, X_BT);
   NumericIkResult result;
-  double least_cost = std::numeric_limits<double>::infinity();
   for (int attempt = 0; attempt <= options_.max_restarts; ++attempt) {
     Configuration q = reference;
     for (const int v : variables()) {
@@ -273,23 +407,74 @@ NumericIkResult NumericInverseKinematics::find(const Pose& X_BT,
       q[v] = attempt == 0 ? std::clamp(reference[v], limits.lower, limits.upper)
                           : lower + unit(engine) * (upper - lower);
     }
-    const DampedLeastSquares::Miss miss = search.descend(q, result.iterations, expired);
-    result.restarts = attempt;
-    result.converged = search.within_tolerance(miss);
-    if (miss.cost < least_cost || result.converged) {
-      least_cost = miss.cost;
-      result.q = model().nearest_equivalent(reference, q);
-      result.position_residual = miss.position;
-      result.orientation_residual = miss.orientation;
+    DampedLeastSquares::Miss miss = descent.descend(q, result.iterations, expired);
+    result.converged = descent.within_tolerance(miss);
+    result.q = with_nearest_turns(model(), turning_, reference, std::move(q));
+    if (result.converged && options_.stay_near) {
+      descent.draw_near(reference, result.q, miss, result.iterations, expired);
     }
-    if (result.converged || expired()) {
+    result.restarts = attempt;
+    result.position_residual = miss.position;
+    result.orientation_residual = miss.orientation;
+    if (take(result) || expired()) {
       break;
     }
   }
-  if (!result.converged) {
-    result.reason = failure(result, options_, late);
+  return late;
+}
+
+NumericIkResult NumericInverseKinematics::find(const Pose& X_BT, const Configuration& reference,
+                                               const ConfigurationPredicate& accept) const {
+  NumericIkResult best;
+  int refused = 0;
+  bool is_first = true;
+  const bool late = search(X_BT, reference, [&](const NumericIkResult& found) {
+    const bool is_refused = found.converged && accept && !accept(found.q);
+    refused += is_refused ? 1 : 0;
+    if (is_first || squared_miss(found, options_) < squared_miss(best, options_) ||
+        (found.converged && !is_refused)) {
+      best = found;
+      best.converged = found.converged && !is_refused;
+    }
+    is_first = false;
+    best.iterations = found.iterations;
+    best.restarts = found.restarts;
+    best.refused = refused;
+    return best.converged;
+  });
+  if (!best.converged) {
+    best.reason = failure(best, options_, late);
   }
-  return result;
+  return best;
+}
+
+std::vector<Configuration> NumericInverseKinematics::find_several(
+    const Pose& X_BT, const Configuration& reference, int most,
+    const ConfigurationPredicate& accept) const {
+  constexpr double kSame = 0.1;  // rad or m
+  const auto distance = [&](const Configuration& q) { return (q - reference).norm(); };
+  const auto is_same = [&](const Configuration& a, const Configuration& b) {
+    Eigen::VectorXd difference = a - b;
+    for (const int v : turning_) {
+      difference[v] = std::remainder(difference[v], kTurn);
+    }
+    return difference.norm() < kSame;
+  };
+  std::vector<Configuration> postures;
+  search(X_BT, reference, [&](const NumericIkResult& found) {
+    if (found.converged && (!accept || accept(found.q))) {
+      const auto same = std::ranges::find_if(
+          postures, [&](const Configuration& q) { return is_same(q, found.q); });
+      if (same == postures.end()) {
+        postures.push_back(found.q);
+      } else if (distance(found.q) < distance(*same)) {
+        *same = found.q;
+      }
+    }
+    return static_cast<int>(postures.size()) >= most;
+  });
+  std::ranges::stable_sort(postures, {}, distance);
+  return postures;
 }
 
 IkResult NumericInverseKinematics::do_solve(const Pose& X_BT,

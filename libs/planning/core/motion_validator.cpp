@@ -89,6 +89,15 @@ std::vector<geometric::EdgeEnd> find_ends(const PlanningProblem& problem,
 
 }  // namespace
 
+bool keeps_end_clearance(geometric::CollisionChecker& checker, const Configuration& q,
+                         double clearance) {
+  return !geometric::is_closer_than(checker, q, clearance) &&
+         std::ranges::all_of(checker.world().constraints(),
+                             [&](const geometric::LinkConstraint& one) {
+                               return one.slack(checker.link_poses()) >= kLeastEndClearance;
+                             });
+}
+
 MotionValidator::MotionValidator(const PlanningProblem& problem, const PlanRequest& request,
                                  PlanStatistics& statistics, ThreadPool& threads,
                                  std::function<bool()> is_interrupted)
@@ -118,12 +127,11 @@ std::string MotionValidator::objection(std::size_t end) {
   if (const std::optional<int> pair = collision(q)) {
     return describe_conflict(*problem_.checker->clone(), *pair, q);
   }
-  constexpr double kLeast = 2.0 * geometric::kLeastResolution;
   if (end >= ends_.size()) {
     return "";  // the other end is no configuration of the robot
   }
   const geometric::EdgeEnd::NearPair* nearest = ends_[end].nearest();
-  if (!nearest || nearest->distance >= kLeast) {
+  if (!nearest || nearest->distance >= kLeastEndClearance) {
     return "";
   }
   const geometric::CollisionWorld& world = problem_.checker->world();
@@ -133,7 +141,7 @@ std::string MotionValidator::objection(std::size_t end) {
              : fmt::format(
                    "is too close to a collision: {} at {:.6f} mm, at least {:g} mm is needed",
                    names, geometric::millimetres(nearest->distance),
-                   geometric::millimetres(kLeast));
+                   geometric::millimetres(kLeastEndClearance));
 }
 
 const EdgeResult& MotionValidator::counted(const EdgeResult& edge) {

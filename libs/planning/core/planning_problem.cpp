@@ -13,6 +13,38 @@ namespace {
 
 using geometric::InputError;
 
+const Configuration& needed(const geometric::Scene& scene, const char* which,
+                            const std::optional<Configuration>& q) {
+  if (!q) {
+    throw InputError({scene.file.string(), which, "nothing", "a configuration",
+                      "Planning needs a start and a goal in the scene"});
+  }
+  return *q;
+}
+
+void set_ends(const geometric::Scene& scene, PlanningProblem& problem) {
+  problem.start = needed(scene, "start", scene.start);
+  if (!scene.goal_poses.empty()) {
+    return;
+  }
+  problem.goal = scene.robots.front().model->nearest_equivalent(problem.start,
+                                                                needed(scene, "goal", scene.goal));
+}
+
+// With the scene and the checker in place.
+void solve_goals(PlanningProblem& problem) {
+  if (problem.scene->goal_poses.empty()) {
+    problem.set_goal(std::move(problem.goal));
+    return;
+  }
+  PoseGoalSolutions solved = solve_pose_goals(*problem.scene, *problem.checker, problem.start);
+  problem.goal = std::move(solved.nearest);
+  problem.goals = std::move(solved.candidates);
+  problem.goal_fault = std::move(solved.fault);
+}
+
+}  // namespace
+
 std::vector<int> hand_variables(const geometric::Scene& scene, const sampling::PmdBasis* basis) {
   const geometric::RobotModel& model = *scene.robots.front().model;
   if (!basis) {
@@ -44,23 +76,6 @@ std::vector<int> arm_variables(const geometric::RobotModel& model, const std::ve
   return arm;
 }
 
-const Configuration& needed(const geometric::Scene& scene, const char* which,
-                            const std::optional<Configuration>& q) {
-  if (!q) {
-    throw InputError({scene.file.string(), which, "nothing", "a configuration",
-                      "Planning needs a start and a goal in the scene"});
-  }
-  return *q;
-}
-
-void set_ends(const geometric::Scene& scene, PlanningProblem& problem) {
-  problem.start = needed(scene, "start", scene.start);
-  problem.goal = scene.robots.front().model->nearest_equivalent(problem.start,
-                                                                needed(scene, "goal", scene.goal));
-}
-
-}  // namespace
-
 PlanningProblem make_problem(std::shared_ptr<const geometric::Scene> scene,
                              std::shared_ptr<const sampling::PmdBasis> basis,
                              const geometric::Preparation& preparation) {
@@ -74,6 +89,7 @@ PlanningProblem make_problem(std::shared_ptr<const geometric::Scene> scene,
   problem.basis = std::move(basis);
   problem.checker =
       geometric::make_collision_checker(world, geometric::CheckerKind::kFast, preparation);
+  solve_goals(problem);
   problem.motion = std::make_shared<const geometric::MotionBound>(*world);
   return problem;
 }
@@ -90,6 +106,7 @@ PlanningProblem updated_problem(const PlanningProblem& before,
   set_ends(*scene, updated);
   updated.scene = std::move(scene);
   if (difference->empty()) {
+    solve_goals(updated);
     return updated;
   }
   geometric::CollisionWorld world = before.checker->world();
@@ -101,6 +118,7 @@ PlanningProblem updated_problem(const PlanningProblem& before,
   updated.motion = std::make_shared<const geometric::MotionBound>(*shared);
   updated.checker =
       geometric::make_collision_checker(shared, geometric::CheckerKind::kFast, preparation);
+  solve_goals(updated);
   return updated;
 }
 

@@ -2,8 +2,10 @@
 
 #include "handway/geometric/collision/checkers/fcl_checker.h"
 #include "handway/geometric/math/units.h"
+#include "handway/geometric/robot/inverse_kinematics.h"
 #include "handway/geometric/robot/limit_violation.h"
 #include "handway/planning/core/plan_result.h"
+#include "handway/planning/core/pose_goals.h"
 
 #include <fmt/format.h>
 
@@ -24,6 +26,24 @@ void check_end(const char* which, const Configuration& expected, const Configura
     result.faults.push_back(
         fmt::format("The path's {} is {:.4g} rad from the scene's.", which, off));
   }
+}
+
+// Whether the path ends at a goal pose, and the joints that do not move the pose's link at the
+// goal.
+void check_pose_end(const PlanningProblem& problem, const Configuration& end,
+                    PathCheckResult& result) {
+  const geometric::Scene& scene = *problem.scene;
+  if (const std::string miss = pose_goal_miss(scene, end); !miss.empty()) {
+    result.faults.push_back(fmt::format("The path's end {}.", miss));
+  }
+  Configuration expected = problem.model().nearest_equivalent(end, problem.goal);
+  for (const geometric::PoseGoal& goal : scene.goal_poses) {
+    const int link = problem.model().find_link(goal.link).value();
+    for (const int v : geometric::chain_variables(problem.model(), link)) {
+      expected[v] = end[v];
+    }
+  }
+  check_end("end", expected, end, result);
 }
 
 // Waypoints that are no configurations of the robot leave nothing to compare.
@@ -125,7 +145,11 @@ PathCheckResult check_path(const PlanningProblem& problem, const Path& path, dou
   }
   check_end("start", problem.start, path.waypoints.front(), result);
   const Configuration& end = path.waypoints.back();
-  check_end("end", problem.model().nearest_equivalent(end, problem.goal), end, result);
+  if (problem.has_pose_goals()) {
+    check_pose_end(problem, end, result);
+  } else {
+    check_end("end", problem.model().nearest_equivalent(end, problem.goal), end, result);
+  }
   check_limits(problem.model(), path, result);
   Walk(problem, resolution, result).run(path);
   return result;

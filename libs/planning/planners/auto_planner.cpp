@@ -1,10 +1,10 @@
 #include "handway/planning/planners/auto_planner.h"
 
-#include "handway/geometric/io/input_error.h"
 #include "handway/planning/core/objective.h"
 #include "handway/planning/core/planning_context.h"
 #include "handway/planning/paths/path_optimizer.h"
 #include "handway/planning/planners/rrt_connect.h"
+#include "handway/planning/spaces/state_space.h"
 #include "handway/planning/spaces/target_sampler.h"
 #include "handway/sampling/sequences/random_stream.h"
 #include "planners/bidirectional_search.h"
@@ -36,14 +36,10 @@ RrtConnectSettings expansive_trees(CorridorForm form) {
   return settings;
 }
 
-// In which expansive trees grow: poses of the tool if the arm has closed-form inverse kinematics.
+// In which expansive trees grow: poses of the tool if the arm has closed-form inverse kinematics,
+// as iterations for every node take longer than they gain.
 CorridorForm expansive_form(const PlanningProblem& problem) {
-  try {
-    static_cast<void>(make_corridor_space(problem, CorridorForm::kCartesian));
-    return CorridorForm::kCartesian;
-  } catch (const geometric::InputError&) {
-    return CorridorForm::kJoint;
-  }
+  return has_closed_form_kinematics(problem) ? CorridorForm::kCartesian : CorridorForm::kJoint;
 }
 
 using Point = Objective::Point;

@@ -9,11 +9,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
+#include <cstddef>
 #include <iterator>
 #include <memory>
+#include <numeric>
+#include <optional>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace handway::planning {
 namespace {
@@ -184,9 +189,79 @@ PlanResult Planner::plan(const PlanningProblem& problem, const PlanRequest& requ
                                  "Name one in the scene, or choose another planner"});
   }
   log_problem(*this, problem, request);
+  if (!problem.goal_fault.empty()) {
+    PlanResult result;
+    result.status = PlanStatus::kGoalInvalid;
+    result.reason = problem.goal_fault;
+    return result;
+  }
   Observer silent;
-  ReachObserver watching(problem, observer ? *observer : silent);
-  PlanningContext context(problem, request, std::move(stop), watching);
+  Observer& watcher = observer ? *observer : silent;
+  return problem.goals.empty() ? plan_to_goal(problem, request, stop, watcher)
+                               : plan_to_any(problem, request, stop, watcher);
+}
+
+PlanResult Planner::plan_to_any(const PlanningProblem& problem, const PlanRequest& request,
+                                const std::stop_token& stop, Observer& observer) {
+  constexpr double kFirstLimit = 1.0;  // s
+  const auto begin = std::chrono::steady_clock::now();
+  const auto spent = [&] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  };
+  const auto left = [&] { return std::max(0.0, request.time_limit_s - spent()); };
+  std::vector<std::size_t> open(problem.goals.size());
+  std::iota(open.begin(), open.end(), std::size_t{0});
+  std::optional<PlanResult> nearest;  // the latest to the first goal, if none is reached
+  bool goes_on = true;
+  const auto ends = [](PlanStatus status) {
+    return status == PlanStatus::kStartInvalid || status == PlanStatus::kCancelled;
+  };
+  for (double limit = kFirstLimit; goes_on && !open.empty(); limit *= 2.0) {
+    std::vector<std::size_t> unfinished;
+    for (const std::size_t candidate : open) {
+      PlanningProblem to = problem;
+      to.set_goal(problem.goals[candidate].q);
+      PlanRequest attempt = request;
+      attempt.time_limit_s = open.size() == 1 ? left() : std::min(limit, left());
+      PlanResult result = plan_to_goal(to, attempt, stop, observer);
+      if (result.solved()) {
+        result.goal = candidate;
+        result.time_s = spent() - result.smoothing_s;
+        result.reason +=
+            fmt::format(" It ends at {}, in configuration {} of {}.",
+                        name_of_pose_goal(*problem.scene, problem.goals[candidate].pose),
+                        candidate + 1, problem.goals.size());
+        return result;
+      }
+      if (result.status == PlanStatus::kTimeLimit) {
+        unfinished.push_back(candidate);
+      }
+      goes_on = left() > 0.0 && !ends(result.status);
+      if (candidate == 0 || !nearest) {
+        nearest = std::move(result);
+      }
+      if (!goes_on) {
+        break;
+      }
+    }
+    open = std::move(unfinished);
+  }
+  nearest->time_s = spent();
+  if (nearest->status == PlanStatus::kTimeLimit) {
+    nearest->reason =
+        fmt::format("No path found within the time limit of {:g} s.", request.time_limit_s);
+  }
+  if (!ends(nearest->status) && problem.goals.size() > 1) {
+    nearest->reason +=
+        fmt::format(" The goal can be reached in {} configurations.", problem.goals.size());
+  }
+  return *std::move(nearest);
+}
+
+PlanResult Planner::plan_to_goal(const PlanningProblem& problem, const PlanRequest& request,
+                                 const std::stop_token& stop, Observer& observer) {
+  ReachObserver watching(problem, observer);
+  PlanningContext context(problem, request, stop, watching);
   context.set_sampler(static_cast<sampling::SamplerKind>(sampler_));
   PlanResult result;
   if (const std::string start = context.validator().objection(0); !start.empty()) {

@@ -52,7 +52,10 @@ void log_problem(Planner& planner, const PlanningProblem& problem, const PlanReq
     fs::create_directories(own);
     geometric::Scene scene = *problem.scene;
     scene.start = problem.start;
-    scene.goal = problem.goal;
+    if (!problem.has_pose_goals()) {
+      scene.goal = problem.goal;
+      scene.goal_poses.clear();
+    }
     if (problem.basis) {
       scene.hand_basis = own / "hand.yaml";
       sampling::write_pmd_basis(*problem.basis, scene.hand_basis);

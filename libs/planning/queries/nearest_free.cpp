@@ -1,6 +1,6 @@
 #include "handway/planning/queries/nearest_free.h"
 
-#include "handway/geometric/collision/continuous/continuous_collision_checker.h"
+#include "handway/planning/core/motion_validator.h"
 #include "handway/sampling/sequences/random_stream.h"
 
 #include <fmt/format.h>
@@ -18,7 +18,6 @@ constexpr double kFirstShell = geometric::radians(0.1);
 constexpr double kGrowth = 4.0 / 3.0;
 constexpr int kDirections = 60;  // of each group of variables, per shell
 constexpr int kSteps = 400;      // random ones, drawing back
-constexpr double kEnough = 2.0 * geometric::kLeastResolution;  // m that an end of a path keeps
 constexpr double kPrecision = geometric::radians(0.01);
 
 class NearestFreeSearch {
@@ -78,11 +77,7 @@ class NearestFreeSearch {
       last_pair_ = *pair;
       return false;
     }
-    const geometric::CollisionWorld& world = checker_->world();
-    return !geometric::is_closer_than(*checker_, q, clearance_) &&
-           std::ranges::all_of(world.constraints(), [&](const geometric::LinkConstraint& one) {
-             return one.slack(checker_->link_poses()) >= kEnough;
-           });
+    return keeps_end_clearance(*checker_, q, clearance_);
   }
 
   /// Takes `q`, brought within limits, if it is free and nearer than what there is.
@@ -172,12 +167,14 @@ class NearestFreeSearch {
 NearestFree find_nearest_free(const PlanningProblem& problem, const Configuration& q,
                               const NearestFreeOptions& options, const std::stop_token& stop) {
   NearestFreeOptions half = options;
-  half.most_checks = options.clearance > kEnough ? options.most_checks / 2 : options.most_checks;
-  NearestFreeSearch search(problem, q, half, std::max(options.clearance, kEnough), 0, stop);
+  half.most_checks =
+      options.clearance > kLeastEndClearance ? options.most_checks / 2 : options.most_checks;
+  NearestFreeSearch search(problem, q, half, std::max(options.clearance, kLeastEndClearance), 0,
+                           stop);
   search.run();
   NearestFree found = search.result();
-  if (!found.q && options.clearance > kEnough) {
-    NearestFreeSearch closer(problem, q, options, kEnough, found.checks, stop);
+  if (!found.q && options.clearance > kLeastEndClearance) {
+    NearestFreeSearch closer(problem, q, options, kLeastEndClearance, found.checks, stop);
     closer.run();
     found = closer.result();
   }

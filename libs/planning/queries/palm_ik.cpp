@@ -1,57 +1,42 @@
 #include "handway/planning/queries/palm_ik.h"
 
-#include "handway/geometric/io/input_error.h"
 #include "handway/geometric/math/units.h"
-#include "handway/geometric/robot/numeric_inverse_kinematics.h"
-#include "handway/geometric/robot/spherical_wrist_inverse_kinematics.h"
+#include "handway/geometric/robot/arm_inverse_kinematics.h"
 
 #include <algorithm>
-#include <string>
+#include <cstddef>
 #include <utility>
 
 namespace handway::planning {
 namespace {
 
-using geometric::NumericInverseKinematics;
 using geometric::Pose;
 using geometric::RobotModel;
 
-constexpr std::size_t kPoseFreedoms = 6;
-constexpr double kBend = 0.05;   // rad
-constexpr double kBetter = 0.9;  // of the distance that is left, or it is not worth a jump
+constexpr std::ptrdiff_t kPoseFreedoms = 6;
+constexpr double kBend = 0.05;    // rad
+constexpr int kMostPostures = 4;  // of an arm without closed form
+constexpr double kBetter = 0.9;   // of the distance that is left, or it is not worth a jump
 
-std::unique_ptr<geometric::InverseKinematics> closed_form(
-    const std::shared_ptr<const RobotModel>& model, int palm, const std::vector<int>& arm) {
-  try {
-    auto ik = geometric::make_spherical_wrist_inverse_kinematics(model, model->link(palm).name);
-    std::vector<int> sorted = arm;
-    std::ranges::sort(sorted);
-    return ik->variables() == sorted ? std::move(ik) : nullptr;
-  } catch (const geometric::InputError&) {  // another kind of arm
-    return nullptr;
-  }
-}
-
-std::unique_ptr<NumericInverseKinematics> iterative(const std::shared_ptr<const RobotModel>& model,
-                                                    int palm, const std::vector<int>& arm) {
-  std::vector<std::string> joints;
-  for (const int v : geometric::chain_variables(*model, palm)) {
-    if (std::ranges::count(arm, v) > 0) {
-      joints.push_back(model->variable(v).name);
-    }
-  }
-  if (joints.empty()) {
-    throw geometric::InputError({"inverse kinematics of " + model->name(),
-                                 "link " + model->link(palm).name, "no arm joint that moves it",
-                                 "at least one", ""});
-  }
+// Near to where it was, or not at all.
+geometric::NumericIkOptions from_the_reference(const RobotModel& model, int palm,
+                                               const std::vector<int>& arm) {
+  const std::vector<int> chain = geometric::chain_variables(model, palm);
+  const auto moving =
+      std::ranges::count_if(chain, [&](int v) { return std::ranges::count(arm, v) > 0; });
   geometric::NumericIkOptions options;
-  options.position_only = joints.size() < kPoseFreedoms;
+  options.position_only = moving < kPoseFreedoms;
   options.position_tolerance = geometric::metres(0.1);
   options.orientation_tolerance = geometric::radians(0.01);
-  options.max_restarts = 0;  // near to where it was, or not at all
+  options.max_restarts = 0;
   options.max_iterations = 60;
-  return std::make_unique<NumericInverseKinematics>(model, model->link(palm).name, joints, options);
+  return options;
+}
+
+// Several postures, from some other starts.
+geometric::NumericIkOptions from_anywhere(geometric::NumericIkOptions options) {
+  options.max_restarts = 8;
+  return options;
 }
 
 std::vector<int> ancestors(const RobotModel& model, int link) {
@@ -67,8 +52,12 @@ std::vector<int> ancestors(const RobotModel& model, int link) {
 PalmIk::PalmIk(std::shared_ptr<const RobotModel> model, int palm, const std::vector<int>& arm)
     : model_(std::move(model)),
       palm_(palm),
-      closed_form_(closed_form(model_, palm, arm)),
-      iterative_(iterative(model_, palm, arm)) {}
+      arm_(arm),
+      closed_form_(geometric::closed_form_inverse_kinematics(model_, palm, arm)),
+      iterative_(geometric::iterative_inverse_kinematics(model_, palm, arm,
+                                                         from_the_reference(*model_, palm, arm))),
+      searching_(geometric::iterative_inverse_kinematics(model_, palm, arm,
+                                                         from_anywhere(iterative_->options()))) {}
 
 PalmIk::~PalmIk() = default;
 PalmIk::PalmIk(PalmIk&&) noexcept = default;
@@ -105,11 +94,14 @@ PalmMove PalmIk::moved(const Configuration& q, const Pose& X_BP) const {
 }
 
 std::vector<Configuration> PalmIk::all(const Configuration& q, const Pose& X_BP) const {
-  const geometric::InverseKinematics& ik =
-      closed_form_ ? *closed_form_ : static_cast<const geometric::InverseKinematics&>(*iterative_);
+  if (!closed_form_) {
+    return geometric::reach_ball(*model_, palm_, arm_, q).contains(X_BP.translation())
+               ? searching_->find_several(X_BP, q, kMostPostures)
+               : std::vector<Configuration>();
+  }
   std::vector<Configuration> postures;
-  for (const geometric::IkSolution& solution : ik.solve(X_BP, q).solutions) {
-    postures.push_back(ik.placed(solution, q));
+  for (const geometric::IkSolution& solution : closed_form_->solve(X_BP, q).solutions) {
+    postures.push_back(closed_form_->placed(solution, q));
   }
   return postures;
 }

@@ -67,7 +67,8 @@ ReplanSource DynamicRoadmap::source() const { return state_->memory.source; }
 
 bool DynamicRoadmap::follow(const geometric::Scene& scene) {
   const auto difference = geometric::scene_difference(*state_->problem.scene, scene);
-  if (!difference || difference->other_constraints || !scene.start || !scene.goal) {
+  if (!difference || difference->other_constraints || !scene.start || !scene.goal ||
+      !scene.goal_poses.empty()) {
     return false;
   }
   for (const geometric::ObjectChange& change : difference->changes) {
@@ -75,13 +76,17 @@ bool DynamicRoadmap::follow(const geometric::Scene& scene) {
   }
   PlanningProblem& problem = state_->problem;
   problem.start = *scene.start;
-  problem.goal = problem.model().nearest_equivalent(problem.start, *scene.goal);
+  problem.set_goal(problem.model().nearest_equivalent(problem.start, *scene.goal));
   return true;
 }
 
 PlanResult DynamicRoadmap::plan(const PlanRequest& request, std::stop_token stop,
                                 Observer* observer) {
   state_->update_checker();
+  if (state_->problem.has_pose_goals()) {  // a roadmap is kept between two ends, not several
+    state_->memory.source = ReplanSource::kPlanner;
+    return state_->planner->plan(state_->problem, request, std::move(stop), observer);
+  }
   Observer silent;
   return replan(state_->memory, *state_->planner, state_->problem, request, std::move(stop),
                 observer ? *observer : silent);

@@ -2,12 +2,13 @@
 
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/math/pose.h"
+#include "handway/geometric/robot/arm_inverse_kinematics.h"
 #include "handway/geometric/robot/normalised_joints.h"
 #include "handway/geometric/robot/robot_state.h"
-#include "handway/geometric/robot/spherical_wrist_inverse_kinematics.h"
 #include "handway/sampling/regions/arm_corridor.h"
 
 #include <Eigen/Geometry>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <limits>
@@ -55,7 +56,7 @@ class JointSpace final : public CorridorSpace {
 
 [[noreturn]] void refuse(const PlanningProblem& problem, const std::string& found) {
   throw geometric::InputError({problem.scene->file.string(), "robot " + problem.model().name(),
-                               found, "an arm built like the TX90, to plan in tool poses",
+                               found, "an arm of six or more joints, to plan in tool poses",
                                "Set corridor to joint, or choose another planner"});
 }
 
@@ -66,14 +67,22 @@ int last_arm_link(const PlanningProblem& problem) {
   return problem.model().variable_link(*std::ranges::max_element(problem.arm));
 }
 
+// Iterations from where the arm is: between nodes that are near to each other.
+geometric::NumericIkOptions tracking() {
+  geometric::NumericIkOptions options;
+  options.max_iterations = 30;
+  options.max_restarts = 0;
+  return options;
+}
+
 /// Arm coordinates are the pose of the last arm link, the tool that carries the hand.
 class ToolSpace final : public CorridorSpace {
  public:
   explicit ToolSpace(const PlanningProblem& problem)
       : CorridorSpace(problem),
         link_(last_arm_link(problem)),
-        ik_(geometric::make_spherical_wrist_inverse_kinematics(problem.scene->robots.front().model,
-                                                               problem.model().link(link_).name)),
+        ik_(geometric::make_arm_inverse_kinematics(problem.scene->robots.front().model, link_,
+                                                   problem.arm, tracking())),
         corridor_(tool_pose(problem.start), tool_pose(problem.goal), scale_),
         q_BM_(Eigen::Quaterniond(tool_pose(problem.start).linear())
                   .slerp(0.5, Eigen::Quaterniond(tool_pose(problem.goal).linear()))) {
@@ -81,6 +90,9 @@ class ToolSpace final : public CorridorSpace {
     std::ranges::sort(arm);
     if (ik_->variables() != arm) {
       refuse(problem, "an arm of other joints than those before its last link");
+    }
+    if (arm.size() < 6) {
+      refuse(problem, fmt::format("an arm of {} joint{}", arm.size(), arm.size() == 1 ? "" : "s"));
     }
     set_arm_coordinates(std::vector<int>(6, -1));
   }
@@ -186,6 +198,12 @@ std::optional<Configuration> CorridorSpace::configuration(const Eigen::VectorXd&
   Eigen::VectorXd joints = geometric::normalised(problem().model(), reference);
   joints(problem().hand) = x.tail(hand_size);
   return with_arm(geometric::denormalised(problem().model(), joints), x.head(x.size() - hand_size));
+}
+
+bool has_closed_form_kinematics(const PlanningProblem& problem) {
+  return !problem.arm.empty() &&
+         geometric::closed_form_inverse_kinematics(problem.scene->robots.front().model,
+                                                   last_arm_link(problem), problem.arm);
 }
 
 std::unique_ptr<CorridorSpace> make_corridor_space(const PlanningProblem& problem,

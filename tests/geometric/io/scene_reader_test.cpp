@@ -145,6 +145,45 @@ planner: {name: pmd-prm, rho_a: 0.0010, corridor: joint}
               ElementsAre(Pair("rho_a", "0.0010"), Pair("corridor", "joint")));
 }
 
+TEST(SceneReader, ReadsGoalsAsPosesOfALink) {
+  const SceneFiles files;
+  const Scene scene = read_scene(files.scene(R"(goal_pose:
+  link: hand
+  xyz: [0.1, 0.2, 0.3]
+  rpy_deg: [0, 0, 90]
+  tool: {xyz: [0, 0, 0.05]}
+  tolerance: {position: [0.01, 0.02, 0], rotation_deg: 5}
+)"));
+  ASSERT_THAT(scene.goal_poses, SizeIs(1));
+  const PoseGoal& goal = scene.goal_poses.front();
+  EXPECT_EQ(goal.link, "hand");
+  EXPECT_TRUE(goal.X_WG.isApprox(pose_from_rpy({0.1, 0.2, 0.3}, 0, 0, kPi / 2)));
+  EXPECT_TRUE(goal.X_LT.isApprox(pose_from_rpy({0, 0, 0.05}, 0, 0, 0)));
+  EXPECT_EQ(goal.position_tolerance, Eigen::Vector3d(0.01, 0.02, 0));
+  EXPECT_TRUE(goal.rotation_tolerance.isApprox(Eigen::Vector3d::Constant(kPi / 36)));
+  const Scene two = read_scene(
+      files.scene("goal_pose: [{link: hand, xyz: [0, 0, 1]}, {link: hand, xyz: [0, 0, 2]}]\n"));
+  ASSERT_THAT(two.goal_poses, SizeIs(2));
+  EXPECT_EQ(two.goal_poses[1].X_WG.translation().z(), 2.0);
+  EXPECT_EQ(two.goal_poses[1].position_tolerance, PoseGoal().position_tolerance);
+  EXPECT_FALSE(two.goal);
+}
+
+TEST(SceneReader, RefusesGoalPosesThatMakeNoSense) {
+  const SceneFiles files;
+  const auto refused = [&](const std::string& goal) {
+    return refusal(files.scene("goal_pose: " + goal + "\n"));
+  };
+  EXPECT_THAT(refused("[]"), HasSubstr("an empty list"));
+  EXPECT_THAT(refused("{xyz: [0, 0, 1]}"), HasSubstr("link"));
+  EXPECT_THAT(refused("{link: hands, xyz: [0, 0, 1]}"), HasSubstr("Did you mean \"hand\"?"));
+  EXPECT_THAT(refused("{link: hand}"), HasSubstr("xyz"));
+  EXPECT_THAT(refused("{link: hand, xyz: [0, 0, 1], tolerance: {position: -1}}"),
+              HasSubstr("0 or more"));
+  EXPECT_THAT(refused("{link: hand, xyz: [0, 0, 1], tolerance: {rotation: 1}}"),
+              HasSubstr("\"rotation\""));
+}
+
 TEST(SceneReader, DerivesALeaderFromItsCoupledJoint) {
   const SceneFiles files;
   EXPECT_NEAR((*read_scene(files.scene("start: {wrist: 0.5}\n")).start)[1], 0.2, 1e-15);

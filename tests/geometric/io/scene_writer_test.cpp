@@ -36,6 +36,15 @@ void expect_same(const Scene& a, const Scene& b) {
   EXPECT_EQ(a.hand_basis, b.hand_basis);
   EXPECT_EQ(a.start, b.start);
   EXPECT_EQ(a.goal, b.goal);
+  ASSERT_EQ(a.goal_poses.size(), b.goal_poses.size());
+  for (std::size_t i = 0; i < a.goal_poses.size(); ++i) {
+    EXPECT_EQ(a.goal_poses[i].link, b.goal_poses[i].link);
+    EXPECT_TRUE(a.goal_poses[i].X_WG.isApprox(b.goal_poses[i].X_WG, 1e-13));
+    EXPECT_TRUE(a.goal_poses[i].X_LT.isApprox(b.goal_poses[i].X_LT, 1e-13));
+    EXPECT_EQ(a.goal_poses[i].position_tolerance, b.goal_poses[i].position_tolerance);
+    EXPECT_TRUE(
+        a.goal_poses[i].rotation_tolerance.isApprox(b.goal_poses[i].rotation_tolerance, 1e-13));
+  }
   ASSERT_EQ(a.postures.size(), b.postures.size());
   for (std::size_t i = 0; i < a.postures.size(); ++i) {
     EXPECT_EQ(a.postures[i].name, b.postures[i].name);
@@ -102,6 +111,9 @@ constraints:
   - {name: room, body: tip, region: {point: [0, 0, 0.1], size: [1, 2, 0.3], pose: {xyz: [1, 0, 0]}}}
 start: {elbow: 0.1}
 goal: {shoulder: 1.0000000000000002}
+goal_pose:
+  - {link: hand, xyz: [0.1, 0, 0], rpy_deg: [30.5, 0, 90], tolerance: {position: 0.001, rotation_deg: [1, 2.5, 180]}}
+  - {link: tip, xyz: [1, 2, 3], tool: {xyz: [0, 0, 0.30000000000000004]}, tolerance: {position: [1, 0, 3]}}
 postures:
   "above: the table": {shoulder: -0.1, elbow: 0.30000000000000004}
   straight: {elbow: 0}

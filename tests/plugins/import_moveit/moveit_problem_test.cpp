@@ -191,6 +191,89 @@ TEST(MoveitProblem, FindsMeshesWhoseNamesHaveOtherLetters) {
   EXPECT_THAT(problem.read().scene->warnings, testing::Contains(HasSubstr("Brick.OBJ")));
 }
 
+constexpr const char* kJointGoal = R"(  - joint_constraints:
+      - {joint_name: turn, position: 0.8, tolerance_above: 0.001, tolerance_below: 0.001, weight: 1}
+      - {joint_name: lift, position: 0.05}
+      - {joint_name: reach, position: 0.1}
+)";
+
+constexpr const char* kPoseGoal = R"(  - position_constraints:
+      - header: {frame_id: room}
+        link_name: slide
+        target_point_offset: [0.2, 0, 0]
+        constraint_region:
+          primitives: [{type: 2, dimensions: [0.02]}, {type: box, dimensions: [0.02, 0.04, 0.06]}]
+          primitive_poses:
+            - {position: [0.3, 0.4, 0.6], orientation: [0, 0, 0, 1]}
+            - {position: [0.3, 0.45, 0.6], orientation: [0, 0, 0.70710678, 0.70710678]}
+        weight: 1
+    orientation_constraints:
+      - header: {frame_id: world}
+        link_name: slide
+        orientation: {z: 0.38268343, w: 0.92387953}
+        absolute_x_axis_tolerance: 0.1
+        absolute_y_axis_tolerance: 0.2
+        absolute_z_axis_tolerance: 3.2
+        weight: 1
+)";
+
+TEST(MoveitProblem, HasGoalsAsPosesOfALink) {
+  const SmallProblem problem;
+  problem.replace(problem.request(), kJointGoal, kPoseGoal);
+  const auto scene = problem.read().scene;
+  ASSERT_EQ(scene->goal_poses.size(), 2U) << "one for each primitive";
+  const geometric::PoseGoal& ball = scene->goal_poses[0];
+  EXPECT_EQ(ball.link, "slide");
+  EXPECT_TRUE(ball.X_WG.isApprox(
+      geometric::pose_from_rpy({0.3, 0.4, 0.5}, 0, 0, std::numbers::pi / 4), 1e-6))
+      << "in the frame \"room\"";
+  EXPECT_TRUE(ball.X_LT.translation().isApprox(Eigen::Vector3d(0.2, 0, 0)));
+  EXPECT_NEAR(ball.position_tolerance.norm(), 0.02, 1e-9) << "inside of the ball";
+  EXPECT_TRUE(ball.rotation_tolerance.isApprox(Eigen::Vector3d(0.1, 0.2, 3.2)));
+  EXPECT_NEAR(scene->goal_poses[1].position_tolerance.norm(), 0.01, 1e-9) << "across the axes";
+  const planning::PlanningProblem planned = planning::make_problem(scene, nullptr);
+  ASSERT_FALSE(planned.goals.empty()) << planned.goal_fault;
+  const planning::PlanResult result =
+      planning::PlannerRegistry().create("auto")->plan(planned, {.time_limit_s = 60.0});
+  ASSERT_TRUE(result.solved()) << result.reason;
+  EXPECT_THAT(planning::check_path(planned, result.path, 0.001).faults, IsEmpty());
+}
+
+TEST(MoveitProblem, KeepsTheAxesOfABoxWithoutAnOrientation) {
+  const SmallProblem problem;
+  std::string pose = kPoseGoal;
+  pose.resize(pose.find("    orientation_constraints"));
+  problem.replace(problem.request(), kJointGoal, pose);
+  const auto scene = problem.read().scene;
+  ASSERT_EQ(scene->goal_poses.size(), 2U);
+  EXPECT_TRUE(scene->goal_poses[1].position_tolerance.isApprox(Eigen::Vector3d(0.01, 0.02, 0.03)));
+  EXPECT_GE(scene->goal_poses[1].rotation_tolerance.minCoeff(), std::numbers::pi);
+}
+
+TEST(MoveitProblem, TakesTheGoalsThatHaveAPoseIfTheFirstHasOne) {
+  const SmallProblem problem;
+  problem.replace(problem.request(), kJointGoal, std::string(kPoseGoal) + kJointGoal);
+  const auto scene = problem.read().scene;
+  EXPECT_EQ(scene->goal_poses.size(), 2U);
+  EXPECT_THAT(scene->warnings, testing::Contains(HasSubstr("only the first of 2 goals is used")));
+}
+
+TEST(MoveitProblem, RefusesPosesThatAreNone) {
+  const auto refused = [](const char* from, const char* to) {
+    const SmallProblem problem;
+    std::string pose = kPoseGoal;
+    pose.replace(pose.find(from), std::string(from).size(), to);
+    problem.replace(problem.request(), kJointGoal, pose);
+    return problem.refusal();
+  };
+  EXPECT_THAT(refused("link_name: slide", "link_name: boom"), HasSubstr("the link \"boom\""));
+  EXPECT_THAT(refused("link_name: slide", "link_name: slid"), HasSubstr("Did you mean \"slide\"?"));
+  EXPECT_THAT(refused("link_name: slide", "link_name: base"), HasSubstr("no joint of the group"));
+  EXPECT_THAT(refused("primitives: [{type: 2,", "primitives: [{type: 4,"), HasSubstr("dimensions"));
+  EXPECT_THAT(refused("tolerance: 0.1", "tolerance: -0.1"), HasSubstr("0 rad or more"));
+  EXPECT_THAT(refused("frame_id: room", "frame_id: rom"), HasSubstr("the frame \"rom\""));
+}
+
 TEST(MoveitProblem, IsSolvedByPlannersOverAllJoints) {
   const SmallProblem small;
   const planning::LoadedScene loaded = small.read();

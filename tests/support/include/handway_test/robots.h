@@ -26,4 +26,12 @@ void add_sah_hand(geometric::RobotDescription& robot, const std::string& mount);
 /// tx90_urdf_style with the hand: 25 links, 19 variables.
 [[nodiscard]] geometric::RobotDescription tx90_sah();
 
+/// Arms of other makers from their published modified Denavit-Hartenberg parameters and limits:
+/// links "base", "link_1" and so on, the last with the flange's frame, joints "joint_1" and so on.
+/// Six joints with an offset wrist that turn a whole turn each way; seven with offsets at elbow and
+/// wrist; seven with a shoulder, an elbow and a wrist in line.
+[[nodiscard]] geometric::RobotDescription ur5e();
+[[nodiscard]] geometric::RobotDescription panda_arm();
+[[nodiscard]] geometric::RobotDescription iiwa14();
+
 }  // namespace handway::test

@@ -4,6 +4,7 @@
 #include "handway/geometric/robot/inverse_kinematics.h"
 
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <string>
@@ -17,8 +18,14 @@ struct NumericIkOptions {
   Pose X_LT = Pose::Identity();
   /// Leaves the orientation open; only T's origin counts.
   bool position_only = false;
-  double position_tolerance = 1e-6;     ///< m
-  double orientation_tolerance = 1e-6;  ///< rad
+  /// How far T may be from the target along each of the target's axes, m: errors within count as
+  /// none. Each ≥ 0.
+  Eigen::Vector3d position_slack = Eigen::Vector3d::Zero();
+  /// The same of each component of the rotation vector from the target to T, rad; π: that axis is
+  /// free. Each ≥ 0.
+  Eigen::Vector3d rotation_slack = Eigen::Vector3d::Zero();
+  double position_tolerance = 1e-6;     ///< m, beyond the slack
+  double orientation_tolerance = 1e-6;  ///< rad, beyond the slack
   /// How many metres one radian counts as when both are weighed, m/rad.
   double orientation_weight = 0.3;
   int max_iterations = 100;  ///< Of each start; ≥ 1.
@@ -27,22 +34,30 @@ struct NumericIkOptions {
   /// machine's speed; without one the result has the same bits on every run.
   double time_limit_s = std::numeric_limits<double>::infinity();
   std::uint64_t seed = 1;  ///< Of the random starts.
+  /// Moves a solution in the chain's null space, and within the slack, nearer to the reference.
+  /// Without it a redundant arm stays in the posture that the iterations happen upon.
+  bool stay_near = false;
 };
+
+/// Whether a configuration of the whole robot, shape [variable_count], will do: free of collision,
+/// for example.
+using ConfigurationPredicate = std::function<bool(const Configuration&)>;
 
 /// The best posture found, whether it reaches the pose or not.
 struct NumericIkResult {
   Configuration q;         ///< Of the whole robot, shape [variable_count], within limits.
   bool converged = false;  ///< Both residuals are within the tolerances.
-  double position_residual = std::numeric_limits<double>::infinity();     ///< m
-  double orientation_residual = std::numeric_limits<double>::infinity();  ///< rad
+  double position_residual = std::numeric_limits<double>::infinity();     ///< m, beyond the slack
+  double orientation_residual = std::numeric_limits<double>::infinity();  ///< rad, the same
   int iterations = 0;                                                     ///< Over all starts.
   int restarts = 0;    ///< Random starts that were needed.
+  int refused = 0;     ///< Postures that reached the pose and did not pass the predicate.
   std::string reason;  ///< Why not converged; empty otherwise.
 };
 
 /// Damped least squares for any chain: Levenberg-Marquardt steps on the pose
 /// error, variables at a limit that would leave it being held (projection),
-/// random restarts where a start ends in a local minimum.
+/// random restarts where a start ends in a local minimum or in a posture that is refused.
 ///
 /// Source: C. W. Wampler, "Manipulator inverse kinematic solutions based on
 /// vector formulations and damped least-squares methods", IEEE Trans. SMC 16(1),
@@ -60,13 +75,31 @@ class HANDWAY_GEOMETRIC_EXPORT NumericInverseKinematics : public InverseKinemati
 
   /// @param X_BT where T shall be, in the robot's base frame.
   /// @param reference the first start and the other variables' values.
+  /// @param accept starts go on until a posture that reaches the pose passes this; empty: any does.
+  /// @returns the first that does, or else the best posture: `converged` if it reaches the pose.
   /// @throws InputError as solve().
-  [[nodiscard]] NumericIkResult find(const Pose& X_BT, const Configuration& reference) const;
+  [[nodiscard]] NumericIkResult find(const Pose& X_BT, const Configuration& reference,
+                                     const ConfigurationPredicate& accept = {}) const;
+
+  /// Several postures that reach the pose, from all starts.
+  /// @param most stops when there are that many; ≥ 1.
+  /// @param accept as in find().
+  /// @returns whole configurations, the nearest to the reference first; of postures that differ by
+  /// less than 0.1 rad (or m), but for whole turns, the nearest.
+  /// @throws InputError as solve().
+  [[nodiscard]] std::vector<Configuration> find_several(
+      const Pose& X_BT, const Configuration& reference, int most,
+      const ConfigurationPredicate& accept = {}) const;
 
  private:
+  /// Calls `take` with the outcome of each start, the reference first, until it returns true or
+  /// starts or time are spent. @returns whether the time was.
+  bool search(const Pose& X_BT, const Configuration& reference,
+              const std::function<bool(const NumericIkResult&)>& take) const;
   [[nodiscard]] IkResult do_solve(const Pose& X_BT, const Configuration& reference) const override;
 
   NumericIkOptions options_;
+  std::vector<int> turning_;  ///< Variables that may turn by whole turns.
 };
 
 }  // namespace handway::geometric

@@ -6,6 +6,7 @@
 #include "handway/geometric/robot/robot_model.h"
 #include "handway/geometric/scene/path_constraint.h"
 #include "handway/geometric/scene/planner_request.h"
+#include "handway/geometric/scene/pose_goal.h"
 #include "handway/geometric/scene/scene_display.h"
 
 #include <filesystem>
@@ -54,8 +55,11 @@ struct Scene {
   std::filesystem::path file;  ///< Empty for a scene not saved yet.
   std::vector<RobotInstance> robots;
   std::vector<SceneObject> objects;
-  std::optional<Configuration> start;       ///< Of robots[0].
-  std::optional<Configuration> goal;        ///< Of robots[0].
+  std::optional<Configuration> start;  ///< Of robots[0].
+  /// Of robots[0]. With goal poses: where the joints that do not move their links go, and where the
+  /// inverse kinematics begins; the start if there is none.
+  std::optional<Configuration> goal;
+  std::vector<PoseGoal> goal_poses;         ///< Any of them will do; empty: `goal` it is.
   std::vector<PathConstraint> constraints;  ///< Of paths of robots[0].
   std::vector<NamedPosture> postures;       ///< Of robots[0] or a part of it; names are unique.
   std::filesystem::path hand_basis;         ///< PMD basis file as the scene names it; may be empty.

@@ -19,6 +19,14 @@ namespace handway::planning {
 
 class ThreadPool;
 
+/// What an end of a path keeps at least from everything, m.
+inline constexpr double kLeastEndClearance = 2.0 * geometric::kLeastResolution;
+
+/// Whether `q`, in which nothing collides, keeps `clearance` (m) from everything, and
+/// kLeastEndClearance from the limit of each constraint.
+[[nodiscard]] bool keeps_end_clearance(geometric::CollisionChecker& checker, const Configuration& q,
+                                       double clearance);
+
 /// Whether configurations and motions of a run are valid: free of collision, obeying the scene's
 /// constraints, keeping the request's margin. Edges are certified along the whole of their motion.
 /// What is asked is counted in the run's statistics.

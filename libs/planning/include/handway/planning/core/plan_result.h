@@ -5,6 +5,7 @@
 #include "handway/planning/export.h"
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <map>
@@ -128,6 +129,8 @@ struct PlanResult {
   Certificate certificate;
   PlanStatistics statistics;
   std::vector<OutOfMargin> out_of_margin;
+  /// Of a problem with goal poses: where the path ends, an index into PlanningProblem::goals.
+  std::optional<std::size_t> goal;
   std::optional<SearchReach> reach;  ///< Without a path; nothing if the planner shows no nodes.
   double time_s = 0.0;               ///< Planning alone, wall clock.
   double smoothing_s = 0.0;          ///< Smoothing and optimising, wall clock.

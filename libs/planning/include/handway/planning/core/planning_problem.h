@@ -4,10 +4,13 @@
 #include "handway/geometric/collision/continuous/motion_bound.h"
 #include "handway/geometric/collision/volumes/preparation.h"
 #include "handway/geometric/scene/scene.h"
+#include "handway/planning/core/pose_goals.h"
 #include "handway/planning/export.h"
 #include "handway/sampling/postures/pmd_basis.h"
 
 #include <memory>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace handway::planning {
@@ -23,16 +26,36 @@ struct PlanningProblem {
   std::vector<int> hand;  ///< Variables of the hand, in the basis' joint order.
   Configuration start;    ///< c_ini
   Configuration goal;     ///< c_goal
+  /// Of a scene with goal poses: configurations that reach one of them. `goal` is the first, and
+  /// planners take any. Empty: `goal` is the only one.
+  std::vector<GoalCandidate> goals;
+  std::string goal_fault;  ///< Why no configuration reaches a goal pose, as a sentence.
   std::shared_ptr<const geometric::CollisionChecker> checker;  ///< To clone, one per thread.
   std::shared_ptr<const geometric::MotionBound> motion;
 
   [[nodiscard]] const geometric::RobotModel& model() const { return *scene->robots.front().model; }
+  /// Whether the goal is given by poses.
+  [[nodiscard]] bool has_pose_goals() const { return !goals.empty() || !goal_fault.empty(); }
+  /// Makes `q` the goal, whatever the scene says.
+  void set_goal(Configuration q) {
+    goal = std::move(q);
+    goals.clear();
+    goal_fault.clear();
+  }
 };
 
-/// Puts a problem together. The hand are the basis' joints, or else those of the robot's group
-/// "hand"; the arm are the others of the group "arm" or, if none of them moves, of the robot.
-/// Either may be empty. Start and goal are the scene's, the goal with
-/// continuous joints within half a turn of the start.
+/// The hand's variables: of the basis' joints, in its order, or else of the robot's group "hand".
+/// @param basis may be null. @throws InputError if it names a joint that the robot has not.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<int> hand_variables(
+    const geometric::Scene& scene, const sampling::PmdBasis* basis);
+
+/// The arm's: those of the group "arm" or, if none of them moves, of the robot, but for the hand's.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<int> arm_variables(
+    const geometric::RobotModel& model, const std::vector<int>& hand);
+
+/// Puts a problem together, with hand_variables() and arm_variables(), either of which may be
+/// empty. Start and goal are the scene's, the goal with
+/// continuous joints within half a turn of the start. Goal poses are solved by solve_pose_goals().
 /// @param basis may be null.
 /// @throws InputError if the scene lacks a robot, a start or a goal, or the
 /// basis names a joint that the robot has not; PreparationStopped where `preparation` asks for it.

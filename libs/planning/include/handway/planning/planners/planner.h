@@ -47,7 +47,9 @@ class HANDWAY_PLANNING_EXPORT Planner {
   [[nodiscard]] ObjectiveSettings& objective() { return objective_; }
   [[nodiscard]] const ObjectiveSettings& objective() const { return objective_; }
 
-  /// Checks start and goal, plans, optimises as asked for, certifies.
+  /// Checks start and goal, plans, optimises as asked for, certifies. Of several goals the nearest
+  /// is tried first; one to which no path is found within a second has to wait until the others
+  /// have been tried for as long, and then gets twice the time.
   /// @param stop ends the search within 100 ms with kCancelled.
   /// @param observer may be null.
   /// @throws InputError if the planner needs a basis and the problem has none.
@@ -69,6 +71,10 @@ class HANDWAY_PLANNING_EXPORT Planner {
 
  private:
   [[nodiscard]] std::vector<BoundParameter> bound_parameters();
+  [[nodiscard]] PlanResult plan_to_goal(const PlanningProblem& problem, const PlanRequest& request,
+                                        const std::stop_token& stop, Observer& observer);
+  [[nodiscard]] PlanResult plan_to_any(const PlanningProblem& problem, const PlanRequest& request,
+                                       const std::stop_token& stop, Observer& observer);
   void optimize(PlanningContext& context, PlanResult& result) const;
 
   ObjectiveSettings objective_;

@@ -35,16 +35,18 @@ class HANDWAY_PLANNING_EXPORT PalmIk {
   /// @throws InputError if X_BP is no rigid transform or `q` no configuration.
   [[nodiscard]] PalmMove moved(const Configuration& q, const geometric::Pose& X_BP) const;
 
-  /// All arm postures that reach X_BP, one for each branch, nearest to `q` first; of an arm
-  /// without closed form at most one.
+  /// Arm postures that reach X_BP, nearest to `q` first: one for each branch, or of an arm without
+  /// closed form up to four that iterations from several starts find. Same arguments, same bits.
   [[nodiscard]] std::vector<Configuration> all(const Configuration& q,
                                                const geometric::Pose& X_BP) const;
 
  private:
   std::shared_ptr<const geometric::RobotModel> model_;
   int palm_;
-  std::unique_ptr<geometric::InverseKinematics> closed_form_;  ///< Null: there is none.
-  std::unique_ptr<geometric::NumericInverseKinematics> iterative_;
+  std::vector<int> arm_;
+  std::unique_ptr<geometric::InverseKinematics> closed_form_;       ///< Null: there is none.
+  std::unique_ptr<geometric::NumericInverseKinematics> iterative_;  ///< From where the arm is.
+  std::unique_ptr<geometric::NumericInverseKinematics> searching_;  ///< From other starts, too.
 };
 
 /// The link that stands for a hand as a whole: the closest that carries all of its fingers;

@@ -59,8 +59,8 @@ class HANDWAY_PLANNING_EXPORT RegionPreview {
   /// @param configurations to draw, the same for the same arguments; those of a region are
   /// those of a smaller one, moved outwards.
   /// @param stop gives what there is by then.
-  /// @throws InputError if a corridor of tool poses is asked for and the arm has no
-  /// closed-form inverse kinematics, or principal directions and there is no basis.
+  /// @throws InputError if a corridor of tool poses is asked for and the arm has fewer than
+  /// six joints, or principal directions and there is no basis.
   [[nodiscard]] RegionDraws draw(const SamplingRegion& region, int configurations,
                                  const std::stop_token& stop = {}) const;
 
@@ -89,8 +89,8 @@ struct PalmBox {
 /// spread. Hypercubes none of whose corners the arm reaches have no box.
 /// @param palm link of the robot. @param most boxes: of more hypercubes every n-th has one.
 /// @param stop gives what there is by then.
-/// @throws InputError if a corridor of tool poses is asked for and the arm has no
-/// closed-form inverse kinematics.
+/// @throws InputError if a corridor of tool poses is asked for and the arm has fewer than six
+/// joints.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<PalmBox> palm_boxes(
     const PlanningProblem& problem, int palm, const SamplingRegion& region, int most,
     const std::stop_token& stop = {});

@@ -93,10 +93,16 @@ class HANDWAY_PLANNING_EXPORT CorridorSpace : public StateSpace {
 
 /// Arm joints normalised to [0, 1], or the pose of the last arm link: its position and rotation
 /// vector in units of sampling::CartesianScale.
-/// @throws InputError if a Cartesian corridor is asked for and the arm has no closed-form inverse
-/// kinematics.
+/// In a Cartesian corridor the arm's inverse kinematics is solved in closed form or by iteration;
+/// of a redundant arm the configuration at a pose then depends on the reference.
+/// @throws InputError if a Cartesian corridor is asked for and the arm has fewer than six joints,
+/// or some that do not move its last link.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::unique_ptr<CorridorSpace> make_corridor_space(
     const PlanningProblem& problem, CorridorForm form);
+
+/// Whether the inverse kinematics of the arm's last link is solved in closed form.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT bool has_closed_form_kinematics(
+    const PlanningProblem& problem);
 
 /// The controls of the paper's method: along the arm's straight motion and across it up to
 /// `half_width` (section 5.1), the hand's free joints and principal motion directions (section

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "handway/geometric/export.h"
+#include "handway/geometric/robot/inverse_kinematics.h"
+#include "handway/geometric/robot/numeric_inverse_kinematics.h"
+
+#include <memory>
+#include <vector>
+
+namespace handway::geometric {
+
+/// Inverse kinematics of an arm in closed form, for a link that it carries; null if the arm is not
+/// built for it, or the link is moved by other variables than the arm's.
+/// @param arm the arm's variables.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::unique_ptr<InverseKinematics>
+closed_form_inverse_kinematics(const std::shared_ptr<const RobotModel>& model, int tip_link,
+                               const std::vector<int>& arm);
+
+/// By iteration, with those of the arm's variables that move the link.
+/// @throws InputError if none does, or as NumericInverseKinematics.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::unique_ptr<NumericInverseKinematics>
+iterative_inverse_kinematics(const std::shared_ptr<const RobotModel>& model, int tip_link,
+                             const std::vector<int>& arm, const NumericIkOptions& options);
+
+/// In closed form if there is one, else by iteration.
+/// @throws InputError as iterative_inverse_kinematics().
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::unique_ptr<InverseKinematics>
+make_arm_inverse_kinematics(const std::shared_ptr<const RobotModel>& model, int tip_link,
+                            const std::vector<int>& arm, const NumericIkOptions& options);
+
+/// A ball that the origin of a link does not leave, in the robot's base frame.
+struct ReachBall {
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< Of the first of the arm's joints, m.
+  double radius = 0.0;  ///< m; larger than the reach by what bends between the joints cost.
+
+  [[nodiscard]] bool contains(const Eigen::Vector3d& p_B) const {
+    return (p_B - centre).norm() <= radius;
+  }
+};
+
+/// Where the arm may bring a link, whatever its joints do within their limits.
+/// @param q joints that are not the arm's, shape [variable_count].
+/// @throws InputError if no variable of the arm moves the link.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT ReachBall reach_ball(const RobotModel& model, int link,
+                                                            const std::vector<int>& arm,
+                                                            const Configuration& q);
+
+}  // namespace handway::geometric

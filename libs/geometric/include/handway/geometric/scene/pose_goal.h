@@ -1,0 +1,52 @@
+#pragma once
+
+#include "handway/geometric/export.h"
+#include "handway/geometric/math/pose.h"
+#include "handway/geometric/math/units.h"
+
+#include <Eigen/Core>
+
+#include <string>
+
+namespace handway::geometric {
+
+/// A goal given by where a link of the planned robot has to be, instead of by a configuration.
+///
+/// G is the frame that the tool frame T, fixed to the link L, is brought to.
+struct PoseGoal {
+  std::string link;              ///< Of robots[0].
+  Pose X_WG = Pose::Identity();  ///< Where T has to be in the world.
+  Pose X_LT = Pose::Identity();  ///< T in the link's frame.
+  /// How far T may be from G along each of G's axes, m; each ≥ 0.
+  Eigen::Vector3d position_tolerance = Eigen::Vector3d::Constant(metres(0.1));
+  /// How far T may be turned against G: of each component of the rotation vector from G to T, in
+  /// G's axes, rad; each ≥ 0. From π on that axis is free.
+  Eigen::Vector3d rotation_tolerance = Eigen::Vector3d::Constant(radians(0.1));
+
+  friend bool operator==(const PoseGoal& a, const PoseGoal& b) {
+    return a.link == b.link && a.X_WG.matrix() == b.X_WG.matrix() &&
+           a.X_LT.matrix() == b.X_LT.matrix() && a.position_tolerance == b.position_tolerance &&
+           a.rotation_tolerance == b.rotation_tolerance;
+  }
+};
+
+/// How a tool frame misses a goal, both along or about the goal's axes.
+struct PoseGoalMiss {
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< From G to T, m.
+  Eigen::Vector3d rotation = Eigen::Vector3d::Zero();  ///< Rotation vector from G to T, rad.
+};
+
+/// @param X_WL where the goal's link is in the world.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT PoseGoalMiss miss_of(const PoseGoal& goal, const Pose& X_WL);
+
+/// Whether each component of `miss` is within the goal's tolerance and `slack` (m and rad).
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT bool is_within_tolerance(const PoseGoal& goal,
+                                                                const PoseGoalMiss& miss,
+                                                                double slack);
+
+/// "3.2 mm and 1.5 degrees": how far `miss` is beyond zero, of a goal with free orientation the
+/// distance alone.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::string describe_miss(const PoseGoal& goal,
+                                                                 const PoseGoalMiss& miss);
+
+}  // namespace handway::geometric

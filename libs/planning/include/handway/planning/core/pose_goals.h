@@ -1,0 +1,50 @@
+#pragma once
+
+#include "handway/geometric/collision/collision_checker.h"
+#include "handway/geometric/scene/scene.h"
+#include "handway/planning/export.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace handway::planning {
+
+/// A configuration in which the robot keeps one of the scene's goal poses, and that a path can end
+/// at.
+struct GoalCandidate {
+  geometric::Configuration q;  ///< Of the whole robot.
+  std::size_t pose = 0;        ///< Index into Scene::goal_poses.
+};
+
+/// What inverse kinematics made of a scene's goal poses.
+struct PoseGoalSolutions {
+  std::vector<GoalCandidate> candidates;  ///< The nearest to the start first, in normalised joints.
+  /// Why there is none, as a sentence: by how much the poses are missed, or what collides in all
+  /// configurations that reach them. Empty otherwise.
+  std::string fault;
+  geometric::Configuration nearest;  ///< The first candidate, or else what comes nearest to a pose.
+};
+
+/// Looks for configurations at the scene's goal poses, several for each, by numeric inverse
+/// kinematics from many starts over all joints that move the goal's link. They keep their limits,
+/// collide with nothing and obey the constraints. At first the tool goes exactly to the pose, axes
+/// that are free excepted; where nothing free reaches it, anywhere within the tolerances. The other
+/// joints are as in the scene's goal or, if it has none, in `start`. Same arguments, same bits.
+/// @param start shape [variable_count].
+/// @pre the scene has goal poses; their links are the robot's, and joints move them.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT PoseGoalSolutions
+solve_pose_goals(const geometric::Scene& scene, const geometric::CollisionChecker& checker,
+                 const geometric::Configuration& start);
+
+/// Which of the scene's goal poses the robot keeps in `q`, to within rounding (1 µm, 1 µrad); empty
+/// if it keeps one.
+/// @returns how far the nearest is, as "misses goal pose 2 of link tool by 3 mm and 1 degrees".
+[[nodiscard]] HANDWAY_PLANNING_EXPORT std::string pose_goal_miss(const geometric::Scene& scene,
+                                                                 const geometric::Configuration& q);
+
+/// "goal pose 2 of link tool"; without the number if it is the only one.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT std::string name_of_pose_goal(const geometric::Scene& scene,
+                                                                    std::size_t pose);
+
+}  // namespace handway::planning
