@@ -4,6 +4,7 @@
 #include "handway/device/glove/glove_calibration.h"
 #include "handway/device/glove/glove_layout.h"
 #include "handway/device/glove/hand_mapping.h"
+#include "handway/device/retargeting/fingertip_retargeter.h"
 #include "handway/geometric/formats/robot_loader.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/resources.h"
@@ -22,6 +23,7 @@
 #include <filesystem>
 #include <iterator>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <utility>
@@ -69,7 +71,7 @@ std::string quality_text(const MappedRecording& recording) {
 
 /// How many samples of which joints were clamped to their limits.
 std::string clamp_text(const std::vector<MappedRecording>& recordings,
-                       const device::HandMapper& mapper) {
+                       const device::PostureSource& mapper) {
   std::vector<Eigen::Index> clamped(mapper.joints().size(), 0);
   Eigen::Index samples = 0;
   for (const MappedRecording& recording : recordings) {
@@ -181,6 +183,7 @@ using NamedComponents = std::vector<std::pair<std::string, sampling::PrincipalCo
 struct PcaOptions {
   std::vector<fs::path> recordings;
   fs::path mapping;
+  std::string retarget;
   fs::path against;
   fs::path calibration;
   std::vector<std::string> free;
@@ -189,15 +192,90 @@ struct PcaOptions {
   Normalisation normalisation = Normalisation::kLimits;
   bool robust = false;
   bool compare = false;
+  bool fingertips = false;
   RecordingSteps steps;
   fs::path out;
   fs::path postures;
   fs::path plots;
 };
 
-device::HandMapping mapping_of(const PcaOptions& options) {
+/// The robot's hand, and how it follows the person's.
+struct HandSource {
+  std::string hand;  ///< As the mapping names it.
+  std::shared_ptr<const geometric::RobotModel> model;
+  std::unique_ptr<device::PostureSource> source;
+};
+
+HandSource hand_source(const PcaOptions& options) {
   const fs::path preset = geometric::resource_dir() / "mappings" / "table1_sah.yaml";
-  return device::read_mapping(options.mapping.empty() ? preset : options.mapping);
+  const fs::path file = options.mapping.empty() ? preset : options.mapping;
+  const auto load = [&](const std::string& hand) {
+    return geometric::load_robot(
+        geometric::find_resource(ResourceKind::kRobot, hand, fs::current_path(),
+                                 options.mapping.empty() ? "" : options.mapping.string()));
+  };
+  HandSource made;
+  if (!options.retarget.empty() || device::is_retargeting(file)) {
+    device::RetargetingSettings settings;
+    if (options.retarget.empty()) {
+      settings = device::read_retargeting(file);
+    } else {
+      settings.hand = options.retarget;
+    }
+    made.model = load(settings.hand);
+    made.hand = made.model->name();
+    made.source = std::make_unique<device::FingertipRetargeter>(made.model, settings);
+    return made;
+  }
+  const device::HandMapping mapping = device::read_mapping(file);
+  made.hand = mapping.hand;
+  made.model = load(mapping.hand);
+  made.source = std::make_unique<device::HandMapper>(mapping, *made.model);
+  return made;
+}
+
+/// How far fingertips are from where the person's are, scaled to the robot's fingers: a line.
+std::string fingertip_line(const std::string& name, const std::vector<MappedRecording>& recordings,
+                           const device::FingertipRetargeter& hand, const HandSource& postures) {
+  std::vector<double> misses;  // mm
+  for (const MappedRecording& recording : recordings) {
+    const device::MappedPostures mapped = postures.source->map_recording(recording.recording);
+    Eigen::VectorXd q = hand.middle();
+    for (Eigen::Index row = 0; row < mapped.postures.rows(); ++row) {
+      for (std::size_t j = 0; j < mapped.joints.size(); ++j) {
+        q[*postures.model->find_variable(mapped.joints[j])] =
+            mapped.postures(row, static_cast<Eigen::Index>(j));
+      }
+      const Eigen::Matrix3Xd wanted =
+          hand.wanted(device::hand_landmarks(device::angles_of_row(recording.recording, row)));
+      const Eigen::RowVectorXd miss = (hand.fingertips(q) - wanted).colwise().norm();
+      for (const double distance : miss) {
+        misses.push_back(1e3 * distance);
+      }
+    }
+  }
+  std::ranges::sort(misses);
+  const double mean =
+      std::accumulate(misses.begin(), misses.end(), 0.0) / static_cast<double>(misses.size());
+  return fmt::format("  {:<22}{:>8.1f}{:>8.1f}{:>8.1f}\n", name, mean, misses[misses.size() / 2],
+                     misses[misses.size() * 95 / 100]);
+}
+
+void print_fingertips(const std::vector<MappedRecording>& recordings, const HandSource& chosen) {
+  HandSource other{chosen.hand, chosen.model, nullptr};
+  const auto* retargeter = dynamic_cast<const device::FingertipRetargeter*>(chosen.source.get());
+  fmt::print(
+      "Fingertips from where the person's are, scaled to the fingers, mm:\n  {:<22}{:>8}{:>8}"
+      "{:>8}\n",
+      "", "mean", "median", "95 %");
+  if (retargeter == nullptr) {
+    auto made = std::make_unique<device::FingertipRetargeter>(chosen.model);
+    retargeter = made.get();
+    fmt::print("{}", fingertip_line("this mapping", recordings, *retargeter, chosen));
+    other.source = std::move(made);
+  }
+  fmt::print("{}", fingertip_line("fingertip retargeting", recordings, *retargeter,
+                                  other.source ? other : chosen));
 }
 
 // The thumb base, if the hand has one, unless other joints or "none" were asked for.
@@ -231,7 +309,7 @@ std::string source_of(const PcaOptions& options, const Analysis& analysis) {
 }
 
 void print_comparison(const std::vector<MappedRecording>& recordings, const PcaOptions& options,
-                      const device::HandMapper& mapper, const std::vector<int>& free,
+                      const device::PostureSource& mapper, const std::vector<int>& free,
                       const Analysis& joined) {
   NamedComponents each;
   for (const MappedRecording& recording : recordings) {
@@ -247,7 +325,7 @@ void print_comparison(const std::vector<MappedRecording>& recordings, const PcaO
 
 // What the same recordings give under another mapping to the same hand.
 void print_other_mapping(const std::vector<MappedRecording>& recordings, const PcaOptions& options,
-                         const geometric::RobotModel& hand, const device::HandMapper& mapper,
+                         const geometric::RobotModel& hand, const device::PostureSource& mapper,
                          const std::vector<int>& free, const Analysis& chosen) {
   const device::HandMapper other(device::read_mapping(options.against), hand);
   if (other.joints() != mapper.joints()) {
@@ -271,11 +349,8 @@ void print_other_mapping(const std::vector<MappedRecording>& recordings, const P
 }
 
 int pca(const PcaOptions& options) {
-  const device::HandMapping mapping = mapping_of(options);
-  const auto hand = geometric::load_robot(
-      geometric::find_resource(ResourceKind::kRobot, mapping.hand, fs::current_path(),
-                               options.mapping.empty() ? "" : options.mapping.string()));
-  const device::HandMapper mapper(mapping, *hand);
+  const HandSource hand = hand_source(options);
+  const device::PostureSource& mapper = *hand.source;
   const std::vector<int> free = free_joints(options, mapper.joints());
   const device::GloveCalibration calibration = options.calibration.empty()
                                                    ? device::typical_calibration()
@@ -313,10 +388,13 @@ int pca(const PcaOptions& options) {
     print_comparison(recordings, options, mapper, free, chosen);
   }
   if (!options.against.empty()) {
-    print_other_mapping(recordings, options, *hand, mapper, free, chosen);
+    print_other_mapping(recordings, options, *hand.model, mapper, free, chosen);
+  }
+  if (options.fingertips) {
+    print_fingertips(recordings, hand);
   }
   sampling::PmdBasis basis =
-      sampling::make_pmd_basis(mapping.hand, source_of(options, chosen), mapper.joints(),
+      sampling::make_pmd_basis(hand.hand, source_of(options, chosen), mapper.joints(),
                                chosen.components, {free, options.components, options.sigmas});
   fmt::print("Basis for {}:\n{}", basis.hand, basis_text(basis));
   if (!options.postures.empty()) {
@@ -355,7 +433,13 @@ void add_pca_command(CLI::App& app, int& exit_code) {
       app.add_subcommand("pca", "Find principal motion directions in recordings of a glove");
   command->add_option("recordings", options->recordings, "Recordings of a glove")->required();
   command->add_option("--mapping", options->mapping,
-                      "Mapping of the glove to a hand (default: Table 1 for the SAH hand)");
+                      "Mapping of the glove to a hand, or its retargeting by fingertips (default: "
+                      "Table 1 for the SAH hand)");
+  command
+      ->add_option("--retarget", options->retarget,
+                   "Retarget to this robot hand by its fingertips, without a mapping")
+      ->type_name("ROBOT")
+      ->excludes("--mapping");
   command->add_option("--against", options->against,
                       "Another mapping to the same hand: compare what both make of the recordings");
   command->add_option("--calibration", options->calibration,
@@ -379,6 +463,8 @@ void add_pca_command(CLI::App& app, int& exit_code) {
       ->option_text("limits|range [limits]");
   command->add_flag("--robust", options->robust, "Set outliers aside");
   command->add_flag("--compare", options->compare, "Also analyse each recording by itself");
+  command->add_flag("--fingertips", options->fingertips,
+                    "Compare fingertips with the person's, of the mapping and of retargeting");
   add_steps(*command, options->steps);
   command->add_option("--out", options->out, "Write the basis here (YAML)");
   command->add_option("--postures", options->postures,

@@ -17,7 +17,7 @@
 namespace handway::tools {
 MappedRecording map_file(const std::filesystem::path& file,
                          const device::GloveCalibration& calibration, const RecordingSteps& steps,
-                         const device::HandMapper& mapper) {
+                         const device::PostureSource& mapper) {
   MappedRecording result;
   result.file = file;
   device::Recording recording = device::read_recording(file);
@@ -50,7 +50,8 @@ constexpr double kStill = 1e-9;  // rad
 }  // namespace
 
 Eigen::MatrixXd normalised_samples(const std::vector<MappedRecording>& recordings,
-                                   const device::HandMapper& mapper, Normalisation normalisation) {
+                                   const device::PostureSource& mapper,
+                                   Normalisation normalisation) {
   Eigen::Index rows = 0;
   for (const MappedRecording& recording : recordings) {
     rows += recording.mapped.postures.rows();
@@ -79,7 +80,7 @@ Eigen::MatrixXd normalised_samples(const std::vector<MappedRecording>& recording
   return samples;
 }
 
-Eigen::MatrixXd joint_values(const Eigen::MatrixXd& samples, const device::HandMapper& mapper) {
+Eigen::MatrixXd joint_values(const Eigen::MatrixXd& samples, const device::PostureSource& mapper) {
   const Eigen::RowVectorXd range = (mapper.upper() - mapper.lower()).transpose();
   return (samples.array().rowwise() * range.array()).rowwise() + mapper.lower().transpose().array();
 }

@@ -38,7 +38,7 @@ struct MappedRecording {
 [[nodiscard]] MappedRecording map_file(const std::filesystem::path& file,
                                        const device::GloveCalibration& calibration,
                                        const RecordingSteps& steps,
-                                       const device::HandMapper& mapper);
+                                       const device::PostureSource& mapper);
 
 /// How joints are scaled to [0, 1] before their components are found.
 enum class Normalisation {
@@ -49,12 +49,12 @@ enum class Normalisation {
 /// The postures of all recordings, one after the other, shape [samples, joints]. A joint that
 /// doesn't move is in the middle.
 [[nodiscard]] Eigen::MatrixXd normalised_samples(const std::vector<MappedRecording>& recordings,
-                                                 const device::HandMapper& mapper,
+                                                 const device::PostureSource& mapper,
                                                  Normalisation normalisation);
 
 /// Samples back in rad by the joint limits, shape [samples, joints].
 [[nodiscard]] Eigen::MatrixXd joint_values(const Eigen::MatrixXd& samples,
-                                           const device::HandMapper& mapper);
+                                           const device::PostureSource& mapper);
 
 /// Components, and how many samples were set aside.
 struct Analysis {

@@ -16,6 +16,7 @@
 #include <cmath>
 #include <cstring>
 #include <iterator>
+#include <limits>
 #include <set>
 #include <span>
 #include <stdexcept>
@@ -93,6 +94,21 @@ std::string to_string(RecordingKind kind) {
   return kind == RecordingKind::kCounts ? "counts" : "angles";
 }
 
+GloveAngles angles_of_row(const Recording& recording, Eigen::Index row) {
+  if (recording.header.kind != RecordingKind::kAngles) {
+    throw geometric::InputError(
+        {"recording", "", "raw counts", "angles", "Give a calibration of the glove"});
+  }
+  GloveAngles angles;
+  angles.time = recording.times[row];
+  angles.angles.fill(std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t c = 0; c < recording.header.sensors.size(); ++c) {
+    const auto sensor = static_cast<std::size_t>(recording.header.sensors[c]);
+    angles.angles.at(sensor) = recording.values(row, static_cast<Eigen::Index>(c));
+  }
+  return angles;
+}
+
 int column_of(const RecordingHeader& header, int sensor) {
   const auto found = std::ranges::find(header.sensors, sensor);
   return found == header.sensors.end() ? -1 : static_cast<int>(found - header.sensors.begin());
@@ -103,6 +119,9 @@ Recording read_recording(const std::filesystem::path& file) {
   const std::vector<TextLine> lines = text_lines(text);
   const auto first =
       std::ranges::find_if(lines, [](const TextLine& line) { return !trimmed(line.text).empty(); });
+  if (first != lines.end() && is_landmark_row(*first)) {
+    return read_landmark_recording(file, lines);
+  }
   return first != lines.end() && is_virtual_hand_row(*first) ? read_virtual_hand_log(file, lines)
                                                              : read_csv_recording(file, lines);
 }

@@ -24,6 +24,13 @@ inline constexpr const char* kRecordingMark = "# handway glove recording 1";
 [[nodiscard]] Recording read_virtual_hand_log(const std::filesystem::path& file,
                                               const std::vector<TextLine>& lines);
 
+/// Whether a line is a row of landmarks: JSON.
+[[nodiscard]] bool is_landmark_row(const TextLine& line);
+
+/// Rows of 21 landmarks of a hand, as JSON lines; the recording holds the angles between them.
+[[nodiscard]] Recording read_landmark_recording(const std::filesystem::path& file,
+                                                const std::vector<TextLine>& lines);
+
 /// "FILE:LINE".
 [[nodiscard]] std::string at_line(const std::filesystem::path& file, const TextLine& line);
 

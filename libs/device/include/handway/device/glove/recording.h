@@ -60,11 +60,19 @@ struct Recording {
 /// Column of the sensor (index into cyberglove_sensors()), or -1.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT int column_of(const RecordingHeader& header, int sensor);
 
+/// The angles of a row; NaN for sensors that the recording doesn't have.
+/// @throws geometric::InputError if it holds counts.
+[[nodiscard]] HANDWAY_DEVICE_EXPORT GloveAngles angles_of_row(const Recording& recording,
+                                                              Eigen::Index row);
+
 /// Reads a recording. The kind of file is recognised by its content, not by its name:
 ///   - a recording of Handway as above. A last line without its end, as a program leaves
 ///     that is killed while it writes, is left out with a warning;
 ///   - other CSV (separated by commas, semicolons or tabs) with a header of `time` (s) and
 ///     names or letters of sensors; whole numbers from 0 to 255 are counts, else angles in rad;
+///   - JSON lines of 21 landmarks of a hand in m, in MediaPipe's order: {"time": s, "hand": "right"
+///     or "left", "landmarks": [[x, y, z], …]}, points as {"x", "y", "z"} too. The recording holds
+///     the angles between them (see glove_angles()); a left hand is mirrored;
 ///   - text rows of a VirtualHand log: year month day hour minute second switch, then
 ///     23 angles in rad in the order of its slots, with its signs (flexion negative; turned here).
 ///

@@ -1,0 +1,58 @@
+#pragma once
+
+#include "handway/device/export.h"
+#include "handway/device/glove/glove_layout.h"
+#include "handway/geometric/math/pose.h"
+
+#include <Eigen/Core>
+
+namespace handway::device {
+
+/// 21 points of a hand in the order of MediaPipe: the wrist; of the thumb the joint at the wrist
+/// (CMC), the next two and the tip; of index, middle, ring and little finger the knuckle (MCP), the
+/// next two and the tip. A column each, m.
+using HandLandmarks = Eigen::Matrix<double, 3, 21>;
+
+/// A finger's place in HandLandmarks and in lists of fingers.
+enum class Finger { kThumb, kIndex, kMiddle, kRing, kLittle };
+inline constexpr int kFingers = 5;
+
+inline constexpr int kWristLandmark = 0;
+/// Where a finger begins: the thumb's CMC joint, the others' knuckles.
+[[nodiscard]] constexpr int base_landmark(Finger finger) {
+  return 1 + 4 * static_cast<int>(finger);
+}
+[[nodiscard]] constexpr int tip_landmark(Finger finger) { return base_landmark(finger) + 3; }
+
+/// Of an adult's hand from wrist to the tip of the middle finger, m.
+inline constexpr double kTypicalHandLength = 0.19;
+
+/// Forward kinematics of a right hand from the angles of a glove, in the palm's frame: origin at
+/// the wrist, x along the metacarpal of the middle finger, z out of the back of the hand, so that y
+/// points to the thumb's side. Sensors that are missing (NaN) are taken for 0: fingers straight and
+/// side by side, the thumb along the index finger. The wrist's sensors don't count.
+///
+/// Lengths are shares of the hand's: B. Buchholz, T. J. Armstrong, S. A. Goldstein, "Anthropometric
+/// data for describing the kinematics of the human hand", Ergonomics 35(3), 1992.
+/// @param hand_length m.
+[[nodiscard]] HANDWAY_DEVICE_EXPORT HandLandmarks
+hand_landmarks(const GloveAngles& angles, double hand_length = kTypicalHandLength);
+
+/// The angles of a hand from its landmarks in the palm's frame, NaN where landmarks do not measure
+/// them (the arch of the palm and the wrist): the inverse of hand_landmarks(), whatever the
+/// lengths. How far a finger is spread is 0 while its first phalanx is bent by some 80° and more.
+[[nodiscard]] HANDWAY_DEVICE_EXPORT GloveAngles glove_angles(const HandLandmarks& landmarks);
+/// Whether glove_angles() has a number for the sensor (index into cyberglove_sensors()).
+[[nodiscard]] HANDWAY_DEVICE_EXPORT bool measured_by_landmarks(int sensor);
+
+/// The palm's frame of landmarks that were measured anywhere, from wrist and knuckles: as that of
+/// hand_landmarks(). @param left the landmarks are a left hand's: then z points into its palm.
+/// @throws std::invalid_argument if wrist and knuckles lie in a line or are not finite.
+[[nodiscard]] HANDWAY_DEVICE_EXPORT geometric::Pose palm_frame(const HandLandmarks& landmarks);
+
+/// Landmarks as a right hand's in its palm's frame. A left hand is mirrored.
+/// @throws std::invalid_argument as palm_frame().
+[[nodiscard]] HANDWAY_DEVICE_EXPORT HandLandmarks in_palm_frame(const HandLandmarks& landmarks,
+                                                                bool left);
+
+}  // namespace handway::device

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "handway/device/export.h"
+#include "handway/device/glove/recording.h"
+
+#include <Eigen/Core>
+
+#include <string>
+#include <vector>
+
+namespace handway::device {
+
+/// The postures that a recording makes a robot's hand take.
+struct MappedPostures {
+  std::vector<std::string> joints;  ///< Independent joints of the hand, in the robot's order.
+  Eigen::MatrixXd postures;         ///< rad, within limits, shape [samples, joints].
+  /// rad, before they were clamped to the limits.
+  Eigen::MatrixXd unclamped;
+  /// How many samples of each joint had to be clamped to its limits, shape [joints].
+  std::vector<Eigen::Index> clamped;
+};
+
+/// What makes postures of a robot's hand from what was measured on a person's.
+class HANDWAY_DEVICE_EXPORT PostureSource {
+ public:
+  virtual ~PostureSource() = default;
+
+  /// Names of the joints, in the robot's order.
+  [[nodiscard]] const std::vector<std::string>& joints() const { return joints_; }
+  /// Limits of the joints, rad or m, shape [joints].
+  [[nodiscard]] const Eigen::VectorXd& lower() const { return lower_; }
+  [[nodiscard]] const Eigen::VectorXd& upper() const { return upper_; }
+
+  /// Whether a joint follows the person's hand, and is not fixed, shape [joints].
+  [[nodiscard]] virtual std::vector<bool> driven() const = 0;
+  /// The postures for all rows.
+  /// @throws geometric::InputError if the recording holds counts, or lacks a sensor that is needed.
+  [[nodiscard]] virtual MappedPostures map_recording(const Recording& recording) const = 0;
+
+ protected:
+  PostureSource() = default;
+  PostureSource(const PostureSource&) = default;
+  PostureSource(PostureSource&&) = default;
+  PostureSource& operator=(const PostureSource&) = default;
+  PostureSource& operator=(PostureSource&&) = default;
+
+  std::vector<std::string> joints_;
+  Eigen::VectorXd lower_;
+  Eigen::VectorXd upper_;
+};
+
+}  // namespace handway::device

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "handway/device/export.h"
+#include "handway/device/glove/human_hand.h"
+#include "handway/geometric/robot/robot_model.h"
+
+#include <Eigen/Core>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace handway::device {
+
+/// One finger of a robot's hand.
+struct RobotFinger {
+  Finger finger = Finger::kThumb;  ///< Which of a person's it takes after.
+  int tip_link = -1;
+  Eigen::Vector3d p_LT = Eigen::Vector3d::Zero();  ///< The fingertip in its link's frame, m.
+  std::vector<int> variables;  ///< The joints from the palm to the tip that move, as variables.
+  /// Where its first joint is, in the palm's frame, m.
+  Eigen::Vector3d p_PB = Eigen::Vector3d::Zero();
+  double reach = 0.0;  ///< From there to the tip of the straight finger, m.
+};
+
+/// How a robot's hand is built, as far as retargeting needs it.
+struct RobotFingers {
+  int palm = 0;  ///< The link that all fingers start from.
+  std::vector<RobotFinger> fingers;
+  /// From the palm's frame of a right human hand (see hand_landmarks()) to that of the palm link.
+  Eigen::Matrix3d R_PH = Eigen::Matrix3d::Identity();
+  /// The robot's hand is a left one: a person's is mirrored for it.
+  bool left = false;
+};
+
+/// Finds palm, fingers and fingertips from the kinematic tree alone: the palm is the last link that
+/// the chains to all outermost links have in common; a fingertip is the frame of a link that is
+/// fixed to the last that moves, else the point of the last link's shape that is farthest from its
+/// joint. Which finger is which follows from names where they say so ("thumb", "th", "index", "ff",
+/// …), else from where fingers begin: the thumb beside the line of the others, which are numbered
+/// from it. How the palm is turned follows from where straight and half closed fingers point.
+/// @param tips links of fingertips by finger, in place of those that would be found.
+/// @throws InputError if there are fewer than two fingers, or `tips` names no link of one.
+[[nodiscard]] HANDWAY_DEVICE_EXPORT RobotFingers
+find_fingers(const geometric::RobotModel& model, const std::map<Finger, std::string>& tips = {});
+
+/// "thumb", "index", "middle", "ring", "little".
+[[nodiscard]] HANDWAY_DEVICE_EXPORT const std::string& name_of(Finger finger);
+
+}  // namespace handway::device
