@@ -78,7 +78,10 @@ FileCommands::FileCommands(Workbench& workbench)
                                      keys_of(QKeySequence::SaveAs, "Ctrl+Shift+S"),
                                      tr("Save the scene under a name"))),
       picture_(workbench.make_action("camera", tr("Save &picture…"), {},
-                                     tr("Save a picture of the 3-D view"))) {
+                                     tr("Save a picture of the 3-D view"))),
+      close_(workbench.make_action("", tr("&Close scene"), keys_of(QKeySequence::Close, "Ctrl+W"),
+                                   tr("Close the scene and show the start page"))) {
+  close_->setObjectName(QStringLiteral("close_scene"));
   place_actions();
   connect(open_, &QAction::triggered, this, &FileCommands::open);
   connect(recent_, &RecentFiles::chosen, &workbench_,
@@ -86,6 +89,7 @@ FileCommands::FileCommands(Workbench& workbench)
   connect(save_, &QAction::triggered, this, &FileCommands::save);
   connect(save_as_, &QAction::triggered, this, &FileCommands::save_as);
   connect(picture_, &QAction::triggered, this, &FileCommands::save_picture);
+  connect(close_, &QAction::triggered, &workbench_, &Workbench::close);
 }
 
 QMenu* FileCommands::make_new_menu() {
@@ -124,7 +128,8 @@ void FileCommands::place_actions() {
   workbench_.add_to_menu(MainMenu::kFile, {1, 0}, save_);
   workbench_.add_to_menu(MainMenu::kFile, {1, 1}, save_as_);
   workbench_.add_to_menu(MainMenu::kFile, {1, 2}, picture_);
-  workbench_.add_to_menu(MainMenu::kFile, {3, 0}, quit);
+  workbench_.add_to_menu(MainMenu::kFile, {3, 0}, close_);
+  workbench_.add_to_menu(MainMenu::kFile, {3, 1}, quit);
   workbench_.add_to_bar(MainBar::kTools, {0, 0}, open_, true);
   workbench_.add_to_bar(MainBar::kTools, {0, 1}, save_, true);
   workbench_.add_to_bar(MainBar::kTools, {3, 20}, picture_);
@@ -132,8 +137,9 @@ void FileCommands::place_actions() {
 
 void FileCommands::show_scene() {
   const Document& document = workbench_.document;
-  save_->setEnabled(document.scene() != nullptr);
-  save_as_->setEnabled(document.scene() != nullptr);
+  for (QAction* action : {save_, save_as_, picture_, close_}) {
+    action->setEnabled(document.scene() != nullptr);
+  }
   if (document.scene() && !document.file().empty()) {
     recent_->add(QString::fromStdString(document.file().string()));
   }
@@ -192,7 +198,7 @@ void FileCommands::save_picture() {
 }
 
 bool FileCommands::may_discard() {
-  if (workbench_.editor.undo_stack().isClean()) {
+  if (!workbench_.editor.is_modified()) {
     return true;
   }
   const auto answer = QMessageBox::question(

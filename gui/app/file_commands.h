@@ -65,6 +65,7 @@ class FileCommands : public QObject {
   QAction* save_;
   QAction* save_as_;
   QAction* picture_;
+  QAction* close_;
 };
 
 }  // namespace handway::gui

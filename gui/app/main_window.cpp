@@ -108,7 +108,14 @@ void MainWindow::connect_document() {
   connect(&document, &Document::opening, this, [this](const QString& file) {
     statusBar()->showMessage(tr("Opening %1…").arg(QFileInfo(file).fileName()));
   });
-  connect(&document, &Document::opened, this, &MainWindow::show_scene);
+  connect(&document, &Document::opened, this, [this] {
+    if (!workbench_.document.scene()) {
+      workbench_.banner.hide_message();
+      setWindowTitle(tr("Handway"));
+      start_page_->refresh();
+    }
+    show_scene();
+  });
   connect(&document, &Document::open_failed, this, [this](const QString& message) {
     statusBar()->clearMessage();
     workbench_.show_error(tr("The scene can't be opened"), message);
@@ -116,8 +123,7 @@ void MainWindow::connect_document() {
   });
   connect(&document, &Document::measured_shown, this, &MainWindow::show_validity);
   connect(&workbench_.validity, &PathValidity::changed, this, &MainWindow::show_validity);
-  connect(&workbench_.editor.undo_stack(), &QUndoStack::cleanChanged, this,
-          [this](bool clean) { setWindowModified(!clean); });
+  connect(&workbench_.editor, &SceneEditor::modified_changed, this, &QWidget::setWindowModified);
   connect(files_, &FileCommands::saved, this, &MainWindow::update_title);
   connect(&workbench_.session, &PlanningSession::ended, this, [this](bool solved) {
     if (solved && workbench_.options.play) {

@@ -194,6 +194,7 @@ ViewActions::ViewActions(Workbench& workbench, BodyDisplayTool& bodies)
 
 void ViewActions::place_actions() {
   workbench_.add_to_menu(MainMenu::kView, {0, 0}, fit_);
+  workbench_.add_to_menu(MainMenu::kContext, {6, 0}, fit_);
   workbench_.add_to_menu(MainMenu::kView, {0, 1}, standard_views_->menuAction());
   workbench_.add_to_menu(MainMenu::kView, {0, 2}, orthographic_);
   workbench_.add_to_menu(MainMenu::kView, {0, 3}, displays_menu_->menuAction());

@@ -14,6 +14,7 @@
 #include <QToolButton>
 
 #include <algorithm>
+#include <iterator>
 
 namespace handway::gui {
 namespace {
@@ -166,15 +167,34 @@ void Workbench::build_pages() {
   }
 }
 
+void Workbench::fill(QMenu& menu, const std::vector<Entry>& entries) {
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    if (i > 0 && entries[i].position.section != entries[i - 1].position.section) {
+      menu.addSeparator();
+    }
+    menu.addAction(std::get<QAction*>(entries[i].content));
+  }
+}
+
+void Workbench::show_context_menu(const QPoint& place) {
+  std::vector<Entry> possible;
+  std::ranges::copy_if(
+      menu_entries_[MainMenu::kContext], std::back_inserter(possible),
+      [](const Entry& entry) { return std::get<QAction*>(entry.content)->isEnabled(); });
+  if (!possible.empty()) {
+    auto* menu = new QMenu(&window);
+    menu->setObjectName(QStringLiteral("context_menu"));
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    fill(*menu, possible);
+    menu->popup(place);
+  }
+}
+
 void Workbench::build_menus() {
   for (auto& [name, entries] : menu_entries_) {
     std::ranges::stable_sort(entries, {}, &Entry::position);
-    QMenu& built = menu(name);
-    for (std::size_t i = 0; i < entries.size(); ++i) {
-      if (i > 0 && entries[i].position.section != entries[i - 1].position.section) {
-        built.addSeparator();
-      }
-      built.addAction(std::get<QAction*>(entries[i].content));
+    if (name != MainMenu::kContext) {
+      fill(menu(name), entries);
     }
   }
   for (const auto& [name, built] : menus_) {
@@ -244,6 +264,13 @@ void Workbench::create(const std::string& robot) {
   if (may_leave()) {
     options = {};
     document.create(robot);
+  }
+}
+
+void Workbench::close() {
+  if (may_leave()) {
+    options = {};
+    document.close();
   }
 }
 

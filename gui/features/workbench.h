@@ -42,7 +42,8 @@ class LogPanel;
 class PlaybackBar;
 class SceneView;
 
-enum class MainMenu { kFile, kEdit, kAdd, kPlan, kView, kHelp };
+/// kContext: what a click with the right button offers, of commands that are in other menus too.
+enum class MainMenu { kFile, kEdit, kAdd, kPlan, kView, kHelp, kContext };
 enum class MainBar { kTools, kEditing };
 enum class DockArea { kLeft, kHistory, kControl, kBelow };
 
@@ -114,6 +115,9 @@ class Workbench : public QObject {
   void add_dock(DockArea area, int order, const DockContent& content);
   /// Adds a page to a panel of the control tabs that has pages; without that panel it is a tab.
   void add_page(const char* panel, const QString& title, QWidget* page);
+  /// Pops up what of MainMenu::kContext can be done now. @param place on the screen.
+  void show_context_menu(const QPoint& place);
+  /// None of kContext.
   [[nodiscard]] QMenu& menu(MainMenu menu) const { return *menus_.at(menu); }
   /// Puts everything that was added where it belongs. To be called once.
   void build();
@@ -129,6 +133,8 @@ class Workbench : public QObject {
   void open(const std::filesystem::path& file, const Options& with = {});
   /// Begins a new scene with a robot of the library, likewise.
   void create(const std::string& robot);
+  /// Shows the start page, likewise.
+  void close();
   /// @param may_leave asked before the scene or the program is left; returns false to stay.
   void ask_before_leaving(std::function<bool()> may_leave);
   [[nodiscard]] bool may_leave() const;
@@ -176,6 +182,7 @@ class Workbench : public QObject {
   void remember_path();
   [[nodiscard]] std::vector<DockContent> docks_of(DockArea area) const;
   void build_pages();
+  static void fill(QMenu& menu, const std::vector<Entry>& entries);
   void build_menus();
   void build_bars();
 

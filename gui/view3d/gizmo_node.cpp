@@ -175,32 +175,35 @@ double GizmoDrag::snapped_step(int axis, double step) const {
 }
 
 Pose GizmoDrag::moved_to(const Ray& ray, bool snap) {
-  Pose moved = X_WO_;
-  amount_.setZero();
   if (handle_.kind == GizmoHandle::Kind::kRing) {
     double angle = angle_about_axis(ray) - held_angle_;
     angle = tangent_.isZero() ? std::remainder(angle, 2.0 * std::numbers::pi) : angle;
     angle = snap ? std::round(angle / kSnapAngle) * kSnapAngle : angle;
-    amount_[handle_.axis] = angle;
-    moved.linear() =
-        Eigen::AngleAxisd(angle, frame_.axes.col(handle_.axis)).toRotationMatrix() * X_WO_.linear();
-    return moved;
+    return moved_by(angle * Vector3d::Unit(handle_.axis));
   }
-  Vector3d step = Vector3d::Zero();
-  if (handle_.kind == GizmoHandle::Kind::kArrow) {
-    step[handle_.axis] = along_axis(ray) - held_along_;
-  } else {
-    step = frame_.axes.transpose() * (on_plane(ray) - held_);
-    step[handle_.axis] = 0.0;
-  }
+  Vector3d step = handle_.kind == GizmoHandle::Kind::kArrow
+                      ? Vector3d((along_axis(ray) - held_along_) * Vector3d::Unit(handle_.axis))
+                      : Vector3d(frame_.axes.transpose() * (on_plane(ray) - held_));
   for (int axis = 0; axis < 3; ++axis) {
-    const bool is_free = (axis == handle_.axis) == (handle_.kind == GizmoHandle::Kind::kArrow);
-    if (snap && is_free) {
+    if (snap && is_free(axis)) {
       step[axis] = snapped_step(axis, step[axis]);
     }
   }
-  amount_ = step;
-  moved.translation() += frame_.axes * step;
+  return moved_by(step);
+}
+
+Pose GizmoDrag::moved_by(const Vector3d& amount) {
+  for (int axis = 0; axis < 3; ++axis) {
+    amount_[axis] = is_free(axis) ? amount[axis] : 0.0;
+  }
+  Pose moved = X_WO_;
+  if (handle_.kind == GizmoHandle::Kind::kRing) {
+    moved.linear() =
+        Eigen::AngleAxisd(amount_[handle_.axis], frame_.axes.col(handle_.axis)).toRotationMatrix() *
+        X_WO_.linear();
+  } else {
+    moved.translation() += frame_.axes * amount_;
+  }
   return moved;
 }
 

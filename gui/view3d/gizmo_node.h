@@ -64,6 +64,12 @@ class GizmoDrag {
   /// Where it is now. @param snap in steps of kSnapLength or kSnapAngle: along the axes of the
   /// world onto their round values, otherwise from where it was.
   [[nodiscard]] geometric::Pose moved_to(const Ray& ray, bool snap);
+  /// The same for an amount that is given, see amount(); along axes that the handle leaves free.
+  [[nodiscard]] geometric::Pose moved_by(const Eigen::Vector3d& amount);
+  /// Whether it moves along an axis, or turns about it.
+  [[nodiscard]] bool is_free(int axis) const {
+    return (axis == handle_.axis) == (handle_.kind != GizmoHandle::Kind::kPlate);
+  }
   /// How far along the axes, m; of a ring about its axis, rad. Of the last moved_to().
   [[nodiscard]] const Eigen::Vector3d& amount() const { return amount_; }
 

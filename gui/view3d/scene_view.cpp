@@ -373,6 +373,7 @@ void SceneView::resizeEvent(QResizeEvent* event) {
 
 void SceneView::mousePressEvent(QMouseEvent* event) {
   press_position_ = last_position_ = event->pos();
+  drag_has_ended_ = false;
   flight_.stop();
   const bool plain = event->button() == Qt::LeftButton && !(event->modifiers() & Qt::ShiftModifier);
   if (plain && gizmo_.is_shown() && gizmo_.press(camera_, size(), event->pos())) {
@@ -384,7 +385,10 @@ void SceneView::mouseMoveEvent(QMouseEvent* event) {
   const QPoint moved = event->pos() - last_position_;
   last_position_ = event->pos();
   if (gizmo_.is_dragging()) {
-    drag_gizmo(event->pos(), event->modifiers() & Qt::ControlModifier);
+    drag_gizmo(event->pos(), event->modifiers());
+    return;
+  }
+  if (drag_has_ended_) {
     return;
   }
   if (!event->buttons()) {
@@ -405,39 +409,68 @@ void SceneView::mouseMoveEvent(QMouseEvent* event) {
 
 void SceneView::mouseReleaseEvent(QMouseEvent* event) {
   if (gizmo_.is_dragging() && event->button() == Qt::LeftButton) {
-    const geometric::Pose X_WO = *gizmo_.pose();
-    const geometric::Pose from = gizmo_.release();
-    overlay_->set_note({}, {});
-    pacer_.request();
-    if (!X_WO.isApprox(from, 1e-12)) {
-      emit dropped(gizmo_.item(), X_WO);
-    }
+    end_drag();
     if (!(event->modifiers() & Qt::ControlModifier)) {
       return;  // with it, a click on a handle means what is behind
     }
   }
   const bool still = (event->pos() - press_position_).manhattanLength() < 4;
-  if (event->button() != Qt::LeftButton || !still) {
+  const bool is_click = still && !std::exchange(drag_has_ended_, false);
+  if (!is_click || (event->button() != Qt::LeftButton && event->button() != Qt::RightButton)) {
     return;
   }
   const auto hit = pick_at(event->pos());
+  if (event->button() == Qt::RightButton) {
+    emit context_requested(hit ? hit->item : SceneItem{}, false, event->globalPos());
+    return;
+  }
   const bool add = event->modifiers() & (Qt::ControlModifier | Qt::ShiftModifier);
   if (hit || !add) {
     emit picked(hit ? hit->item : SceneItem{}, add);
   }
 }
 
+void SceneView::contextMenuEvent(QContextMenuEvent* event) {
+  if (event->reason() == QContextMenuEvent::Keyboard) {
+    const QPoint place = gizmo_.pose()
+                             ? place_of(camera_, size(), gizmo_.pose()->translation()).toPoint()
+                             : rect().center();
+    emit context_requested({}, true, mapToGlobal(place));
+  }
+}
+
 bool SceneView::event(QEvent* event) {
-  const bool is_key =
-      event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress;
-  if (is_key && gizmo_.is_dragging() && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
-    if (event->type() == QEvent::KeyPress) {
-      cancel_drag();
-    }
+  const bool is_press = event->type() == QEvent::KeyPress;
+  if (gizmo_.is_dragging() && (is_press || event->type() == QEvent::ShortcutOverride) &&
+      take_drag_key(*static_cast<QKeyEvent*>(event), is_press)) {
     event->accept();
     return true;
   }
   return QOpenGLWidget::event(event);
+}
+
+// Asked twice of each key: whether it is one of a drag's, and then to act.
+bool SceneView::take_drag_key(const QKeyEvent& key, bool is_press) {
+  switch (key.key()) {
+    case Qt::Key_Escape:
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+      if (is_press) {
+        drag_has_ended_ = true;
+        key.key() == Qt::Key_Escape ? cancel_drag() : end_drag();
+      }
+      return true;
+    default:
+      break;
+  }
+  if (!is_press) {
+    return !key.text().isEmpty();
+  }
+  const bool taken = gizmo_.type(key.key(), key.text());
+  if (taken) {
+    show_drag(*gizmo_.pose());
+  }
+  return taken;
 }
 
 void SceneView::mouseDoubleClickEvent(QMouseEvent* event) {
@@ -459,13 +492,34 @@ void SceneView::wheelEvent(QWheelEvent* event) {
   event->accept();
 }
 
-void SceneView::drag_gizmo(const QPoint& position, bool snap) {
-  const geometric::Pose X_WO = gizmo_.drag(camera_, size(), position, snap);
+void SceneView::drag_gizmo(const QPoint& position, Qt::KeyboardModifiers modifiers) {
+  constexpr double kReach = 0.15;  // of an arrow's length
+  if (gizmo_.has_typed()) {
+    return;
+  }
+  geometric::Pose X_WO = gizmo_.drag(camera_, size(), position, modifiers & Qt::ControlModifier);
+  if ((modifiers & Qt::ShiftModifier) && face_snap_) {
+    X_WO = gizmo_.shift(face_snap_(X_WO, kReach * gizmo_.frame(camera_, size()).size));
+  }
+  show_drag(X_WO);
+}
+
+void SceneView::show_drag(const geometric::Pose& X_WO) {
   graph_->preview(gizmo_.item(), X_WO);
-  overlay_->set_note(gizmo_.amount(), position);
+  overlay_->set_note(gizmo_.amount(), last_position_);
   change();
   hurry();
   emit dragged(gizmo_.item(), X_WO);
+}
+
+void SceneView::end_drag() {
+  const geometric::Pose X_WO = *gizmo_.pose();
+  const geometric::Pose from = gizmo_.release();
+  overlay_->set_note({}, {});
+  pacer_.request();
+  if (!X_WO.isApprox(from, 1e-12)) {
+    emit dropped(gizmo_.item(), X_WO);
+  }
 }
 
 void SceneView::cancel_drag() {

@@ -14,10 +14,12 @@
 #include <QVariantAnimation>
 #include <QWidget>
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace handway::gui {
@@ -124,6 +126,13 @@ class SceneView : public QOpenGLWidget {
 
   /// Where something new goes: what is seen in the middle, or the floor there (world, m).
   [[nodiscard]] Eigen::Vector3d place_for_new();
+  /// What is seen at a place in the widget.
+  [[nodiscard]] std::optional<SceneHit> pick_at(const QPoint& position);
+  /// @param snap what a drag with Shift goes on by, for where its target is: world, m; looked for
+  /// so far away (m).
+  void set_face_snap(std::function<Eigen::Vector3d(const geometric::Pose&, double)> snap) {
+    face_snap_ = std::move(snap);
+  }
   [[nodiscard]] const ViewGizmo& gizmo() const { return gizmo_; }
   [[nodiscard]] const OrbitCamera& camera() const { return camera_; }
 
@@ -139,6 +148,9 @@ class SceneView : public QOpenGLWidget {
   void dragged(const handway::gui::SceneItem& item, const handway::geometric::Pose& X_WO);
   /// The gizmo's target has been put somewhere.
   void dropped(const handway::gui::SceneItem& item, const handway::geometric::Pose& X_WO);
+  /// A click with the right button, or the menu key. @param item under the pointer; of the key:
+  /// none.
+  void context_requested(const handway::gui::SceneItem& item, bool by_key, const QPoint& global);
 
  protected:
   void initializeGL() override;
@@ -149,21 +161,23 @@ class SceneView : public QOpenGLWidget {
   void mouseReleaseEvent(QMouseEvent* event) override;
   void mouseDoubleClickEvent(QMouseEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
-  /// Escape puts back what is being dragged.
+  void contextMenuEvent(QContextMenuEvent* event) override;
+  /// Numbers are typed in place of a drag, Enter ends it, Escape puts back what is being dragged.
   bool event(QEvent* event) override;
 
  private:
   [[nodiscard]] QSize pixel_size() const;
   [[nodiscard]] double aspect() const;
-  /// What is seen at a place in the widget.
-  [[nodiscard]] std::optional<SceneHit> pick_at(const QPoint& position);
   /// Repaints what the painter may have kept.
   void change();
   /// Paints fast from now on, until nothing has moved for a moment.
   void hurry();
   void update_gizmo();
-  void drag_gizmo(const QPoint& position, bool snap);
+  void drag_gizmo(const QPoint& position, Qt::KeyboardModifiers modifiers);
+  void show_drag(const geometric::Pose& X_WO);
+  void end_drag();
   void cancel_drag();
+  [[nodiscard]] bool take_drag_key(const QKeyEvent& key, bool is_press);
   void fly_to(const OrbitCamera::Placement& placement);
   void connect_cube();
 
@@ -178,6 +192,7 @@ class SceneView : public QOpenGLWidget {
   QVariantAnimation flight_;
   QTimer settle_;
   std::vector<std::string> colliding_;
+  std::function<Eigen::Vector3d(const geometric::Pose&, double)> face_snap_;
   ViewColors colors_;
   QPoint press_position_;
   QPoint last_position_;
@@ -185,6 +200,7 @@ class SceneView : public QOpenGLWidget {
   int samples_ = 4;
   bool always_fine_ = false;
   bool has_handles_ = false;
+  bool drag_has_ended_ = false;  ///< With the button still down.
   bool has_scene_ = false;
   bool untouched_ = true;  ///< Nobody has turned the view: keep it fitted.
 };

@@ -77,6 +77,8 @@ bool ViewGizmo::press(const OrbitCamera& camera, const QSize& size, const QPoint
   hover(camera, size, place);
   if (hot_) {
     drag_.emplace(*hot_, frame(camera, size), *X_WO_, ray_through(camera, size, place));
+    typed_ = {};
+    typed_axis_ = drag_->is_free(0) ? 0 : drag_->is_free(1) ? 1 : 2;
   }
   return drag_.has_value();
 }
@@ -85,6 +87,43 @@ Pose ViewGizmo::drag(const OrbitCamera& camera, const QSize& size, const QPointF
                      bool snap) {
   X_WO_ = drag_->moved_to(ray_through(camera, size, place), snap);
   return *X_WO_;
+}
+
+Pose ViewGizmo::shift(const Eigen::Vector3d& step) {
+  if (!local_ && drag_->handle().kind != GizmoHandle::Kind::kRing) {
+    X_WO_ = drag_->moved_by(drag_->amount() + step);
+  }
+  return *X_WO_;
+}
+
+bool ViewGizmo::has_typed() const {
+  return std::ranges::any_of(typed_, [](const QString& text) { return !text.isEmpty(); });
+}
+
+bool ViewGizmo::type(int key, const QString& text) {
+  QString& typed = typed_.at(static_cast<std::size_t>(typed_axis_));
+  if (key == Qt::Key_Tab) {
+    do {
+      typed_axis_ = (typed_axis_ + 1) % 3;
+    } while (!drag_->is_free(typed_axis_));
+  } else if (key == Qt::Key_Backspace) {
+    typed.chop(1);
+  } else if (key == Qt::Key_Minus) {
+    typed = typed.startsWith('-') ? typed.mid(1) : '-' + typed;
+  } else if (text == "." || text == "," || (text.size() == 1 && text[0].isDigit())) {
+    typed += text == "," ? QStringLiteral(".") : text;
+  } else {
+    return false;
+  }
+  const bool turns = drag_->handle().kind == GizmoHandle::Kind::kRing;
+  Eigen::Vector3d amount = Eigen::Vector3d::Zero();
+  for (std::size_t axis = 0; axis < typed_.size(); ++axis) {
+    const double number = typed_.at(axis).toDouble();  // 0 while it is none yet
+    amount[static_cast<Eigen::Index>(axis)] =
+        turns ? geometric::radians(number) : geometric::metres(number);
+  }
+  X_WO_ = drag_->moved_by(amount);
+  return true;
 }
 
 Pose ViewGizmo::release() {
@@ -107,15 +146,17 @@ QString ViewGizmo::amount() const {
   const bool turns = drag_->handle().kind == GizmoHandle::Kind::kRing;
   QStringList parts;
   for (int axis = 0; axis < 3; ++axis) {
-    const bool is_free =
-        (axis == drag_->handle().axis) != (drag_->handle().kind == GizmoHandle::Kind::kPlate);
-    const double amount = drag_->amount()[axis];
-    if (is_free) {
-      const auto name = QLatin1String(kNames.at(static_cast<std::size_t>(axis)));
-      parts << (turns ? QStringLiteral("%1 %2°").arg(name, with_sign(geometric::degrees(amount), 1))
-                      : QStringLiteral("%1 %2 mm")
-                            .arg(name, with_sign(geometric::millimetres(amount), 1)));
+    if (!drag_->is_free(axis)) {
+      continue;
     }
+    const double amount = drag_->amount()[axis];
+    const auto index = static_cast<std::size_t>(axis);
+    const QString number =
+        with_sign(turns ? geometric::degrees(amount) : geometric::millimetres(amount), 1);
+    parts << QStringLiteral("%1 %2%3").arg(
+        QLatin1String(kNames.at(index)),
+        has_typed() ? typed_.at(index) + (axis == typed_axis_ ? "_" : "") : number,
+        turns ? QStringLiteral("°") : QStringLiteral(" mm"));
   }
   return parts.join(QStringLiteral("   "));
 }

@@ -8,6 +8,7 @@
 #include <QSize>
 #include <QString>
 
+#include <array>
 #include <optional>
 
 namespace handway::gui {
@@ -41,6 +42,13 @@ class ViewGizmo {
   /// @pre is_dragging(). @returns where the target is now.
   geometric::Pose drag(const OrbitCamera& camera, const QSize& size, const QPointF& place,
                        bool snap);
+  /// Moves on along the axes of the world that the handle leaves free. @pre is_dragging().
+  geometric::Pose shift(const Eigen::Vector3d& step);
+  /// Takes a key of a number that is typed in place of a drag: digits, sign, point, Backspace, and
+  /// Tab for the plates' other axis. In mm or degrees. @returns whether it is one.
+  bool type(int key, const QString& text);
+  /// Whether a number has been typed, to which the pointer gives way.
+  [[nodiscard]] bool has_typed() const;
   /// Lets go. @returns where the target was when it was taken hold of.
   geometric::Pose release();
   /// Lets go. The target is back where it was, which is returned.
@@ -54,6 +62,8 @@ class ViewGizmo {
   std::optional<geometric::Pose> X_WO_;
   std::optional<GizmoHandle> hot_;
   std::optional<GizmoDrag> drag_;
+  std::array<QString, 3> typed_;  ///< Along each axis.
+  int typed_axis_ = 0;
   bool local_ = false;
 };
 

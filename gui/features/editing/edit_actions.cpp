@@ -7,6 +7,8 @@
 #include "model/document/selection.h"
 #include "widgets/style/theme.h"
 
+#include <QClipboard>
+#include <QGuiApplication>
 #include <QMainWindow>
 #include <QMenu>
 #include <QToolButton>
@@ -44,6 +46,20 @@ void EditActions::make_actions() {
   take(*redo, "redo", QKeySequence(QStringLiteral("Ctrl+Shift+Z")), tr("Make it again"));
   rename = workbench_.make_action("", tr("Re&name"), QKeySequence(Qt::Key_F2),
                                   tr("Give the object or group another name"));
+  cut = workbench_.make_action("", tr("Cu&t"), QKeySequence(QStringLiteral("Ctrl+X")),
+                               tr("Copy the object and take it away"));
+  copy = workbench_.make_action("", tr("&Copy"), QKeySequence(QStringLiteral("Ctrl+C")),
+                                tr("Copy the object, for this scene, another one or a file"));
+  paste = workbench_.make_action("", tr("&Paste"), QKeySequence(QStringLiteral("Ctrl+V")),
+                                 tr("Add what was copied, in free space"));
+  cut->setObjectName(QStringLiteral("cut"));
+  copy->setObjectName(QStringLiteral("copy"));
+  paste->setObjectName(QStringLiteral("paste"));
+  attach = workbench_.make_action("", tr("A&ttach to the palm"), {},
+                                  tr("Let the hand carry the object from where it is"));
+  detach = workbench_.make_action("", tr("Det&ach"), {}, tr("Leave the object where it is"));
+  attach->setObjectName(QStringLiteral("attach"));
+  detach->setObjectName(QStringLiteral("detach"));
   duplicate =
       workbench_.make_action("duplicate", tr("&Duplicate"), QKeySequence(QStringLiteral("Ctrl+D")),
                              tr("Put a copy beside the object"));
@@ -69,14 +85,23 @@ void EditActions::make_actions() {
 }
 
 void EditActions::fill_menu() {
-  const std::vector<std::vector<QAction*>> sections{
-      {undo, redo}, {rename, duplicate, remove}, {drop, hide, lock}, {palm, resize, local}};
+  const std::vector<std::vector<QAction*>> sections{{undo, redo},
+                                                    {cut, copy, paste, rename, duplicate, remove},
+                                                    {drop, hide, lock},
+                                                    {palm, resize, local}};
   for (std::size_t section = 0; section < sections.size(); ++section) {
     int order = 0;
     for (QAction* action : sections[section]) {
-      workbench_.add_to_menu(MainMenu::kEdit, {static_cast<int>(section), ++order}, action);
+      const Position position{static_cast<int>(section), ++order};
+      workbench_.add_to_menu(MainMenu::kEdit, position, action);
+      if (section > 0) {
+        workbench_.add_to_menu(MainMenu::kContext, position, action);
+      }
     }
   }
+  // Of an object's properties, where there are all links.
+  workbench_.add_to_menu(MainMenu::kContext, {2, 10}, attach);
+  workbench_.add_to_menu(MainMenu::kContext, {2, 11}, detach);
 }
 
 void EditActions::make_add_button() {
@@ -108,6 +133,14 @@ void EditActions::fill_bar() {
 
 void EditActions::connect_actions() {
   connect(rename, &QAction::triggered, this, [this] { emit rename_requested(); });
+  connect(cut, &QAction::triggered, this, [this] {
+    copy_objects();
+    editor_.remove();
+  });
+  connect(copy, &QAction::triggered, this, &EditActions::copy_objects);
+  connect(paste, &QAction::triggered, this, &EditActions::paste_objects);
+  connect(attach, &QAction::triggered, this, [this] { emit attach_requested(); });
+  connect(detach, &QAction::triggered, &editor_, &SceneEditor::detach);
   connect(duplicate, &QAction::triggered, &editor_, &SceneEditor::duplicate);
   connect(remove, &QAction::triggered, &editor_, &SceneEditor::remove);
   connect(drop, &QAction::triggered, &editor_, &SceneEditor::drop);
@@ -118,6 +151,22 @@ void EditActions::connect_actions() {
   connect(palm, &QAction::triggered, this, [this](bool on) {
     editor_.select(on ? SceneItem{SceneItem::Kind::kPalm, "", ""} : SceneItem{});
   });
+}
+
+void EditActions::copy_objects() {
+  try {
+    QGuiApplication::clipboard()->setText(QString::fromStdString(editor_.copied()));
+  } catch (const std::exception& error) {
+    workbench_.show_error(tr("Nothing was copied"), QString::fromUtf8(error.what()));
+  }
+}
+
+void EditActions::paste_objects() {
+  try {
+    editor_.paste(QGuiApplication::clipboard()->text().toStdString());
+  } catch (const std::exception& error) {
+    workbench_.show_error(tr("The clipboard holds no objects"), QString::fromUtf8(error.what()));
+  }
 }
 
 void EditActions::fill_add_menu(QMenu& menu) {
@@ -168,7 +217,17 @@ void EditActions::update_enabled() {
   remove->setEnabled(can_change);
   rename->setEnabled(can_change &&
                      rigid_parts(*editor_.state().scene, editor_.selected_objects()).size() == 1);
-  duplicate->setEnabled(object);
+  for (QAction* action : {copy, duplicate}) {
+    action->setEnabled(object);
+  }
+  cut->setEnabled(can_change);
+  paste->setEnabled(has_scene && editor_.document().robot());
+  const bool is_held =
+      can_change && std::ranges::any_of(editor_.changeable(), [&](const auto& name) {
+        return editor_.state().find(name)->attachment.has_value();
+      });
+  attach->setEnabled(can_change && !is_held && editor_.document().robot());
+  detach->setEnabled(is_held);
   drop->setEnabled(can_change && (editor_.has_several() || !object->attachment));
   hide->setEnabled(object);
   lock->setEnabled(object);
@@ -224,12 +283,16 @@ ArrangeActions::ArrangeActions(Workbench& workbench)
 }
 
 void ArrangeActions::place_actions() {
-  auto* arrange = new QMenu(tr("Arrange"), &workbench_.window);
-  int order = 0;
+  auto* arrange = new QMenu(tr("Arran&ge"), &workbench_.window);
   for (QAction* action :
        {align_menu_->menuAction(), distribute_menu_->menuAction(), array, group, dissolve}) {
     arrange->addAction(action);
+  }
+  arranging_ = arrange->menuAction();
+  int order = 0;
+  for (QAction* action : {arranging_, array}) {
     workbench_.add_to_menu(MainMenu::kEdit, {4, ++order}, action);
+    workbench_.add_to_menu(MainMenu::kContext, {4, order}, action);
   }
   workbench_.add_to_menu(MainMenu::kEdit, {4, ++order}, select_all);
   button_->setObjectName(QStringLiteral("arrange"));
@@ -282,6 +345,7 @@ void ArrangeActions::update_enabled() {
   dissolve->setEnabled(in_group && editor_.can_change());
   select_all->setEnabled(scene && !scene->objects.empty());
   button_->setEnabled(!objects.empty());
+  arranging_->setEnabled(!objects.empty());
 }
 
 void ArrangeActions::align(int axis, AlignTo to) {

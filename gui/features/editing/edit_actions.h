@@ -32,6 +32,9 @@ class EditActions : public QObject {
   QAction* undo;
   QAction* redo;
   QAction* rename;
+  QAction* cut;
+  QAction* copy;
+  QAction* paste;
   QAction* duplicate;
   QAction* remove;
   QAction* drop;
@@ -40,12 +43,15 @@ class EditActions : public QObject {
   QAction* palm;    ///< The palm of the robot is selected, to be moved.
   QAction* resize;  ///< Knobs to make the object larger or smaller.
   QAction* local;   ///< Handles along the object's own axes.
+  QAction* attach;  ///< To the palm.
+  QAction* detach;
 
  signals:
   void add_requested(const QString& name, const handway::geometric::Shape& shape);
   /// A mesh of the library, or an empty path to ask for one.
   void add_mesh_requested(const QString& file);
   void rename_requested();
+  void attach_requested();
 
  private:
   void make_actions();
@@ -53,6 +59,8 @@ class EditActions : public QObject {
   void fill_menu();
   void fill_bar();
   void connect_actions();
+  void copy_objects();
+  void paste_objects();
   void take(QAction& action, const QString& name, const QKeySequence& keys, const QString& tip);
   void fill_add_menu(QMenu& menu);
 
@@ -95,6 +103,7 @@ class ArrangeActions : public QObject {
   SceneEditor& editor_;
   QMenu* align_menu_;
   QMenu* distribute_menu_;
+  QAction* arranging_ = nullptr;  ///< The menu of them all.
   QToolButton* button_;
 };
 

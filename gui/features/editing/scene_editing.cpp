@@ -1,19 +1,26 @@
 #include "features/editing/scene_editing.h"
 
+#include "features/editing/mesh_import.h"
 #include "features/editing/palm_tool.h"
 #include "features/editing/properties_panel.h"
 #include "features/editing/scene_tree.h"
 #include "features/workbench.h"
+#include "handway/geometric/formats/mesh_reader.h"
+#include "handway/geometric/io/existing_file.h"
+#include "handway/geometric/io/resources.h"
 #include "model/document/document.h"
 #include "model/document/scene_edits.h"
 #include "view3d/overlay.h"
 #include "view3d/scene_view.h"
+#include "view3d/view_gizmo.h"
 #include "widgets/panels/floating_card.h"
 #include "widgets/panels/log_panel.h"
 
+#include <QDropEvent>
 #include <QFileDialog>
 #include <QLocale>
 #include <QMainWindow>
+#include <QMimeData>
 #include <QUndoView>
 
 #include <algorithm>
@@ -48,8 +55,8 @@ Recovery::Recovery(Workbench& workbench)
       store(std::nullopt);
     }
   });
-  connect(&editor_.undo_stack(), &QUndoStack::cleanChanged, this, [this](bool clean) {
-    if (clean) {
+  connect(&editor_, &SceneEditor::modified_changed, this, [this](bool modified) {
+    if (!modified) {
       autosave_.clear();
     }
   });
@@ -70,7 +77,7 @@ void Recovery::set_enabled(bool enabled) {
     enabled_ = enabled;
     if (!enabled) {
       autosave_.clear();
-    } else if (document_.scene() && !editor_.undo_stack().isClean()) {
+    } else if (document_.scene() && editor_.is_modified()) {
       store(std::nullopt);
     }
   }
@@ -111,6 +118,7 @@ void Recovery::recover(const LostScene& lost) {
 namespace {
 
 constexpr geometric::Color kNewColor{0.36F, 0.56F, 0.80F, 1.0F};
+constexpr geometric::Color kMeshColor{0.62F, 0.66F, 0.71F, 1.0F};
 
 }  // namespace
 
@@ -146,10 +154,12 @@ SceneEditing::SceneEditing(Workbench& workbench)
     properties_->refresh_icons();
   });
   connect(properties_, &PropertiesPanel::attach_requested, this, &SceneEditing::attach);
-  connect(&edit_actions_, &EditActions::add_requested, this,
-          [this](const QString& name, const geometric::Shape& shape) {
-            editor_.add(name.toStdString(), shape, kNewColor, view_.place_for_new());
-          });
+  connect(&edit_actions_, &EditActions::add_requested, this, &SceneEditing::add_shape);
+  connect(&edit_actions_, &EditActions::attach_requested, this, [this] {
+    const geometric::RobotInstance& robot = *document_.robot();
+    attach(robot.name, robot.model->link(document_.palm()).name);
+  });
+  connect(&editor_, &SceneEditor::refused, &workbench_, &Workbench::show_error);
   connect(&edit_actions_, &EditActions::add_mesh_requested, this, &SceneEditing::add_mesh);
   connect_view();
   connect_tree();
@@ -177,6 +187,15 @@ void SceneEditing::connect_view() {
               workbench_.session.try_scene(*state);
             }
           });
+  connect(&view_, &SceneView::context_requested, this, &SceneEditing::show_context_menu);
+  view_.setAcceptDrops(true);
+  view_.installEventFilter(this);
+  view_.set_face_snap([this](const geometric::Pose& X_WO, double reach) {
+    const auto state = editor_.placed(X_WO);
+    return state ? shift_to_sides(*state->scene, document_.configuration(), editor_.changeable(),
+                                  reach)
+                 : Eigen::Vector3d::Zero().eval();
+  });
   connect(&resize_, &ResizeTool::tried, &workbench_.session, &PlanningSession::try_scene);
   connect(edit_actions_.resize, &QAction::toggled, this, [this](bool on) {
     resize_.set_wanted(on);
@@ -208,7 +227,69 @@ void SceneEditing::connect_tree() {
             arrange_actions_.rename_group(name, new_name);
             tree_->update_scene(editor_.state());
           });
+  connect(tree_, &SceneTree::objects_dropped, this, &SceneEditing::drop_in_tree);
+  connect(tree_, &QWidget::customContextMenuRequested, this, [this](const QPoint& place) {
+    workbench_.show_context_menu(tree_->viewport()->mapToGlobal(place));
+  });
   connect(&edit_actions_, &EditActions::rename_requested, tree_, &SceneTree::edit_name);
+}
+
+// A click beside what is selected selects what it meets.
+void SceneEditing::show_context_menu(const SceneItem& item, bool by_key, const QPoint& place) {
+  const std::vector<std::string>& selected = editor_.selected_objects();
+  const bool is_selected =
+      item == editor_.selection() ||
+      (item.kind == SceneItem::Kind::kObject && std::ranges::count(selected, item.name) > 0);
+  if (!by_key && !is_selected) {
+    editor_.click(item, false);
+  }
+  workbench_.show_context_menu(place);
+}
+
+bool SceneEditing::eventFilter(QObject* watched, QEvent* event) {
+  // Of drags the base class of all their events is that of dropping.
+  if (event->type() == QEvent::DragEnter || event->type() == QEvent::DragMove ||
+      event->type() == QEvent::Drop) {
+    auto& drag = *static_cast<QDropEvent*>(event);
+    const bool is_ours = drag.mimeData()->hasFormat(QLatin1String(SceneTree::kDraggedObjects));
+    drag.setAccepted(is_ours);
+    if (is_ours && event->type() == QEvent::Drop) {
+      drop_in_view(SceneTree::dragged_objects(*drag.mimeData()), drag.pos());
+    }
+    return is_ours;
+  }
+  return QObject::eventFilter(watched, event);
+}
+
+void SceneEditing::drop_in_tree(const std::vector<std::string>& names, const SceneItem& onto) {
+  if (onto.kind == SceneItem::Kind::kLink) {
+    editor_.select_objects(names);
+    attach(onto.robot, onto.name);
+  } else {
+    editor_.move_into_group(names, onto.kind == SceneItem::Kind::kObject
+                                       ? editor_.state().display_of(onto.name).group
+                                       : onto.name);
+  }
+}
+
+void SceneEditing::drop_in_view(const std::vector<std::string>& names, const QPoint& place) {
+  const auto hit = view_.pick_at(place);
+  if (hit && hit->item.kind == SceneItem::Kind::kLink) {
+    drop_in_tree(names, hit->item);
+    return;
+  }
+  const Ray ray = ray_through(view_.camera(), view_.size(), place);
+  const double to_floor = -ray.origin.z() / ray.direction.z();
+  const Eigen::Vector3d foot = hit ? hit->point
+                               : to_floor > 0.0
+                                   ? Eigen::Vector3d(ray.origin + to_floor * ray.direction)
+                                   : view_.place_for_new();
+  editor_.put_at(names, foot);
+}
+
+void SceneEditing::add_shape(const QString& name, const geometric::Shape& shape) {
+  const Eigen::Vector3d size = geometric::bounding_box(*geometric::tessellate(shape)).size();
+  editor_.add(name.toStdString(), shape, kNewColor, editor_.place_for(size, view_.place_for_new()));
 }
 
 void SceneEditing::show_selection() {
@@ -281,10 +362,34 @@ void SceneEditing::add_mesh(const QString& file) {
     return;
   }
   try {
-    editor_.add_mesh(chosen.toStdString(), view_.place_for_new());
+    import_mesh(chosen);
   } catch (const std::exception& error) {
     workbench_.show_error(tr("The mesh can't be added"), QString::fromUtf8(error.what()));
   }
+}
+
+void SceneEditing::import_mesh(const QString& file) {
+  geometric::Mesh mesh;
+  mesh.file = std::filesystem::absolute(file.toStdString());
+  mesh.triangles = geometric::read_mesh(mesh.file);
+  Eigen::Matrix3d R_WO = Eigen::Matrix3d::Identity();
+  if (mesh.file.parent_path() != geometric::resource_dir() / "objects") {  // those are known
+    const bool knows_units = geometric::has_extension(mesh.file, ".dae") ||
+                             geometric::has_extension(mesh.file, ".glb") ||
+                             geometric::has_extension(mesh.file, ".gltf");
+    MeshImportDialog dialog(file, mesh.triangles, knows_units, &workbench_.window);
+    if (dialog.exec() != QDialog::Accepted) {
+      return;
+    }
+    mesh = scaled(mesh, dialog.scale());
+    R_WO = dialog.orientation();
+  }
+  geometric::Pose X_WO = geometric::Pose::Identity();
+  X_WO.linear() = R_WO;
+  const Eigen::Vector3d size =
+      geometric::bounding_box(geometric::transformed(*mesh.triangles, X_WO)).size();
+  editor_.add(mesh.file.stem().string(), mesh, kMeshColor,
+              editor_.place_for(size, view_.place_for_new()), R_WO);
 }
 
 ConstraintDisplay::ConstraintDisplay(Document& document, SceneView& view, QObject* parent)

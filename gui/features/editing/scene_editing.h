@@ -68,6 +68,8 @@ class SceneEditing : public QObject {
 
   /// Adds a mesh from a file. Where that fails, failed() says so.
   void add_mesh(const QString& file);
+  /// Takes objects that are dragged from the tree into the view.
+  bool eventFilter(QObject* watched, QEvent* event) override;
   /// Whether what is selected has handles to be moved by, where it can be moved.
   void show_handles(bool shown);
 
@@ -80,6 +82,13 @@ class SceneEditing : public QObject {
   void update_gizmo();
   void preview(const SceneState& state);
   void attach(const std::string& robot, const std::string& link);
+  /// @throws InputError if the mesh can't be read.
+  void import_mesh(const QString& file);
+  void add_shape(const QString& name, const geometric::Shape& shape);
+  void show_context_menu(const SceneItem& item, bool by_key, const QPoint& place);
+  /// Objects that were dragged somewhere.
+  void drop_in_tree(const std::vector<std::string>& names, const SceneItem& onto);
+  void drop_in_view(const std::vector<std::string>& names, const QPoint& place);
 
   Workbench& workbench_;
   const Document& document_;

@@ -3,7 +3,9 @@
 #include "model/settings/view_colors.h"
 #include "widgets/style/theme.h"
 
+#include <QDragMoveEvent>
 #include <QHeaderView>
+#include <QMimeData>
 #include <QPainter>
 #include <QScrollBar>
 #include <QSignalBlocker>
@@ -77,6 +79,9 @@ SceneTree::SceneTree(QWidget* parent) : QTreeWidget(parent) {
   setFrameShape(QFrame::NoFrame);
   setIconSize({16, 16});
   setSelectionMode(QAbstractItemView::ExtendedSelection);
+  setDragDropMode(QAbstractItemView::DragDrop);
+  setDropIndicatorShown(false);
+  setContextMenuPolicy(Qt::CustomContextMenu);
   connect(this, &QTreeWidget::itemSelectionChanged, this, &SceneTree::take_selection);
   connect(this, &QTreeWidget::itemDoubleClicked, this, [this](QTreeWidgetItem* row) {
     const SceneItem item = item_at(row);
@@ -87,14 +92,13 @@ SceneTree::SceneTree(QWidget* parent) : QTreeWidget(parent) {
   connect(this, &QTreeWidget::itemChanged, this, &SceneTree::take_change);
 }
 
-void SceneTree::take_selection() {
-  std::vector<std::string> names;
-  const QList<QTreeWidgetItem*> selected = selectedItems();
-  std::vector<QTreeWidgetItem*> rows(selected.begin(), selected.end());
+std::vector<std::string> SceneTree::objects_of(const QList<QTreeWidgetItem*>& rows) const {
+  std::vector<QTreeWidgetItem*> ordered(rows.begin(), rows.end());
   // The one that was clicked comes last.
-  std::stable_partition(rows.begin(), rows.end(),
+  std::stable_partition(ordered.begin(), ordered.end(),
                         [this](auto* row) { return row != currentItem(); });
-  for (const QTreeWidgetItem* row : rows) {
+  std::vector<std::string> names;
+  for (const QTreeWidgetItem* row : ordered) {
     const SceneItem item = item_at(row);
     if (item.kind == Kind::kObject) {
       names.push_back(item.name);
@@ -103,11 +107,75 @@ void SceneTree::take_selection() {
       names.insert(names.end(), members.begin(), members.end());
     }
   }
+  return names;
+}
+
+void SceneTree::take_selection() {
+  const QList<QTreeWidgetItem*> rows = selectedItems();
+  const std::vector<std::string> names = objects_of(rows);
   if (names.empty()) {
-    emit item_selected(rows.empty() ? SceneItem{} : item_at(rows.back()));
+    const bool has_current = rows.contains(currentItem());
+    emit item_selected(rows.empty() ? SceneItem{}
+                                    : item_at(has_current ? currentItem() : rows.back()));
   } else {
     emit objects_selected(names);
   }
+}
+
+std::vector<std::string> SceneTree::dragged_objects(const QMimeData& data) {
+  std::vector<std::string> names;
+  for (const QByteArray& name : data.data(QLatin1String(kDraggedObjects)).split('\n')) {
+    if (!name.isEmpty()) {
+      names.push_back(name.toStdString());
+    }
+  }
+  return names;
+}
+
+QStringList SceneTree::mimeTypes() const { return {QLatin1String(kDraggedObjects)}; }
+
+QMimeData* SceneTree::mimeData(const QList<QTreeWidgetItem*> rows) const {
+  QByteArray lines;
+  for (const std::string& name : objects_of(rows)) {
+    lines += QByteArray::fromStdString(name) + '\n';
+  }
+  if (lines.isEmpty()) {
+    return nullptr;
+  }
+  auto* dragged = new QMimeData;
+  dragged->setData(QLatin1String(kDraggedObjects), lines);
+  return dragged;
+}
+
+std::optional<SceneItem> SceneTree::drop_place(const QPoint& position) const {
+  const QTreeWidgetItem* row = itemAt(position);
+  if (!row) {
+    return std::nullopt;
+  }
+  const SceneItem item = item_at(row);
+  const bool is_all_objects =
+      item.kind == Kind::kNone && row->childCount() > 0 &&
+      (item_at(row->child(0)).kind == Kind::kObject || item_at(row->child(0)).kind == Kind::kGroup);
+  const bool takes = item.kind == Kind::kLink || item.kind == Kind::kGroup ||
+                     item.kind == Kind::kObject || is_all_objects;
+  return takes ? std::optional(item) : std::nullopt;
+}
+
+void SceneTree::dragMoveEvent(QDragMoveEvent* event) {
+  QTreeWidget::dragMoveEvent(event);  // which scrolls
+  event->setAccepted(event->mimeData()->hasFormat(QLatin1String(kDraggedObjects)) &&
+                     drop_place(event->pos()));
+}
+
+void SceneTree::dropEvent(QDropEvent* event) {
+  if (const auto onto = drop_place(event->pos())) {
+    emit objects_dropped(dragged_objects(*event->mimeData()), *onto);
+  }
+  event->setDropAction(Qt::CopyAction);  // rows are moved by whoever edits the scene
+  event->accept();
+  stopAutoScroll();
+  setState(NoState);
+  viewport()->update();
 }
 
 void SceneTree::take_object_change(const SceneItem& changed, const std::string& text, bool shown) {

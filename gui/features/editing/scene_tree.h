@@ -5,7 +5,9 @@
 #include <QTreeWidget>
 
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace handway::gui {
 
@@ -17,6 +19,10 @@ class SceneTree : public QTreeWidget {
 
  public:
   explicit SceneTree(QWidget* parent = nullptr);
+
+  /// What is dragged out of the tree holds the names of objects, one a line.
+  static constexpr const char* kDraggedObjects = "application/x-handway-objects";
+  [[nodiscard]] static std::vector<std::string> dragged_objects(const QMimeData& data);
 
   /// Null empties the tree.
   void set_scene(std::shared_ptr<const geometric::Scene> scene);
@@ -40,8 +46,15 @@ class SceneTree : public QTreeWidget {
   void objects_toggled(const std::vector<std::string>& names, bool shown);
   void object_renamed(const std::string& name, const std::string& new_name);
   void group_renamed(const std::string& name, const std::string& new_name);
+  /// Objects were dragged onto a link, a group, an object of a group, or the heading of them all
+  /// (kNone).
+  void objects_dropped(const std::vector<std::string>& names, const handway::gui::SceneItem& onto);
 
  protected:
+  [[nodiscard]] QMimeData* mimeData(QList<QTreeWidgetItem*> rows) const override;
+  [[nodiscard]] QStringList mimeTypes() const override;
+  void dragMoveEvent(QDragMoveEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
   /// An empty tree says what would be here.
   void paintEvent(QPaintEvent* event) override;
 
@@ -57,6 +70,10 @@ class SceneTree : public QTreeWidget {
                                            const std::string& group) const;
   void add_query(const geometric::Scene& scene);
   [[nodiscard]] SceneItem item_at(const QTreeWidgetItem* row) const;
+  /// The objects of these rows, the current one's last.
+  [[nodiscard]] std::vector<std::string> objects_of(const QList<QTreeWidgetItem*>& rows) const;
+  /// Where objects that are held at a place can be dropped; nothing: they can't.
+  [[nodiscard]] std::optional<SceneItem> drop_place(const QPoint& position) const;
 
   SceneState state_;
   Selection selection_;

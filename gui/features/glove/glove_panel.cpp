@@ -48,7 +48,7 @@ bool is_live(StreamState state) {
 
 }  // namespace
 
-GlovePanel::GlovePanel(ContactGuard& guard, QWidget* parent)
+GlovePanel::GlovePanel(ContactGuard& guard, QUndoStack& history, QWidget* parent)
     : QWidget(parent),
       device_(new DeviceField),
       connect_(new QPushButton),
@@ -57,7 +57,7 @@ GlovePanel::GlovePanel(ContactGuard& guard, QWidget* parent)
       pages_(new QStackedWidget),
       bars_(new SensorBars),
       capture_(session_),
-      mapping_editor_(new MappingEditor(session_)),
+      mapping_editor_(new MappingEditor(session_, history)),
       guard_(guard),
       follow_(new QCheckBox(tr("Hand follows"))),
       rule_(new QComboBox),
@@ -318,7 +318,7 @@ void GlovePanel::show_statistics() {
 void GlovePanel::refresh_icons() { record_->refresh_icon(); }
 
 void add_glove(Workbench& workbench) {
-  auto* panel = new GlovePanel(workbench.guard);
+  auto* panel = new GlovePanel(workbench.guard, workbench.editor.undo_stack());
   const auto add_page = [panel](const QString& title, QWidget* page) {
     panel->add_page(title, page);
   };

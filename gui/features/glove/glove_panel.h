@@ -17,6 +17,7 @@ class QComboBox;
 class QLabel;
 class QPushButton;
 class QTabBar;
+class QUndoStack;
 class QStackedWidget;
 
 namespace handway::gui {
@@ -35,7 +36,7 @@ class GlovePanel : public QWidget {
 
  public:
   /// @param guard decides on postures of glove and others; outlives the panel.
-  explicit GlovePanel(ContactGuard& guard, QWidget* parent = nullptr);
+  GlovePanel(ContactGuard& guard, QUndoStack& history, QWidget* parent = nullptr);
   ~GlovePanel() override;
 
   /// @param model null: no robot.

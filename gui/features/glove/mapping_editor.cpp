@@ -7,6 +7,7 @@
 #include "handway/geometric/math/units.h"
 #include "handway/sampling/postures/posture_subspace.h"
 #include "handway/sampling/postures/principal_components.h"
+#include "model/document/edit.h"
 #include "widgets/style/theme.h"
 
 #include <QFileDialog>
@@ -19,6 +20,7 @@
 #include <QPainter>
 #include <QPainterPath>
 #include <QPushButton>
+#include <QUndoStack>
 #include <QVBoxLayout>
 #include <QVariant>
 
@@ -277,9 +279,10 @@ QString filter() { return QObject::tr("Mappings (*.yaml *.yml);;All files (*)");
 
 }  // namespace
 
-MappingEditor::MappingEditor(GloveSession& session, QWidget* parent)
+MappingEditor::MappingEditor(GloveSession& session, QUndoStack& history, QWidget* parent)
     : QWidget(parent),
       session_(session),
+      history_(history),
       wires_(new MappingWires),
       form_(new WireForm),
       curve_(new CurveView),
@@ -315,7 +318,7 @@ MappingEditor::MappingEditor(GloveSession& session, QWidget* parent)
     device::JointWire& wire = mapping.wires[static_cast<std::size_t>(joint)];
     wire.sensor = sensor;
     wire.fixed.reset();
-    change(mapping);
+    change(tr("Wire %1").arg(QString::fromStdString(wire.joint)), mapping);
   });
   connect(form_, &WireForm::edited, this, &MappingEditor::change_wire);
   connect(curve_, &CurveView::edited, this, &MappingEditor::change_wire);
@@ -323,7 +326,7 @@ MappingEditor::MappingEditor(GloveSession& session, QWidget* parent)
     device::HandMapping mapping = session_.mapping();
     if (source_->isModified()) {
       mapping.source = source_->text().toStdString();
-      change(mapping);
+      change(tr("Set the mapping's source"), mapping);
     }
   });
   refresh();
@@ -336,7 +339,8 @@ QWidget* MappingEditor::build_buttons() {
   layout->setSpacing(8);
   auto* mapping = new QPushButton(tr("Mapping"));
   auto* menu = new QMenu(mapping);
-  menu->addAction(tr("Table 1 of the paper"), this, [this] { change(device::table1_mapping()); });
+  menu->addAction(tr("Table 1 of the paper"), this,
+                  [this] { change(tr("Map as in Table 1"), device::table1_mapping()); });
   menu->addAction(tr("All joints fixed"), this, &MappingEditor::clear);
   menu->addSeparator();
   menu->addAction(tr("Open…"), this, &MappingEditor::choose_to_open);
@@ -389,7 +393,9 @@ void MappingEditor::show_samples(const std::vector<GloveSample>& samples) {
   }
 }
 
-void MappingEditor::open(const std::filesystem::path& file) { change(device::read_mapping(file)); }
+void MappingEditor::open(const std::filesystem::path& file) {
+  change(tr("Open a mapping"), device::read_mapping(file));
+}
 
 void MappingEditor::save(const std::filesystem::path& file) const {
   device::write_mapping(session_.mapping(), file);
@@ -401,10 +407,16 @@ void MappingEditor::clear() {
   for (device::JointWire& wire : mapping.wires) {
     wire = device::JointWire{wire.joint, -1, 1.0, 0.0, {}, {}};
   }
-  change(mapping);
+  change(tr("Fix all joints"), mapping);
 }
 
-void MappingEditor::change(const device::HandMapping& mapping) {
+void MappingEditor::change(const QString& text, const device::HandMapping& mapping) {
+  history_.push(new ValueEdit<device::HandMapping>(
+      text, text.toStdString(), false, session_.mapping(), mapping,
+      [this](const device::HandMapping& chosen) { use(chosen); }));
+}
+
+void MappingEditor::use(const device::HandMapping& mapping) {
   session_.set_mapping(mapping);
   comparison_->clear();
   refresh();
@@ -416,7 +428,7 @@ void MappingEditor::change(const device::HandMapping& mapping) {
 void MappingEditor::change_wire(const device::JointWire& wire) {
   device::HandMapping mapping = session_.mapping();
   mapping.wires[static_cast<std::size_t>(wires_->selected())] = wire;
-  change(mapping);
+  change(tr("Map %1").arg(QString::fromStdString(wire.joint)), mapping);
 }
 
 void MappingEditor::show_wire(const device::JointWire& wire) {

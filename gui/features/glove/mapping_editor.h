@@ -19,6 +19,7 @@
 class QLabel;
 class QLineEdit;
 class QPushButton;
+class QUndoStack;
 
 namespace handway::gui {
 
@@ -95,7 +96,9 @@ class MappingEditor : public QWidget {
   Q_OBJECT
 
  public:
-  explicit MappingEditor(GloveSession& session, QWidget* parent = nullptr);
+  /// @param history where changes of the mapping can be undone; used no more once the editor is
+  /// gone. Both outlive it.
+  MappingEditor(GloveSession& session, QUndoStack& history, QWidget* parent = nullptr);
 
   /// @param free joints of the hand's basis, which take no part in comparisons.
   void set_hand(std::shared_ptr<const geometric::RobotModel> model, std::vector<std::string> free);
@@ -114,7 +117,9 @@ class MappingEditor : public QWidget {
 
  private:
   QWidget* build_buttons();
-  void change(const device::HandMapping& mapping);
+  /// Takes another mapping, as an edit that can be undone.
+  void change(const QString& text, const device::HandMapping& mapping);
+  void use(const device::HandMapping& mapping);
   void change_wire(const device::JointWire& wire);
   void show_wire(const device::JointWire& wire);
   void refresh();
@@ -123,6 +128,7 @@ class MappingEditor : public QWidget {
   void choose_to_compare();
 
   GloveSession& session_;
+  QUndoStack& history_;
   std::shared_ptr<const geometric::RobotModel> model_;
   std::vector<std::string> free_;
   std::deque<device::GloveAngles> motion_;

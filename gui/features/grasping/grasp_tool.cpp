@@ -229,6 +229,7 @@ void add_grasping(Workbench& workbench) {
       QStringLiteral("posture"), QObject::tr("&Grasp…"), QKeySequence(QStringLiteral("Ctrl+G")),
       QObject::tr("Find grasps of the object, choose one and plan to it"));
   workbench.add_to_menu(MainMenu::kEdit, {3, 0}, grasp);
+  workbench.add_to_menu(MainMenu::kContext, {3, 0}, grasp);
   workbench.add_to_bar(MainBar::kEditing, {0, 50}, grasp);
   const auto update_enabled = [grasp, &workbench] {
     const geometric::SceneObject* object = workbench.editor.selected_object();

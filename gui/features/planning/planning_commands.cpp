@@ -7,6 +7,7 @@
 #include "features/planning/region_tool.h"
 #include "features/planning/roadmap_display.h"
 #include "features/workbench.h"
+#include "model/planning/settings_history.h"
 #include "model/playback/path_player.h"
 #include "view3d/scene_view.h"
 #include "widgets/panels/log_panel.h"
@@ -152,6 +153,8 @@ void add_planning(Workbench& workbench) {
   auto* panel = new PlanPanel(workbench.plan_settings);
   workbench.add_dock(DockArea::kControl, 0, {"plan", QObject::tr("Plan"), panel});
   panel->follow(workbench.session);
+  auto& settings = workbench.own<SettingsHistory>(workbench.plan_settings, workbench.editor);
+  QObject::connect(&workbench, &Workbench::ready, &settings, &SettingsHistory::begin);
   auto& collisions = workbench.own<CollisionDisplay>(workbench.collisions, workbench.view);
   workbench.window.statusBar()->addWidget(collisions.label(), 1);
   workbench.add_to_menu(MainMenu::kView, {2, 10}, collisions.closest_shown());

@@ -137,6 +137,7 @@ void PosturePanels::add_commands() {
   int order = 0;
   for (QAction* action : {start, goal, keep}) {
     workbench_.add_to_menu(MainMenu::kPlan, {1, ++order}, action);
+    workbench_.add_to_menu(MainMenu::kContext, {5, order}, action);
     connect(&workbench_, &Workbench::scene_shown, action,
             [this, action] { action->setEnabled(document_.robot() != nullptr); });
   }

@@ -242,6 +242,12 @@ void Document::create(const std::string& robot) {
   loader_.create(robot);
 }
 
+void Document::close() {
+  loader_.cancel();
+  requested_.clear();
+  set_scene({});
+}
+
 void Document::save(const std::filesystem::path& file, const geometric::PlannerRequest& planner) {
   save_scene(loaded_, q_, planner, file);
   file_ = file;

@@ -112,6 +112,8 @@ class SceneLoader : public QObject {
 
   /// Makes a new scene with a robot of the library in the same way.
   void create(const std::string& robot);
+  /// Drops what is still being read.
+  void cancel() { ++generation_; }
 
  signals:
   void loaded(const handway::planning::LoadedScene& scene);
@@ -164,6 +166,8 @@ class Document : public QObject {
   void save(const std::filesystem::path& file, const geometric::PlannerRequest& planner);
   /// Shows another scene, that is in memory already.
   void set_scene(planning::LoadedScene scene, const std::filesystem::path& file = {});
+  /// Shows none.
+  void close();
   /// Replaces the scene by an edited one with the same robots.
   void set_state(SceneState state);
   /// Moves the first robot, unless it is shown as measured. @param q shape [variable_count].

@@ -1,10 +1,13 @@
 #include "model/document/scene_editor.h"
 
-#include "handway/geometric/formats/mesh_reader.h"
+#include "handway/geometric/formats/scene_reader.h"
+#include "handway/geometric/formats/scene_writer.h"
+#include "model/document/edit.h"
+#include "model/document/free_place.h"
 #include "model/document/resting.h"
 #include "model/document/scene_edits.h"
 
-#include <QElapsedTimer>
+#include <QStandardPaths>
 
 #include <algorithm>
 #include <cmath>
@@ -19,59 +22,15 @@ using Kind = SceneItem::Kind;
 
 namespace {
 
-constexpr qint64 kOneGestureMs = 900;
-constexpr int kMergeable = 1;
-
-constexpr geometric::Color kMeshColor{0.62F, 0.66F, 0.71F, 1.0F};
-
 QString words(const std::string& name) { return QString::fromStdString(name); }
 
+// Meshes of copied objects that no file holds go into a folder beside it.
+std::filesystem::path clipboard_file() {
+  return QStandardPaths::writableLocation(QStandardPaths::CacheLocation).toStdString() +
+         "/copied.yaml";
+}
+
 }  // namespace
-
-/// From one state to another and back.
-class SceneEditor::Command : public QUndoCommand {
- public:
-  Command(SceneEditor& editor, const QString& text, SceneState next, Selection select,
-          std::string merge_key)
-      : QUndoCommand(text),
-        editor_(editor),
-        before_(editor.state()),
-        after_(std::move(next)),
-        selected_before_(editor.selection_),
-        selected_after_(std::move(select)),
-        merge_key_(std::move(merge_key)) {
-    age_.start();
-  }
-
-  void undo() override {
-    editor_.document_.set_state(before_);
-    editor_.set_selection(selected_before_);
-  }
-  void redo() override {
-    editor_.document_.set_state(after_);
-    editor_.set_selection(selected_after_);
-  }
-  [[nodiscard]] int id() const override { return merge_key_.empty() ? -1 : kMergeable; }
-  bool mergeWith(const QUndoCommand* other) override {
-    const auto* later = dynamic_cast<const Command*>(other);
-    if (!later || later->merge_key_ != merge_key_ || age_.elapsed() > kOneGestureMs) {
-      return false;
-    }
-    after_ = later->after_;
-    selected_after_ = later->selected_after_;
-    age_.restart();
-    return true;
-  }
-
- private:
-  SceneEditor& editor_;
-  SceneState before_;
-  SceneState after_;
-  Selection selected_before_;
-  Selection selected_after_;
-  std::string merge_key_;
-  QElapsedTimer age_;
-};
 
 SceneEditor::SceneEditor(Document& document, QObject* parent)
     : QObject(parent), document_(document) {
@@ -79,11 +38,35 @@ SceneEditor::SceneEditor(Document& document, QObject* parent)
     stack_.clear();
     select({});
   });
+  const auto look = [this] {
+    if (std::exchange(was_modified_, is_modified()) != was_modified_) {
+      emit modified_changed(was_modified_);
+    }
+  };
+  connect(&stack_, &QUndoStack::indexChanged, this, look);
+  connect(&stack_, &QUndoStack::cleanChanged, this, look);
+}
+
+bool SceneEditor::is_modified() const {
+  const int saved = stack_.cleanIndex();
+  const auto [first, last] = std::minmax({saved, stack_.index()});
+  for (int i = first; saved >= 0 && i < last; ++i) {
+    const auto* edit = dynamic_cast<const Edit*>(stack_.command(i));
+    if (!edit || edit->is_saved()) {
+      return true;
+    }
+  }
+  return saved < 0;
 }
 
 void SceneEditor::push(const QString& text, SceneState next, Selection select,
-                       const std::string& merge_key) {
-  stack_.push(new Command(*this, text, std::move(next), std::move(select), merge_key));
+                       const std::string& kind) {
+  stack_.push(new ValueEdit<Edited>(text, kind, true, {state(), selection_},
+                                    {std::move(next), std::move(select)},
+                                    [this](const Edited& edited) {
+                                      document_.set_state(edited.state);
+                                      set_selection(edited.selection);
+                                    }));
 }
 
 void SceneEditor::apply(const QString& text, SceneState next, std::vector<std::string> select) {
@@ -160,7 +143,8 @@ std::optional<geometric::Configuration> SceneEditor::posture(const SceneItem& it
 }
 
 void SceneEditor::add(const std::string& name, const geometric::Shape& shape,
-                      const geometric::Color& color, const Eigen::Vector3d& foot) {
+                      const geometric::Color& color, const Eigen::Vector3d& foot,
+                      const Eigen::Matrix3d& R_WO) {
   if (!state().scene) {
     return;
   }
@@ -168,18 +152,24 @@ void SceneEditor::add(const std::string& name, const geometric::Shape& shape,
   object.name = unused_name(*state().scene, name);
   object.shape = shape;
   object.color = color;
-  const geometric::Aabb box = geometric::bounding_box(*geometric::tessellate(shape));
+  object.X_PO.linear() = R_WO;
+  const geometric::Aabb box =
+      geometric::bounding_box(geometric::transformed(*geometric::tessellate(shape), object.X_PO));
   const Eigen::Vector3d underside(box.centre().x(), box.centre().y(), box.lower.z());
   object.X_PO.translation() = foot - underside;
   const std::string unused = object.name;
   apply(tr("Add %1").arg(words(unused)), with_object(state(), std::move(object)), {unused});
 }
 
-void SceneEditor::add_mesh(const std::filesystem::path& file, const Eigen::Vector3d& foot) {
-  geometric::Mesh mesh;
-  mesh.file = std::filesystem::absolute(file);
-  mesh.triangles = geometric::read_mesh(mesh.file);
-  add(file.stem().string(), mesh, kMeshColor, foot);
+Eigen::Vector3d SceneEditor::place_for(const Eigen::Vector3d& size,
+                                       const Eigen::Vector3d& wanted) const {
+  Eigen::Vector3d place = wanted;
+  const geometric::Configuration& q = document_.configuration();
+  if (!selection_.objects.empty()) {
+    const geometric::Aabb beside = bounds(*state().scene, q, selection_.objects);
+    place << beside.centre().head<2>(), beside.lower.z();
+  }
+  return free_foot(*state().scene, q, size, place);
 }
 
 std::string SceneEditor::constrained_body() const {
@@ -223,24 +213,80 @@ void SceneEditor::duplicate() {
   if (names.empty()) {
     return;
   }
-  constexpr double kRoom = 1.25;
-  Pose aside = Pose::Identity();
   const geometric::Configuration& q = document_.configuration();
-  if (has_several()) {
-    aside.translation().y() = kRoom * bounds(*state().scene, q, names).size().y();
-  } else {
-    const SceneObject& object = *selected_object();
-    const geometric::Aabb box = geometric::bounding_box(*geometric::tessellate(object.shape));
-    aside.translation() = object_pose(*state().scene, q, object).linear() *
-                          Eigen::Vector3d(0.0, kRoom * box.size().y(), 0.0);
-  }
-  Copies copies = copied(state(), q, names, {aside});
+  Copies copies =
+      gui::copied(state(), q, names, {motion_into_free(*state().scene, q, *state().scene, names)});
   apply(tr("Duplicate %1").arg(words_for(names)), std::move(copies.state), std::move(copies.names));
+}
+
+std::string SceneEditor::copied() const {
+  return geometric::objects_text(
+      objects_alone(state(), document_.configuration(), selection_.objects), clipboard_file());
+}
+
+void SceneEditor::paste(const std::string& text) {
+  geometric::Scene added =
+      geometric::read_objects(text, tr("the clipboard").toStdString(), *state().scene);
+  const std::string cache = clipboard_file().parent_path().string();
+  std::vector<std::string> names;
+  for (SceneObject& object : added.objects) {
+    names.push_back(object.name);
+    if (auto* mesh = std::get_if<geometric::Mesh>(&object.shape);
+        mesh && mesh->file.string().starts_with(cache)) {
+      mesh->file.clear();  // the next copy may take its place
+    }
+  }
+  if (names.empty()) {
+    return;
+  }
+  const geometric::Configuration& q = document_.configuration();
+  Copies copies =
+      with_objects_of(state(), added, motion_into_free(*state().scene, q, added, names));
+  const QString text_of_edit = tr("Paste %1").arg(words_for(copies.names));
+  apply(text_of_edit, std::move(copies.state), std::move(copies.names));
+}
+
+void SceneEditor::put_at(const std::vector<std::string>& objects, const Eigen::Vector3d& foot) {
+  select_objects(objects);
+  const std::vector<std::string> names = changeable();
+  if (names.empty()) {
+    return;
+  }
+  const geometric::Configuration& q = document_.configuration();
+  const SceneState others = without_objects(state(), names);
+  const geometric::Aabb box = bounds(*state().scene, q, names);
+  const Eigen::Vector3d from(box.centre().x(), box.centre().y(), box.lower.z());
+  const Eigen::Vector3d to = free_foot(*others.scene, q, box.size(), foot);
+  push(tr("Move %1").arg(words_for(names)),
+       moved(state(), q, names, Pose(Eigen::Translation3d(to - from))), selection_);
+}
+
+void SceneEditor::move_into_group(const std::vector<std::string>& objects,
+                                  const std::string& group) {
+  std::vector<std::string> moved;
+  std::ranges::copy_if(objects, std::back_inserter(moved), [&](const std::string& name) {
+    return !state().is_locked(name) && state().display_of(name).group != group;
+  });
+  if (!moved.empty()) {
+    push((group.empty() ? tr("Take %1 out of its group")
+                        : tr("Put %1 into %2").arg("%1", words(group)))
+             .arg(words_for(moved)),
+         with_changed_display(state(), moved, [&](auto& display) { display.group = group; }),
+         selection_of(moved));
+  }
 }
 
 void SceneEditor::rename(const std::string& name) {
   const std::string& old = selection().name;
   if (!can_change() || has_several() || name.empty() || name == old) {
+    return;
+  }
+  if (const std::string robot = owner_of_name(*state().scene, name); !robot.empty()) {
+    emit refused(tr("%1 keeps its name").arg(words(old)),
+                 name == robot
+                     ? tr("%1 is the name of a robot. Choose another one.").arg(words(name))
+                     : tr("%1 is the name of a link of %2. Choose another one.")
+                           .arg(words(name), words(robot)));
     return;
   }
   const std::string unused = unused_name(*state().scene, name);

@@ -25,6 +25,8 @@ class SceneEditor : public QObject {
   explicit SceneEditor(Document& document, QObject* parent = nullptr);
 
   [[nodiscard]] QUndoStack& undo_stack() { return stack_; }
+  /// Whether there are edits that the scene's file does not hold yet.
+  [[nodiscard]] bool is_modified() const;
   [[nodiscard]] const SceneState& state() const { return document_.state(); }
   [[nodiscard]] const Document& document() const { return document_; }
 
@@ -50,10 +52,14 @@ class SceneEditor : public QObject {
   [[nodiscard]] std::optional<geometric::Pose> selected_pose() const;
 
   /// Adds an object and selects it. @param foot where the middle of its underside goes (world).
+  /// @param R_WO of the object's axes.
   void add(const std::string& name, const geometric::Shape& shape, const geometric::Color& color,
-           const Eigen::Vector3d& foot);
-  /// @throws InputError if the mesh can't be read.
-  void add_mesh(const std::filesystem::path& file, const Eigen::Vector3d& foot);
+           const Eigen::Vector3d& foot, const Eigen::Matrix3d& R_WO = Eigen::Matrix3d::Identity());
+
+  /// Where something new goes, see free_foot(): beside what is selected, or else beside `wanted`.
+  /// @param size m. @pre there is a scene.
+  [[nodiscard]] Eigen::Vector3d place_for(const Eigen::Vector3d& size,
+                                          const Eigen::Vector3d& wanted) const;
 
   /// What a constraint of the selection is about: a carried object, a link of the first robot, the
   /// palm of the robot as shown. Empty: nothing.
@@ -64,7 +70,19 @@ class SceneEditor : public QObject {
 
   // Edits of what is selected.
   void remove();
+  /// A copy in free space beside it.
   void duplicate();
+  /// The selected objects as YAML, to be pasted here, into another scene or into a file.
+  /// @throws InputError if a mesh that has no file can't be saved in the user's cache.
+  [[nodiscard]] std::string copied() const;
+  /// Adds what was copied, in free space as near as can be to where it was.
+  /// @throws InputError if it is none.
+  void paste(const std::string& text);
+  /// Puts objects that aren't locked into free space as near as can be to a place, together.
+  void put_at(const std::vector<std::string>& objects, const Eigen::Vector3d& foot);
+  /// Makes objects that aren't locked members of a group, or of none (empty).
+  void move_into_group(const std::vector<std::string>& objects, const std::string& group);
+  /// Of another object's name it makes one with a number; that of a link or a robot it refuses.
   void rename(const std::string& name);
   /// Moves objects or a robot so that selected_pose() becomes `X_WO`; of a posture it
   /// emits palm_placed().
@@ -101,15 +119,20 @@ class SceneEditor : public QObject {
 
  signals:
   void selection_changed(const handway::gui::SceneItem& item);
+  /// See is_modified().
+  void modified_changed(bool modified);
+  /// Something that can't be done, in words for a person.
+  void refused(const QString& title, const QString& reason);
   /// The palm of a posture is to go there.
   void palm_placed(const handway::gui::SceneItem& item, const handway::geometric::Pose& X_WP);
 
  private:
-  class Command;
-  /// @param merge_key edits with the same key that follow each other at once become one; empty:
-  /// never.
-  void push(const QString& text, SceneState next, Selection select,
-            const std::string& merge_key = {});
+  struct Edited {
+    SceneState state;
+    Selection selection;
+  };
+  /// @param kind see Edit.
+  void push(const QString& text, SceneState next, Selection select, const std::string& kind = {});
   void set_selection(Selection selection);
   /// @param text with a place for what is changed. @param what empty: each an edit of its own.
   void change_selected(const QString& text, const std::string& what,
@@ -117,6 +140,7 @@ class SceneEditor : public QObject {
 
   Document& document_;
   QUndoStack stack_;
+  bool was_modified_ = false;
   Selection selection_;
 };
 

@@ -1,6 +1,7 @@
 #include "model/document/scene_edits.h"
 
 #include "handway/geometric/mesh/triangle_mesh.h"
+#include "model/document/resting.h"
 #include "model/document/selection.h"
 
 #include <Eigen/Geometry>
@@ -37,7 +38,7 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
 }
 
 bool is_name_used(const Scene& scene, const std::string& name) {
-  return geometric::find_object(scene, name) || geometric::find_robot(scene, name);
+  return geometric::find_object(scene, name) || !owner_of_name(scene, name).empty();
 }
 
 // `name`, or its stem with the first number from 2 on that is not used.
@@ -61,6 +62,15 @@ std::string unlike_others(const std::string& name, const IsUsed& is_used) {
 }
 
 }  // namespace
+
+std::string owner_of_name(const Scene& scene, const std::string& name) {
+  for (const geometric::RobotInstance& robot : scene.robots) {
+    if (robot.name == name || robot.model->find_link(name)) {
+      return robot.name;
+    }
+  }
+  return {};
+}
 
 std::string unused_name(const Scene& scene, const std::string& name) {
   return unlike_others(name, [&](const std::string& word) { return is_name_used(scene, word); });
@@ -358,6 +368,29 @@ SceneState distributed(const SceneState& state, const Configuration& q, const Ob
   return next;
 }
 
+Vector3d shift_to_sides(const Scene& scene, const Configuration& q, const ObjectNames& names,
+                        double reach) {
+  const Aabb box = bounds(scene, q, names);
+  Vector3d shift = Vector3d::Constant(reach);
+  const auto offer = [&](int axis, double step) {
+    shift[axis] = std::abs(step) < std::abs(shift[axis]) ? step : shift[axis];
+  };
+  for (const SceneObject& object : scene.objects) {
+    if (contains(names, object.name)) {
+      continue;
+    }
+    const Aabb other = box_of(scene, q, object);
+    for (int axis = 0; axis < 3; ++axis) {
+      offer(axis, other.lower[axis] - box.lower[axis]);
+      offer(axis, other.upper[axis] - box.upper[axis]);
+      offer(axis, other.lower[axis] - kRestingGap - box.upper[axis]);
+      offer(axis, other.upper[axis] + kRestingGap - box.lower[axis]);
+    }
+  }
+  offer(2, -box.lower.z());
+  return (shift.array() < reach).select(shift, 0.0);
+}
+
 std::vector<Pose> LinearArray::motions() const {
   std::vector<Pose> motions;
   for (int z = 0; z < count.z(); ++z) {
@@ -410,6 +443,44 @@ Copies copied(const SceneState& state, const Configuration& q, const ObjectNames
     }
   }
   return {{std::make_shared<const Scene>(std::move(scene))}, made};
+}
+
+Copies with_objects_of(const SceneState& state, const Scene& added, const Pose& motion) {
+  Scene scene = *state.scene;
+  ObjectNames made;
+  std::map<std::string, std::string> groups;
+  for (SceneObject object : added.objects) {
+    geometric::ObjectDisplay display = added.display.of(object.name);
+    if (!display.group.empty()) {
+      const auto [known, is_new] = groups.try_emplace(display.group);
+      if (is_new) {
+        known->second = unused_group(scene, display.group);
+      }
+      display.group = known->second;
+    }
+    object.name = unused_name(scene, object.name);
+    if (!object.attachment) {
+      object.X_PO = motion * object.X_PO;
+    }
+    scene.display.set(object.name, std::move(display));
+    made.push_back(object.name);
+    scene.objects.push_back(std::move(object));
+  }
+  return {{std::make_shared<const Scene>(std::move(scene))}, made};
+}
+
+Scene objects_alone(const SceneState& state, const Configuration& q, const ObjectNames& names) {
+  Scene alone;
+  for (const std::string& name : names) {
+    SceneObject object = *state.find(name);
+    object.X_PO = object_pose(*state.scene, q, object);
+    object.attachment.reset();
+    geometric::ObjectDisplay display = state.display_of(name);
+    display.locked = false;
+    alone.display.set(name, std::move(display));
+    alone.objects.push_back(std::move(object));
+  }
+  return alone;
 }
 
 namespace {

@@ -40,6 +40,9 @@ struct SceneState {
 using ObjectChange = std::function<void(geometric::SceneObject&)>;
 using DisplayChange = std::function<void(geometric::ObjectDisplay&)>;
 
+/// The robot that is called so, or has a link that is; empty: there is none.
+[[nodiscard]] std::string owner_of_name(const geometric::Scene& scene, const std::string& name);
+
 /// `name`, or `name` with the first number that makes it unlike all other names:
 /// "can", "can 2", "can 3", ….
 [[nodiscard]] std::string unused_name(const geometric::Scene& scene, const std::string& name);
@@ -138,6 +141,13 @@ enum class AlignTo { kLeast, kCentre, kMost };
 [[nodiscard]] SceneState distributed(const SceneState& state, const geometric::Configuration& q,
                                      const ObjectNames& names, int axis);
 
+/// How to move objects so that, along each axis of the world, a side of the box around them meets
+/// the nearest side of the box around another object, or the floor (z = 0): flush with it, or
+/// kRestingGap beside it. Along an axis without one within `reach` 0. m
+[[nodiscard]] Eigen::Vector3d shift_to_sides(const geometric::Scene& scene,
+                                             const geometric::Configuration& q,
+                                             const ObjectNames& names, double reach);
+
 /// Copies in rows: so many along each axis of the world, so far apart.
 struct LinearArray {
   Eigen::Vector3i count{1, 1, 1};          ///< Each at least 1, the original included.
@@ -168,6 +178,16 @@ struct Copies {
 /// One copy of all objects for each motion. A copied group becomes a group of its own.
 [[nodiscard]] Copies copied(const SceneState& state, const geometric::Configuration& q,
                             const ObjectNames& names, const std::vector<geometric::Pose>& motions);
+
+/// The objects of `added`, which stand in the world, moved by one motion of the world; under names
+/// and in groups that are unused.
+[[nodiscard]] Copies with_objects_of(const SceneState& state, const geometric::Scene& added,
+                                     const geometric::Pose& motion);
+
+/// These objects alone, as they are in the world, unlocked: to be added to this or another scene.
+[[nodiscard]] geometric::Scene objects_alone(const SceneState& state,
+                                             const geometric::Configuration& q,
+                                             const ObjectNames& names);
 
 /// A face of a shape that can be pulled outwards: of a box or mesh each of its six sides, of
 /// a cylinder or cone its ends and its mantle, of a sphere anywhere on the axes.

@@ -111,4 +111,29 @@ void PlanSettings::set_optimize_limit(double seconds) {
   keep(optimize_limit_, seconds > 0.0 ? seconds : std::numeric_limits<double>::infinity());
 }
 
+PlanChoices PlanSettings::choices() const {
+  return {choice(), request_, seeds_, merit_, optimize_limit_};
+}
+
+void PlanSettings::put_back(const PlanChoices& choices) {
+  const geometric::PlannerRequest now = choice();
+  if (choices.planner.name != now.name) {
+    apply(choices.planner);
+  } else if (choices.planner.settings != now.settings) {
+    const std::unique_ptr<planning::Planner> fresh = registry_.create(now.name);
+    for (const planning::Parameter& usual : fresh->parameters()) {
+      planner_->set_parameter(usual.key, planning::to_text(usual));
+    }
+    for (const auto& [key, value] : choices.planner.settings) {
+      planner_->set_parameter(key, value);
+    }
+    emit planner_changed(false);
+  }
+  request_ = choices.request;
+  seeds_ = choices.seeds;
+  merit_ = choices.merit;
+  optimize_limit_ = choices.optimize_limit;
+  emit request_changed();
+}
+
 }  // namespace handway::gui

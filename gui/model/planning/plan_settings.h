@@ -15,6 +15,15 @@
 
 namespace handway::gui {
 
+/// All that a run is asked for, to be kept and put back.
+struct PlanChoices {
+  geometric::PlannerRequest planner;  ///< With what differs from its defaults.
+  planning::PlanRequest request;      ///< Seed, threads, time limit and margin.
+  int seeds = 1;
+  PathMerit merit = kPathMerits.front();
+  double optimize_limit = 0.0;  ///< s
+};
+
 /// What the next run is asked for: a planner with its parameters, seeds, limits.
 class PlanSettings : public QObject {
   Q_OBJECT
@@ -66,6 +75,8 @@ class PlanSettings : public QObject {
   [[nodiscard]] double optimize_limit() const { return optimize_limit_; }
   /// @param seconds 0: until it is stopped.
   void set_optimize_limit(double seconds);
+  [[nodiscard]] PlanChoices choices() const;
+  void put_back(const PlanChoices& choices);
   /// The preset in words: "Fast", or "Fast, modified".
   [[nodiscard]] const QString& preset() const { return preset_; }
   void set_preset(const QString& words) { preset_ = words; }

@@ -137,12 +137,8 @@ void check_new_name(const YamlElement& element, const Scene& scene, const std::s
   }
 }
 
-void add_objects(const YamlElement& top, const fs::path& folder, Scene& scene) {
-  const std::optional<YamlElement> list = top.find("objects");
-  if (!list) {
-    return;
-  }
-  for (const YamlElement& element : list->items()) {
+void add_objects(const YamlElement& list, const fs::path& folder, Scene& scene) {
+  for (const YamlElement& element : list.items()) {
     SceneObject object = object_of(element, scene, folder);
     if (const std::optional<YamlElement> mesh = element.find("mesh")) {
       static_cast<void>(find_noted(ResourceKind::kObject, mesh->need("file"), folder, scene));
@@ -189,7 +185,9 @@ Scene read_scene(const fs::path& file) {
   scene.name = text_or_empty(top, "name");
   scene.description = text_or_empty(top, "description");
   const std::vector<YamlElement> robots = read_robots(top.need("robots"), folder, scene);
-  add_objects(top, folder, scene);
+  if (const std::optional<YamlElement> objects = top.find("objects")) {
+    add_objects(*objects, folder, scene);
+  }
   if (const std::optional<YamlElement> constraints = top.find("constraints")) {
     for (const YamlElement& element : constraints->items()) {
       scene.constraints.push_back(constraint_of(element, scene));
@@ -214,6 +212,15 @@ Scene read_scene(const fs::path& file) {
     scene.planner = planner_of(*planner);
   }
   return scene;
+}
+
+Scene read_objects(const std::string& text, const std::string& source, const Scene& scene) {
+  const YamlElement top = YamlElement::parse(text, source, "objects of a scene");
+  Scene read;
+  read.robots = scene.robots;
+  add_objects(top.is_map() ? top.need("objects") : top, fs::current_path(), read);
+  read.robots.clear();
+  return read;
 }
 
 }  // namespace handway::geometric

@@ -245,6 +245,8 @@ std::string scene_text(const Scene& scene, const SceneReferences& references) {
 
 namespace fs = std::filesystem;
 
+bool has_mesh_file(const Mesh& mesh) { return !mesh.file.empty() && is_mesh_file(mesh.file); }
+
 fs::path folder_of(const fs::path& file) { return fs::absolute(file).parent_path(); }
 
 // `reference`, as a scene in folder `from` names a file, for a scene in folder `to`.
@@ -313,7 +315,7 @@ class SceneFileWriter {
 
   void add_mesh_reference(const SceneObject& object) {
     const Mesh* mesh = std::get_if<Mesh>(&object.shape);
-    const bool has_file = mesh && !mesh->file.empty() && is_mesh_file(mesh->file);
+    const bool has_file = mesh && has_mesh_file(*mesh);
     references_.is_scaled.push_back(has_file);
     if (!mesh) {
       references_.meshes.emplace_back();
@@ -362,5 +364,21 @@ class SceneFileWriter {
 }  // namespace
 
 void write_scene(const Scene& scene, const fs::path& file) { SceneFileWriter(scene, file).write(); }
+
+std::string objects_text(const Scene& scene, const fs::path& meshes_beside) {
+  SavedMeshes meshes(meshes_beside);
+  std::string text = "objects:\n";
+  for (const SceneObject& object : scene.objects) {
+    const Mesh* mesh = std::get_if<Mesh>(&object.shape);
+    const bool has_file = mesh && has_mesh_file(*mesh);
+    fs::path file;
+    if (mesh) {
+      file = has_file ? mesh->file
+                      : folder_of(meshes_beside) / meshes.save(object.name, *mesh->triangles);
+    }
+    text += object_text(object, scene.display.of(object.name), ShapeText(file, has_file));
+  }
+  return text;
+}
 
 }  // namespace handway::geometric

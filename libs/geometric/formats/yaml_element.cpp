@@ -44,18 +44,6 @@ YamlElement::YamlElement(std::shared_ptr<const Document> document, std::shared_p
                          std::string name)
     : document_(std::move(document)), node_(std::move(node)), name_(std::move(name)) {}
 
-YamlElement YamlElement::read(const std::filesystem::path& file, const std::string& what) {
-  YAML::Node top;
-  const std::string text = read_yaml_text(file, what);
-  try {
-    top = YAML::Load(text);
-  } catch (const std::exception& error) {
-    throw InputError({file.string(), "", std::string("broken YAML: ") + error.what(), what, ""});
-  }
-  return {std::make_shared<const Document>(Document{file, what}),
-          std::make_shared<const Node>(Node{top}), ""};
-}
-
 std::string YamlElement::where() const {
   const YAML::Mark mark = node_->yaml.Mark();
   return document_->file.string() + line_suffix(mark);
@@ -223,8 +211,7 @@ constexpr std::size_t kDeepest = 500;
 /// Follows a document without keeping it, and refuses it as soon as it exceeds a limit.
 class LimitCheck final : public YAML::EventHandler {
  public:
-  LimitCheck(const std::filesystem::path& file, const std::string& what)
-      : file_(file), what_(what) {}
+  LimitCheck(const std::string& source, const std::string& what) : source_(source), what_(what) {}
 
   void OnDocumentStart(const YAML::Mark& /*mark*/) override {}
   void OnDocumentEnd() override {}
@@ -265,8 +252,7 @@ class LimitCheck final : public YAML::EventHandler {
 
   [[noreturn]] void refuse(const YAML::Mark& mark, const std::string& found,
                            const std::string& advice) const {
-    throw InputError(
-        {fmt::format("{}:{}", file_.string(), mark.line + 1), "", found, what_, advice});
+    throw InputError({fmt::format("{}:{}", source_, mark.line + 1), "", found, what_, advice});
   }
 
   void begin(const YAML::Mark& mark, YAML::anchor_t anchor) { open_.push_back({mark, anchor, {}}); }
@@ -298,35 +284,57 @@ class LimitCheck final : public YAML::EventHandler {
     }
   }
 
-  const std::filesystem::path& file_;
+  const std::string& source_;
   const std::string& what_;
   std::vector<Open> open_;
   std::unordered_map<YAML::anchor_t, Extent> anchored_;
 };
 
-}  // namespace
-
-std::string read_yaml_text(const std::filesystem::path& file, const std::string& what) {
-  std::string text = read_text_file(file, what, kLargestFile);
+// Whether a text is fit to be parsed, see read_yaml_text().
+void check_yaml(const std::string& text, const std::string& source, const std::string& what) {
   std::istringstream stream(text);
   int documents = 0;
   try {
     YAML::Parser parser(stream);
-    LimitCheck check(file, what);
+    LimitCheck check(source, what);
     while (documents < 2 && parser.HandleNextDocument(check)) {
       ++documents;
     }
   } catch (const YAML::Exception& error) {
     const std::string line = error.mark.is_null() ? "" : fmt::format(":{}", error.mark.line + 1);
-    throw InputError({file.string() + line, "", "broken YAML: " + error.msg, what,
+    throw InputError({source + line, "", "broken YAML: " + error.msg, what,
                       "Check indentation, quotes and brackets around this line"});
   }
   if (documents != 1) {
-    throw InputError({file.string(), "",
+    throw InputError({source, "",
                       documents == 0 ? "no YAML document" : "more than one YAML document", what,
                       "Keep one document a file"});
   }
+}
+
+}  // namespace
+
+std::string read_yaml_text(const std::filesystem::path& file, const std::string& what) {
+  std::string text = read_text_file(file, what, kLargestFile);
+  check_yaml(text, file.string(), what);
   return text;
+}
+
+YamlElement YamlElement::read(const std::filesystem::path& file, const std::string& what) {
+  return parse(read_text_file(file, what, kLargestFile), file.string(), what);
+}
+
+YamlElement YamlElement::parse(const std::string& text, const std::string& source,
+                               const std::string& what) {
+  check_yaml(text, source, what);
+  YAML::Node top;
+  try {
+    top = YAML::Load(text);
+  } catch (const std::exception& error) {
+    throw InputError({source, "", std::string("broken YAML: ") + error.what(), what, ""});
+  }
+  return {std::make_shared<const Document>(Document{source, what}),
+          std::make_shared<const Node>(Node{top}), ""};
 }
 
 }  // namespace handway::geometric

@@ -8,6 +8,7 @@
 
 #include <QAction>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QSpinBox>
 #include <QTabWidget>
 
@@ -62,6 +63,10 @@ TEST_F(Habits, KeysOfTheManualExistOnce) {
                           "Ctrl+S",
                           "Ctrl+Shift+S",
                           "Ctrl+Q",
+                          "Ctrl+W",
+                          "Ctrl+X",
+                          "Ctrl+C",
+                          "Ctrl+V",
                           "Ctrl+Z",
                           "Ctrl+Shift+Z",
                           "Ctrl+A",
@@ -98,7 +103,50 @@ TEST_F(Habits, KeysOfTheManualExistOnce) {
   }
 }
 
-TEST_F(Habits, TheRoadmapStartsHidden) { EXPECT_FALSE(part<QAction>("samples").isChecked()); }
+TEST_F(Habits, TheRoadmapAndItsCardStartHidden) {
+  EXPECT_FALSE(part<QAction>("samples").isChecked());
+  open(cell().post());
+  plan();
+  auto& card = part<QWidget>("roadmap_legend");
+  EXPECT_FALSE(card.isVisible());
+  part<QAction>("samples").trigger();
+  EXPECT_TRUE(card.isVisible());
+  const int unfolded = card.height();
+  click("roadmap_fold");
+  QTest::qWait(50);
+  EXPECT_LT(card.height(), unfolded);
+}
+
+TEST_F(Habits, TheTimeGoesOnWhilePlanning) {
+  open(cell().wall());  // no way: the planner goes on until it is stopped
+  window().workbench().plan_settings.choose_planner("rrt-connect");
+  click("plan");
+  const auto seconds = [this] {
+    const QRegularExpressionMatch found =
+        QRegularExpression(QStringLiteral("([0-9.]+) s")).match(QString::fromStdString(result()));
+    return found.hasMatch() ? found.captured(1).toDouble() : -1.0;
+  };
+  ASSERT_TRUE(QTest::qWaitFor([&] { return seconds() > 0.2; }, kPatienceMs)) << result();
+  const double before = seconds();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return seconds() > before + 0.2; }, kPatienceMs)) << result();
+  click("cancel");
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !window().session().is_running(); }, kPatienceMs));
+}
+
+TEST_F(Habits, PosesThatCantBeEditedDoNotLookEditable) {
+  open(cell().post());
+  auto& field = part<QDoubleSpinBox>("position_x");
+  const auto picture = [&] {
+    QTest::qWait(50);
+    field.clearFocus();
+    return field.grab().toImage();
+  };
+  window().editor().select({gui::SceneItem::Kind::kObject, "", "post"});
+  const QColor editable = picture().pixelColor(4, field.height() / 2);
+  window().editor().select({gui::SceneItem::Kind::kLink, "arm", "palm"});
+  EXPECT_TRUE(field.isReadOnly());
+  EXPECT_NE(picture().pixelColor(4, field.height() / 2), editable);
+}
 
 TEST_F(Habits, PlanningToAGraspShowsThePlanPanel) {
   auto& tabs = part<QTabWidget>("control_tabs");

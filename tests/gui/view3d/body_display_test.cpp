@@ -28,16 +28,26 @@ class DrawnBodies : public EditingTest {
     view().settle();
     return view().grabFramebuffer();
   }
-  [[nodiscard]] int red_pixels() const {
+  template <typename Condition>
+  [[nodiscard]] int pixels(const Condition& condition) const {
     const QImage image = picture();
     int count = 0;
     for (int y = 0; y < image.height(); ++y) {
       for (int x = 0; x < image.width(); ++x) {
-        const QColor color = image.pixelColor(x, y);
-        count += color.red() > 120 && color.green() < 70 && color.blue() < 70 ? 1 : 0;
+        count += condition(image.pixelColor(x, y)) ? 1 : 0;
       }
     }
     return count;
+  }
+  [[nodiscard]] int red_pixels() const {
+    return pixels([](const QColor& color) {
+      return color.red() > 120 && color.green() < 70 && color.blue() < 70;
+    });
+  }
+  [[nodiscard]] int yellow_pixels() const {
+    return pixels([](const QColor& color) {
+      return color.red() > 150 && color.green() > 110 && color.blue() < 80;
+    });
   }
 };
 
@@ -71,6 +81,19 @@ TEST_F(DrawnBodies, AreRedWhereTheyCollideInEveryDisplay) {
     show(action);
     EXPECT_GT(red_pixels(), 100);
   }
+}
+
+TEST_F(DrawnBodies, AreYellowWhereTheyCollideIfTheyAreRed) {
+  editor().select({SceneItem::Kind::kObject, "", "post"});
+  editor().set_color({0.8F, 0.1F, 0.1F, 1.0F});
+  editor().select({});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !window().workbench().collisions.is_busy(); }, 8000));
+  const int before = yellow_pixels();
+  geometric::Configuration q = window().document().configuration();
+  q[0] = 0.75;  // into the post
+  window().document().set_configuration(q);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !window().workbench().collisions.is_busy(); }, 8000));
+  EXPECT_GT(yellow_pixels(), before + 100);
 }
 
 TEST_F(DrawnBodies, AreDrawnAsVolumesAfterAnEditToo) {

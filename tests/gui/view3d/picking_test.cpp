@@ -1,4 +1,6 @@
+#include "model/document/scene_edits.h"
 #include "view3d/scene_view.h"
+#include "view3d/view_gizmo.h"
 #include "window_test.h"
 
 #include <optional>
@@ -20,6 +22,7 @@ class Clicks : public WindowTest {
 
   [[nodiscard]] ItemKind clicked_at(const QPoint& place) const {
     ItemKind kind = ItemKind::kNone;
+    window().editor().select({});  // handles would take clicks
     const auto connection =
         QObject::connect(&view(), &gui::SceneView::picked,
                          [&kind](const gui::SceneItem& item, bool) { kind = item.kind; });
@@ -52,6 +55,16 @@ TEST_F(Clicks, MeanTheRobotAlsoBehindAGhost) {
   view().show_ghosts(false, true);
   EXPECT_EQ(places_of(ItemKind::kLink), links);
   EXPECT_FALSE(places_of(ItemKind::kGoal).empty()) << "beside the robot the ghost can be clicked";
+}
+
+TEST_F(Clicks, MeanWhatAGhostHoldsAndNotTheGhost) {
+  const geometric::Scene& scene = *window().document().scene();
+  const Eigen::Vector3d palm =
+      gui::link_pose(scene, scene.goal.value(), "arm", "palm")->translation();
+  const QPoint place = gui::place_of(view().camera(), view().size(), palm).toPoint();
+  ASSERT_EQ(clicked_at(place), ItemKind::kGoal);
+  window().editor().add("pea", geometric::Sphere{0.01}, {}, palm - Eigen::Vector3d(0, 0, 0.01));
+  EXPECT_EQ(clicked_at(place), ItemKind::kObject) << "though the palm is all around it";
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ class MappingEditor : public ::testing::Test {
   void SetUp() override {
     HANDWAY_NEED_DISPLAY();
     session_ = std::make_unique<gui::GloveSession>();
-    editor_ = std::make_unique<gui::MappingEditor>(*session_);
+    editor_ = std::make_unique<gui::MappingEditor>(*session_, history_);
     editor_->resize(340, 700);
     editor_->show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(editor_.get()));
@@ -57,6 +57,7 @@ class MappingEditor : public ::testing::Test {
     QTest::keyClick(&edit, Qt::Key_Return);
   }
 
+  QUndoStack history_;
   std::unique_ptr<gui::GloveSession> session_;
   std::unique_ptr<gui::MappingEditor> editor_;
 };

@@ -1,4 +1,5 @@
 #include "features/editing/editing_test.h"
+#include "handway/geometric/formats/mesh_reader.h"
 #include "handway/geometric/io/resources.h"
 #include "model/document/scene_edits.h"
 #include "pressed_mouse.h"
@@ -102,9 +103,11 @@ TEST_F(ResizingByHand, LeavesLockedObjectsAlone) {
 }
 
 TEST_F(ResizingByHand, TakesTheScaleOfAMesh) {
-  editor().add_mesh(
-      geometric::find_resource(geometric::ResourceKind::kObject, "can", geometric::resource_dir()),
-      {0.5, -0.5, 0.0});
+  geometric::Mesh mesh;
+  mesh.file =
+      geometric::find_resource(geometric::ResourceKind::kObject, "can", geometric::resource_dir());
+  mesh.triangles = geometric::read_mesh(mesh.file);
+  editor().add("can", mesh, {}, {0.5, -0.5, 0.0});
   auto& scale = part<QDoubleSpinBox>("size_scale");
   scale.selectAll();
   QTest::keyClicks(&scale, "1.5");

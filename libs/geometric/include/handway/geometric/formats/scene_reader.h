@@ -4,6 +4,7 @@
 #include "handway/geometric/scene/scene.h"
 
 #include <filesystem>
+#include <string>
 
 namespace handway::geometric {
 
@@ -20,5 +21,15 @@ inline constexpr int kSceneVersion = 1;
 ///
 /// @throws InputError naming file, line and element of what is wrong.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT Scene read_scene(const std::filesystem::path& file);
+
+/// The objects of a text that is a scene file or its part `objects`, as objects_text() writes it,
+/// and what it says of them to the window. Meshes are named by absolute paths or of the library.
+/// @param source where the text is from, for messages. @param scene with its robots, which objects
+/// may be attached to.
+/// @returns a scene of objects alone, under the names of the text.
+/// @throws InputError naming source, line and element of what is wrong.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT Scene read_objects(const std::string& text,
+                                                          const std::string& source,
+                                                          const Scene& scene);
 
 }  // namespace handway::geometric

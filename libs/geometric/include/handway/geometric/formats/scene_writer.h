@@ -4,6 +4,7 @@
 #include "handway/geometric/scene/scene.h"
 
 #include <filesystem>
+#include <string>
 
 namespace handway::geometric {
 
@@ -23,5 +24,12 @@ namespace handway::geometric {
 /// @throws InputError if a file can't be written; the old scene file is then as
 /// it was.
 HANDWAY_GEOMETRIC_EXPORT void write_scene(const Scene& scene, const std::filesystem::path& file);
+
+/// The scene's objects as the part `objects` of a scene file, to be read by read_objects() in any
+/// scene: meshes are named by absolute paths.
+/// @param meshes_beside a file; meshes that no mesh file holds are saved in STEM_meshes beside it.
+/// @throws InputError if they can't be.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::string objects_text(
+    const Scene& scene, const std::filesystem::path& meshes_beside);
 
 }  // namespace handway::geometric

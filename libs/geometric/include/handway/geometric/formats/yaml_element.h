@@ -24,6 +24,9 @@ class HANDWAY_GEOMETRIC_EXPORT YamlElement {
   /// The top of a file that holds one YAML document.
   /// @param what what the file should be, for messages: "a scene file".
   [[nodiscard]] static YamlElement read(const std::filesystem::path& file, const std::string& what);
+  /// The top of a text that is no file's. @param source where it is from, for messages.
+  [[nodiscard]] static YamlElement parse(const std::string& text, const std::string& source,
+                                         const std::string& what);
 
   /// From the top, for example "objects[2].pose.xyz"; empty for the top.
   [[nodiscard]] const std::string& name() const { return name_; }

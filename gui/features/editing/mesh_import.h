@@ -1,0 +1,42 @@
+#pragma once
+
+#include "handway/geometric/math/pose.h"
+#include "handway/geometric/mesh/triangle_mesh.h"
+
+#include <QDialog>
+#include <QPixmap>
+
+#include <memory>
+
+class QComboBox;
+class QLabel;
+
+namespace handway::gui {
+
+/// Asks in which unit and with which axis upwards a mesh file was written, and shows what comes of
+/// it: sizes, and a picture with the height of a person's hand beside it.
+class MeshImportDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  /// @param mesh its numbers taken as metres and as they stand in the file.
+  /// @param knows_units whether the format says what its numbers and axes are.
+  MeshImportDialog(const QString& file, std::shared_ptr<const geometric::TriangleMesh> mesh,
+                   bool knows_units, QWidget* parent = nullptr);
+
+  /// m for each unit of the file.
+  [[nodiscard]] double scale() const;
+  /// Of the file's axes in the world.
+  [[nodiscard]] Eigen::Matrix3d orientation() const;
+
+ private:
+  void show_result();
+
+  std::shared_ptr<const geometric::TriangleMesh> mesh_;
+  QComboBox* unit_;
+  QComboBox* up_;
+  QLabel* size_;
+  QLabel* picture_;
+};
+
+}  // namespace handway::gui

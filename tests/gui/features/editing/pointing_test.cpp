@@ -1,0 +1,211 @@
+/// What people do with the pointer, besides clicking: menus, dragging with numbers, drag and drop.
+#include "features/editing/editing_test.h"
+#include "features/editing/mesh_import.h"
+#include "features/editing/scene_tree.h"
+#include "handway/geometric/formats/obj_writer.h"
+#include "model/document/resting.h"
+#include "patience.h"
+#include "pressed_mouse.h"
+
+#include <QComboBox>
+#include <QDropEvent>
+#include <QLabel>
+#include <QMenu>
+#include <QMimeData>
+#include <QPushButton>
+#include <QTimer>
+
+#include <algorithm>
+
+namespace handway::test {
+namespace {
+
+using gui::SceneItem;
+using Kind = SceneItem::Kind;
+
+class Pointing : public EditingTest {
+ protected:
+  [[nodiscard]] gui::SceneView& view() const { return window().view(); }
+  [[nodiscard]] gui::SceneTree& tree() const { return tool<gui::SceneTree>(); }
+  [[nodiscard]] QTreeWidgetItem& row(const char* text) const {
+    return *tree().findItems(QLatin1String(text), Qt::MatchExactly | Qt::MatchRecursive).front();
+  }
+  /// What the menu that is open offers; it is closed.
+  [[nodiscard]] QStringList offered() const {
+    QStringList texts;
+    if (auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget())) {
+      for (const QAction* action : menu->actions()) {
+        texts << action->text().remove(QLatin1Char('&'));
+      }
+      menu->close();
+    }
+    return texts;
+  }
+  /// Takes hold of an arrow of the gizmo.
+  void hold_arrow(int axis) const {
+    QTest::qWait(50);
+    const gui::GizmoFrame frame = view().gizmo().frame(view().camera(), view().size());
+    const QPoint tip = seen(frame.centre + 0.9 * frame.size * frame.axes.col(axis));
+    QTest::mousePress(&view(), Qt::LeftButton, {}, tip);
+    ASSERT_TRUE(view().gizmo().is_dragging());
+  }
+  void drag_with_shift(const QPoint& to) const {
+    QMouseEvent move(QEvent::MouseMove, to, view().mapToGlobal(to), Qt::NoButton, Qt::LeftButton,
+                     Qt::ShiftModifier);
+    QCoreApplication::sendEvent(&view(), &move);
+  }
+  /// As if rows were dragged there.
+  void drop(const char* names, QWidget& onto, const QPoint& place) const {
+    QMimeData data;
+    data.setData(QLatin1String(gui::SceneTree::kDraggedObjects), names);
+    QDragEnterEvent enter(place, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(&onto, &enter);
+    QDragMoveEvent over(place, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(&onto, &over);
+    EXPECT_TRUE(over.isAccepted());
+    QDropEvent event(place, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(&onto, &event);
+    EXPECT_TRUE(event.isAccepted());
+  }
+  void drop_on_row(const char* names, const char* text) const {
+    tree().scrollToItem(&row(text));
+    drop(names, *tree().viewport(), tree().visualItemRect(&row(text)).center());
+  }
+};
+
+TEST_F(Pointing, TheRightButtonSelectsAndOffersWhatCanBeDone) {
+  QTest::mouseClick(&view(), Qt::RightButton, {}, seen({0.41, 0.38, 0.15}));
+  EXPECT_EQ(editor().selection(), (SceneItem{Kind::kObject, "", "post"}));
+  const QStringList of_an_object = offered();
+  for (const char* command :
+       {"Cut", "Copy", "Paste", "Rename", "Duplicate", "Delete", "Hide", "Lock",
+        "Attach to the palm", "Grasp…", "Set goal here", "Show all"}) {
+    EXPECT_TRUE(of_an_object.contains(QString::fromUtf8(command))) << command;
+  }
+  EXPECT_FALSE(of_an_object.contains(QStringLiteral("Detach")));
+  QTest::mouseClick(&view(), Qt::RightButton, {}, QPoint(4, 4));
+  const QStringList of_nothing = offered();
+  EXPECT_TRUE(of_nothing.contains(QStringLiteral("Paste")));
+  EXPECT_FALSE(of_nothing.contains(QStringLiteral("Delete")));
+  EXPECT_EQ(editor().selection().kind, Kind::kNone);
+}
+
+TEST_F(Pointing, TheMenuKeyOffersTheSame) {
+  select("post");
+  QContextMenuEvent event(QContextMenuEvent::Keyboard, {}, {});
+  QCoreApplication::sendEvent(&view(), &event);
+  EXPECT_TRUE(offered().contains(QStringLiteral("Duplicate")));
+  emit tree().customContextMenuRequested({5, 5});
+  EXPECT_TRUE(offered().contains(QStringLiteral("Duplicate")));
+}
+
+TEST_F(Pointing, TheRightButtonStillZooms) {
+  const double before = view().camera().placement().distance;
+  QTest::mousePress(&view(), Qt::RightButton, {}, {100, 100});
+  QMouseEvent move(QEvent::MouseMove, {100, 200}, view().mapToGlobal(QPoint(100, 200)),
+                   Qt::NoButton, Qt::RightButton, Qt::NoModifier);
+  QCoreApplication::sendEvent(&view(), &move);
+  QTest::mouseRelease(&view(), Qt::RightButton, {}, {100, 200});
+  EXPECT_NE(view().camera().placement().distance, before);
+  EXPECT_TRUE(offered().empty());
+}
+
+TEST_F(Pointing, ANumberIsTypedInPlaceOfADrag) {
+  select("post");
+  const Eigen::Vector3d from = object("post").X_PO.translation();
+  hold_arrow(2);
+  QTest::keyClicks(&view(), QStringLiteral("-35.5"));
+  EXPECT_EQ(view().gizmo().amount(), QStringLiteral("Z -35.5_ mm"));
+  move_pressed_mouse(view(), QPoint(30, 30));
+  QTest::keyClick(&view(), Qt::Key_Backspace);
+  QTest::keyClick(&view(), Qt::Key_5);
+  QTest::keyClick(&view(), Qt::Key_Return);
+  EXPECT_TRUE(
+      object("post").X_PO.translation().isApprox(from + Eigen::Vector3d(0.0, 0.0, -0.0355), 1e-12));
+  EXPECT_EQ(editor().undo_stack().undoText(), QStringLiteral("Move post"));
+  QTest::mouseRelease(&view(), Qt::LeftButton, {}, QPoint(30, 30));
+  EXPECT_EQ(editor().selection().name, "post") << "letting go is no click";
+  EXPECT_EQ(editor().undo_stack().count(), 1);
+}
+
+TEST_F(Pointing, TypedNumbersAreTakenBackByEscape) {
+  select("post");
+  hold_arrow(0);
+  QTest::keyClicks(&view(), QStringLiteral("200"));
+  QTest::keyClick(&view(), Qt::Key_Escape);
+  EXPECT_FALSE(view().gizmo().is_dragging());
+  EXPECT_EQ(editor().undo_stack().count(), 0);
+}
+
+TEST_F(Pointing, ADragWithShiftStopsBesideOtherSides) {
+  editor().add("block", geometric::Box{{0.2, 0.2, 0.2}}, {}, {-0.4, 0.4, 0.0});
+  editor().add("brick", geometric::Box{{0.1, 0.1, 0.1}}, {}, {-0.4, 0.63, 0.0});
+  hold_arrow(1);
+  const gui::GizmoFrame frame = view().gizmo().frame(view().camera(), view().size());
+  // 80 mm back are 4 mm from the block's side.
+  const Eigen::Vector3d held = frame.centre + 0.9 * frame.size * Eigen::Vector3d::UnitY();
+  drag_with_shift(seen(held - Eigen::Vector3d(0.0, 0.076, 0.0)));
+  QTest::keyClick(&view(), Qt::Key_Return);
+  EXPECT_NEAR(object("brick").X_PO.translation().y(), 0.4 + 0.1 + 0.05 + gui::kRestingGap, 1e-9);
+}
+
+TEST_F(Pointing, RowsAreDraggedOntoLinksIntoGroupsAndOut) {
+  editor().add("can", geometric::Cylinder{0.03, 0.12}, {}, {-0.5, -0.5, 0.0});
+  editor().add("lid", geometric::Cylinder{0.03, 0.01}, {}, {-0.5, -0.5, 0.13});
+  editor().select_objects({"can", "lid"});
+  part<QAction>("group").trigger();
+  drop_on_row("post\n", "group");
+  EXPECT_EQ(display("post").group, "group");
+  EXPECT_EQ(editor().undo_stack().undoText(), QStringLiteral("Put post into group"));
+  drop_on_row("post\nlid\n", "Objects");
+  EXPECT_EQ(display("post").group, "");
+  EXPECT_EQ(display("can").group, "group");
+  drop_on_row("can\n", "palm");
+  EXPECT_EQ(object("can").attachment->link, "palm");
+  EXPECT_EQ(tree().findItems(QStringLiteral("can"), Qt::MatchExactly | Qt::MatchRecursive).size(),
+            1);
+}
+
+TEST_F(Pointing, RowsAreDraggedIntoTheView) {
+  editor().add("table", geometric::Box{{0.5, 0.5, 0.1}}, {}, {-0.5, 0.4, 0.0});
+  const QPoint place = seen({-0.5, 0.4, 0.1});
+  const Eigen::Vector3d there = view().pick_at(place)->point;
+  drop("post\n", view(), place);
+  const Eigen::Vector3d at = object("post").X_PO.translation();
+  EXPECT_LT((at - there).head<2>().norm(), 1e-6);
+  EXPECT_NEAR(at.z() - 0.2, 0.1 + gui::kRestingGap, 1e-6) << "it stands on the table";
+  EXPECT_EQ(editor().undo_stack().undoText(), QStringLiteral("Move post"));
+}
+
+TEST_F(Pointing, AMeshSaysItsUnitAndWhatIsUpwards) {
+  // A slab of 200 x 300 x 100 mm, in millimetres, on its y side.
+  const std::filesystem::path file = cell().folder() / "slab.obj";
+  geometric::write_obj(*geometric::tessellate(geometric::Box{{200.0, 300.0, 100.0}}), file);
+  QString size_as_guessed;
+  QTimer::singleShot(200, [&] {
+    auto* dialog = qobject_cast<gui::MeshImportDialog*>(QApplication::activeModalWidget());
+    if (!dialog) {
+      return;
+    }
+    const auto size = [&] {
+      return dialog->findChild<QLabel*>(QStringLiteral("mesh_size"))->text();
+    };
+    size_as_guessed = size();
+    dialog->findChild<QComboBox*>(QStringLiteral("mesh_unit"))->setCurrentIndex(1);
+    EXPECT_EQ(size(), QString::fromUtf8("2000 × 3000 × 1000 mm, 1000 mm high"));
+    dialog->findChild<QComboBox*>(QStringLiteral("mesh_unit"))->setCurrentIndex(2);
+    dialog->findChild<QComboBox*>(QStringLiteral("mesh_up"))->setCurrentIndex(1);
+    EXPECT_EQ(size(), QString::fromUtf8("100 × 200 × 300 mm, 300 mm high"));
+    dialog->findChild<QPushButton*>(QStringLiteral("mesh_add"))->click();
+  });
+  emit window().workbench().mesh_dropped(QString::fromStdString(file.string()));
+  EXPECT_EQ(size_as_guessed, QString::fromUtf8("200 × 300 × 100 mm, 100 mm high"));
+  const Eigen::Vector3d extent =
+      gui::bounds(scene(), window().document().configuration(), {"slab"}).size();
+  EXPECT_TRUE(extent.isApprox(Eigen::Vector3d(0.1, 0.2, 0.3), 1e-6));
+  EXPECT_TRUE(std::get<geometric::Mesh>(object("slab").shape)
+                  .scale.isApprox(Eigen::Vector3d::Constant(1e-3)));
+}
+
+}  // namespace
+}  // namespace handway::test
