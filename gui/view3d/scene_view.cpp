@@ -70,7 +70,8 @@ SceneView::SceneView(QWidget* parent)
   setFormat(format);
   setUpdateBehavior(QOpenGLWidget::PartialUpdate);  // fast pictures change only a part
   setMinimumSize(320, 240);
-  setFocusPolicy(Qt::ClickFocus);
+  setFocusPolicy(Qt::StrongFocus);
+  setAccessibleName(tr("3-D view"));
   setMouseTracking(true);
   graph_ = std::make_unique<SceneGraph>();
   settle_.setSingleShot(true);

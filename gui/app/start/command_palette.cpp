@@ -82,9 +82,11 @@ CommandPalette::CommandPalette(QWidget& window)
   setProperty("role", "palette");
   setAttribute(Qt::WA_StyledBackground);
   field_->setObjectName(QStringLiteral("palette_field"));
+  field_->setAccessibleName(tr("Letters of the command"));
   field_->setPlaceholderText(tr("Type a command"));
   field_->installEventFilter(this);
   list_->setObjectName(QStringLiteral("palette_list"));
+  list_->setAccessibleName(tr("Commands"));
   list_->setFrameShape(QFrame::NoFrame);
   list_->setFocusPolicy(Qt::NoFocus);
   list_->setIconSize({18, 18});

@@ -182,6 +182,7 @@ CampaignsPanel::CampaignsPanel(std::shared_ptr<const planning::PluginManager> pl
                       {RunTable::kPlanner, RunTable::kSeed, RunTable::kTime, RunTable::kOutcome,
                        RunTable::kSamples, RunTable::kNodes, RunTable::kClearance});
   view_->setObjectName(QStringLiteral("campaign_runs"));
+  view_->setAccessibleName(tr("Runs of the campaign"));
   view_->horizontalHeader()->setSectionResizeMode(RunTable::kPlanner,
                                                   QHeaderView::ResizeToContents);
   view_->horizontalHeader()->setResizeContentsPrecision(50);

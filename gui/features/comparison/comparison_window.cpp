@@ -161,7 +161,7 @@ FigureTable::FigureTable(QWidget* parent) : QTableWidget(parent) {
   setAlternatingRowColors(true);
   setEditTriggers(QAbstractItemView::NoEditTriggers);
   setSelectionMode(QAbstractItemView::NoSelection);
-  setFocusPolicy(Qt::NoFocus);
+  setFocusPolicy(Qt::TabFocus);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   fill();
@@ -267,6 +267,7 @@ ComparisonWindow::ComparisonWindow(PathHistory& history, Query query, QWidget* p
   note_->setWordWrap(true);
   note_->setProperty("role", "note");
   table_->setObjectName(QStringLiteral("comparison_figures"));
+  table_->setAccessibleName(tr("Figures of both paths"));
   bar_->setProperty("role", "playback");
   bar_->hide_traces();
   auto* layout = new QVBoxLayout(this);
@@ -296,6 +297,7 @@ ComparisonWindow::ComparisonWindow(PathHistory& history, Query query, QWidget* p
 QWidget* ComparisonWindow::make_chooser(std::size_t side) {
   QComboBox* const box = choosers_.at(side);
   box->setObjectName(QStringLiteral("comparison_%1").arg(side == 0 ? "left" : "right"));
+  box->setAccessibleName(side == 0 ? tr("Path on the left") : tr("Path on the right"));
   connect(box, &QComboBox::currentTextChanged, box, &QWidget::setToolTip);
   box->setPlaceholderText(tr("Choose a path"));
   box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);

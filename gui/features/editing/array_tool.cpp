@@ -118,6 +118,7 @@ QWidget* ArrayCard::make_rows() {
   constexpr std::array kSpacings{"array_spacing_x", "array_spacing_y", "array_spacing_z"};
   for (std::size_t i = 0; i < 3; ++i) {
     counts_.at(i) = add_count(kCounts.at(i), 1);
+    counts_.at(i)->setAccessibleName(tr("Count along %1").arg(QLatin1String(kAxes.at(i))));
     spacings_.at(i) = add_field(kSpacings.at(i), false);
     const int row = static_cast<int>(i) + 1;
     grid->addWidget(note(QLatin1String(kAxes.at(i))), row, 0);

@@ -168,6 +168,7 @@ PropertiesPanel::PropertiesPanel(SceneEditor& editor, QWidget* parent)
 QWidget* PropertiesPanel::make_header() {
   name_ = new QLineEdit;
   name_->setObjectName(QStringLiteral("object_name"));
+  name_->setAccessibleName(tr("Name"));
   kind_ = new QLabel;
   kind_->setProperty("role", "note");
   lock_ = toggle("lock");

@@ -170,6 +170,7 @@ void SceneEditing::add_docks() {
   workbench_.add_dock(DockArea::kLeft, 1, {"properties", tr("Properties"), properties_, 350});
   auto* history = new QUndoView(&editor_.undo_stack());
   history->setEmptyLabel(tr("As opened"));
+  history->setAccessibleName(tr("History"));
   workbench_.add_dock(DockArea::kHistory, 0, {"history", tr("History"), history});
 }
 

@@ -68,6 +68,7 @@ struct SizeText {
 
 SceneTree::SceneTree(QWidget* parent) : QTreeWidget(parent) {
   setHeaderHidden(true);
+  setAccessibleName(tr("Scene"));
   setColumnCount(2);
   header()->setStretchLastSection(false);
   header()->setSectionResizeMode(0, QHeaderView::Stretch);

@@ -269,6 +269,7 @@ void ExportDialog::take_edit(const SceneState& before) {
 
 QWidget* ExportDialog::make_settings() {
   formats_->setObjectName(QStringLiteral("export_formats"));
+  formats_->setAccessibleName(tr("Formats"));
   formats_->setProperty("role", "choices");
   formats_->setWordWrap(true);
   formats_->setSpacing(2);
@@ -331,6 +332,7 @@ QWidget* ExportDialog::make_destination() {
   problem_text_->hide();
   layout->addWidget(problem_text_);
   folder_->setObjectName(QStringLiteral("export_folder"));
+  folder_->setAccessibleName(tr("Folder"));
   auto* browse = new QPushButton(tr("Browse…"));
   auto* cancel = new QPushButton(tr("Cancel"));
   export_button_->setObjectName(QStringLiteral("export_now"));

@@ -197,6 +197,7 @@ QFormLayout* PicturesDialog::make_settings() {
 
 QWidget* PicturesDialog::make_destination() {
   file_->setObjectName(QStringLiteral("pictures_file"));
+  file_->setAccessibleName(tr("File"));
   export_button_->setObjectName(QStringLiteral("pictures_export"));
   export_button_->setProperty("role", "primary");
   close_button_->setObjectName(QStringLiteral("pictures_close"));

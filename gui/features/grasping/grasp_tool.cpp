@@ -56,6 +56,7 @@ GraspCard::GraspCard(QWidget* host)
   note_->setObjectName(QStringLiteral("grasp_note"));
   note_->setWordWrap(true);
   list_->setObjectName(QStringLiteral("grasp_list"));
+  list_->setAccessibleName(tr("Grasps"));
   list_->setFrameShape(QFrame::NoFrame);
   list_->setRootIsDecorated(false);
   list_->setUniformRowHeights(true);

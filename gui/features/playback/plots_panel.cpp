@@ -193,9 +193,10 @@ QString common_name(const geometric::RobotModel& model, const std::vector<int>& 
 JointCurveList::JointCurveList(QWidget* parent) : QTreeWidget(parent) {
   setColumnCount(2);
   setHeaderHidden(true);
+  setAccessibleName(tr("Joints that are drawn"));
   setIconSize(kSwatch);
   setSelectionMode(QAbstractItemView::NoSelection);
-  setFocusPolicy(Qt::NoFocus);
+  setFocusPolicy(Qt::TabFocus);
   setIndentation(14);
   header()->setStretchLastSection(false);
   header()->setSectionResizeMode(kName, QHeaderView::Stretch);

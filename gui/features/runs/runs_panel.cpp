@@ -74,6 +74,7 @@ RunsPanel::RunsPanel(PathHistory& history, QWidget* parent)
                        RunTable::kTime, RunTable::kOutcome, RunTable::kLength, RunTable::kDuration,
                        RunTable::kClearance, RunTable::kHandDistance});
   view_->setObjectName(QStringLiteral("runs_table"));
+  view_->setAccessibleName(tr("Runs"));
   view_->sortByColumn(RunTable::kNumber, Qt::DescendingOrder);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(12, 8, 12, 8);

@@ -155,6 +155,12 @@ std::vector<Obstacle> obstacles_of(const Scene& scene, const Configuration& q) {
   return obstacles;
 }
 
+// Along x and y to what a person would type.
+Vector3d rounded(const Vector3d& place) {
+  constexpr double kGrid = 5e-3;  // m
+  return {std::round(place.x() / kGrid) * kGrid, std::round(place.y() / kGrid) * kGrid, place.z()};
+}
+
 class FreeFoot {
  public:
   /// @param falls onto what is below.
@@ -171,7 +177,8 @@ class FreeFoot {
       const int count = radius == 0.0 ? 1 : static_cast<int>(2 * std::numbers::pi * radius / step);
       for (int i = 0; i < count; ++i) {
         const double angle = 2.0 * std::numbers::pi * i / count;
-        const Vector3d foot = wanted + radius * Vector3d(std::cos(angle), std::sin(angle), 0.0);
+        const Vector3d foot =
+            wanted + rounded(radius * Vector3d(std::cos(angle), std::sin(angle), 0.0));
         if (const auto place = standing_at(foot)) {
           if (foot.z() - place->z() < kOnSupport) {
             return *place;
@@ -231,7 +238,7 @@ bool stands(const Scene& scene, const geometric::SceneObject& object) {
 
 Vector3d free_foot(const Scene& scene, const Configuration& q, const Vector3d& size,
                    const Vector3d& wanted) {
-  return FreeFoot(scene, q, size, true).beside(wanted);
+  return FreeFoot(scene, q, size, true).beside(rounded(wanted));
 }
 
 geometric::Pose motion_into_free(const Scene& scene, const Configuration& q, const Scene& added,

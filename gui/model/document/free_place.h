@@ -9,7 +9,8 @@ namespace handway::gui {
 /// Where the middle of the underside of a box along the world's axes may stand (world, m) so that
 /// nothing is in it: no object, no robot as it is shown, and not the first one at start or goal.
 /// The nearest such place beside `wanted`, at its height where something is below it there, or else
-/// as low as it falls. It keeps kRestingGap to what it stands on and some millimetres to the rest.
+/// as low as it falls, at whole 5 mm along x and y. It keeps kRestingGap to what it stands on and
+/// some millimetres to the rest.
 /// @param size of the box, m.
 [[nodiscard]] Eigen::Vector3d free_foot(const geometric::Scene& scene,
                                         const geometric::Configuration& q,

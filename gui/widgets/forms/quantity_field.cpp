@@ -269,6 +269,8 @@ SliderRow::SliderRow(const QString& label, const Range& range, QWidget* parent)
       slider_(new QSlider(Qt::Horizontal)),
       field_(new QDoubleSpinBox) {
   label_->setToolTip(label);
+  slider_->setAccessibleName(label);
+  field_->setAccessibleName(label);
   slider_->setRange(0, kSteps);
   slider_->setPageStep(kSteps / 20);
   slider_->setFocusPolicy(Qt::StrongFocus);

@@ -7,6 +7,7 @@
 #include "layout_audit.h"
 #include "model/document/scene_edits.h"
 #include "patience.h"
+#include "reader_names.h"
 #include "small_cell.h"
 #include "widgets/panels/floating_card.h"
 #include "widgets/style/theme.h"
@@ -88,6 +89,12 @@ class PanelWalk : public ::testing::TestWithParam<Form> {
     for (const QString& fault : audit_.new_faults(of)) {
       ADD_FAILURE() << stop.toStdString() << ": " << fault.toStdString();
     }
+    for (const QString& fault : faults_for_readers(of)) {
+      if (!known_.contains(fault)) {
+        known_ << fault;
+        ADD_FAILURE() << stop.toStdString() << ": " << fault.toStdString();
+      }
+    }
     keep_picture(stop, of);
   }
   /// Waits until nothing is laid out any more.
@@ -138,6 +145,7 @@ class PanelWalk : public ::testing::TestWithParam<Form> {
   void look_at_opened(const QString& stop, QAction& action);
 
   LayoutAudit audit_;
+  QStringList known_;  ///< Faults for screen readers, each told once.
   std::unique_ptr<gui::MainWindow> window_;
 };
 

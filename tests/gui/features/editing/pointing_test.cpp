@@ -172,7 +172,7 @@ TEST_F(Pointing, RowsAreDraggedIntoTheView) {
   const Eigen::Vector3d there = view().pick_at(place)->point;
   drop("post\n", view(), place);
   const Eigen::Vector3d at = object("post").X_PO.translation();
-  EXPECT_LT((at - there).head<2>().norm(), 1e-6);
+  EXPECT_LT((at - there).head<2>().norm(), 0.004);
   EXPECT_NEAR(at.z() - 0.2, 0.1 + gui::kRestingGap, 1e-6) << "it stands on the table";
   EXPECT_EQ(editor().undo_stack().undoText(), QStringLiteral("Move post"));
 }
