@@ -1,5 +1,6 @@
 #include "app/file_commands.h"
 
+#include "app/start/start_page.h"
 #include "features/workbench.h"
 #include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/resources.h"
@@ -7,12 +8,16 @@
 #include "widgets/panels/log_panel.h"
 
 #include <QFileDialog>
+#include <QFileIconProvider>
 #include <QFileInfo>
+#include <QListView>
 #include <QMainWindow>
 #include <QMessageBox>
 #include <QSettings>
+#include <QUrl>
 
 #include <algorithm>
+#include <map>
 
 namespace handway::gui {
 namespace {
@@ -145,13 +150,71 @@ void FileCommands::show_scene() {
   }
 }
 
+namespace {
+
+/// Scenes that ship have their pictures.
+class SceneIcons : public QFileIconProvider {
+ public:
+  SceneIcons() {
+    for (const ShippedScene& scene : shipped_scenes()) {
+      const QPixmap picture(scene.picture);
+      if (!picture.isNull()) {
+        pictures_[QString::fromStdString(scene.file.string())] = QIcon(picture);
+      }
+    }
+  }
+  using QFileIconProvider::icon;
+  [[nodiscard]] QIcon icon(const QFileInfo& file) const override {
+    const auto found = pictures_.find(file.absoluteFilePath());
+    return found == pictures_.end() ? QFileIconProvider::icon(file) : found->second;
+  }
+
+ private:
+  std::map<QString, QIcon> pictures_;
+};
+
+// The person's, then the folders of the scenes that ship and of those that were opened last.
+QList<QUrl> places(QList<QUrl> known) {
+  QStringList files = RecentFiles::files();
+  for (const ShippedScene& scene : shipped_scenes()) {
+    files << QString::fromStdString(scene.file.string());
+  }
+  for (const QString& file : files) {
+    const QUrl folder = QUrl::fromLocalFile(QFileInfo(file).absolutePath());
+    if (!known.contains(folder)) {
+      known << folder;
+    }
+  }
+  return known;
+}
+
+QString dialog_key() { return QStringLiteral("open_dialog"); }
+
+}  // namespace
+
+// The desktop's own dialog has neither pictures nor these places.
 void FileCommands::open() {
-  const QString file = QFileDialog::getOpenFileName(
-      &workbench_.window, tr("Open a scene"),
-      QFileInfo(QString::fromStdString(workbench_.document.file().string())).path(),
-      tr("Scenes, problems and robots (*.yaml *.yml *.xml *.urdf);;All files (*)"));
-  if (!file.isEmpty()) {
-    workbench_.open(file.toStdString());
+  constexpr QSize kPicture{96, 60};
+  QFileDialog dialog(&workbench_.window, tr("Open a scene"),
+                     QFileInfo(QString::fromStdString(workbench_.document.file().string())).path(),
+                     tr("Scenes, problems and robots (*.yaml *.yml *.xml *.urdf);;All files (*)"));
+  dialog.setObjectName(QStringLiteral("open_dialog"));
+  dialog.setOption(QFileDialog::DontUseNativeDialog);
+  dialog.setFileMode(QFileDialog::ExistingFile);
+  const QString folder = dialog.directory().absolutePath();
+  dialog.restoreState(QSettings().value(dialog_key()).toByteArray());
+  dialog.setDirectory(folder);
+  dialog.setSidebarUrls(places(dialog.sidebarUrls()));
+  dialog.setViewMode(QFileDialog::List);
+  SceneIcons icons;
+  dialog.setIconProvider(&icons);
+  for (auto* view : dialog.findChildren<QListView*>(QStringLiteral("listView"))) {
+    view->setIconSize(kPicture);
+  }
+  const bool chosen = dialog.exec() == QDialog::Accepted;
+  QSettings().setValue(dialog_key(), dialog.saveState());
+  if (chosen && !dialog.selectedFiles().isEmpty()) {
+    workbench_.open(dialog.selectedFiles().front().toStdString());
   }
 }
 

@@ -4,12 +4,17 @@
 #include "features/glove/mapping_editor.h"
 
 #include <QComboBox>
+#include <QFileDialog>
+#include <QFileIconProvider>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QTabWidget>
 #include <QTimer>
 #include <QUndoView>
+#include <QUrl>
+
+#include <handway_test/paths.h>
 
 namespace handway::test {
 namespace {
@@ -147,6 +152,29 @@ TEST_F(History, ClosingASceneGoesBackToTheStartPage) {
   open(cell().wall());
   EXPECT_TRUE(window().view().isVisible());
   plan();
+}
+
+TEST_F(History, TheOpenDialogHasTheScenesThatShipWithPictures) {
+  QList<QUrl> places;
+  QIcon picture, plain;
+  QTimer::singleShot(300, [&] {
+    if (auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget())) {
+      places = dialog->sidebarUrls();
+      const QString scenes = QString::fromStdString((source_dir() / "scenes").string());
+      picture = dialog->iconProvider()->icon(QFileInfo(scenes + "/can_on_table.yaml"));
+      plain =
+          dialog->iconProvider()->icon(QFileInfo(QString::fromStdString(cell().post().string())));
+      dialog->reject();
+    }
+  });
+  part<QAction>("open").trigger();
+  const auto folder = [](const std::filesystem::path& path) {
+    return QUrl::fromLocalFile(QString::fromStdString(path.string()));
+  };
+  EXPECT_TRUE(places.contains(folder(source_dir() / "scenes")));
+  EXPECT_TRUE(places.contains(folder(cell().folder()))) << "of the scene that was opened last";
+  EXPECT_GT(picture.availableSizes().value(0).width(), 90);
+  EXPECT_NE(picture.cacheKey(), plain.cacheKey());
 }
 
 TEST_F(History, ClosingASceneAsksAboutUnsavedWork) {
