@@ -53,7 +53,7 @@ struct Position {
   int section = 0;
   int order = 0;  ///< In the section.
 
-  auto operator<=>(const Position&) const = default;
+  auto operator<=>(const Position&) const = default;  // NOLINT(modernize-use-nullptr)
 };
 
 /// What features of the window work with: the model, the 3-D view, and places for their menus,
