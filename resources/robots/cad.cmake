@@ -61,7 +61,7 @@ function(handway_object_meshes)
   endforeach()
 endfunction()
 
-foreach(robot tx90 sah_right)
+foreach(robot tx90 sah_right iiwa14_class allegro_class_right)
   include(${CMAKE_CURRENT_LIST_DIR}/${robot}/cad/meshes.cmake OPTIONAL)
 endforeach()
 include(${CMAKE_CURRENT_LIST_DIR}/../objects/cad/meshes.cmake OPTIONAL)

@@ -10,19 +10,25 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <ostream>
+#include <string>
+#include <vector>
 
 namespace handway::test {
 namespace {
 
-std::filesystem::path resource(const char* name) { return source_dir() / "resources" / name; }
+std::filesystem::path resource(const std::string& name) {
+  return source_dir() / "resources" / name;
+}
 
 class FreeHand : public testing::Test {
  protected:
-  // Normalised by the joint limits.
-  [[nodiscard]] Eigen::MatrixXd postures() const {
+  // Of the hand that the mapping is for, normalised by the joint limits.
+  [[nodiscard]] Eigen::MatrixXd postures(const std::string& mapping = "table1_sah") const {
+    const device::HandMapping read =
+        device::read_mapping(resource("mappings/" + mapping + ".yaml"));
     const device::HandMapper mapper(
-        device::read_mapping(resource("mappings/table1_sah.yaml")),
-        *geometric::load_robot(resource("robots/sah_right/sah_right.urdf")));
+        read, *geometric::load_robot(resource("robots/" + read.hand + "/" + read.hand + ".urdf")));
     const Eigen::RowVectorXd lower = mapper.lower().transpose();
     const Eigen::RowVectorXd range = (mapper.upper() - mapper.lower()).transpose();
     const Eigen::MatrixXd radians =
@@ -57,9 +63,24 @@ TEST_F(FreeHand, VariesAsThePapersHandDid) {
   }
 }
 
-TEST_F(FreeHand, GivesTheBasisThatShips) {
-  const sampling::PmdBasis shipped = sampling::read_pmd_basis(resource("bases/sah_free_hand.yaml"));
-  const sampling::PrincipalComponents found = sampling::principal_components(postures(), {0});
+struct MadeBasis {
+  std::string name, mapping;
+};
+
+std::ostream& operator<<(std::ostream& stream, const MadeBasis& basis) {
+  return stream << basis.name;
+}
+
+class BasisOfFreeHand : public FreeHand, public testing::WithParamInterface<MadeBasis> {};
+
+TEST_P(BasisOfFreeHand, IsTheOneThatShips) {
+  const sampling::PmdBasis shipped =
+      sampling::read_pmd_basis(resource("bases/" + GetParam().name + ".yaml"));
+  ASSERT_EQ(shipped.free_joints.size(), 1U);
+  const int free = shipped.free_joints[0].joint;
+  EXPECT_EQ(shipped.joints[static_cast<std::size_t>(free)], "thumb_base");
+  const sampling::PrincipalComponents found =
+      sampling::principal_components(postures(GetParam().mapping), {free});
   ASSERT_EQ(shipped.directions.size(), 4U);
   EXPECT_LT((shipped.mean - found.mean).norm(), 1e-9);
   for (Eigen::Index k = 0; k < 4; ++k) {
@@ -68,6 +89,11 @@ TEST_F(FreeHand, GivesTheBasisThatShips) {
     EXPECT_NEAR(direction.variance, found.variances[k], 1e-12);
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(Hands, BasisOfFreeHand,
+                         testing::Values(MadeBasis{"sah_free_hand", "table1_sah"},
+                                         MadeBasis{"allegro_free_hand", "allegro_class_right"}),
+                         [](const auto& test) { return test.param.name; });
 
 }  // namespace
 }  // namespace handway::test

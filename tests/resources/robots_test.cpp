@@ -1,5 +1,6 @@
 #include "handway/geometric/collision/checkers/fcl_checker.h"
 #include "handway/geometric/formats/robot_loader.h"
+#include "handway/geometric/formats/scene_reader.h"
 #include "handway_test/paths.h"
 
 #include <gmock/gmock.h>
@@ -7,11 +8,20 @@
 #include <pugixml.hpp>
 
 #include <algorithm>
+#include <array>
+#include <fstream>
+#include <numeric>
+#include <utility>
 
 namespace handway::test {
 namespace {
 
 using geometric::RobotModel;
+
+constexpr std::array kRobots = {"tx90", "sah_right", "tx90_sah", "iiwa14_class",
+                                "allegro_class_right"};
+constexpr std::array kArms = {"tx90", "iiwa14_class"};
+constexpr std::array kHands = {"sah_right", "allegro_class_right"};
 
 std::filesystem::path urdf_of(const std::string& robot) {
   return source_dir() / "resources/robots" / robot / (robot + ".urdf");
@@ -99,7 +109,7 @@ TEST_P(ShippedRobot, IsAsLargeAsItsJointsAreApart) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Resources, ShippedRobot, testing::Values("tx90", "sah_right", "tx90_sah"),
+INSTANTIATE_TEST_SUITE_P(Resources, ShippedRobot, testing::ValuesIn(kRobots),
                          [](const auto& test) { return std::string(test.param); });
 
 TEST(ShippedRobots, HaveTheirNumbersOfVariables) {
@@ -111,6 +121,36 @@ TEST(ShippedRobots, HaveTheirNumbersOfVariables) {
   EXPECT_EQ(both->variable_count(), 19);
   EXPECT_THAT(both->find_group("arm").value(), testing::SizeIs(6));
   EXPECT_THAT(both->find_group("hand").value(), testing::SizeIs(13));
+}
+
+TEST(ShippedRobots, OfClassesHaveTheirNumbersOfVariables) {
+  for (const auto& [name, count] : {std::pair{"iiwa14_class", 7}, {"allegro_class_right", 16}}) {
+    EXPECT_EQ(geometric::load_robot(urdf_of(name))->variable_count(), count) << name;
+  }
+}
+
+// Flanges and palms have the frames that this takes: z out of the flange, along the fingers.
+TEST(ShippedRobots, MountEveryHandOnEveryArm) {
+  for (const char* arm : kArms) {
+    for (const char* hand : kHands) {
+      const ScratchFolder folder;
+      const std::filesystem::path file = folder.path() / "scene.yaml";
+      std::ofstream(file) << "handway: 1\nrobots:\n  - {name: arm, model: " << arm
+                          << "}\n  - {name: hand, model: " << hand
+                          << ", mount: {robot: arm, link: flange_link}}\n";
+      const geometric::Scene scene = geometric::read_scene(file);
+      EXPECT_THAT(scene.warnings, testing::IsEmpty()) << arm << " with " << hand;
+      const RobotModel& both = *scene.robots.front().model;
+      const auto parts = {geometric::load_robot(urdf_of(arm)),
+                          geometric::load_robot(urdf_of(hand))};
+      EXPECT_EQ(both.variable_count(),
+                std::accumulate(parts.begin(), parts.end(), 0, [](int count, const auto& part) {
+                  return count + part->variable_count();
+                }));
+      EXPECT_EQ(both.find_group("hand").value().size(),
+                static_cast<std::size_t>((*(parts.end() - 1))->variable_count()));
+    }
+  }
 }
 
 TEST(ShippedRobots, OfArmAndHandConsistOfTheTwo) {

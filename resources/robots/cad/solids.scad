@@ -65,7 +65,7 @@ module block(low, high, edge = 2) {
       let (shrink = [for (i = [0 : 2]) i == axis ? c : c - cut])
         translate(low - shrink) cube(high - low + 2 * shrink);
   } else {
-    $fn = 16;
+    $fn = min(16, $fn);
     hull() for (x = [low.x + edge, high.x - edge], y = [low.y + edge, high.y - edge],
                 z = [low.z + edge, high.z - edge]) ball_at([x, y, z], edge);
   }
