@@ -25,6 +25,7 @@ PalmTool::PalmTool(Document& document, SceneEditor& editor, Posing& posing,
       session_(session),
       view_(view) {
   connect(&document_, &Document::opened, this, &PalmTool::use_robot);
+  connect(&document_, &Document::hand_changed, this, &PalmTool::use_robot);
   connect(&view_, &SceneView::dragged, this, &PalmTool::drag);
   connect(&editor_, &SceneEditor::palm_placed, this, &PalmTool::drop);
 }

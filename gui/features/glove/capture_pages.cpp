@@ -86,8 +86,17 @@ void CapturedPostures::compare(double time) {
   }
 }
 
-sampling::PrincipalComponents CapturedPostures::components() const {
-  return components_ ? components_->components(left_out_)
+Eigen::MatrixXd CapturedPostures::table() const {
+  Eigen::MatrixXd rows(static_cast<Eigen::Index>(samples_.size()),
+                       static_cast<Eigen::Index>(joints_.size()));
+  for (std::size_t i = 0; i < samples_.size(); ++i) {
+    rows.row(static_cast<Eigen::Index>(i)) = samples_[i].transpose();
+  }
+  return rows;
+}
+
+sampling::PrincipalComponents CapturedPostures::components(const std::vector<int>& left_out) const {
+  return components_ ? components_->components(left_out)
                      : sampling::principal_components(Eigen::MatrixXd());
 }
 
@@ -161,8 +170,9 @@ CapturePages::CapturePages(GloveSession& session, QObject* parent)
   connect(coach_, &CaptureCoach::restart_requested, this, &CapturePages::restart);
   connect(explorer_, &PmdExplorer::live_requested, this, [this] {
     shows_live_ = true;
-    explorer_->show_postures(live_, {});
+    explorer_->show_postures(live_, {}, session_.mapping().hand);
   });
+  connect(explorer_, &PmdExplorer::failed, this, &CapturePages::failed);
   connect(explorer_, &PmdExplorer::recording_requested, this, &CapturePages::choose_recording);
   ticker_.setInterval(kShowMs);
   connect(&ticker_, &QTimer::timeout, this, &CapturePages::show_live);
@@ -178,10 +188,15 @@ CapturedPostures CapturePages::no_postures() const {
 }
 
 void CapturePages::set_hand(std::shared_ptr<const geometric::RobotModel> model,
-                            std::shared_ptr<const sampling::PmdBasis> basis) {
-  basis_ = std::move(basis);
-  explorer_->set_hand(std::move(model), basis_);
+                            const HandBasis& basis) {
+  basis_ = basis.basis;
+  explorer_->set_hand(std::move(model), basis);
   restart();
+}
+
+void CapturePages::set_basis(const HandBasis& basis) {
+  basis_ = basis.basis;
+  explorer_->set_scene_basis(basis);
 }
 
 void CapturePages::set_configuration(const geometric::Configuration& q) {
@@ -196,7 +211,7 @@ void CapturePages::restart() {
     coach_->restart(session_.mapping(), {}, {});
   }
   shows_live_ = true;
-  explorer_->show_postures(live_, {});
+  explorer_->show_postures(live_, {}, session_.mapping().hand);
 }
 
 void CapturePages::take(const std::vector<GloveSample>& samples) {
@@ -225,12 +240,12 @@ void CapturePages::show_live() {
     coach_->show_progress(live_);
   }
   if (shows_live_ && explorer_->isVisible() && ++ticks_ % kDotsEvery == 0) {
-    explorer_->show_postures(live_, {});
+    explorer_->show_postures(live_, {}, session_.mapping().hand);
   }
 }
 
 void CapturePages::choose_recording() {
-  explorer_->show_postures(live_, {});
+  explorer_->show_postures(live_, {}, session_.mapping().hand);
   const QString file =
       QFileDialog::getOpenFileName(explorer_, tr("Show the postures of a recording"), {},
                                    tr("Recordings (*.csv *.txt);;All files (*)"));
@@ -247,16 +262,16 @@ void CapturePages::show_recording(const QString& file) {
   }
   const int load = ++load_;
   threads_.run([this, load, file, calibration = session_.calibration(), mapper = *mapper,
-                left_out = live_.left_out()] {
+                left_out = live_.left_out(), hand = session_.mapping().hand] {
     try {
       auto postures = std::make_shared<CapturedPostures>(
           read_postures(file.toStdString(), calibration, mapper, left_out));
       QMetaObject::invokeMethod(
           this,
-          [this, load, file, postures] {
+          [this, load, file, postures, hand] {
             if (load == load_) {
               shows_live_ = false;
-              explorer_->show_postures(*postures, QFileInfo(file).fileName());
+              explorer_->show_postures(*postures, QFileInfo(file).fileName(), hand);
             }
           },
           Qt::QueuedConnection);

@@ -42,9 +42,13 @@ class CapturedPostures {
   [[nodiscard]] double duration() const { return last_time_ - first_time_; }
   /// Evenly chosen ones of all that were added, at most some thousand.
   [[nodiscard]] const std::vector<Eigen::VectorXd>& samples() const { return samples_; }
+  /// The samples as rows, shape [samples, joints].
+  [[nodiscard]] Eigen::MatrixXd table() const;
 
   /// Of all postures. @throws geometric::InputError if there are fewer than two.
-  [[nodiscard]] sampling::PrincipalComponents components() const;
+  [[nodiscard]] sampling::PrincipalComponents components() const { return components(left_out_); }
+  /// The same with other joints left out.
+  [[nodiscard]] sampling::PrincipalComponents components(const std::vector<int>& left_out) const;
   /// Correlation of every pair of joints; 0 where one does not vary. Shape [joints, joints].
   /// @throws as components().
   [[nodiscard]] Eigen::MatrixXd correlations() const;
@@ -77,6 +81,7 @@ class CapturedPostures {
 
 class CaptureCoach;
 class PmdExplorer;
+struct HandBasis;
 
 /// Collects the postures that a glove makes the hand take, and keeps coach and explorer, which
 /// show them, up to date.
@@ -91,9 +96,10 @@ class CapturePages : public QObject {
   [[nodiscard]] PmdExplorer& explorer() { return *explorer_; }
   [[nodiscard]] const CapturedPostures& postures() const { return live_; }
 
-  /// @param basis of the scene; may be null.
-  void set_hand(std::shared_ptr<const geometric::RobotModel> model,
-                std::shared_ptr<const sampling::PmdBasis> basis);
+  /// Another scene. @param basis that it names; its basis may be null.
+  void set_hand(std::shared_ptr<const geometric::RobotModel> model, const HandBasis& basis);
+  /// The scene names another basis; what has been captured stays.
+  void set_basis(const HandBasis& basis);
   void set_configuration(const geometric::Configuration& q);
   /// Shows a recording's postures in the explorer instead of the live ones.
   void show_recording(const QString& file);

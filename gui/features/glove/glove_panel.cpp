@@ -188,10 +188,21 @@ void GlovePanel::put_page(const QString& name, QWidget* page) {
 }
 
 void GlovePanel::set_hand(const std::shared_ptr<const geometric::RobotModel>& model,
-                          const std::shared_ptr<const sampling::PmdBasis>& basis,
-                          std::shared_ptr<const PreparedProblem> problem) {
+                          const HandBasis& basis, std::shared_ptr<const PreparedProblem> problem) {
   session_.set_robot(model);
   capture_.set_hand(model, basis);
+  take_basis(model, basis.basis, std::move(problem));
+}
+
+void GlovePanel::set_basis(const std::shared_ptr<const geometric::RobotModel>& model,
+                           const HandBasis& basis, std::shared_ptr<const PreparedProblem> problem) {
+  capture_.set_basis(basis);
+  take_basis(model, basis.basis, std::move(problem));
+}
+
+void GlovePanel::take_basis(const std::shared_ptr<const geometric::RobotModel>& model,
+                            const std::shared_ptr<const sampling::PmdBasis>& basis,
+                            std::shared_ptr<const PreparedProblem> problem) {
   std::vector<std::string> free;
   if (basis) {
     for (const sampling::FreeJoint& joint : basis->free_joints) {
@@ -330,16 +341,33 @@ void add_glove(Workbench& workbench) {
     const bool runs = link.is_running() && link.state() != StreamState::kFailed;
     return runs ? std::optional(panel->listening_time()) : std::nullopt;
   });
+  QAction* bases = workbench.make_action(
+      "", QObject::tr("Hand &basis…"), {},
+      QObject::tr("Choose the hand's basis, or make one from postures of a person"));
+  bases->setObjectName(QStringLiteral("explore_bases"));
+  workbench.add_to_menu(MainMenu::kPlan, {1, 10}, bases);
+  QObject::connect(bases, &QAction::triggered, panel,
+                   [panel] { panel->come_to_front(QStringLiteral("Explore")); });
   Document& document = workbench.document;
   QObject::connect(&workbench.view, &SceneView::frameSwapped, panel, &GlovePanel::note_drawn);
   QObject::connect(panel, &GlovePanel::posture_changed, &workbench.posing, &Posing::apply);
   QObject::connect(&document, &Document::configuration_changed, panel,
                    &GlovePanel::set_configuration);
   QObject::connect(&workbench, &Workbench::theme_changed, panel, &GlovePanel::refresh_icons);
-  QObject::connect(&workbench, &Workbench::scene_shown, panel, [panel, &document] {
+  const auto scene_basis = [&document]() -> HandBasis {
+    const std::filesystem::path file =
+        document.scene() ? document.scene()->hand_basis : std::filesystem::path();
+    return {QString::fromStdString(file.stem().string()), file, document.loaded().basis};
+  };
+  QObject::connect(&workbench, &Workbench::scene_shown, panel, [panel, &document, scene_basis] {
     const geometric::RobotInstance* robot = document.robot();
-    panel->set_hand(robot ? robot->model : nullptr, document.loaded().basis, document.problem());
+    panel->set_hand(robot ? robot->model : nullptr, scene_basis(), document.problem());
   });
+  QObject::connect(&document, &Document::hand_changed, panel, [panel, &document, scene_basis] {
+    panel->set_basis(document.robot()->model, scene_basis(), document.problem());
+  });
+  QObject::connect(&panel->capture().explorer(), &PmdExplorer::basis_chosen, &workbench.editor,
+                   &SceneEditor::use_basis);
   QObject::connect(&workbench, &Workbench::ready, panel, [panel, &workbench] {
     const Options& options = workbench.options;
     if (!options.glove.empty() || !options.glove_page.empty() || !options.tracker.empty()) {

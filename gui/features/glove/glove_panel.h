@@ -40,11 +40,13 @@ class GlovePanel : public QWidget {
   ~GlovePanel() override;
 
   /// @param model null: no robot.
-  /// @param basis of the scene's hand; may be null.
+  /// @param basis of the scene's hand; its basis may be null.
   /// @param problem to check for contacts; may be null.
-  void set_hand(const std::shared_ptr<const geometric::RobotModel>& model,
-                const std::shared_ptr<const sampling::PmdBasis>& basis,
+  void set_hand(const std::shared_ptr<const geometric::RobotModel>& model, const HandBasis& basis,
                 std::shared_ptr<const PreparedProblem> problem);
+  /// The same robot with another basis; what has been captured stays.
+  void set_basis(const std::shared_ptr<const geometric::RobotModel>& model, const HandBasis& basis,
+                 std::shared_ptr<const PreparedProblem> problem);
   /// Where the robot is. @param q shape [variable_count].
   void set_configuration(const geometric::Configuration& q);
   /// The view has drawn the posture that was shown last.
@@ -74,6 +76,9 @@ class GlovePanel : public QWidget {
   QWidget* build_sensors_page();
   QWidget* build_footer();
   void put_page(const QString& name, QWidget* page);
+  void take_basis(const std::shared_ptr<const geometric::RobotModel>& model,
+                  const std::shared_ptr<const sampling::PmdBasis>& basis,
+                  std::shared_ptr<const PreparedProblem> problem);
   void toggle_connection();
   void show_state(device::StreamState state, const QString& error);
   void show_samples(const std::vector<GloveSample>& samples);

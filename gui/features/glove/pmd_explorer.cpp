@@ -1,17 +1,23 @@
 #include "features/glove/pmd_explorer.h"
 
 #include "features/glove/capture_coach.h"
+#include "handway/geometric/robot/composed_robot.h"
 #include "handway/geometric/robot/normalised_joints.h"
 #include "widgets/style/theme.h"
 
 #include <QComboBox>
+#include <QFileDialog>
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QHelpEvent>
 #include <QLabel>
+#include <QMenu>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPolygonF>
+#include <QPushButton>
 #include <QSignalBlocker>
+#include <QSpinBox>
 #include <QToolTip>
 #include <QVBoxLayout>
 #include <QVariant>
@@ -172,7 +178,7 @@ void PmdPad::paintEvent(QPaintEvent*) {
 HandAxes::HandAxes(std::shared_ptr<const geometric::RobotModel> model, sampling::PmdBasis basis)
     : model_(std::move(model)), basis_(std::move(basis)) {
   for (const std::string& joint : basis_.joints) {
-    const auto variable = model_ ? model_->find_variable(joint) : std::nullopt;
+    const auto variable = model_ ? geometric::find_variable_of_part(*model_, joint) : std::nullopt;
     if (!variable) {
       variables_.clear();
       return;
@@ -393,6 +399,10 @@ namespace {
 constexpr int kLive = 0;
 constexpr int kFromFile = 1;
 constexpr int kSceneBasis = 0;
+constexpr int kOwnBasis = 1;
+constexpr int kFirstOther = 2;
+constexpr int kOpenBasis = -1;  // data of the entry that asks for a file
+constexpr int kDirections = 4;
 constexpr std::size_t kMostDots = 1200;
 constexpr Eigen::Index kLeastPostures = 50;
 
@@ -412,18 +422,97 @@ QLabel* heading(const QString& text) {
 
 }  // namespace
 
+BasisOptions::BasisOptions(QWidget* parent)
+    : QWidget(parent), directions_(new QSpinBox), free_(new QPushButton) {
+  directions_->setObjectName(QStringLiteral("basis_directions"));
+  directions_->setRange(1, kDirections);
+  directions_->setValue(kDirections);
+  directions_->setToolTip(tr("Principal motion directions that the basis takes"));
+  free_->setObjectName(QStringLiteral("basis_free"));
+  free_->setProperty("role", "compact");
+  free_->setMenu(new QMenu(free_));
+  free_->setToolTip(
+      tr("Joints with an axis of their own over their whole range, as the thumb's base in the "
+         "paper; they take no part in the directions"));
+  auto* label = new QLabel(tr("PMDs"));
+  label->setBuddy(directions_);
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(8);
+  layout->addWidget(label);
+  layout->addWidget(directions_);
+  layout->addWidget(free_, 1);
+  connect(directions_, qOverload<int>(&QSpinBox::valueChanged), this, &BasisOptions::changed);
+  take_joints();
+}
+
+void BasisOptions::set_joints(const std::vector<std::string>& joints,
+                              const std::vector<int>& free) {
+  if (joints == joints_) {
+    return;
+  }
+  joints_ = joints;
+  free_->menu()->clear();
+  for (std::size_t j = 0; j < joints_.size(); ++j) {
+    QAction* action = free_->menu()->addAction(joint_label(joints_[j]));
+    action->setCheckable(true);
+    action->setChecked(std::ranges::count(free, static_cast<int>(j)) > 0);
+    connect(action, &QAction::toggled, this, [this] {
+      take_joints();
+      emit changed();
+    });
+  }
+  take_joints();
+}
+
+sampling::PmdBasisOptions BasisOptions::options() const {
+  sampling::PmdBasisOptions options;
+  options.directions = directions_->value();
+  const QList<QAction*> actions = free_->menu()->actions();
+  for (int j = 0; j < actions.size(); ++j) {
+    if (actions[j]->isChecked()) {
+      options.free_joints.push_back(j);
+    }
+  }
+  return options;
+}
+
+// One joint at least is left for the directions, and the pad has two axes.
+void BasisOptions::take_joints() {
+  const QList<QAction*> actions = free_->menu()->actions();
+  QStringList chosen;
+  for (const QAction* action : actions) {
+    if (action->isChecked()) {
+      chosen << action->text();
+    }
+  }
+  for (QAction* action : actions) {
+    action->setEnabled(action->isChecked() || chosen.size() + 1 < actions.size());
+  }
+  free_->setText(chosen.isEmpty()     ? tr("No free joint")
+                 : chosen.size() == 1 ? tr("Free: %1").arg(chosen.front())
+                                      : tr("%1 free joints").arg(chosen.size()));
+  const QSignalBlocker quiet(directions_);
+  const int most = std::max(1, static_cast<int>(actions.size()) - static_cast<int>(chosen.size()));
+  directions_->setRange(chosen.isEmpty() ? std::min(2, most) : 1, most);
+}
+
 PmdExplorer::PmdExplorer(QWidget* parent)
     : QWidget(parent),
       source_(choice("explorer_source")),
       basis_(choice("explorer_basis")),
+      options_(new BasisOptions),
+      save_(new QPushButton(tr("Save as basis…"))),
+      use_(new QPushButton(tr("Use for planning"))),
       across_(choice("explorer_across")),
       up_(choice("explorer_up")),
       pad_(new PmdPad),
       variance_(new VarianceChart),
       correlation_(new CorrelationMap),
+      comparison_(new BasisComparisonView),
       note_(heading({})) {
   source_->addItems({tr("Live"), tr("A recording…")});
-  basis_->addItems({tr("Of the scene"), tr("Of these postures")});
+  note_->setWordWrap(true);
   auto* form = new QGridLayout;
   form->setHorizontalSpacing(8);
   form->setVerticalSpacing(6);
@@ -431,10 +520,12 @@ PmdExplorer::PmdExplorer(QWidget* parent)
   form->addWidget(source_, 0, 1, 1, 3);
   form->addWidget(new QLabel(tr("Basis")), 1, 0);
   form->addWidget(basis_, 1, 1, 1, 3);
-  form->addWidget(new QLabel(tr("Axes")), 2, 0);
-  form->addWidget(across_, 2, 1);
-  form->addWidget(new QLabel(QStringLiteral("×")), 2, 2);
-  form->addWidget(up_, 2, 3);
+  form->addWidget(options_, 2, 0, 1, 4);
+  form->addWidget(build_buttons(), 3, 0, 1, 4);
+  form->addWidget(new QLabel(tr("Axes")), 4, 0);
+  form->addWidget(across_, 4, 1);
+  form->addWidget(new QLabel(QStringLiteral("×")), 4, 2);
+  form->addWidget(up_, 4, 3);
   form->setColumnStretch(1, 1);
   form->setColumnStretch(3, 1);
   auto* charts = new QGridLayout;
@@ -451,6 +542,7 @@ PmdExplorer::PmdExplorer(QWidget* parent)
   layout->addWidget(pad_, 1);
   layout->addWidget(note_);
   layout->addLayout(charts);
+  layout->addWidget(comparison_);
   connect(source_, qOverload<int>(&QComboBox::activated), this, [this](int index) {
     if (index == kLive) {
       emit live_requested();
@@ -458,24 +550,157 @@ PmdExplorer::PmdExplorer(QWidget* parent)
       emit recording_requested();
     }
   });
-  connect(basis_, qOverload<int>(&QComboBox::activated), this, &PmdExplorer::rebuild_axes);
+  connect(basis_, qOverload<int>(&QComboBox::activated), this, &PmdExplorer::take_choice);
+  connect(options_, &BasisOptions::changed, this, &PmdExplorer::rebuild_axes);
   connect(across_, qOverload<int>(&QComboBox::activated), this, &PmdExplorer::choose_axes);
   connect(up_, qOverload<int>(&QComboBox::activated), this, &PmdExplorer::choose_axes);
   connect(pad_, &PmdPad::moved, this, &PmdExplorer::move_hand);
+  list_bases();
   rebuild_axes();
 }
 
-bool PmdExplorer::uses_scene_basis() const { return basis_->currentIndex() == kSceneBasis; }
+QWidget* PmdExplorer::build_buttons() {
+  auto* box = new QWidget;
+  auto* layout = new QHBoxLayout(box);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(8);
+  save_->setObjectName(QStringLiteral("basis_save"));
+  save_->setToolTip(tr("Write the basis that is shown, and the postures it is made of, to files"));
+  use_->setObjectName(QStringLiteral("basis_use"));
+  use_->setToolTip(
+      tr("The scene names this basis: the planner samples in it, and human-likeness is measured "
+         "against it. Undo takes the one before"));
+  layout->addWidget(save_, 1);
+  layout->addWidget(use_, 1);
+  connect(save_, &QPushButton::clicked, this, [this] { (void)choose_to_save(); });
+  connect(use_, &QPushButton::clicked, this, &PmdExplorer::use_shown);
+  return box;
+}
 
-void PmdExplorer::set_hand(std::shared_ptr<const geometric::RobotModel> model,
-                           std::shared_ptr<const sampling::PmdBasis> basis) {
-  model_ = std::move(model);
-  scene_basis_ = std::move(basis);
-  q_ = model_ ? model_->neutral() : geometric::Configuration();
-  if (!scene_basis_ && model_) {
-    basis_->setCurrentIndex(kSceneBasis + 1);
+bool PmdExplorer::shows_own_basis() const { return basis_->currentIndex() == kOwnBasis; }
+
+const HandBasis* PmdExplorer::shown_basis() const {
+  const int row = basis_->currentIndex();
+  const HandBasis* shown = row == kSceneBasis ? &scene_basis_
+                           : row == kOwnBasis ? &made_
+                           : row < kFirstOther + static_cast<int>(bases_.size())
+                               ? &bases_[static_cast<std::size_t>(row - kFirstOther)]
+                               : nullptr;
+  return shown && shown->basis ? shown : nullptr;
+}
+
+void PmdExplorer::list_bases() {
+  const QSignalBlocker quiet(basis_);
+  const int row = std::max(0, basis_->currentIndex());
+  basis_->clear();
+  basis_->addItem(scene_basis_.basis ? tr("Of the scene: %1").arg(scene_basis_.name)
+                                     : tr("Of the scene"));
+  basis_->addItem(tr("Of these postures"));
+  for (const HandBasis& basis : bases_) {
+    basis_->addItem(basis.name);
+  }
+  basis_->insertSeparator(basis_->count());
+  basis_->addItem(tr("Open a basis…"), kOpenBasis);
+  basis_->setCurrentIndex(row);
+}
+
+void PmdExplorer::take_choice(int row) {
+  if (basis_->itemData(row) == QVariant(kOpenBasis)) {
+    basis_->setCurrentIndex(kSceneBasis);
+    rebuild_axes();
+    choose_to_open();
+    return;
   }
   rebuild_axes();
+}
+
+void PmdExplorer::set_hand(std::shared_ptr<const geometric::RobotModel> model,
+                           const HandBasis& basis) {
+  model_ = std::move(model);
+  scene_basis_ = basis;
+  bases_.clear();
+  if (model_) {
+    try {
+      bases_ = shipped_bases(*model_);
+    } catch (const std::exception& error) {
+      emit failed(QString::fromUtf8(error.what()));
+    }
+  }
+  q_ = model_ ? model_->neutral() : geometric::Configuration();
+  basis_->setCurrentIndex(model_ && !basis.basis ? kOwnBasis : kSceneBasis);
+  list_bases();
+  rebuild_axes();
+}
+
+void PmdExplorer::set_scene_basis(const HandBasis& basis) {
+  scene_basis_ = basis;
+  if (basis.basis) {
+    basis_->setCurrentIndex(kSceneBasis);
+  }
+  list_bases();
+  rebuild_axes();
+}
+
+void PmdExplorer::add_basis(HandBasis basis) {
+  const auto same = std::ranges::find(bases_, basis.file, &HandBasis::file);
+  const auto row = kFirstOther + static_cast<int>(same - bases_.begin());
+  if (same == bases_.end()) {
+    bases_.push_back(std::move(basis));
+  } else {
+    *same = std::move(basis);
+  }
+  list_bases();
+  basis_->setCurrentIndex(row);
+  rebuild_axes();
+}
+
+void PmdExplorer::open(const std::filesystem::path& file) {
+  if (model_) {
+    add_basis(open_basis(file, *model_));
+  }
+}
+
+void PmdExplorer::save(const std::filesystem::path& file) {
+  if (const HandBasis* shown = shown_basis()) {
+    add_basis(save_basis(*shown, file));
+  }
+}
+
+void PmdExplorer::choose_to_open() {
+  const QString file =
+      QFileDialog::getOpenFileName(this, tr("Open a hand basis"), {}, tr("Hand bases (*.yaml)"));
+  try {
+    if (!file.isEmpty()) {
+      open(file.toStdString());
+    }
+  } catch (const std::exception& error) {
+    emit failed(QString::fromUtf8(error.what()));
+  }
+}
+
+bool PmdExplorer::choose_to_save() {
+  const QString name = QString::fromStdString(hand_.empty() ? "hand" : hand_);
+  const QString file =
+      QFileDialog::getSaveFileName(this, tr("Save the hand basis"),
+                                   name + QStringLiteral("_basis.yaml"), tr("Hand bases (*.yaml)"));
+  try {
+    if (!file.isEmpty()) {
+      save(file.toStdString());
+      return true;
+    }
+  } catch (const std::exception& error) {
+    emit failed(QString::fromUtf8(error.what()));
+  }
+  return false;
+}
+
+void PmdExplorer::use_shown() {
+  const HandBasis* shown = shown_basis();
+  if (!shown || (shown->file.empty() && !choose_to_save())) {
+    return;
+  }
+  shown = shown_basis();
+  emit basis_chosen(shown->file, shown->basis);
 }
 
 void PmdExplorer::set_configuration(const geometric::Configuration& q) {
@@ -487,43 +712,64 @@ void PmdExplorer::set_configuration(const geometric::Configuration& q) {
   pad_->set_posture({e[across_->currentIndex()], e[up_->currentIndex()]});
 }
 
-void PmdExplorer::show_postures(const CapturedPostures& postures, const QString& source) {
+void PmdExplorer::show_postures(const CapturedPostures& postures, const QString& source,
+                                const std::string& hand) {
   postures_ = postures;
+  postures_source_ = source;
+  hand_ = hand;
+  options_->set_joints(postures_.joints(), postures_.left_out());
   const QSignalBlocker quiet(source_);
   source_->setItemText(kFromFile, source.isEmpty() ? tr("A recording…") : source);
   source_->setCurrentIndex(source.isEmpty() ? kLive : kFromFile);
-  if (uses_scene_basis()) {
-    show_dots();
-  } else {
+  if (shows_own_basis()) {
     rebuild_axes();
+  } else {
+    show_dots();
+    show_comparison();
   }
   show_statistics();
 }
 
+HandBasis PmdExplorer::made_basis() const {
+  HandBasis made{tr("these postures"), {}, nullptr};
+  if (!model_ || postures_.count() < kLeastPostures) {
+    return made;
+  }
+  const sampling::PmdBasisOptions options = options_->options();
+  const std::string source =
+      tr("%1 postures, %2")
+          .arg(postures_.count())
+          .arg(postures_source_.isEmpty() ? tr("captured live") : postures_source_)
+          .toStdString();
+  made.basis = std::make_shared<const sampling::PmdBasis>(sampling::make_pmd_basis(
+      hand_, source, postures_.joints(), postures_.components(options.free_joints), options));
+  made.postures = {hand_, source, postures_.joints(), postures_.table()};
+  return made;
+}
+
 void PmdExplorer::rebuild_axes() {
   axes_ = {};
+  made_ = shows_own_basis() ? made_basis() : HandBasis{};
+  options_->setVisible(shows_own_basis() && postures_.count() >= kLeastPostures);
+  const HandBasis* shown = shown_basis();
   QString reason;
   if (!model_) {
     reason = tr("Open a scene with a robot first");
-  } else if (uses_scene_basis()) {
-    if (scene_basis_) {
-      axes_ = HandAxes(model_, *scene_basis_);
-    } else {
-      reason =
-          tr("The scene names no hand basis. Capture postures, or choose a recording, and "
-             "take the basis of these postures");
-    }
-  } else if (postures_.count() < kLeastPostures) {
+  } else if (shown) {
+    axes_ = HandAxes(model_, *shown->basis);
+  } else if (shows_own_basis()) {
     reason = tr("No postures yet: connect a glove, or choose a recording");
   } else {
-    sampling::PmdBasisOptions options;
-    options.free_joints = postures_.left_out();
-    axes_ = HandAxes(model_, sampling::make_pmd_basis("", "captured postures", postures_.joints(),
-                                                      postures_.components(), options));
+    reason =
+        tr("The scene names no hand basis. Capture postures, or choose a recording, and "
+           "take the basis of these postures");
   }
+  save_->setEnabled(shown != nullptr);
+  use_->setEnabled(shown != nullptr && shown != &scene_basis_);
   if (axes_.dimension() < 2) {
     pad_->clear(reason.isEmpty() ? tr("The basis does not fit the hand of the scene") : reason);
   }
+  show_comparison();
   const QSignalBlocker quiet_across(across_), quiet_up(up_);
   const bool same = across_->count() == axes_.dimension();
   const int free = static_cast<int>(axes_.basis().free_joints.size());
@@ -552,6 +798,23 @@ void PmdExplorer::choose_axes() {
   const Eigen::VectorXd e = axes_.coordinates(q_);
   pad_->set_posture({e[across_->currentIndex()], e[up_->currentIndex()]});
   show_dots();
+}
+
+// The others are all that could be shown.
+void PmdExplorer::show_comparison() {
+  const HandBasis* shown = shown_basis();
+  std::vector<HandBasis> others;
+  const auto add = [&](const HandBasis& basis) {
+    if (basis.basis && &basis != shown) {
+      others.push_back(basis);
+    }
+  };
+  add(scene_basis_);
+  if (!shows_own_basis()) {
+    add(made_basis());
+  }
+  std::ranges::for_each(bases_, add);
+  comparison_->set_bases(model_, shown ? std::optional(*shown) : std::nullopt, std::move(others));
 }
 
 void PmdExplorer::show_dots() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "features/glove/capture_pages.h"
+#include "features/glove/hand_bases.h"
 #include "handway/geometric/robot/robot_description.h"
 #include "handway/geometric/robot/robot_model.h"
 #include "handway/sampling/postures/pmd_basis.h"
@@ -11,12 +12,16 @@
 
 #include <Eigen/Core>
 
+#include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 class QComboBox;
 class QLabel;
+class QPushButton;
+class QSpinBox;
 
 namespace handway::gui {
 
@@ -148,49 +153,106 @@ class VarianceChart : public QWidget {
   Eigen::VectorXd shares_;
 };
 
+/// How many principal motion directions a basis of the postures gets, and which joints have an axis
+/// of their own.
+class BasisOptions : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit BasisOptions(QWidget* parent = nullptr);
+
+  /// @param free joints, as indices, that have an axis of their own at first. Nothing changes while
+  /// the joints are the same.
+  void set_joints(const std::vector<std::string>& joints, const std::vector<int>& free);
+  [[nodiscard]] sampling::PmdBasisOptions options() const;
+
+ signals:
+  void changed();
+
+ private:
+  void take_joints();
+
+  std::vector<std::string> joints_;
+  QSpinBox* directions_;
+  QPushButton* free_;
+};
+
 /// Explores a hand along its principal motion directions: two axes as a pad to drag in, the
 /// postures that were captured or recorded as dots, what the directions hold of the
-/// variance, and which joints go together.
+/// variance, and which joints go together. Bases are chosen here, made of the postures, saved,
+/// compared, and taken for planning.
 class PmdExplorer : public QWidget {
   Q_OBJECT
 
  public:
   explicit PmdExplorer(QWidget* parent = nullptr);
 
-  /// @param basis of the scene; may be null.
-  void set_hand(std::shared_ptr<const geometric::RobotModel> model,
-                std::shared_ptr<const sampling::PmdBasis> basis);
+  /// Another scene. @param basis that it names; its basis may be null.
+  void set_hand(std::shared_ptr<const geometric::RobotModel> model, const HandBasis& basis);
+  /// The scene names another basis.
+  void set_scene_basis(const HandBasis& basis);
   /// Where the hand is. @param q shape [variable_count].
   void set_configuration(const geometric::Configuration& q);
-  /// What has been captured or recorded. @param source for people.
-  void show_postures(const CapturedPostures& postures, const QString& source);
+  /// What has been captured or recorded. @param source for people; empty: live.
+  /// @param hand what a basis of them is of.
+  void show_postures(const CapturedPostures& postures, const QString& source,
+                     const std::string& hand);
+  /// Takes a basis from a file, and shows it.
+  /// @throws geometric::InputError as open_basis().
+  void open(const std::filesystem::path& file);
+  /// Saves the basis that is shown, and shows it as that file's.
+  /// @throws geometric::InputError as save_basis().
+  void save(const std::filesystem::path& file);
 
  signals:
   void posture_changed(const handway::geometric::NamedPosture& posture);
   void recording_requested();
   /// Show the live postures again.
   void live_requested();
+  /// Plan with it. @param file as a scene names it.
+  void basis_chosen(const std::filesystem::path& file,
+                    const std::shared_ptr<const handway::sampling::PmdBasis>& basis);
+  void failed(const QString& message);
 
  private:
+  [[nodiscard]] QWidget* build_buttons();
+  void list_bases();
+  void take_choice(int row);
+  void add_basis(HandBasis basis);
+  [[nodiscard]] HandBasis made_basis() const;
+  [[nodiscard]] const HandBasis* shown_basis() const;
+  void show_comparison();
+  void choose_to_open();
+  /// @returns whether it was saved.
+  bool choose_to_save();
+  void use_shown();
   void rebuild_axes();
   void choose_axes();
   void show_dots();
   void show_statistics();
   void move_hand(const QPointF& coordinates);
-  [[nodiscard]] bool uses_scene_basis() const;
+  [[nodiscard]] bool shows_own_basis() const;
 
   std::shared_ptr<const geometric::RobotModel> model_;
-  std::shared_ptr<const sampling::PmdBasis> scene_basis_;
+  HandBasis scene_basis_;         ///< Of the scene; without basis: it names none.
+  HandBasis made_;                ///< Of the postures; without basis: there are too few.
+  std::vector<HandBasis> bases_;  ///< Of the library and of files.
   CapturedPostures postures_;
+  QString postures_source_;
+  std::string hand_;
   HandAxes axes_;
   geometric::Configuration q_;
   QComboBox* source_;
   QComboBox* basis_;
+  BasisOptions* options_;
+  QPushButton* save_;
+  QPushButton* use_;
   QComboBox* across_;
   QComboBox* up_;
   PmdPad* pad_;
   VarianceChart* variance_;
   CorrelationMap* correlation_;
+  BasisComparisonView* comparison_;
   QLabel* note_;
   bool moving_ = false;  ///< The change that arrives is this widget's own.
 };

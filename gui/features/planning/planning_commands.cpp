@@ -42,12 +42,14 @@ PlanningCommands::PlanningCommands(Workbench& workbench, PlanPanel& panel)
   optimize_->setEnabled(false);
   place_actions();
   connect_session();
-  connect(&workbench_, &Workbench::scene_shown, this, [this] {
+  const auto show_planners = [this] {
     update_ready();
     if (workbench_.document.scene()) {
       panel_.show_planners_that_serve(workbench_.document.loaded().basis != nullptr);
     }
-  });
+  };
+  connect(&workbench_, &Workbench::scene_shown, this, show_planners);
+  connect(&workbench_.document, &Document::hand_changed, this, show_planners);
   connect(&workbench_.document, &Document::edited, this, &PlanningCommands::update_ready);
   connect(&workbench_.document, &Document::measured_shown, this, &PlanningCommands::show_validity);
   connect(&workbench_.validity, &PathValidity::changed, this, &PlanningCommands::show_validity);

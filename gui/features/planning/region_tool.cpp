@@ -206,6 +206,7 @@ RegionTool::RegionTool(Document& document, PlanSettings& settings, PlanPanel& pa
   connect(&settings_, &PlanSettings::parameters_changed, this, &RegionTool::read_planner);
   connect(&document_, &Document::opened, this, &RegionTool::read_planner);
   connect(&document_, &Document::edited, this, &RegionTool::update);
+  connect(&document_, &Document::hand_changed, this, &RegionTool::read_planner);
   connect(box_, &RegionPreviewBox::changed, this, &RegionTool::update);
   connect(box_, &RegionPreviewBox::rho_edited, this, [this](double rho) {
     const QScopedValueRollback writing(busy_writing_, true);

@@ -58,6 +58,7 @@ PathTraces::PathTraces(Document& document, PathPlayer& player, SceneView& view, 
   });
   connect(&player_, &PathPlayer::timeline_changed, this, &PathTraces::update_all);
   connect(&player_, &PathPlayer::retimed, this, &PathTraces::update_all);
+  connect(&document_, &Document::hand_changed, this, &PathTraces::update_trails);
 }
 
 QAction* PathTraces::add(QMenu& menu, const QString& name, const QString& text,

@@ -152,6 +152,7 @@ PmdPanel::PmdPanel(RecordedHand& recorded, QWidget* parent)
       axes_(new QWidget),
       axes_layout_(new QVBoxLayout(axes_)),
       note_(new QLabel),
+      choose_(new QPushButton(tr("Choose a basis…"))),
       likeness_(new LikenessMeter(recorded)) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(12, 10, 12, 10);
@@ -161,13 +162,18 @@ PmdPanel::PmdPanel(RecordedHand& recorded, QWidget* parent)
   note_->setWordWrap(true);
   note_->setProperty("role", "note");
   note_->setText(
-      tr("This scene names no PMD basis for its hand. Set <b>hand_basis</b> in the "
-         "scene file to move the hand along its principal motion directions."));
+      tr("This scene names no PMD basis for its hand. Choose one, or make one from postures of a "
+         "person, to move the hand along its principal motion directions and to plan "
+         "human-like."));
+  choose_->setObjectName(QStringLiteral("choose_basis"));
+  choose_->setToolTip(tr("Bases of this hand: that ship, from files, or of captured postures"));
   layout->addWidget(axes_);
   layout->addWidget(note_);
+  layout->addWidget(choose_, 0, Qt::AlignLeft);
   layout->addWidget(likeness_);
   layout->addStretch();
   connect(likeness_, &LikenessMeter::configuration_edited, this, &PmdPanel::configuration_edited);
+  connect(choose_, &QPushButton::clicked, this, &PmdPanel::basis_wanted);
 }
 
 void PmdPanel::set_hand(std::shared_ptr<const geometric::RobotModel> model,

@@ -13,6 +13,7 @@
 class QVBoxLayout;
 
 class QLabel;
+class QPushButton;
 
 namespace handway::gui {
 
@@ -76,6 +77,8 @@ class PmdPanel : public QWidget {
 
  signals:
   void configuration_edited(const Eigen::VectorXd& q);
+  /// The hand is to get a basis, or another one.
+  void basis_wanted();
 
  private:
   void add_axis(const QString& name, double half_side, double variance);
@@ -89,6 +92,7 @@ class PmdPanel : public QWidget {
   QWidget* axes_;
   QVBoxLayout* axes_layout_;
   QLabel* note_;
+  QPushButton* choose_;
   LikenessMeter* likeness_;
   std::vector<SliderRow*> rows_;
   bool moving_ = false;  ///< The change that arrives is this panel's own.

@@ -123,6 +123,9 @@ void PosturePanels::connect_panels() {
     }
   });
   connect(&workbench_, &Workbench::scene_shown, this, &PosturePanels::show_robot);
+  connect(&document_, &Document::hand_changed, this, &PosturePanels::show_robot);
+  connect(hand_, &PmdPanel::basis_wanted, &workbench_,
+          [this] { workbench_.trigger("explore_bases"); });
   connect(&workbench_.editor, &SceneEditor::selection_changed, this, &PosturePanels::show_item);
 }
 

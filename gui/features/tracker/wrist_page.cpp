@@ -504,10 +504,12 @@ void add_tracker(Workbench& workbench) {
                    });
   QObject::connect(page, &WristPage::released, &guard,
                    [&guard] { guard.withdraw(ContactGuard::Leader::kArm); });
-  QObject::connect(&workbench, &Workbench::scene_shown, page, [page, &document] {
+  const auto set_robot = [page, &document] {
     const geometric::RobotInstance* robot = document.robot();
     page->set_robot(robot ? robot->model : nullptr, document.groups().arm);
-  });
+  };
+  QObject::connect(&workbench, &Workbench::scene_shown, page, set_robot);
+  QObject::connect(&document, &Document::hand_changed, page, set_robot);
   QObject::connect(&workbench, &Workbench::ready, page, [page, &workbench] {
     const Options& options = workbench.options;
     if (!options.tracker.empty() && workbench.document.scene()->start) {

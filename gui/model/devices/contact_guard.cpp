@@ -1,6 +1,7 @@
 #include "model/devices/contact_guard.h"
 
 #include "handway/geometric/collision/continuous/sliding_step.h"
+#include "handway/geometric/robot/composed_robot.h"
 
 #include <exception>
 #include <utility>
@@ -136,7 +137,7 @@ void ContactGuard::propose(Leader leader, const NamedPosture& posture) {
   }
   geometric::Configuration to = q_;
   for (const auto& [joint, value] : wanted().values) {
-    if (const auto variable = model_->find_variable(joint)) {
+    if (const auto variable = geometric::find_variable_of_part(*model_, joint)) {
       to[*variable] = value;
     }
   }
@@ -162,7 +163,7 @@ void ContactGuard::take(const StepReport& report) {
   };
   tell(report.contact ? text(*report.contact) : QString());
   for (auto& [joint, value] : posture.values) {
-    if (const auto variable = model_->find_variable(joint)) {
+    if (const auto variable = geometric::find_variable_of_part(*model_, joint)) {
       value = report.q[*variable];
     }
   }

@@ -3,10 +3,13 @@
 #include "handway/device/glove/cyberglove.h"
 #include "handway/device/glove/glove_signals.h"
 #include "handway/device/glove/replay_glove.h"
+#include "handway/device/retargeting/mapping_proposal.h"
 #include "handway/geometric/io/input_error.h"
+#include "handway/geometric/robot/composed_robot.h"
 
 #include <QFileInfo>
 
+#include <algorithm>
 #include <exception>
 #include <utility>
 
@@ -188,6 +191,21 @@ void GloveSession::disconnect_glove() { link_.stop(); }
 void GloveSession::set_robot(std::shared_ptr<const geometric::RobotModel> model) {
   model_ = std::move(model);
   rebuild_mapper();
+  if (model_ && !mapper_) {
+    propose_mapping();
+  }
+}
+
+void GloveSession::propose_mapping() {
+  try {
+    device::HandMapping table1 = device::table1_mapping();
+    const bool fits = std::ranges::all_of(table1.wires, [this](const device::JointWire& wire) {
+      return geometric::find_variable_of_part(*model_, wire.joint).has_value();
+    });
+    set_mapping(fits ? std::move(table1) : device::propose_mapping(*model_));
+  } catch (const std::exception& error) {
+    mapping_error_ = QString::fromUtf8(error.what());
+  }
 }
 
 void GloveSession::set_calibration(std::optional<device::GloveCalibration> calibration) {

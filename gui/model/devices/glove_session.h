@@ -124,7 +124,8 @@ class GloveSession : public QObject {
   [[nodiscard]] const QString& device() const { return device_; }
   [[nodiscard]] GloveLink& link() { return link_; }
 
-  /// Null: no robot.
+  /// A mapping that doesn't fit gives way to the paper's Table 1, or to one that is proposed for
+  /// the hand. @param model null: no robot.
   void set_robot(std::shared_ptr<const geometric::RobotModel> model);
   /// Nothing: the typical one.
   void set_calibration(std::optional<device::GloveCalibration> calibration);
@@ -151,6 +152,7 @@ class GloveSession : public QObject {
  private:
   void start(const QString& device);
   void rebuild_mapper();
+  void propose_mapping();
 
   GloveLink link_;
   QString device_;

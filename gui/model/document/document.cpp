@@ -2,6 +2,7 @@
 
 #include "handway/geometric/formats/scene_writer.h"
 #include "handway/geometric/io/resources.h"
+#include "handway/geometric/robot/composed_robot.h"
 #include "handway/planning/queries/palm_ik.h"
 #include "handway/sampling/postures/pmd_basis_io.h"
 #include "model/meshes/shaded_meshes.h"
@@ -256,7 +257,7 @@ void Document::save(const std::filesystem::path& file, const geometric::PlannerR
 void Document::set_scene(planning::LoadedScene scene, const std::filesystem::path& file) {
   hide_measured();
   loaded_ = std::move(scene);
-  state_ = {loaded_.scene};
+  state_ = {loaded_.scene, loaded_.basis};
   revision_ = {revision_.scene + 1, revision_.robot + 1, revision_.basis + 1, revision_.limits + 1};
   file_ = file;
   problem_.reset();
@@ -264,8 +265,7 @@ void Document::set_scene(planning::LoadedScene scene, const std::filesystem::pat
   palm_ = 0;
   q_ = {};
   if (const geometric::RobotInstance* first = robot()) {
-    groups_ = joint_groups(*first->model, loaded_.basis.get());
-    palm_ = palm_link(*first->model, groups_);
+    take_hand();
     q_ = first->configuration;
     problem_ = std::make_shared<const PreparedProblem>(loaded_, revision_, preparations_);
   }
@@ -276,8 +276,19 @@ void Document::set_scene(planning::LoadedScene scene, const std::filesystem::pat
   }
 }
 
+void Document::take_hand() {
+  groups_ = joint_groups(*robot()->model, loaded_.basis.get());
+  palm_ = palm_link(*robot()->model, groups_);
+}
+
 void Document::set_state(SceneState state) {
   const SceneState before = std::exchange(state_, std::move(state));
+  const bool has_other_hand = robot() && before.basis != state_.basis;
+  if (has_other_hand) {
+    loaded_.basis = state_.basis;
+    ++revision_.basis;
+    take_hand();
+  }
   if (before.scene != state_.scene) {
     loaded_.scene = state_.scene;
     revision_ = after_edit(revision_, *before.scene, *state_.scene);
@@ -286,7 +297,13 @@ void Document::set_state(SceneState state) {
                                                          problem_.get());
     }
   }
+  if (has_other_hand) {
+    recorded_hand_.set_basis(loaded_.basis);
+  }
   emit edited(before);
+  if (has_other_hand) {
+    emit hand_changed();
+  }
   if (robot() && before.scene != state_.scene) {
     emit configuration_changed(q_);
   }
@@ -323,7 +340,7 @@ void Document::apply_posture(const geometric::NamedPosture& posture) {
   }
   geometric::Configuration q = q_;
   for (const auto& [joint, value] : posture.values) {
-    if (const auto variable = robot()->model->find_variable(joint)) {
+    if (const auto variable = geometric::find_variable_of_part(*robot()->model, joint)) {
       q[*variable] = value;
     }
   }

@@ -168,7 +168,7 @@ class Document : public QObject {
   void set_scene(planning::LoadedScene scene, const std::filesystem::path& file = {});
   /// Shows none.
   void close();
-  /// Replaces the scene by an edited one with the same robots.
+  /// Replaces the scene by an edited one with the same robots, and the hand's basis.
   void set_state(SceneState state);
   /// Moves the first robot, unless it is shown as measured. @param q shape [variable_count].
   void set_configuration(const geometric::Configuration& q);
@@ -185,6 +185,8 @@ class Document : public QObject {
   void opened();
   /// An edit, of which `before` was the state.
   void edited(const handway::gui::SceneState& before);
+  /// An edit of the hand's basis, and with it of which joints are arm and hand.
+  void hand_changed();
   /// The scene from before stays.
   void open_failed(const QString& message);
   void configuration_changed(const Eigen::VectorXd& q);
@@ -194,8 +196,11 @@ class Document : public QObject {
  private:
   SceneLoader loader_;
   PreparationQueue preparations_;
+  /// What follows from the robot and the hand's basis.
+  void take_hand();
+
   SceneState state_;
-  planning::LoadedScene loaded_;  ///< With the scene of `state_`.
+  planning::LoadedScene loaded_;  ///< With scene and basis of `state_`.
   planning::Revision revision_;
   std::shared_ptr<const PreparedProblem> problem_;
   RecordedHand recorded_hand_;

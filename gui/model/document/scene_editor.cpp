@@ -454,4 +454,12 @@ void SceneEditor::forget_posture(const std::string& name) {
   }
 }
 
+void SceneEditor::use_basis(const std::filesystem::path& file,
+                            std::shared_ptr<const sampling::PmdBasis> basis) {
+  if (document_.robot()) {
+    push(tr("Use basis %1").arg(words(file.stem().string())),
+         with_basis(state(), file, std::move(basis)), selection_);
+  }
+}
+
 }  // namespace handway::gui

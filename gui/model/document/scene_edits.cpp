@@ -216,6 +216,15 @@ SceneState without_posture(const SceneState& state, std::string_view name) {
   return with_scene(state, std::move(scene));
 }
 
+SceneState with_basis(const SceneState& state, const std::filesystem::path& file,
+                      std::shared_ptr<const sampling::PmdBasis> basis) {
+  Scene scene = *state.scene;
+  scene.hand_basis = file;
+  SceneState next = with_scene(state, std::move(scene));
+  next.basis = std::move(basis);
+  return next;
+}
+
 std::optional<Pose> link_pose(const Scene& scene, const Configuration& q, std::string_view robot,
                               std::string_view link) {
   const geometric::RobotInstance* instance = geometric::find_robot(scene, robot);

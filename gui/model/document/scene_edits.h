@@ -4,9 +4,11 @@
 #include "handway/geometric/mesh/shape.h"
 #include "handway/geometric/mesh/triangle_mesh.h"
 #include "handway/geometric/scene/scene.h"
+#include "handway/sampling/postures/pmd_basis.h"
 
 #include <Eigen/Core>
 
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -23,6 +25,7 @@ namespace handway::gui {
 /// state of an old one.
 struct SceneState {
   std::shared_ptr<const geometric::Scene> scene;
+  std::shared_ptr<const sampling::PmdBasis> basis = nullptr;  ///< Of the hand; null: none.
 
   [[nodiscard]] bool is_hidden(std::string_view object) const { return display_of(object).hidden; }
   [[nodiscard]] bool is_locked(std::string_view object) const { return display_of(object).locked; }
@@ -80,6 +83,9 @@ using DisplayChange = std::function<void(geometric::ObjectDisplay&)>;
 [[nodiscard]] SceneState with_posture(const SceneState& state,
                                       const geometric::NamedPosture& posture);
 [[nodiscard]] SceneState without_posture(const SceneState& state, std::string_view name);
+/// The hand is planned for with a basis, which the scene names by its file.
+[[nodiscard]] SceneState with_basis(const SceneState& state, const std::filesystem::path& file,
+                                    std::shared_ptr<const sampling::PmdBasis> basis);
 
 /// `group`, or the first like it that no object is in: "group", "group 2", ….
 [[nodiscard]] std::string unused_group(const geometric::Scene& scene, const std::string& group);

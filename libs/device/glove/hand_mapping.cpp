@@ -6,6 +6,7 @@
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/replace_file.h"
 #include "handway/geometric/math/units.h"
+#include "handway/geometric/robot/composed_robot.h"
 
 #include <fmt/format.h>
 
@@ -158,7 +159,7 @@ double on_curve(const std::vector<CurvePoint>& curve, double angle) {
 }
 
 int variable_of(const RobotModel& hand, const JointWire& wire, const HandMapping& mapping) {
-  const std::optional<int> variable = hand.find_variable(wire.joint);
+  const std::optional<int> variable = geometric::find_variable_of_part(hand, wire.joint);
   if (!variable) {
     std::vector<std::string> names;
     names.reserve(static_cast<std::size_t>(hand.variable_count()));

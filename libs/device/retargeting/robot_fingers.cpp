@@ -3,6 +3,7 @@
 #include "handway/device/glove/glove_layout.h"
 #include "handway/geometric/collision/collision_world.h"
 #include "handway/geometric/io/input_error.h"
+#include "handway/geometric/robot/group_proposal.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/SVD>
@@ -42,22 +43,6 @@ std::vector<int> chain_to(const RobotModel& model, int link) {
     chain.insert(chain.begin(), link);
   }
   return chain;
-}
-
-std::vector<int> outermost_links(const RobotModel& model) {
-  std::vector<bool> carries(static_cast<std::size_t>(model.link_count()), false);
-  for (int link = 1; link < model.link_count(); ++link) {
-    carries[static_cast<std::size_t>(model.parent(link))] = true;
-  }
-  std::vector<int> leaves;
-  for (int link = 1; link < model.link_count(); ++link) {
-    const std::vector<int> chain = chain_to(model, link);
-    if (!carries[static_cast<std::size_t>(link)] &&
-        std::ranges::any_of(chain, [&](int member) { return moves(model, member); })) {
-      leaves.push_back(link);
-    }
-  }
-  return leaves;
 }
 
 /// Chains from the palm (not in them) to the fingertips; the palm is where they part.
@@ -310,10 +295,12 @@ RobotFinger make_finger(const RobotModel& model, const std::vector<int>& chain, 
 }
 
 std::vector<int> leaves_of(const RobotModel& model, const std::map<Finger, std::string>& tips) {
-  if (tips.empty()) {
-    return outermost_links(model);
-  }
   std::vector<int> leaves;
+  if (tips.empty()) {
+    for (const std::string& link : geometric::propose_groups(model).fingertips) {
+      leaves.push_back(model.find_link(link).value());
+    }
+  }
   for (const auto& [finger, name] : tips) {
     const std::optional<int> link = model.find_link(name);
     if (!link) {

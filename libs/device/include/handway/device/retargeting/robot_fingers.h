@@ -33,12 +33,13 @@ struct RobotFingers {
   bool left = false;
 };
 
-/// Finds palm, fingers and fingertips from the kinematic tree alone: the palm is the last link that
-/// the chains to all outermost links have in common; a fingertip is the frame of a link that is
-/// fixed to the last that moves, else the point of the last link's shape that is farthest from its
-/// joint. Which finger is which follows from names where they say so ("thumb", "th", "index", "ff",
-/// …), else from where fingers begin: the thumb beside the line of the others, which are numbered
-/// from it. How the palm is turned follows from where straight and half closed fingers point.
+/// Finds palm, fingers and fingertips from the kinematic tree alone: the fingertips are those of
+/// geometric::propose_groups(), the palm is the last link that the chains to them have in common. A
+/// fingertip is the frame of a link that is fixed to the last that moves, else the point of the
+/// last link's shape that is farthest from its joint. Which finger is which follows from names
+/// where they say so ("thumb", "th", "index", "ff", …), else from where fingers begin: the thumb
+/// beside the line of the others, which are numbered from it. How the palm is turned follows from
+/// where straight and half closed fingers point.
 /// @param tips links of fingertips by finger, in place of those that would be found.
 /// @throws InputError if there are fewer than two fingers, or `tips` names no link of one.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT RobotFingers

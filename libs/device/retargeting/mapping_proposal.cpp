@@ -1,0 +1,457 @@
+#include "handway/device/retargeting/mapping_proposal.h"
+
+#include "handway/device/glove/calibration_fit.h"
+#include "handway/device/glove/glove_layout.h"
+#include "handway/device/glove/human_hand.h"
+#include "handway/device/retargeting/robot_fingers.h"
+#include "handway/geometric/io/input_error.h"
+#include "handway/geometric/math/units.h"
+#include "handway/geometric/robot/composed_robot.h"
+#include "handway/geometric/robot/group_proposal.h"
+
+#include <Eigen/Geometry>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+namespace handway::device {
+namespace {
+
+using Eigen::Vector3d;
+using geometric::Configuration;
+using geometric::Pose;
+using geometric::RobotModel;
+
+constexpr std::array<const char*, kFingers> kSensorPrefixes{"Thumb", "Index", "Middle", "Ring",
+                                                            "Pinkie"};
+constexpr std::array<const char*, 3> kFlexions{"MPJ", "PIJ", "DIJ"};
+constexpr double kClearlyBent = 0.3;  // rad: less is how phalanges are drawn
+constexpr double kClearlyMore = 1.2;  // of a range on one side of 0, against the other
+constexpr double kParallel = 0.7;     // cosine of the angle between axes
+constexpr double kStep = 1e-3;        // rad
+
+int sensor_called(const std::string& name) { return find_sensor(name).value(); }
+
+double sign_of(double value) { return value < 0.0 ? -1.0 : 1.0; }
+
+/// The joints of a hand in the frame of a person's palm (see hand_landmarks()), at zero or as near
+/// as their limits let them.
+class HandAtRest {
+ public:
+  explicit HandAtRest(const RobotModel& model)
+      : model_(model),
+        hand_(find_fingers(model)),
+        q_(Configuration::Zero(model.variable_count())
+               .cwiseMax(model.lower())
+               .cwiseMin(model.upper())),
+        X_BL_(static_cast<std::size_t>(model.link_count())) {
+    model_.forward_kinematics(q_, X_BL_);
+  }
+
+  [[nodiscard]] const RobotFingers& hand() const { return hand_; }
+  [[nodiscard]] double at_rest(int variable) const { return q_[variable]; }
+  [[nodiscard]] double lower(int variable) const { return model_.lower()[variable]; }
+  [[nodiscard]] double upper(int variable) const { return model_.upper()[variable]; }
+  [[nodiscard]] double middle(int variable) const {
+    return 0.5 * (lower(variable) + upper(variable));
+  }
+  [[nodiscard]] bool turns(int variable) const {
+    return model_.joint(model_.variable_link(variable)).type != geometric::JointType::kPrismatic;
+  }
+
+  /// Of a joint, as seen in a right hand.
+  [[nodiscard]] Vector3d axis(int variable) const {
+    const int link = model_.variable_link(variable);
+    const Vector3d a_P = palm().linear().transpose() *
+                         (X_BL_[static_cast<std::size_t>(link)].linear() * model_.joint(link).axis);
+    const Vector3d a_H = hand_.R_PH.transpose() * a_P;
+    // Turns of a hand in the mirror go the other way around.
+    return hand_.left ? Vector3d(-a_H.x(), -a_H.y(), a_H.z()) : a_H;
+  }
+  [[nodiscard]] Vector3d place(int variable) const {
+    const int link = model_.variable_link(variable);
+    return seen(palm().inverse() * X_BL_[static_cast<std::size_t>(link)].translation());
+  }
+  [[nodiscard]] Vector3d tip(const RobotFinger& finger) const { return tip_at(finger, X_BL_); }
+
+  /// Where a joint takes the fingertip from the middle of the finger's ranges, per rad.
+  [[nodiscard]] Vector3d tip_motion(const RobotFinger& finger, int variable) const {
+    Configuration q = q_;
+    for (const int v : finger.variables) {
+      q[v] = middle(v);
+    }
+    std::vector<Pose> X_BL(X_BL_.size());
+    model_.forward_kinematics(q, X_BL);
+    const Vector3d before = tip_at(finger, X_BL);
+    q[variable] += kStep;
+    model_.forward_kinematics(q, X_BL);
+    return (tip_at(finger, X_BL) - before) / kStep;
+  }
+
+ private:
+  [[nodiscard]] const Pose& palm() const { return X_BL_[static_cast<std::size_t>(hand_.palm)]; }
+  [[nodiscard]] Vector3d seen(const Vector3d& p_P) const {
+    const Vector3d p_H = hand_.R_PH.transpose() * p_P;
+    return hand_.left ? Vector3d(p_H.x(), p_H.y(), -p_H.z()) : p_H;
+  }
+  [[nodiscard]] Vector3d tip_at(const RobotFinger& finger, const std::vector<Pose>& X_BL) const {
+    return seen(X_BL[static_cast<std::size_t>(hand_.palm)].inverse() *
+                (X_BL[static_cast<std::size_t>(finger.tip_link)] * finger.p_LT));
+  }
+
+  const RobotModel& model_;
+  RobotFingers hand_;
+  Configuration q_;
+  std::vector<Pose> X_BL_;
+};
+
+/// Makes the wires of one hand.
+class MappingProposer {
+ public:
+  explicit MappingProposer(const RobotModel& model) : model_(model), rest_(model) {}
+
+  [[nodiscard]] HandMapping propose() {
+    const geometric::GroupProposal groups = geometric::propose_groups(model_);
+    for (const std::string& joint : groups.wrist) {
+      if (const std::optional<int> variable = model_.find_variable(joint)) {
+        add_wrist(*variable);
+      }
+    }
+    for (const RobotFinger& finger : rest_.hand().fingers) {
+      if (finger.variables.size() == 1) {
+        add_gripping(finger);
+      } else if (finger.finger == Finger::kThumb) {
+        add_thumb(finger);
+      } else {
+        add_finger(finger);
+      }
+    }
+    HandMapping mapping;
+    const bool is_whole = wires_.size() == static_cast<std::size_t>(model_.variable_count());
+    mapping.hand = is_whole ? model_.name() : model_.name() + "_hand";
+    mapping.source = "proposed from the joints' order and axes";
+    for (auto& [variable, wire] : wires_) {
+      mapping.wires.push_back(std::move(wire));
+    }
+    return mapping;
+  }
+
+ private:
+  void add(int variable, JointWire wire) {
+    wire.joint = model_.variable(variable).name;
+    wires_.insert_or_assign(variable, std::move(wire));
+  }
+
+  void add_fixed(int variable) {
+    JointWire wire;
+    wire.fixed = rest_.at_rest(variable);
+    add(variable, wire);
+  }
+
+  /// One for one, from `zero` of the joint.
+  void add_turning(int variable, const std::string& sensor, double sign, double zero) {
+    JointWire wire;
+    wire.sensor = sensor_called(sensor);
+    wire.gain = sign;
+    wire.offset = zero;
+    add(variable, wire);
+  }
+
+  /// The sensor's typical range over the joint's whole range.
+  void add_spanning(int variable, const std::string& sensor, double sign) {
+    JointWire wire;
+    wire.sensor = sensor_called(sensor);
+    const auto& [least, most] = typical_angle_ranges().at(static_cast<std::size_t>(wire.sensor));
+    wire.gain = sign * (rest_.upper(variable) - rest_.lower(variable)) / (most - least);
+    wire.offset = rest_.middle(variable) - wire.gain * 0.5 * (least + most);
+    add(variable, wire);
+  }
+
+  void add_wrist(int variable) {
+    const Vector3d axis = rest_.axis(variable);
+    if (std::abs(axis.y()) >= std::abs(axis.z())) {
+      add_turning(variable, "WristPitch", sign_of(axis.y()), 0.0);
+    } else {
+      add_turning(variable, "WristYaw", -sign_of(axis.z()), 0.0);
+    }
+  }
+
+  /// The only joint of a finger closes the hand.
+  void add_gripping(const RobotFinger& finger) {
+    Vector3d others = Vector3d::Zero();
+    for (const RobotFinger& other : rest_.hand().fingers) {
+      others += &other == &finger ? Vector3d::Zero() : rest_.tip(other);
+    }
+    others /= static_cast<double>(rest_.hand().fingers.size() - 1);
+    const int variable = finger.variables.front();
+    const double sign = sign_of(rest_.tip_motion(finger, variable).dot(others - rest_.tip(finger)));
+    add_spanning(variable, prefix(finger) + "MPJ", sign);
+  }
+
+  void add_finger(const RobotFinger& finger) {
+    std::vector<int> flexing;
+    std::vector<int> spreading;
+    std::vector<int> twisting;
+    for (const int v : finger.variables) {
+      const Vector3d a = rest_.axis(v).cwiseAbs();
+      (!rest_.turns(v) || (a.y() >= a.x() && a.y() >= a.z()) ? flexing
+       : a.z() >= a.x()                                      ? spreading
+                                                             : twisting)
+          .push_back(v);
+    }
+    // Turning a finger about its own axis takes its tip sideways as soon as it is bent.
+    if (spreading.empty() && !twisting.empty()) {
+      spreading.push_back(twisting.front());
+      twisting.erase(twisting.begin());
+    }
+    add_spread(finger, spreading);
+    for (const int v : twisting) {
+      add_arch(finger, v);
+    }
+    while (flexing.size() > kFlexions.size()) {
+      add_arch(finger, flexing.front());
+      flexing.erase(flexing.begin());
+    }
+    add_flexions(finger, flexing);
+  }
+
+  void add_spread(const RobotFinger& finger, const std::vector<int>& variables) {
+    for (std::size_t i = 0; i < variables.size(); ++i) {
+      const Vector3d axis = rest_.axis(variables[i]);
+      const double to_thumb =
+          sign_of(std::abs(axis.z()) >= std::abs(axis.x()) ? axis.z() : axis.x());
+      const double zero = rest_.at_rest(variables[i]);
+      if (i > 0 || finger.finger == Finger::kMiddle) {
+        add_fixed(variables[i]);
+      } else if (finger.finger == Finger::kIndex) {
+        add_turning(variables[i], "MiddleIndexAbduct", to_thumb, zero);
+      } else {
+        add_turning(variables[i],
+                    finger.finger == Finger::kRing ? "RingMiddleAbduct" : "PinkieRingAbduct",
+                    -to_thumb, zero);
+      }
+    }
+  }
+
+  void add_arch(const RobotFinger& finger, int variable) {
+    if (finger.finger != Finger::kLittle && finger.finger != Finger::kRing) {
+      add_fixed(variable);
+      return;
+    }
+    const Vector3d motion = rest_.axis(variable).cross(rest_.tip(finger) - rest_.place(variable));
+    add_turning(variable, "PalmArch", -sign_of(motion.z()), rest_.at_rest(variable));
+  }
+
+  void add_flexions(const RobotFinger& finger, const std::vector<int>& variables) {
+    const auto flexed = [](const Vector3d& bone) { return std::atan2(-bone.z(), bone.x()); };
+    double before = 0.0;
+    for (std::size_t i = 0; i < variables.size(); ++i) {
+      const int v = variables[i];
+      const std::string sensor = prefix(finger) + kFlexions.at(i);
+      if (!rest_.turns(v)) {
+        add_spanning(v, sensor, -sign_of(rest_.tip_motion(finger, v).z()));
+        continue;
+      }
+      const Vector3d next =
+          i + 1 < variables.size() ? rest_.place(variables[i + 1]) : rest_.tip(finger);
+      const double here = flexed(next - rest_.place(v));
+      const double bent = std::remainder(here - before, 2.0 * std::numbers::pi);
+      before = here;
+      const double sign = sign_of(rest_.axis(v).y());
+      add_turning(v, sensor, sign,
+                  rest_.at_rest(v) - (std::abs(bent) > kClearlyBent ? sign * bent : 0.0));
+    }
+  }
+
+  void add_thumb(const RobotFinger& thumb) {
+    std::vector<int> base = thumb.variables;
+    const int outer = base.back();
+    base.pop_back();
+    const int inner = base.back();
+    base.pop_back();
+    const double outer_sign = closing_sign(thumb, outer);
+    const double along = rest_.axis(inner).dot(rest_.axis(outer));
+    const double inner_sign =
+        std::abs(along) > kParallel ? outer_sign * sign_of(along) : closing_sign(thumb, inner);
+    add_turning(outer, "ThumbIJ", outer_sign, rest_.at_rest(outer));
+    add_turning(inner, "ThumbMPJ", inner_sign, rest_.at_rest(inner));
+    constexpr std::array<const char*, 2> kBaseSensors{"ThumbRotate", "ThumbAbduct"};
+    for (std::size_t i = 0; i < base.size(); ++i) {
+      if (i < kBaseSensors.size()) {
+        const std::string sensor = kBaseSensors.at(i);
+        const double same = rest_.tip_motion(thumb, base[i]).dot(human_thumb_motion(sensor));
+        add_spanning(base[i], sensor, sign_of(same));
+      } else {
+        add_fixed(base[i]);
+      }
+    }
+  }
+
+  /// Where its range is clearly on one side of 0 it bends to that side; else towards the palm.
+  [[nodiscard]] double closing_sign(const RobotFinger& finger, int variable) const {
+    const double up = rest_.upper(variable);
+    const double down = -rest_.lower(variable);
+    if (up > kClearlyMore * down || down > kClearlyMore * up) {
+      return sign_of(up - down);
+    }
+    return -sign_of(rest_.tip_motion(finger, variable).z());
+  }
+
+  /// Where a sensor takes a person's thumb from the middle of its typical posture.
+  [[nodiscard]] static Vector3d human_thumb_motion(const std::string& sensor) {
+    GloveAngles angles;
+    angles.angles.fill(0.0);
+    for (const char* joint : {"ThumbRotate", "ThumbAbduct", "ThumbMPJ", "ThumbIJ"}) {
+      const auto s = static_cast<std::size_t>(sensor_called(joint));
+      angles.angles.at(s) =
+          0.5 * (typical_angle_ranges().at(s).first + typical_angle_ranges().at(s).second);
+    }
+    const int tip = tip_landmark(Finger::kThumb);
+    const Vector3d before = hand_landmarks(angles).col(tip);
+    angles.angles.at(static_cast<std::size_t>(sensor_called(sensor))) += kStep;
+    return (hand_landmarks(angles).col(tip) - before) / kStep;
+  }
+
+  [[nodiscard]] static std::string prefix(const RobotFinger& finger) {
+    return kSensorPrefixes.at(static_cast<std::size_t>(finger.finger));
+  }
+
+  const RobotModel& model_;
+  HandAtRest rest_;
+  std::map<int, JointWire> wires_;  ///< By variable.
+};
+
+}  // namespace
+
+HandMapping propose_mapping(const RobotModel& model) { return MappingProposer(model).propose(); }
+
+namespace {
+
+constexpr double kLeastSpan = 5.0 * geometric::kDegree;
+constexpr double kReversed = -0.5;         // correlation with the other fingers' flexion
+constexpr std::size_t kLeastFlexions = 3;  // to know which of them is reversed
+
+enum class SensorKind { kFlexion, kAbduction, kSpanning };
+
+SensorKind kind_of(int sensor) {
+  const std::string_view name = cyberglove_sensors()[static_cast<std::size_t>(sensor)].name;
+  if (name.ends_with("MPJ") || name.ends_with("IJ")) {
+    return SensorKind::kFlexion;
+  }
+  return name.ends_with("Abduct") && name != "ThumbAbduct" ? SensorKind::kAbduction
+                                                           : SensorKind::kSpanning;
+}
+
+/// The 2nd, 50th and 98th percentile of what a sensor measured, rad.
+struct Span {
+  double least;
+  double middle;
+  double most;
+};
+
+Span span_of(const Eigen::VectorXd& values) {
+  std::vector<double> sorted(values.begin(), values.end());
+  std::ranges::sort(sorted);
+  const auto at = [&](double share) {
+    return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
+  };
+  return {at(0.02), at(0.5), at(0.98)};
+}
+
+Eigen::VectorXd standardised(const Eigen::VectorXd& values) {
+  const Eigen::VectorXd centred = values.array() - values.mean();
+  const double length = centred.norm();
+  return length > 0.0 ? Eigen::VectorXd(centred / length) : centred;
+}
+
+bool is_finger_flexion(int sensor) {
+  return kind_of(sensor) == SensorKind::kFlexion &&
+         !cyberglove_sensors()[static_cast<std::size_t>(sensor)].name.starts_with("Thumb");
+}
+
+/// Whether a finger's sensor falls while the others' rise.
+bool is_reversed(const Recording& recording, int sensor) {
+  Eigen::VectorXd others = Eigen::VectorXd::Zero(recording.values.rows());
+  std::size_t count = 0;
+  for (std::size_t c = 0; c < recording.header.sensors.size(); ++c) {
+    if (recording.header.sensors[c] != sensor && is_finger_flexion(recording.header.sensors[c])) {
+      others += standardised(recording.values.col(static_cast<Eigen::Index>(c)));
+      ++count;
+    }
+  }
+  const auto own = static_cast<Eigen::Index>(column_of(recording.header, sensor));
+  return is_finger_flexion(sensor) && count >= kLeastFlexions &&
+         standardised(others).dot(standardised(recording.values.col(own))) < kReversed;
+}
+
+void lay(double from_angle, double to_angle, double from, double to, JointWire& wire) {
+  wire.gain = (to - from) / (to_angle - from_angle);
+  wire.offset = from - wire.gain * from_angle;
+}
+
+void fit_wire(const Span& span, bool reversed, double lower, double upper, JointWire& wire) {
+  const bool rises = wire.gain >= 0.0;
+  const double zero = std::clamp(wire.offset, lower, upper);
+  switch (kind_of(wire.sensor)) {
+    case SensorKind::kFlexion:
+      lay(reversed ? span.most : span.least, reversed ? span.least : span.most, zero,
+          rises ? upper : lower, wire);
+      break;
+    case SensorKind::kAbduction: {
+      const double above = (rises ? upper - zero : zero - lower) / (span.most - span.middle);
+      const double below = (rises ? zero - lower : upper - zero) / (span.middle - span.least);
+      wire.gain = (rises ? 1.0 : -1.0) * std::min(above, below);
+      wire.offset = zero - wire.gain * span.middle;
+      break;
+    }
+    case SensorKind::kSpanning:
+      lay(span.least, span.most, rises ? lower : upper, rises ? upper : lower, wire);
+      break;
+  }
+}
+
+}  // namespace
+
+MappingFit fit_mapping(const HandMapping& mapping, const RobotModel& model,
+                       const Recording& recording) {
+  if (recording.header.kind != RecordingKind::kAngles) {
+    throw geometric::InputError(
+        {"recording", "", "raw counts", "angles", "Give a calibration of the glove"});
+  }
+  const HandMapper mapper(mapping, model);
+  MappingFit fit{mapping, {}};
+  for (JointWire& wire : fit.mapping.wires) {
+    if (wire.sensor < 0 || !wire.curve.empty()) {
+      continue;
+    }
+    const auto name = cyberglove_sensors()[static_cast<std::size_t>(wire.sensor)].name;
+    const int column = column_of(recording.header, wire.sensor);
+    if (column < 0 || recording.values.rows() == 0) {
+      fit.warnings.push_back(
+          fmt::format("{} was not recorded: {} stays as it was", name, wire.joint));
+      continue;
+    }
+    const Span span = span_of(recording.values.col(column));
+    if (span.most - span.least < kLeastSpan || span.most <= span.middle ||
+        span.middle <= span.least) {
+      fit.warnings.push_back(fmt::format("{} hardly moved: {} stays as it was", name, wire.joint));
+      continue;
+    }
+    const bool reversed = is_reversed(recording, wire.sensor);
+    if (reversed) {
+      fit.warnings.push_back(fmt::format("{} is reversed: turned for {}", name, wire.joint));
+    }
+    const int variable = geometric::find_variable_of_part(model, wire.joint).value();
+    fit_wire(span, reversed, model.lower()[variable], model.upper()[variable], wire);
+  }
+  return fit;
+}
+
+}  // namespace handway::device
