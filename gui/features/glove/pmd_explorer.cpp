@@ -425,8 +425,6 @@ QLabel* heading(const QString& text) {
 BasisOptions::BasisOptions(QWidget* parent)
     : QWidget(parent), directions_(new QSpinBox), free_(new QPushButton) {
   directions_->setObjectName(QStringLiteral("basis_directions"));
-  directions_->setRange(1, kDirections);
-  directions_->setValue(kDirections);
   directions_->setToolTip(tr("Principal motion directions that the basis takes"));
   free_->setObjectName(QStringLiteral("basis_free"));
   free_->setProperty("role", "compact");
@@ -463,6 +461,8 @@ void BasisOptions::set_joints(const std::vector<std::string>& joints,
     });
   }
   take_joints();
+  const QSignalBlocker quiet(directions_);
+  directions_->setValue(kDirections);
 }
 
 sampling::PmdBasisOptions BasisOptions::options() const {
