@@ -61,7 +61,16 @@ function(handway_object_meshes)
   endforeach()
 endfunction()
 
-foreach(robot tx90 sah_right iiwa14_class allegro_class_right)
+foreach(
+  robot
+  tx90
+  sah_right
+  iiwa14_class
+  panda_class
+  ur5e_class
+  allegro_class_right
+  leap_class_right
+  shadow_class_right)
   include(${CMAKE_CURRENT_LIST_DIR}/${robot}/cad/meshes.cmake OPTIONAL)
 endforeach()
 include(${CMAKE_CURRENT_LIST_DIR}/../objects/cad/meshes.cmake OPTIONAL)

@@ -92,7 +92,9 @@ TEST_P(BasisOfFreeHand, IsTheOneThatShips) {
 
 INSTANTIATE_TEST_SUITE_P(Hands, BasisOfFreeHand,
                          testing::Values(MadeBasis{"sah_free_hand", "table1_sah"},
-                                         MadeBasis{"allegro_free_hand", "allegro_class_right"}),
+                                         MadeBasis{"allegro_free_hand", "allegro_class_right"},
+                                         MadeBasis{"leap_free_hand", "leap_class_right"},
+                                         MadeBasis{"shadow_free_hand", "shadow_class_right"}),
                          [](const auto& test) { return test.param.name; });
 
 }  // namespace

@@ -18,10 +18,12 @@ namespace {
 
 using geometric::RobotModel;
 
-constexpr std::array kRobots = {"tx90", "sah_right", "tx90_sah", "iiwa14_class",
-                                "allegro_class_right"};
-constexpr std::array kArms = {"tx90", "iiwa14_class"};
-constexpr std::array kHands = {"sah_right", "allegro_class_right"};
+constexpr std::array kRobots = {
+    "tx90",       "sah_right",           "tx90_sah",         "iiwa14_class",      "panda_class",
+    "ur5e_class", "allegro_class_right", "leap_class_right", "shadow_class_right"};
+constexpr std::array kArms = {"tx90", "iiwa14_class", "panda_class", "ur5e_class"};
+constexpr std::array kHands = {"sah_right", "allegro_class_right", "leap_class_right",
+                               "shadow_class_right"};
 
 std::filesystem::path urdf_of(const std::string& robot) {
   return source_dir() / "resources/robots" / robot / (robot + ".urdf");
@@ -103,7 +105,7 @@ TEST_P(ShippedRobot, IsAsLargeAsItsJointsAreApart) {
       continue;
     }
     const geometric::Aabb box = geometric::bounding_box(mesh);
-    EXPECT_GT(box.size().maxCoeff(), 0.02) << link.name;
+    EXPECT_GT(box.size().maxCoeff(), 0.015) << link.name;
     EXPECT_LT(box.size().maxCoeff(), 0.7) << link.name;
     EXPECT_LT(mesh.triangles.size(), 1000U) << link.name;
   }
@@ -124,7 +126,12 @@ TEST(ShippedRobots, HaveTheirNumbersOfVariables) {
 }
 
 TEST(ShippedRobots, OfClassesHaveTheirNumbersOfVariables) {
-  for (const auto& [name, count] : {std::pair{"iiwa14_class", 7}, {"allegro_class_right", 16}}) {
+  for (const auto& [name, count] : {std::pair{"iiwa14_class", 7},
+                                    {"panda_class", 7},
+                                    {"ur5e_class", 6},
+                                    {"allegro_class_right", 16},
+                                    {"leap_class_right", 16},
+                                    {"shadow_class_right", 20}}) {
     EXPECT_EQ(geometric::load_robot(urdf_of(name))->variable_count(), count) << name;
   }
 }

@@ -1,0 +1,26 @@
+handway_robot_meshes(
+  panda_class
+  base_casing
+  base_covers
+  base_collision
+  link_1_casing
+  link_1_covers
+  link_1_collision
+  link_2_casing
+  link_2_covers
+  link_2_collision
+  link_3_casing
+  link_3_covers
+  link_3_collision
+  link_4_casing
+  link_4_covers
+  link_4_collision
+  link_5_casing
+  link_5_covers
+  link_5_collision
+  link_6_casing
+  link_6_covers
+  link_6_collision
+  flange_casing
+  flange_covers
+  flange_collision)
