@@ -10,6 +10,7 @@
 #include "features/planning/preset_bar.h"
 #include "handway/device/glove/glove_emulator.h"
 #include "handway/device/glove/glove_layout.h"
+#include "handway/geometric/formats/obj_writer.h"
 #include "handway_test/paths.h"
 #include "pressed_mouse.h"
 #include "view3d/scene_view.h"
@@ -202,6 +203,11 @@ class StopInDialogs : public Stop {
         [&] { return tool<gui::GlovePanel>().session().link().tap().rows() > 0; }, kPatienceMs));
     part<QPushButton>("record").click();
   }
+  void import_a_mesh() const {
+    const std::filesystem::path file = cell().folder() / "slab.obj";
+    geometric::write_obj(*geometric::tessellate(geometric::Box{{0.2, 0.3, 0.1}}), file);
+    emit window().workbench().mesh_dropped(QString::fromStdString(file.string()));
+  }
   void choose(QComboBox& box, const QString& text) const {
     const int row = box.findText(text);
     ASSERT_GE(row, 0) << text.toStdString();
@@ -251,6 +257,7 @@ std::vector<DialogCase> StopInDialogs::cases() const {
       {"features/comparison/comparison_window.cpp", "a path to compare",
        [this] { open_both("Compare two &paths…", QStringLiteral("From a file…")); }},
       {"features/editing/scene_editing.cpp", "mesh", trigger("&Mesh from file…")},
+      {"features/editing/mesh_import.h", "size of a mesh", [this] { import_a_mesh(); }},
       {"features/postures/likeness_meter.cpp", "recorded postures",
        [this] { part<QPushButton>("likeness_choose").menu()->actions().last()->trigger(); }},
       {"features/editing/properties_panel.cpp", "colour",
