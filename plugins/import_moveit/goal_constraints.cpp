@@ -26,11 +26,6 @@ using geometric::YamlElement;
 constexpr double kAnywhere = 1e3;   // m
 constexpr double kSameAxes = 1e-6;  // of the cosines of axes in line
 
-std::vector<YamlElement> items_of(const YamlElement& goal, const char* key) {
-  const std::optional<YamlElement> list = goal.find(key);
-  return list ? list->items() : std::vector<YamlElement>();
-}
-
 std::optional<YamlElement> only_one(const YamlElement& goal, const char* key) {
   const std::vector<YamlElement> items = items_of(goal, key);
   if (items.size() > 1) {

@@ -34,6 +34,8 @@ using geometric::RobotDescription;
 using geometric::RobotModel;
 using geometric::YamlElement;
 
+constexpr double kSmallestQuaternion = 1e-6;
+
 // The motion of a joint by `value`.
 Pose moved(const Joint& joint, double value) {
   Pose X = joint.X_PJ;
@@ -58,13 +60,41 @@ std::vector<int> variables_of(const RobotModel& model, const YamlElement& group)
                "a group of the robot's SRDF", geometric::advise_name(group.text(), names));
 }
 
+/// MoveIt's seven numbers of a floating joint as its variables here: rot_x to rot_w of `values` are
+/// replaced by yaw, pitch and roll.
+std::map<std::string, double> with_angles(const RobotModel& model,
+                                          std::map<std::string, double> values) {
+  for (const geometric::BaseJoint& base : model.description().base_joints) {
+    Eigen::Vector4d q = Eigen::Vector4d::Zero();  // x, y, z, w
+    Eigen::Index part = 0;
+    bool is_given = false;
+    for (const char* name : {"rot_x", "rot_y", "rot_z", "rot_w"}) {
+      if (const auto value = values.extract(fmt::format("{}/{}", base.name, name))) {
+        q[part] = value.mapped();
+        is_given = true;
+      }
+      ++part;
+    }
+    if (!is_given || q.norm() < kSmallestQuaternion) {
+      continue;
+    }
+    const Eigen::Quaterniond rotation(q[3], q[0], q[1], q[2]);
+    const std::vector<std::string> joints = joints_of(base);
+    const std::vector<double> at = values_at(base, Pose(rotation.normalized()));
+    for (std::size_t i = slides_of(base).size(); i < joints.size(); ++i) {
+      values[joints[i]] = at[i];
+    }
+  }
+  return values;
+}
+
 /// The joints' values that `values` gives, in the order of the configuration; the others as in
 /// `rest`. Fixed and coupled joints are passed over.
 /// @param[in,out] unknown gets the joints that the robot has not, each once.
 Configuration with_values(const RobotModel& model, const std::map<std::string, double>& values,
                           const Configuration& rest, std::set<std::string>& unknown) {
   Configuration q = rest;
-  for (const auto& [name, value] : values) {
+  for (const auto& [name, value] : with_angles(model, values)) {
     if (const std::optional<int> variable = model.find_variable(name)) {
       q[*variable] = value;
       continue;
@@ -131,19 +161,24 @@ class ProblemReader {
     add_robot();
     const Frames frames = frames_of(scene_->robots.front());
     add_pose_goals(frames);
-    if (const auto world = top_.find("world")) {
-      add_world(*world, frames, folder_, *scene_);
+    World world{frames, folder_, reach_of(scene_->robots.front()), *scene_};
+    if (const auto message = top_.find("world")) {
+      add_world(*message, world);
     }
     if (const auto state = top_.find("robot_state")) {
       state->refuse_slips(
           {"joint_state", "multi_dof_joint_state", "attached_collision_objects", "is_diff"});
       if (const auto attached = state->find("attached_collision_objects")) {
         for (const YamlElement& object : attached->items()) {
-          add_attached(object, frames, folder_, *scene_);
+          add_attached(object, world);
         }
       }
     }
-    note_what_is_left_out();
+    if (const auto matrix = top_.find("allowed_collision_matrix"); matrix && matrix->is_map()) {
+      read_collision_matrix(*matrix, world.names, *scene_);
+    }
+    read_paddings(top_, *scene_);
+    refuse_path_constraints();
     note_unknown_joints();
     return {scene_, nullptr};
   }
@@ -258,6 +293,7 @@ class ProblemReader {
     for (const YamlElement& one : constraints ? constraints->items() : std::vector<YamlElement>()) {
       values[one.need("joint_name").text()] = one.need("position").number();
     }
+    values = with_angles(model, std::move(values));
     for (int v = 0; v < model.variable_count() && !has_pose(goal); ++v) {
       const std::string& joint = model.variable(v).name;
       if (!values.contains(joint)) {
@@ -317,26 +353,15 @@ class ProblemReader {
     return frames;
   }
 
-  // What MoveIt would take into account, and a path that is found here need not know.
-  void note_what_is_left_out() {
-    if (request_) {
-      if (const auto path = request_->find("path_constraints"); path && path->is_map()) {
-        for (const auto& [key, value] : path->entries()) {
-          if (value.is_list() && !value.items().empty()) {
-            value.refuse("a constraint along the path", "none",
-                         "Paths are planned without constraints but those of collision");
-          }
-        }
-      }
+  void refuse_path_constraints() const {
+    const auto path = request_ ? request_->find("path_constraints") : std::nullopt;
+    if (!path || !path->is_map()) {
+      return;
     }
-    for (const char* key : {"allowed_collision_matrix", "link_padding", "link_scale"}) {
-      const auto element = top_.find(key);
-      const bool filled = element && ((element->is_list() && !element->items().empty()) ||
-                                      (element->is_map() && !element->entries().empty()));
-      if (filled) {
-        scene_->warnings.push_back(fmt::format(
-            "{}: {} is not taken; pairs of links are allowed to touch by the robot's SRDF alone",
-            element->where(), key));
+    for (const auto& [key, value] : path->entries()) {
+      if (value.is_list() && !value.items().empty()) {
+        value.refuse("a constraint along the path", "none",
+                     "Paths are planned without constraints but those of collision");
       }
     }
   }

@@ -9,7 +9,7 @@ namespace handway::import_moveit {
 ///
 /// Only the joints of the request's group move. Start: the request's start state over the
 /// scene's robot state over the robot's neutral posture. Goal: the joint constraints of the
-/// first goal; goals as poses of a link are refused.
+/// first goal, or poses of links.
 ///
 /// Format: http://docs.ros.org/en/noetic/api/moveit_msgs/html/msg/PlanningScene.html;
 /// Chamzas et al., "MotionBenchMaker: a tool to generate and benchmark motion planning

@@ -2,6 +2,7 @@
 
 #include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/input_error.h"
+#include "handway/geometric/io/package_folder.h"
 #include "handway/geometric/io/resources.h"
 
 #include <fmt/format.h>
@@ -10,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdlib>
 #include <fstream>
 #include <optional>
 #include <sstream>
@@ -31,6 +33,11 @@ double coordinate(const YamlElement& map, const char* key, double missing) {
 }
 
 }  // namespace
+
+std::vector<YamlElement> items_of(const YamlElement& message, const char* key) {
+  const std::optional<YamlElement> list = message.find(key);
+  return list ? list->items() : std::vector<YamlElement>();
+}
 
 Eigen::Quaterniond read_rotation(const YamlElement& element) {
   Eigen::Vector4d q;  // x, y, z, w
@@ -193,6 +200,13 @@ ProblemFiles problem_files(const fs::path& file) {
 }
 
 fs::path robot_file(const YamlElement& name, const fs::path& folder) {
+  if (const char* given = std::getenv("HANDWAY_ROBOT"); given != nullptr && *given != '\0') {
+    if (!is_file(given)) {
+      throw geometric::InputError({"--robot", "", fmt::format("no file {}", given),
+                                   "the robot of the problem, as URDF", ""});
+    }
+    return fs::absolute(given).lexically_normal();
+  }
   const std::string robot = name.text();
   for (const fs::path& place : folders_from(folder)) {
     for (const fs::path& in : {fs::path(), fs::path("robots")}) {
@@ -213,8 +227,7 @@ fs::path robot_file(const YamlElement& name, const fs::path& folder) {
               fmt::format("{0}.urdf or robots/{0}.urdf in {1} or a folder above it, or a robot "
                           "that ships",
                           robot, fs::absolute(folder).lexically_normal().string()),
-              "Put the robot's URDF there, and its SRDF beside it; make them of a .xacro with "
-              "the program xacro");
+              "Name the robot's URDF with --robot FILE, its SRDF beside it, or put them there");
 }
 
 fs::path mesh_file(const YamlElement& resource, const fs::path& folder) {
@@ -236,8 +249,17 @@ fs::path mesh_file(const YamlElement& resource, const fs::path& folder) {
       return file;
     }
   }
+  if (const std::optional<fs::path> package =
+          text.starts_with(kPackage)
+              ? geometric::find_package(wanted.begin()->string(), folders_from(folder).front())
+              : std::nullopt) {
+    if (const fs::path file = geometric::existing_file(*package / inside); is_file(file)) {
+      return file;
+    }
+  }
   resource.refuse(fmt::format("no file {}", text),
-                  "a mesh in the problem's folder or one of the three above it");
+                  "a mesh in the problem's folder or one of the three above it, or of a package in "
+                  "--package-path or $ROS_PACKAGE_PATH");
 }
 
 }  // namespace handway::import_moveit

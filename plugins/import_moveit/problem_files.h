@@ -7,11 +7,16 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace handway::import_moveit {
 
 /// Messages of ROS as YAML, the way `rostopic echo` writes them (maps: `{x: 1, y: 2, z: 3}`)
 /// and the way MotionBenchMaker does (lists: `[1, 2, 3]`).
+
+/// The items of a message's list; none if it has no such key.
+[[nodiscard]] std::vector<geometric::YamlElement> items_of(const geometric::YamlElement& message,
+                                                           const char* key);
 
 /// geometry_msgs/Point and Vector3, m. Coordinates that are missing from a map are 0.
 [[nodiscard]] Eigen::Vector3d read_point(const geometric::YamlElement& element);
@@ -50,16 +55,17 @@ struct ProblemFiles {
 /// @throws InputError if a request has no scene beside it.
 [[nodiscard]] ProblemFiles problem_files(const std::filesystem::path& file);
 
-/// The URDF of a robot: `NAME.urdf` or `NAME/NAME.urdf`, `robots/NAME.urdf` or
-/// `robots/NAME/NAME.urdf` in the problem's folder or one of the three above it, or a robot
-/// that ships. Its SRDF lies beside it.
+/// The URDF of a robot: what $HANDWAY_ROBOT names (`--robot`); else `NAME.urdf` or
+/// `NAME/NAME.urdf`, `robots/NAME.urdf` or `robots/NAME/NAME.urdf` in the problem's folder or one
+/// of the three above it, or a robot that ships. Its SRDF lies beside it.
 /// @param name the element `robot_model_name` of the scene.
 /// @throws InputError if there is none.
 [[nodiscard]] std::filesystem::path robot_file(const geometric::YamlElement& name,
                                                const std::filesystem::path& folder);
 
 /// The file of a mesh `resource`: a path, `file://…`, or `package://PACKAGE/…`, which is looked
-/// for, with and without the package's name, in the problem's folder and the three above it.
+/// for, with and without the package's name, in the problem's folder and the three above it, and
+/// where find_package() looks.
 /// @throws InputError if there is none.
 [[nodiscard]] std::filesystem::path mesh_file(const geometric::YamlElement& resource,
                                               const std::filesystem::path& folder);

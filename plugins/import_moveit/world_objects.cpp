@@ -1,11 +1,14 @@
 #include "world_objects.h"
 
+#include "handway/geometric/collision/collision_world.h"
 #include "handway/geometric/formats/mesh_reader.h"
 #include "handway/geometric/io/existing_file.h"
+#include "octomap_mesh.h"
 #include "problem_files.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -21,6 +24,8 @@ using geometric::Shape;
 using geometric::YamlElement;
 
 constexpr geometric::Color kColor{0.55, 0.62, 0.68};
+constexpr double kSmallestNormal = 1e-9;
+constexpr double kOnPlane = 1e-6;  // m
 
 // shape_msgs/SolidPrimitive's numbers, and the words of MotionBenchMaker.
 std::string kind_of(const YamlElement& type) {
@@ -102,9 +107,9 @@ Shape read_mesh_shape(const YamlElement& element, const fs::path& folder,
 using PlacedShape = std::pair<Shape, Pose>;
 
 // The shapes under `key` with their poses under `poses`, in the object's frame.
-template <typename Read>
+template <typename Read, typename Placed>
 void read_shapes(const YamlElement& object, const char* key, const char* poses, const Read& read,
-                 std::vector<PlacedShape>& shapes) {
+                 std::vector<Placed>& shapes) {
   const std::optional<YamlElement> list = object.find(key);
   const std::vector<YamlElement> items = list ? list->items() : std::vector<YamlElement>();
   const std::optional<YamlElement> pose_list = object.find(poses);
@@ -119,19 +124,47 @@ void read_shapes(const YamlElement& object, const char* key, const char* poses, 
   }
 }
 
-std::vector<PlacedShape> shapes_of(const YamlElement& object, const fs::path& folder,
-                                   std::vector<std::string>& warnings) {
+// The plane ax + by + cz + d = 0 as a box on that side of it that the robot's base is not on.
+// @param X_WF of the frame of its numbers.
+PlacedShape half_space(const YamlElement& plane, const Pose& X_WF, const Reach& reach) {
+  const YamlElement list = plane.is_map() ? plane.need("coef") : plane;
+  const Eigen::Vector4d values = list.numbers(4);
+  const double length = values.head<3>().norm();
+  if (length < kSmallestNormal) {
+    list.refuse("a plane without direction", "a, b, c, d of ax + by + cz + d = 0");
+  }
+  Eigen::Vector3d normal = values.head<3>() / length;
+  double height = normal.dot(X_WF.inverse() * reach.centre) + values[3] / length;
+  if (height < -kOnPlane) {
+    normal = -normal;
+    height = -height;
+  }
+  const double side = 2.0 * reach.radius;
+  Pose X_FB = Pose::Identity();
+  X_FB.linear() =
+      Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), normal).toRotationMatrix();
+  X_FB.translation() = X_WF.inverse() * reach.centre - (height + 0.5 * side) * normal;
+  return {geometric::Box{Eigen::Vector3d::Constant(side)}, X_FB};
+}
+
+std::vector<PlacedShape> shapes_of(const YamlElement& object, const Pose& X_WO, World& world) {
   std::vector<PlacedShape> shapes;
   read_shapes(object, "primitives", "primitive_poses", read_primitive, shapes);
   read_shapes(
       object, "meshes", "mesh_poses",
-      [&](const YamlElement& mesh) { return read_mesh_shape(mesh, folder, warnings); }, shapes);
-  if (const auto planes = object.find("planes"); planes && !planes->items().empty()) {
-    planes->refuse("a plane", "primitives and meshes",
-                   "Write it as a box as large as the robot can reach");
+      [&](const YamlElement& mesh) {
+        return read_mesh_shape(mesh, world.folder, world.scene.warnings);
+      },
+      shapes);
+  std::vector<std::pair<YamlElement, Pose>> planes;
+  read_shapes(
+      object, "planes", "plane_poses", [](const YamlElement& plane) { return plane; }, planes);
+  for (const auto& [plane, X_OP] : planes) {
+    auto [shape, X_PB] = half_space(plane, X_WO * X_OP, world.reach);
+    shapes.emplace_back(std::move(shape), X_OP * X_PB);
   }
   if (shapes.empty()) {
-    object.refuse("no primitives and no meshes", "at least one of them");
+    object.refuse("no primitives, meshes or planes", "at least one of them");
   }
   return shapes;
 }
@@ -144,18 +177,40 @@ std::string unique_name(const geometric::Scene& scene, const std::string& wanted
   return name;
 }
 
-// @param X_PF of the object's frame in what it is fixed to.
-void add_object(const YamlElement& object, const Pose& X_PF, const fs::path& folder,
-                const std::optional<geometric::Attachment>& attachment, geometric::Scene& scene) {
+// @param X_PF of the object's frame in what it is fixed to. @param X_WP of that in the world.
+void add_object(const YamlElement& object, const Pose& X_PF, const Pose& X_WP,
+                const std::optional<geometric::Attachment>& attachment, World& world) {
   object.refuse_slips({"header", "id", "type", "pose", "primitives", "primitive_poses", "meshes",
                        "mesh_poses", "planes", "plane_poses", "subframe_names", "subframe_poses",
                        "operation"});
   const std::optional<YamlElement> pose = object.find("pose");
   const Pose X_PO = pose ? X_PF * read_pose(*pose) : X_PF;
   const std::string id = object.need("id").text();
-  for (auto& [shape, X_OS] : shapes_of(object, folder, scene.warnings)) {
-    scene.objects.push_back(
-        {unique_name(scene, id), std::move(shape), X_PO * X_OS, kColor, attachment});
+  for (auto& [shape, X_OS] : shapes_of(object, X_WP * X_PO, world)) {
+    const std::string name = unique_name(world.scene, id);
+    world.names[id].push_back(name);
+    world.scene.objects.push_back({name, std::move(shape), X_PO * X_OS, kColor, attachment});
+  }
+}
+
+// octomap_msgs/OctomapWithPose, or the bare map.
+void add_octomap(const YamlElement& message, World& world) {
+  if (!message.is_map()) {
+    return;
+  }
+  const std::optional<YamlElement> inner = message.find("octomap");
+  if (inner && !inner->is_map()) {
+    return;
+  }
+  const std::optional<YamlElement> origin = message.find("origin");
+  if (auto triangles = octomap_mesh(inner.value_or(message))) {
+    const std::string name = unique_name(world.scene, "octomap");
+    world.names["<octomap>"].push_back(name);
+    const Pose X_WM =
+        frame_of(message, world.frames) * (origin ? read_pose(*origin) : Pose::Identity());
+    world.scene.objects.push_back(
+        {name, geometric::Mesh{{}, Eigen::Vector3d::Ones(), std::move(triangles)}, X_WM, kColor,
+         std::nullopt});
   }
 }
 
@@ -182,26 +237,43 @@ std::vector<std::pair<Shape, Pose>> read_primitives(const YamlElement& message) 
   return shapes;
 }
 
-void add_world(const YamlElement& world, const Frames& frames, const fs::path& folder,
-               geometric::Scene& scene) {
-  if (const auto octomap = world.find("octomap")) {
-    const auto inner = octomap->is_map() ? octomap->find("octomap") : std::nullopt;
-    const auto data = inner && inner->is_map() ? inner->find("data") : std::nullopt;
-    if (data && !data->items().empty()) {
-      octomap->refuse("an octomap", "collision objects",
-                      "Take a scene with objects, not one that was sensed");
+Reach reach_of(const geometric::RobotInstance& robot) {
+  const geometric::RobotModel& model = *robot.model;
+  std::vector<double> stretched(static_cast<std::size_t>(model.link_count()), 0.0);
+  double farthest = 0.0;
+  for (int link = 0; link < model.link_count(); ++link) {
+    double& here = stretched[static_cast<std::size_t>(link)];
+    if (link > 0) {
+      const geometric::Joint& joint = model.joint(link);
+      here =
+          stretched[static_cast<std::size_t>(model.parent(link))] + joint.X_PJ.translation().norm();
+      if (joint.type == geometric::JointType::kPrismatic) {
+        here += std::max(std::abs(joint.limits.lower), std::abs(joint.limits.upper));
+      }
+    }
+    double size = 0.0;
+    for (const Eigen::Vector3d& vertex : geometric::collision_mesh(model.link(link)).vertices) {
+      size = std::max(size, vertex.norm());
+    }
+    farthest = std::max(farthest, here + size);
+  }
+  return {robot.X_WB.translation(), 2.0 * farthest + 1.0};
+}
+
+void add_world(const YamlElement& message, World& world) {
+  message.refuse_slips({"collision_objects", "octomap"});
+  if (const auto objects = message.find("collision_objects")) {
+    for (const YamlElement& object : objects->items()) {
+      add_object(object, frame_of(object, world.frames), Pose::Identity(), std::nullopt, world);
     }
   }
-  world.refuse_slips({"collision_objects", "octomap"});
-  if (const auto objects = world.find("collision_objects")) {
-    for (const YamlElement& object : objects->items()) {
-      add_object(object, frame_of(object, frames), folder, std::nullopt, scene);
-    }
+  if (const auto octomap = message.find("octomap")) {
+    add_octomap(*octomap, world);
   }
 }
 
-void add_attached(const YamlElement& attached, const Frames& frames, const fs::path& folder,
-                  geometric::Scene& scene) {
+void add_attached(const YamlElement& attached, World& world) {
+  geometric::Scene& scene = world.scene;
   const YamlElement link = attached.need("link_name");
   if (!scene.robots.front().model->find_link(link.text())) {
     link.refuse(fmt::format("the link \"{}\"", link.text()), "a link of the robot");
@@ -220,8 +292,8 @@ void add_attached(const YamlElement& attached, const Frames& frames, const fs::p
     }
   }
   const YamlElement object = attached.need("object");
-  const Pose X_LF = frames.at(attachment.link).inverse() * frame_of(object, frames);
-  add_object(object, X_LF, folder, attachment, scene);
+  const Pose& X_WL = world.frames.at(attachment.link);
+  add_object(object, X_WL.inverse() * frame_of(object, world.frames), X_WL, attachment, world);
 }
 
 }  // namespace handway::import_moveit

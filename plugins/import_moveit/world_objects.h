@@ -1,5 +1,6 @@
 #pragma once
 
+#include "collision_matrix.h"
 #include "handway/geometric/formats/yaml_element.h"
 #include "handway/geometric/scene/scene.h"
 
@@ -15,6 +16,15 @@ namespace handway::import_moveit {
 /// names (`fixed_frame_transforms`).
 using Frames = std::map<std::string, geometric::Pose>;
 
+/// A ball that everything stays in which a robot moves.
+struct Reach {
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< The robot's base, in the world.
+  double radius = 0.0;                               ///< m
+};
+
+/// Of the robot with all joints stretched, and as much again for what it carries.
+[[nodiscard]] Reach reach_of(const geometric::RobotInstance& robot);
+
 /// Where the frame of a message's `header` is in the world; "world" if it names none.
 /// @throws InputError if there is no such frame.
 [[nodiscard]] geometric::Pose frame_of(const geometric::YamlElement& message, const Frames& frames);
@@ -24,16 +34,24 @@ using Frames = std::map<std::string, geometric::Pose>;
 [[nodiscard]] std::vector<std::pair<geometric::Shape, geometric::Pose>> read_primitives(
     const geometric::YamlElement& message);
 
-/// Adds the collision objects of `world` (moveit_msgs/PlanningSceneWorld) to `scene`: an
-/// object of the scene for each primitive and each mesh.
-/// @param folder of the problem, for meshes.
-/// @throws InputError for what can't be read, and for planes and octomaps.
-void add_world(const geometric::YamlElement& world, const Frames& frames,
-               const std::filesystem::path& folder, geometric::Scene& scene);
+/// What objects are read into.
+struct World {
+  const Frames& frames;
+  std::filesystem::path folder;  ///< Of the problem, for meshes.
+  Reach reach;                   ///< How far planes go.
+  geometric::Scene& scene;
+  ObjectNames names = {};  ///< Of what has been added.
+};
+
+/// Adds the collision objects of `message` (moveit_msgs/PlanningSceneWorld): an object of the scene
+/// for each primitive, mesh and plane. A plane is the half space that the robot's base is not in,
+/// up to the ends of the reach; if the base is on it, that below. An octomap is one mesh
+/// (octomap_mesh()), "<octomap>" for the collision matrix.
+/// @throws InputError for what can't be read.
+void add_world(const geometric::YamlElement& message, World& world);
 
 /// Adds what the first robot carries (moveit_msgs/AttachedCollisionObject).
 /// @throws InputError as add_world().
-void add_attached(const geometric::YamlElement& attached, const Frames& frames,
-                  const std::filesystem::path& folder, geometric::Scene& scene);
+void add_attached(const geometric::YamlElement& attached, World& world);
 
 }  // namespace handway::import_moveit

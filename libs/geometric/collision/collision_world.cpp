@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <span>
 #include <utility>
 
 namespace handway::geometric {
@@ -57,6 +58,15 @@ CollisionBody centred(CollisionBody body, const std::filesystem::path& file) {
   return body;
 }
 
+std::vector<LinkGeometry> padded_shapes(std::span<const LinkGeometry> shapes,
+                                        const Padding& padding) {
+  std::vector<LinkGeometry> larger(shapes.begin(), shapes.end());
+  for (LinkGeometry& geometry : larger) {
+    geometry.shape = padded(geometry.shape, padding);
+  }
+  return larger;
+}
+
 CollisionBody body_of(const SceneObject& object) {
   CollisionBody body{object.name, -1, object.X_PO, tessellate(object.shape)};
   const LinkGeometry shape{object.shape, Pose::Identity(), object.color};
@@ -86,6 +96,7 @@ CollisionWorld::CollisionWorld(const Scene& scene) {
   }
   model_ = scene.robots.front().model;
   X_WB_ = scene.robots.front().X_WB;
+  may_touch_ = scene.may_touch;
   add_robot_links(scene.robots.front());
   for (std::size_t i = 1; i < scene.robots.size(); ++i) {
     add_still_robot(scene.robots[i]);
@@ -101,13 +112,32 @@ void CollisionWorld::add_constraints(const Scene& scene) {
   }
 }
 
+void CollisionWorld::add(CollisionBody body, const std::filesystem::path& file) {
+  if (!body.mesh->empty()) {
+    bodies_.push_back(centred(std::move(body), file));
+  }
+}
+
+void CollisionWorld::add_padded(CollisionBody body, std::span<const LinkGeometry> shapes,
+                                const Padding& padding, bool solid,
+                                const std::filesystem::path& file) {
+  Link larger;
+  larger.collision = padded_shapes(shapes, padding);
+  body.mesh = std::make_shared<TriangleMesh>(collision_mesh(larger));
+  body.solids = make_body_solids(larger.collision, solid);
+  body.is_padded = true;
+  add(std::move(body), file);
+}
+
 void CollisionWorld::add_robot_links(const RobotInstance& robot) {
   for (int i = 0; i < robot.model->link_count(); ++i) {
-    auto mesh = std::make_shared<TriangleMesh>(collision_mesh(robot.model->link(i)));
-    if (!mesh->empty()) {
-      CollisionBody body{robot.model->link(i).name, i, Pose::Identity(), std::move(mesh)};
-      body.solids = make_body_solids(robot.model->link(i).collision);
-      bodies_.push_back(centred(std::move(body), robot.file));
+    const Link& link = robot.model->link(i);
+    CollisionBody body{link.name, i, Pose::Identity(),
+                       std::make_shared<TriangleMesh>(collision_mesh(link))};
+    body.solids = make_body_solids(link.collision);
+    add(body, robot.file);
+    if (const auto padding = robot.padding.find(link.name); padding != robot.padding.end()) {
+      add_padded(std::move(body), link.collision, padding->second, true, robot.file);
     }
   }
 }
@@ -116,13 +146,15 @@ void CollisionWorld::add_still_robot(const RobotInstance& robot) {
   std::vector<Pose> X_BL(static_cast<std::size_t>(robot.model->link_count()));
   robot.model->forward_kinematics(robot.configuration, X_BL);
   for (int i = 0; i < robot.model->link_count(); ++i) {
-    auto mesh = std::make_shared<TriangleMesh>(collision_mesh(robot.model->link(i)));
-    if (!mesh->empty()) {
-      CollisionBody body{robot.name + "/" + robot.model->link(i).name, -1,
-                         robot.X_WB * X_BL[static_cast<std::size_t>(i)], std::move(mesh)};
-      body.solids = make_body_solids(robot.model->link(i).collision);
-      bodies_.push_back(centred(std::move(body), robot.file));
+    Link link = robot.model->link(i);
+    if (const auto padding = robot.padding.find(link.name); padding != robot.padding.end()) {
+      link.collision = padded_shapes(link.collision, padding->second);
     }
+    CollisionBody body{robot.name + "/" + link.name, -1,
+                       robot.X_WB * X_BL[static_cast<std::size_t>(i)],
+                       std::make_shared<TriangleMesh>(collision_mesh(link))};
+    body.solids = make_body_solids(link.collision);
+    add(std::move(body), robot.file);
   }
 }
 
@@ -143,15 +175,20 @@ void CollisionWorld::add_objects(const Scene& scene) {
         body.link = *link;
         body.is_carried = true;
         body.touching = object.attachment->touching;
+        const auto padding = robot->padding.find(object.attachment->link);
+        if (padding != robot->padding.end()) {
+          add(body, scene.file);
+          const LinkGeometry shape{object.shape, Pose::Identity(), object.color};
+          add_padded(std::move(body), {&shape, 1}, padding->second, object.solid, scene.file);
+          continue;
+        }
       } else {
         std::vector<Pose> X_BL(static_cast<std::size_t>(robot->model->link_count()));
         robot->model->forward_kinematics(robot->configuration, X_BL);
         body.X_FB = robot->X_WB * X_BL[static_cast<std::size_t>(*link)] * object.X_PO;
       }
     }
-    if (!body.mesh->empty()) {
-      bodies_.push_back(centred(std::move(body), scene.file));
-    }
+    add(std::move(body), scene.file);
   }
 }
 
@@ -166,6 +203,10 @@ bool CollisionWorld::must_not_touch(int a, int b) const {
   if (!moving) {
     return false;
   }
+  const auto said = may_touch_.find(std::minmax(first.name, second.name));
+  if (said != may_touch_.end()) {
+    return !said->second;
+  }
   for (const auto& [carried, other] : {std::pair(&first, &second), std::pair(&second, &first)}) {
     if (std::ranges::count(carried->touching, other->name) > 0) {
       return false;
@@ -179,6 +220,12 @@ void CollisionWorld::list_pairs() {
   pairs_.clear();
   moving_.clear();
   const int count = static_cast<int>(bodies_.size());
+  // Of a body with a padded one behind it, the one moves against what moves, the other against what
+  // stands still.
+  const auto is_checked_against = [&](int index, bool still) {
+    const bool has_padded = index + 1 < count && body(index + 1).is_padded;
+    return still ? !has_padded : !body(index).is_padded;
+  };
   for (int i = 0; i < count; ++i) {
     if (body(i).moves()) {
       moving_.push_back(i);
@@ -188,7 +235,8 @@ void CollisionWorld::list_pairs() {
     for (const int a : moving_) {
       for (int b = 0; b < count; ++b) {
         const bool candidate = body(b).moves() != still && (still || a < b);
-        if (candidate && must_not_touch(a, b)) {
+        if (candidate && is_checked_against(a, still) && is_checked_against(b, still) &&
+            must_not_touch(a, b)) {
           pairs_.push_back({a, b});
         }
       }

@@ -1,5 +1,7 @@
 #include "handway/geometric/formats/robot_loader.h"
 
+#include "formats/expanded_xacro.h"
+#include "handway/geometric/formats/srdf_reader.h"
 #include "handway/geometric/formats/urdf_reader.h"
 #include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/input_error.h"
@@ -9,7 +11,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <mutex>
+#include <optional>
+#include <system_error>
 #include <utility>
+#include <vector>
 
 namespace handway::geometric {
 namespace {
@@ -44,15 +50,78 @@ void do_without_srdf(RobotDescription& robot) {
   }
 }
 
+namespace fs = std::filesystem;
+
+/// Of other formats, by plugins.
+struct Registered {
+  std::mutex mutex;
+  std::vector<RobotReader> readers;
+};
+
+Registered& registered() {
+  static auto& all = *new Registered;  // readers' code may be unloaded before the end
+  return all;
+}
+
+std::optional<RobotReader> find_reader(const fs::path& file) {
+  const std::lock_guard lock(registered().mutex);
+  for (const RobotReader& reader : registered().readers) {
+    if (reader.can_read(file)) {
+      return reader;
+    }
+  }
+  return std::nullopt;
+}
+
+// The SRDF beside a robot of another format; `x.srdf` for `x.urdf.xacro`.
+void add_srdf_beside(const fs::path& file, RobotDescription& robot) {
+  fs::path stem = file.stem();
+  if (has_extension(stem, ".urdf")) {
+    stem = stem.stem();
+  }
+  const fs::path srdf = existing_file(file.parent_path() / (stem.string() + ".srdf"));
+  std::error_code ignored;
+  if (fs::is_regular_file(srdf, ignored)) {
+    read_srdf(srdf, robot);
+  }
+}
+
+RobotDescription read_description(const fs::path& file) {
+  if (has_extension(file, ".urdf")) {
+    return read_urdf(file);
+  }
+  RobotDescription robot;
+  if (has_extension(file, ".xacro")) {
+    const ExpandedXacro urdf(file);
+    robot = read_urdf(urdf.file(), file.parent_path());
+    robot.file = file;
+  } else if (const std::optional<RobotReader> reader = find_reader(file)) {
+    robot = reader->read(file);
+  } else {
+    std::string formats = "a robot file (*.urdf, *.xacro)";
+    for (const RobotReader& other : registered().readers) {
+      formats += ", " + other.name;
+    }
+    throw InputError(
+        {file.string(), "", "a file called *" + file.extension().string(), std::move(formats), ""});
+  }
+  add_srdf_beside(file, robot);
+  return robot;
+}
+
 }  // namespace
 
-std::shared_ptr<const RobotModel> load_robot(const std::filesystem::path& file) {
-  if (!has_extension(file, ".urdf")) {
-    throw InputError({file.string(), "", "a file called *" + file.extension().string(),
-                      "a robot file (*.urdf)",
-                      "Convert xacro files first: xacro FILE.xacro > FILE.urdf"});
-  }
-  RobotDescription description = read_urdf(file);
+void register_robot_reader(RobotReader reader) {
+  const std::lock_guard lock(registered().mutex);
+  registered().readers.push_back(std::move(reader));
+}
+
+bool is_robot_file(const fs::path& file) {
+  return has_extension(file, ".urdf") || has_extension(file, ".xacro") || find_reader(file);
+}
+
+std::shared_ptr<const RobotModel> load_robot(const fs::path& file) {
+  RobotDescription description = read_description(file);
   if (description.allowed_collisions.entries().empty()) {
     do_without_srdf(description);
   }

@@ -153,6 +153,42 @@ void add_objects(const YamlElement& list, const fs::path& folder, Scene& scene) 
   }
 }
 
+// What collisions are between: links of the robots and objects.
+std::vector<std::string> names_of_bodies(const Scene& scene) {
+  std::vector<std::string> names;
+  for (const RobotInstance& robot : scene.robots) {
+    const bool is_first = &robot == &scene.robots.front();
+    for (const Link& link : robot.model->description().links) {
+      names.push_back(is_first ? link.name : robot.name + "/" + link.name);
+    }
+  }
+  std::ranges::transform(scene.objects, std::back_inserter(names), &SceneObject::name);
+  return names;
+}
+
+// `{allowed: [[a, b], …], checked: [[a, b], …]}`
+void read_collisions(const YamlElement& element, Scene& scene) {
+  element.allow_keys({"allowed", "checked"});
+  const std::vector<std::string> bodies = names_of_bodies(scene);
+  for (const bool allowed : {true, false}) {
+    const std::optional<YamlElement> list = element.find(allowed ? "allowed" : "checked");
+    for (const YamlElement& pair : list ? list->items() : std::vector<YamlElement>()) {
+      const std::vector<YamlElement> names = pair.items();
+      if (names.size() != 2) {
+        pair.refuse(pair.found(), "two names of links or objects");
+      }
+      for (const YamlElement& name : names) {
+        if (std::ranges::count(bodies, name.text()) == 0) {
+          name.refuse(name.found(),
+                      "a link of the first robot, an object, or ROBOT/LINK of another",
+                      advise_name(name.text(), bodies));
+        }
+      }
+      scene.may_touch[std::minmax(names[0].text(), names[1].text())] = allowed;
+    }
+  }
+}
+
 std::optional<Configuration> query_of(const YamlElement& top, const std::string& key,
                                       const RobotInstance& robot) {
   const std::optional<YamlElement> element = top.find(key);
@@ -177,7 +213,7 @@ PlannerRequest planner_of(const YamlElement& element) {
 Scene read_scene(const fs::path& file) {
   const YamlElement top = YamlElement::read(file, "a scene file");
   top.allow_keys({"handway", "name", "description", "robots", "objects", "constraints", "start",
-                  "goal", "goal_pose", "postures", "hand_basis", "planner"});
+                  "goal", "goal_pose", "postures", "hand_basis", "planner", "collisions"});
   check_version(top);
   const fs::path folder = fs::absolute(file).parent_path();
   Scene scene;
@@ -192,6 +228,9 @@ Scene read_scene(const fs::path& file) {
     for (const YamlElement& element : constraints->items()) {
       scene.constraints.push_back(constraint_of(element, scene));
     }
+  }
+  if (const std::optional<YamlElement> collisions = top.find("collisions")) {
+    read_collisions(*collisions, scene);
   }
   scene.start = query_of(top, "start", scene.robots.front());
   scene.goal = query_of(top, "goal", scene.robots.front());

@@ -6,7 +6,10 @@
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/number_text.h"
 #include "handway/geometric/io/resources.h"
+#include "handway/geometric/robot/joint_coupling.h"
 #include "handway/geometric/setup/mounting.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -31,13 +34,35 @@ struct Entry {
   std::vector<std::size_t> mounted = {};  ///< Entries that it carries, in order.
 };
 
+// `{J: {of: {K: 1, L: 0.5}, offset: 0}}`
+std::shared_ptr<const RobotModel> with_couplings(const YamlElement& robot,
+                                                 std::shared_ptr<const RobotModel> model) {
+  const std::optional<YamlElement> list = robot.find("couplings");
+  if (!list) {
+    return model;
+  }
+  RobotDescription description = model->description();
+  for (const auto& [joint, element] : list->entries()) {
+    element.allow_keys({"of", "offset"});
+    const std::optional<YamlElement> offset = element.find("offset");
+    JointCoupling coupling{joint, {}, offset ? offset->number() : 0.0, true};
+    for (const auto& [leader, multiplier] : element.need("of").entries()) {
+      coupling.terms.emplace_back(leader, multiplier.number());
+    }
+    couple_joint(description, coupling, element.where(), element.name());
+  }
+  return std::make_shared<const RobotModel>(std::move(description));
+}
+
 Entry entry_of(const YamlElement& element, const fs::path& folder, Scene& scene) {
-  element.allow_keys({"name", "model", "base", "mount", "moving_base", "bounds", "configuration"});
+  element.allow_keys({"name", "model", "base", "mount", "moving_base", "bounds", "padding",
+                      "couplings", "configuration"});
   const YamlElement model = element.need("model");
   Entry entry{element, {}};
   entry.part.file = model.text();
-  entry.part.model =
-      with_bases(element, load_robot(find_noted(ResourceKind::kRobot, model, folder, scene)));
+  entry.part.model = with_bases(
+      element,
+      with_couplings(element, load_robot(find_noted(ResourceKind::kRobot, model, folder, scene))));
   const std::optional<YamlElement> name = element.find("name");
   entry.part.name = name ? name->text() : entry.part.model->name();
   if (const std::optional<YamlElement> base = element.find("base")) {
@@ -147,6 +172,43 @@ RobotInstance robot_of(const std::vector<Entry>& entries, std::size_t root) {
   return robot;
 }
 
+Padding padding_of(const YamlElement& element) {
+  Padding padding;
+  if (element.is_map()) {
+    element.allow_keys({"scale", "distance"});
+    const std::optional<YamlElement> scale = element.find("scale");
+    const std::optional<YamlElement> distance = element.find("distance");
+    padding.scale = scale ? scale->number() : 1.0;
+    padding.distance = distance ? distance->number() : 0.0;
+  } else {
+    padding.distance = element.number();
+  }
+  if (padding.scale <= 0.0 || padding.distance < 0.0) {
+    element.refuse(fmt::format("a scale of {:g} and {:g} m", padding.scale, padding.distance),
+                   "a scale above 0 and a distance of 0 m or more");
+  }
+  return padding;
+}
+
+// Of the robot that stands in the world and what it carries, by each part's own names of links.
+void read_paddings(const std::vector<Entry>& entries, std::size_t index, RobotInstance& robot) {
+  const Entry& entry = entries[index];
+  if (const std::optional<YamlElement> list = entry.element.find("padding")) {
+    const auto part = std::ranges::find(robot.parts, entry.part.name, &RobotPart::name);
+    for (const auto& [name, value] : list->entries()) {
+      const std::string link =
+          part != robot.parts.end() && part->links.contains(name) ? part->links.at(name) : name;
+      if (!robot.model->find_link(link)) {
+        value.refuse("padding of \"" + name + "\"", "links of " + robot.name);
+      }
+      robot.padding[link] = padding_of(value);
+    }
+  }
+  for (const std::size_t mounted : entry.mounted) {
+    read_paddings(entries, mounted, robot);
+  }
+}
+
 // First of the robot that stands in the world, which may name all joints, then of what it carries.
 void read_configurations(const std::vector<Entry>& entries, std::size_t index,
                          RobotInstance& robot) {
@@ -196,12 +258,15 @@ Configuration configuration_of(const YamlElement& element, const RobotModel& mod
       const RobotModel::MimicMapping& drive = model.drive(link);
       std::string& giver = given_by[static_cast<std::size_t>(drive.variable)];
       const double wanted = value.number();
-      if (giver.empty() && drive.multiplier != 0.0) {
+      const bool follows_several =
+          std::ranges::count(model.description().couplings, model.joint(link).name,
+                             &JointCoupling::joint) > 0;
+      if (giver.empty() && drive.multiplier != 0.0 && !follows_several) {
         q[drive.variable] = (wanted - drive.offset) / drive.multiplier;
         giver = name;
         continue;
       }
-      const double follows = drive.multiplier * q[drive.variable] + drive.offset;
+      const double follows = joint_value(model, link, q);
       if (std::abs(wanted - follows) > kAgreement) {
         value.refuse(number_text(wanted),
                      number_text(follows) + ", which follows from " +
@@ -246,6 +311,7 @@ std::vector<YamlElement> read_robots(const YamlElement& list, const fs::path& fo
     standing.push_back(entries[root].element);
     RobotInstance robot = robot_of(entries, root);
     read_configurations(entries, root, robot);
+    read_paddings(entries, root, robot);
     if (!robot.parts.empty()) {
       for (const std::string& warning : robot.model->description().warnings) {
         scene.warnings.push_back("robot " + robot.name + ": " + warning);

@@ -17,6 +17,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <sstream>
 #include <string>
 #include <system_error>
@@ -79,6 +80,24 @@ std::string bases_text(const RobotModel& model) {
   return bounds.empty() ? "" : text + "    bounds:\n" + bounds;
 }
 
+std::string couplings_text(const RobotModel& model) {
+  std::string text;
+  for (const JointCoupling& coupling : model.description().couplings) {
+    if (!coupling.of_scene) {
+      continue;
+    }
+    std::string terms;
+    for (const auto& [joint, multiplier] : coupling.terms) {
+      terms += fmt::format("{}{}: {}", terms.empty() ? "" : ", ", yaml_scalar(joint),
+                           number_text(multiplier));
+    }
+    text += fmt::format("{}      {}: {{of: {{{}}}, offset: {}}}\n",
+                        text.empty() ? "    couplings:\n" : "", yaml_scalar(coupling.joint), terms,
+                        number_text(coupling.offset));
+  }
+  return text;
+}
+
 // The values of the part's own joints, by their own names.
 std::string part_configuration_text(const RobotInstance& robot, const RobotPart& part) {
   Configuration q = part.model->neutral();
@@ -95,16 +114,41 @@ std::string mount_text(const RobotInstance& robot, const RobotPart& part) {
                      yaml_scalar(part.link), yaml_pose(part.X_LB));
 }
 
+std::string padding_text(const RobotInstance& robot) {
+  std::string text = robot.padding.empty() ? "" : "    padding:\n";
+  for (const auto& [link, padding] : robot.padding) {
+    text += fmt::format("      {}: {{distance: {}, scale: {}}}\n", yaml_scalar(link),
+                        number_text(padding.distance), number_text(padding.scale));
+  }
+  return text;
+}
+
+std::string collisions_text(const std::map<AllowedCollisions::Pair, bool>& may_touch) {
+  std::string text = may_touch.empty() ? "" : "collisions:\n";
+  for (const bool allowed : {true, false}) {
+    std::string list;
+    for (const auto& [pair, touch] : may_touch) {
+      if (touch == allowed) {
+        list += fmt::format("    - [{}, {}]\n", yaml_scalar(pair.first), yaml_scalar(pair.second));
+      }
+    }
+    text += list.empty() ? "" : fmt::format("  {}:\n{}", allowed ? "allowed" : "checked", list);
+  }
+  return text;
+}
+
 std::string robot_text(const RobotInstance& robot, const std::vector<RobotReference>& references) {
   std::string text;
   for (std::size_t i = 0; i < references.size(); ++i) {
     const RobotPart* part = robot.parts.empty() ? nullptr : &robot.parts[i];
     text += fmt::format(
-        "  - name: {}\n    model: {}\n{}{}    configuration:{}",
+        "  - name: {}\n    model: {}\n{}{}{}{}    configuration:{}",
         yaml_scalar(part ? part->name : robot.name),
         yaml_scalar(references[i].file.generic_string()),
         i == 0 ? fmt::format("    base: {}\n", yaml_pose(robot.X_WB)) : mount_text(robot, *part),
+        references[i].is_saved ? "" : couplings_text(part ? *part->model : *robot.model),
         i > 0 || references[i].is_saved ? "" : bases_text(part ? *part->model : *robot.model),
+        i > 0 ? "" : padding_text(robot),
         part ? part_configuration_text(robot, *part)
              : configuration_text(*robot.model, robot.configuration, "      "));
   }
@@ -226,6 +270,7 @@ std::string scene_text(const Scene& scene, const SceneReferences& references) {
   for (const PathConstraint& constraint : scene.constraints) {
     text += constraint_text(constraint);
   }
+  text += collisions_text(scene.may_touch);
   if (scene.start) {
     text += "start:" + configuration_text(*scene.robots[0].model, *scene.start, "  ");
   }

@@ -4,6 +4,7 @@
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/number_text.h"
 #include "handway/geometric/robot/base_joint.h"
+#include "handway/geometric/robot/joint_coupling.h"
 
 #include <fmt/format.h>
 
@@ -227,11 +228,13 @@ const XmlVocabulary& vocabulary() {
   static const XmlVocabulary kVocabulary = {
       {"robot",
        {.children = {"group", "group_state", "disable_collisions", "end_effector", "virtual_joint",
-                     "passive_joint", "joint_property", "link_sphere_approximation"}}},
+                     "coupling", "passive_joint", "joint_property", "link_sphere_approximation"}}},
       {"group", {.children = {"joint", "link", "chain", "group"}}},
       {"chain", {.attributes = {"base_link", "tip_link"}}},
       {"group_state", {.children = {"joint"}}},
       {"end_effector", {.attributes = {"name", "parent_link", "group", "parent_group"}}},
+      {"coupling", {.children = {"follows"}, .attributes = {"joint", "offset"}}},
+      {"follows", {.attributes = {"joint", "multiplier"}}},
       {"disable_collisions", {.attributes = {"link1", "link2", "reason"}}}};
   return kVocabulary;
 }
@@ -364,6 +367,30 @@ class SrdfReader {
 
 }  // namespace
 
+namespace {
+
+// `<coupling joint="J" offset="0"><follows joint="K" multiplier="1"/>…</coupling>`, of our own.
+void couple_joints(const XmlDocument& document, RobotDescription& robot) {
+  const auto number = [&](const pugi::xml_node& node, const char* attribute, double usual) {
+    const std::string text = node.attribute(attribute).value();
+    const std::optional<double> value = text.empty() ? usual : parse_number(text);
+    if (!value) {
+      throw InputError({document.where(node), std::string("coupling, attribute ") + attribute,
+                        "\"" + text + "\"", "a finite number", ""});
+    }
+    return *value;
+  };
+  for (const pugi::xml_node& node : document.root("robot").children("coupling")) {
+    JointCoupling coupling{document.need(node, "joint"), {}, number(node, "offset", 0.0)};
+    for (const pugi::xml_node& term : node.children("follows")) {
+      coupling.terms.emplace_back(document.need(term, "joint"), number(term, "multiplier", 1.0));
+    }
+    couple_joint(robot, coupling, document.where(node), "coupling of " + coupling.joint);
+  }
+}
+
+}  // namespace
+
 void read_srdf(const std::filesystem::path& file, RobotDescription& robot) {
   const XmlDocument document(file, "a semantic robot file (SRDF)");
   add_virtual_joints(document, robot);
@@ -377,6 +404,7 @@ void read_srdf(const std::filesystem::path& file, RobotDescription& robot) {
   robot.postures = std::move(srdf.postures);
   robot.allowed_collisions = std::move(srdf.allowed);
   std::ranges::move(srdf.warnings, std::back_inserter(robot.warnings));
+  couple_joints(document, robot);
 }
 
 }  // namespace handway::geometric

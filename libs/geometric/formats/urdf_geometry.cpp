@@ -3,11 +3,10 @@
 #include "handway/geometric/formats/mesh_reader.h"
 #include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/input_error.h"
+#include "handway/geometric/io/package_folder.h"
 
 #include <cmath>
-#include <cstdlib>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -18,52 +17,6 @@ namespace handway::geometric {
 namespace {
 
 namespace fs = std::filesystem;
-
-enum class Letters { kExact, kAnyCase };
-
-std::optional<fs::path> find_package(const std::string& name, const fs::path& folder,
-                                     Letters letters) {
-  std::error_code ignored;
-  for (fs::path above = folder; above.has_relative_path(); above = above.parent_path()) {
-    if (above.filename() == name) {
-      return above;
-    }
-    const fs::path beside = above / name;
-    const fs::path neighbour = letters == Letters::kExact ? beside : existing_file(beside);
-    if (fs::is_directory(neighbour, ignored)) {
-      return neighbour;
-    }
-  }
-  return std::nullopt;
-}
-
-// The folders of $ROS_PACKAGE_PATH, and those in which $AMENT_PREFIX_PATH has packages.
-std::vector<fs::path> package_roots() {
-  std::vector<fs::path> roots;
-  for (const auto& [variable, below] :
-       {std::pair("ROS_PACKAGE_PATH", ""), std::pair("AMENT_PREFIX_PATH", "share")}) {
-    const char* value = std::getenv(variable);
-    std::istringstream paths(value != nullptr ? value : "");
-    for (std::string path; std::getline(paths, path, ':');) {
-      if (!path.empty()) {
-        roots.push_back(fs::path(path) / below);
-      }
-    }
-  }
-  return roots;
-}
-
-std::optional<fs::path> find_ros_package(const std::string& name) {
-  std::error_code ignored;
-  for (const fs::path& root : package_roots()) {
-    for (const fs::path& folder : {root / name, root}) {
-      if (folder.filename() == name && fs::is_directory(folder, ignored)) {
-        return folder;
-      }
-    }
-  }
-  return std::nullopt;
-}
 
 // A file of that name in the robot's folder or the one above it, as deep as meshes usually lie.
 std::optional<fs::path> find_elsewhere(const fs::path& name, const fs::path& folder) {
@@ -116,17 +69,13 @@ fs::path resolve_mesh_filename(const std::string& filename, const fs::path& fold
                       "a relative path, file:// or package://", "Copy the mesh beside the robot"});
   }
   const std::string name = rest.substr(0, rest.find('/'));
-  std::optional<fs::path> package = find_package(name, folder, Letters::kExact);
-  if (!package) {
-    package = find_ros_package(name);
-  }
-  if (!package) {
-    package = find_package(name, folder, Letters::kAnyCase);
-  }
+  const std::optional<fs::path> package = find_package(name, folder);
   if (!package) {
     throw InputError(
         {referenced_by, "mesh", "\"" + filename + "\", but no folder \"" + name + "\"",
-         "that folder at " + folder.string() + " or above, or in $ROS_PACKAGE_PATH",
+         "that folder at " + folder.string() +
+             " or above, or in --package-path or "
+             "$ROS_PACKAGE_PATH",
          mesh_advice(filename, folder, "Put the package there, or write a relative path")});
   }
   return existing_file((*package / fs::path(rest).lexically_relative(name)).lexically_normal());

@@ -249,7 +249,7 @@ void note_links_without_collision(const XmlDocument& document, RobotDescription&
 
 }  // namespace
 
-RobotDescription read_urdf(const fs::path& file) {
+RobotDescription read_urdf(const fs::path& file, const fs::path& place) {
   const XmlDocument document(file, kWhat);
   check_size(document);
   UrdfElements elements = check_urdf_elements(document);
@@ -264,7 +264,8 @@ RobotDescription read_urdf(const fs::path& file) {
   robot.file = file;
   robot.warnings = parsed.messages;
   robot.warnings.insert(robot.warnings.end(), elements.warnings.begin(), elements.warnings.end());
-  const fs::path folder = fs::absolute(file).parent_path();
+  const fs::path folder =
+      fs::absolute(place.empty() ? file.parent_path() : place).lexically_normal();
   LinkFiles files{std::move(elements.drawing), {}};
   for (const pugi::xml_node& node : document.root("robot").children("link")) {
     robot.links.push_back(read_link(document, node, *parsed.model, folder, files));
@@ -279,7 +280,7 @@ RobotDescription read_urdf(const fs::path& file) {
                                          fmt::join(files.renamed, ", ")));
   }
   const fs::path srdf = existing_file(fs::path(file).replace_extension(".srdf"));
-  if (fs::exists(srdf)) {
+  if (place.empty() && fs::exists(srdf)) {
     read_srdf(srdf, robot);
   }
   return robot;

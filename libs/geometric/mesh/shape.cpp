@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace handway::geometric {
 namespace {
@@ -106,6 +107,36 @@ TriangleMesh triangles_of(const Sphere& sphere) {
 
 TriangleMesh triangles_of(const Mesh& mesh) { return *mesh.triangles; }
 
+Shape larger(Box box, const Padding& by) {
+  box.size = (by.scale * box.size).array() + 2.0 * by.distance;
+  return box;
+}
+
+Shape larger(Sphere sphere, const Padding& by) {
+  sphere.radius = by.scale * sphere.radius + by.distance;
+  return sphere;
+}
+
+template <typename Round>
+Shape larger(Round shape, const Padding& by) {
+  shape.radius = by.scale * shape.radius + by.distance;
+  shape.length = by.scale * shape.length + 2.0 * by.distance;
+  return shape;
+}
+
+Shape larger(const Mesh& mesh, const Padding& by) {
+  auto triangles = std::make_shared<TriangleMesh>(*mesh.triangles);
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& vertex : triangles->vertices) {
+    centre += vertex / static_cast<double>(triangles->vertices.size());
+  }
+  for (Eigen::Vector3d& vertex : triangles->vertices) {
+    const Eigen::Vector3d arm = vertex - centre;
+    vertex = centre + by.scale * arm + by.distance * arm.stableNormalized();
+  }
+  return Mesh{{}, Eigen::Vector3d::Ones(), std::move(triangles)};
+}
+
 }  // namespace
 
 std::string_view shape_name(const Shape& shape) {
@@ -120,6 +151,10 @@ std::shared_ptr<const TriangleMesh> tessellate(const Shape& shape) {
   }
   return std::make_shared<TriangleMesh>(
       std::visit([](const auto& solid) { return triangles_of(solid); }, shape));
+}
+
+Shape padded(const Shape& shape, const Padding& padding) {
+  return std::visit([&](const auto& one) { return larger(one, padding); }, shape);
 }
 
 bool is_closed(const Shape& shape) {

@@ -175,6 +175,13 @@ class Composer {
       }
       whole_.joints.push_back(std::move(joint));
     }
+    for (JointCoupling coupling : own(part).couplings) {
+      coupling.joint = part.joints.at(coupling.joint);
+      for (auto& [joint, multiplier] : coupling.terms) {
+        joint = part.joints.at(joint);
+      }
+      whole_.couplings.push_back(std::move(coupling));
+    }
     for (BaseJoint base : own(part).base_joints) {
       const std::string joint = joints_of(base).front();
       base.name = part.joints.at(joint) == joint ? base.name : part.name + '/' + base.name;

@@ -366,12 +366,28 @@ bool RobotModel::moves_between(int variable, int link_a, int link_b) const {
   return false;
 }
 
+double joint_value(const RobotModel& model, int link, const Configuration& q) {
+  const auto part = [&](int of) {
+    const RobotModel::MimicMapping& drive = model.drive(of);
+    return drive.multiplier * q[drive.variable] + drive.offset;
+  };
+  double value = part(link);
+  const auto coupling = std::ranges::find(model.description().couplings, model.joint(link).name,
+                                          &JointCoupling::joint);
+  if (coupling != model.description().couplings.end()) {
+    for (std::size_t i = 1; i < coupling->terms.size(); ++i) {
+      link = model.parent(link);
+      value += part(link);
+    }
+  }
+  return value;
+}
+
 std::vector<JointValue> joint_values(const RobotModel& model, const Configuration& q) {
   std::vector<JointValue> values;
   for (int i = 1; i < model.link_count(); ++i) {
-    const RobotModel::MimicMapping& drive = model.drive(i);
-    if (drive.variable >= 0) {
-      values.push_back({model.joint(i).name, drive.multiplier * q[drive.variable] + drive.offset});
+    if (model.drive(i).variable >= 0) {
+      values.push_back({model.joint(i).name, joint_value(model, i, q)});
     }
   }
   return values;

@@ -71,9 +71,8 @@ void RobotState::set_posture(const NamedPosture& posture) {
 
 double RobotState::joint_value(std::string_view joint_name) const {
   for (int i = 1; i < model_->link_count(); ++i) {
-    const RobotModel::MimicMapping& drive = model_->drive(i);
-    if (drive.variable >= 0 && model_->joint(i).name == joint_name) {
-      return drive.multiplier * q_[drive.variable] + drive.offset;
+    if (model_->drive(i).variable >= 0 && model_->joint(i).name == joint_name) {
+      return geometric::joint_value(*model_, i, q_);
     }
   }
   refuse_value(*model_, "joint " + std::string(joint_name), "no moving joint of this name",

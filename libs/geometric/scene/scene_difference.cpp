@@ -31,7 +31,7 @@ bool same_robots(const Scene& a, const Scene& b) {
   return std::ranges::equal(a.robots, b.robots, [&](const auto& x, const auto& y) {
     const bool is_first = &x == &a.robots.front();
     return x.model == y.model && x.name == y.name && same_pose(x.X_WB, y.X_WB) &&
-           (is_first || x.configuration == y.configuration);
+           x.padding == y.padding && (is_first || x.configuration == y.configuration);
   });
 }
 
@@ -84,7 +84,8 @@ std::vector<ObjectChange> changes_of_still_objects(const Scene& before, const Sc
 bool same_shape(const Shape& a, const Shape& b) { return std::visit(SameShape{}, a, b); }
 
 std::optional<SceneDifference> scene_difference(const Scene& before, const Scene& after) {
-  if (!same_robots(before, after) || !same_carried(before, after)) {
+  if (!same_robots(before, after) || !same_carried(before, after) ||
+      before.may_touch != after.may_touch) {
     return std::nullopt;
   }
   SceneDifference difference;

@@ -76,8 +76,7 @@ LoadedScene load_scene(const fs::path& file, const PluginManager& plugins) {
   if (geometric::has_extension(file, ".yaml") || geometric::has_extension(file, ".yml")) {
     return read_own_format(file);
   }
-  // Of a xacro file load_robot() says what to do with it.
-  if (geometric::has_extension(file, ".urdf") || geometric::has_extension(file, ".xacro")) {
+  if (geometric::is_robot_file(file)) {
     return scene_of_robot(file);
   }
   refuse(file, plugins);

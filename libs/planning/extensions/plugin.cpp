@@ -131,12 +131,28 @@ void PluginManager::add(const Plugin& plugin, const fs::path& file) {
   if (plugin.make_exporters != nullptr) {
     exporters = plugin.make_exporters();
   }
+  std::vector<std::unique_ptr<SceneExporter>> scene_exporters;
+  if (plugin.make_scene_exporters != nullptr) {
+    scene_exporters = plugin.make_scene_exporters();
+  }
+  std::vector<geometric::RobotReader> robot_readers;
+  if (plugin.make_robot_readers != nullptr) {
+    robot_readers = plugin.make_robot_readers();
+  }
   if (plugin.make_importer != nullptr) {
     importers_.push_back(plugin.make_importer());
   }
   std::ranges::move(exporters, std::back_inserter(exporters_));
+  std::ranges::move(scene_exporters, std::back_inserter(scene_exporters_));
+  std::ranges::for_each(robot_readers, geometric::register_robot_reader);
   planners_ = std::move(planners);
   loaded_.push_back({file, plugin.name, plugin.version});
+}
+
+const SceneExporter* PluginManager::find_scene_exporter(const std::string& name) const {
+  const auto found = std::ranges::find_if(
+      scene_exporters_, [&](const auto& exporter) { return exporter->name() == name; });
+  return found == scene_exporters_.end() ? nullptr : found->get();
 }
 
 const Exporter& PluginManager::exporter(const std::string& name) const {
@@ -145,6 +161,9 @@ const Exporter& PluginManager::exporter(const std::string& name) const {
     if (exporter->name() == name) {
       return *exporter;
     }
+    names.push_back(exporter->name());
+  }
+  for (const std::unique_ptr<SceneExporter>& exporter : scene_exporters_) {
     names.push_back(exporter->name());
   }
   throw geometric::InputError({"--to", "", "\"" + name + "\"",

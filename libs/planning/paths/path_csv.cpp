@@ -112,7 +112,7 @@ class Reader {
         continue;
       }
       const RobotModel::MimicMapping& drive = model_.drive(link);
-      const double expected = drive.multiplier * q[drive.variable] + drive.offset;
+      const double expected = geometric::joint_value(model_, link, q);
       if (std::abs(number(row[c], header_[c]) - expected) > kCouplingTolerance) {
         throw InputError({at_line(), "column " + header_[c], row[c],
                           fmt::format("{:.6f}, as coupled to joint {}", expected,

@@ -1,17 +1,29 @@
 /// What is read of a MoveIt problem, and that it is planned for.
 #include "moveit_problem.h"
 
+#include "handway/geometric/collision/checkers/make_checker.h"
+#include "handway/geometric/formats/scene_reader.h"
+#include "handway/geometric/formats/scene_writer.h"
+#include "handway/geometric/mesh/triangle_mesh.h"
 #include "handway/planning/core/planning_problem.h"
 #include "handway/planning/paths/path_check.h"
 #include "handway/planning/planners/planner_registry.h"
 #include "ompl_planner.h"
 #include "small_problem.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <octomap/OcTree.h>
 
+#include <cstdlib>
 #include <fstream>
+#include <map>
 #include <numbers>
+#include <set>
+#include <sstream>
+#include <tuple>
+#include <utility>
 
 namespace handway::import_moveit {
 namespace {
@@ -157,12 +169,174 @@ TEST(MoveitProblem, TakesARobotThatShips) {
   EXPECT_EQ(MoveitImporter().read(problem.scene()).scene->robots.front().model->name(), "tx90");
 }
 
-TEST(MoveitProblem, SaysWhatItLeavesOut) {
+// Pairs of names that are checked, those of padded bodies among them.
+std::set<std::pair<std::string, std::string>> checked_pairs(const Scene& scene) {
+  const geometric::CollisionWorld world(scene);
+  std::set<std::pair<std::string, std::string>> names;
+  for (const auto& [a, b] : world.pairs()) {
+    names.insert(std::minmax(world.body(a).name, world.body(b).name));
+  }
+  return names;
+}
+
+TEST(MoveitProblem, TakesTheMatrixOfTheSceneForThatOfTheRobot) {
   const SmallProblem problem;
+  problem.replace(problem.scene(), "name: pillar\n", R"(name: pillar
+allowed_collision_matrix:
+  entry_names: [tower, boom, slide, finger, pillar]
+  entry_values:
+    - {enabled: [False, True, False, False, False]}
+    - {enabled: [True, False, True, False, False]}
+    - [false, true, false, true, true]
+    - [false, false, true, false, false]
+    - [false, false, true, false, false]
+  default_entry_names: [parcel, table]
+  default_entry_values: [true, false]
+)");
+  const auto scene = problem.read().scene;
+  const auto pairs = checked_pairs(*scene);
+  EXPECT_FALSE(pairs.contains({"boom", "slide"})) << "allowed by both";
+  EXPECT_TRUE(pairs.contains({"slide", "tower"})) << "allowed by the SRDF, not by the matrix";
+  EXPECT_FALSE(pairs.contains({"pillar", "slide"}));
+  EXPECT_FALSE(pairs.contains({"pillar_2", "slide"})) << "every shape of the object";
+  EXPECT_TRUE(pairs.contains({"boom", "pillar"}));
+  EXPECT_FALSE(pairs.contains({"parcel", "tower"})) << "allowed by default";
+  EXPECT_TRUE(pairs.contains({"parcel", "table"})) << "the other's default forbids it";
+  EXPECT_FALSE(pairs.contains({"finger", "parcel"})) << "a touch link";
+
+  const auto saved = problem.folder() / "saved.yaml";
+  geometric::write_scene(*scene, saved);
+  EXPECT_EQ(geometric::read_scene(saved).may_touch, scene->may_touch);
+}
+
+TEST(MoveitProblem, PadsLinksTowardsObjectsAlone) {
+  const SmallProblem problem;
+  const auto clearances = [&] {
+    const auto scene = problem.read().scene;
+    auto checker = geometric::make_collision_checker(
+        std::make_shared<const geometric::CollisionWorld>(*scene));
+    checker->place(Eigen::Vector3d(0.0, 0.0, 0.0));
+    std::map<std::pair<std::string, std::string>, double> found;
+    for (int pair = 0; pair < static_cast<int>(checker->world().pairs().size()); ++pair) {
+      const geometric::NamedPair named =
+          geometric::named_pair(checker->world(), pair, checker->pair_distance(pair, 10.0));
+      found[std::minmax(named.a, named.b)] = named.distance;
+    }
+    return found;
+  };
+  const auto before = clearances();
   problem.replace(problem.scene(), "name: pillar\n",
-                  "name: pillar\nlink_padding: [{link_name: boom, padding: 0.1}]\n");
-  EXPECT_THAT(problem.read().scene->warnings,
-              testing::Contains(AllOf(HasSubstr("scene0001.yaml:2"), HasSubstr("link_padding"))));
+                  "name: pillar\nlink_padding: [{link_name: boom, padding: 0.01}, "
+                  "{link_name: slide, padding: 0.005}, {link_name: claw, padding: 0.1}]\n"
+                  "link_scale: [{link_name: boom, scale: 1.5}]\n");
+  const auto after = clearances();
+  EXPECT_EQ(before.size(), after.size());
+  EXPECT_NEAR(before.at({"boom", "table"}) - after.at({"boom", "table"}), 0.02, 1e-9)
+      << "half of 4 cm more, and the padding";
+  EXPECT_NEAR(before.at({"parcel", "table"}) - after.at({"parcel", "table"}), 0.005, 1e-4)
+      << "what the link carries";
+  EXPECT_NEAR(before.at({"boom", "finger"}), after.at({"boom", "finger"}), 1e-9);
+  const auto scene = problem.read().scene;
+  EXPECT_THAT(scene->warnings, testing::Contains(HasSubstr("claw")));
+  const auto saved = problem.folder() / "saved.yaml";
+  geometric::write_scene(*scene, saved);
+  EXPECT_EQ(geometric::read_scene(saved).robots.front().padding, scene->robots.front().padding);
+}
+
+TEST(MoveitProblem, HasPlanesAsHalfSpaces) {
+  const SmallProblem problem;
+  problem.replace(problem.scene(), "      meshes:\n",
+                  "      planes: [{coef: [0, 0, 2, 0.2]}, [-1, 0, 0, 5]]\n"
+                  "      plane_poses: [{}, {position: [1, 0, 0]}]\n      meshes:\n");
+  const auto scene = problem.read().scene;
+  const auto* floor = geometric::find_object(*scene, "wedge_2");
+  const auto* wall = geometric::find_object(*scene, "wedge_3");
+  ASSERT_TRUE(floor && wall);
+  const double side = std::get<geometric::Box>(floor->shape).size.z();
+  EXPECT_GT(side, 4.0) << "as far as the crane reaches, each way";
+  EXPECT_NEAR(floor->X_PO.translation().z() + 0.5 * side, -0.1, 1e-9);
+  EXPECT_NEAR(wall->X_PO.translation().x() - 0.5 * side, 6.0, 1e-9) << "behind, seen from the base";
+}
+
+std::string message_of(const octomap::OcTree& tree, bool binary) {
+  std::stringstream bytes;
+  if (binary) {
+    tree.writeBinaryData(bytes);
+  } else {
+    tree.writeData(bytes);
+  }
+  std::string list;
+  for (const char byte : bytes.str()) {
+    list += fmt::format("{}{}", list.empty() ? "" : ", ", static_cast<int>(byte));
+  }
+  return fmt::format(
+      "  octomap:\n    header: {{frame_id: room}}\n    origin: {{position: {{x: 1}}}}\n"
+      "    octomap: {{binary: {}, id: OcTree, resolution: {}, data: [{}]}}\n"
+      "  collision_objects:\n    - id: table",
+      binary ? "True" : "False", tree.getResolution(), list);
+}
+
+TEST(MoveitProblem, HasOctomapsAsTheirOccupiedCells) {
+  octomap::OcTree tree(0.05);
+  for (const auto& [x, y, z] : {std::tuple(0.0, 0.0, 0.0), std::tuple(0.05, 0.0, 0.0),
+                                std::tuple(0.05, 0.05, 0.0), std::tuple(-0.3, 0.2, 0.1)}) {
+    tree.updateNode(octomap::point3d(static_cast<float>(x + 0.025), static_cast<float>(y + 0.025),
+                                     static_cast<float>(z + 0.025)),
+                    true);
+  }
+  tree.updateNode(octomap::point3d(0.525F, 0.0F, 0.0F), false);
+  for (const bool binary : {true, false}) {
+    const SmallProblem problem;
+    problem.replace(problem.scene(), "  collision_objects:\n    - id: table",
+                    message_of(tree, binary));
+    const auto scene = problem.read().scene;
+    const auto* map = geometric::find_object(*scene, "octomap");
+    ASSERT_TRUE(map);
+    EXPECT_TRUE(map->X_PO.translation().isApprox(Eigen::Vector3d(1.0, 0.0, -0.1)));
+    EXPECT_TRUE(geometric::is_closed(map->shape)) << "nothing can be inside";
+    const auto& mesh = *std::get<geometric::Mesh>(map->shape).triangles;
+    EXPECT_EQ(mesh.triangles.size(), 2U * (14U + 6U)) << "three cells in a corner, and one";
+    const geometric::Aabb box = geometric::bounding_box(mesh);
+    EXPECT_TRUE(box.lower.isApprox(Eigen::Vector3d(-0.3, 0.0, 0.0), 1e-9));
+    EXPECT_TRUE(box.upper.isApprox(Eigen::Vector3d(0.1, 0.25, 0.15), 1e-9));
+  }
+}
+
+TEST(MoveitProblem, JoinsWhatAnOctomapHasPruned) {
+  octomap::OcTree tree(0.1);
+  for (int cell = 0; cell < 64; ++cell) {
+    tree.updateNode(octomap::point3d(0.05F + 0.1F * static_cast<float>(cell % 4),
+                                     0.05F + 0.1F * static_cast<float>(cell / 4 % 4),
+                                     0.05F + 0.1F * static_cast<float>(cell / 16)),
+                    true);
+  }
+  tree.updateNode(octomap::point3d(0.45F, 0.05F, 0.05F), true);
+  tree.toMaxLikelihood();
+  tree.prune();
+  const SmallProblem problem;
+  problem.replace(problem.scene(), "  collision_objects:\n    - id: table", message_of(tree, true));
+  const auto scene = problem.read().scene;
+  const auto& shape = geometric::find_object(*scene, "octomap")->shape;
+  EXPECT_TRUE(geometric::is_closed(shape));
+  const auto& mesh = *std::get<geometric::Mesh>(shape).triangles;
+  EXPECT_EQ(mesh.triangles.size(), 2U * (6U * 16U + 4U));
+  double volume = 0.0;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    volume += mesh.vertices[a].dot(mesh.vertices[b].cross(mesh.vertices[c])) / 6.0;
+  }
+  EXPECT_NEAR(volume, 0.065, 1e-9) << "wound outwards";
+}
+
+TEST(MoveitProblem, TakesTheRobotThatTheEnvironmentNames) {
+  const SmallProblem problem;
+  const auto elsewhere = problem.folder() / "elsewhere";
+  std::filesystem::rename(problem.folder() / "robots", elsewhere);
+  EXPECT_THAT(problem.refusal(), HasSubstr("--robot"));
+  ::setenv("HANDWAY_ROBOT", (elsewhere / "crane.urdf").c_str(), 1);
+  EXPECT_EQ(problem.read().scene->robots.front().model->name(), "crane");
+  ::setenv("HANDWAY_ROBOT", (elsewhere / "kran.urdf").c_str(), 1);
+  EXPECT_THAT(problem.refusal(), HasSubstr("kran.urdf"));
+  ::unsetenv("HANDWAY_ROBOT");
 }
 
 TEST(MoveitProblem, PassesOverWhatTheRobotHasNotAndTellsOnce) {

@@ -4,7 +4,10 @@
 #include "handway/geometric/export.h"
 #include "handway/geometric/scene/scene_difference.h"
 
+#include <filesystem>
+#include <map>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,7 +29,10 @@ struct CollisionBody {
   Pose X_FB = Pose::Identity();              ///< In the carrying link's frame, or in the world.
   std::shared_ptr<const TriangleMesh> mesh;  ///< In the body's frame B.
   bool is_carried = false;                   ///< An object on a link.
-  std::vector<std::string> touching = {};    ///< Of a carried object: bodies that it may touch.
+  /// It stands for the body before it, which is checked against what moves, and is larger: this one
+  /// is checked against what stands still.
+  bool is_padded = false;
+  std::vector<std::string> touching = {};  ///< Of a carried object: bodies that it may touch.
   /// Its closed shapes, inside of which nothing may be; never null.
   std::shared_ptr<const BodySolids> solids = nullptr;
   /// Of B in the link's or the object's frame, along its axes, m: other than 0 for a mesh that is
@@ -51,7 +57,8 @@ struct BodyPair {
 ///
 /// Not checked are pairs that the robot's allowed-collision matrix names, pairs
 /// that no joint moves against each other, and a carried object against the link
-/// that carries it and the links it may touch.
+/// that carries it and the links it may touch; what the scene says of pairs goes before all
+/// but the second. A link with padding has two bodies.
 class HANDWAY_GEOMETRIC_EXPORT CollisionWorld {
  public:
   /// @throws InputError if the scene has no robot, an attachment names none, or a point is
@@ -115,6 +122,9 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionWorld {
   void add_still_robot(const RobotInstance& robot);
   void add_objects(const Scene& scene);
   void list_pairs();
+  void add(CollisionBody body, const std::filesystem::path& file);
+  void add_padded(CollisionBody body, std::span<const LinkGeometry> shapes, const Padding& padding,
+                  bool solid, const std::filesystem::path& file);
   [[nodiscard]] bool must_not_touch(int a, int b) const;
   [[nodiscard]] std::vector<CollisionBody>::const_iterator find_still_body(
       std::string_view name) const;
@@ -127,6 +137,7 @@ class HANDWAY_GEOMETRIC_EXPORT CollisionWorld {
   std::vector<int> moving_;
   std::vector<BodyPair> pairs_;
   std::vector<LinkConstraint> constraints_;
+  std::map<AllowedCollisions::Pair, bool> may_touch_;  ///< As the scene's.
 };
 
 /// The triangles of all collision shapes of a link, in the link's frame; may be empty.

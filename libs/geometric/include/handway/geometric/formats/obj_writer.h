@@ -15,7 +15,7 @@ HANDWAY_GEOMETRIC_EXPORT void write_obj(const TriangleMesh& mesh,
                                         const std::filesystem::path& file);
 
 /// `name` with everything but ASCII letters, digits, - and _ replaced by _.
-[[nodiscard]] std::string file_name_of(const std::string& name);
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::string file_name_of(const std::string& name);
 
 /// The folder `STEM_meshes` beside a file STEM.*, for meshes that it needs and
 /// no other file holds. It is made with the first mesh.

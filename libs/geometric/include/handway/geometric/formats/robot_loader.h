@@ -4,12 +4,31 @@
 #include "handway/geometric/robot/robot_model.h"
 
 #include <filesystem>
+#include <functional>
 #include <memory>
+#include <string>
 
 namespace handway::geometric {
 
-/// Reads a robot file (`.urdf`, with the `.srdf` beside it) and makes the model.
-/// If no SRDF disables any collision, the links that a joint connects and those that overlap
+/// Reads robots of another format than URDF; plugins hand them over.
+struct RobotReader {
+  std::string name;  ///< "an SDF model (.sdf)"
+  /// Looks at the name and the first bytes; must not throw on any readable file.
+  std::function<bool(const std::filesystem::path&)> can_read;
+  /// @throws InputError naming file, element, what was found and expected.
+  std::function<RobotDescription(const std::filesystem::path&)> read;
+};
+
+/// From now on load_robot() takes files of this format, too. May be called from any thread.
+HANDWAY_GEOMETRIC_EXPORT void register_robot_reader(RobotReader reader);
+
+/// Whether load_robot() takes the file: URDF, xacro, or a format that is registered.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT bool is_robot_file(const std::filesystem::path& file);
+
+/// Reads a robot file (`.urdf`, with the `.srdf` beside it) and makes the model. A `.xacro` file is
+/// first turned into URDF by the program `xacro`; the SRDF of its name (`x.srdf` for
+/// `x.urdf.xacro`) is read as well, and so is that of files of other formats. If no SRDF disables
+/// any collision, the links that a joint connects and those that overlap
 /// (sample_overlapping_links()) are allowed to touch and, if it names no group either, the groups
 /// are those of propose_groups(): with warnings in the description.
 /// @throws InputError if the file can't be read or makes no robot.

@@ -9,8 +9,9 @@ namespace handway::geometric {
 
 /// Adds what an SRDF file says (http://wiki.ros.org/srdf) to the robot that it
 /// belongs to: `group` (by joints, links, chains and subgroups), `group_state`
-/// and `disable_collisions`. Reasons other than Adjacent, Always and Never are
-/// read as User. Lines about links, joints and groups that are not there are passed
+/// and `disable_collisions`; and, of Handway's own, `coupling` (see couple_joint()): its joint, an
+/// offset, and for each joint that it `follows` a multiplier. Reasons other than Adjacent, Always
+/// and Never are read as User. Lines about links, joints and groups that are not there are passed
 /// over, as are elements that are not known: one warning each.
 /// @throws InputError naming the line if the file can't be read, an element is
 /// misspelt or a number is none; `robot` is then unchanged.

@@ -25,7 +25,9 @@ namespace handway::geometric {
 ///
 /// @throws InputError naming the line if the file or one that it names can't be
 /// read or is no URDF.
+/// @param folder that relative names of meshes begin at, if it is not the file's; no SRDF is read
+/// then.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT RobotDescription
-read_urdf(const std::filesystem::path& file);
+read_urdf(const std::filesystem::path& file, const std::filesystem::path& folder = {});
 
 }  // namespace handway::geometric

@@ -62,6 +62,18 @@ using Shape = std::variant<Box, Sphere, Cylinder, Cone, Mesh>;
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::shared_ptr<const TriangleMesh> tessellate(
     const Shape& shape);
 
+/// How much larger a shape is taken than it is: its size times `scale`, and `distance` (m) more all
+/// around, as MoveIt's link scale and padding.
+struct Padding {
+  double scale = 1.0;
+  double distance = 0.0;
+
+  friend bool operator==(const Padding&, const Padding&) = default;
+};
+
+/// The shape made larger about its own centre; vertices of a mesh move away from their mean.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT Shape padded(const Shape& shape, const Padding& padding);
+
 /// Whether the shape has an inside: primitives do, and meshes whose surface is_closed().
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT bool is_closed(const Shape& shape);
 

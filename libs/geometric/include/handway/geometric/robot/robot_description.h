@@ -132,6 +132,14 @@ struct BaseJoint {
   bool of_scene = false;
 };
 
+/// A joint that follows several others: q = offset + Σ multiplier * q_of(joint).
+struct JointCoupling {
+  std::string joint;
+  std::vector<std::pair<std::string, double>> terms;  ///< Joints, each once, and multipliers.
+  double offset = 0.0;                                ///< rad or m
+  bool of_scene = false;                              ///< A scene says so; the robot's files don't.
+};
+
 /// What a robot file says, before it is checked: the input of RobotModel.
 struct RobotDescription {
   std::string name;
@@ -142,6 +150,7 @@ struct RobotDescription {
   std::vector<EndEffector> end_effectors;
   std::vector<BaseJoint> base_joints;
   std::vector<BaseJoint> virtual_joints;  ///< Of the SRDF; they don't move unless a scene says so.
+  std::vector<JointCoupling> couplings;   ///< That couple_joint() has made.
   std::vector<NamedPosture> postures;
   AllowedCollisions allowed_collisions;
   std::vector<std::string> warnings;  ///< What the reader noticed but could live with.

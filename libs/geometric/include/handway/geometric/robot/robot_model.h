@@ -148,6 +148,12 @@ class HANDWAY_GEOMETRIC_EXPORT RobotModel {
   Periods turns_;
 };
 
+/// The value of the joint that carries `link`: of the last joint of a coupling's chain (see
+/// couple_joint()), that of the whole chain.
+/// @pre the joint moves. @param q shape [variable_count].
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT double joint_value(const RobotModel& model, int link,
+                                                          const Configuration& q);
+
 /// Values of every moving joint, coupled ones included, in link order.
 struct JointValue {
   std::string_view joint;

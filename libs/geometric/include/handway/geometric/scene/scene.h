@@ -10,6 +10,7 @@
 #include "handway/geometric/scene/scene_display.h"
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -28,6 +29,9 @@ struct RobotInstance {
   /// The robots that are mounted on each other to make `model`, the one that stands in the world
   /// first: it has the `name` and `file` of this robot. Empty for a robot of one file.
   std::vector<RobotPart> parts = {};
+  /// Links, by name, that keep from objects and other robots as if they were larger; what they
+  /// carry does, too. Among each other links are as large as they are.
+  std::map<std::string, Padding> padding = {};
 };
 
 /// What an object is fixed to when it is not fixed to the world.
@@ -61,11 +65,14 @@ struct Scene {
   std::optional<Configuration> goal;
   std::vector<PoseGoal> goal_poses;         ///< Any of them will do; empty: `goal` it is.
   std::vector<PathConstraint> constraints;  ///< Of paths of robots[0].
-  std::vector<NamedPosture> postures;       ///< Of robots[0] or a part of it; names are unique.
-  std::filesystem::path hand_basis;         ///< PMD basis file as the scene names it; may be empty.
-  PlannerRequest planner;                   ///< For planning alone.
-  SceneDisplay display;                     ///< For the window alone.
-  std::vector<std::string> warnings;        ///< What the reader noticed but could live with.
+  /// Pairs of bodies (links of robots[0], objects, "robot/link" of others) that are never checked
+  /// (true), or are though the robot's own matrix leaves them out (false).
+  std::map<AllowedCollisions::Pair, bool> may_touch;
+  std::vector<NamedPosture> postures;  ///< Of robots[0] or a part of it; names are unique.
+  std::filesystem::path hand_basis;    ///< PMD basis file as the scene names it; may be empty.
+  PlannerRequest planner;              ///< For planning alone.
+  SceneDisplay display;                ///< For the window alone.
+  std::vector<std::string> warnings;   ///< What the reader noticed but could live with.
 };
 
 /// First robot or object of that name; nullptr if there is none.

@@ -30,7 +30,8 @@ struct SceneDifference {
   [[nodiscard]] bool empty() const { return changes.empty() && !other_constraints; }
 };
 
-/// What leads from `before` to `after`; nothing if robots or carried objects are different. Where
+/// What leads from `before` to `after`; nothing if robots, carried objects or
+/// what may touch are different. Where
 /// the first robot stands does not matter.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::optional<SceneDifference> scene_difference(
     const Scene& before, const Scene& after);

@@ -1,8 +1,10 @@
 #pragma once
 
+#include "handway/geometric/formats/robot_loader.h"
 #include "handway/planning/export.h"
 #include "handway/planning/extensions/exporter.h"
 #include "handway/planning/extensions/importer.h"
+#include "handway/planning/extensions/scene_exporter.h"
 #include "handway/planning/planners/planner_registry.h"
 
 #include <filesystem>
@@ -13,7 +15,7 @@
 namespace handway::planning {
 
 /// Raised whenever a plugin built against an older header would misbehave.
-inline constexpr int kPluginApiVersion = 6;
+inline constexpr int kPluginApiVersion = 7;
 
 /// What a plugin library hands over: a struct with this layout, exported as
 /// `extern "C" const handway::planning::Plugin* handway_plugin()`.
@@ -24,6 +26,9 @@ struct Plugin {
   void (*register_planners)(PlannerRegistry& registry) = nullptr;        ///< May be null.
   std::unique_ptr<Importer> (*make_importer)() = nullptr;                ///< May be null.
   std::vector<std::unique_ptr<Exporter>> (*make_exporters)() = nullptr;  ///< May be null.
+  /// Of whole scenes; may be null.
+  std::vector<std::unique_ptr<SceneExporter>> (*make_scene_exporters)() = nullptr;
+  std::vector<geometric::RobotReader> (*make_robot_readers)() = nullptr;  ///< May be null.
 };
 
 /// A plugin that was taken.
@@ -58,6 +63,11 @@ class HANDWAY_PLANNING_EXPORT PluginManager {
   [[nodiscard]] const std::vector<std::unique_ptr<Exporter>>& exporters() const {
     return exporters_;
   }
+  [[nodiscard]] const std::vector<std::unique_ptr<SceneExporter>>& scene_exporters() const {
+    return scene_exporters_;
+  }
+  /// Null if there is none of that name.
+  [[nodiscard]] const SceneExporter* find_scene_exporter(const std::string& name) const;
   /// @throws InputError with the names there are, if none is called `name`.
   [[nodiscard]] const Exporter& exporter(const std::string& name) const;
   [[nodiscard]] const std::vector<LoadedPlugin>& loaded() const { return loaded_; }
@@ -69,6 +79,7 @@ class HANDWAY_PLANNING_EXPORT PluginManager {
   PlannerRegistry planners_;
   std::vector<std::unique_ptr<Importer>> importers_;
   std::vector<std::unique_ptr<Exporter>> exporters_;
+  std::vector<std::unique_ptr<SceneExporter>> scene_exporters_;
   std::vector<LoadedPlugin> loaded_;
   std::vector<RefusedPlugin> refused_;
 };

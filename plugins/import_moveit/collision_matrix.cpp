@@ -1,0 +1,153 @@
+#include "collision_matrix.h"
+
+#include "problem_files.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <set>
+#include <string_view>
+#include <utility>
+
+namespace handway::import_moveit {
+namespace {
+
+using geometric::AllowedCollisions;
+using geometric::YamlElement;
+
+// As rostopic and ros2 write them, and as numbers.
+bool flag(const YamlElement& element) {
+  const std::string text = element.text();
+  for (const auto& [word, value] : {std::pair("True", true), std::pair("False", false),
+                                    std::pair("1", true), std::pair("0", false)}) {
+    if (text == word) {
+      return value;
+    }
+  }
+  return element.flag();
+}
+
+/// The matrix by names: of pairs, and of single bodies where a pair is not named.
+struct Matrix {
+  std::map<AllowedCollisions::Pair, bool> pairs;
+  std::map<std::string, bool> defaults;
+
+  [[nodiscard]] bool allows(const std::string& a, const std::string& b) const {
+    if (const auto pair = pairs.find(std::minmax(a, b)); pair != pairs.end()) {
+      return pair->second;
+    }
+    bool allowed = false;
+    for (const std::string& name : {a, b}) {
+      if (const auto usual = defaults.find(name); usual != defaults.end()) {
+        if (!usual->second) {
+          return false;
+        }
+        allowed = true;
+      }
+    }
+    return allowed;
+  }
+};
+
+Matrix matrix_of(const YamlElement& element) {
+  element.refuse_slips(
+      {"entry_names", "entry_values", "default_entry_names", "default_entry_values"});
+  Matrix matrix;
+  const std::vector<YamlElement> names = items_of(element, "entry_names");
+  const std::vector<YamlElement> rows = items_of(element, "entry_values");
+  if (rows.size() != names.size()) {
+    element.refuse(fmt::format("{} rows for {} names", rows.size(), names.size()),
+                   "a row for each name");
+  }
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const std::vector<YamlElement> row =
+        (rows[i].is_map() ? rows[i].need("enabled") : rows[i]).items();
+    if (row.size() != names.size()) {
+      rows[i].refuse(fmt::format("{} values", row.size()),
+                     fmt::format("{}, one for each name", names.size()));
+    }
+    for (std::size_t j = 0; j <= i; ++j) {
+      matrix.pairs[std::minmax(names[i].text(), names[j].text())] = flag(row[j]);
+    }
+  }
+  const std::vector<YamlElement> usual = items_of(element, "default_entry_names");
+  const std::vector<YamlElement> values = items_of(element, "default_entry_values");
+  if (usual.size() != values.size()) {
+    element.refuse(fmt::format("{} default values for {} names", values.size(), usual.size()),
+                   "as many as names");
+  }
+  for (std::size_t i = 0; i < usual.size(); ++i) {
+    matrix.defaults[usual[i].text()] = flag(values[i]);
+  }
+  return matrix;
+}
+
+}  // namespace
+
+void read_collision_matrix(const YamlElement& element, const ObjectNames& objects,
+                           geometric::Scene& scene) {
+  const Matrix matrix = matrix_of(element);
+  const geometric::RobotDescription& robot = scene.robots.front().model->description();
+  if (!matrix.pairs.empty()) {
+    for (std::size_t i = 0; i < robot.links.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        const AllowedCollisions::Pair pair = std::minmax(robot.links[i].name, robot.links[j].name);
+        const bool allowed = matrix.allows(pair.first, pair.second);
+        if (allowed != robot.allowed_collisions.reason(pair.first, pair.second).has_value()) {
+          scene.may_touch[pair] = allowed;
+        }
+      }
+    }
+  }
+  for (const auto& [id, names] : objects) {
+    std::vector<std::pair<std::string, std::string>> others;  // id and name in the scene
+    for (const geometric::Link& link : robot.links) {
+      others.emplace_back(link.name, link.name);
+    }
+    for (const auto& [other, shapes] : objects) {
+      for (const std::string& shape : shapes) {
+        others.emplace_back(other, shape);
+      }
+    }
+    for (const auto& [other, name] : others) {
+      for (const std::string& shape : names) {
+        if (other != id && matrix.allows(id, other)) {
+          scene.may_touch[std::minmax(shape, name)] = true;
+        }
+      }
+    }
+  }
+}
+
+void read_paddings(const YamlElement& planning_scene, geometric::Scene& scene) {
+  geometric::RobotInstance& robot = scene.robots.front();
+  std::set<std::string> unknown;
+  for (const auto& [list, key] :
+       {std::pair("link_padding", "padding"), std::pair("link_scale", "scale")}) {
+    const bool is_scale = std::string_view(key) == "scale";
+    for (const YamlElement& one : items_of(planning_scene, list)) {
+      one.refuse_slips({"link_name", key});
+      const std::string link = one.need("link_name").text();
+      const YamlElement element = one.need(key);
+      const double value = element.number();
+      if (is_scale ? value <= 0.0 : value < 0.0) {
+        element.refuse(element.found(), is_scale ? "a scale above 0" : "0 m or more");
+      }
+      if (!robot.model->find_link(link)) {
+        unknown.insert(link);
+        continue;
+      }
+      (is_scale ? robot.padding[link].scale : robot.padding[link].distance) = value;
+    }
+  }
+  std::erase_if(robot.padding,
+                [](const auto& entry) { return entry.second == geometric::Padding(); });
+  if (!unknown.empty()) {
+    scene.warnings.push_back(fmt::format("padding of links that {} has not is passed over: {}",
+                                         robot.model->name(), fmt::join(unknown, ", ")));
+  }
+}
+
+}  // namespace handway::import_moveit

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "handway/geometric/formats/yaml_element.h"
+#include "handway/geometric/scene/scene.h"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace handway::import_moveit {
+
+/// Names in `scene` of a collision object's shapes, by its id.
+using ObjectNames = std::map<std::string, std::vector<std::string>>;
+
+/// Takes moveit_msgs/AllowedCollisionMatrix to Scene::may_touch. As in MoveIt, a matrix with names
+/// stands for that of the robot's SRDF: a pair that it does not name is checked, unless a default
+/// of one of its bodies lets it touch and that of the other does not forbid it. What is carried may
+/// touch its touch links whatever the matrix says.
+/// @throws InputError if its rows are not as long as its names are many.
+void read_collision_matrix(const geometric::YamlElement& matrix, const ObjectNames& objects,
+                           geometric::Scene& scene);
+
+/// `link_padding` and `link_scale` of a moveit_msgs/PlanningScene, for the first robot. Links that
+/// it has not are passed over with a warning.
+/// @throws InputError for a scale of 0 or less, or a negative padding.
+void read_paddings(const geometric::YamlElement& planning_scene, geometric::Scene& scene);
+
+}  // namespace handway::import_moveit
