@@ -1,5 +1,6 @@
 #include "kautham_importer.h"
 
+#include "handway/geometric/formats/robot_loader.h"
 #include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/planning/extensions/importer.h"
@@ -9,8 +10,10 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
-#include <span>
+#include <map>
+#include <memory>
 #include <string_view>
+#include <variant>
 
 namespace handway::import_kautham {
 namespace {
@@ -31,20 +34,16 @@ std::string unique_name(const Range& taken, const std::string& wanted) {
   return name;
 }
 
-// The controls of the robots one after the other.
-class ControlList {
- public:
-  explicit ControlList(std::span<const double> values) : rest_(values) {}
-
-  Eigen::VectorXd take(std::size_t count) {
-    const auto taken = rest_.first(count);
-    rest_ = rest_.subspan(count);
-    return Eigen::Map<const Eigen::VectorXd>(taken.data(), static_cast<Eigen::Index>(count));
+geometric::Shape scaled(const geometric::Shape& shape, double scale) {
+  const auto* mesh = std::get_if<geometric::Mesh>(&shape);
+  if (!mesh) {
+    return padded(shape, {scale, 0.0});
   }
-
- private:
-  std::span<const double> rest_;
-};
+  const Eigen::Vector3d each_way = Eigen::Vector3d::Constant(scale);
+  return geometric::Mesh{mesh->file, scale * mesh->scale,
+                         std::make_shared<const geometric::TriangleMesh>(
+                             transformed(*mesh->triangles, geometric::Pose::Identity(), each_way))};
+}
 
 class SceneBuilder {
  public:
@@ -67,49 +66,108 @@ class SceneBuilder {
  private:
   void add_robots() {
     std::vector<KauthamRobot> robots;
-    std::size_t controls = 0;
+    std::vector<BaseLimits> limits;
     for (const KauthamProblem::PlacedRobot& placed : problem_.robots) {
-      robots.push_back(read_kautham_robot(found(placed.file)));
-      controls += robots.back().controls.size();
+      robots.push_back(read_robot(placed));
+      limits.push_back(placed.limits);
     }
-    const bool has_query = !problem_.init.empty() || !problem_.goal.empty();
-    if (has_query && problem_.init.size() != controls) {
-      throw InputError({problem_.query_place, "Query",
-                        std::to_string(problem_.init.size()) + " controls in <Init> and <Goal>",
-                        std::to_string(controls) + ", one for each control of the robots",
-                        "Look at the <ControlSet> of " + problem_.robots.front().file.string()});
+    const bool are_shared = read_controls(robots, limits);
+    std::size_t count = robots.front().controls.size();
+    for (std::size_t r = 1; r < robots.size() && !are_shared; ++r) {
+      count += robots[r].controls.size();
     }
-    ControlList init(problem_.init);
-    ControlList goal(problem_.goal);
+    for (const std::vector<double>* end : {&problem_.init, &problem_.goal}) {
+      if (!end->empty() && end->size() != count) {
+        throw InputError(
+            {problem_.query_place, "Query",
+             std::to_string(end->size()) + " controls in <Init> and <Goal>",
+             std::to_string(count) + ", one for each control of the robots",
+             "Look at the <ControlSet> of " +
+                 (problem_.controls.empty() ? robots.front().file : problem_.controls).string()});
+      }
+    }
+    std::size_t first = 0;
     for (std::size_t r = 0; r < robots.size(); ++r) {
-      const auto count = robots[r].controls.size();
-      const Eigen::VectorXd middle =
-          Eigen::VectorXd::Constant(static_cast<Eigen::Index>(count), 0.5);
-      add_robot(problem_.robots[r], robots[r], has_query ? init.take(count) : middle,
-                has_query ? goal.take(count) : middle, has_query);
+      add_robot(problem_.robots[r], robots[r], first);
+      first += are_shared ? 0 : robots[r].controls.size();
     }
   }
 
+  [[nodiscard]] KauthamRobot read_robot(const KauthamProblem::PlacedRobot& placed) {
+    const std::filesystem::path file = found(placed.file);
+    if (!geometric::has_extension(file, ".urdf")) {
+      return read_kautham_robot(file);
+    }
+    if (placed.scale * problem_.units.length != 1.0) {
+      throw InputError({problem_.file.string(), "Robot " + placed.file.string(),
+                        "a URDF robot with scale " + std::to_string(placed.scale),
+                        "its own size: scale 1 in metres, 1000 in millimetres", ""});
+    }
+    models_[placed.file] = geometric::load_robot(file);
+    return controlled_robot(*models_.at(placed.file));
+  }
+
+  // True if all robots have the same list of controls; else each has its own, one after the other.
+  bool read_controls(std::vector<KauthamRobot>& robots, const std::vector<BaseLimits>& limits) {
+    if (!problem_.controls.empty()) {
+      read_kautham_controls(found(problem_.controls), robots);
+      return true;
+    }
+    const bool have_none =
+        std::ranges::none_of(robots, [](const KauthamRobot& robot) { return robot.has_controls; });
+    if (have_none && !problem_.init.empty()) {
+      add_default_controls(robots, limits);
+      return true;
+    }
+    for (const KauthamRobot& robot : robots) {
+      if (!robot.has_controls) {
+        scene_->warnings.push_back("robot " + robot.name +
+                                   ": no <ControlSet>: no control moves a joint");
+      }
+    }
+    return false;
+  }
+
+  // @param first its first control in the problem's lists.
   void add_robot(const KauthamProblem::PlacedRobot& placed, const KauthamRobot& robot,
-                 const Eigen::VectorXd& init, const Eigen::VectorXd& goal, bool has_query) {
-    const auto model = make_robot_model(robot, placed.scale, meshes_);
-    const geometric::Configuration start = configuration_at(robot, *model, init);
+                 std::size_t first) {
+    const bool is_urdf = models_.contains(placed.file);
+    if (is_urdf && std::ranges::count(moving_base(robot), true) > 0) {
+      scene_->warnings.push_back("robot " + robot.name +
+                                 ": controls of the base of a URDF robot are passed over");
+    }
+    const auto model =
+        is_urdf ? models_.at(placed.file)
+                : make_robot_model(robot, placed.scale, placed.limits, placed.X_WH, meshes_);
+    const auto at = [&](const std::vector<double>& values) {
+      const auto count = static_cast<Eigen::Index>(robot.controls.size());
+      const Eigen::VectorXd controls =
+          values.empty()
+              ? Eigen::VectorXd::Constant(count, 0.5)
+              : Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(values.data() + first, count));
+      return configuration_at(robot, *model, controls, placed.limits, placed.X_WH);
+    };
+    const geometric::Configuration start = at(problem_.init);
     const bool is_planned = scene_->robots.empty();
     const std::vector<std::string>& said = model->description().warnings;
     scene_->robots.push_back({unique_name(scene_->robots, robot.name), placed.file, model,
-                              placed.X_WH * root_pose(robot), start});
+                              is_urdf ? placed.X_WH : placed.X_WH * root_pose(robot), start});
     for (const std::string& warning : said) {
       scene_->warnings.push_back("robot " + scene_->robots.back().name + ": " + warning);
     }
-    if (is_planned) {
-      basis_ = make_hand_basis(robot, *model, scene_->warnings);
-    } else if (init != goal) {
-      scene_->warnings.push_back("robot " + scene_->robots.back().name +
-                                 " stays at its <Init>: plans are made for the first robot");
+    if (!is_planned) {
+      if (!problem_.goal.empty() && start != at(problem_.goal)) {
+        scene_->warnings.push_back("robot " + scene_->robots.back().name +
+                                   " stays at its <Init>: plans are made for the first robot");
+      }
+      return;
     }
-    if (is_planned && has_query) {
+    basis_ = make_hand_basis(robot, *model, scene_->warnings);
+    if (!problem_.init.empty()) {
       scene_->start = start;
-      scene_->goal = configuration_at(robot, *model, goal);
+    }
+    if (!problem_.goal.empty()) {
+      scene_->goal = at(problem_.goal);
     }
   }
 
@@ -124,13 +182,35 @@ class SceneBuilder {
   }
 
   void add_obstacle(const KauthamProblem::Obstacle& obstacle) {
-    const std::filesystem::path mesh_file = found(obstacle.mesh);
-    const std::filesystem::path file = std::filesystem::absolute(mesh_file).lexically_normal();
-    const InventorMesh& mesh = meshes_.load(mesh_file, obstacle.scale);
-    scene_->objects.push_back(
-        {unique_name(scene_->objects, obstacle.mesh.stem().string()),
-         geometric::Mesh{file, Eigen::Vector3d::Constant(obstacle.scale), mesh.triangles},
-         obstacle.X_WO, mesh.color, std::nullopt});
+    const std::filesystem::path file = found(obstacle.mesh);
+    const std::string name = obstacle.mesh.stem().string();
+    if (geometric::has_extension(file, ".urdf")) {
+      add_links(*geometric::load_robot(file), obstacle, name);
+      return;
+    }
+    // Meshes have millimetres times scale, or, where the problem is in metres, these.
+    const double scale = obstacle.scale * problem_.units.length / geometric::kMillimetre;
+    const InventorMesh& mesh = meshes_.load(file, scale);
+    scene_->objects.push_back({unique_name(scene_->objects, name),
+                               geometric::Mesh{std::filesystem::absolute(file).lexically_normal(),
+                                               Eigen::Vector3d::Constant(scale), mesh.triangles},
+                               obstacle.X_WO, mesh.color, std::nullopt});
+  }
+
+  // An obstacle of later versions that is a URDF file: each shape of its links is an object.
+  void add_links(const geometric::RobotModel& model, const KauthamProblem::Obstacle& obstacle,
+                 const std::string& name) {
+    const double scale = obstacle.scale * problem_.units.length;
+    std::vector<geometric::Pose> X_BL(static_cast<std::size_t>(model.link_count()));
+    model.forward_kinematics(model.neutral(), X_BL);
+    for (int link = 0; link < model.link_count(); ++link) {
+      for (const geometric::LinkGeometry& part : model.link(link).collision) {
+        geometric::Pose X_WG = X_BL[static_cast<std::size_t>(link)] * part.X_LG;
+        X_WG.translation() *= scale;
+        scene_->objects.push_back({unique_name(scene_->objects, name), scaled(part.shape, scale),
+                                   obstacle.X_WO * X_WG, part.color, std::nullopt});
+      }
+    }
   }
 
   // A problem asks for a path; whichever planner finds it best is the default.
@@ -162,6 +242,7 @@ class SceneBuilder {
   std::filesystem::path folder_;
   std::shared_ptr<Scene> scene_ = std::make_shared<Scene>();
   std::shared_ptr<const sampling::PmdBasis> basis_;
+  std::map<std::filesystem::path, std::shared_ptr<const geometric::RobotModel>> models_;  ///< URDF.
   InventorMeshes meshes_;
 };
 
@@ -171,6 +252,10 @@ class SceneBuilder {
 /// of controls is not that of the robots.
 planning::LoadedScene make_scene(const KauthamProblem& problem) {
   return SceneBuilder(problem).build();
+}
+
+bool is_robot_file(const std::filesystem::path& file) {
+  return geometric::has_extension(file, ".rob") || geometric::has_extension(file, ".dh");
 }
 
 /// A scene with just this robot, all controls in the middle, nothing around it.
@@ -185,10 +270,10 @@ planning::LoadedScene make_robot_scene(const std::filesystem::path& file) {
 
 }  // namespace
 
-std::string KauthamImporter::name() const { return "Kautham 2013 (.xml, .rob)"; }
+std::string KauthamImporter::name() const { return "Kautham (.xml, .rob, .dh)"; }
 
 bool KauthamImporter::can_read(const std::filesystem::path& file) const {
-  const bool is_robot = geometric::has_extension(file, ".rob");
+  const bool is_robot = is_robot_file(file);
   if (!is_robot && !geometric::has_extension(file, ".xml")) {
     return false;
   }
@@ -200,8 +285,7 @@ bool KauthamImporter::can_read(const std::filesystem::path& file) const {
 }
 
 planning::LoadedScene KauthamImporter::read(const std::filesystem::path& file) const {
-  return geometric::has_extension(file, ".rob") ? make_robot_scene(file)
-                                                : make_scene(read_kautham_problem(file));
+  return is_robot_file(file) ? make_robot_scene(file) : make_scene(read_kautham_problem(file));
 }
 
 }  // namespace handway::import_kautham

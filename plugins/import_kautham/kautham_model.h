@@ -3,6 +3,7 @@
 #include "handway/geometric/robot/robot_model.h"
 #include "handway/sampling/postures/pmd_basis.h"
 #include "inventor_meshes.h"
+#include "kautham_problem.h"
 #include "kautham_robot.h"
 
 #include <memory>
@@ -10,7 +11,8 @@
 
 namespace handway::import_kautham {
 
-/// Pose of the root link in the frame that the robot's Home places.
+/// Where the robot's root link stands in the frame that its Home places; of a robot whose base
+/// moves, the frame itself.
 [[nodiscard]] geometric::Pose root_pose(const KauthamRobot& robot);
 
 /// The robot as a kinematic tree. Joints are named after the links they carry.
@@ -21,10 +23,19 @@ namespace handway::import_kautham {
 /// trunk controls drive, or, where the file does not say, those before the tree
 /// branches. Pairs of links that Kautham does not check are allowed to touch:
 /// neighbours in the file's order, and the link called Palm with all after it.
-/// @param scale of the meshes.
+///
+/// A base that controls move becomes joints before the root: slides X, Y, Z along the axes of the
+/// Home, and where X1, X2 or X3 are moved turns `yaw`, `pitch` and `roll`, or `yaw` alone where X3
+/// alone moves a robot that stands upright. They belong to the arm.
+/// @param scale of the meshes. @param limits of the base, in the world. @param X_WH the Home.
 /// @throws InputError for a mesh that can't be read.
 [[nodiscard]] std::shared_ptr<const geometric::RobotModel> make_robot_model(
-    const KauthamRobot& robot, double scale, InventorMeshes& meshes);
+    const KauthamRobot& robot, double scale, const BaseLimits& limits, const geometric::Pose& X_WH,
+    InventorMeshes& meshes);
+
+/// What a URDF robot of a later version is to its controls: a joint for each link, by the link's
+/// name, as Kautham calls them.
+[[nodiscard]] KauthamRobot controlled_robot(const geometric::RobotModel& model);
 
 /// The hand's controls as a PMD basis: joints are the group `hand` without coupled
 /// ones, a control of a single joint is a free joint, any other a principal
@@ -35,8 +46,11 @@ namespace handway::import_kautham {
     std::vector<std::string>& warnings);
 
 /// The configuration at the given controls. @param controls shape [robot.controls].
+/// @param limits, X_WH as in make_robot_model().
 [[nodiscard]] geometric::Configuration configuration_at(const KauthamRobot& robot,
                                                         const geometric::RobotModel& model,
-                                                        const Eigen::VectorXd& controls);
+                                                        const Eigen::VectorXd& controls,
+                                                        const BaseLimits& limits,
+                                                        const geometric::Pose& X_WH);
 
 }  // namespace handway::import_kautham

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <optional>
 #include <string_view>
 
@@ -20,23 +21,67 @@ double read_scale(const XmlFile& xml, pugi::xml_node node) {
   return scale;
 }
 
-KauthamProblem::PlacedRobot read_robot(const XmlFile& xml, pugi::xml_node node) {
+BaseLimits read_limits(const XmlFile& xml, pugi::xml_node robot, const Units& units) {
+  BaseLimits limits{};
+  for (const pugi::xml_node node : robot.children("Limits")) {
+    const std::string name = xml.text(node, "name");
+    for (std::size_t axis = 0; axis < limits.size(); ++axis) {
+      if (name == std::array{"X", "Y", "Z"}[axis]) {
+        limits[axis] = {units.length * xml.number(node, "min"),
+                        units.length * xml.number(node, "max")};
+      }
+    }
+  }
+  return limits;
+}
+
+KauthamProblem::PlacedRobot read_robot(const XmlFile& xml, pugi::xml_node node,
+                                       const Units& units) {
   xml.refuse_slips(node, {"Home", "Limits", "InvKinematic"});
   KauthamProblem::PlacedRobot robot{xml.text(node, "robot"), read_scale(xml, node)};
   if (const pugi::xml_node home = node.child("Home")) {
-    robot.X_WH = read_location(xml, home);
+    robot.X_WH = read_location(xml, home, units);
   }
+  robot.limits = read_limits(xml, node, units);
   return robot;
 }
 
-KauthamProblem::Obstacle read_obstacle(const XmlFile& xml, pugi::xml_node node) {
+KauthamProblem::Obstacle read_obstacle(const XmlFile& xml, pugi::xml_node node,
+                                       const Units& units) {
   return {xml.text(node, "scene"), read_scale(xml, node),
-          read_location(xml, xml.child(node, "Location"))};
+          read_location(xml, xml.child(node, "Location"), units)};
+}
+
+// Of later versions: where it has no home, at the origin.
+KauthamProblem::Obstacle read_later_obstacle(const XmlFile& xml, pugi::xml_node node,
+                                             const Units& units) {
+  KauthamProblem::Obstacle obstacle{xml.text(node, "obstacle"), read_scale(xml, node)};
+  if (const pugi::xml_node home = node.child("Home")) {
+    obstacle.X_WO = read_location(xml, home, units);
+  }
+  return obstacle;
+}
+
+// The unit is nowhere said: with URDF files, which are in metres, taken as they are it is theirs.
+Units units_of(pugi::xml_node problem) {
+  constexpr double kMostInMetres = 100.0;
+  for (const pugi::xml_node node : problem.children()) {
+    for (const char* name : {"robot", "obstacle"}) {
+      const std::string_view file = geometric::trimmed(node.attribute(name).value());
+      if (file.ends_with(".urdf") && node.attribute("scale").as_double(1.0) < kMostInMetres) {
+        return {1.0, 1.0};
+      }
+    }
+  }
+  return {};
 }
 
 // Controls in [0, 1], separated by white space, as many as `dim` says.
 std::vector<double> read_controls(const XmlFile& xml, pugi::xml_node node) {
   std::vector<double> values;
+  if (!node) {
+    return values;
+  }
   for (const std::string_view word : geometric::cells(node.child_value(), ' ')) {
     const std::optional<double> value = geometric::parse_number(word);
     if (!value || *value < 0.0 || *value > 1.0) {
@@ -75,9 +120,15 @@ void read_query(const XmlFile& xml, pugi::xml_node planner, KauthamProblem& prob
     return;
   }
   problem.query_place = xml.place(query);
-  problem.init = read_controls(xml, xml.child(query, "Init"));
-  problem.goal = read_controls(xml, xml.child(query, "Goal"));
-  if (problem.init.size() != problem.goal.size()) {
+  xml.refuse_slips(query, {"Init", "Goal"});
+  problem.init = read_controls(xml, query.child("Init"));
+  problem.goal = read_controls(xml, query.child("Goal"));
+  if (problem.init.empty() || problem.goal.empty()) {
+    problem.warnings.push_back(fmt::format("{}: the query has no {}", problem.query_place,
+                                           !problem.init.empty()   ? "goal"
+                                           : !problem.goal.empty() ? "start"
+                                                                   : "start and no goal"));
+  } else if (problem.init.size() != problem.goal.size()) {
     xml.refuse(query, "",
                std::to_string(problem.init.size()) + " controls in <Init> and " +
                    std::to_string(problem.goal.size()) + " in <Goal>",
@@ -100,15 +151,22 @@ KauthamProblem read_kautham_problem(const std::filesystem::path& file) {
   } else if (problem.name.ends_with(".xml")) {
     problem.name.resize(problem.name.size() - std::string_view(".xml").size());
   }
-  xml.refuse_slips(xml.root(), {"Robot", "Scene", "Planner"});
+  xml.refuse_slips(xml.root(), {"Robot", "Scene", "Obstacle", "Controls", "Planner"});
+  problem.units = units_of(xml.root());
   for (const pugi::xml_node node : xml.root().children("Robot")) {
-    problem.robots.push_back(read_robot(xml, node));
+    problem.robots.push_back(read_robot(xml, node, problem.units));
   }
   if (problem.robots.empty()) {
     xml.refuse(xml.root(), "", "no <Robot> in it", "at least one");
   }
   for (const pugi::xml_node node : xml.root().children("Scene")) {
-    problem.obstacles.push_back(read_obstacle(xml, node));
+    problem.obstacles.push_back(read_obstacle(xml, node, problem.units));
+  }
+  for (const pugi::xml_node node : xml.root().children("Obstacle")) {
+    problem.obstacles.push_back(read_later_obstacle(xml, node, problem.units));
+  }
+  if (const pugi::xml_node controls = xml.root().child("Controls")) {
+    problem.controls = xml.text(controls, "robot");
   }
   const pugi::xml_node planner = xml.root().child("Planner");
   read_planner(xml, planner, problem);

@@ -1,7 +1,9 @@
 #pragma once
 
 #include "handway/geometric/math/pose.h"
+#include "xml_file.h"
 
+#include <array>
 #include <filesystem>
 #include <string>
 #include <utility>
@@ -9,30 +11,37 @@
 
 namespace handway::import_kautham {
 
-/// A problem file of Kautham 2013, before the files it names are opened.
+/// Range of a robot's base along x, y and z of the world, m.
+using BaseLimits = std::array<std::pair<double, double>, 3>;
+
+/// A problem file of Kautham 2013 or later, before the files it names are opened.
 struct KauthamProblem {
   /// A Robot element.
   struct PlacedRobot {
     std::filesystem::path file;  ///< As written, relative to the problem's folder.
     double scale = 1.0;          ///< Of the meshes.
     geometric::Pose X_WH = geometric::Pose::Identity();  ///< Home.
+    BaseLimits limits = {};
   };
-  /// A Scene element: an obstacle.
+  /// A Scene element, or an Obstacle of later versions.
   struct Obstacle {
     std::filesystem::path mesh;  ///< As written, relative to the problem's folder.
     double scale = 1.0;
-    geometric::Pose X_WO = geometric::Pose::Identity();  ///< Location.
+    geometric::Pose X_WO = geometric::Pose::Identity();  ///< Location, or Home.
   };
 
   std::filesystem::path file;
   std::string name;
+  /// Metres and radians in later versions, where URDF files are taken as they are.
+  Units units = {};
+  std::filesystem::path controls;  ///< `.cntr`, as written; empty: in the robots' files.
   std::vector<PlacedRobot> robots;
   std::vector<Obstacle> obstacles;
   std::string planner;                                          ///< May be empty.
   std::vector<std::pair<std::string, std::string>> parameters;  ///< Of the planner, as written.
-  std::vector<double> init;  ///< Controls of all robots; empty: no query.
-  std::vector<double> goal;
-  std::string query_place;  ///< "file:line" of the query.
+  std::vector<double> init;  ///< Controls of all robots; empty: the query has no start.
+  std::vector<double> goal;  ///< The same.
+  std::string query_place;   ///< "file:line" of the query.
   std::vector<std::string> warnings;
 };
 

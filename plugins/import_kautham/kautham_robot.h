@@ -3,9 +3,13 @@
 #include "handway/geometric/math/pose.h"
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
+#include <array>
 #include <filesystem>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace handway::import_kautham {
@@ -15,11 +19,12 @@ namespace handway::import_kautham {
 /// d + q for a sliding joint.
 struct KauthamJoint {
   std::string name;
-  std::filesystem::path mesh;  ///< Open Inventor or VRML, mm.
-  double alpha = 0.0;          ///< rad
-  double a = 0.0;              ///< m
-  double theta = 0.0;          ///< rad
-  double d = 0.0;              ///< m
+  std::filesystem::path mesh;            ///< Open Inventor or VRML, mm.
+  std::filesystem::path collision_mesh;  ///< The same for collisions; empty: `mesh`.
+  double alpha = 0.0;                    ///< rad
+  double a = 0.0;                        ///< m
+  double theta = 0.0;                    ///< rad
+  double d = 0.0;                        ///< m
   bool rotational = true;
   bool movable = true;
   double lower = 0.0;  ///< rad or m
@@ -28,14 +33,18 @@ struct KauthamJoint {
   geometric::Pose X_PreTrans = geometric::Pose::Identity();
 };
 
+/// Of the base: x, y and z, then X1, X2, X3, which make a rotation (see base_pose()).
+using BaseParameters = Eigen::Matrix<double, 6, 1>;
+
 /// Moves joints together: eig_value * factors * (c - 0.5) adds to their parameters.
 struct KauthamControl {
   std::string name;
-  double eig_value = 1.0;   ///< Full side of the control's interval, ≥ 0.
-  Eigen::VectorXd factors;  ///< Per joint, as printed: without eig_value.
+  double eig_value = 1.0;                        ///< Full side of the control's interval, ≥ 0.
+  Eigen::VectorXd factors;                       ///< Per joint, as printed: without eig_value.
+  BaseParameters base = BaseParameters::Zero();  ///< The same of the base.
 };
 
-/// What a `.rob` file of Kautham 2013 says.
+/// What a `.rob` file of Kautham 2013, or a `.dh` file of later versions, says.
 ///
 /// A joint's parameter p in [0, 1] spans its range: q = lower + p (upper - lower).
 /// Controls c in [0, 1] give p = offset + Σ_j eig_value_j factors_j (c_j - 0.5),
@@ -45,13 +54,39 @@ struct KauthamRobot {
   std::filesystem::path file;
   std::vector<KauthamJoint> joints;  ///< Parents first; the first one is the root.
   Eigen::VectorXd offset;            ///< Per joint.
+  BaseParameters base_offset = BaseParameters::Zero();
+  bool has_controls = false;  ///< The file lists them.
   std::vector<KauthamControl> controls;
   int trunk_controls = -1;  ///< How many of the first controls drive the arm; -1: not said.
   std::vector<std::string> warnings;
 };
 
+/// Joints may stand in <Joints> or, as in older files, right in <Robot>.
 /// @throws InputError naming file, line, element, what was found and expected.
 [[nodiscard]] KauthamRobot read_kautham_robot(const std::filesystem::path& file);
+
+/// Reads a `.cntr` file of later versions, which has the controls of all robots of a problem: DOF
+/// are called ROBOT/JOINT, or ROBOT/X to ROBOT/X3. Each robot gets all controls, in order, with
+/// those factors that are its own; what no offset is given for has 0.5.
+/// @throws InputError as read_kautham_robot().
+void read_kautham_controls(const std::filesystem::path& file, std::span<KauthamRobot> robots);
+
+/// Kautham's own controls where a problem of a later version names none: each of the base and of
+/// the joints that move, for itself, robot after robot.
+/// @param limits of each robot's base along x, y and z: equal ones stand still.
+void add_default_controls(std::span<KauthamRobot> robots,
+                          std::span<const std::array<std::pair<double, double>, 3>> limits);
+
+/// Which parameters of the base any control moves.
+[[nodiscard]] std::array<bool, 6> moving_base(const KauthamRobot& robot);
+
+/// Parameters of the base at the given controls, clamped to [0, 1].
+[[nodiscard]] BaseParameters base_parameters(const KauthamRobot& robot,
+                                             const Eigen::VectorXd& controls);
+
+/// The rotation of the parameters X1, X2, X3 in [0, 1], spread evenly over all rotations (Shoemake,
+/// "Uniform random rotations", Graphics Gems III, 1992).
+[[nodiscard]] Eigen::Quaterniond base_rotation(const BaseParameters& parameters);
 
 /// Does the joint move? Not so if it is declared unmovable or its limits are equal.
 [[nodiscard]] bool moves(const KauthamJoint& joint);

@@ -147,15 +147,14 @@ std::string XmlFile::line_at(std::ptrdiff_t offset) const {
   return path_.string() + ":" + std::to_string(1 + std::count(content_.begin(), end, '\n'));
 }
 
-geometric::Pose read_location(const XmlFile& xml, pugi::xml_node node) {
+geometric::Pose read_location(const XmlFile& xml, pugi::xml_node node, const Units& units) {
   geometric::Pose X = geometric::Pose::Identity();
-  X.translation() =
-      geometric::kMillimetre *
-      Eigen::Vector3d(xml.number(node, "X"), xml.number(node, "Y"), xml.number(node, "Z"));
+  X.translation() = units.length * Eigen::Vector3d(xml.number(node, "X"), xml.number(node, "Y"),
+                                                   xml.number(node, "Z"));
   if (!node.attribute("TH")) {
     return X;
   }
-  const double angle = geometric::radians(xml.number(node, "TH"));
+  const double angle = units.angle * xml.number(node, "TH");
   const Eigen::Vector3d axis(xml.number(node, "WX"), xml.number(node, "WY"),
                              xml.number(node, "WZ"));
   if (axis.norm() > 0.0) {

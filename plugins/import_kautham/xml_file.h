@@ -1,6 +1,7 @@
 #pragma once
 
 #include "handway/geometric/math/pose.h"
+#include "handway/geometric/math/units.h"
 
 #include <pugixml.hpp>
 
@@ -59,9 +60,16 @@ class XmlFile {
 /// The text in quotation marks.
 [[nodiscard]] std::string in_quotes(std::string_view text);
 
-/// The pose that a Location, Home or PreTrans element gives: X, Y, Z in mm, then
-/// a turn by TH degrees about the axis (WX, WY, WZ), which needs no unit length.
+/// What numbers in a file stand for.
+struct Units {
+  double length = geometric::kMillimetre;  ///< m
+  double angle = geometric::kDegree;       ///< rad
+};
+
+/// The pose that a Location, Home or PreTrans element gives: X, Y, Z, then a turn by TH about the
+/// axis (WX, WY, WZ), which needs no unit length.
 /// @throws InputError if a number is missing, or an angle has no axis.
-[[nodiscard]] geometric::Pose read_location(const XmlFile& xml, pugi::xml_node node);
+[[nodiscard]] geometric::Pose read_location(const XmlFile& xml, pugi::xml_node node,
+                                            const Units& units = {});
 
 }  // namespace handway::import_kautham

@@ -138,5 +138,133 @@ TEST(KauthamImporter, GivesARobotFileASceneOfItsOwn) {
   EXPECT_THAT(loaded.scene->warnings, testing::IsEmpty());
 }
 
+constexpr const char* kFreeBody = R"(<Robot name="ele" robType="Freeflying">
+  <WeightSE3 rho_t="1.0" rho_r="1.0"/>
+  <Joint name="Body" ivFile="cube.iv">
+    <PreTrans X="0" Y="0" Z="5" WX="0" WY="0" WZ="1" TH="0"/><Description movable="true"/>
+  </Joint>
+  <ControlSet>
+    <Offset><DOF name="X" value="0.5"/><DOF name="Y" value="0.5"/><DOF name="Z" value="0.5"/>
+      <DOF name="X1" value="0.5"/><DOF name="X2" value="0.5"/><DOF name="X3" value="0.5"/></Offset>
+    <Control name="x" eigValue="1"><DOF name="X" value="1"/></Control>
+    <Control name="y" eigValue="1"><DOF name="Y" value="1"/></Control>
+    <Control name="z" eigValue="1"><DOF name="Z" value="1"/></Control>
+    <Control name="x1" eigValue="1"><DOF name="X1" value="1"/></Control>
+    <Control name="x2" eigValue="1"><DOF name="X2" value="1"/></Control>
+    <Control name="x3" eigValue="1"><DOF name="X3" value="1"/></Control>
+  </ControlSet>
+</Robot>
+)";
+
+constexpr const char* kFreeProblem = R"(<Problem name="Free">
+  <Robot robot="robots/ele.rob" scale="1.0">
+    <Limits name="X" min="-500" max="500"/><Limits name="Y" min="-200" max="300"/>
+    <Limits name="Z" min="0" max="400"/>
+    <Home TH="0" WX="0" WY="0" WZ="1" X="100" Y="0" Z="0"/>
+  </Robot>
+  <Planner><Queries><Query>
+    <Init dim="6">0.1 0.5 0.25 0.2 0.3 0.6</Init><Goal dim="6">1 0.5 0.5 0 0 0.5</Goal>
+  </Query></Queries></Planner>
+</Problem>
+)";
+
+// Where the body is, in the world.
+Pose body_pose(const geometric::Scene& scene, const geometric::Configuration& q) {
+  const RobotModel& model = *scene.robots.front().model;
+  std::vector<Pose> X_BL(static_cast<std::size_t>(model.link_count()));
+  model.forward_kinematics(q, X_BL);
+  return scene.robots.front().X_WB * X_BL[static_cast<std::size_t>(*model.find_link("Body"))];
+}
+
+TEST(KauthamImporter, LetsABodyFlyByTheControlsOfItsBase) {
+  const SmallProblem files;
+  test::write_text(files.folder() / "robots" / "ele.rob", kFreeBody);
+  test::write_text(files.problem(), kFreeProblem);
+  const planning::LoadedScene loaded = KauthamImporter().read(files.problem());
+  const geometric::Scene& scene = *loaded.scene;
+  const RobotModel& model = *scene.robots.front().model;
+  ASSERT_EQ(model.variable_count(), 6);
+  EXPECT_NEAR(model.lower()[0], -0.6, 1e-12) << "in the frame of the Home";
+  EXPECT_NEAR(model.upper()[0], 0.4, 1e-12);
+  EXPECT_TRUE(model.find_group("arm"));
+  // Shoemake's rotation of X1 = 0.2, X2 = 0.3, X3 = 0.6, and 5 mm along its z.
+  const double a = 2.0 * M_PI * 0.3;
+  const double b = M_PI * 0.6;
+  const Eigen::Quaterniond q(std::cos(b) * std::sqrt(0.8), std::sin(a) * std::sqrt(0.2),
+                             std::cos(a) * std::sqrt(0.2), std::sin(b) * std::sqrt(0.8));
+  const Pose start = body_pose(scene, *scene.start);
+  EXPECT_TRUE(start.linear().isApprox(q.toRotationMatrix(), 1e-9));
+  EXPECT_TRUE(start.translation().isApprox(
+      Eigen::Vector3d(-0.4, 0.05, 0.1) + q * Eigen::Vector3d(0.0, 0.0, 0.005), 1e-9));
+  const Pose goal = body_pose(scene, *scene.goal);
+  EXPECT_TRUE(goal.translation().isApprox(Eigen::Vector3d(0.5, 0.05, 0.205), 1e-9));
+  EXPECT_TRUE(goal.linear().isApprox(
+      Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitZ()).toRotationMatrix(), 1e-9));
+}
+
+TEST(KauthamImporter, SlidesABaseThatControlsMoveInAPlane) {
+  const SmallProblem files;
+  SmallProblem::edit(files.robot(), "<Offset>",
+                     "<Offset><DOF name=\"X\" value=\"0.5\"/><DOF name=\"Y\" value=\"0.25\"/>");
+  SmallProblem::edit(files.robot(), "<Control name=\"Turn\"",
+                     "<Control name=\"x\" eigValue=\"1\"><DOF name=\"X\" value=\"1\"/></Control>\n"
+                     "<Control name=\"Turn\"");
+  SmallProblem::edit(files.robot(), "nTrunk=\"2\"", "nTrunk=\"3\"");
+  SmallProblem::edit(files.problem(), "<Home",
+                     "<Limits name=\"X\" min=\"0\" max=\"1000\"/>"
+                     "<Limits name=\"Y\" min=\"0\" max=\"400\"/><Home");
+  SmallProblem::edit(files.problem(), "<Init dim=\"5\">", "<Init dim=\"6\">0.25 ");
+  SmallProblem::edit(files.problem(), "<Goal dim=\"5\">", "<Goal dim=\"6\">0.75 ");
+  const planning::LoadedScene loaded = KauthamImporter().read(files.problem());
+  const RobotModel& model = *loaded.scene->robots.front().model;
+  ASSERT_EQ(model.variable_count(), 6);
+  EXPECT_EQ(model.variable(0).name, "X");
+  std::vector<Pose> X_BL(static_cast<std::size_t>(model.link_count()));
+  model.forward_kinematics(*loaded.scene->start, X_BL);
+  const Pose base =
+      loaded.scene->robots.front().X_WB * X_BL[static_cast<std::size_t>(*model.find_link("Base"))];
+  // The Home turns by 180°: of the corners, the first is at its end.
+  EXPECT_TRUE(base.translation().isApprox(Eigen::Vector3d(0.25, 0.1, 0.01), 1e-9))
+      << base.translation().transpose();
+}
+
+TEST(KauthamImporter, TakesTheControlsOfLaterVersions) {
+  const SmallProblem files;
+  SmallProblem::edit(files.robot(), "<ControlSet size=\"5\" nTrunk=\"2\">", "<Other>");
+  SmallProblem::edit(files.robot(), "</ControlSet>", "</Other>");
+  test::write_text(files.folder() / "robots" / "small.cntr", R"(<ControlSet>
+  <Offset><DOF name="Small/Thumb" value="0.4"/></Offset>
+  <Control name="Turn" eigValue="1"><DOF name="Small/Turn" value="1"/></Control>
+  <Control name="Close"><DOF name="Small/Spread" value="0.6"/><DOF name="Small/Med" value="0.8"/>
+    <DOF name="Small/Dist" value="0.8"/></Control>
+</ControlSet>)");
+  SmallProblem::edit(files.problem(), "<Planner>", R"(<Obstacle obstacle="robots/cube.iv" scale="5">
+    <Home TH="90" WX="0" WY="0" WZ="1" X="0" Y="0" Z="-500"/></Obstacle>
+  <Controls robot="robots/small.cntr"/><Planner>)");
+  SmallProblem::edit(files.problem(), "<Init dim=\"5\">0.5 0.5 0.5 0.5 0.5", "<Init>0.5 0.5");
+  SmallProblem::edit(files.problem(), "<Goal dim=\"5\">1 0.25 0 1 0.5", "<Goal>1 1");
+  const planning::LoadedScene loaded = KauthamImporter().read(files.problem());
+  const RobotModel& model = *loaded.scene->robots.front().model;
+  EXPECT_EQ(loaded.scene->objects.size(), 3U);
+  EXPECT_EQ(loaded.scene->objects.back().X_PO.translation().z(), -0.5);
+  const geometric::Configuration& goal = loaded.scene->goal.value();
+  EXPECT_DOUBLE_EQ(goal[model.find_variable("Turn").value()], M_PI / 2);
+  EXPECT_NEAR(goal[model.find_variable("Thumb").value()], -M_PI / 2 * 0.6, 1e-12);
+  EXPECT_NEAR(goal[model.find_variable("Med").value()], 0.9 * 75.0 * M_PI / 180.0, 1e-12);
+  EXPECT_NEAR(goal[model.find_variable("Lift").value()], 0.2, 1e-12) << "0.5 where none is given";
+  EXPECT_TRUE(loaded.basis);
+}
+
+TEST(KauthamImporter, ReadsProblemsWithoutAQuery) {
+  const SmallProblem files;
+  SmallProblem::edit(files.problem(), "<Init dim=\"5\">0.5 0.5 0.5 0.5 0.5</Init>", "");
+  const planning::LoadedScene half = KauthamImporter().read(files.problem());
+  EXPECT_TRUE(half.scene->goal && !half.scene->start);
+  EXPECT_THAT(half.scene->warnings, testing::Contains(testing::HasSubstr("has no start")));
+  SmallProblem::edit(files.problem(), "<Goal dim=\"5\">1 0.25 0 1 0.5</Goal>", "");
+  const planning::LoadedScene none = KauthamImporter().read(files.problem());
+  EXPECT_FALSE(none.scene->goal || none.scene->start);
+}
+
 }  // namespace
 }  // namespace handway::import_kautham
