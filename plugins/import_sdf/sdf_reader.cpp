@@ -1,0 +1,324 @@
+#include "sdf_reader.h"
+
+#include "handway/geometric/io/existing_file.h"
+#include "handway/geometric/io/input_error.h"
+#include "handway/geometric/robot/base_joint.h"
+#include "sdf_geometry.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <map>
+#include <mutex>
+#include <numbers>
+#include <sdf/Collision.hh>
+#include <sdf/Console.hh>
+#include <sdf/Joint.hh>
+#include <sdf/JointAxis.hh>
+#include <sdf/Link.hh>
+#include <sdf/Material.hh>
+#include <sdf/Model.hh>
+#include <sdf/Root.hh>
+#include <sdf/SemanticPose.hh>
+#include <sdf/Visual.hh>
+#include <sdf/World.hh>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace handway::import_sdf {
+namespace {
+
+namespace fs = std::filesystem;
+using geometric::InputError;
+using geometric::Joint;
+using geometric::JointType;
+using geometric::Pose;
+using geometric::RobotDescription;
+
+constexpr std::size_t kHead = std::size_t{1} << 16;
+constexpr double kLargestLimit = 1e6;
+constexpr double kSamePlace = 1e-9;
+constexpr const char* kWorld = "world";
+
+std::string text_of(const sdf::Errors& errors) {
+  std::string text;
+  for (const sdf::Error& error : errors) {
+    text += (text.empty() ? "" : "; ") + error.Message();
+  }
+  return text;
+}
+
+const sdf::Model* busiest_model(const sdf::Root& root) {
+  const sdf::Model* found = root.Model();
+  for (std::uint64_t w = 0; w < root.WorldCount(); ++w) {
+    const sdf::World* world = root.WorldByIndex(w);
+    for (std::uint64_t m = 0; m < world->ModelCount(); ++m) {
+      const sdf::Model* model = world->ModelByIndex(m);
+      if (found == nullptr || model->JointCount() > found->JointCount()) {
+        found = model;
+      }
+    }
+  }
+  return found;
+}
+
+class Reader {
+ public:
+  explicit Reader(const fs::path& file) : folder_(fs::absolute(file).parent_path()) {
+    robot_.file = file;
+  }
+
+  RobotDescription read() {
+    static std::mutex one_at_a_time;  // the library's console is one for the whole program
+    const std::lock_guard lock(one_at_a_time);
+    sdf::Console::Instance()->SetQuiet(true);
+    sdf::Root root;
+    const sdf::Errors errors = root.Load(robot_.file.string());
+    const sdf::Model* model = errors.empty() ? busiest_model(root) : nullptr;
+    if (model == nullptr) {
+      refuse("", errors.empty() ? "no model" : "what libsdformat does not take: " + text_of(errors),
+             "a robot as SDF");
+    }
+    robot_.name = model->Name();
+    add_links(*model, "", Pose::Identity());
+    add_joints(*model, "");
+    note(left_out_, "geometries that are not read");
+    note(unbounded_, "slides without limits, which go ±2 m");
+    return std::move(robot_);
+  }
+
+ private:
+  [[noreturn]] void refuse(const std::string& element, const std::string& found,
+                           const std::string& expected) const {
+    throw InputError({robot_.file.string(), element, found, expected, ""});
+  }
+
+  void check(const sdf::Errors& errors, const std::string& element) const {
+    if (!errors.empty()) {
+      refuse(element, text_of(errors), "a frame that can be found");
+    }
+  }
+
+  // @param scope names of the models around, with :: behind each. @param X_RM of the model in the
+  // robot.
+  void add_links(const sdf::Model& model, const std::string& scope, const Pose& X_RM) {
+    for (std::uint64_t i = 0; i < model.LinkCount(); ++i) {
+      const sdf::Link& from = *model.LinkByIndex(i);
+      geometric::Link link;
+      link.name = scope + from.Name();
+      ignition::math::Pose3d X;
+      check(from.SemanticPose().Resolve(X, "__model__"), "link " + link.name);
+      X_RL_[link.name] = X_RM * pose_of(X);
+      for (std::uint64_t c = 0; c < from.CollisionCount(); ++c) {
+        add_geometry(*from.CollisionByIndex(c), link.name, link.collision, {});
+      }
+      for (std::uint64_t v = 0; v < from.VisualCount(); ++v) {
+        const sdf::Visual& visual = *from.VisualByIndex(v);
+        geometric::Color color;
+        if (visual.Material() != nullptr) {
+          const ignition::math::Color& diffuse = visual.Material()->Diffuse();
+          color = {diffuse.R(), diffuse.G(), diffuse.B(), diffuse.A()};
+        }
+        add_seen(visual, link, color);
+      }
+      robot_.links.push_back(std::move(link));
+    }
+    for (std::uint64_t m = 0; m < model.ModelCount(); ++m) {
+      const sdf::Model& inner = *model.ModelByIndex(m);
+      ignition::math::Pose3d X;
+      check(inner.SemanticPose().Resolve(X, "__model__"), "model " + inner.Name());
+      add_links(inner, scope + inner.Name() + "::", X_RM * pose_of(X));
+    }
+  }
+
+  template <typename Part>
+  void add_geometry(const Part& part, const std::string& link,
+                    std::vector<geometric::LinkGeometry>& list, const geometric::Color& color) {
+    const std::string element = link + "/" + part.Name();
+    ignition::math::Pose3d X_LG;
+    check(part.SemanticPose().Resolve(X_LG), element);
+    const auto shapes = shapes_of(*part.Geom(), folder_, robot_.file.string() + ", " + element);
+    if (shapes.empty()) {
+      left_out_.push_back(element);
+    }
+    for (const auto& [shape, X_GS] : shapes) {
+      list.push_back({shape, pose_of(X_LG) * X_GS, color});
+    }
+  }
+
+  // What is only seen may be missing.
+  void add_seen(const sdf::Visual& visual, geometric::Link& link, const geometric::Color& color) {
+    try {
+      add_geometry(visual, link.name, link.visual, color);
+    } catch (const InputError& error) {
+      robot_.warnings.emplace_back(error.what());
+      link.visual = link.collision;
+    }
+  }
+
+  void add_joints(const sdf::Model& model, const std::string& scope) {
+    for (std::uint64_t i = 0; i < model.JointCount(); ++i) {
+      add_joint(*model.JointByIndex(i), scope);
+    }
+    for (std::uint64_t m = 0; m < model.ModelCount(); ++m) {
+      const sdf::Model& inner = *model.ModelByIndex(m);
+      add_joints(inner, scope + inner.Name() + "::");
+    }
+  }
+
+  void add_joint(const sdf::Joint& from, const std::string& scope) {
+    const std::string name = scope + from.Name();
+    std::string parent;
+    std::string child;
+    check(from.ResolveParentLink(parent), "joint " + name);
+    check(from.ResolveChildLink(child), "joint " + name);
+    child = scope + child;
+    const bool on_world = parent == kWorld;
+    if (on_world && from.Type() == sdf::JointType::FIXED) {
+      return;  // the root stands still anyway
+    }
+    parent = on_world ? world_link() : scope + parent;
+    ignition::math::Pose3d X_CJ;
+    check(from.SemanticPose().Resolve(X_CJ, from.ChildLinkName()), "joint " + name);
+    const Pose X_PJ = X_RL_.at(parent).inverse() * X_RL_.at(child) * pose_of(X_CJ);
+    const bool is_at_child = pose_of(X_CJ).matrix().isIdentity(kSamePlace);
+    std::vector<Joint> chain = joints_of(from, name);
+    for (std::size_t i = 0; i < chain.size(); ++i) {
+      Joint& joint = chain[i];
+      joint.parent = i == 0 ? parent : chain[i - 1].child;
+      joint.X_PJ = i == 0 ? X_PJ : Pose::Identity();
+      joint.child = i + 1 < chain.size() ? joint.name : is_at_child ? child : name + "/frame";
+      if (joint.child != child) {
+        robot_.links.push_back({joint.child, {}, {}});
+      }
+    }
+    if (!is_at_child) {
+      Joint fixed = fixed_joint(name + "/fixed");
+      fixed.parent = chain.back().child;
+      fixed.child = child;
+      fixed.X_PJ = pose_of(X_CJ).inverse();
+      chain.push_back(std::move(fixed));
+    }
+    std::ranges::move(chain, std::back_inserter(robot_.joints));
+  }
+
+  std::string world_link() {
+    if (!X_RL_.contains(kWorld)) {
+      robot_.links.push_back({kWorld, {}, {}});
+      X_RL_[kWorld] = Pose::Identity();
+    }
+    return kWorld;
+  }
+
+  // One joint for each axis, without parents and children.
+  std::vector<Joint> joints_of(const sdf::Joint& from, const std::string& name) {
+    switch (from.Type()) {
+      case sdf::JointType::FIXED:
+        return {fixed_joint(name)};
+      case sdf::JointType::REVOLUTE:
+      case sdf::JointType::CONTINUOUS:
+      case sdf::JointType::PRISMATIC:
+        return {axis_of(from, 0, name)};
+      case sdf::JointType::UNIVERSAL:
+      case sdf::JointType::REVOLUTE2:
+        return {axis_of(from, 0, name + "/1"), axis_of(from, 1, name)};
+      case sdf::JointType::BALL:
+        return ball(name);
+      default:
+        refuse("joint " + name, "a gearbox, a screw or an unknown type",
+               "fixed, revolute, continuous, prismatic, universal, revolute2 or ball");
+    }
+  }
+
+  static Joint fixed_joint(const std::string& name) {
+    Joint joint;
+    joint.name = name;
+    return joint;
+  }
+
+  Joint axis_of(const sdf::Joint& from, unsigned index, const std::string& name) {
+    const sdf::JointAxis* axis = from.Axis(index);
+    if (axis == nullptr) {
+      refuse("joint " + name, "no axis", "one");
+    }
+    Joint joint;
+    joint.name = name;
+    ignition::math::Vector3d xyz;
+    check(axis->ResolveXyz(xyz, from.Name()), "joint " + name);
+    joint.axis = Eigen::Vector3d(xyz.X(), xyz.Y(), xyz.Z()).normalized();
+    joint.limits.lower = axis->Lower();
+    joint.limits.upper = axis->Upper();
+    if (axis->MaxVelocity() > 0.0) {
+      joint.limits.velocity = axis->MaxVelocity();
+    }
+    const bool is_slide = from.Type() == sdf::JointType::PRISMATIC;
+    joint.type = is_slide ? JointType::kPrismatic : JointType::kRevolute;
+    const bool is_endless = from.Type() == sdf::JointType::CONTINUOUS ||
+                            !(joint.limits.lower > -kLargestLimit) ||
+                            !(joint.limits.upper < kLargestLimit);
+    if (is_endless) {
+      const double most =
+          is_slide ? geometric::kDefaultBaseReach : std::numeric_limits<double>::infinity();
+      joint.limits.lower = -most;
+      joint.limits.upper = most;
+      if (is_slide) {
+        unbounded_.push_back(name);
+      }
+    }
+    return joint;
+  }
+
+  static std::vector<Joint> ball(const std::string& name) {
+    constexpr double kForever = std::numeric_limits<double>::infinity();
+    std::vector<Joint> turns;
+    for (const auto& [turn, axis, most] :
+         {std::tuple("/yaw", Eigen::Vector3d(0, 0, 1), kForever),
+          std::tuple("/pitch", Eigen::Vector3d(0, 1, 0), std::numbers::pi / 2.0),
+          std::tuple("/roll", Eigen::Vector3d(1, 0, 0), kForever)}) {
+      Joint& joint = turns.emplace_back();
+      joint.name = name + turn;
+      joint.type = JointType::kRevolute;
+      joint.axis = axis;
+      joint.limits.lower = -most;
+      joint.limits.upper = most;
+    }
+    return turns;
+  }
+
+  void note(const std::vector<std::string>& names, const char* what) {
+    if (!names.empty()) {
+      robot_.warnings.push_back(fmt::format("{}: {}", what, fmt::join(names, ", ")));
+    }
+  }
+
+  RobotDescription robot_;
+  fs::path folder_;
+  std::map<std::string, Pose> X_RL_;  ///< Links in the robot's model.
+  std::vector<std::string> left_out_;
+  std::vector<std::string> unbounded_;
+};
+
+}  // namespace
+
+bool is_sdf_file(const fs::path& file) {
+  const bool is_other =
+      geometric::has_extension(file, ".world") || geometric::has_extension(file, ".xml");
+  if (!is_other) {
+    return geometric::has_extension(file, ".sdf");
+  }
+  std::string head(kHead, '\0');
+  std::ifstream stream(file, std::ios::binary);
+  stream.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(stream.gcount()));
+  return head.find("<sdf") != std::string::npos;
+}
+
+RobotDescription read_sdf(const fs::path& file) { return Reader(file).read(); }
+
+}  // namespace handway::import_sdf

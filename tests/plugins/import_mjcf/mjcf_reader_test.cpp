@@ -1,0 +1,189 @@
+/// What is read of a robot as MJCF.
+#include "mjcf_reader.h"
+
+#include "handway/geometric/robot/robot_model.h"
+#include "handway_test/input_errors.h"
+#include "handway_test/paths.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <numbers>
+
+namespace handway::import_mjcf {
+namespace {
+
+using geometric::Pose;
+using geometric::RobotDescription;
+using geometric::RobotModel;
+using testing::Contains;
+using testing::HasSubstr;
+
+constexpr const char* kFinger = R"(<mujoco model="finger">
+  <compiler angle="degree"/>
+  <default><geom rgba="1 0 0 1"/></default>
+  <worldbody>
+    <geom name="floor" type="plane" size="1 1 0.1"/>
+    <body name="base" pos="0 0 0.5">
+      <geom type="box" size="0.05 0.05 0.02"/>
+      <body name="proximal" pos="0 0 0.02">
+        <joint name="spread" type="hinge" axis="0 1 0" range="-20 20"/>
+        <joint name="bend" type="hinge" axis="1 0 0" pos="0 0 0.01" range="0 90"/>
+        <geom type="capsule" fromto="0 0 0.01 0 0 0.06" size="0.008"/>
+        <body name="distal" pos="0 0 0.07">
+          <joint name="tip" type="hinge" axis="1 0 0" range="0 90"/>
+          <geom type="ellipsoid" size="0.008 0.01 0.02" pos="0 0 0.02"/>
+          <geom type="sphere" size="0.02" contype="0" conaffinity="0"/>
+        </body>
+      </body>
+      <body name="pin" pos="0.1 0 0">
+        <joint name="push" type="slide" axis="0 0 2" range="0 0.1"/>
+        <geom type="cylinder" size="0.01 0.03"/>
+      </body>
+      <body name="wheel" pos="-0.1 0 0">
+        <joint name="spin" type="hinge" axis="0 0 1"/>
+        <geom type="sphere" size="0.02"/>
+      </body>
+    </body>
+  </worldbody>
+  <contact><exclude body1="proximal" body2="pin"/></contact>
+  <tendon>
+    <fixed name="sum"><joint joint="spread" coef="0.5"/><joint joint="bend" coef="1"/>
+      <joint joint="tip" coef="-1"/></fixed>
+  </tendon>
+  <equality>EQUALITY</equality>
+  <keyframe><key name="bent" qpos="0.1 0.2 0.3 0.05 1"/></keyframe>
+</mujoco>
+)";
+
+class MjcfRobot {
+ public:
+  explicit MjcfRobot(const std::string& equality = "") {
+    std::string text = kFinger;
+    text.replace(text.find("EQUALITY"), 8, equality);
+    std::ofstream(file()) << text;
+  }
+
+  [[nodiscard]] std::filesystem::path file() const { return folder_.path() / "finger.xml"; }
+  [[nodiscard]] RobotModel model() const { return RobotModel(read_mjcf(file())); }
+
+ private:
+  test::ScratchFolder folder_;
+};
+
+Pose link_pose(const RobotModel& model, const geometric::Configuration& q, const char* link) {
+  std::vector<Pose> X_BL(static_cast<std::size_t>(model.link_count()));
+  model.forward_kinematics(q, X_BL);
+  return X_BL[static_cast<std::size_t>(model.find_link(link).value())];
+}
+
+TEST(MjcfReader, KnowsItsFiles) {
+  const MjcfRobot robot;
+  EXPECT_TRUE(is_mjcf_file(robot.file()));
+  EXPECT_FALSE(is_mjcf_file(test::source_dir() / "scenes" / "can_on_table.yaml"));
+}
+
+TEST(MjcfReader, HasJointsAndTheirLimits) {
+  const RobotModel model = MjcfRobot().model();
+  EXPECT_EQ(model.name(), "finger");
+  ASSERT_EQ(model.variable_count(), 5);
+  const int bend = model.find_variable("bend").value();
+  EXPECT_NEAR(model.upper()[bend], std::numbers::pi / 2.0, 1e-12);
+  EXPECT_TRUE(model.is_continuous(model.find_variable("spin").value()));
+  EXPECT_EQ(model.variable(model.find_variable("push").value()).type,
+            geometric::JointType::kPrismatic);
+}
+
+TEST(MjcfReader, MovesAsMujocoDoes) {
+  const RobotModel model = MjcfRobot().model();
+  geometric::Configuration q = geometric::Configuration::Zero(5);
+  EXPECT_TRUE(
+      link_pose(model, q, "distal").translation().isApprox(Eigen::Vector3d(0.0, 0.0, 0.59), 1e-12));
+  q[model.find_variable("bend").value()] = std::numbers::pi / 2.0;
+  // About a point 1 cm up the link: 6 cm from there, to the side.
+  EXPECT_TRUE(link_pose(model, q, "distal")
+                  .translation()
+                  .isApprox(Eigen::Vector3d(0.0, -0.06, 0.53), 1e-12));
+  q[model.find_variable("spread").value()] = 0.1;
+  const Pose spread(Eigen::AngleAxisd(0.1, Eigen::Vector3d::UnitY()));
+  const Eigen::Vector3d p = spread * Eigen::Vector3d(0.0, -0.06, 0.01);
+  EXPECT_TRUE(link_pose(model, q, "distal")
+                  .translation()
+                  .isApprox(p + Eigen::Vector3d(0.0, 0.0, 0.52), 1e-12))
+      << "the joint that comes first moves the second";
+}
+
+TEST(MjcfReader, HasShapesThatCollideAndOthers) {
+  const RobotModel model = MjcfRobot().model();
+  const geometric::Link& proximal = model.link(model.find_link("proximal").value());
+  ASSERT_EQ(proximal.collision.size(), 3U) << "a capsule: a cylinder and two balls";
+  const auto* cylinder = std::get_if<geometric::Cylinder>(&proximal.collision.front().shape);
+  ASSERT_TRUE(cylinder);
+  EXPECT_NEAR(cylinder->length, 0.05, 1e-12);
+  EXPECT_NEAR(proximal.collision.front().X_LG.translation().z(), 0.035, 1e-12);
+  EXPECT_EQ(proximal.collision.front().color, (geometric::Color{1, 0, 0, 1}));
+  const geometric::Link& distal = model.link(model.find_link("distal").value());
+  EXPECT_EQ(distal.visual.size(), 2U);
+  ASSERT_EQ(distal.collision.size(), 1U);
+  const geometric::Aabb box =
+      geometric::bounding_box(*geometric::tessellate(distal.collision.front().shape));
+  EXPECT_NEAR(box.size().y(), 0.02, 2e-4);
+  EXPECT_THAT(model.description().warnings, Contains(HasSubstr("a plane")));
+}
+
+TEST(MjcfReader, LetsPairsTouchAsMujocoDoes) {
+  const RobotDescription robot = read_mjcf(MjcfRobot().file());
+  const auto& allowed = robot.allowed_collisions;
+  EXPECT_TRUE(allowed.reason("base", "proximal")) << "a parent";
+  EXPECT_TRUE(allowed.reason("proximal", "pin")) << "excluded";
+  EXPECT_FALSE(allowed.reason("distal", "pin"));
+}
+
+TEST(MjcfReader, CouplesJointsByEqualities) {
+  const RobotModel one =
+      MjcfRobot(R"(<joint joint1="tip" joint2="bend" polycoef="0.1 0.8 0 0 0"/>)").model();
+  EXPECT_EQ(one.variable_count(), 4);
+  const auto value = [](const RobotModel& model, const geometric::Configuration& q) {
+    for (int link = 1; link < model.link_count(); ++link) {
+      if (model.joint(link).name == "tip") {
+        return joint_value(model, link, q);
+      }
+    }
+    return std::nan("");
+  };
+  geometric::Configuration q = geometric::Configuration::Zero(4);
+  q[one.find_variable("bend").value()] = 0.5;
+  EXPECT_NEAR(value(one, q), 0.5, 1e-12);
+
+  const RobotModel several = MjcfRobot(R"(<tendon tendon1="sum"/>)").model();
+  ASSERT_EQ(several.variable_count(), 4);
+  q[several.find_variable("bend").value()] = 0.5;
+  q[several.find_variable("spread").value()] = 0.2;
+  EXPECT_NEAR(value(several, q), 0.6, 1e-12) << "half of the one and all of the other";
+
+  const RobotModel held = MjcfRobot(R"(<joint joint1="spread" polycoef="0.2 0 0 0 0"/>)").model();
+  EXPECT_FALSE(held.find_variable("spread"));
+  const RobotModel curved =
+      MjcfRobot(R"(<joint joint1="tip" joint2="bend" polycoef="0 1 2 0 0"/>)").model();
+  EXPECT_EQ(curved.variable_count(), 5);
+  EXPECT_THAT(curved.description().warnings, Contains(HasSubstr("the equality")));
+}
+
+TEST(MjcfReader, HasKeyFramesAsPostures) {
+  const RobotDescription robot = read_mjcf(MjcfRobot().file());
+  ASSERT_EQ(robot.postures.size(), 1U);
+  EXPECT_EQ(robot.postures.front().name, "bent");
+  EXPECT_EQ(robot.postures.front().values.at("push"), 0.05);
+}
+
+TEST(MjcfReader, RefusesInMujocosWords) {
+  const MjcfRobot robot("<joint joint1=\"tp\"/>");
+  EXPECT_THAT(
+      test::refusal_of([&] { static_cast<void>(read_mjcf(robot.file())); }),
+      testing::AllOf(HasSubstr("finger.xml"), HasSubstr("MuJoCo does not take"), HasSubstr("tp")));
+}
+
+}  // namespace
+}  // namespace handway::import_mjcf
