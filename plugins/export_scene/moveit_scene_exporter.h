@@ -1,0 +1,26 @@
+#pragma once
+
+#include "handway/planning/extensions/scene_exporter.h"
+
+namespace handway::export_scene {
+
+/// Scenes for MoveIt: the first robot as URDF and SRDF, `scene.yaml` (moveit_msgs/PlanningScene)
+/// and, with a start and a goal, `request.yaml` (moveit_msgs/MotionPlanRequest) for the group
+/// `all_joints`, which is added. Poses are in the frame of the robot's root link, so that they hold
+/// wherever MoveIt has it. Other robots become objects, link by link.
+///
+/// Messages: http://docs.ros.org/en/noetic/api/moveit_msgs/html/index-msg.html
+class MoveitSceneExporter final : public planning::SceneExporter {
+ public:
+  [[nodiscard]] std::string name() const override { return "moveit-scene"; }
+  [[nodiscard]] std::string description() const override {
+    return "URDF and SRDF of the robot, and the scene as MoveIt's messages";
+  }
+
+ protected:
+  [[nodiscard]] std::vector<std::filesystem::path> do_write(const geometric::Scene& scene,
+                                                            const std::filesystem::path& folder,
+                                                            const std::string& stem) const override;
+};
+
+}  // namespace handway::export_scene
