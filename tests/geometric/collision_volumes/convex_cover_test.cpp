@@ -5,8 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <limits>
 #include <random>
+#include <utility>
 
 namespace handway::geometric {
 namespace {
@@ -45,6 +47,29 @@ TEST(ConvexCover, ReachesAsFarAsTheMeshLessTheMargin) {
       EXPECT_LE(reach, exact + 1e-6F);
       EXPECT_GE(reach + hull.margin(), exact - 1e-6F);
     }
+  }
+}
+
+// Extremes are the same vertex then: a triangle of them has no edge to look at.
+TEST(ConvexCover, ContainsTheMeshWhereTheFirstVertexIsAnExtremeOne) {
+  const Pose X = Pose(Eigen::Translation3d(0.01, 0.02, -0.013)) *
+                 Eigen::AngleAxisd(0.7, Eigen::Vector3d(1.0, 2.0, 0.5).normalized());
+  TriangleMesh mesh = transformed(*tessellate(Cylinder{0.011, 0.027}), X);
+  const auto lowest =
+      std::ranges::min_element(mesh.vertices, {}, [](const Eigen::Vector3d& p) { return p.sum(); });
+  const auto index = static_cast<std::uint32_t>(lowest - mesh.vertices.begin());
+  std::swap(mesh.vertices[0], mesh.vertices[index]);
+  for (auto& triangle : mesh.triangles) {
+    for (std::uint32_t& vertex : triangle) {
+      vertex = vertex == 0 ? index : vertex == index ? 0 : vertex;
+    }
+  }
+  const ConvexCover hull(mesh, 2e-5);
+  RandomDirections directions;
+  for (int i = 0; i < 2000; ++i) {
+    const Eigen::Vector3f direction = directions.next();
+    EXPECT_GE(direction.dot(hull.support(direction)) + hull.margin(),
+              farthest_along(mesh, direction) - 1e-6F);
   }
 }
 

@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <random>
 
 namespace handway::geometric {
 namespace {
@@ -26,6 +28,32 @@ void at_points(const Look& look) {
     test::RandomPoints points(mesh, 2.0);
     for (int i = 0; i < 500 && !::testing::Test::HasFatalFailure(); ++i) {
       look(mesh, tree, points.next(), i);
+    }
+  }
+}
+
+// Three points on a line that rounding bends, two or three at the same place, in any order.
+TEST(NearestOnTriangle, IsOnAnEdgeWhereTheTriangleIsALine) {
+  const Eigen::Vector3d a(0.0131, -0.0272, 0.0405);
+  const Eigen::Vector3d along(0.0171, 0.0093, -0.0117);
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> place(-0.1, 0.1);
+  for (const std::array<double, 3>& at : {std::array{0.0, 1.0, 0.3},
+                                          {0.0, 0.3, 1.0},
+                                          {0.3, 0.0, 1.0},
+                                          {0.0, 0.0, 1.0},
+                                          {0.0, 1.0, 0.0},
+                                          {1.0, 0.0, 0.0},
+                                          {0.5, 0.5, 0.5}}) {
+    const std::array triangle{Eigen::Vector3d(a + at[0] * along),
+                              Eigen::Vector3d(a + at[1] * along),
+                              Eigen::Vector3d(a + at[2] * along)};
+    const auto [first, last] = std::ranges::minmax(at);
+    for (int i = 0; i < 1000; ++i) {
+      const Eigen::Vector3d p = a + Eigen::Vector3d(place(random), place(random), place(random));
+      const double share = std::clamp((p - a).dot(along) / along.squaredNorm(), first, last);
+      EXPECT_NEAR((p - nearest_on_triangle(triangle, p)).norm(), (p - a - share * along).norm(),
+                  1e-12);
     }
   }
 }

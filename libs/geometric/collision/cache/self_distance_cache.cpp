@@ -102,7 +102,7 @@ void DistanceTable::set_cells(std::span<const float> cells) {
 
 namespace {
 
-constexpr std::string_view kLayout = "distances 4";  // to change with what is in the tables
+constexpr std::string_view kLayout = "distances 5";  // to change with what is in the tables
 
 // What a table's distances depend on: the two surfaces, and where they are against
 // each other at both ends and in the middle of the joints' ranges, and at rest.

@@ -82,7 +82,7 @@ class VolumeArchive {
 };
 
 std::string archive_layout() {
-  constexpr int kRevision = 14;  // to change with what volumes are made of
+  constexpr int kRevision = 16;  // to change with what volumes are made of
   return fmt::format("volumes {}, {} {} {} {} {}", kRevision, sizeof(SphereTree::Node),
                      sizeof(DistanceField::Cell), sizeof(TriangleBlock), sizeof(BoxCover),
                      sizeof(SurfacePoints));

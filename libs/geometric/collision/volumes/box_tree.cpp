@@ -3,6 +3,7 @@
 #include <tbb/parallel_invoke.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace handway::geometric {
@@ -56,8 +57,33 @@ void BoxTree::build(std::span<Triangle> triangles, std::size_t index) {
   }
 }
 
+namespace {
+
+Eigen::Vector3d nearest_on_edge(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+                                const Eigen::Vector3d& p) {
+  const double squared = (b - a).squaredNorm();
+  const double along = (p - a).dot(b - a);
+  return squared > 0.0 ? Eigen::Vector3d(a + std::clamp(along / squared, 0.0, 1.0) * (b - a)) : a;
+}
+
+// Of a triangle that is as good as a line, or a point.
+Eigen::Vector3d nearest_on_edges(const std::array<Eigen::Vector3d, 3>& triangle,
+                                 const Eigen::Vector3d& p) {
+  Eigen::Vector3d nearest = triangle[0];
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Eigen::Vector3d point = nearest_on_edge(triangle[k], triangle[(k + 1) % 3], p);
+    if ((p - point).squaredNorm() < (p - nearest).squaredNorm()) {
+      nearest = point;
+    }
+  }
+  return nearest;
+}
+
+}  // namespace
+
 Eigen::Vector3d nearest_on_triangle(const std::array<Eigen::Vector3d, 3>& triangle,
                                     const Eigen::Vector3d& p) {
+  constexpr double kNeedle = 1e-13;  // of the terms: what rounding leaves of them
   const auto& [a, b, c] = triangle;
   const Eigen::Vector3d ab = b - a;
   const Eigen::Vector3d ac = c - a;
@@ -72,7 +98,7 @@ Eigen::Vector3d nearest_on_triangle(const std::array<Eigen::Vector3d, 3>& triang
     return b;
   }
   const double vc = d1 * d4 - d3 * d2;
-  if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0) {
+  if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0 && d1 > d3) {
     return a + d1 / (d1 - d3) * ab;
   }
   const double d5 = ab.dot(p - c);
@@ -89,6 +115,9 @@ Eigen::Vector3d nearest_on_triangle(const std::array<Eigen::Vector3d, 3>& triang
     return b + (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (c - b);
   }
   const double sum = va + vb + vc;
+  if (sum <= kNeedle * (std::abs(d1 * d4) + std::abs(d2 * d5) + std::abs(d3 * d6))) {
+    return nearest_on_edges(triangle, p);
+  }
   return a + vb / sum * ab + vc / sum * ac;
 }
 
