@@ -4,6 +4,7 @@
 #include "handway/geometric/formats/urdf_writer.h"
 #include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/input_error.h"
+#include "handway/geometric/robot/mirrored_robot.h"
 #include "handway/planning/extensions/plugin.h"
 #include "robot_report.h"
 
@@ -40,6 +41,7 @@ struct SetupChoice {
   int samples = 10'000;
   std::uint64_t seed = 1;
   std::string wrist;
+  bool mirror = false;
   bool as_json = false;
 };
 
@@ -138,6 +140,10 @@ void check_out(const SetupChoice& choice) {
     throw InputError({"--out", "", "a file called " + choice.out.filename().string(),
                       "NAME.srdf, or NAME.urdf for both files", ""});
   }
+  if (is_srdf && choice.mirror) {
+    throw InputError({"--out", "", "a file called " + choice.out.filename().string(),
+                      "NAME.urdf, for the mirror image", ""});
+  }
   if (is_srdf && !choice.wrist.empty() && std::filesystem::exists(choice.out)) {
     throw InputError({"--wrist", "", choice.out.string() + ", which is there already", "a new SRDF",
                       "Move the joints between its groups by hand"});
@@ -156,7 +162,10 @@ int setup(const SetupChoice& choice) {
   if (!choice.out.empty()) {
     check_out(choice);
   }
-  const std::shared_ptr<const RobotModel> model = first_robot(choice.file);
+  std::shared_ptr<const RobotModel> model = first_robot(choice.file);
+  if (choice.mirror) {
+    model = std::make_shared<const RobotModel>(geometric::mirrored(model->description()));
+  }
   const RobotReport report =
       robot_report(model, decided_groups(*model, choice.wrist), choice.samples, choice.seed);
   const RobotDescription robot = completed(report, !choice.wrist.empty());
@@ -189,6 +198,9 @@ void add_setup_command(CLI::App& app, int& exit_code) {
       ->add_option("--wrist", choice->wrist,
                    "What the joints before the palm belong to: arm or hand")
       ->check(CLI::IsMember({"arm", "hand"}));
+  command->add_flag("--mirror", choice->mirror,
+                    "Take the robot's mirror image: a left hand from a right one, or the other way "
+                    "round");
   command->add_flag("--json", choice->as_json, "Print it as JSON, for programs");
   command->callback([choice, &exit_code] { exit_code = setup(*choice); });
 }
