@@ -144,6 +144,21 @@ void IncrementalComponents::add(const Eigen::VectorXd& posture) {
   scatter_ += before * (posture - mean_).transpose();
 }
 
+void IncrementalComponents::add(const IncrementalComponents& other) {
+  if (other.mean_.size() != mean_.size()) {
+    throw std::invalid_argument("components of hands with different numbers of joints");
+  }
+  if (other.count_ == 0) {
+    return;
+  }
+  const auto before = static_cast<double>(count_);
+  const auto more = static_cast<double>(other.count_);
+  const Eigen::VectorXd apart = other.mean_ - mean_;
+  count_ += other.count_;
+  mean_ += apart * (more / (before + more));
+  scatter_ += other.scatter_ + apart * apart.transpose() * (before * more / (before + more));
+}
+
 PrincipalComponents IncrementalComponents::components(const std::vector<int>& left_out) const {
   if (count_ < 2) {
     throw geometric::InputError({"postures", "", std::to_string(count_) + " samples", "at least 2",

@@ -2,6 +2,7 @@
 
 #include "handway/geometric/io/input_error.h"
 #include "handway/sampling/postures/posture_subspace.h"
+#include "postures/quantile.h"
 
 #include <Eigen/Eigenvalues>
 #include <fmt/format.h>
@@ -43,12 +44,6 @@ Eigen::VectorXd widest_direction(const Eigen::MatrixXd& postures) {
   const Eigen::MatrixXd centred = postures.colwise() - postures.rowwise().mean();
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(centred * centred.transpose());
   return solver.eigenvectors().rightCols<1>();
-}
-
-double quantile(std::vector<double> values, double share) {
-  const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::ranges::nth_element(values, values.begin() + at);
-  return values[static_cast<std::size_t>(at)];
 }
 
 }  // namespace

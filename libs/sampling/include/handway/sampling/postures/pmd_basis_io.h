@@ -7,7 +7,7 @@
 
 /// PMD bases as YAML files:
 ///
-///     hand: sah_right            # robot that the joints belong to
+///     hand: sah_right            # robot that the joints belong to: a file from this one's folder
 ///     source: "where the numbers come from"
 ///     units: normalised          # joints scaled to [0, 1]
 ///     postures: sah_right.csv    # optional: the recorded postures, from this file's folder

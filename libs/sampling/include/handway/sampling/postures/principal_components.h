@@ -61,6 +61,9 @@ class HANDWAY_SAMPLING_EXPORT IncrementalComponents {
   /// @param posture joints normalised to [0, 1], shape [joints].
   /// @throws std::invalid_argument for another length or a value that isn't finite.
   void add(const Eigen::VectorXd& posture);
+  /// All that `other` has seen (Chan, Golub and LeVeque 1979).
+  /// @throws std::invalid_argument if it has another number of joints.
+  void add(const IncrementalComponents& other);
 
   [[nodiscard]] Eigen::Index count() const { return count_; }
 

@@ -1,0 +1,91 @@
+#pragma once
+
+#include "handway/sampling/export.h"
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+/// How good a basis made from recorded postures is: how many principal motion directions (PMDs) are
+/// enough, how long a recording has to be, and how well one basis serves several persons.
+namespace handway::sampling {
+
+/// Postures of one recording, in order of time.
+struct RecordedHand {
+  std::string name;
+  Eigen::MatrixXd samples;  ///< Joints normalised to [0, 1], shape [rows, joints].
+  double rate = 0.0;        ///< Rows a second, Hz, > 0.
+};
+
+/// Where the fingertips are at a posture of normalised joints, shape [joints]: a column each, m.
+using FingertipsOf = std::function<Eigen::Matrix3Xd(const Eigen::VectorXd& posture)>;
+
+struct BasisStudySettings {
+  std::vector<int> free_joints;  ///< That keep an axis of their own: see principal_components().
+  int directions = 4;            ///< Of the basis, for stability and persons; ≥ 1.
+  int folds = 5;                 ///< Parts of each recording that are left out in turn, ≥ 2.
+  int resamples = 1000;          ///< Of the bootstrap, ≥ 1.
+  double block = 1.0;  ///< Rows of so many s stay together in it, for they depend on each other.
+  double confidence = 0.95;  ///< Of intervals, 0 to 1.
+  std::uint64_t seed = 1;
+};
+
+/// A mean, and where it lies with the settings' confidence (percentiles of the bootstrap).
+struct Interval {
+  double mean = 0.0;
+  double low = 0.0;
+  double high = 0.0;
+};
+
+/// Of postures that the basis was not made from.
+struct ReconstructionError {
+  int directions = 0;     ///< Beside the free joints.
+  Interval fingertip;     ///< How far fingertips are off, mean over fingertips and postures, m.
+  double most = 0.0;      ///< 95 % of the fingertips are nearer, m.
+  double variance = 0.0;  ///< Share of the variance of all postures that the directions hold.
+};
+
+/// How far bases from recordings of one length are from that of all of it.
+struct BasisStability {
+  double seconds = 0.0;
+  /// Largest principal angle between the spaces of the first 1, 2, … directions, rad; low and high
+  /// bound the angles of single recordings, not their mean.
+  std::vector<Interval> angles;
+};
+
+/// How well a person's postures are reconstructed with the settings' directions.
+struct PersonFit {
+  std::string name;
+  Interval own;     ///< By a basis of the rest of the same recording, m.
+  Interval others;  ///< By one of all other recordings, m.
+  /// Largest principal angles between these persons' first 1, 2, … directions, rad.
+  std::vector<double> angles;
+};
+
+struct BasisStudy {
+  std::vector<ReconstructionError> reconstruction;  ///< With 0, 1, … directions.
+  std::vector<BasisStability> stability;            ///< By rising length.
+  std::vector<PersonFit> persons;                   ///< Empty for one recording.
+  Interval newcomer;  ///< Mean over persons of `others`: what a person of whom nothing was recorded
+                      ///< has to expect, m; 0 for one recording.
+
+  /// The fewest directions with which the mean error is below `error` (m) with the settings'
+  /// confidence; -1: not even with all.
+  [[nodiscard]] HANDWAY_SAMPLING_EXPORT int enough_for(double error) const;
+};
+
+/// The same recordings and settings give the same bits.
+///
+/// Postures are reconstructed from what others were made into: each recording's folds are left out
+/// in turn. Confidence intervals come from a bootstrap over blocks of rows (Künsch 1989), that of
+/// `newcomer` from one over persons.
+/// @throws geometric::InputError if there are fewer than two blocks in a recording.
+/// @throws std::invalid_argument for settings out of range.
+[[nodiscard]] HANDWAY_SAMPLING_EXPORT BasisStudy
+study_basis(const std::vector<RecordedHand>& recordings, const FingertipsOf& fingertips,
+            const BasisStudySettings& settings = {});
+
+}  // namespace handway::sampling

@@ -1,0 +1,308 @@
+#include "handway/sampling/postures/basis_study.h"
+
+#include "handway/geometric/io/input_error.h"
+#include "handway/sampling/postures/posture_subspace.h"
+#include "handway/sampling/postures/principal_components.h"
+#include "handway/sampling/sequences/random_stream.h"
+#include "postures/quantile.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace handway::sampling {
+namespace {
+
+constexpr int kLengths = 5;                  // of recordings: all, half of it, …
+constexpr Eigen::Index kMostTested = 20000;  // rows that are reconstructed
+constexpr double kMostShare = 0.95;
+
+/// Rows that stay together.
+struct Block {
+  std::size_t recording = 0;
+  int fold = 0;
+  Eigen::Index first = 0;
+  Eigen::Index rows = 0;
+  IncrementalComponents components;
+};
+
+/// The sum of values, and how many there are.
+struct Sum {
+  double sum = 0.0;
+  double count = 0.0;
+
+  void add(double value) {
+    sum += value;
+    ++count;
+  }
+  Sum& operator+=(const Sum& other) {
+    sum += other.sum;
+    count += other.count;
+    return *this;
+  }
+  [[nodiscard]] double mean() const { return count > 0.0 ? sum / count : 0.0; }
+};
+
+/// Largest principal angles between the spaces of the first 1, 2, … directions.
+std::vector<double> largest_angles(const PrincipalComponents& a, const PrincipalComponents& b,
+                                   int directions) {
+  std::vector<double> angles;
+  const Eigen::Index most =
+      std::min({Eigen::Index{directions}, a.directions.cols(), b.directions.cols()});
+  for (Eigen::Index k = 1; k <= most; ++k) {
+    angles.push_back(
+        principal_angles(a.directions.leftCols(k), b.directions.leftCols(k)).maxCoeff());
+  }
+  return angles;
+}
+
+class Study {
+ public:
+  Study(const std::vector<RecordedHand>& recordings, const FingertipsOf& fingertips,
+        const BasisStudySettings& settings)
+      : recordings_(recordings), fingertips_(fingertips), settings_(settings) {
+    if (settings.directions < 1 || settings.folds < 2 || settings.resamples < 1 ||
+        !(settings.block > 0.0) || !(settings.confidence > 0.0 && settings.confidence < 1.0)) {
+      throw std::invalid_argument("a study's settings are out of range");
+    }
+    Eigen::Index rows = 0;
+    for (std::size_t r = 0; r < recordings.size(); ++r) {
+      cut(r);
+      rows += recordings[r].samples.rows();
+    }
+    stride_ = std::max<Eigen::Index>(1, rows / kMostTested);
+    all_ = components_of([](const Block&) { return true; });
+  }
+
+  BasisStudy run() {
+    BasisStudy study;
+    reconstruct(study);
+    for (int halvings = kLengths - 1; halvings >= 0; --halvings) {
+      add_stability(blocks_.size() >> static_cast<unsigned>(halvings), study);
+    }
+    if (recordings_.size() > 1) {
+      compare_persons(study);
+    }
+    return study;
+  }
+
+ private:
+  void cut(std::size_t recording) {
+    const RecordedHand& hand = recordings_[recording];
+    const auto length = std::max<Eigen::Index>(1, std::llround(settings_.block * hand.rate));
+    const Eigen::Index count = hand.samples.rows() / length;
+    if (count < 2) {
+      throw geometric::InputError(
+          {hand.name, "",
+           fmt::format("{:.1f} s", static_cast<double>(hand.samples.rows()) / hand.rate),
+           fmt::format("at least {:.3g} s, to be cut into blocks", 2.0 * settings_.block),
+           "Record more postures."});
+    }
+    for (Eigen::Index b = 0; b < count; ++b) {
+      const Eigen::Index last = b + 1 == count ? hand.samples.rows() : (b + 1) * length;
+      Block block{recording, static_cast<int>(b * settings_.folds / count), b * length,
+                  last - b * length, IncrementalComponents(static_cast<int>(hand.samples.cols()))};
+      for (Eigen::Index row = block.first; row < last; ++row) {
+        block.components.add(hand.samples.row(row).transpose());
+      }
+      blocks_.push_back(std::move(block));
+    }
+  }
+
+  template <typename Taken>
+  [[nodiscard]] PrincipalComponents components_of(const Taken& taken) const {
+    IncrementalComponents sum(static_cast<int>(recordings_.front().samples.cols()));
+    for (const Block& block : blocks_) {
+      if (taken(block)) {
+        sum.add(block.components);
+      }
+    }
+    return sum.components(settings_.free_joints);
+  }
+
+  /// What is left of a posture by so many directions; free joints stay.
+  [[nodiscard]] Eigen::VectorXd reconstructed(const Eigen::VectorXd& posture,
+                                              const PrincipalComponents& basis,
+                                              Eigen::Index directions) const {
+    const auto V = basis.directions.leftCols(std::min(directions, basis.directions.cols()));
+    Eigen::VectorXd result = basis.mean + V * (V.transpose() * (posture - basis.mean));
+    for (const int joint : settings_.free_joints) {
+      result[joint] = posture[joint];
+    }
+    return result.cwiseMax(0.0).cwiseMin(1.0);
+  }
+
+  /// Calls `take` with the rows of a block that are tested.
+  template <typename Take>
+  void for_tested(const Block& block, const Take& take) const {
+    const Eigen::MatrixXd& samples = recordings_[block.recording].samples;
+    for (Eigen::Index row = block.first; row < block.first + block.rows; row += stride_) {
+      take(Eigen::VectorXd(samples.row(row).transpose()));
+    }
+  }
+
+  [[nodiscard]] Eigen::RowVectorXd misses(const Eigen::VectorXd& posture,
+                                          const Eigen::Matrix3Xd& tips,
+                                          const PrincipalComponents& basis,
+                                          Eigen::Index directions) const {
+    return (fingertips_(reconstructed(posture, basis, directions)) - tips).colwise().norm();
+  }
+
+  void reconstruct(BasisStudy& study) {
+    const Eigen::Index most = all_.directions.cols();
+    std::vector<std::vector<Sum>> sums(static_cast<std::size_t>(most + 1),
+                                       std::vector<Sum>(blocks_.size()));
+    std::vector<std::vector<double>> all(sums.size());
+    for (int fold = 0; fold < settings_.folds; ++fold) {
+      const PrincipalComponents basis =
+          components_of([&](const Block& block) { return block.fold != fold; });
+      for (std::size_t b = 0; b < blocks_.size(); ++b) {
+        if (blocks_[b].fold != fold) {
+          continue;
+        }
+        for_tested(blocks_[b], [&](const Eigen::VectorXd& posture) {
+          const Eigen::Matrix3Xd tips = fingertips_(posture);
+          for (std::size_t k = 0; k < sums.size(); ++k) {
+            for (const double miss : misses(posture, tips, basis, static_cast<Eigen::Index>(k))) {
+              sums[k][b].add(miss);
+              all[k].push_back(miss);
+            }
+          }
+        });
+      }
+    }
+    for (std::size_t k = 0; k < sums.size(); ++k) {
+      study.reconstruction.push_back({static_cast<int>(k), interval_of(sums[k]),
+                                      quantile(std::move(all[k]), kMostShare),
+                                      all_.shares.head(static_cast<Eigen::Index>(k)).sum()});
+    }
+  }
+
+  /// Of the mean over blocks or persons, by the bootstrap.
+  [[nodiscard]] Interval interval_of(const std::vector<Sum>& sums) const {
+    Sum total;
+    for (const Sum& sum : sums) {
+      total += sum;
+    }
+    std::vector<double> means;
+    for (int i = 0; i < settings_.resamples; ++i) {
+      RandomStream random = RandomStream(settings_.seed).fork(static_cast<std::uint64_t>(i));
+      Sum drawn;
+      for (std::size_t n = 0; n < sums.size(); ++n) {
+        drawn += sums[random.below(sums.size())];
+      }
+      means.push_back(drawn.mean());
+    }
+    return bounds(total.mean(), std::move(means));
+  }
+
+  [[nodiscard]] Interval bounds(double mean, std::vector<double> values) const {
+    const double tail = 0.5 * (1.0 - settings_.confidence);
+    return {mean, quantile(values, tail), quantile(values, 1.0 - tail)};
+  }
+
+  void add_stability(std::size_t length, BasisStudy& study) {
+    if (length < 2) {
+      return;
+    }
+    std::vector<std::vector<double>> angles;
+    double seconds = 0.0;
+    for (int i = 0; i < settings_.resamples; ++i) {
+      RandomStream random = RandomStream(settings_.seed).fork(static_cast<std::uint64_t>(i));
+      IncrementalComponents drawn(static_cast<int>(all_.mean.size()));
+      for (std::size_t n = 0; n < length; ++n) {
+        const Block& block = blocks_[random.below(blocks_.size())];
+        drawn.add(block.components);
+        seconds += static_cast<double>(block.rows) / recordings_[block.recording].rate;
+      }
+      const std::vector<double> found =
+          largest_angles(drawn.components(settings_.free_joints), all_, settings_.directions);
+      angles.resize(std::max(angles.size(), found.size()));
+      for (std::size_t k = 0; k < found.size(); ++k) {
+        angles[k].push_back(found[k]);
+      }
+    }
+    BasisStability& stability =
+        study.stability.emplace_back(BasisStability{seconds / settings_.resamples, {}});
+    for (std::vector<double>& of_k : angles) {
+      Sum sum;
+      for (const double angle : of_k) {
+        sum.add(angle);
+      }
+      stability.angles.push_back(bounds(sum.mean(), std::move(of_k)));
+    }
+  }
+
+  void compare_persons(BasisStudy& study) {
+    std::vector<Sum> means;
+    for (std::size_t r = 0; r < recordings_.size(); ++r) {
+      const auto is_own = [r](const Block& block) { return block.recording == r; };
+      const PrincipalComponents own = components_of(is_own);
+      const PrincipalComponents others =
+          components_of([&](const Block& block) { return !is_own(block); });
+      PersonFit fit;
+      fit.name = recordings_[r].name;
+      fit.own = error_of(r, [&](int fold) {
+        return components_of(
+            [&](const Block& block) { return is_own(block) && block.fold != fold; });
+      });
+      fit.others = error_of(r, [&](int) { return others; });
+      fit.angles = largest_angles(own, others, settings_.directions);
+      means.push_back({fit.others.mean, 1.0});
+      study.persons.push_back(std::move(fit));
+    }
+    study.newcomer = interval_of(means);
+  }
+
+  template <typename BasisFor>
+  [[nodiscard]] Interval error_of(std::size_t recording, const BasisFor& basis_for) const {
+    std::vector<Sum> sums;
+    int fold = -1;
+    PrincipalComponents basis;
+    for (const Block& block : blocks_) {
+      if (block.recording != recording) {
+        continue;
+      }
+      if (block.fold != fold) {
+        fold = block.fold;
+        basis = basis_for(fold);
+      }
+      Sum& sum = sums.emplace_back();
+      for_tested(block, [&](const Eigen::VectorXd& posture) {
+        for (const double miss :
+             misses(posture, fingertips_(posture), basis, settings_.directions)) {
+          sum.add(miss);
+        }
+      });
+    }
+    return interval_of(sums);
+  }
+
+  const std::vector<RecordedHand>& recordings_;
+  const FingertipsOf& fingertips_;
+  const BasisStudySettings& settings_;
+  std::vector<Block> blocks_;
+  Eigen::Index stride_ = 1;
+  PrincipalComponents all_;
+};
+
+}  // namespace
+
+int BasisStudy::enough_for(double error) const {
+  const auto found = std::ranges::find_if(reconstruction, [&](const ReconstructionError& each) {
+    return each.fingertip.high <= error;
+  });
+  return found == reconstruction.end() ? -1 : found->directions;
+}
+
+BasisStudy study_basis(const std::vector<RecordedHand>& recordings, const FingertipsOf& fingertips,
+                       const BasisStudySettings& settings) {
+  if (recordings.empty()) {
+    throw std::invalid_argument("a study needs a recording");
+  }
+  return Study(recordings, fingertips, settings).run();
+}
+
+}  // namespace handway::sampling
