@@ -158,7 +158,7 @@ int serve_device(device::DeviceEmulatorSettings settings, std::unique_ptr<device
                  const ServeOptions& options) {
   settings.tcp_port = options.tcp_port;
   const device::DeviceEmulator emulator(settings, std::move(unit));
-  wait_until_ended(emulator.address(), options.duration_s);
+  wait_until_ended(options.scheme + emulator.address(), options.duration_s);
   fmt::print(stderr, "{} records sent, {} of them lost or damaged\n", emulator.records(),
              emulator.faults());
   return kDone;

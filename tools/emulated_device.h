@@ -65,6 +65,7 @@ struct ServeOptions {
   std::optional<std::uint16_t> tcp_port;
   bool pty = false;
   std::optional<double> duration_s;
+  std::string scheme;  ///< In front of the address that is printed.
 };
 
 /// @returns the option that names a TCP port.

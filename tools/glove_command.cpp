@@ -1,12 +1,19 @@
 #include "commands.h"
 #include "glove_commands.h"
 #include "handway/device/glove/cyberglove.h"
+#include "handway/device/glove/landmark_glove.h"
 
 #include <CLI/CLI.hpp>
 
+#include <optional>
+
 namespace handway::tools {
 void add_glove_device_options(CLI::App& command, GloveDeviceOptions& options) {
-  command.add_option("--device", options.device, "Serial port (/dev/ttyUSB0) or HOST:PORT")
+  command
+      .add_option(
+          "--device", options.device,
+          "Serial port (/dev/ttyUSB0) or HOST:PORT of a CyberGlove; udp://PORT to hear hand "
+          "landmarks, landmarks://HOST:PORT to fetch them")
       ->required();
   command.add_option("--rate", options.rate_hz, "Frames a second to ask for")
       ->check(CLI::Range(0.5, 480.0))
@@ -15,9 +22,17 @@ void add_glove_device_options(CLI::App& command, GloveDeviceOptions& options) {
       ->check(CLI::Range(1200, 921600))
       ->capture_default_str();
   command.add_flag("--poll", options.poll, "Ask for every frame instead of letting it stream");
+  command.add_option("--hand", options.hand, "With landmarks: left or right (default: the first)")
+      ->check(CLI::IsMember({"left", "right"}));
 }
 
 std::unique_ptr<device::Glove> make_glove(const GloveDeviceOptions& options) {
+  if (device::is_landmark_address(options.device)) {
+    return std::make_unique<device::LandmarkGlove>(
+        options.device, device::LandmarkGloveSettings{options.hand.empty()
+                                                          ? std::nullopt
+                                                          : std::optional(options.hand == "left")});
+  }
   device::CyberGloveSettings settings;
   settings.rate = options.rate_hz;
   settings.baud = options.baud;

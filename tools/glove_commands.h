@@ -17,6 +17,7 @@ struct GloveDeviceOptions {
   double rate_hz = 100.0;
   int baud = 115200;
   bool poll = false;
+  std::string hand;  ///< With landmarks: "left" or "right"; empty: the one seen first.
 };
 
 void add_glove_device_options(CLI::App& command, GloveDeviceOptions& options);

@@ -1,11 +1,15 @@
 #include "glove_display.h"
 
 #include "handway/device/glove/glove_layout.h"
+#include "handway/geometric/math/units.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
 
 namespace handway::tools {
 namespace {
@@ -18,6 +22,13 @@ constexpr int kBarWidth = 20;
 
 std::uint16_t count_of(const GloveFrame& frame, int sensor) {
   return frame.counts[static_cast<std::size_t>(sensor)];
+}
+
+/// What a frame has of a sensor: its angle in degrees, or nothing, of a source of angles.
+std::optional<double> degrees_of(const GloveFrame& frame, int sensor) {
+  const double angle = frame.angles ? frame.angles->at(static_cast<std::size_t>(sensor))
+                                    : std::numeric_limits<double>::quiet_NaN();
+  return std::isfinite(angle) ? std::optional(angle / geometric::kDegree) : std::nullopt;
 }
 
 std::string bar(int count) {
@@ -45,11 +56,19 @@ std::string fault_text(const StreamStatistics& s) {
 
 std::string glove_table(const GloveFrame& frame, int sensors, device::StreamState state,
                         const StreamStatistics& statistics) {
-  std::string text = fmt::format("{:<20}{:<18}{:>6}\n", "sensor", "", "counts");
+  std::string text =
+      fmt::format("{:<20}{:<18}{:>6}\n", "sensor", "", frame.angles ? "deg" : "counts");
   for (const int sensor : device::cyberglove_wired(sensors)) {
     const device::GloveSensor& which =
         device::cyberglove_sensors()[static_cast<std::size_t>(sensor)];
     const int count = count_of(frame, sensor);
+    if (frame.angles) {
+      if (const std::optional<double> degrees = degrees_of(frame, sensor)) {
+        text += fmt::format("{} {:<18}{:<18}{:>6.1f}  {} {:<9}\n", which.letter, which.label,
+                            which.name, *degrees, bar(count), "");
+      }
+      continue;
+    }
     text += fmt::format("{} {:<18}{:<18}{:>6}  {} {:<9}\n", which.letter, which.label, which.name,
                         count, bar(count), remark(count));
   }
@@ -65,18 +84,27 @@ std::string statistics_line(const StreamStatistics& statistics) {
 std::string frame_line(const GloveFrame& frame, int sensors) {
   std::string text = fmt::format("{:9.3f}", frame.time);
   for (const int sensor : device::cyberglove_wired(sensors)) {
-    text += fmt::format(" {:3}", count_of(frame, sensor));
+    if (!frame.angles) {
+      text += fmt::format(" {:3}", count_of(frame, sensor));
+    } else if (const std::optional<double> degrees = degrees_of(frame, sensor)) {
+      text += fmt::format(" {:6.1f}", *degrees);
+    }
   }
   return text;
 }
 
 std::string frame_json(const GloveFrame& frame, int sensors) {
-  nlohmann::ordered_json counts;
+  nlohmann::ordered_json values;
   for (const int sensor : device::cyberglove_wired(sensors)) {
-    counts[std::string(device::cyberglove_sensors()[static_cast<std::size_t>(sensor)].name)] =
-        count_of(frame, sensor);
+    const std::string name(device::cyberglove_sensors()[static_cast<std::size_t>(sensor)].name);
+    if (!frame.angles) {
+      values[name] = count_of(frame, sensor);
+    } else if (degrees_of(frame, sensor)) {
+      values[name] = frame.angles->at(static_cast<std::size_t>(sensor));
+    }
   }
-  return nlohmann::ordered_json{{"time", frame.time}, {"counts", counts}}.dump();
+  return nlohmann::ordered_json{{"time", frame.time}, {frame.angles ? "angles" : "counts", values}}
+      .dump();
 }
 
 std::string statistics_json(const StreamStatistics& s) {

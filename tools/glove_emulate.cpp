@@ -3,8 +3,11 @@
 #include "handway/device/glove/glove_calibration.h"
 #include "handway/device/glove/glove_layout.h"
 #include "handway/device/glove/glove_signals.h"
+#include "handway/device/glove/hand_exploration.h"
+#include "handway/device/glove/landmark_glove.h"
 #include "handway/device/glove/recording.h"
 #include "handway/geometric/io/input_error.h"
+#include "handway/geometric/math/units.h"
 #include "numbers.h"
 
 #include <CLI/CLI.hpp>
@@ -19,9 +22,12 @@ namespace {
 
 struct EmulateOptions {
   ServeOptions serve;
+  std::string protocol = "cyberglove";
+  std::string receiver;
+  double noise_mm = 1.0;
   int sensors = device::kGloveSensors;
   bool left = false;
-  double rate_hz = 100.0;
+  std::optional<double> rate_hz;
   std::uint64_t seed = 1;
   std::filesystem::path from;
   std::filesystem::path calibration;
@@ -59,24 +65,68 @@ device::GloveSignal signal_of(const EmulateOptions& options) {
   return recorded_signal(device::read_recording(options.from), options.seed, faults, calibration);
 }
 
+device::HandSignal hand_of(const EmulateOptions& options) {
+  if (options.from.empty()) {
+    return [hand = std::make_shared<device::HandExploration>(options.seed)](double time) {
+      return hand->at(time);
+    };
+  }
+  const device::GloveCalibration calibration = options.calibration.empty()
+                                                   ? device::typical_calibration()
+                                                   : device::read_calibration(options.calibration);
+  return recorded_hand(to_angles(device::read_recording(options.from), calibration));
+}
+
+int emulate_landmarks(const EmulateOptions& options) {
+  device::DeviceEmulatorSettings settings = emulator_settings(options.faults, options.seed);
+  ServeOptions serve = options.serve;
+  if (!options.receiver.empty()) {
+    settings.udp_receiver = options.receiver;
+    serve.scheme = "udp://";
+  } else if (serve.tcp_port) {
+    serve.scheme = "landmarks://";
+  } else {
+    throw geometric::InputError({"--to", "", "nothing", "HOST:PORT or PORT to send landmarks to",
+                                 "Write, for example, --to 5006, or --tcp 5006 to be fetched."});
+  }
+  device::LandmarkUnitSettings unit;
+  unit.rate = options.rate_hz.value_or(unit.rate);
+  unit.left = options.left;
+  unit.noise = options.noise_mm * geometric::kMillimetre;
+  unit.seed = options.seed;
+  return serve_device(settings, make_landmark_unit(unit, hand_of(options)), serve);
+}
+
 int emulate_glove(const EmulateOptions& options) {
+  if (options.protocol == "landmarks") {
+    return emulate_landmarks(options);
+  }
   device::CyberGloveUnitSettings settings;
   settings.sensors = options.sensors;
   settings.right_hand = !options.left;
-  settings.rate = options.rate_hz;
+  settings.rate = options.rate_hz.value_or(settings.rate);
   auto unit = std::make_unique<device::CyberGloveUnit>(settings, signal_of(options));
   return serve_device(emulator_settings(options.faults, options.seed), std::move(unit),
                       options.serve);
 }
 
 void add_signal_options(CLI::App& command, EmulateOptions& options) {
+  command
+      .add_option("--protocol", options.protocol,
+                  "cyberglove, or landmarks: 21 points of a hand as JSON lines")
+      ->check(CLI::IsMember({"cyberglove", "landmarks"}))
+      ->capture_default_str();
+  command.add_option("--to", options.receiver,
+                     "With landmarks: HOST:PORT, or PORT of this computer, to send to by UDP");
   command.add_option("--sensors", options.sensors, "18 or 22")
       ->check(CLI::IsMember({18, 22}))
       ->capture_default_str();
   command.add_flag("--left", options.left, "A glove of the left hand");
-  command.add_option("--rate", options.rate_hz, "Frames a second until the host sets another rate")
-      ->check(CLI::Range(0.5, 480.0))
-      ->capture_default_str();
+  command
+      .add_option(
+          "--rate", options.rate_hz,
+          "Frames a second, until the host sets another rate (default: 100; 30 of landmarks)")
+      ->check(CLI::Range(0.5, 480.0));
   command.add_option("--seed", options.seed, "Seed of the hand's motion and of all faults")
       ->check(not_negative())
       ->capture_default_str();
@@ -90,6 +140,9 @@ void add_fault_options(CLI::App& command, EmulateOptions& options) {
       .add_option("--noise", options.noise,
                   "Noise of the sensors, counts (default: 0.4; 0 with --from)")
       ->check(CLI::Range(0.0, 100.0));
+  command.add_option("--noise-mm", options.noise_mm, "Noise of landmarks, mm")
+      ->check(CLI::Range(0.0, 100.0))
+      ->capture_default_str();
   add_line_fault_options(command, options.faults);
   command.add_option("--saturate", options.saturate, "A sensor that always reads 255")
       ->type_name("SENSOR")
@@ -101,8 +154,9 @@ void add_fault_options(CLI::App& command, EmulateOptions& options) {
 
 void add_glove_emulate(CLI::App& glove, int& exit_code) {
   auto options = std::make_shared<EmulateOptions>();
-  CLI::App* command =
-      glove.add_subcommand("emulate", "Be a CyberGlove; the first line says what to connect to");
+  CLI::App* command = glove.add_subcommand("emulate",
+                                           "Be a CyberGlove, or what sees a hand's landmarks; the "
+                                           "first line says what to connect to");
   add_serve_options(*command, options->serve);
   add_signal_options(*command, *options);
   add_fault_options(*command, *options);

@@ -70,7 +70,9 @@ class Latest {
 };
 
 void announce(const GloveInfo& info) {
-  fmt::print(stderr, "{}: {}, {} sensors, {} hand\n", info.device, info.model, info.sensors,
+  fmt::print(stderr, "{}: {}, {} sensors, {} hand\n", info.device, info.model,
+             info.angle_sensors.empty() ? static_cast<std::size_t>(info.sensors)
+                                        : info.angle_sensors.size(),
              info.right_hand ? "right" : "left");
 }
 

@@ -3,7 +3,6 @@
 #include "glove_commands.h"
 #include "glove_display.h"
 #include "handway/device/glove/glove.h"
-#include "handway/device/glove/glove_layout.h"
 #include "handway/device/glove/recording.h"
 #include "interrupt.h"
 #include "numbers.h"
@@ -39,14 +38,9 @@ struct RecordOptions {
 };
 
 device::RecordingHeader header_of(const GloveInfo& info, const std::string& origin) {
-  device::RecordingHeader header;
-  header.kind = device::RecordingKind::kCounts;
-  header.device = fmt::format("{}, {} sensors, {} hand, on {}", info.model, info.sensors,
-                              info.right_hand ? "right" : "left", info.device);
+  device::RecordingHeader header = device::recording_header(info);
   header.date = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
   header.origin = origin;
-  const auto wired = device::cyberglove_wired(info.sensors);
-  header.sensors.assign(wired.begin(), wired.end());
   return header;
 }
 

@@ -13,6 +13,7 @@
 #include "handway/sampling/postures/posture_subspace.h"
 #include "handway/sampling/postures/posture_table.h"
 #include "numbers.h"
+#include "pca_report.h"
 #include "posture_study.h"
 
 #include <CLI/CLI.hpp>
@@ -197,11 +198,13 @@ struct PcaOptions {
   fs::path out;
   fs::path postures;
   fs::path plots;
+  fs::path report;
+  std::uint64_t seed = 1;
 };
 
 /// The robot's hand, and how it follows the person's.
 struct HandSource {
-  std::string hand;  ///< As the mapping names it.
+  fs::path robot;  ///< Its file.
   std::shared_ptr<const geometric::RobotModel> model;
   std::unique_ptr<device::PostureSource> source;
 };
@@ -209,45 +212,45 @@ struct HandSource {
 HandSource hand_source(const PcaOptions& options) {
   const fs::path preset = geometric::resource_dir() / "mappings" / "table1_sah.yaml";
   const fs::path file = options.mapping.empty() ? preset : options.mapping;
-  const auto load = [&](const std::string& hand) {
-    return geometric::load_robot(
-        geometric::find_resource(ResourceKind::kRobot, hand, fs::current_path(),
-                                 options.mapping.empty() ? "" : options.mapping.string()));
-  };
   HandSource made;
+  const auto load = [&](const std::string& hand, const fs::path& folder, const std::string& by) {
+    made.robot = geometric::find_resource(ResourceKind::kRobot, hand, folder, by);
+    made.model = geometric::load_robot(made.robot);
+  };
+  const fs::path folder = fs::absolute(file).parent_path();
   if (!options.retarget.empty() || device::is_retargeting(file)) {
     device::RetargetingSettings settings;
     if (options.retarget.empty()) {
       settings = device::read_retargeting(file);
+      load(settings.hand, folder, file.string());
     } else {
-      settings.hand = options.retarget;
+      load(options.retarget, fs::current_path(), "--retarget");
     }
-    made.model = load(settings.hand);
-    made.hand = made.model->name();
     made.source = std::make_unique<device::FingertipRetargeter>(made.model, settings);
     return made;
   }
   const device::HandMapping mapping = device::read_mapping(file);
-  made.hand = mapping.hand;
-  made.model = load(mapping.hand);
-  made.source = std::make_unique<device::HandMapper>(mapping, *made.model);
+  load(mapping.hand, folder, file.string());
+  made.source = std::make_unique<device::HandMapper>(mapping, *made.model, true);
   return made;
 }
 
 /// How far fingertips are from where the person's are, scaled to the robot's fingers: a line.
+/// @param mapped the postures of each recording.
 std::string fingertip_line(const std::string& name, const std::vector<MappedRecording>& recordings,
-                           const device::FingertipRetargeter& hand, const HandSource& postures) {
+                           const std::vector<device::MappedPostures>& mapped,
+                           const device::FingertipRetargeter& hand,
+                           const geometric::RobotModel& model) {
   std::vector<double> misses;  // mm
-  for (const MappedRecording& recording : recordings) {
-    const device::MappedPostures mapped = postures.source->map_recording(recording.recording);
+  for (std::size_t r = 0; r < recordings.size(); ++r) {
     Eigen::VectorXd q = hand.middle();
-    for (Eigen::Index row = 0; row < mapped.postures.rows(); ++row) {
-      for (std::size_t j = 0; j < mapped.joints.size(); ++j) {
-        q[*postures.model->find_variable(mapped.joints[j])] =
-            mapped.postures(row, static_cast<Eigen::Index>(j));
+    for (Eigen::Index row = 0; row < mapped[r].postures.rows(); ++row) {
+      for (std::size_t j = 0; j < mapped[r].joints.size(); ++j) {
+        q[*model.find_variable(mapped[r].joints[j])] =
+            mapped[r].postures(row, static_cast<Eigen::Index>(j));
       }
       const Eigen::Matrix3Xd wanted =
-          hand.wanted(device::hand_landmarks(device::angles_of_row(recording.recording, row)));
+          hand.wanted(device::hand_landmarks(device::angles_of_row(recordings[r].recording, row)));
       const Eigen::RowVectorXd miss = (hand.fingertips(q) - wanted).colwise().norm();
       for (const double distance : miss) {
         misses.push_back(1e3 * distance);
@@ -262,20 +265,27 @@ std::string fingertip_line(const std::string& name, const std::vector<MappedReco
 }
 
 void print_fingertips(const std::vector<MappedRecording>& recordings, const HandSource& chosen) {
-  HandSource other{chosen.hand, chosen.model, nullptr};
-  const auto* retargeter = dynamic_cast<const device::FingertipRetargeter*>(chosen.source.get());
+  std::vector<device::MappedPostures> mapped;
+  for (const MappedRecording& recording : recordings) {
+    mapped.push_back(recording.mapped);
+  }
   fmt::print(
       "Fingertips from where the person's are, scaled to the fingers, mm:\n  {:<22}{:>8}{:>8}"
       "{:>8}\n",
       "", "mean", "median", "95 %");
-  if (retargeter == nullptr) {
-    auto made = std::make_unique<device::FingertipRetargeter>(chosen.model);
-    retargeter = made.get();
-    fmt::print("{}", fingertip_line("this mapping", recordings, *retargeter, chosen));
-    other.source = std::move(made);
+  const auto* retargeter = dynamic_cast<const device::FingertipRetargeter*>(chosen.source.get());
+  if (retargeter != nullptr) {
+    fmt::print("{}", fingertip_line("fingertip retargeting", recordings, mapped, *retargeter,
+                                    *chosen.model));
+    return;
   }
-  fmt::print("{}", fingertip_line("fingertip retargeting", recordings, *retargeter,
-                                  other.source ? other : chosen));
+  const device::FingertipRetargeter other(chosen.model);
+  fmt::print("{}", fingertip_line("this mapping", recordings, mapped, other, *chosen.model));
+  for (std::size_t r = 0; r < recordings.size(); ++r) {
+    mapped[r] = other.map_recording(recordings[r].recording);
+  }
+  fmt::print("{}",
+             fingertip_line("fingertip retargeting", recordings, mapped, other, *chosen.model));
 }
 
 // The thumb base, if the hand has one, unless other joints or "none" were asked for.
@@ -327,7 +337,7 @@ void print_comparison(const std::vector<MappedRecording>& recordings, const PcaO
 void print_other_mapping(const std::vector<MappedRecording>& recordings, const PcaOptions& options,
                          const geometric::RobotModel& hand, const device::PostureSource& mapper,
                          const std::vector<int>& free, const Analysis& chosen) {
-  const device::HandMapper other(device::read_mapping(options.against), hand);
+  const device::HandMapper other(device::read_mapping(options.against), hand, true);
   if (other.joints() != mapper.joints()) {
     throw geometric::InputError({options.against.string(), "joints", "others, or another order",
                                  "the joints of --mapping in its order",
@@ -346,6 +356,18 @@ void print_other_mapping(const std::vector<MappedRecording>& recordings, const P
   fmt::print("Under another mapping, cumulative variance in %:\n{}", share_text(both));
   fmt::print("Largest angle in degrees between the spaces of the first components:\n{}",
              largest_angle_text(both[0].second, both[1].second));
+}
+
+void report(const std::vector<MappedRecording>& recordings, const PcaOptions& options,
+            const HandSource& hand, const std::vector<int>& free) {
+  sampling::BasisStudySettings settings;
+  settings.free_joints = free;
+  settings.directions = options.components;
+  settings.seed = options.seed;
+  const sampling::BasisStudy study =
+      study_recordings(recordings, hand.model, *hand.source, options.normalisation, settings);
+  fmt::print("{}", study_text(study, settings.confidence));
+  write_study(study, settings, recordings, hand.model->name(), *hand.source, options.report);
 }
 
 int pca(const PcaOptions& options) {
@@ -393,9 +415,17 @@ int pca(const PcaOptions& options) {
   if (options.fingertips) {
     print_fingertips(recordings, hand);
   }
-  sampling::PmdBasis basis =
-      sampling::make_pmd_basis(hand.hand, source_of(options, chosen), mapper.joints(),
-                               chosen.components, {free, options.components, options.sigmas});
+  if (!options.report.empty()) {
+    report(recordings, options, hand, free);
+  }
+  const fs::path out_folder =
+      options.out.empty() ? fs::current_path() : fs::absolute(options.out).parent_path();
+  const auto hand_seen_from = [&](const fs::path& folder) {
+    return geometric::resource_reference(ResourceKind::kRobot, hand.robot, folder).string();
+  };
+  sampling::PmdBasis basis = sampling::make_pmd_basis(
+      hand_seen_from(out_folder), source_of(options, chosen), mapper.joints(), chosen.components,
+      {free, options.components, options.sigmas});
   fmt::print("Basis for {}:\n{}", basis.hand, basis_text(basis));
   if (!options.postures.empty()) {
     sampling::write_postures({basis.hand, basis.source, basis.joints, chosen_samples},
@@ -406,6 +436,7 @@ int pca(const PcaOptions& options) {
     sampling::write_pmd_basis(basis, options.out);
   }
   if (!options.plots.empty()) {
+    basis.hand = hand_seen_from(fs::absolute(options.plots));
     write_basis_plots(options.plots, basis, joint_values(chosen_samples, mapper),
                       chosen.components.shares);
   }
@@ -470,6 +501,10 @@ void add_pca_command(CLI::App& app, int& exit_code) {
   command->add_option("--postures", options->postures,
                       "Write the postures here (CSV), and name them in the basis");
   command->add_option("--plots", options->plots, "Draw figures to this folder (PNG and SVG)");
+  command->add_option("--report", options->report,
+                      "How many directions are enough, how stable they are, and how well they "
+                      "serve each recording: print it, and write it here (JSON)");
+  command->add_option("--seed", options->seed, "Of the report's bootstrap")->capture_default_str();
   command->callback([options, &exit_code] { exit_code = pca(*options); });
 }
 

@@ -134,11 +134,11 @@ double PostureStudy::correlation(const std::string& first, const std::string& se
 }
 
 PostureStudy study_postures(const fs::path& recording, Normalisation normalisation) {
-  const device::HandMapping mapping =
-      device::read_mapping(geometric::resource_dir() / "mappings" / "table1_sah.yaml");
+  const fs::path file = geometric::resource_dir() / "mappings" / "table1_sah.yaml";
+  const device::HandMapping mapping = device::read_mapping(file);
   const auto hand = geometric::load_robot(geometric::find_resource(
-      geometric::ResourceKind::kRobot, mapping.hand, fs::current_path(), ""));
-  const device::HandMapper mapper(mapping, *hand);
+      geometric::ResourceKind::kRobot, mapping.hand, file.parent_path(), file.string()));
+  const device::HandMapper mapper(mapping, *hand, true);
   const std::vector<int> free = joint_indices({kThumbBase}, mapper.joints());
   const std::vector<MappedRecording> mapped = {
       map_file(recording, device::typical_calibration(), {}, mapper)};

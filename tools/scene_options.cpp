@@ -33,9 +33,13 @@ void choose_basis(std::vector<std::string>& settings, planning::LoadedScene& sce
         geometric::find_resource(geometric::ResourceKind::kHandBasis, setting.substr(key.size()),
                                  std::filesystem::current_path(), "--set basis");
     auto basis = std::make_shared<const sampling::PmdBasis>(sampling::read_pmd_basis(file));
-    if (scene.basis && scene.basis->hand != basis->hand) {
-      throw geometric::InputError({file.string(), "hand", basis->hand, scene.basis->hand,
-                                   "The scene's robot has another hand"});
+    const geometric::RobotModel& model = *scene.scene->robots.front().model;
+    for (const std::string& joint : basis->joints) {
+      if (!geometric::find_variable_of_part(model, joint)) {
+        throw geometric::InputError({file.string(), "hand", basis->hand,
+                                     "a basis for the hand of " + model.name(),
+                                     "The scene's robot has another hand, without joint " + joint});
+      }
     }
     scene.basis = std::move(basis);
   }

@@ -2,6 +2,7 @@
 #include "command_line.h"
 #include "handway/device/glove/glove_layout.h"
 #include "handway/device/glove/recording.h"
+#include "handway_test/free_port.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -74,6 +75,44 @@ TEST(GloveLive, ShowsFramesAsLinesAndAsJson) {
     EXPECT_GE(frame.at("counts").at("IndexMPJ"), 1);
     EXPECT_TRUE(nlohmann::json::parse(lines[2]).at("statistics").contains("rate_hz"));
   }
+}
+
+TEST(GloveLive, ShowsHandLandmarksAsAngles) {
+  BackgroundProcess emulator(
+      {"glove", "emulate", "--protocol", "landmarks", "--tcp", "0", "--left", "--rate", "100"});
+  const std::string address = emulator.read_line();
+  EXPECT_THAT(address, StartsWith("landmarks://localhost:"));
+  const CommandLine line;
+  const Outcome json = line.run("glove live --device " + address + " --frames 2 --json");
+  ASSERT_EQ(json.exit_code, 0) << json.err;
+  EXPECT_THAT(json.err, HasSubstr("hand landmarks, 19 sensors, left hand"));
+  const auto frame = nlohmann::json::parse(lines_of(json.out).front());
+  EXPECT_EQ(frame.at("angles").size(), 19U);
+  const Outcome text = line.run("glove live --device " + address + " --frames 1");
+  EXPECT_EQ(text.exit_code, 0) << text.err;
+}
+
+TEST(GloveRecord, RecordsHandLandmarksThatAreSentByUdp) {
+  const std::string port = free_udp_port();
+  BackgroundProcess emulator(
+      {"glove", "emulate", "--protocol", "landmarks", "--to", port.c_str(), "--rate", "200"});
+  const std::string address = emulator.read_line();
+  EXPECT_EQ(address, "udp://" + port);
+  const CommandLine line;
+  const Outcome record = line.run("glove record --device " + address + " --frames 100 --out r.csv");
+  ASSERT_EQ(record.exit_code, 0) << record.err;
+  const device::Recording recording = device::read_recording(line.folder() / "r.csv");
+  EXPECT_EQ(recording.header.kind, device::RecordingKind::kAngles);
+  EXPECT_EQ(recording.values.rows(), 100);
+  EXPECT_EQ(recording.values.cols(), 19);
+  EXPECT_EQ(line.run("pca r.csv").exit_code, 0);
+}
+
+TEST(GloveEmulate, AsksWhereToSendLandmarks) {
+  const CommandLine line;
+  const Outcome outcome = line.run("glove emulate --protocol landmarks");
+  EXPECT_EQ(outcome.exit_code, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("--to"));
 }
 
 TEST(GloveLive, EndsWith3WhenThereIsNoGlove) {

@@ -139,6 +139,55 @@ TEST_F(Pca, TakesMappingsForItsOwnChoiceOfSensors) {
   EXPECT_THAT(pca.err, HasSubstr("nothing for joint thumb_abduction"));
 }
 
+// A hand of another name, which the mapping names by a path from its own folder.
+TEST_F(Pca, FindsTheHandFromTheFolderOfTheMapping) {
+  const auto resources = source_dir() / "resources";
+  const std::string sah = (resources / "robots/sah_right/sah_right.urdf").string();
+  std::filesystem::create_directories(line_.folder() / "hands/left");
+  std::filesystem::create_directories(line_.folder() / "bases");
+  const Outcome mirror = line_.run("setup " + sah + " --mirror --samples 10 -o hands/left/l.urdf");
+  ASSERT_EQ(mirror.exit_code, 0) << mirror.err;
+  std::ifstream table1(resources / "mappings" / "table1_sah.yaml");
+  std::string text((std::istreambuf_iterator<char>(table1)), {});
+  text.replace(text.find("hand: sah_right"), 15, "hand: left/l.urdf");
+  line_.write("hands/mapping.yaml", text);
+
+  const Outcome pca = line_.run("pca one.csv --mapping hands/mapping.yaml --out bases/left.yaml");
+  ASSERT_EQ(pca.exit_code, 0) << pca.err;
+  EXPECT_THAT(line_.read("bases/left.yaml"), HasSubstr("hand: ../hands/left/l.urdf"));
+  // A right hand's recording gives a left hand the same basis, joint by joint.
+  ASSERT_EQ(line_.run("pca one.csv --out right.yaml").exit_code, 0);
+  const auto from_joints = [](const std::string& basis) {
+    return basis.substr(basis.find("joints:"));
+  };
+  EXPECT_EQ(from_joints(line_.read("bases/left.yaml")), from_joints(line_.read("right.yaml")));
+
+  line_.write("hands/short.yaml",
+              "hand: left/l.urdf\njoints:\n  - {joint: thumb_base, sensor: c}\n");
+  const Outcome lacking = line_.run("pca one.csv --mapping hands/short.yaml");
+  EXPECT_EQ(lacking.exit_code, 3);
+  EXPECT_THAT(lacking.err, HasSubstr("nothing for joint thumb_abduction"));
+}
+
+TEST_F(Pca, ReportsHowManyDirectionsAreEnough) {
+  const Outcome pca = line_.run("pca one.csv two.csv --report report.json");
+  ASSERT_EQ(pca.exit_code, 0) << pca.err;
+  EXPECT_THAT(pca.out, AllOf(HasSubstr("mm at the fingertips (95 % confidence)"),
+                             ContainsRegex("for 5 mm: [0-9]+ PMDs"), HasSubstr("Stability"),
+                             HasSubstr("who was not recorded")));
+  const auto report = nlohmann::json::parse(line_.read("report.json"));
+  EXPECT_EQ(report.at("hand"), "sah_right");
+  ASSERT_EQ(report.at("reconstruction").size(), 13U);
+  EXPECT_GT(report.at("reconstruction")[0].at("fingertip_mm").at("mean"), 10.0);
+  EXPECT_LT(report.at("reconstruction")[12].at("fingertip_mm").at("mean"), 1e-6);
+  EXPECT_EQ(report.at("persons").size(), 2U);
+  EXPECT_EQ(report.at("persons")[1].at("recording"), "two.csv");
+  EXPECT_EQ(report.at("parameters").at("free_joints")[0], "thumb_base");
+  const std::string first = line_.read("report.json");
+  ASSERT_EQ(line_.run("pca one.csv two.csv --report report.json").exit_code, 0);
+  EXPECT_EQ(line_.read("report.json"), first);
+}
+
 TEST_F(Pca, DrawsTheFiguresOfThePaper) {
   if (!std::filesystem::exists(std::filesystem::path(HANDWAY_PROGRAM).parent_path() /
                                "handway-figures")) {

@@ -83,7 +83,8 @@ DeviceField::DeviceField(QWidget* parent) : QComboBox(parent) {
   lineEdit()->setPlaceholderText(tr("/dev/ttyUSB0 or host:port"));
   setToolTip(
       tr("A serial port, a network address such as 192.168.0.7:5000, the built-in "
-         "emulator, or a recording to replay"));
+         "emulator, a recording to replay, or hand landmarks that a camera or headset sends: "
+         "udp://5006"));
   connect(this, qOverload<int>(&QComboBox::activated), this, &DeviceField::choose);
   connect(lineEdit(), &QLineEdit::returnPressed, this, &DeviceField::requested);
   refresh();
@@ -142,8 +143,9 @@ void DeviceField::choose(int index) {
 }
 
 void DeviceField::choose_recording() {
-  const QString file = QFileDialog::getOpenFileName(this, tr("Replay a recording"), {},
-                                                    tr("Recordings (*.csv *.txt);;All files (*)"));
+  const QString file =
+      QFileDialog::getOpenFileName(this, tr("Replay a recording"), {},
+                                   tr("Recordings (*.csv *.txt *.jsonl *.mat);;All files (*)"));
   if (!file.isEmpty()) {
     set_device(file);
     emit requested();

@@ -1,6 +1,5 @@
 #include "features/glove/record_bar.h"
 
-#include "handway/device/glove/glove_layout.h"
 #include "handway/geometric/io/input_error.h"
 #include "widgets/style/theme.h"
 
@@ -92,12 +91,9 @@ void RecordBar::toggle() {
 
 void RecordBar::begin() {
   const device::GloveInfo info = session_.link().info();
-  device::RecordingHeader header;
-  header.device = info.model;
+  device::RecordingHeader header = device::recording_header(info);
   header.date = QDateTime::currentDateTime().toString(Qt::ISODate).toStdString();
   header.origin = (info.right_hand ? "right hand, " : "left hand, ") + info.device;
-  const auto wired = device::cyberglove_wired(info.sensors);
-  header.sensors.assign(wired.begin(), wired.end());
   try {
     std::filesystem::create_directories(unnamed_folder());
     file_ = new_recording_file(unnamed_folder());

@@ -2,6 +2,7 @@
 
 #include "handway/device/glove/cyberglove.h"
 #include "handway/device/glove/glove_signals.h"
+#include "handway/device/glove/landmark_glove.h"
 #include "handway/device/glove/replay_glove.h"
 #include "handway/device/retargeting/mapping_proposal.h"
 #include "handway/geometric/io/input_error.h"
@@ -177,6 +178,8 @@ void GloveSession::start(const QString& device) {
     const device::Recording recording = device::read_recording(device.toStdString());
     link_.start(std::make_unique<device::ReplayGlove>(recording, device.toStdString(),
                                                       device::ReplaySettings{1.0, true}));
+  } else if (device::is_landmark_address(device.toStdString())) {
+    link_.start(std::make_unique<device::LandmarkGlove>(device.toStdString()));
   } else {
     if (device.isEmpty()) {
       throw geometric::InputError({"device", "", "nothing", "a serial port or HOST:PORT",

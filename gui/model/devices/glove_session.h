@@ -117,7 +117,8 @@ class GloveSession : public QObject {
   /// What stands for the built-in emulator among devices.
   [[nodiscard]] static QString emulator_name();
 
-  /// Connects to a serial port, a TCP port, the emulator, or a recording to be replayed. What goes
+  /// Connects to a serial port, a TCP port, a stream of hand landmarks (see
+  /// device::is_landmark_address()), the emulator, or a recording to be replayed. What goes
   /// wrong is reported by state_changed().
   void connect_to(const QString& device);
   void disconnect_glove();

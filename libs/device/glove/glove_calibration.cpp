@@ -148,6 +148,10 @@ GloveCalibration typical_calibration() {
 GloveAngles to_angles(const GloveFrame& frame, const GloveCalibration& calibration) {
   GloveAngles result;
   result.time = frame.time;
+  if (frame.angles) {
+    result.angles = *frame.angles;
+    return result;
+  }
   for (std::size_t i = 0; i < kGloveSensors; ++i) {
     const std::optional<SensorCalibration>& sensor = calibration.sensors.at(i);
     result.angles.at(i) = sensor && frame.counts.at(i) > 0

@@ -174,9 +174,6 @@ int variable_of(const RobotModel& hand, const JointWire& wire, const HandMapping
 }
 
 void check_complete(const RobotModel& hand, const HandMapping& mapping) {
-  if (hand.name() != mapping.hand) {
-    return;
-  }
   for (int i = 0; i < hand.variable_count(); ++i) {
     const std::string& name = hand.variable(i).name;
     if (std::ranges::find(mapping.wires, name, &JointWire::joint) == mapping.wires.end()) {
@@ -188,8 +185,10 @@ void check_complete(const RobotModel& hand, const HandMapping& mapping) {
 
 }  // namespace
 
-HandMapper::HandMapper(const HandMapping& mapping, const RobotModel& hand) {
-  check_complete(hand, mapping);
+HandMapper::HandMapper(const HandMapping& mapping, const RobotModel& hand, bool is_hand) {
+  if (is_hand || hand.name() == mapping.hand) {
+    check_complete(hand, mapping);
+  }
   std::map<int, const JointWire*> by_variable;
   for (const JointWire& wire : mapping.wires) {
     by_variable[variable_of(hand, wire, mapping)] = &wire;

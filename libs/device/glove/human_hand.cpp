@@ -173,9 +173,15 @@ GloveAngles glove_angles(const HandLandmarks& landmarks) {
   return angles;
 }
 
-bool measured_by_landmarks(int sensor) {
-  const std::string_view name = cyberglove_sensors()[static_cast<std::size_t>(sensor)].name;
-  return name != "PalmArch" && !name.starts_with("Wrist");
+std::vector<int> landmark_sensors() {
+  std::vector<int> sensors;
+  for (int sensor = 0; sensor < kGloveSensors; ++sensor) {
+    const std::string_view name = cyberglove_sensors()[static_cast<std::size_t>(sensor)].name;
+    if (name != "PalmArch" && !name.starts_with("Wrist")) {
+      sensors.push_back(sensor);
+    }
+  }
+  return sensors;
 }
 
 geometric::Pose palm_frame(const HandLandmarks& landmarks) {

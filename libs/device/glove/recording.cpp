@@ -1,7 +1,10 @@
 #include "handway/device/glove/recording.h"
 
+#include "glove/matlab_file.h"
+#include "glove/table_reader.h"
 #include "glove/text_files.h"
 #include "handway/device/glove/glove_layout.h"
+#include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/replace_file.h"
 #include "handway/geometric/io/text_file.h"
@@ -109,18 +112,46 @@ GloveAngles angles_of_row(const Recording& recording, Eigen::Index row) {
   return angles;
 }
 
+RecordingHeader recording_header(const GloveInfo& info) {
+  RecordingHeader header;
+  header.device = fmt::format("{}, {} sensors, {} hand, on {}", info.model,
+                              info.angle_sensors.empty() ? static_cast<std::size_t>(info.sensors)
+                                                         : info.angle_sensors.size(),
+                              info.right_hand ? "right" : "left", info.device);
+  if (info.angle_sensors.empty()) {
+    const auto wired = cyberglove_wired(info.sensors);
+    header.sensors.assign(wired.begin(), wired.end());
+  } else {
+    header.kind = RecordingKind::kAngles;
+    header.sensors = info.angle_sensors;
+  }
+  return header;
+}
+
 int column_of(const RecordingHeader& header, int sensor) {
   const auto found = std::ranges::find(header.sensors, sensor);
   return found == header.sensors.end() ? -1 : static_cast<int>(found - header.sensors.begin());
 }
 
 Recording read_recording(const std::filesystem::path& file) {
-  const std::string text = geometric::read_text_file(file, "a recording of a glove", kLargestFile);
+  if (geometric::has_extension(file, ".yaml") || geometric::has_extension(file, ".yml")) {
+    return read_mapped_table(file);
+  }
+  if (is_matlab_file(file)) {
+    return read_matlab_recording(file);
+  }
+  std::string text = geometric::read_text_file(file, "a recording of a glove", kLargestFile);
+  if (text.find('\n') == std::string::npos) {  // as old Macintoshs end lines
+    std::ranges::replace(text, '\r', '\n');
+  }
   const std::vector<TextLine> lines = text_lines(text);
   const auto first =
       std::ranges::find_if(lines, [](const TextLine& line) { return !trimmed(line.text).empty(); });
   if (first != lines.end() && is_landmark_row(*first)) {
     return read_landmark_recording(file, lines);
+  }
+  if (is_posture_table(lines)) {
+    return read_posture_table(file, lines);
   }
   return first != lines.end() && is_virtual_hand_row(*first) ? read_virtual_hand_log(file, lines)
                                                              : read_csv_recording(file, lines);
@@ -194,7 +225,13 @@ void RecordingWriter::append(double time, std::span<const double> values) {
 }
 
 void RecordingWriter::append(const GloveFrame& frame) {
-  append(frame.time, selected(frame.counts, header_.sensors));
+  if (header_.kind == RecordingKind::kCounts) {
+    append(frame.time, selected(frame.counts, header_.sensors));
+  } else if (frame.angles) {
+    append(frame.time, selected(*frame.angles, header_.sensors));
+  } else {
+    throw std::invalid_argument("a frame of counts has no angles to record");
+  }
 }
 
 void RecordingWriter::append(const GloveAngles& angles) {

@@ -17,6 +17,9 @@ RecordingPlayer::RecordingPlayer(const Recording& recording, const GloveCalibrat
   for (Eigen::Index row = 0; row < rows; ++row) {
     GloveFrame& frame = frames_[static_cast<std::size_t>(row)];
     frame.time = recording.times[row] - recording.times[0];
+    if (recording.header.kind == RecordingKind::kAngles) {
+      frame.angles = angles_of_row(recording, row).angles;
+    }
     for (std::size_t column = 0; column < sensors.size(); ++column) {
       const double value = recording.values(row, static_cast<Eigen::Index>(column));
       const auto sensor = static_cast<std::size_t>(sensors[column]);

@@ -20,6 +20,22 @@ std::string at_line(const std::filesystem::path& file, const TextLine& line) {
   return fmt::format("{}:{}", file.string(), line.number);
 }
 
+void take_rows(const std::filesystem::path& file, const std::vector<TextLine>& lines,
+               std::vector<std::string>& warnings,
+               const std::function<bool(const TextLine&)>& is_row,
+               const std::function<void(const TextLine&)>& take) {
+  for (const TextLine& line : lines) {
+    if (trimmed(line.text).empty()) {
+      continue;
+    }
+    if (!line.ended && !is_row(line)) {
+      warnings.push_back(at_line(file, line) + ": left out, the row is cut off");
+      return;
+    }
+    take(line);
+  }
+}
+
 RecordedRows::RecordedRows(const std::filesystem::path& file, std::size_t columns)
     : file_(file), columns_(columns) {}
 
@@ -47,16 +63,6 @@ void RecordedRows::move_to(Recording& recording) {
 namespace {
 
 using geometric::InputError;
-
-constexpr double kMostCounts = 255.0;
-constexpr double kWidestAngle = 2 * M_PI;  // rad
-
-// The separator that the header uses most.
-char separator_of(std::string_view header) {
-  constexpr std::string_view kSeparators = ",;\t";
-  return *std::ranges::max_element(kSeparators, {},
-                                   [&](char c) { return std::ranges::count(header, c); });
-}
 
 class CsvReader {
  public:
@@ -184,7 +190,7 @@ class CsvReader {
   }
 
   void check_value(const TextLine& line, std::size_t column, double value) const {
-    const bool counts = value >= 0.0 && value <= kMostCounts;
+    const bool counts = value >= 0.0 && value <= kHighestCounts;
     const bool angle = std::abs(value) <= kWidestAngle;
     const bool fits = kind_ ? (*kind_ == RecordingKind::kCounts ? counts : angle) : counts || angle;
     if (!fits) {
@@ -310,16 +316,9 @@ Recording read_virtual_hand_log(const std::filesystem::path& file,
   std::iota(recording.header.sensors.begin(), recording.header.sensors.end(), 0);
   RecordedRows rows(file, kGloveSensors);
   std::optional<double> begin;
-  for (const TextLine& line : lines) {
-    if (trimmed(line.text).empty()) {
-      continue;
-    }
+  const auto take = [&](const TextLine& line) {
     const std::optional<Row> row = numbers(line);
     const std::optional<double> time = row ? seconds(*row) : std::nullopt;
-    if (!time && !line.ended) {
-      recording.warnings.push_back(at_line(file, line) + ": left out, the row is cut off");
-      break;
-    }
     if (!time) {
       throw geometric::InputError(
           {at_line(file, line), "", fmt::format("\"{:.40}\"", trimmed(line.text)),
@@ -338,7 +337,8 @@ Recording read_virtual_hand_log(const std::filesystem::path& file,
     }
     // Times in such files have 10 µs; their difference has noise of the large numbers.
     rows.add(line, std::round((*time - *begin) * 1e5) / 1e5, angles);
-  }
+  };
+  take_rows(file, lines, recording.warnings, is_virtual_hand_row, take);
   rows.move_to(recording);
   recording.warnings.push_back(
       file.string() +

@@ -4,6 +4,9 @@
 #include "handway/device/glove/recording.h"
 
 #include <filesystem>
+#include <functional>
+#include <numbers>
+#include <string>
 #include <vector>
 
 /// The kinds of file that read_recording() distinguishes; messages as documented there.
@@ -12,6 +15,10 @@ namespace handway::device {
 
 /// The first line of every recording of Handway.
 inline constexpr const char* kRecordingMark = "# handway glove recording 1";
+
+/// What values may be: counts from 0 to, and angles in rad from minus to, this.
+inline constexpr double kHighestCounts = 255.0;
+inline constexpr double kWidestAngle = 2.0 * std::numbers::pi;
 
 /// CSV with a header: Handway's own recordings, and others.
 [[nodiscard]] Recording read_csv_recording(const std::filesystem::path& file,
@@ -33,6 +40,14 @@ inline constexpr const char* kRecordingMark = "# handway glove recording 1";
 
 /// "FILE:LINE".
 [[nodiscard]] std::string at_line(const std::filesystem::path& file, const TextLine& line);
+
+/// Hands every line that isn't blank to `take`, but for a last one that is cut off, as a program
+/// leaves that is killed while it writes: a warning names it.
+/// @param is_row whether a line without its end is a row all the same.
+void take_rows(const std::filesystem::path& file, const std::vector<TextLine>& lines,
+               std::vector<std::string>& warnings,
+               const std::function<bool(const TextLine&)>& is_row,
+               const std::function<void(const TextLine&)>& take);
 
 /// Rows gathered while reading, and the checks that all formats share.
 class RecordedRows {

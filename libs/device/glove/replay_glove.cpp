@@ -40,6 +40,9 @@ ReplayGlove::ReplayGlove(const Recording& recording, std::string name,
       name_(std::move(name)),
       settings_(settings),
       sensors_(sensors_of(recording.header)) {
+  if (recording.header.kind == RecordingKind::kAngles) {
+    angle_sensors_ = recording.header.sensors;
+  }
   if (!(settings.speed > 0.0)) {
     throw std::invalid_argument("a recording plays at a speed above 0");
   }
@@ -54,6 +57,7 @@ GloveInfo ReplayGlove::do_connect(const std::stop_token& /*stop*/) {
   info.device = name_;
   info.model = "recording";
   info.sensors = sensors_;
+  info.angle_sensors = angle_sensors_;
   info.rate = std::isinf(settings_.speed) ? 0.0 : settings_.speed / player_->period();
   return info;
 }

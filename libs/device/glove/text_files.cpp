@@ -19,6 +19,13 @@ std::vector<TextLine> text_lines(std::string_view text) {
   return lines;
 }
 
+char separator_of(std::string_view line) {
+  constexpr std::string_view kSeparators = ",;\t";
+  const auto count = [&](char c) { return std::ranges::count(line, c); };
+  const char most = *std::ranges::max_element(kSeparators, {}, count);
+  return count(most) > 0 ? most : ' ';
+}
+
 std::string optional_text(const geometric::YamlElement& map, const std::string& key) {
   const std::optional<geometric::YamlElement> value = map.find(key);
   return value ? value->text() : "";

@@ -27,6 +27,9 @@ struct TextLine {
 /// All lines of a text, of which they stay a part.
 [[nodiscard]] std::vector<TextLine> text_lines(std::string_view text);
 
+/// That of a line's cells: comma, semicolon or tab, whichever it has most of; a blank if none.
+[[nodiscard]] char separator_of(std::string_view line);
+
 using geometric::cells;
 using geometric::parse_number;
 using geometric::trimmed;

@@ -37,11 +37,28 @@ const RobotFinger* thumb_of(const RobotFingers& hand) {
   return found == hand.fingers.end() ? nullptr : &*found;
 }
 
-double human_reach(Finger finger) {
+/// From a person's fingers to the robot's, in their order; of the thumb the mean of the others.
+std::vector<double> scales_of(const RobotFingers& hand, double scale) {
   GloveAngles flat;
   flat.angles.fill(0.0);
   const HandLandmarks landmarks = hand_landmarks(flat);
-  return (landmarks.col(tip_landmark(finger)) - landmarks.col(base_landmark(finger))).norm();
+  std::vector<double> scales;
+  double sum = 0.0;
+  int count = 0;
+  for (const RobotFinger& finger : hand.fingers) {
+    const double human_reach =
+        (landmarks.col(tip_landmark(finger.finger)) - landmarks.col(base_landmark(finger.finger)))
+            .norm();
+    scales.push_back(scale * finger.reach / human_reach);
+    if (finger.finger != Finger::kThumb) {
+      sum += scales.back();
+      ++count;
+    }
+  }
+  for (std::size_t f = 0; f < scales.size(); ++f) {
+    scales[f] = hand.fingers[f].finger == Finger::kThumb ? sum / count : scales[f];
+  }
+  return scales;
 }
 
 double positive(const YamlElement& element, double least) {
@@ -154,7 +171,7 @@ struct FingertipRetargeter::Problem {
         continue;
       }
       const double open = std::max(0.0, gap.norm() - kPadDepth) / std::max(gap.norm(), 1e-9);
-      const double scale = self.scale_of(*thumb);
+      const double scale = self.scales_[t];
       const Vector3d miss = tips.col(static_cast<Eigen::Index>(t)) -
                             tips.col(static_cast<Eigen::Index>(f)) -
                             scale * open * self.turned(gap);
@@ -202,6 +219,7 @@ FingertipRetargeter::FingertipRetargeter(std::shared_ptr<const geometric::RobotM
   for (const RobotFinger& finger : fingers_.fingers) {
     variables_.insert(variables_.end(), finger.variables.begin(), finger.variables.end());
   }
+  scales_ = scales_of(fingers_, settings_.scale);
   std::ranges::sort(variables_);
   variables_.erase(std::unique(variables_.begin(), variables_.end()), variables_.end());
   if (settings_.self_collision) {
@@ -213,21 +231,6 @@ FingertipRetargeter::FingertipRetargeter(std::shared_ptr<const geometric::RobotM
 }
 
 FingertipRetargeter::~FingertipRetargeter() = default;
-
-double FingertipRetargeter::scale_of(const RobotFinger& finger) const {
-  if (finger.finger != Finger::kThumb) {
-    return settings_.scale * finger.reach / human_reach(finger.finger);
-  }
-  double sum = 0.0;
-  int count = 0;
-  for (const RobotFinger& other : fingers_.fingers) {
-    if (other.finger != Finger::kThumb) {
-      sum += scale_of(other);
-      ++count;
-    }
-  }
-  return sum / count;
-}
 
 const RobotFinger& FingertipRetargeter::seen_from(const RobotFinger& finger) const {
   const bool is_thumb = finger.finger == Finger::kThumb;
@@ -245,7 +248,7 @@ Eigen::Matrix3Xd FingertipRetargeter::wanted(const HandLandmarks& landmarks) con
     const RobotFinger& from = seen_from(finger);
     const Vector3d v_H =
         landmarks.col(tip_landmark(finger.finger)) - landmarks.col(base_landmark(from.finger));
-    result.col(f) = from.p_PB + scale_of(finger) * turned(v_H);
+    result.col(f) = from.p_PB + scales_[static_cast<std::size_t>(f)] * turned(v_H);
   }
   return result;
 }

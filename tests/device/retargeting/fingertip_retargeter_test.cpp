@@ -4,6 +4,7 @@
 #include "handway/geometric/formats/robot_loader.h"
 #include "handway/geometric/io/resources.h"
 #include "handway/geometric/math/units.h"
+#include "handway/geometric/robot/mirrored_robot.h"
 #include "handway_test/input_errors.h"
 #include "handway_test/paths.h"
 
@@ -96,6 +97,37 @@ TEST(RobotFingers, AreFoundOnAHandWithAWrist) {
       EXPECT_EQ(shadow->variable(v).name.find("WRJ"), std::string::npos);
     }
   }
+}
+
+TEST(RobotFingers, AreThoseOfALeftHand) {
+  const auto right = sah();
+  const auto left =
+      std::make_shared<const geometric::RobotModel>(geometric::mirrored(right->description()));
+  const RobotFingers fingers = find_fingers(*left);
+  EXPECT_TRUE(fingers.left);
+  EXPECT_THAT(finger_names(fingers), ElementsAre("thumb", "index", "middle", "ring"));
+  // It follows the same hand as the right one does, in mirrored postures.
+  const FingertipRetargeter right_hand(right);
+  const FingertipRetargeter left_hand(left);
+  const HandLandmarks landmarks = hand_landmarks(bent(30 * kDegree, 40 * kDegree));
+  const Eigen::VectorXd posture = left_hand.posture(landmarks, left_hand.middle());
+  EXPECT_LT(mean_miss(left_hand, landmarks, posture), 0.03);
+  EXPECT_TRUE(posture.isApprox(right_hand.posture(landmarks, right_hand.middle()), 1e-3));
+}
+
+TEST(RobotFingers, AreThoseThatFingertipsName) {
+  const auto model = sah();
+  const RobotFingers all = find_fingers(*model);
+  const std::string thumb = tip_of(*model, all, Finger::kThumb);
+  const std::string index = tip_of(*model, all, Finger::kIndex);
+  // Against what the links' names say: the fingertips that the file names count.
+  const RobotFingers two = find_fingers(*model, {{Finger::kThumb, thumb}, {Finger::kRing, index}});
+  EXPECT_THAT(finger_names(two), ElementsAre("thumb", "ring"));
+  EXPECT_EQ(tip_of(*model, two, Finger::kRing), index);
+  EXPECT_THAT(test::refusal_of([&] {
+                static_cast<void>(find_fingers(*model, {{Finger::kThumb, "no_link"}}));
+              }),
+              AllOf(HasSubstr("thumb"), HasSubstr("\"no_link\""), HasSubstr("sah_right")));
 }
 
 TEST(RobotFingers, AreRefusedOfAnArm) {

@@ -5,6 +5,7 @@
 #include "handway/device/glove/glove_layout.h"
 
 #include <string>
+#include <vector>
 
 namespace handway::device {
 
@@ -17,10 +18,13 @@ struct GloveInfo {
   double rate = 0.0;  ///< Frames a second that it was asked for, Hz.
   double round_trip =
       0.0;  ///< Shortest time from a question to its answer, s; 0 if none was asked.
+  /// Whose frames have angles, of a source that measures angles itself: indices into
+  /// cyberglove_sensors(). Empty: a glove of counts.
+  std::vector<int> angle_sensors;
 };
 
-/// A sensorized glove (paper, section 3): frames of raw counts. Every count of a sensor that the
-/// glove has is from 1 to 255.
+/// A sensorized glove (paper, section 3), or what stands for one: frames of raw counts. Every count
+/// of a sensor that the glove has is from 1 to 255.
 class HANDWAY_DEVICE_EXPORT Glove : public SampledDevice<GloveInfo, GloveFrame> {
  private:
   void check_info(const GloveInfo& info) override;

@@ -59,7 +59,8 @@ HANDWAY_DEVICE_EXPORT void write_calibration(const GloveCalibration& calibration
 /// @throws geometric::InputError if the library lacks it.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT GloveCalibration typical_calibration();
 
-/// The angles of a frame; NaN for sensors that are missing (0 counts) or not calibrated.
+/// The angles of a frame; NaN for sensors that are missing (0 counts) or not calibrated. Those that
+/// its source measured itself, if it did.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT GloveAngles to_angles(const GloveFrame& frame,
                                                           const GloveCalibration& calibration);
 

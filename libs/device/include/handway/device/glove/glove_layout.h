@@ -18,6 +18,9 @@ inline constexpr int kGloveSensors = 22;
 struct GloveFrame {
   double time = 0.0;  ///< s since the stream began, on a steady clock.
   std::array<std::uint16_t, kGloveSensors> counts{};  ///< Raw, 1 … 255.
+  /// rad, flexion positive, NaN where nothing measures, of a source that measures angles itself:
+  /// no calibration applies, and the counts are what a typical glove would read.
+  std::optional<std::array<double, kGloveSensors>> angles = std::nullopt;
 };
 
 /// The angles of one frame after calibration.

@@ -16,7 +16,7 @@
 /// Which sensor of a glove drives which joint of a robot's hand (paper, section 4.1 and
 /// Table 1), as YAML:
 ///
-///     hand: sah_right
+///     hand: sah_right               # in the library, or a file as seen from this one
 ///     source: "where the correspondence comes from"
 ///     joints:
 ///       - {joint: thumb_base, sensor: ThumbRotate, gain: -1, offset: 0}
@@ -44,7 +44,7 @@ struct JointWire {
 
 /// The wires of a whole hand.
 struct HandMapping {
-  std::string hand;    ///< Robot that the joints belong to.
+  std::string hand;    ///< Robot that the joints belong to, a file as seen from the mapping's.
   std::string source;  ///< May be empty.
   std::vector<JointWire> wires;
 };
@@ -72,9 +72,11 @@ class HANDWAY_DEVICE_EXPORT HandMapper : public PostureSource {
  public:
   /// @param hand a robot with all joints that the mapping names, such as the hand alone or
   /// an arm with it; the joints named are the hand.
+  /// @param is_hand the robot is the mapping's hand, whatever its name; else only if that is what
+  /// the mapping says.
   /// @throws geometric::InputError if the robot lacks a joint that the mapping names, has it
   /// coupled to another, or is the hand itself and has a joint that the mapping leaves out.
-  HandMapper(const HandMapping& mapping, const geometric::RobotModel& hand);
+  HandMapper(const HandMapping& mapping, const geometric::RobotModel& hand, bool is_hand = false);
 
   [[nodiscard]] std::vector<bool> driven() const override;
 

@@ -6,6 +6,8 @@
 
 #include <Eigen/Core>
 
+#include <vector>
+
 namespace handway::device {
 
 /// 21 points of a hand in the order of MediaPipe: the wrist; of the thumb the joint at the wrist
@@ -42,8 +44,8 @@ hand_landmarks(const GloveAngles& angles, double hand_length = kTypicalHandLengt
 /// them (the arch of the palm and the wrist): the inverse of hand_landmarks(), whatever the
 /// lengths. How far a finger is spread is 0 while its first phalanx is bent by some 80° and more.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT GloveAngles glove_angles(const HandLandmarks& landmarks);
-/// Whether glove_angles() has a number for the sensor (index into cyberglove_sensors()).
-[[nodiscard]] HANDWAY_DEVICE_EXPORT bool measured_by_landmarks(int sensor);
+/// The sensors that glove_angles() has numbers for (indices into cyberglove_sensors()).
+[[nodiscard]] HANDWAY_DEVICE_EXPORT std::vector<int> landmark_sensors();
 
 /// The palm's frame of landmarks that were measured anywhere, from wrist and knuckles: as that of
 /// hand_landmarks(). @param left the landmarks are a left hand's: then z points into its palm.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "handway/device/export.h"
+#include "handway/device/glove/glove.h"
 #include "handway/device/glove/glove_layout.h"
 
 #include <Eigen/Core>
@@ -57,6 +58,9 @@ struct Recording {
   std::vector<std::string> warnings;  ///< Of reading: what was left out or guessed, and where.
 };
 
+/// Of a recording of what a glove sends, counts or angles: kind, device and sensors.
+[[nodiscard]] HANDWAY_DEVICE_EXPORT RecordingHeader recording_header(const GloveInfo& info);
+
 /// Column of the sensor (index into cyberglove_sensors()), or -1.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT int column_of(const RecordingHeader& header, int sensor);
 
@@ -72,9 +76,28 @@ struct Recording {
 ///     names or letters of sensors; whole numbers from 0 to 255 are counts, else angles in rad;
 ///   - JSON lines of 21 landmarks of a hand in m, in MediaPipe's order: {"time": s, "hand": "right"
 ///     or "left", "landmarks": [[x, y, z], …]}, points as {"x", "y", "z"} too. The recording holds
-///     the angles between them (see glove_angles()); a left hand is mirrored;
+///     the angles between them (see glove_angles()); a left hand is mirrored, and where both are
+///     seen it is that of the first row;
 ///   - text rows of a VirtualHand log: year month day hour minute second switch, then
-///     23 angles in rad in the order of its slots, with its signs (flexion negative; turned here).
+///     23 angles in rad in the order of its slots, with its signs (flexion negative; turned here);
+///   - tables of such angles without times: rows of 23, or of 22 (all but the wrist's abduction)
+///   and a
+///     label, with or without a header;
+///   - MATLAB files (version 5 and 7.3) with "angles" (degrees) or "glove" (counts) of 18 or 22
+///     columns in the order of a CyberGlove's records, as Ninapro's;
+///   - any table of numbers, text or MATLAB, by a map of its columns (YAML, told by its name):
+///
+///         table: postures.csv        # from this file's folder; lines end in CR, LF or both
+///         variable: q                # of a MATLAB file
+///         separator: ","             # ",", ";", tab or blank; found if left out
+///         skip: 2                    # lines before the table
+///         unit: deg                  # rad (default), deg or counts
+///         signs: negative            # flexion and spreading; positive (default), virtual_hand
+///         time: {column: 1, gain: 0.001}   # in s; or, without times,
+///         rate: 60                   # rows a second (default 1)
+///         columns:                   # by number from 1, or by name if there is a header
+///           IndexMPJ: 3
+///           ThumbRotate: {column: TR, gain: -1, offset: 12}
 ///
 /// @throws geometric::InputError with file and line for what is none of these, holds no
 /// rows, names a sensor that isn't known or one twice, has a row of the wrong length, a
@@ -103,7 +126,8 @@ class HANDWAY_DEVICE_EXPORT RecordingWriter {
   /// @throws std::invalid_argument if the shape differs, a value isn't finite or time
   /// runs backwards.
   void append(double time, std::span<const double> values);
-  /// The header's sensors of a frame. @pre the header's kind is kCounts.
+  /// The header's sensors of a frame: its counts or its angles, by the header's kind.
+  /// @throws std::invalid_argument if angles are asked for and the frame has none.
   void append(const GloveFrame& frame);
   /// The header's sensors of a frame. @pre the header's kind is kAngles.
   void append(const GloveAngles& angles);

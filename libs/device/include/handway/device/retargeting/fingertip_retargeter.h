@@ -28,7 +28,7 @@
 namespace handway::device {
 
 struct RetargetingSettings {
-  std::string hand;    ///< Robot: a name in the library, or a file.
+  std::string hand;    ///< Robot: a name in the library, or a file as seen from the settings'.
   double scale = 1.0;  ///< Times the ratio of the lengths of robot's and person's finger; > 0.
   /// Weight of the gap between thumb and finger where they come together, against a fingertip's
   /// place; ≥ 0.
@@ -87,8 +87,6 @@ class HANDWAY_DEVICE_EXPORT FingertipRetargeter : public PostureSource {
  private:
   struct Problem;
 
-  /// From a person's finger to the robot's; of the thumb the mean of the others.
-  [[nodiscard]] double scale_of(const RobotFinger& finger) const;
   /// The finger from whose base a fingertip is looked at.
   [[nodiscard]] const RobotFinger& seen_from(const RobotFinger& finger) const;
   /// A vector of a person's palm in the frame of the robot's.
@@ -102,7 +100,8 @@ class HANDWAY_DEVICE_EXPORT FingertipRetargeter : public PostureSource {
   std::shared_ptr<const geometric::RobotModel> hand_;
   RetargetingSettings settings_;
   RobotFingers fingers_;
-  std::vector<int> variables_;                            ///< That fingers have; the others stay.
+  std::vector<double> scales_;  ///< From a person's finger to the robot's, as fingers_.
+  std::vector<int> variables_;  ///< That fingers have; the others stay.
   std::unique_ptr<geometric::CollisionChecker> checker_;  ///< Null: self-collision is not avoided.
 };
 

@@ -1,0 +1,290 @@
+#include "handway/device/glove/landmark_glove.h"
+
+#include "core/links.h"
+#include "core/ports.h"
+#include "core/random_moves.h"
+#include "glove/recording_player.h"
+#include "handway/device/core/device_error.h"
+#include "handway/device/core/line_protocol.h"
+#include "handway/device/core/watchdog.h"
+#include "handway/device/glove/glove_calibration.h"
+#include "handway/device/glove/landmark_line.h"
+#include "handway/device/glove/recording.h"
+#include "handway/geometric/io/input_error.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <deque>
+#include <limits>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace handway::device {
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr std::string_view kUdp = "udp://";
+constexpr std::string_view kTcp = "landmarks://";
+constexpr milliseconds kLineSlice{20};
+constexpr std::size_t kLongestDatagram = 4096;
+// Datagrams don't overtake each other by so much: the sender's clock was set back, s.
+constexpr double kClockSetBack = 1.0;
+
+TcpAddress parse_landmark_address(const std::string& address) {
+  if (address.starts_with(kUdp)) {
+    return parse_udp_address(address.substr(kUdp.size()));
+  }
+  if (!address.starts_with(kTcp)) {
+    throw geometric::InputError(
+        {address, "", "no address of landmarks", "udp://PORT or landmarks://HOST:PORT", ""});
+  }
+  return std::get<TcpAddress>(parse_device_address("tcp://" + address.substr(kTcp.size())));
+}
+
+}  // namespace
+
+bool is_landmark_address(const std::string& address) {
+  return address.starts_with(kUdp) || address.starts_with(kTcp);
+}
+
+struct LandmarkGlove::Session {
+  std::optional<UdpReceiver> receiver;  ///< Or the link.
+  std::unique_ptr<ByteLink> link;
+  LineBuffer lines;
+  GloveCalibration typical = typical_calibration();
+  std::deque<GloveFrame> frames;  ///< Arrived and not yet taken.
+  Watchdog watchdog;
+  Clock::duration silence{};
+  bool heard = false;          ///< A good line.
+  bool no_hand = false;        ///< As the last line said.
+  std::optional<double> sent;  ///< The sender's time of the last frame.
+  std::string problem;         ///< Of the last line that was none.
+};
+
+LandmarkGlove::LandmarkGlove(std::string address, const LandmarkGloveSettings& settings)
+    : address_(std::move(address)), settings_(settings) {
+  static_cast<void>(parse_landmark_address(address_));  // refuses wrong ones
+}
+
+LandmarkGlove::~LandmarkGlove() { disconnect(); }
+
+void LandmarkGlove::take_lines(milliseconds timeout) {
+  Session& session = *session_;
+  const auto add = [&](std::span<const std::uint8_t> bytes) {
+    session.lines.add(bytes);
+    try {
+      while (const auto line = session.lines.next()) {
+        take_line(*line, Clock::now());
+      }
+    } catch (const LineProtocolError& error) {
+      throw DeviceError({address_, "", error.what(), "JSON lines of 21 landmarks",
+                         "Look whether the sender ends its lines, and sends landmarks."});
+    }
+  };
+  if (session.link) {
+    static_cast<void>(read_turn(*session.link, timeout, add));
+  } else {
+    std::array<std::uint8_t, kLongestDatagram + 1> bytes{};
+    const auto length =
+        session.receiver->receive(std::span(bytes).first(kLongestDatagram), timeout);
+    if (length && *length <= kLongestDatagram) {
+      bytes.at(*length) = '\n';
+      add(std::span(bytes).first(*length + 1));
+    } else if (length) {
+      ++faults_.resynchronisations;
+      faults_.dropped_bytes += *length;
+      session.problem = fmt::format("a datagram of {} bytes", *length);
+    }
+  }
+  session.silence = session.watchdog.listened(Clock::now());
+}
+
+void LandmarkGlove::take_line(const std::string& line, Clock::time_point arrival) {
+  Session& session = *session_;
+  if (line.empty()) {
+    return;
+  }
+  LandmarkLine hand;
+  try {
+    hand = read_landmark_line(line);
+  } catch (const LineProtocolError& error) {
+    ++faults_.resynchronisations;
+    faults_.dropped_bytes += line.size();
+    session.problem = error.what();
+    return;
+  }
+  session.watchdog.heard(arrival);
+  session.heard = true;
+  session.no_hand = !hand.landmarks;
+  if (!hand.landmarks) {
+    return;
+  }
+  settings_.left = settings_.left.value_or(hand.left);
+  if (hand.left != *settings_.left) {
+    return;
+  }
+  if (hand.time && session.sent) {
+    const double late = *session.sent - *hand.time;
+    if (late > 0.0 && late < kClockSetBack) {
+      ++faults_.doubtful;
+      return;
+    }
+  }
+  session.sent = hand.time;
+  const GloveAngles angles = glove_angles(in_palm_frame(*hand.landmarks, hand.left));
+  GloveFrame frame = to_counts(angles, session.typical);
+  for (std::uint16_t& count : frame.counts) {
+    count = count == 0 ? to_count(kMidScale) : count;
+  }
+  frame.angles = angles.angles;
+  frame.time = since_begin(arrival);
+  session.frames.push_back(frame);
+}
+
+void LandmarkGlove::check_sender() const {
+  if (session_->silence > settings_.timeout) {
+    const std::string last =
+        session_->problem.empty() ? "" : " (the last line: " + session_->problem + ")";
+    throw DeviceError(
+        {address_, "",
+         fmt::format("no hand landmarks for {} ms{}", settings_.timeout.count(), last),
+         "JSON lines of 21 landmarks",
+         "Look whether the sender runs, and sends to this computer and port."});
+  }
+}
+
+GloveInfo LandmarkGlove::do_connect(const std::stop_token& stop) {
+  session_.reset();  // its port is needed
+  const TcpAddress address = parse_landmark_address(address_);
+  session_ = std::make_unique<Session>();
+  try {
+    if (address_.starts_with(kUdp)) {
+      session_->receiver.emplace(address_, address);
+    } else {
+      session_->link = open_tcp_link(address_, address, stop);
+    }
+    session_->watchdog.heard(Clock::now());
+    while (!session_->heard && !stop.stop_requested()) {
+      take_lines(kLineSlice);
+      check_sender();
+    }
+  } catch (...) {
+    session_.reset();
+    throw;
+  }
+  GloveInfo info;
+  info.device = address_;
+  info.model = "hand landmarks";
+  info.right_hand = !settings_.left.value_or(false);
+  info.angle_sensors = landmark_sensors();
+  return info;
+}
+
+GloveReading LandmarkGlove::do_next(milliseconds timeout, const std::stop_token& stop) {
+  Session& session = *session_;
+  const auto end = Clock::now() + timeout;
+  while (session.frames.empty() && !stop.stop_requested()) {
+    const auto left = std::chrono::ceil<milliseconds>(end - Clock::now());
+    take_lines(std::clamp(left, milliseconds(0), kLineSlice));
+    check_sender();
+    if (session.frames.empty() && Clock::now() >= end) {
+      return {session.no_hand ? SampleEvent::kUnplugged : SampleEvent::kNothing, {}};
+    }
+  }
+  if (session.frames.empty()) {
+    return {};
+  }
+  const GloveFrame frame = session.frames.front();
+  session.frames.pop_front();
+  return {SampleEvent::kSample, frame};
+}
+
+void LandmarkGlove::do_disconnect() noexcept { session_.reset(); }
+
+HandSignal recorded_hand(const Recording& recording) {
+  if (recording.header.kind != RecordingKind::kAngles) {
+    throw geometric::InputError(
+        {"recording", "", "raw counts", "angles", "Give a calibration of the glove"});
+  }
+  const auto player = std::make_shared<const RecordingPlayer>(recording, typical_calibration());
+  return [player](double time) {
+    return GloveAngles{time, *player->frame_at(std::fmod(time, player->duration())).angles};
+  };
+}
+
+namespace {
+
+constexpr double kLandmarkBacklog = 0.25;  // s
+
+/// Before a camera, half a metre away, turning to and fro.
+geometric::Pose hand_pose(double time) {
+  const geometric::Pose X_CH = geometric::pose_from_rpy(
+      Eigen::Vector3d(0.05 * std::sin(0.7 * time), 0.03 * std::sin(0.9 * time), 0.5),
+      0.5 * std::sin(0.5 * time), 0.4 * std::sin(0.8 * time), 0.6 * std::sin(0.3 * time));
+  return X_CH;
+}
+
+class LandmarkUnit final : public DeviceUnit {
+ public:
+  LandmarkUnit(const LandmarkUnitSettings& settings, HandSignal signal)
+      : settings_(settings), signal_(std::move(signal)), random_(settings.seed) {
+    if (!(settings.rate > 0.0)) {
+      throw std::invalid_argument("landmarks have to be sent at a rate above 0");
+    }
+  }
+
+  Bytes receive(std::span<const std::uint8_t> /*bytes*/, double /*now*/) override { return {}; }
+
+  std::vector<Bytes> advance(double now) override {
+    next_ = std::max(next_, now - kLandmarkBacklog);
+    std::vector<Bytes> lines;
+    for (; next_ <= now; next_ += 1.0 / settings_.rate) {
+      const std::string line = write_landmark_line(seen_at(next_)) + '\n';
+      lines.emplace_back(line.begin(), line.end());
+    }
+    return lines;
+  }
+
+  [[nodiscard]] std::optional<double> next_due() const override { return next_; }
+  void set_plugged(bool plugged) override { plugged_ = plugged; }
+
+ private:
+  LandmarkLine seen_at(double time) {
+    LandmarkLine line{time, settings_.left, {}};
+    const GloveAngles angles = signal_(time);
+    if (!plugged_) {
+      return line;
+    }
+    HandLandmarks landmarks = hand_landmarks(angles);
+    if (settings_.left) {
+      landmarks.row(2) *= -1.0;
+    }
+    landmarks = hand_pose(time) * landmarks;
+    for (double& coordinate : landmarks.reshaped()) {
+      coordinate += settings_.noise > 0.0 ? settings_.noise * random_.normal() : 0.0;
+    }
+    line.landmarks = landmarks;
+    return line;
+  }
+
+  LandmarkUnitSettings settings_;
+  HandSignal signal_;
+  SeededRandom random_;
+  double next_ = 0.0;
+  bool plugged_ = true;
+};
+
+}  // namespace
+
+std::unique_ptr<DeviceUnit> make_landmark_unit(const LandmarkUnitSettings& settings,
+                                               HandSignal signal) {
+  return std::make_unique<LandmarkUnit>(settings, std::move(signal));
+}
+
+}  // namespace handway::device

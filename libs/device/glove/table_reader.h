@@ -1,0 +1,26 @@
+#pragma once
+
+#include "glove/text_files.h"
+#include "handway/device/glove/recording.h"
+
+#include <filesystem>
+#include <vector>
+
+/// Tables of postures that are no recordings yet: see read_recording().
+
+namespace handway::device {
+
+/// Whether lines are VirtualHand's postures without times: rows of 23 angles, or of 22 and a label,
+/// with or without a header.
+[[nodiscard]] bool is_posture_table(const std::vector<TextLine>& lines);
+
+[[nodiscard]] Recording read_posture_table(const std::filesystem::path& file,
+                                           const std::vector<TextLine>& lines);
+
+/// A MATLAB file with what a glove of 18 or 22 sensors measured.
+[[nodiscard]] Recording read_matlab_recording(const std::filesystem::path& file);
+
+/// A table of any columns, by a map of them (YAML) that names it.
+[[nodiscard]] Recording read_mapped_table(const std::filesystem::path& map);
+
+}  // namespace handway::device

@@ -1,0 +1,76 @@
+#pragma once
+
+#include "handway/device/core/device_emulator.h"
+#include "handway/device/export.h"
+#include "handway/device/glove/glove.h"
+#include "handway/device/glove/recording.h"
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace handway::device {
+
+struct LandmarkGloveSettings {
+  std::optional<bool> left;  ///< The hand to follow; none: the one that is seen first.
+  /// The sender is taken for gone after this long without a good line.
+  std::chrono::milliseconds timeout{1000};
+};
+
+/// "udp://[HOST:]PORT" or "landmarks://HOST:PORT".
+[[nodiscard]] HANDWAY_DEVICE_EXPORT bool is_landmark_address(const std::string& address);
+
+/// A hand that a camera, a headset or a Leap Motion sees, as a glove: lines of landmarks (see
+/// landmark_line.h) that somebody sends. Its frames have the angles between the landmarks, as a
+/// right hand's; they are stamped when they arrive. The other hand's lines are passed over. While
+/// no hand is seen next() reports it as unplugged. Lines that are none are counted and dropped, as
+/// are datagrams that come later than one with a later time.
+class HANDWAY_DEVICE_EXPORT LandmarkGlove final : public Glove {
+ public:
+  /// @param address "udp://PORT" to hear senders on this computer, "udp://0.0.0.0:PORT" all (a
+  /// line a datagram); "landmarks://HOST:PORT" to connect to a sender's TCP port.
+  /// @throws geometric::InputError for a wrong address.
+  explicit LandmarkGlove(std::string address, const LandmarkGloveSettings& settings = {});
+  ~LandmarkGlove() override;
+
+ private:
+  struct Session;
+
+  GloveInfo do_connect(const std::stop_token& stop) override;
+  GloveReading do_next(std::chrono::milliseconds timeout, const std::stop_token& stop) override;
+  void do_disconnect() noexcept override;
+  [[nodiscard]] ReceptionFaults do_faults() const override { return faults_; }
+
+  void take_lines(std::chrono::milliseconds timeout);
+  void take_line(const std::string& line, Clock::time_point arrival);
+  void check_sender() const;
+
+  std::string address_;
+  LandmarkGloveSettings settings_;
+  std::unique_ptr<Session> session_;  ///< While connected.
+  ReceptionFaults faults_;
+};
+
+/// Angles of a hand at a time (s, never falling).
+using HandSignal = std::function<GloveAngles(double time)>;
+
+/// Those of a recording, again and again. @throws geometric::InputError if it holds counts.
+[[nodiscard]] HANDWAY_DEVICE_EXPORT HandSignal recorded_hand(const Recording& recording);
+
+struct LandmarkUnitSettings {
+  double rate = 30.0;  ///< Lines a second, Hz.
+  bool left = false;   ///< A left hand.
+  double noise = 0.0;  ///< Standard deviation of each coordinate, m.
+  std::uint64_t seed = 1;
+};
+
+/// What sends the landmarks of a hand that moves as `signal` and turns about before a camera;
+/// unplugged, it sees no hand. Hears nothing.
+/// @throws std::invalid_argument for a rate that is not positive.
+[[nodiscard]] HANDWAY_DEVICE_EXPORT std::unique_ptr<DeviceUnit> make_landmark_unit(
+    const LandmarkUnitSettings& settings, HandSignal signal);
+
+}  // namespace handway::device

@@ -1,0 +1,142 @@
+#include "handway/device/glove/recording.h"
+#include "handway/geometric/math/units.h"
+#include "handway_test/input_errors.h"
+#include "handway_test/paths.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <matio.h>
+
+#include <array>
+#include <fstream>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace handway::device {
+namespace {
+
+namespace fs = std::filesystem;
+using geometric::kDegree;
+using testing::AllOf;
+using testing::HasSubstr;
+
+class Tables : public testing::Test {
+ protected:
+  fs::path write(const std::string& name, const std::string& text) {
+    std::ofstream(folder_.path() / name, std::ios::binary) << text;
+    return folder_.path() / name;
+  }
+  /// A version 5 file with one matrix, row by row.
+  fs::path write_matlab(const std::string& name, const std::string& variable, std::size_t columns,
+                        const std::vector<double>& values) {
+    const fs::path file = folder_.path() / name;
+    const std::size_t rows = values.size() / columns;
+    std::vector<double> by_column;
+    for (std::size_t column = 0; column < columns; ++column) {
+      for (std::size_t row = 0; row < rows; ++row) {
+        by_column.push_back(values[row * columns + column]);
+      }
+    }
+    std::array<std::size_t, 2> size{rows, columns};
+    mat_t* opened = Mat_CreateVer(file.c_str(), nullptr, MAT_FT_MAT5);
+    matvar_t* matrix = Mat_VarCreate(variable.c_str(), MAT_C_DOUBLE, MAT_T_DOUBLE, 2, size.data(),
+                                     by_column.data(), 0);
+    Mat_VarWrite(opened, matrix, MAT_COMPRESSION_ZLIB);
+    Mat_VarFree(matrix);
+    Mat_Close(opened);
+    return file;
+  }
+  static double value(const Recording& recording, Eigen::Index row, const char* sensor) {
+    return recording.values(row, column_of(recording.header, *find_sensor(sensor)));
+  }
+
+  test::ScratchFolder folder_;
+};
+
+std::string angles(int count, const std::string& separator, double first) {
+  std::string text;
+  for (int i = 0; i < count; ++i) {
+    text += (i > 0 ? separator : "") + std::to_string(first - 0.01 * i);
+  }
+  return text;
+}
+
+TEST_F(Tables, ReadVirtualHandsPosturesWithoutTimes) {
+  const Recording recording = read_recording(
+      write("gesture.txt", angles(23, " ", -0.1) + "\n" + angles(23, " ", -0.5) + "\n"));
+  EXPECT_EQ(recording.header.kind, RecordingKind::kAngles);
+  ASSERT_EQ(recording.values.rows(), 2);
+  EXPECT_EQ(recording.times[1], 1.0);
+  EXPECT_NEAR(value(recording, 0, "IndexMPJ"), 0.14, 1e-9) << "slot 4, flexion turned positive";
+  EXPECT_NEAR(value(recording, 1, "MiddleMPJ"), 0.58, 1e-9) << "slot 8: slot 7 is no sensor's";
+  EXPECT_NEAR(value(recording, 0, "RingMiddleAbduct"), -0.25, 1e-9);
+  EXPECT_NEAR(value(recording, 0, "WristYaw"), 0.32, 1e-9);
+}
+
+TEST_F(Tables, ReadLabelledPosturesWhoseLinesEndInCr) {
+  std::string header = "S01";
+  for (int i = 2; i <= 22; ++i) {
+    header += ",S" + std::to_string(i);
+  }
+  const std::string rows = angles(22, ",", -0.1) + ",A\r" + angles(22, ",", -0.5) + ",B\r";
+  for (const std::string& text : {rows, header + ",OUTPUT\r" + rows}) {
+    const Recording recording = read_recording(write("libras.csv", text));
+    ASSERT_EQ(recording.values.rows(), 2);
+    EXPECT_EQ(recording.values.cols(), 21) << "without the wrist's abduction";
+    EXPECT_NEAR(value(recording, 1, "ThumbMPJ"), 0.51, 1e-9);
+  }
+}
+
+TEST_F(Tables, AreReadByAMapOfTheirColumns) {
+  write("t.csv", "made by hand\r\nt;label;TR;I1\r\n0;A;-10;20\r\n40;B;-30;40\r\n");
+  const fs::path map = write("map.yaml",
+                             "table: t.csv\nskip: 1\nunit: deg\nsigns: negative\n"
+                             "time: {column: t, gain: 0.001}\n"
+                             "columns: {ThumbRotate: TR, g: {column: 4, gain: -1, offset: 5}}\n");
+  const Recording recording = read_recording(map);
+  EXPECT_EQ(recording.header.kind, RecordingKind::kAngles);
+  EXPECT_NEAR(recording.times[1], 0.04, 1e-12);
+  EXPECT_NEAR(value(recording, 1, "ThumbRotate"), 30 * kDegree, 1e-9);
+  EXPECT_NEAR(value(recording, 1, "IndexMPJ"), 35 * kDegree, 1e-9);
+}
+
+TEST_F(Tables, SayWhichColumnOfAMapIsWrong) {
+  write("t.csv", "1 2 x\n3 4 y\n");
+  const auto refusal = [&](const std::string& columns) {
+    const fs::path map = write("map.yaml", "table: t.csv\ncolumns: {" + columns + "}\n");
+    return test::refusal_of([&] { static_cast<void>(read_recording(map)); });
+  };
+  EXPECT_THAT(refusal("IndexMPJ: 4"), AllOf(HasSubstr("map.yaml:2"), HasSubstr("from 1 to 3")));
+  EXPECT_THAT(refusal("IndexMPK: 1"), HasSubstr("IndexMPJ"));
+  EXPECT_THAT(refusal("IndexMPJ: 3"), AllOf(HasSubstr("t.csv:1"), HasSubstr("no number")));
+  write("t.csv", "10 200\n");
+  EXPECT_THAT(refusal("IndexMPJ: 2"), HasSubstr("unit: deg"));
+}
+
+TEST_F(Tables, ReadMatlabFilesOfGloves) {
+  const std::vector<double> counts(44, 120.0);
+  const Recording raw = read_recording(write_matlab("S1_A1_E1.mat", "glove", 22, counts));
+  EXPECT_EQ(raw.header.kind, RecordingKind::kCounts);
+  EXPECT_EQ(raw.values.rows(), 2);
+  EXPECT_NEAR(raw.times[1], 0.01, 1e-12);
+  std::vector<double> degrees(44, 10.0);
+  degrees[22 + 4] = 45.0;
+  const Recording calibrated = read_recording(write_matlab("S2.mat", "angles", 22, degrees));
+  EXPECT_EQ(calibrated.header.kind, RecordingKind::kAngles);
+  EXPECT_NEAR(value(calibrated, 1, "IndexMPJ"), 45 * kDegree, 1e-9);
+}
+
+TEST_F(Tables, ReadOtherMatlabFilesByAMap) {
+  const fs::path file = write_matlab("q.mat", "q", 3, {0.0, 0.1, 0.2, 1.0, 1.1, 1.2});
+  EXPECT_THAT(test::refusal_of([&] { static_cast<void>(read_recording(file)); }),
+              AllOf(HasSubstr("q (2 x 3)"), HasSubstr("map")));
+  const fs::path map =
+      write("q.yaml", "table: q.mat\nvariable: q\nrate: 50\ncolumns: {IndexMPJ: 2}\n");
+  const Recording recording = read_recording(map);
+  EXPECT_NEAR(value(recording, 1, "IndexMPJ"), 1.1, 1e-12);
+  EXPECT_NEAR(recording.times[1], 0.02, 1e-12);
+}
+
+}  // namespace
+}  // namespace handway::device
