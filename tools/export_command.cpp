@@ -1,5 +1,6 @@
 #include "commands.h"
 #include "exit_codes.h"
+#include "scene_options.h"
 #include "timing_options.h"
 
 #include <CLI/CLI.hpp>
@@ -19,9 +20,29 @@ struct ExportChoice {
   planning::ExportOptions options;
 };
 
+int export_scene(const ExportChoice& choice, const planning::SceneExporter& exporter,
+                 const planning::PluginManager& plugins) {
+  if (!choice.timing.path.empty()) {
+    throw CLI::ValidationError("path",
+                               "--to " + choice.to + " is of a scene alone, without a path");
+  }
+  const planning::LoadedScene loaded = planning::load_scene(choice.timing.scene, plugins);
+  print_warnings(*loaded.scene);
+  for (const std::filesystem::path& file : exporter.write(*loaded.scene, choice.out)) {
+    fmt::print("{}\n", file.string());
+  }
+  return kDone;
+}
+
 int run_export(ExportChoice choice) {
   planning::PluginManager plugins;
   plugins.load_plugins(planning::plugin_directory());
+  if (const planning::SceneExporter* exporter = plugins.find_scene_exporter(choice.to)) {
+    return export_scene(choice, *exporter, plugins);
+  }
+  if (choice.timing.path.empty()) {
+    throw CLI::RequiredError("path");
+  }
   const planning::Exporter& exporter = plugins.exporter(choice.to);
   choice.timing.no_blend = choice.timing.no_blend || exporter.stops_at_waypoints();
   const planning::TimedPath timed = run_timing(choice.timing, plugins);
@@ -40,9 +61,15 @@ int run_export(ExportChoice choice) {
 
 void add_export_command(CLI::App& app, int& exit_code) {
   auto choice = std::make_shared<ExportChoice>();
-  CLI::App* command = app.add_subcommand("export", "Time a path and write it for a controller");
+  CLI::App* command = app.add_subcommand(
+      "export", "Time a path and write it for a controller, or a scene for other programs");
   add_timing_options(*command, choice->timing);
-  command->add_option("--to", choice->to, "Format: csv, split, val3, ros, moveit or a plugin's")
+  command->get_option("path")->required(false)->description(
+      "Path (CSV); none for a scene's formats");
+  command
+      ->add_option("--to", choice->to,
+                   "Format: csv, split, val3, ros, moveit; of a scene: gltf, moveit-scene; or a "
+                   "plugin's")
       ->required();
   command->add_option("--out", choice->out, "Folder to write to")->required();
   command->add_flag("--any-robot", choice->options.any_robot,

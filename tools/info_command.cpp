@@ -303,7 +303,7 @@ int info(const std::filesystem::path& file, bool as_json) {
         fmt::format("plugin {} was not loaded: {}", plugin.file.string(), plugin.reason));
   }
   std::optional<RobotReport> examined;
-  if (geometric::has_extension(file, ".urdf")) {
+  if (geometric::is_robot_file(file)) {
     const std::shared_ptr<const RobotModel>& model = scene.robots.front().model;
     examined = robot_report(model, geometric::propose_groups(*model), kInfoSamples, kInfoSeed);
   }

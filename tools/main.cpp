@@ -6,15 +6,41 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
+#include <string>
+#include <vector>
 
 namespace handway::tools {
 namespace {
+
+// What readers of files look up in the environment, as options of every command.
+void add_file_options(CLI::App& app) {
+  app.fallthrough();
+  app.add_option_function<std::string>(
+         "--robot", [](const std::string& file) { ::setenv("HANDWAY_ROBOT", file.c_str(), 1); },
+         "URDF of the robot that an imported problem only names (MoveIt)")
+      ->type_name("FILE");
+  app.add_option_function<std::vector<std::string>>(
+         "--package-path",
+         [](const std::vector<std::string>& folders) {
+           const char* known = std::getenv("HANDWAY_PACKAGE_PATH");
+           const std::string path =
+               fmt::format("{}:{}", fmt::join(folders, ":"), known != nullptr ? known : "");
+           ::setenv("HANDWAY_PACKAGE_PATH", path.c_str(), 1);
+         },
+         "Folder with packages, as package:// in robot files means them; may be given several "
+         "times")
+      ->type_name("DIR")
+      ->allow_extra_args(false)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
 
 int run(int argc, char** argv) {
   CLI::App app("Handway plans human-like motions of hand-arm robots.", "handway");
   app.set_version_flag("--version", kVersion);
   app.require_subcommand(1);
+  add_file_options(app);
   int exit_code = kDone;
   add_plan_command(app, exit_code);
   add_check_command(app, exit_code);

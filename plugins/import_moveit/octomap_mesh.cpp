@@ -103,7 +103,7 @@ class Surface {
       if (tree_.isNodeOccupied(*leaf)) {
         const auto cells = std::int64_t{1} << (tree_.getTreeDepth() - leaf.getDepth());
         // The key of a coarse leaf is that of a cell at its middle.
-        const octomap::OcTreeKey key = leaf.getKey();
+        const octomap::OcTreeKey& key = leaf.getKey();
         Cell lowest{};
         for (std::size_t axis = 0; axis < 3; ++axis) {
           lowest[axis] = static_cast<std::int64_t>(key[axis]) / cells * cells;
