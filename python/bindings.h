@@ -17,6 +17,12 @@ void bind_results(pybind11::module_& module);
 /// Scene, load_scene().
 void bind_scene(pybind11::module_& module);
 
+/// new_scene(), and what makes other scenes of a Scene. @pre bind_scene()
+void bind_editing(pybind11::module_& module);
+
+/// Motion, find_pmds(), Scene.time(), Scene.grasps(). @pre bind_scene(), bind_basis()
+void bind_motion(pybind11::module_& module);
+
 /// Planner, Parameter, planner(), planners(), plugins(), refused_plugins().
 void bind_planner(pybind11::module_& module);
 

@@ -9,4 +9,6 @@ PYBIND11_MODULE(_core, module) {
   handway::python::bind_results(module);
   handway::python::bind_planner(module);
   handway::python::bind_scene(module);
+  handway::python::bind_editing(module);
+  handway::python::bind_motion(module);
 }

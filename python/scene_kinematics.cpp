@@ -19,24 +19,6 @@ using geometric::PoseGoal;
 
 using RowMajorPose = Eigen::Matrix<double, 4, 4, Eigen::RowMajor>;
 
-Pose pose_from(const Array& array, const std::string& argument) {
-  if (array.ndim() != 2 || array.shape(0) != 4 || array.shape(1) != 4) {
-    throw InputError({argument, "", "another shape", "a pose [4, 4]", ""});
-  }
-  Pose X = Pose::Identity();
-  X.matrix() = Eigen::Map<const RowMajorPose>(array.data());
-  const Eigen::Matrix3d R = X.linear();
-  constexpr double kTolerance = 1e-6;
-  const bool is_rigid = X.matrix().allFinite() && (R * R.transpose()).isIdentity(kTolerance) &&
-                        R.determinant() > 0.0 &&
-                        X.matrix().row(3).isApprox(Eigen::RowVector4d(0, 0, 0, 1));
-  if (!is_rigid) {
-    throw InputError({argument, "", "no rigid transform",
-                      "finite numbers, a rotation, and [0, 0, 0, 1] below", ""});
-  }
-  return X;
-}
-
 py::array_t<double> pose_array(const Pose& X) {
   const RowMajorPose matrix = X.matrix();
   return py::array_t<double>({4, 4}, matrix.data());
@@ -76,6 +58,24 @@ Eigen::MatrixXd jacobian_at(const SceneModel& scene, int link, const Configurati
 }
 
 }  // namespace
+
+geometric::Pose pose_from(const Array& array, const std::string& argument) {
+  if (array.ndim() != 2 || array.shape(0) != 4 || array.shape(1) != 4) {
+    throw InputError({argument, "", "another shape", "a pose [4, 4]", ""});
+  }
+  geometric::Pose X = geometric::Pose::Identity();
+  X.matrix() = Eigen::Map<const RowMajorPose>(array.data());
+  const Eigen::Matrix3d R = X.linear();
+  constexpr double kTolerance = 1e-6;
+  const bool is_rigid = X.matrix().allFinite() && (R * R.transpose()).isIdentity(kTolerance) &&
+                        R.determinant() > 0.0 &&
+                        X.matrix().row(3).isApprox(Eigen::RowVector4d(0, 0, 0, 1));
+  if (!is_rigid) {
+    throw InputError({argument, "", "no rigid transform",
+                      "finite numbers, a rotation, and [0, 0, 0, 1] below", ""});
+  }
+  return X;
+}
 
 py::array_t<double> inverse_kinematics(const SceneModel& scene, const std::string& link,
                                        const Array& X_WL, const std::optional<Array>& near,

@@ -29,6 +29,10 @@ namespace handway::python {
 [[nodiscard]] pybind11::object manipulability(const SceneModel& scene, const std::string& link,
                                               const Array& q);
 
+/// A pose [4, 4]. @param argument name for messages.
+/// @throws InputError if it is no rigid transform.
+[[nodiscard]] geometric::Pose pose_from(const Array& array, const std::string& argument);
+
 /// Goal poses: one, a list, or None.
 [[nodiscard]] std::vector<geometric::PoseGoal> goal_poses_from(const pybind11::object& goals);
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 namespace handway::python {
 namespace {
@@ -69,12 +70,14 @@ std::shared_ptr<const sampling::PmdBasis> find_basis(const std::string& referenc
   return std::make_shared<const sampling::PmdBasis>(sampling::read_pmd_basis(file));
 }
 
-SceneModel::SceneModel(const std::filesystem::path& file, const std::string& basis) {
-  const planning::LoadedScene loaded = load(file, basis);
-  scene_ = loaded.scene;
-  problem_ = planning::make_problem(with_both_ends(scene_), loaded.basis);
-  checkers_ = std::make_unique<CheckerPool>(problem_.checker);
-}
+SceneModel::SceneModel(std::shared_ptr<const Scene> scene,
+                       const std::shared_ptr<const sampling::PmdBasis>& basis)
+    : scene_(std::move(scene)),
+      problem_(planning::make_problem(with_both_ends(scene_), basis)),
+      checkers_(std::make_unique<CheckerPool>(problem_.checker)) {}
+
+SceneModel::SceneModel(const std::filesystem::path& file, const std::string& basis)
+    : SceneModel(load(file, basis)) {}
 
 planning::PlanningProblem SceneModel::problem_between(
     const std::optional<Configuration>& start, const std::optional<Configuration>& goal,

@@ -2,6 +2,7 @@
 
 #include "checker_pool.h"
 #include "handway/planning/core/planning_problem.h"
+#include "handway/planning/extensions/importer.h"
 
 #include <filesystem>
 #include <memory>
@@ -20,6 +21,11 @@ class SceneModel {
   /// without start or goal will do.
   SceneModel(const std::filesystem::path& file, const std::string& basis);
 
+  /// @param basis null: none.
+  /// @throws InputError as make_problem().
+  SceneModel(std::shared_ptr<const geometric::Scene> scene,
+             const std::shared_ptr<const sampling::PmdBasis>& basis);
+
   [[nodiscard]] const geometric::Scene& scene() const { return *scene_; }
   [[nodiscard]] const geometric::RobotModel& robot() const { return *scene_->robots[0].model; }
   [[nodiscard]] const planning::PlanningProblem& problem() const { return problem_; }
@@ -35,6 +41,9 @@ class SceneModel {
       const std::vector<geometric::PoseGoal>& goal_poses = {}) const;
 
  private:
+  explicit SceneModel(const planning::LoadedScene& loaded)
+      : SceneModel(loaded.scene, loaded.basis) {}
+
   std::shared_ptr<const geometric::Scene> scene_;  ///< As it was read.
   planning::PlanningProblem problem_;              ///< Ends that the scene lacks are the robot's.
   std::unique_ptr<CheckerPool> checkers_;

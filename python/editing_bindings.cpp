@@ -1,0 +1,229 @@
+#include "bindings.h"
+#include "handway/geometric/formats/robot_loader.h"
+#include "handway/geometric/formats/scene_reader.h"
+#include "handway/geometric/formats/scene_writer.h"
+#include "handway/geometric/io/input_error.h"
+#include "handway/geometric/io/resources.h"
+#include "handway/geometric/setup/mounting.h"
+#include "plugin_manager.h"
+#include "scene_kinematics.h"
+
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace py = pybind11;
+
+namespace handway::python {
+namespace {
+
+using geometric::InputError;
+using geometric::Pose;
+using geometric::RobotInstance;
+using geometric::Scene;
+using SceneChange = std::shared_ptr<Scene>;
+
+std::string text_of(const py::object& value) { return py::str(value); }
+
+std::unique_ptr<SceneModel> made(SceneChange scene,
+                                 std::shared_ptr<const sampling::PmdBasis> basis = nullptr) {
+  const py::gil_scoped_release release;
+  return std::make_unique<SceneModel>(std::move(scene), std::move(basis));
+}
+
+std::unique_ptr<SceneModel> changed(const SceneModel& model, SceneChange scene) {
+  return made(std::move(scene), model.problem().basis);
+}
+
+Pose pose_or_identity(const py::object& X, const std::string& argument) {
+  return X.is_none() ? Pose::Identity() : pose_from(py::cast<Array>(X), argument);
+}
+
+RobotInstance robot_from(const py::object& reference, const std::string& name) {
+  const std::filesystem::path file =
+      geometric::find_resource(geometric::ResourceKind::kRobot, text_of(reference),
+                               std::filesystem::current_path(), "model");
+  static_cast<void>(plugin_manager());  // they read other formats
+  RobotInstance robot;
+  robot.model = geometric::load_robot(file);
+  robot.name = name.empty() ? robot.model->name() : name;
+  robot.file = file;
+  robot.configuration = robot.model->neutral();
+  return robot;
+}
+
+void check_name(const Scene& scene, const std::string& name) {
+  if (find_robot_with_part(scene, name) != nullptr || find_object(scene, name) != nullptr) {
+    throw InputError({"name", "", "\"" + name + "\", which is taken", "a name of its own", ""});
+  }
+}
+
+std::unique_ptr<SceneModel> new_scene(const py::object& model, const std::string& name,
+                                      const py::object& X_WB) {
+  auto scene = std::make_shared<Scene>();
+  scene->robots.push_back(robot_from(model, name));
+  scene->name = scene->robots.front().name;
+  scene->robots.front().X_WB = pose_or_identity(X_WB, "X_WB");
+  scene->warnings = scene->robots.front().model->description().warnings;
+  return made(std::move(scene));
+}
+
+std::unique_ptr<SceneModel> with_robot(const SceneModel& model, const py::object& file,
+                                       const std::string& name, const py::object& X,
+                                       const std::string& mount, const std::string& link) {
+  auto scene = std::make_shared<Scene>(model.scene());
+  RobotInstance robot = robot_from(file, name);
+  check_name(*scene, robot.name);
+  if (mount.empty() != link.empty()) {
+    throw InputError({"mount", "", "a mount without a link, or the other way round", "both", ""});
+  }
+  const Pose pose = pose_or_identity(X, "X");
+  const std::string called = robot.name;
+  if (mount.empty()) {
+    robot.X_WB = pose;
+  }
+  scene->robots.push_back(std::move(robot));
+  if (!mount.empty()) {
+    mount_robot(*scene, called, mount, link, pose);
+  }
+  return changed(model, std::move(scene));
+}
+
+std::unique_ptr<SceneModel> with_objects(const SceneModel& model, const py::object& objects) {
+  // Objects as a scene file has them; JSON is YAML.
+  const std::string text = py::str(py::module_::import("json").attr("dumps")(objects));
+  auto scene = std::make_shared<Scene>(model.scene());
+  const Scene read = geometric::read_objects(text, "objects", *scene);
+  for (const geometric::SceneObject& object : read.objects) {
+    const auto same = std::ranges::find(scene->objects, object.name, &geometric::SceneObject::name);
+    if (same != scene->objects.end()) {
+      *same = object;
+    } else {
+      check_name(*scene, object.name);
+      scene->objects.push_back(object);
+    }
+    scene->display.set(object.name, read.display.of(object.name));
+  }
+  return changed(model, std::move(scene));
+}
+
+geometric::SceneObject& needed_object(Scene& scene, const std::string& name) {
+  const auto found = std::ranges::find(scene.objects, name, &geometric::SceneObject::name);
+  if (found == scene.objects.end()) {
+    std::vector<std::string> names;
+    for (const geometric::SceneObject& object : scene.objects) {
+      names.push_back(object.name);
+    }
+    throw InputError({"object", "", "\"" + name + "\"", "an object of the scene",
+                      geometric::advise_name(name, names)});
+  }
+  return *found;
+}
+
+std::unique_ptr<SceneModel> without_object(const SceneModel& model, const std::string& name) {
+  auto scene = std::make_shared<Scene>(model.scene());
+  static_cast<void>(needed_object(*scene, name));
+  std::erase_if(scene->objects, [&](const auto& object) { return object.name == name; });
+  std::erase_if(scene->constraints,
+                [&](const auto& constraint) { return constraint.body == name; });
+  std::erase_if(scene->may_touch, [&](const auto& pair) {
+    return pair.first.first == name || pair.first.second == name;
+  });
+  return changed(model, std::move(scene));
+}
+
+std::unique_ptr<SceneModel> with_object_at(const SceneModel& model, const std::string& name,
+                                           const Array& X_PO) {
+  auto scene = std::make_shared<Scene>(model.scene());
+  needed_object(*scene, name).X_PO = pose_from(X_PO, "X_PO");
+  return changed(model, std::move(scene));
+}
+
+std::unique_ptr<SceneModel> with_query(const SceneModel& model, const std::optional<Array>& start,
+                                       const std::optional<Array>& goal,
+                                       const py::object& goal_pose) {
+  auto scene = std::make_shared<Scene>(model.scene());
+  const int variables = model.robot().variable_count();
+  if (start) {
+    scene->start = vector_from(*start, variables, "start");
+    scene->robots.front().configuration = *scene->start;
+  }
+  if (goal) {
+    scene->goal = vector_from(*goal, variables, "goal");
+    scene->goal_poses.clear();
+  }
+  if (!goal_pose.is_none()) {
+    scene->goal_poses = goal_poses_from(goal_pose);
+    for (const geometric::PoseGoal& pose : scene->goal_poses) {
+      static_cast<void>(needed_link(model.robot(), pose.link));
+    }
+  }
+  return changed(model, std::move(scene));
+}
+
+void save(const SceneModel& model, const py::object& file) {
+  geometric::write_scene(model.scene(), text_of(file));
+}
+
+std::vector<std::string> export_scene(const SceneModel& model, const std::string& format,
+                                      const py::object& folder) {
+  const planning::SceneExporter* exporter = plugin_manager().find_scene_exporter(format);
+  if (exporter == nullptr) {
+    std::vector<std::string> names;
+    for (const auto& other : plugin_manager().scene_exporters()) {
+      names.push_back(other->name());
+    }
+    throw InputError({"format", "", "\"" + format + "\"", "a format for scenes",
+                      geometric::advise_name(format, names)});
+  }
+  std::vector<std::string> files;
+  for (const std::filesystem::path& file : exporter->write(model.scene(), text_of(folder))) {
+    files.push_back(file.string());
+  }
+  return files;
+}
+
+}  // namespace
+
+void bind_editing(py::module_& module) {
+  auto scene = py::reinterpret_borrow<py::class_<SceneModel>>(module.attr("Scene"));
+  scene
+      .def("with_robot", &with_robot, py::arg("model"), py::arg("name") = "", py::kw_only(),
+           py::arg("X") = py::none(), py::arg("mount") = "", py::arg("link") = "",
+           "This scene and one more robot.\n\n"
+           "model: name in the library, or a robot's file. name: the model's own if empty.\n"
+           "mount, link: the robot of the scene and its link that carries it; it stands in the\n"
+           "world if both are empty. X: its base in that link or in the world, [4, 4], m.")
+      .def("with_objects", &with_objects, py::arg("objects"),
+           "This scene with these objects, in place of those of the same names.\n\n"
+           "objects: a list of dicts with the keys that objects of scene files have, such as\n"
+           "{\"name\": \"can\", \"cylinder\": {\"radius\": 0.03, \"length\": 0.2},\n"
+           "\"pose\": {\"xyz\": [0.5, 0, 0.1]}}.")
+      .def("without_object", &without_object, py::arg("name"),
+           "This scene without the object called name, and what was said of it.")
+      .def("with_object_at", &with_object_at, py::arg("name"), py::arg("X_PO"),
+           "This scene with the object called name at X_PO, [4, 4], m: in the world, or in the\n"
+           "link that carries it.")
+      .def("with_query", &with_query, py::arg("start") = py::none(), py::arg("goal") = py::none(),
+           py::kw_only(), py::arg("goal_pose") = py::none(),
+           "This scene with another start or goal.\n\n"
+           "start, goal: [variables], rad or m; as they are if None. goal_pose: as in\n"
+           "Planner.plan(), in place of the goal.")
+      .def("save", &save, py::arg("file"), "Writes a scene file (YAML).\n\nfile: replaced whole.")
+      .def("export", &export_scene, py::arg("format"), py::arg("folder"),
+           "Writes the scene for other programs.\n\n"
+           "format: gltf, moveit-scene, or a plugin's. folder: made if there is none.\n"
+           "Returns the files.");
+  module.def("new_scene", &new_scene, py::arg("model"), py::arg("name") = "",
+             py::arg("X_WB") = py::none(),
+             "A scene with one robot and nothing around it.\n\n"
+             "model: name in the library, or a robot's file. name: the model's own if empty.\n"
+             "X_WB: its base in the world, [4, 4], m.");
+}
+
+}  // namespace handway::python

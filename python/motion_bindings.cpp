@@ -1,0 +1,203 @@
+#include "arrays.h"
+#include "bindings.h"
+#include "handway/geometric/io/input_error.h"
+#include "handway/planning/grasps/pregrasp_search.h"
+#include "handway/planning/timing/time_path.h"
+#include "handway/sampling/postures/principal_components.h"
+#include "plugin_manager.h"
+#include "scene_model.h"
+
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace py = pybind11;
+
+namespace handway::python {
+namespace {
+
+using geometric::InputError;
+using planning::TimedPath;
+
+TimedPath time_path(const SceneModel& scene, const Array& array, const std::string& name,
+                    double speed, double period, bool jerk) {
+  const planning::Path path{batch_from(array, scene.robot().variable_count(), "path").rows};
+  planning::TimingOptions options;
+  options.speed = speed;
+  options.period = period;
+  options.limit_jerk = jerk;
+  const py::gil_scoped_release release;
+  return planning::time_path(scene.problem(), path, planning::motion_name(name), options);
+}
+
+py::array_t<double> rows(
+    const TimedPath& timed,
+    const std::function<Eigen::VectorXd(const planning::TrajectoryPoint&)>& of) {
+  std::vector<Eigen::VectorXd> all;
+  for (const planning::TrajectoryPoint& point : timed.motion.trajectory.points) {
+    all.push_back(of(point));
+  }
+  return to_array(all, timed.motion.model->variable_count());
+}
+
+py::array_t<double> times(const TimedPath& timed) {
+  Eigen::VectorXd all(static_cast<Eigen::Index>(timed.motion.trajectory.points.size()));
+  Eigen::Index i = 0;
+  for (const planning::TrajectoryPoint& point : timed.motion.trajectory.points) {
+    all[i++] = point.time;
+  }
+  return to_array(all);
+}
+
+std::vector<std::string> faults(const TimedPath& timed) {
+  std::vector<std::string> texts;
+  for (const planning::TrajectoryFault& fault : timed.preflight.faults) {
+    texts.push_back(fault.text);
+  }
+  if (!timed.blends.path) {
+    texts.push_back(timed.blends.fault);
+  }
+  return texts;
+}
+
+std::vector<std::string> export_motion(const TimedPath& timed, const std::string& format,
+                                       const py::object& folder, bool any_robot) {
+  if (!timed.cleared()) {
+    throw InputError({"the motion", "", "a motion that is not cleared", "one without faults",
+                      faults(timed).empty() ? "" : faults(timed).front()});
+  }
+  std::vector<std::string> files;
+  planning::ExportOptions options;
+  options.any_robot = any_robot;
+  for (const std::filesystem::path& file : plugin_manager().exporter(format).write(
+           timed.motion, std::string(py::str(folder)), options)) {
+    files.push_back(file.string());
+  }
+  return files;
+}
+
+py::list grasps(const SceneModel& scene, const std::string& object, int most, int samples,
+                std::uint64_t seed) {
+  planning::PregraspOptions options;
+  options.most = most;
+  options.samples = samples;
+  options.seed = seed;
+  std::vector<planning::Pregrasp> found;
+  {
+    const py::gil_scoped_release release;
+    found = planning::find_pregrasps(scene.problem(), object, options);
+  }
+  py::list answers;
+  for (const planning::Pregrasp& grasp : found) {
+    py::dict answer;
+    answer["q"] = to_array(grasp.q);
+    answer["score"] = grasp.score;
+    answer["fingers"] = grasp.fingers;
+    answer["enclosure"] = grasp.enclosure;
+    answer["clearance"] = grasp.clearance;
+    answers.append(answer);
+  }
+  return answers;
+}
+
+std::shared_ptr<sampling::PmdBasis> find_pmds(const Array& postures,
+                                              const std::vector<std::string>& joints,
+                                              const std::vector<std::string>& free, int directions,
+                                              const std::string& hand) {
+  const auto width = static_cast<Eigen::Index>(joints.size());
+  const Batch batch = batch_from(postures, width, "postures");
+  Eigen::MatrixXd samples(static_cast<Eigen::Index>(batch.rows.size()), width);
+  for (std::size_t i = 0; i < batch.rows.size(); ++i) {
+    samples.row(static_cast<Eigen::Index>(i)) = batch.rows[i].transpose();
+  }
+  sampling::PmdBasisOptions options;
+  options.directions = directions;
+  for (const std::string& name : free) {
+    const auto joint = std::ranges::find(joints, name);
+    if (joint == joints.end()) {
+      throw InputError({"free", "", "\"" + name + "\"", "one of the joints",
+                        geometric::advise_name(name, joints)});
+    }
+    options.free_joints.push_back(static_cast<int>(joint - joints.begin()));
+  }
+  const sampling::PrincipalComponents components =
+      sampling::principal_components(samples, options.free_joints);
+  return std::make_shared<sampling::PmdBasis>(
+      sampling::make_pmd_basis(hand, "Python", joints, components, options));
+}
+
+}  // namespace
+
+void bind_motion(py::module_& module) {
+  py::class_<TimedPath> motion(module, "Motion", "A path with times, checked before it may run.");
+  motion.def_property_readonly("cleared", &TimedPath::cleared, "Whether it may run.")
+      .def_property_readonly("faults", &faults, "What speaks against it; empty if it is cleared.")
+      .def_property_readonly(
+          "duration", [](const TimedPath& t) { return t.preflight.duration; }, "s")
+      .def_property_readonly(
+          "min_clearance_mm", [](const TimedPath& t) { return t.preflight.min_clearance_mm; },
+          "Smallest clearance, mm; 50: at least that.")
+      .def_property_readonly(
+          "assumed_limits",
+          [](const TimedPath& t) {
+            std::vector<std::string> joints;
+            for (const planning::AssumedLimit& limit : t.preflight.assumed) {
+              joints.push_back(limit.joint);
+            }
+            return joints;
+          },
+          "Joints of which a limit is assumed, as no file has it.")
+      .def_property_readonly("times", &times, "[points], s.")
+      .def_property_readonly(
+          "positions",
+          [](const TimedPath& t) { return rows(t, [](const auto& p) { return p.position; }); },
+          "[points, variables], rad or m.")
+      .def_property_readonly(
+          "velocities",
+          [](const TimedPath& t) { return rows(t, [](const auto& p) { return p.velocity; }); },
+          "[points, variables], rad/s or m/s.")
+      .def_property_readonly(
+          "accelerations",
+          [](const TimedPath& t) { return rows(t, [](const auto& p) { return p.acceleration; }); },
+          "[points, variables], rad/s² or m/s².")
+      .def("export", &export_motion, py::arg("format"), py::arg("folder"), py::kw_only(),
+           py::arg("any_robot") = false,
+           "Writes the motion for a controller.\n\n"
+           "format: csv, split, val3, ros, moveit, or a plugin's. folder: made if there is none.\n"
+           "any_robot: also for robots that the format does not seem to be for.\n"
+           "Returns the files. Raises InputError if the motion is not cleared.")
+      .def("__repr__", [](const TimedPath& t) {
+        return "<handway.Motion of " + std::to_string(t.preflight.duration) + " s, " +
+               (t.cleared() ? "cleared>" : "not cleared>");
+      });
+  auto scene = py::reinterpret_borrow<py::class_<SceneModel>>(module.attr("Scene"));
+  scene
+      .def("time", &time_path, py::arg("path"), py::kw_only(), py::arg("name") = "path",
+           py::arg("speed") = 1.0, py::arg("period") = 0.004, py::arg("jerk") = false,
+           "The fastest motion along a path within the robot's limits, as `handway time` makes "
+           "it.\n\n"
+           "path: [waypoints, variables], rad or m. name: of files that it is exported to.\n"
+           "speed: share of the limits' pace, above 0, at most 1. period: from point to point, s.\n"
+           "jerk: limit jerk, too.")
+      .def("grasps", &grasps, py::arg("object"), py::kw_only(), py::arg("most") = 8,
+           py::arg("samples") = 16000, py::arg("seed") = 1,
+           "Free configurations with the fingers around an object, the best first.\n\n"
+           "object: name of one that stands still. most: how many at most. samples: palm poses\n"
+           "to try. seed: of the draws. Returns dicts: q [variables], score, fingers, enclosure,\n"
+           "clearance (m).");
+  module.def("find_pmds", &find_pmds, py::arg("postures"), py::arg("joints"), py::kw_only(),
+             py::arg("free") = std::vector<std::string>(), py::arg("directions") = 4,
+             py::arg("hand") = "",
+             "Principal motion directions of hand postures, as a Basis.\n\n"
+             "postures: [n, joints], each joint from 0 to 1 between its limits. joints: names.\n"
+             "free: those that stay out of the directions. directions: how many at most.\n"
+             "hand: the name of the hand.");
+}
+
+}  // namespace handway::python

@@ -1,0 +1,91 @@
+"""Scenes made from others, timed motions, grasps."""
+
+import pathlib
+import tempfile
+import unittest
+
+import numpy as np
+
+import handway
+from cells import can_on_table
+
+
+class Editing(unittest.TestCase):
+    def test_leaves_the_scene_that_it_starts_from(self):
+        scene = can_on_table()
+        box = {"name": "box", "box": {"size": [0.1, 0.1, 0.1]}, "pose": {"xyz": [3, 0, 0]}}
+        more = scene.with_objects([box])
+        self.assertEqual(more.objects, scene.objects + ["box"])
+        self.assertEqual(scene.objects, ["pedestal", "table", "can"])
+        self.assertEqual(more.without_object("box").objects, scene.objects)
+
+    def test_changes_what_collides(self):
+        scene = can_on_table()
+        self.assertFalse(scene.collides(scene.start))
+        X = scene.link_pose("palm", scene.start)
+        there = scene.with_object_at("can", X)
+        self.assertTrue(there.collides(scene.start))
+
+    def test_refuses_in_words(self):
+        scene = can_on_table()
+        with self.assertRaisesRegex(handway.InputError, "can"):
+            scene.without_object("cam")
+        with self.assertRaisesRegex(handway.InputError, "sise"):
+            scene.with_objects([{"name": "box", "box": {"sise": [1, 1, 1]}}])
+        with self.assertRaisesRegex(handway.InputError, "taken"):
+            scene.with_robot("tx90", "can")
+
+    def test_mounts_robots(self):
+        scene = handway.new_scene("tx90", "arm")
+        whole = scene.with_robot("sah_right", "hand", mount="arm", link="flange_link")
+        self.assertEqual(len(whole.variables), 19)
+        self.assertEqual(len(whole.hand), 13)
+        with self.assertRaisesRegex(handway.InputError, "flange"):
+            scene.with_robot("sah_right", "hand", mount="arm", link="flange")
+
+    def test_is_saved_and_read_back(self):
+        scene = can_on_table().with_query(goal=can_on_table().start)
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "again.yaml"
+            scene.save(file)
+            again = handway.load_scene(file)
+        np.testing.assert_array_equal(again.goal, scene.start)
+
+
+class Motions(unittest.TestCase):
+    def test_are_timed_and_exported(self):
+        scene = can_on_table()
+        result = scene.planner().plan(scene, seed=1)
+        motion = scene.time(result.path, speed=0.5, name="can")
+        self.assertTrue(motion.cleared, motion.faults)
+        self.assertEqual(motion.positions.shape, (len(motion.times), 19))
+        self.assertAlmostEqual(motion.times[-1], motion.duration)
+        np.testing.assert_allclose(motion.velocities[-1], 0.0, atol=1e-9)
+        with tempfile.TemporaryDirectory() as folder:
+            self.assertEqual(len(motion.export("csv", folder)), 1)
+            with self.assertRaises(handway.InputError):
+                motion.export("cvs", folder)
+
+    def test_that_hit_something_are_not(self):
+        scene = can_on_table()
+        motion = scene.time(np.array([scene.start, scene.goal]))
+        self.assertFalse(motion.cleared)
+        self.assertTrue(motion.faults)
+        with tempfile.TemporaryDirectory() as folder:
+            with self.assertRaises(handway.InputError):
+                motion.export("csv", folder)
+
+
+class Grasps(unittest.TestCase):
+    def test_are_free_and_ranked(self):
+        scene = can_on_table()
+        grasps = scene.grasps("can", most=2, samples=4000)
+        self.assertTrue(grasps)
+        self.assertFalse(scene.collides(grasps[0]["q"]))
+        self.assertGreaterEqual(grasps[0]["fingers"], 2)
+        with self.assertRaisesRegex(handway.InputError, "cam"):
+            scene.grasps("cam")
+
+
+if __name__ == "__main__":
+    unittest.main()
