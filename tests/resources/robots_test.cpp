@@ -11,7 +11,9 @@
 #include <array>
 #include <fstream>
 #include <numeric>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace handway::test {
 namespace {
@@ -59,6 +61,11 @@ TEST_P(ShippedRobot, NamesFilesThatExistRelativeToItself) {
     ++count;
   }
   EXPECT_GT(count, 10);
+}
+
+TEST_P(ShippedRobot, HasAPictureToBeChosenBy) {
+  EXPECT_TRUE(std::filesystem::is_regular_file(source_dir() / "resources/thumbnails/robots" /
+                                               (std::string(GetParam()) + ".jpg")));
 }
 
 TEST_P(ShippedRobot, AllowsCollisionsOfLinksWithShapesOnly) {
@@ -113,6 +120,16 @@ TEST_P(ShippedRobot, IsAsLargeAsItsJointsAreApart) {
 
 INSTANTIATE_TEST_SUITE_P(Resources, ShippedRobot, testing::ValuesIn(kRobots),
                          [](const auto& test) { return std::string(test.param); });
+
+TEST(ShippedRobots, AreAllTestedHere) {
+  std::vector<std::string> found;
+  for (const auto& entry : std::filesystem::directory_iterator(source_dir() / "resources/robots")) {
+    if (entry.is_directory() && entry.path().filename() != "cad") {
+      found.push_back(entry.path().filename().string());
+    }
+  }
+  EXPECT_THAT(found, testing::UnorderedElementsAreArray(kRobots));
+}
 
 TEST(ShippedRobots, HaveTheirNumbersOfVariables) {
   const auto arm = geometric::load_robot(urdf_of("tx90"));

@@ -15,6 +15,8 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <memory>
 #include <ostream>
 #include <string>
@@ -105,6 +107,14 @@ TEST_P(ShippedScene, LoadsWithoutWarningsAndSaysWhatItIs) {
   EXPECT_FALSE(scene().name.empty());
   EXPECT_FALSE(scene().description.empty());
   EXPECT_EQ(scene().planner.name, "") << "the default planner suits them all";
+}
+
+TEST_P(ShippedScene, HasAPictureOnTheStartPage) {
+  const std::string picture = "thumbnails/" + GetParam() + ".jpg";
+  EXPECT_TRUE(fs::is_regular_file(test::source_dir() / "resources" / picture));
+  std::ifstream list(test::source_dir() / "resources/workbench.qrc");
+  const std::string listed{std::istreambuf_iterator<char>(list), {}};
+  EXPECT_NE(listed.find("<file>" + picture + "</file>"), std::string::npos);
 }
 
 TEST_P(ShippedScene, StartsAndEndsWithinTheLimitsAndClear) {
