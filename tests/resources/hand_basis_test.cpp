@@ -77,8 +77,8 @@ TEST(ShippedHandBasis, TakesThePosturesOfTheReferenceControls) {
       }
     }
     ASSERT_EQ(used, basis.dimension());
-    const geometric::Configuration expected =
-        import_kautham::configuration_at(theirs, *their_model, controls);
+    const geometric::Configuration expected = import_kautham::configuration_at(
+        theirs, *their_model, controls, import_kautham::BaseLimits{}, geometric::Pose::Identity());
     const Eigen::VectorXd posture = sampling::map_to_posture(basis, u);
     for (int i = 0; i < their_model->variable_count(); ++i) {
       const std::string name = joint_name_of(their_model->variable(i).name);
