@@ -257,16 +257,10 @@ Certificate MotionValidator::certify(const Path& path) {
     return end < ends_.size() ? ends_[end].resolution(resolution) : resolution;
   };
   const double tolerance = std::min({kMostTolerance, kShare * kept_at(0), kShare * kept_at(1)});
-  double least = kFarClearance;
-  for (std::size_t i = 0; i + 1 < path.waypoints.size(); ++i) {
-    // What is asked for is more than what is known, so that tolerances don't add up.
-    const double enough = std::min(kFarClearance, least + std::max(tolerance, kShare * least));
-    const geometric::NamedPair found =
-        edges.clearance(path.waypoints[i], path.waypoints[i + 1], enough, tolerance, kShare);
-    least = std::min(least, found.distance);
-  }
+  const geometric::NamedPair nearest =
+      edges.clearance(path.waypoints, kFarClearance, tolerance, kShare);
   return {request_.resolution_mm, geometric::millimetres(kept_at(0)),
-          geometric::millimetres(kept_at(1)), geometric::millimetres(least),
+          geometric::millimetres(kept_at(1)), geometric::millimetres(nearest.distance),
           checker.counts().configurations - before};
 }
 

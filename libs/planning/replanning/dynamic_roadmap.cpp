@@ -2,14 +2,426 @@
 
 #include "handway/geometric/collision/checkers/make_checker.h"
 #include "handway/geometric/scene/scene_difference.h"
+#include "handway/planning/core/observer.h"
+#include "handway/planning/core/planning_context.h"
+#include "handway/planning/paths/path_optimizer.h"
 #include "handway/planning/planners/auto_planner.h"
 #include "handway/planning/planners/rrt_connect.h"
-#include "replanning/replanner.h"
+#include "planners/bidirectional_search.h"
+#include "replanning/roadmap_graph.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <memory>
+#include <numeric>
+#include <optional>
 #include <utility>
 
 namespace handway::planning {
 namespace {
+
+constexpr double kProbeSpacing = 0.05;  // of configurations looked at before an edge is checked
+constexpr double kBackOff = 0.1;        // from what cuts an edge to where the detour begins
+// Configurations checked in search of a path over edges never checked before, each time; for a
+// detour around what cuts the last path, before planning from scratch; and in smoothing.
+constexpr std::uint64_t kRoadmapChecks = 500;
+constexpr std::uint64_t kRepairChecks = 4000;
+constexpr int kSmoothingChecks = 300;
+
+/// Finds out whether paths over a roadmap are free, asking no more than what is not known, and
+/// remembers the answers.
+class LazyPathValidator {
+ public:
+  /// Both must outlive this object.
+  LazyPathValidator(PlanningContext& context, RoadmapMemory& memory)
+      : context_(context), memory_(memory) {}
+
+  /// The shortest free path. @param checks gives up once so many configurations are spent.
+  /// @returns nodes from `from` to `to`; nothing if there is none, or when interrupted.
+  [[nodiscard]] std::optional<std::vector<int>> shortest_path(int from, int to,
+                                                              RoadmapGraph::Edges edges,
+                                                              std::uint64_t checks) {
+    const std::uint64_t before = context_.statistics().checks();
+    while (!context_.interruption() && context_.statistics().checks() - before < checks) {
+      std::vector<int> path = memory_.graph->shortest_path(from, to, edges, memory_.changes);
+      if (path.empty()) {
+        return std::nullopt;
+      }
+      if (path_free(path)) {
+        return path;
+      }
+    }
+    return std::nullopt;
+  }
+
+  [[nodiscard]] bool node_free(int node) {
+    ValidityState& validity = memory_.graph->node(node);
+    return settle(validity, [&](const std::vector<int>& pairs) {
+      const std::optional<int> touching =
+          context_.validator().collision_among(pairs, memory_.graph->configuration(node));
+      if (touching) {
+        refuse(validity, *touching);
+      }
+      return !touching;
+    });
+  }
+
+  /// Of the edge between two nodes, added if need be. @pre both are free.
+  [[nodiscard]] bool edge_free(int a, int b) {
+    ValidityState& validity = memory_.graph->edge(a, b);
+    return settle(validity, [&](const std::vector<int>& pairs) {
+      const geometric::EdgeResult result =
+          context_.validator().edge_among(pairs, memory_.graph->configuration(a), end_of(a, b));
+      if (!result.free && result.pair) {  // without a pair it was interrupted: nothing is settled
+        refuse(validity, *result.pair);
+        obstructions_[{a, b}] = result.at;
+        obstructions_[{b, a}] = 1.0 - result.at;
+      }
+      return result.free;
+    });
+  }
+
+  /// Where the edge was found not to be free by this object, in [0, 1] from `a` to `b`; 0 if it
+  /// was not.
+  [[nodiscard]] double obstruction(int a, int b) const {
+    const auto found = obstructions_.find({a, b});
+    return found == obstructions_.end() ? 0.0 : found->second;
+  }
+
+ private:
+  // Cheap questions first; one no ends it.
+  bool path_free(const std::vector<int>& path) {
+    const auto all_edges = [&](auto is_free) {
+      for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+        if (context_.interruption() || !is_free(path[i], path[i + 1])) {
+          return false;
+        }
+      }
+      return true;
+    };
+    return std::ranges::all_of(path, [&](int node) { return node_free(node); }) &&
+           all_edges([&](int a, int b) { return plausible(a, b); }) &&
+           all_edges([&](int a, int b) { return edge_free(a, b); });
+  }
+
+  // Edges never checked are sampled before any is checked exactly.
+  bool plausible(int a, int b) {
+    ValidityState& validity = memory_.graph->edge(a, b);
+    if (validity.was_free()) {
+      return true;
+    }
+    const int probes = static_cast<int>(memory_.graph->distance(a, b) / kProbeSpacing);
+    const std::optional<int> touching =
+        context_.validator().edge_probe(memory_.graph->configuration(a), end_of(a, b), probes);
+    if (touching) {
+      refuse(validity, *touching);
+    }
+    return !touching;
+  }
+
+  // Whether a node or an edge is free, by what is known and `check` of the pairs that are not.
+  template <typename Check>
+  bool settle(ValidityState& validity, const Check& check) {
+    if (validity.is_refused(memory_.changes)) {
+      return false;
+    }
+    if (const std::vector<int> pairs = unknown_pairs(validity); !pairs.empty() && !check(pairs)) {
+      return false;
+    }
+    validity.set_free(memory_.changes.revision());
+    return true;
+  }
+
+  [[nodiscard]] std::vector<int> unknown_pairs(const ValidityState& validity) const {
+    const geometric::CollisionWorld& world = context_.problem().checker->world();
+    if (validity.was_free()) {
+      return memory_.changes.pairs_changed_since(validity.free_at, world);
+    }
+    std::vector<int> all(static_cast<std::size_t>(world.check_count()));
+    std::iota(all.begin(), all.end(), 0);
+    return all;
+  }
+
+  // What it was known to be free of stays known.
+  void refuse(ValidityState& validity, int pair) const {
+    validity.refused_at = memory_.changes.revision();
+    validity.refused_by.clear();
+    const geometric::CollisionWorld& world = context_.problem().checker->world();
+    if (!world.constraint(pair)) {
+      const int other = world.pairs()[static_cast<std::size_t>(pair)].b;
+      if (!world.body(other).moves()) {
+        validity.refused_by = world.body(other).name;
+      }
+    }
+  }
+
+  // Of the motion from node `a` to `b`.
+  [[nodiscard]] Configuration end_of(int a, int b) const {
+    return context_.problem().model().nearest_equivalent(memory_.graph->configuration(a),
+                                                         memory_.graph->configuration(b));
+  }
+
+  PlanningContext& context_;
+  RoadmapMemory& memory_;
+  std::map<std::pair<int, int>, double> obstructions_;
+};
+
+/// Keeps the nodes and edges that searches notify it of, and passes on to another observer
+/// what it observes, with numbers that differ from search to search.
+class ObserverAdapter final : public Observer {
+ public:
+  explicit ObserverAdapter(Observer& listener) : listener_(listener) {}
+
+  /// Events from now on are of another search, whose numbers start again.
+  void begin_search() { numbers_.clear(); }
+
+  /// Adds what was observed to the roadmap, as nodes and edges of which nothing is certain.
+  void add_to(RoadmapMemory& memory) const {
+    std::vector<int> numbers(nodes_.size(), -1);
+    for (std::size_t i = 0; i < nodes_.size() && memory.graph->node_count() < memory.max_nodes;
+         ++i) {
+      numbers[i] = memory.graph->node_at(nodes_[i]);
+    }
+    for (const auto& [from, to] : edges_) {
+      const int a = numbers[static_cast<std::size_t>(from)];
+      const int b = numbers[static_cast<std::size_t>(to)];
+      if (a >= 0 && b >= 0 && a != b) {
+        memory.graph->edge(a, b);
+      }
+    }
+  }
+
+  void on_node(const NodeEvent& node) override {
+    const int number = static_cast<int>(nodes_.size());
+    numbers_[node.id] = number;
+    nodes_.push_back(node.q);
+    listener_.on_node({number, node.q, node.pmd_count, node.step, node.rho_a, node.search});
+  }
+  void on_edge(int from, int to) override {
+    edges_.emplace_back(numbers_.at(from), numbers_.at(to));
+    listener_.on_edge(edges_.back().first, edges_.back().second);
+  }
+  void on_winner(int search) override { listener_.on_winner(search); }
+  void on_search_range(double d_ini, double d_goal) override {
+    listener_.on_search_range(d_ini, d_goal);
+  }
+  void on_progress(double fraction, std::string_view activity) override {
+    listener_.on_progress(fraction, activity);
+  }
+
+ private:
+  Observer& listener_;
+  std::map<int, int> numbers_;  ///< Of this search's nodes, among all.
+  std::vector<Configuration> nodes_;
+  std::vector<std::pair<int, int>> edges_;
+};
+
+const char* sentence_for(ReplanSource source) {
+  switch (source) {
+    case ReplanSource::kLastPath:
+      return "The last path is still free";
+    case ReplanSource::kRoadmap:
+      return "Found a path in the roadmap";
+    default:
+      return "Led the last path around what cuts it";
+  }
+}
+
+// The farthest that is safely reached from `from` towards `to` before `obstruction`, in [0, 1].
+Configuration before_obstruction(PlanningContext& context, const Configuration& from,
+                                 const Configuration& to, double obstruction) {
+  const double length = normalised_distance(context.problem().model(), from, to);
+  const double share = obstruction - kBackOff / std::max(length, kBackOff);
+  if (share <= 0.0) {
+    return from;
+  }
+  Configuration q = from + share * (to - from);
+  return !context.validator().collision(q) && context.validator().edge_free(from, q) ? q : from;
+}
+
+class Replanner final : public Planner {
+ public:
+  /// All must outlive this object. @param adapter the observer that plan() is given.
+  Replanner(RoadmapMemory& memory, Planner& planner, ObserverAdapter& adapter)
+      : memory_(memory), planner_(planner), adapter_(adapter) {
+    objective() = planner.objective();
+  }
+
+  [[nodiscard]] std::string name() const override { return "dynamic-roadmap"; }
+  [[nodiscard]] std::string description() const override {
+    return "Roadmap that is kept while the scene changes";
+  }
+  [[nodiscard]] PlannerCapabilities capabilities() const override {
+    return planner_.capabilities();
+  }
+
+ protected:
+  void do_plan(PlanningContext& context, PlanResult& result) override {
+    LazyPathValidator validator(context, memory_);
+    std::optional<Path> path = known_path(context, validator);
+    if (!path && !memory_.last_path.empty()) {
+      path = repaired_path(context, validator);
+    }
+    if (path) {
+      result.status = PlanStatus::kSolved;
+      if (memory_.source != ReplanSource::kLastPath) {
+        smooth_result(context, planner_.objective(), kSmoothingChecks, *path, result);
+      } else {
+        result.path = std::move(*path);
+      }
+      result.reason = fmt::format("{}: {} waypoints.", sentence_for(memory_.source),
+                                  result.path.waypoints.size());
+    } else if (const std::optional<PlanStatus> interruption = context.interruption()) {
+      result.status = *interruption;
+    } else {
+      adapter_.begin_search();
+      planner_.plan_within(context, result);
+      memory_.source = result.solved() ? ReplanSource::kPlanner : ReplanSource::kNone;
+    }
+    adapter_.add_to(memory_);
+    if (result.solved()) {
+      remember(context.problem(), result.path);
+    }
+    context.statistics().nodes = static_cast<std::uint64_t>(memory_.graph->node_count());
+    context.statistics().edges = static_cast<std::uint64_t>(memory_.graph->edge_count());
+  }
+  [[nodiscard]] std::vector<BoundParameter> own_parameters() override { return {}; }
+
+ private:
+  // From the roadmap as it is.
+  std::optional<Path> known_path(PlanningContext& context, LazyPathValidator& validator) {
+    constexpr std::uint64_t kUnlimited = std::numeric_limits<std::uint64_t>::max();
+    const int start = memory_.graph->node_at(context.problem().start);
+    const int goal = memory_.graph->node_at(context.problem().goal);
+    memory_.graph->node(start).set_free(memory_.changes.revision());  // plan() has checked them
+    memory_.graph->node(goal).set_free(memory_.changes.revision());
+    if (const auto nodes =
+            validator.shortest_path(start, goal, RoadmapGraph::Edges::kOnceFree, kUnlimited)) {
+      Path path = along(context.problem(), *nodes);
+      memory_.source = path.waypoints == memory_.last_path.waypoints ? ReplanSource::kLastPath
+                                                                     : ReplanSource::kRoadmap;
+      return path;
+    }
+    if (const auto nodes =
+            validator.shortest_path(start, goal, RoadmapGraph::Edges::kAny, kRoadmapChecks)) {
+      memory_.source = ReplanSource::kRoadmap;
+      return along(context.problem(), *nodes);
+    }
+    return std::nullopt;
+  }
+
+  // The last path with a detour for each of its stretches that are not free.
+  std::optional<Path> repaired_path(PlanningContext& context, LazyPathValidator& validator) {
+    const std::vector<int> nodes = free_waypoints(context.problem(), validator);
+    std::vector<bool> edge_free;
+    for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
+      edge_free.push_back(validator.edge_free(nodes[i], nodes[i + 1]));
+    }
+    const std::vector<Configuration> waypoints = along(context.problem(), nodes).waypoints;
+    Path path{{waypoints.front()}};
+    for (std::size_t i = 0, end = 1; end < nodes.size(); i = end++) {
+      if (edge_free[i]) {
+        path.waypoints.push_back(waypoints[end]);
+        continue;
+      }
+      while (end < edge_free.size() && !edge_free[end]) {
+        ++end;
+      }
+      const std::optional<Path> around =
+          detour(context,
+                 before_obstruction(context, waypoints[i], waypoints[i + 1],
+                                    validator.obstruction(nodes[i], nodes[i + 1])),
+                 before_obstruction(context, waypoints[end], waypoints[end - 1],
+                                    validator.obstruction(nodes[end], nodes[end - 1])));
+      if (!around) {
+        return std::nullopt;
+      }
+      for (const Configuration& q : around->waypoints) {
+        if (q != path.waypoints.back()) {
+          path.waypoints.push_back(q);
+        }
+      }
+      if (path.waypoints.back() != waypoints[end]) {
+        path.waypoints.push_back(waypoints[end]);
+      }
+    }
+    memory_.source = ReplanSource::kRepair;
+    return path;
+  }
+
+  // Start, what is free of the last path's inner waypoints, goal.
+  std::vector<int> free_waypoints(const PlanningProblem& problem, LazyPathValidator& validator) {
+    const int start = memory_.graph->node_at(problem.start);
+    const int goal = memory_.graph->node_at(problem.goal);
+    std::vector<int> nodes{start};
+    for (const Configuration& q : memory_.last_path.waypoints) {
+      const int node = memory_.graph->node_at(q);
+      if (node != start && node != goal && validator.node_free(node)) {
+        nodes.push_back(node);
+      }
+    }
+    nodes.push_back(goal);
+    return nodes;
+  }
+
+  std::optional<Path> detour(PlanningContext& context, const Configuration& from,
+                             const Configuration& to) {
+    if (context.interruption()) {
+      return std::nullopt;
+    }
+    if (from == to) {
+      return Path{{from}};
+    }
+    PlanningProblem part = context.problem();
+    part.start = from;
+    part.goal = to;
+    adapter_.begin_search();
+    const std::unique_ptr<PlanningContext> own = context.make_child(part, adapter_, {});
+    RrtConnectSettings settings;
+    settings.max_samples = std::numeric_limits<int>::max();
+    BidirectionalSearch search(*own, settings,
+                               part.basis ? HandSpace::kPrincipalDirections : HandSpace::kAllJoints,
+                               context.request().seed);
+    SearchBudget budget;
+    budget.checks = kRepairChecks;
+    const bool found = search.advance(budget) == PlanStatus::kSolved;
+    context.statistics() += own->statistics();
+    return found ? std::optional(search.path()) : std::nullopt;
+  }
+
+  [[nodiscard]] Path along(const PlanningProblem& problem, const std::vector<int>& nodes) const {
+    Path path;
+    for (const int node : nodes) {
+      path.waypoints.push_back(memory_.graph->configuration(node));
+    }
+    path.waypoints.front() = problem.start;  // to the bit, whatever turn its node is at
+    return {problem.model().unwrapped(std::move(path.waypoints), problem.start)};
+  }
+
+  // Keeps a path whose edges are free in this revision, and forgets the rest if it is too much.
+  void remember(const PlanningProblem& problem, const Path& path) {
+    if (memory_.graph->node_count() > memory_.max_nodes) {
+      memory_.graph = std::make_unique<RoadmapGraph>(problem.scene->robots.front().model);
+    }
+    memory_.last_path = {problem.model().in_half_turns(path.waypoints)};
+    int before = -1;
+    for (const Configuration& q : memory_.last_path.waypoints) {
+      const int node = memory_.graph->node_at(q);
+      memory_.graph->node(node).set_free(memory_.changes.revision());
+      if (before >= 0 && before != node) {
+        memory_.graph->edge(before, node).set_free(memory_.changes.revision());
+      }
+      before = node;
+    }
+  }
+
+  RoadmapMemory& memory_;
+  Planner& planner_;
+  ObserverAdapter& adapter_;
+};
 
 std::unique_ptr<Planner> usual_planner(const PlanningProblem& problem) {
   if (problem.basis) {
@@ -88,8 +500,10 @@ PlanResult DynamicRoadmap::plan(const PlanRequest& request, std::stop_token stop
     return state_->planner->plan(state_->problem, request, std::move(stop), observer);
   }
   Observer silent;
-  return replan(state_->memory, *state_->planner, state_->problem, request, std::move(stop),
-                observer ? *observer : silent);
+  state_->memory.source = ReplanSource::kNone;
+  ObserverAdapter adapter(observer ? *observer : silent);
+  return Replanner(state_->memory, *state_->planner, adapter)
+      .plan(state_->problem, request, std::move(stop), &adapter);
 }
 
 const char* to_string(ReplanSource source) {

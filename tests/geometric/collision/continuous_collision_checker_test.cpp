@@ -216,11 +216,11 @@ TEST(ContinuousCollisionChecker, BoundsTheClearanceFromBelow) {
     }
     ++edges;
     const double sampled = judge.clearance(from, to, kStep);  // never below the true one
-    const NamedPair found = judge.edges().clearance(from, to, 0.05, kTolerance);
+    const NamedPair found = judge.edges().clearance(std::array{from, to}, 0.05, kTolerance);
     EXPECT_LE(found.distance, sampled + 1e-9);
     EXPECT_GE(found.distance, sampled - kStep - kTolerance);
-    EXPECT_LE(judge.edges().clearance(from, to, 0.001, kTolerance).distance, 0.001);
-    const NamedPair coarse = judge.edges().clearance(from, to, 0.05, kTolerance, 0.3);
+    EXPECT_LE(judge.edges().clearance(std::array{from, to}, 0.001, kTolerance).distance, 0.001);
+    const NamedPair coarse = judge.edges().clearance(std::array{from, to}, 0.05, kTolerance, 0.3);
     EXPECT_LE(coarse.distance, sampled + 1e-9);
     EXPECT_GE(coarse.distance, 0.7 * (sampled - kStep) - kTolerance) << "a share of the clearance";
   }
@@ -230,8 +230,8 @@ TEST(ContinuousCollisionChecker, NamesThePairOfTheClearance) {
   Scene scene = sliding_finger();
   add_object(scene, "table", Box{{0.1, 0.1, 0.1}}, Eigen::Vector3d(0, 0, -0.078));
   EdgeJudge judge(scene);
-  const NamedPair found =
-      judge.edges().clearance(Eigen::Vector3d(-0.2, 0, 0), Eigen::Vector3d(0.2, 0, 0), 0.05, 1e-5);
+  const std::array<Configuration, 2> edge{Eigen::Vector3d(-0.2, 0, 0), Eigen::Vector3d(0.2, 0, 0)};
+  const NamedPair found = judge.edges().clearance(edge, 0.05, 1e-5);
   EXPECT_EQ(found.a, "probe");
   EXPECT_EQ(found.b, "table");
   EXPECT_NEAR(found.distance, 0.003, 1e-5);
@@ -271,10 +271,12 @@ TEST_F(ALongQuestion, IsNotBegunOnceStopped) {
 }
 
 TEST_F(ALongQuestion, GivesAClearanceThatHoldsWhenStopped) {
-  const double whole = judge_.edges().clearance(from_, to_, 0.05, 2e-5).distance;
+  const double whole =
+      judge_.edges().clearance(std::array<Configuration, 2>{from_, to_}, 0.05, 2e-5).distance;
   int asked = 0;
   judge_.edges().stop_when([&] { return ++asked == 2; });
-  const double stopped = judge_.edges().clearance(from_, to_, 0.05, 2e-5).distance;
+  const double stopped =
+      judge_.edges().clearance(std::array<Configuration, 2>{from_, to_}, 0.05, 2e-5).distance;
   EXPECT_EQ(asked, 2);
   EXPECT_GT(stopped, 0.0);
   EXPECT_LE(stopped, whole);

@@ -132,12 +132,13 @@ class FarScene : public testing::TestWithParam<double> {
         continue;
       }
       ++compared;
-      const double clearance = near_edges.edges.clearance(from, to, 0.2, kTolerance / 2).distance;
+      const double clearance =
+          near_edges.edges.clearance(std::array{from, to}, 0.2, kTolerance / 2).distance;
       const EdgeResult there = far_edges.edges.check(from, to);
       ASSERT_TRUE(there.free || clearance < 2e-4) << clearance;
       if (there.free) {
-        EXPECT_NEAR(far_edges.edges.clearance(from, to, 0.2, kTolerance / 2).distance, clearance,
-                    kTolerance);
+        EXPECT_NEAR(far_edges.edges.clearance(std::array{from, to}, 0.2, kTolerance / 2).distance,
+                    clearance, kTolerance);
       }
     }
     EXPECT_GE(compared, 8);

@@ -18,11 +18,16 @@ namespace {
 constexpr std::size_t kCells = 4096;
 constexpr double kSinglePrecision = 2e-6;  // m, within a metre
 
+DistanceField growing(const std::shared_ptr<const TriangleMesh>& mesh) {
+  return DistanceField::growing(mesh,
+                                OnDemand<TriangleTree>([mesh] { return TriangleTree(*mesh); }));
+}
+
 TEST(DistanceField, IsNeverAboveTheDistance) {
   for (const auto& [name, mesh] : test::sample_meshes()) {
     SCOPED_TRACE(name);
     const BoxTree boxes(mesh);
-    const DistanceField field(mesh, boxes, kCells);
+    const DistanceField field(mesh, TriangleTree(mesh), kCells);
     test::RandomPoints points(mesh, 3.0);
     for (int i = 0; i < 5000; ++i) {
       const Eigen::Vector3d p = points.next();
@@ -37,7 +42,7 @@ TEST(DistanceField, IsNeverAboveTheDistanceWhereItGrows) {
   for (const auto& [name, mesh] : test::sample_meshes()) {
     SCOPED_TRACE(name);
     const BoxTree boxes(mesh);
-    const DistanceField field = DistanceField::growing(std::make_shared<const TriangleMesh>(mesh));
+    const DistanceField field = growing(std::make_shared<const TriangleMesh>(mesh));
     test::RandomPoints points(mesh, 3.0);
     for (int i = 0; i < 5000; ++i) {
       const Eigen::Vector3d p = points.next();
@@ -62,8 +67,8 @@ TEST(DistanceField, GrowsTheSameWhoeverComesFirst) {
     }
     return found;
   };
-  const std::vector<float> expected = bounds(DistanceField::growing(mesh));
-  const DistanceField shared = DistanceField::growing(mesh);
+  const std::vector<float> expected = bounds(growing(mesh));
+  const DistanceField shared = growing(mesh);
   {
     std::vector<std::jthread> threads;
     for (int i = 0; i < 4; ++i) {
@@ -80,7 +85,7 @@ TEST(DistanceField, GrowsTheSameWhoeverComesFirst) {
 TEST(DistanceField, BoundsTrianglesWhereItGrows) {
   const auto mesh = tessellate(Cylinder{0.03, 0.12});
   const BoxTree boxes(*mesh);
-  const DistanceField field = DistanceField::growing(mesh);
+  const DistanceField field = growing(mesh);
   test::RandomPoints points(*mesh, 1.5);
   int bounded = 0;
   for (int i = 0; i < 2000; ++i) {
@@ -99,7 +104,7 @@ TEST(DistanceField, BoundsTrianglesWhereItGrows) {
 
 TEST(DistanceField, IsTheDistanceAlongAFlatFaceOnEitherSide) {
   const TriangleMesh mesh = test::sample_meshes()[2].mesh;  // the plate
-  const DistanceField field(mesh, BoxTree(mesh), kCells);
+  const DistanceField field(mesh, TriangleTree(mesh), kCells);
   for (const double height : {0.001, 0.01, 0.1, -0.001, -0.01, -0.1}) {
     EXPECT_NEAR(field.bound(Eigen::Vector3d(0.5, 0.25, height).cast<float>()), std::abs(height),
                 1e-4);
@@ -109,7 +114,7 @@ TEST(DistanceField, IsTheDistanceAlongAFlatFaceOnEitherSide) {
 TEST(DistanceField, LosesLittleNearACurvedSurface) {
   const TriangleMesh mesh = *tessellate(Cylinder{0.03, 0.12});
   const BoxTree boxes(mesh);
-  const DistanceField field(mesh, boxes, 1U << 14);
+  const DistanceField field(mesh, TriangleTree(mesh), 1U << 14);
   for (int i = 0; i < 360; ++i) {
     const double angle = i * 3.14159265358979 / 180.0;
     const Eigen::Vector3d p(0.035 * std::cos(angle), 0.035 * std::sin(angle), 0.01);
@@ -119,14 +124,14 @@ TEST(DistanceField, LosesLittleNearACurvedSurface) {
 
 TEST(DistanceField, FarAwayIsTheDistanceFromTheBox) {
   const TriangleMesh mesh = *tessellate(Box{{0.4, 0.1, 0.02}});
-  const DistanceField field(mesh, BoxTree(mesh), kCells);
+  const DistanceField field(mesh, TriangleTree(mesh), kCells);
   EXPECT_NEAR(field.bound({10.2F, 0.0F, 0.0F}), 10.0F, 1e-5F);
 }
 
 TEST(DistanceField, BoundsTrianglesThatAreInOneCell) {
   const TriangleMesh mesh = *tessellate(Cylinder{0.03, 0.12});
   const BoxTree boxes(mesh);
-  const DistanceField field(mesh, boxes, kCells);
+  const DistanceField field(mesh, TriangleTree(mesh), kCells);
   test::RandomPoints points(mesh, 1.5);
   int bounded = 0;
   for (int i = 0; i < 2000; ++i) {

@@ -103,21 +103,6 @@ TEST(PrimitiveDistance, KnowsTheInsideOfMostPoints) {
   }
 }
 
-TEST(PrimitiveDistance, HasBoxesWithin) {
-  for (const auto& [name, shape, loss] : sample_primitives()) {
-    SCOPED_TRACE(name);
-    const auto primitive = PrimitiveDistance::of(*tessellate(shape));
-    ASSERT_TRUE(primitive);
-    for (const Aabb& box : primitive->inner_boxes()) {
-      for (int corner = 0; corner < 8; ++corner) {
-        const Eigen::Vector3d share((corner & 1) ? 0.999 : 0.001, (corner & 2) ? 0.999 : 0.001,
-                                    (corner & 4) ? 0.999 : 0.001);
-        EXPECT_NE(primitive->contains(box.lower + share.cwiseProduct(box.size())), false);
-      }
-    }
-  }
-}
-
 TEST(PrimitiveDistance, TakesAnyBoxAlongTheAxesForOne) {
   const TriangleMesh box = *tessellate(Box{{0.4, 0.1, 0.02}});
   EXPECT_TRUE(PrimitiveDistance::of(transformed(box, Pose(Eigen::Translation3d(1, 2, 3)))));

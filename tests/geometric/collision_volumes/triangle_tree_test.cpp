@@ -84,6 +84,18 @@ TEST(TriangleTree, KnowsWhetherASurfaceIsNear) {
   });
 }
 
+TEST(TriangleTree, GivesTheDistanceOfThePointsThatAreNearEnough) {
+  at_points([](const TriangleMesh& mesh, const TriangleTree& tree, const Eigen::Vector3d& p, int) {
+    double least = 1e9;
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+      least = std::min(least, distance(mesh, t, p));
+    }
+    const auto within = static_cast<float>(0.9 * least);
+    ASSERT_NEAR(tree.distance(p.cast<float>(), 1e9F), least, kDoubt);
+    ASSERT_EQ(tree.distance(p.cast<float>(), within), within);
+  });
+}
+
 TEST(TriangleTree, KeepsApartWhatIsFarFromTheOrigin) {
   const TriangleMesh far =
       transformed(*tessellate(Sphere{0.05}), Pose(Eigen::Translation3d(3.0, -2.0, 1.0)));

@@ -54,7 +54,7 @@ DistanceTable::DistanceTable(std::vector<Axis> axes, std::size_t cells_per_axis,
 
 double DistanceTable::bound(const Configuration& q, const Distance& exact) const {
   std::size_t index = 0;
-  double way = 0.0;
+  double motion = 0.0;
   std::array<double, 2> centre{};
   for (std::size_t i = 0; i < axes_.size(); ++i) {
     const Axis& axis = axes_[i];
@@ -69,8 +69,8 @@ double DistanceTable::bound(const Configuration& q, const Distance& exact) const
     const std::size_t cell = std::min(static_cast<std::size_t>(position), cells_per_axis_ - 1);
     index = index * cells_per_axis_ + cell;
     centre[i] = axis.lower + (static_cast<double>(cell) + 0.5) * axis.cell;
-    way += axis.reach * std::abs(axis.turn > 0.0 ? axis.lower + from_lower - centre[i]
-                                                 : q[axis.variable] - centre[i]);
+    motion += axis.reach * std::abs(axis.turn > 0.0 ? axis.lower + from_lower - centre[i]
+                                                    : q[axis.variable] - centre[i]);
   }
   float distance = cells_[index].load(std::memory_order_relaxed);
   if (distance == kUnknown) {
@@ -82,7 +82,7 @@ double DistanceTable::bound(const Configuration& q, const Distance& exact) const
     cells_[index].store(distance, std::memory_order_relaxed);
     learned_.store(true, std::memory_order_relaxed);
   }
-  return static_cast<double>(distance) - way;
+  return static_cast<double>(distance) - motion;
 }
 
 std::vector<float> DistanceTable::cells() const {

@@ -31,7 +31,7 @@ class DistanceTable {
                                                            const MotionBound& motion);
 
   /// A lower bound (m) of the distance in `q`: that of the cell's centre less
-  /// what the way from there can take; 0 or less if it can't tell.
+  /// what the motion from there can take; 0 or less if it can't tell.
   [[nodiscard]] double bound(const Configuration& q, const Distance& exact) const;
 
   /// What is known, shape [cells]; negative where nothing is.

@@ -53,13 +53,6 @@ class VolumeArchive {
     list(archive, field.blocks_);
   }
 
-  template <typename Archive, typename Volumes>
-  static void sides(Archive& archive, Volumes& volumes) {
-    list(archive, volumes.sides.pieces);
-    plain(archive, volumes.sides.has_all);
-    plain(archive, volumes.points);
-  }
-
  private:
   template <typename Archive, typename Value>
   static void plain(Archive& archive, Value& value) {
@@ -82,10 +75,9 @@ class VolumeArchive {
 };
 
 std::string archive_layout() {
-  constexpr int kRevision = 16;  // to change with what volumes are made of
-  return fmt::format("volumes {}, {} {} {} {} {}", kRevision, sizeof(SphereTree::Node),
-                     sizeof(DistanceField::Cell), sizeof(TriangleBlock), sizeof(BoxCover),
-                     sizeof(SurfacePoints));
+  constexpr int kRevision = 17;  // to change with what volumes are made of
+  return fmt::format("volumes {}, {} {} {}", kRevision, sizeof(SphereTree::Node),
+                     sizeof(DistanceField::Cell), sizeof(TriangleBlock));
 }
 
 std::string archive_volumes(const MeshVolumes& volumes) {
@@ -95,7 +87,6 @@ std::string archive_volumes(const MeshVolumes& volumes) {
   VolumeArchive::cover(archive, copy.cover);
   VolumeArchive::hull(archive, copy.hull);
   VolumeArchive::field(archive, copy.field);
-  VolumeArchive::sides(archive, copy);
   return stream.str();
 }
 
@@ -106,7 +97,6 @@ MeshVolumes unarchive_volumes(const std::string& bytes) {
   VolumeArchive::cover(archive, volumes.cover);
   VolumeArchive::hull(archive, volumes.hull);
   VolumeArchive::field(archive, volumes.field);
-  VolumeArchive::sides(archive, volumes);
   return volumes;
 }
 
@@ -115,11 +105,10 @@ namespace {
 constexpr double kSmallestLeaf = 0.002;   // m: spheres are split until they are this small, …
 constexpr double kMostLeaves = 5000.0;    // … or as small as makes about so many
 constexpr double kHullMargin = 0.005;     // of the size
-constexpr std::size_t kCells = 1U << 14;  // of a field, …
+constexpr std::size_t kCells = 1U << 12;  // of a field, …
 constexpr std::size_t kCellsOfPlain = 1U << 16;  // … and where they are soon made,
 constexpr std::size_t kPlain = 1000;             // that is, of meshes with fewer triangles
 constexpr std::size_t kLarge = 100'000;  // triangles: of more, volumes grow where queries come
-constexpr std::size_t kSomeVertices = 2000;
 
 CacheKey key_of(const TriangleMesh& mesh) {
   std::string content = std::to_string(mesh.vertices.size());
@@ -180,29 +169,30 @@ double hull_margin(const SphereTree& cover) {
   return kHullMargin * static_cast<double>(cover.root().radius);
 }
 
-MeshVolumes make_volumes(const TriangleMesh& mesh, const std::stop_token& stop) {
+OnDemand<TriangleTree> tree_of(const std::shared_ptr<const TriangleMesh>& mesh) {
+  return OnDemand<TriangleTree>([mesh] { return TriangleTree(*mesh); });
+}
+
+MeshVolumes make_volumes(const TriangleMesh& mesh, const OnDemand<TriangleTree>& triangles,
+                         const std::stop_token& stop) {
   end_if_stopped(stop);
   MeshVolumes volumes;
   volumes.cover = SphereTree(mesh, leaf_radius(mesh));
   end_if_stopped(stop);
   volumes.hull = ConvexCover(mesh, hull_margin(volumes.cover));
-  volumes.field = DistanceField(mesh, BoxTree(mesh), cells_for(mesh), stop);
-  const std::vector<TriangleMesh> pieces = pieces_of(mesh);
-  volumes.sides = make_box_cover(pieces);
-  end_if_stopped(stop);
-  volumes.points = SurfacePoints(pieces.front());
+  volumes.field = DistanceField(mesh, *triangles, cells_for(mesh), stop);
   return volumes;
 }
 
 // From the cache, or into it, but for what is only being edited: a drag would leave an entry behind
 // for every size.
 MeshVolumes volumes_of(const CacheKey& key, const TriangleMesh& mesh,
-                       const Preparation& preparation) {
+                       const OnDemand<TriangleTree>& triangles, const Preparation& preparation) {
   const DiskCache cache = DiskCache::of_user();
   if (std::optional<MeshVolumes> known = cache.read_as(key, unarchive_volumes)) {
     return *std::move(known);
   }
-  MeshVolumes volumes = make_volumes(mesh, preparation.stop);
+  MeshVolumes volumes = make_volumes(mesh, triangles, preparation.stop);
   if (preparation.keeps_volumes) {
     cache.write(key, archive_volumes(volumes));
   }
@@ -213,62 +203,37 @@ Surface surface_of_primitive(const CacheKey& key, const std::shared_ptr<const Tr
                              const PrimitiveDistance& primitive) {
   const SphereTree cover = SphereTree::growing(mesh, leaf_radius(*mesh));
   const double margin = hull_margin(cover);
-  return {key,
-          mesh,
-          cover,
-          DistanceField(primitive),
-          OnDemand<TriangleTree>([mesh] { return TriangleTree(*mesh); }),
-          OnDemand<ConvexCover>([mesh, margin] { return ConvexCover(*mesh, margin); }),
-          OnDemand<SurfaceSides>([primitive] { return make_box_cover(primitive); }),
-          OnDemand<SurfacePoints>([mesh] { return SurfacePoints(*mesh); })};
+  return {
+      key,           mesh,
+      cover,         DistanceField(primitive),
+      tree_of(mesh), OnDemand<ConvexCover>([mesh, margin] { return ConvexCover(*mesh, margin); })};
 }
 
-// Points of the piece with most vertices.
-SurfacePoints points_of_large(const TriangleMesh& mesh) {
-  const std::vector<std::uint32_t> piece_of = piece_numbers(mesh);
-  std::vector<std::size_t> sizes(mesh.vertices.size());
-  for (const std::uint32_t piece : piece_of) {
-    ++sizes[piece];
-  }
-  const auto largest = std::ranges::max_element(sizes);
-  const std::size_t stride = *largest / kSomeVertices + 1;
-  TriangleMesh some;
-  std::size_t seen = 0;
-  for (std::size_t vertex = 0; vertex < piece_of.size(); ++vertex) {
-    if (piece_of[vertex] == largest - sizes.begin() && seen++ % stride == 0) {
-      some.vertices.push_back(mesh.vertices[vertex]);
-    }
-  }
-  return SurfacePoints(some);
-}
-
-// Its hull is the box around it, and of its sides nothing is known: both take long to find.
+// Its hull is the box around it: to find it takes long.
 Surface surface_of_large_mesh(const CacheKey& key,
                               const std::shared_ptr<const TriangleMesh>& mesh) {
+  const OnDemand<TriangleTree> triangles = tree_of(mesh);
   const Aabb box = bounding_box(*mesh);
   const TriangleMesh around =
       transformed(*tessellate(Box{box.size()}), Pose(Eigen::Translation3d(box.centre())));
   return {key,
           mesh,
           SphereTree::growing(mesh, leaf_radius(*mesh)),
-          DistanceField::growing(mesh),
-          OnDemand<TriangleTree>([mesh] { return TriangleTree(*mesh); }),
-          OnDemand<ConvexCover>([around] { return ConvexCover(around, 0.0); }),
-          OnDemand<SurfaceSides>(SurfaceSides{}),
-          OnDemand<SurfacePoints>([mesh] { return points_of_large(*mesh); })};
+          DistanceField::growing(mesh, triangles),
+          triangles,
+          OnDemand<ConvexCover>([around] { return ConvexCover(around, 0.0); })};
 }
 
 Surface surface_of_mesh(const CacheKey& key, const std::shared_ptr<const TriangleMesh>& mesh,
                         const Preparation& preparation) {
-  MeshVolumes volumes = volumes_of(key, *mesh, preparation);
+  const OnDemand<TriangleTree> triangles = tree_of(mesh);
+  MeshVolumes volumes = volumes_of(key, *mesh, triangles, preparation);
   return {key,
           mesh,
           std::move(volumes.cover),
           std::move(volumes.field),
-          OnDemand<TriangleTree>([mesh] { return TriangleTree(*mesh); }),
-          OnDemand<ConvexCover>(std::move(volumes.hull)),
-          OnDemand<SurfaceSides>(std::move(volumes.sides)),
-          OnDemand<SurfacePoints>(volumes.points)};
+          triangles,
+          OnDemand<ConvexCover>(std::move(volumes.hull))};
 }
 
 Surface surface_of(const CacheKey& key, const std::shared_ptr<const TriangleMesh>& mesh,

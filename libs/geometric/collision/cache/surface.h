@@ -1,6 +1,5 @@
 #pragma once
 
-#include "collision/volumes/box_cover.h"
 #include "collision/volumes/convex_cover.h"
 #include "collision/volumes/distance_field.h"
 #include "collision/volumes/on_demand.h"
@@ -21,8 +20,6 @@ struct MeshVolumes {
   SphereTree cover;
   ConvexCover hull;
   DistanceField field;
-  SurfaceSides sides;
-  SurfacePoints points;
 };
 
 /// What changes where the bytes of archived volumes do: a part of their key.
@@ -42,8 +39,6 @@ struct Surface {
   DistanceField field;
   OnDemand<TriangleTree> triangles;
   OnDemand<ConvexCover> hull;
-  OnDemand<SurfaceSides> sides;
-  OnDemand<SurfacePoints> points;
 };
 
 /// The surfaces of `meshes`, in order. Meshes of the same content share one; what

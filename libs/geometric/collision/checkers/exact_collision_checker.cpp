@@ -155,12 +155,11 @@ bool ExactCollisionChecker::touches_quickly(int pair) {
     return false;
   }
   NarrowPhaseQuery surfaces = query(pair, body_poses());
-  const std::optional<Closeness> seen = surfaces.quick_closeness(kTouch);
-  if (!seen) {
+  if (surfaces.may_be_nearer_than(kTouch)) {
     scratch_->undecided.push_back({surfaces.relative_distance(), pair});
     return false;
   }
-  return seen == Closeness::kTouching || is_contained(pair, surfaces);
+  return is_contained(pair, surfaces);
 }
 
 NarrowPhaseQuery ExactCollisionChecker::query(int pair, std::span<const Pose> X_WBody) {
@@ -238,10 +237,7 @@ Closeness ExactCollisionChecker::exact_closeness(int pair, double tolerance) {
 }
 
 bool ExactCollisionChecker::is_contained(int pair, const NarrowPhaseQuery& surfaces) const {
-  // Boxes are outside of the pieces of all shapes together; those of several may overlap.
-  const BodyPair& bodies = volumes_->pairs[static_cast<std::size_t>(pair)];
-  const bool kept_outside = surfaces.is_outside() && world().body(bodies.b).solids->is_one_shape;
-  return !surfaces.hulls_are_apart() && !kept_outside && pair_is_contained(pair);
+  return !surfaces.hulls_are_apart() && pair_is_contained(pair);
 }
 
 double ExactCollisionChecker::do_pair_quick_bound(int pair) {

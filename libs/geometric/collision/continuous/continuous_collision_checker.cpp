@@ -245,13 +245,33 @@ struct ContinuousCollisionChecker::Clearance {
   }
 };
 
-NamedPair ContinuousCollisionChecker::clearance(const Configuration& from, const Configuration& to,
+NamedPair ContinuousCollisionChecker::clearance(std::span<const Configuration> waypoints,
                                                 double enough, double tolerance, double share) {
+  Clearance found{tolerance, share, enough, enough};
+  for (const Configuration& q : waypoints) {
+    look_at_waypoint(q, found);
+  }
+  for (std::size_t i = 0; i + 1 < waypoints.size(); ++i) {
+    look_along(waypoints[i], waypoints[i + 1], found);
+  }
+  const double least = std::max(0.0, std::min(found.at_least, found.at_most));
+  return found.pair ? named_pair(checker_.world(), *found.pair, least) : NamedPair{"", "", least};
+}
+
+void ContinuousCollisionChecker::look_at_waypoint(const Configuration& q, Clearance& found) {
+  checker_.place(q);
+  std::vector<int> near;
+  checker_.near_pairs_closest_first(found.at_most, near);
+  for (const int pair : near) {
+    static_cast<void>(found.settle(
+        pair, checker_.pair_distance_range(pair, found.at_most, found.share_of_distances()), 0.0));
+  }
+}
+
+void ContinuousCollisionChecker::look_along(const Configuration& from, const Configuration& to,
+                                            Clearance& found) {
   const Configuration delta = to - from;
   motion_.set_edge(delta);
-  Clearance found{tolerance, share, enough, enough};
-  look_at_end(from, found);
-  look_at_end(to, found);
   std::vector<std::pair<Stretch, std::vector<int>>> waiting{{{0.5, 0.5, 0, 0}, {}}};
   for (std::uint64_t checks = 0; !waiting.empty(); ++checks) {
     if (is_stopped(checks)) {
@@ -259,7 +279,7 @@ NamedPair ContinuousCollisionChecker::clearance(const Configuration& from, const
         found.at_least = std::min(found.at_least, end.resolution(resolution_));
       }
       found.at_least = std::min(found.at_least, resolution_);
-      break;
+      return;
     }
     auto [stretch, candidates] = std::move(waiting.back());
     waiting.pop_back();
@@ -275,18 +295,6 @@ NamedPair ContinuousCollisionChecker::clearance(const Configuration& from, const
       waiting.emplace_back(Stretch{stretch.middle + quarter, quarter, 0, 0}, candidates);
       waiting.emplace_back(Stretch{stretch.middle - quarter, quarter, 0, 0}, std::move(candidates));
     }
-  }
-  const double least = std::max(0.0, std::min(found.at_least, found.at_most));
-  return found.pair ? named_pair(checker_.world(), *found.pair, least) : NamedPair{"", "", least};
-}
-
-void ContinuousCollisionChecker::look_at_end(const Configuration& q, Clearance& found) {
-  checker_.place(q);
-  std::vector<int> near;
-  checker_.near_pairs_closest_first(found.at_most, near);
-  for (const int pair : near) {
-    static_cast<void>(found.settle(
-        pair, checker_.pair_distance_range(pair, found.at_most, found.share_of_distances()), 0.0));
   }
 }
 

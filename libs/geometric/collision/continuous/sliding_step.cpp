@@ -12,15 +12,15 @@ constexpr int kHalvings = 5;
 // @pre `from` is free.
 FreeStep advance(CollisionChecker& checker, const Configuration& from, const Configuration& to,
                  double resolution) {
-  const Configuration way = to - from;
-  const double longest = way.cwiseAbs().maxCoeff();
+  const Configuration delta = to - from;
+  const double longest = delta.cwiseAbs().maxCoeff();
   const int steps = static_cast<int>(std::ceil(longest / resolution));
   double reached = 0.0;
   double beyond = 1.0;
   FreeStep step{from, std::nullopt};
   for (int i = 1; i <= steps && !step.pair; ++i) {
     beyond = static_cast<double>(i) / steps;
-    step.pair = checker.first_collision(i == steps ? to : from + beyond * way);
+    step.pair = checker.first_collision(i == steps ? to : from + beyond * delta);
     reached = step.pair ? reached : beyond;
   }
   if (!step.pair) {
@@ -29,14 +29,14 @@ FreeStep advance(CollisionChecker& checker, const Configuration& from, const Con
   }
   for (int i = 0; i < kHalvings; ++i) {
     const double middle = 0.5 * (reached + beyond);
-    if (const auto pair = checker.first_collision(from + middle * way)) {
+    if (const auto pair = checker.first_collision(from + middle * delta)) {
       beyond = middle;
       step.pair = pair;
     } else {
       reached = middle;
     }
   }
-  step.q = from + reached * way;
+  step.q = from + reached * delta;
   return step;
 }
 

@@ -1,7 +1,5 @@
 #include "collision/narrow_phase/narrow_phase_query.h"
 
-#include "collision/volumes/box_cover.h"
-
 #include <fcl/narrowphase/detail/primitive_shape_algorithm/triangle_distance.h>
 
 #include <algorithm>
@@ -13,8 +11,7 @@
 namespace handway::geometric {
 namespace {
 
-constexpr float kDeep = 0.5F;  // of A's radius: a crossing so deep is looked for before all else
-constexpr int kPatience = 3;   // nodes visited on the field's word alone
+constexpr int kPatience = 3;  // nodes visited on the field's word alone
 
 double triangle_distance(const TriangleCorners& s, const TriangleCorners& t) {
   Eigen::Vector3d p;
@@ -78,10 +75,10 @@ void NarrowPhaseQuery::found(double distance) {
 double NarrowPhaseQuery::bound(double enough, int effort) {
   start(enough);
   effort_ = effort;
-  if (root_is_near() && !kept_outside() && !separated_by_plane()) {
+  if (root_is_near() && !separated_by_plane()) {
     bound_node(0);
   }
-  return std::min(enough, std::max(gap(), least_));
+  return std::min(enough, std::max(hull_gap_, least_));
 }
 
 void NarrowPhaseQuery::bound_node(std::uint32_t index) {
@@ -108,16 +105,9 @@ DistanceRange NarrowPhaseQuery::distance(double enough, double share) {
   return {reach_, least_ < enough ? least_ : std::numeric_limits<double>::infinity()};
 }
 
-std::optional<Closeness> NarrowPhaseQuery::quick_closeness(double tolerance) {
+bool NarrowPhaseQuery::may_be_nearer_than(double tolerance) {
   start(tolerance);
-  return look();
-}
-
-std::optional<Closeness> NarrowPhaseQuery::look() {
-  if (!root_is_near() || kept_outside()) {
-    return Closeness::kFarther;
-  }
-  return pierces(kDeep) ? std::optional(Closeness::kTouching) : std::nullopt;
+  return root_is_near();
 }
 
 Closeness NarrowPhaseQuery::closeness(double tolerance) {
@@ -137,7 +127,7 @@ Closeness NarrowPhaseQuery::closeness(double tolerance) {
 
 void NarrowPhaseQuery::visit_all() {
   patience_ = kPatience;
-  if (!look()) {
+  if (root_is_near()) {
     visit(0);
   }
 }
@@ -154,7 +144,7 @@ void NarrowPhaseQuery::visit(std::uint32_t index) {
     const Eigen::Vector3d centre = X_BA_ * Eigen::Vector3d(node.x[k], node.y[k], node.z[k]);
     const auto radius = static_cast<double>(node.radius[k]);
     const bool is_leaf = (node.child[k] & SphereTree::kLeaf) != 0;
-    if ((is_leaf || patience_ <= 1) && settled_as_a_whole()) {
+    if ((is_leaf || patience_ <= 1) && hulls_keep_apart()) {
       return;
     }
     if (is_leaf) {
@@ -165,32 +155,18 @@ void NarrowPhaseQuery::visit(std::uint32_t index) {
   }
 }
 
-bool NarrowPhaseQuery::kept_outside() {
-  const float outside = gap_outside(a_.field.centre(), a_.field.half(), *b_.sides, moves_);
-  outside_gap_ = std::max(outside_gap_, static_cast<double>(outside));
-  return gap() >= reach_;
-}
-
 bool NarrowPhaseQuery::separated_by_plane() {
   const auto reach = static_cast<float>(reach_);
   hull_gap_ = std::max(hull_gap_, static_cast<double>(hull_gap(*a_.hull, *b_.hull, moves_, reach)));
-  return gap() >= reach_;
+  return hull_gap_ >= reach_;
 }
 
-bool NarrowPhaseQuery::pierces(float share) {
-  const BoundingSphere& root = a_.cover.root();
-  if (surely_pierces(*a_.points, {root.centre, share * root.radius}, *b_.sides, moves_)) {
-    found(0.0);
+bool NarrowPhaseQuery::hulls_keep_apart() {
+  if (!tried_hulls_) {
+    tried_hulls_ = true;
+    return separated_by_plane();
   }
-  return least_ <= 0.0;
-}
-
-bool NarrowPhaseQuery::settled_as_a_whole() {
-  if (!tried_whole_) {
-    tried_whole_ = true;
-    return separated_by_plane() || pierces(1.0F);
-  }
-  return gap() >= reach_;
+  return hull_gap_ >= reach_;
 }
 
 void NarrowPhaseQuery::compare(std::uint32_t leaf, const Eigen::Vector3d& centre, double radius) {

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 namespace handway::geometric {
@@ -29,12 +28,11 @@ class NarrowPhaseQuery {
   /// that far apart; 0 where they surely cross. The less is enough, the sooner it ends.
   [[nodiscard]] DistanceRange distance(double enough, double share = 0.0);
 
-  /// Are the surfaces closer than `tolerance` (m), as far as a look at each of them as a whole
-  /// shows? A touch that is found so is beyond doubt.
-  [[nodiscard]] std::optional<Closeness> quick_closeness(double tolerance);
+  /// Whether the surfaces may be closer than `tolerance` (m), as far as the sphere around A shows.
+  [[nodiscard]] bool may_be_nearer_than(double tolerance);
 
   /// How far the middle of A's sphere is from B, as far as the field says, as a share of the
-  /// radius. @pre quick_closeness() did not settle it.
+  /// radius. @pre may_be_nearer_than()
   [[nodiscard]] float relative_distance() const { return relative_distance_; }
 
   /// Are the surfaces closer than `tolerance` (m)? "Touching" below kTouch.
@@ -42,9 +40,6 @@ class NarrowPhaseQuery {
 
   /// Whether the hulls are known to be apart, so that neither surface is inside of the other.
   [[nodiscard]] bool hulls_are_apart() const { return hull_gap_ > 0.0; }
-
-  /// Whether A is known to be in a box that is outside of each closed piece of B.
-  [[nodiscard]] bool is_outside() const { return outside_gap_ > 0.0; }
 
   /// Whether triangles were found that cross beyond doubt.
   [[nodiscard]] bool surely_crosses() const { return least_ <= 0.0; }
@@ -58,21 +53,13 @@ class NarrowPhaseQuery {
   void found(double distance);
   /// Whether the sphere around A may be nearer than `reach_`; then X_BA is known.
   [[nodiscard]] bool root_is_near();
-  /// The answer of the quick test, if it has one.
-  [[nodiscard]] std::optional<Closeness> look();
   void visit_all();
   void bound_node(std::uint32_t node);
   void visit(std::uint32_t node);
-  /// Whether A's box is known to be outside of B and at least `reach_` away.
-  [[nodiscard]] bool kept_outside();
   /// Whether the hulls are known to be at least `reach_` apart.
   [[nodiscard]] bool separated_by_plane();
-  /// m: the surfaces are known to be that far apart.
-  [[nodiscard]] double gap() const { return std::max(hull_gap_, outside_gap_); }
-  /// Whether A is known to go through B, in that share of its sphere at least; then `least_` is 0.
-  [[nodiscard]] bool pierces(float share);
-  /// Either of these; looked for once.
-  [[nodiscard]] bool settled_as_a_whole();
+  /// The same; a plane is looked for once.
+  [[nodiscard]] bool hulls_keep_apart();
   void compare(std::uint32_t leaf, const Eigen::Vector3d& centre, double radius);
   /// Is a triangle, in B's frame, at least `reach_` away for all that the field knows?
   [[nodiscard]] bool field_keeps_apart(const TriangleCorners& s) const;
@@ -93,10 +80,9 @@ class NarrowPhaseQuery {
   int effort_ = 0;
   int patience_ = 0;
   bool exact_ = false;
-  bool tried_whole_ = false;
+  bool tried_hulls_ = false;
   float relative_distance_ = 0.0F;
-  double hull_gap_ = 0.0;             ///< m: the hulls are known to be that far apart; and …
-  double outside_gap_ = 0.0;          ///< … A's box to be outside of B by that.
+  double hull_gap_ = 0.0;             ///< m: the hulls are known to be that far apart.
   std::vector<std::uint32_t>& near_;  ///< Triangles of B that a leaf is compared with.
 };
 

@@ -32,36 +32,36 @@ bool contains(const Simplex& base, const Eigen::Vector3d& top, const Eigen::Vect
   return shares.allFinite() && shares.minCoeff() >= 0.0 && shares.sum() <= 1.0;
 }
 
-/// The way from the hull of `points` to `p`: from its nearest point or, where the search ends
+/// The vector from the hull of `points` to `p`: from its nearest point or, where the search ends
 /// early, from one near that. Zero where p is within `margin` (m) of the hull.
 ///
 /// Source: Gilbert, Johnson and Keerthi, "A fast procedure for computing the distance
 /// between complex objects in three-dimensional space", 1988.
-Eigen::Vector3d way_out(std::span<const Eigen::Vector3d> points, const Eigen::Vector3d& p,
-                        double margin) {
+Eigen::Vector3d escape(std::span<const Eigen::Vector3d> points, const Eigen::Vector3d& p,
+                       double margin) {
   Simplex nearest{points[0], points[points.size() / 2], points[points.size() - 1]};
-  Eigen::Vector3d way = p - nearest_on_triangle(nearest, p);
-  for (int step = 0; step < kLongestSearch && way.norm() > margin; ++step) {
-    const Eigen::Vector3d& next = farthest(points, way);
+  Eigen::Vector3d offset = p - nearest_on_triangle(nearest, p);
+  for (int step = 0; step < kLongestSearch && offset.norm() > margin; ++step) {
+    const Eigen::Vector3d& next = farthest(points, offset);
     const Simplex base = nearest;
     if (contains(base, next, p)) {
       return Eigen::Vector3d::Zero();
     }
-    const Eigen::Vector3d last = way;
+    const Eigen::Vector3d last = offset;
     for (std::size_t k = 0; k < 3; ++k) {
       Simplex face = base;
       face[k] = next;
       const Eigen::Vector3d to_face = p - nearest_on_triangle(face, p);
-      if (to_face.squaredNorm() < way.squaredNorm()) {
-        way = to_face;
+      if (to_face.squaredNorm() < offset.squaredNorm()) {
+        offset = to_face;
         nearest = face;
       }
     }
-    if (way == last) {
-      return way;
+    if (offset == last) {
+      return offset;
     }
   }
-  return way.norm() > margin ? way : Eigen::Vector3d::Zero();
+  return offset.norm() > margin ? offset : Eigen::Vector3d::Zero();
 }
 
 std::vector<Eigen::Vector3d> extremes(std::span<const Eigen::Vector3d> vertices) {
@@ -81,12 +81,12 @@ std::vector<Eigen::Vector3d> extremes(std::span<const Eigen::Vector3d> vertices)
 ConvexCover::ConvexCover(const TriangleMesh& mesh, double margin) {
   std::vector<Eigen::Vector3d> points = extremes(mesh.vertices);
   for (const Eigen::Vector3d& vertex : mesh.vertices) {
-    Eigen::Vector3d way = way_out(points, vertex, margin);
-    while (!way.isZero(0.0)) {
-      const Eigen::Vector3d& beyond = farthest(mesh.vertices, way);
+    Eigen::Vector3d offset = escape(points, vertex, margin);
+    while (!offset.isZero(0.0)) {
+      const Eigen::Vector3d& beyond = farthest(mesh.vertices, offset);
       const bool known = std::ranges::find(points, beyond) != points.end();
       points.push_back(known ? vertex : beyond);
-      way = known ? Eigen::Vector3d::Zero() : way_out(points, vertex, margin);
+      offset = known ? Eigen::Vector3d::Zero() : escape(points, vertex, margin);
     }
   }
   constexpr float kRounding = 1e-6F;  // of the coordinates: that of single precision

@@ -42,7 +42,8 @@ struct Bound {
 // Makes cells of a mesh's field.
 class CellMaker {
  public:
-  CellMaker(const TriangleMesh& mesh, const BoxTree& boxes) : mesh_(mesh), boxes_(boxes) {}
+  CellMaker(const TriangleMesh& mesh, const BoxTree& boxes, const TriangleTree& triangles)
+      : mesh_(mesh), boxes_(boxes), triangles_(triangles) {}
 
   // Cells of the grid are laid out in float and a little apart from these cubes.
   [[nodiscard]] Bound bound_in(Cube cube, std::uint32_t hint) const {
@@ -108,13 +109,15 @@ class CellMaker {
   // they are to the surface.
   [[nodiscard]] double worth_of_refining(const Cube& cube, const DistanceField::Cell& cell,
                                          const NearestPoint& nearest) const {
+    constexpr double kOffset = 0.7;  // of half the cube
+    const double within = 1.001 * (nearest.distance + std::sqrt(3.0) * kOffset * cube.half);
     double worth = 0.0;
     for (const int k : {0, 3, 5, 6}) {
       const Eigen::Vector3d p =
-          cube.centre + 0.7 * cube.half *
+          cube.centre + kOffset * cube.half *
                             Eigen::Vector3d((k & 1) - 0.5, ((k >> 1) & 1) - 0.5, (k >> 2) - 0.5) *
                             2.0;
-      const double distance = nearest_point(mesh_, boxes_, p, nearest.triangle).distance;
+      const double distance = triangles_.distance(p.cast<float>(), static_cast<float>(within));
       const double lost =
           distance - std::max(0.0, static_cast<double>(cell.bound(p.cast<float>())));
       if (lost > std::max(kFine, kShare * distance)) {
@@ -185,6 +188,7 @@ class CellMaker {
 
   const TriangleMesh& mesh_;
   const BoxTree& boxes_;
+  const TriangleTree& triangles_;
   mutable std::vector<Waiting> waiting_;
 };
 
@@ -192,8 +196,9 @@ class CellMaker {
 
 class DistanceFieldBuilder {
  public:
-  DistanceFieldBuilder(DistanceField& field, const TriangleMesh& mesh, const BoxTree& boxes)
-      : field_(field), maker_(mesh, boxes) {}
+  DistanceFieldBuilder(DistanceField& field, const TriangleMesh& mesh, const BoxTree& boxes,
+                       const TriangleTree& triangles)
+      : field_(field), maker_(mesh, boxes, triangles) {}
 
   void build(std::size_t budget, const std::stop_token& stop) {
     double side = 1.0 / field_.per_cell_;
@@ -281,9 +286,11 @@ class DistanceFieldBuilder {
 /// depends on the mesh and the cell around it alone. Which of two threads made it doesn't show.
 class DistanceFieldGrowth {
  public:
-  DistanceFieldGrowth(std::shared_ptr<const TriangleMesh> mesh, std::size_t coarsest)
+  DistanceFieldGrowth(std::shared_ptr<const TriangleMesh> mesh, OnDemand<TriangleTree> triangles,
+                      std::size_t coarsest)
       : mesh_(std::move(mesh)),
         boxes_([mesh = mesh_] { return BoxTree(*mesh); }),
+        triangles_(std::move(triangles)),
         roots_(coarsest) {}
 
   ~DistanceFieldGrowth() {
@@ -336,7 +343,7 @@ class DistanceFieldGrowth {
     if (const Grown* known = slot.load(std::memory_order_acquire)) {
       return known;
     }
-    const Bound bound = CellMaker(*mesh_, *boxes_).bound_in(cube, hint);
+    const Bound bound = CellMaker(*mesh_, *boxes_, *triangles_).bound_in(cube, hint);
     auto made = std::make_unique<const Grown>(bound, cube);
     const Grown* known = nullptr;
     return slot.compare_exchange_strong(known, made.get()) ? made.release() : known;
@@ -353,6 +360,7 @@ class DistanceFieldGrowth {
 
   std::shared_ptr<const TriangleMesh> mesh_;
   OnDemand<BoxTree> boxes_;
+  OnDemand<TriangleTree> triangles_;
   mutable std::vector<Slot> roots_;
 };
 
@@ -368,11 +376,13 @@ void DistanceField::lay_out(const Aabb& box) {
   origin_ = (box.centre() - 0.5 * side * counts_.cast<double>().matrix()).cast<float>();
 }
 
-DistanceField DistanceField::growing(std::shared_ptr<const TriangleMesh> mesh) {
+DistanceField DistanceField::growing(std::shared_ptr<const TriangleMesh> mesh,
+                                     OnDemand<TriangleTree> triangles) {
   DistanceField field;
   field.lay_out(bounding_box(*mesh));
   const auto cells = static_cast<std::size_t>(field.counts_.prod());
-  field.growth_ = std::make_shared<DistanceFieldGrowth>(std::move(mesh), cells);
+  field.growth_ =
+      std::make_shared<DistanceFieldGrowth>(std::move(mesh), std::move(triangles), cells);
   return field;
 }
 
@@ -384,10 +394,10 @@ DistanceField::Place DistanceField::find_grown(const Eigen::Array3i& i,
   return growth_->find(index_of(i), {centre, half}, u);
 }
 
-DistanceField::DistanceField(const TriangleMesh& mesh, const BoxTree& boxes, std::size_t budget,
-                             const std::stop_token& stop) {
+DistanceField::DistanceField(const TriangleMesh& mesh, const TriangleTree& triangles,
+                             std::size_t budget, const std::stop_token& stop) {
   lay_out(bounding_box(mesh));
-  DistanceFieldBuilder(*this, mesh, boxes).build(budget, stop);
+  DistanceFieldBuilder(*this, mesh, BoxTree(mesh), triangles).build(budget, stop);
 }
 
 DistanceField::DistanceField(const PrimitiveDistance& primitive)

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "collision/volumes/box_tree.h"
+#include "collision/volumes/on_demand.h"
 #include "collision/volumes/primitive_distance.h"
 #include "collision/volumes/triangle_tree.h"
 #include "handway/geometric/mesh/triangle_mesh.h"
@@ -68,10 +68,10 @@ class DistanceField {
 
   DistanceField() = default;
 
-  /// @param budget about how many cells to spend.
+  /// @param triangles of the mesh. @param budget about how many cells to spend.
   /// @pre the mesh has a triangle.
   /// @throws PreparationStopped once `stop` is requested.
-  DistanceField(const TriangleMesh& mesh, const BoxTree& boxes, std::size_t budget,
+  DistanceField(const TriangleMesh& mesh, const TriangleTree& triangles, std::size_t budget,
                 const std::stop_token& stop = {});
 
   explicit DistanceField(const PrimitiveDistance& primitive);
@@ -79,7 +79,8 @@ class DistanceField {
   /// A field without a budget, whose cells are made where it is asked: for meshes of which only a
   /// part is ever come near to.
   /// @pre the mesh has a triangle.
-  [[nodiscard]] static DistanceField growing(std::shared_ptr<const TriangleMesh> mesh);
+  [[nodiscard]] static DistanceField growing(std::shared_ptr<const TriangleMesh> mesh,
+                                             OnDemand<TriangleTree> triangles);
 
   /// Nothing for other meshes.
   [[nodiscard]] const std::optional<PrimitiveDistance>& primitive() const { return primitive_; }

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <cstdint>
 #include <memory>
-#include <numbers>
 #include <utility>
 
 namespace handway::geometric {
@@ -154,7 +153,7 @@ float PrimitiveDistance::box_distance(const Eigen::Vector3f& p) const {
   return inside <= 0.0F ? inside : beyond.cwiseMax(0.0F).norm();
 }
 
-PrimitiveDistance::Section PrimitiveDistance::way_from_outer(const Section& p) const {
+PrimitiveDistance::Section PrimitiveDistance::offset_from_outer(const Section& p) const {
   const float half = half_.z();
   if (kind_ == Kind::kCylinder) {
     return {std::max(p.x() - outer_, 0.0F),
@@ -185,25 +184,25 @@ float PrimitiveDistance::round_bound(const Eigen::Vector3f& p) const {
     return std::max(from_centre - outer_, inner_ - from_centre);
   }
   const Section section(p.head<2>().norm(), p.z());
-  return std::max(way_from_outer(section).norm(), depth_in_inner(section));
+  return std::max(offset_from_outer(section).norm(), depth_in_inner(section));
 }
 
 PrimitiveDistance::Tangent PrimitiveDistance::tangent(const Eigen::Vector3f& p) const {
   if (kind_ == Kind::kBox) {
     const Eigen::Vector3f from_centre = p - centre_;
-    const Eigen::Vector3f way =
+    const Eigen::Vector3f offset =
         (from_centre.cwiseAbs() - half_).cwiseMax(0.0F).cwiseProduct(from_centre.cwiseSign());
-    const float distance = way.norm();
-    return {distance, way / std::max(distance, 1e-30F)};
+    const float distance = offset.norm();
+    return {distance, offset / std::max(distance, 1e-30F)};
   }
   if (kind_ == Kind::kSphere) {
     const float from_centre = p.norm();
     return {from_centre - outer_, p / std::max(from_centre, 1e-30F)};
   }
   const float from_axis = p.head<2>().norm();
-  const Section way = way_from_outer({from_axis, p.z()});
-  const float distance = way.norm();
-  const Section slope = way / std::max(distance, 1e-30F);
+  const Section offset = offset_from_outer({from_axis, p.z()});
+  const float distance = offset.norm();
+  const Section slope = offset / std::max(distance, 1e-30F);
   const Eigen::Vector2f outward = p.head<2>() / std::max(from_axis, 1e-30F);
   return {distance, {slope.x() * outward.x(), slope.x() * outward.y(), slope.y()}};
 }
@@ -222,46 +221,9 @@ std::optional<bool> PrimitiveDistance::contains(const Eigen::Vector3d& p) const 
   if ((is_ball ? inner_ - point.norm() : depth_in_inner(section)) > clear) {
     return true;
   }
-  return (is_ball ? point.norm() - outer_ : way_from_outer(section).norm()) > clear
+  return (is_ball ? point.norm() - outer_ : offset_from_outer(section).norm()) > clear
              ? std::optional(false)
              : std::nullopt;
-}
-
-std::vector<Aabb> PrimitiveDistance::inner_boxes() const {
-  const auto around_centre = [](const Eigen::Vector3d& half) { return Aabb{-half, half}; };
-  const double radius = static_cast<double>(inner_);
-  const double half = 0.5 * box_.size().z();
-  std::vector<Aabb> boxes;
-  switch (kind_) {
-    case Kind::kBox:
-      boxes.push_back(box_);
-      break;
-    case Kind::kSphere:
-      for (const double x : {1.0, 2.0, 3.0}) {
-        for (const double y : {1.0, 2.0, 3.0}) {
-          for (const double z : {1.0, 2.0, 3.0}) {
-            if (std::min({x, y, z}) == 1.0 && x * y * z < 9.0) {
-              boxes.push_back(around_centre(radius * Eigen::Vector3d(x, y, z).normalized()));
-            }
-          }
-        }
-      }
-      break;
-    case Kind::kCylinder:
-      for (int i = 1; i < 8; ++i) {
-        const double angle = i * std::numbers::pi / 16.0;
-        boxes.push_back(around_centre({radius * std::cos(angle), radius * std::sin(angle), half}));
-      }
-      break;
-    case Kind::kCone:
-      for (int i = 1; i < 8; ++i) {
-        const double share = i / 8.0;
-        const double side = std::numbers::sqrt2 / 2.0 * radius * (1.0 - share);
-        boxes.push_back({{-side, -side, -half}, {side, side, half * (2.0 * share - 1.0)}});
-      }
-      break;
-  }
-  return boxes;
 }
 
 }  // namespace handway::geometric

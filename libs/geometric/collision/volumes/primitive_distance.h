@@ -5,7 +5,6 @@
 #include <Eigen/Core>
 
 #include <optional>
-#include <vector>
 
 namespace handway::geometric {
 
@@ -37,9 +36,6 @@ class PrimitiveDistance {
   /// Whether a point (m) is inside, where that is clear without the mesh.
   [[nodiscard]] std::optional<bool> contains(const Eigen::Vector3d& p) const;
 
-  /// Boxes inside of the surface that fill much of it, m.
-  [[nodiscard]] std::vector<Aabb> inner_boxes() const;
-
  private:
   enum class Kind { kBox, kSphere, kCylinder, kCone };
   /// Half a section through the axis of a round primitive: distance from the axis, and height.
@@ -51,7 +47,7 @@ class PrimitiveDistance {
   [[nodiscard]] float box_distance(const Eigen::Vector3f& p) const;
   [[nodiscard]] float round_bound(const Eigen::Vector3f& p) const;
   /// From the primitive around a round one to `p`, both outside of it and seen in the section.
-  [[nodiscard]] Section way_from_outer(const Section& p) const;
+  [[nodiscard]] Section offset_from_outer(const Section& p) const;
   /// How deep (m) `p` is in the primitive within a round one; negative outside of that.
   [[nodiscard]] float depth_in_inner(const Section& p) const;
 

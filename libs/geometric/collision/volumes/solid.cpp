@@ -284,7 +284,6 @@ std::shared_ptr<const BodySolids> make_body_solids(std::span<const LinkGeometry>
                                                    bool solid) {
   auto solids = std::make_shared<BodySolids>();
   solids->box = {Eigen::Vector3d::Constant(1e300), Eigen::Vector3d::Constant(-1e300)};
-  solids->is_one_shape = shapes.size() == 1;
   for (const LinkGeometry& geometry : shapes) {
     const std::shared_ptr<const ShapeSolid> shape = solid_of(geometry.shape);
     for (const Eigen::Vector3d& point : shape->points) {

@@ -87,7 +87,6 @@ struct BodySolids {
   std::vector<Part> shells;             ///< … and if they are hollow.
   std::vector<Eigen::Vector3d> points;  ///< One of each connected piece of its surfaces, m.
   Aabb box;                             ///< Around the parts, m.
-  bool is_one_shape = false;
 
   /// @param p m, in the body's frame.
   [[nodiscard]] bool contains(const Eigen::Vector3d& p) const;

@@ -252,7 +252,8 @@ HANDWAY_VECTOR_UNITS std::uint32_t TriangleTree::near_boxes(const Node& node,
 }
 
 template <typename Visit>
-void TriangleTree::visit_near(const Eigen::Vector3f& p, float distance, const Visit& visit) const {
+void TriangleTree::visit_near(const Eigen::Vector3f& p, const float& distance,
+                              const Visit& visit) const {
   std::array<std::uint32_t, 256> stack;  // trees have at most seven waiting on a level
   std::size_t waiting = 0;
   stack[waiting++] = root_;
@@ -280,6 +281,14 @@ void TriangleTree::visit_near(const Eigen::Vector3f& p, float distance, const Vi
     }
     stack[waiting++] = node.child[nearest];
   }
+}
+
+float TriangleTree::distance(const Eigen::Vector3f& p, float within) const {
+  visit_near(p, within, [&](const Leaf& leaf) {
+    within = std::min(within, leaf.block.distance(p));
+    return false;
+  });
+  return within;
 }
 
 bool TriangleTree::is_nearer_than(const Eigen::Vector3d& p, double distance) const {

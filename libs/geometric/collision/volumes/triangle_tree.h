@@ -64,6 +64,10 @@ class TriangleTree {
   /// Is a triangle nearer to `p` (m, in the mesh's frame) than `distance` (m)?
   [[nodiscard]] bool is_nearer_than(const Eigen::Vector3d& p, double distance) const;
 
+  /// Distance (m) of `p` from the nearest triangle, up to single precision; `within` (m) if none is
+  /// nearer.
+  [[nodiscard]] float distance(const Eigen::Vector3f& p, float within) const;
+
   /// Appends the triangles that are nearer to `p` than `distance` (m).
   void append_within(const Eigen::Vector3d& p, double distance,
                      std::vector<std::uint32_t>& triangles) const;
@@ -85,9 +89,10 @@ class TriangleTree {
     std::uint32_t count = 0;
   };
 
-  /// Shows `visit` the leaves near to `p` until it has seen enough.
+  /// Shows `visit` the leaves nearer to `p` than `distance`, which it may lower, until it has seen
+  /// enough.
   template <typename Visit>
-  void visit_near(const Eigen::Vector3f& p, float distance, const Visit& visit) const;
+  void visit_near(const Eigen::Vector3f& p, const float& distance, const Visit& visit) const;
   /// `distance`, and what roundings may be off by.
   [[nodiscard]] float reach(const Eigen::Vector3d& p, double distance) const;
   static std::uint32_t near_boxes(const Node& node, const Eigen::Vector3f& p, float distance,

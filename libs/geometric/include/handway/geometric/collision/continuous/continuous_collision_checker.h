@@ -108,13 +108,14 @@ class HANDWAY_GEOMETRIC_EXPORT ContinuousCollisionChecker {
       std::span<const int> pairs, const Configuration& from, const Configuration& to,
       std::uint64_t most_checks = std::numeric_limits<std::uint64_t>::max());
 
-  /// The smallest distance (m) of any pair on the whole edge, but not above `enough`:
+  /// The smallest distance (m) of any pair on the whole path, but not above `enough`:
   /// a lower bound, below the true one by at most `tolerance` (m) or by at most `share`
-  /// of it, whichever is more. Branch and bound over the same stretches. Stopped, it
-  /// gives the least resolution at most, which every free edge keeps.
-  /// @pre the edge is free.
-  [[nodiscard]] NamedPair clearance(const Configuration& from, const Configuration& to,
-                                    double enough, double tolerance, double share = 0.0);
+  /// of it, whichever is more. Branch and bound over the same stretches, once all
+  /// waypoints were looked at. Stopped, it gives the least resolution at most, which every
+  /// free edge keeps.
+  /// @pre the edges between the waypoints are free.
+  [[nodiscard]] NamedPair clearance(std::span<const Configuration> waypoints, double enough,
+                                    double tolerance, double share = 0.0);
 
   [[nodiscard]] double resolution() const { return resolution_; }
 
@@ -138,7 +139,8 @@ class HANDWAY_GEOMETRIC_EXPORT ContinuousCollisionChecker {
   [[nodiscard]] Closeness closeness_within(int pair, double need, double required);
 
   struct Clearance;  // what clearance() has found so far
-  void look_at_end(const Configuration& q, Clearance& found);
+  void look_at_waypoint(const Configuration& q, Clearance& found);
+  void look_along(const Configuration& from, const Configuration& to, Clearance& found);
   /// Of the configuration in place, the middle of a stretch of that half length: whether the pair
   /// is settled on it.
   [[nodiscard]] bool settle(int pair, double half, Clearance& found);
