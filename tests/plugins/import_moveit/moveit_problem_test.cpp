@@ -105,6 +105,37 @@ TEST(MoveitProblem, MovesTheBaseOfAGroupThatNamesIt) {
   EXPECT_EQ(model.upper()[1], 4.0);
 }
 
+TEST(MoveitProblem, ReadsPosesOfFloatingBases) {
+  const SmallProblem problem;
+  const auto srdf = problem.folder() / "robots" / "crane.srdf";
+  std::string floating = kVirtualJoint;
+  floating.replace(floating.find("planar"), 6, "floating");
+  problem.replace(srdf, "<group name=\"crane_arm\">", floating + "<joint name=\"world_joint\"/>");
+  problem.replace(problem.scene(), "robot_state:\n", kBaseState);
+  problem.replace(problem.request(), "      - {joint_name: reach, position: 0.1}\n",
+                  "      - {joint_name: reach, position: 0.1}\n"
+                  "      - {joint_name: world_joint/trans_x, position: -0.5}\n"
+                  "      - {joint_name: world_joint/trans_y, position: 1}\n"
+                  "      - {joint_name: world_joint/trans_z, position: 0.25}\n"
+                  "      - {joint_name: world_joint/rot_x, position: 0}\n"
+                  "      - {joint_name: world_joint/rot_y, position: 0.38268343}\n"
+                  "      - {joint_name: world_joint/rot_z, position: 0}\n"
+                  "      - {joint_name: world_joint/rot_w, position: 0.92387953}\n");
+  const auto scene = problem.read().scene;
+  const geometric::RobotModel& model = *scene->robots.front().model;
+  ASSERT_EQ(model.variable_count(), 9);
+  const auto goal = [&](const char* joint) {
+    return (*scene->goal)[model.find_variable(joint).value()];
+  };
+  EXPECT_EQ(goal("world_joint/trans_z"), 0.25);
+  EXPECT_NEAR(goal("world_joint/pitch"), std::numbers::pi / 4.0, 1e-6);
+  EXPECT_NEAR(goal("world_joint/yaw"), 0.0, 1e-6);
+  EXPECT_NEAR((*scene->start)[model.find_variable("world_joint/yaw").value()],
+              std::numbers::pi / 2.0, 1e-6)
+      << "of the state";
+  EXPECT_THAT(scene->warnings, testing::Not(testing::Contains(HasSubstr("rot_"))));
+}
+
 TEST(MoveitProblem, HasTheObjectsOfItsWorld) {
   const SmallProblem problem;
   const auto scene = problem.read().scene;
