@@ -47,6 +47,7 @@ void add_glove_command(CLI::App& app, int& exit_code) {
   add_glove_emulate(*command, exit_code);
   add_glove_generate(*command, exit_code);
   add_glove_live(*command, exit_code);
+  add_glove_map(*command, exit_code);
   add_glove_record(*command, exit_code);
   add_glove_replay(*command, exit_code);
 }

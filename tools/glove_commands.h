@@ -36,6 +36,9 @@ void add_glove_generate(CLI::App& glove, int& exit_code);
 /// handway glove live: what a glove measures, as it comes.
 void add_glove_live(CLI::App& glove, int& exit_code);
 
+/// handway glove map: a mapping that is proposed for any robot hand.
+void add_glove_map(CLI::App& glove, int& exit_code);
+
 /// handway glove record: what a glove measures, into a file.
 void add_glove_record(CLI::App& glove, int& exit_code);
 

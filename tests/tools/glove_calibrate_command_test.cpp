@@ -1,4 +1,4 @@
-/// `handway glove generate` and `handway glove calibrate`.
+/// `handway glove generate`, `handway glove calibrate` and `handway glove map`.
 #include "command_line.h"
 #include "handway/device/glove/glove_calibration.h"
 #include "handway/device/glove/recording.h"
@@ -47,6 +47,17 @@ TEST_F(GloveCalibrate, FitsPosesAndTakesTheRestFromAFreeMotion) {
   EXPECT_TRUE(calibration.sensors[4]->residual);
   EXPECT_FALSE(calibration.sensors[11]->residual);
   EXPECT_EQ(line_.run("pca free.csv --calibration hand.yaml").exit_code, 0);
+}
+
+TEST(GloveMap, ProposesAMappingThatPcaTakes) {
+  const CommandLine line;
+  ASSERT_EQ(line.run("glove generate --samples 1000 --out hand.csv").exit_code, 0);
+  const Outcome map = line.run("glove map shadow_class_right --fit hand.csv --out map.yaml");
+  EXPECT_EQ(map.exit_code, 0) << map.err;
+  EXPECT_THAT(map.out, AllOf(HasSubstr("index_proximal"), HasSubstr("IndexMPJ")));
+  const Outcome pca = line.run("pca hand.csv --mapping map.yaml --out basis.yaml");
+  EXPECT_EQ(pca.exit_code, 0) << pca.err;
+  EXPECT_EQ(line.run("glove map tx90").exit_code, 3) << "an arm has no fingers";
 }
 
 TEST_F(GloveCalibrate, TellsWhatToAskFor) {

@@ -1,5 +1,6 @@
 #include "features/glove/glove_panel.h"
 
+#include "features/glove/calibration_guide.h"
 #include "features/glove/capture_coach.h"
 #include "features/glove/device_field.h"
 #include "features/glove/mapping_editor.h"
@@ -131,15 +132,38 @@ QWidget* GlovePanel::build_sensors_page() {
   layout->setSpacing(6);
   layout->addWidget(bars_);
   auto* calibration = new CalibrationChoice;
+  auto* calibrate = new QPushButton(tr("Calibrate…"));
+  calibrate->setObjectName(QStringLiteral("calibrate"));
+  calibrate->setToolTip(tr("Some postures to hold, shown one by one: a calibration in a minute"));
   auto* form = new QFormLayout;
   form->setContentsMargins(kMargin, 4, kMargin, 0);
   form->setHorizontalSpacing(12);
   form->addRow(tr("Calibration"), calibration);
+  form->addRow(QString(), calibrate);
   layout->addLayout(form);
   layout->addStretch();
   connect(calibration, &CalibrationChoice::chosen, &session_, &GloveSession::set_calibration);
   connect(calibration, &CalibrationChoice::failed, this, &GlovePanel::show_problem);
-  return new PanelArea(page);
+  auto* guide = new CalibrationGuide(session_);
+  auto* pages = new QStackedWidget;
+  pages->addWidget(new PanelArea(page));
+  pages->addWidget(new PanelArea(guide));
+  connect(calibrate, &QPushButton::clicked, this, [this, guide, pages] {
+    if (session_.link().state() != StreamState::kStreaming) {
+      show_problem(tr("Connect the glove that is to be calibrated first"));
+      return;
+    }
+    pages->setCurrentIndex(1);
+    guide->begin();
+  });
+  connect(guide, &CalibrationGuide::closed, pages, [pages] { pages->setCurrentIndex(0); });
+  connect(guide, &CalibrationGuide::failed, this, &GlovePanel::show_problem);
+  connect(guide, &CalibrationGuide::saved, this, [this, calibration, pages](const QString& file) {
+    calibration->load(file);
+    pages->setCurrentIndex(0);
+    come_to_front(QStringLiteral("Coach"));
+  });
+  return pages;
 }
 
 QWidget* GlovePanel::build_footer() {

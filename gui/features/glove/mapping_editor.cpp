@@ -3,6 +3,7 @@
 #include "features/glove/capture_coach.h"
 #include "features/glove/wire_form.h"
 #include "handway/device/glove/hand_mapping.h"
+#include "handway/device/retargeting/mapping_proposal.h"
 #include "handway/geometric/io/resources.h"
 #include "handway/geometric/math/units.h"
 #include "handway/sampling/postures/posture_subspace.h"
@@ -13,6 +14,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
+#include <QHelpEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
@@ -20,6 +22,7 @@
 #include <QPainter>
 #include <QPainterPath>
 #include <QPushButton>
+#include <QToolTip>
 #include <QUndoStack>
 #include <QVBoxLayout>
 #include <QVariant>
@@ -108,6 +111,17 @@ std::optional<int> MappingWires::joint_at(const QPointF& position) const {
     }
   }
   return std::nullopt;
+}
+
+bool MappingWires::event(QEvent* event) {
+  if (event->type() == QEvent::ToolTip) {
+    const auto* help = static_cast<QHelpEvent*>(event);
+    if (const auto sensor = sensor_at(help->pos())) {
+      QToolTip::showText(help->globalPos(), sensor_tip(*sensor), this);
+      return true;
+    }
+  }
+  return QWidget::event(event);
 }
 
 void MappingWires::mousePressEvent(QMouseEvent* event) {
@@ -277,6 +291,31 @@ QString shares_text(const Eigen::VectorXd& shares) {
 
 QString filter() { return QObject::tr("Mappings (*.yaml *.yml);;All files (*)"); }
 
+/// The frames as a recording of the sensors that all of them have.
+device::Recording recording_of(const std::deque<device::GloveAngles>& frames) {
+  device::Recording recording;
+  recording.header.kind = device::RecordingKind::kAngles;
+  for (int sensor = 0; sensor < device::kGloveSensors; ++sensor) {
+    if (std::ranges::all_of(frames, [&](const device::GloveAngles& frame) {
+          return std::isfinite(frame.angles.at(static_cast<std::size_t>(sensor)));
+        })) {
+      recording.header.sensors.push_back(sensor);
+    }
+  }
+  recording.times.resize(static_cast<Eigen::Index>(frames.size()));
+  recording.values.resize(recording.times.size(),
+                          static_cast<Eigen::Index>(recording.header.sensors.size()));
+  for (Eigen::Index row = 0; row < recording.times.size(); ++row) {
+    const device::GloveAngles& frame = frames[static_cast<std::size_t>(row)];
+    recording.times[row] = frame.time;
+    for (Eigen::Index column = 0; column < recording.values.cols(); ++column) {
+      const int sensor = recording.header.sensors[static_cast<std::size_t>(column)];
+      recording.values(row, column) = frame.angles.at(static_cast<std::size_t>(sensor));
+    }
+  }
+  return recording;
+}
+
 }  // namespace
 
 MappingEditor::MappingEditor(GloveSession& session, QUndoStack& history, QWidget* parent)
@@ -318,6 +357,7 @@ MappingEditor::MappingEditor(GloveSession& session, QUndoStack& history, QWidget
     device::JointWire& wire = mapping.wires[static_cast<std::size_t>(joint)];
     wire.sensor = sensor;
     wire.fixed.reset();
+    wire.left_to_arm = false;
     change(tr("Wire %1").arg(QString::fromStdString(wire.joint)), mapping);
   });
   connect(form_, &WireForm::edited, this, &MappingEditor::change_wire);
@@ -339,9 +379,17 @@ QWidget* MappingEditor::build_buttons() {
   layout->setSpacing(8);
   auto* mapping = new QPushButton(tr("Mapping"));
   auto* menu = new QMenu(mapping);
+  menu->setToolTipsVisible(true);
+  menu->addAction(tr("New for this hand"), this, &MappingEditor::propose)
+      ->setToolTip(tr("Proposes sensors for the joints from their names, order and axes"));
   menu->addAction(tr("Table 1 of the paper"), this,
                   [this] { change(tr("Map as in Table 1"), device::table1_mapping()); });
   menu->addAction(tr("All joints fixed"), this, &MappingEditor::clear);
+  menu->addSeparator();
+  menu->addAction(tr("Fit to this motion"), this, [this] { fit(recording_of(motion_)); })
+      ->setToolTip(tr("Lays the joints' ranges on what the hand went through since connecting: "
+                      "open it, make a fist, move the thumb"));
+  menu->addAction(tr("Fit to a recording…"), this, &MappingEditor::choose_to_fit);
   menu->addSeparator();
   menu->addAction(tr("Open…"), this, &MappingEditor::choose_to_open);
   menu->addAction(tr("Save as…"), this, &MappingEditor::choose_to_save);
@@ -408,6 +456,34 @@ void MappingEditor::clear() {
     wire = device::JointWire{wire.joint, -1, 1.0, 0.0, {}, {}};
   }
   change(tr("Fix all joints"), mapping);
+}
+
+void MappingEditor::propose() {
+  try {
+    if (model_) {
+      change(tr("Propose a mapping"), device::propose_mapping(*model_));
+    }
+  } catch (const std::exception& error) {
+    emit failed(QString::fromUtf8(error.what()));
+  }
+}
+
+void MappingEditor::fit(const device::Recording& recording) {
+  if (!model_ || static_cast<std::size_t>(recording.values.rows()) < kLeastFrames) {
+    comparison_->setText(tr("Open the hand, make a fist and move the thumb first"));
+    return;
+  }
+  try {
+    const device::MappingFit fitted = device::fit_mapping(session_.mapping(), *model_, recording);
+    change(tr("Fit the mapping"), fitted.mapping);
+    QStringList lines{tr("Fitted to %L1 frames.").arg(recording.values.rows())};
+    for (const std::string& warning : fitted.warnings) {
+      lines << QString::fromStdString(warning) + QLatin1Char('.');
+    }
+    comparison_->setText(lines.join(QLatin1Char('\n')));
+  } catch (const std::exception& error) {
+    emit failed(QString::fromUtf8(error.what()));
+  }
 }
 
 void MappingEditor::change(const QString& text, const device::HandMapping& mapping) {
@@ -495,6 +571,25 @@ void MappingEditor::choose_to_save() {
   } catch (const std::exception& error) {
     emit failed(QString::fromUtf8(error.what()));
   }
+}
+
+void MappingEditor::choose_to_fit() {
+  const QString file =
+      QFileDialog::getOpenFileName(this, tr("Fit the mapping to a recording"), {},
+                                   tr("Recordings (*.csv *.txt *.jsonl);;All files (*)"));
+  if (file.isEmpty()) {
+    return;
+  }
+  reading_.run([this, file,
+                calibration = session_.calibration()](const std::stop_token&) -> LatestJob::Answer {
+    try {
+      const device::Recording angles =
+          device::to_angles(device::read_recording(file.toStdString()), calibration);
+      return [this, angles] { fit(angles); };
+    } catch (const std::exception& error) {
+      return [this, message = QString::fromUtf8(error.what())] { emit failed(message); };
+    }
+  });
 }
 
 void MappingEditor::choose_to_compare() {

@@ -2,8 +2,10 @@
 
 #include "handway/device/glove/glove_layout.h"
 #include "handway/device/glove/hand_mapping.h"
+#include "handway/device/glove/recording.h"
 #include "handway/geometric/robot/robot_model.h"
 #include "model/devices/glove_session.h"
+#include "model/jobs/background.h"
 
 #include <QPointF>
 #include <QWidget>
@@ -54,6 +56,8 @@ class MappingWires : public QWidget {
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
+  /// Says of each sensor what it measures.
+  bool event(QEvent* event) override;
 
  private:
   [[nodiscard]] std::optional<int> sensor_at(const QPointF& position) const;
@@ -109,6 +113,11 @@ class MappingEditor : public QWidget {
   void save(const std::filesystem::path& file) const;
   /// All joints fixed, to begin by hand.
   void clear();
+  /// A mapping that is proposed for the hand of the scene.
+  void propose();
+  /// Fits signs and ranges to what a person's hand went through.
+  /// @param recording of angles.
+  void fit(const device::Recording& recording);
   void compare_with(const device::HandMapping& other, const QString& name);
   [[nodiscard]] QString comparison() const;
 
@@ -126,6 +135,7 @@ class MappingEditor : public QWidget {
   void choose_to_open();
   void choose_to_save();
   void choose_to_compare();
+  void choose_to_fit();
 
   GloveSession& session_;
   QUndoStack& history_;
@@ -138,6 +148,7 @@ class MappingEditor : public QWidget {
   CurveView* curve_;
   QLineEdit* source_;
   QLabel* comparison_;
+  LatestJob reading_;
 };
 
 }  // namespace handway::gui

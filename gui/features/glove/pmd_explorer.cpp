@@ -731,7 +731,7 @@ void PmdExplorer::show_postures(const CapturedPostures& postures, const QString&
 }
 
 HandBasis PmdExplorer::made_basis() const {
-  HandBasis made{tr("these postures"), {}, nullptr};
+  HandBasis made{tr("this basis"), {}, nullptr};
   if (!model_ || postures_.count() < kLeastPostures) {
     return made;
   }

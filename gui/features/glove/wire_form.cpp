@@ -1,6 +1,7 @@
 #include "features/glove/wire_form.h"
 
 #include "features/glove/capture_coach.h"
+#include "handway/device/glove/calibration_fit.h"
 #include "handway/device/glove/glove_layout.h"
 #include "handway/geometric/math/units.h"
 #include "widgets/style/theme.h"
@@ -248,6 +249,9 @@ QLineEdit* field(const char* name) {
   return edit;
 }
 
+constexpr int kFixed = -1;  // data of the entries that are no sensors
+constexpr int kOfArm = -2;
+
 QWidget* row(std::initializer_list<QWidget*> parts) {
   auto* widget = new QWidget;
   auto* layout = new QHBoxLayout(widget);
@@ -300,6 +304,19 @@ QString curve_text(const std::vector<device::CurvePoint>& curve) {
   return pairs.join(QStringLiteral(", "));
 }
 
+QString sensor_tip(int sensor) {
+  const auto place = static_cast<std::size_t>(sensor);
+  const device::GloveSensor& about = device::cyberglove_sensors()[place];
+  const auto text = [](std::string_view words) {
+    return QString::fromUtf8(words.data(), static_cast<int>(words.size()));
+  };
+  const auto& [least, most] = device::typical_angle_ranges().at(place);
+  return QObject::tr("%1 (%2): %3; typically %4° to %5°")
+      .arg(text(about.label), text(about.name), text(about.measures))
+      .arg(least / kDegree, 0, 'f', 0)
+      .arg(most / kDegree, 0, 'f', 0);
+}
+
 WireForm::WireForm(QWidget* parent)
     : QWidget(parent),
       joint_(new QLabel),
@@ -311,7 +328,11 @@ WireForm::WireForm(QWidget* parent)
   sensor_->setObjectName(QStringLiteral("wire_sensor"));
   sensor_->setMinimumContentsLength(6);
   sensor_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  sensor_->addItem(tr("Fixed, no sensor"), -1);
+  sensor_->addItem(tr("Fixed, no sensor"), kFixed);
+  sensor_->addItem(tr("Left to the arm"), kOfArm);
+  sensor_->setItemData(1,
+                       tr("The hand does not move this joint: it is planned as one of the arm's"),
+                       Qt::ToolTipRole);
   for (int i = 0; i < static_cast<int>(device::cyberglove_sensors().size()); ++i) {
     const auto& sensor = device::cyberglove_sensors()[static_cast<std::size_t>(i)];
     sensor_->addItem(
@@ -319,6 +340,7 @@ WireForm::WireForm(QWidget* parent)
             .arg(QLatin1Char(sensor.letter))
             .arg(QString::fromUtf8(sensor.label.data(), static_cast<int>(sensor.label.size()))),
         i);
+    sensor_->setItemData(sensor_->count() - 1, sensor_tip(i), Qt::ToolTipRole);
   }
   gain_->setToolTip(tr("Joint angle for each unit of the sensor's; -1/3 will do"));
   offset_->setToolTip(tr("Joint angle where the sensor's is 0, degrees"));
@@ -353,7 +375,8 @@ void WireForm::set_wire(const device::JointWire& wire) {
   wire_ = wire;
   const QSignalBlocker quiet(sensor_);
   joint_->setText(QStringLiteral("<b>%1</b>").arg(joint_label(wire.joint)));
-  sensor_->setCurrentIndex(sensor_->findData(wire.sensor));
+  sensor_->setCurrentIndex(sensor_->findData(wire.left_to_arm ? kOfArm : wire.sensor));
+  sensor_->setToolTip(sensor_->currentData(Qt::ToolTipRole).toString());
   gain_->setText(shown_number(wire.gain));
   offset_->setText(shown_number(wire.offset / geometric::kDegree));
   curve_->setText(curve_text(wire.curve));
@@ -381,7 +404,9 @@ void WireForm::take() {
       good = good && taken;
     }
   };
-  wire.sensor = sensor_->currentData().toInt();
+  const int chosen = sensor_->currentData().toInt();
+  wire.sensor = std::max(chosen, kFixed);
+  wire.left_to_arm = chosen == kOfArm;
   take_field(*gain_, [&](const QString& text) {
     const auto value = parse_ratio(text);
     wire.gain = value.value_or(wire.gain);
@@ -402,7 +427,7 @@ void WireForm::take() {
     wire.fixed = value ? std::optional(*value * geometric::kDegree) : std::nullopt;
     return value.has_value() || text.isEmpty();
   });
-  if (wire.sensor >= 0) {
+  if (wire.sensor >= 0 || wire.left_to_arm) {
     wire.fixed.reset();
   } else {
     wire.curve.clear();
@@ -418,7 +443,7 @@ void WireForm::show_parts() {
   line_part_->setVisible(driven);
   line_part_->setEnabled(wire_.curve.empty());
   curve_part_->setVisible(driven);
-  fixed_part_->setVisible(!driven);
+  fixed_part_->setVisible(!driven && !wire_.left_to_arm);
 }
 
 }  // namespace handway::gui

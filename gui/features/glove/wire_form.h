@@ -70,6 +70,9 @@ class CurveView : public QWidget {
 [[nodiscard]] std::optional<std::vector<device::CurvePoint>> parse_curve(const QString& text);
 [[nodiscard]] QString curve_text(const std::vector<device::CurvePoint>& curve);
 
+/// What a sensor measures, which way is positive, and how far it typically goes.
+[[nodiscard]] QString sensor_tip(int sensor);
+
 /// One wire of a mapping: sensor, gain, offset or curve, or where a joint without sensor is.
 class WireForm : public QWidget {
   Q_OBJECT

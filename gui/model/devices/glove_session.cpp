@@ -4,9 +4,12 @@
 #include "handway/device/glove/glove_signals.h"
 #include "handway/device/glove/landmark_glove.h"
 #include "handway/device/glove/replay_glove.h"
+#include "handway/device/retargeting/fingertip_retargeter.h"
 #include "handway/device/retargeting/mapping_proposal.h"
 #include "handway/geometric/io/input_error.h"
+#include "handway/geometric/io/resources.h"
 #include "handway/geometric/robot/composed_robot.h"
+#include "handway/geometric/robot/group_proposal.h"
 
 #include <QFileInfo>
 
@@ -199,13 +202,40 @@ void GloveSession::set_robot(std::shared_ptr<const geometric::RobotModel> model)
   }
 }
 
+namespace {
+
+/// The paper's Table 1, or else another mapping that ships, if it fits the robot.
+std::optional<device::HandMapping> shipped_mapping(const geometric::RobotModel& model) {
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(geometric::resource_dir() / "mappings")) {
+    files.push_back(entry.path());
+  }
+  std::ranges::sort(files);
+  std::vector<device::HandMapping> mappings{device::table1_mapping()};
+  for (const std::filesystem::path& file : files) {
+    if (!device::is_retargeting(file)) {
+      mappings.push_back(device::read_mapping(file));
+    }
+  }
+  const std::vector<std::string> hand = geometric::propose_groups(model).hand;
+  const auto independent = static_cast<std::size_t>(std::ranges::count_if(
+      hand, [&](const std::string& joint) { return model.find_variable(joint).has_value(); }));
+  const auto found = std::ranges::find_if(mappings, [&](const device::HandMapping& mapping) {
+    return mapping.wires.size() >= independent &&
+           std::ranges::all_of(mapping.wires, [&](const device::JointWire& wire) {
+             return geometric::find_variable_of_part(model, wire.joint).has_value();
+           });
+  });
+  return found == mappings.end() ? std::nullopt : std::optional(*found);
+}
+
+}  // namespace
+
 void GloveSession::propose_mapping() {
   try {
-    device::HandMapping table1 = device::table1_mapping();
-    const bool fits = std::ranges::all_of(table1.wires, [this](const device::JointWire& wire) {
-      return geometric::find_variable_of_part(*model_, wire.joint).has_value();
-    });
-    set_mapping(fits ? std::move(table1) : device::propose_mapping(*model_));
+    const std::optional<device::HandMapping> shipped = shipped_mapping(*model_);
+    set_mapping(shipped ? *shipped : device::propose_mapping(*model_));
   } catch (const std::exception& error) {
     mapping_error_ = QString::fromUtf8(error.what());
   }

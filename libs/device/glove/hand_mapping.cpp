@@ -56,9 +56,14 @@ void read_sensor(const YamlElement& item, const YamlElement& sensor, JointWire& 
 }
 
 JointWire read_wire(const YamlElement& item) {
-  item.allow_keys({"joint", "sensor", "gain", "offset", "curve", "fixed"});
+  item.allow_keys({"joint", "sensor", "gain", "offset", "curve", "fixed", "arm"});
   JointWire wire;
   wire.joint = item.need("joint").text();
+  if (const std::optional<YamlElement> arm = item.find("arm"); arm && arm->flag()) {
+    item.allow_keys({"joint", "arm"});
+    wire.left_to_arm = true;
+    return wire;
+  }
   const std::optional<YamlElement> sensor = item.find("sensor");
   const std::optional<YamlElement> fixed = item.find("fixed");
   if (sensor.has_value() == fixed.has_value()) {
@@ -77,6 +82,9 @@ JointWire read_wire(const YamlElement& item) {
 
 std::string wire_text(const JointWire& wire) {
   std::string text = fmt::format("  - {{joint: {}", wire.joint);
+  if (wire.left_to_arm) {
+    return text + ", arm: true}\n";
+  }
   if (wire.sensor < 0) {
     return text + (wire.fixed ? fmt::format(", fixed: {}}}\n", *wire.fixed) : ", fixed: middle}\n");
   }
@@ -191,7 +199,14 @@ HandMapper::HandMapper(const HandMapping& mapping, const RobotModel& hand, bool 
   }
   std::map<int, const JointWire*> by_variable;
   for (const JointWire& wire : mapping.wires) {
-    by_variable[variable_of(hand, wire, mapping)] = &wire;
+    const int variable = variable_of(hand, wire, mapping);
+    if (!wire.left_to_arm) {
+      by_variable[variable] = &wire;
+    }
+  }
+  if (by_variable.empty()) {
+    throw InputError({"mapping for " + mapping.hand, "joints", "all of them left to the arm",
+                      "joints of the hand", ""});
   }
   const auto count = static_cast<Eigen::Index>(by_variable.size());
   lower_.resize(count);

@@ -428,7 +428,7 @@ MappingFit fit_mapping(const HandMapping& mapping, const RobotModel& model,
   const HandMapper mapper(mapping, model);
   MappingFit fit{mapping, {}};
   for (JointWire& wire : fit.mapping.wires) {
-    if (wire.sensor < 0 || !wire.curve.empty()) {
+    if (wire.sensor < 0 || wire.left_to_arm || !wire.curve.empty()) {
       continue;
     }
     const auto name = cyberglove_sensors()[static_cast<std::size_t>(wire.sensor)].name;

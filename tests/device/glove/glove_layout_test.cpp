@@ -1,9 +1,15 @@
 #include "handway/device/glove/glove_layout.h"
 
+#include "handway_test/paths.h"
+
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <set>
+#include <sstream>
 #include <stdexcept>
+#include <string>
 
 namespace handway::device {
 namespace {
@@ -17,6 +23,20 @@ TEST(GloveLayout, NamesEverySensorWithALetterOfThePaper) {
   EXPECT_EQ(letters.size(), kGloveSensors);
   EXPECT_EQ(*letters.begin(), 'a');
   EXPECT_EQ(*letters.rbegin(), 'v');
+}
+
+TEST(GloveLayout, IsTheTableOfTheManual) {
+  std::ostringstream manual;
+  manual << std::ifstream(test::source_dir() / "docs" / "glove-to-pmd.md").rdbuf();
+  int place = 0;
+  for (const GloveSensor& sensor : cyberglove_sensors()) {
+    ++place;
+    const std::string row = "\\| `" + std::string(sensor.name) + "` \\| " + sensor.letter +
+                            " \\| " + std::string(sensor.measures) + " \\| [^|]* \\| " +
+                            std::to_string(place) + " \\| [^|]* \\| " +
+                            std::to_string(sensor.slot + 1) + " \\|";
+    EXPECT_THAT(manual.str(), testing::ContainsRegex(row));
+  }
 }
 
 TEST(GloveLayout, FindsASensorByNameOrLetter) {

@@ -94,6 +94,17 @@ TEST_F(MappingFile, KeepsCurvesAndFixedValues) {
   EXPECT_EQ(read.wires[1].fixed, 0.25);
 }
 
+TEST_F(MappingFile, KeepsJointsThatAreLeftToTheArm) {
+  HandMapping mapping = table1_mapping();
+  mapping.wires[0] = {"thumb_base", -1, 1.0, 0.0, {}, {}, true};
+  write_mapping(mapping, file());
+  EXPECT_THAT(content(file()), HasSubstr("{joint: thumb_base, arm: true}"));
+  const HandMapper mapper(read_mapping(file()), *sah());
+  EXPECT_EQ(mapper.joints().size(), 12U);
+  EXPECT_EQ(mapper.joints()[0], "thumb_abduction");
+  EXPECT_THAT(refusal("  - {joint: a, arm: true, sensor: g}\n"), HasSubstr("sensor"));
+}
+
 TEST_F(MappingFile, NamesTheLineOfWhatIsWrong) {
   EXPECT_THAT(refusal("  - {joint: a, sensor: IndxMPJ}\n"),
               AllOf(HasSubstr("mapping.yaml:3"), HasSubstr("IndexMPJ")));

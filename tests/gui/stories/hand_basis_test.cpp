@@ -21,8 +21,8 @@
 #include <QTabWidget>
 #include <QTimer>
 
-#include <algorithm>
 #include <fstream>
+#include <ostream>
 #include <string>
 
 namespace handway::test {
@@ -42,25 +42,30 @@ class CurrentFolder {
   QString before_;
 };
 
-/// A hand on an arm that is to reach past a bar for a can.
+/// A hand on an arm that is to reach past a bar. Names of files and links are as in a scene.
 struct ReachingHand {
   const char* name;
-  const char* file;   ///< In the reference robots.
-  double offset;      ///< From the arm's link to the hand's root, m.
-  const char* first;  ///< A joint of a finger.
+  bool is_reference;  ///< Its files are in the reference robots.
+  const char* arm;
+  const char* hand;
+  const char* mount;  ///< Of the hand on the robot `arm`.
+  const char* goal;
+  const char* finger_joint;
 };
+
+void PrintTo(const ReachingHand& hand, std::ostream* out) { *out << hand.name; }
 
 class HandBasisStory : public WindowTest, public ::testing::WithParamInterface<ReachingHand> {
  protected:
-  [[nodiscard]] std::filesystem::path scene(const std::filesystem::path& robots) const {
-    const std::filesystem::path file = folder_.path() / "reach.yaml";
-    std::ofstream(file) << "handway: 1\nrobots:\n  - {name: arm, model: "
-                        << (robots / "iiwa14/iiwa14.urdf").string()
-                        << "}\n  - {name: hand, model: " << (robots / GetParam().file).string()
-                        << ", mount: {robot: arm, link: ee_link, pose: {xyz: [" << GetParam().offset
-                        << ", 0, 0], rpy_deg: [0, 90, 0]}}}\nobjects:\n"
+  [[nodiscard]] std::filesystem::path scene(const std::string& robots) const {
+    const ReachingHand& how = GetParam();
+    const std::filesystem::path file = folder() / "reach.yaml";
+    std::ofstream(file) << "handway: 1\nrobots:\n  - {name: arm, model: " << robots << how.arm
+                        << "}\n  - {name: hand, model: " << robots << how.hand
+                        << ", mount: {robot: arm, " << how.mount << "}}\nobjects:\n"
                         << "  - {name: bar, box: {size: [0.05, 0.5, 0.05]}, pose: {xyz: [0.7, 0, "
-                           "1.0]}}\nstart: {}\ngoal: {A2: 0.7, A4: -1.57, A6: -0.7}\n";
+                           "1.0]}}\nstart: {}\ngoal: {"
+                        << how.goal << "}\n";
     return file;
   }
 
@@ -132,15 +137,25 @@ class HandBasisStory : public WindowTest, public ::testing::WithParamInterface<R
                                  .arg(QLatin1String(GetParam().name), QLatin1String(step))));
   }
 
-  ScratchFolder folder_;
+  /// The same for all, as file dialogs go on where the last one ended.
+  [[nodiscard]] static const std::filesystem::path& folder() {
+    static const ScratchFolder kFolder;
+    return kFolder.path();
+  }
 };
 
 TEST_P(HandBasisStory, MakesABasisOfARecordingAndPlansWithIt) {
-  HANDWAY_NEED_REFERENCE(reference);
-  const CurrentFolder dialogs_begin_in(folder_.path());
+  std::string robots;
+  if (GetParam().is_reference) {
+    HANDWAY_NEED_REFERENCE(reference);
+    robots = (reference / "robots").string() + '/';
+  }
+  const CurrentFolder dialogs_begin_in(folder());
   std::filesystem::copy(source_dir() / "resources/recordings/free_hand.csv",
-                        folder_.path() / "my_hand.csv");
-  open(scene(reference / "robots"));
+                        folder() / "my_hand.csv",
+                        std::filesystem::copy_options::overwrite_existing);
+  open(scene(robots));
+  ASSERT_EQ(window().message(), QString());
   ASSERT_FALSE(window().document().loaded().basis);
   picture("1_opened");
 
@@ -156,7 +171,7 @@ TEST_P(HandBasisStory, MakesABasisOfARecordingAndPlansWithIt) {
   click_middle(part<QPushButton>("basis_use"));
   const auto basis = window().document().loaded().basis;
   ASSERT_TRUE(basis);
-  EXPECT_THAT(basis->joints, ::testing::Contains(GetParam().first));
+  EXPECT_THAT(basis->joints, ::testing::Contains(GetParam().finger_joint));
   EXPECT_EQ(basis->directions.size(), 4U);
   const std::filesystem::path file = window().document().scene()->hand_basis;
   EXPECT_THAT(file.string(), ::testing::EndsWith("_basis.yaml"));
@@ -180,11 +195,23 @@ TEST_P(HandBasisStory, MakesABasisOfARecordingAndPlansWithIt) {
   EXPECT_EQ(window().document().loaded().basis, basis);
 }
 
+constexpr const char* kOnFlange = "link: flange_link";
+constexpr const char* kAlongX = "link: ee_link, pose: {xyz: [0.1, 0, 0], rpy_deg: [0, 90, 0]}";
+constexpr const char* kDown = "joint_2: 0.7, joint_4: -1.57, joint_6: -0.7";
+constexpr const char* kReferenceDown = "A2: 0.7, A4: -1.57, A6: -0.7";
+
 INSTANTIATE_TEST_SUITE_P(
     Hands, HandBasisStory,
-    ::testing::Values(ReachingHand{"allegro", "allegro_hand/allegro_hand_right.urdf", 0.1,
+    ::testing::Values(ReachingHand{"allegro", false, "iiwa14_class", "allegro_class_right",
+                                   kOnFlange, kDown, "index_proximal"},
+                      ReachingHand{"shadow", false, "iiwa14_class", "shadow_class_right", kOnFlange,
+                                   kDown, "little_medial"},
+                      ReachingHand{"allegro_reference", true, "iiwa14/iiwa14.urdf",
+                                   "allegro_hand/allegro_hand_right.urdf", kAlongX, kReferenceDown,
                                    "joint_1.0"},
-                      ReachingHand{"shadow", "shadow_hand/shadow_hand_right.urdf", 0.0, "FFJ3"}),
+                      ReachingHand{"shadow_reference", true, "iiwa14/iiwa14.urdf",
+                                   "shadow_hand/shadow_hand_right.urdf", kAlongX, kReferenceDown,
+                                   "FFJ3"}),
     [](const auto& made) { return std::string(made.param.name); });
 
 }  // namespace

@@ -270,6 +270,14 @@ std::vector<DialogCase> StopInDialogs::cases() const {
        [this] { button(window(), "Export…").click(); }},
       {"features/campaigns/campaigns_panel.cpp", "campaign",
        [this] { button(part<QWidget>("campaigns"), "Open…").click(); }},
+      {"features/glove/calibration_guide.cpp", "calibration to save",
+       [this] {
+         part<QPushButton>("calibrate").click();
+         while (part<QPushButton>("calibration_skip").isEnabled()) {
+           part<QPushButton>("calibration_skip").click();
+         }
+         part<QPushButton>("calibration_capture").click();
+       }},
       {"features/glove/capture_pages.cpp", "captured postures",
        [this] { emit only<gui::PmdExplorer>().recording_requested(); }},
       {"features/glove/pmd_explorer.cpp", "basis",
@@ -282,6 +290,7 @@ std::vector<DialogCase> StopInDialogs::cases() const {
        [this] { choose(only<gui::CalibrationChoice>(), "From a file…"); }},
       {"features/glove/mapping_editor.cpp", "mapping", trigger("Open…")},
       {"features/glove/mapping_editor.cpp", "save a mapping", trigger("Save as…")},
+      {"features/glove/mapping_editor.cpp", "recording to fit", trigger("Fit to a recording…")},
       {"features/glove/mapping_editor.cpp", "mapping to compare", trigger("With a file…")},
       {"features/glove/record_bar.cpp", "name of a recording", [this] { record_something(); }},
   };

@@ -4,9 +4,14 @@
 #include "features/glove/pmd_explorer.h"
 #include "glove_dock.h"
 #include "handway/device/glove/recording.h"
+#include "handway/geometric/io/input_error.h"
+#include "handway/sampling/postures/posture_table.h"
+#include "handway_test/paths.h"
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QLabel>
+#include <QPushButton>
 #include <QTabBar>
 
 #include <cmath>
@@ -82,6 +87,44 @@ TEST_F(CapturePages, StopFollowingTheGloveWhenThePadIsUsed) {
   ASSERT_TRUE(part<QCheckBox>("glove_follow").isChecked());
   QTest::mouseClick(&pad(), Qt::LeftButton, {}, pad().to_pixel({0.0, 0.0}).toPoint());
   EXPECT_FALSE(part<QCheckBox>("glove_follow").isChecked());
+}
+
+TEST_F(CapturePages, SaveABasisThatTheSceneNamesUntilThatIsUndone) {
+  const auto before = window().document().loaded().basis;
+  ASSERT_TRUE(before);
+  show_recording();
+  ASSERT_FALSE(::testing::Test::HasFatalFailure());
+  const std::filesystem::path file = cell().folder() / "mine.yaml";
+  panel().capture().explorer().save(file);
+  EXPECT_EQ(sampling::read_postures(cell().folder() / "mine_postures.csv").postures.rows(), 600);
+  click("basis_use");
+  EXPECT_EQ(window().document().scene()->hand_basis, file);
+  const auto used = window().document().loaded().basis;
+  EXPECT_EQ(used->directions.size(), 2U);
+  EXPECT_TRUE(QTest::qWaitFor([&] {
+    return window().document().recorded_hand().state() == gui::RecordedHand::State::kReady;
+  }));
+  EXPECT_FALSE(part<QPushButton>("basis_use").isEnabled()) << "it is the scene's already";
+  window().editor().undo_stack().undo();
+  EXPECT_EQ(window().document().loaded().basis, before);
+  window().editor().undo_stack().redo();
+  EXPECT_EQ(window().document().loaded().basis, used);
+}
+
+TEST_F(CapturePages, CompareTheBasisWithAnother) {
+  show_recording();
+  ASSERT_FALSE(::testing::Test::HasFatalFailure());
+  auto& other = part<QComboBox>("explorer_compare");
+  other.setCurrentIndex(1);
+  emit other.activated(1);
+  const auto& text = part<QLabel>("basis_comparison");
+  EXPECT_TRUE(QTest::qWaitFor([&] { return text.text().contains(QStringLiteral("Angles")); }));
+  EXPECT_THAT(text.text().toStdString(), HasSubstr("Postures of this basis"));
+}
+
+TEST_F(CapturePages, RefuseABasisOfAnotherHand) {
+  EXPECT_THROW(panel().capture().explorer().open(source_dir() / "resources/bases/sah_auro.yaml"),
+               geometric::InputError);
 }
 
 TEST_F(CapturePages, SayWhatIsWrongWithARecording) {

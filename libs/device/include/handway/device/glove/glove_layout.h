@@ -36,6 +36,8 @@ struct GloveSensor {
   std::string_view label;  ///< For people: "Thumb roll".
   char letter;             ///< As in the paper's Fig. 3: a to v.
   int slot;                ///< Place in the 24 angles of the VirtualHand order.
+  /// What it measures, and which way is positive: "Knuckle of the index finger, positive bent".
+  std::string_view measures;
 };
 
 /// The 22 sensors of a CyberGlove, in the order of its records (paper, section 3 and Fig. 3;

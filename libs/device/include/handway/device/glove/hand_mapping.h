@@ -22,6 +22,7 @@
 ///       - {joint: thumb_base, sensor: ThumbRotate, gain: -1, offset: 0}
 ///       - {joint: index_medial, sensor: h, curve: [[0, -0.07], [0.8, -0.9], [1.7, -1.3]]}
 ///       - {joint: middle_abduction, fixed: middle}
+///       - {joint: WRJ1, arm: true}
 
 namespace handway::device {
 
@@ -40,6 +41,8 @@ struct JointWire {
   /// Instead of gain and offset: straight between points of rising angle, held at both ends.
   std::vector<CurvePoint> curve;
   std::optional<double> fixed;  ///< rad, of a joint without sensor; none: middle of its range.
+  /// It belongs to the arm, such as a wrist's joint: the hand does not move it.
+  bool left_to_arm = false;
 };
 
 /// The wires of a whole hand.
@@ -71,11 +74,12 @@ HANDWAY_DEVICE_EXPORT void write_mapping(const HandMapping& mapping,
 class HANDWAY_DEVICE_EXPORT HandMapper : public PostureSource {
  public:
   /// @param hand a robot with all joints that the mapping names, such as the hand alone or
-  /// an arm with it; the joints named are the hand.
+  /// an arm with it; the joints named, but for those left to the arm, are the hand.
   /// @param is_hand the robot is the mapping's hand, whatever its name; else only if that is what
   /// the mapping says.
   /// @throws geometric::InputError if the robot lacks a joint that the mapping names, has it
-  /// coupled to another, or is the hand itself and has a joint that the mapping leaves out.
+  /// coupled to another, or is the hand itself and has a joint that the mapping leaves out; or if
+  /// all are left to the arm.
   HandMapper(const HandMapping& mapping, const geometric::RobotModel& hand, bool is_hand = false);
 
   [[nodiscard]] std::vector<bool> driven() const override;

@@ -1,0 +1,80 @@
+#include "exit_codes.h"
+#include "glove_commands.h"
+#include "handway/device/glove/glove_calibration.h"
+#include "handway/device/glove/glove_layout.h"
+#include "handway/device/glove/hand_mapping.h"
+#include "handway/device/glove/recording.h"
+#include "handway/device/retargeting/mapping_proposal.h"
+#include "handway/geometric/formats/robot_loader.h"
+#include "handway/geometric/io/resources.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+namespace handway::tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct MapOptions {
+  std::string robot;
+  fs::path fit;
+  fs::path calibration;
+  fs::path out;
+};
+
+void print(const device::HandMapping& mapping) {
+  for (const device::JointWire& wire : mapping.wires) {
+    if (wire.sensor < 0) {
+      fmt::print("{:<24}fixed at {:.3f}\n", wire.joint, wire.fixed.value_or(0.0));
+    } else {
+      fmt::print("{:<24}{:<18}gain {:+.3f}, offset {:+.3f}\n", wire.joint,
+                 device::cyberglove_sensors()[static_cast<std::size_t>(wire.sensor)].name,
+                 wire.gain, wire.offset);
+    }
+  }
+}
+
+int map(const MapOptions& options) {
+  const auto model = geometric::load_robot(
+      geometric::find_resource(geometric::ResourceKind::kRobot, options.robot, fs::current_path()));
+  device::HandMapping mapping = device::propose_mapping(*model);
+  if (!options.fit.empty()) {
+    const device::GloveCalibration calibration =
+        options.calibration.empty() ? device::typical_calibration()
+                                    : device::read_calibration(options.calibration);
+    device::MappingFit fit = device::fit_mapping(
+        mapping, *model, device::to_angles(device::read_recording(options.fit), calibration));
+    for (const std::string& warning : fit.warnings) {
+      fmt::print(stderr, "warning: {}\n", warning);
+    }
+    mapping = std::move(fit.mapping);
+    mapping.source += ", fitted to " + options.fit.filename().string();
+  }
+  print(mapping);
+  if (!options.out.empty()) {
+    device::write_mapping(mapping, options.out);
+  }
+  return kDone;
+}
+
+}  // namespace
+
+void add_glove_map(CLI::App& glove, int& exit_code) {
+  auto options = std::make_shared<MapOptions>();
+  CLI::App* command = glove.add_subcommand("map", "Propose a mapping of a glove to any robot hand");
+  command->add_option("robot", options->robot, "Robot hand, or an arm with one: a name or a URDF")
+      ->required();
+  command->add_option("--fit", options->fit,
+                      "Fit signs and ranges to this recording: open hand, fist, thumb moves");
+  command->add_option("--calibration", options->calibration,
+                      "Calibration for a recording of counts (default: a typical right hand's)");
+  command->add_option("--out", options->out, "Write the mapping here (YAML)");
+  command->callback([options, &exit_code] { exit_code = map(*options); });
+}
+
+}  // namespace handway::tools
