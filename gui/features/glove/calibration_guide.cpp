@@ -29,15 +29,15 @@
 namespace handway::gui {
 namespace {
 
-constexpr int kPictureHeight = 150;      // px
-constexpr double kBone = 9.0;            // px, of a finger's width
+constexpr int kPictureHeight = 116;      // px
+constexpr double kBone = 7.0;            // px, of a finger's width
 constexpr double kPictureMargin = 12.0;  // px
 
 /// Where a person's palm frame is seen from: fingers up, a little from the thumb's side and from
 /// above, so that bent fingers show.
 Eigen::Matrix3d view_of_hand() {
   const Eigen::AngleAxisd up(M_PI / 2.0, Eigen::Vector3d::UnitZ());
-  const Eigen::AngleAxisd aside(0.75, Eigen::Vector3d::UnitY());
+  const Eigen::AngleAxisd aside(0.5, Eigen::Vector3d::UnitY());
   const Eigen::AngleAxisd tilted(-0.35, Eigen::Vector3d::UnitX());
   return (tilted * aside * up).toRotationMatrix();
 }
@@ -48,7 +48,8 @@ constexpr std::array<Bone, 20> kBones{{{0, 1},   {1, 2},   {2, 3},   {3, 4},   {
                                        {5, 6},   {6, 7},   {7, 8},   {0, 9},   {9, 10},
                                        {10, 11}, {11, 12}, {0, 13},  {13, 14}, {14, 15},
                                        {15, 16}, {0, 17},  {17, 18}, {18, 19}, {19, 20}}};
-constexpr std::array<int, 6> kPalm{0, 1, 5, 9, 13, 17};
+constexpr std::array<int, 5> kPalm{1, 5, 9, 13, 17};
+constexpr double kWrist = 0.32;  // breadth of the wrist on each side, of that of the knuckles
 
 }  // namespace
 
@@ -83,6 +84,8 @@ void HandPicture::paintEvent(QPaintEvent*) {
   const auto pen = [&](const QColor& color, double width) {
     return QPen(color, scaled(1) * width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin);
   };
+  const QPointF breadth = kWrist * (place(kPalm.back()) - place(kPalm[1]));
+  palm << place(0) + breadth << place(0) - breadth;
   painter.setPen(pen(faded(colors.accent, 0.35), kBone));
   painter.setBrush(faded(colors.accent, 0.35));
   painter.drawPolygon(palm);
@@ -105,6 +108,7 @@ namespace {
 constexpr double kHold = 1.5;       // s that a posture is held
 constexpr double kHeldStill = 3.0;  // counts, standard deviation of a hand that is held still
 constexpr int kPercentDone = 100;
+constexpr int kProgressHeight = 6;  // px
 
 device::Recording recording_of_counts(const std::vector<device::GloveFrame>& frames) {
   device::Recording recording;
@@ -158,6 +162,7 @@ CalibrationGuide::CalibrationGuide(GloveSession& session, QWidget* parent)
   quality_->setWordWrap(true);
   progress_->setRange(0, kPercentDone);
   progress_->setTextVisible(false);
+  progress_->setFixedHeight(scaled(kProgressHeight));
   progress_->setAccessibleName(tr("How long the posture has been held"));
   auto* form = new QFormLayout;
   form->addRow(tr("Person"), person_);
@@ -168,18 +173,19 @@ CalibrationGuide::CalibrationGuide(GloveSession& session, QWidget* parent)
   layout->addWidget(title_);
   layout->addWidget(picture_);
   layout->addWidget(instruction_);
+  layout->addWidget(capture_);
   layout->addWidget(progress_);
-  layout->addWidget(quality_);
   layout->addWidget(build_buttons());
+  layout->addWidget(quality_);
   layout->addStretch();
   connect(&session_, &GloveSession::sampled, this, &CalibrationGuide::take);
 }
 
 QWidget* CalibrationGuide::build_buttons() {
   auto* box = new QWidget;
-  auto* layout = new QVBoxLayout(box);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(6);
+  auto* row = new QHBoxLayout(box);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(8);
   capture_->setObjectName(QStringLiteral("calibration_capture"));
   capture_->setProperty("role", "primary");
   back_->setObjectName(QStringLiteral("calibration_back"));
@@ -187,13 +193,9 @@ QWidget* CalibrationGuide::build_buttons() {
   skip_->setToolTip(tr("Sensors that only this posture measures keep the calibration before"));
   auto* close = new QPushButton(tr("Close"));
   close->setObjectName(QStringLiteral("calibration_close"));
-  auto* row = new QHBoxLayout;
-  row->setSpacing(8);
   for (QPushButton* button : {back_, skip_, close}) {
     row->addWidget(button, 1);
   }
-  layout->addWidget(capture_);
-  layout->addLayout(row);
   connect(capture_, &QPushButton::clicked, this,
           [this] { step_ == Step::kDone ? choose_to_save() : capture(); });
   connect(back_, &QPushButton::clicked, this, [this] { go_to(pose_ - 1); });
