@@ -195,10 +195,10 @@ class Study {
       }
       means.push_back(drawn.mean());
     }
-    return bounds(total.mean(), std::move(means));
+    return bounds(total.mean(), means);
   }
 
-  [[nodiscard]] Interval bounds(double mean, std::vector<double> values) const {
+  [[nodiscard]] Interval bounds(double mean, const std::vector<double>& values) const {
     const double tail = 0.5 * (1.0 - settings_.confidence);
     return {mean, quantile(values, tail), quantile(values, 1.0 - tail)};
   }
@@ -226,12 +226,12 @@ class Study {
     }
     BasisStability& stability =
         study.stability.emplace_back(BasisStability{seconds / settings_.resamples, {}});
-    for (std::vector<double>& of_k : angles) {
+    for (const std::vector<double>& of_k : angles) {
       Sum sum;
       for (const double angle : of_k) {
         sum.add(angle);
       }
-      stability.angles.push_back(bounds(sum.mean(), std::move(of_k)));
+      stability.angles.push_back(bounds(sum.mean(), of_k));
     }
   }
 

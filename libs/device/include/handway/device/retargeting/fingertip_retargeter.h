@@ -62,8 +62,8 @@ class HANDWAY_DEVICE_EXPORT FingertipRetargeter : public PostureSource {
  public:
   /// @param hand the robot; joints that move no finger stay in the middle.
   /// @throws geometric::InputError as find_fingers().
-  FingertipRetargeter(std::shared_ptr<const geometric::RobotModel> hand,
-                      const RetargetingSettings& settings = {});
+  explicit FingertipRetargeter(std::shared_ptr<const geometric::RobotModel> hand,
+                               const RetargetingSettings& settings = {});
   ~FingertipRetargeter() override;
 
   [[nodiscard]] const RobotFingers& fingers() const { return fingers_; }
