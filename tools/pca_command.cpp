@@ -266,6 +266,7 @@ std::string fingertip_line(const std::string& name, const std::vector<MappedReco
 
 void print_fingertips(const std::vector<MappedRecording>& recordings, const HandSource& chosen) {
   std::vector<device::MappedPostures> mapped;
+  mapped.reserve(recordings.size());
   for (const MappedRecording& recording : recordings) {
     mapped.push_back(recording.mapped);
   }
