@@ -14,6 +14,7 @@
 #include "features/preferences/preferences_dialog.h"
 #include "features/runs/runs_panel.h"
 #include "features/tracker/wrist_page.h"
+#include "features/viewing/saved_views.h"
 
 namespace handway::gui {
 
@@ -32,6 +33,7 @@ void add_features(Workbench& workbench) {
   add_export(workbench);
   add_campaigns(workbench);
   add_preferences(workbench);
+  add_viewing(workbench);
 }
 
 }  // namespace handway::gui

@@ -7,6 +7,7 @@
 #include "view3d/scene_view.h"
 #include "widgets/panels/log_panel.h"
 
+#include <QComboBox>
 #include <QFileDialog>
 #include <QFileIconProvider>
 #include <QFileInfo>
@@ -200,12 +201,22 @@ void FileCommands::open() {
                      tr("Scenes, problems and robots (*.yaml *.yml *.xml *.urdf);;All files (*)"));
   dialog.setObjectName(QStringLiteral("open_dialog"));
   dialog.setOption(QFileDialog::DontUseNativeDialog);
+  dialog.setOption(QFileDialog::HideNameFilterDetails);
   dialog.setFileMode(QFileDialog::ExistingFile);
   const QString folder = dialog.directory().absolutePath();
   dialog.restoreState(QSettings().value(dialog_key()).toByteArray());
   dialog.setDirectory(folder);
   dialog.setSidebarUrls(places(dialog.sidebarUrls()));
   dialog.setViewMode(QFileDialog::List);
+  // Qt's choices of folder and type are narrow: their tool tips have all of the text.
+  const auto tell_all = [&dialog] {
+    for (auto* choice : dialog.findChildren<QComboBox*>()) {
+      choice->setToolTip(choice->currentText());
+    }
+  };
+  connect(&dialog, &QFileDialog::directoryEntered, this, tell_all);
+  connect(&dialog, &QFileDialog::filterSelected, this, tell_all);
+  tell_all();
   SceneIcons icons;
   dialog.setIconProvider(&icons);
   for (auto* view : dialog.findChildren<QListView*>(QStringLiteral("listView"))) {

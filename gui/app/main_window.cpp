@@ -95,7 +95,6 @@ void MainWindow::add_theme_command() {
   dark_ = workbench_.make_action("theme", tr("&Dark theme"), {}, tr("Light or dark colours"));
   dark_->setCheckable(true);
   dark_->setChecked(current_theme() == Theme::kDark);
-  workbench_.add_to_menu(MainMenu::kView, {1, 20}, dark_);
   workbench_.add_to_bar(MainBar::kTools, {3, 15}, dark_);
   connect(dark_, &QAction::toggled, this, [this](bool dark) {
     show_theme(dark ? Theme::kDark : Theme::kLight);

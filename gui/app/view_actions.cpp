@@ -199,7 +199,6 @@ void ViewActions::place_actions() {
   workbench_.add_to_menu(MainMenu::kView, {0, 2}, orthographic_);
   workbench_.add_to_menu(MainMenu::kView, {0, 3}, displays_menu_->menuAction());
   workbench_.add_to_menu(MainMenu::kView, {1, 0}, floor_);
-  workbench_.add_to_menu(MainMenu::kView, {1, 1}, cube_);
   int order = 0;
   for (QAction* action : on_bar_) {
     workbench_.add_to_bar(MainBar::kTools, {2, ++order}, action);

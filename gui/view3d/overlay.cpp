@@ -99,6 +99,18 @@ void add_cone(SoSeparator& parent, const geometric::OrientationConstraint& uprig
   parent.addChild(make_edges_node(rim, edges, color, kEdgeWidth));
 }
 
+SoSeparator* make_dots(std::span<const Eigen::Vector3d> points, const geometric::Color& color) {
+  auto* dots = new SoSeparator;
+  add_unlit_style(*dots, 1.0F, kDotSize);
+  auto* base = new SoBaseColor;
+  base->rgb = to_coin(color);
+  dots->addChild(base);
+  auto* round = new RoundPoints;
+  round->vertexProperty = make_vertices(points);
+  dots->addChild(round);
+  return dots;
+}
+
 void add_box(SoSeparator& parent, const geometric::PositionConstraint& region,
              const geometric::Pose& X_WB) {
   const Eigen::Vector3d p_W = X_WB * region.point;
@@ -119,15 +131,7 @@ void add_box(SoSeparator& parent, const geometric::PositionConstraint& region,
     }
   }
   parent.addChild(make_edges_node(corners, edges, color, kEdgeWidth));
-  auto* point = new SoSeparator;
-  add_unlit_style(*point, 1.0F, kDotSize);
-  auto* base = new SoBaseColor;
-  base->rgb = to_coin(color);
-  point->addChild(base);
-  auto* dot = new RoundPoints;
-  dot->vertexProperty = make_vertices(std::array{p_W});
-  point->addChild(dot);
-  parent.addChild(point);
+  parent.addChild(make_dots(std::array{p_W}, color));
 }
 
 }  // namespace
@@ -159,6 +163,7 @@ geometric::Color color_along(std::size_t i, std::size_t count) {
 namespace {
 
 constexpr float kBeadRadius = 0.005F;  // m
+constexpr geometric::Color kMeasureColor{0.52F, 0.20F, 0.80F, 1.0F};
 constexpr geometric::Color kExecutedColor{0.80F, 0.12F, 0.46F, 1.0F};
 constexpr geometric::Color kContactColor{0.93F, 0.05F, 0.60F, 1.0F};
 
@@ -233,6 +238,12 @@ Drawing make_optimized_node(std::span<const Eigen::Vector3d> points,
   for (const Eigen::Vector3d& waypoint : waypoints) {
     separator->addChild(make_bead(waypoint, kOptimizedColor));
   }
+  return separator;
+}
+
+Drawing make_measure_node(std::span<const Eigen::Vector3d> points) {
+  CoinRef<SoSeparator> separator = make_plain_line(points, kMeasureColor, 2.0F);
+  separator->addChild(make_dots(points, kMeasureColor));
   return separator;
 }
 

@@ -69,6 +69,7 @@ enum class Overlay {
   kSteps,
   kHypercubes,
   kConstraints,
+  kMeasure,
 };
 
 /// The scene's constraints as they are for the first robot at `q`: a cone about the direction that
@@ -101,6 +102,10 @@ enum class Overlay {
 /// A line between the closest points (world, m) of two bodies, seen through everything: red if
 /// they nearly touch, over yellow to green.
 [[nodiscard]] Drawing make_clearance_node(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
+
+/// A line through `points` (world, m) with a dot at each, seen through everything: what is
+/// measured.
+[[nodiscard]] Drawing make_measure_node(std::span<const Eigen::Vector3d> points);
 
 /// A thin line through each of `trails` (points in the world, m); see make_trail_node().
 [[nodiscard]] Drawing make_trails_node(std::span<const std::vector<Eigen::Vector3d>> trails);

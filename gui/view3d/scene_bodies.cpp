@@ -9,10 +9,13 @@
 #include "view3d/coin_conversions.h"
 #include "view3d/robot_node.h"
 
+#include <Inventor/SbPlane.h>
 #include <Inventor/SoPath.h>
+#include <Inventor/nodes/SoClipPlane.h>
 #include <Inventor/nodes/SoMaterial.h>
 #include <Inventor/nodes/SoMatrixTransform.h>
 #include <Inventor/nodes/SoSeparator.h>
+#include <Inventor/nodes/SoShapeHints.h>
 #include <Inventor/nodes/SoSwitch.h>
 
 #include <algorithm>
@@ -200,10 +203,12 @@ ObjectNode::ObjectNode(const geometric::SceneObject& object)
       color_(object.color),
       root_(make_coin<SoSeparator>()),
       drawing_(make_looks(object), object.color),
+      section_(make_coin<SoGroup>()),
       transform_(make_coin<SoMatrixTransform>()),
       look_(make_coin<SoSwitch>()) {
   root_->renderCaching = SoSeparator::OFF;
   look_->addChild(make_look_material(Look::kColliding, object.color).get());
+  root_->addChild(section_.get());
   root_->addChild(transform_.get());
   root_->addChild(look_.get());
   root_->addChild(drawing_.get());
@@ -227,10 +232,33 @@ bool ObjectNode::set_look(Look look) {
   return true;
 }
 
+void ObjectNode::cut_by(SoNode* section) {
+  section_->removeAllChildren();
+  if (section) {
+    section_->addChild(section);
+  }
+}
+
 using geometric::Configuration;
 using geometric::Pose;
 
-SceneBodies::SceneBodies() = default;
+namespace {
+
+// A plane, off at first. What is cut open is seen from inside.
+CoinRef<SoSwitch> make_section() {
+  auto section = make_coin<SoSwitch>();
+  section->addChild(new SoClipPlane);
+  auto* hints = new SoShapeHints;
+  hints->vertexOrdering = SoShapeHints::COUNTERCLOCKWISE;
+  hints->shapeType = SoShapeHints::UNKNOWN_SHAPE_TYPE;
+  hints->setOverride(TRUE);
+  section->addChild(hints);
+  return section;
+}
+
+}  // namespace
+
+SceneBodies::SceneBodies() : section_(make_section()) {}
 SceneBodies::~SceneBodies() = default;
 
 void SceneBodies::show(std::shared_ptr<const geometric::Scene> scene) {
@@ -266,6 +294,15 @@ void SceneBodies::make_objects() {
         std::ranges::find_if(old, [&](const auto& node) { return node && node->draws(object); });
     objects_.push_back(same == old.end() ? std::make_unique<ObjectNode>(object) : std::move(*same));
     objects_.back()->place(object.X_PO);
+    objects_.back()->cut_by(object.attachment ? nullptr : section_.get());
+  }
+}
+
+void SceneBodies::set_section(const std::optional<Eigen::Hyperplane<double, 3>>& plane) {
+  section_->whichChild = plane ? SO_SWITCH_ALL : SO_SWITCH_NONE;
+  if (plane) {  // Coin draws what is above a plane
+    static_cast<SoClipPlane*>(section_->getChild(0))->plane =
+        SbPlane(to_coin(Eigen::Vector3d(-plane->normal())), static_cast<float>(plane->offset()));
   }
 }
 

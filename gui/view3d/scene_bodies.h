@@ -8,14 +8,19 @@
 #include "view3d/robot_node.h"
 
 #include <Inventor/nodes/SoSeparator.h>
+#include <Inventor/nodes/SoSwitch.h>
+
+#include <Eigen/Geometry>
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <stop_token>
 #include <string>
 #include <vector>
 
+class SoGroup;
 class SoMatrixTransform;
 class SoNode;
 class SoPath;
@@ -95,6 +100,8 @@ class ObjectNode {
   }
   /// @returns whether it looked otherwise before.
   bool set_look(Look look);
+  /// @param section null: it is drawn whole.
+  void cut_by(SoNode* section);
 
  private:
   std::string name_;
@@ -102,6 +109,7 @@ class ObjectNode {
   geometric::Color color_;
   CoinRef<SoSeparator> root_;
   BodyShape drawing_;
+  CoinRef<SoGroup> section_;
   CoinRef<SoMatrixTransform> transform_;
   CoinRef<SoSwitch> look_;
 };
@@ -128,6 +136,9 @@ class SceneBodies {
   /// @returns whether something looks different that stands still, as `split` has it.
   bool set_colliding(const std::vector<std::string>& bodies, const StillSplit& split);
 
+  /// See SceneView::set_section().
+  void set_section(const std::optional<Eigen::Hyperplane<double, 3>>& plane);
+
   [[nodiscard]] bool has_robot() const { return !robots_.empty(); }
   /// The one that moves. @pre has_robot().
   [[nodiscard]] RobotNode& first_robot() const { return *robots_.front(); }
@@ -153,6 +164,7 @@ class SceneBodies {
   void make_objects();
   void place_attached();
 
+  CoinRef<SoSwitch> section_;
   std::shared_ptr<const geometric::Scene> scene_;
   std::vector<LinkShapes> shapes_;  ///< By robot.
   geometric::Configuration q_;

@@ -616,7 +616,8 @@ void SceneGraph::render_still(SoGLRenderAction& action) {
                 overlay(Overlay::kSteps), overlay(Overlay::kHypercubes)});
   moving.insert(moving.begin(), {overlay(Overlay::kExecuted), overlay(Overlay::kOptimized),
                                  overlay(Overlay::kContacts), overlay(Overlay::kRegion),
-                                 overlay(Overlay::kClearance), overlay(Overlay::kConstraints)});
+                                 overlay(Overlay::kClearance), overlay(Overlay::kConstraints),
+                                 overlay(Overlay::kMeasure)});
   passes_->split->list(bodies_.has_robot() ? &bodies_.first_robot() : nullptr, still, moving);
   action.setTransparencyType(SoGLRenderAction::SORTED_OBJECT_BLEND);
   action.apply(passes_->split->still());

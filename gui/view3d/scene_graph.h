@@ -102,6 +102,10 @@ class SceneGraph {
   void set_overlay(Overlay overlay, const Drawing& drawing);
   void set_overlay_visible(Overlay overlay, bool visible);
   void set_floor_visible(bool visible);
+  /// See SceneView::set_section().
+  void set_section(const std::optional<Eigen::Hyperplane<double, 3>>& plane) {
+    bodies_.set_section(plane);
+  }
 
   /// Points that a picture of the whole scene should contain: the robots now, at
   /// start and at goal, and the objects near them.

@@ -7,6 +7,7 @@
 #include <Inventor/nodes/SoComplexity.h>
 #include <Inventor/nodes/SoOrthographicCamera.h>
 #include <Inventor/nodes/SoPerspectiveCamera.h>
+#include <Inventor/nodes/SoPickStyle.h>
 #include <Inventor/nodes/SoSeparator.h>
 #include <Inventor/nodes/SoSwitch.h>
 
@@ -60,10 +61,13 @@ struct ScenePasses {
     prepare(moving.get());
     split.emplace(still, moving);
     solids->addChild(solid_content.get());
+    auto* behind_them = new SoPickStyle;  // is what a click on what follows means
+    behind_them->style = SoPickStyle::UNPICKABLE;
+    solids->addChild(behind_them);
     for (const Overlay overlay :
          {Overlay::kPath, Overlay::kRoadmap, Overlay::kRegion, Overlay::kExecuted,
           Overlay::kOptimized, Overlay::kContacts, Overlay::kClearance, Overlay::kTrails,
-          Overlay::kSteps, Overlay::kHypercubes, Overlay::kConstraints}) {
+          Overlay::kSteps, Overlay::kHypercubes, Overlay::kConstraints, Overlay::kMeasure}) {
       const CoinRef<SoSwitch> shown = make_coin<SoSwitch>();
       shown->whichChild = SO_SWITCH_ALL;
       solids->addChild(shown.get());

@@ -264,6 +264,11 @@ void SceneView::set_floor_visible(bool visible) {
   change();
 }
 
+void SceneView::set_section(const std::optional<Eigen::Hyperplane<double, 3>>& plane) {
+  graph_->set_section(plane);
+  change();
+}
+
 void SceneView::stand_in(const BodyMeshes& meshes) {
   graph_->stand_in(meshes);
   change();
@@ -299,6 +304,7 @@ void SceneView::look_from(StandardView view) {
 }
 
 void SceneView::fly_to(const OrbitCamera::Placement& placement) {
+  untouched_ = false;
   flight_.stop();
   flight_.disconnect(this);
   const OrbitCamera::Placement from = camera_.placement();

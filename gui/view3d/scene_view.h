@@ -105,6 +105,9 @@ class SceneView : public QOpenGLWidget {
   /// Draws something as the ghosts are, until the scene changes; null: nothing.
   void set_traces(const Drawing& drawing);
   void set_floor_visible(bool visible);
+  /// Cuts away what of objects is on the positive side of a plane (world, m), but of those that
+  /// robots carry; nothing: shows them whole.
+  void set_section(const std::optional<Eigen::Hyperplane<double, 3>>& plane);
 
   /// Draws meshes in place of the bodies' looks, where there are any.
   void stand_in(const BodyMeshes& meshes);
@@ -123,6 +126,7 @@ class SceneView : public QOpenGLWidget {
   void fit();
   void look_from(StandardView view);
   void set_camera(const OrbitCamera::Placement& placement);
+  /// The same, in a moment.
 
   /// Where something new goes: what is seen in the middle, or the floor there (world, m).
   [[nodiscard]] Eigen::Vector3d place_for_new();

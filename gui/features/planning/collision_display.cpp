@@ -5,6 +5,7 @@
 #include "model/playback/path_player.h"
 #include "view3d/overlay.h"
 #include "view3d/scene_view.h"
+#include "widgets/panels/dock_layout.h"
 #include "widgets/style/theme.h"
 
 #include <QAction>
@@ -132,6 +133,7 @@ void CollisionDisplay::show_scene() {
 namespace {
 
 constexpr int kMostContacts = 2;
+constexpr int kSpacing = 12;  // px, between the parts of the card
 
 QString words(const std::string& name) { return QString::fromStdString(name).toHtmlEscaped(); }
 
@@ -188,6 +190,8 @@ DoctorCard::DoctorCard(QWidget* host)
     : FloatingCard(host),
       picture_(new QLabel),
       text_(new QLabel),
+      area_(new PanelArea),
+      close_(new QToolButton),
       show_(new QPushButton(tr("Show"))),
       use_(new QPushButton(tr("Use posture"))) {
   setProperty("role", "banner");
@@ -200,27 +204,29 @@ DoctorCard::DoctorCard(QWidget* host)
   use_->setObjectName(QStringLiteral("doctor_use"));
   use_->setToolTip(tr("Take the free posture instead"));
   use_->setProperty("role", "primary");
-  auto* close = new QToolButton;
-  close->setIcon(icon("close"));
-  close->setAutoRaise(true);
-  close->setToolTip(tr("Put this message away"));
-  connect(close, &QToolButton::clicked, this, &QWidget::hide);
+  area_->setWidget(text_);
+  area_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Ignored);
+  close_->setIcon(icon("close"));
+  close_->setAutoRaise(true);
+  close_->setToolTip(tr("Put this message away"));
+  connect(close_, &QToolButton::clicked, this, &QWidget::hide);
   connect(show_, &QPushButton::clicked, this, [this] { emit shown(*end_.nearest.q); });
   connect(use_, &QPushButton::clicked, this,
           [this] { emit accepted(end_.is_start, *end_.nearest.q); });
-  auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(14, 10, 8, 10);
-  layout->setSpacing(12);
-  layout->addWidget(picture_, 0, Qt::AlignTop);
-  auto* words = new QVBoxLayout;
-  words->addWidget(text_);
+  auto* words = new QHBoxLayout;
+  words->setSpacing(kSpacing);
+  words->addWidget(picture_, 0, Qt::AlignTop);
+  words->addWidget(area_, 1);
+  words->addWidget(close_, 0, Qt::AlignTop);
   auto* answers = new QHBoxLayout;
   answers->addWidget(show_);
   answers->addWidget(use_);
   answers->addStretch();
-  words->addLayout(answers);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(14, 10, 8, 10);
+  layout->setSpacing(6);
   layout->addLayout(words, 1);
-  layout->addWidget(close, 0, Qt::AlignTop);
+  layout->addLayout(answers);
 }
 
 void DoctorCard::show_diagnoses(const std::shared_ptr<const geometric::RobotModel>& model,
@@ -231,20 +237,32 @@ void DoctorCard::show_diagnoses(const std::shared_ptr<const geometric::RobotMode
   }
   end_ = ends.front();
   picture_->setPixmap(icon("warning", colors_of(current_theme()).bad).pixmap(24, 24));
-  text_->setText(diagnosis_text(*model, end_));
+  text_->setText(diagnosis_text(*model, end_).replace(QLatin1Char('_'), QLatin1String("_&#8203;")));
   show_->setVisible(end_.nearest.q.has_value());
   use_->setVisible(end_.nearest.q.has_value());
   appear();
 }
 
-QString DoctorCard::text() const { return isHidden() ? QString() : text_->text(); }
+QString DoctorCard::text() const {
+  return isHidden() ? QString() : text_->text().remove(QLatin1String("&#8203;"));
+}
 
+// As high as its words need, as long as the view has room: then they scroll.
 void DoctorCard::place() {
-  constexpr int kLeft = 108;  // of it stands the axes cross
-  const int width = std::min(parentWidget()->width() - kLeft - 12, 720);
-  const int height = std::max(layout()->heightForWidth(width), minimumSizeHint().height());
-  setGeometry(std::max(kLeft, (parentWidget()->width() - width) / 2),
-              parentWidget()->height() - height - 16, width, height);
+  constexpr int kMargin = 12;
+  constexpr int kAxes = 108;  // left of it stands the axes cross
+  const QSize room = parentWidget()->size() - QSize(2 * kMargin, 2 * kMargin);
+  const bool beside_axes = room.width() - kAxes > scaled(420);
+  const int width =
+      std::min(beside_axes ? room.width() - kAxes + kMargin : room.width(), scaled(720));
+  const QMargins around = layout()->contentsMargins();
+  const int for_words = width - around.left() - around.right() - 2 * kSpacing -
+                        picture_->sizeHint().width() - close_->sizeHint().width();
+  const int answers = show_->isHidden() ? 0 : show_->sizeHint().height() + layout()->spacing();
+  const int height = std::min(
+      around.top() + text_->heightForWidth(for_words) + answers + around.bottom(), room.height());
+  const int left = beside_axes ? std::max(kAxes, (parentWidget()->width() - width) / 2) : kMargin;
+  setGeometry(left, parentWidget()->height() - height - kMargin, width, height);
 }
 
 QueryCheck::QueryCheck(Document& document, SceneEditor& editor, Posing& posing, SceneView& view,

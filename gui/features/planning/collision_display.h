@@ -15,9 +15,11 @@ class QAction;
 
 class QLabel;
 class QPushButton;
+class QToolButton;
 
 namespace handway::gui {
 
+class PanelArea;
 class SceneView;
 
 /// "in collision: A with B", or how far the closest bodies are apart.
@@ -95,6 +97,8 @@ class DoctorCard : public FloatingCard {
 
   QLabel* picture_;
   QLabel* text_;
+  PanelArea* area_;  ///< Where the text scrolls in a small view.
+  QToolButton* close_;
   QPushButton* show_;
   QPushButton* use_;
   EndDiagnosis end_;

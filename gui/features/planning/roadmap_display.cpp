@@ -234,14 +234,7 @@ void RoadmapLegend::place() {
     fold_->setChecked(true);  // and so comes back here
     return;
   }
-  QRect place(QPoint(), size());
-  place.moveBottomRight(parentWidget()->rect().bottomRight() - QPoint(kMargin, kMargin));
-  for (const FloatingCard* other : others()) {  // above what is in its way
-    if (place.intersects(other->geometry())) {
-      place.moveBottom(other->geometry().top() - kMargin);
-    }
-  }
-  move(place.topLeft());
+  stand_at_lower_right();
 }
 
 std::vector<int> nodes_per_pmds(const PalmRoadmap& roadmap) {

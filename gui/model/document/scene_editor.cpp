@@ -454,6 +454,14 @@ void SceneEditor::forget_posture(const std::string& name) {
   }
 }
 
+void SceneEditor::save_view(const geometric::SavedView& view) {
+  push(tr("Save view %1").arg(words(view.name)), with_saved_view(state(), view), selection_);
+}
+
+void SceneEditor::forget_view(const std::string& name) {
+  push(tr("Delete view %1").arg(words(name)), without_saved_view(state(), name), selection_);
+}
+
 void SceneEditor::use_basis(const std::filesystem::path& file,
                             std::shared_ptr<const sampling::PmdBasis> basis) {
   if (document_.robot()) {

@@ -116,6 +116,9 @@ class SceneEditor : public QObject {
   /// Keeps a posture in the scene, in place of one of the same name.
   void keep_posture(const geometric::NamedPosture& posture);
   void forget_posture(const std::string& name);
+  /// Keeps a view in the scene, in place of one of the same name.
+  void save_view(const geometric::SavedView& view);
+  void forget_view(const std::string& name);
   /// The hand is planned for with a basis, by whose file the scene names it.
   void use_basis(const std::filesystem::path& file,
                  std::shared_ptr<const sampling::PmdBasis> basis);

@@ -198,14 +198,24 @@ SceneState with_goal(const SceneState& state, const Configuration& q) {
   return with_scene(state, std::move(scene));
 }
 
+namespace {
+
+// In place of the one of that name, or as the last.
+template <typename Named>
+void put(std::vector<Named>& all, const Named& one) {
+  const auto same = std::ranges::find(all, one.name, &Named::name);
+  if (same != all.end()) {
+    *same = one;
+  } else {
+    all.push_back(one);
+  }
+}
+
+}  // namespace
+
 SceneState with_posture(const SceneState& state, const geometric::NamedPosture& posture) {
   Scene scene = *state.scene;
-  const auto same = std::ranges::find(scene.postures, posture.name, &geometric::NamedPosture::name);
-  if (same != scene.postures.end()) {
-    *same = posture;
-  } else {
-    scene.postures.push_back(posture);
-  }
+  put(scene.postures, posture);
   return with_scene(state, std::move(scene));
 }
 
@@ -213,6 +223,19 @@ SceneState without_posture(const SceneState& state, std::string_view name) {
   Scene scene = *state.scene;
   std::erase_if(scene.postures,
                 [&](const geometric::NamedPosture& posture) { return posture.name == name; });
+  return with_scene(state, std::move(scene));
+}
+
+SceneState with_saved_view(const SceneState& state, const geometric::SavedView& view) {
+  Scene scene = *state.scene;
+  put(scene.display.views, view);
+  return with_scene(state, std::move(scene));
+}
+
+SceneState without_saved_view(const SceneState& state, std::string_view name) {
+  Scene scene = *state.scene;
+  std::erase_if(scene.display.views,
+                [&](const geometric::SavedView& view) { return view.name == name; });
   return with_scene(state, std::move(scene));
 }
 

@@ -83,6 +83,9 @@ using DisplayChange = std::function<void(geometric::ObjectDisplay&)>;
 [[nodiscard]] SceneState with_posture(const SceneState& state,
                                       const geometric::NamedPosture& posture);
 [[nodiscard]] SceneState without_posture(const SceneState& state, std::string_view name);
+/// Likewise.
+[[nodiscard]] SceneState with_saved_view(const SceneState& state, const geometric::SavedView& view);
+[[nodiscard]] SceneState without_saved_view(const SceneState& state, std::string_view name);
 /// The hand is planned for with a basis, which the scene names by its file.
 [[nodiscard]] SceneState with_basis(const SceneState& state, const std::filesystem::path& file,
                                     std::shared_ptr<const sampling::PmdBasis> basis);

@@ -14,6 +14,11 @@
 #include <utility>
 
 namespace handway::gui {
+namespace {
+
+constexpr int kMargin = 12;  // px
+
+}  // namespace
 
 FloatingCard::FloatingCard(QWidget* host) : QFrame(host) {
   setAttribute(Qt::WA_StyledBackground);
@@ -36,6 +41,21 @@ QList<FloatingCard*> FloatingCard::others() const {
     }
   }
   return others;
+}
+
+void FloatingCard::stand_at_lower_right() {
+  const QSize room = parentWidget()->size() - QSize(2 * kMargin, 2 * kMargin);
+  const int width = std::min(sizeHint().width(), room.width());
+  const int height =
+      layout()->hasHeightForWidth() ? layout()->totalHeightForWidth(width) : sizeHint().height();
+  QRect place(QPoint(), QSize(width, std::min(height, room.height())));
+  place.moveBottomRight(parentWidget()->rect().bottomRight() - QPoint(kMargin, kMargin));
+  for (const FloatingCard* other : others()) {
+    if (place.intersects(other->geometry())) {
+      place.moveBottom(other->geometry().top() - kMargin);
+    }
+  }
+  setGeometry(place);
 }
 
 void FloatingCard::place_others() const {

@@ -24,6 +24,8 @@ class FloatingCard : public QFrame {
   /// Sets the geometry in the host's coordinates; called whenever the host is resized, or another
   /// card over it comes, goes or is resized.
   virtual void place() = 0;
+  /// Moves it, as large as it has to be, to the lower right, above others that are there.
+  void stand_at_lower_right();
   /// The others that are shown over the same widget.
   [[nodiscard]] QList<FloatingCard*> others() const;
   void showEvent(QShowEvent* event) override;

@@ -189,6 +189,22 @@ void read_collisions(const YamlElement& element, Scene& scene) {
   }
 }
 
+SavedView view_of(const YamlElement& element, const std::vector<SavedView>& known) {
+  element.allow_keys({"name", "target", "distance", "azimuth_deg", "elevation_deg"});
+  const YamlElement name = element.need("name");
+  if (name.text().empty() || std::ranges::count(known, name.text(), &SavedView::name) > 0) {
+    name.refuse(name.found() + (name.text().empty() ? "" : " a second time"),
+                "a name that no other view has");
+  }
+  const YamlElement distance = element.need("distance");
+  if (distance.number() <= 0.0) {
+    distance.refuse(distance.found(), "a distance above 0 m");
+  }
+  return {name.text(), element.need("target").numbers(3), distance.number(),
+          radians(element.need("azimuth_deg").number()),
+          radians(element.need("elevation_deg").number())};
+}
+
 std::optional<Configuration> query_of(const YamlElement& top, const std::string& key,
                                       const RobotInstance& robot) {
   const std::optional<YamlElement> element = top.find(key);
@@ -213,7 +229,7 @@ PlannerRequest planner_of(const YamlElement& element) {
 Scene read_scene(const fs::path& file) {
   const YamlElement top = YamlElement::read(file, "a scene file");
   top.allow_keys({"handway", "name", "description", "robots", "objects", "constraints", "start",
-                  "goal", "goal_pose", "postures", "hand_basis", "planner", "collisions"});
+                  "goal", "goal_pose", "postures", "views", "hand_basis", "planner", "collisions"});
   check_version(top);
   const fs::path folder = fs::absolute(file).parent_path();
   Scene scene;
@@ -241,6 +257,11 @@ Scene read_scene(const fs::path& file) {
   if (const std::optional<YamlElement> postures = top.find("postures")) {
     for (const auto& [name, values] : postures->entries()) {
       scene.postures.push_back(posture_of(values, *scene.robots.front().model, name));
+    }
+  }
+  if (const std::optional<YamlElement> views = top.find("views")) {
+    for (const YamlElement& element : views->items()) {
+      scene.display.views.push_back(view_of(element, scene.display.views));
     }
   }
   if (const std::optional<YamlElement> basis = top.find("hand_basis")) {

@@ -236,6 +236,13 @@ std::string constraint_text(const PathConstraint& constraint) {
                             yaml_pose(position.X_WR));
 }
 
+std::string view_text(const SavedView& view) {
+  return fmt::format(
+      "  - {{name: {}, target: {}, distance: {}, azimuth_deg: {}, elevation_deg: {}}}\n",
+      yaml_scalar(view.name), yaml_list(view.target), number_text(view.distance),
+      number_text(rounded_degrees(view.azimuth)), number_text(rounded_degrees(view.elevation)));
+}
+
 std::string planner_text(const PlannerRequest& planner) {
   std::string text;
   if (!planner.name.empty()) {
@@ -281,6 +288,10 @@ std::string scene_text(const Scene& scene, const SceneReferences& references) {
   text += scene.postures.empty() ? "" : "postures:\n";
   for (const NamedPosture& posture : scene.postures) {
     text += posture_text(posture);
+  }
+  text += scene.display.views.empty() ? "" : "views:\n";
+  for (const SavedView& view : scene.display.views) {
+    text += view_text(view);
   }
   if (!references.hand_basis.empty()) {
     text += "hand_basis: " + yaml_scalar(references.hand_basis.generic_string()) + '\n';

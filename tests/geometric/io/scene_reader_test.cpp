@@ -107,6 +107,7 @@ objects:
 start: {elbow: 0.2}
 goal: {shoulder: -1, elbow: 1}
 postures: {bent: {wrist: 0.5}, "bent back": {shoulder: -0.5, elbow: 1}}
+views: [{name: above, target: [1, 2, 3], distance: 1.5, azimuth_deg: -90, elevation_deg: 90}]
 hand_basis: basis.yaml
 planner: {name: pmd-prm, rho_a: 0.0010, corridor: joint}
 )"));
@@ -139,6 +140,8 @@ planner: {name: pmd-prm, rho_a: 0.0010, corridor: joint}
   EXPECT_THAT(scene.postures[0].values, ElementsAre(Pair("elbow", DoubleNear(0.2, 1e-15))))
       << "which the wrist follows";
   EXPECT_THAT(scene.postures[1].values, ElementsAre(Pair("elbow", 1.0), Pair("shoulder", -0.5)));
+  EXPECT_THAT(scene.display.views,
+              ElementsAre(SavedView{"above", {1, 2, 3}, 1.5, -kPi / 2, kPi / 2}));
   EXPECT_EQ(scene.hand_basis, "basis.yaml");
   EXPECT_EQ(scene.planner.name, "pmd-prm");
   EXPECT_THAT(scene.planner.settings,
@@ -223,6 +226,8 @@ TEST(SceneReader, RefusesWrongValues) {
            {object + "box: {size: [1, 1, 0]}", "a size above 0"},
            {object + "box: {size: 1}", "a list of 3 numbers"},
            {object + "sphere: {radius: .nan}", "a finite number"},
+           {"views: [{name: a, target: [0, 0, 0], distance: 0, azimuth_deg: 0, elevation_deg: 0}]",
+            "a distance above 0 m"},
            {object + "sphere: {radius: nan}", "a finite number"},
            {object + "sphere: {radius: .inf}", "a finite number"},
            {object + "sphere: {radius: 1e999}", "a finite number"},

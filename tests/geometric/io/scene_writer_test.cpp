@@ -50,6 +50,7 @@ void expect_same(const Scene& a, const Scene& b) {
     EXPECT_EQ(a.postures[i].name, b.postures[i].name);
     EXPECT_EQ(a.postures[i].values, b.postures[i].values);
   }
+  EXPECT_EQ(a.display.views, b.display.views);
   EXPECT_EQ(a.planner.name, b.planner.name);
   EXPECT_EQ(a.planner.settings, b.planner.settings);
   ASSERT_EQ(a.robots.size(), b.robots.size());
@@ -118,6 +119,9 @@ postures:
   "above: the table": {shoulder: -0.1, elbow: 0.30000000000000004}
   straight: {elbow: 0}
   nowhere: {}
+views:
+  - {name: "front: 1", target: [0.1, 1e-7, -3], distance: 0.30000000000000004, azimuth_deg: -33.3, elevation_deg: 12.345}
+  - {name: "null", target: [0, 0, 0], distance: 100, azimuth_deg: 180, elevation_deg: -90}
 hand_basis: basis.yaml
 planner: {name: pmd-prm, rho_a: 1e-3, flag: true, note: "a: b", empty: "", "odd key:": x}
 )"));

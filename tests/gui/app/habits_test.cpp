@@ -4,6 +4,7 @@
 #include "patience.h"
 #include "view3d/scene_graph.h"
 #include "view3d/scene_view.h"
+#include "view3d/view_gizmo.h"
 #include "window_test.h"
 
 #include <QAction>
@@ -25,9 +26,11 @@ class Habits : public WindowTest {
   }
   [[nodiscard]] const geometric::Scene& scene() const { return *window().document().scene(); }
   [[nodiscard]] double distance() const { return window().view().camera().placement().distance; }
-  void show_all_of_it() const {
+  /// Presses F. @returns whether the camera comes to where that is so.
+  template <typename Condition>
+  [[nodiscard]] bool shows(Condition condition) const {
     part<QAction>("fit").trigger();
-    QTest::qWait(500);
+    return QTest::qWaitFor(condition, kPatienceMs);
   }
 };
 
@@ -97,6 +100,8 @@ TEST_F(Habits, KeysOfTheManualExistOnce) {
                           "G",
                           "N",
                           "C",
+                          "D",
+                          "X",
                           "Alt+1",
                           "Ctrl+,"}) {
     EXPECT_EQ(keys[QLatin1String(key)], 1) << key;
@@ -171,16 +176,39 @@ TEST_F(Habits, ASceneOpensFromASideThatIsNotBlocked) {
 
 TEST_F(Habits, FShowsEverythingOrWhatIsSelected) {
   open(cell().post_aside());
-  show_all_of_it();
   const double robot_alone = distance();
   window().editor().add("far", geometric::Box{{0.1, 0.1, 0.1}}, {}, {2.5, 0.0, 0.0});
   window().editor().select({});
-  show_all_of_it();
-  EXPECT_GT(distance(), 1.3 * robot_alone);
+  EXPECT_TRUE(shows([&] { return distance() > 1.3 * robot_alone; })) << distance();
   window().editor().select({gui::SceneItem::Kind::kObject, "", "far"});
-  show_all_of_it();
-  EXPECT_LT(distance(), 0.7 * robot_alone);
-  EXPECT_NEAR(window().view().camera().placement().target.x(), 2.5, 0.1);
+  EXPECT_TRUE(shows([&] {
+    const double off = std::abs(window().view().camera().placement().target.x() - 2.5);
+    return distance() < 0.7 * robot_alone && off < 0.1;
+  })) << distance();
+}
+
+// As the view paints them, seen from above.
+TEST_F(Habits, WhatCollidesIsRedAndWhatIsRedItselfYellow) {
+  open(cell().post_aside());
+  constexpr geometric::Color kRed{0.85F, 0.1F, 0.1F, 1.0F}, kBlue{0.2F, 0.3F, 0.9F, 1.0F};
+  window().editor().add("blue", geometric::Box{{0.1, 0.1, 0.1}}, kBlue, {0.15, 0.0, 0.0});
+  window().editor().add("red", geometric::Box{{0.1, 0.1, 0.1}}, kRed, {0.4, 0.0, 0.0});
+  window().editor().select({});
+  gui::SceneView& view = window().view();
+  view.set_camera({{0.3, 0.0, 0.1}, 1.0, 0.0, geometric::radians(89.0)});
+  const auto hue_at = [&](const Eigen::Vector3d& p_W) {
+    const QImage picture = view.grabFramebuffer();
+    const QPointF place = gui::place_of(view.camera(), view.size(), p_W);
+    return picture.pixelColor((place * view.devicePixelRatioF()).toPoint()).hslHue();
+  };
+  const auto is_red = [](int hue) { return hue < 20 || hue > 340; };
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] {
+        return is_red(hue_at({0.15, 0.0, 0.1}));
+      },
+      kPatienceMs))
+      << hue_at({0.15, 0.0, 0.1});
+  EXPECT_NEAR(hue_at({0.4, 0.0, 0.1}), 50, 15);
 }
 
 TEST_F(Habits, APathThatIsNoLongerValidStops) {

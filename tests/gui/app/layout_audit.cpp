@@ -1,5 +1,6 @@
 #include "layout_audit.h"
 
+#include "painted_text.h"
 #include "widgets/panels/floating_card.h"
 #include "widgets/style/theme.h"
 
@@ -36,6 +37,7 @@ constexpr double kLeastOfMarks = 3.0;
 constexpr double kZoom = 3.0;  // at which strokes of letters are wider than a pixel
 constexpr int kRounding = 1;   // px
 constexpr int kLineEditMargin = 4;
+constexpr double kAir = 1.5;  // px, by which letters may reach over an edge unseen
 
 QString name_of(const QWidget& widget) {
   QStringList names;
@@ -151,6 +153,39 @@ class Audit {
       check_items(*view);
     } else if (auto* button = qobject_cast<QAbstractButton*>(&widget)) {
       check_button(*button);
+    } else if (!is_of_qt(widget)) {
+      check_painted(widget);
+    }
+  }
+
+  // What Qt paints, or shows while one scrolls there.
+  static bool is_of_qt(const QWidget& widget) {
+    return QLatin1String(widget.metaObject()->className()).startsWith(QLatin1Char('Q')) &&
+           !QLatin1String(widget.metaObject()->className()).startsWith(QLatin1String("Qwt"));
+  }
+
+  // Texts that a widget paints itself.
+  void check_painted(QWidget& widget) {
+    const QRectF room =
+        QRectF(widget.rect()).adjusted(-kRounding, -kRounding, kRounding, kRounding);
+    QList<PaintedText> before;
+    for (const PaintedText& painted : painted_texts(widget)) {
+      const QRectF letters = painted.outline.boundingRect();
+      const QRectF seen = painted.room.isEmpty() ? room : room & painted.room;
+      if (!tells(widget.toolTip(), painted.text) &&
+          (letters.left() < seen.left() || letters.right() > seen.right() + kRounding ||
+           letters.top() < seen.top() - kAir || letters.bottom() > seen.bottom() + kAir)) {
+        report_cut(widget, painted.text, static_cast<int>((letters & seen).width()),
+                   static_cast<int>(letters.width()));
+      }
+      for (const PaintedText& other : before) {
+        const QRectF both = letters & other.outline.boundingRect();
+        if (both.width() > kAir && both.height() > 0.4 * letters.height()) {
+          report(widget, QStringLiteral("\"%1\" is painted over \"%2\"")
+                             .arg(painted.text.left(40), other.text.left(40)));
+        }
+      }
+      before << painted;
     }
   }
 

@@ -2,6 +2,7 @@
 /// people use: nothing is cut, outside of the window or hard to read. With $HANDWAY_PICTURES it
 /// leaves a picture of each stop, which scripts/contact-sheet puts together.
 #include "features/devices/device_session.h"
+#include "handway/geometric/io/resources.h"
 #include "handway/planning/extensions/plugin.h"
 #include "handway_test/paths.h"
 #include "layout_audit.h"
@@ -140,10 +141,13 @@ class PanelWalk : public ::testing::TestWithParam<Form> {
   void walk_docks();
   void walk_properties();
   void walk_cards();
+  void walk_goals();
   void walk_menus();
   /// Looks at the window that a command opens, and closes it.
   void look_at_opened(const QString& stop, QAction& action);
+  void look_at_opened(const QString& stop, const std::function<void()>& open);
 
+  ScratchFolder folder_;
   LayoutAudit audit_;
   QStringList known_;  ///< Faults for screen readers, each told once.
   std::unique_ptr<gui::MainWindow> window_;
@@ -218,10 +222,26 @@ void PanelWalk::walk_cards() {
     card->hide();
   }
 
+  for (const char* tool : {"measure", "section"}) {
+    part<QAction>(tool).trigger();
+    look(QLatin1String(tool));
+    part<QAction>(tool).trigger();
+  }
+  walk_goals();
+}
+
+// One that is free, and one in the table.
+void PanelWalk::walk_goals() {
   const auto goal = window_->document().scene()->goal;
   window_->editor().set_goal(window_->document().robot()->model->neutral());
   wait_for([&] { return !workbench().is_busy(); });
   look(QStringLiteral("other_goal"));
+  geometric::Configuration lower = goal.value();
+  lower[1] += 0.2;
+  window_->editor().set_goal(lower);
+  wait_for([&] { return part("doctor").isVisible(); });
+  look(QStringLiteral("goal_in_collision"));
+  window_->editor().undo_stack().undo();
   window_->editor().undo_stack().undo();
   ASSERT_EQ(window_->document().scene()->goal, goal);
 }
@@ -241,19 +261,26 @@ void PanelWalk::walk_menus() {
 
 void PanelWalk::look_at_opened(const QString& stop, QAction& action) {
   ASSERT_TRUE(action.isEnabled()) << stop.toStdString();
-  QTimer::singleShot(400, window_.get(), [this, stop] {
-    QWidget* opened = nullptr;
-    for (QWidget* top : QApplication::topLevelWidgets()) {
-      if (top != window_.get() && top->isVisible()) {
-        opened = top;
+  look_at_opened(stop, [&action] { action.trigger(); });
+}
+
+void PanelWalk::look_at_opened(const QString& stop, const std::function<void()>& open) {
+  bool was_seen = false;
+  QTimer watch;
+  QObject::connect(&watch, &QTimer::timeout, &watch, [&] {
+    for (QWidget* opened : QApplication::topLevelWidgets()) {
+      if (opened != window_.get() && opened->isVisible() && !was_seen) {
+        watch.stop();
+        was_seen = true;
+        look_at(stop, *opened);
+        opened->close();
       }
     }
-    ASSERT_TRUE(opened) << stop.toStdString();
-    look_at(stop, *opened);
-    opened->close();
   });
-  action.trigger();
-  QTest::qWait(700);
+  watch.start(100);
+  open();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return was_seen; }, kPatienceMs)) << stop.toStdString();
+  QTest::qWait(100);
 }
 
 TEST_P(PanelWalk, CutsNothingAndIsReadable) {
@@ -268,10 +295,18 @@ TEST_P(PanelWalk, CutsNothingAndIsReadable) {
   walk_properties();
   walk_menus();
   look_at_opened(QStringLiteral("preferences"), action("Preferences…"));
+  look_at_opened(QStringLiteral("open"), action("Open…"));
+  look_at_opened(QStringLiteral("save_as"), action("Save as…"));
   look_at_opened(QStringLiteral("export"), action("Export the path…"));
   look_at_opened(QStringLiteral("pictures"), action("Export pictures of the path…"));
   look_at_opened(QStringLiteral("compare"), action("Compare two paths…"));
   look_at_opened(QStringLiteral("save_posture"), action("Save posture…"));
+  look_at_opened(QStringLiteral("mesh"), [this] {
+    const auto can = geometric::resource_dir() / "objects" / "can.stl";
+    const std::filesystem::path copy = folder_.path() / "can.stl";
+    std::filesystem::copy_file(can, copy);
+    emit workbench().mesh_dropped(QString::fromStdString(copy.string()));
+  });
   look_at_opened(QStringLiteral("commands"), action("Find a command…"));
   look_at_opened(QStringLiteral("help"), action("Help on this panel"));
   look_at_opened(QStringLiteral("about"), action("About Handway"));

@@ -262,6 +262,12 @@ std::vector<DialogCase> StopInDialogs::cases() const {
        [this] { part<QPushButton>("likeness_choose").menu()->actions().last()->trigger(); }},
       {"features/editing/properties_panel.cpp", "colour",
        [this] { part<QToolButton>("color").click(); }},
+      {"features/viewing/saved_views.cpp", "save a view",
+       [this] {
+         auto& menu = part<QMenu>("saved_views");
+         emit menu.aboutToShow();
+         menu.actions().front()->trigger();
+       }},
       {"features/planning/preset_bar.cpp", "save a preset",
        [menu_of] { menu_of("preset_menu")[0]->trigger(); }},
       {"features/planning/preset_bar.cpp", "rename a preset",

@@ -1,10 +1,13 @@
 #pragma once
 
+#include <Eigen/Core>
+
 #include <functional>
 #include <map>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace handway::geometric {
 
@@ -17,9 +20,22 @@ struct ObjectDisplay {
   friend bool operator==(const ObjectDisplay&, const ObjectDisplay&) = default;
 };
 
+/// From where to look, under a name that no other view of the scene has.
+struct SavedView {
+  std::string name;
+  Eigen::Vector3d target = Eigen::Vector3d::Zero();  ///< In the middle of the picture (world, m).
+  double distance = 1.0;                             ///< Of the camera from it, m; above 0.
+  double azimuth = 0.0;    ///< Of the camera as seen from the target, about +z from +x, rad.
+  double elevation = 0.0;  ///< Above the horizon, rad.
+
+  friend bool operator==(const SavedView&, const SavedView&) = default;
+};
+
 /// What a scene file says to the window alone: planning and collision checking do without it.
 class SceneDisplay {
  public:
+  std::vector<SavedView> views;
+
   /// Of the object of that name: as set, or ObjectDisplay{}.
   [[nodiscard]] const ObjectDisplay& of(std::string_view object) const {
     static const ObjectDisplay kUsual;

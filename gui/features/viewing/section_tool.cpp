@@ -1,0 +1,157 @@
+#include "features/viewing/section_tool.h"
+
+#include "features/workbench.h"
+#include "model/document/scene_edits.h"
+#include "view3d/scene_view.h"
+#include "widgets/forms/quantity_field.h"
+#include "widgets/style/theme.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QSlider>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+
+namespace handway::gui {
+namespace {
+
+constexpr int kSteps = 1000;         // of the slider
+constexpr double kFarthest = 100.0;  // m
+
+}  // namespace
+
+SectionCard::SectionCard(QWidget* host)
+    : FloatingCard(host),
+      axis_(new QComboBox),
+      slider_(new QSlider(Qt::Horizontal)),
+      field_(new QuantityField(QuantityField::Kind::kLength, -kFarthest, kFarthest)),
+      other_side_(new QCheckBox(tr("Other side"))) {
+  setProperty("role", "legend");
+  setObjectName(QStringLiteral("section_card"));
+  axis_->setObjectName(QStringLiteral("section_axis"));
+  axis_->addItems({QStringLiteral("X"), QStringLiteral("Y"), QStringLiteral("Z")});
+  slider_->setObjectName(QStringLiteral("section_slider"));
+  slider_->setAccessibleName(tr("Place of the section"));
+  slider_->setRange(0, kSteps);
+  field_->setObjectName(QStringLiteral("section_place"));
+  field_->setButtonSymbols(QAbstractSpinBox::NoButtons);
+  other_side_->setObjectName(QStringLiteral("section_side"));
+  other_side_->setToolTip(tr("Cut away the other side of the objects"));
+  auto* title = new QLabel(tr("Section plane"));
+  title->setProperty("role", "heading");
+  auto* close = new QToolButton;
+  close->setObjectName(QStringLiteral("section_close"));
+  close->setIcon(icon("close"));
+  close->setAutoRaise(true);
+  close->setToolTip(tr("Show objects whole"));
+  auto* head = new QHBoxLayout;
+  head->addWidget(title, 1);
+  head->addWidget(close);
+  auto* form = new QFormLayout;
+  form->addRow(tr("Across"), axis_);
+  form->addRow(tr("At"), field_);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(12, 6, 8, 10);
+  layout->setSpacing(6);
+  layout->addLayout(head);
+  layout->addLayout(form);
+  layout->addWidget(slider_);
+  layout->addWidget(other_side_);
+  connect(close, &QToolButton::clicked, this, &SectionCard::closed);
+  connect(axis_, qOverload<int>(&QComboBox::activated), this, &SectionCard::show_axis);
+  connect(other_side_, &QCheckBox::toggled, this, &SectionCard::changed);
+  connect(field_, &QuantityField::quantity_edited, this, &SectionCard::set_place);
+  connect(slider_, &QSlider::valueChanged, this, [this](int step) {
+    const double share = static_cast<double>(step) / kSteps;
+    set_place(room_.lower[axis_->currentIndex()] + share * room_.size()[axis_->currentIndex()]);
+  });
+}
+
+void SectionCard::begin(const geometric::Aabb& room, const Eigen::Vector3d& cut,
+                        const Eigen::Vector3d& towards) {
+  room_ = room;
+  cut_ = cut;
+  Eigen::Index axis = 0;
+  towards.cwiseAbs().maxCoeff(&axis);
+  axis_->setCurrentIndex(static_cast<int>(axis));
+  {
+    const QSignalBlocker quiet(other_side_);
+    other_side_->setChecked(towards[axis] < 0.0);
+  }
+  show_axis();
+  appear();
+}
+
+void SectionCard::show_axis() { set_place(cut_[axis_->currentIndex()]); }
+
+void SectionCard::set_place(double place) {
+  const int axis = axis_->currentIndex();
+  cut_[axis] = place;
+  field_->show_quantity(place);
+  const double size = room_.size()[axis];
+  const QSignalBlocker quiet(slider_);
+  slider_->setValue(
+      size > 0.0 ? static_cast<int>(std::lround(kSteps * (place - room_.lower[axis]) / size)) : 0);
+  emit changed();
+}
+
+Eigen::Hyperplane<double, 3> SectionCard::plane() const {
+  const Eigen::Vector3d axis = Eigen::Vector3d::Unit(axis_->currentIndex());
+  return {other_side_->isChecked() ? Eigen::Vector3d(-axis) : axis, cut_};
+}
+
+void SectionCard::place() { stand_at_lower_right(); }
+
+SectionTool::SectionTool(Workbench& workbench)
+    : workbench_(workbench),
+      action_(workbench.make_action(QStringLiteral("section"), tr("Se&ction plane"),
+                                    QKeySequence(Qt::Key_X),
+                                    tr("Cut objects open, to see into shelves"))),
+      card_(new SectionCard(&workbench.view)) {
+  action_->setCheckable(true);
+  workbench_.add_to_menu(MainMenu::kView, {1, 11}, action_);
+  workbench_.add_to_bar(MainBar::kTools, {3, 3}, action_);
+  connect(action_, &QAction::toggled, this, &SectionTool::turn_on);
+  connect(card_, &SectionCard::closed, action_, [this] { action_->setChecked(false); });
+  connect(card_, &SectionCard::changed, this,
+          [this] { workbench_.view.set_section(card_->plane()); });
+  const auto follow_scene = [this] {
+    const auto& scene = workbench_.document.scene();
+    action_->setEnabled(scene && !scene->objects.empty());
+    if (!action_->isEnabled()) {
+      action_->setChecked(false);
+    }
+  };
+  connect(&workbench_.document, &Document::opened, this, [this, follow_scene] {
+    action_->setChecked(false);
+    follow_scene();
+  });
+  connect(&workbench_.document, &Document::edited, this, follow_scene);
+  follow_scene();
+}
+
+// Through the middle of what is selected, or else of all objects, open towards the camera.
+void SectionTool::turn_on(bool on) {
+  if (!on) {
+    card_->hide();
+    workbench_.view.set_section({});
+    return;
+  }
+  const geometric::Scene& scene = *workbench_.document.scene();
+  const geometric::Configuration& q = workbench_.document.configuration();
+  ObjectNames all;
+  for (const geometric::SceneObject& object : scene.objects) {
+    all.push_back(object.name);
+  }
+  const ObjectNames& selected = workbench_.editor.selected_objects();
+  const geometric::Aabb room = bounds(scene, q, all);
+  card_->begin(room, bounds(scene, q, selected.empty() ? all : selected).centre(),
+               workbench_.view.camera().orientation().col(2));
+}
+
+}  // namespace handway::gui

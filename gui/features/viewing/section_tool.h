@@ -1,0 +1,68 @@
+#pragma once
+
+#include "handway/geometric/mesh/triangle_mesh.h"
+#include "widgets/panels/floating_card.h"
+
+#include <QObject>
+
+#include <Eigen/Geometry>
+
+class QAction;
+class QCheckBox;
+class QComboBox;
+class QSlider;
+
+namespace handway::gui {
+
+class QuantityField;
+class Workbench;
+
+/// At the view's lower right while a section is shown: across which axis, and where.
+class SectionCard : public FloatingCard {
+  Q_OBJECT
+
+ public:
+  explicit SectionCard(QWidget* host);
+
+  /// Shows it. @param room where the plane may be (world, m). @param cut in front of which point.
+  /// @param towards what is cut away: along this direction from there.
+  void begin(const geometric::Aabb& room, const Eigen::Vector3d& cut,
+             const Eigen::Vector3d& towards);
+  /// What is above it is cut away; world, m.
+  [[nodiscard]] Eigen::Hyperplane<double, 3> plane() const;
+
+ signals:
+  void changed();
+  void closed();
+
+ private:
+  void show_axis();
+  void set_place(double place);
+  void place() override;
+
+  QComboBox* axis_;
+  QSlider* slider_;
+  QuantityField* field_;
+  QCheckBox* other_side_;
+  geometric::Aabb room_;
+  Eigen::Vector3d cut_ = Eigen::Vector3d::Zero();
+};
+
+/// A plane across an axis of the world that cuts away the objects on one side of it, so that one
+/// sees into shelves and cages. Robots, and what they carry, are drawn whole.
+class SectionTool : public QObject {
+  Q_OBJECT
+
+ public:
+  /// @param workbench outlives it.
+  explicit SectionTool(Workbench& workbench);
+
+ private:
+  void turn_on(bool on);
+
+  Workbench& workbench_;
+  QAction* action_;
+  SectionCard* card_;
+};
+
+}  // namespace handway::gui
