@@ -209,14 +209,14 @@ void FileCommands::open() {
   dialog.setSidebarUrls(places(dialog.sidebarUrls()));
   dialog.setViewMode(QFileDialog::List);
   // Qt's choices of folder and type are narrow: their tool tips have all of the text.
-  const auto tell_all = [&dialog] {
+  const auto show_texts = [&dialog] {
     for (auto* choice : dialog.findChildren<QComboBox*>()) {
       choice->setToolTip(choice->currentText());
     }
   };
-  connect(&dialog, &QFileDialog::directoryEntered, this, tell_all);
-  connect(&dialog, &QFileDialog::filterSelected, this, tell_all);
-  tell_all();
+  connect(&dialog, &QFileDialog::directoryEntered, this, show_texts);
+  connect(&dialog, &QFileDialog::filterSelected, this, show_texts);
+  show_texts();
   SceneIcons icons;
   dialog.setIconProvider(&icons);
   for (auto* view : dialog.findChildren<QListView*>(QStringLiteral("listView"))) {

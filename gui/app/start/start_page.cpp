@@ -46,6 +46,7 @@ constexpr double kCorner = 7.0;
 SceneCard::SceneCard(const QString& title, const QString& picture, QWidget* parent)
     : QAbstractButton(parent), picture_(picture) {
   setText(title);
+  setToolTip(title);  // a long one is elided
   setCursor(Qt::PointingHandCursor);
   setFocusPolicy(Qt::TabFocus);
   setFixedSize(sizeHint());
@@ -82,7 +83,8 @@ void SceneCard::paintEvent(QPaintEvent* /*event*/) {
   }
   painter.setPen(colors.text);
   painter.drawText(QRect(12, kPictureHeight, width() - 24, scaled(kNameHeight)),
-                   Qt::AlignLeft | Qt::AlignVCenter, text());
+                   Qt::AlignLeft | Qt::AlignVCenter,
+                   fontMetrics().elidedText(text(), Qt::ElideRight, width() - 24));
   painter.setClipping(false);
   const bool hot = underMouse() || hasFocus();
   painter.setPen(QPen(hot ? colors.accent : colors.border, hot ? 2.0 : 1.0));
@@ -94,6 +96,12 @@ namespace {
 constexpr int kColumns = 3;
 constexpr int kGap = 16;
 constexpr int kMostRecent = 3;
+
+// A file in the library; there may be none.
+QString robot_picture(const std::string& robot) {
+  return QString::fromStdString(
+      (geometric::resource_dir() / "thumbnails" / "robots" / (robot + ".jpg")).string());
+}
 
 QLabel* make_label(const QString& text, const char* role) {
   auto* label = new QLabel(text);
@@ -156,16 +164,17 @@ void StartPage::add_scenes(QVBoxLayout& layout) {
 void StartPage::add_robots(QVBoxLayout& layout) {
   layout.addSpacing(14);
   layout.addWidget(make_label(tr("New scene with"), "heading"));
-  auto* row = new QHBoxLayout;
-  row->setSpacing(8);
+  auto* grid = new QGridLayout;
+  grid->setSpacing(kGap);
+  int index = 0;
   for (const std::string& robot : geometric::resource_names(geometric::ResourceKind::kRobot)) {
-    auto* button = new QPushButton(icon("robot"), QString::fromStdString(robot));
-    button->setObjectName(QStringLiteral("new ") + QString::fromStdString(robot));
-    connect(button, &QPushButton::clicked, this, [this, robot] { emit new_requested(robot); });
-    row->addWidget(button);
+    auto* card = new SceneCard(QString::fromStdString(robot), robot_picture(robot));
+    card->setObjectName(QStringLiteral("new ") + QString::fromStdString(robot));
+    connect(card, &QAbstractButton::clicked, this, [this, robot] { emit new_requested(robot); });
+    grid->addWidget(card, index / kColumns, index % kColumns, Qt::AlignLeft);
+    ++index;
   }
-  row->addStretch(1);
-  layout.addLayout(row);
+  layout.addLayout(grid);
 }
 
 void StartPage::add_recent(QVBoxLayout& layout) {
@@ -181,6 +190,7 @@ void StartPage::add_recent(QVBoxLayout& layout) {
     layout.addWidget(button, 0, Qt::AlignLeft);
   }
   auto* browse = new QPushButton(tr("Open another file…"));
+  browse->setObjectName(QStringLiteral("start_browse"));
   browse->setProperty("role", "link");
   browse->setCursor(Qt::PointingHandCursor);
   connect(browse, &QPushButton::clicked, this, &StartPage::browse_requested);

@@ -93,7 +93,7 @@ void LandmarkGlove::take_lines(milliseconds timeout) {
     std::array<std::uint8_t, kLongestDatagram + 1> bytes{};
     const auto length =
         session.receiver->receive(std::span(bytes).first(kLongestDatagram), timeout);
-    if (length && *length <= kLongestDatagram) {
+    if (length && *length < bytes.size()) {
       bytes.at(*length) = '\n';
       add(std::span(bytes).first(*length + 1));
     } else if (length) {
