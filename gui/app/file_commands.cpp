@@ -191,6 +191,18 @@ QList<QUrl> places(QList<QUrl> known) {
 
 QString dialog_key() { return QStringLiteral("open_dialog"); }
 
+// Qt's choices of folder and type are narrow: their tool tips have all of the text.
+void explain_choices(QFileDialog& dialog) {
+  const auto explain = [&dialog] {
+    for (auto* choice : dialog.findChildren<QComboBox*>()) {
+      choice->setToolTip(choice->currentText());
+    }
+  };
+  QObject::connect(&dialog, &QFileDialog::directoryEntered, &dialog, explain);
+  QObject::connect(&dialog, &QFileDialog::filterSelected, &dialog, explain);
+  explain();
+}
+
 }  // namespace
 
 // The desktop's own dialog has neither pictures nor these places.
@@ -208,15 +220,7 @@ void FileCommands::open() {
   dialog.setDirectory(folder);
   dialog.setSidebarUrls(places(dialog.sidebarUrls()));
   dialog.setViewMode(QFileDialog::List);
-  // Qt's choices of folder and type are narrow: their tool tips have all of the text.
-  const auto show_texts = [&dialog] {
-    for (auto* choice : dialog.findChildren<QComboBox*>()) {
-      choice->setToolTip(choice->currentText());
-    }
-  };
-  connect(&dialog, &QFileDialog::directoryEntered, this, show_texts);
-  connect(&dialog, &QFileDialog::filterSelected, this, show_texts);
-  show_texts();
+  explain_choices(dialog);
   SceneIcons icons;
   dialog.setIconProvider(&icons);
   for (auto* view : dialog.findChildren<QListView*>(QStringLiteral("listView"))) {
@@ -236,13 +240,14 @@ bool FileCommands::save() {
 }
 
 bool FileCommands::save_as() {
-  QString file = QFileDialog::getSaveFileName(
-      &workbench_.window, tr("Save the scene"),
-      QString::fromStdString(workbench_.document.file().stem().string() + ".yaml"),
-      tr("Scenes (*.yaml)"));
-  if (file.isEmpty()) {
+  QFileDialog dialog(&workbench_.window, tr("Save the scene"), {}, tr("Scenes (*.yaml)"));
+  dialog.setAcceptMode(QFileDialog::AcceptSave);
+  dialog.selectFile(QString::fromStdString(workbench_.document.file().stem().string() + ".yaml"));
+  explain_choices(dialog);
+  if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty()) {
     return false;
   }
+  QString file = dialog.selectedFiles().front();
   if (QFileInfo(file).suffix().isEmpty()) {
     file += QStringLiteral(".yaml");
   }
