@@ -228,6 +228,7 @@ Surface surface_of_mesh(const CacheKey& key, const std::shared_ptr<const Triangl
                         const Preparation& preparation) {
   const OnDemand<TriangleTree> triangles = tree_of(mesh);
   MeshVolumes volumes = volumes_of(key, *mesh, triangles, preparation);
+  triangles.make();  // here, where all processors are at work: else the first plan waits for it
   return {key,
           mesh,
           std::move(volumes.cover),

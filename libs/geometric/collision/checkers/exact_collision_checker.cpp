@@ -7,6 +7,8 @@
 #include "collision/narrow_phase/narrow_phase_query.h"
 #include "collision/volumes/solid.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <optional>
 #include <span>
@@ -33,11 +35,21 @@ struct ExactCollisionChecker::Volumes {
       meshes.push_back(body.mesh);
     }
     surfaces = make_surfaces(meshes, preparation);
+    prepare_solids(world);
     for (const BodyPair& pair : world.pairs()) {
       pairs.push_back(spheres_first(pair));
     }
     broad_phase.emplace(world, root_spheres());
     distances.emplace(world, surfaces, preparation.keeps_volumes);
+  }
+
+  // Before the first question about containment, which would wait for it.
+  static void prepare_solids(const CollisionWorld& world) {
+    tbb::parallel_for(std::size_t{0}, world.bodies().size(), [&](std::size_t body) {
+      for (const BodySolids::Part& part : world.bodies()[body].solids->parts) {
+        part.solid->prepare();
+      }
+    });
   }
 
   // Spheres of a mesh around a primitive, whose distance is exact everywhere. Else those of the

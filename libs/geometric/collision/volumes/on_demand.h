@@ -26,6 +26,9 @@ class OnDemand {
   }
   [[nodiscard]] const Value* operator->() const { return &**this; }
 
+  /// Makes it now.
+  void make() const { static_cast<void>(**this); }
+
  private:
   struct State {
     void set(Value&& given) {

@@ -20,6 +20,7 @@ namespace handway::geometric {
 namespace {
 
 constexpr double kBoxRounding = 1e-14;  // of the coordinates
+constexpr std::size_t kSoonPrepared = 50000;  // triangles
 constexpr int kGridCells = 64;          // along the longest edge of the box
 constexpr double kGridHair = 1e-6;  // of a cell's edge: the surface enters cells that are as near
 
@@ -227,6 +228,12 @@ bool Solid::contains(const Eigen::Vector3d& p) const {
   return known ? *known : pieces_->sides.is_inside(p, [this](const Eigen::Vector3d& q) {
     return is_within_windings(q);
   });
+}
+
+void Solid::prepare() const {
+  if (!primitive_ && surface_->triangles.size() <= kSoonPrepared) {
+    pieces_.make();
+  }
 }
 
 bool Solid::is_within_windings(const Eigen::Vector3d& p) const {

@@ -56,6 +56,9 @@ class Solid {
   /// within roundings.
   [[nodiscard]] bool contains(const Eigen::Vector3d& p) const;
 
+  /// Makes what contains() needs of a mesh that isn't large; else the first point does.
+  void prepare() const;
+
  private:
   /// What rays are counted by.
   struct Pieces {
