@@ -8,9 +8,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 namespace handway::planning {
 namespace {
@@ -64,9 +66,15 @@ LoadedScene scene_of_robot(const fs::path& file) {
 LoadedScene load_scene(const fs::path& file, const PluginManager& plugins) {
   std::error_code error;
   if (!fs::is_regular_file(file, error)) {
+    const std::vector<std::string> robots = geometric::resource_names(ResourceKind::kRobot);
+    if (std::ranges::find(robots, file.string()) != robots.end()) {
+      return scene_of_robot(
+          geometric::find_resource(ResourceKind::kRobot, file, geometric::resource_dir()));
+    }
     throw geometric::InputError({file.string(), "",
                                  fs::exists(file, error) ? "no regular file" : "no such file",
-                                 "a scene or robot file", ""});
+                                 "a scene or robot file, or the name of a robot of the library",
+                                 geometric::advise_name(file.string(), robots)});
   }
   for (const auto& importer : plugins.importers()) {
     if (importer->can_read(file)) {

@@ -80,6 +80,11 @@ TEST_F(LoadScene, PutsARobotIntoASceneOfItsOwn) {
   EXPECT_FALSE(loaded.basis);
 }
 
+TEST_F(LoadScene, FindsARobotOfTheLibraryByItsName) {
+  EXPECT_EQ(load_scene("tx90_sah", plugins_).scene->robots.front().file, "tx90_sah");
+  EXPECT_THAT(complaint("tx90_hsa"), HasSubstr("Did you mean \"tx90_sah\"?"));
+}
+
 TEST_F(LoadScene, AsksTheImporters) {
   plugins_.load_plugins(std::filesystem::path(TEST_PLUGINS) / "greeting");
   EXPECT_EQ(load_scene(write("world.hello", ""), plugins_).scene->name, "hello world");

@@ -88,8 +88,8 @@ class HANDWAY_PLANNING_EXPORT PluginManager {
 /// that is not, handway-plugins beside this library.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::filesystem::path plugin_directory();
 
-/// Opens a scene file: Handway's own YAML, or whatever an importer reads. A
-/// basis that the scene names is loaded too.
+/// Opens a scene file: Handway's own YAML, a robot, or whatever an importer reads; or a robot of
+/// the library by its name. A basis that the scene names is loaded too.
 /// @throws InputError if the file can't be read or is of no known format.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT LoadedScene load_scene(const std::filesystem::path& file,
                                                              const PluginManager& plugins);
