@@ -5,6 +5,7 @@
 #include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/robot/mirrored_robot.h"
+#include "handway/geometric/setup/robot_setup.h"
 #include "handway/planning/extensions/plugin.h"
 #include "robot_report.h"
 
@@ -29,6 +30,7 @@ using geometric::GroupProposal;
 using geometric::InputError;
 using geometric::RobotDescription;
 using geometric::RobotModel;
+using geometric::WristOwner;
 using Json = nlohmann::ordered_json;
 
 constexpr std::array kReasons = {AllowedReason::kAdjacent, AllowedReason::kAlways,
@@ -45,41 +47,16 @@ struct SetupChoice {
   bool as_json = false;
 };
 
-// With the wrist counted to the arm or the hand, if somebody has decided that.
-GroupProposal decided_groups(const RobotModel& model, const std::string& wrist) {
-  GroupProposal groups = geometric::propose_groups(model);
-  if (!wrist.empty()) {
-    std::vector<std::string>& owner = wrist == "arm" ? groups.arm : groups.hand;
-    owner.insert(owner.begin(), groups.wrist.begin(), groups.wrist.end());
-    groups.wrist.clear();
-    groups.questions.clear();
-  }
-  return groups;
+WristOwner owner_of_wrist(const SetupChoice& choice) {
+  return choice.wrist.empty()    ? WristOwner::kUndecided
+         : choice.wrist == "arm" ? WristOwner::kArm
+                                 : WristOwner::kHand;
 }
 
 std::shared_ptr<const RobotModel> first_robot(const std::filesystem::path& file) {
   planning::PluginManager plugins;
   plugins.load_plugins(planning::plugin_directory());
   return planning::load_scene(file, plugins).scene->robots.front().model;
-}
-
-// With what was sampled and the groups that it has not. Pairs that somebody has allowed stay.
-RobotDescription completed(const RobotReport& report, bool wrist_is_decided) {
-  RobotDescription robot = report.model->description();
-  const geometric::AllowedCollisions before = robot.allowed_collisions;
-  robot.allowed_collisions = geometric::allowed_collisions(*report.model, report.sampled);
-  for (const auto& [pair, reason] : before.entries()) {
-    if (reason == AllowedReason::kUser) {
-      robot.allowed_collisions.allow(pair.first, pair.second, reason);
-    }
-  }
-  if (wrist_is_decided) {
-    std::erase_if(robot.groups, [](const geometric::JointGroup& group) {
-      return group.name == "arm" || group.name == "hand";
-    });
-  }
-  add_groups(report.groups, robot);
-  return robot;
 }
 
 void print_text(const RobotReport& report, const RobotDescription& robot) {
@@ -166,9 +143,10 @@ int setup(const SetupChoice& choice) {
   if (choice.mirror) {
     model = std::make_shared<const RobotModel>(geometric::mirrored(model->description()));
   }
+  const WristOwner wrist = owner_of_wrist(choice);
   const RobotReport report =
-      robot_report(model, decided_groups(*model, choice.wrist), choice.samples, choice.seed);
-  const RobotDescription robot = completed(report, !choice.wrist.empty());
+      robot_report(model, decided_groups(*model, wrist), choice.samples, choice.seed);
+  const RobotDescription robot = with_setup(*model, report.sampled, report.groups, wrist);
   if (choice.as_json) {
     print_json(report, robot);
   } else {

@@ -12,6 +12,7 @@
 #include "features/playback/plots_panel.h"
 #include "features/postures/posture_panels.h"
 #include "features/preferences/preferences_dialog.h"
+#include "features/robots/robots.h"
 #include "features/runs/runs_panel.h"
 #include "features/tracker/wrist_page.h"
 #include "features/viewing/saved_views.h"
@@ -24,6 +25,7 @@ void add_features(Workbench& workbench) {
   add_playback(workbench);
   add_microscope(workbench);
   add_editing(workbench);
+  add_robots(workbench);
   add_planning(workbench);
   add_grasping(workbench);
   add_glove(workbench);

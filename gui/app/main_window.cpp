@@ -107,7 +107,12 @@ void MainWindow::connect_document() {
   connect(&document, &Document::opening, this, [this](const QString& file) {
     statusBar()->showMessage(tr("Opening %1…").arg(QFileInfo(file).fileName()));
   });
-  connect(&document, &Document::opened, this, [this] {
+  connect(&document, &Document::opened, this, [this](Document::Opened what) {
+    if (what == Document::Opened::kRobots) {
+      workbench_.view.change_robots(workbench_.document.scene());
+      emit workbench_.scene_shown();
+      return;
+    }
     if (!workbench_.document.scene()) {
       workbench_.banner.hide_message();
       setWindowTitle(tr("Handway"));

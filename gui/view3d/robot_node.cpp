@@ -322,6 +322,20 @@ void RobotNode::place(const geometric::Pose& X_WB, const geometric::Configuratio
   }
 }
 
+void RobotNode::move_from(int link, const geometric::Pose& X_WL) {
+  const geometric::Pose motion = X_WL * X_WL_[static_cast<std::size_t>(link)].inverse();
+  std::vector<bool> moves(links_.size(), false);
+  for (std::size_t i = static_cast<std::size_t>(link); i < links_.size(); ++i) {
+    const int parent = model_->parent(static_cast<int>(i));
+    moves[i] =
+        static_cast<int>(i) == link || (parent >= 0 && moves[static_cast<std::size_t>(parent)]);
+    if (moves[i]) {
+      X_WL_[i] = motion * X_WL_[i];
+      links_[i].transform->matrix = to_coin(X_WL_[i]);
+    }
+  }
+}
+
 bool RobotNode::set_look(int link, Look look) {
   const int child = look == Look::kPlain ? plain_ : plain_ + 1;
   SoSwitch& node = *links_[static_cast<std::size_t>(link)].look.get();

@@ -77,6 +77,8 @@ class RobotNode {
 
   /// Puts all links where configuration `q` has them, the base standing at X_WB.
   void place(const geometric::Pose& X_WB, const geometric::Configuration& q);
+  /// Moves a link and all that it carries, so that the link is at X_WL.
+  void move_from(int link, const geometric::Pose& X_WL);
   /// X_WL of all links, shape [link_count].
   [[nodiscard]] std::span<const geometric::Pose> link_poses() const { return X_WL_; }
 

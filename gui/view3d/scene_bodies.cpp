@@ -256,6 +256,15 @@ CoinRef<SoSwitch> make_section() {
   return section;
 }
 
+// The root link of a robot, or of a part that is mounted on it.
+std::optional<int> base_link(const geometric::RobotInstance& robot, const std::string& name) {
+  const auto part = std::ranges::find(robot.parts, name, &geometric::RobotPart::name);
+  if (part != robot.parts.end()) {
+    return robot.model->find_link(part->links.at(part->model->link(0).name));
+  }
+  return robot.name == name ? std::optional(0) : std::nullopt;
+}
+
 }  // namespace
 
 SceneBodies::SceneBodies() : section_(make_section()) {}
@@ -335,11 +344,12 @@ void SceneBodies::preview(const SceneItem& item, const Pose& X_WO) {
     }
   }
   for (std::size_t i = 0; i < robots_.size(); ++i) {
-    if (item.kind == SceneItem::Kind::kRobot && scene_->robots[i].name == item.robot) {
-      robots_[i]->place(X_WO, i == 0 ? q_ : scene_->robots[i].configuration);
-      if (i == 0) {
-        place_attached();
-      }
+    const std::optional<int> base = item.kind == SceneItem::Kind::kRobot
+                                        ? base_link(scene_->robots[i], item.robot)
+                                        : std::nullopt;
+    if (base) {
+      robots_[i]->move_from(*base, X_WO);
+      place_attached();
     }
   }
 }
@@ -408,8 +418,14 @@ std::vector<SoSeparator*> SceneBodies::parts_of(const Selection& selection) cons
   const SceneItem& item = selection.item;
   std::vector<SoSeparator*> parts;
   for (std::size_t r = 0; r < robots_.size(); ++r) {
-    const bool is_here = item.robot == scene_->robots[r].name;
-    if (is_here && item.kind == SceneItem::Kind::kRobot) {
+    const geometric::RobotInstance& robot = scene_->robots[r];
+    const bool is_here = item.robot == robot.name;
+    const auto part = std::ranges::find(robot.parts, item.robot, &geometric::RobotPart::name);
+    if (item.kind == SceneItem::Kind::kRobot && part != robot.parts.end()) {
+      for (const auto& [own, composed] : part->links) {
+        parts.push_back(robots_[r]->link_root(*robot.model->find_link(composed)));
+      }
+    } else if (is_here && item.kind == SceneItem::Kind::kRobot) {
       parts.push_back(robots_[r]->root());
     } else if (const auto link = robots_[r]->model().find_link(item.name);
                is_here && item.kind == SceneItem::Kind::kLink && link) {

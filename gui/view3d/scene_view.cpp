@@ -119,6 +119,15 @@ void SceneView::set_scene(std::shared_ptr<const geometric::Scene> scene) {
   change();
 }
 
+void SceneView::change_robots(std::shared_ptr<const geometric::Scene> scene) {
+  colliding_.clear();
+  graph_->set_scene(std::move(scene));
+  if (untouched_) {
+    camera_.fit(graph_->points_of_interest(), aspect());
+  }
+  change();
+}
+
 void SceneView::update_scene(const SceneState& state) {
   graph_->update_scene(state);
   change();

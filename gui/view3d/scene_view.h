@@ -64,6 +64,8 @@ class SceneView : public QOpenGLWidget {
 
   /// Shows a scene and looks at it; null empties the view.
   void set_scene(std::shared_ptr<const geometric::Scene> scene);
+  /// Shows the scene with other robots, from where one looks already.
+  void change_robots(std::shared_ptr<const geometric::Scene> scene);
   /// Shows an edited scene with the same robots, from where one looks already.
   void update_scene(const SceneState& state);
   void set_colors(const ViewColors& colors);

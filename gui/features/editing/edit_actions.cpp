@@ -196,6 +196,7 @@ void EditActions::fill_add_menu(QMenu& menu) {
   }
   menu.addSeparator();
   add_mesh(tr("&Mesh from file…"), {});
+  menu.addSeparator();  // what other features add follows
 }
 
 void EditActions::take(QAction& action, const QString& name, const QKeySequence& keys,
@@ -214,7 +215,7 @@ void EditActions::update_enabled() {
     action->setEnabled(has_scene);
   }
   add_button_->setEnabled(has_scene);
-  remove->setEnabled(can_change);
+  remove->setEnabled(can_change || editor_.can_remove_robot());
   rename->setEnabled(can_change &&
                      rigid_parts(*editor_.state().scene, editor_.selected_objects()).size() == 1);
   for (QAction* action : {copy, duplicate}) {

@@ -100,6 +100,7 @@ PropertiesPanel::PropertiesPanel(SceneEditor& editor, QWidget* parent)
       header_(make_header()),
       pose_title_(heading(tr("Pose"))),
       pose_(new PoseForm),
+      mount_(new QComboBox),
       shape_(new ShapeForm),
       extent_(new QLabel),
       color_(new QToolButton),
@@ -114,6 +115,11 @@ PropertiesPanel::PropertiesPanel(SceneEditor& editor, QWidget* parent)
   color_->setIconSize({54, 16});
   parent_->setObjectName(QStringLiteral("fixed_to"));
   parent_->setToolTip(tr("What the object moves with"));
+  mount_->setObjectName(QStringLiteral("mounted_on"));
+  mount_->setAccessibleName(tr("Mounted on"));
+  mount_->setToolTip(tr("The link that carries the robot, by its origin at first"));
+  mount_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  mount_box_ = boxed({heading(tr("Mounted on")), mount_});
   auto* more = new QWidget;
   auto* rows = new QFormLayout(more);
   rows->setContentsMargins(0, 4, 0, 0);
@@ -143,14 +149,21 @@ PropertiesPanel::PropertiesPanel(SceneEditor& editor, QWidget* parent)
   layout->setContentsMargins(12, 10, 12, 10);
   layout->setSpacing(8);
   constraints_box_ = boxed({heading(tr("Along paths")), constraints_});
-  for (QWidget* part :
-       {static_cast<QWidget*>(hint_), header_, pose_box_, shape_box_, constraints_box_}) {
+  for (QWidget* part : {static_cast<QWidget*>(hint_), header_, mount_box_, pose_box_, shape_box_,
+                        constraints_box_}) {
     layout->addWidget(part);
   }
   layout->addStretch(1);
   setWidget(content);
 
-  connect(pose_, &PoseForm::pose_edited, &editor_, &SceneEditor::place);
+  connect(pose_, &PoseForm::pose_edited, &editor_,
+          [this](const geometric::Pose& X_FO) { editor_.place(X_WF_ * X_FO); });
+  connect(mount_, qOverload<int>(&QComboBox::activated), this, [this](int row) {
+    const std::string robot = mount_->itemData(row, Qt::UserRole).toString().toStdString();
+    const std::string link = mount_->itemData(row, Qt::UserRole + 1).toString().toStdString();
+    emit mount_requested(editor_.selection().robot,
+                         row == 0 ? std::nullopt : std::optional(LinkOfRobot{robot, link}));
+  });
   connect(shape_, &ShapeForm::shape_edited, &editor_,
           [this](const geometric::Shape& shape) { editor_.set_shape(shape); });
   connect(color_, &QToolButton::clicked, this, &PropertiesPanel::choose_color);
@@ -212,9 +225,9 @@ void PropertiesPanel::refresh() {
   }
   const auto& scene = editor_.state().scene;
   const geometric::RobotInstance* robot =
-      scene ? geometric::find_robot(*scene, item.robot) : nullptr;
+      scene ? geometric::find_robot_with_part(*scene, item.robot) : nullptr;
   if (robot && item.kind == Kind::kRobot) {
-    show_robot(*robot);
+    show_robot(item.robot);
   } else if (robot && item.kind == Kind::kLink) {
     show_link(*robot);
   } else if (const auto X_WP = editor_.selected_pose(); X_WP && item.is_posture()) {
@@ -224,10 +237,14 @@ void PropertiesPanel::refresh() {
   }
 }
 
-void PropertiesPanel::preview_pose(const geometric::Pose& X_WO) { pose_->show_pose(X_WO); }
+void PropertiesPanel::preview_pose(const geometric::Pose& X_WO) {
+  pose_->show_pose(X_WF_.inverse() * X_WO);
+}
 
 void PropertiesPanel::show_parts(bool header, bool pose, bool shape) {
+  X_WF_ = geometric::Pose::Identity();
   hint_->setVisible(!header);
+  mount_box_->hide();
   header_->setVisible(header);
   pose_box_->setVisible(pose);
   shape_box_->setVisible(shape);
@@ -290,14 +307,37 @@ void PropertiesPanel::show_common(const geometric::SceneObject& object, bool edi
   parent_->setEnabled(editable && parent_->count() > 1);
 }
 
-void PropertiesPanel::show_robot(const geometric::RobotInstance& robot) {
+void PropertiesPanel::show_robot(const std::string& robot) {
+  const geometric::Scene& scene = *editor_.state().scene;
+  const geometric::Configuration& q = editor_.document().configuration();
   show_parts(true, true, false);
-  name_->setText(QString::fromStdString(robot.name));
+  name_->setText(QString::fromStdString(robot));
   name_->setReadOnly(true);
   kind_->setText(tr("Robot"));
-  pose_title_->setText(tr("Base"));
-  pose_->show_pose(robot.X_WB);
+  const auto on = carrier_of(scene, robot);
+  X_WF_ = carrier_pose(scene, q, robot);
+  pose_title_->setText(on ? tr("Base in %1").arg(QString::fromStdString(on->link)) : tr("Base"));
+  pose_->show_pose(X_WF_.inverse() * *base_pose(scene, q, robot));
   pose_->set_editable(true);
+  list_mounts(robot);
+}
+
+void PropertiesPanel::list_mounts(const std::string& robot) {
+  const geometric::Scene& scene = *editor_.state().scene;
+  const auto on = carrier_of(scene, robot);
+  const QSignalBlocker quiet(mount_);
+  mount_->clear();
+  mount_->addItem(tr("World"));
+  for (const LinkOfRobot& place : mounting_places(scene, robot)) {
+    const QString carrier = QString::fromStdString(place.robot);
+    const QString link = QString::fromStdString(place.link);
+    mount_->addItem(tr("%1 of %2").arg(link, carrier), carrier);
+    mount_->setItemData(mount_->count() - 1, link, Qt::UserRole + 1);
+    if (on == place) {
+      mount_->setCurrentIndex(mount_->count() - 1);
+    }
+  }
+  mount_box_->setVisible(mount_->count() > 1);
 }
 
 void PropertiesPanel::show_link(const geometric::RobotInstance& robot) {

@@ -33,13 +33,17 @@ class PropertiesPanel : public PanelArea {
  signals:
   /// To fix the selected object to a link; both empty: to the world.
   void attach_requested(const std::string& robot, const std::string& link);
+  /// To mount the selected robot on a link; nothing: to stand it in the world.
+  void mount_requested(const std::string& robot,
+                       const std::optional<handway::gui::LinkOfRobot>& on);
 
  private:
   QWidget* make_header();
   void show_object(const geometric::SceneObject& object);
   void show_objects(const geometric::SceneObject& last);
   void show_common(const geometric::SceneObject& object, bool editable);
-  void show_robot(const geometric::RobotInstance& robot);
+  void show_robot(const std::string& robot);
+  void list_mounts(const std::string& robot);
   void show_link(const geometric::RobotInstance& robot);
   void show_posture(const geometric::Pose& X_WP);
   void show_hint();
@@ -60,6 +64,9 @@ class PropertiesPanel : public PanelArea {
   QWidget* pose_box_;
   QLabel* pose_title_;
   PoseForm* pose_;
+  geometric::Pose X_WF_ = geometric::Pose::Identity();  ///< Of the frame that it is shown in.
+  QWidget* mount_box_;
+  QComboBox* mount_;
   QWidget* shape_box_;
   ShapeForm* shape_;
   QLabel* extent_;

@@ -60,7 +60,10 @@ Recovery::Recovery(Workbench& workbench)
       autosave_.clear();
     }
   });
-  connect(&document_, &Document::opened, this, [this] {
+  connect(&document_, &Document::opened, this, [this](Document::Opened what) {
+    if (what == Document::Opened::kRobots) {
+      return;  // an edit
+    }
     if (recovering_ && document_.file() == recovering_->file) {
       editor_.undo_stack().resetClean();
       store(recovering_);
@@ -153,6 +156,7 @@ SceneEditing::SceneEditing(Workbench& workbench)
     tree_->refresh_icons();
     properties_->refresh_icons();
   });
+  connect(properties_, &PropertiesPanel::mount_requested, &editor_, &SceneEditor::mount);
   connect(properties_, &PropertiesPanel::attach_requested, this, &SceneEditing::attach);
   connect(&edit_actions_, &EditActions::add_requested, this, &SceneEditing::add_shape);
   connect(&edit_actions_, &EditActions::attach_requested, this, [this] {

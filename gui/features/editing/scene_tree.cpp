@@ -280,6 +280,26 @@ void SceneTree::paintEvent(QPaintEvent* event) {
   }
 }
 
+std::map<std::string, QTreeWidgetItem*> SceneTree::add_parts(const geometric::RobotInstance& robot,
+                                                             QTreeWidgetItem& top) {
+  std::map<std::string, QTreeWidgetItem*> rows;
+  for (const geometric::RobotPart& part : robot.parts) {
+    if (part.carrier < 0) {
+      continue;
+    }
+    const QString name = QString::fromStdString(part.name);
+    QTreeWidgetItem* row = make_row(name, icon("robot"), {Kind::kRobot, part.name, ""});
+    row->setToolTip(
+        0,
+        tr("%1: mounted on %2 of %3")
+            .arg(name, QString::fromStdString(part.link),
+                 QString::fromStdString(robot.parts[static_cast<std::size_t>(part.carrier)].name)));
+    top.addChild(row);
+    rows[part.links.at(part.model->link(0).name)] = row;
+  }
+  return rows;
+}
+
 void SceneTree::add_robot(const geometric::RobotInstance& robot) {
   const geometric::RobotModel& model = *robot.model;
   QTreeWidgetItem* top =
@@ -289,17 +309,23 @@ void SceneTree::add_robot(const geometric::RobotInstance& robot) {
                          .arg(model.link_count())
                          .arg(model.variable_count()));
   addTopLevelItem(top);
+  const std::map<std::string, QTreeWidgetItem*> parts = add_parts(robot, *top);
   std::vector<QTreeWidgetItem*> rows;
   for (int i = 0; i < model.link_count(); ++i) {
     const std::string& name = model.link(i).name;
     rows.push_back(
         make_row(QString::fromStdString(name), icon("link"), {Kind::kLink, robot.name, name}));
+    if (const auto part = parts.find(name); part != parts.end()) {
+      part->second->addChild(rows.back());
+      continue;
+    }
     const int parent = model.parent(i);
     // A serial chain stays flat; only branches (fingers) are indented.
     QTreeWidgetItem* above = parent < 0 ? top : rows[static_cast<std::size_t>(parent)];
     int siblings = 0;
     for (int k = 1; k < model.link_count(); ++k) {
-      siblings += parent >= 0 && model.parent(k) == parent ? 1 : 0;
+      const bool is_beside = parent >= 0 && model.parent(k) == parent;
+      siblings += is_beside && !parts.contains(model.link(k).name) ? 1 : 0;
     }
     if (parent >= 0 && siblings == 1 && above->parent()) {
       above = above->parent();

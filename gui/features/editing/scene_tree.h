@@ -4,6 +4,7 @@
 
 #include <QTreeWidget>
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -64,6 +65,9 @@ class SceneTree : public QTreeWidget {
   void take_change(QTreeWidgetItem* row);
   void take_object_change(const SceneItem& changed, const std::string& text, bool shown);
   void add_robot(const geometric::RobotInstance& robot);
+  /// Rows for mounted parts below `top`, by the composed names of their root links.
+  static std::map<std::string, QTreeWidgetItem*> add_parts(const geometric::RobotInstance& robot,
+                                                           QTreeWidgetItem& top);
   void add_objects(const geometric::Scene& scene);
   [[nodiscard]] QTreeWidgetItem* object_row(const geometric::SceneObject& object) const;
   [[nodiscard]] QTreeWidgetItem* group_row(const geometric::Scene& scene,

@@ -5,6 +5,7 @@
 #include "handway/geometric/robot/composed_robot.h"
 #include "handway/planning/queries/palm_ik.h"
 #include "handway/sampling/postures/pmd_basis_io.h"
+#include "model/document/robot_edits.h"
 #include "model/meshes/shaded_meshes.h"
 
 #include <algorithm>
@@ -130,18 +131,10 @@ planning::LoadedScene new_scene(const std::string& robot, const planning::Plugin
   scene.file.clear();
   scene.robots.front().file = robot;
   std::shared_ptr<const sampling::PmdBasis> basis = loaded.basis;
-  for (const std::string& name : geometric::resource_names(ResourceKind::kHandBasis)) {
-    if (basis) {
-      break;
-    }
-    sampling::PmdBasis candidate = sampling::read_pmd_basis(
-        geometric::find_resource(ResourceKind::kHandBasis, name, geometric::resource_dir()));
-    const bool fits = std::ranges::all_of(candidate.joints, [&](const std::string& joint) {
-      return scene.robots.front().model->find_variable(joint).has_value();
-    });
-    if (fits) {
-      basis = std::make_shared<const sampling::PmdBasis>(std::move(candidate));
-      scene.hand_basis = name;
+  if (!basis) {
+    if (auto fitting = fitting_basis(*scene.robots.front().model)) {
+      scene.hand_basis = fitting->first;
+      basis = std::make_shared<const sampling::PmdBasis>(std::move(fitting->second));
     }
   }
   return {std::make_shared<const geometric::Scene>(std::move(scene)), basis};
@@ -202,6 +195,30 @@ namespace {
 
 using geometric::RobotInstance;
 
+bool has_same_robots(const geometric::Scene& a, const geometric::Scene& b) {
+  return std::ranges::equal(a.robots, b.robots, [](const RobotInstance& one, const auto& other) {
+    return one.model == other.model && one.name == other.name;
+  });
+}
+
+// Where the first robot of `after` stands, joints that it has in both scenes as they are shown.
+geometric::Configuration configuration_in(const geometric::Scene& before,
+                                          const geometric::Configuration& shown,
+                                          const geometric::Scene& after) {
+  const RobotInstance& robot = after.robots.front();
+  geometric::Configuration q = robot.configuration;
+  if (before.robots.empty() || before.robots.front().name != robot.name) {
+    return q;
+  }
+  const geometric::RobotModel& old = *before.robots.front().model;
+  for (int v = 0; v < robot.model->variable_count(); ++v) {
+    if (const auto variable = old.find_variable(robot.model->variable(v).name)) {
+      q[v] = shown[*variable];
+    }
+  }
+  return q;
+}
+
 planning::Revision after_edit(planning::Revision revision, const geometric::Scene& before,
                               const geometric::Scene& after) {
   ++revision.scene;
@@ -260,17 +277,8 @@ void Document::set_scene(planning::LoadedScene scene, const std::filesystem::pat
   state_ = {loaded_.scene, loaded_.basis};
   revision_ = {revision_.scene + 1, revision_.robot + 1, revision_.basis + 1, revision_.limits + 1};
   file_ = file;
-  problem_.reset();
-  groups_ = {};
-  palm_ = 0;
-  q_ = {};
-  if (const geometric::RobotInstance* first = robot()) {
-    take_hand();
-    q_ = first->configuration;
-    problem_ = std::make_shared<const PreparedProblem>(loaded_, revision_, preparations_);
-  }
-  recorded_hand_.set_basis(loaded_.basis);
-  emit opened();
+  use_first_robot(robot() ? robot()->configuration : geometric::Configuration());
+  emit opened(Opened::kScene);
   if (robot()) {
     emit configuration_changed(q_);
   }
@@ -281,7 +289,36 @@ void Document::take_hand() {
   palm_ = palm_link(*robot()->model, groups_);
 }
 
+void Document::use_first_robot(const geometric::Configuration& q) {
+  problem_.reset();
+  groups_ = {};
+  palm_ = 0;
+  q_ = q;
+  if (robot()) {
+    take_hand();
+    problem_ = std::make_shared<const PreparedProblem>(loaded_, revision_, preparations_);
+  }
+  recorded_hand_.set_basis(loaded_.basis);
+}
+
+void Document::change_robots(SceneState state) {
+  hide_measured();
+  const SceneState before = std::exchange(state_, std::move(state));
+  const geometric::Configuration q = configuration_in(*before.scene, q_, *state_.scene);
+  revision_ = after_edit(revision_, *before.scene, *state_.scene);
+  revision_.basis += before.basis == state_.basis ? 0 : 1;
+  loaded_ = {state_.scene, state_.basis};
+  use_first_robot(q);
+  emit opened(Opened::kRobots);
+  emit edited(before);
+  emit configuration_changed(q_);
+}
+
 void Document::set_state(SceneState state) {
+  if (state.scene != state_.scene && !has_same_robots(*state_.scene, *state.scene)) {
+    change_robots(std::move(state));
+    return;
+  }
   const SceneState before = std::exchange(state_, std::move(state));
   const bool has_other_hand = robot() && before.basis != state_.basis;
   if (has_other_hand) {

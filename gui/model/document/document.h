@@ -133,6 +133,13 @@ class Document : public QObject {
   Q_OBJECT
 
  public:
+  /// Why there are other robots to show than before.
+  enum class Opened {
+    kScene,   ///< Another scene is open, or none.
+    kRobots,  ///< An edit of the open one added, mounted or removed robots, or was undone.
+  };
+  Q_ENUM(Opened)
+
   explicit Document(std::shared_ptr<const planning::PluginManager> plugins,
                     QObject* parent = nullptr);
 
@@ -168,7 +175,8 @@ class Document : public QObject {
   void set_scene(planning::LoadedScene scene, const std::filesystem::path& file = {});
   /// Shows none.
   void close();
-  /// Replaces the scene by an edited one with the same robots, and the hand's basis.
+  /// Replaces the scene by an edited one, and the hand's basis; opened() follows where its robots are
+  /// others, edited() in any case. Joints that the first robot has in both stay where they are shown.
   void set_state(SceneState state);
   /// Moves the first robot, unless it is shown as measured. @param q shape [variable_count].
   void set_configuration(const geometric::Configuration& q);
@@ -182,7 +190,7 @@ class Document : public QObject {
 
  signals:
   void opening(const QString& file);
-  void opened();
+  void opened(handway::gui::Document::Opened what);
   /// An edit, of which `before` was the state.
   void edited(const handway::gui::SceneState& before);
   /// An edit of the hand's basis, and with it of which joints are arm and hand.
@@ -194,11 +202,13 @@ class Document : public QObject {
   void measured_shown(bool shown);
 
  private:
-  SceneLoader loader_;
-  PreparationQueue preparations_;
   /// What follows from the robot and the hand's basis.
   void take_hand();
+  void use_first_robot(const geometric::Configuration& q);
+  void change_robots(SceneState state);
 
+  SceneLoader loader_;
+  PreparationQueue preparations_;
   SceneState state_;
   planning::LoadedScene loaded_;  ///< With scene and basis of `state_`.
   planning::Revision revision_;

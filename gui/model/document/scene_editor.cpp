@@ -6,6 +6,7 @@
 #include "model/document/free_place.h"
 #include "model/document/resting.h"
 #include "model/document/scene_edits.h"
+#include "model/meshes/shaded_meshes.h"
 
 #include <QStandardPaths>
 
@@ -34,9 +35,11 @@ std::filesystem::path clipboard_file() {
 
 SceneEditor::SceneEditor(Document& document, QObject* parent)
     : QObject(parent), document_(document) {
-  connect(&document_, &Document::opened, this, [this] {
-    stack_.clear();
-    select({});
+  connect(&document_, &Document::opened, this, [this](Document::Opened what) {
+    if (what == Document::Opened::kScene) {
+      stack_.clear();
+      select({});
+    }
   });
   const auto look = [this] {
     if (std::exchange(was_modified_, is_modified()) != was_modified_) {
@@ -115,9 +118,7 @@ std::optional<Pose> SceneEditor::selected_pose() const {
     return object_pose(*state().scene, document_.configuration(), *object);
   }
   if (state().scene && selection().kind == Kind::kRobot) {
-    if (const auto* robot = geometric::find_robot(*state().scene, selection().robot)) {
-      return robot->X_WB;
-    }
+    return base_pose(*state().scene, document_.configuration(), selection().robot);
   }
   if (const auto q = posture(selection())) {
     const geometric::RobotInstance& robot = *document_.robot();
@@ -202,7 +203,92 @@ void SceneEditor::remove_constraint(const std::string& name) {
   push(tr("Remove constraint %1").arg(words(name)), without_constraint(state(), name), selection_);
 }
 
+void SceneEditor::compose(const QString& text, std::function<SceneState()> make, Selection select,
+                          const std::string& kind, Outcome outcome) {
+  end_composing(tr("Another edit came first."));
+  outcome_ = outcome ? std::move(outcome) : [this, text](const QString& problem) {
+    if (!problem.isEmpty()) {
+      emit refused(tr("%1: this is not possible").arg(text), problem);
+    }
+  };
+  composing_.run([this, text, make = std::move(make), select = std::move(select), kind,
+                  from = state()](const std::stop_token&) -> LatestJob::Answer {
+    try {
+      SceneState next = make();
+      shade_meshes(*next.scene);
+      return [this, text, next = std::move(next), select, kind, from] {
+        const bool is_current = state() == from;
+        if (is_current) {
+          push(text, next, select, kind);
+        }
+        end_composing(is_current ? QString() : tr("The scene was edited meanwhile. Try again."));
+      };
+    } catch (const std::exception& error) {
+      return [this, problem = QString::fromUtf8(error.what())] { end_composing(problem); };
+    }
+  });
+}
+
+void SceneEditor::end_composing(const QString& problem) {
+  if (const Outcome outcome = std::exchange(outcome_, nullptr)) {
+    outcome(problem);
+  }
+}
+
+void SceneEditor::add_robot(geometric::RobotInstance robot, const std::optional<LinkOfRobot>& on,
+                            const Pose& X_LB, Outcome outcome) {
+  const std::string name = robot.name;
+  compose(
+      on ? tr("Mount %1").arg(words(name)) : tr("Add %1").arg(words(name)),
+      [state = state(), q = document_.configuration(), robot = std::move(robot), on, X_LB] {
+        return with_robot(state, q, robot, on, X_LB);
+      },
+      selection_of({Kind::kRobot, name, ""}), {}, std::move(outcome));
+}
+
+void SceneEditor::mount(const std::string& robot, const std::optional<LinkOfRobot>& on) {
+  if (on != carrier_of(*state().scene, robot)) {
+    compose(
+        on ? tr("Mount %1").arg(words(robot)) : tr("Take off %1").arg(words(robot)),
+        [state = state(), q = document_.configuration(), robot, on] {
+          return on ? with_mount(state, q, robot, *on, Pose::Identity())
+                    : without_mount(state, q, robot);
+        },
+        selection_of({Kind::kRobot, robot, ""}));
+  }
+}
+
+void SceneEditor::set_model(const std::string& robot,
+                            std::shared_ptr<const geometric::RobotModel> model, Outcome outcome) {
+  compose(
+      tr("Set up %1").arg(words(robot)),
+      [state = state(), q = document_.configuration(), robot, model = std::move(model)] {
+        return with_model(state, q, robot, model);
+      },
+      selection_, {}, std::move(outcome));
+}
+
+bool SceneEditor::can_remove_robot() const {
+  return selection().kind == Kind::kRobot &&
+         (state().scene->robots.size() > 1 || carrier_of(*state().scene, selection().robot));
+}
+
+void SceneEditor::put_first(const std::string& robot) {
+  push(tr("Plan for %1").arg(words(robot)),
+       with_first_robot(state(), document_.configuration(), robot),
+       selection_of({Kind::kRobot, robot, ""}));
+}
+
 void SceneEditor::remove() {
+  if (can_remove_robot()) {
+    const std::string name = selection().robot;
+    compose(tr("Remove %1").arg(words(name)),
+            [state = state(), q = document_.configuration(), name] {
+              return without_robot(state, q, name);
+            },
+            {});
+    return;
+  }
   if (const std::vector<std::string> names = changeable(); !names.empty()) {
     apply(tr("Delete %1").arg(words_for(names)), without_objects(state(), names), {});
   }
@@ -313,8 +399,18 @@ void SceneEditor::place(const Pose& X_WO) {
     return;
   }
   if (selection().kind == Kind::kRobot) {
-    push(tr("Move %1").arg(words(selection().robot)), with_base(state(), selection().robot, X_WO),
-         selection_, "base " + selection().robot);
+    const std::string robot = selection().robot;
+    const QString text = tr("Move %1").arg(words(robot));
+    if (!carrier_of(*state().scene, robot)) {
+      push(text, with_base(state(), robot, X_WO), selection_, "base " + robot);
+      return;
+    }
+    compose(
+        text,
+        [state = state(), q = document_.configuration(), robot, X_WO] {
+          return with_mount_at(state, q, robot, X_WO);
+        },
+        selection_, "base " + robot);
     return;
   }
   const std::optional<Pose> before = selected_pose();

@@ -1,14 +1,18 @@
 #pragma once
 
 #include "model/document/document.h"
+#include "model/document/robot_edits.h"
 #include "model/document/scene_edits.h"
 #include "model/document/selection.h"
+#include "model/jobs/background.h"
 
 #include <QObject>
 #include <QString>
 #include <QUndoStack>
 
 #include <filesystem>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -47,8 +51,9 @@ class SceneEditor : public QObject {
   /// The selected objects that are not locked.
   [[nodiscard]] std::vector<std::string> changeable() const;
   [[nodiscard]] bool can_change() const { return !changeable().empty(); }
-  /// Of the selected object or robot, or the palm of the selected posture, in the world. Several
-  /// objects: the middle of the box around those that can be changed, along the world's axes.
+  /// Of the selected object or robot (mounted ones too), or the palm of the selected posture, in
+  /// the world. Several objects: the middle of the box around those that can be changed, along the
+  /// world's axes.
   [[nodiscard]] std::optional<geometric::Pose> selected_pose() const;
 
   /// Adds an object and selects it. @param foot where the middle of its underside goes (world).
@@ -67,6 +72,25 @@ class SceneEditor : public QObject {
   /// Adds a constraint, or changes the one of that name.
   void set_constraint(const geometric::PathConstraint& constraint);
   void remove_constraint(const std::string& name);
+
+  /// Is told how an edit of robots went: what was in its way, or nothing.
+  using Outcome = std::function<void(const QString& problem)>;
+  /// Edits of robots make their model in the background: the scene shows them once that is there.
+  [[nodiscard]] bool is_composing() const { return composing_.is_busy(); }
+  /// Adds a robot and selects it. @param on nothing: it stands in the world at its X_WB.
+  void add_robot(geometric::RobotInstance robot, const std::optional<LinkOfRobot>& on,
+                 const geometric::Pose& X_LB, Outcome outcome);
+  /// Mounts a robot, or one that is mounted already, on another link, at its origin; or takes it
+  /// off where `on` is nothing.
+  void mount(const std::string& robot, const std::optional<LinkOfRobot>& on);
+  /// Goes on with another model of the same robot or part: with other groups, or other pairs of
+  /// links that may touch.
+  void set_model(const std::string& robot, std::shared_ptr<const geometric::RobotModel> model,
+                 Outcome outcome);
+  /// Whether the selected thing is a robot that can be removed: a scene keeps one.
+  [[nodiscard]] bool can_remove_robot() const;
+  /// Plans for the selected robot from now on.
+  void put_first(const std::string& robot);
 
   // Edits of what is selected.
   void remove();
@@ -140,6 +164,11 @@ class SceneEditor : public QObject {
   /// @param kind see Edit.
   void push(const QString& text, SceneState next, Selection select, const std::string& kind = {});
   void set_selection(Selection selection);
+  /// Makes the next state in the background and pushes it, unless the scene was edited meanwhile.
+  /// @param outcome empty: problems are refused().
+  void compose(const QString& text, std::function<SceneState()> make, Selection select,
+               const std::string& kind = {}, Outcome outcome = {});
+  void end_composing(const QString& problem);
   /// @param text with a place for what is changed. @param what empty: each an edit of its own.
   void change_selected(const QString& text, const std::string& what,
                        const std::function<void(geometric::SceneObject&)>& change);
@@ -148,6 +177,8 @@ class SceneEditor : public QObject {
   QUndoStack stack_;
   bool was_modified_ = false;
   Selection selection_;
+  LatestJob composing_;
+  Outcome outcome_;  ///< Of what is being composed.
 };
 
 }  // namespace handway::gui

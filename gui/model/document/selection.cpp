@@ -87,6 +87,15 @@ Selection still_there(const SceneState& state, Selection selection) {
   if (selection.item.kind == Kind::kObject) {
     return selection_of(std::move(selection.objects));
   }
+  const bool is_of_robot =
+      selection.item.kind == Kind::kRobot || selection.item.kind == Kind::kLink;
+  if (is_of_robot && state.scene) {
+    const geometric::RobotInstance* robot =
+        geometric::find_robot_with_part(*state.scene, selection.item.robot);
+    const bool is_there = robot && (selection.item.kind == Kind::kRobot ||
+                                    robot->model->find_link(selection.item.name));
+    return is_there ? selection : Selection{};
+  }
   return selection;
 }
 

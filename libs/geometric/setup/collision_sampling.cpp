@@ -89,13 +89,13 @@ AllowedCollisions adjacent_links(const RobotModel& model) {
 bool SampledPair::overlaps(int samples) const { return at_neutral && 2 * collisions >= samples; }
 
 SelfCollisionSamples sample_self_collisions(const RobotModel& model, int samples,
-                                            std::uint64_t seed) {
+                                            std::uint64_t seed, const std::stop_token& stop,
+                                            const std::function<void(double)>& progress) {
   check_samples(samples);
   FclChecker checker(world_of_all_pairs(model));
   const CollisionWorld& world = checker.world();
   const AllowedCollisions adjacent = adjacent_links(model);
   SelfCollisionSamples found;
-  found.samples = samples;
   const std::vector<bool> at_neutral = touching_at(checker, model.neutral());
   const std::vector<bool> at_middle =
       touching_at(checker, Configuration(0.5 * (model.lower() + model.upper())));
@@ -110,9 +110,10 @@ SelfCollisionSamples sample_self_collisions(const RobotModel& model, int samples
       found.pairs.push_back(std::move(sampled));
     }
   }
-  std::vector<std::vector<std::size_t>> touching(static_cast<std::size_t>(samples));
+  std::vector<std::vector<std::size_t>> touching;
   std::mt19937_64 generator(seed);
-  for (std::vector<std::size_t>& sample : touching) {
+  while (found.samples == 0 || (found.samples < samples && !stop.stop_requested())) {
+    std::vector<std::size_t>& sample = touching.emplace_back();
     checker.place(random_configuration(model, generator));
     for (std::size_t i = 0; i < indices.size(); ++i) {
       if (checker.pair_collides(indices[i])) {
@@ -120,10 +121,14 @@ SelfCollisionSamples sample_self_collisions(const RobotModel& model, int samples
         ++found.pairs[i].collisions;
       }
     }
+    ++found.samples;
+    if (progress) {
+      progress(static_cast<double>(found.samples) / samples);
+    }
   }
   found.colliding = static_cast<int>(std::ranges::count_if(touching, [&](const auto& sample) {
     return std::ranges::any_of(sample, [&](std::size_t i) {
-      return !found.pairs[i].overlaps(samples) && found.pairs[i].collisions < samples;
+      return !found.pairs[i].overlaps(found.samples) && found.pairs[i].collisions < found.samples;
     });
   }));
   return found;

@@ -3,6 +3,7 @@
 #include "handway/geometric/collision/checkers/fcl_checker.h"
 #include "handway/geometric/collision/collision_world.h"
 #include "handway/geometric/io/input_error.h"
+#include "handway/geometric/robot/robot_state.h"
 #include "handway/geometric/setup/collision_sampling.h"
 
 #include <fmt/format.h>
@@ -55,7 +56,7 @@ PartValues values_of(const RobotInstance& robot, const Configuration& q) {
 
 Configuration configuration_of(const RobotInstance& robot, const PartValues& values) {
   Configuration q = robot.model->neutral();
-  for (const RobotPart& part : robot.parts) {
+  for (const RobotPart& part : parts_of(robot)) {
     for (const auto& [own, composed] : part.joints) {
       const auto value = values.find({part.name, own});
       const std::optional<int> variable = robot.model->find_variable(composed);
@@ -98,14 +99,18 @@ void allow_at_mounts(const std::vector<RobotPart>& parts, RobotDescription& desc
   }
 }
 
-/// Old and new names of what robots of a scene have.
+/// Old and new names of what is in parts that both robots have.
 struct Renaming {
   std::map<std::string, std::string> links;
   std::map<std::string, std::string> joints;
 
   Renaming(const RobotInstance& before, const RobotInstance& after) {
+    const std::vector<RobotPart> parts = parts_of(after);
     for (const RobotPart& part : parts_of(before)) {
-      const auto now = std::ranges::find(after.parts, part.name, &RobotPart::name);
+      const auto now = std::ranges::find(parts, part.name, &RobotPart::name);
+      if (now == parts.end()) {
+        continue;
+      }
       for (const auto& [own, composed] : part.links) {
         links[composed] = now->links.at(own);
       }
@@ -122,11 +127,15 @@ struct Renaming {
   }
 };
 
+// Those that are fixed to a link which `after` has; links that it has not can't touch them.
 void rename_in_objects(Scene& scene, const RobotInstance& before, const RobotInstance& after) {
   const Renaming renaming(before, after);
   for (SceneObject& object : scene.objects) {
-    if (object.attachment && object.attachment->robot == before.name) {
+    if (object.attachment && object.attachment->robot == before.name &&
+        renaming.links.contains(object.attachment->link)) {
       object.attachment->robot = after.name;
+      std::erase_if(object.attachment->touching,
+                    [&](const std::string& link) { return !renaming.links.contains(link); });
       renaming.rename_link(object.attachment->link);
       for (std::string& link : object.attachment->touching) {
         renaming.rename_link(link);
@@ -135,21 +144,32 @@ void rename_in_objects(Scene& scene, const RobotInstance& before, const RobotIns
   }
 }
 
-// What is said of the first robot alone.
+// What is said of the first robot alone. What is about links and joints that `after` has not goes.
 void rename_in_query(Scene& scene, const RobotInstance& before, const RobotInstance& after) {
   const Renaming renaming(before, after);
+  std::erase_if(scene.constraints, [&](const PathConstraint& constraint) {
+    return !find_object(scene, constraint.body) && !renaming.links.contains(constraint.body);
+  });
   for (PathConstraint& constraint : scene.constraints) {
     if (!find_object(scene, constraint.body)) {
       renaming.rename_link(constraint.body);
     }
   }
+  std::erase_if(scene.goal_poses,
+                [&](const PoseGoal& goal) { return !renaming.links.contains(goal.link); });
+  for (PoseGoal& goal : scene.goal_poses) {
+    renaming.rename_link(goal.link);
+  }
   for (NamedPosture& posture : scene.postures) {
     std::map<std::string, double> values;
     for (const auto& [joint, value] : posture.values) {
-      values[renaming.joints.at(joint)] = value;
+      if (const auto now = renaming.joints.find(joint); now != renaming.joints.end()) {
+        values[now->second] = value;
+      }
     }
     posture.values = std::move(values);
   }
+  std::erase_if(scene.postures, [](const NamedPosture& posture) { return posture.values.empty(); });
 }
 
 std::size_t needed_robot(const Scene& scene, const RobotInstance* found, const std::string& name) {
@@ -177,6 +197,102 @@ RobotInstance mounted(const RobotInstance& carrier, const std::string& part,
   values.merge(values_of(robot, robot.configuration));
   whole.configuration = configuration_of(whole, values);
   return whole;
+}
+
+// Some parts of a robot as a robot of their own, the others of which they hang left out.
+// @pre the first of `parts` carries all others of them.
+RobotInstance of_parts(const RobotInstance& whole, const std::vector<std::size_t>& parts) {
+  const RobotPart& first = whole.parts[parts.front()];
+  RobotInstance robot;
+  robot.name = first.name;
+  robot.file = first.file;
+  robot.model = first.model;
+  std::map<int, int> place_of{{first.carrier, -1}};
+  for (const std::size_t index : parts) {
+    RobotPart part = whole.parts[index];
+    place_of[static_cast<int>(index)] = static_cast<int>(robot.parts.size());
+    part.carrier = robot.parts.empty() ? -1 : place_of.at(part.carrier);
+    robot.parts.push_back(std::move(part));
+  }
+  robot.parts.front().link.clear();
+  robot.parts.front().X_LB = Pose::Identity();
+  robot.configuration = robot.model->neutral();
+  if (robot.parts.size() == 1) {
+    robot.parts.clear();
+  } else {
+    compose_parts(robot);
+  }
+  robot.configuration = configuration_of(robot, values_of(whole, whole.configuration));
+  return robot;
+}
+
+/// A robot in two: what stays, and a part with all that it carries.
+struct Split {
+  std::size_t index = 0;  ///< In the scene.
+  RobotInstance rest;
+  RobotInstance off;
+};
+
+Split split(const Scene& scene, const std::string& part) {
+  Split split;
+  split.index = needed_robot(scene, find_robot_with_part(scene, part), part);
+  const RobotInstance& whole = scene.robots[split.index];
+  const auto found = std::ranges::find(whole.parts, part, &RobotPart::name);
+  if (found == whole.parts.end() || found->carrier < 0) {
+    throw InputError({scene.file.string(), "robot " + part, "a robot that is not mounted",
+                      "one that another robot carries", ""});
+  }
+  std::vector<std::size_t> kept, taken;
+  const auto root = static_cast<std::size_t>(found - whole.parts.begin());
+  for (std::size_t i = 0; i < whole.parts.size(); ++i) {
+    const bool goes = i == root || std::ranges::count(
+                                       taken, static_cast<std::size_t>(whole.parts[i].carrier)) > 0;
+    (goes ? taken : kept).push_back(i);
+  }
+  split.rest = of_parts(whole, kept);
+  split.rest.X_WB = whole.X_WB;
+  split.off = of_parts(whole, taken);
+  RobotState state(whole.model);
+  state.set_configuration(whole.configuration);
+  const std::string base = found->links.at(found->model->link(0).name);
+  split.off.X_WB = whole.X_WB * state.link_pose(*whole.model->find_link(base));
+  return split;
+}
+
+// The first robot goes on as `after`, which has a part of it.
+void go_on_with(Scene& scene, const RobotInstance& before, const RobotInstance& after) {
+  for (std::optional<Configuration>* q : {&scene.start, &scene.goal}) {
+    if (*q) {
+      *q = configuration_of(after, values_of(before, **q));
+    }
+  }
+  rename_in_query(scene, before, after);
+}
+
+// Objects on the robot stay where they are, fixed to the world.
+void release_objects(Scene& scene, const RobotInstance& robot) {
+  RobotState state(robot.model);
+  state.set_configuration(robot.configuration);
+  for (SceneObject& object : scene.objects) {
+    if (is_carried_by(object, robot)) {
+      object.X_PO = robot.X_WB * state.link_pose(*robot.model->find_link(object.attachment->link)) *
+                    object.X_PO;
+      object.attachment.reset();
+    }
+  }
+}
+
+void take_out(Scene& scene, std::size_t index) {
+  release_objects(scene, scene.robots[index]);
+  scene.robots.erase(scene.robots.begin() + static_cast<std::ptrdiff_t>(index));
+  if (index == 0) {  // start, goal and the like were of that robot
+    scene.start.reset();
+    scene.goal.reset();
+    scene.goal_poses.clear();
+    scene.constraints.clear();
+    scene.postures.clear();
+    scene.hand_basis.clear();
+  }
 }
 
 }  // namespace
@@ -229,6 +345,28 @@ void move_mount(Scene& scene, const std::string& part, const Pose& X_LB) {
   }
   moved->X_LB = X_LB;
   compose_parts(robot);
+}
+
+void unmount_robot(Scene& scene, const std::string& part) {
+  Split parts = split(scene, part);
+  const RobotInstance before = scene.robots[parts.index];
+  scene.robots[parts.index] = parts.rest;
+  scene.robots.insert(scene.robots.begin() + static_cast<std::ptrdiff_t>(parts.index) + 1,
+                      parts.off);
+  if (parts.index == 0) {
+    go_on_with(scene, before, parts.rest);
+  }
+  rename_in_objects(scene, before, parts.off);
+  rename_in_objects(scene, before, parts.rest);
+}
+
+void remove_robot(Scene& scene, const std::string& name) {
+  const RobotInstance* robot = find_robot(scene, name);
+  if (robot == nullptr) {
+    unmount_robot(scene, name);
+    robot = find_robot(scene, name);
+  }
+  take_out(scene, static_cast<std::size_t>(robot - scene.robots.data()));
 }
 
 }  // namespace handway::geometric

@@ -74,17 +74,19 @@ class Examination {
     for (const SampledPair& pair : sampled_.pairs) {
       if (pair.collisions == sampled_.samples) {
         add(fmt::format("{} and {} touch in every posture", pair.a, pair.b),
-            "Their shapes overlap; the pair is allowed to touch (Always)");
+            "Their shapes overlap; the pair is allowed to touch (Always)", {pair.a, pair.b});
       } else if (pair.overlaps(sampled_.samples)) {
         add(fmt::format("{} and {} touch at the zero posture and in {} of random ones", pair.a,
                         pair.b, share(pair.collisions)),
             "Their shapes overlap; the pair is allowed to touch (Default). Give one of them a "
-            "smaller collision mesh to have it checked");
+            "smaller collision mesh to have it checked",
+            {pair.a, pair.b});
       } else if (pair.at_neutral || pair.at_middle) {
         add(fmt::format("{} and {} touch at the {} posture, and in {} of random ones", pair.a,
                         pair.b, pair.at_neutral ? "zero" : "middle", share(pair.collisions)),
             "The pair is checked: start from another posture, or disable it in the SRDF if the "
-            "shapes are too large");
+            "shapes are too large",
+            {pair.a, pair.b}, !pair.at_neutral);
       }
     }
   }
@@ -121,14 +123,15 @@ class Examination {
   [[nodiscard]] std::vector<RobotFinding> findings() && { return std::move(findings_); }
 
  private:
-  void add(std::string found, std::string mend) {
-    findings_.push_back({std::move(found), std::move(mend)});
+  void add(std::string found, std::string mend, std::vector<std::string> links = {},
+           bool at_middle = false) {
+    findings_.push_back({std::move(found), std::move(mend), std::move(links), at_middle});
   }
 
   void add_list(const char* what, std::vector<std::string>& names, const char* mend) {
     names.erase(std::unique(names.begin(), names.end()), names.end());
     if (!names.empty()) {
-      add(fmt::format("{}: {}", what, fmt::join(names, ", ")), mend);
+      add(fmt::format("{}: {}", what, fmt::join(names, ", ")), mend, names);
     }
   }
 
@@ -137,14 +140,14 @@ class Examination {
     const std::optional<double> seen = size_of({link.name, {}, link.visual});
     if (collides && *collides > kLargestLink) {
       add(fmt::format("link {} is {:.3g} m long", link.name, *collides),
-          "If the mesh is in millimetres, write scale=\"0.001 0.001 0.001\"");
+          "If the mesh is in millimetres, write scale=\"0.001 0.001 0.001\"", {link.name});
     } else if (collides && *collides < kSmallestLink) {
       add(fmt::format("link {} is {:.3g} mm long", link.name, 1000.0 * *collides),
-          "If the mesh is in metres already, leave its scale away");
+          "If the mesh is in metres already, leave its scale away", {link.name});
     } else if (collides && seen && std::abs(std::log(*collides / *seen)) > std::log(kSizeRatio)) {
       add(fmt::format("link {} looks {:.3g} m long and collides as one of {:.3g} m", link.name,
                       *seen, *collides),
-          "Give the visual and the collision mesh the same scale");
+          "Give the visual and the collision mesh the same scale", {link.name});
     }
   }
 

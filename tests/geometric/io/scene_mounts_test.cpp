@@ -4,6 +4,7 @@
 #include <handway/geometric/formats/scene_reader.h>
 #include <handway/geometric/formats/scene_writer.h>
 #include <handway/geometric/formats/urdf_writer.h>
+#include <handway/geometric/robot/robot_state.h>
 #include <handway/geometric/scene/scene_difference.h>
 #include <handway/geometric/setup/mounting.h>
 
@@ -257,6 +258,97 @@ TEST(MountRobot, RefusesRobotsThatAreNotThereOrCarryTheCarrier) {
   EXPECT_THAT(refusal("arm", "hand"), HasSubstr("carries hand already"));
   EXPECT_THAT(input_error_of([&] { move_mount(scene, "arm", Pose::Identity()); }),
               HasSubstr("not mounted"));
+}
+
+constexpr const char* kHandWithEye = R"(robots:
+  - {name: arm, model: arm.urdf, configuration: {j1: 0.1}}
+  - {name: hand, model: gripper.urdf, mount: {robot: arm, link: flange}, configuration: {j1: 0.3}}
+  - {name: eye, model: camera.urdf, mount: {robot: hand, link: finger_l}}
+objects:
+  - {name: pad, box: {size: [0.01, 0.01, 0.01]}, attach: {robot: hand, link: base, touching: [tip_l]}}
+  - {name: box, box: {size: [0.01, 0.01, 0.01]}, attach: {link: flange, touching: [hand/base]}}
+start: {j2: 0.4, hand/j1: 0.2}
+postures: {up: {j1: 0.2, hand/j1: 0.1}, closed: {left: 0.1}}
+goal_pose: [{link: finger_l, xyz: [0, 0, 1]}, {link: flange, xyz: [0, 0, 1]}]
+)";
+
+TEST(UnmountRobot, StandsWhereItWasWithAllThatItCarries) {
+  const Robots files;
+  Scene scene = files.scene(kHandWithEye);
+  RobotState whole(scene.robots.front().model);
+  whole.set_configuration(scene.robots.front().configuration);
+  const Pose X_WB = whole.link_pose("hand/base");
+  const Pose X_WE = whole.link_pose("body");
+  unmount_robot(scene, "hand");
+  ASSERT_EQ(scene.robots.size(), 2U);
+  const RobotInstance& arm = scene.robots[0];
+  const RobotInstance& hand = scene.robots[1];
+  EXPECT_TRUE(arm.parts.empty());
+  EXPECT_EQ(arm.configuration, (Configuration(2) << 0.1, 0).finished());
+  EXPECT_EQ(*scene.start, (Configuration(2) << 0.1, 0.4).finished());
+  EXPECT_THAT(variables(*hand.model), ElementsAre("left", "j1", "right"));
+  EXPECT_EQ(hand.parts.size(), 2U);
+  EXPECT_EQ(hand.configuration[1], 0.3);
+  EXPECT_TRUE(hand.X_WB.isApprox(X_WB));
+  RobotState state(hand.model, hand.X_WB);
+  state.set_configuration(hand.configuration);
+  EXPECT_TRUE(state.link_pose("body").isApprox(X_WE));
+  EXPECT_EQ(scene.objects[0].attachment->robot, "hand");
+  EXPECT_EQ(scene.objects[0].attachment->link, "base");
+  EXPECT_THAT(scene.objects[0].attachment->touching, ElementsAre("tip_l"));
+  EXPECT_EQ(scene.objects[1].attachment->robot, "arm");
+  EXPECT_TRUE(scene.objects[1].attachment->touching.empty()) << "the hand is another robot now";
+  ASSERT_EQ(scene.postures.size(), 1U);
+  EXPECT_EQ(scene.postures.front().values, (std::map<std::string, double>{{"j1", 0.2}}));
+  ASSERT_EQ(scene.goal_poses.size(), 1U);
+  EXPECT_EQ(scene.goal_poses.front().link, "flange");
+  write_scene(scene, files.folder() / "apart.yaml");
+  EXPECT_EQ(read_scene(files.folder() / "apart.yaml").robots.size(), 2U);
+}
+
+TEST(UnmountRobot, IsTheOppositeOfMounting) {
+  const Robots files;
+  Scene scene = files.scene(kArmAndHand);
+  const Pose X_LB = scene.robots.front().parts[1].X_LB;
+  const Configuration q = scene.robots.front().configuration;
+  unmount_robot(scene, "hand");
+  mount_robot(scene, "hand", "arm", "flange", X_LB);
+  ASSERT_EQ(scene.robots.size(), 1U);
+  EXPECT_EQ(scene.robots.front().configuration, q);
+  EXPECT_THAT(input_error_of([&] { unmount_robot(scene, "arm"); }), HasSubstr("not mounted"));
+}
+
+TEST(RemoveRobot, LeavesWhatItCarriedInPlace) {
+  const Robots files;
+  Scene scene = files.scene(kHandWithEye);
+  RobotState whole(scene.robots.front().model);
+  whole.set_configuration(scene.robots.front().configuration);
+  const Pose X_WB = whole.link_pose("hand/base");
+  remove_robot(scene, "hand");
+  ASSERT_EQ(scene.robots.size(), 1U);
+  EXPECT_EQ(scene.robots.front().model->variable_count(), 2);
+  EXPECT_FALSE(scene.objects[0].attachment);
+  EXPECT_TRUE(scene.objects[0].X_PO.isApprox(X_WB));
+  EXPECT_TRUE(scene.objects[1].attachment);
+  remove_robot(scene, "arm");
+  EXPECT_TRUE(scene.robots.empty());
+  EXPECT_FALSE(scene.start);
+  EXPECT_TRUE(scene.postures.empty());
+  EXPECT_THAT(input_error_of([&] { remove_robot(scene, "arm"); }), HasSubstr("no robot \"arm\""));
+}
+
+TEST(MountRobot, RenamesTheLinksOfGoalsAsPoses) {
+  const Robots files;
+  Scene scene = files.scene(R"(robots:
+  - {name: hand, model: gripper.urdf}
+  - {name: arm, model: arm.urdf}
+goal_pose: {link: tip_l, xyz: [0, 0, 1]}
+)");
+  scene.goal_poses.push_back(scene.goal_poses.front());
+  scene.goal_poses.back().link = "base";
+  mount_robot(scene, "hand", "arm", "flange", Pose::Identity());
+  EXPECT_EQ(scene.goal_poses[0].link, "tip_l");
+  EXPECT_EQ(scene.goal_poses[1].link, "hand/base");
 }
 
 TEST(ComposedRobot, FindsJointsOfPartsByTheirOwnNames) {

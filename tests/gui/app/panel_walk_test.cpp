@@ -311,6 +311,8 @@ TEST_P(PanelWalk, CutsNothingAndIsReadable) {
     std::filesystem::copy_file(can, copy);
     emit workbench().mesh_dropped(QString::fromStdString(copy.string()));
   });
+  look_at_opened(QStringLiteral("add_robot"), action("Robot…"));
+  look_at_opened(QStringLiteral("robot_setup"), action("Robot setup…"));
   look_at_opened(QStringLiteral("commands"), action("Find a command…"));
   look_at_opened(QStringLiteral("help"), action("Help on this panel"));
   look_at_opened(QStringLiteral("about"), action("About Handway"));

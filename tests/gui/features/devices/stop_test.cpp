@@ -268,6 +268,11 @@ std::vector<DialogCase> StopInDialogs::cases() const {
          emit menu.aboutToShow();
          menu.actions().front()->trigger();
        }},
+      {"features/robots/add_robot_dialog.h", "add a robot", trigger("&Robot…")},
+      {"features/robots/add_robot_dialog.cpp", "robot file",
+       [this] { open_both("&Robot…", QStringLiteral("From a file…")); }},
+      {"features/robots/robots.cpp", "export a robot", trigger("Export ro&bot…")},
+      {"features/robots/setup_dialog.h", "robot setup", trigger("Robot set&up…")},
       {"features/planning/preset_bar.cpp", "save a preset",
        [menu_of] { menu_of("preset_menu")[0]->trigger(); }},
       {"features/planning/preset_bar.cpp", "rename a preset",

@@ -5,6 +5,8 @@
 #include "handway/geometric/robot/robot_model.h"
 
 #include <cstdint>
+#include <functional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -37,9 +39,12 @@ struct SelfCollisionSamples {
 /// Counts collisions of all pairs of links that move against each other and are not adjacent, in
 /// configurations drawn uniformly between the limits. The robot's allowed collisions play no part.
 /// Same model, samples and seed give the same counts. One thread.
+/// @param stop ends it after the sample that it is at: `samples` is the number of those drawn.
+/// @param progress is called with the share that is done, from 0 to 1; may be empty.
 /// @throws std::invalid_argument if `samples` < 1.
-[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT SelfCollisionSamples
-sample_self_collisions(const RobotModel& model, int samples, std::uint64_t seed);
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT SelfCollisionSamples sample_self_collisions(
+    const RobotModel& model, int samples, std::uint64_t seed, const std::stop_token& stop = {},
+    const std::function<void(double)>& progress = {});
 
 /// The allowed-collision matrix that follows: pairs that are adjacent, that were in collision in
 /// every sample (Always) or in none (Never), and that overlap (Default).

@@ -30,4 +30,15 @@ HANDWAY_GEOMETRIC_EXPORT void mount_robot(Scene& scene, const std::string& robot
 /// @throws InputError if no part of that name is mounted.
 HANDWAY_GEOMETRIC_EXPORT void move_mount(Scene& scene, const std::string& part, const Pose& X_LB);
 
+/// Takes a part, with all that it carries, off the robot that carries it: it stands in the world
+/// from now on, where it is with its robot at `configuration`, after that robot. Of the first
+/// robot, what the scene says of links and joints that it has no more goes.
+/// @throws InputError if no part of that name is mounted.
+HANDWAY_GEOMETRIC_EXPORT void unmount_robot(Scene& scene, const std::string& part);
+
+/// Removes a robot or a mounted part, with all robots that it carries. Objects that it carries stay
+/// where they are. With the first robot go start, goal and all else that the scene says of it.
+/// @throws InputError if there is no such robot.
+HANDWAY_GEOMETRIC_EXPORT void remove_robot(Scene& scene, const std::string& name);
+
 }  // namespace handway::geometric

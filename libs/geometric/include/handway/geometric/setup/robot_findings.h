@@ -14,6 +14,9 @@ namespace handway::geometric {
 struct RobotFinding {
   std::string found;
   std::string mend;
+  std::vector<std::string> links = {};  ///< That it is about; may be empty.
+  /// Seen with every joint in the middle of its range, not at the neutral posture.
+  bool at_middle = false;
 };
 
 /// Looks at shapes (faces that point inwards, sizes that speak of wrong units, open surfaces), at

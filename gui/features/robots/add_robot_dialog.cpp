@@ -1,0 +1,292 @@
+#include "features/robots/add_robot_dialog.h"
+
+#include "handway/geometric/io/resources.h"
+#include "handway/geometric/robot/group_proposal.h"
+#include "handway/planning/extensions/importer.h"
+#include "model/meshes/shaded_meshes.h"
+#include "widgets/forms/quantity_field.h"
+#include "widgets/panels/dock_layout.h"
+#include "widgets/style/theme.h"
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFileDialog>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSettings>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <utility>
+
+namespace handway::gui {
+namespace {
+
+using geometric::ResourceKind;
+using geometric::RobotInstance;
+
+constexpr int kLinkRole = Qt::UserRole + 1;
+constexpr int kWidth = 440;  // px
+
+QString folder_key() { return QStringLiteral("robot_folder"); }
+
+// A robot that a scene is made of already is one robot from here on.
+RobotInstance read_robot(const std::filesystem::path& file,
+                         const planning::PluginManager& plugins) {
+  const planning::LoadedScene loaded = planning::load_scene(file, plugins);
+  RobotInstance robot = loaded.scene->robots.front();
+  if (!robot.parts.empty()) {
+    robot.parts.clear();
+    robot.file.clear();
+  }
+  robot.X_WB = geometric::Pose::Identity();
+  shade_meshes(*loaded.scene);
+  return robot;
+}
+
+// The end of an arm without a hand: where hands and tools go.
+std::optional<LinkOfRobot> end_of_arm(const geometric::Scene& scene) {
+  if (scene.robots.empty()) {
+    return std::nullopt;
+  }
+  const RobotInstance& robot = scene.robots.front();
+  const geometric::GroupProposal groups = geometric::propose_groups(*robot.model);
+  return groups.tip.empty() || !robot.parts.empty()
+             ? std::nullopt
+             : std::optional(LinkOfRobot{robot.name, groups.tip});
+}
+
+}  // namespace
+
+AddRobotDialog::AddRobotDialog(std::shared_ptr<const planning::PluginManager> plugins,
+                               SceneEditor& editor, FreePlace free_place, QWidget* parent)
+    : QDialog(parent),
+      plugins_(std::move(plugins)),
+      editor_(editor),
+      free_place_(std::move(free_place)),
+      model_(new QComboBox),
+      note_(new QLabel),
+      name_(new QLineEdit),
+      on_(new QComboBox),
+      pose_(new PoseForm),
+      add_(new QPushButton(tr("Add"))),
+      X_(geometric::Pose::Identity()) {
+  setObjectName(QStringLiteral("add_robot_dialog"));
+  setWindowTitle(tr("Add a robot"));
+  setAttribute(Qt::WA_DeleteOnClose);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
+  add_->setObjectName(QStringLiteral("add_robot_now"));
+  add_->setProperty("role", "primary");
+  add_->setDefault(true);
+  buttons->addButton(add_, QDialogButtonBox::AcceptRole);
+  connect(add_, &QPushButton::clicked, this, &AddRobotDialog::add);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(16, 14, 16, 14);
+  layout->setSpacing(12);
+  layout->addWidget(make_form(), 1);
+  layout->addWidget(buttons);
+  resize(within_window(*this, {scaled(kWidth), scaled(400)}));
+  list_library();
+  list_links();
+  follow_selection(editor_.selection());
+  connect(&editor_, &SceneEditor::selection_changed, this, &AddRobotDialog::follow_selection);
+  connect(&editor_.document(), &Document::opened, this, [this](Document::Opened what) {
+    if (what == Document::Opened::kScene) {
+      reject();
+    } else {
+      list_links();
+    }
+  });
+  read_chosen();
+}
+
+QWidget* AddRobotDialog::make_form() {
+  model_->setObjectName(QStringLiteral("add_robot_model"));
+  note_->setObjectName(QStringLiteral("add_robot_note"));
+  note_->setWordWrap(true);
+  note_->setProperty("role", "note");
+  note_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  name_->setObjectName(QStringLiteral("add_robot_name"));
+  on_->setObjectName(QStringLiteral("add_robot_on"));
+  on_->setToolTip(tr("Click a link in the view or the tree to choose it here"));
+  auto* browse_button = new QPushButton(tr("From a file…"));
+  browse_button->setObjectName(QStringLiteral("add_robot_browse"));
+  browse_button->setAutoDefault(false);
+  for (QComboBox* choice : {model_, on_}) {
+    choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  }
+  auto* model_row = new QHBoxLayout;
+  model_row->addWidget(model_, 1);
+  model_row->addWidget(browse_button);
+  auto* form = new QWidget;
+  auto* rows = new QFormLayout(form);
+  rows->setContentsMargins(0, 0, 0, 0);
+  rows->setHorizontalSpacing(12);
+  rows->setVerticalSpacing(8);
+  rows->addRow(tr("Robot"), model_row);
+  rows->addRow(QString(), note_);
+  rows->addRow(tr("Name"), name_);
+  rows->addRow(tr("Mounted on"), on_);
+  rows->addRow(tr("Pose"), pose_);
+  connect(browse_button, &QPushButton::clicked, this, &AddRobotDialog::browse);
+  connect(model_, qOverload<int>(&QComboBox::activated), this, &AddRobotDialog::read_chosen);
+  connect(on_, qOverload<int>(&QComboBox::activated), this, &AddRobotDialog::show_place);
+  connect(pose_, &PoseForm::pose_edited, this, [this](const geometric::Pose& X) { X_ = X; });
+  return form;
+}
+
+void AddRobotDialog::list_library() {
+  for (const std::string& name : geometric::resource_names(ResourceKind::kRobot)) {
+    const std::filesystem::path file =
+        geometric::find_resource(ResourceKind::kRobot, name, geometric::resource_dir());
+    model_->addItem(icon("robot"), QString::fromStdString(name),
+                    QString::fromStdString(file.string()));
+  }
+}
+
+void AddRobotDialog::list_links() {
+  const std::optional<LinkOfRobot> before = chosen_link();
+  on_->clear();
+  on_->addItem(tr("Nothing: it stands in the world"));
+  for (const LinkOfRobot& place : mounting_places(*editor_.state().scene, "")) {
+    const QString carrier = QString::fromStdString(place.robot);
+    const QString link = QString::fromStdString(place.link);
+    on_->addItem(tr("%1 of %2").arg(link, carrier), carrier);
+    on_->setItemData(on_->count() - 1, link, kLinkRole);
+  }
+  if (before) {
+    choose_link(*before);
+  } else if (const auto end = end_of_arm(*editor_.state().scene)) {
+    choose_link(*end);
+  }
+}
+
+std::optional<LinkOfRobot> AddRobotDialog::chosen_link() const {
+  if (on_->currentIndex() <= 0) {
+    return std::nullopt;
+  }
+  return LinkOfRobot{on_->currentData().toString().toStdString(),
+                     on_->currentData(kLinkRole).toString().toStdString()};
+}
+
+void AddRobotDialog::choose_link(const LinkOfRobot& link) {
+  for (int row = 1; row < on_->count(); ++row) {
+    if (on_->itemData(row).toString().toStdString() == link.robot &&
+        on_->itemData(row, kLinkRole).toString().toStdString() == link.link) {
+      on_->setCurrentIndex(row);
+    }
+  }
+  show_place();
+}
+
+void AddRobotDialog::follow_selection(const SceneItem& item) {
+  if (item.kind == SceneItem::Kind::kLink) {
+    choose_link(own_link(*editor_.state().scene, item.robot, item.name));
+  }
+}
+
+void AddRobotDialog::browse() {
+  QFileDialog dialog(this, tr("Choose a robot"), QSettings().value(folder_key()).toString(),
+                     tr("Robots (*.urdf *.sdf *.xml *.yaml);;All files (*)"));
+  dialog.setObjectName(QStringLiteral("robot_file_dialog"));
+  dialog.setOption(QFileDialog::DontUseNativeDialog);
+  dialog.setFileMode(QFileDialog::ExistingFile);
+  if (dialog.exec() == QDialog::Accepted && !dialog.selectedFiles().isEmpty()) {
+    QSettings().setValue(folder_key(), dialog.directory().absolutePath());
+    choose_file(dialog.selectedFiles().front().toStdString());
+  }
+}
+
+void AddRobotDialog::choose_file(const std::filesystem::path& file) {
+  model_->addItem(icon("robot"), QString::fromStdString(file.filename().string()),
+                  QString::fromStdString(file.string()));
+  model_->setCurrentIndex(model_->count() - 1);
+  read_chosen();
+}
+
+void AddRobotDialog::read_chosen() {
+  robot_.reset();
+  add_->setEnabled(false);
+  const std::filesystem::path file = model_->currentData().toString().toStdString();
+  if (file.empty()) {
+    show_note(tr("Choose a robot file."), false);
+    return;
+  }
+  show_note(tr("Reading %1…").arg(QString::fromStdString(file.filename().string())), false);
+  const bool is_of_library =
+      file.parent_path().parent_path() == geometric::resource_dir() / "robots";
+  job_.run(
+      [this, file, is_of_library, plugins = plugins_](const std::stop_token&) -> LatestJob::Answer {
+        try {
+          RobotInstance robot = read_robot(file, *plugins);
+          if (is_of_library) {
+            robot.file = file.stem();
+          }
+          return [this, read = std::move(robot)] { take_robot(read); };
+        } catch (const std::exception& error) {
+          return [this, message = QString::fromUtf8(error.what())] { show_note(message, true); };
+        }
+      });
+}
+
+void AddRobotDialog::take_robot(RobotInstance robot) {
+  const geometric::RobotModel& model = *robot.model;
+  name_->setText(QString::fromStdString(unused_name(*editor_.state().scene, robot.name)));
+  QString words = tr("%1 links, %2 joints that move on their own.")
+                      .arg(model.link_count())
+                      .arg(model.variable_count());
+  const auto warnings = static_cast<int>(model.description().warnings.size());
+  if (warnings > 0) {
+    words += QLatin1Char(' ') + QString::fromStdString(model.description().warnings.front());
+    words += warnings > 1 ? tr(" And %1 more in the messages.").arg(warnings - 1) : QString();
+  }
+  show_note(words, false);
+  robot_ = std::move(robot);
+  add_->setEnabled(true);
+  show_place();
+}
+
+void AddRobotDialog::show_note(const QString& note, bool is_problem) {
+  note_->setText(is_problem ? QStringLiteral("<span style=\"color:%1\">%2</span>")
+                                  .arg(html(colors_of(current_theme()).bad), note.toHtmlEscaped())
+                            : note.toHtmlEscaped());
+}
+
+void AddRobotDialog::show_place() {
+  X_ = chosen_link() || !robot_ ? geometric::Pose::Identity() : free_place_(*robot_);
+  pose_->show_pose(X_);
+}
+
+void AddRobotDialog::add() {
+  if (!robot_) {
+    return;
+  }
+  RobotInstance robot = *robot_;
+  robot.name = unused_name(*editor_.state().scene, name_->text().trimmed().isEmpty()
+                                                       ? robot.name
+                                                       : name_->text().trimmed().toStdString());
+  const std::optional<LinkOfRobot> on = chosen_link();
+  robot.X_WB = on ? geometric::Pose::Identity() : X_;
+  QStringList warnings;
+  for (const std::string& warning : robot.model->description().warnings) {
+    warnings << QString::fromStdString(warning);
+  }
+  add_->setEnabled(false);
+  show_note(tr("Adding %1…").arg(QString::fromStdString(robot.name)), false);
+  const QString name = QString::fromStdString(robot.name);
+  editor_.add_robot(std::move(robot), on, X_, [this, name, warnings](const QString& problem) {
+    if (problem.isEmpty()) {
+      emit added(name, warnings.join(QLatin1Char('\n')));
+      accept();
+    } else {
+      show_note(problem, true);
+      add_->setEnabled(true);
+    }
+  });
+}
+
+}  // namespace handway::gui

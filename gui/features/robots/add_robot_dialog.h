@@ -1,0 +1,75 @@
+#pragma once
+
+#include "handway/geometric/scene/scene.h"
+#include "handway/planning/extensions/plugin.h"
+#include "model/document/robot_edits.h"
+#include "model/document/scene_editor.h"
+#include "model/jobs/background.h"
+
+#include <QDialog>
+#include <QString>
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+
+namespace handway::gui {
+
+class PoseForm;
+
+/// Asks for a robot of the library or of a file, and where it goes: into the world, or onto a link
+/// of a robot that is there. While it is open, a link that is selected in the tree or the view is
+/// the one that it goes on.
+class AddRobotDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  /// Where a robot that stands in the world goes. @param robot as it was read.
+  using FreePlace = std::function<geometric::Pose(const geometric::RobotInstance& robot)>;
+
+  /// Both outlive it.
+  AddRobotDialog(std::shared_ptr<const planning::PluginManager> plugins, SceneEditor& editor,
+                 FreePlace free_place, QWidget* parent = nullptr);
+
+  /// Reads a robot file and chooses it.
+  void choose_file(const std::filesystem::path& file);
+
+ signals:
+  /// @param warnings of its file, one a line.
+  void added(const QString& name, const QString& warnings);
+
+ private:
+  QWidget* make_form();
+  void list_library();
+  void list_links();
+  void browse();
+  void read_chosen();
+  void take_robot(geometric::RobotInstance robot);
+  void show_note(const QString& note, bool is_problem);
+  void show_place();
+  void follow_selection(const SceneItem& item);
+  [[nodiscard]] std::optional<LinkOfRobot> chosen_link() const;
+  void choose_link(const LinkOfRobot& link);
+  void add();
+
+  std::shared_ptr<const planning::PluginManager> plugins_;
+  SceneEditor& editor_;
+  FreePlace free_place_;
+  QComboBox* model_;
+  QLabel* note_;
+  QLineEdit* name_;
+  QComboBox* on_;
+  PoseForm* pose_;
+  QPushButton* add_;
+  geometric::Pose X_;                              ///< In the world or the chosen link.
+  std::optional<geometric::RobotInstance> robot_;  ///< As it was read; nothing: not yet.
+  LatestJob job_;
+};
+
+}  // namespace handway::gui

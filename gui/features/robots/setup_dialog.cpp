@@ -1,0 +1,374 @@
+#include "features/robots/setup_dialog.h"
+
+#include "handway/geometric/formats/srdf_writer.h"
+#include "handway/geometric/io/existing_file.h"
+#include "view3d/scene_view.h"
+#include "widgets/panels/dock_layout.h"
+#include "widgets/style/theme.h"
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QListWidget>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSplitter>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <utility>
+
+namespace handway::gui {
+namespace {
+
+using geometric::RobotFinding;
+using geometric::RobotModel;
+using geometric::WristOwner;
+
+constexpr int kSamples = 10'000;  // as `handway setup`
+constexpr std::uint64_t kSeed = 1;
+constexpr int kSteps = 100;  // of the progress bar
+enum Posture { kZero, kMiddle };
+
+QString joined(const std::vector<std::string>& names) {
+  QStringList words;
+  for (const std::string& name : names) {
+    words << QString::fromStdString(name);
+  }
+  return words.join(QStringLiteral(", "));
+}
+
+RobotFile robot_file(const std::string& name, const std::shared_ptr<const RobotModel>& model) {
+  std::filesystem::path srdf = model->description().file;
+  if (geometric::has_extension(srdf, ".urdf")) {
+    srdf.replace_extension(".srdf");
+  } else {
+    srdf.clear();
+  }
+  return {name, model, srdf};
+}
+
+}  // namespace
+
+std::vector<RobotFile> robot_files(const geometric::Scene& scene) {
+  std::vector<RobotFile> files;
+  for (const geometric::RobotInstance& robot : scene.robots) {
+    if (robot.parts.empty()) {
+      files.push_back(robot_file(robot.name, robot.model));
+    }
+    for (const geometric::RobotPart& part : robot.parts) {
+      files.push_back(robot_file(part.name, part.model));
+    }
+  }
+  return files;
+}
+
+SetupDialog::SetupDialog(SceneEditor& editor, const std::string& robot, QWidget* parent)
+    : QDialog(parent),
+      editor_(editor),
+      robots_(robot_files(*editor.state().scene)),
+      view_(new SceneView),
+      robot_(new QComboBox),
+      posture_(new QComboBox),
+      wrist_(new QComboBox),
+      wrist_label_(new QLabel(tr("Wrist"))),
+      group_text_(new QLabel),
+      list_(new QListWidget),
+      progress_(new QProgressBar),
+      cancel_(new QPushButton(tr("Stop"))),
+      again_(new QPushButton(tr("Sample again"))),
+      outcome_(new QLabel),
+      write_(new QPushButton(tr("Write SRDF"))) {
+  setObjectName(QStringLiteral("setup_dialog"));
+  setWindowTitle(tr("Robot setup"));
+  setAttribute(Qt::WA_DeleteOnClose);
+  auto* halves = new QSplitter;
+  halves->setChildrenCollapsible(false);
+  halves->addWidget(make_view());
+  halves->addWidget(make_panel());
+  halves->setStretchFactor(0, 3);
+  halves->setStretchFactor(1, 2);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(14, 12, 14, 14);
+  layout->setSpacing(10);
+  layout->addWidget(halves, 1);
+  layout->addWidget(make_buttons());
+  resize(within_window(*this, {scaled(960), scaled(640)}));
+  for (const RobotFile& file : robots_) {
+    robot_->addItem(icon("robot"), QString::fromStdString(file.name));
+  }
+  const auto asked = std::ranges::find(robots_, robot, &RobotFile::name);
+  robot_->setCurrentIndex(asked == robots_.end() ? 0 : static_cast<int>(asked - robots_.begin()));
+  connect(robot_, qOverload<int>(&QComboBox::currentIndexChanged), this, &SetupDialog::show_robot);
+  connect(&editor_.document(), &Document::opened, this, [this](Document::Opened what) {
+    if (what == Document::Opened::kScene) {
+      reject();
+    }
+  });
+  show_robot();
+}
+
+QWidget* SetupDialog::make_view() {
+  view_->set_colors(colors_of(current_theme()).view);
+  view_->set_cube_visible(false);
+  view_->setMinimumSize(scaled(260), scaled(240));
+  posture_->setObjectName(QStringLiteral("setup_posture"));
+  posture_->setAccessibleName(tr("Posture"));
+  posture_->addItem(tr("At the zero posture"));
+  posture_->addItem(tr("In the middle of all ranges"));
+  connect(posture_, qOverload<int>(&QComboBox::currentIndexChanged), this,
+          &SetupDialog::show_posture);
+  return stacked({view_, posture_}, 0);
+}
+
+QWidget* SetupDialog::make_choices() {
+  robot_->setObjectName(QStringLiteral("setup_robot"));
+  wrist_->setObjectName(QStringLiteral("setup_wrist"));
+  wrist_->setToolTip(tr("What the joints between root and palm belong to"));
+  wrist_->addItem(tr("Not decided: with the hand"));
+  wrist_->addItem(tr("Of the arm"));
+  wrist_->addItem(tr("Of the hand"));
+  group_text_->setObjectName(QStringLiteral("setup_groups"));
+  group_text_->setWordWrap(true);
+  group_text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  auto* box = new QWidget;
+  auto* form = new QFormLayout(box);
+  form->setContentsMargins(0, 0, 0, 0);
+  form->setHorizontalSpacing(10);
+  form->setVerticalSpacing(6);
+  form->addRow(tr("Robot"), robot_);
+  form->addRow(wrist_label_, wrist_);
+  form->addRow(group_text_);
+  connect(wrist_, qOverload<int>(&QComboBox::activated), this, &SetupDialog::examine);
+  return box;
+}
+
+QWidget* SetupDialog::make_panel() {
+  list_->setObjectName(QStringLiteral("setup_findings"));
+  list_->setAccessibleName(tr("What looks suspicious"));
+  list_->setWordWrap(true);
+  list_->setSpacing(3);
+  list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  list_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+  progress_->setObjectName(QStringLiteral("setup_progress"));
+  progress_->setRange(0, kSteps);
+  progress_->setFormat(tr("Sampling self-collisions, %p %"));
+  cancel_->setObjectName(QStringLiteral("setup_stop"));
+  cancel_->setToolTip(tr("Go on with the samples that there are"));
+  again_->setObjectName(QStringLiteral("setup_again"));
+  for (QPushButton* button : {cancel_, again_}) {
+    button->setAutoDefault(false);
+  }
+  auto* heading = new QLabel(tr("What looks suspicious"));
+  heading->setProperty("role", "heading");
+  auto* sampling = new QHBoxLayout;
+  sampling->addWidget(progress_, 1);
+  sampling->addWidget(cancel_);
+  sampling->addWidget(again_);
+  auto* panel = new QWidget;
+  auto* layout = new QVBoxLayout(panel);
+  layout->setContentsMargins(10, 0, 0, 0);
+  layout->setSpacing(8);
+  layout->addWidget(make_choices());
+  layout->addLayout(sampling);
+  layout->addWidget(heading);
+  layout->addWidget(list_, 1);
+  connect(list_, &QListWidget::currentRowChanged, this, &SetupDialog::show_finding);
+  connect(cancel_, &QPushButton::clicked, this, [this] { stop_.request_stop(); });
+  connect(again_, &QPushButton::clicked, this, &SetupDialog::sample);
+  return panel;
+}
+
+QWidget* SetupDialog::make_buttons() {
+  outcome_->setObjectName(QStringLiteral("setup_outcome"));
+  outcome_->setWordWrap(true);
+  outcome_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  write_->setObjectName(QStringLiteral("setup_write"));
+  write_->setProperty("role", "primary");
+  auto* close = new QPushButton(tr("Close"));
+  close->setAutoDefault(false);
+  connect(write_, &QPushButton::clicked, this, &SetupDialog::write);
+  connect(close, &QPushButton::clicked, this, &QDialog::reject);
+  auto* box = new QWidget;
+  auto* row = new QHBoxLayout(box);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->addWidget(outcome_, 1);
+  row->addWidget(close);
+  row->addWidget(write_);
+  return box;
+}
+
+const RobotFile& SetupDialog::chosen() const {
+  return robots_[static_cast<std::size_t>(robot_->currentIndex())];
+}
+
+WristOwner SetupDialog::wrist() const { return static_cast<WristOwner>(wrist_->currentIndex()); }
+
+void SetupDialog::show_robot() {
+  geometric::RobotInstance robot;
+  robot.name = chosen().name;
+  robot.model = chosen().model;
+  robot.configuration = robot.model->neutral();
+  geometric::Scene alone;
+  alone.robots = {robot};
+  view_->set_scene(std::make_shared<const geometric::Scene>(std::move(alone)));
+  wrist_->setCurrentIndex(0);
+  const QString file = QString::fromStdString(chosen().srdf.string());
+  show_outcome(file.isEmpty()
+                   ? tr("%1 comes from no URDF: export it as one first.").arg(robot_->currentText())
+               : std::filesystem::exists(chosen().srdf)
+                   ? tr("Brings %1 up to date; the rest of it stays.").arg(file)
+                   : tr("There is no SRDF yet: sampled pairs and proposed groups are used. "
+                        "Writes %1.")
+                         .arg(file),
+               false);
+  sample();
+}
+
+void SetupDialog::sample() {
+  sampled_ = {};
+  findings_.clear();
+  show_findings();
+  progress_->setValue(0);
+  cancel_->show();
+  again_->hide();
+  write_->setEnabled(false);
+  groups_ = geometric::decided_groups(*chosen().model, wrist());
+  show_groups();
+  stop_ = std::stop_source();
+  job_.run([this, model = chosen().model,
+            enough = stop_](const std::stop_token& stop) -> LatestJob::Answer {
+    std::stop_source either;
+    const std::stop_callback on_stop(stop, [&] { either.request_stop(); });
+    const std::stop_callback on_enough(enough.get_token(), [&] { either.request_stop(); });
+    const auto report = [this, step = 0](double share) mutable {
+      if (const int now = static_cast<int>(kSteps * share); now > std::exchange(step, now)) {
+        QMetaObject::invokeMethod(progress_, "setValue", Qt::QueuedConnection, Q_ARG(int, now));
+      }
+    };
+    return
+        [this, sampled = geometric::sample_self_collisions(
+                   *model, kSamples, kSeed, either.get_token(), report)] { take_samples(sampled); };
+  });
+}
+
+void SetupDialog::take_samples(geometric::SelfCollisionSamples sampled) {
+  sampled_ = std::move(sampled);
+  progress_->setValue(kSteps);
+  cancel_->hide();
+  again_->show();
+  write_->setEnabled(!chosen().srdf.empty());
+  examine();
+}
+
+void SetupDialog::examine() {
+  groups_ = geometric::decided_groups(*chosen().model, wrist());
+  show_groups();
+  if (sampled_.samples > 0) {
+    findings_ = geometric::examine_robot(*chosen().model, sampled_, groups_);
+    show_findings();
+  }
+}
+
+void SetupDialog::show_groups() {
+  const bool has_wrist = !geometric::propose_groups(*chosen().model).wrist.empty();
+  wrist_->setVisible(has_wrist);
+  wrist_label_->setVisible(has_wrist);
+  const auto row = [](const QString& name, const QString& value) {
+    return QStringLiteral("<b>%1</b> %2").arg(name, value.toHtmlEscaped());
+  };
+  QStringList rows;
+  const auto add = [&](const QString& name, const std::vector<std::string>& names) {
+    if (!names.empty()) {
+      rows << row(name, joined(names));
+    }
+  };
+  add(tr("Arm"), groups_.arm);
+  add(tr("Hand"), groups_.hand);
+  add(tr("Wrist"), groups_.wrist);
+  if (!groups_.palm.empty()) {
+    rows << row(tr("Palm"), QString::fromStdString(groups_.palm));
+    add(tr("Fingertips"), groups_.fingertips);
+  } else if (!groups_.tip.empty()) {
+    rows << row(tr("Tip"), QString::fromStdString(groups_.tip));
+  }
+  if (sampled_.samples > 0) {
+    const auto allowed = geometric::allowed_collisions(*chosen().model, sampled_).entries().size();
+    rows << tr("<b>Pairs that may touch</b> %1; %2 % of %3 random postures collide")
+                .arg(allowed)
+                .arg(100.0 * sampled_.colliding / sampled_.samples, 0, 'f', 1)
+                .arg(sampled_.samples);
+  }
+  group_text_->setText(rows.join(QStringLiteral("<br>")));
+}
+
+void SetupDialog::show_findings() {
+  list_->clear();
+  for (const RobotFinding& finding : findings_) {
+    auto* row = new QListWidgetItem(icon("warning"), QString::fromStdString(finding.found) +
+                                                         QLatin1Char('\n') +
+                                                         QString::fromStdString(finding.mend));
+    list_->addItem(row);
+  }
+  if (findings_.empty() && sampled_.samples > 0) {
+    auto* row = new QListWidgetItem(tr("Nothing: the robot is ready."));
+    row->setFlags(Qt::NoItemFlags);
+    list_->addItem(row);
+  }
+  view_->set_collisions({});
+}
+
+void SetupDialog::show_finding(int row) {
+  if (row < 0 || row >= static_cast<int>(findings_.size())) {
+    return;
+  }
+  const RobotFinding& finding = findings_[static_cast<std::size_t>(row)];
+  posture_->setCurrentIndex(finding.at_middle ? kMiddle : kZero);
+  view_->set_collisions(finding.links);
+}
+
+void SetupDialog::show_posture() {
+  const RobotModel& model = *chosen().model;
+  view_->set_configuration(posture_->currentIndex() == kMiddle
+                               ? geometric::Configuration(0.5 * (model.lower() + model.upper()))
+                               : model.neutral());
+}
+
+void SetupDialog::show_outcome(const QString& words, bool is_problem) {
+  outcome_->setText(is_problem
+                        ? QStringLiteral("<span style=\"color:%1\">%2</span>")
+                              .arg(html(colors_of(current_theme()).bad), words.toHtmlEscaped())
+                        : words.toHtmlEscaped());
+}
+
+void SetupDialog::write() {
+  RobotFile& robot = robots_[static_cast<std::size_t>(robot_->currentIndex())];
+  geometric::RobotDescription description =
+      geometric::with_setup(*robot.model, sampled_, groups_, wrist());
+  const QString file = QString::fromStdString(robot.srdf.string());
+  try {
+    if (wrist() != WristOwner::kUndecided) {
+      geometric::write_srdf(description, robot.srdf);
+    } else {
+      geometric::update_srdf(description, robot.srdf);
+    }
+  } catch (const std::exception& error) {
+    show_outcome(QString::fromUtf8(error.what()), true);
+    return;
+  }
+  description.warnings.clear();
+  robot.model = std::make_shared<const RobotModel>(std::move(description));
+  write_->setEnabled(false);
+  show_outcome(tr("Writing %1…").arg(file), false);
+  editor_.set_model(robot.name, robot.model, [this, file](const QString& problem) {
+    show_outcome(problem.isEmpty() ? tr("Wrote %1; the scene goes on with it.").arg(file) : problem,
+                 !problem.isEmpty());
+    write_->setEnabled(true);
+    if (problem.isEmpty()) {
+      emit written(file);
+    }
+  });
+}
+
+}  // namespace handway::gui

@@ -1,0 +1,95 @@
+#pragma once
+
+#include "handway/geometric/robot/group_proposal.h"
+#include "handway/geometric/scene/scene.h"
+#include "handway/geometric/setup/collision_sampling.h"
+#include "handway/geometric/setup/robot_findings.h"
+#include "handway/geometric/setup/robot_setup.h"
+#include "model/document/scene_editor.h"
+#include "model/jobs/background.h"
+
+#include <QDialog>
+#include <QString>
+
+#include <filesystem>
+#include <memory>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+class QComboBox;
+class QLabel;
+class QListWidget;
+class QProgressBar;
+class QPushButton;
+
+namespace handway::gui {
+
+class SceneView;
+
+/// One of the robots of a scene, or of those mounted on each other, by the file it came from.
+struct RobotFile {
+  std::string name;
+  std::shared_ptr<const geometric::RobotModel> model;
+  std::filesystem::path srdf;  ///< Beside the robot's file; empty: that is no URDF.
+};
+
+[[nodiscard]] std::vector<RobotFile> robot_files(const geometric::Scene& scene);
+
+/// What `handway setup` does, with the robot to look at: samples self-collisions, proposes groups,
+/// lists what looks suspicious with its mend and shows it in the view, writes the SRDF and lets the
+/// scene go on with it.
+class SetupDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  /// @param editor outlives it; its scene has a robot. @param robot of robot_files(); by name.
+  SetupDialog(SceneEditor& editor, const std::string& robot, QWidget* parent = nullptr);
+
+  /// Whether pairs are still being sampled.
+  [[nodiscard]] bool is_busy() const { return job_.is_busy(); }
+  [[nodiscard]] const std::vector<geometric::RobotFinding>& findings() const { return findings_; }
+
+ signals:
+  void written(const QString& file);
+
+ private:
+  QWidget* make_view();
+  QWidget* make_panel();
+  QWidget* make_choices();
+  QWidget* make_buttons();
+  void show_robot();
+  void sample();
+  void take_samples(geometric::SelfCollisionSamples sampled);
+  void examine();
+  void show_groups();
+  void show_findings();
+  void show_finding(int row);
+  void show_posture();
+  void show_outcome(const QString& words, bool is_problem);
+  void write();
+  [[nodiscard]] const RobotFile& chosen() const;
+  [[nodiscard]] geometric::WristOwner wrist() const;
+
+  SceneEditor& editor_;
+  std::vector<RobotFile> robots_;
+  geometric::SelfCollisionSamples sampled_;
+  geometric::GroupProposal groups_;
+  std::vector<geometric::RobotFinding> findings_;
+  SceneView* view_;
+  QComboBox* robot_;
+  QComboBox* posture_;
+  QComboBox* wrist_;
+  QLabel* wrist_label_;
+  QLabel* group_text_;
+  QListWidget* list_;
+  QProgressBar* progress_;
+  QPushButton* cancel_;
+  QPushButton* again_;
+  QLabel* outcome_;
+  QPushButton* write_;
+  std::stop_source stop_;  ///< Of the samples, which are enough then.
+  LatestJob job_;
+};
+
+}  // namespace handway::gui

@@ -1,0 +1,83 @@
+#pragma once
+
+#include "handway/geometric/math/pose.h"
+#include "handway/geometric/scene/scene.h"
+#include "handway/sampling/postures/pmd_basis.h"
+#include "model/document/scene_edits.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// Edits of a scene's robots: adding, mounting on each other, removing. `q` is always where the
+/// first robot is shown.
+
+namespace handway::gui {
+
+/// A link of a robot or of a part of one.
+struct LinkOfRobot {
+  std::string robot;  ///< Robot or part.
+  std::string link;   ///< By its own name for it.
+
+  friend bool operator==(const LinkOfRobot&, const LinkOfRobot&) = default;
+};
+
+/// What carries a mounted part; nothing of a robot that stands in the world.
+[[nodiscard]] std::optional<LinkOfRobot> carrier_of(const geometric::Scene& scene,
+                                                    const std::string& robot);
+/// Names of the robots and, after each, of those mounted on it.
+[[nodiscard]] std::vector<std::string> robot_names(const geometric::Scene& scene);
+/// Where `robot` could be mounted: all links of robots and parts that it does not carry itself.
+[[nodiscard]] std::vector<LinkOfRobot> mounting_places(const geometric::Scene& scene,
+                                                       const std::string& robot);
+/// The link of a composed robot by its part and the part's own name for it.
+[[nodiscard]] LinkOfRobot own_link(const geometric::Scene& scene, const std::string& robot,
+                                   const std::string& link);
+/// The base (root link) of a robot or part in the world; nothing if there is none of that name.
+[[nodiscard]] std::optional<geometric::Pose> base_pose(const geometric::Scene& scene,
+                                                       const geometric::Configuration& q,
+                                                       const std::string& robot);
+/// The frame that a robot's pose is given in: the world, or the link that carries it.
+[[nodiscard]] geometric::Pose carrier_pose(const geometric::Scene& scene,
+                                           const geometric::Configuration& q,
+                                           const std::string& robot);
+
+/// The first hand basis of the library of which the robot has all joints, and its name.
+[[nodiscard]] std::optional<std::pair<std::string, sampling::PmdBasis>> fitting_basis(
+    const geometric::RobotModel& model);
+
+/// Adds a robot, standing at its X_WB or mounted, with the hand basis that fits the first robot
+/// then. @param robot with an unused name, see unused_name().
+/// @param X_LB of its base in the link `on`.
+/// @throws InputError if the parts make no robot, or names clash with those of objects.
+[[nodiscard]] SceneState with_robot(const SceneState& state, const geometric::Configuration& q,
+                                    geometric::RobotInstance robot,
+                                    const std::optional<LinkOfRobot>& on,
+                                    const geometric::Pose& X_LB);
+/// Mounts a robot or part, with all that it carries, on another link.
+/// @throws InputError as geometric::mount_robot().
+[[nodiscard]] SceneState with_mount(const SceneState& state, const geometric::Configuration& q,
+                                    const std::string& robot, const LinkOfRobot& on,
+                                    const geometric::Pose& X_LB);
+/// Stands a mounted part in the world, where it is.
+[[nodiscard]] SceneState without_mount(const SceneState& state, const geometric::Configuration& q,
+                                       const std::string& part);
+/// The base of a mounted part elsewhere in the world.
+[[nodiscard]] SceneState with_mount_at(const SceneState& state, const geometric::Configuration& q,
+                                       const std::string& part, const geometric::Pose& X_WB);
+/// With another model of the same joints and links, with which parts are composed again.
+[[nodiscard]] SceneState with_model(const SceneState& state, const geometric::Configuration& q,
+                                    const std::string& robot,
+                                    std::shared_ptr<const geometric::RobotModel> model);
+/// @pre it is not the only robot. See geometric::remove_robot().
+[[nodiscard]] SceneState without_robot(const SceneState& state, const geometric::Configuration& q,
+                                       const std::string& robot);
+/// Plans for another robot than before: start, goal and all else that was said of the first goes.
+/// @param robot stands in the world.
+[[nodiscard]] SceneState with_first_robot(const SceneState& state,
+                                          const geometric::Configuration& q,
+                                          const std::string& robot);
+
+}  // namespace handway::gui

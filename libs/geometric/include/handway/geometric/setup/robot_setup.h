@@ -1,0 +1,26 @@
+#pragma once
+
+#include "handway/geometric/export.h"
+#include "handway/geometric/robot/group_proposal.h"
+#include "handway/geometric/robot/robot_description.h"
+#include "handway/geometric/robot/robot_model.h"
+#include "handway/geometric/setup/collision_sampling.h"
+
+namespace handway::geometric {
+
+/// What the joints between root and palm belong to, which the tree alone does not say.
+enum class WristOwner { kUndecided, kArm, kHand };
+
+/// propose_groups(), with the wrist counted to the arm or the hand if somebody has decided that.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT GroupProposal decided_groups(const RobotModel& model,
+                                                                    WristOwner wrist);
+
+/// The robot with the allowed-collision matrix that was sampled and the groups and end effectors
+/// that it has not. Pairs that somebody has allowed (User) stay.
+/// @param sampled of this model. @param groups decided_groups() of it.
+/// @param wrist if it is decided, the groups "arm" and "hand" that there are are replaced.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT RobotDescription
+with_setup(const RobotModel& model, const SelfCollisionSamples& sampled,
+           const GroupProposal& groups, WristOwner wrist);
+
+}  // namespace handway::geometric

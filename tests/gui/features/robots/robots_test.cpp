@@ -1,0 +1,200 @@
+#include "features/editing/editing_test.h"
+#include "features/editing/scene_tree.h"
+#include "features/robots/add_robot_dialog.h"
+#include "features/robots/robot_files.h"
+#include "handway/geometric/formats/robot_loader.h"
+#include "handway/geometric/formats/scene_reader.h"
+#include "model/document/robot_edits.h"
+#include "patience.h"
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFileDialog>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPointer>
+#include <QPushButton>
+#include <QTimer>
+#include <QTreeWidget>
+
+namespace handway::test {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using Kind = gui::SceneItem::Kind;
+
+class Robots : public EditingTest {
+ protected:
+  [[nodiscard]] gui::AddRobotDialog& dialog() const { return tool<gui::AddRobotDialog>(); }
+  [[nodiscard]] bool wait_until(const std::function<bool()>& condition) const {
+    return QTest::qWaitFor(condition, kPatienceMs);
+  }
+  void settle() const {
+    ASSERT_TRUE(wait_until([&] { return !editor().is_composing(); }));
+  }
+  void begin_to_add(const std::string& file) const {
+    part<QAction>("robot").trigger();
+    dialog().choose_file(files_ / file);
+    ASSERT_TRUE(wait_until([&] {
+      return !part<QLabel>("add_robot_note").text().startsWith(QLatin1String("Reading"));
+    }));
+  }
+  void choose(const char* box, const QString& text) const {
+    auto& choice = part<QComboBox>(box);
+    const int row = choice.findText(text);
+    ASSERT_GE(row, 0) << text.toStdString();
+    choice.setCurrentIndex(row);
+    emit choice.activated(row);
+  }
+  /// Mounts the gripper on the palm.
+  void mount_gripper() const {
+    begin_to_add("gripper.urdf");
+    choose("add_robot_on", QStringLiteral("palm of arm"));
+    click("add_robot_now");
+    settle();
+  }
+  [[nodiscard]] const geometric::RobotInstance& robot() const { return scene().robots.front(); }
+
+  RobotFiles files_;
+};
+
+TEST_F(Robots, AreMountedOnALinkInOneEditThatCanBeUndone) {
+  const gui::SceneState before = editor().state();
+  geometric::Configuration q = window().document().configuration();
+  q[0] = 0.3;
+  window().document().set_configuration(q);
+  mount_gripper();
+  ASSERT_EQ(scene().robots.size(), 1U);
+  ASSERT_EQ(robot().parts.size(), 2U);
+  EXPECT_EQ(robot().parts[1].name, "gripper");
+  EXPECT_EQ(robot().parts[1].link, "palm");
+  EXPECT_EQ(editor().undo_stack().undoText(), "Mount gripper");
+  EXPECT_EQ(window().document().configuration().size(), q.size() + 3);
+  EXPECT_EQ(window().document().configuration()[0], 0.3) << "the arm stays where it is shown";
+  EXPECT_EQ(editor().selection(), (gui::SceneItem{Kind::kRobot, "gripper", ""}));
+  EXPECT_TRUE(window().view().gizmo().is_shown());
+  EXPECT_TRUE(wait_until([&] { return !window().findChild<gui::AddRobotDialog*>(); }));
+  keep_picture("mounted");
+  editor().undo_stack().undo();
+  EXPECT_EQ(editor().state(), before);
+  EXPECT_EQ(window().document().configuration(), q);
+  editor().undo_stack().redo();
+  EXPECT_EQ(robot().parts.size(), 2U);
+}
+
+TEST_F(Robots, GoOnTheLinkThatIsClickedWhileTheDialogIsOpen) {
+  begin_to_add("camera.urdf");
+  editor().click({Kind::kLink, "arm", "palm"}, false);
+  EXPECT_EQ(part<QComboBox>("add_robot_on").currentText(), "palm of arm");
+}
+
+TEST_F(Robots, StandInFreeSpaceWithoutAMount) {
+  begin_to_add("camera.urdf");
+  choose("add_robot_on", part<QComboBox>("add_robot_on").itemText(0));
+  part<QLineEdit>("add_robot_name").setText(QStringLiteral("eye"));
+  click("add_robot_now");
+  settle();
+  ASSERT_EQ(scene().robots.size(), 2U);
+  EXPECT_EQ(scene().robots[1].name, "eye");
+  EXPECT_FALSE(scene().robots[1].X_WB.isApprox(geometric::Pose::Identity()));
+  EXPECT_TRUE(scene().start) << "the query of the first robot stays";
+}
+
+TEST_F(Robots, SayWhatIsWrongWithTheirFile) {
+  begin_to_add("broken.urdf");
+  EXPECT_THAT(part<QLabel>("add_robot_note").text().toStdString(), HasSubstr("broken.urdf"));
+  EXPECT_FALSE(part<QPushButton>("add_robot_now").isEnabled());
+}
+
+TEST_F(Robots, MoveOnTheirMountByNumbersAndByHandles) {
+  mount_gripper();
+  EXPECT_EQ(part<QComboBox>("mounted_on").currentText(), "palm of arm");
+  type("position_z", "50 mm");
+  settle();
+  EXPECT_NEAR(robot().parts[1].X_LB.translation().z(), 0.05, 1e-12);
+  geometric::Pose X_WO = *editor().selected_pose();
+  X_WO.translation().z() += 0.02;
+  emit window().view().dropped(editor().selection(), X_WO);
+  settle();
+  EXPECT_NEAR(robot().parts[1].X_LB.translation().z(), 0.07, 1e-9);
+  EXPECT_EQ(editor().undo_stack().undoText(), "Move gripper");
+}
+
+TEST_F(Robots, AreMountedElsewhereTakenOffAndRemoved) {
+  mount_gripper();
+  choose("mounted_on", QStringLiteral("World"));
+  settle();
+  ASSERT_EQ(scene().robots.size(), 2U);
+  EXPECT_EQ(scene().robots[1].name, "gripper");
+  choose("mounted_on", QStringLiteral("palm of arm"));
+  settle();
+  ASSERT_EQ(scene().robots.size(), 1U);
+  ASSERT_TRUE(part<QAction>("delete").isEnabled());
+  part<QAction>("delete").trigger();
+  settle();
+  EXPECT_TRUE(robot().parts.empty());
+  editor().select({Kind::kRobot, "arm", ""});
+  EXPECT_FALSE(part<QAction>("delete").isEnabled()) << "a scene keeps one robot";
+}
+
+TEST_F(Robots, AreSeenInTheTreeWithWhatCarriesThem) {
+  mount_gripper();
+  const auto rows = window().findChild<gui::SceneTree*>()->findItems(
+      QStringLiteral("gripper"), Qt::MatchExactly | Qt::MatchRecursive);
+  ASSERT_EQ(rows.size(), 1);
+  EXPECT_EQ(rows.front()->parent()->text(0), "arm");
+  EXPECT_THAT(rows.front()->toolTip(0).toStdString(), HasSubstr("mounted on palm of arm"));
+  EXPECT_GT(rows.front()->childCount(), 0);
+}
+
+TEST_F(Robots, ArePlannedWithAsAWhole) {
+  mount_gripper();
+  plan();
+  ASSERT_FALSE(window().player().timeline().empty());
+  EXPECT_EQ(window().player().timeline().at(0.0).size(), robot().model->variable_count());
+  editor().undo_stack().undo();
+  EXPECT_TRUE(window().player().timeline().empty()) << "the path was another robot's";
+}
+
+TEST_F(Robots, AreSavedWithTheScene) {
+  mount_gripper();
+  const std::filesystem::path file = files_ / "scene.yaml";
+  window().document().save(file, window().workbench().plan_settings.choice());
+  const geometric::Scene read = geometric::read_scene(file);
+  ASSERT_EQ(read.robots.size(), 1U);
+  EXPECT_EQ(read.robots.front().parts[1].name, "gripper");
+}
+
+TEST_F(Robots, AreExportedAsOne) {
+  mount_gripper();
+  const std::filesystem::path file = files_ / "whole.urdf";
+  QTimer::singleShot(300, &window(), [&] {
+    auto* dialog = window().findChild<QFileDialog*>(QStringLiteral("export_robot_dialog"));
+    ASSERT_TRUE(dialog);
+    dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))
+        ->setText(QString::fromStdString(file.string()));
+    dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Save)->click();
+  });
+  part<QAction>("export_robot").trigger();
+  EXPECT_EQ(window().message(), QString());
+  EXPECT_EQ(geometric::load_robot(file)->variable_count(), robot().model->variable_count());
+  EXPECT_TRUE(std::filesystem::exists(files_ / "whole.srdf"));
+}
+
+TEST_F(Robots, CanBePlannedForInTurn) {
+  begin_to_add("gripper.urdf");
+  choose("add_robot_on", part<QComboBox>("add_robot_on").itemText(0));
+  click("add_robot_now");
+  settle();
+  part<QAction>("plan_for_robot").trigger();
+  EXPECT_EQ(robot().name, "gripper");
+  EXPECT_FALSE(scene().goal);
+  EXPECT_EQ(window().document().configuration().size(), 3);
+  editor().undo_stack().undo();
+  EXPECT_EQ(robot().name, "arm");
+  EXPECT_TRUE(scene().goal);
+}
+
+}  // namespace
+}  // namespace handway::test
