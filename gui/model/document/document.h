@@ -175,8 +175,9 @@ class Document : public QObject {
   void set_scene(planning::LoadedScene scene, const std::filesystem::path& file = {});
   /// Shows none.
   void close();
-  /// Replaces the scene by an edited one, and the hand's basis; opened() follows where its robots are
-  /// others, edited() in any case. Joints that the first robot has in both stay where they are shown.
+  /// Replaces the scene by an edited one, and the hand's basis; opened() follows where its robots
+  /// are others, edited() in any case. Joints that the first robot has in both stay where they are
+  /// shown.
   void set_state(SceneState state);
   /// Moves the first robot, unless it is shown as measured. @param q shape [variable_count].
   void set_configuration(const geometric::Configuration& q);
