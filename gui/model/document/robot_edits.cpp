@@ -68,7 +68,8 @@ SceneState settled(const SceneState& before, Scene scene) {
   refuse_clashes(scene);
   SceneState next = before;
   const geometric::RobotModel& model = *scene.robots.front().model;
-  if (next.basis && !has_all_joints(model, *next.basis)) {
+  const bool is_for_another = scene.hand_basis != before.scene->hand_basis;
+  if (next.basis && (is_for_another || !has_all_joints(model, *next.basis))) {
     next.basis.reset();
     scene.hand_basis.clear();
   }
@@ -235,13 +236,7 @@ SceneState without_robot(const SceneState& state, const Configuration& q,
 SceneState with_first_robot(const SceneState& state, const Configuration& q,
                             const std::string& robot) {
   Scene scene = shown_scene(state, q);
-  const auto first = std::ranges::find(scene.robots, robot, &RobotInstance::name);
-  std::rotate(scene.robots.begin(), first, first + 1);
-  scene.start.reset();
-  scene.goal.reset();
-  scene.goal_poses.clear();
-  scene.constraints.clear();
-  scene.postures.clear();
+  geometric::put_first(scene, robot);
   return settled(state, std::move(scene));
 }
 

@@ -79,24 +79,41 @@ std::map<std::string, const RobotPart*> part_of_links(const std::vector<RobotPar
   return owners;
 }
 
+// A mount, as the names of two parts, and the pairs of their links that overlap in every posture.
+using OverlapsAtMounts =
+    std::map<std::pair<std::string, std::string>, std::vector<AllowedCollisions::Pair>>;
+
+void warn_of_overlaps(const OverlapsAtMounts& overlaps, RobotDescription& description) {
+  for (const auto& [parts, pairs] : overlaps) {
+    const auto& [a, b] = pairs.front();
+    description.warnings.push_back(fmt::format(
+        "{} and {} overlap in every posture, and are not checked: {} with {}{}. Look whether the "
+        "pose of the mount is right",
+        parts.first, parts.second, a, b,
+        pairs.size() > 1 ? fmt::format(" and {} more", pairs.size() - 1) : ""));
+  }
+}
+
 // Only what is of different parts: each part has its own matrix already.
 void allow_at_mounts(const std::vector<RobotPart>& parts, RobotDescription& description) {
   const auto owners = part_of_links(parts);
   const AllowedCollisions sampled =
       sample_overlapping_links(RobotModel(description), kSamples, kSeed);
+  OverlapsAtMounts overlaps;
   for (const auto& [pair, reason] : sampled.entries()) {
-    const bool is_at_mount = owners.at(pair.first) != owners.at(pair.second);
-    if (!is_at_mount || reason == AllowedReason::kDefault) {
+    const RobotPart& first = *owners.at(pair.first);
+    const RobotPart& second = *owners.at(pair.second);
+    if (&first == &second || reason == AllowedReason::kDefault) {
       continue;
     }
     description.allowed_collisions.allow(pair.first, pair.second, reason);
     if (reason == AllowedReason::kAlways) {
-      description.warnings.push_back(fmt::format(
-          "{} of {} and {} of {} overlap in every posture, and are not checked: look "
-          "whether the pose of the mount is right",
-          pair.first, owners.at(pair.first)->name, pair.second, owners.at(pair.second)->name));
+      const bool in_order = &first < &second;
+      overlaps[in_order ? std::pair(first.name, second.name) : std::pair(second.name, first.name)]
+          .push_back(in_order ? pair : AllowedCollisions::Pair(pair.second, pair.first));
     }
   }
+  warn_of_overlaps(overlaps, description);
 }
 
 /// Old and new names of what is in parts that both robots have.
@@ -170,6 +187,81 @@ void rename_in_query(Scene& scene, const RobotInstance& before, const RobotInsta
     posture.values = std::move(values);
   }
   std::erase_if(scene.postures, [](const NamedPosture& posture) { return posture.values.empty(); });
+}
+
+/// A link of a part, by the part's own name.
+using LinkOfPart = std::pair<std::string, std::string>;
+
+// As Scene::may_touch names links: those of the first robot by their names alone.
+std::map<std::string, LinkOfPart> links_by_body(const Scene& scene) {
+  std::map<std::string, LinkOfPart> links;
+  for (const RobotInstance& robot : scene.robots) {
+    const bool is_first = &robot == &scene.robots.front();
+    for (const RobotPart& part : parts_of(robot)) {
+      for (const auto& [own, composed] : part.links) {
+        links[is_first ? composed : robot.name + "/" + composed] = {part.name, own};
+      }
+    }
+  }
+  return links;
+}
+
+// Which pairs are checked, with the links' names in the robots of now; pairs of links that are gone
+// go.
+void keep_collisions(const Scene& before, Scene& scene) {
+  const std::map<std::string, LinkOfPart> old_links = links_by_body(before);
+  std::map<LinkOfPart, std::string> bodies;
+  for (const auto& [body, link] : links_by_body(scene)) {
+    bodies[link] = body;
+  }
+  const auto name_now = [&](const std::string& body) -> std::optional<std::string> {
+    const auto link = old_links.find(body);
+    if (link == old_links.end()) {
+      return body;  // an object
+    }
+    const auto now = bodies.find(link->second);
+    return now == bodies.end() ? std::nullopt : std::optional(now->second);
+  };
+  scene.may_touch.clear();
+  for (const auto& [pair, touch] : before.may_touch) {
+    const auto a = name_now(pair.first);
+    const auto b = name_now(pair.second);
+    if (a && b) {
+      scene.may_touch[std::minmax(*a, *b)] = touch;
+    }
+  }
+}
+
+void keep_paddings(const Scene& before, Scene& scene) {
+  std::map<LinkOfPart, Padding> paddings;
+  const auto each_link = [](const RobotInstance& robot, const auto& visit) {
+    for (const RobotPart& part : parts_of(robot)) {
+      for (const auto& [own, composed] : part.links) {
+        visit(LinkOfPart(part.name, own), composed);
+      }
+    }
+  };
+  for (const RobotInstance& robot : before.robots) {
+    each_link(robot, [&](const LinkOfPart& link, const std::string& composed) {
+      if (const auto found = robot.padding.find(composed); found != robot.padding.end()) {
+        paddings[link] = found->second;
+      }
+    });
+  }
+  for (RobotInstance& robot : scene.robots) {
+    robot.padding.clear();
+    each_link(robot, [&](const LinkOfPart& link, const std::string& composed) {
+      if (const auto found = paddings.find(link); found != paddings.end()) {
+        robot.padding[composed] = found->second;
+      }
+    });
+  }
+}
+
+// What the scene says of links by the names that they had before.
+void keep_said_of_links(const Scene& before, Scene& scene) {
+  keep_collisions(before, scene);
+  keep_paddings(before, scene);
 }
 
 std::size_t needed_robot(const Scene& scene, const RobotInstance* found, const std::string& name) {
@@ -282,17 +374,14 @@ void release_objects(Scene& scene, const RobotInstance& robot) {
   }
 }
 
-void take_out(Scene& scene, std::size_t index) {
-  release_objects(scene, scene.robots[index]);
-  scene.robots.erase(scene.robots.begin() + static_cast<std::ptrdiff_t>(index));
-  if (index == 0) {  // start, goal and the like were of that robot
-    scene.start.reset();
-    scene.goal.reset();
-    scene.goal_poses.clear();
-    scene.constraints.clear();
-    scene.postures.clear();
-    scene.hand_basis.clear();
-  }
+// Start, goal and all else that is about the first robot.
+void forget_query(Scene& scene) {
+  scene.start.reset();
+  scene.goal.reset();
+  scene.goal_poses.clear();
+  scene.constraints.clear();
+  scene.postures.clear();
+  scene.hand_basis.clear();
 }
 
 }  // namespace
@@ -314,13 +403,14 @@ void mount_robot(Scene& scene, const std::string& robot, const std::string& carr
     throw InputError({scene.file.string(), "robot " + robot, "a mount on " + carrier,
                       "another robot: " + robot + " carries " + carrier + " already", ""});
   }
-  const RobotInstance alone = scene.robots[added];
-  const RobotInstance before = scene.robots[onto];
+  const Scene old_scene = scene;
+  const RobotInstance& alone = old_scene.robots[added];
+  const RobotInstance& before = old_scene.robots[onto];
   const RobotInstance whole = mounted(before, carrier, link, alone, X_LB);
   rename_in_objects(scene, before, whole);
   rename_in_objects(scene, alone, whole);
   if (std::min(added, onto) == 0) {
-    const RobotInstance& first = scene.robots.front();
+    const RobotInstance& first = old_scene.robots.front();
     const RobotInstance& other = added == 0 ? before : alone;
     for (std::optional<Configuration>* q : {&scene.start, &scene.goal}) {
       if (*q) {
@@ -333,6 +423,7 @@ void mount_robot(Scene& scene, const std::string& robot, const std::string& carr
   }
   scene.robots[std::min(added, onto)] = whole;
   scene.robots.erase(scene.robots.begin() + static_cast<std::ptrdiff_t>(std::max(added, onto)));
+  keep_said_of_links(old_scene, scene);
 }
 
 void move_mount(Scene& scene, const std::string& part, const Pose& X_LB) {
@@ -348,8 +439,9 @@ void move_mount(Scene& scene, const std::string& part, const Pose& X_LB) {
 }
 
 void unmount_robot(Scene& scene, const std::string& part) {
-  Split parts = split(scene, part);
-  const RobotInstance before = scene.robots[parts.index];
+  const Split parts = split(scene, part);
+  const Scene old_scene = scene;
+  const RobotInstance& before = old_scene.robots[parts.index];
   scene.robots[parts.index] = parts.rest;
   scene.robots.insert(scene.robots.begin() + static_cast<std::ptrdiff_t>(parts.index) + 1,
                       parts.off);
@@ -358,6 +450,7 @@ void unmount_robot(Scene& scene, const std::string& part) {
   }
   rename_in_objects(scene, before, parts.off);
   rename_in_objects(scene, before, parts.rest);
+  keep_said_of_links(old_scene, scene);
 }
 
 void remove_robot(Scene& scene, const std::string& name) {
@@ -366,7 +459,23 @@ void remove_robot(Scene& scene, const std::string& name) {
     unmount_robot(scene, name);
     robot = find_robot(scene, name);
   }
-  take_out(scene, static_cast<std::size_t>(robot - scene.robots.data()));
+  const Scene old_scene = scene;
+  const auto index = needed_robot(scene, robot, name);
+  release_objects(scene, *robot);
+  scene.robots.erase(scene.robots.begin() + static_cast<std::ptrdiff_t>(index));
+  if (index == 0) {
+    forget_query(scene);
+  }
+  keep_said_of_links(old_scene, scene);
+}
+
+void put_first(Scene& scene, const std::string& name) {
+  const Scene old_scene = scene;
+  const auto first = scene.robots.begin() +
+                     static_cast<std::ptrdiff_t>(needed_robot(scene, find_robot(scene, name), name));
+  std::rotate(scene.robots.begin(), first, first + 1);
+  forget_query(scene);
+  keep_said_of_links(old_scene, scene);
 }
 
 }  // namespace handway::geometric

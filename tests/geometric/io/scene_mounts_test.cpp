@@ -214,6 +214,18 @@ TEST(SceneMounts, AskAboutLinksThatOverlapInEveryPosture) {
                                                       HasSubstr("flange"), HasSubstr("body"))));
 }
 
+TEST(SceneMounts, AskOnceForEachMountThatIsPosedBadly) {
+  const Robots files;
+  const Scene scene = files.scene(R"(robots:
+  - {name: arm, model: arm.urdf}
+  - {name: hand, model: gripper.urdf, mount: {robot: arm, link: upper, pose: {xyz: [0, 0.03, 0.47]}}}
+)");
+  EXPECT_THAT(scene.warnings, testing::Contains(HasSubstr("overlap in every posture")).Times(1));
+  EXPECT_THAT(scene.warnings,
+              testing::Contains(AllOf(HasSubstr("arm and hand overlap in every posture"),
+                                      HasSubstr("flange with finger_r and 1 more"))));
+}
+
 TEST(SceneMounts, CountAsADifferenceOfScenes) {
   const Robots files;
   const Scene before = files.scene(kArmAndHand);
@@ -349,6 +361,61 @@ goal_pose: {link: tip_l, xyz: [0, 0, 1]}
   mount_robot(scene, "hand", "arm", "flange", Pose::Identity());
   EXPECT_EQ(scene.goal_poses[0].link, "tip_l");
   EXPECT_EQ(scene.goal_poses[1].link, "hand/base");
+}
+
+constexpr const char* kCollisions = R"(robots:
+  - {name: arm, model: arm.urdf, padding: {upper: 0.01}}
+  - {name: hand, model: gripper.urdf, base: {xyz: [2, 0, 0]}, padding: {base: 0.02, tip_l: 0.03}}
+  - {name: other, model: camera.urdf, base: {xyz: [4, 0, 0]}}
+objects:
+  - {name: box, box: {size: [0.01, 0.01, 0.01]}}
+collisions:
+  allowed: [[box, flange], [hand/base, other/body], [box, hand/tip_l]]
+  checked: [[hand/base, hand/tip_l], [base, upper]]
+)";
+
+using Touching = std::map<AllowedCollisions::Pair, bool>;
+using Paddings = std::map<std::string, Padding>;
+
+TEST(MountRobot, KeepsPaddingAndWhichPairsAreChecked) {
+  const Robots files;
+  Scene scene = files.scene(kCollisions);
+  const Scene before = scene;
+  mount_robot(scene, "hand", "arm", "flange", Pose(Eigen::Translation3d(0, 0, 0.1)));
+  EXPECT_EQ(scene.may_touch, (Touching{{{"box", "flange"}, true},
+                                       {{"hand/base", "other/body"}, true},
+                                       {{"box", "tip_l"}, true},
+                                       {{"hand/base", "tip_l"}, false},
+                                       {{"base", "upper"}, false}}));
+  EXPECT_EQ(scene.robots[0].padding,
+            (Paddings{{"upper", {.distance = 0.01}}, {"hand/base", {.distance = 0.02}},
+                      {"tip_l", {.distance = 0.03}}}));
+  unmount_robot(scene, "hand");
+  EXPECT_EQ(scene.may_touch, before.may_touch);
+  EXPECT_EQ(scene.robots[0].padding, before.robots[0].padding);
+  EXPECT_EQ(scene.robots[1].padding, before.robots[1].padding);
+}
+
+TEST(RemoveRobot, ForgetsItsPairsAndNamesTheLinksOfTheNextFirstAlone) {
+  const Robots files;
+  Scene scene = files.scene(kCollisions);
+  remove_robot(scene, "arm");
+  EXPECT_EQ(scene.may_touch, (Touching{{{"base", "other/body"}, true},
+                                       {{"box", "tip_l"}, true},
+                                       {{"base", "tip_l"}, false}}));
+}
+
+TEST(PutFirst, NamesLinksAsTheNewOrderHasThem) {
+  const Robots files;
+  Scene scene = files.scene(kCollisions);
+  put_first(scene, "hand");
+  EXPECT_EQ(scene.robots.front().name, "hand");
+  EXPECT_EQ(scene.may_touch, (Touching{{{"arm/flange", "box"}, true},
+                                       {{"base", "other/body"}, true},
+                                       {{"box", "tip_l"}, true},
+                                       {{"base", "tip_l"}, false},
+                                       {{"arm/base", "arm/upper"}, false}}));
+  EXPECT_EQ(scene.robots.front().padding.size(), 2U);
 }
 
 TEST(ComposedRobot, FindsJointsOfPartsByTheirOwnNames) {

@@ -41,4 +41,9 @@ HANDWAY_GEOMETRIC_EXPORT void unmount_robot(Scene& scene, const std::string& par
 /// @throws InputError if there is no such robot.
 HANDWAY_GEOMETRIC_EXPORT void remove_robot(Scene& scene, const std::string& name);
 
+/// Makes a robot that stands in the world the first, which is planned for. Start, goal and all else
+/// that the scene says of the former one goes.
+/// @throws InputError if there is no such robot.
+HANDWAY_GEOMETRIC_EXPORT void put_first(Scene& scene, const std::string& name);
+
 }  // namespace handway::geometric
