@@ -124,7 +124,7 @@ void add_robots(Workbench& workbench) {
   first->setObjectName(QStringLiteral("plan_for_robot"));
   workbench.add_to_menu(MainMenu::kAdd, {0, 0}, add);
   workbench.add_to_menu(MainMenu::kFile, {1, 12}, write);
-  workbench.add_to_menu(MainMenu::kEdit, {3, 10}, first);
+  workbench.add_to_menu(MainMenu::kPlan, {3, 10}, first);
   workbench.add_to_menu(MainMenu::kEdit, {3, 11}, setup);
   workbench.add_to_menu(MainMenu::kContext, {3, 11}, setup);
   workbench.add_to_menu(MainMenu::kContext, {3, 10}, first);

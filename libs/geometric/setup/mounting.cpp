@@ -471,8 +471,8 @@ void remove_robot(Scene& scene, const std::string& name) {
 
 void put_first(Scene& scene, const std::string& name) {
   const Scene old_scene = scene;
-  const auto first = scene.robots.begin() +
-                     static_cast<std::ptrdiff_t>(needed_robot(scene, find_robot(scene, name), name));
+  const auto first = scene.robots.begin() + static_cast<std::ptrdiff_t>(
+                                                needed_robot(scene, find_robot(scene, name), name));
   std::rotate(scene.robots.begin(), first, first + 1);
   forget_query(scene);
   keep_said_of_links(old_scene, scene);
