@@ -1,5 +1,6 @@
 #include "app/file_commands.h"
 
+#include "app/start/new_scene_dialog.h"
 #include "app/start/start_page.h"
 #include "features/workbench.h"
 #include "handway/geometric/io/existing_file.h"
@@ -98,37 +99,28 @@ FileCommands::FileCommands(Workbench& workbench)
   connect(close_, &QAction::triggered, &workbench_, &Workbench::close);
 }
 
-QMenu* FileCommands::make_new_menu() {
-  auto* menu = new QMenu(tr("&New with"), &workbench_.window);
-  for (const std::string& robot : geometric::resource_names(geometric::ResourceKind::kRobot)) {
-    if (menu->isEmpty()) {
-      make_new_command(robot);
+void FileCommands::choose_new() {
+  auto* dialog = new NewSceneDialog(&workbench_.window);
+  if (const geometric::RobotInstance* robot = workbench_.document.robot()) {
+    std::vector<std::string> open{robot->file.string()};
+    for (const geometric::RobotPart& part : robot->parts) {
+      open.push_back(part.file.string());
     }
-    connect(menu->addAction(QString::fromStdString(robot)), &QAction::triggered, &workbench_,
-            [this, robot] { workbench_.create(robot); });
+    dialog->choose(open);
   }
-  return menu;
-}
-
-// A new scene with the robot of the one that is open, if it is of the library.
-void FileCommands::make_new_command(const std::string& first_robot) {
-  QAction* create = workbench_.make_action("", tr("&New"), QKeySequence::New,
-                                           tr("Begin a new scene with the same robot"));
-  workbench_.add_to_menu(MainMenu::kFile, {0, -1}, create);
-  connect(create, &QAction::triggered, &workbench_, [this, first_robot] {
-    const std::vector<std::string> known =
-        geometric::resource_names(geometric::ResourceKind::kRobot);
-    const geometric::RobotInstance* robot = workbench_.document.robot();
-    const std::string open = robot ? robot->model->name() : std::string();
-    workbench_.create(std::ranges::count(known, open) > 0 ? open : first_robot);
-  });
+  connect(dialog, &NewSceneDialog::chosen, &workbench_, &Workbench::create);
+  dialog->open();
 }
 
 void FileCommands::place_actions() {
   QAction* quit =
       workbench_.make_action("", tr("&Quit"), keys_of(QKeySequence::Quit, "Ctrl+Q"), {});
   connect(quit, &QAction::triggered, &workbench_.window, &QWidget::close);
-  workbench_.add_to_menu(MainMenu::kFile, {0, 0}, make_new_menu()->menuAction());
+  QAction* create = workbench_.make_action("", tr("&New…"), QKeySequence::New,
+                                           tr("Begin a new scene with an arm and a hand"));
+  create->setObjectName(QStringLiteral("new_scene"));
+  connect(create, &QAction::triggered, this, &FileCommands::choose_new);
+  workbench_.add_to_menu(MainMenu::kFile, {0, 0}, create);
   workbench_.add_to_menu(MainMenu::kFile, {0, 1}, open_);
   workbench_.add_to_menu(MainMenu::kFile, {0, 2}, recent_->menuAction());
   workbench_.add_to_menu(MainMenu::kFile, {1, 0}, save_);

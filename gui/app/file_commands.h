@@ -40,6 +40,8 @@ class FileCommands : public QObject {
 
   /// The scene that is shown is another one, or none.
   void show_scene();
+  /// Asks for the robots of a new scene, those that are open chosen at first.
+  void choose_new();
   /// Asks for a scene and opens it.
   void open();
   /// @returns whether it was saved.
@@ -52,8 +54,6 @@ class FileCommands : public QObject {
   void saved();
 
  private:
-  [[nodiscard]] QMenu* make_new_menu();
-  void make_new_command(const std::string& first_robot);
   void place_actions();
   bool save_to(const QString& file);
   /// Asks for a file and puts a picture of the view there.

@@ -64,6 +64,7 @@ void MainWindow::build_middle() {
   connect(start_page_, &StartPage::open_requested, this, &MainWindow::open);
   connect(start_page_, &StartPage::browse_requested, files_, &FileCommands::open);
   connect(start_page_, &StartPage::new_requested, this, &MainWindow::create);
+  connect(start_page_, &StartPage::choice_requested, files_, &FileCommands::choose_new);
   connect(&workbench_, &Workbench::theme_changed, start_page_, &StartPage::refresh);
   connect(&workbench_, &Workbench::theme_changed, &bar, &PlaybackBar::refresh_icons);
 }

@@ -25,7 +25,7 @@ class MainWindow : public QMainWindow {
   void begin(const Options& options);
   void open(const QString& file) { workbench_.open(file.toStdString()); }
   /// Begins a new scene with a robot of the library.
-  void create(const std::string& robot) { workbench_.create(robot); }
+  void create(const std::string& robot) { workbench_.create(robot, {}); }
 
   [[nodiscard]] Workbench& workbench() { return workbench_; }
   [[nodiscard]] Document& document() { return workbench_.document; }

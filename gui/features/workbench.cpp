@@ -260,10 +260,10 @@ void Workbench::open(const std::filesystem::path& file, const Options& with) {
   }
 }
 
-void Workbench::create(const std::string& robot) {
+void Workbench::create(const std::string& robot, const std::string& hand) {
   if (may_leave()) {
     options = {};
-    document.create(robot);
+    document.create(robot, hand);
   }
 }
 

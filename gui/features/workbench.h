@@ -131,8 +131,9 @@ class Workbench : public QObject {
   [[nodiscard]] QString scene_name() const;
   /// Opens a file unless something keeps the scene from being left.
   void open(const std::filesystem::path& file, const Options& with = {});
-  /// Begins a new scene with a robot of the library, likewise.
-  void create(const std::string& robot);
+  /// Begins a new scene with a robot of the library and a hand on it, likewise. @param hand empty:
+  /// none.
+  void create(const std::string& robot, const std::string& hand);
   /// Shows the start page, likewise.
   void close();
   /// @param may_leave asked before the scene or the program is left; returns false to stay.

@@ -114,12 +114,12 @@ TEST(Readme, ShowsCommandsThatWork) {
   EXPECT_GE(commands, 3);
 }
 
-// The commands of the section in their order, in a folder with two robots that have no SRDF.
-TEST(RobotsManual, GoesFromTwoRobotFilesToAPath) {
+// The commands of the page in their order, in a folder with two robots that have no SRDF.
+TEST(BringYourOwnRobot, GoesFromTwoRobotFilesToAGrasp) {
   namespace fs = std::filesystem;
   const ScratchFolder scratch;
   const fs::path robots = source_dir() / "resources/robots";
-  for (const auto& [name, shipped] : {std::pair("arm", "tx90"), std::pair("hand", "sah_right")}) {
+  for (const auto& [name, shipped] : {std::pair("arm", "iiwa14_class"), std::pair("hand", "allegro_class_right")}) {
     const fs::path folder = scratch.path() / name;
     fs::create_directory(folder);
     fs::create_directory_symlink(robots / shipped / "meshes", folder / "meshes");
@@ -127,9 +127,9 @@ TEST(RobotsManual, GoesFromTwoRobotFilesToAPath) {
                   folder / (std::string(name) + ".urdf"));
   }
   const std::string text =
-      section(read_text(source_dir() / "docs" / "robots.md"), "Bring your own robot");
+      section(read_text(source_dir() / "docs" / "bring-your-own-robot.md"), "On the command line");
   const std::size_t yaml = text.find("```yaml\n") + 8;
-  std::ofstream(scratch.path() / "reach.yaml") << text.substr(yaml, text.find("```", yaml) - yaml);
+  std::ofstream(scratch.path() / "grasp.yaml") << text.substr(yaml, text.find("```", yaml) - yaml);
   std::istringstream lines(text);
   int commands = 0;
   for (std::string line; std::getline(lines, line);) {

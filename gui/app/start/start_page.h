@@ -1,7 +1,5 @@
 #pragma once
 
-#include <QAbstractButton>
-#include <QPixmap>
 #include <QScrollArea>
 #include <QString>
 
@@ -23,27 +21,6 @@ struct ShippedScene {
 /// In alphabetical order; empty if the program's scenes are not where they belong.
 [[nodiscard]] std::vector<ShippedScene> shipped_scenes();
 
-/// A picture with a name below it, to be clicked.
-class SceneCard : public QAbstractButton {
-  Q_OBJECT
-
- public:
-  static constexpr int kWidth = 232;
-  static constexpr int kPictureHeight = 145;
-
-  SceneCard(const QString& title, const QString& picture, QWidget* parent = nullptr);
-
-  [[nodiscard]] QSize sizeHint() const override;
-
- protected:
-  void paintEvent(QPaintEvent* event) override;
-  void enterEvent(QEvent* event) override;
-  void leaveEvent(QEvent* event) override;
-
- private:
-  QPixmap picture_;
-};
-
 /// What an empty window shows: scenes to open, robots to begin with, recent files.
 class StartPage : public QScrollArea {
   Q_OBJECT
@@ -58,6 +35,8 @@ class StartPage : public QScrollArea {
   void open_requested(const QString& file);
   void browse_requested();
   void new_requested(const std::string& robot);
+  /// To choose an arm and a hand from pictures.
+  void choice_requested();
 
  private:
   void add_scenes(QVBoxLayout& layout);

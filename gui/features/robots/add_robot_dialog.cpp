@@ -1,7 +1,8 @@
 #include "features/robots/add_robot_dialog.h"
 
+#include "handway/geometric/formats/urdf_reader.h"
+#include "handway/geometric/io/package_folder.h"
 #include "handway/geometric/io/resources.h"
-#include "handway/geometric/robot/group_proposal.h"
 #include "handway/planning/extensions/importer.h"
 #include "model/meshes/shaded_meshes.h"
 #include "widgets/forms/quantity_field.h"
@@ -11,6 +12,7 @@
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -31,6 +33,8 @@ using geometric::RobotInstance;
 constexpr int kLinkRole = Qt::UserRole + 1;
 constexpr int kWidth = 440;  // px
 
+QString path_key() { return QStringLiteral("package_path"); }
+
 QString folder_key() { return QStringLiteral("robot_folder"); }
 
 // A robot that a scene is made of already is one robot from here on.
@@ -47,19 +51,20 @@ RobotInstance read_robot(const std::filesystem::path& file,
   return robot;
 }
 
-// The end of an arm without a hand: where hands and tools go.
-std::optional<LinkOfRobot> end_of_arm(const geometric::Scene& scene) {
-  if (scene.robots.empty()) {
-    return std::nullopt;
+}  // namespace
+
+void use_package_path() {
+  for (const QString& folder : QSettings().value(path_key()).toStringList()) {
+    geometric::add_package_path(folder.toStdString());
   }
-  const RobotInstance& robot = scene.robots.front();
-  const geometric::GroupProposal groups = geometric::propose_groups(*robot.model);
-  return groups.tip.empty() || !robot.parts.empty()
-             ? std::nullopt
-             : std::optional(LinkOfRobot{robot.name, groups.tip});
 }
 
-}  // namespace
+void remember_package_path(const QString& folder) {
+  QStringList folders = QSettings().value(path_key()).toStringList();
+  folders.removeAll(folder);
+  QSettings().setValue(path_key(), folders << folder);
+  geometric::add_package_path(folder.toStdString());
+}
 
 AddRobotDialog::AddRobotDialog(std::shared_ptr<const planning::PluginManager> plugins,
                                SceneEditor& editor, FreePlace free_place, QWidget* parent)
@@ -69,6 +74,7 @@ AddRobotDialog::AddRobotDialog(std::shared_ptr<const planning::PluginManager> pl
       free_place_(std::move(free_place)),
       model_(new QComboBox),
       note_(new QLabel),
+      search_(new QPushButton(tr("Look for the meshes in a folder…"))),
       name_(new QLineEdit),
       on_(new QComboBox),
       pose_(new PoseForm),
@@ -119,7 +125,11 @@ QWidget* AddRobotDialog::make_form() {
   for (QComboBox* choice : {model_, on_}) {
     choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   }
+  search_->setObjectName(QStringLiteral("add_robot_search"));
+  search_->setAutoDefault(false);
+  connect(search_, &QPushButton::clicked, this, &AddRobotDialog::search);
   auto* model_row = new QHBoxLayout;
+  model_row->setSpacing(8);
   model_row->addWidget(model_, 1);
   model_row->addWidget(browse_button);
   auto* form = new QWidget;
@@ -129,6 +139,7 @@ QWidget* AddRobotDialog::make_form() {
   rows->setVerticalSpacing(8);
   rows->addRow(tr("Robot"), model_row);
   rows->addRow(QString(), note_);
+  rows->addRow(QString(), search_);
   rows->addRow(tr("Name"), name_);
   rows->addRow(tr("Mounted on"), on_);
   rows->addRow(tr("Pose"), pose_);
@@ -190,15 +201,30 @@ void AddRobotDialog::follow_selection(const SceneItem& item) {
 }
 
 void AddRobotDialog::browse() {
-  QFileDialog dialog(this, tr("Choose a robot"), QSettings().value(folder_key()).toString(),
-                     tr("Robots (*.urdf *.sdf *.xml *.yaml);;All files (*)"));
+  const QString file =
+      ask_for(tr("Choose a robot"), tr("Robots (*.urdf *.sdf *.xml *.yaml);;All files (*)"));
+  if (!file.isEmpty()) {
+    QSettings().setValue(folder_key(), QFileInfo(file).absolutePath());
+    choose_file(file.toStdString());
+  }
+}
+
+void AddRobotDialog::search() {
+  const QString folder = ask_for(tr("Choose a folder with the meshes"), QString());
+  if (!folder.isEmpty()) {
+    remember_package_path(folder);
+    read_chosen();
+  }
+}
+
+QString AddRobotDialog::ask_for(const QString& title, const QString& filter) {
+  QFileDialog dialog(this, title, QSettings().value(folder_key()).toString(), filter);
   dialog.setObjectName(QStringLiteral("robot_file_dialog"));
   dialog.setOption(QFileDialog::DontUseNativeDialog);
-  dialog.setFileMode(QFileDialog::ExistingFile);
-  if (dialog.exec() == QDialog::Accepted && !dialog.selectedFiles().isEmpty()) {
-    QSettings().setValue(folder_key(), dialog.directory().absolutePath());
-    choose_file(dialog.selectedFiles().front().toStdString());
-  }
+  dialog.setFileMode(filter.isEmpty() ? QFileDialog::Directory : QFileDialog::ExistingFile);
+  return dialog.exec() == QDialog::Accepted && !dialog.selectedFiles().isEmpty()
+             ? dialog.selectedFiles().front()
+             : QString();
 }
 
 void AddRobotDialog::choose_file(const std::filesystem::path& file) {
@@ -211,6 +237,7 @@ void AddRobotDialog::choose_file(const std::filesystem::path& file) {
 void AddRobotDialog::read_chosen() {
   robot_.reset();
   add_->setEnabled(false);
+  search_->hide();
   const std::filesystem::path file = model_->currentData().toString().toStdString();
   if (file.empty()) {
     show_note(tr("Choose a robot file."), false);
@@ -227,6 +254,11 @@ void AddRobotDialog::read_chosen() {
             robot.file = file.stem();
           }
           return [this, read = std::move(robot)] { take_robot(read); };
+        } catch (const geometric::MissingMeshError& error) {
+          return [this, message = QString::fromUtf8(error.what())] {
+            show_note(message, true);
+            search_->show();
+          };
         } catch (const std::exception& error) {
           return [this, message = QString::fromUtf8(error.what())] { show_note(message, true); };
         }

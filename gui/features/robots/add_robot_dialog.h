@@ -23,6 +23,12 @@ namespace handway::gui {
 
 class PoseForm;
 
+/// Folders in which meshes of robots were found, kept between runs: has them looked through for
+/// packages and meshes. To be called once.
+void use_package_path();
+/// Adds one.
+void remember_package_path(const QString& folder);
+
 /// Asks for a robot of the library or of a file, and where it goes: into the world, or onto a link
 /// of a robot that is there. While it is open, a link that is selected in the tree or the view is
 /// the one that it goes on.
@@ -49,6 +55,10 @@ class AddRobotDialog : public QDialog {
   void list_library();
   void list_links();
   void browse();
+  /// Asks for a folder and looks there for the meshes that the robot's file names in vain.
+  void search();
+  /// @returns empty if nobody chose. @param filter empty: for a folder.
+  [[nodiscard]] QString ask_for(const QString& title, const QString& filter);
   void read_chosen();
   void take_robot(geometric::RobotInstance robot);
   void show_note(const QString& note, bool is_problem);
@@ -63,6 +73,7 @@ class AddRobotDialog : public QDialog {
   FreePlace free_place_;
   QComboBox* model_;
   QLabel* note_;
+  QPushButton* search_;
   QLineEdit* name_;
   QComboBox* on_;
   PoseForm* pose_;

@@ -107,6 +107,7 @@ void set_up_robot(Workbench& workbench) {
 }  // namespace
 
 void add_robots(Workbench& workbench) {
+  use_package_path();
   QAction* add = workbench.make_action("robot", QObject::tr("&Robot…"), {},
                                        QObject::tr("Add a robot, a hand, a tool or a fixture, on "
                                                    "its own or mounted on a link"));

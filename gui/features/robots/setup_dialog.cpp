@@ -1,5 +1,6 @@
 #include "features/robots/setup_dialog.h"
 
+#include "features/robots/pair_table.h"
 #include "handway/geometric/formats/srdf_writer.h"
 #include "handway/geometric/io/existing_file.h"
 #include "view3d/scene_view.h"
@@ -13,10 +14,13 @@
 #include <QListWidget>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QSignalBlocker>
 #include <QSplitter>
+#include <QTabWidget>
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <initializer_list>
 #include <utility>
 
 namespace handway::gui {
@@ -75,6 +79,10 @@ SetupDialog::SetupDialog(SceneEditor& editor, const std::string& robot, QWidget*
       wrist_label_(new QLabel(tr("Wrist"))),
       group_text_(new QLabel),
       list_(new QListWidget),
+      tabs_(new QTabWidget),
+      kind_(new QComboBox),
+      pairs_(new PairTable),
+      sampling_(new QLabel(tr("Sampling self-collisions"))),
       progress_(new QProgressBar),
       cancel_(new QPushButton(tr("Stop"))),
       again_(new QPushButton(tr("Sample again"))),
@@ -144,6 +152,52 @@ QWidget* SetupDialog::make_choices() {
   return box;
 }
 
+QWidget* SetupDialog::make_sampling() {
+  progress_->setObjectName(QStringLiteral("setup_progress"));
+  progress_->setRange(0, kSteps);
+  progress_->setTextVisible(false);
+  progress_->setAccessibleName(sampling_->text());
+  cancel_->setObjectName(QStringLiteral("setup_stop"));
+  cancel_->setToolTip(tr("Go on with the samples that there are"));
+  again_->setObjectName(QStringLiteral("setup_again"));
+  for (QPushButton* button : {cancel_, again_}) {
+    button->setAutoDefault(false);
+  }
+  connect(cancel_, &QPushButton::clicked, this, [this] { stop_.request_stop(); });
+  connect(again_, &QPushButton::clicked, this, &SetupDialog::sample);
+  auto* box = new QWidget;
+  auto* row = new QHBoxLayout(box);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->addWidget(sampling_);
+  row->addWidget(progress_, 1);
+  row->addWidget(cancel_);
+  row->addStretch();
+  row->addWidget(again_);
+  return box;
+}
+
+QWidget* SetupDialog::make_pairs() {
+  kind_->setObjectName(QStringLiteral("setup_pair_kind"));
+  kind_->setAccessibleName(tr("Pairs that are listed"));
+  connect(kind_, qOverload<int>(&QComboBox::currentIndexChanged), pairs_, &PairTable::show_kind);
+  connect(pairs_, &PairTable::decided, this, [this](const geometric::AllowedCollisions::Pair& pair, bool may_touch) {
+    may_touch_[pair] = may_touch;
+    // Not within the signal of a row: its table is filled again.
+    QMetaObject::invokeMethod(this, &SetupDialog::show_pairs, Qt::QueuedConnection);
+  });
+  connect(pairs_, &PairTable::looked_at, this,
+          [this](const geometric::AllowedCollisions::Pair& pair) {
+            view_->set_collisions({pair.first, pair.second});
+          });
+  auto* page = new QWidget;
+  auto* layout = new QVBoxLayout(page);
+  layout->setContentsMargins(0, 8, 0, 0);
+  layout->setSpacing(6);
+  layout->addWidget(kind_);
+  layout->addWidget(pairs_, 1);
+  return page;
+}
+
 QWidget* SetupDialog::make_panel() {
   list_->setObjectName(QStringLiteral("setup_findings"));
   list_->setAccessibleName(tr("What looks suspicious"));
@@ -151,32 +205,17 @@ QWidget* SetupDialog::make_panel() {
   list_->setSpacing(3);
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   list_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
-  progress_->setObjectName(QStringLiteral("setup_progress"));
-  progress_->setRange(0, kSteps);
-  progress_->setFormat(tr("Sampling self-collisions, %p %"));
-  cancel_->setObjectName(QStringLiteral("setup_stop"));
-  cancel_->setToolTip(tr("Go on with the samples that there are"));
-  again_->setObjectName(QStringLiteral("setup_again"));
-  for (QPushButton* button : {cancel_, again_}) {
-    button->setAutoDefault(false);
-  }
-  auto* heading = new QLabel(tr("What looks suspicious"));
-  heading->setProperty("role", "heading");
-  auto* sampling = new QHBoxLayout;
-  sampling->addWidget(progress_, 1);
-  sampling->addWidget(cancel_);
-  sampling->addWidget(again_);
+  tabs_->setObjectName(QStringLiteral("setup_tabs"));
+  tabs_->addTab(list_, tr("Suspicious"));
+  tabs_->addTab(make_pairs(), tr("Pairs of links"));
   auto* panel = new QWidget;
   auto* layout = new QVBoxLayout(panel);
   layout->setContentsMargins(10, 0, 0, 0);
   layout->setSpacing(8);
   layout->addWidget(make_choices());
-  layout->addLayout(sampling);
-  layout->addWidget(heading);
-  layout->addWidget(list_, 1);
+  layout->addWidget(make_sampling());
+  layout->addWidget(tabs_, 1);
   connect(list_, &QListWidget::currentRowChanged, this, &SetupDialog::show_finding);
-  connect(cancel_, &QPushButton::clicked, this, [this] { stop_.request_stop(); });
-  connect(again_, &QPushButton::clicked, this, &SetupDialog::sample);
   return panel;
 }
 
@@ -187,6 +226,7 @@ QWidget* SetupDialog::make_buttons() {
   write_->setObjectName(QStringLiteral("setup_write"));
   write_->setProperty("role", "primary");
   auto* close = new QPushButton(tr("Close"));
+  close->setObjectName(QStringLiteral("setup_close"));
   close->setAutoDefault(false);
   connect(write_, &QPushButton::clicked, this, &SetupDialog::write);
   connect(close, &QPushButton::clicked, this, &QDialog::reject);
@@ -201,6 +241,10 @@ QWidget* SetupDialog::make_buttons() {
 
 const RobotFile& SetupDialog::chosen() const {
   return robots_[static_cast<std::size_t>(robot_->currentIndex())];
+}
+
+geometric::RobotDescription SetupDialog::set_up() const {
+  return geometric::with_setup(*chosen().model, sampled_, groups_, {wrist(), may_touch_});
 }
 
 WristOwner SetupDialog::wrist() const { return static_cast<WristOwner>(wrist_->currentIndex()); }
@@ -229,9 +273,13 @@ void SetupDialog::show_robot() {
 void SetupDialog::sample() {
   sampled_ = {};
   findings_.clear();
+  may_touch_.clear();
   show_findings();
+  show_pairs();
   progress_->setValue(0);
-  cancel_->show();
+  for (QWidget* part : std::initializer_list<QWidget*>{sampling_, progress_, cancel_}) {
+    part->show();
+  }
   again_->hide();
   write_->setEnabled(false);
   groups_ = geometric::decided_groups(*chosen().model, wrist());
@@ -255,8 +303,9 @@ void SetupDialog::sample() {
 
 void SetupDialog::take_samples(geometric::SelfCollisionSamples sampled) {
   sampled_ = std::move(sampled);
-  progress_->setValue(kSteps);
-  cancel_->hide();
+  for (QWidget* part : std::initializer_list<QWidget*>{sampling_, progress_, cancel_}) {
+    part->hide();
+  }
   again_->show();
   write_->setEnabled(!chosen().srdf.empty());
   examine();
@@ -268,6 +317,7 @@ void SetupDialog::examine() {
   if (sampled_.samples > 0) {
     findings_ = geometric::examine_robot(*chosen().model, sampled_, groups_);
     show_findings();
+    show_pairs();
   }
 }
 
@@ -294,9 +344,7 @@ void SetupDialog::show_groups() {
     rows << row(tr("Tip"), QString::fromStdString(groups_.tip));
   }
   if (sampled_.samples > 0) {
-    const auto allowed = geometric::allowed_collisions(*chosen().model, sampled_).entries().size();
-    rows << tr("<b>Pairs that may touch</b> %1; %2 % of %3 random postures collide")
-                .arg(allowed)
+    rows << tr("%1 % of %2 random postures collide")
                 .arg(100.0 * sampled_.colliding / sampled_.samples, 0, 'f', 1)
                 .arg(sampled_.samples);
   }
@@ -316,7 +364,20 @@ void SetupDialog::show_findings() {
     row->setFlags(Qt::NoItemFlags);
     list_->addItem(row);
   }
+  tabs_->setTabText(0, sampled_.samples > 0 ? tr("Suspicious (%1)").arg(findings_.size())
+                                            : tr("Suspicious"));
   view_->set_collisions({});
+}
+
+void SetupDialog::show_pairs() {
+  const int kind = std::max(0, kind_->currentIndex());
+  pairs_->show_pairs(sampled_, sampled_.samples > 0 ? set_up().allowed_collisions
+                                                    : geometric::AllowedCollisions());
+  const QSignalBlocker quiet(kind_);
+  kind_->clear();
+  kind_->addItems(pairs_->kinds());
+  kind_->setCurrentIndex(kind);
+  pairs_->show_kind(kind);
 }
 
 void SetupDialog::show_finding(int row) {
@@ -344,8 +405,7 @@ void SetupDialog::show_outcome(const QString& words, bool is_problem) {
 
 void SetupDialog::write() {
   RobotFile& robot = robots_[static_cast<std::size_t>(robot_->currentIndex())];
-  geometric::RobotDescription description =
-      geometric::with_setup(*robot.model, sampled_, groups_, wrist());
+  geometric::RobotDescription description = set_up();
   const QString file = QString::fromStdString(robot.srdf.string());
   try {
     if (wrist() != WristOwner::kUndecided) {

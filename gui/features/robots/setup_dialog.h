@@ -12,6 +12,7 @@
 #include <QString>
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <stop_token>
 #include <string>
@@ -22,9 +23,11 @@ class QLabel;
 class QListWidget;
 class QProgressBar;
 class QPushButton;
+class QTabWidget;
 
 namespace handway::gui {
 
+class PairTable;
 class SceneView;
 
 /// One of the robots of a scene, or of those mounted on each other, by the file it came from.
@@ -57,6 +60,8 @@ class SetupDialog : public QDialog {
   QWidget* make_view();
   QWidget* make_panel();
   QWidget* make_choices();
+  QWidget* make_sampling();
+  QWidget* make_pairs();
   QWidget* make_buttons();
   void show_robot();
   void sample();
@@ -65,17 +70,21 @@ class SetupDialog : public QDialog {
   void show_groups();
   void show_findings();
   void show_finding(int row);
+  void show_pairs();
   void show_posture();
   void show_outcome(const QString& words, bool is_problem);
   void write();
   [[nodiscard]] const RobotFile& chosen() const;
   [[nodiscard]] geometric::WristOwner wrist() const;
+  /// Robot with what was sampled and decided.
+  [[nodiscard]] geometric::RobotDescription set_up() const;
 
   SceneEditor& editor_;
   std::vector<RobotFile> robots_;
   geometric::SelfCollisionSamples sampled_;
   geometric::GroupProposal groups_;
   std::vector<geometric::RobotFinding> findings_;
+  std::map<geometric::AllowedCollisions::Pair, bool> may_touch_;  ///< By hand.
   SceneView* view_;
   QComboBox* robot_;
   QComboBox* posture_;
@@ -83,6 +92,10 @@ class SetupDialog : public QDialog {
   QLabel* wrist_label_;
   QLabel* group_text_;
   QListWidget* list_;
+  QTabWidget* tabs_;
+  QComboBox* kind_;
+  PairTable* pairs_;
+  QLabel* sampling_;
   QProgressBar* progress_;
   QPushButton* cancel_;
   QPushButton* again_;

@@ -1,8 +1,10 @@
 #include "model/document/document.h"
 
 #include "handway/geometric/formats/scene_writer.h"
+#include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/resources.h"
 #include "handway/geometric/robot/composed_robot.h"
+#include "handway/geometric/setup/mounting.h"
 #include "handway/planning/queries/palm_ik.h"
 #include "handway/sampling/postures/pmd_basis_io.h"
 #include "model/document/robot_edits.h"
@@ -123,19 +125,37 @@ void RecordedHand::read() {
 
 using geometric::ResourceKind;
 
-planning::LoadedScene new_scene(const std::string& robot, const planning::PluginManager& plugins) {
+namespace {
+
+geometric::RobotInstance library_robot(const std::string& name,
+                                       const planning::PluginManager& plugins) {
   const planning::LoadedScene loaded = planning::load_scene(
-      geometric::find_resource(ResourceKind::kRobot, robot, geometric::resource_dir()), plugins);
-  geometric::Scene scene = *loaded.scene;
-  scene.name.clear();
-  scene.file.clear();
-  scene.robots.front().file = robot;
-  std::shared_ptr<const sampling::PmdBasis> basis = loaded.basis;
-  if (!basis) {
-    if (auto fitting = fitting_basis(*scene.robots.front().model)) {
-      scene.hand_basis = fitting->first;
-      basis = std::make_shared<const sampling::PmdBasis>(std::move(fitting->second));
+      geometric::find_resource(ResourceKind::kRobot, name, geometric::resource_dir()), plugins);
+  geometric::RobotInstance robot = loaded.scene->robots.front();
+  robot.file = name;
+  return robot;
+}
+
+}  // namespace
+
+planning::LoadedScene new_scene(const std::string& robot, const std::string& hand,
+                                const planning::PluginManager& plugins) {
+  geometric::Scene scene;
+  scene.robots = {library_robot(robot, plugins)};
+  if (!hand.empty()) {
+    const std::optional<LinkOfRobot> end = end_of_arm(scene);
+    if (!end) {
+      throw geometric::InputError(
+          {"", "robot " + robot, "no end of an arm", "an arm without a hand", ""});
     }
+    scene.robots.push_back(library_robot(hand, plugins));
+    geometric::mount_robot(scene, scene.robots.back().name, end->robot, end->link,
+                           geometric::Pose::Identity());
+  }
+  std::shared_ptr<const sampling::PmdBasis> basis;
+  if (auto fitting = fitting_basis(*scene.robots.front().model)) {
+    scene.hand_basis = fitting->first;
+    basis = std::make_shared<const sampling::PmdBasis>(std::move(fitting->second));
   }
   return {std::make_shared<const geometric::Scene>(std::move(scene)), basis};
 }
@@ -164,8 +184,8 @@ void SceneLoader::load(const std::filesystem::path& file) {
   run([file, plugins = plugins_] { return planning::load_scene(file, *plugins); });
 }
 
-void SceneLoader::create(const std::string& robot) {
-  run([robot, plugins = plugins_] { return new_scene(robot, *plugins); });
+void SceneLoader::create(const std::string& robot, const std::string& hand) {
+  run([robot, hand, plugins = plugins_] { return new_scene(robot, hand, *plugins); });
 }
 
 void SceneLoader::run(std::function<planning::LoadedScene()> read) {
@@ -254,10 +274,10 @@ void Document::open_copy(const std::filesystem::path& copy, const std::filesyste
   loader_.load(copy);
 }
 
-void Document::create(const std::string& robot) {
+void Document::create(const std::string& robot, const std::string& hand) {
   requested_.clear();
   emit opening(QString::fromStdString(robot));
-  loader_.create(robot);
+  loader_.create(robot, hand);
 }
 
 void Document::close() {

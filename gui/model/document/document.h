@@ -86,9 +86,10 @@ class RecordedHand : public QObject {
   LatestJob job_;
 };
 
-/// A scene with nothing but a robot of the library, and the first hand basis of the
-/// library that fits it. @throws InputError if there is no such robot.
-[[nodiscard]] planning::LoadedScene new_scene(const std::string& robot,
+/// A scene with nothing but a robot of the library, and the first hand basis of the library that
+/// fits it. @param hand of the library, mounted on the end of the robot's arm; empty: none.
+/// @throws InputError if there is no such robot, or the robot has no end to mount a hand on.
+[[nodiscard]] planning::LoadedScene new_scene(const std::string& robot, const std::string& hand,
                                               const planning::PluginManager& plugins);
 
 /// Writes a scene as Handway's own format, the first robot standing at `shown`.
@@ -110,8 +111,8 @@ class SceneLoader : public QObject {
   /// Reads `file`, without waiting; what an earlier call is still reading is dropped.
   void load(const std::filesystem::path& file);
 
-  /// Makes a new scene with a robot of the library in the same way.
-  void create(const std::string& robot);
+  /// Makes a new scene with a robot of the library, and a hand on it, in the same way.
+  void create(const std::string& robot, const std::string& hand);
   /// Drops what is still being read.
   void cancel() { ++generation_; }
 
@@ -166,8 +167,8 @@ class Document : public QObject {
   void open(const std::filesystem::path& file);
   /// Reads `copy`, but goes by the name of `file` (or none).
   void open_copy(const std::filesystem::path& copy, const std::filesystem::path& file);
-  /// Begins a new scene with a robot of the library; opened() or open_failed() follows.
-  void create(const std::string& robot);
+  /// Begins a new scene as new_scene() makes it; opened() or open_failed() follows.
+  void create(const std::string& robot, const std::string& hand);
   /// Writes the scene with the robot as it stands, and goes by that name from now on.
   /// @throws InputError if a file can't be written.
   void save(const std::filesystem::path& file, const geometric::PlannerRequest& planner);

@@ -2,6 +2,7 @@
 
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/resources.h"
+#include "handway/geometric/robot/group_proposal.h"
 #include "handway/geometric/setup/mounting.h"
 #include "handway/sampling/postures/pmd_basis_io.h"
 
@@ -129,6 +130,15 @@ std::vector<LinkOfRobot> mounting_places(const Scene& scene, const std::string& 
     }
   }
   return places;
+}
+
+std::optional<LinkOfRobot> end_of_arm(const Scene& scene) {
+  if (scene.robots.empty() || !scene.robots.front().parts.empty()) {
+    return std::nullopt;
+  }
+  const RobotInstance& robot = scene.robots.front();
+  const std::string tip = geometric::propose_groups(*robot.model).tip;
+  return tip.empty() ? std::nullopt : std::optional(LinkOfRobot{robot.name, tip});
 }
 
 LinkOfRobot own_link(const Scene& scene, const std::string& robot, const std::string& link) {

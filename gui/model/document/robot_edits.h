@@ -32,6 +32,8 @@ struct LinkOfRobot {
 /// Where `robot` could be mounted: all links of robots and parts that it does not carry itself.
 [[nodiscard]] std::vector<LinkOfRobot> mounting_places(const geometric::Scene& scene,
                                                        const std::string& robot);
+/// The end of the first robot, if that is an arm without a hand: where hands and tools go.
+[[nodiscard]] std::optional<LinkOfRobot> end_of_arm(const geometric::Scene& scene);
 /// The link of a composed robot by its part and the part's own name for it.
 [[nodiscard]] LinkOfRobot own_link(const geometric::Scene& scene, const std::string& robot,
                                    const std::string& link);

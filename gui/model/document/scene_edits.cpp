@@ -98,6 +98,14 @@ SceneState without_objects(const SceneState& state, const std::vector<std::strin
   for (const std::string& name : names) {
     scene.display.remove(name);
   }
+  // What is about a body that is gone can't be read from a file.
+  std::erase_if(scene.may_touch, [&](const auto& pair) {
+    return contains(names, pair.first.first) || contains(names, pair.first.second);
+  });
+  std::erase_if(scene.constraints, [&](const geometric::PathConstraint& constraint) {
+    return contains(names, constraint.body) &&
+           !scene.robots.front().model->find_link(constraint.body);
+  });
   return with_scene(state, std::move(scene));
 }
 
@@ -130,6 +138,21 @@ SceneState with_changed_display(const SceneState& state, const std::vector<std::
   return with_scene(state, std::move(scene));
 }
 
+namespace {
+
+std::map<geometric::AllowedCollisions::Pair, bool> pairs_with_name(
+    const std::map<geometric::AllowedCollisions::Pair, bool>& may_touch, const std::string& name,
+    const std::string& new_name) {
+  const auto now = [&](const std::string& body) { return body == name ? new_name : body; };
+  std::map<geometric::AllowedCollisions::Pair, bool> pairs;
+  for (const auto& [pair, touch] : may_touch) {
+    pairs[std::minmax(now(pair.first), now(pair.second))] = touch;
+  }
+  return pairs;
+}
+
+}  // namespace
+
 SceneState with_renamed_object(const SceneState& state, const std::string& name,
                                const std::string& new_name) {
   Scene scene = *state.scene;
@@ -140,6 +163,7 @@ SceneState with_renamed_object(const SceneState& state, const std::string& name,
     object.name = new_name;
     scene.display.remove(name);
     scene.display.set(new_name, state.display_of(name));
+    scene.may_touch = pairs_with_name(scene.may_touch, name, new_name);
     if (is_carried_by(object, scene.robots.front())) {  // if not, they are about a link
       for (geometric::PathConstraint& constraint : scene.constraints) {
         constraint.body = constraint.body == name ? new_name : constraint.body;

@@ -18,6 +18,8 @@
 namespace handway::geometric {
 namespace {
 
+constexpr const char* kWhat = "a semantic robot file (SRDF)";
+
 /// Lines of an SRDF file about links, joints or groups that are not there: those of another
 /// variant of the robot, mostly. They are passed over, and reported in one warning.
 class UnknownNames {
@@ -392,7 +394,7 @@ void couple_joints(const XmlDocument& document, RobotDescription& robot) {
 }  // namespace
 
 void read_srdf(const std::filesystem::path& file, RobotDescription& robot) {
-  const XmlDocument document(file, "a semantic robot file (SRDF)");
+  const XmlDocument document(file, kWhat);
   add_virtual_joints(document, robot);
   Semantics srdf = SrdfReader(document, robot).read();
   if (const std::string name = document.root("robot").attribute("name").value();
@@ -405,6 +407,15 @@ void read_srdf(const std::filesystem::path& file, RobotDescription& robot) {
   robot.allowed_collisions = std::move(srdf.allowed);
   std::ranges::move(srdf.warnings, std::back_inserter(robot.warnings));
   couple_joints(document, robot);
+}
+
+std::vector<std::string> srdf_group_names(const std::filesystem::path& file) {
+  const XmlDocument document(file, kWhat);
+  std::vector<std::string> names;
+  for (const pugi::xml_node& group : document.root("robot").children("group")) {
+    names.emplace_back(group.attribute("name").value());
+  }
+  return names;
 }
 
 }  // namespace handway::geometric

@@ -1,6 +1,7 @@
 #include "formats/urdf_geometry.h"
 
 #include "handway/geometric/formats/mesh_reader.h"
+#include "handway/geometric/formats/urdf_reader.h"
 #include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/package_folder.h"
@@ -9,7 +10,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -18,32 +18,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A file of that name in the robot's folder or the one above it, as deep as meshes usually lie.
-std::optional<fs::path> find_elsewhere(const fs::path& name, const fs::path& folder) {
-  constexpr int kDepth = 5;
-  constexpr int kMostEntries = 20'000;
-  int entries = 0;
-  std::error_code error;
-  for (const fs::path& top : {folder, folder.parent_path()}) {
-    constexpr auto kOptions = fs::directory_options::skip_permission_denied;
-    for (fs::recursive_directory_iterator entry(top, kOptions, error), end;
-         !error && entry != end && ++entries < kMostEntries; entry.increment(error)) {
-      if (entry.depth() >= kDepth) {
-        entry.disable_recursion_pending();
-      }
-      std::error_code ignored;
-      if (entry->path().filename() == name && entry->is_regular_file(ignored)) {
-        return entry->path();
-      }
-    }
-  }
-  return std::nullopt;
-}
-
 // "Write filename="…" if there is such a file nearby, else `otherwise`.
 std::string mesh_advice(const std::string& filename, const fs::path& folder,
                         const std::string& otherwise) {
-  const std::optional<fs::path> found = find_elsewhere(fs::path(filename).filename(), folder);
+  std::optional<fs::path> found = find_file_below(folder, filename);
+  found = found ? found : find_file_below(folder.parent_path(), filename);
   return found ? "Write filename=\"" + found->lexically_relative(folder).generic_string() +
                      "\": there is a file of this name"
                : otherwise;
@@ -71,7 +50,7 @@ fs::path resolve_mesh_filename(const std::string& filename, const fs::path& fold
   const std::string name = rest.substr(0, rest.find('/'));
   const std::optional<fs::path> package = find_package(name, folder);
   if (!package) {
-    throw InputError(
+    throw MissingMeshError(
         {referenced_by, "mesh", "\"" + filename + "\", but no folder \"" + name + "\"",
          "that folder at " + folder.string() +
              " or above, or in --package-path or "
@@ -121,15 +100,30 @@ class GeometryReader {
     }
     const auto& mesh = dynamic_cast<const urdf::Mesh&>(geometry);
     const Eigen::Vector3d scale(mesh.scale.x, mesh.scale.y, mesh.scale.z);
-    const std::filesystem::path file = resolve_mesh_filename(mesh.filename, folder_, where_);
-    if (!std::filesystem::exists(file)) {
-      throw InputError({where_, element_, "no such file: " + file.string(), "a mesh",
-                        mesh_advice(mesh.filename, folder_, "Check the path")});
-    }
+    const std::filesystem::path file = mesh_file(mesh.filename);
     if (differs_in_case(mesh.filename, file)) {
       files_.renamed.insert(mesh.filename);
     }
     return Mesh{file, scale, read_mesh(file, scale, where_)};
+  }
+
+  // Where it is said to be, or else what the package path has of that name.
+  [[nodiscard]] fs::path mesh_file(const std::string& filename) const {
+    try {
+      fs::path file = resolve_mesh_filename(filename, folder_, where_);
+      if (!fs::exists(file)) {
+        throw MissingMeshError({where_, element_, "no such file: " + file.string(), "a mesh",
+                                mesh_advice(filename, folder_, "Check the path")});
+      }
+      return file;
+    } catch (const MissingMeshError&) {
+      const std::optional<fs::path> found = find_in_package_path(filename);
+      if (!found) {
+        throw;
+      }
+      files_.found.insert(filename + " is " + found->string());
+      return *found;
+    }
   }
 
   [[nodiscard]] double positive(double size) const {

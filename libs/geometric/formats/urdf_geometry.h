@@ -16,6 +16,7 @@ namespace handway::geometric {
 struct LinkFiles {
   DrawingFaults drawing;          ///< What can't be drawn.
   std::set<std::string> renamed;  ///< Mesh files whose names have other letters than written.
+  std::set<std::string> found;    ///< Meshes that were not there, with the files taken instead.
 };
 
 /// A pose as URDF gives it, X_PJ or X_LG.

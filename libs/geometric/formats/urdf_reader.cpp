@@ -266,7 +266,7 @@ RobotDescription read_urdf(const fs::path& file, const fs::path& place) {
   robot.warnings.insert(robot.warnings.end(), elements.warnings.begin(), elements.warnings.end());
   const fs::path folder =
       fs::absolute(place.empty() ? file.parent_path() : place).lexically_normal();
-  LinkFiles files{std::move(elements.drawing), {}};
+  LinkFiles files{std::move(elements.drawing), {}, {}};
   for (const pugi::xml_node& node : document.root("robot").children("link")) {
     robot.links.push_back(read_link(document, node, *parsed.model, folder, files));
   }
@@ -278,6 +278,10 @@ RobotDescription read_urdf(const fs::path& file, const fs::path& place) {
   if (!files.renamed.empty()) {
     robot.warnings.push_back(fmt::format("files whose names have other letters on the disk: {}",
                                          fmt::join(files.renamed, ", ")));
+  }
+  if (!files.found.empty()) {
+    robot.warnings.push_back(fmt::format("meshes that are not where the file says were looked for: {}",
+                                         fmt::join(files.found, ", ")));
   }
   const fs::path srdf = existing_file(fs::path(file).replace_extension(".srdf"));
   if (place.empty() && fs::exists(srdf)) {

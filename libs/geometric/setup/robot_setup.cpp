@@ -17,7 +17,7 @@ GroupProposal decided_groups(const RobotModel& model, WristOwner wrist) {
 }
 
 RobotDescription with_setup(const RobotModel& model, const SelfCollisionSamples& sampled,
-                            const GroupProposal& groups, WristOwner wrist) {
+                            const GroupProposal& groups, const SetupDecisions& decisions) {
   RobotDescription robot = model.description();
   const AllowedCollisions before = robot.allowed_collisions;
   robot.allowed_collisions = allowed_collisions(model, sampled);
@@ -26,7 +26,14 @@ RobotDescription with_setup(const RobotModel& model, const SelfCollisionSamples&
       robot.allowed_collisions.allow(pair.first, pair.second, reason);
     }
   }
-  if (wrist != WristOwner::kUndecided) {
+  for (const auto& [pair, may_touch] : decisions.may_touch) {
+    if (may_touch) {
+      robot.allowed_collisions.allow(pair.first, pair.second, AllowedReason::kUser);
+    } else {
+      robot.allowed_collisions.forbid(pair.first, pair.second);
+    }
+  }
+  if (decisions.wrist != WristOwner::kUndecided) {
     std::erase_if(robot.groups, [](const JointGroup& group) {
       return group.name == "arm" || group.name == "hand";
     });

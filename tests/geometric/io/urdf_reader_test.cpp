@@ -219,6 +219,26 @@ TEST(UrdfReader, SaysWhereAMissingMeshMayBe) {
   }
 }
 
+TEST(UrdfReader, LooksForMissingMeshesInThePackagePath) {
+  const ScratchFiles files, elsewhere;
+  const auto link = [](const std::string& name, const std::string& file) {
+    return "<link name=\"" + name + "\"><collision><geometry><mesh filename=\"" + file +
+           "\"/></geometry></collision></link>";
+  };
+  const auto visual = elsewhere.write("robot/visual/s.obj", kSquareObj);
+  const auto collision = elsewhere.write("robot/collision/s.obj", kSquareObj);
+  const auto file = files.write(
+      "r.urdf", robot(link("a", "package://lost/collision/s.obj") + link("b", "visual/s.obj") +
+                      joint("j", "fixed", "a", "b", "")));
+  EXPECT_THROW(static_cast<void>(read_urdf(file)), MissingMeshError);
+  ASSERT_EQ(setenv("HANDWAY_PACKAGE_PATH", elsewhere.folder().c_str(), 1), 0);
+  const RobotDescription r = read_urdf(file);
+  unsetenv("HANDWAY_PACKAGE_PATH");
+  EXPECT_EQ(std::get<Mesh>(r.links[0].collision[0].shape).file, collision);
+  EXPECT_EQ(std::get<Mesh>(r.links[1].collision[0].shape).file, visual);
+  EXPECT_THAT(r.warnings, testing::Contains(HasSubstr("visual/s.obj is " + visual.string())));
+}
+
 TEST(UrdfReader, NamesTheLineOfABrokenFile) {
   const ScratchFiles files;
   EXPECT_THAT(refusal(files, "<robot name=\"r\">\n<link name=\"a\">\n</robot>\n"),

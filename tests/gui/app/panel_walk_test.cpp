@@ -311,6 +311,7 @@ TEST_P(PanelWalk, CutsNothingAndIsReadable) {
     std::filesystem::copy_file(can, copy);
     emit workbench().mesh_dropped(QString::fromStdString(copy.string()));
   });
+  look_at_opened(QStringLiteral("new_scene"), action("New…"));
   look_at_opened(QStringLiteral("add_robot"), action("Robot…"));
   look_at_opened(QStringLiteral("robot_setup"), action("Robot setup…"));
   look_at_opened(QStringLiteral("commands"), action("Find a command…"));

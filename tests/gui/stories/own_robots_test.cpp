@@ -1,5 +1,6 @@
-/// From the URDFs of an arm and a hand to one robot beside a can, with the mouse alone, as somebody
-/// would who has never seen the window. Each step leaves a picture.
+/// From the URDFs of an arm and a hand to a grasp that is planned and played, with the mouse alone,
+/// as somebody would who has never seen the window. Each step leaves a picture.
+#include "handway/geometric/io/resources.h"
 #include "handway/planning/extensions/plugin.h"
 #include "model/document/robot_edits.h"
 #include "patience.h"
@@ -17,10 +18,13 @@
 #include <QPointer>
 #include <QPushButton>
 #include <QSettings>
+#include <QSignalSpy>
 #include <QTimer>
+#include <QToolButton>
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <functional>
 #include <numbers>
 #include <vector>
@@ -101,11 +105,11 @@ class OwnRobots : public ::testing::Test {
     open();
     ASSERT_TRUE(wait_for([&] { return done; })) << "no file " << file.toStdString();
   }
-  static void picture(const QString& name, QWidget& of) {
+  void picture(const QString& name, QWidget& of) const {
     QTest::qWait(150);
     QDir().mkpath(QStringLiteral(HANDWAY_PICTURES));
-    EXPECT_TRUE(of.grab().save(
-        QDir(QStringLiteral(HANDWAY_PICTURES)).filePath(name + QStringLiteral(".png"))));
+    EXPECT_TRUE(of.grab().save(QDir(QStringLiteral(HANDWAY_PICTURES))
+                                   .filePath(name_ + QLatin1Char('_') + name + QStringLiteral(".png"))));
   }
   void picture(const QString& name) const { picture(name, *window_); }
   void wait_until_at_rest() const {
@@ -151,56 +155,157 @@ class OwnRobots : public ::testing::Test {
     }
     drag(places);
   }
+  /// Pulls what is selected to a place in the world, upwards first.
+  void move_selected(const Eigen::Vector3d& to) const {
+    for (const int axis : {2, 0, 1}) {
+      const double from = window_->editor().selected_pose()->translation()[axis];
+      if (std::abs(to[axis] - from) > 0.01) {
+        pull(axis, to[axis] - from);
+      }
+      EXPECT_NEAR(window_->editor().selected_pose()->translation()[axis], to[axis], 0.02);
+    }
+  }
   [[nodiscard]] QPoint seen(const Eigen::Vector3d& p_W) const {
     const gui::SceneView& view = window_->view();
     return gui::place_of(view.camera(), view.size(), p_W).toPoint();
   }
   [[nodiscard]] const geometric::Scene& scene() const { return *window_->document().scene(); }
 
+  void open_arm(const std::filesystem::path& urdf);
+  void mount_hand(const std::filesystem::path& urdf, const char* link);
+  void set_up(const std::filesystem::path& urdf);
+  void put_can_on_table();
+  void grasp();
+  void play_to_the_end();
+
+  ScratchFolder folder_;
+  QString name_;  ///< Of the pictures.
   std::unique_ptr<gui::MainWindow> window_;
   QElapsedTimer clock_;
 };
 
-TEST_F(OwnRobots, AreMountedWithTheMouseAlone) {
-  HANDWAY_NEED_REFERENCE(reference);
-  const QString arm = QString::fromStdString((reference / "robots" / "iiwa14").string());
-  const QString hand = QString::fromStdString((reference / "robots" / "allegro_hand").string());
+// A copy without SRDF, as robots come from their makers.
+std::filesystem::path copy_robot(const std::filesystem::path& urdf,
+                                 const std::filesystem::path& folder) {
+  std::filesystem::create_directories(folder);
+  std::filesystem::copy(urdf.parent_path() / "meshes", folder / "meshes",
+                        std::filesystem::copy_options::recursive);
+  std::filesystem::copy_file(urdf, folder / urdf.filename());
+  return folder / urdf.filename();
+}
+
+void OwnRobots::open_arm(const std::filesystem::path& urdf) {
   const QString here = QDir::currentPath();
-  ASSERT_TRUE(QDir::setCurrent(arm));
+  ASSERT_TRUE(QDir::setCurrent(QString::fromStdString(urdf.parent_path().string())));
   choose_file([this] { click("start_browse"); }, QStringLiteral("open_dialog"),
-              QStringLiteral("iiwa14.urdf"), QStringLiteral("own_1_open"));
+              QString::fromStdString(urdf.filename().string()), QStringLiteral("1_open"));
   QDir::setCurrent(here);
   ASSERT_TRUE(wait_for([&] { return window_->document().scene() != nullptr; }));
   wait_until_at_rest();
-  picture(QStringLiteral("own_2_arm"));
+  picture(QStringLiteral("2_arm"));
+}
 
-  QSettings().setValue(QStringLiteral("robot_folder"), hand);
+void OwnRobots::mount_hand(const std::filesystem::path& urdf, const char* link) {
+  QSettings().setValue(QStringLiteral("robot_folder"),
+                       QString::fromStdString(urdf.parent_path().string()));
   choose_in_menu(QStringLiteral("Add"), QStringLiteral("Robot…"));
   choose_file([this] { click("add_robot_browse"); }, QStringLiteral("robot_file_dialog"),
-              QStringLiteral("allegro_hand_right.urdf"), QStringLiteral("own_3_hand_file"));
+              QString::fromStdString(urdf.filename().string()), QStringLiteral("3_hand_file"));
   auto* add = window_->findChild<QPushButton*>(QStringLiteral("add_robot_now"));
   ASSERT_TRUE(wait_for([&] { return add->isEnabled(); }));
-  EXPECT_EQ(window_->findChild<QComboBox*>(QStringLiteral("add_robot_on"))->currentText(),
-            "ee_link of iiwa14")
-      << "where hands go";
-  picture(QStringLiteral("own_4_mount"), *add->window());
+  const auto* on = window_->findChild<QComboBox*>(QStringLiteral("add_robot_on"));
+  EXPECT_TRUE(on->currentText().startsWith(QLatin1String(link))) << "where hands go";
+  picture(QStringLiteral("4_mount"), *add->window());
   click("add_robot_now");
   wait_until_at_rest();
   ASSERT_EQ(scene().robots.size(), 1U);
   ASSERT_EQ(scene().robots.front().parts.size(), 2U);
-  picture(QStringLiteral("own_5_mounted"));
-  // Its fingers along the flange's axis, its palm in front of the flange.
+  picture(QStringLiteral("5_mounted"));
+}
+
+// Of the selected robot.
+void OwnRobots::set_up(const std::filesystem::path& urdf) {
+  choose_in_menu(QStringLiteral("Edit"), QStringLiteral("Robot setup…"));
+  auto* write = window_->findChild<QPushButton*>(QStringLiteral("setup_write"));
+  ASSERT_TRUE(write);
+  ASSERT_TRUE(wait_for([&] { return write->isEnabled(); })) << "samples";
+  picture(QStringLiteral("6_setup"), *write->window());
+  click("setup_write");
+  wait_until_at_rest();
+  const auto srdf = std::filesystem::path(urdf).replace_extension(".srdf");
+  EXPECT_TRUE(std::filesystem::exists(srdf));
+  click("setup_close");
+}
+
+void OwnRobots::put_can_on_table() {
+  choose_in_menu(QStringLiteral("Add"), QStringLiteral("Table"));
+  move_selected({0.95, 0.0, 0.0});
+  choose_in_menu(QStringLiteral("Add"), QStringLiteral("Can"));
+  move_selected({0.55, 0.1, 0.9});
+  choose_in_menu(QStringLiteral("Edit"), QStringLiteral("Drop to surface"));
+  EXPECT_NEAR(window_->editor().selected_pose()->translation().z(), 0.74, 1e-6);
+  picture(QStringLiteral("7_can"));
+}
+
+void OwnRobots::grasp() {
+  choose_in_menu(QStringLiteral("Plan"), QStringLiteral("Set start here"));
+  choose_in_menu(QStringLiteral("Edit"), QStringLiteral("Grasp…"));
+  const auto* card = window_->findChild<QWidget*>(QStringLiteral("grasps"));
+  ASSERT_TRUE(card);
+  const auto* plan = window_->findChild<QPushButton*>(QStringLiteral("grasp_plan"));
+  ASSERT_TRUE(wait_for([&] { return plan->isVisible() && plan->isEnabled(); })) << "grasps";
+  picture(QStringLiteral("8_grasps"));
+  QSignalSpy ended(&window_->session(), &gui::PlanningSession::ended);
+  click("grasp_plan");
+  ASSERT_TRUE(wait_for([&] { return !ended.isEmpty(); }));
+  ASSERT_TRUE(ended.front().front().toBool()) << window_->message().toStdString();
+  wait_until_at_rest();
+  EXPECT_EQ(window_->workbench().validity.state(), gui::PathValidity::State::kValid);
+}
+
+void OwnRobots::play_to_the_end() {
+  if (window_->findChild<QToolButton*>(QStringLiteral("loop"))->isChecked()) {
+    click("loop");
+  }
+  if (!window_->player().is_playing()) {
+    click("play");
+  }
+  ASSERT_TRUE(wait_for([&] { return window_->player().fraction() > 0.5; }));
+  picture(QStringLiteral("9_playing"));
+  ASSERT_TRUE(wait_for([&] { return window_->player().fraction() >= 1.0; }));
+  EXPECT_TRUE(window_->document().configuration().isApprox(*scene().goal, 1e-6));
+}
+
+TEST_F(OwnRobots, GraspACanWithTheMouseAlone) {
+  name_ = QStringLiteral("own");
+  const auto robots = geometric::resource_dir() / "robots";
+  const auto arm = copy_robot(robots / "iiwa14_class" / "iiwa14_class.urdf", folder_.path() / "arm");
+  const auto hand = copy_robot(robots / "allegro_class_right" / "allegro_class_right.urdf",
+                               folder_.path() / "hand");
+  open_arm(arm);
+  mount_hand(hand, "flange_link");
+  set_up(hand);
+  put_can_on_table();
+  grasp();
+  play_to_the_end();
+  EXPECT_LT(clock_.elapsed(), kTenMinutesMs);
+}
+
+// The flange of this arm is turned against its last link: the hand has to be turned on it.
+TEST_F(OwnRobots, OfOthersGraspACanWithTheMouseAlone) {
+  HANDWAY_NEED_REFERENCE(reference);
+  name_ = QStringLiteral("others");
+  const auto arm = copy_robot(reference / "robots/iiwa14/iiwa14.urdf", folder_.path() / "arm");
+  const auto hand = copy_robot(reference / "robots/allegro_hand/allegro_hand_right.urdf",
+                               folder_.path() / "hand");
+  open_arm(arm);
+  mount_hand(hand, "ee_link");
   turn(1, 0.5 * std::numbers::pi, 1.25 * std::numbers::pi);
   pull(2, 0.1);
-  picture(QStringLiteral("own_6_in_place"));
-  ASSERT_TRUE(wait_for([&] { return !window_->workbench().is_busy(); }));
-
-  choose_in_menu(QStringLiteral("Add"), QStringLiteral("Can"));
-  const Eigen::Vector3d can = window_->editor().selected_pose()->translation();
-  pull(0, 0.55 - can.x());
-  pull(1, 0.1 - can.y());
-  picture(QStringLiteral("own_7_can"));
-  EXPECT_NEAR(window_->editor().selected_pose()->translation().x(), 0.55, 0.01);
+  set_up(hand);
+  put_can_on_table();
+  grasp();
+  play_to_the_end();
   EXPECT_LT(clock_.elapsed(), kTenMinutesMs);
 }
 

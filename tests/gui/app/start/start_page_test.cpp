@@ -5,6 +5,7 @@
 #include "window_test.h"
 
 #include <QFrame>
+#include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -58,6 +59,45 @@ TEST_F(StartingTheWindow, BeginsANewSceneWithARobotOfTheLibrary) {
   run_command("undo");
   EXPECT_TRUE(window().document().scene()->objects.empty());
   window().editor().undo_stack().setClean();
+}
+
+TEST_F(StartingTheWindow, MountsTheChosenHandOnTheChosenArm) {
+  click("start_new");
+  EXPECT_TRUE(part<QAbstractButton>("choose no hand").isChecked());
+  click("choose ur5e_class");
+  click("choose leap_class_right");
+  EXPECT_EQ(part<QLabel>("new_scene_note").text(),
+            "leap_class_right is mounted on the end of ur5e_class.");
+  click("new_scene_create");
+  wait_for_scene();
+  const geometric::Scene& scene = *window().document().scene();
+  ASSERT_EQ(scene.robots.size(), 1U);
+  ASSERT_EQ(scene.robots.front().parts.size(), 2U);
+  EXPECT_EQ(scene.robots.front().parts[1].file, "leap_class_right");
+  EXPECT_TRUE(window().document().loaded().basis) << "fits the hand";
+}
+
+TEST_F(StartingTheWindow, ChoosesNoHandForARobotThatHasOne) {
+  click("start_new");
+  click("choose leap_class_right");
+  click("choose tx90_sah");
+  EXPECT_FALSE(part<QWidget>("choose leap_class_right").isEnabled());
+  click("new_scene_create");
+  wait_for_scene();
+  EXPECT_TRUE(window().document().scene()->robots.front().parts.empty());
+}
+
+TEST_F(StartingTheWindow, BeginsTheNextSceneWithTheRobotsOfThisOne) {
+  window().workbench().create("ur5e_class", "leap_class_right");
+  wait_for_scene();
+  part<QAction>("new_scene").trigger();
+  EXPECT_TRUE(part<QAbstractButton>("choose ur5e_class").isChecked());
+  EXPECT_TRUE(part<QAbstractButton>("choose leap_class_right").isChecked());
+  click("choose no arm");
+  click("new_scene_create");
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] { return window().document().robot()->name == "leap_class_right"; }, kPatienceMs));
+  EXPECT_TRUE(window().document().scene()->robots.front().parts.empty());
 }
 
 TEST_F(StartingTheWindow, HelpsWithTheViewOnF1) {

@@ -268,6 +268,7 @@ std::vector<DialogCase> StopInDialogs::cases() const {
          emit menu.aboutToShow();
          menu.actions().front()->trigger();
        }},
+      {"app/start/new_scene_dialog.h", "new scene", trigger("&New…")},
       {"features/robots/add_robot_dialog.h", "add a robot", trigger("&Robot…")},
       {"features/robots/add_robot_dialog.cpp", "robot file",
        [this] { open_both("&Robot…", QStringLiteral("From a file…")); }},

@@ -182,5 +182,16 @@ TEST_F(EditingAScene, SavesWhatWasEdited) {
   EXPECT_EQ(read.objects[1].name, "pole 2");
 }
 
+TEST_F(EditingAScene, KeepsPairsThatAreNotCheckedToObjectsThatAreThere) {
+  gui::SceneState state = editor().state();
+  geometric::Scene with_pair = *state.scene;
+  with_pair.may_touch[{"palm", "post"}] = true;
+  state.scene = std::make_shared<const geometric::Scene>(std::move(with_pair));
+  state = gui::with_renamed_object(state, "post", "a pole");
+  EXPECT_EQ(state.scene->may_touch,
+            (std::map<geometric::AllowedCollisions::Pair, bool>{{{"a pole", "palm"}, true}}));
+  EXPECT_TRUE(gui::without_objects(state, {"a pole"}).scene->may_touch.empty());
+}
+
 }  // namespace
 }  // namespace handway::test

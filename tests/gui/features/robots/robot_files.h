@@ -9,7 +9,8 @@
 namespace handway::test {
 
 /// A folder with `gripper.urdf` without SRDF: a base, two fingers by the joints `a` and `b`, and a
-/// tip that overlaps the base in every posture; and `camera.urdf`, which has no joints.
+/// tip that overlaps the base in every posture; `camera.urdf`, which has no joints, and
+/// `lost_mesh.urdf`, whose mesh is not there.
 class RobotFiles {
  public:
   RobotFiles() {
@@ -20,6 +21,9 @@ class RobotFiles {
                               joint("bend", "finger_a", "tip_a", "0 0 -0.05") +
                               joint("b", "base", "finger_b", "0 -0.02 0.05") + "</robot>");
     write("camera.urdf", "<robot name=\"camera\">" + link("body", "0.03 0.03 0.03") + "</robot>");
+    write("lost_mesh.urdf",
+          "<robot name=\"lost\"><link name=\"a\"><collision><geometry><mesh "
+          "filename=\"meshes/lost.stl\"/></geometry></collision></link></robot>");
     write("broken.urdf", "<robot name=\"broken\"><link name=\"a\"></robot>");
   }
 

@@ -4,6 +4,7 @@
 #include "features/robots/robot_files.h"
 #include "handway/geometric/formats/robot_loader.h"
 #include "handway/geometric/formats/scene_reader.h"
+#include "handway/geometric/io/resources.h"
 #include "model/document/robot_edits.h"
 #include "patience.h"
 
@@ -105,6 +106,26 @@ TEST_F(Robots, SayWhatIsWrongWithTheirFile) {
   begin_to_add("broken.urdf");
   EXPECT_THAT(part<QLabel>("add_robot_note").text().toStdString(), HasSubstr("broken.urdf"));
   EXPECT_FALSE(part<QPushButton>("add_robot_now").isEnabled());
+}
+
+TEST_F(Robots, HaveMissingMeshesLookedForInAFolder) {
+  begin_to_add("lost_mesh.urdf");
+  EXPECT_THAT(part<QLabel>("add_robot_note").text().toStdString(), HasSubstr("no such file"));
+  EXPECT_TRUE(part<QPushButton>("add_robot_search").isVisible());
+  const ScratchFolder elsewhere;
+  std::filesystem::copy_file(geometric::resource_dir() / "objects" / "can.stl",
+                             elsewhere.path() / "lost.stl");
+  QTimer::singleShot(300, &window(), [&] {
+    auto* chooser = window().findChild<QFileDialog*>(QStringLiteral("robot_file_dialog"));
+    ASSERT_TRUE(chooser);
+    chooser->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))
+        ->setText(QString::fromStdString(elsewhere.path().string()));
+    chooser->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Open)->click();
+  });
+  click("add_robot_search");
+  ASSERT_TRUE(wait_until([&] { return part<QPushButton>("add_robot_now").isEnabled(); }));
+  EXPECT_FALSE(part<QPushButton>("add_robot_search").isVisible());
+  EXPECT_THAT(part<QLabel>("add_robot_note").text().toStdString(), HasSubstr("lost.stl is "));
 }
 
 TEST_F(Robots, MoveOnTheirMountByNumbersAndByHandles) {

@@ -4,6 +4,8 @@
 #include "handway/geometric/robot/robot_description.h"
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 namespace handway::geometric {
 
@@ -16,5 +18,10 @@ namespace handway::geometric {
 /// @throws InputError naming the line if the file can't be read, an element is
 /// misspelt or a number is none; `robot` is then unchanged.
 HANDWAY_GEOMETRIC_EXPORT void read_srdf(const std::filesystem::path& file, RobotDescription& robot);
+
+/// The names of its groups, in the file's order, without looking at what is in them.
+/// @throws InputError if the file can't be read or is no SRDF.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<std::string> srdf_group_names(
+    const std::filesystem::path& file);
 
 }  // namespace handway::geometric

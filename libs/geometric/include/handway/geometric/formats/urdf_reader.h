@@ -1,11 +1,18 @@
 #pragma once
 
 #include "handway/geometric/export.h"
+#include "handway/geometric/io/input_error.h"
 #include "handway/geometric/robot/robot_description.h"
 
 #include <filesystem>
 
 namespace handway::geometric {
+
+/// A collision mesh that a robot file names is nowhere to be found: add_package_path() may help.
+class HANDWAY_GEOMETRIC_EXPORT MissingMeshError : public InputError {
+ public:
+  using InputError::InputError;
+};
 
 /// Reads a robot from a URDF file (http://wiki.ros.org/urdf/XML), by urdfdom.
 ///
@@ -19,12 +26,13 @@ namespace handway::geometric {
 ///   absolute.
 /// - Mesh file names: relative to the URDF's folder; absolute; `file://PATH`;
 ///   `package://NAME/REST`, NAME being a folder above the URDF, or a neighbour
-///   of one of these, or a package of $ROS_PACKAGE_PATH or $AMENT_PREFIX_PATH.
+///   of one of these, or a package of $ROS_PACKAGE_PATH or $AMENT_PREFIX_PATH. Files that are not
+///   there are looked for in the package path (find_in_package_path()), with a warning.
 /// - Links and joints keep the order of the file.
 /// - An SRDF file beside it with the same stem is read too (see read_srdf()).
 ///
 /// @throws InputError naming the line if the file or one that it names can't be
-/// read or is no URDF.
+/// read or is no URDF; MissingMeshError if that is a mesh which is not there.
 /// @param folder that relative names of meshes begin at, if it is not the file's; no SRDF is read
 /// then.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT RobotDescription

@@ -16,4 +16,18 @@ namespace handway::geometric {
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::optional<std::filesystem::path> find_package(
     const std::string& name, const std::filesystem::path& folder);
 
+/// Has packages and missing files looked for in this folder, as in those of $HANDWAY_PACKAGE_PATH,
+/// for as long as the program runs. From any thread.
+HANDWAY_GEOMETRIC_EXPORT void add_package_path(const std::filesystem::path& folder);
+
+/// The file below `top`, at most six folders deep, that has the name of `file`; of several the one
+/// whose path ends like that of `file` for longest.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::optional<std::filesystem::path> find_file_below(
+    const std::filesystem::path& top, const std::filesystem::path& file);
+
+/// find_file_below() in the folders of $HANDWAY_PACKAGE_PATH and of add_package_path(), the first
+/// that has one.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::optional<std::filesystem::path> find_in_package_path(
+    const std::filesystem::path& file);
+
 }  // namespace handway::geometric

@@ -6,6 +6,8 @@
 #include "handway/geometric/robot/robot_model.h"
 #include "handway/geometric/setup/collision_sampling.h"
 
+#include <map>
+
 namespace handway::geometric {
 
 /// What the joints between root and palm belong to, which the tree alone does not say.
@@ -15,12 +17,19 @@ enum class WristOwner { kUndecided, kArm, kHand };
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT GroupProposal decided_groups(const RobotModel& model,
                                                                     WristOwner wrist);
 
+/// What a person has decided about a robot.
+struct SetupDecisions {
+  WristOwner wrist = WristOwner::kUndecided;
+  std::map<AllowedCollisions::Pair, bool> may_touch = {};
+};
+
 /// The robot with the allowed-collision matrix that was sampled and the groups and end effectors
-/// that it has not. Pairs that somebody has allowed (User) stay.
+/// that it has not. Pairs that somebody has allowed (User) stay, unless `decisions` say otherwise.
 /// @param sampled of this model. @param groups decided_groups() of it.
-/// @param wrist if it is decided, the groups "arm" and "hand" that there are are replaced.
+/// @param decisions if the wrist is decided, the groups "arm" and "hand" that there are are
+/// replaced.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT RobotDescription
 with_setup(const RobotModel& model, const SelfCollisionSamples& sampled,
-           const GroupProposal& groups, WristOwner wrist);
+           const GroupProposal& groups, const SetupDecisions& decisions);
 
 }  // namespace handway::geometric
