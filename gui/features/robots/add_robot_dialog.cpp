@@ -31,7 +31,7 @@ using geometric::ResourceKind;
 using geometric::RobotInstance;
 
 constexpr int kLinkRole = Qt::UserRole + 1;
-constexpr int kWidth = 440;  // px
+constexpr int kWidth = 500;  // px
 
 QString path_key() { return QStringLiteral("package_path"); }
 
@@ -93,7 +93,8 @@ AddRobotDialog::AddRobotDialog(std::shared_ptr<const planning::PluginManager> pl
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(16, 14, 16, 14);
   layout->setSpacing(12);
-  layout->addWidget(make_form(), 1);
+  layout->addWidget(make_form());
+  layout->addStretch(1);
   layout->addWidget(buttons);
   resize(within_window(*this, {scaled(kWidth), scaled(400)}));
   list_library();
@@ -273,7 +274,9 @@ void AddRobotDialog::take_robot(RobotInstance robot) {
                       .arg(model.variable_count());
   const auto warnings = static_cast<int>(model.description().warnings.size());
   if (warnings > 0) {
-    words += QLatin1Char(' ') + QString::fromStdString(model.description().warnings.front());
+    QString warning = QString::fromStdString(model.description().warnings.front());
+    warning[0] = warning[0].toUpper();
+    words += QLatin1Char(' ') + warning + (warning.endsWith(QLatin1Char('.')) ? "" : ".");
     words += warnings > 1 ? tr(" And %1 more in the messages.").arg(warnings - 1) : QString();
   }
   show_note(words, false);
