@@ -146,7 +146,8 @@ int setup(const SetupChoice& choice) {
   const WristOwner wrist = owner_of_wrist(choice);
   const RobotReport report =
       robot_report(model, decided_groups(*model, wrist), choice.samples, choice.seed);
-  const RobotDescription robot = with_setup(*model, report.sampled, report.groups, {.wrist = wrist});
+  const RobotDescription robot =
+      with_setup(*model, report.sampled, report.groups, {.wrist = wrist});
   if (choice.as_json) {
     print_json(report, robot);
   } else {

@@ -119,7 +119,8 @@ TEST(BringYourOwnRobot, GoesFromTwoRobotFilesToAGrasp) {
   namespace fs = std::filesystem;
   const ScratchFolder scratch;
   const fs::path robots = source_dir() / "resources/robots";
-  for (const auto& [name, shipped] : {std::pair("arm", "iiwa14_class"), std::pair("hand", "allegro_class_right")}) {
+  for (const auto& [name, shipped] :
+       {std::pair("arm", "iiwa14_class"), std::pair("hand", "allegro_class_right")}) {
     const fs::path folder = scratch.path() / name;
     fs::create_directory(folder);
     fs::create_directory_symlink(robots / shipped / "meshes", folder / "meshes");

@@ -23,7 +23,7 @@ using geometric::ResourceKind;
 
 constexpr int kCardGap = 10;     // px
 constexpr int kDialogEdge = 16;  // px
-constexpr int kCardWidth = 146;   // px
+constexpr int kCardWidth = 146;  // px
 
 }  // namespace
 

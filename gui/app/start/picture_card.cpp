@@ -9,9 +9,9 @@
 namespace handway::gui {
 namespace {
 
-constexpr int kNameHeight = 38;   // px
-constexpr double kShape = 1.6;    // width of a picture by its height
-constexpr double kCorner = 7.0;   // px
+constexpr int kNameHeight = 38;    // px
+constexpr double kShape = 1.6;     // width of a picture by its height
+constexpr double kCorner = 7.0;    // px
 constexpr double kEmptyIcon = 45;  // px, where there is no picture
 
 }  // namespace

@@ -180,11 +180,12 @@ QWidget* SetupDialog::make_pairs() {
   kind_->setObjectName(QStringLiteral("setup_pair_kind"));
   kind_->setAccessibleName(tr("Pairs that are listed"));
   connect(kind_, qOverload<int>(&QComboBox::currentIndexChanged), pairs_, &PairTable::show_kind);
-  connect(pairs_, &PairTable::decided, this, [this](const geometric::AllowedCollisions::Pair& pair, bool may_touch) {
-    may_touch_[pair] = may_touch;
-    // Not within the signal of a row: its table is filled again.
-    QMetaObject::invokeMethod(this, &SetupDialog::show_pairs, Qt::QueuedConnection);
-  });
+  connect(pairs_, &PairTable::decided, this,
+          [this](const geometric::AllowedCollisions::Pair& pair, bool may_touch) {
+            may_touch_[pair] = may_touch;
+            // Not within the signal of a row: its table is filled again.
+            QMetaObject::invokeMethod(this, &SetupDialog::show_pairs, Qt::QueuedConnection);
+          });
   connect(pairs_, &PairTable::looked_at, this,
           [this](const geometric::AllowedCollisions::Pair& pair) {
             view_->set_collisions({pair.first, pair.second});
@@ -364,8 +365,8 @@ void SetupDialog::show_findings() {
     row->setFlags(Qt::NoItemFlags);
     list_->addItem(row);
   }
-  tabs_->setTabText(0, sampled_.samples > 0 ? tr("Suspicious (%1)").arg(findings_.size())
-                                            : tr("Suspicious"));
+  tabs_->setTabText(
+      0, sampled_.samples > 0 ? tr("Suspicious (%1)").arg(findings_.size()) : tr("Suspicious"));
   view_->set_collisions({});
 }
 

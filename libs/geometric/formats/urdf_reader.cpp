@@ -280,8 +280,9 @@ RobotDescription read_urdf(const fs::path& file, const fs::path& place) {
                                          fmt::join(files.renamed, ", ")));
   }
   if (!files.found.empty()) {
-    robot.warnings.push_back(fmt::format("meshes that are not where the file says were looked for: {}",
-                                         fmt::join(files.found, ", ")));
+    robot.warnings.push_back(
+        fmt::format("meshes that are not where the file says were looked for: {}",
+                    fmt::join(files.found, ", ")));
   }
   const fs::path srdf = existing_file(fs::path(file).replace_extension(".srdf"));
   if (place.empty() && fs::exists(srdf)) {

@@ -227,9 +227,9 @@ TEST(UrdfReader, LooksForMissingMeshesInThePackagePath) {
   };
   const auto visual = elsewhere.write("robot/visual/s.obj", kSquareObj);
   const auto collision = elsewhere.write("robot/collision/s.obj", kSquareObj);
-  const auto file = files.write(
-      "r.urdf", robot(link("a", "package://lost/collision/s.obj") + link("b", "visual/s.obj") +
-                      joint("j", "fixed", "a", "b", "")));
+  const auto file =
+      files.write("r.urdf", robot(link("a", "package://lost/collision/s.obj") +
+                                  link("b", "visual/s.obj") + joint("j", "fixed", "a", "b", "")));
   EXPECT_THROW(static_cast<void>(read_urdf(file)), MissingMeshError);
   ASSERT_EQ(setenv("HANDWAY_PACKAGE_PATH", elsewhere.folder().c_str(), 1), 0);
   const RobotDescription r = read_urdf(file);

@@ -108,8 +108,9 @@ class OwnRobots : public ::testing::Test {
   void picture(const QString& name, QWidget& of) const {
     QTest::qWait(150);
     QDir().mkpath(QStringLiteral(HANDWAY_PICTURES));
-    EXPECT_TRUE(of.grab().save(QDir(QStringLiteral(HANDWAY_PICTURES))
-                                   .filePath(name_ + QLatin1Char('_') + name + QStringLiteral(".png"))));
+    EXPECT_TRUE(
+        of.grab().save(QDir(QStringLiteral(HANDWAY_PICTURES))
+                           .filePath(name_ + QLatin1Char('_') + name + QStringLiteral(".png"))));
   }
   void picture(const QString& name) const { picture(name, *window_); }
   void wait_until_at_rest() const {
@@ -279,7 +280,8 @@ void OwnRobots::play_to_the_end() {
 TEST_F(OwnRobots, GraspACanWithTheMouseAlone) {
   name_ = QStringLiteral("own");
   const auto robots = geometric::resource_dir() / "robots";
-  const auto arm = copy_robot(robots / "iiwa14_class" / "iiwa14_class.urdf", folder_.path() / "arm");
+  const auto arm =
+      copy_robot(robots / "iiwa14_class" / "iiwa14_class.urdf", folder_.path() / "arm");
   const auto hand = copy_robot(robots / "allegro_class_right" / "allegro_class_right.urdf",
                                folder_.path() / "hand");
   open_arm(arm);
