@@ -10,6 +10,7 @@ namespace handway::gui {
 namespace {
 
 constexpr int kNameHeight = 38;    // px
+constexpr int kTextEdge = 8;       // px
 constexpr double kShape = 1.6;     // width of a picture by its height
 constexpr double kCorner = 7.0;    // px
 constexpr double kEmptyIcon = 45;  // px, where there is no picture
@@ -61,9 +62,9 @@ void PictureCard::paintEvent(QPaintEvent* /*event*/) {
     painter.setOpacity(1.0);
   }
   painter.setPen(isEnabled() ? colors.text : colors.muted);
-  painter.drawText(QRect(12, place.height(), width() - 24, scaled(kNameHeight)),
+  painter.drawText(QRect(kTextEdge, place.height(), width() - 2 * kTextEdge, scaled(kNameHeight)),
                    Qt::AlignLeft | Qt::AlignVCenter,
-                   fontMetrics().elidedText(text(), Qt::ElideRight, width() - 24));
+                   fontMetrics().elidedText(text(), Qt::ElideRight, width() - 2 * kTextEdge));
   painter.setClipping(false);
   const bool hot = underMouse() || hasFocus();
   painter.setPen(QPen(hot || isChecked() ? colors.accent : colors.border, isChecked() ? 4.0

@@ -19,6 +19,8 @@
 #include <QPushButton>
 #include <QSettings>
 #include <QSignalSpy>
+#include <QTabBar>
+#include <QTabWidget>
 #include <QTimer>
 #include <QToolButton>
 
@@ -231,6 +233,9 @@ void OwnRobots::set_up(const std::filesystem::path& urdf) {
   ASSERT_TRUE(write);
   ASSERT_TRUE(wait_for([&] { return write->isEnabled(); })) << "samples";
   picture(QStringLiteral("6_setup"), *write->window());
+  QTabBar* tabs = window_->findChild<QTabWidget*>(QStringLiteral("setup_tabs"))->tabBar();
+  QTest::mouseClick(tabs, Qt::LeftButton, {}, tabs->tabRect(1).center());
+  picture(QStringLiteral("6_pairs"), *write->window());
   click("setup_write");
   wait_until_at_rest();
   const auto srdf = std::filesystem::path(urdf).replace_extension(".srdf");

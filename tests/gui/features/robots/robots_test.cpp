@@ -90,6 +90,22 @@ TEST_F(Robots, GoOnTheLinkThatIsClickedWhileTheDialogIsOpen) {
   EXPECT_EQ(part<QComboBox>("add_robot_on").currentText(), "palm of arm");
 }
 
+TEST_F(Robots, WithoutJointsAreMountedAsToolsAndCameras) {
+  const geometric::Configuration q = window().document().configuration();
+  begin_to_add("camera.urdf");
+  choose("add_robot_on", QStringLiteral("palm of arm"));
+  click("add_robot_now");
+  settle();
+  ASSERT_EQ(scene().robots.size(), 1U);
+  EXPECT_EQ(robot().parts[1].name, "camera");
+  EXPECT_EQ(window().document().configuration(), q);
+  type("position_z", "60 mm");
+  settle();
+  EXPECT_NEAR(robot().parts[1].X_LB.translation().z(), 0.06, 1e-12);
+  plan();
+  EXPECT_FALSE(window().player().timeline().empty());
+}
+
 TEST_F(Robots, StandInFreeSpaceWithoutAMount) {
   begin_to_add("camera.urdf");
   choose("add_robot_on", part<QComboBox>("add_robot_on").itemText(0));
