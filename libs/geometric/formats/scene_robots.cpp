@@ -8,6 +8,7 @@
 #include "handway/geometric/io/resources.h"
 #include "handway/geometric/robot/joint_coupling.h"
 #include "handway/geometric/setup/mounting.h"
+#include "handway/geometric/setup/seat.h"
 
 #include <fmt/format.h>
 
@@ -101,6 +102,17 @@ std::string link_of(const YamlElement& element, const RobotPart& carrier) {
   return name;
 }
 
+// On the end of the carrier, where no link is named.
+void sit_down(const YamlElement& mount, const RobotPart& carrier, RobotPart& part) {
+  const std::optional<Seat> seat = find_seat(*carrier.model, *part.model);
+  if (!seat) {
+    mount.refuse("no \"link\"", "a link of " + carrier.name + ", which is not an arm with one end",
+                 "Name the link that carries " + part.name);
+  }
+  part.link = seat->link;
+  part.X_LB = seat->X_LB;
+}
+
 void read_mount(std::vector<Entry>& entries, std::size_t index) {
   Entry& entry = entries[index];
   const std::optional<YamlElement> mount = entry.element.find("mount");
@@ -122,9 +134,15 @@ void read_mount(std::vector<Entry>& entries, std::size_t index) {
   }
   entry.part.carrier = static_cast<int>(carrier - names.begin());
   entries[static_cast<std::size_t>(entry.part.carrier)].mounted.push_back(index);
-  entry.part.link =
-      link_of(mount->need("link"), entries[static_cast<std::size_t>(entry.part.carrier)].part);
-  if (const std::optional<YamlElement> pose = mount->find("pose")) {
+  const RobotPart& on = entries[static_cast<std::size_t>(entry.part.carrier)].part;
+  const std::optional<YamlElement> link = mount->find("link");
+  const std::optional<YamlElement> pose = mount->find("pose");
+  if (!link) {
+    sit_down(*mount, on, entry.part);
+  } else {
+    entry.part.link = link_of(*link, on);
+  }
+  if (pose) {
     entry.part.X_LB = pose_of(*pose);
   }
 }

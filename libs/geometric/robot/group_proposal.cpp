@@ -9,8 +9,11 @@
 namespace handway::geometric {
 namespace {
 
-constexpr double kLongestFinger = 0.4;    // m
-constexpr std::size_t kLongestWrist = 2;  // joints
+constexpr double kLongestFinger = 0.4;           // m
+constexpr std::size_t kMostJointsOfWrist = 2;    // of any length
+constexpr std::size_t kMostJointsOfCompact = 3;  // of a compact one
+constexpr double kCompactWrist = 0.15;           // m
+constexpr double kBesideFinger = 0.03;           // m: bars of a linkage begin that near to it
 
 class GroupFinder {
  public:
@@ -33,7 +36,7 @@ class GroupFinder {
 
   [[nodiscard]] GroupProposal find() {
     follow(0);
-    if (!proposal_.hand.empty() && proposal_.arm.size() <= kLongestWrist) {
+    if (!proposal_.hand.empty() && leads_by_a_wrist()) {
       std::swap(proposal_.wrist, proposal_.arm);
     }
     ask();
@@ -46,6 +49,19 @@ class GroupFinder {
     std::ranges::copy_if(children_[static_cast<std::size_t>(link)], std::back_inserter(branches),
                          [&](int child) { return moves_[static_cast<std::size_t>(child)]; });
     return branches;
+  }
+
+  [[nodiscard]] bool leads_by_a_wrist() const {
+    const std::size_t joints = proposal_.arm.size();
+    if (joints <= kMostJointsOfWrist || joints > kMostJointsOfCompact) {
+      return joints <= kMostJointsOfWrist;
+    }
+    int first = model_.find_link(proposal_.palm).value();
+    const double beyond_palm = reach_[static_cast<std::size_t>(first)];
+    while (model_.joint(first).name != proposal_.arm.front()) {
+      first = model_.parent(first);
+    }
+    return reach_[static_cast<std::size_t>(first)] - beyond_palm <= kCompactWrist;
   }
 
   // From `link` to where the tree branches, or ends.
@@ -67,16 +83,43 @@ class GroupFinder {
     if (proposal_.palm.empty()) {
       proposal_.palm = model_.link(palm).name;
     }
-    std::ranges::for_each(fingers, [&](int finger) { add_finger(finger); });
+    for (const int finger : fingers) {
+      const bool grasps =
+          std::ranges::none_of(fingers, [&](int other) { return is_bar_beside(finger, other); });
+      add_finger(finger, grasps);
+    }
   }
 
-  void add_finger(int link) {
+  void add_finger(int link, bool grasps) {
     add(proposal_.hand, link);
     const std::vector<int> branches = moving_branches(link);
-    std::ranges::for_each(branches, [&](int branch) { add_finger(branch); });
-    if (branches.empty()) {
+    std::ranges::for_each(branches, [&](int branch) { add_finger(branch, grasps); });
+    if (branches.empty() && grasps) {
       proposal_.fingertips.push_back(last_link(link));
     }
+  }
+
+  // Whether a branch is but a bar of the linkage that keeps the tip of a finger in line, as
+  // grippers with parallel jaws have them: it begins beside the finger, goes with it and has fewer
+  // joints.
+  [[nodiscard]] bool is_bar_beside(int bar, int finger) const {
+    const std::vector<int> of_bar = drives(bar);
+    const std::vector<int> of_finger = drives(finger);
+    const auto base = [&](int link) { return model_.joint(link).X_PJ.translation(); };
+    return of_bar.size() < of_finger.size() && (base(bar) - base(finger)).norm() < kBesideFinger &&
+           std::ranges::all_of(of_bar, [&](int variable) { return variable == of_finger.front(); });
+  }
+
+  // What moves each joint of a branch.
+  [[nodiscard]] std::vector<int> drives(int link) const {
+    std::vector<int> variables;
+    if (model_.joint(link).type != JointType::kFixed) {
+      variables.push_back(model_.drive(link).variable);
+    }
+    for (const int branch : moving_branches(link)) {
+      std::ranges::copy(drives(branch), std::back_inserter(variables));
+    }
+    return variables;
   }
 
   void add(std::vector<std::string>& joints, int link) const {

@@ -182,6 +182,23 @@ TEST(SceneMounts, AreOneRobotFileOnRequest) {
   EXPECT_EQ(joints_of_group(*read, "hand"), joints_of_group(composed, "hand"));
 }
 
+TEST(SceneMounts, SitAtTheEndOfAnArmWhereNoLinkIsNamed) {
+  const Robots files;
+  const Scene scene = files.scene(
+      "robots:\n  - {name: arm, model: arm.urdf}\n"
+      "  - {name: hand, model: gripper.urdf, mount: {robot: arm}}\n");
+  const RobotPart& hand = scene.robots.front().parts[1];
+  EXPECT_EQ(hand.link, "flange");
+  EXPECT_TRUE(hand.X_LB.translation().isApprox(Eigen::Vector3d(0, 0, 0.01), 1e-12));
+  write_scene(scene, scene.file);
+  EXPECT_EQ(read_scene(scene.file).robots.front().parts[1].link, "flange");
+  EXPECT_THAT(files.refusal("robots:\n  - {name: hand, model: gripper.urdf}\n"
+                            "  - {name: eye, model: camera.urdf, mount: {robot: hand}}\n"),
+              AllOf(HasSubstr("robots[1].mount: found no \"link\""),
+                    HasSubstr("a link of hand, which is not an arm with one end"),
+                    HasSubstr("Name the link that carries eye")));
+}
+
 TEST(SceneMounts, SayWhatIsWrongWithThem) {
   const Robots files;
   const auto refusal = [&](const std::string& mount, const std::string& more = "") {

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace handway::geometric {
 namespace {
 
@@ -33,6 +35,13 @@ class Tree {
     add(palm, name + "1", 0.05).add(name + "1", name + "2", 0.05);
     add(name + "2", name + "tip", 0.02, JointType::kFixed);
     return add(palm, name + "3", 0.05).add(name + "3", name + "4", 0.05);
+  }
+
+  /// Of the joints to two links.
+  Tree& follow(const std::string& link, const std::string& leader) {
+    const auto joint = std::ranges::find(robot_.joints, link, &Joint::child);
+    joint->mimic = Mimic{leader + "_joint", 1.0, 0.0};
+    return *this;
   }
 
   Tree& add_arm(const std::string& parent, const std::string& name) {
@@ -74,6 +83,29 @@ TEST(GroupProposal, AsksWhoseTheWristIs) {
   EXPECT_EQ(groups.questions.front().open,
             "wrist_joint leads to the palm wrist, and may be of the hand or of the arm");
   EXPECT_EQ(groups.hand_with_wrist().size(), 5U);
+}
+
+TEST(GroupProposal, CallsThreeJointsAWristOnlyIfTheyAreCloseTogether) {
+  const auto with_joints_apart = [](double length) {
+    Tree tree = Tree().add("root", "forearm", 0.2, JointType::kFixed);
+    tree.add("forearm", "a", 0.2).add("a", "b", length).add("b", "c", length);
+    return propose_groups(tree.add_fingers("c", "f").model());
+  };
+  EXPECT_THAT(with_joints_apart(0.04).wrist, ElementsAre("a_joint", "b_joint", "c_joint"));
+  EXPECT_THAT(with_joints_apart(0.3).arm, ElementsAre("a_joint", "b_joint", "c_joint"));
+}
+
+TEST(GroupProposal, TakesNoBarOfALinkageForAFinger) {
+  Tree tree;
+  for (const std::string side : {"left", "right"}) {
+    tree.add("root", side, 0.05).add(side, side + "_tip", 0.04).add("root", side + "_bar", 0.06);
+  }
+  for (const char* joint : {"left_tip", "left_bar", "right", "right_tip", "right_bar"}) {
+    tree.follow(joint, "left");
+  }
+  const GroupProposal groups = propose_groups(tree.model());
+  EXPECT_THAT(groups.fingertips, ElementsAre("left_tip", "right_tip"));
+  EXPECT_EQ(groups.hand.size(), 6U);
 }
 
 TEST(GroupProposal, TakesLongBranchesForArms) {

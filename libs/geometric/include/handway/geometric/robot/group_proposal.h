@@ -19,9 +19,9 @@ struct GroupQuestion {
 struct GroupProposal {
   std::vector<std::string> arm;
   std::vector<std::string> hand;         ///< Of the fingers, without `wrist`.
-  std::vector<std::string> wrist;        ///< One or two joints between the root and the palm.
+  std::vector<std::string> wrist;        ///< Up to three joints between the root and the palm.
   std::string palm;                      ///< The link that carries the fingers; empty without hand.
-  std::vector<std::string> fingertips;   ///< The last link of each finger.
+  std::vector<std::string> fingertips;   ///< The last link of each finger; bars beside it are none.
   std::string tip;                       ///< Of an arm without a hand: the last link.
   std::vector<GroupQuestion> questions;  ///< What only a person can decide.
 
@@ -31,8 +31,8 @@ struct GroupProposal {
 
 /// Finds arm and hand by the tree alone. A hand is what branches into fingers of at most 0.4 m; all
 /// that leads there is the arm. One or two joints that lead to the fingers of a robot without other
-/// arm are a wrist. Where branches are longer they are arms, each with what it carries. A robot
-/// that does not branch is an arm.
+/// arm are a wrist, and three within 0.15 m. Where branches are longer they are arms, each with
+/// what it carries. A robot that does not branch is an arm.
 ///
 /// Of several hands, `palm` is the first one's.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT GroupProposal propose_groups(const RobotModel& model);
