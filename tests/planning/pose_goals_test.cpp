@@ -152,6 +152,19 @@ TEST_F(PoseGoals, AvoidWhatStandsInTheNearestConfiguration) {
   EXPECT_THAT(check_path(problem, result.path, 0.001).faults, IsEmpty());
 }
 
+TEST_F(PoseGoals, AreLookedForFarFromTheStartToo) {
+  add_goal(away());
+  scene_.goal_poses.front().rotation_tolerance.setConstant(std::numbers::pi);
+  for (int boxes = 0; boxes < 40; ++boxes) {
+    const PlanningProblem problem = this->problem();
+    ASSERT_THAT(problem.goal_fault, IsEmpty()) << boxes << " boxes";
+    geometric::RobotState state(scene_.robots.front().model, scene_.robots.front().X_WB);
+    state.set_configuration(problem.goal);
+    add_box("box " + std::to_string(boxes), state.link_pose(3).translation());
+    scene_.objects.back().shape = geometric::Box{{0.02, 0.02, 0.02}};
+  }
+}
+
 TEST_F(PoseGoals, SayWhatCollidesInAllConfigurations) {
   add_goal(away());
   add_box("block", flange(away()).translation());

@@ -38,7 +38,7 @@ void do_without_srdf(RobotDescription& robot) {
       "`handway setup` makes an SRDF",
       overlapping == 0
           ? ""
-          : fmt::format(", and {} in most postures",
+          : fmt::format(", and {} in most postures or where a gripper closes",
                         overlapping == 1 ? "1 pair that overlaps"
                                          : fmt::format("{} pairs that overlap", overlapping))));
   if (robot.groups.empty()) {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <memory>
 #include <random>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -57,6 +58,38 @@ Configuration random_configuration(const RobotModel& model, std::mt19937_64& gen
   return q;
 }
 
+// What moves a link against a link above it.
+std::set<int> variables_between(const RobotModel& model, int link, int above) {
+  std::set<int> variables;
+  for (; link != above; link = model.parent(link)) {
+    if (model.drive(link).variable >= 0) {
+      variables.insert(model.drive(link).variable);
+    }
+  }
+  return variables;
+}
+
+int common_ancestor(const RobotModel& model, int a, int b) {
+  while (a != b) {
+    (a > b ? a : b) = model.parent(std::max(a, b));
+  }
+  return a;
+}
+
+// Whether two links are moved by one and the same joint, which can't go on beyond neutral.
+bool are_jaws(const RobotModel& model, const std::string& name_a, const std::string& name_b) {
+  const int a = model.find_link(name_a).value();
+  const int b = model.find_link(name_b).value();
+  const int palm = common_ancestor(model, a, b);
+  const std::set<int> variables = variables_between(model, a, palm);
+  if (variables.size() != 1 || variables_between(model, b, palm) != variables) {
+    return false;
+  }
+  const int v = *variables.begin();
+  const double q = model.neutral()[v];
+  return q == model.lower()[v] || q == model.upper()[v];
+}
+
 void check_samples(int samples) {
   if (samples < 1) {
     throw std::invalid_argument("self-collision samples must be at least 1, got " +
@@ -88,6 +121,10 @@ AllowedCollisions adjacent_links(const RobotModel& model) {
 
 bool SampledPair::overlaps(int samples) const { return at_neutral && 2 * collisions >= samples; }
 
+bool SampledPair::closes(int samples) const {
+  return jaws && at_neutral && !at_middle && 100 * collisions <= samples;
+}
+
 SelfCollisionSamples sample_self_collisions(const RobotModel& model, int samples,
                                             std::uint64_t seed, const std::stop_token& stop,
                                             const std::function<void(double)>& progress) {
@@ -104,6 +141,7 @@ SelfCollisionSamples sample_self_collisions(const RobotModel& model, int samples
     SampledPair sampled{world.body(world.pairs()[pair].a).name,
                         world.body(world.pairs()[pair].b).name};
     if (!adjacent.reason(sampled.a, sampled.b)) {
+      sampled.jaws = at_neutral[pair] && are_jaws(model, sampled.a, sampled.b);
       sampled.at_neutral = at_neutral[pair];
       sampled.at_middle = at_middle[pair];
       indices.push_back(static_cast<int>(pair));
@@ -128,7 +166,9 @@ SelfCollisionSamples sample_self_collisions(const RobotModel& model, int samples
   }
   found.colliding = static_cast<int>(std::ranges::count_if(touching, [&](const auto& sample) {
     return std::ranges::any_of(sample, [&](std::size_t i) {
-      return !found.pairs[i].overlaps(found.samples) && found.pairs[i].collisions < found.samples;
+      const SampledPair& pair = found.pairs[i];
+      return !pair.overlaps(found.samples) && !pair.closes(found.samples) &&
+             pair.collisions < found.samples;
     });
   }));
   return found;
@@ -141,7 +181,7 @@ AllowedCollisions allowed_collisions(const RobotModel& model, const SelfCollisio
       allowed.allow(pair.a, pair.b, AllowedReason::kNever);
     } else if (pair.collisions == sampled.samples) {
       allowed.allow(pair.a, pair.b, AllowedReason::kAlways);
-    } else if (pair.overlaps(sampled.samples)) {
+    } else if (pair.overlaps(sampled.samples) || pair.closes(sampled.samples)) {
       allowed.allow(pair.a, pair.b, AllowedReason::kDefault);
     }
   }
@@ -160,6 +200,7 @@ AllowedCollisions sample_overlapping_links(const RobotModel& model, int samples,
     SampledPair sampled{world.body(world.pairs()[pair].a).name,
                         world.body(world.pairs()[pair].b).name, 0, true};
     if (at_neutral[pair] && !allowed.reason(sampled.a, sampled.b)) {
+      sampled.jaws = are_jaws(model, sampled.a, sampled.b);
       candidates.emplace_back(static_cast<int>(pair), std::move(sampled));
     }
   }
@@ -171,7 +212,7 @@ AllowedCollisions sample_overlapping_links(const RobotModel& model, int samples,
     }
   }
   for (const auto& [index, pair] : candidates) {
-    if (pair.overlaps(samples)) {
+    if (pair.overlaps(samples) || pair.closes(samples)) {
       allowed.allow(pair.a, pair.b,
                     pair.collisions == samples ? AllowedReason::kAlways : AllowedReason::kDefault);
     }

@@ -81,7 +81,7 @@ class Examination {
             "Their shapes overlap; the pair is allowed to touch (Default). Give one of them a "
             "smaller collision mesh to have it checked",
             {pair.a, pair.b});
-      } else if (pair.at_neutral || pair.at_middle) {
+      } else if ((pair.at_neutral || pair.at_middle) && !pair.closes(sampled_.samples)) {
         add(fmt::format("{} and {} touch at the {} posture, and in {} of random ones", pair.a,
                         pair.b, pair.at_neutral ? "zero" : "middle", share(pair.collisions)),
             "The pair is checked: start from another posture, or disable it in the SRDF if the "
@@ -98,7 +98,7 @@ class Examination {
     std::vector<const SampledPair*> pairs;
     for (const SampledPair& pair : sampled_.pairs) {
       if (pair.collisions > 0 && pair.collisions < sampled_.samples &&
-          !pair.overlaps(sampled_.samples)) {
+          !pair.overlaps(sampled_.samples) && !pair.closes(sampled_.samples)) {
         pairs.push_back(&pair);
       }
     }

@@ -29,6 +29,7 @@ using geometric::Scene;
 
 constexpr int kMostCandidates = 6;     // of one pose
 constexpr int kStarts = 80;            // of the iterations for one pose
+constexpr int kSpreadStarts = 800;     // the same, where the robot is in collision after these
 constexpr double kInside = 0.99;       // share of the tolerance that is used
 constexpr double kRounding = 1e-6;     // m and rad
 constexpr std::size_t kMostPairs = 3;  // that a message names
@@ -64,8 +65,11 @@ class GoalPoseSearch {
 
   PoseGoalSolutions run() {
     for (std::size_t pose = 0; pose < scene_.goal_poses.size(); ++pose) {
-      if (!solve(pose, 0.0)) {
-        solve(pose, kInside);
+      const int refused_before = refused_;
+      if (!solve(pose, 0.0) && !solve(pose, kInside) && refused_ > refused_before) {
+        spread_ = true;
+        solve(pose, 0.0);
+        spread_ = false;
       }
     }
     const Configuration from = geometric::normalised(*robot_.model, start_);
@@ -85,8 +89,8 @@ class GoalPoseSearch {
                                                     double tolerance_share) const {
     NumericIkOptions options;
     options.X_LT = goal.X_LT;
-    options.max_restarts = kStarts - 1;
-    options.stay_near = true;
+    options.max_restarts = (spread_ ? kSpreadStarts : kStarts) - 1;
+    options.stay_near = !spread_;
     const auto is_free = goal.rotation_tolerance.array() >= std::numbers::pi;
     options.position_only = is_free.all();
     options.position_slack = tolerance_share * goal.position_tolerance;
@@ -185,6 +189,9 @@ class GoalPoseSearch {
   std::map<int, int> refusals_;             ///< By pair.
   int refused_ = 0;
   int last_pair_ = 0;
+  /// Leave configurations where they are found: drawn near the reference they come to be alike, and
+  /// the robot is in collision in all of them or in none.
+  bool spread_ = false;
 };
 
 }  // namespace

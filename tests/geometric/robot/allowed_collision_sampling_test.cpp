@@ -66,6 +66,42 @@ TEST(AllowedCollisionSampling, TellsAlwaysFromNeverFromSometimes) {
   EXPECT_FALSE(allowed.reason("base", "sweeper")) << "in collision only now and then";
 }
 
+/// Two jaws that one joint opens by at most 0.04 m each; they overlap by `overlap` (m) if closed.
+RobotModel gripper(double overlap) {
+  RobotDescription robot;
+  robot.links.push_back({"palm", {}, {}});
+  for (const double side : {1.0, -1.0}) {
+    const std::string name = side > 0 ? "left" : "right";
+    Link& jaw = robot.links.emplace_back(Link{name, {}, {}});
+    jaw.collision.emplace_back().shape = Box{{0.02, 0.01 + overlap, 0.04}};
+    Joint& joint = robot.joints.emplace_back();
+    joint.name = name + "_slide";
+    joint.type = JointType::kPrismatic;
+    joint.parent = "palm";
+    joint.child = name;
+    joint.axis = side * Eigen::Vector3d::UnitY();
+    joint.X_PJ.translation() = Eigen::Vector3d(0.0, side * 0.005, 0.05);
+    joint.limits = {0.0, 0.04, 1.0};
+  }
+  robot.joints.back().mimic = Mimic{"left_slide", 1.0, 0.0};
+  return RobotModel(robot);
+}
+
+TEST(AllowedCollisionSampling, LetsJawsTouchThatMeetWhereTheirJointEnds) {
+  EXPECT_EQ(sample_allowed_collisions(gripper(1e-5), 1000, 1).reason("left", "right"),
+            AllowedReason::kDefault);
+  EXPECT_EQ(sample_overlapping_links(gripper(1e-5), 200, 1).reason("left", "right"),
+            AllowedReason::kDefault);
+  EXPECT_FALSE(sample_allowed_collisions(gripper(0.01), 1000, 1).reason("left", "right"))
+      << "they can be driven into each other";
+}
+
+TEST(AllowedCollisionSampling, LetsNoOtherLinksTouchThatDoSoAtAnEnd) {
+  RobotDescription robot = gripper(1e-5).description();
+  robot.joints.back().mimic.reset();
+  EXPECT_FALSE(sample_allowed_collisions(RobotModel(robot), 1000, 1).reason("left", "right"));
+}
+
 TEST(AllowedCollisionSampling, GivesTheSameMatrixForTheSameSeed) {
   EXPECT_EQ(sample_allowed_collisions(spheres(), 20, 7).entries(),
             sample_allowed_collisions(spheres(), 20, 7).entries());

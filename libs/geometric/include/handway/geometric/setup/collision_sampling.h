@@ -23,15 +23,20 @@ struct SampledPair {
   int collisions = 0;       ///< Of the samples.
   bool at_neutral = false;  ///< In RobotModel::neutral().
   bool at_middle = false;   ///< With every joint in the middle of its range.
+  /// One joint moves both, and is at the end of its range at neutral.
+  bool jaws = false;
 
   /// In collision at the neutral posture and in at least half of the samples: the shapes overlap by
   /// construction, as those of a knuckle and its palm may.
   [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT bool overlaps(int samples) const;
+  /// Jaws of a gripper that meet where their joint ends, and hardly before: in at most 1 % of the
+  /// samples. They are made to touch.
+  [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT bool closes(int samples) const;
 };
 
 struct SelfCollisionSamples {
   int samples = 0;
-  /// Samples in which pairs touch that neither always touch nor overlap.
+  /// Samples in which pairs touch that neither always touch nor overlap nor are jaws that close.
   int colliding = 0;
   std::vector<SampledPair> pairs;
 };
