@@ -4,6 +4,7 @@
 #include "handway/device/glove/glove_calibration.h"
 #include "handway/device/glove/glove_layout.h"
 #include "handway/device/glove/hand_mapping.h"
+#include "handway/device/retargeting/fingertip_errors.h"
 #include "handway/device/retargeting/fingertip_retargeter.h"
 #include "handway/geometric/formats/robot_loader.h"
 #include "handway/geometric/io/input_error.h"
@@ -24,7 +25,6 @@
 #include <filesystem>
 #include <iterator>
 #include <memory>
-#include <numeric>
 #include <optional>
 #include <string>
 #include <utility>
@@ -235,58 +235,43 @@ HandSource hand_source(const PcaOptions& options) {
   return made;
 }
 
-/// How far fingertips are from where the person's are, scaled to the robot's fingers: a line.
-/// @param mapped the postures of each recording.
-std::string fingertip_line(const std::string& name, const std::vector<MappedRecording>& recordings,
-                           const std::vector<device::MappedPostures>& mapped,
-                           const device::FingertipRetargeter& hand,
-                           const geometric::RobotModel& model) {
-  std::vector<double> misses;  // mm
-  for (std::size_t r = 0; r < recordings.size(); ++r) {
-    Eigen::VectorXd q = hand.middle();
-    for (Eigen::Index row = 0; row < mapped[r].postures.rows(); ++row) {
-      for (std::size_t j = 0; j < mapped[r].joints.size(); ++j) {
-        q[*model.find_variable(mapped[r].joints[j])] =
-            mapped[r].postures(row, static_cast<Eigen::Index>(j));
-      }
-      const Eigen::Matrix3Xd wanted =
-          hand.wanted(device::hand_landmarks(device::angles_of_row(recordings[r].recording, row)));
-      const Eigen::RowVectorXd miss = (hand.fingertips(q) - wanted).colwise().norm();
-      for (const double distance : miss) {
-        misses.push_back(1e3 * distance);
-      }
-    }
-  }
-  std::ranges::sort(misses);
-  const double mean =
-      std::accumulate(misses.begin(), misses.end(), 0.0) / static_cast<double>(misses.size());
-  return fmt::format("  {:<22}{:>8.1f}{:>8.1f}{:>8.1f}\n", name, mean, misses[misses.size() / 2],
-                     misses[misses.size() * 95 / 100]);
-}
-
 void print_fingertips(const std::vector<MappedRecording>& recordings, const HandSource& chosen) {
-  std::vector<device::MappedPostures> mapped;
-  mapped.reserve(recordings.size());
-  for (const MappedRecording& recording : recordings) {
-    mapped.push_back(recording.mapped);
-  }
   fmt::print(
       "Fingertips from where the person's are, scaled to the fingers, mm:\n  {:<22}{:>8}{:>8}"
       "{:>8}\n",
       "", "mean", "median", "95 %");
+  std::vector<device::GloveAngles> rows;
+  Eigen::MatrixXd postures(0, static_cast<Eigen::Index>(chosen.source->joints().size()));
+  for (const MappedRecording& recording : recordings) {
+    const Eigen::Index first = postures.rows();
+    const Eigen::Index count = recording.mapped.postures.rows();
+    postures.conservativeResize(first + count, postures.cols());
+    postures.bottomRows(count) = recording.mapped.postures;
+    for (Eigen::Index row = 0; row < count; ++row) {
+      rows.push_back(device::angles_of_row(recording.recording, row));
+    }
+  }
+  const auto print = [&](const char* name, const std::vector<std::string>& joints,
+                         const Eigen::MatrixXd& all, const device::FingertipRetargeter& hand) {
+    const device::FingertipErrors errors = device::fingertip_errors(rows, joints, all, hand);
+    fmt::print("  {:<22}{:>8.1f}{:>8.1f}{:>8.1f}\n", name, 1e3 * errors.mean, 1e3 * errors.median,
+               1e3 * errors.most);
+  };
   const auto* retargeter = dynamic_cast<const device::FingertipRetargeter*>(chosen.source.get());
   if (retargeter != nullptr) {
-    fmt::print("{}", fingertip_line("fingertip retargeting", recordings, mapped, *retargeter,
-                                    *chosen.model));
+    print("fingertip retargeting", retargeter->joints(), postures, *retargeter);
     return;
   }
   const device::FingertipRetargeter other(chosen.model);
-  fmt::print("{}", fingertip_line("this mapping", recordings, mapped, other, *chosen.model));
-  for (std::size_t r = 0; r < recordings.size(); ++r) {
-    mapped[r] = other.map_recording(recordings[r].recording);
+  print("this mapping", chosen.source->joints(), postures, other);
+  Eigen::MatrixXd retargeted(postures.rows(), static_cast<Eigen::Index>(other.joints().size()));
+  Eigen::Index first = 0;
+  for (const MappedRecording& recording : recordings) {
+    const device::MappedPostures mapped = other.map_recording(recording.recording);
+    retargeted.middleRows(first, mapped.postures.rows()) = mapped.postures;
+    first += mapped.postures.rows();
   }
-  fmt::print("{}",
-             fingertip_line("fingertip retargeting", recordings, mapped, other, *chosen.model));
+  print("fingertip retargeting", other.joints(), retargeted, other);
 }
 
 // The thumb base, if the hand has one, unless other joints or "none" were asked for.

@@ -1,5 +1,6 @@
 #include "pca_report.h"
 
+#include "handway/device/retargeting/fingertip_errors.h"
 #include "handway/device/retargeting/fingertip_retargeter.h"
 #include "handway/geometric/io/replace_file.h"
 #include "handway/geometric/math/units.h"
@@ -8,8 +9,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <array>
-#include <cmath>
+#include <memory>
 
 namespace handway::tools {
 namespace {
@@ -19,8 +19,6 @@ using geometric::kDegree;
 using geometric::kMillimetre;
 using sampling::BasisStudy;
 using sampling::Interval;
-
-constexpr std::array kWantedErrors{10.0, 5.0, 2.0};  // mm
 
 std::string interval_text(const Interval& interval, double unit) {
   return fmt::format("{:8.1f} {:>15}", interval.mean / unit,
@@ -74,19 +72,8 @@ BasisStudy study_recordings(const std::vector<MappedRecording>& recordings,
                             const sampling::BasisStudySettings& settings) {
   device::RetargetingSettings only_kinematics;
   only_kinematics.self_collision = false;
-  const device::FingertipRetargeter tips(hand, only_kinematics);
-  std::vector<int> variables;
-  for (const std::string& joint : mapper.joints()) {
-    variables.push_back(*hand->find_variable(joint));
-  }
-  const auto fingertips = [&](const Eigen::VectorXd& posture) {
-    Eigen::VectorXd q = tips.middle();
-    for (Eigen::Index j = 0; j < posture.size(); ++j) {
-      q[variables[static_cast<std::size_t>(j)]] =
-          std::lerp(mapper.lower()[j], mapper.upper()[j], posture[j]);
-    }
-    return tips.fingertips(q);
-  };
+  const auto fingertips = device::normalised_fingertips(
+      std::make_shared<const device::FingertipRetargeter>(hand, only_kinematics), mapper);
   // Scaled together: a range is that of all.
   const Eigen::MatrixXd samples = normalised_samples(recordings, mapper, normalisation);
   std::vector<sampling::RecordedHand> hands;
@@ -112,8 +99,9 @@ std::string study_text(const BasisStudy& study, double confidence) {
                         interval_text(error.fingertip, kMillimetre), error.most / kMillimetre,
                         100.0 * error.variance);
   }
-  for (const double wanted : kWantedErrors) {
-    const int enough = study.enough_for(wanted * kMillimetre);
+  for (const double error : sampling::kReportedErrors) {
+    const double wanted = error / kMillimetre;
+    const int enough = study.enough_for(error);
     text += enough < 0 ? fmt::format("  for {:g} mm: not even all\n", wanted)
                        : fmt::format("  for {:g} mm: {} PMDs\n", wanted, enough);
   }
@@ -147,10 +135,10 @@ void write_study(const BasisStudy& study, const sampling::BasisStudySettings& se
          {"variance", error.variance}});
   }
   document["enough"] = Json::array();
-  for (const double wanted : kWantedErrors) {
-    const int enough = study.enough_for(wanted * kMillimetre);
+  for (const double error : sampling::kReportedErrors) {
+    const int enough = study.enough_for(error);
     document["enough"].push_back(
-        {{"mm", wanted}, {"pmds", enough < 0 ? Json(nullptr) : Json(enough)}});
+        {{"mm", error / kMillimetre}, {"pmds", enough < 0 ? Json(nullptr) : Json(enough)}});
   }
   document["stability"] = Json::array();
   for (const sampling::BasisStability& stability : study.stability) {

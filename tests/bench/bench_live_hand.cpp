@@ -2,9 +2,10 @@
 /// frames in a sensor that no joint follows and keeps when each was measured; the window tells when
 /// a picture with it is done.
 ///
-///     bench_live_hand [SCENE] [SECONDS] [PAGE]
+///     bench_live_hand [SCENE] [SECONDS] [PAGE] [BUSY]
 ///
-/// Needs a display, for example xvfb-run.
+/// BUSY other processes keep a core each busy at the same priority. Needs a display, for example
+/// xvfb-run.
 #include "app/main_window.h"
 #include "features/glove/glove_panel.h"
 #include "handway/device/glove/glove_emulator.h"
@@ -17,6 +18,10 @@
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QTimer>
+
+#include <signal.h>
+#include <sys/prctl.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -134,9 +139,36 @@ class Measurement {
   double all_cpu_ = 0.0;
 };
 
+/// Processes that do nothing but keep a core busy, as long as this lives.
+class Load {
+ public:
+  explicit Load(int processes) {
+    for (int i = 0; i < processes; ++i) {
+      const pid_t child = ::fork();
+      if (child == 0) {
+        ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+        for (std::atomic<unsigned> turns = 0;; ++turns) {
+        }
+      }
+      children_.push_back(child);
+    }
+  }
+  ~Load() {
+    for (const pid_t child : children_) {
+      ::kill(child, SIGKILL);
+    }
+  }
+  Load(const Load&) = delete;
+  Load& operator=(const Load&) = delete;
+
+ private:
+  std::vector<pid_t> children_;
+};
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  const Load load(argc > 4 ? std::atoi(argv[4]) : 0);
   QCoreApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
   QApplication application(argc, argv);
   QApplication::setOrganizationName(QStringLiteral("handway-bench"));

@@ -82,8 +82,11 @@ int main(int argc, char** argv) {
     }
   }
   if (robots.empty()) {
-    robots.push_back(geometric::find_resource(geometric::ResourceKind::kRobot, "sah_right",
-                                              std::filesystem::current_path()));
+    for (const char* hand :
+         {"sah_right", "allegro_class_right", "leap_class_right", "shadow_class_right"}) {
+      robots.push_back(geometric::find_resource(geometric::ResourceKind::kRobot, hand,
+                                                std::filesystem::current_path()));
+    }
   }
   if (rows.empty()) {
     rows = device::free_motion();

@@ -2,7 +2,11 @@
 
 #include "features/glove/capture_coach.h"
 #include "features/glove/pmd_explorer.h"
+#include "handway/device/glove/human_hand.h"
 #include "handway/device/glove/recording.h"
+#include "handway/device/glove/recording_quality.h"
+#include "handway/device/retargeting/fingertip_errors.h"
+#include "handway/geometric/math/units.h"
 #include "handway/sampling/postures/posture_subspace.h"
 
 #include <QFileDialog>
@@ -124,12 +128,15 @@ bool CapturedPostures::has_settled() const {
 namespace {
 
 constexpr int kShowMs = 100;
-constexpr int kDotsEvery = 5;  // times slower than the bars
+constexpr int kDotsEvery = 5;     // times slower than the bars
+constexpr int kReportEvery = 50;  // the same
+constexpr std::size_t kMostMeasured = 4000;
+constexpr std::size_t kMostMeasuredLive = 100;
 
-Eigen::VectorXd normalised(const device::HandMapper& mapper, const Eigen::VectorXd& posture) {
-  const Eigen::VectorXd range = mapper.upper() - mapper.lower();
+Eigen::VectorXd normalised(const device::PostureSource& source, const Eigen::VectorXd& posture) {
+  const Eigen::VectorXd range = source.upper() - source.lower();
   return (range.array() > 0.0)
-      .select((posture - mapper.lower()).cwiseQuotient(range), 0.5)
+      .select((posture - source.lower()).cwiseQuotient(range), 0.5)
       .cwiseMax(0.0)
       .cwiseMin(1.0);
 }
@@ -151,29 +158,61 @@ std::vector<int> free_joints(const sampling::PmdBasis* basis,
 
 }  // namespace
 
-CapturedPostures read_postures(const std::filesystem::path& file,
-                               const device::GloveCalibration& calibration,
-                               const device::HandMapper& mapper, const std::vector<int>& left_out) {
-  const device::Recording angles = device::to_angles(device::read_recording(file), calibration);
-  const device::MappedPostures mapped = mapper.map_recording(angles);
-  CapturedPostures postures(mapped.joints, left_out);
-  for (Eigen::Index row = 0; row < mapped.postures.rows(); ++row) {
-    postures.add(angles.times[row], normalised(mapper, mapped.postures.row(row).transpose()));
+PostureRecordings read_postures(const std::vector<std::filesystem::path>& files,
+                                const device::GloveCalibration& calibration,
+                                const device::PostureSource& source,
+                                const std::vector<int>& left_out, const std::stop_token& stop) {
+  PostureRecordings result{CapturedPostures(source.joints(), left_out), {}};
+  std::vector<device::GloveAngles> measured;
+  double begin = 0.0;
+  for (const std::filesystem::path& file : files) {
+    const device::Recording angles = device::to_angles(device::read_recording(file), calibration);
+    const device::MappedPostures mapped = source.map_recording(angles, stop);
+    Eigen::MatrixXd samples(mapped.postures.rows(), mapped.postures.cols());
+    for (Eigen::Index row = 0; row < samples.rows(); ++row) {
+      samples.row(row) = normalised(source, mapped.postures.row(row).transpose()).transpose();
+      result.postures.add(begin + angles.times[row] - angles.times[0],
+                          samples.row(row).transpose());
+      measured.push_back(device::angles_of_row(angles, row));
+    }
+    begin = result.postures.duration();
+    const double rate = device::assess(angles).rate;
+    // Postures without times don't depend on each other.
+    const double no_rate = 1.0 / sampling::BasisStudySettings().block;
+    result.each.push_back(
+        {file.filename().string(), std::move(samples), rate > 0.0 ? rate : no_rate});
   }
-  return postures;
+  const std::size_t stride = measured.size() / kMostMeasured + 1;
+  for (std::size_t row = 0; row < measured.size(); row += stride) {
+    result.measured.push_back(measured[row]);
+  }
+  return result;
 }
 
 CapturePages::CapturePages(GloveSession& session, QObject* parent)
     : QObject(parent), session_(session), coach_(new CaptureCoach), explorer_(new PmdExplorer) {
   connect(&session_, &GloveSession::sampled, this, &CapturePages::take);
-  connect(&session_, &GloveSession::mapping_changed, this, &CapturePages::restart);
-  connect(coach_, &CaptureCoach::restart_requested, this, &CapturePages::restart);
+  connect(&session_, &GloveSession::source_changed, this, [this] {
+    explorer_->show_method(session_.method());
+    restart();
+  });
+  connect(&session_, &GloveSession::retargeting_prepared, this, [this] {
+    compare_methods(recordings_ ? recordings_->measured : std::vector<device::GloveAngles>{});
+    update_report();
+  });
+  connect(coach_, &CaptureCoach::restart_requested, this, [this] {
+    files_.clear();
+    restart();
+  });
   connect(explorer_, &PmdExplorer::live_requested, this, [this] {
-    shows_live_ = true;
-    explorer_->show_postures(live_, {}, session_.mapping().hand);
+    files_.clear();
+    show_again();
   });
   connect(explorer_, &PmdExplorer::failed, this, &CapturePages::failed);
-  connect(explorer_, &PmdExplorer::recording_requested, this, &CapturePages::choose_recording);
+  connect(explorer_, &PmdExplorer::recording_requested, this, &CapturePages::choose_recordings);
+  connect(explorer_, &PmdExplorer::method_chosen, &session_, &GloveSession::set_method);
+  connect(explorer_, &PmdExplorer::options_changed, this, &CapturePages::update_report);
+  connect(explorer_, &PmdExplorer::shown, &session_, &GloveSession::prepare_retargeting);
   ticker_.setInterval(kShowMs);
   connect(&ticker_, &QTimer::timeout, this, &CapturePages::show_live);
   restart();
@@ -182,16 +221,20 @@ CapturePages::CapturePages(GloveSession& session, QObject* parent)
 CapturePages::~CapturePages() = default;
 
 CapturedPostures CapturePages::no_postures() const {
-  const device::HandMapper* mapper = session_.mapper();
-  return mapper ? CapturedPostures(mapper->joints(), free_joints(basis_.get(), mapper->joints()))
+  const device::PostureSource* source = session_.source();
+  return source ? CapturedPostures(source->joints(), free_joints(basis_.get(), source->joints()))
                 : CapturedPostures();
 }
 
 void CapturePages::set_hand(std::shared_ptr<const geometric::RobotModel> model,
                             const HandBasis& basis) {
   basis_ = basis.basis;
+  files_.clear();
   explorer_->set_hand(std::move(model), basis);
   restart();
+  if (explorer_->isVisible()) {
+    session_.prepare_retargeting();
+  }
 }
 
 void CapturePages::set_basis(const HandBasis& basis) {
@@ -205,27 +248,46 @@ void CapturePages::set_configuration(const geometric::Configuration& q) {
 
 void CapturePages::restart() {
   live_ = no_postures();
-  if (const device::HandMapper* mapper = session_.mapper()) {
-    coach_->restart(session_.mapping(), mapper->joints(), mapper->driven());
+  recent_.clear();
+  if (const device::PostureSource* source = session_.source()) {
+    coach_->restart(session_.mapping(), source->joints(), source->driven());
   } else {
     coach_->restart(session_.mapping(), {}, {});
   }
-  shows_live_ = true;
+  show_again();
+}
+
+void CapturePages::show_again() {
+  recordings_.reset();
+  reading_.cancel();
+  comparing_.cancel();
+  explorer_->show_errors({});
   explorer_->show_postures(live_, {}, session_.mapping().hand);
+  update_report();
+  if (!files_.isEmpty() && session_.source()) {
+    show_recordings(QStringList(files_));
+  }
 }
 
 void CapturePages::take(const std::vector<GloveSample>& samples) {
-  const device::HandMapper* mapper = session_.mapper();
-  if (!mapper) {
+  const device::PostureSource* source = session_.source();
+  if (!source) {
     return;
   }
   for (const GloveSample& sample : samples) {
-    const Eigen::VectorXd posture = normalised(*mapper, sample.posture);
+    if (session_.posture_of(sample).size() == 0) {
+      continue;
+    }
+    const Eigen::VectorXd posture = normalised(*source, session_.posture_of(sample));
     coach_->add(posture);
     live_.add(sample.frame.time, posture);
+    recent_.push_back(sample.angles);
+    is_new_ = true;
   }
-  is_new_ = true;
-  if (!ticker_.isActive()) {
+  while (recent_.size() > kMostMeasuredLive) {
+    recent_.pop_front();
+  }
+  if (is_new_ && !ticker_.isActive()) {
     ticker_.start();
   }
 }
@@ -239,48 +301,154 @@ void CapturePages::show_live() {
   if (coach_->isVisible()) {
     coach_->show_progress(live_);
   }
-  if (shows_live_ && explorer_->isVisible() && ++ticks_ % kDotsEvery == 0) {
-    explorer_->show_postures(live_, {}, session_.mapping().hand);
+  if (!files_.isEmpty() || !explorer_->isVisible() || ++ticks_ % kDotsEvery != 0) {
+    return;
   }
-}
-
-void CapturePages::choose_recording() {
   explorer_->show_postures(live_, {}, session_.mapping().hand);
-  const QString file =
-      QFileDialog::getOpenFileName(explorer_, tr("Show the postures of a recording"), {},
-                                   tr("Recordings (*.csv *.txt);;All files (*)"));
-  if (!file.isEmpty()) {
-    show_recording(file);
+  if (!comparing_.is_busy()) {
+    compare_methods({recent_.begin(), recent_.end()});
+  }
+  if (ticks_ % kReportEvery == 0 && !explorer_->report().is_busy()) {
+    update_report();
   }
 }
 
-void CapturePages::show_recording(const QString& file) {
-  const device::HandMapper* mapper = session_.mapper();
-  if (!mapper) {
+void CapturePages::choose_recordings() {
+  explorer_->show_postures(live_, {}, session_.mapping().hand);
+  const QStringList files = QFileDialog::getOpenFileNames(
+      explorer_, tr("Show the postures of recordings, of one person or several together"), {},
+      tr("Recordings (*.csv *.txt *.json *.jsonl *.mat *.yaml);;All files (*)"));
+  if (!files.isEmpty()) {
+    show_recordings(files);
+  }
+}
+
+void CapturePages::show_recordings(const QStringList& files) {
+  const device::PostureSource* source = session_.source();
+  if (!source) {
     emit failed(tr("Open a scene with the hand that the mapping is for first"));
     return;
   }
-  const int load = ++load_;
-  threads_.run([this, load, file, calibration = session_.calibration(), mapper = *mapper,
-                left_out = live_.left_out(), hand = session_.mapping().hand] {
-    try {
-      auto postures = std::make_shared<CapturedPostures>(
-          read_postures(file.toStdString(), calibration, mapper, left_out));
-      QMetaObject::invokeMethod(
-          this,
-          [this, load, file, postures, hand] {
-            if (load == load_) {
-              shows_live_ = false;
-              explorer_->show_postures(*postures, QFileInfo(file).fileName(), hand);
-            }
-          },
-          Qt::QueuedConnection);
-    } catch (const std::exception& error) {
-      QMetaObject::invokeMethod(
-          this, [this, message = QString::fromUtf8(error.what())] { emit failed(message); },
-          Qt::QueuedConnection);
+  std::vector<std::filesystem::path> paths;
+  for (const QString& file : files) {
+    paths.emplace_back(file.toStdString());
+  }
+  // What the job needs of the session, which may change meanwhile.
+  std::shared_ptr<const device::PostureSource> kept = session_.retargeter();
+  if (session_.method() == PostureMethod::kJointMapping) {
+    kept = std::make_shared<const device::HandMapper>(*session_.mapper());
+  }
+  files_ = files;
+  explorer_->show_errors(tr("Reading the recordings…"));
+  reading_.run(
+      [this, paths, kept, calibration = session_.calibration(),
+       left_out = no_postures().left_out()](const std::stop_token& stop) -> LatestJob::Answer {
+        try {
+          auto recordings = std::make_shared<PostureRecordings>(
+              read_postures(paths, calibration, *kept, left_out, stop));
+          return [this, recordings] { take_recordings(recordings); };
+        } catch (const std::exception& error) {
+          return [this, message = QString::fromUtf8(error.what())] {
+            files_.clear();
+            explorer_->show_errors({});
+            emit failed(message);
+          };
+        }
+      });
+}
+
+void CapturePages::take_recordings(const std::shared_ptr<PostureRecordings>& recordings) {
+  recordings_ = recordings;
+  QStringList names;
+  for (const QString& file : files_) {
+    names << QFileInfo(file).fileName();
+  }
+  explorer_->show_postures(recordings_->postures, names.join(QStringLiteral(" + ")),
+                           session_.mapping().hand);
+  compare_methods(recordings_->measured);
+  update_report();
+}
+
+namespace {
+
+QString error_row(const QString& method, const std::optional<device::FingertipErrors>& errors) {
+  const auto cell = [](double metres) {
+    return QStringLiteral("<td align=right>&nbsp; %1</td>")
+        .arg(metres / geometric::kMillimetre, 0, 'f', 1);
+  };
+  return QStringLiteral("<tr><td>%1</td>%2</tr>")
+      .arg(method, errors ? cell(errors->mean) + cell(errors->median) + cell(errors->most)
+                          : QObject::tr("<td colspan=3>none</td>"));
+}
+
+}  // namespace
+
+// Both methods on what was measured, by the same measure.
+void CapturePages::compare_methods(std::vector<device::GloveAngles> measured) {
+  if (!session_.retargeter()) {
+    explorer_->show_errors(session_.retargeting_error().toHtmlEscaped());
+    return;
+  }
+  if (measured.empty()) {
+    return;
+  }
+  comparing_.run([this, measured = std::move(measured), hand = session_.retargeter(),
+                  mapper = session_.mapper() ? std::optional(*session_.mapper()) : std::nullopt](
+                     const std::stop_token& stop) -> LatestJob::Answer {
+    const auto count = static_cast<Eigen::Index>(measured.size());
+    Eigen::MatrixXd retargeted(count, hand->lower().size());
+    Eigen::VectorXd last = hand->middle();
+    for (Eigen::Index row = 0; row < count && !stop.stop_requested(); ++row) {
+      last = hand->posture(device::hand_landmarks(measured[static_cast<std::size_t>(row)]), last);
+      retargeted.row(row) = last.transpose();
     }
+    if (stop.stop_requested()) {
+      return {};
+    }
+    std::optional<device::FingertipErrors> of_mapping;
+    if (mapper) {
+      Eigen::MatrixXd mapped(count, mapper->lower().size());
+      for (Eigen::Index row = 0; row < count; ++row) {
+        mapped.row(row) = mapper->posture(measured[static_cast<std::size_t>(row)]).transpose();
+      }
+      of_mapping = device::fingertip_errors(measured, mapper->joints(), mapped, *hand);
+    }
+    const device::FingertipErrors of_retargeting =
+        device::fingertip_errors(measured, hand->joints(), retargeted, *hand);
+    const QString text =
+        tr("<table cellspacing=0 cellpadding=1><tr><td>Fingertips from the person's, mm</td>"
+           "<td>&nbsp; mean</td><td>&nbsp; median</td><td>&nbsp; 95 %</td></tr>") +
+        error_row(tr("Joint mapping"), of_mapping) +
+        error_row(tr("Fingertip retargeting"), of_retargeting) + QStringLiteral("</table>");
+    return [this, text] { explorer_->show_errors(text); };
   });
+}
+
+void CapturePages::update_report() {
+  const device::PostureSource* source = session_.source();
+  std::vector<sampling::RecordedHand> each;
+  if (recordings_) {
+    each = recordings_->each;
+  } else if (files_.isEmpty() && live_.duration() > 0.0) {
+    const Eigen::MatrixXd samples = live_.table();
+    each.push_back({tr("live").toStdString(), samples,
+                    static_cast<double>(samples.rows()) / live_.duration()});
+  }
+  if (!source || !session_.retargeter() || each.empty()) {
+    explorer_->report().set_input(
+        std::nullopt, !session_.retargeting_error().isEmpty() ? session_.retargeting_error()
+                      : each.empty() ? tr("No postures yet: connect a glove, or choose recordings")
+                                     : QString());
+    return;
+  }
+  const sampling::PmdBasisOptions options = explorer_->options();
+  sampling::BasisStudySettings settings;
+  settings.free_joints = options.free_joints;
+  settings.directions = options.directions;
+  explorer_->report().set_input(
+      BasisStudyInput{std::move(each),
+                      device::normalised_fingertips(session_.retargeter(), *source), settings},
+      {});
 }
 
 }  // namespace handway::gui

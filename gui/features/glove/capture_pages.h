@@ -1,18 +1,22 @@
 #pragma once
 
+#include "handway/sampling/postures/basis_study.h"
 #include "handway/sampling/postures/pmd_basis.h"
 #include "handway/sampling/postures/principal_components.h"
 #include "model/devices/glove_session.h"
 #include "model/jobs/background.h"
 
 #include <QObject>
+#include <QStringList>
 #include <QTimer>
 
 #include <Eigen/Core>
 
 #include <deque>
+#include <filesystem>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -83,6 +87,13 @@ class CaptureCoach;
 class PmdExplorer;
 struct HandBasis;
 
+/// Recordings, of one person or of several, as postures of a hand.
+struct PostureRecordings {
+  CapturedPostures postures;                       ///< Of all, one after the other.
+  std::vector<sampling::RecordedHand> each;        ///< The same one by one.
+  std::vector<device::GloveAngles> measured = {};  ///< Evenly chosen rows of all, in their order.
+};
+
 /// Collects the postures that a glove makes the hand take, and keeps coach and explorer, which
 /// show them, up to date.
 class CapturePages : public QObject {
@@ -101,8 +112,8 @@ class CapturePages : public QObject {
   /// The scene names another basis; what has been captured stays.
   void set_basis(const HandBasis& basis);
   void set_configuration(const geometric::Configuration& q);
-  /// Shows a recording's postures in the explorer instead of the live ones.
-  void show_recording(const QString& file);
+  /// Shows the postures of recordings in the explorer instead of the live ones.
+  void show_recordings(const QStringList& files);
 
  signals:
   void failed(const QString& message);
@@ -111,28 +122,37 @@ class CapturePages : public QObject {
   void restart();
   void take(const std::vector<GloveSample>& samples);
   void show_live();
-  void choose_recording();
+  void choose_recordings();
   [[nodiscard]] CapturedPostures no_postures() const;
+  /// Other postures are to be shown: of the same recordings by another source, or live ones.
+  void show_again();
+  void take_recordings(const std::shared_ptr<PostureRecordings>& recordings);
+  void compare_methods(std::vector<device::GloveAngles> measured);
+  void update_report();
 
   GloveSession& session_;
   CaptureCoach* coach_;
   PmdExplorer* explorer_;
   std::shared_ptr<const sampling::PmdBasis> basis_;
   CapturedPostures live_;
-  bool shows_live_ = true;
-  bool is_new_ = false;  ///< Postures came since they were shown.
+  std::deque<device::GloveAngles> recent_;  ///< What was measured last.
+  QStringList files_;                       ///< Of the recordings shown; empty: the live ones are.
+  std::shared_ptr<const PostureRecordings> recordings_;  ///< Null until they have been read.
+  bool is_new_ = false;                                  ///< Postures came since they were shown.
   int ticks_ = 0;
-  int load_ = 0;  ///< Number of the recording asked for last.
   QTimer ticker_;
-  BackgroundThreads threads_;
+  LatestJob reading_;
+  LatestJob comparing_;
 };
 
-/// A recording through calibration and mapping, as postures normalised to [0, 1].
+/// Recordings through calibration and mapping or retargeting, as postures normalised to [0, 1].
 /// @param left_out as for CapturedPostures.
-/// @throws geometric::InputError if it can't be read or lacks a sensor.
-[[nodiscard]] CapturedPostures read_postures(const std::filesystem::path& file,
-                                             const device::GloveCalibration& calibration,
-                                             const device::HandMapper& mapper,
-                                             const std::vector<int>& left_out);
+/// @param stop nobody waits for them any more.
+/// @throws geometric::InputError if one can't be read or lacks a sensor.
+[[nodiscard]] PostureRecordings read_postures(const std::vector<std::filesystem::path>& files,
+                                              const device::GloveCalibration& calibration,
+                                              const device::PostureSource& source,
+                                              const std::vector<int>& left_out,
+                                              const std::stop_token& stop = {});
 
 }  // namespace handway::gui

@@ -282,7 +282,8 @@ void GlovePanel::show_state(StreamState state, const QString& error) {
   device_->setEnabled(!live);
   QString problem = error;
   if (problem.isEmpty() && state == StreamState::kStreaming) {
-    problem = session_.mapping_error();
+    problem = session_.method() == PostureMethod::kFingertips ? session_.retargeting_error()
+                                                              : session_.mapping_error();
     add_recent_glove(session_.device());
   }
   show_glove(state, problem);
@@ -321,13 +322,14 @@ void GlovePanel::show_samples(const std::vector<GloveSample>& samples) {
 }
 
 void GlovePanel::move_hand(const GloveSample& sample) {
-  const device::HandMapper* mapper = session_.mapper();
-  if (!mapper || sample.posture.size() == 0) {
+  const device::PostureSource* source = session_.source();
+  const Eigen::VectorXd& values = session_.posture_of(sample);
+  if (!source || values.size() == 0) {
     return;
   }
   geometric::NamedPosture posture;
-  for (std::size_t j = 0; j < mapper->joints().size(); ++j) {
-    posture.values[mapper->joints()[j]] = sample.posture[static_cast<Eigen::Index>(j)];
+  for (std::size_t j = 0; j < source->joints().size(); ++j) {
+    posture.values[source->joints()[j]] = values[static_cast<Eigen::Index>(j)];
   }
   if (!shown_since_) {
     shown_since_ = session_.link().arrival();

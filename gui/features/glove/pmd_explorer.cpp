@@ -18,6 +18,7 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSpinBox>
+#include <QTabBar>
 #include <QToolTip>
 #include <QVBoxLayout>
 #include <QVariant>
@@ -500,6 +501,8 @@ void BasisOptions::take_joints() {
 PmdExplorer::PmdExplorer(QWidget* parent)
     : QWidget(parent),
       source_(choice("explorer_source")),
+      method_(choice("explorer_method")),
+      errors_(heading({})),
       basis_(choice("explorer_basis")),
       options_(new BasisOptions),
       save_(new QPushButton(tr("Save as basis…"))),
@@ -510,39 +513,40 @@ PmdExplorer::PmdExplorer(QWidget* parent)
       variance_(new VarianceChart),
       correlation_(new CorrelationMap),
       comparison_(new BasisComparisonView),
+      report_(new BasisReportView),
+      views_(new QTabBar),
       note_(heading({})) {
   source_->addItems({tr("Live"), tr("A recording…")});
+  source_->setToolTip(
+      tr("Postures that the glove makes now, or those of one or several recordings together"));
+  method_->addItems({tr("Joint mapping"), tr("Fingertip retargeting")});
+  method_->setToolTip(
+      tr("What makes postures of this hand from a person's: sensor by sensor, as Mapping says, or "
+         "by where the person's fingertips are"));
+  errors_->setObjectName(QStringLiteral("explorer_errors"));
+  errors_->setWordWrap(true);
+  errors_->setTextFormat(Qt::RichText);
+  errors_->hide();
   note_->setWordWrap(true);
   auto* form = new QGridLayout;
   form->setHorizontalSpacing(8);
   form->setVerticalSpacing(6);
   form->addWidget(new QLabel(tr("Postures")), 0, 0);
   form->addWidget(source_, 0, 1, 1, 3);
-  form->addWidget(new QLabel(tr("Basis")), 1, 0);
-  form->addWidget(basis_, 1, 1, 1, 3);
-  form->addWidget(options_, 2, 0, 1, 4);
-  form->addWidget(build_buttons(), 3, 0, 1, 4);
-  form->addWidget(new QLabel(tr("Axes")), 4, 0);
-  form->addWidget(across_, 4, 1);
-  form->addWidget(new QLabel(QStringLiteral("×")), 4, 2);
-  form->addWidget(up_, 4, 3);
+  form->addWidget(new QLabel(tr("Hand by")), 1, 0);
+  form->addWidget(method_, 1, 1, 1, 3);
+  form->addWidget(errors_, 2, 0, 1, 4);
+  form->addWidget(new QLabel(tr("Basis")), 3, 0);
+  form->addWidget(basis_, 3, 1, 1, 3);
+  form->addWidget(options_, 4, 0, 1, 4);
+  form->addWidget(build_buttons(), 5, 0, 1, 4);
   form->setColumnStretch(1, 1);
   form->setColumnStretch(3, 1);
-  auto* charts = new QGridLayout;
-  charts->setHorizontalSpacing(12);
-  charts->setVerticalSpacing(2);
-  charts->addWidget(heading(tr("Variance held")), 0, 0);
-  charts->addWidget(heading(tr("Joints together")), 0, 1);
-  charts->addWidget(variance_, 1, 0);
-  charts->addWidget(correlation_, 1, 1);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(12, 10, 12, 6);
   layout->setSpacing(8);
   layout->addLayout(form);
-  layout->addWidget(pad_, 1);
-  layout->addWidget(note_);
-  layout->addLayout(charts);
-  layout->addWidget(comparison_);
+  layout->addWidget(build_views(), 1);
   connect(source_, qOverload<int>(&QComboBox::activated), this, [this](int index) {
     if (index == kLive) {
       emit live_requested();
@@ -550,13 +554,79 @@ PmdExplorer::PmdExplorer(QWidget* parent)
       emit recording_requested();
     }
   });
+  connect(method_, qOverload<int>(&QComboBox::activated), this,
+          [this](int method) { emit method_chosen(static_cast<PostureMethod>(method)); });
   connect(basis_, qOverload<int>(&QComboBox::activated), this, &PmdExplorer::take_choice);
-  connect(options_, &BasisOptions::changed, this, &PmdExplorer::rebuild_axes);
+  connect(options_, &BasisOptions::changed, this, [this] {
+    rebuild_axes();
+    emit options_changed();
+  });
   connect(across_, qOverload<int>(&QComboBox::activated), this, &PmdExplorer::choose_axes);
   connect(up_, qOverload<int>(&QComboBox::activated), this, &PmdExplorer::choose_axes);
   connect(pad_, &PmdPad::moved, this, &PmdExplorer::move_hand);
   list_bases();
   rebuild_axes();
+}
+
+// What the postures show, and how good a basis of them is.
+QWidget* PmdExplorer::build_views() {
+  auto* axes = new QGridLayout;
+  axes->setHorizontalSpacing(8);
+  axes->addWidget(new QLabel(tr("Axes")), 0, 0);
+  axes->addWidget(across_, 0, 1);
+  axes->addWidget(new QLabel(QStringLiteral("×")), 0, 2);
+  axes->addWidget(up_, 0, 3);
+  axes->setColumnStretch(1, 1);
+  axes->setColumnStretch(3, 1);
+  auto* charts = new QGridLayout;
+  charts->setHorizontalSpacing(12);
+  charts->setVerticalSpacing(2);
+  charts->addWidget(heading(tr("Variance held")), 0, 0);
+  charts->addWidget(heading(tr("Joints together")), 0, 1);
+  charts->addWidget(variance_, 1, 0);
+  charts->addWidget(correlation_, 1, 1);
+  auto* directions = new QWidget;
+  auto* layout = new QVBoxLayout(directions);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(8);
+  layout->addLayout(axes);
+  layout->addWidget(pad_, 1);
+  layout->addWidget(note_);
+  layout->addLayout(charts);
+  layout->addWidget(comparison_);
+  auto* box = new QWidget;
+  auto* pages = new QVBoxLayout(box);
+  pages->setContentsMargins(0, 0, 0, 0);
+  pages->setSpacing(8);
+  views_->setObjectName(QStringLiteral("explorer_views"));
+  views_->setDrawBase(false);
+  views_->setExpanding(true);
+  views_->setProperty("role", "pages");
+  views_->addTab(tr("Directions"));
+  views_->addTab(tr("Report"));
+  pages->addWidget(views_);
+  pages->addWidget(directions, 1);
+  pages->addWidget(report_, 1);
+  report_->hide();
+  connect(views_, &QTabBar::currentChanged, this, [this, directions](int view) {
+    directions->setVisible(view == 0);
+    report_->setVisible(view == 1);
+  });
+  return box;
+}
+
+void PmdExplorer::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  emit shown();
+}
+
+void PmdExplorer::show_method(PostureMethod method) {
+  method_->setCurrentIndex(static_cast<int>(method));
+}
+
+void PmdExplorer::show_errors(const QString& text) {
+  errors_->setText(text);
+  errors_->setVisible(!text.isEmpty());
 }
 
 QWidget* PmdExplorer::build_buttons() {

@@ -1,10 +1,12 @@
 #pragma once
 
+#include "features/glove/basis_report.h"
 #include "features/glove/capture_pages.h"
 #include "features/glove/hand_bases.h"
 #include "handway/geometric/robot/robot_description.h"
 #include "handway/geometric/robot/robot_model.h"
 #include "handway/sampling/postures/pmd_basis.h"
+#include "model/devices/glove_session.h"
 
 #include <QPointF>
 #include <QString>
@@ -22,6 +24,7 @@ class QComboBox;
 class QLabel;
 class QPushButton;
 class QSpinBox;
+class QTabBar;
 
 namespace handway::gui {
 
@@ -179,8 +182,8 @@ class BasisOptions : public QWidget {
 
 /// Explores a hand along its principal motion directions: two axes as a pad to drag in, the
 /// postures that were captured or recorded as dots, what the directions hold of the
-/// variance, and which joints go together. Bases are chosen here, made of the postures, saved,
-/// compared, and taken for planning.
+/// variance, and which joints go together; or a report of how good a basis of them is. Bases are
+/// chosen here, made of the postures, saved, compared, and taken for planning.
 class PmdExplorer : public QWidget {
   Q_OBJECT
 
@@ -197,6 +200,13 @@ class PmdExplorer : public QWidget {
   /// @param hand what a basis of them is of.
   void show_postures(const CapturedPostures& postures, const QString& source,
                      const std::string& hand);
+  /// What made the postures of the person's.
+  void show_method(PostureMethod method);
+  /// How far each method's fingertips are from the person's; for people.
+  void show_errors(const QString& text);
+  [[nodiscard]] BasisReportView& report() { return *report_; }
+  /// How many directions a basis of the postures gets, and which joints have their own axis.
+  [[nodiscard]] sampling::PmdBasisOptions options() const { return options_->options(); }
   /// Takes a basis from a file, and shows it.
   /// @throws geometric::InputError as open_basis().
   void open(const std::filesystem::path& file);
@@ -206,6 +216,7 @@ class PmdExplorer : public QWidget {
 
  signals:
   void posture_changed(const handway::geometric::NamedPosture& posture);
+  void method_chosen(handway::gui::PostureMethod method);
   void recording_requested();
   /// Show the live postures again.
   void live_requested();
@@ -213,9 +224,17 @@ class PmdExplorer : public QWidget {
   void basis_chosen(const std::filesystem::path& file,
                     const std::shared_ptr<const handway::sampling::PmdBasis>& basis);
   void failed(const QString& message);
+  /// The page has come to be seen.
+  void shown();
+  /// Another number of directions, or other free joints.
+  void options_changed();
+
+ protected:
+  void showEvent(QShowEvent* event) override;
 
  private:
   [[nodiscard]] QWidget* build_buttons();
+  [[nodiscard]] QWidget* build_views();
   void list_bases();
   void take_choice(int row);
   void add_basis(HandBasis basis);
@@ -243,6 +262,8 @@ class PmdExplorer : public QWidget {
   HandAxes axes_;
   geometric::Configuration q_;
   QComboBox* source_;
+  QComboBox* method_;
+  QLabel* errors_;
   QComboBox* basis_;
   BasisOptions* options_;
   QPushButton* save_;
@@ -253,6 +274,8 @@ class PmdExplorer : public QWidget {
   VarianceChart* variance_;
   CorrelationMap* correlation_;
   BasisComparisonView* comparison_;
+  BasisReportView* report_;
+  QTabBar* views_;
   QLabel* note_;
   bool moving_ = false;  ///< The change that arrives is this widget's own.
 };

@@ -2,6 +2,7 @@
 
 #include "handway/device/glove/cyberglove.h"
 #include "handway/device/glove/glove_signals.h"
+#include "handway/device/glove/human_hand.h"
 #include "handway/device/glove/landmark_glove.h"
 #include "handway/device/glove/replay_glove.h"
 #include "handway/device/retargeting/fingertip_retargeter.h"
@@ -10,6 +11,7 @@
 #include "handway/geometric/io/resources.h"
 #include "handway/geometric/robot/composed_robot.h"
 #include "handway/geometric/robot/group_proposal.h"
+#include "handway/geometric/robot/hand_alone.h"
 
 #include <QFileInfo>
 
@@ -73,6 +75,24 @@ std::string RecordingTap::error() const {
   return error_;
 }
 
+void RetargetingTap::set(std::shared_ptr<const device::FingertipRetargeter> retargeter,
+                         const device::GloveCalibration& calibration) {
+  const std::lock_guard lock(mutex_);
+  if (retargeter != retargeter_) {
+    last_ = retargeter ? retargeter->middle() : Eigen::VectorXd();
+    retargeter_ = std::move(retargeter);
+  }
+  calibration_ = calibration;
+}
+
+ArrivedFrame RetargetingTap::take(const device::GloveFrame& frame) {
+  const std::lock_guard lock(mutex_);
+  if (retargeter_) {
+    last_ = retargeter_->posture(device::hand_landmarks(to_angles(frame, calibration_)), last_);
+  }
+  return {frame, retargeter_, last_};
+}
+
 using device::StreamState;
 
 // The stream ends before the emulator that it talks to.
@@ -81,7 +101,10 @@ struct GloveLink::Running {
   std::unique_ptr<device::GloveStream> stream;
 };
 
-GloveLink::GloveLink(QObject* parent) : QObject(parent), tap_(std::make_shared<RecordingTap>()) {}
+GloveLink::GloveLink(QObject* parent)
+    : QObject(parent),
+      tap_(std::make_shared<RecordingTap>()),
+      retargeting_(std::make_shared<RetargetingTap>()) {}
 
 GloveLink::~GloveLink() {
   blockSignals(true);
@@ -97,9 +120,10 @@ void GloveLink::start(std::unique_ptr<device::Glove> glove,
   running_->emulator = std::move(emulator);
   state_ = StreamState::kConnecting;
   device::GloveStreamHandlers handlers;
-  handlers.on_sample = [push = inbox_->item_slot(), tap = tap_](const device::GloveFrame& frame) {
+  handlers.on_sample = [push = inbox_->item_slot(), tap = tap_,
+                        retargeting = retargeting_](const device::GloveFrame& frame) {
     tap->take(frame);
-    push(frame);
+    push(retargeting->take(frame));
   };
   handlers.on_state = inbox_->state_slot();
   running_->stream =
@@ -147,11 +171,14 @@ GloveSession::GloveSession(QObject* parent)
     : QObject(parent), typical_(device::typical_calibration()), mapping_(device::table1_mapping()) {
   QObject::connect(&link_, &GloveLink::state_changed, this, &GloveSession::state_changed);
   QObject::connect(&link_, &GloveLink::arrived, this,
-                   [this](const std::vector<device::GloveFrame>& frames) {
+                   [this](const std::vector<ArrivedFrame>& frames) {
                      std::vector<GloveSample> samples;
                      samples.reserve(frames.size());
-                     for (const device::GloveFrame& frame : frames) {
-                       samples.push_back(sample_of(frame));
+                     for (const ArrivedFrame& arrived : frames) {
+                       samples.push_back(sample_of(arrived.frame));
+                       if (retargeter_ && arrived.retargeter == retargeter_) {
+                         samples.back().retargeted = arrived.retargeted;
+                       }
                      }
                      emit sampled(samples);
                    });
@@ -196,9 +223,17 @@ void GloveSession::disconnect_glove() { link_.stop(); }
 
 void GloveSession::set_robot(std::shared_ptr<const geometric::RobotModel> model) {
   model_ = std::move(model);
+  preparing_.cancel();
+  retargeter_.reset();
+  retargeting_error_.clear();
+  update_tap();
   rebuild_mapper();
   if (model_ && !mapper_) {
     propose_mapping();
+  }
+  if (method_ == PostureMethod::kFingertips) {
+    emit source_changed();
+    prepare_retargeting();
   }
 }
 
@@ -243,6 +278,7 @@ void GloveSession::propose_mapping() {
 
 void GloveSession::set_calibration(std::optional<device::GloveCalibration> calibration) {
   chosen_ = std::move(calibration);
+  update_tap();
 }
 
 const device::GloveCalibration& GloveSession::calibration() const {
@@ -265,10 +301,64 @@ void GloveSession::rebuild_mapper() {
     }
   }
   emit mapping_changed();
+  if (method_ == PostureMethod::kJointMapping) {
+    emit source_changed();
+  }
+}
+
+void GloveSession::set_method(PostureMethod method) {
+  if (method_ == method) {
+    return;
+  }
+  method_ = method;
+  update_tap();
+  emit source_changed();
+  if (method_ == PostureMethod::kFingertips) {
+    prepare_retargeting();
+  }
+}
+
+// Solids for self-collision take a while.
+void GloveSession::prepare_retargeting() {
+  if (!model_ || retargeter_ || !retargeting_error_.isEmpty() || preparing_.is_busy()) {
+    return;
+  }
+  preparing_.run([this, model = model_](const std::stop_token&) -> LatestJob::Answer {
+    std::shared_ptr<const device::FingertipRetargeter> made;
+    QString error;
+    try {
+      made = std::make_shared<const device::FingertipRetargeter>(geometric::hand_alone(model));
+    } catch (const std::exception& problem) {
+      error = QString::fromUtf8(problem.what());
+    }
+    return [this, made, error] { take_retargeter(made, error); };
+  });
+}
+
+void GloveSession::take_retargeter(std::shared_ptr<const device::FingertipRetargeter> retargeter,
+                                   const QString& error) {
+  retargeter_ = std::move(retargeter);
+  retargeting_error_ = error;
+  update_tap();
+  emit retargeting_prepared();
+  if (method_ == PostureMethod::kFingertips) {
+    emit source_changed();
+  }
+}
+
+void GloveSession::update_tap() {
+  link_.retargeting().set(method_ == PostureMethod::kFingertips ? retargeter_ : nullptr,
+                          calibration());
+}
+
+const device::PostureSource* GloveSession::source() const {
+  return method_ == PostureMethod::kFingertips
+             ? static_cast<const device::PostureSource*>(retargeter_.get())
+             : mapper();
 }
 
 GloveSample GloveSession::sample_of(const device::GloveFrame& frame) const {
-  GloveSample sample{frame, to_angles(frame, calibration()), {}, {}};
+  GloveSample sample{frame, to_angles(frame, calibration()), {}, {}, {}};
   if (mapper_) {
     sample.unclamped = mapper_->unclamped(sample.angles);
     sample.posture = sample.unclamped.cwiseMax(mapper_->lower()).cwiseMin(mapper_->upper());

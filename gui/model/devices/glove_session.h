@@ -6,6 +6,7 @@
 #include "handway/device/glove/glove_layout.h"
 #include "handway/device/glove/hand_mapping.h"
 #include "handway/device/glove/recording.h"
+#include "handway/device/retargeting/fingertip_retargeter.h"
 #include "handway/geometric/robot/robot_model.h"
 #include "model/devices/stream_inbox.h"
 #include "model/jobs/background.h"
@@ -26,12 +27,40 @@
 
 namespace handway::gui {
 
-/// One frame of a glove, and what calibration and mapping make of it.
+/// What makes postures of the robot's hand from those of a person's.
+enum class PostureMethod { kJointMapping, kFingertips };
+
+/// One frame of a glove, and what calibration, mapping and retargeting make of it.
 struct GloveSample {
   device::GloveFrame frame;
   device::GloveAngles angles;
-  Eigen::VectorXd unclamped;  ///< rad, as mapped, shape [mapped joints]; empty without mapping.
-  Eigen::VectorXd posture;    ///< rad, within limits, shape [mapped joints].
+  Eigen::VectorXd unclamped;   ///< rad, as mapped, shape [mapped joints]; empty without mapping.
+  Eigen::VectorXd posture;     ///< rad, within limits, shape [mapped joints].
+  Eigen::VectorXd retargeted;  ///< rad, shape [retargeted joints]; empty unless that is chosen.
+};
+
+/// A frame, and the posture that retargeting made of it.
+struct ArrivedFrame {
+  device::GloveFrame frame;
+  std::shared_ptr<const device::FingertipRetargeter> retargeter = nullptr;  ///< Null: none.
+  Eigen::VectorXd retargeted = {};
+};
+
+/// Retargets the frames that pass by, one after the other, while it has something to do so with.
+/// For any thread.
+class RetargetingTap {
+ public:
+  /// @param retargeter null: frames pass by.
+  void set(std::shared_ptr<const device::FingertipRetargeter> retargeter,
+           const device::GloveCalibration& calibration);
+
+  [[nodiscard]] ArrivedFrame take(const device::GloveFrame& frame);
+
+ private:
+  std::mutex mutex_;
+  std::shared_ptr<const device::FingertipRetargeter> retargeter_;
+  device::GloveCalibration calibration_;
+  Eigen::VectorXd last_;
 };
 
 /// Writes the frames that pass by into a recording, row by row as they come, while it is
@@ -62,8 +91,8 @@ class RecordingTap {
   std::string error_;
 };
 
-/// A glove's stream brought to the window's thread. The recording tap sees every frame, on the
-/// stream's thread.
+/// A glove's stream brought to the window's thread. The taps see every frame, on the stream's
+/// thread.
 class GloveLink : public QObject {
   Q_OBJECT
 
@@ -85,28 +114,30 @@ class GloveLink : public QObject {
   /// When the first of the frames that arrived() announced last came in.
   [[nodiscard]] std::chrono::steady_clock::time_point arrival() const;
   [[nodiscard]] RecordingTap& tap() { return *tap_; }
+  [[nodiscard]] RetargetingTap& retargeting() { return *retargeting_; }
 
  signals:
   /// @param error why, of kLost and kFailed.
   void state_changed(handway::device::StreamState state, const QString& error);
   /// Frames since the last time, oldest first, never none.
-  void arrived(const std::vector<handway::device::GloveFrame>& frames);
+  void arrived(const std::vector<handway::gui::ArrivedFrame>& frames);
 
  private:
-  using Inbox = StreamInbox<device::GloveFrame>;
+  using Inbox = StreamInbox<ArrivedFrame>;
   struct Running;
 
   void take_state(device::StreamState state);
 
   std::shared_ptr<RecordingTap> tap_;
+  std::shared_ptr<RetargetingTap> retargeting_;
   std::unique_ptr<Inbox> inbox_;
   std::shared_ptr<Running> running_;
   device::StreamState state_ = device::StreamState::kStopped;
   BackgroundThreads closing_;
 };
 
-/// The glove that the workbench listens to: its link, calibration, and mapping to the
-/// hand of the scene.
+/// The glove that the workbench listens to: its link, calibration, and what makes postures of the
+/// scene's hand: a mapping of its joints, or retargeting by its fingertips.
 class GloveSession : public QObject {
   Q_OBJECT
 
@@ -139,6 +170,23 @@ class GloveSession : public QObject {
   /// Calibrated and mapped.
   [[nodiscard]] GloveSample sample_of(const device::GloveFrame& frame) const;
 
+  void set_method(PostureMethod method);
+  [[nodiscard]] PostureMethod method() const { return method_; }
+  /// Looks for the fingers of the hand, in the background, unless that is done.
+  void prepare_retargeting();
+  /// Nullptr before prepare_retargeting() has ended, or if the hand can't be retargeted, see
+  /// retargeting_error().
+  [[nodiscard]] const std::shared_ptr<const device::FingertipRetargeter>& retargeter() const {
+    return retargeter_;
+  }
+  [[nodiscard]] const QString& retargeting_error() const { return retargeting_error_; }
+  /// What the chosen method makes postures with; nullptr if it can't.
+  [[nodiscard]] const device::PostureSource* source() const;
+  /// The posture by the chosen method, shape [joints of source()]; empty if there is none.
+  [[nodiscard]] const Eigen::VectorXd& posture_of(const GloveSample& sample) const {
+    return method_ == PostureMethod::kFingertips ? sample.retargeted : sample.posture;
+  }
+
   /// The mapping does not move the hand while this is off.
   void set_following(bool follow);
   [[nodiscard]] bool following() const { return following_; }
@@ -148,12 +196,19 @@ class GloveSession : public QObject {
   /// All frames since the last time, the latest last.
   void sampled(const std::vector<handway::gui::GloveSample>& samples);
   void mapping_changed();
+  /// Another source(), or none.
+  void source_changed();
+  /// prepare_retargeting() has ended.
+  void retargeting_prepared();
   void following_changed(bool follow);
 
  private:
   void start(const QString& device);
   void rebuild_mapper();
   void propose_mapping();
+  void take_retargeter(std::shared_ptr<const device::FingertipRetargeter> retargeter,
+                       const QString& error);
+  void update_tap();
 
   GloveLink link_;
   QString device_;
@@ -163,6 +218,10 @@ class GloveSession : public QObject {
   device::HandMapping mapping_;
   std::optional<device::HandMapper> mapper_;
   QString mapping_error_;
+  PostureMethod method_ = PostureMethod::kJointMapping;
+  std::shared_ptr<const device::FingertipRetargeter> retargeter_;
+  QString retargeting_error_;
+  LatestJob preparing_;
   bool following_ = true;
 };
 

@@ -2,6 +2,7 @@
 
 #include "glove/text_files.h"
 #include "handway/device/glove/glove_layout.h"
+#include "handway/device/glove/human_hand.h"
 #include "handway/geometric/formats/yaml_element.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/replace_file.h"
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <string_view>
 
@@ -255,7 +257,20 @@ Eigen::VectorXd HandMapper::unclamped(const GloveAngles& angles) const {
   return result;
 }
 
-MappedPostures HandMapper::map_recording(const Recording& recording) const {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+/// Palm and wrist are beyond what cameras, headsets and many gloves measure.
+bool is_of_fingers(int sensor) {
+  const std::vector<int> fingers = landmark_sensors();
+  return std::ranges::find(fingers, sensor) != fingers.end();
+}
+
+}  // namespace
+
+MappedPostures HandMapper::map_recording(const Recording& recording,
+                                         const std::stop_token& /*stop*/) const {
   if (recording.header.kind != RecordingKind::kAngles) {
     throw InputError({"recording", "", "raw counts", "angles", "Give a calibration of the glove"});
   }
@@ -266,7 +281,7 @@ MappedPostures HandMapper::map_recording(const Recording& recording) const {
   for (Eigen::Index j = 0; j < lower_.size(); ++j) {
     const JointWire& wire = wires_[static_cast<std::size_t>(j)];
     const int column = wire.sensor < 0 ? -1 : column_of(recording.header, wire.sensor);
-    if (wire.sensor >= 0 && column < 0) {
+    if (wire.sensor >= 0 && column < 0 && is_of_fingers(wire.sensor)) {
       const auto sensor = static_cast<std::size_t>(wire.sensor);
       throw InputError({"recording", "",
                         fmt::format("no sensor {}", cyberglove_sensors()[sensor].name),
@@ -274,7 +289,7 @@ MappedPostures HandMapper::map_recording(const Recording& recording) const {
                         "Wire the joint to another sensor in the mapping, or fix it there"});
     }
     for (Eigen::Index row = 0; row < recording.values.rows(); ++row) {
-      result.unclamped(row, j) = value(j, column < 0 ? 0.0 : recording.values(row, column));
+      result.unclamped(row, j) = value(j, column < 0 ? kNaN : recording.values(row, column));
     }
     const auto all = result.unclamped.col(j).array();
     result.postures.col(j) = all.max(lower_[j]).min(upper_[j]);

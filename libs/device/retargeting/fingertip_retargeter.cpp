@@ -305,6 +305,7 @@ Eigen::VectorXd FingertipRetargeter::posture(const HandLandmarks& landmarks,
 // into each other come free again.
 Eigen::VectorXd FingertipRetargeter::out_of_collision(const Eigen::VectorXd& posture,
                                                       const Eigen::VectorXd& last) const {
+  const std::lock_guard lock(checking_);
   if (!checker_ || !checker_->first_collision(posture)) {
     return posture;
   }
@@ -353,13 +354,18 @@ std::vector<bool> FingertipRetargeter::driven() const {
   return result;
 }
 
-MappedPostures FingertipRetargeter::map_recording(const Recording& recording) const {
+MappedPostures FingertipRetargeter::map_recording(const Recording& recording,
+                                                  const std::stop_token& stop) const {
   MappedPostures result;
   result.joints = joints_;
   result.clamped.assign(joints_.size(), 0);
   result.postures.resize(recording.values.rows(), lower_.size());
   Eigen::VectorXd last = middle();
   for (Eigen::Index row = 0; row < recording.values.rows(); ++row) {
+    if (stop.stop_requested()) {
+      result.postures.conservativeResize(row, result.postures.cols());
+      break;
+    }
     last = posture(hand_landmarks(angles_of_row(recording, row)), last);
     result.postures.row(row) = last;
   }

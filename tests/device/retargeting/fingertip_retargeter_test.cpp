@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <future>
 #include <memory>
 #include <string>
 #include <vector>
@@ -207,6 +208,24 @@ TEST(Retargeting, RefusesAScaleOfNothing) {
   std::ofstream(file) << "hand: sah_right\nretargeting:\n  scale: 0\n";
   EXPECT_THAT(test::refusal_of([&] { static_cast<void>(read_retargeting(file)); }),
               AllOf(HasSubstr("hand.yaml:3"), HasSubstr("scale"), HasSubstr("above 0")));
+}
+
+TEST(FingertipRetargeter, ServesSeveralThreadsAtOnce) {
+  const FingertipRetargeter hand(sah());
+  const auto postures = [&] {
+    std::vector<Eigen::VectorXd> result;
+    Eigen::VectorXd last = hand.middle();
+    for (int i = 0; i < 200; ++i) {
+      last = hand.posture(hand_landmarks(bent(0.008 * i, 1.2)), last);
+      result.push_back(last);
+    }
+    return result;
+  };
+  const std::vector<Eigen::VectorXd> alone = postures();
+  auto here = std::async(std::launch::async, postures);
+  auto there = std::async(std::launch::async, postures);
+  EXPECT_EQ(here.get(), alone);
+  EXPECT_EQ(there.get(), alone);
 }
 
 }  // namespace

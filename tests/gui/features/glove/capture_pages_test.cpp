@@ -3,10 +3,14 @@
 #include "features/glove/capture_coach.h"
 #include "features/glove/pmd_explorer.h"
 #include "glove_dock.h"
+#include "handway/device/glove/hand_exploration.h"
 #include "handway/device/glove/recording.h"
 #include "handway/geometric/io/input_error.h"
+#include "handway/sampling/postures/pmd_basis_io.h"
 #include "handway/sampling/postures/posture_table.h"
 #include "handway_test/paths.h"
+#include "patience.h"
+#include "window_test.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -14,6 +18,7 @@
 #include <QPushButton>
 #include <QTabBar>
 
+#include <algorithm>
 #include <cmath>
 
 namespace handway::test {
@@ -44,7 +49,7 @@ class CapturePages : public GloveDock {
   }
   void show_recording() {
     panel().come_to_front("explore");
-    panel().capture().show_recording(QString::fromStdString(recording().string()));
+    panel().capture().show_recordings({QString::fromStdString(recording().string())});
     const auto& source = part<QComboBox>("explorer_source");
     ASSERT_TRUE(QTest::qWaitFor([&] { return source.currentText() == "motion.csv"; }));
     auto& basis = part<QComboBox>("explorer_basis");
@@ -122,13 +127,102 @@ TEST_F(CapturePages, CompareTheBasisWithAnother) {
   EXPECT_THAT(text.text().toStdString(), HasSubstr("Postures of this basis"));
 }
 
+/// Of the hand that ships with the scene, whose fingers can be retargeted.
+class CapturePagesOfAHand : public WindowTest {
+ protected:
+  void SetUp() override {
+    WindowTest::SetUp();
+    open(source_dir() / "scenes" / "can_on_table.yaml");
+    panel().come_to_front("explore");
+  }
+  [[nodiscard]] gui::GlovePanel& panel() const { return *window().findChild<gui::GlovePanel*>(); }
+  [[nodiscard]] gui::GloveSession& session() const { return panel().session(); }
+  [[nodiscard]] QString errors() const { return part<QLabel>("explorer_errors").text(); }
+  [[nodiscard]] bool compares() const {
+    return QTest::qWaitFor([&] { return errors().contains(QStringLiteral("<table")); },
+                           kPatienceMs);
+  }
+  /// Some seconds of an exploring hand. @returns the file.
+  [[nodiscard]] QString recording(const char* name, std::uint64_t seed) const {
+    device::HandExploration hand(seed);
+    device::Recording recording;
+    recording.header.kind = device::RecordingKind::kAngles;
+    for (int sensor = 0; sensor < device::kGloveSensors; ++sensor) {
+      recording.header.sensors.push_back(sensor);
+    }
+    recording.times = Eigen::VectorXd::LinSpaced(600, 0.0, 60.0);
+    recording.values.resize(600, device::kGloveSensors);
+    for (Eigen::Index row = 0; row < 600; ++row) {
+      const device::GloveAngles angles = hand.at(recording.times[row]);
+      recording.values.row(row) =
+          Eigen::Map<const Eigen::RowVectorXd>(angles.angles.data(), device::kGloveSensors);
+    }
+    const std::filesystem::path file = folder_.path() / name;
+    device::write_recording(recording, file);
+    return QString::fromStdString(file.string());
+  }
+  [[nodiscard]] const std::filesystem::path& folder() const { return folder_.path(); }
+  void choose_retargeting() const {
+    auto& method = part<QComboBox>("explorer_method");
+    method.setCurrentIndex(1);
+    emit method.activated(1);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return session().source() != nullptr; }, kPatienceMs));
+  }
+
+ private:
+  ScratchFolder folder_;
+};
+
+TEST_F(CapturePagesOfAHand, CompareBothMethodsOnARecording) {
+  panel().capture().show_recordings({recording("motion.csv", 1)});
+  ASSERT_TRUE(compares());
+  EXPECT_THAT(errors().toStdString(), HasSubstr("Joint mapping"));
+  EXPECT_THAT(errors().toStdString(), HasSubstr("Fingertip retargeting"));
+}
+
+TEST_F(CapturePagesOfAHand, MakeThePosturesOfARecordingByFingertips) {
+  panel().capture().show_recordings({recording("motion.csv", 1)});
+  ASSERT_TRUE(compares());
+  choose_retargeting();
+  const auto& retargeter = *session().retargeter();
+  EXPECT_FALSE(std::ranges::count(retargeter.joints(), "joint_1")) << "the arm has no part in it";
+  ASSERT_TRUE(compares());
+  EXPECT_EQ(part<QComboBox>("explorer_source").currentText(), QStringLiteral("motion.csv"));
+  const std::filesystem::path file = folder() / "by_fingertips.yaml";
+  part<QComboBox>("explorer_basis").setCurrentIndex(1);
+  emit part<QComboBox>("explorer_basis").activated(1);
+  panel().capture().explorer().save(file);
+  EXPECT_EQ(sampling::read_pmd_basis(file).joints, retargeter.joints());
+}
+
+TEST_F(CapturePagesOfAHand, FollowTheGloveByFingertips) {
+  choose_retargeting();
+  panel().connect_to(gui::GloveSession::emulator_name());
+  EXPECT_TRUE(
+      QTest::qWaitFor([&] { return panel().capture().postures().count() > 20; }, kPatienceMs));
+  EXPECT_EQ(panel().capture().postures().joints(), session().retargeter()->joints());
+  EXPECT_TRUE(compares());
+}
+
+TEST_F(CapturePagesOfAHand, ReportHowGoodABasisOfSeveralPersonsIs) {
+  panel().capture().show_recordings({recording("anna.csv", 1), recording("ben.csv", 2)});
+  part<QTabBar>("explorer_views").setCurrentIndex(1);
+  const gui::BasisReportView& report = panel().capture().explorer().report();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return report.text().contains(QStringLiteral("ben.csv")); },
+                              kPatienceMs));
+  EXPECT_THAT(report.text().toStdString(), HasSubstr("anna.csv"));
+  EXPECT_THAT(report.text().toStdString(), HasSubstr("who was not recorded"));
+  EXPECT_THAT(report.text().toStdString(), HasSubstr("PMDs</b>"));
+  EXPECT_EQ(part<QComboBox>("explorer_source").currentText(), QStringLiteral("anna.csv + ben.csv"));
+}
+
 TEST_F(CapturePages, RefuseABasisOfAnotherHand) {
   EXPECT_THROW(panel().capture().explorer().open(source_dir() / "resources/bases/sah_auro.yaml"),
                geometric::InputError);
 }
 
 TEST_F(CapturePages, SayWhatIsWrongWithARecording) {
-  panel().capture().show_recording(QString::fromStdString(cell().broken().string()));
+  panel().capture().show_recordings({QString::fromStdString(cell().broken().string())});
   EXPECT_TRUE(QTest::qWaitFor(
       [&] { return part<QLabel>("glove_error").text().contains(QStringLiteral("broken.yaml")); }));
 }

@@ -91,7 +91,10 @@ class HANDWAY_DEVICE_EXPORT HandMapper : public PostureSource {
   /// The posture before it is clamped to the limits, shape [joints].
   [[nodiscard]] Eigen::VectorXd unclamped(const GloveAngles& angles) const;
 
-  [[nodiscard]] MappedPostures map_recording(const Recording& recording) const override;
+  using PostureSource::map_recording;
+  /// Joints of palm and wrist whose sensor the recording lacks take the middle of their range.
+  [[nodiscard]] MappedPostures map_recording(const Recording& recording,
+                                             const std::stop_token& stop) const override;
 
  private:
   [[nodiscard]] double value(Eigen::Index joint, double angle) const;

@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -34,8 +35,13 @@ class HANDWAY_DEVICE_EXPORT PostureSource {
   /// Whether a joint follows the person's hand, and is not fixed, shape [joints].
   [[nodiscard]] virtual std::vector<bool> driven() const = 0;
   /// The postures for all rows.
+  /// @param stop nobody waits for them any more: then rows may be missing at the end.
   /// @throws geometric::InputError if the recording holds counts, or lacks a sensor that is needed.
-  [[nodiscard]] virtual MappedPostures map_recording(const Recording& recording) const = 0;
+  [[nodiscard]] virtual MappedPostures map_recording(const Recording& recording,
+                                                     const std::stop_token& stop) const = 0;
+  [[nodiscard]] MappedPostures map_recording(const Recording& recording) const {
+    return map_recording(recording, {});
+  }
 
  protected:
   PostureSource() = default;

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -54,7 +55,7 @@ read_retargeting(const std::filesystem::path& file);
 /// Where thumb and finger come together, the gap between them counts too. The joints minimise the
 /// weighted squares of what is missing and of the move since the last posture, within their limits
 /// (sequential quadratic programming, NLopt's SLSQP). Where that posture is in self-collision,
-/// fingers go towards it one by one, each as far as it can.
+/// fingers go towards it one by one, each as far as it can. For any thread.
 ///
 /// Source: in the manner of A. Handa et al., "DexPilot: vision-based teleoperation of dexterous
 /// robotic hand-arm system", ICRA 2020, and Y. Qin et al., "AnyTeleop", RSS 2023.
@@ -80,9 +81,11 @@ class HANDWAY_DEVICE_EXPORT FingertipRetargeter : public PostureSource {
   [[nodiscard]] Eigen::VectorXd middle() const;
 
   [[nodiscard]] std::vector<bool> driven() const override;
+  using PostureSource::map_recording;
   /// One posture after the other.
   /// @throws geometric::InputError if the recording holds counts.
-  [[nodiscard]] MappedPostures map_recording(const Recording& recording) const override;
+  [[nodiscard]] MappedPostures map_recording(const Recording& recording,
+                                             const std::stop_token& stop) const override;
 
  private:
   struct Problem;
@@ -103,6 +106,7 @@ class HANDWAY_DEVICE_EXPORT FingertipRetargeter : public PostureSource {
   std::vector<double> scales_;  ///< From a person's finger to the robot's, as fingers_.
   std::vector<int> variables_;  ///< That fingers have; the others stay.
   std::unique_ptr<geometric::CollisionChecker> checker_;  ///< Null: self-collision is not avoided.
+  mutable std::mutex checking_;                           ///< Of checker_: it is for one thread.
 };
 
 }  // namespace handway::device

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -22,6 +23,9 @@ struct RecordedHand {
 
 /// Where the fingertips are at a posture of normalised joints, shape [joints]: a column each, m.
 using FingertipsOf = std::function<Eigen::Matrix3Xd(const Eigen::VectorXd& posture)>;
+
+/// For which errors a report says how many directions are enough, m.
+inline constexpr std::array kReportedErrors{0.010, 0.005, 0.002};
 
 struct BasisStudySettings {
   std::vector<int> free_joints;  ///< That keep an axis of their own: see principal_components().
