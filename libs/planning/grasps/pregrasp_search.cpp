@@ -52,7 +52,12 @@ std::size_t thumb_of(const std::vector<Vector3d>& tips) {
   return thumb;
 }
 
-/// Opened preshapes of a problem's hand, drawn from its PMD box, and how its fingers close.
+bool has_directions(const PlanningProblem& problem) {
+  return problem.basis && !problem.basis->directions.empty();
+}
+
+/// Opened preshapes of a problem's hand, drawn from its PMD box or else from its joints' ranges,
+/// and how its fingers close.
 class HandClosing {
  public:
   /// An opened hand, seen from its palm: a thumb against fingers side by side. Lengths in m.
@@ -70,7 +75,7 @@ class HandClosing {
     Vector3d p_LTip = Vector3d::Zero();  ///< Middle of the last one, in its frame.
   };
 
-  /// @pre the problem has a basis. @param palm the link of the hand.
+  /// @param palm the link of the hand.
   HandClosing(const PlanningProblem& problem, int palm) : problem_(problem), palm_(palm) {
     find_fingers();
     make_preshapes();
@@ -185,12 +190,22 @@ class HandClosing {
     return shape;
   }
 
+  // Without principal motion directions: somewhere between the neutral posture, in which fingers
+  // are as their maker drew them, and any other.
+  [[nodiscard]] Eigen::VectorXd drawn_posture(sampling::RandomStream& random) const {
+    if (has_directions(problem_)) {
+      return sampling::map_to_posture(*problem_.basis, random.uniform(problem_.basis->dimension()));
+    }
+    const Eigen::VectorXd rest = hand_of(problem_.model().neutral());
+    const double share = random.uniform();
+    return rest + share * (random.uniform(static_cast<int>(rest.size())) - rest);
+  }
+
   void make_preshapes() {
     constexpr int kDrawn = 400;
     sampling::RandomStream random(1);
     for (int i = 0; i < kDrawn; ++i) {
-      if (auto shape = preshape(sampling::map_to_posture(
-              *problem_.basis, random.uniform(problem_.basis->dimension())))) {
+      if (auto shape = preshape(drawn_posture(random))) {
         preshapes_.push_back(std::move(*shape));
       }
     }
@@ -225,10 +240,10 @@ const geometric::SceneObject& needed_object(const PlanningProblem& problem, std:
     throw geometric::InputError({file, "object", std::string(name), "an object that stands still",
                                  "Choose another one to grasp"});
   }
-  if (problem.hand.empty() || !problem.basis || problem.basis->directions.empty()) {
-    throw geometric::InputError({file, "hand_basis", "nothing",
-                                 "a hand with principal motion directions",
-                                 "Name a basis in the scene"});
+  if (problem.hand.empty()) {
+    throw geometric::InputError({file, "robot " + problem.scene->robots.front().name,
+                                 "no joints of a hand", "a robot with a hand",
+                                 "Mount a hand, or name its group \"hand\" in the SRDF"});
   }
   return *object;
 }
@@ -481,7 +496,9 @@ class PregraspSearch {
     for (const int pair : with_others_) {
       grasp.clearance = std::min(grasp.clearance, checker_->pair_distance(pair, grasp.clearance));
     }
-    grasp.subspace_distance = sampling::distance_to_subspace(*problem_.basis, hand_.hand_of(q));
+    grasp.subspace_distance =
+        has_directions(problem_) ? sampling::distance_to_subspace(*problem_.basis, hand_.hand_of(q))
+                                 : 0.0;
     Configuration arm_only = problem_.start;
     arm_only(problem_.arm) = q(problem_.arm);
     grasp.arm_travel = normalised_distance(problem_.model(), problem_.start, arm_only);

@@ -6,6 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <utility>
+
 namespace handway::planning {
 namespace {
 
@@ -54,6 +56,22 @@ TEST_F(PregraspSearch, FindsWaysAroundACanThatAreFree) {
       }
     }
     EXPECT_LT(nearest, 0.015) << "closed until near contact";
+  }
+}
+
+TEST_F(PregraspSearch, GraspsWithHandsThatHaveNoBasis) {
+  for (const auto& [scene, object] :
+       {std::pair("can_on_table", "can"), std::pair("iiwa_and_allegro", "can"),
+        std::pair("panda_and_leap", "mug")}) {
+    const PlanningProblem problem = make_problem(shipped(scene).scene, nullptr);
+    const std::vector<Pregrasp> grasps = find_pregrasps(problem, object);
+    ASSERT_FALSE(grasps.empty()) << scene;
+    const auto checker = problem.checker->clone();
+    for (const Pregrasp& grasp : grasps) {
+      EXPECT_FALSE(checker->first_collision(grasp.q)) << scene;
+      EXPECT_GE(grasp.fingers, 2) << scene;
+      EXPECT_EQ(grasp.subspace_distance, 0.0) << scene;
+    }
   }
 }
 

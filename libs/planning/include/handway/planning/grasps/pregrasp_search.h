@@ -24,23 +24,24 @@ struct Pregrasp {
   int fingers = 0;         ///< That are near the object.
   double enclosure = 0.0;  ///< 0: all on one side of the object; 1: two on opposite sides.
   double clearance = 0.0;  ///< Of the robot to everything else that stands still, m, at most 0.05.
-  double subspace_distance = 0.0;  ///< From the hand's PMD subspace, normalised joints.
-  double arm_travel = 0.0;         ///< From the start, normalised joints.
-  double score = 0.0;              ///< In [0, 1]; what they are ranked by.
+  double subspace_distance =
+      0.0;                  ///< From the hand's PMD subspace, normalised joints; 0 without one.
+  double arm_travel = 0.0;  ///< From the start, normalised joints.
+  double score = 0.0;       ///< In [0, 1]; what they are ranked by.
 };
 
-/// Looks for pre-grasps. Drawn are a preshape of the basis' box, whose opening between the
-/// thumb and the fingers suits the object, and a palm pose with the fingers side by side along
-/// an edge of the object's box, turned about it, and the object between them and the thumb,
-/// anywhere from the fingertips to the palm. Fingers that would be in the object are opened; the
-/// arm's inverse kinematics is solved; and where that is free every finger closes, its joints
-/// by the gradient of the tip's distance to the object's axis, until near contact: joints stop from
-/// the palm outwards, so that outer links go on around the object. Kept are those with two or
-/// more fingers on different sides of the object; similar ones are left out. Same
-/// arguments, same bits.
+/// Looks for pre-grasps. Drawn are a preshape, whose opening between the thumb and the fingers
+/// suits the object, from the basis' box (of a hand without one: between its neutral posture and
+/// any other), and a palm pose with the fingers side by side along an edge of the object's box,
+/// turned about it, and the object between them and the thumb, anywhere from the fingertips to the
+/// palm. Fingers that would be in the object are opened; the arm's inverse kinematics is solved;
+/// and where that is free every finger closes, its joints by the gradient of the tip's distance to
+/// the object's axis, until near contact: joints stop from the palm outwards, so that outer links
+/// go on around the object. Kept are those with two or more fingers on different sides of the
+/// object; similar ones are left out. Same arguments, same bits.
 /// @param object of the scene, that stands still.
 /// @returns the best first; empty if there is none, or `stop` was requested.
-/// @throws InputError if there is no such object or the hand has no fingers or no basis.
+/// @throws InputError if there is no such object or the robot has no hand.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<Pregrasp> find_pregrasps(
     const PlanningProblem& problem, std::string_view object, const PregraspOptions& options = {},
     const std::stop_token& stop = {});
