@@ -75,7 +75,7 @@ class VolumeArchive {
 };
 
 std::string archive_layout() {
-  constexpr int kRevision = 17;  // to change with what volumes are made of
+  constexpr int kRevision = 18;  // to change with what volumes are made of
   return fmt::format("volumes {}, {} {} {}", kRevision, sizeof(SphereTree::Node),
                      sizeof(DistanceField::Cell), sizeof(TriangleBlock));
 }
@@ -107,7 +107,7 @@ constexpr double kMostLeaves = 5000.0;    // … or as small as makes about so m
 constexpr double kHullMargin = 0.005;     // of the size
 constexpr std::size_t kCells = 1U << 12;  // of a field, …
 constexpr std::size_t kCellsOfPlain = 1U << 16;  // … and where they are soon made,
-constexpr std::size_t kPlain = 1000;             // that is, of meshes with fewer triangles
+constexpr std::size_t kPlain = 200;              // that is, of meshes with fewer triangles
 constexpr std::size_t kLarge = 100'000;  // triangles: of more, volumes grow where queries come
 
 CacheKey key_of(const TriangleMesh& mesh) {
