@@ -115,6 +115,7 @@ QWidget* AddRobotDialog::make_form() {
   model_->setObjectName(QStringLiteral("add_robot_model"));
   note_->setObjectName(QStringLiteral("add_robot_note"));
   note_->setWordWrap(true);
+  note_->setMinimumWidth(scaled(300));  // or a form leaves room for more lines
   note_->setProperty("role", "note");
   note_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   name_->setObjectName(QStringLiteral("add_robot_name"));

@@ -76,9 +76,7 @@ std::ptrdiff_t common_end(const fs::path& a, const fs::path& b) {
   const std::vector<fs::path> one(a.begin(), a.end());
   const std::vector<fs::path> other(b.begin(), b.end());
   return std::distance(one.rbegin(),
-                       std::ranges::mismatch(std::ranges::subrange(one.rbegin(), one.rend()),
-                                             std::ranges::subrange(other.rbegin(), other.rend()))
-                           .in1);
+                       std::mismatch(one.rbegin(), one.rend(), other.rbegin(), other.rend()).first);
 }
 
 std::optional<fs::path> find_in_roots(const std::string& name) {

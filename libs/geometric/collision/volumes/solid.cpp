@@ -19,9 +19,9 @@
 namespace handway::geometric {
 namespace {
 
-constexpr double kBoxRounding = 1e-14;  // of the coordinates
+constexpr double kBoxRounding = 1e-14;        // of the coordinates
 constexpr std::size_t kSoonPrepared = 50000;  // triangles
-constexpr int kGridCells = 64;          // along the longest edge of the box
+constexpr int kGridCells = 64;                // along the longest edge of the box
 constexpr double kGridHair = 1e-6;  // of a cell's edge: the surface enters cells that are as near
 
 bool is_in(const Aabb& box, const Eigen::Vector3d& p) {
