@@ -2,27 +2,18 @@
 /// in the build folder, and none keeps the window from answering.
 #include "features/devices/device_session.h"
 #include "features/devices/devices_panel.h"
-#include "features/editing/scene_editing.h"
-#include "features/export/export_dialog.h"
-#include "features/grasping/grasp_tool.h"
-#include "handway/geometric/formats/scene_writer.h"
 #include "handway/planning/core/objective.h"
-#include "handway/planning/extensions/plugin.h"
 #include "handway/planning/paths/path_check.h"
 #include "model/document/resting.h"
 #include "model/document/scene_edits.h"
-#include "patience.h"
 #include "small_cell.h"
+#include "story.h"
 #include "view3d/scene_view.h"
-#include "watched_application.h"
-#include "window_test.h"
 
 #include <QComboBox>
-#include <QDir>
 #include <QLabel>
 #include <QPainter>
 #include <QPushButton>
-#include <QSignalSpy>
 #include <QTabWidget>
 #include <QTableView>
 
@@ -35,159 +26,6 @@ namespace handway::test {
 namespace {
 
 using ::testing::HasSubstr;
-
-// Three times of what is measured (docs/workbench.md), as a core that is shared takes twice as
-// long; sanitizers take several times as long.
-#ifdef __SANITIZE_ADDRESS__
-constexpr double kStallMs = kLongestStallMs;
-#else
-constexpr double kStallMs = 100.0;
-#endif
-
-class Story : public ::testing::Test {
- protected:
-  void SetUp() override {
-    HANDWAY_NEED_DISPLAY();
-    auto plugins = std::make_shared<planning::PluginManager>();
-    plugins->load_plugins(planning::plugin_directory());
-    window_ = std::make_unique<gui::MainWindow>(plugins);
-    window_->resize(1440, 900);
-    window_->show();
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get()));
-    WatchedApplication::forget();
-  }
-  void TearDown() override {
-    if (window_) {
-      expect_no_stall(kStallMs);
-    }
-  }
-
-  [[nodiscard]] gui::MainWindow& window() const { return *window_; }
-  [[nodiscard]] gui::SceneEditor& editor() const { return window_->editor(); }
-  [[nodiscard]] const geometric::Scene& scene() const { return *window_->document().scene(); }
-
-  void select(const char* object) const {
-    editor().select({gui::SceneItem::Kind::kObject, "", object});
-  }
-  template <typename Condition>
-  [[nodiscard]] bool wait_for(Condition condition) const {
-    return QTest::qWaitFor(condition, kPatienceMs);
-  }
-  void open(const std::filesystem::path& file) const {
-    QSignalSpy ready(window_.get(), &gui::MainWindow::ready);
-    QSignalSpy failed(window_.get(), &gui::MainWindow::failed);
-    window_->open(QString::fromStdString(file.string()));
-    ASSERT_TRUE(wait_for([&] { return !ready.isEmpty() || !failed.isEmpty(); }));
-  }
-  void trigger(const char* menu_text) const {
-    for (QAction* action : window_->findChildren<QAction*>()) {
-      if (!action->menu() &&
-          action->text().remove(QLatin1Char('&')) == QString::fromUtf8(menu_text)) {
-        ASSERT_TRUE(action->isEnabled()) << menu_text;
-        action->trigger();
-        return;
-      }
-    }
-    FAIL() << "no command called " << menu_text;
-  }
-  [[nodiscard]] bool plan() const {
-    QSignalSpy ended(&window_->session(), &gui::PlanningSession::ended);
-    trigger("Plan");
-    return wait_for([&] { return !ended.isEmpty(); }) && ended.front().front().toBool();
-  }
-  /// Lets the window come to rest, and keeps how it looks.
-  void picture(const QString& name) const { picture(name, *window_); }
-  static void picture(const QString& name, QWidget& of) {
-    QTest::qWait(150);
-    const WatchedApplication::LooksAway taking_it_is_no_step_of_a_person;
-    QDir().mkpath(QStringLiteral(HANDWAY_PICTURES));
-    EXPECT_TRUE(of.grab().save(
-        QDir(QStringLiteral(HANDWAY_PICTURES)).filePath(name + QStringLiteral(".png"))));
-  }
-
-  /// The scene as a file would have it.
-  [[nodiscard]] std::string written() const {
-    const std::filesystem::path file = folder_.path() / "scene.yaml";
-    geometric::write_scene(scene(), file);
-    std::ifstream in(file);
-    return {std::istreambuf_iterator<char>(in), {}};
-  }
-
-  ScratchFolder folder_;
-  std::unique_ptr<gui::MainWindow> window_;
-};
-
-TEST_F(Story, FromANewSceneToAnExportedPathAndBack) {
-  picture("new_1_start_page");
-  QSignalSpy ready(window_.get(), &gui::MainWindow::ready);
-  window().create("tx90_sah");
-  ASSERT_TRUE(wait_for([&] { return !ready.isEmpty(); }));
-  const std::string empty = written();
-  picture("new_2_robot");
-
-  editor().add("table", geometric::Box{{0.6, 0.8, 0.04}}, {0.75F, 0.58F, 0.40F, 1.0F},
-               {0.75, 0.0, 0.36});
-  editor().add("can", geometric::Cylinder{0.033, 0.122}, {0.80F, 0.16F, 0.14F, 1.0F},
-               {0.75, 0.12, 0.60});
-  editor().drop();
-  picture("new_3_table_and_can");
-
-  const auto set_joint = [&](int joint, double value) {
-    geometric::Configuration q = window().document().configuration();
-    q[joint] = value;
-    window().document().set_configuration(q);
-  };
-  set_joint(0, 0.9);
-  set_joint(1, 0.2);
-  set_joint(2, 1.8);
-  trigger("Set start here");
-  picture("new_4_start");
-
-  select("can");
-  trigger("Grasp…");
-  ASSERT_TRUE(wait_for([&] { return !window().findChild<gui::GraspTool*>()->is_busy(); }));
-  ASSERT_FALSE(window().findChild<gui::GraspTool*>()->grasps().empty());
-  picture("new_5_grasps");
-  QSignalSpy ended(&window().session(), &gui::PlanningSession::ended);
-  window().findChild<QPushButton*>(QStringLiteral("grasp_plan"))->click();
-  ASSERT_TRUE(wait_for([&] { return !ended.isEmpty(); }));
-  ASSERT_TRUE(ended.front().front().toBool());
-  picture("new_6_path");
-  window().player().play();
-  ASSERT_TRUE(wait_for([&] { return window().player().fraction() > 0.6; }));
-  window().player().pause();
-  picture("new_7_playing");
-
-  trigger("Export the path…");
-  auto* dialog = window().findChild<gui::ExportDialog*>();
-  ASSERT_TRUE(dialog);
-  dialog->set_folder(QString::fromStdString((folder_.path() / "out").string()));
-  auto* now = dialog->findChild<QPushButton*>(QStringLiteral("export_now"));
-  ASSERT_TRUE(wait_for([&] { return now->isEnabled(); }));
-  picture("new_8_export");
-  picture("new_8_export_dialog", *dialog);
-  QSignalSpy exported(dialog, &gui::ExportDialog::exported);
-  now->click();
-  ASSERT_TRUE(wait_for([&] { return !exported.isEmpty(); }));
-  EXPECT_FALSE(std::filesystem::is_empty(folder_.path() / "out"));
-
-  ASSERT_TRUE(wait_for([&] { return !window().findChild<gui::ExportDialog*>(); }));
-
-  window().player().seek(1.0);
-  select("can");
-  auto* fixed_to = window().findChild<QComboBox*>(QStringLiteral("fixed_to"));
-  fixed_to->setCurrentIndex(fixed_to->findText(QStringLiteral("palm")));
-  emit fixed_to->activated(fixed_to->currentIndex());
-  ASSERT_TRUE(geometric::find_object(scene(), "can")->attachment);
-  set_joint(1, 0.1);
-  picture("new_9_carrying");
-
-  while (editor().undo_stack().canUndo()) {
-    editor().undo_stack().undo();
-  }
-  EXPECT_EQ(written(), empty);
-  picture("new_10_undone");
-}
 
 TEST_F(Story, LiftsACanFromTheTableThatItStandsOn) {
   open(source_dir() / "scenes" / "can_on_table.yaml");

@@ -1,0 +1,275 @@
+/// docs/tutorial.md, step by step, with the mouse and the keys that it names and nothing else.
+#include "features/export/export_dialog.h"
+#include "features/grasping/grasp_tool.h"
+#include "handway/geometric/formats/scene_reader.h"
+#include "model/document/resting.h"
+#include "story.h"
+#include "view3d/scene_view.h"
+#include "view3d/view_gizmo.h"
+
+#include <QAbstractSpinBox>
+#include <QFileDialog>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QMenuBar>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QSlider>
+#include <QTabBar>
+#include <QTabWidget>
+#include <QTimer>
+#include <QTreeWidget>
+#include <QUndoStack>
+
+namespace handway::test {
+namespace {
+
+class Tutorial : public Story {
+ protected:
+  void SetUp() override {
+    Story::SetUp();
+    if (!IsSkipped()) {
+      activate();
+    }
+  }
+  /// Keys are for the active window alone, and there may be no window manager that makes it so.
+  void activate() const { QApplication::setActiveWindow(&window()); }
+  template <typename Widget>
+  [[nodiscard]] Widget& part(const char* name) const {
+    auto* widget = window().findChild<Widget*>(QLatin1String(name));
+    if (!widget) {
+      throw std::runtime_error(std::string("no part called ") + name);
+    }
+    return *widget;
+  }
+  static void click(QWidget& widget, const QPoint& place) {
+    QTest::mouseMove(&widget, place);
+    QTest::mouseClick(&widget, Qt::LeftButton, {}, place);
+  }
+  static void click(QWidget& widget) { click(widget, widget.rect().center()); }
+
+  /// A key, for whatever has the focus.
+  void press(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier) const {
+    QWidget* focus = window().focusWidget();
+    QTest::keyClick(focus ? focus : &window(), key, modifiers);
+  }
+
+  static QAction& entry(const QWidget& of, const char* words) {
+    for (QAction* action : of.actions()) {
+      if (action->text().remove(QLatin1Char('&')) == QString::fromUtf8(words)) {
+        return *action;
+      }
+    }
+    throw std::runtime_error(std::string("no entry ") + words);
+  }
+  /// Clicks on a menu of the menu bar, and on an entry of it.
+  void choose(const char* menu, const char* words) const {
+    QMenuBar& bar = *window().menuBar();
+    QAction& top = entry(bar, menu);
+    click(bar, bar.actionGeometry(&top).center());
+    ASSERT_TRUE(wait_for([&] { return top.menu()->isVisible(); })) << menu;
+    QAction& chosen = entry(*top.menu(), words);
+    ASSERT_TRUE(chosen.isEnabled()) << words;
+    click(*top.menu(), top.menu()->actionGeometry(&chosen).center());
+    ASSERT_TRUE(wait_for([&] { return !top.menu()->isVisible(); })) << menu;
+  }
+  /// Clicks into a field, types over what is there, and presses Enter.
+  void type(QWidget& field, const QString& text) const {
+    QTest::qWait(20);  // it is laid out
+    click(field);
+    QTest::keyClick(window().focusWidget(), Qt::Key_A, Qt::ControlModifier);
+    QTest::keyClicks(window().focusWidget(), text);
+    press(Qt::Key_Return);
+    QCoreApplication::processEvents();
+  }
+  void type_into(const char* field, const char* text) const {
+    type(part<QWidget>(field), QString::fromUtf8(text));
+  }
+  void choose_tab(const char* title) const {
+    auto* tabs = part<QTabWidget>("control_tabs").findChild<QTabBar*>();
+    for (int i = 0; i < tabs->count(); ++i) {
+      if (tabs->tabText(i) == QLatin1String(title)) {
+        tabs->setCurrentIndex(i);  // scrolled to where it is seen
+        click(*tabs, tabs->tabRect(i).center());
+      }
+    }
+  }
+  void turn_joint(const char* name, const char* degrees) const {
+    auto* field = part<QWidget>(name).findChild<QAbstractSpinBox*>();
+    ASSERT_TRUE(field);
+    type(*field, QString::fromUtf8(degrees));
+  }
+  [[nodiscard]] const geometric::SceneObject& object(const char* name) const {
+    const geometric::SceneObject* found = geometric::find_object(scene(), name);
+    if (!found) {
+      throw std::runtime_error(std::string("no object called ") + name);
+    }
+    return *found;
+  }
+  void click_object(const char* name) const {
+    const Eigen::Vector3d p_W = object(name).X_PO.translation();
+    gui::SceneView& view = window().view();
+    click(view, gui::place_of(view.camera(), view.size(), p_W).toPoint());
+  }
+
+  void follow_all_steps() const;
+  void step_1_a_robot() const;
+  void step_2_a_table_and_a_can() const;
+  void step_3_where_the_robot_starts() const;
+  void step_4_how_to_grasp_the_can() const;
+  void step_5_plan() const;
+  void step_6_play() const;
+  void step_7_export() const;
+  void save_as(const QString& name) const;
+};
+
+void Tutorial::step_1_a_robot() const {
+  picture("new_1_start_page");
+  QSignalSpy ready(&window(), &gui::MainWindow::ready);
+  part<QScrollArea>("start_page").ensureWidgetVisible(&part<QWidget>("new tx90_sah"));
+  click(part<QWidget>("new tx90_sah"));
+  ASSERT_TRUE(wait_for([&] { return !ready.isEmpty(); }));
+  picture("new_2_robot");
+}
+
+void Tutorial::step_2_a_table_and_a_can() const {
+  choose("Add", "Box");
+  type_into("size_x", "600");
+  type_into("size_y", "0.8 m");
+  type_into("size_z", "40");
+  type_into("position_x", "750");
+  type_into("position_y", "0");
+  type_into("position_z", "380");
+  type_into("object_name", "table");
+  choose("Add", "Cylinder");
+  type_into("size_radius", "33");
+  type_into("size_length", "122");
+  type_into("position_x", "750");
+  type_into("position_y", "120");
+  type_into("position_z", "600");
+  type_into("object_name", "can");
+  press(Qt::Key_End);
+  const Eigen::Vector3d table = object("table").X_PO.translation();
+  const Eigen::Vector3d can = object("can").X_PO.translation();
+  EXPECT_TRUE(table.isApprox(Eigen::Vector3d(0.75, 0.0, 0.38), 1e-9)) << table;
+  EXPECT_TRUE(can.isApprox(Eigen::Vector3d(0.75, 0.12, 0.461 + gui::kRestingGap), 1e-6)) << can;
+  picture("new_3_table_and_can");
+}
+
+void Tutorial::step_3_where_the_robot_starts() const {
+  choose_tab("Joints");
+  turn_joint("joint_1", "52");
+  turn_joint("joint_2", "11");
+  turn_joint("joint_3", "103");
+  choose("Plan", "Set start here");
+  ASSERT_TRUE(scene().start);
+  EXPECT_NEAR((*scene().start)[0], geometric::radians(52.0), 1e-6);
+  picture("new_4_start");
+}
+
+void Tutorial::step_4_how_to_grasp_the_can() const {
+  click_object("can");
+  ASSERT_EQ(editor().selection().name, "can");
+  press(Qt::Key_G, Qt::ControlModifier);
+  auto& list = part<QTreeWidget>("grasp_list");
+  ASSERT_TRUE(wait_for([&] { return list.isVisible() && list.topLevelItemCount() > 1; }));
+  click(*list.viewport(), list.visualItemRect(list.topLevelItem(1)).center());
+  EXPECT_EQ(list.currentItem(), list.topLevelItem(1));
+  click(*list.viewport(), list.visualItemRect(list.topLevelItem(0)).center());
+  picture("new_5_grasps");
+}
+
+void Tutorial::step_5_plan() const {
+  QSignalSpy ended(&window().session(), &gui::PlanningSession::ended);
+  click(part<QPushButton>("grasp_plan"));
+  ASSERT_TRUE(wait_for([&] { return !ended.isEmpty(); }));
+  ASSERT_TRUE(ended.front().front().toBool());
+  EXPECT_TRUE(part<QPushButton>("plan").isVisible()) << "the panel on the right says how long";
+  picture("new_6_path");
+}
+
+void Tutorial::step_6_play() const {
+  press(Qt::Key_Space);
+  ASSERT_TRUE(wait_for([&] { return window().player().fraction() > 0.3; }));
+  press(Qt::Key_Space);
+  ASSERT_TRUE(wait_for([&] { return !window().player().is_playing(); }));
+  auto& slider = part<QSlider>("scrub");
+  const QPoint from(static_cast<int>(window().player().fraction() * slider.width()),
+                    slider.height() / 2);
+  QTest::mousePress(&slider, Qt::LeftButton, {}, from);
+  QTest::mouseMove(&slider, QPoint(slider.width() * 2 / 3, slider.height() / 2));
+  QTest::mouseRelease(&slider, Qt::LeftButton, {},
+                      QPoint(slider.width() * 2 / 3, slider.height() / 2));
+  EXPECT_GT(window().player().fraction(), 0.0);
+  picture("new_7_playing");
+}
+
+void Tutorial::step_7_export() const {
+  press(Qt::Key_E, Qt::ControlModifier);
+  auto* dialog = window().findChild<gui::ExportDialog*>();
+  ASSERT_TRUE(dialog);
+  auto* formats = dialog->findChild<QListWidget*>(QStringLiteral("export_formats"));
+  click(*formats->viewport(), formats->visualItemRect(formats->item(0)).center());
+  auto* folder = dialog->findChild<QLineEdit*>(QStringLiteral("export_folder"));
+  click(*folder);
+  QTest::keyClick(folder, Qt::Key_A, Qt::ControlModifier);
+  QTest::keyClicks(folder, QString::fromStdString((folder_.path() / "out").string()));
+  auto* now = dialog->findChild<QPushButton*>(QStringLiteral("export_now"));
+  ASSERT_TRUE(wait_for([&] { return now->isEnabled(); }));
+  picture("new_8_export");
+  picture("new_8_export_dialog", *dialog);
+  QSignalSpy exported(dialog, &gui::ExportDialog::exported);
+  click(*now);
+  ASSERT_TRUE(wait_for([&] { return !exported.isEmpty(); }));
+  EXPECT_FALSE(std::filesystem::is_empty(folder_.path() / "out"));
+  ASSERT_TRUE(wait_for([&] { return !window().findChild<gui::ExportDialog*>(); }));
+  activate();
+}
+
+void Tutorial::save_as(const QString& name) const {
+  QTimer::singleShot(300, [name] {
+    auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+    ASSERT_TRUE(dialog);
+    auto* field = dialog->findChild<QLineEdit*>();
+    field->selectAll();
+    QTest::keyClicks(field, name);
+    QTest::keyClick(field, Qt::Key_Return);
+  });
+  choose("File", "Save");
+}
+
+void Tutorial::follow_all_steps() const {
+  for (const auto& step :
+       {&Tutorial::step_1_a_robot, &Tutorial::step_2_a_table_and_a_can,
+        &Tutorial::step_3_where_the_robot_starts, &Tutorial::step_4_how_to_grasp_the_can,
+        &Tutorial::step_5_plan, &Tutorial::step_6_play, &Tutorial::step_7_export}) {
+    ASSERT_NO_FATAL_FAILURE((this->*step)());
+  }
+}
+
+TEST_F(Tutorial, IsDoneWithMouseAndKeysAsItIsWritten) {
+  ASSERT_NO_FATAL_FAILURE(follow_all_steps());
+  const std::filesystem::path file = folder_.path() / "tutorial.yaml";
+  save_as(QString::fromStdString(file.string()));
+  ASSERT_TRUE(wait_for([&] { return std::filesystem::exists(file); }));
+  EXPECT_EQ(geometric::read_scene(file).objects.size(), 2U);
+  const std::string done = written();
+
+  activate();
+  const QUndoStack& history = editor().undo_stack();
+  for (int left = history.index(); left-- > 0;) {
+    press(Qt::Key_Z, Qt::ControlModifier);
+    ASSERT_EQ(history.index(), left);
+  }
+  EXPECT_TRUE(scene().objects.empty() && !scene().start && !scene().goal);
+  picture("new_10_undone");
+  while (history.canRedo()) {
+    const int done_before = history.index();
+    press(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    ASSERT_EQ(history.index(), done_before + 1);
+  }
+  EXPECT_EQ(written(), done);
+}
+
+}  // namespace
+}  // namespace handway::test
