@@ -8,7 +8,6 @@
 #include "view3d/scene_view.h"
 #include "widgets/panels/log_panel.h"
 
-#include <QComboBox>
 #include <QFileDialog>
 #include <QFileIconProvider>
 #include <QFileInfo>
@@ -183,18 +182,6 @@ QList<QUrl> places(QList<QUrl> known) {
 
 QString dialog_key() { return QStringLiteral("open_dialog"); }
 
-// Qt's choices of folder and type are narrow: their tool tips have all of the text.
-void explain_choices(QFileDialog& dialog) {
-  const auto explain = [&dialog] {
-    for (auto* choice : dialog.findChildren<QComboBox*>()) {
-      choice->setToolTip(choice->currentText());
-    }
-  };
-  QObject::connect(&dialog, &QFileDialog::directoryEntered, &dialog, explain);
-  QObject::connect(&dialog, &QFileDialog::filterSelected, &dialog, explain);
-  explain();
-}
-
 }  // namespace
 
 // The desktop's own dialog has neither pictures nor these places.
@@ -212,7 +199,6 @@ void FileCommands::open() {
   dialog.setDirectory(folder);
   dialog.setSidebarUrls(places(dialog.sidebarUrls()));
   dialog.setViewMode(QFileDialog::List);
-  explain_choices(dialog);
   SceneIcons icons;
   dialog.setIconProvider(&icons);
   for (auto* view : dialog.findChildren<QListView*>(QStringLiteral("listView"))) {
@@ -235,7 +221,6 @@ bool FileCommands::save_as() {
   QFileDialog dialog(&workbench_.window, tr("Save the scene"), {}, tr("Scenes (*.yaml)"));
   dialog.setAcceptMode(QFileDialog::AcceptSave);
   dialog.selectFile(QString::fromStdString(workbench_.document.file().stem().string() + ".yaml"));
-  explain_choices(dialog);
   if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty()) {
     return false;
   }
@@ -263,7 +248,7 @@ bool FileCommands::save_to(const QString& file) {
 void FileCommands::save_picture() {
   const QString file = QFileDialog::getSaveFileName(&workbench_.window, tr("Save a picture"), {},
                                                     tr("Pictures (*.png)"));
-  if (!file.isEmpty() && !workbench_.view.grab().save(file)) {
+  if (!file.isEmpty() && !workbench_.view.picture().save(file)) {
     workbench_.show_error(tr("The picture was not saved"), tr("%1 can't be written").arg(file));
   }
 }

@@ -8,6 +8,7 @@
 #include "app/view_actions.h"
 #include "handway/geometric/formats/mesh_reader.h"
 #include "view3d/scene_view.h"
+#include "widgets/forms/file_dialogs.h"
 #include "widgets/forms/quantity_field.h"
 #include "widgets/panels/dock_layout.h"
 #include "widgets/panels/floating_card.h"
@@ -35,6 +36,7 @@ MainWindow::MainWindow(std::shared_ptr<planning::PluginManager> plugins, QWidget
   setAcceptDrops(true);
   setContextMenuPolicy(Qt::NoContextMenu);
   new WheelGuard(this);
+  new FileDialogTooltips(this);
   new FocusReturn(*this, workbench_.view);
   build_middle();
   add_commands();

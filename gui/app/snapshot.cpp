@@ -55,7 +55,7 @@ void Snapshot::wait_until_settled() {
 
 void Snapshot::save() {
   window_.view().settle();
-  const QPixmap picture = view_only_ ? window_.view().grab() : window_.grab();
+  const QPixmap picture = view_only_ ? window_.view().picture() : window_.grab();
   const bool saved = picture.save(file_);
   emit done(saved ? 0 : 1, saved ? QString() : tr("%1 can't be written").arg(file_));
 }

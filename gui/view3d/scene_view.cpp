@@ -364,6 +364,14 @@ void SceneView::settle() {
   pacer_.request();
 }
 
+QPixmap SceneView::picture() {
+  const bool has_cube = !cube_->isHidden();
+  cube_->hide();
+  const QPixmap grabbed = grab();
+  cube_->setVisible(has_cube);
+  return grabbed;
+}
+
 void SceneView::paintGL() {
   QElapsedTimer timer;
   timer.start();

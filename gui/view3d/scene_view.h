@@ -144,6 +144,8 @@ class SceneView : public QOpenGLWidget {
 
   /// The next picture is a fine one, whatever has moved just now.
   void settle();
+  /// As it is on screen, with its cards, but without the cube, which is for turning it.
+  [[nodiscard]] QPixmap picture();
   /// How long the last frame took to draw, ms.
   [[nodiscard]] double frame_time_ms() const { return frame_time_ms_; }
 

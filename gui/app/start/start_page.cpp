@@ -2,6 +2,8 @@
 
 #include "app/file_commands.h"
 #include "app/start/picture_card.h"
+#include "handway/geometric/formats/yaml_element.h"
+#include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/resources.h"
 
 #include <QFileInfo>
@@ -16,6 +18,24 @@
 namespace handway::gui {
 namespace fs = std::filesystem;
 
+namespace {
+
+// A scene that can't be read is listed all the same: opening it says what is wrong.
+void take_words_of_file(ShippedScene& scene) {
+  try {
+    const auto top = geometric::YamlElement::read(scene.file, "a scene file");
+    if (const auto name = top.find("name")) {
+      scene.title = QString::fromStdString(name->text());
+    }
+    if (const auto description = top.find("description")) {
+      scene.description = QString::fromStdString(description->text());
+    }
+  } catch (const geometric::InputError&) {
+  }
+}
+
+}  // namespace
+
 std::vector<ShippedScene> shipped_scenes() {
   std::vector<ShippedScene> scenes;
   std::error_code none;
@@ -25,10 +45,8 @@ std::vector<ShippedScene> shipped_scenes() {
       continue;
     }
     const QString stem = QString::fromStdString(entry.path().stem().string());
-    QString title = stem;
-    title.replace('_', ' ');
-    title[0] = title[0].toUpper();
-    scenes.push_back({entry.path(), title, QStringLiteral(":/thumbnails/%1.jpg").arg(stem)});
+    scenes.push_back({entry.path(), stem, {}, QStringLiteral(":/thumbnails/%1.jpg").arg(stem)});
+    take_words_of_file(scenes.back());
   }
   std::ranges::sort(scenes, {}, &ShippedScene::file);
   return scenes;
@@ -99,6 +117,8 @@ void StartPage::add_scenes(QVBoxLayout& layout) {
     auto* card = new PictureCard(scene.title, scene.picture);
     const QString file = QString::fromStdString(scene.file.string());
     card->setObjectName(QStringLiteral("open ") + QFileInfo(file).baseName());
+    card->setToolTip(QStringLiteral("<b>%1</b><br>%2")
+                         .arg(scene.title.toHtmlEscaped(), scene.description.toHtmlEscaped()));
     connect(card, &QAbstractButton::clicked, this, [this, file] { emit open_requested(file); });
     grid->addWidget(card, index / kColumns, index % kColumns, Qt::AlignLeft);
     ++index;

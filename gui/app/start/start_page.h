@@ -14,7 +14,8 @@ namespace handway::gui {
 /// A scene that comes with the program.
 struct ShippedScene {
   std::filesystem::path file;
-  QString title;    ///< "Can on a table"
+  QString title;  ///< "Can on a table"
+  QString description;
   QString picture;  ///< Of the resources; may not be there.
 };
 

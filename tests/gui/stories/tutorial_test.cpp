@@ -1,14 +1,17 @@
 /// docs/tutorial.md, step by step, with the mouse and the keys that it names and nothing else.
+#include "features/editing/scene_tree.h"
 #include "features/export/export_dialog.h"
 #include "features/grasping/grasp_tool.h"
 #include "handway/geometric/formats/scene_reader.h"
 #include "model/document/resting.h"
+#include "pressed_mouse.h"
 #include "story.h"
 #include "view3d/scene_view.h"
 #include "view3d/view_gizmo.h"
 
 #include <QAbstractSpinBox>
 #include <QFileDialog>
+#include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMenuBar>
@@ -23,6 +26,8 @@
 
 namespace handway::test {
 namespace {
+
+using ::testing::HasSubstr;
 
 class Tutorial : public Story {
  protected:
@@ -118,6 +123,7 @@ class Tutorial : public Story {
   void step_3_where_the_robot_starts() const;
   void step_4_how_to_grasp_the_can() const;
   void step_5_plan() const;
+  void pull_the_start_up() const;
   void step_6_play() const;
   void step_7_export() const;
   void save_as(const QString& name) const;
@@ -186,6 +192,29 @@ void Tutorial::step_5_plan() const {
   ASSERT_TRUE(ended.front().front().toBool());
   EXPECT_TRUE(part<QPushButton>("plan").isVisible()) << "the panel on the right says how long";
   picture("new_6_path");
+  pull_the_start_up();
+}
+
+void Tutorial::pull_the_start_up() const {
+  auto& tree = *window().findChild<gui::SceneTree*>();
+  const QList<QTreeWidgetItem*> rows = tree.findItems("Start", Qt::MatchExactly | Qt::MatchRecursive);
+  ASSERT_EQ(rows.size(), 1);
+  click(*tree.viewport(), tree.visualItemRect(rows.front()).center());
+  gui::SceneView& view = window().view();
+  ASSERT_TRUE(wait_for([&] { return view.gizmo().is_shown(); }));
+  const gui::GizmoFrame frame = view.gizmo().frame(view.camera(), view.size());
+  const auto along_arrow = [&](double part_of_it) {
+    const Eigen::Vector3d p_W = frame.centre + part_of_it * frame.size * frame.axes.col(2);
+    return gui::place_of(view.camera(), view.size(), p_W).toPoint();
+  };
+  const geometric::Configuration before = scene().start.value();
+  QTest::mousePress(&view, Qt::LeftButton, {}, along_arrow(0.9));
+  move_pressed_mouse(view, along_arrow(1.2));
+  QTest::mouseRelease(&view, Qt::LeftButton, {}, along_arrow(1.2));
+  EXPECT_NE(scene().start.value(), before);
+  ASSERT_TRUE(wait_for([&] { return !window().session().is_replanning(); }));
+  EXPECT_THAT(part<QLabel>("result").text().toStdString(), HasSubstr("Path follows the scene"));
+  EXPECT_TRUE(window().player().timeline().path().waypoints.front().isApprox(*scene().start, 1e-9));
 }
 
 void Tutorial::step_6_play() const {
