@@ -114,6 +114,35 @@ TEST(Readme, ShowsCommandsThatWork) {
   EXPECT_GE(commands, 3);
 }
 
+// What no command makes anew grows stale, and what nobody looks at is in the way.
+TEST(Manual, HasThePicturesThatItsTargetMakes) {
+  namespace fs = std::filesystem;
+  const ShellRun list = run_in_shell((source_dir() / "scripts/docs-pictures").string() + " --list");
+  ASSERT_EQ(list.status, 0) << list.printed;
+  std::set<std::string> made;
+  std::istringstream lines(list.printed);
+  for (std::string line; std::getline(lines, line);) {
+    ASSERT_TRUE(fs::exists(source_dir() / line)) << line;
+    if (line.starts_with("docs/")) {
+      made.insert(line);
+    }
+  }
+  std::set<std::string> shown;
+  for (const fs::path& page : manual_pages()) {
+    for (const std::string& target : link_targets(read_text(page))) {
+      if (target.ends_with(".png")) {
+        shown.insert(fs::proximate(page.parent_path() / target, source_dir()).string());
+      }
+    }
+  }
+  EXPECT_THAT(shown, ContainerEq(made));
+  std::set<std::string> kept;
+  for (const auto& entry : fs::directory_iterator(source_dir() / "docs/images")) {
+    kept.insert(fs::proximate(entry.path(), source_dir()).string());
+  }
+  EXPECT_THAT(kept, ContainerEq(made));
+}
+
 // The commands of the page in their order, in a folder with two robots that have no SRDF.
 TEST(BringYourOwnRobot, GoesFromTwoRobotFilesToAGrasp) {
   namespace fs = std::filesystem;
