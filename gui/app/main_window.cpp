@@ -2,6 +2,7 @@
 
 #include "app/features.h"
 #include "app/file_commands.h"
+#include "app/freed_memory.h"
 #include "app/start/command_palette.h"
 #include "app/start/help.h"
 #include "app/start/start_page.h"
@@ -38,6 +39,7 @@ MainWindow::MainWindow(std::shared_ptr<planning::PluginManager> plugins, QWidget
   new WheelGuard(this);
   new FileDialogTooltips(this);
   new FocusReturn(*this, workbench_.view);
+  new FreedMemory(workbench_);
   build_middle();
   add_commands();
   add_features(workbench_);

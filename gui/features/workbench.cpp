@@ -73,6 +73,7 @@ void Workbench::follow_document() {
     validity.follow(document.problem());
   });
   connect(&document, &Document::opened, this, [this] {
+    history.begin_scene();
     collisions.set_problem(document.problem());
     validity.follow(document.problem());
   });

@@ -18,7 +18,7 @@ constexpr double kEmptyIcon = 45;  // px, where there is no picture
 }  // namespace
 
 PictureCard::PictureCard(const QString& title, const QString& picture, int width, QWidget* parent)
-    : QAbstractButton(parent), picture_(picture), width_(width) {
+    : QAbstractButton(parent), file_(picture), width_(width) {
   setText(title);
   setToolTip(title);  // a long one is elided
   setCursor(Qt::PointingHandCursor);
@@ -29,6 +29,17 @@ PictureCard::PictureCard(const QString& title, const QString& picture, int width
 int PictureCard::picture_height() const { return qRound(width_ / kShape); }
 
 QSize PictureCard::sizeHint() const { return {width_, picture_height() + scaled(kNameHeight)}; }
+
+// Pictures are kept while they are seen.
+void PictureCard::showEvent(QShowEvent* event) {
+  picture_.load(file_);
+  QAbstractButton::showEvent(event);
+}
+
+void PictureCard::hideEvent(QHideEvent* event) {
+  QAbstractButton::hideEvent(event);
+  picture_ = {};
+}
 
 void PictureCard::enterEvent(QEvent* event) {
   QAbstractButton::enterEvent(event);

@@ -22,6 +22,8 @@ class PictureCard : public QAbstractButton {
   [[nodiscard]] QSize sizeHint() const override;
 
  protected:
+  void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
   void enterEvent(QEvent* event) override;
   void leaveEvent(QEvent* event) override;
@@ -29,6 +31,7 @@ class PictureCard : public QAbstractButton {
  private:
   [[nodiscard]] int picture_height() const;
 
+  QString file_;  ///< Of the picture.
   QPixmap picture_;
   int width_;
 };

@@ -23,9 +23,9 @@
 namespace handway::gui {
 namespace {
 
-constexpr int kWidth = 290;
+constexpr int kWidth = 340;
 constexpr int kMargin = 12;
-constexpr int kColumnWidth = 52;
+constexpr int kColumnWidth = 58;
 
 QStringList row_texts(int rank, const planning::Pregrasp& grasp) {
   return {QString::number(rank), QString::number(grasp.fingers),

@@ -259,10 +259,15 @@ void DoctorCard::place() {
   const int for_words = width - around.left() - around.right() - 2 * kSpacing -
                         picture_->sizeHint().width() - close_->sizeHint().width();
   const int answers = show_->isHidden() ? 0 : show_->sizeHint().height() + layout()->spacing();
-  const int height = std::min(
-      around.top() + text_->heightForWidth(for_words) + answers + around.bottom(), room.height());
   const int left = beside_axes ? std::max(kAxes, (parentWidget()->width() - width) / 2) : kMargin;
-  setGeometry(left, parentWidget()->height() - height - kMargin, width, height);
+  const auto stand = [&](int wanted) {
+    const int height = std::min(wanted, room.height());
+    setGeometry(left, parentWidget()->height() - height - kMargin, width, height);
+    layout()->activate();
+  };
+  stand(around.top() + text_->heightForWidth(for_words) + answers + around.bottom());
+  const QSize words = area_->viewport()->size();  // what the layout left of that
+  stand(height() + std::max(text_->heightForWidth(words.width()) - words.height(), 0));
 }
 
 QueryCheck::QueryCheck(Document& document, SceneEditor& editor, Posing& posing, SceneView& view,

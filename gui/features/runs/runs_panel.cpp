@@ -110,16 +110,6 @@ QWidget* RunsPanel::make_actions() {
   return actions;
 }
 
-void RunsPanel::begin_anew() {
-  of_other_scenes_.clear();
-  for (const PathRecord& record : history_.records()) {
-    if (record.run) {
-      of_other_scenes_.push_back(record.run);
-    }
-  }
-  refresh();
-}
-
 void RunsPanel::mark(const std::shared_ptr<const PlanRun>& run) {
   if (marked_ != run) {
     marked_ = run;
@@ -138,7 +128,7 @@ void RunsPanel::refresh() {
   records_.clear();
   std::vector<RunRow> rows;
   for (const PathRecord& record : history_.records()) {
-    if (record.run && std::ranges::count(of_other_scenes_, record.run) == 0) {
+    if (record.run && history_.is_of_open_scene(record)) {
       records_.push_back(record);
       rows.push_back(as_row(record, record.run == marked_));
     }
@@ -202,7 +192,6 @@ RunsTool::RunsTool(PathHistory& history, RunsPanel& runs, PlanningSession& sessi
   connect(&session_, &PlanningSession::ended, &runs, [&runs] { runs.set_running(false); });
   connect(&session_, &PlanningSession::path_changed, &runs,
           [&runs, this] { runs.mark(session_.shown_run()); });
-  connect(&editor_.document(), &Document::opened, &runs, &RunsPanel::begin_anew);
   connect(&runs, &RunsPanel::restore_requested, this, &RunsTool::restore);
 }
 

@@ -31,8 +31,6 @@ class RunsPanel : public QWidget {
   explicit RunsPanel(PathHistory& history, QWidget* parent = nullptr);
 
   [[nodiscard]] QSize sizeHint() const override { return {640, 250}; }
-  /// Those that began before are of another scene.
-  void begin_anew();
   /// Makes a run stand out; null: none.
   void mark(const std::shared_ptr<const PlanRun>& run);
   void set_running(bool running);
@@ -53,7 +51,6 @@ class RunsPanel : public QWidget {
 
   PathHistory& history_;
   std::vector<PathRecord> records_;  ///< As in the table.
-  std::vector<std::shared_ptr<const PlanRun>> of_other_scenes_;
   std::shared_ptr<const PlanRun> marked_;
   bool running_ = false;
   RunTable* table_;

@@ -231,6 +231,7 @@ std::shared_ptr<const planning::Motion> PathHistory::add(PathRecord record) {
   if (record.run && record.motion) {
     record.label = label_of(*record.run, *record.motion);
   }
+  record.opened_scene = opened_scene_;
   std::shared_ptr<const planning::Motion> motion = record.motion;
   records_.insert(records_.begin(), std::move(record));
   if (records_.size() > kMost) {
@@ -238,6 +239,14 @@ std::shared_ptr<const planning::Motion> PathHistory::add(PathRecord record) {
   }
   emit changed();
   return motion;
+}
+
+void PathHistory::begin_scene() {
+  ++opened_scene_;
+  std::erase_if(records_, [this](const PathRecord& record) {
+    return record.opened_scene < opened_scene_ - kEarlierScenes;
+  });
+  emit changed();
 }
 
 std::vector<PathRecord> PathHistory::paths() const {

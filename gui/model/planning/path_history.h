@@ -94,6 +94,7 @@ struct PathRecord {
   std::shared_ptr<const MotionCurves> curves;      ///< Null: there is no motion, or not found yet.
   std::shared_ptr<const PlanRun> run;  ///< Null: from a file, or a path that follows edits.
   std::optional<PathFigures> figures;  ///< Once there are curves.
+  int opened_scene = 0;                ///< Of the scenes of a session, one after the other.
 
   [[nodiscard]] bool has_figures() const { return figures.has_value(); }
   /// Has its run found a path?
@@ -111,12 +112,14 @@ struct PathRecord {
 /// The same of one that a planner found.
 [[nodiscard]] QString label_of(const PlanRun& run, const planning::Motion& motion);
 
-/// The paths and runs of a session, the latest first.
+/// The paths and runs of the scene that is open and of some that were open before, the latest
+/// first. They keep their scenes, with all meshes.
 class PathHistory : public QObject {
   Q_OBJECT
 
  public:
   static constexpr std::size_t kMost = 200;
+  static constexpr int kEarlierScenes = 2;  ///< To compare paths with.
 
   explicit PathHistory(QObject* parent = nullptr) : QObject(parent) {}
 
@@ -124,7 +127,12 @@ class PathHistory : public QObject {
   /// found in the same scene is that run's.
   /// @returns the motion that the record goes by now; null if it has none.
   std::shared_ptr<const planning::Motion> add(PathRecord record);
+  /// Another scene is open.
+  void begin_scene();
   [[nodiscard]] const std::vector<PathRecord>& records() const { return records_; }
+  [[nodiscard]] bool is_of_open_scene(const PathRecord& record) const {
+    return record.opened_scene == opened_scene_;
+  }
   /// Those with a motion and its curves.
   [[nodiscard]] std::vector<PathRecord> paths() const;
 
@@ -133,6 +141,7 @@ class PathHistory : public QObject {
 
  private:
   std::vector<PathRecord> records_;
+  int opened_scene_ = 0;
 };
 
 }  // namespace handway::gui

@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <fstream>
 #include <string>
 
@@ -28,9 +29,16 @@ double anonymous_memory() {
   throw std::runtime_error("no /proc/self/smaps_rollup");
 }
 
+// What is no longer needed is given back in the background, a second after the last work.
 void print(const std::string& what) {
-  QTest::qWait(1500);  // what is no longer needed is let go in the background
-  fmt::print("{:.1f} {}\n", anonymous_memory(), what);
+  double memory = 0.0;
+  double before = 0.0;
+  do {
+    before = memory;
+    QTest::qWait(2500);
+    memory = anonymous_memory();
+  } while (std::abs(memory - before) > 0.01 * memory);
+  fmt::print("{:.1f} {}\n", memory, what);
 }
 
 void open_and_plan(gui::MainWindow& window, const QString& file) {

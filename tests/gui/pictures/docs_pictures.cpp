@@ -2,6 +2,7 @@
 /// manual describes it. The target docs-pictures runs it; others come from the stories.
 #include "features/campaigns/campaigns_panel.h"
 #include "features/comparison/comparison_window.h"
+#include "features/editing/properties_panel.h"
 #include "features/microscope/microscope_panel.h"
 #include "features/planning/roadmap_display.h"
 #include "handway/planning/core/observer.h"
@@ -11,7 +12,6 @@
 #include <QCheckBox>
 #include <QDockWidget>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QSlider>
 #include <QTabWidget>
 #include <QTableView>
@@ -101,14 +101,14 @@ TEST_F(Pictures, Constraints) {
   editor().set_start(scene().goal.value());
   part<QCheckBox>("keep_upright").click();
   part<QCheckBox>("keep_region").click();
-  part<QScrollArea>("properties").ensureWidgetVisible(&part<QCheckBox>("keep_region"));
+  window().findChild<gui::PropertiesPanel*>()->ensureWidgetVisible(&part<QCheckBox>("keep_region"));
   take("constraints");
 }
 
 TEST_F(Pictures, GoalDoctor) {
   open_shipped("can_on_table");
   geometric::Configuration q = scene().goal.value();
-  q[1] += geometric::radians(1.0);
+  q[1] += geometric::radians(3.0);
   editor().set_goal(q);
   window().document().set_configuration(q);
   ASSERT_TRUE(wait_for([&] { return part("doctor").isVisible(); }));

@@ -30,6 +30,7 @@ int run_tests(int argc, char** argv) {
   }
   QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
   if (!::testing::GTEST_FLAG(list_tests) && std::getenv("DISPLAY")) {
+    QCoreApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
     application = std::make_unique<handway::test::WatchedApplication>(argc, argv);
     QApplication::setOrganizationName(QStringLiteral("handway"));
     QApplication::setApplicationName(QStringLiteral("handway-test"));
