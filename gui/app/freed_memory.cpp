@@ -8,7 +8,7 @@
 namespace handway::gui {
 namespace {
 
-constexpr int kPauseMs = 1000;         // after the last work
+constexpr int kPauseMs = 1000;           // after the last work
 constexpr int kBlockOfItsOwn = 1 << 19;  // bytes; larger ones go back as soon as they are freed
 
 }  // namespace

@@ -197,7 +197,8 @@ void Tutorial::step_5_plan() const {
 
 void Tutorial::pull_the_start_up() const {
   auto& tree = *window().findChild<gui::SceneTree*>();
-  const QList<QTreeWidgetItem*> rows = tree.findItems("Start", Qt::MatchExactly | Qt::MatchRecursive);
+  const QList<QTreeWidgetItem*> rows =
+      tree.findItems("Start", Qt::MatchExactly | Qt::MatchRecursive);
   ASSERT_EQ(rows.size(), 1);
   click(*tree.viewport(), tree.visualItemRect(rows.front()).center());
   gui::SceneView& view = window().view();
