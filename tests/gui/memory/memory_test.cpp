@@ -10,7 +10,7 @@
 namespace handway::test {
 namespace {
 
-constexpr int kPatience = 300000;  // ms
+constexpr int kPatience = 600000;  // ms
 
 /// The memory that a window has for itself after it has opened and planned scenes, MB.
 double memory_after(const QStringList& scenes) {
@@ -25,9 +25,7 @@ double memory_after(const QStringList& scenes) {
   window.start(QStringLiteral(HANDWAY_WINDOW_MEMORY), scenes);
   EXPECT_TRUE(window.waitForFinished(kPatience));
   EXPECT_EQ(window.exitCode(), 0);
-  const QByteArray printed = window.readAllStandardOutput().trimmed();
-  const QByteArray last = printed.mid(printed.lastIndexOf('\n') + 1);
-  return last.left(last.indexOf(' ')).toDouble();
+  return window.readAllStandardOutput().trimmed().toDouble();
 }
 
 TEST(WindowMemory, IsThatOfTheLargestSceneAfterTwenty) {
@@ -43,6 +41,7 @@ TEST(WindowMemory, IsThatOfTheLargestSceneAfterTwenty) {
     twenty << scenes[twenty.size() % scenes.size()];
   }
   const double after_twenty = memory_after(twenty);
+  ASSERT_GT(largest, 0.0);
   RecordProperty("largest_MB", std::to_string(largest));
   RecordProperty("after_twenty_MB", std::to_string(after_twenty));
   EXPECT_LE(after_twenty, 1.1 * largest) << "MB";

@@ -1,5 +1,5 @@
 /// window_memory FILE…: opens scenes in the window, one after the other, plans each, and prints
-/// after each what memory the program has for itself (not mapped from files), in MB.
+/// what memory the program then has for itself (not mapped from files), in MB.
 #include "app/main_window.h"
 #include "patience.h"
 #include "widgets/style/theme.h"
@@ -30,7 +30,7 @@ double anonymous_memory() {
 }
 
 // What is no longer needed is given back in the background, a second after the last work.
-void print(const std::string& what) {
+double memory_at_rest() {
   double memory = 0.0;
   double before = 0.0;
   do {
@@ -38,7 +38,7 @@ void print(const std::string& what) {
     QTest::qWait(2500);
     memory = anonymous_memory();
   } while (std::abs(memory - before) > 0.01 * memory);
-  fmt::print("{:.1f} {}\n", memory, what);
+  return memory;
 }
 
 void open_and_plan(gui::MainWindow& window, const QString& file) {
@@ -63,11 +63,10 @@ void run(const QStringList& files) {
   window.resize(1440, 900);
   window.show();
   (void)QTest::qWaitForWindowExposed(&window);
-  print("start page");
   for (const QString& file : files) {
     open_and_plan(window, file);
-    print(file.toStdString());
   }
+  fmt::print("{:.1f}\n", memory_at_rest());
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 
 #include <QCheckBox>
 #include <QDockWidget>
+#include <QMenu>
 #include <QPushButton>
 #include <QSlider>
 #include <QTabWidget>
@@ -80,10 +81,12 @@ TEST_F(Pictures, Campaigns) {
 
 TEST_F(Pictures, Comparison) {
   open_shipped("cans_in_shelf");
-  for (const char* objective : {"shortest", "human-like"}) {
-    apply("auto", {{"objective", objective}});
+  const gui::PathHistory& history = window().workbench().history;
+  for (const char* planner : {"rrt-connect", "pmd-prm"}) {
+    const std::size_t before = history.paths().size();
+    apply(planner);
     ASSERT_TRUE(plan());
-    wait_until_idle();
+    ASSERT_TRUE(wait_for([&] { return history.paths().size() > before; }));
   }
   trigger("Compare two paths…");
   auto& dialog = *window().findChild<gui::ComparisonWindow*>();
@@ -120,6 +123,7 @@ TEST_F(Pictures, HumanLikeness) {
   ASSERT_TRUE(plan());
   window().player().seek(1.0);
   window().workbench().show_panel("hand");
+  part<QPushButton>("likeness_choose").menu()->actions().front()->trigger();
   QTest::qWait(1500);  // recorded postures are read
   take("human_likeness");
 }
