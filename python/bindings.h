@@ -23,6 +23,9 @@ void bind_editing(pybind11::module_& module);
 /// Motion, find_pmds(), Scene.time(), Scene.grasps(). @pre bind_scene(), bind_basis()
 void bind_motion(pybind11::module_& module);
 
+/// Connection, Emulator, map_recording(), Scene.connect(), Scene.emulate(). @pre bind_motion()
+void bind_devices(pybind11::module_& module);
+
 /// Planner, Parameter, planner(), planners(), plugins(), refused_plugins().
 void bind_planner(pybind11::module_& module);
 

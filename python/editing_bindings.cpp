@@ -5,6 +5,7 @@
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/resources.h"
 #include "handway/geometric/setup/mounting.h"
+#include "handway/geometric/setup/moving_group.h"
 #include "plugin_manager.h"
 #include "scene_kinematics.h"
 
@@ -94,9 +95,12 @@ std::unique_ptr<SceneModel> with_robot(const SceneModel& model, const py::object
   return changed(model, std::move(scene));
 }
 
+std::string json_of(const py::object& value) {  // JSON is YAML
+  return py::str(py::module_::import("json").attr("dumps")(value));
+}
+
 std::unique_ptr<SceneModel> with_objects(const SceneModel& model, const py::object& objects) {
-  // Objects as a scene file has them; JSON is YAML.
-  const std::string text = py::str(py::module_::import("json").attr("dumps")(objects));
+  const std::string text = json_of(objects);  // as a scene file has them
   auto scene = std::make_shared<Scene>(model.scene());
   const Scene read = geometric::read_objects(text, "objects", *scene);
   for (const geometric::SceneObject& object : read.objects) {
@@ -166,6 +170,43 @@ std::unique_ptr<SceneModel> with_query(const SceneModel& model, const std::optio
   return changed(model, std::move(scene));
 }
 
+std::unique_ptr<SceneModel> with_constraints(const SceneModel& model,
+                                             const py::object& constraints) {
+  auto scene = std::make_shared<Scene>(model.scene());
+  for (const geometric::PathConstraint& constraint :
+       geometric::read_constraints(json_of(constraints), "constraints", *scene)) {
+    std::erase_if(scene->constraints,
+                  [&](const auto& other) { return other.name == constraint.name; });
+    scene->constraints.push_back(constraint);
+  }
+  return changed(model, std::move(scene));
+}
+
+std::unique_ptr<SceneModel> without_constraint(const SceneModel& model, const std::string& name) {
+  auto scene = std::make_shared<Scene>(model.scene());
+  const auto removed =
+      std::erase_if(scene->constraints, [&](const auto& other) { return other.name == name; });
+  if (removed == 0) {
+    std::vector<std::string> names;
+    for (const geometric::PathConstraint& constraint : scene->constraints) {
+      names.push_back(constraint.name);
+    }
+    throw InputError({"constraint", "", "\"" + name + "\"", "a constraint of the scene",
+                      geometric::advise_name(name, names)});
+  }
+  return changed(model, std::move(scene));
+}
+
+std::unique_ptr<SceneModel> with_group(const SceneModel& model, const py::args& names) {
+  auto scene = std::make_shared<Scene>(model.scene());
+  std::vector<std::string> group;
+  for (const py::handle& name : names) {
+    group.push_back(py::cast<std::string>(name));
+  }
+  geometric::set_moving_group(*scene, group);
+  return changed(model, std::move(scene));
+}
+
 void save(const SceneModel& model, const py::object& file) {
   geometric::write_scene(model.scene(), text_of(file));
 }
@@ -214,6 +255,16 @@ void bind_editing(py::module_& module) {
            "This scene with another start or goal.\n\n"
            "start, goal: [variables], rad or m; as they are if None. goal_pose: as in\n"
            "Planner.plan(), in place of the goal.")
+      .def("with_constraints", &with_constraints, py::arg("constraints"),
+           "This scene with these constraints along paths, in place of those of the same names.\n\n"
+           "constraints: a list of dicts with the keys that constraints of scene files have, such\n"
+           "as {\"name\": \"upright\", \"body\": \"can\", \"upright\": {\"angle_deg\": 10}}.")
+      .def("without_constraint", &without_constraint, py::arg("name"),
+           "This scene without the constraint called name.")
+      .def("with_group", &with_group,
+           "This scene with other joints to move; all others stay at the start.\n\n"
+           "names: of groups, robots and joints; none: everything of the first robot moves.\n"
+           "Robots that stand beside the first one and are named become one robot with it.")
       .def("save", &save, py::arg("file"), "Writes a scene file (YAML).\n\nfile: replaced whole.")
       .def("export", &export_scene, py::arg("format"), py::arg("folder"),
            "Writes the scene for other programs.\n\n"

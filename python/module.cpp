@@ -11,4 +11,5 @@ PYBIND11_MODULE(_core, module) {
   handway::python::bind_scene(module);
   handway::python::bind_editing(module);
   handway::python::bind_motion(module);
+  handway::python::bind_devices(module);
 }

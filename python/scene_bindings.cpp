@@ -125,6 +125,22 @@ void bind_contents(py::class_<SceneModel>& scene) {
           "hand", [](const SceneModel& s) { return names_of(s.robot(), s.problem().hand); },
           "Variables of the hand, in the order of the basis' joints.")
       .def_property_readonly(
+          "constraints",
+          [](const SceneModel& s) {
+            std::vector<std::string> names;
+            for (const geometric::PathConstraint& constraint : s.scene().constraints) {
+              names.push_back(constraint.name);
+            }
+            return names;
+          },
+          "Names of the constraints along paths.")
+      .def_property_readonly(
+          "group", [](const SceneModel& s) { return s.scene().group; },
+          "Names of what moves, as the scene says; empty: all variables.")
+      .def_property_readonly(
+          "moving", [](const SceneModel& s) { return names_of(s.robot(), s.problem().moving); },
+          "Variables that move; planning leaves the others at the start.")
+      .def_property_readonly(
           "lower", [](const SceneModel& s) { return to_array(s.robot().lower()); },
           "Limits, [variables], rad or m; -pi for a continuous joint, which has none.")
       .def_property_readonly(

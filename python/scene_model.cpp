@@ -28,27 +28,21 @@ planning::LoadedScene load(const std::filesystem::path& file, const std::string&
   return loaded;
 }
 
-std::shared_ptr<const Scene> with_both_ends(const std::shared_ptr<const Scene>& scene) {
-  if (scene->start && (scene->goal || !scene->goal_poses.empty())) {
+std::shared_ptr<const Scene> with_goal(const std::shared_ptr<const Scene>& scene) {
+  if (scene->goal || !scene->goal_poses.empty()) {
     return scene;
   }
   auto whole = std::make_shared<Scene>(*scene);
-  const Configuration& here = scene->robots.front().configuration;
-  whole->start = scene->start.value_or(here);
-  if (scene->goal_poses.empty()) {
-    whole->goal = scene->goal.value_or(here);
-  }
+  whole->goal = scene->start.value_or(scene->robots.front().configuration);
   return whole;
 }
 
-Configuration end_of(const Scene& scene, const char* which,
-                     const std::optional<Configuration>& given,
-                     const std::optional<Configuration>& own) {
-  if (!given && !own) {
-    throw InputError({scene.file.string(), which, "nothing", "a configuration",
+Configuration goal_of(const Scene& scene, const std::optional<Configuration>& given) {
+  if (!given && !scene.goal) {
+    throw InputError({scene.file.string(), "goal", "nothing", "a configuration",
                       "Give it in the scene or as an argument"});
   }
-  return given ? *given : *own;
+  return given ? *given : *scene.goal;
 }
 
 }  // namespace
@@ -73,7 +67,7 @@ std::shared_ptr<const sampling::PmdBasis> find_basis(const std::string& referenc
 SceneModel::SceneModel(std::shared_ptr<const Scene> scene,
                        const std::shared_ptr<const sampling::PmdBasis>& basis)
     : scene_(std::move(scene)),
-      problem_(planning::make_problem(with_both_ends(scene_), basis)),
+      problem_(planning::make_problem(with_goal(scene_), basis)),
       checkers_(std::make_unique<CheckerPool>(problem_.checker)) {}
 
 SceneModel::SceneModel(const std::filesystem::path& file, const std::string& basis)
@@ -82,11 +76,11 @@ SceneModel::SceneModel(const std::filesystem::path& file, const std::string& bas
 planning::PlanningProblem SceneModel::problem_between(
     const std::optional<Configuration>& start, const std::optional<Configuration>& goal,
     const std::vector<geometric::PoseGoal>& goal_poses) const {
-  const Configuration from = end_of(*scene_, "start", start, scene_->start);
+  const Configuration from = start ? *start : problem_.start;
   if (goal_poses.empty() && (goal || scene_->goal_poses.empty())) {
     planning::PlanningProblem problem = problem_;
     problem.start = from;
-    problem.set_goal(end_of(*scene_, "goal", goal, scene_->goal));
+    problem.set_goal(goal_of(*scene_, goal));
     return problem;
   }
   auto scene = std::make_shared<Scene>(*scene_);

@@ -26,6 +26,7 @@ struct CheckOptions {
   double resolution_mm = 1.0;
   std::vector<std::string> uprights;
   GoalPoseOptions goal_poses;
+  std::vector<std::string> group;
 };
 
 void print_likeness(const planning::PathLikeness& likeness) {
@@ -46,6 +47,7 @@ int check(const CheckOptions& options) {
   planning::LoadedScene loaded = planning::load_scene(options.scene, plugins);
   print_warnings(*loaded.scene);
   add_uprights(options.uprights, loaded);
+  set_group(options.group, loaded);
   set_goal_poses(options.goal_poses, loaded);
   const planning::PlanningProblem problem = planning::make_problem(loaded.scene, loaded.basis);
   const planning::Path path = planning::read_path_csv(problem.model(), options.path);
@@ -87,6 +89,7 @@ void add_check_command(CLI::App& app, int& exit_code) {
                       "Recorded postures to compare the hand with (default: the basis')");
   add_upright_option(*command, options->uprights);
   add_goal_pose_options(*command, options->goal_poses);
+  add_group_option(*command, options->group);
   command->callback([options, &exit_code] { exit_code = check(*options); });
 }
 

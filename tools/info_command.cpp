@@ -4,6 +4,7 @@
 #include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/math/units.h"
 #include "handway/geometric/robot/limit_violation.h"
+#include "handway/geometric/setup/moving_group.h"
 #include "handway/planning/core/planning_problem.h"
 #include "handway/planning/core/pose_goals.h"
 #include "handway/planning/extensions/plugin.h"
@@ -229,8 +230,9 @@ void print_json(const geometric::Scene& scene, const std::vector<End>& ends,
                        {"shape", shape_name(object.shape)},
                        {"solid", object.solid && is_closed(object.shape)}});
   }
-  Json report{{"name", scene.name}, {"robots", robots}, {"objects", objects},
-              {"start", nullptr},   {"goal", nullptr},  {"warnings", warnings}};
+  Json report{{"name", scene.name},  {"robots", robots}, {"objects", objects},
+              {"start", nullptr},    {"goal", nullptr},  {"warnings", warnings},
+              {"group", scene.group}};
   for (const End& end : ends) {
     report[end.which] = json_of(end);
   }
@@ -265,6 +267,11 @@ void print_text(const std::filesystem::path& file, const planning::LoadedScene& 
   }
   if (loaded.basis) {
     print_basis(*loaded.basis);
+  }
+  if (!scene.group.empty()) {
+    fmt::print("moves: {} ({} of {} joints)\n", fmt::join(scene.group, ", "),
+               geometric::moving_variables(scene).size(),
+               scene.robots.front().model->variable_count());
   }
   if (checker) {
     print_ends(ends, *checker);

@@ -47,6 +47,7 @@ struct PlanOptions {
   std::vector<std::string> settings;
   std::vector<std::string> uprights;
   GoalPoseOptions goal_poses;
+  std::vector<std::string> group;
   fs::path out;
   fs::path report;
 };
@@ -131,6 +132,7 @@ int plan(PlanOptions options) {
   print_warnings(*loaded.scene);
   choose_basis(options.settings, loaded);
   add_uprights(options.uprights, loaded);
+  set_group(options.group, loaded);
   set_goal_poses(options.goal_poses, loaded);
   const std::unique_ptr<planning::Planner> planner =
       scene_planner(options.planner, loaded.scene->planner, plugins.planners());
@@ -192,6 +194,7 @@ void add_plan_command(CLI::App& app, int& exit_code) {
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   add_upright_option(*command, options->uprights);
   add_goal_pose_options(*command, options->goal_poses);
+  add_group_option(*command, options->group);
   command->add_option("--out", options->out, "Write the path here (CSV)");
   command->add_option("--report", options->report, "Write a report here (JSON)");
   command->callback([options, &exit_code] { exit_code = plan(*options); });

@@ -7,6 +7,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <iterator>
+
 namespace handway::tools {
 namespace {
 
@@ -59,6 +62,14 @@ Json likeness_of(const std::optional<planning::PathLikeness>& likeness) {
       {"to_recorded", likeness->to_recorded ? distance_of(*likeness->to_recorded) : Json(nullptr)}};
 }
 
+std::vector<std::string> names_of(const geometric::RobotModel& model,
+                                  const std::vector<int>& variables) {
+  std::vector<std::string> names;
+  std::ranges::transform(variables, std::back_inserter(names),
+                         [&](int v) { return model.variable(v).name; });
+  return names;
+}
+
 // Where the path ends, of a problem whose goal is given by poses.
 Json goal_of(const planning::PlanningProblem& problem, const planning::PlanResult& result) {
   if (!result.goal) {
@@ -105,6 +116,8 @@ std::string plan_report(planning::Planner& planner, const planning::PlanningProb
       {"optimize_checks", result.optimize_checks},
       {"load_s", load_s},
       {"goal", goal_of(problem, result)},
+      {"group", problem.scene->group},
+      {"moving", names_of(problem.model(), problem.moving)},
       {"path_nodes", result.path.waypoints.size()},
       {"certificate",
        {{"resolution_mm", result.certificate.resolution_mm},

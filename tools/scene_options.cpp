@@ -4,6 +4,7 @@
 #include "handway/geometric/io/resources.h"
 #include "handway/geometric/math/units.h"
 #include "handway/geometric/robot/inverse_kinematics.h"
+#include "handway/geometric/setup/moving_group.h"
 #include "handway/planning/core/planning_problem.h"
 #include "handway/planning/queries/palm_ik.h"
 #include "handway/sampling/postures/pmd_basis_io.h"
@@ -151,6 +152,26 @@ void add_uprights(const std::vector<std::string>& uprights, planning::LoadedScen
     scene.constraints.push_back(
         {unused_name(scene, upright.body + " upright"), upright.body, what});
   }
+  loaded.scene = std::make_shared<const geometric::Scene>(std::move(scene));
+}
+
+void add_group_option(CLI::App& command, std::vector<std::string>& group) {
+  command
+      .add_option("--group", group,
+                  "What moves, in place of the scene's group: groups, robots or joints; all else "
+                  "stays at the start")
+      ->type_name("NAME[,NAME]")
+      ->delimiter(',')
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+void set_group(const std::vector<std::string>& group, planning::LoadedScene& loaded) {
+  if (group.empty()) {
+    return;
+  }
+  geometric::Scene scene = *loaded.scene;
+  geometric::set_moving_group(scene, group);
   loaded.scene = std::make_shared<const geometric::Scene>(std::move(scene));
 }
 

@@ -40,6 +40,13 @@ void add_upright_option(CLI::App& command, std::vector<std::string>& uprights);
 /// @throws InputError if the robot has no such link and carries no such object.
 void add_uprights(const std::vector<std::string>& uprights, planning::LoadedScene& scene);
 
+/// Adds `--group`, names with commas between them, which may be given several times.
+void add_group_option(CLI::App& command, std::vector<std::string>& group);
+
+/// Lets the group move in place of the scene's (geometric::set_moving_group()); nothing without
+/// names. @throws InputError for a name that no robot of the scene has.
+void set_group(const std::vector<std::string>& group, planning::LoadedScene& scene);
+
 /// Goals as poses of a link, from the command line.
 struct GoalPoseOptions {
   std::vector<std::string> poses;  ///< "[LINK:]X,Y,Z[,ROLL,PITCH,YAW]", m and degrees.

@@ -13,6 +13,8 @@ Everything is in metres and radians. A configuration is an array [variables] in 
 from ._core import (
     Basis,
     Certificate,
+    Connection,
+    Emulator,
     FreeJoint,
     InputError,
     Motion,
@@ -25,6 +27,7 @@ from ._core import (
     __version__,
     find_pmds,
     load_scene,
+    map_recording,
     new_scene,
     planner,
     planners,
@@ -36,6 +39,8 @@ from ._core import (
 __all__ = [
     "Basis",
     "Certificate",
+    "Connection",
+    "Emulator",
     "FreeJoint",
     "InputError",
     "Motion",
@@ -48,6 +53,7 @@ __all__ = [
     "__version__",
     "find_pmds",
     "load_scene",
+    "map_recording",
     "new_scene",
     "planner",
     "planners",

@@ -66,13 +66,69 @@ TEST(PlanningProblem, TakesEveryJointForTheArmWithoutGroups) {
   EXPECT_EQ(with_basis.hand.size(), 3U);
 }
 
-TEST(PlanningProblem, NeedsAStartAndAGoal) {
+TEST(PlanningProblem, StartsWhereTheRobotStandsAndNeedsAGoal) {
   auto scene = planar_scene();
   scene->start.reset();
-  EXPECT_THAT(refusal(scene, test::planar_hand_basis()), HasSubstr("start"));
-  scene = planar_scene();
+  scene->robots.front().configuration = planar_configuration(0.3, 0.1);
+  EXPECT_EQ(make_problem(scene, nullptr).start, planar_configuration(0.3, 0.1));
   scene->goal.reset();
   EXPECT_THAT(refusal(scene, test::planar_hand_basis()), HasSubstr("goal"));
+}
+
+TEST(PlanningProblem, LeavesWhatIsNotOfTheGroupAtTheStart) {
+  auto scene = planar_scene();
+  const auto basis = std::make_shared<const sampling::PmdBasis>(test::planar_hand_basis());
+  scene->group = {"arm"};
+  const PlanningProblem arm = make_problem(scene, basis);
+  EXPECT_EQ(arm.moving, *arm.model().find_group("arm"));
+  EXPECT_EQ(arm.arm, arm.moving);
+  EXPECT_TRUE(arm.hand.empty());
+  EXPECT_FALSE(arm.basis) << "of a hand that does not move";
+  auto other = std::make_shared<Scene>(*scene);
+  other->group = {"hand"};
+  const PlanningProblem hand = updated_problem(arm, other, basis);
+  EXPECT_TRUE(hand.arm.empty());
+  EXPECT_EQ(hand.hand.size(), 3U);
+  EXPECT_EQ(hand.basis, basis);
+}
+
+TEST(PlanningProblem, MovesNothingElseWhateverThePlanner) {
+  PlanningProblem post = test::post_problem();
+  auto scene = std::make_shared<Scene>(*post.scene);
+  scene->start = post.start;
+  scene->goal = post.goal;
+  scene->group = {"arm", "left", "right"};
+  const PlanningProblem problem = make_problem(scene, nullptr);
+  const int thumb = *problem.model().find_variable("thumb");
+  for (const std::string& name : PlannerRegistry().names()) {
+    const auto planner = PlannerRegistry().create(name);
+    if (planner->capabilities().needs_basis) {
+      continue;
+    }
+    const PlanResult result = planner->plan(problem, {.optimize_s = 0.2});
+    ASSERT_TRUE(result.solved()) << name << ": " << result.reason;
+    for (const Configuration& q : result.path.waypoints) {
+      EXPECT_EQ(q[thumb], problem.start[thumb]) << name;
+    }
+    EXPECT_TRUE(check_path(problem, result.path, 0.001).valid()) << name;
+  }
+  Path path;
+  path.waypoints = {problem.start, problem.start, problem.goal};
+  path.waypoints[1][thumb] += 0.1;
+  EXPECT_THAT(check_path(problem, path, 0.01).faults,
+              testing::Contains(AllOf(HasSubstr("Waypoint 2"), HasSubstr("joint thumb moves"))));
+}
+
+TEST(PlanningProblem, RefusesAGoalThatMovesWhatDoesNot) {
+  auto scene = planar_scene();
+  scene->group = {"arm"};
+  scene->goal = planar_configuration(0.4, 0, 0.2, 0.1, 0);
+  const PlanResult result = planned(make_problem(scene, nullptr));
+  EXPECT_EQ(result.status, PlanStatus::kGoalInvalid);
+  EXPECT_THAT(result.reason, HasSubstr("The goal moves thumb and 1 other joint, which the group "
+                                       "(arm) leaves at the start"));
+  scene->goal = planar_configuration(0.4, 0, 1e-9, 0, 0);
+  EXPECT_TRUE(planned(make_problem(scene, nullptr)).solved()) << "a file's rounding";
 }
 
 TEST(PlanningProblem, RefusesTheBasisOfAnotherHand) {

@@ -103,6 +103,22 @@ TEST_F(PoseGoals, HaveSeveralConfigurationsTheNearestFirst) {
   }
 }
 
+TEST_F(PoseGoals, AreReachedByWhatMovesOrNotAtAll) {
+  Configuration near = start_;
+  near[0] += 0.5;
+  add_goal(near);
+  scene_.group = {"joint_1"};
+  const PlanningProblem problem = this->problem();
+  ASSERT_FALSE(problem.goals.empty()) << problem.goal_fault;
+  EXPECT_NEAR(problem.goal[0], near[0], 1e-5);
+  EXPECT_EQ(problem.goal.tail(5), start_.tail(5));
+  EXPECT_TRUE(planned(problem).solved());
+  scene_.group = {"joint_3"};
+  EXPECT_THAT(this->problem().goal_fault, HasSubstr("out of reach"));
+  scene_.goal_poses.front().link = "link_2";
+  EXPECT_THAT(this->problem().goal_fault, HasSubstr("out of reach")) << "no joint moves it";
+}
+
 TEST_F(PoseGoals, ArePlannedToAndPassTheCheck) {
   add_goal(away());
   const PlanningProblem problem = this->problem();

@@ -43,6 +43,22 @@ class Editing(unittest.TestCase):
         with self.assertRaisesRegex(handway.InputError, "flange"):
             scene.with_robot("sah_right", "hand", mount="arm", link="flange")
 
+    def test_moves_by_groups_and_robots(self):
+        scene = handway.new_scene("ur5e_class", "left")
+        X = np.eye(4)
+        X[1, 3] = 1.0
+        both = scene.with_robot("ur5e_class", "right", X=X)
+        self.assertEqual(both.moving, scene.variables)
+        alone = both.with_group("right")
+        self.assertEqual(len(alone.variables), 12)
+        self.assertEqual(alone.moving, [f"right/joint_{i}" for i in range(1, 7)])
+        self.assertEqual(len(alone.with_group("left", "right/joint_1").moving), 7)
+        goal = alone.configuration({"right/joint_1": 0.4})
+        result = alone.planner().plan(alone, start=alone.configuration({}), goal=goal)
+        self.assertTrue(result.solved, result.reason)
+        with self.assertRaisesRegex(handway.InputError, "moves: arm, left, right"):
+            both.with_group("rihgt")
+
     def test_is_saved_and_read_back(self):
         scene = can_on_table().with_query(goal=can_on_table().start)
         with tempfile.TemporaryDirectory() as folder:

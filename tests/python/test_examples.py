@@ -26,6 +26,9 @@ class Examples(unittest.TestCase):
             self.assertTrue((pathlib.Path(folder) / "reach.yaml").is_file())
             self.assertTrue(list(pathlib.Path(folder).glob("*.glb")))
 
+    def test_run_a_motion_on_emulated_devices(self):
+        self.assertIn("at the goal: True", self.run_example("emulated_robot.py"))
+
     def test_find_the_directions_of_postures(self):
         self.run_example("hand_postures.py")
 

@@ -44,7 +44,7 @@ class Scenes(unittest.TestCase):
         stretched = np.zeros(6)
         self.assertFalse(scene.collides(stretched))
         planner = handway.planner("rrt-connect")
-        with self.assertRaisesRegex(handway.InputError, "start"):
+        with self.assertRaisesRegex(handway.InputError, "goal"):
             planner.plan(scene)
         result = planner.plan(scene, start=stretched, goal=scene.configuration({"joint_1": 0.5}))
         self.assertTrue(result.solved, result.reason)

@@ -256,6 +256,26 @@ TEST_F(Handway, KeepsWhatTheCommandLineNamesUpright) {
   }
 }
 
+TEST_F(Handway, PlansForAGroupInPlaceOfTheScenes) {
+  const std::string plan = "plan open.yaml --out path.csv --report report.json";
+  const Outcome run = line_.run(plan + " --group shoulder,hand");
+  ASSERT_EQ(run.exit_code, kDone) << run.err;
+  const auto report = nlohmann::json::parse(line_.read("report.json"));
+  EXPECT_EQ(report["group"], nlohmann::json({"shoulder", "hand"}));
+  EXPECT_EQ(report["moving"].size(), 4U) << run.out << line_.read("report.json");
+  EXPECT_EQ(line_.run("check open.yaml path.csv --group shoulder --group hand").exit_code, kDone);
+  EXPECT_EQ(line_.run("check open.yaml path.csv --group elbow").exit_code, kNoPath);
+  expect_refusal(plan + " --group shuolder", "joint that moves: arm, hand",
+                 "Did you mean \"shoulder\"?");
+}
+
+TEST_F(Handway, ShowsWhatMoves) {
+  line_.replace("open.yaml", "goal:", "group: [arm, thumb]\ngoal:");
+  EXPECT_THAT(line_.run("info open.yaml").out, HasSubstr("moves: arm, thumb (3 of 5 joints)\n"));
+  EXPECT_EQ(nlohmann::json::parse(line_.run("info open.yaml --json").out)["group"],
+            nlohmann::json({"arm", "thumb"}));
+}
+
 TEST_F(Handway, PlansToPosesOfALink) {
   const std::string goal = " --goal-pose 0.549876,0.055172,0,0,0,-17.18873";
   const Outcome plan = line_.run("plan open.yaml" + goal + " --out path.csv --report report.json");

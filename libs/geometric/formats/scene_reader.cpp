@@ -11,9 +11,12 @@
 #include "handway/geometric/io/resources.h"
 #include "handway/geometric/math/units.h"
 #include "handway/geometric/robot/robot_model.h"
+#include "handway/geometric/setup/moving_group.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <iterator>
 #include <string>
 
 namespace handway::geometric {
@@ -206,10 +209,46 @@ SavedView view_of(const YamlElement& element, const std::vector<SavedView>& know
 }
 
 std::optional<Configuration> query_of(const YamlElement& top, const std::string& key,
-                                      const RobotInstance& robot) {
+                                      const RobotModel& model, const Configuration& defaults) {
   const std::optional<YamlElement> element = top.find(key);
-  return element ? std::optional(configuration_of(*element, *robot.model, robot.configuration))
-                 : std::nullopt;
+  return element ? std::optional(configuration_of(*element, model, defaults)) : std::nullopt;
+}
+
+// Where joints go that a goal does not name: those that do not move stay at the start.
+Configuration goal_defaults(const Scene& scene) {
+  const Configuration& stands = scene.robots.front().configuration;
+  Configuration defaults = scene.start.value_or(stands);
+  for (const int v : moving_variables(scene)) {
+    defaults[v] = stands[v];
+  }
+  return defaults;
+}
+
+// One name or a list of them, see Scene::group. @param robots elements of the scene's robots, in
+// order; those of robots that the group makes one with the first go.
+void read_group(const YamlElement& element, std::vector<YamlElement>& robots, Scene& scene) {
+  std::vector<std::string> group;
+  for (const YamlElement& name :
+       element.is_list() ? element.items() : std::vector<YamlElement>{element}) {
+    group.push_back(name.text());
+    if (!is_movable(scene, group.back())) {
+      const std::string nearest = nearest_name(group.back(), movable_names(scene));
+      name.refuse(name.found(), movable_names_text(scene),
+                  nearest.empty() ? "" : "Did you mean \"" + nearest + "\"?");
+    }
+  }
+  if (group.empty()) {
+    element.refuse("an empty list", "names of groups, robots or joints that move",
+                   "Leave \"group\" out to let all of the first robot move");
+  }
+  std::vector<std::string> names;
+  std::ranges::transform(scene.robots, std::back_inserter(names), &RobotInstance::name);
+  set_moving_group(scene, group);
+  for (std::size_t i = names.size(); i-- > 0;) {
+    if (!find_robot(scene, names[i])) {
+      robots.erase(robots.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+  }
 }
 
 PlannerRequest planner_of(const YamlElement& element) {
@@ -229,14 +268,18 @@ PlannerRequest planner_of(const YamlElement& element) {
 Scene read_scene(const fs::path& file) {
   const YamlElement top = YamlElement::read(file, "a scene file");
   top.allow_keys({"handway", "name", "description", "robots", "objects", "constraints", "start",
-                  "goal", "goal_pose", "postures", "views", "hand_basis", "planner", "collisions"});
+                  "goal", "goal_pose", "postures", "views", "hand_basis", "planner", "collisions",
+                  "group"});
   check_version(top);
   const fs::path folder = fs::absolute(file).parent_path();
   Scene scene;
   scene.file = file;
   scene.name = text_or_empty(top, "name");
   scene.description = text_or_empty(top, "description");
-  const std::vector<YamlElement> robots = read_robots(top.need("robots"), folder, scene);
+  std::vector<YamlElement> robots = read_robots(top.need("robots"), folder, scene);
+  if (const std::optional<YamlElement> group = top.find("group")) {
+    read_group(*group, robots, scene);
+  }
   if (const std::optional<YamlElement> objects = top.find("objects")) {
     add_objects(*objects, folder, scene);
   }
@@ -248,8 +291,9 @@ Scene read_scene(const fs::path& file) {
   if (const std::optional<YamlElement> collisions = top.find("collisions")) {
     read_collisions(*collisions, scene);
   }
-  scene.start = query_of(top, "start", scene.robots.front());
-  scene.goal = query_of(top, "goal", scene.robots.front());
+  const RobotInstance& robot = scene.robots.front();
+  scene.start = query_of(top, "start", *robot.model, robot.configuration);
+  scene.goal = query_of(top, "goal", *robot.model, goal_defaults(scene));
   if (const std::optional<YamlElement> goals = top.find("goal_pose")) {
     scene.goal_poses = pose_goals_of(*goals, *scene.robots.front().model);
   }
@@ -281,6 +325,17 @@ Scene read_objects(const std::string& text, const std::string& source, const Sce
   add_objects(top.is_map() ? top.need("objects") : top, fs::current_path(), read);
   read.robots.clear();
   return read;
+}
+
+std::vector<PathConstraint> read_constraints(const std::string& text, const std::string& source,
+                                             const Scene& scene) {
+  Scene read = scene;
+  read.constraints.clear();
+  for (const YamlElement& element :
+       YamlElement::parse(text, source, "constraints of a scene").items()) {
+    read.constraints.push_back(constraint_of(element, read));
+  }
+  return read.constraints;
 }
 
 }  // namespace handway::geometric

@@ -15,8 +15,10 @@
 #include "handway/geometric/robot/base_joint.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <sstream>
 #include <string>
@@ -278,6 +280,11 @@ std::string scene_text(const Scene& scene, const SceneReferences& references) {
     text += constraint_text(constraint);
   }
   text += collisions_text(scene.may_touch);
+  if (!scene.group.empty()) {
+    std::vector<std::string> names;
+    std::ranges::transform(scene.group, std::back_inserter(names), yaml_scalar);
+    text += fmt::format("group: [{}]\n", fmt::join(names, ", "));
+  }
   if (scene.start) {
     text += "start:" + configuration_text(*scene.robots[0].model, *scene.start, "  ");
   }

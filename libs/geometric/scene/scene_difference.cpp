@@ -91,6 +91,7 @@ std::optional<SceneDifference> scene_difference(const Scene& before, const Scene
   SceneDifference difference;
   difference.changes = changes_of_still_objects(before, after);
   difference.other_constraints = before.constraints != after.constraints;
+  difference.other_group = before.group != after.group;
   Scene changed;
   changed.objects = before.objects;
   for (const ObjectChange& change : difference.changes) {

@@ -5,6 +5,7 @@
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/robot/robot_state.h"
 #include "handway/geometric/setup/collision_sampling.h"
+#include "handway/geometric/setup/moving_group.h"
 
 #include <fmt/format.h>
 
@@ -167,6 +168,13 @@ void rename_in_query(Scene& scene, const RobotInstance& before, const RobotInsta
   std::erase_if(scene.constraints, [&](const PathConstraint& constraint) {
     return !find_object(scene, constraint.body) && !renaming.links.contains(constraint.body);
   });
+  for (std::string& name : scene.group) {
+    if (const auto joint = renaming.joints.find(name); joint != renaming.joints.end()) {
+      name = joint->second;
+    }
+  }
+  std::erase_if(scene.group,
+                [&](const std::string& name) { return named_variables(after, name).empty(); });
   for (PathConstraint& constraint : scene.constraints) {
     if (!find_object(scene, constraint.body)) {
       renaming.rename_link(constraint.body);
@@ -379,6 +387,7 @@ void forget_query(Scene& scene) {
   scene.start.reset();
   scene.goal.reset();
   scene.goal_poses.clear();
+  scene.group.clear();
   scene.constraints.clear();
   scene.postures.clear();
   scene.hand_basis.clear();

@@ -3,9 +3,15 @@
 #include "handway/geometric/collision/checkers/make_checker.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/robot/normalised_joints.h"
+#include "handway/geometric/setup/moving_group.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 namespace handway::planning {
@@ -13,22 +19,51 @@ namespace {
 
 using geometric::InputError;
 
-const Configuration& needed(const geometric::Scene& scene, const char* which,
-                            const std::optional<Configuration>& q) {
-  if (!q) {
-    throw InputError({scene.file.string(), which, "nothing", "a configuration",
-                      "Planning needs a start and a goal in the scene"});
-  }
-  return *q;
-}
+constexpr double kAgreement = 1e-6;  // rad or m, of joints that do not move
 
 void set_ends(const geometric::Scene& scene, PlanningProblem& problem) {
-  problem.start = needed(scene, "start", scene.start);
+  const geometric::RobotInstance& robot = scene.robots.front();
+  problem.start = scene.start.value_or(robot.configuration);
   if (!scene.goal_poses.empty()) {
     return;
   }
-  problem.goal = scene.robots.front().model->nearest_equivalent(problem.start,
-                                                                needed(scene, "goal", scene.goal));
+  if (!scene.goal) {
+    throw InputError({scene.file.string(), "goal", "nothing", "a configuration, or a goal_pose",
+                      "Planning needs a goal in the scene"});
+  }
+  problem.goal = robot.model->nearest_equivalent(problem.start, *scene.goal);
+}
+
+bool has_all(const std::vector<int>& moving, const std::vector<int>& variables) {
+  return std::ranges::all_of(variables,
+                             [&](int v) { return std::ranges::binary_search(moving, v); });
+}
+
+// What moves, of arm and hand, and the basis if it is for what moves.
+void set_joints(const geometric::Scene& scene, std::shared_ptr<const sampling::PmdBasis> basis,
+                PlanningProblem& problem) {
+  problem.moving = geometric::moving_variables(scene);
+  problem.hand = hand_variables(scene, basis.get());
+  problem.basis = has_all(problem.moving, problem.hand) ? std::move(basis) : nullptr;
+  std::erase_if(problem.hand,
+                [&](int v) { return !std::ranges::binary_search(problem.moving, v); });
+  problem.arm = arm_variables(*scene.robots.front().model, problem.hand);
+  if (!scene.group.empty()) {
+    problem.arm = problem.moving;
+    std::erase_if(problem.arm, [&](int v) { return std::ranges::count(problem.hand, v) > 0; });
+  }
+}
+
+// The joint of a basis: of several parts that have such a joint, of the one that moves.
+std::optional<int> hand_variable(const geometric::RobotModel& model, const std::vector<int>& moving,
+                                 const std::string& joint) {
+  std::vector<int> named = moving;
+  std::erase_if(named, [&](int v) {
+    const std::string& name = model.variable(v).name;
+    return name != joint && !name.ends_with('/' + joint);
+  });
+  return named.size() == 1 ? std::optional(named.front())
+                           : geometric::find_variable_of_part(model, joint);
 }
 
 // With the scene and the checker in place.
@@ -45,14 +80,49 @@ void solve_goals(PlanningProblem& problem) {
 
 }  // namespace
 
+void PlanningProblem::set_goal(Configuration q) {
+  goal = std::move(q);
+  goals.clear();
+  goal_fault.clear();
+  // A file's rounding is no motion.
+  for (Eigen::Index v = 0; v < std::min(goal.size(), start.size()); ++v) {
+    const bool moves = std::ranges::binary_search(moving, static_cast<int>(v));
+    if (!moves && std::abs(goal[v] - start[v]) <= kAgreement) {
+      goal[v] = start[v];
+    }
+  }
+}
+
+std::string group_fault(const PlanningProblem& problem) {
+  std::vector<std::string> joints;
+  for (int v = 0; v < std::min(problem.goal.size(), problem.start.size()); ++v) {
+    if (problem.goal[v] != problem.start[v] && !std::ranges::binary_search(problem.moving, v)) {
+      joints.push_back(problem.model().variable(v).name);
+    }
+  }
+  if (joints.empty()) {
+    return "";
+  }
+  return fmt::format(
+      "The goal moves {}{}, which the group ({}) leaves at the start. Add {} to the group, or give "
+      "the goal the start's value{}.",
+      joints.front(),
+      joints.size() == 1
+          ? ""
+          : fmt::format(" and {} other joint{}", joints.size() - 1, joints.size() == 2 ? "" : "s"),
+      fmt::join(problem.scene->group, ", "), joints.size() == 1 ? "it" : "them",
+      joints.size() == 1 ? "" : "s");
+}
+
 std::vector<int> hand_variables(const geometric::Scene& scene, const sampling::PmdBasis* basis) {
   const geometric::RobotModel& model = *scene.robots.front().model;
   if (!basis) {
     return model.find_group("hand").value_or(std::vector<int>{});
   }
   std::vector<int> hand;
+  const std::vector<int> moving = geometric::moving_variables(scene);
   for (const std::string& joint : basis->joints) {
-    const std::optional<int> variable = geometric::find_variable_of_part(model, joint);
+    const std::optional<int> variable = hand_variable(model, moving, joint);
     if (!variable) {
       throw InputError({scene.file.string(), "hand_basis",
                         "joint \"" + joint + "\", which robot " + model.name() + " has not",
@@ -82,11 +152,9 @@ PlanningProblem make_problem(std::shared_ptr<const geometric::Scene> scene,
   geometric::end_if_stopped(preparation.stop);
   const auto world = std::make_shared<const geometric::CollisionWorld>(*scene);
   PlanningProblem problem;
-  problem.hand = hand_variables(*scene, basis.get());
-  problem.arm = arm_variables(*scene->robots.front().model, problem.hand);
+  set_joints(*scene, std::move(basis), problem);
   set_ends(*scene, problem);
   problem.scene = std::move(scene);
-  problem.basis = std::move(basis);
   problem.checker =
       geometric::make_collision_checker(world, geometric::CheckerKind::kFast, preparation);
   solve_goals(problem);
@@ -99,10 +167,11 @@ PlanningProblem updated_problem(const PlanningProblem& before,
                                 std::shared_ptr<const sampling::PmdBasis> basis,
                                 const geometric::Preparation& preparation) {
   const auto difference = geometric::scene_difference(*before.scene, *scene);
-  if (before.basis != basis || !difference || !difference->keeps_order) {
+  if (!difference || !difference->keeps_order) {
     return make_problem(std::move(scene), std::move(basis), preparation);
   }
   PlanningProblem updated = before;
+  set_joints(*scene, std::move(basis), updated);
   set_ends(*scene, updated);
   updated.scene = std::move(scene);
   if (difference->empty()) {

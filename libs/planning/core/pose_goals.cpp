@@ -1,7 +1,9 @@
 #include "handway/planning/core/pose_goals.h"
 
+#include "handway/geometric/robot/inverse_kinematics.h"
 #include "handway/geometric/robot/normalised_joints.h"
 #include "handway/geometric/robot/numeric_inverse_kinematics.h"
+#include "handway/geometric/setup/moving_group.h"
 #include "handway/planning/core/motion_validator.h"
 
 #include <fmt/format.h>
@@ -61,7 +63,12 @@ class GoalPoseSearch {
         robot_(scene.robots.front()),
         checker_(checker.clone()),
         start_(start),
-        reference_(scene.goal.value_or(start)) {}
+        moving_(geometric::moving_variables(scene)),
+        reference_(start) {
+    if (scene.goal) {
+      reference_(moving_) = (*scene.goal)(moving_);
+    }
+  }
 
   PoseGoalSolutions run() {
     for (std::size_t pose = 0; pose < scene_.goal_poses.size(); ++pose) {
@@ -97,12 +104,33 @@ class GoalPoseSearch {
     options.rotation_slack =
         is_free.select(Eigen::Vector3d::Constant(std::numbers::pi),
                        Eigen::Vector3d(tolerance_share * goal.rotation_tolerance));
-    return {robot_.model, goal.link, {}, options};
+    return {robot_.model, goal.link, joints_for(goal.link), options};
+  }
+
+  [[nodiscard]] bool is_moved(const PoseGoal& goal) const {
+    return scene_.group.empty() || !joints_for(goal.link).empty();
+  }
+
+  // Those that move the link; none stands for all.
+  [[nodiscard]] std::vector<std::string> joints_for(const std::string& link) const {
+    std::vector<std::string> joints;
+    if (scene_.group.empty()) {
+      return joints;
+    }
+    for (const int v : chain_variables(*robot_.model, robot_.model->find_link(link).value())) {
+      if (std::ranges::binary_search(moving_, v)) {
+        joints.push_back(robot_.model->variable(v).name);
+      }
+    }
+    return joints;
   }
 
   // Adds what reaches the pose, using a share of its tolerances. @returns whether anything does.
   bool solve(std::size_t pose, double tolerance_share) {
     const PoseGoal& goal = scene_.goal_poses[pose];
+    if (!is_moved(goal)) {
+      return false;
+    }
     const std::vector<Configuration> postures =
         kinematics(goal, tolerance_share)
             .find_several(robot_.X_WB.inverse() * goal.X_WG, reference_, kMostCandidates,
@@ -162,7 +190,9 @@ class GoalPoseSearch {
     for (std::size_t pose = 0; pose < scene_.goal_poses.size(); ++pose) {
       const PoseGoal& goal = scene_.goal_poses[pose];
       const Configuration q =
-          kinematics(goal, kInside).find(robot_.X_WB.inverse() * goal.X_WG, reference_).q;
+          is_moved(goal)
+              ? kinematics(goal, kInside).find(robot_.X_WB.inverse() * goal.X_WG, reference_).q
+              : start_;
       if (const double by = excess(goal, miss_at(scene_, goal, q)); by < least) {
         least = by;
         found_.nearest = q;
@@ -183,6 +213,7 @@ class GoalPoseSearch {
   const RobotInstance& robot_;
   std::unique_ptr<geometric::CollisionChecker> checker_;
   const Configuration& start_;
+  std::vector<int> moving_;
   Configuration reference_;
   PoseGoalSolutions found_;
   std::optional<Configuration> colliding_;  ///< The first that was refused.

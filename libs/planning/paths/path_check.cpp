@@ -69,6 +69,20 @@ void check_limits(const geometric::RobotModel& model, const Path& path, PathChec
   }
 }
 
+// Of each joint that the scene's group leaves at the start, the first waypoint that moves it.
+void check_group(const PlanningProblem& problem, const Path& path, PathCheckResult& result) {
+  for (int v = 0; v < problem.model().variable_count(); ++v) {
+    const auto moved = std::ranges::find_if(path.waypoints, [&](const Configuration& q) {
+      return std::abs(q[v] - path.waypoints.front()[v]) > kLimitTolerance;
+    });
+    if (moved != path.waypoints.end() && !std::ranges::binary_search(problem.moving, v)) {
+      result.faults.push_back(fmt::format("Waypoint {}: joint {} moves, which is not of the group.",
+                                          moved - path.waypoints.begin() + 1,
+                                          problem.model().variable(v).name));
+    }
+  }
+}
+
 /// Walks along the path and keeps the worst it has seen.
 class Walk {
  public:
@@ -151,6 +165,7 @@ PathCheckResult check_path(const PlanningProblem& problem, const Path& path, dou
     check_end("end", problem.model().nearest_equivalent(end, problem.goal), end, result);
   }
   check_limits(problem.model(), path, result);
+  check_group(problem, path, result);
   Walk(problem, resolution, result).run(path);
   return result;
 }

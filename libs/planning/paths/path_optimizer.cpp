@@ -225,8 +225,9 @@ std::vector<Objective::Point> PathOptimizer::draw_inner(const Place& from, const
   // A straight motion of some joints; the others go as they went.
   std::vector<int> joints = draw_.uniform() < 0.5 ? problem.arm : problem.hand;
   if (joints.empty() || draw_.uniform() < 0.5) {
-    const int count = problem.model().variable_count();
-    joints = {std::min(count - 1, static_cast<int>(draw_.uniform() * count))};
+    const std::size_t count = problem.moving.size();
+    const auto drawn = static_cast<std::size_t>(draw_.uniform() * static_cast<double>(count));
+    joints = {problem.moving[std::min(count - 1, drawn)]};
   }
   double whole = 0.0;
   std::vector<double> at;
@@ -258,7 +259,9 @@ std::optional<PathOptimizer::Replacement> PathOptimizer::draw_waypoint_move() {
   }
   const PlanningProblem& problem = context_.problem();
   const double size = kSmallestMove * std::pow(kLargestMove / kSmallestMove, draw_.uniform());
-  Eigen::VectorXd direction = (2.0 * draw_.uniform(problem.model().variable_count())).array() - 1.0;
+  Eigen::VectorXd direction = Eigen::VectorXd::Zero(problem.model().variable_count());
+  direction(problem.moving) =
+      (2.0 * draw_.uniform(static_cast<int>(problem.moving.size()))).array() - 1.0;
   const double part = draw_.uniform();
   if (has_subspace() && part < 0.3) {
     const Point& point = points_[waypoint];

@@ -243,15 +243,23 @@ PlanResult Planner::plan(const PlanningProblem& problem, const PlanRequest& requ
     throw std::invalid_argument("the margin must not be negative");
   }
   if (capabilities().needs_basis && !problem.basis) {
-    throw geometric::InputError({problem.scene->file.string(), "hand_basis", "nothing",
-                                 "a PMD basis for planner " + name(),
-                                 "Name one in the scene, or choose another planner"});
+    throw geometric::InputError(
+        {problem.scene->file.string(), "hand_basis", "nothing", "a PMD basis for planner " + name(),
+         problem.scene->group.empty() ? "Name one in the scene, or choose another planner"
+                                      : "Let the whole hand move by the scene's group, or choose "
+                                        "another planner"});
   }
   log_problem(*this, problem, request);
   if (!problem.goal_fault.empty()) {
     PlanResult result;
     result.status = PlanStatus::kGoalInvalid;
     result.reason = problem.goal_fault;
+    return result;
+  }
+  if (std::string fault = group_fault(problem); !fault.empty()) {
+    PlanResult result;
+    result.status = PlanStatus::kGoalInvalid;
+    result.reason = std::move(fault);
     return result;
   }
   Observer silent;

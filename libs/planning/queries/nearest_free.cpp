@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -27,15 +26,14 @@ class NearestFreeSearch {
                     const std::stop_token& stop)
       : model_(problem.model()),
         checker_(problem.checker->clone()),
+        moving_(problem.moving),
         from_(std::move(from)),
         options_(options),
         clearance_(clearance),
         stop_(stop),
         random_(options.seed),
         checks_(checks_so_far) {
-    std::vector<int> all(static_cast<std::size_t>(from_.size()));
-    std::iota(all.begin(), all.end(), 0);
-    for (const std::vector<int>& group : {problem.hand, problem.arm, all}) {
+    for (const std::vector<int>& group : {problem.hand, problem.arm, problem.moving}) {
       if (!group.empty()) {
         groups_.push_back(group);
       }
@@ -91,7 +89,7 @@ class NearestFreeSearch {
   }
 
   void look_on_shell(double radius) {
-    for (Eigen::Index v = 0; v < from_.size(); ++v) {
+    for (const int v : moving_) {
       for (const double step : {radius, -radius}) {
         Configuration q = from_;
         q[v] += step;
@@ -134,7 +132,7 @@ class NearestFreeSearch {
   }
 
   void draw_back() {
-    for (Eigen::Index v = 0; v < from_.size(); ++v) {
+    for (const int v : moving_) {
       Configuration q = *best_;
       q[v] = from_[v];
       offer_and_shorten(q);
@@ -151,6 +149,7 @@ class NearestFreeSearch {
 
   const geometric::RobotModel& model_;
   std::unique_ptr<geometric::CollisionChecker> checker_;
+  std::vector<int> moving_;
   Configuration from_;
   NearestFreeOptions options_;
   double clearance_;

@@ -2,9 +2,12 @@
 
 #include "handway/geometric/math/units.h"
 #include "handway/geometric/robot/arm_inverse_kinematics.h"
+#include "handway/geometric/robot/jacobian.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <utility>
 
 namespace handway::planning {
@@ -106,12 +109,92 @@ std::vector<Configuration> PalmIk::all(const Configuration& q, const Pose& X_BP)
   return postures;
 }
 
+bool PalmIk::is_redundant() const {
+  const std::ptrdiff_t freedoms = iterative_->options().position_only ? 3 : kPoseFreedoms;
+  return std::ssize(iterative_->variables()) > freedoms;
+}
+
+Eigen::VectorXd PalmIk::null_space_direction(const Configuration& q,
+                                             const Eigen::VectorXd& last) const {
+  constexpr double kNone = 1e-3;
+  std::vector<Pose> X_BL(static_cast<std::size_t>(model_->link_count()));
+  model_->forward_kinematics(q, X_BL);
+  const Eigen::Index rows = iterative_->options().position_only ? 3 : kPoseFreedoms;
+  const Eigen::MatrixXd J = geometric::point_jacobian(*model_, X_BL, palm_)
+                                .topRows(rows)(Eigen::all, iterative_->variables());
+  Eigen::VectorXd direction = Eigen::VectorXd::Zero(J.cols());
+  if (last.size() == J.cols()) {
+    direction = geometric::null_space_motion(J, last);
+  } else {  // of the joint that can move most
+    for (Eigen::Index joint = 0; joint < J.cols(); ++joint) {
+      const Eigen::VectorXd motion =
+          geometric::null_space_motion(J, Eigen::VectorXd::Unit(J.cols(), joint));
+      direction = motion.norm() > direction.norm() ? motion : direction;
+    }
+  }
+  return direction.norm() > kNone ? Eigen::VectorXd(direction.normalized()) : Eigen::VectorXd();
+}
+
+Configuration PalmIk::swung(const Configuration& q, const Pose& X_BP, double by,
+                            Eigen::VectorXd& direction) const {
+  constexpr double kStep = 0.02;     // rad
+  constexpr double kProgress = 0.3;  // of a step, or a limit is in the way
+  Configuration now = q;
+  if (!is_redundant()) {
+    return now;
+  }
+  const std::vector<int>& joints = iterative_->variables();
+  const int steps = static_cast<int>(std::ceil(std::abs(by) / kStep));
+  for (int s = 0; s < steps; ++s) {
+    const Eigen::VectorXd next = null_space_direction(now, direction);
+    if (next.size() == 0) {
+      break;
+    }
+    Configuration moved = now;
+    moved(joints) += by / steps * next;
+    const geometric::NumericIkResult held = iterative_->find(X_BP, model_->clamped(moved));
+    const double progress = (held.q - now)(joints).dot(next) * (by < 0.0 ? -1.0 : 1.0);
+    if (!held.converged || progress < kProgress * std::abs(by) / steps) {
+      break;
+    }
+    direction = next;
+    now = held.q;
+  }
+  return now;
+}
+
+std::optional<ReachFigures> reach_figures(const RobotModel& model, int link,
+                                          const std::vector<int>& arm, const Configuration& q) {
+  std::vector<int> moving = geometric::chain_variables(model, link);
+  std::erase_if(moving, [&](int v) { return std::ranges::count(arm, v) == 0; });
+  if (moving.empty()) {
+    return std::nullopt;
+  }
+  std::vector<Pose> X_BL(static_cast<std::size_t>(model.link_count()));
+  model.forward_kinematics(q, X_BL);
+  const Eigen::MatrixXd J =
+      geometric::point_jacobian(model, X_BL, link).topRows(3)(Eigen::all, moving);
+  const geometric::ReachBall ball = geometric::reach_ball(model, link, moving, q);
+  const Eigen::Vector3d p_B = X_BL[static_cast<std::size_t>(link)].translation();
+  return ReachFigures{geometric::manipulability(J),
+                      ball.radius > 0.0 ? (p_B - ball.centre).norm() / ball.radius : 0.0};
+}
+
 int palm_link(const RobotModel& model, const std::vector<int>& arm, const std::vector<int>& hand) {
   if (!hand.empty()) {
+    const auto is_moved = [&](int link) {
+      return std::ranges::any_of(geometric::chain_variables(model, link),
+                                 [&](int v) { return std::ranges::count(arm, v) > 0; });
+    };
     std::vector<int> common = ancestors(model, model.variable_link(hand.front()));
+    const bool hangs_on_arm = std::ranges::any_of(common, is_moved);
     for (const int variable : hand) {
       const std::vector<int> chain = ancestors(model, model.variable_link(variable));
-      std::erase_if(common, [&](int link) { return std::ranges::count(chain, link) == 0; });
+      std::vector<int> shared = common;
+      std::erase_if(shared, [&](int link) { return std::ranges::count(chain, link) == 0; });
+      if (!hangs_on_arm || std::ranges::any_of(shared, is_moved)) {  // else: of another hand
+        common = std::move(shared);
+      }
     }
     if (!common.empty()) {
       return common.front();

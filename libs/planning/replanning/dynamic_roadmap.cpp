@@ -479,7 +479,7 @@ ReplanSource DynamicRoadmap::source() const { return state_->memory.source; }
 
 bool DynamicRoadmap::follow(const geometric::Scene& scene) {
   const auto difference = geometric::scene_difference(*state_->problem.scene, scene);
-  if (!difference || difference->other_constraints || !scene.start || !scene.goal ||
+  if (!difference || difference->other_constraints || difference->other_group || !scene.goal ||
       !scene.goal_poses.empty()) {
     return false;
   }
@@ -487,7 +487,7 @@ bool DynamicRoadmap::follow(const geometric::Scene& scene) {
     state_->change(change);
   }
   PlanningProblem& problem = state_->problem;
-  problem.start = *scene.start;
+  problem.start = scene.start.value_or(scene.robots.front().configuration);
   problem.set_goal(problem.model().nearest_equivalent(problem.start, *scene.goal));
   return true;
 }
@@ -495,7 +495,8 @@ bool DynamicRoadmap::follow(const geometric::Scene& scene) {
 PlanResult DynamicRoadmap::plan(const PlanRequest& request, std::stop_token stop,
                                 Observer* observer) {
   state_->update_checker();
-  if (state_->problem.has_pose_goals()) {  // a roadmap is kept between two ends, not several
+  // A roadmap is kept between two ends, not several, and for what moves.
+  if (state_->problem.has_pose_goals() || !group_fault(state_->problem).empty()) {
     state_->memory.source = ReplanSource::kPlanner;
     return state_->planner->plan(state_->problem, request, std::move(stop), observer);
   }

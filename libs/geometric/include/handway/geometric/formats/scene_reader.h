@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace handway::geometric {
 
@@ -31,5 +32,11 @@ inline constexpr int kSceneVersion = 1;
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT Scene read_objects(const std::string& text,
                                                           const std::string& source,
                                                           const Scene& scene);
+
+/// The constraints of a text that is a list of them, as a scene file has it. @param source where
+/// the text is from, for messages. @param scene whose bodies they are about.
+/// @throws InputError naming source, line and element of what is wrong.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<PathConstraint> read_constraints(
+    const std::string& text, const std::string& source, const Scene& scene);
 
 }  // namespace handway::geometric

@@ -59,7 +59,10 @@ struct Scene {
   std::filesystem::path file;  ///< Empty for a scene not saved yet.
   std::vector<RobotInstance> robots;
   std::vector<SceneObject> objects;
-  std::optional<Configuration> start;  ///< Of robots[0].
+  /// What moves of robots[0], by names of groups, parts and joints (named_variables()); its other
+  /// joints stay at the start's values. Empty: all move.
+  std::vector<std::string> group;
+  std::optional<Configuration> start;  ///< Of robots[0]; without one it is where the robot stands.
   /// Of robots[0]. With goal poses: where the joints that do not move their links go, and where the
   /// inverse kinematics begins; the start if there is none.
   std::optional<Configuration> goal;

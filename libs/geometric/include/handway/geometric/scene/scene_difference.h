@@ -24,6 +24,7 @@ struct SceneDifference {
   /// One after the other. An object of another shape is removed, and added at the end.
   std::vector<ObjectChange> changes;
   bool other_constraints = false;
+  bool other_group = false;  ///< Are other joints to move?
   /// Do the changes leave the objects in the order of the later scene?
   bool keeps_order = true;
 

@@ -22,7 +22,10 @@ using geometric::Configuration;
 struct PlanningProblem {
   std::shared_ptr<const geometric::Scene> scene;
   std::shared_ptr<const sampling::PmdBasis> basis;  ///< Null: the hand has none.
-  std::vector<int> arm;                             ///< Variables of the arm, in order.
+  /// Variables that move, ascending (geometric::Scene::group). The others are in neither arm nor
+  /// hand, and planners leave them where the start has them.
+  std::vector<int> moving;
+  std::vector<int> arm;   ///< Variables of the arm, in order.
   std::vector<int> hand;  ///< Variables of the hand, in the basis' joint order.
   Configuration start;    ///< c_ini
   Configuration goal;     ///< c_goal
@@ -37,14 +40,15 @@ struct PlanningProblem {
   /// Whether the goal is given by poses.
   [[nodiscard]] bool has_pose_goals() const { return !goals.empty() || !goal_fault.empty(); }
   /// Makes `q` the goal, whatever the scene says.
-  void set_goal(Configuration q) {
-    goal = std::move(q);
-    goals.clear();
-    goal_fault.clear();
-  }
+  HANDWAY_PLANNING_EXPORT void set_goal(Configuration q);
 };
 
+/// Why the goal asks for what does not move, as a sentence; empty if it does not.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT std::string group_fault(const PlanningProblem& problem);
+
 /// The hand's variables: of the basis' joints, in its order, or else of the robot's group "hand".
+/// Where several parts have such joints, the basis is for the hand that the scene's group lets
+/// move.
 /// @param basis may be null. @throws InputError if it names a joint that the robot has not.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<int> hand_variables(
     const geometric::Scene& scene, const sampling::PmdBasis* basis);
@@ -54,10 +58,12 @@ struct PlanningProblem {
     const geometric::RobotModel& model, const std::vector<int>& hand);
 
 /// Puts a problem together, with hand_variables() and arm_variables(), either of which may be
-/// empty. Start and goal are the scene's, the goal with
-/// continuous joints within half a turn of the start. Goal poses are solved by solve_pose_goals().
+/// empty. Where the scene has a group, the arm is all of it that is not of the hand, and a hand of
+/// which only some joints move has no basis. Start and goal are the scene's, a start that is not
+/// given is where the robot stands, and the goal has continuous joints within half a turn of the
+/// start. Goal poses are solved by solve_pose_goals().
 /// @param basis may be null.
-/// @throws InputError if the scene lacks a robot, a start or a goal, or the
+/// @throws InputError if the scene lacks a robot or a goal, or the
 /// basis names a joint that the robot has not; PreparationStopped where `preparation` asks for it.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT PlanningProblem make_problem(
     std::shared_ptr<const geometric::Scene> scene, std::shared_ptr<const sampling::PmdBasis> basis,

@@ -6,6 +6,7 @@
 #include "handway/planning/export.h"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace handway::planning {
@@ -40,7 +41,25 @@ class HANDWAY_PLANNING_EXPORT PalmIk {
   [[nodiscard]] std::vector<Configuration> all(const Configuration& q,
                                                const geometric::Pose& X_BP) const;
 
+  /// Has the arm more joints than the palm's pose needs, so that it can move with the palm fixed?
+  [[nodiscard]] bool is_redundant() const;
+
+  /// Moves a redundant arm in its null space, the palm staying at X_BP: its elbow swings. Ends
+  /// where a limit ends it.
+  /// @param X_BP where the palm is in `q`. @param by length of the joints' motion, rad; its sign is
+  /// the direction.
+  /// @param direction shape [joints that move the palm]; empty at first. What it came to, for calls
+  /// that go on from there.
+  /// @returns `q` itself of an arm that is not redundant.
+  [[nodiscard]] Configuration swung(const Configuration& q, const geometric::Pose& X_BP, double by,
+                                    Eigen::VectorXd& direction) const;
+
  private:
+  /// The direction of unit length in the null space at `q` that is nearest to `last`; empty: where
+  /// there is none.
+  [[nodiscard]] Eigen::VectorXd null_space_direction(const Configuration& q,
+                                                     const Eigen::VectorXd& last) const;
+
   std::shared_ptr<const geometric::RobotModel> model_;
   int palm_;
   std::vector<int> arm_;
@@ -49,8 +68,23 @@ class HANDWAY_PLANNING_EXPORT PalmIk {
   std::unique_ptr<geometric::NumericInverseKinematics> searching_;  ///< From other starts, too.
 };
 
+/// How freely an arm holds a link, and how far out it is.
+struct ReachFigures {
+  /// Yoshikawa's measure for the link's origin, of metres per radian (geometric::manipulability()):
+  /// 0 where the arm can't move it in some direction.
+  double manipulability = 0.0;
+  /// Distance of the link's origin from the arm's first joint, as a share of the most that the
+  /// links between would allow (geometric::reach_ball()); 1 is not always reached.
+  double reach = 0.0;
+};
+
+/// @param arm variables. Nothing if none of them moves the link.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT std::optional<ReachFigures> reach_figures(
+    const geometric::RobotModel& model, int link, const std::vector<int>& arm,
+    const Configuration& q);
+
 /// The link that stands for a hand as a whole: the closest that carries all of its fingers;
-/// without fingers the last that the arm moves.
+/// without fingers the last that the arm moves. Of several hands on arms: the first.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT int palm_link(const geometric::RobotModel& model,
                                                     const std::vector<int>& arm,
                                                     const std::vector<int>& hand);

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "handway/geometric/export.h"
+#include "handway/geometric/scene/scene.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace handway::geometric {
+
+/// The variables of a robot that `name` stands for: those of a group, of the robot or a part of it,
+/// or of a joint. `PART/NAME` means a group or joint of that part, by the part's own name for it.
+/// @returns ascending; empty if the robot has nothing of that name that moves on its own.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<int> named_variables(const RobotInstance& robot,
+                                                                        std::string_view name);
+
+/// The variables of robots[0] that Scene::group lets move, ascending; all if it is empty.
+/// @pre the scene has a robot.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<int> moving_variables(const Scene& scene);
+
+/// What Scene::group may name: groups of the first robot, robots and their parts, joints.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<std::string> movable_names(const Scene& scene);
+
+/// "a group, robot or joint that moves: …", with all movable_names(): what was expected of a name.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::string movable_names_text(const Scene& scene);
+
+/// Whether a robot of the scene has something of that name that moves.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT bool is_movable(const Scene& scene, std::string_view name);
+
+/// Gives the goal the start's values for what does not move.
+HANDWAY_GEOMETRIC_EXPORT void keep_still_in_goal(Scene& scene);
+
+/// Lets what `group` names move, and nothing else; everything, if it is empty. Robots that stand
+/// beside the first one and of which something is named become one robot with it, fixed to its base
+/// where they stand (mount_robot()). Joints that don't move any more take the start's values in the
+/// goal.
+/// @throws InputError for a name that no robot has, with those that there are; the scene is then
+/// as it was.
+HANDWAY_GEOMETRIC_EXPORT void set_moving_group(Scene& scene, const std::vector<std::string>& group);
+
+}  // namespace handway::geometric

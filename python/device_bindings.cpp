@@ -1,0 +1,218 @@
+#include "arrays.h"
+#include "bindings.h"
+#include "handway/device/arm/arm_emulator.h"
+#include "handway/device/glove/glove_calibration.h"
+#include "handway/device/glove/hand_mapping.h"
+#include "handway/device/hand/hand_emulator.h"
+#include "handway/geometric/formats/robot_loader.h"
+#include "handway/geometric/io/input_error.h"
+#include "handway/geometric/io/resources.h"
+#include "interruptible.h"
+#include "plugin_manager.h"
+#include "robot_connection.h"
+#include "scene_model.h"
+
+#include <pybind11/stl.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+
+namespace py = pybind11;
+
+namespace handway::python {
+namespace {
+
+namespace fs = std::filesystem;
+using geometric::InputError;
+
+std::unique_ptr<RobotConnection> connect(const SceneModel& scene, const std::string& to) {
+  auto problem = std::make_shared<const planning::PlanningProblem>(scene.problem());
+  std::unique_ptr<RobotConnection> connection;
+  run_interruptible([&](const std::stop_token& stop) {
+    connection = std::make_unique<RobotConnection>(problem, to, stop);
+  });
+  return connection;
+}
+
+py::dict run(RobotConnection& connection, const planning::TimedPath& motion, double start,
+             double following) {
+  device::MotionTolerances tolerances;
+  tolerances.start = start;
+  tolerances.following = following;
+  RobotConnection::Outcome outcome;
+  run_interruptible(
+      [&](const std::stop_token& stop) { outcome = connection.run(motion, tolerances, stop); });
+  py::dict errors;
+  for (const auto& [joint, error] : outcome.largest_errors) {
+    errors[py::str(joint)] = error;
+  }
+  const execution::MotionOutcome& how = outcome.motion;
+  py::dict answer;
+  answer["done"] = how.done;
+  answer["started"] = how.started;
+  answer["fault"] = how.fault.empty() ? how.collision : how.fault;
+  answer["time"] = how.time;
+  answer["stop_sent_ms"] = how.stop_sent_ms;
+  answer["at_rest_ms"] = how.at_rest_ms;
+  answer["largest_errors"] = errors;
+  return answer;
+}
+
+/// An emulated arm or hand of a scene's robot, on a port of this computer.
+class Emulator {
+ public:
+  Emulator(const SceneModel& scene, const std::string& kind, std::uint16_t port) {
+    const std::vector<int> variables = execution::device_variables(scene.problem(), kind);
+    const device::JointRanges joints = execution::device_joints(scene.robot(), variables);
+    const Eigen::VectorXd position = scene.problem().start(variables);
+    if (kind == "arm") {
+      device::Val3ControllerSettings settings;
+      settings.joints = joints;
+      settings.position = position;
+      device_ = std::make_unique<device::ArmEmulator>(settings, port);
+    } else {
+      device::HandControllerSettings settings;
+      settings.joints = joints;
+      settings.position = position;
+      device_ = std::make_unique<device::HandEmulator>(settings, port);
+    }
+  }
+
+  [[nodiscard]] std::string address() const {
+    return std::visit([](const auto& device) { return device->address(); }, device_);
+  }
+  [[nodiscard]] Eigen::VectorXd position() const {
+    return std::visit([](const auto& device) { return device->position(); }, device_);
+  }
+  [[nodiscard]] bool moving() const {
+    return std::visit([](const auto& device) { return device->moving(); }, device_);
+  }
+  [[nodiscard]] int stops() const {
+    return std::visit([](const auto& device) { return device->stops(); }, device_);
+  }
+
+ private:
+  std::variant<std::unique_ptr<device::ArmEmulator>, std::unique_ptr<device::HandEmulator>> device_;
+};
+
+std::unique_ptr<Emulator> emulate(const SceneModel& scene, const std::string& kind,
+                                  std::uint16_t port) {
+  if (kind != "arm" && kind != "hand") {
+    throw InputError({"kind", "", "\"" + kind + "\"", "arm or hand", ""});
+  }
+  return std::make_unique<Emulator>(scene, kind, port);
+}
+
+// A file, or by its name one that ships.
+fs::path mapping_file(const std::string& name) {
+  const fs::path shipped = geometric::resource_dir() / "mappings" / (name + ".yaml");
+  return !fs::exists(name) && fs::exists(shipped) ? shipped : fs::path(name);
+}
+
+py::dict map_recording(const py::object& file, const std::string& mapping,
+                       const py::object& calibration) {
+  static_cast<void>(plugin_manager());  // they read other formats of robots
+  const fs::path mapped_by = mapping_file(mapping);
+  const device::HandMapping wiring = device::read_mapping(mapped_by);
+  const std::shared_ptr<const geometric::RobotModel> hand = geometric::load_robot(
+      geometric::find_resource(geometric::ResourceKind::kRobot, wiring.hand,
+                               fs::absolute(mapped_by).parent_path(), mapped_by.string()));
+  const device::HandMapper mapper(wiring, *hand, true);
+  const device::GloveCalibration person =
+      calibration.is_none() ? device::typical_calibration()
+                            : device::read_calibration(std::string(py::str(calibration)));
+  const device::MappedPostures mapped = mapper.map_recording(
+      device::to_angles(device::read_recording(std::string(py::str(file))), person));
+  const auto rows = [](const Eigen::MatrixXd& matrix) {
+    std::vector<Eigen::VectorXd> all;
+    for (Eigen::Index row = 0; row < matrix.rows(); ++row) {
+      all.emplace_back(matrix.row(row).transpose());
+    }
+    return to_array(all, matrix.cols());
+  };
+  Eigen::MatrixXd normalised = mapped.postures;
+  for (Eigen::Index joint = 0; joint < normalised.cols(); ++joint) {
+    const double range = mapper.upper()[joint] - mapper.lower()[joint];
+    if (range > 0.0) {
+      normalised.col(joint) = (normalised.col(joint).array() - mapper.lower()[joint]) / range;
+    } else {
+      normalised.col(joint).setConstant(0.5);
+    }
+  }
+  py::dict answer;
+  answer["hand"] = wiring.hand;
+  answer["joints"] = mapped.joints;
+  answer["postures"] = rows(mapped.postures);
+  answer["normalised"] = rows(normalised);
+  return answer;
+}
+
+}  // namespace
+
+void bind_devices(py::module_& module) {
+  py::class_<RobotConnection> connection(
+      module, "Connection",
+      "The devices of a scene's robot. `with scene.connect(...) as robot:` stops and lets go of\n"
+      "them at the end.");
+  connection
+      .def("run", &run, py::arg("motion"), py::kw_only(), py::arg("start_tolerance") = 0.01,
+           py::arg("following_tolerance") = 0.2,
+           "Runs a motion to its end. Ctrl-C stops it, and so does stop() from another thread.\n\n"
+           "It begins only if it is free in the scene from where the robot is measured.\n"
+           "motion: of Scene.time(), cleared. start_tolerance, following_tolerance: how far a\n"
+           "joint may stand from the motion's start, and be off its course, rad. Returns a dict:\n"
+           "done, started, fault (why not done; empty: on request), time (s of the motion),\n"
+           "stop_sent_ms, at_rest_ms (-1: not seen), largest_errors (rad, by joint).")
+      .def("stop", &RobotConnection::stop, py::call_guard<py::gil_scoped_release>(),
+           "Stops all devices at once; a motion that runs ends. From any thread.")
+      .def("close", &RobotConnection::close, py::call_guard<py::gil_scoped_release>(),
+           "Stops, and lets go of the devices.")
+      .def_property_readonly(
+          "measured",
+          [](RobotConnection& c) {
+            geometric::Configuration q;
+            {
+              const py::gil_scoped_release release;
+              q = c.measured();
+            }
+            return to_array(q);
+          },
+          "Where the robot is, [variables], rad or m; what no device moves is at the start.")
+      .def("__enter__", [](py::object self) { return self; })
+      .def("__exit__", [](RobotConnection& c, const py::args& /*raised*/) {
+        const py::gil_scoped_release release;
+        c.close();
+      });
+  py::class_<Emulator> emulator(module, "Emulator",
+                                "An emulated arm or hand on a port of this computer.");
+  emulator.def_property_readonly("address", &Emulator::address, "What Scene.connect() takes.")
+      .def_property_readonly(
+          "position", [](const Emulator& e) { return to_array(e.position()); },
+          "Where its joints are, [joints], rad.")
+      .def_property_readonly("moving", &Emulator::moving, "Whether a joint moves.")
+      .def_property_readonly("stops", &Emulator::stops, "How many stop commands came.");
+  auto scene = py::reinterpret_borrow<py::class_<SceneModel>>(module.attr("Scene"));
+  scene
+      .def("connect", &connect, py::arg("to"),
+           "Connects to the devices of the robot; nothing moves.\n\n"
+           "to: arm://HOST[:PORT], hand://HOST[:PORT], both with a comma between, or\n"
+           "ros://HOST[:PORT][/CONTROLLER][#arm|#hand] (ros2:// for ROS 2).")
+      .def("emulate", &emulate, py::arg("kind"), py::arg("port") = 0,
+           "An emulated device of the robot, with its joints where the scene starts.\n\n"
+           "kind: arm or hand. port: 0 is any that is free.");
+  module.def(
+      "map_recording", &map_recording, py::arg("file"), py::kw_only(),
+      py::arg("mapping") = "table1_sah", py::arg("calibration") = py::none(),
+      "Postures of a robot's hand from a recording of a person's.\n\n"
+      "file: of a glove, of hand landmarks, a posture table. mapping: a file, or one that\n"
+      "ships. calibration: a file of the person, for recordings of counts; None: a typical\n"
+      "right hand. Returns a dict: hand (the robot), joints (names), postures [n, joints]\n"
+      "(rad), normalised [n, joints] (0 to 1 between the limits, as find_pmds() takes them).");
+}
+
+}  // namespace handway::python

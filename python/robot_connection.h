@@ -1,0 +1,63 @@
+#pragma once
+
+#include "handway/execution/motion/motion_run.h"
+#include "handway/execution/motion/motion_target.h"
+#include "handway/planning/timing/time_path.h"
+
+#include <memory>
+#include <mutex>
+#include <stop_token>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace handway::python {
+
+/// The devices of a scene's robot, connected. While no motion runs, a thread of its own listens to
+/// them. For any number of threads; of the motions one runs at a time.
+class RobotConnection {
+ public:
+  /// @param to as execution::parse_targets() takes it.
+  /// @throws InputError for devices that the robot has not; DeviceError if one can't be reached.
+  RobotConnection(std::shared_ptr<const planning::PlanningProblem> problem, const std::string& to,
+                  const std::stop_token& stop);
+  /// Stops what moves.
+  ~RobotConnection();
+  RobotConnection(const RobotConnection&) = delete;
+  RobotConnection& operator=(const RobotConnection&) = delete;
+
+  /// How a motion ended, and by how much each joint was off its course at most, rad.
+  struct Outcome {
+    execution::MotionOutcome motion;
+    std::vector<std::pair<std::string, double>> largest_errors;
+  };
+
+  /// Runs a motion to its end, or until `stop` or stop(). It begins only if it is free in the scene
+  /// from where the robot is measured.
+  /// @throws InputError if the motion is not cleared, is another robot's, or moves joints that no
+  /// device does; DeviceError if a device can't begin.
+  [[nodiscard]] Outcome run(const planning::TimedPath& timed,
+                            const device::MotionTolerances& tolerances,
+                            const std::stop_token& stop);
+  /// Stops all devices at once; a motion that runs ends.
+  void stop();
+  /// Stops, and lets go of the devices. What is asked afterwards is refused.
+  void close();
+
+  /// Where the devices say that the robot is, the rest as in the scene's start; shape
+  /// [variable_count].
+  [[nodiscard]] geometric::Configuration measured();
+
+ private:
+  void listen(const std::stop_token& stop);
+  void check_open() const;
+
+  std::shared_ptr<const planning::PlanningProblem> problem_;
+  std::mutex devices_;  ///< Who uses the targets.
+  std::vector<execution::MotionTarget> targets_;
+  std::mutex running_mutex_;
+  std::stop_source running_{std::nostopstate};  ///< Of the motion that runs.
+  std::jthread listener_;
+};
+
+}  // namespace handway::python
