@@ -36,8 +36,8 @@ class TwoArmsOfOthers : public ::testing::Test {
  protected:
   /// Plans, checks, and returns the report.
   nlohmann::json planned(const std::string& more) const {
-    const Outcome plan = line_.run("plan two.yaml --time-limit 60 --out path.csv --report r.json" +
-                                   more);
+    const Outcome plan =
+        line_.run("plan two.yaml --time-limit 60 --out path.csv --report r.json" + more);
     EXPECT_EQ(plan.exit_code, 0) << more << plan.err;
     EXPECT_EQ(line_.run("check two.yaml path.csv" + more).exit_code, 0) << more;
     return nlohmann::json::parse(line_.read("r.json"));
