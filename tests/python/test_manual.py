@@ -21,6 +21,7 @@ class Manual(unittest.TestCase):
         before = os.getcwd()
         with tempfile.TemporaryDirectory() as folder:
             shutil.copytree(ROOT / "scenes", os.path.join(folder, "scenes"))
+            os.symlink(ROOT / "resources", os.path.join(folder, "resources"))
             os.chdir(folder)
             try:
                 session = {"__name__": "__main__"}
