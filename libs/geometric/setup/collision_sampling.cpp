@@ -151,7 +151,7 @@ SelfCollisionSamples sample_self_collisions(const RobotModel& model, int samples
   std::vector<std::vector<std::size_t>> touching;
   std::mt19937_64 generator(seed);
   while (found.samples == 0 || (found.samples < samples && !stop.stop_requested())) {
-    std::vector<std::size_t>& sample = touching.emplace_back();
+    std::vector<std::size_t> sample;
     checker.place(random_configuration(model, generator));
     for (std::size_t i = 0; i < indices.size(); ++i) {
       if (checker.pair_collides(indices[i])) {
@@ -159,6 +159,7 @@ SelfCollisionSamples sample_self_collisions(const RobotModel& model, int samples
         ++found.pairs[i].collisions;
       }
     }
+    touching.push_back(std::move(sample));
     ++found.samples;
     if (progress) {
       progress(static_cast<double>(found.samples) / samples);

@@ -342,12 +342,13 @@ Split split(const Scene& scene, const std::string& part) {
     throw InputError({scene.file.string(), "robot " + part, "a robot that is not mounted",
                       "one that another robot carries", ""});
   }
-  std::vector<std::size_t> kept, taken;
   const auto root = static_cast<std::size_t>(found - whole.parts.begin());
-  for (std::size_t i = 0; i < whole.parts.size(); ++i) {
-    const bool goes = i == root || std::ranges::count(
-                                       taken, static_cast<std::size_t>(whole.parts[i].carrier)) > 0;
-    (goes ? taken : kept).push_back(i);
+  std::vector<std::size_t> kept{0}, taken{root};
+  for (std::size_t i = 1; i < whole.parts.size(); ++i) {
+    const auto carrier = static_cast<std::size_t>(whole.parts[i].carrier);
+    if (i != root) {
+      (std::ranges::count(taken, carrier) > 0 ? taken : kept).push_back(i);
+    }
   }
   split.rest = of_parts(whole, kept);
   split.rest.X_WB = whole.X_WB;

@@ -404,9 +404,8 @@ TEST(MountRobot, KeepsPaddingAndWhichPairsAreChecked) {
                                        {{"box", "tip_l"}, true},
                                        {{"hand/base", "tip_l"}, false},
                                        {{"base", "upper"}, false}}));
-  EXPECT_EQ(scene.robots[0].padding, (Paddings{{"upper", {.distance = 0.01}},
-                                               {"hand/base", {.distance = 0.02}},
-                                               {"tip_l", {.distance = 0.03}}}));
+  EXPECT_EQ(scene.robots[0].padding,
+            (Paddings{{"upper", {1.0, 0.01}}, {"hand/base", {1.0, 0.02}}, {"tip_l", {1.0, 0.03}}}));
   unmount_robot(scene, "hand");
   EXPECT_EQ(scene.may_touch, before.may_touch);
   EXPECT_EQ(scene.robots[0].padding, before.robots[0].padding);
