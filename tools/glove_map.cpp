@@ -30,9 +30,9 @@ struct MapOptions {
 void print(const device::HandMapping& mapping) {
   for (const device::JointWire& wire : mapping.wires) {
     if (wire.sensor < 0) {
-      fmt::print("{:<24}fixed at {:.3f}\n", wire.joint, wire.fixed.value_or(0.0));
+      fmt::print("{:<23} fixed at {:.3f}\n", wire.joint, wire.fixed.value_or(0.0));
     } else {
-      fmt::print("{:<24}{:<18}gain {:+.3f}, offset {:+.3f}\n", wire.joint,
+      fmt::print("{:<23} {:<18}gain {:+.3f}, offset {:+.3f}\n", wire.joint,
                  device::cyberglove_sensors()[static_cast<std::size_t>(wire.sensor)].name,
                  wire.gain, wire.offset);
     }

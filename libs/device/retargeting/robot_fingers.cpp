@@ -13,6 +13,7 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
 #include <optional>
@@ -45,7 +46,21 @@ std::vector<int> chain_to(const RobotModel& model, int link) {
   return chain;
 }
 
-/// Chains from the palm (not in them) to the fingertips; the palm is where they part.
+// The longest chain of those that begin with the same link.
+std::vector<std::vector<int>> longest_of_branches(const std::vector<std::vector<int>>& chains) {
+  std::map<int, std::vector<int>> longest;
+  for (const std::vector<int>& chain : chains) {
+    std::vector<int>& taken = longest[chain.front()];
+    taken = chain.size() > taken.size() ? chain : taken;
+  }
+  std::vector<std::vector<int>> fingers;
+  std::ranges::transform(longest, std::back_inserter(fingers),
+                         [](const auto& entry) { return entry.second; });
+  return fingers;
+}
+
+/// Chains from the palm (not in them) to the fingertips; the palm is where they part. A part of the
+/// palm that moves may carry several fingers.
 std::pair<int, std::vector<std::vector<int>>> finger_chains(const RobotModel& model,
                                                             const std::vector<int>& leaves) {
   std::vector<std::vector<int>> chains;
@@ -65,22 +80,13 @@ std::pair<int, std::vector<std::vector<int>>> finger_chains(const RobotModel& mo
     return {-1, {}};
   }
   const int palm = chains.front()[common - 1];
-  std::map<int, std::vector<int>> longest;  // by the first link of the finger
   for (std::vector<int>& chain : chains) {
     chain.erase(chain.begin(), chain.begin() + static_cast<std::ptrdiff_t>(common));
-    std::vector<int>& taken = longest[chain.front()];
-    if (chain.size() > taken.size() &&
-        std::ranges::any_of(chain, [&](int link) { return moves(model, link); })) {
-      taken = chain;
-    }
   }
-  std::vector<std::vector<int>> fingers;
-  for (auto& [first, chain] : longest) {
-    if (!chain.empty()) {
-      fingers.push_back(std::move(chain));
-    }
-  }
-  return {palm, fingers};
+  std::erase_if(chains, [&](const std::vector<int>& chain) {
+    return std::ranges::none_of(chain, [&](int link) { return moves(model, link); });
+  });
+  return {palm, chains.size() > kAllFingers.size() ? longest_of_branches(chains) : chains};
 }
 
 /// The fingertip in the frame of the last link of a chain.
@@ -294,6 +300,22 @@ RobotFinger make_finger(const RobotModel& model, const std::vector<int>& chain, 
   return finger;
 }
 
+// What a finger merely follows is left to the finger that has the joint, unless it has no other.
+void leave_to_owners(const RobotModel& model, const std::vector<std::vector<int>>& chains,
+                     std::vector<RobotFinger>& fingers) {
+  for (std::size_t f = 0; f < fingers.size(); ++f) {
+    const auto is_followed = [&](int variable) {
+      const auto has_joint = [&](const std::vector<int>& chain) {
+        return std::ranges::count(chain, model.variable_link(variable)) > 0;
+      };
+      return !has_joint(chains[f]) && std::ranges::any_of(chains, has_joint);
+    };
+    std::vector<int> own = fingers[f].variables;
+    std::erase_if(own, is_followed);
+    fingers[f].variables = own.empty() ? fingers[f].variables : own;
+  }
+}
+
 std::vector<int> leaves_of(const RobotModel& model, const std::map<Finger, std::string>& tips) {
   std::vector<int> leaves;
   if (tips.empty()) {
@@ -344,6 +366,7 @@ RobotFingers find_fingers(const RobotModel& model, const std::map<Finger, std::s
       named.insert(*known);
     }
   }
+  leave_to_owners(model, chains, hand.fingers);
   if (named.size() < hand.fingers.size()) {
     number_by_place(hand.fingers);
   }

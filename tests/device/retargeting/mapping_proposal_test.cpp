@@ -150,6 +150,46 @@ TEST(ProposedMapping, MovesHandsWhoseNamesSayNothing) {
   expect_moves_like_a_person(*allegro);
 }
 
+/// Of a hand whose ring and little finger are on a part of the palm that goes with the thumb's
+/// base.
+RobotModel folding_hand() {
+  geometric::RobotDescription robot;
+  robot.links.push_back({"palm", {}, {}});
+  const auto add = [&](const std::string& parent, const std::string& child,
+                       const Eigen::Vector3d& p, const Eigen::Vector3d& axis) {
+    robot.links.push_back({child, {}, {}});
+    geometric::Joint& joint = robot.joints.emplace_back();
+    joint.name = child + "_joint";
+    joint.type = geometric::JointType::kRevolute;
+    joint.parent = parent;
+    joint.child = child;
+    joint.axis = axis;
+    joint.X_PJ.translation() = p;
+    joint.limits = {0.0, 1.5, 1.0};
+  };
+  const auto add_finger = [&](const std::string& parent, const std::string& name, double y) {
+    add(parent, name, {0.0, y, 0.1}, Eigen::Vector3d::UnitY());
+    add(name, name + "_outer", {0.0, 0.0, 0.04}, Eigen::Vector3d::UnitY());
+  };
+  add("palm", "thumb", {0.02, 0.04, 0.03}, Eigen::Vector3d::UnitZ());
+  add("thumb", "thumb_outer", {0.04, 0.0, 0.02}, Eigen::Vector3d::UnitX());
+  add("palm", "fold", {0.0, -0.01, 0.03}, Eigen::Vector3d::UnitZ());
+  robot.joints.back().mimic = geometric::Mimic{"thumb_joint", 1.0, 0.0};
+  add_finger("palm", "index", 0.03);
+  add_finger("palm", "middle", 0.01);
+  add_finger("fold", "ring", 0.0);
+  add_finger("fold", "little", -0.02);
+  return RobotModel(robot);
+}
+
+TEST(ProposedMapping, MovesFingersOnAPartOfThePalmThatMoves) {
+  const HandMapping mapping = propose_mapping(folding_hand());
+  EXPECT_EQ(mapping.wires.size(), 10U);
+  EXPECT_EQ(sensor_of(mapping, "ring_outer_joint"), "RingPIJ");
+  EXPECT_EQ(sensor_of(mapping, "little_outer_joint"), "PinkiePIJ");
+  EXPECT_THAT(sensor_of(mapping, "thumb_joint"), HasSubstr("Thumb")) << "not the ring's";
+}
+
 TEST(ProposedMapping, KnowsPalmAndWristOfAHandWithBoth) {
   HANDWAY_NEED_REFERENCE(reference);
   const auto shadow =
