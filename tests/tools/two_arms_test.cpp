@@ -24,10 +24,12 @@ std::string arm_with_hand(const fs::path& robots, const std::string& side,
          ", link: ee_link, pose: {xyz: [0.1, 0, 0], rpy_deg: [0, 90, 0]}}}\n";
 }
 
-/// Both reach forward, the joints of the right one by their names in the whole.
-constexpr const char* kGoals =
-    "goal: {A1: 0.3, A2: 0.7, A4: -1.2, right/A1: -0.3, right/A2: 0.7, right/A4: -1.2, "
-    "right_hand/joint_1.0: 0.4}\n";
+/// Both reach forward. @param left before names of its joints: the part that stands in the world
+/// keeps its own.
+std::string goals(const std::string& left) {
+  return "goal: {" + left + "A1: 0.3, " + left + "A2: 0.7, " + left +
+         "A4: -1.2, right/A1: -0.3, right/A2: 0.7, right/A4: -1.2, right_hand/joint_1.0: 0.4}\n";
+}
 
 constexpr const char* kPost =
     "objects:\n  - {name: post, box: {size: [0.1, 0.1, 1.5]}, pose: {xyz: [0.55, 0, 0.75]}}\n";
@@ -51,7 +53,7 @@ TEST_F(TwoArmsOfOthers, PlanAloneAndTogetherWhereTheyStand) {
   line_.write("two.yaml", "handway: 1\nrobots:\n" +
                               arm_with_hand(robots, "left", "base: {xyz: [0, 0.4, 0]}") +
                               arm_with_hand(robots, "right", "base: {xyz: [0, -0.4, 0]}") + kPost +
-                              "group: [left, left_hand, right, right_hand]\n" + kGoals);
+                              "group: [left, left_hand, right, right_hand]\n" + goals(""));
   EXPECT_EQ(planned("")["moving"].size(), 46U);
   EXPECT_EQ(planned(" --group right,right_hand")["moving"].size(), 23U);
   EXPECT_EQ(planned(" --group left")["moving"].size(), 7U);
@@ -68,7 +70,8 @@ TEST_F(TwoArmsOfOthers, PlanAloneAndTogetherOnOneStand) {
   };
   line_.write("two.yaml", "handway: 1\nrobots:\n  - {name: stand, model: stand.urdf}\n" +
                               arm_with_hand(robots, "left", on_stand("0.4")) +
-                              arm_with_hand(robots, "right", on_stand("-0.4")) + kPost + kGoals);
+                              arm_with_hand(robots, "right", on_stand("-0.4")) + kPost +
+                              goals("left/"));
   EXPECT_EQ(planned("")["moving"].size(), 46U) << "everything of one robot";
   EXPECT_EQ(planned(" --group right")["moving"].size(), 7U);
 }
