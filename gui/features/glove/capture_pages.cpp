@@ -363,6 +363,7 @@ void CapturePages::take_recordings(const std::shared_ptr<PostureRecordings>& rec
   for (const QString& file : files_) {
     names << QFileInfo(file).fileName();
   }
+  explorer_->show_errors({});
   explorer_->show_postures(recordings_->postures, names.join(QStringLiteral(" + ")),
                            session_.mapping().hand);
   compare_methods(recordings_->measured);
