@@ -5,6 +5,7 @@
 #include "model/devices/motion_driver.h"
 #include "model/settings/preferences.h"
 #include "view3d/scene_view.h"
+#include "widgets/panels/dock_layout.h"
 #include "widgets/style/theme.h"
 
 #include <QApplication>
@@ -35,9 +36,13 @@ int run(QApplication& application, const gui::Options& options) {
   plugins->load_plugins(planning::plugin_directory());
   gui::MainWindow window(plugins);
   const gui::ProgramEnd end(window.workbench().driver);
-  window.resize(options.size);
+  if (options.size || !options.screenshot.empty()) {
+    window.resize(options.size.value_or(gui::kUsualSize));
+  } else {
+    gui::restore_geometry(window, gui::kUsualSize);
+  }
   if (options.view_only) {
-    window.view().setFixedSize(options.size);
+    window.view().setFixedSize(options.size.value_or(gui::kUsualSize));
   }
 
   std::unique_ptr<gui::Snapshot> snapshot;

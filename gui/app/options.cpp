@@ -46,7 +46,7 @@ std::optional<Options> parse_options(int argc, char** argv, int& exit_code) {
       ->type_name("OUT.png");
   app.add_flag("--view-only", options.view_only,
                "The picture shows the 3-D view alone, of that size");
-  app.add_option("--size", size, "Size of the window (default 1440x900)")
+  app.add_option("--size", size, "Size of the window (default: as last time; of pictures 1440x900)")
       ->type_name("WxH")
       ->check(check_size);
   app.add_flag("--play", options.play, "Plan at once, then play the path in a loop");
@@ -83,7 +83,7 @@ std::optional<Options> parse_options(int argc, char** argv, int& exit_code) {
     exit_code = app.exit(error) == 0 ? 0 : kWrongUsage;
     return std::nullopt;
   }
-  options.size = parse_size(size).value_or(options.size);
+  options.size = parse_size(size);
   for (const std::string& setting : settings) {
     const std::size_t equals = setting.find('=');
     options.settings.emplace_back(setting.substr(0, equals), setting.substr(equals + 1));

@@ -11,12 +11,16 @@
 
 namespace handway::gui {
 
+/// Of the window, px.
+constexpr QSize kUsualSize{1440, 900};
+
 /// What the command line asks of the workbench.
 struct Options {
   std::filesystem::path scene;       ///< Empty: start with an empty window.
   std::filesystem::path screenshot;  ///< Empty: stay open.
   bool view_only = false;            ///< The picture shows the 3-D view alone, of that size.
-  QSize size{1440, 900};
+  /// Nothing: as last time; at first, and for pictures, kUsualSize.
+  std::optional<QSize> size;
   bool play = false;    ///< Plan at once, then play in a loop.
   std::string planner;  ///< Empty: the scene's.
   std::optional<std::uint64_t> seed;

@@ -5,6 +5,7 @@
 #include <QAction>
 #include <QDockWidget>
 #include <QEvent>
+#include <QScreen>
 #include <QScrollBar>
 #include <QSettings>
 #include <QTabBar>
@@ -38,6 +39,7 @@ constexpr int kVersion = 3;        // raised when docks come or go
 constexpr int kHeightBelow = 280;  // px, at first
 
 QString key() { return QStringLiteral("window/layout"); }
+QString geometry_key() { return QStringLiteral("window/geometry"); }
 
 QDockWidget* make_dock(QMainWindow& window, const DockContent& content, Qt::DockWidgetArea area) {
   auto* dock = new QDockWidget(content.title, &window);
@@ -191,11 +193,18 @@ QWidget* stacked(std::initializer_list<QWidget*> parts, int stretched) {
 
 void save_layout(const QMainWindow& window) {
   QSettings().setValue(key(), window.saveState(kVersion));
+  QSettings().setValue(geometry_key(), window.saveGeometry());
 }
 
 bool restore_layout(QMainWindow& window) {
   const QByteArray kept = QSettings().value(key()).toByteArray();
   return !kept.isEmpty() && window.restoreState(kept, kVersion);
+}
+
+void restore_geometry(QMainWindow& window, const QSize& wanted) {
+  if (!window.restoreGeometry(QSettings().value(geometry_key()).toByteArray())) {
+    window.resize(wanted.boundedTo(window.screen()->availableSize()));
+  }
 }
 
 }  // namespace handway::gui

@@ -68,9 +68,11 @@ class PanelArea : public QScrollArea {
 /// Widgets above each other without gaps. @param stretched index of the one that takes the rest.
 [[nodiscard]] QWidget* stacked(std::initializer_list<QWidget*> parts, int stretched);
 
-/// Which docks are where, kept between runs.
+/// Which docks are where, and how large the window is where, kept between runs.
 void save_layout(const QMainWindow& window);
 /// @returns false if there is none, or one of another version of the program.
 bool restore_layout(QMainWindow& window);
+/// Puts the window where it was; at first in the `wanted` size, px, or that of a smaller screen.
+void restore_geometry(QMainWindow& window, const QSize& wanted);
 
 }  // namespace handway::gui
