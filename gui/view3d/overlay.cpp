@@ -49,6 +49,7 @@ using Edges = std::vector<std::pair<int, int>>;
 
 constexpr geometric::Color kKeptColor{0.05F, 0.55F, 0.62F, 1.0F};
 constexpr geometric::Color kViolatedColor{0.86F, 0.16F, 0.14F, 1.0F};
+constexpr geometric::Color kReachedColor{0.13F, 0.60F, 0.28F, 1.0F};
 constexpr float kVeil = 0.14F;  // opacity of a face
 constexpr float kEdgeWidth = 1.5F;
 constexpr float kAxisWidth = 3.0F;
@@ -135,6 +136,63 @@ void add_box(SoSeparator& parent, const geometric::PositionConstraint& region,
 }
 
 }  // namespace
+
+namespace {
+
+const geometric::Color& color_of(PoseReached reached) {
+  switch (reached) {
+    case PoseReached::kYes:
+      return kReachedColor;
+    case PoseReached::kNo:
+      return kViolatedColor;
+    default:
+      return kGoalColor;
+  }
+}
+
+// Red, green and blue for x, y and z.
+void add_frame(SoSeparator& parent, const geometric::Pose& X_WF, double length) {
+  constexpr std::array kColors{geometric::Color{0.82F, 0.18F, 0.16F, 1.0F},
+                               geometric::Color{0.20F, 0.62F, 0.20F, 1.0F},
+                               geometric::Color{0.16F, 0.36F, 0.82F, 1.0F}};
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::array<Eigen::Vector3d, 2> ends{
+        X_WF.translation(), X_WF * Eigen::Vector3d(length * Eigen::Vector3d::Unit(axis))};
+    parent.addChild(make_edges_node(ends, Edges{{0, 1}}, kColors.at(static_cast<std::size_t>(axis)),
+                                    kAxisWidth));
+  }
+}
+
+}  // namespace
+
+Drawing make_goal_poses_node(const geometric::Scene& scene, std::span<const PoseReached> reached) {
+  constexpr double kAxis = 0.1;      // m
+  constexpr double kVisible = 2e-3;  // m, of tolerances
+  auto separator = make_coin<SoSeparator>();
+  for (std::size_t i = 0; i < scene.goal_poses.size(); ++i) {
+    const geometric::PoseGoal& goal = scene.goal_poses[i];
+    const geometric::Color& color =
+        color_of(i < reached.size() ? reached[i] : PoseReached::kUnknown);
+    add_frame(*separator.get(), goal.X_WG, kAxis);
+    if (goal.position_tolerance.maxCoeff() >= kVisible) {
+      add_veil(*separator.get(), geometric::Box{2.0 * goal.position_tolerance.cwiseMax(1e-4)},
+               goal.X_WG, color);
+    }
+    separator->addChild(make_dots(std::array{Eigen::Vector3d(goal.X_WG.translation())}, color));
+  }
+  return separator;
+}
+
+Drawing make_reach_node(const Eigen::Vector3d& target, const Eigen::Vector3d& tool, bool reached) {
+  auto separator = make_coin<SoSeparator>();
+  const geometric::Color& color = color_of(reached ? PoseReached::kYes : PoseReached::kNo);
+  if (!reached) {
+    separator->addChild(
+        make_edges_node(std::array{target, tool}, Edges{{0, 1}}, color, kAxisWidth));
+  }
+  separator->addChild(make_dots(std::array{target}, color));
+  return separator;
+}
 
 Drawing make_constraints_node(const geometric::Scene& scene, const geometric::Configuration& q) {
   auto separator = make_coin<SoSeparator>();

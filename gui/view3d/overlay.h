@@ -70,7 +70,23 @@ enum class Overlay {
   kHypercubes,
   kConstraints,
   kMeasure,
+  kGoalPoses,
+  kReach,
 };
+
+/// Whether a robot gets to a pose.
+enum class PoseReached { kUnknown, kYes, kNo };
+
+/// The frames of the scene's goal poses, red, green and blue for x, y and z, with a box around
+/// where their tolerances let the tool be, and a dot: green if the pose is reached, red if not.
+/// @param reached of each pose, in order; what is left out is unknown.
+[[nodiscard]] Drawing make_goal_poses_node(const geometric::Scene& scene,
+                                           std::span<const PoseReached> reached);
+
+/// Where a tool is to be: a green dot, or a red one with a line to where it is, as near as it gets.
+/// Points in the world, m.
+[[nodiscard]] Drawing make_reach_node(const Eigen::Vector3d& target, const Eigen::Vector3d& tool,
+                                      bool reached);
 
 /// The scene's constraints as they are for the first robot at `q`: a cone about the direction that
 /// an axis has to keep to, with the axis in it; a box that a point has to stay in, with the point.

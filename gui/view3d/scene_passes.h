@@ -67,7 +67,8 @@ struct ScenePasses {
     for (const Overlay overlay :
          {Overlay::kPath, Overlay::kRoadmap, Overlay::kRegion, Overlay::kExecuted,
           Overlay::kOptimized, Overlay::kContacts, Overlay::kClearance, Overlay::kTrails,
-          Overlay::kSteps, Overlay::kHypercubes, Overlay::kConstraints, Overlay::kMeasure}) {
+          Overlay::kSteps, Overlay::kHypercubes, Overlay::kConstraints, Overlay::kMeasure,
+          Overlay::kGoalPoses, Overlay::kReach}) {
       const CoinRef<SoSwitch> shown = make_coin<SoSwitch>();
       shown->whichChild = SO_SWITCH_ALL;
       solids->addChild(shown.get());

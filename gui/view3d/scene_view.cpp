@@ -506,7 +506,20 @@ void SceneView::mouseDoubleClickEvent(QMouseEvent* event) {
   }
 }
 
+void SceneView::add_to_note(const QString& words) {
+  const QString amount = gizmo_.amount();
+  const bool has_both = !amount.isEmpty() && !words.isEmpty();
+  overlay_->set_note(amount + (has_both ? QStringLiteral(" · ") : QString()) + words,
+                     last_position_);
+}
+
 void SceneView::wheelEvent(QWheelEvent* event) {
+  if (gizmo_.is_dragging()) {
+    constexpr double kClick = 120.0;  // Qt's eighths of a degree
+    emit drag_wheeled(gizmo_.item(), event->angleDelta().y() / kClick);
+    event->accept();
+    return;
+  }
   untouched_ = false;
   const double unit = 1.0 / std::max(height(), 1);
   const QPointF from_middle = event->position() - QPointF(rect().center());

@@ -83,6 +83,8 @@ class SceneView : public QOpenGLWidget {
   void set_handles(const Drawing& handles);
   /// A few words beside a place in the view; empty: none.
   void set_note(const QString& note, const QPoint& place);
+  /// Words beside the pointer while the gizmo's target is dragged, after how far it has gone.
+  void add_to_note(const QString& words);
   /// Handles along the target's own axes, or the world's.
   void set_gizmo_local(bool local);
   void show_ghosts(bool start, bool goal);
@@ -156,6 +158,8 @@ class SceneView : public QOpenGLWidget {
   void dragged(const handway::gui::SceneItem& item, const handway::geometric::Pose& X_WO);
   /// The gizmo's target has been put somewhere.
   void dropped(const handway::gui::SceneItem& item, const handway::geometric::Pose& X_WO);
+  /// The wheel was turned while a handle is held. @param clicks positive: away from the person.
+  void drag_wheeled(const handway::gui::SceneItem& item, double clicks);
   /// A click with the right button, or the menu key. @param item under the pointer; of the key:
   /// none.
   void context_requested(const handway::gui::SceneItem& item, bool by_key, const QPoint& global);

@@ -215,7 +215,7 @@ void EditActions::update_enabled() {
     action->setEnabled(has_scene);
   }
   add_button_->setEnabled(has_scene);
-  remove->setEnabled(can_change || editor_.can_remove_robot());
+  remove->setEnabled(can_change || editor_.can_remove_robot() || editor_.selected_goal_pose());
   rename->setEnabled(can_change &&
                      rigid_parts(*editor_.state().scene, editor_.selected_objects()).size() == 1);
   for (QAction* action : {copy, duplicate}) {

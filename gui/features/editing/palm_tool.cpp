@@ -3,10 +3,12 @@
 #include "handway/geometric/io/input_error.h"
 #include "handway/planning/queries/palm_ik.h"
 #include "model/document/document.h"
+#include "model/document/reach_words.h"
 #include "model/document/scene_editor.h"
 #include "model/document/scene_edits.h"
 #include "model/planning/planning_session.h"
 #include "model/playback/path_player.h"
+#include "view3d/overlay.h"
 #include "view3d/scene_view.h"
 
 #include <utility>
@@ -27,6 +29,7 @@ PalmTool::PalmTool(Document& document, SceneEditor& editor, Posing& posing,
   connect(&document_, &Document::opened, this, &PalmTool::use_robot);
   connect(&document_, &Document::hand_changed, this, &PalmTool::use_robot);
   connect(&view_, &SceneView::dragged, this, &PalmTool::drag);
+  connect(&view_, &SceneView::drag_wheeled, this, &PalmTool::swing);
   connect(&editor_, &SceneEditor::palm_placed, this, &PalmTool::drop);
 }
 
@@ -46,13 +49,13 @@ void PalmTool::use_robot() {
   }
 }
 
-std::optional<Configuration> PalmTool::moved(const SceneItem& item,
-                                             const geometric::Pose& X_WP) const {
+std::optional<planning::PalmMove> PalmTool::moved(const SceneItem& item,
+                                                  const geometric::Pose& X_WP) const {
   const std::optional<Configuration> from = before_ ? now_ : editor_.posture(item);
   if (!ik_ || !from) {
     return std::nullopt;
   }
-  return ik_->moved(*from, document_.robot()->X_WB.inverse() * X_WP).q;
+  return ik_->moved(*from, document_.robot()->X_WB.inverse() * X_WP);
 }
 
 void PalmTool::drag(const SceneItem& item, const geometric::Pose& X_WP) {
@@ -60,20 +63,50 @@ void PalmTool::drag(const SceneItem& item, const geometric::Pose& X_WP) {
     return;
   }
   if (!view_.gizmo().is_dragging()) {  // put back
+    view_.set_overlay(Overlay::kReach, nullptr);
     if (before_) {
       show(item, *std::exchange(before_, std::nullopt));
     }
     return;
   }
-  const std::optional<Configuration> q = moved(item, X_WP);
-  if (!q) {
+  const auto move = moved(item, X_WP);
+  if (!move) {
     return;
   }
+  take(item, move->q);
+  show_reach(X_WP, move->reached);
+}
+
+void PalmTool::take(const SceneItem& item, const Configuration& q) {
   if (!before_) {
     before_ = editor_.posture(item);
+    direction_ = {};
   }
-  now_ = *q;
+  now_ = q;
   show(item, now_);
+}
+
+void PalmTool::show_reach(const geometric::Pose& X_WP, bool reached) {
+  const geometric::RobotInstance& robot = *document_.robot();
+  const geometric::Pose X_WP_now = robot.X_WB * ik_->pose(now_);
+  view_.set_overlay(Overlay::kReach,
+                    make_reach_node(X_WP.translation(), X_WP_now.translation(), reached));
+  const auto figures =
+      planning::reach_figures(*robot.model, document_.palm(), document_.groups().arm, now_);
+  view_.add_to_note(figures ? reach_words(*figures, reached) : QString());
+}
+
+void PalmTool::swing(const SceneItem& item, double clicks) {
+  constexpr double kStep = 0.05;  // rad a click
+  const std::optional<Configuration> from = before_ ? now_ : editor_.posture(item);
+  if (!item.is_posture() || !ik_ || !from) {
+    return;
+  }
+  const geometric::Pose X_BP = ik_->pose(*from);
+  take(item, ik_->swung(*from, X_BP, kStep * clicks, direction_));
+  const geometric::Pose X_WP = *view_.gizmo().pose();
+  const bool reached = (document_.robot()->X_WB * X_BP).isApprox(X_WP, 1e-3);
+  show_reach(X_WP, reached);
 }
 
 void PalmTool::show(const SceneItem& item, const Configuration& q) {
@@ -87,20 +120,22 @@ void PalmTool::show(const SceneItem& item, const Configuration& q) {
 }
 
 void PalmTool::drop(const SceneItem& item, const geometric::Pose& X_WP) {
-  const std::optional<Configuration> q = moved(item, X_WP);
+  const auto move = moved(item, X_WP);
   before_.reset();
-  if (!q) {
+  view_.set_overlay(Overlay::kReach, nullptr);
+  if (!move) {
     return;
   }
+  const Configuration& q = move->q;
   switch (item.kind) {
     case Kind::kStart:
-      editor_.set_start(*q);
+      editor_.set_start(q);
       break;
     case Kind::kGoal:
-      editor_.set_goal(*q);
+      editor_.set_goal(q);
       break;
     default:
-      posing_.set(*q);
+      posing_.set(q);
   }
 }
 

@@ -10,7 +10,8 @@
 
 namespace handway::planning {
 class PalmIk;
-}
+struct PalmMove;
+}  // namespace handway::planning
 
 namespace handway::gui {
 
@@ -34,11 +35,17 @@ class PalmTool : public QObject {
  private:
   void use_robot();
   void drag(const SceneItem& item, const geometric::Pose& X_WP);
+  /// Swings the elbow of a redundant arm while its palm is held.
+  void swing(const SceneItem& item, double clicks);
   void drop(const SceneItem& item, const geometric::Pose& X_WP);
+  /// Goes on from `q`, and shows it.
+  void take(const SceneItem& item, const geometric::Configuration& q);
+  /// Whether the palm gets to where it is dragged, and how freely the arm holds it there.
+  void show_reach(const geometric::Pose& X_WP, bool reached);
   void show(const SceneItem& item, const geometric::Configuration& q);
   /// Nothing if the robot has no palm to move.
-  [[nodiscard]] std::optional<geometric::Configuration> moved(const SceneItem& item,
-                                                              const geometric::Pose& X_WP) const;
+  [[nodiscard]] std::optional<planning::PalmMove> moved(const SceneItem& item,
+                                                        const geometric::Pose& X_WP) const;
 
   Document& document_;
   SceneEditor& editor_;
@@ -49,6 +56,7 @@ class PalmTool : public QObject {
   /// Of what is being dragged: as it was, and as it is now.
   std::optional<geometric::Configuration> before_;
   geometric::Configuration now_;
+  Eigen::VectorXd direction_;  ///< Of the elbow's swing; empty: it does not swing.
 };
 
 }  // namespace handway::gui

@@ -1,5 +1,6 @@
 #include "features/editing/properties_panel.h"
 
+#include "features/editing/goal_pose_form.h"
 #include "handway/geometric/math/units.h"
 #include "model/document/scene_edits.h"
 #include "widgets/forms/quantity_field.h"
@@ -18,6 +19,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <variant>
@@ -100,6 +102,7 @@ PropertiesPanel::PropertiesPanel(SceneEditor& editor, QWidget* parent)
       header_(make_header()),
       pose_title_(heading(tr("Pose"))),
       pose_(new PoseForm),
+      goal_form_(new GoalPoseForm),
       mount_(new QComboBox),
       shape_(new ShapeForm),
       extent_(new QLabel),
@@ -149,8 +152,8 @@ PropertiesPanel::PropertiesPanel(SceneEditor& editor, QWidget* parent)
   layout->setContentsMargins(12, 10, 12, 10);
   layout->setSpacing(8);
   constraints_box_ = boxed({heading(tr("Along paths")), constraints_});
-  for (QWidget* part : {static_cast<QWidget*>(hint_), header_, mount_box_, pose_box_, shape_box_,
-                        constraints_box_}) {
+  for (QWidget* part : std::initializer_list<QWidget*>{hint_, header_, mount_box_, pose_box_,
+                                                       goal_form_, shape_box_, constraints_box_}) {
     layout->addWidget(part);
   }
   layout->addStretch(1);
@@ -173,6 +176,7 @@ PropertiesPanel::PropertiesPanel(SceneEditor& editor, QWidget* parent)
     emit attach_requested(parent_->itemData(row, Qt::UserRole).toString().toStdString(),
                           parent_->itemData(row, Qt::UserRole + 1).toString().toStdString());
   });
+  connect(goal_form_, &GoalPoseForm::goal_edited, &editor_, &SceneEditor::change_goal_pose);
   connect_constraints();
   refresh_icons();
   refresh();
@@ -228,6 +232,8 @@ void PropertiesPanel::refresh() {
       scene ? geometric::find_robot_with_part(*scene, item.robot) : nullptr;
   if (robot && item.kind == Kind::kRobot) {
     show_robot(item.robot);
+  } else if (const geometric::PoseGoal* goal = editor_.selected_goal_pose()) {
+    show_goal_pose(*goal);
   } else if (robot && item.kind == Kind::kLink) {
     show_link(*robot);
   } else if (const auto X_WP = editor_.selected_pose(); X_WP && item.is_posture()) {
@@ -245,6 +251,7 @@ void PropertiesPanel::show_parts(bool header, bool pose, bool shape) {
   X_WF_ = geometric::Pose::Identity();
   hint_->setVisible(!header);
   mount_box_->hide();
+  goal_form_->hide();
   header_->setVisible(header);
   pose_box_->setVisible(pose);
   shape_box_->setVisible(shape);
@@ -363,6 +370,18 @@ void PropertiesPanel::show_posture(const geometric::Pose& X_WP) {
   pose_title_->setText(tr("Palm: the arm follows"));
   pose_->show_pose(X_WP);
   pose_->set_editable(true);
+}
+
+void PropertiesPanel::show_goal_pose(const geometric::PoseGoal& goal) {
+  show_parts(true, true, false);
+  name_->setText(tr("Goal pose of %1").arg(QString::fromStdString(goal.link)));
+  name_->setReadOnly(true);
+  kind_->setText(tr("Goal"));
+  pose_title_->setText(tr("Pose in the world"));
+  pose_->show_pose(goal.X_WG);
+  pose_->set_editable(true);
+  goal_form_->show_goal(*editor_.document().robot()->model, goal);
+  goal_form_->show();
 }
 
 void PropertiesPanel::show_hint() { show_parts(false, false, false); }

@@ -12,6 +12,7 @@ class QToolButton;
 namespace handway::gui {
 
 class ConstraintForm;
+class GoalPoseForm;
 class PoseForm;
 class ShapeForm;
 
@@ -46,6 +47,7 @@ class PropertiesPanel : public PanelArea {
   void list_mounts(const std::string& robot);
   void show_link(const geometric::RobotInstance& robot);
   void show_posture(const geometric::Pose& X_WP);
+  void show_goal_pose(const geometric::PoseGoal& goal);
   void show_hint();
   void show_parts(bool header, bool pose, bool shape);
   void show_constraints();
@@ -65,6 +67,7 @@ class PropertiesPanel : public PanelArea {
   QLabel* pose_title_;
   PoseForm* pose_;
   geometric::Pose X_WF_ = geometric::Pose::Identity();  ///< Of the frame that it is shown in.
+  GoalPoseForm* goal_form_;
   QWidget* mount_box_;
   QComboBox* mount_;
   QWidget* shape_box_;

@@ -1,5 +1,6 @@
 #include "features/editing/scene_editing.h"
 
+#include "features/editing/goal_pose_tool.h"
 #include "features/editing/mesh_import.h"
 #include "features/editing/palm_tool.h"
 #include "features/editing/properties_panel.h"
@@ -319,7 +320,8 @@ void SceneEditing::show_handles(bool shown) {
 
 void SceneEditing::update_gizmo() {
   const bool movable = editor_.can_change() || editor_.selection().is_posture() ||
-                       editor_.selection().kind == SceneItem::Kind::kRobot;
+                       editor_.selection().kind == SceneItem::Kind::kRobot ||
+                       editor_.selected_goal_pose() != nullptr;
   const std::vector<std::string>& objects = editor_.selected_objects();
   const bool hidden = !objects.empty() && std::ranges::all_of(objects, [&](const auto& name) {
     return editor_.state().is_hidden(name);
@@ -422,6 +424,7 @@ void add_editing(Workbench& workbench) {
   workbench.own<Recovery>(workbench);
   workbench.own<PalmTool>(workbench.document, workbench.editor, workbench.posing, workbench.session,
                           workbench.view);
+  workbench.own<GoalPoseTool>(workbench);
   auto& constraints = workbench.own<ConstraintDisplay>(workbench.document, workbench.view);
   QObject::connect(&workbench, &Workbench::scene_shown, &constraints, &ConstraintDisplay::show);
 }

@@ -398,7 +398,7 @@ QTreeWidgetItem* SceneTree::object_row(const geometric::SceneObject& object) con
 }
 
 void SceneTree::add_query(const geometric::Scene& scene) {
-  if (!scene.start && !scene.goal) {
+  if (!scene.start && !scene.goal && scene.goal_poses.empty()) {
     return;
   }
   QTreeWidgetItem* top = make_row(tr("Task"), icon("route"), {});
@@ -417,6 +417,15 @@ void SceneTree::add_query(const geometric::Scene& scene) {
   }
   if (scene.goal) {
     add(tr("Goal"), kGoalColor, Kind::kGoal);
+  }
+  for (std::size_t i = 0; i < scene.goal_poses.size(); ++i) {
+    const QString link = QString::fromStdString(scene.goal_poses[i].link);
+    const QString text = scene.goal_poses.size() == 1
+                             ? tr("Goal pose of %1").arg(link)
+                             : tr("Goal pose %1 of %2").arg(i + 1).arg(link);
+    QTreeWidgetItem* row = make_row(text, icon("goal", to_qcolor(kGoalColor)), goal_pose_item(i));
+    row->setToolTip(0, tr("%1: any of the goal poses will do").arg(text));
+    top->addChild(row);
   }
   top->setExpanded(true);
 }

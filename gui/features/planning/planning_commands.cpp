@@ -1,6 +1,7 @@
 #include "features/planning/planning_commands.h"
 
 #include "features/planning/collision_display.h"
+#include "features/planning/group_choice.h"
 #include "features/planning/plan_panel.h"
 #include "features/planning/preset_bar.h"
 #include "features/planning/projection_tool.h"
@@ -95,9 +96,8 @@ void PlanningCommands::report_presets() {
 
 void PlanningCommands::update_ready() {
   const auto& scene = workbench_.document.scene();
-  const bool has_query = scene && scene->start && (scene->goal || !scene->goal_poses.empty());
-  panel_.set_ready(has_query,
-                   scene ? tr("The scene has no start or no goal") : tr("Open a scene first"));
+  const bool has_query = workbench_.document.robot() && (scene->goal || !scene->goal_poses.empty());
+  panel_.set_ready(has_query, scene ? tr("The scene has no goal") : tr("Open a scene first"));
   plan_->setEnabled(has_query && !workbench_.session.is_running());
 }
 
@@ -165,6 +165,7 @@ void add_planning(Workbench& workbench) {
                    [&workbench](const QString& message) {
                      workbench.log.add(LogPanel::Level::kError, message);
                    });
+  panel->add_section(new GroupChoice(workbench.editor));
   workbench.own<RegionTool>(workbench.document, workbench.plan_settings, *panel, workbench.view);
   auto& projection = workbench.own<ProjectionTool>(workbench.document, workbench.player);
   workbench.add_dock(DockArea::kBelow, 3,

@@ -1,5 +1,6 @@
 #include "features/postures/posture_panels.h"
 
+#include "features/postures/elbow_swing.h"
 #include "features/postures/joint_panel.h"
 #include "features/workbench.h"
 #include "model/document/document.h"
@@ -95,10 +96,11 @@ PosturePanels::PosturePanels(Workbench& workbench)
     : workbench_(workbench),
       document_(workbench.document),
       postures_(new PostureBar),
+      swing_(new ElbowSwing),
       joints_(new JointPanel),
       hand_(new PmdPanel(document_.recorded_hand())) {
   workbench_.add_dock(DockArea::kControl, 1,
-                      {"joints", tr("Joints"), stacked({postures_, joints_}, 1)});
+                      {"joints", tr("Joints"), stacked({postures_, swing_, joints_}, 2)});
   workbench_.add_dock(DockArea::kControl, 2, {"hand", tr("Hand"), hand_});
   connect_panels();
   add_commands();
@@ -107,6 +109,7 @@ PosturePanels::PosturePanels(Workbench& workbench)
 void PosturePanels::connect_panels() {
   Posing& posing = workbench_.posing;
   connect(joints_, &JointPanel::configuration_edited, &posing, &Posing::set);
+  connect(swing_, &ElbowSwing::configuration_edited, &posing, &Posing::set);
   connect(hand_, &PmdPanel::configuration_edited, &posing, &Posing::set);
   connect(postures_, &PostureBar::posture_requested, &posing, &Posing::apply);
   connect(postures_, &PostureBar::start_requested, &posing,
@@ -114,6 +117,7 @@ void PosturePanels::connect_panels() {
   connect(postures_, &PostureBar::goal_requested, &posing,
           [this, &posing] { posing.set(*document_.scene()->goal); });
   connect(&document_, &Document::configuration_changed, this, [this](const Eigen::VectorXd& q) {
+    swing_->set_configuration(q);
     joints_->set_configuration(q);
     hand_->set_configuration(q);
   });
@@ -156,6 +160,7 @@ void PosturePanels::show_robot() {
   const geometric::RobotInstance* robot = document_.robot();
   const auto model = robot ? robot->model : nullptr;
   postures_->set_scene(document_.scene());
+  swing_->set_arm(model, document_.palm(), document_.groups().arm);
   joints_->set_robot(model, document_.groups());
   hand_->set_hand(model, document_.loaded().basis, document_.groups().hand);
 }

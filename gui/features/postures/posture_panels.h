@@ -22,6 +22,7 @@ class QLineEdit;
 namespace handway::gui {
 
 class Document;
+class ElbowSwing;
 class JointPanel;
 class PmdPanel;
 class Workbench;
@@ -74,6 +75,7 @@ class PosturePanels : public QObject {
   Workbench& workbench_;
   Document& document_;
   PostureBar* postures_;
+  ElbowSwing* swing_;
   JointPanel* joints_;
   PmdPanel* hand_;
 };

@@ -5,6 +5,8 @@
 #include "handway/geometric/io/resources.h"
 #include "handway/geometric/robot/composed_robot.h"
 #include "handway/geometric/setup/mounting.h"
+#include "handway/geometric/setup/moving_group.h"
+#include "handway/planning/core/planning_problem.h"
 #include "handway/planning/queries/palm_ik.h"
 #include "handway/sampling/postures/pmd_basis_io.h"
 #include "model/document/robot_edits.h"
@@ -43,6 +45,29 @@ JointGroups joint_groups(const geometric::RobotModel& model, const sampling::Pmd
       continue;
     }
     (arm && !contains(*arm, v) ? groups.other : groups.arm).push_back(v);
+  }
+  return groups;
+}
+
+JointGroups moving_groups(const geometric::Scene& scene, const sampling::PmdBasis* basis) {
+  const geometric::RobotModel& model = *scene.robots.front().model;
+  JointGroups groups = joint_groups(model, basis);
+  if (scene.group.empty()) {
+    return groups;
+  }
+  try {
+    groups.hand = planning::hand_variables(scene, basis);
+  } catch (const geometric::InputError&) {  // of another hand: who plans is told
+  }
+  const std::vector<int> moving = geometric::moving_variables(scene);
+  std::erase_if(groups.hand, [&](int v) { return !contains(moving, v); });
+  groups.arm = moving;
+  std::erase_if(groups.arm, [&](int v) { return contains(groups.hand, v); });
+  groups.other.clear();
+  for (int v = 0; v < model.variable_count(); ++v) {
+    if (!contains(moving, v)) {
+      groups.other.push_back(v);
+    }
   }
   return groups;
 }
@@ -305,7 +330,7 @@ void Document::set_scene(planning::LoadedScene scene, const std::filesystem::pat
 }
 
 void Document::take_hand() {
-  groups_ = joint_groups(*robot()->model, loaded_.basis.get());
+  groups_ = moving_groups(*loaded_.scene, loaded_.basis.get());
   palm_ = palm_link(*robot()->model, groups_);
 }
 
@@ -340,9 +365,10 @@ void Document::set_state(SceneState state) {
     return;
   }
   const SceneState before = std::exchange(state_, std::move(state));
-  const bool has_other_hand = robot() && before.basis != state_.basis;
+  const bool has_other_hand =
+      robot() && (before.basis != state_.basis || before.scene->group != state_.scene->group);
   if (has_other_hand) {
-    loaded_.basis = state_.basis;
+    loaded_ = {state_.scene, state_.basis};
     ++revision_.basis;
     take_hand();
   }

@@ -31,6 +31,9 @@ struct JointGroups {
 };
 
 /// @param basis may be null.
+/// Of what moves, by the scene's group; all else is `other`.
+[[nodiscard]] JointGroups moving_groups(const geometric::Scene& scene,
+                                        const sampling::PmdBasis* basis);
 [[nodiscard]] JointGroups joint_groups(const geometric::RobotModel& model,
                                        const sampling::PmdBasis* basis);
 

@@ -4,6 +4,7 @@
 #include "handway/geometric/io/resources.h"
 #include "handway/geometric/robot/group_proposal.h"
 #include "handway/geometric/setup/mounting.h"
+#include "handway/geometric/setup/moving_group.h"
 #include "handway/sampling/postures/pmd_basis_io.h"
 
 #include <algorithm>
@@ -195,6 +196,23 @@ SceneState with_robot(const SceneState& state, const Configuration& q, RobotInst
     geometric::mount_robot(scene, name, on->robot, on->link, X_LB);
   }
   return settled(state, std::move(scene));
+}
+
+bool joins_robots(const Scene& scene, const std::vector<std::string>& group) {
+  return std::ranges::any_of(group, [&](const std::string& name) {
+    return geometric::named_variables(scene.robots.front(), name).empty();
+  });
+}
+
+SceneState with_group(const SceneState& state, const Configuration& q,
+                      const std::vector<std::string>& group) {
+  const bool joins = joins_robots(*state.scene, group);
+  Scene scene = joins ? shown_scene(state, q) : *state.scene;
+  geometric::set_moving_group(scene, group);
+  if (joins) {
+    return settled(state, std::move(scene));
+  }
+  return {std::make_shared<const Scene>(std::move(scene)), state.basis};
 }
 
 SceneState with_mount(const SceneState& state, const Configuration& q, const std::string& robot,

@@ -58,6 +58,13 @@ struct LinkOfRobot {
                                     geometric::RobotInstance robot,
                                     const std::optional<LinkOfRobot>& on,
                                     const geometric::Pose& X_LB);
+/// Whether the group names something that the first robot has not: a robot beside it.
+[[nodiscard]] bool joins_robots(const geometric::Scene& scene,
+                                const std::vector<std::string>& group);
+/// Lets what the group names move; see geometric::set_moving_group().
+/// @throws InputError as that does.
+[[nodiscard]] SceneState with_group(const SceneState& state, const geometric::Configuration& q,
+                                    const std::vector<std::string>& group);
 /// Mounts a robot or part, with all that it carries, on another link.
 /// @throws InputError as geometric::mount_robot().
 [[nodiscard]] SceneState with_mount(const SceneState& state, const geometric::Configuration& q,

@@ -2,6 +2,7 @@
 
 #include "handway/geometric/formats/scene_reader.h"
 #include "handway/geometric/formats/scene_writer.h"
+#include "handway/geometric/robot/inverse_kinematics.h"
 #include "model/document/edit.h"
 #include "model/document/free_place.h"
 #include "model/document/resting.h"
@@ -119,6 +120,9 @@ std::optional<Pose> SceneEditor::selected_pose() const {
   }
   if (state().scene && selection().kind == Kind::kRobot) {
     return base_pose(*state().scene, document_.configuration(), selection().robot);
+  }
+  if (const geometric::PoseGoal* goal = selected_goal_pose()) {
+    return goal->X_WG;
   }
   if (const auto q = posture(selection())) {
     const geometric::RobotInstance& robot = *document_.robot();
@@ -280,6 +284,10 @@ void SceneEditor::put_first(const std::string& robot) {
 }
 
 void SceneEditor::remove() {
+  if (selected_goal_pose()) {
+    push(tr("Delete goal pose"), without_goal_pose(state(), std::stoul(selection().name)), {});
+    return;
+  }
   if (can_remove_robot()) {
     const std::string name = selection().robot;
     compose(tr("Remove %1").arg(words(name)),
@@ -396,6 +404,13 @@ void SceneEditor::change_selected(const QString& text, const std::string& what,
 void SceneEditor::place(const Pose& X_WO) {
   if (selection().is_posture()) {
     emit palm_placed(selection(), X_WO);
+    return;
+  }
+  if (const geometric::PoseGoal* selected = selected_goal_pose()) {
+    geometric::PoseGoal goal = *selected;
+    goal.X_WG = X_WO;
+    push(tr("Move goal pose"), with_goal_pose(state(), std::stoul(selection().name), goal),
+         selection_, "place of goal pose " + selection().name);
     return;
   }
   if (selection().kind == Kind::kRobot) {
@@ -522,6 +537,49 @@ void SceneEditor::detach() {
       changed.X_PO = object_pose(*state().scene, document_.configuration(), changed);
       changed.attachment.reset();
     });
+  }
+}
+
+bool SceneEditor::can_add_goal_pose() const {
+  const geometric::RobotInstance* robot = document_.robot();
+  return robot && !geometric::chain_variables(*robot->model, document_.palm()).empty();
+}
+
+void SceneEditor::add_goal_pose() {
+  if (!can_add_goal_pose()) {
+    return;
+  }
+  const geometric::RobotInstance& robot = *document_.robot();
+  geometric::PoseGoal goal;
+  goal.link = robot.model->link(document_.palm()).name;
+  goal.X_WG = *link_pose(*state().scene, document_.configuration(), robot.name, goal.link);
+  const std::size_t index = state().scene->goal_poses.size();
+  SceneState next = with_goal_pose(state(), index, goal);
+  if (!next.scene->start) {
+    next = with_start(next, document_.configuration());
+  }
+  push(tr("Add goal pose"), std::move(next), selection_of(goal_pose_item(index)));
+}
+
+void SceneEditor::change_goal_pose(const geometric::PoseGoal& goal) {
+  push(tr("Change goal pose"), with_goal_pose(state(), std::stoul(selection().name), goal),
+       selection_, "goal pose " + selection().name);
+}
+
+void SceneEditor::set_group(const std::vector<std::string>& group) {
+  const QString text = tr("Choose what moves");
+  if (group == state().scene->group) {
+    return;
+  }
+  if (joins_robots(*state().scene, group)) {
+    compose(
+        text,
+        [state = state(), q = document_.configuration(), group] {
+          return with_group(state, q, group);
+        },
+        selection_);
+  } else {
+    push(text, with_group(state(), document_.configuration(), group), selection_);
   }
 }
 

@@ -135,6 +135,20 @@ class SceneEditor : public QObject {
 
   /// The configuration of a posture; nothing of anything else.
   [[nodiscard]] std::optional<geometric::Configuration> posture(const SceneItem& item) const;
+  /// Adds a goal pose, where the palm is shown, and selects it; with a start, where the robot is
+  /// shown, if there is none.
+  void add_goal_pose();
+  /// Whether the robot has a palm that an arm moves.
+  [[nodiscard]] bool can_add_goal_pose() const;
+  /// The selected goal pose; nullptr if something else is selected.
+  [[nodiscard]] const geometric::PoseGoal* selected_goal_pose() const {
+    return find_goal_pose(state(), selection());
+  }
+  /// Changes the selected goal pose.
+  void change_goal_pose(const geometric::PoseGoal& goal);
+  /// What moves, see geometric::set_moving_group(). Robots that it makes one are composed in the
+  /// background.
+  void set_group(const std::vector<std::string>& group);
   void set_start(const geometric::Configuration& q);
   void set_goal(const geometric::Configuration& q);
   /// Keeps a posture in the scene, in place of one of the same name.

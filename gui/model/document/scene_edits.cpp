@@ -1,6 +1,7 @@
 #include "model/document/scene_edits.h"
 
 #include "handway/geometric/mesh/triangle_mesh.h"
+#include "handway/geometric/setup/moving_group.h"
 #include "model/document/resting.h"
 #include "model/document/selection.h"
 
@@ -212,6 +213,7 @@ SceneState with_base(const SceneState& state, std::string_view robot, const Pose
 SceneState with_start(const SceneState& state, const Configuration& q) {
   Scene scene = *state.scene;
   scene.start = q;
+  geometric::keep_still_in_goal(scene);
   return with_scene(state, std::move(scene));
 }
 
@@ -219,6 +221,24 @@ SceneState with_goal(const SceneState& state, const Configuration& q) {
   Scene scene = *state.scene;
   scene.goal = q;
   scene.goal_poses.clear();
+  geometric::keep_still_in_goal(scene);
+  return with_scene(state, std::move(scene));
+}
+
+SceneState with_goal_pose(const SceneState& state, std::size_t index,
+                          const geometric::PoseGoal& goal) {
+  Scene scene = *state.scene;
+  if (index < scene.goal_poses.size()) {
+    scene.goal_poses[index] = goal;
+  } else {
+    scene.goal_poses.push_back(goal);
+  }
+  return with_scene(state, std::move(scene));
+}
+
+SceneState without_goal_pose(const SceneState& state, std::size_t index) {
+  Scene scene = *state.scene;
+  scene.goal_poses.erase(scene.goal_poses.begin() + static_cast<std::ptrdiff_t>(index));
   return with_scene(state, std::move(scene));
 }
 

@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 
+#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -77,8 +78,13 @@ using DisplayChange = std::function<void(geometric::ObjectDisplay&)>;
                                                  const std::string& name);
 [[nodiscard]] SceneState with_base(const SceneState& state, std::string_view robot,
                                    const geometric::Pose& X_WB);
+/// The goal keeps to the start in what does not move.
 [[nodiscard]] SceneState with_start(const SceneState& state, const geometric::Configuration& q);
 [[nodiscard]] SceneState with_goal(const SceneState& state, const geometric::Configuration& q);
+/// The goal pose of that number changed, or, one after the last, a new one.
+[[nodiscard]] SceneState with_goal_pose(const SceneState& state, std::size_t index,
+                                        const geometric::PoseGoal& goal);
+[[nodiscard]] SceneState without_goal_pose(const SceneState& state, std::size_t index);
 /// In place of the one of that name, or as a new one.
 [[nodiscard]] SceneState with_posture(const SceneState& state,
                                       const geometric::NamedPosture& posture);

@@ -35,6 +35,16 @@ Names with_group(const SceneState& state, const std::string& object) {
 
 SceneItem object_item(const std::string& name) { return {Kind::kObject, "", name}; }
 
+SceneItem goal_pose_item(std::size_t index) { return {Kind::kGoalPose, "", std::to_string(index)}; }
+
+const geometric::PoseGoal* find_goal_pose(const SceneState& state, const SceneItem& item) {
+  if (item.kind != Kind::kGoalPose || !state.scene) {
+    return nullptr;
+  }
+  const std::size_t index = std::stoul(item.name);
+  return index < state.scene->goal_poses.size() ? &state.scene->goal_poses[index] : nullptr;
+}
+
 Selection selection_of(const SceneItem& item) {
   return {item, item.kind == Kind::kObject ? Names{item.name} : Names{}};
 }
@@ -83,6 +93,9 @@ Selection toggled(const SceneState& state, const Selection& now, const SceneItem
 }
 
 Selection still_there(const SceneState& state, Selection selection) {
+  if (selection.item.kind == Kind::kGoalPose && !find_goal_pose(state, selection.item)) {
+    return {};
+  }
   std::erase_if(selection.objects, [&](const std::string& name) { return !state.find(name); });
   if (selection.item.kind == Kind::kObject) {
     return selection_of(std::move(selection.objects));

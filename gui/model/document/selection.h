@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -11,11 +12,22 @@ namespace handway::gui {
 
 /// Something in a scene that a person can point at.
 struct SceneItem {
-  enum class Kind { kNone, kRobot, kLink, kObject, kGroup, kSeveral, kStart, kGoal, kPalm };
+  enum class Kind {
+    kNone,
+    kRobot,
+    kLink,
+    kObject,
+    kGroup,
+    kSeveral,
+    kStart,
+    kGoal,
+    kPalm,
+    kGoalPose
+  };
 
   Kind kind = Kind::kNone;
   std::string robot;  ///< Of kRobot and kLink.
-  std::string name;   ///< Of kLink, kObject and kGroup.
+  std::string name;   ///< Of kLink, kObject and kGroup; of kGoalPose its number, from 0.
 
   /// A posture of the first robot, that is moved by its palm: where it is, start or goal.
   [[nodiscard]] bool is_posture() const {
@@ -40,6 +52,10 @@ struct Selection {
 };
 
 [[nodiscard]] SceneItem object_item(const std::string& name);
+[[nodiscard]] SceneItem goal_pose_item(std::size_t index);
+/// The goal pose that the item stands for; nullptr if it is none of the scene's.
+[[nodiscard]] const geometric::PoseGoal* find_goal_pose(const SceneState& state,
+                                                        const SceneItem& item);
 
 /// One item, whatever it is.
 [[nodiscard]] Selection selection_of(const SceneItem& item);

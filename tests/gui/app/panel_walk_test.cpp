@@ -196,6 +196,9 @@ void PanelWalk::walk_properties() {
   look(QStringLiteral("robot"));
   window_->editor().select({Kind::kGoal, "", ""});
   look(QStringLiteral("goal"));
+  part<QAction>("add_goal_pose").trigger();
+  look(QStringLiteral("goal_pose"));
+  part<QAction>("delete").trigger();
   part<QTabWidget>("control_tabs").setCurrentIndex(0);
 }
 

@@ -1,0 +1,137 @@
+#include "features/editing/goal_pose_form.h"
+
+#include "handway/geometric/robot/inverse_kinematics.h"
+#include "widgets/forms/quantity_field.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+
+#include <algorithm>
+#include <numbers>
+
+namespace handway::gui {
+namespace {
+
+bool is_free(const geometric::PoseGoal& goal, int axis) {
+  return goal.rotation_tolerance[axis] >= std::numbers::pi;
+}
+
+QuantityField* tolerance_field(QuantityField::Kind kind, double most, const char* name,
+                               const QString& tip) {
+  auto* field = new QuantityField(kind, 0.0, most);
+  field->setObjectName(QLatin1String(name));
+  field->setToolTip(tip);
+  return field;
+}
+
+}  // namespace
+
+GoalPoseForm::GoalPoseForm(QWidget* parent)
+    : QWidget(parent),
+      link_(new QComboBox),
+      position_(tolerance_field(QuantityField::Kind::kLength, 1.0, "goal_position_tolerance",
+                                tr("How far the tool may be from the pose along each axis"))),
+      rotation_(tolerance_field(QuantityField::Kind::kAngle, std::numbers::pi,
+                                "goal_rotation_tolerance",
+                                tr("How far the tool may be turned about each axis"))),
+      tool_(new PoseForm) {
+  link_->setObjectName(QStringLiteral("goal_link"));
+  link_->setToolTip(tr("The link that the goal is for"));
+  link_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  auto* free = new QHBoxLayout;
+  for (std::size_t axis = 0; axis < free_.size(); ++axis) {
+    const QString name(QChar::fromLatin1("xyz"[axis]));
+    free_[axis] = new QCheckBox(name);
+    free_[axis]->setObjectName(QStringLiteral("goal_free_%1").arg(name));
+    free_[axis]->setAccessibleName(tr("Free about %1").arg(name));
+    free_[axis]->setToolTip(tr("The tool may be turned about the pose's %1 axis").arg(name));
+    free->addWidget(free_[axis]);
+  }
+  free->addStretch(1);
+  auto* rows = new QFormLayout(this);
+  rows->setContentsMargins(0, 0, 0, 0);
+  rows->setHorizontalSpacing(10);
+  rows->setVerticalSpacing(5);
+  rows->setRowWrapPolicy(QFormLayout::WrapLongRows);
+  rows->addRow(tr("Link"), link_);
+  rows->addRow(tr("Position within"), position_);
+  rows->addRow(tr("Rotation within"), rotation_);
+  rows->addRow(tr("Free about"), free);
+  auto* tool_title = new QLabel(tr("Tool in the link"));
+  tool_title->setProperty("role", "heading");
+  tool_title->setToolTip(tr("The frame that is brought to the pose"));
+  rows->addRow(tool_title);
+  rows->addRow(tool_);
+  connect_fields();
+}
+
+void GoalPoseForm::connect_fields() {
+  connect(link_, qOverload<int>(&QComboBox::activated), this, [this] {
+    goal_.link = link_->currentText().toStdString();
+    emit goal_edited(goal_);
+  });
+  connect(position_, &QuantityField::quantity_edited, this, [this](double tolerance) {
+    goal_.position_tolerance.setConstant(tolerance);
+    emit goal_edited(goal_);
+  });
+  connect(rotation_, &QuantityField::quantity_edited, this, [this](double tolerance) {
+    set_rotation(tolerance);
+    emit goal_edited(goal_);
+  });
+  for (int axis = 0; axis < 3; ++axis) {
+    connect(free_.at(static_cast<std::size_t>(axis)), &QCheckBox::clicked, this,
+            [this, axis](bool free) {
+              goal_.rotation_tolerance[axis] = free ? std::numbers::pi : rotation_->quantity();
+              emit goal_edited(goal_);
+            });
+  }
+  connect(tool_, &PoseForm::pose_edited, this, [this](const geometric::Pose& X_LT) {
+    goal_.X_LT = X_LT;
+    emit goal_edited(goal_);
+  });
+}
+
+void GoalPoseForm::set_rotation(double tolerance) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!is_free(goal_, axis)) {
+      goal_.rotation_tolerance[axis] = tolerance;
+    }
+  }
+}
+
+void GoalPoseForm::list_links(const geometric::RobotModel& model) {
+  const QSignalBlocker quiet(link_);
+  link_->clear();
+  for (int link = 1; link < model.link_count(); ++link) {
+    if (!geometric::chain_variables(model, link).empty()) {
+      link_->addItem(QString::fromStdString(model.link(link).name));
+    }
+  }
+}
+
+void GoalPoseForm::show_goal(const geometric::RobotModel& model, const geometric::PoseGoal& goal) {
+  goal_ = goal;
+  list_links(model);
+  link_->setCurrentText(QString::fromStdString(goal.link));
+  position_->show_quantity(goal.position_tolerance.maxCoeff());
+  double rotation = geometric::PoseGoal().rotation_tolerance.maxCoeff();
+  bool any_kept = false;
+  for (int axis = 0; axis < 3; ++axis) {
+    const bool free = is_free(goal, axis);
+    free_.at(static_cast<std::size_t>(axis))->setChecked(free);
+    if (!free) {
+      rotation = any_kept ? std::max(rotation, goal.rotation_tolerance[axis])
+                          : goal.rotation_tolerance[axis];
+      any_kept = true;
+    }
+  }
+  rotation_->show_quantity(rotation);
+  rotation_->setEnabled(any_kept);
+  tool_->show_pose(goal.X_LT);
+}
+
+}  // namespace handway::gui

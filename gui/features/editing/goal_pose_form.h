@@ -1,0 +1,46 @@
+#pragma once
+
+#include "handway/geometric/robot/robot_model.h"
+#include "handway/geometric/scene/pose_goal.h"
+
+#include <QWidget>
+
+#include <array>
+
+class QCheckBox;
+class QComboBox;
+
+namespace handway::gui {
+
+class PoseForm;
+class QuantityField;
+
+/// Which link a goal pose is for, where the tool is in it, and how far the pose may be missed.
+class GoalPoseForm : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit GoalPoseForm(QWidget* parent = nullptr);
+
+  /// @param model of the robot that has the link.
+  void show_goal(const geometric::RobotModel& model, const geometric::PoseGoal& goal);
+
+ signals:
+  /// A person has changed it. Where the goal is stays as it was shown.
+  void goal_edited(const handway::geometric::PoseGoal& goal);
+
+ private:
+  void connect_fields();
+  /// Of the axes that are not free.
+  void set_rotation(double tolerance);
+  void list_links(const geometric::RobotModel& model);
+
+  geometric::PoseGoal goal_;
+  QComboBox* link_;
+  QuantityField* position_;
+  QuantityField* rotation_;
+  std::array<QCheckBox*, 3> free_;  ///< About x, y and z.
+  PoseForm* tool_;
+};
+
+}  // namespace handway::gui

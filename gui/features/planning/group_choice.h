@@ -1,0 +1,34 @@
+#pragma once
+
+#include "model/document/scene_editor.h"
+
+#include <QWidget>
+
+#include <string>
+
+class QMenu;
+class QToolButton;
+
+namespace handway::gui {
+
+/// Which joints move: all of the first robot, or some groups, robots and joints, chosen by an edit
+/// of the scene that can be undone.
+class GroupChoice : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// @param editor outlives it.
+  explicit GroupChoice(SceneEditor& editor, QWidget* parent = nullptr);
+
+ private:
+  void show_scene();
+  void fill_menu();
+  void add_choice(QMenu& menu, const std::string& name);
+  void toggle(const std::string& name, bool on);
+
+  SceneEditor& editor_;
+  QToolButton* button_;
+  QMenu* menu_;
+};
+
+}  // namespace handway::gui

@@ -1,0 +1,120 @@
+/// Goals as poses in the window: added, dragged, changed in numbers, planned to.
+#include "features/editing/editing_test.h"
+#include "features/editing/scene_tree.h"
+#include "model/document/scene_edits.h"
+#include "patience.h"
+#include "pressed_mouse.h"
+
+#include <QAction>
+#include <QCheckBox>
+#include <QTreeWidget>
+
+#include <numbers>
+
+namespace handway::test {
+namespace {
+
+using Kind = gui::SceneItem::Kind;
+
+class GoalPoses : public EditingTest {
+ protected:
+  void add() const {
+    window().document().set_configuration(Eigen::Vector4d(0.9, 0.8, 0, 0));
+    part<QAction>("add_goal_pose").trigger();
+  }
+  [[nodiscard]] const geometric::PoseGoal& goal() const { return scene().goal_poses.front(); }
+  /// Drags the pose along its y axis, by `lengths` of an arrow.
+  void pull(double lengths, bool let_go = true) const {
+    gui::SceneView& view = window().view();
+    QTest::qWait(50);
+    const gui::GizmoFrame frame = view.gizmo().frame(view.camera(), view.size());
+    const QPoint from = seen(frame.centre + 0.9 * frame.size * frame.axes.col(1));
+    const QPoint to = seen(frame.centre + (0.9 + lengths) * frame.size * frame.axes.col(1));
+    QTest::mousePress(&view, Qt::LeftButton, {}, from);
+    ASSERT_TRUE(view.gizmo().is_dragging());
+    move_pressed_mouse(view, 0.5 * (from + to));
+    move_pressed_mouse(view, to);
+    if (let_go) {
+      QTest::mouseRelease(&view, Qt::LeftButton, {}, to);
+    }
+  }
+};
+
+TEST_F(GoalPoses, AreAddedWhereThePalmIsAndDeleted) {
+  add();
+  ASSERT_EQ(scene().goal_poses.size(), 1U);
+  EXPECT_EQ(goal().link, "palm");
+  EXPECT_TRUE(goal().X_WG.isApprox(
+      *gui::link_pose(scene(), window().document().configuration(), "arm", "palm")));
+  EXPECT_EQ(editor().selection().kind, Kind::kGoalPose);
+  EXPECT_TRUE(window().view().gizmo().is_shown());
+  EXPECT_EQ(window()
+                .findChild<gui::SceneTree*>()
+                ->findItems(QStringLiteral("Goal pose of palm"), Qt::MatchRecursive)
+                .size(),
+            1);
+  keep_picture("goal_pose");
+  part<QAction>("delete").trigger();
+  EXPECT_TRUE(scene().goal_poses.empty());
+  editor().undo_stack().undo();
+  EXPECT_EQ(scene().goal_poses.size(), 1U);
+  editor().undo_stack().undo();
+  EXPECT_TRUE(scene().goal_poses.empty());
+  EXPECT_NE(editor().selection().kind, Kind::kGoalPose);
+}
+
+TEST_F(GoalPoses, AreChangedInNumbers) {
+  add();
+  type("position_x", "350 mm");
+  EXPECT_NEAR(goal().X_WG.translation().x(), 0.35, 1e-12);
+  type("goal_position_tolerance", "5 mm");
+  EXPECT_NEAR(goal().position_tolerance.minCoeff(), 0.005, 1e-12);
+  part<QCheckBox>("goal_free_z").click();
+  EXPECT_GE(goal().rotation_tolerance.z(), std::numbers::pi);
+  type("goal_rotation_tolerance", "3°");
+  EXPECT_NEAR(goal().rotation_tolerance.x(), geometric::radians(3), 1e-9);
+  EXPECT_GE(goal().rotation_tolerance.z(), std::numbers::pi) << "still free";
+  EXPECT_EQ(editor().undo_stack().undoText(), "Change goal pose");
+}
+
+TEST_F(GoalPoses, AreDraggedAndPlannedTo) {
+  add();
+  const double before = goal().X_WG.translation().y();
+  const geometric::Pose there = goal().X_WG;
+  pull(0.5);
+  EXPECT_GT(goal().X_WG.translation().y(), before + 0.005);
+  EXPECT_EQ(editor().undo_stack().undoText(), "Move goal pose");
+  editor().undo_stack().undo();
+  EXPECT_TRUE(goal().X_WG.isApprox(there));
+  plan();
+  const planning::Path& path = window().player().timeline().path();
+  ASSERT_FALSE(path.empty());
+  EXPECT_LT((gui::link_pose(scene(), path.waypoints.back(), "arm", "palm")->translation() -
+             there.translation())
+                .norm(),
+            1e-3);
+}
+
+TEST_F(GoalPoses, ComeBackOnEscape) {
+  add();
+  const geometric::Pose there = goal().X_WG;
+  pull(0.5, false);
+  QTest::keyClick(&window().view(), Qt::Key_Escape);
+  EXPECT_TRUE(goal().X_WG.isApprox(there));
+  EXPECT_EQ(editor().undo_stack().undoText(), "Add goal pose");
+}
+
+TEST_F(GoalPoses, StandBesideEachOther) {
+  add();
+  add();
+  EXPECT_EQ(scene().goal_poses.size(), 2U);
+  EXPECT_EQ(editor().selection().name, "1");
+  EXPECT_EQ(window()
+                .findChild<gui::SceneTree*>()
+                ->findItems(QStringLiteral("Goal pose 2 of palm"), Qt::MatchRecursive)
+                .size(),
+            1);
+}
+
+}  // namespace
+}  // namespace handway::test
