@@ -1,7 +1,13 @@
-/// From a recording to a plan with a basis of one's own, for hands of all kinds, with the mouse
-/// alone.
+/// From postures to a plan with a basis of one's own, for hands of all kinds, with the mouse alone
+/// but for the address of a glove.
 #include "features/glove/glove_panel.h"
 #include "features/glove/hand_bases.h"
+#include "handway/device/core/device_emulator.h"
+#include "handway/device/glove/hand_exploration.h"
+#include "handway/device/glove/human_hand.h"
+#include "handway/device/glove/landmark_glove.h"
+#include "handway/device/glove/landmark_line.h"
+#include "handway/geometric/math/units.h"
 #include "handway/planning/core/objective.h"
 #include "handway/sampling/postures/pmd_basis_io.h"
 #include "patience.h"
@@ -21,9 +27,14 @@
 #include <QTabWidget>
 #include <QTimer>
 
+#include <matio.h>
+
+#include <array>
 #include <fstream>
+#include <memory>
 #include <ostream>
 #include <string>
+#include <vector>
 
 namespace handway::test {
 namespace {
@@ -53,12 +64,88 @@ struct ReachingHand {
   const char* finger_joint;
 };
 
-void PrintTo(const ReachingHand& hand, std::ostream* out) { *out << hand.name; }
+/// Where the postures come from. All are of an emulated hand.
+enum class Postures {
+  kRecording,
+  kGlove,
+  kLandmarkStream,
+  kLandmarkFile,
+  kTable,
+  kMatlabFile,
+};
 
-class HandBasisStory : public WindowTest, public ::testing::WithParamInterface<ReachingHand> {
+struct BasisStory {
+  ReachingHand hand;
+  Postures postures;
+};
+
+std::string name_of(const BasisStory& story) {
+  constexpr std::array kNames{"recording",     "glove", "landmark_stream",
+                              "landmark_file", "table", "matlab_file"};
+  return std::string(story.hand.name) + '_' + kNames.at(static_cast<std::size_t>(story.postures));
+}
+
+void PrintTo(const BasisStory& story, std::ostream* out) { *out << name_of(story); }
+
+constexpr int kRows = 1200;
+constexpr double kRowRate = 20.0;  // Hz
+
+std::vector<device::GloveAngles> exploring_hand() {
+  device::HandExploration hand(1);
+  std::vector<device::GloveAngles> rows;
+  for (int row = 0; row < kRows; ++row) {
+    rows.push_back(hand.at(row / kRowRate));
+  }
+  return rows;
+}
+
+void write_landmark_file(const std::filesystem::path& file) {
+  std::ofstream out(file);
+  for (const device::GloveAngles& angles : exploring_hand()) {
+    out << device::write_landmark_line({angles.time, false, device::hand_landmarks(angles)})
+        << '\n';
+  }
+}
+
+/// Degrees without times, with a label behind each row, and the map that says so.
+void write_table(const std::filesystem::path& map) {
+  std::ofstream out(map.parent_path() / "postures.txt");
+  for (const device::GloveAngles& angles : exploring_hand()) {
+    for (const double angle : angles.angles) {
+      out << -angle / geometric::kDegree << ';';
+    }
+    out << "free\r";
+  }
+  std::ofstream columns(map);
+  columns << "table: postures.txt\nseparator: \";\"\nunit: deg\nsigns: negative\nrate: " << kRowRate
+          << "\ncolumns:\n";
+  for (std::size_t sensor = 0; sensor < device::kGloveSensors; ++sensor) {
+    columns << "  " << device::cyberglove_sensors()[sensor].name << ": " << sensor + 1 << '\n';
+  }
+}
+
+/// As Ninapro's: 22 columns of degrees called "angles".
+void write_matlab_file(const std::filesystem::path& file) {
+  std::vector<double> by_column;
+  const std::vector<device::GloveAngles> rows = exploring_hand();
+  for (std::size_t sensor = 0; sensor < device::kGloveSensors; ++sensor) {
+    for (const device::GloveAngles& angles : rows) {
+      by_column.push_back(angles.angles.at(sensor) / geometric::kDegree);
+    }
+  }
+  std::array<std::size_t, 2> size{rows.size(), device::kGloveSensors};
+  mat_t* opened = Mat_CreateVer(file.c_str(), nullptr, MAT_FT_MAT5);
+  matvar_t* matrix =
+      Mat_VarCreate("angles", MAT_C_DOUBLE, MAT_T_DOUBLE, 2, size.data(), by_column.data(), 0);
+  Mat_VarWrite(opened, matrix, MAT_COMPRESSION_ZLIB);
+  Mat_VarFree(matrix);
+  Mat_Close(opened);
+}
+
+class HandBasisStory : public WindowTest, public ::testing::WithParamInterface<BasisStory> {
  protected:
   [[nodiscard]] std::filesystem::path scene(const std::string& robots) const {
-    const ReachingHand& how = GetParam();
+    const ReachingHand& how = GetParam().hand;
     const std::filesystem::path file = folder() / "reach.yaml";
     std::ofstream(file) << "handway: 1\nrobots:\n  - {name: arm, model: " << robots << how.arm
                         << "}\n  - {name: hand, model: " << robots << how.hand
@@ -132,9 +219,61 @@ class HandBasisStory : public WindowTest, public ::testing::WithParamInterface<R
     QTest::qWait(150);
     const WatchedApplication::LooksAway taking_it_is_no_step_of_a_person;
     QDir().mkpath(QStringLiteral(HANDWAY_PICTURES));
-    EXPECT_TRUE(
-        window().grab().save(QStringLiteral(HANDWAY_PICTURES "/basis_%1_%2.png")
-                                 .arg(QLatin1String(GetParam().name), QLatin1String(step))));
+    EXPECT_TRUE(window().grab().save(
+        QStringLiteral(HANDWAY_PICTURES "/basis_%1_%2.png")
+            .arg(QString::fromStdString(name_of(GetParam())), QLatin1String(step))));
+  }
+
+  static void make_files() {
+    for (const auto& left : std::filesystem::directory_iterator(folder())) {
+      std::filesystem::remove(left.path());
+    }
+    std::filesystem::copy(source_dir() / "resources/recordings/free_hand.csv",
+                          folder() / "my_hand.csv",
+                          std::filesystem::copy_options::overwrite_existing);
+    write_landmark_file(folder() / "camera.jsonl");
+    write_table(folder() / "table_map.yaml");
+    write_matlab_file(folder() / "data_set.mat");
+  }
+  void open_file(const QString& file) const {
+    accept_file(file);
+    choose("explorer_source", QStringLiteral("A recording…"));
+  }
+  void connect_to(const QString& device) const {
+    constexpr Eigen::Index kEnough = 100;
+    auto& panel = *window().findChild<gui::GlovePanel*>();
+    panel.connect_to(device);  // as --glove does
+    const gui::CapturePages& capture = panel.capture();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return capture.postures().count() > kEnough; }, kPatienceMs))
+        << part<QLabel>("glove_error").text().toStdString();
+    click_middle(part<QPushButton>("glove_connect"));
+  }
+  void take_postures() const {
+    switch (GetParam().postures) {
+      case Postures::kRecording:
+        return open_file(QStringLiteral("my_hand.csv"));
+      case Postures::kGlove:
+        return connect_to(gui::GloveSession::emulator_name());
+      case Postures::kLandmarkStream:
+        return connect_to(camera());
+      case Postures::kLandmarkFile:
+        return open_file(QStringLiteral("camera.jsonl"));
+      case Postures::kTable:
+        return open_file(QStringLiteral("table_map.yaml"));
+      case Postures::kMatlabFile:
+        return open_file(QStringLiteral("data_set.mat"));
+    }
+  }
+  /// The address of an emulated camera.
+  static QString camera() {
+    static const device::DeviceEmulator kCamera = [] {
+      device::DeviceEmulatorSettings settings;
+      settings.tcp_port = 0;
+      const auto hand = std::make_shared<device::HandExploration>(2);
+      return device::DeviceEmulator(
+          settings, device::make_landmark_unit({}, [hand](double time) { return hand->at(time); }));
+    }();
+    return QStringLiteral("landmarks://") + QString::fromStdString(kCamera.address());
   }
 
   /// The same for all, as file dialogs go on where the last one ended.
@@ -144,24 +283,22 @@ class HandBasisStory : public WindowTest, public ::testing::WithParamInterface<R
   }
 };
 
-TEST_P(HandBasisStory, MakesABasisOfARecordingAndPlansWithIt) {
+TEST_P(HandBasisStory, MakesABasisOfPosturesAndPlansWithIt) {
   std::string robots;
-  if (GetParam().is_reference) {
+  if (GetParam().hand.is_reference) {
     HANDWAY_NEED_REFERENCE(reference);
     robots = (reference / "robots").string() + '/';
   }
   const CurrentFolder dialogs_begin_in(folder());
-  std::filesystem::copy(source_dir() / "resources/recordings/free_hand.csv",
-                        folder() / "my_hand.csv",
-                        std::filesystem::copy_options::overwrite_existing);
+  make_files();
   open(scene(robots));
   ASSERT_EQ(window().message(), QString());
   ASSERT_FALSE(window().document().loaded().basis);
   picture("1_opened");
 
   show_page(QStringLiteral("Explore"));
-  accept_file(QStringLiteral("my_hand.csv"));
-  choose("explorer_source", QStringLiteral("A recording…"));
+  take_postures();
+  ASSERT_FALSE(::testing::Test::HasFatalFailure());
   ASSERT_TRUE(
       QTest::qWaitFor([&] { return part<QPushButton>("basis_use").isEnabled(); }, kPatienceMs))
       << part<QLabel>("glove_error").text().toStdString();
@@ -171,7 +308,7 @@ TEST_P(HandBasisStory, MakesABasisOfARecordingAndPlansWithIt) {
   click_middle(part<QPushButton>("basis_use"));
   const auto basis = window().document().loaded().basis;
   ASSERT_TRUE(basis);
-  EXPECT_THAT(basis->joints, ::testing::Contains(GetParam().finger_joint));
+  EXPECT_THAT(basis->joints, ::testing::Contains(GetParam().hand.finger_joint));
   EXPECT_EQ(basis->directions.size(), 4U);
   const std::filesystem::path file = window().document().scene()->hand_basis;
   EXPECT_THAT(file.string(), ::testing::EndsWith("_basis.yaml"));
@@ -200,19 +337,31 @@ constexpr const char* kAlongX = "link: ee_link, pose: {xyz: [0.1, 0, 0], rpy_deg
 constexpr const char* kDown = "joint_2: 0.7, joint_4: -1.57, joint_6: -0.7";
 constexpr const char* kReferenceDown = "A2: 0.7, A4: -1.57, A6: -0.7";
 
-INSTANTIATE_TEST_SUITE_P(
-    Hands, HandBasisStory,
-    ::testing::Values(ReachingHand{"allegro", false, "iiwa14_class", "allegro_class_right",
-                                   kOnFlange, kDown, "index_proximal"},
-                      ReachingHand{"shadow", false, "iiwa14_class", "shadow_class_right", kOnFlange,
-                                   kDown, "little_medial"},
-                      ReachingHand{"allegro_reference", true, "iiwa14/iiwa14.urdf",
-                                   "allegro_hand/allegro_hand_right.urdf", kAlongX, kReferenceDown,
-                                   "joint_1.0"},
-                      ReachingHand{"shadow_reference", true, "iiwa14/iiwa14.urdf",
-                                   "shadow_hand/shadow_hand_right.urdf", kAlongX, kReferenceDown,
-                                   "FFJ3"}),
-    [](const auto& made) { return std::string(made.param.name); });
+const std::array kShipped{ReachingHand{"allegro", false, "iiwa14_class", "allegro_class_right",
+                                       kOnFlange, kDown, "index_proximal"},
+                          ReachingHand{"shadow", false, "iiwa14_class", "shadow_class_right",
+                                       kOnFlange, kDown, "little_medial"}};
+const std::array kOfReference{
+    ReachingHand{"allegro_reference", true, "iiwa14/iiwa14.urdf",
+                 "allegro_hand/allegro_hand_right.urdf", kAlongX, kReferenceDown, "joint_1.0"},
+    ReachingHand{"shadow_reference", true, "iiwa14/iiwa14.urdf",
+                 "shadow_hand/shadow_hand_right.urdf", kAlongX, kReferenceDown, "FFJ3"}};
+
+std::vector<BasisStory> stories() {
+  std::vector<BasisStory> all;
+  for (const ReachingHand& hand : kShipped) {
+    for (int postures = 0; postures <= static_cast<int>(Postures::kMatlabFile); ++postures) {
+      all.push_back({hand, static_cast<Postures>(postures)});
+    }
+  }
+  for (const ReachingHand& hand : kOfReference) {
+    all.push_back({hand, Postures::kRecording});
+  }
+  return all;
+}
+
+INSTANTIATE_TEST_SUITE_P(Hands, HandBasisStory, ::testing::ValuesIn(stories()),
+                         [](const auto& made) { return name_of(made.param); });
 
 }  // namespace
 }  // namespace handway::test
