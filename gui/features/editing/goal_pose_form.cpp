@@ -43,6 +43,7 @@ GoalPoseForm::GoalPoseForm(QWidget* parent)
   link_->setToolTip(tr("The link that the goal is for"));
   link_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   auto* free = new QHBoxLayout;
+  free->setSpacing(14);
   for (std::size_t axis = 0; axis < free_.size(); ++axis) {
     const QString name(QChar::fromLatin1("xyz"[axis]));
     free_[axis] = new QCheckBox(name);

@@ -5,7 +5,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
-#include <QToolButton>
+#include <QPushButton>
 
 #include <algorithm>
 #include <vector>
@@ -13,12 +13,10 @@
 namespace handway::gui {
 
 GroupChoice::GroupChoice(SceneEditor& editor, QWidget* parent)
-    : QWidget(parent), editor_(editor), button_(new QToolButton), menu_(new QMenu(this)) {
+    : QWidget(parent), editor_(editor), button_(new QPushButton), menu_(new QMenu(this)) {
   button_->setObjectName(QStringLiteral("moving_group"));
   button_->setAccessibleName(tr("What moves"));
   button_->setMenu(menu_);
-  button_->setPopupMode(QToolButton::InstantPopup);
-  button_->setToolButtonStyle(Qt::ToolButtonTextOnly);
   button_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);

@@ -7,7 +7,7 @@
 #include <string>
 
 class QMenu;
-class QToolButton;
+class QPushButton;
 
 namespace handway::gui {
 
@@ -27,7 +27,7 @@ class GroupChoice : public QWidget {
   void toggle(const std::string& name, bool on);
 
   SceneEditor& editor_;
-  QToolButton* button_;
+  QPushButton* button_;
   QMenu* menu_;
 };
 

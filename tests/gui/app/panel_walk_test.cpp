@@ -196,9 +196,6 @@ void PanelWalk::walk_properties() {
   look(QStringLiteral("robot"));
   window_->editor().select({Kind::kGoal, "", ""});
   look(QStringLiteral("goal"));
-  part<QAction>("add_goal_pose").trigger();
-  look(QStringLiteral("goal_pose"));
-  part<QAction>("delete").trigger();
   part<QTabWidget>("control_tabs").setCurrentIndex(0);
 }
 
@@ -233,7 +230,7 @@ void PanelWalk::walk_cards() {
   walk_goals();
 }
 
-// One that is free, and one in the table.
+// One that is free, one in the table, and a pose.
 void PanelWalk::walk_goals() {
   const auto goal = window_->document().scene()->goal;
   window_->editor().set_goal(window_->document().robot()->model->neutral());
@@ -247,6 +244,8 @@ void PanelWalk::walk_goals() {
   window_->editor().undo_stack().undo();
   window_->editor().undo_stack().undo();
   ASSERT_EQ(window_->document().scene()->goal, goal);
+  part<QAction>("add_goal_pose").trigger();
+  look(QStringLiteral("goal_pose"));
 }
 
 void PanelWalk::walk_menus() {

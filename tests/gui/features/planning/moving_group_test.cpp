@@ -6,14 +6,14 @@
 
 #include <QAction>
 #include <QMenu>
-#include <QToolButton>
+#include <QPushButton>
 
 namespace handway::test {
 namespace {
 
 class MovingGroup : public EditingTest {
  protected:
-  [[nodiscard]] QToolButton& button() const { return part<QToolButton>("moving_group"); }
+  [[nodiscard]] QPushButton& button() const { return part<QPushButton>("moving_group"); }
   void choose(const char* name) const {
     emit button().menu()->aboutToShow();
     for (QMenu* menu : {button().menu(), button().menu()->findChild<QMenu*>()}) {

@@ -1,11 +1,11 @@
 /// Where the window is, kept between runs.
 #include "widgets/panels/dock_layout.h"
 
-#include <gtest/gtest.h>
-
 #include <QMainWindow>
 #include <QScreen>
 #include <QSettings>
+
+#include <gtest/gtest.h>
 
 namespace handway::test {
 namespace {
