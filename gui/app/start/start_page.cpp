@@ -54,8 +54,9 @@ std::vector<ShippedScene> shipped_scenes() {
 
 namespace {
 
-constexpr int kColumns = 3;
+constexpr int kMostColumns = 3;
 constexpr int kGap = 16;
+constexpr int kMargin = 24;
 constexpr int kMostRecent = 3;
 
 QLabel* make_label(const QString& text, const char* role) {
@@ -85,7 +86,8 @@ StartPage::StartPage(QWidget* parent) : QScrollArea(parent) {
 void StartPage::refresh() {
   auto* page = new QWidget;
   auto* column = new QWidget;
-  column->setFixedWidth(kColumns * PictureCard::kWidth + (kColumns - 1) * kGap);
+  const int width = columns_ * PictureCard::kWidth + (columns_ - 1) * kGap;
+  column->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Preferred);
   auto* layout = new QVBoxLayout(column);
   layout->setContentsMargins(0, 28, 0, 28);
   layout->setSpacing(8);
@@ -94,17 +96,29 @@ void StartPage::refresh() {
       make_label(tr("Open a scene, plan a motion of hand and arm, watch it. Or drop a file here."),
                  "subtitle");
   words->setWordWrap(true);
+  words->setMaximumWidth(width);
   layout->addWidget(words);
   add_scenes(*layout);
   add_robots(*layout);
   add_recent(*layout);
   layout->addStretch(1);
   auto* across = new QHBoxLayout(page);
-  across->setContentsMargins(24, 0, 24, 0);
+  across->setContentsMargins(kMargin, 0, kMargin, 0);
   across->addStretch(1);
   across->addWidget(column);
   across->addStretch(1);
   setWidget(page);
+}
+
+// As many pictures beside each other as there is room for.
+void StartPage::resizeEvent(QResizeEvent* event) {
+  QScrollArea::resizeEvent(event);
+  const int room = viewport()->width() - 2 * kMargin + kGap;
+  const int columns = std::clamp(room / (PictureCard::kWidth + kGap), 1, kMostColumns);
+  if (columns != columns_) {
+    columns_ = columns;
+    refresh();
+  }
 }
 
 void StartPage::add_scenes(QVBoxLayout& layout) {
@@ -120,7 +134,7 @@ void StartPage::add_scenes(QVBoxLayout& layout) {
     card->setToolTip(QStringLiteral("<b>%1</b><br>%2")
                          .arg(scene.title.toHtmlEscaped(), scene.description.toHtmlEscaped()));
     connect(card, &QAbstractButton::clicked, this, [this, file] { emit open_requested(file); });
-    grid->addWidget(card, index / kColumns, index % kColumns, Qt::AlignLeft);
+    grid->addWidget(card, index / columns_, index % columns_, Qt::AlignLeft);
     ++index;
   }
   layout.addLayout(grid);
@@ -136,7 +150,7 @@ void StartPage::add_robots(QVBoxLayout& layout) {
     auto* card = new PictureCard(QString::fromStdString(robot), robot_picture(robot));
     card->setObjectName(QStringLiteral("new ") + QString::fromStdString(robot));
     connect(card, &QAbstractButton::clicked, this, [this, robot] { emit new_requested(robot); });
-    grid->addWidget(card, index / kColumns, index % kColumns, Qt::AlignLeft);
+    grid->addWidget(card, index / columns_, index % columns_, Qt::AlignLeft);
     ++index;
   }
   layout.addLayout(grid);

@@ -39,10 +39,15 @@ class StartPage : public QScrollArea {
   /// To choose an arm and a hand from pictures.
   void choice_requested();
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   void add_scenes(QVBoxLayout& layout);
   void add_robots(QVBoxLayout& layout);
   void add_recent(QVBoxLayout& layout);
+
+  int columns_ = 1;  ///< Of pictures.
 };
 
 }  // namespace handway::gui

@@ -8,7 +8,12 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QRegularExpression>
+#include <QScrollBar>
 #include <QSignalSpy>
+
+#include <algorithm>
+#include <utility>
 
 namespace handway::test {
 namespace {
@@ -41,6 +46,18 @@ TEST_F(StartingTheWindow, OpensAShippedSceneFromItsPicture) {
   wait_for_scene();
   EXPECT_EQ(window().document().scene()->name, "Can on a table");
   EXPECT_FALSE(part<QWidget>("start_page").isVisible());
+}
+
+TEST_F(StartingTheWindow, ShowsAsManyPicturesBesideEachOtherAsThereIsRoomFor) {
+  gui::StartPage page;
+  page.show();
+  for (const auto& [width, columns] : {std::pair(320, 1), {580, 2}, {1200, 3}, {580, 2}}) {
+    page.resize(width, 600);
+    QTest::qWait(50);
+    EXPECT_EQ(page.horizontalScrollBar()->maximum(), 0) << width;
+    const auto cards = page.findChildren<QAbstractButton*>(QRegularExpression("^open "));
+    EXPECT_EQ(std::ranges::count(cards, cards.front()->y(), &QWidget::y), columns) << width;
+  }
 }
 
 TEST_F(StartingTheWindow, BeginsANewSceneWithARobotOfTheLibrary) {
