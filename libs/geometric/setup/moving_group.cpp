@@ -24,8 +24,7 @@ std::vector<int> all_variables(const RobotModel& model) {
 
 void sort_once(std::vector<int>& variables) {
   std::ranges::sort(variables);
-  const auto again = std::ranges::unique(variables);
-  variables.erase(again.begin(), again.end());
+  variables.erase(std::unique(variables.begin(), variables.end()), variables.end());
 }
 
 // Those of a group or joint by its name in the whole robot.
