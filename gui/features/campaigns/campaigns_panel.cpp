@@ -7,11 +7,9 @@
 #include "widgets/panels/dock_layout.h"
 #include "widgets/panels/run_table.h"
 #include "widgets/plots/statistics_plots.h"
-#include "widgets/style/theme.h"
 
 #include <QComboBox>
 #include <QCoreApplication>
-#include <QEvent>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
@@ -212,28 +210,12 @@ CampaignsPanel::CampaignsPanel(std::shared_ptr<const planning::PluginManager> pl
   problems_->setVisible(false);
   redraw_.setSingleShot(true);
   redraw_.setInterval(kRedrawInterval);
-  take_theme();
   connect(&redraw_, &QTimer::timeout, this, &CampaignsPanel::draw);
   connect(problems_, qOverload<int>(&QComboBox::currentIndexChanged), this,
           &CampaignsPanel::show_problem);
   connect(&runner_, &CampaignRunner::began, this, &CampaignsPanel::begin);
   connect(&runner_, &CampaignRunner::found, this, &CampaignsPanel::take);
   connect(&runner_, &CampaignRunner::ended, this, &CampaignsPanel::end);
-}
-
-void CampaignsPanel::take_theme() {
-  const ThemeColors colors = colors_of(current_theme());
-  plot_->set_colors(
-      {colors.surface, colors.text, colors.border},
-      [paper = colors.surface](const QColor& color) { return seen_on(paper, color); });
-}
-
-void CampaignsPanel::changeEvent(QEvent* event) {
-  QWidget::changeEvent(event);
-  if (event->type() == QEvent::PaletteChange) {
-    take_theme();
-    draw();
-  }
 }
 
 QWidget* CampaignsPanel::make_actions() {

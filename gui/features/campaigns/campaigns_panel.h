@@ -82,11 +82,7 @@ class CampaignsPanel : public QWidget {
  signals:
   void run_chosen(const planning::ArchivedRun& run);
 
- protected:
-  void changeEvent(QEvent* event) override;
-
  private:
-  void take_theme();
   QWidget* make_actions();
   void choose_file();
   void begin(const QString& name, int all);
