@@ -112,7 +112,7 @@ void GoalPoseTool::show_solution() {
         workbench_.view.set_overlay(
             Overlay::kGoalPoses, make_goal_poses_node(*prepared->scene, reached_poses(*prepared)));
       };
-    } catch (const geometric::InputError&) {  // who plans is told what is wrong
+    } catch (const geometric::InputError&) {  // planning says what is wrong
       return nullptr;
     }
   });

@@ -57,7 +57,7 @@ JointGroups moving_groups(const geometric::Scene& scene, const sampling::PmdBasi
   }
   try {
     groups.hand = planning::hand_variables(scene, basis);
-  } catch (const geometric::InputError&) {  // of another hand: who plans is told
+  } catch (const geometric::InputError&) {  // of another hand: planning says so
   }
   const std::vector<int> moving = geometric::moving_variables(scene);
   std::erase_if(groups.hand, [&](int v) { return !contains(moving, v); });

@@ -73,7 +73,7 @@ class SceneEditor : public QObject {
   void set_constraint(const geometric::PathConstraint& constraint);
   void remove_constraint(const std::string& name);
 
-  /// Is told how an edit of robots went: what was in its way, or nothing.
+  /// Called when an edit of robots has ended, with what prevented it, or nothing.
   using Outcome = std::function<void(const QString& problem)>;
   /// Edits of robots make their model in the background: the scene shows them once that is there.
   [[nodiscard]] bool is_composing() const { return composing_.is_busy(); }
