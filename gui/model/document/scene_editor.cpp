@@ -567,10 +567,15 @@ void SceneEditor::change_goal_pose(const geometric::PoseGoal& goal) {
 }
 
 void SceneEditor::set_group(const std::vector<std::string>& group) {
-  const QString text = tr("Choose what moves");
   if (group == state().scene->group) {
     return;
   }
+  QStringList names;
+  for (const std::string& name : group) {
+    names << words(name);
+  }
+  const QString text =
+      tr("Let %1 move").arg(names.isEmpty() ? tr("all joints") : names.join(QStringLiteral(", ")));
   if (joins_robots(*state().scene, group)) {
     compose(
         text,
