@@ -31,16 +31,16 @@ TEST(TriangleContact, IsNotSureOfWhatIsApart) {
 }
 
 TEST(TriangleContact, APlaneKeepsApartWhatIsBeyondTheTolerance) {
-  EXPECT_TRUE(plane_keeps_apart(kFlat, upright(0.2, 0.2, 0.1), 0.09));
-  EXPECT_FALSE(plane_keeps_apart(kFlat, upright(0.2, 0.2, 0.1), 0.11));
-  EXPECT_FALSE(plane_keeps_apart(kFlat, upright(0.2, 0.2, -0.5), 0.0));
+  EXPECT_TRUE(TrianglePlane(kFlat).is_beside(upright(0.2, 0.2, 0.1), 0.09));
+  EXPECT_FALSE(TrianglePlane(kFlat).is_beside(upright(0.2, 0.2, 0.1), 0.11));
+  EXPECT_FALSE(TrianglePlane(kFlat).is_beside(upright(0.2, 0.2, -0.5), 0.0));
 }
 
 TEST(TriangleContact, TrianglesWithoutAreaDecideNothing) {
   const TriangleCorners point{Eigen::Vector3d(0.2, 0.2, 0), Eigen::Vector3d(0.2, 0.2, 0),
                               Eigen::Vector3d(0.2, 0.2, 0)};
   EXPECT_FALSE(surely_cross(kFlat, point));
-  EXPECT_FALSE(plane_keeps_apart(point, point, 0.0));
+  EXPECT_FALSE(TrianglePlane(point).is_beside(point, 0.0));
 }
 
 }  // namespace

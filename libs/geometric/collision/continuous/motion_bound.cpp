@@ -30,7 +30,16 @@ struct Carried {
   int link;
   std::vector<Eigen::Vector3d> points = {};
   bool is_direction = false;
+  double farthest = 0.0;  // m, of the points from the link's origin
 };
+
+double farthest_from_origin(const std::vector<Eigen::Vector3d>& points) {
+  double farthest = 0.0;
+  for (const Eigen::Vector3d& p : points) {
+    farthest = std::max(farthest, p.norm());
+  }
+  return farthest;
+}
 
 Carried carried(const CollisionBody& body) {
   Carried points{body.link};
@@ -38,11 +47,15 @@ Carried carried(const CollisionBody& body) {
   for (const Eigen::Vector3d& vertex : body.mesh->vertices) {
     points.points.emplace_back(body.X_FB * vertex);
   }
+  points.farthest = farthest_from_origin(points.points);
   return points;
 }
 
 Carried carried(const LinkConstraint& constraint) {
-  return {constraint.link(), {constraint.held()}, constraint.is_orientation()};
+  return {constraint.link(),
+          {constraint.held()},
+          constraint.is_orientation(),
+          constraint.held().norm()};
 }
 
 // The farthest that a point can be from the axis of the joint of `link`, an ancestor of the points'
@@ -53,8 +66,12 @@ double reach(const RobotModel& model, const Carried& carried, int link) {
   }
   const Eigen::Vector3d& axis = model.joint(link).axis;
   double radius = 0.0;
-  for (const Eigen::Vector3d& p : carried.points) {
-    radius = std::max(radius, carried.link == link ? distance_from_axis(p, axis) : p.norm());
+  if (carried.link == link) {
+    for (const Eigen::Vector3d& p : carried.points) {
+      radius = std::max(radius, distance_from_axis(p, axis));
+    }
+  } else {
+    radius = carried.farthest;
   }
   for (int at = carried.link; at != link; at = model.parent(at)) {
     const Eigen::Vector3d& offset = model.joint(at).X_PJ.translation();

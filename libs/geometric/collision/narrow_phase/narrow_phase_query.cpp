@@ -202,9 +202,10 @@ bool NarrowPhaseQuery::field_keeps_apart(const TriangleCorners& s) const {
 }
 
 void NarrowPhaseQuery::compare_triangle(const TriangleCorners& s) {
+  const TrianglePlane plane(s);
   for (const std::uint32_t other : near_) {
     const TriangleCorners t = corners(*b_.mesh, other);
-    if (!plane_keeps_apart(s, t, reach_)) {
+    if (!plane.is_beside(t, reach_) && !TrianglePlane(t).is_beside(s, reach_)) {
       // Looking for a touch, most that planes leave cross; else hardly any does.
       const bool touch = ends_at_ > 0.0 && surely_cross(s, t);
       found(touch ? 0.0 : triangle_distance(s, t));

@@ -10,15 +10,6 @@
 namespace handway::geometric {
 namespace {
 
-bool one_side(const TriangleCorners& of_plane, const TriangleCorners& other, double tolerance) {
-  const Eigen::Vector3d normal = (of_plane[1] - of_plane[0]).cross(of_plane[2] - of_plane[0]);
-  const double enough = tolerance * normal.norm();
-  const double a = normal.dot(other[0] - of_plane[0]);
-  const double b = normal.dot(other[1] - of_plane[0]);
-  const double c = normal.dot(other[2] - of_plane[0]);
-  return std::min({a, b, c}) > enough || std::max({a, b, c}) < -enough;
-}
-
 // Does the segment from p to q go through the triangle?
 bool pierces(const Eigen::Vector3d& p, const Eigen::Vector3d& q, const TriangleCorners& t) {
   const Eigen::Vector3d along = q - p;
@@ -45,8 +36,17 @@ bool pierces(const Eigen::Vector3d& p, const Eigen::Vector3d& q, const TriangleC
 
 }  // namespace
 
-bool plane_keeps_apart(const TriangleCorners& s, const TriangleCorners& t, double tolerance) {
-  return one_side(s, t, tolerance) || one_side(t, s, tolerance);
+TrianglePlane::TrianglePlane(const TriangleCorners& triangle)
+    : corner_(triangle[0]),
+      normal_((triangle[1] - triangle[0]).cross(triangle[2] - triangle[0])),
+      length_(normal_.norm()) {}
+
+bool TrianglePlane::is_beside(const TriangleCorners& other, double tolerance) const {
+  const double enough = tolerance * length_;
+  const double a = normal_.dot(other[0] - corner_);
+  const double b = normal_.dot(other[1] - corner_);
+  const double c = normal_.dot(other[2] - corner_);
+  return std::min({a, b, c}) > enough || std::max({a, b, c}) < -enough;
 }
 
 bool surely_cross(const TriangleCorners& s, const TriangleCorners& t) {

@@ -19,10 +19,20 @@ using TriangleCorners = std::array<Eigen::Vector3d, 3>;
 /// so that roundings can't hide a touch.
 inline constexpr double kTouch = 1e-9;
 
-/// Does the plane of one triangle keep the other at least `tolerance` (m) away?
-/// Says no where it can't tell.
-[[nodiscard]] bool plane_keeps_apart(const TriangleCorners& s, const TriangleCorners& t,
-                                     double tolerance);
+/// The plane of a triangle, made once for all triangles that are compared with it.
+class TrianglePlane {
+ public:
+  explicit TrianglePlane(const TriangleCorners& triangle);
+
+  /// Is all of the other triangle more than `tolerance` (m) away, on one side? Says no where it
+  /// can't tell.
+  [[nodiscard]] bool is_beside(const TriangleCorners& other, double tolerance) const;
+
+ private:
+  Eigen::Vector3d corner_;
+  Eigen::Vector3d normal_;  ///< Not of unit length.
+  double length_;           ///< Of the normal.
+};
 
 /// Does an edge of one go through the other, at least kTouch from its borders?
 /// Then they collide however that is counted.
