@@ -10,7 +10,6 @@
 
 #include <QApplication>
 #include <QSettings>
-#include <QSurfaceFormat>
 
 #include <cstdio>
 #include <cstdlib>
@@ -78,11 +77,6 @@ int main(int argc, char** argv) {
   }
   QCoreApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
   QCoreApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
-  QSurfaceFormat format;
-  format.setSamples(4);
-  format.setDepthBufferSize(24);
-  format.setStencilBufferSize(8);
-  QSurfaceFormat::setDefaultFormat(format);
   QApplication application(argc, argv);
   QApplication::setOrganizationName(QStringLiteral("handway"));
   QApplication::setApplicationName(QStringLiteral("handway-workbench"));

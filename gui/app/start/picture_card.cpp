@@ -30,9 +30,9 @@ int PictureCard::picture_height() const { return qRound(width_ / kShape); }
 
 QSize PictureCard::sizeHint() const { return {width_, picture_height() + scaled(kNameHeight)}; }
 
-// Pictures are kept while they are seen.
+// Pictures are kept while they are seen: QPixmap::load() would leave them in Qt's cache.
 void PictureCard::showEvent(QShowEvent* event) {
-  picture_.load(file_);
+  picture_ = QPixmap::fromImage(QImage(file_));
   QAbstractButton::showEvent(event);
 }
 
