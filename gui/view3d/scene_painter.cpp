@@ -308,22 +308,20 @@ void ScenePainter::paint_marks(const PictureFrame& frame) {
   glPopAttrib();
 }
 
+// Fine pictures are rare, and what they are painted on is several times as large as they are.
 void ScenePainter::paint_finely(const PictureFrame& frame, unsigned target) {
-  if (!smooth_ || smooth_->size() != frame.pixels || smooth_samples_ != frame.samples) {
-    smooth_samples_ = frame.samples;
-    QOpenGLFramebufferObjectFormat format;
-    format.setSamples(frame.samples);
-    format.setAttachment(QOpenGLFramebufferObject::CombinedDepthStencil);
-    smooth_ = std::make_unique<QOpenGLFramebufferObject>(frame.pixels, format);
-  }
-  const bool smooth = smooth_->bind();
-  if (!smooth) {
+  QOpenGLFramebufferObjectFormat format;
+  format.setSamples(frame.samples);
+  format.setAttachment(QOpenGLFramebufferObject::CombinedDepthStencil);
+  QOpenGLFramebufferObject smooth(frame.pixels, format);
+  const bool is_smooth = smooth.bind();
+  if (!is_smooth) {
     bind_frame(target);
   }
   paint_all(frame);
-  if (smooth) {
+  if (is_smooth) {
     bind_frame(target);
-    QOpenGLFramebufferObject::blitFramebuffer(nullptr, smooth_.get());
+    QOpenGLFramebufferObject::blitFramebuffer(nullptr, &smooth);
     bind_frame(target);
   }
 }

@@ -13,7 +13,6 @@
 #include <memory>
 #include <optional>
 
-class QOpenGLFramebufferObject;
 class QOpenGLShaderProgram;
 class SoGLRenderAction;
 class SoNode;
@@ -106,9 +105,7 @@ class ScenePainter {
 
   SceneGraph& graph_;
   std::unique_ptr<SoGLRenderAction> action_;
-  std::unique_ptr<QOpenGLFramebufferObject> smooth_;  ///< What fine pictures are painted on,
-  int smooth_samples_ = 0;                            ///< with so many samples a pixel.
-  std::unique_ptr<QOpenGLShaderProgram> program_;     ///< Null: layers can't be had.
+  std::unique_ptr<QOpenGLShaderProgram> program_;  ///< Null: layers can't be had.
   PictureLayer still_;
   struct Veil {
     PictureLayer picture;
