@@ -8,7 +8,7 @@
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/resources.h"
 #include "interruptible.h"
-#include "plugin_manager.h"
+#include "planner_model.h"
 #include "robot_connection.h"
 #include "scene_model.h"
 

@@ -1,13 +1,12 @@
 #include "bindings.h"
 #include "handway/geometric/formats/robot_loader.h"
 #include "handway/geometric/formats/scene_reader.h"
-#include "handway/geometric/formats/scene_writer.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/resources.h"
 #include "handway/geometric/setup/mounting.h"
 #include "handway/geometric/setup/moving_group.h"
-#include "plugin_manager.h"
-#include "scene_kinematics.h"
+#include "planner_model.h"
+#include "scene_questions.h"
 
 #include <pybind11/stl.h>
 

@@ -1,5 +1,5 @@
 #include "bindings.h"
-#include "scene_kinematics.h"
+#include "scene_questions.h"
 
 PYBIND11_MODULE(_core, module) {
   module.attr("__version__") = HANDWAY_VERSION;

@@ -4,7 +4,7 @@
 #include "handway/planning/grasps/pregrasp_search.h"
 #include "handway/planning/timing/time_path.h"
 #include "handway/sampling/postures/principal_components.h"
-#include "plugin_manager.h"
+#include "planner_model.h"
 #include "scene_model.h"
 
 #include <pybind11/stl.h>

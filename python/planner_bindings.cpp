@@ -3,8 +3,7 @@
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/math/units.h"
 #include "planner_model.h"
-#include "plugin_manager.h"
-#include "scene_kinematics.h"
+#include "scene_questions.h"
 
 #include <pybind11/stl.h>
 

@@ -1,8 +1,8 @@
 #include "planner_model.h"
 
 #include "interruptible.h"
-#include "plugin_manager.h"
 
+#include <functional>
 #include <stdexcept>
 #include <type_traits>
 #include <utility>
@@ -10,6 +10,16 @@
 namespace py = pybind11;
 
 namespace handway::python {
+
+const planning::PluginManager& plugin_manager() {
+  static const planning::PluginManager& loaded = [] {
+    auto* made = new planning::PluginManager;
+    made->load_plugins(planning::plugin_directory());
+    return std::ref(*made);
+  }();
+  return loaded;
+}
+
 namespace {
 
 using planning::Parameter;

@@ -1,18 +1,35 @@
 #pragma once
 
+#include "handway/planning/core/plan_result.h"
+#include "handway/planning/extensions/plugin.h"
 #include "handway/planning/planners/planner.h"
-#include "plan_outcome.h"
 #include "scene_model.h"
 
 #include <pybind11/pybind11.h>
 
 #include <atomic>
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace handway::python {
+
+/// The planners and file formats of this process: built-in ones and those of the plugins,
+/// from $HANDWAY_PLUGIN_DIR, or handway-plugins beside the libraries. Loaded when first asked
+/// for; kept to the end, because Python may hold their objects until then.
+[[nodiscard]] const planning::PluginManager& plugin_manager();
+
+/// What planning gave, with what it was asked.
+struct PlanOutcome {
+  planning::PlanResult result;
+  std::string planner;
+  std::uint64_t seed = 1;
+  std::optional<std::size_t> goal_pose;  ///< Where the path ends, of goals as poses.
+  int variables = 0;                     ///< Of the robot: the width of the path.
+};
 
 /// A planner as Python sees it: for one run at a time, its parameters by key.
 class PlannerModel {

@@ -1,7 +1,7 @@
 #include "arrays.h"
 #include "bindings.h"
 #include "handway/planning/paths/path_check.h"
-#include "plan_outcome.h"
+#include "planner_model.h"
 
 #include <pybind11/stl.h>
 

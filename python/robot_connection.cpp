@@ -1,7 +1,7 @@
 #include "robot_connection.h"
 
 #include "handway/device/core/device_error.h"
-#include "handway/execution/motion/motion_parts.h"
+#include "handway/execution/motion/motion_target.h"
 
 #include <chrono>
 #include <utility>

@@ -4,7 +4,6 @@
 #include "handway/planning/paths/path_check.h"
 #include "handway/planning/paths/path_csv.h"
 #include "planner_model.h"
-#include "scene_kinematics.h"
 #include "scene_questions.h"
 
 #include <pybind11/stl.h>

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "collision_bench.h"
 #include "plan_bench.h"
 
 #include <cstddef>

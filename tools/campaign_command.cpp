@@ -1,12 +1,12 @@
 #include "campaign_command.h"
 
 #include "campaign_report.h"
-#include "exit_codes.h"
+#include "commands.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/planning/campaigns/campaign.h"
 #include "handway/planning/campaigns/run_database.h"
 #include "handway/planning/campaigns/run_workers.h"
-#include "interrupt.h"
+#include "terminal_table.h"
 #include "version.h"
 
 #include <fmt/format.h>

@@ -1,5 +1,4 @@
 #include "commands.h"
-#include "exit_codes.h"
 #include "handway/geometric/math/units.h"
 #include "handway/planning/extensions/plugin.h"
 #include "handway/planning/paths/path_check.h"

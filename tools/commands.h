@@ -6,6 +6,15 @@ class App;
 
 namespace handway::tools {
 
+// What the command line's exit codes mean (docs/command-line.md).
+
+inline constexpr int kDone = 0;
+inline constexpr int kNoPath = 1;  ///< No path within the limits, or a path not valid.
+inline constexpr int kWrongUsage = 2;
+inline constexpr int kInvalidInput = 3;
+inline constexpr int kInvalidQuery = 4;   ///< Start or goal in collision or out of limits.
+inline constexpr int kMotionStopped = 5;  ///< A robot's motion did not come to its end.
+
 /// Adds `handway arm` and its command `emulate`.
 void add_arm_command(CLI::App& app, int& exit_code);
 

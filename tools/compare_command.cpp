@@ -1,7 +1,6 @@
 #include "commands.h"
-#include "exit_codes.h"
 #include "figures_program.h"
-#include "handway/execution/motion/motion_record.h"
+#include "handway/execution/motion/motion_log.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -1,11 +1,11 @@
 #include "emulated_device.h"
 
-#include "exit_codes.h"
+#include "commands.h"
 #include "handway/execution/motion/motion_target.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/planning/extensions/plugin.h"
-#include "interrupt.h"
 #include "numbers.h"
+#include "terminal_table.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-#include "exit_codes.h"
+#include "commands.h"
 #include "glove_commands.h"
 #include "handway/device/glove/calibration_fit.h"
 #include "handway/device/glove/glove_layout.h"

@@ -1,12 +1,11 @@
+#include "commands.h"
 #include "emulated_device.h"
-#include "exit_codes.h"
 #include "glove_commands.h"
 #include "glove_display.h"
 #include "handway/device/glove/glove.h"
 #include "handway/device/glove/glove_signals.h"
 #include "handway/device/glove/recording.h"
 #include "handway/device/glove/replay_glove.h"
-#include "interrupt.h"
 #include "numbers.h"
 #include "terminal_table.h"
 

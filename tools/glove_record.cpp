@@ -1,11 +1,10 @@
 #include "commands.h"
-#include "exit_codes.h"
 #include "glove_commands.h"
 #include "glove_display.h"
 #include "handway/device/glove/glove.h"
 #include "handway/device/glove/recording.h"
-#include "interrupt.h"
 #include "numbers.h"
+#include "terminal_table.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/chrono.h>

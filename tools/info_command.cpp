@@ -1,5 +1,4 @@
 #include "commands.h"
-#include "exit_codes.h"
 #include "handway/geometric/collision/checkers/make_checker.h"
 #include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/math/units.h"

@@ -1,5 +1,4 @@
 #include "commands.h"
-#include "exit_codes.h"
 #include "figures_program.h"
 #include "handway/device/glove/glove_calibration.h"
 #include "handway/device/glove/glove_layout.h"

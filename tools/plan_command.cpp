@@ -1,5 +1,4 @@
 #include "commands.h"
-#include "exit_codes.h"
 #include "handway/geometric/collision/narrow_phase/contact.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/replace_file.h"
@@ -9,10 +8,10 @@
 #include "handway/planning/paths/path_csv.h"
 #include "handway/planning/queries/failure_explanation.h"
 #include "handway/planning/queries/nearest_free.h"
-#include "interrupt.h"
 #include "numbers.h"
 #include "plan_report.h"
 #include "scene_options.h"
+#include "terminal_table.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

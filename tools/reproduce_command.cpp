@@ -1,7 +1,6 @@
 #include "campaign_command.h"
 #include "campaign_report.h"
 #include "commands.h"
-#include "exit_codes.h"
 #include "handway/geometric/io/resources.h"
 #include "handway/planning/campaigns/campaign.h"
 #include "reproduce_figures.h"

@@ -3,7 +3,7 @@
 #include "handway/geometric/robot/group_proposal.h"
 #include "handway/geometric/robot/robot_model.h"
 #include "handway/geometric/setup/collision_sampling.h"
-#include "handway/geometric/setup/robot_findings.h"
+#include "handway/geometric/setup/robot_setup.h"
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -1,14 +1,13 @@
 #include "commands.h"
-#include "exit_codes.h"
 #include "handway/execution/motion/motion_log.h"
-#include "handway/execution/motion/motion_parts.h"
 #include "handway/execution/motion/motion_run.h"
+#include "handway/execution/motion/motion_target.h"
 #include "handway/execution/motion/scene_watch.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/text_file.h"
-#include "interrupt.h"
 #include "numbers.h"
 #include "scene_file_watch.h"
+#include "terminal_table.h"
 #include "timing_options.h"
 
 #include <CLI/CLI.hpp>

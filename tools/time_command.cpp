@@ -1,5 +1,4 @@
 #include "commands.h"
-#include "exit_codes.h"
 #include "timing_options.h"
 
 #include <CLI/CLI.hpp>

@@ -1,6 +1,5 @@
 #include "commands.h"
 #include "emulated_device.h"
-#include "exit_codes.h"
 #include "handway/device/core/device_error.h"
 #include "handway/device/core/device_stream.h"
 #include "handway/device/tracker/polhemus_tracker.h"
@@ -9,7 +8,6 @@
 #include "handway/device/tracker/udp_tracker.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/math/units.h"
-#include "interrupt.h"
 #include "numbers.h"
 #include "terminal_table.h"
 

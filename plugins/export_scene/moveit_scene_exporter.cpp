@@ -1,7 +1,7 @@
 #include "moveit_scene_exporter.h"
 
 #include "handway/geometric/formats/obj_writer.h"
-#include "handway/geometric/formats/urdf_writer.h"
+#include "handway/geometric/formats/urdf_reader.h"
 #include "handway/geometric/io/replace_file.h"
 #include "handway/geometric/robot/robot_model.h"
 

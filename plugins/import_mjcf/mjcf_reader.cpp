@@ -2,9 +2,9 @@
 
 #include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/input_error.h"
-#include "handway/geometric/mesh/round_shapes.h"
+#include "handway/geometric/mesh/shape.h"
 #include "handway/geometric/robot/base_joint.h"
-#include "handway/geometric/robot/joint_coupling.h"
+#include "handway/geometric/robot/robot_description.h"
 #include "mujoco_model.h"
 
 #include <fmt/format.h>

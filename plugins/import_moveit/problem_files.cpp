@@ -2,7 +2,6 @@
 
 #include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/input_error.h"
-#include "handway/geometric/io/package_folder.h"
 #include "handway/geometric/io/resources.h"
 
 #include <fmt/format.h>

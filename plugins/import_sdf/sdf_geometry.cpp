@@ -3,8 +3,7 @@
 #include "handway/geometric/formats/mesh_reader.h"
 #include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/input_error.h"
-#include "handway/geometric/io/package_folder.h"
-#include "handway/geometric/mesh/round_shapes.h"
+#include "handway/geometric/mesh/shape.h"
 
 #include <cstdlib>
 #include <optional>

@@ -3,8 +3,8 @@
 
 #include "handway/device/arm/arm_emulator.h"
 #include "handway/device/hand/hand_emulator.h"
-#include "handway/execution/motion/motion_parts.h"
 #include "handway/execution/motion/motion_run.h"
+#include "handway/execution/motion/motion_target.h"
 #include "handway/geometric/collision/checkers/make_checker.h"
 #include "handway/planning/timing/time_path.h"
 #include "handway_test/motions.h"

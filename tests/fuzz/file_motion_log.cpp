@@ -1,5 +1,5 @@
 /// Logs of motions (CSV).
-#include "handway/execution/motion/motion_record.h"
+#include "handway/execution/motion/motion_log.h"
 #include "input_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -2,7 +2,6 @@
 
 #include "handway/geometric/collision/continuous/continuous_collision_checker.h"
 #include "handway/geometric/formats/scene_reader.h"
-#include "handway/geometric/formats/scene_writer.h"
 #include "handway/planning/extensions/plugin.h"
 #include "handway/planning/paths/path_check.h"
 #include "handway/planning/planners/planner_registry.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "handway/execution/motion/motion_record.h"
+#include "handway/execution/motion/motion_log.h"
 #include "handway/geometric/math/units.h"
 #include "handway/geometric/scene/scene.h"
 #include "handway/planning/core/path.h"

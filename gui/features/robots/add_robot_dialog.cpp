@@ -1,7 +1,7 @@
 #include "features/robots/add_robot_dialog.h"
 
 #include "handway/geometric/formats/urdf_reader.h"
-#include "handway/geometric/io/package_folder.h"
+#include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/resources.h"
 #include "handway/planning/extensions/importer.h"
 #include "model/meshes/shaded_meshes.h"

@@ -3,7 +3,6 @@
 #include "handway/geometric/robot/group_proposal.h"
 #include "handway/geometric/scene/scene.h"
 #include "handway/geometric/setup/collision_sampling.h"
-#include "handway/geometric/setup/robot_findings.h"
 #include "handway/geometric/setup/robot_setup.h"
 #include "model/document/scene_editor.h"
 #include "model/jobs/background.h"

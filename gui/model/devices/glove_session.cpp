@@ -11,7 +11,6 @@
 #include "handway/geometric/io/resources.h"
 #include "handway/geometric/robot/composed_robot.h"
 #include "handway/geometric/robot/group_proposal.h"
-#include "handway/geometric/robot/hand_alone.h"
 
 #include <QFileInfo>
 

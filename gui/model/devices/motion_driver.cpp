@@ -3,7 +3,7 @@
 #include "handway/device/arm/arm_emulator.h"
 #include "handway/device/hand/hand_emulator.h"
 #include "handway/execution/motion/motion_log.h"
-#include "handway/execution/motion/motion_parts.h"
+#include "handway/execution/motion/motion_target.h"
 
 #include <QStringList>
 

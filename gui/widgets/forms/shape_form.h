@@ -1,7 +1,7 @@
 #pragma once
 
 #include "handway/geometric/mesh/shape.h"
-#include "handway/geometric/scene/path_constraint.h"
+#include "handway/geometric/scene/scene.h"
 
 #include <QWidget>
 

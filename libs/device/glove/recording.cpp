@@ -1,6 +1,5 @@
 #include "handway/device/glove/recording.h"
 
-#include "glove/matlab_file.h"
 #include "glove/table_reader.h"
 #include "glove/text_files.h"
 #include "handway/device/glove/glove_layout.h"

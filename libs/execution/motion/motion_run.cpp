@@ -1,6 +1,6 @@
 #include "handway/execution/motion/motion_run.h"
 
-#include "handway/execution/motion/motion_parts.h"
+#include "handway/execution/motion/motion_target.h"
 
 #include <algorithm>
 #include <exception>
@@ -8,6 +8,17 @@
 #include <thread>
 
 namespace handway::execution {
+
+void FollowingError::add(const Eigen::VectorXd& error) {
+  max_ = max_.cwiseMax(error.cwiseAbs());
+  squares_ += error.cwiseAbs2();
+  ++samples_;
+}
+
+Eigen::VectorXd FollowingError::rms() const {
+  return (squares_ / std::max(samples_, 1)).cwiseSqrt();
+}
+
 namespace {
 
 using device::MotionPhase;

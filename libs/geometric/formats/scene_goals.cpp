@@ -1,6 +1,4 @@
-#include "formats/scene_goals.h"
-
-#include "formats/scene_objects.h"
+#include "formats/scene_bases.h"
 #include "formats/yaml_text.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/number_text.h"

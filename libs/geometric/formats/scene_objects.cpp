@@ -1,5 +1,4 @@
-#include "formats/scene_objects.h"
-
+#include "formats/scene_bases.h"
 #include "handway/geometric/formats/mesh_reader.h"
 #include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/input_error.h"

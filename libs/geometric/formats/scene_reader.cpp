@@ -1,9 +1,6 @@
 #include "handway/geometric/formats/scene_reader.h"
 
 #include "formats/scene_bases.h"
-#include "formats/scene_goals.h"
-#include "formats/scene_objects.h"
-#include "formats/scene_robots.h"
 #include "handway/geometric/formats/yaml_element.h"
 #include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/input_error.h"

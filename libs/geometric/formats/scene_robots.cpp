@@ -1,12 +1,9 @@
-#include "formats/scene_robots.h"
-
 #include "formats/scene_bases.h"
-#include "formats/scene_objects.h"
 #include "handway/geometric/formats/robot_loader.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/number_text.h"
 #include "handway/geometric/io/resources.h"
-#include "handway/geometric/robot/joint_coupling.h"
+#include "handway/geometric/robot/robot_description.h"
 #include "handway/geometric/setup/mounting.h"
 #include "handway/geometric/setup/seat.h"
 

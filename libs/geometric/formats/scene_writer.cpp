@@ -1,11 +1,9 @@
-#include "handway/geometric/formats/scene_writer.h"
-
-#include "formats/scene_goals.h"
+#include "formats/scene_bases.h"
 #include "formats/yaml_text.h"
 #include "handway/geometric/formats/mesh_reader.h"
 #include "handway/geometric/formats/obj_writer.h"
 #include "handway/geometric/formats/scene_reader.h"
-#include "handway/geometric/formats/urdf_writer.h"
+#include "handway/geometric/formats/urdf_reader.h"
 #include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/number_text.h"

@@ -4,7 +4,6 @@
 #include "handway/geometric/formats/urdf_reader.h"
 #include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/input_error.h"
-#include "handway/geometric/io/package_folder.h"
 
 #include <cmath>
 #include <optional>

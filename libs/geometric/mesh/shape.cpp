@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <utility>
 
@@ -160,6 +161,21 @@ Shape padded(const Shape& shape, const Padding& padding) {
 bool is_closed(const Shape& shape) {
   const Mesh* mesh = std::get_if<Mesh>(&shape);
   return !mesh || is_closed(distinct_triangles(welded(*mesh->triangles)));
+}
+
+std::vector<std::pair<Shape, Pose>> capsule_shapes(double radius, double length) {
+  std::vector<std::pair<Shape, Pose>> shapes = {{Cylinder{radius, length}, Pose::Identity()}};
+  for (const double end : {-0.5 * length, 0.5 * length}) {
+    shapes.emplace_back(Sphere{radius}, Pose(Eigen::Translation3d(0.0, 0.0, end)));
+  }
+  return shapes;
+}
+
+Mesh ellipsoid_mesh(const Eigen::Vector3d& radii) {
+  return {{},
+          Eigen::Vector3d::Ones(),
+          std::make_shared<const TriangleMesh>(
+              transformed(*tessellate(Sphere{1.0}), Pose::Identity(), radii))};
 }
 
 }  // namespace handway::geometric

@@ -4,7 +4,7 @@
 #include "handway/geometric/formats/robot_loader.h"
 #include "handway/geometric/io/resources.h"
 #include "handway/geometric/math/units.h"
-#include "handway/geometric/robot/mirrored_robot.h"
+#include "handway/geometric/robot/robot_description.h"
 #include "handway_test/input_errors.h"
 #include "handway_test/paths.h"
 

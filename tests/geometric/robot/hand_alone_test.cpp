@@ -1,8 +1,7 @@
-#include "handway/geometric/robot/hand_alone.h"
-
 #include "handway/geometric/formats/robot_loader.h"
 #include "handway/geometric/formats/scene_reader.h"
 #include "handway/geometric/io/resources.h"
+#include "handway/geometric/robot/group_proposal.h"
 #include "handway_test/paths.h"
 
 #include <gtest/gtest.h>

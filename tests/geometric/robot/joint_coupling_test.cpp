@@ -1,10 +1,8 @@
 /// Joints that follow several others.
-#include "handway/geometric/robot/joint_coupling.h"
-
 #include "handway/geometric/formats/robot_loader.h"
 #include "handway/geometric/formats/scene_reader.h"
-#include "handway/geometric/formats/scene_writer.h"
 #include "handway/geometric/robot/limit_violation.h"
+#include "handway/geometric/robot/robot_description.h"
 #include "handway/geometric/robot/robot_state.h"
 #include "handway_test/input_errors.h"
 #include "handway_test/paths.h"

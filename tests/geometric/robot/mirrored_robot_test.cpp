@@ -1,8 +1,7 @@
-#include "handway/geometric/robot/mirrored_robot.h"
-
 #include "handway/geometric/formats/robot_loader.h"
-#include "handway/geometric/formats/urdf_writer.h"
+#include "handway/geometric/formats/urdf_reader.h"
 #include "handway/geometric/io/resources.h"
+#include "handway/geometric/robot/robot_description.h"
 #include "handway/geometric/robot/robot_model.h"
 #include "handway_test/paths.h"
 #include "random_configurations.h"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "collision/cache/surface.h"
-#include "collision/volumes/sphere_bounds.h"
+#include "collision/volumes/sphere_tree.h"
 #include "collision/volumes/triangle_tree.h"
 #include "handway/geometric/collision/collision_checker.h"
 

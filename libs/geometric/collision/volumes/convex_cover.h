@@ -1,6 +1,6 @@
 #pragma once
 
-#include "collision/volumes/sphere_bounds.h"
+#include "collision/volumes/sphere_tree.h"
 #include "handway/geometric/mesh/triangle_mesh.h"
 
 #include <Eigen/Core>

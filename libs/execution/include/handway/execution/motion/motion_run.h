@@ -1,9 +1,10 @@
 #pragma once
 
 #include "handway/execution/export.h"
-#include "handway/execution/motion/following_error.h"
 #include "handway/execution/motion/motion_target.h"
 #include "handway/execution/motion/scene_watch.h"
+
+#include <Eigen/Core>
 
 #include <atomic>
 #include <cstddef>
@@ -12,6 +13,23 @@
 #include <vector>
 
 namespace handway::execution {
+
+/// How far a device's joints were from where they should have been; shapes [joints].
+class HANDWAY_EXECUTION_EXPORT FollowingError {
+ public:
+  explicit FollowingError(Eigen::Index joints)
+      : max_(Eigen::VectorXd::Zero(joints)), squares_(Eigen::VectorXd::Zero(joints)) {}
+
+  void add(const Eigen::VectorXd& error);
+  [[nodiscard]] int samples() const { return samples_; }
+  [[nodiscard]] const Eigen::VectorXd& max() const { return max_; }  ///< rad
+  [[nodiscard]] Eigen::VectorXd rms() const;                         ///< rad
+
+ private:
+  Eigen::VectorXd max_;
+  Eigen::VectorXd squares_;
+  int samples_ = 0;
+};
 
 /// What a device reported of itself while a motion ran.
 struct MotionSample {

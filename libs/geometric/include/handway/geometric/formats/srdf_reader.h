@@ -24,4 +24,18 @@ HANDWAY_GEOMETRIC_EXPORT void read_srdf(const std::filesystem::path& file, Robot
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<std::string> srdf_group_names(
     const std::filesystem::path& file);
 
+/// Replaces all `disable_collisions` of an SRDF file by those of the robot, adds the groups and end
+/// effectors whose names it has not, and keeps the rest, comments included; makes the file if there
+/// is none. The file is replaced whole.
+/// @throws InputError if the old file is no SRDF or the new one can't be
+/// written; the old file is then untouched.
+HANDWAY_GEOMETRIC_EXPORT void update_srdf(const RobotDescription& robot,
+                                          const std::filesystem::path& file);
+
+/// Writes groups (by joints), end effectors, postures and allowed collisions of a robot as a
+/// new SRDF file. The file is replaced whole.
+/// @throws InputError if it can't be written.
+HANDWAY_GEOMETRIC_EXPORT void write_srdf(const RobotDescription& robot,
+                                         const std::filesystem::path& file);
+
 }  // namespace handway::geometric

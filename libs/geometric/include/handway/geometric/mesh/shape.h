@@ -1,6 +1,7 @@
 #pragma once
 
 #include "handway/geometric/export.h"
+#include "handway/geometric/math/pose.h"
 #include "handway/geometric/mesh/triangle_mesh.h"
 
 #include <Eigen/Core>
@@ -8,7 +9,9 @@
 #include <filesystem>
 #include <memory>
 #include <string_view>
+#include <utility>
 #include <variant>
+#include <vector>
 
 namespace handway::geometric {
 
@@ -76,5 +79,17 @@ struct Padding {
 
 /// Whether the shape has an inside: primitives do, and meshes whose surface is_closed().
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT bool is_closed(const Shape& shape);
+
+// Shapes of other programs in terms of our own.
+
+/// A capsule along z, centred: its cylinder and the balls at its ends, with their poses in its
+/// frame.
+/// @param length m, of the cylinder alone.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<std::pair<Shape, Pose>> capsule_shapes(
+    double radius, double length);
+
+/// An ellipsoid with these radii (m) along its axes: a mesh around it that leaves it by at most 0.7
+/// % of them.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT Mesh ellipsoid_mesh(const Eigen::Vector3d& radii);
 
 }  // namespace handway::geometric

@@ -3,6 +3,7 @@
 #include "handway/geometric/export.h"
 #include "handway/geometric/robot/robot_model.h"
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -40,5 +41,13 @@ struct GroupProposal {
 /// Adds the groups "arm" and "hand" of the proposal, those that have joints, and the end effector
 /// of the hand. Groups and end effectors that are there stay.
 HANDWAY_GEOMETRIC_EXPORT void add_groups(const GroupProposal& proposal, RobotDescription& robot);
+
+/// The hand of a robot as a robot of its own, with the names that it has there: what hangs from the
+/// last link that all joints of the hand have in common. The hand is the group "hand", or without
+/// one what propose_groups() finds.
+/// @returns the robot itself if there is nothing to leave out, or no hand.
+/// @throws InputError if a joint of the hand follows one of the arm.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::shared_ptr<const RobotModel> hand_alone(
+    const std::shared_ptr<const RobotModel>& robot);
 
 }  // namespace handway::geometric

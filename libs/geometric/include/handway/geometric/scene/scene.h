@@ -1,23 +1,63 @@
 #pragma once
 
 #include "handway/geometric/export.h"
+#include "handway/geometric/math/pose.h"
 #include "handway/geometric/mesh/shape.h"
 #include "handway/geometric/robot/composed_robot.h"
 #include "handway/geometric/robot/robot_model.h"
-#include "handway/geometric/scene/path_constraint.h"
-#include "handway/geometric/scene/planner_request.h"
 #include "handway/geometric/scene/pose_goal.h"
 #include "handway/geometric/scene/scene_display.h"
+
+#include <Eigen/Core>
 
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <variant>
 #include <vector>
 
 namespace handway::geometric {
+
+/// Which planner a scene asks for, as its file says it; the planning layer gives the words a
+/// meaning.
+struct PlannerRequest {
+  std::string name;                                           ///< Empty: the default planner.
+  std::vector<std::pair<std::string, std::string>> settings;  ///< Key and value as written.
+};
+
+/// An axis of the body stays near a direction of the world: a can that is carried upright.
+struct OrientationConstraint {
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();       ///< In the body's frame, not zero.
+  Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();  ///< In the world, not zero.
+  double angle = std::numbers::pi / 18.0;  ///< rad, the most between them; in (0, π].
+
+  friend bool operator==(const OrientationConstraint&, const OrientationConstraint&) = default;
+};
+
+/// A point of the body stays in a box.
+struct PositionConstraint {
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< In the body's frame, m.
+  Eigen::Vector3d size = Eigen::Vector3d::Ones();   ///< Of the box, m; each above 0.
+  Pose X_WR = Pose::Identity();                     ///< The box's middle and axes in the world.
+
+  friend bool operator==(const PositionConstraint& a, const PositionConstraint& b) {
+    return a.point == b.point && a.size == b.size && a.X_WR.matrix() == b.X_WR.matrix();
+  }
+};
+
+/// What has to hold at every configuration of a path, besides that nothing collides.
+struct PathConstraint {
+  std::string name;  ///< Unique among the scene's constraints.
+  std::string body;  ///< An object on a link of the planned robot, or one of its links.
+  std::variant<OrientationConstraint, PositionConstraint> what;
+
+  friend bool operator==(const PathConstraint&, const PathConstraint&) = default;
+};
 
 /// A robot placed in the world.
 struct RobotInstance {
