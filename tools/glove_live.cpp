@@ -1,7 +1,6 @@
 #include "commands.h"
 #include "emulated_device.h"
 #include "glove_commands.h"
-#include "glove_display.h"
 #include "handway/device/glove/glove.h"
 #include "handway/device/glove/glove_signals.h"
 #include "handway/device/glove/recording.h"

@@ -1,6 +1,5 @@
 #include "commands.h"
 #include "glove_commands.h"
-#include "glove_display.h"
 #include "handway/device/glove/glove.h"
 #include "handway/device/glove/recording.h"
 #include "numbers.h"

@@ -13,7 +13,6 @@
 #include "handway/sampling/postures/posture_subspace.h"
 #include "handway/sampling/postures/posture_table.h"
 #include "numbers.h"
-#include "pca_report.h"
 #include "posture_study.h"
 
 #include <CLI/CLI.hpp>

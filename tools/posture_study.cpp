@@ -3,18 +3,26 @@
 #include "handway/device/glove/glove_calibration.h"
 #include "handway/device/glove/hand_mapping.h"
 #include "handway/device/glove/recording_filters.h"
+#include "handway/device/retargeting/fingertip_errors.h"
+#include "handway/device/retargeting/fingertip_retargeter.h"
 #include "handway/geometric/formats/robot_loader.h"
 #include "handway/geometric/io/input_error.h"
+#include "handway/geometric/io/replace_file.h"
 #include "handway/geometric/io/resources.h"
+#include "handway/geometric/math/units.h"
 #include "handway/sampling/postures/principal_components.h"
+#include "version.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <limits>
+#include <memory>
 #include <utility>
 
 namespace handway::tools {
+
 MappedRecording map_file(const std::filesystem::path& file,
                          const device::GloveCalibration& calibration, const RecordingSteps& steps,
                          const device::PostureSource& mapper) {
@@ -161,6 +169,161 @@ PostureStudy study_postures(const fs::path& recording, Normalisation normalisati
     }
   }
   return study;
+}
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using geometric::kDegree;
+using geometric::kMillimetre;
+using sampling::BasisStudy;
+using sampling::Interval;
+
+std::string interval_text(const Interval& interval, double unit) {
+  return fmt::format("{:8.1f} {:>15}", interval.mean / unit,
+                     fmt::format("({:.1f} - {:.1f})", interval.low / unit, interval.high / unit));
+}
+
+Json interval_json(const Interval& interval, double unit) {
+  return {
+      {"mean", interval.mean / unit}, {"low", interval.low / unit}, {"high", interval.high / unit}};
+}
+
+std::string stability_text(const BasisStudy& study) {
+  std::string text =
+      "Stability: largest angle between its first directions and those of all, deg:\n";
+  text += fmt::format("  {:>10}", "s");
+  for (std::size_t k = 1; k <= study.stability.back().angles.size(); ++k) {
+    text += fmt::format("{:>24}", k);
+  }
+  text += '\n';
+  for (const sampling::BasisStability& stability : study.stability) {
+    text += fmt::format("  {:>10.1f}", stability.seconds);
+    for (const Interval& angle : stability.angles) {
+      text += interval_text(angle, kDegree);
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+std::string persons_text(const BasisStudy& study) {
+  std::string text = fmt::format(
+      "Recordings by the others' basis, mm at the fingertips:\n  {:<24}{:>24}{:>24}  {}\n", "",
+      "own basis", "the others'", "largest angles, deg");
+  for (const sampling::PersonFit& person : study.persons) {
+    text += fmt::format("  {:<24}{}{} ", person.name, interval_text(person.own, kMillimetre),
+                        interval_text(person.others, kMillimetre));
+    for (const double angle : person.angles) {
+      text += fmt::format(" {:.1f}", angle / kDegree);
+    }
+    text += '\n';
+  }
+  return text + fmt::format("  {:<24}{:>24}{}\n", "who was not recorded", "",
+                            interval_text(study.newcomer, kMillimetre));
+}
+
+}  // namespace
+
+BasisStudy study_recordings(const std::vector<MappedRecording>& recordings,
+                            const std::shared_ptr<const geometric::RobotModel>& hand,
+                            const device::PostureSource& mapper, Normalisation normalisation,
+                            const sampling::BasisStudySettings& settings) {
+  device::RetargetingSettings only_kinematics;
+  only_kinematics.self_collision = false;
+  const auto fingertips = device::normalised_fingertips(
+      std::make_shared<const device::FingertipRetargeter>(hand, only_kinematics), mapper);
+  // Scaled together: a range is that of all.
+  const Eigen::MatrixXd samples = normalised_samples(recordings, mapper, normalisation);
+  std::vector<sampling::RecordedHand> hands;
+  Eigen::Index first = 0;
+  for (const MappedRecording& recording : recordings) {
+    const Eigen::Index rows = recording.mapped.postures.rows();
+    const double rate = device::assess(recording.recording).rate;
+    // Postures without times don't depend on each other.
+    hands.push_back({recording.file.filename().string(), samples.middleRows(first, rows),
+                     rate > 0.0 ? rate : 1.0 / settings.block});
+    first += rows;
+  }
+  return sampling::study_basis(hands, fingertips, settings);
+}
+
+std::string study_text(const BasisStudy& study, double confidence) {
+  std::string text = fmt::format(
+      "Postures that the basis has not seen, mm at the fingertips ({:.0f} % confidence):\n"
+      "  {:>10}{:>24}{:>10}{:>12}\n",
+      100.0 * confidence, "PMDs", "mean", "95 %", "variance %");
+  for (const sampling::ReconstructionError& error : study.reconstruction) {
+    text += fmt::format("  {:>10}{}{:>10.1f}{:>12.1f}\n", error.directions,
+                        interval_text(error.fingertip, kMillimetre), error.most / kMillimetre,
+                        100.0 * error.variance);
+  }
+  for (const double error : sampling::kReportedErrors) {
+    const double wanted = error / kMillimetre;
+    const int enough = study.enough_for(error);
+    text += enough < 0 ? fmt::format("  for {:g} mm: not even all\n", wanted)
+                       : fmt::format("  for {:g} mm: {} PMDs\n", wanted, enough);
+  }
+  if (!study.stability.empty()) {
+    text += stability_text(study);
+  }
+  return study.persons.empty() ? text : text + persons_text(study);
+}
+
+void write_study(const BasisStudy& study, const sampling::BasisStudySettings& settings,
+                 const std::vector<MappedRecording>& recordings, const std::string& hand,
+                 const device::PostureSource& mapper, const std::filesystem::path& file) {
+  Json document{{"hand", hand}, {"joints", mapper.joints()}};
+  for (const MappedRecording& recording : recordings) {
+    document["recordings"].push_back(
+        {{"file", recording.file.filename().string()}, {"rows", recording.mapped.postures.rows()}});
+  }
+  Json free = Json::array();
+  for (const int joint : settings.free_joints) {
+    free.push_back(mapper.joints()[static_cast<std::size_t>(joint)]);
+  }
+  document["parameters"] = {{"free_joints", free},       {"components", settings.directions},
+                            {"folds", settings.folds},   {"resamples", settings.resamples},
+                            {"block_s", settings.block}, {"confidence", settings.confidence},
+                            {"seed", settings.seed}};
+  for (const sampling::ReconstructionError& error : study.reconstruction) {
+    document["reconstruction"].push_back(
+        {{"pmds", error.directions},
+         {"fingertip_mm", interval_json(error.fingertip, kMillimetre)},
+         {"p95_mm", error.most / kMillimetre},
+         {"variance", error.variance}});
+  }
+  document["enough"] = Json::array();
+  for (const double error : sampling::kReportedErrors) {
+    const int enough = study.enough_for(error);
+    document["enough"].push_back(
+        {{"mm", error / kMillimetre}, {"pmds", enough < 0 ? Json(nullptr) : Json(enough)}});
+  }
+  document["stability"] = Json::array();
+  for (const sampling::BasisStability& stability : study.stability) {
+    Json angles = Json::array();
+    for (const Interval& angle : stability.angles) {
+      angles.push_back(interval_json(angle, kDegree));
+    }
+    document["stability"].push_back(
+        {{"seconds", stability.seconds}, {"largest_angle_deg", angles}});
+  }
+  document["persons"] = Json::array();
+  for (const sampling::PersonFit& person : study.persons) {
+    std::vector<double> degrees;
+    for (const double angle : person.angles) {
+      degrees.push_back(angle / kDegree);
+    }
+    document["persons"].push_back({{"recording", person.name},
+                                   {"own_mm", interval_json(person.own, kMillimetre)},
+                                   {"others_mm", interval_json(person.others, kMillimetre)},
+                                   {"largest_angle_deg", degrees}});
+  }
+  if (!study.persons.empty()) {
+    document["newcomer_mm"] = interval_json(study.newcomer, kMillimetre);
+  }
+  document["version"] = kVersion;
+  geometric::replace_file(file, document.dump(2) + '\n');
 }
 
 }  // namespace handway::tools

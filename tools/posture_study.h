@@ -2,14 +2,18 @@
 
 #include "handway/device/glove/glove_calibration.h"
 #include "handway/device/glove/hand_mapping.h"
+#include "handway/device/glove/posture_source.h"
 #include "handway/device/glove/recording.h"
 #include "handway/device/glove/recording_quality.h"
+#include "handway/geometric/robot/robot_model.h"
+#include "handway/sampling/postures/basis_study.h"
 #include "handway/sampling/postures/pmd_basis.h"
 #include "handway/sampling/postures/principal_components.h"
 
 #include <Eigen/Core>
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -90,5 +94,21 @@ struct PostureStudy {
 /// @throws InputError if the recording can't be read or has no postures.
 [[nodiscard]] PostureStudy study_postures(const std::filesystem::path& recording,
                                           Normalisation normalisation);
+
+/// How good a basis from these recordings is, at the fingertips of the hand.
+/// @throws InputError if the hand has no fingers, or a recording is too short.
+[[nodiscard]] sampling::BasisStudy study_recordings(
+    const std::vector<MappedRecording>& recordings,
+    const std::shared_ptr<const geometric::RobotModel>& hand, const device::PostureSource& mapper,
+    Normalisation normalisation, const sampling::BasisStudySettings& settings);
+
+/// Tables in mm, degrees and s.
+[[nodiscard]] std::string study_text(const sampling::BasisStudy& study, double confidence);
+
+/// The same, and what it was made from, as a JSON file.
+/// @throws InputError if it can't be written.
+void write_study(const sampling::BasisStudy& study, const sampling::BasisStudySettings& settings,
+                 const std::vector<MappedRecording>& recordings, const std::string& hand,
+                 const device::PostureSource& mapper, const std::filesystem::path& file);
 
 }  // namespace handway::tools

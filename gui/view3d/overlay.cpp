@@ -1,7 +1,7 @@
 #include "view3d/overlay.h"
 
 #include "model/document/scene_edits.h"
-#include "model/settings/view_colors.h"
+#include "model/settings/options.h"
 #include "view3d/coin_conversions.h"
 #include "view3d/robot_node.h"
 #include "view3d/unlit_nodes.h"

@@ -8,7 +8,7 @@
 #include "handway/planning/queries/region_draws.h"
 #include "model/planning/microscope.h"
 #include "model/planning/palm_roadmap.h"
-#include "view3d/coin_ref.h"
+#include "view3d/coin_conversions.h"
 
 #include <Eigen/Core>
 

@@ -4,7 +4,7 @@
 #include "handway/geometric/mesh/triangle_mesh.h"
 #include "handway/geometric/robot/robot_model.h"
 #include "handway/geometric/scene/scene.h"
-#include "view3d/coin_ref.h"
+#include "view3d/coin_conversions.h"
 
 #include <Inventor/nodes/SoSeparator.h>
 #include <Inventor/nodes/SoSwitch.h>

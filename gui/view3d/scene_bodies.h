@@ -4,7 +4,7 @@
 #include "handway/geometric/mesh/triangle_mesh.h"
 #include "handway/geometric/scene/scene.h"
 #include "model/document/selection.h"
-#include "view3d/coin_ref.h"
+#include "view3d/coin_conversions.h"
 #include "view3d/robot_node.h"
 
 #include <Inventor/nodes/SoSeparator.h>

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "handway/geometric/mesh/shape.h"
+#include "model/settings/options.h"
 #include "model/settings/orbit_camera.h"
-#include "model/settings/view_colors.h"
 #include "view3d/scene_graph.h"
 
 #include <QOpenGLExtraFunctions>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "view3d/coin_ref.h"
+#include "view3d/coin_conversions.h"
 
 #include <vector>
 

@@ -1,9 +1,8 @@
-#include "gltf_exporter.h"
-
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/replace_file.h"
 #include "handway/geometric/math/units.h"
 #include "handway/geometric/mesh/triangle_mesh.h"
+#include "moveit_scene_exporter.h"
 
 #include <assimp/Exporter.hpp>
 #include <assimp/GltfMaterial.h>

@@ -1,6 +1,5 @@
 #include "handway/planning/extensions/plugin.h"
 
-#include "gltf_exporter.h"
 #include "moveit_scene_exporter.h"
 
 extern "C" __attribute__((visibility("default"))) const handway::planning::Plugin*

@@ -1,6 +1,6 @@
 #include "features/editing/scene_tree.h"
 
-#include "model/settings/view_colors.h"
+#include "model/settings/options.h"
 #include "widgets/style/theme.h"
 
 #include <QDragMoveEvent>

@@ -3,7 +3,7 @@
 #include "model/document/document.h"
 #include "model/planning/plan_settings.h"
 #include "model/planning/planning_session.h"
-#include "model/settings/view_colors.h"
+#include "model/settings/options.h"
 #include "view3d/overlay.h"
 #include "view3d/scene_view.h"
 #include "widgets/style/theme.h"

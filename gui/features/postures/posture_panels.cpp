@@ -7,7 +7,7 @@
 #include "model/document/scene_editor.h"
 #include "model/document/selection.h"
 #include "model/playback/path_player.h"
-#include "model/settings/view_colors.h"
+#include "model/settings/options.h"
 #include "widgets/panels/dock_layout.h"
 #include "widgets/style/theme.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "model/settings/options.h"
 #include "model/settings/preferences.h"
-#include "model/settings/view_colors.h"
 
 #include <QColor>
 #include <QIcon>

@@ -1,5 +1,4 @@
 /// Scenes for other programs: that they are read back as they were.
-#include "gltf_exporter.h"
 #include "handway/geometric/collision/checkers/make_checker.h"
 #include "handway/geometric/formats/mesh_reader.h"
 #include "handway/geometric/formats/scene_reader.h"
