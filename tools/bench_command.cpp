@@ -2,7 +2,7 @@
 #include "campaign_command.h"
 #include "commands.h"
 #include "handway/geometric/collision/checkers/make_checker.h"
-#include "handway/geometric/formats/scene_reader.h"
+#include "handway/geometric/formats/scene_file.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/replace_file.h"
 #include "handway/geometric/io/resources.h"

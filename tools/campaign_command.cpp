@@ -6,7 +6,7 @@
 #include "handway/planning/campaigns/campaign.h"
 #include "handway/planning/campaigns/run_database.h"
 #include "handway/planning/campaigns/run_workers.h"
-#include "terminal_table.h"
+#include "terminal.h"
 #include "version.h"
 
 #include <fmt/format.h>

@@ -5,7 +5,7 @@
 #include "handway/geometric/io/input_error.h"
 #include "handway/planning/extensions/plugin.h"
 #include "numbers.h"
-#include "terminal_table.h"
+#include "terminal.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

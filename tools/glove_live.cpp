@@ -6,7 +6,7 @@
 #include "handway/device/glove/recording.h"
 #include "handway/device/glove/replay_glove.h"
 #include "numbers.h"
-#include "terminal_table.h"
+#include "terminal.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

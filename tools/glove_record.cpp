@@ -3,7 +3,7 @@
 #include "handway/device/glove/glove.h"
 #include "handway/device/glove/recording.h"
 #include "numbers.h"
-#include "terminal_table.h"
+#include "terminal.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/chrono.h>

@@ -12,7 +12,7 @@
 #include "handway/planning/timing/kinematic_limits.h"
 #include "numbers.h"
 #include "scene_file_watch.h"
-#include "terminal_table.h"
+#include "terminal.h"
 #include "timing_options.h"
 
 #include <CLI/CLI.hpp>

@@ -11,7 +11,7 @@
 #include "numbers.h"
 #include "plan_report.h"
 #include "scene_options.h"
-#include "terminal_table.h"
+#include "terminal.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -7,7 +7,7 @@
 #include "handway/geometric/io/text_file.h"
 #include "numbers.h"
 #include "scene_file_watch.h"
-#include "terminal_table.h"
+#include "terminal.h"
 #include "timing_options.h"
 
 #include <CLI/CLI.hpp>

@@ -1,6 +1,6 @@
 #include "commands.h"
-#include "handway/geometric/formats/srdf_reader.h"
-#include "handway/geometric/formats/urdf_reader.h"
+#include "handway/geometric/formats/srdf.h"
+#include "handway/geometric/formats/urdf.h"
 #include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/robot/robot_description.h"

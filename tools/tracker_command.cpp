@@ -9,7 +9,7 @@
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/math/units.h"
 #include "numbers.h"
-#include "terminal_table.h"
+#include "terminal.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 #include "handway/geometric/io/replace_file.h"
 #include "handway/geometric/math/units.h"
 #include "handway/geometric/mesh/triangle_mesh.h"
-#include "moveit_scene_exporter.h"
+#include "scene_exporters.h"
 
 #include <assimp/Exporter.hpp>
 #include <assimp/GltfMaterial.h>

@@ -1,9 +1,8 @@
-#include "moveit_scene_exporter.h"
-
 #include "handway/geometric/formats/obj_writer.h"
-#include "handway/geometric/formats/urdf_reader.h"
+#include "handway/geometric/formats/urdf.h"
 #include "handway/geometric/io/replace_file.h"
 #include "handway/geometric/robot/robot_model.h"
+#include "scene_exporters.h"
 
 #include <nlohmann/json.hpp>
 

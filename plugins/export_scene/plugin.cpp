@@ -1,6 +1,6 @@
 #include "handway/planning/extensions/plugin.h"
 
-#include "moveit_scene_exporter.h"
+#include "scene_exporters.h"
 
 extern "C" __attribute__((visibility("default"))) const handway::planning::Plugin*
 handway_plugin() {

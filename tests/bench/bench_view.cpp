@@ -8,7 +8,7 @@
 ///
 /// The ratio is that of processor time, baseline to turning. Needs a display, for example xvfb-run.
 /// Ends with 1 if any motion has less than 30 pictures a second.
-#include "handway/geometric/formats/scene_reader.h"
+#include "handway/geometric/formats/scene_file.h"
 #include "handway_test/paths.h"
 #include "view3d/scene_view.h"
 #include "widgets/style/theme.h"

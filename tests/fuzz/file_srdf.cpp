@@ -1,6 +1,6 @@
 /// Groups, states and allowed collisions of a robot (SRDF).
-#include "handway/geometric/formats/srdf_reader.h"
-#include "handway/geometric/formats/urdf_reader.h"
+#include "handway/geometric/formats/srdf.h"
+#include "handway/geometric/formats/urdf.h"
 #include "input_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -1,5 +1,5 @@
 /// Robots whose base moves, among obstacles, by the default planner.
-#include "handway/geometric/formats/scene_reader.h"
+#include "handway/geometric/formats/scene_file.h"
 #include "handway/planning/core/planning_problem.h"
 #include "handway/planning/paths/path_check.h"
 #include "handway/planning/planners/planner_registry.h"

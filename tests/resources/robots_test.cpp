@@ -1,6 +1,6 @@
 #include "handway/geometric/collision/checkers/fcl_checker.h"
 #include "handway/geometric/formats/robot_loader.h"
-#include "handway/geometric/formats/scene_reader.h"
+#include "handway/geometric/formats/scene_file.h"
 #include "handway_test/paths.h"
 
 #include <gmock/gmock.h>

@@ -1,7 +1,7 @@
 // Every scene that ships is a problem that a person can open and plan at once.
 
 #include "handway/geometric/collision/continuous/continuous_collision_checker.h"
-#include "handway/geometric/formats/scene_reader.h"
+#include "handway/geometric/formats/scene_file.h"
 #include "handway/planning/extensions/plugin.h"
 #include "handway/planning/paths/path_check.h"
 #include "handway/planning/planners/planner_registry.h"

@@ -1,6 +1,6 @@
 #include "command_line.h"
 
-#include "handway/geometric/formats/scene_reader.h"
+#include "handway/geometric/formats/scene_file.h"
 #include "handway/sampling/postures/pmd_basis_io.h"
 #include "handway_test/planar_problems.h"
 

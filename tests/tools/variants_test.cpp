@@ -1,7 +1,7 @@
 /// `handway bench --variants`: the problems that are made, and what is said of runs on them.
 #include "command_line.h"
 #include "handway/geometric/collision/checkers/fcl_checker.h"
-#include "handway/geometric/formats/scene_reader.h"
+#include "handway/geometric/formats/scene_file.h"
 #include "handway/geometric/math/units.h"
 #include "handway/geometric/robot/limit_violation.h"
 #include "handway/geometric/robot/robot_state.h"

@@ -1,7 +1,7 @@
 #include "app/start/new_scene_dialog.h"
 
 #include "app/start/picture_card.h"
-#include "handway/geometric/formats/srdf_reader.h"
+#include "handway/geometric/formats/srdf.h"
 #include "handway/geometric/io/resources.h"
 #include "widgets/panels/dock_layout.h"
 #include "widgets/style/theme.h"

@@ -1,6 +1,6 @@
 #include "features/robots/add_robot_dialog.h"
 
-#include "handway/geometric/formats/urdf_reader.h"
+#include "handway/geometric/formats/urdf.h"
 #include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/resources.h"
 #include "handway/planning/extensions/importer.h"

@@ -3,7 +3,7 @@
 #include "features/robots/add_robot_dialog.h"
 #include "features/robots/setup_dialog.h"
 #include "features/workbench.h"
-#include "handway/geometric/formats/urdf_reader.h"
+#include "handway/geometric/formats/urdf.h"
 #include "handway/geometric/mesh/triangle_mesh.h"
 #include "view3d/scene_graph.h"
 #include "view3d/scene_view.h"

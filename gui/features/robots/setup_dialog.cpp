@@ -1,7 +1,7 @@
 #include "features/robots/setup_dialog.h"
 
 #include "features/robots/pair_table.h"
-#include "handway/geometric/formats/srdf_reader.h"
+#include "handway/geometric/formats/srdf.h"
 #include "handway/geometric/io/existing_file.h"
 #include "view3d/scene_view.h"
 #include "widgets/panels/dock_layout.h"

@@ -1,6 +1,6 @@
 #include "model/document/document.h"
 
-#include "handway/geometric/formats/scene_reader.h"
+#include "handway/geometric/formats/scene_file.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/resources.h"
 #include "handway/geometric/robot/composed_robot.h"

@@ -1,6 +1,6 @@
 #include "model/document/scene_editor.h"
 
-#include "handway/geometric/formats/scene_reader.h"
+#include "handway/geometric/formats/scene_file.h"
 #include "handway/geometric/robot/inverse_kinematics.h"
 #include "model/document/edit.h"
 #include "model/document/free_place.h"

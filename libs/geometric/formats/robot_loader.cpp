@@ -1,8 +1,8 @@
 #include "handway/geometric/formats/robot_loader.h"
 
 #include "formats/expanded_xacro.h"
-#include "handway/geometric/formats/srdf_reader.h"
-#include "handway/geometric/formats/urdf_reader.h"
+#include "handway/geometric/formats/srdf.h"
+#include "handway/geometric/formats/urdf.h"
 #include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/robot/group_proposal.h"

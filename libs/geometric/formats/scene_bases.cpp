@@ -1,5 +1,4 @@
-#include "formats/scene_bases.h"
-
+#include "formats/scene_sections.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/mesh/triangle_mesh.h"
 #include "handway/geometric/robot/base_joint.h"

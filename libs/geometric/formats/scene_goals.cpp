@@ -1,4 +1,4 @@
-#include "formats/scene_bases.h"
+#include "formats/scene_sections.h"
 #include "formats/yaml_text.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/number_text.h"

@@ -1,6 +1,5 @@
-#include "handway/geometric/formats/scene_reader.h"
-
-#include "formats/scene_bases.h"
+#include "formats/scene_sections.h"
+#include "handway/geometric/formats/scene_file.h"
 #include "handway/geometric/formats/yaml_element.h"
 #include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/input_error.h"

@@ -1,4 +1,4 @@
-#include "formats/scene_bases.h"
+#include "formats/scene_sections.h"
 #include "handway/geometric/formats/robot_loader.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/number_text.h"

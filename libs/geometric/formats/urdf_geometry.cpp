@@ -1,7 +1,7 @@
 #include "formats/urdf_geometry.h"
 
 #include "handway/geometric/formats/mesh_reader.h"
-#include "handway/geometric/formats/urdf_reader.h"
+#include "handway/geometric/formats/urdf.h"
 #include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/input_error.h"
 

@@ -1,6 +1,6 @@
 #include "handway/planning/planners/planner.h"
 
-#include "handway/geometric/formats/scene_reader.h"
+#include "handway/geometric/formats/scene_file.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/replace_file.h"
 #include "handway/planning/core/planning_context.h"

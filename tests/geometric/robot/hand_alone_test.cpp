@@ -1,5 +1,5 @@
 #include "handway/geometric/formats/robot_loader.h"
-#include "handway/geometric/formats/scene_reader.h"
+#include "handway/geometric/formats/scene_file.h"
 #include "handway/geometric/io/resources.h"
 #include "handway/geometric/robot/group_proposal.h"
 #include "handway_test/paths.h"

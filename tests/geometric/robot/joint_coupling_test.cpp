@@ -1,6 +1,6 @@
 /// Joints that follow several others.
 #include "handway/geometric/formats/robot_loader.h"
-#include "handway/geometric/formats/scene_reader.h"
+#include "handway/geometric/formats/scene_file.h"
 #include "handway/geometric/robot/limit_violation.h"
 #include "handway/geometric/robot/robot_description.h"
 #include "handway/geometric/robot/robot_state.h"

@@ -1,5 +1,5 @@
 #include "handway/geometric/formats/robot_loader.h"
-#include "handway/geometric/formats/urdf_reader.h"
+#include "handway/geometric/formats/urdf.h"
 #include "handway/geometric/io/resources.h"
 #include "handway/geometric/robot/robot_description.h"
 #include "handway/geometric/robot/robot_model.h"

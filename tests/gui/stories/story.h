@@ -1,6 +1,6 @@
 #pragma once
 
-#include "handway/geometric/formats/scene_reader.h"
+#include "handway/geometric/formats/scene_file.h"
 #include "handway/planning/extensions/plugin.h"
 #include "patience.h"
 #include "watched_application.h"

@@ -3,7 +3,7 @@
 #include "features/export/export_dialog.h"
 #include "features/grasping/grasp_tool.h"
 #include "hands_on.h"
-#include "handway/geometric/formats/scene_reader.h"
+#include "handway/geometric/formats/scene_file.h"
 #include "model/document/resting.h"
 #include "pressed_mouse.h"
 #include "view3d/scene_view.h"

@@ -1,7 +1,7 @@
 /// Carrying out runs on threads.
 #include "handway/planning/campaigns/run_workers.h"
 
-#include "handway/geometric/formats/scene_reader.h"
+#include "handway/geometric/formats/scene_file.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/sampling/postures/pmd_basis_io.h"
 #include "handway_test/paths.h"

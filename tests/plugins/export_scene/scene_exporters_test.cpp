@@ -1,12 +1,13 @@
 /// Scenes for other programs: that they are read back as they were.
+#include "scene_exporters.h"
+
 #include "handway/geometric/collision/checkers/make_checker.h"
 #include "handway/geometric/formats/mesh_reader.h"
-#include "handway/geometric/formats/scene_reader.h"
+#include "handway/geometric/formats/scene_file.h"
 #include "handway/geometric/mesh/triangle_mesh.h"
 #include "handway_test/input_errors.h"
 #include "handway_test/paths.h"
 #include "moveit_problem.h"
-#include "moveit_scene_exporter.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

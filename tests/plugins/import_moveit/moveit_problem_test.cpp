@@ -2,7 +2,7 @@
 #include "moveit_problem.h"
 
 #include "handway/geometric/collision/checkers/make_checker.h"
-#include "handway/geometric/formats/scene_reader.h"
+#include "handway/geometric/formats/scene_file.h"
 #include "handway/geometric/mesh/triangle_mesh.h"
 #include "handway/planning/core/planning_problem.h"
 #include "handway/planning/paths/path_check.h"

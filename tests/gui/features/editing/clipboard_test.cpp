@@ -1,6 +1,6 @@
 #include "features/editing/editing_test.h"
 #include "features/editing/scene_tree.h"
-#include "handway/geometric/formats/scene_reader.h"
+#include "handway/geometric/formats/scene_file.h"
 
 #include <QClipboard>
 #include <QGuiApplication>

@@ -1,7 +1,7 @@
 #include "features/editing/editing_test.h"
 #include "features/editing/properties_panel.h"
 #include "features/planning/collision_display.h"
-#include "handway/geometric/formats/scene_reader.h"
+#include "handway/geometric/formats/scene_file.h"
 #include "handway/geometric/math/units.h"
 #include "model/document/document.h"
 #include "widgets/forms/quantity_field.h"

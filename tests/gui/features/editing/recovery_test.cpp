@@ -1,7 +1,7 @@
 #include "features/editing/editing_test.h"
 #include "features/editing/scene_editing.h"
 #include "full_disk.h"
-#include "handway/geometric/formats/scene_reader.h"
+#include "handway/geometric/formats/scene_file.h"
 #include "patience.h"
 
 #include <QProcess>

@@ -1,6 +1,6 @@
 /// Postures by name: kept in the scene, gone to, forgotten.
 #include "features/editing/editing_test.h"
-#include "handway/geometric/formats/scene_reader.h"
+#include "handway/geometric/formats/scene_file.h"
 
 #include <QAction>
 #include <QComboBox>

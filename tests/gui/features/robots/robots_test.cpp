@@ -3,7 +3,7 @@
 #include "features/robots/add_robot_dialog.h"
 #include "features/robots/robot_files.h"
 #include "handway/geometric/formats/robot_loader.h"
-#include "handway/geometric/formats/scene_reader.h"
+#include "handway/geometric/formats/scene_file.h"
 #include "handway/geometric/io/resources.h"
 #include "model/document/robot_edits.h"
 #include "patience.h"

@@ -1,6 +1,6 @@
 /// Views that are saved, distances that are measured, and objects that are cut open.
 #include "features/editing/editing_test.h"
-#include "handway/geometric/formats/scene_reader.h"
+#include "handway/geometric/formats/scene_file.h"
 #include "patience.h"
 
 #include <QCheckBox>

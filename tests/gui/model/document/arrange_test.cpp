@@ -1,7 +1,7 @@
 #include "features/editing/array_tool.h"
 #include "features/editing/editing_test.h"
 #include "features/editing/scene_tree.h"
-#include "handway/geometric/formats/scene_reader.h"
+#include "handway/geometric/formats/scene_file.h"
 #include "model/document/resting.h"
 #include "model/document/scene_edits.h"
 #include "pressed_mouse.h"

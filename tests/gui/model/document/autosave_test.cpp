@@ -1,6 +1,6 @@
 #include "model/document/autosave.h"
 
-#include "handway/geometric/formats/scene_reader.h"
+#include "handway/geometric/formats/scene_file.h"
 #include "patience.h"
 #include "small_cell.h"
 #include "window_test.h"

@@ -1,4 +1,4 @@
-#include "terminal_table.h"
+#include "terminal.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "handway/geometric/formats/srdf_reader.h"
+#include "handway/geometric/formats/srdf.h"
 
 #include "formats/xml_document.h"
 #include "handway/geometric/io/input_error.h"

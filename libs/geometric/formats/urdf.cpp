@@ -1,11 +1,11 @@
-#include "handway/geometric/formats/urdf_reader.h"
+#include "handway/geometric/formats/urdf.h"
 
 #include "formats/urdf_elements.h"
 #include "formats/urdf_geometry.h"
 #include "formats/xml_document.h"
 #include "handway/geometric/formats/mesh_reader.h"
 #include "handway/geometric/formats/obj_writer.h"
-#include "handway/geometric/formats/srdf_reader.h"
+#include "handway/geometric/formats/srdf.h"
 #include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/number_text.h"
