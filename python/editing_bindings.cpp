@@ -131,12 +131,7 @@ geometric::SceneObject& needed_object(Scene& scene, const std::string& name) {
 std::unique_ptr<SceneModel> without_object(const SceneModel& model, const std::string& name) {
   auto scene = std::make_shared<Scene>(model.scene());
   static_cast<void>(needed_object(*scene, name));
-  std::erase_if(scene->objects, [&](const auto& object) { return object.name == name; });
-  std::erase_if(scene->constraints,
-                [&](const auto& constraint) { return constraint.body == name; });
-  std::erase_if(scene->may_touch, [&](const auto& pair) {
-    return pair.first.first == name || pair.first.second == name;
-  });
+  geometric::remove_objects(*scene, {name});
   return changed(model, std::move(scene));
 }
 

@@ -85,7 +85,8 @@ struct BenchOptions {
   std::vector<std::string> planners;
   BenchSettings settings;
   VariantSettings variants;
-  std::vector<std::string> sets;  ///< KEY=VALUE
+  std::vector<std::string> sets;   ///< KEY=VALUE
+  std::vector<std::string> group;  ///< What moves; empty: the scenes'.
   bool checks_only = false;
   fs::path write;  ///< Folder for variants; empty: they are run.
   fs::path out;
@@ -103,6 +104,7 @@ BenchScene load(const fs::path& file, const BenchOptions& options,
                 const planning::PluginManager& plugins) {
   BenchScene scene{planning::load_scene(file, plugins), options.sets};
   choose_basis(scene.settings, scene.loaded);
+  set_group(options.group, scene.loaded);
   return scene;
 }
 
@@ -265,7 +267,8 @@ std::vector<PlanBench> bench_variant(const BenchScene& scene, const BenchOptions
 template <typename Use>
 VariantBench make_variants(const fs::path& file, const BenchOptions& options,
                            const planning::PluginManager& plugins, const Use& use) {
-  const planning::LoadedScene loaded = planning::load_scene(file, plugins);
+  planning::LoadedScene loaded = planning::load_scene(file, plugins);
+  set_group(options.group, loaded);
   const planning::PlanningProblem problem = planning::make_problem(loaded.scene, loaded.basis);
   const VariantGenerator generator(problem);
   VariantBench bench{file, fmt::format("{}", fmt::join(generator.target(), ", ")), {}};
@@ -349,7 +352,7 @@ int bench_campaign(const BenchOptions& options, const CLI::App& command) {
     throw CLI::ValidationError("CAMPAIGN", "a campaign is run by itself, without other files");
   }
   refuse({"--planner", "--seeds", "--threads", "--time-limit", "--checker", "--check-paths",
-          "--checks", "--set", "--variants"},
+          "--checks", "--set", "--group", "--variants"},
          command, "is for scenes; a campaign has it in its file");
   return run_campaign_file({options.scenes.front(), options.out, options.resume, options.jobs});
 }
@@ -443,6 +446,7 @@ void add_bench_command(CLI::App& app, int& exit_code) {
       ->type_name("KEY=VALUE")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  add_group_option(*command, options->group);
   add_variant_options(*command, *options);
   command->add_flag("--resume", options->resume, "Go on with a campaign whose runs are in --out");
   command->add_option("--jobs", options->jobs, "Runs of a campaign at a time (default: one a core)")

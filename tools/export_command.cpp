@@ -25,7 +25,8 @@ int export_scene(const ExportChoice& choice, const planning::SceneExporter& expo
     throw CLI::ValidationError("path",
                                "--to " + choice.to + " is of a scene alone, without a path");
   }
-  const planning::LoadedScene loaded = planning::load_scene(choice.timing.scene, plugins);
+  planning::LoadedScene loaded = planning::load_scene(choice.timing.scene, plugins);
+  set_group(choice.timing.group, loaded);
   print_warnings(*loaded.scene);
   for (const std::filesystem::path& file : exporter.write(*loaded.scene, choice.out)) {
     fmt::print("{}\n", file.string());

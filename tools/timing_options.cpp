@@ -37,12 +37,14 @@ void add_timing_options(CLI::App& command, TimingChoice& choice) {
   command.add_flag("--jerk", choice.jerk, "Limit jerk, too");
   command.add_option("--limits", choice.limits,
                      "Velocity, acceleration and jerk limits (joint_limits.yaml)");
+  add_group_option(command, choice.group);
   command.add_option("--report", choice.report, "Where to write the pre-flight report (JSON)");
 }
 
 planning::PlanningProblem read_problem(const TimingChoice& choice,
                                        const planning::PluginManager& plugins) {
-  const planning::LoadedScene loaded = planning::load_scene(choice.scene, plugins);
+  planning::LoadedScene loaded = planning::load_scene(choice.scene, plugins);
+  set_group(choice.group, loaded);
   return planning::make_problem(loaded.scene, loaded.basis);
 }
 

@@ -4,6 +4,8 @@
 #include "handway/planning/timing/time_path.h"
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 namespace CLI {
 class App;
@@ -17,6 +19,7 @@ struct TimingChoice {
   std::filesystem::path scene;
   std::filesystem::path limits;
   std::filesystem::path report;
+  std::vector<std::string> group;  ///< What moves; empty: the scene's.
   double speed = 1.0;
   double period_ms = 4.0;
   double deviation = planning::BlendOptions{}.deviation;

@@ -14,7 +14,6 @@
 #include <Inventor/nodes/SoMaterial.h>
 #include <Inventor/nodes/SoMatrixTransform.h>
 #include <Inventor/nodes/SoNode.h>
-#include <Inventor/nodes/SoPointSet.h>
 #include <Inventor/nodes/SoSeparator.h>
 #include <Inventor/nodes/SoSphere.h>
 #include <Inventor/nodes/SoTranslation.h>
@@ -100,9 +99,10 @@ void add_cone(SoSeparator& parent, const geometric::OrientationConstraint& uprig
   parent.addChild(make_edges_node(rim, edges, color, kEdgeWidth));
 }
 
-SoSeparator* make_dots(std::span<const Eigen::Vector3d> points, const geometric::Color& color) {
+SoSeparator* make_dots(std::span<const Eigen::Vector3d> points, const geometric::Color& color,
+                       float size = kDotSize) {
   auto* dots = new SoSeparator;
-  add_unlit_style(*dots, 1.0F, kDotSize);
+  add_unlit_style(*dots, 1.0F, size);
   auto* base = new SoBaseColor;
   base->rgb = to_coin(color);
   dots->addChild(base);
@@ -546,28 +546,10 @@ constexpr geometric::Color kEdge{0.42F, 0.52F, 0.70F, 1.0F};
 constexpr geometric::Color kFree{0.11F, 0.66F, 0.36F, 1.0F};
 constexpr geometric::Color kRefused{0.85F, 0.16F, 0.14F, 1.0F};
 
-SoSeparator* make_nodes(const Microscope& microscope, int first, int last,
-                        const geometric::Color& color, float size) {
-  auto* separator = new SoSeparator;
-  add_unlit_style(*separator, 1.0F, size);
-  auto* base = new SoBaseColor;
-  base->rgb = to_coin(color);
-  separator->addChild(base);
-  auto* set = new SoPointSet;
-  set->vertexProperty = make_vertices(
-      std::span(microscope.palms())
-          .subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(last - first)));
-  separator->addChild(set);
-  return separator;
-}
-
 }  // namespace
 
 Drawing make_steps_node(const Microscope& microscope) {
-  auto all = make_coin<SoSeparator>();
-  auto* through = new SoDepthBuffer;
-  through->test = FALSE;
-  all->addChild(through);
+  auto all = make_seen_through();
   const std::size_t done = microscope.position() + 1;
   const RecordedRun& run = *microscope.run();
   const auto edges = run.edges_after(done);
@@ -575,7 +557,8 @@ Drawing make_steps_node(const Microscope& microscope) {
     all->addChild(make_edges_node(microscope.palms(), edges, kEdge, 1.5F));
   }
   const int nodes = run.nodes_after(done);
-  all->addChild(make_nodes(microscope, 0, nodes, kNode, 6.0F));
+  const std::span palms(microscope.palms());
+  all->addChild(make_dots(palms.first(static_cast<std::size_t>(nodes)), kNode, 6.0F));
   const planning::AlgorithmStep& step = microscope.step().step;
   if (step.to >= 0 && step.line != lines::kJoined) {
     const std::pair<int, int> edge(step.from, step.to);
@@ -583,7 +566,7 @@ Drawing make_steps_node(const Microscope& microscope) {
                                   step.yes ? kFree : kRefused, 4.0F));
   }
   if (step.from >= 0 && step.to < 0) {
-    all->addChild(make_nodes(microscope, step.from, step.from + 1, kFree, 11.0F));
+    all->addChild(make_dots(palms.subspan(static_cast<std::size_t>(step.from), 1), kFree, 11.0F));
   }
   return all;
 }

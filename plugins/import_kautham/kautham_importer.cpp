@@ -3,13 +3,12 @@
 #include "handway/geometric/formats/robot_loader.h"
 #include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/input_error.h"
+#include "handway/geometric/io/text_file.h"
 #include "handway/planning/extensions/importer.h"
 #include "kautham_model.h"
 #include "kautham_problem.h"
 
 #include <algorithm>
-#include <array>
-#include <fstream>
 #include <map>
 #include <memory>
 #include <string_view>
@@ -277,11 +276,7 @@ bool KauthamImporter::can_read(const std::filesystem::path& file) const {
   if (!is_robot && !geometric::has_extension(file, ".xml")) {
     return false;
   }
-  std::array<char, 4096> head{};
-  std::ifstream stream(file, std::ios::binary);
-  stream.read(head.data(), head.size());
-  const std::string_view begin(head.data(), static_cast<std::size_t>(stream.gcount()));
-  return begin.find(is_robot ? "<Robot" : "<Problem") != std::string_view::npos;
+  return geometric::head_of(file, 4096).find(is_robot ? "<Robot" : "<Problem") != std::string::npos;
 }
 
 planning::LoadedScene KauthamImporter::read(const std::filesystem::path& file) const {

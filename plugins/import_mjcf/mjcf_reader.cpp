@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <mujoco/mujoco.h>
 #include <pugixml.hpp>
 
 #include <algorithm>
@@ -16,7 +17,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
-#include <fstream>
 #include <limits>
 #include <memory>
 #include <mutex>
@@ -29,6 +29,13 @@
 
 namespace handway::import_mjcf {
 namespace {
+
+namespace fs = std::filesystem;
+using geometric::AllowedReason;
+using geometric::Joint;
+using geometric::JointType;
+using geometric::Pose;
+using geometric::RobotDescription;
 
 constexpr std::size_t kLargestFile = std::size_t{16} << 20;
 
@@ -101,9 +108,14 @@ std::string with_limits(const std::filesystem::path& file) {
   return text;
 }
 
-}  // namespace
+struct ModelDeleter {
+  void operator()(mjModel* model) const { mj_deleteModel(model); }
+};
+using ModelPointer = std::unique_ptr<mjModel, ModelDeleter>;
 
-ModelPointer compile_mjcf(const std::filesystem::path& file, std::vector<std::string>& warnings) {
+// What MuJoCo's compiler makes of an MJCF file, and in `warnings` what it said about it. One file
+// at a time; any thread.
+ModelPointer compile_mjcf(const fs::path& file, std::vector<std::string>& warnings) {
   static std::mutex one_at_a_time;
   const std::lock_guard lock(one_at_a_time);
   const Handlers handlers(warnings);
@@ -125,6 +137,7 @@ ModelPointer compile_mjcf(const std::filesystem::path& file, std::vector<std::st
       {file.string(), "", "a file that MuJoCo does not take: " + reason, "a robot as MJCF", ""});
 }
 
+// The name of an object, or KIND_NUMBER if it has none.
 std::string name_of(const mjModel& model, mjtObj kind, int index) {
   if (const char* name = mj_id2name(&model, kind, index); name != nullptr && *name != '\0') {
     return name;
@@ -132,16 +145,6 @@ std::string name_of(const mjModel& model, mjtObj kind, int index) {
   return fmt::format("{}_{}", mju_type2Str(kind), index);
 }
 
-namespace {
-
-namespace fs = std::filesystem;
-using geometric::AllowedReason;
-using geometric::Joint;
-using geometric::JointType;
-using geometric::Pose;
-using geometric::RobotDescription;
-
-constexpr std::size_t kHead = std::size_t{1} << 16;
 constexpr int kVisibleGroups = 3;
 constexpr double kNone = 1e-12;
 constexpr double kForever = std::numeric_limits<double>::infinity();
@@ -516,11 +519,7 @@ bool is_mjcf_file(const fs::path& file) {
   if (!geometric::has_extension(file, ".xml") && !geometric::has_extension(file, ".mjcf")) {
     return false;
   }
-  std::string head(kHead, '\0');
-  std::ifstream stream(file, std::ios::binary);
-  stream.read(head.data(), static_cast<std::streamsize>(head.size()));
-  head.resize(static_cast<std::size_t>(stream.gcount()));
-  return head.find("<mujoco") != std::string::npos;
+  return geometric::head_of(file).find("<mujoco") != std::string::npos;
 }
 
 RobotDescription read_mjcf(const fs::path& file) { return Reader(file).read(); }

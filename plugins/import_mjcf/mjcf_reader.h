@@ -2,28 +2,9 @@
 
 #include "handway/geometric/robot/robot_description.h"
 
-#include <mujoco/mujoco.h>
-
 #include <filesystem>
-#include <memory>
-#include <string>
-#include <vector>
 
 namespace handway::import_mjcf {
-
-struct ModelDeleter {
-  void operator()(mjModel* model) const { mj_deleteModel(model); }
-};
-using ModelPointer = std::unique_ptr<mjModel, ModelDeleter>;
-
-/// What MuJoCo's compiler makes of an MJCF file. One file at a time; any thread.
-/// @param[out] warnings what it said about it.
-/// @throws InputError with what it says if it refuses the file.
-[[nodiscard]] ModelPointer compile_mjcf(const std::filesystem::path& file,
-                                        std::vector<std::string>& warnings);
-
-/// The name of an object, or KIND_NUMBER if it has none.
-[[nodiscard]] std::string name_of(const mjModel& model, mjtObj kind, int index);
 
 /// Does the file's name end in .xml or .mjcf, and does it begin like an MJCF file?
 [[nodiscard]] bool is_mjcf_file(const std::filesystem::path& file);
@@ -32,8 +13,7 @@ using ModelPointer = std::unique_ptr<mjModel, ModelDeleter>;
 /// MuJoCo's own compiler, includes and defaults among it.
 ///
 /// - The root link is the "world"; a body is a link of its name. Of several joints of a body, all
-/// but
-///   the last carry links BODY/JOINT without shape.
+///   but the last carry links BODY/JOINT without shape.
 /// - Joints have MuJoCo's values; hinges without a range are continuous, slides without one go
 ///   ±2 m, balls are three turns (JOINT/yaw, /pitch, /roll), free joints floating bases.
 /// - Geometries that can be in contact collide, by their own triangles where MuJoCo takes the

@@ -3,6 +3,7 @@
 #include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/resources.h"
+#include "handway/geometric/io/text_file.h"
 
 #include <fmt/format.h>
 
@@ -11,7 +12,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
-#include <fstream>
 #include <optional>
 #include <sstream>
 #include <string_view>
@@ -130,7 +130,6 @@ namespace {
 namespace fs = std::filesystem;
 using geometric::YamlElement;
 
-constexpr std::size_t kHead = std::size_t{1} << 16;
 constexpr int kFoldersAbove = 3;
 
 bool is_file(const fs::path& file) {
@@ -138,20 +137,14 @@ bool is_file(const fs::path& file) {
   return fs::is_regular_file(file, ignored);
 }
 
-std::string head_of(const fs::path& file) {
-  std::string text(kHead, '\0');
-  std::ifstream stream(file, std::ios::binary);
-  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(stream.gcount()));
-  return text;
-}
-
 bool has_key(const std::string& text, std::string_view key) {
   const std::string line = fmt::format("{}:", key);
   return text.starts_with(line) || text.find('\n' + line) != std::string::npos;
 }
 
-bool is_request(const fs::path& file) { return has_key(head_of(file), "goal_constraints"); }
+bool is_request(const fs::path& file) {
+  return has_key(geometric::head_of(file), "goal_constraints");
+}
 
 // "scene0001.yaml" for "request0001.yaml", as existing_file() finds it; empty if the name has no
 // such word.
@@ -175,7 +168,7 @@ std::vector<fs::path> folders_from(const fs::path& folder) {
 }  // namespace
 
 bool is_moveit_file(const fs::path& file) {
-  const std::string head = head_of(file);
+  const std::string head = geometric::head_of(file);
   if (has_key(head, "handway") || has_key(head, "campaign")) {
     return false;
   }

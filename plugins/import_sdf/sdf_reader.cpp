@@ -3,6 +3,7 @@
 #include "handway/geometric/formats/mesh_reader.h"
 #include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/input_error.h"
+#include "handway/geometric/io/text_file.h"
 #include "handway/geometric/mesh/shape.h"
 #include "handway/geometric/robot/base_joint.h"
 
@@ -12,7 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <fstream>
+#include <ignition/math/Pose3.hh>
 #include <limits>
 #include <map>
 #include <mutex>
@@ -24,6 +25,7 @@
 #include <sdf/Console.hh>
 #include <sdf/Cylinder.hh>
 #include <sdf/Ellipsoid.hh>
+#include <sdf/Geometry.hh>
 #include <sdf/Joint.hh>
 #include <sdf/JointAxis.hh>
 #include <sdf/Link.hh>
@@ -47,7 +49,11 @@ namespace handway::import_sdf {
 namespace {
 
 namespace fs = std::filesystem;
+using geometric::InputError;
+using geometric::Joint;
+using geometric::JointType;
 using geometric::Pose;
+using geometric::RobotDescription;
 using geometric::Shape;
 
 Eigen::Vector3d vector_of(const ignition::math::Vector3d& v) { return {v.X(), v.Y(), v.Z()}; }
@@ -100,8 +106,6 @@ geometric::Mesh mesh_of(const sdf::Mesh& from, const fs::path& folder, const std
   return mesh;
 }
 
-}  // namespace
-
 Pose pose_of(const ignition::math::Pose3d& pose) {
   Pose X = Pose::Identity();
   X.linear() = Eigen::Quaterniond(pose.Rot().W(), pose.Rot().X(), pose.Rot().Y(), pose.Rot().Z())
@@ -111,6 +115,7 @@ Pose pose_of(const ignition::math::Pose3d& pose) {
   return X;
 }
 
+// A geometry as shapes of our own, with their poses in its frame; empty for one of another kind.
 std::vector<std::pair<Shape, Pose>> shapes_of(const sdf::Geometry& geometry, const fs::path& folder,
                                               const std::string& where) {
   if (const sdf::Box* box = geometry.BoxShape()) {
@@ -134,16 +139,6 @@ std::vector<std::pair<Shape, Pose>> shapes_of(const sdf::Geometry& geometry, con
   return {};
 }
 
-namespace {
-
-namespace fs = std::filesystem;
-using geometric::InputError;
-using geometric::Joint;
-using geometric::JointType;
-using geometric::Pose;
-using geometric::RobotDescription;
-
-constexpr std::size_t kHead = std::size_t{1} << 16;
 constexpr double kLargestLimit = 1e6;
 constexpr double kSamePlace = 1e-9;
 constexpr const char* kWorld = "world";
@@ -414,11 +409,7 @@ bool is_sdf_file(const fs::path& file) {
   if (!is_other) {
     return geometric::has_extension(file, ".sdf");
   }
-  std::string head(kHead, '\0');
-  std::ifstream stream(file, std::ios::binary);
-  stream.read(head.data(), static_cast<std::streamsize>(head.size()));
-  head.resize(static_cast<std::size_t>(stream.gcount()));
-  return head.find("<sdf") != std::string::npos;
+  return geometric::head_of(file).find("<sdf") != std::string::npos;
 }
 
 RobotDescription read_sdf(const fs::path& file) { return Reader(file).read(); }

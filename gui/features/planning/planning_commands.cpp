@@ -8,7 +8,7 @@
 #include "features/planning/region_tool.h"
 #include "features/planning/roadmap_display.h"
 #include "features/workbench.h"
-#include "model/planning/settings_history.h"
+#include "model/planning/plan_settings.h"
 #include "model/playback/path_player.h"
 #include "view3d/scene_view.h"
 #include "widgets/panels/log_panel.h"

@@ -8,7 +8,7 @@
 #include "handway/device/glove/recording.h"
 #include "handway/device/retargeting/fingertip_retargeter.h"
 #include "handway/geometric/robot/robot_model.h"
-#include "model/devices/stream_inbox.h"
+#include "model/devices/stream_link.h"
 #include "model/jobs/background.h"
 
 #include <QObject>
@@ -16,7 +16,6 @@
 
 #include <Eigen/Core>
 
-#include <chrono>
 #include <cstddef>
 #include <filesystem>
 #include <memory>
@@ -93,47 +92,27 @@ class RecordingTap {
 
 /// A glove's stream brought to the window's thread. The taps see every frame, on the stream's
 /// thread.
-class GloveLink : public QObject {
+class GloveLink : public DeviceLink<device::Glove, ArrivedFrame> {
   Q_OBJECT
 
  public:
   explicit GloveLink(QObject* parent = nullptr);
-  ~GloveLink() override;
 
   /// Takes the place of the stream before.
   /// @param emulator that the glove talks to, kept as long; may be null.
   void start(std::unique_ptr<device::Glove> glove,
              std::unique_ptr<device::GloveEmulator> emulator = nullptr);
-  /// Returns at once.
-  void stop();
 
-  [[nodiscard]] bool is_running() const { return running_ != nullptr; }
-  [[nodiscard]] device::StreamState state() const { return state_; }
-  [[nodiscard]] device::GloveInfo info() const;
-  [[nodiscard]] device::StreamStatistics statistics() const;
-  /// When the first of the frames that arrived() announced last came in.
-  [[nodiscard]] std::chrono::steady_clock::time_point arrival() const;
   [[nodiscard]] RecordingTap& tap() { return *tap_; }
   [[nodiscard]] RetargetingTap& retargeting() { return *retargeting_; }
 
  signals:
-  /// @param error why, of kLost and kFailed.
-  void state_changed(handway::device::StreamState state, const QString& error);
   /// Frames since the last time, oldest first, never none.
   void arrived(const std::vector<handway::gui::ArrivedFrame>& frames);
 
  private:
-  using Inbox = StreamInbox<ArrivedFrame>;
-  struct Running;
-
-  void take_state(device::StreamState state);
-
   std::shared_ptr<RecordingTap> tap_;
   std::shared_ptr<RetargetingTap> retargeting_;
-  std::unique_ptr<Inbox> inbox_;
-  std::shared_ptr<Running> running_;
-  device::StreamState state_ = device::StreamState::kStopped;
-  BackgroundThreads closing_;
 };
 
 /// The glove that the workbench listens to: its link, calibration, and what makes postures of the

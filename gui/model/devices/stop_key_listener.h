@@ -19,9 +19,6 @@ class StopKeyListener {
   StopKeyListener(const StopKeyListener&) = delete;
   StopKeyListener& operator=(const StopKeyListener&) = delete;
 
-  /// False where there is no X server with the X Input extension 2.1, as under Wayland.
-  [[nodiscard]] bool is_listening() const { return thread_ != nullptr; }
-
  private:
   class Thread;
   std::unique_ptr<Thread> thread_;

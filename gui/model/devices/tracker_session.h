@@ -4,8 +4,7 @@
 #include "handway/device/tracker/tool_follower.h"
 #include "handway/device/tracker/tracker.h"
 #include "handway/geometric/robot/robot_description.h"
-#include "model/devices/stream_inbox.h"
-#include "model/jobs/background.h"
+#include "model/devices/stream_link.h"
 
 #include <QObject>
 #include <QString>
@@ -18,41 +17,20 @@
 namespace handway::gui {
 
 /// A tracker's stream brought to the window's thread.
-class TrackerLink : public QObject {
+class TrackerLink : public DeviceLink<device::Tracker, device::TrackerSample> {
   Q_OBJECT
 
  public:
-  explicit TrackerLink(QObject* parent = nullptr);
-  ~TrackerLink() override;
+  using DeviceLink::DeviceLink;
 
   /// Takes the place of the stream before.
   /// @param emulator that the tracker talks to, kept as long; may be null.
   void start(std::unique_ptr<device::Tracker> tracker,
              std::unique_ptr<device::DeviceEmulator> emulator = nullptr);
-  /// Returns at once.
-  void stop();
-
-  [[nodiscard]] bool is_running() const { return running_ != nullptr; }
-  [[nodiscard]] device::StreamState state() const { return state_; }
-  [[nodiscard]] device::TrackerInfo info() const;
-  [[nodiscard]] device::StreamStatistics statistics() const;
 
  signals:
-  /// @param error why, of kLost and kFailed.
-  void state_changed(handway::device::StreamState state, const QString& error);
   /// Samples of all sensors since the last time, oldest first, never none.
   void arrived(const std::vector<handway::device::TrackerSample>& samples);
-
- private:
-  using Inbox = StreamInbox<device::TrackerSample>;
-  struct Running;
-
-  void take_state(device::StreamState state);
-
-  std::unique_ptr<Inbox> inbox_;
-  std::shared_ptr<Running> running_;
-  device::StreamState state_ = device::StreamState::kStopped;
-  BackgroundThreads closing_;
 };
 
 /// The wrist tracker that the workbench listens to.

@@ -96,19 +96,6 @@ std::optional<LinkOfRobot> carrier_of(const Scene& scene, const std::string& rob
   return LinkOfRobot{whole->parts[static_cast<std::size_t>(part->carrier)].name, part->link};
 }
 
-std::vector<std::string> robot_names(const Scene& scene) {
-  std::vector<std::string> names;
-  for (const RobotInstance& robot : scene.robots) {
-    names.push_back(robot.name);
-    for (const RobotPart& part : robot.parts) {
-      if (part.carrier >= 0) {
-        names.push_back(part.name);
-      }
-    }
-  }
-  return names;
-}
-
 std::vector<LinkOfRobot> mounting_places(const Scene& scene, const std::string& robot) {
   std::vector<LinkOfRobot> places;
   for (const RobotInstance& whole : scene.robots) {

@@ -27,8 +27,6 @@ struct LinkOfRobot {
 /// What carries a mounted part; nothing of a robot that stands in the world.
 [[nodiscard]] std::optional<LinkOfRobot> carrier_of(const geometric::Scene& scene,
                                                     const std::string& robot);
-/// Names of the robots and, after each, of those mounted on it.
-[[nodiscard]] std::vector<std::string> robot_names(const geometric::Scene& scene);
 /// Where `robot` could be mounted: all links of robots and parts that it does not carry itself.
 [[nodiscard]] std::vector<LinkOfRobot> mounting_places(const geometric::Scene& scene,
                                                        const std::string& robot);

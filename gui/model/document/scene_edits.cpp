@@ -94,19 +94,7 @@ SceneState with_object(const SceneState& state, SceneObject object) {
 
 SceneState without_objects(const SceneState& state, const std::vector<std::string>& names) {
   Scene scene = *state.scene;
-  std::erase_if(scene.objects,
-                [&](const SceneObject& object) { return contains(names, object.name); });
-  for (const std::string& name : names) {
-    scene.display.remove(name);
-  }
-  // What is about a body that is gone can't be read from a file.
-  std::erase_if(scene.may_touch, [&](const auto& pair) {
-    return contains(names, pair.first.first) || contains(names, pair.first.second);
-  });
-  std::erase_if(scene.constraints, [&](const geometric::PathConstraint& constraint) {
-    return contains(names, constraint.body) &&
-           !scene.robots.front().model->find_link(constraint.body);
-  });
+  geometric::remove_objects(scene, names);
   return with_scene(state, std::move(scene));
 }
 

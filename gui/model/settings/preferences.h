@@ -1,6 +1,5 @@
 #pragma once
 
-#include "model/settings/navigation.h"
 #include "model/settings/orbit_camera.h"
 
 #include <QObject>

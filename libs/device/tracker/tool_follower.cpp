@@ -82,22 +82,6 @@ void check(const ToolFollowerSettings& settings) {
 
 }  // namespace
 
-const char* follow_state_name(FollowState state) {
-  switch (state) {
-    case FollowState::kReleased:
-      return "released";
-    case FollowState::kFollowing:
-      return "following";
-    case FollowState::kSlowed:
-      return "slowed";
-    case FollowState::kOutOfReach:
-      return "out of reach";
-    case FollowState::kBranchEnd:
-      return "end of branch";
-  }
-  return "unknown";
-}
-
 ToolFollower::ToolFollower(std::shared_ptr<const geometric::InverseKinematics> ik, Configuration q,
                            const ToolFollowerSettings& settings)
     : ik_(std::move(ik)), settings_(settings), q_(std::move(q)), goal_(q_) {

@@ -120,4 +120,12 @@ std::string read_text_file(const fs::path& file, const std::string& what, std::s
   return text;
 }
 
+std::string head_of(const std::filesystem::path& file, std::size_t size) {
+  std::string text(size, '\0');
+  std::ifstream stream(file, std::ios::binary);
+  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  return text;
+}
+
 }  // namespace handway::geometric

@@ -38,11 +38,6 @@ RobotState::RobotState(std::shared_ptr<const RobotModel> model, const Pose& X_WB
   update();
 }
 
-void RobotState::set_base_pose(const Pose& X_WB) {
-  X_WB_ = X_WB;
-  update();
-}
-
 void RobotState::set_configuration(const Configuration& q) {
   if (q.size() != model_->variable_count()) {
     refuse_value(*model_, "configuration", std::to_string(q.size()) + " values",

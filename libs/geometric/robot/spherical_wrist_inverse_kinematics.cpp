@@ -489,16 +489,6 @@ class Solution : public SphericalWristInverseKinematics {
 
 SphericalWristInverseKinematics::~SphericalWristInverseKinematics() = default;
 
-std::optional<Configuration> SphericalWristInverseKinematics::solve_on(
-    const ArmBranch& branch, const Pose& X_BT, const Configuration& reference) const {
-  for (const IkSolution& solution : solve(X_BT, reference).solutions) {
-    if (solution.branch == branch) {
-      return solution.q;
-    }
-  }
-  return std::nullopt;
-}
-
 std::unique_ptr<SphericalWristInverseKinematics> make_spherical_wrist_inverse_kinematics(
     std::shared_ptr<const RobotModel> model, std::string_view tip_link,
     const Tx90IkOptions& options) {

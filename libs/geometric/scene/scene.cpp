@@ -34,6 +34,23 @@ bool is_carried_by(const SceneObject& object, const RobotInstance& robot) {
          robot.model->find_link(object.attachment->link);
 }
 
+void remove_objects(Scene& scene, const std::vector<std::string>& names) {
+  const auto is_named = [&](const std::string& body) {
+    return std::ranges::find(names, body) != names.end();
+  };
+  std::erase_if(scene.objects, [&](const SceneObject& object) { return is_named(object.name); });
+  for (const std::string& name : names) {
+    scene.display.remove(name);
+  }
+  // What is about a body that is gone can't be read from a file.
+  std::erase_if(scene.may_touch, [&](const auto& entry) {
+    return is_named(entry.first.first) || is_named(entry.first.second);
+  });
+  std::erase_if(scene.constraints, [&](const PathConstraint& constraint) {
+    return is_named(constraint.body) && !scene.robots.front().model->find_link(constraint.body);
+  });
+}
+
 std::vector<std::string> constrainable_bodies(const Scene& scene) {
   const RobotInstance& robot = scene.robots.front();
   std::vector<std::string> bodies;

@@ -26,10 +26,10 @@ TEST_F(RobotStateTest, StartsInTheNeutralConfiguration) {
 TEST_F(RobotStateTest, PlacesLinksInTheWorld) {
   const Pose X_WB = pose_from_rpy({1.0, 2.0, 3.0}, 0.1, 0.2, 0.3);
   const Pose X_BP = state_.link_pose("Palm");
-  state_.set_base_pose(X_WB);
-  EXPECT_TRUE(state_.link_pose("Palm").isApprox(X_WB * X_BP, 1e-12));
-  EXPECT_TRUE(state_.link_pose(0).isApprox(X_WB, 1e-12));
-  EXPECT_EQ(static_cast<int>(state_.link_poses().size()), model_->link_count());
+  const RobotState placed(model_, X_WB);
+  EXPECT_TRUE(placed.link_pose("Palm").isApprox(X_WB * X_BP, 1e-12));
+  EXPECT_TRUE(placed.link_pose(0).isApprox(X_WB, 1e-12));
+  EXPECT_EQ(static_cast<int>(placed.link_poses().size()), model_->link_count());
 }
 
 TEST_F(RobotStateTest, MovesCoupledJointsWithTheirLeader) {

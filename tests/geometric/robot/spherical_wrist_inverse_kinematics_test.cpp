@@ -160,19 +160,6 @@ TEST(SphericalWristInverseKinematics, NamesTheBranchAsTheController) {
             (ArmBranch{Shoulder::kRighty, Bend::kNegative, Bend::kNegative}));
 }
 
-TEST(SphericalWristInverseKinematics, SolvesOnOneBranch) {
-  Arm arm(test::tx90_sah(), "Palm");
-  const Configuration q = arm.degrees({20, 20, 70, 30, 40, 50});
-  const Pose X_BT = arm.tip_pose(q);
-  const auto here = arm.ik->solve_on(arm.ik->branch_of(q), X_BT, arm.model->neutral());
-  ASSERT_TRUE(here);
-  EXPECT_LT((*here - q.head(6)).norm(), 1e-9);
-  const ArmBranch flipped{Shoulder::kLefty, Bend::kPositive, Bend::kNegative};
-  const auto there = arm.ik->solve_on(flipped, X_BT, arm.model->neutral());
-  ASSERT_TRUE(there);
-  EXPECT_LT((*there)[4], 0.0);
-}
-
 TEST(SphericalWristInverseKinematics, ListsFullTurnsWithinTheLimits) {
   Arm arm(test::tx90_urdf_style(), "flange", {.full_turn_alternates = true});
   const Configuration q = arm.degrees({20, 20, 70, -150, 40, 200});

@@ -53,9 +53,6 @@ enum class FollowState {
   kBranchEnd,   ///< Only a posture far from the present one is there: the robot stands.
 };
 
-/// "following", "out of reach", … for people.
-[[nodiscard]] HANDWAY_DEVICE_EXPORT const char* follow_state_name(FollowState state);
-
 struct FollowStep {
   FollowState state = FollowState::kReleased;
   geometric::Configuration q;  ///< Where the robot is to be, shape [model().variable_count()].

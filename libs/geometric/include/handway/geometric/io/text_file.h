@@ -40,4 +40,9 @@ HANDWAY_GEOMETRIC_EXPORT void note_file_read(const std::filesystem::path& file);
     const std::filesystem::path& file, const std::string& what,
     std::size_t limit = std::size_t{64} << 20);
 
+/// The first `size` bytes of a file, fewer of a shorter one; empty if it can't be read. For those
+/// who look whether a file is theirs.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::string head_of(const std::filesystem::path& file,
+                                                           std::size_t size = std::size_t{1} << 16);
+
 }  // namespace handway::geometric

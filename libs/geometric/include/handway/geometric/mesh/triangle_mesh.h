@@ -62,9 +62,4 @@ HANDWAY_GEOMETRIC_EXPORT void append(TriangleMesh& whole, const TriangleMesh& pa
 /// @param mesh welded() and with distinct_triangles(): no two vertices are at the same place.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT bool is_closed(const TriangleMesh& mesh);
 
-/// The parts of a mesh that hang together, vertices at the same place being one and equal triangles
-/// too; those with the longest box diagonal first.
-[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<TriangleMesh> pieces_of(
-    const TriangleMesh& mesh);
-
 }  // namespace handway::geometric

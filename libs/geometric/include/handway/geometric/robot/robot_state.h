@@ -23,7 +23,6 @@ class HANDWAY_GEOMETRIC_EXPORT RobotState {
 
   /// Pose of the robot's base (root link) in the world.
   [[nodiscard]] const Pose& base_pose() const { return X_WB_; }
-  void set_base_pose(const Pose& X_WB);
 
   /// Shape [variable_count], rad or m. Limits are not enforced: see within_limits().
   [[nodiscard]] const Configuration& configuration() const { return q_; }

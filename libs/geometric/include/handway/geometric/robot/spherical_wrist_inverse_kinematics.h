@@ -36,11 +36,6 @@ class HANDWAY_GEOMETRIC_EXPORT SphericalWristInverseKinematics : public InverseK
   /// @pre q has shape [model().variable_count()].
   [[nodiscard]] virtual ArmBranch branch_of(const Configuration& q) const = 0;
 
-  /// The solution on one branch that is nearest to the reference, shape
-  /// [variables().size()]. @throws InputError as solve().
-  [[nodiscard]] std::optional<Configuration> solve_on(const ArmBranch& branch, const Pose& X_BT,
-                                                      const Configuration& reference) const;
-
  protected:
   using InverseKinematics::InverseKinematics;
 };

@@ -132,6 +132,10 @@ struct Scene {
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT bool is_carried_by(const SceneObject& object,
                                                           const RobotInstance& robot);
 
+/// Removes the objects of these names and what the scene says about them: how the window treats
+/// them, whether they may touch, and constraints, unless these are about a link of the same name.
+HANDWAY_GEOMETRIC_EXPORT void remove_objects(Scene& scene, const std::vector<std::string>& names);
+
 /// What a constraint may be about: names of the objects that the first robot carries, then of its
 /// links.
 [[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::vector<std::string> constrainable_bodies(

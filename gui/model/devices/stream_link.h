@@ -1,15 +1,18 @@
 #pragma once
 
 #include "handway/device/core/device_stream.h"
+#include "model/jobs/background.h"
 
 #include <QElapsedTimer>
 #include <QObject>
+#include <QString>
 #include <QTimer>
 
 #include <chrono>
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -135,6 +138,105 @@ class StreamInbox {
   QTimer timer_;
   QElapsedTimer since_delivery_;
   std::chrono::steady_clock::time_point arrival_;
+};
+
+/// What links to devices of all kinds have in common, for Qt's signals.
+class StreamLink : public QObject {
+  Q_OBJECT
+
+ public:
+  [[nodiscard]] device::StreamState state() const { return state_; }
+
+ signals:
+  /// @param error why, of kLost and kFailed.
+  void state_changed(handway::device::StreamState state, const QString& error);
+
+ protected:
+  using QObject::QObject;
+
+  void set_state(device::StreamState state, const std::string& error = {});
+
+ private:
+  device::StreamState state_ = device::StreamState::kStopped;
+};
+
+/// A device's stream brought to the window's thread.
+/// @tparam Device device::Glove or device::Tracker. @tparam Item what becomes of its samples.
+template <typename Device, typename Item>
+class DeviceLink : public StreamLink {
+ public:
+  using Items = std::vector<Item>;
+  using Info = typename Device::Info;
+
+  ~DeviceLink() override {
+    blockSignals(true);
+    stop();
+  }
+  DeviceLink(const DeviceLink&) = delete;
+  DeviceLink& operator=(const DeviceLink&) = delete;
+
+  /// Returns at once.
+  void stop() {
+    if (!running_) {
+      return;
+    }
+    inbox_->close();
+    running_->stream->request_stop();
+    closing_.run([ending = std::exchange(running_, nullptr)]() mutable { ending.reset(); });
+    set_state(device::StreamState::kStopped);
+  }
+
+  [[nodiscard]] bool is_running() const { return running_ != nullptr; }
+  [[nodiscard]] Info info() const { return running_ ? running_->stream->info() : Info{}; }
+  [[nodiscard]] device::StreamStatistics statistics() const {
+    return running_ ? running_->stream->statistics() : device::StreamStatistics{};
+  }
+  /// When the first of the items that were handed over last came in.
+  [[nodiscard]] std::chrono::steady_clock::time_point arrival() const {
+    return inbox_ ? inbox_->arrival() : std::chrono::steady_clock::time_point{};
+  }
+
+ protected:
+  using StreamLink::StreamLink;
+  using Stream = device::DeviceStream<Device>;
+
+  /// Takes the place of the stream before.
+  /// @param emulator that the device talks to, kept as long; may be null.
+  /// @param make_item called by the stream's thread.
+  /// @param on_items gets items since the last time, oldest first, never none.
+  void run(std::unique_ptr<Device> device, std::shared_ptr<void> emulator,
+           std::function<Item(const typename Device::Sample&)> make_item,
+           std::function<void(const Items&)> on_items) {
+    stop();
+    inbox_ = std::make_unique<StreamInbox<Item>>(
+        std::move(on_items), [this](device::StreamState state) { take_state(state); });
+    typename Stream::Handlers handlers;
+    handlers.on_sample = [push = inbox_->item_slot(), make = std::move(make_item)](
+                             const typename Device::Sample& sample) { push(make(sample)); };
+    handlers.on_state = inbox_->state_slot();
+    running_ = std::make_shared<Running>();
+    running_->emulator = std::move(emulator);
+    running_->stream =
+        std::make_unique<Stream>(std::move(device), device::StreamSettings{}, handlers);
+    set_state(device::StreamState::kConnecting);
+  }
+
+ private:
+  // The stream ends before the emulator that it talks to.
+  struct Running {
+    std::shared_ptr<void> emulator;
+    std::unique_ptr<Stream> stream;
+  };
+
+  void take_state(device::StreamState state) {
+    const bool broken =
+        state == device::StreamState::kLost || state == device::StreamState::kFailed;
+    set_state(state, broken ? running_->stream->error() : std::string());
+  }
+
+  std::unique_ptr<StreamInbox<Item>> inbox_;
+  std::shared_ptr<Running> running_;
+  BackgroundThreads closing_;
 };
 
 }  // namespace handway::gui
