@@ -1,8 +1,8 @@
 /// Files that would never end, or stand for more than there is memory.
 #include "scratch_files.h"
 
-#include <handway/geometric/formats/scene_reader.h>
-#include <handway/geometric/formats/urdf_reader.h>
+#include <handway/geometric/formats/scene_file.h>
+#include <handway/geometric/formats/urdf.h>
 #include <handway/geometric/formats/yaml_element.h>
 #include <handway/geometric/io/text_file.h>
 

@@ -1,8 +1,7 @@
 /// Which joints of a scene's robots move: `group` in scene files.
 #include "scratch_files.h"
 
-#include <handway/geometric/formats/scene_reader.h>
-#include <handway/geometric/formats/scene_writer.h>
+#include <handway/geometric/formats/scene_file.h>
 #include <handway/geometric/setup/moving_group.h>
 
 #include <gmock/gmock.h>

@@ -1,9 +1,8 @@
 #include "scene_files.h"
 
 #include <handway/geometric/formats/robot_loader.h>
-#include <handway/geometric/formats/scene_reader.h>
-#include <handway/geometric/formats/scene_writer.h>
-#include <handway/geometric/formats/urdf_writer.h>
+#include <handway/geometric/formats/scene_file.h>
+#include <handway/geometric/formats/urdf.h>
 #include <handway/geometric/robot/robot_state.h>
 #include <handway/geometric/scene/scene_difference.h>
 #include <handway/geometric/setup/mounting.h>

@@ -1,6 +1,6 @@
 #include "scene_files.h"
 
-#include <handway/geometric/formats/scene_reader.h>
+#include <handway/geometric/formats/scene_file.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,7 +1,6 @@
 #include "scratch_files.h"
 
-#include <handway/geometric/formats/srdf_reader.h>
-#include <handway/geometric/formats/srdf_writer.h>
+#include <handway/geometric/formats/srdf.h>
 #include <handway/geometric/robot/robot_model.h>
 
 #include <gmock/gmock.h>

@@ -1,7 +1,7 @@
 #include "scratch_files.h"
 
 #include <handway/geometric/formats/robot_loader.h>
-#include <handway/geometric/formats/urdf_reader.h>
+#include <handway/geometric/formats/urdf.h>
 #include <handway/geometric/robot/base_joint.h>
 #include <handway/geometric/robot/robot_state.h>
 

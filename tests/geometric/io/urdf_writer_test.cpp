@@ -1,7 +1,7 @@
 #include "scratch_files.h"
 
 #include <handway/geometric/formats/robot_loader.h>
-#include <handway/geometric/formats/urdf_writer.h>
+#include <handway/geometric/formats/urdf.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include <handway/geometric/setup/robot_findings.h>
+#include <handway/geometric/setup/robot_setup.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
