@@ -42,6 +42,7 @@ class TwoArmsOfOthers : public ::testing::Test {
         line_.run("plan two.yaml --time-limit 60 --out path.csv --report r.json" + more);
     EXPECT_EQ(plan.exit_code, 0) << more << plan.err;
     EXPECT_EQ(line_.run("check two.yaml path.csv" + more).exit_code, 0) << more;
+    EXPECT_EQ(line_.run("time path.csv --scene two.yaml" + more).exit_code, 0) << more;
     return nlohmann::json::parse(line_.read("r.json"));
   }
   CommandLine line_;
