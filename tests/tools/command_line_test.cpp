@@ -269,6 +269,16 @@ TEST_F(Handway, PlansForAGroupInPlaceOfTheScenes) {
                  "Did you mean \"shoulder\"?");
 }
 
+TEST_F(Handway, RefusesAGroupThatIsNotThereWhereverItReadsAScene) {
+  for (const std::string command :
+       {"plan open.yaml", "check open.yaml path.csv", "time path.csv --scene open.yaml",
+        "export path.csv --scene open.yaml --to csv --out out",
+        "export --scene open.yaml --to moveit-scene --out out",
+        "send path.csv --scene open.yaml --to arm://localhost:1", "bench open.yaml --seeds 1"}) {
+    expect_refusal(command + " --group nobody", "nobody");
+  }
+}
+
 TEST_F(Handway, ShowsWhatMoves) {
   line_.replace("open.yaml", "goal:", "group: [arm, thumb]\ngoal:");
   EXPECT_THAT(line_.run("info open.yaml").out, HasSubstr("moves: arm, thumb (3 of 5 joints)\n"));
