@@ -1,5 +1,39 @@
 #include "bindings.h"
+#include "handway/geometric/io/input_error.h"
 #include "scene_questions.h"
+
+#include <exception>
+#include <utility>
+
+namespace py = pybind11;
+
+namespace handway::python {
+
+void bind_input_errors(py::module_& module) {
+  static py::handle type =
+      py::exception<geometric::InputError>(module, "InputError", PyExc_ValueError).release();
+  type.attr("__doc__") =
+      "An input that can't be read or makes no sense.\n\n"
+      "The message is one sentence; its pieces are the attributes source (file and line, or\n"
+      "argument), element (key, XML element or joint), found, expected and advice.";
+  py::register_exception_translator([](std::exception_ptr pointer) {
+    try {
+      if (pointer) {
+        std::rethrow_exception(std::move(pointer));
+      }
+    } catch (const geometric::InputError& error) {
+      py::object value = type(error.what());
+      value.attr("source") = error.problem().source;
+      value.attr("element") = error.problem().element;
+      value.attr("found") = error.problem().found;
+      value.attr("expected") = error.problem().expected;
+      value.attr("advice") = error.problem().advice;
+      PyErr_SetObject(type.ptr(), value.ptr());
+    }
+  });
+}
+
+}  // namespace handway::python
 
 PYBIND11_MODULE(_core, module) {
   module.attr("__version__") = HANDWAY_VERSION;

@@ -4,10 +4,8 @@
 #include "handway/geometric/io/replace_file.h"
 #include "handway/planning/campaigns/campaign.h"
 #include "handway/planning/campaigns/campaign_statistics.h"
-#include "heat_map.h"
 #include "machine.h"
 #include "numbers.h"
-#include "ompl_log.h"
 #include "report_document.h"
 
 #include <fmt/format.h>

@@ -1,5 +1,4 @@
-#include "heat_map.h"
-
+#include "campaign_report.h"
 #include "handway/geometric/io/number_text.h"
 #include "numbers.h"
 

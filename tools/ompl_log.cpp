@@ -1,5 +1,4 @@
-#include "ompl_log.h"
-
+#include "campaign_report.h"
 #include "machine.h"
 #include "version.h"
 

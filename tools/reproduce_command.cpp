@@ -3,7 +3,6 @@
 #include "commands.h"
 #include "handway/geometric/io/resources.h"
 #include "handway/planning/campaigns/campaign.h"
-#include "reproduce_figures.h"
 #include "reproduce_report.h"
 
 #include <CLI/CLI.hpp>

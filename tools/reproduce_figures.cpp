@@ -1,5 +1,3 @@
-#include "reproduce_figures.h"
-
 #include "campaign_command.h"
 #include "figures_program.h"
 #include "handway/geometric/io/input_error.h"
@@ -10,6 +8,7 @@
 #include "handway/planning/paths/path_csv.h"
 #include "numbers.h"
 #include "posture_study.h"
+#include "reproduce_report.h"
 
 #include <fmt/format.h>
 

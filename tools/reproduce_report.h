@@ -2,13 +2,36 @@
 
 #include "campaign_command.h"
 #include "handway/planning/campaigns/campaign.h"
-#include "reproduce_figures.h"
+#include "handway/planning/extensions/plugin.h"
+#include "report_document.h"
 
 #include <filesystem>
+#include <optional>
 #include <set>
+#include <string>
 #include <vector>
 
 namespace handway::tools {
+
+/// A figure of the paper's, made again.
+struct ReproducedFigure {
+  int number = 0;  ///< In the paper.
+  std::string caption;
+  std::string text;  ///< What it is made of; may be empty.
+  std::vector<ReportPicture> pictures;
+  std::optional<ReportTable> table;  ///< Published figures beside ours, where there are some.
+  std::string problem;               ///< Why not all of it is there; may be empty.
+};
+
+/// Figures that there are: 7 to 10 of hand postures, 14 and 17 of paths.
+[[nodiscard]] std::set<int> reproducible_figures();
+
+/// Makes `figures` in their order, as reproduce_postures() and reproduce_films() do.
+/// @param time_limit_s of each plan.
+/// @throws InputError if a file can't be written or a scene not be read.
+[[nodiscard]] std::vector<ReproducedFigure> reproduce_figures(
+    const std::set<int>& figures, const planning::PluginManager& plugins, double time_limit_s,
+    const std::filesystem::path& folder);
 
 /// A campaign of the reproduction, once it is carried out.
 struct ReproducedCampaign {

@@ -10,7 +10,7 @@
 #include "view3d/overlay.h"
 #include "view3d/robot_node.h"
 #include "view3d/scene_bodies.h"
-#include "view3d/selection_outline.h"
+#include "view3d/scene_passes.h"
 
 #include <Eigen/Core>
 

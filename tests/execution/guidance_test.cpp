@@ -1,6 +1,5 @@
 /// From the place of a tool to the place of a path, and along it.
 #include "handway/execution/guidance/guidance_run.h"
-#include "handway/execution/guidance/path_tool_curve.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/robot/robot_state.h"
 #include "handway_test/robots.h"

@@ -1,5 +1,10 @@
 #include "handway/execution/guidance/guidance_run.h"
 
+#include "handway/geometric/io/input_error.h"
+#include "handway/geometric/robot/robot_state.h"
+
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -7,6 +12,92 @@
 #include <stdexcept>
 
 namespace handway::execution {
+namespace {
+
+// How far joints go from one point of the curve to the next, rad or m over all of them.
+constexpr double kStep = 0.01;
+// Ways of a link that are rounding, m.
+constexpr double kStands = 1e-6;
+
+[[noreturn]] void refuse(std::string found, std::string expected) {
+  throw geometric::InputError({"path", "", std::move(found), std::move(expected), ""});
+}
+
+}  // namespace
+
+PathToolCurve::PathToolCurve(const std::shared_ptr<const geometric::RobotModel>& model,
+                             planning::Path path, const std::string& link)
+    : path_(std::move(path)) {
+  if (path_.empty()) {
+    refuse("no waypoints", "one at least");
+  }
+  const auto index = model->find_link(link);
+  if (!index) {
+    refuse(fmt::format("link \"{}\"", link), "a link of robot " + model->name());
+  }
+  geometric::RobotState robot(model);
+  std::vector<Eigen::Vector3d> points;
+  const auto add = [&](double place) {
+    robot.set_configuration(configuration(place));
+    const Eigen::Vector3d p = robot.link_pose(*index).translation();
+    const bool stands = !points.empty() && (p - points.back()).norm() < kStands;
+    points.push_back(stands ? points.back() : p);
+    places_.push_back(place);
+  };
+  for (std::size_t i = 0; i + 1 < path_.waypoints.size(); ++i) {
+    const double way = (path_.waypoints[i + 1] - path_.waypoints[i]).norm();
+    const int steps = std::max(1, static_cast<int>(std::ceil(way / kStep)));
+    for (int k = 0; k < steps; ++k) {
+      add(static_cast<double>(i) + static_cast<double>(k) / steps);
+    }
+  }
+  add(static_cast<double>(path_.waypoints.size() - 1));
+  curve_ = std::make_shared<device::ToolCurve>(std::move(points));
+}
+
+double PathToolCurve::place_at(double s) const {
+  const std::vector<double>& arc = curve_->arc_lengths();
+  const auto after = std::ranges::upper_bound(arc, s);
+  if (after == arc.end()) {
+    return places_.back();
+  }
+  if (after == arc.begin()) {
+    return places_.front();
+  }
+  const auto i = static_cast<std::size_t>(after - arc.begin());
+  const double share = (s - arc[i - 1]) / (arc[i] - arc[i - 1]);
+  return places_[i - 1] + share * (places_[i] - places_[i - 1]);
+}
+
+double PathToolCurve::arc_length_at(double place) const {
+  const std::vector<double>& arc = curve_->arc_lengths();
+  const auto after = std::ranges::upper_bound(places_, place);
+  if (after == places_.end()) {
+    return arc.back();
+  }
+  if (after == places_.begin()) {
+    return arc.front();
+  }
+  const auto i = static_cast<std::size_t>(after - places_.begin());
+  const double share = (place - places_[i - 1]) / (places_[i] - places_[i - 1]);
+  return arc[i - 1] + share * (arc[i] - arc[i - 1]);
+}
+
+geometric::Configuration PathToolCurve::configuration(double place) const {
+  const auto last = static_cast<double>(path_.waypoints.size() - 1);
+  const double clamped = std::clamp(place, 0.0, last);
+  const auto i = static_cast<std::size_t>(std::min(clamped, std::max(0.0, last - 1.0)));
+  if (path_.waypoints.size() == 1) {
+    return path_.waypoints.front();
+  }
+  const double share = clamped - static_cast<double>(i);
+  return path_.waypoints[i] + share * (path_.waypoints[i + 1] - path_.waypoints[i]);
+}
+
+std::string tool_link(const geometric::RobotModel& model, const std::vector<int>& arm) {
+  return arm.empty() ? model.link(model.link_count() - 1).name
+                     : model.link(model.variable_link(*std::ranges::max_element(arm))).name;
+}
 
 GuidedMotion::GuidedMotion(planning::Path path, Eigen::VectorXd velocity)
     : path_(std::move(path)), velocity_(std::move(velocity)) {
