@@ -1,10 +1,10 @@
 #include "features/playback/path_traces.h"
 
+#include "handway/geometric/setup/swept_volume.h"
 #include "handway/planning/queries/fingertips.h"
 #include "model/document/document.h"
 #include "model/meshes/shaded_meshes.h"
 #include "model/playback/path_player.h"
-#include "model/playback/swept_volume.h"
 #include "view3d/overlay.h"
 #include "view3d/scene_view.h"
 

@@ -3,8 +3,6 @@
 #include "handway/geometric/formats/scene_file.h"
 #include "handway/geometric/robot/inverse_kinematics.h"
 #include "model/document/edit.h"
-#include "model/document/free_place.h"
-#include "model/document/resting.h"
 #include "model/document/scene_edits.h"
 #include "model/meshes/shaded_meshes.h"
 

@@ -2,13 +2,13 @@
 
 #include "handway/geometric/mesh/triangle_mesh.h"
 #include "handway/geometric/setup/moving_group.h"
-#include "model/document/resting.h"
 #include "model/document/selection.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numbers>
 #include <utility>
@@ -280,19 +280,6 @@ SceneState with_basis(const SceneState& state, const std::filesystem::path& file
   return next;
 }
 
-std::optional<Pose> link_pose(const Scene& scene, const Configuration& q, std::string_view robot,
-                              std::string_view link) {
-  const geometric::RobotInstance* instance = geometric::find_robot(scene, robot);
-  const auto index = instance ? instance->model->find_link(std::string(link)) : std::nullopt;
-  if (!index) {
-    return std::nullopt;
-  }
-  std::vector<Pose> X_BL(static_cast<std::size_t>(instance->model->link_count()));
-  const bool is_first = instance == &scene.robots.front();
-  instance->model->forward_kinematics(is_first ? q : instance->configuration, X_BL);
-  return instance->X_WB * X_BL[static_cast<std::size_t>(*index)];
-}
-
 std::optional<Pose> body_pose(const Scene& scene, const Configuration& q, std::string_view body) {
   const SceneObject* object = geometric::find_object(scene, body);
   if (object && is_carried_by(*object, scene.robots.front())) {
@@ -324,23 +311,6 @@ geometric::PathConstraint new_region(const Scene& scene, const Configuration& q,
   return {unused_constraint_name(scene, "region of " + body), body, region};
 }
 
-Pose object_pose(const Scene& scene, const Configuration& q, const SceneObject& object) {
-  if (!object.attachment) {
-    return object.X_PO;
-  }
-  const auto X_WL = link_pose(scene, q, object.attachment->robot, object.attachment->link);
-  return X_WL ? *X_WL * object.X_PO : object.X_PO;
-}
-
-Pose in_parent(const Scene& scene, const Configuration& q, const SceneObject& object,
-               const Pose& X_WO) {
-  if (!object.attachment) {
-    return X_WO;
-  }
-  const auto X_WL = link_pose(scene, q, object.attachment->robot, object.attachment->link);
-  return X_WL ? X_WL->inverse() * X_WO : X_WO;
-}
-
 using Eigen::Vector3d;
 using geometric::Aabb;
 
@@ -348,11 +318,6 @@ namespace {
 
 Pose shift_along(int axis, double distance) {
   return Pose(Eigen::Translation3d(distance * Vector3d::Unit(axis)));
-}
-
-Aabb box_of(const Scene& scene, const Configuration& q, const SceneObject& object) {
-  return geometric::bounding_box(
-      geometric::transformed(*geometric::tessellate(object.shape), object_pose(scene, q, object)));
 }
 
 double place_in(const Aabb& box, int axis, AlignTo to) {
@@ -368,18 +333,6 @@ double place_in(const Aabb& box, int axis, AlignTo to) {
 }
 
 }  // namespace
-
-Aabb bounds(const Scene& scene, const Configuration& q, const ObjectNames& names) {
-  Aabb whole{Vector3d::Constant(HUGE_VAL), Vector3d::Constant(-HUGE_VAL)};
-  for (const std::string& name : names) {
-    if (const SceneObject* object = geometric::find_object(scene, name)) {
-      const Aabb box = box_of(scene, q, *object);
-      whole.lower = whole.lower.cwiseMin(box.lower);
-      whole.upper = whole.upper.cwiseMax(box.upper);
-    }
-  }
-  return whole;
-}
 
 SceneState moved(const SceneState& state, const Configuration& q, const ObjectNames& names,
                  const Pose& motion) {
@@ -629,6 +582,49 @@ geometric::Mesh scaled(const geometric::Mesh& mesh, double factor) {
   larger.triangles = std::make_shared<const geometric::TriangleMesh>(
       geometric::transformed(*mesh.triangles, Pose::Identity(), Vector3d::Constant(factor)));
   return larger;
+}
+
+namespace {
+
+constexpr double kInContact = 1e-3;
+constexpr double kNoMove = 1e-12;
+
+}  // namespace
+
+SceneState dropped(SceneState state, const geometric::Configuration& q,
+                   const std::vector<std::string>& names) {
+  std::vector<std::vector<std::string>> parts = rigid_parts(*state.scene, names);
+  std::ranges::stable_sort(parts, {}, [&](const std::vector<std::string>& part) {
+    return bounds(*state.scene, q, part).lower.z();
+  });
+  for (const std::vector<std::string>& part : parts) {
+    const SceneState others = without_objects(state, part);
+    double height = std::numeric_limits<double>::infinity();
+    for (const std::string& name : part) {
+      const SceneObject& object = *state.find(name);
+      height = std::min(height, height_above_floor(object));
+      if (const auto gap = gap_to_support(*others.scene, object)) {
+        height = std::min(height, *gap - kRestingGap);
+      }
+    }
+    if (std::abs(height) > kNoMove) {
+      state = moved(state, q, part, Pose(Eigen::Translation3d(0.0, 0.0, -height)));
+    }
+  }
+  return state;
+}
+
+double rise_to_clear(const SceneState& state, const std::vector<std::string>& names) {
+  const SceneState others = without_objects(state, names);
+  double rise = 0.0;
+  for (const std::string& name : names) {
+    const SceneObject& object = *state.find(name);
+    const auto gap = object.attachment ? std::nullopt : gap_to_support(*others.scene, object);
+    if (gap && *gap >= -kInContact) {
+      rise = std::max(rise, kRestingGap - *gap);
+    }
+  }
+  return rise > kNoMove ? rise : 0.0;
 }
 
 }  // namespace handway::gui

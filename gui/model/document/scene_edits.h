@@ -4,6 +4,7 @@
 #include "handway/geometric/mesh/shape.h"
 #include "handway/geometric/mesh/triangle_mesh.h"
 #include "handway/geometric/scene/scene.h"
+#include "handway/geometric/setup/placing.h"
 #include "handway/sampling/postures/pmd_basis.h"
 
 #include <Eigen/Core>
@@ -21,6 +22,8 @@
 /// of a group that is named whole keep their places to each other.
 
 namespace handway::gui {
+
+using geometric::kRestingGap;
 
 /// What a person edits: a scene that never changes itself. An edit makes a new
 /// state of an old one.
@@ -99,13 +102,6 @@ using DisplayChange = std::function<void(geometric::ObjectDisplay&)>;
 /// `group`, or the first like it that no object is in: "group", "group 2", ….
 [[nodiscard]] std::string unused_group(const geometric::Scene& scene, const std::string& group);
 
-/// Where a link of a robot is in the world, the first robot standing at `q`.
-/// Nothing if there is no such link.
-[[nodiscard]] std::optional<geometric::Pose> link_pose(const geometric::Scene& scene,
-                                                       const geometric::Configuration& q,
-                                                       std::string_view robot,
-                                                       std::string_view link);
-
 /// Where what a constraint is about is in the world, the first robot standing at `q`.
 /// Nothing if it is none of constrainable_bodies().
 [[nodiscard]] std::optional<geometric::Pose> body_pose(const geometric::Scene& scene,
@@ -123,23 +119,7 @@ using DisplayChange = std::function<void(geometric::ObjectDisplay&)>;
                                                    const geometric::Configuration& q,
                                                    const std::string& body);
 
-/// Where an object is in the world, the first robot standing at `q`.
-[[nodiscard]] geometric::Pose object_pose(const geometric::Scene& scene,
-                                          const geometric::Configuration& q,
-                                          const geometric::SceneObject& object);
-
-/// `X_WO` in the frame that `object` is placed in: the world, or its link.
-[[nodiscard]] geometric::Pose in_parent(const geometric::Scene& scene,
-                                        const geometric::Configuration& q,
-                                        const geometric::SceneObject& object,
-                                        const geometric::Pose& X_WO);
-
 using ObjectNames = std::vector<std::string>;
-
-/// The tight box around objects, the first robot standing at `q`; world, m.
-/// @pre names at least one object of the scene.
-[[nodiscard]] geometric::Aabb bounds(const geometric::Scene& scene,
-                                     const geometric::Configuration& q, const ObjectNames& names);
 
 /// All of them moved by the same motion of the world. @param motion X with p' = X p.
 [[nodiscard]] SceneState moved(const SceneState& state, const geometric::Configuration& q,
@@ -232,5 +212,16 @@ struct Resized {
 
 /// The mesh with each coordinate `factor` times as large.
 [[nodiscard]] geometric::Mesh scaled(const geometric::Mesh& mesh, double factor);
+
+/// The objects sunk or lifted until they stand kRestingGap above other objects, or on the
+/// floor (z = 0). Objects of a group that is named whole move together.
+/// @param names of objects that stand in the world.
+[[nodiscard]] SceneState dropped(SceneState state, const geometric::Configuration& q,
+                                 const std::vector<std::string>& names);
+
+/// By how much all of the objects together are to be raised so that those that stand in
+/// the world keep kRestingGap to what they stand on; m. Those that are sunk into it by more
+/// than 1 mm do not stand there by contact, and those in a link's frame are held: neither counts.
+[[nodiscard]] double rise_to_clear(const SceneState& state, const std::vector<std::string>& names);
 
 }  // namespace handway::gui

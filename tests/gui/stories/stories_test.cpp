@@ -4,7 +4,6 @@
 #include "features/devices/devices_panel.h"
 #include "handway/planning/core/objective.h"
 #include "handway/planning/paths/path_check.h"
-#include "model/document/resting.h"
 #include "model/document/scene_edits.h"
 #include "small_cell.h"
 #include "story.h"
@@ -32,9 +31,9 @@ TEST_F(Story, LiftsACanFromTheTableThatItStandsOn) {
   ASSERT_EQ(window().message(), QString());
   select("can");
   geometric::Pose X_WO = *editor().selected_pose();
-  X_WO.translation().z() -= gui::gap_to_support(scene(), *editor().selected_object()).value();
+  X_WO.translation().z() -= geometric::gap_to_support(scene(), *editor().selected_object()).value();
   editor().place(X_WO);
-  ASSERT_NEAR(gui::gap_to_support(scene(), *editor().selected_object()).value(), 0.0, 1e-12);
+  ASSERT_NEAR(geometric::gap_to_support(scene(), *editor().selected_object()).value(), 0.0, 1e-12);
   geometric::Configuration q = scene().goal.value();
   window().document().set_configuration(q);
   trigger("Set start here");

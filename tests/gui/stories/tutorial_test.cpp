@@ -4,7 +4,7 @@
 #include "features/grasping/grasp_tool.h"
 #include "hands_on.h"
 #include "handway/geometric/formats/scene_file.h"
-#include "model/document/resting.h"
+#include "model/document/scene_edits.h"
 #include "pressed_mouse.h"
 #include "view3d/scene_view.h"
 #include "view3d/view_gizmo.h"

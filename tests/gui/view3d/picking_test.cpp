@@ -60,7 +60,7 @@ TEST_F(Clicks, MeanTheRobotAlsoBehindAGhost) {
 TEST_F(Clicks, MeanWhatAGhostHoldsAndNotTheGhost) {
   const geometric::Scene& scene = *window().document().scene();
   const Eigen::Vector3d palm =
-      gui::link_pose(scene, scene.goal.value(), "arm", "palm")->translation();
+      geometric::link_pose(scene, scene.goal.value(), "arm", "palm")->translation();
   const QPoint place = gui::place_of(view().camera(), view().size(), palm).toPoint();
   ASSERT_EQ(clicked_at(place), ItemKind::kGoal);
   window().editor().add("pea", geometric::Sphere{0.01}, {}, palm - Eigen::Vector3d(0, 0, 0.01));

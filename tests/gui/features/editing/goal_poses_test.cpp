@@ -45,7 +45,7 @@ TEST_F(GoalPoses, AreAddedWhereThePalmIsAndDeleted) {
   ASSERT_EQ(scene().goal_poses.size(), 1U);
   EXPECT_EQ(goal().link, "palm");
   EXPECT_TRUE(goal().X_WG.isApprox(
-      *gui::link_pose(scene(), window().document().configuration(), "arm", "palm")));
+      *geometric::link_pose(scene(), window().document().configuration(), "arm", "palm")));
   EXPECT_EQ(editor().selection().kind, Kind::kGoalPose);
   EXPECT_TRUE(window().view().gizmo().is_shown());
   EXPECT_EQ(window()
@@ -89,7 +89,7 @@ TEST_F(GoalPoses, AreDraggedAndPlannedTo) {
   plan();
   const planning::Path& path = window().player().timeline().path();
   ASSERT_FALSE(path.empty());
-  EXPECT_LT((gui::link_pose(scene(), path.waypoints.back(), "arm", "palm")->translation() -
+  EXPECT_LT((geometric::link_pose(scene(), path.waypoints.back(), "arm", "palm")->translation() -
              there.translation())
                 .norm(),
             1e-3);

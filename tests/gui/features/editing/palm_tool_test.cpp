@@ -33,7 +33,7 @@ class MovingThePalm : public EditingTest {
     }
   }
   [[nodiscard]] Eigen::Vector3d palm_at(const geometric::Configuration& q) const {
-    return gui::link_pose(scene(), q, "arm", "palm")->translation();
+    return geometric::link_pose(scene(), q, "arm", "palm")->translation();
   }
   [[nodiscard]] const geometric::Configuration& shown() const {
     return window().document().configuration();

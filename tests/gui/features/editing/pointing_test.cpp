@@ -3,7 +3,7 @@
 #include "features/editing/mesh_import.h"
 #include "features/editing/scene_tree.h"
 #include "handway/geometric/formats/obj_writer.h"
-#include "model/document/resting.h"
+#include "model/document/scene_edits.h"
 #include "patience.h"
 #include "pressed_mouse.h"
 
@@ -201,7 +201,7 @@ TEST_F(Pointing, AMeshSaysItsUnitAndWhatIsUpwards) {
   emit window().workbench().mesh_dropped(QString::fromStdString(file.string()));
   EXPECT_EQ(size_as_guessed, QString::fromUtf8("200 × 300 × 100 mm, 100 mm high"));
   const Eigen::Vector3d extent =
-      gui::bounds(scene(), window().document().configuration(), {"slab"}).size();
+      geometric::bounds(scene(), window().document().configuration(), {"slab"}).size();
   EXPECT_TRUE(extent.isApprox(Eigen::Vector3d(0.1, 0.2, 0.3), 1e-6));
   EXPECT_TRUE(std::get<geometric::Mesh>(object("slab").shape)
                   .scale.isApprox(Eigen::Vector3d::Constant(1e-3)));

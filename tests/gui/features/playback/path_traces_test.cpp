@@ -1,7 +1,7 @@
 #include "features/playback/path_traces.h"
 
+#include "handway/geometric/setup/swept_volume.h"
 #include "handway/planning/extensions/plugin.h"
-#include "model/playback/swept_volume.h"
 #include "view3d/scene_view.h"
 #include "window_test.h"
 
@@ -22,7 +22,7 @@ TEST(SweptVolume, GoesRoundAllPostures) {
     postures.back()[0] = 0.01 * i;
   }
   constexpr double kCell = 0.01;
-  const geometric::TriangleMesh mesh = gui::swept_volume(robot, postures, kCell, {});
+  const geometric::TriangleMesh mesh = geometric::swept_volume(robot, postures, kCell, {});
   ASSERT_FALSE(mesh.empty());
   const geometric::Aabb box = geometric::bounding_box(mesh);
   // The arm, stretched out along x, turns by 1 rad about z.
@@ -37,7 +37,7 @@ TEST(SweptVolume, IsNothingWhereNothingMoves) {
   const SmallCell cell;
   const geometric::RobotInstance robot =
       planning::load_scene(cell.post(), {}).scene->robots.front();
-  EXPECT_TRUE(gui::swept_volume(robot, {robot.model->neutral()}, 0.01, {}).empty());
+  EXPECT_TRUE(geometric::swept_volume(robot, {robot.model->neutral()}, 0.01, {}).empty());
 }
 
 class Traces : public WindowTest {

@@ -2,7 +2,6 @@
 #include "features/editing/editing_test.h"
 #include "features/editing/scene_tree.h"
 #include "handway/geometric/formats/scene_file.h"
-#include "model/document/resting.h"
 #include "model/document/scene_edits.h"
 #include "pressed_mouse.h"
 #include "view3d/scene_view.h"
@@ -221,8 +220,9 @@ TEST_F(ArrangingObjects, KeepsAGroupTogether) {
   editor().select_objects({"a", "b", "c"});
   trigger("Y: centres");
   EXPECT_NEAR((place("a") - place("b")).y(), 0.15, 1e-12) << "aligned as one";
-  EXPECT_NEAR(gui::bounds(scene(), window().document().configuration(), {"a", "b"}).centre().y(),
-              -0.2, 1e-12);
+  EXPECT_NEAR(
+      geometric::bounds(scene(), window().document().configuration(), {"a", "b"}).centre().y(),
+      -0.2, 1e-12);
   trigger("Ungroup");
   EXPECT_EQ(display("a").group, "");
 }

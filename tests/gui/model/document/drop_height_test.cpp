@@ -1,4 +1,4 @@
-#include "model/document/resting.h"
+#include "model/document/scene_edits.h"
 
 #include <gtest/gtest.h>
 
@@ -30,7 +30,7 @@ Scene with_table() {
 
 // NaN, which is near nothing, where there is none.
 double gap(const Scene& scene, const SceneObject& upper) {
-  return gui::gap_to_support(scene, upper).value_or(std::numeric_limits<double>::quiet_NaN());
+  return geometric::gap_to_support(scene, upper).value_or(std::numeric_limits<double>::quiet_NaN());
 }
 
 TEST(GapToSupport, IsTheDistanceToTheTable) {
@@ -45,10 +45,10 @@ TEST(GapToSupport, IsNegativeForWhatHasSunkIn) {
 
 TEST(GapToSupport, IsNothingBesideOrBelowTheTable) {
   const SceneObject beside = object("beside", Box{{0.1, 0.1, 0.1}}, 2.0, 0.0, 1.0);
-  EXPECT_FALSE(gui::gap_to_support(with_table(), beside));
-  EXPECT_NEAR(gui::height_above_floor(beside), 0.95, 1e-9);
+  EXPECT_FALSE(geometric::gap_to_support(with_table(), beside));
+  EXPECT_NEAR(geometric::height_above_floor(beside), 0.95, 1e-9);
   const SceneObject below = object("below", Box{{0.1, 0.1, 0.1}}, 0.0, 0.0, 0.5);
-  EXPECT_FALSE(gui::gap_to_support(with_table(), below));
+  EXPECT_FALSE(geometric::gap_to_support(with_table(), below));
 }
 
 // A beam across a beam: neither has a corner over the other.

@@ -1,8 +1,6 @@
-#include "model/document/free_place.h"
-
 #include "features/editing/editing_test.h"
 #include "handway/geometric/collision/checkers/make_checker.h"
-#include "model/document/resting.h"
+#include "model/document/scene_edits.h"
 
 namespace handway::test {
 namespace {
@@ -27,7 +25,7 @@ class FreePlaces : public EditingTest {
     return true;
   }
   [[nodiscard]] geometric::Aabb box_of(const std::string& name) const {
-    return gui::bounds(scene(), window().document().configuration(), {name});
+    return geometric::bounds(scene(), window().document().configuration(), {name});
   }
   [[nodiscard]] bool overlap(const std::string& a, const std::string& b) const {
     const geometric::Aabb one = box_of(a), other = box_of(b);
@@ -57,8 +55,8 @@ TEST_F(FreePlaces, NothingNewIsInTheRobotOrInAnotherObject) {
 
 TEST_F(FreePlaces, ASceneFullOfRobotHasRoomBesideIt) {
   editor().select({});
-  const Vector3d foot = gui::free_foot(scene(), window().document().configuration(),
-                                       {0.1, 0.1, 0.1}, Vector3d(0.0, 0.0, -0.1));
+  const Vector3d foot = geometric::free_foot(scene(), window().document().configuration(),
+                                             {0.1, 0.1, 0.1}, Vector3d(0.0, 0.0, -0.1));
   EXPECT_GT(foot.head<2>().norm(), 0.08) << "the base is there";
   EXPECT_LT(foot.head<2>().norm(), 0.4) << "but not far around it";
 }
@@ -82,9 +80,10 @@ TEST_F(FreePlaces, TheInsideOfASolidIsNotFreeAndThatOfARoomIs) {
   editor().add("room", Box{{3.0, 3.0, 3.0}}, {}, {5.0, 0.0, 0.0});
   const auto& q = window().document().configuration();
   const Vector3d inside(5.0, 0.0, 1.0);
-  EXPECT_GT((gui::free_foot(scene(), q, {0.1, 0.1, 0.1}, inside) - inside).norm(), 1.4);
+  EXPECT_GT((geometric::free_foot(scene(), q, {0.1, 0.1, 0.1}, inside) - inside).norm(), 1.4);
   editor().set_solid({"room"}, false);
-  EXPECT_LT((gui::free_foot(scene(), q, {0.1, 0.1, 0.1}, inside) - inside).head<2>().norm(), 0.01);
+  EXPECT_LT((geometric::free_foot(scene(), q, {0.1, 0.1, 0.1}, inside) - inside).head<2>().norm(),
+            0.01);
 }
 
 TEST_F(FreePlaces, ACopyIsBesideItsOriginalAtItsHeight) {

@@ -1,5 +1,3 @@
-#include "model/document/resting.h"
-
 #include "features/editing/editing_test.h"
 #include "model/document/scene_edits.h"
 

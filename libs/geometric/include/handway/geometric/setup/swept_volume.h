@@ -1,12 +1,13 @@
 #pragma once
 
+#include "handway/geometric/export.h"
 #include "handway/geometric/mesh/triangle_mesh.h"
 #include "handway/geometric/scene/scene.h"
 
 #include <stop_token>
 #include <vector>
 
-namespace handway::gui {
+namespace handway::geometric {
 
 /// The surface of what the links of a robot pass through in `postures` (world, m), as smooth as
 /// cells of `cell` (m) allow; links that don't move among them are left out. Good to look at, not
@@ -14,8 +15,8 @@ namespace handway::gui {
 ///
 /// The cells that surface points of the links come into are filled; the faces between filled and
 /// empty ones are smoothed by moving their corners towards the middle of their neighbours.
-[[nodiscard]] geometric::TriangleMesh swept_volume(
-    const geometric::RobotInstance& robot, const std::vector<geometric::Configuration>& postures,
-    double cell, const std::stop_token& stop);
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT TriangleMesh
+swept_volume(const RobotInstance& robot, const std::vector<Configuration>& postures, double cell,
+             const std::stop_token& stop);
 
-}  // namespace handway::gui
+}  // namespace handway::geometric

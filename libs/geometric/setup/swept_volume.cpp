@@ -1,4 +1,4 @@
-#include "model/playback/swept_volume.h"
+#include "handway/geometric/setup/swept_volume.h"
 
 #include "handway/geometric/collision/collision_world.h"
 
@@ -9,7 +9,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
-namespace handway::gui {
+namespace handway::geometric {
 namespace {
 
 using Cell = Eigen::Vector3i;
@@ -38,8 +38,8 @@ Cell cell_at(const Eigen::Vector3d& point, double cell) {
 }
 
 // Points on the surface of a link, one in each cell of its frame.
-std::vector<Eigen::Vector3d> surface_points(const geometric::Link& link, double spacing) {
-  const geometric::TriangleMesh mesh = geometric::collision_mesh(link);
+std::vector<Eigen::Vector3d> surface_points(const Link& link, double spacing) {
+  const TriangleMesh mesh = collision_mesh(link);
   std::unordered_set<Key> taken;
   std::vector<Eigen::Vector3d> points;
   for (const auto& triangle : mesh.triangles) {
@@ -62,14 +62,14 @@ std::vector<Eigen::Vector3d> surface_points(const geometric::Link& link, double 
 }
 
 // Poses in the world of all links, for each posture.
-std::vector<std::vector<geometric::Pose>> link_poses(
-    const geometric::RobotInstance& robot, const std::vector<geometric::Configuration>& postures) {
-  std::vector<std::vector<geometric::Pose>> poses;
+std::vector<std::vector<Pose>> link_poses(const RobotInstance& robot,
+                                          const std::vector<Configuration>& postures) {
+  std::vector<std::vector<Pose>> poses;
   poses.reserve(postures.size());
-  for (const geometric::Configuration& q : postures) {
+  for (const Configuration& q : postures) {
     poses.emplace_back(static_cast<std::size_t>(robot.model->link_count()));
     robot.model->forward_kinematics(q, poses.back());
-    for (geometric::Pose& X : poses.back()) {
+    for (Pose& X : poses.back()) {
       X = robot.X_WB * X;
     }
   }
@@ -96,7 +96,7 @@ class Hull {
     }
   }
 
-  geometric::TriangleMesh smoothed() && {
+  TriangleMesh smoothed() && {
     for (int i = 0; i < kSmoothings; ++i) {
       smooth();
     }
@@ -146,15 +146,14 @@ class Hull {
   }
 
   double cell_;
-  geometric::TriangleMesh mesh_;
+  TriangleMesh mesh_;
   std::unordered_map<Key, std::uint32_t> corners_;
 };
 
 }  // namespace
 
-geometric::TriangleMesh swept_volume(const geometric::RobotInstance& robot,
-                                     const std::vector<geometric::Configuration>& postures,
-                                     double cell, const std::stop_token& stop) {
+TriangleMesh swept_volume(const RobotInstance& robot, const std::vector<Configuration>& postures,
+                          double cell, const std::stop_token& stop) {
   const auto poses = link_poses(robot, postures);
   std::unordered_set<Key> filled;
   for (int i = 0; i < robot.model->link_count(); ++i) {
@@ -179,4 +178,4 @@ geometric::TriangleMesh swept_volume(const geometric::RobotInstance& robot,
   return std::move(hull).smoothed();
 }
 
-}  // namespace handway::gui
+}  // namespace handway::geometric

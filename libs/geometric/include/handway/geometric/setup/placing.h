@@ -1,0 +1,80 @@
+#pragma once
+
+#include "handway/geometric/export.h"
+#include "handway/geometric/math/pose.h"
+#include "handway/geometric/mesh/triangle_mesh.h"
+#include "handway/geometric/robot/robot_model.h"
+#include "handway/geometric/scene/scene.h"
+
+#include <Eigen/Core>
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// Where things are in a scene, what they stand on, and where there is room for more.
+namespace handway::geometric {
+
+/// Where a link of a robot is in the world, the first robot standing at `q`.
+/// Nothing if there is no such link.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::optional<Pose> link_pose(const Scene& scene,
+                                                                     const Configuration& q,
+                                                                     std::string_view robot,
+                                                                     std::string_view link);
+
+/// Where an object is in the world, the first robot standing at `q`.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT Pose object_pose(const Scene& scene, const Configuration& q,
+                                                        const SceneObject& object);
+
+/// `X_WO` in the frame that `object` is placed in: the world, or its link.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT Pose in_parent(const Scene& scene, const Configuration& q,
+                                                      const SceneObject& object, const Pose& X_WO);
+
+/// The tight box around objects, the first robot standing at `q`; world, m.
+/// @pre names at least one object of the scene.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT Aabb bounds(const Scene& scene, const Configuration& q,
+                                                   const std::vector<std::string>& names);
+
+/// How far `upper` can sink along -z until it touches `lower`; both in the world.
+/// Negative if it must be lifted because they overlap. Nothing if they are not
+/// above each other anywhere. Exact for triangles: the least vertical distance is
+/// found at a vertex over a face, a face over a vertex, or where two edges cross
+/// in the view from above. Of `lower`, only what is not higher than the middle of
+/// `upper` counts.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::optional<double> vertical_gap(
+    const TriangleMesh& upper, const TriangleMesh& lower);
+
+/// The least vertical gap between an object that stands in the world and those of the scene
+/// that it is above, m; negative where they overlap. Nothing if it is above none.
+/// @param scene what is attached in it, and an object of that name, do not count.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::optional<double> gap_to_support(
+    const Scene& scene, const SceneObject& object);
+
+/// From the floor (z = 0) to the lowest point of an object that stands in the world, m.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT double height_above_floor(const SceneObject& object);
+
+/// Between an object that was put down and what it stands on, m.
+inline constexpr double kRestingGap = 0.5e-3;
+
+/// Where the middle of the underside of a box along the world's axes may stand (world, m) so that
+/// nothing is in it: no object, no robot as it is shown, and not the first one at start or goal.
+/// The nearest such place beside `wanted`, at its height where something is below it there, or else
+/// as low as it falls, at whole 5 mm along x and y. It keeps kRestingGap to what it stands on and
+/// some millimetres to the rest.
+/// @param size of the box, m.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT Eigen::Vector3d free_foot(const Scene& scene,
+                                                                 const Configuration& q,
+                                                                 const Eigen::Vector3d& size,
+                                                                 const Eigen::Vector3d& wanted);
+
+/// How to move objects that are to be added so that they are in free space as a whole, as
+/// free_foot() has it; where they float they stay at their height.
+/// @param added a scene with them, which may be `scene` itself: then it is beside where they are.
+/// @param names at least one object of `added`.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT Pose motion_into_free(const Scene& scene,
+                                                             const Configuration& q,
+                                                             const Scene& added,
+                                                             const std::vector<std::string>& names);
+
+}  // namespace handway::geometric
