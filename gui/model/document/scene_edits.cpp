@@ -396,7 +396,7 @@ Vector3d shift_to_sides(const Scene& scene, const Configuration& q, const Object
     if (contains(names, object.name)) {
       continue;
     }
-    const Aabb other = box_of(scene, q, object);
+    const Aabb other = bounds(scene, q, {object.name});
     for (int axis = 0; axis < 3; ++axis) {
       offer(axis, other.lower[axis] - box.lower[axis]);
       offer(axis, other.upper[axis] - box.upper[axis]);
