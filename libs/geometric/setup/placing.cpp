@@ -1,5 +1,7 @@
 #include "handway/geometric/setup/placing.h"
 
+#include "handway/geometric/collision/collision_world.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
