@@ -177,14 +177,13 @@ using Json = nlohmann::ordered_json;
 using geometric::kDegree;
 using geometric::kMillimetre;
 using sampling::BasisStudy;
-using sampling::Interval;
 
-std::string interval_text(const Interval& interval, double unit) {
+std::string interval_text(const sampling::Interval& interval, double unit) {
   return fmt::format("{:8.1f} {:>15}", interval.mean / unit,
                      fmt::format("({:.1f} - {:.1f})", interval.low / unit, interval.high / unit));
 }
 
-Json interval_json(const Interval& interval, double unit) {
+Json interval_json(const sampling::Interval& interval, double unit) {
   return {
       {"mean", interval.mean / unit}, {"low", interval.low / unit}, {"high", interval.high / unit}};
 }
@@ -199,7 +198,7 @@ std::string stability_text(const BasisStudy& study) {
   text += '\n';
   for (const sampling::BasisStability& stability : study.stability) {
     text += fmt::format("  {:>10.1f}", stability.seconds);
-    for (const Interval& angle : stability.angles) {
+    for (const sampling::Interval& angle : stability.angles) {
       text += interval_text(angle, kDegree);
     }
     text += '\n';
@@ -302,7 +301,7 @@ void write_study(const BasisStudy& study, const sampling::BasisStudySettings& se
   document["stability"] = Json::array();
   for (const sampling::BasisStability& stability : study.stability) {
     Json angles = Json::array();
-    for (const Interval& angle : stability.angles) {
+    for (const sampling::Interval& angle : stability.angles) {
       angles.push_back(interval_json(angle, kDegree));
     }
     document["stability"].push_back(

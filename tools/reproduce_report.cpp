@@ -128,7 +128,6 @@ struct MeasuredColumn {
 };
 
 using planning::CampaignCell;
-using planning::Interval;
 
 // Over the runs that found a path, where there is such a number.
 std::vector<double> values_of(const PaperRow& row, const CampaignCell& cell) {
@@ -138,7 +137,7 @@ std::vector<double> values_of(const PaperRow& row, const CampaignCell& cell) {
 }
 
 std::string mean_text(const std::vector<double>& values) {
-  const Interval interval = planning::mean_interval(values);
+  const planning::Interval interval = planning::mean_interval(values);
   if (std::isnan(interval.lower)) {
     return number_text(planning::mean_of(values));
   }
@@ -147,7 +146,7 @@ std::string mean_text(const std::vector<double>& values) {
 }
 
 std::string success_text(const CampaignCell& cell) {
-  const Interval interval = planning::wilson_interval(cell.solved(), cell.runs.size());
+  const planning::Interval interval = planning::wilson_interval(cell.solved(), cell.runs.size());
   return fmt::format(
       "{} ({:.1f} to {:.1f})",
       percent_text(static_cast<double>(cell.solved()) / static_cast<double>(cell.runs.size())),
@@ -215,7 +214,7 @@ void add_compared_rows(ReportTable& csv, const std::string& table, const std::st
   for (const MeasuredColumn& column : columns) {
     for (const PaperRow& row : rows) {
       const std::vector<double> values = values_of(row, column.cell);
-      const Interval interval = planning::mean_interval(values);
+      const planning::Interval interval = planning::mean_interval(values);
       csv.rows.push_back({table, problem, column.label, fmt::format("{}", column.cell.runs.size()),
                           fmt::format("{}", column.cell.solved()), row.label,
                           number_field(row.published[published]),
