@@ -159,7 +159,7 @@ namespace {
 using planning::PlanResult;
 using planning::PlanStatus;
 
-constexpr double kCheckResolution = 1e-3;  // m
+constexpr double kBenchResolution = 1e-3;  // m
 
 double quantile(std::vector<double> values, double p) {
   if (values.empty()) {
@@ -211,7 +211,7 @@ PlanBench bench_planner(planning::Planner& planner,
                                                 : std::nullopt);
       bench.path_faults.emplace_back();
       if (checked && result.solved()) {
-        bench.path_faults.back() = check_path(problem, result.path, kCheckResolution).faults;
+        bench.path_faults.back() = check_path(problem, result.path, kBenchResolution).faults;
       }
       result.path.waypoints.clear();
       bench.results.push_back(std::move(result));

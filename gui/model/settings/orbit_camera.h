@@ -2,9 +2,6 @@
 
 #include "handway/geometric/math/units.h"
 
-#include <QPointF>
-#include <Qt>
-
 #include <Eigen/Core>
 
 #include <span>
@@ -68,35 +65,5 @@ class OrbitCamera {
 /// The way from `a` (t = 0) to `b` (t = 1), turning the short way round.
 [[nodiscard]] OrbitCamera::Placement interpolate(const OrbitCamera::Placement& a,
                                                  const OrbitCamera::Placement& b, double t);
-
-class OrbitCamera;
-
-/// Which buttons of the mouse turn, move and zoom.
-enum class NavigationStyle {
-  kLeftTurns,    ///< Left turns, middle or Shift+left moves, right zooms.
-  kMiddleTurns,  ///< Middle turns, Shift+middle moves, Ctrl+middle zooms.
-  kRightTurns,   ///< Right turns, middle or Shift+right moves, Ctrl+right zooms.
-};
-
-/// How the mouse moves a camera.
-struct Navigation {
-  NavigationStyle style = NavigationStyle::kLeftTurns;
-  bool wheel_reversed = false;
-
-  bool operator==(const Navigation& other) const = default;
-};
-
-enum class CameraMove { kNone, kTurn, kPan, kZoom };
-
-/// What dragging with these buttons held does.
-[[nodiscard]] CameraMove camera_move(NavigationStyle style, Qt::MouseButtons buttons,
-                                     Qt::KeyboardModifiers modifiers);
-
-/// Moves the camera as far as the mouse was dragged. @param way in fractions of the view's
-/// height, right and down.
-void move_camera(OrbitCamera& camera, CameraMove move, const QPointF& way);
-
-/// How much farther away a turn of the wheel goes. @param angle as QWheelEvent::angleDelta().
-[[nodiscard]] double wheel_zoom(const Navigation& navigation, int angle);
 
 }  // namespace handway::gui

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "model/settings/navigation.h"
 #include "model/settings/orbit_camera.h"
 
 #include <QObject>
