@@ -1,8 +1,8 @@
 #pragma once
 
 #include "model/document/selection.h"
-#include "model/settings/options.h"
 #include "model/settings/navigation.h"
+#include "model/settings/options.h"
 #include "model/settings/orbit_camera.h"
 #include "view3d/overlay.h"
 #include "view3d/view_gizmo.h"
