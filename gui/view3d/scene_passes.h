@@ -15,8 +15,9 @@
 #include <optional>
 #include <vector>
 
+class SoDrawStyle;
+class SoGLRenderAction;
 class SoGroup;
-class SoSeparator;
 
 namespace handway::gui {
 
@@ -98,11 +99,6 @@ struct ScenePasses {
     root->addChild(detail.get());
   }
 };
-
-class SoDrawStyle;
-class SoGLRenderAction;
-class SoSeparator;
-class SoSwitch;
 
 /// A line around each thing that is selected, seen through everything: the parts' edges
 /// drawn wide wherever the part itself is not.
