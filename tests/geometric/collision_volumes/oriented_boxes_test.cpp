@@ -1,5 +1,6 @@
+#include "collision/broad_phase/oriented_boxes.h"
+
 #include "../robot/random_configurations.h"
-#include "collision/broad_phase/broad_phase.h"
 #include "handway/geometric/collision/checkers/fcl_checker.h"
 #include "handway_test/solid_robots.h"
 
