@@ -1,6 +1,7 @@
 #include "handway/geometric/collision/checkers/exact_collision_checker.h"
 
 #include "collision/broad_phase/broad_phase.h"
+#include "collision/broad_phase/oriented_boxes.h"
 #include "collision/cache/self_distance_cache.h"
 #include "collision/narrow_phase/fcl_bodies.h"
 #include "collision/narrow_phase/narrow_phase_query.h"
