@@ -204,7 +204,7 @@ class DeviceLink : public StreamLink {
   /// @param emulator that the device talks to, kept as long; may be null.
   /// @param make_item called by the stream's thread.
   /// @param on_items gets items since the last time, oldest first, never none.
-  void run(std::unique_ptr<Device> device, std::shared_ptr<void> emulator,
+  void run(std::unique_ptr<Device> device, const std::shared_ptr<void>& emulator,
            std::function<Item(const typename Device::Sample&)> make_item,
            std::function<void(const Items&)> on_items) {
     stop();
@@ -215,7 +215,7 @@ class DeviceLink : public StreamLink {
                              const typename Device::Sample& sample) { push(make(sample)); };
     handlers.on_state = inbox_->state_slot();
     running_ = std::make_shared<Running>();
-    running_->emulator = std::move(emulator);
+    running_->emulator = emulator;
     running_->stream =
         std::make_unique<Stream>(std::move(device), device::StreamSettings{}, handlers);
     set_state(device::StreamState::kConnecting);
