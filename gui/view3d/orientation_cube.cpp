@@ -259,12 +259,12 @@ void OrientationCube::mouseMoveEvent(QMouseEvent* event) {
     set_hot(part_at(event->localPos()));
     return;
   }
-  const QPoint way = event->pos() - last_;
-  if (dragging_ || way.manhattanLength() >= QApplication::startDragDistance()) {
+  const QPoint drag = event->pos() - last_;
+  if (dragging_ || drag.manhattanLength() >= QApplication::startDragDistance()) {
     dragging_ = true;
     last_ = event->pos();
     set_hot(std::nullopt);
-    emit dragged(way);
+    emit dragged(drag);
   }
 }
 

@@ -100,7 +100,7 @@ class OrientationCube : public QWidget {
  signals:
   void chosen(const handway::gui::CubePart& part);
   /// The pointer has been dragged so far, logical pixels.
-  void dragged(const QPoint& way);
+  void dragged(const QPoint& drag);
 
  protected:
   void paintEvent(QPaintEvent* event) override;

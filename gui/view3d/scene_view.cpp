@@ -100,10 +100,10 @@ void SceneView::connect_cube() {
     turned.elevation = direction.elevation;
     fly_to(turned);
   });
-  connect(cube_, &OrientationCube::dragged, this, [this](const QPoint& way) {
+  connect(cube_, &OrientationCube::dragged, this, [this](const QPoint& drag) {
     untouched_ = false;
     flight_.stop();
-    move_camera(camera_, CameraMove::kTurn, kCubeTurns / OrientationCube::kSize * QPointF(way));
+    move_camera(camera_, CameraMove::kTurn, kCubeTurns / OrientationCube::kSize * QPointF(drag));
     hurry();
   });
 }

@@ -44,10 +44,10 @@ struct ShareLimits {
 ShareLimits share_limits(const planning::Motion& motion, const geometric::Configuration& delta) {
   ShareLimits limits;
   for (const int v : motion.arm) {
-    const double way = std::abs(delta[v]);
-    if (way > 0.0) {
-      limits.velocity = std::min(limits.velocity, motion.limits.velocity[v] / way);
-      limits.acceleration = std::min(limits.acceleration, motion.limits.acceleration[v] / way);
+    const double change = std::abs(delta[v]);
+    if (change > 0.0) {
+      limits.velocity = std::min(limits.velocity, motion.limits.velocity[v] / change);
+      limits.acceleration = std::min(limits.acceleration, motion.limits.acceleration[v] / change);
     }
   }
   return limits;

@@ -120,7 +120,7 @@ std::vector<Figure> figures(const std::optional<PathFigures>& left,
   add(QObject::tr("Turning at waypoints, rad"), 2, Better::kLess,
       [](const PathFigures& f) { return Value(f.turning); });
   add(QObject::tr("Path length of the palm, m"), 3, Better::kLess,
-      [](const PathFigures& f) { return Value(f.palm_way); });
+      [](const PathFigures& f) { return Value(f.palm_travel); });
   add(QObject::tr("Waypoints"), 0, Better::kNeither,
       [](const PathFigures& f) { return Value(f.waypoints); });
   add(
@@ -371,8 +371,8 @@ void ComparisonWindow::show_side(std::size_t side) {
   SceneView& view = views_->view(side);
   view.set_scene(record.scene);
   view.show_ghosts(false, false);
-  const PalmPath way = palm_path(record.scene->robots.front(), timelines_.at(side), record.palm);
-  view.set_path(way.points, way.waypoints);
+  const PalmPath palm = palm_path(record.scene->robots.front(), timelines_.at(side), record.palm);
+  view.set_path(palm.points, palm.waypoints);
 }
 
 void ComparisonWindow::update_player() {

@@ -82,7 +82,7 @@ class DeviceSession : public QObject {
 
  signals:
   /// The palm's way as it was measured (world, m); empty: none.
-  void executed_changed(const std::vector<Eigen::Vector3d>& way);
+  void executed_changed(const std::vector<Eigen::Vector3d>& curve);
   /// Let the start be where the robot stands, and plan.
   void start_here_requested(const Eigen::VectorXd& q);
   /// For the log.

@@ -105,8 +105,8 @@ double CurveView::joint_at(double angle) const {
 
 std::optional<std::size_t> CurveView::point_near(const QPointF& place) const {
   for (std::size_t i = 0; i < wire_.curve.size(); ++i) {
-    const QPointF way = place_of(wire_.curve[i].angle, wire_.curve[i].joint) - place;
-    if (std::hypot(way.x(), way.y()) < kNear) {
+    const QPointF offset = place_of(wire_.curve[i].angle, wire_.curve[i].joint) - place;
+    if (std::hypot(offset.x(), offset.y()) < kNear) {
       return i;
     }
   }

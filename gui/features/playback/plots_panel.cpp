@@ -58,14 +58,14 @@ bool slides(const geometric::RobotModel& model, int variable) {
 }
 
 QString unit_of(PlotQuantity quantity, bool slides) {
-  const QString way = slides ? QStringLiteral("mm") : QStringLiteral("°");
+  const QString unit = slides ? QStringLiteral("mm") : QStringLiteral("°");
   switch (quantity) {
     case PlotQuantity::kPosition:
-      return way;
+      return unit;
     case PlotQuantity::kVelocity:
-      return way + QStringLiteral("/s");
+      return unit + QStringLiteral("/s");
     case PlotQuantity::kAcceleration:
-      return way + QStringLiteral("/s²");
+      return unit + QStringLiteral("/s²");
     case PlotQuantity::kClearance:
       return QStringLiteral("mm");
     case PlotQuantity::kUnlikeness:

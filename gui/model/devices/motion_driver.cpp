@@ -78,15 +78,15 @@ std::vector<Eigen::Vector3d> ExecutedMotion::way_of(const geometric::RobotInstan
   std::ranges::stable_sort(all, {}, [](const Seen& seen) { return seen.sample->time; });
   geometric::Configuration q = start;
   std::vector<geometric::Pose> X_BL(static_cast<std::size_t>(robot.model->link_count()));
-  std::vector<Eigen::Vector3d> way;
+  std::vector<Eigen::Vector3d> curve;
   for (const Seen& seen : all) {
     for (std::size_t j = 0; j < seen.device->variables.size(); ++j) {
       q[seen.device->variables[j]] = seen.sample->measured[static_cast<Eigen::Index>(j)];
     }
     robot.model->forward_kinematics(q, X_BL);
-    way.emplace_back(robot.X_WB * X_BL[static_cast<std::size_t>(link)].translation());
+    curve.emplace_back(robot.X_WB * X_BL[static_cast<std::size_t>(link)].translation());
   }
-  return way;
+  return curve;
 }
 
 namespace {

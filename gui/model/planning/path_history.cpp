@@ -69,20 +69,20 @@ std::optional<planning::DistanceAlong> distance_along(const std::vector<double>&
   return planning::DistanceAlong{mean(values), *std::ranges::max_element(values)};
 }
 
-double palm_way(const PathRecord& record) {
+double palm_travel(const PathRecord& record) {
   const geometric::RobotModel& model = *record.motion->model;
   std::vector<geometric::Pose> X_BL(static_cast<std::size_t>(model.link_count()));
-  double way = 0.0;
+  double travel = 0.0;
   Eigen::Vector3d last = Eigen::Vector3d::Zero();
   bool first = true;
   for (const planning::TrajectoryPoint& point : record.motion->trajectory.points) {
     model.forward_kinematics(point.position, X_BL);
     const Eigen::Vector3d here = X_BL[static_cast<std::size_t>(record.palm)].translation();
-    way += first ? 0.0 : (here - last).norm();
+    travel += first ? 0.0 : (here - last).norm();
     last = here;
     first = false;
   }
-  return way;
+  return travel;
 }
 
 double human_cost(const PathFigures& figures) {
@@ -100,7 +100,7 @@ PathFigures figures_of(const PathRecord& record) {
   figures.waypoints = static_cast<int>(motion.path.waypoints.size());
   figures.length = length_of(*motion.model, motion.path);
   figures.turning = turning_of(*motion.model, motion.path);
-  figures.palm_way = palm_way(record);
+  figures.palm_travel = palm_travel(record);
   const MotionCurves& curves = *record.curves;
   if (curves.clearance.empty()) {
     figures.least_clearance = record.run->result.certificate.min_clearance_mm * 1e-3;
@@ -185,9 +185,9 @@ bool is_of(const PathRecord& known, const PathRecord& record) {
 
 }  // namespace
 
-QString label_of(const QString& way, const planning::Motion& motion, const QTime& time) {
+QString label_of(const QString& origin, const planning::Motion& motion, const QTime& time) {
   return QObject::tr("%1: %2 waypoints, %3 s (%4)")
-      .arg(way)
+      .arg(origin)
       .arg(motion.path.waypoints.size())
       .arg(motion.trajectory.duration(), 0, 'f', 1)
       .arg(time.toString(QStringLiteral("HH:mm:ss")));

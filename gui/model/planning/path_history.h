@@ -51,10 +51,10 @@ struct PlanRun {
 
 /// The key figures of a path.
 struct PathFigures {
-  double duration = 0.0;  ///< s
-  double length = 0.0;    ///< In joints normalised to [0, 1].
-  double turning = 0.0;   ///< See turning_of().
-  double palm_way = 0.0;  ///< m
+  double duration = 0.0;     ///< s
+  double length = 0.0;       ///< In joints normalised to [0, 1].
+  double turning = 0.0;      ///< See turning_of().
+  double palm_travel = 0.0;  ///< m
   int waypoints = 0;
   double least_clearance = 0.0;  ///< m, at most kMostClearance; or a run's certificate.
   /// m, over time, more than kMostClearance counting as that; nothing where it was not looked at.
@@ -107,7 +107,7 @@ struct PathRecord {
     const std::vector<PathRecord>& records, PathMerit merit);
 
 /// What a person calls a path. @param way where it comes from: "auto, seed 1".
-[[nodiscard]] QString label_of(const QString& way, const planning::Motion& motion,
+[[nodiscard]] QString label_of(const QString& origin, const planning::Motion& motion,
                                const QTime& time);
 /// The same of one that a planner found.
 [[nodiscard]] QString label_of(const PlanRun& run, const planning::Motion& motion);

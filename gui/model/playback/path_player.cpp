@@ -202,8 +202,8 @@ void PathPlayer::advance() {
     }
     return;
   }
-  const double way = speed_ * passed / duration();
-  fraction_ = std::clamp(fraction_ + (backwards_ ? -way : way), 0.0, 1.0);
+  const double step = speed_ * passed / duration();
+  fraction_ = std::clamp(fraction_ + (backwards_ ? -step : step), 0.0, 1.0);
   emit moved(fraction_);
   if (fraction_ == end()) {
     if (loop_) {

@@ -26,18 +26,18 @@ CameraMove camera_move(NavigationStyle style, Qt::MouseButtons buttons,
   return !by_middle && (buttons & Qt::MiddleButton) ? CameraMove::kPan : CameraMove::kNone;
 }
 
-void move_camera(OrbitCamera& camera, CameraMove move, const QPointF& way) {
+void move_camera(OrbitCamera& camera, CameraMove move, const QPointF& drag) {
   switch (move) {
     case CameraMove::kNone:
       break;
     case CameraMove::kTurn:
-      camera.orbit(-4.0 * way.x(), 4.0 * way.y());
+      camera.orbit(-4.0 * drag.x(), 4.0 * drag.y());
       break;
     case CameraMove::kPan:
-      camera.pan(way.x(), -way.y());
+      camera.pan(drag.x(), -drag.y());
       break;
     case CameraMove::kZoom:
-      camera.zoom(std::exp(3.0 * way.y()), 0.0, 0.0);
+      camera.zoom(std::exp(3.0 * drag.y()), 0.0, 0.0);
       break;
   }
 }

@@ -30,7 +30,7 @@ enum class CameraMove { kNone, kTurn, kPan, kZoom };
 
 /// Moves the camera as far as the mouse was dragged. @param way in fractions of the view's
 /// height, right and down.
-void move_camera(OrbitCamera& camera, CameraMove move, const QPointF& way);
+void move_camera(OrbitCamera& camera, CameraMove move, const QPointF& drag);
 
 /// How much farther away a turn of the wheel goes. @param angle as QWheelEvent::angleDelta().
 [[nodiscard]] double wheel_zoom(const Navigation& navigation, int angle);

@@ -89,7 +89,7 @@ QString result_text(const planning::PlanResult& result, const QString& note) {
   return text;
 }
 
-QString replanned_text(const planning::PlanResult& result, const QString& way) {
+QString replanned_text(const planning::PlanResult& result, const QString& source) {
   const ThemeColors colors = colors_of(current_theme());
   QString text = result.solved()
                      ? headline(QObject::tr("Path follows the scene"), colors.good)
@@ -98,7 +98,7 @@ QString replanned_text(const planning::PlanResult& result, const QString& way) {
   text += begin_table();
   text += row(QObject::tr("Planning again"), seconds_text(result.time_s + result.smoothing_s));
   if (result.solved()) {
-    text += row(QObject::tr("From"), way);
+    text += row(QObject::tr("From"), source);
     text += row(QObject::tr("Waypoints"), count_text(result.path.waypoints.size()));
     text += row(QObject::tr("Clearance"),
                 QStringLiteral("≥ %1 mm").arg(result.certificate.min_clearance_mm, 0, 'f', 2));

@@ -24,7 +24,7 @@ namespace handway::gui {
 
 /// The same of a path that was planned again for an edited scene.
 /// @param way where it came from, one word.
-[[nodiscard]] QString replanned_text(const planning::PlanResult& result, const QString& way);
+[[nodiscard]] QString replanned_text(const planning::PlanResult& result, const QString& source);
 
 /// A path that gets better, with its figures, as rich text.
 [[nodiscard]] QString optimizing_text(const OptimizeProgress& progress);

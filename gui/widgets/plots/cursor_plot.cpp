@@ -210,8 +210,8 @@ void CursorPlot::move_by(const QPoint& pixels) {
   const double dx = -(x.most - x.least) * pixels.x() / plot_->canvas()->width();
   const double dy = (y.most - y.least) * pixels.y() / plot_->canvas()->height();
   const double end = times_.empty() ? 1.0 : times_.back();
-  const double way = std::clamp(dx, -x.least, std::max(end - x.most, -x.least));
-  x_ = Range{x.least + way, x.most + way};
+  const double shift = std::clamp(dx, -x.least, std::max(end - x.most, -x.least));
+  x_ = Range{x.least + shift, x.most + shift};
   y_ = Range{y.least + dy, y.most + dy};
   rebuild();
 }

@@ -81,13 +81,13 @@ class ProjectionPlot::Drawing : public QwtPlotItem {
  private:
   template <typename ToCanvas>
   void draw_path(QPainter& painter, const ToCanvas& to_canvas) const {
-    QPolygonF way;
+    QPolygonF line;
     for (const QPointF& point : roadmap_.path) {
-      way.append(to_canvas(point));
+      line.append(to_canvas(point));
     }
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(colors_.ink, 2.0));
-    painter.drawPolyline(way);
+    painter.drawPolyline(line);
   }
 
   const PlaneRoadmap& roadmap_;

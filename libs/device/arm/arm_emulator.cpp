@@ -80,9 +80,9 @@ void Val3Controller::Arm::begin_fault() {
   } else if (settings.fault.kind == FaultKind::kJointLimit && !queue.empty()) {
     // Of the joint that goes farthest.
     Eigen::Index joint = 0;
-    const Eigen::VectorXd way = queue.back().target - joints.commanded();
-    way.cwiseAbs().maxCoeff(&joint);
-    (way[joint] > 0.0 ? settings.joints.upper : settings.joints.lower)[joint] =
+    const Eigen::VectorXd displacement = queue.back().target - joints.commanded();
+    displacement.cwiseAbs().maxCoeff(&joint);
+    (displacement[joint] > 0.0 ? settings.joints.upper : settings.joints.lower)[joint] =
         joints.commanded()[joint];
   }
 }
@@ -93,15 +93,16 @@ void Val3Controller::Arm::follow(double dt) {
   Eigen::VectorXd at = joints.commanded();
   Eigen::VectorXd velocity = Eigen::VectorXd::Zero(at.size());
   while (dt > 0.0 && !queue.empty()) {
-    const Eigen::VectorXd way = queue.front().target - at;
-    const double needed = (way.cwiseAbs().array() / settings.joints.velocity.array()).maxCoeff() /
-                          (queue.front().velocity * pace);
+    const Eigen::VectorXd displacement = queue.front().target - at;
+    const double needed =
+        (displacement.cwiseAbs().array() / settings.joints.velocity.array()).maxCoeff() /
+        (queue.front().velocity * pace);
     if (needed <= dt) {
       at = queue.front().target;
       dt -= needed;
       queue.pop_front();
     } else {
-      velocity = way / needed;
+      velocity = displacement / needed;
       at += velocity * dt;
       dt = 0.0;
     }

@@ -46,8 +46,8 @@ void MinimumJerkMoves::begin_next_move() {
   begin_ += duration_ + rest_;
   from_ = to_;
   to_ = next_target();
-  const double way = (to_ - from_).cwiseAbs().maxCoeff();
-  duration_ = (pace_.reaction + pace_.per_unit * way) * random_.uniform(0.85, 1.15);
+  const double distance = (to_ - from_).cwiseAbs().maxCoeff();
+  duration_ = (pace_.reaction + pace_.per_unit * distance) * random_.uniform(0.85, 1.15);
   rest_ = random_.uniform(0.0, pace_.longest_rest);
 }
 

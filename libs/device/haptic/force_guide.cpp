@@ -55,11 +55,11 @@ double ToolCurve::nearest(const Eigen::Vector3d& point, double from, double to) 
     if (span == 0.0 || arc_[i + 1] < from || arc_[i] > to) {
       continue;
     }
-    const Eigen::Vector3d way = points_[i + 1] - points_[i];
+    const Eigen::Vector3d segment = points_[i + 1] - points_[i];
     const double s =
-        std::clamp(arc_[i] + (point - points_[i]).dot(way) / span, arc_[i], arc_[i + 1]);
+        std::clamp(arc_[i] + (point - points_[i]).dot(segment) / span, arc_[i], arc_[i + 1]);
     const double here = std::clamp(s, from, to);
-    const double distance = (points_[i] + (here - arc_[i]) / span * way - point).squaredNorm();
+    const double distance = (points_[i] + (here - arc_[i]) / span * segment - point).squaredNorm();
     if (distance < least) {
       least = distance;
       best = here;

@@ -190,10 +190,10 @@ void RosRobot::lead(const Eigen::VectorXd& position, double time) {
       refuse(obstacle->found, "a robot that can move", obstacle->advice);
     }
   }
-  JointTrajectory way{{0.0, time + kLeadSlack}, Eigen::MatrixXd(2, joints().count())};
-  way.positions.row(0) = measured().position.cwiseMax(joints().lower).cwiseMin(joints().upper);
-  way.positions.row(1) = position;
-  check_trajectory(way, joints());
+  JointTrajectory lead{{0.0, time + kLeadSlack}, Eigen::MatrixXd(2, joints().count())};
+  lead.positions.row(0) = measured().position.cwiseMax(joints().lower).cwiseMin(joints().upper);
+  lead.positions.row(1) = position;
+  check_trajectory(lead, joints());
   publish_motion({joints().names, {{time}, position.transpose()}});
 }
 

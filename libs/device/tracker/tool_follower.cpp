@@ -176,12 +176,12 @@ void ToolFollower::follow(double dt, FollowStep& step) {
   }
   goal_(variables) = next;
   const Eigen::VectorXd here = q_(variables);
-  const Eigen::VectorXd way = next - here;
+  const Eigen::VectorXd left = next - here;
   // All joints by the same share, so that none has to wait for another.
-  const double share =
-      std::min(1.0, (top_speeds_ * dt).cwiseQuotient(way.cwiseAbs().cwiseMax(kArrived)).minCoeff());
-  q_(variables) = here + share * way;
-  const bool arrived = (1.0 - share) * way.cwiseAbs().maxCoeff() <= kArrived;
+  const double share = std::min(
+      1.0, (top_speeds_ * dt).cwiseQuotient(left.cwiseAbs().cwiseMax(kArrived)).minCoeff());
+  q_(variables) = here + share * left;
+  const bool arrived = (1.0 - share) * left.cwiseAbs().maxCoeff() <= kArrived;
   step.state = arrived ? FollowState::kFollowing : FollowState::kSlowed;
 }
 

@@ -45,8 +45,8 @@ PathToolCurve::PathToolCurve(const std::shared_ptr<const geometric::RobotModel>&
     places_.push_back(place);
   };
   for (std::size_t i = 0; i + 1 < path_.waypoints.size(); ++i) {
-    const double way = (path_.waypoints[i + 1] - path_.waypoints[i]).norm();
-    const int steps = std::max(1, static_cast<int>(std::ceil(way / kStep)));
+    const double distance = (path_.waypoints[i + 1] - path_.waypoints[i]).norm();
+    const int steps = std::max(1, static_cast<int>(std::ceil(distance / kStep)));
     for (int k = 0; k < steps; ++k) {
       add(static_cast<double>(i) + static_cast<double>(k) / steps);
     }
@@ -146,7 +146,7 @@ constexpr double kLeadPeriod = 0.05;  // s
 }  // namespace
 
 GuidanceOutcome run_guidance(device::HapticDevice& device, device::ForceGuide& guide,
-                             const PathToolCurve& way, GuidedMotion& motion,
+                             const PathToolCurve& curve, GuidedMotion& motion,
                              const std::stop_token& stop, const GuidanceListeners& listeners) {
   GuidanceOutcome outcome;
   const auto begin = Clock::now();
@@ -157,16 +157,16 @@ GuidanceOutcome run_guidance(device::HapticDevice& device, device::ForceGuide& g
       const double now = std::chrono::duration<double>(Clock::now() - begin).count();
       if (handle) {
         GuidanceSample sample{now, *handle, {}, 0.0, {}};
-        sample.step = guide.update(*handle, way.arc_length_at(motion.place()));
+        sample.step = guide.update(*handle, curve.arc_length_at(motion.place()));
         device.apply(sample.step.force);
         if (sample.step.engaged) {
           const double target =
-              sample.step.arrived ? way.last_place() : way.place_at(sample.step.progress);
+              sample.step.arrived ? curve.last_place() : curve.place_at(sample.step.progress);
           motion.advance(target, now - outcome.time);
         }
-        outcome.arrived = motion.place() >= way.last_place();
+        outcome.arrived = motion.place() >= curve.last_place();
         sample.place = motion.place();
-        sample.q = way.configuration(sample.place);
+        sample.q = curve.configuration(sample.place);
         outcome.time = now;
         ++outcome.samples;
         outcome.largest_deviation = std::max(outcome.largest_deviation, sample.step.deviation);
@@ -175,7 +175,7 @@ GuidanceOutcome run_guidance(device::HapticDevice& device, device::ForceGuide& g
       }
       if (now - led >= kLeadPeriod || outcome.arrived) {
         led = now;
-        listeners.lead(way.configuration(motion.place()));
+        listeners.lead(curve.configuration(motion.place()));
       }
     }
   } catch (const std::exception& error) {

@@ -295,8 +295,8 @@ std::vector<Configuration> RobotModel::in_half_turns(
   for (const Configuration& q : waypoints) {
     double half_turns = 1.0;
     for (int v = 0; v < variable_count() && !path.empty(); ++v) {
-      const double way = is_continuous(v) ? std::abs(q[v] - path.back()[v]) : 0.0;
-      half_turns = std::max(half_turns, std::ceil(way / std::numbers::pi - kLimitTolerance));
+      const double turn = is_continuous(v) ? std::abs(q[v] - path.back()[v]) : 0.0;
+      half_turns = std::max(half_turns, std::ceil(turn / std::numbers::pi - kLimitTolerance));
     }
     for (double i = 1.0; i < half_turns; ++i) {
       path.emplace_back(path.back() + (q - path.back()) / (half_turns - i + 1.0));

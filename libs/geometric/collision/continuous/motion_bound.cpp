@@ -217,22 +217,23 @@ void EdgeMotion::set_middle(const std::vector<Pose>& X_BL) {
 double EdgeMotion::within(int pair, double half) const {
   const double coarse = over_edge(pair) * half;
   const MotionBound::PairFrame& frame = motion_->pair_frame(pair);
-  double fine = way(frame.a, frame.link, half);
+  double fine = displacement(frame.a, frame.link, half);
   if (fine < coarse && frame.b_moves) {
-    fine += way(frame.b, frame.link, half);
+    fine += displacement(frame.b, frame.link, half);
   }
   return std::min(coarse, fine);
 }
 
 // The velocity in the middle, of the point that is fastest, and what it can gain.
-double EdgeMotion::way(int body, int frame, double half) const {
+double EdgeMotion::displacement(int body, int frame, double half) const {
   const RobotModel& model = motion_->model();
   const MotionBound::Ball& ball = motion_->ball(body);
   const auto link = static_cast<std::size_t>(ball.link);
   const auto base = static_cast<std::size_t>(frame);
-  // Second derivatives of a point's way by two joints: the outer one's, turned by the inner one.
+  // Second derivatives of a point's displacement by two joints: the outer one's, turned by the
+  // inner one.
   double bend = 0.0;
-  double outer = 0.0;  // the sum of the ways by the joints from the body inwards
+  double outer = 0.0;  // the sum of the displacements by the joints from the body inwards
   for (int i = ball.link; i != frame; i = model.parent(i)) {
     const double rate = std::abs(rates_[static_cast<std::size_t>(i)]);
     if (rate == 0.0) {

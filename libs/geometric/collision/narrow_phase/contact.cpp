@@ -121,39 +121,40 @@ class PlacedPair {
   const PlacedBody& b_;
 };
 
-// The mean normal and the 26 ways to a cube's faces, edges and corners, the cube turned
+// The mean normal and the 26 directions to a cube's faces, edges and corners, the cube turned
 // as body b: boxes and walls are left straight.
-std::vector<Eigen::Vector3d> ways_out(const Eigen::Vector3d& normal, const Pose& X_WB) {
-  std::vector<Eigen::Vector3d> ways;
+std::vector<Eigen::Vector3d> separation_directions(const Eigen::Vector3d& normal,
+                                                   const Pose& X_WB) {
+  std::vector<Eigen::Vector3d> directions;
   if (normal.norm() > 1e-6) {
-    ways.emplace_back(-normal.normalized());
-    ways.emplace_back(normal.normalized());
+    directions.emplace_back(-normal.normalized());
+    directions.emplace_back(normal.normalized());
   }
   for (int x = -1; x <= 1; ++x) {
     for (int y = -1; y <= 1; ++y) {
       for (int z = -1; z <= 1; ++z) {
         if (x != 0 || y != 0 || z != 0) {
-          ways.emplace_back(X_WB.linear() * Eigen::Vector3d(x, y, z).normalized());
+          directions.emplace_back(X_WB.linear() * Eigen::Vector3d(x, y, z).normalized());
         }
       }
     }
   }
-  return ways;
+  return directions;
 }
 
 void find_depth(const PlacedPair& pair, const Eigen::Vector3d& normal, Contact& contact) {
-  for (const Eigen::Vector3d& way : ways_out(normal, pair.X_WB())) {
-    if (contact.depth <= kPrecision || !pair.is_clear((contact.depth - kPrecision) * way)) {
+  for (const Eigen::Vector3d& direction : separation_directions(normal, pair.X_WB())) {
+    if (contact.depth <= kPrecision || !pair.is_clear((contact.depth - kPrecision) * direction)) {
       continue;
     }
     double blocked = 0.0;
     double clear = contact.depth - kPrecision;
     while (clear - blocked > kPrecision) {
       const double middle = 0.5 * (blocked + clear);
-      (pair.is_clear(middle * way) ? clear : blocked) = middle;
+      (pair.is_clear(middle * direction) ? clear : blocked) = middle;
     }
     contact.depth = clear;
-    contact.direction = way;
+    contact.direction = direction;
   }
 }
 

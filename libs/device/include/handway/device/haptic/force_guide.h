@@ -11,7 +11,8 @@
 
 namespace handway::device {
 
-/// The way that a tool goes, as a polyline in space; measured by arc length (m) from its beginning.
+/// The curve that a tool follows, a polyline in space; measured by arc length (m) from its
+/// beginning.
 class HANDWAY_DEVICE_EXPORT ToolCurve {
  public:
   /// @param points m; neighbours may be in the same place.

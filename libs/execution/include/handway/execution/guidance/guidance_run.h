@@ -106,7 +106,7 @@ struct GuidanceListeners {
 /// asked to stop, or something goes wrong. However it ends, there is no force then.
 /// @param device connected. @param guide of way.curve(). @param motion on way.path().
 [[nodiscard]] HANDWAY_EXECUTION_EXPORT GuidanceOutcome
-run_guidance(device::HapticDevice& device, device::ForceGuide& guide, const PathToolCurve& way,
+run_guidance(device::HapticDevice& device, device::ForceGuide& guide, const PathToolCurve& curve,
              GuidedMotion& motion, const std::stop_token& stop, const GuidanceListeners& listeners);
 
 }  // namespace handway::execution

@@ -28,7 +28,7 @@ class HANDWAY_GEOMETRIC_EXPORT MotionBound {
     return reach_.col(motion(pair)).dot(travel);
   }
 
-  /// Pairs that move against each other in the same way share a motion: those of
+  /// Pairs that move against each other alike share a motion: those of
   /// one body with all that stands still. Constraints have a motion each, after those of the pairs.
   [[nodiscard]] int motion(int pair) const { return motions_[static_cast<std::size_t>(pair)]; }
 
@@ -89,7 +89,7 @@ class HANDWAY_GEOMETRIC_EXPORT MotionBound {
 ///
 /// Where several joints turn at once their motions largely cancel out. A point's
 /// velocity in the middle is known; on the way to either end it changes by no
-/// more than the joints turn each other's axes. Both together bound the way.
+/// more than the joints turn each other's axes. Both together bound the displacement.
 class HANDWAY_GEOMETRIC_EXPORT EdgeMotion {
  public:
   explicit EdgeMotion(std::shared_ptr<const MotionBound> motion);
@@ -112,7 +112,7 @@ class HANDWAY_GEOMETRIC_EXPORT EdgeMotion {
 
  private:
   /// Of a body against the link `frame`.
-  [[nodiscard]] double way(int body, int frame, double half) const;
+  [[nodiscard]] double displacement(int body, int frame, double half) const;
 
   std::shared_ptr<const MotionBound> motion_;
   Eigen::VectorXd travel_;  ///< Per motion.

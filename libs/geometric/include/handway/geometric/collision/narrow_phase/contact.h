@@ -49,7 +49,7 @@ struct Contact {
   /// Middle of where the surfaces cross; if one body is inside of the other, a point of its
   /// surface.
   Eigen::Vector3d p_W = Eigen::Vector3d::Zero();
-  /// Way out for `a`: unit vector, world.
+  /// In which `a` gets free: unit vector, world.
   Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();
   /// How far `a` has to be shifted along `direction` to be clear of `b`, m, to 0.1 mm. The
   /// shortest of some thirty directions: an upper bound of the penetration depth; kMostDepth if
