@@ -4,11 +4,15 @@
 #include "handway/device/glove/glove_layout.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/resources.h"
+#include "handway/geometric/math/units.h"
+#include "numbers.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <filesystem>
 #include <iterator>
 #include <memory>
@@ -30,6 +34,8 @@ struct CalibrateOptions {
   fs::path before;
   std::string person;
   std::string date;
+  double hand_length = 0.0;        ///< mm; 0: not measured.
+  std::vector<std::string> bones;  ///< FINGER=MM,MM,MM,MM.
   bool list = false;
   fs::path out;
 };
@@ -70,6 +76,58 @@ CalibrationFit joined(const CalibrationFit& poses, const CalibrationFit& free) {
   return result;
 }
 
+/// Lines of sensors that no pose covers, ranges of the joints and, of landmarks, bones.
+CalibrationFit with_free_motion(const CalibrateOptions& options,
+                                std::optional<CalibrationFit> poses) {
+  const device::Recording motion = device::read_recording(options.free);
+  CalibrationFit result =
+      poses.value_or(CalibrationFit{{options.person, options.date, {}, {}, {}, {}}, {}});
+  if (motion.header.kind == device::RecordingKind::kCounts) {
+    const CalibrationFit free = device::calibrate_from_range(
+        motion, device::typical_angle_ranges(),
+        options.before.empty() ? device::typical_calibration()
+                               : device::read_calibration(options.before),
+        options.person, options.date);
+    result = poses ? joined(*poses, free) : free;
+  }
+  result.calibration.ranges =
+      device::measured_ranges(device::to_angles(motion, result.calibration));
+  result.calibration.bones = motion.bones;
+  return result;
+}
+
+device::HandBones typed_bones(const CalibrateOptions& options,
+                              const std::optional<device::HandBones>& measured) {
+  device::HandBones bones = measured.value_or(device::typical_bones());
+  if (options.hand_length > 0.0) {
+    bones = device::typical_bones(options.hand_length * geometric::kMillimetre);
+  }
+  for (const std::string& text : options.bones) {
+    const std::size_t equals = text.find('=');
+    std::size_t finger = 0;
+    while (finger < bones.size() && device::name_of(static_cast<device::Finger>(finger)) !=
+                                        text.substr(0, equals)) {
+      ++finger;
+    }
+    const std::vector<std::string> parts =
+        CLI::detail::split(equals == std::string::npos ? "" : text.substr(equals + 1), ',');
+    std::array<double, 4> lengths{};
+    bool good = finger < bones.size() && parts.size() == lengths.size();
+    for (std::size_t i = 0; good && i < lengths.size(); ++i) {
+      good = CLI::detail::lexical_cast(parts[i], lengths.at(i)) && lengths.at(i) > 0.0 &&
+             std::isfinite(lengths.at(i));
+      lengths.at(i) *= geometric::kMillimetre;
+    }
+    if (!good) {
+      throw CLI::ValidationError(
+          "--bones", "\"" + text + "\" is not FINGER=MM,MM,MM,MM with thumb, index, middle, ring "
+                     "or little, and lengths above 0");
+    }
+    bones.at(finger) = lengths;
+  }
+  return bones;
+}
+
 CalibrationFit fit(const CalibrateOptions& options) {
   std::optional<CalibrationFit> result;
   if (!options.poses.empty()) {
@@ -82,15 +140,14 @@ CalibrationFit fit(const CalibrateOptions& options) {
     result = device::calibrate_from_poses(poses, options.person, options.date);
   }
   if (!options.free.empty()) {
-    const CalibrationFit free = device::calibrate_from_range(
-        device::read_recording(options.free), device::typical_angle_ranges(),
-        options.before.empty() ? device::typical_calibration()
-                               : device::read_calibration(options.before),
-        options.person, options.date);
-    result = result ? joined(*result, free) : free;
+    result = with_free_motion(options, result);
+  }
+  if (options.hand_length > 0.0 || !options.bones.empty()) {
+    result = result ? result : CalibrationFit{{options.person, options.date, {}, {}, {}, {}}, {}};
+    result->calibration.bones = typed_bones(options, result->calibration.bones);
   }
   if (!result) {
-    throw CLI::RequiredError("--pose, --free or --list");
+    throw CLI::RequiredError("--pose, --free, --hand-length, --bones or --list");
   }
   return *result;
 }
@@ -99,12 +156,29 @@ void print(const CalibrationFit& found) {
   for (std::size_t i = 0; i < device::kGloveSensors; ++i) {
     const std::string_view name = device::cyberglove_sensors()[i].name;
     const std::optional<device::SensorCalibration>& line = found.calibration.sensors.at(i);
+    if (!line && std::ranges::none_of(found.calibration.sensors,
+                                      [](const auto& other) { return other.has_value(); })) {
+      continue;  // of angles: nothing to calibrate
+    }
     if (!line) {
       fmt::print("{:<18} not calibrated\n", name);
       continue;
     }
     fmt::print("{:<18} {:+.5f} rad per count, zero at {:.1f}{}\n", name, line->gain, line->zero,
                line->residual ? fmt::format(", off by {:.3f} rad", *line->residual) : "");
+  }
+  for (std::size_t i = 0; i < device::kGloveSensors; ++i) {
+    if (const auto& range = found.calibration.ranges.at(i)) {
+      fmt::print("{:<18} goes from {:.0f} to {:.0f} deg\n", device::cyberglove_sensors()[i].name,
+                 range->first / geometric::kDegree, range->second / geometric::kDegree);
+    }
+  }
+  for (std::size_t f = 0; found.calibration.bones && f < found.calibration.bones->size(); ++f) {
+    const auto& bones = found.calibration.bones->at(f);
+    fmt::print("{:<18} bones {:.1f}, {:.1f}, {:.1f}, {:.1f} mm\n",
+               device::name_of(static_cast<device::Finger>(f)), bones[0] / geometric::kMillimetre,
+               bones[1] / geometric::kMillimetre, bones[2] / geometric::kMillimetre,
+               bones[3] / geometric::kMillimetre);
   }
   for (const std::string& warning : found.warnings) {
     fmt::print("warning: {}\n", warning);
@@ -131,7 +205,7 @@ int calibrate(const CalibrateOptions& options) {
 void add_glove_calibrate(CLI::App& glove, int& exit_code) {
   auto options = std::make_shared<CalibrateOptions>();
   CLI::App* command =
-      glove.add_subcommand("calibrate", "Find the calibration of a glove on a hand");
+      glove.add_subcommand("calibrate", "Find the calibration of a glove on a hand, and how far and how large the hand is");
   command->add_option("--pose", options->poses, "What was recorded while a pose was held")
       ->type_name("NAME=RECORDING")
       ->expected(1)
@@ -139,9 +213,19 @@ void add_glove_calibrate(CLI::App& glove, int& exit_code) {
   command->add_flag("--list", options->list, "Tell the poses and what to ask for");
   command->add_option("--poses", options->pose_file, "Other poses than those that ship (YAML)");
   command->add_option("--free", options->free,
-                      "A recording of a motion through all that the hand can do");
+                      "A recording of a motion through all that the hand can do, of counts, angles or landmarks");
   command->add_option("--before", options->before,
                       "Calibration whose signs hold for --free (default: a typical right hand's)");
+  command
+      ->add_option("--hand-length", options->hand_length,
+                   "From the wrist's crease to the tip of the middle finger, mm: bones in proportion")
+      ->check(positive_number());
+  command
+      ->add_option("--bones", options->bones,
+                   "Measured bones, mm: from the wrist to where the finger begins, then bone by bone")
+      ->type_name("FINGER=MM,MM,MM,MM")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command->add_option("--person", options->person, "Whose hand it is");
   command->add_option("--date", options->date, "When it was recorded");
   command->add_option("--out", options->out, "Write the calibration here (YAML)");

@@ -48,7 +48,8 @@ int map(const MapOptions& options) {
         options.calibration.empty() ? device::typical_calibration()
                                     : device::read_calibration(options.calibration);
     device::MappingFit fit = device::fit_mapping(
-        mapping, *model, device::to_angles(device::read_recording(options.fit), calibration));
+        mapping, *model, device::to_angles(device::read_recording(options.fit), calibration),
+        calibration);
     for (const std::string& warning : fit.warnings) {
       fmt::print(stderr, "warning: {}\n", warning);
     }

@@ -205,12 +205,14 @@ struct HandSource {
   fs::path robot;  ///< Its file.
   std::shared_ptr<const geometric::RobotModel> model;
   std::unique_ptr<device::PostureSource> source;
+  device::HandBones bones;  ///< The person's.
 };
 
-HandSource hand_source(const PcaOptions& options) {
+HandSource hand_source(const PcaOptions& options, const device::GloveCalibration& person) {
   const fs::path preset = geometric::resource_dir() / "mappings" / "table1_sah.yaml";
   const fs::path file = options.mapping.empty() ? preset : options.mapping;
   HandSource made;
+  made.bones = person.bones.value_or(device::typical_bones());
   const auto load = [&](const std::string& hand, const fs::path& folder, const std::string& by) {
     made.robot = geometric::find_resource(ResourceKind::kRobot, hand, folder, by);
     made.model = geometric::load_robot(made.robot);
@@ -224,12 +226,13 @@ HandSource hand_source(const PcaOptions& options) {
     } else {
       load(options.retarget, fs::current_path(), "--retarget");
     }
+    settings.bones = made.bones;
     made.source = std::make_unique<device::FingertipRetargeter>(made.model, settings);
     return made;
   }
   const device::HandMapping mapping = device::read_mapping(file);
   load(mapping.hand, folder, file.string());
-  made.source = std::make_unique<device::HandMapper>(mapping, *made.model, true);
+  made.source = std::make_unique<device::HandMapper>(mapping, *made.model, true, person.ranges);
   return made;
 }
 
@@ -260,7 +263,9 @@ void print_fingertips(const std::vector<MappedRecording>& recordings, const Hand
     print("fingertip retargeting", retargeter->joints(), postures, *retargeter);
     return;
   }
-  const device::FingertipRetargeter other(chosen.model);
+  device::RetargetingSettings settings;
+  settings.bones = chosen.bones;
+  const device::FingertipRetargeter other(chosen.model, settings);
   print("this mapping", chosen.source->joints(), postures, other);
   Eigen::MatrixXd retargeted(postures.rows(), static_cast<Eigen::Index>(other.joints().size()));
   Eigen::Index first = 0;
@@ -320,8 +325,9 @@ void print_comparison(const std::vector<MappedRecording>& recordings, const PcaO
 // What the same recordings give under another mapping to the same hand.
 void print_other_mapping(const std::vector<MappedRecording>& recordings, const PcaOptions& options,
                          const geometric::RobotModel& hand, const device::PostureSource& mapper,
-                         const std::vector<int>& free, const Analysis& chosen) {
-  const device::HandMapper other(device::read_mapping(options.against), hand, true);
+                         const std::vector<int>& free, const Analysis& chosen,
+                         const device::PersonRanges& ranges) {
+  const device::HandMapper other(device::read_mapping(options.against), hand, true, ranges);
   if (other.joints() != mapper.joints()) {
     throw geometric::InputError({options.against.string(), "joints", "others, or another order",
                                  "the joints of --mapping in its order",
@@ -355,12 +361,12 @@ void report(const std::vector<MappedRecording>& recordings, const PcaOptions& op
 }
 
 int pca(const PcaOptions& options) {
-  const HandSource hand = hand_source(options);
-  const device::PostureSource& mapper = *hand.source;
-  const std::vector<int> free = free_joints(options, mapper.joints());
   const device::GloveCalibration calibration = options.calibration.empty()
                                                    ? device::typical_calibration()
                                                    : device::read_calibration(options.calibration);
+  const HandSource hand = hand_source(options, calibration);
+  const device::PostureSource& mapper = *hand.source;
+  const std::vector<int> free = free_joints(options, mapper.joints());
   std::vector<MappedRecording> recordings;
   for (const fs::path& file : options.recordings) {
     recordings.push_back(map_file(file, calibration, options.steps, mapper));
@@ -394,7 +400,8 @@ int pca(const PcaOptions& options) {
     print_comparison(recordings, options, mapper, free, chosen);
   }
   if (!options.against.empty()) {
-    print_other_mapping(recordings, options, *hand.model, mapper, free, chosen);
+    print_other_mapping(recordings, options, *hand.model, mapper, free, chosen,
+                        calibration.ranges);
   }
   if (options.fingertips) {
     print_fingertips(recordings, hand);
@@ -458,7 +465,7 @@ void add_pca_command(CLI::App& app, int& exit_code) {
   command->add_option("--against", options->against,
                       "Another mapping to the same hand: compare what both make of the recordings");
   command->add_option("--calibration", options->calibration,
-                      "Calibration for recordings of counts (default: a typical right hand's)");
+                      "Calibration of glove and person (default: a typical right hand's)");
   command
       ->add_option("--free", options->free,
                    "A joint that gets an axis of its own (default: thumb_base); \"none\"")

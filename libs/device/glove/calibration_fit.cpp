@@ -211,4 +211,36 @@ CalibrationFit calibrate_from_range(const Recording& counts, const AngleRanges& 
   return fit;
 }
 
+namespace {
+
+constexpr double kLeastRange = 5.0 * geometric::kDegree;
+
+}  // namespace
+
+PersonRanges measured_ranges(const Recording& angles) {
+  if (angles.header.kind != RecordingKind::kAngles) {
+    throw InputError({"calibration", "", "a recording of raw counts", "one of angles", ""});
+  }
+  PersonRanges ranges;
+  for (const SensorQuality& quality : assess(angles).sensors) {
+    if (quality.last_percentile - quality.first_percentile >= kLeastRange) {
+      ranges.at(static_cast<std::size_t>(quality.sensor)) =
+          std::pair(quality.first_percentile, quality.last_percentile);
+    }
+  }
+  return ranges;
+}
+
+double typical_angle(const PersonRanges& ranges, int sensor, double angle) {
+  const auto& own = ranges.at(static_cast<std::size_t>(sensor));
+  if (!own) {
+    return angle;
+  }
+  const auto& typical = typical_angle_ranges().at(static_cast<std::size_t>(sensor));
+  const double own_side = angle < 0.0 ? -own->first : own->second;
+  const double typical_side = angle < 0.0 ? -typical.first : typical.second;
+  return own_side < kLeastRange || typical_side < kLeastRange ? angle
+                                                              : angle * typical_side / own_side;
+}
+
 }  // namespace handway::device

@@ -7,6 +7,7 @@
 #include "handway/geometric/io/replace_file.h"
 #include "handway/geometric/io/resources.h"
 #include "handway/geometric/io/text_file.h"
+#include "handway/geometric/math/units.h"
 #include "recording_readers.h"
 
 #include <fmt/format.h>
@@ -224,27 +225,92 @@ SensorCalibration read_sensor(const YamlElement& element) {
   return sensor;
 }
 
+std::size_t sensor_of(const std::string& name, const YamlElement& element) {
+  const std::optional<int> sensor = find_sensor(name);
+  if (!sensor) {
+    element.refuse("no sensor of that name", "a sensor of the glove",
+                   geometric::advise_name(name, sensor_names()));
+  }
+  return static_cast<std::size_t>(*sensor);
+}
+
+PersonRanges read_ranges(const YamlElement& map) {
+  PersonRanges ranges;
+  for (const auto& [name, element] : map.entries()) {
+    const Eigen::VectorXd ends = element.numbers(2) * geometric::kDegree;
+    if (!(ends[0] < ends[1])) {
+      element.refuse(element.found(), "least and most, in degrees");
+    }
+    ranges.at(sensor_of(name, element)) = std::pair(ends[0], ends[1]);
+  }
+  return ranges;
+}
+
+// Fingers that are left out are those of a typical hand.
+HandBones read_bones(const YamlElement& map) {
+  map.allow_keys({"thumb", "index", "middle", "ring", "little"});
+  HandBones bones = typical_bones();
+  for (std::size_t f = 0; f < bones.size(); ++f) {
+    if (const auto finger = map.find(name_of(static_cast<Finger>(f)))) {
+      const Eigen::VectorXd lengths = finger->numbers(4) * geometric::kMillimetre;
+      if (!(lengths.minCoeff() > 0.0)) {
+        finger->refuse(finger->found(), "four lengths above 0, in mm");
+      }
+      std::ranges::copy(lengths, bones[f].begin());
+    }
+  }
+  return bones;
+}
+
 GloveCalibration read_yaml(const std::filesystem::path& file) {
   const YamlElement top = YamlElement::read(file, kWhat);
-  top.allow_keys({"person", "date", "source", "sensors"});
+  top.allow_keys({"person", "date", "source", "sensors", "ranges", "bones"});
   GloveCalibration calibration;
   calibration.person = optional_text(top, "person");
   calibration.date = optional_text(top, "date");
   calibration.source = optional_text(top, "source");
+  if (const auto ranges = top.find("ranges")) {
+    calibration.ranges = read_ranges(*ranges);
+  }
+  if (const auto bones = top.find("bones")) {
+    calibration.bones = read_bones(*bones);
+  }
+  if (!top.find("sensors") && (top.find("ranges") || top.find("bones"))) {
+    calibration.sensors = typical_calibration().sensors;
+    return calibration;
+  }
   for (const auto& [name, element] : top.need("sensors").entries()) {
-    const std::optional<int> sensor = find_sensor(name);
-    if (!sensor) {
-      element.refuse("no sensor of that name", "a sensor of the glove",
-                     geometric::advise_name(name, sensor_names()));
-    }
-    calibration.sensors.at(static_cast<std::size_t>(*sensor)) = read_sensor(element);
+    calibration.sensors.at(sensor_of(name, element)) = read_sensor(element);
   }
   return calibration;
 }
 
 bool looks_like_yaml(const std::vector<TextLine>& lines) {
-  return std::ranges::any_of(
-      lines, [](const TextLine& line) { return line.text.starts_with("sensors:"); });
+  return std::ranges::any_of(lines, [](const TextLine& line) {
+    return line.text.starts_with("sensors:") || line.text.starts_with("ranges:") ||
+           line.text.starts_with("bones:");
+  });
+}
+
+std::string ranges_text(const PersonRanges& ranges) {
+  std::string text;
+  for (std::size_t i = 0; i < kGloveSensors; ++i) {
+    if (const auto& range = ranges.at(i)) {
+      text += fmt::format("  {}: [{:.2f}, {:.2f}]\n", cyberglove_sensors()[i].name,
+                          range->first / geometric::kDegree, range->second / geometric::kDegree);
+    }
+  }
+  return text.empty() ? text : "ranges:\n" + text;
+}
+
+std::string bones_text(const HandBones& bones) {
+  std::string text = "bones:\n";
+  for (std::size_t f = 0; f < bones.size(); ++f) {
+    const auto mm = [&](std::size_t i) { return bones.at(f).at(i) / geometric::kMillimetre; };
+    text += fmt::format("  {}: [{:.2f}, {:.2f}, {:.2f}, {:.2f}]\n", name_of(static_cast<Finger>(f)),
+                        mm(0), mm(1), mm(2), mm(3));
+  }
+  return text;
 }
 
 }  // namespace
@@ -266,14 +332,18 @@ GloveCalibration read_calibration(const std::filesystem::path& file) {
 void write_calibration(const GloveCalibration& calibration, const std::filesystem::path& file) {
   std::string text = text_field("person", calibration.person) +
                      text_field("date", calibration.date) +
-                     text_field("source", calibration.source) + "sensors:\n";
+                     text_field("source", calibration.source);
+  std::string sensors;
   for (std::size_t i = 0; i < kGloveSensors; ++i) {
     if (const std::optional<SensorCalibration>& sensor = calibration.sensors.at(i)) {
-      text += fmt::format("  {}: {{gain: {}, zero: {}", cyberglove_sensors()[i].name, sensor->gain,
-                          sensor->zero);
-      text += sensor->residual ? fmt::format(", residual: {}}}\n", *sensor->residual) : "}\n";
+      sensors += fmt::format("  {}: {{gain: {}, zero: {}", cyberglove_sensors()[i].name,
+                             sensor->gain, sensor->zero);
+      sensors += sensor->residual ? fmt::format(", residual: {}}}\n", *sensor->residual) : "}\n";
     }
   }
+  text += sensors.empty() ? sensors : "sensors:\n" + sensors;
+  text += ranges_text(calibration.ranges);
+  text += calibration.bones ? bones_text(*calibration.bones) : "";
   geometric::replace_file(file, text);
 }
 

@@ -17,7 +17,7 @@ using SensorDegrees = std::array<double, kGloveSensors>;
 
 inline constexpr int kSynergies = 4;
 
-inline constexpr int kFingers = 4;
+inline constexpr int kMovedFingers = 4;
 
 /// What joints do on their own: largest deviation, where fingers move by kFingerMove.
 inline constexpr int kSmallMoves = 9;
@@ -70,7 +70,7 @@ const std::array<SensorDegrees, kSynergies> kHandSynergies{{
 // How much of one finger's own motion the others make with it (row: finger that is meant to
 // move; column: fingers that move; index, middle, ring, little). Medians over 23 people of the
 // NinaPro DB1 recordings (Atzori et al. 2014).
-const std::array<std::array<double, kFingers>, kFingers> kEnslaving{{
+const std::array<std::array<double, kMovedFingers>, kMovedFingers> kEnslaving{{
     {1.00, 0.20, 0.11, 0.05},
     {0.13, 1.00, 0.35, 0.06},
     {0.05, 0.10, 1.00, 0.14},
@@ -91,7 +91,7 @@ const std::array<SensorRange, kGloveSensors> kAnatomicRanges{{
 // clang-format on
 
 // Index, middle, ring, little: proximal joint; the medial and distal ones follow it.
-constexpr std::array<int, kFingers> kProximal{4, 7, 11, 15};
+constexpr std::array<int, kMovedFingers> kProximal{4, 7, 11, 15};
 // Abductions, and the finger beside the middle one whose flexion hinders them.
 constexpr std::array<std::pair<int, int>, 3> kAbductions{{{10, 4}, {14, 11}, {18, 15}}};
 
@@ -117,8 +117,8 @@ void add_synergies(const Eigen::VectorXd& amounts, SensorDegrees& posture) {
 
 // @param amounts proximal and medial joint of index, middle, ring and little finger.
 void add_finger_moves(const Eigen::VectorXd& amounts, SensorDegrees& posture) {
-  for (std::size_t meant = 0; meant < kFingers; ++meant) {
-    for (std::size_t moved = 0; moved < kFingers; ++moved) {
+  for (std::size_t meant = 0; meant < kMovedFingers; ++meant) {
+    for (std::size_t moved = 0; moved < kMovedFingers; ++moved) {
       for (int joint = 0; joint < 2; ++joint) {
         at(posture, kProximal[moved] + joint) +=
             amounts[static_cast<Eigen::Index>(meant) * 2 + joint] * kEnslaving[meant][moved] *
@@ -154,7 +154,7 @@ void keep_to_anatomy(SensorDegrees& posture) {
 struct HandExploration::Moves {
   explicit Moves(std::uint64_t seed)
       : synergies(kSynergies, kWholeHand, kStreams * seed),
-        fingers(2 * kFingers, kSingleFinger, kStreams * seed + 1),
+        fingers(2 * kMovedFingers, kSingleFinger, kStreams * seed + 1),
         small(kSmallMoves, kSmall, kStreams * seed + 2) {}
 
   MinimumJerkMoves synergies;

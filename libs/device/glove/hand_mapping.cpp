@@ -1,6 +1,7 @@
 #include "handway/device/glove/hand_mapping.h"
 
 #include "glove/text_files.h"
+#include "handway/device/glove/calibration_fit.h"
 #include "handway/device/glove/glove_layout.h"
 #include "handway/device/glove/human_hand.h"
 #include "handway/geometric/formats/yaml_element.h"
@@ -195,7 +196,9 @@ void check_complete(const RobotModel& hand, const HandMapping& mapping) {
 
 }  // namespace
 
-HandMapper::HandMapper(const HandMapping& mapping, const RobotModel& hand, bool is_hand) {
+HandMapper::HandMapper(const HandMapping& mapping, const RobotModel& hand, bool is_hand,
+                       const PersonRanges& ranges)
+    : ranges_(ranges) {
   if (is_hand || hand.name() == mapping.hand) {
     check_complete(hand, mapping);
   }
@@ -240,7 +243,8 @@ double HandMapper::value(Eigen::Index joint, double angle) const {
   if (!std::isfinite(angle)) {
     return middle;
   }
-  return wire.curve.empty() ? wire.gain * angle + wire.offset : on_curve(wire.curve, angle);
+  const double typical = typical_angle(ranges_, wire.sensor, angle);
+  return wire.curve.empty() ? wire.gain * typical + wire.offset : on_curve(wire.curve, typical);
 }
 
 Eigen::VectorXd HandMapper::posture(const GloveAngles& angles) const {

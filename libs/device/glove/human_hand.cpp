@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -15,18 +16,16 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Of a finger but the thumb, in lengths of the hand.
+/// In lengths of the hand.
 struct FingerShape {
-  Vector3d knuckle;               ///< In the palm's frame.
-  std::array<double, 3> lengths;  ///< Of the phalanges, from the knuckle on.
+  Vector3d base;                  ///< In the palm's frame.
+  std::array<double, 3> lengths;  ///< Of the bones from there on.
 };
 
 // Metacarpals end where Buchholz puts the knuckles along the hand; across it they are spread over
 // its breadth, 0.44 of its length.
-constexpr double kThumbMetacarpal = 0.251;
-constexpr std::array<double, 2> kThumbLengths{0.196, 0.158};
-const Vector3d kThumbBase(0.12, 0.11, -0.04);
-const std::array<FingerShape, 4> kFingerShapes{{
+const std::array<FingerShape, kFingers> kFingerShapes{{
+    {Vector3d(0.12, 0.11, -0.04), {0.251, 0.196, 0.158}},
     {Vector3d(0.446, 0.125, 0.0), {0.245, 0.143, 0.097}},
     {Vector3d(0.446, 0.0, 0.0), {0.266, 0.170, 0.108}},
     {Vector3d(0.409, -0.105, 0.0), {0.244, 0.165, 0.107}},
@@ -54,7 +53,7 @@ Eigen::Matrix3d about(const Vector3d& axis, double angle) {
   return Eigen::AngleAxisd(angle, axis).toRotationMatrix();
 }
 
-void place_finger(const FingerShape& shape, const Vector3d& knuckle, double spread,
+void place_finger(const std::array<double, 4>& bones, const Vector3d& knuckle, double spread,
                   const std::array<double, 3>& flexions, Finger finger, HandLandmarks& landmarks) {
   const Eigen::Matrix3d side = about(Vector3d::UnitZ(), spread);
   Vector3d point = knuckle;
@@ -63,50 +62,99 @@ void place_finger(const FingerShape& shape, const Vector3d& knuckle, double spre
   for (int i = 0; i < 3; ++i) {
     const auto bone = static_cast<std::size_t>(i);
     flexion += flexions[bone];
-    point += side * about(Vector3d::UnitY(), flexion) * Vector3d(shape.lengths[bone], 0.0, 0.0);
+    point += side * about(Vector3d::UnitY(), flexion) * Vector3d(bones.at(bone + 1), 0.0, 0.0);
     landmarks.col(base_landmark(finger) + 1 + i) = point;
   }
 }
 
 // The roll turns the plane in which the thumb moves from the palm's own towards opposition; in this
 // plane it is abducted from the index finger, and its outer joints bend back towards it.
-void place_thumb(const Angles& angle, HandLandmarks& landmarks) {
+void place_thumb(const std::array<double, 4>& bones, const Vector3d& base, const Angles& angle,
+                 HandLandmarks& landmarks) {
   const Eigen::Matrix3d plane = about(Vector3d::UnitX(), -angle("ThumbRotate"));
   double direction = angle("ThumbAbduct");
-  Vector3d point = kThumbBase;
+  Vector3d point = base;
   landmarks.col(base_landmark(Finger::kThumb)) = point;
   const auto grow = [&](double length, int joint) {
     point += plane * Vector3d(length * std::cos(direction), length * std::sin(direction), 0.0);
     landmarks.col(base_landmark(Finger::kThumb) + joint) = point;
   };
-  grow(kThumbMetacarpal, 1);
+  grow(bones[1], 1);
   direction -= angle("ThumbMPJ");
-  grow(kThumbLengths[0], 2);
+  grow(bones[2], 2);
   direction -= angle("ThumbIJ");
-  grow(kThumbLengths[1], 3);
+  grow(bones[3], 3);
 }
 
 }  // namespace
 
-HandLandmarks hand_landmarks(const GloveAngles& angles, double hand_length) {
+const std::string& name_of(Finger finger) {
+  static const std::array<std::string, kFingers> kNames{"thumb", "index", "middle", "ring",
+                                                        "little"};
+  return kNames.at(static_cast<std::size_t>(finger));
+}
+
+HandBones typical_bones(double hand_length) {
+  HandBones bones{};
+  for (std::size_t f = 0; f < bones.size(); ++f) {
+    const FingerShape& shape = kFingerShapes.at(f);
+    bones.at(f) = {hand_length * shape.base.norm(), hand_length * shape.lengths[0],
+                   hand_length * shape.lengths[1], hand_length * shape.lengths[2]};
+  }
+  return bones;
+}
+
+HandBones bones_of(const HandLandmarks& landmarks) {
+  HandBones bones{};
+  for (int f = 0; f < kFingers; ++f) {
+    const int base = base_landmark(static_cast<Finger>(f));
+    int before = kWristLandmark;
+    for (int i = 0; i < 4; ++i) {
+      bones.at(static_cast<std::size_t>(f)).at(static_cast<std::size_t>(i)) =
+          (landmarks.col(base + i) - landmarks.col(before)).norm();
+      before = base + i;
+    }
+  }
+  return bones;
+}
+
+HandBones median_bones(std::span<const HandBones> frames) {
+  HandBones bones{};
+  std::vector<double> lengths(frames.size());
+  for (std::size_t f = 0; f < bones.size(); ++f) {
+    for (std::size_t i = 0; i < bones[f].size(); ++i) {
+      std::ranges::transform(frames, lengths.begin(),
+                             [&](const HandBones& frame) { return frame.at(f).at(i); });
+      const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+      std::ranges::nth_element(lengths, middle);
+      bones[f].at(i) = *middle;
+    }
+  }
+  return bones;
+}
+
+HandLandmarks hand_landmarks(const GloveAngles& angles, const HandBones& bones) {
   const Angles angle(angles);
   HandLandmarks landmarks = HandLandmarks::Zero();
-  place_thumb(angle, landmarks);
+  const auto base = [&](std::size_t finger) -> Vector3d {
+    return bones.at(finger)[0] * kFingerShapes.at(finger).base.normalized();
+  };
+  place_thumb(bones[0], base(0), angle, landmarks);
   const double ring = -angle("RingMiddleAbduct");
   const std::array<double, 4> spreads{angle("MiddleIndexAbduct"), 0.0, ring,
                                       ring - angle("PinkieRingAbduct")};
   // The arch of the palm brings the little finger's knuckle forward, the ring finger's half as far.
   const std::array<double, 4> arches{0.0, 0.0, 0.5 * angle("PalmArch"), angle("PalmArch")};
-  for (std::size_t f = 0; f < kFingerShapes.size(); ++f) {
-    const Vector3d knuckle = about(Vector3d::UnitX(), arches[f]) * kFingerShapes[f].knuckle;
+  for (std::size_t f = 0; f < kFingerNames.size(); ++f) {
+    const Vector3d knuckle = about(Vector3d::UnitX(), arches.at(f)) * base(f + 1);
     std::array<double, 3> flexions{};
     for (std::size_t joint = 0; joint < flexions.size(); ++joint) {
       flexions.at(joint) = angle(std::string(kFingerNames.at(f)) + kJointNames.at(joint));
     }
-    place_finger(kFingerShapes[f], knuckle, spreads[f], flexions, static_cast<Finger>(f + 1),
+    place_finger(bones.at(f + 1), knuckle, spreads.at(f), flexions, static_cast<Finger>(f + 1),
                  landmarks);
   }
-  return hand_length * landmarks;
+  return landmarks;
 }
 
 namespace {

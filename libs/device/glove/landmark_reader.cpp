@@ -9,6 +9,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace handway::device {
 namespace {
@@ -41,6 +42,7 @@ Recording read_landmark_recording(const std::filesystem::path& file,
   RecordedRows rows(file, recording.header.sensors.size());
   std::optional<bool> left;
   int others = 0;
+  std::vector<HandBones> bones;
   const auto take = [&](const TextLine& line) {
     const LandmarkLine row = read_row(file, line);
     if (!row.landmarks) {
@@ -52,6 +54,7 @@ Recording read_landmark_recording(const std::filesystem::path& file,
       return;
     }
     const GloveAngles angles = glove_angles(in_palm_frame(*row.landmarks, row.left));
+    bones.push_back(bones_of(*row.landmarks));
     std::vector<double> values;
     for (const int sensor : recording.header.sensors) {
       values.push_back(angles.angles.at(static_cast<std::size_t>(sensor)));
@@ -67,6 +70,7 @@ Recording read_landmark_recording(const std::filesystem::path& file,
                     file.string(), others, *left ? "right" : "left", *left ? "left" : "right"));
   }
   rows.move_to(recording);
+  recording.bones = median_bones(bones);
   return recording;
 }
 

@@ -48,7 +48,7 @@ FingertipErrors fingertip_errors(std::span<const GloveAngles> rows,
   for (std::size_t row = 0; row < rows.size(); ++row) {
     const Eigen::VectorXd q = all.of(postures.row(static_cast<Eigen::Index>(row)).transpose());
     const Eigen::RowVectorXd miss =
-        (hand.fingertips(q) - hand.wanted(hand_landmarks(rows[row]))).colwise().norm();
+        (hand.fingertips(q) - hand.wanted(hand.landmarks(rows[row]))).colwise().norm();
     misses.insert(misses.end(), miss.begin(), miss.end());
   }
   std::ranges::sort(misses);

@@ -38,10 +38,10 @@ const RobotFinger* thumb_of(const RobotFingers& hand) {
 }
 
 /// From a person's fingers to the robot's, in their order; of the thumb the mean of the others.
-std::vector<double> scales_of(const RobotFingers& hand, double scale) {
+std::vector<double> scales_of(const RobotFingers& hand, double scale, const HandBones& bones) {
   GloveAngles flat;
   flat.angles.fill(0.0);
-  const HandLandmarks landmarks = hand_landmarks(flat);
+  const HandLandmarks landmarks = hand_landmarks(flat, bones);
   std::vector<double> scales;
   double sum = 0.0;
   int count = 0;
@@ -219,7 +219,7 @@ FingertipRetargeter::FingertipRetargeter(std::shared_ptr<const geometric::RobotM
   for (const RobotFinger& finger : fingers_.fingers) {
     variables_.insert(variables_.end(), finger.variables.begin(), finger.variables.end());
   }
-  scales_ = scales_of(fingers_, settings_.scale);
+  scales_ = scales_of(fingers_, settings_.scale, settings_.bones);
   std::ranges::sort(variables_);
   variables_.erase(std::unique(variables_.begin(), variables_.end()), variables_.end());
   if (settings_.self_collision) {
@@ -366,7 +366,7 @@ MappedPostures FingertipRetargeter::map_recording(const Recording& recording,
       result.postures.conservativeResize(row, result.postures.cols());
       break;
     }
-    last = posture(hand_landmarks(angles_of_row(recording, row)), last);
+    last = posture(landmarks(angles_of_row(recording, row)), last);
     result.postures.row(row) = last;
   }
   result.unclamped = result.postures;

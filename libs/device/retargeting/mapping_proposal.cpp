@@ -3,6 +3,8 @@
 #include "handway/device/glove/calibration_fit.h"
 #include "handway/device/glove/glove_layout.h"
 #include "handway/device/glove/human_hand.h"
+#include "handway/device/retargeting/fingertip_errors.h"
+#include "handway/device/retargeting/fingertip_retargeter.h"
 #include "handway/device/retargeting/robot_fingers.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/math/units.h"
@@ -16,6 +18,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <memory>
 #include <numbers>
 #include <optional>
 #include <string_view>
@@ -336,6 +339,8 @@ namespace {
 
 constexpr double kLeastSpan = 5.0 * geometric::kDegree;
 constexpr double kReversed = -0.5;         // correlation with the other fingers' flexion
+constexpr std::size_t kMostLookedAt = 400;  // rows while wires are tried
+constexpr std::array<double, 4> kFitShares{0.25, 0.5, 0.75, 1.0};  // of the fit, that are tried
 constexpr std::size_t kLeastFlexions = 3;  // to know which of them is reversed
 
 enum class SensorKind { kFlexion, kAbduction, kSpanning };
@@ -417,17 +422,75 @@ void fit_wire(const Span& span, bool reversed, double lower, double upper, Joint
   }
 }
 
+/// How far the fingertips of a mapped hand are from the person's, over a recording.
+class FingertipMeasure {
+ public:
+  /// @param recording as it is mapped. @param truth what the person did: with sensors that are
+  /// reversed turned.
+  FingertipMeasure(const RobotModel& model, const Recording& recording, const Recording& truth,
+                   const GloveCalibration& person)
+      : model_(model),
+        ranges_(person.ranges),
+        hand_(std::shared_ptr<const RobotModel>(&model, [](const RobotModel*) {}),
+              only_kinematics(person)) {
+    for (Eigen::Index row = 0; row < recording.values.rows(); ++row) {
+      rows_.push_back(angles_of_row(recording, row));
+      truth_.push_back(angles_of_row(truth, row));
+    }
+  }
+
+  /// m. @param most rows that are looked at, evenly spread; 0: all.
+  [[nodiscard]] double mean_error(const HandMapping& mapping, std::size_t most = 0) const {
+    const HandMapper mapper(mapping, model_, false, ranges_);
+    const std::size_t stride = most == 0 ? 1 : rows_.size() / most + 1;
+    std::vector<GloveAngles> looked_at;
+    Eigen::MatrixXd postures(static_cast<Eigen::Index>((rows_.size() + stride - 1) / stride),
+                             mapper.lower().size());
+    for (std::size_t row = 0; row < rows_.size(); row += stride) {
+      postures.row(static_cast<Eigen::Index>(looked_at.size())) =
+          mapper.posture(rows_[row]).transpose();
+      looked_at.push_back(truth_[row]);
+    }
+    return fingertip_errors(looked_at, mapper.joints(), postures, hand_).mean;
+  }
+
+ private:
+  static RetargetingSettings only_kinematics(const GloveCalibration& person) {
+    RetargetingSettings settings;
+    settings.self_collision = false;
+    settings.bones = person.bones.value_or(typical_bones());
+    return settings;
+  }
+
+  const RobotModel& model_;
+  PersonRanges ranges_;
+  FingertipRetargeter hand_;
+  std::vector<GloveAngles> rows_;
+  std::vector<GloveAngles> truth_;
+};
+
+/// From one wire towards another.
+JointWire between(const JointWire& from, const JointWire& to, double share) {
+  JointWire wire = from;
+  wire.gain = std::lerp(from.gain, to.gain, share);
+  wire.offset = std::lerp(from.offset, to.offset, share);
+  return wire;
+}
+
 }  // namespace
 
 MappingFit fit_mapping(const HandMapping& mapping, const RobotModel& model,
-                       const Recording& recording) {
+                       const Recording& recording, const GloveCalibration& person) {
   if (recording.header.kind != RecordingKind::kAngles) {
     throw geometric::InputError(
         {"recording", "", "raw counts", "angles", "Give a calibration of the glove"});
   }
-  const HandMapper mapper(mapping, model);
+  const HandMapper checked(mapping, model);
   MappingFit fit{mapping, {}};
-  for (JointWire& wire : fit.mapping.wires) {
+  Recording truth = recording;
+  std::vector<std::pair<std::size_t, JointWire>> proposed;
+  for (std::size_t w = 0; w < mapping.wires.size(); ++w) {
+    JointWire wire = mapping.wires[w];
     if (wire.sensor < 0 || wire.left_to_arm || !wire.curve.empty()) {
       continue;
     }
@@ -438,7 +501,8 @@ MappingFit fit_mapping(const HandMapping& mapping, const RobotModel& model,
           fmt::format("{} was not recorded: {} stays as it was", name, wire.joint));
       continue;
     }
-    const Span span = span_of(recording.values.col(column));
+    const Span span = span_of(recording.values.col(column).unaryExpr(
+        [&](double angle) { return typical_angle(person.ranges, wire.sensor, angle); }));
     if (span.most - span.least < kLeastSpan || span.most <= span.middle ||
         span.middle <= span.least) {
       fit.warnings.push_back(fmt::format("{} hardly moved: {} stays as it was", name, wire.joint));
@@ -447,9 +511,33 @@ MappingFit fit_mapping(const HandMapping& mapping, const RobotModel& model,
     const bool reversed = is_reversed(recording, wire.sensor);
     if (reversed) {
       fit.warnings.push_back(fmt::format("{} is reversed: turned for {}", name, wire.joint));
+      truth.values.col(column) = -recording.values.col(column);
+      fit.mapping.wires[w].gain *= -1.0;
     }
     const int variable = geometric::find_variable_of_part(model, wire.joint).value();
     fit_wire(span, reversed, model.lower()[variable], model.upper()[variable], wire);
+    proposed.emplace_back(w, wire);
+  }
+  if (proposed.empty()) {
+    return fit;
+  }
+  const FingertipMeasure measure(model, recording, truth, person);
+  const HandMapping unfitted = fit.mapping;
+  double error = measure.mean_error(fit.mapping, kMostLookedAt);
+  for (const auto& [w, wire] : proposed) {
+    const JointWire before = fit.mapping.wires[w];
+    JointWire best = before;
+    for (const double share : kFitShares) {
+      fit.mapping.wires[w] = between(before, wire, share);
+      if (const double tried = measure.mean_error(fit.mapping, kMostLookedAt); tried < error) {
+        error = tried;
+        best = fit.mapping.wires[w];
+      }
+    }
+    fit.mapping.wires[w] = best;
+  }
+  if (measure.mean_error(fit.mapping) > measure.mean_error(unfitted)) {
+    fit.mapping = unfitted;  // what was looked at was not like the rest
   }
   return fit;
 }

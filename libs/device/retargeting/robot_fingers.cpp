@@ -336,12 +336,6 @@ std::vector<int> leaves_of(const RobotModel& model, const std::map<Finger, std::
 
 }  // namespace
 
-const std::string& name_of(Finger finger) {
-  static const std::array<std::string, kFingers> kNames{"thumb", "index", "middle", "ring",
-                                                        "little"};
-  return kNames[static_cast<std::size_t>(finger)];
-}
-
 RobotFingers find_fingers(const RobotModel& model, const std::map<Finger, std::string>& tips) {
   RobotFingers hand;
   const auto [palm_link, chains] = finger_chains(model, leaves_of(model, tips));

@@ -47,7 +47,7 @@ HandLandmarks seen_from_a_camera(const HandLandmarks& landmarks) {
 }
 
 TEST(HumanHand, IsAsLongAsItIsToBe) {
-  const HandLandmarks hand = hand_landmarks(flat(), 0.2);
+  const HandLandmarks hand = hand_landmarks(flat(), typical_bones(0.2));
   const double length = hand.col(tip_landmark(Finger::kMiddle)).norm();
   EXPECT_NEAR(length, 0.2, 0.003);
 }
@@ -64,7 +64,7 @@ TEST(HumanHand, GivesItsAnglesBackFromLandmarksOfAnySize) {
   const GloveAngles angles = half_closed();
   for (const double length : {0.16, 0.21}) {
     const GloveAngles found =
-        glove_angles(in_palm_frame(seen_from_a_camera(hand_landmarks(angles, length)), false));
+        glove_angles(in_palm_frame(seen_from_a_camera(hand_landmarks(angles, typical_bones(length))), false));
     for (int i = 0; i < kGloveSensors; ++i) {
       const auto place = static_cast<std::size_t>(i);
       if (std::ranges::count(landmark_sensors(), i) > 0) {

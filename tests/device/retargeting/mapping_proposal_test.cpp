@@ -1,6 +1,8 @@
 #include "handway/device/retargeting/mapping_proposal.h"
 
 #include "handway/device/glove/human_hand.h"
+#include "handway/device/retargeting/fingertip_errors.h"
+#include "handway/device/retargeting/fingertip_retargeter.h"
 #include "handway/device/retargeting/robot_fingers.h"
 #include "handway/geometric/formats/robot_loader.h"
 #include "handway/geometric/io/resources.h"
@@ -13,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iostream>
 #include <memory>
 #include <string>
 #include <vector>
@@ -229,18 +232,70 @@ Recording open_and_fist(double index_most) {
   return recording;
 }
 
-TEST(FittedMapping, GoesFromStraightToTheLimitThatAPersonsFistReaches) {
+/// Mean distance of the fingertips from the person's, mm.
+double mean_error(const HandMapping& mapping, const std::shared_ptr<const RobotModel>& hand,
+                  const Recording& recording) {
+  RetargetingSettings only_kinematics;
+  only_kinematics.self_collision = false;
+  std::vector<GloveAngles> rows;
+  for (Eigen::Index row = 0; row < recording.values.rows(); ++row) {
+    rows.push_back(angles_of_row(recording, row));
+  }
+  const HandMapper mapper(mapping, *hand);
+  return 1e3 * fingertip_errors(rows, mapper.joints(), mapper.map_recording(recording).postures,
+                                FingertipRetargeter(hand, only_kinematics))
+                   .mean;
+}
+
+TEST(FittedMapping, TakesWiresOfTooSmallAGainToWhereThePersonsFingertipsAre) {
   const auto hand = library_hand("sah_right");
-  const MappingFit fit = fit_mapping(propose_mapping(*hand), *hand, open_and_fist(40.0));
-  const HandMapper mapper(fit.mapping, *hand);
-  const int joint = hand->find_variable("index_proximal").value();
-  GloveAngles bent = flat();
-  set(bent, "IndexMPJ", 40.0);
-  const auto place = std::ranges::find(mapper.joints(), "index_proximal") - mapper.joints().begin();
-  EXPECT_NEAR(mapper.posture(bent)[place], hand->lower()[joint], 0.02);
-  EXPECT_NEAR(mapper.posture(flat())[place], 0.0, 0.05);
+  const Recording motion = open_and_fist(80.0);
+  HandMapping lazy = propose_mapping(*hand);
+  for (JointWire& wire : lazy.wires) {
+    wire.gain *= 0.2;
+  }
+  const MappingFit fit = fit_mapping(lazy, *hand, motion);
+  EXPECT_GT(std::abs(wire_of(fit.mapping, "index_proximal").gain),
+            2.0 * std::abs(wire_of(lazy, "index_proximal").gain));
   EXPECT_THAT(fit.warnings, testing::Contains(HasSubstr("IndexPIJ was not recorded")));
 }
+
+/// A hand and a recording, by their files.
+struct FitCase {
+  std::string hand;
+  std::string recording;
+};
+
+class FittedMappings : public testing::TestWithParam<FitCase> {};
+
+TEST_P(FittedMappings, NeverTakeFingertipsFartherFromThePersons) {
+  HANDWAY_NEED_REFERENCE(reference);
+  const std::string& name = GetParam().hand;
+  const auto hand = name.ends_with(".urdf") ? geometric::load_robot(reference / "robots" / name)
+                                            : library_hand(name);
+  const Recording recording = read_recording(reference / "glove" / GetParam().recording);
+  const HandMapping proposed = propose_mapping(*hand);
+  const MappingFit fit = fit_mapping(proposed, *hand, recording);
+  const double before = mean_error(proposed, hand, recording);
+  const double after = mean_error(fit.mapping, hand, recording);
+  std::cout << name << ", " << GetParam().recording << ": " << before << " mm, fitted " << after
+            << " mm\n";
+  EXPECT_LE(after, before + 1e-9);
+}
+
+std::vector<FitCase> fit_cases() {
+  std::vector<FitCase> cases;
+  for (const char* hand : {"sah_right", "allegro_class_right", "leap_class_right",
+                           "shadow_class_right", "allegro_hand/allegro_hand_right.urdf",
+                           "shadow_hand/shadow_hand_right.urdf"}) {
+    for (const char* recording : {"grasp-rad-su01.txt", "calib-rad-su01.txt"}) {
+      cases.push_back({hand, recording});
+    }
+  }
+  return cases;
+}
+
+INSTANTIATE_TEST_SUITE_P(AllHands, FittedMappings, testing::ValuesIn(fit_cases()));
 
 TEST(FittedMapping, TurnsASensorThatFallsWhileTheOtherFingersBend) {
   const auto hand = library_hand("sah_right");

@@ -70,4 +70,16 @@ using AngleRanges = std::array<std::pair<double, double>, kGloveSensors>;
     const Recording& counts, const AngleRanges& ranges, const GloveCalibration& signs,
     const std::string& person, const std::string& date);
 
+/// How far a person's joints went: each sensor's 1st and 99th percentile of a free motion; none of
+/// sensors that moved by less than 5°.
+/// @throws geometric::InputError if the recording holds counts.
+[[nodiscard]] HANDWAY_DEVICE_EXPORT PersonRanges measured_ranges(const Recording& angles);
+
+/// The angle of a typical hand that is as far in its range as a person's angle is in the person's
+/// own: 0 stays 0, and each side of it is scaled, if it is wider than 5°. An unknown range changes
+/// nothing.
+/// @param sensor index into cyberglove_sensors(). @param angle rad.
+[[nodiscard]] HANDWAY_DEVICE_EXPORT double typical_angle(const PersonRanges& ranges, int sensor,
+                                                         double angle);
+
 }  // namespace handway::device

@@ -2,15 +2,19 @@
 
 #include "handway/device/export.h"
 #include "handway/device/glove/glove_layout.h"
+#include "handway/device/glove/human_hand.h"
 #include "handway/device/glove/recording.h"
 
 #include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
-/// From raw counts to joint angles: one straight line for every sensor.
+/// A person's hand, and a glove on it: from raw counts to joint angles by one straight line for
+/// every sensor, how far the joints go, and how long the bones are. All but `sensors` may be left
+/// out, and that too if there are ranges or bones: the lines are then those of a typical hand.
 ///
 ///     person: typical right hand
 ///     date: 2026-03-01
@@ -18,6 +22,10 @@
 ///     sensors:
 ///       ThumbRotate: {gain: 0.01584, zero: 90}
 ///       ThumbMPJ: {gain: 0.01459, zero: 88, residual: 0.02}   # residual: optional
+///     ranges:                       # degrees, least and most
+///       IndexMPJ: [-12, 83]
+///     bones:                        # mm, from the wrist to where a finger begins, then bone by bone
+///       thumb: [32, 48, 37, 30]
 
 namespace handway::device {
 
@@ -28,6 +36,9 @@ struct SensorCalibration {
   std::optional<double> residual;  ///< Root mean square error of the fit, rad.
 };
 
+/// Angles that a person's joints go through, rad: (least, most); none where it is unknown.
+using PersonRanges = std::array<std::optional<std::pair<double, double>>, kGloveSensors>;
+
 /// The calibration of one glove on one person's hand.
 struct GloveCalibration {
   std::string person;
@@ -35,6 +46,8 @@ struct GloveCalibration {
   std::string source;  ///< How it was made; may be empty.
   /// Those of cyberglove_sensors() that are calibrated.
   std::array<std::optional<SensorCalibration>, kGloveSensors> sensors;
+  PersonRanges ranges;
+  std::optional<HandBones> bones;
 };
 
 /// Reads a calibration; which kind of file it is, is recognised by its content:
@@ -46,7 +59,8 @@ struct GloveCalibration {
 ///     turned here). A gain of 0 leaves the sensor uncalibrated.
 ///
 /// @throws geometric::InputError with file and line for what is none of these, names an
-/// unknown sensor, lacks a line, has a gain of 0, or two points less than 10 counts apart.
+/// unknown sensor or finger, lacks a line, has a gain of 0, two points less than 10 counts apart, a
+/// range that does not rise, or bones that are not positive.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT GloveCalibration
 read_calibration(const std::filesystem::path& file);
 

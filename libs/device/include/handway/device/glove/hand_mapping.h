@@ -1,6 +1,7 @@
 #pragma once
 
 #include "handway/device/export.h"
+#include "handway/device/glove/glove_calibration.h"
 #include "handway/device/glove/glove_layout.h"
 #include "handway/device/glove/posture_source.h"
 #include "handway/geometric/robot/robot_model.h"
@@ -77,10 +78,13 @@ class HANDWAY_DEVICE_EXPORT HandMapper : public PostureSource {
   /// an arm with it; the joints named, but for those left to the arm, are the hand.
   /// @param is_hand the robot is the mapping's hand, whatever its name; else only if that is what
   /// the mapping says.
+  /// @param ranges of the person: angles go to the joints as those of a typical hand (see
+  /// typical_angle()).
   /// @throws geometric::InputError if the robot lacks a joint that the mapping names, has it
   /// coupled to another, or is the hand itself and has a joint that the mapping leaves out; or if
   /// all are left to the arm.
-  HandMapper(const HandMapping& mapping, const geometric::RobotModel& hand, bool is_hand = false);
+  HandMapper(const HandMapping& mapping, const geometric::RobotModel& hand, bool is_hand = false,
+             const PersonRanges& ranges = {});
 
   [[nodiscard]] std::vector<bool> driven() const override;
 
@@ -100,6 +104,7 @@ class HANDWAY_DEVICE_EXPORT HandMapper : public PostureSource {
   [[nodiscard]] double value(Eigen::Index joint, double angle) const;
 
   std::vector<JointWire> wires_;  ///< In the order of joints().
+  PersonRanges ranges_;
 };
 
 }  // namespace handway::device

@@ -6,6 +6,9 @@
 
 #include <Eigen/Core>
 
+#include <array>
+#include <span>
+#include <string>
 #include <vector>
 
 namespace handway::device {
@@ -18,6 +21,8 @@ using HandLandmarks = Eigen::Matrix<double, 3, 21>;
 /// A finger's place in HandLandmarks and in lists of fingers.
 enum class Finger { kThumb, kIndex, kMiddle, kRing, kLittle };
 inline constexpr int kFingers = 5;
+/// "thumb", "index", "middle", "ring", "little".
+[[nodiscard]] HANDWAY_DEVICE_EXPORT const std::string& name_of(Finger finger);
 
 inline constexpr int kWristLandmark = 0;
 /// Where a finger begins: the thumb's CMC joint, the others' knuckles.
@@ -29,16 +34,26 @@ inline constexpr int kWristLandmark = 0;
 /// Of an adult's hand from wrist to the tip of the middle finger, m.
 inline constexpr double kTypicalHandLength = 0.19;
 
+/// Lengths of a person's bones by finger, m: from the wrist to where the finger begins (see
+/// base_landmark()), then from joint to joint to the tip.
+using HandBones = std::array<std::array<double, 4>, kFingers>;
+
+/// Of an adult's hand of that length (m): shares by B. Buchholz, T. J. Armstrong, S. A. Goldstein,
+/// "Anthropometric data for describing the kinematics of the human hand", Ergonomics 35(3), 1992.
+[[nodiscard]] HANDWAY_DEVICE_EXPORT HandBones
+typical_bones(double hand_length = kTypicalHandLength);
+/// Of one frame of landmarks, in any frame of reference.
+[[nodiscard]] HANDWAY_DEVICE_EXPORT HandBones bones_of(const HandLandmarks& landmarks);
+/// Bone by bone the median of what several frames gave. @pre there is one.
+[[nodiscard]] HANDWAY_DEVICE_EXPORT HandBones median_bones(std::span<const HandBones> frames);
+
 /// Forward kinematics of a right hand from the angles of a glove, in the palm's frame: origin at
 /// the wrist, x along the metacarpal of the middle finger, z out of the back of the hand, so that y
 /// points to the thumb's side. Sensors that are missing (NaN) are taken for 0: fingers straight and
-/// side by side, the thumb along the index finger. The wrist's sensors don't count.
-///
-/// Lengths are shares of the hand's: B. Buchholz, T. J. Armstrong, S. A. Goldstein, "Anthropometric
-/// data for describing the kinematics of the human hand", Ergonomics 35(3), 1992.
-/// @param hand_length m.
+/// side by side, the thumb along the index finger. The wrist's sensors don't count. Where fingers
+/// begin, as seen from the wrist, is the same direction for every hand.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT HandLandmarks
-hand_landmarks(const GloveAngles& angles, double hand_length = kTypicalHandLength);
+hand_landmarks(const GloveAngles& angles, const HandBones& bones = typical_bones());
 
 /// The angles of a hand from its landmarks in the palm's frame, NaN where landmarks do not measure
 /// them (the arch of the palm and the wrist): the inverse of hand_landmarks(), whatever the

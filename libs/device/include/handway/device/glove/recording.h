@@ -3,11 +3,13 @@
 #include "handway/device/export.h"
 #include "handway/device/glove/glove.h"
 #include "handway/device/glove/glove_layout.h"
+#include "handway/device/glove/human_hand.h"
 
 #include <Eigen/Core>
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -56,6 +58,7 @@ struct Recording {
   Eigen::VectorXd times;              ///< s, never falling, shape [rows].
   Eigen::MatrixXd values;             ///< Counts or rad, finite, shape [rows, sensors].
   std::vector<std::string> warnings;  ///< Of reading: what was left out or guessed, and where.
+  std::optional<HandBones> bones = std::nullopt;  ///< The person's, if landmarks were measured.
 };
 
 /// Of a recording of what a glove sends, counts or angles: kind, device and sensors.

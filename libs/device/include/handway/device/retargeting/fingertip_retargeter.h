@@ -39,6 +39,7 @@ struct RetargetingSettings {
   double smoothness = 0.02;
   bool self_collision = true;                ///< Avoid it.
   std::map<Finger, std::string> fingertips;  ///< Links; empty: found by find_fingers().
+  HandBones bones = typical_bones();         ///< The person's; of no file of retargeting.
 };
 
 /// Whether a YAML file is one of retargeting rather than of a mapping: it has the key.
@@ -68,6 +69,10 @@ class HANDWAY_DEVICE_EXPORT FingertipRetargeter : public PostureSource {
   ~FingertipRetargeter() override;
 
   [[nodiscard]] const RobotFingers& fingers() const { return fingers_; }
+  /// Of the person's hand, whose bones the settings have.
+  [[nodiscard]] HandLandmarks landmarks(const GloveAngles& angles) const {
+    return hand_landmarks(angles, settings_.bones);
+  }
 
   /// Where the fingertips are wanted for landmarks of a right hand in its palm's frame (see
   /// in_palm_frame()); in the frame of the robot's palm, m, a column for each of fingers().

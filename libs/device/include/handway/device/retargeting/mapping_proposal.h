@@ -1,6 +1,7 @@
 #pragma once
 
 #include "handway/device/export.h"
+#include "handway/device/glove/glove_calibration.h"
 #include "handway/device/glove/hand_mapping.h"
 #include "handway/device/glove/recording.h"
 #include "handway/geometric/robot/robot_model.h"
@@ -42,10 +43,14 @@ struct MappingFit {
 ///   - Abduction keeps its middle, and is scaled until one side reaches its limit.
 ///   - Thumb roll and abduction, palm arch and wrist go over the joint's whole range.
 ///
-/// A sensor that went through less than 5° keeps its wire, with a warning.
+/// Each wire goes only as far towards that as it brings the fingertips, over the whole recording,
+/// nearer to where the person's are (fingertip_errors(), the mean): fitting never makes this
+/// error larger. A sensor that went through less than 5° keeps its wire, with a warning.
+/// @param person whose ranges and bones are taken.
 /// @throws geometric::InputError if the recording holds counts, or the robot lacks a joint.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT MappingFit fit_mapping(const HandMapping& mapping,
                                                            const geometric::RobotModel& model,
-                                                           const Recording& recording);
+                                                           const Recording& recording,
+                                                           const GloveCalibration& person = {});
 
 }  // namespace handway::device

@@ -45,7 +45,4 @@ struct RobotFingers {
 [[nodiscard]] HANDWAY_DEVICE_EXPORT RobotFingers
 find_fingers(const geometric::RobotModel& model, const std::map<Finger, std::string>& tips = {});
 
-/// "thumb", "index", "middle", "ring", "little".
-[[nodiscard]] HANDWAY_DEVICE_EXPORT const std::string& name_of(Finger finger);
-
 }  // namespace handway::device
