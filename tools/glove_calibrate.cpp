@@ -105,8 +105,8 @@ device::HandBones typed_bones(const CalibrateOptions& options,
   for (const std::string& text : options.bones) {
     const std::size_t equals = text.find('=');
     std::size_t finger = 0;
-    while (finger < bones.size() && device::name_of(static_cast<device::Finger>(finger)) !=
-                                        text.substr(0, equals)) {
+    while (finger < bones.size() &&
+           device::name_of(static_cast<device::Finger>(finger)) != text.substr(0, equals)) {
       ++finger;
     }
     const std::vector<std::string> parts =
@@ -119,9 +119,10 @@ device::HandBones typed_bones(const CalibrateOptions& options,
       lengths.at(i) *= geometric::kMillimetre;
     }
     if (!good) {
-      throw CLI::ValidationError(
-          "--bones", "\"" + text + "\" is not FINGER=MM,MM,MM,MM with thumb, index, middle, ring "
-                     "or little, and lengths above 0");
+      throw CLI::ValidationError("--bones",
+                                 "\"" + text +
+                                     "\" is not FINGER=MM,MM,MM,MM with thumb, index, middle, ring "
+                                     "or little, and lengths above 0");
     }
     bones.at(finger) = lengths;
   }
@@ -204,25 +205,29 @@ int calibrate(const CalibrateOptions& options) {
 
 void add_glove_calibrate(CLI::App& glove, int& exit_code) {
   auto options = std::make_shared<CalibrateOptions>();
-  CLI::App* command =
-      glove.add_subcommand("calibrate", "Find the calibration of a glove on a hand, and how far and how large the hand is");
+  CLI::App* command = glove.add_subcommand(
+      "calibrate",
+      "Find the calibration of a glove on a hand, and how far and how large the hand is");
   command->add_option("--pose", options->poses, "What was recorded while a pose was held")
       ->type_name("NAME=RECORDING")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command->add_flag("--list", options->list, "Tell the poses and what to ask for");
   command->add_option("--poses", options->pose_file, "Other poses than those that ship (YAML)");
-  command->add_option("--free", options->free,
-                      "A recording of a motion through all that the hand can do, of counts, angles or landmarks");
+  command->add_option(
+      "--free", options->free,
+      "A recording of a motion through all that the hand can do, of counts, angles or landmarks");
   command->add_option("--before", options->before,
                       "Calibration whose signs hold for --free (default: a typical right hand's)");
   command
-      ->add_option("--hand-length", options->hand_length,
-                   "From the wrist's crease to the tip of the middle finger, mm: bones in proportion")
+      ->add_option(
+          "--hand-length", options->hand_length,
+          "From the wrist's crease to the tip of the middle finger, mm: bones in proportion")
       ->check(positive_number());
   command
-      ->add_option("--bones", options->bones,
-                   "Measured bones, mm: from the wrist to where the finger begins, then bone by bone")
+      ->add_option(
+          "--bones", options->bones,
+          "Measured bones, mm: from the wrist to where the finger begins, then bone by bone")
       ->type_name("FINGER=MM,MM,MM,MM")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);

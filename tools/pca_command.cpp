@@ -400,8 +400,7 @@ int pca(const PcaOptions& options) {
     print_comparison(recordings, options, mapper, free, chosen);
   }
   if (!options.against.empty()) {
-    print_other_mapping(recordings, options, *hand.model, mapper, free, chosen,
-                        calibration.ranges);
+    print_other_mapping(recordings, options, *hand.model, mapper, free, chosen, calibration.ranges);
   }
   if (options.fingertips) {
     print_fingertips(recordings, hand);

@@ -1,6 +1,8 @@
 /// `handway glove generate`, `handway glove calibrate` and `handway glove map`.
 #include "command_line.h"
 #include "handway/device/glove/glove_calibration.h"
+#include "handway/device/glove/human_hand.h"
+#include "handway/device/glove/landmark_line.h"
 #include "handway/device/glove/recording.h"
 
 #include <gmock/gmock.h>
@@ -47,6 +49,47 @@ TEST_F(GloveCalibrate, FitsPosesAndTakesTheRestFromAFreeMotion) {
   EXPECT_TRUE(calibration.sensors[4]->residual);
   EXPECT_FALSE(calibration.sensors[11]->residual);
   EXPECT_EQ(line_.run("pca free.csv --calibration hand.yaml").exit_code, 0);
+}
+
+std::string landmark_rows() {
+  const device::HandBones bones = device::typical_bones(0.17);
+  std::string text;
+  for (int row = 0; row < 100; ++row) {
+    device::GloveAngles angles;
+    angles.angles.fill(0.0);
+    angles.angles.at(static_cast<std::size_t>(*device::find_sensor("IndexMPJ"))) = 0.012 * row;
+    text +=
+        device::write_landmark_line({0.03 * row, false, device::hand_landmarks(angles, bones)}) +
+        '\n';
+  }
+  return text;
+}
+
+TEST(PersonOfLandmarks, HasRangesAndBonesThatPcaTakes) {
+  const CommandLine line;
+  line.write("ada.jsonl", landmark_rows());
+  const Outcome run = line.run(
+      "glove calibrate --free ada.jsonl --bones ring=80,45,30,20 --person Ada --out a.yaml");
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, AllOf(HasSubstr("goes from"), HasSubstr("bones")));
+  const device::GloveCalibration person = device::read_calibration(line.folder() / "a.yaml");
+  ASSERT_TRUE(person.ranges[4] && person.bones);
+  EXPECT_NEAR(person.ranges[4]->second, 1.188, 0.03);
+  EXPECT_NEAR(person.bones->at(1)[1], device::typical_bones(0.17).at(1)[1], 1e-4);
+  EXPECT_NEAR(person.bones->at(3)[2], 0.030, 1e-6);
+  line.write("retarget.yaml", "hand: sah_right\nretargeting:\n  self_collision: false\n");
+  const std::string retarget = "pca ada.jsonl --mapping retarget.yaml --fingertips";
+  const Outcome typical = line.run(retarget);
+  const Outcome own = line.run(retarget + " --calibration a.yaml");
+  EXPECT_EQ(own.exit_code, 0) << own.err;
+  EXPECT_NE(own.out, typical.out) << "the person's bones count";
+  const std::string mapped = "pca ada.jsonl --fingertips";
+  EXPECT_NE(line.run(mapped + " --calibration a.yaml").out, line.run(mapped).out);
+  EXPECT_EQ(line.run("glove calibrate --bones rng=1,2,3,4").exit_code, 2);
+  EXPECT_EQ(line.run("glove calibrate --bones ring=1,2,3").exit_code, 2);
+  EXPECT_EQ(line.run("glove calibrate --hand-length 170 --out b.yaml").exit_code, 0);
+  EXPECT_NEAR(device::read_calibration(line.folder() / "b.yaml").bones->at(1)[1],
+              device::typical_bones(0.17).at(1)[1], 1e-4);
 }
 
 TEST(GloveMap, ProposesAMappingThatPcaTakes) {

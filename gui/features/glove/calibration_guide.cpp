@@ -68,7 +68,8 @@ void HandPicture::show_hand(const device::GloveAngles& angles, bool left) {
 
 void HandPicture::paintEvent(QPaintEvent*) {
   const ThemeColors colors = colors_of(current_theme());
-  const device::HandLandmarks seen = view_of_hand() * device::hand_landmarks(angles_, device::typical_bones(1.0));
+  const device::HandLandmarks seen =
+      view_of_hand() * device::hand_landmarks(angles_, device::typical_bones(1.0));
   const double scale = (height() - 2.0 * kPictureMargin) / 1.05;
   const auto place = [&](int landmark) {
     const double side = (left_ ? -1.0 : 1.0) * (seen(0, landmark) - seen(0, 9) * 0.5);

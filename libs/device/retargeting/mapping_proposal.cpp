@@ -281,11 +281,16 @@ class MappingProposer {
     base.pop_back();
     const double outer_sign = closing_sign(thumb, outer);
     const double along = rest_.axis(inner).dot(rest_.axis(outer));
-    const double inner_sign =
-        std::abs(along) > kParallel ? outer_sign * sign_of(along) : closing_sign(thumb, inner);
-    add_turning(outer, "ThumbIJ", outer_sign, rest_.at_rest(outer));
-    add_turning(inner, "ThumbMPJ", inner_sign, rest_.at_rest(inner));
+    const bool bends_alike = std::abs(along) > kParallel;
     constexpr std::array<const char*, 2> kBaseSensors{"ThumbRotate", "ThumbAbduct"};
+    add_turning(outer, "ThumbIJ", outer_sign, rest_.at_rest(outer));
+    if (!bends_alike && base.size() < kBaseSensors.size()) {
+      base.push_back(inner);  // of a thumb of few joints: it turns the thumb as a whole
+    } else {
+      add_turning(inner, "ThumbMPJ",
+                  bends_alike ? outer_sign * sign_of(along) : closing_sign(thumb, inner),
+                  rest_.at_rest(inner));
+    }
     for (std::size_t i = 0; i < base.size(); ++i) {
       if (i < kBaseSensors.size()) {
         const std::string sensor = kBaseSensors.at(i);
@@ -338,7 +343,7 @@ HandMapping propose_mapping(const RobotModel& model) { return MappingProposer(mo
 namespace {
 
 constexpr double kLeastSpan = 5.0 * geometric::kDegree;
-constexpr double kReversed = -0.5;         // correlation with the other fingers' flexion
+constexpr double kReversed = -0.5;          // correlation with the other fingers' flexion
 constexpr std::size_t kMostLookedAt = 400;  // rows while wires are tried
 constexpr std::array<double, 4> kFitShares{0.25, 0.5, 0.75, 1.0};  // of the fit, that are tried
 constexpr std::size_t kLeastFlexions = 3;  // to know which of them is reversed

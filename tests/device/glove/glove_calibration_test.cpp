@@ -209,5 +209,49 @@ TEST(RecordingOfCounts, BecomesOneOfAnglesWithoutSensorsThatAreNotCalibrated) {
   EXPECT_THAT(to_angles(angles, GloveCalibration{}).warnings, Not(IsEmpty()));
 }
 
+TEST_F(CalibrationFile, KeepsRangesAndBonesOfAPerson) {
+  GloveCalibration person;
+  person.ranges[4] = std::pair(-0.2, 1.4);
+  person.bones = typical_bones(0.17);
+  write_calibration(person, file());
+  const GloveCalibration read = read_calibration(file());
+  ASSERT_TRUE(read.ranges[4] && read.bones);
+  EXPECT_NEAR(read.ranges[4]->second, 1.4, 1e-3);
+  EXPECT_FALSE(read.ranges[5]);
+  EXPECT_NEAR(read.bones->at(2)[1], typical_bones(0.17).at(2)[1], 1e-5);
+  ASSERT_TRUE(read.sensors[4]) << "counts are read as those of a typical hand";
+  EXPECT_EQ(read.sensors[4]->gain, typical_calibration().sensors[4]->gain);
+}
+
+TEST_F(CalibrationFile, RefusesRangesAndBonesThatAreNone) {
+  EXPECT_THAT(refusal("ranges:\n  IndexMPJ: [80, -10]\n"), HasSubstr("least and most"));
+  EXPECT_THAT(refusal("ranges:\n  IndxMPJ: [0, 80]\n"), HasSubstr("IndexMPJ"));
+  EXPECT_THAT(refusal("bones:\n  thumb: [30, 0, 30, 30]\n"), HasSubstr("above 0"));
+}
+
+Recording bending_index(double least, double most) {
+  Recording recording;
+  recording.header.kind = RecordingKind::kAngles;
+  recording.header.sensors = {*find_sensor("IndexMPJ"), *find_sensor("IndexPIJ")};
+  recording.times = Eigen::VectorXd::LinSpaced(201, 0.0, 2.0);
+  recording.values = Eigen::MatrixXd::Zero(201, 2);
+  recording.values.col(0).setLinSpaced(least, most);
+  return recording;
+}
+
+TEST(PersonRanges, AreWhatTheJointsWentThroughAndMakeTheAnglesOfATypicalHand) {
+  const int knuckle = *find_sensor("IndexMPJ");
+  const PersonRanges ranges = measured_ranges(bending_index(-0.4, 0.8));
+  ASSERT_TRUE(ranges.at(static_cast<std::size_t>(knuckle)));
+  EXPECT_FALSE(ranges.at(static_cast<std::size_t>(*find_sensor("IndexPIJ")))) << "it did not move";
+  const auto [least, most] = *ranges.at(static_cast<std::size_t>(knuckle));
+  const auto& typical = typical_angle_ranges().at(static_cast<std::size_t>(knuckle));
+  EXPECT_NEAR(most, 0.8, 0.03);
+  EXPECT_NEAR(typical_angle(ranges, knuckle, most), typical.second, 1e-9);
+  EXPECT_NEAR(typical_angle(ranges, knuckle, least), typical.first, 1e-9);
+  EXPECT_EQ(typical_angle(ranges, knuckle, 0.0), 0.0);
+  EXPECT_EQ(typical_angle(ranges, *find_sensor("IndexPIJ"), 0.7), 0.7);
+}
+
 }  // namespace
 }  // namespace handway::device

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <vector>
 
 namespace handway::device {
 namespace {
@@ -63,8 +64,8 @@ TEST(HumanHand, ClosesTowardsThePalmAndOpposesTheThumb) {
 TEST(HumanHand, GivesItsAnglesBackFromLandmarksOfAnySize) {
   const GloveAngles angles = half_closed();
   for (const double length : {0.16, 0.21}) {
-    const GloveAngles found =
-        glove_angles(in_palm_frame(seen_from_a_camera(hand_landmarks(angles, typical_bones(length))), false));
+    const GloveAngles found = glove_angles(
+        in_palm_frame(seen_from_a_camera(hand_landmarks(angles, typical_bones(length))), false));
     for (int i = 0; i < kGloveSensors; ++i) {
       const auto place = static_cast<std::size_t>(i);
       if (std::ranges::count(landmark_sensors(), i) > 0) {
@@ -73,6 +74,22 @@ TEST(HumanHand, GivesItsAnglesBackFromLandmarksOfAnySize) {
       } else {
         EXPECT_TRUE(std::isnan(found.angles.at(place)));
       }
+    }
+  }
+}
+
+TEST(HumanHand, HasTheBonesThatLandmarksShow) {
+  HandBones own = typical_bones(0.18);
+  own[0] = {0.03, 0.05, 0.04, 0.02};
+  own[3][2] = 0.041;
+  const HandBones found = bones_of(seen_from_a_camera(hand_landmarks(half_closed(), own)));
+  HandBones blurred = own;
+  blurred[3][2] = 0.2;
+  const std::vector<HandBones> frames{found, blurred, found};
+  const HandBones median = median_bones(frames);
+  for (std::size_t f = 0; f < own.size(); ++f) {
+    for (std::size_t i = 0; i < own[f].size(); ++i) {
+      EXPECT_NEAR(median.at(f).at(i), own.at(f).at(i), 1e-9) << f << ", " << i;
     }
   }
 }

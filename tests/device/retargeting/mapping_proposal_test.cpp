@@ -154,8 +154,8 @@ TEST(ProposedMapping, MovesHandsWhoseNamesSayNothing) {
 }
 
 /// Of a hand whose ring and little finger are on a part of the palm that goes with the thumb's
-/// base.
-RobotModel folding_hand() {
+/// base, and whose thumb has two joints. @param thumb_base axis of the first.
+RobotModel folding_hand(const Eigen::Vector3d& thumb_base = Eigen::Vector3d::UnitZ()) {
   geometric::RobotDescription robot;
   robot.links.push_back({"palm", {}, {}});
   const auto add = [&](const std::string& parent, const std::string& child,
@@ -174,7 +174,7 @@ RobotModel folding_hand() {
     add(parent, name, {0.0, y, 0.1}, Eigen::Vector3d::UnitY());
     add(name, name + "_outer", {0.0, 0.0, 0.04}, Eigen::Vector3d::UnitY());
   };
-  add("palm", "thumb", {0.02, 0.04, 0.03}, Eigen::Vector3d::UnitZ());
+  add("palm", "thumb", {0.02, 0.04, 0.03}, thumb_base);
   add("thumb", "thumb_outer", {0.04, 0.0, 0.02}, Eigen::Vector3d::UnitX());
   add("palm", "fold", {0.0, -0.01, 0.03}, Eigen::Vector3d::UnitZ());
   robot.joints.back().mimic = geometric::Mimic{"thumb_joint", 1.0, 0.0};
@@ -190,7 +190,16 @@ TEST(ProposedMapping, MovesFingersOnAPartOfThePalmThatMoves) {
   EXPECT_EQ(mapping.wires.size(), 10U);
   EXPECT_EQ(sensor_of(mapping, "ring_outer_joint"), "RingPIJ");
   EXPECT_EQ(sensor_of(mapping, "little_outer_joint"), "PinkiePIJ");
-  EXPECT_THAT(sensor_of(mapping, "thumb_joint"), HasSubstr("Thumb")) << "not the ring's";
+  EXPECT_EQ(sensor_of(mapping, "thumb_joint"), "ThumbRotate") << "not the ring's";
+}
+
+TEST(ProposedMapping, TellsAThumbThatOpposesFromOneThatBendsTwiceByTheAxisOfItsFirstJoint) {
+  const HandMapping bends = propose_mapping(folding_hand(Eigen::Vector3d::UnitX()));
+  EXPECT_EQ(sensor_of(bends, "thumb_joint"), "ThumbMPJ");
+  const HandMapping opposes =
+      propose_mapping(folding_hand(Eigen::Vector3d(0.2, 0.3, 1.0).normalized()));
+  EXPECT_EQ(sensor_of(opposes, "thumb_joint"), "ThumbRotate");
+  EXPECT_EQ(sensor_of(opposes, "thumb_outer_joint"), "ThumbIJ");
 }
 
 TEST(ProposedMapping, KnowsPalmAndWristOfAHandWithBoth) {
@@ -285,9 +294,9 @@ TEST_P(FittedMappings, NeverTakeFingertipsFartherFromThePersons) {
 
 std::vector<FitCase> fit_cases() {
   std::vector<FitCase> cases;
-  for (const char* hand : {"sah_right", "allegro_class_right", "leap_class_right",
-                           "shadow_class_right", "allegro_hand/allegro_hand_right.urdf",
-                           "shadow_hand/shadow_hand_right.urdf"}) {
+  for (const char* hand :
+       {"sah_right", "allegro_class_right", "leap_class_right", "shadow_class_right",
+        "allegro_hand/allegro_hand_right.urdf", "shadow_hand/shadow_hand_right.urdf"}) {
     for (const char* recording : {"grasp-rad-su01.txt", "calib-rad-su01.txt"}) {
       cases.push_back({hand, recording});
     }

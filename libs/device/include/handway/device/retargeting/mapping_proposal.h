@@ -20,6 +20,8 @@ namespace handway::device {
 ///     at its root takes the palm's arch.
 ///   - The thumb's last two joints take its inner and outer sensor, its first ones roll and
 ///     abduction, whose typical ranges go over the joints' whole ranges as in the paper's Table 1.
+///     A joint before the last that turns about another axis than it is one of the first ones,
+///     unless these are two already: so is that of a thumb of two joints that opposes and bends.
 ///   - Joints between root and palm of a robot without an arm take the wrist's sensors.
 ///   - A finger of one joint takes the inner sensor over its whole range.
 ///
