@@ -54,11 +54,13 @@ device::GuidedPose recorded_pose(const std::string& text,
   }
   const std::string name = text.substr(0, equals);
   const auto pose = std::ranges::find(known, name, &PoseInstruction::name);
-  if (pose == known.end()) {
+  if (pose == known.end() || pose->motion > 0.0) {
     std::vector<std::string> names;
     std::ranges::transform(known, std::back_inserter(names), &PoseInstruction::name);
     throw geometric::InputError({"--pose " + name, "", "no pose of that name",
-                                 "one that --list shows", geometric::advise_name(name, names)});
+                                 "one that is held, as --list shows",
+                                 pose != known.end() ? "Give its recording to --free"
+                                                     : geometric::advise_name(name, names)});
   }
   return {pose->name, pose->angles, device::read_recording(text.substr(equals + 1))};
 }

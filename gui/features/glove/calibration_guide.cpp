@@ -3,11 +3,14 @@
 #include "handway/device/glove/human_hand.h"
 #include "handway/device/glove/recording_quality.h"
 #include "handway/geometric/io/resources.h"
+#include "handway/geometric/math/units.h"
 #include "widgets/style/theme.h"
 
 #include <QDate>
+#include <QDoubleSpinBox>
 #include <QFileDialog>
 #include <QFormLayout>
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -106,16 +109,94 @@ void HandPicture::paintEvent(QPaintEvent*) {
 
 namespace {
 
+constexpr double kLongestHand = 300.0;  // mm
+constexpr double kLongestBone = 150.0;  // mm
+
+QDoubleSpinBox* length_field(double most, const QString& name) {
+  auto* field = new QDoubleSpinBox;
+  field->setRange(1.0, most);
+  field->setDecimals(1);
+  field->setButtonSymbols(QAbstractSpinBox::NoButtons);
+  field->setMinimumWidth(scaled(46));
+  field->setAccessibleName(name);
+  return field;
+}
+
+}  // namespace
+
+BonesForm::BonesForm(QWidget* parent)
+    : QWidget(parent), length_(length_field(kLongestHand, tr("Length of the hand, mm"))) {
+  setObjectName(QStringLiteral("calibration_bones"));
+  length_->setObjectName(QStringLiteral("hand_length"));
+  length_->setToolTip(
+      tr("From the wrist's crease to the tip of the middle finger: all bones follow "
+         "in proportion"));
+  auto* grid = new QGridLayout(this);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setSpacing(4);
+  grid->addWidget(new QLabel(tr("Hand, mm")), 0, 0);
+  grid->addWidget(length_, 0, 1);
+  const std::array<QString, 4> bones{tr("to base"), tr("1st"), tr("2nd"), tr("3rd")};
+  for (int i = 0; i < static_cast<int>(bones.size()); ++i) {
+    grid->addWidget(new QLabel(bones.at(static_cast<std::size_t>(i))), 1, i + 1);
+  }
+  const std::array<QString, device::kFingers> fingers{tr("Thumb"), tr("Index"), tr("Middle"),
+                                                      tr("Ring"), tr("Little")};
+  for (int f = 0; f < device::kFingers; ++f) {
+    const QString& finger = fingers.at(static_cast<std::size_t>(f));
+    grid->addWidget(new QLabel(finger), f + 2, 0);
+    for (int i = 0; i < static_cast<int>(bones.size()); ++i) {
+      const QString name =
+          tr("%1, %2, mm").arg(finger, i == 0 ? tr("wrist to base") : tr("bone %1").arg(i));
+      QDoubleSpinBox* field = length_field(kLongestBone, name);
+      field->setObjectName(QStringLiteral("bone_%1_%2").arg(f).arg(i));
+      field->setToolTip(name);
+      lengths_.push_back(field);
+      grid->addWidget(field, f + 2, i + 1);
+    }
+  }
+  connect(length_, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
+          [this](double mm) { show_bones(device::typical_bones(mm * geometric::kMillimetre)); });
+  length_->setValue(device::kTypicalHandLength / geometric::kMillimetre);
+}
+
+void BonesForm::show_bones(const device::HandBones& bones) {
+  std::size_t place = 0;
+  for (const auto& finger : bones) {
+    for (const double length : finger) {
+      lengths_[place++]->setValue(length / geometric::kMillimetre);
+    }
+  }
+}
+
+device::HandBones BonesForm::bones() const {
+  device::HandBones bones{};
+  std::size_t place = 0;
+  for (auto& finger : bones) {
+    for (double& length : finger) {
+      length = lengths_[place++]->value() * geometric::kMillimetre;
+    }
+  }
+  return bones;
+}
+
+namespace {
+
 constexpr double kHold = 1.5;       // s that a posture is held
 constexpr double kHeldStill = 3.0;  // counts, standard deviation of a hand that is held still
+constexpr double kHeldStillAngle = 3.0 * geometric::kDegree;  // the same of angles
+constexpr double kMostOfRange = 0.7;                          // of a typical joint's
 constexpr int kPercentDone = 100;
 constexpr int kProgressHeight = 6;  // px
 
-device::Recording recording_of_counts(const std::vector<device::GloveFrame>& frames) {
+/// Counts, or angles if the source measures these itself.
+device::Recording recording_of(const std::vector<device::GloveFrame>& frames) {
   device::Recording recording;
-  recording.header.kind = device::RecordingKind::kCounts;
+  const auto& angles = frames.front().angles;
+  recording.header.kind = angles ? device::RecordingKind::kAngles : device::RecordingKind::kCounts;
   for (int sensor = 0; sensor < device::kGloveSensors; ++sensor) {
-    if (frames.front().counts.at(static_cast<std::size_t>(sensor)) > 0) {
+    const auto place = static_cast<std::size_t>(sensor);
+    if (angles ? std::isfinite(angles->at(place)) : frames.front().counts.at(place) > 0) {
       recording.header.sensors.push_back(sensor);
     }
   }
@@ -127,16 +208,50 @@ device::Recording recording_of_counts(const std::vector<device::GloveFrame>& fra
     recording.times[row] = frame.time - frames.front().time;
     for (Eigen::Index column = 0; column < recording.values.cols(); ++column) {
       const int sensor = recording.header.sensors[static_cast<std::size_t>(column)];
-      recording.values(row, column) = frame.counts.at(static_cast<std::size_t>(sensor));
+      const auto place = static_cast<std::size_t>(sensor);
+      recording.values(row, column) =
+          frame.angles ? frame.angles->at(place) : frame.counts.at(place);
     }
   }
   return recording;
 }
 
-/// The largest standard deviation of a sensor, counts.
-double restlessness(const device::Recording& counts) {
-  const Eigen::MatrixXd off = counts.values.rowwise() - counts.values.colwise().mean();
+/// The largest standard deviation of a sensor, counts or rad.
+double restlessness(const device::Recording& held) {
+  const Eigen::MatrixXd off = held.values.rowwise() - held.values.colwise().mean();
   return std::sqrt(off.colwise().squaredNorm().maxCoeff() / static_cast<double>(off.rows()));
+}
+
+/// "1.2 counts" or "0.8°".
+QString amount(double value, device::RecordingKind kind) {
+  return kind == device::RecordingKind::kCounts
+             ? QObject::tr("%1 counts").arg(value, 0, 'f', 1)
+             : QObject::tr("%1°").arg(value / geometric::kDegree, 0, 'f', 1);
+}
+
+/// Which joints have been through most of a typical hand's ranges, and those that have not.
+QString range_quality(const device::PersonRanges& ranges, const device::Recording& motion) {
+  int wide = 0;
+  QStringList narrow;
+  for (const int sensor : motion.header.sensors) {
+    const auto place = static_cast<std::size_t>(sensor);
+    const auto& typical = device::typical_angle_ranges().at(place);
+    const auto& own = ranges.at(place);
+    if (own && own->second - own->first >= kMostOfRange * (typical.second - typical.first)) {
+      ++wide;
+    } else {
+      const std::string_view label = device::cyberglove_sensors()[place].label;
+      narrow << QString::fromUtf8(label.data(), static_cast<int>(label.size()));
+    }
+  }
+  const QString text = QObject::tr("%1 of %2 joints went through most of a typical range.")
+                           .arg(wide)
+                           .arg(motion.header.sensors.size());
+  return narrow.isEmpty() ? text
+                          : text + QLatin1Char('\n') +
+                                QObject::tr("Less: %1.")
+                                    .arg(narrow.mid(0, 4).join(QStringLiteral(", ")) +
+                                         (narrow.size() > 4 ? QStringLiteral(", …") : QString()));
 }
 
 }  // namespace
@@ -147,6 +262,7 @@ CalibrationGuide::CalibrationGuide(GloveSession& session, QWidget* parent)
       person_(new QLineEdit),
       title_(new QLabel),
       picture_(new HandPicture),
+      bones_(new BonesForm),
       instruction_(new QLabel),
       progress_(new QProgressBar),
       quality_(new QLabel),
@@ -174,6 +290,7 @@ CalibrationGuide::CalibrationGuide(GloveSession& session, QWidget* parent)
   layout->addWidget(title_);
   layout->addWidget(picture_);
   layout->addWidget(instruction_);
+  layout->addWidget(bones_);
   layout->addWidget(capture_);
   layout->addWidget(progress_);
   layout->addWidget(build_buttons());
@@ -202,6 +319,7 @@ QWidget* CalibrationGuide::build_buttons() {
   connect(back_, &QPushButton::clicked, this, [this] { go_to(pose_ - 1); });
   connect(skip_, &QPushButton::clicked, this, [this] {
     held_[static_cast<std::size_t>(pose_)].counts = {};
+    moved_ = is_motion() ? std::vector<device::GloveFrame>{} : std::move(moved_);
     go_to(pose_ + 1);
   });
   connect(close, &QPushButton::clicked, this, &CalibrationGuide::closed);
@@ -217,6 +335,7 @@ void CalibrationGuide::begin() {
     return;
   }
   held_.assign(poses_.size(), {});
+  moved_.clear();
   quality_text_.clear();
   go_to(0);
 }
@@ -242,51 +361,75 @@ void CalibrationGuide::take(const std::vector<GloveSample>& samples) {
   if (step_ != Step::kReading) {
     return;
   }
-  if (samples.back().frame.angles) {
-    step_ = Step::kWaiting;
-    quality_text_ = tr("This source measures angles itself: it needs no calibration.");
-    show_step();
-    return;
-  }
   for (const GloveSample& sample : samples) {
     frames_.push_back(sample.frame);
   }
   const double held = frames_.back().time - frames_.front().time;
-  progress_->setValue(static_cast<int>(kPercentDone * std::min(1.0, held / kHold)));
-  if (held >= kHold) {
+  const double needed = is_motion() ? poses_[static_cast<std::size_t>(pose_)].motion : kHold;
+  progress_->setValue(static_cast<int>(kPercentDone * std::min(1.0, held / needed)));
+  if (held < needed) {
+    quality_->setText(live_quality());
+  } else if (is_motion()) {
+    end_motion();
+  } else {
     end_pose();
   }
 }
 
+bool CalibrationGuide::is_motion() const {
+  return pose_ < static_cast<int>(poses_.size()) &&
+         poses_[static_cast<std::size_t>(pose_)].motion > 0.0;
+}
+
+QString CalibrationGuide::live_quality() const {
+  const device::Recording read = recording_of(frames_);
+  if (is_motion()) {
+    const device::Recording angles = device::to_angles(read, session_.calibration());
+    return range_quality(device::measured_ranges(angles), angles);
+  }
+  return tr("Steady within %1").arg(amount(restlessness(read), read.header.kind));
+}
+
+void CalibrationGuide::end_motion() {
+  moved_ = frames_;
+  quality_text_.clear();
+  go_to(pose_ + 1);
+}
+
 void CalibrationGuide::end_pose() {
-  const device::Recording counts = recording_of_counts(frames_);
+  const device::Recording counts = recording_of(frames_);
   const double moved = restlessness(counts);
-  if (moved > kHeldStill) {
+  const device::RecordingKind kind = counts.header.kind;
+  if (moved > (kind == device::RecordingKind::kCounts ? kHeldStill : kHeldStillAngle)) {
     step_ = Step::kWaiting;
-    quality_text_ = tr("The hand moved (a sensor by %1 counts): hold it still, once more.")
-                        .arg(moved, 0, 'f', 1);
+    quality_text_ =
+        tr("The hand moved (a sensor by %1): hold it still, once more.").arg(amount(moved, kind));
     show_step();
     return;
   }
   const auto place = static_cast<std::size_t>(pose_);
   held_[place] = {poses_[place].name, poses_[place].angles, counts};
-  quality_text_ = tr("%1: steady within %2 counts.")
+  quality_text_ = tr("%1: steady within %2.")
                       .arg(QString::fromStdString(poses_[place].name)
                                .replace(QLatin1Char('_'), QLatin1Char(' ')))
-                      .arg(moved, 0, 'f', 1);
+                      .arg(amount(moved, kind));
   go_to(pose_ + 1);
 }
 
 void CalibrationGuide::fit() {
   std::vector<device::GuidedPose> read;
   std::ranges::copy_if(held_, std::back_inserter(read), [](const device::GuidedPose& pose) {
-    return pose.counts.values.rows() > 0;
+    return pose.counts.values.rows() > 0 &&
+           pose.counts.header.kind == device::RecordingKind::kCounts;
   });
+  const bool angles = !session_.link().info().angle_sensors.empty();
+  fit_ = {};
+  fit_.calibration.date = QDate::currentDate().toString(Qt::ISODate).toStdString();
   try {
-    fit_ = device::calibrate_from_poses(read, person_->text().trimmed().toStdString(),
-                                        QDate::currentDate().toString(Qt::ISODate).toStdString());
+    if (!angles) {
+      fit_ = device::calibrate_from_poses(read, {}, fit_.calibration.date);
+    }
   } catch (const std::exception& error) {
-    fit_ = {};
     fit_.warnings = {error.what()};
   }
   int fitted = 0;
@@ -295,7 +438,25 @@ void CalibrationGuide::fit() {
     fitted += sensor ? 1 : 0;
     sensor = sensor ? sensor : session_.calibration().sensors.at(s);
   }
-  QStringList lines{tr("%1 sensors calibrated; the others keep what they had.").arg(fitted)};
+  QStringList lines;
+  if (!angles) {
+    lines << tr("%1 sensors calibrated; the others keep what they had.").arg(fitted);
+  }
+  if (!moved_.empty()) {
+    const device::Recording motion = device::to_angles(recording_of(moved_), fit_.calibration);
+    fit_.calibration.ranges = device::measured_ranges(motion);
+    lines << range_quality(fit_.calibration.ranges, motion);
+  }
+  std::vector<device::HandBones> seen;
+  for (const device::GloveFrame& frame : moved_) {
+    if (frame.bones) {
+      seen.push_back(*frame.bones);
+    }
+  }
+  if (!seen.empty()) {
+    bones_->show_bones(device::median_bones(seen));
+    lines << tr("Bones were measured in %1 frames.").arg(seen.size());
+  }
   for (const std::string& warning : fit_.warnings) {
     lines << QString::fromStdString(warning);
   }
@@ -306,6 +467,7 @@ void CalibrationGuide::show_step() {
   const bool done = step_ == Step::kDone;
   const auto count = static_cast<int>(poses_.size());
   picture_->setVisible(!done);
+  bones_->setVisible(done);
   progress_->setVisible(!done);
   progress_->setValue(0);
   skip_->setEnabled(!done);
@@ -314,15 +476,17 @@ void CalibrationGuide::show_step() {
   if (done) {
     title_->setText(tr("All postures read"));
     instruction_->setText(
-        tr("Save the calibration under the person's name. Then the coach leads through the "
-           "motions that a basis needs."));
+        tr("Bones, in mm: as measured, or type the hand's length or each bone. Save the "
+           "calibration under the person's name; then the coach shows what the hand has covered."));
     capture_->setText(tr("Save the calibration…"));
     return;
   }
   const device::PoseInstruction& pose = poses_[static_cast<std::size_t>(pose_)];
   title_->setText(tr("Posture %1 of %2").arg(pose_ + 1).arg(count));
   instruction_->setText(QString::fromStdString(pose.instruction));
-  capture_->setText(step_ == Step::kReading ? tr("Reading… hold still") : tr("Read the glove"));
+  capture_->setText(step_ != Step::kReading ? tr("Read the glove")
+                    : is_motion()           ? tr("Reading… move the hand")
+                                            : tr("Reading… hold still"));
   device::GloveAngles angles;
   angles.angles = pose.angles;
   const device::GloveInfo info = session_.link().info();
@@ -331,6 +495,7 @@ void CalibrationGuide::show_step() {
 
 void CalibrationGuide::save(const std::filesystem::path& file) {
   fit_.calibration.person = person_->text().trimmed().toStdString();
+  fit_.calibration.bones = bones_->bones();
   device::write_calibration(fit_.calibration, file);
   emit saved(QString::fromStdString(file.string()));
 }

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <vector>
 
+class QDoubleSpinBox;
 class QLabel;
 class QLineEdit;
 class QProgressBar;
@@ -37,8 +38,25 @@ class HandPicture : public QWidget {
   bool left_ = false;
 };
 
+/// How long a person's bones are, mm: typed, in proportion to the hand's length, or as measured.
+class BonesForm : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit BonesForm(QWidget* parent = nullptr);
+
+  void show_bones(const device::HandBones& bones);
+  [[nodiscard]] device::HandBones bones() const;
+
+ private:
+  QDoubleSpinBox* length_;
+  std::vector<QDoubleSpinBox*> lengths_;  ///< Finger by finger.
+};
+
 /// Leads a person through the postures of a calibration: shows each as a picture, reads the glove
-/// while it is held, and fits the calibration, which is saved under the person's name.
+/// while it is held, and fits the calibration, which is saved under the person's name with how far
+/// the joints go and how long the bones are. Of a source that measures angles itself it finds the
+/// latter two.
 class CalibrationGuide : public QWidget {
   Q_OBJECT
 
@@ -64,6 +82,10 @@ class CalibrationGuide : public QWidget {
   void capture();
   void take(const std::vector<GloveSample>& samples);
   void end_pose();
+  void end_motion();
+  [[nodiscard]] bool is_motion() const;
+  /// What is read, as it comes.
+  [[nodiscard]] QString live_quality() const;
   void go_to(int pose);
   void fit();
   void show_step();
@@ -74,6 +96,7 @@ class CalibrationGuide : public QWidget {
   std::vector<device::GuidedPose>
       held_;  ///< Those that were read, by pose; empty counts: left out.
   std::vector<device::GloveFrame> frames_;  ///< Of the posture that is read.
+  std::vector<device::GloveFrame> moved_;   ///< Of the motion.
   device::CalibrationFit fit_;
   int pose_ = 0;
   Step step_ = Step::kWaiting;
@@ -81,6 +104,7 @@ class CalibrationGuide : public QWidget {
   QLineEdit* person_;
   QLabel* title_;
   HandPicture* picture_;
+  BonesForm* bones_;
   QLabel* instruction_;
   QProgressBar* progress_;
   QLabel* quality_;

@@ -1,6 +1,8 @@
 #include "features/glove/capture_coach.h"
 
+#include "handway/device/glove/calibration_fit.h"
 #include "handway/device/glove/glove_layout.h"
+#include "handway/device/glove/human_hand.h"
 #include "handway/geometric/math/units.h"
 #include "widgets/style/theme.h"
 
@@ -134,6 +136,175 @@ void CoverageBars::paintEvent(QPaintEvent*) {
         percent, Qt::AlignVCenter | Qt::AlignRight,
         visits.driven ? QStringLiteral("%1 %").arg(std::lround(visits.share() * kPercentPerShare))
                       : tr("fixed"));
+  }
+}
+
+namespace {
+
+using device::Finger;
+
+constexpr int kBent = FingerCombinations::kStates - 1;
+constexpr double kHalf = 0.33;  // of a typical joint's flexion, and kMostly: where states end
+constexpr double kMostly = 0.67;
+
+/// Sensors whose mean says how bent a finger is, indices into cyberglove_sensors().
+const std::array<std::vector<int>, device::kFingers>& bending_sensors() {
+  static const auto kSensors = [] {
+    std::array<std::vector<int>, device::kFingers> sensors;
+    const std::array<std::vector<const char*>, device::kFingers> names{
+        {{"ThumbRotate", "ThumbIJ"},
+         {"IndexMPJ", "IndexPIJ"},
+         {"MiddleMPJ", "MiddlePIJ"},
+         {"RingMPJ", "RingPIJ"},
+         {"PinkieMPJ", "PinkiePIJ"}}};
+    for (std::size_t f = 0; f < names.size(); ++f) {
+      for (const char* name : names.at(f)) {
+        sensors.at(f).push_back(device::find_sensor(name).value());
+      }
+    }
+    return sensors;
+  }();
+  return kSensors;
+}
+
+std::optional<int> state_of(std::size_t finger, const device::GloveAngles& angles,
+                            const device::PersonRanges& ranges) {
+  double sum = 0.0;
+  int count = 0;
+  for (const int sensor : bending_sensors().at(finger)) {
+    const auto place = static_cast<std::size_t>(sensor);
+    if (std::isfinite(angles.angles.at(place))) {
+      sum += device::typical_angle(ranges, sensor, angles.angles.at(place)) /
+             device::typical_angle_ranges().at(place).second;
+      ++count;
+    }
+  }
+  if (count == 0) {
+    return std::nullopt;
+  }
+  const double bent = sum / count;
+  return bent > kMostly ? kBent : bent > kHalf ? 1 : 0;
+}
+
+QString finger_label(std::size_t finger) {
+  const std::string& name = device::name_of(static_cast<Finger>(finger));
+  return joint_label(name);
+}
+
+}  // namespace
+
+void FingerCombinations::add(const device::GloveAngles& angles,
+                             const device::PersonRanges& ranges) {
+  std::array<std::optional<int>, device::kFingers> states;
+  for (std::size_t f = 0; f < states.size(); ++f) {
+    states.at(f) = state_of(f, angles, ranges);
+    measured_.at(f) = measured_.at(f) || states.at(f);
+  }
+  for (std::size_t a = 0; a < states.size(); ++a) {
+    for (std::size_t b = a + 1; b < states.size(); ++b) {
+      if (states.at(a) && states.at(b)) {
+        cells_.at(a).at(b).at(static_cast<std::size_t>(*states.at(a) * kStates + *states.at(b))) =
+            true;
+      }
+    }
+  }
+}
+
+bool FingerCombinations::visited(Finger a, int state_of_a, Finger b, int state_of_b) const {
+  return cells_.at(static_cast<std::size_t>(a))
+      .at(static_cast<std::size_t>(b))
+      .at(static_cast<std::size_t>(state_of_a * kStates + state_of_b));
+}
+
+double FingerCombinations::share() const {
+  std::ptrdiff_t filled = 0;
+  std::size_t all = 0;
+  for (std::size_t a = 0; a < cells_.size(); ++a) {
+    for (std::size_t b = a + 1; b < cells_.size(); ++b) {
+      if (measured_.at(a) && measured_.at(b)) {
+        filled += std::ranges::count(cells_.at(a).at(b), true);
+        all += cells_.at(a).at(b).size();
+      }
+    }
+  }
+  return all > 0 ? static_cast<double>(filled) / static_cast<double>(all) : 0.0;
+}
+
+QString FingerCombinations::missing() const {
+  for (std::size_t a = 0; a < cells_.size(); ++a) {
+    for (std::size_t b = a + 1; b < cells_.size(); ++b) {
+      if (!measured_.at(a) || !measured_.at(b)) {
+        continue;
+      }
+      const auto text = QObject::tr("%1 bent, %2 straight");
+      if (!visited(static_cast<Finger>(a), kBent, static_cast<Finger>(b), 0)) {
+        return text.arg(finger_label(a), finger_label(b).toLower());
+      }
+      if (!visited(static_cast<Finger>(a), 0, static_cast<Finger>(b), kBent)) {
+        return text.arg(finger_label(b), finger_label(a).toLower());
+      }
+    }
+  }
+  return {};
+}
+
+namespace {
+
+constexpr int kSquare = 42;        // px, of two fingers
+constexpr int kSquareGap = 10;     // px
+constexpr int kFingerWidth = 62;   // px, of a finger's name
+constexpr int kFingerHeight = 18;  // px
+
+}  // namespace
+
+CombinationSquares::CombinationSquares(QWidget* parent) : QWidget(parent) {
+  setObjectName(QStringLiteral("combination_squares"));
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  setToolTip(
+      tr("A square for each two fingers, one across, one down, from straight to bent: filled where "
+         "both were so together"));
+}
+
+void CombinationSquares::show_combinations(const FingerCombinations& combinations) {
+  combinations_ = combinations;
+  update();
+}
+
+QSize CombinationSquares::sizeHint() const {
+  const int squares = (device::kFingers - 1) * scaled(kSquare + kSquareGap);
+  return {kSideMargin + scaled(kFingerWidth) + squares, scaled(kFingerHeight) + squares};
+}
+
+void CombinationSquares::paintEvent(QPaintEvent*) {
+  const ThemeColors colors = colors_of(current_theme());
+  QPainter painter(this);
+  QFont font = painter.font();
+  font.setPixelSize(scaled(12));
+  painter.setFont(font);
+  const int step = scaled(kSquare + kSquareGap);
+  const double cell = scaled(kSquare) / static_cast<double>(FingerCombinations::kStates);
+  for (int a = 0; a < device::kFingers; ++a) {
+    for (int b = a + 1; b < device::kFingers; ++b) {
+      const int x = kSideMargin + scaled(kFingerWidth) + a * step;
+      const int y = scaled(kFingerHeight) + (b - 1) * step;
+      for (int i = 0; i < FingerCombinations::kStates; ++i) {
+        for (int j = 0; j < FingerCombinations::kStates; ++j) {
+          const bool visited =
+              combinations_.visited(static_cast<Finger>(a), i, static_cast<Finger>(b), j);
+          painter.fillRect(QRectF(x + i * cell, y + j * cell, cell - 1.0, cell - 1.0),
+                           visited ? faded(colors.accent, 0.85) : faded(colors.border, 0.7));
+        }
+      }
+      painter.setPen(colors.text);
+      if (b == a + 1) {
+        painter.drawText(QRect(x, y - scaled(kFingerHeight), step, scaled(kFingerHeight)),
+                         Qt::AlignVCenter, finger_label(static_cast<std::size_t>(a)));
+      }
+      if (a == 0) {
+        painter.drawText(QRect(kSideMargin, y, scaled(kFingerWidth), scaled(kSquare)),
+                         Qt::AlignVCenter, finger_label(static_cast<std::size_t>(b)));
+      }
+    }
   }
 }
 
@@ -276,6 +447,8 @@ CaptureCoach::CaptureCoach(QWidget* parent)
       advice_(new QLabel),
       hints_label_(new QLabel),
       bars_(new CoverageBars),
+      together_(new QLabel),
+      squares_(new CombinationSquares),
       restart_(new QPushButton(tr("Start again"))) {
   headline_->setObjectName(QStringLiteral("coverage_headline"));
   advice_->setObjectName(QStringLiteral("capture_advice"));
@@ -301,6 +474,11 @@ CaptureCoach::CaptureCoach(QWidget* parent)
   layout->setSpacing(6);
   layout->addLayout(top);
   layout->addWidget(bars_);
+  together_->setObjectName(QStringLiteral("combinations_headline"));
+  together_->setWordWrap(true);
+  together_->setContentsMargins(kSideMargin, 6, kSideMargin, 0);
+  layout->addWidget(together_);
+  layout->addWidget(squares_);
   auto* bottom = new QVBoxLayout;
   bottom->setContentsMargins(12, 6, 12, 0);
   bottom->addWidget(restart_, 0, Qt::AlignLeft);
@@ -315,15 +493,25 @@ void CaptureCoach::restart(const device::HandMapping& mapping,
                            const std::vector<bool>& driven) {
   mapping_ = mapping;
   coverage_.restart(joints, driven);
+  combinations_.restart();
   hints_.clear();
   hints_at_ = -1.0;
   show_progress({});
 }
 
-void CaptureCoach::add(const Eigen::VectorXd& posture) { coverage_.add(posture); }
+void CaptureCoach::add(const Eigen::VectorXd& posture, const device::GloveAngles& angles,
+                       const device::PersonRanges& ranges) {
+  coverage_.add(posture);
+  combinations_.add(angles, ranges);
+}
 
 void CaptureCoach::show_progress(const CapturedPostures& postures) {
   bars_->show_coverage(coverage_);
+  squares_->show_combinations(combinations_);
+  const QString missing = combinations_.missing();
+  together_->setText(tr("<b>%1 %</b> of combinations of two fingers")
+                         .arg(std::lround(combinations_.share() * kPercentCovered)) +
+                     (missing.isEmpty() ? QString() : tr("; try: %1").arg(missing.toLower())));
   const auto percent = static_cast<int>(std::lround(coverage_.share() * kPercentCovered));
   headline_->setText(tr("<b>%1 %</b> of the joints' ranges visited").arg(percent));
   progress_->setValue(percent);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "features/glove/capture_pages.h"
+#include "handway/device/glove/glove_calibration.h"
 #include "handway/device/glove/hand_mapping.h"
 
 #include <QStringList>
@@ -9,6 +10,7 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -52,6 +54,51 @@ class JointCoverage {
   std::vector<JointVisits> joints_;
 };
 
+/// Which fingers have been straight, half bent and bent together, two by two.
+class FingerCombinations {
+ public:
+  static constexpr int kStates = 3;  ///< Straight, half bent, bent.
+
+  void restart() { *this = {}; }
+  /// @param ranges of the person.
+  void add(const device::GloveAngles& angles, const device::PersonRanges& ranges);
+
+  /// @param a a finger before `b`.
+  [[nodiscard]] bool visited(device::Finger a, int state_of_a, device::Finger b,
+                             int state_of_b) const;
+  /// Of all combinations of fingers that were measured, in [0, 1]; 0 before the first posture.
+  [[nodiscard]] double share() const;
+  /// "Index bent, ring straight": one of two fingers bent and the other straight that is missing;
+  /// empty if none is, or nothing was measured.
+  [[nodiscard]] QString missing() const;
+
+ private:
+  using Cells = std::array<bool, kStates * kStates>;
+
+  std::array<bool, device::kFingers> measured_{};
+  std::array<std::array<Cells, device::kFingers>, device::kFingers> cells_{};  ///< [a][b], a < b.
+};
+
+/// A square for each two fingers: one across, one down, from straight to bent, filled where both
+/// were so together.
+class CombinationSquares : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit CombinationSquares(QWidget* parent = nullptr);
+
+  void show_combinations(const FingerCombinations& combinations);
+
+  [[nodiscard]] QSize sizeHint() const override;
+  [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  FingerCombinations combinations_;
+};
+
 /// A joint's name for people: "ring_abduction" is "Ring abduction".
 [[nodiscard]] QString joint_label(const std::string& joint);
 
@@ -93,12 +140,15 @@ class CaptureCoach : public QWidget {
   /// Starts again with these joints.
   void restart(const device::HandMapping& mapping, const std::vector<std::string>& joints,
                const std::vector<bool>& driven);
-  /// @param posture normalised, shape [joints].
-  void add(const Eigen::VectorXd& posture);
+  /// @param posture normalised, shape [joints]. @param angles that it was made from.
+  /// @param ranges of the person.
+  void add(const Eigen::VectorXd& posture, const device::GloveAngles& angles,
+           const device::PersonRanges& ranges);
   /// Shows what was added since the last time.
   void show_progress(const CapturedPostures& postures);
 
   [[nodiscard]] const JointCoverage& coverage() const { return coverage_; }
+  [[nodiscard]] const FingerCombinations& combinations() const { return combinations_; }
   [[nodiscard]] QStringList hints() const { return hints_; }
   /// What the coach says about going on or stopping.
   [[nodiscard]] QString advice() const;
@@ -112,12 +162,15 @@ class CaptureCoach : public QWidget {
 
   device::HandMapping mapping_;
   JointCoverage coverage_;
+  FingerCombinations combinations_;
   QStringList hints_;
   QLabel* headline_;
   QProgressBar* progress_;
   QLabel* advice_;
   QLabel* hints_label_;
   CoverageBars* bars_;
+  QLabel* together_;
+  CombinationSquares* squares_;
   QPushButton* restart_;
   double hints_at_ = -1.0;  ///< Duration when the hints were made, s.
 };

@@ -279,7 +279,7 @@ void CapturePages::take(const std::vector<GloveSample>& samples) {
       continue;
     }
     const Eigen::VectorXd posture = normalised(*source, session_.posture_of(sample));
-    coach_->add(posture);
+    coach_->add(posture, sample.angles, session_.calibration().ranges);
     live_.add(sample.frame.time, posture);
     recent_.push_back(sample.angles);
     is_new_ = true;
@@ -400,7 +400,7 @@ void CapturePages::compare_methods(std::vector<device::GloveAngles> measured) {
     Eigen::MatrixXd retargeted(count, hand->lower().size());
     Eigen::VectorXd last = hand->middle();
     for (Eigen::Index row = 0; row < count && !stop.stop_requested(); ++row) {
-      last = hand->posture(device::hand_landmarks(measured[static_cast<std::size_t>(row)]), last);
+      last = hand->posture(hand->landmarks(measured[static_cast<std::size_t>(row)]), last);
       retargeted.row(row) = last.transpose();
     }
     if (stop.stop_requested()) {

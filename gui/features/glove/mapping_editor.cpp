@@ -474,7 +474,8 @@ void MappingEditor::fit(const device::Recording& recording) {
     return;
   }
   try {
-    const device::MappingFit fitted = device::fit_mapping(session_.mapping(), *model_, recording);
+    const device::MappingFit fitted =
+        device::fit_mapping(session_.mapping(), *model_, recording, session_.calibration());
     change(tr("Fit the mapping"), fitted.mapping);
     QStringList lines{tr("Fitted to %L1 frames.").arg(recording.values.rows())};
     for (const std::string& warning : fitted.warnings) {

@@ -87,7 +87,7 @@ void RetargetingTap::set(std::shared_ptr<const device::FingertipRetargeter> reta
 ArrivedFrame RetargetingTap::take(const device::GloveFrame& frame) {
   const std::lock_guard lock(mutex_);
   if (retargeter_) {
-    last_ = retargeter_->posture(device::hand_landmarks(to_angles(frame, calibration_)), last_);
+    last_ = retargeter_->posture(retargeter_->landmarks(to_angles(frame, calibration_)), last_);
   }
   return {frame, retargeter_, last_};
 }
@@ -225,8 +225,15 @@ void GloveSession::propose_mapping() {
 }
 
 void GloveSession::set_calibration(std::optional<device::GloveCalibration> calibration) {
+  const std::optional<device::HandBones> bones = this->calibration().bones;
   chosen_ = std::move(calibration);
+  if (bones != this->calibration().bones && (retargeter_ || preparing_.is_busy())) {
+    preparing_.cancel();
+    take_retargeter(nullptr, {});
+    prepare_retargeting();
+  }
   update_tap();
+  rebuild_mapper();
 }
 
 const device::GloveCalibration& GloveSession::calibration() const {
@@ -243,7 +250,7 @@ void GloveSession::rebuild_mapper() {
   mapping_error_.clear();
   if (model_) {
     try {
-      mapper_.emplace(mapping_, *model_);
+      mapper_.emplace(mapping_, *model_, false, calibration().ranges);
     } catch (const std::exception& error) {
       mapping_error_ = QString::fromUtf8(error.what());
     }
@@ -271,11 +278,14 @@ void GloveSession::prepare_retargeting() {
   if (!model_ || retargeter_ || !retargeting_error_.isEmpty() || preparing_.is_busy()) {
     return;
   }
-  preparing_.run([this, model = model_](const std::stop_token&) -> LatestJob::Answer {
+  device::RetargetingSettings settings;
+  settings.bones = calibration().bones.value_or(settings.bones);
+  preparing_.run([this, model = model_, settings](const std::stop_token&) -> LatestJob::Answer {
     std::shared_ptr<const device::FingertipRetargeter> made;
     QString error;
     try {
-      made = std::make_shared<const device::FingertipRetargeter>(geometric::hand_alone(model));
+      made = std::make_shared<const device::FingertipRetargeter>(geometric::hand_alone(model),
+                                                                 settings);
     } catch (const std::exception& problem) {
       error = QString::fromUtf8(problem.what());
     }

@@ -138,7 +138,7 @@ class GloveSession : public QObject {
   /// A mapping that doesn't fit gives way to the paper's Table 1, or to one that is proposed for
   /// the hand. @param model null: no robot.
   void set_robot(std::shared_ptr<const geometric::RobotModel> model);
-  /// Nothing: the typical one.
+  /// Its ranges go into the mapping, its bones into retargeting. Nothing: the typical one.
   void set_calibration(std::optional<device::GloveCalibration> calibration);
   void set_mapping(device::HandMapping mapping);
   [[nodiscard]] const device::GloveCalibration& calibration() const;

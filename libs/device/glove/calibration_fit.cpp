@@ -20,11 +20,17 @@ namespace {
 using geometric::YamlElement;
 
 PoseInstruction read_pose(const YamlElement& item) {
-  item.allow_keys({"name", "instruction", "degrees"});
+  item.allow_keys({"name", "instruction", "degrees", "motion"});
   PoseInstruction pose;
   pose.name = item.need("name").text();
   pose.instruction = optional_text(item, "instruction");
   pose.angles.fill(std::numeric_limits<double>::quiet_NaN());
+  if (const auto motion = item.find("motion")) {
+    pose.motion = motion->number();
+    if (!(pose.motion > 0.0)) {
+      motion->refuse(motion->found(), "seconds above 0");
+    }
+  }
   const YamlElement degrees = item.need("degrees");
   for (const auto& [name, angle] : degrees.entries()) {
     const std::optional<int> sensor = find_sensor(name);

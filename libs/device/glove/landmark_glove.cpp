@@ -143,6 +143,7 @@ void LandmarkGlove::take_line(const std::string& line, Clock::time_point arrival
     count = count == 0 ? to_count(kMidScale) : count;
   }
   frame.angles = angles.angles;
+  frame.bones = bones_of(*hand.landmarks);
   frame.time = since_begin(arrival);
   session.frames.push_back(frame);
 }

@@ -1,4 +1,5 @@
 #include "features/glove/capture_coach.h"
+#include "handway/device/glove/human_hand.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -81,6 +82,37 @@ TEST_F(CaptureHints, AskToStretchAHandThatWasNeverOpen) {
 TEST_F(CaptureHints, BringTheThumbAcross) {
   sweep(0.0, 1.0, "thumb_base");
   EXPECT_THAT(hints(), Contains("Bring the thumb across the palm and back"));
+}
+
+device::GloveAngles bent(double index, double others) {
+  device::GloveAngles angles;
+  angles.angles.fill(others);
+  for (const char* sensor : {"IndexMPJ", "IndexPIJ"}) {
+    angles.angles.at(static_cast<std::size_t>(*device::find_sensor(sensor))) = index;
+  }
+  return angles;
+}
+
+TEST(FingerCombinations, KnowWhichFingersWereBentTogetherAndWhichNeverAlone) {
+  gui::FingerCombinations combinations;
+  EXPECT_EQ(combinations.share(), 0.0);
+  for (const double all : {0.0, 0.7, 1.5}) {
+    combinations.add(bent(all, all), {});
+  }
+  EXPECT_TRUE(combinations.visited(device::Finger::kIndex, 2, device::Finger::kRing, 2));
+  EXPECT_FALSE(combinations.visited(device::Finger::kIndex, 2, device::Finger::kRing, 0));
+  EXPECT_NEAR(combinations.share(), 3.0 / 9.0, 1e-9) << "no finger moved without the others";
+  EXPECT_EQ(combinations.missing(), QStringLiteral("Thumb bent, index straight"));
+  combinations.add(bent(1.5, 0.0), {});
+  EXPECT_TRUE(combinations.visited(device::Finger::kIndex, 2, device::Finger::kRing, 0));
+}
+
+TEST(FingerCombinations, GoByThePersonsOwnRanges) {
+  gui::FingerCombinations combinations;
+  device::PersonRanges stiff;
+  stiff.fill(std::pair(0.0, 0.5));
+  combinations.add(bent(0.5, 0.5), stiff);
+  EXPECT_TRUE(combinations.visited(device::Finger::kIndex, 2, device::Finger::kRing, 2));
 }
 
 }  // namespace

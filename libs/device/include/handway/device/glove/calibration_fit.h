@@ -17,6 +17,10 @@
 ///       - name: flat
 ///         instruction: "Lay the hand flat on a table."
 ///         degrees: {IndexMPJ: 0, IndexPIJ: 0}
+///       - name: motion
+///         motion: 10                # s: the hand moves, and shows how far its joints go
+///         instruction: "Open the hand and make a fist, some times."
+///         degrees: {IndexMPJ: 75}   # for the picture
 
 /// Ways to find a glove's calibration for a hand.
 
@@ -27,6 +31,7 @@ struct PoseInstruction {
   std::string name;
   std::string instruction;                   ///< One sentence; may be empty.
   std::array<double, kGloveSensors> angles;  ///< rad; NaN for sensors that the pose leaves open.
+  double motion = 0.0;                       ///< s that the hand moves; 0: it is held.
 };
 
 /// @throws geometric::InputError with file, line and key for an unknown sensor, a name twice, no

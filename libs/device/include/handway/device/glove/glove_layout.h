@@ -13,6 +13,13 @@ namespace handway::device {
 /// How many sensors every frame has room for: those of cyberglove_sensors().
 inline constexpr int kGloveSensors = 22;
 
+inline constexpr int kFingers = 5;
+
+/// Lengths of a person's bones by finger, thumb to little finger, m: from the wrist to where the
+/// finger begins (the thumb's CMC joint, the others' knuckles), then from joint to joint to the
+/// tip.
+using HandBones = std::array<std::array<double, 4>, kFingers>;
+
 /// What a glove measured at one time. A glove with fewer sensors leaves those it
 /// doesn't have at 0, which no sensor ever reads.
 struct GloveFrame {
@@ -21,6 +28,8 @@ struct GloveFrame {
   /// rad, flexion positive, NaN where nothing measures, of a source that measures angles itself:
   /// no calibration applies, and the counts are what a typical glove would read.
   std::optional<std::array<double, kGloveSensors>> angles = std::nullopt;
+  /// Of a source that sees the bones.
+  std::optional<HandBones> bones = std::nullopt;
 };
 
 /// The angles of one frame after calibration.

@@ -20,7 +20,6 @@ using HandLandmarks = Eigen::Matrix<double, 3, 21>;
 
 /// A finger's place in HandLandmarks and in lists of fingers.
 enum class Finger { kThumb, kIndex, kMiddle, kRing, kLittle };
-inline constexpr int kFingers = 5;
 /// "thumb", "index", "middle", "ring", "little".
 [[nodiscard]] HANDWAY_DEVICE_EXPORT const std::string& name_of(Finger finger);
 
@@ -33,10 +32,6 @@ inline constexpr int kWristLandmark = 0;
 
 /// Of an adult's hand from wrist to the tip of the middle finger, m.
 inline constexpr double kTypicalHandLength = 0.19;
-
-/// Lengths of a person's bones by finger, m: from the wrist to where the finger begins (see
-/// base_landmark()), then from joint to joint to the tip.
-using HandBones = std::array<std::array<double, 4>, kFingers>;
 
 /// Of an adult's hand of that length (m): shares by B. Buchholz, T. J. Armstrong, S. A. Goldstein,
 /// "Anthropometric data for describing the kinematics of the human hand", Ergonomics 35(3), 1992.
