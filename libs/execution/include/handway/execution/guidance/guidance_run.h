@@ -17,8 +17,8 @@
 
 namespace handway::execution {
 
-/// The way that a robot's link goes along a path, and which place of the path belongs to which of
-/// the way.
+/// The curve of a robot's link along a path, and which place of the path belongs to which of
+/// its points.
 ///
 /// A place of a path is a waypoint's index with the share of the way to the next: 2.5 is in the
 /// middle of the third edge.
@@ -104,7 +104,7 @@ struct GuidanceListeners {
 
 /// Guides a hand along a path, and leads the robot where the hand is, until it is at the end, is
 /// asked to stop, or something goes wrong. However it ends, there is no force then.
-/// @param device connected. @param guide of way.curve(). @param motion on way.path().
+/// @param device connected. @param guide of curve.curve(). @param motion on curve.path().
 [[nodiscard]] HANDWAY_EXECUTION_EXPORT GuidanceOutcome
 run_guidance(device::HapticDevice& device, device::ForceGuide& guide, const PathToolCurve& curve,
              GuidedMotion& motion, const std::stop_token& stop, const GuidanceListeners& listeners);
