@@ -7,15 +7,17 @@
 namespace handway::planning {
 
 ReachObserver::ReachObserver(const PlanningProblem& problem, Observer& next)
-    : next_(next), model_(problem.model()) {
-  start_ = geometric::normalised(model_, problem.start);
-  motion_ = geometric::normalised(model_, problem.goal) - start_;
-}
+    : next_(next), problem_(problem) {}
 
+// Only searches announce nodes: start and goal have been found valid by then.
 void ReachObserver::on_node(const NodeEvent& node) {
-  const double progress = std::clamp((geometric::normalised(model_, node.q) - start_).dot(motion_) /
-                                         std::max(motion_.squaredNorm(), 1e-12),
-                                     0.0, 1.0);
+  const auto normalised = [&](const geometric::Configuration& q) {
+    return geometric::normalised(problem_.model(), q);
+  };
+  const Eigen::VectorXd start = normalised(problem_.start);
+  const Eigen::VectorXd motion = normalised(problem_.goal) - start;
+  const double progress = std::clamp(
+      (normalised(node.q) - start).dot(motion) / std::max(motion.squaredNorm(), 1e-12), 0.0, 1.0);
   const auto q = std::make_shared<const geometric::Configuration>(node.q);
   components_.insert_or_assign(node.id, Component{node.id, progress, progress, q, q});
   if (std::vector<int>& ends = ends_[node.search]; ends.size() < 2) {

@@ -4,8 +4,6 @@
 #include "handway/planning/core/plan_result.h"
 #include "handway/planning/core/planning_problem.h"
 
-#include <Eigen/Core>
-
 #include <map>
 #include <memory>
 #include <optional>
@@ -51,9 +49,7 @@ class ReachObserver final : public Observer {
   [[nodiscard]] int root(int node) const;
 
   Observer& next_;
-  const geometric::RobotModel& model_;
-  Eigen::VectorXd start_;                        ///< Normalised joints.
-  Eigen::VectorXd motion_;                       ///< From there to the goal.
+  const PlanningProblem& problem_;
   mutable std::map<int, Component> components_;  ///< By node.
   std::map<int, std::vector<int>> ends_;         ///< By search: start, goal.
 };

@@ -53,11 +53,12 @@ TEST(LandmarkLine, NeedsNeitherTimeNorHandAndTakesMediaPipesSpelling) {
 
 TEST(LandmarkLine, TakesPointsByTheirCoordinates) {
   std::string text = R"({"hand": "right", "score": 0.9, "landmarks": [)";
-  for (const auto& p : flat_hand().colwise()) {
+  const auto hand = flat_hand();
+  for (const auto& p : hand.colwise()) {
     text += (text.ends_with('[') ? "{\"x\":" : ",{\"x\":") + std::to_string(p.x()) +
             ",\"y\":" + std::to_string(p.y()) + ",\"z\":" + std::to_string(p.z()) + "}";
   }
-  EXPECT_TRUE(read_landmark_line(text + "]}").landmarks->isApprox(flat_hand(), 1e-4));
+  EXPECT_TRUE(read_landmark_line(text + "]}").landmarks->isApprox(hand, 1e-4));
 }
 
 TEST(LandmarkLine, SaysThatNoHandIsSeen) {

@@ -174,7 +174,8 @@ TEST(EdgeMotion, SeesThatJointsCancelOut) {
   delta[world.model().find_variable("elbow").value()] = -1.0;  // "lower" does not turn
   EdgeMotion edge(std::make_shared<const MotionBound>(world));
   edge.set_edge(delta);
-  edge.set_middle(Placed(world, q).X_BL);
+  const Placed middle(world, q);
+  edge.set_middle(middle.X_BL);
   for (std::size_t p = 0; p < world.pairs().size(); ++p) {
     const auto [a, b] = world.pairs()[p];
     if (world.body(a).name == "lower" && world.body(b).name == "post") {
