@@ -38,7 +38,7 @@ MainWindow::MainWindow(std::shared_ptr<planning::PluginManager> plugins, QWidget
   setContextMenuPolicy(Qt::NoContextMenu);
   new WheelGuard(this);
   new FileDialogTooltips(this);
-  new FocusReturn(*this, workbench_.view);
+  new EnterKey(*this, workbench_.view);
   new FreedMemory(workbench_);
   build_middle();
   add_commands();

@@ -8,6 +8,7 @@
 #include "widgets/forms/quantity_field.h"
 #include "widgets/style/theme.h"
 
+#include <QAbstractButton>
 #include <QAbstractSpinBox>
 #include <QActionGroup>
 #include <QApplication>
@@ -106,22 +107,27 @@ void PreferenceEffects::follow() {
   }
 }
 
-FocusReturn::FocusReturn(QWidget& window, QWidget& view)
+EnterKey::EnterKey(QWidget& window, QWidget& view)
     : QObject(&window), window_(window), view_(view) {
   qApp->installEventFilter(this);
 }
 
-bool FocusReturn::eventFilter(QObject* watched, QEvent* event) {
-  if (event->type() != QEvent::KeyPress) {
+bool EnterKey::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() != QEvent::KeyPress || watched != window_.focusWidget()) {
     return QObject::eventFilter(watched, event);
   }
-  const int key = static_cast<QKeyEvent*>(event)->key();
-  auto* field = qobject_cast<QWidget*>(watched);
-  const bool is_field =
-      qobject_cast<QLineEdit*>(watched) || qobject_cast<QAbstractSpinBox*>(watched);
-  if (is_field && (key == Qt::Key_Return || key == Qt::Key_Enter) &&
-      window_.focusWidget() == field) {
-    // Once the field has taken what was entered.
+  const auto* pressed = static_cast<QKeyEvent*>(event);
+  if (pressed->key() != Qt::Key_Return && pressed->key() != Qt::Key_Enter) {
+    return QObject::eventFilter(watched, event);
+  }
+  if (qobject_cast<QAbstractButton*>(watched)) {
+    for (const QEvent::Type half : {QEvent::KeyPress, QEvent::KeyRelease}) {
+      QCoreApplication::postEvent(
+          watched, new QKeyEvent(half, Qt::Key_Space, pressed->modifiers(), QStringLiteral(" ")));
+    }
+    return true;
+  }
+  if (qobject_cast<QLineEdit*>(watched) || qobject_cast<QAbstractSpinBox*>(watched)) {
     QMetaObject::invokeMethod(
         &view_, [this] { view_.setFocus(); }, Qt::QueuedConnection);
   }

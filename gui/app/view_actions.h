@@ -63,14 +63,15 @@ class PreferenceEffects : public QObject {
   PreferenceValues applied_;
 };
 
-/// Gives the focus back to the view once something was entered into a field of the window, so that
-/// the keys of the view's commands work again.
-class FocusReturn : public QObject {
+/// What Enter does in the window: on a button it is the Space key; in a field it gives the focus
+/// back to the view once that has taken what was entered, so that the keys of the view's commands
+/// work again.
+class EnterKey : public QObject {
   Q_OBJECT
 
  public:
   /// Both outlive it.
-  FocusReturn(QWidget& window, QWidget& view);
+  EnterKey(QWidget& window, QWidget& view);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;

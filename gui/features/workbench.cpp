@@ -191,6 +191,43 @@ void Workbench::show_context_menu(const QPoint& place) {
   }
 }
 
+namespace {
+
+QString letter_of(const QString& text) {
+  return QKeySequence::mnemonic(text).toString(QKeySequence::PortableText);
+}
+
+// An underlined letter of its own for each entry: the one that it asks for if it is the first to
+// do so, else the first that is free.
+void give_letters(QMenu& menu) {
+  QStringList taken;
+  QList<QAction*> without;
+  for (QAction* action : menu.actions()) {
+    const QString letter = letter_of(action->text());
+    if (action->isSeparator()) {
+      continue;
+    }
+    if (letter.isEmpty() || taken.contains(letter)) {
+      without << action;
+    }
+    taken << letter;
+  }
+  for (QAction* action : without) {
+    QString text = action->text().remove(QLatin1Char('&'));
+    for (int place = 0; place < text.size(); ++place) {
+      const QString marked = QString(text).insert(place, QLatin1Char('&'));
+      if (text[place].isLetterOrNumber() && !taken.contains(letter_of(marked))) {
+        taken << letter_of(marked);
+        text = marked;
+        break;
+      }
+    }
+    action->setText(text);
+  }
+}
+
+}  // namespace
+
 void Workbench::build_menus() {
   for (auto& [name, entries] : menu_entries_) {
     std::ranges::stable_sort(entries, {}, &Entry::position);
@@ -200,6 +237,7 @@ void Workbench::build_menus() {
   }
   for (const auto& [name, built] : menus_) {
     built->menuAction()->setVisible(!built->isEmpty());
+    give_letters(*built);
   }
 }
 

@@ -5,6 +5,7 @@
 #include "handway/geometric/formats/yaml_element.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/resources.h"
+#include "widgets/panels/dock_layout.h"
 
 #include <QFileInfo>
 #include <QGridLayout>
@@ -108,6 +109,16 @@ void StartPage::refresh() {
   across->addWidget(column);
   across->addStretch(1);
   setWidget(page);
+}
+
+void StartPage::showEvent(QShowEvent* event) {
+  QScrollArea::showEvent(event);
+  setFocus();
+}
+
+bool StartPage::focusNextPrevChild(bool next) {
+  order_tabs(*this);
+  return QScrollArea::focusNextPrevChild(next);
 }
 
 // As many pictures beside each other as there is room for.

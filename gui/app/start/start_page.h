@@ -41,6 +41,9 @@ class StartPage : public QScrollArea {
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
+  /// Takes the focus, so that the Tab key goes to its pictures first.
+  void showEvent(QShowEvent* event) override;
+  bool focusNextPrevChild(bool next) override;
 
  private:
   void add_scenes(QVBoxLayout& layout);

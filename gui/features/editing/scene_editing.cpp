@@ -25,6 +25,7 @@
 #include <QUndoView>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace handway::gui {
@@ -121,8 +122,23 @@ void Recovery::recover(const LostScene& lost) {
 
 namespace {
 
-constexpr geometric::Color kNewColor{0.36F, 0.56F, 0.80F, 1.0F};
 constexpr geometric::Color kMeshColor{0.62F, 0.66F, 0.71F, 1.0F};
+
+// Distinguishable with any kind of colour vision. Source: Okabe, Ito, "Color Universal Design",
+// 2008, a little paler.
+constexpr std::array<geometric::Color, 6> kNewColors{{{0.36F, 0.56F, 0.80F, 1.0F},
+                                                      {0.90F, 0.66F, 0.23F, 1.0F},
+                                                      {0.24F, 0.64F, 0.53F, 1.0F},
+                                                      {0.80F, 0.52F, 0.67F, 1.0F},
+                                                      {0.47F, 0.73F, 0.90F, 1.0F},
+                                                      {0.83F, 0.80F, 0.36F, 1.0F}}};
+
+// The first of them that fewest objects have.
+geometric::Color new_color(const geometric::Scene& scene) {
+  return *std::ranges::min_element(kNewColors, {}, [&](const geometric::Color& color) {
+    return std::ranges::count(scene.objects, color, &geometric::SceneObject::color);
+  });
+}
 
 }  // namespace
 
@@ -294,8 +310,12 @@ void SceneEditing::drop_in_view(const std::vector<std::string>& names, const QPo
 }
 
 void SceneEditing::add_shape(const QString& name, const geometric::Shape& shape) {
+  if (!document_.scene()) {
+    return;
+  }
   const Eigen::Vector3d size = geometric::bounding_box(*geometric::tessellate(shape)).size();
-  editor_.add(name.toStdString(), shape, kNewColor, editor_.place_for(size, view_.place_for_new()));
+  editor_.add(name.toStdString(), shape, new_color(*document_.scene()),
+              editor_.place_for(size, view_.place_for_new()));
 }
 
 void SceneEditing::show_selection() {

@@ -203,8 +203,8 @@ void AddRobotDialog::follow_selection(const SceneItem& item) {
 }
 
 void AddRobotDialog::browse() {
-  const QString file =
-      ask_for(tr("Choose a robot"), tr("Robots (*.urdf *.sdf *.xml *.yaml);;All files (*)"));
+  const QString file = ask_for(
+      tr("Choose a robot"), tr("Robots (*.urdf *.xacro *.sdf *.mjcf *.xml *.yaml);;All files (*)"));
   if (!file.isEmpty()) {
     QSettings().setValue(folder_key(), QFileInfo(file).absolutePath());
     choose_file(file.toStdString());

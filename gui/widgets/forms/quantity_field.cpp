@@ -193,6 +193,9 @@ PoseForm::PoseForm(QWidget* parent) : QWidget(parent) {
       emit pose_edited(turned);
     });
   }
+  for (const auto& fields : {position_, rotation_}) {  // in the order of the Tab key
+    std::ranges::for_each(fields, [this](QWidget* field) { field->setParent(this); });
+  }
   arrange(true);
 }
 

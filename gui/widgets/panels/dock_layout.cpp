@@ -135,6 +135,17 @@ DockSwitches build_docks(QMainWindow& window, const DockContents& contents) {
   return switches;
 }
 
+void order_tabs(QWidget& widget) {
+  QWidget* last = &widget;
+  for (auto* inside : widget.findChildren<QWidget*>()) {
+    if ((inside->focusPolicy() & Qt::TabFocus) && !inside->focusProxy() &&
+        inside->window() == widget.window()) {
+      QWidget::setTabOrder(last, inside);
+      last = inside;
+    }
+  }
+}
+
 PanelArea::PanelArea(QWidget* content, QWidget* parent) : QScrollArea(parent) {
   setWidgetResizable(true);
   setFrameShape(QFrame::NoFrame);
@@ -142,6 +153,11 @@ PanelArea::PanelArea(QWidget* content, QWidget* parent) : QScrollArea(parent) {
   if (content) {
     setWidget(content);
   }
+}
+
+bool PanelArea::focusNextPrevChild(bool next) {
+  order_tabs(*this);
+  return QScrollArea::focusNextPrevChild(next);
 }
 
 int PanelArea::width_around(const QSize& content) const {

@@ -44,6 +44,10 @@ struct DockSwitches {
 /// Docks at their usual places.
 [[nodiscard]] DockSwitches build_docks(QMainWindow& window, const DockContents& contents);
 
+/// Lets the Tab key go from a widget through all in it, in the order in which they were put there,
+/// also those that were put there later than what stands behind it.
+void order_tabs(QWidget& widget);
+
 /// A panel that scrolls up and down where it has not enough room. It never is narrower than what is
 /// in it.
 class PanelArea : public QScrollArea {
@@ -57,6 +61,7 @@ class PanelArea : public QScrollArea {
  protected:
   void showEvent(QShowEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
+  bool focusNextPrevChild(bool next) override;
 
  private:
   [[nodiscard]] int width_around(const QSize& content) const;

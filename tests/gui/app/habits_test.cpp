@@ -8,6 +8,8 @@
 #include "window_test.h"
 
 #include <QAction>
+#include <QMenu>
+#include <QMenuBar>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QSpinBox>
@@ -105,6 +107,33 @@ TEST_F(Habits, KeysOfTheManualExistOnce) {
                           "Alt+1",
                           "Ctrl+,"}) {
     EXPECT_EQ(keys[QLatin1String(key)], 1) << key;
+  }
+}
+
+TEST_F(Habits, EntriesOfAMenuHaveLettersOfTheirOwn) {
+  open(cell().post());
+  const auto letter_of = [](const QString& text) {
+    return QKeySequence::mnemonic(text).toString(QKeySequence::PortableText);
+  };
+  for (const QAction* top : window().menuBar()->actions()) {
+    EXPECT_FALSE(letter_of(top->text()).isEmpty()) << top->text().toStdString();
+    std::map<QString, std::string> taken;
+    std::vector<QString> without;
+    for (const QAction* action : top->menu()->actions()) {
+      const QString letter = letter_of(action->text());
+      if (letter.isEmpty()) {
+        without.push_back(action->text());
+      } else {
+        EXPECT_TRUE(taken.emplace(letter, action->text().toStdString()).second)
+            << taken[letter] << " and " << action->text().toStdString();
+      }
+    }
+    for (const QString& text : without) {
+      for (const QChar letter : text) {
+        EXPECT_TRUE(!letter.isLetter() || taken.contains(letter_of(QString("&") + letter)))
+            << text.toStdString() << " could have " << QString(letter).toStdString();
+      }
+    }
   }
 }
 

@@ -193,8 +193,10 @@ TEST_F(OneHistory, HoldsWhatIsDoneInAllDocks) {
   ASSERT_NO_FATAL_FAILURE(map_glove());
   ASSERT_NO_FATAL_FAILURE(use_basis());
 
-  window().findChild<QDockWidget*>(QStringLiteral("history"))->raise();
-  auto& list = *part<QDockWidget>("history").findChild<QUndoView*>();
+  auto& dock = part<QDockWidget>("history");
+  dock.show();
+  dock.raise();
+  auto& list = *dock.findChild<QUndoView*>();
   ASSERT_EQ(list.model()->rowCount(), static_cast<int>(states_.size())) << "with \"As opened\"";
   picture("history_of_all_docks");
   activate();

@@ -207,5 +207,19 @@ TEST_F(Pointing, AMeshSaysItsUnitAndWhatIsUpwards) {
                   .scale.isApprox(Eigen::Vector3d::Constant(1e-3)));
 }
 
+TEST_F(Pointing, NewObjectsHaveColoursOfTheirOwn) {
+  const auto add = [&](const char* shape) {
+    part<QAction>(shape).trigger();
+    return scene().objects.back().color;
+  };
+  const geometric::Color first = add("box");
+  const geometric::Color second = add("box");
+  EXPECT_NE(first, second);
+  EXPECT_NE(add("cylinder"), second);
+  editor().undo_stack().undo();
+  editor().undo_stack().undo();
+  EXPECT_EQ(add("sphere"), second) << "what was undone takes no colour";
+}
+
 }  // namespace
 }  // namespace handway::test
