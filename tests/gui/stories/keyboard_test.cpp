@@ -1,7 +1,7 @@
 /// From the start page to a saved scene with a plan, with the keyboard alone.
 #include "features/editing/scene_tree.h"
 #include "hands_on.h"
-#include "handway/geometric/formats/scene_reader.h"
+#include "handway/geometric/formats/scene_file.h"
 
 #include <QCheckBox>
 #include <QFileDialog>
