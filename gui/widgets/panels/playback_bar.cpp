@@ -7,6 +7,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
+#include <QShortcut>
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QToolButton>
@@ -46,8 +47,10 @@ PlaybackBar::PlaybackBar(PathPlayer& player, QWidget* parent)
       scrub_(new QSlider(Qt::Horizontal)),
       note_(new QLabel),
       time_(new QLabel),
-      speed_(new QComboBox) {
-  play_->setShortcut(Qt::Key_Space);
+      speed_(new QComboBox),
+      space_(new QShortcut(Qt::Key_Space, this)) {
+  // A shortcut of the button itself would press it twice where it has the focus.
+  connect(space_, &QShortcut::activated, play_, &QAbstractButton::click);
   back_->setShortcut(Qt::Key_BracketLeft);
   frame_back_->setShortcut(Qt::Key_Comma);
   frame_forward_->setShortcut(Qt::Key_Period);
@@ -210,6 +213,7 @@ void PlaybackBar::show_timeline() {
   for (QToolButton* button : {back_, frame_back_, play_, frame_forward_, forward_}) {
     button->setEnabled(ready);
   }
+  space_->setEnabled(ready);
   scrub_->setEnabled(ready);
   show_position();
   refresh_icons();

@@ -7,6 +7,7 @@ class QBoxLayout;
 class QComboBox;
 class QLabel;
 class QMenu;
+class QShortcut;
 class QSlider;
 class QToolButton;
 
@@ -69,6 +70,7 @@ class PlaybackBar : public QWidget {
   QLabel* note_;
   QLabel* time_;
   QComboBox* speed_;
+  QShortcut* space_;
 };
 
 }  // namespace handway::gui

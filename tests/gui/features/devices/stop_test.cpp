@@ -48,9 +48,11 @@ class Stop : public MovingRobot {
     }
   }
 
+  /// An entry of a menu: those have an underlined letter, whichever it is.
   [[nodiscard]] QAction& action(const QString& text) const {
     for (QAction* action : window().findChildren<QAction*>()) {
-      if (action->text() == text) {
+      if (action->text().contains(QLatin1Char('&')) &&
+          action->text().remove(QLatin1Char('&')) == text) {
         return *action;
       }
     }
@@ -238,25 +240,25 @@ std::vector<DialogCase> StopInDialogs::cases() const {
     return part<QToolButton>(name).menu()->actions();
   };
   return {
-      {"app/file_commands.cpp", "open", trigger("&Open…")},
-      {"app/file_commands.cpp", "save as", trigger("Save &as…")},
-      {"app/file_commands.cpp", "picture", trigger("Save &picture…")},
+      {"app/file_commands.cpp", "open", trigger("Open…")},
+      {"app/file_commands.cpp", "save as", trigger("Save as…")},
+      {"app/file_commands.cpp", "picture", trigger("Save picture…")},
       {"app/file_commands.cpp", "unsaved changes",
        [this] { (void)only<gui::FileCommands>().may_discard(); }},
       {"features/devices/device_session.cpp", "leave", [this] { window().close(); }},
-      {"features/postures/posture_panels.h", "save a posture", trigger("Save &posture…")},
-      {"features/export/export_dialog.h", "export", trigger("&Export the path…")},
+      {"features/postures/posture_panels.h", "save a posture", trigger("Save posture…")},
+      {"features/export/export_dialog.h", "export", trigger("Export the path…")},
       {"features/export/export_dialog.cpp", "folder",
-       [this] { open_both("&Export the path…", QStringLiteral("Browse…")); }},
-      {"features/export/pictures_dialog.h", "pictures", trigger("Export p&ictures of the path…")},
+       [this] { open_both("Export the path…", QStringLiteral("Browse…")); }},
+      {"features/export/pictures_dialog.h", "pictures", trigger("Export pictures of the path…")},
       {"features/export/pictures_dialog.cpp", "file",
-       [this] { open_both("Export p&ictures of the path…", QStringLiteral("Browse…")); }},
-      {"app/start/help.cpp", "about", trigger("&About Handway")},
-      {"features/preferences/preferences_dialog.h", "preferences", trigger("Pre&ferences…")},
-      {"features/comparison/comparison_window.h", "compare", trigger("Compare two &paths…")},
+       [this] { open_both("Export pictures of the path…", QStringLiteral("Browse…")); }},
+      {"app/start/help.cpp", "about", trigger("About Handway")},
+      {"features/preferences/preferences_dialog.h", "preferences", trigger("Preferences…")},
+      {"features/comparison/comparison_window.h", "compare", trigger("Compare two paths…")},
       {"features/comparison/comparison_window.cpp", "a path to compare",
-       [this] { open_both("Compare two &paths…", QStringLiteral("From a file…")); }},
-      {"features/editing/scene_editing.cpp", "mesh", trigger("&Mesh from file…")},
+       [this] { open_both("Compare two paths…", QStringLiteral("From a file…")); }},
+      {"features/editing/scene_editing.cpp", "mesh", trigger("Mesh from file…")},
       {"features/editing/mesh_import.h", "size of a mesh", [this] { import_a_mesh(); }},
       {"features/postures/likeness_meter.cpp", "recorded postures",
        [this] { part<QPushButton>("likeness_choose").menu()->actions().last()->trigger(); }},
@@ -268,12 +270,12 @@ std::vector<DialogCase> StopInDialogs::cases() const {
          emit menu.aboutToShow();
          menu.actions().front()->trigger();
        }},
-      {"app/start/new_scene_dialog.h", "new scene", trigger("&New…")},
-      {"features/robots/add_robot_dialog.h", "add a robot", trigger("&Robot…")},
+      {"app/start/new_scene_dialog.h", "new scene", trigger("New…")},
+      {"features/robots/add_robot_dialog.h", "add a robot", trigger("Robot…")},
       {"features/robots/add_robot_dialog.cpp", "robot file",
-       [this] { open_both("&Robot…", QStringLiteral("From a file…")); }},
-      {"features/robots/robots.cpp", "export a robot", trigger("Export ro&bot…")},
-      {"features/robots/setup_dialog.h", "robot setup", trigger("Robot set&up…")},
+       [this] { open_both("Robot…", QStringLiteral("From a file…")); }},
+      {"features/robots/robots.cpp", "export a robot", trigger("Export robot…")},
+      {"features/robots/setup_dialog.h", "robot setup", trigger("Robot setup…")},
       {"features/planning/preset_bar.cpp", "save a preset",
        [menu_of] { menu_of("preset_menu")[0]->trigger(); }},
       {"features/planning/preset_bar.cpp", "rename a preset",
@@ -333,7 +335,7 @@ TEST_F(StopInDialogs, WorksByKeyAndByButtonInEveryOne) {
 TEST_F(Stop, IsInDialogsWhileSomethingIsConnectedOnly) {
   window().workbench().driver.disconnect_all();
   ASSERT_TRUE(waits_for(gui::MotionDriver::State::kOff));
-  action("Pre&ferences…").trigger();
+  action("Preferences…").trigger();
   const auto* stop = top_dialog()->findChild<QPushButton*>(QStringLiteral("stop"));
   ASSERT_TRUE(stop);
   EXPECT_FALSE(stop->isVisible());
@@ -345,8 +347,8 @@ TEST_F(Stop, WorksWhileAMenuAListOrThePaletteIsOpen) {
   const std::vector<std::function<void()>> popups{
       [this] { window().menuBar()->actions().front()->menu()->popup(window().pos()); },
       [this] { part<QComboBox>("planners").showPopup(); },
-      [this] { action("Find a &command…").trigger(); },
-      [this] { action("Help on this &panel").trigger(); }};
+      [this] { action("Find a command…").trigger(); },
+      [this] { action("Help on this panel").trigger(); }};
   for (const auto& open : popups) {
     begin_motion(kSlow);
     open();
@@ -393,7 +395,7 @@ TEST_F(Stop, WorksByTheMouseWhileAPopupHoldsIt) {
   XInput input;
   begin_motion(kSlow);
   auto& stop = part<QPushButton>("devices_stop");
-  action("Find a &command…").trigger();
+  action("Find a command…").trigger();
   ASSERT_TRUE(QTest::qWaitFor([] { return QApplication::activePopupWidget() != nullptr; }));
   QTest::qWait(100);
   const auto asked = Clock::now();
@@ -420,7 +422,7 @@ TEST_F(Stop, HearsItsKeysThoughTheWindowIsBusy) {
 TEST_F(Stop, HearsItsKeysThoughTheFocusIsInAWindowThatADialogBlocks) {
   XInput input;
   begin_motion(kSlow);
-  action("Pre&ferences…").trigger();
+  action("Preferences…").trigger();
   QTest::qWait(100);
   window().activateWindow();
   QTest::qWait(100);
