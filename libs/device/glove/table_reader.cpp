@@ -391,11 +391,10 @@ Table read_table(const YamlElement& top, const std::filesystem::path& file) {
   if (is_matlab_file(file)) {
     const YamlElement variable = top.need("variable");
     const auto matrices = read_matlab_file(file);
-    const auto found = matrices.find(variable.text());
-    if (found == matrices.end()) {
-      variable.refuse(variable.found(), "one of " + names_of(matrices));
+    if (const auto found = matrices.find(variable.text()); found != matrices.end()) {
+      return {{}, found->second, {}};
     }
-    return {{}, found->second, {}};
+    variable.refuse(variable.found(), "one of " + names_of(matrices));
   }
   std::string text = geometric::read_text_file(file, "a table of postures", kLargestTable);
   if (text.find('\n') == std::string::npos) {

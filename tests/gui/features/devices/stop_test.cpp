@@ -48,15 +48,16 @@ class Stop : public MovingRobot {
     }
   }
 
-  /// An entry of a menu: those have an underlined letter, whichever it is.
+  /// By its words; those of the menu bar, which have an underlined letter, come first.
   [[nodiscard]] QAction& action(const QString& text) const {
+    QAction* found = nullptr;
     for (QAction* action : window().findChildren<QAction*>()) {
-      if (action->text().contains(QLatin1Char('&')) &&
-          action->text().remove(QLatin1Char('&')) == text) {
-        return *action;
+      const bool has_letter = action->text().contains(QLatin1Char('&'));
+      if (action->text().remove(QLatin1Char('&')) == text && (!found || has_letter)) {
+        found = action;
       }
     }
-    throw std::runtime_error("no action " + text.toStdString());
+    return found ? *found : throw std::runtime_error("no action " + text.toStdString());
   }
   [[nodiscard]] static QAbstractButton& button(const QWidget& parent, const QString& text) {
     for (QAbstractButton* button : parent.findChildren<QAbstractButton*>()) {
