@@ -24,8 +24,7 @@
 ///       ThumbMPJ: {gain: 0.01459, zero: 88, residual: 0.02}   # residual: optional
 ///     ranges:                       # degrees, least and most
 ///       IndexMPJ: [-12, 83]
-///     bones:                        # mm, from the wrist to where a finger begins, then bone by
-///     bone
+///     bones:                        # mm, from the wrist outwards
 ///       thumb: [32, 48, 37, 30]
 
 namespace handway::device {
