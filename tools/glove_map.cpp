@@ -40,9 +40,15 @@ void print(const device::HandMapping& mapping) {
 }
 
 int map(const MapOptions& options) {
-  const auto model = geometric::load_robot(
-      geometric::find_resource(geometric::ResourceKind::kRobot, options.robot, fs::current_path()));
+  const fs::path robot =
+      geometric::find_resource(geometric::ResourceKind::kRobot, options.robot, fs::current_path());
+  const auto model = geometric::load_robot(robot);
   device::HandMapping mapping = device::propose_mapping(*model);
+  if (mapping.hand == model->name()) {  // so that whoever reads the mapping finds the hand
+    mapping.hand = geometric::resource_reference(geometric::ResourceKind::kRobot, robot,
+                                                 fs::absolute(options.out).parent_path())
+                       .string();
+  }
   if (!options.fit.empty()) {
     const device::GloveCalibration calibration =
         options.calibration.empty() ? device::typical_calibration()

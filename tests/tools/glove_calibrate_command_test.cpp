@@ -8,6 +8,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <filesystem>
 #include <string>
 
 namespace handway::test {
@@ -101,6 +103,20 @@ TEST(GloveMap, ProposesAMappingThatPcaTakes) {
   const Outcome pca = line.run("pca hand.csv --mapping map.yaml --out basis.yaml");
   EXPECT_EQ(pca.exit_code, 0) << pca.err;
   EXPECT_EQ(line.run("glove map tx90").exit_code, 3) << "an arm has no fingers";
+}
+
+TEST(GloveMap, NamesAHandOfNoLibraryByItsFile) {
+  const char* const reference = std::getenv("HANDWAY_REFERENCE_DIR");
+  if (!reference) {
+    GTEST_SKIP() << "no robots of others here";
+  }
+  const CommandLine line;
+  const std::filesystem::path hand =
+      std::filesystem::path(reference) / "robots/allegro_hand/allegro_hand_right.urdf";
+  ASSERT_EQ(line.run("glove generate --samples 1000 --out hand.csv").exit_code, 0);
+  ASSERT_EQ(line.run("glove map " + hand.string() + " --out map.yaml").exit_code, 0);
+  const Outcome pca = line.run("pca hand.csv --mapping map.yaml --out basis.yaml");
+  EXPECT_EQ(pca.exit_code, 0) << pca.err;
 }
 
 TEST_F(GloveCalibrate, TellsWhatToAskFor) {
