@@ -44,11 +44,6 @@ int map(const MapOptions& options) {
       geometric::find_resource(geometric::ResourceKind::kRobot, options.robot, fs::current_path());
   const auto model = geometric::load_robot(robot);
   device::HandMapping mapping = device::propose_mapping(*model);
-  if (mapping.hand == model->name()) {  // so that whoever reads the mapping finds the hand
-    mapping.hand = geometric::resource_reference(geometric::ResourceKind::kRobot, robot,
-                                                 fs::absolute(options.out).parent_path())
-                       .string();
-  }
   if (!options.fit.empty()) {
     const device::GloveCalibration calibration =
         options.calibration.empty() ? device::typical_calibration()
@@ -64,6 +59,11 @@ int map(const MapOptions& options) {
   }
   print(mapping);
   if (!options.out.empty()) {
+    if (mapping.hand == model->name()) {  // so that whoever reads the mapping finds the hand
+      mapping.hand = geometric::resource_reference(geometric::ResourceKind::kRobot, robot,
+                                                   fs::absolute(options.out).parent_path())
+                         .string();
+    }
     device::write_mapping(mapping, options.out);
   }
   return kDone;

@@ -114,6 +114,7 @@ TEST(GloveMap, NamesAHandOfNoLibraryByItsFile) {
   const std::filesystem::path hand =
       std::filesystem::path(reference) / "robots/allegro_hand/allegro_hand_right.urdf";
   ASSERT_EQ(line.run("glove generate --samples 1000 --out hand.csv").exit_code, 0);
+  EXPECT_EQ(line.run("glove map " + hand.string()).exit_code, 0);
   ASSERT_EQ(line.run("glove map " + hand.string() + " --out map.yaml").exit_code, 0);
   const Outcome pca = line.run("pca hand.csv --mapping map.yaml --out basis.yaml");
   EXPECT_EQ(pca.exit_code, 0) << pca.err;

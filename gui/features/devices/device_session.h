@@ -81,7 +81,7 @@ class DeviceSession : public QObject {
   [[nodiscard]] static std::filesystem::path log_folder();
 
  signals:
-  /// The palm's way as it was measured (world, m); empty: none.
+  /// The palm's curve as it was measured (world, m); empty: none.
   void executed_changed(const std::vector<Eigen::Vector3d>& curve);
   /// Let the start be where the robot stands, and plan.
   void start_here_requested(const Eigen::VectorXd& q);

@@ -28,7 +28,7 @@ enum class CameraMove { kNone, kTurn, kPan, kZoom };
 [[nodiscard]] CameraMove camera_move(NavigationStyle style, Qt::MouseButtons buttons,
                                      Qt::KeyboardModifiers modifiers);
 
-/// Moves the camera as far as the mouse was dragged. @param way in fractions of the view's
+/// Moves the camera as far as the mouse was dragged. @param drag in fractions of the view's
 /// height, right and down.
 void move_camera(OrbitCamera& camera, CameraMove move, const QPointF& drag);
 
