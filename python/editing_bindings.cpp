@@ -52,7 +52,6 @@ RobotInstance robot_from(const py::object& reference, const std::string& name) {
   RobotInstance robot;
   robot.model = geometric::load_robot(file);
   robot.name = name.empty() ? robot.model->name() : name;
-  robot.file = file;
   robot.configuration = robot.model->neutral();
   return robot;
 }

@@ -365,9 +365,11 @@ class SceneFileWriter {
                                  const RobotModel& model) const {
     const fs::path& file = known.empty() ? model.description().file : known;
     const bool is_other_file = file.has_extension() && !has_extension(file, ".urdf") &&
+                               !has_extension(file, ".xacro") &&
                                fs::exists(fs::absolute(from_ / file));
     if (!file.empty() && !is_other_file) {
-      return {moved_reference(ResourceKind::kRobot, file, from_, to_)};
+      return {known.empty() ? resource_reference(ResourceKind::kRobot, file, to_)
+                            : moved_reference(ResourceKind::kRobot, known, from_, to_)};
     }
     const fs::path saved = file_.stem().string() + "_" + file_name_of(name) + ".urdf";
     write_urdf(model, to_ / saved);

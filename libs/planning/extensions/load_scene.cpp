@@ -36,7 +36,6 @@ LoadedScene scene_of_robot(const fs::path& file) {
   geometric::RobotInstance robot;
   robot.model = geometric::load_robot(path);
   robot.name = robot.model->name();
-  robot.file = geometric::resource_reference(ResourceKind::kRobot, path, path.parent_path());
   robot.configuration = robot.model->neutral();
   geometric::Scene scene;
   scene.name = robot.name;

@@ -3,6 +3,9 @@
 #include "small_cell.h"
 
 #include <gmock/gmock.h>
+#include <handway_test/paths.h>
+
+#include <fstream>
 
 namespace handway::test {
 namespace {
@@ -43,6 +46,24 @@ TEST(SaveScene, PutsTheBasisOfAnImportedProblemBesideIt) {
   const Eigen::VectorXd corner = Eigen::VectorXd::Ones(1);
   EXPECT_TRUE(sampling::map_to_posture(*after.basis, corner)
                   .isApprox(sampling::map_to_posture(*longer, corner)));
+}
+
+TEST(SaveScene, FindsTheFilesOfOpenedRobotsFromAnyFolder) {
+  const ScratchFolder folder;
+  const std::filesystem::path robot = folder.path() / "robots" / "arm" / "arm.urdf";
+  std::filesystem::create_directories(robot.parent_path());
+  std::ofstream(robot) << R"(<robot name="arm"><link name="base"/><link name="tip"/>
+    <joint name="turn" type="revolute"><parent link="base"/><child link="tip"/>
+      <limit lower="-1" upper="1" velocity="1" effort="1"/></joint></robot>)";
+  const planning::PluginManager plugins;
+  const planning::LoadedScene opened = planning::load_scene(robot, plugins);
+  for (const char* place : {"robots/arm", "robots", "elsewhere/deep/down"}) {
+    const std::filesystem::path file = folder.path() / place / "saved.yaml";
+    std::filesystem::create_directories(file.parent_path());
+    gui::save_scene(opened, opened.scene->robots.front().configuration, {}, file);
+    const planning::LoadedScene saved = planning::load_scene(file, plugins);
+    EXPECT_EQ(saved.scene->robots.front().model->description().file, robot) << place;
+  }
 }
 
 }  // namespace
