@@ -101,23 +101,34 @@ int emulate_glove(const EmulateOptions& options) {
   if (options.protocol == "landmarks") {
     return emulate_landmarks(options);
   }
-  device::CyberGloveUnitSettings settings;
-  settings.sensors = options.sensors;
-  settings.right_hand = !options.left;
-  settings.rate = options.rate_hz.value_or(settings.rate);
-  auto unit = std::make_unique<device::CyberGloveUnit>(settings, signal_of(options));
-  return serve_device(emulator_settings(options.faults, options.seed), std::move(unit),
+  device::DeviceEmulatorSettings settings = emulator_settings(options.faults, options.seed);
+  if (options.protocol == "cyberglove3" && options.receiver.empty()) {
+    return serve_device(settings, std::make_unique<device::CyberGlove3Unit>(signal_of(options)),
+                        options.serve);
+  }
+  if (!options.receiver.empty()) {
+    settings.tcp_server = options.receiver;
+    settings.greeting = {'o'};  // What a CyberGlove III says first over WiFi.
+  }
+  device::CyberGloveUnitSettings unit;
+  unit.sensors = options.sensors;
+  unit.right_hand = !options.left;
+  unit.rate = options.rate_hz.value_or(unit.rate);
+  return serve_device(settings, std::make_unique<device::CyberGloveUnit>(unit, signal_of(options)),
                       options.serve);
 }
 
 void add_signal_options(CLI::App& command, EmulateOptions& options) {
   command
       .add_option("--protocol", options.protocol,
-                  "cyberglove, or landmarks: 21 points of a hand as JSON lines")
-      ->check(CLI::IsMember({"cyberglove", "landmarks"}))
+                  "cyberglove (I and II), cyberglove3 (its native stream), or landmarks: 21 points "
+                  "of a hand as JSON lines")
+      ->check(CLI::IsMember({"cyberglove", "cyberglove3", "landmarks"}))
       ->capture_default_str();
-  command.add_option("--to", options.receiver,
-                     "With landmarks: HOST:PORT, or PORT of this computer, to send to by UDP");
+  command.add_option(
+      "--to", options.receiver,
+      "HOST:PORT, or PORT of this computer: with landmarks to send to by UDP, else to "
+      "connect to, as a CyberGlove III does over WiFi");
   command.add_option("--sensors", options.sensors, "18 or 22")
       ->check(CLI::IsMember({18, 22}))
       ->capture_default_str();

@@ -1,5 +1,6 @@
 /// What a CyberGlove sends, as records and as answers, and what an emulated one is sent.
 #include "cyberglove_protocol.h"
+#include "handway/device/glove/cyberglove3_parser.h"
 #include "handway/device/glove/cyberglove_parser.h"
 #include "handway/device/glove/glove_emulator.h"
 #include "pieces.h"
@@ -11,9 +12,7 @@ namespace {
 
 using namespace handway;
 
-void read_records(const device::CyberGloveFormat& format, const std::uint8_t* data,
-                  std::size_t size) {
-  device::CyberGloveParser parser(format);
+void read_records(auto parser, const std::uint8_t* data, std::size_t size) {
   fuzz::in_pieces(data, size, [&](fuzz::Bytes bytes) {
     for (const std::uint8_t byte : bytes) {
       const auto record = parser.push(byte);
@@ -61,9 +60,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   device::CyberGloveFormat whole;
   whole.time_stamp = true;
   whole.status = true;
-  read_records({}, data, size);
-  read_records({.sensors = 18}, data, size);
-  read_records(whole, data, size);
+  read_records(device::CyberGloveParser({}), data, size);
+  read_records(device::CyberGloveParser({.sensors = 18}), data, size);
+  read_records(device::CyberGloveParser(whole), data, size);
+  read_records(device::CyberGlove3Parser(), data, size);
   Line line(data, size);
   device::CyberGloveCommands commands(line, std::chrono::milliseconds(1000));
   try {
@@ -73,15 +73,20 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   } catch (const AtEnd&) {
     // Nothing more to be read.
   }
-  device::CyberGloveUnit unit({}, [](double) {
+  const auto signal = [](double) {
     std::array<std::uint16_t, device::kGloveSensors> counts{};
     counts.fill(100);
     return counts;
-  });
+  };
+  device::CyberGloveUnit unit({}, signal);
+  device::CyberGlove3Unit third(signal);
   double now = 0.0;
   fuzz::in_pieces(data, size, [&](fuzz::Bytes bytes) {
     static_cast<void>(unit.receive(bytes, now));
-    static_cast<void>(unit.advance(now += 0.01));
+    static_cast<void>(third.receive(bytes, now));
+    now += 0.01;
+    static_cast<void>(unit.advance(now));
+    static_cast<void>(third.advance(now));
   });
   return 0;
 }

@@ -82,9 +82,9 @@ DeviceField::DeviceField(QWidget* parent) : QComboBox(parent) {
   setMinimumContentsLength(12);
   lineEdit()->setPlaceholderText(tr("/dev/ttyUSB0 or host:port"));
   setToolTip(
-      tr("A serial port, a network address such as 192.168.0.7:5000, the built-in "
-         "emulator, a recording to replay, or hand landmarks that a camera or headset sends: "
-         "udp://5006"));
+      tr("A serial port, a network address such as 192.168.0.7:5000, listen://49500 for a "
+         "CyberGlove III on WiFi, the built-in emulator, a recording to replay, or hand landmarks "
+         "that a camera or headset sends: udp://5006"));
   connect(this, qOverload<int>(&QComboBox::activated), this, &DeviceField::choose);
   connect(lineEdit(), &QLineEdit::returnPressed, this, &DeviceField::requested);
   refresh();

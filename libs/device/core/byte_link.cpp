@@ -24,6 +24,7 @@ namespace handway::device {
 namespace {
 
 constexpr std::string_view kTcpPrefix = "tcp://";
+constexpr std::string_view kListenPrefix = "listen://";
 
 std::uint16_t parse_port(const std::string& text, std::string_view port) {
   unsigned value = 0;
@@ -237,6 +238,45 @@ std::unique_ptr<ByteLink> open_tcp_link(const std::string& name, const TcpAddres
   return link;
 }
 
+namespace {
+
+constexpr milliseconds kLongestListening{60000};
+
+// Waits until a device connects to `port` of this computer.
+std::unique_ptr<ByteLink> accept_tcp_link(const std::string& name, std::uint16_t port,
+                                          const std::stop_token& stop) {
+  auto link = std::make_unique<AsioLink<tcp::socket>>(name);
+  error_code error;
+  tcp::acceptor acceptor(link->context());
+  const tcp::endpoint endpoint(tcp::v4(), port);
+  acceptor.open(endpoint.protocol(), error) ||
+      acceptor.set_option(tcp::acceptor::reuse_address(true), error) ||
+      acceptor.bind(endpoint, error) || acceptor.listen(1, error);
+  if (error) {
+    throw DeviceError({name, "", error.message(), "a TCP port of this computer that is free",
+                       "End the program that uses it, or take another port."});
+  }
+  error = boost::asio::error::would_block;
+  acceptor.async_accept(link->stream(), [&](const error_code& result) { error = result; });
+  for (milliseconds waited{0}; error == boost::asio::error::would_block &&
+                               waited < kLongestListening && !stop.stop_requested();
+       waited += kStopPeriod) {
+    link->context().run_for(kStopPeriod);
+  }
+  if (error) {
+    error_code ignored;
+    acceptor.close(ignored);
+    link->context().run();
+    throw DeviceError({name, "", "no device that connects", "one within a minute",
+                       "Switch the device on, and look whether it was given this computer's "
+                       "address and this port."});
+  }
+  link->stream().set_option(tcp::no_delay(true), error);
+  return link;
+}
+
+}  // namespace
+
 std::size_t ByteLink::read(std::span<std::uint8_t> bytes, std::chrono::milliseconds timeout) {
   if (bytes.empty()) {
     return 0;
@@ -252,6 +292,10 @@ void ByteLink::write(std::span<const std::uint8_t> bytes, std::chrono::milliseco
 
 std::unique_ptr<ByteLink> open_link(const std::string& address, int baud,
                                     const std::stop_token& stop) {
+  if (address.starts_with(kListenPrefix)) {
+    return accept_tcp_link(
+        address, parse_port(address, std::string_view(address).substr(kListenPrefix.size())), stop);
+  }
   const DeviceAddress parsed = parse_device_address(address);
   if (const auto* serial = std::get_if<SerialAddress>(&parsed)) {
     return open_serial_link(serial->path, baud);

@@ -73,6 +73,9 @@ std::unique_ptr<HostPort> open_port(const DeviceEmulatorSettings& settings) {
   if (settings.udp_receiver) {
     return send_to_udp_port(*settings.udp_receiver);
   }
+  if (settings.tcp_server) {
+    return connect_to_tcp_port(*settings.tcp_server, settings.greeting);
+  }
   return settings.tcp_port ? listen_on_tcp_port(*settings.tcp_port) : open_pseudo_terminal();
 }
 

@@ -17,6 +17,32 @@
 #include <thread>
 
 namespace handway::device {
+namespace {
+
+// How much came; closes a connection that is over.
+std::size_t read_connection(FileDescriptor& connection, std::span<std::uint8_t> bytes) {
+  const ssize_t count = ::read(connection.get(), bytes.data(), bytes.size());
+  if (count == 0 || (count < 0 && errno != EAGAIN && errno != EINTR)) {
+    connection.close();
+  }
+  return count > 0 ? static_cast<std::size_t>(count) : 0;
+}
+
+void write_connection(FileDescriptor& connection, std::span<const std::uint8_t> bytes) {
+  if (connection.valid() &&
+      ::send(connection.get(), bytes.data(), bytes.size(), MSG_NOSIGNAL) < 0 && errno != EAGAIN) {
+    connection.close();
+  }
+}
+
+void set_up_connection(const FileDescriptor& connection) {
+  connection.make_nonblocking();
+  const int on = 1;
+  ::setsockopt(connection.get(), IPPROTO_TCP, TCP_NODELAY, &on, sizeof(on));
+}
+
+}  // namespace
+
 TcpHostPort::TcpHostPort(std::uint16_t port)
     : listener_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
   const int on = 1;
@@ -49,28 +75,17 @@ std::size_t TcpHostPort::read(std::span<std::uint8_t> bytes, std::chrono::micros
     accept_host();
     return 0;
   }
-  const ssize_t count = ::read(host_.get(), bytes.data(), bytes.size());
-  if (count == 0 || (count < 0 && errno != EAGAIN && errno != EINTR)) {
-    host_.close();
-  }
-  return count > 0 ? static_cast<std::size_t>(count) : 0;
+  return read_connection(host_, bytes);
 }
 
-void TcpHostPort::write(std::span<const std::uint8_t> bytes) {
-  if (host_.valid() && ::send(host_.get(), bytes.data(), bytes.size(), MSG_NOSIGNAL) < 0 &&
-      errno != EAGAIN) {
-    host_.close();
-  }
-}
+void TcpHostPort::write(std::span<const std::uint8_t> bytes) { write_connection(host_, bytes); }
 
 void TcpHostPort::accept_host() {
   FileDescriptor host(::accept(listener_.get(), nullptr, nullptr));
   if (!host.valid()) {
     return;
   }
-  host.make_nonblocking();
-  const int on = 1;
-  ::setsockopt(host.get(), IPPROTO_TCP, TCP_NODELAY, &on, sizeof(on));
+  set_up_connection(host);
   host_ = std::move(host);
   ++connections_;
 }
@@ -209,6 +224,53 @@ std::optional<std::size_t> UdpReceiver::receive(std::span<std::uint8_t> bytes,
 
 std::unique_ptr<HostPort> send_to_udp_port(const std::string& receiver) {
   return std::make_unique<UdpSender>(receiver);
+}
+
+namespace {
+
+class TcpDialler final : public HostPort {
+ public:
+  TcpDialler(const std::string& host, std::vector<std::uint8_t> greeting)
+      : host_address_(resolve_ipv4(host, parse_udp_address(host))),
+        greeting_(std::move(greeting)) {}
+
+  [[nodiscard]] std::string address() const override {
+    return "listen://" + std::to_string(ntohs(host_address_.sin_port));
+  }
+
+  std::size_t read(std::span<std::uint8_t> bytes, std::chrono::microseconds timeout) override {
+    if (!socket_.valid() && !connect()) {
+      std::this_thread::sleep_for(timeout);
+      return 0;
+    }
+    return socket_.wait_readable(timeout) ? read_connection(socket_, bytes) : 0;
+  }
+
+  void write(std::span<const std::uint8_t> bytes) override { write_connection(socket_, bytes); }
+
+ private:
+  bool connect() {
+    FileDescriptor socket(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0));
+    if (::connect(socket.get(), reinterpret_cast<const sockaddr*>(&host_address_),
+                  sizeof(host_address_)) != 0) {
+      return false;
+    }
+    set_up_connection(socket);
+    socket_ = std::move(socket);
+    write(greeting_);
+    return true;
+  }
+
+  sockaddr_in host_address_;
+  std::vector<std::uint8_t> greeting_;
+  FileDescriptor socket_;
+};
+
+}  // namespace
+
+std::unique_ptr<HostPort> connect_to_tcp_port(const std::string& host,
+                                              std::vector<std::uint8_t> greeting) {
+  return std::make_unique<TcpDialler>(host, std::move(greeting));
 }
 
 }  // namespace handway::device

@@ -84,6 +84,12 @@ class HostPort {
 /// @throws DeviceError if the port is taken or not allowed.
 [[nodiscard]] std::unique_ptr<HostPort> listen_on_tcp_port(std::uint16_t port);
 
+/// Connects to "HOST:PORT", again and again until somebody listens there, and sends `greeting`
+/// first.
+/// @throws geometric::InputError for a wrong address; DeviceError if there is no such host.
+[[nodiscard]] std::unique_ptr<HostPort> connect_to_tcp_port(const std::string& host,
+                                                            std::vector<std::uint8_t> greeting);
+
 /// Sends every record as a datagram to "HOST:PORT", whether somebody listens there or not; hears
 /// nothing.
 /// @throws geometric::InputError for a wrong address; DeviceError if there is no such host.

@@ -3,6 +3,7 @@
 #include "core/links.h"
 #include "glove/cyberglove_protocol.h"
 #include "handway/device/core/device_error.h"
+#include "handway/device/glove/cyberglove3_parser.h"
 #include "handway/device/glove/cyberglove_parser.h"
 
 #include <fmt/format.h>
@@ -11,6 +12,7 @@
 #include <deque>
 #include <span>
 #include <stdexcept>
+#include <string_view>
 #include <thread>
 
 namespace handway::device {
@@ -43,20 +45,6 @@ int ask_sensors(CyberGloveCommands& commands, const std::string& device,
   return sensors;
 }
 
-void require_ready(CyberGloveCommands& commands, const std::string& device,
-                   const std::stop_token& stop) {
-  const std::optional<bool> ready = glove_is_ready(commands, stop);
-  if (!ready) {
-    throw DeviceError({device, "", "no answer", "a CyberGlove interface unit",
-                       "Look whether it is switched on, whether the port is the right one, and "
-                       "whether both sides use the same baud rate (115200 as delivered)."});
-  }
-  if (!*ready) {
-    throw DeviceError({device, "", "an interface unit without a glove", "one with a glove",
-                       "Plug the glove into the interface unit."});
-  }
-}
-
 void set_rate(CyberGloveCommands& commands, const std::string& device, double rate,
               const std::stop_token& stop) {
   const auto reply = commands.set('T', sampling_words(rate), stop);
@@ -69,13 +57,21 @@ void set_rate(CyberGloveCommands& commands, const std::string& device, double ra
 
 // Brings a CyberGlove interface unit from any state to where it can be sampled: 22 or 18
 // sensors, neither time stamp nor status in its records.
-// @returns everything but `device`.
-// @throws DeviceError if nobody answers, something else than a CyberGlove does, there is no glove
-// on the unit, or the rate is too high for it.
-GloveInfo set_up_cyberglove(CyberGloveCommands& commands, const std::string& device,
-                            const CyberGloveSettings& settings, const std::stop_token& stop) {
+// @returns everything but `device`; nothing if nobody answers.
+// @throws DeviceError if something else than a CyberGlove answers, there is no glove on the unit,
+// or the rate is too high for it.
+std::optional<GloveInfo> set_up_cyberglove(CyberGloveCommands& commands, const std::string& device,
+                                           const CyberGloveSettings& settings,
+                                           const std::stop_token& stop) {
   commands.stop_stream(stop);
-  require_ready(commands, device, stop);
+  const std::optional<bool> ready = glove_is_ready(commands, stop);
+  if (!ready) {
+    return std::nullopt;
+  }
+  if (!*ready) {
+    throw DeviceError({device, "", "an interface unit without a glove", "one with a glove",
+                       "Plug the glove into the interface unit."});
+  }
   GloveInfo info;
   info.device = device;
   info.sensors = ask_sensors(commands, device, stop);
@@ -104,6 +100,8 @@ GloveInfo set_up_cyberglove(CyberGloveCommands& commands, const std::string& dev
 using std::chrono::milliseconds;
 
 constexpr milliseconds kSlice{20};
+// Of a CyberGlove III in its native stream, Hz.
+constexpr double kNativeRate = 90.0;
 // How often the unit is asked whether its glove is back.
 constexpr milliseconds kUnpluggedPeriod{250};
 
@@ -111,6 +109,27 @@ CyberGloveFormat format_of(int sensors) {
   CyberGloveFormat format;
   format.sensors = sensors;
   return format;
+}
+
+void write_text(ByteLink& link, std::string_view text) {
+  link.write({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+}
+
+// Starts the native stream of a CyberGlove III. @returns whether one of its records came.
+bool start_native_stream(ByteLink& link, milliseconds timeout, const std::stop_token& stop) {
+  write_text(link, "1eu");
+  write_text(link, "1S");
+  CyberGlove3Parser parser;
+  bool found = false;
+  const auto end = std::chrono::steady_clock::now() + timeout;
+  while (!found && std::chrono::steady_clock::now() < end && !stop.stop_requested()) {
+    static_cast<void>(read_turn(link, kSlice, [&](std::span<const std::uint8_t> bytes) {
+      for (const std::uint8_t byte : bytes) {
+        found |= parser.push(byte).has_value();
+      }
+    }));
+  }
+  return found;
 }
 
 }  // namespace
@@ -122,7 +141,9 @@ struct CyberGlove::Session {
   std::unique_ptr<ByteLink> link;
   CyberGloveCommands commands;
   CyberGloveParser parser;
-  std::deque<GloveFrame> frames;  ///< Arrived and not yet taken.
+  std::optional<CyberGlove3Parser> native;  ///< Of a CyberGlove III in its native stream.
+  double rate = 0.0;                        ///< Hz.
+  std::deque<GloveFrame> frames;            ///< Arrived and not yet taken.
   bool unplugged = false;
   bool too_fast = false;
   Clock::time_point last_sign;  ///< When the last record came, or sampling began.
@@ -142,11 +163,24 @@ CyberGlove::~CyberGlove() { disconnect(); }
 GloveInfo CyberGlove::do_connect(const std::stop_token& stop) {
   auto session =
       std::make_unique<Session>(open_link(address_, settings_.baud, stop), settings_.timeout);
-  GloveInfo info = set_up_cyberglove(session->commands, address_, settings_, stop);
-  session->parser = CyberGloveParser(format_of(info.sensors));
+  std::optional<GloveInfo> info = set_up_cyberglove(session->commands, address_, settings_, stop);
+  if (info) {
+    session->parser = CyberGloveParser(format_of(info->sensors));
+  } else if (start_native_stream(*session->link, settings_.timeout, stop)) {
+    info.emplace();
+    info->device = address_;
+    info->model = "CyberGlove III";
+    info->rate = kNativeRate;
+    session->native.emplace();
+  } else {
+    throw DeviceError({address_, "", "no answer", "a CyberGlove interface unit",
+                       "Look whether it is switched on, whether the port is the right one, and "
+                       "whether both sides use the same baud rate (115200 as delivered)."});
+  }
+  session->rate = info->rate;
   session_ = std::move(session);
   start_sampling();
-  return info;
+  return *info;
 }
 
 void CyberGlove::start_sampling() {
@@ -155,9 +189,8 @@ void CyberGlove::start_sampling() {
   session_->last_sign = Clock::now();
   session_->next_poll = session_->last_sign;
   session_->awaits_poll = false;
-  if (!settings_.polled) {
-    const std::uint8_t stream = 'S';
-    session_->link->write({&stream, 1});
+  if (!settings_.polled && !session_->native) {
+    write_text(*session_->link, "S");
   }
 }
 
@@ -170,12 +203,11 @@ GloveReading CyberGlove::do_next(milliseconds timeout, const std::stop_token& st
 
 void CyberGlove::poll_when_due(Clock::time_point latest) {
   Session& session = *session_;
-  if (!settings_.polled || session.awaits_poll || session.next_poll > latest) {
+  if (!settings_.polled || session.native || session.awaits_poll || session.next_poll > latest) {
     return;
   }
   std::this_thread::sleep_until(session.next_poll);
-  const std::uint8_t poll = 'G';
-  session.link->write({&poll, 1});
+  write_text(*session.link, "G");
   session.awaits_poll = true;
   const auto period = std::chrono::duration_cast<Clock::duration>(
       std::chrono::duration<double>(1.0 / settings_.rate));
@@ -185,7 +217,7 @@ void CyberGlove::poll_when_due(Clock::time_point latest) {
 GloveReading CyberGlove::take_frame(milliseconds timeout, const std::stop_token& stop) {
   Session& session = *session_;
   const auto end = Clock::now() + timeout;
-  const auto patience = settings_.timeout + milliseconds(static_cast<int>(3000.0 / settings_.rate));
+  const auto patience = settings_.timeout + milliseconds(static_cast<int>(3000.0 / session.rate));
   while (session.frames.empty() && !stop.stop_requested()) {
     const auto now = Clock::now();
     if (now >= end) {
@@ -207,7 +239,7 @@ GloveReading CyberGlove::take_frame(milliseconds timeout, const std::stop_token&
     }
     if (Clock::now() - session.last_sign > patience) {
       throw DeviceError({address_, "", "no frame for " + std::to_string(patience.count()) + " ms",
-                         fmt::format("{:g} frames a second", settings_.rate),
+                         fmt::format("{:g} frames a second", session.rate),
                          "Look whether the interface unit is switched on and connected."});
     }
   }
@@ -223,7 +255,7 @@ void CyberGlove::take_bytes(std::span<const std::uint8_t> bytes) {
   Session& session = *session_;
   const auto arrival = Clock::now();
   for (const std::uint8_t byte : bytes) {
-    const auto record = session.parser.push(byte);
+    const auto record = session.native ? session.native->push(byte) : session.parser.push(byte);
     if (!record) {
       continue;
     }
@@ -259,27 +291,26 @@ GloveReading CyberGlove::look_for_glove(milliseconds timeout, const std::stop_to
   return {SampleEvent::kUnplugged, {}};
 }
 
-void CyberGlove::add_faults() noexcept {
-  faults_.resynchronisations += session_->parser.resynchronisations();
-  faults_.dropped_bytes += session_->parser.dropped_bytes();
-}
-
 void CyberGlove::do_disconnect() noexcept {
   try {
-    const std::uint8_t control_c = 0x03;
-    session_->link->write({&control_c, 1});
+    write_text(*session_->link, "\x03");
   } catch (const std::exception&) {
     // The device is gone already: there is no stream to be stopped.
   }
-  add_faults();
+  faults_ = do_faults();
   session_.reset();
 }
 
 ReceptionFaults CyberGlove::do_faults() const {
   ReceptionFaults faults = faults_;
-  if (session_) {
-    faults.resynchronisations += session_->parser.resynchronisations();
-    faults.dropped_bytes += session_->parser.dropped_bytes();
+  const auto add = [&faults](const auto& parser) {
+    faults.resynchronisations += parser.resynchronisations();
+    faults.dropped_bytes += parser.dropped_bytes();
+  };
+  if (session_ && session_->native) {
+    add(*session_->native);
+  } else if (session_) {
+    add(session_->parser);
   }
   return faults;
 }

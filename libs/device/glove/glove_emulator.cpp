@@ -3,6 +3,8 @@
 #include "glove/cyberglove_protocol.h"
 #include "handway/device/glove/glove_layout.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 #include <stdexcept>
@@ -326,6 +328,102 @@ std::optional<double> CyberGloveUnit::next_due() const {
     return restarted_at_;
   }
   return streaming_ ? std::optional(next_record_) : std::nullopt;
+}
+
+namespace {
+
+constexpr double kNativePeriod = 1.0 / 90.0;  // s
+// Records of one thirtieth of a second, which the time stamp numbers.
+constexpr int kRepeats = 3;
+
+// "1ts" takes a time of day in 8 characters; "1m", "1u", "1w", "1s" a byte; "1e", "1d" a letter.
+std::size_t command_length(const std::string& begun) {
+  if (begun.size() < 2) {
+    return 2;
+  }
+  switch (begun[1]) {
+    case 'e':
+    case 'd':
+    case 'm':
+    case 'u':
+    case 'w':
+    case 's':
+      return 3;
+    case 't':
+      return 11;
+    default:
+      return 2;
+  }
+}
+
+}  // namespace
+
+CyberGlove3Unit::Bytes CyberGlove3Unit::receive(std::span<const std::uint8_t> bytes, double now) {
+  for (const std::uint8_t byte : bytes) {
+    const char letter = static_cast<char>(byte);
+    if (byte == kInterrupt) {
+      next_record_.reset();
+      command_.clear();
+      continue;
+    }
+    const bool begins = letter == '1' || letter == '!';
+    if (command_.empty() && !begins) {
+      continue;  // No command of this glove.
+    }
+    command_ += letter;
+    if (command_[0] == '!') {
+      if (command_ == "!!!") {
+        next_record_.reset();
+      }
+      if (letter != '!' || command_.size() == 3) {
+        command_.clear();
+      }
+    } else if (command_.size() == command_length(command_)) {
+      take_command(now);
+      command_.clear();
+    }
+  }
+  return {};
+}
+
+void CyberGlove3Unit::take_command(double now) {
+  if (command_ == "1eu" || command_ == "1du") {
+    usb_ = command_[1] == 'e';
+  } else if (command_ == "1S" && !next_record_) {
+    next_record_ = now + kNativePeriod;
+  }
+}
+
+std::vector<CyberGlove3Unit::Bytes> CyberGlove3Unit::advance(double now) {
+  std::vector<Bytes> out;
+  if (next_record_) {
+    next_record_ = std::max(*next_record_, now - kBacklog);
+  }
+  while (next_record_ && *next_record_ <= now) {
+    if (usb_ && plugged_) {
+      out.push_back(record(*next_record_));
+    }
+    *next_record_ += kNativePeriod;
+  }
+  return out;
+}
+
+std::optional<double> CyberGlove3Unit::next_due() const { return next_record_; }
+
+CyberGlove3Unit::Bytes CyberGlove3Unit::record(double time) {
+  const auto seconds = static_cast<long>(time);
+  const int in_second = static_cast<int>((time - static_cast<double>(seconds)) / kNativePeriod);
+  const std::string stamp =
+      fmt::format("{:02}:{:02}:{:02}:{:02}:{}S", seconds / 3600 % 24, seconds / 60 % 60,
+                  seconds % 60, in_second / kRepeats + 1, in_second % kRepeats);
+  Bytes out(stamp.begin(), stamp.end());
+  for (const std::uint16_t count : signal_(time)) {
+    const int value = std::clamp<int>(count, 1, 255) << 4;
+    out.push_back(static_cast<std::uint8_t>(value >> 8));
+    out.push_back(static_cast<std::uint8_t>(value));
+  }
+  out.insert(out.end(), {'\r', '\n', 0});
+  return out;
 }
 
 GloveEmulator::GloveEmulator(const GloveEmulatorSettings& settings, GloveSignal signal)

@@ -35,10 +35,10 @@ using geometric::RobotModel;
 constexpr std::array<const char*, kFingers> kSensorPrefixes{"Thumb", "Index", "Middle", "Ring",
                                                             "Pinkie"};
 constexpr std::array<const char*, 3> kFlexions{"MPJ", "PIJ", "DIJ"};
-constexpr double kClearlyBent = 0.3;  // rad: less is how phalanges are drawn
-constexpr double kClearlyMore = 1.2;  // of a range on one side of 0, against the other
-constexpr double kParallel = 0.7;     // cosine of the angle between axes
-constexpr double kStep = 1e-3;        // rad
+constexpr double kClearlyBent = 0.3;      // rad: less is how phalanges are drawn
+constexpr double kClearlyMore = 1.2;      // of a range on one side of 0, against the other
+constexpr double kParallel = 0.7;         // cosine of the angle between axes
+constexpr double kDifferenceStep = 1e-3;  // rad
 
 int sensor_called(const std::string& name) { return find_sensor(name).value(); }
 
@@ -93,9 +93,9 @@ class HandAtRest {
     std::vector<Pose> X_BL(X_BL_.size());
     model_.forward_kinematics(q, X_BL);
     const Vector3d before = tip_at(finger, X_BL);
-    q[variable] += kStep;
+    q[variable] += kDifferenceStep;
     model_.forward_kinematics(q, X_BL);
-    return (tip_at(finger, X_BL) - before) / kStep;
+    return (tip_at(finger, X_BL) - before) / kDifferenceStep;
   }
 
  private:
@@ -323,8 +323,8 @@ class MappingProposer {
     }
     const int tip = tip_landmark(Finger::kThumb);
     const Vector3d before = hand_landmarks(angles).col(tip);
-    angles.angles.at(static_cast<std::size_t>(sensor_called(sensor))) += kStep;
-    return (hand_landmarks(angles).col(tip) - before) / kStep;
+    angles.angles.at(static_cast<std::size_t>(sensor_called(sensor))) += kDifferenceStep;
+    return (hand_landmarks(angles).col(tip) - before) / kDifferenceStep;
   }
 
   [[nodiscard]] static std::string prefix(const RobotFinger& finger) {

@@ -72,10 +72,11 @@ class HANDWAY_DEVICE_EXPORT ByteLink {
 };
 
 /// Opens a serial port (8 data bits, no parity, 1 stop bit, no flow control) or connects to a
-/// TCP port; see parse_device_address().
+/// TCP port (see parse_device_address()); with "listen://PORT" waits until a device connects to
+/// that port of this computer, as one with WiFi does.
 /// @param baud of a serial port, bit/s.
 /// @throws geometric::InputError for a wrong address; DeviceError if there is no such device, it
-/// may not be opened, it is no serial port, or nobody answers within 2 s.
+/// may not be opened, it is no serial port, nobody answers within 2 s or connects within 60 s.
 [[nodiscard]] HANDWAY_DEVICE_EXPORT std::unique_ptr<ByteLink> open_link(
     const std::string& address, int baud, const std::stop_token& stop = {});
 

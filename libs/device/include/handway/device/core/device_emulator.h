@@ -80,6 +80,9 @@ struct DeviceEmulatorSettings {
   std::optional<std::uint16_t> tcp_port;
   /// HOST:PORT to send every record to as a UDP datagram; hears nothing then.
   std::optional<std::string> udp_receiver;
+  /// HOST:PORT to connect to, as a device with WiFi does, and what it says first.
+  std::optional<std::string> tcp_server;
+  std::vector<std::uint8_t> greeting;
 };
 
 /// An emulated device that programs can't tell from hardware: its unit on a pseudo-terminal (if

@@ -20,9 +20,10 @@ struct CyberGloveSettings {
   std::chrono::milliseconds timeout{1000};
 };
 
-/// Driver of CyberGlove I and II (18 or 22 sensors) on a serial port, a Bluetooth serial port
-/// or a TCP port, in the interface unit's binary commands. Frames are stamped when their last
-/// byte arrives.
+/// Driver of CyberGlove I, II and III (18 or 22 sensors) on a serial port, a Bluetooth serial port,
+/// a TCP port or over WiFi, in the interface unit's binary commands. Frames are stamped when their
+/// last byte arrives. A CyberGlove III that doesn't answer these is read in its native stream
+/// (CyberGlove3Parser), at a rate of its own, 90 Hz; whether it is unplugged it doesn't say.
 ///
 /// connect() stops whatever the unit was doing, asks for state, number of sensors and hand, sets
 /// rate and filter, and starts the stream. When the glove is pulled off the unit next()
@@ -47,7 +48,6 @@ class HANDWAY_DEVICE_EXPORT CyberGlove final : public Glove {
   GloveReading look_for_glove(std::chrono::milliseconds timeout, const std::stop_token& stop);
   void take_bytes(std::span<const std::uint8_t> bytes);
   void poll_when_due(Clock::time_point latest);
-  void add_faults() noexcept;
 
   std::string address_;
   CyberGloveSettings settings_;

@@ -65,6 +65,29 @@ class HANDWAY_DEVICE_EXPORT CyberGloveUnit final : public DeviceUnit {
   bool plugged_ = true;
 };
 
+/// An emulated CyberGlove III on USB, in its native stream (see CyberGlove3Parser): 90 records a
+/// second after "1eu" and "1S", until 03 or "!!!". Gives no answers, as none are known.
+class HANDWAY_DEVICE_EXPORT CyberGlove3Unit final : public DeviceUnit {
+ public:
+  explicit CyberGlove3Unit(GloveSignal signal) : signal_(std::move(signal)) {}
+
+  [[nodiscard]] Bytes receive(std::span<const std::uint8_t> bytes, double now) override;
+  [[nodiscard]] std::vector<Bytes> advance(double now) override;
+  [[nodiscard]] std::optional<double> next_due() const override;
+  /// Nothing comes while it is pulled off.
+  void set_plugged(bool plugged) override { plugged_ = plugged; }
+
+ private:
+  void take_command(double now);
+  [[nodiscard]] Bytes record(double time);
+
+  GloveSignal signal_;
+  std::string command_;  ///< Taken so far, incomplete.
+  bool usb_ = false;
+  bool plugged_ = true;
+  std::optional<double> next_record_;  ///< While it streams.
+};
+
 /// A CyberGlove on a port.
 struct GloveEmulatorSettings : DeviceEmulatorSettings {
   CyberGloveUnitSettings unit;

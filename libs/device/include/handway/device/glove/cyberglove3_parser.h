@@ -1,0 +1,48 @@
+#pragma once
+
+#include "handway/device/export.h"
+#include "handway/device/glove/cyberglove_parser.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace handway::device {
+
+/// Cuts the native stream of a CyberGlove III into records of 61 bytes: a time stamp in 14
+/// characters (HH:MM:SS:ff:nS), 22 sensors in two bytes each, most significant first, of which 12
+/// bits count, then 0D 0A 00. Counts are brought to the scale of 8 bits that the other gloves have
+/// (value / 16), as the maker's calibration takes them.
+///
+/// No byte of a sensor can be taken for the time stamp's colons and digits, so that a record is
+/// found again after any loss; what isn't exactly one is dropped. Takes no more memory than one
+/// record.
+///
+/// Source: what two programs read that were used with the glove, the ROS driver of Shadow Robot
+/// and the Python driver `cyberglove`. Whether 0D 0A 00 ends a record or begins the next is not
+/// known: it is waited for.
+class HANDWAY_DEVICE_EXPORT CyberGlove3Parser {
+ public:
+  static constexpr std::size_t kRecordLength = 61;
+
+  CyberGlove3Parser() { pending_.reserve(kRecordLength); }
+
+  /// Takes the next byte. @returns the record that it completes, if any: always a sample.
+  std::optional<CyberGloveRecord> push(std::uint8_t byte);
+
+  /// How many times it lost its place, and the bytes that it dropped then.
+  [[nodiscard]] std::uint64_t resynchronisations() const { return resynchronisations_; }
+  [[nodiscard]] std::uint64_t dropped_bytes() const { return dropped_bytes_; }
+
+ private:
+  void drop_to_next_beginning();
+  [[nodiscard]] CyberGloveRecord sample() const;
+
+  std::vector<std::uint8_t> pending_;  ///< Always the beginning of a record.
+  std::uint64_t resynchronisations_ = 0;
+  std::uint64_t dropped_bytes_ = 0;
+  bool in_sync_ = true;
+};
+
+}  // namespace handway::device
