@@ -172,9 +172,13 @@ ViewActions::ViewActions(Workbench& workbench, BodyDisplayTool& bodies)
       preferences_(workbench.preferences),
       displays_(new QActionGroup(this)),
       display_button_(new QToolButton) {
-  fit_ = make("fit", tr("Show &all"), "F", tr("Show what is selected, or else the whole scene"));
-  connect(fit_, &QAction::triggered, &view_, &SceneView::fit);
-  on_bar_ << fit_;
+  show_all_ = make("", tr("Show &all"), "Shift+F", tr("Show the whole scene"));
+  show_all_->setObjectName(QStringLiteral("show_all"));
+  connect(show_all_, &QAction::triggered, &view_, &SceneView::show_all);
+  show_selection_ =
+      make("fit", tr("Show selec&tion"), "F", tr("Show what is selected, or else the whole scene"));
+  connect(show_selection_, &QAction::triggered, &view_, &SceneView::show_selection);
+  on_bar_ << show_selection_;
   standard_views_ = make_standard_views();
   orthographic_ = make_switch("orthographic", tr("O&rthographic"), "5",
                               tr("Lines that are parallel stay parallel in the picture"), false);
@@ -199,8 +203,9 @@ ViewActions::ViewActions(Workbench& workbench, BodyDisplayTool& bodies)
 }
 
 void ViewActions::place_actions() {
-  workbench_.add_to_menu(MainMenu::kView, {0, 0}, fit_);
-  workbench_.add_to_menu(MainMenu::kContext, {6, 0}, fit_);
+  workbench_.add_to_menu(MainMenu::kView, {0, 0}, show_selection_);
+  workbench_.add_to_menu(MainMenu::kContext, {6, 0}, show_selection_);
+  workbench_.add_to_menu(MainMenu::kContext, {6, 1}, show_all_);
   workbench_.add_to_menu(MainMenu::kView, {0, 1}, standard_views_->menuAction());
   workbench_.add_to_menu(MainMenu::kView, {0, 2}, orthographic_);
   workbench_.add_to_menu(MainMenu::kView, {0, 3}, displays_menu_->menuAction());
@@ -215,6 +220,8 @@ void ViewActions::place_actions() {
 
 QMenu* ViewActions::make_standard_views() {
   auto* menu = new QMenu(tr("Standard &views"), &workbench_.window);
+  menu->addAction(show_all_);
+  menu->addSeparator();
   const auto add = [&](StandardView from, QAction* action) {
     connect(action, &QAction::triggered, &view_, [this, from] { view_.look_from(from); });
     menu->addAction(action);

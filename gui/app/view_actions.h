@@ -130,7 +130,8 @@ class ViewActions : public QObject {
   SceneView& view_;
   BodyDisplayTool& bodies_;
   Preferences& preferences_;
-  QAction* fit_;
+  QAction* show_all_;
+  QAction* show_selection_;
   QMenu* standard_views_;
   QAction* orthographic_;
   QAction* floor_;

@@ -5,6 +5,7 @@
 #include "view3d/orientation_cube.h"
 #include "view3d/scene_passes.h"
 #include "view3d/unlit_nodes.h"
+#include "view3d/viewpoints.h"
 
 #include <Inventor/SoPath.h>
 #include <Inventor/SoPickedPoint.h>
@@ -94,237 +95,6 @@ CoinRef<SoSeparator> make_floor_grid(const Eigen::Vector3d& centre, double radiu
   add_unlit_style(*separator.get(), 1.0F);
   separator->addChild(grid.make());
   return separator;
-}
-
-namespace {
-
-using geometric::Aabb;
-using geometric::Configuration;
-using geometric::Pose;
-using Points = std::vector<Eigen::Vector3d>;
-
-constexpr double kAround = 0.12;  // m
-
-void add_corners(Points& points, const Aabb& box, const Pose& X) {
-  for (int corner = 0; corner < 8; ++corner) {
-    const Eigen::Vector3d p((corner & 1) ? box.upper.x() : box.lower.x(),
-                            (corner & 2) ? box.upper.y() : box.lower.y(),
-                            (corner & 4) ? box.upper.z() : box.lower.z());
-    points.push_back(X * p);
-  }
-}
-
-void add_shape(Points& points, const geometric::Shape& shape, const Pose& X) {
-  const auto mesh = geometric::tessellate(shape);
-  if (mesh && !mesh->vertices.empty()) {
-    add_corners(points, geometric::bounding_box(*mesh), X);
-  }
-}
-
-std::vector<Pose> link_poses(const geometric::RobotInstance& robot, const Configuration& q) {
-  std::vector<Pose> X_WL(static_cast<std::size_t>(robot.model->link_count()));
-  robot.model->forward_kinematics(q, X_WL);
-  for (Pose& X : X_WL) {
-    X = robot.X_WB * X;
-  }
-  return X_WL;
-}
-
-void add_robot(Points& points, const geometric::RobotInstance& robot, const Configuration& q) {
-  const std::vector<Pose> X_WL = link_poses(robot, q);
-  for (int i = 0; i < robot.model->link_count(); ++i) {
-    const geometric::Link& link = robot.model->link(i);
-    for (const auto& geometry : link.visual.empty() ? link.collision : link.visual) {
-      add_shape(points, geometry.shape, X_WL[static_cast<std::size_t>(i)] * geometry.X_LG);
-    }
-  }
-}
-
-Aabb box_around(const Points& points) {
-  constexpr double kFar = std::numeric_limits<double>::infinity();
-  Aabb box{Eigen::Vector3d::Constant(kFar), Eigen::Vector3d::Constant(-kFar)};
-  for (const Eigen::Vector3d& point : points) {
-    box.lower = box.lower.cwiseMin(point);
-    box.upper = box.upper.cwiseMax(point);
-  }
-  return box;
-}
-
-Points robot_points(const geometric::Scene& scene) {
-  Points points;
-  for (const geometric::RobotInstance& robot : scene.robots) {
-    add_robot(points, robot, robot.configuration);
-  }
-  for (const auto& q : {scene.start, scene.goal}) {
-    if (q && !scene.robots.empty()) {
-      add_robot(points, scene.robots.front(), *q);
-    }
-  }
-  return points;
-}
-
-}  // namespace
-
-Points points_of_interest(const geometric::Scene& scene) {
-  Points points = robot_points(scene);
-  const bool has_robot = !points.empty();
-  Aabb near = box_around(points);
-  near.lower.array() -= kAround;
-  near.upper.array() += kAround;
-  for (const geometric::SceneObject& object : scene.objects) {
-    Points corners;
-    if (!object.attachment) {
-      add_shape(corners, object.shape, object.X_PO);
-    }
-    if (has_robot && !corners.empty()) {
-      const Aabb box = box_around(corners);
-      const Aabb part{box.lower.cwiseMax(near.lower), box.upper.cwiseMin(near.upper)};
-      corners.clear();
-      if ((part.lower.array() <= part.upper.array()).all()) {
-        add_corners(corners, part, Pose::Identity());
-      }
-    }
-    points.insert(points.end(), corners.begin(), corners.end());
-  }
-  return points;
-}
-
-double lowest_point(const geometric::Scene& scene) {
-  Points points = robot_points(scene);
-  for (const geometric::SceneObject& object : scene.objects) {
-    if (!object.attachment) {
-      add_shape(points, object.shape, object.X_PO);
-    }
-  }
-  return points.empty() ? 0.0 : box_around(points).lower.z();
-}
-
-double task_azimuth(const geometric::Scene& scene) {
-  if (scene.robots.empty()) {
-    return 0.0;
-  }
-  const geometric::RobotInstance& robot = scene.robots.front();
-  const std::vector<Pose> X_WL = link_poses(robot, scene.goal.value_or(robot.configuration));
-  const Eigen::Vector3d reach = X_WL.back().translation() - robot.X_WB.translation();
-  return reach.head<2>().norm() > 0.05 ? std::atan2(reach.y(), reach.x()) : 0.0;
-}
-
-Points all_points(const geometric::Scene& scene) {
-  Points points = robot_points(scene);
-  for (const geometric::SceneObject& object : scene.objects) {
-    if (!object.attachment) {
-      add_shape(points, object.shape, object.X_PO);
-    }
-  }
-  return points;
-}
-
-namespace {
-
-constexpr int kSeenPoints = 24;        // of the robot
-constexpr double kEnoughSeen = 0.7;    // share of them
-constexpr double kFarEye = 4.0;        // m from the middle
-constexpr double kNearlyThere = 0.97;  // of the ray: what is seen may touch something
-
-// Does something of the mesh lie between the two (in its frame)?
-bool hides(const geometric::TriangleMesh& mesh, const Eigen::Vector3d& eye,
-           const Eigen::Vector3d& point) {
-  const Eigen::Vector3d ray = point - eye;
-  return std::ranges::any_of(mesh.triangles, [&](const auto& corners) {
-    const Eigen::Vector3d& a = mesh.vertices[corners[0]];
-    const Eigen::Vector3d ab = mesh.vertices[corners[1]] - a, ac = mesh.vertices[corners[2]] - a;
-    const Eigen::Vector3d p = ray.cross(ac);
-    const double det = ab.dot(p);
-    if (std::abs(det) < 1e-12) {
-      return false;
-    }
-    const Eigen::Vector3d from = eye - a, q = from.cross(ab);
-    const double u = from.dot(p) / det, v = ray.dot(q) / det, t = ac.dot(q) / det;
-    return u >= 0.0 && v >= 0.0 && u + v <= 1.0 && t > 0.0 && t < kNearlyThere;
-  });
-}
-
-/// What stands around the robot, to look past it.
-class Obstacles {
- public:
-  explicit Obstacles(const geometric::Scene& scene) {
-    for (const geometric::SceneObject& object : scene.objects) {
-      const auto mesh = object.attachment ? nullptr : geometric::tessellate(object.shape);
-      if (mesh && !mesh->vertices.empty() && !scene.display.of(object.name).hidden) {
-        const Aabb box = geometric::bounding_box(*mesh);
-        parts_.push_back({mesh, Eigen::AlignedBox3d(box.lower, box.upper), object.X_PO.inverse()});
-      }
-    }
-  }
-
-  [[nodiscard]] bool hide(const Eigen::Vector3d& eye, const Eigen::Vector3d& point) const {
-    return std::ranges::any_of(parts_, [&](const Part& part) {
-      const Eigen::Vector3d from = part.X_OW * eye, to = part.X_OW * point;
-      return meets(part.box, from, to) && hides(*part.mesh, from, to);
-    });
-  }
-
- private:
-  struct Part {
-    std::shared_ptr<const geometric::TriangleMesh> mesh;
-    Eigen::AlignedBox3d box;  // in its frame
-    Pose X_OW;
-  };
-
-  static bool meets(const Eigen::AlignedBox3d& box, const Eigen::Vector3d& from,
-                    const Eigen::Vector3d& to) {
-    double begin = 0.0, end = 1.0;
-    for (int axis = 0; axis < 3; ++axis) {
-      const double step = to[axis] - from[axis];
-      if (std::abs(step) < 1e-12) {
-        if (from[axis] < box.min()[axis] || from[axis] > box.max()[axis]) {
-          return false;
-        }
-        continue;
-      }
-      const auto [low, high] = std::minmax(
-          {(box.min()[axis] - from[axis]) / step, (box.max()[axis] - from[axis]) / step});
-      begin = std::max(begin, low);
-      end = std::min(end, high);
-    }
-    return begin <= end;
-  }
-
-  std::vector<Part> parts_;
-};
-
-}  // namespace
-
-double open_azimuth(const geometric::Scene& scene) {
-  const double task = task_azimuth(scene);
-  const Obstacles obstacles(scene);
-  const Points robot = robot_points(scene);
-  if (robot.empty()) {
-    return task;
-  }
-  const Eigen::Vector3d middle = box_around(robot).centre();
-  const std::size_t step = std::max<std::size_t>(1, robot.size() / kSeenPoints);
-  double best = task;
-  double most = -1.0;
-  for (const double turn : {0.0, 70.0, -40.0, 110.0, -90.0, 145.0, -140.0, 180.0}) {
-    OrbitCamera camera;
-    camera.look_from(StandardView::kOblique, task + geometric::radians(turn));
-    const Eigen::Vector3d eye = middle + kFarEye * camera.orientation().col(2);
-    double seen = 0.0, all = 0.0;
-    for (std::size_t i = 0; i < robot.size(); i += step) {
-      const Eigen::Vector3d point = 0.5 * (robot[i] + middle);  // corners are outside of links
-      seen += obstacles.hide(eye, point) ? 0.0 : 1.0;
-      all += 1.0;
-    }
-    if (seen / all > most + 0.05) {
-      most = seen / all;
-      best = task + geometric::radians(turn);
-    }
-    if (most >= kEnoughSeen) {
-      break;
-    }
-  }
-  return best;
 }
 
 namespace {
@@ -560,23 +330,29 @@ std::vector<Eigen::Vector3d> SceneGraph::points_of_interest() const {
                          : std::vector<Eigen::Vector3d>{};
 }
 
-double SceneGraph::open_azimuth() const {
-  return bodies_.scene() ? gui::open_azimuth(*bodies_.scene()) : 0.0;
+std::vector<Eigen::Vector3d> SceneGraph::all_points() const {
+  return bodies_.scene() ? gui::all_points(*bodies_.scene()) : std::vector<Eigen::Vector3d>{};
 }
 
-Points SceneGraph::selected_points() const {
-  Points points;
+OrbitCamera SceneGraph::open_view(const OrbitCamera& camera, double aspect) const {
+  return bodies_.scene() ? gui::open_view(*bodies_.scene(), camera, aspect) : camera;
+}
+
+std::vector<Eigen::Vector3d> SceneGraph::selected_points() const {
+  std::vector<Eigen::Vector3d> points;
   for (SoSeparator* part : bodies_.parts_of(selection_)) {
     SoGetBoundingBoxAction around{SbViewportRegion()};
     around.apply(part);
     const SbBox3f box = around.getBoundingBox();
     if (!box.isEmpty()) {
       const SbVec3f &low = box.getMin(), &high = box.getMax();
-      add_corners(points, {{low[0], low[1], low[2]}, {high[0], high[1], high[2]}},
-                  Pose::Identity());
+      for (int corner = 0; corner < 8; ++corner) {
+        points.emplace_back(((corner & 1) ? high : low)[0], ((corner & 2) ? high : low)[1],
+                            ((corner & 4) ? high : low)[2]);
+      }
     }
   }
-  return points.empty() && bodies_.scene() ? all_points(*bodies_.scene()) : points;
+  return points;
 }
 
 void SceneGraph::aim(const OrbitCamera& camera, double aspect) {

@@ -36,25 +36,6 @@ namespace handway::gui {
 [[nodiscard]] CoinRef<SoSeparator> make_floor_grid(const Eigen::Vector3d& centre, double radius,
                                                    const geometric::Color& color);
 
-/// Points (world, m) that a picture of the scene should contain: corners around
-/// every link of every robot as it stands, of the first robot also at start and
-/// goal, and around the parts of objects that are close to the robots.
-[[nodiscard]] std::vector<Eigen::Vector3d> points_of_interest(const geometric::Scene& scene);
-
-/// The lowest height that any robot or object reaches, m; 0 for an empty scene.
-[[nodiscard]] double lowest_point(const geometric::Scene& scene);
-
-/// Azimuth (rad, about +z from +x) from the first robot's base to where its last
-/// link is at goal, or to where it stands if there is no goal.
-[[nodiscard]] double task_azimuth(const geometric::Scene& scene);
-
-/// The azimuth (rad) next to task_azimuth() from which an oblique view sees most of the first
-/// robot, past shelves and the walls of cages.
-[[nodiscard]] double open_azimuth(const geometric::Scene& scene);
-
-/// Corners of the boxes around everything in the scene (world, m).
-[[nodiscard]] std::vector<Eigen::Vector3d> all_points(const geometric::Scene& scene);
-
 class OrbitCamera;
 struct ScenePasses;
 
@@ -110,11 +91,11 @@ class SceneGraph {
   /// Points that a picture of the whole scene should contain: the robots now, at
   /// start and at goal, and the objects near them.
   [[nodiscard]] std::vector<Eigen::Vector3d> points_of_interest() const;
-  /// Of what is selected, or else of everything.
+  [[nodiscard]] std::vector<Eigen::Vector3d> all_points() const;
+  /// None if nothing is selected.
   [[nodiscard]] std::vector<Eigen::Vector3d> selected_points() const;
-  /// Azimuth of the task as seen from the first robot's base, rad.
-  /// Where to look across the task from.
-  [[nodiscard]] double open_azimuth() const;
+  /// `camera` of an empty scene.
+  [[nodiscard]] OrbitCamera open_view(const OrbitCamera& camera, double aspect) const;
 
   /// Sets the camera that everything is drawn with and picked with from now on.
   void aim(const OrbitCamera& camera, double aspect);

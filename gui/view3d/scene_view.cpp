@@ -114,8 +114,7 @@ void SceneView::set_scene(std::shared_ptr<const geometric::Scene> scene) {
   flight_.stop();
   colliding_.clear();
   graph_->set_scene(std::move(scene));
-  camera_.look_from(StandardView::kOblique, graph_->open_azimuth());
-  camera_.fit(graph_->points_of_interest(), aspect());
+  camera_ = graph_->open_view(camera_, aspect());
   change();
 }
 
@@ -298,18 +297,25 @@ void SceneView::set_samples(int samples) {
   pacer_.request();
 }
 
-void SceneView::fit() {
-  untouched_ = false;
+void SceneView::show_all() { fly_around(graph_->all_points()); }
+
+void SceneView::show_selection() {
+  const std::vector<Eigen::Vector3d> points = graph_->selected_points();
+  fly_around(points.empty() ? graph_->all_points() : points);
+}
+
+void SceneView::fly_around(const std::vector<Eigen::Vector3d>& points) {
   OrbitCamera fitted = camera_;
-  fitted.fit(graph_->selected_points(), aspect());
+  fitted.fit(points, aspect());
   fly_to(fitted.placement());
 }
 
 void SceneView::look_from(StandardView view) {
   OrbitCamera turned = camera_;
-  turned.look_from(view, view == StandardView::kOblique ? graph_->open_azimuth() : 0.0);
+  turned.look_from(view);
   turned.fit(graph_->points_of_interest(), aspect());
-  fly_to(turned.placement());
+  fly_to(view == StandardView::kOblique ? graph_->open_view(camera_, aspect()).placement()
+                                        : turned.placement());
 }
 
 void SceneView::fly_to(const OrbitCamera::Placement& placement) {

@@ -126,8 +126,10 @@ class SceneView : public QOpenGLWidget {
   /// @param frames at most a second; 0: as many as can be had.
   void set_frame_limit(int frames) { pacer_.set_limit(frames); }
 
-  /// Moves the camera so that what is selected is seen, or else the whole scene.
-  void fit();
+  /// Moves the camera so that the whole scene is seen.
+  void show_all();
+  /// The same of what is selected; of the whole scene if nothing is.
+  void show_selection();
   void look_from(StandardView view);
   void set_camera(const OrbitCamera::Placement& placement);
   /// The same, in a moment.
@@ -191,6 +193,8 @@ class SceneView : public QOpenGLWidget {
   void cancel_drag();
   [[nodiscard]] bool take_drag_key(const QKeyEvent& key, bool is_press);
   void fly_to(const OrbitCamera::Placement& placement);
+  /// To where all points are seen, with the same direction of view.
+  void fly_around(const std::vector<Eigen::Vector3d>& points);
   void connect_cube();
 
   std::unique_ptr<SceneGraph> graph_;

@@ -5,8 +5,8 @@
 #include "handway/planning/paths/path_csv.h"
 #include "model/document/document.h"
 #include "model/playback/path_player.h"
-#include "view3d/scene_graph.h"
 #include "view3d/scene_pictures.h"
+#include "view3d/viewpoints.h"
 #include "widgets/plots/cursor_plot.h"
 #include "widgets/plots/figure_file.h"
 

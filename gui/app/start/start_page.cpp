@@ -5,7 +5,6 @@
 #include "handway/geometric/formats/yaml_element.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/resources.h"
-#include "widgets/panels/dock_layout.h"
 
 #include <QFileInfo>
 #include <QGridLayout>
@@ -76,10 +75,8 @@ QPushButton* make_link(const QString& text, const QString& name) {
 
 }  // namespace
 
-StartPage::StartPage(QWidget* parent) : QScrollArea(parent) {
+StartPage::StartPage(QWidget* parent) : ScrollingPage(parent) {
   setObjectName(QStringLiteral("start_page"));
-  setFrameShape(QFrame::NoFrame);
-  setWidgetResizable(true);
   setProperty("role", "start");
   refresh();
 }
@@ -112,18 +109,13 @@ void StartPage::refresh() {
 }
 
 void StartPage::showEvent(QShowEvent* event) {
-  QScrollArea::showEvent(event);
+  ScrollingPage::showEvent(event);
   setFocus();
-}
-
-bool StartPage::focusNextPrevChild(bool next) {
-  order_tabs(*this);
-  return QScrollArea::focusNextPrevChild(next);
 }
 
 // As many pictures beside each other as there is room for.
 void StartPage::resizeEvent(QResizeEvent* event) {
-  QScrollArea::resizeEvent(event);
+  ScrollingPage::resizeEvent(event);
   const int room = viewport()->width() - 2 * kMargin + kGap;
   const int columns = std::clamp(room / (PictureCard::kWidth + kGap), 1, kMostColumns);
   if (columns != columns_) {

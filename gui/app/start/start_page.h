@@ -1,6 +1,7 @@
 #pragma once
 
-#include <QScrollArea>
+#include "widgets/panels/dock_layout.h"
+
 #include <QString>
 
 #include <filesystem>
@@ -23,7 +24,7 @@ struct ShippedScene {
 [[nodiscard]] std::vector<ShippedScene> shipped_scenes();
 
 /// What an empty window shows: scenes to open, robots to begin with, recent files.
-class StartPage : public QScrollArea {
+class StartPage : public ScrollingPage {
   Q_OBJECT
 
  public:
@@ -43,7 +44,6 @@ class StartPage : public QScrollArea {
   void resizeEvent(QResizeEvent* event) override;
   /// Takes the focus, so that the Tab key goes to its pictures first.
   void showEvent(QShowEvent* event) override;
-  bool focusNextPrevChild(bool next) override;
 
  private:
   void add_scenes(QVBoxLayout& layout);

@@ -6,6 +6,7 @@
 #include "handway/planning/campaigns/run_workers.h"
 #include "widgets/panels/dock_layout.h"
 #include "widgets/panels/run_table.h"
+#include "widgets/plots/screen_colors.h"
 #include "widgets/plots/statistics_plots.h"
 
 #include <QComboBox>
@@ -210,12 +211,20 @@ CampaignsPanel::CampaignsPanel(std::shared_ptr<const planning::PluginManager> pl
   problems_->setVisible(false);
   redraw_.setSingleShot(true);
   redraw_.setInterval(kRedrawInterval);
+  take_theme();
   connect(&redraw_, &QTimer::timeout, this, &CampaignsPanel::draw);
   connect(problems_, qOverload<int>(&QComboBox::currentIndexChanged), this,
           &CampaignsPanel::show_problem);
   connect(&runner_, &CampaignRunner::began, this, &CampaignsPanel::begin);
   connect(&runner_, &CampaignRunner::found, this, &CampaignsPanel::take);
   connect(&runner_, &CampaignRunner::ended, this, &CampaignsPanel::end);
+}
+
+void CampaignsPanel::take_theme() {
+  const PlotColors colors = screen_colors();
+  plot_->set_colors(colors,
+                    [paper = colors.paper](const QColor& color) { return seen_on(paper, color); });
+  draw();
 }
 
 QWidget* CampaignsPanel::make_actions() {
@@ -348,6 +357,7 @@ void add_campaigns(Workbench& workbench) {
   auto* panel = new CampaignsPanel(workbench.plugins);
   workbench.add_dock(DockArea::kControl, 5, {"campaigns", QObject::tr("Campaigns"), panel});
   workbench.add_work([panel] { return panel->runner().is_running(); });
+  QObject::connect(&workbench, &Workbench::theme_changed, panel, &CampaignsPanel::take_theme);
   QObject::connect(&workbench, &Workbench::begun, panel, [panel, &workbench] {
     if (!workbench.options.campaign.empty()) {
       panel->come_to_front();

@@ -77,6 +77,8 @@ class CampaignsPanel : public QWidget {
   void open(const QString& file);
   /// Chooses the tab that the panel is in.
   void come_to_front();
+  /// Draws the plot in the colours of the theme that was applied last.
+  void take_theme();
   [[nodiscard]] const CampaignRunner& runner() const { return runner_; }
 
  signals:

@@ -7,7 +7,7 @@
 #include "widgets/panels/dock_layout.h"
 #include "widgets/panels/run_table.h"
 #include "widgets/plots/cursor_plot.h"
-#include "widgets/plots/figure_file.h"
+#include "widgets/plots/screen_colors.h"
 #include "widgets/style/theme.h"
 
 #include <QCheckBox>
@@ -34,6 +34,8 @@ namespace {
 constexpr int kAnglesHeight = 150;
 constexpr int kDifferenceHeight = 120;
 
+const QColor kPlannedColor{0x3b, 0x82, 0xd0};  // seen on white and on black
+
 enum AngleCurve : int { kPlanned, kMeasured };
 
 std::vector<double> in_degrees(std::vector<double> angles) {
@@ -52,7 +54,7 @@ FollowingPlot::FollowingPlot(QWidget* parent)
       difference_(new TimePlot(tr("time, s"), tr("off, °"))) {
   joints_->setObjectName(QStringLiteral("following_joint"));
   angles_->setFixedHeight(kAnglesHeight);
-  angles_->add_curve(tr("planned"), kPlotBlue);
+  angles_->add_curve(tr("planned"), kPlannedColor);
   angles_->add_curve(tr("measured"), kPlotOrange, true);
   angles_->show_legend();
   difference_->setFixedHeight(kDifferenceHeight);
@@ -65,7 +67,21 @@ FollowingPlot::FollowingPlot(QWidget* parent)
   layout->addWidget(difference_);
   connect(joints_, qOverload<int>(&QComboBox::currentIndexChanged), this,
           &FollowingPlot::show_joint);
+  take_theme();
   clear();
+}
+
+void FollowingPlot::take_theme() {
+  for (TimePlot* plot : {angles_, difference_}) {
+    plot->set_colors(screen_colors());
+  }
+}
+
+void FollowingPlot::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) {
+    take_theme();
+  }
 }
 
 void FollowingPlot::show_motion(std::shared_ptr<const ExecutedMotion> motion,

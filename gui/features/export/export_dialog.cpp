@@ -8,6 +8,7 @@
 #include "widgets/panels/log_panel.h"
 #include "widgets/panels/run_table.h"
 #include "widgets/plots/cursor_plot.h"
+#include "widgets/plots/screen_colors.h"
 #include "widgets/style/theme.h"
 
 #include <QCheckBox>
@@ -77,7 +78,8 @@ constexpr int kNamesWidth = 170;
 
 QColor hue_of(std::size_t index, std::size_t count) {
   constexpr int kWheel = 360;
-  return QColor::fromHsv(static_cast<int>(kWheel * index / count), 190, 190);
+  return seen_on(screen_colors().paper,
+                 QColor::fromHsv(static_cast<int>(kWheel * index / count), 190, 190));
 }
 
 // The velocities of some of the joints as curves.
@@ -119,8 +121,10 @@ MotionPreview::MotionPreview(QWidget* parent)
   auto* plots = new QVBoxLayout(speeds);
   plots->setContentsMargins(0, 0, 0, 0);
   plots->setSpacing(0);
-  plots->addWidget(arm_);
-  plots->addWidget(hand_);
+  for (TimePlot* plot : {arm_, hand_}) {
+    plot->set_colors(screen_colors());
+    plots->addWidget(plot);
+  }
   names_->setObjectName(QStringLiteral("export_files"));
   content_->setObjectName(QStringLiteral("export_content"));
   content_->setReadOnly(true);

@@ -10,6 +10,7 @@
 #include "widgets/panels/log_panel.h"
 #include "widgets/panels/playback_bar.h"
 #include "widgets/plots/cursor_plot.h"
+#include "widgets/plots/screen_colors.h"
 #include "widgets/style/theme.h"
 
 #include <QComboBox>
@@ -394,8 +395,7 @@ void PlotsPanel::show_quantity(PlotQuantity quantity) {
 }
 
 void PlotsPanel::refresh_colors() {
-  const ThemeColors colors = colors_of(current_theme());
-  plot_->set_colors({colors.surface, colors.text, colors.border}, colors.accent);
+  plot_->set_colors(screen_colors(), colors_of(current_theme()).accent);
 }
 
 void PlotsPanel::showEvent(QShowEvent* event) {

@@ -5,8 +5,8 @@
 #include "features/workbench.h"
 #include "handway/geometric/formats/urdf.h"
 #include "handway/geometric/mesh/triangle_mesh.h"
-#include "view3d/scene_graph.h"
 #include "view3d/scene_view.h"
+#include "view3d/viewpoints.h"
 #include "widgets/panels/log_panel.h"
 
 #include <QFileDialog>

@@ -513,10 +513,11 @@ void SceneEditor::attach(const std::string& robot, const std::string& link,
   if (X_WL) {
     // What stands on something could not be moved at all.
     const double rise = rise_to_clear(state(), changeable());
-    const QString text = rise > 0.0
-                             ? tr("Attach %1, raised by %2 mm")
-                                   .arg(QStringLiteral("%1"), QString::number(1e3 * rise, 'f', 1))
-                             : tr("Attach %1");
+    const QString to = QString::fromStdString(robot + '/' + link);
+    const QString text =
+        rise > 0.0 ? tr("Attach %1 to %2, raised by %3 mm")
+                         .arg(QStringLiteral("%1"), to, QString::number(1e3 * rise, 'f', 1))
+                   : tr("Attach %1 to %2").arg(QStringLiteral("%1"), to);
     change_selected(text, "", [&](SceneObject& changed) {
       const Pose X_WO = object_pose(*state().scene, q, changed);
       changed.X_PO = X_WL->inverse() * Eigen::Translation3d(0.0, 0.0, rise) * X_WO;

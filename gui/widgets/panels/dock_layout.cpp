@@ -146,18 +146,21 @@ void order_tabs(QWidget& widget) {
   }
 }
 
-PanelArea::PanelArea(QWidget* content, QWidget* parent) : QScrollArea(parent) {
+ScrollingPage::ScrollingPage(QWidget* parent) : QScrollArea(parent) {
   setWidgetResizable(true);
   setFrameShape(QFrame::NoFrame);
+}
+
+bool ScrollingPage::focusNextPrevChild(bool next) {
+  order_tabs(*this);
+  return QScrollArea::focusNextPrevChild(next);
+}
+
+PanelArea::PanelArea(QWidget* content, QWidget* parent) : ScrollingPage(parent) {
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   if (content) {
     setWidget(content);
   }
-}
-
-bool PanelArea::focusNextPrevChild(bool next) {
-  order_tabs(*this);
-  return QScrollArea::focusNextPrevChild(next);
 }
 
 int PanelArea::width_around(const QSize& content) const {

@@ -48,9 +48,19 @@ struct DockSwitches {
 /// also those that were put there later than what stands behind it.
 void order_tabs(QWidget& widget);
 
+/// A page without a frame that scrolls where it has not enough room. The Tab key goes through what
+/// is in it in the order in which it was put there.
+class ScrollingPage : public QScrollArea {
+ public:
+  explicit ScrollingPage(QWidget* parent = nullptr);
+
+ protected:
+  bool focusNextPrevChild(bool next) override;
+};
+
 /// A panel that scrolls up and down where it has not enough room. It never is narrower than what is
 /// in it.
-class PanelArea : public QScrollArea {
+class PanelArea : public ScrollingPage {
  public:
   /// @param content may be given later, by setWidget().
   explicit PanelArea(QWidget* content = nullptr, QWidget* parent = nullptr);
@@ -61,7 +71,6 @@ class PanelArea : public QScrollArea {
  protected:
   void showEvent(QShowEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
-  bool focusNextPrevChild(bool next) override;
 
  private:
   [[nodiscard]] int width_around(const QSize& content) const;

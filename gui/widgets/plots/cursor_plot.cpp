@@ -300,6 +300,8 @@ void TimePlot::show_legend() {
   plot_->insertLegend(legend, QwtPlot::TopLegend);
 }
 
+void TimePlot::set_colors(const PlotColors& colors) { color_plot(*plot_, colors); }
+
 void TimePlot::clear() {
   for (QwtPlotCurve* curve : curves_) {
     delete curve;

@@ -93,6 +93,8 @@ class TimePlot : public QWidget {
   /// @returns its index.
   int add_curve(const QString& title, const QColor& color, bool dashed = false);
   void show_legend();
+  /// Instead of those of a printed figure.
+  void set_colors(const PlotColors& colors);
   /// Takes all curves away.
   void clear();
   /// @param times s. @param values as many.

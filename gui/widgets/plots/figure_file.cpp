@@ -5,7 +5,6 @@
 #include <QBuffer>
 #include <QImage>
 #include <QPainter>
-#include <QPalette>
 #include <QPen>
 #include <QSvgGenerator>
 #include <qwt_plot.h>
@@ -72,14 +71,11 @@ void style_plot(QwtPlot& plot, const QString& x_title, const QString& y_title) {
   color_plot(plot, {});
 }
 
+// A palette would not do: the application's style sheet puts back those from before it was applied.
 void color_plot(QwtPlot& plot, const PlotColors& colors) {
-  QPalette palette;
-  palette.setColor(QPalette::Window, colors.paper);
-  palette.setColor(QPalette::WindowText, colors.ink);
-  palette.setColor(QPalette::Text, colors.ink);
-  plot.setPalette(palette);
-  plot.canvas()->setPalette(palette);
-  plot.setCanvasBackground(colors.paper);
+  plot.setStyleSheet(QStringLiteral("QwtPlot, QwtPlotCanvas { background: %1 } "
+                                    "QwtScaleWidget, QwtTextLabel { color: %2 }")
+                         .arg(colors.paper.name(), colors.ink.name()));
   for (const int axis : {QwtPlot::xBottom, QwtPlot::yLeft}) {
     QwtText title = plot.axisTitle(axis);
     title.setColor(colors.ink);

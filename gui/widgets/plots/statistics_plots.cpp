@@ -1,7 +1,5 @@
 #include "widgets/plots/statistics_plots.h"
 
-#include "widgets/plots/figure_file.h"
-
 #include <QPen>
 #include <QVBoxLayout>
 #include <QVector>
@@ -17,6 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace handway::gui {
 namespace {
@@ -58,6 +57,11 @@ EcdfPlot::EcdfPlot(QWidget* parent) : QWidget(parent), plot_(new QwtPlot) {
   layout->addWidget(plot_);
 }
 
+void EcdfPlot::set_colors(const PlotColors& colors, std::function<QColor(const QColor&)> on_paper) {
+  on_paper_ = std::move(on_paper);
+  color_plot(*plot_, colors);
+}
+
 void EcdfPlot::set_curves(const std::vector<EcdfCurve>& curves) {
   plot_->detachItems(QwtPlotItem::Rtti_PlotCurve);
   double least = 0.1;
@@ -73,7 +77,8 @@ void EcdfPlot::set_curves(const std::vector<EcdfCurve>& curves) {
   plot_->setAxisScale(QwtPlot::xBottom, first, last > first ? last : 10.0 * first);
   for (std::size_t i = 0; i < curves.size(); ++i) {
     auto* line = new QwtPlotCurve(curves[i].title);
-    line->setPen(QColor::fromRgb(kColors[i % kColors.size()]), kWidth);
+    const QColor color = QColor::fromRgb(kColors[i % kColors.size()]);
+    line->setPen(on_paper_ ? on_paper_(color) : color, kWidth);
     line->setRenderHint(QwtPlotItem::RenderAntialiased);
     line->setLegendAttribute(QwtPlotCurve::LegendShowLine);
     line->setSamples(steps_of(curves[i], last));

@@ -1,10 +1,13 @@
 #pragma once
 
+#include "widgets/plots/figure_file.h"
+
 #include <QString>
 #include <QWidget>
 
 #include <Eigen/Core>
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -25,9 +28,13 @@ class EcdfPlot : public QWidget {
   explicit EcdfPlot(QWidget* parent = nullptr);
 
   void set_curves(const std::vector<EcdfCurve>& curves);
+  /// Instead of those of a printed figure. @param on_paper what a curve's colour becomes there, of
+  /// curves that are set from here on.
+  void set_colors(const PlotColors& colors, std::function<QColor(const QColor&)> on_paper);
 
  private:
   QwtPlot* plot_;
+  std::function<QColor(const QColor&)> on_paper_;
 };
 
 /// One variable of a scatter plot.

@@ -159,7 +159,7 @@ void OneHistory::set_goals() {
 void OneHistory::constrain() {
   click_in_tree("can");
   choose_in("fixed_to", QStringLiteral("palm"));
-  ASSERT_NO_FATAL_FAILURE(expect_entry("Attach can"));
+  ASSERT_NO_FATAL_FAILURE(expect_entry("Attach can to tx90_sah/palm"));
   click(part<QCheckBox>("keep_upright"), QPoint(8, part<QCheckBox>("keep_upright").height() / 2));
   ASSERT_NO_FATAL_FAILURE(expect_entry("Constrain can"));
 }

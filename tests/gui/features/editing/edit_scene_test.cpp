@@ -102,7 +102,7 @@ TEST_F(EditingAScene, KeepsAnObjectInPlaceWhileItIsAttached) {
   ASSERT_TRUE(object("post").attachment);
   EXPECT_EQ(object("post").attachment->link, "palm");
   EXPECT_TRUE(editor().selected_pose()->isApprox(X_WO, 1e-12));
-  EXPECT_EQ(editor().undo_stack().undoText(), "Attach post");
+  EXPECT_EQ(editor().undo_stack().undoText(), "Attach post to arm/palm");
 }
 
 TEST_F(EditingAScene, MakesARoomOfAnObject) {

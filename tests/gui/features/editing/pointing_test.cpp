@@ -79,7 +79,7 @@ TEST_F(Pointing, TheRightButtonSelectsAndOffersWhatCanBeDone) {
   const QStringList of_an_object = offered();
   for (const char* command :
        {"Cut", "Copy", "Paste", "Rename", "Duplicate", "Delete", "Hide", "Lock",
-        "Attach to the palm", "Grasp…", "Set goal here", "Show all"}) {
+        "Attach to the palm", "Grasp…", "Set goal here", "Show all", "Show selection"}) {
     EXPECT_TRUE(of_an_object.contains(QString::fromUtf8(command))) << command;
   }
   EXPECT_FALSE(of_an_object.contains(QStringLiteral("Detach")));

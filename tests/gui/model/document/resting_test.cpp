@@ -105,7 +105,7 @@ TEST_F(Attaching, RaisesWhatStandsOnATableAndSaysSo) {
   EXPECT_TRUE((X_WO_after.translation() - X_WO.translation())
                   .isApprox(Eigen::Vector3d(0.0, 0.0, kRestingGap), 1e-9));
   EXPECT_TRUE(X_WO_after.linear().isApprox(X_WO.linear(), 1e-12));
-  EXPECT_EQ(editor().undo_stack().undoText(), "Attach cup, raised by 0.5 mm");
+  EXPECT_EQ(editor().undo_stack().undoText(), "Attach cup to arm/palm, raised by 0.5 mm");
   editor().undo_stack().undo();
   EXPECT_EQ(editor().selected_pose()->matrix(), X_WO.matrix());
 }

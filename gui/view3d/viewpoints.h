@@ -1,0 +1,34 @@
+#pragma once
+
+#include "handway/geometric/scene/scene.h"
+#include "model/settings/orbit_camera.h"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+/// From where a scene is looked at, and what is to be seen of it.
+namespace handway::gui {
+
+/// Points (world, m) that a picture of the scene should contain: corners around
+/// every link of every robot as it stands, of the first robot also at start and
+/// goal, and around the parts of objects that are close to the robots.
+[[nodiscard]] std::vector<Eigen::Vector3d> points_of_interest(const geometric::Scene& scene);
+
+/// The lowest height that any robot or object reaches, m; 0 for an empty scene.
+[[nodiscard]] double lowest_point(const geometric::Scene& scene);
+
+/// Azimuth (rad, about +z from +x) from the first robot's base to where its last
+/// link is at goal, or to where it stands if there is no goal.
+[[nodiscard]] double task_azimuth(const geometric::Scene& scene);
+
+/// Corners of the boxes around everything in the scene (world, m).
+[[nodiscard]] std::vector<Eigen::Vector3d> all_points(const geometric::Scene& scene);
+
+/// Looks across the task, obliquely, from where much of the robots is seen past shelves and the
+/// walls of cages; what is of interest fits in.
+/// @param camera its projection is kept. @param aspect width by height.
+[[nodiscard]] OrbitCamera open_view(const geometric::Scene& scene, OrbitCamera camera,
+                                    double aspect);
+
+}  // namespace handway::gui

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "widgets/plots/figure_file.h"
+#include "widgets/style/theme.h"
+
+namespace handway::gui {
+
+/// What plots in the window are drawn in, in the theme that was applied last.
+[[nodiscard]] inline PlotColors screen_colors() {
+  const ThemeColors colors = colors_of(current_theme());
+  return {colors.surface, colors.text, colors.border};
+}
+
+}  // namespace handway::gui
