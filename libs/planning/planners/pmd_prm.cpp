@@ -6,7 +6,7 @@
 #include "handway/planning/roadmap/roadmap.h"
 #include "handway/planning/spaces/hand_arm_region.h"
 #include "handway/planning/spaces/target_sampler.h"
-#include "handway/sampling/sequences/halton_sequence.h"
+#include "handway/sampling/sequences/low_discrepancy.h"
 #include "handway/sampling/sequences/random_stream.h"
 
 #include <algorithm>

@@ -1,7 +1,6 @@
 #include "handway/sampling/postures/pmd_basis_io.h"
 
 #include "handway/geometric/formats/yaml_element.h"
-#include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/replace_file.h"
 
 #include <fmt/format.h>
@@ -10,226 +9,75 @@
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
-#include <string_view>
+#include <string>
 #include <vector>
 
 namespace handway::sampling {
 namespace {
 
-using geometric::InputError;
+using geometric::YamlElement;
 
 constexpr double kUnitLengthTolerance = 1e-2;  // published vectors have four digits
 
-// Reads the parts of one file and knows what to say about wrong ones.
-class BasisReader {
- public:
-  explicit BasisReader(const std::filesystem::path& file) : file_(file) {}
-
-  [[nodiscard]] PmdBasis read() const {
-    const YAML::Node root = load();
-    check_keys(
-        root, "",
-        {"hand", "source", "units", "postures", "joints", "mean", "free_joints", "directions"});
-    PmdBasis basis;
-    basis.hand = text(root, "", "hand");
-    basis.source = root["source"] ? text(root, "", "source") : "";
-    if (const std::string units = text(root, "", "units"); units != "normalised") {
-      fail(root["units"], "units", '"' + units + '"', "normalised",
-           "Scale every joint's range to [0, 1]");
-    }
-    if (root["postures"]) {
-      basis.postures = std::filesystem::absolute(file_).parent_path() / text(root, "", "postures");
-    }
-    basis.joints = joint_names(root);
-    basis.mean = numbers(root, "", "mean", basis.joints.size());
-    for_each(root, "free_joints", [&](const YAML::Node& node, const std::string& element) {
-      basis.free_joints.push_back(free_joint(node, element, basis));
-    });
-    for_each(root, "directions", [&](const YAML::Node& node, const std::string& element) {
-      basis.directions.push_back(direction(node, element, basis));
-    });
-    if (basis.dimension() == 0) {
-      fail(root, "directions", "neither free joints nor directions", "at least one axis", "");
-    }
-    return basis;
+double half_side(const YamlElement& axis) {
+  const YamlElement element = axis.need("half_side");
+  const double result = element.number();
+  if (result <= 0.0) {
+    element.refuse(element.found(), "a number above 0", "Remove an axis that isn't to be sampled");
   }
+  return result;
+}
 
- private:
-  [[noreturn]] void fail(const YAML::Node& node, const std::string& element,
-                         const std::string& found, const std::string& expected,
-                         const std::string& advice) const {
-    const YAML::Mark mark = node.Mark();
-    std::string source = file_.string();
-    if (!mark.is_null()) {
-      source += ':' + std::to_string(mark.line + 1);
+std::vector<std::string> joint_names(const YamlElement& list) {
+  std::vector<std::string> names;
+  for (const YamlElement& item : list.items()) {
+    if (std::ranges::count(names, item.text()) > 0) {
+      item.refuse(item.found() + " a second time", "every joint once");
     }
-    throw InputError({source, element, found, expected, advice});
+    names.push_back(item.text());
   }
-
-  [[nodiscard]] YAML::Node load() const {
-    const YAML::Node root = YAML::Load(geometric::read_yaml_text(file_, "a PMD basis"));
-    if (!root.IsMap()) {
-      fail(root, "", "no keys", "a PMD basis with the keys hand, units, joints and mean", "");
-    }
-    return root;
+  if (names.empty()) {
+    list.refuse("no names", "the hand's independent joints");
   }
+  return names;
+}
 
-  void check_keys(const YAML::Node& map, const std::string& element,
-                  std::initializer_list<std::string_view> known) const {
-    if (!map.IsMap()) {
-      fail(map, element, "no keys", fmt::format("the keys {}", fmt::join(known, ", ")), "");
-    }
-    for (const auto& entry : map) {
-      const std::string& key = entry.first.Scalar();
-      if (std::find(known.begin(), known.end(), key) == known.end()) {
-        fail(entry.first, element, "unknown key \"" + key + '"',
-             fmt::format("one of {}", fmt::join(known, ", ")), "");
-      }
+FreeJoint free_joint(const YamlElement& axis, const PmdBasis& basis) {
+  axis.allow_keys({"joint", "half_side", "centre"});
+  const YamlElement joint = axis.need("joint");
+  const auto found = std::ranges::find(basis.joints, joint.text());
+  if (found == basis.joints.end()) {
+    joint.refuse("the unknown joint " + joint.found(),
+                 fmt::format("one of {}", fmt::join(basis.joints, ", ")));
+  }
+  const auto index = static_cast<int>(found - basis.joints.begin());
+  if (std::ranges::count(basis.free_joints, index, &FreeJoint::joint) > 0) {
+    joint.refuse(joint.found() + " a second time", "every joint once");
+  }
+  return {index, axis.need("centre").number(), half_side(axis)};
+}
+
+PrincipalDirection direction(const YamlElement& axis, int joints) {
+  axis.allow_keys({"name", "half_side", "variance", "vector"});
+  PrincipalDirection result{axis.need("name").text(), axis.need("vector").numbers(joints),
+                            half_side(axis)};
+  if (const auto variance = axis.find("variance")) {
+    result.variance = variance->number();
+    if (result.variance < 0.0) {
+      variance->refuse(variance->found(), "0 or more");
     }
   }
-
-  // The value of a key that must be there.
-  [[nodiscard]] YAML::Node value(const YAML::Node& map, const std::string& element,
-                                 const char* key) const {
-    YAML::Node node = map[key];
-    if (!node) {
-      fail(map, element, fmt::format("no key \"{}\"", key), "it", "");
-    }
-    return node;
+  if (const double length = result.vector.norm(); std::abs(length - 1.0) > kUnitLengthTolerance) {
+    axis.need("vector").refuse(fmt::format("length {:.4f}", length), "length 1",
+                               "Divide the vector by its length and multiply half_side by it");
   }
+  return result;
+}
 
-  [[nodiscard]] std::string text(const YAML::Node& map, const std::string& element,
-                                 const char* key) const {
-    const YAML::Node node = value(map, element, key);
-    if (!node.IsScalar()) {
-      fail(node, within(element, key), "a list or map", "text", "");
-    }
-    return node.Scalar();
-  }
-
-  [[nodiscard]] double number(const YAML::Node& node, const std::string& element) const {
-    double result = 0.0;
-    if (!node.IsScalar() || !YAML::convert<double>::decode(node, result)) {
-      fail(node, element, node.IsScalar() ? '"' + node.Scalar() + '"' : "a list or map", "a number",
-           "");
-    }
-    if (!std::isfinite(result)) {
-      fail(node, element, node.Scalar(), "a finite number", "");
-    }
-    return result;
-  }
-
-  [[nodiscard]] Eigen::VectorXd numbers(const YAML::Node& map, const std::string& element,
-                                        const char* key, std::size_t count) const {
-    const YAML::Node node = value(map, element, key);
-    const std::string name = within(element, key);
-    if (!node.IsSequence()) {
-      fail(node, name, "no list", fmt::format("a list of {} numbers", count), "");
-    }
-    if (node.size() != count) {
-      fail(node, name, fmt::format("{} numbers", node.size()),
-           fmt::format("{}, one per joint", count), "Follow the order of the key joints");
-    }
-    Eigen::VectorXd result(static_cast<Eigen::Index>(count));
-    for (std::size_t i = 0; i < count; ++i) {
-      result[static_cast<Eigen::Index>(i)] = number(node[i], fmt::format("{}[{}]", name, i));
-    }
-    return result;
-  }
-
-  [[nodiscard]] double half_side(const YAML::Node& map, const std::string& element) const {
-    const YAML::Node node = value(map, element, "half_side");
-    const double result = number(node, within(element, "half_side"));
-    if (result <= 0.0) {
-      fail(node, within(element, "half_side"), node.Scalar(), "a number above 0",
-           "Remove an axis that isn't to be sampled");
-    }
-    return result;
-  }
-
-  [[nodiscard]] std::vector<std::string> joint_names(const YAML::Node& root) const {
-    const YAML::Node node = value(root, "", "joints");
-    if (!node.IsSequence() || node.size() == 0) {
-      fail(node, "joints", "no list of names", "the hand's independent joints", "");
-    }
-    std::vector<std::string> names;
-    for (std::size_t i = 0; i < node.size(); ++i) {
-      const std::string element = fmt::format("joints[{}]", i);
-      if (!node[i].IsScalar()) {
-        fail(node[i], element, "a list or map", "a joint's name", "");
-      }
-      const std::string& name = node[i].Scalar();
-      if (std::find(names.begin(), names.end(), name) != names.end()) {
-        fail(node[i], element, '"' + name + "\" a second time", "every joint once", "");
-      }
-      names.push_back(name);
-    }
-    return names;
-  }
-
-  template <typename Read>
-  void for_each(const YAML::Node& root, const char* key, const Read& read_one) const {
-    const YAML::Node list = root[key];
-    if (!list || list.IsNull()) {
-      return;
-    }
-    if (!list.IsSequence()) {
-      fail(list, key, "no list", "a list", "");
-    }
-    for (std::size_t i = 0; i < list.size(); ++i) {
-      read_one(list[i], fmt::format("{}[{}]", key, i));
-    }
-  }
-
-  [[nodiscard]] FreeJoint free_joint(const YAML::Node& node, const std::string& element,
-                                     const PmdBasis& basis) const {
-    check_keys(node, element, {"joint", "half_side", "centre"});
-    const std::string name = text(node, element, "joint");
-    const auto found = std::find(basis.joints.begin(), basis.joints.end(), name);
-    if (found == basis.joints.end()) {
-      fail(node["joint"], within(element, "joint"), "unknown joint \"" + name + '"',
-           fmt::format("one of {}", fmt::join(basis.joints, ", ")), "");
-    }
-    FreeJoint result;
-    result.joint = static_cast<int>(found - basis.joints.begin());
-    for (const FreeJoint& other : basis.free_joints) {
-      if (other.joint == result.joint) {
-        fail(node["joint"], within(element, "joint"), '"' + name + "\" a second time",
-             "every joint once", "");
-      }
-    }
-    result.half_side = half_side(node, element);
-    result.centre = number(value(node, element, "centre"), within(element, "centre"));
-    return result;
-  }
-
-  [[nodiscard]] PrincipalDirection direction(const YAML::Node& node, const std::string& element,
-                                             const PmdBasis& basis) const {
-    check_keys(node, element, {"name", "half_side", "variance", "vector"});
-    PrincipalDirection result;
-    result.name = text(node, element, "name");
-    result.half_side = half_side(node, element);
-    if (const YAML::Node variance = node["variance"]) {
-      result.variance = number(variance, within(element, "variance"));
-      if (result.variance < 0.0) {
-        fail(variance, within(element, "variance"), variance.Scalar(), "0 or more", "");
-      }
-    }
-    result.vector = numbers(node, element, "vector", basis.joints.size());
-    if (const double length = result.vector.norm(); std::abs(length - 1.0) > kUnitLengthTolerance) {
-      fail(node["vector"], within(element, "vector"), fmt::format("length {:.4f}", length),
-           "length 1", "Divide the vector by its length and multiply half_side by it");
-    }
-    return result;
-  }
-
-  static std::string within(const std::string& element, const char* key) {
-    return element.empty() ? key : element + '.' + key;
-  }
-
-  std::filesystem::path file_;
-};
+std::vector<YamlElement> items_of(const YamlElement& top, const char* key) {
+  const auto list = top.find(key);
+  return list ? list->items() : std::vector<YamlElement>();
+}
 
 std::string shortest(double x) { return fmt::format("{}", x); }
 
@@ -252,7 +100,35 @@ std::string seen_from(const std::filesystem::path& file, const std::filesystem::
 
 }  // namespace
 
-PmdBasis read_pmd_basis(const std::filesystem::path& file) { return BasisReader(file).read(); }
+PmdBasis read_pmd_basis(const std::filesystem::path& file) {
+  const YamlElement top = YamlElement::read(file, "a PMD basis");
+  top.allow_keys(
+      {"hand", "source", "units", "postures", "joints", "mean", "free_joints", "directions"});
+  PmdBasis basis;
+  basis.hand = top.need("hand").text();
+  if (const auto source = top.find("source")) {
+    basis.source = source->text();
+  }
+  if (const YamlElement units = top.need("units"); units.text() != "normalised") {
+    units.refuse(units.found(), "normalised", "Scale every joint's range to [0, 1]");
+  }
+  if (const auto postures = top.find("postures")) {
+    basis.postures = std::filesystem::absolute(file).parent_path() / postures->text();
+  }
+  basis.joints = joint_names(top.need("joints"));
+  const auto count = static_cast<int>(basis.joints.size());
+  basis.mean = top.need("mean").numbers(count);
+  for (const YamlElement& axis : items_of(top, "free_joints")) {
+    basis.free_joints.push_back(free_joint(axis, basis));
+  }
+  for (const YamlElement& axis : items_of(top, "directions")) {
+    basis.directions.push_back(direction(axis, count));
+  }
+  if (basis.dimension() == 0) {
+    top.refuse("neither free joints nor directions", "at least one axis");
+  }
+  return basis;
+}
 
 void write_pmd_basis(const PmdBasis& basis, const std::filesystem::path& file) {
   YAML::Emitter out;

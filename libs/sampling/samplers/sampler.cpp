@@ -1,8 +1,7 @@
 #include "handway/sampling/samplers/sampler.h"
 
-#include "handway/sampling/sequences/halton_sequence.h"
+#include "handway/sampling/sequences/low_discrepancy.h"
 #include "handway/sampling/sequences/random_stream.h"
-#include "handway/sampling/sequences/sdk_sequence.h"
 
 #include <algorithm>
 #include <optional>
@@ -31,7 +30,7 @@ class RandomSampler final : public Sampler {
 class HaltonSampler final : public Sampler {
  public:
   HaltonSampler(int dimension, std::uint64_t seed)
-      : Sampler(dimension), sequence_(dimension, {.leap = 1, .scramble = seed}) {}
+      : Sampler(dimension), sequence_(dimension, seed) {}
 
  private:
   [[nodiscard]] Eigen::VectorXd do_point(std::uint64_t index) const override {

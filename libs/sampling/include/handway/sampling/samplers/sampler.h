@@ -63,7 +63,7 @@ struct PairOptions {
 
 /// Sources:
 /// - Halton, "On the efficiency of certain quasi-random sequences of points in evaluating
-///   multi-dimensional integrals", Numer. Math. 2, 1960; permuted as HaltonOptions::scramble.
+///   multi-dimensional integrals", Numer. Math. 2, 1960; permuted, see HaltonSequence.
 /// - Rosell, Roa, Pérez, García, "A general deterministic sequence for sampling d-dimensional
 ///   configuration spaces", J. Intell. Robot. Syst. 50(4), 2007.
 /// - Boor, Overmars, van der Stappen, "The Gaussian sampling strategy for probabilistic roadmap

@@ -1,4 +1,4 @@
-#include "handway/sampling/sequences/sdk_sequence.h"
+#include "handway/sampling/sequences/low_discrepancy.h"
 
 #include "handway/sampling/sequences/random_stream.h"
 
@@ -15,6 +15,77 @@
 
 namespace handway::sampling {
 namespace {
+
+TEST(SweepPosition, FollowsThePaperOrder) {
+  const std::vector<double> positions = {0, 1, 0.5, 0.25, 0.75, 0.125, 0.625};
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    EXPECT_EQ(sweep_position(i), positions[i]);
+  }
+}
+
+TEST(SweepPosition, VisitsEvenlySpacedPointsOnce) {
+  for (const std::uint64_t steps : {1u, 2u, 16u, 1024u}) {
+    std::set<double> visited;
+    for (std::uint64_t i = 0; i <= steps; ++i) {
+      visited.insert(sweep_position(i));
+    }
+    std::set<double> expected;
+    for (std::uint64_t i = 0; i <= steps; ++i) {
+      expected.insert(static_cast<double>(i) / static_cast<double>(steps));
+    }
+    EXPECT_EQ(visited, expected);
+  }
+}
+
+TEST(SweepPosition, StaysBelowOne) {
+  EXPECT_LT(sweep_position(std::numeric_limits<std::uint64_t>::max()), 1.0);
+}
+
+// Any 2^a 3^b successive elements have one point in every box of the grid with
+// 2^a by 3^b cells.
+int boxes_hit(const HaltonSequence& sequence, std::uint64_t first) {
+  std::set<std::pair<int, int>> boxes;
+  for (std::uint64_t i = first; i < first + 8 * 9; ++i) {
+    const Eigen::VectorXd point = sequence.point(i);
+    boxes.emplace(static_cast<int>(point[0] * 8.0), static_cast<int>(point[1] * 9.0 + 1e-12));
+  }
+  return static_cast<int>(boxes.size());
+}
+
+TEST(HaltonSequence, HitsEveryElementaryIntervalEquallyOften) {
+  for (const std::uint64_t first : {0u, 17u, 100000u}) {
+    EXPECT_EQ(boxes_hit(HaltonSequence(2, 99), first), 72);
+  }
+}
+
+TEST(HaltonSequence, RefusesNoDimensions) {
+  EXPECT_THROW(HaltonSequence(0, 1), std::invalid_argument);
+}
+
+TEST(HaltonSequence, BreaksTheLinesOfManyDimensionsByPermutations) {
+  constexpr int kPoints = 60;  // below the bases 71 and 73 of the last two axes
+  const auto correlation = [&](const HaltonSequence& sequence) {
+    Eigen::MatrixXd points(kPoints, 2);
+    for (int i = 0; i < kPoints; ++i) {
+      points.row(i) = sequence.point(static_cast<std::uint64_t>(i)).tail(2);
+    }
+    const Eigen::MatrixXd centred = points.rowwise() - points.colwise().mean();
+    return centred.col(0).dot(centred.col(1)) / (centred.col(0).norm() * centred.col(1).norm());
+  };
+  EXPECT_LT(std::abs(correlation(HaltonSequence(21, 5))), 0.4);  // 0.99 without permutations
+}
+
+TEST(HaltonSequence, WorksInManyDimensions) {
+  const HaltonSequence sequence(200, 3);
+  Eigen::VectorXd mean = Eigen::VectorXd::Zero(200);
+  for (std::uint64_t i = 0; i < 5000; ++i) {
+    const Eigen::VectorXd point = sequence.point(i);
+    ASSERT_GE(point.minCoeff(), 0.0);
+    ASSERT_LT(point.maxCoeff(), 1.0);
+    mean += point / 5000.0;
+  }
+  EXPECT_LT((mean.array() - 0.5).abs().maxCoeff(), 0.15);
+}
 
 std::vector<int> cell_of(const Eigen::VectorXd& point, int level) {
   std::vector<int> cell;
@@ -44,11 +115,11 @@ TEST(SdkSequence, HasInvertibleMatrices) {
 
 TEST(SdkSequence, OrdersTheQuadrantsByMutualDistance) {
   const SdkSequence sequence(2, 1);
-  EXPECT_EQ(sequence.centre(0), Eigen::Vector2d(0.25, 0.25));
-  EXPECT_EQ(sequence.centre(1), Eigen::Vector2d(0.75, 0.75));
-  EXPECT_EQ(sequence.centre(2), Eigen::Vector2d(0.25, 0.75));
-  EXPECT_EQ(sequence.centre(3), Eigen::Vector2d(0.75, 0.25));
-  EXPECT_EQ(sequence.centre(4), sequence.centre(0));
+  EXPECT_EQ(sequence.corner(0), Eigen::Vector2d(0.0, 0.0));
+  EXPECT_EQ(sequence.corner(1), Eigen::Vector2d(0.5, 0.5));
+  EXPECT_EQ(sequence.corner(2), Eigen::Vector2d(0.0, 0.5));
+  EXPECT_EQ(sequence.corner(3), Eigen::Vector2d(0.5, 0.0));
+  EXPECT_EQ(sequence.corner(4), sequence.corner(0));
 }
 
 TEST(SdkSequence, RefinesTheGridLevelByLevel) {
@@ -118,7 +189,8 @@ TEST(SdkSequence, HasLowerDispersionThanRandomPoints) {
     std::vector<Eigen::VectorXd> sdk;
     std::vector<Eigen::VectorXd> random;
     for (int k = 0; k < count; ++k) {
-      sdk.push_back(sequence.centre(static_cast<std::uint64_t>(k)));
+      sdk.emplace_back(sequence.corner(static_cast<std::uint64_t>(k)).array() +
+                       0.5 * sequence.side());
       random.push_back(stream.uniform(d));
     }
     EXPECT_LT(dispersion(sdk, d), 0.7 * dispersion(random, d)) << d << ' ' << count;
@@ -131,11 +203,11 @@ TEST(SdkSequence, HasLowerDispersionThanRandomPoints) {
 TEST(SdkSequence, WorksInManyDimensions) {
   const SdkSequence sequence(22, 10);
   for (std::uint64_t k = 0; k < 1000; ++k) {
-    const Eigen::VectorXd point = sequence.centre(k * 0x123456789abcdefu);
+    const Eigen::VectorXd point = sequence.corner(k * 0x123456789abcdefu);
     ASSERT_GE(point.minCoeff(), 0.0);
     ASSERT_LE(point.maxCoeff(), 1.0);
   }
-  EXPECT_NO_THROW(static_cast<void>(SdkSequence(100, 2).centre(~std::uint64_t{0})));
+  EXPECT_NO_THROW(static_cast<void>(SdkSequence(100, 2).corner(~std::uint64_t{0})));
 }
 
 TEST(SdkSequence, RefusesLevelsBeyondADoublesPrecision) {
