@@ -5,7 +5,6 @@
 #include "handway/geometric/robot/arm_inverse_kinematics.h"
 #include "handway/geometric/robot/normalised_joints.h"
 #include "handway/geometric/robot/robot_state.h"
-#include "handway/sampling/regions/arm_corridor.h"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -26,20 +25,23 @@ class JointSpace final : public CorridorSpace {
  public:
   explicit JointSpace(const PlanningProblem& problem)
       : CorridorSpace(problem),
-        corridor_(arm_coordinates(problem.start), arm_coordinates(problem.goal)) {
+        start_(arm_coordinates(problem.start)),
+        goal_(arm_coordinates(problem.goal)) {
     set_arm_coordinates(arm());
   }
 
-  [[nodiscard]] int steps(double rho) const override { return corridor_.steps(rho); }
-  [[nodiscard]] int corridor_dimension() const override { return corridor_.dimension(); }
+  [[nodiscard]] int corridor_dimension() const override { return static_cast<int>(start_.size()); }
   [[nodiscard]] Eigen::VectorXd corridor_point(double step, double rho,
                                                const Eigen::VectorXd& u) const override {
-    return corridor_.sample(step, rho, u)
-        .cwiseMax(lower().head(u.size()))
-        .cwiseMin(upper().head(u.size()));
+    const Eigen::VectorXd centre = start_ + step * (goal_ - start_);
+    return (centre.array() + rho * (2.0 * u.array() - 1.0))
+        .max(lower().head(u.size()).array())
+        .min(upper().head(u.size()).array());
   }
 
  private:
+  [[nodiscard]] double corridor_length() const override { return (goal_ - start_).norm(); }
+
   [[nodiscard]] Eigen::VectorXd arm_coordinates(const Configuration& q) const override {
     return geometric::normalised(problem().model(), q)(arm());
   }
@@ -51,7 +53,8 @@ class JointSpace final : public CorridorSpace {
     return geometric::denormalised(problem().model(), joints);
   }
 
-  sampling::ArmCorridor corridor_;
+  Eigen::VectorXd start_;
+  Eigen::VectorXd goal_;
 };
 
 [[noreturn]] void refuse(const PlanningProblem& problem, const std::string& found) {
@@ -75,7 +78,13 @@ geometric::NumericIkOptions tracking() {
   return options;
 }
 
-/// Arm coordinates are the pose of the last arm link, the tool that carries the hand.
+// How far ρ_a, which is in normalised joints, reaches in Cartesian space.
+constexpr double kPositionScale = 1.0;     // m
+constexpr double kOrientationScale = 3.0;  // rad
+
+/// Arm coordinates are the pose of the last arm link, the tool that carries the hand. On the
+/// straight motion it turns evenly about one axis: a second reading of section 5.1. Positions are
+/// perturbed along the base's axes, orientations by a rotation vector in the tool's frame.
 class ToolSpace final : public CorridorSpace {
  public:
   explicit ToolSpace(const PlanningProblem& problem)
@@ -83,9 +92,11 @@ class ToolSpace final : public CorridorSpace {
         link_(last_arm_link(problem)),
         ik_(geometric::make_arm_inverse_kinematics(problem.scene->robots.front().model, link_,
                                                    problem.arm, tracking())),
-        corridor_(tool_pose(problem.start), tool_pose(problem.goal), scale_),
-        q_BM_(Eigen::Quaterniond(tool_pose(problem.start).linear())
-                  .slerp(0.5, Eigen::Quaterniond(tool_pose(problem.goal).linear()))) {
+        p_BS_(tool_pose(problem.start).translation()),
+        p_BG_(tool_pose(problem.goal).translation()),
+        q_BS_(tool_pose(problem.start).linear()),
+        q_BG_(tool_pose(problem.goal).linear()),
+        q_BM_(q_BS_.slerp(0.5, q_BG_)) {
     std::vector<int> arm = problem.arm;
     std::ranges::sort(arm);
     if (ik_->variables() != arm) {
@@ -94,31 +105,39 @@ class ToolSpace final : public CorridorSpace {
     if (arm.size() < 6) {
       refuse(problem, fmt::format("an arm of {} joint{}", arm.size(), arm.size() == 1 ? "" : "s"));
     }
-    set_arm_coordinates(std::vector<int>(6, -1));
+    set_arm_coordinates(std::vector<int>(corridor_dimension(), -1));
   }
 
-  [[nodiscard]] int steps(double rho) const override { return corridor_.steps(rho); }
-  [[nodiscard]] int corridor_dimension() const override {
-    return sampling::CartesianCorridor::kDimension;
-  }
+  [[nodiscard]] int corridor_dimension() const override { return 6; }
   [[nodiscard]] Eigen::VectorXd corridor_point(double step, double rho,
                                                const Eigen::VectorXd& u) const override {
-    return chart(corridor_.pose(step, rho, u));
+    const Eigen::Matrix<double, 6, 1> e = rho * (2.0 * u.array() - 1.0);
+    const Eigen::Quaterniond q_BT =
+        q_BS_.slerp(step, q_BG_) *
+        Eigen::Quaterniond(geometric::turn_from_rotation_vector(kOrientationScale * e.tail<3>()));
+    return chart(p_BS_ + step * (p_BG_ - p_BS_) + kPositionScale * e.head<3>(),
+                 q_BT.toRotationMatrix());
   }
 
  private:
+  [[nodiscard]] double corridor_length() const override {
+    return std::max((p_BG_ - p_BS_).norm() / kPositionScale,
+                    q_BS_.angularDistance(q_BG_) / kOrientationScale);
+  }
+
   [[nodiscard]] Eigen::VectorXd arm_coordinates(const Configuration& q) const override {
-    return chart(tool_pose(q));
+    const Pose X_BT = tool_pose(q);
+    return chart(X_BT.translation(), X_BT.linear());
   }
 
   // Of all branches the posture nearest to that of `q`.
   [[nodiscard]] std::optional<Configuration> with_arm(const Configuration& q,
                                                       const Eigen::VectorXd& x) const override {
     Pose X_BT = Pose::Identity();
-    X_BT.translation() = scale_.position * x.head<3>();
+    X_BT.translation() = kPositionScale * x.head<3>();
     X_BT.linear() =
         q_BM_.toRotationMatrix() *
-        geometric::turn_from_rotation_vector(scale_.orientation * x.tail<3>()).toRotationMatrix();
+        geometric::turn_from_rotation_vector(kOrientationScale * x.tail<3>()).toRotationMatrix();
     const geometric::IkResult found = ik_->solve(X_BT, q);
     return found.solutions.empty() ? std::nullopt
                                    : std::optional(ik_->placed(found.solutions.front(), q));
@@ -133,18 +152,21 @@ class ToolSpace final : public CorridorSpace {
 
   // Position, and the rotation vector from the orientation midway between start
   // and goal, so that the chart's border, half a turn, is far.
-  [[nodiscard]] Eigen::VectorXd chart(const Pose& X_BT) const {
-    const Eigen::AngleAxisd turn(q_BM_.conjugate() * Eigen::Quaterniond(X_BT.linear()));
-    Eigen::VectorXd x(6);
-    x << X_BT.translation() / scale_.position, turn.angle() * turn.axis() / scale_.orientation;
+  [[nodiscard]] Eigen::VectorXd chart(const Eigen::Vector3d& p_BT,
+                                      const Eigen::Matrix3d& R_BT) const {
+    const Eigen::AngleAxisd turn(q_BM_.conjugate() * Eigen::Quaterniond(R_BT));
+    Eigen::VectorXd x(corridor_dimension());
+    x << p_BT / kPositionScale, turn.angle() * turn.axis() / kOrientationScale;
     return x;
   }
 
   int link_;
   std::unique_ptr<geometric::InverseKinematics> ik_;
-  sampling::CartesianScale scale_;
-  sampling::CartesianCorridor corridor_;
-  Eigen::Quaterniond q_BM_;
+  Eigen::Vector3d p_BS_;
+  Eigen::Vector3d p_BG_;
+  Eigen::Quaterniond q_BS_;
+  Eigen::Quaterniond q_BG_;
+  Eigen::Quaterniond q_BM_;  ///< Midway.
 };
 
 }  // namespace
@@ -183,6 +205,15 @@ void CorridorSpace::set_arm_coordinates(const std::vector<int>& arm_variables) {
     }
   }
   set_bounds(std::move(lower), std::move(upper), geometric::Periods(std::move(periods)));
+}
+
+int CorridorSpace::steps(double rho) const {
+  constexpr int kMost = 1 << 20;
+  int count = 1;
+  while (count < kMost && corridor_length() / count > rho) {
+    count *= 2;
+  }
+  return count;
 }
 
 Eigen::VectorXd CorridorSpace::coordinates(const Configuration& q) const {

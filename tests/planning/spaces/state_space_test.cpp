@@ -42,6 +42,26 @@ TEST(JointSpace, HasACorridorWithinTheLimitsOfTheJoints) {
   }
 }
 
+TEST(JointSpace, HasTheSmallestPowerOfTwoOfStepsThatIsFineEnough) {
+  const PlanningProblem problem = test::open_problem();
+  const auto space = make_corridor_space(problem, CorridorForm::kJoint);
+  const Eigen::VectorXd middle = Eigen::VectorXd::Constant(space->corridor_dimension(), 0.5);
+  const double length =
+      (space->corridor_point(1.0, 0.1, middle) - space->corridor_point(0.0, 0.1, middle)).norm();
+  EXPECT_EQ(space->steps(1.01 * length), 1);
+  EXPECT_EQ(space->steps(0.9 * length), 2);
+  EXPECT_EQ(space->steps(0.2 * length), 8);
+  EXPECT_EQ(space->steps(0.0), 1 << 20);
+}
+
+TEST(JointSpace, ReachesTheFacesOfItsCubes) {
+  const PlanningProblem problem = test::open_problem();
+  const auto space = make_corridor_space(problem, CorridorForm::kJoint);
+  const Eigen::VectorXd centre = space->corridor_point(0.5, 0.01, Eigen::Vector2d(0.5, 0.5));
+  EXPECT_TRUE(space->corridor_point(0.5, 0.01, Eigen::Vector2d(0.0, 1.0))
+                  .isApprox(centre + Eigen::Vector2d(-0.01, 0.01), 1e-12));
+}
+
 TEST(JointSpace, GoesOnBeyondATurnOfAContinuousJoint) {
   const PlanningProblem problem = test::endless_problem(3.0, 3.5);
   const auto space = make_corridor_space(problem, CorridorForm::kJoint);

@@ -11,7 +11,7 @@
 namespace handway::planning {
 
 /// Settings of RrtConnect. Lengths in joints normalised to [0, 1]; with a
-/// Cartesian corridor the arm's in units of sampling::CartesianScale.
+/// Cartesian corridor the arm's as make_corridor_space() has them.
 struct RrtConnectSettings {
   double range = 0.3;   ///< Longest step of a tree.
   int refinements = 0;  ///< Steps tried, each a quarter of the one before, when one is not free.

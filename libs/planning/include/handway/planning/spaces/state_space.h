@@ -57,8 +57,8 @@ class HANDWAY_PLANNING_EXPORT StateSpace {
 
 /// In which space the arm's sampling region lies along the straight motion.
 enum class CorridorForm {
-  kJoint,      ///< Arm joints, as printed (paper, section 5.1): sampling::ArmCorridor.
-  kCartesian,  ///< Poses of the arm's tool: sampling::CartesianCorridor.
+  kJoint,      ///< Arm joints, as printed (paper, section 5.1).
+  kCartesian,  ///< Poses of the arm's tool.
 };
 
 /// A space of the arm's coordinates followed by the hand's joints, normalised to [0, 1], with a
@@ -69,12 +69,15 @@ class HANDWAY_PLANNING_EXPORT CorridorSpace : public StateSpace {
   [[nodiscard]] std::optional<Configuration> configuration(
       const Eigen::VectorXd& x, const Configuration& reference) const final;
 
-  /// Hypercubes of half side `rho` that the corridor is cut into, less one.
-  [[nodiscard]] virtual int steps(double rho) const = 0;
+  /// Hypercubes of half side `rho` that the corridor is cut into, less one: STEPS of section 5.3,
+  /// the smallest power of two n such that n + 1 evenly spaced points of the straight motion are no
+  /// farther apart than `rho`; at most 2^20. Powers of two, so that sampling::sweep_position()
+  /// visits each point once.
+  [[nodiscard]] int steps(double rho) const;
   /// Size of the points that corridor_point() takes.
   [[nodiscard]] virtual int corridor_dimension() const = 0;
   /// The arm's coordinates in the hypercube of half side `rho` at `step` (0: start, 1: goal).
-  /// @param u in [0,1]^corridor_dimension(): where in the hypercube.
+  /// @param u in [0,1]^corridor_dimension(): where in the hypercube (Algorithm 1's draw).
   [[nodiscard]] virtual Eigen::VectorXd corridor_point(double step, double rho,
                                                        const Eigen::VectorXd& u) const = 0;
 
@@ -85,6 +88,8 @@ class HANDWAY_PLANNING_EXPORT CorridorSpace : public StateSpace {
   /// arm's coordinates; -1 of a coordinate without limits.
   void set_arm_coordinates(const std::vector<int>& arm_variables);
 
+  /// Of the straight motion, in the arm's coordinates.
+  [[nodiscard]] virtual double corridor_length() const = 0;
   [[nodiscard]] virtual Eigen::VectorXd arm_coordinates(const Configuration& q) const = 0;
   /// `q`, with its hand posture, with the arm at `x`.
   [[nodiscard]] virtual std::optional<Configuration> with_arm(const Configuration& q,
@@ -92,7 +97,7 @@ class HANDWAY_PLANNING_EXPORT CorridorSpace : public StateSpace {
 };
 
 /// Arm joints normalised to [0, 1], or the pose of the last arm link: its position and rotation
-/// vector in units of sampling::CartesianScale.
+/// vector in units of 1 m and 3 rad.
 /// In a Cartesian corridor the arm's inverse kinematics is solved in closed form or by iteration;
 /// of a redundant arm the configuration at a pose then depends on the reference.
 /// @throws InputError if a Cartesian corridor is asked for and the arm has fewer than six joints,

@@ -19,7 +19,7 @@ namespace handway::planning {
 
 /// Where planners with PMDs draw the targets of their searches from: around the
 /// straight motion of the arm and around both ends. Lengths in joints normalised
-/// to [0, 1]; with a Cartesian corridor in units of sampling::CartesianScale.
+/// to [0, 1]; with a Cartesian corridor as make_corridor_space() has them.
 struct TargetRegion {
   int corridor = static_cast<int>(CorridorForm::kJoint);  ///< A CorridorForm.
   double near_ends = 0.7;   ///< Share of samples drawn around start and goal.
