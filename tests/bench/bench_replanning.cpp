@@ -1,6 +1,6 @@
 /// An object dragged in steps of a centimetre: planning again with a dynamic roadmap, which
 /// keeps what it knows, and planning anew.
-#include "handway/planning/planners/auto_planner.h"
+#include "handway/planning/planners/planner_registry.h"
 #include "handway/planning/replanning/dynamic_roadmap.h"
 #include "handway_test/known_problems.h"
 #include "handway_test/roadmap_scenes.h"
@@ -88,12 +88,12 @@ void bm_dynamic_roadmap(benchmark::State& state, const Drag& drag) {
 void bm_anew(benchmark::State& state, const Drag& drag) {
   DynamicRoadmap moved(problem_of(drag.scene));  // for its problem alone
   const geometric::Pose X_WO = geometric::find_object(*moved.problem().scene, drag.object)->X_PO;
-  AutoPlanner planner;
+  const auto planner = PlannerRegistry().create("auto");
   Sum sum;
   int step = 0;
   for (auto _ : state) {
     test::move_object(moved, drag.object, place_of(X_WO, drag, ++step));
-    const PlanResult result = planner.plan(moved.problem(), {});
+    const PlanResult result = planner->plan(moved.problem(), {});
     state.SetIterationTime(search_time(result));
     sum.add(result, search_time(result));
   }

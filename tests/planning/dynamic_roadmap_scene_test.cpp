@@ -1,6 +1,6 @@
 /// A dynamic roadmap on a scene that ships.
 #include "handway/geometric/collision/continuous/continuous_collision_checker.h"
-#include "handway/planning/planners/auto_planner.h"
+#include "handway/planning/planners/planner_registry.h"
 #include "handway/planning/replanning/dynamic_roadmap.h"
 #include "handway_test/known_problems.h"
 #include "handway_test/roadmap_scenes.h"
@@ -27,7 +27,7 @@ TEST(DynamicRoadmapOfCanOnTable, FollowsTheCanWithFewerChecksThanPlanningAnew) {
   const PlanResult result = roadmap.plan({});
   ASSERT_TRUE(result.solved()) << result.reason;
   const PlanningProblem& problem = roadmap.problem();
-  const PlanResult anew = AutoPlanner().plan(problem, {});
+  const PlanResult anew = PlannerRegistry().create("auto")->plan(problem, {});
   ASSERT_TRUE(anew.solved());
   EXPECT_LT(result.statistics.checks(), anew.statistics.checks());
   const std::unique_ptr<geometric::CollisionChecker> checker = problem.checker->clone();

@@ -1,7 +1,7 @@
 #include "handway/planning/replanning/dynamic_roadmap.h"
 
 #include "handway/geometric/collision/continuous/continuous_collision_checker.h"
-#include "handway/planning/planners/auto_planner.h"
+#include "handway/planning/planners/planner_registry.h"
 #include "handway_test/planar_problems.h"
 #include "handway_test/roadmap_scenes.h"
 
@@ -50,8 +50,7 @@ void expect_valid(DynamicRoadmap& roadmap, const PlanResult& result) {
 }
 
 std::uint64_t checks_anew(DynamicRoadmap& roadmap) {
-  AutoPlanner planner;
-  const PlanResult result = planner.plan(roadmap.problem(), {});
+  const PlanResult result = PlannerRegistry().create("auto")->plan(roadmap.problem(), {});
   EXPECT_TRUE(result.solved());
   return result.statistics.checks();
 }

@@ -2,8 +2,7 @@
 
 #include "handway/geometric/robot/normalised_joints.h"
 #include "handway/planning/paths/path_check.h"
-#include "handway/planning/planners/auto_planner.h"
-#include "handway/planning/planners/rrt_connect.h"
+#include "handway/planning/planners/planner_registry.h"
 #include "handway_test/planar_problems.h"
 
 #include <gtest/gtest.h>
@@ -28,14 +27,16 @@ PlanningProblem problem_outside_of_subspace() {
   return problem;
 }
 
+std::unique_ptr<Planner> auto_planner() { return PlannerRegistry().create("auto"); }
+
 class Optimizer : public testing::Test {
  protected:
   static ObjectiveWeights human_like() { return {.human_likeness = 10.0}; }
 
   Path found() {
-    RrtConnect planner(HandSpace::kAllJoints);
-    planner.settings().smoothing_checks = 0;
-    return planner.plan(problem_, {}).path;
+    const auto planner = PlannerRegistry().create("rrt-connect");
+    planner->set_parameter("smoothing_checks", "0");
+    return planner->plan(problem_, {}).path;
   }
   Path optimized(const Path& path, const ObjectiveWeights& weights, std::uint64_t checks,
                  std::uint64_t seed = 3) {
@@ -137,15 +138,15 @@ TEST_F(Optimizer, Converges) {
 }
 
 TEST_F(Optimizer, RepeatsWhatItDidInSomeTimeByTheNumberOfChecks) {
-  AutoPlanner planner;
+  const auto planner = auto_planner();
   PlanRequest request;
   request.optimize_s = 0.05;
-  const PlanResult timed = planner.plan(problem_, request);
+  const PlanResult timed = planner->plan(problem_, request);
   ASSERT_TRUE(timed.solved());
   ASSERT_GT(timed.optimize_checks, 0U);
-  AutoPlanner again;
-  again.set_parameter("optimize_checks", std::to_string(timed.optimize_checks));
-  const PlanResult counted = again.plan(problem_, {});
+  const auto again = auto_planner();
+  again->set_parameter("optimize_checks", std::to_string(timed.optimize_checks));
+  const PlanResult counted = again->plan(problem_, {});
   EXPECT_EQ(counted.path.waypoints, timed.path.waypoints);
   EXPECT_EQ(counted.optimize_checks, timed.optimize_checks);
 }
@@ -170,10 +171,10 @@ TEST(AutoPlannerTest, MovesTheHandInTheSubspaceOfAnyBasis) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     PlanRequest request;
     request.seed = seed;
-    const PlanResult human = AutoPlanner().plan(problem, request);
-    AutoPlanner shortest;
-    shortest.objective().preset = static_cast<int>(ObjectivePreset::kShortest);
-    const PlanResult direct = shortest.plan(problem, request);
+    const PlanResult human = auto_planner()->plan(problem, request);
+    const auto shortest = auto_planner();
+    shortest->set_parameter("objective", "shortest");
+    const PlanResult direct = shortest->plan(problem, request);
     ASSERT_TRUE(human.solved() && direct.solved()) << seed;
     const PathQuality quality = path_quality(problem, human.path);
     EXPECT_LT(quality.human_likeness->mean, path_quality(problem, direct.path).human_likeness->mean)
@@ -185,7 +186,7 @@ TEST(AutoPlannerTest, MovesTheHandInTheSubspaceOfAnyBasis) {
 TEST(AutoPlannerTest, PlansOverAllJointsWithoutABasisAndSaysSo) {
   PlanningProblem problem = test::post_problem();
   problem.basis = nullptr;
-  const PlanResult result = AutoPlanner().plan(problem, {});
+  const PlanResult result = auto_planner()->plan(problem, {});
   ASSERT_TRUE(result.solved()) << result.reason;
   EXPECT_NE(result.reason.find("over all joints: the scene has no hand basis"), std::string::npos)
       << result.reason;
@@ -196,15 +197,15 @@ TEST(AutoPlannerTest, FindsTheSameForAnyNumberOfThreads) {
   const PlanningProblem problem = problem_outside_of_subspace();
   PlanRequest two;
   two.threads = 2;
-  EXPECT_EQ(AutoPlanner().plan(problem, two).path.waypoints,
-            AutoPlanner().plan(problem, {}).path.waypoints);
+  EXPECT_EQ(auto_planner()->plan(problem, two).path.waypoints,
+            auto_planner()->plan(problem, {}).path.waypoints);
 }
 
 TEST(SearchReachOfPlanners, IsKnownWhereNoPathIsFound) {
-  for (const HandSpace space : {HandSpace::kPrincipalDirections, HandSpace::kAllJoints}) {
-    RrtConnect planner(space);
-    planner.settings().max_samples = 300;
-    const PlanResult result = planner.plan(test::walled_in_problem(), {});
+  for (const char* name : {"pmd-rrt-connect", "rrt-connect"}) {
+    const auto planner = PlannerRegistry().create(name);
+    planner->set_parameter("max_samples", "300");
+    const PlanResult result = planner->plan(test::walled_in_problem(), {});
     ASSERT_FALSE(result.solved());
     ASSERT_TRUE(result.reach);
     EXPECT_GT(result.reach->start_nodes, 1U);

@@ -1,9 +1,10 @@
-#include "handway/planning/planners/pmd_prm.h"
+#include "handway/planning/planners/planner_registry.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <handway_test/planar_problems.h>
 
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,11 +16,13 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-PmdPrm planner_as_printed() {
-  PmdPrm planner(HandSpace::kPrincipalDirections);
-  for (const Parameter& parameter : planner.parameters()) {
+std::unique_ptr<Planner> planner_as_shipped() { return PlannerRegistry().create("pmd-prm"); }
+
+std::unique_ptr<Planner> planner_as_printed() {
+  std::unique_ptr<Planner> planner = planner_as_shipped();
+  for (const Parameter& parameter : planner->parameters()) {
     if (!parameter.as_printed.empty()) {
-      planner.set_parameter(parameter.key, parameter.as_printed);
+      planner->set_parameter(parameter.key, parameter.as_printed);
     }
   }
   return planner;
@@ -51,46 +54,43 @@ PlanningProblem held_between_pins() {
 }
 
 TEST(PmdPrm, NamesWhatDepartsFromThePrint) {
-  PmdPrm planner(HandSpace::kPrincipalDirections);
   std::vector<std::string> keys;
-  for (const Parameter& parameter : departures(planner.parameters())) {
+  for (const Parameter& parameter : departures(planner_as_shipped()->parameters())) {
     keys.push_back(parameter.key);
   }
   EXPECT_THAT(keys, ElementsAre("rho_max", "fill_gaps", "n_checked", "smoothing"));
-  PmdPrm printed = planner_as_printed();
-  EXPECT_THAT(departures(printed.parameters()), IsEmpty());
+  EXPECT_THAT(departures(planner_as_printed()->parameters()), IsEmpty());
 }
 
 TEST(PmdPrm, GrowsTheCorridorWithoutLimitAsPrinted) {
-  PmdPrm printed = planner_as_printed();
-  printed.settings().rho_a = 0.02;
-  printed.settings().max_samples = 20000;
-  EXPECT_GT(printed.plan(test::walled_in_problem(), {}).statistics.final_rho_a, 1.0);
-  PmdPrm shipped(HandSpace::kPrincipalDirections);
-  shipped.settings().rho_a = 0.02;
-  shipped.settings().max_samples = 20000;
-  EXPECT_DOUBLE_EQ(shipped.plan(test::walled_in_problem(), {}).statistics.final_rho_a,
-                   PmdPrmSettings{}.rho_max);
+  const auto printed = planner_as_printed();
+  printed->set_parameter("rho_a", "0.02");
+  printed->set_parameter("max_samples", "20000");
+  EXPECT_GT(printed->plan(test::walled_in_problem(), {}).statistics.final_rho_a, 1.0);
+  const auto shipped = planner_as_shipped();
+  shipped->set_parameter("rho_a", "0.02");
+  shipped->set_parameter("max_samples", "20000");
+  EXPECT_DOUBLE_EQ(shipped->plan(test::walled_in_problem(), {}).statistics.final_rho_a, 0.05);
 }
 
 TEST(PmdPrm, ChecksNAtTheEndOfEachPassAsPrinted) {
-  PmdPrm printed = planner_as_printed();
-  printed.settings().max_samples = 100;
-  const PlanResult result = printed.plan(test::walled_in_problem(), {});
+  const auto printed = planner_as_printed();
+  printed->set_parameter("max_samples", "100");
+  const PlanResult result = printed->plan(test::walled_in_problem(), {});
   EXPECT_EQ(result.status, PlanStatus::kSamplesSpent);
   EXPECT_EQ(result.statistics.passes, 1U);
   EXPECT_GT(result.statistics.samples, 100U);
-  PmdPrm shipped(HandSpace::kPrincipalDirections);
-  shipped.settings().max_samples = 100;
-  EXPECT_EQ(shipped.plan(test::walled_in_problem(), {}).statistics.samples, 100U);
+  const auto shipped = planner_as_shipped();
+  shipped->set_parameter("max_samples", "100");
+  EXPECT_EQ(shipped->plan(test::walled_in_problem(), {}).statistics.samples, 100U);
 }
 
 TEST(PmdPrm, StallsWithoutAnyLimitWhereThereIsNothingToSample) {
-  PmdPrm shipped(HandSpace::kPrincipalDirections);
-  PmdPrm printed = planner_as_printed();
-  for (PmdPrm* planner : {&shipped, &printed}) {
-    planner->settings().arm_trials = 1;
-    planner->settings().n_a = 2;
+  const auto shipped = planner_as_shipped();
+  const auto printed = planner_as_printed();
+  for (Planner* planner : {shipped.get(), printed.get()}) {
+    planner->set_parameter("arm_trials", "1");
+    planner->set_parameter("n_a", "2");
     const PlanResult result = planner->plan(held_between_pins(), {});
     EXPECT_EQ(result.status, PlanStatus::kStalled);
     EXPECT_THAT(result.reason, HasSubstr("stalled after"));

@@ -1,7 +1,7 @@
 #include "model/planning/live_replanner.h"
 
 #include "handway/planning/core/planning_context.h"
-#include "handway/planning/planners/auto_planner.h"
+#include "handway/planning/planners/planner_registry.h"
 #include "handway/planning/replanning/dynamic_roadmap.h"
 
 #include <algorithm>
@@ -52,8 +52,8 @@ std::unique_ptr<DynamicRoadmap> roadmap_of(const planning::PlanningProblem& prob
                                            const planning::PlanRequest& request,
                                            const std::stop_token& stop) {
   auto roadmap = std::make_unique<DynamicRoadmap>(
-      problem,
-      std::make_unique<KnownPathFirst>(std::move(path), std::make_unique<planning::AutoPlanner>()));
+      problem, std::make_unique<KnownPathFirst>(std::move(path),
+                                                planning::PlannerRegistry().create("auto")));
   (void)roadmap->plan(request, stop);
   return roadmap;
 }

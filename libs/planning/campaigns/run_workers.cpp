@@ -34,6 +34,7 @@ RunRecord record_of(const RunSpec& spec, const PlanResult& result,
                     const geometric::RobotModel& model) {
   RunRecord record;
   static_cast<PlanStatistics&>(record) = result.statistics;
+  record.rejections_per_pair.clear();
   record.rejections.clear();
   record.rejections_per_tenth.clear();
   record.spec = spec;

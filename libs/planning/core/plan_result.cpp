@@ -29,9 +29,7 @@ PlanStatistics& PlanStatistics::operator+=(const PlanStatistics& other) {
   edges_tested += other.edges_tested;
   sampling_s += other.sampling_s;
   connection_s += other.connection_s;
-  for (const auto& [pair, count] : other.rejections) {
-    rejections[pair] += count;
-  }
+  add(rejections_per_pair, other.rejections_per_pair);
   add(rejections_per_tenth, other.rejections_per_tenth);
   return *this;
 }

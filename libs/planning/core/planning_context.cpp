@@ -65,8 +65,9 @@ void PlanningContext::run_on_threads(int count, const std::function<void(int)>& 
 }
 
 void PlanningContext::count_rejection(int pair, double step) {
-  const geometric::NamedPair bodies = named_pair(problem_.checker->world(), pair, 0.0);
-  ++statistics_.rejections[{bodies.a, bodies.b}];
+  statistics_.rejections_per_pair.resize(
+      static_cast<std::size_t>(problem_.checker->world().check_count()));
+  ++statistics_.rejections_per_pair[static_cast<std::size_t>(pair)];
   statistics_.rejections_per_tenth.resize(10);
   ++statistics_.rejections_per_tenth[static_cast<std::size_t>(std::clamp(step, 0.0, 0.99) * 10)];
 }

@@ -1,14 +1,12 @@
-#include "handway/planning/planners/auto_planner.h"
-
 #include "handway/planning/core/objective.h"
 #include "handway/planning/core/planning_context.h"
 #include "handway/planning/paths/path_optimizer.h"
-#include "handway/planning/planners/rrt_connect.h"
 #include "handway/planning/spaces/state_space.h"
 #include "handway/planning/spaces/target_sampler.h"
 #include "handway/sampling/sequences/random_stream.h"
-#include "planners/bidirectional_search.h"
+#include "planners/built_in.h"
 #include "planners/portfolio.h"
+#include "planners/rrt_connect.h"
 
 #include <fmt/format.h>
 
@@ -176,7 +174,7 @@ std::vector<Participant> participants(CorridorForm form, bool has_basis) {
   constexpr HandSpace kAll = HandSpace::kAllJoints;
   const RrtConnectSettings joint = without_limit({});
   const RrtConnectSettings expansive = without_limit(expansive_trees(form));
-  const RrtConnectSettings whole_space = without_limit(RrtConnect(kAll).settings());
+  const RrtConnectSettings whole_space = without_limit(kSettingsOverAllJoints);
   return {
       {"trees in the joint corridor", 0, 0, kPmds, joint},
       {"expansive trees", 1, 1, kPmds, expansive},
@@ -186,79 +184,86 @@ std::vector<Participant> participants(CorridorForm form, bool has_basis) {
   };
 }
 
+class AutoPlanner final : public Planner {
+ public:
+  [[nodiscard]] std::string name() const override { return "auto"; }
+  [[nodiscard]] std::string description() const override {
+    return "Several tree searches, in the principal directions or the arm's corridor first; the "
+           "first path wins";
+  }
+  [[nodiscard]] PlannerCapabilities capabilities() const override {
+    return {.uses_pmds = true, .uses_threads = true};
+  }
+
+ protected:
+  void do_plan(PlanningContext& context, PlanResult& result) override {
+    const bool has_basis = context.problem().basis != nullptr;
+    const CorridorForm form = cartesian_ ? expansive_form(context.problem()) : CorridorForm::kJoint;
+    const std::vector<Participant> list = participants(form, has_basis);
+    const sampling::RandomStream seeds(context.request().seed);
+    const auto entries_found = subspace_entries(context, objective().weights(context.problem()));
+    PlanningProblem between = context.problem();
+    std::vector<PortfolioMember> members;
+    for (const Participant& participant : list) {
+      const std::uint64_t seed =
+          participant.fork == 0 ? seeds.seed() : seeds.fork(participant.fork).seed();
+      members.push_back(
+          {participant.name, participant.first_round, [&participant, seed](PlanningContext& lane) {
+             return std::make_unique<BidirectionalSearch>(lane, participant.settings,
+                                                          participant.hand, seed);
+           }});
+    }
+    if (entries_found) {
+      between.start = entries_found->from_start.back();
+      between.goal = entries_found->from_goal.back();
+      members.front().name = "trees in the principal motion directions";
+      members.front().problem = &between;
+    }
+    Portfolio portfolio(context, std::move(members), static_cast<std::uint64_t>(max_samples_));
+    result.status = portfolio.run();
+    if (result.solved()) {
+      const Path found = portfolio.winner_problem() == &between
+                             ? with_entries(*entries_found, portfolio.path())
+                             : portfolio.path();
+      constexpr int kMostRounds = 6;
+      smooth_result(context, objective(), smoothing_checks_, found, result, kMostRounds);
+      result.reason = fmt::format(
+          "Found a path of {} waypoints after {} samples, by {}{}.", result.path.waypoints.size(),
+          context.statistics().samples, portfolio.winner(),
+          has_basis ? "" : ", over all joints: the scene has no hand basis");
+    }
+  }
+
+  [[nodiscard]] std::vector<BoundParameter> own_parameters() override {
+    return {
+        {"max_samples", "Samples", "", "Samples that all searches draw together before giving up.",
+         &max_samples_, 1, 100000000},
+        smoothing_checks_parameter(smoothing_checks_),
+        {"cartesian", "Search in tool poses", "",
+         "Expansive trees grow in poses of the tool, if the arm is built like the TX90.",
+         &cartesian_, 0.0, 1.0},
+    };
+  }
+
+ private:
+  int max_samples_ = 1000000;  ///< Of all searches together.
+  int smoothing_checks_ = 800;
+  bool cartesian_ = true;  ///< Expansive trees grow in poses of the arm's tool.
+};
+
 }  // namespace
 
-std::string AutoPlanner::name() const { return "auto"; }
+std::unique_ptr<Planner> make_auto_planner() { return std::make_unique<AutoPlanner>(); }
 
-std::string AutoPlanner::description() const {
-  return "Several tree searches, in the principal directions or the arm's corridor first; the "
-         "first path wins";
-}
-
-PlannerCapabilities AutoPlanner::capabilities() const {
-  return {.uses_pmds = true, .uses_threads = true, .deterministic = true};
-}
-
-std::vector<BoundParameter> AutoPlanner::own_parameters() {
-  return {
-      {"max_samples", "Samples", "", "Samples that all searches draw together before giving up.",
-       &settings_.max_samples, 1, 100000000},
-      smoothing_checks_parameter(settings_.smoothing_checks),
-      {"cartesian", "Search in tool poses", "",
-       "Expansive trees grow in poses of the tool, if the arm is built like the TX90.",
-       &settings_.cartesian, 0.0, 1.0},
-  };
-}
-
-std::vector<TargetRegion> AutoPlanner::regions(bool has_basis) const {
+std::vector<TargetRegion> regions_of_auto_planner() {
   std::vector<TargetRegion> regions;
-  for (const Participant& participant : participants(CorridorForm::kJoint, has_basis)) {
+  for (const Participant& participant : participants(CorridorForm::kJoint, true)) {
     regions.push_back(participant.settings.expansions < 1.0 &&
                               participant.hand == HandSpace::kPrincipalDirections
                           ? participant.settings.region
                           : TargetRegion{.rho_a = 1.0});
   }
   return regions;
-}
-
-void AutoPlanner::do_plan(PlanningContext& context, PlanResult& result) {
-  const bool has_basis = context.problem().basis != nullptr;
-  const CorridorForm form =
-      settings_.cartesian ? expansive_form(context.problem()) : CorridorForm::kJoint;
-  const std::vector<Participant> list = participants(form, has_basis);
-  const sampling::RandomStream seeds(context.request().seed);
-  const auto entries_found = subspace_entries(context, objective().weights(context.problem()));
-  PlanningProblem between = context.problem();
-  std::vector<PortfolioMember> members;
-  for (const Participant& participant : list) {
-    const std::uint64_t seed =
-        participant.fork == 0 ? seeds.seed() : seeds.fork(participant.fork).seed();
-    members.push_back(
-        {participant.name, participant.first_round, [&participant, seed](PlanningContext& lane) {
-           return std::make_unique<BidirectionalSearch>(lane, participant.settings,
-                                                        participant.hand, seed);
-         }});
-  }
-  if (entries_found) {
-    between.start = entries_found->from_start.back();
-    between.goal = entries_found->from_goal.back();
-    members.front().name = "trees in the principal motion directions";
-    members.front().problem = &between;
-  }
-  Portfolio portfolio(context, std::move(members),
-                      static_cast<std::uint64_t>(settings_.max_samples));
-  result.status = portfolio.run();
-  if (result.solved()) {
-    const Path found = portfolio.winner_problem() == &between
-                           ? with_entries(*entries_found, portfolio.path())
-                           : portfolio.path();
-    constexpr int kMostRounds = 6;
-    smooth_result(context, objective(), settings_.smoothing_checks, found, result, kMostRounds);
-    result.reason =
-        fmt::format("Found a path of {} waypoints after {} samples, by {}{}.",
-                    result.path.waypoints.size(), context.statistics().samples, portfolio.winner(),
-                    has_basis ? "" : ", over all joints: the scene has no hand basis");
-  }
 }
 
 }  // namespace handway::planning

@@ -90,6 +90,17 @@ std::vector<OutOfMargin> out_of_margin(PlanningContext& context) {
   return list;
 }
 
+// Names are looked up at last, and not for each rejection.
+PlanStatistics with_names(PlanStatistics statistics, const geometric::CollisionWorld& world) {
+  for (std::size_t pair = 0; pair < statistics.rejections_per_pair.size(); ++pair) {
+    if (const std::uint64_t count = statistics.rejections_per_pair[pair]; count > 0) {
+      const geometric::NamedPair bodies = named_pair(world, static_cast<int>(pair), 0.0);
+      statistics.rejections[{bodies.a, bodies.b}] += count;
+    }
+  }
+  return statistics;
+}
+
 // How the search ended, for a planner that has nothing to add.
 std::string reason_of(const PlanResult& result, PlanningContext& context) {
   const std::uint64_t samples = context.statistics().samples;
@@ -357,7 +368,7 @@ PlanResult Planner::plan_to_goal(const PlanningProblem& problem, const PlanReque
       result.reason = reason_of(result, context);
     }
   }
-  result.statistics = context.statistics();
+  result.statistics = with_names(context.statistics(), problem.checker->world());
   if (result.solved()) {
     result.certificate = context.validator().certify(result.path);
     result.out_of_margin = out_of_margin(context);

@@ -1,10 +1,7 @@
 #include "handway/planning/planners/planner_registry.h"
 
 #include "handway/geometric/io/input_error.h"
-#include "handway/planning/planners/auto_planner.h"
-#include "handway/planning/planners/pmd_lazy.h"
-#include "handway/planning/planners/pmd_prm.h"
-#include "handway/planning/planners/rrt_connect.h"
+#include "planners/built_in.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -18,13 +15,12 @@ namespace handway::planning {
 
 // The default one first.
 PlannerRegistry::PlannerRegistry() {
-  add("auto", [] { return std::make_unique<AutoPlanner>(); });
-  add("pmd-prm", [] { return std::make_unique<PmdPrm>(HandSpace::kPrincipalDirections); });
-  add("full-prm", [] { return std::make_unique<PmdPrm>(HandSpace::kAllJoints); });
-  add("pmd-rrt-connect",
-      [] { return std::make_unique<RrtConnect>(HandSpace::kPrincipalDirections); });
-  add("pmd-lazy", [] { return std::make_unique<PmdLazy>(); });
-  add("rrt-connect", [] { return std::make_unique<RrtConnect>(HandSpace::kAllJoints); });
+  add("auto", make_auto_planner);
+  add("pmd-prm", [] { return make_pmd_prm(HandSpace::kPrincipalDirections); });
+  add("full-prm", [] { return make_pmd_prm(HandSpace::kAllJoints); });
+  add("pmd-rrt-connect", [] { return make_rrt_connect(HandSpace::kPrincipalDirections); });
+  add("pmd-lazy", make_pmd_lazy);
+  add("rrt-connect", [] { return make_rrt_connect(HandSpace::kAllJoints); });
 }
 
 void PlannerRegistry::add(std::string name, PlannerFactory factory) {

@@ -1,23 +1,28 @@
-#include "handway/planning/planners/pmd_lazy.h"
-
 #include "handway/planning/core/planning_context.h"
 #include "handway/planning/core/planning_problem.h"
 #include "handway/planning/paths/path_optimizer.h"
-#include "handway/planning/roadmap/roadmap.h"
 #include "handway/planning/spaces/target_sampler.h"
+#include "planners/built_in.h"
 #include "planners/search.h"
+#include "roadmap/roadmap.h"
 
 #include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <set>
 #include <utility>
 
 namespace handway::planning {
 namespace {
 
-/// The search of PmdLazy.
+struct PmdLazySettings {
+  int k = 15;
+  int batch = 20;
+  int max_samples = 1000000;
+  int smoothing_checks = 300;
+  TargetRegion region = {.near_ends = 0.5, .rho_a = 0.03};
+};
+
 class LazySearch final : public Search {
  public:
   /// @param settings must outlive this object.
@@ -65,7 +70,7 @@ class LazySearch final : public Search {
   void add_node(const Configuration& q, const TargetSampler::Target& target) {
     const int node = roadmap_.add_node(q, target.coordinates);
     for (const int other : roadmap_.nearest(node, settings_.k, kAnywhere)) {
-      roadmap_.add_edge(node, other);
+      roadmap_.edge(node, other);
     }
     statistics().nodes = static_cast<std::uint64_t>(roadmap_.node_count());
     context().observer().on_node(
@@ -97,7 +102,8 @@ class LazySearch final : public Search {
       for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
         const int a = nodes[i];
         const int b = nodes[i + 1];
-        if (certain_.contains(std::minmax(a, b))) {
+        Certainty& certainty = roadmap_.edge(a, b);
+        if (certainty.is_free) {
           continue;
         }
         if (context().interruption()) {
@@ -113,7 +119,7 @@ class LazySearch final : public Search {
           return false;
         }
         if (exactly) {
-          certain_.insert(std::minmax(a, b));
+          certainty.is_free = true;
           ++statistics().edges;
           context().observer().on_edge(a, b);
         }
@@ -122,6 +128,10 @@ class LazySearch final : public Search {
     return true;
   }
 
+  struct Certainty {
+    bool is_free = false;
+  };
+
   static constexpr int kStartNode = 0;
   static constexpr int kGoalNode = 1;
   static constexpr double kAnywhere = std::numeric_limits<double>::infinity();
@@ -129,46 +139,52 @@ class LazySearch final : public Search {
   const PmdLazySettings& settings_;
   TargetSampler targets_;
   const CorridorSpace& space_;
-  Roadmap roadmap_{space_.periods()};      ///< Its edges are taken as free until looked at.
-  std::set<std::pair<int, int>> certain_;  ///< Edges known to be free, the lower node first.
+  Roadmap<Certainty> roadmap_{space_.periods()};  ///< Its edges are taken as free until looked at.
   int sample_ = 0;
   int failures_ = 0;      ///< Draws since one was free.
   int nodes_wanted_ = 0;  ///< Before the next look for a nodes.
   std::vector<int> path_;
 };
 
+class PmdLazy final : public Planner {
+ public:
+  [[nodiscard]] std::string name() const override { return "pmd-lazy"; }
+  [[nodiscard]] std::string description() const override {
+    return "Roadmap in the same regions that checks edges only where the shortest path leads";
+  }
+  [[nodiscard]] PlannerCapabilities capabilities() const override {
+    return {.uses_pmds = true, .needs_basis = true};
+  }
+
+ protected:
+  void do_plan(PlanningContext& context, PlanResult& result) override {
+    LazySearch search(context, settings_, context.request().seed);
+    result.status = *search.advance({});
+    if (result.solved()) {
+      smooth_result(context, objective(), settings_.smoothing_checks, search.path(), result);
+    }
+  }
+
+  [[nodiscard]] std::vector<BoundParameter> own_parameters() override {
+    std::vector<BoundParameter> list = {
+        {"k", "Neighbours K", "", "Nearest nodes that a new node is joined to.", &settings_.k, 1,
+         1000},
+        {"batch", "Nodes at a time", "", "Nodes added when no path from start to goal is left.",
+         &settings_.batch, 1, 100000},
+        max_samples_parameter(settings_.max_samples),
+        smoothing_checks_parameter(settings_.smoothing_checks),
+    };
+    list.push_back(corridor_parameter(settings_.region.corridor));
+    append_region_parameters(list, settings_.region);
+    return list;
+  }
+
+ private:
+  PmdLazySettings settings_;
+};
+
 }  // namespace
 
-std::string PmdLazy::name() const { return "pmd-lazy"; }
-
-std::string PmdLazy::description() const {
-  return "Roadmap in the same regions that checks edges only where the shortest path leads";
-}
-
-PlannerCapabilities PmdLazy::capabilities() const {
-  return {.uses_pmds = true, .needs_basis = true, .uses_threads = false, .deterministic = true};
-}
-
-std::vector<BoundParameter> PmdLazy::own_parameters() {
-  std::vector<BoundParameter> list = {
-      {"k", "Neighbours K", "", "Nearest nodes that a new node is joined to.", &settings_.k, 1,
-       1000},
-      {"batch", "Nodes at a time", "", "Nodes added when no path from start to goal is left.",
-       &settings_.batch, 1, 100000},
-      max_samples_parameter(settings_.max_samples),
-      smoothing_checks_parameter(settings_.smoothing_checks),
-  };
-  list.push_back(corridor_parameter(settings_.region.corridor));
-  append_region_parameters(list, settings_.region);
-  return list;
-}
-
-void PmdLazy::do_plan(PlanningContext& context, PlanResult& result) {
-  LazySearch search(context, settings_, context.request().seed);
-  result.status = *search.advance({});
-  if (result.solved()) {
-    smooth_result(context, objective(), settings_.smoothing_checks, search.path(), result);
-  }
-}
+std::unique_ptr<Planner> make_pmd_lazy() { return std::make_unique<PmdLazy>(); }
 
 }  // namespace handway::planning

@@ -1,13 +1,13 @@
-#include "handway/planning/planners/pmd_prm.h"
-
 #include "handway/planning/core/observer.h"
 #include "handway/planning/core/plan_result.h"
 #include "handway/planning/core/planning_context.h"
-#include "handway/planning/roadmap/roadmap.h"
+#include "handway/planning/paths/roadmap_smoothing.h"
 #include "handway/planning/spaces/hand_arm_region.h"
 #include "handway/planning/spaces/target_sampler.h"
 #include "handway/sampling/sequences/low_discrepancy.h"
 #include "handway/sampling/sequences/random_stream.h"
+#include "planners/built_in.h"
+#include "roadmap/roadmap.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,6 +24,29 @@ constexpr int kGoal = 1;
 // Where growth without limit ends, for the sake of the arithmetic. Joints lie in [0, 1]: long
 // before, all samples are corners of the arm's joint ranges.
 constexpr double kUnlimitedRho = 1e6;
+
+/// When numSamples is compared with N.
+enum class SampleLimit {
+  kEachTrial,  ///< Before each hand trial; free ones count, too.
+  kEachPass,   ///< At the end of a pass, failed trials alone, as printed (Algorithm 4).
+};
+
+/// Symbols are the paper's (sections 5 and 7, Table 3), where good results are reported for ρ_a
+/// between 0.001 and 0.05.
+struct PmdPrmSettings {
+  double rho_a = 0.001;
+  double rho_max = 0.05;
+  bool fill_gaps = true;
+  int n_checked = static_cast<int>(SampleLimit::kEachTrial);
+  int smoothing = static_cast<int>(SmoothingEdges::kForwards);
+  int corridor = static_cast<int>(CorridorForm::kJoint);
+  int n_a = 10;
+  int n_h = 10;
+  int k = 10;
+  int max_samples = 1000000;
+  int max_pmds = 4;
+  int arm_trials = 10;
+};
 
 /// One run of Algorithm 4.
 class RoadmapSearch {
@@ -298,7 +321,7 @@ class RoadmapSearch {
       const bool is_free = edges.is_free(i);
       tell({.line = lines::kLocalPlan, .yes = is_free, .from = neighbours[i], .to = node});
       if (is_free) {
-        roadmap_.add_edge(neighbours[i], node);
+        roadmap_.edge(neighbours[i], node);
         statistics().edges = static_cast<std::uint64_t>(roadmap_.edge_count());
         context_.observer().on_edge(neighbours[i], node);
         tell({.line = lines::kAddEdge, .from = neighbours[i], .to = node});
@@ -350,85 +373,93 @@ class RoadmapSearch {
   int hand_axes_ = 0;                    ///< That they are drawn from.
   std::uint64_t arm_draw_count_ = 0;
   std::uint64_t hand_draw_count_ = 2;  ///< Begins as numSamples does.
-  Roadmap roadmap_{joints_->periods()};
+  Roadmap<> roadmap_{joints_->periods()};
   std::vector<double> steps_;  ///< Where on the arm segment each node was drawn.
+};
+
+class PmdPrm final : public Planner {
+ public:
+  explicit PmdPrm(HandSpace space) : space_(space) {
+    if (!uses_pmds()) {  // Table 3, in parentheses
+      settings_.n_a = 20;
+      settings_.n_h = 20;
+    }
+  }
+
+  [[nodiscard]] std::string name() const override { return uses_pmds() ? "pmd-prm" : "full-prm"; }
+  [[nodiscard]] std::string description() const override {
+    return uses_pmds()
+               ? "Roadmap in a corridor of the arm and a few principal motion directions of the "
+                 "hand"
+               : "The same roadmap with every hand joint sampled on its own";
+  }
+  [[nodiscard]] PlannerCapabilities capabilities() const override {
+    return {.uses_pmds = uses_pmds(), .needs_basis = uses_pmds(), .uses_threads = true};
+  }
+
+ protected:
+  void do_plan(PlanningContext& context, PlanResult& result) override {
+    RoadmapSearch search(context, settings_, space_);
+    search.run(result);
+    if (result.solved()) {
+      PhaseClock smoothing_time(result.smoothing_s);
+      result.path = smooth_by_roadmap(context, search.path(),
+                                      static_cast<SmoothingEdges>(settings_.smoothing));
+    }
+  }
+
+  [[nodiscard]] std::vector<BoundParameter> own_parameters() override {
+    std::vector<BoundParameter> list = {
+        {"rho_a", "Corridor half-width ρₐ", "",
+         "Half-side of the arm's sampling hypercubes at the "
+         "start, in joints normalised to [0, 1]. It grows with every pass.",
+         &settings_.rho_a, 1e-5, 0.5},
+        {"rho_max", "Largest ρₐ", "",
+         "The corridor does not grow beyond this. 0: without limit, as printed.",
+         &settings_.rho_max, 0.0, 0.5, "0"},
+        {"fill_gaps", "Fill gaps", "",
+         "Where no hypercube lies in the search range, its middle is sampled; as printed, it "
+         "isn't.",
+         &settings_.fill_gaps, 0.0, 0.0, "false"},
+        corridor_parameter(settings_.corridor),
+        {"n_a", "Arm trials nA", "", "Arm configurations tried in each hypercube.", &settings_.n_a,
+         1, 1000},
+        {"n_h", "Hand trials nH", "", "Hand configurations tried with each arm configuration.",
+         &settings_.n_h, 1, 1000},
+        {"k", "Neighbours K", "", "Nearest nodes that a new node is connected to.", &settings_.k, 1,
+         1000},
+        {"max_samples", "Samples N", "", "Hand trials before the planner gives up.",
+         &settings_.max_samples, 1, 100000000},
+        {"n_checked", "Check N", "",
+         "At each hand trial, or, as printed, at the end of each pass, where failed trials alone "
+         "count.",
+         BoundChoice{&settings_.n_checked, {"trial", "pass"}}, 0.0, 0.0, "pass"},
+        {"smoothing", "Smoothing", "",
+         "By edges between the path's nodes that lead forwards along it, or, as printed, both "
+         "ways: "
+         "back along it, too, where that makes a shorter path.",
+         BoundChoice{&settings_.smoothing, {"forwards", "both-ways"}}, 0.0, 0.0, "both-ways"},
+        {"arm_trials", "Arm draws", "",
+         "Draws for an arm configuration without self-collision (Algorithm 1).",
+         &settings_.arm_trials, 1, 1000},
+    };
+    if (uses_pmds()) {
+      list.push_back({"max_pmds", "Principal directions", "",
+                      "Most principal motion directions that are used together.",
+                      &settings_.max_pmds, 1, 13});
+    }
+    return list;
+  }
+
+ private:
+  [[nodiscard]] bool uses_pmds() const { return space_ == HandSpace::kPrincipalDirections; }
+
+  HandSpace space_;
+  PmdPrmSettings settings_;
 };
 
 }  // namespace
 
-PmdPrm::PmdPrm(HandSpace space) : space_(space) {
-  if (space == HandSpace::kAllJoints) {  // Table 3, in parentheses
-    settings_.n_a = 20;
-    settings_.n_h = 20;
-  }
-}
-
-std::string PmdPrm::name() const {
-  return space_ == HandSpace::kPrincipalDirections ? "pmd-prm" : "full-prm";
-}
-
-std::string PmdPrm::description() const {
-  return space_ == HandSpace::kPrincipalDirections
-             ? "Roadmap in a corridor of the arm and a few principal motion directions of the hand"
-             : "The same roadmap with every hand joint sampled on its own";
-}
-
-PlannerCapabilities PmdPrm::capabilities() const {
-  return {.uses_pmds = space_ == HandSpace::kPrincipalDirections,
-          .needs_basis = space_ == HandSpace::kPrincipalDirections,
-          .uses_threads = true,
-          .deterministic = true};
-}
-
-std::vector<BoundParameter> PmdPrm::own_parameters() {
-  std::vector<BoundParameter> list = {
-      {"rho_a", "Corridor half-width ρₐ", "",
-       "Half-side of the arm's sampling hypercubes at the "
-       "start, in joints normalised to [0, 1]. It grows with every pass.",
-       &settings_.rho_a, 1e-5, 0.5},
-      {"rho_max", "Largest ρₐ", "",
-       "The corridor does not grow beyond this. 0: without limit, as printed.", &settings_.rho_max,
-       0.0, 0.5, "0"},
-      {"fill_gaps", "Fill gaps", "",
-       "Where no hypercube lies in the search range, its middle is sampled; as printed, it isn't.",
-       &settings_.fill_gaps, 0.0, 0.0, "false"},
-      corridor_parameter(settings_.corridor),
-      {"n_a", "Arm trials nA", "", "Arm configurations tried in each hypercube.", &settings_.n_a, 1,
-       1000},
-      {"n_h", "Hand trials nH", "", "Hand configurations tried with each arm configuration.",
-       &settings_.n_h, 1, 1000},
-      {"k", "Neighbours K", "", "Nearest nodes that a new node is connected to.", &settings_.k, 1,
-       1000},
-      {"max_samples", "Samples N", "", "Hand trials before the planner gives up.",
-       &settings_.max_samples, 1, 100000000},
-      {"n_checked", "Check N", "",
-       "At each hand trial, or, as printed, at the end of each pass, where failed trials alone "
-       "count.",
-       BoundChoice{&settings_.n_checked, {"trial", "pass"}}, 0.0, 0.0, "pass"},
-      {"smoothing", "Smoothing", "",
-       "By edges between the path's nodes that lead forwards along it, or, as printed, both ways: "
-       "back along it, too, where that makes a shorter path.",
-       BoundChoice{&settings_.smoothing, {"forwards", "both-ways"}}, 0.0, 0.0, "both-ways"},
-      {"arm_trials", "Arm draws", "",
-       "Draws for an arm configuration without self-collision (Algorithm 1).",
-       &settings_.arm_trials, 1, 1000},
-  };
-  if (space_ == HandSpace::kPrincipalDirections) {
-    list.push_back({"max_pmds", "Principal directions", "",
-                    "Most principal motion directions that are used together.", &settings_.max_pmds,
-                    1, 13});
-  }
-  return list;
-}
-
-void PmdPrm::do_plan(PlanningContext& context, PlanResult& result) {
-  RoadmapSearch search(context, settings_, space_);
-  search.run(result);
-  if (result.solved()) {
-    PhaseClock smoothing_time(result.smoothing_s);
-    result.path =
-        smooth_by_roadmap(context, search.path(), static_cast<SmoothingEdges>(settings_.smoothing));
-  }
-}
+std::unique_ptr<Planner> make_pmd_prm(HandSpace hand) { return std::make_unique<PmdPrm>(hand); }
 
 }  // namespace handway::planning

@@ -1,66 +1,267 @@
-#include "handway/planning/planners/rrt_connect.h"
+#include "planners/rrt_connect.h"
 
-#include "handway/planning/core/planning_context.h"
+#include "handway/planning/core/planning_problem.h"
 #include "handway/planning/paths/path_optimizer.h"
-#include "handway/planning/spaces/target_sampler.h"
-#include "planners/bidirectional_search.h"
+#include "planners/built_in.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
 
 namespace handway::planning {
+namespace {
 
-RrtConnect::RrtConnect(HandSpace space) : space_(space) {
-  if (space == HandSpace::kAllJoints) {  // no regions to find short paths in
-    settings_.range = 0.2;
-    settings_.refinements = 2;
+constexpr int kCandidates = 12;       // of which the least expanded node is expanded
+constexpr double kRefinement = 0.25;  // share of a step that is tried after it
+constexpr double kLeastGain = 0.1;    // share of a step that has to be gained
+constexpr int kLeastRefinements = 1;  // with constraints: long steps cut across what bends
+
+// Configurations that an edge may take: at first, more with every sample, at most.
+constexpr std::uint64_t kEdgeChecks = 300;
+constexpr std::uint64_t kMoreEdgeChecks = 10;
+constexpr std::uint64_t kMostEdgeChecks = 20000;
+
+}  // namespace
+
+BidirectionalSearch::BidirectionalSearch(PlanningContext& context,
+                                         const RrtConnectSettings& settings, HandSpace hand,
+                                         std::uint64_t seed)
+    : Search(context),
+      settings_(settings),
+      lazy_(hand == HandSpace::kPrincipalDirections || settings.expansions > 0.0),
+      targets_(context, settings.region, hand, seed),
+      space_(targets_.space()),
+      trees_(context.problem().start, space_.coordinates(context.problem().start),
+             context.problem().goal, space_.coordinates(context.problem().goal), space_.periods()),
+      choices_(sampling::RandomStream(seed).fork(1)) {
+  announce_node(0, {});
+  announce_node(1, {});
+}
+
+std::optional<PlanStatus> BidirectionalSearch::step() {
+  if (sample_ >= settings_.max_samples) {
+    return PlanStatus::kSamplesSpent;
   }
+  context().observer().on_progress(static_cast<double>(sample_) / settings_.max_samples,
+                                   "growing trees");
+  ++statistics().samples;
+  const int tree = sample_ % 2;
+  sampling::RandomStream draw = choices_.fork(static_cast<std::uint64_t>(sample_));
+  const Growth growth =
+      draw.uniform() < settings_.expansions ? expansion(tree, draw) : extension(tree);
+  statistics().final_rho_a = std::max(statistics().final_rho_a, growth.target.rho);
+  const std::optional<int> reached = grow(growth);
+  ++sample_;
+  failures_ = reached ? 0 : failures_ + 1;
+  return reached && connect(*reached, growth.target) ? std::optional(PlanStatus::kSolved)
+                                                     : std::nullopt;
 }
 
-std::string RrtConnect::name() const {
-  return space_ == HandSpace::kPrincipalDirections ? "pmd-rrt-connect" : "rrt-connect";
+void BidirectionalSearch::announce_node(int node, const TargetSampler::Target& target) {
+  statistics().nodes = static_cast<std::uint64_t>(trees_.size());
+  const Configuration& q = trees_.configuration(node);
+  context().observer().on_node(
+      {node, q, target.pmds, arm_progress(context().problem(), q), target.rho});
 }
 
-std::string RrtConnect::description() const {
-  return space_ == HandSpace::kPrincipalDirections
-             ? "Two trees in a widening corridor of the arm and the hand's principal directions"
-             : "Two trees over all joints";
+// From the nearest node (RRT).
+BidirectionalSearch::Growth BidirectionalSearch::extension(int tree) {
+  const auto sample = static_cast<std::uint64_t>(sample_);
+  TargetSampler::Target target = targets_.draw(sample, tree, failures_);
+  const int from = trees_.nearest(tree, target.coordinates);
+  target.coordinates = targets_.held(std::move(target.coordinates), trees_.coordinates(from),
+                                     sample, settings_.single_moves);
+  return {from, std::move(target)};
 }
 
-PlannerCapabilities RrtConnect::capabilities() const {
-  return {.uses_pmds = space_ == HandSpace::kPrincipalDirections,
-          .needs_basis = space_ == HandSpace::kPrincipalDirections,
-          .uses_threads = false,
-          .deterministic = true};
-}
-
-std::vector<BoundParameter> RrtConnect::own_parameters() {
-  std::vector<BoundParameter> list = {
-      {"range", "Step length", "", "Longest step of a tree, in joints normalised to [0, 1].",
-       &settings_.range, 1e-3, 10.0},
-      {"refinements", "Shorter steps", "",
-       "How often a step that is not free is tried again at a quarter of its length.",
-       &settings_.refinements, 0, 5},
-      max_samples_parameter(settings_.max_samples),
-      smoothing_checks_parameter(settings_.smoothing_checks),
+// From a node of which few expansions were tried, the newest of such (EST): so trees go on where
+// they have just come through, and leave a tight place however few of the targets are beyond it.
+BidirectionalSearch::Growth BidirectionalSearch::expansion(int tree, sampling::RandomStream draw) {
+  expansions_.resize(static_cast<std::size_t>(trees_.size()));
+  const auto tried = [&](int node) -> int& { return expansions_[static_cast<std::size_t>(node)]; };
+  const std::vector<int>& nodes = trees_.nodes(tree);
+  const auto candidate = [&] {
+    const auto index = static_cast<std::size_t>(draw.uniform() * static_cast<double>(nodes.size()));
+    return nodes[std::min(nodes.size() - 1, index)];
   };
-  if (space_ == HandSpace::kPrincipalDirections) {
-    list.push_back({"single_moves", "Moves of one part", "",
-                    "Share of samples that move the arm alone or the hand alone.",
-                    &settings_.single_moves, 0.0, 1.0});
-    list.push_back({"expansions", "Expansions", "",
-                    "Share of steps from a node that few were tried from to somewhere near it: to "
-                    "get out of tight places.",
-                    &settings_.expansions, 0.0, 1.0});
-    list.push_back(corridor_parameter(settings_.region.corridor));
-    append_region_parameters(list, settings_.region);
+  int from = candidate();
+  for (int i = 1; i < kCandidates; ++i) {
+    const int other = candidate();
+    if (std::pair(tried(other), -other) < std::pair(tried(from), -from)) {
+      from = other;
+    }
   }
-  return list;
+  ++tried(from);
+  return {from,
+          targets_.draw_near_node(static_cast<std::uint64_t>(sample_), trees_.coordinates(from),
+                                  trees_.coordinates(trees_.parent(from)))};
 }
 
-void RrtConnect::do_plan(PlanningContext& context, PlanResult& result) {
-  BidirectionalSearch search(context, settings_, space_, context.request().seed);
-  result.status = *search.advance({});
-  if (result.solved()) {
-    smooth_result(context, objective(), settings_.smoothing_checks, search.path(), result);
+// One step of at most `range`; the new node, if the motion is free.
+std::optional<int> BidirectionalSearch::grow(const Growth& growth) {
+  const bool has_constraints = !context().problem().checker->world().constraints().empty();
+  const int refinements = std::max(settings_.refinements, has_constraints ? kLeastRefinements : 0);
+  double range = settings_.range;
+  for (int i = 0; i <= refinements; ++i, range *= kRefinement) {
+    if (const std::optional<int> node =
+            step_towards(growth.from, growth.target.coordinates, range, growth.target)) {
+      return node;
+    }
   }
+  return std::nullopt;
+}
+
+std::optional<int> BidirectionalSearch::step_towards(int from, const Eigen::VectorXd& towards,
+                                                     double range,
+                                                     const TargetSampler::Target& target) {
+  const Eigen::VectorXd begin = trees_.coordinates(from);
+  const Eigen::VectorXd end = space_.periods().nearest(begin, towards);
+  const double length = (end - begin).norm();
+  Eigen::VectorXd x = begin + std::min(1.0, range / std::max(length, 1e-12)) * (end - begin);
+  const std::optional<Configuration> q = targets_.configuration(x, trees_.configuration(from));
+  // What constraints take aside has to get nearer nevertheless.
+  if (!q || (end - x).norm() > length - kLeastGain * std::min(range, length) || !sample_free(*q) ||
+      !passable(trees_.configuration(from), *q, std::min(range, length))) {
+    return std::nullopt;
+  }
+  const int node = trees_.add(*q, x, from, !lazy_);
+  ++statistics().edges;
+  announce_node(node, target);
+  context().observer().on_edge(from, node);
+  return node;
+}
+
+bool BidirectionalSearch::passable(const Configuration& from, const Configuration& target,
+                                   double length) {
+  const Configuration to = context().problem().model().nearest_equivalent(from, target);
+  return lazy_ ? edge_plausible(from, to, static_cast<int>(length / kProbeSpacing))
+               : context().validator().edge_free(from, to);
+}
+
+// An edge that takes more is as good as closed as long as there may be a wider passage.
+std::uint64_t BidirectionalSearch::edge_checks() const {
+  return lazy_ ? std::min(kMostEdgeChecks,
+                          kEdgeChecks + kMoreEdgeChecks * static_cast<std::uint64_t>(sample_))
+               : std::numeric_limits<std::uint64_t>::max();
+}
+
+// Steps of the other tree towards `reached` until there or until one is not free.
+bool BidirectionalSearch::connect(int reached, const TargetSampler::Target& target) {
+  const int growing = trees_.tree_of(reached);
+  const Eigen::VectorXd end = trees_.coordinates(reached);
+  std::optional<int> at = trees_.nearest(1 - growing, end);
+  while (at && !context().interruption()) {
+    const double length = space_.periods().difference(end, trees_.coordinates(*at)).norm();
+    if (length <= settings_.range) {
+      return passable(trees_.configuration(*at), trees_.configuration(reached), length) &&
+             verify(growing == 0 ? trees_.connection(reached, *at)
+                                 : trees_.connection(*at, reached));
+    }
+    at = step_towards(*at, end, settings_.range, target);
+  }
+  return false;
+}
+
+// Settles what is uncertain of a connection, longest edges first: those fail most and cost least
+// then.
+bool BidirectionalSearch::verify(TreePair::Connection connection) {
+  std::vector<Configuration> q;
+  for (const int node : connection.nodes) {
+    q.push_back(trees_.configuration(node));
+  }
+  q = context().problem().model().unwrapped(std::move(q), q.front());
+  connection.certain[connection.bridge] = !lazy_;
+  std::vector<std::pair<double, std::size_t>> uncertain;
+  for (std::size_t edge = 0; edge < connection.certain.size(); ++edge) {
+    if (!connection.certain[edge]) {
+      uncertain.emplace_back(
+          -normalised_distance(context().problem().model(), q[edge], q[edge + 1]), edge);
+    }
+  }
+  std::ranges::sort(uncertain);
+  for (const auto& [length, edge] : uncertain) {
+    if (context().interruption()) {
+      return false;
+    }
+    if (!context().validator().edge_free(q[edge], q[edge + 1], edge_checks())) {
+      trees_.cut(connection, edge, connection.certain[connection.bridge]);
+      return false;
+    }
+    connection.certain[edge] = true;
+    trees_.confirm(connection, edge);
+  }
+  ++statistics().edges;
+  context().observer().on_edge(connection.nodes[connection.bridge],
+                               connection.nodes[connection.bridge + 1]);
+  path_.waypoints = std::move(q);
+  return true;
+}
+
+namespace {
+
+class RrtConnect final : public Planner {
+ public:
+  explicit RrtConnect(HandSpace space)
+      : space_(space), settings_(uses_pmds() ? RrtConnectSettings{} : kSettingsOverAllJoints) {}
+
+  [[nodiscard]] std::string name() const override {
+    return uses_pmds() ? "pmd-rrt-connect" : "rrt-connect";
+  }
+  [[nodiscard]] std::string description() const override {
+    return uses_pmds()
+               ? "Two trees in a widening corridor of the arm and the hand's principal directions"
+               : "Two trees over all joints";
+  }
+  [[nodiscard]] PlannerCapabilities capabilities() const override {
+    return {.uses_pmds = uses_pmds(), .needs_basis = uses_pmds()};
+  }
+
+ protected:
+  void do_plan(PlanningContext& context, PlanResult& result) override {
+    BidirectionalSearch search(context, settings_, space_, context.request().seed);
+    result.status = *search.advance({});
+    if (result.solved()) {
+      smooth_result(context, objective(), settings_.smoothing_checks, search.path(), result);
+    }
+  }
+
+  [[nodiscard]] std::vector<BoundParameter> own_parameters() override {
+    std::vector<BoundParameter> list = {
+        {"range", "Step length", "", "Longest step of a tree, in joints normalised to [0, 1].",
+         &settings_.range, 1e-3, 10.0},
+        {"refinements", "Shorter steps", "",
+         "How often a step that is not free is tried again at a quarter of its length.",
+         &settings_.refinements, 0, 5},
+        max_samples_parameter(settings_.max_samples),
+        smoothing_checks_parameter(settings_.smoothing_checks),
+    };
+    if (uses_pmds()) {
+      list.push_back({"single_moves", "Moves of one part", "",
+                      "Share of samples that move the arm alone or the hand alone.",
+                      &settings_.single_moves, 0.0, 1.0});
+      list.push_back(
+          {"expansions", "Expansions", "",
+           "Share of steps from a node that few were tried from to somewhere near it: to "
+           "get out of tight places.",
+           &settings_.expansions, 0.0, 1.0});
+      list.push_back(corridor_parameter(settings_.region.corridor));
+      append_region_parameters(list, settings_.region);
+    }
+    return list;
+  }
+
+ private:
+  [[nodiscard]] bool uses_pmds() const { return space_ == HandSpace::kPrincipalDirections; }
+
+  HandSpace space_;
+  RrtConnectSettings settings_;
+};
+
+}  // namespace
+
+std::unique_ptr<Planner> make_rrt_connect(HandSpace hand) {
+  return std::make_unique<RrtConnect>(hand);
 }
 
 }  // namespace handway::planning

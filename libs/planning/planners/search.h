@@ -3,11 +3,9 @@
 #include "handway/planning/core/path.h"
 #include "handway/planning/core/planning_context.h"
 
-#include <array>
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <vector>
 
 namespace handway::planning {
 
@@ -41,7 +39,7 @@ class Search {
   [[nodiscard]] PlanningContext& context() const { return context_; }
   [[nodiscard]] PlanStatistics& statistics() const { return context_.statistics(); }
 
-  // As the context's, but what touches goes to the statistics' rejections.
+  // As the validator's, but what touches goes to the statistics' rejections.
   [[nodiscard]] bool sample_free(const Configuration& q);
   [[nodiscard]] bool edge_plausible(const Configuration& from, const Configuration& to, int count);
 
@@ -49,14 +47,7 @@ class Search {
   [[nodiscard]] virtual std::optional<PlanStatus> step() = 0;
 
  private:
-  [[nodiscard]] std::optional<PlanStatus> spend(const SearchBudget& budget);
-  /// A pair of bodies touches at `q`, or near it.
-  void note_refusal(int pair, const Configuration& q);
-  void report_refusals();
-
   PlanningContext& context_;
-  std::vector<std::uint64_t> refusals_;  ///< By pair of bodies; not in the statistics yet.
-  std::array<std::uint64_t, 10> refusals_by_tenth_{};  ///< Of the arm's straight motion.
 };
 
 }  // namespace handway::planning

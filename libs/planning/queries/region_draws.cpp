@@ -1,10 +1,10 @@
 #include "handway/planning/queries/region_draws.h"
 
 #include "handway/geometric/io/input_error.h"
-#include "handway/planning/planners/auto_planner.h"
 #include "handway/planning/queries/fingertips.h"
 #include "handway/planning/spaces/hand_arm_region.h"
 #include "handway/sampling/sequences/random_stream.h"
+#include "planners/built_in.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -97,10 +97,10 @@ std::vector<SamplingRegion> first_regions(Planner& planner, int directions) {
   if (const std::optional<SamplingRegion> first = first_region(planner, directions)) {
     regions.push_back(*first);
   }
-  if (const auto* several = dynamic_cast<const AutoPlanner*>(&planner)) {
+  if (planner.name() == make_auto_planner()->name()) {
     const SamplingRegion common = regions.front();
     regions.clear();
-    for (const TargetRegion& region : several->regions(true)) {
+    for (const TargetRegion& region : regions_of_auto_planner()) {
       regions.push_back(common);
       regions.back().corridor = static_cast<CorridorForm>(region.corridor);
       regions.back().rho_a = region.rho_a;

@@ -5,9 +5,8 @@
 #include "handway/planning/core/observer.h"
 #include "handway/planning/core/planning_context.h"
 #include "handway/planning/paths/path_optimizer.h"
-#include "handway/planning/planners/auto_planner.h"
-#include "handway/planning/planners/rrt_connect.h"
-#include "planners/bidirectional_search.h"
+#include "planners/built_in.h"
+#include "planners/rrt_connect.h"
 #include "replanning/roadmap_graph.h"
 
 #include <fmt/format.h>
@@ -423,13 +422,6 @@ class Replanner final : public Planner {
   ObserverAdapter& adapter_;
 };
 
-std::unique_ptr<Planner> usual_planner(const PlanningProblem& problem) {
-  if (problem.basis) {
-    return std::make_unique<AutoPlanner>();
-  }
-  return std::make_unique<RrtConnect>(HandSpace::kAllJoints);
-}
-
 }  // namespace
 
 struct DynamicRoadmap::State {
@@ -464,7 +456,7 @@ DynamicRoadmap::DynamicRoadmap(PlanningProblem problem, std::unique_ptr<Planner>
                                int max_nodes) {
   auto world = problem.checker->shared_world();
   auto graph = std::make_unique<RoadmapGraph>(problem.scene->robots.front().model);
-  planner = planner ? std::move(planner) : usual_planner(problem);
+  planner = planner ? std::move(planner) : make_auto_planner();
   state_.reset(new State{std::move(problem), std::move(world), std::move(planner),
                          RoadmapMemory{max_nodes, std::move(graph)}});
 }

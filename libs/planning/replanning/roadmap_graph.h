@@ -3,9 +3,7 @@
 #include "handway/geometric/collision/collision_world.h"
 #include "handway/planning/core/planning_problem.h"
 #include "handway/planning/replanning/dynamic_roadmap.h"
-#include "roadmap/neighbours.h"
-
-#include <boost/graph/adjacency_list.hpp>
+#include "roadmap/roadmap.h"
 
 #include <map>
 #include <memory>
@@ -55,25 +53,13 @@ struct ValidityState {
 };
 
 /// A graph of a robot's configurations whose nodes and edges remember when they were last found
-/// free. Distances are Euclidean in normalised joints.
-class RoadmapGraph {
+/// free; of new ones nothing is known. Distances are Euclidean in normalised joints.
+class RoadmapGraph : public Roadmap<ValidityState> {
  public:
   explicit RoadmapGraph(std::shared_ptr<const geometric::RobotModel> model);
 
-  /// The node at `q`, or whole turns from it, added if there is none, with edges to its nearest;
-  /// nothing is known of a new one.
-  /// @returns its number, from 0 up.
+  /// The node at `q`, or whole turns from it, added if there is none, with edges to its nearest.
   int node_at(const Configuration& q);
-
-  [[nodiscard]] int node_count() const { return static_cast<int>(boost::num_vertices(graph_)); }
-  [[nodiscard]] int edge_count() const { return static_cast<int>(boost::num_edges(graph_)); }
-  [[nodiscard]] const Configuration& configuration(int node) const { return graph_[at(node)].q; }
-  [[nodiscard]] double distance(int a, int b) const;
-
-  [[nodiscard]] ValidityState& node(int node) { return graph_[at(node)].validity; }
-  /// Of the edge between two nodes, added if there is none; nothing is known of a new one.
-  /// @pre a and b differ.
-  ValidityState& edge(int a, int b);
 
   /// Which edges a path may take.
   enum class Edges {
@@ -85,27 +71,7 @@ class RoadmapGraph {
                                                const SceneChanges& changes) const;
 
  private:
-  struct Node {
-    Configuration q;
-    Eigen::VectorXd coordinates;  ///< Normalised.
-    ValidityState validity = {};
-  };
-  struct Edge {
-    double length = 0.0;
-    ValidityState validity = {};
-  };
-  using Graph = boost::adjacency_list<boost::setS, boost::vecS, boost::undirectedS, Node, Edge>;
-
-  static Graph::vertex_descriptor at(int node) {
-    return static_cast<Graph::vertex_descriptor>(node);
-  }
-  [[nodiscard]] double cost(const Graph::edge_descriptor& edge, Edges edges,
-                            const SceneChanges& changes) const;
-
   std::shared_ptr<const geometric::RobotModel> model_;
-  geometric::Periods periods_;
-  Graph graph_;
-  Neighbours neighbours_;
 };
 
 /// What a DynamicRoadmap keeps from one query to the next.

@@ -1,6 +1,5 @@
 #include "handway/planning/queries/region_draws.h"
 
-#include "handway/planning/planners/auto_planner.h"
 #include "handway/planning/planners/planner_registry.h"
 
 #include <gmock/gmock.h>
@@ -82,10 +81,10 @@ TEST(FirstRegion, KnowsPlannersWithoutOne) {
 }
 
 TEST(FirstRegion, IsThatOfEachSearchInARace) {
-  AutoPlanner planner;
-  const std::vector<SamplingRegion> regions = first_regions(planner, 9);
+  const auto planner = PlannerRegistry().create("auto");
+  const std::vector<SamplingRegion> regions = first_regions(*planner, 9);
   ASSERT_THAT(regions, SizeIs(4));
-  EXPECT_EQ(regions[0].rho_a, first_region(planner, 9)->rho_a);
+  EXPECT_EQ(regions[0].rho_a, first_region(*planner, 9)->rho_a);
   EXPECT_EQ(regions[1].rho_a, 1.0) << "expansive trees go anywhere";
   EXPECT_THAT(first_regions(*PlannerRegistry().create("pmd-prm"), 9), SizeIs(1));
   EXPECT_THAT(first_regions(*PlannerRegistry().create("rrt-connect"), 9), SizeIs(0));

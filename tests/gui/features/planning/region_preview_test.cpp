@@ -1,6 +1,6 @@
 #include "features/planning/planning_commands.h"
 #include "features/planning/region_tool.h"
-#include "handway/planning/planners/pmd_prm.h"
+#include "handway/planning/planners/planner.h"
 #include "window_test.h"
 
 #include <QCheckBox>
@@ -64,9 +64,8 @@ TEST_F(RegionPreviewInThePanel, SetsTheParameterThatIsDragged) {
   switch_on();
   part<QSlider>("preview_rho").setValue(600);
   settle();
-  const auto& settings =
-      dynamic_cast<planning::PmdPrm&>(*window().workbench().plan_settings.planner()).settings();
-  const double entered = settings.rho_a;
+  const auto parameters = window().workbench().plan_settings.planner()->parameters();
+  const double entered = std::get<double>(planning::find_parameter(parameters, "rho_a").value);
   EXPECT_DOUBLE_EQ(part<QDoubleSpinBox>("rho_a").value(), entered);
   EXPECT_NEAR(entered, 0.017, 0.001) << "the slider is logarithmic";
   EXPECT_TRUE(is_shown());

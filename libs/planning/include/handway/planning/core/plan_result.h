@@ -68,10 +68,11 @@ struct HANDWAY_PLANNING_EXPORT PlanStatistics {
   std::uint64_t edges_tested = 0;
   double sampling_s = 0.0;
   double connection_s = 0.0;
-  /// Rejected samples by colliding pair or by violated constraint (with an empty second name), and
-  /// by tenth of the arm segment.
+  /// Rejected samples by pair or constraint of the checker's world; of a planner's result …
+  std::vector<std::uint64_t> rejections_per_pair;
+  /// … by the names of those, of a constraint with an empty second one.
   std::map<std::pair<std::string, std::string>, std::uint64_t> rejections;
-  std::vector<std::uint64_t> rejections_per_tenth;
+  std::vector<std::uint64_t> rejections_per_tenth;  ///< Of the arm segment.
 
   /// Adds what another search did: counts and times are summed, of the rest the most is kept.
   PlanStatistics& operator+=(const PlanStatistics& other);

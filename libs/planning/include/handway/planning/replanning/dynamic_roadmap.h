@@ -39,8 +39,7 @@ enum class ReplanSource {
 /// dynamically changing environments", IROS 2004, doi:10.1109/IROS.2004.1389625.
 class HANDWAY_PLANNING_EXPORT DynamicRoadmap {
  public:
-  /// @param planner plans the first path, and others from scratch where repair fails; null:
-  /// AutoPlanner if the problem has a basis, RrtConnect over all joints otherwise.
+  /// @param planner plans the first path, and others from scratch where repair fails; null: auto.
   /// @param max_nodes when there are more, all but those of the last path are forgotten.
   explicit DynamicRoadmap(PlanningProblem problem, std::unique_ptr<Planner> planner = nullptr,
                           int max_nodes = 3000);

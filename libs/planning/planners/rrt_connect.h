@@ -1,6 +1,6 @@
 #pragma once
 
-#include "handway/planning/planners/rrt_connect.h"
+#include "handway/planning/spaces/hand_arm_region.h"
 #include "handway/planning/spaces/target_sampler.h"
 #include "handway/sampling/sequences/random_stream.h"
 #include "planners/search.h"
@@ -12,7 +12,35 @@
 
 namespace handway::planning {
 
-/// The search of RrtConnect.
+/// Of a BidirectionalSearch. Lengths in joints normalised to [0, 1]; with a
+/// Cartesian corridor the arm's as make_corridor_space() has them.
+struct RrtConnectSettings {
+  double range = 0.3;   ///< Longest step of a tree.
+  int refinements = 0;  ///< Steps tried, each a quarter of the one before, when one is not free.
+  int max_samples = 1000000;
+  int smoothing_checks = 300;  ///< Configurations that ShortcutSmoothing may check.
+  double single_moves = 0.3;   ///< Share that move the arm alone or the hand alone; PMDs only.
+  double expansions = 0.0;     ///< Share of steps that expand a node instead; PMDs only.
+  TargetRegion region = {};    ///< PMDs only.
+};
+
+/// There are no regions to find short paths in.
+inline const RrtConnectSettings kSettingsOverAllJoints{.range = 0.2, .refinements = 2};
+
+/// Two trees that grow towards random samples and towards each other. Over all
+/// joints it is the usual baseline. With PMDs it draws from the paper's regions:
+/// the arm from a corridor that widens, the hand from thumb base and PMDs; and
+/// from balls around start and goal, where passages are narrowest. Its edges are
+/// sampled at first, and made certain only where trees meet. A share of its steps may go from a
+/// node that few others were tried from to somewhere near it: such trees get out of places that
+/// are too tight for targets beyond them to be of use.
+///
+/// Sources: Kuffner, LaValle, "RRT-Connect: an efficient approach to single-query
+/// path planning", ICRA 2000, doi:10.1109/ROBOT.2000.844730;
+/// Hsu, Latombe, Motwani, "Path planning in expansive configuration spaces", ICRA 1997,
+/// doi:10.1109/ROBOT.1997.619371 (expansions);
+/// Sánchez, Latombe, "A single-query bi-directional probabilistic roadmap planner
+/// with lazy collision checking", ISRR 2001 (both, and edges checked late).
 class BidirectionalSearch final : public Search {
  public:
   /// @param settings must outlive this object.

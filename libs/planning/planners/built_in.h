@@ -1,0 +1,48 @@
+#pragma once
+
+#include "handway/planning/planners/planner.h"
+#include "handway/planning/spaces/hand_arm_region.h"
+#include "handway/planning/spaces/target_sampler.h"
+
+#include <memory>
+#include <vector>
+
+namespace handway::planning {
+
+/// The planners that ship; their parameters describe them.
+///
+/// The default. Runs a portfolio of searches and takes the path of the first to find one: trees in
+/// the joint corridor start alone; where they don't find a path soon, expansive trees (see
+/// RrtConnectSettings::expansions; in poses of the tool if the arm has closed-form inverse
+/// kinematics), the same from another seed, and trees over all joints join. Budgets are counted in
+/// configurations, so that the winner is the same for any number of threads. The path is then
+/// optimised.
+///
+/// With a basis hand postures are sampled in the PMD subspace; without one every joint on its own.
+[[nodiscard]] std::unique_ptr<Planner> make_auto_planner();
+
+/// Where each search of that planner begins to draw from, in the order of NodeEvent::search.
+[[nodiscard]] std::vector<TargetRegion> regions_of_auto_planner();
+
+/// The paper's planner: a probabilistic roadmap of hand-arm configurations, the
+/// arm drawn from a corridor around the straight motion, the hand from the
+/// subspace of the thumb base and a few principal motion directions. Algorithm 4 as printed
+/// is `rho_max` = 0, `fill_gaps` = false, `n_checked` = pass and `smoothing` = both-ways.
+///
+/// Source: Rosell, Suárez, Rosales, Pérez, "Autonomous motion planning of a
+/// hand-arm robotic system based on captured human-like hand postures",
+/// Autonomous Robots 31, 2011, Algorithms 1 to 4.
+[[nodiscard]] std::unique_ptr<Planner> make_pmd_prm(HandSpace hand);
+
+/// A roadmap in the paper's sampling regions whose edges are checked only where
+/// the shortest path from start to goal leads; edges that are refused go, and new
+/// nodes come when no path is left, from a corridor that widens.
+///
+/// Source: Bohlin, Kavraki, "Path planning using lazy PRM", ICRA 2000,
+/// doi:10.1109/ROBOT.2000.844107. Nodes are checked when they are drawn.
+[[nodiscard]] std::unique_ptr<Planner> make_pmd_lazy();
+
+/// BidirectionalSearch, then smoothing.
+[[nodiscard]] std::unique_ptr<Planner> make_rrt_connect(HandSpace hand);
+
+}  // namespace handway::planning
