@@ -81,6 +81,8 @@ SetupDialog::SetupDialog(SceneEditor& editor, const std::string& robot, QWidget*
       list_(new QListWidget),
       tabs_(new QTabWidget),
       kind_(new QComboBox),
+      joints_(new GroupTable),
+      as_found_(new QPushButton(tr("As found"))),
       pairs_(new PairTable),
       sampling_(new QLabel(tr("Sampling self-collisions"))),
       progress_(new QProgressBar),
@@ -148,7 +150,7 @@ QWidget* SetupDialog::make_choices() {
   form->addRow(tr("Robot"), robot_);
   form->addRow(wrist_label_, wrist_);
   form->addRow(group_text_);
-  connect(wrist_, qOverload<int>(&QComboBox::activated), this, &SetupDialog::examine);
+  connect(wrist_, qOverload<int>(&QComboBox::activated), this, &SetupDialog::decide_wrist);
   return box;
 }
 
@@ -174,6 +176,28 @@ QWidget* SetupDialog::make_sampling() {
   row->addStretch();
   row->addWidget(again_);
   return box;
+}
+
+QWidget* SetupDialog::make_joints() {
+  as_found_->setObjectName(QStringLiteral("setup_as_found"));
+  as_found_->setToolTip(tr("Arm and hand as the robot's links suggest them"));
+  as_found_->setAutoDefault(false);
+  connect(as_found_, &QPushButton::clicked, this, [this] {
+    const RobotModel& model = *chosen().model;
+    moved_ = difference(model, present_groups(model, wrist()),
+                        geometric::decided_groups(model, wrist()));
+    examine();
+  });
+  connect(joints_, &GroupTable::decided, this, &SetupDialog::move_joints);
+  connect(joints_, &GroupTable::looked_at, this,
+          [this](const QString& link) { view_->set_collisions({link.toStdString()}); });
+  auto* page = new QWidget;
+  auto* layout = new QVBoxLayout(page);
+  layout->setContentsMargins(0, 8, 0, 0);
+  layout->setSpacing(6);
+  layout->addWidget(joints_, 1);
+  layout->addWidget(as_found_, 0, Qt::AlignLeft);
+  return page;
 }
 
 QWidget* SetupDialog::make_pairs() {
@@ -209,6 +233,7 @@ QWidget* SetupDialog::make_panel() {
   tabs_->setObjectName(QStringLiteral("setup_tabs"));
   tabs_->addTab(list_, tr("Suspicious"));
   tabs_->addTab(make_pairs(), tr("Pairs of links"));
+  tabs_->addTab(make_joints(), tr("Joints"));
   auto* panel = new QWidget;
   auto* layout = new QVBoxLayout(panel);
   layout->setContentsMargins(10, 0, 0, 0);
@@ -245,7 +270,28 @@ const RobotFile& SetupDialog::chosen() const {
 }
 
 geometric::RobotDescription SetupDialog::set_up() const {
-  return geometric::with_setup(*chosen().model, sampled_, groups_, {wrist(), may_touch_});
+  const WristOwner owner =
+      wrist() == WristOwner::kUndecided && groups_are_decided() ? WristOwner::kHand : wrist();
+  geometric::RobotDescription robot =
+      geometric::with_setup(*chosen().model, sampled_, groups_, {owner, may_touch_});
+  const auto is_gone = [&](const std::string& group) {
+    return std::ranges::find(robot.groups, group, &geometric::JointGroup::name) ==
+           robot.groups.end();
+  };
+  std::erase_if(robot.end_effectors,
+                [&](const geometric::EndEffector& effector) { return is_gone(effector.group); });
+  std::erase_if(robot.postures,
+                [&](const geometric::NamedPosture& posture) { return is_gone(posture.group); });
+  for (geometric::EndEffector& effector : robot.end_effectors) {
+    if (is_gone(effector.parent_group)) {
+      effector.parent_group.clear();
+    }
+  }
+  return robot;
+}
+
+bool SetupDialog::groups_are_decided() const {
+  return wrist() != WristOwner::kUndecided || !moved_.empty();
 }
 
 WristOwner SetupDialog::wrist() const { return static_cast<WristOwner>(wrist_->currentIndex()); }
@@ -275,6 +321,7 @@ void SetupDialog::sample() {
   sampled_ = {};
   findings_.clear();
   may_touch_.clear();
+  moved_.clear();
   show_findings();
   show_pairs();
   progress_->setValue(0);
@@ -283,8 +330,7 @@ void SetupDialog::sample() {
   }
   again_->hide();
   write_->setEnabled(false);
-  groups_ = geometric::decided_groups(*chosen().model, wrist());
-  show_groups();
+  examine();
   stop_ = std::stop_source();
   job_.run([this, model = chosen().model,
             enough = stop_](const std::stop_token& stop) -> LatestJob::Answer {
@@ -312,9 +358,31 @@ void SetupDialog::take_samples(geometric::SelfCollisionSamples sampled) {
   examine();
 }
 
+geometric::GroupProposal SetupDialog::groups_by_now() const {
+  const RobotModel& model = *chosen().model;
+  return with_moved(model, present_groups(model, wrist()), moved_);
+}
+
+void SetupDialog::decide_wrist() {
+  for (const std::string& joint : geometric::propose_groups(*chosen().model).wrist) {
+    moved_.erase(joint);
+  }
+  examine();
+}
+
+void SetupDialog::move_joints(const JointOwners& owners) {
+  for (const auto& [joint, owner] : owners) {
+    moved_[joint] = owner;
+  }
+  groups_ = groups_by_now();
+  // Not within the signal of a row: its table is filled again.
+  QMetaObject::invokeMethod(this, &SetupDialog::examine, Qt::QueuedConnection);
+}
+
 void SetupDialog::examine() {
-  groups_ = geometric::decided_groups(*chosen().model, wrist());
+  groups_ = groups_by_now();
   show_groups();
+  joints_->show_groups(*chosen().model, groups_);
   if (sampled_.samples > 0) {
     findings_ = geometric::examine_robot(*chosen().model, sampled_, groups_);
     show_findings();
@@ -409,11 +477,9 @@ void SetupDialog::write() {
   geometric::RobotDescription description = set_up();
   const QString file = QString::fromStdString(robot.srdf.string());
   try {
-    if (wrist() != WristOwner::kUndecided) {
-      geometric::write_srdf(description, robot.srdf);
-    } else {
-      geometric::update_srdf(description, robot.srdf);
-    }
+    geometric::update_srdf(description, robot.srdf,
+                           groups_are_decided() ? std::vector<std::string>{"arm", "hand"}
+                                                : std::vector<std::string>{});
   } catch (const std::exception& error) {
     show_outcome(QString::fromUtf8(error.what()), true);
     return;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "features/robots/group_table.h"
 #include "handway/geometric/robot/group_proposal.h"
 #include "handway/geometric/scene/scene.h"
 #include "handway/geometric/setup/collision_sampling.h"
@@ -60,12 +61,15 @@ class SetupDialog : public QDialog {
   QWidget* make_panel();
   QWidget* make_choices();
   QWidget* make_sampling();
+  QWidget* make_joints();
   QWidget* make_pairs();
   QWidget* make_buttons();
   void show_robot();
   void sample();
   void take_samples(geometric::SelfCollisionSamples sampled);
   void examine();
+  void decide_wrist();
+  void move_joints(const JointOwners& owners);
   void show_groups();
   void show_findings();
   void show_finding(int row);
@@ -75,6 +79,10 @@ class SetupDialog : public QDialog {
   void write();
   [[nodiscard]] const RobotFile& chosen() const;
   [[nodiscard]] geometric::WristOwner wrist() const;
+  /// Those that the robot has or that were found, with what was decided.
+  [[nodiscard]] geometric::GroupProposal groups_by_now() const;
+  /// Whether somebody has decided what the groups are.
+  [[nodiscard]] bool groups_are_decided() const;
   /// Robot with what was sampled and decided.
   [[nodiscard]] geometric::RobotDescription set_up() const;
 
@@ -84,6 +92,7 @@ class SetupDialog : public QDialog {
   geometric::GroupProposal groups_;
   std::vector<geometric::RobotFinding> findings_;
   std::map<geometric::AllowedCollisions::Pair, bool> may_touch_;  ///< By hand.
+  JointOwners moved_;                                             ///< By hand.
   SceneView* view_;
   QComboBox* robot_;
   QComboBox* posture_;
@@ -93,6 +102,8 @@ class SetupDialog : public QDialog {
   QListWidget* list_;
   QTabWidget* tabs_;
   QComboBox* kind_;
+  GroupTable* joints_;
+  QPushButton* as_found_;
   PairTable* pairs_;
   QLabel* sampling_;
   QProgressBar* progress_;

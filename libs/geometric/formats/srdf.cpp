@@ -440,12 +440,16 @@ bool has_child(const pugi::xml_node& robot, const char* element, const std::stri
   return !robot.find_child_by_attribute(element, "name", name.c_str()).empty();
 }
 
+void append_joints(pugi::xml_node group, const std::vector<std::string>& joints) {
+  for (const std::string& joint : joints) {
+    group.append_child("joint").append_attribute("name") = joint.c_str();
+  }
+}
+
 void append_group(pugi::xml_node robot, const JointGroup& group) {
   pugi::xml_node element = robot.append_child("group");
   element.append_attribute("name") = group.name.c_str();
-  for (const std::string& joint : group.joints) {
-    element.append_child("joint").append_attribute("name") = joint.c_str();
-  }
+  append_joints(element, group.joints);
 }
 
 void append_end_effector(pugi::xml_node robot, const EndEffector& effector) {
@@ -469,15 +473,50 @@ void append_posture(pugi::xml_node robot, const NamedPosture& posture) {
   }
 }
 
+void remove_if(pugi::xml_node robot, const char* element, const auto& condition) {
+  for (pugi::xml_node child = robot.child(element); child;) {
+    const pugi::xml_node next = child.next_sibling(element);
+    if (condition(child)) {
+      robot.remove_child(child);
+    }
+    child = next;
+  }
+}
+
+// In its place, since other groups may name it.
+void replace_group(pugi::xml_node root, const RobotDescription& robot, const std::string& name) {
+  pugi::xml_node element = root.find_child_by_attribute("group", "name", name.c_str());
+  const auto group = std::ranges::find(robot.groups, name, &JointGroup::name);
+  if (group != robot.groups.end()) {
+    element.remove_children();
+    append_joints(element, group->joints);
+    return;
+  }
+  root.remove_child(element);
+  remove_if(root, "group_state", [&](const pugi::xml_node& posture) {
+    return posture.attribute("group").value() == name;
+  });
+}
+
 }  // namespace
 
-void update_srdf(const RobotDescription& robot, const std::filesystem::path& file) {
+void update_srdf(const RobotDescription& robot, const std::filesystem::path& file,
+                 const std::vector<std::string>& decided) {
   if (!std::filesystem::exists(file)) {
     write_srdf(robot, file);
     return;
   }
   XmlDocument document(file, "a semantic robot file (SRDF)");
   pugi::xml_node root = document.root("robot");
+  for (const std::string& group : decided) {
+    replace_group(root, robot, group);
+  }
+  if (!decided.empty()) {
+    remove_if(root, "end_effector", [&](const pugi::xml_node& element) {
+      return std::ranges::find(robot.end_effectors, element.attribute("name").value(),
+                               &EndEffector::name) == robot.end_effectors.end();
+    });
+  }
   for (const JointGroup& group : robot.groups) {
     if (!has_child(root, "group", group.name)) {
       append_group(root, group);

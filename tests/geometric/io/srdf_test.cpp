@@ -203,6 +203,33 @@ TEST(SrdfWriter, ReplacesTheMatrixAndKeepsTheRest) {
   EXPECT_EQ(robot.groups.size(), 2U);
 }
 
+TEST(SrdfWriter, ReplacesDecidedGroupsInTheirPlace) {
+  const ScratchFiles files;
+  const auto file = files.write("r.srdf", srdf(R"(<!-- by hand -->
+<group name="arm"><joint name="j1"/></group>
+<group name="hand"><joint name="j2"/></group>
+<group name="all"><group name="arm"/></group>
+<group_state name="closed" group="hand"><joint name="j2" value="0.1"/></group_state>
+<group_state name="up" group="arm"><joint name="j1" value="0.1"/></group_state>
+<end_effector name="gripper" parent_link="l1" group="hand"/>
+)"));
+  RobotDescription changed = chain_of_three();
+  read_srdf(file, changed);
+  std::erase_if(changed.groups, [](const JointGroup& group) { return group.name == "hand"; });
+  changed.groups.front().joints = {"j1", "j2"};
+  changed.end_effectors.clear();
+  update_srdf(changed, file, {"arm", "hand"});
+  EXPECT_THAT(ScratchFiles::read(file), HasSubstr("by hand"));
+  RobotDescription robot = chain_of_three();
+  read_srdf(file, robot);
+  ASSERT_EQ(robot.groups.size(), 2U);
+  EXPECT_THAT(robot.groups[0].joints, ElementsAre("j1", "j2"));
+  EXPECT_THAT(robot.groups[1].joints, ElementsAre("j1", "j2")) << "which names the arm";
+  ASSERT_EQ(robot.postures.size(), 1U);
+  EXPECT_EQ(robot.postures[0].name, "up");
+  EXPECT_TRUE(robot.end_effectors.empty());
+}
+
 TEST(SrdfWriter, MakesAFileWhereThereIsNone) {
   const ScratchFiles files;
   AllowedCollisions allowed;

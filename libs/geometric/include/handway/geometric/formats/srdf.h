@@ -27,10 +27,13 @@ HANDWAY_GEOMETRIC_EXPORT void read_srdf(const std::filesystem::path& file, Robot
 /// Replaces all `disable_collisions` of an SRDF file by those of the robot, adds the groups and end
 /// effectors whose names it has not, and keeps the rest, comments included; makes the file if there
 /// is none. The file is replaced whole.
+/// @param decided groups that become those of the robot also where the file has others; where the
+/// robot has none, they go with their postures, and so do all end effectors that the robot has not.
 /// @throws InputError if the old file is no SRDF or the new one can't be
 /// written; the old file is then untouched.
 HANDWAY_GEOMETRIC_EXPORT void update_srdf(const RobotDescription& robot,
-                                          const std::filesystem::path& file);
+                                          const std::filesystem::path& file,
+                                          const std::vector<std::string>& decided = {});
 
 /// Writes groups (by joints), end effectors, postures and allowed collisions of a robot as a
 /// new SRDF file. The file is replaced whole.
