@@ -7,8 +7,8 @@
 #include <QComboBox>
 #include <QFormLayout>
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QSignalBlocker>
+#include <QToolButton>
 
 #include <algorithm>
 #include <numbers>
@@ -38,6 +38,7 @@ GoalPoseForm::GoalPoseForm(QWidget* parent)
       rotation_(tolerance_field(QuantityField::Kind::kAngle, std::numbers::pi,
                                 "goal_rotation_tolerance",
                                 tr("How far the tool may be turned about each axis"))),
+      fold_(new QToolButton),
       tool_(new PoseForm) {
   link_->setObjectName(QStringLiteral("goal_link"));
   link_->setToolTip(tr("The link that the goal is for"));
@@ -62,15 +63,26 @@ GoalPoseForm::GoalPoseForm(QWidget* parent)
   rows->addRow(tr("Position within"), position_);
   rows->addRow(tr("Rotation within"), rotation_);
   rows->addRow(tr("Free about"), free);
-  auto* tool_title = new QLabel(tr("Tool in the link"));
-  tool_title->setProperty("role", "heading");
-  tool_title->setToolTip(tr("The frame that is brought to the pose"));
-  rows->addRow(tool_title);
+  fold_->setObjectName(QStringLiteral("goal_tool_fold"));
+  fold_->setText(tr("Tool in the link"));
+  fold_->setToolTip(tr("The frame that is brought to the pose"));
+  fold_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  fold_->setAutoRaise(true);
+  fold_->setCheckable(true);
+  rows->addRow(fold_);
   rows->addRow(tool_);
+  unfold(false);
   connect_fields();
 }
 
+void GoalPoseForm::unfold(bool on) {
+  fold_->setChecked(on);
+  fold_->setArrowType(on ? Qt::DownArrow : Qt::RightArrow);
+  tool_->setVisible(on);
+}
+
 void GoalPoseForm::connect_fields() {
+  connect(fold_, &QToolButton::clicked, this, &GoalPoseForm::unfold);
   connect(link_, qOverload<int>(&QComboBox::activated), this, [this] {
     goal_.link = link_->currentText().toStdString();
     emit goal_edited(goal_);
@@ -115,6 +127,8 @@ void GoalPoseForm::list_links(const geometric::RobotModel& model) {
 }
 
 void GoalPoseForm::show_goal(const geometric::RobotModel& model, const geometric::PoseGoal& goal) {
+  // What a person has unfolded stays so; what is not at the link's frame is to be seen.
+  unfold(fold_->isChecked() || !goal.X_LT.isApprox(geometric::Pose::Identity()));
   goal_ = goal;
   list_links(model);
   link_->setCurrentText(QString::fromStdString(goal.link));

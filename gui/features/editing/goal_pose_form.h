@@ -9,6 +9,7 @@
 
 class QCheckBox;
 class QComboBox;
+class QToolButton;
 
 namespace handway::gui {
 
@@ -31,6 +32,8 @@ class GoalPoseForm : public QWidget {
 
  private:
   void connect_fields();
+  /// Shows the tool in the link.
+  void unfold(bool on);
   /// Of the axes that are not free.
   void set_rotation(double tolerance);
   void list_links(const geometric::RobotModel& model);
@@ -40,6 +43,7 @@ class GoalPoseForm : public QWidget {
   QuantityField* position_;
   QuantityField* rotation_;
   std::array<QCheckBox*, 3> free_;  ///< About x, y and z.
+  QToolButton* fold_;
   PoseForm* tool_;
 };
 

@@ -275,6 +275,12 @@ void PanelWalk::look_at_opened(const QString& stop, const std::function<void()>&
         watch.stop();
         was_seen = true;
         look_at(stop, *opened);
+        for (auto* pages : opened->findChildren<QTabWidget*>()) {
+          for (int page = 1; page < pages->count(); ++page) {
+            pages->setCurrentIndex(page);
+            look_at(stop + QLatin1Char('_') + pages->tabText(page), *opened);
+          }
+        }
         opened->close();
       }
     }

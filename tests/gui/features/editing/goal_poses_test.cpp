@@ -1,12 +1,16 @@
 /// Goals as poses in the window: added, dragged, changed in numbers, planned to.
 #include "features/editing/editing_test.h"
+#include "features/editing/goal_pose_form.h"
+#include "features/editing/properties_panel.h"
 #include "features/editing/scene_tree.h"
 #include "model/document/scene_edits.h"
 #include "patience.h"
 #include "pressed_mouse.h"
+#include "widgets/forms/quantity_field.h"
 
 #include <QAction>
 #include <QCheckBox>
+#include <QScrollBar>
 #include <QTreeWidget>
 
 #include <numbers>
@@ -75,6 +79,25 @@ TEST_F(GoalPoses, AreChangedInNumbers) {
   EXPECT_NEAR(goal().rotation_tolerance.x(), geometric::radians(3), 1e-9);
   EXPECT_GE(goal().rotation_tolerance.z(), std::numbers::pi) << "still free";
   EXPECT_EQ(editor().undo_stack().undoText(), "Change goal pose");
+}
+
+TEST_F(GoalPoses, HaveAFormThatFitsAndUnfoldsTheTool) {
+  window().resize(1440, 900);
+  add();
+  auto& form = tool<gui::GoalPoseForm>();
+  QTest::qWait(100);
+  const QScrollBar& scroll = *tool<gui::PropertiesPanel>().verticalScrollBar();
+  EXPECT_EQ(scroll.maximum(), 0);
+  keep_picture("goal_form");
+  auto& tool_pose = *form.findChild<gui::PoseForm*>();
+  EXPECT_FALSE(tool_pose.isVisible());
+  click("goal_tool_fold");
+  EXPECT_TRUE(tool_pose.isVisible());
+  click("goal_tool_fold");
+  geometric::PoseGoal elsewhere = goal();
+  elsewhere.X_LT.translation().z() = 0.1;
+  form.show_goal(*scene().robots.front().model, elsewhere);
+  EXPECT_TRUE(tool_pose.isVisible()) << "a tool that is not at the link's frame is seen";
 }
 
 TEST_F(GoalPoses, AreDraggedAndPlannedTo) {
