@@ -52,7 +52,7 @@ constexpr double kCubeTurns = 0.8;  // as if the cube's corner were so much of t
 }  // namespace
 
 QString SceneView::coin_version() {
-  return QString::fromLatin1(SoDB::getVersion()).section('-', -1);
+  return QString::fromLatin1(SoDB::getVersion()).section(' ', -1);
 }
 
 SceneView::SceneView(QWidget* parent)

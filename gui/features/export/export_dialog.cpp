@@ -126,7 +126,9 @@ MotionPreview::MotionPreview(QWidget* parent)
     plots->addWidget(plot);
   }
   names_->setObjectName(QStringLiteral("export_files"));
+  names_->setAccessibleName(tr("Files"));
   content_->setObjectName(QStringLiteral("export_content"));
+  content_->setAccessibleName(tr("What the file holds"));
   content_->setReadOnly(true);
   content_->setLineWrapMode(QPlainTextEdit::NoWrap);
   content_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));

@@ -40,7 +40,7 @@ PreferencesDialog::PreferencesDialog(Preferences& preferences, const QStringList
   auto* content = new QWidget;
   auto* area = new PanelArea(content);
   auto* form = new QFormLayout(content);
-  form->setContentsMargins(0, 0, 8, 0);
+  form->setContentsMargins(14, 10, 14, 12);
   form->setHorizontalSpacing(24);
   form->setVerticalSpacing(7);
   form->setFieldGrowthPolicy(QFormLayout::FieldsStayAtSizeHint);

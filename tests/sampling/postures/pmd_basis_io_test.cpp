@@ -184,7 +184,8 @@ TEST_F(PmdBasisIo, NamesMissingKeys) {
 TEST_F(PmdBasisIo, NamesUnknownKeys) {
   EXPECT_THAT(complaint_after("half_side: 0.2", "halfside: 0.2"),
               HasSubstr("basis.yaml:10: directions[1].halfside: found the unknown key"));
-  EXPECT_THAT(complaint_after("source:", "origin:"), HasSubstr("basis.yaml:2: origin: found the unknown key"));
+  EXPECT_THAT(complaint_after("source:", "origin:"),
+              HasSubstr("basis.yaml:2: origin: found the unknown key"));
 }
 
 TEST_F(PmdBasisIo, RefusesOtherUnits) {
@@ -194,8 +195,9 @@ TEST_F(PmdBasisIo, RefusesOtherUnits) {
 TEST_F(PmdBasisIo, RefusesVectorsOfTheWrongLength) {
   EXPECT_THAT(complaint_after("[0.5, 0.25, 0.75]", "[0.5, 0.25]"),
               HasSubstr("basis.yaml:5: mean: found a list of 2, expected a list of 3"));
-  EXPECT_THAT(complaint_after("[0, 0.6, 0.8]", "[0, 0.6, 0.8, 0]"),
-              HasSubstr("basis.yaml:9: directions[0].vector: found a list of 4, expected a list of 3"));
+  EXPECT_THAT(
+      complaint_after("[0, 0.6, 0.8]", "[0, 0.6, 0.8, 0]"),
+      HasSubstr("basis.yaml:9: directions[0].vector: found a list of 4, expected a list of 3"));
 }
 
 TEST_F(PmdBasisIo, RefusesWhatIsNotAFiniteNumber) {
