@@ -134,7 +134,7 @@ namespace {
 
 constexpr std::size_t kMostParts = 40;  // of the robots
 constexpr double kAtGoal = 0.4;         // counts so much less than where they stand
-constexpr double kEnoughSeen = 0.9;     // of them
+constexpr double kEnoughSeen = 0.8;     // of them
 constexpr double kMuchMore = 0.05;      // that is seen from elsewhere
 constexpr double kNearlyThere = 0.97;   // of the ray: what is seen may touch something
 

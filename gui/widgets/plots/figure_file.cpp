@@ -5,6 +5,7 @@
 #include <QBuffer>
 #include <QImage>
 #include <QPainter>
+#include <QPalette>
 #include <QPen>
 #include <QSvgGenerator>
 #include <qwt_plot.h>
@@ -71,8 +72,15 @@ void style_plot(QwtPlot& plot, const QString& x_title, const QString& y_title) {
   color_plot(plot, {});
 }
 
-// A palette would not do: the application's style sheet puts back those from before it was applied.
+// In print the palette counts. On screen it would not do: the application's style sheet puts back
+// the palettes from before it was applied.
 void color_plot(QwtPlot& plot, const PlotColors& colors) {
+  QPalette palette;
+  palette.setColor(QPalette::Window, colors.paper);
+  palette.setColor(QPalette::WindowText, colors.ink);
+  palette.setColor(QPalette::Text, colors.ink);
+  plot.setPalette(palette);
+  plot.canvas()->setPalette(palette);
   plot.setStyleSheet(QStringLiteral("QwtPlot, QwtPlotCanvas { background: %1 } "
                                     "QwtScaleWidget, QwtTextLabel { color: %2 }")
                          .arg(colors.paper.name(), colors.ink.name()));

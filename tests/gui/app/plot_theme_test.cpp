@@ -1,5 +1,7 @@
 /// Plots on screen have the paper of the theme, and ink that is seen on it.
 #include "features/campaigns/campaigns_panel.h"
+#include "widgets/plots/cursor_plot.h"
+#include "widgets/plots/screen_colors.h"
 #include "widgets/style/theme.h"
 #include "window_test.h"
 
@@ -19,8 +21,7 @@ QWidgetList visible_parts(const QWidget& of, const char* type) {
 }
 
 /// The colour that most of it has. What is painted: a palette may say otherwise.
-QColor paper_of(QWidget& part) {
-  const QImage drawn = part.grab().toImage();
+QColor paper_of(const QImage& drawn) {
   std::map<QRgb, int> counts;
   for (int x = 0; x < drawn.width(); ++x) {
     for (int y = 0; y < drawn.height(); ++y) {
@@ -35,7 +36,9 @@ void expect_seen_on_paper(const QWidget& panel, gui::Theme theme) {
   for (const char* type : {"QwtPlot", "QwtPlotCanvas"}) {
     const QWidgetList parts = visible_parts(panel, type);
     ASSERT_EQ(parts.size(), 1) << type;
-    EXPECT_EQ(paper_of(*parts.front()).name().toStdString(), paper.name().toStdString()) << type;
+    EXPECT_EQ(paper_of(parts.front()->grab().toImage()).name().toStdString(),
+              paper.name().toStdString())
+        << type;
   }
   ASSERT_GE(visible_parts(panel, "QwtScaleWidget").size(), 2);
   for (QWidget* scale : visible_parts(panel, "QwtScaleWidget")) {
@@ -94,6 +97,15 @@ TEST_F(PlotsInADarkWindow, AreDarkFromTheStart) {
   open(cell().post());
   plan();
   expect_all_seen(gui::Theme::kDark);
+}
+
+TEST_F(PlotsInADarkWindow, AreWhiteInPrint) {
+  const QString file = QString::fromStdString((cell().folder() / "plot.png").string());
+  gui::CursorPlot plot;
+  plot.set_colors(gui::screen_colors(), Qt::red);
+  plot.set_lines({0.0, 1.0}, {{"joint", Qt::blue, false, {0.0, 1.0}, {}}});
+  plot.write(file, "Joint");
+  EXPECT_EQ(paper_of(QImage(file)).name().toStdString(), "#ffffff");
 }
 
 }  // namespace
