@@ -56,9 +56,7 @@ void ReconstructionChart::paintEvent(QPaintEvent*) {
   const ThemeColors colors = colors_of(current_theme());
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  QFont font = painter.font();
-  font.setPixelSize(scaled(10));
-  painter.setFont(font);
+  set_text_size(painter, 10);
   const QRectF area =
       QRectF(rect()).adjusted(scaled(kScaleWidth), scaled(7), -6, -scaled(kScaleHeight));
   const double step = round_step(errors_.front().fingertip.high / kMillimetre / kLines);

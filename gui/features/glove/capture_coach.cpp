@@ -99,9 +99,7 @@ QSize CoverageBars::sizeHint() const {
 void CoverageBars::paintEvent(QPaintEvent*) {
   const ThemeColors colors = colors_of(current_theme());
   QPainter painter(this);
-  QFont font = painter.font();
-  font.setPixelSize(scaled(12));
-  painter.setFont(font);
+  set_text_size(painter, 12);
   const int bar_x = kSideMargin + scaled(kNameWidth);
   const int bar_width = width() - bar_x - scaled(kPercentWidth) - kSideMargin;
   for (std::size_t j = 0; j < joints_.size(); ++j) {
@@ -278,9 +276,7 @@ QSize CombinationSquares::sizeHint() const {
 void CombinationSquares::paintEvent(QPaintEvent*) {
   const ThemeColors colors = colors_of(current_theme());
   QPainter painter(this);
-  QFont font = painter.font();
-  font.setPixelSize(scaled(12));
-  painter.setFont(font);
+  set_text_size(painter, 12);
   const int step = scaled(kSquare + kSquareGap);
   const double cell = scaled(kSquare) / static_cast<double>(FingerCombinations::kStates);
   for (int a = 0; a < device::kFingers; ++a) {

@@ -1,5 +1,7 @@
 #include "features/glove/capture_pages.h"
 
+#include "features/glove/device_field.h"
+
 #include "features/glove/capture_coach.h"
 #include "features/glove/pmd_explorer.h"
 #include "handway/device/glove/human_hand.h"
@@ -317,7 +319,7 @@ void CapturePages::choose_recordings() {
   explorer_->show_postures(live_, {}, session_.mapping().hand);
   const QStringList files = QFileDialog::getOpenFileNames(
       explorer_, tr("Show the postures of recordings, of one person or several together"), {},
-      tr("Recordings (*.csv *.txt *.json *.jsonl *.mat *.yaml);;All files (*)"));
+      recording_filter());
   if (!files.isEmpty()) {
     show_recordings(files);
   }

@@ -54,6 +54,24 @@ QList<GlovePort> find_glove_ports(const QString& devices) {
   return ports;
 }
 
+QString recording_filter() {
+  return QObject::tr(
+      "Recordings of hands (*.csv *.txt *.dat *.json *.jsonl *.mat *.yaml *.yml);;"
+      "Tables, of this window and of other programs (*.csv *.txt *.dat);;"
+      "Hand landmarks (*.json *.jsonl);;"
+      "MATLAB data sets (*.mat);;"
+      "Maps of a table's columns (*.yaml *.yml);;"
+      "All files (*)");
+}
+
+QString recording_kinds() {
+  return QObject::tr(
+      "Files are recognised by what is in them: recordings of this window, tables with the "
+      "sensors' names or in VirtualHand's order, MATLAB data sets with 'angles' or 'glove', hand "
+      "landmarks as JSON lines. Any other table needs a map of its columns, a small YAML file, "
+      "which is opened in its place.");
+}
+
 QStringList recent_gloves() { return QSettings().value(key()).toStringList(); }
 
 void add_recent_glove(const QString& device) {
@@ -113,6 +131,9 @@ void DeviceField::refresh() {
   clear();
   addItem(tr("Emulator: no hardware needed"), GloveSession::emulator_name());
   addItem(tr("Replay a recording…"), QLatin1String(kChooseRecording));
+  setItemData(count() - 1,
+              tr("Plays a file again and again, as if the glove made it now. ") + recording_kinds(),
+              Qt::ToolTipRole);
   const QList<GlovePort> ports = find_glove_ports();
   if (!ports.isEmpty()) {
     insertSeparator(count());
@@ -145,7 +166,7 @@ void DeviceField::choose(int index) {
 void DeviceField::choose_recording() {
   const QString file =
       QFileDialog::getOpenFileName(this, tr("Replay a recording"), {},
-                                   tr("Recordings (*.csv *.txt *.jsonl *.mat);;All files (*)"));
+                                   recording_filter());
   if (!file.isEmpty()) {
     set_device(file);
     emit requested();

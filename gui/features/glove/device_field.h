@@ -21,6 +21,11 @@ struct GlovePort {
 /// @param devices folder of the devices.
 [[nodiscard]] QList<GlovePort> find_glove_ports(const QString& devices = QStringLiteral("/dev"));
 
+/// What a file dialog offers where a recording is opened: all that read_recording() reads, by kind.
+[[nodiscard]] QString recording_filter();
+/// What these kinds are, for tooltips.
+[[nodiscard]] QString recording_kinds();
+
 /// Devices and recordings that were connected to, latest first.
 [[nodiscard]] QStringList recent_gloves();
 void add_recent_glove(const QString& device);

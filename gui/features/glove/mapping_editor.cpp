@@ -1,6 +1,7 @@
 #include "features/glove/mapping_editor.h"
 
 #include "features/glove/capture_coach.h"
+#include "features/glove/device_field.h"
 #include "features/glove/wire_form.h"
 #include "handway/device/glove/hand_mapping.h"
 #include "handway/device/retargeting/mapping_proposal.h"
@@ -208,9 +209,7 @@ void MappingWires::paint_joints(QPainter& painter) const {
 void MappingWires::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  QFont font = painter.font();
-  font.setPixelSize(scaled(11));
-  painter.setFont(font);
+  set_text_size(painter, 11);
   for (std::size_t w = 0; w < mapping_.wires.size(); ++w) {
     if (mapping_.wires[w].sensor >= 0) {
       const int joint = static_cast<int>(w);
@@ -326,7 +325,8 @@ MappingEditor::MappingEditor(GloveSession& session, QUndoStack& history, QWidget
       form_(new WireForm),
       curve_(new CurveView),
       source_(new QLineEdit),
-      comparison_(new QLabel) {
+      comparison_(new QLabel),
+      choices_(new QPushButton(tr("Mapping"))) {
   source_->setObjectName(QStringLiteral("mapping_source"));
   source_->setPlaceholderText(tr("where the correspondence comes from"));
   connect(source_, &QLineEdit::textChanged, source_, &QWidget::setToolTip);
@@ -360,6 +360,7 @@ MappingEditor::MappingEditor(GloveSession& session, QUndoStack& history, QWidget
     wire.left_to_arm = false;
     change(tr("Wire %1").arg(QString::fromStdString(wire.joint)), mapping);
   });
+  connect(&fitting_, &LatestJob::ended, this, &MappingEditor::show_fitting);
   connect(form_, &WireForm::edited, this, &MappingEditor::change_wire);
   connect(curve_, &CurveView::edited, this, &MappingEditor::change_wire);
   connect(source_, &QLineEdit::editingFinished, this, [this] {
@@ -377,8 +378,8 @@ QWidget* MappingEditor::build_buttons() {
   auto* layout = new QHBoxLayout(box);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(8);
-  auto* mapping = new QPushButton(tr("Mapping"));
-  auto* menu = new QMenu(mapping);
+  choices_->setObjectName(QStringLiteral("mapping_choices"));
+  auto* menu = new QMenu(choices_);
   menu->setToolTipsVisible(true);
   menu->addAction(tr("New for this hand"), this, &MappingEditor::propose)
       ->setToolTip(tr("Proposes sensors for the joints from their names, order and axes"));
@@ -393,7 +394,7 @@ QWidget* MappingEditor::build_buttons() {
   menu->addSeparator();
   menu->addAction(tr("Open…"), this, &MappingEditor::choose_to_open);
   menu->addAction(tr("Save as…"), this, &MappingEditor::choose_to_save);
-  mapping->setMenu(menu);
+  choices_->setMenu(menu);
   auto* compare = new QPushButton(tr("Compare"));
   auto* others = new QMenu(compare);
   others->addAction(tr("With Table 1 of the paper"), this,
@@ -410,13 +411,16 @@ QWidget* MappingEditor::build_buttons() {
   others->addAction(tr("With a file…"), this, &MappingEditor::choose_to_compare);
   compare->setMenu(others);
   compare->setToolTip(tr("What both mappings make of the motion since connecting"));
-  layout->addWidget(mapping, 1);
+  layout->addWidget(choices_, 1);
   layout->addWidget(compare, 1);
   return box;
 }
 
 void MappingEditor::set_hand(std::shared_ptr<const geometric::RobotModel> model,
                              std::vector<std::string> free) {
+  if (model != model_) {
+    fitting_.cancel();
+  }
   model_ = std::move(model);
   free_ = std::move(free);
   refresh();
@@ -469,22 +473,44 @@ void MappingEditor::propose() {
 }
 
 void MappingEditor::fit(const device::Recording& recording) {
-  if (!model_ || static_cast<std::size_t>(recording.values.rows()) < kLeastFrames) {
-    comparison_->setText(tr("Open the hand, make a fist and move the thumb first"));
+  start_fit([recording] { return recording; });
+}
+
+void MappingEditor::start_fit(std::function<device::Recording()> recording) {
+  if (!model_) {
     return;
   }
-  try {
-    const device::MappingFit fitted =
-        device::fit_mapping(session_.mapping(), *model_, recording, session_.calibration());
-    change(tr("Fit the mapping"), fitted.mapping);
-    QStringList lines{tr("Fitted to %L1 frames.").arg(recording.values.rows())};
-    for (const std::string& warning : fitted.warnings) {
-      lines << QString::fromStdString(warning) + QLatin1Char('.');
+  fitting_.run([this, recording = std::move(recording), model = model_,
+                mapping = session_.mapping(),
+                calibration = session_.calibration()](const std::stop_token&) -> LatestJob::Answer {
+    try {
+      const device::Recording angles = recording();
+      const Eigen::Index frames = angles.values.rows();
+      if (static_cast<std::size_t>(frames) < kLeastFrames) {
+        return [this] {
+          comparison_->setText(tr("Open the hand, make a fist and move the thumb first"));
+        };
+      }
+      const device::MappingFit fitted = device::fit_mapping(mapping, *model, angles, calibration);
+      return [this, fitted, frames] {
+        change(tr("Fit the mapping"), fitted.mapping);
+        QStringList lines{tr("Fitted to %L1 frames.").arg(frames)};
+        for (const std::string& warning : fitted.warnings) {
+          lines << QString::fromStdString(warning) + QLatin1Char('.');
+        }
+        comparison_->setText(lines.join(QLatin1Char('\n')));
+      };
+    } catch (const std::exception& error) {
+      return [this, message = QString::fromUtf8(error.what())] { emit failed(message); };
     }
-    comparison_->setText(lines.join(QLatin1Char('\n')));
-  } catch (const std::exception& error) {
-    emit failed(QString::fromUtf8(error.what()));
-  }
+  });
+  show_fitting();
+}
+
+void MappingEditor::show_fitting() {
+  const bool busy = fitting_.is_busy();
+  choices_->setEnabled(!busy);
+  choices_->setText(busy ? tr("Fitting…") : tr("Mapping"));
 }
 
 void MappingEditor::change(const QString& text, const device::HandMapping& mapping) {
@@ -494,6 +520,7 @@ void MappingEditor::change(const QString& text, const device::HandMapping& mappi
 }
 
 void MappingEditor::use(const device::HandMapping& mapping) {
+  fitting_.cancel();
   session_.set_mapping(mapping);
   comparison_->clear();
   refresh();
@@ -575,22 +602,13 @@ void MappingEditor::choose_to_save() {
 }
 
 void MappingEditor::choose_to_fit() {
-  const QString file =
-      QFileDialog::getOpenFileName(this, tr("Fit the mapping to a recording"), {},
-                                   tr("Recordings (*.csv *.txt *.jsonl);;All files (*)"));
-  if (file.isEmpty()) {
-    return;
+  const QString file = QFileDialog::getOpenFileName(this, tr("Fit the mapping to a recording"), {},
+                                                    recording_filter());
+  if (!file.isEmpty()) {
+    start_fit([file = file.toStdString(), calibration = session_.calibration()] {
+      return device::to_angles(device::read_recording(file), calibration);
+    });
   }
-  reading_.run([this, file,
-                calibration = session_.calibration()](const std::stop_token&) -> LatestJob::Answer {
-    try {
-      const device::Recording angles =
-          device::to_angles(device::read_recording(file.toStdString()), calibration);
-      return [this, angles] { fit(angles); };
-    } catch (const std::exception& error) {
-      return [this, message = QString::fromUtf8(error.what())] { emit failed(message); };
-    }
-  });
 }
 
 void MappingEditor::choose_to_compare() {

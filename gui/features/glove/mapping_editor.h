@@ -14,6 +14,7 @@
 
 #include <deque>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -115,7 +116,8 @@ class MappingEditor : public QWidget {
   void clear();
   /// A mapping that is proposed for the hand of the scene.
   void propose();
-  /// Fits signs and ranges to what a person's hand went through.
+  /// Fits signs and ranges to what a person's hand went through, in the background; another hand or
+  /// mapping meanwhile ends it without effect.
   /// @param recording of angles.
   void fit(const device::Recording& recording);
   void compare_with(const device::HandMapping& other, const QString& name);
@@ -136,6 +138,9 @@ class MappingEditor : public QWidget {
   void choose_to_save();
   void choose_to_compare();
   void choose_to_fit();
+  /// @param recording called in the background; may throw.
+  void start_fit(std::function<device::Recording()> recording);
+  void show_fitting();
 
   GloveSession& session_;
   QUndoStack& history_;
@@ -148,7 +153,8 @@ class MappingEditor : public QWidget {
   CurveView* curve_;
   QLineEdit* source_;
   QLabel* comparison_;
-  LatestJob reading_;
+  QPushButton* choices_;  ///< The menu of what can be done with a mapping.
+  LatestJob fitting_;
 };
 
 }  // namespace handway::gui

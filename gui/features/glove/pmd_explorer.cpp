@@ -1,5 +1,7 @@
 #include "features/glove/pmd_explorer.h"
 
+#include "features/glove/device_field.h"
+
 #include "features/glove/capture_coach.h"
 #include "handway/geometric/robot/composed_robot.h"
 #include "handway/geometric/robot/normalised_joints.h"
@@ -156,9 +158,7 @@ void PmdPad::paintEvent(QPaintEvent*) {
   for (const QPointF& dot : dots_) {
     painter.drawEllipse(to_pixel(dot), kDot, kDot);
   }
-  QFont font = painter.font();
-  font.setPixelSize(scaled(11));
-  painter.setFont(font);
+  set_text_size(painter, 11);
   painter.setPen(colors.muted);
   const QRectF area = plane().adjusted(6, 3, -6, -3);
   const QPointF middle = to_pixel({0.0, 0.0});
@@ -287,9 +287,7 @@ void CorrelationMap::paintEvent(QPaintEvent*) {
   painter.setPen(QPen(colors.border, 1.0));
   painter.drawRect(area);
   if (correlations_.size() == 0) {
-    QFont font = painter.font();
-    font.setPixelSize(scaled(10));
-    painter.setFont(font);
+    set_text_size(painter, 10);
     painter.setPen(colors.muted);
     painter.drawText(area, Qt::AlignCenter, tr("no postures"));
   }
@@ -347,9 +345,7 @@ void VarianceChart::paintEvent(QPaintEvent*) {
   const ThemeColors colors = colors_of(current_theme());
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  QFont font = painter.font();
-  font.setPixelSize(scaled(10));
-  painter.setFont(font);
+  set_text_size(painter, 10);
   const QRectF area = QRectF(rect()).adjusted(2, 8, -4, -scaled(16));
   painter.setPen(QPen(faded(colors.border, 0.9), 1.0));
   for (const double level : {0.0, 0.5, 1.0}) {
@@ -519,6 +515,15 @@ PmdExplorer::PmdExplorer(QWidget* parent)
   source_->addItems({tr("Live"), tr("A recording…")});
   source_->setToolTip(
       tr("Postures that the glove makes now, or those of one or several recordings together"));
+  source_->setItemData(kLive, tr("All that the glove has made since it was connected"),
+                       Qt::ToolTipRole);
+  source_->setItemData(
+      kFromFile,
+      tr("Reads files, makes postures of this hand of them as 'Hand by' says, and shows them and "
+         "their principal motion directions. Several files count together, each as a person of "
+         "its own in Report. The scene changes with 'Use for planning' only.") +
+          QStringLiteral("\n\n") + recording_kinds(),
+      Qt::ToolTipRole);
   method_->addItems({tr("Joint mapping"), tr("Fingertip retargeting")});
   method_->setToolTip(
       tr("What makes postures of this hand from a person's: sensor by sensor, as Mapping says, or "

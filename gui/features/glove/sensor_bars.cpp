@@ -182,9 +182,7 @@ void SensorBars::paint_row(QPainter& painter, int sensor) const {
   const int top = top_of(sensor);
   const auto cell = [top](int x, int width) { return QRect(x, top, width, scaled(kSensorRow)); };
 
-  QFont font = painter.font();
-  font.setPixelSize(scaled(12));
-  painter.setFont(font);
+  set_text_size(painter, 12);
   painter.setPen(faded(colors.muted, 0.9));
   painter.drawText(cell(kBarMargin, scaled(kLetterWidth)), Qt::AlignVCenter,
                    QString(QLatin1Char(about.letter)));

@@ -186,9 +186,7 @@ void CurveView::paint_axes(QPainter& painter) const {
   const QRectF box = area();
   painter.fillRect(QRectF(place_of(kLeastSensor, upper_), place_of(kMostSensor, lower_)),
                    faded(colors.accent, 0.06));
-  QFont font = painter.font();
-  font.setPixelSize(scaled(10));
-  painter.setFont(font);
+  set_text_size(painter, 10);
   for (double degrees = -30.0; degrees <= 120.0; degrees += 30.0) {
     const double x = place_of(degrees * kDegree, lower_).x();
     painter.setPen(QPen(faded(colors.border, degrees == 0.0 ? 1.0 : 0.6), 1.0));

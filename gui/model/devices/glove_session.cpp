@@ -225,15 +225,21 @@ void GloveSession::propose_mapping() {
 }
 
 void GloveSession::set_calibration(std::optional<device::GloveCalibration> calibration) {
-  const std::optional<device::HandBones> bones = this->calibration().bones;
+  const device::GloveCalibration before = this->calibration();
   chosen_ = std::move(calibration);
-  if (bones != this->calibration().bones && (retargeter_ || preparing_.is_busy())) {
+  if (before.bones != this->calibration().bones && (retargeter_ || preparing_.is_busy())) {
     preparing_.cancel();
     take_retargeter(nullptr, {});
     prepare_retargeting();
   }
   update_tap();
-  rebuild_mapper();
+  const bool same_ranges = before.ranges == this->calibration().ranges;
+  if (!same_ranges) {
+    rebuild_mapper();
+  }
+  if (same_ranges || method_ != PostureMethod::kJointMapping) {
+    emit source_changed();  // What was recorded means other angles now.
+  }
 }
 
 const device::GloveCalibration& GloveSession::calibration() const {

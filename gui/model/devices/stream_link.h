@@ -154,7 +154,10 @@ class StreamLink : public QObject {
  protected:
   using QObject::QObject;
 
-  void set_state(device::StreamState state, const std::string& error = {});
+  void set_state(device::StreamState state, const std::string& error = {}) {
+    state_ = state;
+    emit state_changed(state, QString::fromStdString(error));
+  }
 
  private:
   device::StreamState state_ = device::StreamState::kStopped;

@@ -196,6 +196,12 @@ Theme current_theme() { return applied; }
 
 int scaled(int pixels) { return static_cast<int>(std::lround(applied_scale * pixels)); }
 
+void set_text_size(QPainter& painter, int pixels) {
+  QFont font = painter.font();
+  font.setPixelSize(scaled(pixels));
+  painter.setFont(font);
+}
+
 QString html(const QColor& color) { return color.name(QColor::HexRgb); }
 
 namespace {

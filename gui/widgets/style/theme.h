@@ -13,6 +13,7 @@ class QWidget;
 class QAction;
 class QKeySequence;
 class QObject;
+class QPainter;
 
 namespace handway::gui {
 
@@ -41,6 +42,8 @@ void apply_theme(QApplication& application, Theme theme);
 
 /// As large as `pixels` are beside text of 100 %, px: for what has room for so many letters.
 [[nodiscard]] int scaled(int pixels);
+/// Text of so many pixels, as scaled(), for what is painted from now on.
+void set_text_size(QPainter& painter, int pixels);
 
 /// The theme that was applied last.
 [[nodiscard]] Theme current_theme();

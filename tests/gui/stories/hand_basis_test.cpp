@@ -1,8 +1,10 @@
 /// From postures to a plan with a basis of one's own, for hands of all kinds, with the mouse alone
-/// but for the address of a glove.
+/// but for the address of a glove, which is typed.
 #include "features/glove/glove_panel.h"
 #include "features/glove/hand_bases.h"
 #include "handway/device/core/device_emulator.h"
+#include "handway/device/glove/glove_emulator.h"
+#include "handway/device/glove/glove_signals.h"
 #include "handway/device/glove/hand_exploration.h"
 #include "handway/device/glove/human_hand.h"
 #include "handway/device/glove/landmark_glove.h"
@@ -10,6 +12,7 @@
 #include "handway/geometric/math/units.h"
 #include "handway/planning/core/objective.h"
 #include "handway/sampling/postures/pmd_basis_io.h"
+#include "handway_test/free_port.h"
 #include "patience.h"
 #include "watched_application.h"
 #include "window_test.h"
@@ -20,6 +23,7 @@
 #include <QDir>
 #include <QFileDialog>
 #include <QLabel>
+#include <QLineEdit>
 #include <QListView>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -67,8 +71,11 @@ struct ReachingHand {
 /// Where the postures come from. All are of an emulated hand.
 enum class Postures {
   kRecording,
-  kGlove,
+  kEmulator,
+  kSerialGlove,
+  kNetworkGlove,
   kLandmarkStream,
+  kLandmarkDatagrams,
   kLandmarkFile,
   kTable,
   kMatlabFile,
@@ -77,12 +84,21 @@ enum class Postures {
 struct BasisStory {
   ReachingHand hand;
   Postures postures;
+  bool by_fingertips = false;  ///< The hand follows by fingertip retargeting.
 };
 
 std::string name_of(const BasisStory& story) {
-  constexpr std::array kNames{"recording",     "glove", "landmark_stream",
-                              "landmark_file", "table", "matlab_file"};
-  return std::string(story.hand.name) + '_' + kNames.at(static_cast<std::size_t>(story.postures));
+  constexpr std::array kNames{"recording",
+                              "emulator",
+                              "serial_glove",
+                              "network_glove",
+                              "landmark_stream",
+                              "landmark_datagrams",
+                              "landmark_file",
+                              "table",
+                              "matlab_file"};
+  return std::string(story.hand.name) + '_' + kNames.at(static_cast<std::size_t>(story.postures)) +
+         (story.by_fingertips ? "_by_fingertips" : "");
 }
 
 void PrintTo(const BasisStory& story, std::ostream* out) { *out << name_of(story); }
@@ -215,6 +231,10 @@ class HandBasisStory : public WindowTest, public ::testing::WithParamInterface<B
                                         : QDialogButtonBox::Open));
     });
   }
+  [[nodiscard]] bool retargets() const {
+    const gui::GloveSession& session = window().findChild<gui::GlovePanel*>()->session();
+    return session.source() && session.method() == gui::PostureMethod::kFingertips;
+  }
   void picture(const char* step) const {
     QTest::qWait(150);
     const WatchedApplication::LooksAway taking_it_is_no_step_of_a_person;
@@ -239,23 +259,59 @@ class HandBasisStory : public WindowTest, public ::testing::WithParamInterface<B
     accept_file(file);
     choose("explorer_source", QStringLiteral("A recording…"));
   }
-  void connect_to(const QString& device) const {
+  /// Until there are postures enough; then ends the connection.
+  void connect_and_wait() const {
     constexpr Eigen::Index kEnough = 100;
-    auto& panel = *window().findChild<gui::GlovePanel*>();
-    panel.connect_to(device);  // as --glove does
-    const gui::CapturePages& capture = panel.capture();
+    click_middle(part<QPushButton>("glove_connect"));
+    const gui::CapturePages& capture = window().findChild<gui::GlovePanel*>()->capture();
     ASSERT_TRUE(QTest::qWaitFor([&] { return capture.postures().count() > kEnough; }, kPatienceMs))
         << part<QLabel>("glove_error").text().toStdString();
     click_middle(part<QPushButton>("glove_connect"));
+  }
+  /// Types an address over what is in the field.
+  void connect_to(const std::string& address) const {
+    QLineEdit& field = *part<QComboBox>("glove_device").lineEdit();
+    click_middle(field);
+    QTest::keyClick(&field, Qt::Key_A, Qt::ControlModifier);
+    QTest::keyClicks(&field, QString::fromStdString(address));
+    connect_and_wait();
+  }
+  void connect_to_emulated_glove(const device::GloveEmulatorSettings& settings) const {
+    const device::GloveEmulator glove(settings, device::exploring_hand_signal(2));
+    connect_to(glove.address());
+  }
+  /// By datagrams that an emulated camera sends to a free port, or over TCP.
+  void connect_to_emulated_camera(bool datagrams) const {
+    device::DeviceEmulatorSettings settings;
+    const std::string port = free_udp_port();
+    if (datagrams) {
+      settings.udp_receiver = "localhost:" + port;
+    } else {
+      settings.tcp_port = 0;
+    }
+    const auto hand = std::make_shared<device::HandExploration>(2);
+    const device::DeviceEmulator camera(
+        settings, device::make_landmark_unit({}, [hand](double time) { return hand->at(time); }));
+    connect_to(datagrams ? "udp://" + port : "landmarks://" + camera.address());
   }
   void take_postures() const {
     switch (GetParam().postures) {
       case Postures::kRecording:
         return open_file(QStringLiteral("my_hand.csv"));
-      case Postures::kGlove:
-        return connect_to(gui::GloveSession::emulator_name());
+      case Postures::kEmulator:
+        choose("glove_device", QStringLiteral("Emulator: no hardware needed"));
+        return connect_and_wait();
+      case Postures::kSerialGlove:
+        return connect_to_emulated_glove({});
+      case Postures::kNetworkGlove: {
+        device::GloveEmulatorSettings on_tcp;
+        on_tcp.tcp_port = 0;
+        return connect_to_emulated_glove(on_tcp);
+      }
       case Postures::kLandmarkStream:
-        return connect_to(camera());
+        return connect_to_emulated_camera(false);
+      case Postures::kLandmarkDatagrams:
+        return connect_to_emulated_camera(true);
       case Postures::kLandmarkFile:
         return open_file(QStringLiteral("camera.jsonl"));
       case Postures::kTable:
@@ -264,18 +320,6 @@ class HandBasisStory : public WindowTest, public ::testing::WithParamInterface<B
         return open_file(QStringLiteral("data_set.mat"));
     }
   }
-  /// The address of an emulated camera.
-  static QString camera() {
-    static const device::DeviceEmulator kCamera = [] {
-      device::DeviceEmulatorSettings settings;
-      settings.tcp_port = 0;
-      const auto hand = std::make_shared<device::HandExploration>(2);
-      return device::DeviceEmulator(
-          settings, device::make_landmark_unit({}, [hand](double time) { return hand->at(time); }));
-    }();
-    return QStringLiteral("landmarks://") + QString::fromStdString(kCamera.address());
-  }
-
   /// The same for all, as file dialogs go on where the last one ended.
   [[nodiscard]] static const std::filesystem::path& folder() {
     static const ScratchFolder kFolder;
@@ -297,6 +341,10 @@ TEST_P(HandBasisStory, MakesABasisOfPosturesAndPlansWithIt) {
   picture("1_opened");
 
   show_page(QStringLiteral("Explore"));
+  if (GetParam().by_fingertips) {
+    choose("explorer_method", QStringLiteral("Fingertip retargeting"));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return retargets(); }, kPatienceMs));
+  }
   take_postures();
   ASSERT_FALSE(::testing::Test::HasFatalFailure());
   ASSERT_TRUE(
@@ -353,9 +401,12 @@ std::vector<BasisStory> stories() {
     for (int postures = 0; postures <= static_cast<int>(Postures::kMatlabFile); ++postures) {
       all.push_back({hand, static_cast<Postures>(postures)});
     }
+    all.push_back({hand, Postures::kRecording, true});
+    all.push_back({hand, Postures::kLandmarkStream, true});
   }
   for (const ReachingHand& hand : kOfReference) {
     all.push_back({hand, Postures::kRecording});
+    all.push_back({hand, Postures::kRecording, true});
   }
   return all;
 }

@@ -1,15 +1,19 @@
 #include "features/glove/mapping_editor.h"
 
 #include "features/glove/wire_form.h"
+#include "handway/device/glove/glove_calibration.h"
 #include "handway/device/glove/glove_layout.h"
+#include "handway/device/glove/recording.h"
 #include "handway/geometric/formats/robot_loader.h"
 #include "handway/geometric/io/resources.h"
 #include "handway/geometric/math/units.h"
+#include "patience.h"
 #include "pressed_mouse.h"
 #include "window_test.h"
 
 #include <QComboBox>
 #include <QLineEdit>
+#include <QPushButton>
 
 #include <handway_test/paths.h>
 
@@ -141,6 +145,72 @@ TEST_F(MappingEditor, OpensWhatItSaved) {
 TEST_F(MappingEditor, AsksForMotionBeforeItCompares) {
   editor_->compare_with(device::table1_mapping(), "Table 1");
   EXPECT_TRUE(editor_->comparison().contains(QStringLiteral("Move the glove")));
+}
+
+class FittedInTheWindow : public MappingEditor {
+ protected:
+  void SetUp() override {
+    MappingEditor::SetUp();
+    if (!IsSkipped()) {
+      editor_->set_hand(hand("sah_right"), {});
+      motion_ = device::to_angles(
+          device::read_recording(source_dir() / "resources/recordings/free_hand.csv"),
+          device::typical_calibration());
+    }
+  }
+  static std::shared_ptr<const geometric::RobotModel> hand(const char* name) {
+    return geometric::load_robot(geometric::find_resource(geometric::ResourceKind::kRobot, name,
+                                                          std::filesystem::current_path(), ""));
+  }
+  /// The session's mapping as its file would be.
+  [[nodiscard]] std::string mapping() const {
+    const ScratchFolder folder;
+    device::write_mapping(session_->mapping(), folder.path() / "mapping.yaml");
+    return content_of(folder.path() / "mapping.yaml");
+  }
+  [[nodiscard]] QPushButton& choices() const { return part<QPushButton>("mapping_choices"); }
+  void wait_for_the_end() const {
+    ASSERT_TRUE(QTest::qWaitFor([this] { return choices().isEnabled(); }, kPatienceMs));
+  }
+
+  device::Recording motion_;
+};
+
+TEST_F(FittedInTheWindow, ItsChoicesWaitUntilItIsDoneInTheBackground) {
+  const std::string before = mapping();
+  editor_->fit(motion_);
+  EXPECT_FALSE(choices().isEnabled());
+  EXPECT_EQ(choices().text(), QStringLiteral("Fitting…"));
+  EXPECT_EQ(mapping(), before) << "nothing was done on the window's thread";
+  wait_for_the_end();
+  EXPECT_NE(mapping(), before);
+  EXPECT_TRUE(editor_->comparison().contains(QStringLiteral("Fitted to")));
+  EXPECT_EQ(choices().text(), QStringLiteral("Mapping"));
+  history_.undo();
+  EXPECT_EQ(mapping(), before);
+}
+
+TEST_F(FittedInTheWindow, AnotherHandOrMappingEndsItWithoutEffect) {
+  const std::string before = mapping();
+  editor_->fit(motion_);
+  editor_->set_hand(hand("allegro_class_right"), {});
+  EXPECT_TRUE(choices().isEnabled());
+  editor_->set_hand(hand("sah_right"), {});
+  editor_->fit(motion_);
+  editor_->clear();
+  EXPECT_TRUE(choices().isEnabled());
+  const std::string cleared = mapping();
+  QTest::qWait(400);  // longer than a fit
+  EXPECT_EQ(mapping(), cleared);
+  EXPECT_EQ(history_.count(), 1);
+}
+
+TEST_F(FittedInTheWindow, AsksForMoreMotionThanAFewFrames) {
+  motion_.times.conservativeResize(50);
+  motion_.values.conservativeResize(50, Eigen::NoChange);
+  editor_->fit(motion_);
+  wait_for_the_end();
+  EXPECT_TRUE(editor_->comparison().contains(QStringLiteral("make a fist")));
 }
 
 TEST(WireNumbers, MayBeRatios) {
