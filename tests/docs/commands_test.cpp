@@ -143,6 +143,29 @@ TEST(Manual, HasThePicturesThatItsTargetMakes) {
   EXPECT_THAT(kept, ContainerEq(made));
 }
 
+// Whoever measures the table anew finds a row for each hand and method, and the manual has no others.
+TEST(RetargetingTable, HasTheRowsThatItsScriptMeasures) {
+  const ShellRun list =
+      run_in_shell((source_dir() / "scripts/retargeting-table").string() + " --list");
+  ASSERT_EQ(list.status, 0) << list.printed;
+  std::vector<std::string> measured;
+  std::istringstream lines(list.printed);
+  for (std::string line; std::getline(lines, line);) {
+    measured.push_back(line);
+  }
+  const std::regex figures(R"(^(\|.*?\|.*?\|)( \d+\.\d \|){6}$)");
+  std::vector<std::string> shown;
+  std::istringstream manual(read_text(source_dir() / "docs" / "glove-to-pmd.md"));
+  std::smatch found;
+  for (std::string line; std::getline(manual, line);) {
+    if (std::regex_match(line, found, figures)) {
+      shown.push_back(found[1]);
+    }
+  }
+  EXPECT_THAT(shown, ContainerEq(measured));
+  EXPECT_GE(shown.size(), 12U);
+}
+
 // The commands of the page in their order, in a folder with two robots that have no SRDF.
 TEST(BringYourOwnRobot, GoesFromTwoRobotFilesToAGrasp) {
   namespace fs = std::filesystem;

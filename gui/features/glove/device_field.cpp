@@ -165,8 +165,7 @@ void DeviceField::choose(int index) {
 
 void DeviceField::choose_recording() {
   const QString file =
-      QFileDialog::getOpenFileName(this, tr("Replay a recording"), {},
-                                   recording_filter());
+      QFileDialog::getOpenFileName(this, tr("Replay a recording"), {}, recording_filter());
   if (!file.isEmpty()) {
     set_device(file);
     emit requested();

@@ -1,8 +1,7 @@
 #include "features/glove/pmd_explorer.h"
 
-#include "features/glove/device_field.h"
-
 #include "features/glove/capture_coach.h"
+#include "features/glove/device_field.h"
 #include "handway/geometric/robot/composed_robot.h"
 #include "handway/geometric/robot/normalised_joints.h"
 #include "widgets/style/theme.h"

@@ -149,11 +149,11 @@ Recording read_recording(const std::filesystem::path& file) {
   if (first != lines.end() && is_landmark_row(*first)) {
     return read_landmark_recording(file, lines);
   }
-  if (is_posture_table(lines)) {
-    return read_posture_table(file, lines);
+  if (first != lines.end() && trimmed(first->text) == kRecordingMark) {
+    return read_csv_recording(file, lines);
   }
   return first != lines.end() && is_virtual_hand_row(*first) ? read_virtual_hand_log(file, lines)
-                                                             : read_csv_recording(file, lines);
+                                                             : read_other_table(file, lines);
 }
 
 void write_recording(const Recording& recording, const std::filesystem::path& file) {

@@ -67,7 +67,7 @@ using geometric::InputError;
 class CsvReader {
  public:
   CsvReader(const std::filesystem::path& file, const std::vector<TextLine>& lines)
-      : file_(file), lines_(lines), own_(trimmed(lines.front().text) == kRecordingMark) {}
+      : file_(file), lines_(lines) {}
 
   Recording read() {
     std::size_t next = 0;
@@ -83,7 +83,6 @@ class CsvReader {
       read_row(lines_[next], rows);
     }
     rows.move_to(recording_);
-    settle_kind();
     return std::move(recording_);
   }
 
@@ -96,7 +95,7 @@ class CsvReader {
   void read_field(const TextLine& line) {
     std::string_view text = trimmed(line.text);
     const std::size_t colon = text.find(':');
-    if (!own_ || colon == std::string_view::npos) {
+    if (colon == std::string_view::npos) {
       return;
     }
     const std::string_view key = trimmed(text.substr(1, colon - 1));
@@ -106,7 +105,7 @@ class CsvReader {
       if (value != "counts" && value != "angles") {
         throw InputError({at_line(file_, line), "kind", '"' + value + '"', "counts or angles", ""});
       }
-      kind_ = value == "counts" ? RecordingKind::kCounts : RecordingKind::kAngles;
+      header.kind = value == "counts" ? RecordingKind::kCounts : RecordingKind::kAngles;
     } else if (key == "device") {
       header.device = value;
     } else if (key == "date") {
@@ -163,7 +162,7 @@ class CsvReader {
     // A number that is cut may look whole: only the end of the line shows.
     const std::vector<std::string_view> parts = cells(line.text, separator_);
     const std::size_t columns = recording_.header.sensors.size() + 1;
-    if (!line.ended && (own_ || parts.size() < columns)) {
+    if (!line.ended) {
       recording_.warnings.push_back(at_line(file_, line) + ": left out, the row is cut off");
       return;
     }
@@ -190,15 +189,10 @@ class CsvReader {
   }
 
   void check_value(const TextLine& line, std::size_t column, double value) const {
-    const bool counts = value >= 0.0 && value <= kHighestCounts;
-    const bool angle = std::abs(value) <= kWidestAngle;
-    const bool fits = kind_ ? (*kind_ == RecordingKind::kCounts ? counts : angle) : counts || angle;
-    if (!fits) {
+    const bool counts = recording_.header.kind == RecordingKind::kCounts;
+    if (counts ? value < 0.0 || value > kHighestCounts : std::abs(value) > kWidestAngle) {
       throw InputError({at_line(file_, line), column_name(column), fmt::format("{}", value),
-                        kind_ == RecordingKind::kAngles ? "an angle in rad"
-                        : kind_                         ? "counts from 0 to 255"
-                                                        : "counts from 0 to 255, or rad",
-                        ""});
+                        counts ? "counts from 0 to 255" : "an angle in rad", ""});
     }
   }
 
@@ -211,27 +205,9 @@ class CsvReader {
     return fmt::format("column {}", cyberglove_sensors()[sensor].name);
   }
 
-  // What a file that doesn't say holds: whole numbers are counts.
-  void settle_kind() {
-    const Eigen::MatrixXd& values = recording_.values;
-    if (!kind_) {
-      const bool whole = (values.array() == values.array().round()).all();
-      kind_ = whole && values.minCoeff() >= 0.0 ? RecordingKind::kCounts : RecordingKind::kAngles;
-      recording_.warnings.push_back(file_.string() + ": taken for " + to_string(*kind_) +
-                                    " by its numbers");
-      if (!whole && values.cwiseAbs().maxCoeff() > kWidestAngle) {
-        throw InputError({file_.string(), "", fmt::format("values up to {}", values.maxCoeff()),
-                          "whole counts, or angles in rad", "Are these degrees?"});
-      }
-    }
-    recording_.header.kind = *kind_;
-  }
-
   const std::filesystem::path& file_;
   const std::vector<TextLine>& lines_;
-  bool own_;
   Recording recording_;
-  std::optional<RecordingKind> kind_;
   char separator_ = ',';
   std::size_t time_column_ = 0;
 };
@@ -270,13 +246,14 @@ std::optional<double> seconds(const Row& row) {
 }
 
 std::optional<Row> numbers(const TextLine& line) {
-  const std::vector<std::string_view> parts = cells(line.text, ' ');
+  const char separator = separator_of(line.text);
+  const std::vector<std::string_view> parts = cells(line.text, separator);
   if (parts.size() != kCells) {
     return std::nullopt;
   }
   Row row{};
   for (std::size_t i = 0; i < kCells; ++i) {
-    const std::optional<double> number = parse_number(parts[i]);
+    const std::optional<double> number = parse_cell(parts[i], separator);
     if (!number) {
       return std::nullopt;
     }

@@ -20,7 +20,7 @@ inline constexpr const char* kRecordingMark = "# handway glove recording 1";
 inline constexpr double kHighestCounts = 255.0;
 inline constexpr double kWidestAngle = 2.0 * std::numbers::pi;
 
-/// CSV with a header: Handway's own recordings, and others.
+/// Handway's own recordings.
 [[nodiscard]] Recording read_csv_recording(const std::filesystem::path& file,
                                            const std::vector<TextLine>& lines);
 

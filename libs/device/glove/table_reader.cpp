@@ -8,14 +8,17 @@
 #include "handway/geometric/math/units.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <matio.h>
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <fstream>
+#include <initializer_list>
 #include <limits>
 #include <map>
 #include <memory>
@@ -74,6 +77,29 @@ Eigen::MatrixXd matrix(const matvar_t& variable) {
   }
 }
 
+void add_matrices(const std::filesystem::path& file, mat_t& opened, const std::string& name,
+                  matvar_t& variable, std::map<std::string, Eigen::MatrixXd>& matrices) {
+  if (variable.class_type == MAT_C_STRUCT && variable.rank == 2 && variable.dims[0] == 1 &&
+      variable.dims[1] == 1) {
+    char* const* fields = Mat_VarGetStructFieldnames(&variable);
+    for (unsigned i = 0; fields != nullptr && i < Mat_VarGetNumberOfFields(&variable); ++i) {
+      matvar_t* field = Mat_VarGetStructFieldByIndex(&variable, i, 0);
+      if (field != nullptr && field->class_type != MAT_C_STRUCT) {
+        add_matrices(file, opened, name + '.' + fields[i], *field, matrices);
+      }
+    }
+  }
+  if (!is_matrix(variable)) {
+    return;
+  }
+  if (Mat_VarReadDataAll(&opened, &variable) != 0 || variable.data == nullptr) {
+    throw geometric::InputError({file.string(), "variable " + name,
+                                 "one that is cut off or damaged", "a matrix",
+                                 "Copy the file again."});
+  }
+  matrices[name] = matrix(variable);
+}
+
 }  // namespace
 
 bool is_matlab_file(const std::filesystem::path& file) {
@@ -92,15 +118,9 @@ std::map<std::string, Eigen::MatrixXd> read_matlab_file(const std::filesystem::p
   }
   std::map<std::string, Eigen::MatrixXd> matrices;
   while (const auto variable = Variable(Mat_VarReadNextInfo(opened.get()), Mat_VarFree)) {
-    if (variable->name == nullptr || !is_matrix(*variable)) {
-      continue;
+    if (variable->name != nullptr) {
+      add_matrices(file, *opened, variable->name, *variable, matrices);
     }
-    if (Mat_VarReadDataAll(opened.get(), variable.get()) != 0 || variable->data == nullptr) {
-      throw geometric::InputError({file.string(), std::string("variable ") + variable->name,
-                                   "one that is cut off or damaged", "a matrix",
-                                   "Copy the file again."});
-    }
-    matrices[variable->name] = matrix(*variable);
   }
   return matrices;
 }
@@ -113,11 +133,15 @@ using geometric::YamlElement;
 constexpr std::size_t kLargestTable = std::size_t{1} << 30;
 constexpr double kUsualRate = 100.0;  // Hz, of gloves
 
-/// Numbers in rows; NaN where a cell is none, as labels.
+constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
+constexpr double kWord = std::numeric_limits<double>::infinity();
+
+/// Numbers in rows; kGap where nothing was measured, kWord where a cell is text, as labels.
 struct Table {
   std::vector<std::string> names;  ///< Of columns; empty without a header.
   Eigen::MatrixXd values;
   std::vector<std::size_t> lines;  ///< In the file, of each row; empty: the row's own number.
+  std::vector<std::string> warnings;
 };
 
 /// What a column is.
@@ -133,12 +157,53 @@ struct Layout {
   std::vector<ColumnUse> columns;
   std::optional<ColumnUse> time;  ///< In s.
   double rate = 1.0;              ///< Hz, without times.
+  std::string order;              ///< Whose order columns without names are in; may be empty.
 };
+
+/// The cell of a column that isn't all gaps.
+double cell_of(const Table& table, Eigen::Index row, const ColumnUse& use) {
+  return use.gain * table.values(row, use.column) + use.offset;
+}
 
 std::string row_name(const std::filesystem::path& file, const Table& table, Eigen::Index row) {
   const auto index = static_cast<std::size_t>(row);
   return table.lines.empty() ? fmt::format("{}, row {}", file.string(), row + 1)
                              : fmt::format("{}:{}", file.string(), table.lines[index]);
+}
+
+/// Those in which all that is used was measured; a warning says how many were not.
+/// @throws InputError if a used cell is text, or if there are none.
+std::vector<Eigen::Index> rows_without_gaps(const std::filesystem::path& file, const Table& table,
+                                            const Layout& layout,
+                                            std::vector<std::string>& warnings) {
+  std::vector<ColumnUse> used = layout.columns;
+  if (layout.time) {
+    used.push_back(*layout.time);
+  }
+  std::vector<Eigen::Index> rows;
+  for (Eigen::Index row = 0; row < table.values.rows(); ++row) {
+    for (const ColumnUse& use : used) {
+      if (std::isinf(table.values(row, use.column))) {
+        throw InputError({row_name(file, table, row), fmt::format("column {}", use.column + 1),
+                          "no number", "a number", "Leave columns of labels out of the map."});
+      }
+    }
+    if (std::ranges::none_of(used, [&](const ColumnUse& use) {
+          return std::isnan(table.values(row, use.column));
+        })) {
+      rows.push_back(row);
+    }
+  }
+  const auto left_out = static_cast<std::size_t>(table.values.rows()) - rows.size();
+  if (rows.empty()) {
+    throw InputError({file.string(), "", "a gap in each row", "rows of numbers",
+                      "Leave columns that were not measured out of the map."});
+  }
+  if (left_out > 0) {
+    warnings.push_back(fmt::format("{}: {} of {} rows left out, they have gaps", file.string(),
+                                   left_out, table.values.rows()));
+  }
+  return rows;
 }
 
 Recording recording_of(const std::filesystem::path& file, const Table& table,
@@ -149,28 +214,22 @@ Recording recording_of(const std::filesystem::path& file, const Table& table,
   for (const ColumnUse& use : layout.columns) {
     recording.header.sensors.push_back(use.sensor);
   }
-  const Eigen::Index rows = table.values.rows();
-  recording.times.resize(rows);
-  recording.values.resize(rows, static_cast<Eigen::Index>(layout.columns.size()));
-  const auto value_of = [&](Eigen::Index row, const ColumnUse& use) {
-    const double value = use.gain * table.values(row, use.column) + use.offset;
-    if (!std::isfinite(value)) {
-      throw InputError({row_name(file, table, row), fmt::format("column {}", use.column + 1),
-                        "no number", "a number", "Leave columns of labels out of the map."});
-    }
-    return value;
-  };
-  for (Eigen::Index row = 0; row < rows; ++row) {
-    recording.times[row] =
-        layout.time ? value_of(row, *layout.time) : static_cast<double>(row) / layout.rate;
-    if (row > 0 && recording.times[row] < recording.times[row - 1]) {
+  recording.warnings = table.warnings;
+  const std::vector<Eigen::Index> rows = rows_without_gaps(file, table, layout, recording.warnings);
+  recording.times.resize(static_cast<Eigen::Index>(rows.size()));
+  recording.values.resize(recording.times.size(), static_cast<Eigen::Index>(layout.columns.size()));
+  for (Eigen::Index to = 0; to < recording.times.size(); ++to) {
+    const Eigen::Index row = rows[static_cast<std::size_t>(to)];
+    recording.times[to] =
+        layout.time ? cell_of(table, row, *layout.time) : static_cast<double>(row) / layout.rate;
+    if (to > 0 && recording.times[to] < recording.times[to - 1]) {
       throw InputError({row_name(file, table, row), "time",
-                        fmt::format("{} after {}", recording.times[row], recording.times[row - 1]),
+                        fmt::format("{} after {}", recording.times[to], recording.times[to - 1]),
                         "time that doesn't run backwards", "Split the file there."});
     }
     for (std::size_t c = 0; c < layout.columns.size(); ++c) {
       const ColumnUse& use = layout.columns[c];
-      const double value = value_of(row, use);
+      const double value = cell_of(table, row, use);
       const bool counts = layout.kind == RecordingKind::kCounts;
       if (counts ? value < 0.0 || value > kHighestCounts : std::abs(value) > kWidestAngle) {
         throw InputError(
@@ -179,35 +238,82 @@ Recording recording_of(const std::filesystem::path& file, const Table& table,
              fmt::format("{:.4g}", value), counts ? "counts from 0 to 255" : "an angle in rad",
              counts ? "" : "If these are degrees, map them with \"unit: deg\"."});
       }
-      recording.values(row, static_cast<Eigen::Index>(c)) = value;
+      recording.values(to, static_cast<Eigen::Index>(c)) = value;
     }
   }
   return recording;
 }
 
-bool is_header(const std::vector<std::string_view>& parts) {
-  return std::ranges::none_of(parts,
-                              [](std::string_view part) { return parse_number(part).has_value(); });
+bool is_header(const std::vector<std::string_view>& parts, char separator) {
+  return std::ranges::none_of(parts, [separator](std::string_view part) {
+    return parse_cell(part, separator).has_value();
+  });
 }
 
-/// @param skip lines before the table. @param separator nothing: that of its first line.
-Table read_text_table(const std::filesystem::path& file, std::span<const TextLine> lines, int skip,
+bool is_remark(const TextLine& line) {
+  const std::string_view text = trimmed(line.text);
+  return text.empty() || text.starts_with('#') || text.starts_with('%');
+}
+
+/// The cells of a line with so many (0: as it has), but for an empty one behind the last separator.
+std::vector<std::string_view> cells_of(const TextLine& line, char separator, std::size_t columns) {
+  std::vector<std::string_view> parts = cells(line.text, separator);
+  if (parts.size() == columns + 1 && columns > 0 && parts.back().empty()) {
+    parts.pop_back();
+  }
+  return parts;
+}
+
+/// Whether a line is words of less than half as many cells as the one below it.
+bool is_title(const TextLine& line, const TextLine& below, char separator) {
+  const auto filled = [separator](const TextLine& of) {
+    return std::ranges::count_if(cells(of.text, separator),
+                                 [](std::string_view cell) { return !cell.empty(); });
+  };
+  return is_header(cells(line.text, separator), separator) && 2 * filled(line) < filled(below);
+}
+
+double number_or_mark(std::string_view cell, char separator) {
+  constexpr std::array<std::string_view, 10> kGaps{"",  "nan", "na",   "n/a",  "null",
+                                                   "-", "inf", "+inf", "-inf", "none"};
+  std::string small(cell);
+  std::ranges::transform(small, small.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return parse_cell(cell, separator)
+      .value_or(std::ranges::find(kGaps, small) == kGaps.end() ? kWord : kGap);
+}
+
+/// @param skip lines before the table. @param separator nothing: that of its last whole line.
+Table read_text_table(const std::filesystem::path& file, std::span<const TextLine> all, int skip,
                       std::optional<char> separator) {
+  std::vector<TextLine> lines;
+  for (const TextLine& line : all) {
+    if (line.number > static_cast<std::size_t>(skip) && !is_remark(line)) {
+      lines.push_back(line);
+    }
+  }
+  if (!separator && !lines.empty()) {
+    separator = separator_of(lines[lines.size() > 1 ? lines.size() - 2 : 0].text);
+  }
+  // Titles above the table are no line of it.
+  while (lines.size() > 2 && is_title(lines[0], lines[1], *separator)) {
+    lines.erase(lines.begin());
+  }
   Table table;
   std::vector<std::vector<double>> rows;
   std::size_t columns = 0;
   for (const TextLine& line : lines) {
-    if (line.number <= static_cast<std::size_t>(skip) || trimmed(line.text).empty()) {
-      continue;
-    }
-    separator = separator ? separator : std::optional(separator_of(line.text));
-    const std::vector<std::string_view> parts = cells(line.text, *separator);
+    const std::vector<std::string_view> parts = cells_of(line, *separator, columns);
     if (columns == 0) {
       columns = parts.size();
-      if (is_header(parts)) {
+      if (is_header(parts, *separator)) {
         table.names.assign(parts.begin(), parts.end());
         continue;
       }
+    }
+    if (parts.size() < columns && !line.ended) {
+      table.warnings.push_back(at_line(file, line) + ": left out, the row is cut off");
+      continue;
     }
     if (parts.size() != columns) {
       throw InputError({at_line(file, line), "", fmt::format("{} cells", parts.size()),
@@ -215,7 +321,7 @@ Table read_text_table(const std::filesystem::path& file, std::span<const TextLin
     }
     std::vector<double>& row = rows.emplace_back();
     for (const std::string_view part : parts) {
-      row.push_back(parse_number(part).value_or(std::numeric_limits<double>::quiet_NaN()));
+      row.push_back(number_or_mark(part, *separator));
     }
     table.lines.push_back(line.number);
   }
@@ -230,63 +336,328 @@ Table read_text_table(const std::filesystem::path& file, std::span<const TextLin
   return table;
 }
 
-constexpr std::size_t kAngles = 23;           // of VirtualHand, without the last, unwired slot
-constexpr std::size_t kAnglesWithLabel = 22;  // and without the wrist's abduction
+constexpr Eigen::Index kAngles = 23;           // of VirtualHand, without the last, unwired slot
+constexpr Eigen::Index kAnglesWithLabel = 22;  // and without the wrist's abduction
 
 }  // namespace
 
-bool is_posture_table(const std::vector<TextLine>& lines) {
-  int looked_at = 0;
-  for (const TextLine& line : lines) {
-    if (trimmed(line.text).empty()) {
-      continue;
-    }
-    const std::vector<std::string_view> parts = cells(line.text, separator_of(line.text));
-    if (looked_at++ == 0 && parts.size() == kAngles && is_header(parts)) {
-      continue;
-    }
-    const auto numbers = std::ranges::count_if(
-        parts, [](std::string_view part) { return parse_number(part).has_value(); });
-    return parts.size() == kAngles && (numbers == static_cast<std::ptrdiff_t>(kAngles) ||
-                                       (numbers == static_cast<std::ptrdiff_t>(kAnglesWithLabel) &&
-                                        !parse_number(parts.back())));
-  }
-  return false;
-}
-
-Recording read_posture_table(const std::filesystem::path& file,
-                             const std::vector<TextLine>& lines) {
-  const Table table = read_text_table(file, lines, 0, {});
-  const bool labelled = !std::isfinite(table.values(0, table.values.cols() - 1));
-  Layout layout;
-  for (int sensor = 0; sensor < kGloveSensors; ++sensor) {
-    const int slot = cyberglove_sensors()[static_cast<std::size_t>(sensor)].slot;
-    if (!labelled || slot < static_cast<int>(kAnglesWithLabel)) {
-      layout.columns.push_back({sensor, slot, virtual_hand_sign(sensor), 0.0});
-    }
-  }
-  Recording recording = recording_of(file, table, layout);
-  recording.header.device = "CyberGlove by VirtualHand";
-  recording.warnings.push_back(file.string() +
-                               ": angles of VirtualHand, turned to flexion and spreading positive; "
-                               "postures without times are taken for a second apart");
-  return recording;
-}
-
 namespace {
 
-/// Columns in the order of a glove's records.
-std::vector<ColumnUse> glove_columns(int sensors, double gain) {
+/// Columns in the order of a glove's records, from column `first` on.
+std::vector<ColumnUse> glove_columns(int sensors, Eigen::Index first) {
   std::vector<ColumnUse> columns;
   for (const int sensor : cyberglove_wired(sensors)) {
-    columns.push_back({sensor, static_cast<Eigen::Index>(columns.size()), gain, 0.0});
+    columns.push_back({sensor, first + static_cast<Eigen::Index>(columns.size())});
   }
   return columns;
 }
 
-bool is_of_glove(const Eigen::MatrixXd& matrix) {
-  return matrix.rows() > 1 && (matrix.cols() == 18 || matrix.cols() == kGloveSensors);
+/// VirtualHand's angles in so many columns from column `first` on.
+std::vector<ColumnUse> virtual_hand_columns(Eigen::Index first, Eigen::Index count) {
+  std::vector<ColumnUse> columns;
+  for (int sensor = 0; sensor < kGloveSensors; ++sensor) {
+    const int slot = cyberglove_sensors()[static_cast<std::size_t>(sensor)].slot;
+    if (slot < count) {
+      columns.push_back({sensor, first + slot, virtual_hand_sign(sensor)});
+    }
+  }
+  return columns;
 }
+
+std::vector<std::string> words_of(std::string_view name) {
+  std::vector<std::string> words(1);
+  for (const char c : name) {
+    if (std::isalnum(static_cast<unsigned char>(c)) != 0) {
+      words.back() += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    } else if (!words.back().empty()) {
+      words.emplace_back();
+    }
+  }
+  std::erase(words, "");
+  return words;
+}
+
+bool has_word(const std::vector<std::string>& words, std::initializer_list<const char*> any) {
+  return std::ranges::any_of(
+      words, [&](const std::string& word) { return std::ranges::find(any, word) != any.end(); });
+}
+
+/// What others call the sensors, in small letters and digits alone.
+const std::map<std::string, int>& other_names() {
+  static const std::map<std::string, int> kNames = [] {
+    std::map<std::string, int> names;
+    const auto add = [&](const char* sensor, std::initializer_list<const char*> parts,
+                         std::initializer_list<const char*> others) {
+      for (const char* part : parts) {
+        for (const char* other : others) {
+          names[std::string(part) + other] = *find_sensor(sensor);
+          names[std::string(other) + part] = *find_sensor(sensor);
+        }
+      }
+    };
+    for (std::size_t sensor = 0; sensor < kGloveSensors; ++sensor) {
+      const GloveSensor& about = cyberglove_sensors()[sensor];
+      for (const std::string_view name : {about.name, about.label}) {
+        std::string joined;
+        for (const std::string& word : words_of(name)) {
+          joined += word;
+        }
+        names[joined] = static_cast<int>(sensor);
+      }
+    }
+    add("ThumbRotate", {"thumb"}, {"rotation", "tmj", "tm", "cmc", "cmcflexion"});
+    add("ThumbMPJ", {"thumb"}, {"mpj", "mcp", "mp"});
+    add("ThumbIJ", {"thumb"}, {"ij", "ip"});
+    add("ThumbAbduct", {"thumb"}, {"abduction", "abd", "ab"});
+    add("IndexMPJ", {"index"}, {"mcp", "mp"});
+    add("IndexPIJ", {"index"}, {"pip"});
+    add("IndexDIJ", {"index"}, {"dip"});
+    add("MiddleMPJ", {"middle"}, {"mcp", "mp"});
+    add("MiddlePIJ", {"middle"}, {"pip"});
+    add("MiddleDIJ", {"middle"}, {"dip"});
+    add("RingMPJ", {"ring"}, {"mcp", "mp"});
+    add("RingPIJ", {"ring"}, {"pip"});
+    add("RingDIJ", {"ring"}, {"dip"});
+    add("PinkieMPJ", {"pinkie", "pinky", "little", "small"}, {"mpj", "mcp", "mp"});
+    add("PinkiePIJ", {"pinkie", "pinky", "little", "small"}, {"pij", "pip"});
+    add("PinkieDIJ", {"pinkie", "pinky", "little", "small"}, {"dij", "dip"});
+    add("MiddleIndexAbduct", {"middleindex", "indexmiddle"}, {"abduct", "abduction", "abd", "ab"});
+    add("RingMiddleAbduct", {"ringmiddle", "middlering"}, {"abduct", "abduction", "abd", "ab"});
+    add("PinkieRingAbduct", {"pinkiering", "ringpinkie", "pinkyring", "ringpinky", "littlering"},
+        {"abduct", "abduction", "abd", "ab"});
+    add("PalmArch", {"palm"}, {"", "arch"});
+    add("WristPitch", {"wrist"}, {"flexion", "flex", "pitch"});
+    add("WristYaw", {"wrist"}, {"abduction", "abd", "yaw", "deviation"});
+    // KIN-MUS and BE-UJI number the fingers from the thumb: "MCP2_F", "MCP2-3_A".
+    for (const auto& [name, sensor] :
+         std::initializer_list<std::pair<const char*, const char*>>{{"cmc1f", "ThumbRotate"},
+                                                                    {"cmc1a", "ThumbAbduct"},
+                                                                    {"mcp1f", "ThumbMPJ"},
+                                                                    {"ip1f", "ThumbIJ"},
+                                                                    {"mcp2f", "IndexMPJ"},
+                                                                    {"pip2f", "IndexPIJ"},
+                                                                    {"mcp3f", "MiddleMPJ"},
+                                                                    {"pip3f", "MiddlePIJ"},
+                                                                    {"mcp4f", "RingMPJ"},
+                                                                    {"pip4f", "RingPIJ"},
+                                                                    {"mcp5f", "PinkieMPJ"},
+                                                                    {"pip5f", "PinkiePIJ"},
+                                                                    {"mcp23a", "MiddleIndexAbduct"},
+                                                                    {"mcp34a", "RingMiddleAbduct"},
+                                                                    {"mcp45a", "PinkieRingAbduct"},
+                                                                    {"cmc5f", "PalmArch"},
+                                                                    {"wf", "WristPitch"},
+                                                                    {"wa", "WristYaw"}}) {
+      names[name] = *find_sensor(sensor);
+    }
+    return names;
+  }();
+  return kNames;
+}
+
+std::optional<int> sensor_by_any_name(const std::string& name) {
+  if (const std::optional<int> exact = find_sensor(name)) {
+    return exact;
+  }
+  std::string joined;
+  for (const std::string& word : words_of(name)) {
+    if (!has_word({word}, {"g", "deg", "degree", "degrees", "rad", "raw", "counts", "angle",
+                           "joint", "right", "left", "hand", "rh", "lh"})) {
+      joined += word;
+    }
+  }
+  const auto found = other_names().find(joined);
+  return found == other_names().end() ? std::nullopt : std::optional(found->second);
+}
+
+/// In s, if a column of that name is times.
+std::optional<double> time_unit(const std::string& name) {
+  const std::vector<std::string> words = words_of(name);
+  if (words.empty() || !has_word({words.front()}, {"time", "t", "times", "timestamp", "seconds",
+                                                   "sec", "timems", "ms"})) {
+    return std::nullopt;
+  }
+  return has_word(words, {"ms", "msec", "milliseconds", "timems"}) ? 1e-3 : 1.0;
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  return fmt::format("{}", fmt::join(words, ", "));
+}
+
+/// Columns by the names of their header.
+/// @throws InputError if none is a sensor's, or two are the same one's.
+Layout named_layout(const std::filesystem::path& file, const Table& table,
+                    std::vector<std::string>& passed_over) {
+  Layout layout;
+  layout.rate = kUsualRate;
+  for (std::size_t c = 0; c < table.names.size(); ++c) {
+    ColumnUse use{-1, static_cast<Eigen::Index>(c)};
+    const auto column = table.values.col(use.column).array();
+    const std::optional<double> unit = time_unit(table.names[c]);
+    if (unit && !layout.time && column.isFinite().any()) {
+      use.gain = *unit;
+      layout.time = use;
+      continue;
+    }
+    const std::optional<int> sensor = sensor_by_any_name(table.names[c]);
+    if (!sensor || !column.isFinite().any()) {
+      if (!table.names[c].empty()) {
+        passed_over.push_back(table.names[c]);
+      }
+      continue;
+    }
+    use.sensor = *sensor;
+    if (std::ranges::count(layout.columns, *sensor, &ColumnUse::sensor) > 0) {
+      throw InputError({file.string(), fmt::format("column \"{}\"", table.names[c]),
+                        "a sensor for the second time", "every sensor once",
+                        "Say which by a map of the table (YAML)."});
+    }
+    layout.columns.push_back(use);
+  }
+  if (layout.columns.empty()) {
+    std::string advice;
+    for (const std::string& name : passed_over) {
+      advice += advice.empty() ? geometric::advise_name(name, sensor_names()) : "";
+    }
+    throw InputError({file.string(), "", joined(table.names),
+                      "columns named as the glove's sensors",
+                      advice + (advice.empty() ? "Write" : " Or write") +
+                          " a map of the table's columns (YAML)."});
+  }
+  return layout;
+}
+
+bool rises(const Eigen::MatrixXd& values, Eigen::Index column) {
+  constexpr Eigen::Index kEnough = 5;
+  const Eigen::Index last = values.rows() - 1;
+  return last + 1 >= kEnough &&
+         (values.col(column).tail(last).array() > values.col(column).head(last).array()).all();
+}
+
+/// Columns without names: 18 or 22 in the order of a glove's records, or VirtualHand's 23 angles,
+/// or its 22 and a label; times before them, if the first column rises all along. Labels may stand
+/// on either side.
+Layout layout_by_number(const std::filesystem::path& file, const Table& table) {
+  const auto is_label = [&](Eigen::Index column) {
+    return table.values.col(column).array().isInf().any();
+  };
+  Eigen::Index first = 0;
+  Eigen::Index end = table.values.cols();
+  while (end > 0 && is_label(end - 1)) {
+    --end;
+  }
+  while (first < end && is_label(first)) {
+    ++first;
+  }
+  const bool timed = first < end && rises(table.values, first);
+  const Eigen::Index measured = end - first - (timed ? 1 : 0);
+  const bool labelled = end < table.values.cols();
+  Layout layout;
+  layout.rate = kUsualRate;
+  if (measured == kAngles || (measured == kAnglesWithLabel && labelled)) {
+    layout.columns = virtual_hand_columns(first + (timed ? 1 : 0), measured);
+    layout.rate = 1.0;  // postures, rather than a motion
+    layout.order = "VirtualHand, whose signs were turned";
+  } else if (measured == 18 || measured == kGloveSensors) {
+    layout.columns = glove_columns(static_cast<int>(measured), first + (timed ? 1 : 0));
+    layout.order = fmt::format("a glove of {} sensors", measured);
+  } else {
+    throw InputError({file.string(), "", fmt::format("{} columns without names", end - first),
+                      "names of sensors above them; or 18 or 22, in the order of a glove's "
+                      "records, or 23, VirtualHand's",
+                      "Write a map of the table's columns (YAML)."});
+  }
+  if (timed) {
+    layout.time = ColumnUse{-1, first};
+  }
+  return layout;
+}
+
+bool bends(int sensor) {
+  const std::string_view name = cyberglove_sensors()[static_cast<std::size_t>(sensor)].name;
+  return name.ends_with("MPJ") || name.ends_with("PIJ") || name.ends_with("DIJ");
+}
+
+/// Counts, rad or degrees, and where bending counts negative, by the numbers.
+/// @returns what it was taken for.
+std::string settle_numbers(const std::filesystem::path& file, const Table& table, Layout& layout) {
+  double least = 0.0;
+  double most = 0.0;
+  bool whole = true;
+  bool in_degrees = false;
+  int bending = 0;
+  int negative = 0;
+  for (const ColumnUse& use : layout.columns) {
+    double sum = 0.0;
+    for (const double value : table.values.col(use.column)) {
+      if (std::isfinite(value)) {
+        least = std::min(least, value);
+        most = std::max(most, value);
+        whole &= value == std::round(value);
+        sum += use.gain * value;
+      }
+    }
+    bending += bends(use.sensor) ? 1 : 0;
+    negative += bends(use.sensor) && sum < 0.0 ? 1 : 0;
+    if (const auto column = static_cast<std::size_t>(use.column); column < table.names.size()) {
+      in_degrees |= has_word(words_of(table.names[column]), {"deg", "degree", "degrees"}) ||
+                    table.names[column].find("\u00B0") != std::string::npos;
+    }
+  }
+  constexpr double kMostDegrees = 360.0;
+  const double widest = std::max(-least, most);
+  if (whole && least >= 0.0 && most <= kHighestCounts && !in_degrees) {
+    layout.kind = RecordingKind::kCounts;
+    return "counts";
+  }
+  if (widest > kMostDegrees) {
+    throw InputError({file.string(), "", fmt::format("values up to {:.6g}", widest),
+                      "counts from 0 to 255, or angles in rad or degrees",
+                      "Write a map of the table's columns (YAML), with gains."});
+  }
+  in_degrees |= widest > kWidestAngle;
+  constexpr int kEnough = 4;
+  const bool turned = bending >= kEnough && 4 * negative >= 3 * bending;
+  for (ColumnUse& use : layout.columns) {
+    use.gain *=
+        (in_degrees ? geometric::kDegree : 1.0) * (turned ? virtual_hand_sign(use.sensor) : 1.0);
+  }
+  return std::string(in_degrees ? "degrees" : "rad") +
+         (turned ? ", bent fingers negative (turned)" : "");
+}
+
+Recording recording_by_numbers(const std::filesystem::path& file, const Table& table, Layout layout,
+                               const std::vector<std::string>& passed_over) {
+  std::string taken = settle_numbers(file, table, layout) + " by its numbers";
+  if (!layout.order.empty()) {
+    taken += ", in the order of " + layout.order;
+  }
+  if (!layout.time) {
+    taken += fmt::format(", {:g} rows a second", layout.rate);
+  }
+  if (!passed_over.empty()) {
+    taken += "; passed over: " + joined(passed_over);
+  }
+  Recording recording = recording_of(file, table, layout);
+  recording.warnings.push_back(fmt::format("{}: taken for {}", file.string(), taken));
+  return recording;
+}
+
+}  // namespace
+
+Recording read_other_table(const std::filesystem::path& file, const std::vector<TextLine>& lines) {
+  const Table table = read_text_table(file, lines, 0, {});
+  const auto known = std::ranges::count_if(
+      table.names, [](const std::string& name) { return sensor_by_any_name(name).has_value(); });
+  std::vector<std::string> passed_over;
+  const bool by_number =
+      table.names.empty() || (known == 0 && table.values.cols() >= kAnglesWithLabel);
+  const Layout layout =
+      by_number ? layout_by_number(file, table) : named_layout(file, table, passed_over);
+  return recording_by_numbers(file, table, layout, passed_over);
+}
+
+namespace {
 
 std::string names_of(const std::map<std::string, Eigen::MatrixXd>& matrices) {
   std::string text;
@@ -297,35 +668,59 @@ std::string names_of(const std::map<std::string, Eigen::MatrixXd>& matrices) {
   return text.empty() ? "no matrix" : text;
 }
 
+bool is_of_glove(Eigen::Index columns) { return columns == 18 || columns == kGloveSensors; }
+
+/// The matrices that a glove may have measured, by name, with its sensors as columns. Where several
+/// are, those called as in Ninapro's files: "angles", which are calibrated, before "glove".
+std::map<std::string, Eigen::MatrixXd> glove_matrices(
+    const std::map<std::string, Eigen::MatrixXd>& all) {
+  std::map<std::string, Eigen::MatrixXd> fitting;
+  for (const auto& [name, matrix] : all) {
+    if (matrix.rows() > 1 && is_of_glove(matrix.cols())) {
+      fitting[name] = matrix;
+    } else if (is_of_glove(matrix.rows()) && matrix.cols() > kGloveSensors) {
+      fitting[name] = matrix.transpose();
+    }
+  }
+  for (const char* known : {"angles", "glove"}) {
+    for (const auto& [name, matrix] : fitting) {
+      if (name == known || name.ends_with(std::string(".") + known)) {
+        return {{name, matrix}};
+      }
+    }
+  }
+  return fitting;
+}
+
 }  // namespace
 
-// Ninapro's names: "angles" (degrees) where it was calibrated, else "glove" (counts).
 Recording read_matlab_recording(const std::filesystem::path& file) {
   const std::map<std::string, Eigen::MatrixXd> matrices = read_matlab_file(file);
-  for (const auto& [name, kind, gain] :
-       {std::tuple("angles", RecordingKind::kAngles, geometric::kDegree),
-        std::tuple("glove", RecordingKind::kCounts, 1.0)}) {
-    const auto found = matrices.find(name);
-    if (found == matrices.end() || !is_of_glove(found->second)) {
-      continue;
+  const std::map<std::string, Eigen::MatrixXd> fitting = glove_matrices(matrices);
+  if (fitting.size() != 1) {
+    throw InputError(
+        {file.string(), "", names_of(matrices),
+         "\"angles\" (degrees) or \"glove\" (counts), or one matrix, of 18 or 22 columns",
+         "Name the variable and its columns in a map of the table (YAML)."});
+  }
+  const auto& [name, matrix] = *fitting.begin();
+  const Table table{
+      {}, matrix.unaryExpr([](double v) { return std::isfinite(v) ? v : kGap; }), {}, {}};
+  Layout layout;
+  layout.columns = glove_columns(static_cast<int>(matrix.cols()), 0);
+  const auto rate = matrices.find("frequency");
+  const bool has_rate = rate != matrices.end() && rate->second.size() == 1 && rate->second(0) > 0.0;
+  layout.rate = has_rate ? rate->second(0) : kUsualRate;
+  if (name == "angles") {
+    for (ColumnUse& use : layout.columns) {
+      use.gain = geometric::kDegree;
     }
-    const auto rate = matrices.find("frequency");
-    const bool timed = rate != matrices.end() && rate->second.size() == 1 && rate->second(0) > 0.0;
-    Layout layout{kind,
-                  glove_columns(static_cast<int>(found->second.cols()), gain),
-                  {},
-                  timed ? rate->second(0) : kUsualRate};
-    Recording recording = recording_of(file, {{}, found->second, {}}, layout);
-    recording.header.device = "CyberGlove";
+    Recording recording = recording_of(file, table, layout);
     recording.warnings.push_back(
-        fmt::format("{}: variable \"{}\" taken for {}{}", file.string(), name,
-                    kind == RecordingKind::kAngles ? "degrees" : "counts",
-                    timed ? "" : fmt::format(", {:g} rows a second", layout.rate)));
+        fmt::format("{}: variable \"angles\" taken for degrees", file.string()));
     return recording;
   }
-  throw InputError({file.string(), "", names_of(matrices),
-                    "\"angles\" (degrees) or \"glove\" (counts) of 18 or 22 columns",
-                    "Name the variable and its columns in a map of the table (YAML)."});
+  return recording_by_numbers(file, table, layout, {});
 }
 
 namespace {
@@ -392,7 +787,7 @@ Table read_table(const YamlElement& top, const std::filesystem::path& file) {
     const YamlElement variable = top.need("variable");
     const auto matrices = read_matlab_file(file);
     if (const auto found = matrices.find(variable.text()); found != matrices.end()) {
-      return {{}, found->second, {}};
+      return {{}, found->second, {}, {}};
     }
     variable.refuse(variable.found(), "one of " + names_of(matrices));
   }

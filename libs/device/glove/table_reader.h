@@ -17,18 +17,17 @@ namespace handway::device {
 /// Whether a file begins as a MATLAB file does (version 5 or 7.3).
 [[nodiscard]] bool is_matlab_file(const std::filesystem::path& file);
 
-/// The matrices of real numbers in a MATLAB file (version 5 or 7.3), by name; all else in it is
-/// passed over.
+/// The matrices of real numbers in a MATLAB file (version 5 or 7.3), by name, those of a structure
+/// as "structure.field"; all else in it is passed over.
 /// @throws geometric::InputError if it can't be read.
 [[nodiscard]] std::map<std::string, Eigen::MatrixXd> read_matlab_file(
     const std::filesystem::path& file);
 
-/// Whether lines are VirtualHand's postures without times: rows of 23 angles, or of 22 and a label,
-/// with or without a header.
-[[nodiscard]] bool is_posture_table(const std::vector<TextLine>& lines);
-
-[[nodiscard]] Recording read_posture_table(const std::filesystem::path& file,
-                                           const std::vector<TextLine>& lines);
+/// Text of other programs: columns by the names of their header, as sensors are called by Handway
+/// or others; without names, those of a glove's records or of VirtualHand. Unit and signs by the
+/// numbers; warnings say what it was taken for, and which columns and rows were left out.
+[[nodiscard]] Recording read_other_table(const std::filesystem::path& file,
+                                         const std::vector<TextLine>& lines);
 
 /// A MATLAB file with what a glove of 18 or 22 sensors measured.
 [[nodiscard]] Recording read_matlab_recording(const std::filesystem::path& file);

@@ -19,11 +19,30 @@ std::vector<TextLine> text_lines(std::string_view text) {
   return lines;
 }
 
+std::optional<double> parse_cell(std::string_view cell, char separator) {
+  const std::size_t comma = cell.find(',');
+  if (separator == ',' || comma == std::string_view::npos) {
+    return parse_number(cell);
+  }
+  std::string number(cell);
+  number[comma] = '.';  // of a number: a second one is refused
+  return parse_number(number);
+}
+
 char separator_of(std::string_view line) {
-  constexpr std::string_view kSeparators = ",;\t";
-  const auto count = [&](char c) { return std::ranges::count(line, c); };
-  const char most = *std::ranges::max_element(kSeparators, {}, count);
-  return count(most) > 0 ? most : ' ';
+  for (const char separator : {'\t', ';'}) {
+    if (line.find(separator) != std::string_view::npos) {
+      return separator;
+    }
+  }
+  const auto all_numbers = [&](char separator) {
+    const std::vector<std::string_view> parts = cells(line, separator);
+    return parts.size() > 1 && std::ranges::all_of(parts, [&](std::string_view part) {
+             return parse_cell(part, separator).has_value();
+           });
+  };
+  const bool decimal_commas = !all_numbers(',') && all_numbers(' ');
+  return line.find(',') != std::string_view::npos && !decimal_commas ? ',' : ' ';
 }
 
 std::string optional_text(const geometric::YamlElement& map, const std::string& key) {

@@ -27,12 +27,16 @@ struct TextLine {
 /// All lines of a text, of which they stay a part.
 [[nodiscard]] std::vector<TextLine> text_lines(std::string_view text);
 
-/// That of a line's cells: comma, semicolon or tab, whichever it has most of; a blank if none.
-[[nodiscard]] char separator_of(std::string_view line);
-
 using geometric::cells;
 using geometric::parse_number;
 using geometric::trimmed;
+
+/// That of a line's cells: tab, semicolon or comma, the first that it has; a blank if none, or if
+/// its commas are decimal ones.
+[[nodiscard]] char separator_of(std::string_view line);
+
+/// As parse_number(), with a decimal comma too unless cells are separated by commas.
+[[nodiscard]] std::optional<double> parse_cell(std::string_view cell, char separator);
 
 /// The text of a key; empty if there is none.
 [[nodiscard]] std::string optional_text(const geometric::YamlElement& map, const std::string& key);

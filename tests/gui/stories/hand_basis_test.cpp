@@ -88,15 +88,9 @@ struct BasisStory {
 };
 
 std::string name_of(const BasisStory& story) {
-  constexpr std::array kNames{"recording",
-                              "emulator",
-                              "serial_glove",
-                              "network_glove",
-                              "landmark_stream",
-                              "landmark_datagrams",
-                              "landmark_file",
-                              "table",
-                              "matlab_file"};
+  constexpr std::array kNames{"recording",     "emulator",        "serial_glove",
+                              "network_glove", "landmark_stream", "landmark_datagrams",
+                              "landmark_file", "table",           "matlab_file"};
   return std::string(story.hand.name) + '_' + kNames.at(static_cast<std::size_t>(story.postures)) +
          (story.by_fingertips ? "_by_fingertips" : "");
 }
@@ -180,8 +174,10 @@ class HandBasisStory : public WindowTest, public ::testing::WithParamInterface<B
     QTest::mouseClick(view.viewport(), Qt::LeftButton, {}, view.visualRect(index).center());
   }
   void choose(const char* box, const QString& text) const {
+    constexpr int kArrow = 8;  // px from the right edge, also where a text can be typed
     auto& choices = part<QComboBox>(box);
-    click_middle(choices);
+    QTest::mouseClick(&choices, Qt::LeftButton, {},
+                      QPoint(choices.width() - kArrow, choices.height() / 2));
     ASSERT_TRUE(QTest::qWaitFor([&] { return choices.view()->isVisible(); }, kPatienceMs));
     const int row = choices.findText(text);
     ASSERT_GE(row, 0) << text.toStdString();
