@@ -143,7 +143,8 @@ TEST(Manual, HasThePicturesThatItsTargetMakes) {
   EXPECT_THAT(kept, ContainerEq(made));
 }
 
-// Whoever measures the table anew finds a row for each hand and method, and the manual has no others.
+// Whoever measures the table anew finds a row for each hand and method, and the manual has no
+// others.
 TEST(RetargetingTable, HasTheRowsThatItsScriptMeasures) {
   const ShellRun list =
       run_in_shell((source_dir() / "scripts/retargeting-table").string() + " --list");

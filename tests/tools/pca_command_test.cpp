@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <regex>
 #include <string>
 
 namespace handway::test {
@@ -169,6 +170,53 @@ TEST_F(Pca, FindsTheHandFromTheFolderOfTheMapping) {
   const Outcome lacking = line_.run("pca one.csv --mapping hands/short.yaml");
   EXPECT_EQ(lacking.exit_code, 3);
   EXPECT_THAT(lacking.err, HasSubstr("nothing for joint thumb_abduction"));
+}
+
+// From the recording of a right hand to a left hand's plan, by both methods, and again from another
+// folder: files name each other from where they are.
+TEST_F(Pca, TakesALeftHandFromARightHandsRecordingToAPlan) {
+  const auto robots = source_dir() / "resources/robots";
+  const std::string right = (robots / "allegro_class_right/allegro_class_right.urdf").string();
+  const std::string pca =
+      "pca " + (source_dir() / "resources/recordings/free_hand.csv").string() + " --to 20 ";
+  for (const char* folder : {"made/hands", "made/maps", "made/bases", "made/scenes"}) {
+    std::filesystem::create_directories(line_.folder() / folder);
+  }
+  const auto succeeds = [&](const std::string& command) {
+    const Outcome done = line_.run(command);
+    EXPECT_EQ(done.exit_code, 0) << command << '\n' << done.err;
+    return done.out;
+  };
+  succeeds("setup " + right + " --mirror --samples 10 -o made/hands/left.urdf");
+  succeeds("glove map made/hands/left.urdf --out made/maps/left.yaml");
+  succeeds(pca + "--mapping made/maps/left.yaml --out made/bases/mapped.yaml");
+  const std::string out = succeeds(
+      pca + "--retarget made/hands/left.urdf --fingertips --out made/bases/retargeted.yaml");
+  std::smatch mean;
+  const std::regex row("fingertip retargeting +([0-9.]+)");
+  ASSERT_TRUE(std::regex_search(out, mean, row)) << out;
+  EXPECT_LT(std::stod(mean[1]), 30.0) << "mm";
+  std::filesystem::rename(line_.folder() / "made", line_.folder() / "moved");
+  EXPECT_THAT(line_.read("moved/maps/left.yaml"), HasSubstr("hand: ../hands/left.urdf"));
+  succeeds(pca + "--mapping moved/maps/left.yaml");
+  for (const std::string basis : {"mapped", "retargeted"}) {
+    EXPECT_THAT(line_.read("moved/bases/" + basis + ".yaml"),
+                StartsWith("hand: ../hands/left.urdf"));
+    line_.write(
+        "moved/scenes/left.yaml",
+        "handway: 1\nrobots:\n  - {name: arm, model: iiwa14_class}\n"
+        "  - {name: hand, model: ../hands/left.urdf, mount: {robot: arm, link: flange_link}}\n"
+        "objects:\n  - {name: bar, box: {size: [0.05, 0.5, 0.05]}, pose: {xyz: [0.7, 0, "
+        "1.0]}}\nhand_basis: ../bases/" +
+            basis + ".yaml\nstart: {}\ngoal: {joint_2: 0.7, joint_4: -1.57, joint_6: -0.7}\n");
+    succeeds("plan moved/scenes/left.yaml --report report.json");
+    const auto human = nlohmann::json::parse(line_.read("report.json"))
+                           .at("objective")
+                           .at("human_likeness")
+                           .at("to_subspace");
+    EXPECT_LT(human.at("mean").get<double>() - human.at("forced").get<double>(), 0.05);
+    EXPECT_LT(human.at("share_beyond").get<double>(), 0.05);
+  }
 }
 
 TEST_F(Pca, ReportsHowManyDirectionsAreEnough) {
