@@ -168,6 +168,7 @@ PostureRecordings read_postures(const std::vector<std::filesystem::path>& files,
   double begin = 0.0;
   for (const std::filesystem::path& file : files) {
     const device::Recording angles = device::to_angles(device::read_recording(file), calibration);
+    result.warnings.insert(result.warnings.end(), angles.warnings.begin(), angles.warnings.end());
     const device::MappedPostures mapped = source.map_recording(angles, stop);
     Eigen::MatrixXd samples(mapped.postures.rows(), mapped.postures.cols());
     for (Eigen::Index row = 0; row < samples.rows(); ++row) {
@@ -364,11 +365,25 @@ void CapturePages::take_recordings(const std::shared_ptr<PostureRecordings>& rec
   for (const QString& file : files_) {
     names << QFileInfo(file).fileName();
   }
-  explorer_->show_errors({});
+  explorer_->show_errors(reading_notes());
   explorer_->show_postures(recordings_->postures, names.join(QStringLiteral(" + ")),
                            session_.mapping().hand);
   compare_methods(recordings_->measured);
   update_report();
+}
+
+// What the recordings were taken for, without their folders.
+QString CapturePages::reading_notes() const {
+  QString text;
+  for (const std::string& warning :
+       recordings_ ? recordings_->warnings : std::vector<std::string>{}) {
+    QString line = QString::fromStdString(warning);
+    for (const QString& file : files_) {
+      line.replace(file, QFileInfo(file).fileName());
+    }
+    text += QStringLiteral("<p>%1</p>").arg(line.toHtmlEscaped());
+  }
+  return text;
 }
 
 namespace {
@@ -422,7 +437,7 @@ void CapturePages::compare_methods(std::vector<device::GloveAngles> measured) {
            "<td>&nbsp; mean</td><td>&nbsp; median</td><td>&nbsp; 95 %</td></tr>") +
         error_row(tr("Joint mapping"), of_mapping) +
         error_row(tr("Fingertip retargeting"), of_retargeting) + QStringLiteral("</table>");
-    return [this, text] { explorer_->show_errors(text); };
+    return [this, text] { explorer_->show_errors(reading_notes() + text); };
   });
 }
 

@@ -92,6 +92,7 @@ struct PostureRecordings {
   CapturedPostures postures;                       ///< Of all, one after the other.
   std::vector<sampling::RecordedHand> each;        ///< The same one by one.
   std::vector<device::GloveAngles> measured = {};  ///< Evenly chosen rows of all, in their order.
+  std::vector<std::string> warnings = {};          ///< Of reading: what was taken for what.
 };
 
 /// Collects the postures that a glove makes the hand take, and keeps coach and explorer, which
@@ -127,6 +128,7 @@ class CapturePages : public QObject {
   /// Other postures are to be shown: of the same recordings by another source, or live ones.
   void show_again();
   void take_recordings(const std::shared_ptr<PostureRecordings>& recordings);
+  [[nodiscard]] QString reading_notes() const;
   void compare_methods(std::vector<device::GloveAngles> measured);
   void update_report();
 

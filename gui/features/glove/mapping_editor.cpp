@@ -492,11 +492,13 @@ void MappingEditor::start_fit(std::function<device::Recording()> recording) {
         };
       }
       const device::MappingFit fitted = device::fit_mapping(mapping, *model, angles, calibration);
-      return [this, fitted, frames] {
+      return [this, fitted, frames, read_with = angles.warnings] {
         change(tr("Fit the mapping"), fitted.mapping);
         QStringList lines{tr("Fitted to %L1 frames.").arg(frames)};
-        for (const std::string& warning : fitted.warnings) {
-          lines << QString::fromStdString(warning) + QLatin1Char('.');
+        for (const auto& warnings : {read_with, fitted.warnings}) {
+          for (const std::string& warning : warnings) {
+            lines << QString::fromStdString(warning) + QLatin1Char('.');
+          }
         }
         comparison_->setText(lines.join(QLatin1Char('\n')));
       };

@@ -6,6 +6,7 @@
 #include "handway/device/glove/hand_exploration.h"
 #include "handway/device/glove/recording.h"
 #include "handway/geometric/io/input_error.h"
+#include "handway/geometric/math/units.h"
 #include "handway/sampling/postures/pmd_basis_io.h"
 #include "handway/sampling/postures/posture_table.h"
 #include "handway_test/paths.h"
@@ -20,6 +21,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 
 namespace handway::test {
 namespace {
@@ -178,6 +181,25 @@ TEST_F(CapturePagesOfAHand, CompareBothMethodsOnARecording) {
   ASSERT_TRUE(compares());
   EXPECT_THAT(errors().toStdString(), HasSubstr("Joint mapping"));
   EXPECT_THAT(errors().toStdString(), HasSubstr("Fingertip retargeting"));
+}
+
+TEST_F(CapturePagesOfAHand, SayWhatTheTableOfAnotherProgramWasTakenFor) {
+  device::Recording motion = device::read_recording(recording("own.csv", 1).toStdString());
+  const std::filesystem::path file = folder() / "spreadsheet.csv";
+  {
+    std::ofstream out(file);
+    for (const int sensor : motion.header.sensors) {
+      out << device::cyberglove_sensors()[static_cast<std::size_t>(sensor)].name << ',';
+    }
+    out << "subject\n"
+        << (motion.values / geometric::kDegree)
+               .format(Eigen::IOFormat(6, Eigen::DontAlignCols, ",", ",anna\n"))
+        << ",anna\n";
+  }
+  panel().capture().show_recordings({QString::fromStdString(file.string())});
+  ASSERT_TRUE(compares());
+  EXPECT_THAT(errors().toStdString(), HasSubstr("<p>spreadsheet.csv: taken for degrees"));
+  EXPECT_THAT(errors().toStdString(), HasSubstr("passed over: subject"));
 }
 
 TEST_F(CapturePagesOfAHand, MakeThePosturesOfARecordingByFingertips) {
