@@ -426,7 +426,7 @@ void CalibrationGuide::fit() {
   fit_ = {};
   fit_.calibration.date = QDate::currentDate().toString(Qt::ISODate).toStdString();
   try {
-    if (!angles) {
+    if (!angles && !read.empty()) {
       fit_ = device::calibrate_from_poses(read, {}, fit_.calibration.date);
     }
   } catch (const std::exception& error) {
@@ -440,7 +440,9 @@ void CalibrationGuide::fit() {
   }
   QStringList lines;
   if (!angles) {
-    lines << tr("%1 sensors calibrated; the others keep what they had.").arg(fitted);
+    lines << (read.empty()
+                  ? tr("No posture was read: the sensors keep what they had.")
+                  : tr("%1 sensors calibrated; the others keep what they had.").arg(fitted));
   }
   if (!moved_.empty()) {
     const device::Recording motion = device::to_angles(recording_of(moved_), fit_.calibration);
@@ -474,7 +476,7 @@ void CalibrationGuide::show_step() {
   back_->setEnabled(pose_ > 0);
   quality_->setText(quality_text_);
   if (done) {
-    title_->setText(tr("All postures read"));
+    title_->setText(tr("Bones"));
     instruction_->setText(
         tr("Bones, in mm: as measured, or type the hand's length or each bone. Save the "
            "calibration under the person's name; then the coach shows what the hand has covered."));

@@ -95,6 +95,7 @@ TEST_F(CalibrationGuide, TakesTheLengthOfTheHandThatIsTyped) {
   while (part<QPushButton>("calibration_skip").isEnabled()) {
     click("calibration_skip");
   }
+  EXPECT_THAT(quality(), HasSubstr("No posture was read"));
   auto& length = part<QDoubleSpinBox>("hand_length");
   length.selectAll();
   QTest::keyClicks(&length, QStringLiteral("170\t"));
