@@ -2,6 +2,7 @@
 
 #include "app/start/new_scene_dialog.h"
 #include "app/start/start_page.h"
+#include "features/robots/add_robot_dialog.h"
 #include "features/workbench.h"
 #include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/resources.h"
@@ -108,6 +109,11 @@ void FileCommands::choose_new() {
     dialog->choose(open);
   }
   connect(dialog, &NewSceneDialog::chosen, &workbench_, &Workbench::create);
+  connect(dialog, &NewSceneDialog::file_wanted, &workbench_, [this] {
+    if (const QString file = choose_robot_file(&workbench_.window); !file.isEmpty()) {
+      workbench_.open(file.toStdString());
+    }
+  });
   dialog->open();
 }
 

@@ -310,6 +310,17 @@ void SceneView::fly_around(const std::vector<Eigen::Vector3d>& points) {
   fly_to(fitted.placement());
 }
 
+void SceneView::keep_selection_in_view() {
+  std::vector<Eigen::Vector3d> points = graph_->selected_points();
+  if (!camera_.sees(points, aspect())) {
+    const std::vector<Eigen::Vector3d> others = graph_->points_of_interest();
+    points.insert(points.end(), others.begin(), others.end());
+    OrbitCamera fitted = camera_;
+    fitted.fit(points, aspect());
+    fly_to(fitted.placement());
+  }
+}
+
 void SceneView::look_from(StandardView view) {
   OrbitCamera turned = camera_;
   turned.look_from(view);

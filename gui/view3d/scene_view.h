@@ -130,6 +130,8 @@ class SceneView : public QOpenGLWidget {
   void show_all();
   /// The same of what is selected; of the whole scene if nothing is.
   void show_selection();
+  /// Moves it back until the whole scene is seen, if something of what is selected is not.
+  void keep_selection_in_view();
   void look_from(StandardView view);
   void set_camera(const OrbitCamera::Placement& placement);
   /// The same, in a moment.

@@ -128,7 +128,7 @@ TEST(Setup, AsksWhoseTheWristIs) {
   const std::string shadow =
       (reference / "robots/shadow_hand/shadow_hand_right.urdf").string() + " --samples 50";
   EXPECT_THAT(line.run("setup " + shadow).out,
-              AllOf(HasSubstr("suspicious: WRJ2, WRJ1 lead to the palm palm"),
+              AllOf(HasSubstr("suspicious: WRJ2, WRJ1 lead to the palm (palm)"),
                     HasSubstr("palm: palm\nfingertips: fftip, mftip, rftip, lftip, thtip\n")));
   const auto of_arm = nlohmann::json::parse(line.run("setup --json --wrist arm " + shadow).out);
   EXPECT_THAT(of_arm["groups"]["arm"], ElementsAre("WRJ2", "WRJ1"));

@@ -62,6 +62,14 @@ NewSceneDialog::NewSceneDialog(QWidget* parent)
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
   buttons->addButton(create_, QDialogButtonBox::AcceptRole);
   connect(create_, &QPushButton::clicked, this, &NewSceneDialog::create);
+  auto* file = new QPushButton(tr("Robot file…"));
+  file->setObjectName(QStringLiteral("new_scene_file"));
+  file->setToolTip(tr("Begin with a robot of your own: URDF, xacro, SDF, MJCF"));
+  buttons->addButton(file, QDialogButtonBox::ActionRole);
+  connect(file, &QPushButton::clicked, this, [this] {
+    reject();
+    emit file_wanted();
+  });
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   auto* below = new QHBoxLayout;
   below->addWidget(note_, 1);
@@ -156,7 +164,7 @@ void NewSceneDialog::follow_choice() {
   const QString arm = QString::fromStdString(name_in(*arms_));
   const QString hand = QString::fromStdString(name_in(*hands_));
   note_->setText(has_hand                          ? tr("%1 has a hand.").arg(arm)
-                 : arm.isEmpty() && hand.isEmpty() ? tr("Choose an arm, a hand, or both.")
+                 : arm.isEmpty() && hand.isEmpty() ? tr("Choose an arm, a hand, or both; or a robot file of your own.")
                  : arm.isEmpty()                   ? tr("%1 alone, without an arm.").arg(hand)
                  : hand.isEmpty() ? tr("Add > Robot… mounts a hand or a tool of your own.")
                                   : tr("%1 is mounted on the end of %2.").arg(hand, arm));

@@ -37,6 +37,8 @@ class NewSceneDialog : public QDialog {
  signals:
   /// @param robot of the library. @param hand to mount on it; empty: none.
   void chosen(const std::string& robot, const std::string& hand);
+  /// A robot that the library has not is wanted.
+  void file_wanted();
 
  private:
   QWidget* make_choice();

@@ -122,8 +122,6 @@ void Recovery::recover(const LostScene& lost) {
 
 namespace {
 
-constexpr geometric::Color kMeshColor{0.62F, 0.66F, 0.71F, 1.0F};
-
 // Distinguishable with any kind of colour vision. Source: Okabe, Ito, "Color Universal Design",
 // 2008, a little paler.
 constexpr std::array<geometric::Color, 6> kNewColors{{{0.36F, 0.56F, 0.80F, 1.0F},
@@ -316,6 +314,7 @@ void SceneEditing::add_shape(const QString& name, const geometric::Shape& shape)
   const Eigen::Vector3d size = geometric::bounding_box(*geometric::tessellate(shape)).size();
   editor_.add(name.toStdString(), shape, new_color(*document_.scene()),
               editor_.place_for(size, view_.place_for_new()));
+  view_.keep_selection_in_view();
 }
 
 void SceneEditing::show_selection() {
@@ -415,8 +414,9 @@ void SceneEditing::import_mesh(const QString& file) {
   X_WO.linear() = R_WO;
   const Eigen::Vector3d size =
       geometric::bounding_box(geometric::transformed(*mesh.triangles, X_WO)).size();
-  editor_.add(mesh.file.stem().string(), mesh, kMeshColor,
+  editor_.add(mesh.file.stem().string(), mesh, new_color(*document_.scene()),
               editor_.place_for(size, view_.place_for_new()), R_WO);
+  view_.keep_selection_in_view();
 }
 
 ConstraintDisplay::ConstraintDisplay(Document& document, SceneView& view, QObject* parent)

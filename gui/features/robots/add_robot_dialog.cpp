@@ -37,6 +37,17 @@ QString path_key() { return QStringLiteral("package_path"); }
 
 QString folder_key() { return QStringLiteral("robot_folder"); }
 
+// @returns empty if nobody chose. @param filter empty: for a folder.
+QString ask_for(QWidget* parent, const QString& title, const QString& filter) {
+  QFileDialog dialog(parent, title, QSettings().value(folder_key()).toString(), filter);
+  dialog.setObjectName(QStringLiteral("robot_file_dialog"));
+  dialog.setOption(QFileDialog::DontUseNativeDialog);
+  dialog.setFileMode(filter.isEmpty() ? QFileDialog::Directory : QFileDialog::ExistingFile);
+  return dialog.exec() == QDialog::Accepted && !dialog.selectedFiles().isEmpty()
+             ? dialog.selectedFiles().front()
+             : QString();
+}
+
 // A robot that a scene is made of already is one robot from here on.
 RobotInstance read_robot(const std::filesystem::path& file,
                          const planning::PluginManager& plugins) {
@@ -52,6 +63,16 @@ RobotInstance read_robot(const std::filesystem::path& file,
 }
 
 }  // namespace
+
+QString choose_robot_file(QWidget* parent) {
+  const QString file = ask_for(
+      parent, AddRobotDialog::tr("Choose a robot"),
+      AddRobotDialog::tr("Robots (*.urdf *.xacro *.sdf *.mjcf *.xml *.yaml);;All files (*)"));
+  if (!file.isEmpty()) {
+    QSettings().setValue(folder_key(), QFileInfo(file).absolutePath());
+  }
+  return file;
+}
 
 void use_package_path() {
   for (const QString& folder : QSettings().value(path_key()).toStringList()) {
@@ -203,30 +224,18 @@ void AddRobotDialog::follow_selection(const SceneItem& item) {
 }
 
 void AddRobotDialog::browse() {
-  const QString file = ask_for(
-      tr("Choose a robot"), tr("Robots (*.urdf *.xacro *.sdf *.mjcf *.xml *.yaml);;All files (*)"));
+  const QString file = choose_robot_file(this);
   if (!file.isEmpty()) {
-    QSettings().setValue(folder_key(), QFileInfo(file).absolutePath());
     choose_file(file.toStdString());
   }
 }
 
 void AddRobotDialog::search() {
-  const QString folder = ask_for(tr("Choose a folder with the meshes"), QString());
+  const QString folder = ask_for(this, tr("Choose a folder with the meshes"), QString());
   if (!folder.isEmpty()) {
     remember_package_path(folder);
     read_chosen();
   }
-}
-
-QString AddRobotDialog::ask_for(const QString& title, const QString& filter) {
-  QFileDialog dialog(this, title, QSettings().value(folder_key()).toString(), filter);
-  dialog.setObjectName(QStringLiteral("robot_file_dialog"));
-  dialog.setOption(QFileDialog::DontUseNativeDialog);
-  dialog.setFileMode(filter.isEmpty() ? QFileDialog::Directory : QFileDialog::ExistingFile);
-  return dialog.exec() == QDialog::Accepted && !dialog.selectedFiles().isEmpty()
-             ? dialog.selectedFiles().front()
-             : QString();
 }
 
 void AddRobotDialog::choose_file(const std::filesystem::path& file) {

@@ -29,6 +29,9 @@ void use_package_path();
 /// Adds one.
 void remember_package_path(const QString& folder);
 
+/// Asks for a robot's file. @returns empty if nobody chose.
+[[nodiscard]] QString choose_robot_file(QWidget* parent);
+
 /// Asks for a robot of the library or of a file, and where it goes: into the world, or onto a link
 /// of a robot that is there. While it is open, a link that is selected in the tree or the view is
 /// the one that it goes on.
@@ -57,8 +60,6 @@ class AddRobotDialog : public QDialog {
   void browse();
   /// Asks for a folder and looks there for the meshes that the robot's file names in vain.
   void search();
-  /// @returns empty if nobody chose. @param filter empty: for a folder.
-  [[nodiscard]] QString ask_for(const QString& title, const QString& filter);
   void read_chosen();
   void take_robot(geometric::RobotInstance robot);
   void show_note(const QString& note, bool is_problem);

@@ -39,6 +39,14 @@ geometric::Pose free_place(Workbench& workbench, const RobotInstance& robot) {
   return X_WB;
 }
 
+// Without a scene its file is opened as one.
+void open_robot(Workbench& workbench) {
+  const QString file = choose_robot_file(&workbench.window);
+  if (!file.isEmpty()) {
+    workbench.open(file.toStdString());
+  }
+}
+
 void add_robot(Workbench& workbench) {
   auto* dialog = new AddRobotDialog(
       workbench.plugins, workbench.editor,
@@ -52,6 +60,7 @@ void add_robot(Workbench& workbench) {
           workbench.log.add(LogPanel::Level::kWarning, warning);
         }
         workbench.show_panel("properties");
+        workbench.view.keep_selection_in_view();
       });
   dialog->show();
 }
@@ -129,14 +138,19 @@ void add_robots(Workbench& workbench) {
   workbench.add_to_menu(MainMenu::kEdit, {3, 11}, setup);
   workbench.add_to_menu(MainMenu::kContext, {3, 11}, setup);
   workbench.add_to_menu(MainMenu::kContext, {3, 10}, first);
-  const auto update_enabled = [&workbench, add, write, first, setup] {
+  const auto update_enabled = [&workbench, write, first, setup] {
     const RobotInstance* robot = chosen_robot(workbench);
-    add->setEnabled(robot != nullptr);
     write->setEnabled(robot != nullptr);
     setup->setEnabled(robot != nullptr);
     first->setEnabled(robot && robot != workbench.document.robot());
   };
-  QObject::connect(add, &QAction::triggered, &workbench, [&] { add_robot(workbench); });
+  QObject::connect(add, &QAction::triggered, &workbench, [&] {
+    if (workbench.document.scene()) {
+      add_robot(workbench);
+    } else {
+      open_robot(workbench);
+    }
+  });
   QObject::connect(write, &QAction::triggered, &workbench, [&] { export_robot(workbench); });
   QObject::connect(setup, &QAction::triggered, &workbench, [&] { set_up_robot(workbench); });
   QObject::connect(first, &QAction::triggered, &workbench,

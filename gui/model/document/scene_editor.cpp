@@ -23,6 +23,9 @@ namespace {
 
 QString words(const std::string& name) { return QString::fromStdString(name); }
 
+// As a share of what is selected along x and y: what is smaller goes onto it.
+constexpr double kRoomOnTop = 0.8;
+
 // Meshes of copied objects that no file holds go into a folder beside it.
 std::filesystem::path clipboard_file() {
   return QStandardPaths::writableLocation(QStandardPaths::CacheLocation).toStdString() +
@@ -168,8 +171,10 @@ Eigen::Vector3d SceneEditor::place_for(const Eigen::Vector3d& size,
   Eigen::Vector3d place = wanted;
   const geometric::Configuration& q = document_.configuration();
   if (!selection_.objects.empty()) {
-    const geometric::Aabb beside = bounds(*state().scene, q, selection_.objects);
-    place << beside.centre().head<2>(), beside.lower.z();
+    const geometric::Aabb selected = bounds(*state().scene, q, selection_.objects);
+    const bool fits_on_top =
+        (size.head<2>().array() < kRoomOnTop * selected.size().head<2>().array()).all();
+    place << selected.centre().head<2>(), fits_on_top ? selected.upper.z() : selected.lower.z();
   }
   return free_foot(*state().scene, q, size, place);
 }

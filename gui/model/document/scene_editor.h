@@ -61,7 +61,8 @@ class SceneEditor : public QObject {
   void add(const std::string& name, const geometric::Shape& shape, const geometric::Color& color,
            const Eigen::Vector3d& foot, const Eigen::Matrix3d& R_WO = Eigen::Matrix3d::Identity());
 
-  /// Where something new goes, see free_foot(): beside what is selected, or else beside `wanted`.
+  /// Where something new goes, see free_foot(): onto what is selected if that is much larger, or
+  /// beside it; without a selection beside `wanted`.
   /// @param size m. @pre there is a scene.
   [[nodiscard]] Eigen::Vector3d place_for(const Eigen::Vector3d& size,
                                           const Eigen::Vector3d& wanted) const;

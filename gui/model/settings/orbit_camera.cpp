@@ -102,6 +102,16 @@ void OrbitCamera::fit(std::span<const Eigen::Vector3d> points, double aspect, do
   }
 }
 
+bool OrbitCamera::sees(std::span<const Eigen::Vector3d> points, double aspect) const {
+  const Eigen::Matrix3d R = orientation();
+  return std::ranges::all_of(points, [&](const Eigen::Vector3d& world) {
+    const Eigen::Vector3d p = R.transpose() * (world - position());
+    const double half_height = 0.5 * seen_height(-p.z());
+    return p.z() < 0.0 && std::abs(p.y()) <= half_height &&
+           std::abs(p.x()) <= aspect * half_height;
+  });
+}
+
 void OrbitCamera::fit_in_parallel(std::span<const Eigen::Vector3d> points, double aspect,
                                   double margin) {
   const Eigen::Matrix3d R = orientation();

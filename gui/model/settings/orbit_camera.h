@@ -53,6 +53,8 @@ class OrbitCamera {
   /// Moves so that all points (world, m) just fit into the picture with a margin.
   /// @param aspect width / height.
   void fit(std::span<const Eigen::Vector3d> points, double aspect, double margin = 1.08);
+  /// Whether all points (world, m) are in the picture. @param aspect width / height.
+  [[nodiscard]] bool sees(std::span<const Eigen::Vector3d> points, double aspect) const;
 
  private:
   void fit_in_perspective(std::span<const Eigen::Vector3d> points, double aspect, double margin);

@@ -150,7 +150,7 @@ void do_without_srdf(RobotDescription& robot) {
       [](const auto& entry) { return entry.second != AllowedReason::kAdjacent; });
   robot.warnings.push_back(fmt::format(
       "no SRDF disables collisions between links: those that a joint connects may touch{}; "
-      "`handway setup` makes an SRDF",
+      "`handway setup`, or Robot setup… in the window, makes an SRDF",
       overlapping == 0
           ? ""
           : fmt::format(", and {} in most postures or where a gripper closes",

@@ -148,10 +148,10 @@ class GroupFinder {
     if (!proposal_.wrist.empty()) {
       const bool one = proposal_.wrist.size() == 1;
       proposal_.questions.push_back(
-          {fmt::format("{} lead{} to the palm {}, and may be of the hand or of the arm",
+          {fmt::format("{} lead{} to the palm ({}), and may be of the hand or of the arm",
                        fmt::join(proposal_.wrist, ", "), one ? "s" : "", proposal_.palm),
-           "Counted to the hand; `handway setup --wrist arm` makes an SRDF that counts them to "
-           "the arm"});
+           "Counted to the hand; `handway setup --wrist arm`, or Robot setup… in the window, makes an "
+           "SRDF that counts them to the arm"});
     }
     if (proposal_.hand.empty() && !proposal_.arm.empty() && reach_.front() <= kLongestFinger) {
       proposal_.questions.push_back(

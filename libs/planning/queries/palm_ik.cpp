@@ -50,6 +50,28 @@ std::vector<int> ancestors(const RobotModel& model, int link) {
   return chain;
 }
 
+// The deepest link below `carrier` that carries all that the hand's joints move: a wrist that
+// counts to the hand is no finger. `carrier` itself where they move a single chain.
+int past_the_wrist(const RobotModel& model, const std::vector<int>& hand, int carrier) {
+  std::vector<bool> carries_moved(static_cast<std::size_t>(model.link_count()));
+  std::optional<std::vector<int>> shared;
+  int ends = 0;
+  for (int link = model.link_count() - 1; link > carrier; --link) {  // parents come first
+    const std::vector<int> chain = ancestors(model, link);
+    if (std::ranges::count(hand, model.drive(link).variable) == 0 ||
+        carries_moved[static_cast<std::size_t>(link)] || std::ranges::count(chain, carrier) == 0) {
+      continue;
+    }
+    for (const int above : chain) {
+      carries_moved[static_cast<std::size_t>(above)] = true;
+    }
+    ++ends;
+    shared = shared.value_or(chain);
+    std::erase_if(*shared, [&](int above) { return std::ranges::count(chain, above) == 0; });
+  }
+  return ends > 1 ? shared->front() : carrier;
+}
+
 }  // namespace
 
 PalmIk::PalmIk(std::shared_ptr<const RobotModel> model, int palm, const std::vector<int>& arm)
@@ -197,7 +219,7 @@ int palm_link(const RobotModel& model, const std::vector<int>& arm, const std::v
       }
     }
     if (!common.empty()) {
-      return common.front();
+      return past_the_wrist(model, hand, common.front());
     }
   }
   return arm.empty() ? model.link_count() - 1 : model.variable_link(arm.back());

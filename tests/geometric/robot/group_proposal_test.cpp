@@ -81,7 +81,7 @@ TEST(GroupProposal, AsksWhoseTheWristIs) {
   EXPECT_THAT(groups.wrist, ElementsAre("wrist_joint"));
   ASSERT_EQ(groups.questions.size(), 1U);
   EXPECT_EQ(groups.questions.front().open,
-            "wrist_joint leads to the palm wrist, and may be of the hand or of the arm");
+            "wrist_joint leads to the palm (wrist), and may be of the hand or of the arm");
   EXPECT_EQ(groups.hand_with_wrist().size(), 5U);
 }
 

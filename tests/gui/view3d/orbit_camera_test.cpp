@@ -34,6 +34,19 @@ TEST(OrbitCamera, FitsAllPointsIntoThePicture) {
   }
 }
 
+TEST(OrbitCamera, SeesWhatItWasFittedToAndNothingBesideOrBehind) {
+  const std::vector<Eigen::Vector3d> points{{0, 0, 0}, {1, 0, 0}, {0, 2, 0}, {0, 0, 1.5}};
+  for (const Projection projection : {Projection::kPerspective, Projection::kOrthographic}) {
+    OrbitCamera camera;
+    camera.set_projection(projection);
+    camera.fit(points, 1.5);
+    EXPECT_TRUE(camera.sees(points, 1.5));
+    EXPECT_FALSE(camera.sees(std::vector<Eigen::Vector3d>{{0, 9, 0}}, 1.5));
+    const Eigen::Vector3d behind = camera.position() + 0.1 * camera.orientation().col(2);
+    EXPECT_FALSE(camera.sees(std::vector<Eigen::Vector3d>{behind}, 1.5));
+  }
+}
+
 TEST(OrbitCamera, KeepsThePointUnderTheCursorWhenItZooms) {
   OrbitCamera camera;
   const Eigen::Matrix3d R = camera.orientation();

@@ -26,6 +26,34 @@ TEST(PalmIk, TakesTheLinkThatCarriesAllFingers) {
   EXPECT_EQ(palm_link(model, problem.arm, {}), model.variable_link(problem.arm.back()));
 }
 
+geometric::Joint turning(const std::string& name, const std::string& parent,
+                         const std::string& child) {
+  geometric::Joint joint;
+  joint.name = name;
+  joint.type = geometric::JointType::kRevolute;
+  joint.parent = parent;
+  joint.child = child;
+  joint.limits.lower = -1.0;
+  joint.limits.upper = 1.0;
+  return joint;
+}
+
+TEST(PalmIk, TakesThePalmBeyondAWristThatCountsToTheHand) {
+  geometric::RobotDescription robot;
+  robot.name = "hand";
+  for (const char* link : {"forearm", "wrist", "palm", "thumb", "finger", "tip"}) {
+    robot.links.emplace_back().name = link;
+  }
+  robot.joints = {turning("flexion", "forearm", "wrist"), turning("deviation", "wrist", "palm"),
+                  turning("oppose", "palm", "thumb"), turning("bend", "palm", "finger"),
+                  turning("curl", "finger", "tip")};
+  const geometric::RobotModel model(robot);
+  EXPECT_EQ(model.link(palm_link(model, {}, {0, 1, 2, 3, 4})).name, "palm");
+  EXPECT_EQ(model.link(palm_link(model, {0, 1}, {2, 3, 4})).name, "palm");
+  const std::vector<int> one_finger{*model.find_variable("bend"), *model.find_variable("curl")};
+  EXPECT_EQ(model.link(palm_link(model, {}, one_finger)).name, "palm");
+}
+
 TEST(PalmIk, BringsThePalmThereAndLeavesTheFingersAlone) {
   const PlanningProblem problem = test::tx90_sah_problem();
   const PalmIk ik = palm_ik(problem);

@@ -56,6 +56,29 @@ class Robots : public EditingTest {
     settle();
   }
   [[nodiscard]] const geometric::RobotInstance& robot() const { return scene().robots.front(); }
+  /// Types a path into the file dialog that `opener` opens.
+  void choose_in_dialog(const std::filesystem::path& path,
+                        const std::function<void()>& opener) const {
+    QTimer timer;
+    QObject::connect(&timer, &QTimer::timeout, &timer, [&] {
+      if (auto* chooser = window().findChild<QFileDialog*>(QStringLiteral("robot_file_dialog"))) {
+        timer.stop();
+        chooser->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))
+            ->setText(QString::fromStdString(path.string()));
+        chooser->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Open)->click();
+      }
+    });
+    timer.start(50);
+    opener();
+    EXPECT_FALSE(timer.isActive()) << "no file dialog was opened";
+  }
+  /// Whether a scene of `name` alone is open in a moment.
+  [[nodiscard]] bool opens_alone(const std::string& name) const {
+    return wait_until([&] {
+      const auto& opened = window().document().scene();
+      return opened && opened->robots.front().name == name;
+    });
+  }
 
   RobotFiles files_;
 };
@@ -118,6 +141,18 @@ TEST_F(Robots, StandInFreeSpaceWithoutAMount) {
   EXPECT_TRUE(scene().start) << "the query of the first robot stays";
 }
 
+TEST_F(Robots, AreOpenedAsASceneWhereThereIsNone) {
+  window().document().close();
+  choose_in_dialog(files_ / "gripper.urdf", [this] { part<QAction>("robot").trigger(); });
+  EXPECT_TRUE(opens_alone("gripper"));
+}
+
+TEST_F(Robots, BeginANewSceneFromTheirFile) {
+  part<QAction>("new_scene").trigger();
+  choose_in_dialog(files_ / "gripper.urdf", [this] { click("new_scene_file"); });
+  EXPECT_TRUE(opens_alone("gripper"));
+}
+
 TEST_F(Robots, SayWhatIsWrongWithTheirFile) {
   begin_to_add("broken.urdf");
   EXPECT_THAT(part<QLabel>("add_robot_note").text().toStdString(), HasSubstr("broken.urdf"));
@@ -131,14 +166,7 @@ TEST_F(Robots, HaveMissingMeshesLookedForInAFolder) {
   const ScratchFolder elsewhere;
   std::filesystem::copy_file(geometric::resource_dir() / "objects" / "can.stl",
                              elsewhere.path() / "lost.stl");
-  QTimer::singleShot(300, &window(), [&] {
-    auto* chooser = window().findChild<QFileDialog*>(QStringLiteral("robot_file_dialog"));
-    ASSERT_TRUE(chooser);
-    chooser->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))
-        ->setText(QString::fromStdString(elsewhere.path().string()));
-    chooser->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Open)->click();
-  });
-  click("add_robot_search");
+  choose_in_dialog(elsewhere.path(), [this] { click("add_robot_search"); });
   ASSERT_TRUE(wait_until([&] { return part<QPushButton>("add_robot_now").isEnabled(); }));
   EXPECT_FALSE(part<QPushButton>("add_robot_search").isVisible());
   EXPECT_THAT(part<QLabel>("add_robot_note").text().toStdString(), HasSubstr("lost.stl is "));

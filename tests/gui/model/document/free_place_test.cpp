@@ -69,6 +69,14 @@ TEST_F(FreePlaces, ACanBesideACanStandsOnTheSameTable) {
   EXPECT_LT((box_of("cylinder").centre() - box_of("can").centre()).head<2>().norm(), 0.3);
 }
 
+TEST_F(FreePlaces, WhatIsMuchSmallerGoesOntoWhatIsSelected) {
+  editor().add("table", Box{{0.6, 0.6, 0.3}}, {}, {-0.8, 0.0, 0.0});
+  add("cylinder");
+  EXPECT_NEAR(box_of("cylinder").lower.z(), 0.3 + gui::kRestingGap, 1e-9);
+  EXPECT_TRUE(box_of("table").lower.head<2>().isApprox(Eigen::Vector2d(-1.1, -0.3)));
+  EXPECT_LT((box_of("cylinder").centre() - box_of("table").centre()).head<2>().norm(), 0.01);
+}
+
 TEST_F(FreePlaces, WhatFitsNowhereOnATableGoesToTheFloor) {
   editor().add("column", Box{{0.1, 0.1, 0.5}}, {}, {-0.8, 0.0, 0.0});
   editor().add("ball", geometric::Sphere{0.03}, {}, {-0.8, 0.0, 0.5 + gui::kRestingGap});

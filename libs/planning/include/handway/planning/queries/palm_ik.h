@@ -83,8 +83,9 @@ struct ReachFigures {
     const geometric::RobotModel& model, int link, const std::vector<int>& arm,
     const Configuration& q);
 
-/// The link that stands for a hand as a whole: the closest that carries all of its fingers;
-/// without fingers the last that the arm moves. Of several hands on arms: the first.
+/// The link that stands for a hand as a whole: the closest that carries all of its fingers, also
+/// where a wrist below it counts to the hand; without fingers the last that the arm moves. Of
+/// several hands on arms: the first.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT int palm_link(const geometric::RobotModel& model,
                                                     const std::vector<int>& arm,
                                                     const std::vector<int>& hand);
