@@ -186,7 +186,7 @@ void bind_motion(py::module_& module) {
            "speed: share of the limits' pace, above 0, at most 1. period: from point to point, s.\n"
            "jerk: limit jerk, too.")
       .def("grasps", &grasps, py::arg("object"), py::kw_only(), py::arg("most") = 8,
-           py::arg("samples") = 16000, py::arg("seed") = 1,
+           py::arg("samples") = 8000, py::arg("seed") = 1,
            "Free configurations with the fingers around an object, the best first.\n\n"
            "object: name of one that stands still. most: how many at most. samples: palm poses\n"
            "to try. seed: of the draws. Returns dicts: q [variables], score, fingers, enclosure,\n"

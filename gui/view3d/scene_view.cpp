@@ -315,9 +315,7 @@ void SceneView::keep_selection_in_view() {
   if (!camera_.sees(points, aspect())) {
     const std::vector<Eigen::Vector3d> others = graph_->points_of_interest();
     points.insert(points.end(), others.begin(), others.end());
-    OrbitCamera fitted = camera_;
-    fitted.fit(points, aspect());
-    fly_to(fitted.placement());
+    fly_around(points);
   }
 }
 

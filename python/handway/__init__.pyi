@@ -247,7 +247,7 @@ class Scene:
         jerk: bool = False,
     ) -> Motion: ...
     def grasps(
-        self, object: str, *, most: int = 8, samples: int = 16000, seed: int = 1
+        self, object: str, *, most: int = 8, samples: int = 8000, seed: int = 1
     ) -> list[dict[str, Any]]: ...
     def with_robot(
         self,

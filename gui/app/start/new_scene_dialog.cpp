@@ -163,9 +163,10 @@ void NewSceneDialog::follow_choice() {
   }
   const QString arm = QString::fromStdString(name_in(*arms_));
   const QString hand = QString::fromStdString(name_in(*hands_));
-  note_->setText(has_hand                          ? tr("%1 has a hand.").arg(arm)
-                 : arm.isEmpty() && hand.isEmpty() ? tr("Choose an arm, a hand, or both; or a robot file of your own.")
-                 : arm.isEmpty()                   ? tr("%1 alone, without an arm.").arg(hand)
+  note_->setText(has_hand ? tr("%1 has a hand.").arg(arm)
+                 : arm.isEmpty() && hand.isEmpty()
+                     ? tr("Choose an arm, a hand, or both; or a robot file of your own.")
+                 : arm.isEmpty()  ? tr("%1 alone, without an arm.").arg(hand)
                  : hand.isEmpty() ? tr("Add > Robot… mounts a hand or a tool of your own.")
                                   : tr("%1 is mounted on the end of %2.").arg(hand, arm));
   create_->setEnabled(!arm.isEmpty() || !hand.isEmpty());

@@ -107,8 +107,7 @@ bool OrbitCamera::sees(std::span<const Eigen::Vector3d> points, double aspect) c
   return std::ranges::all_of(points, [&](const Eigen::Vector3d& world) {
     const Eigen::Vector3d p = R.transpose() * (world - position());
     const double half_height = 0.5 * seen_height(-p.z());
-    return p.z() < 0.0 && std::abs(p.y()) <= half_height &&
-           std::abs(p.x()) <= aspect * half_height;
+    return p.z() < 0.0 && std::abs(p.y()) <= half_height && std::abs(p.x()) <= aspect * half_height;
   });
 }
 

@@ -150,7 +150,8 @@ class GroupFinder {
       proposal_.questions.push_back(
           {fmt::format("{} lead{} to the palm ({}), and may be of the hand or of the arm",
                        fmt::join(proposal_.wrist, ", "), one ? "s" : "", proposal_.palm),
-           "Counted to the hand; `handway setup --wrist arm`, or Robot setup… in the window, makes an "
+           "Counted to the hand; `handway setup --wrist arm`, or Robot setup… in the window, makes "
+           "an "
            "SRDF that counts them to the arm"});
     }
     if (proposal_.hand.empty() && !proposal_.arm.empty() && reach_.front() <= kLongestFinger) {

@@ -16,6 +16,7 @@
 #include <map>
 #include <numbers>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -52,6 +53,27 @@ std::size_t thumb_of(const std::vector<Vector3d>& tips) {
   return thumb;
 }
 
+// Of the others those that reach as far from the palm as the thumb, more or less: not those that
+// are bent away, nor the inner bars of a parallel gripper.
+std::vector<std::size_t> opposite(std::size_t thumb, const std::vector<Vector3d>& tips) {
+  constexpr double kReach = 0.7;
+  std::vector<std::size_t> others;
+  for (std::size_t i = 0; i < tips.size(); ++i) {
+    if (i != thumb && tips[i].norm() > kReach * tips[thumb].norm()) {
+      others.push_back(i);
+    }
+  }
+  return others;
+}
+
+Vector3d middle(const std::vector<Vector3d>& points, const std::vector<std::size_t>& of) {
+  Vector3d sum = Vector3d::Zero();
+  for (const std::size_t i : of) {
+    sum += points[i];
+  }
+  return sum / static_cast<double>(of.size());
+}
+
 bool has_directions(const PlanningProblem& problem) {
   return problem.basis && !problem.basis->directions.empty();
 }
@@ -63,7 +85,7 @@ class HandClosing {
   /// An opened hand, seen from its palm: a thumb against fingers side by side. Lengths in m.
   struct Preshape {
     Eigen::VectorXd open;  ///< Normalised joints in the basis' order.
-    Vector3d grip;         ///< Between the thumb's tip and the middle of the others.
+    Vector3d grip;         ///< Between the ends of the thumb and of the others.
     Vector3d opposition;   ///< From the thumb to the others; of length 1.
     Vector3d row;          ///< Along the others' tips, square to it; of length 1.
     double opening = 0.0;  ///< From the thumb's tip to the others.
@@ -73,6 +95,7 @@ class HandClosing {
     std::vector<int> joints;  ///< Indices in the basis' order, the nearest to the palm first.
     std::vector<int> links;
     Vector3d p_LTip = Vector3d::Zero();  ///< Middle of the last one, in its frame.
+    Vector3d p_LEnd = Vector3d::Zero();  ///< Its end, as far from the joint as it goes.
   };
 
   /// @param palm the link of the hand.
@@ -81,8 +104,14 @@ class HandClosing {
     make_preshapes();
   }
 
-  /// The widest open first.
-  [[nodiscard]] const std::vector<Preshape>& preshapes() const { return preshapes_; }
+  [[nodiscard]] bool opens() const { return !preshapes_.empty(); }
+  /// Those that are opened to a width (m) or a little wider.
+  [[nodiscard]] std::span<const Preshape> opened_to(double width) const {
+    constexpr double kRoom = 0.06;  // m
+    const auto first = std::ranges::lower_bound(preshapes_, width, {}, &Preshape::opening);
+    const auto last = std::ranges::upper_bound(preshapes_, width + kRoom, {}, &Preshape::opening);
+    return {first, last};
+  }
   [[nodiscard]] const std::vector<Finger>& fingers() const { return fingers_; }
 
   /// `q` with the hand in `posture`, brought within limits.
@@ -134,9 +163,15 @@ class HandClosing {
       }
       return link;
     };
-    for (std::size_t j = 0; j < problem_.hand.size(); ++j) {
-      if (const int root = root_of(model.variable_link(problem_.hand[j])); root >= 0) {
-        by_root[root].joints.push_back(static_cast<int>(j));
+    for (int link = 1; link < model.link_count(); ++link) {  // those of coupled joints too
+      const auto joint = std::ranges::find(problem_.hand, model.drive(link).variable);
+      const int root = root_of(link);
+      if (joint != problem_.hand.end() && root >= 0) {
+        std::vector<int>& joints = by_root[root].joints;
+        const auto j = static_cast<int>(joint - problem_.hand.begin());
+        if (std::ranges::count(joints, j) == 0) {
+          joints.push_back(j);
+        }
       }
     }
     for (int link = 0; link < model.link_count(); ++link) {
@@ -146,42 +181,53 @@ class HandClosing {
     }
     for (auto& [root, finger] : by_root) {
       finger.p_LTip = middle_of(model.link(finger.links.back()));
+      double length = finger.p_LTip.norm();
+      for (const Vector3d& p_L :
+           geometric::collision_mesh(model.link(finger.links.back())).vertices) {
+        length = std::max(length, p_L.norm());
+      }
+      finger.p_LEnd = length * finger.p_LTip.normalized();
       fingers_.push_back(std::move(finger));
     }
   }
 
-  [[nodiscard]] Vector3d tip(const Finger& finger, const Eigen::VectorXd& posture) const {
+  [[nodiscard]] Pose last_link(const Finger& finger, const Eigen::VectorXd& posture) const {
     const RobotModel& model = problem_.model();
     std::vector<Pose> X_BL(static_cast<std::size_t>(model.link_count()));
     model.forward_kinematics(with_hand(problem_.start, posture), X_BL);
     return X_BL[static_cast<std::size_t>(palm_)].inverse() *
-           (X_BL[static_cast<std::size_t>(finger.links.back())] * finger.p_LTip);
+           X_BL[static_cast<std::size_t>(finger.links.back())];
+  }
+
+  [[nodiscard]] Vector3d tip(const Finger& finger, const Eigen::VectorXd& posture) const {
+    return last_link(finger, posture) * finger.p_LTip;
   }
 
   [[nodiscard]] std::optional<Preshape> preshape(Eigen::VectorXd open) const {
     constexpr double kLeastOpening = 0.04;  // m
-    std::vector<Vector3d> tips;
-    tips.reserve(fingers_.size());
+    std::vector<Vector3d> tips, ends;
     for (const Finger& finger : fingers_) {
-      tips.push_back(tip(finger, open));
+      const Pose X_PL = last_link(finger, open);
+      tips.push_back(X_PL * finger.p_LTip);
+      ends.push_back(X_PL * finger.p_LEnd);
     }
     if (tips.size() < 2) {
       return std::nullopt;
     }
     const std::size_t thumb = thumb_of(tips);
-    const Vector3d p_thumb = tips[thumb];
-    tips.erase(tips.begin() + static_cast<std::ptrdiff_t>(thumb));
-    Vector3d others = Vector3d::Zero();
-    for (const Vector3d& other : tips) {
-      others += other / static_cast<double>(tips.size());
+    const std::vector<std::size_t> others = opposite(thumb, tips);
+    if (others.empty()) {
+      return std::nullopt;
     }
-    Preshape shape{std::move(open), 0.5 * (p_thumb + others), others - p_thumb, {}, 0.0};
+    const Vector3d opposition = middle(tips, others) - tips[thumb];
+    Preshape shape{
+        std::move(open), 0.5 * (ends[thumb] + middle(ends, others)), opposition, {}, 0.0};
     shape.opening = shape.opposition.norm();
     if (shape.opening < kLeastOpening) {
       return std::nullopt;
     }
     shape.opposition /= shape.opening;
-    shape.row = tips.back() - tips.front();
+    shape.row = tips[others.back()] - tips[others.front()];
     shape.row -= shape.row.dot(shape.opposition) * shape.opposition;
     if (shape.row.norm() < 1e-3) {  // one finger against the thumb
       shape.row = shape.opposition.unitOrthogonal();
@@ -209,7 +255,7 @@ class HandClosing {
         preshapes_.push_back(std::move(*shape));
       }
     }
-    std::ranges::stable_sort(preshapes_, std::greater(), &Preshape::opening);
+    std::ranges::stable_sort(preshapes_, {}, &Preshape::opening);
   }
 
   const PlanningProblem& problem_;
@@ -222,9 +268,11 @@ constexpr double kNear = 0.015;     // m, of a finger at the object
 constexpr double kEnclosure = 0.5;  // at least: thumb and a finger at right angles
 constexpr double kClear = 0.05;     // m: more is not distinguished
 constexpr double kMost = 0.16;      // m, of the object's second longest side
-constexpr double kRoom = 0.06;      // m, that an opened hand may be wider than that
 constexpr double kAside = 0.015;    // m
-constexpr double kDeepest = 0.4;    // of the distance from the fingertips to the palm
+constexpr double kDeepest = 0.5;    // of the distance from the fingers' ends to the palm
+constexpr double kBreadth = 0.03;   // m, of fingers
+constexpr double kAlong = 0.45;     // cosine: more than that is along the object's longest side
+constexpr int kDirections = 200;    // in which the object's outermost points are looked for
 constexpr double kTilt = geometric::radians(25.0);
 constexpr int kClosingSteps = 40;
 constexpr int kOpeningSteps = 12;
@@ -266,6 +314,7 @@ class PregraspSearch {
       middles_.push_back(middle_of(problem.model().link(link)));
     }
     box_.size().maxCoeff(&longest_);
+    make_profile(geometric::tessellate(object.shape)->vertices);
     Vector3d sides = box_.size();
     std::ranges::sort(sides);
     middle_side_ = sides[1];
@@ -280,15 +329,17 @@ class PregraspSearch {
     }
   }
 
-  [[nodiscard]] bool fits() const { return middle_side_ < kMost && !hand_.preshapes().empty(); }
+  [[nodiscard]] bool fits() const { return middle_side_ < kMost && hand_.opens(); }
 
   void try_sample(sampling::RandomStream random) {
-    const auto& preshape = hand_.preshapes()[random.below(hand_.preshapes().size())];
-    const Pose X_OP = palm_at(preshape, random);
-    const double width = width_along(X_OP.linear() * preshape.opposition);
-    if (preshape.opening < width || preshape.opening > width + kRoom) {
+    const Eigen::Matrix3d R_OG = orientation(random);
+    const std::span<const HandClosing::Preshape> fitting =
+        hand_.opened_to(width_along(R_OG.col(1)));
+    if (fitting.empty()) {
       return;  // it does not fit, or the hand would close on from too far
     }
+    const HandClosing::Preshape& preshape = fitting[random.below(fitting.size())];
+    const Pose X_OP = palm_at(preshape, R_OG, random);
     const Configuration opened = hand_.with_hand(problem_.start, preshape.open);
     const std::vector<Configuration> solutions = ik_.all(opened, X_BW_ * X_WO_ * X_OP);
     if (solutions.empty()) {
@@ -333,38 +384,68 @@ class PregraspSearch {
   }
 
  private:
-  /// The fingers side by side along one of the object's edges, more or less, and the object
-  /// between them and the thumb.
-  [[nodiscard]] Pose palm_at(const HandClosing::Preshape& preshape,
-                             sampling::RandomStream& random) const {
+  void make_profile(std::vector<Vector3d> points) {
+    const double centre = box_.centre()[longest_];
+    for (Vector3d& p_O : points) {
+      p_O[longest_] = std::clamp(p_O[longest_], centre - 0.5 * kBreadth, centre + 0.5 * kBreadth);
+    }
+    for (int i = 0; i < kDirections; ++i) {  // on a spiral around the sphere
+      const double z = 1.0 - (2.0 * i + 1.0) / kDirections;
+      const double turn = 2.0 * std::numbers::pi * std::numbers::phi * i;
+      const double r = std::sqrt(1.0 - z * z);
+      const Vector3d direction(r * std::cos(turn), r * std::sin(turn), z);
+      profile_.push_back(*std::ranges::max_element(
+          points, {}, [&](const Vector3d& p_O) { return direction.dot(p_O); }));
+    }
+  }
+
+  /// Of the grip (the fingers' row, opposition, and what is square to both) in the object's frame:
+  /// the row along one of its edges, more or less.
+  [[nodiscard]] static Eigen::Matrix3d orientation(sampling::RandomStream& random) {
     const auto signed_uniform = [&] { return 2.0 * random.uniform() - 1.0; };
-    Eigen::Matrix3d of_hand;  // row, opposition and what is square to both
-    of_hand << preshape.row, preshape.opposition, preshape.row.cross(preshape.opposition);
     const auto edge = static_cast<int>(random.below(3));
     const Vector3d row = (random.below(2) == 0 ? 1.0 : -1.0) * Vector3d::Unit(edge);
     const Vector3d across = Eigen::AngleAxisd(std::numbers::pi * signed_uniform(), row) *
                             Vector3d::Unit((edge + 1) % 3);
-    Eigen::Matrix3d of_object;
-    of_object << row, across, row.cross(across);
-    const Vector3d tilt = kTilt * Vector3d(signed_uniform(), signed_uniform(), signed_uniform());
-    const Eigen::Matrix3d tilted =
-        Eigen::AngleAxisd(
-            tilt.norm(), tilt.norm() > 0.0 ? Vector3d(tilt.normalized()) : Vector3d::UnitX().eval())
-            .toRotationMatrix();
+    Eigen::Matrix3d R_OG;
+    R_OG << row, across, row.cross(across);
+    const double share = random.uniform();  // some nearly straight: a narrow gripper needs them
+    const Vector3d tilt =
+        share * kTilt * Vector3d(signed_uniform(), signed_uniform(), signed_uniform());
+    return tilt.norm() > 0.0
+               ? R_OG * Eigen::AngleAxisd(tilt.norm(), tilt.normalized()).toRotationMatrix()
+               : R_OG;
+  }
+
+  /// With the object between the thumb and the fingers, anywhere from their tips to the palm.
+  [[nodiscard]] Pose palm_at(const HandClosing::Preshape& preshape, const Eigen::Matrix3d& R_OG,
+                             sampling::RandomStream& random) const {
+    const auto signed_uniform = [&] { return 2.0 * random.uniform() - 1.0; };
+    Eigen::Matrix3d R_PG;
+    R_PG << preshape.row, preshape.opposition, preshape.row.cross(preshape.opposition);
     Pose X_OP = Pose::Identity();
-    X_OP.linear() = of_object * tilted * of_hand.transpose();
+    X_OP.linear() = R_OG * R_PG.transpose();
     Vector3d p_O = box_.centre();  // its longest side has room to choose
     p_O[longest_] += 0.35 * signed_uniform() * box_.size()[longest_];
-    // Somewhere between the fingertips and the palm.
-    const Vector3d aside = kAside * Vector3d(signed_uniform(), signed_uniform(), signed_uniform());
+    const double share = random.uniform();
+    const Vector3d aside =
+        share * kAside * Vector3d(signed_uniform(), signed_uniform(), signed_uniform());
     const double depth = 1.0 - kDeepest * random.uniform();
     X_OP.translation() = p_O - X_OP.linear() * (depth * preshape.grip + aside);
     return X_OP;
   }
 
-  /// Of the box around the object, along a direction of its frame, m.
+  /// What is between fingers along a direction of the object's frame, m.
   [[nodiscard]] double width_along(const Vector3d& direction) const {
-    return direction.cwiseAbs().dot(box_.size());
+    if (std::abs(direction[longest_]) > kAlong) {
+      return direction.cwiseAbs().dot(box_.size());
+    }
+    double least = HUGE_VAL, most = -HUGE_VAL;
+    for (const Vector3d& p_O : profile_) {
+      least = std::min(least, direction.dot(p_O));
+      most = std::max(most, direction.dot(p_O));
+    }
+    return most - least;
   }
 
   std::optional<int> colliding(const Configuration& q) {
@@ -539,6 +620,7 @@ class PregraspSearch {
   HandClosing hand_;
   geometric::Aabb box_;
   Eigen::Index longest_ = 0;
+  std::vector<Vector3d> profile_;  ///< The object, as long as fingers are broad; in its frame.
   double middle_side_ = 0.0;
   Pose X_WO_;
   Pose X_BW_;

@@ -2,10 +2,13 @@
 
 #include "handway_test/input_errors.h"
 #include "handway_test/known_problems.h"
+#include "handway_test/paths.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
 #include <utility>
 
 namespace handway::planning {
@@ -73,6 +76,39 @@ TEST_F(PregraspSearch, GraspsWithHandsThatHaveNoBasis) {
       EXPECT_EQ(grasp.subspace_distance, 0.0) << scene;
     }
   }
+}
+
+TEST_F(PregraspSearch, GraspsBetweenTwoJawsThatOneJointMoves) {
+  const test::ScratchFolder folder;
+  std::ofstream(folder.path() / "gripper.urdf") << R"(<robot name="gripper">
+    <link name="hand"><collision><origin xyz="0 0 0.033"/>
+      <geometry><box size="0.06 0.2 0.066"/></geometry></collision></link>
+    <link name="left"><collision><origin xyz="0 0.0076 0.027"/>
+      <geometry><box size="0.02 0.0152 0.054"/></geometry></collision></link>
+    <link name="right"><collision><origin xyz="0 -0.0076 0.027"/>
+      <geometry><box size="0.02 0.0152 0.054"/></geometry></collision></link>
+    <joint name="open" type="prismatic"><origin xyz="0 0 0.067"/><axis xyz="0 1 0"/>
+      <parent link="hand"/><child link="left"/>
+      <limit lower="0.001" upper="0.04" effort="1" velocity="0.2"/></joint>
+    <joint name="follow" type="prismatic"><origin xyz="0 0 0.067"/><axis xyz="0 -1 0"/>
+      <parent link="hand"/><child link="right"/><mimic joint="open"/>
+      <limit lower="0.001" upper="0.04" effort="1" velocity="0.2"/></joint></robot>)";
+  const std::filesystem::path file = folder.path() / "scene.yaml";
+  std::ofstream(file) << R"(handway: 1
+robots:
+  - {name: arm, model: iiwa14_class}
+  - {name: hand, model: gripper.urdf, mount: {robot: arm}}
+objects:
+  - {name: table, box: {size: [0.5, 0.5, 0.02]}, pose: {xyz: [0.5, 0, 0.19]}}
+  - {name: can, cylinder: {radius: 0.033, length: 0.12}, pose: {xyz: [0.5, 0, 0.261]}}
+start: {}
+goal: {}
+)";
+  const LoadedScene scene = load_scene(file, PluginManager());
+  const std::vector<Pregrasp> grasps = find_pregrasps(make_problem(scene.scene, nullptr), "can");
+  ASSERT_GE(grasps.size(), 3U);
+  EXPECT_EQ(grasps.front().fingers, 2);
+  EXPECT_GT(grasps.front().enclosure, 0.8);
 }
 
 TEST_F(PregraspSearch, KeepsConstraintsOfTheHandAndOfTheArm) {

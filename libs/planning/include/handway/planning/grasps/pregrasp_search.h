@@ -11,7 +11,7 @@
 namespace handway::planning {
 
 struct PregraspOptions {
-  int samples = 16000;      ///< Palm poses to try.
+  int samples = 8000;       ///< Palm poses to try.
   double gap = 0.003;       ///< m that every finger keeps to the object.
   double own_gap = 0.0003;  ///< m that the hand's links keep to each other.
   int most = 8;             ///< Pre-grasps to give.
@@ -30,15 +30,15 @@ struct Pregrasp {
   double score = 0.0;       ///< In [0, 1]; what they are ranked by.
 };
 
-/// Looks for pre-grasps. Drawn are a preshape, whose opening between the thumb and the fingers
-/// suits the object, from the basis' box (of a hand without one: between its neutral posture and
-/// any other), and a palm pose with the fingers side by side along an edge of the object's box,
-/// turned about it, and the object between them and the thumb, anywhere from the fingertips to the
-/// palm. Fingers that would be in the object are opened; the arm's inverse kinematics is solved;
-/// and where that is free every finger closes, its joints by the gradient of the tip's distance to
-/// the object's axis, until near contact: joints stop from the palm outwards, so that outer links
-/// go on around the object. Kept are those with two or more fingers on different sides of the
-/// object; similar ones are left out. Same arguments, same bits.
+/// Looks for pre-grasps. Drawn are a direction across the object, with the fingers side by side
+/// along an edge of its box and turned about it, a preshape from the basis' box (of a hand without
+/// one: between its neutral posture and any other) whose opening between the thumb and the fingers,
+/// or the two jaws of a gripper, suits the object there, and a palm pose with the object between
+/// them, anywhere from the fingertips to the palm. Fingers that would be in the object are opened;
+/// the arm's inverse kinematics is solved; and where that is free every finger closes, its joints
+/// by the gradient of the tip's distance to the object's axis, until near contact: joints stop from
+/// the palm outwards, so that outer links go on around the object. Kept are those with two or more
+/// fingers on different sides of the object; similar ones are left out. Same arguments, same bits.
 /// @param object of the scene, that stands still.
 /// @returns the best first; empty if there is none, or `stop` was requested.
 /// @throws InputError if there is no such object or the robot has no hand.
