@@ -36,6 +36,11 @@ LoadedScene scene_of_robot(const fs::path& file) {
   geometric::RobotInstance robot;
   robot.model = geometric::load_robot(path);
   robot.name = robot.model->name();
+  const fs::path reference =
+      geometric::resource_reference(ResourceKind::kRobot, path, path.parent_path());
+  if (!reference.has_extension()) {  // the library's name; other files are named when it is saved
+    robot.file = reference;
+  }
   robot.configuration = robot.model->neutral();
   geometric::Scene scene;
   scene.name = robot.name;
