@@ -2,7 +2,7 @@
 
 #include "app/start/new_scene_dialog.h"
 #include "app/start/start_page.h"
-#include "features/robots/add_robot_dialog.h"
+#include "features/robots/robots.h"
 #include "features/workbench.h"
 #include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/resources.h"
@@ -109,11 +109,8 @@ void FileCommands::choose_new() {
     dialog->choose(open);
   }
   connect(dialog, &NewSceneDialog::chosen, &workbench_, &Workbench::create);
-  connect(dialog, &NewSceneDialog::file_wanted, &workbench_, [this] {
-    if (const QString file = choose_robot_file(&workbench_.window); !file.isEmpty()) {
-      workbench_.open(file.toStdString());
-    }
-  });
+  connect(dialog, &NewSceneDialog::file_wanted, &workbench_,
+          [this] { open_robot_file(workbench_); });
   dialog->open();
 }
 

@@ -320,11 +320,14 @@ void SceneView::keep_selection_in_view() {
 }
 
 void SceneView::look_from(StandardView view) {
+  if (view == StandardView::kOblique) {
+    fly_to(graph_->open_view(camera_, aspect()).placement());
+    return;
+  }
   OrbitCamera turned = camera_;
   turned.look_from(view);
   turned.fit(graph_->points_of_interest(), aspect());
-  fly_to(view == StandardView::kOblique ? graph_->open_view(camera_, aspect()).placement()
-                                        : turned.placement());
+  fly_to(turned.placement());
 }
 
 void SceneView::fly_to(const OrbitCamera::Placement& placement) {

@@ -255,25 +255,18 @@ void AddRobotDialog::read_chosen() {
     return;
   }
   show_note(tr("Reading %1…").arg(QString::fromStdString(file.filename().string())), false);
-  const bool is_of_library =
-      file.parent_path().parent_path() == geometric::resource_dir() / "robots";
-  job_.run(
-      [this, file, is_of_library, plugins = plugins_](const std::stop_token&) -> LatestJob::Answer {
-        try {
-          RobotInstance robot = read_robot(file, *plugins);
-          if (is_of_library) {
-            robot.file = file.stem();
-          }
-          return [this, read = std::move(robot)] { take_robot(read); };
-        } catch (const geometric::MissingMeshError& error) {
-          return [this, message = QString::fromUtf8(error.what())] {
-            show_note(message, true);
-            search_->show();
-          };
-        } catch (const std::exception& error) {
-          return [this, message = QString::fromUtf8(error.what())] { show_note(message, true); };
-        }
-      });
+  job_.run([this, file, plugins = plugins_](const std::stop_token&) -> LatestJob::Answer {
+    try {
+      return [this, read = read_robot(file, *plugins)] { take_robot(read); };
+    } catch (const geometric::MissingMeshError& error) {
+      return [this, message = QString::fromUtf8(error.what())] {
+        show_note(message, true);
+        search_->show();
+      };
+    } catch (const std::exception& error) {
+      return [this, message = QString::fromUtf8(error.what())] { show_note(message, true); };
+    }
+  });
 }
 
 void AddRobotDialog::take_robot(RobotInstance robot) {

@@ -39,14 +39,6 @@ geometric::Pose free_place(Workbench& workbench, const RobotInstance& robot) {
   return X_WB;
 }
 
-// Without a scene its file is opened as one.
-void open_robot(Workbench& workbench) {
-  const QString file = choose_robot_file(&workbench.window);
-  if (!file.isEmpty()) {
-    workbench.open(file.toStdString());
-  }
-}
-
 void add_robot(Workbench& workbench) {
   auto* dialog = new AddRobotDialog(
       workbench.plugins, workbench.editor,
@@ -115,6 +107,13 @@ void set_up_robot(Workbench& workbench) {
 
 }  // namespace
 
+void open_robot_file(Workbench& workbench) {
+  const QString file = choose_robot_file(&workbench.window);
+  if (!file.isEmpty()) {
+    workbench.open(file.toStdString());
+  }
+}
+
 void add_robots(Workbench& workbench) {
   use_package_path();
   QAction* add = workbench.make_action("robot", QObject::tr("&Robot…"), {},
@@ -148,7 +147,7 @@ void add_robots(Workbench& workbench) {
     if (workbench.document.scene()) {
       add_robot(workbench);
     } else {
-      open_robot(workbench);
+      open_robot_file(workbench);
     }
   });
   QObject::connect(write, &QAction::triggered, &workbench, [&] { export_robot(workbench); });

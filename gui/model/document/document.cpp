@@ -156,9 +156,7 @@ geometric::RobotInstance library_robot(const std::string& name,
                                        const planning::PluginManager& plugins) {
   const planning::LoadedScene loaded = planning::load_scene(
       geometric::find_resource(ResourceKind::kRobot, name, geometric::resource_dir()), plugins);
-  geometric::RobotInstance robot = loaded.scene->robots.front();
-  robot.file = name;
-  return robot;
+  return loaded.scene->robots.front();
 }
 
 }  // namespace

@@ -339,10 +339,6 @@ Table read_text_table(const std::filesystem::path& file, std::span<const TextLin
 constexpr Eigen::Index kAngles = 23;           // of VirtualHand, without the last, unwired slot
 constexpr Eigen::Index kAnglesWithLabel = 22;  // and without the wrist's abduction
 
-}  // namespace
-
-namespace {
-
 /// Columns in the order of a glove's records, from column `first` on.
 std::vector<ColumnUse> glove_columns(int sensors, Eigen::Index first) {
   std::vector<ColumnUse> columns;
