@@ -2,7 +2,6 @@
 
 #include "app/start/new_scene_dialog.h"
 #include "app/start/start_page.h"
-#include "features/robots/robots.h"
 #include "features/workbench.h"
 #include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/resources.h"
@@ -110,7 +109,7 @@ void FileCommands::choose_new() {
   }
   connect(dialog, &NewSceneDialog::chosen, &workbench_, &Workbench::create);
   connect(dialog, &NewSceneDialog::file_wanted, &workbench_,
-          [this] { open_robot_file(workbench_); });
+          [this] { workbench_.trigger("open_robot"); });
   dialog->open();
 }
 

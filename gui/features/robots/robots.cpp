@@ -39,6 +39,13 @@ geometric::Pose free_place(Workbench& workbench, const RobotInstance& robot) {
   return X_WB;
 }
 
+void open_robot(Workbench& workbench) {
+  const QString file = choose_robot_file(&workbench.window);
+  if (!file.isEmpty()) {
+    workbench.open(file.toStdString());
+  }
+}
+
 void add_robot(Workbench& workbench) {
   auto* dialog = new AddRobotDialog(
       workbench.plugins, workbench.editor,
@@ -107,13 +114,6 @@ void set_up_robot(Workbench& workbench) {
 
 }  // namespace
 
-void open_robot_file(Workbench& workbench) {
-  const QString file = choose_robot_file(&workbench.window);
-  if (!file.isEmpty()) {
-    workbench.open(file.toStdString());
-  }
-}
-
 void add_robots(Workbench& workbench) {
   use_package_path();
   QAction* add = workbench.make_action("robot", QObject::tr("&Robot…"), {},
@@ -128,6 +128,9 @@ void add_robots(Workbench& workbench) {
   QAction* setup = workbench.make_action("", QObject::tr("Robot set&up…"), {},
                                          QObject::tr("Look for what is suspicious in the robot, "
                                                      "sample its self-collisions, write its SRDF"));
+  QAction* open = workbench.make_action("", QObject::tr("Open a robot…"), {},
+                                        QObject::tr("Begin a scene with a robot file"));
+  open->setObjectName(QStringLiteral("open_robot"));
   setup->setObjectName(QStringLiteral("robot_setup"));
   write->setObjectName(QStringLiteral("export_robot"));
   first->setObjectName(QStringLiteral("plan_for_robot"));
@@ -147,9 +150,10 @@ void add_robots(Workbench& workbench) {
     if (workbench.document.scene()) {
       add_robot(workbench);
     } else {
-      open_robot_file(workbench);
+      open_robot(workbench);  // there is nothing to add it to
     }
   });
+  QObject::connect(open, &QAction::triggered, &workbench, [&] { open_robot(workbench); });
   QObject::connect(write, &QAction::triggered, &workbench, [&] { export_robot(workbench); });
   QObject::connect(setup, &QAction::triggered, &workbench, [&] { set_up_robot(workbench); });
   QObject::connect(first, &QAction::triggered, &workbench,

@@ -30,6 +30,9 @@ PlanStatistics& PlanStatistics::operator+=(const PlanStatistics& other) {
   sampling_s += other.sampling_s;
   connection_s += other.connection_s;
   add(rejections_per_pair, other.rejections_per_pair);
+  for (const auto& [pair, count] : other.rejections) {
+    rejections[pair] += count;
+  }
   add(rejections_per_tenth, other.rejections_per_tenth);
   return *this;
 }
