@@ -54,9 +54,16 @@ endfunction()
 
 # handway_plugin(NAME SOURCES … LINK …): a module that the program finds beside its libraries.
 # With OUTPUT FOLDER it is built there instead, and not installed: for tests.
+# handway_plugin(NAME LIBRARY TARGET): of what is in a static library, which tests link, too.
 function(handway_plugin name)
-  cmake_parse_arguments(ARG "" "OUTPUT" "SOURCES;LINK" ${ARGN})
+  cmake_parse_arguments(ARG "" "OUTPUT;LIBRARY" "SOURCES;LINK" ${ARGN})
+  if(ARG_LIBRARY)
+    set(ARG_SOURCES $<TARGET_OBJECTS:${ARG_LIBRARY}>)
+    set(ARG_LINK ${ARG_LIBRARY})
+    target_compile_definitions(${ARG_LIBRARY} PRIVATE HANDWAY_VERSION="${PROJECT_VERSION}")
+  endif()
   add_library(${name} MODULE ${ARG_SOURCES})
+  set_target_properties(${name} PROPERTIES LINKER_LANGUAGE CXX)
   target_link_libraries(${name} PRIVATE ${ARG_LINK})
   set_target_properties(${name} PROPERTIES PREFIX "")
   _handway_warnings(${name})

@@ -7,7 +7,6 @@
 #include "handway/geometric/formats/robot_loader.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/resources.h"
-#include "interruptible.h"
 #include "planner_model.h"
 #include "robot_connection.h"
 #include "scene_model.h"

@@ -1,4 +1,4 @@
-#include "interruptible.h"
+#include "bindings.h"
 
 #include <pybind11/pybind11.h>
 

@@ -1,6 +1,6 @@
 #include "planner_model.h"
 
-#include "interruptible.h"
+#include "bindings.h"
 
 #include <functional>
 #include <stdexcept>

@@ -2,7 +2,7 @@
 
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/replace_file.h"
-#include "handway/sampling/postures/pmd_basis_io.h"
+#include "handway/sampling/postures/pmd_basis.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,5 +1,5 @@
 #include "commands.h"
-#include "handway/geometric/collision/checkers/make_checker.h"
+#include "handway/geometric/collision/checkers/exact_collision_checker.h"
 #include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/math/units.h"
 #include "handway/geometric/robot/limit_violation.h"

@@ -9,7 +9,7 @@
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/resources.h"
 #include "handway/geometric/math/units.h"
-#include "handway/sampling/postures/pmd_basis_io.h"
+#include "handway/sampling/postures/pmd_basis.h"
 #include "handway/sampling/postures/posture_subspace.h"
 #include "handway/sampling/postures/posture_table.h"
 #include "numbers.h"

@@ -1,6 +1,6 @@
 #include "plan_bench.h"
 
-#include "handway/geometric/collision/checkers/make_checker.h"
+#include "handway/geometric/collision/checkers/exact_collision_checker.h"
 #include "handway/geometric/collision/continuous/continuous_collision_checker.h"
 #include "handway/geometric/collision/continuous/motion_bound.h"
 #include "handway/geometric/io/input_error.h"

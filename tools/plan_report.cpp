@@ -2,7 +2,7 @@
 
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/math/units.h"
-#include "handway/planning/queries/failure_explanation.h"
+#include "handway/planning/core/plan_result.h"
 #include "version.h"
 
 #include <nlohmann/json.hpp>

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "handway/planning/core/objective.h"
-#include "handway/planning/core/path.h"
 #include "handway/planning/core/planning_problem.h"
 #include "handway/planning/planners/planner.h"
 #include "handway/planning/queries/human_likeness.h"

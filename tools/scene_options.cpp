@@ -7,7 +7,7 @@
 #include "handway/geometric/setup/moving_group.h"
 #include "handway/planning/core/planning_problem.h"
 #include "handway/planning/queries/palm_ik.h"
-#include "handway/sampling/postures/pmd_basis_io.h"
+#include "handway/sampling/postures/pmd_basis.h"
 #include "numbers.h"
 
 #include <CLI/CLI.hpp>

@@ -1,7 +1,7 @@
 #include "scene_variants.h"
 
+#include "handway/geometric/collision/checkers/exact_collision_checker.h"
 #include "handway/geometric/collision/checkers/fcl_checker.h"
-#include "handway/geometric/collision/checkers/make_checker.h"
 #include "handway/geometric/collision/narrow_phase/contact.h"
 #include "handway/geometric/robot/limit_violation.h"
 #include "handway/planning/core/planning_problem.h"

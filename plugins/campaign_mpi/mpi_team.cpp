@@ -1,8 +1,10 @@
-#include "mpi_team.h"
+#include "handway/planning/campaigns/run_workers.h"
 
-#include "record_archive.h"
-
+#include <boost/mpi/communicator.hpp>
+#include <boost/mpi/environment.hpp>
 #include <boost/mpi/status.hpp>
+#include <boost/serialization/string.hpp>
+#include <boost/serialization/vector.hpp>
 
 #include <chrono>
 #include <condition_variable>
@@ -12,8 +14,29 @@
 #include <mutex>
 #include <optional>
 #include <stdexcept>
+#include <string>
 #include <thread>
 #include <utility>
+
+/// How runs travel between processes.
+namespace boost::serialization {
+
+template <typename Archive>
+void serialize(Archive& archive, handway::planning::RunSpec& spec, unsigned /*version*/) {
+  archive& spec.problem& spec.planner& spec.seed;
+}
+
+template <typename Archive>
+void serialize(Archive& archive, handway::planning::RunRecord& run, unsigned /*version*/) {
+  archive& run.spec& run.solved& run.status& run.reason;
+  archive& run.time_s& run.smoothing_s& run.sampling_s& run.connection_s;
+  archive& run.samples& run.nodes& run.edges& run.passes& run.max_trials& run.final_rho_a;
+  archive& run.nodes_per_pmds& run.node_checks& run.edge_checks& run.edges_tested;
+  archive& run.path_nodes& run.path_length& run.resolution_mm& run.min_clearance_mm;
+  archive& run.certificate_checks& run.path;
+}
+
+}  // namespace boost::serialization
 
 namespace handway::campaign_mpi {
 namespace {
@@ -171,6 +194,32 @@ bool Dealer::collect_own(std::vector<RunRecord>& records) {
 
 }  // namespace
 
+/// The processes of one `mpirun`, a run at a time on each. Rank 0 leads: it deals out runs one
+/// by one to whoever is free, itself included (on a second thread), and collects the
+/// records. Nobody waits busily.
+///
+/// One each process, made before anything else talks to MPI.
+class MpiTeam final : public planning::ProcessTeam {
+ public:
+  MpiTeam();
+  /// The leader sends the others home.
+  ~MpiTeam() override;
+  MpiTeam(const MpiTeam&) = delete;
+  MpiTeam& operator=(const MpiTeam&) = delete;
+
+  [[nodiscard]] int count() const override { return world_.size(); }
+  [[nodiscard]] bool leads() const override { return world_.rank() == 0; }
+  void carry_out(const planning::RunExecutor& executor, std::span<const planning::RunSpec> runs,
+                 const planning::TakeRecords& take, std::stop_token stop) override;
+  /// @throws std::runtime_error if the leader gave up.
+  void serve(const planning::RunExecutor& executor) override;
+  void decline(const std::string& reason) override;
+
+ private:
+  boost::mpi::environment environment_;
+  boost::mpi::communicator world_;
+};
+
 MpiTeam::MpiTeam() : environment_(mpi::threading::funneled, false) {}
 
 MpiTeam::~MpiTeam() {
@@ -249,3 +298,9 @@ void MpiTeam::serve(const RunExecutor& executor) {
 void MpiTeam::decline(const std::string& reason) { world_.send(kLeader, kFailed, reason); }
 
 }  // namespace handway::campaign_mpi
+
+// The way in for programs that mpirun started: see join_process_team().
+extern "C" __attribute__((visibility("default"))) handway::planning::ProcessTeam*
+handway_process_team() {
+  return new handway::campaign_mpi::MpiTeam();
+}

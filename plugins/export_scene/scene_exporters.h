@@ -1,6 +1,6 @@
 #pragma once
 
-#include "handway/planning/extensions/scene_exporter.h"
+#include "handway/planning/extensions/exporter.h"
 
 namespace handway::export_scene {
 

@@ -3,6 +3,7 @@
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/math/units.h"
 #include "handway/planning/extensions/exporter.h"
+#include "handway/planning/extensions/plugin.h"
 
 #include <fmt/format.h>
 #include <pugixml.hpp>
@@ -287,3 +288,15 @@ std::vector<planning::ExportedFile> Val3Exporter::do_export(const planning::Moti
 }
 
 }  // namespace handway::export_val3
+
+// Weak: tests link several plugins.
+extern "C" __attribute__((visibility("default"), weak)) const handway::planning::Plugin*
+handway_plugin() {
+  static const handway::planning::Plugin kPlugin = {
+      .name = "export_val3", .version = HANDWAY_VERSION, .make_exporters = [] {
+        std::vector<std::unique_ptr<handway::planning::Exporter>> exporters;
+        exporters.push_back(std::make_unique<handway::export_val3::Val3Exporter>());
+        return exporters;
+      }};
+  return &kPlugin;
+}

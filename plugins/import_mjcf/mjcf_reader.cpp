@@ -6,6 +6,7 @@
 #include "handway/geometric/mesh/shape.h"
 #include "handway/geometric/robot/base_joint.h"
 #include "handway/geometric/robot/robot_description.h"
+#include "handway/planning/extensions/plugin.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -525,3 +526,17 @@ bool is_mjcf_file(const fs::path& file) {
 RobotDescription read_mjcf(const fs::path& file) { return Reader(file).read(); }
 
 }  // namespace handway::import_mjcf
+
+// Weak: tests link several plugins.
+extern "C" __attribute__((visibility("default"), weak)) const handway::planning::Plugin*
+handway_plugin() {
+  using handway::geometric::RobotReader;
+  static const handway::planning::Plugin kPlugin = {
+      .name = "import_mjcf",
+      .version = HANDWAY_VERSION,
+      .make_robot_readers = []() -> std::vector<RobotReader> {
+        return {{"a MuJoCo robot (.xml, .mjcf)", handway::import_mjcf::is_mjcf_file,
+                 handway::import_mjcf::read_mjcf}};
+      }};
+  return &kPlugin;
+}

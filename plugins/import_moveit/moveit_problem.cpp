@@ -8,6 +8,7 @@
 #include "handway/geometric/io/resources.h"
 #include "handway/geometric/robot/base_joint.h"
 #include "handway/geometric/robot/robot_model.h"
+#include "handway/planning/extensions/plugin.h"
 #include "problem_files.h"
 #include "world_objects.h"
 
@@ -403,3 +404,15 @@ planning::LoadedScene MoveitImporter::read(const std::filesystem::path& file) co
 }
 
 }  // namespace handway::import_moveit
+
+// Weak: tests link several plugins.
+extern "C" __attribute__((visibility("default"), weak)) const handway::planning::Plugin*
+handway_plugin() {
+  static const handway::planning::Plugin kPlugin = {
+      .name = "import_moveit",
+      .version = HANDWAY_VERSION,
+      .make_importer = []() -> std::unique_ptr<handway::planning::Importer> {
+        return std::make_unique<handway::import_moveit::MoveitImporter>();
+      }};
+  return &kPlugin;
+}

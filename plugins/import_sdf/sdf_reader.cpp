@@ -6,6 +6,7 @@
 #include "handway/geometric/io/text_file.h"
 #include "handway/geometric/mesh/shape.h"
 #include "handway/geometric/robot/base_joint.h"
+#include "handway/planning/extensions/plugin.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -415,3 +416,17 @@ bool is_sdf_file(const fs::path& file) {
 RobotDescription read_sdf(const fs::path& file) { return Reader(file).read(); }
 
 }  // namespace handway::import_sdf
+
+// Weak: tests link several plugins.
+extern "C" __attribute__((visibility("default"), weak)) const handway::planning::Plugin*
+handway_plugin() {
+  using handway::geometric::RobotReader;
+  static const handway::planning::Plugin kPlugin = {
+      .name = "import_sdf",
+      .version = HANDWAY_VERSION,
+      .make_robot_readers = []() -> std::vector<RobotReader> {
+        return {{"an SDF model (.sdf)", handway::import_sdf::is_sdf_file,
+                 handway::import_sdf::read_sdf}};
+      }};
+  return &kPlugin;
+}

@@ -1,16 +1,73 @@
 #pragma once
 
+#include "draws.h"
+#include "handway/planning/core/parameter.h"
+#include "handway/planning/core/planning_context.h"
 #include "handway/planning/planners/planner.h"
 #include "handway/planning/planners/planner_registry.h"
 #include "handway/planning/spaces/target_sampler.h"
 #include "methods.h"
-#include "search.h"
+#include "motion_check.h"
+#include "state_map.h"
 
+#include <ompl/base/PlannerData.h>
+#include <ompl/base/ProblemDefinition.h>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
 namespace handway::planner_ompl {
+
+/// How many samples a search may draw.
+struct SampleBudget {
+  int all = 1000000;
+  int improvement = 0;  ///< Of these after the first path. 0: the first path is taken.
+};
+
+/// One run of one of OMPL's planners.
+class Search {
+ public:
+  /// Sets OMPL up. `context` must outlive this object.
+  /// @param settings of the method, for OMPL's parameters of these keys.
+  /// @param region, hand where states are drawn from; the region must outlive this object.
+  /// @throws geometric::InputError if OMPL refuses a setting.
+  Search(planning::PlanningContext& context, const Method& method, std::unique_ptr<StateMap> map,
+         const std::vector<planning::Parameter>& settings, SampleBudget budget,
+         const planning::TargetRegion& region, planning::HandSpace hand);
+
+  /// Searches, then reports to the observer the nodes and edges there are in the end.
+  /// Sets status, reason if there is something to add, path and statistics.
+  void run(planning::PlanResult& result);
+
+ private:
+  void set_up(const Method& method, const std::vector<planning::Parameter>& settings);
+  void set_goal_and_start();
+  void set_objective();
+  [[nodiscard]] bool has_to_end();
+  [[nodiscard]] planning::Path path() const;
+  /// Were all motions of `path` found free, or are they? OMPL cuts some motions where
+  /// the cut may be beside them, at a joint's limit.
+  [[nodiscard]] bool proved(const planning::Path& path);
+  [[nodiscard]] std::vector<std::pair<int, int>> edges_of(
+      const ompl::base::PlannerData& graph,
+      const std::vector<planning::Configuration>& nodes) const;
+  void publish_graph();
+
+  planning::PlanningContext& context_;
+  MethodTraits traits_;
+  SampleBudget budget_;
+  std::unique_ptr<StateMap> map_;
+  Draws draws_;
+  ompl::base::SpaceInformationPtr information_;
+  ompl::base::ProblemDefinitionPtr definition_;
+  std::shared_ptr<MotionCheck> motions_;
+  ompl::base::PlannerPtr planner_;
+  std::optional<std::uint64_t> first_path_at_;  ///< Samples drawn by then.
+};
 
 /// One of OMPL's planners over all joints or over the controls of the paper's method
 /// (planning::make_control_space), with Handway's collision checker and exact motion checks. Only

@@ -5,7 +5,7 @@
 #include "handway/device/hand/hand_emulator.h"
 #include "handway/execution/motion/motion_run.h"
 #include "handway/execution/motion/motion_target.h"
-#include "handway/geometric/collision/checkers/make_checker.h"
+#include "handway/geometric/collision/checkers/exact_collision_checker.h"
 #include "handway/planning/timing/time_path.h"
 #include "handway_test/motions.h"
 #include "handway_test/solid_robots.h"

@@ -1,10 +1,9 @@
 /// Constraints along the path: kept by every planner at every configuration, as kinematics of the
 /// test's own say.
 #include "handway/geometric/math/units.h"
+#include "handway/planning/core/plan_result.h"
 #include "handway/planning/paths/path_check.h"
-#include "handway/planning/paths/path_conflict.h"
 #include "handway/planning/planners/planner_registry.h"
-#include "handway/planning/queries/failure_explanation.h"
 #include "handway/planning/queries/nearest_free.h"
 #include "handway/planning/replanning/dynamic_roadmap.h"
 #include "handway/planning/timing/blended_path.h"

@@ -3,8 +3,8 @@
 #include "handway/planning/planners/planner.h"
 
 #include "handway/geometric/scene/scene.h"
+#include "handway/planning/core/plan_result.h"
 #include "handway/planning/planners/planner_registry.h"
-#include "handway/planning/queries/failure_explanation.h"
 #include "handway_test/solid_robots.h"
 
 #include <gmock/gmock.h>

@@ -3,7 +3,7 @@
 #include "handway/device/glove/glove_signals.h"
 #include "handway/device/glove/hand_mapping.h"
 #include "handway/geometric/formats/robot_loader.h"
-#include "handway/sampling/postures/pmd_basis_io.h"
+#include "handway/sampling/postures/pmd_basis.h"
 #include "handway/sampling/postures/principal_components.h"
 #include "handway_test/paths.h"
 

@@ -1,6 +1,6 @@
 #include "handway/geometric/formats/robot_loader.h"
 #include "handway/geometric/robot/normalised_joints.h"
-#include "handway/sampling/postures/pmd_basis_io.h"
+#include "handway/sampling/postures/pmd_basis.h"
 #include "handway_test/paths.h"
 #include "kautham_importer.h"
 #include "kautham_model.h"

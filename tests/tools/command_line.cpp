@@ -1,7 +1,7 @@
 #include "command_line.h"
 
 #include "handway/geometric/formats/scene_file.h"
-#include "handway/sampling/postures/pmd_basis_io.h"
+#include "handway/sampling/postures/pmd_basis.h"
 #include "handway_test/planar_problems.h"
 
 #include <sys/wait.h>

@@ -1,7 +1,7 @@
 /// `handway pca`, and plans with the bases that it makes.
 #include "command_line.h"
-#include "handway/sampling/postures/pmd_basis_io.h"
-#include "handway/sampling/postures/recorded_postures.h"
+#include "handway/sampling/postures/pmd_basis.h"
+#include "handway/sampling/postures/posture_table.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -6,7 +6,7 @@
 #include "handway/geometric/io/resources.h"
 #include "handway/geometric/io/text_file.h"
 #include "handway/geometric/math/units.h"
-#include "handway/sampling/postures/pmd_basis_io.h"
+#include "handway/sampling/postures/pmd_basis.h"
 #include "view3d/scene_pictures.h"
 #include "widgets/plots/figure_file.h"
 #include "widgets/plots/statistics_plots.h"

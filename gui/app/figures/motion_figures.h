@@ -3,7 +3,7 @@
 #include "handway/execution/motion/motion_log.h"
 #include "handway/geometric/math/units.h"
 #include "handway/geometric/scene/scene.h"
-#include "handway/planning/core/path.h"
+#include "handway/planning/core/planning_problem.h"
 
 #include <QString>
 

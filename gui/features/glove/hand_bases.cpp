@@ -4,8 +4,8 @@
 #include "handway/geometric/io/resources.h"
 #include "handway/geometric/math/units.h"
 #include "handway/geometric/robot/composed_robot.h"
-#include "handway/sampling/postures/basis_comparison.h"
-#include "handway/sampling/postures/pmd_basis_io.h"
+#include "handway/sampling/postures/basis_study.h"
+#include "handway/sampling/postures/pmd_basis.h"
 
 #include <QComboBox>
 #include <QGridLayout>

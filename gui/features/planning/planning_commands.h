@@ -1,6 +1,6 @@
 #pragma once
 
-#include "handway/planning/core/path.h"
+#include "handway/planning/core/planning_problem.h"
 
 #include <QObject>
 #include <QString>

@@ -1,7 +1,7 @@
 #include "features/playback/path_traces.h"
 
 #include "handway/geometric/setup/swept_volume.h"
-#include "handway/planning/queries/fingertips.h"
+#include "handway/planning/queries/palm_ik.h"
 #include "model/document/document.h"
 #include "model/meshes/shaded_meshes.h"
 #include "model/playback/path_player.h"

@@ -6,7 +6,7 @@
 #include "handway/planning/extensions/importer.h"
 #include "handway/planning/extensions/plugin.h"
 #include "handway/sampling/postures/pmd_basis.h"
-#include "handway/sampling/postures/recorded_postures.h"
+#include "handway/sampling/postures/posture_table.h"
 #include "model/document/prepared_problem.h"
 #include "model/document/scene_edits.h"
 #include "model/jobs/background.h"

@@ -5,7 +5,7 @@
 #include "handway/geometric/robot/group_proposal.h"
 #include "handway/geometric/setup/mounting.h"
 #include "handway/geometric/setup/moving_group.h"
-#include "handway/sampling/postures/pmd_basis_io.h"
+#include "handway/sampling/postures/pmd_basis.h"
 
 #include <algorithm>
 #include <memory>

@@ -1,6 +1,6 @@
 #include "model/planning/path_validity.h"
 
-#include "handway/planning/paths/path_conflict.h"
+#include "handway/planning/paths/path_check.h"
 #include "model/playback/path_player.h"
 
 #include <exception>

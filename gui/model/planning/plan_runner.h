@@ -4,7 +4,7 @@
 #include "handway/planning/core/plan_result.h"
 #include "handway/planning/planners/planner.h"
 #include "handway/planning/timing/time_path.h"
-#include "handway/sampling/postures/recorded_postures.h"
+#include "handway/sampling/postures/posture_table.h"
 #include "model/document/prepared_problem.h"
 #include "model/jobs/background.h"
 #include "model/planning/palm_roadmap.h"

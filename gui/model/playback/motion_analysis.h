@@ -1,9 +1,8 @@
 #pragma once
 
-#include "handway/planning/core/path.h"
 #include "handway/planning/core/planning_problem.h"
 #include "handway/planning/extensions/exporter.h"
-#include "handway/sampling/postures/recorded_postures.h"
+#include "handway/sampling/postures/posture_table.h"
 #include "model/jobs/background.h"
 
 #include <QObject>

@@ -1,7 +1,7 @@
 #include "widgets/panels/run_table.h"
 
 #include "handway/geometric/math/units.h"
-#include "handway/planning/queries/failure_explanation.h"
+#include "handway/planning/core/plan_result.h"
 #include "model/planning/path_history.h"
 #include "widgets/style/theme.h"
 

@@ -1,6 +1,6 @@
 #include "handway/device/retargeting/fingertip_retargeter.h"
 
-#include "handway/geometric/collision/checkers/make_checker.h"
+#include "handway/geometric/collision/checkers/exact_collision_checker.h"
 #include "handway/geometric/formats/yaml_element.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/robot/jacobian.h"

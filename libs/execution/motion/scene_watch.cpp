@@ -1,6 +1,6 @@
 #include "handway/execution/motion/scene_watch.h"
 
-#include "handway/planning/paths/path_conflict.h"
+#include "handway/planning/paths/path_check.h"
 
 #include <fmt/format.h>
 

@@ -1,10 +1,15 @@
 #include "handway/planning/core/plan_result.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <tuple>
 
 namespace handway::planning {
-
 namespace {
 
 void add(std::vector<std::uint64_t>& sum, const std::vector<std::uint64_t>& other) {
@@ -42,6 +47,146 @@ const char* to_string(PlanStatus status) {
       "solved",     "start invalid", "goal invalid", "samples spent",
       "time limit", "cancelled",     "stalled",      "infeasible"};
   return kWords[static_cast<std::size_t>(status)];
+}
+
+namespace {
+
+constexpr double kMost = 0.6;  // share of the rejections that a stretch has to hold
+constexpr int kNearEnd = 3;    // tenths of the motion
+constexpr std::size_t kMostPairs = 3;
+constexpr double kLeastShare = 0.1;  // of the rejections, for a pair to be named
+constexpr double kBoxedIn = 0.02;    // share of all nodes that connect to an end
+constexpr std::uint64_t kManyNodes = 200;
+
+int percent(double share) { return static_cast<int>(std::lround(100.0 * share)); }
+
+struct Stretch {
+  int from = 0;  ///< Tenths of the motion.
+  int to = 10;
+
+  [[nodiscard]] bool says_something() const { return to - from <= 5; }
+};
+
+// The shortest stretch of the motion that holds most of the rejections.
+Stretch narrowest(const std::vector<std::uint64_t>& tenths, std::uint64_t all) {
+  Stretch best{0, static_cast<int>(tenths.size())};
+  for (int from = 0; from < static_cast<int>(tenths.size()); ++from) {
+    std::uint64_t inside = 0;
+    for (int to = from + 1; to <= static_cast<int>(tenths.size()); ++to) {
+      inside += tenths[static_cast<std::size_t>(to - 1)];
+      if (static_cast<double>(inside) >= kMost * static_cast<double>(all)) {
+        if (to - from < best.to - best.from) {
+          best = {from, to};
+        }
+        break;
+      }
+    }
+  }
+  return best;
+}
+
+struct Rejected {
+  std::string a;
+  std::string b;
+  double share;
+};
+
+std::vector<Rejected> most_rejected(const PlanStatistics& statistics) {
+  std::uint64_t all = 0;
+  for (const auto& [pair, count] : statistics.rejections) {
+    all += count;
+  }
+  std::vector<Rejected> pairs;
+  for (const auto& [pair, count] : statistics.rejections) {
+    pairs.push_back(
+        {pair.first, pair.second, static_cast<double>(count) / static_cast<double>(all)});
+  }
+  std::ranges::stable_sort(pairs, std::ranges::greater{}, &Rejected::share);
+  const auto rest =
+      std::ranges::find_if(pairs, [](const Rejected& pair) { return pair.share < kLeastShare; });
+  pairs.erase(std::max(rest, pairs.begin() + std::min<std::ptrdiff_t>(
+                                                 1, static_cast<std::ptrdiff_t>(pairs.size()))),
+              pairs.end());
+  pairs.resize(std::min(pairs.size(), kMostPairs));
+  return pairs;
+}
+
+std::string reach_sentence(const SearchReach& reach) {
+  return fmt::format(
+      "The search came {} % of the straight motion from the start ({} configurations) and {} % "
+      "from "
+      "the goal ({}).",
+      percent(reach.from_start), reach.start_nodes, percent(1.0 - reach.from_goal),
+      reach.goal_nodes);
+}
+
+bool boxed_in(std::uint64_t connected, const SearchReach& reach) {
+  return reach.nodes >= kManyNodes &&
+         static_cast<double>(connected) < kBoxedIn * static_cast<double>(reach.nodes);
+}
+
+std::string rejection_sentence(const std::vector<Rejected>& pairs, const Stretch& stretch) {
+  std::string text = "Of the samples that were rejected";
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    text += fmt::format("{} in {} % {}", i == 0 ? "," : " and", percent(pairs[i].share),
+                        pairs[i].b.empty() ? "constraint " + pairs[i].a + " was violated"
+                                           : pairs[i].a + " collided with " + pairs[i].b);
+  }
+  if (stretch.says_something()) {
+    text += fmt::format("; most of them between {} and {} % of the motion", 10 * stretch.from,
+                        10 * stretch.to);
+  }
+  return text + ".";
+}
+
+}  // namespace
+
+std::vector<std::string> explain_failure(const PlanResult& result) {
+  std::vector<std::string> sentences;
+  if (result.solved() || result.status == PlanStatus::kStartInvalid ||
+      result.status == PlanStatus::kGoalInvalid) {
+    return sentences;
+  }
+  if (result.status == PlanStatus::kInfeasible) {
+    return {"Move an end to the same side of the surface, or make an opening in it."};
+  }
+  bool start_boxed_in = false;
+  bool goal_boxed_in = false;
+  if (result.reach) {
+    sentences.push_back(reach_sentence(*result.reach));
+    start_boxed_in = boxed_in(result.reach->start_nodes, *result.reach);
+    goal_boxed_in = boxed_in(result.reach->goal_nodes, *result.reach);
+    for (const auto& [is_boxed_in, end, nodes] :
+         {std::tuple(start_boxed_in, "start", result.reach->start_nodes),
+          std::tuple(goal_boxed_in, "goal", result.reach->goal_nodes)}) {
+      if (is_boxed_in) {
+        sentences.push_back(
+            fmt::format("The {} is boxed in: {} of {} free configurations connect to it.", end,
+                        nodes, result.reach->nodes));
+      }
+    }
+  }
+  const std::vector<Rejected> pairs = most_rejected(result.statistics);
+  const auto& tenths = result.statistics.rejections_per_tenth;
+  const std::uint64_t placed = std::accumulate(tenths.begin(), tenths.end(), std::uint64_t{0});
+  const Stretch stretch = placed > 0 && tenths.size() == 10 ? narrowest(tenths, placed) : Stretch();
+  if (!pairs.empty()) {
+    sentences.push_back(rejection_sentence(pairs, stretch));
+  }
+  const std::string room = pairs.empty() ? ""
+                           : pairs.front().b.empty()
+                               ? " in constraint " + pairs.front().a
+                               : " between " + pairs.front().a + " and " + pairs.front().b;
+  if (start_boxed_in || stretch.to <= kNearEnd) {
+    sentences.push_back(fmt::format("Try a start with more room{}.", room));
+  } else if (goal_boxed_in || stretch.from >= 10 - kNearEnd) {
+    sentences.push_back(fmt::format("Try a goal with more room{}.", room));
+  } else {
+    sentences.push_back(
+        fmt::format("Try more time, another seed or planner{}.",
+                    room.empty() ? "" : fmt::format(", or more room{} along the motion", room)));
+  }
+  return sentences;
 }
 
 }  // namespace handway::planning

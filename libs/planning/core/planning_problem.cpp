@@ -1,6 +1,6 @@
 #include "handway/planning/core/planning_problem.h"
 
-#include "handway/geometric/collision/checkers/make_checker.h"
+#include "handway/geometric/collision/checkers/exact_collision_checker.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/robot/normalised_joints.h"
 #include "handway/geometric/setup/moving_group.h"

@@ -1,5 +1,6 @@
 #include "handway/planning/extensions/exporter.h"
 
+#include "handway/geometric/formats/obj_writer.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/replace_file.h"
 #include "handway/geometric/robot/limit_violation.h"
@@ -120,6 +121,21 @@ std::vector<std::filesystem::path> Exporter::write(const Motion& motion,
     written.push_back(place);
   }
   return written;
+}
+
+std::vector<std::filesystem::path> SceneExporter::write(const geometric::Scene& scene,
+                                                        const std::filesystem::path& folder) const {
+  if (scene.robots.empty()) {
+    throw geometric::InputError(
+        {scene.file.string(), "robots", "a scene without a robot", "at least one", ""});
+  }
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) {
+    throw geometric::InputError({folder.string(), "", error.message(), "a folder to write to", ""});
+  }
+  const std::string stem = scene.file.empty() ? scene.name : scene.file.stem().string();
+  return do_write(scene, folder, geometric::file_name_of(stem.empty() ? "scene" : stem));
 }
 
 }  // namespace handway::planning

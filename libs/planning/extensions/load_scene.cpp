@@ -4,7 +4,7 @@
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/resources.h"
 #include "handway/planning/extensions/plugin.h"
-#include "handway/sampling/postures/pmd_basis_io.h"
+#include "handway/sampling/postures/pmd_basis.h"
 
 #include <fmt/format.h>
 

@@ -4,7 +4,6 @@
 #include "handway/geometric/math/units.h"
 #include "handway/geometric/robot/normalised_joints.h"
 #include "handway/planning/core/planning_problem.h"
-#include "handway/planning/queries/fingertips.h"
 #include "handway/planning/queries/palm_ik.h"
 #include "handway/sampling/sequences/random_stream.h"
 

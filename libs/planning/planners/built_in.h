@@ -1,7 +1,7 @@
 #pragma once
 
 #include "handway/planning/planners/planner.h"
-#include "handway/planning/spaces/hand_arm_region.h"
+#include "handway/planning/spaces/state_space.h"
 #include "handway/planning/spaces/target_sampler.h"
 
 #include <memory>

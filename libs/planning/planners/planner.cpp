@@ -3,10 +3,10 @@
 #include "handway/geometric/formats/scene_file.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/replace_file.h"
+#include "handway/geometric/robot/normalised_joints.h"
 #include "handway/planning/core/planning_context.h"
 #include "handway/planning/paths/path_optimizer.h"
-#include "handway/sampling/postures/pmd_basis_io.h"
-#include "planners/search_reach.h"
+#include "handway/sampling/postures/pmd_basis.h"
 
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
@@ -21,6 +21,7 @@
 #include <exception>
 #include <filesystem>
 #include <iterator>
+#include <map>
 #include <memory>
 #include <numeric>
 #include <optional>
@@ -31,6 +32,122 @@
 
 namespace handway::planning {
 namespace {
+
+/// Watches how far searches come from both ends, for another observer to watch, too.
+///
+/// The first node of each search is taken for its start, the second for its goal.
+class ReachObserver final : public Observer {
+ public:
+  /// Both outlive this.
+  ReachObserver(const PlanningProblem& problem, Observer& next) : next_(next), problem_(problem) {}
+
+  // Only searches announce nodes: start and goal have been found valid by then.
+  void on_node(const NodeEvent& node) override {
+    const auto normalised = [&](const geometric::Configuration& q) {
+      return geometric::normalised(problem_.model(), q);
+    };
+    const Eigen::VectorXd start = normalised(problem_.start);
+    const Eigen::VectorXd motion = normalised(problem_.goal) - start;
+    const double progress = std::clamp(
+        (normalised(node.q) - start).dot(motion) / std::max(motion.squaredNorm(), 1e-12), 0.0, 1.0);
+    const auto q = std::make_shared<const geometric::Configuration>(node.q);
+    components_.insert_or_assign(node.id, Component{node.id, progress, progress, q, q});
+    if (std::vector<int>& ends = ends_[node.search]; ends.size() < 2) {
+      ends.push_back(node.id);
+    }
+    next_.on_node(node);
+  }
+
+  void on_edge(int from, int to) override {
+    if (components_.contains(from) && components_.contains(to)) {
+      const int a = root(from);
+      const int b = root(to);
+      if (a != b) {
+        Component& whole = components_.at(a);
+        Component& part = components_.at(b);
+        part.parent = a;
+        if (part.first < whole.first) {
+          whole.first = part.first;
+          whole.first_q = part.first_q;
+        }
+        if (part.last > whole.last) {
+          whole.last = part.last;
+          whole.last_q = part.last_q;
+        }
+        part.first_q.reset();
+        part.last_q.reset();
+        whole.nodes += part.nodes;
+      }
+    }
+    next_.on_edge(from, to);
+  }
+
+  void on_winner(int search) override { next_.on_winner(search); }
+  void on_search_range(double d_ini, double d_goal) override {
+    next_.on_search_range(d_ini, d_goal);
+  }
+  void on_path(const Path& path) override { next_.on_path(path); }
+  void on_progress(double fraction, std::string_view activity) override {
+    next_.on_progress(fraction, activity);
+  }
+
+  [[nodiscard]] AlgorithmObserver* algorithm() override { return next_.algorithm(); }
+
+  /// Of all searches together, the farthest; nothing if no search has both ends.
+  [[nodiscard]] std::optional<SearchReach> reach() const {
+    std::optional<SearchReach> reach;
+    for (const auto& [search, ends] : ends_) {
+      if (ends.size() < 2) {
+        continue;
+      }
+      const Component& start = components_.at(root(ends[0]));
+      const Component& goal = components_.at(root(ends[1]));
+      if (!reach) {
+        reach.emplace();
+      }
+      if (start.last > reach->from_start || reach->farthest_from_start.size() == 0) {
+        reach->from_start = start.last;
+        reach->farthest_from_start = *start.last_q;
+      }
+      if (goal.first < reach->from_goal || reach->farthest_from_goal.size() == 0) {
+        reach->from_goal = goal.first;
+        reach->farthest_from_goal = *goal.first_q;
+      }
+      reach->start_nodes = std::max(reach->start_nodes, start.nodes);
+      reach->goal_nodes = std::max(reach->goal_nodes, goal.nodes);
+    }
+    if (reach) {
+      reach->nodes = components_.size();
+    }
+    return reach;
+  }
+
+ private:
+  /// Connected nodes; of a component whose root is another's child only `parent` counts.
+  struct Component {
+    int parent;
+    double first;  ///< Least progress along the straight motion.
+    double last;   ///< Most.
+    std::shared_ptr<const geometric::Configuration> first_q;  ///< Where that is; null in a child.
+    std::shared_ptr<const geometric::Configuration> last_q;
+    std::uint64_t nodes = 1;
+  };
+
+  [[nodiscard]] int root(int node) const {
+    int up = node;
+    while (components_.at(up).parent != up) {
+      Component& here = components_.at(up);
+      here.parent = components_.at(here.parent).parent;  // halves the path
+      up = here.parent;
+    }
+    return up;
+  }
+
+  Observer& next_;
+  const PlanningProblem& problem_;
+  mutable std::map<int, Component> components_;  ///< By node.
+  std::map<int, std::vector<int>> ends_;         ///< By search: start, goal.
+};
 
 // Why no motion leads from the start to the goal; empty if that is not known. What is inside of a
 // closed surface comes out of it through the surface only.

@@ -2,7 +2,7 @@
 #include "handway/planning/core/plan_result.h"
 #include "handway/planning/core/planning_context.h"
 #include "handway/planning/paths/roadmap_smoothing.h"
-#include "handway/planning/spaces/hand_arm_region.h"
+#include "handway/planning/spaces/state_space.h"
 #include "handway/planning/spaces/target_sampler.h"
 #include "handway/sampling/sequences/low_discrepancy.h"
 #include "handway/sampling/sequences/random_stream.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "handway/planning/spaces/hand_arm_region.h"
+#include "handway/planning/spaces/state_space.h"
 #include "handway/planning/spaces/target_sampler.h"
 #include "handway/sampling/sequences/random_stream.h"
 #include "planners/search.h"

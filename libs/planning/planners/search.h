@@ -1,7 +1,7 @@
 #pragma once
 
-#include "handway/planning/core/path.h"
 #include "handway/planning/core/planning_context.h"
+#include "handway/planning/core/planning_problem.h"
 
 #include <cstdint>
 #include <limits>

@@ -1,8 +1,8 @@
 #include "handway/planning/queries/region_draws.h"
 
 #include "handway/geometric/io/input_error.h"
-#include "handway/planning/queries/fingertips.h"
-#include "handway/planning/spaces/hand_arm_region.h"
+#include "handway/planning/queries/palm_ik.h"
+#include "handway/planning/spaces/state_space.h"
 #include "handway/sampling/sequences/random_stream.h"
 #include "planners/built_in.h"
 

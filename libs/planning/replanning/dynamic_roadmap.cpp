@@ -1,6 +1,6 @@
 #include "handway/planning/replanning/dynamic_roadmap.h"
 
-#include "handway/geometric/collision/checkers/make_checker.h"
+#include "handway/geometric/collision/checkers/exact_collision_checker.h"
 #include "handway/geometric/scene/scene_difference.h"
 #include "handway/planning/core/observer.h"
 #include "handway/planning/core/planning_context.h"

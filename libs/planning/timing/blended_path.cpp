@@ -3,7 +3,7 @@
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/robot/limit_violation.h"
 #include "handway/planning/core/plan_result.h"
-#include "handway/planning/paths/path_conflict.h"
+#include "handway/planning/paths/path_check.h"
 
 #include <fmt/format.h>
 

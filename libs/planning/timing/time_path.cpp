@@ -4,7 +4,7 @@
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/math/units.h"
 #include "handway/planning/core/plan_result.h"
-#include "handway/planning/paths/path_conflict.h"
+#include "handway/planning/paths/path_check.h"
 #include "handway/planning/timing/time_parameterization.h"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 #include "handway/geometric/collision/continuous/sliding_step.h"
 
-#include "handway/geometric/collision/checkers/make_checker.h"
+#include "handway/geometric/collision/checkers/exact_collision_checker.h"
 #include "handway_test/solid_robots.h"
 
 #include <gtest/gtest.h>

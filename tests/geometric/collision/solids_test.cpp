@@ -1,6 +1,6 @@
 /// What is inside of a solid collides with it, for every checker.
 #include "../robot/random_configurations.h"
-#include "handway/geometric/collision/checkers/make_checker.h"
+#include "handway/geometric/collision/checkers/exact_collision_checker.h"
 #include "handway/geometric/collision/continuous/continuous_collision_checker.h"
 #include "handway/geometric/collision/narrow_phase/contact.h"
 #include "handway/geometric/mesh/triangle_mesh.h"

@@ -12,7 +12,7 @@
 #include "handway/device/glove/recording.h"
 #include "handway/geometric/math/units.h"
 #include "handway/planning/core/objective.h"
-#include "handway/sampling/postures/pmd_basis_io.h"
+#include "handway/sampling/postures/pmd_basis.h"
 #include "handway_test/free_port.h"
 #include "patience.h"
 #include "watched_application.h"

@@ -3,7 +3,7 @@
 
 #include "handway/geometric/formats/scene_file.h"
 #include "handway/geometric/io/input_error.h"
-#include "handway/sampling/postures/pmd_basis_io.h"
+#include "handway/sampling/postures/pmd_basis.h"
 #include "handway_test/paths.h"
 #include "handway_test/planar_problems.h"
 

@@ -1,4 +1,4 @@
-#include "handway/planning/queries/failure_explanation.h"
+#include "handway/planning/core/plan_result.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

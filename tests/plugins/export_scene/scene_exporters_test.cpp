@@ -1,7 +1,7 @@
 /// Scenes for other programs: that they are read back as they were.
 #include "scene_exporters.h"
 
-#include "handway/geometric/collision/checkers/make_checker.h"
+#include "handway/geometric/collision/checkers/exact_collision_checker.h"
 #include "handway/geometric/formats/mesh_reader.h"
 #include "handway/geometric/formats/scene_file.h"
 #include "handway/geometric/mesh/triangle_mesh.h"

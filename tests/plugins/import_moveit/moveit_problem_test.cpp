@@ -1,7 +1,7 @@
 /// What is read of a MoveIt problem, and that it is planned for.
 #include "moveit_problem.h"
 
-#include "handway/geometric/collision/checkers/make_checker.h"
+#include "handway/geometric/collision/checkers/exact_collision_checker.h"
 #include "handway/geometric/formats/scene_file.h"
 #include "handway/geometric/mesh/triangle_mesh.h"
 #include "handway/planning/core/planning_problem.h"

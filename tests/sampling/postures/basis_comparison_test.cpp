@@ -1,5 +1,4 @@
-#include "handway/sampling/postures/basis_comparison.h"
-
+#include "handway/sampling/postures/basis_study.h"
 #include "handway/sampling/postures/principal_components.h"
 #include "handway_test/input_errors.h"
 

@@ -1,6 +1,5 @@
-#include "handway/sampling/postures/pmd_basis_io.h"
-
 #include "handway/geometric/io/input_error.h"
+#include "handway/sampling/postures/pmd_basis.h"
 #include "handway_test/paths.h"
 #include "sah_basis.h"
 

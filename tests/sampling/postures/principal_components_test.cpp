@@ -1,7 +1,7 @@
 #include "handway/sampling/postures/principal_components.h"
 
 #include "handway/geometric/io/input_error.h"
-#include "handway/sampling/postures/pmd_basis_io.h"
+#include "handway/sampling/postures/pmd_basis.h"
 #include "handway/sampling/sequences/random_stream.h"
 #include "handway_test/paths.h"
 

@@ -6,6 +6,7 @@
 #include "collision/narrow_phase/fcl_bodies.h"
 #include "collision/narrow_phase/narrow_phase_query.h"
 #include "collision/volumes/solid.h"
+#include "handway/geometric/collision/checkers/fcl_checker.h"
 
 #include <tbb/parallel_for.h>
 
@@ -281,6 +282,19 @@ DistanceRange ExactCollisionChecker::do_pair_distance_range(int pair, double eno
   NarrowPhaseQuery surfaces = query(pair, body_poses());
   const DistanceRange distance = surfaces.distance(enough, share);
   return is_contained(pair, surfaces) ? DistanceRange{0.0, 0.0} : distance;
+}
+
+std::unique_ptr<CollisionChecker> make_collision_checker(
+    std::shared_ptr<const CollisionWorld> world, CheckerKind kind, const Preparation& preparation) {
+  switch (kind) {
+    case CheckerKind::kFcl:
+      return std::make_unique<FclChecker>(std::move(world));
+    case CheckerKind::kFclBroadphase:
+      return std::make_unique<FclBroadphaseChecker>(std::move(world));
+    case CheckerKind::kFast:
+      break;
+  }
+  return std::make_unique<ExactCollisionChecker>(std::move(world), preparation);
 }
 
 }  // namespace handway::geometric

@@ -7,7 +7,7 @@
 #include "handway/device/glove/recording.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/math/units.h"
-#include "handway/sampling/postures/pmd_basis_io.h"
+#include "handway/sampling/postures/pmd_basis.h"
 #include "handway/sampling/postures/posture_table.h"
 #include "handway_test/paths.h"
 #include "patience.h"

@@ -1,5 +1,5 @@
 #include "features/editing/editing_test.h"
-#include "handway/geometric/collision/checkers/make_checker.h"
+#include "handway/geometric/collision/checkers/exact_collision_checker.h"
 #include "model/document/scene_edits.h"
 
 namespace handway::test {

@@ -5,7 +5,7 @@
 #include "handway/execution/export.h"
 #include "handway/geometric/math/pose.h"
 #include "handway/geometric/robot/robot_model.h"
-#include "handway/planning/core/path.h"
+#include "handway/planning/core/planning_problem.h"
 
 #include <Eigen/Core>
 

@@ -2,7 +2,6 @@
 
 #include "handway/device/core/trajectory_client.h"
 #include "handway/execution/export.h"
-#include "handway/planning/core/path.h"
 #include "handway/planning/core/planning_problem.h"
 #include "handway/planning/timing/trajectory.h"
 

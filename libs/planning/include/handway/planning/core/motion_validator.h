@@ -1,7 +1,6 @@
 #pragma once
 
 #include "handway/geometric/collision/continuous/continuous_collision_checker.h"
-#include "handway/planning/core/path.h"
 #include "handway/planning/core/plan_result.h"
 #include "handway/planning/core/planning_problem.h"
 #include "handway/planning/export.h"

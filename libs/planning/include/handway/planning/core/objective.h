@@ -1,6 +1,5 @@
 #pragma once
 
-#include "handway/planning/core/path.h"
 #include "handway/planning/core/planning_problem.h"
 #include "handway/planning/export.h"
 #include "handway/sampling/postures/posture_subspace.h"

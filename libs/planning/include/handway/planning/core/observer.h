@@ -1,7 +1,7 @@
 #pragma once
 
 #include "handway/geometric/math/pose.h"
-#include "handway/planning/core/path.h"
+#include "handway/planning/core/planning_problem.h"
 
 #include <string_view>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "handway/geometric/collision/collision_checker.h"
-#include "handway/planning/core/path.h"
+#include "handway/planning/core/planning_problem.h"
 #include "handway/planning/export.h"
 
 #include <chrono>
@@ -144,5 +144,12 @@ struct PlanResult {
 
 /// "solved", "start invalid", …: the word in reports.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT const char* to_string(PlanStatus status);
+
+/// Why a search found no path, one sentence each, as far as it is known: how far it came from both
+/// ends, whether an end is boxed in, which bodies collided in most of the samples that were
+/// rejected and where along the motion, and what to try. Empty for a path, and where an end is not
+/// valid: the result's reason says that.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<std::string> explain_failure(
+    const PlanResult& result);
 
 }  // namespace handway::planning

@@ -3,6 +3,7 @@
 #include "handway/geometric/collision/collision_checker.h"
 #include "handway/geometric/collision/continuous/motion_bound.h"
 #include "handway/geometric/collision/volumes/preparation.h"
+#include "handway/geometric/math/pose.h"
 #include "handway/geometric/scene/scene.h"
 #include "handway/planning/core/pose_goals.h"
 #include "handway/planning/export.h"
@@ -14,6 +15,14 @@
 #include <vector>
 
 namespace handway::planning {
+
+/// A polyline in configuration space; between two waypoints all joints move
+/// linearly together.
+struct Path {
+  std::vector<geometric::Configuration> waypoints;
+
+  [[nodiscard]] bool empty() const { return waypoints.empty(); }
+};
 
 using geometric::Configuration;
 

@@ -4,7 +4,6 @@
 #include "handway/planning/export.h"
 #include "handway/planning/extensions/exporter.h"
 #include "handway/planning/extensions/importer.h"
-#include "handway/planning/extensions/scene_exporter.h"
 #include "handway/planning/planners/planner_registry.h"
 
 #include <filesystem>

@@ -1,10 +1,16 @@
 #pragma once
 
-#include "handway/planning/core/path.h"
+#include "handway/geometric/collision/collision_checker.h"
+#include "handway/geometric/collision/continuous/motion_bound.h"
 #include "handway/planning/core/planning_problem.h"
 #include "handway/planning/export.h"
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -28,5 +34,38 @@ struct PathCheckResult {
 [[nodiscard]] HANDWAY_PLANNING_EXPORT PathCheckResult check_path(const PlanningProblem& problem,
                                                                  const Path& path,
                                                                  double resolution);
+
+/// The first place where a polyline of configurations is not free.
+struct PathConflict {
+  std::size_t waypoint = 0;  ///< The last waypoint up to there, from 0.
+  double share = 0.0;        ///< In [0, 1]: how far it is from there to the next one.
+  /// "A and B collide", "A and B come closer than 0.05 mm", or "The motion violates constraint C".
+  std::string text;
+};
+
+/// A sentence without its end, as PathConflict::text. @param pair or constraint; nothing: it is not
+/// known. @param resolution (m) what a pair does not keep; 0: it collides.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT std::string conflict_text(
+    const geometric::CollisionWorld& world, std::optional<int> pair, double resolution = 0.0);
+
+/// Looks for the first conflict of every configuration on a polyline, ends included, in the order
+/// in which it is followed, as time_path() and preflight() do.
+class HANDWAY_PLANNING_EXPORT PathConflictSearch {
+ public:
+  /// @param resolution (m) as ContinuousCollisionChecker's.
+  explicit PathConflictSearch(const PlanningProblem& problem, double resolution = 5e-5);
+
+  /// @param stop asked now and then; once it says true there is no conflict to be found any more.
+  /// @returns nothing if the polyline is free.
+  [[nodiscard]] std::optional<PathConflict> run(std::span<const Configuration> waypoints,
+                                                const std::function<bool()>& stop = {});
+  /// What is wrong with one configuration, as PathConflict::text; empty: nothing.
+  [[nodiscard]] std::string conflict_at(const Configuration& q);
+
+ private:
+  std::unique_ptr<geometric::CollisionChecker> checker_;
+  std::shared_ptr<const geometric::MotionBound> motion_;
+  double resolution_;
+};
 
 }  // namespace handway::planning

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "handway/geometric/robot/robot_model.h"
-#include "handway/planning/core/path.h"
+#include "handway/planning/core/planning_problem.h"
 #include "handway/planning/export.h"
 
 #include <filesystem>

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "handway/planning/core/objective.h"
-#include "handway/planning/core/path.h"
 #include "handway/planning/core/plan_result.h"
 #include "handway/planning/core/planning_context.h"
+#include "handway/planning/core/planning_problem.h"
 #include "handway/planning/export.h"
 #include "handway/sampling/sequences/random_stream.h"
 

@@ -1,10 +1,9 @@
 #pragma once
 
-#include "handway/planning/core/path.h"
 #include "handway/planning/core/planning_problem.h"
 #include "handway/planning/export.h"
 #include "handway/sampling/postures/posture_subspace.h"
-#include "handway/sampling/postures/recorded_postures.h"
+#include "handway/sampling/postures/posture_table.h"
 
 #include <memory>
 #include <optional>

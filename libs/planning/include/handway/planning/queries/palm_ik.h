@@ -2,8 +2,11 @@
 
 #include "handway/geometric/robot/inverse_kinematics.h"
 #include "handway/geometric/robot/numeric_inverse_kinematics.h"
+#include "handway/geometric/robot/robot_model.h"
 #include "handway/planning/core/planning_problem.h"
 #include "handway/planning/export.h"
+
+#include <Eigen/Core>
 
 #include <memory>
 #include <optional>
@@ -89,5 +92,13 @@ struct ReachFigures {
 [[nodiscard]] HANDWAY_PLANNING_EXPORT int palm_link(const geometric::RobotModel& model,
                                                     const std::vector<int>& arm,
                                                     const std::vector<int>& hand);
+
+/// The outermost link of each finger: links that the hand's joints move and that carry no other
+/// one. @param hand its variables.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<int> fingertips(
+    const geometric::RobotModel& model, const std::vector<int>& hand);
+
+/// The middle of a link's shape, in its frame, m; its origin if it has none.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT Eigen::Vector3d middle_of(const geometric::Link& link);
 
 }  // namespace handway::planning

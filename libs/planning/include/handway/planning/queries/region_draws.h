@@ -5,7 +5,6 @@
 #include "handway/planning/core/planning_problem.h"
 #include "handway/planning/export.h"
 #include "handway/planning/planners/planner.h"
-#include "handway/planning/spaces/hand_arm_region.h"
 #include "handway/planning/spaces/state_space.h"
 
 #include <cstdint>

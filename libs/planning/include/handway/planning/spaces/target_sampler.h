@@ -3,7 +3,7 @@
 #include "handway/planning/core/parameter.h"
 #include "handway/planning/core/planning_context.h"
 #include "handway/planning/export.h"
-#include "handway/planning/spaces/hand_arm_region.h"
+#include "handway/planning/spaces/state_space.h"
 #include "handway/sampling/samplers/sampler.h"
 #include "handway/sampling/sequences/random_stream.h"
 

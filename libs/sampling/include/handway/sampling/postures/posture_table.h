@@ -1,10 +1,12 @@
 #pragma once
 
 #include "handway/sampling/export.h"
+#include "handway/sampling/postures/pmd_basis.h"
 
 #include <Eigen/Core>
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -38,5 +40,53 @@ struct PostureTable {
 /// @throws std::invalid_argument unless there is a name for every column.
 HANDWAY_SAMPLING_EXPORT void write_postures(const PostureTable& table,
                                             const std::filesystem::path& file);
+
+/// The posture that was seen which is most like another.
+struct NearestPosture {
+  double distance = 0.0;   ///< In normalised joints.
+  Eigen::VectorXd joints;  ///< Normalised, shape [joints of the basis].
+};
+
+/// Postures of a person, ready to be asked for the one nearest to any posture. Free joints of the
+/// basis take no part in distances: like the paper's thumb base (section 4.2) they are moved on
+/// their own, whatever the person's hand did. So a posture of SC^h and its twin with another
+/// thumb base are equally human, as for PostureSubspace.
+///
+/// Exact: postures are ordered by their coordinate along the direction in which they vary
+/// most, and those whose coordinate alone is farther away than the best so far aren't looked at.
+class HANDWAY_SAMPLING_EXPORT RecordedPostures {
+ public:
+  /// @throws geometric::InputError unless the table is of the basis' hand and has all its joints.
+  /// @param name of the table, for that message: its file.
+  RecordedPostures(const PmdBasis& basis, const PostureTable& table, const std::string& name);
+
+  [[nodiscard]] Eigen::Index count() const { return postures_.cols(); }
+  [[nodiscard]] const std::string& source() const { return source_; }
+
+  /// @param posture normalised joints, shape [joints of the basis].
+  /// @returns the posture with the free joints of `posture`.
+  [[nodiscard]] NearestPosture nearest(const Eigen::VectorXd& posture) const;
+
+  /// How far 19 of 20 postures are at most from what the basis spans: what distance to the PMD
+  /// subspace is still that of a hand like the recorded one.
+  [[nodiscard]] double usual_distance_to_subspace() const { return usual_distance_; }
+
+ private:
+  std::string source_;
+  std::vector<int> free_joints_;
+  Eigen::MatrixXd postures_;  ///< Shape [joints, postures], free joints 0, by coordinate.
+  Eigen::VectorXd direction_;
+  std::vector<double> coordinates_;  ///< Of each along the direction, rising.
+  double usual_distance_ = 0.0;
+};
+
+/// The postures that a basis names; null if it names none.
+/// @throws geometric::InputError as read_postures() and the constructor.
+[[nodiscard]] HANDWAY_SAMPLING_EXPORT std::shared_ptr<const RecordedPostures>
+load_recorded_postures(const PmdBasis& basis);
+
+/// Those of a file, whatever the basis names. @throws as above.
+[[nodiscard]] HANDWAY_SAMPLING_EXPORT std::shared_ptr<const RecordedPostures>
+load_recorded_postures(const PmdBasis& basis, const std::filesystem::path& file);
 
 }  // namespace handway::sampling

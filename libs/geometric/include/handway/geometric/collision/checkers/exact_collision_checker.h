@@ -75,4 +75,17 @@ class HANDWAY_GEOMETRIC_EXPORT ExactCollisionChecker final : public CollisionChe
   std::unique_ptr<Scratch> scratch_;
 };
 
+/// Checkers that give the same answers.
+enum class CheckerKind {
+  kFast,           ///< ExactCollisionChecker.
+  kFcl,            ///< FclChecker.
+  kFclBroadphase,  ///< FclBroadphaseChecker.
+};
+
+/// @param kind the one that programs use unless asked for another is exact and fast.
+/// @throws PreparationStopped where `preparation` asks for it.
+[[nodiscard]] HANDWAY_GEOMETRIC_EXPORT std::unique_ptr<CollisionChecker> make_collision_checker(
+    std::shared_ptr<const CollisionWorld> world, CheckerKind kind = CheckerKind::kFast,
+    const Preparation& preparation = {});
+
 }  // namespace handway::geometric

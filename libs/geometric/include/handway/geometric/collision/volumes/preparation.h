@@ -19,10 +19,16 @@ struct Preparation {
 /// A preparation ended because it was asked to.
 class HANDWAY_GEOMETRIC_EXPORT PreparationStopped : public std::exception {
  public:
-  [[nodiscard]] const char* what() const noexcept override;
+  [[nodiscard]] const char* what() const noexcept override {
+    return "the collision checker is not needed any more";
+  }
 };
 
 /// @throws PreparationStopped if `stop` was requested.
-HANDWAY_GEOMETRIC_EXPORT void end_if_stopped(const std::stop_token& stop);
+inline void end_if_stopped(const std::stop_token& stop) {
+  if (stop.stop_requested()) {
+    throw PreparationStopped();
+  }
+}
 
 }  // namespace handway::geometric
