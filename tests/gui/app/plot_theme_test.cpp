@@ -1,5 +1,6 @@
 /// Plots on screen have the paper of the theme, and ink that is seen on it.
 #include "features/campaigns/campaigns_panel.h"
+#include "patience.h"
 #include "widgets/plots/cursor_plot.h"
 #include "widgets/plots/screen_colors.h"
 #include "widgets/style/theme.h"
@@ -61,6 +62,12 @@ class PlotsInTheWindow : public WindowTest {
     }
     WindowTest::TearDown();
   }
+  void plan_what_is_drawn() {
+    open(cell().post());
+    plan();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window().workbench().analysis.motion() != nullptr; },
+                                kPatienceMs));
+  }
   void expect_all_seen(gui::Theme theme) {
     SCOPED_TRACE(theme == gui::Theme::kDark ? "dark" : "light");
     auto& campaigns = tool<gui::CampaignsPanel>();
@@ -76,8 +83,7 @@ class PlotsInTheWindow : public WindowTest {
 };
 
 TEST_F(PlotsInTheWindow, FollowTheTheme) {
-  open(cell().post());
-  plan();
+  plan_what_is_drawn();
   for (const gui::Theme theme : {gui::Theme::kDark, gui::Theme::kLight, gui::Theme::kDark}) {
     window().workbench().preferences.set(&gui::PreferenceValues::theme, theme);
     expect_all_seen(theme);
@@ -94,8 +100,7 @@ class PlotsInADarkWindow : public PlotsInTheWindow {
 };
 
 TEST_F(PlotsInADarkWindow, AreDarkFromTheStart) {
-  open(cell().post());
-  plan();
+  plan_what_is_drawn();
   expect_all_seen(gui::Theme::kDark);
 }
 
