@@ -194,6 +194,7 @@ std::string PathConflictSearch::conflict_at(const Configuration& q) {
 std::optional<PathConflict> PathConflictSearch::run(std::span<const Configuration> waypoints,
                                                     const std::function<bool()>& stop) {
   geometric::ContinuousCollisionChecker edges(*checker_, motion_, resolution_);
+  edges.accept_pieces();
   const auto stopped = [&stop] { return stop && stop(); };
   if (stop) {
     edges.stop_when(stop);

@@ -59,6 +59,7 @@ void check_collisions(const PlanningProblem& problem, const Trajectory& trajecto
                       const Configuration& measured, double resolution, PreflightReport& report) {
   const auto checker = problem.checker->clone();
   geometric::ContinuousCollisionChecker edges(*checker, problem.motion, resolution);
+  edges.accept_pieces();
   edges.set_ends({make_edge_end(*checker, trajectory.points.front().position, resolution),
                   make_edge_end(*checker, trajectory.points.back().position, resolution)});
   const geometric::CollisionWorld& world = checker->world();

@@ -6,10 +6,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <memory>
+#include <random>
 #include <utility>
 #include <vector>
 
@@ -188,6 +190,49 @@ TEST(ContinuousCollisionChecker, IsFreeIfItIsForEveryPairOnItsOwn) {
   }
   EXPECT_GT(refused, 0);
   EXPECT_LT(refused, 40);
+}
+
+// How many random pieces of free edges are refused, of edges and pieces that know the same ends; at
+// a resolution that many edges come close to.
+int refused_pieces(bool accepts_pieces) {
+  constexpr double kCoarse = 5e-3;
+  test::EdgeJudge judge(thin_things(), kCoarse);
+  ExactCollisionChecker checker(judge.exact().shared_world());
+  ContinuousCollisionChecker pieces(checker, std::make_shared<const MotionBound>(judge.world()),
+                                    kCoarse);
+  if (accepts_pieces) {
+    pieces.accept_pieces();
+  }
+  RandomConfigurations random(judge.world().model(), 27);
+  std::mt19937 draws(28);
+  std::uniform_real_distribution<> share(0.0, 1.0);
+  int refused = 0;
+  for (int free = 0; free < 300;) {
+    const Configuration from = random.next();
+    const Configuration to = from + 0.1 * (random.next() - from);
+    const auto at = [&](double s) { return from + s * (to - from); };
+    if (judge.exact().first_collision(from) || judge.exact().first_collision(to)) {
+      continue;
+    }
+    const std::vector<EdgeEnd> ends{make_edge_end(checker, from, kCoarse),
+                                    make_edge_end(checker, to, kCoarse)};
+    judge.edges().set_ends(ends);
+    pieces.set_ends(ends);
+    if (!judge.edges().check(from, to).free) {
+      continue;
+    }
+    ++free;
+    for (int piece = 0; piece < 20; ++piece) {
+      const auto [first, last] = std::minmax({share(draws), share(draws)});
+      refused += pieces.check(at(first), at(last)).free ? 0 : 1;
+    }
+  }
+  return refused;
+}
+
+TEST(ContinuousCollisionChecker, AcceptsEveryPieceOfWhatIsFree) {
+  EXPECT_GT(refused_pieces(false), 0) << "what else is there to accept";
+  EXPECT_EQ(refused_pieces(true), 0);
 }
 
 TEST(ContinuousCollisionChecker, AcceptsWhatIsFree) {

@@ -94,7 +94,7 @@ double ContinuousCollisionChecker::required(int pair, const Configuration& middl
       }
     }
   }
-  return std::max(required, kLeastResolution);
+  return kept_ * std::max(required, kLeastResolution);
 }
 
 std::optional<int> ContinuousCollisionChecker::too_near(const Configuration& q) {
@@ -166,13 +166,14 @@ EdgeResult ContinuousCollisionChecker::search(
         }
         const double need = motion_.within(pair, stretch.half);
         const double keep = required(pair, middle, motion);
-        const Closeness closeness = is_out_of_reach(pair, need)
+        const bool is_last = 2.0 * need <= std::min(keep, kept_ * resolution_);
+        const Closeness closeness = !is_last && is_out_of_reach(pair, need)
                                         ? closeness_of_spheres(pair)
-                                        : closeness_within(pair, need, keep);
+                                        : closeness_within(pair, need, keep, is_last);
         if (closeness == Closeness::kFarther) {
           continue;
         }
-        if (closeness == Closeness::kTouching || 2.0 * need <= std::min(keep, resolution_)) {
+        if (closeness == Closeness::kTouching || is_last) {
           result.pair = pair;
           result.at = stretch.middle;
           return result;
@@ -206,9 +207,10 @@ Closeness ContinuousCollisionChecker::closeness_of_spheres(int pair) {
              : Closeness::kCloser;
 }
 
-Closeness ContinuousCollisionChecker::closeness_within(int pair, double need, double required) {
+Closeness ContinuousCollisionChecker::closeness_within(int pair, double need, double required,
+                                                       bool exactly) {
   const double tolerance = need + required;
-  if (need + std::min(required, resolution_) <= kWorthExact) {
+  if (exactly || need + std::min(required, resolution_) <= kWorthExact) {
     return checker_.pair_closeness(pair, tolerance);
   }
   const double bound = checker_.pair_bound(pair, tolerance);

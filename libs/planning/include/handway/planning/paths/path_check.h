@@ -52,7 +52,7 @@ struct PathConflict {
 /// in which it is followed, as time_path() and preflight() do.
 class HANDWAY_PLANNING_EXPORT PathConflictSearch {
  public:
-  /// @param resolution (m) as ContinuousCollisionChecker's.
+  /// @param resolution (m) that the motion was planned with: it may be any piece of that.
   explicit PathConflictSearch(const PlanningProblem& problem, double resolution = 5e-5);
 
   /// @param stop asked now and then; once it says true there is no conflict to be found any more.

@@ -92,6 +92,11 @@ class HANDWAY_GEOMETRIC_EXPORT ContinuousCollisionChecker {
   /// What the robot keeps from all else, m, ≥ 0.
   void set_margin(double margin) { margin_ = margin; }
 
+  /// From now on pairs keep three fifths of all this. Every piece of an edge that was found free
+  /// before is then free, too, however it is cut: for checks of what was planned. Otherwise a piece
+  /// may be refused where the edge passes closer than one and a half of the resolution.
+  void accept_pieces() { kept_ = 0.6; }
+
   /// A pair that does not keep the margin at `q`.
   [[nodiscard]] std::optional<int> too_near(const Configuration& q);
 
@@ -136,7 +141,8 @@ class HANDWAY_GEOMETRIC_EXPORT ContinuousCollisionChecker {
   [[nodiscard]] bool is_out_of_reach(int pair, double distance);
   [[nodiscard]] Closeness closeness_of_spheres(int pair);
   /// @param need m, that it can come closer. @param required m, to keep nevertheless.
-  [[nodiscard]] Closeness closeness_within(int pair, double need, double required);
+  /// @param exactly "closer" must not be said wrongly.
+  [[nodiscard]] Closeness closeness_within(int pair, double need, double required, bool exactly);
 
   struct Clearance;  // what clearance() has found so far
   void look_at_waypoint(const Configuration& q, Clearance& found);
@@ -157,6 +163,7 @@ class HANDWAY_GEOMETRIC_EXPORT ContinuousCollisionChecker {
   EdgeMotion motion_;
   double resolution_;
   double margin_ = 0.0;
+  double kept_ = 1.0;          ///< Share of the resolution, of all kinds, and of the margin.
   std::vector<EdgeEnd> ends_;  ///< That have near pairs.
   std::function<bool()> stop_;
 };
