@@ -90,6 +90,9 @@ const Plugin& open_plugin(const fs::path& file) {
     throw std::runtime_error(fmt::format("made for version {} of the plugin interface, not {}",
                                          plugin->api_version, kPluginApiVersion));
   }
+  if (plugin->layout != kPluginLayout) {
+    throw std::runtime_error("built against other headers of Handway: build it again");
+  }
   return *plugin;
 }
 

@@ -60,6 +60,11 @@ TEST(PluginManager, NameTheInterfaceVersionOfAnOldPlugin) {
                 " of the plugin interface, not " + std::to_string(kPluginApiVersion));
 }
 
+TEST(PluginManager, RefuseAPluginThatSeesOtherStructs) {
+  EXPECT_EQ(reason_of_refusal(kTestPlugins / "other_headers"),
+            "built against other headers of Handway: build it again");
+}
+
 TEST(PluginManager, RefuseALibraryThatIsNoPlugin) {
   EXPECT_THAT(reason_of_refusal(kTestPlugins / "without_entry_point"),
               HasSubstr("no function handway_plugin"));

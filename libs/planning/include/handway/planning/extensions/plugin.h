@@ -1,11 +1,14 @@
 #pragma once
 
 #include "handway/geometric/formats/robot_loader.h"
+#include "handway/planning/core/planning_context.h"
 #include "handway/planning/export.h"
 #include "handway/planning/extensions/exporter.h"
 #include "handway/planning/extensions/importer.h"
 #include "handway/planning/planners/planner_registry.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -14,7 +17,20 @@
 namespace handway::planning {
 
 /// Raised whenever a plugin built against an older header would misbehave.
-inline constexpr int kPluginApiVersion = 7;
+inline constexpr int kPluginApiVersion = 8;
+
+/// Of the sizes of what plugins and programs share: it differs for most other headers.
+inline constexpr std::uint64_t kPluginLayout = [] {
+  std::uint64_t layout = 0;
+  for (const std::size_t size :
+       {sizeof(geometric::RobotDescription), sizeof(geometric::RobotModel),
+        sizeof(geometric::SceneObject), sizeof(geometric::Scene), sizeof(sampling::PmdBasis),
+        sizeof(PlanningProblem), sizeof(PlanRequest), sizeof(PlanResult), sizeof(PlanningContext),
+        sizeof(MotionValidator), sizeof(Planner), sizeof(Motion)}) {
+    layout = 31 * layout + size;
+  }
+  return layout;
+}();
 
 /// What a plugin library hands over: a struct with this layout, exported as
 /// `extern "C" const handway::planning::Plugin* handway_plugin()`.
@@ -28,6 +44,7 @@ struct Plugin {
   /// Of whole scenes; may be null.
   std::vector<std::unique_ptr<SceneExporter>> (*make_scene_exporters)() = nullptr;
   std::vector<geometric::RobotReader> (*make_robot_readers)() = nullptr;  ///< May be null.
+  std::uint64_t layout = kPluginLayout;
 };
 
 /// A plugin that was taken.
@@ -49,7 +66,7 @@ class HANDWAY_PLANNING_EXPORT PluginManager {
   PluginManager() = default;
 
   /// Loads every library of `directory` (none if it does not exist), in the order
-  /// of their names. A file that is no plugin, is of another API version, bears
+  /// of their names. A file that is no plugin, was built against other headers, bears
   /// the name of one that is loaded or fails to register is listed as refused and
   /// adds nothing. Libraries stay loaded for the life of the program.
   void load_plugins(const std::filesystem::path& directory);
