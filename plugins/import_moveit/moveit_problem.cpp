@@ -1,6 +1,6 @@
 #include "moveit_problem.h"
 
-#include "goal_constraints.h"
+#include "constraints.h"
 #include "handway/geometric/formats/robot_loader.h"
 #include "handway/geometric/formats/yaml_element.h"
 #include "handway/geometric/io/existing_file.h"
@@ -179,7 +179,7 @@ class ProblemReader {
       read_collision_matrix(*matrix, world.names, *scene_);
     }
     read_paddings(top_, *scene_);
-    refuse_path_constraints();
+    add_path_constraints(frames);
     note_unknown_joints();
     return {scene_, nullptr};
   }
@@ -354,16 +354,10 @@ class ProblemReader {
     return frames;
   }
 
-  void refuse_path_constraints() const {
+  void add_path_constraints(const Frames& frames) {
     const auto path = request_ ? request_->find("path_constraints") : std::nullopt;
-    if (!path || !path->is_map()) {
-      return;
-    }
-    for (const auto& [key, value] : path->entries()) {
-      if (value.is_list() && !value.items().empty()) {
-        value.refuse("a constraint along the path", "none",
-                     "Paths are planned without constraints but those of collision");
-      }
+    if (path && path->is_map()) {
+      scene_->constraints = read_path_constraints(*path, *scene_->robots.front().model, frames);
     }
   }
 

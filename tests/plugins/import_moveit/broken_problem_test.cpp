@@ -81,9 +81,23 @@ INSTANTIATE_TEST_SUITE_P(
                "  octomap: {octomap: {id: OcTree, binary: false, resolution: 0.1, data: [1]}}\n"
                "  collision_objects:\n    - id: table",
                "scene0001.yaml:19", "an octomap whose data can't be read", "OcTree"},
-        Breach{"AlongThePath", false, "num_planning_attempts: 1",
-               "path_constraints: {orientation_constraints: [{link_name: slide}]}",
-               "request0001.yaml:2", "a constraint along the path", "none"}),
+        Breach{"JointsAlongThePath", false, "num_planning_attempts: 1",
+               "path_constraints: {joint_constraints: [{joint_name: turn}]}", "request0001.yaml:2",
+               "constraints along the path that are not planned with",
+               "position and orientation constraints"},
+        Breach{"FreeAboutTwoAxes", false, "num_planning_attempts: 1",
+               "path_constraints: {orientation_constraints: [{link_name: slide, orientation: "
+               "{w: 1}, absolute_x_axis_tolerance: 0.1, absolute_y_axis_tolerance: 3.2, "
+               "absolute_z_axis_tolerance: 3.2}]}",
+               "request0001.yaml:2", "free about two axes", "about one"},
+        Breach{"ExactAlongThePath", false, "num_planning_attempts: 1",
+               "path_constraints: {orientation_constraints: [{link_name: slide, orientation: "
+               "{w: 1}}]}",
+               "request0001.yaml:2", "a tolerance of 0", "above 0 rad"},
+        Breach{"FrameThatMoves", false, "num_planning_attempts: 1",
+               "path_constraints: {orientation_constraints: [{header: {frame_id: boom}, "
+               "link_name: slide, orientation: {w: 1}}]}",
+               "request0001.yaml:2", "the frame of \"boom\", which moves", "stays where it is"}),
     [](const auto& test) { return std::string(test.param.name); });
 
 TEST(BrokenMoveitProblems, ARequestNeedsItsScene) {

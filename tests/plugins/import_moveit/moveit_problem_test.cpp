@@ -19,6 +19,7 @@
 #include <fstream>
 #include <map>
 #include <numbers>
+#include <random>
 #include <set>
 #include <sstream>
 #include <tuple>
@@ -476,6 +477,97 @@ TEST(MoveitProblem, RefusesPosesThatAreNone) {
   EXPECT_THAT(refused("primitives: [{type: 2,", "primitives: [{type: 4,"), HasSubstr("dimensions"));
   EXPECT_THAT(refused("tolerance: 0.1", "tolerance: -0.1"), HasSubstr("0 rad or more"));
   EXPECT_THAT(refused("frame_id: room", "frame_id: rom"), HasSubstr("the frame \"rom\""));
+}
+
+// As moveit::kinematic_constraints::OrientationConstraint measures it.
+bool is_allowed(const Eigen::Matrix3d& R, const Eigen::Vector3d& tolerance, bool rotation_vector) {
+  const Eigen::AngleAxisd turn(R);
+  const Eigen::Vector3d off = rotation_vector
+                                  ? Eigen::Vector3d(turn.angle() * turn.axis())
+                                  : Eigen::Vector3d(std::atan2(-R(1, 2), R(2, 2)),
+                                                    std::asin(std::clamp(R(0, 2), -1.0, 1.0)),
+                                                    std::atan2(-R(0, 1), R(0, 0)));
+  return (off.cwiseAbs().array() <= tolerance.array() + 1e-9).all();
+}
+
+struct TurnTolerance {
+  const char* name;
+  Eigen::Vector3d about;  ///< x, y and z, rad
+  int parameterization;
+};
+
+class MoveitOrientations : public testing::TestWithParam<TurnTolerance> {};
+
+TEST_P(MoveitOrientations, BecomeConesInsideOfWhatIsAllowed) {
+  const auto& [name, tolerance, parameterization] = GetParam();
+  const SmallProblem problem;
+  problem.replace(problem.request(), "num_planning_attempts: 1",
+                  fmt::format("path_constraints: {{orientation_constraints: [{{link_name: slide, "
+                              "orientation: {{z: 0.6, w: 0.8}}, absolute_x_axis_tolerance: {}, "
+                              "absolute_y_axis_tolerance: {}, absolute_z_axis_tolerance: {}, "
+                              "parameterization: {}}}]}}",
+                              tolerance.x(), tolerance.y(), tolerance.z(), parameterization));
+  const auto scene = problem.read().scene;
+  ASSERT_FALSE(scene->constraints.empty());
+  const Eigen::Matrix3d R_WG = Eigen::Quaterniond(0.8, 0, 0, 0.6).toRotationMatrix();
+  std::mt19937 draws(3);
+  std::normal_distribution<> normal;
+  int kept = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const Eigen::Vector3d about(normal(draws), normal(draws), normal(draws));
+    const double angle = std::numbers::pi * (i % 100) / 99.0;
+    const Eigen::Matrix3d R = Eigen::AngleAxisd(angle, about.normalized()).toRotationMatrix();
+    const bool keeps = std::ranges::all_of(scene->constraints, [&](const auto& one) {
+      const auto& cone = std::get<geometric::OrientationConstraint>(one.what);
+      return std::acos(std::clamp((R_WG * R * cone.axis).dot(cone.direction), -1.0, 1.0)) <=
+             cone.angle;
+    });
+    kept += keeps ? 1 : 0;
+    EXPECT_FALSE(keeps && !is_allowed(R, tolerance, parameterization == 1));
+  }
+  EXPECT_GT(kept, 100);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Tolerances, MoveitOrientations,
+    testing::Values(TurnTolerance{"Upright", {0.2, 0.3, 6.3}, 0},
+                    TurnTolerance{"FreeAboutX", {3.2, 0.3, 0.4}, 0},
+                    TurnTolerance{"FreeAboutNothing", {0.3, 0.4, 0.9}, 0},
+                    TurnTolerance{"WideAboutX", {2.5, 2.9, 2.0}, 0},
+                    TurnTolerance{"UprightAsRotationVector", {0.5, 0.3, 6.3}, 1},
+                    TurnTolerance{"FreeAboutYAsRotationVector", {0.5, 3.2, 0.6}, 1},
+                    TurnTolerance{"FreeAboutNothingAsRotationVector", {0.3, 0.4, 0.9}, 1}),
+    [](const auto& test) { return std::string(test.param.name); });
+
+TEST(MoveitProblem, KeepsItsPathConstraints) {
+  const SmallProblem problem;
+  problem.replace(problem.request(), "num_planning_attempts: 1", R"(path_constraints:
+  orientation_constraints:
+    - {header: {frame_id: world}, link_name: slide, orientation: {w: 1}, absolute_x_axis_tolerance: 0.3,
+       absolute_y_axis_tolerance: 0.3, absolute_z_axis_tolerance: 3.14159, weight: 1}
+  position_constraints:
+    - header: {frame_id: room}
+      link_name: slide
+      target_point_offset: {x: 0.2}
+      constraint_region:
+        primitives: [{type: box, dimensions: [2, 2, 0.5]}]
+        primitive_poses: [{position: [0, 0, 0.5], orientation: [0, 0, 0, 1]}]
+      weight: 1)");
+  const auto scene = problem.read().scene;
+  ASSERT_EQ(scene->constraints.size(), 2U);
+  EXPECT_EQ(scene->constraints[0].name, "orientation of slide");
+  EXPECT_EQ(scene->constraints[0].body, "slide");
+  EXPECT_EQ(std::get<geometric::OrientationConstraint>(scene->constraints[0].what),
+            (geometric::OrientationConstraint{.angle = 0.3}));
+  const auto& region = std::get<geometric::PositionConstraint>(scene->constraints[1].what);
+  EXPECT_TRUE(region.X_WR.translation().isApprox(Eigen::Vector3d(0, 0, 0.4)));
+  EXPECT_TRUE(region.size.isApprox(Eigen::Vector3d(2, 2, 0.5)));
+  EXPECT_TRUE(region.point.isApprox(Eigen::Vector3d(0.2, 0, 0)));
+  const planning::PlanningProblem planned = planning::make_problem(scene, nullptr);
+  const planning::PlanResult result =
+      planning::PlannerRegistry().create("auto")->plan(planned, {.time_limit_s = 60.0});
+  ASSERT_TRUE(result.solved()) << result.reason;
+  EXPECT_THAT(planning::check_path(planned, result.path, 0.001).faults, IsEmpty());
 }
 
 TEST(MoveitProblem, IsSolvedByPlannersOverAllJoints) {

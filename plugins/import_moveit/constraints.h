@@ -23,4 +23,17 @@ namespace handway::import_moveit {
                                                                const geometric::RobotModel& model,
                                                                const Frames& frames);
 
+/// What such a message asks for all along a path: where a link's point is (position constraints)
+/// and how the link is turned (orientation constraints).
+///
+/// Tolerances become cones: of one axis of the link, if it may turn about that freely, else of two.
+/// They are the largest that are inside of what the message allows; but about the y axis, where
+/// Euler angles are not what is meant, the cone stands for it. Round regions become the largest
+/// cube inside.
+/// @param path moveit_msgs/Constraints. @param model, @param frames as above.
+/// @throws InputError for other constraints and regions, for links that the robot has not or that
+/// no joint moves, for frames that move, and for a link that is free about two axes alone.
+[[nodiscard]] std::vector<geometric::PathConstraint> read_path_constraints(
+    const geometric::YamlElement& path, const geometric::RobotModel& model, const Frames& frames);
+
 }  // namespace handway::import_moveit
