@@ -22,6 +22,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace handway::tools {
@@ -205,6 +206,11 @@ const char* form_of(const geometric::SceneObject& object) {
                                 : "surface (open mesh)";
 }
 
+const char* kind_of(const geometric::PathConstraint& constraint) {
+  return std::holds_alternative<geometric::OrientationConstraint>(constraint.what) ? "orientation"
+                                                                                   : "position";
+}
+
 std::vector<std::string> part_names(const geometric::RobotInstance& robot) {
   std::vector<std::string> names;
   std::ranges::transform(robot.parts, std::back_inserter(names), &geometric::RobotPart::name);
@@ -229,9 +235,14 @@ void print_json(const geometric::Scene& scene, const std::vector<End>& ends,
                        {"shape", shape_name(object.shape)},
                        {"solid", object.solid && is_closed(object.shape)}});
   }
-  Json report{{"name", scene.name},  {"robots", robots}, {"objects", objects},
-              {"start", nullptr},    {"goal", nullptr},  {"warnings", warnings},
-              {"group", scene.group}};
+  Json constraints = Json::array();
+  for (const geometric::PathConstraint& constraint : scene.constraints) {
+    constraints.push_back(
+        {{"name", constraint.name}, {"body", constraint.body}, {"kind", kind_of(constraint)}});
+  }
+  Json report{{"name", scene.name},   {"robots", robots},          {"objects", objects},
+              {"start", nullptr},     {"goal", nullptr},           {"warnings", warnings},
+              {"group", scene.group}, {"constraints", constraints}};
   for (const End& end : ends) {
     report[end.which] = json_of(end);
   }
@@ -263,6 +274,10 @@ void print_text(const std::filesystem::path& file, const planning::LoadedScene& 
     fmt::print("object {}: {}, {} triangles, {}{}\n", object.name, shape_name(object.shape),
                tessellate(object.shape)->triangles.size(), form_of(object),
                object.attachment ? ", carried by " + object.attachment->link : "");
+  }
+  for (const geometric::PathConstraint& constraint : scene.constraints) {
+    fmt::print("constraint {}: {} of {} along the path\n", constraint.name, kind_of(constraint),
+               constraint.body);
   }
   if (loaded.basis) {
     print_basis(*loaded.basis);

@@ -239,7 +239,11 @@ TEST_F(Handway, KeepsConstraintsAndRefusesWhatViolatesThem) {
   EXPECT_THAT(plan.err,
               HasSubstr("start violates constraint ahead: the axis of upper is 22.92° off, at most "
                         "20° are allowed"));
-  EXPECT_THAT(line_.run("info post.yaml").out, HasSubstr("start: VIOLATES constraint ahead"));
+  EXPECT_THAT(line_.run("info post.yaml").out,
+              AllOf(HasSubstr("constraint ahead: orientation of upper along the path\n"),
+                    HasSubstr("start: VIOLATES constraint ahead")));
+  EXPECT_EQ(nlohmann::json::parse(line_.run("info post.yaml --json").out)["constraints"][0]["kind"],
+            "orientation");
 }
 
 TEST_F(Handway, KeepsWhatTheCommandLineNamesUpright) {
