@@ -91,7 +91,7 @@ py::list grasps(const SceneModel& scene, const std::string& object, int most, in
   std::vector<planning::Pregrasp> found;
   {
     const py::gil_scoped_release release;
-    found = planning::find_pregrasps(scene.problem(), object, options);
+    found = planning::find_pregrasps(scene.problem(), object, options).found;
   }
   py::list answers;
   for (const planning::Pregrasp& grasp : found) {

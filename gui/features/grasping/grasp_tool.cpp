@@ -2,6 +2,8 @@
 
 #include "features/workbench.h"
 #include "handway/geometric/math/units.h"
+#include "handway/geometric/setup/placing.h"
+#include "handway/planning/queries/palm_ik.h"
 #include "model/document/document.h"
 #include "model/document/scene_editor.h"
 #include "model/planning/planning_session.h"
@@ -12,12 +14,16 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
+#include <QStyle>
 #include <QToolButton>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 #include <QVariant>
 
+#include <algorithm>
+#include <cstddef>
 #include <exception>
+#include <limits>
 #include <utility>
 
 namespace handway::gui {
@@ -26,6 +32,7 @@ namespace {
 constexpr int kWidth = 340;
 constexpr int kMargin = 12;
 constexpr int kColumnWidth = 58;
+constexpr int kFewestRows = 3;
 
 QStringList row_texts(int rank, const planning::Pregrasp& grasp) {
   return {QString::number(rank), QString::number(grasp.fingers),
@@ -43,9 +50,12 @@ QString row_tip(const planning::Pregrasp& grasp) {
 
 }  // namespace
 
-GraspCard::GraspCard(QWidget* host)
+GraspCard::GraspCard(QWidget* host, std::function<std::vector<QPoint>()> to_be_seen)
     : FloatingCard(host),
+      to_be_seen_(std::move(to_be_seen)),
       title_(new QLabel),
+      details_(new QWidget),
+      fold_(make_fold(QStringLiteral("grasp_fold"), *details_)),
       note_(new QLabel),
       list_(new QTreeWidget),
       plan_(new QPushButton(tr("Plan to this grasp"))) {
@@ -99,13 +109,18 @@ GraspCard::GraspCard(QWidget* host)
   });
   auto* header = new QHBoxLayout;
   header->addWidget(title_, 1);
+  header->addWidget(fold_, 0, Qt::AlignTop);
   header->addWidget(close, 0, Qt::AlignTop);
+  auto* details = new QVBoxLayout(details_);
+  details->setContentsMargins(0, 0, 0, 0);
+  details->setSpacing(6);
+  details->addWidget(note_);
+  details->addWidget(list_, 1);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(12, 6, 8, 10);
   layout->setSpacing(6);
   layout->addLayout(header);
-  layout->addWidget(note_);
-  layout->addWidget(list_, 1);
+  layout->addWidget(details_, 1);
   layout->addWidget(plan_);
 }
 
@@ -114,11 +129,6 @@ void GraspCard::show_search(const QString& object) {
 }
 
 void GraspCard::show_grasps(const QString& object, const std::vector<planning::Pregrasp>& grasps) {
-  if (grasps.empty()) {
-    show_failure(object, tr("No grasp was found: it is too large for the hand, out of "
-                            "reach, or other things are too close."));
-    return;
-  }
   list_->clear();
   for (std::size_t i = 0; i < grasps.size(); ++i) {
     auto* row = new QTreeWidgetItem(list_, row_texts(static_cast<int>(i) + 1, grasps[i]));
@@ -129,6 +139,7 @@ void GraspCard::show_grasps(const QString& object, const std::vector<planning::P
   }
   set_up(tr("Grasp %1").arg(object), tr("The best first; the ghost shows the one chosen."), true);
   list_->setCurrentItem(list_->topLevelItem(0));
+  fold_->setChecked(false);
 }
 
 void GraspCard::show_failure(const QString& object, const QString& reason) {
@@ -140,15 +151,40 @@ void GraspCard::set_up(const QString& title, const QString& note, bool with_list
   note_->setText(note);
   list_->setVisible(with_list);
   plan_->setVisible(with_list);
+  fold_->setVisible(with_list);
   appear();
 }
 
 void GraspCard::place() {
-  const int height =
-      list_->isVisibleTo(this) ? scaled(336) : layout()->heightForWidth(scaled(kWidth));
-  const QSize room = parentWidget()->size() - QSize(kMargin, 2 * kMargin);
-  const QSize size = QSize(scaled(kWidth), height).boundedTo(room);
-  setGeometry({{room.width() - size.width(), kMargin}, size});
+  const QRect within = parentWidget()->rect().adjusted(kMargin, kMargin, -kMargin, -kMargin);
+  const int width = std::min(scaled(kWidth), within.width());
+  const auto height_with = [this, width](int rows) {
+    list_->setFixedHeight(list_->header()->sizeHint().height() + rows * list_->sizeHintForRow(0) +
+                          2);
+    details_->layout()->activate();
+    return layout()->heightForWidth(width);
+  };
+  int rows = list_->topLevelItemCount();
+  int height = height_with(rows);
+  while (height > within.height() && rows > kFewestRows) {
+    height = height_with(--rows);
+  }
+  const QSize card(width, std::min(height, within.height()));
+  QRect best;
+  auto least = std::numeric_limits<std::ptrdiff_t>::max();
+  const std::vector<QPoint> to_be_seen = to_be_seen_();
+  for (const Qt::Alignment corner :
+       {Qt::AlignRight | Qt::AlignBottom, Qt::AlignLeft | Qt::AlignBottom,
+        Qt::AlignLeft | Qt::AlignTop, Qt::AlignRight | Qt::AlignTop}) {
+    const QRect there = QStyle::alignedRect(Qt::LeftToRight, corner, card, within);
+    const auto covered =
+        std::ranges::count_if(to_be_seen, [&](const QPoint& p) { return there.contains(p); });
+    if (covered < least) {
+      least = covered;
+      best = there;
+    }
+  }
+  setGeometry(best);
 }
 
 GraspTool::GraspTool(Document& document, SceneEditor& editor, PlanningSession& session,
@@ -158,13 +194,14 @@ GraspTool::GraspTool(Document& document, SceneEditor& editor, PlanningSession& s
       editor_(editor),
       session_(session),
       view_(view),
-      card_(new GraspCard(&view)) {
+      card_(new GraspCard(&view, [this] { return to_be_seen(); })) {
   connect(&document_, &Document::opened, this, &GraspTool::end);
   connect(&document_, &Document::edited, this, [this](const SceneState& before) {
     if (before.scene != document_.scene()) {
       end();  // what was found is of another scene
     }
   });
+  connect(&session_, &PlanningSession::started, this, &GraspTool::end);  // to another goal
   connect(card_, &GraspCard::looked_at, this, [this](int index) {
     view_.preview_ghost(false, grasps_.value[static_cast<std::size_t>(index)].q);
   });
@@ -178,6 +215,8 @@ void GraspTool::begin() {
     return;
   }
   emit handles_welcome(false);
+  object_ = object->name;
+  grasps_ = {};
   card_->show_search(QString::fromStdString(object->name));
   job_.run([this, name = object->name,
             problem = document_.problem()](const std::stop_token& stop) -> LatestJob::Answer {
@@ -189,8 +228,12 @@ void GraspTool::begin() {
       }
       return [this, title, revision = problem->revision(),
               found = planning::find_pregrasps(*prepared, name, {}, stop)] {
-        grasps_ = {found, revision};
-        card_->show_grasps(title, grasps_.value);
+        grasps_ = {found.found, revision};
+        if (grasps_.value.empty()) {
+          card_->show_failure(title, QString::fromStdString(found.why_none));
+        } else {
+          card_->show_grasps(title, grasps_.value);
+        }
       };
     } catch (const std::exception& error) {
       return [this, title, reason = QString::fromUtf8(error.what())] {
@@ -207,6 +250,38 @@ void GraspTool::end() {
   if (!std::exchange(grasps_, {}).value.empty() && document_.robot()) {
     view_.preview_ghost(false, document_.scene()->goal);
   }
+}
+
+std::vector<QPoint> GraspTool::to_be_seen() const {
+  std::vector<QPoint> places;
+  const auto add = [&](const Eigen::Vector3d& point) {
+    if (const auto place = view_.camera().place_of(point)) {
+      places.emplace_back(static_cast<int>(0.5 * view_.width() + place->x() * view_.height()),
+                          static_cast<int>((0.5 - place->y()) * view_.height()));
+    }
+  };
+  const geometric::Scene* scene = document_.scene().get();
+  if (!scene || !geometric::find_object(*scene, object_)) {
+    return places;
+  }
+  const geometric::Aabb box = geometric::bounds(*scene, document_.configuration(), {object_});
+  for (int corner = 0; corner < 8; ++corner) {
+    add({(corner & 1) ? box.upper.x() : box.lower.x(), (corner & 2) ? box.upper.y() : box.lower.y(),
+         (corner & 4) ? box.upper.z() : box.lower.z()});
+  }
+  const geometric::RobotInstance& robot = *document_.robot();
+  std::vector<geometric::Pose> X_BL(static_cast<std::size_t>(robot.model->link_count()));
+  for (const planning::Pregrasp& grasp : grasps_.value) {
+    robot.model->forward_kinematics(grasp.q, X_BL);
+    for (int link = document_.palm(); link < robot.model->link_count(); ++link) {
+      if (link == document_.palm() ||
+          std::ranges::count(document_.groups().hand, robot.model->drive(link).variable) > 0) {
+        add(robot.X_WB * X_BL[static_cast<std::size_t>(link)] *
+            planning::middle_of(robot.model->link(link)));
+      }
+    }
+  }
+  return places;
 }
 
 void GraspTool::choose(int index) {
@@ -234,7 +309,10 @@ void add_grasping(Workbench& workbench) {
   workbench.add_to_bar(MainBar::kEditing, {0, 50}, grasp);
   const auto update_enabled = [grasp, &workbench] {
     const geometric::SceneObject* object = workbench.editor.selected_object();
-    grasp->setEnabled(object && !object->attachment && workbench.document.robot());
+    allow(*grasp, !workbench.document.robot() ? QObject::tr("The scene has no robot.")
+                  : !object                   ? QObject::tr("Select an object first.")
+                  : object->attachment ? QObject::tr("The robot holds it already: detach it first.")
+                                       : QString());
   };
   QObject::connect(grasp, &QAction::triggered, &tool, &GraspTool::begin);
   QObject::connect(&tool, &GraspTool::handles_welcome, &workbench, &Workbench::handles_welcome);

@@ -6,12 +6,15 @@
 #include "widgets/panels/floating_card.h"
 
 #include <QObject>
+#include <QPoint>
 
+#include <functional>
 #include <string>
 #include <vector>
 
 class QLabel;
 class QPushButton;
+class QToolButton;
 class QTreeWidget;
 
 namespace handway::gui {
@@ -22,12 +25,14 @@ class SceneEditor;
 class SceneView;
 class Workbench;
 
-/// Floats in a corner of the view: ways to grasp an object, the best first, to choose from.
+/// Floats in the corner of the view where it covers least of what is grasped: ways to do so, the
+/// best first, to choose from.
 class GraspCard : public FloatingCard {
   Q_OBJECT
 
  public:
-  explicit GraspCard(QWidget* host);
+  /// @param to_be_seen places in the host that it leaves free, if it can.
+  GraspCard(QWidget* host, std::function<std::vector<QPoint>()> to_be_seen);
 
   void show_search(const QString& object);
   void show_grasps(const QString& object, const std::vector<planning::Pregrasp>& grasps);
@@ -44,7 +49,10 @@ class GraspCard : public FloatingCard {
   void set_up(const QString& title, const QString& note, bool with_list);
   void place() override;
 
+  std::function<std::vector<QPoint>()> to_be_seen_;
   QLabel* title_;
+  QWidget* details_;  ///< All that is hidden when it is folded.
+  QToolButton* fold_;
   QLabel* note_;
   QTreeWidget* list_;
   QPushButton* plan_;
@@ -75,12 +83,15 @@ class GraspTool : public QObject {
  private:
   void end();
   void choose(int index);
+  /// In the view: the object, and the hand in each of the grasps.
+  [[nodiscard]] std::vector<QPoint> to_be_seen() const;
 
   Document& document_;
   SceneEditor& editor_;
   PlanningSession& session_;
   SceneView& view_;
   GraspCard* card_;
+  std::string object_;  ///< The one that grasps were looked for.
   planning::Derived<std::vector<planning::Pregrasp>> grasps_;
   LatestJob job_;
 };

@@ -149,8 +149,8 @@ QString note_of(const PalmRoadmap& roadmap, int most, bool goes_on) {
 RoadmapLegend::RoadmapLegend(QAction& hypercubes, QWidget* host)
     : FloatingCard(host),
       title_(new QLabel),
-      fold_(new QToolButton),
       details_(new QWidget),
+      fold_(make_fold(QStringLiteral("roadmap_fold"), *details_)),
       note_(new QLabel),
       counts_(new QLabel),
       boxes_(new QCheckBox) {
@@ -164,12 +164,6 @@ RoadmapLegend::RoadmapLegend(QAction& hypercubes, QWidget* host)
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(12, 8, 12, 8);
   layout->setSpacing(3);
-  fold_->setObjectName(QStringLiteral("roadmap_fold"));
-  fold_->setCheckable(true);
-  fold_->setArrowType(Qt::DownArrow);
-  fold_->setAutoRaise(true);
-  fold_->setToolTip(tr("Fold this card"));
-  connect(fold_, &QToolButton::toggled, this, &RoadmapLegend::fold);
   auto* head = new QHBoxLayout;
   head->addWidget(title_, 1);
   head->addWidget(fold_);
@@ -219,13 +213,6 @@ void RoadmapLegend::show_roadmap(const SharedRoadmap& roadmap, const Search& sea
     boxes_->setText(tr("Hypercubes, ρₐ %1").arg(*search.half_side, 0, 'g', 2));
   }
   appear();
-}
-
-void RoadmapLegend::fold(bool folded) {
-  fold_->setArrowType(folded ? Qt::RightArrow : Qt::DownArrow);
-  details_->setVisible(!folded);
-  layout()->activate();
-  place();
 }
 
 void RoadmapLegend::place() {

@@ -94,11 +94,10 @@ class RoadmapLegend : public FloatingCard {
 
  private:
   void place() override;
-  void fold(bool folded);
 
   QLabel* title_;
-  QToolButton* fold_;
   QWidget* details_;
+  QToolButton* fold_;
   QLabel* note_;
   QLabel* counts_;
   QCheckBox* boxes_;

@@ -102,12 +102,16 @@ void OrbitCamera::fit(std::span<const Eigen::Vector3d> points, double aspect, do
   }
 }
 
+std::optional<Eigen::Vector2d> OrbitCamera::place_of(const Eigen::Vector3d& point) const {
+  const Eigen::Vector3d p = orientation().transpose() * (point - position());
+  return p.z() < 0.0 ? std::optional<Eigen::Vector2d>(p.head<2>() / seen_height(-p.z()))
+                     : std::nullopt;
+}
+
 bool OrbitCamera::sees(std::span<const Eigen::Vector3d> points, double aspect) const {
-  const Eigen::Matrix3d R = orientation();
-  return std::ranges::all_of(points, [&](const Eigen::Vector3d& world) {
-    const Eigen::Vector3d p = R.transpose() * (world - position());
-    const double half_height = 0.5 * seen_height(-p.z());
-    return p.z() < 0.0 && std::abs(p.y()) <= half_height && std::abs(p.x()) <= aspect * half_height;
+  return std::ranges::all_of(points, [&](const Eigen::Vector3d& point) {
+    const std::optional<Eigen::Vector2d> place = place_of(point);
+    return place && std::abs(place->y()) <= 0.5 && std::abs(place->x()) <= 0.5 * aspect;
   });
 }
 

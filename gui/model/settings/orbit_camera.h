@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <optional>
 #include <span>
 
 namespace handway::gui {
@@ -53,6 +54,9 @@ class OrbitCamera {
   /// Moves so that all points (world, m) just fit into the picture with a margin.
   /// @param aspect width / height.
   void fit(std::span<const Eigen::Vector3d> points, double aspect, double margin = 1.08);
+  /// Where a point (world, m) is in the picture: right of its middle and above it, in fractions of
+  /// the view's height; nothing if it is behind the camera.
+  [[nodiscard]] std::optional<Eigen::Vector2d> place_of(const Eigen::Vector3d& point) const;
   /// Whether all points (world, m) are in the picture. @param aspect width / height.
   [[nodiscard]] bool sees(std::span<const Eigen::Vector3d> points, double aspect) const;
 

@@ -32,6 +32,22 @@ void FloatingCard::appear() {
   raise();
 }
 
+QToolButton* FloatingCard::make_fold(const QString& name, QWidget& details) {
+  auto* fold = new QToolButton;
+  fold->setObjectName(name);
+  fold->setCheckable(true);
+  fold->setArrowType(Qt::DownArrow);
+  fold->setAutoRaise(true);
+  fold->setToolTip(tr("Fold this card"));
+  connect(fold, &QToolButton::toggled, this, [this, fold, &details](bool folded) {
+    fold->setArrowType(folded ? Qt::RightArrow : Qt::DownArrow);
+    details.setVisible(!folded);
+    layout()->activate();
+    place();
+  });
+  return fold;
+}
+
 QList<FloatingCard*> FloatingCard::others() const {
   QList<FloatingCard*> others;
   for (QObject* child : parentWidget()->children()) {

@@ -7,6 +7,7 @@
 
 class QLabel;
 class QPushButton;
+class QToolButton;
 
 namespace handway::gui {
 
@@ -24,6 +25,8 @@ class FloatingCard : public QFrame {
   /// Sets the geometry in the host's coordinates; called whenever the host is resized, or another
   /// card over it comes, goes or is resized.
   virtual void place() = 0;
+  /// A button that leaves of the card what is not in `details`, and back.
+  [[nodiscard]] QToolButton* make_fold(const QString& name, QWidget& details);
   /// Moves it, as large as it has to be, to the lower right, above others that are there.
   void stand_at_lower_right();
   /// The others that are shown over the same widget.

@@ -1,5 +1,6 @@
 #include "handway/planning/grasps/pregrasp_search.h"
 
+#include "grasps/pregrasp_rejections.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/math/units.h"
 #include "handway/geometric/robot/normalised_joints.h"
@@ -8,6 +9,7 @@
 #include "handway/sampling/sequences/random_stream.h"
 
 #include <Eigen/Geometry>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +17,7 @@
 #include <map>
 #include <numbers>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <utility>
@@ -77,6 +80,8 @@ bool has_directions(const PlanningProblem& problem) {
   return problem.basis && !problem.basis->directions.empty();
 }
 
+constexpr double kLeastOpening = 0.04;  // m, of a preshape
+
 /// Opened preshapes of a problem's hand, drawn from its PMD box or else from its joints' ranges,
 /// and how its fingers close.
 class HandClosing {
@@ -104,6 +109,8 @@ class HandClosing {
   }
 
   [[nodiscard]] bool opens() const { return !preshapes_.empty(); }
+  /// m; of a hand that opens.
+  [[nodiscard]] double widest() const { return preshapes_.back().opening; }
   /// Those that are opened to a width (m) or a little wider.
   [[nodiscard]] std::span<const Preshape> opened_to(double width) const {
     constexpr double kRoom = 0.06;  // m
@@ -203,7 +210,6 @@ class HandClosing {
   }
 
   [[nodiscard]] std::optional<Preshape> preshape(Eigen::VectorXd open) const {
-    constexpr double kLeastOpening = 0.04;  // m
     std::vector<Vector3d> tips, ends;
     for (const Finger& finger : fingers_) {
       const Pose X_PL = last_link(finger, open);
@@ -279,6 +285,7 @@ constexpr double kOpeningStep = 0.06;  // normalised
 constexpr double kClosingStep = 0.03;  // normalised
 constexpr double kSameTurn = geometric::radians(30.0);
 constexpr double kSamePlace = 0.03;  // m
+constexpr int kMostJudged = 400;     // rejected places of the hand, to say what was in the way
 
 const geometric::SceneObject& needed_object(const PlanningProblem& problem, std::string_view name) {
   const std::string file = problem.scene->file.string();
@@ -308,7 +315,8 @@ class PregraspSearch {
         box_(geometric::bounding_box(*geometric::tessellate(object.shape))),
         X_WO_(object.X_PO),
         X_BW_(problem.scene->robots.front().X_WB.inverse()),
-        with_object_(checker_->world().pairs_with(object.name)) {
+        with_object_(checker_->world().pairs_with(object.name)),
+        object_(object.name) {
     for (int link = 0; link < problem.model().link_count(); ++link) {
       middles_.push_back(middle_of(problem.model().link(link)));
     }
@@ -328,25 +336,44 @@ class PregraspSearch {
     }
   }
 
-  [[nodiscard]] bool fits() const { return middle_side_ < kMost && hand_.opens(); }
+  /// Why there is nothing to try; empty if there is.
+  [[nodiscard]] std::string objection() const {
+    if (middle_side_ >= kMost) {
+      return fmt::format(
+          "{} is too large to be grasped: two of its sides are longer than {:.0f} mm. Choose "
+          "something smaller.",
+          object_, geometric::millimetres(kMost));
+    }
+    if (!hand_.opens()) {
+      return fmt::format(
+          "The hand has no thumb and fingers, nor two jaws, that open to {:.0f} mm or more. See in "
+          "the robot's setup whether its joints are the hand's.",
+          geometric::millimetres(kLeastOpening));
+    }
+    return {};
+  }
 
   void try_sample(sampling::RandomStream random) {
     const Eigen::Matrix3d R_OG = orientation(random);
-    const std::span<const HandClosing::Preshape> fitting =
-        hand_.opened_to(width_along(R_OG.col(1)));
-    if (fitting.empty()) {
-      return;  // it does not fit, or the hand would close on from too far
+    const double width = width_along(R_OG.col(1));
+    const std::span<const HandClosing::Preshape> fitting = hand_.opened_to(width);
+    ++rejections_.tried;
+    narrowest_ = std::min(narrowest_, width);
+    if (fitting.empty()) {  // it does not fit, or the hand would close on from too far
+      ++(width > hand_.widest() ? rejections_.too_wide : rejections_.too_thin);
+      return;
     }
     const HandClosing::Preshape& preshape = fitting[random.below(fitting.size())];
     const Pose X_OP = palm_at(preshape, R_OG, random);
     const Configuration opened = hand_.with_hand(problem_.start, preshape.open);
     const std::vector<Configuration> solutions = ik_.all(opened, X_BW_ * X_WO_ * X_OP);
     if (solutions.empty()) {
+      ++rejections_.out_of_reach;
       return;
     }
     const Configuration wider = opened_wider(solutions.front());
     for (Configuration q : solutions) {  // the hand is at the same place in all of them
-      q(problem_.hand) = wider(problem_.hand);
+      q = hand_in(std::move(q), wider);
       const std::optional<int> pair = colliding(q);
       if (!pair && keeps_gaps()) {
         for (const HandClosing::Finger& finger : hand_.fingers()) {
@@ -356,9 +383,17 @@ class PregraspSearch {
         return;
       }
       if (!pair || is_of_hand(*pair)) {
-        return;
+        break;
       }
     }
+    if (found_.empty() && rejections_.judged() < kMostJudged) {
+      judge(hand_in(solutions.front(), wider));
+    }
+  }
+
+  [[nodiscard]] std::string why_none() const {
+    return why_no_grasp(rejections_, object_, narrowest_, hand_.widest(),
+                        (X_BW_ * X_WO_ * box_.centre()).norm());
   }
 
   [[nodiscard]] std::vector<Pregrasp> best() {
@@ -383,6 +418,36 @@ class PregraspSearch {
   }
 
  private:
+  /// `q` with the hand of another one.
+  [[nodiscard]] Configuration hand_in(Configuration q, const Configuration& other) const {
+    q(problem_.hand) = other(problem_.hand);
+    return q;
+  }
+
+  /// Counts what is in the way of a configuration that is no grasp.
+  void judge(const Configuration& q) {
+    checker_->place(q);
+    if (!keeps_gaps()) {
+      ++rejections_.in_object;
+      return;
+    }
+    const geometric::CollisionWorld& world = checker_->world();
+    std::set<std::string> touched;
+    for (int check = 0; check < world.check_count(); ++check) {
+      if (checker_->pair_closeness(check, 0.0) == geometric::Closeness::kFarther) {
+        continue;
+      }
+      const geometric::NamedPair pair = geometric::named_pair(world, check, 0.0);
+      touched.insert(world.constraint(check) ? "Constraint " + pair.a
+                     : world.is_self_pair(world.pairs()[static_cast<std::size_t>(check)])
+                         ? "The robot itself"
+                         : pair.b);
+    }
+    if (!touched.empty()) {
+      rejections_.block(touched);
+    }
+  }
+
   void make_profile(std::vector<Vector3d> points) {
     const double centre = box_.centre()[longest_];
     for (Vector3d& p_O : points) {
@@ -570,6 +635,7 @@ class PregraspSearch {
       }
     }
     if (grasp.fingers < 2 || grasp.enclosure < kEnclosure) {
+      ++rejections_.one_sided;
       return;
     }
     grasp.clearance = kClear;
@@ -627,17 +693,20 @@ class PregraspSearch {
   std::vector<int> with_others_;
   std::vector<int> of_hand_;       ///< Pairs of its links.
   std::vector<Vector3d> middles_;  ///< Of every link, in its frame.
+  std::string object_;
   std::vector<Pregrasp> found_;
+  PregraspRejections rejections_;
+  double narrowest_ = HUGE_VAL;  ///< Of the object between fingers, as far as it was tried, m.
   int last_pair_ = 0;
 };
 
 }  // namespace
 
-std::vector<Pregrasp> find_pregrasps(const PlanningProblem& problem, std::string_view object,
-                                     const PregraspOptions& options, const std::stop_token& stop) {
+Pregrasps find_pregrasps(const PlanningProblem& problem, std::string_view object,
+                         const PregraspOptions& options, const std::stop_token& stop) {
   PregraspSearch search(problem, needed_object(problem, object), options);
-  if (!search.fits()) {
-    return {};
+  if (std::string objection = search.objection(); !objection.empty()) {
+    return {{}, std::move(objection)};
   }
   const sampling::RandomStream random(options.seed);
   for (int i = 0; i < options.samples; ++i) {
@@ -646,7 +715,11 @@ std::vector<Pregrasp> find_pregrasps(const PlanningProblem& problem, std::string
     }
     search.try_sample(random.fork(static_cast<std::uint64_t>(i)));
   }
-  return search.best();
+  Pregrasps grasps{search.best(), {}};
+  if (grasps.found.empty()) {
+    grasps.why_none = search.why_none();
+  }
+  return grasps;
 }
 
 }  // namespace handway::planning

@@ -94,7 +94,7 @@ TEST_P(ArmsWithHands, GraspAndPlanInTheCorridorsOfJointsAndToolPoses) {
   ASSERT_FALSE(has_closed_form_kinematics(problem_));
   PregraspOptions options;
   options.samples = 6000;
-  const std::vector<Pregrasp> grasps = find_pregrasps(problem_, "can", options);
+  const std::vector<Pregrasp> grasps = find_pregrasps(problem_, "can", options).found;
   ASSERT_FALSE(grasps.empty());
   const auto checker = problem_.checker->clone();
   for (const Pregrasp& grasp : grasps) {

@@ -8,8 +8,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <string>
 #include <utility>
 
 namespace handway::planning {
@@ -30,7 +32,7 @@ class PregraspSearch : public ::testing::Test {
 
 TEST_F(PregraspSearch, FindsWaysAroundACanThatAreFree) {
   const PlanningProblem problem = shipped("can_on_table");
-  const std::vector<Pregrasp> grasps = find_pregrasps(problem, "can");
+  const std::vector<Pregrasp> grasps = find_pregrasps(problem, "can").found;
   ASSERT_GE(grasps.size(), 3U);
   const auto checker = problem.checker->clone();
   double last = 1.0;
@@ -68,7 +70,7 @@ TEST_F(PregraspSearch, GraspsWithHandsThatHaveNoBasis) {
        {std::pair("can_on_table", "can"), std::pair("iiwa_and_allegro", "can"),
         std::pair("panda_and_leap", "mug")}) {
     const PlanningProblem problem = make_problem(shipped(scene).scene, nullptr);
-    const std::vector<Pregrasp> grasps = find_pregrasps(problem, object);
+    const std::vector<Pregrasp> grasps = find_pregrasps(problem, object).found;
     ASSERT_FALSE(grasps.empty()) << scene;
     const auto checker = problem.checker->clone();
     for (const Pregrasp& grasp : grasps) {
@@ -105,11 +107,19 @@ objects:
 start: {}
 goal: {}
 )";
-  const LoadedScene scene = load_scene(file, PluginManager());
-  const std::vector<Pregrasp> grasps = find_pregrasps(make_problem(scene.scene, nullptr), "can");
+  const LoadedScene loaded = load_scene(file, PluginManager());
+  const std::vector<Pregrasp> grasps =
+      find_pregrasps(make_problem(loaded.scene, nullptr), "can").found;
   ASSERT_GE(grasps.size(), 3U);
   EXPECT_EQ(grasps.front().fingers, 2);
   EXPECT_GT(grasps.front().enclosure, 0.8);
+  geometric::Scene scene = *loaded.scene;
+  scene.objects.back().shape = geometric::Cylinder{0.05, 0.12};
+  const Pregrasps none = find_pregrasps(
+      make_problem(std::make_shared<const geometric::Scene>(std::move(scene)), nullptr), "can");
+  EXPECT_TRUE(none.found.empty());
+  EXPECT_THAT(none.why_none,
+              ::testing::StartsWith("can is too wide for the hand: it is 100 mm across"));
 }
 
 TEST_F(PregraspSearch, KeepsConstraintsOfTheHandAndOfTheArm) {
@@ -124,17 +134,17 @@ TEST_F(PregraspSearch, KeepsConstraintsOfTheHandAndOfTheArm) {
   const PlanningProblem problem =
       make_problem(std::make_shared<const geometric::Scene>(std::move(scene)), plain.basis);
   const auto checker = problem.checker->clone();
-  for (const Pregrasp& grasp : find_pregrasps(problem, "can")) {
+  for (const Pregrasp& grasp : find_pregrasps(problem, "can").found) {
     EXPECT_FALSE(checker->first_collision(grasp.q));
   }
-  EXPECT_LT(find_pregrasps(problem, "can").size(), find_pregrasps(plain, "can").size());
+  EXPECT_LT(find_pregrasps(problem, "can").found.size(), find_pregrasps(plain, "can").found.size());
 }
 
 TEST_F(PregraspSearch, PutsThumbAndFingersAroundWhatItGrasps) {
   for (const auto& [scene, object] :
        {std::pair("can_on_table", "can"), std::pair("can_in_box", "can"),
         std::pair("cans_in_shelf", "can"), std::pair("cans_on_desk", "can_left_above")}) {
-    const std::vector<Pregrasp> grasps = find_pregrasps(shipped(scene), object);
+    const std::vector<Pregrasp> grasps = find_pregrasps(shipped(scene), object).found;
     ASSERT_FALSE(grasps.empty()) << scene;
     EXPECT_EQ(grasps.front().fingers, 4) << scene;
     EXPECT_GT(grasps.front().enclosure, 0.8) << scene;
@@ -145,22 +155,57 @@ TEST_F(PregraspSearch, GivesTheSameForTheSameSeed) {
   const PlanningProblem problem = shipped("can_on_table");
   PregraspOptions options;
   options.samples = 1500;
-  const auto one = find_pregrasps(problem, "can", options);
-  const auto other = find_pregrasps(problem, "can", options);
+  const auto one = find_pregrasps(problem, "can", options).found;
+  const auto other = find_pregrasps(problem, "can", options).found;
   ASSERT_EQ(one.size(), other.size());
   for (std::size_t i = 0; i < one.size(); ++i) {
     EXPECT_EQ(one[i].q, other[i].q);
   }
 }
 
-TEST_F(PregraspSearch, LeavesWhatIsTooLargeAlone) {
-  EXPECT_TRUE(find_pregrasps(shipped("can_on_table"), "table").empty());
+TEST_F(PregraspSearch, SaysWhyThereIsNoGrasp) {
+  const auto why_none = [](const PlanningProblem& plain, const auto& change) {
+    geometric::Scene scene = *plain.scene;
+    change(scene, *std::ranges::find(scene.objects, "can", &geometric::SceneObject::name));
+    const Pregrasps grasps = find_pregrasps(
+        make_problem(std::make_shared<const geometric::Scene>(std::move(scene)), plain.basis),
+        "can");
+    EXPECT_TRUE(grasps.found.empty());
+    return grasps.why_none;
+  };
+  const PlanningProblem plain = shipped("can_on_table");
+  EXPECT_EQ(find_pregrasps(plain, "can").why_none, "");
+  EXPECT_EQ(find_pregrasps(plain, "table").why_none,
+            "table is too large to be grasped: two of its sides are longer than 160 mm. Choose "
+            "something smaller.");
+  EXPECT_THAT(
+      why_none(plain, [](const geometric::Scene& /*scene*/,
+                         geometric::SceneObject& can) { can.X_PO.translation().x() += 3.0; }),
+      ::testing::StartsWith("can is out of the arm's reach"));
+  EXPECT_THAT(why_none(plain,
+                       [](const geometric::Scene& /*scene*/, geometric::SceneObject& can) {
+                         can.shape = geometric::Box{{0.15, 0.15, 0.4}};
+                       }),
+              ::testing::StartsWith("The hand does not fit around can"));
+  const auto cover = [](geometric::Scene& scene, const geometric::SceneObject& can) {
+    for (int side = 0; side < 4; ++side) {
+      geometric::SceneObject wall;
+      wall.name = "side_" + std::to_string(side);
+      wall.shape = geometric::Box{{0.01, 0.16, 0.3}};
+      wall.X_PO = can.X_PO * Eigen::AngleAxisd(0.5 * EIGEN_PI * side, Eigen::Vector3d::UnitZ()) *
+                  Eigen::Translation3d(0.075, 0.0, 0.08);
+      scene.objects.push_back(wall);
+    }
+  };
+  EXPECT_THAT(why_none(plain, cover), ::testing::HasSubstr("in the way"));
 }
 
 TEST_F(PregraspSearch, EndsWhenItIsTold) {
   std::stop_source stop;
   stop.request_stop();
-  EXPECT_TRUE(find_pregrasps(shipped("can_on_table"), "can", {}, stop.get_token()).empty());
+  const Pregrasps grasps = find_pregrasps(shipped("can_on_table"), "can", {}, stop.get_token());
+  EXPECT_TRUE(grasps.found.empty());
+  EXPECT_EQ(grasps.why_none, "");
 }
 
 TEST_F(PregraspSearch, RefusesWhatIsNotThere) {

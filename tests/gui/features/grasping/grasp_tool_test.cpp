@@ -50,6 +50,43 @@ TEST_F(ClickToPlan, LeavesTheGoalWhenTheListIsClosed) {
   EXPECT_TRUE(window().view().gizmo().is_shown());
 }
 
+TEST_F(ClickToPlan, KeepsItsListOffTheObjectAndTheHand) {
+  for (const char* scene : {"can_on_table", "can_in_box", "cans_in_shelf", "panda_and_leap"}) {
+    window().resize(1290, 830);
+    open(source_dir() / "scenes" / (std::string(scene) + ".yaml"));
+    const char* object = scene == std::string("panda_and_leap") ? "mug" : "can";
+    grasp(object);
+    ASSERT_FALSE(tool<gui::GraspTool>().grasps().empty()) << scene;
+    const gui::SceneView& view = window().view();
+    const auto is_covered = [&](const Eigen::Vector3d& p_W) {
+      const Eigen::Vector2d place = view.camera().place_of(p_W).value();
+      return part<QWidget>("grasps").geometry().contains(
+          static_cast<int>(0.5 * view.width() + place.x() * view.height()),
+          static_cast<int>((0.5 - place.y()) * view.height()));
+    };
+    const geometric::Scene& shown = *window().document().scene();
+    EXPECT_FALSE(is_covered(geometric::find_object(shown, object)->X_PO.translation())) << scene;
+    const geometric::RobotInstance& robot = shown.robots.front();
+    const geometric::Configuration q = tool<gui::GraspTool>().grasps().front().q;
+    std::vector<geometric::Pose> X_BL(static_cast<std::size_t>(robot.model->link_count()));
+    robot.model->forward_kinematics(q, X_BL);
+    const auto palm = static_cast<std::size_t>(window().document().palm());
+    EXPECT_FALSE(is_covered(robot.X_WB * X_BL[palm].translation())) << scene;
+    click("grasp_fold");
+    EXPECT_FALSE(part<QTreeWidget>("grasp_list").isVisible());
+    EXPECT_TRUE(part<QWidget>("grasp_plan").isVisible());
+    click("grasp_close");
+  }
+}
+
+TEST_F(ClickToPlan, ShowsTheGoalAgainThatIsPlannedTo) {
+  open(source_dir() / "scenes" / "can_on_table.yaml");
+  grasp("can");
+  plan();
+  EXPECT_FALSE(part<QWidget>("grasps").isVisible()) << "the path goes elsewhere";
+  EXPECT_TRUE(tool<gui::GraspTool>().grasps().empty());
+}
+
 TEST_F(ClickToPlan, SaysWhenThereIsNoWay) {
   open(source_dir() / "scenes" / "can_on_table.yaml");
   grasp("table");

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <stop_token>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -30,6 +31,14 @@ struct Pregrasp {
   double score = 0.0;       ///< In [0, 1]; what they are ranked by.
 };
 
+/// What a search came to.
+struct Pregrasps {
+  std::vector<Pregrasp> found;  ///< The best first.
+  /// Of none: what stood against (nearly) all places of the hand that were tried, be it the
+  /// object's size, the arm's reach, or what is in the way; and what to do.
+  std::string why_none;
+};
+
 /// Looks for pre-grasps. Drawn are a direction across the object, with the fingers side by side
 /// along an edge of its box and turned about it, a preshape from the basis' box (of a hand without
 /// one: between its neutral posture and any other) whose opening between the thumb and the fingers,
@@ -40,10 +49,11 @@ struct Pregrasp {
 /// the palm outwards, so that outer links go on around the object. Kept are those with two or more
 /// fingers on different sides of the object; similar ones are left out. Same arguments, same bits.
 /// @param object of the scene, that stands still.
-/// @returns the best first; empty if there is none, or `stop` was requested.
+/// @returns nothing, without a reason, if `stop` was requested.
 /// @throws InputError if there is no such object or the robot has no hand.
-[[nodiscard]] HANDWAY_PLANNING_EXPORT std::vector<Pregrasp> find_pregrasps(
-    const PlanningProblem& problem, std::string_view object, const PregraspOptions& options = {},
-    const std::stop_token& stop = {});
+[[nodiscard]] HANDWAY_PLANNING_EXPORT Pregrasps find_pregrasps(const PlanningProblem& problem,
+                                                               std::string_view object,
+                                                               const PregraspOptions& options = {},
+                                                               const std::stop_token& stop = {});
 
 }  // namespace handway::planning
