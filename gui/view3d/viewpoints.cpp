@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <utility>
 
 namespace handway::gui {
 namespace {
@@ -135,7 +136,10 @@ namespace {
 constexpr std::size_t kMostParts = 40;  // of the robots
 constexpr double kAtGoal = 0.4;         // counts so much less than where they stand
 constexpr double kEnoughSeen = 0.8;     // of them
+constexpr double kHardlySeen = 0.3;     // of them: they are closed in
 constexpr double kMuchMore = 0.05;      // that is seen from elsewhere
+constexpr double kMostAlpha = 0.5;      // of what one looks through
+constexpr double kBefore = 0.1;         // m, of a section before the robots
 constexpr double kNearlyThere = 0.97;   // of the ray: what is seen may touch something
 
 // Does something of the mesh lie between the two (in its frame)?
@@ -162,7 +166,8 @@ class Obstacles {
   explicit Obstacles(const geometric::Scene& scene) {
     for (const geometric::SceneObject& object : scene.objects) {
       const auto mesh = object.attachment ? nullptr : geometric::tessellate(object.shape);
-      if (mesh && !mesh->vertices.empty() && !scene.display.of(object.name).hidden) {
+      if (mesh && !mesh->vertices.empty() && object.color.alpha > kMostAlpha &&
+          !scene.display.of(object.name).hidden) {
         const Aabb box = geometric::bounding_box(*mesh);
         bodies_.push_back({mesh, Eigen::AlignedBox3d(box.lower, box.upper), object.X_PO.inverse()});
       }
@@ -252,47 +257,109 @@ std::vector<Part> large_parts(const geometric::Scene& scene) {
   return parts;
 }
 
+using Plane = Eigen::Hyperplane<double, 3>;
+
+/// @param section what is above it is cut away; nothing: nothing is.
 double share_seen(const std::vector<Part>& parts, const Obstacles& obstacles,
-                  const Eigen::Vector3d& eye) {
+                  const Eigen::Vector3d& eye, const std::optional<Plane>& section = {}) {
+  const auto is_hidden = [&](const Eigen::Vector3d& point) {
+    Eigen::Vector3d from = eye;
+    if (const double above = section ? section->signedDistance(eye) : 0.0; above > 0.0) {
+      const double below = -section->signedDistance(point);
+      if (below <= 0.0) {
+        return false;
+      }
+      from += above / (above + below) * (point - eye);
+    }
+    return obstacles.hide(from, point);
+  };
   double seen = 0.0, all = 0.0;
   for (const Part& part : parts) {
     for (const Eigen::Vector3d& point : part.points) {
-      seen += obstacles.hide(eye, point) ? 0.0 : part.area;
+      seen += is_hidden(point) ? 0.0 : part.area;
       all += part.area;
     }
   }
   return all > 0.0 ? seen / all : 1.0;
 }
 
+/// Just before the robots, across the world's axis that points most towards the camera.
+/// @returns a point of it, and that direction.
+std::pair<Eigen::Vector3d, Eigen::Vector3d> before(const Aabb& robots, const OrbitCamera& camera) {
+  const Eigen::Vector3d towards = camera.orientation().col(2);
+  Eigen::Index axis = 0;
+  towards.cwiseAbs().maxCoeff(&axis);
+  Eigen::Vector3d point = robots.centre();
+  point[axis] = towards[axis] > 0.0 ? robots.upper[axis] + kBefore : robots.lower[axis] - kBefore;
+  return {point, std::copysign(1.0, towards[axis]) * Eigen::Vector3d::Unit(axis)};
+}
+
+/// Among oblique views, all around and from ever higher up, the first that shows enough, or else
+/// the one that shows most.
+class ViewSearch {
+ public:
+  ViewSearch(const geometric::Scene& scene, OrbitCamera camera, double aspect)
+      : camera_(camera),
+        aspect_(aspect),
+        task_(task_azimuth(scene)),
+        points_(points_of_interest(scene)),
+        robots_(box_around(robot_points(scene))),
+        parts_(large_parts(scene)),
+        obstacles_(scene) {}
+
+  /// @param cut objects open towards the camera.
+  [[nodiscard]] std::pair<OrbitCamera, double> best(bool cut) const {
+    std::pair<OrbitCamera, double> best{turned(0.0, 0.0), -1.0};
+    // Over what stands all around one looks from above.
+    for (const double rise : {0.0, 22.0, 44.0}) {
+      for (const double turn : {0.0, 70.0, -40.0, 110.0, -90.0, 145.0, -140.0, 180.0}) {
+        const OrbitCamera camera = turned(turn, rise);
+        const auto [point, towards] = before(robots_, camera);
+        const double seen = share_seen(parts_, obstacles_, camera.position(),
+                                       cut ? std::optional(Plane(towards, point)) : std::nullopt);
+        if (best.second < 0.0 || seen > best.second + kMuchMore) {
+          best = {camera, seen};
+        }
+        if (best.second >= kEnoughSeen) {
+          return best;
+        }
+      }
+    }
+    return best;
+  }
+
+ private:
+  /// @param turn, rise degrees.
+  [[nodiscard]] OrbitCamera turned(double turn, double rise) const {
+    OrbitCamera camera = camera_;
+    camera.look_from(StandardView::kOblique, task_ + geometric::radians(turn));
+    camera.orbit(0.0, geometric::radians(rise));
+    camera.fit(points_, aspect_);
+    return camera;
+  }
+
+  OrbitCamera camera_;
+  double aspect_;
+  double task_;
+  Points points_;
+  Aabb robots_;
+  std::vector<Part> parts_;
+  Obstacles obstacles_;
+};
+
 }  // namespace
 
 OrbitCamera open_view(const geometric::Scene& scene, OrbitCamera camera, double aspect) {
-  const double task = task_azimuth(scene);
-  const Points points = points_of_interest(scene);
-  const std::vector<Part> parts = large_parts(scene);
-  const Obstacles obstacles(scene);
-  camera.look_from(StandardView::kOblique, task);
-  camera.fit(points, aspect);
-  OrbitCamera best = camera;
-  double most = share_seen(parts, obstacles, camera.position());
-  // Over what stands all around one looks from above.
-  for (const double rise : {0.0, 22.0, 44.0}) {
-    for (const double turn : {0.0, 70.0, -40.0, 110.0, -90.0, 145.0, -140.0, 180.0}) {
-      if (most >= kEnoughSeen) {
-        return best;
-      }
-      OrbitCamera turned = camera;
-      turned.look_from(StandardView::kOblique, task + geometric::radians(turn));
-      turned.orbit(0.0, geometric::radians(rise));
-      turned.fit(points, aspect);
-      const double seen = share_seen(parts, obstacles, turned.position());
-      if (seen > most + kMuchMore) {
-        most = seen;
-        best = turned;
-      }
-    }
-  }
-  return best;
+  const ViewSearch search(scene, camera, aspect);
+  const auto [whole, seen] = search.best(false);
+  return seen < kHardlySeen ? search.best(true).first : whole;
+}
+
+std::optional<Eigen::Vector3d> section_needed(const geometric::Scene& scene,
+                                              const OrbitCamera& camera) {
+  const double seen = share_seen(large_parts(scene), Obstacles(scene), camera.position());
+  return seen < kHardlySeen ? std::optional(before(box_around(robot_points(scene)), camera).first)
+                            : std::nullopt;
 }
 
 }  // namespace handway::gui

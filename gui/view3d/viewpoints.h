@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include <optional>
 #include <vector>
 
 /// From where a scene is looked at, and what is to be seen of it.
@@ -26,9 +27,15 @@ namespace handway::gui {
 [[nodiscard]] std::vector<Eigen::Vector3d> all_points(const geometric::Scene& scene);
 
 /// Looks across the task, obliquely, from where much of the robots is seen past shelves and the
-/// walls of cages; what is of interest fits in.
+/// walls of cages; what is of interest fits in. Where objects close them in, roof and all: from
+/// where much of them is seen once section_needed() has cut that open.
 /// @param camera its projection is kept. @param aspect width by height.
 [[nodiscard]] OrbitCamera open_view(const geometric::Scene& scene, OrbitCamera camera,
                                     double aspect);
+
+/// In front of which point (world, m), towards the camera, objects have to be cut away to see the
+/// robots that they hide; nothing if enough of them is seen.
+[[nodiscard]] std::optional<Eigen::Vector3d> section_needed(const geometric::Scene& scene,
+                                                            const OrbitCamera& camera);
 
 }  // namespace handway::gui

@@ -1,8 +1,8 @@
 #include "features/viewing/section_tool.h"
 
 #include "features/workbench.h"
-#include "model/document/scene_edits.h"
 #include "view3d/scene_view.h"
+#include "view3d/viewpoints.h"
 #include "widgets/forms/quantity_field.h"
 #include "widgets/style/theme.h"
 
@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace handway::gui {
 namespace {
@@ -122,17 +123,33 @@ SectionTool::SectionTool(Workbench& workbench)
           [this] { workbench_.view.set_section(card_->plane()); });
   const auto follow_scene = [this] {
     const auto& scene = workbench_.document.scene();
-    action_->setEnabled(scene && !scene->objects.empty());
+    allow(*action_,
+          scene && !scene->objects.empty() ? QString() : tr("There are no objects to cut open."));
     if (!action_->isEnabled()) {
       action_->setChecked(false);
     }
   };
-  connect(&workbench_.document, &Document::opened, this, [this, follow_scene] {
-    action_->setChecked(false);
-    follow_scene();
+  connect(&workbench_.document, &Document::opened, this,
+          [this, follow_scene](Document::Opened what) {
+            is_new_scene_ = what == Document::Opened::kScene;
+            action_->setChecked(false);
+            follow_scene();
+          });
+  connect(&workbench_, &Workbench::scene_shown, this, [this] {
+    if (std::exchange(is_new_scene_, false) && action_->isEnabled()) {
+      open_up();
+    }
   });
   connect(&workbench_.document, &Document::edited, this, follow_scene);
   follow_scene();
+}
+
+void SectionTool::open_up() {
+  const geometric::Scene& scene = *workbench_.document.scene();
+  if (const auto before = section_needed(scene, workbench_.view.camera())) {
+    action_->setChecked(true);
+    cut(*before);
+  }
 }
 
 // Through the middle of what is selected, or else of all objects, open towards the camera.
@@ -142,16 +159,24 @@ void SectionTool::turn_on(bool on) {
     workbench_.view.set_section({});
     return;
   }
-  const geometric::Scene& scene = *workbench_.document.scene();
-  const geometric::Configuration& q = workbench_.document.configuration();
+  const ObjectNames& selected = workbench_.editor.selected_objects();
+  cut(bounds(*workbench_.document.scene(), workbench_.document.configuration(),
+             selected.empty() ? all_objects() : selected)
+          .centre());
+}
+
+void SectionTool::cut(const Eigen::Vector3d& before) {
+  card_->begin(
+      bounds(*workbench_.document.scene(), workbench_.document.configuration(), all_objects()),
+      before, workbench_.view.camera().orientation().col(2));
+}
+
+ObjectNames SectionTool::all_objects() const {
   ObjectNames all;
-  for (const geometric::SceneObject& object : scene.objects) {
+  for (const geometric::SceneObject& object : workbench_.document.scene()->objects) {
     all.push_back(object.name);
   }
-  const ObjectNames& selected = workbench_.editor.selected_objects();
-  const geometric::Aabb room = bounds(scene, q, all);
-  card_->begin(room, bounds(scene, q, selected.empty() ? all : selected).centre(),
-               workbench_.view.camera().orientation().col(2));
+  return all;
 }
 
 }  // namespace handway::gui

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "handway/geometric/mesh/triangle_mesh.h"
+#include "model/document/scene_edits.h"
 #include "widgets/panels/floating_card.h"
 
 #include <QObject>
@@ -49,7 +50,8 @@ class SectionCard : public FloatingCard {
 };
 
 /// A plane across an axis of the world that cuts away the objects on one side of it, so that one
-/// sees into shelves and cages. Robots, and what they carry, are drawn whole.
+/// sees into shelves and cages; those that close the robots in are opened with one. Robots, and
+/// what they carry, are drawn whole.
 class SectionTool : public QObject {
   Q_OBJECT
 
@@ -59,10 +61,16 @@ class SectionTool : public QObject {
 
  private:
   void turn_on(bool on);
+  /// Cuts open what hides the robots of a scene that was opened.
+  void open_up();
+  /// @param before a point (world, m) of the plane, open towards the camera.
+  void cut(const Eigen::Vector3d& before);
+  [[nodiscard]] ObjectNames all_objects() const;
 
   Workbench& workbench_;
   QAction* action_;
   SectionCard* card_;
+  bool is_new_scene_ = false;
 };
 
 }  // namespace handway::gui

@@ -7,6 +7,7 @@
 
 #include <QImage>
 
+#include <cmath>
 #include <cstdlib>
 #include <numbers>
 
@@ -128,6 +129,32 @@ TEST_F(OpeningView, IsOverWallsAllAround) {
     cage.objects.push_back(wall(scene_on_table(), side, 1.4, 2.6));
   }
   EXPECT_GT(share_seen(cage, "cage"), 0.8);
+}
+
+TEST_F(OpeningView, IsIntoACageWithARoofThatASectionOpens) {
+  geometric::Scene cage = scene_on_table();
+  for (int side = 0; side < 4; ++side) {
+    cage.objects.push_back(wall(scene_on_table(), side, 1.2, 2.2));
+  }
+  EXPECT_FALSE(gui::section_needed(cage, gui::open_view(cage, {}, 1.5))) << "one looks over them";
+  geometric::SceneObject roof;
+  roof.name = "roof";
+  roof.shape = geometric::Box{{2.4, 2.4, 0.02}};
+  roof.X_PO.translation().z() = gui::lowest_point(cage) + 2.2;
+  cage.objects.push_back(roof);
+  const gui::OrbitCamera camera = gui::open_view(cage, {}, 4.0 / 3.0);
+  const auto before = gui::section_needed(cage, camera);
+  ASSERT_TRUE(before);
+  const Eigen::Vector3d towards = camera.orientation().col(2);
+  Eigen::Index axis = 0;
+  towards.cwiseAbs().maxCoeff(&axis);
+  view_->set_section(Eigen::Hyperplane<double, 3>(
+      std::copysign(1.0, towards[axis]) * Eigen::Vector3d::Unit(axis), *before));
+  EXPECT_GT(share_seen(cage, "cage_with_roof"), 0.8);
+  for (geometric::SceneObject& object : cage.objects) {
+    object.color.alpha = 0.3F;
+  }
+  EXPECT_FALSE(gui::section_needed(cage, gui::open_view(cage, {}, 1.5))) << "of glass";
 }
 
 TEST_F(OpeningView, IsPastAShelfBetween) {

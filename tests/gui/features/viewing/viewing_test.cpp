@@ -116,5 +116,20 @@ TEST_F(Viewing, ASectionOpensObjectsTowardsTheCameraAndLeavesRobotsWhole) {
   EXPECT_FALSE(part<QWidget>("section_card").isVisible());
 }
 
+TEST_F(Viewing, ASceneThatClosesItsRobotInOpensWithASection) {
+  geometric::Scene closed = scene();
+  geometric::SceneObject container;
+  container.name = "container";
+  container.shape = geometric::Box{{4.0, 4.0, 4.0}};
+  closed.objects = {container};
+  const std::filesystem::path file = cell().folder() / "container.yaml";
+  geometric::write_scene(closed, file);
+  open(file);
+  EXPECT_TRUE(part<QAction>("section").isChecked());
+  EXPECT_TRUE(part<QWidget>("section_card").isVisible());
+  open(cell().wall());
+  EXPECT_FALSE(part<QAction>("section").isChecked()) << "of that scene alone";
+}
+
 }  // namespace
 }  // namespace handway::test
