@@ -7,6 +7,7 @@
 #include "handway/geometric/io/resources.h"
 #include "view3d/scene_view.h"
 #include "widgets/panels/log_panel.h"
+#include "widgets/style/theme.h"
 
 #include <QFileDialog>
 #include <QFileIconProvider>
@@ -137,7 +138,7 @@ void FileCommands::place_actions() {
 void FileCommands::show_scene() {
   const Document& document = workbench_.document;
   for (QAction* action : {save_, save_as_, picture_, close_}) {
-    action->setEnabled(document.scene() != nullptr);
+    allow(*action, document.scene() ? QString() : tr("Open a scene first."));
   }
   if (document.scene() && !document.file().empty()) {
     recent_->add(QString::fromStdString(document.file().string()));

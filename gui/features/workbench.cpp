@@ -6,6 +6,7 @@
 #include "widgets/panels/playback_bar.h"
 #include "widgets/style/theme.h"
 
+#include <QHelpEvent>
 #include <QMainWindow>
 #include <QMenu>
 #include <QMenuBar>
@@ -226,6 +227,23 @@ void give_letters(QMenu& menu) {
   }
 }
 
+/// In menus tool tips say why an entry is grey; others would be in the way.
+class TipsOfGreyEntries : public QObject {
+ public:
+  explicit TipsOfGreyEntries(QMenu* menu) : QObject(menu), menu_(*menu) {}
+
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (event->type() == QEvent::ToolTip) {
+      const QAction* entry = menu_.actionAt(static_cast<QHelpEvent*>(event)->pos());
+      return !entry || entry->isEnabled();
+    }
+    return QObject::eventFilter(watched, event);
+  }
+
+ private:
+  QMenu& menu_;
+};
+
 }  // namespace
 
 void Workbench::build_menus() {
@@ -237,6 +255,8 @@ void Workbench::build_menus() {
   }
   for (const auto& [name, built] : menus_) {
     built->menuAction()->setVisible(!built->isEmpty());
+    built->setToolTipsVisible(true);
+    built->installEventFilter(new TipsOfGreyEntries(built));
     give_letters(*built);
   }
 }

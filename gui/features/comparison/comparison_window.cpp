@@ -453,10 +453,11 @@ void add_comparison(Workbench& workbench) {
   QAction* compare = workbench.make_action({}, QObject::tr("Compare two &paths…"), {},
                                            QObject::tr("Two paths side by side"));
   compare->setObjectName(QStringLiteral("compare"));
-  compare->setEnabled(false);
+  allow(*compare, QObject::tr("Plan a path first (Ctrl+P)."));
   workbench.add_to_menu(MainMenu::kPlan, {0, 10}, compare);
   QObject::connect(&workbench.history, &PathHistory::changed, compare, [&workbench, compare] {
-    compare->setEnabled(!workbench.history.paths().empty());
+    allow(*compare, workbench.history.paths().empty() ? QObject::tr("Plan a path first (Ctrl+P).")
+                                                      : QString());
   });
   QObject::connect(compare, &QAction::triggered, &workbench, [&workbench] {
     Document& document = workbench.document;

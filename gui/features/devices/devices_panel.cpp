@@ -486,7 +486,12 @@ void DevicesPanel::update_buttons() {
   if (!armed_->isEnabled() && !running) {
     armed_->setChecked(false);
   }
-  run_->setEnabled(state_ == State::kConnected && cleared_ && armed_->isChecked());
+  const QString missing = off         ? tr("Connect first.")
+                          : !cleared_ ? tr("There is no motion that is cleared to run: see below.")
+                          : !armed_->isChecked() ? tr("Tick \"%1\" first.").arg(armed_->text())
+                                                 : QString();
+  run_->setEnabled(state_ == State::kConnected && missing.isEmpty());
+  run_->setToolTip(missing);
   hold_->setEnabled(running);
   hold_->setText(held_ ? tr("Go on") : tr("Hold"));
   progress_->setVisible(running);

@@ -11,6 +11,7 @@
 #include <QGuiApplication>
 #include <QMainWindow>
 #include <QMenu>
+#include <QRegularExpression>
 #include <QToolButton>
 
 #include <algorithm>
@@ -36,7 +37,7 @@ EditActions::EditActions(Workbench& workbench)
   make_add_button();
   fill_bar();
   connect_actions();
-  update_enabled();
+  look_at_clipboard();
 }
 
 void EditActions::make_actions() {
@@ -139,6 +140,8 @@ void EditActions::connect_actions() {
   });
   connect(copy, &QAction::triggered, this, &EditActions::copy_objects);
   connect(paste, &QAction::triggered, this, &EditActions::paste_objects);
+  connect(QGuiApplication::clipboard(), &QClipboard::dataChanged, this,
+          &EditActions::look_at_clipboard);
   connect(attach, &QAction::triggered, this, [this] { emit attach_requested(); });
   connect(detach, &QAction::triggered, &editor_, &SceneEditor::detach);
   connect(duplicate, &QAction::triggered, &editor_, &SceneEditor::duplicate);
@@ -207,32 +210,52 @@ void EditActions::take(QAction& action, const QString& name, const QKeySequence&
   workbench_.keep_icon(action);
 }
 
+void EditActions::look_at_clipboard() {
+  // A part `objects`, or a list of objects: their names come first.
+  static const QRegularExpression objects(
+      QStringLiteral(R"((?:^|\n)\s*(?:objects\s*:|-\s*\{?\s*name\s*:))"));
+  can_be_pasted_ = objects.match(QGuiApplication::clipboard()->text()).hasMatch();
+  update_enabled();
+}
+
 void EditActions::update_enabled() {
-  const bool has_scene = editor_.state().scene != nullptr;
   const geometric::SceneObject* object = editor_.selected_object();
   const bool can_change = editor_.can_change();
+  const QString no_scene = editor_.state().scene ? QString() : tr("Open a scene first.");
+  const QString no_robot = editor_.document().robot()
+                               ? no_scene
+                               : tr("The scene has no robot: add one with Add > Robot.");
+  const QString no_object = object ? QString() : tr("Select an object first.");
+  const QString unchangeable = can_change ? QString()
+                               : object   ? tr("The object is locked (Ctrl+L).")
+                                          : no_object;
   for (QAction* action : adding_) {
-    action->setEnabled(has_scene);
+    allow(*action, no_scene);
   }
-  add_button_->setEnabled(has_scene);
-  remove->setEnabled(can_change || editor_.can_remove_robot() || editor_.selected_goal_pose());
-  rename->setEnabled(can_change &&
-                     rigid_parts(*editor_.state().scene, editor_.selected_objects()).size() == 1);
-  for (QAction* action : {copy, duplicate}) {
-    action->setEnabled(object);
+  add_button_->setEnabled(no_scene.isEmpty());
+  allow(*remove,
+        editor_.can_remove_robot() || editor_.selected_goal_pose() ? QString() : unchangeable);
+  allow(*rename,
+        !can_change || rigid_parts(*editor_.state().scene, editor_.selected_objects()).size() == 1
+            ? unchangeable
+            : tr("Select one object, or one group."));
+  for (QAction* action : {copy, duplicate, hide, lock}) {
+    allow(*action, no_object);
   }
-  cut->setEnabled(can_change);
-  paste->setEnabled(has_scene && editor_.document().robot());
+  allow(*cut, unchangeable);
+  allow(*paste, can_be_pasted_ ? no_robot : tr("The clipboard holds no objects: copy some first."));
   const bool is_held =
       can_change && std::ranges::any_of(editor_.changeable(), [&](const auto& name) {
         return editor_.state().find(name)->attachment.has_value();
       });
-  attach->setEnabled(can_change && !is_held && editor_.document().robot());
-  detach->setEnabled(is_held);
-  drop->setEnabled(can_change && (editor_.has_several() || !object->attachment));
-  hide->setEnabled(object);
-  lock->setEnabled(object);
-  palm->setEnabled(editor_.document().robot() != nullptr);
+  allow(*attach, is_held      ? tr("The robot holds it already.")
+                 : can_change ? no_robot
+                              : unchangeable);
+  allow(*detach, !can_change || is_held ? unchangeable : tr("The robot does not hold it."));
+  allow(*drop, can_change && !editor_.has_several() && object->attachment
+                   ? tr("The robot holds it: detach it first.")
+                   : unchangeable);
+  allow(*palm, no_robot);
   palm->setChecked(editor_.selection().kind == SceneItem::Kind::kPalm);
   hide->setChecked(object && editor_.state().is_hidden(object->name));
   lock->setChecked(object && !can_change);
@@ -341,12 +364,14 @@ void ArrangeActions::update_enabled() {
   });
   align_menu_->setEnabled(parts > 1);
   distribute_menu_->setEnabled(parts > 2);
-  array->setEnabled(!objects.empty());
-  group->setEnabled(parts > 1);
-  dissolve->setEnabled(in_group && editor_.can_change());
-  select_all->setEnabled(scene && !scene->objects.empty());
+  const QString no_object = objects.empty() ? tr("Select an object first.") : QString();
+  allow(*array, no_object);
+  allow(*group, parts > 1 ? QString() : tr("Select several objects: with Ctrl and a click."));
+  allow(*dissolve,
+        in_group && editor_.can_change() ? QString() : tr("Select objects of a group first."));
+  allow(*select_all, scene && !scene->objects.empty() ? QString() : tr("There are no objects."));
   button_->setEnabled(!objects.empty());
-  arranging_->setEnabled(!objects.empty());
+  allow(*arranging_, no_object);
 }
 
 void ArrangeActions::align(int axis, AlignTo to) {

@@ -61,6 +61,7 @@ class EditActions : public QObject {
   void connect_actions();
   void copy_objects();
   void paste_objects();
+  void look_at_clipboard();
   void take(QAction& action, const QString& name, const QKeySequence& keys, const QString& tip);
   void fill_add_menu(QMenu& menu);
 
@@ -68,6 +69,7 @@ class EditActions : public QObject {
   SceneEditor& editor_;
   QToolButton* add_button_;
   QList<QAction*> adding_;
+  bool can_be_pasted_ = false;  ///< What the clipboard holds.
 };
 
 /// The commands for several objects at once, in the Edit menu and behind a button

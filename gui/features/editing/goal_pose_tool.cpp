@@ -8,6 +8,7 @@
 #include "model/document/reach_words.h"
 #include "view3d/overlay.h"
 #include "view3d/scene_view.h"
+#include "widgets/style/theme.h"
 
 #include <QAction>
 
@@ -80,7 +81,9 @@ void GoalPoseTool::add_command() {
   workbench_.add_to_menu(MainMenu::kPlan, {1, 8}, add);
   workbench_.add_to_menu(MainMenu::kContext, {5, 8}, add);
   const auto update_enabled = [this, add] {
-    add->setEnabled(workbench_.editor.can_add_goal_pose());
+    allow(*add, workbench_.editor.can_add_goal_pose()
+                    ? QString()
+                    : tr("The scene has no robot whose palm an arm moves."));
   };
   connect(add, &QAction::triggered, &workbench_.editor, &SceneEditor::add_goal_pose);
   connect(&workbench_.document, &Document::opened, add, update_enabled);

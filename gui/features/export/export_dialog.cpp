@@ -462,14 +462,19 @@ void add_export(Workbench& workbench) {
                                         QKeySequence(QStringLiteral("Ctrl+E")),
                                         QObject::tr("Time the path and write it for a controller"));
   path->setObjectName(QStringLiteral("export_path"));
-  pictures->setEnabled(false);
-  path->setEnabled(false);
+  const QString no_path = QObject::tr("Plan a path first (Ctrl+P).");
+  allow(*pictures, no_path);
+  allow(*path, no_path);
   workbench.add_to_menu(MainMenu::kFile, {1, 10}, pictures);
   workbench.add_to_menu(MainMenu::kFile, {1, 11}, path);
   QObject::connect(&workbench.player, &PathPlayer::timeline_changed, pictures,
-                   [&, pictures] { pictures->setEnabled(!workbench.player.timeline().empty()); });
-  QObject::connect(&workbench.validity, &PathValidity::changed, path, [&, path] {
-    path->setEnabled(workbench.validity.state() == PathValidity::State::kValid);
+                   [&, pictures, no_path] {
+                     allow(*pictures, workbench.player.timeline().empty() ? no_path : QString());
+                   });
+  QObject::connect(&workbench.validity, &PathValidity::changed, path, [&, path, no_path] {
+    const bool valid = workbench.validity.state() == PathValidity::State::kValid;
+    const QString& reason = workbench.validity.reason();
+    allow(*path, valid ? QString() : reason.isEmpty() ? no_path : reason);
   });
   QObject::connect(pictures, &QAction::triggered, &workbench, [&] { export_pictures(workbench); });
   QObject::connect(path, &QAction::triggered, &workbench, [&] { export_path(workbench); });

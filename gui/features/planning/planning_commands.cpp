@@ -12,6 +12,7 @@
 #include "model/playback/path_player.h"
 #include "view3d/scene_view.h"
 #include "widgets/panels/log_panel.h"
+#include "widgets/style/theme.h"
 
 #include <QMainWindow>
 #include <QStatusBar>
@@ -39,8 +40,8 @@ PlanningCommands::PlanningCommands(Workbench& workbench, PlanPanel& panel)
   hypercubes_shown_->setObjectName(QStringLiteral("hypercubes"));
   roadmap_shown_->setCheckable(true);
   hypercubes_shown_->setCheckable(true);
-  cancel_->setEnabled(false);
-  optimize_->setEnabled(false);
+  allow(*cancel_, tr("Nothing is planned now."));
+  allow(*optimize_, tr("Plan a path first."));
   place_actions();
   connect_session();
   const auto show_planners = [this] {
@@ -97,13 +98,20 @@ void PlanningCommands::report_presets() {
 void PlanningCommands::update_ready() {
   const auto& scene = workbench_.document.scene();
   const bool has_query = workbench_.document.robot() && (scene->goal || !scene->goal_poses.empty());
-  panel_.set_ready(has_query, scene ? tr("The scene has no goal") : tr("Open a scene first"));
-  plan_->setEnabled(has_query && !workbench_.session.is_running());
+  why_not_ =
+      has_query ? QString()
+      : !scene  ? tr("Open a scene first.")
+      : !workbench_.document.robot()
+          ? tr("The scene has no robot: add one with Add > Robot.")
+          : tr("The scene has no goal. Pose the robot with the Joints panel and choose Plan > "
+               "Set goal here, or select an object and press Ctrl+G to grasp it.");
+  panel_.set_ready(has_query, why_not_);
+  allow(*plan_, workbench_.session.is_running() ? tr("It is planning.") : why_not_);
 }
 
 void PlanningCommands::show_running() {
-  plan_->setEnabled(false);
-  cancel_->setEnabled(true);
+  allow(*plan_, tr("It is planning."));
+  allow(*cancel_, {});
 }
 
 void PlanningCommands::show_start() {
@@ -121,8 +129,8 @@ void PlanningCommands::show_start() {
 }
 
 void PlanningCommands::show_end(bool solved, const QString& text) {
-  plan_->setEnabled(true);
-  cancel_->setEnabled(false);
+  allow(*plan_, why_not_);
+  allow(*cancel_, tr("Nothing is planned now."));
   workbench_.log.add(solved ? LogPanel::Level::kNote : LogPanel::Level::kWarning, text);
 }
 
@@ -146,7 +154,8 @@ void PlanningCommands::show_optimized(const planning::Path& path) {
 
 void PlanningCommands::show_validity() {
   const bool valid = workbench_.validity.state() == PathValidity::State::kValid;
-  optimize_->setEnabled(valid);
+  allow(*optimize_,
+        valid ? QString() : tr("There is no path that is valid in this scene: plan one."));
   panel_.set_optimizable(valid);
   panel_.show_validity(workbench_.validity.reason());
 }

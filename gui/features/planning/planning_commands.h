@@ -40,6 +40,7 @@ class PlanningCommands : public QObject {
 
   Workbench& workbench_;
   PlanPanel& panel_;
+  QString why_not_;  ///< There is nothing to plan; empty if there is.
   QAction* plan_;
   QAction* cancel_;
   QAction* optimize_;

@@ -40,8 +40,6 @@ PostureBar::PostureBar(QWidget* parent)
       goal_(new QPushButton(icon("goal", to_qcolor(kGoalColor)), tr("Go to goal"))),
       postures_(new QPushButton(tr("Postures"))),
       menu_(new QMenu(this)) {
-  start_->setToolTip(tr("Move the robot to the start"));
-  goal_->setToolTip(tr("Move the robot to the goal"));
   postures_->setToolTip(tr("Go to a posture that has a name, or save this one under a name"));
   start_->setObjectName(QStringLiteral("go_to_start"));
   goal_->setObjectName(QStringLiteral("go_to_goal"));
@@ -63,6 +61,10 @@ void PostureBar::set_scene(const std::shared_ptr<const geometric::Scene>& scene)
   menu_->clear();
   start_->setEnabled(scene && scene->start);
   goal_->setEnabled(scene && scene->goal);
+  start_->setToolTip(start_->isEnabled() ? tr("Move the robot to the start")
+                                         : tr("The scene has no start: Plan > Set start here"));
+  goal_->setToolTip(goal_->isEnabled() ? tr("Move the robot to the goal")
+                                       : tr("The scene has no goal posture: Plan > Set goal here"));
   const bool has_robot = scene && !scene->robots.empty();
   if (has_robot) {
     list_postures(*scene);
@@ -145,8 +147,9 @@ void PosturePanels::add_commands() {
   for (QAction* action : {start, goal, keep}) {
     workbench_.add_to_menu(MainMenu::kPlan, {1, ++order}, action);
     workbench_.add_to_menu(MainMenu::kContext, {5, order}, action);
-    connect(&workbench_, &Workbench::scene_shown, action,
-            [this, action] { action->setEnabled(document_.robot() != nullptr); });
+    connect(&workbench_, &Workbench::scene_shown, action, [this, action] {
+      allow(*action, document_.robot() ? QString() : tr("The scene has no robot."));
+    });
   }
   SceneEditor& editor = workbench_.editor;
   connect(start, &QAction::triggered, this,

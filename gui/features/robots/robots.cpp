@@ -8,6 +8,7 @@
 #include "view3d/scene_view.h"
 #include "view3d/viewpoints.h"
 #include "widgets/panels/log_panel.h"
+#include "widgets/style/theme.h"
 
 #include <QFileDialog>
 #include <QFileInfo>
@@ -142,9 +143,12 @@ void add_robots(Workbench& workbench) {
   workbench.add_to_menu(MainMenu::kContext, {3, 10}, first);
   const auto update_enabled = [&workbench, write, first, setup] {
     const RobotInstance* robot = chosen_robot(workbench);
-    write->setEnabled(robot != nullptr);
-    setup->setEnabled(robot != nullptr);
-    first->setEnabled(robot && robot != workbench.document.robot());
+    const QString no_robot =
+        robot ? QString() : QObject::tr("The scene has no robot: add one with Add > Robot.");
+    allow(*write, no_robot);
+    allow(*setup, no_robot);
+    allow(*first, robot != workbench.document.robot() ? no_robot
+                                                      : QObject::tr("Select another robot first."));
   };
   QObject::connect(add, &QAction::triggered, &workbench, [&] {
     if (workbench.document.scene()) {

@@ -118,7 +118,7 @@ MeasureTool::MeasureTool(Workbench& workbench)
   connect(&workbench_.document, &Document::configuration_changed, this, &MeasureTool::clear);
   const auto follow_scene = [this] {
     action_->setChecked(false);
-    action_->setEnabled(workbench_.document.scene() != nullptr);
+    allow(*action_, workbench_.document.scene() ? QString() : tr("Open a scene first."));
   };
   connect(&workbench_.document, &Document::opened, this, follow_scene);
   follow_scene();

@@ -117,6 +117,7 @@ DockSwitches build_docks(QMainWindow& window, const DockContents& contents) {
     history->hide();
     history->toggleViewAction()->setText(QObject::tr("Undo &history"));
     QObject::connect(history->toggleViewAction(), &QAction::triggered, history, &QWidget::raise);
+    open_high(window, {history});
     switches.history.append(history->toggleViewAction());
   }
   QTabWidget* tabs = make_tabs(contents.control);

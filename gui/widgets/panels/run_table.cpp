@@ -162,19 +162,25 @@ QString motion_text(const planning::TimedPath& motion) {
   const planning::PreflightReport& report = motion.preflight;
   QString text = colored(tr("Cleared to run"), colors_of(current_theme()).good);
   const auto add = [&text](const QString& line) { text += QStringLiteral("<br>") + line; };
-  add(tr("%1 s").arg(report.duration, 0, 'f', 2));
+  add(tr("The motion takes %1 s.").arg(report.duration, 0, 'f', 2));
   const auto add_share = [&](const QString& line, const planning::LimitShare& share) {
     if (share.share > 0.0) {
       add(line.arg(100.0 * share.share, 0, 'f', 0).arg(QString::fromStdString(share.joint)));
     }
   };
-  add_share(tr("Velocity up to %1 % of the limit (%2)"), report.velocity);
-  add_share(tr("Acceleration up to %1 % of the limit (%2)"), report.acceleration);
-  add(tr("Clearance %1 mm (%2)")
-          .arg(report.min_clearance_mm, 0, 'f', 2)
-          .arg(QString::fromStdString(report.closest_pair)));
+  add_share(tr("The velocity is at most %1 % of its limit (joint %2)."), report.velocity);
+  add_share(tr("The acceleration is at most %1 % of its limit (joint %2)."), report.acceleration);
+  if (report.closest_pair.empty()) {
+    add(tr("Robot and objects stay more than 50 mm apart."));
+  } else {
+    add(tr("The smallest clearance is %1 mm, at %2 s (%3).")
+            .arg(report.min_clearance_mm, 0, 'f', 2)
+            .arg(report.min_clearance_time, 0, 'f', 2)
+            .arg(QString::fromStdString(report.closest_pair).toHtmlEscaped()));
+  }
   for (const std::string& line : planning::assumption_lines(report.assumed, kMostJoints)) {
-    add(QString::fromStdString(line).toHtmlEscaped());
+    const QString words = QString::fromStdString(line).toHtmlEscaped();
+    add(words.left(1).toUpper() + words.mid(1) + QLatin1Char('.'));
   }
   return text;
 }

@@ -84,4 +84,8 @@ void set_role(QWidget& widget, const QString& role);
 [[nodiscard]] QAction* make_action(QObject& parent, const QString& name, const QString& text,
                                    const QKeySequence& keys, const QString& tip);
 
+/// Enables a command of make_action(), or disables it, with the reason in its tool tip and in the
+/// status bar. @param why_not and what to do; empty: it is possible.
+void allow(QAction& action, const QString& why_not);
+
 }  // namespace handway::gui

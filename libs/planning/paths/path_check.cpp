@@ -176,14 +176,14 @@ PathConflictSearch::PathConflictSearch(const PlanningProblem& problem, double re
 
 std::string conflict_text(const geometric::CollisionWorld& world, std::optional<int> pair,
                           double resolution) {
-  const geometric::NamedPair two =
-      pair ? geometric::named_pair(world, *pair, 0.0) : geometric::NamedPair{};
+  const geometric::NamedPair two = pair ? geometric::named_pair(world, *pair, 0.0)
+                                        : geometric::NamedPair{"A body", "another one"};
   if (pair && two.b.empty()) {
     return "The motion violates constraint " + two.a;
   }
-  return (pair ? two.a + " and " + two.b : "Bodies") +
-         (resolution > 0.0 ? fmt::format(" come closer than {:g} mm", 1e3 * resolution)
-                           : " collide");
+  return resolution > 0.0
+             ? fmt::format("{} comes closer than {:g} mm to {}", two.a, 1e3 * resolution, two.b)
+             : fmt::format("{} and {} collide", two.a, two.b);
 }
 
 std::string PathConflictSearch::conflict_at(const Configuration& q) {

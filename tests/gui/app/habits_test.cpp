@@ -1,5 +1,6 @@
 /// What people do without thinking about it, and what therefore has to be where and as they expect.
 #include "features/grasping/grasp_tool.h"
+#include "handway/geometric/formats/scene_file.h"
 #include "model/document/scene_edits.h"
 #include "patience.h"
 #include "view3d/scene_graph.h"
@@ -54,6 +55,30 @@ TEST_F(Habits, EnterInAFieldGivesTheFocusBackToTheView) {
   QTest::keyClicks(&seed, QStringLiteral("7"));
   QTest::keyClick(&seed, Qt::Key_Return);
   EXPECT_TRUE(QTest::qWaitFor([&] { return window().focusWidget() == &window().view(); }, 1000));
+}
+
+TEST_F(Habits, WhatIsGreySaysWhyAndWhatToDo) {
+  const auto look = [&](const char* when) {
+    for (const QAction* bar : window().menuBar()->actions()) {
+      for (const QAction* action : bar->menu()->actions()) {
+        const bool is_undo = action->objectName() == QLatin1String("undo") ||
+                             action->objectName() == QLatin1String("redo");
+        EXPECT_TRUE(action->isEnabled() || action->isSeparator() || action->menu() || is_undo ||
+                    action->statusTip().endsWith(QLatin1Char('.')))
+            << when << ": " << qPrintable(action->text());
+      }
+    }
+  };
+  look("start page");
+  open(cell().post());
+  look("scene");
+  geometric::Scene empty = scene();
+  empty.goal.reset();
+  geometric::write_scene(empty, cell().folder() / "no_goal.yaml");
+  open(cell().folder() / "no_goal.yaml");
+  look("scene without a goal");
+  EXPECT_THAT(part<QPushButton>("plan").toolTip().toStdString(),
+              ::testing::HasSubstr("Set goal here"));
 }
 
 TEST_F(Habits, KeysOfTheManualExistOnce) {

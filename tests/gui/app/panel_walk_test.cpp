@@ -2,6 +2,8 @@
 /// people use: nothing is cut, outside of the window or hard to read. With $HANDWAY_PICTURES it
 /// leaves a picture of each stop, which scripts/contact-sheet puts together.
 #include "features/devices/device_session.h"
+#include "features/glove/capture_pages.h"
+#include "features/glove/glove_panel.h"
 #include "handway/geometric/io/resources.h"
 #include "handway/planning/extensions/plugin.h"
 #include "handway_test/paths.h"
@@ -17,6 +19,7 @@
 #include <QComboBox>
 #include <QDir>
 #include <QDockWidget>
+#include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
 #include <QPainter>
@@ -343,6 +346,36 @@ TEST_P(PanelWalk, CutsNothingWithDevices) {
   look(QStringLiteral("Devices_connected"));
   part<QPushButton>("devices_connect").click();
   wait_for([&] { return workbench().driver.state() == gui::MotionDriver::State::kOff; });
+}
+
+// With an emulated glove: what has data, and the guide from its first posture to its end.
+TEST_P(PanelWalk, CutsNothingWithAGlove) {
+  open_task();
+  auto& panel = *window_->findChild<gui::GlovePanel*>();
+  panel.come_to_front("Sensors");
+  part<QPushButton>("glove_connect").click();
+  wait_for([&] {
+    return panel.session().link().state() == device::StreamState::kStreaming &&
+           panel.capture().postures().count() > 20;
+  });
+  walk_pages_of(panel, QStringLiteral("glove"));
+  panel.come_to_front("Sensors");
+  part<QPushButton>("calibrate").click();
+  look(QStringLiteral("guide"));
+  part<QPushButton>("calibration_capture").click();
+  look(QStringLiteral("guide_reading"));
+  auto& skip = part<QPushButton>("calibration_skip");
+  const auto& instruction = part<QLabel>("calibration_instruction");
+  wait_for([&] { return skip.isEnabled(); });
+  while (skip.isEnabled()) {
+    skip.click();
+    if (instruction.text().contains(QLatin1String("Now move")) || !skip.isEnabled()) {
+      look(QStringLiteral("guide_") +
+           (skip.isEnabled() ? QLatin1String("motion") : QLatin1String("bones")));
+    }
+  }
+  part<QPushButton>("glove_connect").click();
+  wait_for([&] { return panel.session().link().state() == device::StreamState::kStopped; });
 }
 
 // Of a small window, of a usual one, and of a usual one with text of twice the size.

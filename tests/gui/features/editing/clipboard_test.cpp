@@ -105,10 +105,20 @@ TEST_F(Clipboard, TakesAPieceOfASceneFileThatAPersonCopied) {
   EXPECT_EQ(object("ball").attachment->link, "palm");
 }
 
-TEST_F(Clipboard, SaysWhatIsWrongWithOtherText) {
-  set_text("a shopping list");
-  press("Ctrl+V");
-  EXPECT_THAT(window().message().toStdString(), ::testing::HasSubstr("the clipboard"));
+TEST_F(Clipboard, OffersToPasteObjectsOnly) {
+  const QAction& paste = *actions().paste;
+  for (const char* text : {"", "a shopping list", "name: ball"}) {
+    set_text(text);
+    EXPECT_FALSE(paste.isEnabled()) << text;
+    EXPECT_THAT(paste.toolTip().toStdString(), ::testing::HasSubstr("holds no objects"));
+  }
+  for (const char* text : {"- {name: ball, sphere: {radius: 0.05}}", "handway: 1\nobjects: []\n"}) {
+    set_text(text);
+    EXPECT_TRUE(paste.isEnabled()) << text;
+  }
+}
+
+TEST_F(Clipboard, SaysWhatIsWrongWithObjects) {
   set_text("objects:\n  - name: ball\n    sphere: {radius: -1}\n");
   press("Ctrl+V");
   EXPECT_THAT(window().message().toStdString(), ::testing::HasSubstr("the clipboard:3"));

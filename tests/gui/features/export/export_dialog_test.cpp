@@ -56,7 +56,8 @@ class ExportDialogTest : public WindowTest {
 TEST_F(ExportDialogTest, ShowsTheFilesBeforeItWritesThem) {
   ASSERT_TRUE(is_ready());
   EXPECT_THAT(field<QLabel>("export_report").text().toStdString(),
-              AllOf(HasSubstr("Cleared"), HasSubstr("assumed acceleration limits")));
+              AllOf(HasSubstr("Cleared"), HasSubstr("The motion takes"),
+                    HasSubstr("Assumed acceleration limits")));
   ASSERT_EQ(field<QListWidget>("export_files").count(), 1);
   // Of a long file the beginning is shown.
   const std::string shown = field<QPlainTextEdit>("export_content").toPlainText().toStdString();

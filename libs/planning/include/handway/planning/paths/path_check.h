@@ -39,7 +39,7 @@ struct PathCheckResult {
 struct PathConflict {
   std::size_t waypoint = 0;  ///< The last waypoint up to there, from 0.
   double share = 0.0;        ///< In [0, 1]: how far it is from there to the next one.
-  /// "A and B collide", "A and B come closer than 0.05 mm", or "The motion violates constraint C".
+  /// "A and B collide", "A comes closer than 0.05 mm to B", or "The motion violates constraint C".
   std::string text;
 };
 
