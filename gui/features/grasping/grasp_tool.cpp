@@ -162,7 +162,7 @@ void GraspCard::place() {
     list_->setFixedHeight(list_->header()->sizeHint().height() + rows * list_->sizeHintForRow(0) +
                           2);
     details_->layout()->activate();
-    return layout()->heightForWidth(width);
+    return layout()->totalHeightForWidth(width);
   };
   int rows = list_->topLevelItemCount();
   int height = height_with(rows);
