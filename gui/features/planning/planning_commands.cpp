@@ -98,13 +98,12 @@ void PlanningCommands::report_presets() {
 void PlanningCommands::update_ready() {
   const auto& scene = workbench_.document.scene();
   const bool has_query = workbench_.document.robot() && (scene->goal || !scene->goal_poses.empty());
-  why_not_ =
-      has_query ? QString()
-      : !scene  ? tr("Open a scene first.")
-      : !workbench_.document.robot()
-          ? tr("The scene has no robot: add one with Add > Robot.")
-          : tr("The scene has no goal. Pose the robot with the Joints panel and choose Plan > "
-               "Set goal here, or select an object and press Ctrl+G to grasp it.");
+  why_not_ = has_query ? QString()
+             : !scene  ? tr("Open a scene first.")
+             : !workbench_.document.robot()
+                 ? tr("The scene has no robot: add one with Add > Robot.")
+                 : tr("The scene has no goal. Pose the robot with the Joints panel and choose\n"
+                      "Plan > Set goal here, or select an object and press Ctrl+G to grasp it.");
   panel_.set_ready(has_query, why_not_);
   allow(*plan_, workbench_.session.is_running() ? tr("It is planning.") : why_not_);
 }

@@ -1,6 +1,9 @@
 #pragma once
 
 #include <QPlainTextEdit>
+#include <QTime>
+
+#include <deque>
 
 namespace handway::gui {
 
@@ -14,6 +17,21 @@ class LogPanel : public QPlainTextEdit {
   explicit LogPanel(QWidget* parent = nullptr);
 
   void add(Level level, const QString& message);
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  struct Entry {
+    Level level;
+    QTime time;
+    QString message;
+  };
+
+  /// In the current theme's colours.
+  void append(const Entry& entry);
+
+  std::deque<Entry> entries_;
 };
 
 }  // namespace handway::gui

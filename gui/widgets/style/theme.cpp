@@ -5,6 +5,7 @@
 #include <QFile>
 #include <QFont>
 #include <QKeySequence>
+#include <QLabel>
 #include <QPainter>
 #include <QPalette>
 #include <QPixmap>
@@ -18,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 // Takes the drawings in; a macro of Qt that must stand outside all namespaces.
 static void take_resources() { Q_INIT_RESOURCE(workbench); }
@@ -173,13 +175,33 @@ ThemeColors colors_of(Theme theme) {
           {}};
 }
 
+namespace {
+
+// Those that were written in the colours of the theme before.
+void recolor_texts(const ThemeColors& before, const ThemeColors& now) {
+  for (QWidget* widget : QApplication::allWidgets()) {
+    if (auto* label = qobject_cast<QLabel*>(widget)) {
+      QString text = label->text();
+      for (const auto color : {&ThemeColors::text, &ThemeColors::muted, &ThemeColors::accent,
+                               &ThemeColors::good, &ThemeColors::bad}) {
+        text.replace(html(before.*color), html(now.*color));
+      }
+      if (text != label->text()) {
+        label->setText(text);
+      }
+    }
+  }
+}
+
+}  // namespace
+
 void apply_theme(QApplication& application, Theme theme) {
   apply_theme(application, theme, applied_scale);
 }
 
 void apply_theme(QApplication& application, Theme theme, double text_scale) {
   take_resources();
-  applied = theme;
+  const ThemeColors before = colors_of(std::exchange(applied, theme));
   applied_scale = text_scale;
   QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
   QFont font(QStringLiteral("Noto Sans"));
@@ -190,6 +212,7 @@ void apply_theme(QApplication& application, Theme theme, double text_scale) {
   const ThemeColors colors = colors_of(theme);
   QApplication::setPalette(palette_of(colors));
   application.setStyleSheet(style_sheet(colors, theme));
+  recolor_texts(before, colors);
 }
 
 Theme current_theme() { return applied; }
@@ -291,7 +314,7 @@ void allow(QAction& action, const QString& why_not) {
   lines << why_not;
   lines.removeAll({});
   action.setToolTip(lines.join(QLatin1Char('\n')));
-  action.setStatusTip(why_not.isEmpty() ? tip : why_not);
+  action.setStatusTip(why_not.isEmpty() ? tip : why_not.simplified());
   action.setEnabled(why_not.isEmpty());
 }
 

@@ -1,5 +1,8 @@
 #include "widgets/style/theme.h"
 
+#include <QApplication>
+#include <QLabel>
+
 #include <gtest/gtest.h>
 
 namespace handway::gui {
@@ -19,6 +22,19 @@ TEST(Contrast, IsEnoughForAnyColourOnAnyTheme) {
       }
     }
   }
+}
+
+TEST(Contrast, OfTextsIsThatOfTheThemeThatIsChosenLater) {
+  auto& application = *qobject_cast<QApplication*>(QApplication::instance());
+  const auto text_in = [](Theme theme) {
+    return QStringLiteral("<b style=\"color:%1\">Path found</b>").arg(html(colors_of(theme).good));
+  };
+  apply_theme(application, Theme::kLight);
+  QLabel label(text_in(Theme::kLight));
+  apply_theme(application, Theme::kDark);
+  EXPECT_EQ(label.text(), text_in(Theme::kDark));
+  apply_theme(application, Theme::kLight);
+  EXPECT_EQ(label.text(), text_in(Theme::kLight));
 }
 
 TEST(Contrast, ThatIsEnoughLeavesTheColour) {
