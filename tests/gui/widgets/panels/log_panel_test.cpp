@@ -30,10 +30,11 @@ TEST(LogPanel, IsReadableInTheThemeThatIsChosenLater) {
     EXPECT_EQ(log.document()->blockCount(), 3);
     for (QTextBlock block = log.document()->begin(); block.isValid(); block = block.next()) {
       for (auto part = block.begin(); !part.atEnd(); ++part) {
-        EXPECT_GE(gui::contrast(part.fragment().charFormat().foreground().color(),
-                                gui::colors_of(theme).surface),
-                  4.5)
-            << qPrintable(part.fragment().text());
+        const QTextFragment text = part.fragment();
+        EXPECT_TRUE(text.text().trimmed().isEmpty() ||
+                    gui::contrast(text.charFormat().foreground().color(),
+                                  gui::colors_of(theme).surface) >= 4.5)
+            << qPrintable(text.text());
       }
     }
   }
