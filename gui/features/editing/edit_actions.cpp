@@ -212,9 +212,9 @@ void EditActions::take(QAction& action, const QString& name, const QKeySequence&
 
 void EditActions::look_at_clipboard() {
   // A part `objects`, or a list of objects: their names come first.
-  static const QRegularExpression objects(
+  static const QRegularExpression kObjects(
       QStringLiteral(R"((?:^|\n)\s*(?:objects\s*:|-\s*\{?\s*name\s*:))"));
-  can_be_pasted_ = objects.match(QGuiApplication::clipboard()->text()).hasMatch();
+  can_be_pasted_ = kObjects.match(QGuiApplication::clipboard()->text()).hasMatch();
   update_enabled();
 }
 
