@@ -298,7 +298,7 @@ std::pair<Eigen::Vector3d, Eigen::Vector3d> before(const Aabb& robots, const Orb
 /// the one that shows most.
 class ViewSearch {
  public:
-  ViewSearch(const geometric::Scene& scene, OrbitCamera camera, double aspect)
+  ViewSearch(const geometric::Scene& scene, const OrbitCamera& camera, double aspect)
       : camera_(camera),
         aspect_(aspect),
         task_(task_azimuth(scene)),
@@ -349,7 +349,7 @@ class ViewSearch {
 
 }  // namespace
 
-OrbitCamera open_view(const geometric::Scene& scene, OrbitCamera camera, double aspect) {
+OrbitCamera open_view(const geometric::Scene& scene, const OrbitCamera& camera, double aspect) {
   const ViewSearch search(scene, camera, aspect);
   const auto [whole, seen] = search.best(false);
   return seen < kHardlySeen ? search.best(true).first : whole;

@@ -30,7 +30,7 @@ namespace handway::gui {
 /// walls of cages; what is of interest fits in. Where objects close them in, roof and all: from
 /// where much of them is seen once section_needed() has cut that open.
 /// @param camera its projection is kept. @param aspect width by height.
-[[nodiscard]] OrbitCamera open_view(const geometric::Scene& scene, OrbitCamera camera,
+[[nodiscard]] OrbitCamera open_view(const geometric::Scene& scene, const OrbitCamera& camera,
                                     double aspect);
 
 /// In front of which point (world, m), towards the camera, objects have to be cut away to see the
