@@ -10,7 +10,6 @@
 #include "handway/geometric/io/resources.h"
 #include "handway/geometric/math/units.h"
 #include "handway/sampling/postures/pmd_basis.h"
-#include "handway/sampling/postures/posture_subspace.h"
 #include "handway/sampling/postures/posture_table.h"
 #include "numbers.h"
 #include "posture_study.h"

@@ -8,7 +8,7 @@
 #include "handway/device/glove/recording_quality.h"
 #include "handway/device/retargeting/fingertip_errors.h"
 #include "handway/geometric/math/units.h"
-#include "handway/sampling/postures/posture_subspace.h"
+#include "handway/sampling/postures/pmd_basis.h"
 
 #include <QFileDialog>
 #include <QFileInfo>

@@ -7,7 +7,7 @@
 #include "handway/device/retargeting/mapping_proposal.h"
 #include "handway/geometric/io/resources.h"
 #include "handway/geometric/math/units.h"
-#include "handway/sampling/postures/posture_subspace.h"
+#include "handway/sampling/postures/pmd_basis.h"
 #include "handway/sampling/postures/principal_components.h"
 #include "model/document/edit.h"
 #include "widgets/style/theme.h"

@@ -21,19 +21,6 @@ std::vector<double> sorted(std::span<const double> values) {
   return result;
 }
 
-double quantile_of_sorted(const std::vector<double>& values, double p) {
-  if (values.empty()) {
-    return kNan;
-  }
-  const double at = p * static_cast<double>(values.size() - 1);
-  const auto below = static_cast<std::size_t>(at);
-  const double rest = at - static_cast<double>(below);
-  if (rest == 0.0 || values[below] == values[below + 1]) {  // equal: infinite ones too
-    return values[below];
-  }
-  return values[below] + rest * (values[below + 1] - values[below]);
-}
-
 }  // namespace
 
 double mean_of(std::span<const double> values) {
@@ -52,10 +39,6 @@ double deviation_of(std::span<const double> values) {
     squares += (value - mean) * (value - mean);
   }
   return std::sqrt(squares / static_cast<double>(values.size() - 1));
-}
-
-double quantile_of(std::span<const double> values, double p) {
-  return quantile_of_sorted(sorted(values), p);
 }
 
 Interval mean_interval(std::span<const double> values, double confidence) {
@@ -102,9 +85,9 @@ BoxPlot box_plot_of(std::span<const double> values) {
   constexpr double kReach = 1.5;  // box lengths
   const std::vector<double> order = sorted(values);
   BoxPlot box;
-  box.lower_quartile = quantile_of_sorted(order, 0.25);
-  box.median = quantile_of_sorted(order, 0.5);
-  box.upper_quartile = quantile_of_sorted(order, 0.75);
+  box.lower_quartile = quantile_of(order, 0.25);
+  box.median = quantile_of(order, 0.5);
+  box.upper_quartile = quantile_of(order, 0.75);
   const double reach = kReach * (box.upper_quartile - box.lower_quartile);
   const auto first = std::ranges::lower_bound(order, box.lower_quartile - reach);
   const auto last = std::ranges::upper_bound(order, box.upper_quartile + reach);

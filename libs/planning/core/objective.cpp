@@ -167,7 +167,8 @@ Objective::Objective(const PlanningProblem& problem, const ObjectiveWeights& wei
     : problem_(problem), weights_(weights) {
   if (problem.basis) {
     subspace_.emplace(*problem.basis);
-    axes_ = sampling::box_axes(*problem.basis);
+    axes_ =
+        sampling::axes_of(*problem.basis) * sampling::half_sides_of(*problem.basis).asDiagonal();
   }
   if (weights.clearance > 0.0) {
     checker_ = problem.checker->clone();

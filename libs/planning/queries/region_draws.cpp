@@ -3,6 +3,7 @@
 #include "handway/geometric/io/input_error.h"
 #include "handway/planning/queries/palm_ik.h"
 #include "handway/planning/spaces/state_space.h"
+#include "handway/sampling/postures/quantile.h"
 #include "handway/sampling/sequences/random_stream.h"
 #include "planners/built_in.h"
 
@@ -22,16 +23,6 @@ using geometric::RobotModel;
 constexpr int kMotionPieces = 64;
 constexpr int kMostCentres = 65;
 constexpr double kMostPalms = 0.9;  // share within RegionDraws::palm_reach
-
-double quantile(std::vector<double> values, double share) {
-  if (values.empty()) {
-    return 0.0;
-  }
-  const auto at =
-      values.begin() + std::lround(std::floor(share * static_cast<double>(values.size() - 1)));
-  std::ranges::nth_element(values, at);
-  return *at;
-}
 
 constexpr int kMostCornerDimensions = 7;  // 128 corners; of more dimensions the first are taken
 
@@ -173,7 +164,9 @@ RegionDraws RegionPreview::draw(const SamplingRegion& region, int configurations
       result.fingertips.push_back(place(tip.link, tip.p_LTip));
     }
   }
-  result.palm_reach = quantile(std::move(distances), kMostPalms);
+  if (!distances.empty()) {
+    result.palm_reach = sampling::quantile_of(std::move(distances), kMostPalms);
+  }
   return result;
 }
 

@@ -35,10 +35,13 @@ class ControlSpace final : public StateSpace {
   ControlSpace(const PlanningProblem& problem, const sampling::PmdBasis& basis, double half_width)
       : StateSpace(problem),
         arm_start_(joints_of(problem.start, arm())),
-        frame_(frame_along(joints_of(problem.goal, arm()) - arm_start_)) {
+        frame_(frame_along(joints_of(problem.goal, arm()) - arm_start_)),
+        centre_(sampling::centre_of(basis)),
+        axes_(centre_.size(), basis.dimension() + 2) {
     // The corridor's cubes are as wide across an axis as its components add up to.
     const Eigen::VectorXd width = half_width * frame_.cwiseAbs().colwise().sum().transpose();
-    const Eigen::VectorXd half_sides = set_hand_axes(basis);
+    const Eigen::VectorXd half_sides = sampling::half_sides_of(basis);
+    axes_ << sampling::axes_of(basis), Eigen::MatrixXd::Zero(centre_.size(), 2);
     const Eigen::Vector2d deviations(add_deviation(basis, half_sides, 0),
                                      add_deviation(basis, half_sides, 1));
     Eigen::VectorXd lower(frame_.cols() + axes_.cols());
@@ -96,24 +99,6 @@ class ControlSpace final : public StateSpace {
       }
     }
     return x;
-  }
-
-  // Of the subspace, with room for the deviations; returns the half sides of its box.
-  Eigen::VectorXd set_hand_axes(const sampling::PmdBasis& basis) {
-    centre_ = basis.mean;
-    axes_ = Eigen::MatrixXd::Zero(centre_.size(), basis.dimension() + 2);
-    Eigen::VectorXd half_sides(basis.dimension());
-    int axis = 0;
-    for (const sampling::FreeJoint& free : basis.free_joints) {
-      centre_[free.joint] = free.centre;
-      axes_(free.joint, axis) = 1.0;
-      half_sides[axis++] = free.half_side;
-    }
-    for (const sampling::PrincipalDirection& direction : basis.directions) {
-      axes_.col(axis) = direction.vector;
-      half_sides[axis++] = direction.half_side;
-    }
-    return half_sides;
   }
 
   // From the nearest posture in the box to the posture at an end (0: start, 1: goal); how long.

@@ -1,10 +1,10 @@
 #include "handway/sampling/postures/basis_study.h"
 
 #include "handway/geometric/io/input_error.h"
-#include "handway/sampling/postures/posture_subspace.h"
+#include "handway/sampling/postures/pmd_basis.h"
 #include "handway/sampling/postures/principal_components.h"
+#include "handway/sampling/postures/quantile.h"
 #include "handway/sampling/sequences/random_stream.h"
-#include "postures/quantile.h"
 
 #include <Eigen/QR>
 #include <fmt/format.h>
@@ -178,7 +178,7 @@ class Study {
     }
     for (std::size_t k = 0; k < sums.size(); ++k) {
       study.reconstruction.push_back({static_cast<int>(k), interval_of(sums[k]),
-                                      quantile(std::move(all[k]), kMostShare),
+                                      quantile_of(std::move(all[k]), kMostShare),
                                       all_.shares.head(static_cast<Eigen::Index>(k)).sum()});
     }
   }
@@ -203,7 +203,7 @@ class Study {
 
   [[nodiscard]] Interval bounds(double mean, const std::vector<double>& values) const {
     const double tail = 0.5 * (1.0 - settings_.confidence);
-    return {mean, quantile(values, tail), quantile(values, 1.0 - tail)};
+    return {mean, quantile_of(values, tail), quantile_of(values, 1.0 - tail)};
   }
 
   void add_stability(std::size_t length, BasisStudy& study) {
@@ -331,7 +331,7 @@ Eigen::MatrixXd span_of(const PmdBasis& basis) {
     throw geometric::InputError(
         {"basis of " + basis.hand, "directions", "no axis", "one or more", ""});
   }
-  const Eigen::MatrixXd axes = box_axes(basis).colwise().normalized();
+  const Eigen::MatrixXd axes = axes_of(basis).colwise().normalized();
   return Eigen::HouseholderQR<Eigen::MatrixXd>(axes).householderQ() *
          Eigen::MatrixXd::Identity(axes.rows(), axes.cols());
 }

@@ -4,6 +4,7 @@
 #include "handway/geometric/io/replace_file.h"
 
 #include <Eigen/QR>
+#include <Eigen/SVD>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <yaml-cpp/yaml.h>
@@ -16,10 +17,8 @@
 #include <vector>
 
 namespace handway::sampling {
-namespace {
 
-// Columns: the axes of SC^h, free joints first.
-Eigen::MatrixXd axes(const PmdBasis& basis) {
+Eigen::MatrixXd axes_of(const PmdBasis& basis) {
   Eigen::MatrixXd E = Eigen::MatrixXd::Zero(basis.mean.size(), basis.dimension());
   Eigen::Index column = 0;
   for (const FreeJoint& free : basis.free_joints) {
@@ -31,8 +30,15 @@ Eigen::MatrixXd axes(const PmdBasis& basis) {
   return E;
 }
 
-// b with the free joints at their own centres.
-Eigen::VectorXd centre(const PmdBasis& basis) {
+Eigen::VectorXd half_sides_of(const PmdBasis& basis) {
+  Eigen::VectorXd half_sides(basis.dimension());
+  const auto directions =
+      std::ranges::transform(basis.free_joints, half_sides.begin(), &FreeJoint::half_side).out;
+  std::ranges::transform(basis.directions, directions, &PrincipalDirection::half_side);
+  return half_sides;
+}
+
+Eigen::VectorXd centre_of(const PmdBasis& basis) {
   Eigen::VectorXd b = basis.mean;
   for (const FreeJoint& free : basis.free_joints) {
     b[free.joint] = free.centre;
@@ -40,15 +46,13 @@ Eigen::VectorXd centre(const PmdBasis& basis) {
   return b;
 }
 
-}  // namespace
-
 Eigen::VectorXd map_to_posture(const PmdBasis& basis, const Eigen::VectorXd& u) {
   if (u.size() > basis.dimension()) {
     throw std::invalid_argument("sample has " + std::to_string(u.size()) +
                                 " coordinates, the basis " + std::to_string(basis.dimension()) +
                                 " axes");
   }
-  Eigen::VectorXd posture = centre(basis);
+  Eigen::VectorXd posture = centre_of(basis);
   const auto free_count = static_cast<Eigen::Index>(basis.free_joints.size());
   for (Eigen::Index i = 0; i < u.size(); ++i) {
     const double e = 2.0 * u[i] - 1.0;  // in units of the half-side
@@ -64,24 +68,12 @@ Eigen::VectorXd map_to_posture(const PmdBasis& basis, const Eigen::VectorXd& u) 
   return posture.cwiseMax(0.0).cwiseMin(1.0);
 }
 
-Eigen::MatrixXd box_axes(const PmdBasis& basis) {
-  Eigen::MatrixXd scaled = axes(basis);
-  Eigen::Index column = 0;
-  for (const FreeJoint& free : basis.free_joints) {
-    scaled.col(column++) *= free.half_side;
-  }
-  for (const PrincipalDirection& direction : basis.directions) {
-    scaled.col(column++) *= direction.half_side;
-  }
-  return scaled;
-}
-
 Eigen::VectorXd project(const PmdBasis& basis, const Eigen::VectorXd& posture) {
-  return axes(basis).colPivHouseholderQr().solve(posture - centre(basis));
+  return axes_of(basis).colPivHouseholderQr().solve(posture - centre_of(basis));
 }
 
 double distance_to_subspace(const PmdBasis& basis, const Eigen::VectorXd& posture) {
-  return (axes(basis) * project(basis, posture) + centre(basis) - posture).norm();
+  return (axes_of(basis) * project(basis, posture) + centre_of(basis) - posture).norm();
 }
 
 PmdBasis full_joint_basis(std::string hand, std::vector<std::string> joints) {
@@ -95,6 +87,51 @@ PmdBasis full_joint_basis(std::string hand, std::vector<std::string> joints) {
     basis.free_joints.push_back({i, 0.5, 0.5});
   }
   return basis;
+}
+
+PostureSubspace::PostureSubspace(const PmdBasis& basis) : centre_(centre_of(basis)) {
+  // Read off project(), so that there is one definition.
+  const Eigen::MatrixXd E = axes_of(basis);
+  across_ = Eigen::MatrixXd::Identity(E.rows(), E.rows());
+  for (Eigen::Index column = 0; column < E.rows(); ++column) {
+    const Eigen::VectorXd e = project(basis, centre_ + Eigen::VectorXd::Unit(E.rows(), column));
+    for (Eigen::Index axis = 0; axis < E.cols(); ++axis) {
+      across_.col(column) -= e[axis] * E.col(axis);
+    }
+  }
+}
+
+Eigen::VectorXd PostureSubspace::outside(const Eigen::VectorXd& posture) const {
+  return across_ * (posture - centre_);
+}
+
+double PostureSubspace::distance(const Eigen::VectorXd& posture) const {
+  return outside(posture).norm();
+}
+
+Eigen::VectorXd PostureSubspace::closest(const Eigen::VectorXd& posture) const {
+  return (posture - outside(posture)).cwiseMax(0.0).cwiseMin(1.0);
+}
+
+Eigen::VectorXd principal_angles(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
+  if (a.rows() != b.rows() || a.cols() == 0 || b.cols() == 0) {
+    throw std::invalid_argument("principal angles need two bases of the same space");
+  }
+  const Eigen::MatrixXd& wide = a.cols() >= b.cols() ? a : b;
+  const Eigen::MatrixXd& narrow = a.cols() >= b.cols() ? b : a;
+  const Eigen::JacobiSVD<Eigen::MatrixXd> shared(wide.transpose() * narrow);
+  const Eigen::JacobiSVD<Eigen::MatrixXd> apart(narrow - wide * (wide.transpose() * narrow));
+  const Eigen::Index count = narrow.cols();
+  Eigen::VectorXd angles(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const double cosine = std::clamp(shared.singularValues()[i], 0.0, 1.0);
+    const Eigen::Index from_last = count - 1 - i;
+    const double sine = from_last < apart.singularValues().size()
+                            ? std::clamp(apart.singularValues()[from_last], 0.0, 1.0)
+                            : 0.0;
+    angles[i] = cosine * cosine < 0.5 ? std::acos(cosine) : std::asin(sine);
+  }
+  return angles;
 }
 
 namespace {

@@ -4,18 +4,16 @@
 #include "handway/geometric/io/number_text.h"
 #include "handway/geometric/io/replace_file.h"
 #include "handway/geometric/io/text_file.h"
-#include "handway/sampling/postures/posture_subspace.h"
-#include "postures/quantile.h"
+#include "handway/sampling/postures/pmd_basis.h"
+#include "handway/sampling/postures/quantile.h"
 
-#include <Eigen/Eigenvalues>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <nanoflann.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
-#include <numeric>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
@@ -176,14 +174,16 @@ Eigen::MatrixXd in_order_of(const PmdBasis& basis, const PostureTable& table,
   return postures;
 }
 
-// The unit vector along which the columns vary most.
-Eigen::VectorXd widest_direction(const Eigen::MatrixXd& postures) {
-  const Eigen::MatrixXd centred = postures.colwise() - postures.rowwise().mean();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(centred * centred.transpose());
-  return solver.eigenvectors().rightCols<1>();
-}
-
 }  // namespace
+
+/// A kd-tree over postures.
+struct RecordedPostures::Tree {
+  explicit Tree(Eigen::MatrixXd columns)
+      : postures(std::move(columns)), index(static_cast<int>(postures.rows()), postures) {}
+
+  Eigen::MatrixXd postures;  ///< Shape [joints, postures], free joints 0.
+  nanoflann::KDTreeEigenMatrixAdaptor<Eigen::MatrixXd, -1, nanoflann::metric_L2, false> index;
+};
 
 RecordedPostures::RecordedPostures(const PmdBasis& basis, const PostureTable& table,
                                    const std::string& name)
@@ -198,60 +198,26 @@ RecordedPostures::RecordedPostures(const PmdBasis& basis, const PostureTable& ta
   for (const auto& posture : postures.colwise()) {
     distances.push_back(subspace.distance(posture));
   }
-  usual_distance_ = quantile(std::move(distances), kUsualShare);
+  usual_distance_ = quantile_of(std::move(distances), kUsualShare);
   for (const FreeJoint& free : basis.free_joints) {
     free_joints_.push_back(free.joint);
     postures.row(free.joint).setZero();
   }
-  direction_ = widest_direction(postures);
-  const Eigen::VectorXd along = postures.transpose() * direction_;
-  std::vector<Eigen::Index> order(static_cast<std::size_t>(postures.cols()));
-  std::iota(order.begin(), order.end(), Eigen::Index{0});
-  std::ranges::stable_sort(order, {}, [&](Eigen::Index column) { return along[column]; });
-  postures_ = postures(Eigen::all, order);
-  coordinates_.reserve(order.size());
-  for (const Eigen::Index column : order) {
-    coordinates_.push_back(along[column]);
-  }
+  tree_ = std::make_unique<const Tree>(std::move(postures));
 }
+
+RecordedPostures::~RecordedPostures() = default;
+
+Eigen::Index RecordedPostures::count() const { return tree_->postures.cols(); }
 
 NearestPosture RecordedPostures::nearest(const Eigen::VectorXd& posture) const {
   Eigen::VectorXd wanted = posture;
-  for (const int joint : free_joints_) {
-    wanted[joint] = 0.0;
-  }
-  const double coordinate = direction_.dot(wanted);
-  auto above = std::ranges::lower_bound(coordinates_, coordinate);
-  auto below = above;
-  double best = std::numeric_limits<double>::infinity();  // squared
+  wanted(free_joints_).setZero();
   Eigen::Index found = 0;
-  const auto look = [&](std::vector<double>::const_iterator at) {
-    const auto column = at - coordinates_.begin();
-    const double squared = (postures_.col(column) - wanted).squaredNorm();
-    if (squared < best) {
-      best = squared;
-      found = column;
-    }
-  };
-  const auto near = [&](double other) {
-    return (other - coordinate) * (other - coordinate) < best;
-  };
-  bool more_above = above != coordinates_.end();
-  bool more_below = below != coordinates_.begin();
-  while (more_above || more_below) {
-    if (more_above) {
-      look(above++);
-      more_above = above != coordinates_.end() && near(*above);
-    }
-    if (more_below) {
-      look(--below);
-      more_below = below != coordinates_.begin() && near(*(below - 1));
-    }
-  }
-  NearestPosture result{std::sqrt(best), postures_.col(found)};
-  for (const int joint : free_joints_) {
-    result.joints[joint] = posture[joint];
-  }
+  double squared = 0.0;
+  tree_->index.query(wanted.data(), 1, &found, &squared);
+  NearestPosture result{std::sqrt(squared), tree_->postures.col(found)};
+  result.joints(free_joints_) = posture(free_joints_);
   return result;
 }
 

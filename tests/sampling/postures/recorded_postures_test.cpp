@@ -1,7 +1,6 @@
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/resources.h"
 #include "handway/sampling/postures/pmd_basis.h"
-#include "handway/sampling/postures/posture_subspace.h"
 #include "handway/sampling/postures/posture_table.h"
 #include "handway/sampling/sequences/random_stream.h"
 #include "sah_basis.h"

@@ -1,4 +1,4 @@
-#include "handway/sampling/postures/posture_subspace.h"
+#include "handway/sampling/postures/pmd_basis.h"
 #include "handway/sampling/postures/principal_components.h"
 #include "handway/sampling/sequences/random_stream.h"
 

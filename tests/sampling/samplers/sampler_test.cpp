@@ -90,24 +90,6 @@ INSTANTIATE_TEST_SUITE_P(Kinds, EverySampler,
                            return name;
                          });
 
-class BrokenSampler final : public Sampler {
- public:
-  explicit BrokenSampler(Eigen::VectorXd point) : Sampler(2), point_(std::move(point)) {}
-
- private:
-  [[nodiscard]] Eigen::VectorXd do_point(std::uint64_t) const override { return point_; }
-
-  Eigen::VectorXd point_;
-};
-
-TEST(Sampler, CatchesDerivedClassesThatBreakTheContract) {
-  for (const Eigen::VectorXd& bad :
-       {Eigen::VectorXd(Eigen::Vector3d::Zero()), Eigen::VectorXd(Eigen::Vector2d(0.5, 1.1)),
-        Eigen::VectorXd(Eigen::Vector2d(NAN, 0.5))}) {
-    EXPECT_THROW(static_cast<void>(BrokenSampler(bad).point(0)), std::logic_error);
-  }
-}
-
 TEST(GaussianSampler, ChoosesValidPointsNearTheBorder) {
   constexpr double kSigma = 0.05;
   const auto sampler = make_sampler(SamplerKind::kGaussian, 2, 1, in_the_left_half, {kSigma, 1000});

@@ -2,6 +2,7 @@
 
 #include "handway/planning/campaigns/campaign.h"
 #include "handway/planning/export.h"
+#include "handway/sampling/postures/quantile.h"
 
 #include <cstddef>
 #include <functional>
@@ -22,10 +23,7 @@ struct Interval {
 /// With n - 1 in the denominator; NaN for fewer than two.
 [[nodiscard]] HANDWAY_PLANNING_EXPORT double deviation_of(std::span<const double> values);
 
-/// The p-quantile, 0 ≤ p ≤ 1, by linear interpolation between order statistics (type 7 of
-/// Hyndman and Fan, "Sample quantiles in statistical packages", The American
-/// Statistician 50, 1996). Infinite once a value that it leans on is; NaN without values.
-[[nodiscard]] HANDWAY_PLANNING_EXPORT double quantile_of(std::span<const double> values, double p);
+using sampling::quantile_of;
 
 /// Of the mean, by Student's t distribution. NaN for fewer than two values.
 /// @param confidence in (0, 1).

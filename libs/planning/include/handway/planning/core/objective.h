@@ -2,7 +2,7 @@
 
 #include "handway/planning/core/planning_problem.h"
 #include "handway/planning/export.h"
-#include "handway/sampling/postures/posture_subspace.h"
+#include "handway/sampling/postures/pmd_basis.h"
 
 #include <Eigen/Core>
 

@@ -55,10 +55,14 @@ struct PmdBasis {
 [[nodiscard]] HANDWAY_SAMPLING_EXPORT Eigen::VectorXd map_to_posture(const PmdBasis& basis,
                                                                      const Eigen::VectorXd& u);
 
-/// The axes of SC^h, free joints first, each times its half-side λ_i: what Eq. 1 adds to the
-/// centre.
-/// @returns shape [joints, dimension].
-[[nodiscard]] HANDWAY_SAMPLING_EXPORT Eigen::MatrixXd box_axes(const PmdBasis& basis);
+/// E' of Eq. 1: the axes of SC^h, free joints first. @returns shape [joints, dimension].
+[[nodiscard]] HANDWAY_SAMPLING_EXPORT Eigen::MatrixXd axes_of(const PmdBasis& basis);
+
+/// λ of each axis. @returns shape [dimension].
+[[nodiscard]] HANDWAY_SAMPLING_EXPORT Eigen::VectorXd half_sides_of(const PmdBasis& basis);
+
+/// b, free joints at their own centres. @returns shape [joints].
+[[nodiscard]] HANDWAY_SAMPLING_EXPORT Eigen::VectorXd centre_of(const PmdBasis& basis);
 
 /// Coordinates e of the posture of SC^h closest to `posture` (least squares),
 /// not limited to the box. @param posture shape [joints]. @returns shape [dimension].
@@ -74,6 +78,35 @@ struct PmdBasis {
 /// "full" hand space (section 6.2).
 [[nodiscard]] HANDWAY_SAMPLING_EXPORT PmdBasis full_joint_basis(std::string hand,
                                                                 std::vector<std::string> joints);
+
+/// The affine space that SC^h spans, ready to ask for many postures: what
+/// distance_to_subspace() answers for one. Postures are normalised joints, shape [joints].
+class HANDWAY_SAMPLING_EXPORT PostureSubspace {
+ public:
+  explicit PostureSubspace(const PmdBasis& basis);
+
+  /// From the closest posture of SC^h, limits apart, to `posture`; shape [joints].
+  [[nodiscard]] Eigen::VectorXd outside(const Eigen::VectorXd& posture) const;
+
+  /// How far `posture` is from the postures that the human hand was seen to take.
+  [[nodiscard]] double distance(const Eigen::VectorXd& posture) const;
+
+  /// The posture of SC^h closest to `posture`, joints clamped to [0, 1].
+  [[nodiscard]] Eigen::VectorXd closest(const Eigen::VectorXd& posture) const;
+
+ private:
+  Eigen::VectorXd centre_;
+  Eigen::MatrixXd across_;  ///< Takes a difference of postures to its part outside of SC^h.
+};
+
+/// Angles between the spaces that the columns of two matrices span, in rad, rising, each in
+/// [0, π/2]: 0 for a direction that both share (Björck and Golub 1973; small angles from sines,
+/// large ones from cosines).
+/// @param a, b orthonormal columns, shape [joints, …].
+/// @returns as many as the narrower one has columns.
+/// @throws std::invalid_argument if the numbers of rows differ or one has no columns.
+[[nodiscard]] HANDWAY_SAMPLING_EXPORT Eigen::VectorXd principal_angles(const Eigen::MatrixXd& a,
+                                                                       const Eigen::MatrixXd& b);
 
 // PMD bases as YAML files:
 //

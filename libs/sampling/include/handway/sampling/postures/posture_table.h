@@ -51,16 +51,14 @@ struct NearestPosture {
 /// basis take no part in distances: like the paper's thumb base (section 4.2) they are moved on
 /// their own, whatever the person's hand did. So a posture of SC^h and its twin with another
 /// thumb base are equally human, as for PostureSubspace.
-///
-/// Exact: postures are ordered by their coordinate along the direction in which they vary
-/// most, and those whose coordinate alone is farther away than the best so far aren't looked at.
 class HANDWAY_SAMPLING_EXPORT RecordedPostures {
  public:
   /// @throws geometric::InputError unless the table is of the basis' hand and has all its joints.
   /// @param name of the table, for that message: its file.
   RecordedPostures(const PmdBasis& basis, const PostureTable& table, const std::string& name);
+  ~RecordedPostures();
 
-  [[nodiscard]] Eigen::Index count() const { return postures_.cols(); }
+  [[nodiscard]] Eigen::Index count() const;
   [[nodiscard]] const std::string& source() const { return source_; }
 
   /// @param posture normalised joints, shape [joints of the basis].
@@ -72,11 +70,11 @@ class HANDWAY_SAMPLING_EXPORT RecordedPostures {
   [[nodiscard]] double usual_distance_to_subspace() const { return usual_distance_; }
 
  private:
+  struct Tree;
+
   std::string source_;
   std::vector<int> free_joints_;
-  Eigen::MatrixXd postures_;  ///< Shape [joints, postures], free joints 0, by coordinate.
-  Eigen::VectorXd direction_;
-  std::vector<double> coordinates_;  ///< Of each along the direction, rising.
+  std::unique_ptr<const Tree> tree_;
   double usual_distance_ = 0.0;
 };
 

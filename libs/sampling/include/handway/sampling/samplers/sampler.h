@@ -8,6 +8,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace handway::sampling {
@@ -16,27 +17,21 @@ namespace handway::sampling {
 ///
 /// A point depends on how the sampler was made and on its index alone: points may be asked for in
 /// any order, and threads may share a sampler.
-class HANDWAY_SAMPLING_EXPORT Sampler {
+class Sampler {
  public:
-  virtual ~Sampler() = default;
-  Sampler(const Sampler&) = delete;
-  Sampler& operator=(const Sampler&) = delete;
+  /// The point of an index, shape [dimension].
+  using Points = std::function<Eigen::VectorXd(std::uint64_t index)>;
+
+  Sampler(int dimension, Points points) : dimension_(dimension), points_(std::move(points)) {}
 
   /// d.
   [[nodiscard]] int dimension() const { return dimension_; }
-
   /// Point `index`, shape [dimension()].
-  /// @throws std::logic_error if the derived class breaks its contract.
-  [[nodiscard]] Eigen::VectorXd point(std::uint64_t index) const;
-
- protected:
-  /// @throws std::invalid_argument if dimension < 1.
-  explicit Sampler(int dimension);
+  [[nodiscard]] Eigen::VectorXd point(std::uint64_t index) const { return points_(index); }
 
  private:
-  [[nodiscard]] virtual Eigen::VectorXd do_point(std::uint64_t index) const = 0;
-
   int dimension_;
+  Points points_;
 };
 
 /// Whether a point of [0,1]^d is valid (free of collision, for planners). Must answer the same for
@@ -70,8 +65,7 @@ struct PairOptions {
 ///   planners", ICRA 1999: of a uniform point and one at a normally distributed distance from it,
 ///   the valid one if exactly one is.
 /// - Hsu, Jiang, Reif, Sun, "The bridge test for sampling narrow passages with probabilistic
-/// roadmap
-///   planners", ICRA 2003: the valid middle of two invalid points.
+///   roadmap planners", ICRA 2003: the valid middle of two invalid points.
 /// @param valid needed by kGaussian and kBridgeTest alone.
 /// @throws std::invalid_argument if dimension < 1, `valid` is missing, or `options` are out of
 /// range.
