@@ -2,7 +2,7 @@
 
 #include "handway/geometric/collision/collision_checker.h"
 #include "handway/planning/core/planning_problem.h"
-#include "handway/planning/extensions/importer.h"
+#include "handway/planning/extensions/plugin.h"
 
 #include <filesystem>
 #include <functional>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "handway/geometric/scene/scene.h"
-#include "handway/planning/extensions/importer.h"
+#include "handway/planning/extensions/plugin.h"
 #include "handway/planning/planners/planner_registry.h"
 
 #include <CLI/CLI.hpp>

@@ -4,7 +4,6 @@
 #include "handway/geometric/io/existing_file.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/text_file.h"
-#include "handway/planning/extensions/importer.h"
 #include "handway/planning/extensions/plugin.h"
 #include "kautham_model.h"
 #include "kautham_problem.h"

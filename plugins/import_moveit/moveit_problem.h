@@ -1,6 +1,6 @@
 #pragma once
 
-#include "handway/planning/extensions/importer.h"
+#include "handway/planning/extensions/plugin.h"
 #include "problem_files.h"
 
 namespace handway::import_moveit {

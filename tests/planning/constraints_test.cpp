@@ -192,7 +192,7 @@ TEST(ConstraintsKept, ByRoundedCorners) {
   for (const PathPiece& piece : blends.path->pieces()) {
     Path samples;
     for (int i = 0; i <= 100; ++i) {
-      samples.waypoints.push_back(piece.position(piece.length * i / 100.0));
+      samples.waypoints.push_back(piece.derivative(0, piece.length * i / 100.0));
     }
     expect_along(samples, problem, is_near_heading);
   }

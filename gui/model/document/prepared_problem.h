@@ -2,7 +2,7 @@
 
 #include "handway/planning/core/planning_problem.h"
 #include "handway/planning/core/revision.h"
-#include "handway/planning/extensions/importer.h"
+#include "handway/planning/extensions/plugin.h"
 
 #include <condition_variable>
 #include <functional>

@@ -12,14 +12,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
-#include <limits>
 #include <optional>
-#include <string>
 #include <string_view>
 #include <system_error>
-#include <vector>
 
 namespace handway::planning {
 
@@ -77,24 +73,17 @@ std::string accepted(const YamlElement& element, Parameter parameter, const std:
   return to_text(parameter);
 }
 
-bool is_logarithmic(const YamlElement& range) {
-  const auto scale = range.find("scale");
-  if (!scale) {
-    return false;
-  }
-  if (scale->text() != "linear" && scale->text() != "log") {
-    scale->refuse(scale->found(), "linear or log");
-  }
-  return scale->text() == "log";
-}
-
 std::vector<double> range_values(const YamlElement& range) {
   constexpr double kMost = 1e12;
   range.allow_keys({"from", "to", "steps", "scale"});
   const double from = bounded_number(range.need("from"), -kMost, kMost, false);
   const double to = bounded_number(range.need("to"), -kMost, kMost, false);
   const int steps = static_cast<int>(bounded_number(range.need("steps"), 2, kMostSteps, true));
-  const bool logarithmic = is_logarithmic(range);
+  const auto scale = range.find("scale");
+  if (scale && scale->text() != "linear" && scale->text() != "log") {
+    scale->refuse(scale->found(), "linear or log");
+  }
+  const bool logarithmic = scale && scale->text() == "log";
   if (logarithmic && (from <= 0.0 || to <= 0.0)) {
     range.refuse(fmt::format("a range from {:g} to {:g}", from, to),
                  "ends above 0 on a logarithmic scale");
@@ -102,11 +91,7 @@ std::vector<double> range_values(const YamlElement& range) {
   std::vector<double> values;
   for (int i = 0; i < steps; ++i) {
     const double t = static_cast<double>(i) / (steps - 1);
-    if (i == 0 || i == steps - 1) {  // the ends exactly
-      values.push_back(i == 0 ? from : to);
-    } else {
-      values.push_back(logarithmic ? from * std::pow(to / from, t) : from + (to - from) * t);
-    }
+    values.push_back(logarithmic ? from * std::pow(to / from, t) : from + (to - from) * t);
   }
   return values;
 }
@@ -238,15 +223,14 @@ std::vector<Axis> axes(const std::optional<YamlElement>& map, Planner& planner) 
   }
   const std::vector<Parameter> parameters = planner.parameters();
   for (const auto& [key, element] : map->entries()) {
-    const auto found = std::ranges::find(parameters, key, &Parameter::key);
-    if (found != parameters.end()) {
-      result.push_back({key, parameter_values(element, *found)});
-      continue;
+    const Parameter* found = parameter_called(parameters, key);
+    if (!found) {
+      std::vector<std::string> keys;
+      std::ranges::transform(parameters, std::back_inserter(keys), &Parameter::key);
+      element.refuse(fmt::format("the parameter \"{}\", which {} has not", key, planner.name()),
+                     "one of its parameters", geometric::advise_name(key, keys));
     }
-    std::vector<std::string> keys;
-    std::ranges::transform(parameters, std::back_inserter(keys), &Parameter::key);
-    element.refuse(fmt::format("the parameter \"{}\", which {} has not", key, planner.name()),
-                   "one of its parameters", geometric::advise_name(key, keys));
+    result.push_back({key, parameter_values(element, *found)});
   }
   return result;
 }
@@ -344,18 +328,6 @@ class PlannerList {
   std::vector<CampaignPlanner> planners_;
 };
 
-std::vector<CampaignPlanner> campaign_planners(const YamlElement& list,
-                                               const PlannerRegistry& registry) {
-  PlannerList planners(registry);
-  for (const YamlElement& item : list.items()) {
-    planners.add(item);
-  }
-  if (planners.planners().empty()) {
-    list.refuse("an empty list", "at least one planner");
-  }
-  return planners.planners();
-}
-
 std::uint64_t seed_of(const YamlElement& element) {
   return static_cast<std::uint64_t>(bounded_number(element, 0, kLargestSeed, true));
 }
@@ -408,7 +380,13 @@ Campaign read_campaign(const fs::path& file, const PlannerRegistry& registry) {
     campaign.description = description->text();
   }
   campaign.problems = campaign_problems(top.need("problems"), fs::absolute(file).parent_path());
-  campaign.planners = campaign_planners(top.need("planners"), registry);
+  const YamlElement planners = top.need("planners");
+  PlannerList list(registry);
+  std::ranges::for_each(planners.items(), [&](const YamlElement& item) { list.add(item); });
+  if (list.planners().empty()) {
+    planners.refuse("an empty list", "at least one planner");
+  }
+  campaign.planners = list.planners();
   campaign.seeds = campaign_seeds(top.need("seeds"));
   if (const std::optional<YamlElement> threads = top.find("threads")) {
     campaign.threads = static_cast<int>(bounded_number(*threads, 1, kMostThreads, true));

@@ -8,7 +8,6 @@
 #include <tbb/enumerable_thread_specific.h>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace handway::planning {
@@ -191,26 +190,22 @@ MotionValidator::FirstFree MotionValidator::first_free(
   return result;
 }
 
-MotionValidator::EdgeBatch::EdgeBatch(MotionValidator& validator, std::vector<Edge> edges)
-    : validator_(validator), edges_(std::move(edges)), results_(edges_.size()) {}
-
 // One edge a thread and no more: a free edge often makes those after it needless.
-bool MotionValidator::EdgeBatch::is_free(std::size_t index) {
-  if (!results_[index]) {
-    const std::size_t last =
-        std::min(edges_.size(), index + static_cast<std::size_t>(validator_.threads_.size()));
-    validator_.threads_.run(static_cast<int>(index), static_cast<int>(last), [&](int i) {
-      const auto edge = static_cast<std::size_t>(i);
-      if (!results_[edge]) {
-        results_[edge] = validator_.workers_->own().edges.check(edges_[edge].from, edges_[edge].to);
-      }
-    });
-  }
-  return validator_.counted(*results_[index]).free;
-}
-
-MotionValidator::EdgeBatch MotionValidator::edges(std::vector<Edge> edges) {
-  return EdgeBatch(*this, std::move(edges));
+std::function<bool(std::size_t)> MotionValidator::edges(std::vector<Edge> edges) {
+  std::vector<std::optional<EdgeResult>> results(edges.size());
+  return [this, edges = std::move(edges), results = std::move(results)](std::size_t index) mutable {
+    if (!results[index]) {
+      const std::size_t last =
+          std::min(edges.size(), index + static_cast<std::size_t>(threads_.size()));
+      threads_.run(static_cast<int>(index), static_cast<int>(last), [&](int i) {
+        const auto edge = static_cast<std::size_t>(i);
+        if (!results[edge]) {
+          results[edge] = workers_->own().edges.check(edges[edge].from, edges[edge].to);
+        }
+      });
+    }
+    return counted(*results[index]).free;
+  };
 }
 
 bool MotionValidator::edge_free(const Configuration& from, const Configuration& to,

@@ -109,27 +109,17 @@ class Profile {
   std::vector<double> lengths_;
 };
 
-/// The Mahalanobis distance of a posture's coordinates along the principal directions.
-class RecordedDistribution {
- public:
-  explicit RecordedDistribution(const sampling::PmdBasis& basis) : basis_(basis) {}
-
-  [[nodiscard]] double distance(const Eigen::VectorXd& posture) const {
-    const Eigen::VectorXd e = sampling::project(basis_, posture);
-    auto axis = static_cast<Eigen::Index>(basis_.free_joints.size());
-    double squared = 0.0;
-    for (const sampling::PrincipalDirection& direction : basis_.directions) {
-      if (direction.variance > 0.0) {
-        squared += e[axis] * e[axis] / direction.variance;
-      }
-      ++axis;
-    }
-    return std::sqrt(squared);
+// The Mahalanobis distance of a posture's coordinates along the principal directions.
+double recorded_distance(const sampling::PmdBasis& basis, const Eigen::VectorXd& posture) {
+  const Eigen::VectorXd e = sampling::project(basis, posture);
+  auto axis = static_cast<Eigen::Index>(basis.free_joints.size());
+  double squared = 0.0;
+  for (const sampling::PrincipalDirection& direction : basis.directions) {
+    squared += direction.variance > 0.0 ? e[axis] * e[axis] / direction.variance : 0.0;
+    ++axis;
   }
-
- private:
-  const sampling::PmdBasis& basis_;
-};
+  return std::sqrt(squared);
+}
 
 double straight(const PlanningProblem& problem) {
   return std::max(kShortMotion, normalised_distance(problem.model(), problem.start, problem.goal));
@@ -175,35 +165,28 @@ Objective::Objective(const PlanningProblem& problem, const ObjectiveWeights& wei
   }
 }
 
-Objective::Point Objective::point(const Configuration& q) const {
-  Point point{q, geometric::normalised(problem_.model(), q), {}};
+Objective::Point Objective::point_at(Configuration q, Eigen::VectorXd joints) const {
+  Eigen::VectorXd outside;
   if (subspace_) {
-    point.outside = subspace_->outside(point.joints(problem_.hand));
+    outside = subspace_->outside(joints(problem_.hand));
   }
-  return point;
+  return {std::move(q), std::move(joints), std::move(outside)};
+}
+
+Objective::Point Objective::point(const Configuration& q) const {
+  return point_at(q, geometric::normalised(problem_.model(), q));
 }
 
 Objective::Point Objective::point_of_joints(Eigen::VectorXd joints) const {
-  Point point{geometric::denormalised(problem_.model(), joints), std::move(joints), {}};
-  if (subspace_) {
-    point.outside = subspace_->outside(point.joints(problem_.hand));
-  }
-  return point;
+  Configuration q = geometric::denormalised(problem_.model(), joints);
+  return point_at(std::move(q), std::move(joints));
 }
 
-MotionSums& MotionSums::operator+=(const MotionSums& other) {
-  length += other.length;
-  outside += other.outside;
-  missing_clearance += other.missing_clearance;
-  duration += other.duration;
-  return *this;
-}
-
-MotionSums& MotionSums::operator-=(const MotionSums& other) {
-  length -= other.length;
-  outside -= other.outside;
-  missing_clearance -= other.missing_clearance;
-  duration -= other.duration;
+MotionSums& MotionSums::add(const MotionSums& other, double times) {
+  length += times * other.length;
+  outside += times * other.outside;
+  missing_clearance += times * other.missing_clearance;
+  duration += times * other.duration;
   return *this;
 }
 
@@ -244,7 +227,7 @@ double Objective::missing_clearance(const Point& from, const Point& to, double l
 double Objective::cost(const Path& path) {
   MotionSums sums;
   for (std::size_t i = 0; i + 1 < path.waypoints.size(); ++i) {
-    sums += measure(point(path.waypoints[i]), point(path.waypoints[i + 1]));
+    sums.add(measure(point(path.waypoints[i]), point(path.waypoints[i + 1])));
   }
   return cost(sums);
 }
@@ -282,18 +265,14 @@ PathQuality path_quality(const PlanningProblem& problem, const Path& path) {
   }
   Objective objective(problem, {});
   const std::unique_ptr<geometric::CollisionChecker> checker = problem.checker->clone();
-  std::optional<RecordedDistribution> recorded;
-  if (problem.basis) {
-    recorded.emplace(*problem.basis);
-  }
   Profile clearance;
   Profile distance;
   Profile mahalanobis;
   const auto look = [&](const Objective::Point& at, double length) {
     clearance.add(clearance_at(*checker, at.q), length);
-    if (recorded) {
+    if (problem.basis) {
       distance.add(at.distance(), length);
-      mahalanobis.add(recorded->distance(at.joints(problem.hand)), length);
+      mahalanobis.add(recorded_distance(*problem.basis, at.joints(problem.hand)), length);
     }
   };
   PathQuality quality;
@@ -318,7 +297,7 @@ PathQuality path_quality(const PlanningProblem& problem, const Path& path) {
   look(waypoints.back(), before);
   quality.least_clearance = clearance.least();
   quality.mean_clearance = clearance.mean();
-  if (recorded) {
+  if (problem.basis) {
     const Profile middle = distance.without_ends(kEndSlope);
     const double whole = std::max(quality.length, 1e-12);
     quality.human_likeness = {

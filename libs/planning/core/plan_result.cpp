@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <numeric>
 #include <tuple>
 
@@ -92,30 +91,25 @@ struct Rejected {
 };
 
 std::vector<Rejected> most_rejected(const PlanStatistics& statistics) {
-  std::uint64_t all = 0;
+  double all = 0.0;
   for (const auto& [pair, count] : statistics.rejections) {
-    all += count;
+    all += static_cast<double>(count);
   }
   std::vector<Rejected> pairs;
   for (const auto& [pair, count] : statistics.rejections) {
-    pairs.push_back(
-        {pair.first, pair.second, static_cast<double>(count) / static_cast<double>(all)});
+    pairs.push_back({pair.first, pair.second, static_cast<double>(count) / all});
   }
   std::ranges::stable_sort(pairs, std::ranges::greater{}, &Rejected::share);
-  const auto rest =
-      std::ranges::find_if(pairs, [](const Rejected& pair) { return pair.share < kLeastShare; });
-  pairs.erase(std::max(rest, pairs.begin() + std::min<std::ptrdiff_t>(
-                                                 1, static_cast<std::ptrdiff_t>(pairs.size()))),
-              pairs.end());
-  pairs.resize(std::min(pairs.size(), kMostPairs));
+  while (pairs.size() > kMostPairs || (pairs.size() > 1 && pairs.back().share < kLeastShare)) {
+    pairs.pop_back();
+  }
   return pairs;
 }
 
 std::string reach_sentence(const SearchReach& reach) {
   return fmt::format(
       "The search came {} % of the straight motion from the start ({} configurations) and {} % "
-      "from "
-      "the goal ({}).",
+      "from the goal ({}).",
       percent(reach.from_start), reach.start_nodes, percent(1.0 - reach.from_goal),
       reach.goal_nodes);
 }
@@ -150,20 +144,19 @@ std::vector<std::string> explain_failure(const PlanResult& result) {
   if (result.status == PlanStatus::kInfeasible) {
     return {"Move an end to the same side of the surface, or make an opening in it."};
   }
-  bool start_boxed_in = false;
-  bool goal_boxed_in = false;
+  const SearchReach reach = result.reach.value_or(SearchReach());
+  const bool start_boxed_in = boxed_in(reach.start_nodes, reach);
+  const bool goal_boxed_in = boxed_in(reach.goal_nodes, reach);
   if (result.reach) {
-    sentences.push_back(reach_sentence(*result.reach));
-    start_boxed_in = boxed_in(result.reach->start_nodes, *result.reach);
-    goal_boxed_in = boxed_in(result.reach->goal_nodes, *result.reach);
-    for (const auto& [is_boxed_in, end, nodes] :
-         {std::tuple(start_boxed_in, "start", result.reach->start_nodes),
-          std::tuple(goal_boxed_in, "goal", result.reach->goal_nodes)}) {
-      if (is_boxed_in) {
-        sentences.push_back(
-            fmt::format("The {} is boxed in: {} of {} free configurations connect to it.", end,
-                        nodes, result.reach->nodes));
-      }
+    sentences.push_back(reach_sentence(reach));
+  }
+  for (const auto& [is_boxed_in, end, nodes] :
+       {std::tuple(start_boxed_in, "start", reach.start_nodes),
+        std::tuple(goal_boxed_in, "goal", reach.goal_nodes)}) {
+    if (is_boxed_in) {
+      sentences.push_back(
+          fmt::format("The {} is boxed in: {} of {} free configurations connect to it.", end, nodes,
+                      reach.nodes));
     }
   }
   const std::vector<Rejected> pairs = most_rejected(result.statistics);

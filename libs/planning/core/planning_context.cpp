@@ -43,11 +43,6 @@ std::unique_ptr<sampling::Sampler> PlanningContext::make_sampler(
   return sampling::make_sampler(sampler_, dimension, seed, std::move(valid));
 }
 
-std::unique_ptr<PlanningContext> PlanningContext::make_child(Observer& observer,
-                                                             std::stop_token stop) const {
-  return make_child(problem_, observer, std::move(stop));
-}
-
 std::unique_ptr<PlanningContext> PlanningContext::make_child(const PlanningProblem& problem,
                                                              Observer& observer,
                                                              std::stop_token stop) const {

@@ -146,20 +146,34 @@ std::vector<int> arm_variables(const geometric::RobotModel& model, const std::ve
   return arm;
 }
 
+namespace {
+
+// @param checker null: made of the world.
+PlanningProblem assembled(std::shared_ptr<const geometric::Scene> scene,
+                          std::shared_ptr<const sampling::PmdBasis> basis,
+                          const std::shared_ptr<const geometric::CollisionWorld>& world,
+                          std::shared_ptr<const geometric::CollisionChecker> checker,
+                          const geometric::Preparation& preparation) {
+  PlanningProblem problem;
+  set_joints(*scene, std::move(basis), problem);
+  set_ends(*scene, problem);
+  problem.scene = std::move(scene);
+  problem.checker = checker ? std::move(checker)
+                            : geometric::make_collision_checker(
+                                  world, geometric::CheckerKind::kFast, preparation);
+  solve_goals(problem);
+  problem.motion = std::make_shared<const geometric::MotionBound>(*world);
+  return problem;
+}
+
+}  // namespace
+
 PlanningProblem make_problem(std::shared_ptr<const geometric::Scene> scene,
                              std::shared_ptr<const sampling::PmdBasis> basis,
                              const geometric::Preparation& preparation) {
   geometric::end_if_stopped(preparation.stop);
   const auto world = std::make_shared<const geometric::CollisionWorld>(*scene);
-  PlanningProblem problem;
-  set_joints(*scene, std::move(basis), problem);
-  set_ends(*scene, problem);
-  problem.scene = std::move(scene);
-  problem.checker =
-      geometric::make_collision_checker(world, geometric::CheckerKind::kFast, preparation);
-  solve_goals(problem);
-  problem.motion = std::make_shared<const geometric::MotionBound>(*world);
-  return problem;
+  return assembled(std::move(scene), std::move(basis), world, nullptr, preparation);
 }
 
 PlanningProblem updated_problem(const PlanningProblem& before,
@@ -170,25 +184,17 @@ PlanningProblem updated_problem(const PlanningProblem& before,
   if (!difference || !difference->keeps_order) {
     return make_problem(std::move(scene), std::move(basis), preparation);
   }
-  PlanningProblem updated = before;
-  set_joints(*scene, std::move(basis), updated);
-  set_ends(*scene, updated);
-  updated.scene = std::move(scene);
   if (difference->empty()) {
-    solve_goals(updated);
-    return updated;
+    return assembled(std::move(scene), std::move(basis), before.checker->shared_world(),
+                     before.checker, preparation);
   }
   geometric::CollisionWorld world = before.checker->world();
   for (const geometric::ObjectChange& change : difference->changes) {
     world = world.with_change(change);
   }
-  const auto shared =
-      std::make_shared<const geometric::CollisionWorld>(world.with_constraints_of(*updated.scene));
-  updated.motion = std::make_shared<const geometric::MotionBound>(*shared);
-  updated.checker =
-      geometric::make_collision_checker(shared, geometric::CheckerKind::kFast, preparation);
-  solve_goals(updated);
-  return updated;
+  const auto changed =
+      std::make_shared<const geometric::CollisionWorld>(world.with_constraints_of(*scene));
+  return assembled(std::move(scene), std::move(basis), changed, nullptr, preparation);
 }
 
 double normalised_distance(const geometric::RobotModel& model, const Configuration& a,

@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <functional>
 #include <limits>
 #include <map>
 #include <memory>
@@ -85,8 +84,11 @@ class GoalPoseSearch {
     });
     if (!found_.candidates.empty()) {
       found_.nearest = found_.candidates.front().q;
+    } else if (colliding_) {
+      found_.nearest = *colliding_;
+      found_.fault = collision_sentence();
     } else {
-      explain();
+      nearest_miss();
     }
     return std::move(found_);
   }
@@ -153,15 +155,6 @@ class GoalPoseSearch {
       ++refusals_[*pair];
     }
     return false;
-  }
-
-  void explain() {
-    if (colliding_) {
-      found_.nearest = *colliding_;
-      found_.fault = collision_sentence();
-    } else {
-      nearest_miss();
-    }
   }
 
   [[nodiscard]] std::string collision_sentence() const {

@@ -8,7 +8,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <system_error>
 
@@ -17,12 +16,12 @@ namespace {
 
 using geometric::InputError;
 
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-
-bool is_name(const std::string& name) {
-  return !name.empty() && is_letter(name.front()) && std::ranges::all_of(name, [](char c) {
-    return is_letter(c) || (c >= '0' && c <= '9') || c == '_';
-  });
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) {
+    throw InputError({folder.string(), "", error.message(), "a folder to write to", ""});
+  }
 }
 
 void check_limits(const Motion& motion) {
@@ -73,7 +72,7 @@ void check_groups(const Motion& motion) {
 }  // namespace
 
 void check_motion(const Motion& motion) {
-  if (!is_name(motion.name)) {
+  if (motion_name(motion.name) != motion.name) {
     throw InputError({"the motion", "name", "\"" + motion.name + "\"",
                       "letters, digits and \"_\", the first a letter", ""});
   }
@@ -111,12 +110,7 @@ std::vector<std::filesystem::path> Exporter::write(const Motion& motion,
   std::vector<std::filesystem::path> written;
   for (const ExportedFile& file : made) {
     const std::filesystem::path place = folder / file.name;
-    std::error_code error;
-    std::filesystem::create_directories(place.parent_path(), error);
-    if (error) {
-      throw InputError(
-          {place.parent_path().string(), "", error.message(), "a folder to write to", ""});
-    }
+    make_folder(place.parent_path());
     geometric::replace_file(place, file.content);
     written.push_back(place);
   }
@@ -129,11 +123,7 @@ std::vector<std::filesystem::path> SceneExporter::write(const geometric::Scene& 
     throw geometric::InputError(
         {scene.file.string(), "robots", "a scene without a robot", "at least one", ""});
   }
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) {
-    throw geometric::InputError({folder.string(), "", error.message(), "a folder to write to", ""});
-  }
+  make_folder(folder);
   const std::string stem = scene.file.empty() ? scene.name : scene.file.stem().string();
   return do_write(scene, folder, geometric::file_name_of(stem.empty() ? "scene" : stem));
 }

@@ -130,20 +130,12 @@ void PluginManager::add(const Plugin& plugin, const fs::path& file) {
   if (plugin.register_planners != nullptr) {
     plugin.register_planners(planners);
   }
-  std::vector<std::unique_ptr<Exporter>> exporters;
-  if (plugin.make_exporters != nullptr) {
-    exporters = plugin.make_exporters();
-  }
-  std::vector<std::unique_ptr<SceneExporter>> scene_exporters;
-  if (plugin.make_scene_exporters != nullptr) {
-    scene_exporters = plugin.make_scene_exporters();
-  }
-  std::vector<geometric::RobotReader> robot_readers;
-  if (plugin.make_robot_readers != nullptr) {
-    robot_readers = plugin.make_robot_readers();
-  }
-  if (plugin.make_importer != nullptr) {
-    importers_.push_back(plugin.make_importer());
+  const auto made = [](const auto& make) { return make ? make() : decltype(make())(); };
+  auto exporters = made(plugin.make_exporters);
+  auto scene_exporters = made(plugin.make_scene_exporters);
+  const auto robot_readers = made(plugin.make_robot_readers);
+  if (auto importer = made(plugin.make_importer)) {
+    importers_.push_back(std::move(importer));
   }
   std::ranges::move(exporters, std::back_inserter(exporters_));
   std::ranges::move(scene_exporters, std::back_inserter(scene_exporters_));

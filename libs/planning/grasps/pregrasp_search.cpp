@@ -4,7 +4,6 @@
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/math/units.h"
 #include "handway/geometric/robot/normalised_joints.h"
-#include "handway/planning/core/planning_problem.h"
 #include "handway/planning/queries/palm_ik.h"
 #include "handway/sampling/sequences/random_stream.h"
 
@@ -21,7 +20,6 @@
 #include <span>
 #include <string>
 #include <utility>
-#include <vector>
 
 namespace handway::planning {
 namespace {
@@ -123,12 +121,10 @@ class HandClosing {
   /// `q` with the hand in `posture`, brought within limits.
   [[nodiscard]] Configuration with_hand(Configuration q, const Eigen::VectorXd& posture) const {
     const RobotModel& model = problem_.model();
-    for (std::size_t j = 0; j < problem_.hand.size(); ++j) {
-      const int v = problem_.hand[j];
-      const double share = std::clamp(posture[static_cast<Eigen::Index>(j)], 0.0, 1.0);
-      q[v] = std::min(model.lower()[v] + share * (model.upper()[v] - model.lower()[v]),
-                      model.upper()[v]);
-    }
+    const Eigen::VectorXd lower = model.lower()(problem_.hand);
+    const Eigen::VectorXd upper = model.upper()(problem_.hand);
+    const Eigen::VectorXd share = posture.cwiseMax(0.0).cwiseMin(1.0);
+    q(problem_.hand) = (lower + share.cwiseProduct(upper - lower)).cwiseMin(upper);
     return q;
   }
 

@@ -93,33 +93,28 @@ class Reader {
       throw InputError({at_line(), "", fmt::format("{} values", row.size()),
                         fmt::format("{} as in the header", header_.size()), ""});
     }
+    std::vector<double> values;
+    for (std::size_t c = 0; c < row.size(); ++c) {
+      values.push_back(number(row[c], header_[c]));
+    }
     Configuration q(model_.variable_count());
     for (std::size_t c = 0; c < row.size(); ++c) {
-      const double value = number(row[c], header_[c]);
-      const int link = link_of_column_[c];
-      if (link > 0 && model_.variable_link(model_.drive(link).variable) == link) {
-        q[model_.drive(link).variable] = value;
+      const int variable = model_.drive(link_of_column_[c]).variable;
+      if (link_of_column_[c] > 0 && model_.variable_link(variable) == link_of_column_[c]) {
+        q[variable] = values[c];
       }
     }
-    check_couplings(row, q);
-    return q;
-  }
-
-  void check_couplings(const std::vector<std::string>& row, const Configuration& q) const {
     for (std::size_t c = 0; c < row.size(); ++c) {
       const int link = link_of_column_[c];
-      if (link == 0) {
-        continue;
-      }
-      const RobotModel::MimicMapping& drive = model_.drive(link);
-      const double expected = geometric::joint_value(model_, link, q);
-      if (std::abs(number(row[c], header_[c]) - expected) > kCouplingTolerance) {
+      const double expected = link > 0 ? geometric::joint_value(model_, link, q) : values[c];
+      if (std::abs(values[c] - expected) > kCouplingTolerance) {
         throw InputError({at_line(), "column " + header_[c], row[c],
                           fmt::format("{:.6f}, as coupled to joint {}", expected,
-                                      model_.variable(drive.variable).name),
+                                      model_.variable(model_.drive(link).variable).name),
                           ""});
       }
     }
+    return q;
   }
 
   [[nodiscard]] double number(const std::string& cell, const std::string& column) const {

@@ -86,7 +86,7 @@ void PathOptimizer::set_points(std::vector<Point> points) {
 void PathOptimizer::add_up() {
   sum_ = {};
   for (const MotionSums& motion : motions_) {
-    sum_ += motion;
+    sum_.add(motion);
   }
 }
 
@@ -304,7 +304,7 @@ std::optional<PathOptimizer::Replacement> PathOptimizer::replacement(
   }
   MotionSums sum = sum_;
   for (std::size_t i = from.edge; i < last; ++i) {
-    sum -= motions_[i];
+    sum.add(motions_[i], -1.0);
   }
   const double added =
       static_cast<double>(chain.size() - 1) - static_cast<double>(last - from.edge);
@@ -322,7 +322,7 @@ std::optional<PathOptimizer::Replacement> PathOptimizer::replacement(
   motions.reserve(chain.size() - 1);
   for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
     motions.push_back(objective_.measure(*chain[i], *chain[i + 1]));
-    sum += motions.back();
+    sum.add(motions.back());
   }
   if (!is_worthwhile(sum)) {
     return std::nullopt;

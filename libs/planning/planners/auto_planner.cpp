@@ -20,26 +20,6 @@
 namespace handway::planning {
 namespace {
 
-RrtConnectSettings without_limit(RrtConnectSettings settings) {
-  settings.max_samples = std::numeric_limits<int>::max();  // the portfolio counts samples itself
-  return settings;
-}
-
-// Made for leaving tight places.
-RrtConnectSettings expansive_trees(CorridorForm form) {
-  RrtConnectSettings settings;
-  settings.region.corridor = static_cast<int>(form);
-  settings.range = 0.1;
-  settings.expansions = 1.0;
-  return settings;
-}
-
-// In which expansive trees grow: poses of the tool if the arm has closed-form inverse kinematics,
-// as iterations for every node take longer than they gain.
-CorridorForm expansive_form(const PlanningProblem& problem) {
-  return has_closed_form_kinematics(problem) ? CorridorForm::kCartesian : CorridorForm::kJoint;
-}
-
 using Point = Objective::Point;
 
 constexpr int kTrials = 30;           // postures beside one that collides
@@ -125,9 +105,9 @@ std::optional<std::vector<Configuration>> subspace_entry(PlanningContext& contex
   return std::nullopt;
 }
 
-/// Free motions from both ends into the PMD subspace, as subspace_entry().
+/// Free motions from the start and from the goal into the PMD subspace, as subspace_entry().
 struct Entries {
-  std::vector<Configuration> from_start;  ///< Into the subspace.
+  std::vector<Configuration> from_start;
   std::vector<Configuration> from_goal;
 };
 
@@ -168,25 +148,32 @@ struct Participant {
   RrtConnectSettings settings;
 };
 
-// Without a basis hand postures are drawn over all joints anyway.
+// Samples without end: the portfolio counts them itself.
+RrtConnectSettings without_limit(RrtConnectSettings settings = {}) {
+  settings.max_samples = std::numeric_limits<int>::max();
+  return settings;
+}
+
+// Without a basis hand postures are drawn over all joints anyway. @param form in which trees grow
+// that are made for leaving tight places.
 std::vector<Participant> participants(CorridorForm form, bool has_basis) {
   constexpr HandSpace kPmds = HandSpace::kPrincipalDirections;
   constexpr HandSpace kAll = HandSpace::kAllJoints;
-  const RrtConnectSettings joint = without_limit({});
-  const RrtConnectSettings expansive = without_limit(expansive_trees(form));
-  const RrtConnectSettings whole_space = without_limit(kSettingsOverAllJoints);
+  const RrtConnectSettings expansive = without_limit(
+      {.range = 0.1, .expansions = 1.0, .region = {.corridor = static_cast<int>(form)}});
   return {
-      {"trees in the joint corridor", 0, 0, kPmds, joint},
+      {"trees in the joint corridor", 0, 0, kPmds, without_limit()},
       {"expansive trees", 1, 1, kPmds, expansive},
       {"expansive trees, from another seed", 2, 2, kPmds, expansive},
-      has_basis ? Participant{"expansive trees over all joints", 3, 3, kAll, expansive}
-                : Participant{"trees over all joints", 1, 5, kAll, whole_space},
+      has_basis
+          ? Participant{"expansive trees over all joints", 3, 3, kAll, expansive}
+          : Participant{"trees over all joints", 1, 5, kAll, without_limit(kSettingsOverAllJoints)},
   };
 }
 
 class AutoPlanner final : public Planner {
  public:
-  [[nodiscard]] std::string name() const override { return "auto"; }
+  [[nodiscard]] std::string name() const override { return kAutoPlanner; }
   [[nodiscard]] std::string description() const override {
     return "Several tree searches, in the principal directions or the arm's corridor first; the "
            "first path wins";
@@ -198,7 +185,11 @@ class AutoPlanner final : public Planner {
  protected:
   void do_plan(PlanningContext& context, PlanResult& result) override {
     const bool has_basis = context.problem().basis != nullptr;
-    const CorridorForm form = cartesian_ ? expansive_form(context.problem()) : CorridorForm::kJoint;
+    // Poses of the tool need closed-form inverse kinematics: iterations for every node take longer
+    // than they gain.
+    const CorridorForm form = cartesian_ && has_closed_form_kinematics(context.problem())
+                                  ? CorridorForm::kCartesian
+                                  : CorridorForm::kJoint;
     const std::vector<Participant> list = participants(form, has_basis);
     const sampling::RandomStream seeds(context.request().seed);
     const auto entries_found = subspace_entries(context, objective().weights(context.problem()));

@@ -20,6 +20,7 @@ namespace handway::planning {
 ///
 /// With a basis hand postures are sampled in the PMD subspace; without one every joint on its own.
 [[nodiscard]] std::unique_ptr<Planner> make_auto_planner();
+inline constexpr const char* kAutoPlanner = "auto";  ///< Its name.
 
 /// Where each search of that planner begins to draw from, in the order of NodeEvent::search.
 [[nodiscard]] std::vector<TargetRegion> regions_of_auto_planner();

@@ -26,9 +26,7 @@
 #include <numeric>
 #include <optional>
 #include <stdexcept>
-#include <string_view>
 #include <utility>
-#include <vector>
 
 namespace handway::planning {
 namespace {
@@ -36,10 +34,11 @@ namespace {
 /// Watches how far searches come from both ends, for another observer to watch, too.
 ///
 /// The first node of each search is taken for its start, the second for its goal.
-class ReachObserver final : public Observer {
+class ReachObserver final : public ForwardingObserver {
  public:
   /// Both outlive this.
-  ReachObserver(const PlanningProblem& problem, Observer& next) : next_(next), problem_(problem) {}
+  ReachObserver(const PlanningProblem& problem, Observer& next)
+      : ForwardingObserver(next), problem_(problem) {}
 
   // Only searches announce nodes: start and goal have been found valid by then.
   void on_node(const NodeEvent& node) override {
@@ -50,12 +49,12 @@ class ReachObserver final : public Observer {
     const Eigen::VectorXd motion = normalised(problem_.goal) - start;
     const double progress = std::clamp(
         (normalised(node.q) - start).dot(motion) / std::max(motion.squaredNorm(), 1e-12), 0.0, 1.0);
-    const auto q = std::make_shared<const geometric::Configuration>(node.q);
-    components_.insert_or_assign(node.id, Component{node.id, progress, progress, q, q});
+    const Place place{progress, std::make_shared<const geometric::Configuration>(node.q)};
+    components_.insert_or_assign(node.id, Component{node.id, place, place});
     if (std::vector<int>& ends = ends_[node.search]; ends.size() < 2) {
       ends.push_back(node.id);
     }
-    next_.on_node(node);
+    ForwardingObserver::on_node(node);
   }
 
   void on_edge(int from, int to) override {
@@ -65,71 +64,49 @@ class ReachObserver final : public Observer {
       if (a != b) {
         Component& whole = components_.at(a);
         Component& part = components_.at(b);
-        part.parent = a;
-        if (part.first < whole.first) {
-          whole.first = part.first;
-          whole.first_q = part.first_q;
-        }
-        if (part.last > whole.last) {
-          whole.last = part.last;
-          whole.last_q = part.last_q;
-        }
-        part.first_q.reset();
-        part.last_q.reset();
+        whole.first = std::min(whole.first, part.first);
+        whole.last = std::max(whole.last, part.last);
         whole.nodes += part.nodes;
+        part = {a, {}, {}};
       }
     }
-    next_.on_edge(from, to);
+    ForwardingObserver::on_edge(from, to);
   }
-
-  void on_winner(int search) override { next_.on_winner(search); }
-  void on_search_range(double d_ini, double d_goal) override {
-    next_.on_search_range(d_ini, d_goal);
-  }
-  void on_path(const Path& path) override { next_.on_path(path); }
-  void on_progress(double fraction, std::string_view activity) override {
-    next_.on_progress(fraction, activity);
-  }
-
-  [[nodiscard]] AlgorithmObserver* algorithm() override { return next_.algorithm(); }
 
   /// Of all searches together, the farthest; nothing if no search has both ends.
   [[nodiscard]] std::optional<SearchReach> reach() const {
-    std::optional<SearchReach> reach;
+    Place from_start{-1.0, nullptr};
+    Place from_goal{2.0, nullptr};
+    SearchReach reach;
     for (const auto& [search, ends] : ends_) {
-      if (ends.size() < 2) {
-        continue;
+      if (ends.size() == 2) {
+        const Component& start = components_.at(root(ends[0]));
+        const Component& goal = components_.at(root(ends[1]));
+        from_start = std::max(from_start, start.last);
+        from_goal = std::min(from_goal, goal.first);
+        reach.start_nodes = std::max(reach.start_nodes, start.nodes);
+        reach.goal_nodes = std::max(reach.goal_nodes, goal.nodes);
       }
-      const Component& start = components_.at(root(ends[0]));
-      const Component& goal = components_.at(root(ends[1]));
-      if (!reach) {
-        reach.emplace();
-      }
-      if (start.last > reach->from_start || reach->farthest_from_start.size() == 0) {
-        reach->from_start = start.last;
-        reach->farthest_from_start = *start.last_q;
-      }
-      if (goal.first < reach->from_goal || reach->farthest_from_goal.size() == 0) {
-        reach->from_goal = goal.first;
-        reach->farthest_from_goal = *goal.first_q;
-      }
-      reach->start_nodes = std::max(reach->start_nodes, start.nodes);
-      reach->goal_nodes = std::max(reach->goal_nodes, goal.nodes);
     }
-    if (reach) {
-      reach->nodes = components_.size();
+    if (!from_start.q) {
+      return std::nullopt;
     }
-    return reach;
+    return SearchReach{from_start.progress, from_goal.progress, reach.start_nodes, reach.goal_nodes,
+                       components_.size(),  *from_start.q,      *from_goal.q};
   }
 
  private:
+  struct Place {
+    double progress;  ///< Along the straight motion.
+    std::shared_ptr<const geometric::Configuration> q;
+
+    friend bool operator<(const Place& a, const Place& b) { return a.progress < b.progress; }
+  };
   /// Connected nodes; of a component whose root is another's child only `parent` counts.
   struct Component {
     int parent;
-    double first;  ///< Least progress along the straight motion.
-    double last;   ///< Most.
-    std::shared_ptr<const geometric::Configuration> first_q;  ///< Where that is; null in a child.
-    std::shared_ptr<const geometric::Configuration> last_q;
+    Place first;  ///< The nearest to the start.
+    Place last;   ///< The farthest from it.
     std::uint64_t nodes = 1;
   };
 
@@ -143,7 +120,6 @@ class ReachObserver final : public Observer {
     return up;
   }
 
-  Observer& next_;
   const PlanningProblem& problem_;
   mutable std::map<int, Component> components_;  ///< By node.
   std::map<int, std::vector<int>> ends_;         ///< By search: start, goal.
@@ -378,13 +354,8 @@ PlanResult Planner::plan(const PlanningProblem& problem, const PlanRequest& requ
                                         "another planner"});
   }
   log_problem(*this, problem, request);
-  if (!problem.goal_fault.empty()) {
-    PlanResult result;
-    result.status = PlanStatus::kGoalInvalid;
-    result.reason = problem.goal_fault;
-    return result;
-  }
-  if (std::string fault = group_fault(problem); !fault.empty()) {
+  if (std::string fault = problem.goal_fault.empty() ? group_fault(problem) : problem.goal_fault;
+      !fault.empty()) {
     PlanResult result;
     result.status = PlanStatus::kGoalInvalid;
     result.reason = std::move(fault);

@@ -7,7 +7,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <memory>
 #include <stdexcept>
 #include <utility>
 
@@ -15,7 +14,7 @@ namespace handway::planning {
 
 // The default one first.
 PlannerRegistry::PlannerRegistry() {
-  add("auto", make_auto_planner);
+  add(kAutoPlanner, make_auto_planner);
   add("pmd-prm", [] { return make_pmd_prm(HandSpace::kPrincipalDirections); });
   add("full-prm", [] { return make_pmd_prm(HandSpace::kAllJoints); });
   add("pmd-rrt-connect", [] { return make_rrt_connect(HandSpace::kPrincipalDirections); });
@@ -41,7 +40,7 @@ std::unique_ptr<Planner> PlannerRegistry::create(std::string_view name) const {
 }
 
 std::string_view PlannerRegistry::current_name(std::string_view name) {
-  return name == "pmd-auto" ? "auto" : name;
+  return name == "pmd-auto" ? kAutoPlanner : name;
 }
 
 std::vector<std::string> PlannerRegistry::names() const {

@@ -312,13 +312,13 @@ class RoadmapSearch {
       const Configuration& from = roadmap_.configuration(neighbour);
       candidates.push_back({from, context_.problem().model().nearest_equivalent(from, q)});
     }
-    auto edges = context_.validator().edges(std::move(candidates));
+    const auto edge_free = context_.validator().edges(std::move(candidates));
     for (std::size_t i = 0; i < neighbours.size(); ++i) {
       if (roadmap_.same_component(neighbours[i], node)) {
         tell({.line = lines::kSameComponent, .from = neighbours[i], .to = node});
         continue;
       }
-      const bool is_free = edges.is_free(i);
+      const bool is_free = edge_free(i);
       tell({.line = lines::kLocalPlan, .yes = is_free, .from = neighbours[i], .to = node});
       if (is_free) {
         roadmap_.edge(neighbours[i], node);

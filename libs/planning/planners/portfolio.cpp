@@ -16,20 +16,20 @@ constexpr int kLongestRounds = 12;           // from this round on they grow no 
 }  // namespace
 
 void EventLog::on_node(const NodeEvent& node) {
-  events_.emplace_back(Node{node.id, node.q, node.pmd_count, node.step, node.rho_a});
+  events_.emplace_back([node, q = node.q](Observer& observer, int offset, int stride) {
+    observer.on_node({stride * node.id + offset, q, node.pmd_count, node.step, node.rho_a, offset});
+  });
 }
 
-void EventLog::on_edge(int from, int to) { events_.emplace_back(Edge{from, to}); }
+void EventLog::on_edge(int from, int to) {
+  events_.emplace_back([from, to](Observer& observer, int offset, int stride) {
+    observer.on_edge(stride * from + offset, stride * to + offset);
+  });
+}
 
 void EventLog::replay(Observer& observer, int offset, int stride) {
   for (const auto& event : events_) {
-    if (const auto* node = std::get_if<Node>(&event)) {
-      observer.on_node(
-          {stride * node->id + offset, node->q, node->pmd_count, node->step, node->rho_a, offset});
-    } else {
-      const auto& [from, to] = std::get<Edge>(event);
-      observer.on_edge(stride * from + offset, stride * to + offset);
-    }
+    event(observer, offset, stride);
   }
   events_.clear();
 }

@@ -9,8 +9,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <utility>
-#include <variant>
 #include <vector>
 
 namespace handway::planning {
@@ -27,16 +25,7 @@ class EventLog final : public Observer {
   void replay(Observer& observer, int offset, int stride);
 
  private:
-  struct Node {
-    int id;
-    geometric::Configuration q;
-    int pmd_count;
-    double step;
-    double rho_a;
-  };
-  using Edge = std::pair<int, int>;
-
-  std::vector<std::variant<Node, Edge>> events_;
+  std::vector<std::function<void(Observer&, int offset, int stride)>> events_;
 };
 
 /// A search that takes part in a Portfolio; NodeEvent::search is its place in the list.

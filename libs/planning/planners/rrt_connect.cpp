@@ -5,7 +5,6 @@
 #include "planners/built_in.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <utility>
 

@@ -6,7 +6,6 @@
 #include "planners/search.h"
 #include "planners/tree_pair.h"
 
-#include <memory>
 #include <optional>
 #include <vector>
 

@@ -1,7 +1,5 @@
 #include "planners/search.h"
 
-#include "handway/planning/core/planning_problem.h"
-
 namespace handway::planning {
 
 Search::~Search() = default;

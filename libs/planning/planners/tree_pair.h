@@ -6,7 +6,6 @@
 #include <Eigen/Core>
 
 #include <array>
-#include <optional>
 #include <vector>
 
 namespace handway::planning {

@@ -2,6 +2,8 @@
 
 #include "handway/geometric/robot/normalised_joints.h"
 
+#include <Eigen/QR>
+
 namespace handway::planning {
 
 HandArmChart::HandArmChart(const PlanningProblem& problem)
@@ -13,12 +15,9 @@ HandArmChart::HandArmChart(const PlanningProblem& problem)
     return;
   }
   const sampling::PmdBasis& basis = *problem_.basis;
-  const auto joints = static_cast<Eigen::Index>(basis.joints.size());
-  origin_ = sampling::project(basis, Eigen::VectorXd::Zero(joints));
-  to_basis_.resize(basis.dimension(), joints);
-  for (Eigen::Index j = 0; j < joints; ++j) {
-    to_basis_.col(j) = sampling::project(basis, Eigen::VectorXd::Unit(joints, j)) - origin_;
-  }
+  const Eigen::MatrixXd axes = sampling::axes_of(basis);
+  to_basis_ = axes.colPivHouseholderQr().solve(Eigen::MatrixXd::Identity(axes.rows(), axes.rows()));
+  origin_ = -to_basis_ * sampling::centre_of(basis);
   subspace_.emplace(basis);
   for (const sampling::FreeJoint& free : basis.free_joints) {
     axes_.push_back({Axis::Kind::kFreeJoint, basis.joints[static_cast<std::size_t>(free.joint)]});

@@ -12,21 +12,10 @@ namespace {
 
 constexpr double kStep = 0.01;  // normalised joints
 
-// Takes a distance at points with weights.
-class Average {
- public:
-  void add(double distance, double weight) {
-    sum_ += weight * distance;
-    weight_ += weight;
-    largest_ = std::max(largest_, distance);
-  }
-  [[nodiscard]] DistanceAlong result() const { return {sum_ / weight_, largest_}; }
-
- private:
-  double sum_ = 0.0;
-  double weight_ = 0.0;
-  double largest_ = 0.0;
-};
+void add(double distance, double weight, DistanceAlong& sum) {
+  sum.mean += weight * distance;
+  sum.largest = std::max(sum.largest, distance);
+}
 
 }  // namespace
 
@@ -39,12 +28,8 @@ HumanLikeness::HumanLikeness(const geometric::RobotModel& model, std::vector<int
   }
 }
 
-Eigen::VectorXd HumanLikeness::hand_posture(const Configuration& q) const {
-  return geometric::normalised(model_, q)(hand_);
-}
-
 HandLikeness HumanLikeness::at(const Configuration& q) const {
-  const Eigen::VectorXd posture = hand_posture(q);
+  const Eigen::VectorXd posture = geometric::normalised(model_, q)(hand_);
   HandLikeness result{subspace_.distance(posture), std::nullopt};
   if (postures_) {
     result.to_recorded = postures_->nearest(posture).distance;
@@ -66,18 +51,17 @@ PathLikeness path_likeness(const geometric::RobotModel& model, const HumanLikene
   if (path.empty()) {
     throw std::invalid_argument("a path without waypoints has no hand to look at");
   }
-  Average to_subspace;
-  Average to_recorded;
-  bool has_recorded = false;
+  PathLikeness result;
+  double weights = 0.0;
   const auto look = [&](const Configuration& q, double weight) {
     const HandLikeness here = likeness.at(q);
-    to_subspace.add(here.to_subspace, weight);
+    weights += weight;
+    add(here.to_subspace, weight, result.to_subspace);
     if (here.to_recorded) {
-      to_recorded.add(*here.to_recorded, weight);
-      has_recorded = true;
+      result.to_recorded = result.to_recorded.value_or(DistanceAlong());
+      add(*here.to_recorded, weight, *result.to_recorded);
     }
   };
-  double length = 0.0;
   for (std::size_t w = 0; w + 1 < path.waypoints.size(); ++w) {
     const Configuration& from = path.waypoints[w];
     const Configuration& to = path.waypoints[w + 1];
@@ -87,14 +71,13 @@ PathLikeness path_likeness(const geometric::RobotModel& model, const HumanLikene
       const double weight = (s == 0 || s == steps ? 0.5 : 1.0) * piece / steps;
       look(from + (static_cast<double>(s) / steps) * (to - from), weight);
     }
-    length += piece;
   }
-  if (length == 0.0) {
+  if (weights == 0.0) {
     look(path.waypoints.front(), 1.0);
   }
-  PathLikeness result{to_subspace.result(), std::nullopt};
-  if (has_recorded) {
-    result.to_recorded = to_recorded.result();
+  result.to_subspace.mean /= weights;
+  if (result.to_recorded) {
+    result.to_recorded->mean /= weights;
   }
   return result;
 }

@@ -41,7 +41,7 @@ class NearestFreeSearch {
   }
 
   void run() {
-    const Configuration inside = clamped(from_);
+    const Configuration inside = model_.clamped(from_);
     if (is_free(inside)) {
       best_ = inside;
       return;
@@ -60,7 +60,6 @@ class NearestFreeSearch {
   }
 
  private:
-  [[nodiscard]] Configuration clamped(const Configuration& q) const { return model_.clamped(q); }
   [[nodiscard]] double distance(const Configuration& q) const { return (q - from_).norm(); }
   [[nodiscard]] bool is_spent() const {
     return checks_ >= options_.most_checks || stop_.stop_requested();
@@ -80,7 +79,7 @@ class NearestFreeSearch {
 
   /// Takes `q`, brought within limits, if it is free and nearer than what there is.
   bool offer(const Configuration& q) {
-    Configuration candidate = clamped(q);
+    Configuration candidate = model_.clamped(q);
     if ((best_ && distance(candidate) >= distance(*best_) - 1e-12) || !is_free(candidate)) {
       return false;
     }
@@ -114,7 +113,7 @@ class NearestFreeSearch {
 
   /// Along the straight line to where the search began.
   void shorten() {
-    const Configuration base = clamped(from_);
+    const Configuration base = model_.clamped(from_);
     const Eigen::VectorXd direction = *best_ - base;
     const double length = direction.norm();
     double blocked = 0.0;
@@ -165,19 +164,18 @@ class NearestFreeSearch {
 
 NearestFree find_nearest_free(const PlanningProblem& problem, const Configuration& q,
                               const NearestFreeOptions& options, const std::stop_token& stop) {
-  NearestFreeOptions half = options;
-  half.most_checks =
-      options.clearance > kLeastEndClearance ? options.most_checks / 2 : options.most_checks;
-  NearestFreeSearch search(problem, q, half, std::max(options.clearance, kLeastEndClearance), 0,
-                           stop);
-  search.run();
-  NearestFree found = search.result();
-  if (!found.q && options.clearance > kLeastEndClearance) {
-    NearestFreeSearch closer(problem, q, options, kLeastEndClearance, found.checks, stop);
-    closer.run();
-    found = closer.result();
+  const auto search = [&](double clearance, int most_checks, int checks_so_far) {
+    NearestFreeOptions part = options;
+    part.most_checks = most_checks;
+    NearestFreeSearch looking(problem, q, part, clearance, checks_so_far, stop);
+    looking.run();
+    return looking.result();
+  };
+  if (options.clearance <= kLeastEndClearance) {
+    return search(kLeastEndClearance, options.most_checks, 0);
   }
-  return found;
+  const NearestFree found = search(options.clearance, options.most_checks / 2, 0);
+  return found.q ? found : search(kLeastEndClearance, options.most_checks, found.checks);
 }
 
 std::string describe_change(const geometric::RobotModel& model, const Configuration& from,

@@ -2,7 +2,6 @@
 
 #include "handway/geometric/io/input_error.h"
 #include "handway/planning/queries/palm_ik.h"
-#include "handway/planning/spaces/state_space.h"
 #include "handway/sampling/postures/quantile.h"
 #include "handway/sampling/sequences/random_stream.h"
 #include "planners/built_in.h"
@@ -10,9 +9,7 @@
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
-#include <optional>
 
 namespace handway::planning {
 namespace {
@@ -84,15 +81,15 @@ std::optional<SamplingRegion> first_region(Planner& planner, int directions) {
 }
 
 std::vector<SamplingRegion> first_regions(Planner& planner, int directions) {
-  std::vector<SamplingRegion> regions;
-  if (const std::optional<SamplingRegion> first = first_region(planner, directions)) {
-    regions.push_back(*first);
+  const std::optional<SamplingRegion> first = first_region(planner, directions);
+  if (!first) {
+    return {};
   }
-  if (planner.name() == make_auto_planner()->name()) {
-    const SamplingRegion common = regions.front();
+  std::vector<SamplingRegion> regions{*first};
+  if (planner.name() == kAutoPlanner) {
     regions.clear();
     for (const TargetRegion& region : regions_of_auto_planner()) {
-      regions.push_back(common);
+      regions.push_back(*first);
       regions.back().corridor = static_cast<CorridorForm>(region.corridor);
       regions.back().rho_a = region.rho_a;
     }

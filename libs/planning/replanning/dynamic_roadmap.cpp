@@ -1,20 +1,21 @@
 #include "handway/planning/replanning/dynamic_roadmap.h"
 
 #include "handway/geometric/collision/checkers/exact_collision_checker.h"
+#include "handway/geometric/robot/normalised_joints.h"
 #include "handway/geometric/scene/scene_difference.h"
 #include "handway/planning/core/observer.h"
 #include "handway/planning/core/planning_context.h"
 #include "handway/planning/paths/path_optimizer.h"
 #include "planners/built_in.h"
 #include "planners/rrt_connect.h"
-#include "replanning/roadmap_graph.h"
+#include "roadmap/roadmap.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <map>
-#include <memory>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -29,6 +30,119 @@ constexpr double kBackOff = 0.1;        // from what cuts an edge to where the d
 constexpr std::uint64_t kRoadmapChecks = 500;
 constexpr std::uint64_t kRepairChecks = 4000;
 constexpr int kSmoothingChecks = 300;
+
+/// When the objects of a scene last changed, in revisions: the scene has a new
+/// one with every change.
+class SceneChanges {
+ public:
+  /// An object was moved, added or removed.
+  void note(const std::string& object) { last_change_[object] = ++revision_; }
+
+  /// Of the scene as it is; 0 before the first change.
+  [[nodiscard]] int revision() const { return revision_; }
+
+  /// The revision that the last change of `object` made; 0: it never changed.
+  [[nodiscard]] int last_change(const std::string& object) const {
+    const auto found = last_change_.find(object);
+    return found == last_change_.end() ? 0 : found->second;
+  }
+
+  /// Pairs with objects that changed after `revision`, in the world as it is.
+  [[nodiscard]] std::vector<int> pairs_changed_since(int revision,
+                                                     const geometric::CollisionWorld& world) const {
+    std::vector<int> pairs;
+    for (const auto& [object, change] : last_change_) {
+      if (change > revision) {
+        const std::vector<int> own = world.pairs_with(object);
+        pairs.insert(pairs.end(), own.begin(), own.end());
+      }
+    }
+    return pairs;
+  }
+
+ private:
+  int revision_ = 0;
+  std::map<std::string, int> last_change_;
+};
+
+/// What is known of whether a node or an edge of a roadmap is free, and since when.
+struct ValidityState {
+  static constexpr int kNever = -1;
+
+  int free_at = kNever;     ///< Found free in this revision of the scene.
+  int refused_at = kNever;  ///< Found not to be free in this one, …
+  std::string refused_by;   ///< … because of this object; empty: because of what never changes.
+
+  [[nodiscard]] bool was_free() const { return free_at != kNever; }
+
+  /// It was refused, and what refused it has not changed since.
+  [[nodiscard]] bool is_refused(const SceneChanges& changes) const {
+    return refused_at != kNever && changes.last_change(refused_by) <= refused_at;
+  }
+
+  void set_free(int revision) { *this = {revision, kNever, {}}; }
+};
+
+/// A graph of a robot's configurations whose nodes and edges remember when they were last found
+/// free; of new ones nothing is known. Distances are Euclidean in normalised joints.
+class RoadmapGraph : public Roadmap<ValidityState> {
+ public:
+  explicit RoadmapGraph(std::shared_ptr<const geometric::RobotModel> model)
+      : Roadmap(geometric::normalised_turns(*model)), model_(std::move(model)) {}
+
+  /// The node at `q`, or whole turns from it, added if there is none, with edges to its nearest.
+  int node_at(const Configuration& q) {
+    constexpr int kJoined = 8;  // nearest nodes that a new one gets an edge to
+    constexpr double kAnywhere = std::numeric_limits<double>::infinity();
+    const Eigen::VectorXd coordinates = geometric::normalised(*model_, q);
+    const bool periodic = !periods().none();
+    const double rounding = periodic ? 1e-12 : 0.0;  // of values whole periods apart
+    const auto is_here = [&](int node) { return periodic || configuration(node) == q; };
+    if (const auto same = neighbours().nearest(coordinates, 1, rounding, is_here); !same.empty()) {
+      return same.front().second;
+    }
+    const int node = add_node(q, coordinates);
+    for (const int other : nearest(node, kJoined, kAnywhere)) {
+      edge(node, other);
+    }
+    return node;
+  }
+
+  /// Which edges a path may take.
+  enum class Edges {
+    kOnceFree,  ///< Those found free before.
+    kAny,       ///< Others too, as if they were much longer.
+  };
+  /// The shortest path over what is not refused, by A*; empty if there is none.
+  [[nodiscard]] std::vector<int> shortest_path(int from, int to, Edges edges,
+                                               const SceneChanges& changes) const {
+    constexpr double kUnknownCost = 10.0;  // of an edge never checked: most are refused
+    constexpr double kNotTaken = std::numeric_limits<double>::infinity();
+    return Roadmap::shortest_path(
+        from, to,
+        [&](double length, const ValidityState& edge, const ValidityState& a,
+            const ValidityState& b) {
+          if (edge.is_refused(changes) || a.is_refused(changes) || b.is_refused(changes)) {
+            return kNotTaken;
+          }
+          return edge.was_free()        ? length
+                 : edges == Edges::kAny ? kUnknownCost * length
+                                        : kNotTaken;
+        });
+  }
+
+ private:
+  std::shared_ptr<const geometric::RobotModel> model_;
+};
+
+/// What a DynamicRoadmap keeps from one query to the next.
+struct RoadmapMemory {
+  int max_nodes;  ///< When there are more, all but those of the last path are forgotten.
+  std::unique_ptr<RoadmapGraph> graph;
+  SceneChanges changes = {};
+  Path last_path = {};                        ///< Empty: none was found yet.
+  ReplanSource source = ReplanSource::kNone;  ///< Of the path of the last query.
+};
 
 /// Finds out whether paths over a roadmap are free, asking no more than what is not known, and
 /// remembers the answers.
@@ -170,9 +284,9 @@ class LazyPathValidator {
 
 /// Keeps the nodes and edges that searches notify it of, and passes on to another observer
 /// what it observes, with numbers that differ from search to search.
-class ObserverAdapter final : public Observer {
+class ObserverAdapter final : public ForwardingObserver {
  public:
-  explicit ObserverAdapter(Observer& listener) : listener_(listener) {}
+  using ForwardingObserver::ForwardingObserver;
 
   /// Events from now on are of another search, whose numbers start again.
   void begin_search() { numbers_.clear(); }
@@ -197,37 +311,21 @@ class ObserverAdapter final : public Observer {
     const int number = static_cast<int>(nodes_.size());
     numbers_[node.id] = number;
     nodes_.push_back(node.q);
-    listener_.on_node({number, node.q, node.pmd_count, node.step, node.rho_a, node.search});
+    ForwardingObserver::on_node(
+        {number, node.q, node.pmd_count, node.step, node.rho_a, node.search});
   }
   void on_edge(int from, int to) override {
     edges_.emplace_back(numbers_.at(from), numbers_.at(to));
-    listener_.on_edge(edges_.back().first, edges_.back().second);
+    ForwardingObserver::on_edge(edges_.back().first, edges_.back().second);
   }
-  void on_winner(int search) override { listener_.on_winner(search); }
-  void on_search_range(double d_ini, double d_goal) override {
-    listener_.on_search_range(d_ini, d_goal);
-  }
-  void on_progress(double fraction, std::string_view activity) override {
-    listener_.on_progress(fraction, activity);
-  }
+  // Its numbers are other ones.
+  [[nodiscard]] AlgorithmObserver* algorithm() override { return nullptr; }
 
  private:
-  Observer& listener_;
   std::map<int, int> numbers_;  ///< Of this search's nodes, among all.
   std::vector<Configuration> nodes_;
   std::vector<std::pair<int, int>> edges_;
 };
-
-const char* sentence_for(ReplanSource source) {
-  switch (source) {
-    case ReplanSource::kLastPath:
-      return "The last path is still free";
-    case ReplanSource::kRoadmap:
-      return "Found a path in the roadmap";
-    default:
-      return "Led the last path around what cuts it";
-  }
-}
 
 // The farthest that is safely reached from `from` towards `to` before `obstruction`, in [0, 1].
 Configuration before_obstruction(PlanningContext& context, const Configuration& from,
@@ -271,8 +369,11 @@ class Replanner final : public Planner {
       } else {
         result.path = std::move(*path);
       }
-      result.reason = fmt::format("{}: {} waypoints.", sentence_for(memory_.source),
-                                  result.path.waypoints.size());
+      const char* source = memory_.source == ReplanSource::kLastPath ? "The last path is still free"
+                           : memory_.source == ReplanSource::kRoadmap
+                               ? "Found a path in the roadmap"
+                               : "Led the last path around what cuts it";
+      result.reason = fmt::format("{}: {} waypoints.", source, result.path.waypoints.size());
     } else if (const std::optional<PlanStatus> interruption = context.interruption()) {
       result.status = *interruption;
     } else {
@@ -500,19 +601,8 @@ PlanResult DynamicRoadmap::plan(const PlanRequest& request, std::stop_token stop
 }
 
 const char* to_string(ReplanSource source) {
-  switch (source) {
-    case ReplanSource::kNone:
-      return "none";
-    case ReplanSource::kLastPath:
-      return "last path";
-    case ReplanSource::kRoadmap:
-      return "roadmap";
-    case ReplanSource::kRepair:
-      return "repair";
-    case ReplanSource::kPlanner:
-      return "planner";
-  }
-  return "none";
+  static constexpr std::array kWords{"none", "last path", "roadmap", "repair", "planner"};
+  return kWords.at(static_cast<std::size_t>(source));
 }
 
 }  // namespace handway::planning

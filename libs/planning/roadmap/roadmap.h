@@ -10,7 +10,6 @@
 #include <boost/property_map/vector_property_map.hpp>
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 #include <variant>
 #include <vector>

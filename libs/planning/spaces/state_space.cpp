@@ -13,7 +13,6 @@
 #include <limits>
 #include <string>
 #include <utility>
-#include <vector>
 
 namespace handway::planning {
 namespace {
@@ -279,13 +278,10 @@ std::optional<Configuration> HandArmRegion::arm_at(double step, double rho,
 }
 
 Configuration HandArmRegion::with_hand(Configuration q, const Eigen::VectorXd& u) const {
-  const Eigen::VectorXd posture = sampling::map_to_posture(basis_, u);
   const geometric::RobotModel& model = problem_.model();
-  for (std::size_t i = 0; i < problem_.hand.size(); ++i) {
-    const int v = problem_.hand[i];
-    q[v] = model.lower()[v] +
-           posture[static_cast<Eigen::Index>(i)] * (model.upper()[v] - model.lower()[v]);
-  }
+  const Eigen::VectorXd range = (model.upper() - model.lower())(problem_.hand);
+  q(problem_.hand) =
+      model.lower()(problem_.hand) + sampling::map_to_posture(basis_, u).cwiseProduct(range);
   return q;
 }
 

@@ -8,11 +8,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <numbers>
 #include <stdexcept>
-#include <vector>
 
 namespace handway::planning {
 namespace {
@@ -81,48 +81,33 @@ Corner corner_between(const Edge& in, const Edge& out, double deviation, ArcShap
 
 }  // namespace
 
-Configuration PathPiece::position(double s) const {
-  if (!is_arc()) {
-    return origin + s * tangent;
+Configuration PathPiece::derivative(int order, double s) const {
+  if (is_arc() && !is_smooth_arc()) {
+    const double angle = s / radius;
+    const double half = std::sin(0.5 * angle);
+    switch (order) {
+      case 0:
+        return origin + (radius * std::sin(angle)) * tangent +
+               (2.0 * radius * half * half) * normal;
+      case 1:
+        return std::cos(angle) * tangent + std::sin(angle) * normal;
+      case 2:
+        return (std::cos(angle) * normal - std::sin(angle) * tangent) / radius;
+      default:
+        return -(std::cos(angle) * tangent + std::sin(angle) * normal) / (radius * radius);
+    }
   }
-  if (is_smooth_arc()) {
-    const double x = s / length;
-    return origin + s * tangent + (length * x * x * x * (1.0 - 0.5 * x)) * turn;
+  Configuration along = Configuration::Zero(tangent.size());
+  if (order < 2) {
+    along = order == 0 ? Configuration(origin + s * tangent) : tangent;
   }
-  const double half = std::sin(0.5 * s / radius);
-  return origin + (radius * std::sin(s / radius)) * tangent + (2.0 * radius * half * half) * normal;
-}
-
-Configuration PathPiece::first_derivative(double s) const {
-  if (!is_arc()) {
-    return tangent;
+  if (!is_smooth_arc()) {
+    return along;
   }
-  if (is_smooth_arc()) {
-    const double x = s / length;
-    return tangent + (x * x * (3.0 - 2.0 * x)) * turn;
-  }
-  return std::cos(s / radius) * tangent + std::sin(s / radius) * normal;
-}
-
-Configuration PathPiece::second_derivative(double s) const {
-  if (!is_arc()) {
-    return Configuration::Zero(tangent.size());
-  }
-  if (is_smooth_arc()) {
-    const double x = s / length;
-    return (6.0 * x * (1.0 - x) / length) * turn;
-  }
-  return (std::cos(s / radius) * normal - std::sin(s / radius) * tangent) / radius;
-}
-
-Configuration PathPiece::third_derivative(double s) const {
-  if (!is_arc()) {
-    return Configuration::Zero(tangent.size());
-  }
-  if (is_smooth_arc()) {
-    return ((6.0 - 12.0 * s / length) / (length * length)) * turn;
-  }
-  return -(std::cos(s / radius) * tangent + std::sin(s / radius) * normal) / (radius * radius);
+  const double x = s / length;
+  const std::array turned{length * x * x * x * (1.0 - 0.5 * x), x * x * (3.0 - 2.0 * x),
+                          6.0 * x * (1.0 - x) / length, (6.0 - 12.0 * x) / (length * length)};
+  return along + turned.at(static_cast<std::size_t>(order)) * turn;
 }
 
 Configuration PathPiece::fastest() const {
@@ -211,7 +196,7 @@ bool is_free(const PathPiece& arc, const geometric::MotionBound& motion,
   const auto& constraints = checker.world().constraints();
   for (double s = 0.0; s < arc.length;) {
     const geometric::NamedPair closest =
-        geometric::find_clearance(checker, arc.position(s), kFarClearance + clearance);
+        geometric::find_clearance(checker, arc.derivative(0, s), kFarClearance + clearance);
     const double spare = closest.distance - clearance;
     if (spare < kLeastAdvance * clearance) {
       return false;

@@ -11,7 +11,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <string>
 #include <utility>
 
 namespace handway::planning {
@@ -105,15 +104,8 @@ void read(const YamlElement& joint, Rate rate, double& limit) {
 }  // namespace
 
 const char* rate_name(Rate rate) {
-  switch (rate) {
-    case Rate::kVelocity:
-      return "velocity";
-    case Rate::kAcceleration:
-      return "acceleration";
-    case Rate::kJerk:
-      break;
-  }
-  return "jerk";
+  static constexpr std::array kNames{"velocity", "acceleration", "jerk"};
+  return kNames.at(static_cast<std::size_t>(rate));
 }
 
 JointKinematicLimits JointKinematicLimits::without_jerk() const {

@@ -44,9 +44,9 @@ std::vector<Cell> grid(const BlendedPath& path) {
                        begin,
                        width,
                        piece.ends_in_corner && i + 1 == count,
-                       {piece.first_derivative(begin), piece.first_derivative(begin + width)},
-                       {piece.second_derivative(begin), piece.second_derivative(begin + width)},
-                       piece.third_derivative(0.0)});
+                       {piece.derivative(1, begin), piece.derivative(1, begin + width)},
+                       {piece.derivative(2, begin), piece.derivative(2, begin + width)},
+                       piece.derivative(3, 0.0)});
     }
   }
   return cells;
@@ -139,8 +139,8 @@ double excess(const PathPiece& piece, const Cell& cell, const JointKinematicLimi
     const double share = steps == 0 ? 0.0 : static_cast<double>(i) / steps;
     const double s = cell.begin + share * cell.width;
     const double x = x0 + share * (x1 - x0);
-    const Configuration first = piece.first_derivative(s);
-    const Configuration acceleration = u * first + x * piece.second_derivative(s);
+    const Configuration first = piece.derivative(1, s);
+    const Configuration acceleration = u * first + x * piece.derivative(2, s);
     const double top = steps == 0 ? std::max(x0, x1) : x;
     worst = std::max({worst, largest_share(std::sqrt(top) * first, limits.velocity),
                       std::sqrt(largest_share(acceleration, limits.acceleration))});
@@ -357,14 +357,14 @@ double excess(const BlendedPath& path, const std::vector<Knot>& knots,
     for (const double share : {0.0, 0.5, 1.0}) {
       const Knot at = knots[k].after(share * (knots[k + 1].time - knots[k].time));
       const double s = std::min(at.s, piece.length);
-      const Eigen::VectorXd first = piece.first_derivative(s);
-      const Eigen::VectorXd second = piece.second_derivative(s);
+      const Eigen::VectorXd first = piece.derivative(1, s);
+      const Eigen::VectorXd second = piece.derivative(2, s);
       const double v = at.speed;
       velocity = std::max(velocity, largest_share(v * first, limits.velocity));
       acceleration = std::max(acceleration, largest_share(at.acceleration * first + v * v * second,
                                                           limits.acceleration));
       jerk = std::max(jerk, largest_share(at.jerk * first + 3.0 * v * at.acceleration * second +
-                                              v * v * v * piece.third_derivative(s),
+                                              v * v * v * piece.derivative(3, s),
                                           limits.jerk));
     }
   }

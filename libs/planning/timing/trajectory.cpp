@@ -23,9 +23,9 @@ TrajectoryPoint at_rest(double time, const geometric::Configuration& q) {
 TrajectoryPoint point_in_cell(const PathPiece& piece, const Knot& a, const Knot& b, double time) {
   const Knot at = a.after(time - a.time);
   const double s = std::clamp(at.s, a.s, b.s);
-  const Eigen::VectorXd first = piece.first_derivative(s);
-  return {time, piece.position(s), at.speed * first,
-          at.acceleration * first + at.speed * at.speed * piece.second_derivative(s)};
+  const Eigen::VectorXd first = piece.derivative(1, s);
+  return {time, piece.derivative(0, s), at.speed * first,
+          at.acceleration * first + at.speed * at.speed * piece.derivative(2, s)};
 }
 
 /// From rest to rest over `distance`.

@@ -1,7 +1,6 @@
 #include "handway/sampling/postures/basis_study.h"
 
 #include "handway/geometric/io/input_error.h"
-#include "handway/sampling/postures/pmd_basis.h"
 #include "handway/sampling/postures/principal_components.h"
 #include "handway/sampling/postures/quantile.h"
 #include "handway/sampling/sequences/random_stream.h"
@@ -12,8 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
-#include <string>
-#include <vector>
 
 namespace handway::sampling {
 namespace {
@@ -230,11 +227,8 @@ class Study {
     BasisStability& stability =
         study.stability.emplace_back(BasisStability{seconds / settings_.resamples, {}});
     for (const std::vector<double>& of_k : angles) {
-      Sum sum;
-      for (const double angle : of_k) {
-        sum.add(angle);
-      }
-      stability.angles.push_back(bounds(sum.mean(), of_k));
+      const Eigen::Map<const Eigen::VectorXd> all(of_k.data(), std::ssize(of_k));
+      stability.angles.push_back(bounds(all.mean(), of_k));
     }
   }
 

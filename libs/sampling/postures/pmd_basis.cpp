@@ -12,9 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
-#include <string>
 #include <utility>
-#include <vector>
 
 namespace handway::sampling {
 

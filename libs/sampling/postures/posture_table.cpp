@@ -4,7 +4,6 @@
 #include "handway/geometric/io/number_text.h"
 #include "handway/geometric/io/replace_file.h"
 #include "handway/geometric/io/text_file.h"
-#include "handway/sampling/postures/pmd_basis.h"
 #include "handway/sampling/postures/quantile.h"
 
 #include <fmt/format.h>

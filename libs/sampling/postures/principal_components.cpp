@@ -2,7 +2,6 @@
 
 #include "handway/geometric/io/input_error.h"
 
-#include <Eigen/Core>
 #include <Eigen/Eigenvalues>
 #include <Eigen/SVD>
 
@@ -10,9 +9,7 @@
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
-#include <string>
 #include <utility>
-#include <vector>
 
 namespace handway::sampling {
 
@@ -50,13 +47,20 @@ Eigen::VectorXd with_fixed_sign(const Eigen::VectorXd& direction) {
   return direction[largest] < 0.0 ? Eigen::VectorXd(-direction) : direction;
 }
 
-// Each over their sum; all 0 if that is 0.
-Eigen::VectorXd shares_of(const Eigen::VectorXd& variances) {
+// @param taken joints that take part. @param variances falling. @param axes a column each, of those
+// joints alone.
+PrincipalComponents assembled(const Eigen::VectorXd& mean, const std::vector<int>& taken,
+                              const Eigen::VectorXd& variances, const Eigen::MatrixXd& axes) {
   const double total = variances.sum();
-  if (!(total > 0.0)) {
-    return Eigen::VectorXd::Zero(variances.size());
+  PrincipalComponents result{mean, Eigen::MatrixXd::Zero(mean.size(), variances.size()), variances,
+                             Eigen::VectorXd::Zero(variances.size())};
+  if (total > 0.0) {
+    result.shares = variances / total;
   }
-  return variances / total;
+  for (Eigen::Index k = 0; k < variances.size(); ++k) {
+    result.directions(taken, k) = with_fixed_sign(axes.col(k));
+  }
+  return result;
 }
 
 void check_samples(const Eigen::MatrixXd& samples) {
@@ -78,20 +82,12 @@ PrincipalComponents principal_components(const Eigen::MatrixXd& samples,
                                          const std::vector<int>& left_out) {
   check_samples(samples);
   const std::vector<int> columns = joints_taken(samples.cols(), left_out);
-  PrincipalComponents result;
-  result.mean = samples.colwise().mean();
-  const Eigen::MatrixXd centred =
-      (samples.rowwise() - result.mean.transpose())(Eigen::all, columns);
+  const Eigen::VectorXd mean = samples.colwise().mean();
+  const Eigen::MatrixXd centred = (samples.rowwise() - mean.transpose())(Eigen::all, columns);
   const Eigen::BDCSVD<Eigen::MatrixXd> svd(centred, Eigen::ComputeThinV);
-
-  result.variances =
-      svd.singularValues().array().square() / static_cast<double>(samples.rows() - 1);
-  result.shares = shares_of(result.variances);
-  result.directions = Eigen::MatrixXd::Zero(samples.cols(), result.variances.size());
-  for (Eigen::Index k = 0; k < result.variances.size(); ++k) {
-    result.directions(columns, k) = with_fixed_sign(svd.matrixV().col(k));
-  }
-  return result;
+  return assembled(mean, columns,
+                   svd.singularValues().array().square() / static_cast<double>(samples.rows() - 1),
+                   svd.matrixV());
 }
 
 PmdBasis make_pmd_basis(std::string hand, std::string source, std::vector<std::string> joints,
@@ -169,17 +165,10 @@ PrincipalComponents IncrementalComponents::components(const std::vector<int>& le
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(0.5 *
                                                               (scatter + scatter.transpose()));
   const Eigen::Index size = std::min(count_, solver.eigenvalues().size());
-  PrincipalComponents result;
-  result.mean = mean_;
-  result.variances =
-      solver.eigenvalues().reverse().head(size).cwiseMax(0.0) / static_cast<double>(count_ - 1);
-  result.shares = shares_of(result.variances);
-  result.directions = Eigen::MatrixXd::Zero(mean_.size(), size);
-  for (Eigen::Index k = 0; k < size; ++k) {
-    const Eigen::Index column = solver.eigenvectors().cols() - 1 - k;
-    result.directions(taken, k) = with_fixed_sign(solver.eigenvectors().col(column));
-  }
-  return result;
+  return assembled(
+      mean_, taken,
+      solver.eigenvalues().reverse().head(size).cwiseMax(0.0) / static_cast<double>(count_ - 1),
+      solver.eigenvectors().rowwise().reverse());
 }
 
 namespace {

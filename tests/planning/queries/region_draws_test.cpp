@@ -1,6 +1,7 @@
 #include "handway/planning/queries/region_draws.h"
 
 #include "handway/planning/planners/planner_registry.h"
+#include "handway/planning/queries/palm_ik.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -22,7 +23,7 @@ class RegionDrawsOfTheFlatArm : public testing::Test {
 TEST_F(RegionDrawsOfTheFlatArm, AreOnTheStraightMotionForANarrowCorridor) {
   const RegionDraws draws = preview_.draw({.rho_a = 1e-5}, 50);
   EXPECT_THAT(draws.palms, SizeIs(50));
-  EXPECT_THAT(draws.fingertips, SizeIs(50 * preview_.finger_count()));
+  EXPECT_THAT(draws.fingertips, SizeIs(50 * fingertips(problem_.model(), problem_.hand).size()));
   EXPECT_LT(draws.palm_reach, 1e-3);
   EXPECT_GT((draws.motion.back() - draws.motion.front()).norm(), 0.1);
 }

@@ -21,7 +21,7 @@ TEST(BlendedPath, PassesACornerAtTheDeviationAsked) {
   const PathPiece& arc = path.pieces()[1];
   EXPECT_TRUE(arc.is_arc());
   EXPECT_NEAR(arc.length, arc.radius * std::numbers::pi / 2, 1e-12);
-  EXPECT_NEAR((arc.position(arc.length / 2) - Vector2d(2, 0)).norm(), 0.1, 1e-12);
+  EXPECT_NEAR((arc.derivative(0, arc.length / 2) - Vector2d(2, 0)).norm(), 0.1, 1e-12);
   EXPECT_NEAR(path.deviations()[1], 0.1, 1e-12);
   EXPECT_FALSE(path.pieces()[0].ends_in_corner);
   EXPECT_TRUE(path.pieces()[2].ends_in_corner) << "the end";
@@ -42,9 +42,9 @@ TEST(BlendedPath, IsContinuousWithItsTangent) {
   for (std::size_t i = 0; i + 1 < path.pieces().size(); ++i) {
     const PathPiece& piece = path.pieces()[i];
     const PathPiece& next = path.pieces()[i + 1];
-    EXPECT_LT((piece.position(piece.length) - next.position(0)).norm(), 1e-12) << i;
-    EXPECT_LT((piece.first_derivative(piece.length) - next.first_derivative(0)).norm(), 1e-12);
-    EXPECT_NEAR(piece.first_derivative(0.5 * piece.length).norm(), 1.0, 1e-12);
+    EXPECT_LT((piece.derivative(0, piece.length) - next.derivative(0, 0)).norm(), 1e-12) << i;
+    EXPECT_LT((piece.derivative(1, piece.length) - next.derivative(1, 0)).norm(), 1e-12);
+    EXPECT_NEAR(piece.derivative(1, 0.5 * piece.length).norm(), 1.0, 1e-12);
   }
 }
 
@@ -54,11 +54,11 @@ TEST(BlendedPath, HasTheDerivativesOfItsPositions) {
   for (const PathPiece& piece : path.pieces()) {
     const double s = 0.4 * piece.length;
     const Eigen::VectorXd slope =
-        (piece.position(s + kStep) - piece.position(s - kStep)) / (2 * kStep);
+        (piece.derivative(0, s + kStep) - piece.derivative(0, s - kStep)) / (2 * kStep);
     const Eigen::VectorXd bend =
-        (piece.first_derivative(s + kStep) - piece.first_derivative(s - kStep)) / (2 * kStep);
-    EXPECT_LT((slope - piece.first_derivative(s)).norm(), 1e-8);
-    EXPECT_LT((bend - piece.second_derivative(s)).norm(), 1e-8);
+        (piece.derivative(1, s + kStep) - piece.derivative(1, s - kStep)) / (2 * kStep);
+    EXPECT_LT((slope - piece.derivative(1, s)).norm(), 1e-8);
+    EXPECT_LT((bend - piece.derivative(2, s)).norm(), 1e-8);
   }
 }
 

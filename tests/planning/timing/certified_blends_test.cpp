@@ -23,7 +23,8 @@ double least_clearance(const PlanningProblem& problem, const BlendedPath& path) 
   for (const PathPiece& piece : path.pieces()) {
     for (int i = 0; i <= 200; ++i) {
       least = std::min(
-          least, find_clearance(*checker, piece.position(piece.length * i / 200), least).distance);
+          least,
+          find_clearance(*checker, piece.derivative(0, piece.length * i / 200), least).distance);
     }
   }
   return least;

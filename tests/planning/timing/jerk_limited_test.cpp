@@ -56,21 +56,20 @@ TEST(SmoothArc, TurnsFromEdgeToEdgeWithoutAJumpOfCurvature) {
   ASSERT_EQ(blended.pieces().size(), 3U);
   const PathPiece& arc = blended.pieces()[1];
   EXPECT_TRUE(arc.is_smooth_arc());
-  EXPECT_NEAR((arc.position(0.5 * arc.length) - path.waypoints[1]).norm(), 0.05, 1e-12);
-  EXPECT_LT((arc.position(arc.length) - blended.pieces()[2].origin).norm(), 1e-12);
-  EXPECT_LT((arc.first_derivative(arc.length) - blended.pieces()[2].tangent).norm(), 1e-12);
-  EXPECT_LT(arc.second_derivative(0.0).norm(), 1e-12);
-  EXPECT_LT(arc.second_derivative(arc.length).norm(), 1e-12);
+  EXPECT_NEAR((arc.derivative(0, 0.5 * arc.length) - path.waypoints[1]).norm(), 0.05, 1e-12);
+  EXPECT_LT((arc.derivative(0, arc.length) - blended.pieces()[2].origin).norm(), 1e-12);
+  EXPECT_LT((arc.derivative(1, arc.length) - blended.pieces()[2].tangent).norm(), 1e-12);
+  EXPECT_LT(arc.derivative(2, 0.0).norm(), 1e-12);
+  EXPECT_LT(arc.derivative(2, arc.length).norm(), 1e-12);
   constexpr double kStep = 1e-5;
   for (double s = kStep; s < arc.length - kStep; s += 0.1 * arc.length) {
     const auto slope = [&](auto derivative) -> Eigen::VectorXd {
       return ((arc.*derivative)(s + kStep) - (arc.*derivative)(s - kStep)) / (2.0 * kStep);
     };
-    EXPECT_LT((slope(&PathPiece::position) - arc.first_derivative(s)).norm(), 1e-6);
-    EXPECT_LT((slope(&PathPiece::first_derivative) - arc.second_derivative(s)).norm(), 1e-4);
-    EXPECT_LT((slope(&PathPiece::second_derivative) - arc.third_derivative(s)).norm(), 1e-4);
-    EXPECT_TRUE(
-        (arc.first_derivative(s).cwiseAbs().array() <= arc.fastest().array() + 1e-12).all());
+    EXPECT_LT((slope(&PathPiece::position) - arc.derivative(1, s)).norm(), 1e-6);
+    EXPECT_LT((slope(&PathPiece::first_derivative) - arc.derivative(2, s)).norm(), 1e-4);
+    EXPECT_LT((slope(&PathPiece::second_derivative) - arc.derivative(3, s)).norm(), 1e-4);
+    EXPECT_TRUE((arc.derivative(1, s).cwiseAbs().array() <= arc.fastest().array() + 1e-12).all());
   }
 }
 

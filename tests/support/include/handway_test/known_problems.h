@@ -1,7 +1,7 @@
 #pragma once
 
 #include "handway/geometric/collision/collision_world.h"
-#include "handway/planning/extensions/importer.h"
+#include "handway/planning/extensions/plugin.h"
 
 #include <cstdint>
 #include <filesystem>

@@ -3,7 +3,6 @@
 #include "handway/planning/campaigns/campaign.h"
 #include "handway/planning/export.h"
 
-#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <span>

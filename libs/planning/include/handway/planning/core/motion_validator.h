@@ -69,22 +69,10 @@ class HANDWAY_PLANNING_EXPORT MotionValidator {
     Configuration from;
     Configuration to;
   };
-  /// Edges to ask for in order. When one is asked for, other threads check those
-  /// that are likely to be asked for next.
-  class HANDWAY_PLANNING_EXPORT EdgeBatch {
-   public:
-    /// Is edge `index` free? Adds to the statistics when first asked for.
-    [[nodiscard]] bool is_free(std::size_t index);
-
-   private:
-    friend class MotionValidator;
-    EdgeBatch(MotionValidator& validator, std::vector<Edge> edges);
-
-    MotionValidator& validator_;
-    std::vector<Edge> edges_;
-    std::vector<std::optional<geometric::EdgeResult>> results_;
-  };
-  [[nodiscard]] EdgeBatch edges(std::vector<Edge> edges);
+  /// Edges to ask for in order: the function says whether the edge of an index is free, and counts
+  /// it in the statistics. When one is asked for first, other threads check those that are likely
+  /// to be asked for next. This object must outlive it.
+  [[nodiscard]] std::function<bool(std::size_t)> edges(std::vector<Edge> edges);
   /// @param most_checks as ContinuousCollisionChecker::check(): an edge so close to something that
   /// more configurations would have to be looked at is refused.
   [[nodiscard]] bool edge_free(

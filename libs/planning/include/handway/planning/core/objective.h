@@ -55,8 +55,8 @@ struct MotionSums {
   double missing_clearance = 0.0;  ///< Share of kFarClearance that is missing, times length.
   double duration = 0.0;           ///< See least_duration(), s.
 
-  MotionSums& operator+=(const MotionSums& other);
-  MotionSums& operator-=(const MotionSums& other);
+  /// @param times how often it counts: -1 takes it away again.
+  MotionSums& add(const MotionSums& other, double times = 1.0);
 };
 
 /// The cost of paths of a problem: a weighted sum of length, mean distance of the hand from the PMD
@@ -115,6 +115,7 @@ class HANDWAY_PLANNING_EXPORT Objective {
   [[nodiscard]] std::uint64_t distance_queries() const { return distance_queries_; }
 
  private:
+  [[nodiscard]] Point point_at(Configuration q, Eigen::VectorXd joints) const;
   [[nodiscard]] double missing_clearance(const Point& from, const Point& to, double length);
 
   const PlanningProblem& problem_;

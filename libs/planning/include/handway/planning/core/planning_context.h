@@ -46,12 +46,9 @@ class HANDWAY_PLANNING_EXPORT PlanningContext {
   [[nodiscard]] std::unique_ptr<sampling::Sampler> make_sampler(
       int dimension, std::uint64_t seed, sampling::ValidityPredicate valid) const;
 
-  /// A context for a search that runs beside others on the same problem: with one
-  /// thread and statistics of its own, and this context's clock, time limit and
-  /// cancellation. @param stop ends it alone. Both must outlive it, and so must this context.
-  [[nodiscard]] std::unique_ptr<PlanningContext> make_child(Observer& observer,
-                                                            std::stop_token stop) const;
-  /// The same for a search between other ends, in the same scene. @param problem must outlive it.
+  /// A context for a search that runs beside others, or between other ends in the same scene: with
+  /// one thread and statistics of its own, and this context's clock, time limit and cancellation.
+  /// @param stop ends it alone. All must outlive it, and so must this context.
   [[nodiscard]] std::unique_ptr<PlanningContext> make_child(const PlanningProblem& problem,
                                                             Observer& observer,
                                                             std::stop_token stop) const;

@@ -5,7 +5,6 @@
 #include "handway/planning/timing/time_path.h"
 
 #include <filesystem>
-#include <memory>
 #include <string>
 #include <vector>
 

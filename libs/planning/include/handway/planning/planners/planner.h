@@ -7,7 +7,6 @@
 #include "handway/planning/core/planning_problem.h"
 #include "handway/planning/export.h"
 
-#include <cstdint>
 #include <stop_token>
 #include <string>
 #include <string_view>

@@ -33,8 +33,6 @@ class HANDWAY_PLANNING_EXPORT HumanLikeness {
   [[nodiscard]] std::optional<Configuration> nearest_recorded(const Configuration& q) const;
 
  private:
-  [[nodiscard]] Eigen::VectorXd hand_posture(const Configuration& q) const;
-
   const geometric::RobotModel& model_;
   std::vector<int> hand_;
   sampling::PostureSubspace subspace_;

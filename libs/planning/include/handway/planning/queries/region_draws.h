@@ -7,10 +7,8 @@
 #include "handway/planning/planners/planner.h"
 #include "handway/planning/spaces/state_space.h"
 
-#include <cstdint>
 #include <optional>
 #include <stop_token>
-#include <string_view>
 #include <vector>
 
 namespace handway::planning {
@@ -51,9 +49,6 @@ class HANDWAY_PLANNING_EXPORT RegionPreview {
  public:
   /// @param problem outlives this. @param palm link of its robot.
   RegionPreview(const PlanningProblem& problem, int palm);
-
-  /// Links that end the hand's branches.
-  [[nodiscard]] int finger_count() const { return static_cast<int>(tips_.size()); }
 
   /// @param configurations to draw, the same for the same arguments; those of a region are
   /// those of a smaller one, moved outwards.

@@ -7,7 +7,6 @@
 
 #include <memory>
 #include <stop_token>
-#include <string>
 
 namespace handway::planning {
 

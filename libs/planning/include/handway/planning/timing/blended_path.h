@@ -35,10 +35,8 @@ struct HANDWAY_PLANNING_EXPORT PathPiece {
 
   [[nodiscard]] bool is_arc() const { return radius > 0.0; }
   [[nodiscard]] bool is_smooth_arc() const { return turn.size() > 0; }
-  [[nodiscard]] geometric::Configuration position(double s) const;
-  [[nodiscard]] geometric::Configuration first_derivative(double s) const;   ///< dq/ds
-  [[nodiscard]] geometric::Configuration second_derivative(double s) const;  ///< d²q/ds²
-  [[nodiscard]] geometric::Configuration third_derivative(double s) const;   ///< d³q/ds³
+  /// dⁿq/dsⁿ, 0 ≤ n ≤ 3: of order 0 the position.
+  [[nodiscard]] geometric::Configuration derivative(int order, double s) const;
   /// What |dq/ds| of each joint stays below all along.
   [[nodiscard]] geometric::Configuration fastest() const;
 };
