@@ -2,7 +2,7 @@
 
 #include "handway/geometric/scene/scene.h"
 #include "handway/planning/extensions/plugin.h"
-#include "handway/planning/planners/planner_registry.h"
+#include "handway/planning/planners/planner.h"
 
 #include <CLI/CLI.hpp>
 

@@ -4,7 +4,6 @@
 #include "handway/planning/core/parameter.h"
 #include "handway/planning/core/planning_context.h"
 #include "handway/planning/planners/planner.h"
-#include "handway/planning/planners/planner_registry.h"
 #include "handway/planning/spaces/target_sampler.h"
 #include "methods.h"
 #include "motion_check.h"

@@ -1,6 +1,6 @@
 /// An object dragged in steps of a centimetre: planning again with a dynamic roadmap, which
 /// keeps what it knows, and planning anew.
-#include "handway/planning/planners/planner_registry.h"
+#include "handway/planning/planners/planner.h"
 #include "handway/planning/replanning/dynamic_roadmap.h"
 #include "handway_test/known_problems.h"
 #include "handway_test/roadmap_scenes.h"

@@ -1,7 +1,7 @@
 /// Timing the paths of the scenes that ship: how long it takes, and the duration of the motion
 /// by the lower bound that no motion through the same waypoints stays below (`ratio`).
 #include "handway/planning/extensions/plugin.h"
-#include "handway/planning/planners/planner_registry.h"
+#include "handway/planning/planners/planner.h"
 #include "handway/planning/timing/time_path.h"
 #include "handway_test/known_problems.h"
 

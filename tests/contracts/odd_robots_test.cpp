@@ -2,7 +2,7 @@
 /// it plans, or says in words what it needs.
 #include "handway/planning/extensions/plugin.h"
 #include "handway/planning/paths/path_check.h"
-#include "handway/planning/planners/planner_registry.h"
+#include "handway/planning/planners/planner.h"
 #include "handway_test/input_errors.h"
 #include "handway_test/planar_problems.h"
 

@@ -3,7 +3,7 @@
 #include "handway/planning/core/planning_problem.h"
 #include "handway/planning/extensions/plugin.h"
 #include "handway/planning/paths/path_check.h"
-#include "handway/planning/planners/planner_registry.h"
+#include "handway/planning/planners/planner.h"
 #include "handway_test/input_errors.h"
 #include "handway_test/planar_problems.h"
 

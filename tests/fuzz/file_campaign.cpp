@@ -1,6 +1,6 @@
 /// Campaigns (YAML).
 #include "handway/planning/campaigns/campaign.h"
-#include "handway/planning/planners/planner_registry.h"
+#include "handway/planning/planners/planner.h"
 #include "input_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -3,7 +3,7 @@
 #include "handway/geometric/math/units.h"
 #include "handway/planning/core/plan_result.h"
 #include "handway/planning/paths/path_check.h"
-#include "handway/planning/planners/planner_registry.h"
+#include "handway/planning/planners/planner.h"
 #include "handway/planning/queries/nearest_free.h"
 #include "handway/planning/replanning/dynamic_roadmap.h"
 #include "handway/planning/timing/blended_path.h"

@@ -1,6 +1,6 @@
 /// A dynamic roadmap on a scene that ships.
 #include "handway/geometric/collision/continuous/continuous_collision_checker.h"
-#include "handway/planning/planners/planner_registry.h"
+#include "handway/planning/planners/planner.h"
 #include "handway/planning/replanning/dynamic_roadmap.h"
 #include "handway_test/known_problems.h"
 #include "handway_test/roadmap_scenes.h"

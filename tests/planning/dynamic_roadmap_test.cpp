@@ -1,7 +1,7 @@
 #include "handway/planning/replanning/dynamic_roadmap.h"
 
 #include "handway/geometric/collision/continuous/continuous_collision_checker.h"
-#include "handway/planning/planners/planner_registry.h"
+#include "handway/planning/planners/planner.h"
 #include "handway_test/planar_problems.h"
 #include "handway_test/roadmap_scenes.h"
 

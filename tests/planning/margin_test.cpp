@@ -1,7 +1,7 @@
 /// Paths that keep a margin from obstacles, measured by FCL on the meshes.
 #include "handway/geometric/collision/checkers/fcl_checker.h"
 #include "handway/geometric/math/units.h"
-#include "handway/planning/planners/planner_registry.h"
+#include "handway/planning/planners/planner.h"
 #include "handway_test/known_problems.h"
 
 #include <gmock/gmock.h>

@@ -2,7 +2,7 @@
 #include "handway/geometric/formats/scene_file.h"
 #include "handway/planning/core/planning_problem.h"
 #include "handway/planning/paths/path_check.h"
-#include "handway/planning/planners/planner_registry.h"
+#include "handway/planning/planners/planner.h"
 #include "handway_test/paths.h"
 
 #include <gmock/gmock.h>

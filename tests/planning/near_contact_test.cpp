@@ -3,7 +3,7 @@
 #include "handway/geometric/collision/collision_checker.h"
 #include "handway/geometric/math/units.h"
 #include "handway/planning/paths/path_check.h"
-#include "handway/planning/planners/planner_registry.h"
+#include "handway/planning/planners/planner.h"
 #include "handway/planning/queries/nearest_free.h"
 #include "handway/sampling/sequences/random_stream.h"
 #include "handway_test/known_problems.h"

@@ -2,7 +2,7 @@
 
 #include "handway/geometric/robot/normalised_joints.h"
 #include "handway/planning/paths/path_check.h"
-#include "handway/planning/planners/planner_registry.h"
+#include "handway/planning/planners/planner.h"
 #include "handway_test/planar_problems.h"
 
 #include <gtest/gtest.h>

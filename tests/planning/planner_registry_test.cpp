@@ -1,5 +1,4 @@
-#include "handway/planning/planners/planner_registry.h"
-
+#include "handway/planning/planners/planner.h"
 #include "handway_test/input_errors.h"
 
 #include <gmock/gmock.h>

@@ -4,7 +4,6 @@
 
 #include "handway/geometric/scene/scene.h"
 #include "handway/planning/core/plan_result.h"
-#include "handway/planning/planners/planner_registry.h"
 #include "handway_test/solid_robots.h"
 
 #include <gmock/gmock.h>

@@ -55,7 +55,8 @@ class ARace : public testing::TestWithParam<int> {
     PlanningContext context(problem_, request_, stop_.get_token(), observer_);
     Portfolio portfolio(context, std::move(members), samples);
     const PlanStatus status = portfolio.run();
-    return {status, status == PlanStatus::kSolved ? portfolio.winner() : "", context.statistics()};
+    return {status, status == PlanStatus::kSolved ? portfolio.winner().name : "",
+            context.statistics()};
   }
 
   PlanningProblem problem_ = test::open_problem();

@@ -4,7 +4,7 @@
 
 #include "handway/geometric/robot/robot_state.h"
 #include "handway/planning/paths/path_check.h"
-#include "handway/planning/planners/planner_registry.h"
+#include "handway/planning/planners/planner.h"
 #include "handway/planning/replanning/dynamic_roadmap.h"
 #include "handway_test/robots.h"
 

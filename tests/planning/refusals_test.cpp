@@ -1,4 +1,4 @@
-#include "handway/planning/planners/planner_registry.h"
+#include "handway/planning/planners/planner.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #include "handway/planning/roadmap/roadmap_recorder.h"
 
-#include "handway/planning/planners/planner_registry.h"
+#include "handway/planning/planners/planner.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

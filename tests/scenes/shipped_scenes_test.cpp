@@ -4,7 +4,7 @@
 #include "handway/geometric/formats/scene_file.h"
 #include "handway/planning/extensions/plugin.h"
 #include "handway/planning/paths/path_check.h"
-#include "handway/planning/planners/planner_registry.h"
+#include "handway/planning/planners/planner.h"
 #include "handway/sampling/postures/pmd_basis.h"
 #include "handway_test/paths.h"
 

@@ -20,7 +20,7 @@
 #include "handway/geometric/collision/checkers/exact_collision_checker.h"
 #include "handway/geometric/math/pose.h"
 #include "handway/planning/paths/path_check.h"
-#include "handway/planning/planners/planner_registry.h"
+#include "handway/planning/planners/planner.h"
 #include "handway/planning/timing/time_path.h"
 #include "handway_test/known_problems.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "handway/planning/core/revision.h"
+#include "handway/planning/core/plan_result.h"
 #include "handway/planning/grasps/pregrasp_search.h"
 #include "model/jobs/background.h"
 #include "widgets/panels/floating_card.h"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "handway/planning/core/observer.h"
-#include "handway/planning/planners/planner_registry.h"
+#include "handway/planning/planners/planner.h"
 #include "model/planning/microscope.h"
 
 #include <QString>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "handway/planning/planners/planner_registry.h"
+#include "handway/planning/planners/planner.h"
 #include "model/planning/preset_store.h"
 
 #include <QWidget>

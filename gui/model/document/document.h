@@ -2,7 +2,7 @@
 
 #include "handway/geometric/robot/robot_model.h"
 #include "handway/geometric/scene/scene.h"
-#include "handway/planning/core/revision.h"
+#include "handway/planning/core/plan_result.h"
 #include "handway/planning/extensions/plugin.h"
 #include "handway/sampling/postures/pmd_basis.h"
 #include "handway/sampling/postures/posture_table.h"

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "handway/planning/core/plan_result.h"
 #include "handway/planning/core/planning_problem.h"
-#include "handway/planning/core/revision.h"
 #include "handway/planning/extensions/plugin.h"
 
 #include <condition_variable>

@@ -1,7 +1,7 @@
 #include "model/planning/live_replanner.h"
 
 #include "handway/planning/core/planning_context.h"
-#include "handway/planning/planners/planner_registry.h"
+#include "handway/planning/planners/planner.h"
 #include "handway/planning/replanning/dynamic_roadmap.h"
 
 #include <algorithm>

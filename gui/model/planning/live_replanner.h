@@ -1,6 +1,6 @@
 #pragma once
 
-#include "handway/planning/core/revision.h"
+#include "handway/planning/core/plan_result.h"
 #include "handway/planning/planners/planner.h"
 #include "model/document/prepared_problem.h"
 

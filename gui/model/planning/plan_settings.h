@@ -2,7 +2,6 @@
 
 #include "handway/geometric/scene/scene.h"
 #include "handway/planning/planners/planner.h"
-#include "handway/planning/planners/planner_registry.h"
 #include "model/document/scene_editor.h"
 #include "model/planning/path_history.h"
 

@@ -3,7 +3,7 @@
 #include "handway/geometric/formats/yaml_element.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/io/replace_file.h"
-#include "handway/planning/planners/planner_registry.h"
+#include "handway/planning/planners/planner.h"
 
 #include <QFileInfo>
 #include <QObject>

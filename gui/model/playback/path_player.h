@@ -2,8 +2,8 @@
 
 #include "handway/geometric/robot/robot_model.h"
 #include "handway/geometric/scene/scene.h"
+#include "handway/planning/core/plan_result.h"
 #include "handway/planning/core/planning_problem.h"
-#include "handway/planning/core/revision.h"
 #include "handway/planning/extensions/exporter.h"
 #include "model/document/document.h"
 

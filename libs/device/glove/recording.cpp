@@ -1,5 +1,6 @@
 #include "handway/device/glove/recording.h"
 
+#include "glove/matlab_file.h"
 #include "glove/table_reader.h"
 #include "glove/text_files.h"
 #include "handway/device/glove/glove_layout.h"

@@ -3,25 +3,12 @@
 #include "glove/text_files.h"
 #include "handway/device/glove/recording.h"
 
-#include <Eigen/Core>
-
 #include <filesystem>
-#include <map>
-#include <string>
 #include <vector>
 
 /// Tables of postures that are no recordings yet: see read_recording().
 
 namespace handway::device {
-
-/// Whether a file begins as a MATLAB file does (version 5 or 7.3).
-[[nodiscard]] bool is_matlab_file(const std::filesystem::path& file);
-
-/// The matrices of real numbers in a MATLAB file (version 5 or 7.3), by name, those of a structure
-/// as "structure.field"; all else in it is passed over.
-/// @throws geometric::InputError if it can't be read.
-[[nodiscard]] std::map<std::string, Eigen::MatrixXd> read_matlab_file(
-    const std::filesystem::path& file);
 
 /// Text of other programs: columns by the names of their header, as sensors are called by Handway
 /// or others; without names, those of a glove's records or of VirtualHand. Unit and signs by the

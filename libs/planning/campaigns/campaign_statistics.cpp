@@ -1,5 +1,6 @@
 #include "handway/planning/campaigns/campaign_statistics.h"
 
+#include <Eigen/Core>
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
 
@@ -32,12 +33,8 @@ double deviation_of(std::span<const double> values) {
   if (values.size() < 2) {
     return kNan;
   }
-  const double mean = mean_of(values);
-  double squares = 0.0;
-  for (const double value : values) {
-    squares += (value - mean) * (value - mean);
-  }
-  return std::sqrt(squares / static_cast<double>(values.size() - 1));
+  const Eigen::Map<const Eigen::ArrayXd> x(values.data(), std::ssize(values));
+  return std::sqrt((x - mean_of(values)).square().sum() / static_cast<double>(values.size() - 1));
 }
 
 Interval mean_interval(std::span<const double> values, double confidence) {
@@ -190,20 +187,19 @@ std::vector<double> holm_adjusted(std::span<const double> p) {
 }
 
 const std::vector<RunMeasure>& run_measures() {
+  const auto field = [](auto member) {
+    return [member](const RunRecord& run) { return static_cast<double>(run.*member); };
+  };
   static const std::vector<RunMeasure> kMeasures = {
-      {"time_s", "Time to find a solution [s]", [](const RunRecord& r) { return r.time_s; }},
-      {"smoothing_s", "Smoothing time [s]", [](const RunRecord& r) { return r.smoothing_s; }},
-      {"samples", "Samples", [](const RunRecord& r) { return static_cast<double>(r.samples); }},
-      {"nodes", "Nodes of the roadmap or trees",
-       [](const RunRecord& r) { return static_cast<double>(r.nodes); }},
+      {"time_s", "Time to find a solution [s]", field(&RunRecord::time_s)},
+      {"smoothing_s", "Smoothing time [s]", field(&RunRecord::smoothing_s)},
+      {"samples", "Samples", field(&RunRecord::samples)},
+      {"nodes", "Nodes of the roadmap or trees", field(&RunRecord::nodes)},
       {"checks", "Configurations checked",
-       [](const RunRecord& r) { return static_cast<double>(r.node_checks + r.edge_checks); }},
-      {"path_nodes", "Nodes in the solution path",
-       [](const RunRecord& r) { return static_cast<double>(r.path_nodes); }},
-      {"path_length", "Length of the path (normalised joints)",
-       [](const RunRecord& r) { return r.path_length; }},
-      {"min_clearance_mm", "Smallest clearance [mm]",
-       [](const RunRecord& r) { return r.min_clearance_mm; }},
+       [](const RunRecord& run) { return static_cast<double>(run.checks()); }},
+      {"path_nodes", "Nodes in the solution path", field(&RunRecord::path_nodes)},
+      {"path_length", "Length of the path (normalised joints)", field(&RunRecord::path_length)},
+      {"min_clearance_mm", "Smallest clearance [mm]", field(&RunRecord::min_clearance_mm)},
   };
   return kMeasures;
 }

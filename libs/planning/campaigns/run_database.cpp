@@ -13,9 +13,9 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cstring>
+#include <functional>
 #include <map>
 #include <set>
 #include <sstream>
@@ -24,7 +24,6 @@
 #include <tuple>
 #include <type_traits>
 #include <utility>
-#include <variant>
 
 namespace handway::planning {
 namespace {
@@ -41,55 +40,44 @@ constexpr int kBusyTimeout = 2000;  // ms, while another program writes
 constexpr const char* kResumeAdvice =
     "Make room or correct what is wrong, and go on with --resume: the runs done so far are kept";
 
-/// Where a RunRecord keeps a number or a text that is a column of the run database.
-using RunField = std::variant<std::uint64_t RunRecord::*, double RunRecord::*, bool RunRecord::*,
-                              std::string RunRecord::*>;
-
-struct RunColumn {
-  std::string_view name;
-  RunField field;
-};
-
-/// The columns of a run in the order of the table, after problem, planner, seed and version;
-/// `nodes_per_pmds` (JSON) and `path` follow.
-constexpr std::array<RunColumn, 21> kRunColumns = {{
-    {"solved", &RunRecord::solved},
-    {"status", &RunRecord::status},
-    {"reason", &RunRecord::reason},
-    {"time_s", &RunRecord::time_s},
-    {"smoothing_s", &RunRecord::smoothing_s},
-    {"sampling_s", &RunRecord::sampling_s},
-    {"connection_s", &RunRecord::connection_s},
-    {"samples", &RunRecord::samples},
-    {"nodes", &RunRecord::nodes},
-    {"edges", &RunRecord::edges},
-    {"passes", &RunRecord::passes},
-    {"max_trials", &RunRecord::max_trials},
-    {"final_rho_a", &RunRecord::final_rho_a},
-    {"node_checks", &RunRecord::node_checks},
-    {"edge_checks", &RunRecord::edge_checks},
-    {"edges_tested", &RunRecord::edges_tested},
-    {"path_nodes", &RunRecord::path_nodes},
-    {"path_length", &RunRecord::path_length},
-    {"resolution_mm", &RunRecord::resolution_mm},
-    {"min_clearance_mm", &RunRecord::min_clearance_mm},
-    {"certificate_checks", &RunRecord::certificate_checks},
-}};
-
-/// Calls `use` with each field of `record` that is a column, in the order of the table.
+/// Calls `use` with name and value of each field of `record` that is a column of the run database,
+/// in the order of the table: after problem, planner, seed and version; `nodes_per_pmds` (JSON) and
+/// `path` follow.
 template <typename Record, typename Use>
 void for_each_field(Record& record, const Use& use) {
-  for (const RunColumn& column : kRunColumns) {
-    std::visit([&](const auto member) { use(column.name, record.*member); }, column.field);
-  }
+  use("solved", record.solved);
+  use("status", record.status);
+  use("reason", record.reason);
+  use("time_s", record.time_s);
+  use("smoothing_s", record.smoothing_s);
+  use("sampling_s", record.sampling_s);
+  use("connection_s", record.connection_s);
+  use("samples", record.samples);
+  use("nodes", record.nodes);
+  use("edges", record.edges);
+  use("passes", record.passes);
+  use("max_trials", record.max_trials);
+  use("final_rho_a", record.final_rho_a);
+  use("node_checks", record.node_checks);
+  use("edge_checks", record.edge_checks);
+  use("edges_tested", record.edges_tested);
+  use("path_nodes", record.path_nodes);
+  use("path_length", record.path_length);
+  use("resolution_mm", record.resolution_mm);
+  use("min_clearance_mm", record.min_clearance_mm);
+  use("certificate_checks", record.certificate_checks);
+}
+
+/// `text` for each of them.
+std::string for_columns(const std::function<std::string(std::string_view name)>& text) {
+  std::string all;
+  const RunRecord record;
+  for_each_field(record, [&](std::string_view name, const auto&) { all += text(name); });
+  return all;
 }
 
 std::string column_names() {
-  std::string names;
-  for (const RunColumn& column : kRunColumns) {
-    names += fmt::format("{}, ", column.name);
-  }
-  return names;
+  return for_columns([](std::string_view name) { return fmt::format("{}, ", name); });
 }
 
 /// The statements that make the tables and the view.
@@ -128,17 +116,13 @@ std::string run_schema() {
       kApplicationId, kSchemaVersion, columns, column_names());
 }
 
-/// Adds a run; parameters: problem, planner, seed, version, then kRunColumns, nodes_per_pmds and
+/// Adds a run; parameters: problem, planner, seed, version, then all fields, nodes_per_pmds and
 /// path. A run that is there stays.
 std::string insert_run() {
-  std::string marks = "?, ?, ?, ?";
-  for (std::size_t i = 0; i < kRunColumns.size() + 2; ++i) {
-    marks += ", ?";
-  }
   return fmt::format(
       "INSERT INTO run (problem, planner, seed, version, {} nodes_per_pmds, path) "
-      "VALUES ({}) ON CONFLICT DO NOTHING",
-      column_names(), marks);
+      "VALUES (?, ?, ?, ?, {} ?, ?) ON CONFLICT DO NOTHING",
+      column_names(), for_columns([](std::string_view) { return "?, "; }));
 }
 
 void bind_fields(Statement& insert, int at, const RunRecord& record) {
@@ -154,7 +138,7 @@ void bind_fields(Statement& insert, int at, const RunRecord& record) {
   insert.bind(at, record.path);
 }
 
-/// A record without spec and path, from kRunColumns and nodes_per_pmds, which begin at column `at`.
+/// A record without spec and path, from all fields and nodes_per_pmds, which begin at column `at`.
 RunRecord record_in(const Statement& row, int at) {
   RunRecord record;
   for_each_field(record, [&](std::string_view /*name*/, auto& value) {

@@ -148,11 +148,12 @@ std::vector<int> arm_variables(const geometric::RobotModel& model, const std::ve
 
 namespace {
 
-// @param checker null: made of the world.
+// @param checker, motion null: made of the world.
 PlanningProblem assembled(std::shared_ptr<const geometric::Scene> scene,
                           std::shared_ptr<const sampling::PmdBasis> basis,
                           const std::shared_ptr<const geometric::CollisionWorld>& world,
                           std::shared_ptr<const geometric::CollisionChecker> checker,
+                          std::shared_ptr<const geometric::MotionBound> motion,
                           const geometric::Preparation& preparation) {
   PlanningProblem problem;
   set_joints(*scene, std::move(basis), problem);
@@ -162,7 +163,8 @@ PlanningProblem assembled(std::shared_ptr<const geometric::Scene> scene,
                             : geometric::make_collision_checker(
                                   world, geometric::CheckerKind::kFast, preparation);
   solve_goals(problem);
-  problem.motion = std::make_shared<const geometric::MotionBound>(*world);
+  problem.motion =
+      motion ? std::move(motion) : std::make_shared<const geometric::MotionBound>(*world);
   return problem;
 }
 
@@ -173,7 +175,7 @@ PlanningProblem make_problem(std::shared_ptr<const geometric::Scene> scene,
                              const geometric::Preparation& preparation) {
   geometric::end_if_stopped(preparation.stop);
   const auto world = std::make_shared<const geometric::CollisionWorld>(*scene);
-  return assembled(std::move(scene), std::move(basis), world, nullptr, preparation);
+  return assembled(std::move(scene), std::move(basis), world, nullptr, nullptr, preparation);
 }
 
 PlanningProblem updated_problem(const PlanningProblem& before,
@@ -186,7 +188,7 @@ PlanningProblem updated_problem(const PlanningProblem& before,
   }
   if (difference->empty()) {
     return assembled(std::move(scene), std::move(basis), before.checker->shared_world(),
-                     before.checker, preparation);
+                     before.checker, before.motion, preparation);
   }
   geometric::CollisionWorld world = before.checker->world();
   for (const geometric::ObjectChange& change : difference->changes) {
@@ -194,7 +196,12 @@ PlanningProblem updated_problem(const PlanningProblem& before,
   }
   const auto changed =
       std::make_shared<const geometric::CollisionWorld>(world.with_constraints_of(*scene));
-  return assembled(std::move(scene), std::move(basis), changed, nullptr, preparation);
+  const bool only_moved = !difference->other_constraints &&
+                          std::ranges::all_of(difference->changes, [](const auto& change) {
+                            return change.kind == geometric::ObjectChange::Kind::kMoved;
+                          });
+  return assembled(std::move(scene), std::move(basis), changed, nullptr,
+                   only_moved ? before.motion : nullptr, preparation);
 }
 
 double normalised_distance(const geometric::RobotModel& model, const Configuration& a,

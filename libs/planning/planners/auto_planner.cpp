@@ -171,16 +171,13 @@ std::vector<Participant> participants(CorridorForm form, bool has_basis) {
   };
 }
 
-class AutoPlanner final : public Planner {
+class AutoPlanner final : public BuiltInPlanner {
  public:
-  [[nodiscard]] std::string name() const override { return kAutoPlanner; }
-  [[nodiscard]] std::string description() const override {
-    return "Several tree searches, in the principal directions or the arm's corridor first; the "
-           "first path wins";
-  }
-  [[nodiscard]] PlannerCapabilities capabilities() const override {
-    return {.uses_pmds = true, .uses_threads = true};
-  }
+  AutoPlanner()
+      : BuiltInPlanner(kAutoPlanner,
+                       "Several tree searches, in the principal directions or the arm's corridor "
+                       "first; the first path wins",
+                       {.uses_pmds = true, .uses_threads = true}) {}
 
  protected:
   void do_plan(PlanningContext& context, PlanResult& result) override {
@@ -213,14 +210,14 @@ class AutoPlanner final : public Planner {
     Portfolio portfolio(context, std::move(members), static_cast<std::uint64_t>(max_samples_));
     result.status = portfolio.run();
     if (result.solved()) {
-      const Path found = portfolio.winner_problem() == &between
+      const Path found = portfolio.winner().problem == &between
                              ? with_entries(*entries_found, portfolio.path())
                              : portfolio.path();
       constexpr int kMostRounds = 6;
       smooth_result(context, objective(), smoothing_checks_, found, result, kMostRounds);
       result.reason = fmt::format(
           "Found a path of {} waypoints after {} samples, by {}{}.", result.path.waypoints.size(),
-          context.statistics().samples, portfolio.winner(),
+          context.statistics().samples, portfolio.winner().name,
           has_basis ? "" : ", over all joints: the scene has no hand basis");
     }
   }

@@ -5,9 +5,31 @@
 #include "handway/planning/spaces/target_sampler.h"
 
 #include <memory>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace handway::planning {
+
+[[nodiscard]] inline bool with_pmds(HandSpace space) {
+  return space == HandSpace::kPrincipalDirections;
+}
+
+/// What a planner that ships says of itself.
+class BuiltInPlanner : public Planner {
+ public:
+  BuiltInPlanner(std::string name, std::string description, PlannerCapabilities capabilities)
+      : name_(std::move(name)), description_(std::move(description)), capabilities_(capabilities) {}
+
+  [[nodiscard]] std::string name() const final { return name_; }
+  [[nodiscard]] std::string description() const final { return description_; }
+  [[nodiscard]] PlannerCapabilities capabilities() const final { return capabilities_; }
+
+ private:
+  std::string name_;
+  std::string description_;
+  PlannerCapabilities capabilities_;
+};
 
 /// The planners that ship; their parameters describe them.
 ///

@@ -7,8 +7,10 @@
 #include "handway/planning/core/planning_context.h"
 #include "handway/planning/paths/path_optimizer.h"
 #include "handway/sampling/postures/pmd_basis.h"
+#include "planners/built_in.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
@@ -337,14 +339,9 @@ void Planner::optimize(PlanningContext& context, PlanResult& result) const {
 
 PlanResult Planner::plan(const PlanningProblem& problem, const PlanRequest& request,
                          std::stop_token stop, Observer* observer) {
-  if (request.threads < 1) {
-    throw std::invalid_argument("threads must be at least 1");
-  }
-  if (!(request.resolution_mm > 0.0)) {
-    throw std::invalid_argument("resolution must be positive");
-  }
-  if (!(request.margin_mm >= 0.0)) {
-    throw std::invalid_argument("the margin must not be negative");
+  if (request.threads < 1 || !(request.resolution_mm > 0.0) || !(request.margin_mm >= 0.0)) {
+    throw std::invalid_argument(
+        "planning needs a thread, a resolution above 0 and a margin of 0 or more");
   }
   if (capabilities().needs_basis && !problem.basis) {
     throw geometric::InputError(
@@ -479,6 +476,46 @@ BoundParameter smoothing_checks_parameter(int& value) {
       &value,
       0,
       10000000};
+}
+
+// The default one first.
+PlannerRegistry::PlannerRegistry() {
+  add(kAutoPlanner, make_auto_planner);
+  add("pmd-prm", [] { return make_pmd_prm(HandSpace::kPrincipalDirections); });
+  add("full-prm", [] { return make_pmd_prm(HandSpace::kAllJoints); });
+  add("pmd-rrt-connect", [] { return make_rrt_connect(HandSpace::kPrincipalDirections); });
+  add("pmd-lazy", make_pmd_lazy);
+  add("rrt-connect", [] { return make_rrt_connect(HandSpace::kAllJoints); });
+}
+
+void PlannerRegistry::add(std::string name, PlannerFactory factory) {
+  if (std::ranges::count(names(), name) > 0) {
+    throw std::invalid_argument("there already is a planner called " + name);
+  }
+  factories_.emplace_back(std::move(name), std::move(factory));
+}
+
+std::unique_ptr<Planner> PlannerRegistry::create(std::string_view name) const {
+  for (const auto& [known, factory] : factories_) {
+    if (known == current_name(name)) {
+      return factory();
+    }
+  }
+  throw geometric::InputError({"planner", std::string(name), "no planner of this name",
+                               fmt::format("one of {}", fmt::join(names(), ", ")), ""});
+}
+
+std::string_view PlannerRegistry::current_name(std::string_view name) {
+  return name == "pmd-auto" ? kAutoPlanner : name;
+}
+
+std::vector<std::string> PlannerRegistry::names() const {
+  std::vector<std::string> names;
+  names.reserve(factories_.size());
+  for (const auto& [name, factory] : factories_) {
+    names.push_back(name);
+  }
+  return names;
 }
 
 }  // namespace handway::planning

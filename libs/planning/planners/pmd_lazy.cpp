@@ -145,15 +145,13 @@ class LazySearch final : public Search {
   std::vector<int> path_;
 };
 
-class PmdLazy final : public Planner {
+class PmdLazy final : public BuiltInPlanner {
  public:
-  [[nodiscard]] std::string name() const override { return "pmd-lazy"; }
-  [[nodiscard]] std::string description() const override {
-    return "Roadmap in the same regions that checks edges only where the shortest path leads";
-  }
-  [[nodiscard]] PlannerCapabilities capabilities() const override {
-    return {.uses_pmds = true, .needs_basis = true};
-  }
+  PmdLazy()
+      : BuiltInPlanner("pmd-lazy",
+                       "Roadmap in the same regions that checks edges only where the shortest path "
+                       "leads",
+                       {.uses_pmds = true, .needs_basis = true}) {}
 
  protected:
   void do_plan(PlanningContext& context, PlanResult& result) override {

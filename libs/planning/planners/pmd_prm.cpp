@@ -377,24 +377,20 @@ class RoadmapSearch {
   std::vector<double> steps_;  ///< Where on the arm segment each node was drawn.
 };
 
-class PmdPrm final : public Planner {
+class PmdPrm final : public BuiltInPlanner {
  public:
-  explicit PmdPrm(HandSpace space) : space_(space) {
-    if (!uses_pmds()) {  // Table 3, in parentheses
+  explicit PmdPrm(HandSpace space)
+      : BuiltInPlanner(
+            with_pmds(space) ? "pmd-prm" : "full-prm",
+            with_pmds(space) ? "Roadmap in a corridor of the arm and a few principal "
+                               "motion directions of the hand"
+                             : "The same roadmap with every hand joint sampled on its own",
+            {.uses_pmds = with_pmds(space), .needs_basis = with_pmds(space), .uses_threads = true}),
+        space_(space) {
+    if (!with_pmds(space)) {  // Table 3, in parentheses
       settings_.n_a = 20;
       settings_.n_h = 20;
     }
-  }
-
-  [[nodiscard]] std::string name() const override { return uses_pmds() ? "pmd-prm" : "full-prm"; }
-  [[nodiscard]] std::string description() const override {
-    return uses_pmds()
-               ? "Roadmap in a corridor of the arm and a few principal motion directions of the "
-                 "hand"
-               : "The same roadmap with every hand joint sampled on its own";
-  }
-  [[nodiscard]] PlannerCapabilities capabilities() const override {
-    return {.uses_pmds = uses_pmds(), .needs_basis = uses_pmds(), .uses_threads = true};
   }
 
  protected:
@@ -443,7 +439,7 @@ class PmdPrm final : public Planner {
          "Draws for an arm configuration without self-collision (Algorithm 1).",
          &settings_.arm_trials, 1, 1000},
     };
-    if (uses_pmds()) {
+    if (with_pmds(space_)) {
       list.push_back({"max_pmds", "Principal directions", "",
                       "Most principal motion directions that are used together.",
                       &settings_.max_pmds, 1, 13});
@@ -452,8 +448,6 @@ class PmdPrm final : public Planner {
   }
 
  private:
-  [[nodiscard]] bool uses_pmds() const { return space_ == HandSpace::kPrincipalDirections; }
-
   HandSpace space_;
   PmdPrmSettings settings_;
 };

@@ -59,9 +59,7 @@ Portfolio::Portfolio(PlanningContext& context, std::vector<PortfolioMember> memb
 
 Portfolio::~Portfolio() = default;
 
-const std::string& Portfolio::winner() const { return winner_->member.name; }
-
-const PlanningProblem* Portfolio::winner_problem() const { return winner_->member.problem; }
+const PortfolioMember& Portfolio::winner() const { return winner_->member; }
 
 Path Portfolio::path() const { return winner_->search->path(); }
 

@@ -57,8 +57,7 @@ class Portfolio {
   [[nodiscard]] PlanStatus run();
 
   /// @pre run() gave kSolved.
-  [[nodiscard]] const std::string& winner() const;
-  [[nodiscard]] const PlanningProblem* winner_problem() const;  ///< PortfolioMember::problem.
+  [[nodiscard]] const PortfolioMember& winner() const;
   [[nodiscard]] Path path() const;
 
  private:

@@ -199,22 +199,16 @@ bool BidirectionalSearch::verify(TreePair::Connection connection) {
 
 namespace {
 
-class RrtConnect final : public Planner {
+class RrtConnect final : public BuiltInPlanner {
  public:
   explicit RrtConnect(HandSpace space)
-      : space_(space), settings_(uses_pmds() ? RrtConnectSettings{} : kSettingsOverAllJoints) {}
-
-  [[nodiscard]] std::string name() const override {
-    return uses_pmds() ? "pmd-rrt-connect" : "rrt-connect";
-  }
-  [[nodiscard]] std::string description() const override {
-    return uses_pmds()
-               ? "Two trees in a widening corridor of the arm and the hand's principal directions"
-               : "Two trees over all joints";
-  }
-  [[nodiscard]] PlannerCapabilities capabilities() const override {
-    return {.uses_pmds = uses_pmds(), .needs_basis = uses_pmds()};
-  }
+      : BuiltInPlanner(with_pmds(space) ? "pmd-rrt-connect" : "rrt-connect",
+                       with_pmds(space) ? "Two trees in a widening corridor of the arm and the "
+                                          "hand's principal directions"
+                                        : "Two trees over all joints",
+                       {.uses_pmds = with_pmds(space), .needs_basis = with_pmds(space)}),
+        space_(space),
+        settings_(with_pmds(space) ? RrtConnectSettings{} : kSettingsOverAllJoints) {}
 
  protected:
   void do_plan(PlanningContext& context, PlanResult& result) override {
@@ -235,7 +229,7 @@ class RrtConnect final : public Planner {
         max_samples_parameter(settings_.max_samples),
         smoothing_checks_parameter(settings_.smoothing_checks),
     };
-    if (uses_pmds()) {
+    if (with_pmds(space_)) {
       list.push_back({"single_moves", "Moves of one part", "",
                       "Share of samples that move the arm alone or the hand alone.",
                       &settings_.single_moves, 0.0, 1.0});
@@ -251,8 +245,6 @@ class RrtConnect final : public Planner {
   }
 
  private:
-  [[nodiscard]] bool uses_pmds() const { return space_ == HandSpace::kPrincipalDirections; }
-
   HandSpace space_;
   RrtConnectSettings settings_;
 };

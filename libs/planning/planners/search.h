@@ -20,14 +20,28 @@ struct SearchBudget {
 class Search {
  public:
   explicit Search(PlanningContext& context) : context_(context) {}
-  virtual ~Search();
+  virtual ~Search() = default;
   Search(const Search&) = delete;
   Search& operator=(const Search&) = delete;
 
   /// Goes on until `budget` is spent beyond what was spent before; the step that
   /// spends the last of it is finished. Looks at interruptions between steps.
   /// @returns how the search ended; nothing: it paused.
-  [[nodiscard]] std::optional<PlanStatus> advance(const SearchBudget& budget);
+  [[nodiscard]] std::optional<PlanStatus> advance(const SearchBudget& budget) {
+    const PlanStatistics& now = statistics();
+    const std::uint64_t checks_before = now.checks();
+    const std::uint64_t samples_before = now.samples;
+    do {
+      if (const auto interruption = context_.interruption()) {
+        return interruption;
+      }
+      if (const auto end = step()) {
+        return end;
+      }
+    } while (now.checks() - checks_before < budget.checks &&
+             now.samples - samples_before < budget.samples);
+    return std::nullopt;
+  }
 
   /// From start to goal, every edge free. @pre the search ended with kSolved.
   [[nodiscard]] virtual Path path() const = 0;
@@ -40,13 +54,24 @@ class Search {
   [[nodiscard]] PlanStatistics& statistics() const { return context_.statistics(); }
 
   // As the validator's, but what touches goes to the statistics' rejections.
-  [[nodiscard]] bool sample_free(const Configuration& q);
-  [[nodiscard]] bool edge_plausible(const Configuration& from, const Configuration& to, int count);
+  [[nodiscard]] bool sample_free(const Configuration& q) {
+    return !rejected(context_.validator().collision(q), q);
+  }
+  [[nodiscard]] bool edge_plausible(const Configuration& from, const Configuration& to, int count) {
+    return !rejected(context_.validator().edge_probe(from, to, count), 0.5 * (from + to));
+  }
 
   /// The next sample or so, and what comes of it.
   [[nodiscard]] virtual std::optional<PlanStatus> step() = 0;
 
  private:
+  [[nodiscard]] bool rejected(const std::optional<int>& pair, const Configuration& q) {
+    if (pair) {
+      context_.count_rejection(*pair, arm_progress(context_.problem(), q));
+    }
+    return pair.has_value();
+  }
+
   PlanningContext& context_;
 };
 

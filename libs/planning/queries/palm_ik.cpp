@@ -51,6 +51,12 @@ std::vector<int> ancestors(const RobotModel& model, int link) {
   return chain;
 }
 
+// Those of a list that are in `others`, too.
+std::vector<int> shared_by(std::vector<int> list, const std::vector<int>& others) {
+  std::erase_if(list, [&](int one) { return std::ranges::count(others, one) == 0; });
+  return list;
+}
+
 // The deepest link below `carrier` that carries all that the hand's joints move: a wrist that
 // counts to the hand is no finger. `carrier` itself where they move a single chain.
 int past_the_wrist(const RobotModel& model, const std::vector<int>& hand, int carrier) {
@@ -67,8 +73,7 @@ int past_the_wrist(const RobotModel& model, const std::vector<int>& hand, int ca
       carries_moved[static_cast<std::size_t>(above)] = true;
     }
     ++ends;
-    shared = shared.value_or(chain);
-    std::erase_if(*shared, [&](int above) { return std::ranges::count(chain, above) == 0; });
+    shared = shared_by(shared.value_or(chain), chain);
   }
   return ends > 1 ? shared->front() : carrier;
 }
@@ -188,8 +193,7 @@ Configuration PalmIk::swung(const Configuration& q, const Pose& X_BP, double by,
 
 std::optional<ReachFigures> reach_figures(const RobotModel& model, int link,
                                           const std::vector<int>& arm, const Configuration& q) {
-  std::vector<int> moving = geometric::chain_variables(model, link);
-  std::erase_if(moving, [&](int v) { return std::ranges::count(arm, v) == 0; });
+  const std::vector<int> moving = shared_by(geometric::chain_variables(model, link), arm);
   if (moving.empty()) {
     return std::nullopt;
   }
@@ -212,9 +216,7 @@ int palm_link(const RobotModel& model, const std::vector<int>& arm, const std::v
     std::vector<int> common = ancestors(model, model.variable_link(hand.front()));
     const bool hangs_on_arm = std::ranges::any_of(common, is_moved);
     for (const int variable : hand) {
-      const std::vector<int> chain = ancestors(model, model.variable_link(variable));
-      std::vector<int> shared = common;
-      std::erase_if(shared, [&](int link) { return std::ranges::count(chain, link) == 0; });
+      std::vector<int> shared = shared_by(common, ancestors(model, model.variable_link(variable)));
       if (!hangs_on_arm || std::ranges::any_of(shared, is_moved)) {  // else: of another hand
         common = std::move(shared);
       }

@@ -1,6 +1,5 @@
 #include "handway/planning/replanning/dynamic_roadmap.h"
 
-#include "handway/geometric/collision/checkers/exact_collision_checker.h"
 #include "handway/geometric/robot/normalised_joints.h"
 #include "handway/geometric/scene/scene_difference.h"
 #include "handway/planning/core/observer.h"
@@ -398,17 +397,14 @@ class Replanner final : public Planner {
     const int goal = memory_.graph->node_at(context.problem().goal);
     memory_.graph->node(start).set_free(memory_.changes.revision());  // plan() has checked them
     memory_.graph->node(goal).set_free(memory_.changes.revision());
-    if (const auto nodes =
-            validator.shortest_path(start, goal, RoadmapGraph::Edges::kOnceFree, kUnlimited)) {
-      Path path = along(context.problem(), *nodes);
-      memory_.source = path.waypoints == memory_.last_path.waypoints ? ReplanSource::kLastPath
-                                                                     : ReplanSource::kRoadmap;
-      return path;
-    }
-    if (const auto nodes =
-            validator.shortest_path(start, goal, RoadmapGraph::Edges::kAny, kRoadmapChecks)) {
-      memory_.source = ReplanSource::kRoadmap;
-      return along(context.problem(), *nodes);
+    for (const auto& [edges, checks] : {std::pair(RoadmapGraph::Edges::kOnceFree, kUnlimited),
+                                        std::pair(RoadmapGraph::Edges::kAny, kRoadmapChecks)}) {
+      if (const auto nodes = validator.shortest_path(start, goal, edges, checks)) {
+        Path path = along(context.problem(), *nodes);
+        memory_.source = path.waypoints == memory_.last_path.waypoints ? ReplanSource::kLastPath
+                                                                       : ReplanSource::kRoadmap;
+        return path;
+      }
     }
     return std::nullopt;
   }
@@ -422,6 +418,11 @@ class Replanner final : public Planner {
     }
     const std::vector<Configuration> waypoints = along(context.problem(), nodes).waypoints;
     Path path{{waypoints.front()}};
+    const auto append = [&path](const Configuration& q) {
+      if (q != path.waypoints.back()) {
+        path.waypoints.push_back(q);
+      }
+    };
     for (std::size_t i = 0, end = 1; end < nodes.size(); i = end++) {
       if (edge_free[i]) {
         path.waypoints.push_back(waypoints[end]);
@@ -439,14 +440,8 @@ class Replanner final : public Planner {
       if (!around) {
         return std::nullopt;
       }
-      for (const Configuration& q : around->waypoints) {
-        if (q != path.waypoints.back()) {
-          path.waypoints.push_back(q);
-        }
-      }
-      if (path.waypoints.back() != waypoints[end]) {
-        path.waypoints.push_back(waypoints[end]);
-      }
+      std::ranges::for_each(around->waypoints, append);
+      append(waypoints[end]);
     }
     memory_.source = ReplanSource::kRepair;
     return path;
@@ -526,68 +521,52 @@ class Replanner final : public Planner {
 }  // namespace
 
 struct DynamicRoadmap::State {
-  void change(const geometric::ObjectChange& change) {
-    world = std::make_shared<const geometric::CollisionWorld>(world->with_change(change));
-    auto scene = std::make_shared<geometric::Scene>(*problem.scene);
-    geometric::apply(change, *scene);
-    problem.scene = std::move(scene);
-    if (change.kind != geometric::ObjectChange::Kind::kMoved) {  // else all moves as before
-      problem.motion = nullptr;
-    }
-    memory.changes.note(change.object.name);
-  }
-
   // Several changes between two queries make one checker.
-  void update_checker() {
-    if (problem.checker->shared_world() != world) {
-      problem.checker = geometric::make_collision_checker(world);
-      if (!problem.motion) {
-        problem.motion = std::make_shared<const geometric::MotionBound>(*world);
-      }
+  void update() {
+    if (changed) {
+      problem = updated_problem(problem, std::exchange(changed, nullptr), problem.basis);
     }
   }
 
   PlanningProblem problem;
-  std::shared_ptr<const geometric::CollisionWorld> world;
   std::unique_ptr<Planner> planner;
   RoadmapMemory memory;
+  std::shared_ptr<const geometric::Scene> changed = nullptr;  ///< That the problem is not of yet.
 };
 
 DynamicRoadmap::DynamicRoadmap(PlanningProblem problem, std::unique_ptr<Planner> planner,
                                int max_nodes) {
-  auto world = problem.checker->shared_world();
   auto graph = std::make_unique<RoadmapGraph>(problem.scene->robots.front().model);
   planner = planner ? std::move(planner) : make_auto_planner();
-  state_.reset(new State{std::move(problem), std::move(world), std::move(planner),
+  state_.reset(new State{std::move(problem), std::move(planner),
                          RoadmapMemory{max_nodes, std::move(graph)}});
 }
 DynamicRoadmap::~DynamicRoadmap() = default;
 
 const PlanningProblem& DynamicRoadmap::problem() {
-  state_->update_checker();
+  state_->update();
   return state_->problem;
 }
 
 ReplanSource DynamicRoadmap::source() const { return state_->memory.source; }
 
 bool DynamicRoadmap::follow(const geometric::Scene& scene) {
-  const auto difference = geometric::scene_difference(*state_->problem.scene, scene);
+  const geometric::Scene& before = state_->changed ? *state_->changed : *state_->problem.scene;
+  const auto difference = geometric::scene_difference(before, scene);
   if (!difference || difference->other_constraints || difference->other_group || !scene.goal ||
       !scene.goal_poses.empty()) {
     return false;
   }
   for (const geometric::ObjectChange& change : difference->changes) {
-    state_->change(change);
+    state_->memory.changes.note(change.object.name);
   }
-  PlanningProblem& problem = state_->problem;
-  problem.start = scene.start.value_or(scene.robots.front().configuration);
-  problem.set_goal(problem.model().nearest_equivalent(problem.start, *scene.goal));
+  state_->changed = std::make_shared<const geometric::Scene>(scene);
   return true;
 }
 
 PlanResult DynamicRoadmap::plan(const PlanRequest& request, std::stop_token stop,
                                 Observer* observer) {
-  state_->update_checker();
+  state_->update();
   // A roadmap is kept between two ends, not several, and for what moves.
   if (state_->problem.has_pose_goals() || !group_fault(state_->problem).empty()) {
     state_->memory.source = ReplanSource::kPlanner;

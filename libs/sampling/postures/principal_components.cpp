@@ -20,18 +20,12 @@ constexpr double kStill = 1e-9;  // standard deviation of what doesn't vary
 // Indices of the joints that aren't left out. Throws std::invalid_argument if left_out names a
 // joint that isn't there, one twice, or all of them.
 std::vector<int> joints_taken(Eigen::Index joints, const std::vector<int>& left_out) {
-  std::vector<bool> taken(static_cast<std::size_t>(joints), true);
+  std::vector<int> columns(static_cast<std::size_t>(joints));
+  std::iota(columns.begin(), columns.end(), 0);
   for (const int joint : left_out) {
-    if (joint < 0 || joint >= joints || !taken[static_cast<std::size_t>(joint)]) {
+    if (std::erase(columns, joint) == 0) {
       throw std::invalid_argument("joint " + std::to_string(joint) +
                                   " to leave out is unknown or named twice");
-    }
-    taken[static_cast<std::size_t>(joint)] = false;
-  }
-  std::vector<int> columns;
-  for (int i = 0; i < joints; ++i) {
-    if (taken[static_cast<std::size_t>(i)]) {
-      columns.push_back(i);
     }
   }
   if (columns.empty()) {
@@ -63,11 +57,15 @@ PrincipalComponents assembled(const Eigen::VectorXd& mean, const std::vector<int
   return result;
 }
 
-void check_samples(const Eigen::MatrixXd& samples) {
-  if (samples.rows() < 2) {
-    throw geometric::InputError({"postures", "", std::to_string(samples.rows()) + " samples",
-                                 "at least 2", "Record more postures"});
+void check_count(Eigen::Index samples) {
+  if (samples < 2) {
+    throw geometric::InputError({"postures", "", std::to_string(samples) + " samples", "at least 2",
+                                 "Record more postures"});
   }
+}
+
+void check_samples(const Eigen::MatrixXd& samples) {
+  check_count(samples.rows());
   for (Eigen::Index row = 0; row < samples.rows(); ++row) {
     if (!samples.row(row).allFinite()) {
       throw geometric::InputError({"postures", "sample " + std::to_string(row + 1),
@@ -156,10 +154,7 @@ void IncrementalComponents::add(const IncrementalComponents& other) {
 }
 
 PrincipalComponents IncrementalComponents::components(const std::vector<int>& left_out) const {
-  if (count_ < 2) {
-    throw geometric::InputError({"postures", "", std::to_string(count_) + " samples", "at least 2",
-                                 "Record more postures"});
-  }
+  check_count(count_);
   const std::vector<int> taken = joints_taken(mean_.size(), left_out);
   const Eigen::MatrixXd scatter = scatter_(taken, taken);
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(0.5 *

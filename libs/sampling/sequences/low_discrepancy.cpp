@@ -9,6 +9,7 @@
 #include <limits>
 #include <numeric>
 #include <stdexcept>
+#include <unsupported/Eigen/KroneckerProduct>
 #include <utility>
 
 namespace handway::sampling {
@@ -47,16 +48,6 @@ int smallest_prime_factor(int n) {
     }
   }
   return n;
-}
-
-Eigen::MatrixXi kronecker(const Eigen::MatrixXi& A, const Eigen::MatrixXi& B) {
-  Eigen::MatrixXi product(A.rows() * B.rows(), A.cols() * B.cols());
-  for (Eigen::Index i = 0; i < A.rows(); ++i) {
-    for (Eigen::Index j = 0; j < A.cols(); ++j) {
-      product.block(i * B.rows(), j * B.cols(), B.rows(), B.cols()) = A(i, j) * B;
-    }
-  }
-  return product;
 }
 
 }  // namespace
@@ -101,7 +92,7 @@ Eigen::MatrixXi sdk_matrix(int d) {
   if (p == d) {
     return sdk_matrix(d + 1).topLeftCorner(d, d);
   }
-  return kronecker(sdk_matrix(p), sdk_matrix(d / p));
+  return Eigen::kroneckerProduct(sdk_matrix(p), sdk_matrix(d / p));
 }
 
 SdkSequence::SdkSequence(int dimension, int levels) : levels_(levels) {

@@ -2,7 +2,7 @@
 /// pre-grasps of the can, paths to them, and the corridor of tool poses.
 #include "handway/planning/grasps/pregrasp_search.h"
 #include "handway/planning/paths/path_check.h"
-#include "handway/planning/planners/planner_registry.h"
+#include "handway/planning/planners/planner.h"
 #include "handway/planning/queries/palm_ik.h"
 #include "handway/planning/spaces/state_space.h"
 #include "handway_test/known_problems.h"

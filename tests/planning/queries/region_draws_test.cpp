@@ -1,6 +1,6 @@
 #include "handway/planning/queries/region_draws.h"
 
-#include "handway/planning/planners/planner_registry.h"
+#include "handway/planning/planners/planner.h"
 #include "handway/planning/queries/palm_ik.h"
 
 #include <gmock/gmock.h>

@@ -6,7 +6,7 @@
 #include "handway/geometric/mesh/triangle_mesh.h"
 #include "handway/planning/core/planning_problem.h"
 #include "handway/planning/paths/path_check.h"
-#include "handway/planning/planners/planner_registry.h"
+#include "handway/planning/planners/planner.h"
 #include "ompl_planner.h"
 #include "small_problem.h"
 

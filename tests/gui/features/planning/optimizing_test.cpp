@@ -1,6 +1,6 @@
 #include "handway/planning/core/objective.h"
 #include "handway/planning/paths/path_check.h"
-#include "handway/planning/planners/planner_registry.h"
+#include "handway/planning/planners/planner.h"
 #include "patience.h"
 #include "window_test.h"
 

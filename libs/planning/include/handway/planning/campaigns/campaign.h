@@ -2,7 +2,7 @@
 
 #include "handway/planning/core/plan_result.h"
 #include "handway/planning/export.h"
-#include "handway/planning/planners/planner_registry.h"
+#include "handway/planning/planners/planner.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -5,7 +5,7 @@
 #include "handway/planning/core/planning_context.h"
 #include "handway/planning/export.h"
 #include "handway/planning/extensions/exporter.h"
-#include "handway/planning/planners/planner_registry.h"
+#include "handway/planning/planners/planner.h"
 #include "handway/sampling/postures/pmd_basis.h"
 
 #include <cstddef>

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+namespace handway::device {
+
+/// Whether a file begins as a MATLAB file does (version 5 or 7.3).
+[[nodiscard]] bool is_matlab_file(const std::filesystem::path& file);
+
+/// The matrices of real numbers in a MATLAB file (version 5 or 7.3), by name, those of a structure
+/// as "structure.field"; all else in it is passed over.
+/// @throws geometric::InputError if it can't be read.
+[[nodiscard]] std::map<std::string, Eigen::MatrixXd> read_matlab_file(
+    const std::filesystem::path& file);
+
+}  // namespace handway::device
