@@ -235,6 +235,16 @@ TEST_F(MovingPost, TellsAnObserverOfItsNodes) {
   (void)roadmap_.plan(request_, {}, &second);
 }
 
+TEST_F(MovingPost, ShowsAnObserverThePathThatIsOptimised) {
+  struct Watcher final : Observer {
+    void on_path(const Path& path) override { waypoints = path.waypoints.size(); }
+    std::size_t waypoints = 0;
+  } watcher;
+  request_.optimize_s = 0.01;
+  ASSERT_TRUE(roadmap_.plan(request_, {}, &watcher).solved());
+  EXPECT_GE(watcher.waypoints, 2U);
+}
+
 TEST(DynamicRoadmap, GivesTheSamePathsForAnyNumberOfThreads) {
   const auto paths = [](int threads) {
     DynamicRoadmap roadmap(test::post_problem());

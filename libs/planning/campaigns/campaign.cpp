@@ -14,6 +14,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <system_error>
 
@@ -259,45 +260,40 @@ class PlannerList {
     const std::optional<YamlElement> varied = find("vary");
     const std::vector<Axis> grid = axes(find("parameters"), *planner);
     const std::vector<Axis> vary = axes(varied, *planner);
-    add_grid(item, label_text, name.text(), grid);
+    add_grid(item, {label_text, name.text(), {}}, grid);
     for (const Axis& axis : vary) {
-      std::vector<Axis> with_axis = grid;
-      if (const auto fixed = std::ranges::find(with_axis, axis.key, &Axis::key);
-          fixed != with_axis.end()) {
+      std::vector<Axis> others = grid;
+      if (const auto fixed = std::ranges::find(others, axis.key, &Axis::key);
+          fixed != others.end()) {
         if (fixed->values.size() > 1) {
           varied->need(axis.key).refuse("a parameter that has a list under \"parameters\" too",
                                         "each list in one place");
         }
-        with_axis.erase(fixed);
+        others.erase(fixed);
       }
-      with_axis.push_back({axis.key, {}});
       for (const std::string& value : axis.values) {
-        with_axis.back().values = {value};
-        add_grid(item, fmt::format("{} {}={}", label_text, axis.key, value), name.text(),
-                 with_axis);
+        add_grid(item,
+                 {fmt::format("{} {}={}", label_text, axis.key, value),
+                  name.text(),
+                  {{axis.key, value}}},
+                 others);
       }
     }
   }
 
  private:
-  void add_grid(const YamlElement& item, const std::string& label, const std::string& name,
-                const std::vector<Axis>& grid) {
-    std::vector<std::size_t> at(grid.size(), 0);
-    for (bool more = true; more;) {
-      ParameterTexts settings;
-      std::string full_label = label;
-      for (std::size_t i = 0; i < grid.size(); ++i) {
-        settings.emplace_back(grid[i].key, grid[i].values[at[i]]);
-        if (grid[i].values.size() > 1) {
-          full_label += fmt::format(" {}={}", grid[i].key, grid[i].values[at[i]]);
-        }
-      }
-      add_one(item, {full_label, name, settings});
-      more = false;
-      for (std::size_t i = grid.size(); i-- > 0 && !more;) {  // the last axis turns fastest
-        more = ++at[i] < grid[i].values.size();
-        at[i] = more ? at[i] : 0;
-      }
+  // @param entry with its parameters up to those of `axes`.
+  void add_grid(const YamlElement& item, const CampaignPlanner& entry, std::span<const Axis> axes) {
+    if (axes.empty()) {
+      add_one(item, entry);
+      return;
+    }
+    const Axis& axis = axes.front();
+    for (const std::string& value : axis.values) {
+      CampaignPlanner with = entry;
+      with.parameters.emplace_back(axis.key, value);
+      with.label += axis.values.size() > 1 ? fmt::format(" {}={}", axis.key, value) : "";
+      add_grid(item, with, axes.subspan(1));
     }
   }
 

@@ -20,12 +20,12 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
+#include <deque>
 #include <exception>
 #include <filesystem>
 #include <iterator>
 #include <map>
 #include <memory>
-#include <numeric>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -372,42 +372,37 @@ PlanResult Planner::plan_to_any(const PlanningProblem& problem, const PlanReques
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   };
   const auto left = [&] { return std::max(0.0, request.time_limit_s - spent()); };
-  std::vector<std::size_t> open(problem.goals.size());
-  std::iota(open.begin(), open.end(), std::size_t{0});
+  std::deque<std::pair<std::size_t, double>> open;  // goals, and for how long each is tried next, s
+  for (std::size_t goal = 0; goal < problem.goals.size(); ++goal) {
+    open.emplace_back(goal, kFirstLimit);
+  }
   std::optional<PlanResult> nearest;  // the latest to the first goal, if none is reached
-  bool goes_on = true;
   const auto ends = [](PlanStatus status) {
     return status == PlanStatus::kStartInvalid || status == PlanStatus::kCancelled;
   };
-  for (double limit = kFirstLimit; goes_on && !open.empty(); limit *= 2.0) {
-    std::vector<std::size_t> unfinished;
-    for (const std::size_t candidate : open) {
-      PlanningProblem to = problem;
-      to.set_goal(problem.goals[candidate].q);
-      PlanRequest attempt = request;
-      attempt.time_limit_s = open.size() == 1 ? left() : std::min(limit, left());
-      PlanResult result = plan_to_goal(to, attempt, stop, observer);
-      if (result.solved()) {
-        result.goal = candidate;
-        result.time_s = spent() - result.smoothing_s;
-        result.reason +=
-            fmt::format(" It ends at {}, in configuration {} of {}.",
-                        name_of_pose_goal(*problem.scene, problem.goals[candidate].pose),
-                        candidate + 1, problem.goals.size());
-        return result;
-      }
-      if (result.status == PlanStatus::kTimeLimit) {
-        unfinished.push_back(candidate);
-      }
-      goes_on = left() > 0.0 && !ends(result.status);
-      if (candidate == 0 || !nearest) {
-        nearest = std::move(result);
-      }
-      if (!goes_on) {
-        break;
-      }
+  for (bool goes_on = true; goes_on && !open.empty();) {
+    const auto [candidate, limit] = open.front();
+    PlanningProblem to = problem;
+    to.set_goal(problem.goals[candidate].q);
+    PlanRequest attempt = request;
+    attempt.time_limit_s = open.size() == 1 ? left() : std::min(limit, left());
+    open.pop_front();
+    PlanResult result = plan_to_goal(to, attempt, stop, observer);
+    if (result.solved()) {
+      result.goal = candidate;
+      result.time_s = spent() - result.smoothing_s;
+      result.reason += fmt::format(" It ends at {}, in configuration {} of {}.",
+                                   name_of_pose_goal(*problem.scene, problem.goals[candidate].pose),
+                                   candidate + 1, problem.goals.size());
+      return result;
     }
-    open = std::move(unfinished);
+    if (result.status == PlanStatus::kTimeLimit) {
+      open.emplace_back(candidate, 2.0 * limit);
+    }
+    goes_on = left() > 0.0 && !ends(result.status);
+    if (candidate == 0 || !nearest) {
+      nearest = std::move(result);
+    }
   }
   nearest->time_s = spent();
   if (nearest->status == PlanStatus::kTimeLimit) {
