@@ -46,13 +46,13 @@ std::optional<Eigen::VectorXd> on_a_bridge(RandomStream& stream, int dimension, 
 }
 
 /// Looks at pairs of points until one leads to a valid point.
-Sampler::Points from_pairs(int dimension, std::uint64_t seed, const ValidityPredicate& valid,
-                           const PairOptions& options, TryPair try_pair) {
+Sampler::Points from_pairs(int dimension, std::uint64_t seed, ValidityPredicate valid,
+                           PairOptions options, TryPair try_pair) {
   if (!(options.sigma > 0.0) || options.tries < 1 || !valid) {
     throw std::invalid_argument(
         "a sampler of pairs needs a sigma above 0, at least one try and a predicate");
   }
-  return [=](std::uint64_t index) {
+  return [=, valid = std::move(valid)](std::uint64_t index) {
     RandomStream stream = RandomStream(seed).fork(index);
     for (int i = 0; i < options.tries; ++i) {
       if (std::optional<Eigen::VectorXd> point =
@@ -65,7 +65,7 @@ Sampler::Points from_pairs(int dimension, std::uint64_t seed, const ValidityPred
 }
 
 Sampler::Points points_of(SamplerKind kind, int dimension, std::uint64_t seed,
-                          const ValidityPredicate& valid, const PairOptions& options) {
+                          ValidityPredicate valid, PairOptions options) {
   switch (kind) {
     case SamplerKind::kHalton:
       return [sequence = HaltonSequence(dimension, seed)](std::uint64_t index) {
@@ -80,9 +80,9 @@ Sampler::Points points_of(SamplerKind kind, int dimension, std::uint64_t seed,
       };
     }
     case SamplerKind::kGaussian:
-      return from_pairs(dimension, seed, valid, options, at_the_border);
+      return from_pairs(dimension, seed, std::move(valid), options, at_the_border);
     case SamplerKind::kBridgeTest:
-      return from_pairs(dimension, seed, valid, options, on_a_bridge);
+      return from_pairs(dimension, seed, std::move(valid), options, on_a_bridge);
     default:
       return [dimension, stream = RandomStream(seed)](std::uint64_t index) {
         return stream.fork(index).uniform(dimension);
@@ -103,7 +103,8 @@ std::unique_ptr<Sampler> make_sampler(SamplerKind kind, int dimension, std::uint
   if (dimension < 1) {
     throw std::invalid_argument("a sampler has at least one dimension");
   }
-  return std::make_unique<Sampler>(dimension, points_of(kind, dimension, seed, valid, options));
+  return std::make_unique<Sampler>(dimension,
+                                   points_of(kind, dimension, seed, std::move(valid), options));
 }
 
 }  // namespace handway::sampling
