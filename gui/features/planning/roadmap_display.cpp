@@ -342,7 +342,6 @@ void FrontierLegend::show_frontier(const planning::SearchReach& reach,
 }
 
 void FrontierLegend::place() {
-  constexpr int kMargin = 12;
   adjustSize();
   move(kMargin, kMargin);
 }
