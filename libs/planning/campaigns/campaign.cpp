@@ -224,14 +224,14 @@ std::vector<Axis> axes(const std::optional<YamlElement>& map, Planner& planner) 
   }
   const std::vector<Parameter> parameters = planner.parameters();
   for (const auto& [key, element] : map->entries()) {
-    const Parameter* found = parameter_called(parameters, key);
-    if (!found) {
-      std::vector<std::string> keys;
-      std::ranges::transform(parameters, std::back_inserter(keys), &Parameter::key);
-      element.refuse(fmt::format("the parameter \"{}\", which {} has not", key, planner.name()),
-                     "one of its parameters", geometric::advise_name(key, keys));
+    if (const Parameter* found = parameter_called(parameters, key)) {
+      result.push_back({key, parameter_values(element, *found)});
+      continue;
     }
-    result.push_back({key, parameter_values(element, *found)});
+    std::vector<std::string> keys;
+    std::ranges::transform(parameters, std::back_inserter(keys), &Parameter::key);
+    element.refuse(fmt::format("the parameter \"{}\", which {} has not", key, planner.name()),
+                   "one of its parameters", geometric::advise_name(key, keys));
   }
   return result;
 }

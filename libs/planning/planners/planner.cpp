@@ -360,8 +360,9 @@ PlanResult Planner::plan(const PlanningProblem& problem, const PlanRequest& requ
   }
   Observer silent;
   Observer& watcher = observer ? *observer : silent;
-  return problem.goals.empty() ? plan_to_goal(problem, request, stop, watcher)
-                               : plan_to_any(problem, request, stop, watcher);
+  const std::stop_token end = std::move(stop);
+  return problem.goals.empty() ? plan_to_goal(problem, request, end, watcher)
+                               : plan_to_any(problem, request, end, watcher);
 }
 
 PlanResult Planner::plan_to_any(const PlanningProblem& problem, const PlanRequest& request,

@@ -15,6 +15,7 @@ constexpr int kLongestRounds = 12;           // from this round on they grow no 
 
 }  // namespace
 
+// The configuration that `node` refers to is gone by then.
 void EventLog::on_node(const NodeEvent& node) {
   events_.emplace_back([node, q = node.q](Observer& observer, int offset, int stride) {
     observer.on_node({stride * node.id + offset, q, node.pmd_count, node.step, node.rho_a, offset});
