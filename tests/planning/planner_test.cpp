@@ -105,5 +105,12 @@ TEST(Planner, RefusesAPathThatDoesNotLeadFromTheStartToTheGoal) {
   EXPECT_TRUE(Liar({problem.start, problem.goal}).plan(problem, {}).solved());
 }
 
+TEST(PlanStatistics, NamesItsSamples) {
+  PlanStatistics statistics;
+  EXPECT_EQ(statistics.samples_text(), "0 samples");
+  statistics.samples = 1;
+  EXPECT_EQ(statistics.samples_text(), "1 sample");
+}
+
 }  // namespace
 }  // namespace handway::planning

@@ -20,6 +20,10 @@ void add(std::vector<std::uint64_t>& sum, const std::vector<std::uint64_t>& othe
 
 }  // namespace
 
+std::string PlanStatistics::samples_text() const {
+  return fmt::format("{} sample{}", samples, samples == 1 ? "" : "s");
+}
+
 PlanStatistics& PlanStatistics::operator+=(const PlanStatistics& other) {
   samples += other.samples;
   nodes += other.nodes;

@@ -216,8 +216,8 @@ class AutoPlanner final : public BuiltInPlanner {
       constexpr int kMostRounds = 6;
       smooth_result(context, objective(), smoothing_checks_, found, result, kMostRounds);
       result.reason = fmt::format(
-          "Found a path of {} waypoints after {} samples, by {}{}.", result.path.waypoints.size(),
-          context.statistics().samples, portfolio.winner().name,
+          "Found a path of {} waypoints after {}, by {}{}.", result.path.waypoints.size(),
+          context.statistics().samples_text(), portfolio.winner().name,
           has_basis ? "" : ", over all joints: the scene has no hand basis");
     }
   }

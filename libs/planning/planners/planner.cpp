@@ -198,23 +198,23 @@ PlanStatistics with_names(PlanStatistics statistics, const geometric::CollisionW
 
 // How the search ended, for a planner that has nothing to add.
 std::string reason_of(const PlanResult& result, PlanningContext& context) {
-  const std::uint64_t samples = context.statistics().samples;
+  const std::string samples = context.statistics().samples_text();
   switch (result.status) {
     case PlanStatus::kSolved:
-      return fmt::format("Found a path of {} waypoints after {} samples.",
-                         result.path.waypoints.size(), samples);
+      return fmt::format("Found a path of {} waypoints after {}.", result.path.waypoints.size(),
+                         samples);
     case PlanStatus::kTimeLimit:
-      return fmt::format("No path found within the time limit of {:g} s, after {} samples.",
+      return fmt::format("No path found within the time limit of {:g} s, after {}.",
                          context.request().time_limit_s, samples);
     case PlanStatus::kCancelled:
-      return fmt::format("Cancelled after {:.1f} s and {} samples.", result.time_s, samples);
+      return fmt::format("Cancelled after {:.1f} s and {}.", result.time_s, samples);
     case PlanStatus::kStalled:
       return fmt::format(
-          "No path found: the search stalled after {} samples, as no configuration is left to "
+          "No path found: the search stalled after {}, as no configuration is left to "
           "sample.",
           samples);
     default:
-      return fmt::format("No path found: all {} samples are spent.", samples);
+      return fmt::format("No path found: all {} samples are spent.", context.statistics().samples);
   }
 }
 

@@ -77,6 +77,8 @@ struct HANDWAY_PLANNING_EXPORT PlanStatistics {
   /// Adds what another search did: counts and times are summed, of the rest the most is kept.
   PlanStatistics& operator+=(const PlanStatistics& other);
 
+  /// "1 sample", "20 samples".
+  [[nodiscard]] std::string samples_text() const;
   /// Configurations checked while planning and smoothing.
   [[nodiscard]] std::uint64_t checks() const { return node_checks + edge_checks; }
 };
