@@ -113,6 +113,8 @@ class PanelWalk : public ::testing::TestWithParam<Form> {
       still = now == before ? still + 1 : 0;
       before = now;
     }
+    // A figure that has just changed has its room only then.
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
   }
   static void keep_picture(const QString& stop, QWidget& of) {
     const QString folder = qEnvironmentVariable("HANDWAY_PICTURES");

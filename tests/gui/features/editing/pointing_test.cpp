@@ -7,8 +7,10 @@
 #include "patience.h"
 #include "pressed_mouse.h"
 
+#include <QClipboard>
 #include <QComboBox>
 #include <QDropEvent>
+#include <QGuiApplication>
 #include <QLabel>
 #include <QMenu>
 #include <QMimeData>
@@ -74,6 +76,7 @@ class Pointing : public EditingTest {
 };
 
 TEST_F(Pointing, TheRightButtonSelectsAndOffersWhatCanBeDone) {
+  QGuiApplication::clipboard()->setText(QStringLiteral("objects: []"));
   QTest::mouseClick(&view(), Qt::RightButton, {}, seen({0.41, 0.38, 0.15}));
   EXPECT_EQ(editor().selection(), (SceneItem{Kind::kObject, "", "post"}));
   const QStringList of_an_object = offered();
