@@ -227,7 +227,7 @@ SceneState with_mount_at(const SceneState& state, const Configuration& q, const 
 }
 
 SceneState with_model(const SceneState& state, const Configuration& q, const std::string& robot,
-                      std::shared_ptr<const geometric::RobotModel> model) {
+                      const std::shared_ptr<const geometric::RobotModel>& model) {
   Scene scene = shown_scene(state, q);
   for (RobotInstance& whole : scene.robots) {
     const auto part = std::ranges::find(whole.parts, robot, &RobotPart::name);

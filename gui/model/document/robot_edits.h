@@ -77,7 +77,7 @@ struct LinkOfRobot {
 /// With another model of the same joints and links, with which parts are composed again.
 [[nodiscard]] SceneState with_model(const SceneState& state, const geometric::Configuration& q,
                                     const std::string& robot,
-                                    std::shared_ptr<const geometric::RobotModel> model);
+                                    const std::shared_ptr<const geometric::RobotModel>& model);
 /// @pre it is not the only robot. See geometric::remove_robot().
 [[nodiscard]] SceneState without_robot(const SceneState& state, const geometric::Configuration& q,
                                        const std::string& robot);

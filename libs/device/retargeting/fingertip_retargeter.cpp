@@ -20,7 +20,6 @@ namespace {
 
 using Eigen::Vector3d;
 using geometric::Configuration;
-using geometric::InputError;
 using geometric::Pose;
 using geometric::YamlElement;
 

@@ -169,7 +169,8 @@ bool BidirectionalSearch::verify(TreePair::Connection connection) {
   for (const int node : connection.nodes) {
     q.push_back(trees_.configuration(node));
   }
-  q = context().problem().model().unwrapped(std::move(q), q.front());
+  q = context().problem().model().unwrapped(std::move(q),
+                                            trees_.configuration(connection.nodes.front()));
   connection.certain[connection.bridge] = !lazy_;
   std::vector<std::pair<double, std::size_t>> uncertain;
   for (std::size_t edge = 0; edge < connection.certain.size(); ++edge) {

@@ -78,6 +78,7 @@ JointKinematicLimits of_variables(const RobotModel& model, const RatesByJoint& r
 [[noreturn]] void refuse_unknown(const YamlElement& joint, const std::string& name,
                                  const RobotModel& model) {
   std::vector<std::string> joints;
+  joints.reserve(static_cast<std::size_t>(model.variable_count()));
   for (int v = 0; v < model.variable_count(); ++v) {
     joints.push_back(model.variable(v).name);
   }
