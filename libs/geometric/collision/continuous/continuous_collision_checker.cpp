@@ -166,14 +166,14 @@ EdgeResult ContinuousCollisionChecker::search(
         }
         const double need = motion_.within(pair, stretch.half);
         const double keep = required(pair, middle, motion);
-        const bool is_last = 2.0 * need <= std::min(keep, kept_ * resolution_);
-        const Closeness closeness = !is_last && is_out_of_reach(pair, need)
+        const Closeness closeness = is_out_of_reach(pair, need)
                                         ? closeness_of_spheres(pair)
-                                        : closeness_within(pair, need, keep, is_last);
+                                        : closeness_within(pair, need, keep);
         if (closeness == Closeness::kFarther) {
           continue;
         }
-        if (closeness == Closeness::kTouching || is_last) {
+        if (closeness == Closeness::kTouching ||
+            2.0 * need <= std::min(keep, kept_ * resolution_)) {
           result.pair = pair;
           result.at = stretch.middle;
           return result;
@@ -207,10 +207,9 @@ Closeness ContinuousCollisionChecker::closeness_of_spheres(int pair) {
              : Closeness::kCloser;
 }
 
-Closeness ContinuousCollisionChecker::closeness_within(int pair, double need, double required,
-                                                       bool exactly) {
+Closeness ContinuousCollisionChecker::closeness_within(int pair, double need, double required) {
   const double tolerance = need + required;
-  if (exactly || need + std::min(required, resolution_) <= kWorthExact) {
+  if (need + std::min(required, resolution_) <= kWorthExact) {
     return checker_.pair_closeness(pair, tolerance);
   }
   const double bound = checker_.pair_bound(pair, tolerance);

@@ -141,8 +141,7 @@ class HANDWAY_GEOMETRIC_EXPORT ContinuousCollisionChecker {
   [[nodiscard]] bool is_out_of_reach(int pair, double distance);
   [[nodiscard]] Closeness closeness_of_spheres(int pair);
   /// @param need m, that it can come closer. @param required m, to keep nevertheless.
-  /// @param exactly "closer" must not be said wrongly.
-  [[nodiscard]] Closeness closeness_within(int pair, double need, double required, bool exactly);
+  [[nodiscard]] Closeness closeness_within(int pair, double need, double required);
 
   struct Clearance;  // what clearance() has found so far
   void look_at_waypoint(const Configuration& q, Clearance& found);
