@@ -101,15 +101,9 @@ std::vector<planning::ExportedFile> SplitExporter::do_export(const planning::Mot
 
 }  // namespace handway::export_csv
 
-// Weak: tests link several plugins.
-extern "C" __attribute__((visibility("default"), weak)) const handway::planning::Plugin*
-handway_plugin() {
-  static const handway::planning::Plugin kPlugin = {
-      .name = "export_csv", .version = HANDWAY_VERSION, .make_exporters = [] {
-        std::vector<std::unique_ptr<handway::planning::Exporter>> exporters;
-        exporters.push_back(std::make_unique<handway::export_csv::CsvExporter>());
-        exporters.push_back(std::make_unique<handway::export_csv::SplitExporter>());
-        return exporters;
-      }};
-  return &kPlugin;
-}
+HANDWAY_PLUGIN({.name = "export_csv", .version = HANDWAY_VERSION, .make_exporters = [] {
+                  std::vector<std::unique_ptr<handway::planning::Exporter>> exporters;
+                  exporters.push_back(std::make_unique<handway::export_csv::CsvExporter>());
+                  exporters.push_back(std::make_unique<handway::export_csv::SplitExporter>());
+                  return exporters;
+                }});

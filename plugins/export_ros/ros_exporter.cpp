@@ -164,15 +164,9 @@ std::vector<planning::ExportedFile> MoveItExporter::do_export(
 
 }  // namespace handway::export_ros
 
-// Weak: tests link several plugins.
-extern "C" __attribute__((visibility("default"), weak)) const handway::planning::Plugin*
-handway_plugin() {
-  static const handway::planning::Plugin kPlugin = {
-      .name = "export_ros", .version = HANDWAY_VERSION, .make_exporters = [] {
-        std::vector<std::unique_ptr<handway::planning::Exporter>> exporters;
-        exporters.push_back(std::make_unique<handway::export_ros::RosExporter>());
-        exporters.push_back(std::make_unique<handway::export_ros::MoveItExporter>());
-        return exporters;
-      }};
-  return &kPlugin;
-}
+HANDWAY_PLUGIN({.name = "export_ros", .version = HANDWAY_VERSION, .make_exporters = [] {
+                  std::vector<std::unique_ptr<handway::planning::Exporter>> exporters;
+                  exporters.push_back(std::make_unique<handway::export_ros::RosExporter>());
+                  exporters.push_back(std::make_unique<handway::export_ros::MoveItExporter>());
+                  return exporters;
+                }});

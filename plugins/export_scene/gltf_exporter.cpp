@@ -228,15 +228,10 @@ std::vector<std::filesystem::path> GltfExporter::do_write(const geometric::Scene
 
 }  // namespace handway::export_scene
 
-// Weak: tests link several plugins.
-extern "C" __attribute__((visibility("default"), weak)) const handway::planning::Plugin*
-handway_plugin() {
-  static const handway::planning::Plugin kPlugin = {
-      .name = "export_scene", .version = HANDWAY_VERSION, .make_scene_exporters = []() {
-        std::vector<std::unique_ptr<handway::planning::SceneExporter>> exporters;
-        exporters.push_back(std::make_unique<handway::export_scene::GltfExporter>());
-        exporters.push_back(std::make_unique<handway::export_scene::MoveitSceneExporter>());
-        return exporters;
-      }};
-  return &kPlugin;
-}
+HANDWAY_PLUGIN({.name = "export_scene", .version = HANDWAY_VERSION, .make_scene_exporters = []() {
+                  std::vector<std::unique_ptr<handway::planning::SceneExporter>> exporters;
+                  exporters.push_back(std::make_unique<handway::export_scene::GltfExporter>());
+                  exporters.push_back(
+                      std::make_unique<handway::export_scene::MoveitSceneExporter>());
+                  return exporters;
+                }});

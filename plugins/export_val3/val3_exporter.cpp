@@ -289,14 +289,8 @@ std::vector<planning::ExportedFile> Val3Exporter::do_export(const planning::Moti
 
 }  // namespace handway::export_val3
 
-// Weak: tests link several plugins.
-extern "C" __attribute__((visibility("default"), weak)) const handway::planning::Plugin*
-handway_plugin() {
-  static const handway::planning::Plugin kPlugin = {
-      .name = "export_val3", .version = HANDWAY_VERSION, .make_exporters = [] {
-        std::vector<std::unique_ptr<handway::planning::Exporter>> exporters;
-        exporters.push_back(std::make_unique<handway::export_val3::Val3Exporter>());
-        return exporters;
-      }};
-  return &kPlugin;
-}
+HANDWAY_PLUGIN({.name = "export_val3", .version = HANDWAY_VERSION, .make_exporters = [] {
+                  std::vector<std::unique_ptr<handway::planning::Exporter>> exporters;
+                  exporters.push_back(std::make_unique<handway::export_val3::Val3Exporter>());
+                  return exporters;
+                }});

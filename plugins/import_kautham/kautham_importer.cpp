@@ -285,14 +285,8 @@ planning::LoadedScene KauthamImporter::read(const std::filesystem::path& file) c
 
 }  // namespace handway::import_kautham
 
-// Weak: tests link several plugins.
-extern "C" __attribute__((visibility("default"), weak)) const handway::planning::Plugin*
-handway_plugin() {
-  static const handway::planning::Plugin kPlugin = {
-      .name = "import_kautham",
-      .version = HANDWAY_VERSION,
-      .make_importer = []() -> std::unique_ptr<handway::planning::Importer> {
-        return std::make_unique<handway::import_kautham::KauthamImporter>();
-      }};
-  return &kPlugin;
-}
+HANDWAY_PLUGIN({.name = "import_kautham",
+                .version = HANDWAY_VERSION,
+                .make_importer = []() -> std::unique_ptr<handway::planning::Importer> {
+                  return std::make_unique<handway::import_kautham::KauthamImporter>();
+                }});

@@ -527,16 +527,9 @@ RobotDescription read_mjcf(const fs::path& file) { return Reader(file).read(); }
 
 }  // namespace handway::import_mjcf
 
-// Weak: tests link several plugins.
-extern "C" __attribute__((visibility("default"), weak)) const handway::planning::Plugin*
-handway_plugin() {
-  using handway::geometric::RobotReader;
-  static const handway::planning::Plugin kPlugin = {
-      .name = "import_mjcf",
-      .version = HANDWAY_VERSION,
-      .make_robot_readers = []() -> std::vector<RobotReader> {
-        return {{"a MuJoCo robot (.xml, .mjcf)", handway::import_mjcf::is_mjcf_file,
-                 handway::import_mjcf::read_mjcf}};
-      }};
-  return &kPlugin;
-}
+HANDWAY_PLUGIN({.name = "import_mjcf",
+                .version = HANDWAY_VERSION,
+                .make_robot_readers = []() -> std::vector<handway::geometric::RobotReader> {
+                  return {{"a MuJoCo robot (.xml, .mjcf)", handway::import_mjcf::is_mjcf_file,
+                           handway::import_mjcf::read_mjcf}};
+                }});

@@ -399,14 +399,8 @@ planning::LoadedScene MoveitImporter::read(const std::filesystem::path& file) co
 
 }  // namespace handway::import_moveit
 
-// Weak: tests link several plugins.
-extern "C" __attribute__((visibility("default"), weak)) const handway::planning::Plugin*
-handway_plugin() {
-  static const handway::planning::Plugin kPlugin = {
-      .name = "import_moveit",
-      .version = HANDWAY_VERSION,
-      .make_importer = []() -> std::unique_ptr<handway::planning::Importer> {
-        return std::make_unique<handway::import_moveit::MoveitImporter>();
-      }};
-  return &kPlugin;
-}
+HANDWAY_PLUGIN({.name = "import_moveit",
+                .version = HANDWAY_VERSION,
+                .make_importer = []() -> std::unique_ptr<handway::planning::Importer> {
+                  return std::make_unique<handway::import_moveit::MoveitImporter>();
+                }});

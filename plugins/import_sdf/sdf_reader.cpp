@@ -417,16 +417,9 @@ RobotDescription read_sdf(const fs::path& file) { return Reader(file).read(); }
 
 }  // namespace handway::import_sdf
 
-// Weak: tests link several plugins.
-extern "C" __attribute__((visibility("default"), weak)) const handway::planning::Plugin*
-handway_plugin() {
-  using handway::geometric::RobotReader;
-  static const handway::planning::Plugin kPlugin = {
-      .name = "import_sdf",
-      .version = HANDWAY_VERSION,
-      .make_robot_readers = []() -> std::vector<RobotReader> {
-        return {{"an SDF model (.sdf)", handway::import_sdf::is_sdf_file,
-                 handway::import_sdf::read_sdf}};
-      }};
-  return &kPlugin;
-}
+HANDWAY_PLUGIN({.name = "import_sdf",
+                .version = HANDWAY_VERSION,
+                .make_robot_readers = []() -> std::vector<handway::geometric::RobotReader> {
+                  return {{"an SDF model (.sdf)", handway::import_sdf::is_sdf_file,
+                           handway::import_sdf::read_sdf}};
+                }});

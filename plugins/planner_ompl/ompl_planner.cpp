@@ -313,12 +313,6 @@ void register_planners(planning::PlannerRegistry& registry) {
 
 }  // namespace handway::planner_ompl
 
-// Weak: tests link several plugins.
-extern "C" __attribute__((visibility("default"), weak)) const handway::planning::Plugin*
-handway_plugin() {
-  static const handway::planning::Plugin kPlugin = {
-      .name = "planner_ompl",
-      .version = HANDWAY_VERSION,
-      .register_planners = handway::planner_ompl::register_planners};
-  return &kPlugin;
-}
+HANDWAY_PLUGIN({.name = "planner_ompl",
+                .version = HANDWAY_VERSION,
+                .register_planners = handway::planner_ompl::register_planners});

@@ -65,12 +65,8 @@ class StraightPlanner final : public Planner {
 
 }  // namespace
 
-extern "C" __attribute__((visibility("default"))) const Plugin* handway_plugin() {
-  static const Plugin kPlugin = {.name = "straight_planner",
-                                 .version = PLUGIN_VERSION,
-                                 .register_planners = [](PlannerRegistry& registry) {
-                                   registry.add("straight",
-                                                [] { return std::make_unique<StraightPlanner>(); });
-                                 }};
-  return &kPlugin;
-}
+HANDWAY_PLUGIN({.name = "straight_planner",
+                .version = PLUGIN_VERSION,
+                .register_planners = [](PlannerRegistry& registry) {
+                  registry.add("straight", [] { return std::make_unique<StraightPlanner>(); });
+                }});

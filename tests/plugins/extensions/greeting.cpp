@@ -1,4 +1,4 @@
-#include "test_plugin.h"
+#include "handway/planning/extensions/plugin.h"
 
 namespace {
 
@@ -19,17 +19,14 @@ class GreetingImporter final : public Importer {
   }
 };
 
-const handway::planning::Plugin kPlugin = {.name = "greeting",
-                                           .version = "1.2",
-                                           .register_planners =
-                                               [](handway::planning::PlannerRegistry& registry) {
-                                                 registry.add("hello-planner",
-                                                              [] { return nullptr; });
-                                               },
-                                           .make_importer = []() -> std::unique_ptr<Importer> {
-                                             return std::make_unique<GreetingImporter>();
-                                           }};
-
 }  // namespace
 
-HANDWAY_TEST_PLUGIN(kPlugin);
+HANDWAY_PLUGIN({.name = "greeting",
+                .version = "1.2",
+                .register_planners =
+                    [](handway::planning::PlannerRegistry& registry) {
+                      registry.add("hello-planner", [] { return nullptr; });
+                    },
+                .make_importer = []() -> std::unique_ptr<Importer> {
+                  return std::make_unique<GreetingImporter>();
+                }});

@@ -1,10 +1,3 @@
-#include "test_plugin.h"
+#include "handway/planning/extensions/plugin.h"
 
-namespace {
-
-const handway::planning::Plugin kPlugin = {.api_version = handway::planning::kPluginApiVersion - 1,
-                                           .name = "old_interface"};
-
-}  // namespace
-
-HANDWAY_TEST_PLUGIN(kPlugin);
+HANDWAY_PLUGIN({.api_version = handway::planning::kPluginApiVersion - 1, .name = "old_interface"});

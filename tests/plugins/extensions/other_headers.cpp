@@ -1,10 +1,3 @@
-#include "test_plugin.h"
+#include "handway/planning/extensions/plugin.h"
 
-namespace {
-
-const handway::planning::Plugin kPlugin = {.name = "other_headers",
-                                           .layout = handway::planning::kPluginLayout + 1};
-
-}  // namespace
-
-HANDWAY_TEST_PLUGIN(kPlugin);
+HANDWAY_PLUGIN({.name = "other_headers", .layout = handway::planning::kPluginLayout + 1});

@@ -65,6 +65,16 @@ struct Plugin {
   std::uint64_t layout = kPluginLayout;
 };
 
+/// Defines `handway_plugin()`, once in a library, handing over the Plugin `{…}`. Weak, so that a
+/// program can link the code of several.
+#define HANDWAY_PLUGIN(...)                                                                \
+  extern "C" __attribute__((visibility("default"), weak)) const handway::planning::Plugin* \
+  handway_plugin() {                                                                       \
+    static const handway::planning::Plugin kPlugin = __VA_ARGS__;                          \
+    return &kPlugin;                                                                       \
+  }                                                                                        \
+  static_assert(true)
+
 /// A plugin that was taken.
 struct LoadedPlugin {
   std::filesystem::path file;
