@@ -153,12 +153,13 @@ std::vector<PoseGoal> with_positions(const YamlElement& constraint, const Frames
 
 // A link whose frame stands for one of the world must not move along the path.
 void need_fixed_frame(const YamlElement& constraint, const RobotModel& model) {
-  const auto header = constraint.find("header");
-  const auto frame = header ? header->find("frame_id") : std::nullopt;
-  const auto link = frame ? model.find_link(frame->text()) : std::nullopt;
+  const std::optional<std::string> frame = frame_name(constraint);
+  const std::optional<int> link = frame ? model.find_link(*frame) : std::nullopt;
   if (link && !chain_variables(model, *link).empty()) {
-    frame->refuse(fmt::format("the frame of \"{}\", which moves", frame->text()),
-                  "a frame that stays where it is along the path");
+    constraint.need("header")
+        .need("frame_id")
+        .refuse(fmt::format("the frame of \"{}\", which moves", *frame),
+                "a frame that stays where it is along the path");
   }
 }
 
@@ -210,6 +211,30 @@ std::vector<Cone> cones_within(const YamlElement& constraint) {
   }
 }
 
+// Of the link, for each cone one.
+std::vector<geometric::OrientationConstraint> orientations_of(const YamlElement& constraint,
+                                                              const Frames& frames) {
+  constexpr double kRightAngle = 0.5 * std::numbers::pi;
+  const Eigen::Matrix3d R_WG = rotation_of(constraint, frames);
+  std::vector<geometric::OrientationConstraint> orientations;
+  for (const Cone& cone : cones_within(constraint)) {
+    const Eigen::Vector3d axis = Eigen::Vector3d::Unit(cone.axis);
+    orientations.push_back({axis, R_WG * axis, std::min(cone.angle, kRightAngle)});
+  }
+  return orientations;
+}
+
+geometric::PositionConstraint position_of(const YamlElement& constraint, const Frames& frames) {
+  const std::vector<Primitive> region = region_of(constraint, frames);
+  const YamlElement element = constraint.need("constraint_region");
+  if (region.size() > 1) {
+    element.refuse(fmt::format("{} primitives", region.size()), "one along the path");
+  }
+  const auto& [shape, X_WQ] = region.front();
+  return {target_point(constraint), 2.0 * tolerance_of(element, shape, Eigen::Matrix3d::Identity()),
+          X_WQ};
+}
+
 }  // namespace
 
 bool has_pose(const YamlElement& goal) {
@@ -246,7 +271,6 @@ std::vector<PoseGoal> read_pose_goals(const YamlElement& goal, const RobotModel&
 std::vector<geometric::PathConstraint> read_path_constraints(const YamlElement& path,
                                                              const RobotModel& model,
                                                              const Frames& frames) {
-  constexpr double kRightAngle = 0.5 * std::numbers::pi;
   path.refuse_slips({"name", "joint_constraints", "position_constraints", "orientation_constraints",
                      "visibility_constraints"});
   for (const char* key : {"joint_constraints", "visibility_constraints"}) {
@@ -267,25 +291,13 @@ std::vector<geometric::PathConstraint> read_path_constraints(const YamlElement& 
   for (const YamlElement& constraint : items_of(path, "orientation_constraints")) {
     need_fixed_frame(constraint, model);
     const std::string link = moved_link(constraint, model);
-    const Eigen::Matrix3d R_WG = rotation_of(constraint, frames);
-    for (const Cone& cone : cones_within(constraint)) {
-      const Eigen::Vector3d axis = Eigen::Vector3d::Unit(cone.axis);
-      add(link, "orientation",
-          geometric::OrientationConstraint{axis, R_WG * axis, std::min(cone.angle, kRightAngle)});
+    for (const geometric::OrientationConstraint& one : orientations_of(constraint, frames)) {
+      add(link, "orientation", one);
     }
   }
   for (const YamlElement& constraint : items_of(path, "position_constraints")) {
     need_fixed_frame(constraint, model);
-    const std::string link = moved_link(constraint, model);
-    const std::vector<Primitive> region = region_of(constraint, frames);
-    const YamlElement element = constraint.need("constraint_region");
-    if (region.size() > 1) {
-      element.refuse(fmt::format("{} primitives", region.size()), "one along the path");
-    }
-    const auto& [shape, X_WQ] = region.front();
-    const Eigen::Vector3d half = tolerance_of(element, shape, Eigen::Matrix3d::Identity());
-    add(link, "position",
-        geometric::PositionConstraint{target_point(constraint), 2.0 * half, X_WQ});
+    add(moved_link(constraint, model), "position", position_of(constraint, frames));
   }
   return all;
 }

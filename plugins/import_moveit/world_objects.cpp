@@ -447,17 +447,26 @@ void add_octomap(const YamlElement& message, World& world) {
 
 }  // namespace
 
-Pose frame_of(const YamlElement& message, const Frames& frames) {
+std::optional<std::string> frame_name(const YamlElement& message) {
   const std::optional<YamlElement> header = message.find("header");
   const std::optional<YamlElement> id = header ? header->find("frame_id") : std::nullopt;
   if (!id || id->text().empty()) {
+    return std::nullopt;
+  }
+  return id->text().starts_with('/') ? id->text().substr(1) : id->text();
+}
+
+Pose frame_of(const YamlElement& message, const Frames& frames) {
+  const std::optional<std::string> name = frame_name(message);
+  if (!name) {
     return Pose::Identity();
   }
-  const std::string name = id->text().starts_with('/') ? id->text().substr(1) : id->text();
-  const auto frame = frames.find(name);
+  const auto frame = frames.find(*name);
   if (frame == frames.end()) {
-    id->refuse(fmt::format("the frame \"{}\"", name),
-               "\"world\", a link of the robot or one of fixed_frame_transforms");
+    message.need("header")
+        .need("frame_id")
+        .refuse(fmt::format("the frame \"{}\"", *name),
+                "\"world\", a link of the robot or one of fixed_frame_transforms");
   }
   return frame->second;
 }

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -35,6 +36,9 @@ struct Reach {
 
 /// Of the robot with all joints stretched, and as much again for what it carries.
 [[nodiscard]] Reach reach_of(const geometric::RobotInstance& robot);
+
+/// The frame that a message's `header` names; nothing if it names none.
+[[nodiscard]] std::optional<std::string> frame_name(const geometric::YamlElement& message);
 
 /// Where the frame of a message's `header` is in the world; "world" if it names none.
 /// @throws InputError if there is no such frame.

@@ -97,6 +97,10 @@ INSTANTIATE_TEST_SUITE_P(
         Breach{"FrameThatMoves", false, "num_planning_attempts: 1",
                "path_constraints: {orientation_constraints: [{header: {frame_id: boom}, "
                "link_name: slide, orientation: {w: 1}}]}",
+               "request0001.yaml:2", "the frame of \"boom\", which moves", "stays where it is"},
+        Breach{"FrameThatMovesOfRos1", false, "num_planning_attempts: 1",
+               "path_constraints: {orientation_constraints: [{header: {frame_id: /boom}, "
+               "link_name: slide, orientation: {w: 1}}]}",
                "request0001.yaml:2", "the frame of \"boom\", which moves", "stays where it is"}),
     [](const auto& test) { return std::string(test.param.name); });
 
