@@ -8,6 +8,7 @@
 #include "model/document/scene_editor.h"
 #include "model/planning/planning_session.h"
 #include "view3d/scene_view.h"
+#include "view3d/view_gizmo.h"
 #include "widgets/style/theme.h"
 
 #include <QHBoxLayout>
@@ -255,9 +256,8 @@ void GraspTool::end() {
 std::vector<QPoint> GraspTool::to_be_seen() const {
   std::vector<QPoint> places;
   const auto add = [&](const Eigen::Vector3d& point) {
-    if (const auto place = view_.camera().place_of(point)) {
-      places.emplace_back(static_cast<int>(0.5 * view_.width() + place->x() * view_.height()),
-                          static_cast<int>((0.5 - place->y()) * view_.height()));
+    if (view_.camera().place_of(point)) {  // it is before the camera
+      places.push_back(place_of(view_.camera(), view_.size(), point).toPoint());
     }
   };
   const geometric::Scene* scene = document_.scene().get();

@@ -2,6 +2,7 @@
 
 #include "features/editing/editing_test.h"
 #include "view3d/scene_view.h"
+#include "view3d/view_gizmo.h"
 
 #include <QAction>
 #include <QLabel>
@@ -59,10 +60,8 @@ TEST_F(ClickToPlan, KeepsItsListOffTheObjectAndTheHand) {
     ASSERT_FALSE(tool<gui::GraspTool>().grasps().empty()) << scene;
     const gui::SceneView& view = window().view();
     const auto is_covered = [&](const Eigen::Vector3d& p_W) {
-      const Eigen::Vector2d place = view.camera().place_of(p_W).value();
       return part<QWidget>("grasps").geometry().contains(
-          static_cast<int>(0.5 * view.width() + place.x() * view.height()),
-          static_cast<int>((0.5 - place.y()) * view.height()));
+          gui::place_of(view.camera(), view.size(), p_W).toPoint());
     };
     const geometric::Scene& shown = *window().document().scene();
     EXPECT_FALSE(is_covered(geometric::find_object(shown, object)->X_PO.translation())) << scene;
