@@ -198,11 +198,10 @@ std::filesystem::path copy_robot(const std::filesystem::path& urdf,
 }
 
 void OwnRobots::open_arm(const std::filesystem::path& urdf) {
-  const QString here = QDir::currentPath();
-  ASSERT_TRUE(QDir::setCurrent(QString::fromStdString(urdf.parent_path().string())));
+  // Where the dialog opens: the story before may have left it elsewhere.
+  QFileDialog(window_.get()).setDirectory(QString::fromStdString(urdf.parent_path().string()));
   choose_file([this] { click("start_browse"); }, QStringLiteral("open_dialog"),
               QString::fromStdString(urdf.filename().string()), QStringLiteral("1_open"));
-  QDir::setCurrent(here);
   ASSERT_TRUE(wait_for([&] { return window_->document().scene() != nullptr; }));
   wait_until_at_rest();
   picture(QStringLiteral("2_arm"));

@@ -7,7 +7,6 @@
 #include "window_test.h"
 
 #include <QDir>
-#include <QSettings>
 #include <QSignalSpy>
 
 #include <fstream>
@@ -30,7 +29,6 @@ class Story : public ::testing::Test {
  protected:
   void SetUp() override {
     HANDWAY_NEED_DISPLAY();
-    QSettings().clear();  // of the story before
     auto plugins = std::make_shared<planning::PluginManager>();
     plugins->load_plugins(planning::plugin_directory());
     window_ = std::make_unique<gui::MainWindow>(plugins);
