@@ -3,7 +3,7 @@
 /// memory.
 #include "handway/geometric/collision/checkers/exact_collision_checker.h"
 #include "handway/geometric/collision/checkers/fcl_checker.h"
-#include "handway_test/memory_use.h"
+#include "handway_test/resource_use.h"
 #include "handway_test/robots.h"
 #include "handway_test/solid_robots.h"
 

@@ -12,6 +12,7 @@
 #include "handway/device/glove/glove_layout.h"
 #include "handway/device/glove/glove_signals.h"
 #include "handway_test/paths.h"
+#include "handway_test/resource_use.h"
 #include "view3d/scene_view.h"
 #include "widgets/style/theme.h"
 
@@ -64,12 +65,6 @@ device::GloveSignal numbered(const std::shared_ptr<Stamps>& stamps) {
   };
 }
 
-double cpu_seconds(clockid_t clock) {
-  timespec time{};
-  ::clock_gettime(clock, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
 /// Delays of all pictures that show a new frame.
 class Measurement {
  public:
@@ -90,15 +85,16 @@ class Measurement {
     drawing_.clear();
     pictures_ = 0;
     begin_ = Clock::now();
-    gui_cpu_ = cpu_seconds(CLOCK_THREAD_CPUTIME_ID);
-    all_cpu_ = cpu_seconds(CLOCK_PROCESS_CPUTIME_ID);
+    gui_cpu_ = handway::test::cpu_seconds();
+    all_cpu_ = handway::test::cpu_seconds(CLOCK_PROCESS_CPUTIME_ID);
   }
 
   void print() {
     const double seconds = std::chrono::duration<double>(Clock::now() - begin_).count();
     const auto count = static_cast<double>(std::max<std::size_t>(delays_.size(), 1));
-    const double gui_ms = 1e3 * (cpu_seconds(CLOCK_THREAD_CPUTIME_ID) - gui_cpu_) / count;
-    const double all_ms = 1e3 * (cpu_seconds(CLOCK_PROCESS_CPUTIME_ID) - all_cpu_) / count;
+    const double gui_ms = 1e3 * (handway::test::cpu_seconds() - gui_cpu_) / count;
+    const double all_ms =
+        1e3 * (handway::test::cpu_seconds(CLOCK_PROCESS_CPUTIME_ID) - all_cpu_) / count;
     std::printf("new pictures   %6.1f a second (of %.1f; the glove has %.0f)\n", count / seconds,
                 pictures_ / seconds, kRate);
     print_row("sensor to pixel", delays_);

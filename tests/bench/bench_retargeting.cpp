@@ -6,6 +6,7 @@
 #include "handway/device/retargeting/fingertip_retargeter.h"
 #include "handway/geometric/formats/robot_loader.h"
 #include "handway/geometric/io/resources.h"
+#include "handway_test/resource_use.h"
 
 #include <benchmark/benchmark.h>
 
@@ -117,13 +118,6 @@ std::string hand_of_24_joints() {
   return urdf.end();
 }
 
-/// Of this thread on its core, s: what other programs take does not count.
-double thread_time() {
-  timespec time{};
-  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
 void bm_retargeting(benchmark::State& state, const fs::path& robot,
                     const std::vector<HandLandmarks>& rows, bool self_collision) {
   RetargetingSettings settings;
@@ -133,9 +127,9 @@ void bm_retargeting(benchmark::State& state, const fs::path& robot,
   for (auto _ : state) {
     Eigen::VectorXd posture = hand.middle();
     for (const HandLandmarks& row : rows) {
-      const double begin = thread_time();
+      const double begin = test::cpu_seconds();
       posture = hand.posture(row, posture);
-      times.push_back(thread_time() - begin);
+      times.push_back(test::cpu_seconds() - begin);
     }
     benchmark::DoNotOptimize(posture);
   }

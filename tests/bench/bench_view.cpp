@@ -10,6 +10,7 @@
 /// Ends with 1 if any motion has less than 30 pictures a second.
 #include "handway/geometric/formats/scene_file.h"
 #include "handway_test/paths.h"
+#include "handway_test/resource_use.h"
 #include "view3d/scene_view.h"
 #include "widgets/style/theme.h"
 
@@ -40,11 +41,7 @@ constexpr double kEnough = 30.0;  // pictures a second
 constexpr double kTurn = 1.0;     // rad/s
 constexpr double kSwing = 2.0;    // s from start to goal and back
 
-double cpu_seconds() {
-  timespec time{};
-  ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
+double cpu_seconds() { return handway::test::cpu_seconds(CLOCK_PROCESS_CPUTIME_ID); }
 
 void wait(double seconds) {
   QEventLoop loop;

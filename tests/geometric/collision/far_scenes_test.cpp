@@ -4,7 +4,7 @@
 #include "handway/geometric/collision/checkers/fcl_checker.h"
 #include "handway/geometric/collision/continuous/continuous_collision_checker.h"
 #include "handway/geometric/io/input_error.h"
-#include "handway_test/memory_use.h"
+#include "handway_test/resource_use.h"
 #include "handway_test/scale.h"
 #include "handway_test/solid_robots.h"
 

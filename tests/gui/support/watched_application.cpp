@@ -1,24 +1,15 @@
 #include "watched_application.h"
 
+#include "handway_test/resource_use.h"
+
 #include <QEvent>
 #include <QMetaEnum>
 
 #include <gtest/gtest.h>
 
-#include <ctime>
 #include <string>
 
 namespace handway::test {
-namespace {
-
-double thread_ms() {
-  timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
-}
-
-}  // namespace
-
 bool WatchedApplication::notify(QObject* receiver, QEvent* event) {
   if (event->type() == QEvent::UpdateRequest || event->type() == QEvent::Paint) {
     return paint(receiver, event);
@@ -33,9 +24,9 @@ bool WatchedApplication::notify(QObject* receiver, QEvent* event) {
                QLatin1String(receiver->metaObject()->className()));
   ++depth_;
   painting_ms_ = 0.0;
-  const double begin = thread_ms();
+  const double begin = cpu_seconds();
   const bool taken = QApplication::notify(receiver, event);
-  const double ms = thread_ms() - begin - painting_ms_;
+  const double ms = 1e3 * (cpu_seconds() - begin) - painting_ms_;
   --depth_;
   if (ms > longest_.ms) {
     longest_ = {ms, name};
@@ -49,9 +40,9 @@ bool WatchedApplication::paint(QObject* receiver, QEvent* event) {
     return QApplication::notify(receiver, event);
   }
   is_painting_ = true;
-  const double begin = thread_ms();
+  const double begin = cpu_seconds();
   const bool taken = QApplication::notify(receiver, event);
-  painting_ms_ += thread_ms() - begin;
+  painting_ms_ += 1e3 * (cpu_seconds() - begin);
   is_painting_ = false;
   return taken;
 }

@@ -1,5 +1,6 @@
 #include "features/editing/editing_test.h"
 #include "handway/geometric/collision/checkers/exact_collision_checker.h"
+#include "handway_test/resource_use.h"
 #include "model/document/scene_edits.h"
 
 #include <QSignalSpy>
@@ -13,12 +14,6 @@ namespace handway::test {
 namespace {
 
 using ::testing::HasSubstr;
-
-double thread_cpu_ms() {
-  timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
-}
 
 class ReplanningLive : public EditingTest {
  protected:
@@ -61,10 +56,10 @@ TEST_F(ReplanningLive, FollowsADragWithoutHoldingTheWindowUp) {
   plan();
   // The window's own work counts, however many programs share the machine.
   QTimer heartbeat;
-  double last = thread_cpu_ms();
+  double last = 1e3 * cpu_seconds();
   std::vector<double> busy;
   QObject::connect(&heartbeat, &QTimer::timeout, [&] {
-    busy.push_back(thread_cpu_ms() - last);
+    busy.push_back(1e3 * cpu_seconds() - last);
     last += busy.back();
   });
   heartbeat.start(1);
