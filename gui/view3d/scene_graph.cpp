@@ -5,7 +5,6 @@
 #include "view3d/orientation_cube.h"
 #include "view3d/scene_passes.h"
 #include "view3d/unlit_nodes.h"
-#include "view3d/viewpoints.h"
 
 #include <Inventor/SoPath.h>
 #include <Inventor/SoPickedPoint.h>
@@ -334,8 +333,8 @@ std::vector<Eigen::Vector3d> SceneGraph::all_points() const {
   return bodies_.scene() ? gui::all_points(*bodies_.scene()) : std::vector<Eigen::Vector3d>{};
 }
 
-OrbitCamera SceneGraph::open_view(const OrbitCamera& camera, double aspect) const {
-  return bodies_.scene() ? gui::open_view(*bodies_.scene(), camera, aspect) : camera;
+OpeningView SceneGraph::open_view(const OrbitCamera& camera, double aspect) const {
+  return bodies_.scene() ? gui::open_view(*bodies_.scene(), camera, aspect) : OpeningView{camera};
 }
 
 std::vector<Eigen::Vector3d> SceneGraph::selected_points() const {

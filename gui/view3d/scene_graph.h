@@ -11,6 +11,7 @@
 #include "view3d/robot_node.h"
 #include "view3d/scene_bodies.h"
 #include "view3d/scene_passes.h"
+#include "view3d/viewpoints.h"
 
 #include <Eigen/Core>
 
@@ -95,7 +96,7 @@ class SceneGraph {
   /// None if nothing is selected.
   [[nodiscard]] std::vector<Eigen::Vector3d> selected_points() const;
   /// `camera` of an empty scene.
-  [[nodiscard]] OrbitCamera open_view(const OrbitCamera& camera, double aspect) const;
+  [[nodiscard]] OpeningView open_view(const OrbitCamera& camera, double aspect) const;
 
   /// Sets the camera that everything is drawn with and picked with from now on.
   void aim(const OrbitCamera& camera, double aspect);

@@ -114,12 +114,15 @@ void SceneView::set_scene(std::shared_ptr<const geometric::Scene> scene) {
   flight_.stop();
   colliding_.clear();
   graph_->set_scene(std::move(scene));
-  camera_ = graph_->open_view(camera_, aspect());
+  const OpeningView view = graph_->open_view(camera_, aspect());
+  camera_ = view.camera;
+  opening_section_ = view.section;
   change();
 }
 
 void SceneView::change_robots(std::shared_ptr<const geometric::Scene> scene) {
   colliding_.clear();
+  opening_section_.reset();
   graph_->set_scene(std::move(scene));
   if (untouched_) {
     camera_.fit(graph_->points_of_interest(), aspect());
@@ -321,7 +324,7 @@ void SceneView::keep_selection_in_view() {
 
 void SceneView::look_from(StandardView view) {
   if (view == StandardView::kOblique) {
-    fly_to(graph_->open_view(camera_, aspect()).placement());
+    fly_to(graph_->open_view(camera_, aspect()).camera.placement());
     return;
   }
   OrbitCamera turned = camera_;

@@ -64,6 +64,10 @@ class SceneView : public QOpenGLWidget {
 
   /// Shows a scene and looks at it; null empties the view.
   void set_scene(std::shared_ptr<const geometric::Scene> scene);
+  /// OpeningView::section of the scene, until other robots are shown.
+  [[nodiscard]] const std::optional<Eigen::Vector3d>& opening_section() const {
+    return opening_section_;
+  }
   /// Shows the scene with other robots, from where one looks already.
   void change_robots(std::shared_ptr<const geometric::Scene> scene);
   /// Shows an edited scene with the same robots, from where one looks already.
@@ -220,6 +224,7 @@ class SceneView : public QOpenGLWidget {
   bool has_handles_ = false;
   bool drag_has_ended_ = false;  ///< With the button still down.
   bool has_scene_ = false;
+  std::optional<Eigen::Vector3d> opening_section_;
   bool untouched_ = true;  ///< Nobody has turned the view: keep it fitted.
 };
 

@@ -328,6 +328,11 @@ class ViewSearch {
     return best;
   }
 
+  [[nodiscard]] OpeningView cut_open() const {
+    const OrbitCamera camera = best(true).first;
+    return {camera, before(robots_, camera).first};
+  }
+
  private:
   /// @param turn, rise degrees.
   [[nodiscard]] OrbitCamera turned(double turn, double rise) const {
@@ -349,17 +354,10 @@ class ViewSearch {
 
 }  // namespace
 
-OrbitCamera open_view(const geometric::Scene& scene, const OrbitCamera& camera, double aspect) {
+OpeningView open_view(const geometric::Scene& scene, const OrbitCamera& camera, double aspect) {
   const ViewSearch search(scene, camera, aspect);
   const auto [whole, seen] = search.best(false);
-  return seen < kHardlySeen ? search.best(true).first : whole;
-}
-
-std::optional<Eigen::Vector3d> section_needed(const geometric::Scene& scene,
-                                              const OrbitCamera& camera) {
-  const double seen = share_seen(large_parts(scene), Obstacles(scene), camera.position());
-  return seen < kHardlySeen ? std::optional(before(box_around(robot_points(scene)), camera).first)
-                            : std::nullopt;
+  return seen < kHardlySeen ? search.cut_open() : OpeningView{whole};
 }
 
 }  // namespace handway::gui

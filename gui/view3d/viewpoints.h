@@ -26,16 +26,19 @@ namespace handway::gui {
 /// Corners of the boxes around everything in the scene (world, m).
 [[nodiscard]] std::vector<Eigen::Vector3d> all_points(const geometric::Scene& scene);
 
+/// How a scene is shown at first.
+struct OpeningView {
+  OrbitCamera camera;
+  /// In front of which point (world, m), towards the camera, objects have to be cut away to see the
+  /// robots that they hide; nothing if enough of them is seen.
+  std::optional<Eigen::Vector3d> section = std::nullopt;
+};
+
 /// Looks across the task, obliquely, from where much of the robots is seen past shelves and the
 /// walls of cages; what is of interest fits in. Where objects close them in, roof and all: from
-/// where much of them is seen once section_needed() has cut that open.
+/// where much of them is seen once that is cut open.
 /// @param camera its projection is kept. @param aspect width by height.
-[[nodiscard]] OrbitCamera open_view(const geometric::Scene& scene, const OrbitCamera& camera,
+[[nodiscard]] OpeningView open_view(const geometric::Scene& scene, const OrbitCamera& camera,
                                     double aspect);
-
-/// In front of which point (world, m), towards the camera, objects have to be cut away to see the
-/// robots that they hide; nothing if enough of them is seen.
-[[nodiscard]] std::optional<Eigen::Vector3d> section_needed(const geometric::Scene& scene,
-                                                            const OrbitCamera& camera);
 
 }  // namespace handway::gui

@@ -2,7 +2,6 @@
 
 #include "features/workbench.h"
 #include "view3d/scene_view.h"
-#include "view3d/viewpoints.h"
 #include "widgets/forms/quantity_field.h"
 #include "widgets/style/theme.h"
 
@@ -16,7 +15,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace handway::gui {
 namespace {
@@ -129,24 +127,17 @@ SectionTool::SectionTool(Workbench& workbench)
       action_->setChecked(false);
     }
   };
-  connect(&workbench_.document, &Document::opened, this,
-          [this, follow_scene](Document::Opened what) {
-            is_new_scene_ = what == Document::Opened::kScene;
-            action_->setChecked(false);
-            follow_scene();
-          });
-  connect(&workbench_, &Workbench::scene_shown, this, [this] {
-    if (std::exchange(is_new_scene_, false) && action_->isEnabled()) {
-      open_up();
-    }
+  connect(&workbench_.document, &Document::opened, this, [this, follow_scene] {
+    action_->setChecked(false);
+    follow_scene();
   });
+  connect(&workbench_, &Workbench::scene_shown, this, &SectionTool::open_up);
   connect(&workbench_.document, &Document::edited, this, follow_scene);
   follow_scene();
 }
 
 void SectionTool::open_up() {
-  const geometric::Scene& scene = *workbench_.document.scene();
-  if (const auto before = section_needed(scene, workbench_.view.camera())) {
+  if (const auto& before = workbench_.view.opening_section()) {
     action_->setChecked(true);
     cut(*before);
   }

@@ -70,7 +70,6 @@ class SectionTool : public QObject {
   Workbench& workbench_;
   QAction* action_;
   SectionCard* card_;
-  bool is_new_scene_ = false;
 };
 
 }  // namespace handway::gui

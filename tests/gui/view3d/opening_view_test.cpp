@@ -106,7 +106,7 @@ TEST_F(OpeningView, LooksAcrossTheTaskIfNothingIsInTheWay) {
   const geometric::Scene scene = scene_on_table();
   gui::OrbitCamera across;
   across.look_from(gui::StandardView::kOblique, gui::task_azimuth(scene));
-  const gui::OrbitCamera opened = gui::open_view(scene, {}, 1.5);
+  const gui::OrbitCamera opened = gui::open_view(scene, {}, 1.5).camera;
   EXPECT_DOUBLE_EQ(opened.placement().azimuth, across.placement().azimuth);
   EXPECT_DOUBLE_EQ(opened.placement().elevation, across.placement().elevation);
 }
@@ -136,14 +136,13 @@ TEST_F(OpeningView, IsIntoACageWithARoofThatASectionOpens) {
   for (int side = 0; side < 4; ++side) {
     cage.objects.push_back(wall(scene_on_table(), side, 1.2, 2.2));
   }
-  EXPECT_FALSE(gui::section_needed(cage, gui::open_view(cage, {}, 1.5))) << "one looks over them";
+  EXPECT_FALSE(gui::open_view(cage, {}, 1.5).section) << "one looks over them";
   geometric::SceneObject roof;
   roof.name = "roof";
   roof.shape = geometric::Box{{2.4, 2.4, 0.02}};
   roof.X_PO.translation().z() = gui::lowest_point(cage) + 2.2;
   cage.objects.push_back(roof);
-  const gui::OrbitCamera camera = gui::open_view(cage, {}, 4.0 / 3.0);
-  const auto before = gui::section_needed(cage, camera);
+  const auto [camera, before] = gui::open_view(cage, {}, 4.0 / 3.0);
   ASSERT_TRUE(before);
   const Eigen::Vector3d towards = camera.orientation().col(2);
   Eigen::Index axis = 0;
@@ -154,7 +153,7 @@ TEST_F(OpeningView, IsIntoACageWithARoofThatASectionOpens) {
   for (geometric::SceneObject& object : cage.objects) {
     object.color.alpha = 0.3F;
   }
-  EXPECT_FALSE(gui::section_needed(cage, gui::open_view(cage, {}, 1.5))) << "of glass";
+  EXPECT_FALSE(gui::open_view(cage, {}, 1.5).section) << "of glass";
 }
 
 TEST_F(OpeningView, IsPastAShelfBetween) {
