@@ -17,7 +17,7 @@ class ClickToPlan : public EditingTest {
   void grasp(const char* object) {
     select(object);
     part<QAction>("posture").trigger();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !tool<gui::GraspTool>().is_busy(); }, 30000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !tool<gui::GraspTool>().is_busy(); }, 120000));
   }
 };
 
