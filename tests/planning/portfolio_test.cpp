@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,7 +17,8 @@ namespace {
 constexpr std::uint64_t kNever = std::numeric_limits<std::uint64_t>::max();
 constexpr std::uint64_t kPlenty = 1'000'000'000;  // samples
 
-/// Draws a sample and counts ten checks a step; solves once it counted `enough`.
+/// Draws a sample and counts ten checks a step, each a node that hangs on the one before; solves
+/// once it counted `enough`.
 class Counting final : public Search {
  public:
   Counting(PlanningContext& context, std::uint64_t enough) : Search(context), enough_(enough) {}
@@ -26,7 +28,11 @@ class Counting final : public Search {
 
  protected:
   [[nodiscard]] std::optional<PlanStatus> step() override {
-    ++statistics().samples;
+    const int node = static_cast<int>(statistics().samples++);
+    context().observer().on_node({node, context().problem().start});
+    if (node > 0) {
+      context().observer().on_edge(node - 1, node);
+    }
     statistics().node_checks += 10;
     return statistics().node_checks >= enough_ ? std::optional(PlanStatus::kSolved) : std::nullopt;
   }
@@ -89,6 +95,33 @@ TEST_P(ARace, CountsOnlyWhatTheWinnerHadToWaitFor) {
   const Outcome both = run({member("first", 400), member("second", 20)});
   EXPECT_EQ(both.statistics.node_checks, alone.statistics.node_checks);
   EXPECT_EQ(both.statistics.samples, 40U);
+}
+
+/// What a race tells of nodes (search and number) and edges.
+struct Listener final : Observer {
+  void on_node(const NodeEvent& node) override { nodes.emplace_back(node.search, node.id); }
+  void on_edge(int from, int to) override { edges.emplace_back(from, to); }
+
+  std::vector<std::pair<int, int>> nodes;
+  std::vector<std::pair<int, int>> edges;
+};
+
+TEST_P(ARace, TellsEverythingOnceAndTheNodesOfItsMembersApart) {
+  Listener listener;
+  PlanningContext context(problem_, request_, stop_.get_token(), listener);
+  Portfolio portfolio(context, {member("slow", kNever), member("late", 20, 1)}, kPlenty);
+  ASSERT_EQ(portfolio.run(), PlanStatus::kSolved);
+  EXPECT_EQ(listener.nodes.size(), context.statistics().samples);
+  EXPECT_EQ(listener.edges.size(), listener.nodes.size() - 2);
+  std::set<int> numbers;
+  for (const auto& [search, number] : listener.nodes) {
+    EXPECT_EQ(number % 2, search);
+    EXPECT_TRUE(numbers.insert(number).second) << number;
+  }
+  for (const auto& [from, to] : listener.edges) {
+    EXPECT_EQ(to - from, 2) << "of the same search";
+    EXPECT_TRUE(numbers.contains(from) && numbers.contains(to));
+  }
 }
 
 TEST_P(ARace, EndsWhenTheSamplesAreSpent) {

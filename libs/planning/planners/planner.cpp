@@ -6,9 +6,11 @@
 #include "handway/geometric/robot/normalised_joints.h"
 #include "handway/planning/core/planning_context.h"
 #include "handway/planning/paths/path_optimizer.h"
+#include "handway/planning/roadmap/roadmap_recorder.h"
 #include "handway/sampling/postures/pmd_basis.h"
 #include "planners/built_in.h"
 
+#include <boost/pending/disjoint_sets.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <spdlog/spdlog.h>
@@ -24,6 +26,7 @@
 #include <exception>
 #include <filesystem>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -33,99 +36,60 @@
 namespace handway::planning {
 namespace {
 
-/// Watches how far searches come from both ends, for another observer to watch, too.
-///
-/// The first node of each search is taken for its start, the second for its goal.
-class ReachObserver final : public ForwardingObserver {
- public:
-  /// Both outlive this.
-  ReachObserver(const PlanningProblem& problem, Observer& next)
-      : ForwardingObserver(next), problem_(problem) {}
-
-  // Only searches announce nodes: start and goal have been found valid by then.
-  void on_node(const NodeEvent& node) override {
-    const auto normalised = [&](const geometric::Configuration& q) {
-      return geometric::normalised(problem_.model(), q);
+// How far searches came from both ends, of several the farthest; nothing if none has both ends. The
+// first node of a search is taken for its start, the second for its goal.
+std::optional<SearchReach> reach_of(const PlanningProblem& problem,
+                                    const RecordedRoadmap& roadmap) {
+  const auto at = [&](int node) -> const RecordedRoadmap::Node& {
+    return roadmap.nodes[static_cast<std::size_t>(node)];
+  };
+  std::vector<int> ranks(roadmap.nodes.size());
+  std::vector<int> parents(roadmap.nodes.size());
+  boost::disjoint_sets components(ranks.data(), parents.data());
+  std::map<int, std::vector<int>> searches;
+  for (int node = 0; node < static_cast<int>(roadmap.nodes.size()); ++node) {
+    components.make_set(node);
+    searches[at(node).search].push_back(node);
+  }
+  for (const auto& [from, to] : roadmap.edges) {
+    components.union_set(from, to);
+  }
+  std::vector<int> from_start;  // nodes that are connected to the start of their search
+  std::vector<int> from_goal;
+  SearchReach reach{.nodes = roadmap.nodes.size()};
+  for (const auto& search : searches) {
+    const std::vector<int>& nodes = search.second;
+    if (nodes.size() < 2) {
+      continue;
+    }
+    const auto add_connected = [&](int end, std::vector<int>& list) {
+      const std::size_t before = list.size();
+      std::ranges::copy_if(nodes, std::back_inserter(list), [&](int node) {
+        return components.find_set(node) == components.find_set(end);
+      });
+      return list.size() - before;
     };
-    const Eigen::VectorXd start = normalised(problem_.start);
-    const Eigen::VectorXd motion = normalised(problem_.goal) - start;
-    const double progress = std::clamp(
-        (normalised(node.q) - start).dot(motion) / std::max(motion.squaredNorm(), 1e-12), 0.0, 1.0);
-    const Place place{progress, std::make_shared<const geometric::Configuration>(node.q)};
-    components_.insert_or_assign(node.id, Component{node.id, place, place});
-    if (std::vector<int>& ends = ends_[node.search]; ends.size() < 2) {
-      ends.push_back(node.id);
-    }
-    ForwardingObserver::on_node(node);
+    reach.start_nodes = std::max(reach.start_nodes, add_connected(nodes[0], from_start));
+    reach.goal_nodes = std::max(reach.goal_nodes, add_connected(nodes[1], from_goal));
   }
-
-  void on_edge(int from, int to) override {
-    if (components_.contains(from) && components_.contains(to)) {
-      const int a = root(from);
-      const int b = root(to);
-      if (a != b) {
-        Component& whole = components_.at(a);
-        Component& part = components_.at(b);
-        whole.first = std::min(whole.first, part.first);
-        whole.last = std::max(whole.last, part.last);
-        whole.nodes += part.nodes;
-        part = {a, {}, {}};
-      }
-    }
-    ForwardingObserver::on_edge(from, to);
+  if (from_start.empty()) {
+    return std::nullopt;
   }
-
-  /// Of all searches together, the farthest; nothing if no search has both ends.
-  [[nodiscard]] std::optional<SearchReach> reach() const {
-    Place from_start{-1.0, nullptr};
-    Place from_goal{2.0, nullptr};
-    SearchReach reach;
-    for (const auto& [search, ends] : ends_) {
-      if (ends.size() == 2) {
-        const Component& start = components_.at(root(ends[0]));
-        const Component& goal = components_.at(root(ends[1]));
-        from_start = std::max(from_start, start.last);
-        from_goal = std::min(from_goal, goal.first);
-        reach.start_nodes = std::max(reach.start_nodes, start.nodes);
-        reach.goal_nodes = std::max(reach.goal_nodes, goal.nodes);
-      }
-    }
-    if (!from_start.q) {
-      return std::nullopt;
-    }
-    return SearchReach{from_start.progress, from_goal.progress, reach.start_nodes, reach.goal_nodes,
-                       components_.size(),  *from_start.q,      *from_goal.q};
-  }
-
- private:
-  struct Place {
-    double progress;  ///< Along the straight motion.
-    std::shared_ptr<const geometric::Configuration> q;
-
-    friend bool operator<(const Place& a, const Place& b) { return a.progress < b.progress; }
+  const Eigen::VectorXd start = geometric::normalised(problem.model(), problem.start);
+  const Eigen::VectorXd motion = geometric::normalised(problem.model(), problem.goal) - start;
+  const auto progress = [&](int node) {
+    const Eigen::VectorXd joints = geometric::normalised(problem.model(), at(node).q);
+    return std::clamp((joints - start).dot(motion) / std::max(motion.squaredNorm(), 1e-12), 0.0,
+                      1.0);
   };
-  /// Connected nodes; of a component whose root is another's child only `parent` counts.
-  struct Component {
-    int parent;
-    Place first;  ///< The nearest to the start.
-    Place last;   ///< The farthest from it.
-    std::uint64_t nodes = 1;
-  };
-
-  [[nodiscard]] int root(int node) const {
-    int up = node;
-    while (components_.at(up).parent != up) {
-      Component& here = components_.at(up);
-      here.parent = components_.at(here.parent).parent;  // halves the path
-      up = here.parent;
-    }
-    return up;
-  }
-
-  const PlanningProblem& problem_;
-  mutable std::map<int, Component> components_;  ///< By node.
-  std::map<int, std::vector<int>> ends_;         ///< By search: start, goal.
-};
+  const int last = *std::ranges::max_element(from_start, {}, progress);
+  const int first = *std::ranges::min_element(from_goal, {}, progress);
+  reach.from_start = progress(last);
+  reach.from_goal = progress(first);
+  reach.farthest_from_start = at(last).q;
+  reach.farthest_from_goal = at(first).q;
+  return reach;
+}
 
 // Why no motion leads from the start to the goal; empty if that is not known. What is inside of a
 // closed surface comes out of it through the surface only.
@@ -358,15 +322,13 @@ PlanResult Planner::plan(const PlanningProblem& problem, const PlanRequest& requ
     result.reason = std::move(fault);
     return result;
   }
-  Observer silent;
-  Observer& watcher = observer ? *observer : silent;
   const std::stop_token end = std::move(stop);
-  return problem.goals.empty() ? plan_to_goal(problem, request, end, watcher)
-                               : plan_to_any(problem, request, end, watcher);
+  return problem.goals.empty() ? plan_to_goal(problem, request, end, observer)
+                               : plan_to_any(problem, request, end, observer);
 }
 
 PlanResult Planner::plan_to_any(const PlanningProblem& problem, const PlanRequest& request,
-                                const std::stop_token& stop, Observer& observer) {
+                                const std::stop_token& stop, Observer* observer) {
   constexpr double kFirstLimit = 1.0;  // s
   const auto begin = std::chrono::steady_clock::now();
   const auto spent = [&] {
@@ -418,9 +380,9 @@ PlanResult Planner::plan_to_any(const PlanningProblem& problem, const PlanReques
 }
 
 PlanResult Planner::plan_to_goal(const PlanningProblem& problem, const PlanRequest& request,
-                                 const std::stop_token& stop, Observer& observer) {
-  ReachObserver watching(problem, observer);
-  PlanningContext context(problem, request, stop, watching);
+                                 const std::stop_token& stop, Observer* observer) {
+  RoadmapRecorder recorder(std::numeric_limits<std::size_t>::max(), observer);
+  PlanningContext context(problem, request, stop, recorder);
   context.set_sampler(static_cast<sampling::SamplerKind>(sampler_));
   PlanResult result;
   if (const std::string start = context.validator().objection(0); !start.empty()) {
@@ -443,7 +405,7 @@ PlanResult Planner::plan_to_goal(const PlanningProblem& problem, const PlanReque
       require_ends(problem, result.path, name());
       optimize(context, result);
     } else {
-      result.reach = watching.reach();
+      result.reach = reach_of(problem, recorder.roadmap());
     }
     if (result.reason.empty()) {
       result.reason = reason_of(result, context);

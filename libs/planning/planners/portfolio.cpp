@@ -1,8 +1,11 @@
 #include "planners/portfolio.h"
 
 #include "core/thread_pool.h"
+#include "handway/planning/roadmap/roadmap_recorder.h"
 
 #include <algorithm>
+#include <iterator>
+#include <limits>
 #include <stop_token>
 #include <utility>
 
@@ -15,31 +18,28 @@ constexpr int kLongestRounds = 12;           // from this round on they grow no 
 
 }  // namespace
 
-// The configuration that `node` refers to is gone by then.
-void EventLog::on_node(const NodeEvent& node) {
-  events_.emplace_back([node, q = node.q](Observer& observer, int offset, int stride) {
-    observer.on_node({stride * node.id + offset, q, node.pmd_count, node.step, node.rho_a, offset});
-  });
-}
-
-void EventLog::on_edge(int from, int to) {
-  events_.emplace_back([from, to](Observer& observer, int offset, int stride) {
-    observer.on_edge(stride * from + offset, stride * to + offset);
-  });
-}
-
-void EventLog::replay(Observer& observer, int offset, int stride) {
-  for (const auto& event : events_) {
-    event(observer, offset, stride);
-  }
-  events_.clear();
-}
-
 /// A member and what it has done.
 struct Portfolio::Run {
+  /// Tells `observer` what was found since the last time. Node n gets the number `stride` * n +
+  /// `index`, so that several searches' nodes differ.
+  void publish(Observer& observer, int stride) {
+    const RecordedRoadmap& all = found.roadmap();
+    for (; nodes_published < std::ssize(all.nodes); ++nodes_published) {
+      const auto& node = all.nodes[static_cast<std::size_t>(nodes_published)];
+      observer.on_node(
+          {stride * nodes_published + index, node.q, node.pmd_count, node.step, node.rho_a, index});
+    }
+    for (; edges_published < all.edges.size(); ++edges_published) {
+      const auto& [from, to] = all.edges[edges_published];
+      observer.on_edge(stride * from + index, stride * to + index);
+    }
+  }
+
   PortfolioMember member;
   int index = 0;
-  EventLog events;
+  RoadmapRecorder found{std::numeric_limits<std::size_t>::max()};
+  int nodes_published = 0;
+  std::size_t edges_published = 0;
   std::unique_ptr<PlanningContext> context;  ///< Null: it has not started.
   std::unique_ptr<Search> search;
   std::stop_source beaten;
@@ -113,7 +113,7 @@ void Portfolio::advance(const std::vector<Run*>& runs, const SearchBudget& budge
     if (!run->context) {
       const PlanningProblem& problem =
           run->member.problem ? *run->member.problem : context_.problem();
-      run->context = context_.make_child(problem, run->events, run->beaten.get_token());
+      run->context = context_.make_child(problem, run->found, run->beaten.get_token());
     }
   }
   const int count = static_cast<int>(runs.size());
@@ -140,7 +140,7 @@ void Portfolio::publish(const std::vector<Run*>& runs) {
   const int count = static_cast<int>(runs_.size());
   for (Run* run : runs) {
     run->counted = run->context->statistics();
-    run->events.replay(context_.observer(), run->index, count);
+    run->publish(context_.observer(), count);
   }
   PlanStatistics& sum = context_.statistics();
   sum = before_;

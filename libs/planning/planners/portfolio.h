@@ -1,6 +1,5 @@
 #pragma once
 
-#include "handway/planning/core/observer.h"
 #include "handway/planning/core/planning_context.h"
 #include "planners/search.h"
 
@@ -12,21 +11,6 @@
 #include <vector>
 
 namespace handway::planning {
-
-/// Keeps the events of a search, to replay them later.
-class EventLog final : public Observer {
- public:
-  void on_node(const NodeEvent& node) override;
-  void on_edge(int from, int to) override;
-
-  /// Tells `observer` what came since the last time. Node n gets the number
-  /// `stride` * n + `offset`, so that several searches' nodes differ, and is said to be of
-  /// search `offset`.
-  void replay(Observer& observer, int offset, int stride);
-
- private:
-  std::vector<std::function<void(Observer&, int offset, int stride)>> events_;
-};
 
 /// A search that takes part in a Portfolio; NodeEvent::search is its place in the list.
 struct PortfolioMember {

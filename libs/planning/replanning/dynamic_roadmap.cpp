@@ -2,9 +2,9 @@
 
 #include "handway/geometric/robot/normalised_joints.h"
 #include "handway/geometric/scene/scene_difference.h"
-#include "handway/planning/core/observer.h"
 #include "handway/planning/core/planning_context.h"
 #include "handway/planning/paths/path_optimizer.h"
+#include "handway/planning/roadmap/roadmap_recorder.h"
 #include "planners/built_in.h"
 #include "planners/rrt_connect.h"
 #include "roadmap/roadmap.h"
@@ -134,22 +134,13 @@ class RoadmapGraph : public Roadmap<ValidityState> {
   std::shared_ptr<const geometric::RobotModel> model_;
 };
 
-/// What a DynamicRoadmap keeps from one query to the next.
-struct RoadmapMemory {
-  int max_nodes;  ///< When there are more, all but those of the last path are forgotten.
-  std::unique_ptr<RoadmapGraph> graph;
-  SceneChanges changes = {};
-  Path last_path = {};                        ///< Empty: none was found yet.
-  ReplanSource source = ReplanSource::kNone;  ///< Of the path of the last query.
-};
-
 /// Finds out whether paths over a roadmap are free, asking no more than what is not known, and
 /// remembers the answers.
 class LazyPathValidator {
  public:
-  /// Both must outlive this object.
-  LazyPathValidator(PlanningContext& context, RoadmapMemory& memory)
-      : context_(context), memory_(memory) {}
+  /// All must outlive this object.
+  LazyPathValidator(PlanningContext& context, RoadmapGraph& graph, const SceneChanges& changes)
+      : context_(context), graph_(graph), changes_(changes) {}
 
   /// The shortest free path. @param checks gives up once so many configurations are spent.
   /// @returns nodes from `from` to `to`; nothing if there is none, or when interrupted.
@@ -158,7 +149,7 @@ class LazyPathValidator {
                                                               std::uint64_t checks) {
     const std::uint64_t before = context_.statistics().checks();
     while (!context_.interruption() && context_.statistics().checks() - before < checks) {
-      std::vector<int> path = memory_.graph->shortest_path(from, to, edges, memory_.changes);
+      std::vector<int> path = graph_.shortest_path(from, to, edges, changes_);
       if (path.empty()) {
         return std::nullopt;
       }
@@ -170,10 +161,10 @@ class LazyPathValidator {
   }
 
   [[nodiscard]] bool node_free(int node) {
-    ValidityState& validity = memory_.graph->node(node);
+    ValidityState& validity = graph_.node(node);
     return settle(validity, [&](const std::vector<int>& pairs) {
       const std::optional<int> touching =
-          context_.validator().collision_among(pairs, memory_.graph->configuration(node));
+          context_.validator().collision_among(pairs, graph_.configuration(node));
       if (touching) {
         refuse(validity, *touching);
       }
@@ -183,10 +174,10 @@ class LazyPathValidator {
 
   /// Of the edge between two nodes, added if need be. @pre both are free.
   [[nodiscard]] bool edge_free(int a, int b) {
-    ValidityState& validity = memory_.graph->edge(a, b);
+    ValidityState& validity = graph_.edge(a, b);
     return settle(validity, [&](const std::vector<int>& pairs) {
       const geometric::EdgeResult result =
-          context_.validator().edge_among(pairs, memory_.graph->configuration(a), end_of(a, b));
+          context_.validator().edge_among(pairs, graph_.configuration(a), end_of(a, b));
       if (!result.free && result.pair) {  // without a pair it was interrupted: nothing is settled
         refuse(validity, *result.pair);
         obstructions_[{a, b}] = result.at;
@@ -221,13 +212,13 @@ class LazyPathValidator {
 
   // Edges never checked are sampled before any is checked exactly.
   bool plausible(int a, int b) {
-    ValidityState& validity = memory_.graph->edge(a, b);
+    ValidityState& validity = graph_.edge(a, b);
     if (validity.was_free()) {
       return true;
     }
-    const int probes = static_cast<int>(memory_.graph->distance(a, b) / kProbeSpacing);
+    const int probes = static_cast<int>(graph_.distance(a, b) / kProbeSpacing);
     const std::optional<int> touching =
-        context_.validator().edge_probe(memory_.graph->configuration(a), end_of(a, b), probes);
+        context_.validator().edge_probe(graph_.configuration(a), end_of(a, b), probes);
     if (touching) {
       refuse(validity, *touching);
     }
@@ -237,20 +228,20 @@ class LazyPathValidator {
   // Whether a node or an edge is free, by what is known and `check` of the pairs that are not.
   template <typename Check>
   bool settle(ValidityState& validity, const Check& check) {
-    if (validity.is_refused(memory_.changes)) {
+    if (validity.is_refused(changes_)) {
       return false;
     }
     if (const std::vector<int> pairs = unknown_pairs(validity); !pairs.empty() && !check(pairs)) {
       return false;
     }
-    validity.set_free(memory_.changes.revision());
+    validity.set_free(changes_.revision());
     return true;
   }
 
   [[nodiscard]] std::vector<int> unknown_pairs(const ValidityState& validity) const {
     const geometric::CollisionWorld& world = context_.problem().checker->world();
     if (validity.was_free()) {
-      return memory_.changes.pairs_changed_since(validity.free_at, world);
+      return changes_.pairs_changed_since(validity.free_at, world);
     }
     std::vector<int> all(static_cast<std::size_t>(world.check_count()));
     std::iota(all.begin(), all.end(), 0);
@@ -259,7 +250,7 @@ class LazyPathValidator {
 
   // What it was known to be free of stays known.
   void refuse(ValidityState& validity, int pair) const {
-    validity.refused_at = memory_.changes.revision();
+    validity.refused_at = changes_.revision();
     validity.refused_by.clear();
     const geometric::CollisionWorld& world = context_.problem().checker->world();
     if (!world.constraint(pair)) {
@@ -272,58 +263,24 @@ class LazyPathValidator {
 
   // Of the motion from node `a` to `b`.
   [[nodiscard]] Configuration end_of(int a, int b) const {
-    return context_.problem().model().nearest_equivalent(memory_.graph->configuration(a),
-                                                         memory_.graph->configuration(b));
+    return context_.problem().model().nearest_equivalent(graph_.configuration(a),
+                                                         graph_.configuration(b));
   }
 
   PlanningContext& context_;
-  RoadmapMemory& memory_;
+  RoadmapGraph& graph_;
+  const SceneChanges& changes_;
   std::map<std::pair<int, int>, double> obstructions_;
 };
 
-/// Keeps the nodes and edges that searches notify it of, and passes on to another observer
-/// what it observes, with numbers that differ from search to search.
-class ObserverAdapter final : public ForwardingObserver {
+/// Records what several searches find, one after the other.
+class SearchRecorder final : public RoadmapRecorder {
  public:
-  using ForwardingObserver::ForwardingObserver;
+  explicit SearchRecorder(Observer* next)
+      : RoadmapRecorder(std::numeric_limits<std::size_t>::max(), next) {}
 
-  /// Events from now on are of another search, whose numbers start again.
-  void begin_search() { numbers_.clear(); }
-
-  /// Adds what was observed to the roadmap, as nodes and edges of which nothing is certain.
-  void add_to(RoadmapMemory& memory) const {
-    std::vector<int> numbers(nodes_.size(), -1);
-    for (std::size_t i = 0; i < nodes_.size() && memory.graph->node_count() < memory.max_nodes;
-         ++i) {
-      numbers[i] = memory.graph->node_at(nodes_[i]);
-    }
-    for (const auto& [from, to] : edges_) {
-      const int a = numbers[static_cast<std::size_t>(from)];
-      const int b = numbers[static_cast<std::size_t>(to)];
-      if (a >= 0 && b >= 0 && a != b) {
-        memory.graph->edge(a, b);
-      }
-    }
-  }
-
-  void on_node(const NodeEvent& node) override {
-    const int number = static_cast<int>(nodes_.size());
-    numbers_[node.id] = number;
-    nodes_.push_back(node.q);
-    ForwardingObserver::on_node(
-        {number, node.q, node.pmd_count, node.step, node.rho_a, node.search});
-  }
-  void on_edge(int from, int to) override {
-    edges_.emplace_back(numbers_.at(from), numbers_.at(to));
-    ForwardingObserver::on_edge(edges_.back().first, edges_.back().second);
-  }
   // Its numbers are other ones.
   [[nodiscard]] AlgorithmObserver* algorithm() override { return nullptr; }
-
- private:
-  std::map<int, int> numbers_;  ///< Of this search's nodes, among all.
-  std::vector<Configuration> nodes_;
-  std::vector<std::pair<int, int>> edges_;
 };
 
 // The farthest that is safely reached from `from` towards `to` before `obstruction`, in [0, 1].
@@ -338,12 +295,16 @@ Configuration before_obstruction(PlanningContext& context, const Configuration& 
   return !context.validator().collision(q) && context.validator().edge_free(from, q) ? q : from;
 }
 
-class Replanner final : public Planner {
- public:
-  /// All must outlive this object. @param adapter the observer that plan() is given.
-  Replanner(RoadmapMemory& memory, Planner& planner, ObserverAdapter& adapter)
-      : memory_(memory), planner_(planner), adapter_(adapter) {
-    objective() = planner.objective();
+}  // namespace
+
+/// Plans with what the queries before have left.
+struct DynamicRoadmap::Replanner final : public Planner {
+  Replanner(PlanningProblem first, std::unique_ptr<Planner> from_scratch, int most_nodes)
+      : problem(std::move(first)),
+        planner(from_scratch ? std::move(from_scratch) : make_auto_planner()),
+        max_nodes(most_nodes),
+        graph(std::make_unique<RoadmapGraph>(problem.scene->robots.front().model)) {
+    objective() = planner->objective();
   }
 
   [[nodiscard]] std::string name() const override { return "dynamic-roadmap"; }
@@ -351,58 +312,62 @@ class Replanner final : public Planner {
     return "Roadmap that is kept while the scene changes";
   }
   [[nodiscard]] PlannerCapabilities capabilities() const override {
-    return planner_.capabilities();
+    return planner->capabilities();
+  }
+  [[nodiscard]] std::vector<BoundParameter> own_parameters() override { return {}; }
+
+  // Several changes between two queries make one checker.
+  void update() {
+    if (changed) {
+      problem = updated_problem(problem, std::exchange(changed, nullptr), problem.basis);
+    }
   }
 
- protected:
   void do_plan(PlanningContext& context, PlanResult& result) override {
-    LazyPathValidator validator(context, memory_);
-    std::optional<Path> path = known_path(context, validator);
-    if (!path && !memory_.last_path.empty()) {
+    LazyPathValidator validator(context, *graph, changes);
+    std::optional<Path> path = known_path(validator);
+    if (!path && !last_path.empty()) {
       path = repaired_path(context, validator);
     }
     if (path) {
       result.status = PlanStatus::kSolved;
-      if (memory_.source != ReplanSource::kLastPath) {
-        smooth_result(context, planner_.objective(), kSmoothingChecks, *path, result);
+      if (source != ReplanSource::kLastPath) {
+        smooth_result(context, objective(), kSmoothingChecks, *path, result);
       } else {
         result.path = std::move(*path);
       }
-      const char* source = memory_.source == ReplanSource::kLastPath ? "The last path is still free"
-                           : memory_.source == ReplanSource::kRoadmap
-                               ? "Found a path in the roadmap"
-                               : "Led the last path around what cuts it";
-      result.reason = fmt::format("{}: {} waypoints.", source, result.path.waypoints.size());
+      const char* found = source == ReplanSource::kLastPath ? "The last path is still free"
+                          : source == ReplanSource::kRoadmap
+                              ? "Found a path in the roadmap"
+                              : "Led the last path around what cuts it";
+      result.reason = fmt::format("{}: {} waypoints.", found, result.path.waypoints.size());
     } else if (const std::optional<PlanStatus> interruption = context.interruption()) {
       result.status = *interruption;
     } else {
-      adapter_.begin_search();
-      planner_.plan_within(context, result);
-      memory_.source = result.solved() ? ReplanSource::kPlanner : ReplanSource::kNone;
+      planner->plan_within(context, result);
+      source = result.solved() ? ReplanSource::kPlanner : ReplanSource::kNone;
     }
-    adapter_.add_to(memory_);
+    learn(recorder->roadmap());
     if (result.solved()) {
-      remember(context.problem(), result.path);
+      remember(result.path);
     }
-    context.statistics().nodes = static_cast<std::uint64_t>(memory_.graph->node_count());
-    context.statistics().edges = static_cast<std::uint64_t>(memory_.graph->edge_count());
+    context.statistics().nodes = static_cast<std::uint64_t>(graph->node_count());
+    context.statistics().edges = static_cast<std::uint64_t>(graph->edge_count());
   }
-  [[nodiscard]] std::vector<BoundParameter> own_parameters() override { return {}; }
 
- private:
   // From the roadmap as it is.
-  std::optional<Path> known_path(PlanningContext& context, LazyPathValidator& validator) {
+  std::optional<Path> known_path(LazyPathValidator& validator) {
     constexpr std::uint64_t kUnlimited = std::numeric_limits<std::uint64_t>::max();
-    const int start = memory_.graph->node_at(context.problem().start);
-    const int goal = memory_.graph->node_at(context.problem().goal);
-    memory_.graph->node(start).set_free(memory_.changes.revision());  // plan() has checked them
-    memory_.graph->node(goal).set_free(memory_.changes.revision());
+    const int start = graph->node_at(problem.start);
+    const int goal = graph->node_at(problem.goal);
+    graph->node(start).set_free(changes.revision());  // plan() has checked them
+    graph->node(goal).set_free(changes.revision());
     for (const auto& [edges, checks] : {std::pair(RoadmapGraph::Edges::kOnceFree, kUnlimited),
                                         std::pair(RoadmapGraph::Edges::kAny, kRoadmapChecks)}) {
       if (const auto nodes = validator.shortest_path(start, goal, edges, checks)) {
-        Path path = along(context.problem(), *nodes);
-        memory_.source = path.waypoints == memory_.last_path.waypoints ? ReplanSource::kLastPath
-                                                                       : ReplanSource::kRoadmap;
+        Path path = along(*nodes);
+        source = path.waypoints == last_path.waypoints ? ReplanSource::kLastPath
+                                                       : ReplanSource::kRoadmap;
         return path;
       }
     }
@@ -411,12 +376,12 @@ class Replanner final : public Planner {
 
   // The last path with a detour for each of its stretches that are not free.
   std::optional<Path> repaired_path(PlanningContext& context, LazyPathValidator& validator) {
-    const std::vector<int> nodes = free_waypoints(context.problem(), validator);
+    const std::vector<int> nodes = free_waypoints(validator);
     std::vector<bool> edge_free;
     for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
       edge_free.push_back(validator.edge_free(nodes[i], nodes[i + 1]));
     }
-    const std::vector<Configuration> waypoints = along(context.problem(), nodes).waypoints;
+    const std::vector<Configuration> waypoints = along(nodes).waypoints;
     Path path{{waypoints.front()}};
     const auto append = [&path](const Configuration& q) {
       if (q != path.waypoints.back()) {
@@ -443,17 +408,17 @@ class Replanner final : public Planner {
       std::ranges::for_each(around->waypoints, append);
       append(waypoints[end]);
     }
-    memory_.source = ReplanSource::kRepair;
+    source = ReplanSource::kRepair;
     return path;
   }
 
   // Start, what is free of the last path's inner waypoints, goal.
-  std::vector<int> free_waypoints(const PlanningProblem& problem, LazyPathValidator& validator) {
-    const int start = memory_.graph->node_at(problem.start);
-    const int goal = memory_.graph->node_at(problem.goal);
+  std::vector<int> free_waypoints(LazyPathValidator& validator) {
+    const int start = graph->node_at(problem.start);
+    const int goal = graph->node_at(problem.goal);
     std::vector<int> nodes{start};
-    for (const Configuration& q : memory_.last_path.waypoints) {
-      const int node = memory_.graph->node_at(q);
+    for (const Configuration& q : last_path.waypoints) {
+      const int node = graph->node_at(q);
       if (node != start && node != goal && validator.node_free(node)) {
         nodes.push_back(node);
       }
@@ -470,11 +435,10 @@ class Replanner final : public Planner {
     if (from == to) {
       return Path{{from}};
     }
-    PlanningProblem part = context.problem();
+    PlanningProblem part = problem;
     part.start = from;
     part.goal = to;
-    adapter_.begin_search();
-    const std::unique_ptr<PlanningContext> own = context.make_child(part, adapter_, {});
+    const std::unique_ptr<PlanningContext> own = context.make_child(part, *recorder, {});
     RrtConnectSettings settings;
     settings.max_samples = std::numeric_limits<int>::max();
     BidirectionalSearch search(*own, settings,
@@ -487,96 +451,97 @@ class Replanner final : public Planner {
     return found ? std::optional(search.path()) : std::nullopt;
   }
 
-  [[nodiscard]] Path along(const PlanningProblem& problem, const std::vector<int>& nodes) const {
+  [[nodiscard]] Path along(const std::vector<int>& nodes) const {
     Path path;
     for (const int node : nodes) {
-      path.waypoints.push_back(memory_.graph->configuration(node));
+      path.waypoints.push_back(graph->configuration(node));
     }
     path.waypoints.front() = problem.start;  // to the bit, whatever turn its node is at
     return {problem.model().unwrapped(std::move(path.waypoints), problem.start)};
   }
 
   // Keeps a path whose edges are free in this revision, and forgets the rest if it is too much.
-  void remember(const PlanningProblem& problem, const Path& path) {
-    if (memory_.graph->node_count() > memory_.max_nodes) {
-      memory_.graph = std::make_unique<RoadmapGraph>(problem.scene->robots.front().model);
+  void remember(const Path& path) {
+    if (graph->node_count() > max_nodes) {
+      graph = std::make_unique<RoadmapGraph>(problem.scene->robots.front().model);
     }
-    memory_.last_path = {problem.model().in_half_turns(path.waypoints)};
+    last_path = {problem.model().in_half_turns(path.waypoints)};
     int before = -1;
-    for (const Configuration& q : memory_.last_path.waypoints) {
-      const int node = memory_.graph->node_at(q);
-      memory_.graph->node(node).set_free(memory_.changes.revision());
+    for (const Configuration& q : last_path.waypoints) {
+      const int node = graph->node_at(q);
+      graph->node(node).set_free(changes.revision());
       if (before >= 0 && before != node) {
-        memory_.graph->edge(before, node).set_free(memory_.changes.revision());
+        graph->edge(before, node).set_free(changes.revision());
       }
       before = node;
     }
   }
 
-  RoadmapMemory& memory_;
-  Planner& planner_;
-  ObserverAdapter& adapter_;
-};
-
-}  // namespace
-
-struct DynamicRoadmap::State {
-  // Several changes between two queries make one checker.
-  void update() {
-    if (changed) {
-      problem = updated_problem(problem, std::exchange(changed, nullptr), problem.basis);
+  /// Adds what searches found to the roadmap, as nodes and edges of which nothing is certain.
+  void learn(const RecordedRoadmap& found) {
+    std::vector<int> numbers(found.nodes.size(), -1);
+    for (std::size_t i = 0; i < numbers.size() && graph->node_count() < max_nodes; ++i) {
+      numbers[i] = graph->node_at(found.nodes[i].q);
+    }
+    for (const auto& [from, to] : found.edges) {
+      const int a = numbers[static_cast<std::size_t>(from)];
+      const int b = numbers[static_cast<std::size_t>(to)];
+      if (a >= 0 && b >= 0 && a != b) {
+        graph->edge(a, b);
+      }
     }
   }
 
   PlanningProblem problem;
-  std::unique_ptr<Planner> planner;
-  RoadmapMemory memory;
+  std::unique_ptr<Planner> planner;  ///< Of the first path, and where repair fails.
+  int max_nodes;  ///< When there are more, all but those of the last path are forgotten.
+  std::unique_ptr<RoadmapGraph> graph;
+  SceneChanges changes;
+  Path last_path;                                             ///< Empty: none was found yet.
+  ReplanSource source = ReplanSource::kNone;                  ///< Of the path of the last query.
   std::shared_ptr<const geometric::Scene> changed = nullptr;  ///< That the problem is not of yet.
+  SearchRecorder* recorder = nullptr;                         ///< Of the query that is answered.
 };
 
 DynamicRoadmap::DynamicRoadmap(PlanningProblem problem, std::unique_ptr<Planner> planner,
-                               int max_nodes) {
-  auto graph = std::make_unique<RoadmapGraph>(problem.scene->robots.front().model);
-  planner = planner ? std::move(planner) : make_auto_planner();
-  state_.reset(new State{std::move(problem), std::move(planner),
-                         RoadmapMemory{max_nodes, std::move(graph)}});
-}
+                               int max_nodes)
+    : replanner_(std::make_unique<Replanner>(std::move(problem), std::move(planner), max_nodes)) {}
 DynamicRoadmap::~DynamicRoadmap() = default;
 
 const PlanningProblem& DynamicRoadmap::problem() {
-  state_->update();
-  return state_->problem;
+  replanner_->update();
+  return replanner_->problem;
 }
 
-ReplanSource DynamicRoadmap::source() const { return state_->memory.source; }
+ReplanSource DynamicRoadmap::source() const { return replanner_->source; }
 
 bool DynamicRoadmap::follow(const geometric::Scene& scene) {
-  const geometric::Scene& before = state_->changed ? *state_->changed : *state_->problem.scene;
+  const geometric::Scene& before =
+      replanner_->changed ? *replanner_->changed : *replanner_->problem.scene;
   const auto difference = geometric::scene_difference(before, scene);
   if (!difference || difference->other_constraints || difference->other_group || !scene.goal ||
       !scene.goal_poses.empty()) {
     return false;
   }
   for (const geometric::ObjectChange& change : difference->changes) {
-    state_->memory.changes.note(change.object.name);
+    replanner_->changes.note(change.object.name);
   }
-  state_->changed = std::make_shared<const geometric::Scene>(scene);
+  replanner_->changed = std::make_shared<const geometric::Scene>(scene);
   return true;
 }
 
 PlanResult DynamicRoadmap::plan(const PlanRequest& request, std::stop_token stop,
                                 Observer* observer) {
-  state_->update();
+  const PlanningProblem& now = problem();
   // A roadmap is kept between two ends, not several, and for what moves.
-  if (state_->problem.has_pose_goals() || !group_fault(state_->problem).empty()) {
-    state_->memory.source = ReplanSource::kPlanner;
-    return state_->planner->plan(state_->problem, request, std::move(stop), observer);
+  if (now.has_pose_goals() || !group_fault(now).empty()) {
+    replanner_->source = ReplanSource::kPlanner;
+    return replanner_->planner->plan(now, request, std::move(stop), observer);
   }
-  Observer silent;
-  state_->memory.source = ReplanSource::kNone;
-  ObserverAdapter adapter(observer ? *observer : silent);
-  return Replanner(state_->memory, *state_->planner, adapter)
-      .plan(state_->problem, request, std::move(stop), &adapter);
+  replanner_->source = ReplanSource::kNone;
+  SearchRecorder recorder(observer);
+  replanner_->recorder = &recorder;
+  return replanner_->plan(now, request, std::move(stop), &recorder);
 }
 
 const char* to_string(ReplanSource source) {

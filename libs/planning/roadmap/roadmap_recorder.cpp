@@ -1,6 +1,17 @@
 #include "handway/planning/roadmap/roadmap_recorder.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace handway::planning {
+namespace {
+
+Observer& nobody() {
+  static Observer observer;
+  return observer;
+}
+
+}  // namespace
 
 RecordedRoadmap RecordedRoadmap::of_winner() const {
   if (!winner) {
@@ -26,21 +37,41 @@ RecordedRoadmap RecordedRoadmap::of_winner() const {
   return result;
 }
 
+RoadmapRecorder::RoadmapRecorder(std::size_t most_nodes, Observer* next)
+    : most_nodes_(most_nodes), next_(next ? *next : nobody()) {}
+
 void RoadmapRecorder::on_node(const NodeEvent& node) {
-  if (roadmap_.nodes.size() >= most_nodes_) {
+  NodeEvent placed = node;
+  placed.id = static_cast<int>(roadmap_.nodes.size() + roadmap_.left_out);
+  places_[node.id] = placed.id;
+  if (roadmap_.nodes.size() < most_nodes_) {
+    roadmap_.nodes.push_back({node.q, node.pmd_count, node.step, node.rho_a, node.search});
+  } else {
     ++roadmap_.left_out;
-    return;
   }
-  index_[node.id] = static_cast<int>(roadmap_.nodes.size());
-  roadmap_.nodes.push_back({node.q, node.pmd_count, node.rho_a, node.search});
+  next_.on_node(placed);
 }
 
 void RoadmapRecorder::on_edge(int from, int to) {
-  const auto a = index_.find(from);
-  const auto b = index_.find(to);
-  if (a != index_.end() && b != index_.end()) {
+  const auto a = places_.find(from);
+  const auto b = places_.find(to);
+  if (a == places_.end() || b == places_.end()) {
+    return;
+  }
+  if (std::cmp_less(std::max(a->second, b->second), roadmap_.nodes.size())) {
     roadmap_.edges.emplace_back(a->second, b->second);
   }
+  next_.on_edge(a->second, b->second);
+}
+
+void RoadmapRecorder::on_winner(int search) {
+  roadmap_.winner = search;
+  next_.on_winner(search);
+}
+
+void RoadmapRecorder::on_search_range(double d_ini, double d_goal) {
+  roadmap_.search_range = {d_ini, d_goal};
+  next_.on_search_range(d_ini, d_goal);
 }
 
 }  // namespace handway::planning

@@ -39,28 +39,6 @@ class Observer {
   [[nodiscard]] virtual AlgorithmObserver* algorithm() { return nullptr; }
 };
 
-/// Passes on to another observer what it observes.
-class ForwardingObserver : public Observer {
- public:
-  /// @param next outlives this.
-  explicit ForwardingObserver(Observer& next) : next_(next) {}
-
-  void on_node(const NodeEvent& node) override { next_.on_node(node); }
-  void on_edge(int from, int to) override { next_.on_edge(from, to); }
-  void on_winner(int search) override { next_.on_winner(search); }
-  void on_search_range(double d_ini, double d_goal) override {
-    next_.on_search_range(d_ini, d_goal);
-  }
-  void on_path(const Path& path) override { next_.on_path(path); }
-  void on_progress(double fraction, std::string_view activity) override {
-    next_.on_progress(fraction, activity);
-  }
-  [[nodiscard]] AlgorithmObserver* algorithm() override { return next_.algorithm(); }
-
- private:
-  Observer& next_;
-};
-
 /// A line of one of the paper's listings (section 5, Algorithms 1 to 4), counted from the first
 /// statement, lines that only end a block included.
 struct AlgorithmLine {

@@ -74,9 +74,9 @@ class HANDWAY_PLANNING_EXPORT Planner {
  private:
   [[nodiscard]] std::vector<BoundParameter> bound_parameters();
   [[nodiscard]] PlanResult plan_to_goal(const PlanningProblem& problem, const PlanRequest& request,
-                                        const std::stop_token& stop, Observer& observer);
+                                        const std::stop_token& stop, Observer* observer);
   [[nodiscard]] PlanResult plan_to_any(const PlanningProblem& problem, const PlanRequest& request,
-                                       const std::stop_token& stop, Observer& observer);
+                                       const std::stop_token& stop, Observer* observer);
   void optimize(PlanningContext& context, PlanResult& result) const;
 
   ObjectiveSettings objective_;

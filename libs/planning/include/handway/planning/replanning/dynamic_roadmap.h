@@ -61,8 +61,8 @@ class HANDWAY_PLANNING_EXPORT DynamicRoadmap {
   [[nodiscard]] ReplanSource source() const;
 
  private:
-  struct State;
-  std::unique_ptr<State> state_;
+  struct Replanner;
+  std::unique_ptr<Replanner> replanner_;
 };
 
 /// "last path", "roadmap", …: the word for people.

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string_view>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -17,6 +18,7 @@ struct HANDWAY_PLANNING_EXPORT RecordedRoadmap {
   struct Node {
     geometric::Configuration q;
     int pmd_count = 0;   ///< Principal directions used for the sample; 0: none.
+    double step = 0.0;   ///< As NodeEvent::step.
     double rho_a = 0.0;  ///< Half-side of the region it was drawn from.
     int search = 0;      ///< Which of several searches found it.
   };
@@ -32,24 +34,30 @@ struct HANDWAY_PLANNING_EXPORT RecordedRoadmap {
   [[nodiscard]] RecordedRoadmap of_winner() const;
 };
 
-/// Writes down the roadmap of a run. Of runs with more nodes than it keeps, it has the first.
+/// Writes down the roadmap of a run, and passes on what it observes, nodes by their place among all
+/// that it was told of. Of runs with more nodes than it keeps, it has the first. A number that
+/// comes again is of another search's node from then on.
 class HANDWAY_PLANNING_EXPORT RoadmapRecorder : public Observer {
  public:
-  /// @param most_nodes that are kept.
-  explicit RoadmapRecorder(std::size_t most_nodes) : most_nodes_(most_nodes) {}
+  /// @param most_nodes that are kept. @param next may be null; outlives this.
+  explicit RoadmapRecorder(std::size_t most_nodes, Observer* next = nullptr);
 
   [[nodiscard]] const RecordedRoadmap& roadmap() const { return roadmap_; }
 
   void on_node(const NodeEvent& node) override;
   void on_edge(int from, int to) override;
-  void on_winner(int search) override { roadmap_.winner = search; }
-  void on_search_range(double d_ini, double d_goal) override {
-    roadmap_.search_range = {d_ini, d_goal};
+  void on_winner(int search) override;
+  void on_search_range(double d_ini, double d_goal) override;
+  void on_path(const Path& path) override { next_.on_path(path); }
+  void on_progress(double fraction, std::string_view activity) override {
+    next_.on_progress(fraction, activity);
   }
+  [[nodiscard]] AlgorithmObserver* algorithm() override { return next_.algorithm(); }
 
  private:
   std::size_t most_nodes_;
-  std::unordered_map<int, int> index_;  ///< Of the nodes by their numbers.
+  Observer& next_;
+  std::unordered_map<int, int> places_;  ///< Of the nodes by their numbers.
   RecordedRoadmap roadmap_;
 };
 
