@@ -10,8 +10,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <memory>
 #include <numbers>
+#include <numeric>
 #include <stdexcept>
 
 namespace handway::planning {
@@ -118,7 +120,9 @@ Configuration PathPiece::fastest() const {
 }
 
 BlendedPath::BlendedPath(const Path& path, const std::vector<double>& deviations, ArcShape shape)
-    : polyline_(path), deviations_(path.waypoints.size(), 0.0) {
+    : polyline_(path),
+      deviations_(path.waypoints.size(), 0.0),
+      passages_(path.waypoints.size(), 0.0) {
   if (path.empty() || deviations.size() != path.waypoints.size()) {
     throw std::invalid_argument("a path needs a waypoint, and every waypoint a deviation");
   }
@@ -129,10 +133,6 @@ BlendedPath::BlendedPath(const Path& path, const std::vector<double>& deviations
     }
   }
   const std::vector<Edge> edges = edges_of(path);
-  const auto add = [&](PathPiece piece) {
-    length_ += piece.length;
-    pieces_.push_back(std::move(piece));
-  };
   double begin = 0.0;  // of what an arc left of the edge
   for (std::size_t e = 0; e < edges.size(); ++e) {
     const Edge& edge = edges[e];
@@ -142,29 +142,41 @@ BlendedPath::BlendedPath(const Path& path, const std::vector<double>& deviations
     const double straight = edge.length - begin - corner.cut;
     const Configuration zeros = Configuration::Zero(edge.direction.size());
     if (straight > kLeastLength || corner.stop || last) {
-      add({std::max(straight, 0.0),
-           0.0,
-           edge.from + begin * edge.direction,
-           edge.direction,
-           zeros,
-           {},
-           edge.end,
-           corner.stop || last});
+      pieces_.push_back({length(),
+                         std::max(straight, 0.0),
+                         0.0,
+                         edge.from + begin * edge.direction,
+                         edge.direction,
+                         zeros,
+                         {},
+                         edge.end,
+                         corner.stop || last});
     }
     begin = corner.cut;
+    passages_[edge.end] = length();
     if (corner.cut > 0.0) {
       const Configuration& out = edges[e + 1].direction;
       const double radius = corner.cut / std::tan(0.5 * corner.angle);
       const Configuration normal = (out - out.dot(edge.direction) * edge.direction).normalized();
       const bool smooth = shape == ArcShape::kSmooth;
-      const double length = smooth ? 2.0 * corner.cut : radius * corner.angle;
-      add({length, smooth ? length / corner.angle : radius,
-           edge.from + (edge.length - corner.cut) * edge.direction, edge.direction,
-           smooth ? zeros : normal, smooth ? Configuration(out - edge.direction) : Configuration(),
-           edge.end, false});
+      const double arc = smooth ? 2.0 * corner.cut : radius * corner.angle;
+      pieces_.push_back({length(), arc, smooth ? arc / corner.angle : radius,
+                         edge.from + (edge.length - corner.cut) * edge.direction, edge.direction,
+                         smooth ? zeros : normal,
+                         smooth ? Configuration(out - edge.direction) : Configuration(), edge.end,
+                         false});
       deviations_[edge.end] = corner.deviation;
+      passages_[edge.end] += 0.5 * arc;
     }
   }
+  // Waypoints in the same place as the one before are passed with it.
+  std::partial_sum(passages_.begin(), passages_.end(), passages_.begin(),
+                   [](double before, double own) { return std::max(before, own); });
+}
+
+const PathPiece& BlendedPath::piece_at(double s) const {
+  const auto next = std::ranges::upper_bound(pieces_, s, {}, &PathPiece::begin);
+  return next == pieces_.begin() ? *next : *std::prev(next);
 }
 
 namespace {

@@ -12,6 +12,7 @@ namespace handway::planning {
 namespace {
 
 using geometric::Configuration;
+using Knot = TimeParameterization::Knot;
 
 constexpr int kCellsOfStraight = 200;
 constexpr int kLeastCellsOfArc = 16;
@@ -19,7 +20,7 @@ constexpr double kArcOfCell = std::numbers::pi / 360.0;  // rad
 
 /// A stretch of the grid: derivatives of the joints at its ends.
 struct Cell {
-  std::size_t piece = 0;
+  const PathPiece* piece = nullptr;
   double begin = 0.0;  ///< In the piece.
   double width = 0.0;
   bool stop_after = false;
@@ -30,8 +31,7 @@ struct Cell {
 
 std::vector<Cell> grid(const BlendedPath& path) {
   std::vector<Cell> cells;
-  for (std::size_t p = 0; p < path.pieces().size(); ++p) {
-    const PathPiece& piece = path.pieces()[p];
+  for (const PathPiece& piece : path.pieces()) {
     const int count =
         piece.is_arc()
             ? std::max(kLeastCellsOfArc,
@@ -40,7 +40,7 @@ std::vector<Cell> grid(const BlendedPath& path) {
     const double width = piece.length / count;
     for (int i = 0; i < count; ++i) {
       const double begin = i * width;
-      cells.push_back({p,
+      cells.push_back({&piece,
                        begin,
                        width,
                        piece.ends_in_corner && i + 1 == count,
@@ -130,17 +130,16 @@ double controllable(const Cell& cell, const JointKinematicLimits& limits, double
 }
 
 /// By how much the fastest law is too fast in a cell: time has to be stretched by this, at least 1.
-double excess(const PathPiece& piece, const Cell& cell, const JointKinematicLimits& limits,
-              double x0, double x1) {
+double excess(const Cell& cell, const JointKinematicLimits& limits, double x0, double x1) {
   double worst = 1.0;
   const double u = (x1 - x0) / (2.0 * cell.width);
-  const int steps = piece.is_arc() ? 4 : 0;
+  const int steps = cell.piece->is_arc() ? 4 : 0;
   for (int i = 0; i <= steps; ++i) {
     const double share = steps == 0 ? 0.0 : static_cast<double>(i) / steps;
     const double s = cell.begin + share * cell.width;
     const double x = x0 + share * (x1 - x0);
-    const Configuration first = piece.derivative(1, s);
-    const Configuration acceleration = u * first + x * piece.derivative(2, s);
+    const Configuration first = cell.piece->derivative(1, s);
+    const Configuration acceleration = u * first + x * cell.piece->derivative(2, s);
     const double top = steps == 0 ? std::max(x0, x1) : x;
     worst = std::max({worst, largest_share(std::sqrt(top) * first, limits.velocity),
                       std::sqrt(largest_share(acceleration, limits.acceleration))});
@@ -149,7 +148,7 @@ double excess(const PathPiece& piece, const Cell& cell, const JointKinematicLimi
 }
 
 /// Slows the knots from `first` to the end down by `factor`.
-void stretch(std::vector<TimeParameterization::Knot>& knots, std::size_t first, double factor) {
+void stretch(std::vector<Knot>& knots, std::size_t first, double factor) {
   const double begin = knots[first].time;
   for (std::size_t k = first; k < knots.size(); ++k) {
     knots[k].time = begin + factor * (knots[k].time - begin);
@@ -159,14 +158,36 @@ void stretch(std::vector<TimeParameterization::Knot>& knots, std::size_t first, 
   }
 }
 
+/// The law from stop to stop, each section from time 0 on.
+std::vector<TimeParameterization> sections_of(const TimeParameterization& law) {
+  std::vector<TimeParameterization> sections;
+  double begin = 0.0;
+  for (Knot knot : law.knots) {
+    if (sections.empty() ||
+        (sections.back().knots.size() > 1 && sections.back().knots.back().speed == 0.0)) {
+      sections.emplace_back();
+      begin = knot.time;
+    }
+    knot.time -= begin;
+    sections.back().knots.push_back(knot);
+  }
+  return sections;
+}
+
+/// Lets a section begin where the law ends.
+void append(const TimeParameterization& section, TimeParameterization& law) {
+  const double begin = law.duration();
+  for (Knot knot : section.knots) {
+    knot.time += begin;
+    law.knots.push_back(knot);
+  }
+}
+
 }  // namespace
 
 TimeParameterization::Knot TimeParameterization::Knot::after(double t) const {
-  return {time + t,
-          s + (speed + (acceleration / 2.0 + jerk / 6.0 * t) * t) * t,
-          std::max(0.0, speed + (acceleration + jerk / 2.0 * t) * t),
-          piece,
-          acceleration + jerk * t,
+  return {time + t, s + (speed + (acceleration / 2.0 + jerk / 6.0 * t) * t) * t,
+          std::max(0.0, speed + (acceleration + jerk / 2.0 * t) * t), acceleration + jerk * t,
           jerk};
 }
 
@@ -188,18 +209,22 @@ TimeParameterization time_optimal(const BlendedPath& path, const JointKinematicL
   std::size_t section = 0;  // its first knot
   for (std::size_t c = 0; c < cells.size(); ++c) {
     const Cell& cell = cells[c];
-    if (cell.begin == 0.0) {
-      law.knots.push_back({time, 0.0, std::sqrt(x), cell.piece, 0.0, 0.0});
+    if (law.knots.size() == section) {
+      law.knots.push_back({.time = time, .s = cell.piece->begin});
     }
     const Range range = accelerations(cell, limits, x, most[c + 1]);
     // Rounding may leave nothing of a range that is a single number.
     const double u = range.empty() ? 0.5 * (range.low + range.high) : range.high;
     const double next = std::clamp(x + 2.0 * cell.width * u, 0.0, most[c + 1]);
-    slower = std::max(slower, excess(path.pieces()[cell.piece], cell, limits, x, next));
+    slower = std::max(slower, excess(cell, limits, x, next));
     law.knots.back().acceleration = (next - x) / (2.0 * cell.width);
     time += 2.0 * cell.width / (std::sqrt(x) + std::sqrt(next));
     x = next;
-    law.knots.push_back({time, cell.begin + cell.width, std::sqrt(x), cell.piece, 0.0, 0.0});
+    const bool ends_piece = c + 1 == cells.size() || cells[c + 1].piece != cell.piece;
+    law.knots.push_back(
+        {.time = time,
+         .s = ends_piece ? cell.piece->end() : cell.piece->begin + cell.begin + cell.width,
+         .speed = std::sqrt(x)});
     if (cell.stop_after) {
       stretch(law.knots, section, slower);
       time = law.knots.back().time;
@@ -210,30 +235,19 @@ TimeParameterization time_optimal(const BlendedPath& path, const JointKinematicL
   return law;
 }
 
-TimeParameterization align_stops(TimeParameterization law, double period) {
-  std::vector<TimeParameterization::Knot> knots;
-  std::size_t section = 0;
-  double late = 0.0;  // what the stretches so far have added
-  for (std::size_t k = 0; k < law.knots.size(); ++k) {
-    knots.push_back(law.knots[k]);
-    knots.back().time += late;
-    if (k > section && law.knots[k].speed == 0.0) {
-      const double took = knots.back().time - knots[section].time;
-      const double rounded = period * std::max(1.0, std::ceil(took / period - 1e-9));
-      stretch(knots, section, rounded / took);
-      // Multiples of the period exactly, free of what rounding adds up.
-      knots.back().time = period * std::round(knots.back().time / period);
-      late = knots.back().time - law.knots[k].time;
-      section = k + 1;
-    }
+TimeParameterization align_stops(const TimeParameterization& law, double period) {
+  TimeParameterization aligned;
+  for (TimeParameterization& section : sections_of(law)) {
+    const double rounded = period * std::max(1.0, std::ceil(section.duration() / period - 1e-9));
+    stretch(section.knots, 0, rounded / section.duration());
+    append(section, aligned);
+    // Multiples of the period exactly, free of what rounding adds up.
+    aligned.knots.back().time = period * std::round(aligned.duration() / period);
   }
-  law.knots = std::move(knots);
-  return law;
+  return aligned;
 }
 
 namespace {
-
-using Knot = TimeParameterization::Knot;
 
 // Shares of the acceleration and jerk limits that the fastest law is made with before it is
 // averaged, and windows, as shares of its duration.
@@ -245,50 +259,21 @@ constexpr double kMargin = 1.002;
 // Knots that are nearer in time are one, s.
 constexpr double kSameTime = 1e-9;
 
-/// A stretch of the fastest law from stop to stop, with one arc length along all its pieces.
-struct Section {
-  std::vector<Knot> knots;
-  std::vector<double> begins;  ///< Of its pieces, in the section's arc length.
-  std::size_t first = 0;       ///< Piece.
-
-  [[nodiscard]] double duration() const { return knots.back().time - knots.front().time; }
-
-  /// The motion at a time since the section's beginning; outside it is at rest.
-  [[nodiscard]] Knot at(double t) const {
-    const double time = knots.front().time + t;
-    if (t <= 0.0 || t >= duration()) {
-      return {.time = time, .s = t <= 0.0 ? 0.0 : knots.back().s};
-    }
-    const Knot& before = *std::prev(std::ranges::upper_bound(knots, time, {}, &Knot::time));
-    return before.after(time - before.time);
+/// The motion at a time of a section; before and after it is at rest.
+Knot motion_at(const TimeParameterization& section, double t) {
+  if (t <= 0.0 || t >= section.duration()) {
+    return {.time = t, .s = t <= 0.0 ? section.knots.front().s : section.knots.back().s};
   }
-};
-
-std::vector<Section> sections_of(const BlendedPath& path, const TimeParameterization& law) {
-  std::vector<Section> sections;
-  for (std::size_t k = 0; k < law.knots.size(); ++k) {
-    const bool begins =
-        k == 0 || (law.knots[k].s == 0.0 && path.pieces()[law.knots[k].piece - 1].ends_in_corner);
-    if (begins) {
-      sections.push_back({{}, {0.0}, law.knots[k].piece});
-    }
-    Section& section = sections.back();
-    while (section.first + section.begins.size() <= law.knots[k].piece) {
-      const std::size_t last = section.first + section.begins.size() - 1;
-      section.begins.push_back(section.begins.back() + path.pieces()[last].length);
-    }
-    section.knots.push_back(law.knots[k]);
-    section.knots.back().s += section.begins.back();
-  }
-  return sections;
+  const Knot& before = *std::prev(std::ranges::upper_bound(section.knots, t, {}, &Knot::time));
+  return before.after(t - before.time);
 }
 
-/// The section averaged over a window of time; times are since its beginning.
-std::vector<Knot> averaged(const Section& section, double window) {
+/// The section averaged over a window of time.
+std::vector<Knot> averaged(const TimeParameterization& section, double window) {
   std::vector<double> times;
   for (const Knot& knot : section.knots) {
-    times.push_back(knot.time - section.knots.front().time);
-    times.push_back(times.back() + window);
+    times.push_back(knot.time);
+    times.push_back(knot.time + window);
   }
   std::ranges::sort(times);
   times.erase(
@@ -297,49 +282,39 @@ std::vector<Knot> averaged(const Section& section, double window) {
   std::vector<Knot> knots;
   knots.reserve(times.size());
   for (const double t : times) {
-    const Knot end = section.at(t);
-    const Knot begin = section.at(t - window);
-    knots.push_back(
-        {t, 0.0, (end.s - begin.s) / window, 0, (end.speed - begin.speed) / window, 0.0});
+    const Knot end = motion_at(section, t);
+    const Knot begin = motion_at(section, t - window);
+    knots.push_back({.time = t,
+                     .s = section.knots.front().s,
+                     .speed = (end.s - begin.s) / window,
+                     .acceleration = (end.speed - begin.speed) / window});
   }
   for (std::size_t k = 0; k + 1 < knots.size(); ++k) {
     const double step = knots[k + 1].time - knots[k].time;
     Knot& knot = knots[k];
     knot.jerk = (knots[k + 1].acceleration - knot.acceleration) / step;
-    knots[k + 1].s = knot.after(step).s;
+    knots[k + 1].s = std::min(knot.after(step).s, section.knots.back().s);
   }
+  knots.front().speed = 0.0;
+  knots.back() = {.time = knots.back().time, .s = section.knots.back().s};
   return knots;
 }
 
-/// The law in the pieces' own arc lengths, with two knots where one ends and the next begins.
-std::vector<Knot> in_pieces(const BlendedPath& path, const Section& section,
-                            const std::vector<Knot>& knots) {
+/// The law with a knot wherever a piece of the path ends.
+std::vector<Knot> with_joins(const BlendedPath& path, const std::vector<Knot>& knots) {
   std::vector<Knot> result;
-  std::size_t piece = section.first;
-  const std::size_t last = section.first + section.begins.size() - 1;
-  const auto begin_of = [&](std::size_t p) { return section.begins[p - section.first]; };
-  const auto add = [&](Knot knot) {
-    knot.s = std::clamp(knot.s - begin_of(piece), 0.0, path.pieces()[piece].length);
-    knot.piece = piece;
-    result.push_back(knot);
-  };
   for (std::size_t k = 0; k + 1 < knots.size(); ++k) {
     Knot knot = knots[k];
-    const double end = knots[k + 1].time;
-    add(knot);
-    while (piece < last && knots[k + 1].s > begin_of(piece + 1)) {
-      const auto is_before = [&](double t) { return knot.after(t).s < begin_of(piece + 1); };
-      knot = knot.after(bisect(0.0, end - knot.time, is_before).second);
-      add(knot);
-      result.back().s = path.pieces()[piece].length;
-      ++piece;
-      add(knot);
-      result.back().s = 0.0;
+    result.push_back(knot);
+    auto piece = std::ranges::upper_bound(path.pieces(), knot.s, {}, &PathPiece::begin);
+    for (; piece != path.pieces().end() && piece->begin < knots[k + 1].s; ++piece) {
+      const auto is_before = [&](double t) { return knot.after(t).s < piece->begin; };
+      knot = knot.after(bisect(0.0, knots[k + 1].time - knot.time, is_before).second);
+      knot.s = piece->begin;
+      result.push_back(knot);
     }
   }
-  piece = last;
-  add({knots.back().time, std::numeric_limits<double>::infinity(), 0.0, last, 0.0, 0.0});
-  result.front().speed = 0.0;
+  result.push_back(knots.back());
   return result;
 }
 
@@ -350,13 +325,10 @@ double excess(const BlendedPath& path, const std::vector<Knot>& knots,
   double acceleration = 0.0;
   double jerk = 0.0;
   for (std::size_t k = 0; k + 1 < knots.size(); ++k) {
-    if (knots[k].piece != knots[k + 1].piece) {
-      continue;
-    }
-    const PathPiece& piece = path.pieces()[knots[k].piece];
+    const PathPiece& piece = path.piece_at(0.5 * (knots[k].s + knots[k + 1].s));
     for (const double share : {0.0, 0.5, 1.0}) {
       const Knot at = knots[k].after(share * (knots[k + 1].time - knots[k].time));
-      const double s = std::min(at.s, piece.length);
+      const double s = std::clamp(at.s - piece.begin, 0.0, piece.length);
       const Eigen::VectorXd first = piece.derivative(1, s);
       const Eigen::VectorXd second = piece.derivative(2, s);
       const double v = at.speed;
@@ -371,21 +343,13 @@ double excess(const BlendedPath& path, const std::vector<Knot>& knots,
   return kMargin * std::max({velocity, std::sqrt(acceleration), std::cbrt(jerk)});
 }
 
-struct Candidate {
-  std::vector<Knot> knots;
-  double duration = std::numeric_limits<double>::infinity();
-};
-
-void keep_faster(const BlendedPath& path, const Section& section,
-                 const JointKinematicLimits& limits, Candidate& best) {
+void keep_faster(const BlendedPath& path, const TimeParameterization& section,
+                 const JointKinematicLimits& limits, TimeParameterization& best) {
   for (const double share : kWindows) {
-    std::vector<Knot> knots =
-        in_pieces(path, section, averaged(section, share * section.duration()));
-    const double factor = excess(path, knots, limits);
-    const double duration = factor * knots.back().time;
-    if (duration < best.duration) {
-      stretch(knots, 0, factor);
-      best = {std::move(knots), duration};
+    TimeParameterization law{with_joins(path, averaged(section, share * section.duration()))};
+    stretch(law.knots, 0, excess(path, law.knots, limits));
+    if (best.knots.empty() || law.duration() < best.duration()) {
+      best = std::move(law);
     }
   }
 }
@@ -398,12 +362,12 @@ TimeParameterization jerk_limited(const BlendedPath& path, const JointKinematicL
       })) {
     throw std::invalid_argument("jerk can't be limited on circular arcs");
   }
-  std::vector<Candidate> best;
+  std::vector<TimeParameterization> best;  // of each section
   for (const double acceleration : kAccelerations) {
     for (const double jerk : kJerks) {
       const TimeParameterization law = time_optimal(
           path, {limits.velocity, acceleration * limits.acceleration, jerk * limits.jerk});
-      const std::vector<Section> sections = sections_of(path, law);
+      const std::vector<TimeParameterization> sections = sections_of(law);
       best.resize(sections.size());
       for (std::size_t i = 0; i < sections.size(); ++i) {
         keep_faster(path, sections[i], limits, best[i]);
@@ -411,13 +375,8 @@ TimeParameterization jerk_limited(const BlendedPath& path, const JointKinematicL
     }
   }
   TimeParameterization law;
-  double begin = 0.0;
-  for (const Candidate& section : best) {
-    for (Knot knot : section.knots) {
-      knot.time += begin;
-      law.knots.push_back(knot);
-    }
-    begin += section.duration;
+  for (const TimeParameterization& section : best) {
+    append(section, law);
   }
   return law;
 }

@@ -20,9 +20,10 @@ TrajectoryPoint at_rest(double time, const geometric::Configuration& q) {
   return {time, q, Eigen::VectorXd::Zero(q.size()), Eigen::VectorXd::Zero(q.size())};
 }
 
-TrajectoryPoint point_in_cell(const PathPiece& piece, const Knot& a, const Knot& b, double time) {
+TrajectoryPoint point_between(const BlendedPath& path, const Knot& a, const Knot& b, double time) {
+  const PathPiece& piece = path.piece_at(0.5 * (a.s + b.s));
   const Knot at = a.after(time - a.time);
-  const double s = std::clamp(at.s, a.s, b.s);
+  const double s = std::clamp(at.s, a.s, b.s) - piece.begin;
   const Eigen::VectorXd first = piece.derivative(1, s);
   return {time, piece.derivative(0, s), at.speed * first,
           at.acceleration * first + at.speed * at.speed * piece.derivative(2, s)};
@@ -49,7 +50,7 @@ TrajectoryPoint point_at(const BlendedPath& path, const TimeParameterization& la
   if (after == law.knots.begin() || after == law.knots.end()) {
     return at_rest(time, path.polyline().waypoints.front());
   }
-  return point_in_cell(path.pieces()[after->piece], *std::prev(after), *after, t);
+  return point_between(path, *std::prev(after), *after, t);
 }
 
 Trajectory sample(const BlendedPath& path, const TimeParameterization& law, double period) {
@@ -71,28 +72,12 @@ Trajectory sample(const BlendedPath& path, const TimeParameterization& law, doub
 }
 
 std::vector<double> waypoint_times(const BlendedPath& path, const TimeParameterization& law) {
-  std::vector<double> times(path.polyline().waypoints.size(), 0.0);
-  std::size_t done = 1;
-  const auto pass = [&](std::size_t waypoint, double time) {
-    // Waypoints in the same place as the one before are passed with it.
-    for (; done <= waypoint; ++done) {
-      times[done] = done == waypoint ? time : times[done - 1];
-    }
-  };
-  for (std::size_t k = 1; k < law.knots.size(); ++k) {
-    const Knot& a = law.knots[k - 1];
-    const Knot& b = law.knots[k];
-    const PathPiece& piece = path.pieces()[b.piece];
-    if (piece.is_arc() ? a.piece == b.piece && a.s < 0.5 * piece.length && b.s >= 0.5 * piece.length
-                       : b.s >= piece.length * (1.0 - 1e-12)) {
-      const bool before_arc = !piece.is_arc() && k + 1 < law.knots.size() &&
-                              path.pieces()[law.knots[k + 1].piece].waypoint == piece.waypoint;
-      if (!before_arc) {
-        pass(piece.waypoint, b.time);
-      }
-    }
+  std::vector<double> times;
+  for (const double s : path.passages()) {
+    const auto passed = std::ranges::lower_bound(law.knots, s, {}, &Knot::s);
+    times.push_back(passed == law.knots.end() ? law.duration() : passed->time);
   }
-  pass(times.size() - 1, law.duration());
+  times.back() = law.duration();
   return times;
 }
 

@@ -24,6 +24,7 @@ enum class ArcShape {
 /// where u is the direction in which it ends: of a smooth arc dq/ds turns from t to u by
 /// t + (3 x² - 2 x³) (u - t), and is shorter than 1 between.
 struct HANDWAY_PLANNING_EXPORT PathPiece {
+  double begin = 0.0;  ///< Arc length of the path up to it.
   double length = 0.0;
   double radius = 0.0;               ///< r; 0: straight; of a smooth arc length by angle.
   geometric::Configuration origin;   ///< Where it begins.
@@ -33,6 +34,7 @@ struct HANDWAY_PLANNING_EXPORT PathPiece {
   std::size_t waypoint = 0;     ///< The waypoint that it ends in (straight) or goes around (arc).
   bool ends_in_corner = false;  ///< It ends at a waypoint where the motion has to stop.
 
+  [[nodiscard]] double end() const { return begin + length; }
   [[nodiscard]] bool is_arc() const { return radius > 0.0; }
   [[nodiscard]] bool is_smooth_arc() const { return turn.size() > 0; }
   /// dⁿq/dsⁿ, 0 ≤ n ≤ 3: of order 0 the position.
@@ -55,9 +57,13 @@ class HANDWAY_PLANNING_EXPORT BlendedPath {
   BlendedPath(const Path& path, const std::vector<double>& deviations,
               ArcShape shape = ArcShape::kCircular);
 
-  [[nodiscard]] double length() const { return length_; }
+  [[nodiscard]] double length() const { return pieces_.empty() ? 0.0 : pieces_.back().end(); }
   /// None if all waypoints are the same.
   [[nodiscard]] const std::vector<PathPiece>& pieces() const { return pieces_; }
+  /// The one at arc length s; at a join the later one. @pre there are pieces.
+  [[nodiscard]] const PathPiece& piece_at(double s) const;
+  /// Arc length at which each waypoint is passed, in the middle of its arc; shape [waypoints].
+  [[nodiscard]] const std::vector<double>& passages() const { return passages_; }
   /// How far each waypoint's arc really passes from it; shape [waypoints], 0: through it.
   [[nodiscard]] const std::vector<double>& deviations() const { return deviations_; }
   [[nodiscard]] const Path& polyline() const { return polyline_; }
@@ -66,7 +72,7 @@ class HANDWAY_PLANNING_EXPORT BlendedPath {
   Path polyline_;
   std::vector<PathPiece> pieces_;
   std::vector<double> deviations_;
-  double length_ = 0.0;
+  std::vector<double> passages_;
 };
 
 struct BlendOptions {

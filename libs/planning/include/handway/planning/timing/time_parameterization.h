@@ -4,20 +4,18 @@
 #include "handway/planning/timing/blended_path.h"
 #include "handway/planning/timing/kinematic_limits.h"
 
-#include <cstddef>
 #include <vector>
 
 namespace handway::planning {
 
 /// When a motion is where on its path: between two knots the acceleration along the path changes
-/// evenly, or not at all.
+/// evenly, or not at all, and the path is one piece. Where the motion stops, a second knot at the
+/// same time begins the next stretch.
 struct TimeParameterization {
   struct Knot {
     double time = 0.0;          ///< s
-    double s = 0.0;             ///< Arc length from the beginning of the piece.
-    double speed = 0.0;         ///< ds/dt ≥ 0; 0 at stops.
-    std::size_t piece = 0;      ///< Of the cell that begins here; where a piece ends, a second knot
-                                ///< at the same time begins the next.
+    double s = 0.0;             ///< Arc length from the beginning of the path.
+    double speed = 0.0;         ///< ds/dt ≥ 0; 0 at stops alone.
     double acceleration = 0.0;  ///< d²s/dt² from here on.
     double jerk = 0.0;          ///< d³s/dt³ up to the next knot.
 
@@ -45,8 +43,8 @@ time_optimal(const BlendedPath& path, const JointKinematicLimits& limits);
 
 /// The same motion with every stretch from stop to stop slowed down to the next multiple of
 /// `period` (s), so that samples at this period meet the stops. @pre period > 0.
-[[nodiscard]] HANDWAY_PLANNING_EXPORT TimeParameterization align_stops(TimeParameterization law,
-                                                                       double period);
+[[nodiscard]] HANDWAY_PLANNING_EXPORT TimeParameterization
+align_stops(const TimeParameterization& law, double period);
 
 /// A fast motion along `path` that keeps the limits, jerk included, from rest to rest, stopping
 /// at corners that have no arc. The path is the same to the bit: only its times are other ones.
