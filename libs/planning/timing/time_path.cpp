@@ -1,6 +1,5 @@
 #include "handway/planning/timing/time_path.h"
 
-#include "handway/geometric/collision/continuous/continuous_collision_checker.h"
 #include "handway/geometric/io/input_error.h"
 #include "handway/geometric/math/units.h"
 #include "handway/planning/core/plan_result.h"
@@ -11,7 +10,9 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 #include <optional>
 
 namespace handway::planning {
@@ -56,40 +57,32 @@ LimitShare largest_share(const geometric::RobotModel& model, const Trajectory& t
 /// @param measured where the robot stands; of size 0: where the trajectory begins.
 void check_collisions(const PlanningProblem& problem, const Trajectory& trajectory,
                       const Configuration& measured, double resolution, PreflightReport& report) {
-  const auto checker = problem.checker->clone();
-  geometric::ContinuousCollisionChecker edges(*checker, problem.motion, resolution);
-  edges.accept_pieces();
-  edges.set_ends({make_edge_end(*checker, trajectory.points.front().position, resolution),
-                  make_edge_end(*checker, trajectory.points.back().position, resolution)});
-  const geometric::CollisionWorld& world = checker->world();
-  const auto fault = [&](const TrajectoryPoint& point, const std::optional<int>& pair,
-                         double closer_than) {
-    report.faults.push_back(
-        {"", point.time, 0.0,
-         fmt::format("{} at {:.4f} s.", conflict_text(world, pair, closer_than), point.time)});
+  std::vector<Configuration> way;
+  std::ranges::transform(trajectory.points, std::back_inserter(way), &TrajectoryPoint::position);
+  std::size_t last = way.size() - 1;  // that is reached
+  const auto end_at = [&](std::size_t point, const PathConflict& conflict) {
+    last = point;
+    const double time = trajectory.points[point].time;
+    report.faults.push_back({"", time, 0.0, fmt::format("{} at {:.4f} s.", conflict.text, time)});
   };
+  PathConflictSearch search(problem, resolution);
+  std::optional<PathConflict> conflict;
+  if (measured.size() == way.front().size()) {
+    conflict = search.run(std::array{measured, way.front()});
+  }
+  if (conflict) {
+    end_at(0, *conflict);
+  } else if ((conflict = search.run(way))) {
+    end_at(conflict->waypoint + (conflict->share > 0.0 ? 1 : 0), *conflict);
+  }
+  const auto checker = problem.checker->clone();
   double least = kFarClearance;
-  for (std::size_t i = 0; i < trajectory.points.size(); ++i) {
-    const TrajectoryPoint& point = trajectory.points[i];
-    if (const auto pair = checker->first_collision(point.position)) {
-      least = 0.0;
-      fault(point, pair, 0.0);
-      break;
-    }
-    const geometric::NamedPair closest = geometric::find_clearance(*checker, point.position, least);
+  for (std::size_t i = 0; i <= last; ++i) {
+    const geometric::NamedPair closest = geometric::find_clearance(*checker, way[i], least);
     if (closest.distance < least) {
       least = closest.distance;
       report.closest_pair = closest.a + " with " + closest.b;
-      report.min_clearance_time = point.time;
-    }
-    const Configuration& from = i > 0 ? trajectory.points[i - 1].position : measured;
-    if (from.size() != point.position.size()) {
-      continue;
-    }
-    const geometric::EdgeResult edge = edges.check(from, point.position);
-    if (!edge.free) {
-      fault(point, edge.pair, resolution);
-      break;
+      report.min_clearance_time = trajectory.points[i].time;
     }
   }
   report.min_clearance_mm = geometric::millimetres(least);
@@ -97,6 +90,14 @@ void check_collisions(const PlanningProblem& problem, const Trajectory& trajecto
 
 nlohmann::ordered_json to_object(const LimitShare& share) {
   return {{"joint", share.joint}, {"time_s", share.time}, {"share", share.share}};
+}
+
+void check(const char* what, double value, double above, double most) {
+  if (!(value > above && value <= most)) {
+    throw geometric::InputError({what, "", fmt::format("{}", value),
+                                 fmt::format("a number above {:g}, at most {:g}", above, most),
+                                 ""});
+  }
 }
 
 }  // namespace
@@ -171,18 +172,6 @@ std::string to_json(const PreflightReport& report) {
                                          {"assumed_limits", assumed}};
   return object.dump(2) + "\n";
 }
-
-namespace {
-
-void check(const char* what, double value, double above, double most) {
-  if (!(value > above && value <= most)) {
-    throw geometric::InputError({what, "", fmt::format("{}", value),
-                                 fmt::format("a number above {:g}, at most {:g}", above, most),
-                                 ""});
-  }
-}
-
-}  // namespace
 
 TimedPath time_path(const PlanningProblem& problem, const Path& path, const std::string& name,
                     const TimingOptions& options) {
