@@ -251,8 +251,7 @@ void RegionTool::update() {
       if (!prepared) {
         return {};
       }
-      const planning::RegionPreview preview(*prepared, palm);
-      return [this, draws = preview.draw(region, kConfigurations, stop)] {
+      return [this, draws = planning::draw_region(*prepared, palm, region, kConfigurations, stop)] {
         shown_ = true;
         box_->show_draws(draws);
         view_.set_overlay(Overlay::kRegion, make_region_node(draws));

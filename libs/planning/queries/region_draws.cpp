@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <map>
 
 namespace handway::planning {
 namespace {
@@ -97,23 +98,16 @@ std::vector<SamplingRegion> first_regions(Planner& planner, int directions) {
   return regions;
 }
 
-RegionPreview::RegionPreview(const PlanningProblem& problem, int palm)
-    : problem_(problem), palm_(palm) {
-  for (const int link : fingertips(problem.model(), problem.hand)) {
-    tips_.push_back({link, middle_of(problem.model().link(link))});
-  }
-}
-
-RegionDraws RegionPreview::draw(const SamplingRegion& region, int configurations,
-                                const std::stop_token& stop) const {
-  if (region.hand == HandSpace::kPrincipalDirections && !problem_.basis) {
-    throw geometric::InputError({problem_.scene->file.string(), "hand_basis", "nothing",
+RegionDraws draw_region(const PlanningProblem& problem, int palm, const SamplingRegion& region,
+                        int configurations, const std::stop_token& stop) {
+  if (region.hand == HandSpace::kPrincipalDirections && !problem.basis) {
+    throw geometric::InputError({problem.scene->file.string(), "hand_basis", "nothing",
                                  "a PMD basis", "Name one in the scene"});
   }
-  const HandArmRegion hand_arm(problem_, region.hand, region.corridor);
+  const HandArmRegion hand_arm(problem, region.hand, region.corridor);
   const CorridorSpace& space = hand_arm.space();
-  const RobotModel& model = problem_.model();
-  const Pose& X_WB = problem_.scene->robots.front().X_WB;
+  const RobotModel& model = problem.model();
+  const Pose& X_WB = problem.scene->robots.front().X_WB;
   std::vector<Pose> X_BL(static_cast<std::size_t>(model.link_count()));
   const auto place = [&](int link, const Eigen::Vector3d& p_L) -> Eigen::Vector3d {
     return X_WB * X_BL[static_cast<std::size_t>(link)] * p_L;
@@ -125,26 +119,33 @@ RegionDraws RegionPreview::draw(const SamplingRegion& region, int configurations
       return std::nullopt;
     }
     model.forward_kinematics(*q, X_BL);
-    return place(palm_, Eigen::Vector3d::Zero());
+    return place(palm, Eigen::Vector3d::Zero());
+  };
+  const auto along_motion = [&](int parts) {
+    std::vector<Eigen::Vector3d> places;
+    for (int i = 0; i <= parts; ++i) {
+      if (const auto reached = on_motion(static_cast<double>(i) / parts)) {
+        places.push_back(*reached);
+      }
+    }
+    return places;
   };
 
   RegionDraws result;
   const int pieces = space.steps(region.rho_a);
   result.hypercubes = pieces + 1;
-  for (int i = 0; i <= pieces && result.hypercubes <= kMostCentres; ++i) {
-    if (const auto palm = on_motion(static_cast<double>(i) / pieces)) {
-      result.centres.push_back(*palm);
-    }
+  if (result.hypercubes <= kMostCentres) {
+    result.centres = along_motion(pieces);
   }
-  for (int i = 0; i <= kMotionPieces; ++i) {
-    if (const auto palm = on_motion(static_cast<double>(i) / kMotionPieces)) {
-      result.motion.push_back(*palm);
-    }
-  }
+  result.motion = along_motion(kMotionPieces);
   const int free_joints = static_cast<int>(hand_arm.basis().free_joints.size());
   const int axes = region.hand == HandSpace::kAllJoints
                        ? hand_arm.basis().dimension()
                        : std::min(hand_arm.basis().dimension(), free_joints + region.pmds);
+  std::map<int, Eigen::Vector3d> tips;  // middles of their shapes, by link
+  for (const int link : fingertips(problem.model(), problem.hand)) {
+    tips[link] = middle_of(problem.model().link(link));
+  }
   std::vector<double> distances;
   for (int i = 0; i < configurations && !stop.stop_requested(); ++i) {
     sampling::RandomStream draw = sampling::RandomStream(1).fork(static_cast<std::uint64_t>(i));
@@ -155,10 +156,10 @@ RegionDraws RegionPreview::draw(const SamplingRegion& region, int configurations
       continue;
     }
     model.forward_kinematics(hand_arm.with_hand(*arm, draw.uniform(axes)), X_BL);
-    result.palms.push_back(place(palm_, Eigen::Vector3d::Zero()));
+    result.palms.push_back(place(palm, Eigen::Vector3d::Zero()));
     distances.push_back((result.palms.back() - *centre).norm());
-    for (const Tip& tip : tips_) {
-      result.fingertips.push_back(place(tip.link, tip.p_LTip));
+    for (const auto& [link, p_LTip] : tips) {
+      result.fingertips.push_back(place(link, p_LTip));
     }
   }
   if (!distances.empty()) {

@@ -26,7 +26,7 @@ class PalmBoxesOfTheFlatArm : public testing::Test {
 
 TEST_F(PalmBoxesOfTheFlatArm, AreOneForEveryHypercubeFromStartToGoal) {
   const std::vector<PalmBox> all = boxes(0.02);
-  const RegionDraws draws = RegionPreview(problem_, palm()).draw({.rho_a = 0.02}, 1);
+  const RegionDraws draws = draw_region(problem_, palm(), {.rho_a = 0.02}, 1);
   ASSERT_THAT(all, SizeIs(draws.hypercubes));
   EXPECT_EQ(all.front().step, 0.0);
   EXPECT_EQ(all.back().step, 1.0);
@@ -36,7 +36,7 @@ TEST_F(PalmBoxesOfTheFlatArm, AreOneForEveryHypercubeFromStartToGoal) {
 TEST_F(PalmBoxesOfTheFlatArm, HoldThePalmsThatAreDrawn) {
   const double rho = 0.03;
   const std::vector<PalmBox> all = boxes(rho);
-  const RegionDraws draws = RegionPreview(problem_, palm()).draw({.rho_a = rho}, 400);
+  const RegionDraws draws = draw_region(problem_, palm(), {.rho_a = rho}, 400);
   const auto is_inside = [](const PalmBox& box, const Eigen::Vector3d& palm) {
     const Eigen::Vector3d inside = box.X_WC.inverse() * palm;
     return (inside.cwiseAbs().array() <= 1.05 * box.half_size.array() + 1e-9).all();

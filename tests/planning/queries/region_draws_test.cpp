@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 #include <handway_test/planar_problems.h>
 
+#include <stop_token>
+
 namespace handway::planning {
 namespace {
 
@@ -15,13 +17,16 @@ using testing::SizeIs;
 class RegionDrawsOfTheFlatArm : public testing::Test {
  protected:
   [[nodiscard]] int palm() const { return problem_.model().find_link("palm").value(); }
+  [[nodiscard]] RegionDraws draw(const SamplingRegion& region, int configurations,
+                                 const std::stop_token& stop = {}) const {
+    return draw_region(problem_, palm(), region, configurations, stop);
+  }
 
   PlanningProblem problem_ = test::open_problem();
-  RegionPreview preview_{problem_, palm()};
 };
 
 TEST_F(RegionDrawsOfTheFlatArm, AreOnTheStraightMotionForANarrowCorridor) {
-  const RegionDraws draws = preview_.draw({.rho_a = 1e-5}, 50);
+  const RegionDraws draws = draw({.rho_a = 1e-5}, 50);
   EXPECT_THAT(draws.palms, SizeIs(50));
   EXPECT_THAT(draws.fingertips, SizeIs(50 * fingertips(problem_.model(), problem_.hand).size()));
   EXPECT_LT(draws.palm_reach, 1e-3);
@@ -29,16 +34,16 @@ TEST_F(RegionDrawsOfTheFlatArm, AreOnTheStraightMotionForANarrowCorridor) {
 }
 
 TEST_F(RegionDrawsOfTheFlatArm, SpreadWithTheCorridor) {
-  const RegionDraws narrow = preview_.draw({.rho_a = 0.01}, 200);
-  const RegionDraws wide = preview_.draw({.rho_a = 0.04}, 200);
+  const RegionDraws narrow = draw({.rho_a = 0.01}, 200);
+  const RegionDraws wide = draw({.rho_a = 0.04}, 200);
   EXPECT_NEAR(wide.palm_reach / narrow.palm_reach, 4.0, 0.5) << "the same draws, moved outwards";
   EXPECT_GT(narrow.hypercubes, wide.hypercubes);
 }
 
 TEST_F(RegionDrawsOfTheFlatArm, SpreadTheFingersWithMoreDirections) {
   const auto away = [&](int pmds) {
-    const RegionDraws one = preview_.draw({.rho_a = 1e-5, .pmds = 0}, 100);
-    const RegionDraws more = preview_.draw({.rho_a = 1e-5, .pmds = pmds}, 100);
+    const RegionDraws one = draw({.rho_a = 1e-5, .pmds = 0}, 100);
+    const RegionDraws more = draw({.rho_a = 1e-5, .pmds = pmds}, 100);
     double sum = 0.0;
     for (std::size_t i = 0; i < one.fingertips.size(); ++i) {
       sum += (one.fingertips[i] - more.fingertips[i]).norm();
@@ -52,13 +57,13 @@ TEST_F(RegionDrawsOfTheFlatArm, SpreadTheFingersWithMoreDirections) {
 
 TEST_F(RegionDrawsOfTheFlatArm, AreTheSameEveryTime) {
   const SamplingRegion region{.rho_a = 0.02};
-  EXPECT_EQ(preview_.draw(region, 20).fingertips, preview_.draw(region, 20).fingertips);
+  EXPECT_EQ(draw(region, 20).fingertips, draw(region, 20).fingertips);
 }
 
 TEST_F(RegionDrawsOfTheFlatArm, EndWhenNobodyWaitsForThem) {
   std::stop_source stop;
   stop.request_stop();
-  EXPECT_THAT(preview_.draw({}, 1000, stop.get_token()).palms, SizeIs(0));
+  EXPECT_THAT(draw({}, 1000, stop.get_token()).palms, SizeIs(0));
 }
 
 TEST(FirstRegion, IsWhatThePlannersParametersSay) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "handway/geometric/math/pose.h"
-#include "handway/planning/core/parameter.h"
 #include "handway/planning/core/planning_problem.h"
 #include "handway/planning/export.h"
 #include "handway/planning/planners/planner.h"
@@ -43,31 +42,18 @@ struct RegionDraws {
                             ///< motion has them, m.
 };
 
-/// Draws configurations from regions of a problem, whether they are free or not, for people to
-/// see what a parameter means.
-class HANDWAY_PLANNING_EXPORT RegionPreview {
- public:
-  /// @param problem outlives this. @param palm link of its robot.
-  RegionPreview(const PlanningProblem& problem, int palm);
-
-  /// @param configurations to draw, the same for the same arguments; those of a region are
-  /// those of a smaller one, moved outwards.
-  /// @param stop gives what there is by then.
-  /// @throws InputError if a corridor of tool poses is asked for and the arm has fewer than
-  /// six joints, or principal directions and there is no basis.
-  [[nodiscard]] RegionDraws draw(const SamplingRegion& region, int configurations,
-                                 const std::stop_token& stop = {}) const;
-
- private:
-  struct Tip {
-    int link;
-    Eigen::Vector3d p_LTip;  ///< Middle of the link's shape.
-  };
-
-  const PlanningProblem& problem_;
-  int palm_;
-  std::vector<Tip> tips_;
-};
+/// Draws configurations from a region of a problem, whether they are free or not, for people to see
+/// what a parameter means.
+/// @param palm link of the robot. @param configurations to draw, the same for the same arguments;
+/// those of a region are those of a smaller one, moved outwards.
+/// @param stop gives what there is by then.
+/// @throws InputError if a corridor of tool poses is asked for and the arm has fewer than six
+/// joints, or principal directions and there is no basis.
+[[nodiscard]] HANDWAY_PLANNING_EXPORT RegionDraws draw_region(const PlanningProblem& problem,
+                                                              int palm,
+                                                              const SamplingRegion& region,
+                                                              int configurations,
+                                                              const std::stop_token& stop = {});
 
 /// Where the palm goes in one hypercube B^a(p_i) of a corridor.
 struct PalmBox {
