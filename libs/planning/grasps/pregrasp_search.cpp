@@ -35,43 +35,25 @@ Vector3d nearest_on_segment(const Vector3d& p, const Vector3d& a, const Vector3d
   return a + t * (b - a);
 }
 
-// The tip that is farthest from the middle of all others.
-std::size_t thumb_of(const std::vector<Vector3d>& tips) {
-  Vector3d sum = Vector3d::Zero();
-  for (const Vector3d& tip : tips) {
-    sum += tip;
-  }
-  std::size_t thumb = 0;
-  double farthest = -1.0;
-  for (std::size_t i = 0; i < tips.size(); ++i) {
-    const Vector3d others = (sum - tips[i]) / static_cast<double>(tips.size() - 1);
-    if (const double distance = (tips[i] - others).norm(); distance > farthest) {
-      farthest = distance;
-      thumb = i;
-    }
-  }
+// The tip that is farthest from the middle of all.
+Eigen::Index thumb_of(const Eigen::Matrix3Xd& tips) {
+  const Vector3d middle = tips.rowwise().mean();
+  Eigen::Index thumb = 0;
+  (tips.colwise() - middle).colwise().norm().maxCoeff(&thumb);
   return thumb;
 }
 
 // Of the others those that reach as far from the palm as the thumb, more or less: not those that
 // are bent away, nor the inner bars of a parallel gripper.
-std::vector<std::size_t> opposite(std::size_t thumb, const std::vector<Vector3d>& tips) {
+std::vector<Eigen::Index> opposite(Eigen::Index thumb, const Eigen::Matrix3Xd& tips) {
   constexpr double kReach = 0.7;
-  std::vector<std::size_t> others;
-  for (std::size_t i = 0; i < tips.size(); ++i) {
-    if (i != thumb && tips[i].norm() > kReach * tips[thumb].norm()) {
+  std::vector<Eigen::Index> others;
+  for (Eigen::Index i = 0; i < tips.cols(); ++i) {
+    if (i != thumb && tips.col(i).norm() > kReach * tips.col(thumb).norm()) {
       others.push_back(i);
     }
   }
   return others;
-}
-
-Vector3d middle(const std::vector<Vector3d>& points, const std::vector<std::size_t>& of) {
-  Vector3d sum = Vector3d::Zero();
-  for (const std::size_t i : of) {
-    sum += points[i];
-  }
-  return sum / static_cast<double>(of.size());
 }
 
 bool has_directions(const PlanningProblem& problem) {
@@ -89,7 +71,7 @@ class HandClosing {
     Eigen::VectorXd open;  ///< Normalised joints in the basis' order.
     Vector3d grip;         ///< Between the ends of the thumb and of the others.
     Vector3d opposition;   ///< From the thumb to the others; of length 1.
-    Vector3d row;          ///< Along the others' tips, square to it; of length 1.
+    Vector3d row = {};     ///< Along the others' tips, square to it; of length 1.
     double opening = 0.0;  ///< From the thumb's tip to the others.
   };
   /// The part of the hand that one branch of the palm carries.
@@ -206,29 +188,31 @@ class HandClosing {
   }
 
   [[nodiscard]] std::optional<Preshape> preshape(Eigen::VectorXd open) const {
-    std::vector<Vector3d> tips, ends;
-    for (const Finger& finger : fingers_) {
-      const Pose X_PL = last_link(finger, open);
-      tips.push_back(X_PL * finger.p_LTip);
-      ends.push_back(X_PL * finger.p_LEnd);
-    }
-    if (tips.size() < 2) {
+    if (fingers_.size() < 2) {
       return std::nullopt;
     }
-    const std::size_t thumb = thumb_of(tips);
-    const std::vector<std::size_t> others = opposite(thumb, tips);
+    Eigen::Matrix3Xd tips(3, std::ssize(fingers_));
+    Eigen::Matrix3Xd ends(3, tips.cols());
+    for (Eigen::Index i = 0; i < tips.cols(); ++i) {
+      const Finger& finger = fingers_[static_cast<std::size_t>(i)];
+      const Pose X_PL = last_link(finger, open);
+      tips.col(i) = X_PL * finger.p_LTip;
+      ends.col(i) = X_PL * finger.p_LEnd;
+    }
+    const Eigen::Index thumb = thumb_of(tips);
+    const std::vector<Eigen::Index> others = opposite(thumb, tips);
     if (others.empty()) {
       return std::nullopt;
     }
-    const Vector3d opposition = middle(tips, others) - tips[thumb];
-    Preshape shape{
-        std::move(open), 0.5 * (ends[thumb] + middle(ends, others)), opposition, {}, 0.0};
+    Preshape shape{.open = std::move(open),
+                   .grip = 0.5 * (ends.col(thumb) + ends(Eigen::all, others).rowwise().mean()),
+                   .opposition = tips(Eigen::all, others).rowwise().mean() - tips.col(thumb)};
     shape.opening = shape.opposition.norm();
     if (shape.opening < kLeastOpening) {
       return std::nullopt;
     }
     shape.opposition /= shape.opening;
-    shape.row = tips[others.back()] - tips[others.front()];
+    shape.row = tips.col(others.back()) - tips.col(others.front());
     shape.row -= shape.row.dot(shape.opposition) * shape.opposition;
     if (shape.row.norm() < 1e-3) {  // one finger against the thumb
       shape.row = shape.opposition.unitOrthogonal();
@@ -449,13 +433,14 @@ class PregraspSearch {
     for (Vector3d& p_O : points) {
       p_O[longest_] = std::clamp(p_O[longest_], centre - 0.5 * kBreadth, centre + 0.5 * kBreadth);
     }
+    profile_.resize(3, kDirections);
     for (int i = 0; i < kDirections; ++i) {  // on a spiral around the sphere
       const double z = 1.0 - (2.0 * i + 1.0) / kDirections;
       const double turn = 2.0 * std::numbers::pi * std::numbers::phi * i;
       const double r = std::sqrt(1.0 - z * z);
       const Vector3d direction(r * std::cos(turn), r * std::sin(turn), z);
-      profile_.push_back(*std::ranges::max_element(
-          points, {}, [&](const Vector3d& p_O) { return direction.dot(p_O); }));
+      profile_.col(i) = *std::ranges::max_element(
+          points, {}, [&](const Vector3d& p_O) { return direction.dot(p_O); });
     }
   }
 
@@ -500,12 +485,8 @@ class PregraspSearch {
     if (std::abs(direction[longest_]) > kAlong) {
       return direction.cwiseAbs().dot(box_.size());
     }
-    double least = HUGE_VAL, most = -HUGE_VAL;
-    for (const Vector3d& p_O : profile_) {
-      least = std::min(least, direction.dot(p_O));
-      most = std::max(most, direction.dot(p_O));
-    }
-    return most - least;
+    const Eigen::RowVectorXd along = direction.transpose() * profile_;
+    return along.maxCoeff() - along.minCoeff();
   }
 
   std::optional<int> colliding(const Configuration& q) {
@@ -593,9 +574,7 @@ class PregraspSearch {
       Eigen::VectorXd posture = hand_.hand_of(q);
       const Eigen::VectorXd rates = hand_.towards(finger, posture, a, b);
       for (int step = 0; step < kOpeningSteps && touches(q, finger.links); ++step) {
-        for (Eigen::Index k = 0; k < rates.size(); ++k) {
-          posture[finger.joints[static_cast<std::size_t>(k)]] -= kOpeningStep * rates[k];
-        }
+        posture(finger.joints) -= kOpeningStep * rates;
         posture = posture.cwiseMax(0.0).cwiseMin(1.0);
         q = hand_.with_hand(q, posture);
       }
@@ -681,7 +660,7 @@ class PregraspSearch {
   HandClosing hand_;
   geometric::Aabb box_;
   Eigen::Index longest_ = 0;
-  std::vector<Vector3d> profile_;  ///< The object, as long as fingers are broad; in its frame.
+  Eigen::Matrix3Xd profile_;  ///< The object, as long as fingers are broad; in its frame.
   double middle_side_ = 0.0;
   Pose X_WO_;
   Pose X_BW_;
