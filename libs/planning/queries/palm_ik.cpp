@@ -22,27 +22,6 @@ constexpr double kBend = 0.05;    // rad
 constexpr int kMostPostures = 4;  // of an arm without closed form
 constexpr double kBetter = 0.9;   // of the distance that is left, or it is not worth a jump
 
-// Near to where it was, or not at all.
-geometric::NumericIkOptions from_the_reference(const RobotModel& model, int palm,
-                                               const std::vector<int>& arm) {
-  const std::vector<int> chain = geometric::chain_variables(model, palm);
-  const auto moving =
-      std::ranges::count_if(chain, [&](int v) { return std::ranges::count(arm, v) > 0; });
-  geometric::NumericIkOptions options;
-  options.position_only = moving < kPoseFreedoms;
-  options.position_tolerance = geometric::metres(0.1);
-  options.orientation_tolerance = geometric::radians(0.01);
-  options.max_restarts = 0;
-  options.max_iterations = 60;
-  return options;
-}
-
-// Several postures, from some other starts.
-geometric::NumericIkOptions from_anywhere(geometric::NumericIkOptions options) {
-  options.max_restarts = 8;
-  return options;
-}
-
 std::vector<int> ancestors(const RobotModel& model, int link) {
   std::vector<int> chain;
   for (link = model.parent(link); link >= 0; link = model.parent(link)) {
@@ -55,6 +34,29 @@ std::vector<int> ancestors(const RobotModel& model, int link) {
 std::vector<int> shared_by(std::vector<int> list, const std::vector<int>& others) {
   std::erase_if(list, [&](int one) { return std::ranges::count(others, one) == 0; });
   return list;
+}
+
+// Of these variables those that move the link.
+std::vector<int> that_move(const RobotModel& model, int link, const std::vector<int>& variables) {
+  return shared_by(geometric::chain_variables(model, link), variables);
+}
+
+// Near to where it was, or not at all.
+geometric::NumericIkOptions from_the_reference(const RobotModel& model, int palm,
+                                               const std::vector<int>& arm) {
+  geometric::NumericIkOptions options;
+  options.position_only = std::ssize(that_move(model, palm, arm)) < kPoseFreedoms;
+  options.position_tolerance = geometric::metres(0.1);
+  options.orientation_tolerance = geometric::radians(0.01);
+  options.max_restarts = 0;
+  options.max_iterations = 60;
+  return options;
+}
+
+// Several postures, from some other starts.
+geometric::NumericIkOptions from_anywhere(geometric::NumericIkOptions options) {
+  options.max_restarts = 8;
+  return options;
 }
 
 // The deepest link below `carrier` that carries all that the hand's joints move: a wrist that
@@ -193,7 +195,7 @@ Configuration PalmIk::swung(const Configuration& q, const Pose& X_BP, double by,
 
 std::optional<ReachFigures> reach_figures(const RobotModel& model, int link,
                                           const std::vector<int>& arm, const Configuration& q) {
-  const std::vector<int> moving = shared_by(geometric::chain_variables(model, link), arm);
+  const std::vector<int> moving = that_move(model, link, arm);
   if (moving.empty()) {
     return std::nullopt;
   }
@@ -209,10 +211,7 @@ std::optional<ReachFigures> reach_figures(const RobotModel& model, int link,
 
 int palm_link(const RobotModel& model, const std::vector<int>& arm, const std::vector<int>& hand) {
   if (!hand.empty()) {
-    const auto is_moved = [&](int link) {
-      return std::ranges::any_of(geometric::chain_variables(model, link),
-                                 [&](int v) { return std::ranges::count(arm, v) > 0; });
-    };
+    const auto is_moved = [&](int link) { return !that_move(model, link, arm).empty(); };
     std::vector<int> common = ancestors(model, model.variable_link(hand.front()));
     const bool hangs_on_arm = std::ranges::any_of(common, is_moved);
     for (const int variable : hand) {
@@ -229,17 +228,14 @@ int palm_link(const RobotModel& model, const std::vector<int>& arm, const std::v
 }
 
 std::vector<int> fingertips(const geometric::RobotModel& model, const std::vector<int>& hand) {
+  std::vector<bool> carries(static_cast<std::size_t>(model.link_count()), false);
+  for (int link = 1; link < model.link_count(); ++link) {
+    carries[static_cast<std::size_t>(model.parent(link))] = true;
+  }
   std::vector<int> tips;
-  for (int leaf = 0; leaf < model.link_count(); ++leaf) {
-    bool is_leaf = true;
-    for (int link = 1; link < model.link_count(); ++link) {
-      is_leaf = is_leaf && model.parent(link) != leaf;
-    }
-    for (int link = leaf; is_leaf && link > 0; link = model.parent(link)) {
-      if (std::ranges::count(hand, model.drive(link).variable) > 0) {
-        tips.push_back(leaf);
-        break;
-      }
+  for (int link = 0; link < model.link_count(); ++link) {
+    if (!carries[static_cast<std::size_t>(link)] && !that_move(model, link, hand).empty()) {
+      tips.push_back(link);
     }
   }
   return tips;
