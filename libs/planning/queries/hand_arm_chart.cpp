@@ -2,8 +2,6 @@
 
 #include "handway/geometric/robot/normalised_joints.h"
 
-#include <Eigen/QR>
-
 namespace handway::planning {
 
 HandArmChart::HandArmChart(const PlanningProblem& problem)
@@ -15,9 +13,6 @@ HandArmChart::HandArmChart(const PlanningProblem& problem)
     return;
   }
   const sampling::PmdBasis& basis = *problem_.basis;
-  const Eigen::MatrixXd axes = sampling::axes_of(basis);
-  to_basis_ = axes.colPivHouseholderQr().solve(Eigen::MatrixXd::Identity(axes.rows(), axes.rows()));
-  origin_ = -to_basis_ * sampling::centre_of(basis);
   subspace_.emplace(basis);
   for (const sampling::FreeJoint& free : basis.free_joints) {
     axes_.push_back({Axis::Kind::kFreeJoint, basis.joints[static_cast<std::size_t>(free.joint)]});
@@ -37,7 +32,7 @@ Eigen::VectorXd HandArmChart::at(const Configuration& q) const {
   result[1] = (arm - result[0] * arm_motion_).norm();
   if (subspace_) {
     const Eigen::VectorXd hand = joints(problem_.hand);
-    result.segment(2, origin_.size()) = to_basis_ * hand + origin_;
+    result.segment(2, problem_.basis->dimension()) = sampling::project(*problem_.basis, hand);
     result[result.size() - 1] = subspace_->distance(hand);
   }
   return result;

@@ -50,18 +50,11 @@ Eigen::VectorXd map_to_posture(const PmdBasis& basis, const Eigen::VectorXd& u) 
                                 " coordinates, the basis " + std::to_string(basis.dimension()) +
                                 " axes");
   }
+  const Eigen::MatrixXd axes = axes_of(basis);
+  const Eigen::VectorXd half_sides = half_sides_of(basis);
   Eigen::VectorXd posture = centre_of(basis);
-  const auto free_count = static_cast<Eigen::Index>(basis.free_joints.size());
   for (Eigen::Index i = 0; i < u.size(); ++i) {
-    const double e = 2.0 * u[i] - 1.0;  // in units of the half-side
-    if (i < free_count) {
-      const FreeJoint& free = basis.free_joints[static_cast<std::size_t>(i)];
-      posture[free.joint] += e * free.half_side;
-    } else {
-      const PrincipalDirection& direction =
-          basis.directions[static_cast<std::size_t>(i - free_count)];
-      posture += e * direction.half_side * direction.vector;
-    }
+    posture += (2.0 * u[i] - 1.0) * half_sides[i] * axes.col(i);
   }
   return posture.cwiseMax(0.0).cwiseMin(1.0);
 }
@@ -71,7 +64,7 @@ Eigen::VectorXd project(const PmdBasis& basis, const Eigen::VectorXd& posture) {
 }
 
 double distance_to_subspace(const PmdBasis& basis, const Eigen::VectorXd& posture) {
-  return (axes_of(basis) * project(basis, posture) + centre_of(basis) - posture).norm();
+  return PostureSubspace(basis).distance(posture);
 }
 
 PmdBasis full_joint_basis(std::string hand, std::vector<std::string> joints) {

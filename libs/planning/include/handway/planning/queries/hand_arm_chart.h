@@ -36,10 +36,8 @@ class HANDWAY_PLANNING_EXPORT HandArmChart {
  private:
   const PlanningProblem& problem_;
   std::vector<Axis> axes_;
-  Eigen::VectorXd arm_start_;   ///< Normalised.
-  Eigen::VectorXd arm_motion_;  ///< From there to the goal.
-  Eigen::MatrixXd to_basis_;    ///< Shape [basis dimension, hand joints].
-  Eigen::VectorXd origin_;      ///< Coordinates of the posture with all joints at 0.
+  Eigen::VectorXd arm_start_;                          ///< Normalised.
+  Eigen::VectorXd arm_motion_;                         ///< From there to the goal.
   std::optional<sampling::PostureSubspace> subspace_;  ///< Nothing: no basis.
 };
 
